@@ -1,0 +1,35 @@
+# SPDX-FileCopyrightText: 2026 The Handwheel developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# handwheel_room(NAME SOURCES file... [ROOMS room...] [PUBLIC lib...] [PRIVATE lib...])
+#
+# One shared library per room. Its headers are reachable as "NAME/Header.h" only by targets that link it: the include
+# path is a folder that holds nothing but a link to the room. An upward call neither compiles nor links.
+function(handwheel_room NAME)
+  cmake_parse_arguments(ARG "" "" "SOURCES;ROOMS;PUBLIC;PRIVATE" ${ARGN})
+  set(include_root ${CMAKE_BINARY_DIR}/rooms/${NAME})
+  file(MAKE_DIRECTORY ${include_root})
+  file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${include_root}/${NAME} SYMBOLIC)
+
+  add_library(hw_${NAME} SHARED ${ARG_SOURCES})
+  target_include_directories(hw_${NAME} PUBLIC ${include_root})
+  target_link_options(hw_${NAME} PRIVATE -Wl,--no-undefined)
+  list(TRANSFORM ARG_ROOMS PREPEND hw_)
+  target_link_libraries(hw_${NAME} PUBLIC ${ARG_ROOMS} ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+  handwheel_warnings(hw_${NAME})
+  install(TARGETS hw_${NAME} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/handwheel)
+endfunction()
+
+function(handwheel_warnings TARGET)
+  target_compile_options(${TARGET} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+  if(HANDWHEEL_WERROR)
+    target_compile_options(${TARGET} PRIVATE -Werror)
+  endif()
+endfunction()
+option(HANDWHEEL_WERROR "Warnings are errors" OFF)
+set(HANDWHEEL_SANITIZE "" CACHE STRING "Sanitizers, for example address,undefined")
+if(HANDWHEEL_SANITIZE)
+  add_compile_options(-fsanitize=${HANDWHEEL_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
+  # Sanitizer runtimes are resolved when the program links, so --no-undefined must be off for the rooms.
+  add_link_options(-fsanitize=${HANDWHEEL_SANITIZE} -Wl,-z,undefs)
+endif()

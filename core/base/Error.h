@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace handwheel {
+
+// What went wrong. The sentence for each lives in widgets/text/ErrorText.cpp, with the arguments named below.
+enum class ErrorCode {
+  Cancelled,
+  OutOfMemory,
+  FileMissing,         // no such file
+  FileUnreadable,      // {system's reason}
+  FileEmpty,
+  FileTooLarge,        // {what, count, limit}
+  FormatUnknown,       // content and name match no format
+  ExtensionUnknown,    // {extension} no writer for it
+  HeaderMalformed,     // {what was expected}
+  TextEncoding,        // {encoding} not readable as text
+  TokenUnexpected,     // {expected, found}
+  NumberMalformed,     // {found}
+  NumberNotFinite,     // {found}
+  IndexOutOfRange,     // {index, number of vertices}
+  PolygonTooSmall,     // {corners}
+  DataTruncated,       // {what, expected, found}
+  CountMismatch,       // {what, announced, found}
+  TypeUnknown,         // {type}
+  NoTriangles,         // the file holds no triangle
+  WriteFailed,         // {system's reason}
+  CheckFailed,         // {what} the written file does not read back as what was to be written
+};
+
+// Where in the input: the byte offset in binary files, the line (from 1) in text files.
+struct Place {
+  enum class Kind { None, Byte, Line };
+  Kind kind = Kind::None;
+  std::uint64_t value = 0;
+
+  static Place byte(std::uint64_t offset) { return {Kind::Byte, offset}; }
+  static Place line(std::uint64_t number) { return {Kind::Line, number}; }
+};
+
+struct Error {
+  ErrorCode code = ErrorCode::Cancelled;
+  std::vector<std::string> arguments;
+  Place place;
+  std::string subject;  // the file concerned, as the user named it; empty where there is none
+};
+
+}  // namespace handwheel

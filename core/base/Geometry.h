@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+
+namespace handwheel {
+
+using Vec3 = Eigen::Vector3d;
+using Box = Eigen::AlignedBox3d;
+
+// Three vertex numbers, counter-clockwise seen from outside.
+using Triangle = std::array<std::uint32_t, 3>;
+
+// "No such vertex, face or half-edge."
+inline constexpr std::uint32_t kNone = 0xffffffffu;
+
+// The number type in which a file, or the file that will be written, holds its coordinates.
+enum class NumberType { Float32, Float64 };
+
+// v as a file of this number type holds it. Negative zero becomes zero, so that equal positions have equal bits.
+inline double rounded(double v, NumberType type) {
+  // volatile: GCC 12 at -O2 was seen to drop the rounding otherwise.
+  volatile float single = static_cast<float>(v);
+  const double r = type == NumberType::Float32 ? static_cast<double>(single) : v;
+  return r == 0.0 ? 0.0 : r;
+}
+
+inline Vec3 rounded(const Vec3& p, NumberType type) {
+  return {rounded(p.x(), type), rounded(p.y(), type), rounded(p.z(), type)};
+}
+
+}  // namespace handwheel

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace handwheel::tolerance {
+
+// Every tolerance of the program, so that none hides in a formula. Lengths are shares of the model's bounding-box
+// diagonal unless the name says otherwise.
+
+// Vertices on open borders nearer than this are one vertex that the file rounded apart; a repair merges them.
+inline constexpr double kNearWeld = 1e-5;
+// A patch may leave the bounding box of its hole and the ring around it by this share of that box's diagonal.
+inline constexpr double kPatchSwelling = 0.5;
+// CGAL's cubic hole triangulation is allowed up to this many edges; beyond, it freezes (90 s at 2554).
+inline constexpr int kCubicFillEdges = 300;
+// New vertices of a patch per boundary edge; refining beyond is refused.
+inline constexpr int kPatchVerticesPerEdge = 20;
+
+}  // namespace handwheel::tolerance

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "base/Result.h"
+#include "mesh/TriangleSoup.h"
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace handwheel {
+
+enum class MeshFormat { Stl, Ply, Obj, Off };
+
+// What a file holds that the mesh does not keep; named for the user ("vertex colour", "texture coordinates").
+enum class LostAttribute { Colour, Normals, TextureCoordinates, Materials, Groups, Lines, Points, Curves, Other };
+
+struct ReadOptions {
+  bool partial = false;  // open what is readable and list the damage instead of failing
+};
+
+struct MeshFile {
+  MeshFormat format = MeshFormat::Stl;
+  NumberType numbers = NumberType::Float32;  // of the coordinates in the file
+  TriangleSoup soup;
+  std::vector<Error> damage;                 // what was skipped or mended; empty when the file is as its format wants
+  std::vector<LostAttribute> lost;
+};
+
+// Reads a mesh of any known format, recognised by content. Never throws; errors carry the byte or the line.
+// O(file size); memory for the bytes and the soup. nameHint: the file name, used only where content is ambiguous.
+Result<MeshFile> readMesh(std::string_view bytes, std::string_view nameHint, const ReadOptions& options,
+                          Progress progress = {});
+Result<MeshFile> readMeshFile(const std::filesystem::path& path, const ReadOptions& options, Progress progress = {});
+
+// The format a file name asks for.
+std::optional<MeshFormat> formatForName(std::string_view name);
+
+// The number type in which a format holds coordinates: STL single precision; the others keep the document's.
+NumberType numberTypeOf(MeshFormat format, NumberType documentNumbers);
+
+// The bytes of a file of this format. STL and PLY are binary little-endian; text holds the shortest digits that read
+// back to the same number.
+std::string writeMesh(const TriangleSoup& soup, MeshFormat format, NumberType numbers);
+
+}  // namespace handwheel

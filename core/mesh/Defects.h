@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "mesh/BoundaryLoops.h"
+#include "mesh/HalfEdgeMesh.h"
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace handwheel {
+
+struct Component {
+  std::vector<Face> faces;
+  double area = 0.0;    // mm²
+  bool debris = false;  // far smaller than the largest: a stray flake of the scan
+};
+
+// Everything that is wrong with a mesh, each with its place. Self-intersections are looked for apart
+// (findSelfIntersections), because they take longer than the rest together.
+struct Defects {
+  std::vector<BoundaryLoop> loops;
+  std::vector<std::pair<Vertex, Vertex>> nonManifoldEdges;  // end points; one entry per edge, by position
+  std::vector<Vertex> nonManifoldVertices;                  // one of the vertices at each such position
+  std::vector<Face> degenerateFaces;                        // zero area
+  std::vector<Face> duplicateFaces;                         // same three positions as an earlier face
+  std::vector<std::pair<Vertex, Vertex>> nearVertices;      // on open borders, apart but within tolerance::kNearWeld
+  std::vector<Component> components;                        // largest area first
+};
+
+Defects findDefects(const HalfEdgeMesh& mesh);
+
+// Pairs of faces that meet in more than a shared vertex or edge. Empty optional when cancelled.
+std::optional<std::vector<std::pair<Face, Face>>> findSelfIntersections(const HalfEdgeMesh& mesh, Progress progress = {});
+
+}  // namespace handwheel

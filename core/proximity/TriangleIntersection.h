@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Geometry.h"
+
+namespace handwheel {
+
+using TrianglePoints = std::array<Vec3, 3>;
+
+// True when two triangles meet in more than a shared vertex or edge; touching counts. Corners are shared when their
+// positions are equal. A doubled triangle and a fold lying flat on its neighbour count. Exact (CGAL's exact predicates).
+// Both triangles must have area.
+bool trianglesMeet(const TrianglePoints& a, const TrianglePoints& b);
+
+// Exactly zero area: two equal corners or all three on one line.
+bool isDegenerate(const TrianglePoints& t);
+
+}  // namespace handwheel
