@@ -8,7 +8,8 @@
 
 namespace handwheel {
 
-// What went wrong. The sentence for each lives in widgets/text/ErrorText.cpp, with the arguments named below.
+// What went wrong. The sentence for each lives in widgets/text/ErrorText.cpp, with the arguments named below. An argument
+// is empty where it is not known. {what} is an English plural noun ("facets", "vertices", "faces", "bytes", "lines", ...).
 enum class ErrorCode {
   Cancelled,
   OutOfMemory,
@@ -20,12 +21,14 @@ enum class ErrorCode {
   ExtensionUnknown,    // {extension} no writer for it
   HeaderMalformed,     // {what was expected}
   TextEncoding,        // {encoding} not readable as text
-  TokenUnexpected,     // {expected, found}
+  TokenUnexpected,     // {expected, found}; nothing found: the line or the file ends here
   NumberMalformed,     // {found}
   NumberNotFinite,     // {found}
-  IndexOutOfRange,     // {index, number of vertices}
+  IndexOutOfRange,     // {index as written in the file, number of vertices}
+  VertexUnreadable,    // {index as written in the file} a face needs a vertex that could not be read
   PolygonTooSmall,     // {corners}
-  DataTruncated,       // {what, expected, found}
+  PolygonTooComplex,   // {corners} cut into triangles as if it were convex
+  DataTruncated,       // {what, expected, found} the file ends too early
   CountMismatch,       // {what, announced, found}
   TypeUnknown,         // {type}
   NoTriangles,         // the file holds no triangle

@@ -7,6 +7,14 @@ namespace handwheel::tolerance {
 // Every tolerance of the program, so that none hides in a formula. Lengths are shares of the model's bounding-box
 // diagonal unless the name says otherwise.
 
+// A part whose thickness (RMS, to its best plane) is below this share of its extent (RMS) is a flat sheet.
+inline constexpr double kFlatSheet = 1e-3;
+// A part whose longest loop, squared, exceeds its area times this is an open sheet (a disc has 4π = 12.6, a hemisphere
+// 6.3, the ragged outline of a range map hundreds).
+inline constexpr double kSheetOutline = 60.0;
+// A part with less than these shares of the largest part's area and faces is debris.
+inline constexpr double kDebrisArea = 0.01;
+inline constexpr double kDebrisFaces = 0.01;
 // Vertices on open borders nearer than this are one vertex that the file rounded apart; a repair merges them.
 inline constexpr double kNearWeld = 1e-5;
 // A patch may leave the bounding box of its hole and the ring around it by this share of that box's diagonal.

@@ -8,11 +8,12 @@
 
 namespace handwheel {
 
-// A closed chain of border half-edges, split where it passes the same position twice. Its half-edges run as their faces
-// do, so a patch uses them the other way round.
+// A closed chain of open half-edges that passes no position twice. Its half-edges run as their faces do, so a patch uses
+// them the other way round.
 struct BoundaryLoop {
   int id = 0;                        // from 0, in order of the smallest vertex
   std::vector<HalfEdge> halfEdges;   // in order; the end of one has the position of the start of the next
+  std::size_t borderEdges = 0;       // the rest are seams: edges that other faces share in the file
   double length = 0.0;               // mm
   double planarity = 0.0;            // RMS distance to the best plane / length
   bool rim = false;                  // the outer edge of an open sheet rather than a hole in a surface
@@ -20,7 +21,10 @@ struct BoundaryLoop {
   Box box;
 };
 
-// Every border half-edge is in exactly one loop. O(n).
+// Every border half-edge is in exactly one loop; loops of seams alone are left out. O(n log n).
 std::vector<BoundaryLoop> findBoundaryLoops(const HalfEdgeMesh& mesh);
+
+// The start of each half-edge.
+std::vector<Vec3> loopPoints(const HalfEdgeMesh& mesh, const BoundaryLoop& loop);
 
 }  // namespace handwheel

@@ -30,6 +30,9 @@ struct Defects {
   std::vector<Component> components;                        // largest area first
 };
 
+// The parts of the mesh, largest area first.
+std::vector<Component> findComponents(const HalfEdgeMesh& mesh);
+
 Defects findDefects(const HalfEdgeMesh& mesh);
 
 // Pairs of faces that meet in more than a shared vertex or edge. Empty optional when cancelled.

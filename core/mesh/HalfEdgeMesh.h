@@ -4,6 +4,7 @@
 
 #include "base/Geometry.h"
 #include "base/PagedArray.h"
+#include "proximity/TriangleIntersection.h"
 #include "mesh/TriangleSoup.h"
 
 namespace handwheel {
@@ -52,7 +53,11 @@ class HalfEdgeMesh {
   // The next open half-edge along the rim, walking around the end vertex of h. h must be open and proper.
   HalfEdge nextOpen(HalfEdge h) const;
 
-  std::vector<Face> liveFaces() const;
+  // The half-edges that leave the same fan of faces as h, counter-clockwise, from the open one where there is one.
+  // h must be proper.
+  std::vector<HalfEdge> fan(HalfEdge h) const;
+  TrianglePoints points(Face f) const;
+
   std::size_t liveFaceCount() const;
   // The live faces and the vertices they use, renumbered without gaps; faceOf[i] is the face of triangle i.
   struct Compact {
@@ -61,16 +66,16 @@ class HalfEdgeMesh {
     std::vector<Vertex> vertexOf;
   };
   Compact compact() const;
-  // The live faces over all vertex slots, not renumbered.
-  TriangleSoup asSoup() const { return compact().soup; }
 
-  // Low-level changes. They keep nothing consistent: link() or the builder does. Each run of changes ends with a mesh
-  // that validate() (MeshValidator.h) accepts.
+  // Low-level changes. They keep nothing consistent: who calls them does, or relink() (MeshBuilder.h). Each run of
+  // changes ends with a mesh that validate() (MeshValidator.h) accepts.
   Vertex addVertex(const Vec3& p);
   void setPosition(Vertex v, const Vec3& p) { m_positions.set(v, p); }
   Face addFace(const Triangle& corners);
   void removeFace(Face f);  // neighbours become border
   void setCorner(HalfEdge h, Vertex v);
+  void setTriangle(Face f, const Triangle& corners);
+  void setOpposite(HalfEdge h, HalfEdge value);
   void pair(HalfEdge a, HalfEdge b);
   void setOpen(HalfEdge h, Open kind);
 

@@ -5,43 +5,27 @@
 #include "base/Progress.h"
 #include "mesh/BoundaryLoops.h"
 #include "mesh/HalfEdgeMesh.h"
+#include "mesh/Patch.h"
 
 #include <memory>
-#include <string>
-#include <vector>
 
 namespace handwheel {
-
-enum class FillMethod {
-  Fair,     // refined to the density of the surroundings and bent to continue them (CGAL)
-  Refined,  // refined, not bent
-  Ear,      // best-first ear cutting (He 2008, section 4.3; spec step 4), no new vertices
-  Minimal,  // CGAL's triangulation by dihedral angle and area, no new vertices
-};
 
 enum class FillFailure {
   None,
   Cancelled,
-  Rim,                // the outer edge of an open sheet: left open unless asked
-  KeptOpen,           // the user wants it open
-  TooLong,            // more edges than the user allows
-  NoPatch,            // no method found a triangulation
-  SelfIntersecting,   // every patch would cross or touch the part
-  Swelling,           // every patch would bulge out of the hole's surroundings
+  Rim,               // the outer edge of an open sheet: left open unless asked
+  KeptOpen,          // the user wants it open
+  TooLong,           // more edges than the user allows
+  NoPatch,           // no method found a triangulation
+  SelfIntersecting,  // every patch would cross or touch the part
+  Swelling,          // every patch would bulge far out of the hole
 };
 
 struct FillOptions {
   FillMethod method = FillMethod::Fair;
   bool tryOthers = true;  // when the chosen method gives no acceptable patch
   NumberType numbers = NumberType::Float64;
-};
-
-// A patch that may be put into the mesh: triangles over mesh vertices and new ones. Vertex numbers from
-// mesh.vertexSlots() on mean newPoints.
-struct Patch {
-  std::vector<Vec3> newPoints;
-  std::vector<Triangle> triangles;
-  FillMethod method = FillMethod::Fair;
 };
 
 struct FillAttempt {
@@ -55,12 +39,18 @@ class HoleFiller {
  public:
   explicit HoleFiller(const HalfEdgeMesh& mesh);
   ~HoleFiller();
+  HoleFiller(const HoleFiller&) = delete;
+  HoleFiller& operator=(const HoleFiller&) = delete;
 
-  // A patch that closes the loop without crossing the part, itself or an accepted patch. The mesh is not changed.
+  // A patch that closes the loop without crossing the part, itself or an accepted patch. The loop must be open still.
   FillAttempt propose(const BoundaryLoop& loop, const FillOptions& options, Progress progress = {}) const;
 
-  // Puts a proposed patch into the mesh that this filler was made for, or a copy of it with the same slots.
-  void accept(HalfEdgeMesh& mesh, const BoundaryLoop& loop, const Patch& patch);
+  // Puts a proposed patch into the mesh. Only new faces and vertices appear; where the loop was pinched, its vertices at
+  // the pinch become one.
+  void accept(const BoundaryLoop& loop, const Patch& patch);
+
+  // The mesh with the accepted patches.
+  const HalfEdgeMesh& mesh() const;
 
  private:
   struct State;

@@ -1,2 +1,116 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/MeshBuilder.h"
+
+#include "mesh/EdgePairing.h"
+#include "mesh/Orientation.h"
+#include "mesh/Weld.h"
+
+#include <algorithm>
+
+namespace handwheel {
+namespace {
+
+// Gives every fan of faces a vertex of its own. Works on a mesh whose opposites are set and whose corners still hold the
+// old vertices; classOf tells which vertices share a position.
+class FanVertices {
+ public:
+  FanVertices(HalfEdgeMesh& mesh, const PointClasses& classes)
+      : m_mesh(mesh), m_classes(classes), m_taken(mesh.vertexSlots(), false), m_seen(mesh.halfEdgeSlots(), false) {}
+
+  // Vertices that had to be added or changed hands because a position has more than one fan.
+  std::vector<Vertex> assign() {
+    std::vector<std::vector<HalfEdge>> homeless;  // fans whose vertices were all taken
+    for (HalfEdge h = 0; h < m_mesh.halfEdgeSlots(); ++h) {
+      if (m_seen[h] || !m_mesh.isProper(HalfEdgeMesh::face(h))) continue;
+      std::vector<HalfEdge> fan = m_mesh.fan(h);
+      for (HalfEdge g : fan) m_seen[g] = true;
+      if (!settle(fan)) homeless.push_back(std::move(fan));
+    }
+    std::vector<Vertex> added;
+    for (const auto& fan : homeless) {
+      // A copy: the position lies in the array that addVertex() grows.
+      const Vec3 p = m_mesh.position(m_mesh.from(fan.front()));
+      const Vertex v = m_mesh.addVertex(p);
+      for (HalfEdge g : fan) m_mesh.setCorner(g, v);
+      added.push_back(v);
+    }
+    return added;
+  }
+
+ private:
+  // Takes the first free vertex that the fan's corners already use; the position's first one is preferred.
+  bool settle(const std::vector<HalfEdge>& fan) {
+    const Vertex first = m_classes.representative[m_classes.classOf[m_mesh.from(fan.front())]];
+    if (!m_taken[first]) return take(fan, first);
+    for (HalfEdge g : fan) {
+      if (!m_taken[m_mesh.from(g)]) return take(fan, m_mesh.from(g));
+    }
+    return false;
+  }
+
+  bool take(const std::vector<HalfEdge>& fan, Vertex v) {
+    m_taken[v] = true;
+    for (HalfEdge g : fan) m_mesh.setCorner(g, v);
+    return true;
+  }
+
+  HalfEdgeMesh& m_mesh;
+  const PointClasses& m_classes;
+  std::vector<bool> m_taken;
+  std::vector<bool> m_seen;
+};
+
+}  // namespace
+
+BuildReport relink(HalfEdgeMesh& mesh) {
+  BuildReport report;
+  std::vector<Vec3> points(mesh.vertexSlots());
+  for (Vertex v = 0; v < points.size(); ++v) points[v] = mesh.position(v);
+  const PointClasses classes = classifyPoints(points);
+  report.weldedPoints = points.size() - classes.representative.size();
+
+  // Triangles over the first vertex at each position; dead slots look like triangles with a repeated vertex.
+  std::vector<Triangle> triangles(mesh.faceSlots(), Triangle{0, 0, 0});
+  for (Face f = 0; f < triangles.size(); ++f) {
+    if (!mesh.isLive(f)) continue;
+    for (int k = 0; k < 3; ++k) {
+      triangles[f][k] = classes.representative[classes.classOf[mesh.triangle(f)[k]]];
+    }
+  }
+  {
+    const EdgeTable edges(triangles, points.size());
+    const std::vector<bool> turn = trianglesToTurn(edges, triangles);
+    for (Face f = 0; f < triangles.size(); ++f) {
+      if (!turn[f]) continue;
+      triangles[f] = turned(triangles[f]);
+      mesh.setTriangle(f, turned(mesh.triangle(f)));
+      report.turnedFaces.push_back(f);
+    }
+  }
+  const EdgeTable edges(triangles, points.size());
+  const PairedEdges paired = pairEdges(edges, triangles, points);
+  report.nonManifoldEdges = paired.nonManifoldEdges;
+  report.unpairedHalfEdges = paired.seams;
+  for (Face f = 0; f < triangles.size(); ++f) {
+    if (!mesh.isLive(f)) continue;
+    // A face that welding made degenerate joins nothing; its corners show it.
+    if (hasRepeatedVertex(triangles[f])) mesh.setTriangle(f, triangles[f]);
+    for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) mesh.setOpposite(h, paired.opposite[h]);
+  }
+  report.splitVertices = FanVertices(mesh, classes).assign();
+  return report;
+}
+
+BuiltMesh buildMesh(const TriangleSoup& soup) {
+  BuiltMesh built;
+  const TriangleSoup welded = weld(soup);
+  for (const Vec3& p : welded.points) built.mesh.addVertex(p);
+  for (const Triangle& t : welded.triangles) built.mesh.addFace(t);
+  const BuildReport report = relink(built.mesh);
+  built.report = report;
+  built.report.weldedPoints = soup.points.size() - welded.points.size();
+  return built;
+}
+
+}  // namespace handwheel

@@ -27,4 +27,8 @@ struct BuiltMesh {
 // the mesh is triangle i of the soup: none is dropped, none is added.
 BuiltMesh buildMesh(const TriangleSoup& soup);
 
+// Does the same in place for a mesh whose faces changed: pairs everything anew by position. Face and vertex numbers stay;
+// where a position has more fans than vertices, vertices are added.
+BuildReport relink(HalfEdgeMesh& mesh);
+
 }  // namespace handwheel

@@ -18,10 +18,10 @@ class MeshDelta {
   // Turns "before" into "after" and this delta into its own inverse, so that applying it again undoes it.
   void swap(HalfEdgeMesh& mesh);
 
-  bool isEmpty() const;
+  bool isEmpty() const { return m_isEmpty; }
   std::size_t bytes() const;
-  // Faces whose slot the next swap() will write; for redrawing only what changed.
-  std::vector<Face> touchedFaces() const;
+  // Faces whose looks the next swap() of this mesh will change; for redrawing only them. May name a face twice.
+  std::vector<Face> touchedFaces(const HalfEdgeMesh& mesh) const;
 
  private:
   template <class T>
@@ -37,6 +37,7 @@ class MeshDelta {
 
   Slots<Vec3> m_positions;
   Slots<HalfEdgeMesh::FaceSlot> m_faces;
+  bool m_isEmpty = true;
 };
 
 }  // namespace handwheel

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "mesh/HoleFilling.h"
-#include "mesh/MeshReport.h"
 
 #include <set>
 
@@ -11,38 +10,38 @@ namespace handwheel {
 
 struct RepairOptions {
   FillOptions fill;
-  std::set<int> keepOpen;        // loop ids
+  std::set<int> keepOpen;    // loop ids, as in findBoundaryLoops() of the input
   bool fillRims = false;
-  std::size_t maxEdges = 0;      // loops with more edges stay open; 0: no limit
+  std::size_t maxEdges = 0;  // loops with more edges stay open; 0: no limit
   bool removeDebris = false;
 };
 
 enum class LoopOutcome { Filled, KeptOpen, Failed };
 
 struct LoopResult {
-  int id = 0;                    // as in findBoundaryLoops(input); -1 for a hole that the repair itself laid open
+  int id = -1;  // as in findBoundaryLoops() of the input; -1 for a hole that the repair itself laid open
   std::size_t edges = 0;
   LoopOutcome outcome = LoopOutcome::Failed;
-  FillMethod method = FillMethod::Fair;   // when filled
-  FillFailure reason = FillFailure::None; // when not filled
+  FillMethod method = FillMethod::Fair;    // when filled
+  FillFailure reason = FillFailure::None;  // when not filled
   std::size_t newFaces = 0;
   double milliseconds = 0.0;
 };
 
 struct RepairReport {
-  std::vector<LoopResult> loops;
-  std::size_t removedDegenerate = 0;
+  std::vector<LoopResult> loops;        // every loop of the input, by id; then those laid open
+  std::size_t removedDegenerate = 0;    // faces
   std::size_t removedDuplicates = 0;
-  std::size_t removedDebris = 0;       // faces
+  std::size_t removedDebris = 0;
   std::size_t turnedFaces = 0;
   std::size_t mergedVertices = 0;
   std::size_t partedVertices = 0;
-  std::vector<Vertex> touchedVertices; // of the input: moved, merged or parted
+  std::vector<Vertex> touchedVertices;  // of the input: moved, merged or parted
   bool cancelled = false;
 };
 
-// Makes the mesh closed, manifold and free of new self-intersections as far as that can be done without harm; what
-// stays open is in the report with its reason. On cancel the mesh is left as it was.
+// Makes the mesh closed, manifold and free of new self-intersections as far as that can be done without harm; what stays
+// open is in the report with its reason. On cancel the mesh is left as it was.
 RepairReport repair(HalfEdgeMesh& mesh, const RepairOptions& options, Progress progress = {});
 
 }  // namespace handwheel

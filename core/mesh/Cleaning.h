@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/HalfEdgeMesh.h"
+
+namespace handwheel {
+
+// Removes faces of exactly zero area. A needle between two neighbours is flipped away (the long edge's other face is
+// split at the middle vertex, which changes no geometry); others are simply dropped. Returns how many faces went.
+// Leaves the mesh linked.
+std::size_t removeDegenerateFaces(HalfEdgeMesh& mesh);
+
+// Removes faces that have the same three positions as another face. Of each group as many stay, none or one, as leave
+// its edges nearest to two faces; a group that is a closed pillow on its own stays. Returns how many went. Relinks.
+std::size_t removeDuplicateFaces(HalfEdgeMesh& mesh);
+
+// Removes the parts that findDefects() calls debris. Returns how many faces went.
+std::size_t removeDebris(HalfEdgeMesh& mesh);
+
+}  // namespace handwheel

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/Defects.h"
+
+#include "base/Tolerance.h"
+#include "mesh/EdgeTable.h"
+#include "mesh/FaceComponents.h"
+#include "mesh/BorderVertices.h"
+#include "mesh/Weld.h"
+#include "proximity/SelfIntersection.h"
+
+#include <algorithm>
+#include <set>
+
+namespace handwheel {
+namespace {
+
+// Triangles over position classes; index i is face i. Dead faces look degenerate.
+std::vector<Triangle> trianglesByPosition(const HalfEdgeMesh& mesh, const PointClasses& classes) {
+  std::vector<Triangle> triangles(mesh.faceSlots(), Triangle{0, 0, 0});
+  for (Face f = 0; f < mesh.faceSlots(); ++f) {
+    if (!mesh.isLive(f)) continue;
+    for (int k = 0; k < 3; ++k) triangles[f][k] = classes.classOf[mesh.triangle(f)[k]];
+  }
+  return triangles;
+}
+
+void findDuplicates(const std::vector<Triangle>& triangles, Defects& defects) {
+  std::vector<std::pair<Triangle, Face>> sorted;
+  for (Face f = 0; f < triangles.size(); ++f) {
+    if (hasRepeatedVertex(triangles[f])) continue;
+    Triangle t = triangles[f];
+    std::sort(t.begin(), t.end());
+    sorted.emplace_back(t, f);
+  }
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    if (sorted[i].first == sorted[i - 1].first) defects.duplicateFaces.push_back(sorted[i].second);
+  }
+}
+
+void findNonManifold(const HalfEdgeMesh& mesh, const PointClasses& classes, const std::vector<Triangle>& triangles,
+                     Defects& defects) {
+  const auto& first = classes.representative;
+  const EdgeTable edges(triangles, first.size());
+  std::set<std::uint32_t> onBadEdge;
+  edges.forEachEdge([&](std::uint32_t low, std::uint32_t high, std::span<const EdgeTable::Entry> run) {
+    if (run.size() <= 2) return;
+    defects.nonManifoldEdges.emplace_back(first[low], first[high]);
+    onBadEdge.insert({low, high});
+  });
+  // Several vertices in use at one position: several fans, and the edges do not account for it.
+  std::vector<Vertex> user(first.size(), kNone);
+  std::set<std::uint32_t> reported;
+  for (Face f = 0; f < mesh.faceSlots(); ++f) {
+    if (!mesh.isProper(f)) continue;
+    for (Vertex v : mesh.triangle(f)) {
+      const std::uint32_t c = classes.classOf[v];
+      if (user[c] == kNone) user[c] = v;
+      if (user[c] != v && !onBadEdge.contains(c) && reported.insert(c).second) {
+        defects.nonManifoldVertices.push_back(first[c]);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Component> findComponents(const HalfEdgeMesh& mesh) {
+  const FaceComponents parts(mesh);
+  std::vector<Component> components(parts.count());
+  for (Face f = 0; f < mesh.faceSlots(); ++f) {
+    if (!mesh.isLive(f)) continue;
+    Component& c = components[parts.of(f)];
+    const TrianglePoints p = mesh.points(f);
+    c.faces.push_back(f);
+    c.area += 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
+  }
+  std::stable_sort(components.begin(), components.end(),
+                   [](const Component& a, const Component& b) { return a.area > b.area; });
+  for (Component& c : components) {
+    c.debris = c.area < tolerance::kDebrisArea * components.front().area &&
+               static_cast<double>(c.faces.size()) <
+                   tolerance::kDebrisFaces * static_cast<double>(components.front().faces.size());
+  }
+  return components;
+}
+
+Defects findDefects(const HalfEdgeMesh& mesh) {
+  Defects defects;
+  defects.loops = findBoundaryLoops(mesh);
+  std::vector<Vec3> points(mesh.vertexSlots());
+  for (Vertex v = 0; v < points.size(); ++v) points[v] = mesh.position(v);
+  const PointClasses classes = classifyPoints(points);
+  const std::vector<Triangle> triangles = trianglesByPosition(mesh, classes);
+  findNonManifold(mesh, classes, triangles, defects);
+  findDuplicates(triangles, defects);
+  for (Face f = 0; f < mesh.faceSlots(); ++f) {
+    if (mesh.isLive(f) && isDegenerate(mesh.points(f))) defects.degenerateFaces.push_back(f);
+  }
+  defects.nearVertices = nearBorderVertices(mesh);
+  defects.components = findComponents(mesh);
+  return defects;
+}
+
+std::optional<std::vector<std::pair<Face, Face>>> findSelfIntersections(const HalfEdgeMesh& mesh, Progress progress) {
+  const HalfEdgeMesh::Compact compact = mesh.compact();
+  auto pairs = selfIntersections(compact.soup.points, compact.soup.triangles, progress);
+  if (!pairs) return std::nullopt;
+  for (auto& [a, b] : *pairs) {
+    a = compact.faceOf[a];
+    b = compact.faceOf[b];
+  }
+  return pairs;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/EdgeTable.h"
+
+#include <vector>
+
+namespace handwheel {
+
+struct PairedEdges {
+  std::vector<std::uint32_t> opposite;  // per half-edge: the paired one, or a value of Open
+  std::size_t nonManifoldEdges = 0;
+  std::size_t seams = 0;                // half-edges on edges of two or more that found no partner
+};
+
+// Pairs the half-edges of every edge. Where more than two triangles meet, those that bound the same solid wedge become
+// neighbours, so that solids that touch along an edge come apart there. Triangles must be oriented already.
+PairedEdges pairEdges(const EdgeTable& edges, std::span<const Triangle> triangles, std::span<const Vec3> points);
+
+}  // namespace handwheel

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/BoundaryLoops.h"
+#include "mesh/HalfEdgeMesh.h"
+
+#include <set>
+#include <vector>
+
+namespace handwheel {
+
+// A hole and the faces around it, numbered on their own: points 0…n-1 are the loop's, in its order.
+struct HoleContext {
+  std::size_t loopSize = 0;
+  std::vector<Vec3> points;
+  std::vector<Triangle> ring;               // three rings of faces around the hole
+  std::vector<Vec3> apexes;                 // per loop edge (i, i+1): the third corner of its face
+  std::vector<double> edgeLength;           // per loop point: mean length of the edges that leave it
+  Box ringBox;                              // of loop and ring
+
+  std::vector<Vec3> loop() const { return {points.begin(), points.begin() + static_cast<std::ptrdiff_t>(loopSize)}; }
+};
+
+HoleContext holeContext(const HalfEdgeMesh& mesh, const BoundaryLoop& loop);
+
+}  // namespace handwheel

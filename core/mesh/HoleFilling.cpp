@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/HoleFilling.h"
+
+#include "base/Tolerance.h"
+#include "mesh/EarCutting.h"
+#include "mesh/EdgeTable.h"
+#include "mesh/LibraryFill.h"
+#include "mesh/Weld.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace handwheel {
+namespace {
+
+using Edges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;  // sorted
+
+// One ear cutting may get stuck where another does not: a spread of tastes, the balanced one first.
+constexpr EarWeights kEarWeights[] = {{1, 1, 1}, {1, 0, 0}, {0.2, 0, 2}, {0, 2, 1}, {3, 1, 0}, {0, 0, 1}, {0.5, 3, 0}};
+
+// True when the triangles make a surface whose only border is the loop, run the other way.
+bool closesLoop(const Patch& patch) {
+  if (patch.triangles.empty()) return false;
+  const auto n = static_cast<std::uint32_t>(patch.loopSize);
+  const EdgeTable edges(patch.triangles, patch.points.size());
+  std::size_t border = 0;
+  bool ok = std::none_of(patch.triangles.begin(), patch.triangles.end(), hasRepeatedVertex);
+  edges.forEachEdge([&](std::uint32_t, std::uint32_t, std::span<const EdgeTable::Entry> run) {
+    const auto from = [&](std::size_t i) { return patch.triangles[run[i].halfEdge / 3][run[i].halfEdge % 3]; };
+    const auto to = [&](std::size_t i) { return patch.triangles[run[i].halfEdge / 3][(run[i].halfEdge + 1) % 3]; };
+    if (run.size() == 1) {
+      ++border;
+      ok = ok && from(0) < n && to(0) < n && from(0) == (to(0) + 1) % n;
+    } else {
+      ok = ok && run.size() == 2 && from(0) != from(1);
+    }
+  });
+  return ok && border == n;
+}
+
+bool hasDegenerateTriangle(const Patch& patch) {
+  return std::any_of(patch.triangles.begin(), patch.triangles.end(),
+                     [&](const Triangle& t) { return isDegenerate(corners(patch, t)); });
+}
+
+bool swells(const HoleContext& hole, const Patch& patch) {
+  Box loopBox;
+  for (const Vec3& p : hole.loop()) loopBox.extend(p);
+  const Vec3 slack = Vec3::Constant(tolerance::kPatchSwelling * loopBox.diagonal().norm());
+  const Box allowed(loopBox.min() - slack, loopBox.max() + slack);
+  return std::any_of(patch.points.begin(), patch.points.end(), [&](const Vec3& p) { return !allowed.contains(p); });
+}
+
+// True when a diagonal of the patch joins two loop points that the surface joins already.
+bool doublesAnEdge(const Patch& patch, const Edges& existing) {
+  const auto n = static_cast<std::uint32_t>(patch.loopSize);
+  for (const Triangle& t : patch.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+      if (a >= n || b >= n || a == (b + 1) % n || b == (a + 1) % n) continue;
+      const std::pair<std::uint32_t, std::uint32_t> edge = std::minmax(a, b);
+      if (std::binary_search(existing.begin(), existing.end(), edge)) return true;
+    }
+  }
+  return false;
+}
+
+// Produces candidates in the order of preference, each made only when asked for.
+class Candidates {
+ public:
+  Candidates(const HoleContext& hole, const Obstacles& obstacles, const FillOptions& options, Progress progress)
+      : m_hole(hole), m_obstacles(obstacles), m_progress(progress) {
+    add(options.method);
+    if (!options.tryOthers) return;
+    for (FillMethod m : {FillMethod::Fair, FillMethod::Refined, FillMethod::Ear, FillMethod::Minimal}) {
+      if (m != options.method) add(m);
+    }
+    for (std::size_t i = 1; i < std::size(kEarWeights); ++i) m_makers.push_back([this, i] { return ears(i); });
+  }
+
+  std::size_t size() const { return m_makers.size(); }
+  std::optional<Patch> make(std::size_t i) { return m_makers[i](); }
+
+ private:
+  void add(FillMethod method) {
+    switch (method) {
+      case FillMethod::Fair:
+        m_makers.push_back([this] { return refined(minimal(), Bending::Fair); });
+        m_makers.push_back([this] { return refined(ears(0), Bending::Fair); });
+        break;
+      case FillMethod::Refined:
+        m_makers.push_back([this] { return refined(minimal(), Bending::Flat); });
+        m_makers.push_back([this] { return refined(ears(0), Bending::Flat); });
+        break;
+      case FillMethod::Ear: m_makers.push_back([this] { return ears(0); }); break;
+      case FillMethod::Minimal: m_makers.push_back([this] { return minimal(); }); break;
+      case FillMethod::Stitched: break;
+    }
+  }
+
+  const std::optional<Patch>& minimal() {
+    if (!m_minimalMade) m_minimal = triangulateMinimal(m_hole);
+    m_minimalMade = true;
+    return m_minimal;
+  }
+
+  std::optional<Patch> ears(std::size_t i) {
+    if (i > 0) return cutEars(m_hole, m_obstacles, kEarWeights[i], m_progress);
+    if (!m_earsMade) m_ears = cutEars(m_hole, m_obstacles, kEarWeights[0], m_progress);
+    m_earsMade = true;
+    return m_ears;
+  }
+
+  std::optional<Patch> refined(const std::optional<Patch>& start, Bending bending) {
+    return start ? refinePatch(m_hole, *start, bending) : std::nullopt;
+  }
+
+  const HoleContext& m_hole;
+  const Obstacles& m_obstacles;
+  Progress m_progress;
+  std::vector<std::function<std::optional<Patch>()>> m_makers;
+  std::optional<Patch> m_minimal;
+  std::optional<Patch> m_ears;
+  bool m_minimalMade = false;
+  bool m_earsMade = false;
+};
+
+}  // namespace
+
+struct HoleFiller::State {
+  explicit State(const HalfEdgeMesh& m) : mesh(m), obstacles(m) {}
+
+  FillFailure judge(const HoleContext& hole, const Edges& existing, Patch& patch, NumberType numbers) const {
+    for (std::size_t i = patch.loopSize; i < patch.points.size(); ++i) {
+      if (!patch.points[i].allFinite()) return FillFailure::NoPatch;
+      patch.points[i] = rounded(patch.points[i], numbers);
+    }
+    if (!closesLoop(patch) || hasDegenerateTriangle(patch)) return FillFailure::NoPatch;
+    if (doublesAnEdge(patch, existing)) return FillFailure::NoPatch;
+    if (swells(hole, patch)) return FillFailure::Swelling;
+    return obstacles.hits(patch) ? FillFailure::SelfIntersecting : FillFailure::None;
+  }
+
+  HalfEdgeMesh mesh;
+  Obstacles obstacles;
+};
+
+HoleFiller::HoleFiller(const HalfEdgeMesh& mesh) : m_state(std::make_unique<State>(mesh)) {}
+HoleFiller::~HoleFiller() = default;
+
+const HalfEdgeMesh& HoleFiller::mesh() const { return m_state->mesh; }
+
+FillAttempt HoleFiller::propose(const BoundaryLoop& loop, const FillOptions& options, Progress progress) const {
+  FillAttempt attempt{FillFailure::NoPatch, {}};
+  if (loop.halfEdges.size() < 3) return attempt;
+  const HoleContext hole = holeContext(m_state->mesh, loop);
+  const Edges existing = m_state->obstacles.edgesAmong(hole.loop());
+  Candidates candidates(hole, m_state->obstacles, options, progress);
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (progress.cancelled()) return {FillFailure::Cancelled, {}};
+    std::optional<Patch> patch = candidates.make(i);
+    if (!patch) continue;
+    const FillFailure failure = m_state->judge(hole, existing, *patch, options.numbers);
+    if (failure == FillFailure::None) return {failure, std::move(*patch)};
+    attempt.failure = std::max(attempt.failure, failure);
+  }
+  return attempt;
+}
+
+void HoleFiller::accept(const BoundaryLoop& loop, const Patch& patch) {
+  HalfEdgeMesh& mesh = m_state->mesh;
+  const std::size_t n = loop.halfEdges.size();
+  std::vector<Vertex> vertex(patch.points.size());
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vertex v = mesh.from(loop.halfEdges[i]);
+    const HalfEdge before = loop.halfEdges[(i + n - 1) % n];
+    if (mesh.to(before) != v) {  // pinched: the two fans become one vertex's
+      for (HalfEdge g : mesh.fan(HalfEdgeMesh::next(before))) mesh.setCorner(g, v);
+    }
+    vertex[i] = v;
+  }
+  for (std::size_t i = n; i < patch.points.size(); ++i) vertex[i] = mesh.addVertex(patch.points[i]);
+
+  const auto firstFace = static_cast<Face>(mesh.faceSlots());
+  for (const Triangle& t : patch.triangles) mesh.addFace({vertex[t[0]], vertex[t[1]], vertex[t[2]]});
+  const EdgeTable edges(patch.triangles, patch.points.size());
+  edges.forEachEdge([&](std::uint32_t low, std::uint32_t high, std::span<const EdgeTable::Entry> run) {
+    const HalfEdge h = 3 * firstFace + run[0].halfEdge;
+    if (run.size() == 2) {
+      mesh.pair(h, 3 * firstFace + run[1].halfEdge);
+    } else {
+      mesh.pair(h, loop.halfEdges[high == low + 1 ? low : high]);
+    }
+  });
+  m_state->obstacles.add(patch);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/LibraryFill.h"
+
+#include "base/Tolerance.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/fair.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/refine.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <CGAL/Surface_mesh.h>
+#include <algorithm>
+
+namespace handwheel {
+namespace {
+
+namespace pmp = CGAL::Polygon_mesh_processing;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Surface = CGAL::Surface_mesh<Point>;
+
+Point toPoint(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
+
+// CGAL reports broken preconditions on stderr unless told not to; here they are ordinary refusals, thrown and caught.
+class QuietCgal {
+ public:
+  QuietCgal() : m_error(CGAL::set_error_handler(silent)), m_warning(CGAL::set_warning_handler(silent)) {}
+  ~QuietCgal() {
+    CGAL::set_error_handler(m_error);
+    CGAL::set_warning_handler(m_warning);
+  }
+  QuietCgal(const QuietCgal&) = delete;
+  QuietCgal& operator=(const QuietCgal&) = delete;
+
+ private:
+  static void silent(const char*, const char*, const char*, int, const char*) {}
+  CGAL::Failure_function m_error;
+  CGAL::Failure_function m_warning;
+};
+
+struct Corners {
+  int a, b, c;
+  Corners(int i, int j, int k) : a(i), b(j), c(k) {}
+};
+
+std::vector<Corners> triangulate(const HoleContext& hole, bool cubic) {
+  std::vector<Point> points, apexes;
+  // Moved near the origin: the weights are computed in floating point.
+  const Vec3 origin = hole.points.front();
+  for (const Vec3& p : hole.loop()) points.push_back(toPoint(p - origin));
+  for (const Vec3& p : hole.apexes) apexes.push_back(toPoint(p - origin));
+  std::vector<Corners> triangles;
+  pmp::triangulate_hole_polyline(points, apexes, std::back_inserter(triangles),
+                                 CGAL::parameters::use_delaunay_triangulation(!cubic)
+                                     .do_not_use_cubic_algorithm(!cubic)
+                                     .use_2d_constrained_delaunay_triangulation(false));
+  return triangles;
+}
+
+std::vector<Corners> triangulate(const HoleContext& hole) {
+  const QuietCgal quiet;
+  std::vector<Corners> triangles;
+  try {
+    triangles = triangulate(hole, false);
+    if (triangles.empty() && hole.loopSize <= tolerance::kCubicFillEdges) triangles = triangulate(hole, true);
+  } catch (const std::exception&) {
+    triangles.clear();
+  }
+  return triangles;
+}
+
+// How many triangles refining would make, from the areas and the edge lengths at the corners; an estimate that keeps a
+// tiny edge beside a huge hole from filling the memory.
+double expectedTriangles(const HoleContext& hole, const Patch& patch) {
+  double n = 0.0;
+  for (const Triangle& t : patch.triangles) {
+    const Vec3 u = patch.points[t[1]] - patch.points[t[0]];
+    const Vec3 v = patch.points[t[2]] - patch.points[t[0]];
+    const double edge = (hole.edgeLength[t[0]] + hole.edgeLength[t[1]] + hole.edgeLength[t[2]]) / 3.0;
+    n += 0.5 * u.cross(v).norm() / (0.43 * edge * edge);  // 0.43: area of the equilateral triangle of side 1
+  }
+  return n;
+}
+
+struct Assembled {
+  Surface surface;
+  std::vector<Surface::Face_index> patchFaces;
+};
+
+// The ring and the patch as one surface. Vertices keep their numbers: 0…n-1 are the loop's.
+std::optional<Assembled> assemble(const HoleContext& hole, const Patch& patch, const Vec3& origin) {
+  std::vector<Point> points;
+  for (const Vec3& p : hole.points) points.push_back(toPoint(p - origin));
+  std::vector<std::vector<std::size_t>> polygons;
+  for (const auto* list : {&hole.ring, &patch.triangles}) {
+    for (const Triangle& t : *list) polygons.push_back({t[0], t[1], t[2]});
+  }
+  if (!pmp::is_polygon_soup_a_polygon_mesh(polygons)) return std::nullopt;
+  Assembled result;
+  pmp::polygon_soup_to_polygon_mesh(points, polygons, result.surface);
+  if (result.surface.number_of_vertices() != points.size()) return std::nullopt;
+  std::size_t i = 0;
+  for (const auto f : result.surface.faces()) {
+    if (i++ >= hole.ring.size()) result.patchFaces.push_back(f);
+  }
+  return result;
+}
+
+std::optional<Patch> toPatch(const HoleContext& hole, const Surface& surface,
+                             const std::vector<Surface::Face_index>& faces, const Vec3& origin) {
+  Patch patch;
+  patch.loopSize = hole.loopSize;
+  patch.points = hole.loop();
+  std::vector<std::uint32_t> number(surface.number_of_vertices(), kNone);
+  for (const auto f : faces) {
+    Triangle t{};
+    int k = 0;
+    for (const auto v : CGAL::vertices_around_face(surface.halfedge(f), surface)) {
+      const std::size_t i = v;
+      if (i < hole.loopSize) {
+        t[k++] = static_cast<std::uint32_t>(i);
+        continue;
+      }
+      if (i < hole.points.size()) return std::nullopt;  // a vertex of the ring: not our patch any more
+      if (number[i] == kNone) {
+        number[i] = static_cast<std::uint32_t>(patch.points.size());
+        const Point& p = surface.point(v);
+        patch.points.push_back(Vec3(p.x(), p.y(), p.z()) + origin);
+      }
+      t[k++] = number[i];
+    }
+    patch.triangles.push_back(t);
+  }
+  return patch;
+}
+
+}  // namespace
+
+std::optional<Patch> triangulateMinimal(const HoleContext& hole) {
+  const std::vector<Corners> triangles = triangulate(hole);
+  if (triangles.empty()) return std::nullopt;
+  Patch patch;
+  patch.loopSize = hole.loopSize;
+  patch.points = hole.loop();
+  patch.method = FillMethod::Minimal;
+  const int n = static_cast<int>(hole.loopSize);
+  bool alongLoop = false;  // the library's triangles run as the loop does; ours must run against it
+  for (const Corners& t : triangles) {
+    for (const auto& [i, j] : {std::pair{t.a, t.b}, {t.b, t.c}, {t.c, t.a}}) alongLoop |= j == (i + 1) % n;
+    patch.triangles.push_back(
+        {static_cast<std::uint32_t>(t.a), static_cast<std::uint32_t>(t.b), static_cast<std::uint32_t>(t.c)});
+  }
+  if (alongLoop) {
+    for (Triangle& t : patch.triangles) std::swap(t[1], t[2]);
+  }
+  return patch;
+}
+
+std::optional<Patch> refinePatch(const HoleContext& hole, const Patch& start, Bending bending) {
+  if (expectedTriangles(hole, start) >
+      2.0 * tolerance::kPatchVerticesPerEdge * static_cast<double>(hole.loopSize)) {
+    return std::nullopt;
+  }
+  const QuietCgal quiet;
+  const Vec3 origin = hole.points.front();
+  try {
+    std::optional<Assembled> assembled = assemble(hole, start, origin);
+    if (!assembled) return std::nullopt;
+    Surface& surface = assembled->surface;
+    std::vector<Surface::Face_index> faces = assembled->patchFaces;
+    std::vector<Surface::Face_index> newFaces;
+    std::vector<Surface::Vertex_index> newVertices;
+    pmp::refine(surface, faces, std::back_inserter(newFaces), std::back_inserter(newVertices));
+    faces.insert(faces.end(), newFaces.begin(), newFaces.end());
+    if (bending == Bending::Fair && !newVertices.empty() &&
+        !pmp::fair(surface, newVertices, CGAL::parameters::fairing_continuity(1))) {
+      return std::nullopt;
+    }
+    std::optional<Patch> patch = toPatch(hole, surface, faces, origin);
+    if (patch) patch->method = bending == Bending::Fair ? FillMethod::Fair : FillMethod::Refined;
+    return patch;
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace handwheel

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/MeshReport.h"
+
+#include "mesh/BoundaryLoops.h"
+#include "mesh/DisjointSets.h"
+#include "mesh/EdgeTable.h"
+#include "mesh/MeshBuilder.h"
+#include "mesh/Weld.h"
+#include "proximity/SelfIntersection.h"
+#include "proximity/TriangleIntersection.h"
+
+#include <algorithm>
+
+namespace handwheel {
+namespace {
+
+void countEdges(const TriangleSoup& soup, MeshReport& report) {
+  const EdgeTable edges(soup.triangles, soup.points.size());
+  edges.forEachEdge([&](std::uint32_t low, std::uint32_t, std::span<const EdgeTable::Entry> run) {
+    const auto forward = std::count_if(run.begin(), run.end(), [&](const EdgeTable::Entry& e) {
+      return soup.triangles[e.halfEdge / 3][e.halfEdge % 3] == low;
+    });
+    const auto backward = static_cast<std::ptrdiff_t>(run.size()) - forward;
+    report.boundaryEdges += run.size() == 1;
+    report.nonManifoldEdges += run.size() > 2;
+    report.inconsistentEdges += (forward > 1) + (backward > 1);
+  });
+}
+
+std::size_t countComponents(const TriangleSoup& soup) {
+  DisjointSets sets(soup.points.size());
+  for (const Triangle& t : soup.triangles) {
+    if (hasRepeatedVertex(t)) continue;
+    sets.join(t[0], t[1]);
+    sets.join(t[1], t[2]);
+  }
+  std::size_t roots = 0;
+  for (std::uint32_t v = 0; v < soup.points.size(); ++v) roots += sets.root(v) == v;
+  return roots;
+}
+
+// A vertex is manifold when its triangles hang together through edges that touch it.
+std::size_t countNonManifoldVertices(const TriangleSoup& soup) {
+  // The corners of each vertex, bucketed.
+  std::vector<std::size_t> starts(soup.points.size() + 1, 0);
+  for (const Triangle& t : soup.triangles) {
+    if (hasRepeatedVertex(t)) continue;
+    for (std::uint32_t v : t) ++starts[v + 1];
+  }
+  for (std::size_t v = 0; v < soup.points.size(); ++v) starts[v + 1] += starts[v];
+  std::vector<std::uint32_t> triangleAt(starts.back());
+  std::vector<std::size_t> next(starts.begin(), starts.end() - 1);
+  for (std::uint32_t f = 0; f < soup.triangles.size(); ++f) {
+    if (hasRepeatedVertex(soup.triangles[f])) continue;
+    for (std::uint32_t v : soup.triangles[f]) triangleAt[next[v]++] = f;
+  }
+
+  std::size_t bad = 0;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;  // (other vertex, index of its triangle)
+  for (std::uint32_t v = 0; v < soup.points.size(); ++v) {
+    const std::size_t count = starts[v + 1] - starts[v];
+    if (count < 2) continue;
+    DisjointSets sets(count);
+    ends.clear();
+    for (std::uint32_t i = 0; i < count; ++i) {
+      for (std::uint32_t u : soup.triangles[triangleAt[starts[v] + i]]) {
+        if (u != v) ends.emplace_back(u, i);
+      }
+    }
+    std::sort(ends.begin(), ends.end());
+    for (std::size_t k = 1; k < ends.size(); ++k) {
+      if (ends[k].first == ends[k - 1].first) sets.join(ends[k].second, ends[k - 1].second);
+    }
+    std::size_t roots = 0;
+    for (std::uint32_t i = 0; i < count; ++i) roots += sets.root(i) == i;
+    bad += roots > 1;
+  }
+  return bad;
+}
+
+std::size_t countDuplicates(const TriangleSoup& soup) {
+  std::vector<Triangle> sorted;
+  for (Triangle t : soup.triangles) {
+    if (hasRepeatedVertex(t)) continue;
+    std::sort(t.begin(), t.end());
+    sorted.push_back(t);
+  }
+  std::sort(sorted.begin(), sorted.end());
+  std::size_t n = 0;
+  for (std::size_t i = 1; i < sorted.size(); ++i) n += sorted[i] == sorted[i - 1];
+  return n;
+}
+
+double signedVolume(const TriangleSoup& soup, const Vec3& origin) {
+  double volume = 0.0;
+  for (const Triangle& t : soup.triangles) {
+    const Vec3 a = soup.points[t[0]] - origin;
+    const Vec3 b = soup.points[t[1]] - origin;
+    const Vec3 c = soup.points[t[2]] - origin;
+    volume += a.dot(b.cross(c)) / 6.0;
+  }
+  return volume;
+}
+
+std::vector<LoopReport> loopReports(const TriangleSoup& welded) {
+  std::vector<LoopReport> reports;
+  for (const BoundaryLoop& loop : findBoundaryLoops(buildMesh(welded).mesh)) {
+    reports.push_back({loop.id, loop.borderEdges, loop.length, loop.planarity});
+  }
+  return reports;
+}
+
+}  // namespace
+
+MeshReport reportOn(const TriangleSoup& soup, SelfIntersections choice, Progress progress) {
+  const TriangleSoup welded = weld(soup);
+  MeshReport report;
+  report.triangles = welded.triangles.size();
+  report.vertices = welded.points.size();
+  for (const Vec3& p : welded.points) report.box.extend(p);
+  for (const Triangle& t : welded.triangles) {
+    report.degenerateFaces += isDegenerate({welded.points[t[0]], welded.points[t[1]], welded.points[t[2]]});
+  }
+  countEdges(welded, report);
+  report.components = countComponents(welded);
+  report.nonManifoldVertices = countNonManifoldVertices(welded);
+  report.duplicateFaces = countDuplicates(welded);
+  report.closed = report.triangles > 0 && report.boundaryEdges == 0;
+  report.manifold = report.nonManifoldEdges == 0;
+  report.oriented = report.inconsistentEdges == 0;
+  if (report.boundaryEdges > 0) report.loops = loopReports(welded);
+  if (report.closed) report.volumeMm3 = signedVolume(welded, report.box.center());
+  progress.set(0.3);
+  if (choice == SelfIntersections::Count) {
+    const auto pairs = selfIntersections(welded.points, welded.triangles, progress.part(0.3, 1.0));
+    if (pairs) report.selfIntersectingPairs = pairs->size();
+  }
+  progress.set(1.0);
+  return report;
+}
+
+}  // namespace handwheel

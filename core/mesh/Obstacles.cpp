@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/Obstacles.h"
+
+#include "mesh/Weld.h"
+#include "proximity/SelfIntersection.h"
+
+#include <algorithm>
+
+namespace handwheel {
+namespace {
+
+TriangleHierarchy hierarchyOf(const HalfEdgeMesh& mesh) {
+  TriangleSoup soup = mesh.compact().soup;
+  // Faces without area cannot be crossed and are not judged.
+  std::erase_if(soup.triangles, [&](const Triangle& t) {
+    return isDegenerate({soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]});
+  });
+  return {soup.points, soup.triangles};
+}
+
+}  // namespace
+
+Obstacles::Obstacles(const HalfEdgeMesh& mesh) : m_hierarchy(hierarchyOf(mesh)) {}
+
+// Visits triangles near the box until the visit returns false; false when it did.
+template <class Visit>
+bool Obstacles::forEachNear(const Box& box, Visit visit) const {
+  if (!m_hierarchy.forEachInBox(box, [&](std::uint32_t i) { return visit(m_hierarchy.corners(i)); })) return false;
+  for (const Addition& a : m_additions) {
+    if (!a.box.intersects(box)) continue;
+    for (const TrianglePoints& t : a.triangles) {
+      if (boxOf(t).intersects(box) && !visit(t)) return false;
+    }
+  }
+  return true;
+}
+
+bool Obstacles::hits(const TrianglePoints& t) const {
+  return !forEachNear(boxOf(t), [&](const TrianglePoints& other) { return !trianglesMeet(t, other); });
+}
+
+bool Obstacles::hits(const Patch& patch) const {
+  for (const Triangle& t : patch.triangles) {
+    if (hits(corners(patch, t))) return true;
+  }
+  const auto pairs = selfIntersections(patch.points, patch.triangles);
+  return pairs && !pairs->empty();
+}
+
+void Obstacles::add(const Patch& patch) {
+  Addition addition;
+  for (const Triangle& t : patch.triangles) {
+    addition.triangles.push_back(corners(patch, t));
+    addition.box.extend(boxOf(addition.triangles.back()));
+  }
+  m_additions.push_back(std::move(addition));
+}
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>> Obstacles::edgesAmong(const std::vector<Vec3>& points) const {
+  std::vector<Vec3> all = points;
+  std::vector<Triangle> triangles;
+  for (const Vec3& p : points) {
+    forEachNear(Box(p, p), [&](const TrianglePoints& t) {
+      const auto n = static_cast<std::uint32_t>(all.size());
+      all.insert(all.end(), t.begin(), t.end());
+      triangles.push_back({n, n + 1, n + 2});
+      return true;
+    });
+  }
+  const PointClasses classes = classifyPoints(all);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (const Triangle& t : triangles) {
+    for (int k = 0; k < 3; ++k) {
+      // The loop's points come first, so a class's representative is one of them where there is one.
+      const std::uint32_t a = classes.representative[classes.classOf[t[k]]];
+      const std::uint32_t b = classes.representative[classes.classOf[t[(k + 1) % 3]]];
+      if (a < points.size() && b < points.size()) edges.emplace_back(std::minmax(a, b));
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+}  // namespace handwheel

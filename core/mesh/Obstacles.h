@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/HalfEdgeMesh.h"
+#include "mesh/Patch.h"
+#include "proximity/TriangleHierarchy.h"
+
+#include <vector>
+
+namespace handwheel {
+
+// The surface that a patch must neither cross nor touch: a mesh, and the patches put in since its hierarchy was built.
+class Obstacles {
+ public:
+  explicit Obstacles(const HalfEdgeMesh& mesh);
+
+  bool hits(const TrianglePoints& t) const;
+  // True when one triangle of the patch hits the surface, or two triangles of it each other.
+  bool hits(const Patch& patch) const;
+  void add(const Patch& patch);
+
+  // Edges of the surface that join two of these points, as pairs of their indices (smaller first), sorted.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edgesAmong(const std::vector<Vec3>& points) const;
+
+ private:
+  template <class Visit>
+  bool forEachNear(const Box& box, Visit visit) const;
+
+  struct Addition {
+    Box box;
+    std::vector<TrianglePoints> triangles;
+  };
+  TriangleHierarchy m_hierarchy;
+  std::vector<Addition> m_additions;
+};
+
+// The positions of a patch's triangle.
+inline TrianglePoints corners(const Patch& patch, const Triangle& t) {
+  return {patch.points[t[0]], patch.points[t[1]], patch.points[t[2]]};
+}
+
+inline Box boxOf(const TrianglePoints& t) {
+  Box box(t[0]);
+  box.extend(t[1]).extend(t[2]);
+  return box;
+}
+
+}  // namespace handwheel

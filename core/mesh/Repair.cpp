@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/Repair.h"
+
+#include "mesh/Cleaning.h"
+#include "mesh/LoopOwners.h"
+#include "mesh/PartDuplicates.h"
+#include "mesh/Stitching.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace handwheel {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+class Repairer {
+ public:
+  Repairer(const HalfEdgeMesh& input, const RepairOptions& options)
+      : m_input(input),
+        m_mesh(input),
+        m_options(options),
+        m_inputLoops(findBoundaryLoops(input)),
+        m_owners(input, m_inputLoops) {}
+
+  RepairReport run(Progress progress) {
+    clean();
+    progress.set(0.1);
+    fill(progress.part(0.1, 0.9));
+    if (!progress.cancelled()) {
+      m_report.partedVertices = partDuplicates(m_mesh, m_options.fill.numbers, progress.part(0.9, 1.0)).size();
+    }
+    m_report.cancelled = progress.cancelled();
+    if (!m_report.cancelled) finish();
+    return std::move(m_report);
+  }
+
+  const HalfEdgeMesh& mesh() const { return m_mesh; }
+
+ private:
+  void clean() {
+    m_report.removedDegenerate = removeDegenerateFaces(m_mesh);
+    m_report.removedDuplicates = removeDuplicateFaces(m_mesh);
+    if (m_options.removeDebris) m_report.removedDebris = removeDebris(m_mesh);
+    m_report.mergedVertices = stitchBorders(m_mesh, keptVertices()).size();
+    m_report.removedDegenerate += removeDegenerateFaces(m_mesh);
+  }
+
+  // The vertices of loops that the user wants open.
+  std::vector<bool> keptVertices() const {
+    std::vector<bool> kept(m_input.vertexSlots(), false);
+    for (const BoundaryLoop& loop : m_inputLoops) {
+      if (!m_options.keepOpen.contains(loop.id)) continue;
+      for (HalfEdge h : loop.halfEdges) kept[m_input.from(h)] = kept[m_input.to(h)] = true;
+    }
+    return kept;
+  }
+
+  void fill(Progress progress) {
+    std::vector<BoundaryLoop> loops = findBoundaryLoops(m_mesh);
+    // Small ones first: they are the surest, and a large patch must respect them.
+    std::stable_sort(loops.begin(), loops.end(), [](const BoundaryLoop& a, const BoundaryLoop& b) {
+      return a.halfEdges.size() < b.halfEdges.size();
+    });
+    if (loops.empty()) return;
+    HoleFiller filler(m_mesh);
+    for (std::size_t i = 0; i < loops.size() && !progress.cancelled(); ++i) {
+      fillOne(filler, loops[i], progress.part(double(i) / double(loops.size()), double(i + 1) / double(loops.size())));
+    }
+    m_mesh = filler.mesh();
+  }
+
+  void fillOne(HoleFiller& filler, const BoundaryLoop& loop, Progress progress) {
+    const auto start = Clock::now();
+    const std::set<int> owners = m_owners.of(m_mesh, loop);
+    LoopResult result;
+    result.edges = loop.halfEdges.size();
+    result.reason = reasonToLeave(loop, owners);
+    if (result.reason != FillFailure::None) {
+      result.outcome = LoopOutcome::KeptOpen;
+    } else {
+      const FillAttempt attempt = filler.propose(loop, m_options.fill, progress);
+      result.reason = attempt.failure;
+      if (attempt.failure == FillFailure::None) {
+        filler.accept(loop, attempt.patch);
+        result.outcome = LoopOutcome::Filled;
+        result.method = attempt.patch.method;
+        result.newFaces = attempt.patch.triangles.size();
+      }
+    }
+    result.milliseconds = millisecondsSince(start);
+    record(result, owners);
+    progress.set(1.0);
+  }
+
+  FillFailure reasonToLeave(const BoundaryLoop& loop, const std::set<int>& owners) const {
+    const auto kept = [&](int id) { return m_options.keepOpen.contains(id); };
+    if (std::any_of(owners.begin(), owners.end(), kept)) return FillFailure::KeptOpen;
+    if (loop.rim && !m_options.fillRims) return FillFailure::Rim;
+    if (m_options.maxEdges > 0 && loop.halfEdges.size() > m_options.maxEdges) return FillFailure::TooLong;
+    return FillFailure::None;
+  }
+
+  // One line for each loop of the input that this one runs along; a loop in several pieces keeps the worst outcome.
+  void record(LoopResult result, const std::set<int>& owners) {
+    if (owners.empty()) {
+      m_laidOpen.push_back(result);
+      return;
+    }
+    for (int id : owners) {
+      result.id = id;
+      result.edges = m_inputLoops[static_cast<std::size_t>(id)].halfEdges.size();
+      const auto [at, isNew] = m_results.emplace(id, result);
+      if (isNew) continue;
+      LoopResult& known = at->second;
+      known.milliseconds += result.milliseconds;
+      known.newFaces += result.newFaces;
+      if (result.outcome == LoopOutcome::Failed && known.outcome != LoopOutcome::Failed) {
+        known.outcome = result.outcome;
+        known.reason = result.reason;
+      }
+    }
+  }
+
+  void finish() {
+    for (const BoundaryLoop& loop : m_inputLoops) {
+      const auto at = m_results.find(loop.id);
+      if (at != m_results.end()) {
+        m_report.loops.push_back(at->second);
+        continue;
+      }
+      LoopResult stitched;
+      stitched.id = loop.id;
+      stitched.edges = loop.halfEdges.size();
+      stitched.outcome = LoopOutcome::Filled;
+      stitched.method = FillMethod::Stitched;
+      m_report.loops.push_back(stitched);
+    }
+    m_report.loops.insert(m_report.loops.end(), m_laidOpen.begin(), m_laidOpen.end());
+    compareWithInput();
+  }
+
+  void compareWithInput() {
+    std::vector<bool> touched(m_input.vertexSlots(), false);
+    for (Face f = 0; f < m_input.faceSlots(); ++f) {
+      if (!m_input.isLive(f) || !m_mesh.isLive(f)) continue;
+      const Triangle& was = m_input.triangle(f);
+      const Triangle& is = m_mesh.triangle(f);
+      m_report.turnedFaces += isTurned(m_input.points(f), m_mesh.points(f));
+      for (int k = 0; k < 3; ++k) {
+        const Vec3& p = m_input.position(was[k]);
+        touched[was[k]] = touched[was[k]] || std::none_of(is.begin(), is.end(), [&](Vertex v) { return m_mesh.position(v) == p; });
+      }
+    }
+    for (Vertex v = 0; v < touched.size(); ++v) {
+      if (touched[v]) m_report.touchedVertices.push_back(v);
+    }
+  }
+
+  static bool isTurned(const TrianglePoints& was, const TrianglePoints& is) {
+    return was[0] == is[0] && was[1] == is[2] && was[2] == is[1] && was != is;
+  }
+
+  const HalfEdgeMesh m_input;
+  HalfEdgeMesh m_mesh;
+  const RepairOptions& m_options;
+  std::vector<BoundaryLoop> m_inputLoops;
+  LoopOwners m_owners;
+  std::map<int, LoopResult> m_results;
+  std::vector<LoopResult> m_laidOpen;
+  RepairReport m_report;
+};
+
+}  // namespace
+
+RepairReport repair(HalfEdgeMesh& mesh, const RepairOptions& options, Progress progress) {
+  Repairer repairer(mesh, options);
+  RepairReport report = repairer.run(progress);
+  if (!report.cancelled) mesh = repairer.mesh();
+  return report;
+}
+
+}  // namespace handwheel

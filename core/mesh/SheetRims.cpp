@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/SheetRims.h"
+
+#include "base/Tolerance.h"
+#include "mesh/FaceComponents.h"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+namespace handwheel {
+namespace {
+
+struct Sheet {
+  double area = 0.0;
+  Vec3 firstMoment = Vec3::Zero();
+  Eigen::Matrix3d secondMoment = Eigen::Matrix3d::Zero();
+  BoundaryLoop* longest = nullptr;
+
+  // Root mean square distances from the best plane and along its longer axis, with area for weight.
+  bool isFlat() const {
+    const Vec3 mean = firstMoment / area;
+    const Eigen::Matrix3d covariance = secondMoment / area - mean * mean.transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance, Eigen::EigenvaluesOnly);
+    const double thickness = std::sqrt(std::max(0.0, solver.eigenvalues()[0]));
+    const double extent = std::sqrt(std::max(0.0, solver.eigenvalues()[2]));
+    return thickness < tolerance::kFlatSheet * extent;
+  }
+
+  bool isRagged() const { return longest->length * longest->length > tolerance::kSheetOutline * area; }
+};
+
+}  // namespace
+
+void markRims(const HalfEdgeMesh& mesh, std::vector<BoundaryLoop>& loops) {
+  if (loops.empty()) return;
+  const FaceComponents components(mesh);
+  std::vector<Sheet> sheets(components.count());
+  for (BoundaryLoop& loop : loops) {
+    Sheet& sheet = sheets[components.of(HalfEdgeMesh::face(loop.halfEdges.front()))];
+    if (!sheet.longest || loop.length > sheet.longest->length) sheet.longest = &loop;
+  }
+  const Vec3 origin = loops.front().centre;  // near the model, so that far-off ones keep their digits
+  for (Face f = 0; f < mesh.faceSlots(); ++f) {
+    if (!mesh.isProper(f) || !sheets[components.of(f)].longest) continue;
+    Sheet& sheet = sheets[components.of(f)];
+    const TrianglePoints p = mesh.points(f);
+    const double area = 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
+    sheet.area += area;
+    for (const Vec3& corner : p) {
+      const Vec3 r = corner - origin;
+      sheet.firstMoment += area / 3.0 * r;
+      sheet.secondMoment += area / 3.0 * r * r.transpose();
+    }
+  }
+  for (const Sheet& sheet : sheets) {
+    if (sheet.longest && sheet.area > 0.0) sheet.longest->rim = sheet.isFlat() || sheet.isRagged();
+  }
+}
+
+}  // namespace handwheel

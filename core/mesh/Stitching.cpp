@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/Stitching.h"
+
+#include "base/Tolerance.h"
+#include "mesh/BorderVertices.h"
+#include "mesh/MeshBuilder.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+namespace handwheel {
+namespace {
+
+struct Openness {
+  std::size_t border = 0;
+  std::size_t nonManifold = 0;
+
+  bool improvesOn(const Openness& before) const {
+    return border < before.border && nonManifold <= before.nonManifold;
+  }
+};
+
+Openness measure(const HalfEdgeMesh& mesh, const BuildReport& report) {
+  Openness o;
+  for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h) o.border += mesh.isBorder(h);
+  o.nonManifold = report.nonManifoldEdges + report.unpairedHalfEdges;
+  return o;
+}
+
+// Moves each vertex of a near pair onto the one with the smaller number.
+std::vector<Vertex> mergeNear(HalfEdgeMesh& mesh, const std::vector<bool>& fixed) {
+  std::vector<Vertex> moved;
+  std::map<Vertex, Vertex> onto;
+  for (const auto& [a, b] : nearBorderVertices(mesh)) {
+    if (fixed[a] || fixed[b]) continue;
+    const auto target = onto.find(a);
+    const Vertex goal = target == onto.end() ? a : target->second;
+    if (goal == b || !onto.emplace(b, goal).second) continue;
+    const Vec3 p = mesh.position(goal);
+    mesh.setPosition(b, p);
+    moved.push_back(b);
+  }
+  return moved;
+}
+
+// Splits a border edge at a place: its face becomes two. The mesh must be relinked afterwards.
+void splitAt(HalfEdgeMesh& mesh, HalfEdge h, const Vec3& p) {
+  const Vertex a = mesh.from(h), b = mesh.to(h), apex = mesh.from(HalfEdgeMesh::previous(h));
+  const Vertex m = mesh.addVertex(p);
+  mesh.setTriangle(HalfEdgeMesh::face(h), h % 3 == 0   ? Triangle{a, m, apex}
+                                          : h % 3 == 1 ? Triangle{apex, a, m}
+                                                       : Triangle{m, apex, a});
+  const Face f = mesh.addFace({m, b, apex});
+  // Not border: only the two halves of the edge are.
+  mesh.setOpen(3 * f + 1, Open::Seam);
+  mesh.setOpen(3 * f + 2, Open::Seam);
+}
+
+// The position of a border vertex strictly inside the edge and within reach of it, nearest to its middle.
+std::optional<Vec3> vertexOnEdge(const HalfEdgeMesh& mesh, HalfEdge h, const BorderVertices& vertices, double reach) {
+  const Vec3 a = mesh.position(mesh.from(h)), b = mesh.position(mesh.to(h));
+  const Vec3 d = b - a;
+  const double length = d.norm();
+  if (length <= 2.0 * reach) return std::nullopt;
+  std::optional<Vec3> best;
+  double bestOffset = 0.5;
+  vertices.forEachInBox(Box(a.cwiseMin(b), a.cwiseMax(b)), [&](Vertex v) {
+    const Vec3& p = mesh.position(v);
+    const double t = (p - a).dot(d) / (length * length);
+    if (t * length <= reach || (1.0 - t) * length <= reach) return;
+    if ((p - (a + t * d)).norm() > reach || std::abs(t - 0.5) > bestOffset) return;
+    const Vec3& apex = mesh.position(mesh.from(HalfEdgeMesh::previous(h)));
+    if (isDegenerate({a, p, apex}) || isDegenerate({p, b, apex})) return;
+    bestOffset = std::abs(t - 0.5);
+    best = p;
+  });
+  return best;
+}
+
+std::size_t splitTJunctions(HalfEdgeMesh& mesh, const std::vector<bool>& fixed) {
+  const BorderVertices vertices(mesh, fixed);
+  const double reach = tolerance::kNearWeld * modelDiagonal(mesh);
+  std::size_t splits = 0;
+  const std::size_t limit = 4 * vertices.size();  // each vertex splits few edges; a bound against endless splitting
+  for (HalfEdge h = 0; h < mesh.halfEdgeSlots() && splits < limit; ++h) {
+    while (splits < limit && mesh.isBorder(h)) {
+      const Vertex a = mesh.from(h), b = mesh.to(h);
+      if ((a < fixed.size() && fixed[a]) || (b < fixed.size() && fixed[b])) break;
+      const std::optional<Vec3> p = vertexOnEdge(mesh, h, vertices, reach);
+      if (!p) break;
+      // The new face's half-edges are visited later in this very loop.
+      splitAt(mesh, h, *p);
+      ++splits;
+    }
+  }
+  return splits;
+}
+
+}  // namespace
+
+std::vector<Vertex> stitchBorders(HalfEdgeMesh& mesh, const std::vector<bool>& fixed) {
+  HalfEdgeMesh best = mesh;
+  Openness before = measure(best, relink(best));
+  std::vector<Vertex> result;
+
+  HalfEdgeMesh trial = best;
+  std::vector<Vertex> moved = mergeNear(trial, fixed);
+  if (!moved.empty()) {
+    const Openness after = measure(trial, relink(trial));
+    if (after.improvesOn(before)) {
+      best = trial;
+      before = after;
+      result = std::move(moved);
+    }
+  }
+  trial = best;
+  if (splitTJunctions(trial, fixed) > 0) {
+    const Openness after = measure(trial, relink(trial));
+    if (after.improvesOn(before)) best = trial;
+  }
+  mesh = best;
+  return result;
+}
+
+}  // namespace handwheel
