@@ -9,9 +9,8 @@ namespace handwheel::tolerance {
 
 // A part whose thickness (RMS, to its best plane) is below this share of its extent (RMS) is a flat sheet.
 inline constexpr double kFlatSheet = 1e-3;
-// A part whose longest loop, squared, exceeds its area times this is an open sheet (a disc has 4π = 12.6, a hemisphere
-// 6.3, the ragged outline of a range map hundreds).
-inline constexpr double kSheetOutline = 60.0;
+// A part that holds less than this share of its area to the power 3/2 is thin (a sphere holds 0.094, a half one 0.13).
+inline constexpr double kSheetVolume = 0.06;
 // A part with less than these shares of the largest part's area and faces is debris.
 inline constexpr double kDebrisArea = 0.01;
 inline constexpr double kDebrisFaces = 0.01;

@@ -37,7 +37,8 @@ BorderVertices::BorderVertices(const HalfEdgeMesh& mesh, const std::vector<bool>
 
   const Box box = modelBox(mesh);
   m_origin = box.min();
-  // About one vertex a cell if they were spread evenly over a surface; never below the tolerance, never over 2^10 cells.
+  // About one vertex a cell if they were spread evenly over a surface; never below the tolerance, never over 2^10
+  // cells.
   const double diagonal = box.diagonal().norm();
   const double perSide = std::min(1024.0, std::sqrt(static_cast<double>(m_vertices.size())) + 1.0);
   m_cellSize = std::max(diagonal / perSide, std::numeric_limits<double>::min());

@@ -8,15 +8,15 @@
 
 namespace handwheel {
 
-// A closed chain of open half-edges that passes no position twice. Its half-edges run as their faces do, so a patch uses
-// them the other way round.
+// A closed chain of open half-edges that passes no position twice. Its half-edges run as their faces do, so a patch
+// uses them the other way round.
 struct BoundaryLoop {
-  int id = 0;                        // from 0, in order of the smallest vertex
-  std::vector<HalfEdge> halfEdges;   // in order; the end of one has the position of the start of the next
-  std::size_t borderEdges = 0;       // the rest are seams: edges that other faces share in the file
-  double length = 0.0;               // mm
-  double planarity = 0.0;            // RMS distance to the best plane / length
-  bool rim = false;                  // the outer edge of an open sheet rather than a hole in a surface
+  int id = 0;                       // from 0, in order of the smallest vertex
+  std::vector<HalfEdge> halfEdges;  // in order; the end of one has the position of the start of the next
+  std::size_t borderEdges = 0;      // the rest are seams: edges that other faces share in the file
+  double length = 0.0;              // mm
+  double planarity = 0.0;           // RMS distance to the best plane / length
+  bool rim = false;                 // the outer edge of an open sheet rather than a hole in a surface
   Vec3 centre = Vec3::Zero();
   Box box;
 };

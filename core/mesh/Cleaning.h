@@ -11,10 +11,6 @@ namespace handwheel {
 // Leaves the mesh linked.
 std::size_t removeDegenerateFaces(HalfEdgeMesh& mesh);
 
-// Removes faces that have the same three positions as another face. Of each group as many stay, none or one, as leave
-// its edges nearest to two faces; a group that is a closed pillow on its own stays. Returns how many went. Relinks.
-std::size_t removeDuplicateFaces(HalfEdgeMesh& mesh);
-
 // Removes the parts that findDefects() calls debris. Returns how many faces went.
 std::size_t removeDebris(HalfEdgeMesh& mesh);
 

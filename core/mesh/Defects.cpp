@@ -3,9 +3,9 @@
 #include "mesh/Defects.h"
 
 #include "base/Tolerance.h"
+#include "mesh/BorderVertices.h"
 #include "mesh/EdgeTable.h"
 #include "mesh/FaceComponents.h"
-#include "mesh/BorderVertices.h"
 #include "mesh/Weld.h"
 #include "proximity/SelfIntersection.h"
 

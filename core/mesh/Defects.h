@@ -36,6 +36,7 @@ std::vector<Component> findComponents(const HalfEdgeMesh& mesh);
 Defects findDefects(const HalfEdgeMesh& mesh);
 
 // Pairs of faces that meet in more than a shared vertex or edge. Empty optional when cancelled.
-std::optional<std::vector<std::pair<Face, Face>>> findSelfIntersections(const HalfEdgeMesh& mesh, Progress progress = {});
+std::optional<std::vector<std::pair<Face, Face>>> findSelfIntersections(const HalfEdgeMesh& mesh,
+                                                                        Progress progress = {});
 
 }  // namespace handwheel

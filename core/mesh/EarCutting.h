@@ -17,8 +17,9 @@ struct EarWeights {
   double normal = 1.0;  // how far the ear bends from the faces it joins
 };
 
-// Triangulates a hole by cutting the best ear first (He 2008, section 4.3), with a heap: O(n log n) and one obstacle query
-// per ear looked at. An ear that would cross the surface or double an edge is passed over. None when it gets stuck.
+// Triangulates a hole by cutting the best ear first (He 2008, section 4.3), with a heap: O(n log n) and one obstacle
+// query per ear looked at. An ear that would cross the surface or double an edge is passed over. None when it gets
+// stuck.
 std::optional<Patch> cutEars(const HoleContext& hole, const Obstacles& obstacles, const EarWeights& weights,
                              Progress progress = {});
 

@@ -11,7 +11,7 @@ namespace handwheel {
 struct PairedEdges {
   std::vector<std::uint32_t> opposite;  // per half-edge: the paired one, or a value of Open
   std::size_t nonManifoldEdges = 0;
-  std::size_t seams = 0;                // half-edges on edges of two or more that found no partner
+  std::size_t seams = 0;  // half-edges on edges of two or more that found no partner
 };
 
 // Pairs the half-edges of every edge. Where more than two triangles meet, those that bound the same solid wedge become

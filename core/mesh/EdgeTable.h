@@ -9,12 +9,13 @@
 
 namespace handwheel {
 
-// The undirected edges of a triangle list, each with the half-edges (3 · triangle + corner) that run along it either way.
-// Triangles with a repeated vertex have no part in it. Built in O(n) by bucketing half-edges at their smaller vertex.
+// The undirected edges of a triangle list, each with the half-edges (3 · triangle + corner) that run along it either
+// way. Triangles with a repeated vertex have no part in it. Built in O(n) by bucketing half-edges at their smaller
+// vertex.
 class EdgeTable {
  public:
   struct Entry {
-    std::uint32_t high;      // the edge's larger vertex
+    std::uint32_t high;  // the edge's larger vertex
     std::uint32_t halfEdge;
   };
 
@@ -38,6 +39,8 @@ class EdgeTable {
   std::vector<Entry> m_entries;
 };
 
-inline bool hasRepeatedVertex(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
+inline bool hasRepeatedVertex(const Triangle& t) {
+  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
 
 }  // namespace handwheel

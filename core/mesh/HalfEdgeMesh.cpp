@@ -6,7 +6,9 @@
 
 namespace handwheel {
 
-bool HalfEdgeMesh::isProper(Face f) const { return isLive(f) && !hasRepeatedVertex(triangle(f)); }
+bool HalfEdgeMesh::isProper(Face f) const {
+  return isLive(f) && !hasRepeatedVertex(triangle(f));
+}
 
 bool HalfEdgeMesh::isBorder(HalfEdge h) const {
   return opposite(h) == static_cast<HalfEdge>(Open::Border) && isProper(face(h));
@@ -112,6 +114,8 @@ void HalfEdgeMesh::pair(HalfEdge a, HalfEdge b) {
   setOpposite(b, a);
 }
 
-void HalfEdgeMesh::setOpen(HalfEdge h, Open kind) { setOpposite(h, static_cast<HalfEdge>(kind)); }
+void HalfEdgeMesh::setOpen(HalfEdge h, Open kind) {
+  setOpposite(h, static_cast<HalfEdge>(kind));
+}
 
 }  // namespace handwheel

@@ -4,8 +4,8 @@
 
 #include "base/Geometry.h"
 #include "base/PagedArray.h"
-#include "proximity/TriangleIntersection.h"
 #include "mesh/TriangleSoup.h"
+#include "proximity/TriangleIntersection.h"
 
 namespace handwheel {
 
@@ -15,15 +15,15 @@ using HalfEdge = std::uint32_t;
 
 // What is behind a half-edge that has no opposite.
 enum class Open : std::uint32_t {
-  Border = kNone,      // nothing: the surface ends here
-  Seam = kNone - 1,    // further faces that could not be paired: the edge has more than two faces in the file, or the
-                       // surface is one-sided (Möbius strip). Not a hole, and never filled.
+  Border = kNone,    // nothing: the surface ends here
+  Seam = kNone - 1,  // further faces that could not be paired: the edge has more than two faces in the file, or the
+                     // surface is one-sided (Möbius strip). Not a hole, and never filled.
 };
 
 // An oriented triangle mesh in which every vertex has one fan of faces and every edge at most two. It is the directed
 // edge structure of Campagna, Kobbelt, Seidel, "Directed Edges" (1998): half-edge h belongs to face h / 3, runs from
-// corner h % 3 to the next, and knows its opposite. All three arrays are paged and shared between copies, so a copy is a
-// cheap snapshot and two versions are compared page by page (MeshDelta).
+// corner h % 3 to the next, and knows its opposite. All three arrays are paged and shared between copies, so a copy is
+// a cheap snapshot and two versions are compared page by page (MeshDelta).
 //
 // Faces and vertices keep their numbers for life: removed ones leave a dead slot. A face with a repeated vertex is kept
 // but joins nothing: its half-edges have no opposite and are not border.

@@ -14,10 +14,10 @@ namespace handwheel {
 struct HoleContext {
   std::size_t loopSize = 0;
   std::vector<Vec3> points;
-  std::vector<Triangle> ring;               // three rings of faces around the hole
-  std::vector<Vec3> apexes;                 // per loop edge (i, i+1): the third corner of its face
-  std::vector<double> edgeLength;           // per loop point: mean length of the edges that leave it
-  Box ringBox;                              // of loop and ring
+  std::vector<Triangle> ring;      // three rings of faces around the hole
+  std::vector<Vec3> apexes;        // per loop edge (i, i+1): the third corner of its face
+  std::vector<double> edgeLength;  // per loop point: mean length of the edges that leave it
+  Box ringBox;                     // of loop and ring
 
   std::vector<Vec3> loop() const { return {points.begin(), points.begin() + static_cast<std::ptrdiff_t>(loopSize)}; }
 };

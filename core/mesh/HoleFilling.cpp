@@ -93,9 +93,14 @@ class Candidates {
         m_makers.push_back([this] { return refined(minimal(), Bending::Flat); });
         m_makers.push_back([this] { return refined(ears(0), Bending::Flat); });
         break;
-      case FillMethod::Ear: m_makers.push_back([this] { return ears(0); }); break;
-      case FillMethod::Minimal: m_makers.push_back([this] { return minimal(); }); break;
-      case FillMethod::Stitched: break;
+      case FillMethod::Ear:
+        m_makers.push_back([this] { return ears(0); });
+        break;
+      case FillMethod::Minimal:
+        m_makers.push_back([this] { return minimal(); });
+        break;
+      case FillMethod::Stitched:
+        break;
     }
   }
 
@@ -149,7 +154,9 @@ struct HoleFiller::State {
 HoleFiller::HoleFiller(const HalfEdgeMesh& mesh) : m_state(std::make_unique<State>(mesh)) {}
 HoleFiller::~HoleFiller() = default;
 
-const HalfEdgeMesh& HoleFiller::mesh() const { return m_state->mesh; }
+const HalfEdgeMesh& HoleFiller::mesh() const {
+  return m_state->mesh;
+}
 
 FillAttempt HoleFiller::propose(const BoundaryLoop& loop, const FillOptions& options, Progress progress) const {
   FillAttempt attempt{FillFailure::NoPatch, {}};

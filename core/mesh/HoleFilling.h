@@ -45,8 +45,8 @@ class HoleFiller {
   // A patch that closes the loop without crossing the part, itself or an accepted patch. The loop must be open still.
   FillAttempt propose(const BoundaryLoop& loop, const FillOptions& options, Progress progress = {}) const;
 
-  // Puts a proposed patch into the mesh. Only new faces and vertices appear; where the loop was pinched, its vertices at
-  // the pinch become one.
+  // Puts a proposed patch into the mesh. Only new faces and vertices appear; where the loop was pinched, its vertices
+  // at the pinch become one.
   void accept(const BoundaryLoop& loop, const Patch& patch);
 
   // The mesh with the accepted patches.

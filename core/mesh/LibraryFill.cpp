@@ -20,7 +20,9 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 using Surface = CGAL::Surface_mesh<Point>;
 
-Point toPoint(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
+Point toPoint(const Vec3& p) {
+  return {p.x(), p.y(), p.z()};
+}
 
 // CGAL reports broken preconditions on stderr unless told not to; here they are ordinary refusals, thrown and caught.
 class QuietCgal {
@@ -158,8 +160,7 @@ std::optional<Patch> triangulateMinimal(const HoleContext& hole) {
 }
 
 std::optional<Patch> refinePatch(const HoleContext& hole, const Patch& start, Bending bending) {
-  if (expectedTriangles(hole, start) >
-      2.0 * tolerance::kPatchVerticesPerEdge * static_cast<double>(hole.loopSize)) {
+  if (expectedTriangles(hole, start) > 2.0 * tolerance::kPatchVerticesPerEdge * static_cast<double>(hole.loopSize)) {
     return std::nullopt;
   }
   const QuietCgal quiet;

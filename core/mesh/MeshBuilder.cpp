@@ -11,8 +11,8 @@
 namespace handwheel {
 namespace {
 
-// Gives every fan of faces a vertex of its own. Works on a mesh whose opposites are set and whose corners still hold the
-// old vertices; classOf tells which vertices share a position.
+// Gives every fan of faces a vertex of its own. Works on a mesh whose opposites are set and whose corners still hold
+// the old vertices; classOf tells which vertices share a position.
 class FanVertices {
  public:
   FanVertices(HalfEdgeMesh& mesh, const PointClasses& classes)

@@ -10,11 +10,11 @@ namespace handwheel {
 
 // What building the half-edge mesh had to decide. Numbers are those of the built mesh.
 struct BuildReport {
-  std::size_t weldedPoints = 0;              // points of the file that shared an exact position with an earlier one
-  std::vector<Face> turnedFaces;             // turned over so that neighbours agree
-  std::vector<Vertex> splitVertices;         // vertices made because one position had several fans of faces
-  std::size_t nonManifoldEdges = 0;          // edges with more than two faces in the file
-  std::size_t unpairedHalfEdges = 0;         // half-edges left as Open::Seam
+  std::size_t weldedPoints = 0;       // points of the file that shared an exact position with an earlier one
+  std::vector<Face> turnedFaces;      // turned over so that neighbours agree
+  std::vector<Vertex> splitVertices;  // vertices made because one position had several fans of faces
+  std::size_t nonManifoldEdges = 0;   // edges with more than two faces in the file
+  std::size_t unpairedHalfEdges = 0;  // half-edges left as Open::Seam
 };
 
 struct BuiltMesh {
@@ -27,8 +27,8 @@ struct BuiltMesh {
 // the mesh is triangle i of the soup: none is dropped, none is added.
 BuiltMesh buildMesh(const TriangleSoup& soup);
 
-// Does the same in place for a mesh whose faces changed: pairs everything anew by position. Face and vertex numbers stay;
-// where a position has more fans than vertices, vertices are added.
+// Does the same in place for a mesh whose faces changed: pairs everything anew by position. Face and vertex numbers
+// stay; where a position has more fans than vertices, vertices are added.
 BuildReport relink(HalfEdgeMesh& mesh);
 
 }  // namespace handwheel

@@ -9,8 +9,8 @@
 
 namespace handwheel {
 
-// What differs between two versions of a mesh, slot by slot. Memory is proportional to the change; finding it costs time
-// in proportion to the pages that the change touched.
+// What differs between two versions of a mesh, slot by slot. Memory is proportional to the change; finding it costs
+// time in proportion to the pages that the change touched.
 class MeshDelta {
  public:
   static MeshDelta between(const HalfEdgeMesh& before, const HalfEdgeMesh& after);

@@ -25,7 +25,7 @@ struct MeshReport {
   std::size_t vertices = 0;
   std::size_t components = 0;
   bool closed = false;
-  bool manifold = false;   // no edge with more than two faces
+  bool manifold = false;  // no edge with more than two faces
   bool oriented = false;
   std::vector<LoopReport> loops;
   std::size_t boundaryEdges = 0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/PartDuplicates.h"
 
+#include "mesh/EdgeOperations.h"
 #include "mesh/EdgeTable.h"
 #include "mesh/Weld.h"
 #include "proximity/TriangleHierarchy.h"
@@ -11,12 +12,14 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <unordered_map>
 #include <unordered_set>
 
 namespace handwheel {
 namespace {
 
-// Steps tried, in units of the last place at the vertex; 2^14 of single precision is 1e-3 of the coordinate, too visible.
+// Steps tried, in units of the last place at the vertex; 2^14 of single precision is 1e-3 of the coordinate, too
+// visible.
 constexpr int kSmallestStep = 1;
 constexpr int kLargestStep = 1 << 9;
 
@@ -51,18 +54,47 @@ class Parter {
   }
 
   // Moves the fan's vertex off its position; false when every step would harm.
-  bool part(const std::vector<HalfEdge>& fan) {
+  bool part(const std::vector<HalfEdge>& fan) { return part(fan, intersections(facesOf(fan))); }
+
+  // Gives an edge that another pair of faces has too a vertex of its own in the middle. The new vertex; kNone, and
+  // nothing changed, when that would harm.
+  Vertex partEdge(HalfEdge h) {
+    const HalfEdgeMesh before = m_mesh;
+    const Face f = HalfEdgeMesh::face(h), g = HalfEdgeMesh::face(m_mesh.opposite(h));
+    const std::size_t allowed = intersections({f, g});
+    const Vec3 middle =
+        rounded(Vec3(0.5 * (m_mesh.position(m_mesh.from(h)) + m_mesh.position(m_mesh.to(h)))), m_numbers);
+    const auto firstNew = static_cast<Face>(m_mesh.faceSlots());
+    const HalfEdge spoke = splitEdge(m_mesh, h, middle);
+    addHalf(f, firstNew);
+    addHalf(g, firstNew + 1);
+    if (part(m_mesh.fan(spoke), allowed)) return m_mesh.from(spoke);
+    m_halves[m_whole.at(firstNew)].pop_back();
+    m_halves[m_whole.at(firstNew + 1)].pop_back();
+    m_mesh = before;
+    return kNone;
+  }
+
+ private:
+  void addHalf(Face of, Face half) {
+    const auto at = m_whole.find(of);
+    const Face whole = at == m_whole.end() ? of : at->second;
+    m_whole[half] = whole;
+    m_halves[whole].push_back(half);
+  }
+
+  bool part(const std::vector<HalfEdge>& fan, std::size_t allowed) {
     const Vertex v = m_mesh.from(fan.front());
     const Vec3 home = m_mesh.position(v);
     const double unit = unitInTheLastPlace(home, m_numbers);
-    const std::size_t before = intersections(fan);
     const std::vector<Vec3> directions = waysOut(fan);
+    const std::vector<Face> faces = facesOf(fan);
     for (int step = kSmallestStep; step <= kLargestStep; step *= 2) {
       for (const Vec3& d : directions) {
         const Vec3 p = rounded(Vec3(home + step * unit * d), m_numbers);
         if (p == home || m_positions.contains(key(p))) continue;
         m_mesh.setPosition(v, p);
-        if (!hasFlatFace(fan) && intersections(fan) <= before) {
+        if (!hasFlatFace(faces) && intersections(faces) <= allowed) {
           m_positions.insert(key(p));
           m_reach = std::max(m_reach, (p - home).norm());
           return true;
@@ -73,10 +105,10 @@ class Parter {
     return false;
   }
 
- private:
   static std::array<double, 3> key(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 
-  // Into the solid, out of it, and towards and away from the middle of the fan; scaled so that the largest component is 1.
+  // Into the solid, out of it, and towards and away from the middle of the fan; scaled so that the largest component
+  // is 1.
   std::vector<Vec3> waysOut(const std::vector<HalfEdge>& fan) const {
     const Vec3 home = m_mesh.position(m_mesh.from(fan.front()));
     Vec3 normal = Vec3::Zero(), middle = Vec3::Zero();
@@ -94,29 +126,38 @@ class Parter {
     return ways;
   }
 
-  bool hasFlatFace(const std::vector<HalfEdge>& fan) const {
-    return std::any_of(fan.begin(), fan.end(),
-                       [&](HalfEdge h) { return isDegenerate(m_mesh.points(HalfEdgeMesh::face(h))); });
+  static std::vector<Face> facesOf(const std::vector<HalfEdge>& fan) {
+    std::vector<Face> faces;
+    for (HalfEdge h : fan) faces.push_back(HalfEdgeMesh::face(h));
+    return faces;
   }
 
-  // Pairs in which a face of the fan takes part.
-  std::size_t intersections(const std::vector<HalfEdge>& fan) const {
+  bool hasFlatFace(const std::vector<Face>& faces) const {
+    return std::any_of(faces.begin(), faces.end(), [&](Face f) { return isDegenerate(m_mesh.points(f)); });
+  }
+
+  // Pairs in which one of these faces takes part.
+  std::size_t intersections(const std::vector<Face>& faces) const {
     std::size_t n = 0;
-    for (HalfEdge h : fan) {
-      const Face f = HalfEdgeMesh::face(h);
+    for (Face f : faces) {
       const TrianglePoints t = m_mesh.points(f);
       if (isDegenerate(t)) continue;
+      const auto meets = [&](Face other) {
+        if (other == f) return false;
+        const bool isOurs = std::find(faces.begin(), faces.end(), other) != faces.end();
+        if (isOurs && other < f) return false;  // counted once
+        const TrianglePoints o = m_mesh.points(other);
+        return !isDegenerate(o) && trianglesMeet(t, o);
+      };
       Box box(t[0]);
       box.extend(t[1]).extend(t[2]);
-      // The hierarchy holds the places before anything was moved.
+      // The hierarchy holds the places before anything was moved, and split faces whole.
       const Vec3 slack = Vec3::Constant(m_reach);
       m_hierarchy.forEachInBox(Box(box.min() - slack, box.max() + slack), [&](std::uint32_t i) {
-        const Face other = m_faces[i];
-        if (other == f) return true;
-        const bool inFan = std::any_of(fan.begin(), fan.end(), [&](HalfEdge g) { return HalfEdgeMesh::face(g) == other; });
-        if (inFan && other < f) return true;  // counted once
-        const TrianglePoints o = m_mesh.points(other);
-        if (!isDegenerate(o)) n += trianglesMeet(t, o);
+        n += meets(m_faces[i]);
+        const auto halves = m_halves.find(m_faces[i]);
+        if (halves != m_halves.end())
+          n += static_cast<std::size_t>(std::count_if(halves->second.begin(), halves->second.end(), meets));
         return true;
       });
     }
@@ -127,58 +168,98 @@ class Parter {
   NumberType m_numbers;
   std::vector<Face> m_faces;  // of the hierarchy's triangles
   TriangleHierarchy m_hierarchy;
+  std::unordered_map<Face, std::vector<Face>> m_halves;                 // what was split off a face of the hierarchy
+  std::unordered_map<Face, Face> m_whole;                               // the reverse
   std::unordered_set<std::array<double, 3>, PositionHash> m_positions;  // that the file will hold
-  double m_reach = 0.0;  // how far a vertex was moved at most
+  double m_reach = 0.0;                                                 // how far a vertex was moved at most
 };
 
-// The classes at the ends of edges that have more than two faces in the file.
-std::vector<bool> crowdedClasses(const HalfEdgeMesh& mesh, const PointClasses& classes) {
+// Calls visit(classes, low, high, half-edges) for each edge that has more than two faces in the file.
+template <class Visit>
+void forEachCrowdedEdge(const HalfEdgeMesh& mesh, Visit visit) {
+  std::vector<Vec3> points(mesh.vertexSlots());
+  for (Vertex v = 0; v < points.size(); ++v) points[v] = mesh.position(v);
+  const PointClasses classes = classifyPoints(points);
   std::vector<Triangle> triangles(mesh.faceSlots(), Triangle{0, 0, 0});
   for (Face f = 0; f < mesh.faceSlots(); ++f) {
     if (!mesh.isLive(f)) continue;
     for (int k = 0; k < 3; ++k) triangles[f][k] = classes.classOf[mesh.triangle(f)[k]];
   }
-  std::vector<bool> crowded(classes.representative.size(), false);
   const EdgeTable edges(triangles, classes.representative.size());
   edges.forEachEdge([&](std::uint32_t low, std::uint32_t high, std::span<const EdgeTable::Entry> run) {
-    if (run.size() > 2) crowded[low] = crowded[high] = true;
+    if (run.size() > 2) visit(classes, low, high, run);
   });
-  return crowded;
+}
+
+// The fans at each position at the end of a crowded edge, by class.
+using Fans = std::map<Vertex, std::vector<HalfEdge>>;
+std::map<std::uint32_t, Fans> crowdedFans(const HalfEdgeMesh& mesh) {
+  std::vector<std::uint32_t> classOf;
+  std::vector<bool> crowded;
+  forEachCrowdedEdge(mesh, [&](const PointClasses& classes, std::uint32_t low, std::uint32_t high, auto) {
+    if (classOf.empty()) classOf = classes.classOf;
+    crowded.resize(classes.representative.size());
+    crowded[low] = crowded[high] = true;
+  });
+  std::map<std::uint32_t, Fans> fansAt;
+  if (crowded.empty()) return fansAt;
+  for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h) {
+    if (!mesh.isProper(HalfEdgeMesh::face(h))) continue;
+    const Vertex v = mesh.from(h);
+    if (!crowded[classOf[v]]) continue;
+    std::vector<HalfEdge>& fan = fansAt[classOf[v]][v];
+    if (fan.empty()) fan = mesh.fan(h);
+  }
+  return fansAt;
+}
+
+// One half-edge of each pair of faces beyond the first at every crowded edge.
+std::vector<HalfEdge> surplusEdges(const HalfEdgeMesh& mesh) {
+  std::vector<HalfEdge> surplus;
+  forEachCrowdedEdge(mesh,
+                     [&](const PointClasses&, std::uint32_t, std::uint32_t, std::span<const EdgeTable::Entry> run) {
+                       bool first = true;
+                       for (const EdgeTable::Entry& e : run) {
+                         if (!mesh.hasOpposite(e.halfEdge) || mesh.opposite(e.halfEdge) < e.halfEdge) continue;
+                         if (!first) surplus.push_back(e.halfEdge);
+                         first = false;
+                       }
+                     });
+  return surplus;
+}
+
+// Moves fans off their common position, small ones first, until one is left.
+void partFans(Parter& parter, Fans& fans, std::vector<Vertex>& moved) {
+  std::vector<std::pair<std::size_t, Vertex>> order;
+  for (const auto& [v, fan] : fans) order.emplace_back(fan.size(), v);
+  std::sort(order.begin(), order.end());
+  for (const auto& [size, v] : order) {
+    if (fans.size() == 1) return;
+    if (!parter.part(fans[v])) continue;
+    moved.push_back(v);
+    fans.erase(v);
+  }
 }
 
 }  // namespace
 
 std::vector<Vertex> partDuplicates(HalfEdgeMesh& mesh, NumberType numbers, Progress progress) {
-  std::vector<Vec3> points(mesh.vertexSlots());
-  for (Vertex v = 0; v < points.size(); ++v) points[v] = mesh.position(v);
-  const PointClasses classes = classifyPoints(points);
-  const std::vector<bool> crowded = crowdedClasses(mesh, classes);
-  if (std::none_of(crowded.begin(), crowded.end(), [](bool c) { return c; })) return {};
-
-  // The fans at each crowded position, largest first; that one stays.
-  std::map<std::uint32_t, std::map<Vertex, std::vector<HalfEdge>>> fansAt;
-  for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h) {
-    if (!mesh.isProper(HalfEdgeMesh::face(h))) continue;
-    const Vertex v = mesh.from(h);
-    if (!crowded[classes.classOf[v]]) continue;
-    std::vector<HalfEdge>& fan = fansAt[classes.classOf[v]][v];
-    if (fan.empty()) fan = mesh.fan(h);
-  }
+  std::map<std::uint32_t, Fans> fansAt = crowdedFans(mesh);
+  if (fansAt.empty()) return {};
   Parter parter(mesh, numbers);
   std::vector<Vertex> moved;
-  for (auto& [c, fans] : fansAt) {
-    if (progress.cancelled()) break;
-    std::vector<std::vector<HalfEdge>*> order;
-    for (auto& [v, fan] : fans) order.push_back(&fan);
-    std::stable_sort(order.begin(), order.end(), [](const auto* a, const auto* b) { return a->size() > b->size(); });
-    // One fan keeps the position: the largest, or the first that cannot move.
-    bool kept = false;
-    for (std::size_t i = order.size(); i-- > 0;) {
-      if (i == 0 && !kept) break;
-      const bool parted = parter.part(*order[i]);
-      if (parted) moved.push_back(mesh.from(order[i]->front()));
-      kept |= !parted;
+  // What cannot move at first may once its neighbours along the edge have.
+  for (std::size_t before = 0, pass = 0; pass == 0 || moved.size() > before; ++pass) {
+    before = moved.size();
+    for (auto& [c, fans] : fansAt) {
+      if (progress.cancelled()) return moved;
+      partFans(parter, fans, moved);
     }
+  }
+  // Edges between vertices that have one fan each: the same fan passes twice.
+  for (HalfEdge h : surplusEdges(mesh)) {
+    if (progress.cancelled()) return moved;
+    parter.partEdge(h);
   }
   return moved;
 }

@@ -3,9 +3,11 @@
 #include "mesh/Repair.h"
 
 #include "mesh/Cleaning.h"
+#include "mesh/DuplicateFaces.h"
 #include "mesh/LoopOwners.h"
 #include "mesh/PartDuplicates.h"
 #include "mesh/Stitching.h"
+#include "mesh/Weld.h"
 
 #include <algorithm>
 #include <chrono>
@@ -33,7 +35,7 @@ class Repairer {
     progress.set(0.1);
     fill(progress.part(0.1, 0.9));
     if (!progress.cancelled()) {
-      m_report.partedVertices = partDuplicates(m_mesh, m_options.fill.numbers, progress.part(0.9, 1.0)).size();
+      part(progress.part(0.9, 1.0));
     }
     m_report.cancelled = progress.cancelled();
     if (!m_report.cancelled) finish();
@@ -49,6 +51,14 @@ class Repairer {
     if (m_options.removeDebris) m_report.removedDebris = removeDebris(m_mesh);
     m_report.mergedVertices = stitchBorders(m_mesh, keptVertices()).size();
     m_report.removedDegenerate += removeDegenerateFaces(m_mesh);
+  }
+
+  void part(Progress progress) {
+    const HalfEdgeMesh before = m_mesh;
+    for (Vertex v : partDuplicates(m_mesh, m_options.fill.numbers, progress)) {
+      m_touchedHomes.push_back(before.position(v));
+      ++m_report.partedVertices;
+    }
   }
 
   // The vertices of loops that the user wants open.
@@ -146,20 +156,26 @@ class Repairer {
   }
 
   void compareWithInput() {
-    std::vector<bool> touched(m_input.vertexSlots(), false);
     for (Face f = 0; f < m_input.faceSlots(); ++f) {
-      if (!m_input.isLive(f) || !m_mesh.isLive(f)) continue;
-      const Triangle& was = m_input.triangle(f);
-      const Triangle& is = m_mesh.triangle(f);
-      m_report.turnedFaces += isTurned(m_input.points(f), m_mesh.points(f));
-      for (int k = 0; k < 3; ++k) {
-        const Vec3& p = m_input.position(was[k]);
-        touched[was[k]] = touched[was[k]] || std::none_of(is.begin(), is.end(), [&](Vertex v) { return m_mesh.position(v) == p; });
-      }
+      if (m_input.isLive(f) && m_mesh.isLive(f)) m_report.turnedFaces += isTurned(m_input.points(f), m_mesh.points(f));
     }
-    for (Vertex v = 0; v < touched.size(); ++v) {
-      if (touched[v]) m_report.touchedVertices.push_back(v);
+    for (Vertex v = 0; v < m_input.vertexSlots(); ++v) {
+      if (m_mesh.position(v) != m_input.position(v)) m_touchedHomes.push_back(m_input.position(v));
     }
+    m_report.touchedVertices = verticesAt(m_touchedHomes);
+  }
+
+  // The vertices of the input at these positions, sorted.
+  std::vector<Vertex> verticesAt(const std::vector<Vec3>& places) const {
+    if (places.empty()) return {};
+    std::vector<Vec3> points = places;
+    for (Vertex v = 0; v < m_input.vertexSlots(); ++v) points.push_back(m_input.position(v));
+    const PointClasses classes = classifyPoints(points);
+    std::vector<Vertex> vertices;
+    for (Vertex v = 0; v < m_input.vertexSlots(); ++v) {
+      if (classes.representative[classes.classOf[places.size() + v]] < places.size()) vertices.push_back(v);
+    }
+    return vertices;
   }
 
   static bool isTurned(const TrianglePoints& was, const TrianglePoints& is) {
@@ -173,6 +189,7 @@ class Repairer {
   LoopOwners m_owners;
   std::map<int, LoopResult> m_results;
   std::vector<LoopResult> m_laidOpen;
+  std::vector<Vec3> m_touchedHomes;  // where vertices were before they were moved
   RepairReport m_report;
 };
 

@@ -10,7 +10,7 @@ namespace handwheel {
 
 struct RepairOptions {
   FillOptions fill;
-  std::set<int> keepOpen;    // loop ids, as in findBoundaryLoops() of the input
+  std::set<int> keepOpen;  // loop ids, as in findBoundaryLoops() of the input
   bool fillRims = false;
   std::size_t maxEdges = 0;  // loops with more edges stay open; 0: no limit
   bool removeDebris = false;
@@ -29,8 +29,8 @@ struct LoopResult {
 };
 
 struct RepairReport {
-  std::vector<LoopResult> loops;        // every loop of the input, by id; then those laid open
-  std::size_t removedDegenerate = 0;    // faces
+  std::vector<LoopResult> loops;      // every loop of the input, by id; then those laid open
+  std::size_t removedDegenerate = 0;  // faces
   std::size_t removedDuplicates = 0;
   std::size_t removedDebris = 0;
   std::size_t turnedFaces = 0;
@@ -40,8 +40,8 @@ struct RepairReport {
   bool cancelled = false;
 };
 
-// Makes the mesh closed, manifold and free of new self-intersections as far as that can be done without harm; what stays
-// open is in the report with its reason. On cancel the mesh is left as it was.
+// Makes the mesh closed, manifold and free of new self-intersections as far as that can be done without harm; what
+// stays open is in the report with its reason. On cancel the mesh is left as it was.
 RepairReport repair(HalfEdgeMesh& mesh, const RepairOptions& options, Progress progress = {});
 
 }  // namespace handwheel

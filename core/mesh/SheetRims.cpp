@@ -13,6 +13,7 @@ namespace {
 
 struct Sheet {
   double area = 0.0;
+  double volume = 0.0;  // between the part and the centre of its longest loop
   Vec3 firstMoment = Vec3::Zero();
   Eigen::Matrix3d secondMoment = Eigen::Matrix3d::Zero();
   BoundaryLoop* longest = nullptr;
@@ -27,7 +28,12 @@ struct Sheet {
     return thickness < tolerance::kFlatSheet * extent;
   }
 
-  bool isRagged() const { return longest->length * longest->length > tolerance::kSheetOutline * area; }
+  // A flat disc with the outline's length would be larger than the part, and closed by a cone from the outline's centre
+  // the part would hold little: a patch would be its second skin.
+  bool isThin() const {
+    return longest->length * longest->length > 4.0 * M_PI * area &&
+           std::abs(volume) < tolerance::kSheetVolume * std::pow(area, 1.5);
+  }
 };
 
 }  // namespace
@@ -47,6 +53,8 @@ void markRims(const HalfEdgeMesh& mesh, std::vector<BoundaryLoop>& loops) {
     const TrianglePoints p = mesh.points(f);
     const double area = 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
     sheet.area += area;
+    const Vec3& centre = sheet.longest->centre;
+    sheet.volume += (p[0] - centre).dot((p[1] - centre).cross(p[2] - centre)) / 6.0;
     for (const Vec3& corner : p) {
       const Vec3 r = corner - origin;
       sheet.firstMoment += area / 3.0 * r;
@@ -54,7 +62,7 @@ void markRims(const HalfEdgeMesh& mesh, std::vector<BoundaryLoop>& loops) {
     }
   }
   for (const Sheet& sheet : sheets) {
-    if (sheet.longest && sheet.area > 0.0) sheet.longest->rim = sheet.isFlat() || sheet.isRagged();
+    if (sheet.longest && sheet.area > 0.0) sheet.longest->rim = sheet.isFlat() || sheet.isThin();
   }
 }
 

@@ -17,9 +17,7 @@ struct Openness {
   std::size_t border = 0;
   std::size_t nonManifold = 0;
 
-  bool improvesOn(const Openness& before) const {
-    return border < before.border && nonManifold <= before.nonManifold;
-  }
+  bool improvesOn(const Openness& before) const { return border < before.border && nonManifold <= before.nonManifold; }
 };
 
 Openness measure(const HalfEdgeMesh& mesh, const BuildReport& report) {

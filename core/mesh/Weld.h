@@ -9,8 +9,8 @@
 
 namespace handwheel {
 
-// Numbers points so that two have the same number exactly when their positions are equal (-0 equals 0). Numbers run from
-// 0 in order of first appearance. O(n).
+// Numbers points so that two have the same number exactly when their positions are equal (-0 equals 0). Numbers run
+// from 0 in order of first appearance. O(n).
 struct PointClasses {
   std::vector<std::uint32_t> classOf;         // per point
   std::vector<std::uint32_t> representative;  // per class: its first point
