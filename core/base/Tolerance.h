@@ -14,6 +14,8 @@ inline constexpr double kSheetVolume = 0.06;
 // A part with less than these shares of the largest part's area and faces is debris.
 inline constexpr double kDebrisArea = 0.01;
 inline constexpr double kDebrisFaces = 0.01;
+// A face that hangs on a surplus edge is removed as a flap when no edge of it is longer than this.
+inline constexpr double kFlap = 0.01;
 // Vertices on open borders nearer than this are one vertex that the file rounded apart; a repair merges them.
 inline constexpr double kNearWeld = 1e-5;
 // A patch may leave the bounding box of its hole and the ring around it by this share of that box's diagonal.

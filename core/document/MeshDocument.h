@@ -22,12 +22,13 @@ class MeshDocument : public QObject {
  public:
   // The file as read, and the mesh built from it (both done on a worker).
   MeshDocument(QString path, MeshFile file, BuiltMesh built, QObject* parent = nullptr);
+  ~MeshDocument() override;
 
   const HalfEdgeMesh& mesh() const { return m_mesh; }
   const Defects& defects() const { return m_defects; }           // of the present mesh
   const BuildReport& buildReport() const { return m_build; }     // of the file as it was opened
   // Faces turned over on opening that are still there.
-  const std::vector<Face>& turnedFaces() const { return m_build.turnedFaces; }
+  const std::vector<Face>& turnedFaces() const { return m_turnedFaces; }
   std::uint64_t revision() const { return m_revision; }          // grows with every change, undo and redo included
 
   QString path() const { return m_path; }
@@ -66,6 +67,7 @@ class MeshDocument : public QObject {
   std::vector<Error> m_damage;
   std::vector<LostAttribute> m_lost;
   BuildReport m_build;
+  std::vector<Face> m_turnedFaces;
   HalfEdgeMesh m_mesh;
   Defects m_defects;
   std::set<Vertex> m_keptOpen;

@@ -4,6 +4,7 @@
 
 #include "base/Progress.h"
 #include "base/Result.h"
+#include "document/AtomicFile.h"
 #include "document/formats/MeshFormat.h"
 #include "mesh/HalfEdgeMesh.h"
 
@@ -17,13 +18,19 @@ struct ExportReport {
   std::size_t bytes = 0;
 };
 
-// Writes the live faces of a mesh: the whole file or nothing (temporary file, fsync, rename). The file is read back,
-// welded exactly and compared with the mesh before success is reported.
+// Writes the live faces of a mesh: the whole file or nothing. The bytes are read back and compared with the mesh before
+// they replace the file. Vertices that only rounding to the file's number type puts in one place are parted where an
+// edge would else get more than two faces, or two the same way.
 // Errors: ExtensionUnknown, WriteFailed, CheckFailed, Cancelled.
 Result<ExportReport> exportMesh(const HalfEdgeMesh& mesh, NumberType documentNumbers, const std::filesystem::path& path,
                                 Progress progress = {});
 
-// Replaces a file's content atomically and durably. Errors: WriteFailed {system's reason}.
-Status writeFileAtomically(const std::filesystem::path& path, std::string_view bytes);
+// The format that a file's name asks for, or ExtensionUnknown {extension}.
+Result<MeshFormat> formatForOutput(const std::filesystem::path& path);
+
+// The bytes of a file that holds these triangles, checked: the reader gives every corner of every triangle the very
+// number it had, rounded to the number type. So the file welds as the rounded triangles do. Errors: CheckFailed, Cancelled.
+Result<std::string> encodeChecked(const TriangleSoup& soup, MeshFormat format, NumberType numbers,
+                                  Progress progress = {});
 
 }  // namespace handwheel

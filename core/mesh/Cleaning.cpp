@@ -2,9 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/Cleaning.h"
 
+#include "base/Tolerance.h"
+#include "mesh/BorderVertices.h"
 #include "mesh/Defects.h"
 #include "mesh/EdgeOperations.h"
+#include "mesh/EdgeTable.h"
 #include "mesh/MeshBuilder.h"
+#include "mesh/PositionTriangles.h"
+
+#include <algorithm>
+#include <array>
 
 namespace handwheel {
 namespace {
@@ -19,6 +26,13 @@ HalfEdge longestEdge(const HalfEdgeMesh& mesh, Face f) {
     if (length(h) > length(longest)) longest = h;
   }
   return longest;
+}
+
+// A face that shares each of its edges with nobody or with more than one other, and some with each.
+bool hangsLoose(const std::array<int, 3>& facesAtEdge) {
+  const auto free = std::count(facesAtEdge.begin(), facesAtEdge.end(), 1);
+  const auto joined = std::count(facesAtEdge.begin(), facesAtEdge.end(), 2);
+  return joined == 0 && free > 0 && free < 3;
 }
 
 }  // namespace
@@ -49,6 +63,26 @@ std::size_t removeDegenerateFaces(HalfEdgeMesh& mesh) {
   }
   for (Face f : needles) mesh.removeFace(f);
   removed += needles.size();
+  if (removed > 0) relink(mesh);
+  return removed;
+}
+
+std::size_t removeFlaps(HalfEdgeMesh& mesh) {
+  const double limit = tolerance::kFlap * modelDiagonal(mesh);
+  const PositionTriangles byPosition(mesh);
+  std::vector<std::array<int, 3>> facesAtEdge(mesh.faceSlots());
+  const EdgeTable edges(byPosition.triangles, byPosition.classes.representative.size());
+  edges.forEachEdge([&](std::uint32_t, std::uint32_t, std::span<const EdgeTable::Entry> run) {
+    for (const EdgeTable::Entry& e : run) facesAtEdge[e.halfEdge / 3][e.halfEdge % 3] = static_cast<int>(run.size());
+  });
+  std::size_t removed = 0;
+  for (Face f = 0; f < mesh.faceSlots(); ++f) {
+    if (!mesh.isProper(f) || !hangsLoose(facesAtEdge[f])) continue;
+    const HalfEdge h = longestEdge(mesh, f);
+    if ((mesh.position(mesh.to(h)) - mesh.position(mesh.from(h))).norm() > limit) continue;
+    mesh.removeFace(f);
+    ++removed;
+  }
   if (removed > 0) relink(mesh);
   return removed;
 }

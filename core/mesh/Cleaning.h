@@ -11,6 +11,11 @@ namespace handwheel {
 // Leaves the mesh linked.
 std::size_t removeDegenerateFaces(HalfEdgeMesh& mesh);
 
+// Removes flaps: small faces (tolerance::kFlap) that share no edge with exactly one other face, and hang by at least
+// one edge on the surface. Nothing opens without them, and closing them would double them. Returns how many went.
+// Relinks.
+std::size_t removeFlaps(HalfEdgeMesh& mesh);
+
 // Removes the parts that findDefects() calls debris. Returns how many faces went.
 std::size_t removeDebris(HalfEdgeMesh& mesh);
 

@@ -6,7 +6,7 @@
 #include "mesh/BorderVertices.h"
 #include "mesh/EdgeTable.h"
 #include "mesh/FaceComponents.h"
-#include "mesh/Weld.h"
+#include "mesh/PositionTriangles.h"
 #include "proximity/SelfIntersection.h"
 
 #include <algorithm>
@@ -14,16 +14,6 @@
 
 namespace handwheel {
 namespace {
-
-// Triangles over position classes; index i is face i. Dead faces look degenerate.
-std::vector<Triangle> trianglesByPosition(const HalfEdgeMesh& mesh, const PointClasses& classes) {
-  std::vector<Triangle> triangles(mesh.faceSlots(), Triangle{0, 0, 0});
-  for (Face f = 0; f < mesh.faceSlots(); ++f) {
-    if (!mesh.isLive(f)) continue;
-    for (int k = 0; k < 3; ++k) triangles[f][k] = classes.classOf[mesh.triangle(f)[k]];
-  }
-  return triangles;
-}
 
 void findDuplicates(const std::vector<Triangle>& triangles, Defects& defects) {
   std::vector<std::pair<Triangle, Face>> sorted;
@@ -89,10 +79,7 @@ std::vector<Component> findComponents(const HalfEdgeMesh& mesh) {
 Defects findDefects(const HalfEdgeMesh& mesh) {
   Defects defects;
   defects.loops = findBoundaryLoops(mesh);
-  std::vector<Vec3> points(mesh.vertexSlots());
-  for (Vertex v = 0; v < points.size(); ++v) points[v] = mesh.position(v);
-  const PointClasses classes = classifyPoints(points);
-  const std::vector<Triangle> triangles = trianglesByPosition(mesh, classes);
+  const auto [classes, triangles] = PositionTriangles(mesh);
   findNonManifold(mesh, classes, triangles, defects);
   findDuplicates(triangles, defects);
   for (Face f = 0; f < mesh.faceSlots(); ++f) {

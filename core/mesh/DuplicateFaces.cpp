@@ -5,7 +5,7 @@
 #include "mesh/DisjointSets.h"
 #include "mesh/EdgeTable.h"
 #include "mesh/MeshBuilder.h"
-#include "mesh/Weld.h"
+#include "mesh/PositionTriangles.h"
 
 #include <algorithm>
 #include <map>
@@ -19,12 +19,11 @@ struct Group {
   std::vector<Face> faces;
 };
 
-std::vector<Group> findGroups(const HalfEdgeMesh& mesh, const PointClasses& classes) {
+std::vector<Group> findGroups(const std::vector<Triangle>& triangles) {
   std::map<Triangle, std::vector<Face>> byPositions;
-  for (Face f = 0; f < mesh.faceSlots(); ++f) {
-    if (!mesh.isProper(f)) continue;
-    Triangle t = mesh.triangle(f);
-    for (std::uint32_t& v : t) v = classes.classOf[v];
+  for (Face f = 0; f < triangles.size(); ++f) {
+    Triangle t = triangles[f];
+    if (hasRepeatedVertex(t)) continue;
     std::sort(t.begin(), t.end());
     byPositions[t].push_back(f);
   }
@@ -47,8 +46,7 @@ struct Meeting {
   std::uint32_t firstGroup = 0;
 };
 
-std::map<Edge, Meeting> findMeetings(const HalfEdgeMesh& mesh, const PointClasses& classes,
-                                     const std::vector<Group>& groups) {
+std::map<Edge, Meeting> findMeetings(const std::vector<Triangle>& triangles, const std::vector<Group>& groups) {
   std::map<Edge, Meeting> meetings;
   for (std::uint32_t g = 0; g < groups.size(); ++g) {
     for (int k = 0; k < 3; ++k) {
@@ -57,10 +55,8 @@ std::map<Edge, Meeting> findMeetings(const HalfEdgeMesh& mesh, const PointClasse
       m.others -= static_cast<int>(groups[g].faces.size());  // its faces are counted below
     }
   }
-  for (Face f = 0; f < mesh.faceSlots(); ++f) {
-    if (!mesh.isProper(f)) continue;
-    Triangle t = mesh.triangle(f);
-    for (std::uint32_t& v : t) v = classes.classOf[v];
+  for (const Triangle& t : triangles) {
+    if (hasRepeatedVertex(t)) continue;
     for (int k = 0; k < 3; ++k) {
       const auto at = meetings.find(edge(t, k));
       if (at != meetings.end()) ++at->second.others;
@@ -95,13 +91,11 @@ struct Choice {
 }  // namespace
 
 std::size_t removeDuplicateFaces(HalfEdgeMesh& mesh) {
-  std::vector<Vec3> points(mesh.vertexSlots());
-  for (Vertex v = 0; v < points.size(); ++v) points[v] = mesh.position(v);
-  const PointClasses classes = classifyPoints(points);
-  const std::vector<Group> groups = findGroups(mesh, classes);
+  const PositionTriangles byPosition(mesh);
+  const std::vector<Group> groups = findGroups(byPosition.triangles);
   if (groups.empty()) return 0;
 
-  const std::map<Edge, Meeting> meetings = findMeetings(mesh, classes, groups);
+  const std::map<Edge, Meeting> meetings = findMeetings(byPosition.triangles, groups);
   DisjointSets sets(groups.size());
   for (std::uint32_t g = 0; g < groups.size(); ++g) {
     for (int k = 0; k < 3; ++k) sets.join(g, meetings.at(edge(groups[g].positions, k)).firstGroup);

@@ -4,7 +4,7 @@
 
 #include "mesh/EdgeOperations.h"
 #include "mesh/EdgeTable.h"
-#include "mesh/Weld.h"
+#include "mesh/PositionTriangles.h"
 #include "proximity/TriangleHierarchy.h"
 
 #include <algorithm>
@@ -177,14 +177,7 @@ class Parter {
 // Calls visit(classes, low, high, half-edges) for each edge that has more than two faces in the file.
 template <class Visit>
 void forEachCrowdedEdge(const HalfEdgeMesh& mesh, Visit visit) {
-  std::vector<Vec3> points(mesh.vertexSlots());
-  for (Vertex v = 0; v < points.size(); ++v) points[v] = mesh.position(v);
-  const PointClasses classes = classifyPoints(points);
-  std::vector<Triangle> triangles(mesh.faceSlots(), Triangle{0, 0, 0});
-  for (Face f = 0; f < mesh.faceSlots(); ++f) {
-    if (!mesh.isLive(f)) continue;
-    for (int k = 0; k < 3; ++k) triangles[f][k] = classes.classOf[mesh.triangle(f)[k]];
-  }
+  const auto [classes, triangles] = PositionTriangles(mesh);
   const EdgeTable edges(triangles, classes.representative.size());
   edges.forEachEdge([&](std::uint32_t low, std::uint32_t high, std::span<const EdgeTable::Entry> run) {
     if (run.size() > 2) visit(classes, low, high, run);

@@ -48,6 +48,7 @@ class Repairer {
   void clean() {
     m_report.removedDegenerate = removeDegenerateFaces(m_mesh);
     m_report.removedDuplicates = removeDuplicateFaces(m_mesh);
+    m_report.removedFlaps = removeFlaps(m_mesh);
     if (m_options.removeDebris) m_report.removedDebris = removeDebris(m_mesh);
     m_report.mergedVertices = stitchBorders(m_mesh, keptVertices()).size();
     m_report.removedDegenerate += removeDegenerateFaces(m_mesh);

@@ -32,6 +32,7 @@ struct RepairReport {
   std::vector<LoopResult> loops;      // every loop of the input, by id; then those laid open
   std::size_t removedDegenerate = 0;  // faces
   std::size_t removedDuplicates = 0;
+  std::size_t removedFlaps = 0;
   std::size_t removedDebris = 0;
   std::size_t turnedFaces = 0;
   std::size_t mergedVertices = 0;

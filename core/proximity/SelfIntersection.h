@@ -12,9 +12,18 @@
 
 namespace handwheel {
 
-// All pairs (i < j) of triangles that meet in the sense of trianglesMeet(). Triangles without area take no part. Sorted.
+using TrianglePair = std::pair<std::uint32_t, std::uint32_t>;
+
+// Beyond so many pairs a list of them helps nobody, and a hostile file must not fill the memory.
+inline constexpr std::size_t kMaxTrianglePairs = std::size_t{1} << 23;
+
+// All pairs (i < j) of triangles that meet in the sense of trianglesMeet(). Triangles without area, and those with a
+// coordinate that is not finite, take no part. Sorted. When there are more than maxPairs, exactly maxPairs of them, the
+// same in each run.
 // Empty optional when cancelled; looks at the cancel flag at least every 50 ms.
-std::optional<std::vector<std::pair<std::uint32_t, std::uint32_t>>> selfIntersections(
-    std::span<const Vec3> points, std::span<const Triangle> triangles, Progress progress = {});
+// O(n log n + c) for c pairs whose boxes overlap, on all threads of the arena; about 100 bytes a triangle while it runs.
+std::optional<std::vector<TrianglePair>> selfIntersections(std::span<const Vec3> points,
+                                                           std::span<const Triangle> triangles, Progress progress = {},
+                                                           std::size_t maxPairs = kMaxTrianglePairs);
 
 }  // namespace handwheel

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/MeshEditCommand.h"
+
+#include "document/MeshDocument.h"
+
+#include <algorithm>
+
+namespace handwheel {
+
+MeshEditCommand::MeshEditCommand(MeshDocument& document, const QString& text, MeshDelta delta)
+    : QUndoCommand(text), m_document(document), m_delta(std::move(delta)) {}
+
+void MeshEditCommand::exchange() {
+  std::vector<Face> touched = m_delta.touchedFaces(m_document.m_mesh);
+  std::sort(touched.begin(), touched.end());
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  m_delta.swap(m_document.m_mesh);
+  m_document.meshWasChanged(touched);
+}
+
+}  // namespace handwheel

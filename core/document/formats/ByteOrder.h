@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstring>
+#include <string>
+
+namespace handwheel {
+
+// Precondition: sizeof(T) bytes are readable at `at`.
+template <class T>
+T loadNumber(const char* at, std::endian order) {
+  std::array<char, sizeof(T)> bytes;
+  std::memcpy(bytes.data(), at, sizeof(T));
+  if (order != std::endian::native) std::reverse(bytes.begin(), bytes.end());
+  return std::bit_cast<T>(bytes);
+}
+
+template <class T>
+void appendNumber(std::string& to, T value, std::endian order) {
+  auto bytes = std::bit_cast<std::array<char, sizeof(T)>>(value);
+  if (order != std::endian::native) std::reverse(bytes.begin(), bytes.end());
+  to.append(bytes.data(), bytes.size());
+}
+
+}  // namespace handwheel

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace handwheel {
+
+// The first word of an OFF file says what each vertex brings: [ST][C][N][4][n]OFF (Geomview manual, "OFF files").
+struct OffKeyword {
+  bool texture = false;  // two numbers behind each vertex
+  bool colour = false;   // in binary files four numbers
+  bool normal = false;   // three numbers
+  bool otherDimension = false;  // 4OFF, nOFF: not points in space
+  std::size_t length = 0;       // characters; a count may follow without a blank
+
+  bool hasAttributes() const { return texture || colour || normal; }
+};
+
+std::optional<OffKeyword> parseOffKeyword(std::string_view word);
+
+// Whether the first word that is no comment is the keyword.
+bool beginsWithOffKeyword(std::string_view bytes);
+
+}  // namespace handwheel

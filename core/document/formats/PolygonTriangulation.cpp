@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/formats/PolygonTriangulation.h"
+
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+// A polygon counts as planar when no corner is further from its plane than this share of its size: beyond, which cut is
+// right depends on more than the outline, and everybody expects a fan.
+constexpr double kPlanar = 1e-3;
+constexpr std::int64_t kTestsPerLook = 500'000;
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+}
+
+// Twice the area vector of a closed polygon (Newell).
+Vec3 areaVector(const std::vector<Vec3>& points, std::span<const std::uint32_t> corners) {
+  const Vec3& origin = points[corners[0]];
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+    sum += (points[corners[i]] - origin).cross(points[corners[i + 1]] - origin);
+  return sum;
+}
+
+void appendFan(std::span<const std::uint32_t> corners, std::vector<Triangle>& triangles) {
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) triangles.push_back({corners[0], corners[i], corners[i + 1]});
+}
+
+}  // namespace
+
+PolygonTriangulation::Outcome PolygonTriangulation::cut(const std::vector<Vec3>& points,
+                                                        std::span<const std::uint32_t> corners,
+                                                        std::vector<Triangle>& triangles) {
+  if (corners.size() > 3 && flatten(points, corners) && !isStrictlyConvex()) return cutEars(corners, triangles);
+  appendFan(corners, triangles);
+  return Outcome::Done;
+}
+
+// Drops the coordinate along which the polygon extends least: the others stay exactly as they are, so corners in line
+// stay in line. False when the polygon is not planar or has no area.
+bool PolygonTriangulation::flatten(const std::vector<Vec3>& points, std::span<const std::uint32_t> corners) {
+  const Vec3 area = areaVector(points, corners);
+  const double length = area.stableNorm();
+  if (!(length > 0.0) || !std::isfinite(length)) return false;
+  const Vec3 normal = area / length;
+  const Vec3& origin = points[corners[0]];
+  double size = 0.0, low = 0.0, high = 0.0;
+  for (std::uint32_t c : corners) {
+    const Vec3 d = points[c] - origin;
+    size = std::max(size, d.cwiseAbs().maxCoeff());
+    low = std::min(low, normal.dot(d));
+    high = std::max(high, normal.dot(d));
+  }
+  if (!(high - low <= kPlanar * size)) return false;
+
+  Eigen::Index drop = 0;
+  normal.cwiseAbs().maxCoeff(&drop);
+  const Eigen::Index u = (drop + 1) % 3, v = (drop + 2) % 3;
+  const bool turned = normal[drop] < 0.0;
+  m_flat.clear();
+  for (std::uint32_t c : corners)
+    m_flat.push_back(turned ? Vec2(points[c][v], points[c][u]) : Vec2(points[c][u], points[c][v]));
+  return true;
+}
+
+bool PolygonTriangulation::isStrictlyConvex() const {
+  const std::size_t n = m_flat.size();
+  for (std::size_t i = 0; i < n; ++i)
+    if (cross(m_flat[i], m_flat[(i + 1) % n], m_flat[(i + 2) % n]) <= 0.0) return false;
+  return true;
+}
+
+PolygonTriangulation::Outcome PolygonTriangulation::cutEars(std::span<const std::uint32_t> corners,
+                                                            std::vector<Triangle>& triangles) {
+  linkRing();
+  std::uint32_t at = 0;
+  std::size_t left = corners.size(), sinceLastEar = 0;
+  while (left > 3) {
+    if (m_budget < m_nextLook || m_nextLook == 0) {
+      if (!m_keepGoing()) return Outcome::Stopped;
+      m_nextLook = m_budget - kTestsPerLook;
+    }
+    // Going once round without an ear: the outline crosses itself. Any corner then has to do.
+    const bool stuck = sinceLastEar > left;
+    if (m_budget > 0 && !stuck && !isEar(at)) {
+      ++sinceLastEar;
+      at = m_next[at];
+      continue;
+    }
+    triangles.push_back({corners[m_previous[at]], corners[at], corners[m_next[at]]});
+    unlink(at);
+    --left;
+    sinceLastEar = 0;
+    at = m_next[m_next[at]];  // skipping one corner keeps the triangles from all meeting in one
+  }
+  triangles.push_back({corners[m_previous[at]], corners[at], corners[m_next[at]]});
+  return m_budget > 0 ? Outcome::Done : Outcome::TooComplex;
+}
+
+void PolygonTriangulation::linkRing() {
+  const auto n = static_cast<std::uint32_t>(m_flat.size());
+  m_previous.resize(n);
+  m_next.resize(n);
+  m_reflex.clear();
+  for (std::uint32_t i = 0; i < n; ++i) {
+    m_previous[i] = i == 0 ? n - 1 : i - 1;
+    m_next[i] = i + 1 == n ? 0 : i + 1;
+  }
+  for (std::uint32_t i = 0; i < n; ++i)
+    if (isReflex(i)) m_reflex.push_back(i);
+}
+
+void PolygonTriangulation::unlink(std::uint32_t corner) {
+  m_next[m_previous[corner]] = m_next[corner];
+  m_previous[m_next[corner]] = m_previous[corner];
+  m_previous[corner] = kNone;  // no longer of the ring; m_next stays for the way on
+}
+
+bool PolygonTriangulation::isReflex(std::uint32_t corner) const {
+  return cross(m_flat[m_previous[corner]], m_flat[corner], m_flat[m_next[corner]]) <= 0.0;
+}
+
+bool PolygonTriangulation::isEar(std::uint32_t corner) {
+  if (isReflex(corner)) return false;
+  const Vec2 &a = m_flat[m_previous[corner]], &b = m_flat[corner], &c = m_flat[m_next[corner]];
+  for (std::size_t i = 0; i < m_reflex.size();) {
+    const std::uint32_t other = m_reflex[i];
+    --m_budget;
+    if (m_previous[other] == kNone || !isReflex(other)) {  // a corner never becomes reflex again
+      m_reflex[i] = m_reflex.back();
+      m_reflex.pop_back();
+      continue;
+    }
+    ++i;
+    const Vec2& p = m_flat[other];
+    if (p == a || p == b || p == c) continue;  // outlines that lead to an island touch themselves in such corners
+    if (cross(a, b, p) >= 0.0 && cross(b, c, p) >= 0.0 && cross(c, a, p) >= 0.0) return false;
+  }
+  return true;
+}
+
+}  // namespace handwheel

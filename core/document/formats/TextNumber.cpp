@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/formats/TextNumber.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string>
+
+namespace handwheel {
+
+namespace {
+
+std::string_view withoutPlus(std::string_view word) {
+  return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
+}
+
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+// Whether a well-formed number that is not within the range of double is too large rather than too small: the sign of
+// the exponent of its first digit other than zero.
+bool isHuge(std::string_view word) {
+  const std::size_t e = std::min(word.find_first_of("eE"), word.size());
+  const std::string_view mantissa = word.substr(0, e);
+  const std::size_t point = std::min(mantissa.find('.'), mantissa.size());
+  const std::size_t first = mantissa.find_first_of("123456789");
+  if (first == std::string_view::npos) return false;
+  const auto power = static_cast<std::int64_t>(point) - static_cast<std::int64_t>(first);
+  std::string_view digits = word.substr(std::min(e + 1, word.size()));
+  const bool negative = !digits.empty() && digits[0] == '-';
+  if (!digits.empty() && !isDigit(digits[0])) digits.remove_prefix(1);
+  std::int64_t exponent = 0;
+  for (char c : digits) exponent = std::min<std::int64_t>(exponent * 10 + (c - '0'), std::int64_t{1} << 40);
+  return power + (negative ? -exponent : exponent) > 0;
+}
+
+// "1.#INF", "-1.#IND", "1.#QNAN": what Microsoft's C library used to print.
+bool isMicrosoftNotFinite(std::string_view word) {
+  if (!word.empty() && word[0] == '-') word.remove_prefix(1);
+  return word.starts_with("1.#");
+}
+
+}  // namespace
+
+bool parseNumber(std::string_view word, double& value, ErrorCode& why) {
+  const std::string_view digits = withoutPlus(word);
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error == std::errc::invalid_argument || end != digits.data() + digits.size()) {
+    why = isMicrosoftNotFinite(digits) ? ErrorCode::NumberNotFinite : ErrorCode::NumberMalformed;
+    return false;
+  }
+  why = ErrorCode::NumberNotFinite;
+  if (error == std::errc::result_out_of_range) {
+    value = 0.0;
+    return !isHuge(digits);
+  }
+  return std::isfinite(value);
+}
+
+std::optional<std::int64_t> parseInteger(std::string_view word) {
+  const std::string_view digits = withoutPlus(word);
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error == std::errc() && end == digits.data() + digits.size()) return value;
+  double real = 0.0;
+  ErrorCode why;
+  if (error != std::errc() || !parseNumber(word, real, why)) return {};
+  constexpr double kExact = 9007199254740992.0;  // 2^53: beyond, a double skips whole numbers
+  if (std::abs(real) > kExact || real != std::trunc(real)) return {};
+  return static_cast<std::int64_t>(real);
+}
+
+bool readPoint(TextScanner& scanner, NumberType type, Vec3& point, Error& error, Words words) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::string_view word = words == Words::OfAnyLine ? scanner.wordOnAnyLine() : scanner.word();
+    double value = 0.0;
+    ErrorCode why = ErrorCode::NumberNotFinite;
+    const bool good = !word.empty() && parseNumber(word, value, why);
+    point[axis] = rounded(value, type);
+    if (good && std::isfinite(point[axis])) continue;
+    error = word.empty() ? unexpectedWord("number", word, scanner.place()) : wordError(why, word, scanner.place());
+    return false;
+  }
+  return true;
+}
+
+Error wordError(ErrorCode code, std::string_view word, Place place) {
+  constexpr std::size_t kShown = 40;
+  return {code, {std::string(word.substr(0, kShown))}, place, {}};
+}
+
+Error unexpectedWord(std::string_view expected, std::string_view found, Place place) {
+  Error error = wordError(ErrorCode::TokenUnexpected, found, place);
+  error.arguments.insert(error.arguments.begin(), std::string(expected));
+  return error;
+}
+
+bool equalsIgnoringCase(std::string_view word, std::string_view lowerCase) {
+  return std::equal(word.begin(), word.end(), lowerCase.begin(), lowerCase.end(),
+                    [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; });
+}
+
+}  // namespace handwheel

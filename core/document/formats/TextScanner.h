@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Error.h"
+
+#include <cstdint>
+#include <string_view>
+
+namespace handwheel {
+
+// Words and lines of a text held in memory. Lines end with LF, CR LF or CR and are counted from 1. A byte order mark of
+// UTF-8 is skipped.
+class TextScanner {
+ public:
+  struct Syntax {
+    int comment = -1;       // a word that begins with this character hides the rest of its line
+    int continuation = -1;  // this character right before a line end joins the two lines
+  };
+
+  explicit TextScanner(std::string_view text) : TextScanner(text, Syntax()) {}
+  TextScanner(std::string_view text, Syntax syntax);
+  // Begins at a place within the text.
+  TextScanner(std::string_view text, std::size_t position, std::uint64_t line);
+
+  // The next word of this line; empty at the end of the line.
+  std::string_view word();
+  // The next word of this or a later line; empty at the end of the text.
+  std::string_view wordOnAnyLine();
+  // Goes to the start of the next line. False at the end of the text.
+  bool nextLine();
+  // Stays, or goes on to the first line that has a word. False at the end of the text.
+  bool findWord();
+
+  // The word that word() would give.
+  std::string_view peek();
+  // Takes back the last characters of the word just read.
+  void stepBack(std::size_t characters) { m_at -= characters; }
+
+  Place place() const { return Place::line(m_line); }
+  std::size_t position() const { return static_cast<std::size_t>(m_at - m_begin); }
+
+ private:
+  bool isContinuation(const char* at) const;
+  void skipBlanks();
+  void skipLineEnd();
+
+  const char* m_begin;
+  const char* m_at;
+  const char* m_end;
+  std::uint64_t m_line = 1;
+  Syntax m_syntax;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/HalfEdgeMesh.h"
+#include "mesh/Weld.h"
+
+namespace handwheel {
+
+// The faces of a mesh as a file shows them: over positions instead of vertices. Index i is face i; dead faces look
+// degenerate.
+struct PositionTriangles {
+  explicit PositionTriangles(const HalfEdgeMesh& mesh);
+
+  PointClasses classes;             // of the mesh's vertices
+  std::vector<Triangle> triangles;  // over classes
+};
+
+}  // namespace handwheel

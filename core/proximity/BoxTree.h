@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+
+#include <Eigen/Core>
+#include <bit>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace handwheel {
+
+// In rows of four, each the work of one instruction. The fourth of a row is no coordinate but free to carry a number.
+struct FloatBox {
+  Eigen::Array4f low;
+  Eigen::Array4f high;
+
+  bool meets(const FloatBox& other) const {
+    return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] && other.low[1] <= high[1] &&
+           low[2] <= other.high[2] && other.low[2] <= high[2];
+  }
+};
+
+// Something with a box, for example a triangle.
+struct BoxedItem {
+  FloatBox box;
+
+  std::uint32_t id() const { return std::bit_cast<std::uint32_t>(box.low[3]); }
+  void setId(std::uint32_t id) { box.low[3] = std::bit_cast<float>(id); }
+};
+
+// The nodes stand in preorder: a node's left child follows it, the right child follows the left one's subtree.
+struct BoxNode {
+  FloatBox box;
+
+  // Nodes in the subtree, this one counted; a leaf has 1.
+  std::uint32_t size() const { return std::bit_cast<std::uint32_t>(box.low[3]); }
+  void setSize(std::size_t size) { box.low[3] = std::bit_cast<float>(static_cast<std::uint32_t>(size)); }
+
+  // Its items begin here, in the order in which build() left them.
+  std::uint32_t first() const { return std::bit_cast<std::uint32_t>(box.high[3]); }
+  void setFirst(std::size_t first) { box.high[3] = std::bit_cast<float>(static_cast<std::uint32_t>(first)); }
+
+  bool isLeaf() const { return size() == 1; }
+};
+
+// A binary bounding volume hierarchy over boxes.
+class BoxTree {
+ public:
+  // The most items in a leaf, and the most nodes from the root to a leaf.
+  static constexpr std::uint32_t kLeafSize = 4;
+  static constexpr int kMaxDepth = 80;
+
+  // Sorts the items into the order of the leaves. O(n log n), on all threads of the arena; the same tree for any number
+  // of threads. False when cancelled: then the tree is empty.
+  bool build(std::span<BoxedItem> items, Progress progress = {});
+
+  bool empty() const { return m_nodes.empty(); }
+  std::uint32_t nodeCount() const { return m_nodes.empty() ? 0 : static_cast<std::uint32_t>(m_nodes.size() - 1); }
+  const BoxNode& node(std::uint32_t i) const { return m_nodes[i]; }
+  // One past the last item of a leaf.
+  std::uint32_t leafEnd(std::uint32_t leaf) const { return m_nodes[leaf + 1].first(); }
+
+ private:
+  std::vector<BoxNode> m_nodes;  // and one more, whose first is the number of items
+};
+
+}  // namespace handwheel
