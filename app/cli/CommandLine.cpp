@@ -1,4 +1,106 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/CommandLine.h"
-namespace handwheel { bool isCommand(int, char**) { return false; } int runCommand(int, char**) { return 1; } }
+
+#include "cli/ConvertCommand.h"
+#include "cli/InspectCommand.h"
+#include "cli/Interrupt.h"
+#include "cli/Messages.h"
+#include "cli/Picture.h"
+#include "cli/RepairCommand.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <clocale>
+#include <new>
+
+namespace handwheel {
+
+namespace {
+
+struct Command {
+  CommandSpec spec;
+  int (*run)(const Arguments&);
+};
+
+std::vector<Command> commands() {
+  return {
+      {inspectSpec(), runInspect},
+      {repairSpec(), runRepair},
+      {convertSpec(), runConvert},
+      {pictureSpec(), runPicture},
+  };
+}
+
+const Command* find(const std::vector<Command>& all, std::string_view name) {
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Command& c) { return c.spec.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+std::string overview() {
+  std::string page =
+      "Handwheel repairs scanned meshes.\n\n"
+      "Usage: handwheel [FILE...]              opens the window\n"
+      "       handwheel COMMAND [...]          works without it\n\n"
+      "Commands:\n";
+  for (const Command& command : commands()) {
+    const std::string summary(command.spec.summary);
+    const std::string name(command.spec.name);
+    page += "  " + name + std::string(10 - name.size(), ' ') + summary.substr(0, summary.find('.') + 1) + "\n";
+  }
+  return page + "\n'handwheel help COMMAND' says more. --version shows the version.\n";
+}
+
+int help(std::span<char* const> words) {
+  if (words.empty()) return print(overview());
+  const std::vector<Command> all = commands();
+  const Command* command = find(all, words[0]);
+  if (!command) return failUsage("There is no command " + std::string(words[0]) + ".", {});
+  return print(helpPage(command->spec));
+}
+
+bool isHelpWord(std::string_view word) { return word == "help" || word == "--help" || word == "-h"; }
+
+// Qt's own options come with one dash or two and belong to the window.
+bool isForWindow(std::string_view word) {
+  static constexpr std::string_view kQtOptions[] = {"--platform", "--style", "--stylesheet", "--display", "--geometry"};
+  return !word.starts_with("--") || word == "--" ||
+         std::any_of(std::begin(kQtOptions), std::end(kQtOptions),
+                     [&](std::string_view option) { return word.substr(0, word.find('=')) == option; });
+}
+
+int dispatch(std::span<char* const> words) {
+  const std::string_view first = words[0];
+  const std::span<char* const> rest = words.subspan(1);
+  if (isHelpWord(first)) return help(rest);
+  if (first == "--version") return print("Handwheel " HANDWHEEL_VERSION "\n");
+  const std::vector<Command> all = commands();
+  const Command* command = find(all, first);
+  if (!command) return failUsage("There is no option " + std::string(first) + ".", {});
+
+  const Arguments arguments = parseArguments(command->spec, rest);
+  if (!arguments.problem.empty()) return failUsage(arguments.problem, command->spec.name);
+  if (arguments.has("help")) return print(helpPage(command->spec));
+  return command->run(arguments);
+}
+
+}  // namespace
+
+bool isCommand(int argc, char** argv) {
+  if (argc < 2) return false;
+  return isHelpWord(argv[1]) || find(commands(), argv[1]) || !isForWindow(argv[1]);
+}
+
+int runCommand(int argc, char** argv) {
+  watchSignals();
+  const QCoreApplication application(argc, argv);
+  // Its constructor takes over the user's locale. The command line speaks English and writes numbers as in C.
+  std::setlocale(LC_ALL, "C");
+  try {
+    return dispatch(std::span<char* const>(argv, static_cast<std::size_t>(argc)).subspan(1));
+  } catch (const std::bad_alloc&) {
+    return fail({ErrorCode::OutOfMemory, {}, {}, {}});
+  }
+}
+
+}  // namespace handwheel

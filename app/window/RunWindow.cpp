@@ -1,4 +1,90 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/RunWindow.h"
-namespace handwheel { int runWindow(int, char**) { return 1; } }
+
+#include "text/EnglishPlurals.h"
+#include "theme/Icons.h"
+#include "theme/Theme.h"
+#include "viewport/Viewport.h"
+#include "window/MainWindow.h"
+#include "window/Screenshot.h"
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QSettings>
+#include <QThreadPool>
+#include <clocale>
+#include <cstdio>
+#include <cstdlib>
+
+namespace handwheel {
+
+namespace {
+
+// Three more than run at once, for work that was cancelled but does not let go.
+constexpr int kWorkers = 5;
+// A library call that does not return is not waited for longer when the program ends.
+constexpr int kPatienceMs = 1000;
+
+struct Wishes {
+  QStringList files;
+  QString screenshot;  // empty: none
+  bool dark = false;
+};
+
+Wishes readArguments(const QApplication& application) {
+  QCommandLineParser parser;
+  parser.addPositionalArgument(QStringLiteral("files"), QStringLiteral("Mesh files to open."));
+  const QCommandLineOption screenshot(QStringLiteral("screenshot"), QStringLiteral("Save a picture and quit."),
+                                      QStringLiteral("png"));
+  const QCommandLineOption dark(QStringLiteral("dark"), QStringLiteral("Start with the dark theme."));
+  parser.addOptions({screenshot, dark});
+  parser.process(application);
+  return {parser.positionalArguments(), parser.value(screenshot), parser.isSet(dark)};
+}
+
+bool hasDisplay() {
+  if (!qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")) return true;
+  std::fputs("handwheel: There is no display (neither DISPLAY nor WAYLAND_DISPLAY is set); 'handwheel help' lists what "
+             "works without one.\n",
+             stderr);
+  return false;
+}
+
+ThemeKind startTheme(const Wishes& wishes) {
+  const bool dark = QSettings().value(QStringLiteral("darkTheme"), systemTheme() == ThemeKind::Dark).toBool();
+  return wishes.dark || (wishes.screenshot.isEmpty() && dark) ? ThemeKind::Dark : ThemeKind::Light;
+}
+
+}  // namespace
+
+int runWindow(int argc, char** argv) {
+  if (!hasDisplay()) return 1;
+  Viewport::prepareApplication();
+  QApplication application(argc, argv);
+  std::setlocale(LC_NUMERIC, "C");  // Qt takes over the user's locale; readers and libraries expect points
+  QCoreApplication::setOrganizationName(QStringLiteral("Handwheel"));
+  QCoreApplication::setApplicationName(QStringLiteral("Handwheel"));
+  QCoreApplication::setApplicationVersion(QStringLiteral(HANDWHEEL_VERSION));
+  EnglishPlurals plurals;
+  QCoreApplication::installTranslator(&plurals);
+  const Wishes wishes = readArguments(application);
+  applyTheme(application, startTheme(wishes));
+  QApplication::setWindowIcon(icon(QStringLiteral("handwheel"), themeColours(ThemeKind::Light).accent));
+
+  QThreadPool workers;
+  workers.setMaxThreadCount(kWorkers);
+  int code = 0;
+  {
+    MainWindow window(workers);
+    window.openPaths(wishes.files);
+    window.show();
+    if (!wishes.screenshot.isEmpty()) takeScreenshot(window, wishes.screenshot);
+    code = QApplication::exec();
+  }
+  // Everything is saved by now.
+  if (!workers.waitForDone(kPatienceMs)) std::_Exit(code);
+  return code;
+}
+
+}  // namespace handwheel

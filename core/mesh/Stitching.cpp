@@ -99,27 +99,21 @@ std::size_t splitTJunctions(HalfEdgeMesh& mesh, const std::vector<bool>& fixed) 
 }  // namespace
 
 std::vector<Vertex> stitchBorders(HalfEdgeMesh& mesh, const std::vector<bool>& fixed) {
-  HalfEdgeMesh best = mesh;
-  Openness before = measure(best, relink(best));
-  std::vector<Vertex> result;
-
-  HalfEdgeMesh trial = best;
+  // Relinks what was changed; keeps it when it is better.
+  const auto keepIfBetter = [&](HalfEdgeMesh trial) {
+    HalfEdgeMesh unchanged = mesh;
+    const Openness before = measure(unchanged, relink(unchanged));
+    const Openness after = measure(trial, relink(trial));
+    if (!after.improvesOn(before)) return false;
+    mesh = trial;
+    return true;
+  };
+  HalfEdgeMesh trial = mesh;
   std::vector<Vertex> moved = mergeNear(trial, fixed);
-  if (!moved.empty()) {
-    const Openness after = measure(trial, relink(trial));
-    if (after.improvesOn(before)) {
-      best = trial;
-      before = after;
-      result = std::move(moved);
-    }
-  }
-  trial = best;
-  if (splitTJunctions(trial, fixed) > 0) {
-    const Openness after = measure(trial, relink(trial));
-    if (after.improvesOn(before)) best = trial;
-  }
-  mesh = best;
-  return result;
+  if (!moved.empty() && !keepIfBetter(trial)) moved.clear();
+  trial = mesh;
+  if (splitTJunctions(trial, fixed) > 0) keepIfBetter(trial);
+  return moved;
 }
 
 }  // namespace handwheel

@@ -1,2 +1,169 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "text/ErrorText.h"
+
+#include <QCoreApplication>
+
+namespace handwheel {
+
+namespace {
+
+constexpr qsizetype kLongestQuote = 48;  // characters of a foreign file shown in a sentence
+
+struct Text {
+  Q_DECLARE_TR_FUNCTIONS(ErrorText)
+};
+
+// Arguments may quote a damaged file: they are shortened and hold nothing that a terminal would obey.
+QString argument(const Error& error, std::size_t i) {
+  if (i >= error.arguments.size()) return {};
+  QString text = QString::fromStdString(error.arguments[i]).simplified();
+  for (QChar& c : text) {
+    if (!c.isPrint() && !c.isSurrogate()) c = QChar::ReplacementCharacter;
+  }
+  return text.size() > kLongestQuote ? text.left(kLongestQuote) + QChar(0x2026) : text;
+}
+
+// "the file ends too early: 12 facets expected, 9 found", leaving out what is not known.
+QString counts(const QString& what, const QString& expected, const QString& found) {
+  QStringList parts;
+  if (!expected.isEmpty()) parts << Text::tr("%1 expected").arg(expected);
+  if (!found.isEmpty()) parts << Text::tr("%1 found").arg(found);
+  return what + QStringLiteral(": ") + parts.join(QStringLiteral(", "));
+}
+
+QString tooLarge(const QString& what, const QString& count, const QString& limit) {
+  if (count.isEmpty()) return Text::tr("the file is too large (more than %1 %2)").arg(limit, what);
+  return Text::tr("the file is too large (%1 %2, at most %3 can be opened)").arg(count, what, limit);
+}
+
+QString unexpected(const QString& expected, const QString& found) {
+  if (expected.isEmpty()) return Text::tr("'%1' makes no sense here").arg(found);
+  if (found.isEmpty()) return Text::tr("%1 was expected, but nothing follows").arg(expected);
+  return Text::tr("%1 was expected, '%2' was found").arg(expected, found);
+}
+
+QString whatHappened(const Error& error) {
+  const QString a = argument(error, 0);
+  const QString b = argument(error, 1);
+  const QString c = argument(error, 2);
+  switch (error.code) {
+    case ErrorCode::Cancelled:
+      return Text::tr("cancelled");
+    case ErrorCode::OutOfMemory:
+      return Text::tr("there is not enough memory");
+    case ErrorCode::FileMissing:
+      return Text::tr("there is no such file");
+    case ErrorCode::FileUnreadable:
+      return Text::tr("the file cannot be read (%1)").arg(a);
+    case ErrorCode::FileEmpty:
+      return Text::tr("the file is empty");
+    case ErrorCode::FileTooLarge:
+      return tooLarge(a, b, c);
+    case ErrorCode::FormatUnknown:
+      return Text::tr("this is no mesh file that Handwheel knows");
+    case ErrorCode::ExtensionUnknown:
+      return Text::tr("no mesh format belongs to the ending '%1'").arg(a);
+    case ErrorCode::HeaderMalformed:
+      return Text::tr("the header is malformed, %1 was expected").arg(a);
+    case ErrorCode::TextEncoding:
+      return Text::tr("the text is in %1, which cannot be read").arg(a);
+    case ErrorCode::TokenUnexpected:
+      return unexpected(a, b);
+    case ErrorCode::NumberMalformed:
+      return Text::tr("'%1' is not a number").arg(a);
+    case ErrorCode::NumberNotFinite:
+      return Text::tr("the coordinate '%1' is not a finite number").arg(a);
+    case ErrorCode::IndexOutOfRange:
+      return Text::tr("a face uses vertex %1, but the file has %2 vertices").arg(a, b);
+    case ErrorCode::VertexUnreadable:
+      return Text::tr("a face uses vertex %1, which could not be read").arg(a);
+    case ErrorCode::PolygonTooComplex:
+      return Text::tr("a face with %1 corners was cut into triangles as if it were convex").arg(a);
+    case ErrorCode::PolygonTooSmall:
+      return Text::tr("a face has %1 corners, fewer than three").arg(a);
+    case ErrorCode::DataTruncated:
+      return Text::tr("the file ends too early (%1)").arg(counts(a, b, c));
+    case ErrorCode::CountMismatch:
+      return Text::tr("the file contradicts itself (%1)").arg(counts(a, b, c));
+    case ErrorCode::TypeUnknown:
+      return Text::tr("the data type '%1' is not known").arg(a);
+    case ErrorCode::NoTriangles:
+      return Text::tr("the file holds no triangle");
+    case ErrorCode::WriteFailed:
+      return Text::tr("the file could not be written (%1)").arg(a);
+    case ErrorCode::CheckFailed:
+      return Text::tr("the written file does not read back as it should (%1), so it was not kept").arg(a);
+  }
+  return {};
+}
+
+QString where(const Error& error) {
+  const QString number = QString::number(error.place.value);
+  switch (error.place.kind) {
+    case Place::Kind::None:
+      return {};
+    case Place::Kind::Byte:
+      return Text::tr("byte %1").arg(number);
+    case Place::Kind::Line:
+      return Text::tr("line %1").arg(number);
+  }
+  return {};
+}
+
+}  // namespace
+
+QString errorSentence(const Error& error) {
+  QStringList origin;
+  if (!error.subject.empty()) origin << QString::fromStdString(error.subject);
+  if (const QString place = where(error); !place.isEmpty()) origin << place;
+  const QString event = whatHappened(error) + QLatin1Char('.');
+  if (!origin.isEmpty()) return origin.join(QStringLiteral(", ")) + QStringLiteral(": ") + event;
+  return event.left(1).toUpper() + event.mid(1);
+}
+
+QString errorAdvice(const Error& error) {
+  switch (error.code) {
+    case ErrorCode::Cancelled:
+      return {};
+    case ErrorCode::OutOfMemory:
+      return Text::tr("Close other documents or programs, or try a model with fewer triangles.");
+    case ErrorCode::FileMissing:
+      return Text::tr("Check the name, or whether the file was moved.");
+    case ErrorCode::FileUnreadable:
+      return Text::tr("Check that you may read the file and that its disk is connected.");
+    case ErrorCode::FileEmpty:
+      return Text::tr("Export or copy the file again.");
+    case ErrorCode::FileTooLarge:
+      return Text::tr("Reduce or split the model in the program that made it.");
+    case ErrorCode::FormatUnknown:
+      return Text::tr("Export the model as STL, PLY, OBJ or OFF.");
+    case ErrorCode::ExtensionUnknown:
+      return Text::tr("Use a name that ends in .stl, .ply, .obj or .off.");
+    case ErrorCode::TextEncoding:
+      return Text::tr("Save the file as UTF-8 text or in a binary format.");
+    case ErrorCode::HeaderMalformed:
+    case ErrorCode::TypeUnknown:
+      return Text::tr("Export the file again; its beginning is damaged or of a variant that is not supported.");
+    case ErrorCode::TokenUnexpected:
+    case ErrorCode::NumberMalformed:
+    case ErrorCode::NumberNotFinite:
+    case ErrorCode::IndexOutOfRange:
+    case ErrorCode::VertexUnreadable:
+    case ErrorCode::PolygonTooSmall:
+    case ErrorCode::DataTruncated:
+    case ErrorCode::CountMismatch:
+      return Text::tr("Export or copy the file again, or open only what is readable.");
+    case ErrorCode::PolygonTooComplex:
+      return Text::tr("Check the shape of that face, or export the model as triangles.");
+    case ErrorCode::NoTriangles:
+      return Text::tr("Export the model as a surface of triangles; points and curves alone cannot be repaired.");
+    case ErrorCode::WriteFailed:
+      return Text::tr("Check the free space and that you may write there, or choose another place.");
+    case ErrorCode::CheckFailed:
+      return Text::tr("The earlier file is untouched. Save in another format, for example PLY.");
+  }
+  return {};
+}
+
+}  // namespace handwheel

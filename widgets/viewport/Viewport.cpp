@@ -1,2 +1,181 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewport/Viewport.h"
+
+#include "viewport/ViewportPrivate.h"
+
+#include <algorithm>
+#include <set>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kFitShare = 0.86;    // of the view, filled by the whole model
+constexpr double kFlyToShare = 0.38;  // of the view, filled by what one flies to: its surroundings tell where it is
+// A flight never magnifies more than this share of the model's diagonal to the height of the view.
+constexpr double kNearestFlight = 0.02;
+
+}  // namespace
+
+Viewport::Private::Private(Viewport* widget)
+    : q(widget),
+      glWindow(scene.renderer()),
+      flight([this](const CameraState& state) { moveTo(state); }),
+      preparation({[this](std::size_t block, SurfaceGeometry geometry) {
+                     scene.blocks().enqueue(block, std::move(geometry));
+                     q->update();
+                   },
+                   [this](SurfaceGeometry geometry) { scene.blocks().setCoarse(std::move(geometry)); },
+                   [this](MeshPreparation::Index built) { index = std::move(built); }}) {
+  camera.orientation = orientationOf(StandardView::Isometric);
+  rest.setSingleShot(true);
+  rest.setInterval(200);
+  QObject::connect(&rest, &QTimer::timeout, q, qOverload<>(&QWidget::update));
+}
+
+void Viewport::Private::moveTo(const CameraState& state) {
+  camera = state;
+  q->update();
+  emit q->cameraChanged();
+}
+
+void Viewport::Private::flyTo(const CameraState& goal) {
+  if (isPlaced && q->isVisible()) return flight.start(camera, goal);
+  flight.stop();
+  isPlaced = true;
+  moveTo(goal);
+}
+
+// The blocks whose picture an edit changes: those of the touched faces, and of the faces around their corners, as these
+// share normals with them.
+std::vector<std::size_t> Viewport::Private::blocksAround(const HalfEdgeMesh& before, const HalfEdgeMesh& after,
+                                                         const std::vector<Face>& touched) const {
+  std::set<std::size_t> blocks;
+  for (const Face f : touched) {
+    if (f < after.faceSlots()) blocks.insert(f / kBlockFaces);
+    for (const HalfEdgeMesh* mesh : {&before, &after}) {
+      if (f >= mesh->faceSlots() || !mesh->isProper(f)) continue;
+      for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
+        for (const HalfEdge g : mesh->fan(h)) blocks.insert(HalfEdgeMesh::face(g) / kBlockFaces);
+      }
+    }
+  }
+  return {blocks.begin(), blocks.end()};
+}
+
+Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), d(std::make_unique<Private>(this)) {
+  setMouseTracking(true);
+  setFocusPolicy(Qt::ClickFocus);
+  // The right button drags; a menu that opens on its press would be in the way.
+  setContextMenuPolicy(Qt::PreventContextMenu);
+  setMinimumSize(200, 150);
+}
+
+void Viewport::setMesh(const HalfEdgeMesh& mesh) {
+  d->index.reset();
+  d->hover({});
+  d->scene.setMesh(mesh);
+  d->preparation.startAll(mesh, d->scene.bounds(), d->scene.origin());
+  update();
+}
+
+void Viewport::updateMesh(const HalfEdgeMesh& mesh, const std::vector<Face>& touched) {
+  const std::vector<std::size_t> blocks = d->blocksAround(d->scene.mesh(), mesh, touched);
+  d->index.reset();
+  d->hover({});
+  d->scene.updateMesh(mesh, touched);
+  d->preparation.startSome(mesh, d->scene.bounds(), d->scene.origin(), blocks);
+  update();
+}
+
+void Viewport::clear() {
+  d->preparation.cancel();
+  d->index.reset();
+  d->hover({});
+  d->scene.clear();
+  update();
+}
+
+void Viewport::setLoops(std::vector<LoopMark> loops) {
+  d->scene.marks().setLoops(std::move(loops));
+  update();
+}
+
+void Viewport::setFaceMarks(std::vector<FaceMark> marks) {
+  d->scene.marks().setFaceMarks(std::move(marks));
+  update();
+}
+
+void Viewport::setPointMarks(std::vector<PointMark> marks) {
+  d->scene.marks().setPointMarks(std::move(marks));
+  update();
+}
+
+void Viewport::setLineMarks(std::vector<LineMark> marks) {
+  d->scene.marks().setLineMarks(std::move(marks));
+  update();
+}
+
+void Viewport::setPreview(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles) {
+  d->scene.marks().setPreview(points, triangles);
+  update();
+}
+
+void Viewport::setHighlightedLoop(int id) {
+  d->listLoop = id;
+  d->scene.marks().setHovered(id, d->hovered.loop, d->hovered.face);
+  update();
+}
+
+void Viewport::setShading(Shading shading) {
+  d->shading = shading;
+  d->scene.blocks().setShading(shading);
+  update();
+}
+
+Shading Viewport::shading() const { return d->shading; }
+
+void Viewport::setDarkTheme(bool dark) {
+  d->scene.setDark(dark);
+  update();
+}
+
+void Viewport::setStandardView(StandardView view) {
+  CameraState from = d->goal();
+  from.orientation = orientationOf(view);
+  d->flyTo(CameraNavigation(from, d->size()).fitted(d->scene.outline(), kFitShare));
+}
+
+void Viewport::fit() { d->flyTo(CameraNavigation(d->goal(), d->size()).fitted(d->scene.outline(), kFitShare)); }
+
+void Viewport::flyTo(const Box& box, const Vec3& outward) {
+  if (box.isEmpty()) return;
+  CameraState from = d->goal();
+  from.orientation = turnedTowards(from.orientation, outward);
+  CameraState goal = CameraNavigation(from, d->size()).fitted(cornersOf(box), kFlyToShare);
+  if (!d->scene.bounds().isEmpty()) {
+    goal.height = std::max(goal.height, kNearestFlight * d->scene.bounds().diagonal().norm());
+  }
+  d->flyTo(goal);
+}
+
+CameraState Viewport::camera() const { return d->goal(); }
+
+void Viewport::setCamera(const CameraState& camera) {
+  d->flight.stop();
+  d->isPlaced = true;
+  d->moveTo(camera);
+}
+
+Pick Viewport::pickAt(const QPointF& position) const { return d->pick({position.x(), position.y()}); }
+
+bool Viewport::isPickingReady() const { return d->index != nullptr; }
+
+QString Viewport::graphicsProblem() const { return d->problem; }
+
+int Viewport::blocksBuilt() const { return d->scene.blocks().builtCount(); }
+
+QSize Viewport::sizeHint() const { return {960, 640}; }
+
+}  // namespace handwheel

@@ -88,13 +88,12 @@ class TextReader {
       for (int axis = 0; axis < 3; ++axis)
         if (!m_assembly.step() || ahead.wordOnAnyLine().empty()) return false;
     if (!ahead.peek().empty() || !ahead.findWord()) return false;
-    std::int64_t corners = parseInteger(ahead.word()).value_or(-1);
-    for (bool good = corners > 0; corners > 0; --corners) {
+    const std::int64_t corners = parseInteger(ahead.word()).value_or(0);
+    for (std::int64_t i = 0; i < corners; ++i) {
       const std::int64_t index = parseInteger(ahead.word()).value_or(-1);
-      good = good && index >= 0 && index < m_vertices;
-      if (!good) return false;
+      if (index < 0 || index >= m_vertices) return false;
     }
-    return corners == 0;
+    return corners > 0;
   }
 
   void loseVertexAttributes() {

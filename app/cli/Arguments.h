@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace handwheel {
+
+struct OptionSpec {
+  std::string_view name;   // without the dashes
+  char letter = 0;         // short form, 0: none
+  std::string_view value;  // what follows, for the help; empty: nothing follows
+  std::string_view help;
+};
+
+// What one command takes. The parser and the help page are both made from it.
+struct CommandSpec {
+  std::string_view name;
+  std::string_view operands;  // separated by blanks, as the help shows them; all are required
+  std::string_view summary;
+  std::vector<OptionSpec> options;
+};
+
+// Words of a command line, sorted out. Kept as bytes, so that any file name is possible.
+struct Arguments {
+  std::vector<std::string> operands;
+  std::map<std::string, std::string, std::less<>> options;  // by long name; an empty value for those that take none
+  std::string problem;                                      // a sentence when the words do not fit; else empty
+
+  bool has(std::string_view name) const { return options.contains(name); }
+  std::string valueOf(std::string_view name) const;  // empty when not given
+};
+
+// "--name value", "--name=value", "-n value", "-nvalue"; "--" ends the options.
+Arguments parseArguments(const CommandSpec& command, std::span<char* const> words);
+
+std::string usageLine(const CommandSpec& command);
+std::string helpPage(const CommandSpec& command);
+
+}  // namespace handwheel

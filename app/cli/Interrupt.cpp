@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/Interrupt.h"
+
+#include "cli/Messages.h"
+#include "cli/ProgressBar.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+namespace handwheel {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kPoll = 20ms;
+constexpr auto kGrace = 150ms;  // with the rest of a poll and the exit still within 250 ms
+
+std::atomic<bool> signalled{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "written by a signal handler");
+
+void noteSignal(int) { signalled = true; }
+
+// A program started with a signal ignored (nohup, a background job of a plain shell) goes on ignoring it.
+void watch(int signal) {
+  struct sigaction previous {};
+  sigaction(signal, nullptr, &previous);
+  if (previous.sa_handler == SIG_IGN) return;
+  struct sigaction action {};
+  action.sa_handler = noteSignal;
+  action.sa_flags = SA_RESTART;
+  sigaction(signal, &action, nullptr);
+}
+
+}  // namespace
+
+class JobRun {
+ public:
+  explicit JobRun(const std::function<void(Job&)>& work) : m_thread([this, &work] { run(work); }) {}
+  ~JobRun() { m_thread.join(); }
+
+  bool waitFor(std::chrono::milliseconds time) {
+    std::unique_lock lock(m_mutex);
+    return m_changed.wait_for(lock, time, [this] { return m_done; });
+  }
+  void cancel() { m_job.m_state.cancelled = true; }
+  bool isWriting() const { return m_job.m_isWriting; }
+  double fraction() const { return m_job.m_state.fraction; }
+  std::exception_ptr failure() const { return m_failure; }
+
+ private:
+  void run(const std::function<void(Job&)>& work) {
+    try {
+      work(m_job);
+    } catch (...) {
+      m_failure = std::current_exception();
+    }
+    const std::lock_guard lock(m_mutex);
+    m_done = true;
+    m_changed.notify_all();
+  }
+
+  Job m_job;
+  std::mutex m_mutex;
+  std::condition_variable m_changed;
+  bool m_done = false;
+  std::exception_ptr m_failure;
+  std::thread m_thread;  // last: it uses the others
+};
+
+void watchSignals() {
+  watch(SIGINT);
+  watch(SIGTERM);
+}
+
+bool wasInterrupted() { return signalled; }
+
+void runInterruptible(std::string_view label, const std::function<void(Job&)>& work) {
+  std::exception_ptr failure;
+  {
+    ProgressBar bar(label);
+    JobRun run(work);
+    while (!run.waitFor(kPoll)) {
+      bar.show(run.fraction());
+      if (!signalled) continue;
+      run.cancel();
+      if (run.waitFor(kGrace) || run.isWriting()) continue;
+      bar.clear();
+      complain("Cancelled.");
+      std::_Exit(kExitInterrupted);
+    }
+    failure = run.failure();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace handwheel

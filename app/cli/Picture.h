@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/Arguments.h"
+
+#include <filesystem>
+
+namespace handwheel {
+
+CommandSpec pictureSpec();
+int runPicture(const Arguments& arguments);
+
+// Draws a mesh file in a process of its own, under xvfb-run when there is no display: a broken display ends that process
+// only. Says on stderr why there is no picture. Returns an exit code.
+int makePictureApart(const std::filesystem::path& mesh, const std::filesystem::path& png, bool partial);
+
+}  // namespace handwheel

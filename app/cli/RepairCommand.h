@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/Arguments.h"
+
+namespace handwheel {
+
+CommandSpec repairSpec();
+int runRepair(const Arguments& arguments);
+
+}  // namespace handwheel

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Result.h"
+#include "document/formats/MeshFormat.h"
+#include "mesh/MeshReport.h"
+#include "mesh/Repair.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace handwheel {
+
+class Job;
+
+struct RepairRequest {
+  std::filesystem::path input;
+  std::filesystem::path output;
+  ReadOptions read;
+  RepairOptions options;
+  bool countSelfIntersections = false;  // before and after: takes longer than the repair on large files
+};
+
+struct RepairRun {
+  MeshReport before;                 // of the input as it was read
+  MeshReport after;                  // of the written file, read again
+  RepairReport repair;
+  std::size_t turnedFaces = 0;       // on building the mesh and on repairing it
+  std::size_t partedVertices = 0;    // by the repair and by the export
+  std::vector<Vertex> touched;       // vertices of the input that were moved, merged or parted
+  bool untouchedIdentical = false;   // measured on the written file
+  std::vector<Error> damage;
+  std::vector<LostAttribute> lost;
+  double seconds = 0.0;
+  std::vector<int> unknownLoops;     // asked to be kept open but not there: then nothing was repaired or written
+};
+
+// Reads, repairs, writes, and reads the written file again to measure it. The input's coordinates are rounded to the
+// numbers of the output first, so that what is repaired is what the file will hold.
+Result<RepairRun> repairFile(const RepairRequest& request, Job& job);
+
+}  // namespace handwheel

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/RepairJson.h"
+
+#include "cli/Messages.h"
+#include "cli/ReportJson.h"
+#include "cli/Wording.h"
+#include "text/RepairText.h"
+
+namespace handwheel {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json toJson(const LoopResult& loop) {
+  const bool filled = loop.outcome == LoopOutcome::Filled;
+  return {
+      {"id", loop.id},
+      {"edges", loop.edges},
+      {"outcome", wordFor(loop.outcome)},
+      {"method", filled ? Json(wordFor(loop.method)) : Json(nullptr)},
+      {"reason", filled ? Json(nullptr) : Json(reasonSentence(loop.reason))},
+      {"new_faces", loop.newFaces},
+      {"ms", loop.milliseconds},
+  };
+}
+
+}  // namespace
+
+Json toJson(const RepairRun& run, const RepairRequest& request, const std::string& unit) {
+  Json loops = Json::array();
+  for (const LoopResult& loop : run.repair.loops) loops.push_back(toJson(loop));
+  Json lost = Json::array();
+  for (LostAttribute attribute : run.lost) lost.push_back(lostAttributeName(attribute).toStdString());
+  Json damage = Json::array();
+  for (const Error& error : run.damage) damage.push_back(sentenceFor(error));
+  return {
+      {"input", request.input.string()},
+      {"output", request.output.string()},
+      {"before", toJson(run.before)},
+      {"after", toJson(run.after)},
+      {"loops", loops},
+      {"removed_degenerate", run.repair.removedDegenerate},
+      {"removed_duplicates", run.repair.removedDuplicates},
+      {"removed_flaps", run.repair.removedFlaps},
+      {"removed_debris", run.repair.removedDebris},
+      {"turned_faces", run.turnedFaces},
+      {"merged_vertices", run.repair.mergedVertices},
+      {"parted_vertices", run.partedVertices},
+      {"touched_vertices", run.touched.size()},
+      {"untouched_vertices_identical", run.untouchedIdentical},
+      {"unit", unit},
+      {"lost_attributes", lost},
+      {"damage", damage},
+      {"seconds", run.seconds},
+  };
+}
+
+}  // namespace handwheel

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/ReportJson.h"
+
+namespace handwheel {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class T>
+Json orNull(const std::optional<T>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json toJson(const Box& box) {
+  if (box.isEmpty()) return nullptr;
+  const auto corner = [](const Vec3& p) { return Json::array({p.x(), p.y(), p.z()}); };
+  return Json::array({corner(box.min()), corner(box.max())});
+}
+
+}  // namespace
+
+Json toJson(const MeshReport& report) {
+  Json loops = Json::array();
+  for (const LoopReport& loop : report.loops) {
+    loops.push_back(
+        {{"id", loop.id}, {"edges", loop.edges}, {"length_mm", loop.lengthMm}, {"planarity", loop.planarity}});
+  }
+  return {
+      {"triangles", report.triangles},
+      {"vertices", report.vertices},
+      {"components", report.components},
+      {"closed", report.closed},
+      {"manifold", report.manifold},
+      {"oriented", report.oriented},
+      {"boundary_loops", report.loops.size()},
+      {"loops", loops},
+      {"non_manifold_edges", report.nonManifoldEdges},
+      {"non_manifold_vertices", report.nonManifoldVertices},
+      {"degenerate_faces", report.degenerateFaces},
+      {"duplicate_faces", report.duplicateFaces},
+      {"self_intersecting_pairs", orNull(report.selfIntersectingPairs)},
+      {"volume_mm3", orNull(report.volumeMm3)},
+      {"bounding_box_mm", toJson(report.box)},
+  };
+}
+
+std::string textOf(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+}  // namespace handwheel

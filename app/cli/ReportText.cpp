@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/ReportText.h"
+
+#include <charconv>
+
+namespace handwheel {
+
+namespace {
+
+std::string number(double value) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6).ptr;
+  return {text, end};
+}
+
+std::string line(std::string_view name, const std::string& value) {
+  constexpr std::size_t kColumn = 26;
+  return std::string(name) + std::string(kColumn - name.size(), ' ') + value + "\n";
+}
+
+std::string yesNo(bool value) { return value ? "yes" : "no"; }
+
+std::string point(const Vec3& p) { return number(p.x()) + ", " + number(p.y()) + ", " + number(p.z()); }
+
+std::string rightAligned(const std::string& text, std::size_t width) {
+  return std::string(width > text.size() ? width - text.size() : 0, ' ') + text;
+}
+
+std::string loopTable(const std::vector<LoopReport>& loops) {
+  std::string table = "\nBoundary loops\n    id   edges     length (mm)   planarity\n";
+  for (const LoopReport& loop : loops) {
+    table += rightAligned(std::to_string(loop.id), 6) + rightAligned(std::to_string(loop.edges), 8) +
+             rightAligned(number(loop.lengthMm), 16) + rightAligned(number(loop.planarity), 12) + "\n";
+  }
+  return table;
+}
+
+}  // namespace
+
+std::string readableText(const MeshReport& report) {
+  std::string text;
+  text += line("Triangles", std::to_string(report.triangles));
+  text += line("Vertices", std::to_string(report.vertices));
+  text += line("Parts", std::to_string(report.components));
+  text += line("Closed", yesNo(report.closed));
+  text += line("Manifold", yesNo(report.manifold));
+  text += line("Oriented", yesNo(report.oriented));
+  text += line("Boundary loops", std::to_string(report.loops.size()));
+  text += line("Non-manifold edges", std::to_string(report.nonManifoldEdges));
+  text += line("Non-manifold vertices", std::to_string(report.nonManifoldVertices));
+  text += line("Degenerate faces", std::to_string(report.degenerateFaces));
+  text += line("Duplicate faces", std::to_string(report.duplicateFaces));
+  const auto& pairs = report.selfIntersectingPairs;
+  text += line("Self-intersecting pairs", pairs ? std::to_string(*pairs) : "not counted");
+  text += line("Volume (mm3)", report.volumeMm3 ? number(*report.volumeMm3) : "none, the surface is open");
+  text += line("Bounding box (mm)", point(report.box.min()) + " to " + point(report.box.max()));
+  if (!report.loops.empty()) text += loopTable(report.loops);
+  return text;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/Wording.h"
+
+#include "text/RepairText.h"
+
+namespace handwheel {
+
+namespace {
+
+std::string counted(std::size_t n, std::string_view one, std::string_view many) {
+  return std::to_string(n) + " " + std::string(n == 1 ? one : many);
+}
+
+std::string leftOpen(const LoopResult& loop) {
+  const std::string size = " (" + counted(loop.edges, "edge", "edges") + ")";
+  const std::string name = loop.id < 0 ? "A hole that the repair laid open" : "Loop " + std::to_string(loop.id);
+  const std::string hint = loop.reason == FillFailure::Rim ? "; --fill-rims fills it all the same" : "";
+  return name + size + " stays open: " + fillFailureReason(loop.reason).toStdString() + hint + ".";
+}
+
+}  // namespace
+
+std::optional<FillMethod> fillMethodFor(std::string_view word) {
+  for (FillMethod method : {FillMethod::Fair, FillMethod::Refined, FillMethod::Ear, FillMethod::Minimal}) {
+    if (wordFor(method) == word) return method;
+  }
+  return std::nullopt;
+}
+
+std::string wordFor(FillMethod method) {
+  return method == FillMethod::Stitched ? "stitched" : fillMethodWord(method).toStdString();
+}
+
+std::string wordFor(LoopOutcome outcome) {
+  switch (outcome) {
+    case LoopOutcome::Filled:
+      return "filled";
+    case LoopOutcome::KeptOpen:
+      return "kept-open";
+    case LoopOutcome::Failed:
+      return "failed";
+  }
+  return {};
+}
+
+std::string reasonSentence(FillFailure failure) {
+  const QString reason = fillFailureReason(failure);
+  return (reason.left(1).toUpper() + reason.mid(1) + '.').toStdString();
+}
+
+std::string listOf(const std::vector<LostAttribute>& attributes) {
+  QStringList names;
+  for (LostAttribute attribute : attributes) names << lostAttributeName(attribute);
+  return names.join(", ").toStdString();
+}
+
+std::vector<std::string> leftovers(const RepairReport& repair, const MeshReport& after) {
+  std::vector<std::string> lines;
+  for (const LoopResult& loop : repair.loops) {
+    if (loop.outcome != LoopOutcome::Filled) lines.push_back(leftOpen(loop));
+  }
+  if (lines.empty() && after.boundaryEdges > 0) {
+    lines.push_back(counted(after.boundaryEdges, "edge has", "edges have") + " only one face.");
+  }
+  if (after.nonManifoldEdges > 0) {
+    lines.push_back(counted(after.nonManifoldEdges, "edge has", "edges have") + " more than two faces.");
+  }
+  if (after.inconsistentEdges > 0) {
+    lines.push_back("At " + counted(after.inconsistentEdges, "edge", "edges") +
+                    " the faces disagree on which side is outside.");
+  }
+  return lines;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "window/FileLoader.h"
+#include "window/FileSaver.h"
+
+#include <QAction>
+#include <functional>
+
+class QMenu;
+
+namespace handwheel {
+
+// The File menu: what can be done with files, and the dialogs that it takes.
+class FileActions : public QObject {
+  Q_OBJECT
+
+ public:
+  FileActions(QWidget* window, DocumentTabs& tabs, JobRunner& jobs, RecentFiles& recent, LogModel& log);
+
+  QAction* open() { return &m_open; }
+  QAction* openSample() { return &m_openSample; }
+  QAction* save() { return &m_save; }
+  QAction* saveAs() { return &m_saveAs; }
+  QAction* closeTab() { return &m_close; }
+  QMenu* recentMenu() { return m_recentMenu; }
+
+  void openPaths(const QStringList& paths);
+  // Closes a document; when it is modified the user is asked first. then: called once it is closed.
+  void requestClose(OpenDocument* document, std::function<void()> then = {});
+  // Closes all, asking as needed. then: called when none is left.
+  void requestCloseAll(std::function<void()> then);
+
+ signals:
+  void message(const handwheel::Message& message);
+
+ private:
+  void askForFiles();
+  void saveCurrent();
+  void saveOrAsk(OpenDocument* document, std::function<void()> then);
+  void askForName(OpenDocument* document, std::function<void()> then);
+  void followDocument();
+  void fillRecentMenu();
+
+  QWidget* m_window;
+  DocumentTabs& m_tabs;
+  RecentFiles& m_recent;
+  FileLoader m_loader;
+  FileSaver m_saver;
+  QAction m_open;
+  QAction m_openSample;
+  QAction m_save;
+  QAction m_saveAs;
+  QAction m_close;
+  QMenu* m_recentMenu;
+};
+
+// The sample scan that is shipped with the program; empty when it is missing.
+QString samplePath();
+
+}  // namespace handwheel

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "panels/HoleSettings.h"
+#include "window/FillBench.h"
+#include "window/JobRunner.h"
+
+#include <memory>
+
+namespace handwheel {
+
+struct OpenDocument;
+
+// What a fill starts from: the bench, and the attempt that the preview showed when there is one.
+struct PreparedFill {
+  std::shared_ptr<FillBench> bench;
+  std::optional<FillAttempt> attempt;
+};
+
+// Computes on a worker what filling a hole would give, as soon as the hole is selected.
+class HolePreview : public QObject {
+  Q_OBJECT
+
+ public:
+  HolePreview(QThreadPool& pool, QObject* parent = nullptr);
+
+  // Asking for what is already shown or on its way changes nothing. loop -1 or no document: no preview.
+  void request(OpenDocument* document, int loop, FillMethod method);
+  void clear() { request(nullptr, -1, m_method); }
+  // The same, and nothing is kept for the next request. For when the document changes.
+  void forget();
+
+  const PreviewState& state() const { return m_state; }
+  const Patch* patch() const;  // null unless ready
+
+  // Hands over the work done for this hole; the fill uses the bench alone. The next request starts anew, unless the bench
+  // comes back, now of the document as it is with the patch in it.
+  PreparedFill take();
+  void giveBack(OpenDocument* document, std::shared_ptr<FillBench> bench);
+
+ signals:
+  void changed();
+
+ private:
+  void start();
+  void finished(std::uint64_t request, FillAttempt attempt);
+
+  JobRunner m_runner;
+  OpenDocument* m_document = nullptr;
+  std::uint64_t m_revision = 0;
+  Vertex m_key = kNone;
+  int m_loop = -1;
+  FillMethod m_method = FillMethod::Fair;
+  std::uint64_t m_request = 0;
+  std::shared_ptr<FillBench> m_bench;
+  const OpenDocument* m_benchDocument = nullptr;
+  std::uint64_t m_benchRevision = 0;
+  std::optional<FillAttempt> m_attempt;
+  PreviewState m_state;
+};
+
+}  // namespace handwheel

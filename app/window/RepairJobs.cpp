@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/RepairJobs.h"
+
+#include "panels/LogModel.h"
+#include "text/ErrorText.h"
+#include "text/RepairText.h"
+#include "window/CommandText.h"
+#include "window/DocumentTabs.h"
+#include "window/OpenDocument.h"
+
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+NumberType numbersOf(const MeshDocument& document) { return numberTypeOf(document.format(), document.numbers()); }
+
+// Why loops stayed open, by their key, because the repair renumbers them.
+std::vector<std::pair<Vertex, FillFailure>> failuresOf(const Inspection& inspection, const RepairReport& report) {
+  std::vector<std::pair<Vertex, FillFailure>> failures;
+  for (const LoopResult& loop : report.loops) {
+    if (loop.outcome == LoopOutcome::Failed && loop.id >= 0) failures.emplace_back(inspection.keyOf(loop.id), loop.reason);
+  }
+  return failures;
+}
+
+std::size_t countOf(const RepairReport& report, LoopOutcome outcome) {
+  return static_cast<std::size_t>(std::count_if(report.loops.begin(), report.loops.end(),
+                                                [outcome](const LoopResult& l) { return l.outcome == outcome; }));
+}
+
+}  // namespace
+
+RepairJobs::RepairJobs(DocumentTabs& tabs, JobRunner& jobs, LogModel& log, QObject* parent)
+    : QObject(parent), m_tabs(tabs), m_jobs(jobs), m_log(log) {}
+
+void RepairJobs::fill(OpenDocument* document, int loop, FillMethod method, PreparedFill prepared) {
+  startFill(document, document->inspection.keyOf(loop), method, std::move(prepared), Round::First);
+}
+
+void RepairJobs::startFill(OpenDocument* document, Vertex key, FillMethod method, PreparedFill prepared, Round round) {
+  const int loopId = document->inspection.loopWithKey(key);
+  if (loopId < 0) return;  // an undo or another fill was faster
+  const std::uint64_t revision = document->document.revision();
+  FillOptions options;
+  options.method = method;
+  options.numbers = numbersOf(document->document);
+  if (!prepared.bench) prepared = {std::make_shared<FillBench>(document->document.mesh()), std::nullopt};
+  Job job;
+  job.name = tr("Filling hole %1").arg(document->inspection.loopNumber(loopId));
+  job.work = [this, document, key, method, revision, round, options, prepared = std::move(prepared),
+              loop = document->inspection.loop(loopId)](Progress progress) -> Job::Finish {
+    HoleFiller& filler = prepared.bench->filler();
+    const FillAttempt attempt = prepared.attempt ? *prepared.attempt : filler.propose(loop, options, progress);
+    if (attempt.failure == FillFailure::None) filler.accept(loop, attempt.patch);
+    return [this, document, key, method, revision, round, bench = prepared.bench, failure = attempt.failure] {
+      if (!m_tabs.contains(document)) return;
+      if (!isStale(document, revision)) return filledOne(document, key, bench, failure);
+      tellStale(*document, round);
+      if (round == Round::First) startFill(document, key, method, {}, Round::Second);
+    };
+  };
+  job.failed = failure(job.name);
+  m_jobs.start(std::move(job));
+}
+
+void RepairJobs::filledOne(OpenDocument* document, Vertex key, const std::shared_ptr<FillBench>& bench,
+                           FillFailure failure) {
+  const int loop = document->inspection.loopWithKey(key);
+  const QString name = document->inspection.loopName(loop);
+  const int number = document->inspection.loopNumber(loop);
+  document->inspection.setFailure(loop, failure);
+  if (failure != FillFailure::None) {
+    m_log.add(tr("%1 stays open: %2").arg(name, fillFailureReason(failure)), {}, LogEntry::Weight::Warning);
+    emit couldNotFill(document, loop, failure);
+    return;
+  }
+  document->document.commit(tr("Fill hole %1").arg(number), bench->filler().mesh());
+  m_log.add(tr("Filled %1 of %2").arg(name, document->document.name()));
+  emit filled(document, key, bench);
+}
+
+void RepairJobs::removeDebris(OpenDocument* document) {
+  const Inspection& inspection = document->inspection;
+  const auto pieces = static_cast<int>(inspection.debris().size());
+  HalfEdgeMesh mesh = document->document.mesh();
+  for (std::size_t i : inspection.debris()) {
+    for (Face f : document->document.defects().components[i].faces) mesh.removeFace(f);
+  }
+  document->document.commit(tr("Remove debris"), mesh);
+  m_log.add(tr("Removed %n loose piece(s) from %1", nullptr, pieces).arg(document->document.name()));
+}
+
+void RepairJobs::repairAll(OpenDocument* document, FillMethod method) { startRepair(document, method, Round::First); }
+
+void RepairJobs::startRepair(OpenDocument* document, FillMethod method, Round round) {
+  const std::uint64_t revision = document->document.revision();
+  RepairOptions options;
+  options.fill.method = method;
+  options.fill.numbers = numbersOf(document->document);
+  for (int id : document->inspection.keptOpen()) {
+    if (!document->inspection.loop(id).rim) options.keepOpen.insert(id);
+  }
+  Job job;
+  job.name = tr("Repairing %1").arg(document->document.name());
+  job.work = [this, document, method, revision, round, options,
+              mesh = document->document.mesh()](Progress progress) -> Job::Finish {
+    auto result = std::make_shared<HalfEdgeMesh>(mesh);
+    auto report = std::make_shared<RepairReport>(repair(*result, options, progress));
+    return [this, document, method, revision, round, options, result, report] {
+      if (!m_tabs.contains(document) || report->cancelled) return;
+      if (!isStale(document, revision)) return repairedAll(document, *result, *report, options);
+      tellStale(*document, round);
+      if (round == Round::First) startRepair(document, method, Round::Second);
+    };
+  };
+  job.failed = failure(job.name);
+  m_jobs.start(std::move(job));
+}
+
+void RepairJobs::repairedAll(OpenDocument* document, const HalfEdgeMesh& mesh, const RepairReport& report,
+                             const RepairOptions& options) {
+  Inspection& inspection = document->inspection;
+  const auto failures = failuresOf(inspection, report);
+  logRepair(*document, report, options);
+  document->repaired = true;
+  document->document.commit(tr("Repair all"), mesh);
+  for (const auto& [key, reason] : failures) {
+    if (const int loop = inspection.loopWithKey(key); loop >= 0) inspection.setFailure(loop, reason);
+  }
+  emit repaired(document, report);
+}
+
+void RepairJobs::logRepair(const OpenDocument& document, const RepairReport& report, const RepairOptions& options) {
+  QStringList parts{tr("%1 of %2 holes filled")
+                        .arg(countOf(report, LoopOutcome::Filled))
+                        .arg(report.loops.size())};
+  if (const std::size_t kept = countOf(report, LoopOutcome::KeptOpen); kept > 0) parts << tr("%1 kept open").arg(kept);
+  parts << repairSummary(report);
+  m_log.add(tr("Repaired %1: %2").arg(document.document.name(), parts.join(QStringLiteral(", "))),
+            repairCommand(document.document.path(), options));
+  for (const LoopResult& loop : report.loops) {
+    if (loop.outcome != LoopOutcome::Failed) continue;
+    const QString name = loop.id >= 0 ? document.inspection.loopName(loop.id) : tr("A hole that the repair laid open");
+    m_log.add(tr("%1 stays open: %2").arg(name, fillFailureReason(loop.reason)), {}, LogEntry::Weight::Warning);
+  }
+}
+
+bool RepairJobs::isStale(OpenDocument* document, std::uint64_t revision) const {
+  return document->document.revision() != revision;
+}
+
+void RepairJobs::tellStale(const OpenDocument& document, Round round) {
+  const QString name = document.document.name();
+  m_log.add(round == Round::First ? tr("%1 was changed meanwhile; the job runs once more").arg(name)
+                                  : tr("%1 was changed again; the result was discarded").arg(name),
+            {}, LogEntry::Weight::Warning);
+}
+
+std::function<void(const Error&)> RepairJobs::failure(const QString& name) {
+  return [this, name](const Error& error) {
+    m_log.add(name + QStringLiteral(": ") + errorSentence(error), {}, LogEntry::Weight::Warning);
+  };
+}
+
+}  // namespace handwheel

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/Repair.h"
+#include "window/FillBench.h"
+#include "window/HolePreview.h"
+
+#include <QObject>
+
+namespace handwheel {
+
+class DocumentTabs;
+class LogModel;
+
+// What changes a mesh, as jobs on snapshots. The result becomes one undo step; when the document was changed meanwhile
+// the result is thrown away and the job runs once more.
+class RepairJobs : public QObject {
+  Q_OBJECT
+
+ public:
+  RepairJobs(DocumentTabs& tabs, JobRunner& jobs, LogModel& log, QObject* parent = nullptr);
+
+  // prepared: what the preview already did for this hole; may be empty.
+  void fill(OpenDocument* document, int loop, FillMethod method, PreparedFill prepared);
+  void repairAll(OpenDocument* document, FillMethod method);
+  // At once: it takes no thinking.
+  void removeDebris(OpenDocument* document);
+
+ signals:
+  // key: of the loop that is no more. bench: fit for the document as it is now.
+  void filled(handwheel::OpenDocument* document, handwheel::Vertex key, std::shared_ptr<handwheel::FillBench> bench);
+  void couldNotFill(handwheel::OpenDocument* document, int loop, handwheel::FillFailure reason);
+  void repaired(handwheel::OpenDocument* document, const handwheel::RepairReport& report);
+
+ private:
+  enum class Round { First, Second };
+  void startFill(OpenDocument* document, Vertex key, FillMethod method, PreparedFill prepared, Round round);
+  void startRepair(OpenDocument* document, FillMethod method, Round round);
+  bool isStale(OpenDocument* document, std::uint64_t revision) const;
+  void filledOne(OpenDocument* document, Vertex key, const std::shared_ptr<FillBench>& bench, FillFailure failure);
+  void repairedAll(OpenDocument* document, const HalfEdgeMesh& mesh, const RepairReport& report,
+                   const RepairOptions& options);
+  void logRepair(const OpenDocument& document, const RepairReport& report, const RepairOptions& options);
+  void tellStale(const OpenDocument& document, Round round);
+  std::function<void(const Error&)> failure(const QString& name);
+
+  DocumentTabs& m_tabs;
+  JobRunner& m_jobs;
+  LogModel& m_log;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Program.h"
+#include "Shapes.h"
+
+#include <QTest>
+
+using namespace handwheel;
+
+class CommandLineTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void help() {
+    const Bench bench;
+    const Ran overview = bench.run({"--help"});
+    QCOMPARE(overview.code, 0);
+    QCOMPARE(overview.err, QByteArray());
+    for (const char* command : {"inspect", "repair", "convert", "picture"}) {
+      QVERIFY(overview.out.contains(QByteArray("\n  ") + command + " "));
+      const Ran page = bench.run({"help", command});
+      QCOMPARE(page.code, 0);
+      QVERIFY(page.out.startsWith(QByteArray("Usage: handwheel ") + command + " "));
+      QCOMPARE(bench.run({command, "--help"}).out, page.out);
+    }
+    QCOMPARE(bench.run({"help"}).out, overview.out);
+    for (const char* option : {"-o", "--fill", "--keep-open", "--fill-rims", "--max-hole", "--remove-debris", "--unit",
+                               "--partial", "--report", "--screenshot"}) {
+      QVERIFY2(bench.run({"help", "repair"}).out.contains(option), option);
+    }
+  }
+
+  void version() {
+    const Ran ran = Bench().run({"--version"});
+    QCOMPARE(ran.code, 0);
+    QVERIFY(QRegularExpression("^Handwheel \\d+\\.\\d+\\.\\d+\\n$").match(ran.out).hasMatch());
+  }
+
+  void mistakes_data() {
+    QTest::addColumn<QStringList>("words");
+    QTest::addColumn<QByteArray>("message");
+    const auto row = [](const QStringList& words, const char* sentence, const char* help) {
+      QTest::newRow(qPrintable(words.join(' '))) << words << QByteArray("handwheel: ") + sentence + "\nTry 'handwheel help" +
+                                                                 help + "'.\n";
+    };
+    row({"--wibble"}, "There is no option --wibble.", "");
+    row({"help", "wibble"}, "There is no command wibble.", "");
+    row({"inspect"}, "The command inspect needs IN.", " inspect");
+    row({"inspect", "a.stl", "b.stl"}, "The command inspect takes no more than IN.", " inspect");
+    row({"inspect", "a.stl", "--jsn"}, "There is no option --jsn.", " inspect");
+    row({"inspect", "a.stl", "--json=1"}, "The option --json takes no value.", " inspect");
+    row({"repair", "a.stl"}, "The option -o OUT is missing.", " repair");
+    row({"repair", "a.stl", "-o"}, "The option -o needs a value: OUT.", " repair");
+    row({"repair", "a.stl", "-o", "b.stl", "-x"}, "There is no option -x.", " repair");
+    row({"repair", "a.stl", "-o", "b.stl", "--fill", "x"}, "--fill takes fair, refined, ear or minimal.", " repair");
+    row({"repair", "a.stl", "-o", "b.stl", "--keep-open", "1,"}, "--keep-open takes loop numbers separated by commas.",
+        " repair");
+    row({"repair", "a.stl", "-o", "b.stl", "--max-hole", "-3"}, "--max-hole takes a number of edges above zero.",
+        " repair");
+    row({"repair", "a.stl", "-o", "b.stl", "--unit", "ft"}, "--unit takes mm, cm, m or in.", " repair");
+    row({"convert", "a.stl"}, "The command convert needs IN OUT.", " convert");
+  }
+  void mistakes() {
+    QFETCH(QStringList, words);
+    QFETCH(QByteArray, message);
+    const Ran ran = Bench().run(words);
+    QCOMPARE(ran.code, 1);
+    QCOMPARE(ran.out, QByteArray());
+    QCOMPARE(ran.err, message);
+  }
+
+  void optionsInEveryForm() {
+    for (const QStringList& output : {QStringList{"-o", "b.off"}, {"-ob.off"}, {"--output", "b.off"}, {"--output=b.off"}}) {
+      const Bench bench;
+      bench.put("a.off", cube().off());
+      QCOMPARE(bench.run(QStringList{"repair"} + output + QStringList{"a.off"}).code, 0);
+      QCOMPARE(bench.names(), (QStringList{"a.off", "b.off"}));
+    }
+  }
+
+  // Redirected to a full disk, the figures are not lost silently.
+  void fullOutputIsAnError() {
+    if (!QFile::exists("/dev/full")) QSKIP("there is no /dev/full");
+    const Bench bench;
+    bench.put("a.off", cube().off());
+    QProcess process;
+    process.setStandardOutputFile("/dev/full");
+    process.start(HANDWHEEL_PROGRAM, {"inspect", bench.path() + "/a.off"});
+    QVERIFY(process.waitForFinished());
+    QCOMPARE(process.exitCode(), 1);
+    QVERIFY(process.readAllStandardError().contains("No space left on device"));
+  }
+};
+
+QTEST_GUILESS_MAIN(CommandLineTest)
+#include "CommandLineTest.moc"

@@ -1,0 +1,279 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Program.h"
+#include "Shapes.h"
+
+#include <QTest>
+#include <clocale>
+#include <sys/stat.h>
+#include <unistd.h>
+
+using namespace handwheel;
+
+namespace {
+
+const char* const kCubeJson = R"({
+  "triangles": 12,
+  "vertices": 8,
+  "components": 1,
+  "closed": true,
+  "manifold": true,
+  "oriented": true,
+  "boundary_loops": 0,
+  "loops": [],
+  "non_manifold_edges": 0,
+  "non_manifold_vertices": 0,
+  "degenerate_faces": 0,
+  "duplicate_faces": 0,
+  "self_intersecting_pairs": 0,
+  "volume_mm3": 1.0,
+  "bounding_box_mm": [
+    [
+      0.0,
+      0.0,
+      0.0
+    ],
+    [
+      1.0,
+      1.0,
+      1.0
+    ]
+  ]
+}
+)";
+
+const char* const kOpenCubeJson = R"({
+  "triangles": 10,
+  "vertices": 8,
+  "components": 1,
+  "closed": false,
+  "manifold": true,
+  "oriented": true,
+  "boundary_loops": 1,
+  "loops": [
+    {
+      "id": 0,
+      "edges": 4,
+      "length_mm": 2.0,
+      "planarity": 0.0
+    }
+  ],
+  "non_manifold_edges": 0,
+  "non_manifold_vertices": 0,
+  "degenerate_faces": 0,
+  "duplicate_faces": 0,
+  "self_intersecting_pairs": 0,
+  "volume_mm3": null,
+  "bounding_box_mm": [
+    [
+      0.0,
+      0.0,
+      0.0
+    ],
+    [
+      0.5,
+      0.5,
+      0.5
+    ]
+  ]
+}
+)";
+
+const char* const kOpenCubeText =
+    "Triangles                 10\n"
+    "Vertices                  8\n"
+    "Parts                     1\n"
+    "Closed                    no\n"
+    "Manifold                  yes\n"
+    "Oriented                  yes\n"
+    "Boundary loops            1\n"
+    "Non-manifold edges        0\n"
+    "Non-manifold vertices     0\n"
+    "Degenerate faces          0\n"
+    "Duplicate faces           0\n"
+    "Self-intersecting pairs   0\n"
+    "Volume (mm3)              none, the surface is open\n"
+    "Bounding box (mm)         0, 0, 0 to 0.5, 0.5, 0.5\n"
+    "\n"
+    "Boundary loops\n"
+    "    id   edges     length (mm)   planarity\n"
+    "     0       4               2           0\n";
+
+}  // namespace
+
+class InspectTest : public QObject {
+  Q_OBJECT
+
+ private:
+  nlohmann::json figures(const QByteArray& off) {
+    const Bench bench;
+    bench.put("a.off", off);
+    const Ran ran = bench.run({"inspect", "a.off", "--json"});
+    if (ran.code != 0) qWarning("%s", ran.err.constData());
+    return ran.code == 0 ? nlohmann::json::parse(ran.out.toStdString()) : nlohmann::json::object();
+  }
+
+ private slots:
+  void exactJson_data() {
+    QTest::addColumn<QByteArray>("off");
+    QTest::addColumn<QByteArray>("expected");
+    QTest::newRow("cube") << cube().off() << QByteArray(kCubeJson);
+    QTest::newRow("open cube") << openCube(0.5).off() << QByteArray(kOpenCubeJson);
+  }
+  void exactJson() {
+    QFETCH(QByteArray, off);
+    QFETCH(QByteArray, expected);
+    const Bench bench;
+    bench.put("a.off", off);
+    const Ran ran = bench.run({"inspect", "a.off", "--json"});
+    QCOMPARE(ran.err, QByteArray());
+    QCOMPARE(ran.out, expected);
+    QCOMPARE(ran.code, 0);
+  }
+
+  void exactText() {
+    const Bench bench;
+    bench.put("a.off", openCube(0.5).off());
+    const Ran ran = bench.run({"inspect", "a.off"});
+    QCOMPARE(ran.out, QByteArray(kOpenCubeText));
+    QCOMPARE(ran.err, QByteArray());
+    QCOMPARE(ran.code, 0);
+  }
+
+  // Decimal points and English stay, whatever the user's language.
+  void sameUnderGermanLocale() {
+    const char* const german = "de_DE.UTF-8";
+    if (!std::setlocale(LC_ALL, german)) QSKIP("the locale de_DE.UTF-8 is not installed");
+    std::setlocale(LC_ALL, "C");
+    const Bench bench;
+    bench.put("a.off", openCube(0.5).off());
+    QCOMPARE(bench.run({"inspect", "a.off"}, german).out, QByteArray(kOpenCubeText));
+    QCOMPARE(bench.run({"inspect", "a.off", "--json"}, german).out, QByteArray(kOpenCubeJson));
+    const Ran german1 = bench.run({"inspect", "none.off"}, german);
+    QCOMPARE(german1.err, bench.run({"inspect", "none.off"}).err);
+  }
+
+  void tetrahedronFigures() {
+    const auto json = figures(tetrahedron().off());
+    QVERIFY(json.at("closed"));
+    QCOMPARE(json.at("triangles").get<int>(), 4);
+    QVERIFY(std::abs(json.at("volume_mm3").get<double>() - 1.0 / 6.0) < 1e-15);
+  }
+
+  void twoCubes() {
+    Shape both = cube();
+    both.add(cube(2.0), {5, 0, 0});
+    const auto json = figures(both.off());
+    QCOMPARE(json.at("components").get<int>(), 2);
+    QCOMPARE(json.at("vertices").get<int>(), 16);
+    QVERIFY(std::abs(json.at("volume_mm3").get<double>() - 9.0) < 1e-12);
+    QCOMPARE(json.at("self_intersecting_pairs").get<int>(), 0);
+  }
+
+  void insideOutCubeHasNegativeVolume() {
+    Shape shape = cube();
+    for (auto& f : shape.faces) std::swap(f[0], f[1]);
+    const auto json = figures(shape.off());
+    QVERIFY(json.at("oriented"));
+    QVERIFY(std::abs(json.at("volume_mm3").get<double>() + 1.0) < 1e-15);
+  }
+
+  void moebiusStripIsOneSided() {
+    const auto json = figures(moebiusStrip(12).off());
+    QCOMPARE(json.at("triangles").get<int>(), 24);
+    QVERIFY(!json.at("closed"));
+    QVERIFY(json.at("manifold"));
+    QVERIFY(!json.at("oriented"));
+    // Its one edge runs along 24 triangles; listed in two pieces where the strip had to be cut to be drawn with sides.
+    int edges = 0;
+    for (const auto& loop : json.at("loops")) edges += loop.at("edges").get<int>();
+    QCOMPARE(edges, 24);
+    QVERIFY(json.at("volume_mm3").is_null());
+  }
+
+  // A doubled face gives its three edges a third face, meets its twin, and disagrees with its neighbours.
+  void duplicateFace() {
+    Shape shape = cube();
+    shape.faces.push_back(shape.faces.front());
+    const auto json = figures(shape.off());
+    QCOMPARE(json.at("duplicate_faces").get<int>(), 1);
+    QCOMPARE(json.at("non_manifold_edges").get<int>(), 3);
+    QVERIFY(!json.at("manifold"));
+    QVERIFY(!json.at("oriented"));
+    QVERIFY(json.at("closed"));
+    QCOMPARE(json.at("self_intersecting_pairs").get<int>(), 1);
+  }
+
+  void degenerateFace() {
+    Shape shape = cube();
+    shape.faces.push_back({0, 1, 1});
+    const auto json = figures(shape.off());
+    QCOMPARE(json.at("triangles").get<int>(), 13);
+    QCOMPARE(json.at("degenerate_faces").get<int>(), 1);
+    QVERIFY(json.at("closed"));
+    QVERIFY(json.at("manifold"));
+  }
+
+  // Two cubes that share one corner position: one part, and a vertex with two fans.
+  void cubesAtACorner() {
+    Shape both = cube();
+    both.add(cube(), {1, 1, 1});
+    const auto json = figures(both.off());
+    QCOMPARE(json.at("components").get<int>(), 1);
+    QCOMPARE(json.at("vertices").get<int>(), 15);
+    QCOMPARE(json.at("non_manifold_vertices").get<int>(), 1);
+    QCOMPARE(json.at("non_manifold_edges").get<int>(), 0);
+  }
+
+  // Two cubes that share one edge: four faces at it.
+  void cubesAtAnEdge() {
+    Shape both = cube();
+    both.add(cube(), {1, 1, 0});
+    const auto json = figures(both.off());
+    QCOMPARE(json.at("non_manifold_edges").get<int>(), 1);
+    QVERIFY(!json.at("manifold"));
+    QVERIFY(json.at("closed"));
+  }
+
+  void errorsAreOneLine_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QByteArray>("content");
+    QTest::newRow("missing") << "none.stl" << QByteArray();
+    QTest::newRow("empty") << "empty.stl" << QByteArray("");
+    QTest::newRow("not a mesh") << "letter.txt" << QByteArray("Dear Sir or Madam\n");
+    QTest::newRow("cut off") << "cut.off" << QByteArray("OFF\n8 12 0\n0 0 0\n");
+  }
+  void errorsAreOneLine() {
+    QFETCH(QString, name);
+    QFETCH(QByteArray, content);
+    const Bench bench;
+    if (!content.isNull()) bench.put(name, content);
+    const Ran ran = bench.run({"inspect", name, "--json"});
+    QCOMPARE(ran.code, 1);
+    QCOMPARE(ran.out, QByteArray());
+    QCOMPARE(ran.err.count('\n'), 1);
+    QVERIFY(ran.err.startsWith("handwheel: " + name.toUtf8()));
+  }
+
+  void unreadableFile() {
+    if (geteuid() == 0) QSKIP("the superuser may read everything");
+    const Bench bench;
+    bench.put("a.off", cube().off());
+    QCOMPARE(chmod((bench.path() + "/a.off").toLocal8Bit(), 0), 0);
+    const Ran ran = bench.run({"inspect", "a.off"});
+    QCOMPARE(ran.code, 1);
+    QVERIFY(ran.err.contains("Permission denied"));
+  }
+
+  void fileNamesMayBeAnyBytes() {
+    const Bench bench;
+    const QString name = QString::fromUtf8("Gelenk größe 2 – \"neu\".off");
+    bench.put(name, cube().off());
+    QCOMPARE(bench.run({"inspect", name, "--json"}).out, QByteArray(kCubeJson));
+    bench.put("-x.off", cube().off());
+    QCOMPARE(bench.run({"inspect", "--json", "--", "-x.off"}).out, QByteArray(kCubeJson));
+  }
+};
+
+QTEST_GUILESS_MAIN(InspectTest)
+#include "InspectTest.moc"

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Program.h"
+#include "Shapes.h"
+
+#include <QTest>
+#include <csignal>
+
+using namespace handwheel;
+
+namespace {
+
+// A closed torus fine enough to keep the program busy for many seconds with text to read and pairs to test.
+QByteArray largeTorus(int n) {
+  const auto at = [n](int x, int y) {
+    const double u = 2 * M_PI * x / n, v = 2 * M_PI * y / n;
+    const double r = 3 + std::cos(v);
+    return std::array<double, 3>{r * std::cos(u), r * std::sin(u), std::sin(v)};
+  };
+  return grid(n, n, at, [](int, int) { return false; }).off();
+}
+
+}  // namespace
+
+class InterruptTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void endsAndLeavesNothing_data() {
+    QTest::addColumn<int>("signal");
+    QTest::addColumn<int>("times");
+    QTest::newRow("SIGINT") << SIGINT << 1;
+    QTest::newRow("SIGTERM") << SIGTERM << 1;
+    QTest::newRow("impatient") << SIGINT << 3;
+  }
+  void endsAndLeavesNothing() {
+    QFETCH(int, signal);
+    QFETCH(int, times);
+    static const QByteArray torus = largeTorus(900);
+    const Bench bench;
+    bench.put("a.off", torus);
+    bench.put("old.stl", "what was there before");
+    QProcess process;
+    process.setWorkingDirectory(bench.path());
+    process.start(HANDWHEEL_PROGRAM, {"repair", "a.off", "-o", "old.stl", "--report", "r.json"});
+    QVERIFY(process.waitForStarted());
+    QTest::qWait(300);  // past the start-up, in the middle of the work
+    for (int i = 0; i < times && process.state() == QProcess::Running; ++i) {
+      ::kill(static_cast<pid_t>(process.processId()), signal);
+      QTest::qWait(20);
+    }
+    QVERIFY(process.state() == QProcess::NotRunning || process.waitForFinished());
+    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(process.exitCode(), 130);
+    QCOMPARE(process.readAllStandardError(), QByteArray("handwheel: Cancelled.\n"));
+    QCOMPARE(process.readAllStandardOutput(), QByteArray());
+    QCOMPARE(bench.names(), (QStringList{"a.off", "old.stl"}));
+    QCOMPARE(bench.content("old.stl"), QByteArray("what was there before"));
+  }
+
+  // Progress is for people at a terminal.
+  void quietInAPipe() {
+    const Bench bench;
+    bench.put("a.off", largeTorus(300));
+    QCOMPARE(bench.run({"repair", "a.off", "-o", "b.stl"}).err.count('\r'), 0);
+  }
+};
+
+QTEST_GUILESS_MAIN(InterruptTest)
+#include "InterruptTest.moc"

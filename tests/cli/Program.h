@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <nlohmann/json.hpp>
+
+namespace handwheel {
+
+// What the program said and how it ended; -1 when it crashed or did not end.
+struct Ran {
+  int code = -1;
+  QByteArray out;
+  QByteArray err;
+};
+
+inline QProcessEnvironment environmentWith(const QString& locale) {
+  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  environment.insert("LC_ALL", locale);
+  environment.insert("LANG", locale);
+  return environment;
+}
+
+// Runs the built program in a folder and waits for its end.
+inline Ran runIn(const QString& folder, const QStringList& words, const QString& locale = "C") {
+  QProcess process;
+  process.setWorkingDirectory(folder);
+  process.setProcessEnvironment(environmentWith(locale));
+  process.start(HANDWHEEL_PROGRAM, words);
+  if (!process.waitForFinished(120000) || process.exitStatus() != QProcess::NormalExit) return {};
+  return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+// A folder of its own for each test, and the program run in it.
+class Bench {
+ public:
+  void put(const QString& name, const QByteArray& content) const {
+    QFile file(m_folder.filePath(name));
+    if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size()) qFatal("cannot write a test file");
+  }
+  QByteArray content(const QString& name) const {
+    QFile file(m_folder.filePath(name));
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+  }
+  nlohmann::json json(const QString& name) const { return nlohmann::json::parse(content(name).toStdString()); }
+  QStringList names() const {
+    return QDir(path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::System | QDir::NoDotAndDotDot);
+  }
+  QString path() const { return m_folder.path(); }
+  Ran run(const QStringList& words, const QString& locale = "C") const { return runIn(path(), words, locale); }
+
+ private:
+  QTemporaryDir m_folder;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/Progress.h"
+
+#include <QTest>
+
+using namespace handwheel;
+
+class ProgressTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void unwatched();
+  void partsOfParts();
+  void cancelReachesEveryPart();
+};
+
+void ProgressTest::unwatched() {
+  const Progress progress;
+  progress.set(0.5);
+  QVERIFY(!progress.part(0.1, 0.2).cancelled());
+}
+
+void ProgressTest::partsOfParts() {
+  JobState job;
+  const Progress whole(job);
+  whole.set(0.25);
+  QCOMPARE(job.fraction.load(), 0.25);
+  const Progress half = whole.part(0.5, 1.0);
+  half.set(0.0);
+  QCOMPARE(job.fraction.load(), 0.5);
+  half.part(0.5, 1.0).set(0.5);
+  QCOMPARE(job.fraction.load(), 0.875);
+  half.set(1.0);
+  QCOMPARE(job.fraction.load(), 1.0);
+}
+
+void ProgressTest::cancelReachesEveryPart() {
+  JobState job;
+  const Progress part = Progress(job).part(0.2, 0.3).part(0.0, 0.5);
+  QVERIFY(!part.cancelled());
+  job.cancelled = true;
+  QVERIFY(part.cancelled());
+}
+
+QTEST_GUILESS_MAIN(ProgressTest)
+#include "ProgressTest.moc"

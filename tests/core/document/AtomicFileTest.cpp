@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/AtomicFile.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+#include <csignal>
+#include <cstring>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+using namespace handwheel;
+
+namespace {
+
+std::filesystem::path in(const QTemporaryDir& folder, const char* name) { return folder.filePath(name).toStdString(); }
+
+QByteArray contentOf(const std::filesystem::path& path) {
+  QFile file(QString::fromStdString(path.string()));
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("cannot be opened");
+}
+
+QStringList namesIn(const QTemporaryDir& folder) {
+  return QDir(folder.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::System | QDir::NoDotAndDotDot);
+}
+
+std::string reasonOf(const Status& status) {
+  return status || status.error().code != ErrorCode::WriteFailed ? "no WriteFailed" : status.error().arguments.at(0);
+}
+
+}  // namespace
+
+class AtomicFileTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void writesAndReplaces() {
+    QTemporaryDir folder;
+    const std::string large(3 << 20, 'x');  // several blocks
+    QVERIFY(writeFileAtomically(in(folder, "a"), large).hasValue());
+    QCOMPARE(contentOf(in(folder, "a")).toStdString(), large);
+    QVERIFY(writeFileAtomically(in(folder, "a"), std::string_view("\0b", 2)).hasValue());
+    QCOMPARE(contentOf(in(folder, "a")), QByteArray("\0b", 2));
+    QCOMPARE(namesIn(folder), QStringList{"a"});
+  }
+
+  void keepsPermissions() {
+    QTemporaryDir folder;
+    QVERIFY(writeFileAtomically(in(folder, "a"), "old").hasValue());
+    QCOMPARE(chmod(in(folder, "a").c_str(), 0640), 0);
+    QVERIFY(writeFileAtomically(in(folder, "a"), "new").hasValue());
+    struct stat status {};
+    QCOMPARE(stat(in(folder, "a").c_str(), &status), 0);
+    QCOMPARE(status.st_mode & 0777u, 0640u);
+  }
+
+  void writesThroughLinks() {
+    QTemporaryDir folder;
+    QDir(folder.path()).mkdir("elsewhere");
+    const auto target = in(folder, "elsewhere/target");
+    std::filesystem::create_symlink("elsewhere/target", in(folder, "link"));
+    QVERIFY(writeFileAtomically(in(folder, "link"), "first").hasValue());  // the target does not exist yet
+    QCOMPARE(contentOf(target), QByteArray("first"));
+    QVERIFY(writeFileAtomically(in(folder, "link"), "second").hasValue());
+    QCOMPARE(contentOf(target), QByteArray("second"));
+    QVERIFY(std::filesystem::is_symlink(in(folder, "link")));
+  }
+
+  void missingFolder() {
+    QTemporaryDir folder;
+    const Status status = writeFileAtomically(in(folder, "no/such/a"), "x");
+    QCOMPARE(reasonOf(status), std::string(std::strerror(ENOENT)));
+    QCOMPARE(status.error().subject, in(folder, "no/such/a").string());
+  }
+
+  void readOnlyFolder() {
+    if (geteuid() == 0) QSKIP("the superuser may write everywhere");
+    QTemporaryDir folder;
+    QVERIFY(writeFileAtomically(in(folder, "a"), "old").hasValue());
+    QCOMPARE(chmod(folder.path().toLocal8Bit(), 0500), 0);
+    const Status status = writeFileAtomically(in(folder, "a"), "new");
+    QCOMPARE(chmod(folder.path().toLocal8Bit(), 0700), 0);
+    QCOMPARE(reasonOf(status), std::string(std::strerror(EACCES)));
+    QCOMPARE(contentOf(in(folder, "a")), QByteArray("old"));
+  }
+
+  void refusesFoldersAndDevices() {
+    QTemporaryDir folder;
+    QCOMPARE(reasonOf(writeFileAtomically(folder.path().toStdString(), "x")), std::string(std::strerror(EISDIR)));
+    QCOMPARE(mkfifo(in(folder, "pipe").c_str(), 0600), 0);
+    QCOMPARE(reasonOf(writeFileAtomically(in(folder, "pipe"), "x")), std::string("Not a regular file"));
+    QVERIFY(std::filesystem::is_fifo(in(folder, "pipe")));
+  }
+
+  // What a full disk does, brought about with a limit on the file size.
+  void failingWriteLeavesTheOldFile() {
+    QTemporaryDir folder;
+    QVERIFY(writeFileAtomically(in(folder, "a"), "old").hasValue());
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{1000, before.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    const Status status = writeFileAtomically(in(folder, "a"), std::string(5000, 'x'));
+    setrlimit(RLIMIT_FSIZE, &before);
+    QCOMPARE(QString::fromStdString(reasonOf(status)), QString(std::strerror(EFBIG)));
+    QCOMPARE(contentOf(in(folder, "a")), QByteArray("old"));
+    QCOMPARE(namesIn(folder), QStringList{"a"});
+  }
+
+  void cancelLeavesTheOldFile() {
+    QTemporaryDir folder;
+    QVERIFY(writeFileAtomically(in(folder, "a"), "old").hasValue());
+    JobState state;
+    state.cancelled = true;
+    const Status status = writeFileAtomically(in(folder, "a"), "new", Progress(state));
+    QVERIFY(!status);
+    QCOMPARE(status.error().code, ErrorCode::Cancelled);
+    QCOMPARE(contentOf(in(folder, "a")), QByteArray("old"));
+    QCOMPARE(namesIn(folder), QStringList{"a"});
+  }
+};
+
+QTEST_APPLESS_MAIN(AtomicFileTest)
+#include "AtomicFileTest.moc"

@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/Cleaning.h"
+
+#include "MeshChecks.h"
+#include "MeshShapes.h"
+#include "mesh/Defects.h"
+#include "mesh/MeshBuilder.h"
+#include "mesh/MeshValidator.h"
+
+#include <QTest>
+
+using namespace handwheel;
+
+namespace {
+
+std::size_t degenerateFaces(const HalfEdgeMesh& mesh) {
+  std::size_t n = 0;
+  for (Face f = 0; f < mesh.faceSlots(); ++f) n += mesh.isLive(f) && isDegenerate(mesh.points(f));
+  return n;
+}
+
+// Splits the edge of a triangle at points on it, without area: a fan of needles between the edge and the points. Half-edge h
+// of the soup's triangle f runs from a to b; the points lie in order from a to b.
+void addNeedles(TriangleSoup& s, std::size_t f, int corner, const std::vector<double>& places) {
+  const Triangle t = s.triangles[f];
+  const std::uint32_t a = t[corner], b = t[(corner + 1) % 3], apex = t[(corner + 2) % 3];
+  std::vector<std::uint32_t> chain{a};
+  for (double w : places) {
+    chain.push_back(static_cast<std::uint32_t>(s.points.size()));
+    s.points.push_back((1.0 - w) * s.points[a] + w * s.points[b]);
+  }
+  chain.push_back(b);
+  s.triangles[f] = {chain[0], chain[1], apex};
+  for (std::size_t i = 1; i + 1 < chain.size(); ++i) {
+    s.triangles.push_back({chain[i], chain[i + 1], apex});
+    s.triangles.push_back({a, chain[i + 1], chain[i]});
+  }
+}
+
+struct Case {
+  const char* name;
+  TriangleSoup soup;
+};
+
+// Closed shapes with needles; all coordinates are exact, so that the needles have no area at all.
+std::vector<Case> needled() {
+  std::vector<Case> cases;
+  TriangleSoup one = test::cube();
+  addNeedles(one, 4, 0, {0.5});
+  cases.push_back({"one needle at an edge", one});
+  TriangleSoup diagonal = test::cube();
+  addNeedles(diagonal, 0, 2, {0.25});
+  cases.push_back({"one needle inside a side", diagonal});
+  TriangleSoup row = test::cube();
+  addNeedles(row, 4, 0, {0.25, 0.5, 0.75});
+  cases.push_back({"needles upon needles", row});
+  TriangleSoup many = test::cube();
+  for (std::size_t f = 0; f < 12; f += 3) addNeedles(many, f, int(f) % 2, {0.5});
+  cases.push_back({"needles in several places", many});
+  return cases;
+}
+
+}  // namespace
+
+class CleaningTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void needlesOfClosedShapes();
+  void needleAtTheBorder();
+  void facesWithoutExtent();
+  void nothingToClean();
+  void flaps();
+  void debrisGoes();
+};
+
+// Taking away what has no area changes neither volume nor area, and opens nothing.
+void CleaningTest::needlesOfClosedShapes() {
+  for (const Case& c : needled()) {
+    QVERIFY2(test::countEdges(c.soup).sound(), c.name);
+    HalfEdgeMesh mesh = buildMesh(c.soup).mesh;
+    const std::size_t needles = degenerateFaces(mesh);
+    QVERIFY2(needles > 0, c.name);
+    QCOMPARE(removeDegenerateFaces(mesh), needles);
+    QCOMPARE(validate(mesh), std::string());
+    QCOMPARE(degenerateFaces(mesh), std::size_t{0});
+    const TriangleSoup left = mesh.compact().soup;
+    QVERIFY2(test::countEdges(left).sound(), c.name);
+    QCOMPARE(test::countBorder(mesh), std::size_t{0});
+    QVERIFY2(std::abs(test::volume(left) - 1.0) < 1e-12, c.name);
+    QVERIFY2(std::abs(test::area(left) - 6.0) < 1e-12, c.name);
+    QCOMPARE(findSelfIntersections(mesh)->size(), std::size_t{0});
+  }
+}
+
+void CleaningTest::needleAtTheBorder() {
+  TriangleSoup s;
+  s.points = {Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(0, 2, 0), Vec3(1, 0, 0)};
+  s.triangles = {{0, 3, 2}, {3, 1, 2}, {0, 1, 3}};  // the last has no area and a long edge that nobody shares
+  HalfEdgeMesh mesh = buildMesh(s).mesh;
+  QCOMPARE(removeDegenerateFaces(mesh), std::size_t{1});
+  QCOMPARE(mesh.liveFaceCount(), std::size_t{2});
+  QCOMPARE(validate(mesh), std::string());
+  QVERIFY(std::abs(test::area(mesh.compact().soup) - 2.0) < 1e-12);
+}
+
+void CleaningTest::facesWithoutExtent() {
+  TriangleSoup s = test::icosphere(1);
+  s.triangles.push_back({3, 3, 4});
+  s.triangles.push_back({5, 5, 5});
+  HalfEdgeMesh mesh = buildMesh(s).mesh;
+  QCOMPARE(removeDegenerateFaces(mesh), std::size_t{2});
+  QCOMPARE(mesh.liveFaceCount(), std::size_t{80});
+  QCOMPARE(validate(mesh), std::string());
+  QVERIFY(test::countEdges(mesh).sound());
+}
+
+void CleaningTest::nothingToClean() {
+  for (const TriangleSoup& s : {test::cube(), test::torus(8, 6), test::disc(8, 3), test::boxWithInnerWall()}) {
+    const HalfEdgeMesh before = buildMesh(s).mesh;
+    HalfEdgeMesh mesh = before;
+    QCOMPARE(removeDegenerateFaces(mesh) + removeFlaps(mesh), std::size_t{0});
+    QVERIFY(test::sameMesh(mesh, before));
+  }
+}
+
+// A small face that hangs on an edge of the closed surface goes; one on the border of a sheet, or a large one, stays.
+void CleaningTest::flaps() {
+  const auto withFlap = [](TriangleSoup s, double height) {
+    const Triangle t = s.triangles[17];
+    const auto tip = static_cast<std::uint32_t>(s.points.size());
+    s.points.push_back((1.0 + height) * s.points[t[0]]);
+    s.triangles.push_back({t[0], t[1], tip});
+    return s;
+  };
+  const TriangleSoup fine = test::icosphere(6);  // edges of 0.02, so about 0.005 of the diagonal
+  HalfEdgeMesh mesh = buildMesh(withFlap(fine, 0.01)).mesh;
+  QCOMPARE(removeFlaps(mesh), std::size_t{1});
+  QCOMPARE(validate(mesh), std::string());
+  QVERIFY(test::countEdges(mesh).sound());
+  QCOMPARE(mesh.liveFaceCount(), fine.triangles.size());
+
+  HalfEdgeMesh large = buildMesh(withFlap(fine, 0.5)).mesh;
+  QCOMPARE(removeFlaps(large), std::size_t{0});
+  HalfEdgeMesh sheet = buildMesh(test::disc(200, 100)).mesh;
+  QCOMPARE(removeFlaps(sheet), std::size_t{0});
+}
+
+void CleaningTest::debrisGoes() {
+  TriangleSoup s = test::icosphere(4);  // 5120 faces, area about 4π
+  test::append(s, test::moved(test::tetrahedron(), Vec3(3, 0, 0), 0.05));
+  test::append(s, test::moved(test::icosphere(2), Vec3(-3, 0, 0), 0.05));  // small, but of 320 faces: a detail
+  test::append(s, test::moved(test::cube(), Vec3(0, 5, 0)));               // few faces, but large: a part
+  HalfEdgeMesh mesh = buildMesh(s).mesh;
+  QCOMPARE(removeDebris(mesh), std::size_t{4});
+  QCOMPARE(mesh.liveFaceCount(), std::size_t{5120 + 320 + 12});
+  QCOMPARE(validate(mesh), std::string());
+}
+
+QTEST_GUILESS_MAIN(CleaningTest)
+#include "CleaningTest.moc"

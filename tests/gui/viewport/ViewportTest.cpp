@@ -1,0 +1,320 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/MeshBuilder.h"
+#include "viewport/CameraNavigation.h"
+#include "viewport/Snapshot.h"
+#include "viewport/Viewport.h"
+
+#include <QApplication>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QVBoxLayout>
+#include <QtTest>
+#include <cstdio>
+
+using namespace handwheel;
+
+namespace {
+
+constexpr int kCells = 20;
+
+// A square sheet from (0, 0) to (20, 20) at height 0, in cells of 1; cell (i, j) has the faces 2 (j · 20 + i) below its
+// diagonal and one more above.
+TriangleSoup sheet(int cells) {
+  TriangleSoup s;
+  for (int j = 0; j <= cells; ++j) {
+    for (int i = 0; i <= cells; ++i) s.points.push_back(Vec3(i, j, 0) * kCells / cells);
+  }
+  const auto at = [cells](int i, int j) { return static_cast<std::uint32_t>(j * (cells + 1) + i); };
+  for (int j = 0; j < cells; ++j) {
+    for (int i = 0; i < cells; ++i) {
+      s.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      s.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  return s;
+}
+
+// Looks down on the sheet, 20 pixels to the unit in a view of 600 × 500: (10, 10) is in the middle.
+CameraState fromAbove() {
+  CameraState c;
+  c.centre = Vec3(10, 10, 0);
+  c.height = 25;
+  return c;
+}
+
+QPointF onScreen(double x, double y) { return {300 + (x - 10) * 20, 250 - (y - 10) * 20}; }
+
+LoopMark squareLoop(double z, const QColor& colour) {
+  return {7, {{5, 5, z}, {15, 5, z}, {15, 15, z}, {5, 15, z}}, colour, false};
+}
+
+int pixelsNear(const QImage& image, const QColor& colour) {
+  int n = 0;
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      const QColor c = image.pixelColor(x, y);
+      n += std::abs(c.red() - colour.red()) < 24 && std::abs(c.green() - colour.green()) < 24 &&
+           std::abs(c.blue() - colour.blue()) < 24;
+    }
+  }
+  return n;
+}
+
+}  // namespace
+
+class ViewportTest : public QObject {
+  Q_OBJECT
+
+  std::unique_ptr<Viewport> m_view;
+
+  void showSheet(int cells = kCells) {
+    m_view->setMesh(buildMesh(sheet(cells)).mesh);
+    m_view->setCamera(fromAbove());
+    QTRY_VERIFY_WITH_TIMEOUT(m_view->isPickingReady(), 20000);
+  }
+
+ private slots:
+  void initTestCase() {
+    qRegisterMetaType<handwheel::Pick>();
+    Viewport probe;
+    probe.resize(200, 150);
+    probe.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&probe));
+    QTRY_VERIFY(probe.isValid() || !probe.graphicsProblem().isEmpty());
+    if (!probe.graphicsProblem().isEmpty()) QSKIP("the display offers no GLX");
+  }
+
+  void init() {
+    m_view = std::make_unique<Viewport>();
+    m_view->resize(600, 500);
+    m_view->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_view.get()));
+  }
+
+  void cleanup() { m_view.reset(); }
+
+  void picksTheFaceUnderTheCursor() {
+    showSheet();
+    for (const auto& [i, j] : {std::pair(0, 0), std::pair(3, 11), std::pair(19, 19)}) {
+      const Pick lower = m_view->pickAt(onScreen(i + 0.7, j + 0.3)), upper = m_view->pickAt(onScreen(i + 0.3, j + 0.7));
+      QCOMPARE(lower.face, static_cast<Face>(2 * (j * kCells + i)));
+      QCOMPARE(upper.face, static_cast<Face>(2 * (j * kCells + i) + 1));
+      QVERIFY((lower.point - Vec3(i + 0.7, j + 0.3, 0)).norm() < 1e-9);
+    }
+    QVERIFY(m_view->pickAt(onScreen(-1, 5)).isNothing());
+  }
+
+  void loopWinsWithinEightPixels() {
+    showSheet();
+    m_view->setLoops({squareLoop(0, Qt::blue)});
+    const QPointF onLine = onScreen(10.3, 5);
+    for (const double dy : {-7.5, 0.0, 7.5}) {
+      const Pick pick = m_view->pickAt(onLine + QPointF(0, dy));
+      QCOMPARE(pick.loop, 7);
+      QCOMPARE(pick.face, kNone);
+      QVERIFY((pick.point - Vec3(10.3, 5, 0)).norm() < 1e-9);
+    }
+    for (const double dy : {-8.5, 8.5}) {
+      QCOMPARE(m_view->pickAt(onLine + QPointF(0, dy)).loop, -1);
+      QVERIFY(m_view->pickAt(onLine + QPointF(0, dy)).face != kNone);
+    }
+  }
+
+  void hiddenLoopIsNotPicked() {
+    showSheet();
+    m_view->setLoops({squareLoop(-3, Qt::blue)});
+    const Pick pick = m_view->pickAt(onScreen(10.3, 5));
+    QCOMPARE(pick.loop, -1);
+    QVERIFY(pick.face != kNone);
+  }
+
+  void clickAndHoverTellWhatIsThere() {
+    showSheet();
+    m_view->setLoops({squareLoop(0, Qt::blue)});
+    QSignalSpy clicked(m_view.get(), &Viewport::clicked), hovered(m_view.get(), &Viewport::hovered);
+    QTest::mouseMove(m_view.get(), onScreen(5, 10).toPoint());
+    QTRY_VERIFY(!hovered.isEmpty());
+    QCOMPARE(hovered.last()[0].value<Pick>().loop, 7);
+    QTest::mouseClick(m_view.get(), Qt::LeftButton, Qt::ShiftModifier, onScreen(5, 10).toPoint());
+    QCOMPARE(clicked.size(), 1);
+    QCOMPARE(clicked[0][0].value<Pick>().loop, 7);
+    QCOMPARE(clicked[0][1].value<Qt::KeyboardModifiers>(), Qt::ShiftModifier);
+    QTest::mouseMove(m_view.get(), onScreen(-2, -1).toPoint());
+    QTRY_VERIFY(hovered.last()[0].value<Pick>().isNothing());
+  }
+
+  void middleDragTurnsAndIsNoClick() {
+    showSheet();
+    QSignalSpy clicked(m_view.get(), &Viewport::clicked);
+    const QPoint from(300, 250), to(360, 250);
+    const Vec3 pivot = m_view->pickAt(from).point;
+    QTest::mousePress(m_view.get(), Qt::MiddleButton, {}, from);
+    QMouseEvent move(QEvent::MouseMove, to, m_view->mapToGlobal(to), Qt::NoButton, Qt::MiddleButton, Qt::NoModifier);
+    QApplication::sendEvent(m_view.get(), &move);
+    QTest::mouseRelease(m_view.get(), Qt::MiddleButton, {}, to);
+    const CameraState turned = m_view->camera();
+    QVERIFY(turned.orientation.angularDistance(fromAbove().orientation) > 0.1);
+    // What was grabbed stays where it was.
+    const Vec2 after = CameraNavigation(turned, {600, 500}).toScreen(pivot);
+    QVERIFY((after - Vec2(300, 250)).norm() < 1e-6);
+    QVERIFY(clicked.isEmpty());
+  }
+
+  void leftDragOnTheModelLeavesTheCamera() {
+    showSheet();
+    const QPoint from(300, 250), to(360, 250);
+    QTest::mousePress(m_view.get(), Qt::LeftButton, {}, from);
+    QMouseEvent move(QEvent::MouseMove, to, m_view->mapToGlobal(to), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(m_view.get(), &move);
+    QTest::mouseRelease(m_view.get(), Qt::LeftButton, {}, to);
+    QCOMPARE(m_view->camera(), fromAbove());
+  }
+
+  void cameraRoundTrip() {
+    CameraState c;
+    c.centre = Vec3(1, -2, 3e5);
+    c.orientation = Eigen::Quaterniond(0.5, -0.5, 0.1, 0.7).normalized();
+    c.height = 0.25;
+    m_view->setCamera(c);
+    QCOMPARE(m_view->camera(), c);
+    m_view->setMesh(buildMesh(sheet(2)).mesh);  // a new model does not move the camera
+    QCOMPARE(m_view->camera(), c);
+  }
+
+  void flightEndsAtItsGoal() {
+    showSheet();
+    m_view->flyTo(Box(Vec3(4, 4, 0), Vec3(6, 6, 0)), Vec3(0, 0, -2));
+    const CameraState goal = m_view->camera();
+    QVERIFY((goal.centre - Vec3(5, 5, 0)).norm() < 1e-9);
+    QVERIFY((goal.towardsViewer() + Vec3::UnitZ()).norm() < 1e-9);
+    QSignalSpy moved(m_view.get(), &Viewport::cameraChanged);
+    QTRY_VERIFY(!moved.isEmpty());
+    QTest::qWait(600);
+    QCOMPARE(m_view->camera(), goal);
+  }
+
+  void drawsModelLoopAndMarks() {
+    showSheet();
+    const QColor loop(0x00, 0x72, 0xb2), dot(0xcc, 0x79, 0xa7), line(0x00, 0x9e, 0x73);
+    QVERIFY(pixelsNear(m_view->grabImage(), loop) < 20);
+    m_view->setLoops({squareLoop(0, loop)});
+    m_view->setPointMarks({{{{2, 2, 0}, {18, 18, 0}}, dot}});
+    m_view->setLineMarks({{{{Vec3(1, 10, 0), Vec3(4, 10, 0)}}, line}});
+    const QImage image = m_view->grabImage();
+    QCOMPARE(image.size(), m_view->size() * m_view->devicePixelRatioF());
+    const int perimeter = 4 * 10 * 20;
+    QVERIFY(pixelsNear(image, loop) > 2 * perimeter);
+    QVERIFY(pixelsNear(image, loop) < 5 * perimeter);
+    QVERIFY(pixelsNear(image, dot) > 40);
+    QVERIFY(pixelsNear(image, line) > 60);
+    // Sheet and background differ, and nothing shines through.
+    QVERIFY(image.pixelColor(300, 250) != image.pixelColor(20, 20));
+    QCOMPARE(image.pixelColor(300, 250).alpha(), 255);
+  }
+
+  void previewTintsTheModel() {
+    showSheet();
+    const QColor before = m_view->grabImage().pixelColor(300, 230);
+    m_view->setPreview({{5, 5, 0}, {15, 5, 0}, {10, 16, 0}}, {{0, 1, 2}});
+    const QColor with = m_view->grabImage().pixelColor(300, 230);
+    QVERIFY(with.blue() - with.red() > before.blue() - before.red() + 30);
+    m_view->setPreview({}, {});
+    QCOMPARE(m_view->grabImage().pixelColor(300, 230), before);
+  }
+
+  void updateBuildsOnlyTheBlocksConcerned() {
+    const int cells = 300;  // 180 000 faces: three blocks
+    HalfEdgeMesh mesh = buildMesh(sheet(cells)).mesh;
+    m_view->setMesh(mesh);
+    m_view->setCamera(fromAbove());
+    m_view->grabImage();
+    QCOMPARE(m_view->blocksBuilt(), 3);
+    const Face inSecond = 100000;  // its neighbours are within a few rows of 600 faces
+    mesh.removeFace(inSecond);
+    m_view->updateMesh(mesh, {inSecond});
+    m_view->grabImage();
+    QCOMPARE(m_view->blocksBuilt(), 4);
+    const Face lastOfFirst = 65535;  // shares corners with the next block
+    mesh.removeFace(lastOfFirst);
+    m_view->updateMesh(mesh, {lastOfFirst});
+    m_view->grabImage();
+    QCOMPARE(m_view->blocksBuilt(), 6);
+  }
+
+  void removedFaceIsNoLongerPicked() {
+    showSheet();
+    HalfEdgeMesh mesh = buildMesh(sheet(kCells)).mesh;
+    const Face gone = m_view->pickAt(onScreen(10.7, 10.3)).face;
+    mesh.removeFace(gone);
+    m_view->updateMesh(mesh, {gone});
+    QTRY_VERIFY_WITH_TIMEOUT(m_view->isPickingReady(), 20000);
+    QVERIFY(m_view->pickAt(onScreen(10.7, 10.3)).isNothing());
+  }
+
+  // As when a dock floats: the widget gets another context and must draw on.
+  void survivesAnotherContext() {
+    showSheet();
+    m_view->setLoops({squareLoop(0, QColor(0x00, 0x72, 0xb2))});
+    const int before = pixelsNear(m_view->grabImage(), QColor(0x00, 0x72, 0xb2));
+    QWidget host;
+    host.resize(600, 500);
+    auto* layout = new QVBoxLayout(&host);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_view.get());
+    host.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&host));
+    QCOMPARE(m_view->size(), QSize(600, 500));
+    QCOMPARE(pixelsNear(m_view->grabImage(), QColor(0x00, 0x72, 0xb2)), before);
+    m_view.reset();
+  }
+
+  void pictureToFile() {
+    const QTemporaryDir folder;
+    const std::filesystem::path png = folder.filePath("sheet.png").toStdString();
+    const QColor colour(0x00, 0x72, 0xb2);
+    const HalfEdgeMesh mesh = buildMesh(sheet(kCells)).mesh;
+    QVERIFY(renderToFile(mesh, {squareLoop(0, colour)}, png, 400, 300).hasValue());
+    const QImage image(QString::fromStdString(png.string()));
+    QCOMPARE(image.size(), QSize(400, 300));
+    QVERIFY(pixelsNear(image, colour) > 300);
+
+    const Status failed = renderToFile(mesh, {}, folder.filePath("no/such/folder.png").toStdString(), 40, 30);
+    QVERIFY(!failed);
+    QCOMPARE(failed.error().code, ErrorCode::WriteFailed);
+  }
+
+  void pictureWithoutDisplayIsAnError() {
+    const QByteArray display = qgetenv("DISPLAY");
+    const QTemporaryDir folder;
+    const std::string png = folder.filePath("none.png").toStdString();
+    qunsetenv("DISPLAY");
+    const Status unset = renderToFile(buildMesh(sheet(2)).mesh, {}, png, 40, 30);
+    qputenv("DISPLAY", ":9999");
+    const Status dead = renderToFile(buildMesh(sheet(2)).mesh, {}, png, 40, 30);
+    qputenv("DISPLAY", display);
+    QVERIFY(!unset && !dead);
+    QCOMPARE(unset.error().code, ErrorCode::WriteFailed);
+    QVERIFY(!std::filesystem::exists(png));
+  }
+};
+
+// Stands in for the tests where there is no display to run them on.
+class WithoutDisplay : public QObject {
+  Q_OBJECT
+ private slots:
+  void viewport() { QSKIP("DISPLAY is not set: the viewport cannot be tested"); }
+};
+
+int main(int argc, char** argv) {
+  if (qEnvironmentVariableIsEmpty("DISPLAY")) {
+    WithoutDisplay skipped;
+    return QTest::qExec(&skipped, argc, argv);
+  }
+  Viewport::prepareApplication();
+  QApplication app(argc, argv);
+  ViewportTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "ViewportTest.moc"

@@ -1,0 +1,70 @@
+# SPDX-FileCopyrightText: 2026 The Handwheel developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""tools/layers finds each kind of include that must not be, and lets the others pass."""
+
+import os
+import subprocess
+import tempfile
+import unittest
+
+ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
+ROOMS = {"core": ("base", "mesh", "document"), "widgets": ("viewport", "panels"), "app": ("window",)}
+
+
+class LayersTest(unittest.TestCase):
+    def run_on(self, path, include):
+        with tempfile.TemporaryDirectory() as root:
+            for layer, rooms in ROOMS.items():
+                for room in rooms:
+                    os.makedirs(os.path.join(root, layer, room))
+                with open(os.path.join(root, layer, "CMakeLists.txt"), "w", encoding="utf-8") as stream:
+                    stream.writelines(f"add_subdirectory({room})\n" for room in rooms)
+            with open(os.path.join(root, path), "w", encoding="utf-8") as stream:
+                stream.write(f"\n#include {include}\n")
+            run = subprocess.run([os.path.join(ROOT, "tools", "layers"), root], capture_output=True, text=True)
+            return run.returncode, run.stdout
+
+    def assert_refused(self, path, include):
+        code, output = self.run_on(path, include)
+        self.assertEqual(code, 1, f"{path} includes {include}: {output}")
+        self.assertTrue(output.startswith(f"{path}:2: "), output)
+
+    def assert_allowed(self, path, include):
+        code, output = self.run_on(path, include)
+        self.assertEqual(code, 0, output)
+
+    def test_arrows(self):
+        self.assert_allowed("core/mesh/A.h", '"base/B.h"')
+        self.assert_allowed("core/mesh/A.h", '"mesh/B.h"')
+        self.assert_allowed("app/window/A.cpp", '"A.moc"')
+        self.assert_refused("core/base/A.h", '"mesh/B.h"')
+        self.assert_refused("core/document/A.cpp", '"panels/B.h"')
+        self.assert_refused("widgets/viewport/A.cpp", '"panels/B.h"')
+        self.assert_refused("widgets/panels/A.cpp", '"window/B.h"')
+
+    def test_paths(self):
+        self.assert_refused("core/mesh/A.cpp", '"A.h"')
+        self.assert_refused("core/mesh/A.cpp", '"../base/B.h"')
+        self.assert_refused("core/mesh/A.cpp", '"cellar/B.h"')
+
+    def test_qt(self):
+        self.assert_allowed("core/document/A.h", "<QUndoStack>")
+        self.assert_allowed("core/document/A.h", "<QtCore/qglobal.h>")
+        self.assert_allowed("widgets/panels/A.h", "<QWidget>")
+        self.assert_refused("core/mesh/A.h", "<QString>")
+        self.assert_refused("core/mesh/A.h", "<qglobal.h>")
+        self.assert_refused("core/document/A.h", "<QWidget>")
+        self.assert_refused("core/document/A.h", "<QtWidgets/QWidget>")
+        self.assert_refused("core/document/A.h", "<QOpenGLWidget>")
+
+    def test_libraries(self):
+        self.assert_allowed("core/mesh/A.cpp", "<CGAL/Surface_mesh.h>")
+        self.assert_allowed("widgets/viewport/A.cpp", "<vtkActor.h>")
+        self.assert_allowed("core/mesh/A.cpp", "<vtkPolyData.h>")
+        self.assert_refused("core/mesh/A.h", "<CGAL/Surface_mesh.h>")
+        self.assert_refused("core/mesh/A.cpp", "<vtkRenderer.h>")
+        self.assert_refused("widgets/panels/A.cpp", "<vtkActor.h>")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,63 @@
+# SPDX-FileCopyrightText: 2026 The Handwheel developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""tools/style finds each thing that it looks for, and nothing in a clean file."""
+
+import os
+import subprocess
+import tempfile
+import unittest
+
+ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
+HEAD = "// SPDX-FileCopyrightText: 2026 The Handwheel developers\n// SPDX-License-Identifier: GPL-3.0-or-later\n"
+
+
+class StyleTest(unittest.TestCase):
+    def run_on(self, name, text):
+        with tempfile.TemporaryDirectory() as root:
+            with open(os.path.join(ROOT, ".clang-format"), encoding="utf-8") as rules:
+                with open(os.path.join(root, ".clang-format"), "w", encoding="utf-8") as copy:
+                    copy.write(rules.read())
+            with open(os.path.join(root, name), "w", encoding="utf-8", newline="") as stream:
+                stream.write(text)
+            run = subprocess.run([os.path.join(ROOT, "tools", "style"), root], capture_output=True, text=True)
+            return run.returncode, run.stdout
+
+    def assert_finds(self, name, text, place, what):
+        code, output = self.run_on(name, text)
+        self.assertEqual(code, 1, output)
+        self.assertIn(f"{name}:{place}: ", output)
+        self.assertIn(what, output)
+
+    def test_clean(self):
+        self.assertEqual(self.run_on("Wheel.h", HEAD + "#pragma once\n\nint spokes();\n")[0], 0)
+        self.assertEqual(self.run_on("Wheel.cpp", HEAD + "int spokes = 5;\n")[0], 0)
+
+    def test_licence_header(self):
+        self.assert_finds("Wheel.cpp", "int spokes = 5;\n", 1, "SPDX-License-Identifier")
+        self.assert_finds("turn.py", "print(5)\n", 1, "SPDX-FileCopyrightText")
+        self.assert_finds("turn", "#!/bin/sh\ntrue\n", 1, "SPDX-FileCopyrightText")
+
+    def test_pragma_once(self):
+        self.assert_finds("Wheel.h", HEAD + "\nint spokes();\n", 3, "#pragma once")
+
+    def test_format(self):
+        self.assert_finds("Wheel.cpp", HEAD + "int spokes=5;\n", 3, "clang-format")
+
+    def test_whitespace(self):
+        self.assert_finds("Wheel.cpp", HEAD + "int a; \n", 3, "blanks")
+        self.assert_finds("Wheel.cpp", HEAD + "\tint a;\n", 3, "tab")
+        self.assert_finds("Wheel.cpp", HEAD + "int a;\r\n", 3, "carriage return")
+        self.assert_finds("Wheel.cpp", HEAD + "int a;", 3, "no end")
+
+    def test_unfinished(self):
+        self.assert_finds("Wheel.cpp", HEAD + "// TO" + "DO: the spokes\n", 3, "unfinished")
+
+    def test_length(self):
+        code, output = self.run_on("Wheel.cpp", HEAD + "int a;\n" * 299)
+        self.assertEqual(code, 0, output)
+        self.assertIn("warning: Wheel.cpp:301", output)
+        self.assert_finds("Wheel.cpp", HEAD + "int a;\n" * 499, 501, "501 lines")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/HalfEdgeMesh.h"
+#include "mesh/TriangleSoup.h"
+
+#include <cstring>
+#include <map>
+#include <set>
+
+// Figures of triangle lists by the plainest means there are, to judge the mesh room by.
+namespace handwheel::test {
+
+using Place = std::array<double, 3>;
+inline Place place(const Vec3& p) { return {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0}; }  // + 0.0: no negative zero
+
+struct Edges {
+  std::size_t all = 0, border = 0, nonManifold = 0, inconsistent = 0;
+  bool closed() const { return border == 0; }
+  bool sound() const { return border == 0 && nonManifold == 0 && inconsistent == 0; }
+};
+
+// Edges by position. Triangles with two equal corners are left out.
+inline Edges countEdges(const TriangleSoup& s) {
+  std::map<std::pair<Place, Place>, std::array<int, 2>> uses;
+  for (const Triangle& t : s.triangles) {
+    const std::array<Place, 3> p = {place(s.points[t[0]]), place(s.points[t[1]]), place(s.points[t[2]])};
+    if (p[0] == p[1] || p[1] == p[2] || p[2] == p[0]) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Place &a = p[k], &b = p[(k + 1) % 3];
+      ++uses[std::minmax(a, b)][a < b];
+    }
+  }
+  Edges e;
+  for (const auto& [edge, n] : uses) {
+    ++e.all;
+    e.border += n[0] + n[1] == 1;
+    e.nonManifold += n[0] + n[1] > 2;
+    e.inconsistent += (n[0] > 1) + (n[1] > 1);
+  }
+  return e;
+}
+
+inline Edges countEdges(const HalfEdgeMesh& mesh) { return countEdges(mesh.compact().soup); }
+
+// The places that triangles use.
+inline std::set<Place> places(const TriangleSoup& s) {
+  std::set<Place> result;
+  for (const Triangle& t : s.triangles)
+    for (std::uint32_t v : t) result.insert(place(s.points[v]));
+  return result;
+}
+
+// V - E + F, by position.
+inline long eulerCharacteristic(const TriangleSoup& s) {
+  return static_cast<long>(places(s).size()) - static_cast<long>(countEdges(s).all) +
+         static_cast<long>(s.triangles.size());
+}
+
+// V - E + F by the mesh's own numbers: an edge with two faces is one edge, an open half-edge is one too.
+inline long eulerCharacteristic(const HalfEdgeMesh& mesh) {
+  std::set<Vertex> vertices;
+  long halves = 0, faces = 0;
+  for (Face f = 0; f < mesh.faceSlots(); ++f) {
+    if (!mesh.isProper(f)) continue;
+    ++faces;
+    for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
+      vertices.insert(mesh.from(h));
+      halves += mesh.hasOpposite(h) ? 1 : 2;
+    }
+  }
+  return static_cast<long>(vertices.size()) - halves / 2 + faces;
+}
+
+inline double area(const TriangleSoup& s) {
+  double sum = 0.0;
+  for (const Triangle& t : s.triangles)
+    sum += 0.5 * (s.points[t[1]] - s.points[t[0]]).cross(s.points[t[2]] - s.points[t[0]]).norm();
+  return sum;
+}
+
+// The signed volume between the triangles and the origin.
+inline double volume(const TriangleSoup& s) {
+  double sum = 0.0;
+  for (const Triangle& t : s.triangles) sum += s.points[t[0]].dot(s.points[t[1]].cross(s.points[t[2]])) / 6.0;
+  return sum;
+}
+
+inline std::size_t countBorder(const HalfEdgeMesh& mesh) {
+  std::size_t n = 0;
+  for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h) n += mesh.isBorder(h);
+  return n;
+}
+
+inline std::size_t countSeams(const HalfEdgeMesh& mesh) {
+  std::size_t n = 0;
+  for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h) n += mesh.isSeam(h);
+  return n;
+}
+
+inline bool sameBits(const Vec3& a, const Vec3& b) { return std::memcmp(a.data(), b.data(), sizeof(double[3])) == 0; }
+
+// Every slot alike, bit for bit.
+inline bool sameMesh(const HalfEdgeMesh& a, const HalfEdgeMesh& b) {
+  if (a.vertexSlots() != b.vertexSlots() || a.faceSlots() != b.faceSlots()) return false;
+  for (Vertex v = 0; v < a.vertexSlots(); ++v)
+    if (!sameBits(a.position(v), b.position(v))) return false;
+  for (Face f = 0; f < a.faceSlots(); ++f) {
+    if (a.triangle(f) != b.triangle(f)) return false;
+    for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h)
+      if (a.opposite(h) != b.opposite(h)) return false;
+  }
+  return true;
+}
+
+}  // namespace handwheel::test

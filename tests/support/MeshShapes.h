@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/TriangleSoup.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+#include <vector>
+
+// Generated shapes for tests. Closed ones face outward; neighbours share points, unless the shape's comment says otherwise.
+namespace handwheel::test {
+
+// A grid of points, each cell cut into two triangles. point(i, j) for i < rows, j < columns; rows or columns that wrap
+// round join their last line of points to the first. Seen with i to the right and j upwards, faces are counter-clockwise.
+template <class Point>
+TriangleSoup grid(std::uint32_t rows, std::uint32_t columns, bool rowsWrap, bool columnsWrap, Point point) {
+  TriangleSoup s;
+  for (std::uint32_t i = 0; i < rows; ++i) {
+    for (std::uint32_t j = 0; j < columns; ++j) s.points.push_back(point(i, j));
+  }
+  const auto at = [&](std::uint32_t i, std::uint32_t j) { return (i % rows) * columns + j % columns; };
+  for (std::uint32_t i = 0; i + 1 < rows + (rowsWrap ? 1 : 0); ++i) {
+    for (std::uint32_t j = 0; j + 1 < columns + (columnsWrap ? 1 : 0); ++j) {
+      s.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      s.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  }
+  return s;
+}
+
+inline void append(TriangleSoup& s, const TriangleSoup& other) {
+  const auto offset = static_cast<std::uint32_t>(s.points.size());
+  s.points.insert(s.points.end(), other.points.begin(), other.points.end());
+  for (const Triangle& t : other.triangles) s.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+}
+
+inline TriangleSoup moved(TriangleSoup s, const Vec3& shift, double scale = 1.0) {
+  for (Vec3& p : s.points) p = scale * p + shift;
+  return s;
+}
+
+inline TriangleSoup turnedOver(TriangleSoup s) {
+  for (Triangle& t : s.triangles) std::swap(t[1], t[2]);
+  return s;
+}
+
+// As an STL file holds it: every triangle with points of its own.
+inline TriangleSoup unshared(const TriangleSoup& s) {
+  TriangleSoup r;
+  for (const Triangle& t : s.triangles) {
+    const auto n = static_cast<std::uint32_t>(r.points.size());
+    for (std::uint32_t v : t) r.points.push_back(s.points[v]);
+    r.triangles.push_back({n, n + 1, n + 2});
+  }
+  return r;
+}
+
+// Corners 0…size from the corner given; two triangles a side.
+inline TriangleSoup cube(double size = 1.0, const Vec3& corner = Vec3::Zero()) {
+  TriangleSoup s;
+  for (int i = 0; i < 8; ++i) s.points.push_back(corner + size * Vec3(i & 1, (i >> 1) & 1, (i >> 2) & 1));
+  s.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                 {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return s;
+}
+
+// The origin and the ends of the three unit vectors; volume 1/6.
+inline TriangleSoup tetrahedron() {
+  return {{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+}
+
+// 20 · 4^levels triangles; all points at distance 1 from the origin.
+inline TriangleSoup icosphere(int levels) {
+  const double g = (1.0 + std::sqrt(5.0)) / 2.0;
+  TriangleSoup s;
+  for (const Vec3& p : {Vec3(-1, g, 0), Vec3(1, g, 0), Vec3(-1, -g, 0), Vec3(1, -g, 0), Vec3(0, -1, g), Vec3(0, 1, g),
+                        Vec3(0, -1, -g), Vec3(0, 1, -g), Vec3(g, 0, -1), Vec3(g, 0, 1), Vec3(-g, 0, -1), Vec3(-g, 0, 1)})
+    s.points.push_back(p.normalized());
+  s.triangles = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                 {11, 10, 2}, {10, 7, 6}, {7, 1, 8},   {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                 {3, 8, 9},  {4, 9, 5},  {2, 4, 11},  {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
+  for (int level = 0; level < levels; ++level) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
+    const auto middle = [&](std::uint32_t a, std::uint32_t b) {
+      const auto [at, isNew] = middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(s.points.size()));
+      if (isNew) s.points.push_back((s.points[a] + s.points[b]).normalized());
+      return at->second;
+    };
+    std::vector<Triangle> finer;
+    for (const Triangle& t : s.triangles) {
+      const std::uint32_t a = middle(t[0], t[1]), b = middle(t[1], t[2]), c = middle(t[2], t[0]);
+      finer.insert(finer.end(), {{t[0], a, c}, {t[1], b, a}, {t[2], c, b}, {a, b, c}});
+    }
+    s.triangles = finer;
+  }
+  return s;
+}
+
+// Poles on the z axis, n meridians, m - 1 rings between the poles.
+inline TriangleSoup uvSphere(std::uint32_t n, std::uint32_t m) {
+  TriangleSoup s = grid(n, m - 1, true, false, [&](std::uint32_t i, std::uint32_t j) {
+    const double u = 2.0 * M_PI * i / n, v = M_PI * (j + 1) / m - M_PI / 2.0;
+    return Vec3(std::cos(v) * std::cos(u), std::cos(v) * std::sin(u), std::sin(v));
+  });
+  const auto south = static_cast<std::uint32_t>(s.points.size()), north = south + 1;
+  s.points.insert(s.points.end(), {Vec3(0, 0, -1), Vec3(0, 0, 1)});
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t a = i * (m - 1), b = (i + 1) % n * (m - 1);
+    s.triangles.push_back({south, b, a});
+    s.triangles.push_back({north, a + m - 2, b + m - 2});
+  }
+  return s;
+}
+
+inline TriangleSoup torus(std::uint32_t n, std::uint32_t m, double large = 2.0, double small = 0.7) {
+  return grid(n, m, true, true, [&](std::uint32_t i, std::uint32_t j) {
+    const double u = 2.0 * M_PI * i / n, v = 2.0 * M_PI * j / m, r = large + small * std::cos(v);
+    return Vec3(r * std::cos(u), r * std::sin(u), small * std::sin(v));
+  });
+}
+
+// Around the z axis from 0 to height; m cells high. Closed by fans around a middle point at each end.
+inline TriangleSoup cylinder(std::uint32_t n, std::uint32_t m, double radius, double height, bool closed) {
+  TriangleSoup s = grid(n, m + 1, true, false, [&](std::uint32_t i, std::uint32_t j) {
+    const double u = 2.0 * M_PI * i / n;
+    return Vec3(radius * std::cos(u), radius * std::sin(u), height * j / m);
+  });
+  if (!closed) return s;
+  const auto low = static_cast<std::uint32_t>(s.points.size()), high = low + 1;
+  s.points.insert(s.points.end(), {Vec3(0, 0, 0), Vec3(0, 0, height)});
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t a = i * (m + 1), b = (i + 1) % n * (m + 1);
+    s.triangles.push_back({low, b, a});
+    s.triangles.push_back({high, a + m, b + m});
+  }
+  return s;
+}
+
+// Flat in z = 0, facing +z.
+inline TriangleSoup annulus(std::uint32_t n, std::uint32_t rings, double inner, double outer) {
+  return grid(rings + 1, n, false, true, [&](std::uint32_t i, std::uint32_t j) {
+    const double r = inner + (outer - inner) * i / rings, u = 2.0 * M_PI * j / n;
+    return Vec3(r * std::cos(u), r * std::sin(u), 0.0);
+  });
+}
+
+inline TriangleSoup disc(std::uint32_t n, std::uint32_t rings, double radius = 1.0) {
+  TriangleSoup s = annulus(n, rings - 1, radius / rings, radius);
+  const auto middle = static_cast<std::uint32_t>(s.points.size());
+  s.points.push_back(Vec3::Zero());
+  for (std::uint32_t j = 0; j < n; ++j) s.triangles.push_back({middle, j, (j + 1) % n});
+  return s;
+}
+
+// A strip of n × m cells with half a turn in it. Its cells are cut so that neighbours agree but for one line of cells.
+inline TriangleSoup moebiusStrip(std::uint32_t n, std::uint32_t m) {
+  TriangleSoup s = grid(n + 1, m + 1, false, false, [&](std::uint32_t i, std::uint32_t j) {
+    const double u = 2.0 * M_PI * i / n, v = 0.4 * (2.0 * j / m - 1.0), r = 1.0 + v * std::cos(u / 2.0);
+    return Vec3(r * std::cos(u), r * std::sin(u), v * std::sin(u / 2.0));
+  });
+  for (Triangle& t : s.triangles)  // the last line of points is the first one, upside down
+    for (std::uint32_t& v : t) v = v >= n * (m + 1) ? m - (v - n * (m + 1)) : v;
+  s.points.resize(n * (m + 1));
+  return s;
+}
+
+// The "figure eight" immersion; it passes through itself. m must be even.
+inline TriangleSoup kleinBottle(std::uint32_t n, std::uint32_t m) {
+  TriangleSoup s = grid(n + 1, m, false, true, [&](std::uint32_t i, std::uint32_t j) {
+    // Half a cell off, so that no point lies where the figure eight crosses itself.
+    const double u = 2.0 * M_PI * i / n, v = 2.0 * M_PI * (j + 0.5) / m;
+    const double r = 2.0 + std::cos(u / 2.0) * std::sin(v) - std::sin(u / 2.0) * std::sin(2.0 * v);
+    return Vec3(r * std::cos(u), r * std::sin(u),
+                std::sin(u / 2.0) * std::sin(v) + std::cos(u / 2.0) * std::sin(2.0 * v));
+  });
+  for (Triangle& t : s.triangles)
+    for (std::uint32_t& v : t) v = v >= n * m ? m - 1 - (v - n * m) : v;
+  s.points.resize(n * m);
+  return s;
+}
+
+// Radius between 0.8 and 1.2 over the sphere: embedded, since each ray from the middle meets it once.
+inline TriangleSoup bumpySphere(int levels) {
+  TriangleSoup s = icosphere(levels);
+  for (Vec3& p : s.points) {
+    p *= 1.0 + 0.2 * std::sin(4 * p.x() + 1) * std::sin(3 * p.y() + 2) * std::sin(5 * p.z() + 3);
+  }
+  return s;
+}
+
+inline TriangleSoup twoCubesSharingAnEdge() {
+  TriangleSoup s = cube();
+  append(s, cube(1.0, Vec3(1, 1, 0)));
+  return s;
+}
+
+inline TriangleSoup twoCubesSharingAVertex() {
+  TriangleSoup s = cube();
+  append(s, cube(1.0, Vec3(1, 1, 1)));
+  return s;
+}
+
+// Two rooms: a box twice as long as high, and one wall of two triangles across the middle.
+inline TriangleSoup boxWithInnerWall() {
+  TriangleSoup s = cube();
+  std::erase_if(s.triangles, [&](const Triangle& t) {  // the side x = 1
+    return s.points[t[0]].x() + s.points[t[1]].x() + s.points[t[2]].x() == 3.0;
+  });
+  TriangleSoup right = cube(1.0, Vec3(1, 0, 0));
+  append(s, right);  // its side x = 1 is the wall
+  return s;
+}
+
+// n directions spread evenly over the sphere.
+inline std::vector<Vec3> directions(int n) {
+  std::vector<Vec3> result;
+  for (int i = 0; i < n; ++i) {
+    const double z = 1.0 - (2.0 * i + 1.0) / n, u = M_PI * (3.0 - std::sqrt(5.0)) * i, r = std::sqrt(1.0 - z * z);
+    result.emplace_back(r * std::cos(u), r * std::sin(u), z);
+  }
+  return result;
+}
+
+// Without the triangles that have a corner nearer than the radius to the centre.
+inline TriangleSoup withHole(TriangleSoup s, const Vec3& centre, double radius) {
+  std::erase_if(s.triangles, [&](const Triangle& t) {
+    return std::any_of(t.begin(), t.end(), [&](std::uint32_t v) { return (s.points[v] - centre).norm() < radius; });
+  });
+  return s;
+}
+
+inline TriangleSoup sphereWithHoles(int levels, int holes, double radius) {
+  TriangleSoup s = icosphere(levels);
+  for (const Vec3& d : directions(holes)) s = withHole(std::move(s), d, radius);
+  return s;
+}
+
+// Triangles over points of a small grid, so that many share edges, coincide or have no area.
+inline TriangleSoup randomSoup(std::mt19937& random, std::size_t triangles, std::uint32_t steps) {
+  TriangleSoup s;
+  const auto coordinate = [&] { return static_cast<double>(random() % steps); };
+  for (std::uint32_t i = 0; i < 3 * triangles; ++i) s.points.emplace_back(coordinate(), coordinate(), coordinate());
+  for (std::uint32_t i = 0; i < triangles; ++i) s.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  return s;
+}
+
+}  // namespace handwheel::test

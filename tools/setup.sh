@@ -1,0 +1,80 @@
+# shellcheck shell=bash
+# SPDX-FileCopyrightText: 2026 The Handwheel developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# What ./run and ./check share. Sourced, with these set:
+: "${root:?the checkout}" "${assume_yes:?true: install packages without asking}"
+
+# packages_listed WHICH: names in packages.txt; WHICH is "basic" or "full" (all).
+packages_listed() {
+  local line
+  while IFS= read -r line; do
+    [[ $line =~ ^[a-z0-9] ]] || continue
+    [[ $1 == basic && $line == *"# full:"* ]] && continue
+    echo "${line%% *}"
+  done < "$root/tools/packages.txt"
+}
+
+packages_missing() {
+  local installed name
+  installed=$(dpkg-query -W -f='${db:Status-Abbrev}${Package}\n' | sed -n 's/^ii *//p' | sort -u)
+  for name in $(packages_listed "$1"); do
+    grep -qxF "$name" <<< "$installed" || echo "$name"
+  done
+}
+
+# Installs what is missing, after asking unless root or told not to.
+install_packages() {
+  if ! command -v dpkg-query apt-get > /dev/null; then
+    echo "This is not Debian or a relative of it; what is needed stands in tools/packages.txt." >&2
+    return 0
+  fi
+  local missing
+  mapfile -t missing < <(packages_missing "$1")
+  ((${#missing[@]})) || return 0
+
+  local sudo=()
+  if ((EUID != 0)); then
+    sudo=(sudo)
+    if [[ $assume_yes != true ]]; then
+      local answer=
+      read -r -p "Install ${missing[*]} with apt-get? [y/N] " answer || true
+      if [[ $answer != [yY]* ]]; then
+        echo "Missing packages: ${missing[*]}" >&2
+        return 1
+      fi
+    fi
+  fi
+  step "Package lists" packages "${sudo[@]}" apt-get update -q || true
+  step "Packages: ${missing[*]}" packages "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -q -y --no-install-recommends "${missing[@]}"
+}
+
+# step TITLE LOG COMMAND...: runs a command with its output in build/LOG.log, then prints the seconds it took, and the
+# errors if it failed.
+step() {
+  local title=$1 log=$root/build/$2.log start=$SECONDS status=0
+  shift 2
+  mkdir -p "$root/build"
+  printf '%s (%s) … ' "$title" "${log#"$root"/}"
+  "$@" > "$log" 2>&1 < /dev/null || status=$?
+  if ((status == 0)); then
+    echo "$((SECONDS - start)) s"
+    return 0
+  fi
+  echo "failed after $((SECONDS - start)) s"
+  grep -E -A 8 'error|FAILED|Error|^E:' "$log" | head -n 80 || tail -n 40 "$log"
+  return "$status"
+}
+
+# build PRESET TARGET...: configures where needed and builds. One build folder per preset.
+build() {
+  local preset=$1
+  shift
+  # ninja runs cmake again by itself when a list file changed; a moved checkout needs a new configuration.
+  if ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$root/build/$preset/CMakeCache.txt" 2> /dev/null ||
+    [[ ! -f $root/build/$preset/build.ninja ]]; then
+    step "Configure $preset" "configure-$preset" cmake --fresh -S "$root" --preset "$preset"
+  fi
+  step "Build $preset" "build-$preset" ninja -C "$root/build/$preset" "$@"
+}

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPushButton>
+
+class QAction;
+
+namespace handwheel {
+
+// A push button that stands for an action: text, tooltip, enabled and checked state are the action's.
+class ActionButton : public QPushButton {
+  Q_OBJECT
+
+ public:
+  enum class Rank { Primary, Ordinary, Quiet };
+
+  explicit ActionButton(QAction* action, Rank rank = Rank::Ordinary, QWidget* parent = nullptr);
+
+ private:
+  void follow(const QAction* action);
+};
+
+}  // namespace handwheel

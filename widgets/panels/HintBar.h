@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+namespace handwheel {
+
+// What a mouse button or key does now.
+struct Hint {
+  QString input;   // "Middle drag"
+  QString effect;  // "orbit"
+};
+
+// The line at the bottom that says what each input does. Shows as many hints as fit, in order.
+class HintBar : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit HintBar(QWidget* parent = nullptr);
+
+  void setHints(std::vector<Hint> hints);
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return {0, sizeHint().height()}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  std::vector<Hint> m_hints;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panels/HoleSettings.h"
+
+#include "panels/ActionButton.h"
+#include "text/RepairText.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+
+namespace handwheel {
+
+namespace {
+
+constexpr FillMethod kMethods[] = {FillMethod::Fair, FillMethod::Refined, FillMethod::Ear, FillMethod::Minimal};
+
+QComboBox* methodBox(QWidget* parent) {
+  auto* box = new QComboBox(parent);
+  box->setObjectName(QStringLiteral("fillMethod"));
+  box->setAccessibleName(HoleSettings::tr("Fill method"));
+  for (FillMethod method : kMethods) {
+    box->addItem(fillMethodName(method), static_cast<int>(method));
+    box->setItemData(box->count() - 1, fillMethodHint(method), Qt::ToolTipRole);
+  }
+  return box;
+}
+
+// A check box that stands for a checkable action.
+QCheckBox* checkBoxFor(QAction* action, QWidget* parent) {
+  auto* box = new QCheckBox(action->iconText(), parent);
+  box->setObjectName(action->objectName() + QStringLiteral("Check"));
+  box->setToolTip(action->toolTip());
+  box->setChecked(action->isChecked());
+  QObject::connect(box, &QCheckBox::clicked, action, &QAction::trigger);
+  QObject::connect(action, &QAction::toggled, box, &QCheckBox::setChecked);
+  return box;
+}
+
+}  // namespace
+
+HoleSettings::HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, QWidget* parent)
+    : QFrame(parent), m_name(new QLabel(this)), m_detail(new QLabel(this)), m_method(methodBox(this)),
+      m_status(new QLabel(this)) {
+  setObjectName(QStringLiteral("holeSettings"));
+  m_name->setProperty("strong", true);
+  m_detail->setProperty("muted", true);
+  m_status->setProperty("muted", true);
+  m_status->setObjectName(QStringLiteral("previewStatus"));
+  m_status->setWordWrap(true);
+  m_status->setMinimumHeight(m_status->fontMetrics().lineSpacing());
+  auto* methodLabel = new QLabel(tr("Method"), this);
+  methodLabel->setBuddy(m_method);
+
+  auto* title = new QHBoxLayout;
+  title->addWidget(m_name);
+  title->addStretch();
+  title->addWidget(m_detail);
+  auto* method = new QHBoxLayout;
+  method->setSpacing(8);
+  method->addWidget(methodLabel);
+  method->addWidget(m_method, 1);
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(8);
+  buttons->addWidget(new ActionButton(keepOpen, ActionButton::Rank::Ordinary, this), 1);
+  buttons->addWidget(new ActionButton(fill, ActionButton::Rank::Primary, this), 1);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 12, 12, 12);
+  column->setSpacing(8);
+  column->addLayout(title);
+  column->addLayout(method);
+  column->addWidget(checkBoxFor(preview, this));
+  column->addWidget(m_status);
+  column->addLayout(buttons);
+
+  connect(m_method, &QComboBox::currentIndexChanged, this, [this] {
+    m_method->setToolTip(fillMethodHint(this->method()));
+    emit methodChanged(this->method());
+  });
+  m_method->setToolTip(fillMethodHint(FillMethod::Fair));
+}
+
+FillMethod HoleSettings::method() const { return static_cast<FillMethod>(m_method->currentData().toInt()); }
+
+void HoleSettings::setMethod(FillMethod method) {
+  const QSignalBlocker quiet(m_method);
+  m_method->setCurrentIndex(m_method->findData(static_cast<int>(method)));
+}
+
+void HoleSettings::showLoop(const QString& name, const QString& detail) {
+  m_name->setText(name);
+  m_detail->setText(detail);
+}
+
+void HoleSettings::showPreview(const PreviewState& state) {
+  switch (state.kind) {
+    case PreviewState::Kind::Off:
+      return m_status->clear();
+    case PreviewState::Kind::Working:
+      return m_status->setText(tr("Computing the patch…"));
+    case PreviewState::Kind::Failed:
+      return m_status->setText(tr("Cannot be filled: %1.").arg(fillFailureReason(state.failure)));
+    case PreviewState::Kind::Ready:
+      break;
+  }
+  const QString size = tr("%n new triangle(s)", nullptr, static_cast<int>(state.triangles));
+  m_status->setText(state.method == method()
+                        ? size
+                        : tr("%1, by “%2” because the chosen method fits none").arg(size, fillMethodName(state.method)));
+}
+
+}  // namespace handwheel

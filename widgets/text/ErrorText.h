@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Error.h"
+
+#include <QString>
+
+namespace handwheel {
+
+// What went wrong and where, as one sentence: "scan.stl, line 12: 'abc' is not a number." The window and the command
+// line both use it, so numbers are written as in C and the text is English unless a translator is installed.
+QString errorSentence(const Error& error);
+
+// What the user can do about it, as one sentence. Empty for a cancelled job, where there is nothing to do.
+QString errorAdvice(const Error& error);
+
+}  // namespace handwheel

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "text/RepairText.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace handwheel {
+
+namespace {
+
+struct Text {
+  Q_DECLARE_TR_FUNCTIONS(RepairText)
+};
+
+int asInt(std::size_t n) {
+  return static_cast<int>(std::min<std::size_t>(n, std::numeric_limits<int>::max()));
+}
+
+}  // namespace
+
+QString fillMethodName(FillMethod method) {
+  switch (method) {
+    case FillMethod::Fair:
+      return Text::tr("Fair");
+    case FillMethod::Refined:
+      return Text::tr("Refined");
+    case FillMethod::Ear:
+      return Text::tr("Ear cutting");
+    case FillMethod::Minimal:
+      return Text::tr("Minimal area");
+    case FillMethod::Stitched:
+      return Text::tr("Stitched");
+  }
+  return {};
+}
+
+QString fillMethodHint(FillMethod method) {
+  switch (method) {
+    case FillMethod::Fair:
+      return Text::tr("Triangles as fine as the surroundings, bent to continue them. For scans.");
+    case FillMethod::Refined:
+      return Text::tr("Triangles as fine as the surroundings, not bent. For flat places.");
+    case FillMethod::Ear:
+      return Text::tr("Cuts one corner after the other; adds no vertices.");
+    case FillMethod::Minimal:
+      return Text::tr("The smallest possible area; adds no vertices.");
+    case FillMethod::Stitched:
+      return Text::tr("The borders were brought together.");
+  }
+  return {};
+}
+
+QString fillMethodWord(FillMethod method) {
+  switch (method) {
+    case FillMethod::Fair:
+      return QStringLiteral("fair");
+    case FillMethod::Refined:
+      return QStringLiteral("refined");
+    case FillMethod::Ear:
+      return QStringLiteral("ear");
+    case FillMethod::Minimal:
+      return QStringLiteral("minimal");
+    case FillMethod::Stitched:
+      break;  // cannot be asked for
+  }
+  return {};
+}
+
+QString fillFailureReason(FillFailure failure) {
+  switch (failure) {
+    case FillFailure::None:
+      return {};
+    case FillFailure::Cancelled:
+      return Text::tr("cancelled");
+    case FillFailure::Rim:
+      return Text::tr("it is the outer edge of an open sheet");
+    case FillFailure::KeptOpen:
+      return Text::tr("you keep it open");
+    case FillFailure::TooLong:
+      return Text::tr("it has more edges than allowed");
+    case FillFailure::NoPatch:
+      return Text::tr("no surface fits its edge");
+    case FillFailure::SelfIntersecting:
+      return Text::tr("every patch would cross the part");
+    case FillFailure::Swelling:
+      return Text::tr("every patch would bulge far out");
+  }
+  return {};
+}
+
+QString lostAttributeName(LostAttribute attribute) {
+  switch (attribute) {
+    case LostAttribute::Colour:
+      return Text::tr("colours");
+    case LostAttribute::Normals:
+      return Text::tr("normals");
+    case LostAttribute::TextureCoordinates:
+      return Text::tr("texture coordinates");
+    case LostAttribute::Materials:
+      return Text::tr("materials");
+    case LostAttribute::Groups:
+      return Text::tr("groups");
+    case LostAttribute::Lines:
+      return Text::tr("lines");
+    case LostAttribute::Points:
+      return Text::tr("single points");
+    case LostAttribute::Curves:
+      return Text::tr("curves");
+    case LostAttribute::Other:
+      return Text::tr("further attributes");
+  }
+  return {};
+}
+
+QStringList repairSummary(const RepairReport& report) {
+  QStringList parts;
+  const auto add = [&parts](std::size_t count, const auto& phrase) {
+    if (count > 0) parts << phrase(asInt(count));
+  };
+  add(report.turnedFaces, [](int n) { return Text::tr("%n triangle(s) turned over", nullptr, n); });
+  add(report.removedDegenerate, [](int n) { return Text::tr("%n triangle(s) without area removed", nullptr, n); });
+  add(report.removedDuplicates, [](int n) { return Text::tr("%n duplicate triangle(s) removed", nullptr, n); });
+  add(report.removedDebris, [](int n) { return Text::tr("%n triangle(s) of debris removed", nullptr, n); });
+  add(report.mergedVertices, [](int n) { return Text::tr("%n near point(s) merged", nullptr, n); });
+  add(report.partedVertices, [](int n) { return Text::tr("%n touching point(s) parted", nullptr, n); });
+  return parts;
+}
+
+QString lengthText(double millimetres) {
+  const double size = std::abs(millimetres);
+  const int decimals = size >= 100.0 ? 0 : size >= 10.0 ? 1 : 2;
+  return Text::tr("%1 mm").arg(QLocale::c().toString(millimetres, 'f', decimals));
+}
+
+}  // namespace handwheel

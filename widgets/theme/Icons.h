@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+#include <QIcon>
+
+namespace handwheel {
+
+// One of the drawings in resources/icons, by file name without ending. It is drawn with the text colour of the present
+// palette (the accent when checked), so it follows a change of theme by itself.
+QIcon icon(const QString& name);
+
+// The same in a colour of its own, for defects and states.
+QIcon icon(const QString& name, const QColor& colour);
+
+}  // namespace handwheel

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+
+class QApplication;
+
+namespace handwheel {
+
+enum class ThemeKind { Light, Dark };
+
+// The colours of one theme. Everything the program draws itself takes its colours from here.
+struct ThemeColours {
+  QColor window;  // bars and panels
+  QColor base;    // lists and fields
+  QColor raised;  // buttons, cards
+  QColor hover;   // what is under the cursor
+  QColor border;
+  QColor text;
+  QColor muted;       // second-rank text, at least 4.5:1 on window
+  QColor accent;      // the one accent: selection, the main button, progress
+  QColor accentText;  // on accent
+  QColor success;
+  QColor warning;
+  QColor error;
+};
+
+const ThemeColours& themeColours(ThemeKind kind);
+
+// The theme nearest to the desktop's palette. To be asked before applyTheme(), which replaces that palette.
+ThemeKind systemTheme();
+
+// The theme of the application's present palette.
+ThemeKind currentTheme();
+
+// Style, palette and style sheet. May be called again at any time to switch.
+void applyTheme(QApplication& application, ThemeKind kind);
+
+}  // namespace handwheel

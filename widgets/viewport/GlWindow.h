@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QSize>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+
+class QOpenGLContext;
+class QOpenGLWidget;
+class vtkRenderer;
+
+namespace handwheel {
+
+// Lets VTK draw inside a QOpenGLWidget. VTK renders to framebuffers of its own, which are then copied to the widget's.
+// All calls need the widget's context current, but for the constructor.
+class GlWindow {
+ public:
+  explicit GlWindow(vtkRenderer* renderer);
+  ~GlWindow();
+
+  // For each new context; a widget gets another when it moves to another window.
+  void attach(QOpenGLContext* context);
+  // Frees what belongs to the context, before that goes.
+  void detach();
+  bool isAttached() const { return m_context != nullptr; }
+  // size in device pixels.
+  void draw(QOpenGLWidget* widget, const QSize& size);
+
+ private:
+  void makeContextCurrent();
+  void reportIsCurrent(vtkObject* caller, unsigned long event, void* isCurrent);
+
+  vtkNew<vtkGenericOpenGLRenderWindow> m_window;
+  QOpenGLContext* m_context = nullptr;
+};
+
+}  // namespace handwheel

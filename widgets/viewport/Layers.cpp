@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewport/Layers.h"
+
+#include <vtkProperty.h>
+#include <vtkShaderProperty.h>
+
+namespace handwheel {
+
+Layer::Layer(vtkRenderer* renderer, double lift) : m_lift(lift) {
+  m_actor->SetMapper(m_mapper);
+  m_actor->SetVisibility(false);
+  m_actor->PickableOff();
+  m_mapper->SetColorModeToDirectScalars();
+  renderer->AddActor(m_actor);
+}
+
+void Layer::setData(vtkPolyData* data) {
+  m_mapper->SetInputData(data);
+  m_actor->SetVisibility(true);
+}
+
+void Layer::prepare(const LayerFrame& frame) {
+  if (!m_actor->GetVisibility()) return;
+  const Vec3 shift = m_lift * frame.unitsPerPixel * frame.towardsViewer;
+  m_actor->SetPosition(shift.x(), shift.y(), shift.z());
+}
+
+StrokeLayer::StrokeLayer(vtkRenderer* renderer, double lift, double width)
+    : m_segments(renderer, lift), m_dots(renderer, lift), m_width(width) {
+  m_segments.property()->LightingOff();
+  m_dots.property()->LightingOff();
+  // As tubes, VTK widens lines itself; core contexts refuse glLineWidth above one.
+  m_segments.property()->RenderLinesAsTubesOn();
+  // Round dots. VTK's own round points are spheres with depth, which would stand out of the lines that they join.
+  m_dots.actor()->GetShaderProperty()->AddFragmentShaderReplacement(
+      "//VTK::Color::Impl", true,
+      "//VTK::Color::Impl\n  if (length(gl_PointCoord - vec2(0.5)) > 0.5) discard;\n", false);
+}
+
+void StrokeLayer::set(const std::vector<Stroke>& strokes, const Vec3& origin) {
+  PolyDataBuilder segments(origin), dots(origin);
+  for (const Stroke& stroke : strokes) {
+    const std::size_t n = stroke.points.size();
+    if (n == 0) continue;
+    std::int32_t previous = -1;
+    const std::int32_t first = segments.addPoint(stroke.points[0], stroke.colour);
+    for (std::size_t i = 0; i < n; ++i) {
+      dots.addCell({dots.addPoint(stroke.points[i], stroke.colour)});
+      const std::int32_t p = i == 0 ? first : segments.addPoint(stroke.points[i], stroke.colour);
+      if (previous >= 0) segments.addCell({previous, p});
+      previous = p;
+    }
+    if (stroke.closed && n > 1) segments.addCell({previous, first});
+  }
+  dots.isEmpty() ? m_dots.hide() : m_dots.setData(dots.build(PolyDataBuilder::Kind::Points));
+  segments.isEmpty() ? m_segments.hide() : m_segments.setData(segments.build(PolyDataBuilder::Kind::Segments));
+}
+
+void StrokeLayer::prepare(const LayerFrame& frame) {
+  const auto width = static_cast<float>(m_width * frame.pixelRatio);
+  m_segments.property()->SetLineWidth(width);
+  m_dots.property()->SetPointSize(width);
+  m_segments.prepare(frame);
+  m_dots.prepare(frame);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewport/Marks.h"
+
+#include <vtkProperty.h>
+
+namespace handwheel {
+
+namespace {
+
+QColor mixed(const QColor& a, const QColor& b, float share) {
+  return QColor::fromRgbF(a.redF() + (b.redF() - a.redF()) * share, a.greenF() + (b.greenF() - a.greenF()) * share,
+                          a.blueF() + (b.blueF() - a.blueF()) * share);
+}
+
+QColor withAlpha(QColor c, float alpha) {
+  c.setAlphaF(alpha);
+  return c;
+}
+
+void setOverlayMaterial(vtkProperty* property) {
+  property->SetAmbient(0.45);
+  property->SetDiffuse(0.6);
+  property->SetSpecular(0.0);
+}
+
+void show(Layer& layer, const PolyDataBuilder& triangles) {
+  triangles.isEmpty() ? layer.hide() : layer.setData(triangles.build(PolyDataBuilder::Kind::Triangles));
+}
+
+}  // namespace
+
+CasedStrokes::CasedStrokes(vtkRenderer* renderer, double lift, double width, double rim)
+    // Strokes bulge towards the viewer by up to their width, where they recede; the core must stand before that.
+    : m_rim(renderer, lift, width + 2 * rim), m_core(renderer, lift + width + 2 * rim + 0.5, width) {}
+
+void CasedStrokes::set(std::vector<Stroke> strokes, const QColor& rim, const Vec3& origin) {
+  m_core.set(strokes, origin);
+  for (Stroke& s : strokes) s.colour = mixed(s.colour, rim, 0.8f);
+  m_rim.set(strokes, origin);
+}
+
+void CasedStrokes::prepare(const LayerFrame& frame) {
+  m_rim.prepare(frame);
+  m_core.prepare(frame);
+}
+
+Marks::Marks(vtkRenderer* renderer)
+    : m_colours(sceneColours(false)),
+      m_faces(renderer, 1.0),
+      m_hovered(renderer, 1.5),
+      m_preview(renderer, 1.5),
+      m_previewEdges(renderer, 2.0, 1.0),
+      m_plainLoops(renderer, 3.0, 3.0, 1.0),
+      m_strongLoops(renderer, 4.0, 5.0, 2.5),
+      m_lines(renderer, 4.0, 3.0, 1.0),
+      m_points(renderer, 6.0, 8.0, 1.5) {
+  for (Layer* layer : {&m_faces, &m_hovered, &m_preview}) setOverlayMaterial(layer->property());
+}
+
+void Marks::setLoops(std::vector<LoopMark> loops) {
+  m_loops = std::move(loops);
+  rebuildLoops();
+}
+
+void Marks::setFaceMarks(std::vector<FaceMark> marks) {
+  m_faceMarks = std::move(marks);
+  rebuildFaces();
+}
+
+void Marks::setPointMarks(std::vector<PointMark> marks) {
+  m_pointMarks = std::move(marks);
+  rebuildPoints();
+}
+
+void Marks::setLineMarks(std::vector<LineMark> marks) {
+  m_lineMarks = std::move(marks);
+  rebuildLines();
+}
+
+void Marks::setPreview(std::vector<Vec3> points, std::vector<Triangle> triangles) {
+  m_previewPoints = std::move(points);
+  m_previewTriangles = std::move(triangles);
+  rebuildPreview();
+}
+
+void Marks::setHovered(int listLoop, int cursorLoop, Face face) {
+  const bool loopsChange = listLoop != m_listLoop || cursorLoop != m_cursorLoop;
+  const bool faceChanges = face != m_hoveredFace;
+  m_listLoop = listLoop;
+  m_cursorLoop = cursorLoop;
+  m_hoveredFace = face;
+  if (loopsChange) rebuildLoops();
+  if (faceChanges) rebuildHoveredFace();
+}
+
+void Marks::setColours(const SceneColours& colours) {
+  m_colours = colours;
+  rebuildAll();
+}
+
+void Marks::setMesh(const HalfEdgeMesh& mesh, const Vec3& origin) {
+  const bool hasMoved = m_origin != origin;
+  m_mesh = mesh;
+  m_origin = origin;
+  if (hasMoved) return rebuildAll();
+  rebuildFaces();
+  rebuildHoveredFace();
+}
+
+void Marks::prepare(const LayerFrame& frame) {
+  for (Layer* layer : {&m_faces, &m_hovered, &m_preview}) layer->prepare(frame);
+  m_previewEdges.prepare(frame);
+  for (CasedStrokes* strokes : {&m_plainLoops, &m_strongLoops, &m_lines, &m_points}) strokes->prepare(frame);
+}
+
+void Marks::rebuildAll() {
+  rebuildLoops();
+  rebuildFaces();
+  rebuildHoveredFace();
+  rebuildPoints();
+  rebuildLines();
+  rebuildPreview();
+}
+
+void Marks::rebuildLoops() {
+  std::vector<Stroke> plain, strong;
+  for (const LoopMark& loop : m_loops) {
+    const bool isHovered = loop.id >= 0 && (loop.id == m_listLoop || loop.id == m_cursorLoop);
+    (loop.emphasised || isHovered ? strong : plain).push_back({loop.points, true, loop.colour});
+  }
+  m_plainLoops.set(std::move(plain), m_colours.casing, m_origin);
+  m_strongLoops.set(std::move(strong), QColor(Qt::white), m_origin);
+}
+
+// The face's triangle with colours at its corners; nothing for a face that an edit has removed meanwhile.
+void Marks::addFace(PolyDataBuilder& builder, Face face, const QColor& colour) const {
+  if (face >= m_mesh.faceSlots() || !m_mesh.isLive(face)) return;
+  const Triangle& t = m_mesh.triangle(face);
+  const auto corner = [&](int k) { return builder.addPoint(m_mesh.position(t[k]), colour); };
+  const std::int32_t a = corner(0), b = corner(1), c = corner(2);
+  builder.addCell({a, b, c});
+}
+
+void Marks::rebuildFaces() {
+  PolyDataBuilder triangles(m_origin);
+  for (const FaceMark& mark : m_faceMarks) {
+    for (const Face f : mark.faces) addFace(triangles, f, mark.colour);
+  }
+  show(m_faces, triangles);
+}
+
+void Marks::rebuildHoveredFace() {
+  PolyDataBuilder triangles(m_origin);
+  addFace(triangles, m_hoveredFace, withAlpha(m_colours.accent, 0.45f));
+  show(m_hovered, triangles);
+}
+
+void Marks::rebuildPoints() {
+  std::vector<Stroke> dots;
+  for (const PointMark& mark : m_pointMarks) {
+    for (const Vec3& p : mark.points) dots.push_back({{&p, 1}, false, mark.colour});
+  }
+  m_points.set(std::move(dots), m_colours.casing, m_origin);
+}
+
+void Marks::rebuildLines() {
+  std::vector<std::array<Vec3, 2>> ends;
+  std::vector<QColor> colours;
+  for (const LineMark& mark : m_lineMarks) {
+    for (const auto& [a, b] : mark.segments) {
+      ends.push_back({a, b});
+      colours.push_back(mark.colour);
+    }
+  }
+  std::vector<Stroke> strokes;
+  for (std::size_t i = 0; i < ends.size(); ++i) strokes.push_back({ends[i], false, colours[i]});
+  m_lines.set(std::move(strokes), m_colours.casing, m_origin);
+}
+
+void Marks::rebuildPreview() {
+  PolyDataBuilder triangles(m_origin);
+  for (const Vec3& p : m_previewPoints) triangles.addPoint(p, withAlpha(m_colours.accent, 0.6f));
+  std::vector<std::array<Vec3, 3>> outlines;
+  for (const auto& [a, b, c] : m_previewTriangles) {
+    triangles.addCell({static_cast<std::int32_t>(a), static_cast<std::int32_t>(b), static_cast<std::int32_t>(c)});
+    outlines.push_back({m_previewPoints[a], m_previewPoints[b], m_previewPoints[c]});
+  }
+  show(m_preview, triangles);
+  std::vector<Stroke> edges;
+  for (const auto& outline : outlines) edges.push_back({outline, true, m_colours.accent.darker(140)});
+  m_previewEdges.set(edges, m_origin);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "viewport/Layers.h"
+#include "viewport/Lighting.h"
+#include "viewport/ViewportTypes.h"
+
+namespace handwheel {
+
+// A stroke with a rim of another colour around it, so that it reads on every surface and background.
+class CasedStrokes {
+ public:
+  CasedStrokes(vtkRenderer* renderer, double lift, double width, double rim);
+
+  void set(std::vector<Stroke> strokes, const QColor& rim, const Vec3& origin);
+  void prepare(const LayerFrame& frame);
+
+ private:
+  StrokeLayer m_rim;
+  StrokeLayer m_core;
+};
+
+// All that is drawn over the model.
+class Marks {
+ public:
+  explicit Marks(vtkRenderer* renderer);
+
+  void setLoops(std::vector<LoopMark> loops);
+  void setFaceMarks(std::vector<FaceMark> marks);
+  void setPointMarks(std::vector<PointMark> marks);
+  void setLineMarks(std::vector<LineMark> marks);
+  void setPreview(std::vector<Vec3> points, std::vector<Triangle> triangles);
+  const std::vector<LoopMark>& loops() const { return m_loops; }
+
+  // The loops to be drawn as hovered and the face under the cursor; -1 and kNone for none.
+  void setHovered(int listLoop, int cursorLoop, Face face);
+  void setColours(const SceneColours& colours);
+  // The mesh that face marks refer to, and the point that stands at the origin of the drawing.
+  void setMesh(const HalfEdgeMesh& mesh, const Vec3& origin);
+
+  void prepare(const LayerFrame& frame);
+
+ private:
+  void rebuildAll();
+  void rebuildLoops();
+  void rebuildFaces();
+  void rebuildHoveredFace();
+  void rebuildPoints();
+  void rebuildLines();
+  void rebuildPreview();
+  void addFace(PolyDataBuilder& builder, Face face, const QColor& colour) const;
+
+  HalfEdgeMesh m_mesh;  // shares its pages with the viewport's copy
+  Vec3 m_origin = Vec3::Zero();
+  SceneColours m_colours;
+  std::vector<LoopMark> m_loops;
+  std::vector<FaceMark> m_faceMarks;
+  std::vector<PointMark> m_pointMarks;
+  std::vector<LineMark> m_lineMarks;
+  std::vector<Vec3> m_previewPoints;
+  std::vector<Triangle> m_previewTriangles;
+  int m_listLoop = -1;
+  int m_cursorLoop = -1;
+  Face m_hoveredFace = kNone;
+
+  Layer m_faces;
+  Layer m_hovered;
+  Layer m_preview;
+  StrokeLayer m_previewEdges;
+  CasedStrokes m_plainLoops;
+  CasedStrokes m_strongLoops;
+  CasedStrokes m_lines;
+  CasedStrokes m_points;
+};
+
+}  // namespace handwheel

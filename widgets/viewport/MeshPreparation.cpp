@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewport/MeshPreparation.h"
+
+#include <QPromise>
+#include <QThreadPool>
+
+namespace handwheel {
+
+namespace {
+
+constexpr std::size_t kSmallMesh = 200000;       // faces that even software rendering turns without a stand-in
+constexpr std::size_t kCoarseTriangles = 80000;  // of the stand-in
+constexpr std::size_t kBlocksAtOnce = 2;
+
+// Runs work(promise) on a worker and returns the watcher of its future.
+template <class T, class Work>
+std::unique_ptr<QFutureWatcher<T>> run(Work work) {
+  auto promise = std::make_shared<QPromise<T>>();
+  auto watcher = std::make_unique<QFutureWatcher<T>>();
+  watcher->setFuture(promise->future());
+  promise->start();
+  QThreadPool::globalInstance()->start([promise, work = std::move(work)] {
+    work(*promise);
+    promise->finish();
+  });
+  return watcher;
+}
+
+template <class T>
+void drop(std::unique_ptr<QFutureWatcher<T>>& watcher) {
+  if (watcher) watcher->cancel();
+  watcher.reset();
+}
+
+}  // namespace
+
+void MeshPreparation::startAll(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin) {
+  cancel();
+  for (std::size_t b = 0; b < blockCount(mesh); ++b) m_owed.insert(b);
+  startBlocks(mesh, origin);
+  startRest(mesh, bounds, origin);
+}
+
+void MeshPreparation::startSome(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin,
+                                const std::vector<std::size_t>& blocks) {
+  m_owed.insert(blocks.begin(), blocks.end());
+  if (m_owed.size() <= kBlocksAtOnce) {
+    drop(m_blocks);
+    const std::set<std::size_t> owed = m_owed;
+    for (const std::size_t b : owed) deliver({b, std::make_shared<SurfaceGeometry>(blockGeometry(mesh, b, origin))});
+  } else {
+    startBlocks(mesh, origin);
+  }
+  startRest(mesh, bounds, origin);
+}
+
+void MeshPreparation::cancel() {
+  drop(m_blocks);
+  drop(m_rest);
+  m_owed.clear();
+}
+
+void MeshPreparation::finishBlocks() {
+  if (!m_blocks) return;
+  m_blocks->waitForFinished();
+  for (const Block& block : m_blocks->future().results()) deliver(block);
+}
+
+void MeshPreparation::startBlocks(const HalfEdgeMesh& mesh, const Vec3& origin) {
+  drop(m_blocks);
+  const std::vector<std::size_t> owed(m_owed.begin(), m_owed.end());
+  m_blocks = run<Block>([mesh, origin, owed](QPromise<Block>& promise) {
+    for (const std::size_t b : owed) {
+      if (promise.isCanceled()) return;
+      promise.addResult(Block{b, std::make_shared<SurfaceGeometry>(blockGeometry(mesh, b, origin))});
+    }
+  });
+  QObject::connect(m_blocks.get(), &QFutureWatcherBase::resultReadyAt, m_blocks.get(),
+                   [this](int i) { deliver(m_blocks->resultAt(i)); });
+}
+
+void MeshPreparation::startRest(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin) {
+  drop(m_rest);
+  m_rest = run<Rest>([mesh, bounds, origin](QPromise<Rest>& promise) {
+    Rest rest;
+    if (mesh.faceSlots() > kSmallMesh) {
+      rest.coarse = std::make_shared<SurfaceGeometry>(coarseGeometry(mesh, bounds, origin, kCoarseTriangles));
+    }
+    if (promise.isCanceled()) return;
+    rest.index = std::make_shared<const PickIndex>(mesh);
+    promise.addResult(std::move(rest));
+  });
+  QObject::connect(m_rest.get(), &QFutureWatcherBase::resultReadyAt, m_rest.get(), [this](int) {
+    const Rest rest = m_rest->result();
+    if (rest.coarse) m_receivers.coarse(std::move(*rest.coarse));
+    m_receivers.index(rest.index);
+  });
+}
+
+void MeshPreparation::deliver(const Block& block) {
+  if (m_owed.erase(block.number) == 0) return;  // already handed over by finishBlocks()
+  m_receivers.block(block.number, std::move(*block.geometry));
+}
+
+}  // namespace handwheel

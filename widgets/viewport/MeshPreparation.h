@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "viewport/Picking.h"
+#include "viewport/SurfaceGeometry.h"
+
+#include <QFutureWatcher>
+#include <functional>
+#include <set>
+
+namespace handwheel {
+
+// Builds on worker threads what drawing and picking need of a mesh: blocks, a coarse stand-in and the search structure.
+// Works on a snapshot; results come to the window thread, and none of a mesh that has been replaced meanwhile.
+class MeshPreparation {
+ public:
+  using Index = std::shared_ptr<const PickIndex>;
+  struct Receivers {
+    std::function<void(std::size_t block, SurfaceGeometry)> block;
+    std::function<void(SurfaceGeometry)> coarse;
+    std::function<void(Index)> index;
+  };
+
+  explicit MeshPreparation(Receivers receivers) : m_receivers(std::move(receivers)) {}
+  ~MeshPreparation() { cancel(); }
+
+  // All blocks of the mesh and the rest. Drops what is under way.
+  void startAll(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin);
+  // After an edit: the given blocks, those still owed of the state before, and the rest. One or two blocks are built
+  // before this returns, so that the picture does not lag behind an edit.
+  void startSome(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin, const std::vector<std::size_t>& blocks);
+  void cancel();
+  // Waits for the blocks and hands them over.
+  void finishBlocks();
+
+ private:
+  struct Block {
+    std::size_t number;
+    std::shared_ptr<SurfaceGeometry> geometry;  // shared, as futures hand out copies
+  };
+  struct Rest {
+    std::shared_ptr<SurfaceGeometry> coarse;  // null where the mesh is small
+    Index index;
+  };
+
+  void startBlocks(const HalfEdgeMesh& mesh, const Vec3& origin);
+  void startRest(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin);
+  void deliver(const Block& block);
+
+  Receivers m_receivers;
+  std::set<std::size_t> m_owed;  // blocks not yet delivered
+  // A watcher serves one run; destroying it drops the results that are on their way.
+  std::unique_ptr<QFutureWatcher<Block>> m_blocks;
+  std::unique_ptr<QFutureWatcher<Rest>> m_rest;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewport/Snapshot.h"
+
+#include "viewport/DisplayCheck.h"
+#include "viewport/Scene.h"
+
+#include <QImage>
+#include <QSaveFile>
+#include <algorithm>
+#include <vtkRenderWindow.h>
+#include <vtkUnsignedCharArray.h>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kShare = 0.86;  // of the picture, filled by the model
+
+Error writeFailed(std::string reason, const std::filesystem::path& png) {
+  return {ErrorCode::WriteFailed, {std::move(reason)}, {}, png.string()};
+}
+
+// Twice the vector area of the loop.
+Vec3 vectorArea(const std::vector<Vec3>& loop) {
+  Vec3 area = Vec3::Zero();
+  for (std::size_t i = 0; i < loop.size(); ++i) area += (loop[i] - loop[0]).cross(loop[(i + 1) % loop.size()] - loop[0]);
+  return area;
+}
+
+// Away from the model, across the largest loop; zero when there is no loop with an area. The direction in which a loop
+// is given is not relied upon: outside is where the middle of the model is not.
+Vec3 outwardOfLargest(const std::vector<LoopMark>& loops, const Box& bounds) {
+  Vec3 best = Vec3::Zero();
+  for (const LoopMark& loop : loops) {
+    if (loop.points.empty()) continue;
+    Vec3 area = vectorArea(loop.points);
+    if (area.squaredNorm() <= best.squaredNorm()) continue;
+    Vec3 middle = Vec3::Zero();
+    for (const Vec3& p : loop.points) middle += p / static_cast<double>(loop.points.size());
+    best = area.dot(middle - bounds.center()) < 0 ? Vec3(-area) : area;
+  }
+  return best;
+}
+
+CameraState bestCamera(const std::vector<LoopMark>& loops, const Scene& scene, const Vec2& size) {
+  CameraState camera;
+  camera.orientation = turnedTowards(orientationOf(StandardView::Isometric), outwardOfLargest(loops, scene.bounds()));
+  return CameraNavigation(camera, size).fitted(scene.outline(), kShare);
+}
+
+QImage render(Scene& scene, int width, int height) {
+  const auto window = vtkSmartPointer<vtkRenderWindow>::New();
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(0);
+  window->SetSize(width, height);
+  window->AddRenderer(scene.renderer());
+  window->Render();
+  vtkNew<vtkUnsignedCharArray> pixels;
+  window->GetPixelData(0, 0, width - 1, height - 1, 0, pixels);
+  window->RemoveRenderer(scene.renderer());
+  if (pixels->GetNumberOfTuples() != vtkIdType{width} * height) return {};
+  const QImage picture(pixels->GetPointer(0), width, height, 3 * width, QImage::Format_RGB888);
+  return picture.mirrored();  // rows come from below; this copies
+}
+
+Status save(const QImage& picture, const std::filesystem::path& png) {
+  QSaveFile file(QString::fromStdString(png.string()));
+  if (!file.open(QIODevice::WriteOnly) || !picture.save(&file, "PNG") || !file.commit()) {
+    return writeFailed(file.errorString().toStdString(), png);
+  }
+  return Done{};
+}
+
+}  // namespace
+
+Status renderToFile(const HalfEdgeMesh& mesh, const std::vector<LoopMark>& loops, const std::filesystem::path& png,
+                    int width, int height) {
+  if (width < 1 || height < 1) return writeFailed("the picture has no pixels", png);
+  const std::string problem = displayProblem();
+  if (!problem.empty()) return writeFailed(problem, png);
+
+  Scene scene;
+  scene.setMesh(mesh);
+  for (std::size_t b = 0; b < blockCount(mesh); ++b) {
+    scene.blocks().enqueue(b, blockGeometry(mesh, b, scene.origin()));
+    scene.blocks().takeOne();
+  }
+  scene.marks().setLoops(loops);
+  const Vec2 size(width, height);
+  scene.prepare(bestCamera(loops, scene, size), size, 1.0);
+  const QImage picture = render(scene, width, height);
+  if (picture.isNull()) return writeFailed("the picture could not be rendered", png);
+  return save(picture, png);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewport/Overlay.h"
+#include "viewport/ViewportPrivate.h"
+
+#include <QElapsedTimer>
+#include <QGuiApplication>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+#include <QSurfaceFormat>
+#include <qopenglcontext_platform.h>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kUnevenFrameMs = 30.0;  // from here on, edges are not smoothed while the camera moves
+constexpr double kSlowFrameMs = 60.0;    // from here on, the stand-in follows the mouse instead of the model
+
+bool isUsable(const QOpenGLContext& context) {
+  const QSurfaceFormat format = context.format();
+  return context.nativeInterface<QNativeInterface::QGLXContext>() != nullptr &&
+         std::pair(format.majorVersion(), format.minorVersion()) >= std::pair(3, 2);
+}
+
+}  // namespace
+
+void Viewport::prepareApplication() {
+  if (!qEnvironmentVariableIsSet("QT_XCB_GL_INTEGRATION")) qputenv("QT_XCB_GL_INTEGRATION", "xcb_glx");
+  // Under Wayland the X server that comes with it serves; without one, graphicsFailed() tells.
+  const bool hasX = !qEnvironmentVariableIsEmpty("DISPLAY");
+  if (hasX && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "xcb");
+  QSurfaceFormat format;
+  format.setVersion(3, 2);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  format.setDepthBufferSize(24);
+  format.setStencilBufferSize(8);
+  format.setSamples(0);
+  QSurfaceFormat::setDefaultFormat(format);
+}
+
+QString Viewport::platformProblem() {
+  if (QGuiApplication::platformName() == QLatin1String("xcb")) return {};
+  return tr("The 3D view needs an X server, and this session runs on “%1”. Start the program in an X11 session, or in a "
+            "Wayland session with Xwayland.")
+      .arg(QGuiApplication::platformName());
+}
+
+Viewport::~Viewport() {
+  if (!context()) return;
+  disconnect(context(), nullptr, this, nullptr);
+  makeCurrent();
+  d->glWindow.detach();
+  doneCurrent();
+}
+
+void Viewport::Private::report(const QString& what) {
+  if (problem == what) return;
+  problem = what;
+  if (!problem.isEmpty()) emit q->graphicsFailed(problem);
+}
+
+void Viewport::Private::detachGl() {
+  q->makeCurrent();
+  glWindow.detach();
+  q->doneCurrent();
+}
+
+// May run again, with another context, after the widget has moved to another window.
+void Viewport::initializeGL() {
+  if (!isUsable(*context())) {
+    d->report(tr("The 3D view needs OpenGL 3.2 through an X server (GLX), which this session does not offer. Start the "
+                 "program in an X11 session, or in a Wayland session with Xwayland."));
+    return;
+  }
+  d->report({});
+  connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] { d->detachGl(); });
+  d->glWindow.attach(context());
+}
+
+void Viewport::showEvent(QShowEvent* event) {
+  QOpenGLWidget::showEvent(event);
+  // Without a context, initializeGL() is never called; by the next turn of the event loop it must have been.
+  QTimer::singleShot(0, this, [this] {
+    if (isVisible() && !isValid()) {
+      d->report(tr("The 3D view could not start: the display offers no OpenGL. Check the graphics driver, or whether "
+                   "the X server provides GLX."));
+    }
+  });
+}
+
+void Viewport::resizeGL(int, int) {}
+
+void Viewport::paintGL() {
+  if (!d->glWindow.isAttached()) return;
+  d->draw();
+  QPainter painter(this);
+  paintOverlay(painter, size(), d->camera, d->scene.colours());
+}
+
+// While the camera moves, a slow display gives up first the smoothing of edges, then the fine triangles.
+void Viewport::Private::draw() {
+  const int builtBefore = scene.blocks().builtCount();
+  if (scene.blocks().takeOne()) q->update();
+  const bool isReduced = isMoving() && fullFrameMs > kSlowFrameMs;
+  scene.blocks().setReduced(isReduced);
+  const bool isSmooth = !isMoving() || fullFrameMs <= kUnevenFrameMs;
+  scene.renderer()->SetUseFXAA(isSmooth);
+  const double ratio = q->devicePixelRatioF();
+  scene.prepare(camera, size(), ratio);
+
+  QElapsedTimer timer;
+  timer.start();
+  glWindow.draw(q, (QSizeF(q->size()) * ratio).toSize());
+  // Software rendering works on after the call returns.
+  q->context()->functions()->glFinish();
+  const bool isTypical = isSmooth && !isReduced && scene.blocks().builtCount() == builtBefore;
+  if (isTypical) fullFrameMs = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+}
+
+QImage Viewport::grabImage() {
+  d->preparation.finishBlocks();
+  while (d->scene.blocks().takeOne()) {
+  }
+  return grabFramebuffer();
+}
+
+}  // namespace handwheel
