@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/AtomicFile.h"
 
+#include <fcntl.h>
+#include <unistd.h>
 #include <QFile>
 #include <QSaveFile>
 #include <cerrno>
 #include <cstring>
-#include <fcntl.h>
-#include <unistd.h>
 
 namespace handwheel {
 
@@ -19,7 +19,9 @@ Error writeFailed(const std::filesystem::path& path, std::string reason) {
   return {ErrorCode::WriteFailed, {std::move(reason)}, {}, path.string()};
 }
 
-std::string systemReason() { return std::strerror(errno); }
+std::string systemReason() {
+  return std::strerror(errno);
+}
 
 // The path itself, or what the link leads to, which need not exist.
 std::filesystem::path linkTarget(const std::filesystem::path& path) {
@@ -28,7 +30,8 @@ std::filesystem::path linkTarget(const std::filesystem::path& path) {
   return ignored || resolved.empty() ? path : resolved;
 }
 
-// Straight to the descriptor: QSaveFile loses the reason ("Unknown error") when a disk fills up half-way through a block.
+// Straight to the descriptor: QSaveFile loses the reason ("Unknown error") when a disk fills up half-way through a
+// block.
 bool writeAll(int descriptor, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());

@@ -11,8 +11,8 @@
 namespace handwheel {
 
 // Replaces a file's content atomically and durably: temporary file beside it, fsync, rename, fsync of the folder. A
-// symbolic link stays and its target is replaced. Looks at the cancel flag between blocks of 1 MiB; a cancelled or failed
-// write leaves nothing behind. Errors: WriteFailed {system's reason}, Cancelled.
+// symbolic link stays and its target is replaced. Looks at the cancel flag between blocks of 1 MiB; a cancelled or
+// failed write leaves nothing behind. Errors: WriteFailed {system's reason}, Cancelled.
 Status writeFileAtomically(const std::filesystem::path& path, std::string_view bytes, Progress progress = {});
 
 }  // namespace handwheel

@@ -25,9 +25,13 @@ MeshDocument::MeshDocument(QString path, MeshFile file, BuiltMesh built, QObject
 }
 
 // A dying history says that it is clean; nobody may hear it from a document that is half gone.
-MeshDocument::~MeshDocument() { m_history.disconnect(); }
+MeshDocument::~MeshDocument() {
+  m_history.disconnect();
+}
 
-QString MeshDocument::name() const { return QFileInfo(m_path).fileName(); }
+QString MeshDocument::name() const {
+  return QFileInfo(m_path).fileName();
+}
 
 void MeshDocument::markSaved(const QString& path, MeshFormat format) {
   m_path = path;
@@ -43,7 +47,9 @@ bool MeshDocument::commit(const QString& text, const HalfEdgeMesh& after) {
   return true;
 }
 
-bool MeshDocument::isKeptOpen(const BoundaryLoop& loop) const { return m_keptOpen.count(keyOf(loop)) != 0; }
+bool MeshDocument::isKeptOpen(const BoundaryLoop& loop) const {
+  return m_keptOpen.count(keyOf(loop)) != 0;
+}
 
 void MeshDocument::setKeptOpen(const BoundaryLoop& loop, bool keep) {
   if (isKeptOpen(loop) != keep) m_history.push(new KeepOpenCommand(*this, keyOf(loop), keep));

@@ -25,14 +25,14 @@ class MeshDocument : public QObject {
   ~MeshDocument() override;
 
   const HalfEdgeMesh& mesh() const { return m_mesh; }
-  const Defects& defects() const { return m_defects; }           // of the present mesh
-  const BuildReport& buildReport() const { return m_build; }     // of the file as it was opened
+  const Defects& defects() const { return m_defects; }        // of the present mesh
+  const BuildReport& buildReport() const { return m_build; }  // of the file as it was opened
   // Faces turned over on opening that are still there.
   const std::vector<Face>& turnedFaces() const { return m_turnedFaces; }
-  std::uint64_t revision() const { return m_revision; }          // grows with every change, undo and redo included
+  std::uint64_t revision() const { return m_revision; }  // grows with every change, undo and redo included
 
   QString path() const { return m_path; }
-  QString name() const;                                           // file name
+  QString name() const;  // file name
   MeshFormat format() const { return m_format; }
   NumberType numbers() const { return m_numbers; }
   const std::vector<Error>& damage() const { return m_damage; }

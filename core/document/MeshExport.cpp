@@ -9,7 +9,9 @@ namespace handwheel {
 
 namespace {
 
-Error cancelledError() { return {ErrorCode::Cancelled, {}, {}, {}}; }
+Error cancelledError() {
+  return {ErrorCode::Cancelled, {}, {}, {}};
+}
 
 bool sameCorners(const TriangleSoup& meant, NumberType numbers, const TriangleSoup& found) {
   if (meant.triangles.size() != found.triangles.size()) return false;

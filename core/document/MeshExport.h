@@ -29,7 +29,8 @@ Result<ExportReport> exportMesh(const HalfEdgeMesh& mesh, NumberType documentNum
 Result<MeshFormat> formatForOutput(const std::filesystem::path& path);
 
 // The bytes of a file that holds these triangles, checked: the reader gives every corner of every triangle the very
-// number it had, rounded to the number type. So the file welds as the rounded triangles do. Errors: CheckFailed, Cancelled.
+// number it had, rounded to the number type. So the file welds as the rounded triangles do. Errors: CheckFailed,
+// Cancelled.
 Result<std::string> encodeChecked(const TriangleSoup& soup, MeshFormat format, NumberType numbers,
                                   Progress progress = {});
 

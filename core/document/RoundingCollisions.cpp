@@ -15,7 +15,9 @@ namespace handwheel {
 namespace {
 
 using Key = std::array<double, 3>;
-Key keyOf(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
+Key keyOf(const Vec3& p) {
+  return {p.x(), p.y(), p.z()};
+}
 
 // Positions as the mesh means them and as a reader of the file sees them. "Meant" and "seen" below are class numbers.
 struct Positions {
@@ -46,7 +48,8 @@ std::vector<bool> spoilingClasses(const Positions& positions, const std::vector<
         const auto ends = [&](const EdgeTable::Entry& e) {
           return meantEdge(positions, triangles[e.halfEdge / 3], e.halfEdge % 3);
         };
-        const bool severalMeant = std::any_of(run.begin(), run.end(), [&](const auto& e) { return ends(e) != ends(run[0]); });
+        const bool severalMeant =
+            std::any_of(run.begin(), run.end(), [&](const auto& e) { return ends(e) != ends(run[0]); });
         const auto forward = std::count_if(run.begin(), run.end(), [&](const EdgeTable::Entry& e) {
           return seenTriangles[e.halfEdge / 3][e.halfEdge % 3] == low;
         });
@@ -59,8 +62,8 @@ std::vector<bool> spoilingClasses(const Positions& positions, const std::vector<
 }
 
 // The meant classes to move: of each spoiling class all but the one that rounding did not move, or else the first.
-std::vector<bool> classesToMove(const Positions& positions, const std::vector<bool>& spoiling, const TriangleSoup& exact,
-                                const TriangleSoup& inFile) {
+std::vector<bool> classesToMove(const Positions& positions, const std::vector<bool>& spoiling,
+                                const TriangleSoup& exact, const TriangleSoup& inFile) {
   const std::size_t count = positions.meant.representative.size();
   std::vector<std::uint32_t> stays(spoiling.size(), kNone);
   const auto isFixed = [&](std::uint32_t m) {

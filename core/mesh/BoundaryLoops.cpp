@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/BoundaryLoops.h"
 
+#include "mesh/PositionTriangles.h"
 #include "mesh/SheetRims.h"
 
 #include <Eigen/Eigenvalues>
@@ -68,7 +69,12 @@ std::vector<Vec3> loopPoints(const HalfEdgeMesh& mesh, const BoundaryLoop& loop)
 }
 
 std::vector<BoundaryLoop> findBoundaryLoops(const HalfEdgeMesh& mesh) {
-  std::vector<std::pair<Vertex, BoundaryLoop>> found;  // with the smallest vertex
+  const PositionTriangles byPosition(mesh);
+  // Vertices that share a position count as the first of them.
+  const auto number = [&](HalfEdge h) {
+    return byPosition.classes.representative[byPosition.classes.classOf[mesh.from(h)]];
+  };
+  std::vector<std::pair<Vertex, BoundaryLoop>> found;  // with the smallest number
   std::vector<bool> seen(mesh.halfEdgeSlots(), false);
   for (HalfEdge start = 0; start < mesh.halfEdgeSlots(); ++start) {
     if (seen[start] || !mesh.isBorder(start)) continue;
@@ -83,9 +89,9 @@ std::vector<BoundaryLoop> findBoundaryLoops(const HalfEdgeMesh& mesh) {
       measure(mesh, loop);
       if (loop.borderEdges == 0) continue;
       const auto smallest = std::min_element(loop.halfEdges.begin(), loop.halfEdges.end(),
-                                             [&](HalfEdge a, HalfEdge b) { return mesh.from(a) < mesh.from(b); });
+                                             [&](HalfEdge a, HalfEdge b) { return number(a) < number(b); });
       std::rotate(loop.halfEdges.begin(), smallest, loop.halfEdges.end());
-      const Vertex key = mesh.from(loop.halfEdges.front());
+      const Vertex key = number(loop.halfEdges.front());
       found.emplace_back(key, std::move(loop));
     }
   }
@@ -96,7 +102,7 @@ std::vector<BoundaryLoop> findBoundaryLoops(const HalfEdgeMesh& mesh) {
     loop.id = static_cast<int>(loops.size());
     loops.push_back(std::move(loop));
   }
-  markRims(mesh, loops);
+  markRims(mesh, byPosition, loops);
   return loops;
 }
 

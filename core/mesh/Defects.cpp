@@ -6,11 +6,11 @@
 #include "mesh/BorderVertices.h"
 #include "mesh/EdgeTable.h"
 #include "mesh/FaceComponents.h"
+#include "mesh/NonManifoldVertices.h"
 #include "mesh/PositionTriangles.h"
 #include "proximity/SelfIntersection.h"
 
 #include <algorithm>
-#include <set>
 
 namespace handwheel {
 namespace {
@@ -29,35 +29,21 @@ void findDuplicates(const std::vector<Triangle>& triangles, Defects& defects) {
   }
 }
 
-void findNonManifold(const HalfEdgeMesh& mesh, const PointClasses& classes, const std::vector<Triangle>& triangles,
-                     Defects& defects) {
-  const auto& first = classes.representative;
-  const EdgeTable edges(triangles, first.size());
-  std::set<std::uint32_t> onBadEdge;
+void findNonManifold(const PositionTriangles& byPosition, Defects& defects) {
+  const std::vector<Vertex>& first = byPosition.classes.representative;
+  const EdgeTable edges(byPosition.triangles, first.size());
   edges.forEachEdge([&](std::uint32_t low, std::uint32_t high, std::span<const EdgeTable::Entry> run) {
-    if (run.size() <= 2) return;
-    defects.nonManifoldEdges.emplace_back(first[low], first[high]);
-    onBadEdge.insert({low, high});
+    if (run.size() > 2) defects.nonManifoldEdges.emplace_back(first[low], first[high]);
   });
-  // Several vertices in use at one position: several fans, and the edges do not account for it.
-  std::vector<Vertex> user(first.size(), kNone);
-  std::set<std::uint32_t> reported;
-  for (Face f = 0; f < mesh.faceSlots(); ++f) {
-    if (!mesh.isProper(f)) continue;
-    for (Vertex v : mesh.triangle(f)) {
-      const std::uint32_t c = classes.classOf[v];
-      if (user[c] == kNone) user[c] = v;
-      if (user[c] != v && !onBadEdge.contains(c) && reported.insert(c).second) {
-        defects.nonManifoldVertices.push_back(first[c]);
-      }
-    }
+  for (std::uint32_t c : findNonManifoldVertices(byPosition.triangles, first.size())) {
+    defects.nonManifoldVertices.push_back(first[c]);
   }
 }
 
 }  // namespace
 
 std::vector<Component> findComponents(const HalfEdgeMesh& mesh) {
-  const FaceComponents parts(mesh);
+  const FaceComponents parts(mesh, PositionTriangles(mesh));
   std::vector<Component> components(parts.count());
   for (Face f = 0; f < mesh.faceSlots(); ++f) {
     if (!mesh.isLive(f)) continue;
@@ -79,9 +65,9 @@ std::vector<Component> findComponents(const HalfEdgeMesh& mesh) {
 Defects findDefects(const HalfEdgeMesh& mesh) {
   Defects defects;
   defects.loops = findBoundaryLoops(mesh);
-  const auto [classes, triangles] = PositionTriangles(mesh);
-  findNonManifold(mesh, classes, triangles, defects);
-  findDuplicates(triangles, defects);
+  const PositionTriangles byPosition(mesh);
+  findNonManifold(byPosition, defects);
+  findDuplicates(byPosition.triangles, defects);
   for (Face f = 0; f < mesh.faceSlots(); ++f) {
     if (mesh.isLive(f) && isDegenerate(mesh.points(f))) defects.degenerateFaces.push_back(f);
   }

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/HalfEdgeMesh.h"
+#include "mesh/PositionTriangles.h"
 
 namespace handwheel {
 
 // The parts of a mesh: faces that hang together through shared vertex positions.
 class FaceComponents {
  public:
-  explicit FaceComponents(const HalfEdgeMesh& mesh);
+  FaceComponents(const HalfEdgeMesh& mesh, const PositionTriangles& byPosition);
 
   std::size_t count() const { return m_count; }
   // The part of a live face, in order of the first face.

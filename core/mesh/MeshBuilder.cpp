@@ -6,7 +6,7 @@
 #include "mesh/Orientation.h"
 #include "mesh/Weld.h"
 
-#include <algorithm>
+#include <map>
 
 namespace handwheel {
 namespace {
@@ -27,32 +27,54 @@ class FanVertices {
       for (HalfEdge g : fan) m_seen[g] = true;
       if (!settle(fan)) homeless.push_back(std::move(fan));
     }
+    const std::map<std::uint32_t, std::vector<Vertex>> spare = spareVertices(homeless);
+    std::map<std::uint32_t, std::size_t> used;
     std::vector<Vertex> added;
     for (const auto& fan : homeless) {
+      const std::uint32_t c = classOf(fan);
+      const std::vector<Vertex>& free = spare.at(c);
+      if (used[c] < free.size()) {
+        take(fan, free[used[c]++]);
+        continue;
+      }
       // A copy: the position lies in the array that addVertex() grows.
       const Vec3 p = m_mesh.position(m_mesh.from(fan.front()));
-      const Vertex v = m_mesh.addVertex(p);
-      for (HalfEdge g : fan) m_mesh.setCorner(g, v);
-      added.push_back(v);
+      added.push_back(m_mesh.addVertex(p));
+      for (HalfEdge g : fan) m_mesh.setCorner(g, added.back());
     }
     return added;
   }
 
  private:
-  // Takes the first free vertex that the fan's corners already use; the position's first one is preferred.
+  std::uint32_t classOf(const std::vector<HalfEdge>& fan) const { return m_classes.classOf[m_mesh.from(fan.front())]; }
+
+  // Keeps the first vertex that the fan's corners use and no other fan has taken.
   bool settle(const std::vector<HalfEdge>& fan) {
-    const Vertex first = m_classes.representative[m_classes.classOf[m_mesh.from(fan.front())]];
-    if (!m_taken[first]) return take(fan, first);
     for (HalfEdge g : fan) {
-      if (!m_taken[m_mesh.from(g)]) return take(fan, m_mesh.from(g));
+      if (!m_taken[m_mesh.from(g)]) {
+        take(fan, m_mesh.from(g));
+        return true;
+      }
     }
     return false;
   }
 
-  bool take(const std::vector<HalfEdge>& fan, Vertex v) {
+  void take(const std::vector<HalfEdge>& fan, Vertex v) {
     m_taken[v] = true;
     for (HalfEdge g : fan) m_mesh.setCorner(g, v);
-    return true;
+  }
+
+  // The vertices that no fan has taken, at the positions of these fans.
+  std::map<std::uint32_t, std::vector<Vertex>> spareVertices(const std::vector<std::vector<HalfEdge>>& fans) const {
+    std::map<std::uint32_t, std::vector<Vertex>> spare;
+    for (const auto& fan : fans) spare[classOf(fan)];
+    if (spare.empty()) return spare;
+    for (Vertex v = 0; v < m_taken.size(); ++v) {
+      if (m_taken[v]) continue;
+      const auto at = spare.find(m_classes.classOf[v]);
+      if (at != spare.end()) at->second.push_back(v);
+    }
+    return spare;
   }
 
   HalfEdgeMesh& m_mesh;

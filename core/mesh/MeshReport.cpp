@@ -6,6 +6,7 @@
 #include "mesh/DisjointSets.h"
 #include "mesh/EdgeTable.h"
 #include "mesh/MeshBuilder.h"
+#include "mesh/NonManifoldVertices.h"
 #include "mesh/Weld.h"
 #include "proximity/SelfIntersection.h"
 #include "proximity/TriangleIntersection.h"
@@ -38,45 +39,6 @@ std::size_t countComponents(const TriangleSoup& soup) {
   std::size_t roots = 0;
   for (std::uint32_t v = 0; v < soup.points.size(); ++v) roots += sets.root(v) == v;
   return roots;
-}
-
-// A vertex is manifold when its triangles hang together through edges that touch it.
-std::size_t countNonManifoldVertices(const TriangleSoup& soup) {
-  // The corners of each vertex, bucketed.
-  std::vector<std::size_t> starts(soup.points.size() + 1, 0);
-  for (const Triangle& t : soup.triangles) {
-    if (hasRepeatedVertex(t)) continue;
-    for (std::uint32_t v : t) ++starts[v + 1];
-  }
-  for (std::size_t v = 0; v < soup.points.size(); ++v) starts[v + 1] += starts[v];
-  std::vector<std::uint32_t> triangleAt(starts.back());
-  std::vector<std::size_t> next(starts.begin(), starts.end() - 1);
-  for (std::uint32_t f = 0; f < soup.triangles.size(); ++f) {
-    if (hasRepeatedVertex(soup.triangles[f])) continue;
-    for (std::uint32_t v : soup.triangles[f]) triangleAt[next[v]++] = f;
-  }
-
-  std::size_t bad = 0;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;  // (other vertex, index of its triangle)
-  for (std::uint32_t v = 0; v < soup.points.size(); ++v) {
-    const std::size_t count = starts[v + 1] - starts[v];
-    if (count < 2) continue;
-    DisjointSets sets(count);
-    ends.clear();
-    for (std::uint32_t i = 0; i < count; ++i) {
-      for (std::uint32_t u : soup.triangles[triangleAt[starts[v] + i]]) {
-        if (u != v) ends.emplace_back(u, i);
-      }
-    }
-    std::sort(ends.begin(), ends.end());
-    for (std::size_t k = 1; k < ends.size(); ++k) {
-      if (ends[k].first == ends[k - 1].first) sets.join(ends[k].second, ends[k - 1].second);
-    }
-    std::size_t roots = 0;
-    for (std::uint32_t i = 0; i < count; ++i) roots += sets.root(i) == i;
-    bad += roots > 1;
-  }
-  return bad;
 }
 
 std::size_t countDuplicates(const TriangleSoup& soup) {
@@ -124,7 +86,7 @@ MeshReport reportOn(const TriangleSoup& soup, SelfIntersections choice, Progress
   }
   countEdges(welded, report);
   report.components = countComponents(welded);
-  report.nonManifoldVertices = countNonManifoldVertices(welded);
+  report.nonManifoldVertices = findNonManifoldVertices(welded.triangles, welded.points.size()).size();
   report.duplicateFaces = countDuplicates(welded);
   report.closed = report.triangles > 0 && report.boundaryEdges == 0;
   report.manifold = report.nonManifoldEdges == 0;

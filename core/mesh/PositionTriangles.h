@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// The faces of a mesh as a file shows them: over positions instead of vertices. Index i is face i; dead faces look
-// degenerate.
+// The live faces of a mesh as a file shows them: over positions instead of vertices. Index i is face i; a dead face
+// stands as a degenerate triangle that joins nothing.
 struct PositionTriangles {
   explicit PositionTriangles(const HalfEdgeMesh& mesh);
 

@@ -38,9 +38,9 @@ struct Sheet {
 
 }  // namespace
 
-void markRims(const HalfEdgeMesh& mesh, std::vector<BoundaryLoop>& loops) {
+void markRims(const HalfEdgeMesh& mesh, const PositionTriangles& byPosition, std::vector<BoundaryLoop>& loops) {
   if (loops.empty()) return;
-  const FaceComponents components(mesh);
+  const FaceComponents components(mesh, byPosition);
   std::vector<Sheet> sheets(components.count());
   for (BoundaryLoop& loop : loops) {
     Sheet& sheet = sheets[components.of(HalfEdgeMesh::face(loop.halfEdges.front()))];

@@ -3,12 +3,13 @@
 #pragma once
 
 #include "mesh/BoundaryLoops.h"
+#include "mesh/PositionTriangles.h"
 
 namespace handwheel {
 
 // Sets rim on the outer edge of every part that is an open sheet rather than a surface with holes: a flat part, or a
 // thin one with a long outline, as the view of a scanner from one side is. A patch over such a loop would cover the
 // sheet with a second skin.
-void markRims(const HalfEdgeMesh& mesh, std::vector<BoundaryLoop>& loops);
+void markRims(const HalfEdgeMesh& mesh, const PositionTriangles& byPosition, std::vector<BoundaryLoop>& loops);
 
 }  // namespace handwheel

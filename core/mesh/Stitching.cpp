@@ -27,12 +27,16 @@ Openness measure(const HalfEdgeMesh& mesh, const BuildReport& report) {
   return o;
 }
 
+bool isIn(const std::vector<bool>& set, Vertex v) {
+  return v < set.size() && set[v];
+}
+
 // Moves each vertex of a near pair onto the one with the smaller number.
 std::vector<Vertex> mergeNear(HalfEdgeMesh& mesh, const std::vector<bool>& fixed) {
   std::vector<Vertex> moved;
   std::map<Vertex, Vertex> onto;
   for (const auto& [a, b] : nearBorderVertices(mesh)) {
-    if (fixed[a] || fixed[b]) continue;
+    if (isIn(fixed, a) || isIn(fixed, b)) continue;
     const auto target = onto.find(a);
     const Vertex goal = target == onto.end() ? a : target->second;
     if (goal == b || !onto.emplace(b, goal).second) continue;
@@ -43,17 +47,17 @@ std::vector<Vertex> mergeNear(HalfEdgeMesh& mesh, const std::vector<bool>& fixed
   return moved;
 }
 
-// Splits a border edge at a place: its face becomes two. The mesh must be relinked afterwards.
+// Splits a border edge at a place: its face (a b c) keeps (a m c), the new face is (m b c). Only what is border and
+// what is not stays true; the mesh must be relinked afterwards.
 void splitAt(HalfEdgeMesh& mesh, HalfEdge h, const Vec3& p) {
-  const Vertex a = mesh.from(h), b = mesh.to(h), apex = mesh.from(HalfEdgeMesh::previous(h));
+  const HalfEdge hn = HalfEdgeMesh::next(h);
+  const Vertex b = mesh.to(h), c = mesh.to(hn);
+  const HalfEdge behind = mesh.opposite(hn);
   const Vertex m = mesh.addVertex(p);
-  mesh.setTriangle(HalfEdgeMesh::face(h), h % 3 == 0   ? Triangle{a, m, apex}
-                                          : h % 3 == 1 ? Triangle{apex, a, m}
-                                                       : Triangle{m, apex, a});
-  const Face f = mesh.addFace({m, b, apex});
-  // Not border: only the two halves of the edge are.
-  mesh.setOpen(3 * f + 1, Open::Seam);
-  mesh.setOpen(3 * f + 2, Open::Seam);
+  mesh.setCorner(hn, m);
+  const Face f = mesh.addFace({m, b, c});
+  mesh.setOpposite(3 * f + 1, behind);
+  mesh.pair(hn, 3 * f + 2);
 }
 
 // The position of a border vertex strictly inside the edge and within reach of it, nearest to its middle.
@@ -84,8 +88,7 @@ std::size_t splitTJunctions(HalfEdgeMesh& mesh, const std::vector<bool>& fixed) 
   const std::size_t limit = 4 * vertices.size();  // each vertex splits few edges; a bound against endless splitting
   for (HalfEdge h = 0; h < mesh.halfEdgeSlots() && splits < limit; ++h) {
     while (splits < limit && mesh.isBorder(h)) {
-      const Vertex a = mesh.from(h), b = mesh.to(h);
-      if ((a < fixed.size() && fixed[a]) || (b < fixed.size() && fixed[b])) break;
+      if (isIn(fixed, mesh.from(h)) || isIn(fixed, mesh.to(h))) break;
       const std::optional<Vec3> p = vertexOnEdge(mesh, h, vertices, reach);
       if (!p) break;
       // The new face's half-edges are visited later in this very loop.
