@@ -63,7 +63,7 @@ step() {
     return 0
   fi
   echo "failed after $((SECONDS - start)) s"
-  grep -E -A 8 'error|FAILED|Error|^E:' "$log" | head -n 80 || tail -n 40 "$log"
+  grep -E -A 8 'error|FAILED|Error|^E:' "$log" | grep -v '^ccache ' | head -n 80 || tail -n 40 "$log"
   return "$status"
 }
 

@@ -4,11 +4,11 @@
 
 #include "cli/Interrupt.h"
 
+#include <spawn.h>
+#include <sys/wait.h>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <thread>
 
 extern char** environ;

@@ -59,7 +59,9 @@ int help(std::span<char* const> words) {
   return print(helpPage(command->spec));
 }
 
-bool isHelpWord(std::string_view word) { return word == "help" || word == "--help" || word == "-h"; }
+bool isHelpWord(std::string_view word) {
+  return word == "help" || word == "--help" || word == "-h";
+}
 
 // Qt's own options come with one dash or two and belong to the window.
 bool isForWindow(std::string_view word) {

@@ -46,14 +46,15 @@ Result<Conversion> convert(const std::filesystem::path& input, const std::filesy
 }  // namespace
 
 CommandSpec convertSpec() {
-  return {"convert",
-          "IN OUT",
-          "Writes a mesh in another format. OUT's ending names it: .stl, .ply, .obj or .off. The triangles stay the same,\n"
-          "in the same order; nothing is repaired.",
-          {
-              {"partial", 0, "", "Read what is readable of a damaged file"},
-              {"help", 'h', "", "Show this page"},
-          }};
+  return {
+      "convert",
+      "IN OUT",
+      "Writes a mesh in another format. OUT's ending names it: .stl, .ply, .obj or .off. The triangles stay the same,\n"
+      "in the same order; nothing is repaired.",
+      {
+          {"partial", 0, "", "Read what is readable of a damaged file"},
+          {"help", 'h', "", "Show this page"},
+      }};
 }
 
 int runConvert(const Arguments& arguments) {

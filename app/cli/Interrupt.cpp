@@ -25,7 +25,9 @@ constexpr auto kGrace = 150ms;  // with the rest of a poll and the exit still wi
 std::atomic<bool> signalled{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "written by a signal handler");
 
-void noteSignal(int) { signalled = true; }
+void noteSignal(int) {
+  signalled = true;
+}
 
 // A program started with a signal ignored (nohup, a background job of a plain shell) goes on ignoring it.
 void watch(int signal) {
@@ -79,7 +81,9 @@ void watchSignals() {
   watch(SIGTERM);
 }
 
-bool wasInterrupted() { return signalled; }
+bool wasInterrupted() {
+  return signalled;
+}
 
 void runInterruptible(std::string_view label, const std::function<void(Job&)>& work) {
   std::exception_ptr failure;

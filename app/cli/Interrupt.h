@@ -23,8 +23,8 @@ class Job {
 };
 
 // Runs work on a thread of its own; this one shows its progress when stderr is a terminal and looks for signals. A job
-// that does not stop at once after a signal is abandoned together with the program (exit code 130), because some library
-// calls cannot be interrupted. Passes on what work throws.
+// that does not stop at once after a signal is abandoned together with the program (exit code 130), because some
+// library calls cannot be interrupted. Passes on what work throws.
 void runInterruptible(std::string_view label, const std::function<void(Job&)>& work);
 
 // Takes SIGINT and SIGTERM from now on. To be called first.

@@ -14,7 +14,9 @@ void complain(std::string_view sentence) {
   std::fprintf(stderr, "handwheel: %.*s\n", static_cast<int>(sentence.size()), sentence.data());
 }
 
-std::string sentenceFor(const Error& error) { return errorSentence(error).toStdString(); }
+std::string sentenceFor(const Error& error) {
+  return errorSentence(error).toStdString();
+}
 
 int fail(const Error& error) {
   if (error.code == ErrorCode::Cancelled) {

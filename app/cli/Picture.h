@@ -11,8 +11,8 @@ namespace handwheel {
 CommandSpec pictureSpec();
 int runPicture(const Arguments& arguments);
 
-// Draws a mesh file in a process of its own, under xvfb-run when there is no display: a broken display ends that process
-// only. Says on stderr why there is no picture. Returns an exit code.
+// Draws a mesh file in a process of its own, under xvfb-run when there is no display: a broken display ends that
+// process only. Says on stderr why there is no picture. Returns an exit code.
 int makePictureApart(const std::filesystem::path& mesh, const std::filesystem::path& png, bool partial);
 
 }  // namespace handwheel

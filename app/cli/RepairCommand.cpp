@@ -51,8 +51,8 @@ std::string readRequest(const Arguments& arguments, RepairRequest& request) {
   if (arguments.has("keep-open") && !readIds(arguments.valueOf("keep-open"), request.options.keepOpen)) {
     return "--keep-open takes loop numbers separated by commas.";
   }
-  if (arguments.has("max-hole") && (!readInteger(arguments.valueOf("max-hole"), request.options.maxEdges) ||
-                                    request.options.maxEdges == 0)) {
+  if (arguments.has("max-hole") &&
+      (!readInteger(arguments.valueOf("max-hole"), request.options.maxEdges) || request.options.maxEdges == 0)) {
     return "--max-hole takes a number of edges above zero.";
   }
   const std::string unit = arguments.valueOf("unit");
@@ -74,8 +74,7 @@ int deliver(const RepairRun& run, const RepairRequest& request, const Arguments&
   for (const Error& note : run.damage) complain(sentenceFor(note));
   if (arguments.has("report")) {
     const std::string unit = arguments.has("unit") ? arguments.valueOf("unit") : "mm";
-    const Status written =
-        writeFileAtomically(arguments.valueOf("report"), textOf(toJson(run, request, unit)));
+    const Status written = writeFileAtomically(arguments.valueOf("report"), textOf(toJson(run, request, unit)));
     if (!written) return fail(written.error());
   }
   if (arguments.has("screenshot")) {
@@ -93,24 +92,25 @@ int deliver(const RepairRun& run, const RepairRequest& request, const Arguments&
 }  // namespace
 
 CommandSpec repairSpec() {
-  return {"repair",
-          "IN",
-          "Fills the holes of a mesh, removes degenerate and duplicate faces and mends non-manifold places. Everything\n"
-          "else stays as it is, bit for bit. Exit code 0: the written file is closed, manifold and oriented;\n"
-          "2: something is left and told on stderr; 1: error. The format is that of OUT's ending.",
-          {
-              {"output", 'o', "OUT", "The repaired mesh: .stl, .ply, .obj or .off; may be the input"},
-              {"fill", 0, "METHOD", "fair (default), refined, ear or minimal"},
-              {"keep-open", 0, "ID,...", "Loops to leave open, numbered as 'handwheel inspect' does"},
-              {"fill-rims", 0, "", "Also fill the outer edges of open sheets"},
-              {"max-hole", 0, "N", "Leave loops with more than N edges open"},
-              {"remove-debris", 0, "", "Remove parts far smaller than the largest"},
-              {"unit", 0, "UNIT", "mm (default), cm, m or in: noted in the report, nothing is scaled"},
-              {"partial", 0, "", "Read what is readable of a damaged file"},
-              {"report", 0, "FILE", "Write figures before and after, and what became of each loop, as JSON"},
-              {"screenshot", 0, "PNG", "Draw the result"},
-              {"help", 'h', "", "Show this page"},
-          }};
+  return {
+      "repair",
+      "IN",
+      "Fills the holes of a mesh, removes degenerate and duplicate faces and mends non-manifold places. Everything\n"
+      "else stays as it is, bit for bit. Exit code 0: the written file is closed, manifold and oriented;\n"
+      "2: something is left and told on stderr; 1: error. The format is that of OUT's ending.",
+      {
+          {"output", 'o', "OUT", "The repaired mesh: .stl, .ply, .obj or .off; may be the input"},
+          {"fill", 0, "METHOD", "fair (default), refined, ear or minimal"},
+          {"keep-open", 0, "ID,...", "Loops to leave open, numbered as 'handwheel inspect' does"},
+          {"fill-rims", 0, "", "Also fill the outer edges of open sheets"},
+          {"max-hole", 0, "N", "Leave loops with more than N edges open"},
+          {"remove-debris", 0, "", "Remove parts far smaller than the largest"},
+          {"unit", 0, "UNIT", "mm (default), cm, m or in: noted in the report, nothing is scaled"},
+          {"partial", 0, "", "Read what is readable of a damaged file"},
+          {"report", 0, "FILE", "Write figures before and after, and what became of each loop, as JSON"},
+          {"screenshot", 0, "PNG", "Draw the result"},
+          {"help", 'h', "", "Show this page"},
+      }};
 }
 
 int runRepair(const Arguments& arguments) {

@@ -38,9 +38,9 @@ Status measure(const RepairRequest& request, const HalfEdgeMesh& before, const H
   const Result<MeshFile> written = readMeshFile(request.output, {}, progress.part(0.0, 0.3));
   if (!written) return written.error();
   run.untouchedIdentical = untouchedAreIdentical(before, after, run.touched, written->soup);
-  run.after = reportOn(written->soup,
-                       request.countSelfIntersections ? SelfIntersections::Count : SelfIntersections::Skip,
-                       progress.part(0.3, 1.0));
+  run.after =
+      reportOn(written->soup, request.countSelfIntersections ? SelfIntersections::Count : SelfIntersections::Skip,
+               progress.part(0.3, 1.0));
   return Done{};
 }
 

@@ -19,9 +19,13 @@ std::string line(std::string_view name, const std::string& value) {
   return std::string(name) + std::string(kColumn - name.size(), ' ') + value + "\n";
 }
 
-std::string yesNo(bool value) { return value ? "yes" : "no"; }
+std::string yesNo(bool value) {
+  return value ? "yes" : "no";
+}
 
-std::string point(const Vec3& p) { return number(p.x()) + ", " + number(p.y()) + ", " + number(p.z()); }
+std::string point(const Vec3& p) {
+  return number(p.x()) + ", " + number(p.y()) + ", " + number(p.z());
+}
 
 std::string rightAligned(const std::string& text, std::size_t width) {
   return std::string(width > text.size() ? width - text.size() : 0, ' ') + text;

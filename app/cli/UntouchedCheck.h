@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// True when every vertex of "before" (already rounded as the file holds numbers) that is not in "touched" is found in the
-// written file with the same bits. Vertices that only removed faces used may be missing. O(n).
+// True when every vertex of "before" (already rounded as the file holds numbers) that is not in "touched" is found in
+// the written file with the same bits. Vertices that only removed faces used may be missing. O(n).
 bool untouchedAreIdentical(const HalfEdgeMesh& before, const HalfEdgeMesh& after, const std::vector<Vertex>& touched,
                            const TriangleSoup& written);
 

@@ -19,11 +19,15 @@ QString quoted(const QString& word) {
   return QLatin1Char('\'') + inner.replace(QLatin1Char('\''), QLatin1String("'\\''")) + QLatin1Char('\'');
 }
 
-QString fileName(const QString& path) { return quoted(QFileInfo(path).fileName()); }
+QString fileName(const QString& path) {
+  return quoted(QFileInfo(path).fileName());
+}
 
 }  // namespace
 
-QString inspectCommand(const QString& path) { return QStringLiteral("handwheel inspect ") + fileName(path); }
+QString inspectCommand(const QString& path) {
+  return QStringLiteral("handwheel inspect ") + fileName(path);
+}
 
 QString repairCommand(const QString& path, const RepairOptions& options) {
   QString command = QStringLiteral("handwheel repair %1 -o %2 --fill %3")

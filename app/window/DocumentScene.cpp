@@ -119,11 +119,10 @@ void DocumentScene::showLoop(int loop) {
 void DocumentScene::showPlace(const QModelIndex& defect) {
   const auto [place, outward] = m_defects.placeOf(defect);
   if (!m_document || place.isEmpty()) return;
+  const HalfEdgeMesh& mesh = m_document->document.mesh();
   Box model;
-  for (const Component& component : m_document->document.defects().components) {
-    for (Face f : component.faces) model.extend(m_document->document.mesh().position(m_document->document.mesh().triangle(f)[0]));
-    if (!component.debris) break;  // the largest one says how large the model is
-  }
+  for (Face f : m_document->document.defects().components.front().faces)
+    model.extend(mesh.position(mesh.triangle(f)[0]));
   // A tiny defect is shown with enough around it to see where it is.
   const double least = kLeastPlace * model.diagonal().norm();
   const double grow = std::max(0.0, (least - place.diagonal().norm()) / 2.0);

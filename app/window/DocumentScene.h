@@ -24,7 +24,7 @@ class DocumentScene : public QObject {
   void setDocument(OpenDocument* document);  // the camera of the one before is kept with it
   void showLoop(int loop);                   // flies there
   void showPlace(const QModelIndex& defect);
-  void refreshVisibility();                  // after OpenDocument::visible was changed
+  void refreshVisibility();  // after OpenDocument::visible was changed
 
  private:
   void showSurface();

@@ -41,7 +41,9 @@ OpenDocument* DocumentTabs::current() const {
   return i < 0 ? nullptr : m_documents[static_cast<std::size_t>(i)].get();
 }
 
-bool DocumentTabs::contains(const OpenDocument* document) const { return indexOf(document) >= 0; }
+bool DocumentTabs::contains(const OpenDocument* document) const {
+  return indexOf(document) >= 0;
+}
 
 OpenDocument* DocumentTabs::withPath(const QString& path) const {
   const QFileInfo wanted(path);
@@ -74,7 +76,9 @@ void DocumentTabs::add(std::unique_ptr<OpenDocument> document) {
   emit currentChanged(added);
 }
 
-void DocumentTabs::setCurrent(const OpenDocument* document) { m_bar->setCurrentIndex(indexOf(document)); }
+void DocumentTabs::setCurrent(const OpenDocument* document) {
+  m_bar->setCurrentIndex(indexOf(document));
+}
 
 void DocumentTabs::close(OpenDocument* document) {
   const int index = indexOf(document);

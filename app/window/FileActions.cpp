@@ -22,14 +22,18 @@ namespace {
 
 const auto kFolderKey = QStringLiteral("lastFolder");
 
-QString lastFolder() { return QSettings().value(kFolderKey, QDir::homePath()).toString(); }
+QString lastFolder() {
+  return QSettings().value(kFolderKey, QDir::homePath()).toString();
+}
 
-void rememberFolder(const QString& path) { QSettings().setValue(kFolderKey, QFileInfo(path).absolutePath()); }
+void rememberFolder(const QString& path) {
+  QSettings().setValue(kFolderKey, QFileInfo(path).absolutePath());
+}
 
 // The file itself must not be overwritten without asking: it holds what the document does not, or is not the user's.
 bool needsNewName(const MeshDocument& document) {
-  return !document.damage().empty() || !document.lostAttributes().empty() ||
-         !QFileInfo(document.path()).isWritable() || QFileInfo(document.path()) == QFileInfo(samplePath());
+  return !document.damage().empty() || !document.lostAttributes().empty() || !QFileInfo(document.path()).isWritable() ||
+         QFileInfo(document.path()) == QFileInfo(samplePath());
 }
 
 void prepare(QAction& action, const char* name, const char* iconName, const QString& tip) {
@@ -116,7 +120,9 @@ void FileActions::askForFiles() {
   dialog->open();
 }
 
-void FileActions::saveCurrent() { saveOrAsk(m_tabs.current(), {}); }
+void FileActions::saveCurrent() {
+  saveOrAsk(m_tabs.current(), {});
+}
 
 void FileActions::saveOrAsk(OpenDocument* document, std::function<void()> then) {
   if (needsNewName(document->document)) return askForName(document, std::move(then));
@@ -130,9 +136,9 @@ void FileActions::askForName(OpenDocument* document, std::function<void()> then)
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setNameFilters({tr("Meshes (*.stl *.ply *.obj *.off)"), tr("All files (*)")});
   const QString suggestion = repairedName(document->document.path());
-  dialog->setDirectory(QFileInfo(suggestion).isWritable() || QFileInfo(QFileInfo(suggestion).path()).isWritable()
-                           ? QFileInfo(suggestion).path()
-                           : lastFolder());
+  const bool sample = QFileInfo(document->document.path()) == QFileInfo(samplePath());
+  const bool writable = QFileInfo(QFileInfo(suggestion).path()).isWritable();
+  dialog->setDirectory(writable && !sample ? QFileInfo(suggestion).path() : lastFolder());
   dialog->selectFile(QFileInfo(suggestion).fileName());
   dialog->setDefaultSuffix(QFileInfo(suggestion).suffix());
   connect(dialog, &QFileDialog::fileSelected, this, [this, document, then](const QString& path) {

@@ -39,6 +39,12 @@ bool mayBePartlyReadable(ErrorCode code) {
   }
 }
 
+// The title of the message names the file already.
+Error withoutFile(Error error) {
+  error.subject.clear();
+  return error;
+}
+
 }  // namespace
 
 FileLoader::FileLoader(DocumentTabs& tabs, JobRunner& jobs, RecentFiles& recent, LogModel& log, QObject* parent)
@@ -77,10 +83,11 @@ void FileLoader::loaded(const QString& path, std::shared_ptr<MeshFile> file, std
 
 void FileLoader::failed(const QString& path, const Error& error, const ReadOptions& options) {
   const QString name = QFileInfo(path).fileName();
+  const QString sentence = errorSentence(withoutFile(error));
   if (error.code == ErrorCode::Cancelled) return m_log.add(tr("Opening %1 was cancelled").arg(name));
   if (error.code == ErrorCode::FileMissing) m_recent.remove(path);
-  Message message{Message::Weight::Error, tr("%1 could not be opened").arg(name), errorSentence(error),
-                  errorAdvice(error), {}, {}};
+  Message message{
+      Message::Weight::Error, tr("%1 could not be opened").arg(name), sentence, errorAdvice(error), {}, {}};
   if (!options.partial && mayBePartlyReadable(error.code)) {
     message.actionText = tr("Open what is readable");
     message.action = [this, path] { load(path, ReadOptions{.partial = true}); };
@@ -91,10 +98,11 @@ void FileLoader::failed(const QString& path, const Error& error, const ReadOptio
 
 void FileLoader::tellLosses(const QString& path, const MeshFile& file) {
   if (file.damage.empty() && file.lost.empty()) return;
+  const QString name = QFileInfo(path).fileName();
   QStringList lines;
   for (std::size_t i = 0; i < file.damage.size(); ++i) {
-    const QString sentence = errorSentence(file.damage[i]);
-    m_log.add(sentence, {}, LogEntry::Weight::Warning);
+    const QString sentence = errorSentence(withoutFile(file.damage[i]));
+    m_log.add(name + QStringLiteral(": ") + sentence, {}, LogEntry::Weight::Warning);
     if (i < kDamageShown) lines << sentence;
   }
   if (file.damage.size() > kDamageShown) {
@@ -106,12 +114,13 @@ void FileLoader::tellLosses(const QString& path, const MeshFile& file) {
     lines << tr("Not kept by Handwheel: %1.").arg(names.join(QStringLiteral(", ")));
     m_log.add(lines.last(), {}, LogEntry::Weight::Warning);
   }
-  const QString name = QFileInfo(path).fileName();
   const bool damaged = !file.damage.empty();
   emit message({damaged ? Message::Weight::Warning : Message::Weight::Info,
                 damaged ? tr("%1 is damaged").arg(name) : tr("%1 holds more than its surface").arg(name),
-                lines.join(QLatin1Char(' ')), tr("“Save” will ask for a new name, so the original stays as it is."),
-                {}, {}});
+                lines.join(QLatin1Char(' ')),
+                tr("“Save” will ask for a new name, so the original stays as it is."),
+                {},
+                {}});
 }
 
 }  // namespace handwheel

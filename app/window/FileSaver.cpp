@@ -56,7 +56,8 @@ void FileSaver::saved(OpenDocument* document, const QString& path, std::uint64_t
 
 void FileSaver::failed(const QString& path, const Error& error) {
   const QString name = QFileInfo(path).fileName();
-  if (error.code == ErrorCode::Cancelled) return m_log.add(tr("Saving %1 was cancelled; the old file is untouched").arg(name));
+  if (error.code == ErrorCode::Cancelled)
+    return m_log.add(tr("Saving %1 was cancelled; the old file is untouched").arg(name));
   const QString title = tr("%1 could not be saved").arg(name);
   m_log.add(title + QStringLiteral(". ") + errorSentence(error), {}, LogEntry::Weight::Error);
   emit message({Message::Weight::Error, title, errorSentence(error), errorAdvice(error), {}, {}});

@@ -44,8 +44,8 @@ void HolePreview::start() {
   options.numbers = numberTypeOf(document.format(), document.numbers());
   Job job;
   job.name = tr("Preview");
-  job.work = [this, bench = m_bench, loop = m_document->inspection.loop(m_loop), options, request = m_request](
-                 Progress progress) -> Job::Finish {
+  job.work = [this, bench = m_bench, loop = m_document->inspection.loop(m_loop), options,
+              request = m_request](Progress progress) -> Job::Finish {
     auto attempt = std::make_shared<FillAttempt>(bench->filler().propose(loop, options, progress));
     return [this, attempt, request] { finished(request, std::move(*attempt)); };
   };

@@ -34,8 +34,8 @@ class HolePreview : public QObject {
   const PreviewState& state() const { return m_state; }
   const Patch* patch() const;  // null unless ready
 
-  // Hands over the work done for this hole; the fill uses the bench alone. The next request starts anew, unless the bench
-  // comes back, now of the document as it is with the patch in it.
+  // Hands over the work done for this hole; the fill uses the bench alone. The next request starts anew, unless the
+  // bench comes back, now of the document as it is with the patch in it.
   PreparedFill take();
   void giveBack(OpenDocument* document, std::shared_ptr<FillBench> bench);
 

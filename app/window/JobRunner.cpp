@@ -50,12 +50,14 @@ void JobRunner::start(Job job) {
 }
 
 void JobRunner::cancel() {
-  m_waiting.clear();
+  const std::deque<Job> waiting = std::exchange(m_waiting, {});
   if (!m_running) return;
   m_running->state.cancelled = true;
   if (m_policy == Policy::Latest) return;
+  const Error cancelled{ErrorCode::Cancelled, {}, {}, {}};
   const std::shared_ptr<Task> abandoned = std::exchange(m_running, nullptr);
-  abandoned->job.failed(Error{ErrorCode::Cancelled, {}, {}, {}});
+  abandoned->job.failed(cancelled);
+  for (const Job& job : waiting) job.failed(cancelled);
   if (!m_running) startNext();
 }
 

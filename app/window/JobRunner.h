@@ -15,8 +15,8 @@ class QThreadPool;
 
 namespace handwheel {
 
-// Long work for a worker thread. It sees only what it captured by value (snapshots), and returns what is to be done with
-// its result on the window thread.
+// Long work for a worker thread. It sees only what it captured by value (snapshots), and returns what is to be done
+// with its result on the window thread.
 struct Job {
   using Finish = std::function<void()>;
 

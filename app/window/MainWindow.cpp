@@ -119,8 +119,7 @@ void MainWindow::connectSelection() {
   connect(m_defects, &DefectsPanel::defectActivated, m_scene, &DocumentScene::showPlace);
   connect(m_defects->settings(), &HoleSettings::methodChanged, &m_repairActions, &RepairActions::setMethod);
   m_defects->settings()->setMethod(m_repairActions.method());
-  connect(&m_preview, &HolePreview::changed, this,
-          [this] { m_defects->settings()->showPreview(m_preview.state()); });
+  connect(&m_preview, &HolePreview::changed, this, [this] { m_defects->settings()->showPreview(m_preview.state()); });
   connect(&m_repairActions, &RepairActions::showLoopRequested, m_scene, &DocumentScene::showLoop);
   connect(m_card, &NextStepCard::dismissed, this, [this] {
     m_tabs->current()->cardDismissed = true;
@@ -134,9 +133,8 @@ void MainWindow::connectJobs() {
   connect(&m_jobs, &JobRunner::started, m_jobBar, &JobBar::showJob);
   connect(&m_jobs, &JobRunner::progressed, m_jobBar, &JobBar::setProgress);
   connect(&m_jobs, &JobRunner::finished, m_jobBar, &JobBar::hideJob);
-  connect(&m_jobs, &JobRunner::finished, &m_repairActions, &RepairActions::follow);
+  connect(&m_repairJobs, &RepairJobs::workingChanged, this, &MainWindow::updateCard);
   connect(m_jobBar, &JobBar::cancelRequested, &m_jobs, &JobRunner::cancel);
-  connect(&m_repairJobs, &RepairJobs::repaired, this, &MainWindow::updateCard);
 }
 
 void MainWindow::connectStartPage() {
@@ -183,9 +181,9 @@ void MainWindow::updateFigures() {
 
 void MainWindow::updateCard() {
   const OpenDocument* document = m_tabs->current();
-  if (!document || m_selection.loop() >= 0) return m_card->showStep({});
-  m_card->showStep(nextStepFor(*document, {m_repairActions.repairAll(), m_repairActions.removeDebris(), m_repairActions.goOneByOne(), &m_showDefects,
-                                           m_fileActions.saveAs()}));
+  if (!document || m_selection.loop() >= 0 || m_repairJobs.isWorking()) return m_card->showStep({});
+  m_card->showStep(nextStepFor(*document, {m_repairActions.repairAll(), m_repairActions.removeDebris(),
+                                           m_repairActions.goOneByOne(), &m_showDefects, m_fileActions.saveAs()}));
 }
 
 void MainWindow::updateHints() {
@@ -193,12 +191,12 @@ void MainWindow::updateHints() {
   if (!m_tabs->current()) {
     hints = {{tr("Ctrl+O"), tr("open a file")}, {tr("Drop"), tr("files anywhere")}};
   } else if (m_selection.loop() >= 0) {
-    hints = {{tr("Enter"), tr("fill")}, {tr("K"), tr("keep open")}, {tr("N"), tr("next hole")},
+    hints = {{tr("Enter"), tr("fill")},   {tr("K"), tr("keep open")},  {tr("N"), tr("next hole")},
              {tr("Esc"), tr("deselect")}, {tr("Middle"), tr("orbit")}, {tr("Shift+middle"), tr("pan")},
              {tr("Wheel"), tr("zoom")}};
   } else {
     hints = {{tr("Click"), tr("select a hole")}, {tr("N"), tr("next hole")}, {tr("Middle"), tr("orbit")},
-             {tr("Shift+middle"), tr("pan")}, {tr("Wheel"), tr("zoom")}, {tr("F"), tr("fit")}};
+             {tr("Shift+middle"), tr("pan")},    {tr("Wheel"), tr("zoom")},  {tr("F"), tr("fit")}};
   }
   m_hints->setHints(std::move(hints));
 }

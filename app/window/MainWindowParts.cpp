@@ -94,8 +94,12 @@ void MainWindow::buildCentre() {
   m_viewActions = new ViewActions(*m_viewport, this);
   m_card = new NextStepCard(m_viewport);
   connect(m_viewport, &Viewport::graphicsFailed, m_messages, [this](const QString& problem) {
-    m_messages->showMessage({Message::Weight::Error, tr("The 3D view cannot be drawn"), problem,
-                             tr("Files can still be repaired and saved."), {}, {}});
+    m_messages->showMessage({Message::Weight::Error,
+                             tr("The 3D view cannot be drawn"),
+                             problem,
+                             tr("Files can still be repaired and saved."),
+                             {},
+                             {}});
   });
 }
 
@@ -200,8 +204,8 @@ void MainWindow::buildToolBars() {
   quick->addActions(m_viewActions->shadings());
   quick->addSeparator();
   quick->addAction(m_viewActions->fit());
-  quick->addActions(m_viewActions->views().mid(0, 2) + QList<QAction*>{m_viewActions->views().at(3),
-                                                                      m_viewActions->views().at(5)});
+  quick->addActions(m_viewActions->views().mid(0, 2) +
+                    QList<QAction*>{m_viewActions->views().at(3), m_viewActions->views().at(5)});
   quick->addSeparator();
   quick->addActions({m_repairActions.repairAll(), m_repairActions.previous(), m_repairActions.next(),
                      m_repairActions.fill(), m_repairActions.keepOpen()});

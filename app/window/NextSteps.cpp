@@ -87,16 +87,21 @@ NextStep nextStepFor(const OpenDocument& document, const NextStepActions& action
   }
   if (document.repaired) {
     const auto holes = static_cast<int>(inspection.count(DefectKind::Hole));
-    NextStep left{QStringLiteral("warning"), colours.warning,
-                  holes > 0 ? Text::tr("%n hole(s) could not be filled.", nullptr, holes) : Text::tr("Some defects are left."),
-                  holes > 0 ? reasons(inspection) : otherFindings(inspection),
-                  {}};
+    NextStep left{
+        QStringLiteral("warning"),
+        colours.warning,
+        holes > 0 ? Text::tr("%n hole(s) could not be filled.", nullptr, holes) : Text::tr("Some defects are left."),
+        holes > 0 ? reasons(inspection) : otherFindings(inspection),
+        {}};
     if (holes > 0) left.actions.push_back(actions.oneByOne);
     left.actions.push_back(actions.saveAs);
     return left;
   }
-  NextStep step{defectIconName(DefectKind::Hole), defectColour(DefectKind::Hole), headline(inspection),
-                otherFindings(inspection), {actions.repairAll}};
+  NextStep step{defectIconName(DefectKind::Hole),
+                defectColour(DefectKind::Hole),
+                headline(inspection),
+                otherFindings(inspection),
+                {actions.repairAll}};
   if (!inspection.holes().empty()) step.actions.push_back(actions.oneByOne);
   step.actions.push_back(actions.showDefects);
   return step;

@@ -22,7 +22,7 @@ struct OpenDocument {
   Vertex selected = kNone;            // Inspection::keyOf the selected loop
   bool visible = true;
   bool cardDismissed = false;
-  bool repaired = false;              // "Repair all" ran at least once
+  bool repaired = false;  // "Repair all" ran at least once
 };
 
 }  // namespace handwheel

@@ -25,8 +25,8 @@ void prepare(QAction& action, const char* name, const char* iconName, const QLis
   action.setObjectName(QString::fromLatin1(name));
   if (iconName) action.setIcon(icon(QString::fromLatin1(iconName)));
   action.setShortcuts(keys);
-  action.setToolTip(keys.isEmpty() ? tip
-                                   : QStringLiteral("%1 (%2)").arg(tip, keys.first().toString(QKeySequence::NativeText)));
+  action.setToolTip(
+      keys.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, keys.first().toString(QKeySequence::NativeText)));
 }
 
 }  // namespace
@@ -50,7 +50,8 @@ RepairActions::RepairActions(DocumentTabs& tabs, Selection& selection, RepairJob
       m_deselect(tr("&Clear selection")) {
   prepare(m_repairAll, "repairAll", "repair", {QKeySequence(Qt::CTRL | Qt::Key_R)},
           tr("Fill all holes except those kept open, and mend the other defects, as one step"));
-  prepare(m_removeDebris, "removeDebris", "debris", {}, tr("Remove the small pieces that are not connected with the model"));
+  prepare(m_removeDebris, "removeDebris", "debris", {},
+          tr("Remove the small pieces that are not connected with the model"));
   prepare(m_oneByOne, "goOneByOne", "next", {}, tr("Look at one hole after the other"));
   prepare(m_fill, "fillHole", "fill-hole", {QKeySequence(Qt::Key_Return), QKeySequence(Qt::Key_Enter)},
           tr("Fill the selected hole"));
@@ -70,8 +71,7 @@ RepairActions::RepairActions(DocumentTabs& tabs, Selection& selection, RepairJob
 
 void RepairActions::connectActions() {
   connect(&m_repairAll, &QAction::triggered, this, [this] {
-    m_preview.clear();
-    m_repairAll.setEnabled(false);  // until it is done
+    m_selection.select(-1);
     m_jobs.repairAll(m_tabs.current(), m_method);
   });
   connect(&m_removeDebris, &QAction::triggered, this, [this] { m_jobs.removeDebris(m_tabs.current()); });
@@ -92,7 +92,7 @@ void RepairActions::connectActions() {
             m_preview.giveBack(document, bench);
             if (m_selection.loop() < 0) selectFirstAfter(document, key);
           });
-  connect(&m_jobs, &RepairJobs::couldNotFill, this, &RepairActions::follow);
+  connect(&m_jobs, &RepairJobs::workingChanged, this, &RepairActions::follow);
 }
 
 QList<QAction*> RepairActions::all() {
@@ -112,20 +112,19 @@ void RepairActions::follow() {
   const bool kept = loop >= 0 && document->document.isKeptOpen(document->inspection.loop(loop));
   const bool rim = loop >= 0 && document->inspection.loop(loop).rim;
   const bool holes = document && !document->inspection.holes().empty();
-  m_repairAll.setEnabled(document && !document->inspection.isClean());
-  m_removeDebris.setEnabled(document && !document->inspection.debris().empty());
+  m_repairAll.setEnabled(!m_jobs.isWorking() && document && !document->inspection.isClean());
+  m_removeDebris.setEnabled(!m_jobs.isWorking() && document && !document->inspection.debris().empty());
   for (QAction* action : {&m_oneByOne, &m_next, &m_previous}) action->setEnabled(holes);
-  m_fill.setEnabled(loop >= 0 && !kept);
+  m_fill.setEnabled(!m_jobs.isWorking() && loop >= 0 && !kept);
   m_keepOpen.setEnabled(loop >= 0 && !rim);
   m_keepOpen.setChecked(kept || rim);
   m_deselect.setEnabled(loop >= 0);
-  m_preview.request(document, m_showPreview.isChecked() && !kept ? loop : -1, m_method);
+  m_preview.request(document, !m_jobs.isWorking() && m_showPreview.isChecked() && !kept ? loop : -1, m_method);
 }
 
 void RepairActions::fillSelected() {
   OpenDocument* document = m_tabs.current();
   const int loop = m_selection.loop();
-  m_fill.setEnabled(false);  // until it is done and the next hole is selected
   m_jobs.fill(document, loop, m_method, m_preview.take());
 }
 

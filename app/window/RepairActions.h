@@ -28,8 +28,6 @@ class RepairActions : public QObject {
   QAction* previous() { return &m_previous; }
   QAction* deselect() { return &m_deselect; }
   QList<QAction*> all();
-  // Brings the actions up to date. To be called when jobs end.
-  void follow();
 
   FillMethod method() const { return m_method; }
   void setMethod(FillMethod method);
@@ -39,6 +37,7 @@ class RepairActions : public QObject {
 
  private:
   void connectActions();
+  void follow();
   void fillSelected();
   void toggleKeepOpen();
   void step(int direction);

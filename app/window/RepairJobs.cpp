@@ -15,13 +15,16 @@ namespace handwheel {
 
 namespace {
 
-NumberType numbersOf(const MeshDocument& document) { return numberTypeOf(document.format(), document.numbers()); }
+NumberType numbersOf(const MeshDocument& document) {
+  return numberTypeOf(document.format(), document.numbers());
+}
 
 // Why loops stayed open, by their key, because the repair renumbers them.
 std::vector<std::pair<Vertex, FillFailure>> failuresOf(const Inspection& inspection, const RepairReport& report) {
   std::vector<std::pair<Vertex, FillFailure>> failures;
   for (const LoopResult& loop : report.loops) {
-    if (loop.outcome == LoopOutcome::Failed && loop.id >= 0) failures.emplace_back(inspection.keyOf(loop.id), loop.reason);
+    if (loop.outcome == LoopOutcome::Failed && loop.id >= 0)
+      failures.emplace_back(inspection.keyOf(loop.id), loop.reason);
   }
   return failures;
 }
@@ -62,8 +65,7 @@ void RepairJobs::startFill(OpenDocument* document, Vertex key, FillMethod method
       if (round == Round::First) startFill(document, key, method, {}, Round::Second);
     };
   };
-  job.failed = failure(job.name);
-  m_jobs.start(std::move(job));
+  start(std::move(job));
 }
 
 void RepairJobs::filledOne(OpenDocument* document, Vertex key, const std::shared_ptr<FillBench>& bench,
@@ -74,7 +76,6 @@ void RepairJobs::filledOne(OpenDocument* document, Vertex key, const std::shared
   document->inspection.setFailure(loop, failure);
   if (failure != FillFailure::None) {
     m_log.add(tr("%1 stays open: %2").arg(name, fillFailureReason(failure)), {}, LogEntry::Weight::Warning);
-    emit couldNotFill(document, loop, failure);
     return;
   }
   document->document.commit(tr("Fill hole %1").arg(number), bench->filler().mesh());
@@ -93,7 +94,9 @@ void RepairJobs::removeDebris(OpenDocument* document) {
   m_log.add(tr("Removed %n loose piece(s) from %1", nullptr, pieces).arg(document->document.name()));
 }
 
-void RepairJobs::repairAll(OpenDocument* document, FillMethod method) { startRepair(document, method, Round::First); }
+void RepairJobs::repairAll(OpenDocument* document, FillMethod method) {
+  startRepair(document, method, Round::First);
+}
 
 void RepairJobs::startRepair(OpenDocument* document, FillMethod method, Round round) {
   const std::uint64_t revision = document->document.revision();
@@ -116,8 +119,7 @@ void RepairJobs::startRepair(OpenDocument* document, FillMethod method, Round ro
       if (round == Round::First) startRepair(document, method, Round::Second);
     };
   };
-  job.failed = failure(job.name);
-  m_jobs.start(std::move(job));
+  start(std::move(job));
 }
 
 void RepairJobs::repairedAll(OpenDocument* document, const HalfEdgeMesh& mesh, const RepairReport& report,
@@ -130,13 +132,10 @@ void RepairJobs::repairedAll(OpenDocument* document, const HalfEdgeMesh& mesh, c
   for (const auto& [key, reason] : failures) {
     if (const int loop = inspection.loopWithKey(key); loop >= 0) inspection.setFailure(loop, reason);
   }
-  emit repaired(document, report);
 }
 
 void RepairJobs::logRepair(const OpenDocument& document, const RepairReport& report, const RepairOptions& options) {
-  QStringList parts{tr("%1 of %2 holes filled")
-                        .arg(countOf(report, LoopOutcome::Filled))
-                        .arg(report.loops.size())};
+  QStringList parts{tr("%1 of %2 holes filled").arg(countOf(report, LoopOutcome::Filled)).arg(report.loops.size())};
   if (const std::size_t kept = countOf(report, LoopOutcome::KeptOpen); kept > 0) parts << tr("%1 kept open").arg(kept);
   parts << repairSummary(report);
   m_log.add(tr("Repaired %1: %2").arg(document.document.name(), parts.join(QStringLiteral(", "))),
@@ -159,10 +158,25 @@ void RepairJobs::tellStale(const OpenDocument& document, Round round) {
             {}, LogEntry::Weight::Warning);
 }
 
-std::function<void(const Error&)> RepairJobs::failure(const QString& name) {
-  return [this, name](const Error& error) {
-    m_log.add(name + QStringLiteral(": ") + errorSentence(error), {}, LogEntry::Weight::Warning);
+void RepairJobs::start(Job job) {
+  ++m_working;
+  emit workingChanged();
+  job.work = [this, work = std::move(job.work)](Progress progress) -> Job::Finish {
+    return [this, finish = work(progress)] {
+      finish();
+      ended();
+    };
   };
+  job.failed = [this, name = job.name](const Error& error) {
+    m_log.add(name + QStringLiteral(": ") + errorSentence(error), {}, LogEntry::Weight::Warning);
+    ended();
+  };
+  m_jobs.start(std::move(job));
+}
+
+void RepairJobs::ended() {
+  --m_working;
+  emit workingChanged();
 }
 
 }  // namespace handwheel

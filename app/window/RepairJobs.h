@@ -27,11 +27,13 @@ class RepairJobs : public QObject {
   // At once: it takes no thinking.
   void removeDebris(OpenDocument* document);
 
+  // A fill or repair was asked for and has not ended.
+  bool isWorking() const { return m_working > 0; }
+
  signals:
   // key: of the loop that is no more. bench: fit for the document as it is now.
   void filled(handwheel::OpenDocument* document, handwheel::Vertex key, std::shared_ptr<handwheel::FillBench> bench);
-  void couldNotFill(handwheel::OpenDocument* document, int loop, handwheel::FillFailure reason);
-  void repaired(handwheel::OpenDocument* document, const handwheel::RepairReport& report);
+  void workingChanged();
 
  private:
   enum class Round { First, Second };
@@ -43,11 +45,13 @@ class RepairJobs : public QObject {
                    const RepairOptions& options);
   void logRepair(const OpenDocument& document, const RepairReport& report, const RepairOptions& options);
   void tellStale(const OpenDocument& document, Round round);
-  std::function<void(const Error&)> failure(const QString& name);
+  void start(Job job);
+  void ended();
 
   DocumentTabs& m_tabs;
   JobRunner& m_jobs;
   LogModel& m_log;
+  int m_working = 0;
 };
 
 }  // namespace handwheel

@@ -45,9 +45,10 @@ Wishes readArguments(const QApplication& application) {
 
 bool hasDisplay() {
   if (!qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")) return true;
-  std::fputs("handwheel: There is no display (neither DISPLAY nor WAYLAND_DISPLAY is set); 'handwheel help' lists what "
-             "works without one.\n",
-             stderr);
+  std::fputs(
+      "handwheel: There is no display (neither DISPLAY nor WAYLAND_DISPLAY is set); 'handwheel help' lists what "
+      "works without one.\n",
+      stderr);
   return false;
 }
 

@@ -40,7 +40,9 @@ ViewActions::ViewActions(Viewport& viewport, QObject* parent)
   connect(&m_dark, &QAction::toggled, this, &ViewActions::useTheme);
 }
 
-QList<QAction*> ViewActions::views() const { return {m_views.begin(), m_views.end()}; }
+QList<QAction*> ViewActions::views() const {
+  return {m_views.begin(), m_views.end()};
+}
 
 void ViewActions::addView(StandardView view, const QString& text, int key, const char* iconName, const char* name) {
   auto* action = new QAction(icon(QString::fromLatin1(iconName)), text, this);

@@ -13,7 +13,7 @@ namespace {
 
 const auto kGeometryKey = QStringLiteral("window/geometry");
 const auto kStateKey = QStringLiteral("window/state");
-constexpr int kStateVersion = 1;          // grows when docks or bars are renamed
+constexpr int kStateVersion = 1;  // grows when docks or bars are renamed
 constexpr QSize kUsualSize(1440, 900);
 constexpr int kRoomForLeftPanels = 1600;  // pixels of window width
 

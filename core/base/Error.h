@@ -8,32 +8,33 @@
 
 namespace handwheel {
 
-// What went wrong. The sentence for each lives in widgets/text/ErrorText.cpp, with the arguments named below. An argument
-// is empty where it is not known. {what} is an English plural noun ("facets", "vertices", "faces", "bytes", "lines", ...).
+// What went wrong. The sentence for each lives in widgets/text/ErrorText.cpp, with the arguments named below. An
+// argument is empty where it is not known. {what} is an English plural noun ("facets", "vertices", "faces", "bytes",
+// "lines", ...).
 enum class ErrorCode {
   Cancelled,
   OutOfMemory,
-  FileMissing,         // no such file
-  FileUnreadable,      // {system's reason}
+  FileMissing,     // no such file
+  FileUnreadable,  // {system's reason}
   FileEmpty,
-  FileTooLarge,        // {what, count, limit}
-  FormatUnknown,       // content and name match no format
-  ExtensionUnknown,    // {extension} no writer for it
-  HeaderMalformed,     // {what was expected}
-  TextEncoding,        // {encoding} not readable as text
-  TokenUnexpected,     // {expected, found}; nothing found: the line or the file ends here
-  NumberMalformed,     // {found}
-  NumberNotFinite,     // {found}
-  IndexOutOfRange,     // {index as written in the file, number of vertices}
-  VertexUnreadable,    // {index as written in the file} a face needs a vertex that could not be read
-  PolygonTooSmall,     // {corners}
-  PolygonTooComplex,   // {corners} cut into triangles as if it were convex
-  DataTruncated,       // {what, expected, found} the file ends too early
-  CountMismatch,       // {what, announced, found}
-  TypeUnknown,         // {type}
-  NoTriangles,         // the file holds no triangle
-  WriteFailed,         // {system's reason}
-  CheckFailed,         // {what} the written file does not read back as what was to be written
+  FileTooLarge,       // {what, count, limit}
+  FormatUnknown,      // content and name match no format
+  ExtensionUnknown,   // {extension} no writer for it
+  HeaderMalformed,    // {what was expected}
+  TextEncoding,       // {encoding} not readable as text
+  TokenUnexpected,    // {expected, found}; nothing found: the line or the file ends here
+  NumberMalformed,    // {found}
+  NumberNotFinite,    // {found}
+  IndexOutOfRange,    // {index as written in the file, number of vertices}
+  VertexUnreadable,   // {index as written in the file} a face needs a vertex that could not be read
+  PolygonTooSmall,    // {corners}
+  PolygonTooComplex,  // {corners} cut into triangles as if it were convex
+  DataTruncated,      // {what, expected, found} the file ends too early
+  CountMismatch,      // {what, announced, found}
+  TypeUnknown,        // {type}
+  NoTriangles,        // the file holds no triangle
+  WriteFailed,        // {system's reason}
+  CheckFailed,        // {what} the written file does not read back as what was to be written
 };
 
 // Where in the input: the byte offset in binary files, the line (from 1) in text files.

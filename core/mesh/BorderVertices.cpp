@@ -52,8 +52,8 @@ BorderVertices::Cell BorderVertices::cellOf(const Vec3& p) const {
   return c;
 }
 
-std::vector<std::pair<Vertex, Vertex>> nearBorderVertices(const HalfEdgeMesh& mesh) {
-  const BorderVertices vertices(mesh);
+std::vector<std::pair<Vertex, Vertex>> nearBorderVertices(const HalfEdgeMesh& mesh, const std::vector<bool>& without) {
+  const BorderVertices vertices(mesh, without);
   const double reach = tolerance::kNearWeld * modelDiagonal(mesh);
   std::vector<std::pair<Vertex, Vertex>> pairs;
   for (Vertex v : vertices.all()) {

@@ -59,7 +59,9 @@ class BorderVertices {
 };
 
 // Pairs of vertices on open borders that are apart, but nearer than tolerance::kNearWeld of the model's diagonal: most
-// often one vertex of the scan that its file rounded apart. Each is paired with its nearest of smaller number.
-std::vector<std::pair<Vertex, Vertex>> nearBorderVertices(const HalfEdgeMesh& mesh);
+// often one vertex of the scan that its file rounded apart. Each is paired with its nearest of smaller number. Vertices
+// marked in "without" take no part.
+std::vector<std::pair<Vertex, Vertex>> nearBorderVertices(const HalfEdgeMesh& mesh,
+                                                          const std::vector<bool>& without = {});
 
 }  // namespace handwheel

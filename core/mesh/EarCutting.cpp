@@ -82,9 +82,12 @@ class EarCutter {
       largest = std::max(largest, std::atan2(u.cross(v).norm(), u.dot(v)));
     }
     constexpr double third = M_PI / 3.0;
-    const double bend = 1.0 - 0.5 * (normal.dot(m_nodes[m_nodes[i].previous].normal) + normal.dot(m_nodes[i].normal));
+    const double before = normal.dot(m_nodes[m_nodes[i].previous].normal), after = normal.dot(m_nodes[i].normal);
+    const double bend = 1.0 - 0.5 * (before + after);
+    // Turned over against both neighbours: an ear at a reflex corner. Only when nothing else is left.
+    const double folded = before < 0.0 && after < 0.0 ? 1e6 : 0.0;
     return m_weights.length * newEdge / m_meanEdge + m_weights.angles * (largest - third) / (M_PI - third) +
-           m_weights.normal * bend;
+           m_weights.normal * bend + folded;
   }
 
   void push(std::uint32_t i) {

@@ -140,7 +140,10 @@ struct HoleFiller::State {
     for (std::size_t i = patch.loopSize; i < patch.points.size(); ++i) {
       if (!patch.points[i].allFinite()) return FillFailure::NoPatch;
       patch.points[i] = rounded(patch.points[i], numbers);
+      // Equal positions would be one vertex in the file; the intersection test takes them for shared corners.
+      if (obstacles.hasVertexAt(patch.points[i])) return FillFailure::SelfIntersecting;
     }
+    if (classifyPoints(patch.points).representative.size() < patch.points.size()) return FillFailure::NoPatch;
     if (!closesLoop(patch) || hasDegenerateTriangle(patch)) return FillFailure::NoPatch;
     if (doublesAnEdge(patch, existing)) return FillFailure::NoPatch;
     if (swells(hole, patch)) return FillFailure::Swelling;

@@ -48,6 +48,10 @@ bool Obstacles::hits(const Patch& patch) const {
   return pairs && !pairs->empty();
 }
 
+bool Obstacles::hasVertexAt(const Vec3& p) const {
+  return !forEachNear(Box(p, p), [&](const TrianglePoints& t) { return std::find(t.begin(), t.end(), p) == t.end(); });
+}
+
 void Obstacles::add(const Patch& patch) {
   Addition addition;
   for (const Triangle& t : patch.triangles) {

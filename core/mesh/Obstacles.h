@@ -18,6 +18,8 @@ class Obstacles {
   bool hits(const TrianglePoints& t) const;
   // True when one triangle of the patch hits the surface, or two triangles of it each other.
   bool hits(const Patch& patch) const;
+  // True when the surface has a vertex at exactly this position.
+  bool hasVertexAt(const Vec3& p) const;
   void add(const Patch& patch);
 
   // Edges of the surface that join two of these points, as pairs of their indices (smaller first), sorted.

@@ -90,7 +90,7 @@ class Repairer {
     const auto start = Clock::now();
     const std::set<int> owners = m_owners.of(m_mesh, loop);
     LoopResult result;
-    result.edges = loop.halfEdges.size();
+    result.edges = loop.borderEdges;
     result.reason = reasonToLeave(loop, owners);
     if (result.reason != FillFailure::None) {
       result.outcome = LoopOutcome::KeptOpen;
@@ -125,7 +125,7 @@ class Repairer {
     }
     for (int id : owners) {
       result.id = id;
-      result.edges = m_inputLoops[static_cast<std::size_t>(id)].halfEdges.size();
+      result.edges = m_inputLoops[static_cast<std::size_t>(id)].borderEdges;
       const auto [at, isNew] = m_results.emplace(id, result);
       if (isNew) continue;
       LoopResult& known = at->second;
@@ -147,7 +147,7 @@ class Repairer {
       }
       LoopResult stitched;
       stitched.id = loop.id;
-      stitched.edges = loop.halfEdges.size();
+      stitched.edges = loop.borderEdges;
       stitched.outcome = LoopOutcome::Filled;
       stitched.method = FillMethod::Stitched;
       m_report.loops.push_back(stitched);

@@ -35,8 +35,7 @@ bool isIn(const std::vector<bool>& set, Vertex v) {
 std::vector<Vertex> mergeNear(HalfEdgeMesh& mesh, const std::vector<bool>& fixed) {
   std::vector<Vertex> moved;
   std::map<Vertex, Vertex> onto;
-  for (const auto& [a, b] : nearBorderVertices(mesh)) {
-    if (isIn(fixed, a) || isIn(fixed, b)) continue;
+  for (const auto& [a, b] : nearBorderVertices(mesh, fixed)) {
     const auto target = onto.find(a);
     const Vertex goal = target == onto.end() ? a : target->second;
     if (goal == b || !onto.emplace(b, goal).second) continue;

@@ -32,7 +32,9 @@ float halfArea(const FloatBox& box) {
 }
 
 // Twice the centre: only its order along an axis matters.
-float centre(const FloatBox& box, Eigen::Index axis) { return box.low[axis] + box.high[axis]; }
+float centre(const FloatBox& box, Eigen::Index axis) {
+  return box.low[axis] + box.high[axis];
+}
 
 inline void extendByCentre(FloatBox& centres, const FloatBox& box) {
   const Eigen::Array4f twice = box.low + box.high;
@@ -116,8 +118,8 @@ class Builder {
  public:
   Builder(std::span<BoxedItem> items, Progress progress) : m_items(items), m_progress(progress) {}
 
-  // Appends the subtree of the range. Every range is cut without a look at the others: the tree does not depend on which
-  // thread takes which.
+  // Appends the subtree of the range. Every range is cut without a look at the others: the tree does not depend on
+  // which thread takes which.
   void append(std::vector<BoxNode>& out, const Range& range, int depth) const {
     const std::size_t self = out.size();
     out.push_back({kNothing});

@@ -9,8 +9,12 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-Kernel::Point_2 point(const Vec2& p) { return {p.x(), p.y()}; }
-Kernel::Point_3 point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
+Kernel::Point_2 point(const Vec2& p) {
+  return {p.x(), p.y()};
+}
+Kernel::Point_3 point(const Vec3& p) {
+  return {p.x(), p.y(), p.z()};
+}
 
 }  // namespace
 

@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-// On which side of a line or a plane a point lies, exactly. First in floating point with a bound on its error; where that
-// leaves it open, by CGAL's exact predicates. All coordinates are finite. Thread-safe.
+// On which side of a line or a plane a point lies, exactly. First in floating point with a bound on its error; where
+// that leaves it open, by CGAL's exact predicates. All coordinates are finite. Thread-safe.
 namespace handwheel {
 
 using Vec2 = Eigen::Vector2d;

@@ -21,8 +21,8 @@ Vec3 RayTriangleTest::sheared(const Vec3& p) const {
 
 std::optional<double> RayTriangleTest::hit(const Vec3& a, const Vec3& b, const Vec3& c) const {
   const Vec3 p = sheared(a), q = sheared(b), r = sheared(c);
-  // Twice the signed areas between the axis and the edges. Rounding is monotonic: a sign is right or 0, never wrong, and
-  // the triangle on the other side of the edge gets exactly the opposite number.
+  // Twice the signed areas between the axis and the edges. Rounding is monotonic: a sign is right or 0, never wrong,
+  // and the triangle on the other side of the edge gets exactly the opposite number.
   const double u = r.x() * q.y() - r.y() * q.x();
   const double v = p.x() * r.y() - p.y() * r.x();
   const double w = q.x() * p.y() - q.y() * p.x();

@@ -32,8 +32,8 @@ class Search {
     return m_tree.build(m_items, m_progress);
   }
 
-  // Workers take blocks in their order and finish those that they took. So the finished blocks are always the first ones,
-  // and what is cut off at maxPairs does not depend on the threads. False when cancelled.
+  // Workers take blocks in their order and finish those that they took. So the finished blocks are always the first
+  // ones, and what is cut off at maxPairs does not depend on the threads. False when cancelled.
   bool run() {
     m_found.resize((m_tree.nodeCount() + kBlockNodes - 1) / kBlockNodes);
     tbb::parallel_for(0, tbb::this_task_arena::max_concurrency(), [&](int) {
@@ -75,7 +75,8 @@ class Search {
       }
       if (other.isLeaf())
         for (std::uint32_t i = begin; i < end; ++i)
-          if (m_items[i].box.meets(other.box) && !testAgainst(i, other.first(), m_tree.leafEnd(node), out)) return false;
+          if (m_items[i].box.meets(other.box) && !testAgainst(i, other.first(), m_tree.leafEnd(node), out))
+            return false;
       ++node;
     }
     return true;
@@ -88,7 +89,8 @@ class Search {
       const BoxedItem& other = m_items[j];
       if (!item.box.meets(other.box)) continue;
       if (m_progress.cancelled()) return false;
-      if (!trianglesMeet(cornersOf(m_points, m_triangles[item.id()]), cornersOf(m_points, m_triangles[other.id()]))) continue;
+      if (!trianglesMeet(cornersOf(m_points, m_triangles[item.id()]), cornersOf(m_points, m_triangles[other.id()])))
+        continue;
       out.push_back(std::minmax({item.id(), other.id()}));
       if (out.size() >= m_maxPairs) return false;
     }

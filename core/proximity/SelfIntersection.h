@@ -21,7 +21,8 @@ inline constexpr std::size_t kMaxTrianglePairs = std::size_t{1} << 23;
 // coordinate that is not finite, take no part. Sorted. When there are more than maxPairs, exactly maxPairs of them, the
 // same in each run.
 // Empty optional when cancelled; looks at the cancel flag at least every 50 ms.
-// O(n log n + c) for c pairs whose boxes overlap, on all threads of the arena; about 100 bytes a triangle while it runs.
+// O(n log n + c) for c pairs whose boxes overlap, on all threads of the arena; about 100 bytes a triangle while it
+// runs.
 std::optional<std::vector<TrianglePair>> selfIntersections(std::span<const Vec3> points,
                                                            std::span<const Triangle> triangles, Progress progress = {},
                                                            std::size_t maxPairs = kMaxTrianglePairs);

@@ -68,8 +68,8 @@ std::vector<BoxedItem> boxedTriangles(std::span<const Vec3> points, std::span<co
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       const Triangle& t = triangles[i];
       const Vec3 &a = points[t[0]], &b = points[t[1]], &c = points[t[2]];
-      const bool wanted = a.allFinite() && b.allFinite() && c.allFinite() &&
-                          (flat == FlatTriangles::Keep || !isDegenerate({a, b, c}));
+      const bool wanted =
+          a.allFinite() && b.allFinite() && c.allFinite() && (flat == FlatTriangles::Keep || !isDegenerate({a, b, c}));
       if (wanted) items[i].box = frame.around(a, b, c);
       items[i].setId(wanted ? static_cast<std::uint32_t>(i) : kNone);
     }

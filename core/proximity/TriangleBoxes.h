@@ -12,7 +12,8 @@
 namespace handwheel {
 
 // Where the single-precision boxes live: the model shifted to its middle and scaled into [-1, 1] by a power of two. So
-// they keep their resolution far from the origin, in any unit, and where the model is although a stray vertex is far out.
+// they keep their resolution far from the origin, in any unit, and where the model is although a stray vertex is far
+// out.
 class BoxFrame {
  public:
   BoxFrame() = default;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "proximity/TriangleHierarchy.h"
 
+#include "proximity/BoxQueries.h"
 #include "proximity/ClosestPoint.h"
 #include "proximity/RayTriangle.h"
 
@@ -9,96 +10,6 @@
 #include <limits>
 
 namespace handwheel {
-namespace {
-
-// What the rounding of a query in the frame may shift, as a share of its coordinates there: a handful of roundings of
-// 2^-53. What concerns the triangle's own coordinates lies within the margin of its box.
-constexpr double kQueryRounding = 0x1p-48;
-
-struct Visit {
-  std::uint32_t node;
-  double bound;  // of what is below: the least distance, or the least squared distance
-};
-
-// Nodes yet to be visited. Each level leaves at most one behind.
-class VisitStack {
- public:
-  bool empty() const { return m_size == 0; }
-  void push(Visit v) { m_visits[m_size++] = v; }
-  Visit pop() { return m_visits[--m_size]; }
-  // So that the nearer one comes first.
-  void pushBoth(Visit a, Visit b, double limit) {
-    if (b.bound < a.bound) std::swap(a, b);
-    if (b.bound <= limit) push(b);
-    if (a.bound <= limit) push(a);
-  }
-
- private:
-  std::array<Visit, BoxTree::kMaxDepth + 2> m_visits;
-  std::size_t m_size = 0;
-};
-
-std::uint32_t rightChild(const BoxTree& tree, std::uint32_t node) { return node + 1 + tree.node(node + 1).size(); }
-
-// Where a ray enters a box, never too late (Ize, "Robust BVH ray traversal", JCGT 2013; here the origin is widened too).
-class RaySlabs {
- public:
-  RaySlabs(const Vec3& origin, const Vec3& direction) {
-    const double margin = kQueryRounding * origin.cwiseAbs().maxCoeff();
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto i = static_cast<Eigen::Index>(k);
-      m_backward[k] = std::signbit(direction[i]);
-      // Finite, so that no 0 times infinity arises.
-      m_inverse[k] = std::copysign(std::min(1.0 / std::abs(direction[i]), 1e300), direction[i]);
-      const double shift = m_backward[k] ? -margin : margin;
-      m_near[k] = origin[i] + shift;
-      m_far[k] = origin[i] - shift;
-    }
-  }
-
-  // Infinite when the ray misses.
-  double enter(const FloatBox& box) const {
-    double in = 0.0;
-    double out = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto i = static_cast<Eigen::Index>(k);
-      const double low = box.low[i];
-      const double high = box.high[i];
-      in = std::max(in, ((m_backward[k] ? high : low) - m_near[k]) * m_inverse[k]);
-      out = std::min(out, ((m_backward[k] ? low : high) - m_far[k]) * m_inverse[k]);
-    }
-    return in <= out * (1.0 + 1e-15) ? in * (1.0 - 1e-15) : std::numeric_limits<double>::infinity();
-  }
-
- private:
-  std::array<bool, 3> m_backward;
-  std::array<double, 3> m_inverse, m_near, m_far;
-};
-
-// Never more than the squared distance of what is in the box.
-class PointToBox {
- public:
-  explicit PointToBox(const Vec3& p) {
-    const double margin = kQueryRounding * p.cwiseAbs().maxCoeff();
-    m_low = p.array() - margin;
-    m_high = p.array() + margin;
-  }
-
-  double squaredDistance(const FloatBox& box) const {
-    double sum = 0.0;
-    for (Eigen::Index k = 0; k < 3; ++k) {
-      const double d =
-          std::max({0.0, static_cast<double>(box.low[k]) - m_high[k], m_low[k] - static_cast<double>(box.high[k])});
-      sum += d * d;
-    }
-    return sum * (1.0 - 1e-15);
-  }
-
- private:
-  Vec3 m_low, m_high;
-};
-
-}  // namespace
 
 TriangleHierarchy::TriangleHierarchy(std::span<const Vec3> points, std::span<const Triangle> triangles)
     : m_points(points.begin(), points.end()), m_triangles(triangles.begin(), triangles.end()), m_frame(points) {
@@ -126,25 +37,17 @@ std::optional<RayHit> TriangleHierarchy::firstHit(const Vec3& origin, const Vec3
 
   RayHit best;
   best.distance = std::numeric_limits<double>::infinity();
-  const auto limit = [&] { return best.distance * m_frame.scale(); };
-  VisitStack stack;
-  stack.push({0, slabs.enter(m_tree.node(0).box)});
-  while (!stack.empty()) {
-    const auto [node, bound] = stack.pop();
-    if (bound > limit() || bound == std::numeric_limits<double>::infinity()) continue;
-    if (!m_tree.node(node).isLeaf()) {
-      const std::uint32_t right = rightChild(m_tree, node);
-      stack.pushBoth({node + 1, slabs.enter(m_tree.node(node + 1).box)}, {right, slabs.enter(m_tree.node(right).box)},
-                     limit());
-      continue;
-    }
-    for (std::uint32_t i = m_tree.node(node).first(); i < m_tree.leafEnd(node); ++i) {
-      const auto [a, b, c] = corners(m_order[i]);
-      const auto distance = test.hit(a, b, c);
-      if (!distance || *distance > best.distance) continue;
-      if (*distance < best.distance || m_order[i] < best.triangle) best = {m_order[i], *distance};
-    }
-  }
+  visitBestFirst(
+      m_tree, [&](const FloatBox& box) { return slabs.enter(box); }, [&] { return best.distance * m_frame.scale(); },
+      [&](std::uint32_t begin, std::uint32_t end) {
+        for (std::uint32_t i = begin; i < end; ++i) {
+          const std::uint32_t t = m_order[i];
+          const auto [a, b, c] = corners(t);
+          const auto distance = test.hit(a, b, c);
+          if (!distance || *distance > best.distance) continue;
+          if (*distance < best.distance || t < best.triangle) best = {t, *distance};
+        }
+      });
   if (best.triangle == kNone) return std::nullopt;
   best.distance = std::ldexp(best.distance, -exponent);
   return best;
@@ -152,30 +55,22 @@ std::optional<RayHit> TriangleHierarchy::firstHit(const Vec3& origin, const Vec3
 
 std::optional<NearestPoint> TriangleHierarchy::nearest(const Vec3& p, double limit) const {
   if (empty() || !p.allFinite() || !(limit > 0.0)) return std::nullopt;
-  const PointToBox boxes(m_frame.toFrame(p));
-  const double scale2 = m_frame.scale() * m_frame.scale();
-
+  const PointToBox point(m_frame.toFrame(p));
   NearestPoint best;
   best.squaredDistance = limit * limit;
-  VisitStack stack;
-  stack.push({0, boxes.squaredDistance(m_tree.node(0).box)});
-  while (!stack.empty()) {
-    const auto [node, bound] = stack.pop();
-    if (bound > best.squaredDistance * scale2) continue;
-    if (!m_tree.node(node).isLeaf()) {
-      const std::uint32_t right = rightChild(m_tree, node);
-      stack.pushBoth({node + 1, boxes.squaredDistance(m_tree.node(node + 1).box)},
-                     {right, boxes.squaredDistance(m_tree.node(right).box)}, best.squaredDistance * scale2);
-      continue;
-    }
-    for (std::uint32_t i = m_tree.node(node).first(); i < m_tree.leafEnd(node); ++i) {
-      const auto [a, b, c] = corners(m_order[i]);
-      const Vec3 q = closestOnTriangle(p, a, b, c);
-      const double distance = (q - p).squaredNorm();
-      const bool tie = distance == best.squaredDistance && best.triangle != kNone && m_order[i] < best.triangle;
-      if (distance < best.squaredDistance || tie) best = {m_order[i], q, distance};
-    }
-  }
+  visitBestFirst(
+      m_tree, [&](const FloatBox& box) { return point.squaredDistance(box); },
+      [&] { return best.squaredDistance * m_frame.scale() * m_frame.scale(); },
+      [&](std::uint32_t begin, std::uint32_t end) {
+        for (std::uint32_t i = begin; i < end; ++i) {
+          const std::uint32_t t = m_order[i];
+          const auto [a, b, c] = corners(t);
+          const Vec3 q = closestOnTriangle(p, a, b, c);
+          const double distance = (q - p).squaredNorm();
+          const bool lowerNumber = distance == best.squaredDistance && best.triangle != kNone && t < best.triangle;
+          if (distance < best.squaredDistance || lowerNumber) best = {t, q, distance};
+        }
+      });
   if (best.triangle == kNone) return std::nullopt;
   return best;
 }

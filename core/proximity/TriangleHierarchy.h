@@ -26,9 +26,9 @@ struct NearestPoint {
 
 // A bounding volume hierarchy over triangles, for picking, nearest points and intersection tests. Keeps its own copy of
 // the corner positions, so the mesh may change or go while the hierarchy is used on another thread. Reading is
-// thread-safe. Triangles with a coordinate that is not finite never enter; triangles without area do, as the segments or
-// points that they are. Build O(n log n) on all threads of the arena; queries O(log n) on ordinary surfaces, O(n) where
-// all boxes overlap. About 90 bytes a triangle.
+// thread-safe. Triangles with a coordinate that is not finite never enter; triangles without area do, as the segments
+// or points that they are. Build O(n log n) on all threads of the arena; queries O(log n) on ordinary surfaces, O(n)
+// where all boxes overlap. About 60 bytes a triangle. Coordinates below 1e150, so that distances can be squared.
 class TriangleHierarchy {
  public:
   TriangleHierarchy() = default;
@@ -37,13 +37,14 @@ class TriangleHierarchy {
   bool empty() const { return m_order.empty(); }
   const Box& bounds() const { return m_bounds; }
 
-  // The first triangle that the ray from origin along direction meets, from either side; distance >= 0. Of triangles met
-  // at the same distance the one with the lowest number. A ray through a shared edge or corner does not slip between the
-  // triangles. Triangles seen exactly edge-on, and those without area, are not hit. None for a direction of length 0.
+  // The first triangle that the ray from origin along direction meets, from either side; distance >= 0. Of triangles
+  // met at the same distance the one with the lowest number. A ray through a shared edge or corner does not slip
+  // between the triangles. Triangles seen exactly edge-on, and those without area, are not hit. None for a direction of
+  // length 0.
   std::optional<RayHit> firstHit(const Vec3& origin, const Vec3& direction) const;
 
-  // The nearest point of the surface; none when the hierarchy is empty or nothing is nearer than the limit. Of triangles
-  // at the same distance the one with the lowest number.
+  // The nearest point of the surface; none when the hierarchy is empty or nothing is nearer than the limit. Of
+  // triangles at the same distance the one with the lowest number.
   std::optional<NearestPoint> nearest(const Vec3& p, double limit = 1e300) const;
 
   // Calls visit(triangle) for each triangle whose box meets the box (boundaries included) until it returns false.

@@ -34,7 +34,9 @@ class Projection {
   int m_turn = 0;
 };
 
-bool sameSide(int a, int b, int c) { return a != 0 && a == b && b == c; }
+bool sameSide(int a, int b, int c) {
+  return a != 0 && a == b && b == c;
+}
 
 // Two triangles in one plane are apart exactly when the line along an edge of one of them has the other strictly on its
 // outer side.
@@ -124,8 +126,8 @@ bool meetBesideCorner(const TrianglePoints& a, const TrianglePoints& b) {
   const int first = planeA.side(b[1]), second = planeA.side(b[2]);
   if (first * second > 0) return false;
   if (first == 0 && second == 0) return meetInPlaneBesideCorner(a, b);
-  // b leaves the common corner within a's plane, in the direction in which that plane cuts the edge opposite to the corner.
-  // The planes and lines through that edge and the corners of a tell whether this direction lies in a's angle.
+  // b leaves the common corner within a's plane, in the direction in which that plane cuts the edge opposite to the
+  // corner. The planes and lines through that edge and the corners of a tell whether this direction lies in a's angle.
   const ExactPlane planeB(b[0], b[1], b[2]);
   const int downwards = first != 0 ? first : -second;
   return planeB.side(a[1]) * downwards <= 0 && planeB.side(a[2]) * downwards >= 0;

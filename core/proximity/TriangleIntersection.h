@@ -9,8 +9,8 @@ namespace handwheel {
 using TrianglePoints = std::array<Vec3, 3>;
 
 // True when two triangles meet in more than a shared vertex or edge; touching counts. Corners are shared when their
-// positions are equal. A doubled triangle and a fold lying flat on its neighbour count. Exact (CGAL's exact predicates).
-// Both triangles must have area.
+// positions are equal. A doubled triangle and a fold lying flat on its neighbour count. Exact (CGAL's exact
+// predicates). Both triangles must have area.
 bool trianglesMeet(const TrianglePoints& a, const TrianglePoints& b);
 
 // Exactly zero area: two equal corners or all three on one line.

@@ -128,7 +128,8 @@ double secondsOf(auto&& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Both in the same run: "timesFaster" and "timesFasterAlone" (on one thread, as CGAL) are what to compare across machines.
+// Both in the same run: "timesFaster" and "timesFasterAlone" (on one thread, as CGAL) are what to compare across
+// machines.
 void selfIntersection(benchmark::State& state) {
   const Surface& s = bumpySphere(static_cast<int>(state.range(0)));
   const CgalSelfIntersection cgal(s);

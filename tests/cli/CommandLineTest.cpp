@@ -40,8 +40,8 @@ class CommandLineTest : public QObject {
     QTest::addColumn<QStringList>("words");
     QTest::addColumn<QByteArray>("message");
     const auto row = [](const QStringList& words, const char* sentence, const char* help) {
-      QTest::newRow(qPrintable(words.join(' '))) << words << QByteArray("handwheel: ") + sentence + "\nTry 'handwheel help" +
-                                                                 help + "'.\n";
+      QTest::newRow(qPrintable(words.join(' ')))
+          << words << QByteArray("handwheel: ") + sentence + "\nTry 'handwheel help" + help + "'.\n";
     };
     row({"--wibble"}, "There is no option --wibble.", "");
     row({"help", "wibble"}, "There is no command wibble.", "");
@@ -70,7 +70,8 @@ class CommandLineTest : public QObject {
   }
 
   void optionsInEveryForm() {
-    for (const QStringList& output : {QStringList{"-o", "b.off"}, {"-ob.off"}, {"--output", "b.off"}, {"--output=b.off"}}) {
+    for (const QStringList& output :
+         {QStringList{"-o", "b.off"}, {"-ob.off"}, {"--output", "b.off"}, {"--output=b.off"}}) {
       const Bench bench;
       bench.put("a.off", cube().off());
       QCOMPARE(bench.run(QStringList{"repair"} + output + QStringList{"a.off"}).code, 0);

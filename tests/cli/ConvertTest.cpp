@@ -53,8 +53,9 @@ class ConvertTest : public QObject {
       const Ran ran = bench.run({"convert", names[i], names[i + 1]});
       QCOMPARE(ran.code, 0);
       QCOMPARE(ran.out, QByteArray());
-      QCOMPARE(ran.err, i < 4 ? QByteArray()
-                              : QByteArray("handwheel: The coordinates are rounded to the single precision of the format.\n"));
+      QCOMPARE(ran.err,
+               i < 4 ? QByteArray()
+                     : QByteArray("handwheel: The coordinates are rounded to the single precision of the format.\n"));
     }
     QCOMPARE(trianglesOf(bench.content("5.stl")), trianglesOf(shape));
     // What never was in single precision on the way is the same to the last bit.
@@ -84,10 +85,14 @@ class ConvertTest : public QObject {
   void errors_data() {
     QTest::addColumn<QString>("in");
     QTest::addColumn<QString>("out");
-    QTest::newRow("missing input") << "none.off" << "b.stl";
-    QTest::newRow("unknown ending") << "a.off" << "b.docx";
-    QTest::newRow("no ending") << "a.off" << "b";
-    QTest::newRow("missing folder") << "a.off" << "no/such/b.stl";
+    QTest::newRow("missing input") << "none.off"
+                                   << "b.stl";
+    QTest::newRow("unknown ending") << "a.off"
+                                    << "b.docx";
+    QTest::newRow("no ending") << "a.off"
+                               << "b";
+    QTest::newRow("missing folder") << "a.off"
+                                    << "no/such/b.stl";
   }
   void errors() {
     QFETCH(QString, in);

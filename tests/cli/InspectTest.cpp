@@ -3,10 +3,10 @@
 #include "Program.h"
 #include "Shapes.h"
 
-#include <QTest>
-#include <clocale>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <QTest>
+#include <clocale>
 
 using namespace handwheel;
 

@@ -96,19 +96,29 @@ Shape grid(int width, int height, At at, Hole hole) {
   return shape;
 }
 
-// A box 10 × 10 × 10 of 10 × 10 quads a side. Its top has three holes: A of one quad (4 edges), B of 1 × 2 (6 edges) and
-// C of 1 × 3 (8 edges), so every loop is known by its number of edges.
+// A box 10 × 10 × 10 of 10 × 10 quads a side. Its top has three holes: A of one quad (4 edges), B of 1 × 2 (6 edges)
+// and C of 1 × 3 (8 edges), so every loop is known by its number of edges.
 inline Shape holedBox() {
   const auto none = [](int, int) { return false; };
-  const auto side = [&](const std::array<double, 3>& o, const std::array<double, 3>& u, const std::array<double, 3>& v) {
-    return grid(10, 10, [=](int x, int y) {
-      return std::array<double, 3>{o[0] + x * u[0] + y * v[0], o[1] + x * u[1] + y * v[1], o[2] + x * u[2] + y * v[2]};
-    }, none);
+  const auto side = [&](const std::array<double, 3>& o, const std::array<double, 3>& u,
+                        const std::array<double, 3>& v) {
+    return grid(
+        10, 10,
+        [=](int x, int y) {
+          return std::array<double, 3>{o[0] + x * u[0] + y * v[0], o[1] + x * u[1] + y * v[1],
+                                       o[2] + x * u[2] + y * v[2]};
+        },
+        none);
   };
   const auto top = [](int x, int y) {
     return (x == 2 && y == 2) || ((x == 5 || x == 6) && y == 2) || (x >= 3 && x <= 5 && y == 6);
   };
-  Shape box = grid(10, 10, [](int x, int y) { return std::array<double, 3>{1.0 * x, 1.0 * y, 10.0}; }, top);
+  Shape box = grid(
+      10, 10,
+      [](int x, int y) {
+        return std::array<double, 3>{1.0 * x, 1.0 * y, 10.0};
+      },
+      top);
   box.add(side({0, 0, 0}, {0, 1, 0}, {1, 0, 0}), {0, 0, 0});
   box.add(side({0, 0, 0}, {1, 0, 0}, {0, 0, 1}), {0, 0, 0});
   box.add(side({0, 10, 0}, {0, 0, 1}, {1, 0, 0}), {0, 0, 0});
@@ -119,8 +129,12 @@ inline Shape holedBox() {
 
 // A flat sheet of n × n unit squares: its only loop is its outer edge.
 inline Shape flatSheet(int n) {
-  return grid(n, n, [](int x, int y) { return std::array<double, 3>{1.0 * x, 1.0 * y, 0.0}; },
-              [](int, int) { return false; });
+  return grid(
+      n, n,
+      [](int x, int y) {
+        return std::array<double, 3>{1.0 * x, 1.0 * y, 0.0};
+      },
+      [](int, int) { return false; });
 }
 
 }  // namespace handwheel

@@ -18,10 +18,14 @@ constexpr int kRowHeight = 26;
 constexpr int kIcon = 16;
 constexpr int kGap = 8;
 
-bool isGroup(const QModelIndex& index) { return !index.parent().isValid(); }
+bool isGroup(const QModelIndex& index) {
+  return !index.parent().isValid();
+}
 
 // With the indentation, which the view leaves to the delegate (see the style sheet).
-QRect wholeRow(const QRect& item) { return {0, item.top(), item.right() + 1, item.height()}; }
+QRect wholeRow(const QRect& item) {
+  return {0, item.top(), item.right() + 1, item.height()};
+}
 
 QRect eyeRect(const QRect& row) {
   return {row.right() - kGap - kIcon, row.center().y() - kIcon / 2 + 1, kIcon, kIcon};
@@ -103,8 +107,9 @@ void DefectDelegate::paintDefect(QPainter* painter, const QStyleOptionViewItem& 
   painter->setPen(colours.muted);
   const int room = rect.width() - nameWidth;
   if (room <= 0) return;
-  painter->drawText(rect, Qt::AlignRight | Qt::AlignVCenter,
-                    option.fontMetrics.elidedText(index.data(DefectModel::DetailRole).toString(), Qt::ElideRight, room));
+  painter->drawText(
+      rect, Qt::AlignRight | Qt::AlignVCenter,
+      option.fontMetrics.elidedText(index.data(DefectModel::DetailRole).toString(), Qt::ElideRight, room));
 }
 
 void DefectDelegate::paintSpinner(QPainter* painter, const QRect& rect) const {

@@ -9,7 +9,9 @@ namespace handwheel {
 
 namespace {
 
-DefectKind kindOfRow(const QModelIndex& index) { return static_cast<DefectKind>(index.internalId() - 1); }
+DefectKind kindOfRow(const QModelIndex& index) {
+  return static_cast<DefectKind>(index.internalId() - 1);
+}
 
 // The outward normal of a face, not normalised.
 Vec3 normalOf(const HalfEdgeMesh& mesh, Face f) {
@@ -32,7 +34,9 @@ void DefectModel::setInspection(const Inspection* inspection) {
   });
 }
 
-QModelIndex DefectModel::groupIndex(DefectKind kind) const { return index(static_cast<int>(kind), 0); }
+QModelIndex DefectModel::groupIndex(DefectKind kind) const {
+  return index(static_cast<int>(kind), 0);
+}
 
 QModelIndex DefectModel::loopIndex(int loop) const {
   if (!m_inspection || loop < 0) return {};
@@ -69,7 +73,9 @@ int DefectModel::rowCount(const QModelIndex& parent) const {
   return static_cast<int>(m_inspection->count(static_cast<DefectKind>(parent.row())));
 }
 
-int DefectModel::columnCount(const QModelIndex&) const { return 1; }
+int DefectModel::columnCount(const QModelIndex&) const {
+  return 1;
+}
 
 QVariant DefectModel::data(const QModelIndex& index, int role) const {
   if (!m_inspection || !index.isValid()) return {};
@@ -169,7 +175,8 @@ QString DefectModel::rowDetail(DefectKind kind, int row) const {
   }
   if (kind == DefectKind::Debris) {
     const std::size_t i = m_inspection->debris()[static_cast<std::size_t>(row)];
-    return tr("%n triangle(s)", nullptr, static_cast<int>(m_inspection->document().defects().components[i].faces.size()));
+    return tr("%n triangle(s)", nullptr,
+              static_cast<int>(m_inspection->document().defects().components[i].faces.size()));
   }
   return {};
 }
@@ -253,7 +260,8 @@ QString defectKindHint(DefectKind kind) {
     case DefectKind::Hole:
       return DefectModel::tr("Places where the surface is missing. (A tunnel through the part is not a hole.)");
     case DefectKind::KeptOpen:
-      return DefectModel::tr("Openings that are meant to be there, and outer edges of open sheets. “Fill all” leaves them.");
+      return DefectModel::tr(
+          "Openings that are meant to be there, and outer edges of open sheets. “Fill all” leaves them.");
     case DefectKind::NonManifoldEdge:
       return DefectModel::tr("Edges at which more than two triangles meet.");
     case DefectKind::NonManifoldVertex:

@@ -28,7 +28,9 @@ void HintBar::setHints(std::vector<Hint> hints) {
   update();
 }
 
-QSize HintBar::sizeHint() const { return {400, fontMetrics().height() + 6}; }
+QSize HintBar::sizeHint() const {
+  return {400, fontMetrics().height() + 6};
+}
 
 void HintBar::paintEvent(QPaintEvent*) {
   QPainter painter(this);

@@ -43,7 +43,10 @@ QCheckBox* checkBoxFor(QAction* action, QWidget* parent) {
 }  // namespace
 
 HoleSettings::HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, QWidget* parent)
-    : QFrame(parent), m_name(new QLabel(this)), m_detail(new QLabel(this)), m_method(methodBox(this)),
+    : QFrame(parent),
+      m_name(new QLabel(this)),
+      m_detail(new QLabel(this)),
+      m_method(methodBox(this)),
       m_status(new QLabel(this)) {
   setObjectName(QStringLiteral("holeSettings"));
   m_name->setProperty("strong", true);
@@ -83,7 +86,9 @@ HoleSettings::HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, Q
   m_method->setToolTip(fillMethodHint(FillMethod::Fair));
 }
 
-FillMethod HoleSettings::method() const { return static_cast<FillMethod>(m_method->currentData().toInt()); }
+FillMethod HoleSettings::method() const {
+  return static_cast<FillMethod>(m_method->currentData().toInt());
+}
 
 void HoleSettings::setMethod(FillMethod method) {
   const QSignalBlocker quiet(m_method);
@@ -107,9 +112,10 @@ void HoleSettings::showPreview(const PreviewState& state) {
       break;
   }
   const QString size = tr("%n new triangle(s)", nullptr, static_cast<int>(state.triangles));
-  m_status->setText(state.method == method()
-                        ? size
-                        : tr("%1, by “%2” because the chosen method fits none").arg(size, fillMethodName(state.method)));
+  m_status->setText(
+      state.method == method()
+          ? size
+          : tr("%1, by “%2” because the chosen method fits none").arg(size, fillMethodName(state.method)));
 }
 
 }  // namespace handwheel

@@ -91,7 +91,9 @@ bool Inspection::isClean() const {
          count(DefectKind::NearVertex) == 0 && count(DefectKind::Degenerate) == 0 && count(DefectKind::Duplicate) == 0;
 }
 
-int Inspection::loopNumber(int id) const { return m_numbers.at(keyOf(id)); }
+int Inspection::loopNumber(int id) const {
+  return m_numbers.at(keyOf(id));
+}
 
 QString Inspection::loopName(int id) const {
   const int n = loopNumber(id);
@@ -103,7 +105,9 @@ QString Inspection::loopDetail(int id) const {
   return tr("%n edge(s), %1", nullptr, static_cast<int>(l.halfEdges.size())).arg(lengthText(l.length));
 }
 
-QString Inspection::loopTitle(int id) const { return tr("%1 — %2").arg(loopName(id), loopDetail(id)); }
+QString Inspection::loopTitle(int id) const {
+  return tr("%1 — %2").arg(loopName(id), loopDetail(id));
+}
 
 FillFailure Inspection::failure(int id) const {
   const auto found = m_failures.find(keyOf(id));
@@ -116,7 +120,9 @@ void Inspection::setFailure(int id, FillFailure failure) {
   emit changed();
 }
 
-Vertex Inspection::keyOf(int id) const { return m_keys[static_cast<std::size_t>(id)]; }
+Vertex Inspection::keyOf(int id) const {
+  return m_keys[static_cast<std::size_t>(id)];
+}
 
 int Inspection::loopWithKey(Vertex key) const {
   const auto found = std::find(m_keys.begin(), m_keys.end(), key);

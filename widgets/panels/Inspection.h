@@ -72,8 +72,8 @@ class Inspection : public QObject {
   std::vector<int> m_keptOpen;
   std::vector<std::size_t> m_debris;
   std::optional<FacePairs> m_selfIntersections;
-  std::vector<Vertex> m_keys;           // by loop id
-  std::map<Vertex, int> m_numbers;      // by key, from 1; never reused
+  std::vector<Vertex> m_keys;       // by loop id
+  std::map<Vertex, int> m_numbers;  // by key, from 1; never reused
   std::map<Vertex, FillFailure> m_failures;
 };
 

@@ -50,6 +50,8 @@ void JobBar::setProgress(double fraction) {
   m_progress->setValue(static_cast<int>(fraction * kSteps));
 }
 
-void JobBar::hideJob() { hide(); }
+void JobBar::hideJob() {
+  hide();
+}
 
 }  // namespace handwheel

@@ -18,7 +18,10 @@ constexpr int kWidth = 440;
 }  // namespace
 
 NextStepCard::NextStepCard(QWidget* over)
-    : QFrame(over), m_icon(new QLabel(this)), m_title(new QLabel(this)), m_detail(new QLabel(this)),
+    : QFrame(over),
+      m_icon(new QLabel(this)),
+      m_title(new QLabel(this)),
+      m_detail(new QLabel(this)),
       m_buttons(new QHBoxLayout) {
   setObjectName(QStringLiteral("nextStepCard"));
   setProperty("card", true);

@@ -110,7 +110,9 @@ StartPage::StartPage(QWidget* parent) : QWidget(parent), m_recentHeader(new QWid
   all->addStretch(3);
 }
 
-void StartPage::setSampleAvailable(bool available) { m_sample->setVisible(available); }
+void StartPage::setSampleAvailable(bool available) {
+  m_sample->setVisible(available);
+}
 
 void StartPage::setRecentFiles(const QStringList& paths) {
   while (QLayoutItem* item = m_recent->takeAt(0)) {

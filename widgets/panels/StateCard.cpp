@@ -25,11 +25,11 @@ Verdict verdictOn(const Inspection& inspection) {
   const auto holes = static_cast<int>(inspection.count(DefectKind::Hole));
   if (inspection.isWatertight()) return {QStringLiteral("watertight"), colours.success, StateCard::tr("Watertight")};
   if (holes > 0) {
-    return {defectIconName(DefectKind::Hole), defectColour(DefectKind::Hole), StateCard::tr("%n hole(s)", nullptr, holes)};
+    return {defectIconName(DefectKind::Hole), defectColour(DefectKind::Hole),
+            StateCard::tr("%n hole(s)", nullptr, holes)};
   }
   if (inspection.isClean()) {
-    return {defectIconName(DefectKind::KeptOpen), defectColour(DefectKind::KeptOpen),
-            StateCard::tr("No holes left")};
+    return {defectIconName(DefectKind::KeptOpen), defectColour(DefectKind::KeptOpen), StateCard::tr("No holes left")};
   }
   return {QStringLiteral("warning"), colours.warning, StateCard::tr("Not manifold")};
 }

@@ -83,13 +83,20 @@ std::array<Vec3, 8> cornersOf(const Box& box) {
 Eigen::Quaterniond orientationOf(StandardView view) {
   const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
   switch (view) {
-    case StandardView::Front: return looking(-y, z);
-    case StandardView::Back: return looking(y, z);
-    case StandardView::Left: return looking(-x, z);
-    case StandardView::Right: return looking(x, z);
-    case StandardView::Top: return looking(z, y);
-    case StandardView::Bottom: return looking(-z, -y);
-    case StandardView::Isometric: break;
+    case StandardView::Front:
+      return looking(-y, z);
+    case StandardView::Back:
+      return looking(y, z);
+    case StandardView::Left:
+      return looking(-x, z);
+    case StandardView::Right:
+      return looking(x, z);
+    case StandardView::Top:
+      return looking(z, y);
+    case StandardView::Bottom:
+      return looking(-z, -y);
+    case StandardView::Isometric:
+      break;
   }
   return looking(x - y + z, z);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/SurfaceGeometry.h"
 
+#include <algorithm>
 #include <cmath>
 #include <unordered_map>
 
@@ -12,7 +13,8 @@ namespace {
 // The cells of the grid that hold vertices, numbered as they are met.
 class Clusters {
  public:
-  Clusters(const HalfEdgeMesh& mesh, const Box& bounds, double cell) : m_mesh(mesh), m_corner(bounds.min()), m_cell(cell) {
+  Clusters(const HalfEdgeMesh& mesh, const Box& bounds, double cell)
+      : m_mesh(mesh), m_corner(bounds.min()), m_cell(cell) {
     m_clusterOf.assign(mesh.vertexSlots(), kNone);
   }
 
@@ -32,10 +34,20 @@ class Clusters {
 
   void addNormal(std::uint32_t cluster, const Vec3& n) { m_members[cluster].normal += n; }
 
-  void writeTo(SurfaceGeometry& g, const Vec3& origin) const {
-    for (const Cluster& c : m_members) {
-      const Vec3 p = m_corner + c.sum / c.count - origin;
-      const Vec3 n = c.normal.squaredNorm() > 0 ? c.normal.normalized() : Vec3(Vec3::UnitZ());
+  Vec3 position(std::uint32_t cluster) const { return m_corner + m_members[cluster].sum / m_members[cluster].count; }
+
+  // Where clustering folds the surface over itself, a triangle shows its back to the outside; it covers nothing that
+  // its neighbours do not.
+  bool isFoldedOver(const std::array<std::uint32_t, 3>& t) const {
+    const Vec3 n = (position(t[1]) - position(t[0])).cross(position(t[2]) - position(t[0]));
+    return n.dot(m_members[t[0]].normal + m_members[t[1]].normal + m_members[t[2]].normal) <= 0;
+  }
+
+  void writeVertices(SurfaceGeometry& g, const Vec3& origin) const {
+    for (std::uint32_t c = 0; c < m_members.size(); ++c) {
+      const Vec3 p = position(c) - origin;
+      const Vec3& sum = m_members[c].normal;
+      const Vec3 n = sum.squaredNorm() > 0 ? sum.normalized() : Vec3(Vec3::UnitZ());
       for (int k = 0; k < 3; ++k) {
         g.positions.push_back(static_cast<float>(p[k]));
         g.normals.push_back(static_cast<float>(n[k]));
@@ -69,6 +81,7 @@ SurfaceGeometry coarseGeometry(const HalfEdgeMesh& mesh, const Box& bounds, cons
   const double cell = std::max(std::sqrt(2 * area / static_cast<double>(triangles)), 1e-6 * s.norm());
   if (!(cell > 0)) return g;
   Clusters clusters(mesh, bounds, cell);
+  std::vector<std::array<std::uint32_t, 3>> kept;
   for (Face f = 0; f < mesh.faceSlots(); ++f) {
     if (!mesh.isLive(f)) continue;
     const auto [a, b, c] = mesh.triangle(f);
@@ -76,9 +89,13 @@ SurfaceGeometry coarseGeometry(const HalfEdgeMesh& mesh, const Box& bounds, cons
     const Vec3 n = (mesh.position(b) - mesh.position(a)).cross(mesh.position(c) - mesh.position(a));
     for (const std::uint32_t k : t) clusters.addNormal(k, n);
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
+    kept.push_back(t);
+  }
+  for (const auto& t : kept) {
+    if (clusters.isFoldedOver(t)) continue;
     for (const std::uint32_t k : t) g.indices.push_back(static_cast<std::int32_t>(k));
   }
-  clusters.writeTo(g, origin);
+  clusters.writeVertices(g, origin);
   return g;
 }
 

@@ -7,15 +7,24 @@
 
 namespace handwheel {
 
-std::string displayProblem() {
+DisplayCheck::DisplayCheck() {
   const char* name = std::getenv("DISPLAY");
-  if (!name || !*name) return "no X display (DISPLAY is not set)";
+  if (!name || !*name) {
+    m_problem = "no X display (DISPLAY is not set)";
+    return;
+  }
   Display* display = XOpenDisplay(nullptr);
-  if (!display) return std::string("the X display ") + name + " cannot be opened";
+  m_display = display;
   int opcode = 0, event = 0, error = 0;
-  const bool hasGlx = XQueryExtension(display, "GLX", &opcode, &event, &error) != 0;
-  XCloseDisplay(display);
-  return hasGlx ? std::string() : std::string("the X display ") + name + " has no GLX";
+  if (!display) {
+    m_problem = std::string("the X display ") + name + " cannot be opened";
+  } else if (!XQueryExtension(display, "GLX", &opcode, &event, &error)) {
+    m_problem = std::string("the X display ") + name + " has no GLX";
+  }
+}
+
+DisplayCheck::~DisplayCheck() {
+  if (m_display) XCloseDisplay(static_cast<Display*>(m_display));
 }
 
 }  // namespace handwheel

@@ -6,8 +6,21 @@
 
 namespace handwheel {
 
-// Why no window can be drawn to off screen, in English for the log; empty when the X display and GLX are there. VTK
-// itself would end the program.
-std::string displayProblem();
+// A connection to the X display, to find out whether VTK can use it: VTK itself would end the program. To be kept until
+// VTK has rendered: an X server without any client left may reset itself, and refuses connections meanwhile.
+class DisplayCheck {
+ public:
+  DisplayCheck();
+  ~DisplayCheck();
+  DisplayCheck(const DisplayCheck&) = delete;
+  DisplayCheck& operator=(const DisplayCheck&) = delete;
+
+  // Why nothing can be rendered, in English for the log; empty when the display and GLX are there.
+  const std::string& problem() const { return m_problem; }
+
+ private:
+  void* m_display = nullptr;  // Xlib's Display
+  std::string m_problem;
+};
 
 }  // namespace handwheel

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/GlWindow.h"
 
-#include <QOpenGLContext>
-#include <QOpenGLExtraFunctions>
-#include <QOpenGLWidget>
 #include <vtkCommand.h>
 #include <vtkOpenGLState.h>
 #include <vtkRenderer.h>
+#include <QOpenGLContext>
+#include <QOpenGLExtraFunctions>
+#include <QOpenGLWidget>
 
 namespace handwheel {
 
@@ -21,7 +21,9 @@ GlWindow::GlWindow(vtkRenderer* renderer) {
   m_window->AddObserver(vtkCommand::WindowIsCurrentEvent, this, &GlWindow::reportIsCurrent);
 }
 
-GlWindow::~GlWindow() { m_window->RemoveAllObservers(); }
+GlWindow::~GlWindow() {
+  m_window->RemoveAllObservers();
+}
 
 // Not the widget's makeCurrent(): that also binds Qt's framebuffer, and VTK asks in the middle of building its own.
 void GlWindow::makeContextCurrent() {

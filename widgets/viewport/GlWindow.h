@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QSize>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
+#include <QSize>
 
 class QOpenGLContext;
 class QOpenGLWidget;

@@ -34,8 +34,8 @@ StrokeLayer::StrokeLayer(vtkRenderer* renderer, double lift, double width)
   m_segments.property()->RenderLinesAsTubesOn();
   // Round dots. VTK's own round points are spheres with depth, which would stand out of the lines that they join.
   m_dots.actor()->GetShaderProperty()->AddFragmentShaderReplacement(
-      "//VTK::Color::Impl", true,
-      "//VTK::Color::Impl\n  if (length(gl_PointCoord - vec2(0.5)) > 0.5) discard;\n", false);
+      "//VTK::Color::Impl", true, "//VTK::Color::Impl\n  if (length(gl_PointCoord - vec2(0.5)) > 0.5) discard;\n",
+      false);
 }
 
 void StrokeLayer::set(const std::vector<Stroke>& strokes, const Vec3& origin) {

@@ -4,11 +4,11 @@
 
 #include "viewport/PolyData.h"
 
-#include <span>
 #include <vtkActor.h>
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkRenderer.h>
+#include <span>
 
 namespace handwheel {
 
@@ -19,8 +19,8 @@ struct LayerFrame {
   Vec3 towardsViewer = Vec3::UnitZ();
 };
 
-// One actor over the model, coloured by its points. It is moved towards the viewer by some pixels' worth of length: under
-// a parallel projection that changes nothing but its depth, and by the same amount everywhere.
+// One actor over the model, coloured by its points. It is moved towards the viewer by some pixels' worth of length:
+// under a parallel projection that changes nothing but its depth, and by the same amount everywhere.
 class Layer {
  public:
   // lift: logical pixels towards the viewer; a higher layer hides a lower one.

@@ -13,10 +13,10 @@ namespace handwheel {
 struct SceneColours {
   QColor backgroundTop;
   QColor backgroundBottom;
-  QColor front;  // the material
-  QColor back;   // the inner side, seen through holes
-  QColor edge;       // over the material
-  QColor wire;       // before the background
+  QColor front;   // the material
+  QColor back;    // the inner side, seen through holes
+  QColor edge;    // over the material
+  QColor wire;    // before the background
   QColor casing;  // thin rim around lines and dots that sets them off the surface
   QColor text;    // scale bar and axis letters
   QColor accent;  // preview and hover

@@ -36,7 +36,7 @@ bool MeshBlocks::takeOne() {
   actor = makeActor(next.geometry);
   actor->SetVisibility(!m_reduced || !m_coarse);
   ++m_built;
-  return !m_queue.empty();
+  return true;
 }
 
 void MeshBlocks::setCoarse(std::optional<SurfaceGeometry> geometry) {

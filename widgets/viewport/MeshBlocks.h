@@ -6,10 +6,10 @@
 #include "viewport/SurfaceGeometry.h"
 #include "viewport/ViewportTypes.h"
 
-#include <deque>
-#include <optional>
 #include <vtkActor.h>
 #include <vtkSmartPointer.h>
+#include <deque>
+#include <optional>
 
 namespace handwheel {
 
@@ -21,7 +21,7 @@ class MeshBlocks {
   void clear();
   // Queues the geometry; the block shows its former state until then.
   void enqueue(std::size_t block, SurfaceGeometry geometry);
-  // Takes one block from the queue, so that the next frame uploads no more than that. True when more are waiting.
+  // Takes one block from the queue, so that the next frame uploads no more than that. False when none was waiting.
   bool takeOne();
   void setCoarse(std::optional<SurfaceGeometry> geometry);
   // Shows the stand-in instead of the blocks, if there is one.

@@ -10,7 +10,7 @@ namespace handwheel {
 namespace {
 
 constexpr std::size_t kSmallMesh = 200000;       // faces that even software rendering turns without a stand-in
-constexpr std::size_t kCoarseTriangles = 80000;  // of the stand-in
+constexpr std::size_t kCoarseTriangles = 50000;  // of the stand-in, roughly
 constexpr std::size_t kBlocksAtOnce = 2;
 
 // Runs work(promise) on a worker and returns the watcher of its future.

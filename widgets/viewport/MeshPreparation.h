@@ -29,7 +29,8 @@ class MeshPreparation {
   void startAll(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin);
   // After an edit: the given blocks, those still owed of the state before, and the rest. One or two blocks are built
   // before this returns, so that the picture does not lag behind an edit.
-  void startSome(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin, const std::vector<std::size_t>& blocks);
+  void startSome(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin,
+                 const std::vector<std::size_t>& blocks);
   void cancel();
   // Waits for the blocks and hands them over.
   void finishBlocks();

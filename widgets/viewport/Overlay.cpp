@@ -43,7 +43,8 @@ void strokeWithRim(QPainter& painter, const QPainterPath& path, const QPen& pen,
 }
 
 // Text whose middle is at the point.
-void paintText(QPainter& painter, const QPointF& middle, const QString& text, bool bold, const QColor& colour, QColor rim) {
+void paintText(QPainter& painter, const QPointF& middle, const QString& text, bool bold, const QColor& colour,
+               QColor rim) {
   QFont font = painter.font();
   font.setPixelSize(12);
   font.setBold(bold);

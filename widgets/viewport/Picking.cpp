@@ -68,7 +68,8 @@ std::optional<PickIndex::Hit> PickIndex::firstHit(const Vec3& origin, const Vec3
   return Hit{m_faceOf[hit->triangle], origin + hit->distance * direction};
 }
 
-Pick pickAt(const PickIndex& index, const std::vector<LoopMark>& loops, const CameraNavigation& view, const Vec2& cursor) {
+Pick pickAt(const PickIndex& index, const std::vector<LoopMark>& loops, const CameraNavigation& view,
+            const Vec2& cursor) {
   std::vector<LoopCandidate> near;
   for (const LoopMark& loop : loops) collectNearSegments(loop, view, cursor, near);
   std::sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.distance < b.distance; });

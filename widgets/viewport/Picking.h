@@ -31,6 +31,7 @@ class PickIndex {
 inline constexpr double kLoopPickRadius = 8.0;
 
 // What appears at the cursor: the nearest loop that the surface does not hide, else the first face.
-Pick pickAt(const PickIndex& index, const std::vector<LoopMark>& loops, const CameraNavigation& view, const Vec2& cursor);
+Pick pickAt(const PickIndex& index, const std::vector<LoopMark>& loops, const CameraNavigation& view,
+            const Vec2& cursor);
 
 }  // namespace handwheel

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/PolyData.h"
 
-#include <algorithm>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
@@ -10,6 +9,7 @@
 #include <vtkPoints.h>
 #include <vtkTypeInt32Array.h>
 #include <vtkUnsignedCharArray.h>
+#include <algorithm>
 
 namespace handwheel {
 

@@ -4,9 +4,9 @@
 
 #include "viewport/SurfaceGeometry.h"
 
-#include <QColor>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <QColor>
 
 namespace handwheel {
 

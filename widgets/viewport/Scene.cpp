@@ -59,7 +59,7 @@ void Scene::updateMesh(const HalfEdgeMesh& mesh, const std::vector<Face>& touche
   m_outline = sample(mesh);
   // Faces that went may leave the bounds too large, which harms nothing; measuring a large mesh anew takes its time.
   for (const Face f : touched) {
-    if (!mesh.isLive(f)) continue;
+    if (f >= mesh.faceSlots() || !mesh.isLive(f)) continue;  // its slot may be gone with it
     for (const Vertex v : mesh.triangle(f)) m_bounds.extend(mesh.position(v));
   }
   m_marks.setMesh(m_mesh, m_origin);

@@ -5,11 +5,11 @@
 #include "viewport/DisplayCheck.h"
 #include "viewport/Scene.h"
 
+#include <vtkRenderWindow.h>
+#include <vtkUnsignedCharArray.h>
 #include <QImage>
 #include <QSaveFile>
 #include <algorithm>
-#include <vtkRenderWindow.h>
-#include <vtkUnsignedCharArray.h>
 
 namespace handwheel {
 
@@ -24,7 +24,8 @@ Error writeFailed(std::string reason, const std::filesystem::path& png) {
 // Twice the vector area of the loop.
 Vec3 vectorArea(const std::vector<Vec3>& loop) {
   Vec3 area = Vec3::Zero();
-  for (std::size_t i = 0; i < loop.size(); ++i) area += (loop[i] - loop[0]).cross(loop[(i + 1) % loop.size()] - loop[0]);
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    area += (loop[i] - loop[0]).cross(loop[(i + 1) % loop.size()] - loop[0]);
   return area;
 }
 
@@ -77,8 +78,8 @@ Status save(const QImage& picture, const std::filesystem::path& png) {
 Status renderToFile(const HalfEdgeMesh& mesh, const std::vector<LoopMark>& loops, const std::filesystem::path& png,
                     int width, int height) {
   if (width < 1 || height < 1) return writeFailed("the picture has no pixels", png);
-  const std::string problem = displayProblem();
-  if (!problem.empty()) return writeFailed(problem, png);
+  const DisplayCheck display;
+  if (!display.problem().empty()) return writeFailed(display.problem(), png);
 
   Scene scene;
   scene.setMesh(mesh);

@@ -96,13 +96,15 @@ class BlockBuilder {
   Face m_first = 0;
   Face m_end = 0;
   std::vector<std::int32_t> m_vertexOf;  // drawn vertex of each half-edge's start in the block; -1: not yet
-  std::vector<Corner> m_corners;  // around the vertex at work; a member to reuse its memory
+  std::vector<Corner> m_corners;         // around the vertex at work; a member to reuse its memory
   SurfaceGeometry m_result;
 };
 
 }  // namespace
 
-std::size_t blockCount(const HalfEdgeMesh& mesh) { return (mesh.faceSlots() + kBlockFaces - 1) / kBlockFaces; }
+std::size_t blockCount(const HalfEdgeMesh& mesh) {
+  return (mesh.faceSlots() + kBlockFaces - 1) / kBlockFaces;
+}
 
 SurfaceGeometry blockGeometry(const HalfEdgeMesh& mesh, std::size_t block, const Vec3& origin) {
   return BlockBuilder(mesh, block, origin).build();

@@ -12,9 +12,9 @@ namespace handwheel {
 // Triangles as the graphics card wants them: single precision about an origin near the model, so that a model far from
 // its own origin does not jitter; one vertex for each position and normal.
 struct SurfaceGeometry {
-  std::vector<float> positions;        // x y z …
-  std::vector<float> normals;          // the same number, of unit length
-  std::vector<std::int32_t> indices;   // three to a triangle
+  std::vector<float> positions;       // x y z …
+  std::vector<float> normals;         // the same number, of unit length
+  std::vector<std::int32_t> indices;  // three to a triangle
 
   std::size_t vertexCount() const { return positions.size() / 3; }
 };

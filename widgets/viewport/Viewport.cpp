@@ -70,11 +70,14 @@ Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), d(std::make_unique<
   // The right button drags; a menu that opens on its press would be in the way.
   setContextMenuPolicy(Qt::PreventContextMenu);
   setMinimumSize(200, 150);
+  setObjectName(QStringLiteral("viewport"));
+  setAccessibleName(tr("3D view"));
 }
 
 void Viewport::setMesh(const HalfEdgeMesh& mesh) {
   d->index.reset();
   d->hover({});
+  d->isPlaced = false;
   d->scene.setMesh(mesh);
   d->preparation.startAll(mesh, d->scene.bounds(), d->scene.origin());
   update();
@@ -134,7 +137,9 @@ void Viewport::setShading(Shading shading) {
   update();
 }
 
-Shading Viewport::shading() const { return d->shading; }
+Shading Viewport::shading() const {
+  return d->shading;
+}
 
 void Viewport::setDarkTheme(bool dark) {
   d->scene.setDark(dark);
@@ -147,7 +152,9 @@ void Viewport::setStandardView(StandardView view) {
   d->flyTo(CameraNavigation(from, d->size()).fitted(d->scene.outline(), kFitShare));
 }
 
-void Viewport::fit() { d->flyTo(CameraNavigation(d->goal(), d->size()).fitted(d->scene.outline(), kFitShare)); }
+void Viewport::fit() {
+  d->flyTo(CameraNavigation(d->goal(), d->size()).fitted(d->scene.outline(), kFitShare));
+}
 
 void Viewport::flyTo(const Box& box, const Vec3& outward) {
   if (box.isEmpty()) return;
@@ -160,7 +167,9 @@ void Viewport::flyTo(const Box& box, const Vec3& outward) {
   d->flyTo(goal);
 }
 
-CameraState Viewport::camera() const { return d->goal(); }
+CameraState Viewport::camera() const {
+  return d->goal();
+}
 
 void Viewport::setCamera(const CameraState& camera) {
   d->flight.stop();
@@ -168,14 +177,24 @@ void Viewport::setCamera(const CameraState& camera) {
   d->moveTo(camera);
 }
 
-Pick Viewport::pickAt(const QPointF& position) const { return d->pick({position.x(), position.y()}); }
+Pick Viewport::pickAt(const QPointF& position) const {
+  return d->pick({position.x(), position.y()});
+}
 
-bool Viewport::isPickingReady() const { return d->index != nullptr; }
+bool Viewport::isPickingReady() const {
+  return d->index != nullptr;
+}
 
-QString Viewport::graphicsProblem() const { return d->problem; }
+QString Viewport::graphicsProblem() const {
+  return d->problem;
+}
 
-int Viewport::blocksBuilt() const { return d->scene.blocks().builtCount(); }
+int Viewport::blocksBuilt() const {
+  return d->scene.blocks().builtCount();
+}
 
-QSize Viewport::sizeHint() const { return {960, 640}; }
+QSize Viewport::sizeHint() const {
+  return {960, 640};
+}
 
 }  // namespace handwheel

@@ -27,7 +27,8 @@ class Viewport : public QOpenGLWidget {
   explicit Viewport(QWidget* parent = nullptr);
   ~Viewport() override;
 
-  // Shows another model; the camera stays. Returns at once, the parts appear over the next frames.
+  // Shows another model. The camera stays, and leaps instead of flying where it is sent next. Returns at once, the
+  // parts appear over the next frames.
   void setMesh(const HalfEdgeMesh& mesh);
   // The same model after an edit that touched these faces (added, removed, turned or with moved corners). Rebuilds only
   // the blocks concerned.

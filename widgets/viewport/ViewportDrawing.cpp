@@ -3,12 +3,13 @@
 #include "viewport/Overlay.h"
 #include "viewport/ViewportPrivate.h"
 
+#include <qopenglcontext_platform.h>
 #include <QElapsedTimer>
 #include <QGuiApplication>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 #include <QSurfaceFormat>
-#include <qopenglcontext_platform.h>
+#include <algorithm>
 
 namespace handwheel {
 
@@ -41,7 +42,8 @@ void Viewport::prepareApplication() {
 
 QString Viewport::platformProblem() {
   if (QGuiApplication::platformName() == QLatin1String("xcb")) return {};
-  return tr("The 3D view needs an X server, and this session runs on “%1”. Start the program in an X11 session, or in a "
+  return tr("The 3D view needs an X server, and this session runs on “%1”. Start the program in an X11 session, or in "
+            "a "
             "Wayland session with Xwayland.")
       .arg(QGuiApplication::platformName());
 }
@@ -69,8 +71,9 @@ void Viewport::Private::detachGl() {
 // May run again, with another context, after the widget has moved to another window.
 void Viewport::initializeGL() {
   if (!isUsable(*context())) {
-    d->report(tr("The 3D view needs OpenGL 3.2 through an X server (GLX), which this session does not offer. Start the "
-                 "program in an X11 session, or in a Wayland session with Xwayland."));
+    d->report(
+        tr("The 3D view needs OpenGL 3.2 through an X server (GLX), which this session does not offer. Start the "
+           "program in an X11 session, or in a Wayland session with Xwayland."));
     return;
   }
   d->report({});
@@ -83,8 +86,9 @@ void Viewport::showEvent(QShowEvent* event) {
   // Without a context, initializeGL() is never called; by the next turn of the event loop it must have been.
   QTimer::singleShot(0, this, [this] {
     if (isVisible() && !isValid()) {
-      d->report(tr("The 3D view could not start: the display offers no OpenGL. Check the graphics driver, or whether "
-                   "the X server provides GLX."));
+      d->report(
+          tr("The 3D view could not start: the display offers no OpenGL. Check the graphics driver, or whether "
+             "the X server provides GLX."));
     }
   });
 }
@@ -100,8 +104,8 @@ void Viewport::paintGL() {
 
 // While the camera moves, a slow display gives up first the smoothing of edges, then the fine triangles.
 void Viewport::Private::draw() {
-  const int builtBefore = scene.blocks().builtCount();
-  if (scene.blocks().takeOne()) q->update();
+  const bool uploads = scene.blocks().takeOne();
+  if (uploads) q->update();  // for the next block, or at last for an undisturbed frame
   const bool isReduced = isMoving() && fullFrameMs > kSlowFrameMs;
   scene.blocks().setReduced(isReduced);
   const bool isSmooth = !isMoving() || fullFrameMs <= kUnevenFrameMs;
@@ -114,8 +118,9 @@ void Viewport::Private::draw() {
   glWindow.draw(q, (QSizeF(q->size()) * ratio).toSize());
   // Software rendering works on after the call returns.
   q->context()->functions()->glFinish();
-  const bool isTypical = isSmooth && !isReduced && scene.blocks().builtCount() == builtBefore;
-  if (isTypical) fullFrameMs = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+  if (isReduced || uploads) return;
+  const double milliseconds = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
+  fullFrameMs = isSmooth ? milliseconds : std::max(fullFrameMs, milliseconds);
 }
 
 QImage Viewport::grabImage() {

@@ -11,14 +11,18 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kDragThreshold = 4.0;      // logical pixels; less is a click
-constexpr double kZoomPerDegree = 1.0119;   // a notch of 15° magnifies by 1.19
-constexpr double kNearestZoom = 1e-5;       // height of the view over the model's diagonal
+constexpr double kDragThreshold = 4.0;     // logical pixels; less is a click
+constexpr double kZoomPerDegree = 1.0119;  // a notch of 15° magnifies by 1.19
+constexpr double kNearestZoom = 1e-5;      // height of the view over the model's diagonal
 constexpr double kFarthestZoom = 50.0;
 
-Vec2 toVec2(const QPointF& p) { return {p.x(), p.y()}; }
+Vec2 toVec2(const QPointF& p) {
+  return {p.x(), p.y()};
+}
 
-bool isSame(const Pick& a, const Pick& b) { return a.loop == b.loop && a.face == b.face; }
+bool isSame(const Pick& a, const Pick& b) {
+  return a.loop == b.loop && a.face == b.face;
+}
 
 }  // namespace
 
@@ -81,7 +85,9 @@ void Viewport::Private::hover(const Pick& pick) {
   emit q->hovered(hovered);
 }
 
-void Viewport::mousePressEvent(QMouseEvent* event) { d->press(*event); }
+void Viewport::mousePressEvent(QMouseEvent* event) {
+  d->press(*event);
+}
 
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
   const Vec2 cursor = toVec2(event->position());
@@ -112,7 +118,8 @@ void Viewport::wheelEvent(QWheelEvent* event) {
   const double diagonal = d->scene.bounds().isEmpty() ? 1.0 : d->scene.bounds().diagonal().norm();
   const double height = d->camera.height;
   // The limits never pull back a camera that something else has placed beyond them.
-  const double nearest = std::min(height, kNearestZoom * diagonal), farthest = std::max(height, kFarthestZoom * diagonal);
+  const double nearest = std::min(height, kNearestZoom * diagonal),
+               farthest = std::max(height, kFarthestZoom * diagonal);
   const double goal = std::clamp(height / std::pow(kZoomPerDegree, degrees), nearest, farthest);
   d->isPlaced = true;
   d->rest.start();

@@ -52,9 +52,9 @@ class Viewport::Private {
   MeshPreparation preparation;
   Shading shading = Shading::Shaded;
   QString problem;
-  bool isPlaced = false;         // the camera has been set on purpose; before, it leaps instead of flying
-  double fullFrameMs = 0.0;      // what a frame in full detail took last
-  QTimer rest;                   // runs while the wheel turns
+  bool isPlaced = false;     // the camera was set for this model; before, it leaps instead of flying
+  double fullFrameMs = 0.0;  // what a frame in full detail took last
+  QTimer rest;               // runs while the wheel turns
 
   Qt::MouseButton button = Qt::NoButton;  // held since the press that is being followed
   Drag intended = Drag::None;             // what the button does once the mouse has moved far enough

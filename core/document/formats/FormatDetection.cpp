@@ -42,8 +42,8 @@ Result<MeshFormat> detectFormat(std::string_view bytes, std::string_view name) {
     return Error{ErrorCode::TextEncoding, {std::string(wide)}, {}, {}};
   if (beginsWithOffKeyword(bytes)) return MeshFormat::Off;
   if (isTextStl(bytes)) return MeshFormat::Stl;
-  if (named) return *named;
   if (looksLikeObj(bytes)) return MeshFormat::Obj;
+  if (named) return *named;
   return Error{ErrorCode::FormatUnknown, {}, {}, {}};
 }
 

@@ -12,9 +12,11 @@ namespace {
 
 constexpr std::size_t kListedDamage = 1000;
 constexpr std::uint64_t kBytesPerLook = 256 * 1024;  // a few milliseconds of text
-constexpr std::size_t kMostElements = kNone - 1;  // vertices and triangles are numbered in 32 bits
+constexpr std::size_t kMostElements = kNone - 1;     // vertices and triangles are numbered in 32 bits
 
-bool isReadable(const Vec3& p) { return !std::isnan(p.x()); }
+bool isReadable(const Vec3& p) {
+  return !std::isnan(p.x());
+}
 
 }  // namespace
 
@@ -46,7 +48,9 @@ bool MeshAssembly::tolerate(Error error) {
   return true;
 }
 
-void MeshAssembly::mend(Error error) { list(std::move(error)); }
+void MeshAssembly::mend(Error error) {
+  list(std::move(error));
+}
 
 void MeshAssembly::noteExcess(std::uint64_t end, Place place) {
   mend({ErrorCode::CountMismatch, {"bytes", std::to_string(end), std::to_string(m_bytes)}, place, {}});

@@ -40,12 +40,16 @@ struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-Error unreadable(int number) { return {ErrorCode::FileUnreadable, {std::generic_category().message(number)}, {}, {}}; }
+Error unreadable(int number) {
+  return {ErrorCode::FileUnreadable, {std::generic_category().message(number)}, {}, {}};
+}
 
 // In blocks, for progress and cancellation. Not memory-mapped: another program that cuts the file would kill us.
 Result<std::string> readAll(const std::filesystem::path& path, Progress progress) {
   std::error_code failed;
-  if (std::filesystem::is_directory(path, failed)) return unreadable(EISDIR);
+  const auto status = std::filesystem::status(path, failed);
+  if (std::filesystem::is_directory(status)) return unreadable(EISDIR);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) return unreadable(ENOTSUP);
   const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
   if (!file && errno == ENOENT) return Error{ErrorCode::FileMissing, {}, {}, {}};
   if (!file) return unreadable(errno);
@@ -66,7 +70,9 @@ Result<std::string> readAll(const std::filesystem::path& path, Progress progress
   }
 }
 
-Error outOfMemory() { return {ErrorCode::OutOfMemory, {}, {}, {}}; }
+Error outOfMemory() {
+  return {ErrorCode::OutOfMemory, {}, {}, {}};
+}
 
 }  // namespace
 

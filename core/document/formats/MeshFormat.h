@@ -28,8 +28,8 @@ struct MeshFile {
   MeshFormat format = MeshFormat::Stl;
   NumberType numbers = NumberType::Float32;  // of the coordinates in the file
   TriangleSoup soup;
-  std::vector<Error> damage;                 // what was skipped or mended; empty when the file is as its format wants
-  std::size_t unlistedDamage = 0;            // further damage beyond the first thousand entries
+  std::vector<Error> damage;       // what was skipped or mended; empty when the file is as its format wants
+  std::size_t unlistedDamage = 0;  // further damage beyond the first thousand entries
   std::vector<LostAttribute> lost;
 };
 

@@ -49,7 +49,9 @@ const Statement* findLostStatement(std::string_view keyword) {
   return found == std::end(kLostStatements) ? nullptr : found;
 }
 
-bool isFace(std::string_view keyword) { return keyword == "f" || keyword == "fo"; }  // fo: as written before 1990
+bool isFace(std::string_view keyword) {
+  return keyword == "f" || keyword == "fo";
+}  // fo: as written before 1990
 
 class Reader {
  public:
@@ -80,7 +82,8 @@ class Reader {
   bool readVertex() {
     Vec3 point;
     Error error;
-    if (!readPoint(m_scanner, NumberType::Float64, point, error)) return m_assembly.addUnreadablePoint(std::move(error));
+    if (!readPoint(m_scanner, NumberType::Float64, point, error))
+      return m_assembly.addUnreadablePoint(std::move(error));
     // Behind the position: a weight, or a colour of three or four components.
     const std::string_view fourth = m_scanner.word();
     if (!fourth.empty()) {
@@ -102,10 +105,8 @@ class Reader {
       if (!good) return m_assembly.tolerate(wordError(ErrorCode::NumberMalformed, word, m_scanner.place()));
       const auto known = static_cast<std::int64_t>(m_assembly.pointCount());
       if (*index == 0 || *index < -known)
-        return m_assembly.tolerate({ErrorCode::IndexOutOfRange,
-                                    {std::to_string(*index), std::to_string(known)},
-                                    m_scanner.place(),
-                                    {}});
+        return m_assembly.tolerate(
+            {ErrorCode::IndexOutOfRange, {std::to_string(*index), std::to_string(known)}, m_scanner.place(), {}});
       m_corners.push_back(*index > 0 ? *index - 1 : known + *index);
     }
     return m_assembly.addPolygon(m_corners, place);
@@ -124,6 +125,8 @@ Result<MeshFile> readObj(std::string_view bytes, const ReadOptions& options, Pro
 
 bool looksLikeObj(std::string_view bytes) {
   constexpr std::size_t kProbe = 64 * 1024;
+  constexpr std::size_t kTextProof = 1024;  // binary data has a NUL within
+  if (bytes.substr(0, kTextProof).find('\0') != std::string_view::npos) return false;
   TextScanner scanner(bytes.substr(0, kProbe), kSyntax);
   const std::string_view keyword = scanner.wordOnAnyLine();
   return !scanner.peek().empty() && (keyword == "v" || isFace(keyword) || findLostStatement(keyword));

@@ -61,14 +61,12 @@ class BinaryReader {
       if (!m_assembly.advance(m_at)) return false;
       Vec3 p;
       for (std::size_t k = 0; k < 3; ++k)
-        p[static_cast<Eigen::Index>(k)] =
-            rounded(static_cast<double>(loadNumber<float>(m_bytes.data() + m_at + k * kWord, m_order)),
-                    NumberType::Float32);
-      const bool added = p.allFinite() ? m_assembly.addPoint(p)
-                                       : m_assembly.addUnreadablePoint({ErrorCode::NumberNotFinite,
-                                                                        {p.hasNaN() ? "nan" : "inf"},
-                                                                        Place::byte(m_at),
-                                                                        {}});
+        p[static_cast<Eigen::Index>(k)] = rounded(
+            static_cast<double>(loadNumber<float>(m_bytes.data() + m_at + k * kWord, m_order)), NumberType::Float32);
+      const bool added = p.allFinite()
+                             ? m_assembly.addPoint(p)
+                             : m_assembly.addUnreadablePoint(
+                                   {ErrorCode::NumberNotFinite, {p.hasNaN() ? "nan" : "inf"}, Place::byte(m_at), {}});
       if (!added) return false;
     }
     m_assembly.allPointsAdded();

@@ -10,9 +10,9 @@ namespace handwheel {
 
 // The first word of an OFF file says what each vertex brings: [ST][C][N][4][n]OFF (Geomview manual, "OFF files").
 struct OffKeyword {
-  bool texture = false;  // two numbers behind each vertex
-  bool colour = false;   // in binary files four numbers
-  bool normal = false;   // three numbers
+  bool texture = false;         // two numbers behind each vertex
+  bool colour = false;          // in binary files four numbers
+  bool normal = false;          // three numbers
   bool otherDimension = false;  // 4OFF, nOFF: not points in space
   std::size_t length = 0;       // characters; a count may follow without a blank
 

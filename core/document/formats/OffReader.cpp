@@ -147,10 +147,8 @@ class TextReader {
   }
 
   bool truncated(const char* what, std::int64_t announced) {
-    m_assembly.tolerate({ErrorCode::DataTruncated,
-                         {what, std::to_string(announced), std::to_string(m_read)},
-                         m_scanner.place(),
-                         {}});
+    m_assembly.tolerate(
+        {ErrorCode::DataTruncated, {what, std::to_string(announced), std::to_string(m_read)}, m_scanner.place(), {}});
     return false;
   }
 

@@ -16,11 +16,11 @@ struct TypeName {
 };
 
 constexpr TypeName kTypeNames[] = {
-    {"char", PlyType::Int8},     {"int8", PlyType::Int8},       {"uchar", PlyType::UInt8},
-    {"uint8", PlyType::UInt8},   {"short", PlyType::Int16},     {"int16", PlyType::Int16},
-    {"ushort", PlyType::UInt16}, {"uint16", PlyType::UInt16},   {"int", PlyType::Int32},
-    {"int32", PlyType::Int32},   {"uint", PlyType::UInt32},     {"uint32", PlyType::UInt32},
-    {"float", PlyType::Float32}, {"float32", PlyType::Float32}, {"double", PlyType::Float64},
+    {"char", PlyType::Int8},       {"int8", PlyType::Int8},       {"uchar", PlyType::UInt8},
+    {"uint8", PlyType::UInt8},     {"short", PlyType::Int16},     {"int16", PlyType::Int16},
+    {"ushort", PlyType::UInt16},   {"uint16", PlyType::UInt16},   {"int", PlyType::Int32},
+    {"int32", PlyType::Int32},     {"uint", PlyType::UInt32},     {"uint32", PlyType::UInt32},
+    {"float", PlyType::Float32},   {"float32", PlyType::Float32}, {"double", PlyType::Float64},
     {"float64", PlyType::Float64},
 };
 
@@ -29,7 +29,7 @@ class Reader {
   explicit Reader(std::string_view bytes) : m_bytes(bytes), m_scanner(bytes) {}
 
   Result<PlyHeader> read() {
-    m_scanner.wordOnAnyLine();  // "ply"
+    if (m_scanner.wordOnAnyLine() != "ply") return malformed("ply");
     // Files for old Macs end their lines with CR; then a line feed behind the header belongs to the body.
     const std::size_t end = m_scanner.position();
     m_carriageReturnOnly = m_bytes.substr(end, 1) == "\r" && m_bytes.substr(end, 2) != "\r\n";
@@ -134,6 +134,8 @@ std::size_t sizeOf(PlyType type) {
   return kSizes[static_cast<std::size_t>(type)];
 }
 
-Result<PlyHeader> readPlyHeader(std::string_view bytes) { return Reader(bytes).read(); }
+Result<PlyHeader> readPlyHeader(std::string_view bytes) {
+  return Reader(bytes).read();
+}
 
 }  // namespace handwheel

@@ -44,7 +44,8 @@ class BodyReader {
       if (!m_assembly.advance(m_rows.position())) return false;
       const Place place = m_rows.place();
       const RowState state = m_rows.begin() ? readRow(layout) : RowState::Ended;
-      if (state == RowState::Ended) return endHere({layout.rowsName, std::to_string(element.count), std::to_string(i)}, place);
+      if (state == RowState::Ended)
+        return endHere({layout.rowsName, std::to_string(element.count), std::to_string(i)}, place);
       if (state == RowState::Bad) m_rows.abandon();
       if (!(state == RowState::Good ? store(layout, place) : storeBad(layout))) return false;
     }

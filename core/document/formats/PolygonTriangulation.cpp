@@ -11,7 +11,8 @@ namespace {
 // A polygon counts as planar when no corner is further from its plane than this share of its size: beyond, which cut is
 // right depends on more than the outline, and everybody expects a fan.
 constexpr double kPlanar = 1e-3;
-constexpr std::int64_t kTestsPerLook = 500'000;
+constexpr std::uint64_t kTestsPerLook = 500'000;
+constexpr std::uint64_t kTestsPerCorner = 200;  // enough for polygons of several hundred corners, however many
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
@@ -77,16 +78,17 @@ bool PolygonTriangulation::isStrictlyConvex() const {
 PolygonTriangulation::Outcome PolygonTriangulation::cutEars(std::span<const std::uint32_t> corners,
                                                             std::vector<Triangle>& triangles) {
   linkRing();
+  m_allowedTests += kTestsPerCorner * corners.size();
   std::uint32_t at = 0;
   std::size_t left = corners.size(), sinceLastEar = 0;
   while (left > 3) {
-    if (m_budget < m_nextLook || m_nextLook == 0) {
+    if (m_tests >= m_nextLook) {
       if (!m_keepGoing()) return Outcome::Stopped;
-      m_nextLook = m_budget - kTestsPerLook;
+      m_nextLook = m_tests + kTestsPerLook;
     }
     // Going once round without an ear: the outline crosses itself. Any corner then has to do.
     const bool stuck = sinceLastEar > left;
-    if (m_budget > 0 && !stuck && !isEar(at)) {
+    if (m_tests < m_allowedTests && !stuck && !isEar(at)) {
       ++sinceLastEar;
       at = m_next[at];
       continue;
@@ -98,7 +100,7 @@ PolygonTriangulation::Outcome PolygonTriangulation::cutEars(std::span<const std:
     at = m_next[m_next[at]];  // skipping one corner keeps the triangles from all meeting in one
   }
   triangles.push_back({corners[m_previous[at]], corners[at], corners[m_next[at]]});
-  return m_budget > 0 ? Outcome::Done : Outcome::TooComplex;
+  return m_tests < m_allowedTests ? Outcome::Done : Outcome::TooComplex;
 }
 
 void PolygonTriangulation::linkRing() {
@@ -129,7 +131,7 @@ bool PolygonTriangulation::isEar(std::uint32_t corner) {
   const Vec2 &a = m_flat[m_previous[corner]], &b = m_flat[corner], &c = m_flat[m_next[corner]];
   for (std::size_t i = 0; i < m_reflex.size();) {
     const std::uint32_t other = m_reflex[i];
-    --m_budget;
+    ++m_tests;
     if (m_previous[other] == kNone || !isReflex(other)) {  // a corner never becomes reflex again
       m_reflex[i] = m_reflex.back();
       m_reflex.pop_back();

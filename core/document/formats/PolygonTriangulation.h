@@ -11,14 +11,14 @@
 
 namespace handwheel {
 
-// Cuts the polygons of one file into triangles: as fans; but by ear cutting those that are planar and not strictly convex,
-// for which a fan may have triangles outside the polygon or without area.
-// Keeps its buffers from one polygon to the next.
+// Cuts the polygons of one file into triangles: as fans; but by ear cutting those that are planar and not strictly
+// convex, for which a fan may have triangles outside the polygon or without area. Keeps its buffers from one polygon to
+// the next.
 class PolygonTriangulation {
  public:
   enum class Outcome {
     Done,
-    TooComplex,  // the file's budget for ear cutting is used up; a fan was made instead
+    TooComplex,  // too many corners for ear cutting; some triangles may lie outside the polygon
     Stopped,     // keepGoing said no
   };
 
@@ -26,9 +26,10 @@ class PolygonTriangulation {
   explicit PolygonTriangulation(std::function<bool()> keepGoing) : m_keepGoing(std::move(keepGoing)) {}
 
   // Appends corners.size() - 2 triangles that use the polygon's corners only, with its orientation.
-  // Precondition: at least three corners, each an index into points. O(corners), ear cutting O(corners²) within a budget
-  // shared by all calls.
-  Outcome cut(const std::vector<Vec3>& points, std::span<const std::uint32_t> corners, std::vector<Triangle>& triangles);
+  // Precondition: at least three corners, each an index into points. O(corners); ear cutting is O(corners²), but all
+  // calls together make no more than 200 tests a corner and 150 million.
+  Outcome cut(const std::vector<Vec3>& points, std::span<const std::uint32_t> corners,
+              std::vector<Triangle>& triangles);
 
  private:
   using Vec2 = Eigen::Vector2d;
@@ -42,9 +43,10 @@ class PolygonTriangulation {
   bool isReflex(std::uint32_t corner) const;
 
   std::function<bool()> m_keepGoing;
-  std::int64_t m_budget = 150'000'000;  // point-in-triangle tests, about a second
-  std::int64_t m_nextLook = 0;          // ask keepGoing when the budget falls below
-  std::vector<Vec2> m_flat;             // the corners in the polygon's plane, counter-clockwise
+  std::uint64_t m_allowedTests = 150'000'000;  // of a corner against an ear; about a second
+  std::uint64_t m_tests = 0;                   // made so far
+  std::uint64_t m_nextLook = 0;                // ask keepGoing after as many
+  std::vector<Vec2> m_flat;                    // the corners in the polygon's plane, counter-clockwise
   std::vector<std::uint32_t> m_previous, m_next;
   std::vector<std::uint32_t> m_reflex;  // corners that may lie inside an ear; some may have become convex since
 };

@@ -116,8 +116,7 @@ class Reader {
 
   bool refuse(std::size_t index, std::size_t coordinate, double value) {
     const auto at = static_cast<std::uint64_t>(facet(index) - m_bytes.data()) + kCornersAt + 4 * coordinate;
-    return m_assembly.tolerate(
-        {ErrorCode::NumberNotFinite, {std::isnan(value) ? "nan" : "inf"}, Place::byte(at), {}});
+    return m_assembly.tolerate({ErrorCode::NumberNotFinite, {std::isnan(value) ? "nan" : "inf"}, Place::byte(at), {}});
   }
 
   const char* facet(std::size_t i) const { return m_bytes.data() + kFacetsAt + kFacetSize * i; }

@@ -15,7 +15,9 @@ std::string_view withoutPlus(std::string_view word) {
   return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
 }
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
+bool isDigit(char c) {
+  return c >= '0' && c <= '9';
+}
 
 // Whether a well-formed number that is not within the range of double is too large rather than too small: the sign of
 // the exponent of its first digit other than zero.

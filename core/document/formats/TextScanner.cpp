@@ -6,8 +6,12 @@ namespace handwheel {
 
 namespace {
 
-bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
-bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+bool isLineEnd(char c) {
+  return c == '\n' || c == '\r';
+}
+bool isBlank(char c) {
+  return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
 
 }  // namespace
 
@@ -27,7 +31,9 @@ std::string_view TextScanner::word() {
   return {start, static_cast<std::size_t>(m_at - start)};
 }
 
-std::string_view TextScanner::wordOnAnyLine() { return findWord() ? word() : std::string_view(); }
+std::string_view TextScanner::wordOnAnyLine() {
+  return findWord() ? word() : std::string_view();
+}
 
 std::string_view TextScanner::peek() {
   skipBlanks();

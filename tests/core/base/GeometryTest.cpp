@@ -7,6 +7,7 @@
 #include <QTest>
 #include <bit>
 #include <cmath>
+#include <random>
 
 using namespace handwheel;
 

@@ -5,6 +5,7 @@
 #include <rapidcheck.h>
 
 #include <QTest>
+#include <random>
 
 using namespace handwheel;
 

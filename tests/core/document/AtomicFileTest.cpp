@@ -2,21 +2,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/AtomicFile.h"
 
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
 #include <csignal>
 #include <cstring>
-#include <sys/resource.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 using namespace handwheel;
 
 namespace {
 
-std::filesystem::path in(const QTemporaryDir& folder, const char* name) { return folder.filePath(name).toStdString(); }
+std::filesystem::path in(const QTemporaryDir& folder, const char* name) {
+  return folder.filePath(name).toStdString();
+}
 
 QByteArray contentOf(const std::filesystem::path& path) {
   QFile file(QString::fromStdString(path.string()));

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/MeshDocument.h"
 
+#include <rapidcheck.h>
 #include <QSignalSpy>
 #include <QTest>
 #include <memory>
-#include <rapidcheck.h>
 
 using namespace handwheel;
 

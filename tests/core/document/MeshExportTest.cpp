@@ -30,7 +30,9 @@ TriangleSoup pairAtAnEdge(double gap) {
   return soup;
 }
 
-MeshReport figures(const TriangleSoup& soup) { return reportOn(soup, SelfIntersections::Skip); }
+MeshReport figures(const TriangleSoup& soup) {
+  return reportOn(soup, SelfIntersections::Skip);
+}
 
 struct Exported {
   ExportReport report;

@@ -28,7 +28,9 @@ std::vector<TrianglePair> bruteForce(const Surface& s) {
   return pairs;
 }
 
-std::vector<TrianglePair> found(const Surface& s) { return selfIntersections(s.points, s.triangles).value(); }
+std::vector<TrianglePair> found(const Surface& s) {
+  return selfIntersections(s.points, s.triangles).value();
+}
 
 }  // namespace
 
@@ -155,7 +157,8 @@ void SelfIntersectionTest::cancels() {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
     during.cancelled = true;
   });
-  const auto pairs = selfIntersections(s.points, s.triangles, Progress(during), std::numeric_limits<std::size_t>::max());
+  const auto pairs =
+      selfIntersections(s.points, s.triangles, Progress(during), std::numeric_limits<std::size_t>::max());
   canceller.join();
   QVERIFY(!pairs);
 }

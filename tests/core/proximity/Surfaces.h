@@ -28,7 +28,8 @@ struct Surface {
   }
 };
 
-// A closed sphere: an octahedron, each face cut into n * n triangles, 8 n² in all. The radius varies by the share `bumps`.
+// A closed sphere: an octahedron, each face cut into n * n triangles, 8 n² in all. The radius varies by the share
+// `bumps`.
 inline Surface sphere(int n, const Vec3& centre = Vec3::Zero(), double radius = 1.0, double bumps = 0.0) {
   Surface s;
   std::map<std::array<int, 3>, std::uint32_t> numbers;

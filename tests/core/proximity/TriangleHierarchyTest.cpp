@@ -18,9 +18,13 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-TriangleHierarchy hierarchyOf(const Surface& s) { return {s.points, s.triangles}; }
+TriangleHierarchy hierarchyOf(const Surface& s) {
+  return {s.points, s.triangles};
+}
 
-bool usable(const std::array<Vec3, 3>& t) { return t[0].allFinite() && t[1].allFinite() && t[2].allFinite(); }
+bool usable(const std::array<Vec3, 3>& t) {
+  return t[0].allFinite() && t[1].allFinite() && t[2].allFinite();
+}
 
 std::optional<RayHit> bruteFirstHit(const Surface& s, const Vec3& origin, const Vec3& direction) {
   const RayTriangleTest test(origin, direction);
@@ -70,7 +74,9 @@ rc::Gen<double> within(double low, double high) {
                       [=](std::uint32_t v) { return low + (high - low) * (v / 4294967296.0); });
 }
 
-Vec3 anyPoint(double low, double high) { return {*within(low, high), *within(low, high), *within(low, high)}; }
+Vec3 anyPoint(double low, double high) {
+  return {*within(low, high), *within(low, high), *within(low, high)};
+}
 
 Vec3 anyDirection() {
   Vec3 d = anyPoint(-1, 1);
@@ -86,6 +92,7 @@ struct Placed {
   Vec3 shift;
 
   Vec3 operator()(const Vec3& p) const { return p * scale + shift; }
+  Vec3 anyCorner() const { return surface.points[*rc::gen::inRange<std::size_t>(0, surface.points.size())]; }
 };
 
 Placed anySoup() {
@@ -104,6 +111,7 @@ class TriangleHierarchyTest : public QObject {
   Q_OBJECT
 
  private slots:
+  void initTestCase() { qputenv("RC_PARAMS", qgetenv("RC_PARAMS") + " max_success=300"); }
   void empty();
   void unusableNeverEnter();
   void firstHitAgainstBruteForce();
@@ -160,8 +168,9 @@ void TriangleHierarchyTest::firstHitAgainstBruteForce() {
     const Placed soup = anySoup();
     const TriangleHierarchy h = hierarchyOf(soup.surface);
     for (int i = 0; i < 20; ++i) {
-      const double reach = *rc::gen::element(1.0, 10.0, 1e7);
-      const Vec3 target = soup(anyPoint(0, 1));
+      // From 1e14 the origin's own rounding is wider than a triangle; from 0 ties at the distance 0 occur.
+      const double reach = *rc::gen::element(0.0, 1.0, 10.0, 1e7, 1e14);
+      const Vec3 target = *rc::gen::arbitrary<bool>() ? soup(anyPoint(0, 1)) : soup.anyCorner();
       const Vec3 direction = anyDirection() * soup.scale;
       const Vec3 origin = target - reach * direction;
       const auto expected = bruteFirstHit(soup.surface, origin, direction);
@@ -233,6 +242,7 @@ void TriangleHierarchyTest::noRaySlipsThrough_data() {
   QTest::newRow("from outside") << 1.0 << 5.0 << 0.0;
   QTest::newRow("from far away") << 1.0 << 1e7 << 0.0;
   QTest::newRow("tiny, from far away") << 1e-6 << 1e12 << 0.0;
+  QTest::newRow("far from the origin, from far away") << 1.0 << 1e13 << 1e7;
 }
 
 // Rays aimed at the vertices and at the middles of the edges of a closed surface.
@@ -245,7 +255,8 @@ void TriangleHierarchyTest::noRaySlipsThrough() {
   const TriangleHierarchy h = hierarchyOf(s);
   const auto check = [&](const Vec3& target) {
     const Vec3 outward = (target - centre).normalized();
-    const Vec3 origin = from == 0.0 ? Vec3(centre + 0.1 * radius * Vec3(0.3, 0.2, 0.1)) : Vec3(centre + from * radius * outward);
+    const Vec3 origin =
+        from == 0.0 ? Vec3(centre + 0.1 * radius * Vec3(0.3, 0.2, 0.1)) : Vec3(centre + from * radius * outward);
     return h.firstHit(origin, target - origin).has_value();
   };
   for (std::size_t i = 0; i < s.triangles.size(); ++i) {
@@ -302,8 +313,8 @@ void TriangleHierarchyTest::nearestAgainstBruteForce() {
     const Placed soup = anySoup();
     const TriangleHierarchy h = hierarchyOf(soup.surface);
     for (int i = 0; i < 20; ++i) {
-      const double reach = *rc::gen::element(1.0, 10.0, 1e7);
-      const Vec3 p = soup(anyPoint(-reach, reach));
+      const double reach = *rc::gen::element(0.0, 1.0, 10.0, 1e7, 1e14);
+      const Vec3 p = reach > 0.0 ? soup(anyPoint(-reach, reach)) : soup.anyCorner();
       const auto expected = bruteNearest(soup.surface, p);
       const auto found = h.nearest(p);
       RC_ASSERT(found.has_value());
@@ -339,9 +350,10 @@ void TriangleHierarchyTest::closestKnown_data() {
   const QList<double> segment{0, 0, 0, 4, 0, 0, 1, 0, 0};
   QTest::newRow("segment, beside") << segment << QList<double>{3, 2, 0} << QList<double>{3, 0, 0};
   QTest::newRow("segment, beyond") << segment << QList<double>{9, 2, 0} << QList<double>{4, 0, 0};
-  QTest::newRow("point") << QList<double>{1, 2, 3, 1, 2, 3, 1, 2, 3} << QList<double>{9, 9, 9} << QList<double>{1, 2, 3};
-  QTest::newRow("two equal corners")
-      << QList<double>{0, 0, 0, 0, 0, 0, 4, 0, 0} << QList<double>{1, 5, 0} << QList<double>{1, 0, 0};
+  QTest::newRow("point") << QList<double>{1, 2, 3, 1, 2, 3, 1, 2, 3} << QList<double>{9, 9, 9}
+                         << QList<double>{1, 2, 3};
+  QTest::newRow("two equal corners") << QList<double>{0, 0, 0, 0, 0, 0, 4, 0, 0} << QList<double>{1, 5, 0}
+                                     << QList<double>{1, 0, 0};
 }
 
 void TriangleHierarchyTest::closestKnown() {
@@ -356,7 +368,8 @@ void TriangleHierarchyTest::closestKnown() {
   QCOMPARE(found->squaredDistance, (vec(closest, 0) - vec(point, 0)).squaredNorm());
 }
 
-// The condition that marks the nearest point of a convex set: no corner lies on the query's side of the plane through it.
+// The condition that marks the nearest point of a convex set: no corner lies on the query's side of the plane through
+// it.
 void TriangleHierarchyTest::closestIsOptimal() {
   QVERIFY(rc::check([] {
     const std::array<Vec3, 3> t{anyPoint(0, 1), anyPoint(0, 1), anyPoint(0, 1)};
@@ -386,10 +399,7 @@ void TriangleHierarchyTest::inBoxAgainstBruteForce() {
     const TriangleHierarchy h = hierarchyOf(soup.surface);
     for (int i = 0; i < 20; ++i) {
       // Some with sides through the corners of a triangle, and so exactly on boundaries.
-      const auto pick = [&] {
-        if (*rc::gen::arbitrary<bool>()) return soup(anyPoint(-0.2, 1.2));
-        return soup.surface.points[*rc::gen::inRange<std::size_t>(0, soup.surface.points.size())];
-      };
+      const auto pick = [&] { return *rc::gen::arbitrary<bool>() ? soup(anyPoint(-0.2, 1.2)) : soup.anyCorner(); };
       Box box(pick());
       box.extend(pick());
       RC_ASSERT(inBox(h, box) == bruteInBox(soup.surface, box));
@@ -425,7 +435,7 @@ void TriangleHierarchyTest::strayVertexDoesNoHarm() {
   }));
 }
 
-// No way to part them: the tree must still stay shallow.
+// No way to part them.
 void TriangleHierarchyTest::manyEqualTriangles() {
   Surface s{{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, {}};
   s.triangles.assign(100000, {0, 1, 2});
@@ -433,13 +443,6 @@ void TriangleHierarchyTest::manyEqualTriangles() {
   QCOMPARE(h.firstHit(Vec3(0.2, 0.2, 1), Vec3(0, 0, -1))->triangle, 0u);
   QCOMPARE(h.nearest(Vec3(0.2, 0.2, 1))->triangle, 0u);
   QCOMPARE(inBox(h, h.bounds()).size(), s.triangles.size());
-
-  // Each a tenth of the one before: every cut by area splits off one.
-  Surface shrinking;
-  for (int i = 0; i < 300; ++i) shrinking.append(test::moved({{Vec3(1, 1, 1), Vec3(2, 1, 1), Vec3(1, 2, 1)}, {{0, 1, 2}}}, std::pow(10.0, -i), Vec3::Zero()));
-  const TriangleHierarchy deep = hierarchyOf(shrinking);
-  QCOMPARE(inBox(deep, deep.bounds()).size(), std::size_t{300});
-  QCOMPARE(deep.nearest(Vec3(0, 0, 0))->squaredDistance, bruteNearest(shrinking, Vec3(0, 0, 0))->squaredDistance);
 }
 
 void TriangleHierarchyTest::keepsItsOwnCopy() {

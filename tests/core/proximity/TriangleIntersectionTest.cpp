@@ -148,8 +148,11 @@ void TriangleIntersectionTest::known() {
   const auto at = [&](int i) { return Vec3(corners[3 * i], corners[3 * i + 1], corners[3 * i + 2]); };
   const TrianglePoints other{at(0), at(1), at(2)};
   // Whole numbers stay exact under these, so the answer stays the same.
-  const std::vector<std::pair<double, Vec3>> motions = {
-      {1, Vec3::Zero()}, {1, Vec3(1e7, -1e7, 1e7)}, {0x1p-20, Vec3::Zero()}, {0x1p-20, Vec3(8, 8, 8)}, {0x1p400, Vec3::Zero()}};
+  const std::vector<std::pair<double, Vec3>> motions = {{1, Vec3::Zero()},
+                                                        {1, Vec3(1e7, -1e7, 1e7)},
+                                                        {0x1p-20, Vec3::Zero()},
+                                                        {0x1p-20, Vec3(8, 8, 8)},
+                                                        {0x1p400, Vec3::Zero()}};
   for (const auto& [scale, shift] : motions) {
     if (qstrcmp(QTest::currentDataTag(), "shares an edge, almost folded flat") == 0 && !shift.isZero()) continue;
     for (const bool answer : allAnswers(moved(kFloor, scale, shift), moved(other, scale, shift)))

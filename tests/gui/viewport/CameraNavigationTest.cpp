@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/CameraNavigation.h"
 
-#include <QtTest>
 #include <rapidcheck.h>
+#include <QtTest>
 
 using namespace handwheel;
 
@@ -11,9 +11,13 @@ namespace {
 
 const Vec2 kSize(800, 600);
 
-double number(double limit) { return *rc::gen::inRange(-1000, 1001) * limit / 1000.0; }
+double number(double limit) {
+  return *rc::gen::inRange(-1000, 1001) * limit / 1000.0;
+}
 
-Vec3 anyPoint() { return {number(50), number(50), number(50)}; }
+Vec3 anyPoint() {
+  return {number(50), number(50), number(50)};
+}
 
 CameraState anyCamera() {
   CameraState c;
@@ -65,7 +69,8 @@ class CameraNavigationTest : public QObject {
       const CameraState c = anyCamera();
       const Vec3 pivot = anyPoint();
       const CameraState turned = CameraNavigation(c, kSize).orbited(pivot, {number(300), number(300)});
-      const Vec2 before = CameraNavigation(c, kSize).toScreen(pivot), after = CameraNavigation(turned, kSize).toScreen(pivot);
+      const Vec2 before = CameraNavigation(c, kSize).toScreen(pivot),
+                 after = CameraNavigation(turned, kSize).toScreen(pivot);
       RC_ASSERT((before - after).norm() < 1e-6);
       RC_ASSERT(std::abs(turned.orientation.norm() - 1) < 1e-12);
     }));

@@ -34,7 +34,8 @@ TriangleSoup sphere(int n, const Vec3& centre) {
   for (int i = 1; i < n; ++i) {
     for (int j = 0; j < 2 * n; ++j) {
       const double theta = std::numbers::pi * i / n, phi = std::numbers::pi * j / n;
-      s.points.push_back(centre + Vec3(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)));
+      s.points.push_back(centre +
+                         Vec3(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)));
     }
   }
   const auto at = [n](int i, int j) { return static_cast<std::uint32_t>(i * 2 * n + j % (2 * n)); };

@@ -1,39 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "SheetModel.h"
 #include "mesh/MeshBuilder.h"
 #include "viewport/CameraNavigation.h"
-#include "viewport/Snapshot.h"
 #include "viewport/Viewport.h"
 
 #include <QApplication>
 #include <QSignalSpy>
-#include <QTemporaryDir>
 #include <QVBoxLayout>
 #include <QtTest>
-#include <cstdio>
 
 using namespace handwheel;
 
 namespace {
-
-constexpr int kCells = 20;
-
-// A square sheet from (0, 0) to (20, 20) at height 0, in cells of 1; cell (i, j) has the faces 2 (j · 20 + i) below its
-// diagonal and one more above.
-TriangleSoup sheet(int cells) {
-  TriangleSoup s;
-  for (int j = 0; j <= cells; ++j) {
-    for (int i = 0; i <= cells; ++i) s.points.push_back(Vec3(i, j, 0) * kCells / cells);
-  }
-  const auto at = [cells](int i, int j) { return static_cast<std::uint32_t>(j * (cells + 1) + i); };
-  for (int j = 0; j < cells; ++j) {
-    for (int i = 0; i < cells; ++i) {
-      s.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-      s.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-    }
-  }
-  return s;
-}
 
 // Looks down on the sheet, 20 pixels to the unit in a view of 600 × 500: (10, 10) is in the middle.
 CameraState fromAbove() {
@@ -43,22 +22,8 @@ CameraState fromAbove() {
   return c;
 }
 
-QPointF onScreen(double x, double y) { return {300 + (x - 10) * 20, 250 - (y - 10) * 20}; }
-
-LoopMark squareLoop(double z, const QColor& colour) {
-  return {7, {{5, 5, z}, {15, 5, z}, {15, 15, z}, {5, 15, z}}, colour, false};
-}
-
-int pixelsNear(const QImage& image, const QColor& colour) {
-  int n = 0;
-  for (int y = 0; y < image.height(); ++y) {
-    for (int x = 0; x < image.width(); ++x) {
-      const QColor c = image.pixelColor(x, y);
-      n += std::abs(c.red() - colour.red()) < 24 && std::abs(c.green() - colour.green()) < 24 &&
-           std::abs(c.blue() - colour.blue()) < 24;
-    }
-  }
-  return n;
+QPointF onScreen(double x, double y) {
+  return {300 + (x - 10) * 20, 250 - (y - 10) * 20};
 }
 
 }  // namespace
@@ -267,35 +232,6 @@ class ViewportTest : public QObject {
     QCOMPARE(m_view->size(), QSize(600, 500));
     QCOMPARE(pixelsNear(m_view->grabImage(), QColor(0x00, 0x72, 0xb2)), before);
     m_view.reset();
-  }
-
-  void pictureToFile() {
-    const QTemporaryDir folder;
-    const std::filesystem::path png = folder.filePath("sheet.png").toStdString();
-    const QColor colour(0x00, 0x72, 0xb2);
-    const HalfEdgeMesh mesh = buildMesh(sheet(kCells)).mesh;
-    QVERIFY(renderToFile(mesh, {squareLoop(0, colour)}, png, 400, 300).hasValue());
-    const QImage image(QString::fromStdString(png.string()));
-    QCOMPARE(image.size(), QSize(400, 300));
-    QVERIFY(pixelsNear(image, colour) > 300);
-
-    const Status failed = renderToFile(mesh, {}, folder.filePath("no/such/folder.png").toStdString(), 40, 30);
-    QVERIFY(!failed);
-    QCOMPARE(failed.error().code, ErrorCode::WriteFailed);
-  }
-
-  void pictureWithoutDisplayIsAnError() {
-    const QByteArray display = qgetenv("DISPLAY");
-    const QTemporaryDir folder;
-    const std::string png = folder.filePath("none.png").toStdString();
-    qunsetenv("DISPLAY");
-    const Status unset = renderToFile(buildMesh(sheet(2)).mesh, {}, png, 40, 30);
-    qputenv("DISPLAY", ":9999");
-    const Status dead = renderToFile(buildMesh(sheet(2)).mesh, {}, png, 40, 30);
-    qputenv("DISPLAY", display);
-    QVERIFY(!unset && !dead);
-    QCOMPARE(unset.error().code, ErrorCode::WriteFailed);
-    QVERIFY(!std::filesystem::exists(png));
   }
 };
 

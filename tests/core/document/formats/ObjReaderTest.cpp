@@ -63,8 +63,9 @@ class ObjReaderTest : public QObject {
         kTriangle + " ! NumberMalformed(X0) line 1; VertexUnreadable(1) line 5");
     row("not finite", "v 0 nan 0\nv 1.#INF 0 0\nv 1 -inf 0\nv 1e309 0 0\n" + kVertices + "f -3 -2 -1\n",
         "NumberNotFinite(nan) line 1",
-        kTriangle + " ! NumberNotFinite(nan) line 1; NumberNotFinite(1.#INF) line 2; NumberNotFinite(-inf) line 3; "
-                    "NumberNotFinite(1e309) line 4");
+        kTriangle +
+            " ! NumberNotFinite(nan) line 1; NumberNotFinite(1.#INF) line 2; NumberNotFinite(-inf) line 3; "
+            "NumberNotFinite(1e309) line 4");
     row("two coordinates", kVertices + "v 1 2\nf 1 2 3\n", "TokenUnexpected(number,) line 4",
         kTriangle + " ! TokenUnexpected(number,) line 4");
     row("index nought", kVertices + "f 0 1 2\nf 1 2 3\n", "IndexOutOfRange(0,3) line 4",

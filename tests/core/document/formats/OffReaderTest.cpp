@@ -57,7 +57,8 @@ class OffReaderTest : public QObject {
     row("normals", "NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n3 0 1 2\n", kTriangle + " - Normals");
     row("colours", "COFF\n3 1 0\n0 0 0 1 0 0 1\n1 0 0 1 0 0 1\n0 1 0 1 0 0 1\n3 0 1 2\n", kTriangle + " - Colour");
     row("texture", "STOFF\n3 1 0\n0 0 0 0 1\n1 0 0 0 1\n0 1 0 0 1\n3 0 1 2\n", kTriangle + " - TextureCoordinates");
-    row("everything", "STCNOFF\n3 1 0\n0 0 0 0 0 1 1 0 0 1 0 1\n1 0 0 0 0 1 1 0 0 1 0 1\n0 1 0 0 0 1 1 0 0 1 0 1\n3 0 1 2\n",
+    row("everything",
+        "STCNOFF\n3 1 0\n0 0 0 0 0 1 1 0 0 1 0 1\n1 0 0 0 0 1 1 0 0 1 0 1\n0 1 0 0 0 1 1 0 0 1 0 1\n3 0 1 2\n",
         kTriangle + " - Colour Normals TextureCoordinates");
     row("colours not announced", "OFF 3 1 0\n0 0 0 0.6 0.6 0.6\n1 0 0 0.6 0.6 0.6\n0 1 0 0.6 0.6 0.6\n3 0 1 2\n",
         kTriangle + " - Colour");

@@ -51,11 +51,12 @@ class PlyReaderTest : public QObject {
     row("vertex_index", QByteArray(plain).replace("indices", "index"), kTriangle);
     row("list of another name", QByteArray(plain).replace("vertex_indices", "corners"), kTriangle);
     row("double", QByteArray(plain).replace("float", "double"), kTriangle);
-    row("polygon", text(QByteArray(kFloatVertices).replace("3", "4") + kFaces, "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n"),
+    row("polygon",
+        text(QByteArray(kFloatVertices).replace("3", "4") + kFaces, "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n"),
         "0 0 0, 1 0 0, 1 1 0, 0 1 0 | 0 1 2, 0 2 3");
     row("unknown elements",
-        text("element camera 1\nproperty float f\n" + kFloatVertices + "element edge 2\nproperty int a\nproperty int b\n" +
-                 kFaces,
+        text("element camera 1\nproperty float f\n" + kFloatVertices +
+                 "element edge 2\nproperty int a\nproperty int b\n" + kFaces,
              "3.5\n" + kRows + "0 1\n1 2\n3 0 1 2\n"),
         kTriangle + " - Lines Other");
     row("more properties",
@@ -64,17 +65,17 @@ class PlyReaderTest : public QObject {
              "property list uchar float texcoord\nproperty list uchar int vertex_indices\n",
              "255 0 1 0 0 0\n255 1 1 0 2 5 nan 0\n255 0 1 0 0 1\n7 2 0.5 0.5 3 0 1 2\n"),
         kTriangle + " - Colour Normals TextureCoordinates Other");
-    row("elements without rows", text(kFloatVertices + "element edge 0\nproperty int a\n" + kFaces, kRows + "3 0 1 2\n"),
-        kTriangle);
-    row("element without properties", text("element nothing 9999999999\n" + kFloatVertices + kFaces, kRows + "3 0 1 2\n"),
-        kTriangle);
+    row("elements without rows",
+        text(kFloatVertices + "element edge 0\nproperty int a\n" + kFaces, kRows + "3 0 1 2\n"), kTriangle);
+    row("element without properties",
+        text("element nothing 9999999999\n" + kFloatVertices + kFaces, kRows + "3 0 1 2\n"), kTriangle);
     row("faces before vertices", text(kFaces + kFloatVertices, "3 0 1 2\n" + kRows), kTriangle);
     // 0 1 2 3 is two triangles, the second turned; then a strip of one; a repeated corner stays, as written.
     row("strips",
-        text(QByteArray(kFloatVertices).replace("3", "4") + "element tristrips 1\nproperty list int int vertex_indices\n",
+        text(QByteArray(kFloatVertices).replace("3", "4") +
+                 "element tristrips 1\nproperty list int int vertex_indices\n",
              "0 0 0\n1 0 0\n0 1 0\n1 1 0\n12 0 1 2 3 -1 -1 3 2 1 -1 0 0\n"),
-        "PolygonTooSmall(2) line 14",
-        "0 0 0, 1 0 0, 0 1 0, 1 1 0 | 0 1 2, 2 1 3, 3 2 1 ! PolygonTooSmall(2) line 14");
+        "PolygonTooSmall(2) line 14", "0 0 0, 1 0 0, 0 1 0, 1 1 0 | 0 1 2, 2 1 3, 3 2 1 ! PolygonTooSmall(2) line 14");
     row("strip with repeated corner",
         text(kFloatVertices + "element tristrips 1\nproperty list int int vertex_indices\n", kRows + "5 0 1 2 2 -1\n"),
         "0 0 0, 1 0 0, 0 1 0 | 0 1 2, 2 1 2");
@@ -98,7 +99,8 @@ class PlyReaderTest : public QObject {
         kTriangle + " ! DataTruncated(faces,3,1) line 14");
     row("vertices that never come", QByteArray(plain).replace("vertex 3", "vertex 4000000000000"),
         "TokenUnexpected(end of line,2) line 13", "NoTriangles");
-    row("more faces than announced", plain + "3 2 1 0\n", kTriangle + QString(" ! CountMismatch(bytes,%1,%2) line 14").arg(plain.size()).arg(plain.size() + 8));
+    row("more faces than announced", plain + "3 2 1 0\n",
+        kTriangle + QString(" ! CountMismatch(bytes,%1,%2) line 14").arg(plain.size()).arg(plain.size() + 8));
     row("index beyond", QByteArray(plain).replace("face 1", "face 2") + "3 0 1 3\n", "IndexOutOfRange(3,3) line 14",
         kTriangle + " ! IndexOutOfRange(3,3) line 14");
     row("negative index", QByteArray(plain).replace("face 1", "face 2") + "3 0 1 -1\n", "IndexOutOfRange(-1,3) line 14",
@@ -111,7 +113,8 @@ class PlyReaderTest : public QObject {
         "TokenUnexpected(number,) line 14", kTriangle + " ! TokenUnexpected(number,) line 14");
     row("a row too long", QByteArray(plain).replace("face 1", "face 2") + "3 0 1 2 9\n",
         "TokenUnexpected(end of line,9) line 14", kTriangle + " ! TokenUnexpected(end of line,9) line 14");
-    row("a row too short", QByteArray(plain).replace("1 0 0", "1 0"), "TokenUnexpected(number,) line 11", "NoTriangles");
+    row("a row too short", QByteArray(plain).replace("1 0 0", "1 0"), "TokenUnexpected(number,) line 11",
+        "NoTriangles");
     row("not finite", QByteArray(plain).replace("1 0 0", "1 nan 0"), "NumberNotFinite(nan) line 11", "NoTriangles");
     row("beyond single precision", QByteArray(plain).replace("1 0 0", "1e39 0 0"), "NumberNotFinite(1e39) line 11",
         "NoTriangles");
@@ -145,12 +148,20 @@ class PlyReaderTest : public QObject {
                                .add<std::uint32_t>(3)
                                .all<std::uint16_t>({0, 1, 2}))),
              kTriangle);
-    QCOMPARE(describe(read(binary(order, "element vertex 3\nproperty int8 x\nproperty uint16 y\nproperty int32 z\n"
-                                         "element face 1\nproperty list int16 uint8 vertex_index\n")
-                               .add<std::int8_t>(-1).add<std::uint16_t>(65535).add<std::int32_t>(-2000000000)
-                               .add<std::int8_t>(1).add<std::uint16_t>(0).add<std::int32_t>(0)
-                               .add<std::int8_t>(0).add<std::uint16_t>(1).add<std::int32_t>(0)
-                               .add<std::int16_t>(3).all<std::uint8_t>({0, 1, 2}))),
+    QCOMPARE(describe(read(binary(order,
+                                  "element vertex 3\nproperty int8 x\nproperty uint16 y\nproperty int32 z\n"
+                                  "element face 1\nproperty list int16 uint8 vertex_index\n")
+                               .add<std::int8_t>(-1)
+                               .add<std::uint16_t>(65535)
+                               .add<std::int32_t>(-2000000000)
+                               .add<std::int8_t>(1)
+                               .add<std::uint16_t>(0)
+                               .add<std::int32_t>(0)
+                               .add<std::int8_t>(0)
+                               .add<std::uint16_t>(1)
+                               .add<std::int32_t>(0)
+                               .add<std::int16_t>(3)
+                               .all<std::uint8_t>({0, 1, 2}))),
              QString("-1 65535 -2e+09, 1 0 0, 0 1 0 | 0 1 2"));
 
     // Lists before, between and behind.
@@ -159,12 +170,22 @@ class PlyReaderTest : public QObject {
                                              "property list uchar short w\nelement face 1\nproperty uchar red\n"
                                              "property list uchar float texcoord\n"
                                              "property list uchar int vertex_indices\nproperty int flags\n")
-                               .add<std::uint8_t>(2).all<double>({1, 2}).add<std::int16_t>(7)
-                               .all<float>({0, 0, 0}).add<std::uint8_t>(0)
-                               .all<float>({1, 0, 0}).add<std::uint8_t>(2).all<std::int16_t>({5, 6})
-                               .all<float>({0, 1, 0}).add<std::uint8_t>(0)
-                               .add<std::uint8_t>(9).add<std::uint8_t>(1).add<float>(0.5f)
-                               .add<std::uint8_t>(3).all<std::int32_t>({0, 1, 2}).add<std::int32_t>(4))),
+                               .add<std::uint8_t>(2)
+                               .all<double>({1, 2})
+                               .add<std::int16_t>(7)
+                               .all<float>({0, 0, 0})
+                               .add<std::uint8_t>(0)
+                               .all<float>({1, 0, 0})
+                               .add<std::uint8_t>(2)
+                               .all<std::int16_t>({5, 6})
+                               .all<float>({0, 1, 0})
+                               .add<std::uint8_t>(0)
+                               .add<std::uint8_t>(9)
+                               .add<std::uint8_t>(1)
+                               .add<float>(0.5f)
+                               .add<std::uint8_t>(3)
+                               .all<std::int32_t>({0, 1, 2})
+                               .add<std::int32_t>(4))),
              kTriangle + " - Colour TextureCoordinates Other");
 
     const int body = static_cast<int>(plain.indexOf("end_header\n")) + 11;
@@ -180,8 +201,8 @@ class PlyReaderTest : public QObject {
 
   void stripsInBinary() {
     const QByteArray bytes =
-        binary(std::endian::little,
-               QByteArray(kFloatVertices).replace("3", "4") + "element tristrips 1\nproperty list int int vertex_indices\n")
+        binary(std::endian::little, QByteArray(kFloatVertices).replace("3", "4") +
+                                        "element tristrips 1\nproperty list int int vertex_indices\n")
             .all<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0})
             .all<std::int32_t>({8, 0, 1, 2, 3, -1, 3, 2, 1});
     QCOMPARE(describe(read(bytes)), QString("0 0 0, 1 0 0, 0 1 0, 1 1 0 | 0 1 2, 2 1 3, 3 2 1"));
@@ -201,7 +222,8 @@ class PlyReaderTest : public QObject {
   // A line feed may be the first byte of the data; only the header's other lines tell.
   void headersEndWithTheirLine() {
     const QByteArray elements = kFloatVertices + kFaces;
-    const QByteArray body = QByteArray(binaryTriangle(std::endian::little)).mid(binary(std::endian::little, elements).operator QByteArray().size());
+    const QByteArray body = QByteArray(binaryTriangle(std::endian::little))
+                                .mid(binary(std::endian::little, elements).operator QByteArray().size());
     QByteArray header = binary(std::endian::little, elements);
     QCOMPARE(describe(read(QByteArray(header).replace("\n", "\r\n") + body)), kTriangle);
     QCOMPARE(describe(read(QByteArray(header).replace("end_header\n", "end_header\r\n") + body)), kTriangle);
@@ -209,8 +231,15 @@ class PlyReaderTest : public QObject {
     QCOMPARE(describe(read(QByteArray(header).replace("end_header\n", "end_header \n") + body)), kTriangle);
 
     header = QByteArray(header).replace("property float x", "property char x").replace("\n", "\r");
-    const QByteArray ten = Bytes().add<std::int8_t>('\n').all<float>({0, 0}).add<std::int8_t>(1).all<float>({0, 0})
-                               .add<std::int8_t>(0).all<float>({1, 0}).add<std::uint8_t>(3).all<std::int32_t>({0, 1, 2});
+    const QByteArray ten = Bytes()
+                               .add<std::int8_t>('\n')
+                               .all<float>({0, 0})
+                               .add<std::int8_t>(1)
+                               .all<float>({0, 0})
+                               .add<std::int8_t>(0)
+                               .all<float>({1, 0})
+                               .add<std::uint8_t>(3)
+                               .all<std::int32_t>({0, 1, 2});
     QCOMPARE(describe(read(header + ten)), QString("10 0 0, 1 0 0, 0 1 0 | 0 1 2"));
   }
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/formats/PolygonTriangulation.h"
 
+#include <rapidcheck.h>
 #include <QTest>
 #include <cmath>
 #include <numeric>
-#include <rapidcheck.h>
 
 using namespace handwheel;
 
@@ -25,7 +25,9 @@ Cut cut(const std::vector<Vec3>& points) {
   return result;
 }
 
-Vec3 areaOf(const std::vector<Vec3>& p, const Triangle& t) { return (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]) / 2; }
+Vec3 areaOf(const std::vector<Vec3>& p, const Triangle& t) {
+  return (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]) / 2;
+}
 
 // The shoelace formula: no triangulation is needed for it.
 Vec3 areaOf(const std::vector<Vec3>& p) {

@@ -58,8 +58,8 @@ inline const char* nameOf(ErrorCode code) {
 }
 
 inline const char* nameOf(LostAttribute lost) {
-  constexpr const char* kNames[] = {"Colour", "Normals", "TextureCoordinates", "Materials", "Groups",
-                                    "Lines",  "Points",  "Curves",             "Other"};
+  constexpr const char* kNames[] = {"Colour", "Normals", "TextureCoordinates", "Materials", "Groups", "Lines", "Points",
+                                    "Curves", "Other"};
   return kNames[static_cast<std::size_t>(lost)];
 }
 

@@ -65,7 +65,8 @@ class StlReaderTest : public QObject {
     row("text with upper case", "SOLID CUBE\n" + kFacet.toUpper() + "ENDSOLID CUBE\n", kTriangle);
     row("text with Windows lines", QByteArray("solid c\n" + kFacet + "endsolid c\n").replace("\n", "\r\n"), kTriangle);
     row("text with old Mac lines", QByteArray("solid c\n" + kFacet + "endsolid c\n").replace("\n", "\r"), kTriangle);
-    row("text in one line", QByteArray("solid a part\n" + kFacet + kSecondFacet + "endsolid\n").replace("\n", " "), kTwo);
+    row("text in one line", QByteArray("solid a part\n" + kFacet + kSecondFacet + "endsolid\n").replace("\n", " "),
+        kTwo);
     row("text with a byte order mark", "\xEF\xBB\xBFsolid c\n" + kFacet + "endsolid c\n", kTriangle);
     row("a name that is no UTF-8", "solid \xE9\xFF\n" + kFacet + "endsolid \xE9\xFF\n", kTriangle);
     row("a name with a NUL", QByteArray("solid a\0b\n", 10) + kFacet + "endsolid\n", kTriangle);
@@ -79,19 +80,19 @@ class StlReaderTest : public QObject {
     row("garbled endsolid", "solid a\n" + kFacet + "end solid a\n",
         kTriangle + " ! TokenUnexpected(endsolid,end) line 9");
     row("no solid", kFacet, kTriangle);
-    row("normal that is no number", QByteArray("solid\n" + kFacet + "endsolid").replace("0 0 1", "nan -1.#IND x"), kTriangle);
+    row("normal that is no number", QByteArray("solid\n" + kFacet + "endsolid").replace("0 0 1", "nan -1.#IND x"),
+        kTriangle);
     row("no normal", QByteArray("solid\n" + kFacet + "endsolid").replace("normal 0 0 1", ""), kTriangle);
-    row("number formats", "solid\nfacet normal 0 0 1\nouter loop\nvertex +1 .5 -2.\nvertex 1.e1 1E+02 1e-0003\n"
-                          "vertex -0 1e-400 -.5E-1\nendloop\nendfacet\nendsolid",
+    row("number formats",
+        "solid\nfacet normal 0 0 1\nouter loop\nvertex +1 .5 -2.\nvertex 1.e1 1E+02 1e-0003\n"
+        "vertex -0 1e-400 -.5E-1\nendloop\nendfacet\nendsolid",
         "1 0.5 -2, 10 100 0.00100000005, 0 0 -0.0500000007 | 0 1 2");
     row("not a number", "solid\n" + QByteArray(kFacet).replace("1 0 0", "1 x 0") + kSecondFacet + "endsolid",
-        "NumberMalformed(x) line 5",
-        "0 0 1, 1 0 1, 0 1 1 | 0 1 2 ! NumberMalformed(x) line 5");
+        "NumberMalformed(x) line 5", "0 0 1, 1 0 1, 0 1 1 | 0 1 2 ! NumberMalformed(x) line 5");
     row("decimal comma", "solid\n" + QByteArray(kFacet).replace("1 0 0", "1,5 0 0") + "endsolid",
         "NumberMalformed(1,5) line 5", "NoTriangles");
     row("infinite", "solid\n" + QByteArray(kFacet).replace("1 0 0", "1 inf 0") + kSecondFacet + "endsolid",
-        "NumberNotFinite(inf) line 5",
-        "0 0 1, 1 0 1, 0 1 1 | 0 1 2 ! NumberNotFinite(inf) line 5");
+        "NumberNotFinite(inf) line 5", "0 0 1, 1 0 1, 0 1 1 | 0 1 2 ! NumberNotFinite(inf) line 5");
     row("beyond single precision", "solid\n" + QByteArray(kFacet).replace("1 0 0", "1e39 0 0") + "endsolid",
         "NumberNotFinite(1e39) line 5", "NoTriangles");
     row("two corners", "solid\n" + QByteArray(kFacet).replace("vertex 1 0 0\n", "") + kSecondFacet + "endsolid",

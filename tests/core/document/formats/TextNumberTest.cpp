@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/formats/TextNumber.h"
 
+#include <rapidcheck.h>
 #include <QTest>
 #include <bit>
 #include <charconv>
 #include <cmath>
-#include <rapidcheck.h>
 
 using namespace handwheel;
 
@@ -59,12 +59,28 @@ class TextNumberTest : public QObject {
   void numbers_data() {
     QTest::addColumn<QByteArray>("word");
     QTest::addColumn<double>("value");
-    const std::initializer_list<std::pair<const char*, double>> rows = {
-        {"0", 0},         {"-0", 0},           {"1.5", 1.5},       {"+1.5", 1.5},     {"-1.5", -1.5},
-        {".5", 0.5},      {"-.5", -0.5},       {"+.5", 0.5},       {"5.", 5},         {"1.e5", 1e5},
-        {"1E+05", 1e5},   {"1e-0005", 1e-5},   {".8e-001", 0.08},  {"1e308", 1e308},  {"1e-400", 0},
-        {"-1e-400", 0},   {"0e999999999", 0},  {"4.9e-324", 4.9e-324}, {"0.000e500", 0}, {"2.5e-310", 2.5e-310},
-        {"1e-99999999999999999999", 0}, {"000000000000000000000000000000000000001", 1}};
+    const std::initializer_list<std::pair<const char*, double>> rows = {{"0", 0},
+                                                                        {"-0", 0},
+                                                                        {"1.5", 1.5},
+                                                                        {"+1.5", 1.5},
+                                                                        {"-1.5", -1.5},
+                                                                        {".5", 0.5},
+                                                                        {"-.5", -0.5},
+                                                                        {"+.5", 0.5},
+                                                                        {"5.", 5},
+                                                                        {"1.e5", 1e5},
+                                                                        {"1E+05", 1e5},
+                                                                        {"1e-0005", 1e-5},
+                                                                        {".8e-001", 0.08},
+                                                                        {"1e308", 1e308},
+                                                                        {"1e-400", 0},
+                                                                        {"-1e-400", 0},
+                                                                        {"0e999999999", 0},
+                                                                        {"4.9e-324", 4.9e-324},
+                                                                        {"0.000e500", 0},
+                                                                        {"2.5e-310", 2.5e-310},
+                                                                        {"1e-99999999999999999999", 0},
+                                                                        {"000000000000000000000000000000000000001", 1}};
     for (const auto& [word, value] : rows) QTest::newRow(word) << QByteArray(word) << value;
     QTest::newRow("500 zeros") << "0." + QByteArray(500, '0') + "1" << 0.0;
     QTest::newRow("500 zeros, raised") << "0." + QByteArray(500, '0') + "1e501" << 1.0;

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Program.h"
+#include "Shapes.h"
+
+#include <QTest>
+
+using namespace handwheel;
+using Json = nlohmann::json;
+
+namespace {
+
+// The loop of the report with this many edges.
+Json loopOf(const Json& report, int edges) {
+  for (const Json& loop : report.at("loops")) {
+    if (loop.at("edges") == edges) return loop;
+  }
+  return {};
+}
+
+// The box with three holes, repaired with these options besides.
+struct Repaired {
+  Ran ran;
+  Json report;
+};
+Repaired repairedBox(const QStringList& options) {
+  const Bench bench;
+  bench.put("a.off", holedBox().off());
+  const Ran ran = bench.run(QStringList{"repair", "a.off", "-o", "b.stl", "--report", "r.json"} + options);
+  return {ran, bench.json("r.json")};
+}
+
+int idOf(int edges) {
+  const Bench bench;
+  bench.put("a.off", holedBox().off());
+  return loopOf(Json::parse(bench.run({"inspect", "a.off", "--json"}).out.toStdString()), edges).at("id");
+}
+
+}  // namespace
+
+class RepairOptionsTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void keepOpen() {
+    const Repaired box = repairedBox({"--keep-open", QString::number(idOf(6))});
+    QCOMPARE(box.ran.code, 2);
+    QCOMPARE(loopOf(box.report, 4).at("outcome").get<std::string>(), std::string("filled"));
+    QCOMPARE(loopOf(box.report, 8).at("outcome").get<std::string>(), std::string("filled"));
+    const Json kept = loopOf(box.report, 6);
+    QCOMPARE(kept.at("outcome").get<std::string>(), std::string("kept-open"));
+    QVERIFY(kept.at("method").is_null());
+    QCOMPARE(kept.at("reason").get<std::string>(), std::string("You keep it open."));
+    QCOMPARE(box.report.at("after").at("boundary_loops").get<int>(), 1);
+    QCOMPARE(box.ran.err, QByteArray("handwheel: Loop " + QByteArray::number(idOf(6)) +
+                                     " (6 edges) stays open: you keep it open.\n"));
+  }
+
+  void keepOpenTakesAList() {
+    const Repaired box = repairedBox({QString("--keep-open=%1,%2").arg(idOf(6)).arg(idOf(4))});
+    QCOMPARE(box.ran.code, 2);
+    QCOMPARE(box.report.at("after").at("boundary_loops").get<int>(), 2);
+    QCOMPARE(loopOf(box.report, 8).at("outcome").get<std::string>(), std::string("filled"));
+  }
+
+  void unknownLoopIsRefused() {
+    const Bench bench;
+    bench.put("a.off", openCube().off());
+    const Ran ran = bench.run({"repair", "a.off", "-o", "b.stl", "--keep-open", "7"});
+    QCOMPARE(ran.code, 1);
+    QCOMPARE(ran.err, QByteArray("handwheel: There is no loop 7 to keep open.\nTry 'handwheel help repair'.\n"));
+    QCOMPARE(bench.names(), QStringList{"a.off"});
+  }
+
+  void maxHole() {
+    const Repaired box = repairedBox({"--max-hole", "6"});
+    QCOMPARE(box.ran.code, 2);
+    QCOMPARE(loopOf(box.report, 4).at("outcome").get<std::string>(), std::string("filled"));
+    QCOMPARE(loopOf(box.report, 6).at("outcome").get<std::string>(), std::string("filled"));
+    QCOMPARE(loopOf(box.report, 8).at("reason").get<std::string>(), std::string("It has more edges than allowed."));
+    QCOMPARE(box.report.at("after").at("boundary_loops").get<int>(), 1);
+  }
+
+  void sheetStaysOpen() {
+    const Bench bench;
+    bench.put("a.off", flatSheet(4).off());
+    const Ran ran = bench.run({"repair", "a.off", "-o", "b.stl", "--report", "r.json"});
+    QCOMPARE(ran.code, 2);
+    QVERIFY(ran.err.contains("outer edge"));
+    QVERIFY(ran.err.contains("--fill-rims"));
+    const Json loop = bench.json("r.json").at("loops").at(0);
+    QCOMPARE(loop.at("outcome").get<std::string>(), std::string("kept-open"));
+    QCOMPARE(loop.at("reason").get<std::string>(), std::string("It is the outer edge of an open sheet."));
+  }
+
+  // A long channel of two walls at a right angle is a sheet; asked to, its edge is filled to a bar of volume 1·1/2·10.
+  void fillRims() {
+    const auto at = [](int x, int y) { return std::array<double, 3>{1.0 * x, y == 0 ? 1.0 : 0.0, y == 2 ? 1.0 : 0.0}; };
+    const Bench bench;
+    bench.put("a.off", grid(10, 2, at, [](int, int) { return false; }).off());
+    QCOMPARE(bench.run({"repair", "a.off", "-o", "b.stl"}).code, 2);
+    QCOMPARE(
+        bench.run({"repair", "a.off", "-o", "b.stl", "--fill-rims", "--fill", "minimal", "--report", "r.json"}).code,
+        0);
+    QVERIFY(std::abs(std::abs(bench.json("r.json").at("after").at("volume_mm3").get<double>()) - 5.0) < 1e-12);
+  }
+
+  void removesDebrisWhenAsked() {
+    Shape shape = holedBox();
+    shape.add({{{0, 0, 0}, {0.01, 0, 0}, {0, 0.01, 0}}, {{0, 1, 2}}}, {20, 0, 0});
+    const Bench bench;
+    bench.put("a.off", shape.off());
+    QCOMPARE(bench.run({"repair", "a.off", "-o", "b.stl"}).code, 2);
+    QCOMPARE(bench.run({"repair", "a.off", "-o", "b.stl", "--remove-debris", "--report", "r.json"}).code, 0);
+    const Json report = bench.json("r.json");
+    QCOMPARE(report.at("removed_debris").get<int>(), 1);
+    QCOMPARE(report.at("after").at("components").get<int>(), 1);
+    QCOMPARE(report.at("after").at("bounding_box_mm").at(1).at(0).get<double>(), 10.0);
+    QVERIFY(report.at("untouched_vertices_identical").get<bool>());
+  }
+
+  void partialReadsWhatIsThere() {
+    const Bench bench;
+    QByteArray damaged = openCube().off();
+    damaged.replace("10 0\n", "11 0\n").append("3 0 1 99\n");  // one face more, with a vertex that does not exist
+    bench.put("a.off", damaged);
+    QCOMPARE(bench.run({"repair", "a.off", "-o", "b.stl"}).code, 1);
+    QCOMPARE(bench.names(), QStringList{"a.off"});
+    const Ran ran = bench.run({"repair", "a.off", "-o", "b.stl", "--partial", "--report", "r.json"});
+    QCOMPARE(ran.code, 0);
+    QVERIFY(ran.err.contains("99"));
+    QVERIFY(bench.json("r.json").at("damage").size() >= 1);
+  }
+};
+
+QTEST_GUILESS_MAIN(RepairOptionsTest)
+#include "RepairOptionsTest.moc"

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/LibraryFill.h"
+
+#include "MeshChecks.h"
+#include "MeshShapes.h"
+#include "base/Tolerance.h"
+#include "mesh/MeshBuilder.h"
+
+#include <QTest>
+
+using namespace handwheel;
+
+namespace {
+
+HoleContext firstHole(const TriangleSoup& soup) {
+  const HalfEdgeMesh mesh = buildMesh(soup).mesh;
+  return holeContext(mesh, findBoundaryLoops(mesh).at(0));
+}
+
+TriangleSoup sphereWithoutCap() { return test::withHole(test::icosphere(4), Vec3::UnitZ(), 0.4); }
+
+bool closes(const TriangleSoup& part, const Patch& patch) {
+  TriangleSoup closed = part;
+  test::append(closed, {patch.points, patch.triangles});
+  return test::countEdges(closed).sound();
+}
+
+double meanEdge(const TriangleSoup& s) {
+  double sum = 0.0;
+  for (const Triangle& t : s.triangles)
+    for (int k = 0; k < 3; ++k) sum += (s.points[t[k]] - s.points[t[(k + 1) % 3]]).norm();
+  return sum / (3.0 * s.triangles.size());
+}
+
+}  // namespace
+
+class LibraryFillTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void minimalHasNoNewVertices();
+  void minimalOfTheSmallestHole();
+  void refinedHasTheDensityAround();
+  void fairBulgesFlatDoesNot();
+  void refusesToFillTheMemory();
+  void strangeHolesAreRefusedQuietly();
+};
+
+void LibraryFillTest::minimalHasNoNewVertices() {
+  for (const TriangleSoup& soup : {sphereWithoutCap(), test::cylinder(30, 3, 1, 1, false), test::cylinder(500, 2, 1, 1, false)}) {
+    const HoleContext hole = firstHole(soup);
+    const auto patch = triangulateMinimal(hole);
+    QVERIFY(patch.has_value());
+    QVERIFY(patch->method == FillMethod::Minimal);
+    QCOMPARE(patch->points.size(), hole.loopSize);
+    QCOMPARE(patch->triangles.size(), hole.loopSize - 2);
+    for (std::size_t i = 0; i < hole.loopSize; ++i) QVERIFY(test::sameBits(patch->points[i], hole.points[i]));
+  }
+  QVERIFY(closes(sphereWithoutCap(), *triangulateMinimal(firstHole(sphereWithoutCap()))));
+}
+
+void LibraryFillTest::minimalOfTheSmallestHole() {
+  TriangleSoup soup = test::icosphere(1);
+  const Triangle lost = soup.triangles.back();
+  soup.triangles.pop_back();
+  const auto patch = triangulateMinimal(firstHole(soup));
+  QVERIFY(patch.has_value());
+  QCOMPARE(patch->triangles.size(), std::size_t{1});
+  QVERIFY(closes(soup, *patch));
+  std::set<test::Place> wanted, is;
+  for (std::uint32_t v : lost) wanted.insert(test::place(soup.points[v]));
+  for (std::uint32_t v : patch->triangles[0]) is.insert(test::place(patch->points[v]));
+  QVERIFY(is == wanted);
+}
+
+void LibraryFillTest::refinedHasTheDensityAround() {
+  const TriangleSoup soup = sphereWithoutCap();
+  const HoleContext hole = firstHole(soup);
+  const auto start = triangulateMinimal(hole);
+  QVERIFY(start.has_value());
+  for (Bending bending : {Bending::Flat, Bending::Fair}) {
+    const auto patch = refinePatch(hole, *start, bending);
+    QVERIFY(patch.has_value());
+    QVERIFY(patch->method == (bending == Bending::Fair ? FillMethod::Fair : FillMethod::Refined));
+    QVERIFY(patch->points.size() > hole.loopSize);
+    QVERIFY(closes(soup, *patch));
+    const double ratio = meanEdge({patch->points, patch->triangles}) / meanEdge(soup);
+    QVERIFY(ratio > 0.5 && ratio < 2.0);
+  }
+}
+
+// Flat: the new points are means of the loop's. Fair: the middle rises towards the sphere.
+void LibraryFillTest::fairBulgesFlatDoesNot() {
+  const HoleContext hole = firstHole(sphereWithoutCap());
+  const auto start = triangulateMinimal(hole);
+  double rim = 0.0;
+  for (const Vec3& p : hole.loop()) rim = std::max(rim, p.z());
+  const auto top = [&](Bending bending) {
+    const Patch patch = refinePatch(hole, *start, bending).value();
+    double z = 0.0;
+    for (const Vec3& p : patch.points) z = std::max(z, p.z());
+    return z;
+  };
+  const double flat = top(Bending::Flat), fair = top(Bending::Fair);
+  QVERIFY(flat <= rim + 1e-12);
+  QVERIFY(fair > rim + 0.7 * (1.0 - rim));
+}
+
+// A tube whose rim has tiny edges: at their density its lid would need n² / 4 vertices and more.
+void LibraryFillTest::refusesToFillTheMemory() {
+  const std::uint32_t n = 600;
+  const HoleContext hole = firstHole(test::cylinder(n, 4, 1.0, 0.02, false));
+  const auto start = triangulateMinimal(hole);
+  QVERIFY(start.has_value());
+  const auto patch = refinePatch(hole, *start, Bending::Fair);
+  QVERIFY(!patch || patch->points.size() <= n * (1 + tolerance::kPatchVerticesPerEdge));
+}
+
+// No hole at all, two edges, all points on a line: nothing thrown, nothing that closes.
+void LibraryFillTest::strangeHolesAreRefusedQuietly() {
+  HoleContext hole;
+  const auto put = [&](const std::vector<Vec3>& points) {
+    hole.points = points;
+    hole.loopSize = points.size();
+    hole.apexes.assign(points.size(), Vec3(0, 0, 5));
+    hole.edgeLength.assign(points.size(), 1.0);
+  };
+  for (const std::vector<Vec3>& points :
+       {std::vector<Vec3>{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0), Vec3(3, 0, 0)},
+        std::vector<Vec3>{Vec3(0, 0, 0), Vec3(0, 0, 0), Vec3(0, 0, 0)},
+        std::vector<Vec3>{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 0, 0), Vec3(1, 0, 0)}}) {
+    put(points);
+    const auto patch = triangulateMinimal(hole);
+    if (patch) QVERIFY(patch->triangles.size() <= points.size());
+  }
+}
+
+QTEST_GUILESS_MAIN(LibraryFillTest)
+#include "LibraryFillTest.moc"

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/JobRunner.h"
+
+#include <QSemaphore>
+#include <QThreadPool>
+#include <QtTest>
+#include <new>
+
+using namespace handwheel;
+
+class JobRunnerTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void jobsRunInOrderAndFinishOnThisThread() {
+    QThreadPool pool;
+    JobRunner runner(JobRunner::Policy::Queue, pool);
+    QStringList order;
+    QThread* const here = QThread::currentThread();
+    for (const char* name : {"a", "b", "c"}) {
+      runner.start({QString::fromLatin1(name), [&, name](Progress) -> Job::Finish {
+                      if (QThread::currentThread() == here) qFatal("work on the window thread");
+                      return [&, name] {
+                        if (QThread::currentThread() != here) qFatal("result off the window thread");
+                        order << QString::fromLatin1(name);
+                      };
+                    }});
+    }
+    QTRY_VERIFY(runner.isIdle());
+    QCOMPARE(order, QStringList({"a", "b", "c"}));
+  }
+
+  // A library call that cannot be interrupted does not hold up the user.
+  void aCancelledJobIsAbandonedAtOnce() {
+    QThreadPool pool;
+    QSemaphore release;
+    ErrorCode failure = ErrorCode::OutOfMemory;
+    bool delivered = false;
+    JobRunner runner(JobRunner::Policy::Queue, pool);
+    runner.start({"stuck",
+                  [&](Progress) -> Job::Finish {
+                    release.acquire();
+                    return [&] { delivered = true; };
+                  },
+                  [&](const Error& error) { failure = error.code; }});
+    runner.cancel();
+    QVERIFY(runner.isIdle());
+    QCOMPARE(failure, ErrorCode::Cancelled);
+    bool next = false;
+    runner.start({"next", [&](Progress) -> Job::Finish { return [&] { next = true; }; }});
+    QTRY_VERIFY(next);
+    release.release();
+    pool.waitForDone();
+    QTest::qWait(100);
+    QVERIFY(!delivered);
+  }
+
+  void theLatestReplacesTheOthersAndWaitsForTheFirstToLetGo() {
+    QThreadPool pool;
+    JobRunner runner(JobRunner::Policy::Latest, pool);
+    std::atomic<int> inside{0};
+    std::atomic<bool> together{false};
+    int shown = 0;
+    for (int i = 1; i <= 5; ++i) {
+      runner.start({QString::number(i), [&, i](Progress progress) -> Job::Finish {
+                      if (++inside > 1) together = true;
+                      while (i < 5 && !progress.cancelled()) QThread::msleep(1);
+                      --inside;
+                      return [&, i] { shown = i; };
+                    }});
+    }
+    QTRY_VERIFY(runner.isIdle());
+    QCOMPARE(shown, 5);
+    QVERIFY(!together);
+  }
+
+  void runningOutOfMemoryIsReported() {
+    QThreadPool pool;
+    JobRunner runner(JobRunner::Policy::Queue, pool);
+    ErrorCode failure = ErrorCode::Cancelled;
+    runner.start({"hungry", [](Progress) -> Job::Finish { throw std::bad_alloc(); },
+                  [&](const Error& error) { failure = error.code; }});
+    QTRY_VERIFY(runner.isIdle());
+    QCOMPARE(failure, ErrorCode::OutOfMemory);
+  }
+};
+
+QTEST_GUILESS_MAIN(JobRunnerTest)
+#include "JobRunnerTest.moc"

@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "StlFiles.h"
+#include "WindowDriver.h"
+#include "WindowTestMain.h"
+
+#include <QComboBox>
+#include <QMessageBox>
+#include <QTimer>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+// What a designer does: open a scan, look, preview, fill, undo, repair, save.
+class RepairFlowTest : public QObject {
+  Q_OBJECT
+
+ private:
+  QTemporaryDir m_folder;
+
+  QString fileWithHoles(const char* name) {
+    const QString path = m_folder.filePath(QString::fromLatin1(name));
+    const auto triangles = torus(48, 24, {{3, 5}, {20, 11}, {35, 17}});
+    Q_ASSERT(openEdges(triangles) == 12);
+    writeStl(path, triangles);
+    return path;
+  }
+
+ private slots:
+  void fillUndoRedoRepairSave() {
+    WindowDriver driver;
+    driver.click("quickActions/openFile");
+    QVERIFY(driver.enterFileName("openDialog", fileWithHoles("flow.stl")));
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.tabs(), 1);
+    QCOMPARE(driver.count(DefectKind::Hole), 3);
+    QCOMPARE(driver.text("stateHeadline"), "3 holes");
+    QVERIFY(driver.find<QWidget>("nextStepCard")->isVisible());
+
+    driver.clickDefect(DefectKind::Hole, 1);
+    QVERIFY(driver.find<QWidget>("holeSettings")->isVisible());
+    QVERIFY(!driver.find<QWidget>("nextStepCard")->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(driver.text("previewStatus").contains("new triangle"), kPatienceMs);
+    QCOMPARE(driver.count(DefectKind::Hole), 3);  // a preview changes nothing
+
+    driver.click("fillHoleButton");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), 2, kPatienceMs);
+    QVERIFY(driver.settle());
+    driver.click("quickActions/undo");
+    QCOMPARE(driver.count(DefectKind::Hole), 3);
+    driver.click("quickActions/redo");
+    QCOMPARE(driver.count(DefectKind::Hole), 2);
+
+    driver.click("repairAllButton");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), 0, kPatienceMs);
+    QCOMPARE(driver.text("stateHeadline"), "Watertight");
+    QVERIFY(driver.window().isWindowModified());
+
+    driver.click("nextStep/saveFileAs");
+    const QString saved = m_folder.filePath("saved.stl");
+    QVERIFY(driver.enterFileName("saveDialog", saved));
+    QTRY_VERIFY_WITH_TIMEOUT(!driver.window().isWindowModified(), kPatienceMs);
+    const auto triangles = readStl(saved);
+    QVERIFY(triangles.size() >= 2 * 48 * 24);
+    QCOMPARE(openEdges(triangles), 0);
+    QVERIFY(driver.window().windowTitle().startsWith("saved.stl"));
+    QCOMPARE(openEdges(readStl(m_folder.filePath("flow.stl"))), 12);  // the original is as it was
+    driver.click("closeTab");
+    QCOMPARE(driver.tabs(), 0);
+  }
+
+  void whatIsKeptOpenStaysOpen() {
+    WindowDriver driver;
+    QVERIFY(driver.open(fileWithHoles("keep.stl")));
+    driver.clickDefect(DefectKind::Hole, 0);
+    driver.click("keepOpenButton");
+    QCOMPARE(driver.count(DefectKind::Hole), 2);
+    QCOMPARE(driver.count(DefectKind::KeptOpen), 1);
+    driver.click("repairAllButton");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), 0, kPatienceMs);
+    QCOMPARE(driver.count(DefectKind::KeptOpen), 1);
+    QCOMPARE(driver.text("stateHeadline"), "No holes left");
+    driver.click("quickActions/saveFile");
+    QTRY_VERIFY_WITH_TIMEOUT(!driver.window().isWindowModified(), kPatienceMs);
+    QCOMPARE(openEdges(readStl(m_folder.filePath("keep.stl"))), 4);
+    driver.click("closeTab");
+  }
+
+  void aMethodChangesThePreviewAtOnce() {
+    WindowDriver driver;
+    QVERIFY(driver.open(fileWithHoles("method.stl")));
+    driver.clickDefect(DefectKind::Hole, 0);
+    auto* methods = driver.find<QComboBox>("fillMethod");
+    methods->setCurrentIndex(methods->findText("Ear cutting"));
+    // A quad without new vertices takes two triangles.
+    QTRY_COMPARE_WITH_TIMEOUT(driver.text("previewStatus"), "2 new triangles", kPatienceMs);
+    driver.click("fillHoleButton");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), 2, kPatienceMs);
+    QCOMPARE(driver.text("triangleCount"), "2,300 triangles");  // 2 * (48 * 24 - 3) + 2
+  }
+
+  void aDismissedCardStaysAway() {
+    WindowDriver driver;
+    QVERIFY(driver.open(fileWithHoles("card.stl")));
+    driver.click("nextStepClose");
+    QVERIFY(!driver.find<QWidget>("nextStepCard")->isVisible());
+    driver.click("repairAllButton");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), 0, kPatienceMs);
+    QVERIFY(driver.settle());
+    QVERIFY(!driver.find<QWidget>("nextStepCard")->isVisible());
+  }
+
+  void closingAsksAboutChanges() {
+    WindowDriver driver;
+    QVERIFY(driver.open(fileWithHoles("close.stl")));
+    driver.click("repairAllButton");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), 0, kPatienceMs);
+    answerPrompt(QMessageBox::Cancel);
+    driver.window().close();
+    QVERIFY(driver.window().isVisible());
+    QCOMPARE(driver.tabs(), 1);
+    answerPrompt(QMessageBox::Save);
+    driver.window().close();
+    QTRY_VERIFY_WITH_TIMEOUT(!driver.window().isVisible(), kPatienceMs);
+    QCOMPARE(openEdges(readStl(m_folder.filePath("close.stl"))), 0);
+  }
+
+  void aDamagedFileIsExplainedAndOpenedInPart() {
+    const QString path = m_folder.filePath("damaged.stl");
+    writeStl(path, torus(48, 24, {}));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadWrite));
+    QVERIFY(file.resize(84 + 50 * 1000 + 7));  // cut off in the middle of a facet
+    file.close();
+    WindowDriver driver;
+    QVERIFY(driver.open(path));
+    QCOMPARE(driver.tabs(), 0);
+    QVERIFY(driver.find<QWidget>("messageBar")->isVisible());
+    QVERIFY(driver.text("messageText").contains("damaged.stl"));
+    driver.click("messageAction");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.tabs(), 1, kPatienceMs);
+    QCOMPARE(driver.text("triangleCount"), "1,000 triangles");
+    QVERIFY(driver.settle());
+  }
+
+ private:
+  static void answerPrompt(QMessageBox::StandardButton answer) {
+    QTimer::singleShot(200, qApp, [answer] {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      if (!box) qFatal("nobody asks");
+      QTest::mouseClick(box->button(answer), Qt::LeftButton);
+    });
+  }
+};
+
+HANDWHEEL_WINDOW_TEST(RepairFlowTest)
+#include "RepairFlowTest.moc"

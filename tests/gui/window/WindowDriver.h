@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "panels/DefectModel.h"
+#include "viewport/Viewport.h"
+#include "window/MainWindow.h"
+
+#include <QAbstractButton>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSettings>
+#include <QTabBar>
+#include <QTemporaryDir>
+#include <QThreadPool>
+#include <QToolButton>
+#include <QTreeView>
+#include <QtTest>
+
+// A main window with settings of its own, driven through the widgets that a person uses, found by their names.
+namespace handwheel::test {
+
+constexpr int kPatienceMs = 20000;
+
+class WindowDriver {
+ public:
+  WindowDriver() : m_window(m_workers) {
+    m_window.resize(1280, 800);
+    m_window.show();
+    if (!QTest::qWaitForWindowExposed(&m_window)) qFatal("the window does not appear");
+  }
+  ~WindowDriver() { m_workers.waitForDone(); }
+
+  MainWindow& window() { return m_window; }
+
+  template <class Widget>
+  Widget* find(const char* name) {
+    auto* widget = m_window.findChild<Widget*>(QString::fromLatin1(name));
+    if (!widget) qFatal("there is no %s", name);
+    return widget;
+  }
+  void click(const char* name) {
+    auto* button = find<QAbstractButton>(name);
+    if (!QTest::qWaitFor([button] { return button->isVisible() && button->isEnabled(); }, kPatienceMs)) {
+      qFatal("%s cannot be clicked", name);
+    }
+    QTest::mouseClick(button, Qt::LeftButton);
+  }
+  QString text(const char* name) { return find<QLabel>(name)->text(); }
+
+  bool settle() {
+    return QTest::qWaitFor([this] { return m_window.isSettled(); }, kPatienceMs);
+  }
+  bool open(const QString& path) {
+    m_window.openPaths({path});
+    return settle();
+  }
+  int tabs() { return find<QTabBar>("documentTabBar")->count(); }
+
+  const DefectModel& defects() { return *qobject_cast<DefectModel*>(find<QTreeView>("defectList")->model()); }
+  int count(DefectKind kind) { return defects().rowCount(defects().groupIndex(kind)); }
+  void clickDefect(DefectKind kind, int row) {
+    auto* list = find<QTreeView>("defectList");
+    const QModelIndex index = defects().index(row, 0, defects().groupIndex(kind));
+    list->scrollTo(index);
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(index).center());
+  }
+
+  // Enters a name into a file dialog that is open or about to open, and accepts it.
+  bool enterFileName(const char* dialogName, const QString& path) {
+    QFileDialog* dialog = nullptr;
+    const auto appears = [&] {
+      dialog = m_window.findChild<QFileDialog*>(QString::fromLatin1(dialogName));
+      return dialog && dialog->isVisible();
+    };
+    if (!QTest::qWaitFor(appears, kPatienceMs)) return false;
+    dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(path);
+    QMetaObject::invokeMethod(dialog, "accept");
+    return QTest::qWaitFor([&] { return !m_window.findChild<QFileDialog*>(QString::fromLatin1(dialogName)); });
+  }
+
+ private:
+  QThreadPool m_workers;
+  MainWindow m_window;
+};
+
+}  // namespace handwheel::test

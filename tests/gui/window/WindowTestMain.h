@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "text/EnglishPlurals.h"
+#include "theme/Theme.h"
+#include "viewport/Viewport.h"
+
+#include <QApplication>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <clocale>
+
+// main() of a test of the window: as the program starts, but with settings in a temporary folder.
+#define HANDWHEEL_WINDOW_TEST(Test)                                                     \
+  int main(int argc, char** argv) {                                                     \
+    handwheel::Viewport::prepareApplication();                                          \
+    QApplication application(argc, argv);                                               \
+    std::setlocale(LC_NUMERIC, "C");                                                    \
+    const QTemporaryDir settings;                                                       \
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path()); \
+    QCoreApplication::setOrganizationName("Handwheel");                                 \
+    QCoreApplication::setApplicationName("HandwheelTest");                              \
+    handwheel::EnglishPlurals plurals;                                                  \
+    QCoreApplication::installTranslator(&plurals);                                      \
+    handwheel::applyTheme(application, handwheel::ThemeKind::Light);                    \
+    Test test;                                                                          \
+    return QTest::qExec(&test, argc, argv);                                             \
+  }
