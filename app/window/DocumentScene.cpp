@@ -4,9 +4,14 @@
 
 #include "panels/DefectModel.h"
 #include "viewport/Viewport.h"
+#include "window/ClearView.h"
+#include "window/HolePicking.h"
 #include "window/HolePreview.h"
 #include "window/OpenDocument.h"
 #include "window/Selection.h"
+
+#include <QCursor>
+#include <algorithm>
 
 namespace handwheel {
 
@@ -71,9 +76,9 @@ DocumentScene::DocumentScene(Viewport& viewport, Selection& selection, HolePrevi
     drawLoops();
     drawDefects();
   });
-  connect(&m_viewport, &Viewport::hovered, this, [this](const Pick& pick) { m_selection.hover(pick.loop); });
-  connect(&m_viewport, &Viewport::clicked, this, [this](const Pick& pick) { m_selection.select(pick.loop); });
-  connect(&m_viewport, &Viewport::doubleClicked, this, [this](const Pick& pick) { showLoop(pick.loop); });
+  connect(&m_viewport, &Viewport::hovered, this, [this](const Pick& pick) { m_selection.hover(loopAt(pick)); });
+  connect(&m_viewport, &Viewport::clicked, this, [this](const Pick& pick) { m_selection.select(loopAt(pick)); });
+  connect(&m_viewport, &Viewport::doubleClicked, this, [this](const Pick& pick) { showLoop(loopAt(pick)); });
 }
 
 void DocumentScene::setDocument(OpenDocument* document) {
@@ -97,6 +102,17 @@ void DocumentScene::setDocument(OpenDocument* document) {
   } else {
     m_viewport.setStandardView(StandardView::Isometric);
   }
+}
+
+int DocumentScene::loopAt(const Pick& pick) const {
+  if (pick.loop >= 0 || !m_document) return pick.loop;
+  const CameraState camera = m_viewport.camera();
+  if (!pick.isNothing()) return loopAround(m_document->inspection, camera, pick.point, pick.point);
+  const QPointF cursor = m_viewport.mapFromGlobal(QPointF(QCursor::pos()));
+  const double scale = camera.height / m_viewport.height();  // units of the model to the pixel
+  const double right = (cursor.x() - m_viewport.width() / 2.0) * scale;
+  const double up = (m_viewport.height() / 2.0 - cursor.y()) * scale;
+  return loopAround(m_document->inspection, camera, camera.centre + right * camera.right() + up * camera.up(), {});
 }
 
 void DocumentScene::showSurface() {
@@ -126,7 +142,7 @@ void DocumentScene::showPlace(const QModelIndex& defect) {
   // A tiny defect is shown with enough around it to see where it is.
   const double least = kLeastPlace * model.diagonal().norm();
   const double grow = std::max(0.0, (least - place.diagonal().norm()) / 2.0);
-  m_viewport.flyTo(Box(place.min().array() - grow, place.max().array() + grow), outward);
+  m_viewport.flyTo(Box(place.min().array() - grow, place.max().array() + grow), clearView(mesh, place, outward));
 }
 
 void DocumentScene::drawLoops() {

@@ -12,6 +12,7 @@ class HolePreview;
 class Selection;
 class Viewport;
 struct OpenDocument;
+struct Pick;
 
 // Keeps the viewport in step with the present document: surface, defect marks, selection and preview.
 class DocumentScene : public QObject {
@@ -27,6 +28,7 @@ class DocumentScene : public QObject {
   void refreshVisibility();  // after OpenDocument::visible was changed
 
  private:
+  int loopAt(const Pick& pick) const;  // also where the hole itself is pointed at, not its rim
   void showSurface();
   void drawLoops();
   void drawDefects();

@@ -86,8 +86,7 @@ void FileLoader::failed(const QString& path, const Error& error, const ReadOptio
   const QString sentence = errorSentence(withoutFile(error));
   if (error.code == ErrorCode::Cancelled) return m_log.add(tr("Opening %1 was cancelled").arg(name));
   if (error.code == ErrorCode::FileMissing) m_recent.remove(path);
-  Message message{
-      Message::Weight::Error, tr("%1 could not be opened").arg(name), sentence, errorAdvice(error), {}, {}};
+  Message message{Message::Weight::Error, tr("%1 could not be opened").arg(name), sentence, errorAdvice(error), {}, {}};
   if (!options.partial && mayBePartlyReadable(error.code)) {
     message.actionText = tr("Open what is readable");
     message.action = [this, path] { load(path, ReadOptions{.partial = true}); };

@@ -44,6 +44,7 @@ QDockWidget* addDock(MainWindow& window, Qt::DockWidgetArea area, const char* na
   dock->setAccessibleName(title);
   dock->setWidget(content);
   dock->setTitleBarWidget(new DockTitle(dock));
+  dock->toggleViewAction()->setIconVisibleInMenu(false);
   dock->toggleViewAction()->setIcon(icon(QString::fromLatin1(iconName)));
   dock->toggleViewAction()->setObjectName(dock->objectName() + QStringLiteral("Toggle"));
   window.addDockWidget(area, dock);

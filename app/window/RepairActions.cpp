@@ -64,6 +64,9 @@ RepairActions::RepairActions(DocumentTabs& tabs, Selection& selection, RepairJob
   prepare(m_deselect, "deselect", nullptr, {QKeySequence(Qt::Key_Escape)}, tr("Clear the selection and the preview"));
   m_keepOpen.setCheckable(true);
   m_showPreview.setCheckable(true);
+  // In menus the check mark stands where the icon would.
+  m_keepOpen.setIconVisibleInMenu(false);
+  m_showPreview.setIconVisibleInMenu(false);
   m_showPreview.setChecked(QSettings().value(kPreviewKey, true).toBool());
   connectActions();
   follow();

@@ -34,6 +34,7 @@ ViewActions::ViewActions(Viewport& viewport, QObject* parent)
   m_dark.setObjectName(QStringLiteral("darkTheme"));
   m_dark.setIcon(icon(QStringLiteral("theme")));
   m_dark.setCheckable(true);
+  m_dark.setIconVisibleInMenu(false);  // the check mark stands there
   m_dark.setToolTip(tr("Switch between the light and the dark theme"));
   m_dark.setChecked(currentTheme() == ThemeKind::Dark);
   m_viewport.setDarkTheme(m_dark.isChecked());
@@ -56,6 +57,7 @@ void ViewActions::addShading(Shading shading, const QString& text, const char* i
   auto* action = m_shadings.addAction(icon(QString::fromLatin1(iconName)), text);
   action->setObjectName(QString::fromLatin1(name));
   action->setCheckable(true);
+  action->setIconVisibleInMenu(false);
   action->setChecked(m_viewport.shading() == shading);
   connect(action, &QAction::triggered, this, [this, shading] { m_viewport.setShading(shading); });
 }

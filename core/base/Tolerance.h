@@ -18,8 +18,11 @@ inline constexpr double kDebrisFaces = 0.01;
 inline constexpr double kFlap = 0.01;
 // Vertices on open borders nearer than this are one vertex that the file rounded apart; a repair merges them.
 inline constexpr double kNearWeld = 1e-5;
-// A patch may leave the bounding box of its hole and the ring around it by this share of that box's diagonal.
+// A patch may leave the box of its loop by this share of that box's diagonal,
 inline constexpr double kPatchSwelling = 0.5;
+// and where it leaves the model's box too, by more than this share of the model's diagonal, only by this share.
+inline constexpr double kModelSwelling = 0.01;
+inline constexpr double kPatchBulge = 0.03;
 // CGAL's cubic hole triangulation is allowed up to this many edges; beyond, it freezes (90 s at 2554).
 inline constexpr int kCubicFillEdges = 300;
 // New vertices of a patch per boundary edge; refining beyond is refused.

@@ -19,11 +19,11 @@ struct Spoke {
 
 std::vector<Spoke> spokesByAngle(std::span<const EdgeTable::Entry> run, std::uint32_t low, std::uint32_t high,
                                  std::span<const Triangle> triangles, std::span<const Vec3> points) {
-  const Vec3 origin = points[low];
-  const Vec3 axis = (points[high] - origin).normalized();
+  const Vec3& origin = points[low];
+  const Vec3 axis = (points[high] - origin).stableNormalized();
   Eigen::Index smallest = 0;
   axis.cwiseAbs().minCoeff(&smallest);
-  const Vec3 x = axis.cross(Vec3::Unit(smallest)).normalized();
+  const Vec3 x = axis.cross(Vec3::Unit(smallest)).stableNormalized();
   const Vec3 y = axis.cross(x);
 
   std::vector<Spoke> spokes;

@@ -44,12 +44,20 @@ bool hasDegenerateTriangle(const Patch& patch) {
                      [&](const Triangle& t) { return isDegenerate(corners(patch, t)); });
 }
 
-bool swells(const HoleContext& hole, const Patch& patch) {
-  Box loopBox;
-  for (const Vec3& p : hole.loop()) loopBox.extend(p);
-  const Vec3 slack = Vec3::Constant(tolerance::kPatchSwelling * loopBox.diagonal().norm());
-  const Box allowed(loopBox.min() - slack, loopBox.max() + slack);
-  return std::any_of(patch.points.begin(), patch.points.end(), [&](const Vec3& p) { return !allowed.contains(p); });
+Box grown(const Box& box, double by) {
+  return {box.min() - Vec3::Constant(by), box.max() + Vec3::Constant(by)};
+}
+
+// A patch may bulge, but not out of all proportion to its hole, and out of the model only a little.
+bool swells(const HoleContext& hole, const Patch& patch, const Box& model) {
+  Box loop;
+  for (const Vec3& p : hole.loop()) loop.extend(p);
+  const double size = loop.diagonal().norm();
+  const Box largest = grown(loop, tolerance::kPatchSwelling * size);
+  const Box modest = grown(loop, tolerance::kPatchBulge * size);
+  const Box part = grown(model, tolerance::kModelSwelling * model.diagonal().norm());
+  return std::any_of(patch.points.begin(), patch.points.end(),
+                     [&](const Vec3& p) { return !largest.contains(p) || (!modest.contains(p) && !part.contains(p)); });
 }
 
 // True when a diagonal of the patch joins two loop points that the surface joins already.
@@ -146,7 +154,7 @@ struct HoleFiller::State {
     if (classifyPoints(patch.points).representative.size() < patch.points.size()) return FillFailure::NoPatch;
     if (!closesLoop(patch) || hasDegenerateTriangle(patch)) return FillFailure::NoPatch;
     if (doublesAnEdge(patch, existing)) return FillFailure::NoPatch;
-    if (swells(hole, patch)) return FillFailure::Swelling;
+    if (swells(hole, patch, obstacles.bounds())) return FillFailure::Swelling;
     return obstacles.hits(patch) ? FillFailure::SelfIntersecting : FillFailure::None;
   }
 

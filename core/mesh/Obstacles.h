@@ -15,6 +15,7 @@ class Obstacles {
  public:
   explicit Obstacles(const HalfEdgeMesh& mesh);
 
+  Box bounds() const { return m_hierarchy.bounds(); }  // of the mesh
   bool hits(const TrianglePoints& t) const;
   // True when one triangle of the patch hits the surface, or two triangles of it each other.
   bool hits(const Patch& patch) const;

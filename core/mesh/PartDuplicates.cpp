@@ -177,10 +177,10 @@ class Parter {
 // Calls visit(classes, low, high, half-edges) for each edge that has more than two faces in the file.
 template <class Visit>
 void forEachCrowdedEdge(const HalfEdgeMesh& mesh, Visit visit) {
-  const auto [classes, triangles] = PositionTriangles(mesh);
-  const EdgeTable edges(triangles, classes.representative.size());
+  const PositionTriangles byPosition(mesh);
+  const EdgeTable edges(byPosition.triangles, byPosition.classes.representative.size());
   edges.forEachEdge([&](std::uint32_t low, std::uint32_t high, std::span<const EdgeTable::Entry> run) {
-    if (run.size() > 2) visit(classes, low, high, run);
+    if (run.size() > 2) visit(byPosition.classes, low, high, run);
   });
 }
 

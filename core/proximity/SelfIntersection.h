@@ -20,7 +20,8 @@ inline constexpr std::size_t kMaxTrianglePairs = std::size_t{1} << 23;
 // All pairs (i < j) of triangles that meet in the sense of trianglesMeet(). Triangles without area, and those with a
 // coordinate that is not finite, take no part. Sorted. When there are more than maxPairs, exactly maxPairs of them, the
 // same in each run.
-// Empty optional when cancelled; looks at the cancel flag at least every 50 ms.
+// Empty optional when cancelled; looks at the cancel flag at least every 50 ms (beyond some five million triangles, at
+// least once in each pass over them).
 // O(n log n + c) for c pairs whose boxes overlap, on all threads of the arena; about 100 bytes a triangle while it
 // runs.
 std::optional<std::vector<TrianglePair>> selfIntersections(std::span<const Vec3> points,

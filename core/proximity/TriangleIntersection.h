@@ -10,10 +10,10 @@ using TrianglePoints = std::array<Vec3, 3>;
 
 // True when two triangles meet in more than a shared vertex or edge; touching counts. Corners are shared when their
 // positions are equal. A doubled triangle and a fold lying flat on its neighbour count. Exact (CGAL's exact
-// predicates). Both triangles must have area.
+// predicates where floating point leaves it open). Thread-safe. Both triangles must have area and finite coordinates.
 bool trianglesMeet(const TrianglePoints& a, const TrianglePoints& b);
 
-// Exactly zero area: two equal corners or all three on one line.
+// Exactly zero area: two equal corners or all three on one line. The coordinates must be finite.
 bool isDegenerate(const TrianglePoints& t);
 
 }  // namespace handwheel

@@ -41,7 +41,7 @@ NextStepCard::NextStepCard(QWidget* over)
 
   auto* title = new QHBoxLayout;
   title->setSpacing(8);
-  title->addWidget(m_icon, 0, Qt::AlignTop);
+  title->addWidget(m_icon);
   title->addWidget(m_title, 1);
   title->addWidget(close, 0, Qt::AlignTop);
   m_buttons->setSpacing(8);

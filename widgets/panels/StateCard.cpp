@@ -9,6 +9,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QStyle>
 
 namespace handwheel {
 
@@ -80,10 +81,8 @@ void StateCard::showState(const Inspection& inspection) {
   const Verdict verdict = verdictOn(inspection);
   m_icon->setPixmap(icon(verdict.icon, verdict.colour).pixmap(QSize(28, 28), devicePixelRatioF()));
   m_headline->setText(verdict.headline);
-  QPalette palette = m_headline->palette();
-  palette.setColor(QPalette::WindowText,
-                   inspection.isWatertight() ? verdict.colour : themeColours(currentTheme()).text);
-  m_headline->setPalette(palette);
+  m_headline->setProperty("good", inspection.isWatertight());
+  m_headline->style()->polish(m_headline);  // the style sheet colours what is good
   m_details->setText(detailsOf(inspection));
   setAccessibleName(verdict.headline + QStringLiteral(", ") + m_details->text());
 }

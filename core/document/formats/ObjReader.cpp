@@ -100,6 +100,7 @@ class Reader {
   bool readFace(Place place) {
     m_corners.clear();
     for (std::string_view word = m_scanner.word(); !word.empty(); word = m_scanner.word()) {
+      if (!m_assembly.step()) return false;
       const auto index = parseInteger(word.substr(0, word.find('/')));
       const bool good = index && word.find_first_not_of("0123456789+-/") == std::string_view::npos;
       if (!good) return m_assembly.tolerate(wordError(ErrorCode::NumberMalformed, word, m_scanner.place()));

@@ -107,26 +107,26 @@ class TextReader {
     for (m_read = 0; m_read < m_faces; ++m_read) {
       if (!m_assembly.advance(m_scanner.position())) return false;
       if (!m_scanner.findWord()) return truncated("faces", m_faces);
-      const Place place = m_scanner.place();
-      Error error;
-      const bool stored = readCorners(error) ? storeFace(place) : m_assembly.tolerate(std::move(error));
-      if (!stored) return false;
+      if (!readFace()) return false;
       m_scanner.nextLine();
     }
     return true;
   }
 
-  bool readCorners(Error& error) {
+  bool readFace() {
+    const Place place = m_scanner.place();
     std::int64_t count = 0;
-    if (!readIndex(count, error)) return false;
+    Error error;
+    if (!readIndex(count, error)) return m_assembly.tolerate(std::move(error));
     m_corners.clear();
     for (std::int64_t i = 0; i < count; ++i) {
       std::int64_t corner = 0;
-      if (!readIndex(corner, error)) return false;
+      if (!m_assembly.step()) return false;
+      if (!readIndex(corner, error)) return m_assembly.tolerate(std::move(error));
       m_corners.push_back(corner);
     }
     if (!m_scanner.peek().empty()) m_assembly.lose(LostAttribute::Colour);
-    return true;
+    return storeFace(place);
   }
 
   bool readIndex(std::int64_t& index, Error& error) {

@@ -74,6 +74,7 @@ class BodyReader {
     if (field.role == PlyField::Role::Skipped) return m_rows.skip(field.type, static_cast<std::uint64_t>(count));
     for (std::int64_t i = 0; i < count; ++i) {
       std::int64_t corner = 0;
+      if (!m_assembly.step()) return RowState::Ended;
       if (const RowState state = m_rows.integer(field.type, corner); state != RowState::Good) return state;
       m_corners.push_back(corner);
     }

@@ -12,7 +12,7 @@ namespace {
 // right depends on more than the outline, and everybody expects a fan.
 constexpr double kPlanar = 1e-3;
 constexpr std::uint64_t kTestsPerLook = 500'000;
-constexpr std::uint64_t kTestsPerCorner = 200;  // enough for polygons of several hundred corners, however many
+constexpr std::uint64_t kTestsPerCorner = 100;  // enough for polygons of some hundred corners, however many
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());

@@ -27,7 +27,7 @@ class PolygonTriangulation {
 
   // Appends corners.size() - 2 triangles that use the polygon's corners only, with its orientation.
   // Precondition: at least three corners, each an index into points. O(corners); ear cutting is O(corners²), but all
-  // calls together make no more than 200 tests a corner and 150 million.
+  // calls together make no more than 100 tests a corner and 150 million.
   Outcome cut(const std::vector<Vec3>& points, std::span<const std::uint32_t> corners,
               std::vector<Triangle>& triangles);
 

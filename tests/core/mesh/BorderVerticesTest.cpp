@@ -64,7 +64,8 @@ void BorderVerticesTest::findsAllInABox() {
     std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
     const HalfEdgeMesh mesh = crumbs(random);
     const BorderVertices vertices(mesh);
-    const auto corner = [&] { return Vec3(random() % 500, random() % 500, random() % 500) / 100.0 - Vec3::Ones(); };
+    const auto coordinate = [&] { return (random() % 500) / 100.0 - 1.0; };
+    const auto corner = [&] { return Vec3(coordinate(), coordinate(), coordinate()); };
     const Box box = Box(corner()).extend(corner());
     std::set<Vertex> found;
     vertices.forEachInBox(box, [&](Vertex v) { found.insert(v); });

@@ -32,6 +32,7 @@ class ObstaclesTest : public QObject {
   void addedPatches();
   void patchThatMeetsItself();
   void facesWithoutArea();
+  void verticesThere();
   void edgesAmong();
 };
 
@@ -78,6 +79,17 @@ void ObstaclesTest::facesWithoutArea() {
   soup.triangles.push_back({0, 1, 8});  // a needle that leaves the cube along the x axis
   const Obstacles obstacles(buildMesh(soup).mesh);
   QVERIFY(!obstacles.hits(TrianglePoints{Vec3(2, -1, -1), Vec3(2, 1, -1), Vec3(2, 0, 1)}));
+}
+
+void ObstaclesTest::verticesThere() {
+  Obstacles obstacles(buildMesh(test::cube()).mesh);
+  for (const Vec3& p : test::cube().points) QVERIFY(obstacles.hasVertexAt(p));
+  // On an edge, inside a face, and next to a corner.
+  for (const Vec3& p : {Vec3(0.5, 0, 0), Vec3(0.5, 0.25, 0), Vec3(std::nextafter(1.0, 2.0), 1, 1), Vec3(9, 9, 9)})
+    QVERIFY(!obstacles.hasVertexAt(p));
+  const Patch patch = triangleAt(Vec3(5, 5, 5), 1.0);
+  obstacles.add(patch);
+  for (const Vec3& p : patch.points) QVERIFY(obstacles.hasVertexAt(p));
 }
 
 void ObstaclesTest::edgesAmong() {

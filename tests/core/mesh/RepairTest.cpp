@@ -45,7 +45,7 @@ std::string inconsistent(const HalfEdgeMesh& before, const HalfEdgeMesh& after, 
   for (const LoopResult& loop : report.loops) {
     if (loop.id >= int(loops.size())) return "an id that the input does not have";
     if (loop.id >= 0) ++seen[loop.id];
-    if (loop.id >= 0 && loop.edges != loops[loop.id].halfEdges.size()) return "a loop with the wrong number of edges";
+    if (loop.id >= 0 && loop.edges != loops[loop.id].borderEdges) return "a loop with the wrong number of edges";
     if ((loop.outcome == LoopOutcome::Filled) != (loop.reason == FillFailure::None)) return "an outcome without a reason";
     allFilled = allFilled && loop.outcome == LoopOutcome::Filled;
   }
