@@ -136,11 +136,8 @@ void DocumentScene::showPlace(const QModelIndex& defect) {
   const auto [place, outward] = m_defects.placeOf(defect);
   if (!m_document || place.isEmpty()) return;
   const HalfEdgeMesh& mesh = m_document->document.mesh();
-  Box model;
-  for (Face f : m_document->document.defects().components.front().faces)
-    model.extend(mesh.position(mesh.triangle(f)[0]));
   // A tiny defect is shown with enough around it to see where it is.
-  const double least = kLeastPlace * model.diagonal().norm();
+  const double least = kLeastPlace * m_document->document.defects().box.diagonal().norm();
   const double grow = std::max(0.0, (least - place.diagonal().norm()) / 2.0);
   m_viewport.flyTo(Box(place.min().array() - grow, place.max().array() + grow), clearView(mesh, place, outward));
 }

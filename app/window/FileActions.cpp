@@ -31,7 +31,9 @@ void rememberFolder(const QString& path) {
 }
 
 // The file itself must not be overwritten without asking: it holds what the document does not, or is not the user's.
-bool needsNewName(const MeshDocument& document) {
+bool needsNewName(const OpenDocument& open) {
+  const MeshDocument& document = open.document;
+  if (open.written) return false;
   return !document.damage().empty() || !document.lostAttributes().empty() || !QFileInfo(document.path()).isWritable() ||
          QFileInfo(document.path()) == QFileInfo(samplePath());
 }
@@ -125,7 +127,7 @@ void FileActions::saveCurrent() {
 }
 
 void FileActions::saveOrAsk(OpenDocument* document, std::function<void()> then) {
-  if (needsNewName(document->document)) return askForName(document, std::move(then));
+  if (needsNewName(*document)) return askForName(document, std::move(then));
   m_saver.save(document, document->document.path(), std::move(then));
 }
 

@@ -58,17 +58,20 @@ void FileLoader::load(const QString& path, const ReadOptions& options) {
     Result<MeshFile> read = readMeshFile(QFile::encodeName(path).toStdString(), options, progress.part(0.0, 0.6));
     if (!read) return [this, path, options, error = read.error()] { failed(path, error, options); };
     auto file = std::make_shared<MeshFile>(std::move(read.value()));
-    auto built = std::make_shared<BuiltMesh>(buildMesh(file->soup));
+    BuiltMesh built = buildMesh(file->soup);
     file->soup = {};  // the mesh holds it all; the memory is better used elsewhere
-    return [this, path, file, built] { loaded(path, file, built); };
+    return [this, path, file, build = std::move(built.report), mesh = inspected(std::move(built.mesh))] {
+      loaded(path, *file, mesh, build);
+    };
   };
   job.failed = [this, path, options](const Error& error) { failed(path, error, options); };
   m_jobs.start(std::move(job));
 }
 
-void FileLoader::loaded(const QString& path, std::shared_ptr<MeshFile> file, std::shared_ptr<BuiltMesh> built) {
+void FileLoader::loaded(const QString& path, const MeshFile& file, const InspectedMesh& mesh,
+                        const BuildReport& build) {
   if (const OpenDocument* open = m_tabs.withPath(path)) return m_tabs.setCurrent(open);
-  auto opened = std::make_unique<OpenDocument>(path, *file, std::move(*built));
+  auto opened = std::make_unique<OpenDocument>(path, file, mesh, build);
   const Inspection& inspection = opened->inspection;
   m_log.add(tr("Opened %1: %2 triangles, %3 holes, %4 triangles turned over")
                 .arg(opened->document.name())
@@ -78,7 +81,7 @@ void FileLoader::loaded(const QString& path, std::shared_ptr<MeshFile> file, std
             inspectCommand(path));
   m_tabs.add(std::move(opened));
   m_recent.add(path);
-  tellLosses(path, *file);
+  tellLosses(path, file);
 }
 
 void FileLoader::failed(const QString& path, const Error& error, const ReadOptions& options) {

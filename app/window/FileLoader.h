@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/formats/MeshFormat.h"
+#include "mesh/Defects.h"
 #include "mesh/MeshBuilder.h"
 #include "panels/MessageBar.h"
 
@@ -30,7 +31,7 @@ class FileLoader : public QObject {
   void message(const handwheel::Message& message);
 
  private:
-  void loaded(const QString& path, std::shared_ptr<MeshFile> file, std::shared_ptr<BuiltMesh> built);
+  void loaded(const QString& path, const MeshFile& file, const InspectedMesh& mesh, const BuildReport& build);
   void failed(const QString& path, const Error& error, const ReadOptions& options);
   void tellLosses(const QString& path, const MeshFile& file);
 

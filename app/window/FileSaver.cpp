@@ -48,6 +48,7 @@ void FileSaver::saved(OpenDocument* document, const QString& path, std::uint64_t
   m_recent.add(path);
   if (document->document.revision() == revision) {
     const std::string plain = QFile::encodeName(path).toStdString();
+    document->written = true;
     document->document.markSaved(path, formatForName(plain).value_or(document->document.format()));
   } else {
     m_log.add(tr("%1 holds the state before your last change").arg(name), {}, LogEntry::Weight::Warning);

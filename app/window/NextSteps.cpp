@@ -8,6 +8,7 @@
 #include "window/OpenDocument.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 
 namespace handwheel {
 
@@ -57,6 +58,12 @@ QString reasons(const Inspection& inspection) {
   return lines.join(QLatin1Char(' '));
 }
 
+QString openTitle(const Inspection& inspection) {
+  const auto& open = inspection.keptOpen();
+  const bool sheet = std::all_of(open.begin(), open.end(), [&](int id) { return inspection.loop(id).rim; });
+  return sheet ? Text::tr("No holes. This is an open sheet.") : Text::tr("No holes are left except those kept open.");
+}
+
 bool isWorthSaving(const OpenDocument& document) {
   return document.document.isModified() || !document.document.turnedFaces().empty();
 }
@@ -71,7 +78,7 @@ NextStep nextStepFor(const OpenDocument& document, const NextStepActions& action
     const bool tight = inspection.isWatertight();
     NextStep step{tight ? QStringLiteral("watertight") : defectIconName(DefectKind::KeptOpen),
                   tight ? colours.success : defectColour(DefectKind::KeptOpen),
-                  tight ? Text::tr("Watertight.") : Text::tr("No holes are left except those kept open."),
+                  tight ? Text::tr("Watertight.") : openTitle(inspection),
                   {},
                   {}};
     if (isWorthSaving(document)) {

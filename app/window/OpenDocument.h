@@ -13,14 +13,15 @@ namespace handwheel {
 
 // A document with what the window remembers about it while it is open.
 struct OpenDocument {
-  OpenDocument(const QString& path, MeshFile file, BuiltMesh built)
-      : document(path, std::move(file), std::move(built)), inspection(document) {}
+  OpenDocument(const QString& path, MeshFile file, InspectedMesh mesh, BuildReport build)
+      : document(path, std::move(file), std::move(mesh), std::move(build)), inspection(document) {}
 
   MeshDocument document;
   Inspection inspection;
   std::optional<CameraState> camera;  // absent until it was shown
   Vertex selected = kNone;            // Inspection::keyOf the selected loop
   bool visible = true;
+  bool written = false;  // its file was written by us, so it holds nothing that the document does not
   bool cardDismissed = false;
   bool repaired = false;  // "Repair all" ran at least once
 };

@@ -88,6 +88,7 @@ void RepairActions::connectActions() {
     QSettings().setValue(kPreviewKey, on);
     follow();
   });
+  connect(&m_preview, &HolePreview::changed, this, &RepairActions::followPreview);
   connect(&m_selection, &Selection::changed, this, &RepairActions::follow);
   connect(&m_jobs, &RepairJobs::filled, this,
           [this](OpenDocument* document, Vertex key, const std::shared_ptr<FillBench>& bench) {
@@ -118,11 +119,20 @@ void RepairActions::follow() {
   m_repairAll.setEnabled(!m_jobs.isWorking() && document && !document->inspection.isClean());
   m_removeDebris.setEnabled(!m_jobs.isWorking() && document && !document->inspection.debris().empty());
   for (QAction* action : {&m_oneByOne, &m_next, &m_previous}) action->setEnabled(holes);
-  m_fill.setEnabled(!m_jobs.isWorking() && loop >= 0 && !kept);
   m_keepOpen.setEnabled(loop >= 0 && !rim);
   m_keepOpen.setChecked(kept || rim);
   m_deselect.setEnabled(loop >= 0);
   m_preview.request(document, !m_jobs.isWorking() && m_showPreview.isChecked() && !kept ? loop : -1, m_method);
+  followPreview();
+}
+
+// There is no point in filling what the preview could not.
+void RepairActions::followPreview() {
+  const int loop = m_selection.loop();
+  const OpenDocument* document = m_tabs.current();
+  const bool kept = loop >= 0 && document && document->document.isKeptOpen(document->inspection.loop(loop));
+  const bool hopeless = m_preview.state().kind == PreviewState::Kind::Failed;
+  m_fill.setEnabled(document && loop >= 0 && !kept && !hopeless && !m_jobs.isWorking());
 }
 
 void RepairActions::fillSelected() {

@@ -38,6 +38,7 @@ class RepairActions : public QObject {
  private:
   void connectActions();
   void follow();
+  void followPreview();
   void fillSelected();
   void toggleKeepOpen();
   void step(int direction);

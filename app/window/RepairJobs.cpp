@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/RepairJobs.h"
 
+#include "mesh/Cleaning.h"
 #include "panels/LogModel.h"
 #include "text/ErrorText.h"
 #include "text/RepairText.h"
@@ -57,10 +58,14 @@ void RepairJobs::startFill(OpenDocument* document, Vertex key, FillMethod method
               loop = document->inspection.loop(loopId)](Progress progress) -> Job::Finish {
     HoleFiller& filler = prepared.bench->filler();
     const FillAttempt attempt = prepared.attempt ? *prepared.attempt : filler.propose(loop, options, progress);
-    if (attempt.failure == FillFailure::None) filler.accept(loop, attempt.patch);
-    return [this, document, key, method, revision, round, bench = prepared.bench, failure = attempt.failure] {
+    InspectedMesh after;
+    if (attempt.failure == FillFailure::None) {
+      filler.accept(loop, attempt.patch);
+      after = inspected(filler.mesh());
+    }
+    return [this, document, key, method, revision, round, bench = prepared.bench, failure = attempt.failure, after] {
       if (!m_tabs.contains(document)) return;
-      if (!isStale(document, revision)) return filledOne(document, key, bench, failure);
+      if (!isStale(document, revision)) return filledOne(document, key, bench, failure, after);
       tellStale(*document, round);
       if (round == Round::First) startFill(document, key, method, {}, Round::Second);
     };
@@ -69,7 +74,7 @@ void RepairJobs::startFill(OpenDocument* document, Vertex key, FillMethod method
 }
 
 void RepairJobs::filledOne(OpenDocument* document, Vertex key, const std::shared_ptr<FillBench>& bench,
-                           FillFailure failure) {
+                           FillFailure failure, const InspectedMesh& after) {
   const int loop = document->inspection.loopWithKey(key);
   const QString name = document->inspection.loopName(loop);
   const int number = document->inspection.loopNumber(loop);
@@ -78,20 +83,27 @@ void RepairJobs::filledOne(OpenDocument* document, Vertex key, const std::shared
     m_log.add(tr("%1 stays open: %2").arg(name, fillFailureReason(failure)), {}, LogEntry::Weight::Warning);
     return;
   }
-  document->document.commit(tr("Fill hole %1").arg(number), bench->filler().mesh());
+  document->document.commit(tr("Fill hole %1").arg(number), after);
   m_log.add(tr("Filled %1 of %2").arg(name, document->document.name()));
   emit filled(document, key, bench);
 }
 
 void RepairJobs::removeDebris(OpenDocument* document) {
-  const Inspection& inspection = document->inspection;
-  const auto pieces = static_cast<int>(inspection.debris().size());
-  HalfEdgeMesh mesh = document->document.mesh();
-  for (std::size_t i : inspection.debris()) {
-    for (Face f : document->document.defects().components[i].faces) mesh.removeFace(f);
-  }
-  document->document.commit(tr("Remove debris"), mesh);
-  m_log.add(tr("Removed %n loose piece(s) from %1", nullptr, pieces).arg(document->document.name()));
+  const std::uint64_t revision = document->document.revision();
+  Job job;
+  job.name = tr("Removing debris");
+  job.work = [this, document, revision, pieces = static_cast<int>(document->inspection.debris().size()),
+              mesh = document->document.mesh()](Progress) -> Job::Finish {
+    HalfEdgeMesh result = mesh;
+    handwheel::removeDebris(result);
+    return [this, document, revision, pieces, after = inspected(std::move(result))] {
+      if (!m_tabs.contains(document)) return;
+      if (isStale(document, revision)) return tellStale(*document, Round::Second);
+      document->document.commit(tr("Remove debris"), after);
+      m_log.add(tr("Removed %n loose piece(s) from %1", nullptr, pieces).arg(document->document.name()));
+    };
+  };
+  start(std::move(job));
 }
 
 void RepairJobs::repairAll(OpenDocument* document, FillMethod method) {
@@ -110,11 +122,11 @@ void RepairJobs::startRepair(OpenDocument* document, FillMethod method, Round ro
   job.name = tr("Repairing %1").arg(document->document.name());
   job.work = [this, document, method, revision, round, options,
               mesh = document->document.mesh()](Progress progress) -> Job::Finish {
-    auto result = std::make_shared<HalfEdgeMesh>(mesh);
-    auto report = std::make_shared<RepairReport>(repair(*result, options, progress));
-    return [this, document, method, revision, round, options, result, report] {
-      if (!m_tabs.contains(document) || report->cancelled) return;
-      if (!isStale(document, revision)) return repairedAll(document, *result, *report, options);
+    HalfEdgeMesh result = mesh;
+    const RepairReport report = repair(result, options, progress);
+    return [this, document, method, revision, round, options, after = inspected(std::move(result)), report] {
+      if (!m_tabs.contains(document) || report.cancelled) return;
+      if (!isStale(document, revision)) return repairedAll(document, after, report, options);
       tellStale(*document, round);
       if (round == Round::First) startRepair(document, method, Round::Second);
     };
@@ -122,13 +134,13 @@ void RepairJobs::startRepair(OpenDocument* document, FillMethod method, Round ro
   start(std::move(job));
 }
 
-void RepairJobs::repairedAll(OpenDocument* document, const HalfEdgeMesh& mesh, const RepairReport& report,
+void RepairJobs::repairedAll(OpenDocument* document, const InspectedMesh& after, const RepairReport& report,
                              const RepairOptions& options) {
   Inspection& inspection = document->inspection;
   const auto failures = failuresOf(inspection, report);
   logRepair(*document, report, options);
   document->repaired = true;
-  document->document.commit(tr("Repair all"), mesh);
+  document->document.commit(tr("Repair all"), after);
   for (const auto& [key, reason] : failures) {
     if (const int loop = inspection.loopWithKey(key); loop >= 0) inspection.setFailure(loop, reason);
   }

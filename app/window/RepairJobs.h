@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "mesh/Defects.h"
 #include "mesh/Repair.h"
 #include "window/FillBench.h"
 #include "window/HolePreview.h"
@@ -40,8 +41,9 @@ class RepairJobs : public QObject {
   void startFill(OpenDocument* document, Vertex key, FillMethod method, PreparedFill prepared, Round round);
   void startRepair(OpenDocument* document, FillMethod method, Round round);
   bool isStale(OpenDocument* document, std::uint64_t revision) const;
-  void filledOne(OpenDocument* document, Vertex key, const std::shared_ptr<FillBench>& bench, FillFailure failure);
-  void repairedAll(OpenDocument* document, const HalfEdgeMesh& mesh, const RepairReport& report,
+  void filledOne(OpenDocument* document, Vertex key, const std::shared_ptr<FillBench>& bench, FillFailure failure,
+                 const InspectedMesh& after);
+  void repairedAll(OpenDocument* document, const InspectedMesh& after, const RepairReport& report,
                    const RepairOptions& options);
   void logRepair(const OpenDocument& document, const RepairReport& report, const RepairOptions& options);
   void tellStale(const OpenDocument& document, Round round);

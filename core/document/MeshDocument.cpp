@@ -10,17 +10,17 @@
 
 namespace handwheel {
 
-MeshDocument::MeshDocument(QString path, MeshFile file, BuiltMesh built, QObject* parent)
+MeshDocument::MeshDocument(QString path, MeshFile file, InspectedMesh mesh, BuildReport build, QObject* parent)
     : QObject(parent),
       m_path(std::move(path)),
       m_format(file.format),
       m_numbers(file.numbers),
       m_damage(std::move(file.damage)),
       m_lost(std::move(file.lost)),
-      m_build(std::move(built.report)),
+      m_build(std::move(build)),
       m_turnedFaces(m_build.turnedFaces),
-      m_mesh(std::move(built.mesh)),
-      m_defects(findDefects(m_mesh)) {
+      m_mesh(std::move(mesh.mesh)),
+      m_defects(std::move(mesh.defects)) {
   connect(&m_history, &QUndoStack::cleanChanged, this, &MeshDocument::fileChanged);
 }
 
@@ -40,10 +40,10 @@ void MeshDocument::markSaved(const QString& path, MeshFormat format) {
   emit fileChanged();
 }
 
-bool MeshDocument::commit(const QString& text, const HalfEdgeMesh& after) {
-  MeshDelta delta = MeshDelta::between(m_mesh, after);
+bool MeshDocument::commit(const QString& text, const InspectedMesh& after) {
+  MeshDelta delta = MeshDelta::between(m_mesh, after.mesh);
   if (delta.isEmpty()) return false;  // not even pushed as obsolete: that would cost the user the steps to redo
-  m_history.push(new MeshEditCommand(*this, text, std::move(delta)));
+  m_history.push(new MeshEditCommand(*this, text, std::move(delta), after.defects));
   return true;
 }
 
@@ -57,7 +57,6 @@ void MeshDocument::setKeptOpen(const BoundaryLoop& loop, bool keep) {
 
 void MeshDocument::meshWasChanged(const std::vector<Face>& touched) {
   ++m_revision;
-  m_defects = findDefects(m_mesh);
   m_turnedFaces.clear();
   std::copy_if(m_build.turnedFaces.begin(), m_build.turnedFaces.end(), std::back_inserter(m_turnedFaces),
                [this](Face f) { return m_mesh.isLive(f); });

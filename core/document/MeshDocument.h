@@ -20,12 +20,12 @@ class MeshDocument : public QObject {
   Q_OBJECT
 
  public:
-  // The file as read, and the mesh built from it (both done on a worker).
-  MeshDocument(QString path, MeshFile file, BuiltMesh built, QObject* parent = nullptr);
+  // The file as read, the mesh built from it and what building reported (all done on a worker).
+  MeshDocument(QString path, MeshFile file, InspectedMesh mesh, BuildReport build, QObject* parent = nullptr);
   ~MeshDocument() override;
 
   const HalfEdgeMesh& mesh() const { return m_mesh; }
-  const Defects& defects() const { return m_defects; }        // of the present mesh
+  const Defects& defects() const { return *m_defects; }       // of the present mesh
   const BuildReport& buildReport() const { return m_build; }  // of the file as it was opened
   // Faces turned over on opening that are still there.
   const std::vector<Face>& turnedFaces() const { return m_turnedFaces; }
@@ -42,8 +42,9 @@ class MeshDocument : public QObject {
   bool isModified() const { return !m_history.isClean(); }
   void markSaved(const QString& path, MeshFormat format);
 
-  // Makes "after" the present mesh as one undo step. False, and no step, when nothing differs.
-  bool commit(const QString& text, const HalfEdgeMesh& after);
+  // Makes "after" the present mesh as one undo step. False, and no step, when nothing differs. Takes time in proportion
+  // to the change.
+  bool commit(const QString& text, const InspectedMesh& after);
 
   // A loop that the user wants open is known by its smallest vertex, which outlives edits elsewhere. Undoable.
   bool isKeptOpen(const BoundaryLoop& loop) const;
@@ -69,7 +70,7 @@ class MeshDocument : public QObject {
   BuildReport m_build;
   std::vector<Face> m_turnedFaces;
   HalfEdgeMesh m_mesh;
-  Defects m_defects;
+  std::shared_ptr<const Defects> m_defects;
   std::set<Vertex> m_keptOpen;
   std::uint64_t m_revision = 1;
   QUndoStack m_history;

@@ -8,14 +8,16 @@
 
 namespace handwheel {
 
-MeshEditCommand::MeshEditCommand(MeshDocument& document, const QString& text, MeshDelta delta)
-    : QUndoCommand(text), m_document(document), m_delta(std::move(delta)) {}
+MeshEditCommand::MeshEditCommand(MeshDocument& document, const QString& text, MeshDelta delta,
+                                 std::shared_ptr<const Defects> defects)
+    : QUndoCommand(text), m_document(document), m_delta(std::move(delta)), m_defects(std::move(defects)) {}
 
 void MeshEditCommand::exchange() {
   std::vector<Face> touched = m_delta.touchedFaces(m_document.m_mesh);
   std::sort(touched.begin(), touched.end());
   touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
   m_delta.swap(m_document.m_mesh);
+  m_defects.swap(m_document.m_defects);
   m_document.meshWasChanged(touched);
 }
 

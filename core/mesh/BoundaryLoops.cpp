@@ -69,7 +69,10 @@ std::vector<Vec3> loopPoints(const HalfEdgeMesh& mesh, const BoundaryLoop& loop)
 }
 
 std::vector<BoundaryLoop> findBoundaryLoops(const HalfEdgeMesh& mesh) {
-  const PositionTriangles byPosition(mesh);
+  return findBoundaryLoops(mesh, PositionTriangles(mesh));
+}
+
+std::vector<BoundaryLoop> findBoundaryLoops(const HalfEdgeMesh& mesh, const PositionTriangles& byPosition) {
   // Vertices that share a position count as the first of them.
   const auto number = [&](HalfEdge h) {
     return byPosition.classes.representative[byPosition.classes.classOf[mesh.from(h)]];

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "mesh/HalfEdgeMesh.h"
+#include "mesh/PositionTriangles.h"
 
 #include <vector>
 
@@ -23,6 +24,7 @@ struct BoundaryLoop {
 
 // Every border half-edge is in exactly one loop; loops of seams alone are left out. O(n log n).
 std::vector<BoundaryLoop> findBoundaryLoops(const HalfEdgeMesh& mesh);
+std::vector<BoundaryLoop> findBoundaryLoops(const HalfEdgeMesh& mesh, const PositionTriangles& byPosition);
 
 // The start of each half-edge.
 std::vector<Vec3> loopPoints(const HalfEdgeMesh& mesh, const BoundaryLoop& loop);

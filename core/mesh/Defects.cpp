@@ -40,40 +40,56 @@ void findNonManifold(const PositionTriangles& byPosition, Defects& defects) {
   }
 }
 
+std::vector<Component> components(const HalfEdgeMesh& mesh, const PositionTriangles& byPosition) {
+  const FaceComponents parts(mesh, byPosition);
+  std::vector<Component> found(parts.count());
+  for (Face f = 0; f < mesh.faceSlots(); ++f) {
+    if (!mesh.isLive(f)) continue;
+    const TrianglePoints p = mesh.points(f);
+    Component& c = found[parts.of(f)];
+    ++c.faceCount;
+    c.area += 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
+  }
+  if (found.empty()) return found;
+  const Component largest = *std::max_element(found.begin(), found.end(),
+                                              [](const Component& a, const Component& b) { return a.area < b.area; });
+  for (Component& c : found) {
+    c.debris = c.area < tolerance::kDebrisArea * largest.area &&
+               static_cast<double>(c.faceCount) < tolerance::kDebrisFaces * static_cast<double>(largest.faceCount);
+  }
+  for (Face f = 0; f < mesh.faceSlots(); ++f) {
+    if (mesh.isLive(f) && found[parts.of(f)].debris) found[parts.of(f)].faces.push_back(f);
+  }
+  std::stable_sort(found.begin(), found.end(), [](const Component& a, const Component& b) { return a.area > b.area; });
+  return found;
+}
+
 }  // namespace
 
 std::vector<Component> findComponents(const HalfEdgeMesh& mesh) {
-  const FaceComponents parts(mesh, PositionTriangles(mesh));
-  std::vector<Component> components(parts.count());
-  for (Face f = 0; f < mesh.faceSlots(); ++f) {
-    if (!mesh.isLive(f)) continue;
-    Component& c = components[parts.of(f)];
-    const TrianglePoints p = mesh.points(f);
-    c.faces.push_back(f);
-    c.area += 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
-  }
-  std::stable_sort(components.begin(), components.end(),
-                   [](const Component& a, const Component& b) { return a.area > b.area; });
-  for (Component& c : components) {
-    c.debris = c.area < tolerance::kDebrisArea * components.front().area &&
-               static_cast<double>(c.faces.size()) <
-                   tolerance::kDebrisFaces * static_cast<double>(components.front().faces.size());
-  }
-  return components;
+  return components(mesh, PositionTriangles(mesh));
 }
 
 Defects findDefects(const HalfEdgeMesh& mesh) {
   Defects defects;
-  defects.loops = findBoundaryLoops(mesh);
   const PositionTriangles byPosition(mesh);
+  defects.loops = findBoundaryLoops(mesh, byPosition);
   findNonManifold(byPosition, defects);
   findDuplicates(byPosition.triangles, defects);
   for (Face f = 0; f < mesh.faceSlots(); ++f) {
-    if (mesh.isLive(f) && isDegenerate(mesh.points(f))) defects.degenerateFaces.push_back(f);
+    if (!mesh.isLive(f)) continue;
+    const TrianglePoints p = mesh.points(f);
+    defects.box.extend(p[0]).extend(p[1]).extend(p[2]);
+    if (isDegenerate(p)) defects.degenerateFaces.push_back(f);
   }
   defects.nearVertices = nearBorderVertices(mesh);
-  defects.components = findComponents(mesh);
+  defects.components = components(mesh, byPosition);
   return defects;
+}
+
+InspectedMesh inspected(HalfEdgeMesh mesh) {
+  auto defects = std::make_shared<const Defects>(findDefects(mesh));
+  return {std::move(mesh), std::move(defects)};
 }
 
 std::optional<std::vector<std::pair<Face, Face>>> findSelfIntersections(const HalfEdgeMesh& mesh, Progress progress) {

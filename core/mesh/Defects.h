@@ -6,6 +6,7 @@
 #include "mesh/BoundaryLoops.h"
 #include "mesh/HalfEdgeMesh.h"
 
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -13,9 +14,10 @@
 namespace handwheel {
 
 struct Component {
-  std::vector<Face> faces;
-  double area = 0.0;    // mm²
-  bool debris = false;  // far smaller than the largest: a stray flake of the scan
+  std::size_t faceCount = 0;
+  double area = 0.0;        // mm²
+  bool debris = false;      // far smaller than the largest: a stray flake of the scan
+  std::vector<Face> faces;  // of debris only
 };
 
 // Everything that is wrong with a mesh, each with its place. Self-intersections are looked for apart
@@ -28,12 +30,20 @@ struct Defects {
   std::vector<Face> duplicateFaces;                         // same three positions as an earlier face
   std::vector<std::pair<Vertex, Vertex>> nearVertices;      // on open borders, apart but within tolerance::kNearWeld
   std::vector<Component> components;                        // largest area first
+  Box box;                                                  // of all live faces
 };
 
 // The parts of the mesh, largest area first.
 std::vector<Component> findComponents(const HalfEdgeMesh& mesh);
 
 Defects findDefects(const HalfEdgeMesh& mesh);
+
+// A version of a mesh with what is wrong with it. A worker makes it, so that the window need not look.
+struct InspectedMesh {
+  HalfEdgeMesh mesh;
+  std::shared_ptr<const Defects> defects;
+};
+InspectedMesh inspected(HalfEdgeMesh mesh);
 
 // Pairs of faces that meet in more than a shared vertex or edge. Empty optional when cancelled.
 std::optional<std::vector<std::pair<Face, Face>>> findSelfIntersections(const HalfEdgeMesh& mesh,

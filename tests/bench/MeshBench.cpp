@@ -4,6 +4,7 @@
 #include "document/formats/MeshFormat.h"
 #include "mesh/HoleFilling.h"
 #include "mesh/MeshBuilder.h"
+#include "mesh/Weld.h"
 #include "support/MeshShapes.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -33,9 +34,11 @@ double secondsOf(auto&& work) {
 // A binary STL of a closed bumpy sphere with 8 n² triangles; gone with this.
 class StlFile {
  public:
-  explicit StlFile(int n) : m_path(std::filesystem::temp_directory_path() / ("handwheel-bench-" + std::to_string(n) + ".stl")) {
+  explicit StlFile(int n)
+      : m_path(std::filesystem::temp_directory_path() / ("handwheel-bench-" + std::to_string(n) + ".stl")) {
     const test::Surface sphere = test::sphere(n, Vec3(10, 20, 30), 50.0, 0.1);
-    std::ofstream(m_path, std::ios::binary) << writeMesh({sphere.points, sphere.triangles}, MeshFormat::Stl, NumberType::Float32);
+    std::ofstream(m_path, std::ios::binary)
+        << writeMesh({sphere.points, sphere.triangles}, MeshFormat::Stl, NumberType::Float32);
   }
   ~StlFile() { std::filesystem::remove(m_path); }
   StlFile(const StlFile&) = delete;
@@ -81,6 +84,22 @@ void loadWeldBuild(benchmark::State& state) {
   state.counters["timesFaster"] = theirs / ours;
 }
 
+// The two halves of building.
+void weldPoints(benchmark::State& state) {
+  const test::Surface sphere = test::sphere(static_cast<int>(state.range(0)));
+  const TriangleSoup soup = test::unshared({sphere.points, sphere.triangles});
+  for (auto _ : state) benchmark::DoNotOptimize(weld(soup));
+}
+
+void linkFaces(benchmark::State& state) {
+  const test::Surface sphere = test::sphere(static_cast<int>(state.range(0)));
+  const HalfEdgeMesh mesh = buildMesh({sphere.points, sphere.triangles}).mesh;
+  for (auto _ : state) {
+    HalfEdgeMesh copy = mesh;
+    benchmark::DoNotOptimize(relink(copy));
+  }
+}
+
 namespace pmp = CGAL::Polygon_mesh_processing;
 using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 using Surface = CGAL::Surface_mesh<Point>;
@@ -100,7 +119,8 @@ double fillByLibrary(Surface surface, std::size_t& newFaces) {
   std::vector<Surface::Face_index> faces;
   std::vector<Surface::Vertex_index> vertices;
   const double seconds = secondsOf([&] {
-    pmp::triangulate_refine_and_fair_hole(surface, borders.front(), std::back_inserter(faces), std::back_inserter(vertices));
+    pmp::triangulate_refine_and_fair_hole(surface, borders.front(), std::back_inserter(faces),
+                                          std::back_inserter(vertices));
   });
   newFaces = faces.size();
   return seconds;
@@ -146,6 +166,8 @@ void buildHierarchy(benchmark::State& state) {
 }  // namespace
 
 BENCHMARK(loadWeldBuild)->Arg(100)->Arg(382)->Unit(benchmark::kMillisecond)->UseManualTime()->MinTime(2.0);
+BENCHMARK(weldPoints)->Arg(382)->Unit(benchmark::kMillisecond);
+BENCHMARK(linkFaces)->Arg(382)->Unit(benchmark::kMillisecond);
 BENCHMARK(fillHole)->Arg(20)->Arg(55)->Arg(100)->Unit(benchmark::kMillisecond)->UseManualTime();
 BENCHMARK(buildHierarchy)->Arg(5)->Arg(7)->Unit(benchmark::kMillisecond);
 

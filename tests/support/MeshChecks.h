@@ -13,7 +13,9 @@
 namespace handwheel::test {
 
 using Place = std::array<double, 3>;
-inline Place place(const Vec3& p) { return {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0}; }  // + 0.0: no negative zero
+inline Place place(const Vec3& p) {
+  return {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};
+}  // + 0.0: no negative zero
 
 struct Edges {
   std::size_t all = 0, border = 0, nonManifold = 0, inconsistent = 0;
@@ -42,7 +44,9 @@ inline Edges countEdges(const TriangleSoup& s) {
   return e;
 }
 
-inline Edges countEdges(const HalfEdgeMesh& mesh) { return countEdges(mesh.compact().soup); }
+inline Edges countEdges(const HalfEdgeMesh& mesh) {
+  return countEdges(mesh.compact().soup);
+}
 
 // The places that triangles use.
 inline std::set<Place> places(const TriangleSoup& s) {
@@ -99,7 +103,51 @@ inline std::size_t countSeams(const HalfEdgeMesh& mesh) {
   return n;
 }
 
-inline bool sameBits(const Vec3& a, const Vec3& b) { return std::memcmp(a.data(), b.data(), sizeof(double[3])) == 0; }
+// Pairs of triangles with area that meet, all against all.
+inline std::size_t meetingPairs(const TriangleSoup& s) {
+  std::vector<std::pair<TrianglePoints, Box>> proper;
+  for (const Triangle& t : s.triangles) {
+    const TrianglePoints p = {s.points[t[0]], s.points[t[1]], s.points[t[2]]};
+    if (!isDegenerate(p)) proper.emplace_back(p, Box(p[0]).extend(p[1]).extend(p[2]));
+  }
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < proper.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      n += proper[i].second.intersects(proper[j].second) && trianglesMeet(proper[i].first, proper[j].first);
+  return n;
+}
+
+inline std::size_t meetingPairs(const HalfEdgeMesh& mesh) {
+  return meetingPairs(mesh.compact().soup);
+}
+
+// What hangs together across paired edges.
+inline std::vector<TriangleSoup> pieces(const HalfEdgeMesh& mesh) {
+  std::vector<bool> seen(mesh.faceSlots(), false);
+  std::vector<TriangleSoup> result;
+  for (Face seed = 0; seed < mesh.faceSlots(); ++seed) {
+    if (seen[seed]) continue;
+    std::vector<Face> faces{seed};
+    seen[seed] = true;
+    TriangleSoup piece;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const auto n = static_cast<std::uint32_t>(piece.points.size());
+      for (const Vec3& p : mesh.points(faces[i])) piece.points.push_back(p);
+      piece.triangles.push_back({n, n + 1, n + 2});
+      for (HalfEdge h = 3 * faces[i]; h < 3 * faces[i] + 3; ++h) {
+        if (!mesh.hasOpposite(h) || seen[HalfEdgeMesh::face(mesh.opposite(h))]) continue;
+        seen[HalfEdgeMesh::face(mesh.opposite(h))] = true;
+        faces.push_back(HalfEdgeMesh::face(mesh.opposite(h)));
+      }
+    }
+    result.push_back(piece);
+  }
+  return result;
+}
+
+inline bool sameBits(const Vec3& a, const Vec3& b) {
+  return std::memcmp(a.data(), b.data(), sizeof(double[3])) == 0;
+}
 
 // Every slot alike, bit for bit.
 inline bool sameMesh(const HalfEdgeMesh& a, const HalfEdgeMesh& b) {

@@ -8,13 +8,16 @@
 #include <cmath>
 #include <map>
 #include <random>
+#include <set>
 #include <vector>
 
-// Generated shapes for tests. Closed ones face outward; neighbours share points, unless the shape's comment says otherwise.
+// Generated shapes for tests. Closed ones face outward; neighbours share points, unless the shape's comment says
+// otherwise.
 namespace handwheel::test {
 
 // A grid of points, each cell cut into two triangles. point(i, j) for i < rows, j < columns; rows or columns that wrap
-// round join their last line of points to the first. Seen with i to the right and j upwards, faces are counter-clockwise.
+// round join their last line of points to the first. Seen with i to the right and j upwards, faces are
+// counter-clockwise.
 template <class Point>
 TriangleSoup grid(std::uint32_t rows, std::uint32_t columns, bool rowsWrap, bool columnsWrap, Point point) {
   TriangleSoup s;
@@ -76,12 +79,13 @@ inline TriangleSoup tetrahedron() {
 inline TriangleSoup icosphere(int levels) {
   const double g = (1.0 + std::sqrt(5.0)) / 2.0;
   TriangleSoup s;
-  for (const Vec3& p : {Vec3(-1, g, 0), Vec3(1, g, 0), Vec3(-1, -g, 0), Vec3(1, -g, 0), Vec3(0, -1, g), Vec3(0, 1, g),
-                        Vec3(0, -1, -g), Vec3(0, 1, -g), Vec3(g, 0, -1), Vec3(g, 0, 1), Vec3(-g, 0, -1), Vec3(-g, 0, 1)})
+  for (const Vec3& p :
+       {Vec3(-1, g, 0), Vec3(1, g, 0), Vec3(-1, -g, 0), Vec3(1, -g, 0), Vec3(0, -1, g), Vec3(0, 1, g), Vec3(0, -1, -g),
+        Vec3(0, 1, -g), Vec3(g, 0, -1), Vec3(g, 0, 1), Vec3(-g, 0, -1), Vec3(-g, 0, 1)})
     s.points.push_back(p.normalized());
-  s.triangles = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-                 {11, 10, 2}, {10, 7, 6}, {7, 1, 8},   {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
-                 {3, 8, 9},  {4, 9, 5},  {2, 4, 11},  {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
+  s.triangles = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                 {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                 {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
   for (int level = 0; level < levels; ++level) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
     const auto middle = [&](std::uint32_t a, std::uint32_t b) {
@@ -214,6 +218,27 @@ inline TriangleSoup boxWithInnerWall() {
   return s;
 }
 
+// The boundary of unit cells filled at random in a cube of so many a side: blocks that touch at faces, edges and
+// corners. Every triangle has points of its own.
+inline TriangleSoup randomBlocks(std::mt19937& random, std::size_t cells, std::uint32_t side) {
+  std::set<std::array<int, 3>> filled;
+  for (std::size_t i = 0; i < cells; ++i)
+    filled.insert({int(random() % side), int(random() % side), int(random() % side)});
+  TriangleSoup s;
+  for (const auto& [x, y, z] : filled) {
+    const TriangleSoup block = unshared(cube(1.0, Vec3(x, y, z)));
+    for (const Triangle& t : block.triangles) {
+      const std::array<Vec3, 3> p = {block.points[t[0]], block.points[t[1]], block.points[t[2]]};
+      const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]);
+      if (filled.contains({x + int(normal.x()), y + int(normal.y()), z + int(normal.z())})) continue;
+      const auto n = static_cast<std::uint32_t>(s.points.size());
+      s.points.insert(s.points.end(), p.begin(), p.end());
+      s.triangles.push_back({n, n + 1, n + 2});
+    }
+  }
+  return s;
+}
+
 // n directions spread evenly over the sphere.
 inline std::vector<Vec3> directions(int n) {
   std::vector<Vec3> result;
@@ -232,10 +257,33 @@ inline TriangleSoup withHole(TriangleSoup s, const Vec3& centre, double radius) 
   return s;
 }
 
+// A unit sphere without its cap around +z.
+inline TriangleSoup sphereWithoutCap(int levels, double radius = 0.4) {
+  return withHole(icosphere(levels), Vec3::UnitZ(), radius);
+}
+
 inline TriangleSoup sphereWithHoles(int levels, int holes, double radius) {
   TriangleSoup s = icosphere(levels);
   for (const Vec3& d : directions(holes)) s = withHole(std::move(s), d, radius);
   return s;
+}
+
+// Splits triangle f at points on its edge from this corner, at these shares of it in rising order, and puts needles
+// without area between the old edge and its parts: what was closed stays closed.
+inline void addNeedles(TriangleSoup& s, std::size_t f, int corner, const std::vector<double>& places) {
+  const Triangle t = s.triangles[f];
+  const std::uint32_t a = t[corner], b = t[(corner + 1) % 3], apex = t[(corner + 2) % 3];
+  std::vector<std::uint32_t> chain{a};
+  for (double w : places) {
+    chain.push_back(static_cast<std::uint32_t>(s.points.size()));
+    s.points.push_back((1.0 - w) * s.points[a] + w * s.points[b]);
+  }
+  chain.push_back(b);
+  s.triangles[f] = {chain[0], chain[1], apex};
+  for (std::size_t i = 1; i + 1 < chain.size(); ++i) {
+    s.triangles.push_back({chain[i], chain[i + 1], apex});
+    s.triangles.push_back({a, chain[i + 1], chain[i]});
+  }
 }
 
 // Triangles over points of a small grid, so that many share edges, coincide or have no area.

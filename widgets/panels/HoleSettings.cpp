@@ -11,6 +11,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <QStyle>
 
 namespace handwheel {
 
@@ -101,6 +102,8 @@ void HoleSettings::showLoop(const QString& name, const QString& detail) {
 }
 
 void HoleSettings::showPreview(const PreviewState& state) {
+  m_status->setProperty("bad", state.kind == PreviewState::Kind::Failed);
+  m_status->style()->polish(m_status);  // the style sheet colours what is bad
   switch (state.kind) {
     case PreviewState::Kind::Off:
       return m_status->clear();

@@ -31,7 +31,8 @@ void Inspection::nameLoops() {
     Vertex smallest = kNone;
     for (HalfEdge h : each.halfEdges) smallest = std::min(smallest, m_document.mesh().from(h));
     m_keys.push_back(smallest);
-    m_numbers.emplace(smallest, static_cast<int>(m_numbers.size()) + 1);
+    int& given = each.rim ? m_rimsNamed : m_holesNamed;
+    if (m_numbers.emplace(smallest, given + 1).second) ++given;
   }
 }
 

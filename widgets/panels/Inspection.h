@@ -44,7 +44,8 @@ class Inspection : public QObject {
   // Nothing that a repair would change.
   bool isClean() const;
 
-  // Given when the loop first appears, from 1; it does not change while other holes are filled.
+  // Given when the loop first appears, from 1, holes and outer edges apart; it does not change while other holes are
+  // filled.
   int loopNumber(int id) const;
   // "Hole 3"
   QString loopName(int id) const;
@@ -74,6 +75,8 @@ class Inspection : public QObject {
   std::optional<FacePairs> m_selfIntersections;
   std::vector<Vertex> m_keys;       // by loop id
   std::map<Vertex, int> m_numbers;  // by key, from 1; never reused
+  int m_holesNamed = 0;
+  int m_rimsNamed = 0;
   std::map<Vertex, FillFailure> m_failures;
 };
 

@@ -117,9 +117,10 @@ QString errorSentence(const Error& error) {
   QStringList origin;
   if (!error.subject.empty()) origin << QString::fromStdString(error.subject);
   if (const QString place = where(error); !place.isEmpty()) origin << place;
-  const QString event = whatHappened(error) + QLatin1Char('.');
-  if (!origin.isEmpty()) return origin.join(QStringLiteral(", ")) + QStringLiteral(": ") + event;
-  return event.left(1).toUpper() + event.mid(1);
+  QString sentence = whatHappened(error) + QLatin1Char('.');
+  if (!origin.isEmpty()) sentence = origin.join(QStringLiteral(", ")) + QStringLiteral(": ") + sentence;
+  // File names are left as they are.
+  return error.subject.empty() ? sentence.left(1).toUpper() + sentence.mid(1) : sentence;
 }
 
 QString errorAdvice(const Error& error) {

@@ -31,7 +31,8 @@ TriangleSoup sheet(std::uint32_t n) {
 std::unique_ptr<MeshDocument> documentOf(const TriangleSoup& soup) {
   MeshFile file;
   file.format = MeshFormat::Stl;
-  return std::make_unique<MeshDocument>("/scans/part.stl", file, buildMesh(soup));
+  BuiltMesh built = buildMesh(soup);
+  return std::make_unique<MeshDocument>("/scans/part.stl", file, inspected(built.mesh), built.report);
 }
 
 // Every slot that there is, dead ones included.
@@ -120,7 +121,7 @@ class MeshDocumentTest : public QObject {
             break;
           default: {
             const HalfEdgeMesh after = randomlyChanged(document->mesh());
-            if (!document->commit("Edit", after)) {
+            if (!document->commit("Edit", inspected(after))) {
               RC_ASSERT(sameSlots(document->mesh(), after));
               continue;
             }
@@ -153,7 +154,7 @@ class MeshDocumentTest : public QObject {
         }
         shown = now;
       };
-      if (!document->commit("Edit", randomlyChanged(document->mesh()))) return;
+      if (!document->commit("Edit", inspected(randomlyChanged(document->mesh())))) return;
       check();
       document->history()->undo();
       check();
@@ -165,9 +166,9 @@ class MeshDocumentTest : public QObject {
 
   void changingNothingIsNoStep() {
     const auto document = documentOf(sheet(2));
-    QVERIFY(document->commit("Remove face", without(document->mesh(), 0)));
+    QVERIFY(document->commit("Remove face", inspected(without(document->mesh(), 0))));
     document->history()->undo();
-    QVERIFY(!document->commit("Nothing", document->mesh()));
+    QVERIFY(!document->commit("Nothing", inspected(document->mesh())));
     QVERIFY(document->history()->canRedo());
     QCOMPARE(document->history()->count(), 1);
   }
@@ -176,7 +177,7 @@ class MeshDocumentTest : public QObject {
     const auto document = documentOf(sheet(4));
     QCOMPARE(document->defects().loops.size(), std::size_t(1));
     // Square (1, 1) lies inside: without one of its triangles the sheet has a second loop.
-    document->commit("Remove face", without(document->mesh(), 2 * (4 + 1)));
+    document->commit("Remove face", inspected(without(document->mesh(), 2 * (4 + 1))));
     QCOMPARE(document->defects().loops.size(), std::size_t(2));
     document->history()->undo();
     QCOMPARE(document->defects().loops.size(), std::size_t(1));
@@ -203,7 +204,7 @@ class MeshDocumentTest : public QObject {
   void keptOpenOutlivesEditsElsewhere() {
     const auto document = documentOf(sheet(4));
     document->setKeptOpen(document->defects().loops.front(), true);
-    document->commit("Remove face", without(document->mesh(), 2 * (4 + 1)));
+    document->commit("Remove face", inspected(without(document->mesh(), 2 * (4 + 1))));
     for (const BoundaryLoop& loop : document->defects().loops) {
       QCOMPARE(document->isKeptOpen(loop), loop.halfEdges.size() == 16);  // the outline, not the new hole
     }
@@ -214,7 +215,7 @@ class MeshDocumentTest : public QObject {
     std::swap(soup.triangles[5][1], soup.triangles[5][2]);
     const auto document = documentOf(soup);
     QCOMPARE(document->turnedFaces(), std::vector<Face>{5});
-    document->commit("Remove face", without(document->mesh(), 5));
+    document->commit("Remove face", inspected(without(document->mesh(), 5)));
     QCOMPARE(document->turnedFaces(), std::vector<Face>{});
     document->history()->undo();
     QCOMPARE(document->turnedFaces(), std::vector<Face>{5});
@@ -224,7 +225,7 @@ class MeshDocumentTest : public QObject {
     const auto document = documentOf(sheet(2));
     QCOMPARE(document->name(), QString("part.stl"));
     QVERIFY(!document->isModified());
-    document->commit("Remove face", without(document->mesh(), 0));
+    document->commit("Remove face", inspected(without(document->mesh(), 0)));
     QVERIFY(document->isModified());
     QSignalSpy changed(document.get(), &MeshDocument::fileChanged);
     document->markSaved("/scans/mended.ply", MeshFormat::Ply);
@@ -239,7 +240,7 @@ class MeshDocumentTest : public QObject {
   // The history tells that it is clean when it dies; a half-destroyed document must not pass that on.
   void dyingModifiedSaysNothing() {
     auto document = documentOf(sheet(2));
-    document->commit("Remove face", without(document->mesh(), 0));
+    document->commit("Remove face", inspected(without(document->mesh(), 0)));
     int heard = 0;
     connect(document.get(), &MeshDocument::fileChanged, this, [&] { ++heard; });
     document.reset();

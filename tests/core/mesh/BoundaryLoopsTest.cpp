@@ -15,7 +15,9 @@ using namespace handwheel;
 
 namespace {
 
-std::vector<BoundaryLoop> loopsOf(const TriangleSoup& soup) { return findBoundaryLoops(buildMesh(soup).mesh); }
+std::vector<BoundaryLoop> loopsOf(const TriangleSoup& soup) {
+  return findBoundaryLoops(buildMesh(soup).mesh);
+}
 
 std::vector<std::size_t> sortedEdgeCounts(const TriangleSoup& soup) {
   std::vector<std::size_t> counts;
@@ -77,7 +79,8 @@ std::vector<std::uint32_t> smallestWeldedNumbers(const TriangleSoup& soup, const
                                                  const std::vector<BoundaryLoop>& loops) {
   std::map<test::Place, std::uint32_t> number;
   for (const Triangle& t : soup.triangles)
-    for (std::uint32_t v : t) number.try_emplace(test::place(soup.points[v]), static_cast<std::uint32_t>(number.size()));
+    for (std::uint32_t v : t)
+      number.try_emplace(test::place(soup.points[v]), static_cast<std::uint32_t>(number.size()));
   std::vector<std::uint32_t> smallest;
   for (const BoundaryLoop& loop : loops) {
     std::uint32_t least = kNone;
@@ -148,7 +151,8 @@ void BoundaryLoopsTest::centreAndBox() {
   QVERIFY((loops[0].box.max() - Vec3(7, 8, 7)).norm() < 1e-12);
 }
 
-// A disc that faces +z has its surface to the left of its border, so the loop turns counter-clockwise; a hole's the other way.
+// A disc that faces +z has its surface to the left of its border, so the loop turns counter-clockwise; a hole's the
+// other way.
 void BoundaryLoopsTest::runsAsItsFacesDo() {
   const HalfEdgeMesh mesh = buildMesh(test::annulus(16, 3, 1, 2)).mesh;
   for (const BoundaryLoop& loop : findBoundaryLoops(mesh)) {

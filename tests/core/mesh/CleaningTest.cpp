@@ -8,6 +8,8 @@
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshValidator.h"
 
+#include <rapidcheck.h>
+
 #include <QTest>
 
 using namespace handwheel;
@@ -20,24 +22,6 @@ std::size_t degenerateFaces(const HalfEdgeMesh& mesh) {
   return n;
 }
 
-// Splits the edge of a triangle at points on it, without area: a fan of needles between the edge and the points. Half-edge h
-// of the soup's triangle f runs from a to b; the points lie in order from a to b.
-void addNeedles(TriangleSoup& s, std::size_t f, int corner, const std::vector<double>& places) {
-  const Triangle t = s.triangles[f];
-  const std::uint32_t a = t[corner], b = t[(corner + 1) % 3], apex = t[(corner + 2) % 3];
-  std::vector<std::uint32_t> chain{a};
-  for (double w : places) {
-    chain.push_back(static_cast<std::uint32_t>(s.points.size()));
-    s.points.push_back((1.0 - w) * s.points[a] + w * s.points[b]);
-  }
-  chain.push_back(b);
-  s.triangles[f] = {chain[0], chain[1], apex};
-  for (std::size_t i = 1; i + 1 < chain.size(); ++i) {
-    s.triangles.push_back({chain[i], chain[i + 1], apex});
-    s.triangles.push_back({a, chain[i + 1], chain[i]});
-  }
-}
-
 struct Case {
   const char* name;
   TriangleSoup soup;
@@ -47,17 +31,18 @@ struct Case {
 std::vector<Case> needled() {
   std::vector<Case> cases;
   TriangleSoup one = test::cube();
-  addNeedles(one, 4, 0, {0.5});
+  test::addNeedles(one, 4, 0, {0.5});
   cases.push_back({"one needle at an edge", one});
   TriangleSoup diagonal = test::cube();
-  addNeedles(diagonal, 0, 2, {0.25});
+  test::addNeedles(diagonal, 0, 2, {0.25});
   cases.push_back({"one needle inside a side", diagonal});
   TriangleSoup row = test::cube();
-  addNeedles(row, 4, 0, {0.25, 0.5, 0.75});
+  test::addNeedles(row, 4, 0, {0.25, 0.5, 0.75});
   cases.push_back({"needles upon needles", row});
   TriangleSoup many = test::cube();
   // Edges that differ: two needles at one edge would lie in one another.
-  for (const auto& [face, corner] : {std::pair{0, 0}, {3, 1}, {6, 0}, {9, 0}}) addNeedles(many, face, corner, {0.5});
+  for (const auto& [face, corner] : {std::pair{0, 0}, {3, 1}, {6, 0}, {9, 0}})
+    test::addNeedles(many, face, corner, {0.5});
   cases.push_back({"needles in several places", many});
   return cases;
 }
@@ -69,6 +54,7 @@ class CleaningTest : public QObject {
 
  private slots:
   void needlesOfClosedShapes();
+  void randomNeedles();
   void needleAtTheBorder();
   void facesWithoutExtent();
   void nothingToClean();
@@ -93,6 +79,24 @@ void CleaningTest::needlesOfClosedShapes() {
     QVERIFY2(std::abs(test::area(left) - 6.0) < 1e-12, c.name);
     QCOMPARE(findSelfIntersections(mesh)->size(), std::size_t{0});
   }
+}
+
+// Needles at random, also at edges of needles and of triangles that others share; the coordinates stay exact.
+void CleaningTest::randomNeedles() {
+  QVERIFY(rc::check("needles at any edges of a closed shape", [] {
+    std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
+    TriangleSoup soup = test::cube(1024.0);
+    for (int n = *rc::gen::inRange(1, 8); n > 0; --n)
+      test::addNeedles(soup, random() % soup.triangles.size(), int(random() % 3), {0.25 * (1 + random() % 3)});
+    RC_PRE(test::countEdges(soup).sound());  // two points may have come to lie in one another
+    HalfEdgeMesh mesh = buildMesh(soup).mesh;
+    RC_ASSERT(removeDegenerateFaces(mesh) == degenerateFaces(buildMesh(soup).mesh));
+    RC_ASSERT(validate(mesh) == std::string());
+    RC_ASSERT(degenerateFaces(mesh) == std::size_t{0});
+    const TriangleSoup left = mesh.compact().soup;
+    RC_ASSERT(std::abs(test::volume(left) - std::ldexp(1.0, 30)) < 1.0);
+    RC_CLASSIFY(test::countEdges(left).sound(), "closed");
+  }));
 }
 
 void CleaningTest::needleAtTheBorder() {

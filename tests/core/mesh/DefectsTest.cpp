@@ -12,7 +12,9 @@ using namespace handwheel;
 
 namespace {
 
-Defects defectsOf(const TriangleSoup& s) { return findDefects(buildMesh(s).mesh); }
+Defects defectsOf(const TriangleSoup& s) {
+  return findDefects(buildMesh(s).mesh);
+}
 
 }  // namespace
 
@@ -28,6 +30,7 @@ class DefectsTest : public QObject {
   void badFaces();
   void nearVertices();
   void components();
+  void boxOfWhatIsThere();
   void selfIntersections();
 };
 
@@ -49,7 +52,7 @@ void DefectsTest::soundShapes() {
   QVERIFY(d.duplicateFaces.empty() && d.nearVertices.empty());
   QCOMPARE(d.components.size(), std::size_t{1});
   QVERIFY(!d.components[0].debris);
-  QCOMPARE(d.components[0].faces.size(), soup.triangles.size());
+  QCOMPARE(d.components[0].faceCount, soup.triangles.size());
   QVERIFY(std::abs(d.components[0].area - test::area(soup)) < 1e-9);
 }
 
@@ -88,9 +91,9 @@ void DefectsTest::threeFacesAtAnEdge() {
 void DefectsTest::badFaces() {
   TriangleSoup s = test::cube();
   s.points.push_back(Vec3(0.5, 0, 0));
-  s.triangles.push_back({0, 8, 1});                                           // 12: a needle
-  s.triangles.push_back({2, 2, 3});                                           // 13
-  s.triangles.push_back(s.triangles[3]);                                      // 14: doubled
+  s.triangles.push_back({0, 8, 1});                                                  // 12: a needle
+  s.triangles.push_back({2, 2, 3});                                                  // 13
+  s.triangles.push_back(s.triangles[3]);                                             // 14: doubled
   s.triangles.push_back({s.triangles[3][1], s.triangles[3][0], s.triangles[3][2]});  // 15: and turned
   const Defects d = defectsOf(s);
   QCOMPARE(d.degenerateFaces, std::vector<Face>({12, 13}));
@@ -120,11 +123,23 @@ void DefectsTest::components() {
   test::append(s, test::moved(test::cube(), Vec3(0, 5, 0), 0.5));
   const Defects d = defectsOf(s);
   QCOMPARE(d.components.size(), std::size_t{3});
-  QCOMPARE(d.components[0].faces.size(), std::size_t{5120});
-  QCOMPARE(d.components[1].faces.size(), std::size_t{12});
-  QCOMPARE(d.components[2].faces, std::vector<Face>({0, 1, 2, 3}));
+  QCOMPARE(d.components[0].faceCount, std::size_t{5120});
+  QCOMPARE(d.components[1].faceCount, std::size_t{12});
+  QCOMPARE(d.components[2].faceCount, std::size_t{4});
+  QCOMPARE(d.components[2].faces, std::vector<Face>({0, 1, 2, 3}));  // those of debris alone are listed
+  QVERIFY(d.components[0].faces.empty() && d.components[1].faces.empty());
   QVERIFY(std::abs(d.components[1].area - 1.5) < 1e-12);
   QVERIFY(!d.components[0].debris && !d.components[1].debris && d.components[2].debris);
+}
+
+void DefectsTest::boxOfWhatIsThere() {
+  HalfEdgeMesh mesh = buildMesh(test::cube(2.0, Vec3(1, 2, 3))).mesh;
+  mesh.addVertex(Vec3(99, 0, 0));  // used by nobody
+  const InspectedMesh seen = inspected(mesh);
+  QVERIFY(seen.defects->box.min() == Vec3(1, 2, 3) && seen.defects->box.max() == Vec3(3, 4, 5));
+  QVERIFY(test::sameMesh(seen.mesh, mesh));
+  QVERIFY(findDefects(HalfEdgeMesh()).box.isEmpty());
+  QVERIFY(findDefects(HalfEdgeMesh()).components.empty());
 }
 
 void DefectsTest::selfIntersections() {

@@ -23,7 +23,9 @@ struct Case {
   Obstacles obstacles;
 };
 
-TriangleSoup soupOf(const Patch& patch) { return {patch.points, patch.triangles}; }
+TriangleSoup soupOf(const Patch& patch) {
+  return {patch.points, patch.triangles};
+}
 
 // The wall under a regular polygon, or any points in convex position, at the height 1.
 TriangleSoup tube(const std::vector<double>& angles) {

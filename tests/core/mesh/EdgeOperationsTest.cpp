@@ -68,7 +68,8 @@ void EdgeOperationsTest::refusesToFlip() {
     QVERIFY(test::sameMesh(mesh, tetrahedron));
   }
   // One of the new faces would have no area.
-  const HalfEdgeMesh kite = buildMesh({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0), Vec3(1, 1, 0)}, {{0, 1, 3}, {1, 2, 3}}}).mesh;
+  const HalfEdgeMesh kite =
+      buildMesh({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0), Vec3(1, 1, 0)}, {{0, 1, 3}, {1, 2, 3}}}).mesh;
   HalfEdgeMesh mesh = kite;
   QVERIFY(!flipEdge(mesh, halfEdge(mesh, Vec3(1, 0, 0), Vec3(1, 1, 0))));
   QVERIFY(test::sameMesh(mesh, kite));
@@ -97,10 +98,11 @@ void EdgeOperationsTest::manyAtRandom() {
   QVERIFY(rc::check("flips and splits keep a closed surface closed", [] {
     std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
     HalfEdgeMesh mesh = buildMesh(*rc::gen::element(test::icosphere(1), test::torus(6, 5))).mesh;
-    const auto anywhereOn = [&](HalfEdge h) {  // not always the middle: an edge may come back and would be split there again
-      const double w = 0.2 + 0.6 * (random() / 4294967296.0);
-      return Vec3(w * mesh.position(mesh.from(h)) + (1.0 - w) * mesh.position(mesh.to(h)));
-    };
+    const auto anywhereOn =
+        [&](HalfEdge h) {  // not always the middle: an edge may come back and would be split there again
+          const double w = 0.2 + 0.6 * (random() / 4294967296.0);
+          return Vec3(w * mesh.position(mesh.from(h)) + (1.0 - w) * mesh.position(mesh.to(h)));
+        };
     const long euler = test::eulerCharacteristic(mesh);
     for (int i = 0; i < 60; ++i) {
       const auto h = static_cast<HalfEdge>(random() % mesh.halfEdgeSlots());

@@ -67,8 +67,8 @@ void EdgePairingTest::ordinarySurface() {
   }
 }
 
-// A face (0, 1, n) at angle u has its front towards greater angles, seen from above: its normal is z × r. The solid is behind
-// it, at smaller angles. So a backward blade at 0° and a forward one at 60° bound the wedge between them.
+// A face (0, 1, n) at angle u has its front towards greater angles, seen from above: its normal is z × r. The solid is
+// behind it, at smaller angles. So a backward blade at 0° and a forward one at 60° bound the wedge between them.
 void EdgePairingTest::wedges() {
   QCOMPARE(partners(blades({{0, false}, {60, true}, {90, false}, {150, true}})), std::vector<int>({1, 0, 3, 2}));
   QCOMPARE(partners(blades({{0, true}, {60, false}, {90, true}, {150, false}})), std::vector<int>({3, 2, 1, 0}));

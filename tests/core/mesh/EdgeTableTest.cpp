@@ -31,8 +31,8 @@ void EdgeTableTest::againstAMap() {
     std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
     const auto vertices = *rc::gen::inRange<std::uint32_t>(1, 20);
     std::vector<Triangle> triangles(*rc::gen::inRange<std::size_t>(0, 60));
-    for (Triangle& t : triangles) t = {std::uint32_t(random() % vertices), std::uint32_t(random() % vertices),
-                                       std::uint32_t(random() % vertices)};
+    for (Triangle& t : triangles)
+      t = {std::uint32_t(random() % vertices), std::uint32_t(random() % vertices), std::uint32_t(random() % vertices)};
     using Edge = std::pair<std::uint32_t, std::uint32_t>;
     std::map<Edge, std::vector<std::uint32_t>> expected;
     for (std::uint32_t h = 0; h < 3 * triangles.size(); ++h) {

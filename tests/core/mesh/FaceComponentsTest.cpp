@@ -13,7 +13,9 @@ using namespace handwheel;
 
 namespace {
 
-FaceComponents partsOf(const HalfEdgeMesh& mesh) { return {mesh, PositionTriangles(mesh)}; }
+FaceComponents partsOf(const HalfEdgeMesh& mesh) {
+  return {mesh, PositionTriangles(mesh)};
+}
 
 }  // namespace
 

@@ -46,7 +46,8 @@ void HalfEdgeMeshTest::opposites() {
   }
 }
 
-// Every vertex inside: the fan has as many half-edges as faces meet there, and turns counter-clockwise seen from outside.
+// Every vertex inside: the fan has as many half-edges as faces meet there, and turns counter-clockwise seen from
+// outside.
 void HalfEdgeMeshTest::fansInside() {
   const HalfEdgeMesh mesh = buildMesh(test::icosphere(2)).mesh;
   for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h) {
@@ -59,7 +60,8 @@ void HalfEdgeMeshTest::fansInside() {
     const Vec3 centre = mesh.position(mesh.from(h));
     for (std::size_t i = 0; i < fan.size(); ++i) {
       QCOMPARE(mesh.from(fan[i]), mesh.from(h));
-      const Vec3 a = mesh.position(mesh.to(fan[i])) - centre, b = mesh.position(mesh.to(fan[(i + 1) % fan.size()])) - centre;
+      const Vec3 a = mesh.position(mesh.to(fan[i])) - centre,
+                 b = mesh.position(mesh.to(fan[(i + 1) % fan.size()])) - centre;
       QVERIFY(a.cross(b).dot(centre) > 0.0);
     }
   }

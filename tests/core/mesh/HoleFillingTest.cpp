@@ -23,31 +23,14 @@ FillOptions only(FillMethod method) {
   return options;
 }
 
-TriangleSoup soupOf(const Patch& patch) { return {patch.points, patch.triangles}; }
-
-// Pairs of faces that meet, all against all.
-std::size_t meetingPairs(const HalfEdgeMesh& mesh) {
-  const TriangleSoup s = mesh.compact().soup;
-  const auto corners = [&](std::size_t i) {
-    const Triangle& t = s.triangles[i];
-    return TrianglePoints{s.points[t[0]], s.points[t[1]], s.points[t[2]]};
-  };
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < s.triangles.size(); ++i) {
-    const TrianglePoints a = corners(i);
-    const Box box = Box(a[0]).extend(a[1]).extend(a[2]);
-    for (std::size_t j = 0; j < i; ++j) {
-      const TrianglePoints b = corners(j);
-      if (box.intersects(Box(b[0]).extend(b[1]).extend(b[2]))) n += trianglesMeet(a, b);
-    }
-  }
-  return n;
+TriangleSoup soupOf(const Patch& patch) {
+  return {patch.points, patch.triangles};
 }
 
 using Polygon = std::vector<std::pair<double, double>>;
 const Polygon kEll = {{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}};
-const Polygon kComb = {{0, 0}, {7, 0}, {7, 4}, {6, 4}, {6, 1}, {5, 1}, {5, 4}, {3, 4},
-                       {3, 1}, {2, 1}, {2, 4}, {1, 4}, {1, 1}, {0, 1}};
+const Polygon kComb = {{0, 0}, {7, 0}, {7, 4}, {6, 4}, {6, 1}, {5, 1}, {5, 4},
+                       {3, 4}, {3, 1}, {2, 1}, {2, 4}, {1, 4}, {1, 1}, {0, 1}};
 
 Polygon star(int points) {
   Polygon p;
@@ -71,7 +54,8 @@ double shoelace(const Polygon& p) {
 // The wall of a tube with this outline, from z = 0 to 1: a planar hole at either end.
 TriangleSoup tube(const Polygon& p) {
   const auto n = static_cast<std::uint32_t>(p.size());
-  return test::grid(n, 2, true, false, [&](std::uint32_t i, std::uint32_t j) { return Vec3(p[i].first, p[i].second, j); });
+  return test::grid(n, 2, true, false,
+                    [&](std::uint32_t i, std::uint32_t j) { return Vec3(p[i].first, p[i].second, j); });
 }
 
 // A flat sheet between the outline and the outline three times as large, facing +z.
@@ -87,17 +71,6 @@ Eigen::Matrix3d tilt() {
   return (Eigen::AngleAxisd(0.7, Vec3::UnitX()) * Eigen::AngleAxisd(-1.1, Vec3::UnitY())).toRotationMatrix();
 }
 
-// A unit sphere without its cap around +z; alpha is the angle from the axis to the border.
-TriangleSoup sphereWithoutCap(int levels = 4) { return test::withHole(test::icosphere(levels), Vec3::UnitZ(), 0.4); }
-
-// A thin tetrahedron that stands on its tip.
-TriangleSoup needleOn(const Vec3& tip, double height) {
-  TriangleSoup s = test::tetrahedron();
-  const double w = 0.1 * height;
-  s.points = {tip, tip + Vec3(w, 0, height), tip + Vec3(0, w, height), tip + Vec3(-w, -w, height)};
-  return s;
-}
-
 }  // namespace
 
 class HoleFillingTest : public QObject {
@@ -110,16 +83,11 @@ class HoleFillingTest : public QObject {
   void missingTriangle();
   void usesTheDiagonalThatIsFree();
   void fairContinuesTheSphere();
+  void fairFillsLargeHoles();
   void refinedKeepsToTheOpening();
   void anySizeAndPlace_data();
   void anySizeAndPlace();
   void largeRing();
-  void poleThroughTheHole();
-  void obstacleBeforeTheBulge();
-  void patchesRespectEachOther();
-  void roundsNewVertices();
-  void touchesNoVertex();
-  void pinchedLoops();
   void tooShortAndCancelled();
 };
 
@@ -145,13 +113,13 @@ void HoleFillingTest::planarPolygons() {
       for (const BoundaryLoop& loop : findBoundaryLoops(mesh)) {
         FillAttempt attempt = filler.propose(loop, only(method));
         // Best-first ear cutting may get stuck; then another method has to do.
-        if (method == FillMethod::Ear && attempt.failure == FillFailure::NoPatch) attempt = filler.propose(loop, {method});
+        if (method == FillMethod::Ear && attempt.failure == FillFailure::NoPatch)
+          attempt = filler.propose(loop, {method});
         QVERIFY2(attempt.failure == FillFailure::None, qPrintable(QString("method %1").arg(int(method))));
         QVERIFY(attempt.patch.method == method || method == FillMethod::Ear);
         if (attempt.patch.method != FillMethod::Fair)
           QVERIFY(std::abs(test::area(soupOf(attempt.patch)) - shoelace(polygon)) < 1e-12 * shoelace(polygon));
-        if (attempt.patch.points.size() == polygon.size())
-          QCOMPARE(attempt.patch.triangles.size(), polygon.size() - 2);
+        if (attempt.patch.points.size() == polygon.size()) QCOMPARE(attempt.patch.triangles.size(), polygon.size() - 2);
         filler.accept(loop, attempt.patch);
       }
       QCOMPARE(validate(filler.mesh()), std::string());
@@ -207,15 +175,15 @@ void HoleFillingTest::usesTheDiagonalThatIsFree() {
     QVERIFY(attempt.failure == FillFailure::None);
     filler.accept(loop, attempt.patch);
     QVERIFY(test::countEdges(filler.mesh()).sound());
-    QCOMPARE(meetingPairs(filler.mesh()), std::size_t{0});
+    QCOMPARE(test::meetingPairs(filler.mesh()), std::size_t{0});
   }
 }
 
-// Over a cap of angle a the biharmonic surface with the sphere's position and slope at the border (Botsch et al. 2008) is
-// z = c + d r²; its top is cos a + sin² a / (2 cos a), off the sphere by a⁴/8 + O(a⁶). Twice that is allowed, plus what
-// edges of length h lose against the sphere they cut, h² / 8, once at the ring (tangents) and once in the patch.
+// Over a cap of angle a the biharmonic surface with the sphere's position and slope at the border (Botsch et al. 2008)
+// is z = c + d r²; its top is cos a + sin² a / (2 cos a), off the sphere by a⁴/8 + O(a⁶). Twice that is allowed, plus
+// what edges of length h lose against the sphere they cut, h² / 8, once at the ring (tangents) and once in the patch.
 void HoleFillingTest::fairContinuesTheSphere() {
-  const HalfEdgeMesh mesh = buildMesh(sphereWithoutCap()).mesh;
+  const HalfEdgeMesh mesh = buildMesh(test::sphereWithoutCap(4)).mesh;
   HoleFiller filler(mesh);
   const BoundaryLoop loop = findBoundaryLoops(mesh).at(0);
   double a = 0.0, h = 0.0;
@@ -232,12 +200,25 @@ void HoleFillingTest::fairContinuesTheSphere() {
   QCOMPARE(validate(filler.mesh()), std::string());
   QVERIFY(test::countEdges(filler.mesh()).sound());
   QCOMPARE(test::eulerCharacteristic(filler.mesh()), 2l);
-  QCOMPARE(meetingPairs(filler.mesh()), std::size_t{0});
+  QCOMPARE(test::meetingPairs(filler.mesh()), std::size_t{0});
   for (Vertex v = 0; v < mesh.vertexSlots(); ++v) QVERIFY(test::sameBits(mesh.position(v), filler.mesh().position(v)));
 }
 
+// Up to a quarter of the sphere missing, with 100 edges around and more: an ordinary hole, so nothing but fair is
+// needed.
+void HoleFillingTest::fairFillsLargeHoles() {
+  for (double radius : {0.2, 0.55, 1.0}) {
+    const HalfEdgeMesh mesh = buildMesh(test::withHole(test::icosphere(5), Vec3::UnitZ(), radius)).mesh;
+    const BoundaryLoop loop = findBoundaryLoops(mesh).at(0);
+    const FillAttempt attempt = HoleFiller(mesh).propose(loop, only(FillMethod::Fair));
+    QVERIFY2(attempt.failure == FillFailure::None,
+             qPrintable(QString("failure %1 at %2 edges").arg(int(attempt.failure)).arg(loop.halfEdges.size())));
+    for (const Vec3& p : attempt.patch.points) QVERIFY(p.norm() > 0.95 && p.norm() < 1.3);
+  }
+}
+
 void HoleFillingTest::refinedKeepsToTheOpening() {
-  const HalfEdgeMesh mesh = buildMesh(sphereWithoutCap()).mesh;
+  const HalfEdgeMesh mesh = buildMesh(test::sphereWithoutCap(4)).mesh;
   HoleFiller filler(mesh);
   const BoundaryLoop loop = findBoundaryLoops(mesh).at(0);
   for (FillMethod method : {FillMethod::Refined, FillMethod::Ear, FillMethod::Minimal}) {
@@ -262,7 +243,7 @@ void HoleFillingTest::anySizeAndPlace() {
   QFETCH(double, scale);
   QFETCH(double, shift);
   const Vec3 centre = shift * Vec3(1, -1, 1);
-  TriangleSoup soup = sphereWithoutCap(3);
+  TriangleSoup soup = test::sphereWithoutCap(3);
   for (Vec3& p : soup.points) p = tilt() * p;
   const HalfEdgeMesh mesh = buildMesh(test::moved(soup, centre, scale)).mesh;
   const BoundaryLoop loop = findBoundaryLoops(mesh).at(0);
@@ -273,7 +254,7 @@ void HoleFillingTest::anySizeAndPlace() {
     filler.accept(loop, attempt.patch);
     QCOMPARE(validate(filler.mesh()), std::string());
     QVERIFY(test::countEdges(filler.mesh()).sound());
-    QCOMPARE(meetingPairs(filler.mesh()), std::size_t{0});
+    QCOMPARE(test::meetingPairs(filler.mesh()), std::size_t{0});
     for (const Vec3& p : attempt.patch.points) {
       const double radius = (p - centre).norm() / scale;
       // A lid at the border's height is about 0.1 below the sphere.
@@ -297,136 +278,8 @@ void HoleFillingTest::largeRing() {
   QVERIFY(test::countEdges(filler.mesh()).sound());
 }
 
-// The pole is five times as long as the hole is wide, so no disc over the hole avoids it without leaving the opening.
-void HoleFillingTest::poleThroughTheHole() {
-  TriangleSoup soup = test::annulus(24, 3, 1.0, 3.0);
-  const TriangleSoup pole = test::cylinder(8, 10, 0.1, 20.0, true);
-  test::append(soup, test::moved(pole, Vec3(0.05, 0.02, -10.0)));
-  const HalfEdgeMesh mesh = buildMesh(soup).mesh;
-  HoleFiller filler(mesh);
-  BoundaryLoop hole;
-  for (const BoundaryLoop& loop : findBoundaryLoops(mesh))
-    if (loop.box.sizes().norm() < 4.0) hole = loop;
-  QCOMPARE(hole.halfEdges.size(), std::size_t{24});
-  for (FillMethod method : kMethods) {
-    FillOptions options;
-    options.method = method;
-    QVERIFY(filler.propose(hole, options).failure == FillFailure::SelfIntersecting);
-    options.tryOthers = false;
-    const FillFailure failure = filler.propose(hole, options).failure;
-    QVERIFY(failure == FillFailure::SelfIntersecting || failure == FillFailure::NoPatch);
-  }
-}
-
-// Where the fair patch would pass hangs a little solid; a flat lid goes below it.
-void HoleFillingTest::obstacleBeforeTheBulge() {
-  TriangleSoup soup = sphereWithoutCap(3);
-  test::append(soup, test::cube(0.1, Vec3(-0.05, -0.05, 0.95)));
-  const HalfEdgeMesh mesh = buildMesh(soup).mesh;
-  const BoundaryLoop loop = findBoundaryLoops(mesh).at(0);
-  HoleFiller filler(mesh);
-  QVERIFY(filler.propose(loop, only(FillMethod::Fair)).failure == FillFailure::SelfIntersecting);
-  const FillAttempt attempt = filler.propose(loop, {});
-  QVERIFY(attempt.failure == FillFailure::None);
-  QVERIFY(attempt.patch.method != FillMethod::Fair);
-  filler.accept(loop, attempt.patch);
-  QVERIFY(test::countEdges(filler.mesh()).sound());
-  QCOMPARE(meetingPairs(filler.mesh()), std::size_t{0});
-}
-
-// Two spheres whose caps would overlap face each other without them.
-void HoleFillingTest::patchesRespectEachOther() {
-  TriangleSoup soup = sphereWithoutCap(3);
-  TriangleSoup other = sphereWithoutCap(3);
-  for (Vec3& p : other.points) p = Vec3(p.x(), -p.y(), 1.97 - p.z());
-  test::append(soup, other);
-  const HalfEdgeMesh mesh = buildMesh(soup).mesh;
-  QCOMPARE(meetingPairs(mesh), std::size_t{0});
-  HoleFiller filler(mesh);
-  const std::vector<BoundaryLoop> loops = findBoundaryLoops(mesh);
-  QCOMPARE(loops.size(), std::size_t{2});
-  for (const BoundaryLoop& loop : loops) {
-    const FillAttempt attempt = filler.propose(loop, {});
-    QVERIFY(attempt.failure == FillFailure::None);
-    filler.accept(loop, attempt.patch);
-  }
-  QVERIFY(test::countEdges(filler.mesh()).sound());
-  QCOMPARE(meetingPairs(filler.mesh()), std::size_t{0});
-}
-
-void HoleFillingTest::roundsNewVertices() {
-  const HalfEdgeMesh mesh = buildMesh(sphereWithoutCap(3)).mesh;
-  FillOptions options;
-  options.numbers = NumberType::Float32;
-  const BoundaryLoop loop = findBoundaryLoops(mesh).at(0);
-  const Patch patch = HoleFiller(mesh).propose(loop, options).patch;
-  QVERIFY(patch.points.size() > patch.loopSize);
-  for (std::size_t i = 0; i < patch.points.size(); ++i) {
-    if (i < patch.loopSize) {
-      QVERIFY(test::sameBits(patch.points[i], loopPoints(mesh, loop)[i]));
-      continue;
-    }
-    for (double x : patch.points[i]) {
-      volatile float single = static_cast<float>(x);
-      QVERIFY(static_cast<double>(single) == x && !(x == 0.0 && std::signbit(x)));
-    }
-  }
-}
-
-// First it is learnt where the patch will have a vertex; then a needle's tip is put exactly there, outside. The part would
-// hang together at one point if the patch came through it.
-void HoleFillingTest::touchesNoVertex() {
-  const TriangleSoup sphere = sphereWithoutCap(3);
-  const HalfEdgeMesh alone = buildMesh(sphere).mesh;
-  const Patch first = HoleFiller(alone).propose(findBoundaryLoops(alone).at(0), {}).patch;
-  QVERIFY(first.points.size() > first.loopSize);
-  for (std::size_t i = first.loopSize; i < first.points.size(); i += 5) {
-    TriangleSoup soup = sphere;
-    test::append(soup, needleOn(first.points[i], 0.3));
-    const HalfEdgeMesh mesh = buildMesh(soup).mesh;
-    const FillAttempt attempt = HoleFiller(mesh).propose(findBoundaryLoops(mesh).at(0), {});
-    QVERIFY(attempt.failure == FillFailure::None);
-    const std::set<test::Place> taken = test::places(soup);
-    for (std::size_t k = attempt.patch.loopSize; k < attempt.patch.points.size(); ++k)
-      QVERIFY2(!taken.contains(test::place(attempt.patch.points[k])), "a new vertex lies on one of the part");
-  }
-}
-
-// Two missing triangles that touch at a vertex: one border that passes it twice, two loops.
-void HoleFillingTest::pinchedLoops() {
-  TriangleSoup soup = test::icosphere(2);
-  std::vector<std::size_t> around;  // the triangles at vertex 20, which has six
-  for (std::size_t i = 0; i < soup.triangles.size(); ++i)
-    if (std::count(soup.triangles[i].begin(), soup.triangles[i].end(), 20u)) around.push_back(i);
-  QCOMPARE(around.size(), std::size_t{6});
-  const auto shared = [&](std::size_t i, std::size_t j) {
-    return std::count_if(soup.triangles[i].begin(), soup.triangles[i].end(), [&](std::uint32_t v) {
-      return std::count(soup.triangles[j].begin(), soup.triangles[j].end(), v) > 0;
-    });
-  };
-  std::size_t across = 0;
-  for (std::size_t i : around)
-    if (shared(around[0], i) == 1) across = i;
-  soup.triangles.erase(soup.triangles.begin() + std::ptrdiff_t(std::max(around[0], across)));
-  soup.triangles.erase(soup.triangles.begin() + std::ptrdiff_t(std::min(around[0], across)));
-
-  const HalfEdgeMesh mesh = buildMesh(soup).mesh;
-  const std::vector<BoundaryLoop> loops = findBoundaryLoops(mesh);
-  QCOMPARE(loops.size(), std::size_t{2});
-  HoleFiller filler(mesh);
-  for (const BoundaryLoop& loop : loops) {
-    const FillAttempt attempt = filler.propose(loop, {});
-    QVERIFY(attempt.failure == FillFailure::None);
-    filler.accept(loop, attempt.patch);
-    QCOMPARE(validate(filler.mesh()), std::string());
-  }
-  QCOMPARE(test::eulerCharacteristic(filler.mesh()), 2l);
-  QCOMPARE(test::countBorder(filler.mesh()), std::size_t{0});
-  QVERIFY(test::countEdges(filler.mesh()).sound());
-}
-
 void HoleFillingTest::tooShortAndCancelled() {
-  const HalfEdgeMesh mesh = buildMesh(sphereWithoutCap(3)).mesh;
+  const HalfEdgeMesh mesh = buildMesh(test::sphereWithoutCap(3)).mesh;
   const HoleFiller filler(mesh);
   BoundaryLoop loop = findBoundaryLoops(mesh).at(0);
   JobState job;

@@ -18,8 +18,6 @@ HoleContext firstHole(const TriangleSoup& soup) {
   return holeContext(mesh, findBoundaryLoops(mesh).at(0));
 }
 
-TriangleSoup sphereWithoutCap() { return test::withHole(test::icosphere(4), Vec3::UnitZ(), 0.4); }
-
 bool closes(const TriangleSoup& part, const Patch& patch) {
   TriangleSoup closed = part;
   test::append(closed, {patch.points, patch.triangles});
@@ -48,7 +46,8 @@ class LibraryFillTest : public QObject {
 };
 
 void LibraryFillTest::minimalHasNoNewVertices() {
-  for (const TriangleSoup& soup : {sphereWithoutCap(), test::cylinder(30, 3, 1, 1, false), test::cylinder(500, 2, 1, 1, false)}) {
+  for (const TriangleSoup& soup :
+       {test::sphereWithoutCap(4), test::cylinder(30, 3, 1, 1, false), test::cylinder(500, 2, 1, 1, false)}) {
     const HoleContext hole = firstHole(soup);
     const auto patch = triangulateMinimal(hole);
     QVERIFY(patch.has_value());
@@ -57,7 +56,7 @@ void LibraryFillTest::minimalHasNoNewVertices() {
     QCOMPARE(patch->triangles.size(), hole.loopSize - 2);
     for (std::size_t i = 0; i < hole.loopSize; ++i) QVERIFY(test::sameBits(patch->points[i], hole.points[i]));
   }
-  QVERIFY(closes(sphereWithoutCap(), *triangulateMinimal(firstHole(sphereWithoutCap()))));
+  QVERIFY(closes(test::sphereWithoutCap(4), *triangulateMinimal(firstHole(test::sphereWithoutCap(4)))));
 }
 
 void LibraryFillTest::minimalOfTheSmallestHole() {
@@ -75,7 +74,7 @@ void LibraryFillTest::minimalOfTheSmallestHole() {
 }
 
 void LibraryFillTest::refinedHasTheDensityAround() {
-  const TriangleSoup soup = sphereWithoutCap();
+  const TriangleSoup soup = test::sphereWithoutCap(4);
   const HoleContext hole = firstHole(soup);
   const auto start = triangulateMinimal(hole);
   QVERIFY(start.has_value());
@@ -92,7 +91,7 @@ void LibraryFillTest::refinedHasTheDensityAround() {
 
 // Flat: the new points are means of the loop's. Fair: the middle rises towards the sphere.
 void LibraryFillTest::fairBulgesFlatDoesNot() {
-  const HoleContext hole = firstHole(sphereWithoutCap());
+  const HoleContext hole = firstHole(test::sphereWithoutCap(4));
   const auto start = triangulateMinimal(hole);
   double rim = 0.0;
   for (const Vec3& p : hole.loop()) rim = std::max(rim, p.z());

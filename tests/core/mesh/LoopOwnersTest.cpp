@@ -64,7 +64,8 @@ void LoopOwnersTest::newHoleHasNoOwner() {
 
 // A face between two holes goes: one hole that belongs to both.
 void LoopOwnersTest::holesGrownTogether() {
-  TriangleSoup soup = test::grid(7, 7, false, false, [](std::uint32_t i, std::uint32_t j) { return Vec3(i, j, 0.1 * i * j); });
+  TriangleSoup soup =
+      test::grid(7, 7, false, false, [](std::uint32_t i, std::uint32_t j) { return Vec3(i, j, 0.1 * i * j); });
   const auto without = [&](Face low, Face high) {
     HalfEdgeMesh mesh = buildMesh(soup).mesh;
     for (Face f = low; f <= high; ++f) mesh.removeFace(f);

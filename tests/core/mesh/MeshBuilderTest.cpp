@@ -14,30 +14,6 @@ using namespace handwheel;
 
 namespace {
 
-// What hangs together across paired edges.
-std::vector<TriangleSoup> pieces(const HalfEdgeMesh& mesh) {
-  std::vector<bool> seen(mesh.faceSlots(), false);
-  std::vector<TriangleSoup> result;
-  for (Face seed = 0; seed < mesh.faceSlots(); ++seed) {
-    if (seen[seed]) continue;
-    std::vector<Face> faces{seed};
-    seen[seed] = true;
-    TriangleSoup piece;
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-      const auto n = static_cast<std::uint32_t>(piece.points.size());
-      for (const Vec3& p : mesh.points(faces[i])) piece.points.push_back(p);
-      piece.triangles.push_back({n, n + 1, n + 2});
-      for (HalfEdge h = 3 * faces[i]; h < 3 * faces[i] + 3; ++h) {
-        if (!mesh.hasOpposite(h) || seen[HalfEdgeMesh::face(mesh.opposite(h))]) continue;
-        seen[HalfEdgeMesh::face(mesh.opposite(h))] = true;
-        faces.push_back(HalfEdgeMesh::face(mesh.opposite(h)));
-      }
-    }
-    result.push_back(piece);
-  }
-  return result;
-}
-
 // True when face i has the corners of triangle i in the same turn, or the other one where the report says so.
 bool everyTriangleIsThere(const TriangleSoup& soup, const BuiltMesh& built) {
   if (built.mesh.faceSlots() != soup.triangles.size()) return false;
@@ -129,7 +105,8 @@ void MeshBuilderTest::oneSided_data() {
   QTest::newRow("Klein bottle") << test::kleinBottle(20, 8) << 0l << 0;
 }
 
-// A one-sided surface is cut open along seams. A vertex inside it with s seams has s fans then, one on the border s + 1.
+// A one-sided surface is cut open along seams. A vertex inside it with s seams has s fans then, one on the border s
+// + 1.
 void MeshBuilderTest::oneSided() {
   QFETCH(TriangleSoup, soup);
   QFETCH(long, euler);
@@ -172,7 +149,7 @@ void MeshBuilderTest::touchingCubes() {
     QCOMPARE(built.mesh.vertexSlots(), std::size_t{16});
     QCOMPARE(test::countBorder(built.mesh), std::size_t{0});
     QCOMPARE(test::eulerCharacteristic(built.mesh), 4l);
-    const std::vector<TriangleSoup> parts = pieces(built.mesh);
+    const std::vector<TriangleSoup> parts = test::pieces(built.mesh);
     QCOMPARE(parts.size(), std::size_t{2});
     for (const TriangleSoup& part : parts) {
       QVERIFY(test::countEdges(part).sound());
@@ -194,7 +171,8 @@ void MeshBuilderTest::threeFacesAtAnEdge() {
   QCOMPARE(built.report.unpairedHalfEdges, std::size_t{4});
 }
 
-// Wedges around the z axis, like slices of a cake with gaps: each must stay one closed solid, whatever the axis' direction.
+// Wedges around the z axis, like slices of a cake with gaps: each must stay one closed solid, whatever the axis'
+// direction.
 void MeshBuilderTest::manySolidsAtOneEdge() {
   for (int flip = 0; flip < 2; ++flip) {
     for (int n = 2; n <= 7; ++n) {
@@ -209,7 +187,7 @@ void MeshBuilderTest::manySolidsAtOneEdge() {
       const BuiltMesh built = buildMesh(soup);
       QCOMPARE(validate(built.mesh), std::string());
       QCOMPARE(test::countBorder(built.mesh) + test::countSeams(built.mesh), std::size_t{0});
-      const std::vector<TriangleSoup> parts = pieces(built.mesh);
+      const std::vector<TriangleSoup> parts = test::pieces(built.mesh);
       QCOMPARE(parts.size(), std::size_t(n));
       for (const TriangleSoup& part : parts) QVERIFY(test::countEdges(part).sound());
     }

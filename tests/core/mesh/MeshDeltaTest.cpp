@@ -19,15 +19,23 @@ void change(HalfEdgeMesh& mesh, std::mt19937& random) {
   const auto below = [&](std::size_t n) { return static_cast<std::uint32_t>(random() % n); };
   const Vec3 p(below(100), below(100), below(100));
   switch (below(6)) {
-    case 0: mesh.addVertex(p); break;
-    case 1: mesh.setPosition(below(mesh.vertexSlots()), p); break;
-    case 2: mesh.addFace({below(mesh.vertexSlots()), below(mesh.vertexSlots()), below(mesh.vertexSlots())}); break;
+    case 0:
+      mesh.addVertex(p);
+      break;
+    case 1:
+      mesh.setPosition(below(mesh.vertexSlots()), p);
+      break;
+    case 2:
+      mesh.addFace({below(mesh.vertexSlots()), below(mesh.vertexSlots()), below(mesh.vertexSlots())});
+      break;
     case 3: {
       const HalfEdge h = below(mesh.halfEdgeSlots());
       if (mesh.isLive(HalfEdgeMesh::face(h))) mesh.setCorner(h, below(mesh.vertexSlots()));
       break;
     }
-    case 4: mesh.pair(below(mesh.halfEdgeSlots()), below(mesh.halfEdgeSlots())); break;
+    case 4:
+      mesh.pair(below(mesh.halfEdgeSlots()), below(mesh.halfEdgeSlots()));
+      break;
     case 5: {
       // The neighbours of a dead face mean nothing to removeFace(), so each dies once.
       const Face f = below(mesh.faceSlots());

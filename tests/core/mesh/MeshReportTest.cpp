@@ -4,7 +4,6 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
-#include "proximity/TriangleIntersection.h"
 
 #include <rapidcheck.h>
 
@@ -14,17 +13,8 @@ using namespace handwheel;
 
 namespace {
 
-MeshReport reportOn(const TriangleSoup& soup) { return handwheel::reportOn(soup, SelfIntersections::Count); }
-
-std::size_t meetingPairs(const TriangleSoup& s) {
-  const auto corners = [&](const Triangle& t) { return TrianglePoints{s.points[t[0]], s.points[t[1]], s.points[t[2]]}; };
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < s.triangles.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) {
-      const TrianglePoints a = corners(s.triangles[i]), b = corners(s.triangles[j]);
-      n += !isDegenerate(a) && !isDegenerate(b) && trianglesMeet(a, b);
-    }
-  return n;
+MeshReport reportOn(const TriangleSoup& soup) {
+  return handwheel::reportOn(soup, SelfIntersections::Count);
 }
 
 // The rings of the sphere with poles are regular n-gons, so it is a pile of frusta.
@@ -41,7 +31,9 @@ double volumeOfUvSphere(std::uint32_t n, std::uint32_t m) {
   return sum;
 }
 
-bool near(double a, double b) { return std::abs(a - b) <= 1e-12 * std::max(std::abs(a), std::abs(b)); }
+bool near(double a, double b) {
+  return std::abs(a - b) <= 1e-12 * std::max(std::abs(a), std::abs(b));
+}
 
 }  // namespace
 
@@ -99,7 +91,8 @@ void MeshReportTest::volumeFarFromTheOrigin() {
 }
 
 void MeshReportTest::openShapes() {
-  for (const auto& [soup, edges] : {std::pair{test::disc(16, 3), 16}, std::pair{test::cylinder(12, 2, 1, 1, false), 24}}) {
+  for (const auto& [soup, edges] :
+       {std::pair{test::disc(16, 3), 16}, std::pair{test::cylinder(12, 2, 1, 1, false), 24}}) {
     const MeshReport r = reportOn(soup);
     QVERIFY(!r.closed && r.manifold && r.oriented && !r.isSound());
     QVERIFY(!r.volumeMm3);
@@ -174,7 +167,7 @@ void MeshReportTest::duplicates() {
   const MeshReport r = reportOn(s);
   QCOMPARE(r.duplicateFaces, std::size_t{3});
   QCOMPARE(r.nonManifoldEdges, test::countEdges(s).nonManifold);
-  QCOMPARE(*r.selfIntersectingPairs, meetingPairs(s));
+  QCOMPARE(*r.selfIntersectingPairs, test::meetingPairs(s));
 }
 
 void MeshReportTest::turnedFace() {
@@ -188,8 +181,8 @@ void MeshReportTest::turnedFace() {
 void MeshReportTest::selfIntersections() {
   TriangleSoup s = test::icosphere(1);
   test::append(s, test::moved(test::icosphere(1), Vec3(0.7, 0.1, 0.2)));
-  QVERIFY(meetingPairs(s) > 0);
-  QCOMPARE(reportOn(s).selfIntersectingPairs.value(), meetingPairs(s));
+  QVERIFY(test::meetingPairs(s) > 0);
+  QCOMPARE(reportOn(s).selfIntersectingPairs.value(), test::meetingPairs(s));
   QVERIFY(!handwheel::reportOn(s, SelfIntersections::Skip).selfIntersectingPairs);
 }
 
@@ -210,7 +203,8 @@ void MeshReportTest::empty() {
 void MeshReportTest::soups() {
   QVERIFY(rc::check("figures of any soup", [] {
     std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
-    const TriangleSoup s = test::randomSoup(random, *rc::gen::inRange<std::size_t>(1, 40), *rc::gen::inRange<std::uint32_t>(1, 6));
+    const TriangleSoup s =
+        test::randomSoup(random, *rc::gen::inRange<std::size_t>(1, 40), *rc::gen::inRange<std::uint32_t>(1, 6));
     const MeshReport r = reportOn(s);
     const test::Edges edges = test::countEdges(s);
     RC_ASSERT(r.triangles == s.triangles.size());
@@ -221,7 +215,7 @@ void MeshReportTest::soups() {
     RC_ASSERT(r.closed == (edges.border == 0));
     RC_ASSERT(r.manifold == (edges.nonManifold == 0));
     RC_ASSERT(r.oriented == (edges.inconsistent == 0));
-    RC_ASSERT(r.selfIntersectingPairs == meetingPairs(s));
+    RC_ASSERT(r.selfIntersectingPairs == test::meetingPairs(s));
     std::size_t inLoops = 0;
     for (const LoopReport& loop : r.loops) inLoops += loop.edges;
     RC_ASSERT(inLoops == edges.border);

@@ -20,7 +20,8 @@ std::vector<std::uint32_t> byWalking(const TriangleSoup& s) {
   for (std::uint32_t v = 0; v < s.points.size(); ++v) {
     std::vector<Triangle> around;
     for (const Triangle& t : s.triangles)
-      if (std::set<std::uint32_t>(t.begin(), t.end()).size() == 3 && std::count(t.begin(), t.end(), v)) around.push_back(t);
+      if (std::set<std::uint32_t>(t.begin(), t.end()).size() == 3 && std::count(t.begin(), t.end(), v))
+        around.push_back(t);
     if (around.empty()) continue;
     std::set<std::uint32_t> reached(around[0].begin(), around[0].end());
     std::set<std::size_t> left;
@@ -28,7 +29,8 @@ std::vector<std::uint32_t> byWalking(const TriangleSoup& s) {
     for (bool more = true; more;) {
       more = false;
       for (std::size_t i : std::set<std::size_t>(left)) {
-        if (std::none_of(around[i].begin(), around[i].end(), [&](auto u) { return u != v && reached.contains(u); })) continue;
+        if (std::none_of(around[i].begin(), around[i].end(), [&](auto u) { return u != v && reached.contains(u); }))
+          continue;
         reached.insert(around[i].begin(), around[i].end());
         left.erase(i);
         more = true;
@@ -39,7 +41,9 @@ std::vector<std::uint32_t> byWalking(const TriangleSoup& s) {
   return bad;
 }
 
-std::vector<std::uint32_t> found(const TriangleSoup& s) { return findNonManifoldVertices(s.triangles, s.points.size()); }
+std::vector<std::uint32_t> found(const TriangleSoup& s) {
+  return findNonManifoldVertices(s.triangles, s.points.size());
+}
 
 }  // namespace
 

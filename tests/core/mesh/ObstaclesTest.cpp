@@ -95,7 +95,8 @@ void ObstaclesTest::verticesThere() {
 void ObstaclesTest::edgesAmong() {
   QVERIFY(rc::check("the edges that join points, by number", [] {
     std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
-    const HalfEdgeMesh mesh = buildMesh(*rc::gen::element(test::icosphere(1), test::torus(6, 5), test::disc(6, 3))).mesh;
+    const HalfEdgeMesh mesh =
+        buildMesh(*rc::gen::element(test::icosphere(1), test::torus(6, 5), test::disc(6, 3))).mesh;
     std::vector<Vertex> chosen;
     for (Vertex v = 0; v < mesh.vertexSlots(); ++v)
       if (random() % 3 == 0) chosen.push_back(v);

@@ -13,7 +13,9 @@ using namespace handwheel;
 
 namespace {
 
-std::vector<bool> toTurn(const TriangleSoup& s) { return trianglesToTurn(EdgeTable(s.triangles, s.points.size()), s.triangles); }
+std::vector<bool> toTurn(const TriangleSoup& s) {
+  return trianglesToTurn(EdgeTable(s.triangles, s.points.size()), s.triangles);
+}
 
 TriangleSoup withTurned(TriangleSoup s, const std::vector<bool>& turn) {
   for (std::size_t i = 0; i < turn.size(); ++i)
@@ -68,7 +70,8 @@ void OrientationTest::turnsTheFewest() {
   QVERIFY(rc::check("never more than half of a part", [] {
     std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
     const TriangleSoup s = test::icosphere(1);
-    const std::vector<bool> back = toTurn(withTurned(s, randomTurns(s.triangles.size(), 0.01 * *rc::gen::inRange(0, 100), random)));
+    const std::vector<bool> back =
+        toTurn(withTurned(s, randomTurns(s.triangles.size(), 0.01 * *rc::gen::inRange(0, 100), random)));
     RC_ASSERT(2 * std::count(back.begin(), back.end(), true) <= std::ptrdiff_t(back.size()));
   }));
 }

@@ -17,32 +17,15 @@ using namespace handwheel;
 
 namespace {
 
-// The boundary of a set of unit cells: quads between a cell and an empty neighbour, two triangles each.
-TriangleSoup cells(const std::set<std::array<int, 3>>& filled) {
-  TriangleSoup s;
-  for (const auto& cell : filled) {
-    const TriangleSoup cube = test::cube(1.0, Vec3(cell[0], cell[1], cell[2]));
-    for (std::size_t f = 0; f < 12; ++f) {
-      const TrianglePoints p = {cube.points[cube.triangles[f][0]], cube.points[cube.triangles[f][1]],
-                                cube.points[cube.triangles[f][2]]};
-      const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]);
-      const std::array<int, 3> beyond = {cell[0] + int(normal.x()), cell[1] + int(normal.y()), cell[2] + int(normal.z())};
-      if (filled.contains(beyond)) continue;
-      const auto n = static_cast<std::uint32_t>(s.points.size());
-      s.points.insert(s.points.end(), p.begin(), p.end());
-      s.triangles.push_back({n, n + 1, n + 2});
-    }
-  }
-  return s;
-}
-
 TriangleSoup asWritten(const HalfEdgeMesh& mesh, NumberType numbers) {
   TriangleSoup s = mesh.compact().soup;
   for (Vec3& p : s.points) p = rounded(p, numbers);
   return s;
 }
 
-std::size_t intersections(const TriangleSoup& s) { return reportOn(s, SelfIntersections::Count).selfIntersectingPairs.value(); }
+std::size_t intersections(const TriangleSoup& s) {
+  return reportOn(s, SelfIntersections::Count).selfIntersectingPairs.value();
+}
 
 // The distance between neighbouring numbers at the largest coordinate.
 double lastPlace(const Vec3& p, NumberType numbers) {
@@ -112,8 +95,8 @@ void PartDuplicatesTest::cakeOfWedges() {
     for (int i = 0; i < n; ++i) {
       const double u = 2 * M_PI * i / n, v = 2 * M_PI * (i + 0.6) / n;
       TriangleSoup wedge = test::tetrahedron();
-      wedge.points = {Vec3(3, 3, 3), Vec3(3 + std::cos(u), 3 + std::sin(u), 3.5), Vec3(3 + std::cos(v), 3 + std::sin(v), 3.5),
-                      Vec3(3, 3, 4)};
+      wedge.points = {Vec3(3, 3, 3), Vec3(3 + std::cos(u), 3 + std::sin(u), 3.5),
+                      Vec3(3 + std::cos(v), 3 + std::sin(v), 3.5), Vec3(3, 3, 4)};
       for (Vec3& p : wedge.points) p = rounded(p, NumberType::Float32);
       test::append(s, wedge);
     }
@@ -129,10 +112,7 @@ void PartDuplicatesTest::cakeOfWedges() {
 void PartDuplicatesTest::randomCells() {
   QVERIFY(rc::check("blocks that touch at edges and corners come apart without crossing", [] {
     std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
-    std::set<std::array<int, 3>> filled;
-    for (int n = *rc::gen::inRange(2, 14); n > 0; --n)
-      filled.insert({int(random() % 3), int(random() % 3), int(random() % 3)});
-    HalfEdgeMesh mesh = buildMesh(cells(filled)).mesh;
+    HalfEdgeMesh mesh = buildMesh(test::randomBlocks(random, *rc::gen::inRange<std::size_t>(2, 20), 3)).mesh;
     RC_ASSERT(test::countBorder(mesh) == std::size_t{0});
     const std::size_t before = intersections(mesh.compact().soup);
     partDuplicates(mesh, NumberType::Float32);

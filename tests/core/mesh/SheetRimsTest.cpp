@@ -30,7 +30,8 @@ Rims rimsOf(const TriangleSoup& soup) {
 }
 
 TriangleSoup tilted(TriangleSoup s) {
-  const Eigen::Matrix3d turn = (Eigen::AngleAxisd(0.9, Vec3::UnitX()) * Eigen::AngleAxisd(0.4, Vec3::UnitZ())).toRotationMatrix();
+  const Eigen::Matrix3d turn =
+      (Eigen::AngleAxisd(0.9, Vec3::UnitX()) * Eigen::AngleAxisd(0.4, Vec3::UnitZ())).toRotationMatrix();
   for (Vec3& p : s.points) p = turn * p;
   return s;
 }

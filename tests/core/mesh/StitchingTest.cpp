@@ -9,6 +9,8 @@
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshValidator.h"
 
+#include <rapidcheck.h>
+
 #include <QTest>
 
 using namespace handwheel;
@@ -55,7 +57,9 @@ void split(TriangleSoup& s, std::size_t f, int corner, const std::vector<double>
   s.triangles.insert(s.triangles.end(), fan.begin() + 1, fan.end());
 }
 
-std::vector<Vertex> stitch(HalfEdgeMesh& mesh) { return stitchBorders(mesh, std::vector<bool>(mesh.vertexSlots(), false)); }
+std::vector<Vertex> stitch(HalfEdgeMesh& mesh) {
+  return stitchBorders(mesh, std::vector<bool>(mesh.vertexSlots(), false));
+}
 
 }  // namespace
 
@@ -70,6 +74,7 @@ class StitchingTest : public QObject {
   void severalEdgesOfOneFace();
   void slightlyOffTheEdge();
   void keptOpenStays();
+  void shapesInPieces();
   void nothingToGain();
   void verticesBeyondTheFixedOnes();
 };
@@ -179,9 +184,42 @@ void StitchingTest::keptOpenStays() {
   QCOMPARE(validate(mesh), std::string());
 }
 
-// Two sheets almost in one another: merging their rims would make no fewer borders without worse edges.
+void StitchingTest::shapesInPieces() {
+  QVERIFY(rc::check("a closed shape in pieces, whose borders were rounded apart, closes again", [] {
+    std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
+    const TriangleSoup whole = *rc::gen::element(test::icosphere(2), test::torus(16, 10), test::uvSphere(12, 8));
+    const std::vector<Vec3> centres = test::directions(*rc::gen::inRange(2, 8));
+    const double apart = *rc::gen::element(1e-9, 1e-7, 1e-6);
+    TriangleSoup s;
+    std::map<std::pair<std::size_t, std::uint32_t>, std::uint32_t> number;  // of each piece's copy of a point
+    for (Triangle t : whole.triangles) {
+      const Vec3 middle = (whole.points[t[0]] + whole.points[t[1]] + whole.points[t[2]]) / 3.0;
+      std::size_t piece = 0;
+      for (std::size_t i = 0; i < centres.size(); ++i)
+        if ((centres[i] - middle).norm() < (centres[piece] - middle).norm()) piece = i;
+      for (std::uint32_t& v : t) {
+        const auto [at, isNew] = number.try_emplace({piece, v}, static_cast<std::uint32_t>(s.points.size()));
+        if (isNew) {
+          const auto shift = [&] { return apart * (random() / 4294967296.0 - 0.5); };
+          s.points.push_back(whole.points[v] + Vec3(shift(), shift(), shift()));
+        }
+        v = at->second;
+      }
+      s.triangles.push_back(t);
+    }
+    HalfEdgeMesh mesh = buildMesh(s).mesh;
+    RC_ASSERT(test::countBorder(mesh) > std::size_t{0});
+    stitch(mesh);
+    RC_ASSERT(validate(mesh) == std::string());
+    RC_ASSERT(test::countEdges(mesh).sound());
+    RC_ASSERT(test::places(mesh.compact().soup).size() == whole.points.size());
+    RC_ASSERT(test::eulerCharacteristic(mesh) == test::eulerCharacteristic(whole));
+  }));
+}
+
 void StitchingTest::nothingToGain() {
-  for (const TriangleSoup& s : {test::cube(), test::sphereWithHoles(3, 3, 0.4), test::disc(12, 3), test::boxWithInnerWall()}) {
+  for (const TriangleSoup& s :
+       {test::cube(), test::sphereWithHoles(3, 3, 0.4), test::disc(12, 3), test::boxWithInnerWall()}) {
     const HalfEdgeMesh before = buildMesh(s).mesh;
     HalfEdgeMesh mesh = before;
     QVERIFY(stitch(mesh).empty());

@@ -67,7 +67,8 @@ void WeldTest::classesOfRandomPoints() {
     const PointClasses classes = classifyPoints(points);
     std::map<test::Place, std::uint32_t> expected;
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const auto [at, isNew] = expected.try_emplace(test::place(points[i]), static_cast<std::uint32_t>(expected.size()));
+      const auto [at, isNew] =
+          expected.try_emplace(test::place(points[i]), static_cast<std::uint32_t>(expected.size()));
       RC_ASSERT(classes.classOf[i] == at->second);
       if (isNew) RC_ASSERT(classes.representative.at(at->second) == i);
     }

@@ -86,6 +86,22 @@ class RepairFlowTest : public QObject {
     driver.click("closeTab");
   }
 
+  // The camera flies to a hole; pointing into its middle selects it.
+  void clickingIntoAHoleSelectsIt() {
+    WindowDriver driver;
+    QVERIFY(driver.open(fileWithHoles("click.stl")));
+    driver.click("nextStep/goOneByOne");
+    auto* view = driver.find<Viewport>("viewport");
+    const CameraState there = view->camera();  // where the flight will end
+    driver.choose("deselect");
+    QTRY_VERIFY(!driver.find<QWidget>("holeSettings")->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(view->isPickingReady(), kPatienceMs);
+    view->setCamera(there);
+    QTest::mouseClick(view, Qt::LeftButton, {}, view->rect().center());
+    QTRY_VERIFY(driver.find<QWidget>("holeSettings")->isVisible());
+    QVERIFY(driver.settle());
+  }
+
   void aMethodChangesThePreviewAtOnce() {
     WindowDriver driver;
     QVERIFY(driver.open(fileWithHoles("method.stl")));

@@ -10,6 +10,7 @@
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QSettings>
 #include <QTabBar>
 #include <QTemporaryDir>
@@ -46,6 +47,15 @@ class WindowDriver {
       qFatal("%s cannot be clicked", name);
     }
     QTest::mouseClick(button, Qt::LeftButton);
+  }
+  // Chooses an entry of the menus.
+  void choose(const char* name) {
+    for (const QMenu* menu : m_window.findChildren<QMenu*>()) {
+      for (QAction* action : menu->actions()) {
+        if (action->objectName() == QLatin1String(name)) return action->trigger();
+      }
+    }
+    qFatal("no menu has %s", name);
   }
   QString text(const char* name) { return find<QLabel>(name)->text(); }
 

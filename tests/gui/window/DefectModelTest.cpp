@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panels/DefectModel.h"
+
+#include <QAbstractItemModelTester>
+#include <QtTest>
+
+using namespace handwheel;
+
+namespace {
+
+// A strip of separate triangles: each is a sheet of its own, and so a rim.
+MeshDocument* scatteredTriangles(int count) {
+  TriangleSoup soup;
+  for (int i = 0; i < count; ++i) {
+    const auto first = std::uint32_t(soup.points.size());
+    for (const Vec3& p : {Vec3(3.0 * i, 0, 0), Vec3(3.0 * i + 1, 0, 0), Vec3(3.0 * i, 2, 0)}) soup.points.push_back(p);
+    soup.triangles.push_back({first, first + 1, first + 2});
+  }
+  return new MeshDocument("triangles.stl", MeshFile{}, inspected(buildMesh(soup).mesh), BuildReport{});
+}
+
+}  // namespace
+
+class DefectModelTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void isASoundModelWithTenThousandRows() {
+    const std::unique_ptr<MeshDocument> document(scatteredTriangles(10000));
+    Inspection inspection(*document);
+    DefectModel model;
+    QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+    model.setInspection(&inspection);
+    QCOMPARE(model.rowCount(), kDefectKinds);
+    int rows = 0;
+    for (DefectKind kind : {DefectKind::Hole, DefectKind::KeptOpen}) rows += model.rowCount(model.groupIndex(kind));
+    QCOMPARE(rows, 10000);
+    for (int loop : {0, 4711, 9999}) {
+      const QModelIndex index = model.loopIndex(loop);
+      QCOMPARE(index.data(DefectModel::LoopRole).toInt(), loop);
+      // 1 + 2 + sqrt(5)
+      QVERIFY(index.data(DefectModel::DetailRole).toString().contains("5.24 mm"));
+    }
+    QVERIFY(!model.loopIndex(10000).isValid());
+    QVERIFY(!model.loopIndex(-1).isValid());
+  }
+
+  void placesAreWhereTheDefectsAre() {
+    const std::unique_ptr<MeshDocument> document(scatteredTriangles(3));
+    Inspection inspection(*document);
+    DefectModel model;
+    model.setInspection(&inspection);
+    const auto [box, outward] = model.placeOf(model.loopIndex(1));
+    QCOMPARE(box.min().x(), 3.0);
+    QCOMPARE(box.max().y(), 2.0);
+    QVERIFY(outward.z() > 0 && outward.x() == 0 && outward.y() == 0);
+  }
+};
+
+QTEST_GUILESS_MAIN(DefectModelTest)
+#include "DefectModelTest.moc"

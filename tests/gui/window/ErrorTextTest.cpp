@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "text/EnglishPlurals.h"
+#include "text/ErrorText.h"
+
+#include <QtTest>
+
+using namespace handwheel;
+
+class ErrorTextTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void everyCodeHasASentence() {
+    for (int code = 0; code <= int(ErrorCode::CheckFailed); ++code) {
+      const Error error{ErrorCode(code), {"facets", "12", "9"}, Place::line(7), "scan.stl"};
+      const QString sentence = errorSentence(error);
+      QVERIFY2(sentence.startsWith("scan.stl, line 7: "), qPrintable(sentence));
+      QVERIFY2(sentence.endsWith('.') && !sentence.contains('%'), qPrintable(sentence));
+      QVERIFY2(error.code == ErrorCode::Cancelled || errorAdvice(error).endsWith('.'), qPrintable(sentence));
+    }
+  }
+
+  void whatIsNotKnownIsLeftOut() {
+    const Error truncated{ErrorCode::DataTruncated, {"bytes", "", "84"}, Place::byte(84), {}};
+    QCOMPARE(errorSentence(truncated), "Byte 84: the file ends too early (bytes: 84 found).");
+    QCOMPARE(errorSentence({ErrorCode::FileEmpty, {}, {}, {}}), "The file is empty.");
+  }
+
+  void quotesAreShortAndHarmless() {
+    const Error error{ErrorCode::NumberMalformed, {"\x1b[31m" + std::string(500, 'x')}, {}, {}};
+    const QString sentence = errorSentence(error);
+    QVERIFY(sentence.size() < 100);
+    QVERIFY(!sentence.contains(QChar(0x1b)));
+  }
+
+  void numbersInEnglish() {
+    const EnglishPlurals english;
+    QCOMPARE(english.translate("", "%n hole(s)", nullptr, 1), "%n hole");
+    QCOMPARE(english.translate("", "%n hole(s)", nullptr, 2), "%n holes");
+    QVERIFY(english.translate("", "Open", nullptr, -1).isNull());
+  }
+};
+
+QTEST_GUILESS_MAIN(ErrorTextTest)
+#include "ErrorTextTest.moc"
