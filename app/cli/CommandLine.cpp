@@ -65,9 +65,10 @@ bool isHelpWord(std::string_view word) {
 
 // Qt's own options come with one dash or two and belong to the window.
 bool isForWindow(std::string_view word) {
-  static constexpr std::string_view kQtOptions[] = {"--platform", "--style", "--stylesheet", "--display", "--geometry"};
+  static constexpr std::string_view kOptions[] = {"--screenshot", "--dark",    "--platform", "--style",
+                                                  "--stylesheet", "--display", "--geometry"};
   return !word.starts_with("--") || word == "--" ||
-         std::any_of(std::begin(kQtOptions), std::end(kQtOptions),
+         std::any_of(std::begin(kOptions), std::end(kOptions),
                      [&](std::string_view option) { return word.substr(0, word.find('=')) == option; });
 }
 

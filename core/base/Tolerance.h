@@ -20,9 +20,11 @@ inline constexpr double kFlap = 0.01;
 inline constexpr double kNearWeld = 1e-5;
 // A patch may leave the box of its loop by this share of that box's diagonal,
 inline constexpr double kPatchSwelling = 0.5;
-// and where it leaves the model's box too, by more than this share of the model's diagonal, only by this share.
+// and the model's box by this share of the model's diagonal, or by the height of a cap that continues the surroundings
+// times the slack. Surroundings whose normals have a smaller mean cosine to the loop's are too steep for a cap.
 inline constexpr double kModelSwelling = 0.01;
-inline constexpr double kPatchBulge = 0.03;
+inline constexpr double kCapSlack = 1.5;
+inline constexpr double kCapCosine = 0.4;
 // CGAL's cubic hole triangulation is allowed up to this many edges; beyond, it freezes (90 s at 2554).
 inline constexpr int kCubicFillEdges = 300;
 // New vertices of a patch per boundary edge; refining beyond is refused.

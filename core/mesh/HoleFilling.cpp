@@ -9,6 +9,7 @@
 #include "mesh/Weld.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace handwheel {
@@ -48,16 +49,37 @@ Box grown(const Box& box, double by) {
   return {box.min() - Vec3::Constant(by), box.max() + Vec3::Constant(by)};
 }
 
-// A patch may bulge, but not out of all proportion to its hole, and out of the model only a little.
+// How far a patch may rise over its loop, in diagonals of the loop's box, when it continues the faces around: over a
+// round flat loop a spherical cap of half-angle a, whose border leans by a, rises by sin a · tan(a / 2), and the
+// diagonal is 2√2 sin a. None where the faces stand too steep to tell a cap from a cut: there a flat lid is as likely
+// to be right.
+double capHeight(const HoleContext& hole) {
+  const std::size_t n = hole.loopSize;
+  Vec3 outward = Vec3::Zero();
+  for (std::size_t i = 0; i < n; ++i) {
+    outward += (hole.points[(i + 1) % n] - hole.points[0]).cross(hole.points[i] - hole.points[0]);
+  }
+  outward.stableNormalize();
+  double cosine = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec3 edge = hole.points[(i + 1) % n] - hole.points[i];
+    cosine += edge.cross(hole.apexes[i] - hole.points[i]).stableNormalized().dot(outward) / static_cast<double>(n);
+  }
+  if (cosine < tolerance::kCapCosine) return 0.0;
+  return std::tan(0.5 * std::acos(std::min(1.0, cosine))) / (2.0 * M_SQRT2);
+}
+
+// A patch may bulge, but not out of all proportion to its hole; and out of the model only as far as a cap would that
+// continues the surroundings.
 bool swells(const HoleContext& hole, const Patch& patch, const Box& model) {
   Box loop;
   for (const Vec3& p : hole.loop()) loop.extend(p);
   const double size = loop.diagonal().norm();
   const Box largest = grown(loop, tolerance::kPatchSwelling * size);
-  const Box modest = grown(loop, tolerance::kPatchBulge * size);
+  const Box cap = grown(loop, tolerance::kCapSlack * capHeight(hole) * size);
   const Box part = grown(model, tolerance::kModelSwelling * model.diagonal().norm());
   return std::any_of(patch.points.begin(), patch.points.end(),
-                     [&](const Vec3& p) { return !largest.contains(p) || (!modest.contains(p) && !part.contains(p)); });
+                     [&](const Vec3& p) { return !largest.contains(p) || (!part.contains(p) && !cap.contains(p)); });
 }
 
 // True when a diagonal of the patch joins two loop points that the surface joins already.

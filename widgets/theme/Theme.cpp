@@ -5,7 +5,7 @@
 #include <QApplication>
 #include <QFile>
 #include <QPalette>
-#include <QStyleFactory>
+#include <QProxyStyle>
 #include <utility>
 
 namespace handwheel {
@@ -40,6 +40,18 @@ const ThemeColours kDark = {
     .success = QColor(0x3ecf9f),
     .warning = QColor(0xf0b24a),
     .error = QColor(0xff6b63),
+};
+
+// Fusion, without the old pictures on the buttons of dialogs.
+class PlainFusion final : public QProxyStyle {
+ public:
+  PlainFusion() : QProxyStyle(QStringLiteral("Fusion")) {}
+
+  int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                QStyleHintReturn* data) const override {
+    if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
+    return QProxyStyle::styleHint(hint, option, widget, data);
+  }
 };
 
 QColor withAlpha(QColor colour, int alpha) {
@@ -125,7 +137,7 @@ ThemeKind currentTheme() {
 }
 
 void applyTheme(QApplication& application, ThemeKind kind) {
-  application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  application.setStyle(new PlainFusion);
   application.setPalette(paletteOf(themeColours(kind)));
   application.setStyleSheet(styleSheetOf(kind));
 }

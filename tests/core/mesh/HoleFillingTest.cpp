@@ -204,16 +204,16 @@ void HoleFillingTest::fairContinuesTheSphere() {
   for (Vertex v = 0; v < mesh.vertexSlots(); ++v) QVERIFY(test::sameBits(mesh.position(v), filler.mesh().position(v)));
 }
 
-// Up to a quarter of the sphere missing, with 100 edges around and more: an ordinary hole, so nothing but fair is
-// needed.
+// Caps of up to 42° missing, with 130 edges around: ordinary holes, so nothing but fair is needed. There the biharmonic
+// surface's top, cos a + sin² a / (2 cos a), is still within 5 % of the sphere; over a cap of 60° it is off by 25 %.
 void HoleFillingTest::fairFillsLargeHoles() {
-  for (double radius : {0.2, 0.55, 1.0}) {
-    const HalfEdgeMesh mesh = buildMesh(test::withHole(test::icosphere(5), Vec3::UnitZ(), radius)).mesh;
+  for (double radius : {0.2, 0.55, 0.7}) {
+    const HalfEdgeMesh mesh = buildMesh(test::sphereWithoutCap(5, radius)).mesh;
     const BoundaryLoop loop = findBoundaryLoops(mesh).at(0);
     const FillAttempt attempt = HoleFiller(mesh).propose(loop, only(FillMethod::Fair));
     QVERIFY2(attempt.failure == FillFailure::None,
              qPrintable(QString("failure %1 at %2 edges").arg(int(attempt.failure)).arg(loop.halfEdges.size())));
-    for (const Vec3& p : attempt.patch.points) QVERIFY(p.norm() > 0.95 && p.norm() < 1.3);
+    for (const Vec3& p : attempt.patch.points) QVERIFY(p.norm() > 0.95 && p.norm() < 1.07);
   }
 }
 
