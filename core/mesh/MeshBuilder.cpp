@@ -7,6 +7,7 @@
 #include "mesh/Weld.h"
 
 #include <map>
+#include <numeric>
 
 namespace handwheel {
 namespace {
@@ -83,34 +84,32 @@ class FanVertices {
   std::vector<bool> m_seen;
 };
 
-}  // namespace
+// Turns triangles over where neighbours disagree, in the mesh and in the list over positions.
+std::vector<Face> orient(HalfEdgeMesh& mesh, std::vector<Triangle>& triangles, const EdgeTable& edges) {
+  const std::vector<bool> turn = trianglesToTurn(edges, triangles);
+  std::vector<Face> turnedFaces;
+  for (Face f = 0; f < triangles.size(); ++f) {
+    if (!turn[f]) continue;
+    triangles[f] = turned(triangles[f]);
+    mesh.setTriangle(f, turned(mesh.triangle(f)));
+    turnedFaces.push_back(f);
+  }
+  return turnedFaces;
+}
 
-BuildReport relink(HalfEdgeMesh& mesh) {
+BuildReport link(HalfEdgeMesh& mesh, const PointClasses& classes, std::span<const Vec3> points) {
   BuildReport report;
-  std::vector<Vec3> points(mesh.vertexSlots());
-  for (Vertex v = 0; v < points.size(); ++v) points[v] = mesh.position(v);
-  const PointClasses classes = classifyPoints(points);
   report.weldedPoints = points.size() - classes.representative.size();
-
   // Triangles over the first vertex at each position; dead slots look like triangles with a repeated vertex.
   std::vector<Triangle> triangles(mesh.faceSlots(), Triangle{0, 0, 0});
   for (Face f = 0; f < triangles.size(); ++f) {
     if (!mesh.isLive(f)) continue;
-    for (int k = 0; k < 3; ++k) {
-      triangles[f][k] = classes.representative[classes.classOf[mesh.triangle(f)[k]]];
-    }
+    for (int k = 0; k < 3; ++k) triangles[f][k] = classes.representative[classes.classOf[mesh.triangle(f)[k]]];
   }
-  {
-    const EdgeTable edges(triangles, points.size());
-    const std::vector<bool> turn = trianglesToTurn(edges, triangles);
-    for (Face f = 0; f < triangles.size(); ++f) {
-      if (!turn[f]) continue;
-      triangles[f] = turned(triangles[f]);
-      mesh.setTriangle(f, turned(mesh.triangle(f)));
-      report.turnedFaces.push_back(f);
-    }
-  }
-  const EdgeTable edges(triangles, points.size());
+  EdgeTable edges(triangles, points.size());
+  report.turnedFaces = orient(mesh, triangles, edges);
+  if (!report.turnedFaces.empty()) edges = EdgeTable(triangles, points.size());
+
   const PairedEdges paired = pairEdges(edges, triangles, points);
   report.nonManifoldEdges = paired.nonManifoldEdges;
   report.unpairedHalfEdges = paired.seams;
@@ -124,13 +123,24 @@ BuildReport relink(HalfEdgeMesh& mesh) {
   return report;
 }
 
+}  // namespace
+
+BuildReport relink(HalfEdgeMesh& mesh) {
+  std::vector<Vec3> points(mesh.vertexSlots());
+  for (Vertex v = 0; v < points.size(); ++v) points[v] = mesh.position(v);
+  return link(mesh, classifyPoints(points), points);
+}
+
 BuiltMesh buildMesh(const TriangleSoup& soup) {
   BuiltMesh built;
   const TriangleSoup welded = weld(soup);
   for (const Vec3& p : welded.points) built.mesh.addVertex(p);
   for (const Triangle& t : welded.triangles) built.mesh.addFace(t);
-  const BuildReport report = relink(built.mesh);
-  built.report = report;
+  PointClasses each;  // no two of them share a position
+  each.classOf.resize(welded.points.size());
+  std::iota(each.classOf.begin(), each.classOf.end(), 0u);
+  each.representative = each.classOf;
+  built.report = link(built.mesh, each, welded.points);
   built.report.weldedPoints = soup.points.size() - welded.points.size();
   return built;
 }

@@ -3,40 +3,72 @@
 #include "mesh/Weld.h"
 
 #include <bit>
-#include <cstring>
 
 namespace handwheel {
 namespace {
 
-std::uint64_t hash(const Vec3& p) {
+std::uint32_t hash(const Vec3& p) {
   std::uint64_t h = 0;
   for (int k = 0; k < 3; ++k) {
     const double x = p[k] == 0.0 ? 0.0 : p[k];
     h = (h ^ std::bit_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15ull;
     h ^= h >> 32;
   }
-  return h;
+  return static_cast<std::uint32_t>(h);
 }
+
+// Open addressing at a load of at most one half. A slot keeps the hash beside the class, so that most misses are seen
+// without a look at the points, and the table grows with the classes, not with the points.
+class ClassTable {
+ public:
+  explicit ClassTable(std::span<const Vec3> points) : m_points(points), m_slots(kSmallest) {}
+
+  // The class of a point; representatives grows when it is a new one.
+  std::uint32_t classify(std::uint32_t point, std::vector<std::uint32_t>& representatives) {
+    const std::uint32_t h = hash(m_points[point]);
+    for (std::size_t i = h & (m_slots.size() - 1);; i = (i + 1) & (m_slots.size() - 1)) {
+      Slot& slot = m_slots[i];
+      if (slot.klass == kNone) {
+        const auto klass = static_cast<std::uint32_t>(representatives.size());
+        slot = {klass, h};
+        representatives.push_back(point);
+        if (2 * representatives.size() > m_slots.size()) grow();
+        return klass;
+      }
+      if (slot.hash == h && m_points[representatives[slot.klass]] == m_points[point]) return slot.klass;
+    }
+  }
+
+ private:
+  static constexpr std::size_t kSmallest = 1024;
+  struct Slot {
+    std::uint32_t klass = kNone;
+    std::uint32_t hash = 0;
+  };
+
+  void grow() {
+    std::vector<Slot> old(2 * m_slots.size());
+    old.swap(m_slots);
+    for (const Slot& slot : old) {
+      if (slot.klass == kNone) continue;
+      std::size_t i = slot.hash & (m_slots.size() - 1);
+      while (m_slots[i].klass != kNone) i = (i + 1) & (m_slots.size() - 1);
+      m_slots[i] = slot;
+    }
+  }
+
+  std::span<const Vec3> m_points;
+  std::vector<Slot> m_slots;
+};
 
 }  // namespace
 
 PointClasses classifyPoints(std::span<const Vec3> points) {
   PointClasses result;
   result.classOf.resize(points.size());
-  result.representative.reserve(points.size() / 4);
-  // Open addressing at a load of at most one half; a slot holds a class.
-  const std::size_t capacity = std::bit_ceil(2 * points.size() + 1);
-  std::vector<std::uint32_t> slots(capacity, kNone);
+  ClassTable table(points);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    std::size_t slot = hash(points[i]) & (capacity - 1);
-    while (slots[slot] != kNone && points[result.representative[slots[slot]]] != points[i]) {
-      slot = (slot + 1) & (capacity - 1);
-    }
-    if (slots[slot] == kNone) {
-      slots[slot] = static_cast<std::uint32_t>(result.representative.size());
-      result.representative.push_back(static_cast<std::uint32_t>(i));
-    }
-    result.classOf[i] = slots[slot];
+    result.classOf[i] = table.classify(static_cast<std::uint32_t>(i), result.representative);
   }
   return result;
 }
