@@ -8,10 +8,12 @@
 #include "cli/Messages.h"
 #include "cli/Picture.h"
 #include "cli/RepairCommand.h"
+#include "text/EnglishPlurals.h"
 
 #include <QCoreApplication>
 #include <algorithm>
 #include <clocale>
+#include <filesystem>
 #include <new>
 
 namespace handwheel {
@@ -40,8 +42,8 @@ const Command* find(const std::vector<Command>& all, std::string_view name) {
 std::string overview() {
   std::string page =
       "Handwheel repairs scanned meshes.\n\n"
-      "Usage: handwheel [FILE...]              opens the window\n"
-      "       handwheel COMMAND [...]          works without it\n\n"
+      "Usage: handwheel [--dark] [--screenshot PNG] [FILE...]   opens the window, or draws it and quits\n"
+      "       handwheel COMMAND [...]                           works without it\n\n"
       "Commands:\n";
   for (const Command& command : commands()) {
     const std::string summary(command.spec.summary);
@@ -72,6 +74,13 @@ bool isForWindow(std::string_view word) {
                      [&](std::string_view option) { return word.substr(0, word.find('=')) == option; });
 }
 
+// A bare word that names no file either: a command mistyped rather than something to open.
+bool isMistypedCommand(std::string_view word) {
+  std::error_code ignored;
+  return !word.empty() && word.find_first_of("-./") == std::string_view::npos &&
+         !std::filesystem::exists(word, ignored);
+}
+
 int dispatch(std::span<char* const> words) {
   const std::string_view first = words[0];
   const std::span<char* const> rest = words.subspan(1);
@@ -79,7 +88,9 @@ int dispatch(std::span<char* const> words) {
   if (first == "--version") return print("Handwheel " HANDWHEEL_VERSION "\n");
   const std::vector<Command> all = commands();
   const Command* command = find(all, first);
-  if (!command) return failUsage("There is no option " + std::string(first) + ".", {});
+  if (!command)
+    return failUsage(
+        (first[0] == '-' ? "There is no option " : "There is no command or file ") + std::string(first) + ".", {});
 
   const Arguments arguments = parseArguments(command->spec, rest);
   if (!arguments.problem.empty()) return failUsage(arguments.problem, command->spec.name);
@@ -91,12 +102,14 @@ int dispatch(std::span<char* const> words) {
 
 bool isCommand(int argc, char** argv) {
   if (argc < 2) return false;
-  return isHelpWord(argv[1]) || find(commands(), argv[1]) || !isForWindow(argv[1]);
+  return isHelpWord(argv[1]) || find(commands(), argv[1]) || !isForWindow(argv[1]) || isMistypedCommand(argv[1]);
 }
 
 int runCommand(int argc, char** argv) {
   watchSignals();
   const QCoreApplication application(argc, argv);
+  EnglishPlurals plurals;
+  QCoreApplication::installTranslator(&plurals);
   // Its constructor takes over the user's locale. The command line speaks English and writes numbers as in C.
   std::setlocale(LC_ALL, "C");
   try {

@@ -15,6 +15,7 @@ namespace {
 
 struct Conversion {
   std::vector<Error> damage;
+  std::size_t unlistedDamage = 0;
   std::vector<LostAttribute> lost;
   bool wasRounded = false;
 };
@@ -40,7 +41,7 @@ Result<Conversion> convert(const std::filesystem::path& input, const std::filesy
   job.startWriting();
   const Status written = writeFileAtomically(output, *bytes, progress.part(0.9, 1.0));
   if (!written) return written.error();
-  return Conversion{file->damage, file->lost, changesByRounding(file->soup, numbers)};
+  return Conversion{file->damage, file->unlistedDamage, file->lost, changesByRounding(file->soup, numbers)};
 }
 
 }  // namespace
@@ -64,7 +65,7 @@ int runConvert(const Arguments& arguments) {
   });
   if (!*result) return fail(result->error());
   const Conversion& done = result->value();
-  for (const Error& note : done.damage) complain(sentenceFor(note));
+  for (const std::string& note : damageSentences(done.damage, done.unlistedDamage)) complain(note);
   if (!done.lost.empty()) complain("Not kept: " + listOf(done.lost) + ".");
   if (done.wasRounded) complain("The coordinates are rounded to the single precision of the format.");
   return kExitDone;

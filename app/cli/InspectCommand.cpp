@@ -6,6 +6,7 @@
 #include "cli/Messages.h"
 #include "cli/ReportJson.h"
 #include "cli/ReportText.h"
+#include "cli/Wording.h"
 #include "document/formats/MeshFormat.h"
 
 namespace handwheel {
@@ -22,7 +23,7 @@ CommandSpec inspectSpec() {
 }
 
 int runInspect(const Arguments& arguments) {
-  std::vector<Error> notes;
+  std::vector<std::string> notes;
   std::optional<Error> failure;
   MeshReport report;
   runInterruptible("Inspecting", [&](Job& job) {
@@ -33,12 +34,12 @@ int runInspect(const Arguments& arguments) {
       failure = file.error();
       return;
     }
-    notes = file->damage;
+    notes = damageSentences(file->damage, file->unlistedDamage);
     report = reportOn(file->soup, SelfIntersections::Count, progress.part(0.3, 1.0));
   });
   if (wasInterrupted()) return fail({ErrorCode::Cancelled, {}, {}, {}});
   if (failure) return fail(*failure);
-  for (const Error& note : notes) complain(sentenceFor(note));
+  for (const std::string& note : notes) complain(note);
   return print(arguments.has("json") ? textOf(toJson(report)) : readableText(report));
 }
 

@@ -34,6 +34,27 @@ bool readIds(std::string_view list, std::set<int>& ids) {
   }
 }
 
+bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code ignored;
+  const auto whole = [&](const std::filesystem::path& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
+  };
+  return whole(a) == whole(b);
+}
+
+// OUT may be IN, but what is written beside must not replace either, nor one another.
+std::string fileNamedTwice(const RepairRequest& request, const Arguments& arguments) {
+  const std::string report = arguments.valueOf("report"), picture = arguments.valueOf("screenshot");
+  for (const std::string& beside : {report, picture}) {
+    if (beside.empty()) continue;
+    if (isSameFile(beside, request.input) || isSameFile(beside, request.output)) {
+      return "IN and OUT cannot be the report or the screenshot too: " + beside + ".";
+    }
+  }
+  const bool both = !report.empty() && !picture.empty();
+  return both && isSameFile(report, picture) ? "The report and the screenshot need a file each." : std::string();
+}
+
 // Turns the words into a request. Returns what is wrong with them, or nothing.
 std::string readRequest(const Arguments& arguments, RepairRequest& request) {
   if (!arguments.has("output")) return "The option -o OUT is missing.";
@@ -59,19 +80,33 @@ std::string readRequest(const Arguments& arguments, RepairRequest& request) {
   if (arguments.has("unit") && unit != "mm" && unit != "cm" && unit != "m" && unit != "in") {
     return "--unit takes mm, cm, m or in.";
   }
-  return {};
+  return fileNamedTwice(request, arguments);
+}
+
+// "closed, manifold and oriented", or what of it the file is not.
+std::string verdict(const MeshReport& file) {
+  if (file.isSound()) return " is closed, manifold and oriented.\n";
+  std::string missing;
+  const auto add = [&missing](bool holds, const char* property) {
+    if (!holds) missing += (missing.empty() ? " is not " : ", not ") + std::string(property);
+  };
+  add(file.closed, "closed");
+  add(file.manifold, "manifold");
+  add(file.oriented, "oriented");
+  return missing + ".\n";
 }
 
 std::string summary(const RepairRun& run, const RepairRequest& request) {
   const auto filled = std::count_if(run.repair.loops.begin(), run.repair.loops.end(),
                                     [](const LoopResult& l) { return l.outcome == LoopOutcome::Filled; });
   return std::to_string(filled) + " of " + std::to_string(run.repair.loops.size()) + " holes filled. " +
-         request.output.string() + (run.after.isSound() ? " is" : " is not") + " closed, manifold and oriented.\n";
+         request.output.string() + verdict(run.after) + changesLine(run.repair);
 }
 
 // Tells what came of it, on stdout and stderr and in the files asked for.
 int deliver(const RepairRun& run, const RepairRequest& request, const Arguments& arguments) {
-  for (const Error& note : run.damage) complain(sentenceFor(note));
+  for (const std::string& note : damageSentences(run.damage, run.unlistedDamage)) complain(note);
+  if (!run.lost.empty()) complain("Not kept: " + listOf(run.lost) + ".");
   if (arguments.has("report")) {
     const std::string unit = arguments.has("unit") ? arguments.valueOf("unit") : "mm";
     const Status written = writeFileAtomically(arguments.valueOf("report"), textOf(toJson(run, request, unit)));
@@ -123,7 +158,13 @@ int runRepair(const Arguments& arguments) {
   if (!*run) return fail(run->error());
   const RepairRun& result = run->value();
   if (!result.unknownLoops.empty()) {
-    return failUsage("There is no loop " + std::to_string(result.unknownLoops.front()) + " to keep open.", "repair");
+    return failUsage("There is no loop " + std::to_string(result.unknownLoops.front()) +
+                         " to keep open; 'handwheel inspect' lists them.",
+                     "repair");
+  }
+  if (result.nothingLeft) {
+    complain(request.input.string() + ": no triangle has an area, so there is nothing to repair.");
+    return kExitError;
   }
   return deliver(result, request, arguments);
 }

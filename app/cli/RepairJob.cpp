@@ -56,6 +56,7 @@ Result<RepairRun> repairFile(const RepairRequest& request, Job& job) {
 
   RepairRun run;
   run.damage = std::move(file->damage);
+  run.unlistedDamage = file->unlistedDamage;
   run.lost = std::move(file->lost);
   if (request.countSelfIntersections) {
     run.before = reportOn(file->soup, SelfIntersections::Count, progress.part(0.1, 0.2));
@@ -72,12 +73,14 @@ Result<RepairRun> repairFile(const RepairRequest& request, Job& job) {
   options.fill.numbers = numbers;
   run.repair = repair(mesh, options, progress.part(0.25, 0.75));
   if (run.repair.cancelled || progress.cancelled()) return kCancelled;
+  run.nothingLeft = mesh.liveFaceCount() == 0;
+  if (run.nothingLeft) return run;
 
   job.startWriting();
   const Result<ExportReport> exported = exportMesh(mesh, numbers, request.output, progress.part(0.75, 0.85));
   if (!exported) return exported.error();
-  run.turnedFaces = built.report.turnedFaces.size() + run.repair.turnedFaces;
-  run.partedVertices = run.repair.partedVertices + exported->parted.size();
+  run.repair.turnedFaces += built.report.turnedFaces.size();
+  run.repair.partedVertices += exported->parted.size();
   run.touched = touchedInputs(run.repair.touchedVertices, exported->parted, built.mesh.vertexSlots());
   const Status measured = measure(request, built.mesh, mesh, run, progress.part(0.85, 1.0));
   if (!measured) return measured.error();

@@ -23,17 +23,17 @@ struct RepairRequest {
 };
 
 struct RepairRun {
-  MeshReport before;  // of the input as it was read
-  MeshReport after;   // of the written file, read again
-  RepairReport repair;
-  std::size_t turnedFaces = 0;      // on building the mesh and on repairing it
-  std::size_t partedVertices = 0;   // by the repair and by the export
+  MeshReport before;                // of the input as it was read
+  MeshReport after;                 // of the written file, read again
+  RepairReport repair;              // with the faces turned on building the mesh, and the vertices parted by the export
   std::vector<Vertex> touched;      // vertices of the input that were moved, merged or parted
   bool untouchedIdentical = false;  // measured on the written file
   std::vector<Error> damage;
+  std::size_t unlistedDamage = 0;
   std::vector<LostAttribute> lost;
   double seconds = 0.0;
   std::vector<int> unknownLoops;  // asked to be kept open but not there: then nothing was repaired or written
+  bool nothingLeft = false;       // every face was removed: then nothing was written
 };
 
 // Reads, repairs, writes, and reads the written file again to measure it. The input's coordinates are rounded to the

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/RepairJson.h"
 
-#include "cli/Messages.h"
 #include "cli/ReportJson.h"
 #include "cli/Wording.h"
 #include "text/RepairText.h"
@@ -33,8 +32,6 @@ Json toJson(const RepairRun& run, const RepairRequest& request, const std::strin
   for (const LoopResult& loop : run.repair.loops) loops.push_back(toJson(loop));
   Json lost = Json::array();
   for (LostAttribute attribute : run.lost) lost.push_back(lostAttributeName(attribute).toStdString());
-  Json damage = Json::array();
-  for (const Error& error : run.damage) damage.push_back(sentenceFor(error));
   return {
       {"input", request.input.string()},
       {"output", request.output.string()},
@@ -45,14 +42,14 @@ Json toJson(const RepairRun& run, const RepairRequest& request, const std::strin
       {"removed_duplicates", run.repair.removedDuplicates},
       {"removed_flaps", run.repair.removedFlaps},
       {"removed_debris", run.repair.removedDebris},
-      {"turned_faces", run.turnedFaces},
+      {"turned_faces", run.repair.turnedFaces},
       {"merged_vertices", run.repair.mergedVertices},
-      {"parted_vertices", run.partedVertices},
+      {"parted_vertices", run.repair.partedVertices},
       {"touched_vertices", run.touched.size()},
       {"untouched_vertices_identical", run.untouchedIdentical},
       {"unit", unit},
       {"lost_attributes", lost},
-      {"damage", damage},
+      {"damage", damageSentences(run.damage, run.unlistedDamage)},
       {"seconds", run.seconds},
   };
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/Wording.h"
 
+#include "cli/Messages.h"
 #include "text/RepairText.h"
 
 namespace handwheel {
@@ -29,7 +30,9 @@ std::optional<FillMethod> fillMethodFor(std::string_view word) {
 }
 
 std::string wordFor(FillMethod method) {
-  return method == FillMethod::Stitched ? "stitched" : fillMethodWord(method).toStdString();
+  if (method == FillMethod::Stitched) return "stitched";
+  if (method == FillMethod::Removed) return "removed";
+  return fillMethodWord(method).toStdString();
 }
 
 std::string wordFor(LoopOutcome outcome) {
@@ -53,6 +56,18 @@ std::string listOf(const std::vector<LostAttribute>& attributes) {
   QStringList names;
   for (LostAttribute attribute : attributes) names << lostAttributeName(attribute);
   return names.join(", ").toStdString();
+}
+
+std::vector<std::string> damageSentences(const std::vector<Error>& damage, std::size_t unlisted) {
+  std::vector<std::string> sentences;
+  for (const Error& error : damage) sentences.push_back(sentenceFor(error));
+  if (unlisted > 0) sentences.push_back("Damage at " + counted(unlisted, "further place", "further places") + ".");
+  return sentences;
+}
+
+std::string changesLine(const RepairReport& repair) {
+  const QString changes = repairSummary(repair).join(", ");
+  return changes.isEmpty() ? std::string() : "Also: " + changes.toStdString() + ".\n";
 }
 
 std::vector<std::string> leftovers(const RepairReport& repair, const MeshReport& after) {

@@ -26,6 +26,12 @@ std::string reasonSentence(FillFailure failure);
 // "colours, normals"
 std::string listOf(const std::vector<LostAttribute>& attributes);
 
+// What was skipped or mended on reading, a sentence each; the last one counts those that are not listed.
+std::vector<std::string> damageSentences(const std::vector<Error>& damage, std::size_t unlisted);
+
+// What a repair did besides filling, as one line; empty when it did nothing.
+std::string changesLine(const RepairReport& repair);
+
 // One sentence for each thing that keeps the written file from being closed, manifold and oriented.
 std::vector<std::string> leftovers(const RepairReport& repair, const MeshReport& after);
 

@@ -15,6 +15,24 @@
 
 namespace handwheel {
 
+namespace {
+
+// What another program will find in the file.
+QString state(const MeshReport& report) {
+  if (report.isSound()) return FileSaver::tr("it is closed, manifold and oriented");
+  QStringList open;
+  if (!report.closed) open << FileSaver::tr("%n open edge(s)", nullptr, static_cast<int>(report.boundaryEdges));
+  if (!report.manifold) {
+    open << FileSaver::tr("%n edge(s) with more than two faces", nullptr, static_cast<int>(report.nonManifoldEdges));
+  }
+  if (!report.oriented) {
+    open << FileSaver::tr("%n edge(s) at which faces disagree", nullptr, static_cast<int>(report.inconsistentEdges));
+  }
+  return FileSaver::tr("it has %1").arg(open.join(QStringLiteral(", ")));
+}
+
+}  // namespace
+
 FileSaver::FileSaver(DocumentTabs& tabs, JobRunner& jobs, RecentFiles& recent, LogModel& log, QObject* parent)
     : QObject(parent), m_tabs(tabs), m_jobs(jobs), m_recent(recent), m_log(log) {}
 
@@ -38,7 +56,10 @@ void FileSaver::save(OpenDocument* document, const QString& path, std::function<
 
 void FileSaver::saved(OpenDocument* document, const QString& path, std::uint64_t revision, const ExportReport& report) {
   const QString name = QFileInfo(path).fileName();
-  m_log.add(tr("Saved %1: %2 bytes, read back and compared").arg(name).arg(report.bytes),
+  m_log.add(tr("Saved %1: %2 bytes, read back, compared and welded; %3")
+                .arg(name)
+                .arg(report.bytes)
+                .arg(state(report.inFile)),
             convertCommand(document->document.path(), path));
   if (!report.parted.empty()) {
     m_log.add(tr("%1 vertices were moved by the smallest possible amount, so that the file does not weld them")

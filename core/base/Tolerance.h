@@ -18,6 +18,8 @@ inline constexpr double kDebrisFaces = 0.01;
 inline constexpr double kFlap = 0.01;
 // Vertices on open borders nearer than this are one vertex that the file rounded apart; a repair merges them.
 inline constexpr double kNearWeld = 1e-5;
+// But not across more than this share of a border edge at either: that would be detail.
+inline constexpr double kNearWeldEdge = 0.25;
 // A patch may leave the box of its loop by this share of that box's diagonal,
 inline constexpr double kPatchSwelling = 0.5;
 // and the model's box by this share of the model's diagonal, or by the height of a cap that continues the surroundings
@@ -27,7 +29,14 @@ inline constexpr double kCapSlack = 1.5;
 inline constexpr double kCapCosine = 0.4;
 // CGAL's cubic hole triangulation is allowed up to this many edges; beyond, it freezes (90 s at 2554).
 inline constexpr int kCubicFillEdges = 300;
+// CGAL's hole triangulation recurses once per edge at worst: 40,000 overflow a stack of 2 MB, 100,000 one of 8 MB.
+inline constexpr int kLibraryFillEdges = 20'000;
+// CGAL builds a vertex with n faces in O(n²): 0.2 s for 5,000, 3 s for 20,000.
+inline constexpr int kLibraryFanFaces = 5'000;
 // New vertices of a patch per boundary edge; refining beyond is refused.
 inline constexpr int kPatchVerticesPerEdge = 20;
+// A polygon of a file is planar when no corner is further from its plane than this share of its size: beyond, which cut
+// is right depends on more than the outline, and everybody expects a fan.
+inline constexpr double kPlanarPolygon = 1e-3;
 
 }  // namespace handwheel::tolerance

@@ -64,7 +64,7 @@ Status writeFileAtomically(const std::filesystem::path& path, std::string_view b
     return writeFailed(path, "Not a regular file");
   }
   const QString name = QFile::decodeName(target.c_str());
-  if (QFile::encodeName(name) != target.c_str()) return writeFailed(path, std::strerror(EILSEQ));
+  if (QFile::encodeName(name) != target.c_str()) return writeFailed(path, "The name is not UTF-8");
 
   QSaveFile file(name);
   if (!file.open(QIODevice::WriteOnly)) return writeFailed(path, file.errorString().toStdString());

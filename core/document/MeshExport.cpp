@@ -37,8 +37,8 @@ Result<std::string> encodeChecked(const TriangleSoup& soup, MeshFormat format, N
   if (progress.cancelled()) return cancelledError();
   const Result<MeshFile> back = readMesh(bytes, {}, {}, progress.part(0.4, 0.9));
   if (progress.cancelled()) return cancelledError();
-  if (!back) return Error{ErrorCode::CheckFailed, {"file"}, back.error().place, {}};
-  if (!sameCorners(soup, numbers, back->soup)) return Error{ErrorCode::CheckFailed, {"triangles"}, {}, {}};
+  if (!back) return Error{ErrorCode::CheckFailed, {"it cannot be opened"}, back.error().place, {}};
+  if (!sameCorners(soup, numbers, back->soup)) return Error{ErrorCode::CheckFailed, {"its triangles differ"}, {}, {}};
   progress.set(1.0);
   return bytes;
 }
@@ -57,13 +57,14 @@ Result<ExportReport> exportMesh(const HalfEdgeMesh& mesh, NumberType documentNum
   for (std::uint32_t v : partCollisions(compact.soup, forFile)) report.parted.push_back(compact.vertexOf[v]);
   progress.set(0.2);
 
-  const Result<std::string> bytes = encodeChecked(forFile, *format, numbers, progress.part(0.2, 0.8));
+  const Result<std::string> bytes = encodeChecked(forFile, *format, numbers, progress.part(0.2, 0.7));
   if (!bytes) {
     Error error = bytes.error();
     error.subject = path.string();
     return error;
   }
-  const Status written = writeFileAtomically(path, *bytes, progress.part(0.8, 1.0));
+  report.inFile = reportOn(forFile, SelfIntersections::Skip);
+  const Status written = writeFileAtomically(path, *bytes, progress.part(0.9, 1.0));
   if (!written) return written.error();
   report.bytes = bytes->size();
   return report;

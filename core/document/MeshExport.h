@@ -7,6 +7,7 @@
 #include "document/AtomicFile.h"
 #include "document/formats/MeshFormat.h"
 #include "mesh/HalfEdgeMesh.h"
+#include "mesh/MeshReport.h"
 
 #include <filesystem>
 
@@ -16,12 +17,14 @@ struct ExportReport {
   // Vertices moved by the smallest visible amount because in the file they would have welded with another one.
   std::vector<Vertex> parted;
   std::size_t bytes = 0;
+  // The file's triangles after welding equal positions, as another program will see them; self-intersections left out.
+  MeshReport inFile;
 };
 
-// Writes the live faces of a mesh: the whole file or nothing. The bytes are read back and compared with the mesh before
-// they replace the file. Vertices that only rounding to the file's number type puts in one place are parted where an
-// edge would else get more than two faces, or two the same way.
-// Errors: ExtensionUnknown, WriteFailed, CheckFailed, Cancelled.
+// Writes the live faces of a mesh: the whole file or nothing. The bytes are read back, compared with the mesh, welded
+// and measured before they replace the file. Vertices that only rounding to the file's number type puts in one place
+// are parted where an edge would else get more than two faces, or two the same way. Errors: ExtensionUnknown,
+// WriteFailed, CheckFailed, Cancelled.
 Result<ExportReport> exportMesh(const HalfEdgeMesh& mesh, NumberType documentNumbers, const std::filesystem::path& path,
                                 Progress progress = {});
 

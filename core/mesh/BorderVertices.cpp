@@ -6,24 +6,42 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <unordered_map>
 
 namespace handwheel {
 namespace {
 
-Box modelBox(const HalfEdgeMesh& mesh) {
-  Box box;
-  for (Face f = 0; f < mesh.faceSlots(); ++f) {
-    if (!mesh.isLive(f)) continue;
-    for (Vertex v : mesh.triangle(f)) box.extend(mesh.position(v));
+// How far each vertex on an open border may move to another: a share of its shortest border edge, so that fine detail
+// of a large model does not fall together.
+std::unordered_map<Vertex, double> reaches(const HalfEdgeMesh& mesh) {
+  std::unordered_map<Vertex, double> reach;
+  const double most = nearWeldReach(mesh);
+  for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h) {
+    if (!mesh.isBorder(h)) continue;
+    const double length = (mesh.position(mesh.to(h)) - mesh.position(mesh.from(h))).norm();
+    for (Vertex v : {mesh.from(h), mesh.to(h)}) {
+      double& r = reach.try_emplace(v, most).first->second;
+      r = std::min(r, tolerance::kNearWeldEdge * length);
+    }
   }
-  return box;
+  return reach;
 }
 
 }  // namespace
 
 double modelDiagonal(const HalfEdgeMesh& mesh) {
-  const Box box = modelBox(mesh);
-  return box.isEmpty() ? 0.0 : box.diagonal().norm();
+  Box box;
+  for (Face f = 0; f < mesh.faceSlots(); ++f) {
+    if (!mesh.isLive(f)) continue;
+    for (Vertex v : mesh.triangle(f)) box.extend(mesh.position(v));
+  }
+  return box.isEmpty() ? 0.0 : box.diagonal().stableNorm();
+}
+
+double nearWeldReach(const HalfEdgeMesh& mesh) {
+  const double diagonal = modelDiagonal(mesh);
+  return std::isfinite(diagonal * diagonal) ? tolerance::kNearWeld * diagonal : 0.0;
 }
 
 BorderVertices::BorderVertices(const HalfEdgeMesh& mesh, const std::vector<bool>& without) {
@@ -33,37 +51,29 @@ BorderVertices::BorderVertices(const HalfEdgeMesh& mesh, const std::vector<bool>
   std::sort(m_vertices.begin(), m_vertices.end());
   m_vertices.erase(std::unique(m_vertices.begin(), m_vertices.end()), m_vertices.end());
   std::erase_if(m_vertices, [&](Vertex v) { return v < without.size() && without[v]; });
-  if (m_vertices.empty()) return;
 
-  const Box box = modelBox(mesh);
-  m_origin = box.min();
-  // About one vertex a cell if they were spread evenly over a surface; never below the tolerance, never over 2^10
-  // cells.
-  const double diagonal = box.diagonal().norm();
-  const double perSide = std::min(1024.0, std::sqrt(static_cast<double>(m_vertices.size())) + 1.0);
-  m_cellSize = std::max(diagonal / perSide, std::numeric_limits<double>::min());
-  m_cells.reserve(m_vertices.size());
-  for (Vertex v : m_vertices) m_cells.emplace(key(cellOf(mesh.position(v))), v);
-}
-
-BorderVertices::Cell BorderVertices::cellOf(const Vec3& p) const {
-  Cell c;
-  for (int k = 0; k < 3; ++k) c[static_cast<std::size_t>(k)] = static_cast<int>((p[k] - m_origin[k]) / m_cellSize);
-  return c;
+  std::vector<Vec3> points;
+  std::vector<Triangle> places;
+  for (std::uint32_t i = 0; i < m_vertices.size(); ++i) {
+    points.push_back(mesh.position(m_vertices[i]));
+    places.push_back({i, i, i});
+  }
+  m_places = TriangleHierarchy(points, places);
 }
 
 std::vector<std::pair<Vertex, Vertex>> nearBorderVertices(const HalfEdgeMesh& mesh, const std::vector<bool>& without) {
   const BorderVertices vertices(mesh, without);
-  const double reach = tolerance::kNearWeld * modelDiagonal(mesh);
+  const std::unordered_map<Vertex, double> reach = reaches(mesh);
   std::vector<std::pair<Vertex, Vertex>> pairs;
   for (Vertex v : vertices.all()) {
     const Vec3 p = mesh.position(v);
-    double best = reach * reach;
+    const double own = reach.at(v);
+    double best = std::numeric_limits<double>::infinity();
     Vertex nearest = kNone;
-    vertices.forEachInBox(Box(p, p), [&](Vertex u) {
+    vertices.forEachInBox(Box(p - Vec3::Constant(own), p + Vec3::Constant(own)), [&](Vertex u) {
       if (u >= v) return;
-      const double d = (mesh.position(u) - p).squaredNorm();
-      if (d == 0.0 || d > best || (d == best && u > nearest)) return;
+      const double d = (mesh.position(u) - p).norm();
+      if (d == 0.0 || d > std::min(own, reach.at(u)) || d > best || (d == best && u > nearest)) return;
       best = d;
       nearest = u;
     });

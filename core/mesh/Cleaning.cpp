@@ -28,6 +28,25 @@ HalfEdge longestEdge(const HalfEdgeMesh& mesh, Face f) {
   return longest;
 }
 
+// Flips needles that have a neighbour at their longest edge. They may lie side by side: flipping one can free those
+// around it, which are then looked at again.
+void flipAway(HalfEdgeMesh& mesh, const std::vector<Face>& needles) {
+  std::vector<Face> waiting(needles.rbegin(), needles.rend());
+  while (!waiting.empty()) {
+    const Face f = waiting.back();
+    waiting.pop_back();
+    if (!isDegenerate(mesh.points(f))) continue;
+    const HalfEdge h = longestEdge(mesh, f);
+    const HalfEdge across = mesh.opposite(h);
+    if (!flipEdge(mesh, h)) continue;
+    for (Face changed : {f, HalfEdgeMesh::face(across)}) {
+      for (HalfEdge g = 3 * changed; g < 3 * changed + 3; ++g) {
+        if (mesh.hasOpposite(g)) waiting.push_back(HalfEdgeMesh::face(mesh.opposite(g)));
+      }
+    }
+  }
+}
+
 // A face that shares each of its edges with nobody or with more than one other, and some with each.
 bool hangsLoose(const std::array<int, 3>& facesAtEdge) {
   const auto free = std::count(facesAtEdge.begin(), facesAtEdge.end(), 1);
@@ -49,20 +68,11 @@ std::size_t removeDegenerateFaces(HalfEdgeMesh& mesh) {
       needles.push_back(f);
     }
   }
-  // Needles may lie side by side; flipping one can free the next.
-  for (bool progress = true; progress && !needles.empty();) {
-    progress = false;
-    std::vector<Face> left;
-    for (Face f : needles) {
-      const bool flipped = flipEdge(mesh, longestEdge(mesh, f));
-      removed += flipped;
-      progress |= flipped;
-      if (!flipped) left.push_back(f);
-    }
-    needles.swap(left);
-  }
-  for (Face f : needles) mesh.removeFace(f);
+  flipAway(mesh, needles);
   removed += needles.size();
+  for (Face f : needles) {
+    if (isDegenerate(mesh.points(f))) mesh.removeFace(f);
+  }
   if (removed > 0) relink(mesh);
   return removed;
 }
@@ -75,9 +85,16 @@ std::size_t removeFlaps(HalfEdgeMesh& mesh) {
   edges.forEachEdge([&](std::uint32_t, std::uint32_t, std::span<const EdgeTable::Entry> run) {
     for (const EdgeTable::Entry& e : run) facesAtEdge[e.halfEdge / 3][e.halfEdge % 3] = static_cast<int>(run.size());
   });
+  // A book of nothing but loose leaves is a part of its own.
+  std::vector<bool> onSurface(mesh.faceSlots(), false);
+  edges.forEachEdge([&](std::uint32_t, std::uint32_t, std::span<const EdgeTable::Entry> run) {
+    const auto isLoose = [&](const EdgeTable::Entry& e) { return hangsLoose(facesAtEdge[e.halfEdge / 3]); };
+    if (std::all_of(run.begin(), run.end(), isLoose)) return;
+    for (const EdgeTable::Entry& e : run) onSurface[e.halfEdge / 3] = true;
+  });
   std::size_t removed = 0;
   for (Face f = 0; f < mesh.faceSlots(); ++f) {
-    if (!mesh.isProper(f) || !hangsLoose(facesAtEdge[f])) continue;
+    if (!mesh.isProper(f) || !hangsLoose(facesAtEdge[f]) || !onSurface[f]) continue;
     const HalfEdge h = longestEdge(mesh, f);
     if ((mesh.position(mesh.to(h)) - mesh.position(mesh.from(h))).norm() > limit) continue;
     mesh.removeFace(f);

@@ -12,7 +12,7 @@ namespace handwheel {
 std::size_t removeDegenerateFaces(HalfEdgeMesh& mesh);
 
 // Removes flaps: small faces (tolerance::kFlap) that share no edge with exactly one other face, and hang by at least
-// one edge on the surface. Nothing opens without them, and closing them would double them. Returns how many went.
+// one edge on faces that do. Nothing opens without them, and closing them would double them. Returns how many went.
 // Relinks.
 std::size_t removeFlaps(HalfEdgeMesh& mesh);
 

@@ -17,7 +17,14 @@ namespace {
 struct Group {
   Triangle positions;  // classes, ascending
   std::vector<Face> faces;
+  bool isPlate = false;  // two faces, back to back
 };
+
+// Of two triangles over the same three positions: true when they look opposite ways.
+bool areOpposite(const Triangle& a, const Triangle& b) {
+  const auto at = std::find(b.begin(), b.end(), a[0]) - b.begin();
+  return b[static_cast<std::size_t>((at + 1) % 3)] == a[2];
+}
 
 std::vector<Group> findGroups(const std::vector<Triangle>& triangles) {
   std::map<Triangle, std::vector<Face>> byPositions;
@@ -29,7 +36,9 @@ std::vector<Group> findGroups(const std::vector<Triangle>& triangles) {
   }
   std::vector<Group> groups;
   for (auto& [t, faces] : byPositions) {
-    if (faces.size() > 1) groups.push_back({t, std::move(faces)});
+    if (faces.size() < 2) continue;
+    const bool isPlate = faces.size() == 2 && areOpposite(triangles[faces[0]], triangles[faces[1]]);
+    groups.push_back({t, std::move(faces), isPlate});
   }
   return groups;
 }
@@ -68,8 +77,10 @@ std::map<Edge, Meeting> findMeetings(const std::vector<Triangle>& triangles, con
 // For duplicates that hang together, the edges that would be open or crowded if none, one or two of each group stayed.
 struct Choice {
   int bad[3] = {0, 0, 0};
+  long open = 0;    // edges that one face of each group would leave open
+  long groups = 0;
   bool standsAlone = true;  // no other face at any edge
-  bool pairsOnly = true;
+  bool platesOnly = true;
 
   void count(const Meeting& m) {
     standsAlone = standsAlone && m.others == 0;
@@ -77,12 +88,14 @@ struct Choice {
       const int n = m.others + keep * m.groups;
       bad[keep] += n != 0 && n != 2;
     }
+    open += m.others + m.groups == 1;
     bad[2] += m.others != 0;  // the two sides of a plate pair up whatever their number
   }
 
   int keep() const {
     int best = 1;
-    if (pairsOnly && bad[2] < bad[best]) best = 2;
+    // A plate has a rim as long as a sheet's; a closed skin that was written twice has none, or a few gaps.
+    if (platesOnly && open * open > groups && bad[2] < bad[best]) best = 2;
     if (!standsAlone && bad[0] < bad[best]) best = 0;
     return best;
   }
@@ -104,7 +117,8 @@ std::size_t removeDuplicateFaces(HalfEdgeMesh& mesh) {
   for (const auto& [e, meeting] : meetings) choices[sets.root(meeting.firstGroup)].count(meeting);
   for (std::uint32_t g = 0; g < groups.size(); ++g) {
     Choice& choice = choices[sets.root(g)];
-    choice.pairsOnly = choice.pairsOnly && groups[g].faces.size() == 2;
+    choice.platesOnly = choice.platesOnly && groups[g].isPlate;
+    ++choice.groups;
   }
   std::size_t removed = 0;
   for (std::uint32_t g = 0; g < groups.size(); ++g) {

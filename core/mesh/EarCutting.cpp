@@ -9,11 +9,18 @@
 namespace handwheel {
 namespace {
 
+// Badness of an ear that must wait for all others.
+constexpr double kFolded = 1e6;
+
 // The polygon still to be closed: a ring of loop points, walked against the loop, so that ears face outward.
 class EarCutter {
  public:
   EarCutter(const HoleContext& hole, const Obstacles& obstacles, const EarWeights& weights)
-      : m_points(hole.loop()), m_obstacles(obstacles), m_weights(weights), m_edges(obstacles.edgesAmong(m_points)) {
+      : m_points(hole.loop()),
+        m_outward(hole.outward()),
+        m_obstacles(obstacles),
+        m_weights(weights),
+        m_edges(obstacles.edgesAmong(m_points)) {
     const std::size_t n = m_points.size();
     m_nodes.resize(n);
     double total = 0.0;
@@ -84,8 +91,9 @@ class EarCutter {
     constexpr double third = M_PI / 3.0;
     const double before = normal.dot(m_nodes[m_nodes[i].previous].normal), after = normal.dot(m_nodes[i].normal);
     const double bend = 1.0 - 0.5 * (before + after);
-    // Turned over against both neighbours: an ear at a reflex corner. Only when nothing else is left.
-    const double folded = before < 0.0 && after < 0.0 ? 1e6 : 0.0;
+    // Turned over: an ear at a reflex corner. Only when nothing else is left. The faces it joins cannot tell where they
+    // stand upright around the hole, as round a cut, so a lid over the loop has as much to say as they have.
+    const double folded = before + after + 2.0 * normal.dot(m_outward) < 0.0 ? kFolded : 0.0;
     return m_weights.length * newEdge / m_meanEdge + m_weights.angles * (largest - third) / (M_PI - third) +
            m_weights.normal * bend + folded;
   }
@@ -97,11 +105,7 @@ class EarCutter {
 
   bool isBlocked(const TrianglePoints& t) const {
     if (m_obstacles.hits(t)) return true;
-    const Box box = boxOf(t);
-    return std::any_of(m_triangles.begin(), m_triangles.end(), [&](const Triangle& other) {
-      const TrianglePoints o = points(other);
-      return boxOf(o).intersects(box) && trianglesMeet(t, o);
-    });
+    return !m_cutOff.forEachInBox(boxOf(t), [&](const TrianglePoints& other) { return !trianglesMeet(t, other); });
   }
 
   bool isFree(std::uint32_t i) const {
@@ -115,6 +119,7 @@ class EarCutter {
     const Triangle t = ear(i);
     const TrianglePoints p = points(t);
     m_triangles.push_back(t);
+    m_cutOff.add(p);
     m_nodes[t[0]].next = t[2];
     m_nodes[t[2]].previous = t[0];
     m_nodes[t[0]].normal = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
@@ -131,12 +136,14 @@ class EarCutter {
   }
 
   std::vector<Vec3> m_points;
+  Vec3 m_outward;
   const Obstacles& m_obstacles;
   EarWeights m_weights;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> m_edges;  // that exist already
   std::vector<Node> m_nodes;
   std::priority_queue<Candidate> m_heap;
-  std::vector<Triangle> m_triangles;
+  std::vector<Triangle> m_triangles;  // the ears cut so far,
+  GrowingHierarchy m_cutOff;          // and where they are
   double m_meanEdge = 0.0;
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/HoleContext.h"
 
+#include <numeric>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -13,27 +14,43 @@ constexpr int kRings = 3;  // enough for a patch that continues the tangents
 std::vector<Face> facesAround(const HalfEdgeMesh& mesh, const BoundaryLoop& loop) {
   std::vector<Face> faces;
   std::unordered_set<Face> seen;
-  const auto add = [&](Face f) {
-    if (seen.insert(f).second) faces.push_back(f);
+  std::unordered_set<Vertex> visited;  // each fan is walked once, however many faces it has
+  const auto addFan = [&](HalfEdge h) {
+    if (!visited.insert(mesh.from(h)).second) return;
+    for (HalfEdge g : mesh.fan(h)) {
+      if (seen.insert(HalfEdgeMesh::face(g)).second) faces.push_back(HalfEdgeMesh::face(g));
+    }
   };
   for (HalfEdge h : loop.halfEdges) {
-    for (HalfEdge g : mesh.fan(h)) add(HalfEdgeMesh::face(g));
-    for (HalfEdge g : mesh.fan(HalfEdgeMesh::next(h))) add(HalfEdgeMesh::face(g));
+    addFan(h);
+    addFan(HalfEdgeMesh::next(h));
   }
   std::size_t begin = 0;
   for (int ring = 1; ring < kRings; ++ring) {
     const std::size_t end = faces.size();
     for (; begin < end; ++begin) {
       const Face f = faces[begin];
-      for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
-        for (HalfEdge g : mesh.fan(h)) add(HalfEdgeMesh::face(g));
-      }
+      for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) addFan(h);
     }
   }
   return faces;
 }
 
 }  // namespace
+
+Vec3 HoleContext::outward() const {
+  const Vec3 middle =
+      std::accumulate(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(loopSize), Vec3(Vec3::Zero())) /
+      static_cast<double>(loopSize);
+  Vec3 sum = Vec3::Zero();
+  double size = 0.0;
+  for (std::size_t i = 0; i < loopSize; ++i) {
+    const Vec3 area = (points[(i + 1) % loopSize] - middle).cross(points[i] - middle);
+    sum += area;
+    size += area.norm();
+  }
+  return size > 0.0 ? Vec3(sum / size) : Vec3(Vec3::Zero());
+}
 
 HoleContext holeContext(const HalfEdgeMesh& mesh, const BoundaryLoop& loop) {
   HoleContext context;

@@ -20,6 +20,8 @@ struct HoleContext {
   Box ringBox;                     // of loop and ring
 
   std::vector<Vec3> loop() const { return {points.begin(), points.begin() + static_cast<std::ptrdiff_t>(loopSize)}; }
+  // Where a lid over the loop looks: a unit vector for a flat convex loop, shorter the more the loop bends or folds.
+  Vec3 outward() const;
 };
 
 HoleContext holeContext(const HalfEdgeMesh& mesh, const BoundaryLoop& loop);

@@ -55,11 +55,7 @@ Box grown(const Box& box, double by) {
 // to be right.
 double capHeight(const HoleContext& hole) {
   const std::size_t n = hole.loopSize;
-  Vec3 outward = Vec3::Zero();
-  for (std::size_t i = 0; i < n; ++i) {
-    outward += (hole.points[(i + 1) % n] - hole.points[0]).cross(hole.points[i] - hole.points[0]);
-  }
-  outward.stableNormalize();
+  const Vec3 outward = hole.outward().stableNormalized();
   double cosine = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
     const Vec3 edge = hole.points[(i + 1) % n] - hole.points[i];
@@ -106,6 +102,7 @@ class Candidates {
     for (FillMethod m : {FillMethod::Fair, FillMethod::Refined, FillMethod::Ear, FillMethod::Minimal}) {
       if (m != options.method) add(m);
     }
+    if (hole.loopSize == 3) return;  // whatever the taste, there is one ear
     for (std::size_t i = 1; i < std::size(kEarWeights); ++i) m_makers.push_back([this, i] { return ears(i); });
   }
 
@@ -130,6 +127,7 @@ class Candidates {
         m_makers.push_back([this] { return minimal(); });
         break;
       case FillMethod::Stitched:
+      case FillMethod::Removed:
         break;
     }
   }

@@ -61,6 +61,7 @@ std::vector<Corners> triangulate(const HoleContext& hole, bool cubic) {
 }
 
 std::vector<Corners> triangulate(const HoleContext& hole) {
+  if (hole.loopSize > tolerance::kLibraryFillEdges) return {};
   const QuietCgal quiet;
   std::vector<Corners> triangles;
   try {
@@ -83,6 +84,15 @@ double expectedTriangles(const HoleContext& hole, const Patch& patch) {
     n += 0.5 * u.cross(v).norm() / (0.43 * edge * edge);  // 0.43: area of the equilateral triangle of side 1
   }
   return n;
+}
+
+// True when a vertex has so many faces that the library would take minutes to build it.
+bool hasHugeFan(const HoleContext& hole) {
+  std::vector<int> faces(hole.points.size(), 0);
+  for (const Triangle& t : hole.ring) {
+    for (std::uint32_t v : t) ++faces[v];
+  }
+  return std::any_of(faces.begin(), faces.end(), [](int n) { return n > tolerance::kLibraryFanFaces; });
 }
 
 struct Assembled {
@@ -163,6 +173,7 @@ std::optional<Patch> refinePatch(const HoleContext& hole, const Patch& start, Be
   if (expectedTriangles(hole, start) > 2.0 * tolerance::kPatchVerticesPerEdge * static_cast<double>(hole.loopSize)) {
     return std::nullopt;
   }
+  if (hasHugeFan(hole)) return std::nullopt;
   const QuietCgal quiet;
   const Vec3 origin = hole.points.front();
   try {

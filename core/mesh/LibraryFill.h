@@ -11,13 +11,14 @@ namespace handwheel {
 
 // CGAL's hole triangulation by dihedral angle and area: first with the edges of the Delaunay tetrahedrisation, O(n log
 // n) (Zou et al. 2013); where that finds none, over all triangulations, O(n³) (Liepa 2003), for at most
-// tolerance::kCubicFillEdges edges. No new vertices.
+// tolerance::kCubicFillEdges edges. No new vertices. None beyond tolerance::kLibraryFillEdges.
 std::optional<Patch> triangulateMinimal(const HoleContext& hole);
 
 enum class Bending { Flat, Fair };
 
 // Refines a patch to the density around the hole (Liepa 2003) and, when Fair, bends it so that it continues the
-// tangents of the ring (Botsch et al. 2008). None when it would need too many vertices or the library refuses.
+// tangents of the ring (Botsch et al. 2008). None when it would need too many vertices, a vertex of the
+// ring has more than tolerance::kLibraryFanFaces faces or the library refuses.
 std::optional<Patch> refinePatch(const HoleContext& hole, const Patch& start, Bending bending);
 
 }  // namespace handwheel

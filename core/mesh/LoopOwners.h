@@ -4,14 +4,16 @@
 
 #include "mesh/BoundaryLoops.h"
 
+#include <array>
 #include <map>
 #include <set>
 #include <vector>
 
 namespace handwheel {
 
-// Remembers which loop each border edge of a mesh belongs to, by the edge's face and its corner opposite; both survive
-// the turning of faces and changes elsewhere.
+// Remembers which loop each border edge of a mesh belongs to: by the edge's face and its corner opposite, which survive
+// the turning of faces, the moving of vertices and changes elsewhere; and by where its ends are, which survives the
+// flipping and renumbering of faces.
 class LoopOwners {
  public:
   LoopOwners(const HalfEdgeMesh& mesh, const std::vector<BoundaryLoop>& loops);
@@ -20,7 +22,8 @@ class LoopOwners {
   std::set<int> of(const HalfEdgeMesh& mesh, const BoundaryLoop& loop) const;
 
  private:
-  std::map<std::pair<Face, Vertex>, int> m_loopOf;
+  std::map<std::pair<Face, Vertex>, int> m_byFace;
+  std::map<std::array<double, 6>, int> m_byPlace;
 };
 
 }  // namespace handwheel

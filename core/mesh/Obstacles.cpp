@@ -26,14 +26,8 @@ Obstacles::Obstacles(const HalfEdgeMesh& mesh) : m_hierarchy(hierarchyOf(mesh)) 
 // Visits triangles near the box until the visit returns false; false when it did.
 template <class Visit>
 bool Obstacles::forEachNear(const Box& box, Visit visit) const {
-  if (!m_hierarchy.forEachInBox(box, [&](std::uint32_t i) { return visit(m_hierarchy.corners(i)); })) return false;
-  for (const Addition& a : m_additions) {
-    if (!a.box.intersects(box)) continue;
-    for (const TrianglePoints& t : a.triangles) {
-      if (boxOf(t).intersects(box) && !visit(t)) return false;
-    }
-  }
-  return true;
+  return m_hierarchy.forEachInBox(box, [&](std::uint32_t i) { return visit(m_hierarchy.corners(i)); }) &&
+         m_patches.forEachInBox(box, visit);
 }
 
 bool Obstacles::hits(const TrianglePoints& t) const {
@@ -53,12 +47,7 @@ bool Obstacles::hasVertexAt(const Vec3& p) const {
 }
 
 void Obstacles::add(const Patch& patch) {
-  Addition addition;
-  for (const Triangle& t : patch.triangles) {
-    addition.triangles.push_back(corners(patch, t));
-    addition.box.extend(boxOf(addition.triangles.back()));
-  }
-  m_additions.push_back(std::move(addition));
+  for (const Triangle& t : patch.triangles) m_patches.add(corners(patch, t));
 }
 
 std::vector<std::pair<std::uint32_t, std::uint32_t>> Obstacles::edgesAmong(const std::vector<Vec3>& points) const {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "mesh/GrowingHierarchy.h"
 #include "mesh/HalfEdgeMesh.h"
 #include "mesh/Patch.h"
 #include "proximity/TriangleHierarchy.h"
@@ -30,23 +31,13 @@ class Obstacles {
   template <class Visit>
   bool forEachNear(const Box& box, Visit visit) const;
 
-  struct Addition {
-    Box box;
-    std::vector<TrianglePoints> triangles;
-  };
   TriangleHierarchy m_hierarchy;
-  std::vector<Addition> m_additions;
+  GrowingHierarchy m_patches;
 };
 
 // The positions of a patch's triangle.
 inline TrianglePoints corners(const Patch& patch, const Triangle& t) {
   return {patch.points[t[0]], patch.points[t[1]], patch.points[t[2]]};
-}
-
-inline Box boxOf(const TrianglePoints& t) {
-  Box box(t[0]);
-  box.extend(t[1]).extend(t[2]);
-  return box;
 }
 
 }  // namespace handwheel

@@ -94,9 +94,9 @@ class Parter {
         const Vec3 p = rounded(Vec3(home + step * unit * d), m_numbers);
         if (p == home || m_positions.contains(key(p))) continue;
         m_mesh.setPosition(v, p);
+        m_reach = std::max(m_reach, (p - home).norm());
         if (!hasFlatFace(faces) && intersections(faces) <= allowed) {
           m_positions.insert(key(p));
-          m_reach = std::max(m_reach, (p - home).norm());
           return true;
         }
       }
@@ -171,7 +171,7 @@ class Parter {
   std::unordered_map<Face, std::vector<Face>> m_halves;                 // what was split off a face of the hierarchy
   std::unordered_map<Face, Face> m_whole;                               // the reverse
   std::unordered_set<std::array<double, 3>, PositionHash> m_positions;  // that the file will hold
-  double m_reach = 0.0;                                                 // how far a vertex was moved at most
+  double m_reach = 0.0;  // no vertex is farther from where the hierarchy has it
 };
 
 // Calls visit(classes, low, high, half-edges) for each edge that has more than two faces in the file.
@@ -234,6 +234,25 @@ void partFans(Parter& parter, Fans& fans, std::vector<Vertex>& moved) {
   }
 }
 
+// Edges between vertices that have one fan each: the same fan passes twice. An edge whose face was split waits for the
+// next pass, because its half-edge may have moved into the new face.
+void partEdges(Parter& parter, const HalfEdgeMesh& mesh, std::vector<Vertex>& added, Progress progress) {
+  for (bool again = true; again;) {
+    again = false;
+    std::unordered_set<Face> split;
+    for (HalfEdge h : surplusEdges(mesh)) {
+      if (progress.cancelled()) return;
+      const Face f = HalfEdgeMesh::face(h), g = HalfEdgeMesh::face(mesh.opposite(h));
+      if (split.contains(f) || split.contains(g)) continue;
+      const Vertex middle = parter.partEdge(h);
+      if (middle == kNone) continue;
+      added.push_back(middle);
+      split.insert({f, g});
+      again = true;
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Vertex> partDuplicates(HalfEdgeMesh& mesh, NumberType numbers, Progress progress) {
@@ -249,11 +268,7 @@ std::vector<Vertex> partDuplicates(HalfEdgeMesh& mesh, NumberType numbers, Progr
       partFans(parter, fans, moved);
     }
   }
-  // Edges between vertices that have one fan each: the same fan passes twice.
-  for (HalfEdge h : surplusEdges(mesh)) {
-    if (progress.cancelled()) return moved;
-    parter.partEdge(h);
-  }
+  partEdges(parter, mesh, moved, progress);
   return moved;
 }
 

@@ -11,8 +11,9 @@ namespace handwheel {
 
 // A file holds positions, not fans: where several vertices share a position, writing welds them, and edges that are
 // manifold in the mesh may have four faces in the file. Moves such vertices apart by the smallest step that the number
-// type can show and that makes no new self-intersection. Vertices whose welding harms no edge stay. Returns the
-// vertices that were moved.
+// type can show and that makes no new self-intersection. Vertices whose welding harms no edge stay. An
+// edge whose ends cannot come apart gets a vertex in its middle that can. Returns the vertices that were moved, then
+// those that were added.
 std::vector<Vertex> partDuplicates(HalfEdgeMesh& mesh, NumberType numbers, Progress progress = {});
 
 }  // namespace handwheel

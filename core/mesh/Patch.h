@@ -14,6 +14,7 @@ enum class FillMethod {
   Ear,       // best-first ear cutting (He 2008, section 4.3; spec step 4), no new vertices
   Minimal,   // CGAL's triangulation by dihedral angle and area, no new vertices
   Stitched,  // the borders were brought together; only a repair does this
+  Removed,   // cleaning took every face around the hole; only a repair does this
 };
 
 // What closes a loop: triangles over the loop's points (in the loop's order) and new ones behind them.

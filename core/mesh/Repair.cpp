@@ -31,12 +31,10 @@ class Repairer {
         m_owners(input, m_inputLoops) {}
 
   RepairReport run(Progress progress) {
-    clean();
+    clean(progress);
     progress.set(0.1);
-    fill(progress.part(0.1, 0.9));
-    if (!progress.cancelled()) {
-      part(progress.part(0.9, 1.0));
-    }
+    if (!progress.cancelled()) fill(progress.part(0.1, 0.9));
+    if (!progress.cancelled()) part(progress.part(0.9, 1.0));
     m_report.cancelled = progress.cancelled();
     if (!m_report.cancelled) finish();
     return std::move(m_report);
@@ -45,19 +43,19 @@ class Repairer {
   const HalfEdgeMesh& mesh() const { return m_mesh; }
 
  private:
-  void clean() {
-    m_report.removedDegenerate = removeDegenerateFaces(m_mesh);
-    m_report.removedDuplicates = removeDuplicateFaces(m_mesh);
-    m_report.removedFlaps = removeFlaps(m_mesh);
-    if (m_options.removeDebris) m_report.removedDebris = removeDebris(m_mesh);
-    m_report.mergedVertices = stitchBorders(m_mesh, keptVertices()).size();
-    m_report.removedDegenerate += removeDegenerateFaces(m_mesh);
+  void clean(Progress progress) {
+    if (!progress.cancelled()) m_report.removedDegenerate = removeDegenerateFaces(m_mesh);
+    if (!progress.cancelled()) m_report.removedDuplicates = removeDuplicateFaces(m_mesh);
+    if (!progress.cancelled()) m_report.removedFlaps = removeFlaps(m_mesh);
+    if (m_options.removeDebris && !progress.cancelled()) m_report.removedDebris = removeDebris(m_mesh);
+    if (!progress.cancelled()) m_report.mergedVertices = stitchBorders(m_mesh, keptVertices(), progress).size();
+    if (!progress.cancelled()) m_report.removedDegenerate += removeDegenerateFaces(m_mesh);
   }
 
   void part(Progress progress) {
     const HalfEdgeMesh before = m_mesh;
     for (Vertex v : partDuplicates(m_mesh, m_options.fill.numbers, progress)) {
-      m_touchedHomes.push_back(before.position(v));
+      if (v < before.vertexSlots()) m_touchedHomes.push_back(before.position(v));
       ++m_report.partedVertices;
     }
   }
@@ -131,7 +129,7 @@ class Repairer {
       LoopResult& known = at->second;
       known.milliseconds += result.milliseconds;
       known.newFaces += result.newFaces;
-      if (result.outcome == LoopOutcome::Failed && known.outcome != LoopOutcome::Failed) {
+      if (result.outcome > known.outcome) {
         known.outcome = result.outcome;
         known.reason = result.reason;
       }
@@ -145,12 +143,14 @@ class Repairer {
         m_report.loops.push_back(at->second);
         continue;
       }
-      LoopResult stitched;
-      stitched.id = loop.id;
-      stitched.edges = loop.borderEdges;
-      stitched.outcome = LoopOutcome::Filled;
-      stitched.method = FillMethod::Stitched;
-      m_report.loops.push_back(stitched);
+      LoopResult closed;
+      closed.id = loop.id;
+      closed.edges = loop.borderEdges;
+      closed.outcome = LoopOutcome::Filled;
+      const bool isGone = std::none_of(loop.halfEdges.begin(), loop.halfEdges.end(),
+                                       [&](HalfEdge h) { return m_mesh.isLive(HalfEdgeMesh::face(h)); });
+      closed.method = isGone ? FillMethod::Removed : FillMethod::Stitched;
+      m_report.loops.push_back(closed);
     }
     m_report.loops.insert(m_report.loops.end(), m_laidOpen.begin(), m_laidOpen.end());
     compareWithInput();

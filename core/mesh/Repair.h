@@ -16,7 +16,7 @@ struct RepairOptions {
   bool removeDebris = false;
 };
 
-enum class LoopOutcome { Filled, KeptOpen, Failed };
+enum class LoopOutcome { Filled, KeptOpen, Failed };  // from best to worst
 
 struct LoopResult {
   int id = -1;  // as in findBoundaryLoops() of the input; -1 for a hole that the repair itself laid open
@@ -24,7 +24,7 @@ struct LoopResult {
   LoopOutcome outcome = LoopOutcome::Failed;
   FillMethod method = FillMethod::Fair;    // when filled
   FillFailure reason = FillFailure::None;  // when not filled
-  std::size_t newFaces = 0;
+  std::size_t newFaces = 0;                // of its patches; one patch over several loops counts for each
   double milliseconds = 0.0;
 };
 
@@ -36,7 +36,7 @@ struct RepairReport {
   std::size_t removedDebris = 0;
   std::size_t turnedFaces = 0;
   std::size_t mergedVertices = 0;
-  std::size_t partedVertices = 0;
+  std::size_t partedVertices = 0;       // moved, or put into the middle of an edge, so that nothing welds that must not
   std::vector<Vertex> touchedVertices;  // of the input: moved, merged or parted
   bool cancelled = false;
 };

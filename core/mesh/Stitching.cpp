@@ -7,11 +7,15 @@
 #include "mesh/MeshBuilder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 
 namespace handwheel {
 namespace {
+
+// Edges are looked along in pieces no longer than this share of the diagonal.
+constexpr double kLongestPiece = 1.0 / 32.0;
 
 struct Openness {
   std::size_t border = 0;
@@ -60,35 +64,44 @@ void splitAt(HalfEdgeMesh& mesh, HalfEdge h, const Vec3& p) {
 }
 
 // The position of a border vertex strictly inside the edge and within reach of it, nearest to its middle.
-std::optional<Vec3> vertexOnEdge(const HalfEdgeMesh& mesh, HalfEdge h, const BorderVertices& vertices, double reach) {
+std::optional<Vec3> vertexOnEdge(const HalfEdgeMesh& mesh, HalfEdge h, const BorderVertices& vertices,
+                                 double diagonal) {
   const Vec3 a = mesh.position(mesh.from(h)), b = mesh.position(mesh.to(h));
   const Vec3 d = b - a;
-  const double length = d.norm();
-  if (length <= 2.0 * reach) return std::nullopt;
+  const double length = d.stableNorm();
+  if (length == 0.0) return std::nullopt;
+  const double reach = std::min(tolerance::kNearWeld * diagonal, tolerance::kNearWeldEdge * length);
+  const Vec3& apex = mesh.position(mesh.from(HalfEdgeMesh::previous(h)));
   std::optional<Vec3> best;
   double bestOffset = 0.5;
-  vertices.forEachInBox(Box(a.cwiseMin(b), a.cwiseMax(b)), [&](Vertex v) {
+  const auto consider = [&](Vertex v) {
     const Vec3& p = mesh.position(v);
     const double t = (p - a).dot(d) / (length * length);
     if (t * length <= reach || (1.0 - t) * length <= reach) return;
     if ((p - (a + t * d)).norm() > reach || std::abs(t - 0.5) > bestOffset) return;
-    const Vec3& apex = mesh.position(mesh.from(HalfEdgeMesh::previous(h)));
     if (isDegenerate({a, p, apex}) || isDegenerate({p, b, apex})) return;
     bestOffset = std::abs(t - 0.5);
     best = p;
-  });
+  };
+  // In pieces: the box of a long slanting edge would hold much of the model.
+  const double pieces = std::ceil(length / (kLongestPiece * diagonal));
+  for (double i = 0.0; i < pieces; ++i) {
+    const Vec3 begin = a + i / pieces * d, end = a + (i + 1.0) / pieces * d;
+    const Vec3 slack = Vec3::Constant(reach);
+    vertices.forEachInBox(Box(begin.cwiseMin(end) - slack, begin.cwiseMax(end) + slack), consider);
+  }
   return best;
 }
 
-std::size_t splitTJunctions(HalfEdgeMesh& mesh, const std::vector<bool>& fixed) {
+std::size_t splitTJunctions(HalfEdgeMesh& mesh, const std::vector<bool>& fixed, Progress progress) {
   const BorderVertices vertices(mesh, fixed);
-  const double reach = tolerance::kNearWeld * modelDiagonal(mesh);
+  const double diagonal = modelDiagonal(mesh);
   std::size_t splits = 0;
   const std::size_t limit = 4 * vertices.size();  // each vertex splits few edges; a bound against endless splitting
-  for (HalfEdge h = 0; h < mesh.halfEdgeSlots() && splits < limit; ++h) {
+  for (HalfEdge h = 0; h < mesh.halfEdgeSlots() && splits < limit && !progress.cancelled(); ++h) {
     while (splits < limit && mesh.isBorder(h)) {
       if (isIn(fixed, mesh.from(h)) || isIn(fixed, mesh.to(h))) break;
-      const std::optional<Vec3> p = vertexOnEdge(mesh, h, vertices, reach);
+      const std::optional<Vec3> p = vertexOnEdge(mesh, h, vertices, diagonal);
       if (!p) break;
       // The new face's half-edges are visited later in this very loop.
       splitAt(mesh, h, *p);
@@ -100,7 +113,7 @@ std::size_t splitTJunctions(HalfEdgeMesh& mesh, const std::vector<bool>& fixed) 
 
 }  // namespace
 
-std::vector<Vertex> stitchBorders(HalfEdgeMesh& mesh, const std::vector<bool>& fixed) {
+std::vector<Vertex> stitchBorders(HalfEdgeMesh& mesh, const std::vector<bool>& fixed, Progress progress) {
   // Relinks what was changed; keeps it when it is better.
   const auto keepIfBetter = [&](HalfEdgeMesh trial) {
     HalfEdgeMesh unchanged = mesh;
@@ -114,7 +127,7 @@ std::vector<Vertex> stitchBorders(HalfEdgeMesh& mesh, const std::vector<bool>& f
   std::vector<Vertex> moved = mergeNear(trial, fixed);
   if (!moved.empty() && !keepIfBetter(trial)) moved.clear();
   trial = mesh;
-  if (splitTJunctions(trial, fixed) > 0) keepIfBetter(trial);
+  if (splitTJunctions(trial, fixed, progress) > 0 && !progress.cancelled()) keepIfBetter(trial);
   return moved;
 }
 

@@ -2,16 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/Progress.h"
 #include "mesh/HalfEdgeMesh.h"
 
 #include <vector>
 
 namespace handwheel {
 
-// Brings borders together that the file rounded or cut apart: merges border vertices nearer than tolerance::kNearWeld,
-// then splits border edges at border vertices that lie on them within the same distance (T-junctions). Vertices in
-// "fixed" take no part. Changes are kept only when fewer border edges and no more non-manifold edges result; then the
-// mesh is relinked. Returns the vertices that were moved onto another one.
-std::vector<Vertex> stitchBorders(HalfEdgeMesh& mesh, const std::vector<bool>& fixed);
+// Brings borders together that the file rounded or cut apart: merges border vertices as nearBorderVertices() pairs
+// them, then splits border edges at border vertices that lie on them within the same distance (T-junctions). Vertices
+// in "fixed" take no part. Changes are kept only when fewer border edges and no more non-manifold edges result; then
+// the mesh is relinked. Returns the vertices that were moved onto another one. When cancelled, some may be left.
+std::vector<Vertex> stitchBorders(HalfEdgeMesh& mesh, const std::vector<bool>& fixed, Progress progress = {});
 
 }  // namespace handwheel

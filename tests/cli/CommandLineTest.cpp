@@ -44,6 +44,7 @@ class CommandLineTest : public QObject {
           << words << QByteArray("handwheel: ") + sentence + "\nTry 'handwheel help" + help + "'.\n";
     };
     row({"--wibble"}, "There is no option --wibble.", "");
+    row({"wibble", "a.stl"}, "There is no command or file wibble.", "");
     row({"help", "wibble"}, "There is no command wibble.", "");
     row({"inspect"}, "The command inspect needs IN.", " inspect");
     row({"inspect", "a.stl", "b.stl"}, "The command inspect takes no more than IN.", " inspect");
@@ -58,6 +59,12 @@ class CommandLineTest : public QObject {
     row({"repair", "a.stl", "-o", "b.stl", "--max-hole", "-3"}, "--max-hole takes a number of edges above zero.",
         " repair");
     row({"repair", "a.stl", "-o", "b.stl", "--unit", "ft"}, "--unit takes mm, cm, m or in.", " repair");
+    row({"repair", "a.stl", "-o", "b.stl", "--report", "./b.stl"},
+        "IN and OUT cannot be the report or the screenshot too: ./b.stl.", " repair");
+    row({"repair", "a.stl", "-o", "b.stl", "--screenshot", "a.stl"},
+        "IN and OUT cannot be the report or the screenshot too: a.stl.", " repair");
+    row({"repair", "a.stl", "-o", "b.stl", "--report", "r", "--screenshot", "r"},
+        "The report and the screenshot need a file each.", " repair");
     row({"convert", "a.stl"}, "The command convert needs IN OUT.", " convert");
   }
   void mistakes() {

@@ -50,10 +50,11 @@ class RepairOptionsTest : public QObject {
     const Json kept = loopOf(box.report, 6);
     QCOMPARE(kept.at("outcome").get<std::string>(), std::string("kept-open"));
     QVERIFY(kept.at("method").is_null());
-    QCOMPARE(kept.at("reason").get<std::string>(), std::string("You keep it open."));
+    QCOMPARE(kept.at("reason").get<std::string>(), std::string("You asked for it."));
     QCOMPARE(box.report.at("after").at("boundary_loops").get<int>(), 1);
+    QCOMPARE(box.ran.out, QByteArray("2 of 3 holes filled. b.stl is not closed.\n"));
     QCOMPARE(box.ran.err, QByteArray("handwheel: Loop " + QByteArray::number(idOf(6)) +
-                                     " (6 edges) stays open: you keep it open.\n"));
+                                     " (6 edges) stays open: you asked for it.\n"));
   }
 
   void keepOpenTakesAList() {
@@ -68,7 +69,8 @@ class RepairOptionsTest : public QObject {
     bench.put("a.off", openCube().off());
     const Ran ran = bench.run({"repair", "a.off", "-o", "b.stl", "--keep-open", "7"});
     QCOMPARE(ran.code, 1);
-    QCOMPARE(ran.err, QByteArray("handwheel: There is no loop 7 to keep open.\nTry 'handwheel help repair'.\n"));
+    QCOMPARE(ran.err, QByteArray("handwheel: There is no loop 7 to keep open; 'handwheel inspect' lists them.\nTry "
+                                 "'handwheel help repair'.\n"));
     QCOMPARE(bench.names(), QStringList{"a.off"});
   }
 
@@ -130,6 +132,20 @@ class RepairOptionsTest : public QObject {
     QCOMPARE(ran.code, 0);
     QVERIFY(ran.err.contains("99"));
     QVERIFY(bench.json("r.json").at("damage").size() >= 1);
+  }
+
+  // The list ends after a thousand places, and says how many there are besides.
+  void countsWhatIsNotListed() {
+    const Bench bench;
+    QByteArray damaged = openCube().off();
+    damaged.replace("10 0\n", "1511 0\n");
+    for (int i = 0; i < 1501; ++i) damaged += "3 0 1 99\n";
+    bench.put("a.off", damaged);
+    const Ran ran = bench.run({"repair", "a.off", "-o", "b.stl", "--partial", "--report", "r.json"});
+    QCOMPARE(ran.code, 0);
+    QCOMPARE(ran.err.count('\n'), 1001);
+    QVERIFY(ran.err.endsWith("handwheel: Damage at 501 further places.\n"));
+    QCOMPARE(bench.json("r.json").at("damage").size(), std::size_t(1001));
   }
 };
 

@@ -113,12 +113,33 @@ class RepairTest : public QObject {
     shape.faces.push_back({0, 1, 1});
     const Bench bench;
     bench.put("a.off", shape.off());
-    QCOMPARE(bench.run({"repair", "a.off", "-o", "b.stl", "--report", "r.json"}).code, 0);
+    const Ran ran = bench.run({"repair", "a.off", "-o", "b.stl", "--report", "r.json"});
+    QCOMPARE(ran.code, 0);
+    QCOMPARE(ran.out, QByteArray("0 of 0 holes filled. b.stl is closed, manifold and oriented.\n"
+                                 "Also: 1 triangle without area removed, 1 duplicate triangle removed.\n"));
     const Json report = bench.json("r.json");
     QCOMPARE(report.at("removed_duplicates").get<int>(), 1);
     QCOMPARE(report.at("removed_degenerate").get<int>(), 1);
     QCOMPARE(report.at("after").at("triangles").get<int>(), 12);
     QVERIFY(report.at("untouched_vertices_identical").get<bool>());
+  }
+
+  void nothingButFacesWithoutArea() {
+    const Bench bench;
+    bench.put("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");
+    const Ran ran = bench.run({"repair", "a.off", "-o", "b.ply"});
+    QCOMPARE(ran.code, 1);
+    QCOMPARE(ran.err, QByteArray("handwheel: a.off: no triangle has an area, so there is nothing to repair.\n"));
+    QCOMPARE(bench.names(), QStringList{"a.off"});
+  }
+
+  void saysWhatIsNotKept() {
+    const Bench bench;
+    bench.put("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n");
+    const Ran ran = bench.run({"repair", "a.obj", "-o", "b.ply", "--report", "r.json"});
+    QCOMPARE(ran.code, 2);
+    QVERIFY(ran.err.startsWith("handwheel: Not kept: normals.\n"));
+    QCOMPARE(bench.json("r.json").at("lost_attributes").at(0).get<std::string>(), std::string("normals"));
   }
 
   void turnsFaces() {

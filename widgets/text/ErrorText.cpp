@@ -14,13 +14,19 @@ struct Text {
   Q_DECLARE_TR_FUNCTIONS(ErrorText)
 };
 
-// Arguments may quote a damaged file: they are shortened and hold nothing that a terminal would obey.
-QString argument(const Error& error, std::size_t i) {
-  if (i >= error.arguments.size()) return {};
-  QString text = QString::fromStdString(error.arguments[i]).simplified();
+// Nothing that a terminal would obey, and no new line.
+QString harmless(const std::string& bytes) {
+  QString text = QString::fromStdString(bytes);
   for (QChar& c : text) {
     if (!c.isPrint() && !c.isSurrogate()) c = QChar::ReplacementCharacter;
   }
+  return text;
+}
+
+// Arguments may quote a damaged file, so they are shortened.
+QString argument(const Error& error, std::size_t i) {
+  if (i >= error.arguments.size()) return {};
+  const QString text = harmless(error.arguments[i]).simplified();
   return text.size() > kLongestQuote ? text.left(kLongestQuote) + QChar(0x2026) : text;
 }
 
@@ -65,7 +71,7 @@ QString whatHappened(const Error& error) {
     case ErrorCode::ExtensionUnknown:
       return Text::tr("no mesh format belongs to the ending '%1'").arg(a);
     case ErrorCode::HeaderMalformed:
-      return Text::tr("the header is malformed, %1 was expected").arg(a);
+      return Text::tr("the header is malformed: %1 is missing").arg(a);
     case ErrorCode::TextEncoding:
       return Text::tr("the text is in %1, which cannot be read").arg(a);
     case ErrorCode::TokenUnexpected:
@@ -81,7 +87,7 @@ QString whatHappened(const Error& error) {
     case ErrorCode::PolygonTooComplex:
       return Text::tr("a face with %1 corners was cut into triangles as if it were convex").arg(a);
     case ErrorCode::PolygonTooSmall:
-      return Text::tr("a face has %1 corners, fewer than three").arg(a);
+      return Text::tr("a face has fewer than three corners (%1)").arg(a);
     case ErrorCode::DataTruncated:
       return Text::tr("the file ends too early (%1)").arg(counts(a, b, c));
     case ErrorCode::CountMismatch:
@@ -89,7 +95,9 @@ QString whatHappened(const Error& error) {
     case ErrorCode::TypeUnknown:
       return Text::tr("the data type '%1' is not known").arg(a);
     case ErrorCode::NoTriangles:
-      return Text::tr("the file holds no triangle");
+      return error.place.kind == Place::Kind::None
+                 ? Text::tr("the file holds no triangle")
+                 : Text::tr("the file is damaged here, and none of its triangles can be read");
     case ErrorCode::WriteFailed:
       return Text::tr("the file could not be written (%1)").arg(a);
     case ErrorCode::CheckFailed:
@@ -115,7 +123,7 @@ QString where(const Error& error) {
 
 QString errorSentence(const Error& error) {
   QStringList origin;
-  if (!error.subject.empty()) origin << QString::fromStdString(error.subject);
+  if (!error.subject.empty()) origin << harmless(error.subject);
   if (const QString place = where(error); !place.isEmpty()) origin << place;
   QString sentence = whatHappened(error) + QLatin1Char('.');
   if (!origin.isEmpty()) sentence = origin.join(QStringLiteral(", ")) + QStringLiteral(": ") + sentence;
@@ -132,7 +140,7 @@ QString errorAdvice(const Error& error) {
     case ErrorCode::FileMissing:
       return Text::tr("Check the name, or whether the file was moved.");
     case ErrorCode::FileUnreadable:
-      return Text::tr("Check that you may read the file and that its disk is connected.");
+      return Text::tr("Name a file that you may read, and check that its disk is connected.");
     case ErrorCode::FileEmpty:
       return Text::tr("Export or copy the file again.");
     case ErrorCode::FileTooLarge:
@@ -154,15 +162,17 @@ QString errorAdvice(const Error& error) {
     case ErrorCode::PolygonTooSmall:
     case ErrorCode::DataTruncated:
     case ErrorCode::CountMismatch:
-      return Text::tr("Export or copy the file again, or open only what is readable.");
+      return Text::tr("Export or copy the file again, or open only what is readable (on the command line: --partial).");
     case ErrorCode::PolygonTooComplex:
       return Text::tr("Check the shape of that face, or export the model as triangles.");
     case ErrorCode::NoTriangles:
-      return Text::tr("Export the model as a surface of triangles; points and curves alone cannot be repaired.");
+      return error.place.kind == Place::Kind::None
+                 ? Text::tr("Export the model as a surface of triangles; points and curves alone cannot be repaired.")
+                 : Text::tr("Export or copy the file again.");
     case ErrorCode::WriteFailed:
       return Text::tr("Check the free space and that you may write there, or choose another place.");
     case ErrorCode::CheckFailed:
-      return Text::tr("The earlier file is untouched. Save in another format, for example PLY.");
+      return Text::tr("An earlier file of that name is untouched. Save in another format, for example PLY.");
   }
   return {};
 }

@@ -35,6 +35,8 @@ QString fillMethodName(FillMethod method) {
       return Text::tr("Minimal area");
     case FillMethod::Stitched:
       return Text::tr("Stitched");
+    case FillMethod::Removed:
+      return Text::tr("Removed");
   }
   return {};
 }
@@ -51,6 +53,8 @@ QString fillMethodHint(FillMethod method) {
       return Text::tr("The smallest possible area; adds no vertices.");
     case FillMethod::Stitched:
       return Text::tr("The borders were brought together.");
+    case FillMethod::Removed:
+      return Text::tr("The faces around it were removed.");
   }
   return {};
 }
@@ -66,6 +70,7 @@ QString fillMethodWord(FillMethod method) {
     case FillMethod::Minimal:
       return QStringLiteral("minimal");
     case FillMethod::Stitched:
+    case FillMethod::Removed:
       break;  // cannot be asked for
   }
   return {};
@@ -80,7 +85,7 @@ QString fillFailureReason(FillFailure failure) {
     case FillFailure::Rim:
       return Text::tr("it is the outer edge of an open sheet");
     case FillFailure::KeptOpen:
-      return Text::tr("you keep it open");
+      return Text::tr("you asked for it");
     case FillFailure::TooLong:
       return Text::tr("it has more edges than allowed");
     case FillFailure::NoPatch:
@@ -125,6 +130,7 @@ QStringList repairSummary(const RepairReport& report) {
   add(report.turnedFaces, [](int n) { return Text::tr("%n triangle(s) turned over", nullptr, n); });
   add(report.removedDegenerate, [](int n) { return Text::tr("%n triangle(s) without area removed", nullptr, n); });
   add(report.removedDuplicates, [](int n) { return Text::tr("%n duplicate triangle(s) removed", nullptr, n); });
+  add(report.removedFlaps, [](int n) { return Text::tr("%n loosely hanging triangle(s) removed", nullptr, n); });
   add(report.removedDebris, [](int n) { return Text::tr("%n triangle(s) of debris removed", nullptr, n); });
   add(report.mergedVertices, [](int n) { return Text::tr("%n near point(s) merged", nullptr, n); });
   add(report.partedVertices, [](int n) { return Text::tr("%n touching point(s) parted", nullptr, n); });

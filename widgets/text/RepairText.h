@@ -20,7 +20,7 @@ QString fillMethodWord(FillMethod method);
 // Why a hole stayed open, as the end of a sentence: "every patch would cross the part".
 QString fillFailureReason(FillFailure failure);
 
-// "vertex colours", "texture coordinates", …
+// "colours", "texture coordinates", …
 QString lostAttributeName(LostAttribute attribute);
 
 // What a repair did besides filling, one phrase per kind of change; empty when it did nothing.

@@ -156,10 +156,12 @@ bool MeshAssembly::dropUnreadablePoints() {
 Result<MeshFile> MeshAssembly::finish(NumberType numbers) {
   const bool whole = !m_failure && resolveDeferred() && (m_unreadablePoints == 0 || dropUnreadablePoints());
   if (!whole) return *m_failure;
-  if (m_file.soup.triangles.empty()) return Error{ErrorCode::NoTriangles, {}, {}, {}};
   // Faces that wait for their vertices are judged late.
-  std::stable_sort(m_file.damage.begin(), m_file.damage.end(),
+  auto& damage = m_file.damage;
+  std::stable_sort(damage.begin(), damage.end(),
                    [](const Error& a, const Error& b) { return a.place.value < b.place.value; });
+  if (m_file.soup.triangles.empty())
+    return Error{ErrorCode::NoTriangles, {}, m_partial && !damage.empty() ? damage.front().place : Place(), {}};
   m_file.numbers = numbers;
   m_file.lost.assign(m_lost.begin(), m_lost.end());
   m_progress.set(1.0);

@@ -49,7 +49,9 @@ Result<std::string> readAll(const std::filesystem::path& path, Progress progress
   std::error_code failed;
   const auto status = std::filesystem::status(path, failed);
   if (std::filesystem::is_directory(status)) return unreadable(EISDIR);
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) return unreadable(ENOTSUP);
+  // A device or a pipe may never end.
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    return Error{ErrorCode::FileUnreadable, {"Not a regular file"}, {}, {}};
   const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
   if (!file && errno == ENOENT) return Error{ErrorCode::FileMissing, {}, {}, {}};
   if (!file) return unreadable(errno);

@@ -75,7 +75,7 @@ class Reader {
     if (const Statement* statement = findLostStatement(keyword))
       m_assembly.lose(statement->lost);
     else
-      m_assembly.mend(unexpectedWord("statement", keyword, place));
+      m_assembly.mend(unexpectedWord("a statement of the format", keyword, place));
     return true;
   }
 
@@ -103,7 +103,7 @@ class Reader {
       if (!m_assembly.step()) return false;
       const auto index = parseInteger(word.substr(0, word.find('/')));
       const bool good = index && word.find_first_not_of("0123456789+-/") == std::string_view::npos;
-      if (!good) return m_assembly.tolerate(wordError(ErrorCode::NumberMalformed, word, m_scanner.place()));
+      if (!good) return m_assembly.tolerate(unexpectedWord("a vertex number", word, m_scanner.place()));
       const auto known = static_cast<std::int64_t>(m_assembly.pointCount());
       if (*index == 0 || *index < -known)
         return m_assembly.tolerate(

@@ -26,7 +26,7 @@ class TextReader {
 
  private:
   bool readCounts() {
-    if (!readCount(m_vertices, "number of vertices") || !readCount(m_faces, "number of faces")) return false;
+    if (!readCount(m_vertices, "the number of vertices") || !readCount(m_faces, "the number of faces")) return false;
     m_scanner.nextLine();  // the number of edges, which means nothing and may be missing
     return true;
   }
@@ -36,8 +36,7 @@ class TextReader {
     const auto value = parseInteger(word);
     if (value && *value >= 0) count = *value;
     if (value && *value >= 0) return true;
-    if (word.empty()) return m_assembly.fail(unexpectedWord(what, word, m_scanner.place()));
-    return m_assembly.fail(wordError(ErrorCode::NumberMalformed, word, m_scanner.place()));
+    return m_assembly.fail(unexpectedWord(what, word, m_scanner.place()));
   }
 
   bool readVertices() {
@@ -134,8 +133,7 @@ class TextReader {
     const auto value = parseInteger(word);
     if (value) index = *value;
     if (value) return true;
-    error = word.empty() ? unexpectedWord("number", word, m_scanner.place())
-                         : wordError(ErrorCode::NumberMalformed, word, m_scanner.place());
+    error = unexpectedWord("a whole number", word, m_scanner.place());
     return false;
   }
 

@@ -69,7 +69,7 @@ class Reader {
   bool readElement() {
     const std::string_view name = m_scanner.word(), count = m_scanner.word();
     const auto value = parseInteger(count);
-    if (!value || *value < 0) return fail(wordError(ErrorCode::NumberMalformed, count, m_scanner.place()));
+    if (!value || *value < 0) return fail(unexpectedWord("a count", count, m_scanner.place()));
     m_header.elements.push_back({std::string(name), static_cast<std::uint64_t>(*value), {}});
     return true;
   }

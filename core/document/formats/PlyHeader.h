@@ -36,7 +36,7 @@ struct PlyHeader {
   std::uint64_t bodyLine = 0;
 };
 
-// Errors: HeaderMalformed, TypeUnknown, NumberMalformed; with the line.
+// Errors: HeaderMalformed, TypeUnknown, TokenUnexpected; with the line.
 Result<PlyHeader> readPlyHeader(std::string_view bytes);
 
 }  // namespace handwheel

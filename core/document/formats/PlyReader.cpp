@@ -38,14 +38,23 @@ class BodyReader {
     if (element.count == 0 || element.properties.empty()) return true;
     const PlyLayout layout = layoutOf(element);
     if (!layout.missing.empty())
-      return m_assembly.fail({ErrorCode::HeaderMalformed, {"property " + layout.missing}, {}, {}});
+      return m_assembly.fail(
+          {ErrorCode::HeaderMalformed, {"property " + layout.missing}, Place::line(m_header.bodyLine - 1), {}});
     for (LostAttribute lost : layout.lost) m_assembly.lose(lost);
     for (std::uint64_t i = 0; i < element.count; ++i) {
       if (!m_assembly.advance(m_rows.position())) return false;
       const Place place = m_rows.place();
-      const RowState state = m_rows.begin() ? readRow(layout) : RowState::Ended;
-      if (state == RowState::Ended)
-        return endHere({layout.rowsName, std::to_string(element.count), std::to_string(i)}, place);
+      const bool isThere = m_rows.begin();
+      const RowState state = isThere ? readRow(layout) : RowState::Ended;
+      if (state == RowState::Ended) {
+        const bool isRefused = isThere && m_rows.error().code == ErrorCode::TokenUnexpected;
+        m_assembly.tolerate(isRefused ? m_rows.error()
+                                      : Error{ErrorCode::DataTruncated,
+                                              {layout.rowsName, std::to_string(element.count), std::to_string(i)},
+                                              place,
+                                              {}});
+        return false;
+      }
       if (state == RowState::Bad) m_rows.abandon();
       if (!(state == RowState::Good ? store(layout, place) : storeBad(layout))) return false;
     }
@@ -70,7 +79,7 @@ class BodyReader {
     const Place place = m_rows.place();
     std::int64_t count = 0;
     if (const RowState state = m_rows.integer(*field.countType, count); state != RowState::Good) return state;
-    if (count < 0) return m_rows.refuse({ErrorCode::NumberMalformed, {std::to_string(count)}, place, {}});
+    if (count < 0) return m_rows.refuse({ErrorCode::TokenUnexpected, {"a count", std::to_string(count)}, place, {}});
     if (field.role == PlyField::Role::Skipped) return m_rows.skip(field.type, static_cast<std::uint64_t>(count));
     for (std::int64_t i = 0; i < count; ++i) {
       std::int64_t corner = 0;
@@ -120,14 +129,6 @@ class BodyReader {
       if (!m_assembly.advance(m_rows.position()) || !m_assembly.addPolygon(triangle, place)) return false;
     }
     return true;
-  }
-
-  // The rows that were announced are not all there, or the place of the next one is unknown.
-  bool endHere(std::vector<std::string> expectedAndFound, Place place) {
-    const bool malformed = m_rows.error().code == ErrorCode::NumberMalformed;
-    m_assembly.tolerate(malformed ? m_rows.error()
-                                  : Error{ErrorCode::DataTruncated, std::move(expectedAndFound), place, {}});
-    return false;
   }
 
   const PlyHeader& m_header;

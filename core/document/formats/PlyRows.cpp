@@ -5,7 +5,6 @@
 #include "document/formats/ByteOrder.h"
 #include "document/formats/TextNumber.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace handwheel {
@@ -51,20 +50,20 @@ RowState PlyTextRows::number(PlyType type, double& value) {
 RowState PlyTextRows::integer(PlyType, std::int64_t& value) {
   const std::string_view word = m_scanner.word();
   const auto parsed = parseInteger(word);
-  if (!parsed) return bad(ErrorCode::NumberMalformed, word);
+  if (!parsed) return refuse(unexpectedWord("a whole number", word, m_scanner.place()));
   value = *parsed;
   return RowState::Good;
 }
 
 RowState PlyTextRows::skip(PlyType, std::uint64_t numbers) {
   for (std::uint64_t i = 0; i < numbers; ++i)
-    if (m_scanner.word().empty()) return bad(ErrorCode::TokenUnexpected, {});
+    if (m_scanner.word().empty()) return refuse(unexpectedWord("a number", {}, m_scanner.place()));
   return RowState::Good;
 }
 
 RowState PlyTextRows::end() {
   const std::string_view word = m_scanner.word();
-  if (!word.empty()) return refuse(unexpectedWord("end of line", word, m_scanner.place()));
+  if (!word.empty()) return refuse(unexpectedWord("the end of the line", word, m_scanner.place()));
   m_scanner.nextLine();
   return RowState::Good;
 }
@@ -75,7 +74,8 @@ RowState PlyTextRows::refuse(Error error) {
 }
 
 RowState PlyTextRows::bad(ErrorCode why, std::string_view word) {
-  m_error = word.empty() ? unexpectedWord("number", word, m_scanner.place()) : wordError(why, word, m_scanner.place());
+  m_error =
+      word.empty() ? unexpectedWord("a number", word, m_scanner.place()) : wordError(why, word, m_scanner.place());
   return RowState::Bad;
 }
 
@@ -98,7 +98,7 @@ RowState PlyBinaryRows::integer(PlyType type, std::int64_t& value) {
   if (number(type, real) != RowState::Good) return RowState::Ended;
   constexpr double kExact = 9007199254740992.0;  // 2^53
   if (!(std::abs(real) <= kExact) || real != std::trunc(real))
-    return refuse({ErrorCode::NumberMalformed, {std::to_string(real)}, start, {}});
+    return refuse({ErrorCode::TokenUnexpected, {"a whole number", std::to_string(real)}, start, {}});
   value = static_cast<std::int64_t>(real);
   return RowState::Good;
 }

@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/formats/PolygonTriangulation.h"
 
+#include "base/Tolerance.h"
+
 #include <cmath>
 
 namespace handwheel {
 
 namespace {
 
-// A polygon counts as planar when no corner is further from its plane than this share of its size: beyond, which cut is
-// right depends on more than the outline, and everybody expects a fan.
-constexpr double kPlanar = 1e-3;
 constexpr std::uint64_t kTestsPerLook = 500'000;
 constexpr std::uint64_t kTestsPerCorner = 100;  // enough for polygons of some hundred corners, however many
 
@@ -56,7 +55,7 @@ bool PolygonTriangulation::flatten(const std::vector<Vec3>& points, std::span<co
     low = std::min(low, normal.dot(d));
     high = std::max(high, normal.dot(d));
   }
-  if (!(high - low <= kPlanar * size)) return false;
+  if (!(high - low <= tolerance::kPlanarPolygon * size)) return false;
 
   Eigen::Index drop = 0;
   normal.cwiseAbs().maxCoeff(&drop);

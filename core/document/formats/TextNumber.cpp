@@ -80,7 +80,7 @@ bool readPoint(TextScanner& scanner, NumberType type, Vec3& point, Error& error,
     const bool good = !word.empty() && parseNumber(word, value, why);
     point[axis] = rounded(value, type);
     if (good && std::isfinite(point[axis])) continue;
-    error = word.empty() ? unexpectedWord("number", word, scanner.place()) : wordError(why, word, scanner.place());
+    error = word.empty() ? unexpectedWord("a number", word, scanner.place()) : wordError(why, word, scanner.place());
     return false;
   }
   return true;

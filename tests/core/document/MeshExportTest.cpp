@@ -66,6 +66,15 @@ class MeshExportTest : public QObject {
   Q_OBJECT
 
  private slots:
+  // Two tetrahedra that share an edge: closed, and that one edge has four faces.
+  void measuresTheFile() {
+    const MeshReport inFile = exported(pairAtAnEdge(0.0), NumberType::Float64, "a.stl").report.inFile;
+    QCOMPARE(inFile.triangles, std::size_t{8});
+    QVERIFY(inFile.closed && !inFile.manifold && !inFile.isSound());
+    QCOMPARE(inFile.nonManifoldEdges, std::size_t{1});
+    QVERIFY(!inFile.selfIntersectingPairs.has_value());
+  }
+
   void holdsTheMesh_data() {
     QTest::addColumn<QString>("name");
     for (const char* name : {"a.stl", "a.ply", "a.obj", "a.off", "A.STL"}) QTest::newRow(name) << name;

@@ -40,6 +40,7 @@ class BorderVerticesTest : public QObject {
   void whoIsIn();
   void findsAllInABox();
   void nearPairs();
+  void detailOfALargeModel();
 };
 
 void BorderVerticesTest::diagonal() {
@@ -73,19 +74,28 @@ void BorderVerticesTest::findsAllInABox() {
   }));
 }
 
-// Each vertex with its nearest of smaller number within reach, all against all.
+// Each vertex with its nearest of smaller number within reach, and within a quarter of every border edge at either; all
+// against all.
 void BorderVerticesTest::nearPairs() {
   QVERIFY(rc::check("the same pairs as all against all", [] {
     std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
     const HalfEdgeMesh mesh = crumbs(random);
     const double reach = tolerance::kNearWeld * modelDiagonal(mesh);
     const std::set<Vertex> border = onBorder(mesh);
+    const auto detail = [&](Vertex v) {
+      double shortest = INFINITY;
+      for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h)
+        if (mesh.isBorder(h) && (mesh.from(h) == v || mesh.to(h) == v))
+          shortest = std::min(shortest, (mesh.position(mesh.to(h)) - mesh.position(mesh.from(h))).norm());
+      return tolerance::kNearWeldEdge * shortest;
+    };
     std::vector<std::pair<Vertex, Vertex>> expected;
     for (Vertex v : border) {
       Vertex nearest = kNone;
       double best = reach;
       for (Vertex u : border) {
         const double distance = (mesh.position(u) - mesh.position(v)).norm();
+        if (distance > detail(u) || distance > detail(v)) continue;
         if (u >= v || distance == 0.0 || distance > best || (distance == best && nearest != kNone)) continue;
         best = distance;
         nearest = u;
@@ -95,6 +105,17 @@ void BorderVerticesTest::nearPairs() {
     RC_CLASSIFY(!expected.empty(), "some are near");
     RC_ASSERT(nearBorderVertices(mesh) == expected);
   }));
+}
+
+// A flake far out makes the reach larger than a hole; the hole's corners are still not one vertex.
+void BorderVerticesTest::detailOfALargeModel() {
+  TriangleSoup soup = test::sphereWithoutCap(3);
+  test::append(soup, TriangleSoup{{Vec3(1e6, 0, 0), Vec3(1e6, 1, 0), Vec3(1e6, 0, 1)}, {{0, 1, 2}}});
+  const HalfEdgeMesh mesh = buildMesh(soup).mesh;
+  QVERIFY(nearWeldReach(mesh) > 1.0);
+  QVERIFY(nearBorderVertices(mesh).empty());
+  for (Vec3& p : soup.points) p *= 1e300;
+  QCOMPARE(nearWeldReach(buildMesh(soup).mesh), 0.0);
 }
 
 QTEST_GUILESS_MAIN(BorderVerticesTest)

@@ -53,6 +53,7 @@ class CleaningTest : public QObject {
   Q_OBJECT
 
  private slots:
+  void bookOfLeavesStays();
   void needlesOfClosedShapes();
   void randomNeedles();
   void needleAtTheBorder();
@@ -161,6 +162,18 @@ void CleaningTest::debrisGoes() {
   QCOMPARE(removeDebris(mesh), std::size_t{4});
   QCOMPARE(mesh.liveFaceCount(), std::size_t{5120 + 320 + 12});
   QCOMPARE(validate(mesh), std::string());
+}
+
+// Three small triangles at one edge hang on nothing but each other: a part, however small, that only the removal of
+// debris may take.
+void CleaningTest::bookOfLeavesStays() {
+  TriangleSoup soup = test::icosphere(2);
+  const TriangleSoup book{{Vec3(0, 0, 0), Vec3(0, 0, 1), Vec3(1, 0, 0), Vec3(-1, 1, 0), Vec3(-1, -1, 0)},
+                          {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}}};
+  test::append(soup, test::moved(book, Vec3(1, 1, 1), 0.001));
+  HalfEdgeMesh mesh = buildMesh(soup).mesh;
+  QCOMPARE(removeFlaps(mesh), std::size_t{0});
+  QCOMPARE(mesh.liveFaceCount(), soup.triangles.size());
 }
 
 QTEST_GUILESS_MAIN(CleaningTest)

@@ -15,6 +15,7 @@ class DuplicateFacesTest : public QObject {
   Q_OBJECT
 
  private slots:
+  void sheetWrittenTwice();
   void doubledFaces();
   void innerWallTwice();
   void pillowStays();
@@ -94,6 +95,17 @@ void DuplicateFacesTest::nothingDoubled() {
     QCOMPARE(removeDuplicateFaces(mesh), std::size_t{0});
     QVERIFY(test::sameMesh(mesh, before));
   }
+}
+
+// Both copies look the same way: not the two sides of a plate. One of each face stays, and the sheet's one border.
+void DuplicateFacesTest::sheetWrittenTwice() {
+  const TriangleSoup sheet = test::disc(12, 4);
+  TriangleSoup soup = sheet;
+  test::append(soup, sheet);
+  HalfEdgeMesh mesh = buildMesh(soup).mesh;
+  QCOMPARE(removeDuplicateFaces(mesh), sheet.triangles.size());
+  QCOMPARE(mesh.liveFaceCount(), sheet.triangles.size());
+  QCOMPARE(test::countBorder(mesh), std::size_t{12});
 }
 
 QTEST_GUILESS_MAIN(DuplicateFacesTest)

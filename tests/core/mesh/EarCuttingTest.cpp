@@ -40,6 +40,7 @@ class EarCuttingTest : public QObject {
   Q_OBJECT
 
  private slots:
+  void cutThroughLobedPrism();
   void convexPolygons();
   void everyWeight();
   void facesOutward();
@@ -136,6 +137,33 @@ void EarCuttingTest::cancels() {
   JobState job;
   job.cancelled = true;
   QVERIFY(!cutEars(c.hole, c.obstacles, {}, Progress(job)));
+}
+
+// Walls upright around a flat cut with reflex corners: any triangulation of the cut has exactly its area.
+void EarCuttingTest::cutThroughLobedPrism() {
+  for (double flare : {0.0, 0.5, -0.5}) {
+    const std::uint32_t n = 120;
+    const TriangleSoup prism = test::grid(5, n, false, true, [&](std::uint32_t i, std::uint32_t j) {
+      const double angle = 2.0 * M_PI * j / n, radius = 1.0 + 0.3 * std::cos(7.0 * angle) + flare * 0.05 * i;
+      return Vec3(radius * std::cos(angle), radius * std::sin(angle), 0.05 * i);
+    });
+    const HalfEdgeMesh mesh = buildMesh(prism).mesh;
+    const Obstacles obstacles(mesh);
+    for (const BoundaryLoop& loop : findBoundaryLoops(mesh)) {
+      const HoleContext hole = holeContext(mesh, loop);
+      Vec3 twice = Vec3::Zero();
+      for (std::size_t i = 0; i < hole.loopSize; ++i)
+        twice += hole.points[i].cross(hole.points[(i + 1) % hole.loopSize]);
+      const std::optional<Patch> patch = cutEars(hole, obstacles, {});
+      QVERIFY(patch.has_value());
+      double area = 0.0;
+      for (const Triangle& t : patch->triangles) {
+        const TrianglePoints p = corners(*patch, t);
+        area += 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
+      }
+      QVERIFY(std::abs(area - 0.5 * twice.norm()) < 1e-9);
+    }
+  }
 }
 
 QTEST_GUILESS_MAIN(EarCuttingTest)

@@ -36,6 +36,7 @@ class HoleContextTest : public QObject {
   Q_OBJECT
 
  private slots:
+  void outwardOfALid();
   void aroundAHoleInASphere();
   void smallPart();
 };
@@ -81,6 +82,19 @@ void HoleContextTest::smallPart() {
   QCOMPARE(hole.points.size(), std::size_t{4});
   QCOMPARE(hole.ring.size(), std::size_t{3});
   for (const Vec3& apex : hole.apexes) QVERIFY(apex == Vec3::Zero());
+}
+
+// An open can: the lids look away from each other, with length 1 because they are flat and convex.
+void HoleContextTest::outwardOfALid() {
+  const HalfEdgeMesh mesh = buildMesh(test::cylinder(16, 3, 1.0, 2.0, false)).mesh;
+  Vec3 sum = Vec3::Zero();
+  for (const BoundaryLoop& loop : findBoundaryLoops(mesh)) {
+    const Vec3 outward = holeContext(mesh, loop).outward();
+    QVERIFY(std::abs(outward.norm() - 1.0) < 1e-12);
+    QVERIFY(std::abs(std::abs(outward.z()) - 1.0) < 1e-12);
+    sum += outward;
+  }
+  QVERIFY(sum.norm() < 1e-12);
 }
 
 QTEST_GUILESS_MAIN(HoleContextTest)

@@ -37,6 +37,7 @@ class LibraryFillTest : public QObject {
   Q_OBJECT
 
  private slots:
+  void hostileSizesAreRefused();
   void minimalHasNoNewVertices();
   void minimalOfTheSmallestHole();
   void refinedHasTheDensityAround();
@@ -133,6 +134,23 @@ void LibraryFillTest::strangeHolesAreRefusedQuietly() {
     const auto patch = triangulateMinimal(hole);
     if (patch) QVERIFY(patch->triangles.size() <= points.size());
   }
+}
+
+// The library would overflow the stack, or take minutes.
+void LibraryFillTest::hostileSizesAreRefused() {
+  QVERIFY(!triangulateMinimal(firstHole(test::cylinder(tolerance::kLibraryFillEdges + 1, 1, 1.0, 0.1, false))));
+  TriangleSoup cone;  // with one face left out
+  const auto n = static_cast<std::uint32_t>(tolerance::kLibraryFanFaces + 2);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    cone.points.push_back(Vec3(std::cos(2.0 * M_PI * i / n), std::sin(2.0 * M_PI * i / n), 0));
+    if (i > 0) cone.triangles.push_back({i, (i + 1) % n, n});
+  }
+  cone.points.push_back(Vec3(0, 0, 1));
+  const HalfEdgeMesh mesh = buildMesh(cone).mesh;
+  HoleContext hole = holeContext(mesh, findBoundaryLoops(mesh).at(0));
+  const Patch patch{3, hole.points, {{0, 2, 1}}, FillMethod::Minimal};
+  hole.edgeLength.assign(hole.edgeLength.size(), 1.0);
+  QVERIFY(!refinePatch(hole, patch, Bending::Flat));
 }
 
 QTEST_GUILESS_MAIN(LibraryFillTest)

@@ -42,6 +42,7 @@ class RepairTest : public QObject {
   void keepOpen();
   void maxEdges();
   void debris();
+  void openDebris();
   void poleIsReported();
   void needleMovesNothing();
   void cancelledBefore();
@@ -174,6 +175,23 @@ void RepairTest::debris() {
     QCOMPARE(test::eulerCharacteristic(mesh), remove ? 2l : 4l);
     QCOMPARE(validate(mesh), std::string());
   }
+}
+
+// A loop whose faces all went with the debris needs no patch, and the report says why.
+void RepairTest::openDebris() {
+  TriangleSoup soup = test::sphereWithoutCap(4);
+  test::append(soup, TriangleSoup{{Vec3(3, 0, 0), Vec3(3, 0.01, 0), Vec3(3, 0, 0.01)}, {{0, 1, 2}}});
+  const HalfEdgeMesh input = buildMesh(soup).mesh;
+  HalfEdgeMesh mesh = input;
+  RepairOptions options;
+  options.removeDebris = true;
+  const RepairReport report = repair(mesh, options);
+  QCOMPARE(report.loops.size(), std::size_t{2});
+  for (const LoopResult& loop : report.loops) {
+    QCOMPARE(loop.method == FillMethod::Removed, loop.edges == 3);
+    QCOMPARE(loop.newFaces > 0, loop.edges != 3);
+  }
+  QCOMPARE(test::inconsistent(input, mesh, report), std::string());
 }
 
 void RepairTest::poleIsReported() {

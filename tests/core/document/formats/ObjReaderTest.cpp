@@ -54,7 +54,8 @@ class ObjReaderTest : public QObject {
     row("colour", "v 0 0 0 1 0.5 0\nv 1 0 0 nan nan nan\nv 0 1 0 1 1 1 1\nf 1 2 3\n", kTriangle + " - Colour");
     row("weight one", "v 0 0 0 1\nv 1 0 0 1.0\nv 0 1 0 1\nf 1 2 3\n", kTriangle);
     row("weight", "v 0 0 0 1\nv 1 0 0 0.5\nv 0 1 0 1\nf 1 2 3\n", kTriangle + " - Other");
-    row("unknown statement", kVertices + "foo 1\nf 1 2 3\n", kTriangle + " ! TokenUnexpected(statement,foo) line 4");
+    row("unknown statement", kVertices + "foo 1\nf 1 2 3\n",
+        kTriangle + " ! TokenUnexpected(a statement of the format,foo) line 4");
     row("number formats", "v +1 .5 -2.\nv 1.e1 1E+02 1e-0003\nv -0 1e-400 -.5E-1\nf 1 2 3\n",
         "1 0.5 -2, 10 100 0.001, 0 0 -0.05 | 0 1 2");
     row("repeated corner", kVertices + "f 1 2 2\n", "0 0 0, 1 0 0, 0 1 0 | 0 1 1");
@@ -66,8 +67,8 @@ class ObjReaderTest : public QObject {
         kTriangle +
             " ! NumberNotFinite(nan) line 1; NumberNotFinite(1.#INF) line 2; NumberNotFinite(-inf) line 3; "
             "NumberNotFinite(1e309) line 4");
-    row("two coordinates", kVertices + "v 1 2\nf 1 2 3\n", "TokenUnexpected(number,) line 4",
-        kTriangle + " ! TokenUnexpected(number,) line 4");
+    row("two coordinates", kVertices + "v 1 2\nf 1 2 3\n", "TokenUnexpected(a number,) line 4",
+        kTriangle + " ! TokenUnexpected(a number,) line 4");
     row("index nought", kVertices + "f 0 1 2\nf 1 2 3\n", "IndexOutOfRange(0,3) line 4",
         kTriangle + " ! IndexOutOfRange(0,3) line 4");
     row("index beyond", kVertices + "f 1 2 4\nf 1 2 3\n", "IndexOutOfRange(4,3) line 4",
@@ -75,14 +76,15 @@ class ObjReaderTest : public QObject {
     row("negative index beyond", kVertices + "f -4 1 2\nf 1 2 3\n", "IndexOutOfRange(-4,3) line 4",
         kTriangle + " ! IndexOutOfRange(-4,3) line 4");
     row("index of twenty digits", kVertices + "f 1 2 99999999999999999999\nf 1 2 3\n",
-        "NumberMalformed(99999999999999999999) line 4", kTriangle + " ! NumberMalformed(99999999999999999999) line 4");
+        "TokenUnexpected(a vertex number,99999999999999999999) line 4",
+        kTriangle + " ! TokenUnexpected(a vertex number,99999999999999999999) line 4");
     row("smallest index", kVertices + "f 1 2 -9223372036854775808\nf 1 2 3\n",
         "IndexOutOfRange(-9223372036854775808,3) line 4",
         kTriangle + " ! IndexOutOfRange(-9223372036854775808,3) line 4");
-    row("corner that is no number", kVertices + "f 1 b 3\nf 1 2 3\n", "NumberMalformed(b) line 4",
-        kTriangle + " ! NumberMalformed(b) line 4");
-    row("corner with a letter behind", kVertices + "f 1 2/x 3\nf 1 2 3\n", "NumberMalformed(2/x) line 4",
-        kTriangle + " ! NumberMalformed(2/x) line 4");
+    row("corner that is no number", kVertices + "f 1 b 3\nf 1 2 3\n", "TokenUnexpected(a vertex number,b) line 4",
+        kTriangle + " ! TokenUnexpected(a vertex number,b) line 4");
+    row("corner with a letter behind", kVertices + "f 1 2/x 3\nf 1 2 3\n",
+        "TokenUnexpected(a vertex number,2/x) line 4", kTriangle + " ! TokenUnexpected(a vertex number,2/x) line 4");
     row("two corners", kVertices + "f 1 2\nf 1 2 3\n", "PolygonTooSmall(2) line 4",
         kTriangle + " ! PolygonTooSmall(2) line 4");
     row("no corners", kVertices + "f\nf 1 2 3\n", "PolygonTooSmall(0) line 4",

@@ -71,13 +71,13 @@ class OffReaderTest : public QObject {
     row("any dimension", "nOFF\n3\n3 1 0\n", "TypeUnknown(nOFF) line 1");
     row("colours in four dimensions", "C4OFF\n3 1 0\n", "TypeUnknown(C4OFF) line 1");
     row("not OFF at all", "hello\n3 1 0\n", "HeaderMalformed(OFF) line 1");
-    row("keyword only", "OFF\n", "TokenUnexpected(number of vertices,) line 2");
-    row("one count", "OFF\n3\n", "TokenUnexpected(number of faces,) line 3");
-    row("negative count", "OFF\n-3 1 0\n" + kBody, "NumberMalformed(-3) line 2");
-    row("count that is no number", "OFF\nx 1 0\n" + kBody, "NumberMalformed(x) line 2");
+    row("keyword only", "OFF\n", "TokenUnexpected(the number of vertices,) line 2");
+    row("one count", "OFF\n3\n", "TokenUnexpected(the number of faces,) line 3");
+    row("negative count", "OFF\n-3 1 0\n" + kBody, "TokenUnexpected(the number of vertices,-3) line 2");
+    row("count that is no number", "OFF\nx 1 0\n" + kBody, "TokenUnexpected(the number of vertices,x) line 2");
     row("no faces", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", "NoTriangles");
     row("count beyond the file", "OFF\n353535235358 1 0\n" + kBody, "DataTruncated(vertices,353535235358,4) line 7",
-        "NoTriangles");
+        "NoTriangles line 7");
     row("more faces than there are", QByteArray(plain).replace("3 1 0", "3 3 0"), "DataTruncated(faces,3,1) line 7",
         kTriangle + " ! DataTruncated(faces,3,1) line 7");
     row("fewer faces than there are", plain + "3 2 1 0\n", kTriangle + " ! CountMismatch(bytes,36,44) line 7");
@@ -85,12 +85,12 @@ class OffReaderTest : public QObject {
         kTriangle + " ! IndexOutOfRange(3,3) line 7");
     row("negative index", "OFF\n3 2 0\n" + kBody + "3 0 1 -1\n", "IndexOutOfRange(-1,3) line 7",
         kTriangle + " ! IndexOutOfRange(-1,3) line 7");
-    row("face cut short", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n3 0 1 2\n", "TokenUnexpected(number,) line 6",
-        kTriangle + " ! TokenUnexpected(number,) line 6");
+    row("face cut short", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n3 0 1 2\n",
+        "TokenUnexpected(a whole number,) line 6", kTriangle + " ! TokenUnexpected(a whole number,) line 6");
     row("face without corners", "OFF\n3 2 0\n" + kBody + "0\n", "PolygonTooSmall(0) line 7",
         kTriangle + " ! PolygonTooSmall(0) line 7");
     row("face of two thousand million corners", "OFF\n3 2 0\n" + kBody + "2000000000 0 1 2\n",
-        "TokenUnexpected(number,) line 7", kTriangle + " ! TokenUnexpected(number,) line 7");
+        "TokenUnexpected(a whole number,) line 7", kTriangle + " ! TokenUnexpected(a whole number,) line 7");
     row("number with an X", "OFF\n4 2 0\n0 X 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 1 2 3\n", "NumberMalformed(X) line 3",
         kTriangle + " ! NumberMalformed(X) line 3; VertexUnreadable(0) line 7");
     row("not finite", "OFF\n4 1 0\n0 0 0\n1 0 0\n0 1 0\n0 inf 0\n3 0 1 2\n", "NumberNotFinite(inf) line 6",

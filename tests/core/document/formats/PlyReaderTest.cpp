@@ -88,17 +88,17 @@ class PlyReaderTest : public QObject {
         "TokenUnexpected(end_header,elephant) line 7");
     row("property of nothing", "ply\nformat ascii 1.0\nproperty float x\nend_header\n",
         "HeaderMalformed(element) line 3");
-    row("negative count", QByteArray(plain).replace("vertex 3", "vertex -3"), "NumberMalformed(-3) line 3");
-    row("no z", QByteArray(plain).replace("float z", "float w"), "HeaderMalformed(property z)");
+    row("negative count", QByteArray(plain).replace("vertex 3", "vertex -3"), "TokenUnexpected(a count,-3) line 3");
+    row("no z", QByteArray(plain).replace("float z", "float w"), "HeaderMalformed(property z) line 9");
     row("no corners", QByteArray(plain).replace("list uchar int vertex_indices", "int vertex_indices"),
-        "HeaderMalformed(property vertex_indices)");
+        "HeaderMalformed(property vertex_indices) line 9");
     row("header only", "ply\nformat ascii 1.0\nend_header\n", "NoTriangles");
     row("points only", text(kFloatVertices, kRows), "NoTriangles");
 
     row("fewer faces than announced", QByteArray(plain).replace("face 1", "face 3"), "DataTruncated(faces,3,1) line 14",
         kTriangle + " ! DataTruncated(faces,3,1) line 14");
     row("vertices that never come", QByteArray(plain).replace("vertex 3", "vertex 4000000000000"),
-        "TokenUnexpected(end of line,2) line 13", "NoTriangles");
+        "TokenUnexpected(the end of the line,2) line 13", "NoTriangles line 13");
     row("more faces than announced", plain + "3 2 1 0\n",
         kTriangle + QString(" ! CountMismatch(bytes,%1,%2) line 14").arg(plain.size()).arg(plain.size() + 8));
     row("index beyond", QByteArray(plain).replace("face 1", "face 2") + "3 0 1 3\n", "IndexOutOfRange(3,3) line 14",
@@ -107,17 +107,22 @@ class PlyReaderTest : public QObject {
         kTriangle + " ! IndexOutOfRange(-1,3) line 14");
     row("two corners", QByteArray(plain).replace("face 1", "face 2") + "2 0 1\n", "PolygonTooSmall(2) line 14",
         kTriangle + " ! PolygonTooSmall(2) line 14");
-    row("negative list", QByteArray(plain).replace("face 1", "face 2") + "-3 0 1\n", "NumberMalformed(-3) line 14",
-        kTriangle + " ! NumberMalformed(-3) line 14");
+    row("negative list", QByteArray(plain).replace("face 1", "face 2") + "-3 0 1\n",
+        "TokenUnexpected(a count,-3) line 14", kTriangle + " ! TokenUnexpected(a count,-3) line 14");
     row("list that is longer than its line", QByteArray(plain).replace("face 1", "face 2") + "2000000000 0 1 2\n",
-        "TokenUnexpected(number,) line 14", kTriangle + " ! TokenUnexpected(number,) line 14");
+        "TokenUnexpected(a whole number,) line 14", kTriangle + " ! TokenUnexpected(a whole number,) line 14");
     row("a row too long", QByteArray(plain).replace("face 1", "face 2") + "3 0 1 2 9\n",
-        "TokenUnexpected(end of line,9) line 14", kTriangle + " ! TokenUnexpected(end of line,9) line 14");
-    row("a row too short", QByteArray(plain).replace("1 0 0", "1 0"), "TokenUnexpected(number,) line 11",
-        "NoTriangles");
-    row("not finite", QByteArray(plain).replace("1 0 0", "1 nan 0"), "NumberNotFinite(nan) line 11", "NoTriangles");
+        "TokenUnexpected(the end of the line,9) line 14",
+        kTriangle + " ! TokenUnexpected(the end of the line,9) line 14");
+    row("a row too short", QByteArray(plain).replace("1 0 0", "1 0"), "TokenUnexpected(a number,) line 11",
+        "NoTriangles line 11");
+    row("a bad row, then too few", QByteArray(plain).replace("face 1", "face 3") + "3 0 x 2\n",
+        "TokenUnexpected(a whole number,x) line 14",
+        kTriangle + " ! TokenUnexpected(a whole number,x) line 14; DataTruncated(faces,3,2) line 15");
+    row("not finite", QByteArray(plain).replace("1 0 0", "1 nan 0"), "NumberNotFinite(nan) line 11",
+        "NoTriangles line 11");
     row("beyond single precision", QByteArray(plain).replace("1 0 0", "1e39 0 0"), "NumberNotFinite(1e39) line 11",
-        "NoTriangles");
+        "NoTriangles line 11");
   }
 
   void readsText() {
