@@ -117,7 +117,7 @@ int DocumentScene::loopAt(const Pick& pick) const {
 
 void DocumentScene::showSurface() {
   if (!m_document->visible) return m_viewport.clear();
-  m_viewport.setMesh(m_document->document.mesh());
+  m_viewport.setMesh(m_document->document.mesh(), m_document->document.defects().box);
   drawLoops();
   drawDefects();
   drawPreview();

@@ -136,6 +136,7 @@ void FileActions::askForName(OpenDocument* document, std::function<void()> then)
   dialog->setObjectName(QStringLiteral("saveDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setLabelText(QFileDialog::LookIn, tr("Save in:"));
   dialog->setNameFilters({tr("Meshes (*.stl *.ply *.obj *.off)"), tr("All files (*)")});
   const QString suggestion = repairedName(document->document.path());
   const bool sample = QFileInfo(document->document.path()) == QFileInfo(samplePath());

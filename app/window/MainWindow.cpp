@@ -37,7 +37,7 @@ MainWindow::MainWindow(QThreadPool& pool)
       m_fileActions(this, *m_tabs, m_jobs, m_recent, m_log),
       m_repairJobs(*m_tabs, m_jobs, m_log),
       m_repairActions(*m_tabs, m_selection, m_repairJobs, m_preview),
-      m_showDefects(tr("&Show")),
+      m_showDefects(tr("&Show the list")),
       m_quit(tr("&Quit")) {
   setObjectName(QStringLiteral("mainWindow"));
   setAcceptDrops(true);
@@ -60,6 +60,7 @@ MainWindow::MainWindow(QThreadPool& pool)
 
 // The parts refer to one another, so they go in the reverse order of their making, before the widgets do.
 MainWindow::~MainWindow() {
+  m_defectsDock->disconnect(this);  // it hides last of all
   m_scene->setDocument(nullptr);
   m_defects->setInspection(nullptr);
   m_selection.setDocument(nullptr);
@@ -125,6 +126,7 @@ void MainWindow::connectSelection() {
     m_tabs->current()->cardDismissed = true;
     updateCard();
   });
+  connect(m_card, &NextStepCard::covers, m_viewport, &Viewport::setCovered);
   auto* space = new QShortcut(QKeySequence(Qt::Key_Space), m_viewport, nullptr, nullptr, Qt::WidgetShortcut);
   connect(space, &QShortcut::activated, m_repairActions.next(), &QAction::trigger);
 }
@@ -182,8 +184,9 @@ void MainWindow::updateFigures() {
 void MainWindow::updateCard() {
   const OpenDocument* document = m_tabs->current();
   if (!document || m_selection.loop() >= 0 || m_repairJobs.isWorking()) return m_card->showStep({});
+  QAction* showList = m_defectsDock->isVisible() ? nullptr : &m_showDefects;
   m_card->showStep(nextStepFor(*document, {m_repairActions.repairAll(), m_repairActions.removeDebris(),
-                                           m_repairActions.goOneByOne(), &m_showDefects, m_fileActions.saveAs()}));
+                                           m_repairActions.goOneByOne(), showList, m_fileActions.saveAs()}));
 }
 
 void MainWindow::updateHints() {
@@ -194,9 +197,13 @@ void MainWindow::updateHints() {
     hints = {{tr("Enter"), tr("fill")},   {tr("K"), tr("keep open")},  {tr("N"), tr("next hole")},
              {tr("Esc"), tr("deselect")}, {tr("Middle"), tr("orbit")}, {tr("Shift+middle"), tr("pan")},
              {tr("Wheel"), tr("zoom")}};
+    if (!m_repairActions.fill()->isEnabled()) hints.erase(hints.begin());
   } else {
-    hints = {{tr("Click"), tr("select a hole")}, {tr("N"), tr("next hole")}, {tr("Middle"), tr("orbit")},
-             {tr("Shift+middle"), tr("pan")},    {tr("Wheel"), tr("zoom")},  {tr("F"), tr("fit")}};
+    if (m_repairActions.next()->isEnabled()) hints = {{tr("Click"), tr("select a hole")}, {tr("N"), tr("next hole")}};
+    hints.insert(hints.end(), {{tr("Middle"), tr("orbit")},
+                               {tr("Shift+middle"), tr("pan")},
+                               {tr("Wheel"), tr("zoom")},
+                               {tr("F"), tr("fit")}});
   }
   m_hints->setHints(std::move(hints));
 }

@@ -118,6 +118,7 @@ void MainWindow::buildDocks() {
   m_historyDock = addDock(*this, Qt::LeftDockWidgetArea, "historyDock", tr("History"), history, "history");
   m_defectsDock = addDock(*this, Qt::RightDockWidgetArea, "defectsDock", tr("Defects"), m_defects, "defects");
   m_logDock = addDock(*this, Qt::BottomDockWidgetArea, "logDock", tr("Log"), new LogPanel(&m_log, this), "log");
+  connect(m_defectsDock, &QDockWidget::visibilityChanged, this, &MainWindow::updateCard);
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   resizeDocks({m_documentsDock, m_defectsDock}, {216, 272}, Qt::Horizontal);

@@ -14,7 +14,7 @@ struct NextStepActions {
   QAction* repairAll;
   QAction* removeDebris;
   QAction* oneByOne;
-  QAction* showDefects;
+  QAction* showDefects;  // null: they are in view
   QAction* saveAs;
 };
 

@@ -100,7 +100,7 @@ void RepairJobs::removeDebris(OpenDocument* document) {
       if (!m_tabs.contains(document)) return;
       if (isStale(document, revision)) return tellStale(*document, Round::Second);
       document->document.commit(tr("Remove debris"), after);
-      m_log.add(tr("Removed %n loose piece(s) from %1", nullptr, pieces).arg(document->document.name()));
+      m_log.add(tr("Removed %Ln loose piece(s) from %1", nullptr, pieces).arg(document->document.name()));
     };
   };
   start(std::move(job));
@@ -141,9 +141,7 @@ void RepairJobs::repairedAll(OpenDocument* document, const InspectedMesh& after,
   logRepair(*document, report, options);
   document->repaired = true;
   document->document.commit(tr("Repair all"), after);
-  for (const auto& [key, reason] : failures) {
-    if (const int loop = inspection.loopWithKey(key); loop >= 0) inspection.setFailure(loop, reason);
-  }
+  inspection.setFailures(failures);
 }
 
 void RepairJobs::logRepair(const OpenDocument& document, const RepairReport& report, const RepairOptions& options) {

@@ -77,7 +77,7 @@ std::map<Edge, Meeting> findMeetings(const std::vector<Triangle>& triangles, con
 // For duplicates that hang together, the edges that would be open or crowded if none, one or two of each group stayed.
 struct Choice {
   int bad[3] = {0, 0, 0};
-  long open = 0;    // edges that one face of each group would leave open
+  long open = 0;  // edges that one face of each group would leave open
   long groups = 0;
   bool standsAlone = true;  // no other face at any edge
   bool platesOnly = true;

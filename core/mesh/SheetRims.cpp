@@ -28,11 +28,15 @@ struct Sheet {
     return thickness < tolerance::kFlatSheet * extent;
   }
 
+  // The longest loop's length, squared, in areas of the part: 4π for a flat disc, 2π for half a sphere.
+  double outline() const { return longest->length * longest->length / area; }
+
+  bool isRagged() const { return outline() > tolerance::kRaggedOutline; }
+
   // A flat disc with the outline's length would be larger than the part, and closed by a cone from the outline's centre
   // the part would hold little: a patch would be its second skin.
   bool isThin() const {
-    return longest->length * longest->length > 4.0 * M_PI * area &&
-           std::abs(volume) < tolerance::kSheetVolume * std::pow(area, 1.5);
+    return outline() > 4.0 * M_PI && std::abs(volume) < tolerance::kSheetVolume * std::pow(area, 1.5);
   }
 };
 
@@ -62,7 +66,7 @@ void markRims(const HalfEdgeMesh& mesh, const PositionTriangles& byPosition, std
     }
   }
   for (const Sheet& sheet : sheets) {
-    if (sheet.longest && sheet.area > 0.0) sheet.longest->rim = sheet.isFlat() || sheet.isThin();
+    if (sheet.longest && sheet.area > 0.0) sheet.longest->rim = sheet.isFlat() || sheet.isThin() || sheet.isRagged();
   }
 }
 

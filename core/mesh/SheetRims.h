@@ -7,9 +7,9 @@
 
 namespace handwheel {
 
-// Sets rim on the outer edge of every part that is an open sheet rather than a surface with holes: a flat part, or a
-// thin one with a long outline, as the view of a scanner from one side is. A patch over such a loop would cover the
-// sheet with a second skin.
+// Sets rim on the outer edge of every part that is an open sheet rather than a surface with holes: a flat part, a thin
+// one with a long outline, or a frayed one, as the view of a scanner from one side is. A patch over such a loop would
+// cover the sheet with a second skin.
 void markRims(const HalfEdgeMesh& mesh, const PositionTriangles& byPosition, std::vector<BoundaryLoop>& loops);
 
 }  // namespace handwheel

@@ -74,7 +74,8 @@ void DefectDelegate::paintGroup(QPainter* painter, const QStyleOptionViewItem& o
     const int width = option.fontMetrics.horizontalAdvance(number);
     paintSpinner(painter, {right.right() - width - kIcon - 4, iconRect.top(), kIcon, kIcon});
   } else if (count == 0) {
-    icon(QStringLiteral("ok"), colours.muted).paint(painter, eye);
+    number = DefectModel::tr("none");
+    icon(QStringLiteral("ok"), colours.success).paint(painter, eye);
   } else {
     number = QLocale().toString(count);
     const bool shown = index.data(DefectModel::ShownRole).toBool();
@@ -85,9 +86,9 @@ void DefectDelegate::paintGroup(QPainter* painter, const QStyleOptionViewItem& o
   painter->setFont(font);
   painter->setPen(count > 0 ? colours.text : colours.muted);
   painter->drawText(right, Qt::AlignRight | Qt::AlignVCenter, number);
-  const QRect name = left.adjusted(kIcon + kGap, 0, -(left.right() - right.right()) - 48, 0);
-  painter->drawText(left.adjusted(kIcon + kGap, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
-                    painter->fontMetrics().elidedText(index.data().toString(), Qt::ElideRight, name.width() + 40));
+  const QRect name = right.adjusted(kIcon + kGap, 0, -painter->fontMetrics().horizontalAdvance(number) - kGap, 0);
+  painter->drawText(name, Qt::AlignLeft | Qt::AlignVCenter,
+                    painter->fontMetrics().elidedText(index.data().toString(), Qt::ElideRight, name.width()));
 }
 
 void DefectDelegate::paintDefect(QPainter* painter, const QStyleOptionViewItem& option,

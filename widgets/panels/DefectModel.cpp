@@ -175,7 +175,7 @@ QString DefectModel::rowDetail(DefectKind kind, int row) const {
   }
   if (kind == DefectKind::Debris) {
     const std::size_t i = m_inspection->debris()[static_cast<std::size_t>(row)];
-    return tr("%n triangle(s)", nullptr,
+    return tr("%Ln triangle(s)", nullptr,
               static_cast<int>(m_inspection->document().defects().components[i].faces.size()));
   }
   return {};
@@ -240,9 +240,9 @@ QString defectKindName(DefectKind kind) {
     case DefectKind::NonManifoldVertex:
       return DefectModel::tr("Non-manifold vertices");
     case DefectKind::NearVertex:
-      return DefectModel::tr("Near-coincident vertices");
+      return DefectModel::tr("Near vertices");
     case DefectKind::Flipped:
-      return DefectModel::tr("Flipped triangles");
+      return DefectModel::tr("Triangles turned over");
     case DefectKind::Degenerate:
       return DefectModel::tr("Degenerate triangles");
     case DefectKind::Duplicate:

@@ -114,7 +114,7 @@ void HoleSettings::showPreview(const PreviewState& state) {
     case PreviewState::Kind::Ready:
       break;
   }
-  const QString size = tr("%n new triangle(s)", nullptr, static_cast<int>(state.triangles));
+  const QString size = tr("%Ln new triangle(s)", nullptr, static_cast<int>(state.triangles));
   m_status->setText(
       state.method == method()
           ? size

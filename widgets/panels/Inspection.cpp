@@ -103,7 +103,7 @@ QString Inspection::loopName(int id) const {
 
 QString Inspection::loopDetail(int id) const {
   const BoundaryLoop& l = loop(id);
-  return tr("%n edge(s), %1", nullptr, static_cast<int>(l.halfEdges.size())).arg(lengthText(l.length));
+  return tr("%Ln edge(s), %1", nullptr, static_cast<int>(l.halfEdges.size())).arg(lengthText(l.length));
 }
 
 QString Inspection::loopTitle(int id) const {
@@ -119,6 +119,11 @@ void Inspection::setFailure(int id, FillFailure failure) {
   if (this->failure(id) == failure) return;
   m_failures[keyOf(id)] = failure;
   emit changed();
+}
+
+void Inspection::setFailures(const std::vector<std::pair<Vertex, FillFailure>>& failures) {
+  for (const auto& [key, failure] : failures) m_failures[key] = failure;
+  if (!failures.empty()) emit changed();
 }
 
 Vertex Inspection::keyOf(int id) const {

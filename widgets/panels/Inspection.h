@@ -55,6 +55,8 @@ class Inspection : public QObject {
 
   FillFailure failure(int id) const;
   void setFailure(int id, FillFailure failure);
+  // By key; loops that are gone may be among them.
+  void setFailures(const std::vector<std::pair<Vertex, FillFailure>>& failures);
 
   // The loop of the present mesh that starts at the same vertex as a loop did before an edit; -1 if it is gone.
   Vertex keyOf(int id) const;

@@ -12,7 +12,7 @@
 namespace handwheel {
 
 namespace {
-constexpr int kSteps = 1000;
+constexpr int kSteps = 128;  // pixels of the bar
 }
 
 JobBar::JobBar(QWidget* parent) : QWidget(parent), m_name(new QLabel(this)), m_progress(new QProgressBar(this)) {
@@ -41,13 +41,18 @@ void JobBar::showJob(const QString& name) {
   m_name->setText(name);
   m_progress->setAccessibleName(name);
   m_progress->setRange(0, 0);  // unknown until the job says more
+  m_progress->reset();
   show();
 }
 
 void JobBar::setProgress(double fraction) {
-  if (fraction <= 0.0) return;
+  const int step = static_cast<int>(fraction * kSteps);
+  if (step <= 0 || step == m_progress->value()) return;
+  // QProgressBar would draw itself before it returns, and the 3D view with it; this asks for the next frame instead.
+  m_progress->setUpdatesEnabled(false);
   m_progress->setRange(0, kSteps);
-  m_progress->setValue(static_cast<int>(fraction * kSteps));
+  m_progress->setValue(step);
+  m_progress->setUpdatesEnabled(true);
 }
 
 void JobBar::hideJob() {

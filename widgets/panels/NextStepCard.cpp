@@ -56,7 +56,11 @@ NextStepCard::NextStepCard(QWidget* over)
 }
 
 void NextStepCard::showStep(const NextStep& step) {
-  if (step.isEmpty()) return hide();
+  if (step.isEmpty()) {
+    hide();
+    emit covers(0);
+    return;
+  }
   m_icon->setPixmap(handwheel::icon(step.icon, step.colour).pixmap(QSize(20, 20), devicePixelRatioF()));
   m_title->setText(step.title);
   m_detail->setText(step.detail);
@@ -85,6 +89,7 @@ void NextStepCard::place() {
   const int width = std::min(room.width() - 2 * kMargin, kWidth);
   const int height = layout()->totalHeightForWidth(width);
   setGeometry((room.width() - width) / 2, room.height() - height - kMargin, width, height);
+  if (!isHidden()) emit covers(height + kMargin);
 }
 
 bool NextStepCard::event(QEvent* event) {

@@ -33,6 +33,8 @@ class NextStepCard : public QFrame {
 
  signals:
   void dismissed();
+  // So many pixels at the lower edge are not to be seen behind the card; 0 when it is hidden.
+  void covers(int pixels);
 
  protected:
   bool event(QEvent* event) override;

@@ -27,7 +27,7 @@ Verdict verdictOn(const Inspection& inspection) {
   if (inspection.isWatertight()) return {QStringLiteral("watertight"), colours.success, StateCard::tr("Watertight")};
   if (holes > 0) {
     return {defectIconName(DefectKind::Hole), defectColour(DefectKind::Hole),
-            StateCard::tr("%n hole(s)", nullptr, holes)};
+            StateCard::tr("%Ln hole(s)", nullptr, holes)};
   }
   if (inspection.isClean()) {
     return {defectIconName(DefectKind::KeptOpen), defectColour(DefectKind::KeptOpen), StateCard::tr("No holes left")};
@@ -42,13 +42,16 @@ QString detailsOf(const Inspection& inspection) {
   };
   const std::size_t tangled =
       inspection.count(DefectKind::NonManifoldEdge) + inspection.count(DefectKind::NonManifoldVertex);
-  if (tangled == 0 && !inspection.isWatertight()) parts << StateCard::tr("0 non-manifold");
   if (tangled > 0) parts << StateCard::tr("%1 non-manifold").arg(tangled);
-  add(DefectKind::KeptOpen, [](int n) { return StateCard::tr("%n kept open", nullptr, n); });
-  add(DefectKind::Flipped, [](int n) { return StateCard::tr("%n flipped", nullptr, n); });
-  add(DefectKind::SelfIntersection, [](int n) { return StateCard::tr("%n self-intersection(s)", nullptr, n); });
-  if (parts.isEmpty() && inspection.isWatertight()) return StateCard::tr("Closed and manifold");
-  return parts.join(QStringLiteral(" · "));
+  add(DefectKind::KeptOpen, [](int n) { return StateCard::tr("%Ln kept open", nullptr, n); });
+  add(DefectKind::Flipped, [](int n) { return StateCard::tr("%Ln turned over", nullptr, n); });
+  add(DefectKind::SelfIntersection, [](int n) { return StateCard::tr("%Ln self-intersection(s)", nullptr, n); });
+  if (parts.isEmpty())
+    return inspection.isWatertight() ? StateCard::tr("Closed and manifold") : StateCard::tr("Manifold");
+  // Lines break between the findings, not within one.
+  parts.replaceInStrings(QStringLiteral(" "), QString(QChar::Nbsp));
+  parts.replaceInStrings(QStringLiteral("-"), QStringLiteral("\u2011"));
+  return parts.join(QStringLiteral(", "));
 }
 
 }  // namespace

@@ -61,16 +61,17 @@ CameraState CameraNavigation::zoomedAt(const Vec2& cursor, double factor) const 
   return c;
 }
 
-CameraState CameraNavigation::fitted(std::span<const Vec3> points, double share) const {
+CameraState CameraNavigation::fitted(std::span<const Vec3> points, double share, double covered) const {
   if (points.empty()) return m_camera;
   Box inView;  // along the axes of the view
   for (const Vec3& p : points) inView.extend(m_camera.orientation.conjugate() * p);
   const Vec3 extent = inView.sizes();
-  const double height = std::max(extent.y(), extent.x() * m_size.y() / m_size.x()) / share;
+  const double free = std::max(m_size.y() - covered, m_size.y() / 2);  // pixels of height
+  const double height = std::max(extent.y() * m_size.y() / free, extent.x() * m_size.y() / m_size.x()) / share;
   CameraState c = m_camera;
-  c.centre = c.orientation * inView.center();
   // A single point has no extent; any magnification is as good then.
   c.height = height > 0 ? height : 1.0;
+  c.centre = c.orientation * inView.center() - c.up() * (c.height * (m_size.y() - free) / 2 / m_size.y());
   return c;
 }
 

@@ -32,8 +32,9 @@ class CameraNavigation {
   CameraState panned(const Vec2& delta) const;
   // factor > 1 enlarges; what appears at cursor stays there.
   CameraState zoomedAt(const Vec2& cursor, double factor) const;
-  // All points in view, as large as can be. share: the part of the view that they fill, 0…1.
-  CameraState fitted(std::span<const Vec3> points, double share) const;
+  // All points in view, as large as can be. share: the part of the view that they fill, 0…1. covered: pixels at the
+  // lower edge that are to stay free, at most half of the view.
+  CameraState fitted(std::span<const Vec3> points, double share, double covered = 0.0) const;
 
  private:
   CameraState m_camera;

@@ -60,67 +60,66 @@ Marks::Marks(vtkRenderer* renderer)
 
 void Marks::setLoops(std::vector<LoopMark> loops) {
   m_loops = std::move(loops);
-  rebuildLoops();
+  m_stale.set(Loops);
 }
 
 void Marks::setFaceMarks(std::vector<FaceMark> marks) {
   m_faceMarks = std::move(marks);
-  rebuildFaces();
+  m_stale.set(Faces);
 }
 
 void Marks::setPointMarks(std::vector<PointMark> marks) {
   m_pointMarks = std::move(marks);
-  rebuildPoints();
+  m_stale.set(Points);
 }
 
 void Marks::setLineMarks(std::vector<LineMark> marks) {
   m_lineMarks = std::move(marks);
-  rebuildLines();
+  m_stale.set(Lines);
 }
 
 void Marks::setPreview(std::vector<Vec3> points, std::vector<Triangle> triangles) {
   m_previewPoints = std::move(points);
   m_previewTriangles = std::move(triangles);
-  rebuildPreview();
+  m_stale.set(Preview);
 }
 
 void Marks::setHovered(int listLoop, int cursorLoop, Face face) {
-  const bool loopsChange = listLoop != m_listLoop || cursorLoop != m_cursorLoop;
-  const bool faceChanges = face != m_hoveredFace;
+  if (listLoop != m_listLoop || cursorLoop != m_cursorLoop) m_stale.set(Loops);
+  if (face != m_hoveredFace) m_stale.set(HoveredFace);
   m_listLoop = listLoop;
   m_cursorLoop = cursorLoop;
   m_hoveredFace = face;
-  if (loopsChange) rebuildLoops();
-  if (faceChanges) rebuildHoveredFace();
 }
 
 void Marks::setColours(const SceneColours& colours) {
   m_colours = colours;
-  rebuildAll();
+  m_stale.set();
 }
 
 void Marks::setMesh(const HalfEdgeMesh& mesh, const Vec3& origin) {
-  const bool hasMoved = m_origin != origin;
+  if (m_origin != origin) m_stale.set();
+  m_stale.set(Faces);
+  m_stale.set(HoveredFace);
   m_mesh = mesh;
   m_origin = origin;
-  if (hasMoved) return rebuildAll();
-  rebuildFaces();
-  rebuildHoveredFace();
 }
 
 void Marks::prepare(const LayerFrame& frame) {
+  rebuildStale();
   for (Layer* layer : {&m_faces, &m_hovered, &m_preview}) layer->prepare(frame);
   m_previewEdges.prepare(frame);
   for (CasedStrokes* strokes : {&m_plainLoops, &m_strongLoops, &m_lines, &m_points}) strokes->prepare(frame);
 }
 
-void Marks::rebuildAll() {
-  rebuildLoops();
-  rebuildFaces();
-  rebuildHoveredFace();
-  rebuildPoints();
-  rebuildLines();
-  rebuildPreview();
+void Marks::rebuildStale() {
+  if (m_stale[Loops]) rebuildLoops();
+  if (m_stale[Faces]) rebuildFaces();
+  if (m_stale[HoveredFace]) rebuildHoveredFace();
+  if (m_stale[Points]) rebuildPoints();
+  if (m_stale[Lines]) rebuildLines();
+  if (m_stale[Preview]) rebuildPreview();
+  m_stale.reset();
 }
 
 void Marks::rebuildLoops() {

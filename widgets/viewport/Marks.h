@@ -6,6 +6,8 @@
 #include "viewport/Lighting.h"
 #include "viewport/ViewportTypes.h"
 
+#include <bitset>
+
 namespace handwheel {
 
 // A stroke with a rim of another colour around it, so that it reads on every surface and background.
@@ -39,10 +41,13 @@ class Marks {
   // The mesh that face marks refer to, and the point that stands at the origin of the drawing.
   void setMesh(const HalfEdgeMesh& mesh, const Vec3& origin);
 
+  // Builds what has changed since the last frame: however often an edit sets the marks, that is done once.
   void prepare(const LayerFrame& frame);
 
  private:
-  void rebuildAll();
+  enum Part { Loops, Faces, HoveredFace, Points, Lines, Preview, kParts };
+
+  void rebuildStale();
   void rebuildLoops();
   void rebuildFaces();
   void rebuildHoveredFace();
@@ -63,6 +68,7 @@ class Marks {
   int m_listLoop = -1;
   int m_cursorLoop = -1;
   Face m_hoveredFace = kNone;
+  std::bitset<kParts> m_stale;
 
   Layer m_faces;
   Layer m_hovered;

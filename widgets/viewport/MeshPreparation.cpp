@@ -11,7 +11,6 @@ namespace {
 
 constexpr std::size_t kSmallMesh = 200000;       // faces that even software rendering turns without a stand-in
 constexpr std::size_t kCoarseTriangles = 50000;  // of the stand-in, roughly
-constexpr std::size_t kBlocksAtOnce = 2;
 
 // Runs work(promise) on a worker and returns the watcher of its future.
 template <class T, class Work>
@@ -45,13 +44,7 @@ void MeshPreparation::startAll(const HalfEdgeMesh& mesh, const Box& bounds, cons
 void MeshPreparation::startSome(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin,
                                 const std::vector<std::size_t>& blocks) {
   m_owed.insert(blocks.begin(), blocks.end());
-  if (m_owed.size() <= kBlocksAtOnce) {
-    drop(m_blocks);
-    const std::set<std::size_t> owed = m_owed;
-    for (const std::size_t b : owed) deliver({b, std::make_shared<SurfaceGeometry>(blockGeometry(mesh, b, origin))});
-  } else {
-    startBlocks(mesh, origin);
-  }
+  startBlocks(mesh, origin);
   startRest(mesh, bounds, origin);
 }
 

@@ -27,8 +27,7 @@ class MeshPreparation {
 
   // All blocks of the mesh and the rest. Drops what is under way.
   void startAll(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin);
-  // After an edit: the given blocks, those still owed of the state before, and the rest. One or two blocks are built
-  // before this returns, so that the picture does not lag behind an edit.
+  // After an edit: the given blocks, those still owed of the state before, and the rest.
   void startSome(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin,
                  const std::vector<std::size_t>& blocks);
   void cancel();

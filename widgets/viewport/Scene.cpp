@@ -8,7 +8,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::size_t kOutlinePoints = 20000;
+constexpr std::size_t kOutlinePoints = 5000;
 
 // Corners of faces at even intervals.
 std::vector<Vec3> sample(const HalfEdgeMesh& mesh) {
@@ -45,10 +45,10 @@ void Scene::clear() {
   m_marks.setPreview({}, {});
 }
 
-void Scene::setMesh(const HalfEdgeMesh& mesh) {
+void Scene::setMesh(const HalfEdgeMesh& mesh, const Box& bounds) {
   m_blocks.clear();
   m_mesh = mesh;
-  m_bounds = boundsOf(mesh);
+  m_bounds = bounds;
   m_outline = sample(mesh);
   m_origin = m_bounds.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(m_bounds.center());
   m_marks.setMesh(m_mesh, m_origin);

@@ -22,8 +22,8 @@ class Scene {
   const std::vector<LoopMark>& loops() const { return m_marks.loops(); }
 
   void clear();
-  // Another model; its blocks are to be enqueued about origin(). Keeps the marks.
-  void setMesh(const HalfEdgeMesh& mesh);
+  // Another model with the bounds of its live faces; its blocks are to be enqueued about origin(). Keeps the marks.
+  void setMesh(const HalfEdgeMesh& mesh, const Box& bounds);
   // The same model after an edit; the origin stays.
   void updateMesh(const HalfEdgeMesh& mesh, const std::vector<Face>& touched);
   const HalfEdgeMesh& mesh() const { return m_mesh; }

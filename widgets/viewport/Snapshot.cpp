@@ -21,32 +21,10 @@ Error writeFailed(std::string reason, const std::filesystem::path& png) {
   return {ErrorCode::WriteFailed, {std::move(reason)}, {}, png.string()};
 }
 
-// Twice the vector area of the loop.
-Vec3 vectorArea(const std::vector<Vec3>& loop) {
-  Vec3 area = Vec3::Zero();
-  for (std::size_t i = 0; i < loop.size(); ++i)
-    area += (loop[i] - loop[0]).cross(loop[(i + 1) % loop.size()] - loop[0]);
-  return area;
-}
-
-// Away from the model, across the largest loop; zero when there is no loop with an area. The direction in which a loop
-// is given is not relied upon: outside is where the middle of the model is not.
-Vec3 outwardOfLargest(const std::vector<LoopMark>& loops, const Box& bounds) {
-  Vec3 best = Vec3::Zero();
-  for (const LoopMark& loop : loops) {
-    if (loop.points.empty()) continue;
-    Vec3 area = vectorArea(loop.points);
-    if (area.squaredNorm() <= best.squaredNorm()) continue;
-    Vec3 middle = Vec3::Zero();
-    for (const Vec3& p : loop.points) middle += p / static_cast<double>(loop.points.size());
-    best = area.dot(middle - bounds.center()) < 0 ? Vec3(-area) : area;
-  }
-  return best;
-}
-
-CameraState bestCamera(const std::vector<LoopMark>& loops, const Scene& scene, const Vec2& size) {
+// Always from the same side, so that pictures of a part before and after a repair can be compared.
+CameraState wholeModel(const Scene& scene, const Vec2& size) {
   CameraState camera;
-  camera.orientation = turnedTowards(orientationOf(StandardView::Isometric), outwardOfLargest(loops, scene.bounds()));
+  camera.orientation = orientationOf(StandardView::Isometric);
   return CameraNavigation(camera, size).fitted(scene.outline(), kShare);
 }
 
@@ -82,14 +60,14 @@ Status renderToFile(const HalfEdgeMesh& mesh, const std::vector<LoopMark>& loops
   if (!display.problem().empty()) return writeFailed(display.problem(), png);
 
   Scene scene;
-  scene.setMesh(mesh);
+  scene.setMesh(mesh, boundsOf(mesh));
   for (std::size_t b = 0; b < blockCount(mesh); ++b) {
     scene.blocks().enqueue(b, blockGeometry(mesh, b, scene.origin()));
     scene.blocks().takeOne();
   }
   scene.marks().setLoops(loops);
   const Vec2 size(width, height);
-  scene.prepare(bestCamera(loops, scene, size), size, 1.0);
+  scene.prepare(wholeModel(scene, size), size, 1.0);
   const QImage picture = render(scene, width, height);
   if (picture.isNull()) return writeFailed("the picture could not be rendered", png);
   return save(picture, png);

@@ -41,10 +41,16 @@ void Viewport::Private::moveTo(const CameraState& state) {
 }
 
 void Viewport::Private::flyTo(const CameraState& goal) {
-  if (isPlaced && q->isVisible()) return flight.start(camera, goal);
+  if (isSeen && q->isVisible()) return flight.start(camera, goal);
   flight.stop();
-  isPlaced = true;
   moveTo(goal);
+}
+
+void Viewport::Private::fitFrom(const Eigen::Quaterniond& orientation) {
+  CameraState from = goal();
+  from.orientation = orientation;
+  fitted = CameraNavigation(from, size()).fitted(scene.outline(), kFitShare, covered);
+  flyTo(*fitted);
 }
 
 // The blocks whose picture an edit changes: those of the touched faces, and of the faces around their corners, as these
@@ -75,10 +81,14 @@ Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), d(std::make_unique<
 }
 
 void Viewport::setMesh(const HalfEdgeMesh& mesh) {
+  setMesh(mesh, boundsOf(mesh));
+}
+
+void Viewport::setMesh(const HalfEdgeMesh& mesh, const Box& bounds) {
   d->index.reset();
   d->hover({});
-  d->isPlaced = false;
-  d->scene.setMesh(mesh);
+  d->isSeen = false;
+  d->scene.setMesh(mesh, bounds);
   d->preparation.startAll(mesh, d->scene.bounds(), d->scene.origin());
   update();
 }
@@ -147,20 +157,24 @@ void Viewport::setDarkTheme(bool dark) {
 }
 
 void Viewport::setStandardView(StandardView view) {
-  CameraState from = d->goal();
-  from.orientation = orientationOf(view);
-  d->flyTo(CameraNavigation(from, d->size()).fitted(d->scene.outline(), kFitShare));
+  d->fitFrom(orientationOf(view));
 }
 
 void Viewport::fit() {
-  d->flyTo(CameraNavigation(d->goal(), d->size()).fitted(d->scene.outline(), kFitShare));
+  d->fitFrom(d->goal().orientation);
+}
+
+void Viewport::setCovered(int pixels) {
+  const bool grows = pixels > d->covered;
+  d->covered = pixels;
+  if (grows && d->fitted == d->goal()) fit();
 }
 
 void Viewport::flyTo(const Box& box, const Vec3& outward) {
   if (box.isEmpty()) return;
   CameraState from = d->goal();
   from.orientation = turnedTowards(from.orientation, outward);
-  CameraState goal = CameraNavigation(from, d->size()).fitted(cornersOf(box), kFlyToShare);
+  CameraState goal = CameraNavigation(from, d->size()).fitted(cornersOf(box), kFlyToShare, d->covered);
   if (!d->scene.bounds().isEmpty()) {
     goal.height = std::max(goal.height, kNearestFlight * d->scene.bounds().diagonal().norm());
   }
@@ -173,7 +187,6 @@ CameraState Viewport::camera() const {
 
 void Viewport::setCamera(const CameraState& camera) {
   d->flight.stop();
-  d->isPlaced = true;
   d->moveTo(camera);
 }
 

@@ -30,6 +30,8 @@ class Viewport : public QOpenGLWidget {
   // Shows another model. The camera stays, and leaps instead of flying where it is sent next. Returns at once, the
   // parts appear over the next frames.
   void setMesh(const HalfEdgeMesh& mesh);
+  // The same for who knows the bounds of the live faces already: a large mesh takes its time to measure.
+  void setMesh(const HalfEdgeMesh& mesh, const Box& bounds);
   // The same model after an edit that touched these faces (added, removed, turned or with moved corners). Rebuilds only
   // the blocks concerned.
   void updateMesh(const HalfEdgeMesh& mesh, const std::vector<Face>& touched);
@@ -51,6 +53,9 @@ class Viewport : public QOpenGLWidget {
 
   void setStandardView(StandardView view);  // whole model from this side, animated
   void fit();                               // whole model from the present side, animated
+  // Something covers this many pixels at the lower edge: what is fitted keeps clear of them. A model that was fitted
+  // and not moved since makes room at once.
+  void setCovered(int pixels);
   // Looks at the box from outside, animated. outward need not be of unit length; zero keeps the direction.
   void flyTo(const Box& box, const Vec3& outward);
   CameraState camera() const;  // where the camera is, or where its present flight will end

@@ -118,6 +118,7 @@ void Viewport::Private::draw() {
   glWindow.draw(q, (QSizeF(q->size()) * ratio).toSize());
   // Software rendering works on after the call returns.
   q->context()->functions()->glFinish();
+  isSeen = true;
   if (isReduced || uploads) return;
   const double milliseconds = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
   fullFrameMs = isSmooth ? milliseconds : std::max(fullFrameMs, milliseconds);

@@ -60,7 +60,6 @@ void Viewport::Private::dragTo(const Vec2& cursor) {
   }
   if (drag == Drag::Orbit) moveTo(navigation().orbited(pivot, cursor - last));
   if (drag == Drag::Pan) moveTo(navigation().panned(cursor - last));
-  if (drag != Drag::None) isPlaced = true;
   last = cursor;
 }
 
@@ -121,7 +120,6 @@ void Viewport::wheelEvent(QWheelEvent* event) {
   const double nearest = std::min(height, kNearestZoom * diagonal),
                farthest = std::max(height, kFarthestZoom * diagonal);
   const double goal = std::clamp(height / std::pow(kZoomPerDegree, degrees), nearest, farthest);
-  d->isPlaced = true;
   d->rest.start();
   d->moveTo(d->navigation().zoomedAt(toVec2(event->position()), height / goal));
   event->accept();

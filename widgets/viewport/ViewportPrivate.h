@@ -9,6 +9,7 @@
 #include "viewport/Viewport.h"
 
 #include <QTimer>
+#include <optional>
 
 namespace handwheel {
 
@@ -25,6 +26,7 @@ class Viewport::Private {
   CameraNavigation navigation() const { return {camera, size()}; }
   void moveTo(const CameraState& state);
   void flyTo(const CameraState& goal);
+  void fitFrom(const Eigen::Quaterniond& orientation);
   const CameraState& goal() const { return flight.isUnderWay() ? flight.goal() : camera; }
 
   // Drawing
@@ -47,12 +49,14 @@ class Viewport::Private {
   Scene scene;
   GlWindow glWindow;
   CameraState camera;
+  std::optional<CameraState> fitted;  // where the camera was last sent to see the whole model
   CameraFlight flight;
   MeshPreparation::Index index;
   MeshPreparation preparation;
   Shading shading = Shading::Shaded;
   QString problem;
-  bool isPlaced = false;     // the camera was set for this model; before, it leaps instead of flying
+  bool isSeen = false;       // a frame of this model was drawn; before, the camera leaps instead of flying
+  int covered = 0;           // pixels at the lower edge
   double fullFrameMs = 0.0;  // what a frame in full detail took last
   QTimer rest;               // runs while the wheel turns
 

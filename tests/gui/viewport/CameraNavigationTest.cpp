@@ -124,6 +124,24 @@ class CameraNavigationTest : public QObject {
     }));
   }
 
+  void fittedKeepsClearOfWhatCoversTheLowerEdge() {
+    QVERIFY(rc::check([] {
+      std::vector<Vec3> points;
+      for (int i = 0; i < 20; ++i) points.push_back(anyPoint());
+      points.push_back(points[0] + Vec3::Ones());  // never all the same
+      const double covered = kSize.y() / 4;
+      const CameraNavigation view(CameraNavigation(anyCamera(), kSize).fitted(points, 0.5, covered), kSize);
+      const Vec2 free = kSize - Vec2(0, covered);
+      Vec2 low = kSize, high = Vec2::Zero();
+      for (const Vec3& p : points) {
+        low = low.cwiseMin(view.toScreen(p));
+        high = high.cwiseMax(view.toScreen(p));
+      }
+      RC_ASSERT(((low + high) / 2 - free / 2).norm() < 1e-6);
+      RC_ASSERT(std::abs((high - low).cwiseQuotient(free).maxCoeff() - 0.5) < 1e-9);
+    }));
+  }
+
   void turnedTowardsLooksAgainstTheDirection() {
     QVERIFY(rc::check([] {
       const CameraState c = anyCamera();

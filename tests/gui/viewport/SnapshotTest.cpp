@@ -28,6 +28,20 @@ class SnapshotTest : public QObject {
     QCOMPARE(failed.error().code, ErrorCode::WriteFailed);
   }
 
+  // Before and after a repair a part is seen from the same side.
+  void loopsDoNotTurnThePicture() {
+    if (qEnvironmentVariableIsEmpty("DISPLAY")) QSKIP("DISPLAY is not set: nothing can be rendered");
+    const QTemporaryDir folder;
+    const QString with = folder.filePath("with.png"), without = folder.filePath("without.png");
+    const HalfEdgeMesh mesh = buildMesh(sheet(kCells)).mesh;
+    QVERIFY(renderToFile(mesh, {squareLoop(0, Qt::blue)}, with.toStdString(), 400, 300).hasValue());
+    QVERIFY(renderToFile(mesh, {}, without.toStdString(), 400, 300).hasValue());
+    const QImage a(with), b(without);
+    for (const QPoint& corner : {QPoint(0, 0), QPoint(200, 20), QPoint(20, 150), QPoint(380, 150), QPoint(200, 280)}) {
+      QCOMPARE(a.pixelColor(corner), b.pixelColor(corner));
+    }
+  }
+
   void pictureWithoutDisplayIsAnError() {
     const QByteArray display = qgetenv("DISPLAY");
     const QTemporaryDir folder;

@@ -159,6 +159,21 @@ class ViewportTest : public QObject {
     QCOMPARE(m_view->camera(), goal);
   }
 
+  void aFittedModelMakesRoomForWhatCoversIt() {
+    showSheet();
+    m_view->setStandardView(StandardView::Top);
+    const CameraState whole = m_view->camera();
+    m_view->setCovered(200);
+    const CameraState aside = m_view->camera();
+    QVERIFY(aside.height > whole.height);
+    QVERIFY(CameraNavigation(aside, {600, 500}).toScreen(Vec3(10, 0, 0)).y() < 300);  // its lower edge
+    m_view->setCovered(0);
+    QCOMPARE(m_view->camera(), aside);  // what comes free is used at the next fit
+    m_view->setCamera(fromAbove());
+    m_view->setCovered(200);
+    QCOMPARE(m_view->camera(), fromAbove());  // chosen by the user
+  }
+
   void drawsModelLoopAndMarks() {
     showSheet();
     const QColor loop(0x00, 0x72, 0xb2), dot(0xcc, 0x79, 0xa7), line(0x00, 0x9e, 0x73);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text/EnglishPlurals.h"
 #include "text/ErrorText.h"
+#include "text/RepairText.h"
 
 #include <QtTest>
 
@@ -32,6 +33,25 @@ class ErrorTextTest : public QObject {
     const QString sentence = errorSentence(error);
     QVERIFY(sentence.size() < 100);
     QVERIFY(!sentence.contains(QChar(0x1b)));
+  }
+
+  void fileNamesAreHarmlessToo() {
+    const QString sentence = errorSentence({ErrorCode::FileEmpty, {}, {}, "a\x1b[31m\nb.stl"});
+    QVERIFY(!sentence.contains(QChar(0x1b)) && !sentence.contains('\n'));
+    QVERIFY(sentence.endsWith("b.stl: the file is empty."));
+  }
+
+  void summaryNamesEveryChange() {
+    EnglishPlurals english;
+    QCoreApplication::installTranslator(&english);
+    RepairReport report;
+    QVERIFY(repairSummary(report).isEmpty());
+    report.turnedFaces = report.removedDegenerate = report.removedDuplicates = report.removedFlaps = 1;
+    report.removedDebris = report.mergedVertices = report.partedVertices = 2;
+    const QStringList summary = repairSummary(report);
+    QCOMPARE(summary.size(), 7);
+    QVERIFY(summary.contains("1 loosely hanging triangle removed"));
+    QVERIFY(summary.contains("2 near points merged"));
   }
 
   void numbersInEnglish() {

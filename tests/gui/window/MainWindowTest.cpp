@@ -6,6 +6,8 @@
 
 #include <QAbstractItemView>
 #include <QComboBox>
+#include <QDropEvent>
+#include <QMimeData>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -73,6 +75,19 @@ class MainWindowTest : public QObject {
     QVERIFY(driver.open(path));
     QVERIFY(driver.open(path));
     QCOMPARE(driver.tabs(), 1);
+  }
+
+  void filesDroppedOnTheWindowOpen() {
+    WindowDriver driver;
+    QMimeData files;
+    files.setUrls({QUrl::fromLocalFile(fileWithHoles("first.stl")), QUrl::fromLocalFile(fileWithHoles("second.stl"))});
+    QDragEnterEvent enter(QPoint(600, 400), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&driver.window(), &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent drop(QPointF(600, 400), Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&driver.window(), &drop);
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.tabs(), 2);
   }
 
   void filesOpenedAreRecent() {

@@ -64,6 +64,7 @@ class RepairFlowTest : public QObject {
     QVERIFY(triangles.size() >= 2 * 48 * 24);
     QCOMPARE(openEdges(triangles), 0);
     QVERIFY(driver.window().windowTitle().startsWith("saved.stl"));
+    QCOMPARE(driver.text("nextStepDetail"), "Saved as saved.stl.");
     QCOMPARE(openEdges(readStl(m_folder.filePath("flow.stl"))), 12);  // the original is as it was
     driver.click("closeTab");
     QCOMPARE(driver.tabs(), 0);
@@ -113,6 +114,16 @@ class RepairFlowTest : public QObject {
     driver.click("fillHoleButton");
     QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), 2, kPatienceMs);
     QCOMPARE(driver.text("triangleCount"), "2,300 triangles");  // 2 * (48 * 24 - 3) + 2
+  }
+
+  void aRepairThatWasUndoneIsOfferedAgain() {
+    WindowDriver driver;
+    QVERIFY(driver.open(fileWithHoles("again.stl")));
+    driver.click("nextStep/repairAll");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.text("nextStepTitle"), "Watertight.", kPatienceMs);
+    driver.click("quickActions/undo");
+    QCOMPARE(driver.text("nextStepTitle"), "3 holes found.");
+    QVERIFY(driver.settle());
   }
 
   void aDismissedCardStaysAway() {
