@@ -11,8 +11,8 @@ namespace handwheel::tolerance {
 inline constexpr double kFlatSheet = 1e-3;
 // A part that holds less than this share of its area to the power 3/2 is thin (a sphere holds 0.094, a half one 0.13).
 inline constexpr double kSheetVolume = 0.06;
-// A part whose longest loop, squared, is over this many of its areas is an open sheet: eight times a flat disc's outline,
-// as the frayed edge of a view from one side has. (A toothed hole in a box has 81; such a view 125.)
+// A part whose longest loop, squared, is over this many of its areas is an open sheet: eight times a flat disc's
+// outline, as the frayed edge of a view from one side has. (A toothed hole in a box has 81; such a view 125.)
 inline constexpr double kRaggedOutline = 100.0;
 // A part with less than these shares of the largest part's area and faces is debris.
 inline constexpr double kDebrisArea = 0.01;
