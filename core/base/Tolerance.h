@@ -21,7 +21,7 @@ inline constexpr double kDebrisFaces = 0.01;
 inline constexpr double kFlap = 0.01;
 // Vertices on open borders nearer than this are one vertex that the file rounded apart; a repair merges them.
 inline constexpr double kNearWeld = 1e-5;
-// But not across more than this share of a border edge at either: that would be detail.
+// But not across more than this share of the longer border edge at either: that would be detail.
 inline constexpr double kNearWeldEdge = 0.25;
 // A patch may leave the box of its loop by this share of that box's diagonal,
 inline constexpr double kPatchSwelling = 0.5;

@@ -12,7 +12,7 @@
 namespace handwheel {
 namespace {
 
-// How far each vertex on an open border may move to another: a share of its shortest border edge, so that fine detail
+// How far each vertex on an open border may move to another: a share of its longer border edge, so that fine detail
 // of a large model does not fall together.
 std::unordered_map<Vertex, double> reaches(const HalfEdgeMesh& mesh) {
   std::unordered_map<Vertex, double> reach;
@@ -21,8 +21,9 @@ std::unordered_map<Vertex, double> reaches(const HalfEdgeMesh& mesh) {
     if (!mesh.isBorder(h)) continue;
     const double length = (mesh.position(mesh.to(h)) - mesh.position(mesh.from(h))).norm();
     for (Vertex v : {mesh.from(h), mesh.to(h)}) {
-      double& r = reach.try_emplace(v, most).first->second;
-      r = std::min(r, tolerance::kNearWeldEdge * length);
+      double& r = reach.try_emplace(v, 0.0).first->second;
+      // The longer edge counts: the shorter one may be what the file tore a vertex into.
+      r = std::max(r, std::min(most, tolerance::kNearWeldEdge * length));
     }
   }
   return reach;

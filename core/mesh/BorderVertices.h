@@ -41,7 +41,7 @@ class BorderVertices {
 };
 
 // Pairs of vertices on open borders that are apart, but nearer than nearWeldReach() and than
-// tolerance::kNearWeldEdge of the border edges at either: most often one vertex of the scan that its file rounded
+// tolerance::kNearWeldEdge of the longer border edge at either: most often one vertex of the scan that its file rounded
 // apart. Each is paired with its nearest of smaller number. Vertices marked in "without" take no part.
 std::vector<std::pair<Vertex, Vertex>> nearBorderVertices(const HalfEdgeMesh& mesh,
                                                           const std::vector<bool>& without = {});

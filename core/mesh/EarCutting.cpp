@@ -91,9 +91,11 @@ class EarCutter {
     constexpr double third = M_PI / 3.0;
     const double before = normal.dot(m_nodes[m_nodes[i].previous].normal), after = normal.dot(m_nodes[i].normal);
     const double bend = 1.0 - 0.5 * (before + after);
+    const double lid = m_weights.lid * normal.dot(m_outward);
     // Turned over: an ear at a reflex corner. Only when nothing else is left. The faces it joins cannot tell where they
-    // stand upright around the hole, as round a cut, so a lid over the loop has as much to say as they have.
-    const double folded = before + after + 2.0 * normal.dot(m_outward) < 0.0 ? kFolded : 0.0;
+    // stand upright around the hole, as round a cut.
+    const bool isTurned = m_weights.lid > 0.0 ? before + after + lid < 0.0 : before < 0.0 && after < 0.0;
+    const double folded = isTurned ? kFolded : 0.0;
     return m_weights.length * newEdge / m_meanEdge + m_weights.angles * (largest - third) / (M_PI - third) +
            m_weights.normal * bend + folded;
   }

@@ -15,6 +15,9 @@ struct EarWeights {
   double length = 1.0;  // of the new edge, in mean edges of the loop
   double angles = 1.0;  // how far the largest angle is from 60°
   double normal = 1.0;  // how far the ear bends from the faces it joins
+  // How much a lid over the whole loop says, beside the faces an ear joins, on which way is out. Over a flat cut it
+  // says best; over a loop that winds through space it says nothing.
+  double lid = 2.0;
 };
 
 // Triangulates a hole by cutting the best ear first (He 2008, section 4.3), with a heap: O(n log n) and one obstacle

@@ -17,8 +17,11 @@ namespace {
 
 using Edges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;  // sorted
 
-// One ear cutting may get stuck where another does not: a spread of tastes, the balanced one first.
-constexpr EarWeights kEarWeights[] = {{1, 1, 1}, {1, 0, 0}, {0.2, 0, 2}, {0, 2, 1}, {3, 1, 0}, {0, 0, 1}, {0.5, 3, 0}};
+// One ear cutting may get stuck where another does not: a spread of tastes, the balanced ones first, for flat loops and
+// for loops that wind through space.
+constexpr EarWeights kEarWeights[] = {{1, 1, 1}, {1, 1, 1, 0}, {1, 0, 0}, {0.2, 0, 2},
+                                      {0, 2, 1}, {3, 1, 0},    {0, 0, 1}, {0.5, 3, 0}};
+constexpr std::size_t kBalanced = 2;
 
 // True when the triangles make a surface whose only border is the loop, run the other way.
 bool closesLoop(const Patch& patch) {
@@ -103,7 +106,7 @@ class Candidates {
       if (m != options.method) add(m);
     }
     if (hole.loopSize == 3) return;  // whatever the taste, there is one ear
-    for (std::size_t i = 1; i < std::size(kEarWeights); ++i) m_makers.push_back([this, i] { return ears(i); });
+    for (std::size_t i = kBalanced; i < std::size(kEarWeights); ++i) m_makers.push_back([this, i] { return ears(i); });
   }
 
   std::size_t size() const { return m_makers.size(); }
@@ -114,14 +117,18 @@ class Candidates {
     switch (method) {
       case FillMethod::Fair:
         m_makers.push_back([this] { return refined(minimal(), Bending::Fair); });
-        m_makers.push_back([this] { return refined(ears(0), Bending::Fair); });
+        for (std::size_t i = 0; i < kBalanced; ++i) {
+          m_makers.push_back([this, i] { return refined(balancedEars(i), Bending::Fair); });
+        }
         break;
       case FillMethod::Refined:
         m_makers.push_back([this] { return refined(minimal(), Bending::Flat); });
-        m_makers.push_back([this] { return refined(ears(0), Bending::Flat); });
+        for (std::size_t i = 0; i < kBalanced; ++i) {
+          m_makers.push_back([this, i] { return refined(balancedEars(i), Bending::Flat); });
+        }
         break;
       case FillMethod::Ear:
-        m_makers.push_back([this] { return ears(0); });
+        for (std::size_t i = 0; i < kBalanced; ++i) m_makers.push_back([this, i] { return balancedEars(i); });
         break;
       case FillMethod::Minimal:
         m_makers.push_back([this] { return minimal(); });
@@ -138,11 +145,12 @@ class Candidates {
     return m_minimal;
   }
 
-  std::optional<Patch> ears(std::size_t i) {
-    if (i > 0) return cutEars(m_hole, m_obstacles, kEarWeights[i], m_progress);
-    if (!m_earsMade) m_ears = cutEars(m_hole, m_obstacles, kEarWeights[0], m_progress);
-    m_earsMade = true;
-    return m_ears;
+  std::optional<Patch> ears(std::size_t i) const { return cutEars(m_hole, m_obstacles, kEarWeights[i], m_progress); }
+
+  const std::optional<Patch>& balancedEars(std::size_t i) {
+    if (!m_earsMade[i]) m_ears[i] = ears(i);
+    m_earsMade[i] = true;
+    return m_ears[i];
   }
 
   std::optional<Patch> refined(const std::optional<Patch>& start, Bending bending) {
@@ -154,9 +162,9 @@ class Candidates {
   Progress m_progress;
   std::vector<std::function<std::optional<Patch>()>> m_makers;
   std::optional<Patch> m_minimal;
-  std::optional<Patch> m_ears;
+  std::optional<Patch> m_ears[kBalanced];
   bool m_minimalMade = false;
-  bool m_earsMade = false;
+  bool m_earsMade[kBalanced] = {};
 };
 
 }  // namespace

@@ -83,11 +83,11 @@ void BorderVerticesTest::nearPairs() {
     const double reach = tolerance::kNearWeld * modelDiagonal(mesh);
     const std::set<Vertex> border = onBorder(mesh);
     const auto detail = [&](Vertex v) {
-      double shortest = INFINITY;
+      double longest = 0.0;
       for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h)
         if (mesh.isBorder(h) && (mesh.from(h) == v || mesh.to(h) == v))
-          shortest = std::min(shortest, (mesh.position(mesh.to(h)) - mesh.position(mesh.from(h))).norm());
-      return tolerance::kNearWeldEdge * shortest;
+          longest = std::max(longest, (mesh.position(mesh.to(h)) - mesh.position(mesh.from(h))).norm());
+      return tolerance::kNearWeldEdge * longest;
     };
     std::vector<std::pair<Vertex, Vertex>> expected;
     for (Vertex v : border) {
