@@ -13,7 +13,9 @@ function(handwheel_room NAME)
 
   add_library(hw_${NAME} SHARED ${ARG_SOURCES})
   target_include_directories(hw_${NAME} PUBLIC ${include_root})
-  target_link_options(hw_${NAME} PRIVATE -Wl,--no-undefined)
+  if(NOT HANDWHEEL_SANITIZE)  # the runtimes of sanitizers are resolved only when the program links
+    target_link_options(hw_${NAME} PRIVATE -Wl,--no-undefined)
+  endif()
   list(TRANSFORM ARG_ROOMS PREPEND hw_)
   target_link_libraries(hw_${NAME} PUBLIC ${ARG_ROOMS} ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
   handwheel_warnings(hw_${NAME})
@@ -30,6 +32,5 @@ option(HANDWHEEL_WERROR "Warnings are errors" OFF)
 set(HANDWHEEL_SANITIZE "" CACHE STRING "Sanitizers, for example address,undefined")
 if(HANDWHEEL_SANITIZE)
   add_compile_options(-fsanitize=${HANDWHEEL_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
-  # Sanitizer runtimes are resolved when the program links, so --no-undefined must be off for the rooms.
-  add_link_options(-fsanitize=${HANDWHEEL_SANITIZE} -Wl,-z,undefs)
+  add_link_options(-fsanitize=${HANDWHEEL_SANITIZE})
 endif()

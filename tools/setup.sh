@@ -67,14 +67,15 @@ step() {
   return "$status"
 }
 
-# build PRESET TARGET...: configures where needed and builds. One build folder per preset.
+# build PRESET [TARGET...]: configures where needed and builds, without targets what the build preset names. One build
+# folder per preset.
 build() {
   local preset=$1
   shift
   # ninja runs cmake again by itself when a list file changed; a moved checkout needs a new configuration.
   if ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$root/build/$preset/CMakeCache.txt" 2> /dev/null ||
     [[ ! -f $root/build/$preset/build.ninja ]]; then
-    step "Configure $preset" "configure-$preset" cmake --fresh -S "$root" --preset "$preset"
+    step "Configure $preset" "configure-$preset" cmake --fresh -S "$root" --preset "$preset" || return
   fi
-  step "Build $preset" "build-$preset" ninja -C "$root/build/$preset" "$@"
+  step "Build $preset" "build-$preset" cmake --build --preset "$preset" ${1:+--target "$@"}
 }

@@ -16,10 +16,14 @@ const OptionSpec* findOption(const CommandSpec& command, std::string_view word) 
   return found == command.options.end() ? nullptr : &*found;
 }
 
+bool takesAnyMore(const CommandSpec& command) {
+  return command.operands.ends_with("...]");
+}
+
 std::size_t operandCount(const CommandSpec& command) {
-  return command.operands.empty()
-             ? 0
-             : static_cast<std::size_t>(std::count(command.operands.begin(), command.operands.end(), ' ')) + 1;
+  if (command.operands.empty()) return 0;
+  const auto words = std::count(command.operands.begin(), command.operands.end(), ' ') + 1;
+  return static_cast<std::size_t>(words - (takesAnyMore(command) ? 1 : 0));
 }
 
 // Takes one option and, where it has one, its value. Returns the number of words used, 0 when something is wrong.
@@ -32,7 +36,7 @@ std::size_t takeOption(const CommandSpec& command, std::span<char* const> words,
     result.problem = "There is no option " + std::string(name) + ".";
     return 0;
   }
-  std::string& value = result.options[std::string(option->name)];
+  std::string& value = result.options.emplace(option->name, std::string())->second;
   const bool isShort = !word.starts_with("--");
   if (option->value.empty()) {
     if (equals == std::string_view::npos && !(isShort && word.size() > 2)) return 1;
@@ -58,8 +62,15 @@ std::size_t takeOption(const CommandSpec& command, std::span<char* const> words,
 }  // namespace
 
 std::string Arguments::valueOf(std::string_view name) const {
-  const auto found = options.find(name);
-  return found == options.end() ? std::string() : found->second;
+  const std::vector<std::string> values = valuesOf(name);
+  return values.empty() ? std::string() : values.back();
+}
+
+std::vector<std::string> Arguments::valuesOf(std::string_view name) const {
+  std::vector<std::string> values;
+  const auto [first, last] = options.equal_range(name);
+  std::transform(first, last, std::back_inserter(values), [](const auto& option) { return option.second; });
+  return values;
 }
 
 Arguments parseArguments(const CommandSpec& command, std::span<char* const> words) {
@@ -79,7 +90,7 @@ Arguments parseArguments(const CommandSpec& command, std::span<char* const> word
     words = words.subspan(used);
   }
   const bool tooFew = result.operands.size() < operandCount(command);
-  const bool tooMany = result.operands.size() > operandCount(command);
+  const bool tooMany = result.operands.size() > operandCount(command) && !takesAnyMore(command);
   if ((tooFew || tooMany) && !result.has("help")) {
     result.problem = "The command " + std::string(command.name) + (tooFew ? " needs " : " takes no more than ") +
                      std::string(command.operands) + ".";

@@ -20,7 +20,7 @@ struct OptionSpec {
 // What one command takes. The parser and the help page are both made from it.
 struct CommandSpec {
   std::string_view name;
-  std::string_view operands;  // separated by blanks, as the help shows them; all are required
+  std::string_view operands;  // separated by blanks, as the help shows them; all are required but a last "[…...]"
   std::string_view summary;
   std::vector<OptionSpec> options;
 };
@@ -28,11 +28,12 @@ struct CommandSpec {
 // Words of a command line, sorted out. Kept as bytes, so that any file name is possible.
 struct Arguments {
   std::vector<std::string> operands;
-  std::map<std::string, std::string, std::less<>> options;  // by long name; an empty value for those that take none
-  std::string problem;                                      // a sentence when the words do not fit; else empty
+  std::multimap<std::string, std::string, std::less<>> options;  // by long name; an empty value for those without one
+  std::string problem;                                           // a sentence when the words do not fit; else empty
 
   bool has(std::string_view name) const { return options.contains(name); }
-  std::string valueOf(std::string_view name) const;  // empty when not given
+  std::string valueOf(std::string_view name) const;  // the last one given; empty when none was
+  std::vector<std::string> valuesOf(std::string_view name) const;
 };
 
 // "--name value", "--name=value", "-n value", "-nvalue"; "--" ends the options.

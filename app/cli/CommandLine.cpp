@@ -5,15 +5,18 @@
 #include "cli/ConvertCommand.h"
 #include "cli/InspectCommand.h"
 #include "cli/Interrupt.h"
+#include "cli/MeasureCommand.h"
 #include "cli/Messages.h"
 #include "cli/Picture.h"
 #include "cli/RepairCommand.h"
+#include "cli/SetCommand.h"
 #include "text/EnglishPlurals.h"
 
-#include <QCoreApplication>
+#include <QGuiApplication>
 #include <algorithm>
 #include <clocale>
 #include <filesystem>
+#include <memory>
 #include <new>
 
 namespace handwheel {
@@ -22,15 +25,13 @@ namespace {
 
 struct Command {
   CommandSpec spec;
-  int (*run)(const Arguments&);
+  int (*run)(const Arguments&, const DocumentKinds&);
 };
 
 std::vector<Command> commands() {
   return {
-      {inspectSpec(), runInspect},
-      {repairSpec(), runRepair},
-      {convertSpec(), runConvert},
-      {pictureSpec(), runPicture},
+      {inspectSpec(), runInspect}, {repairSpec(), runRepair}, {convertSpec(), runConvert}, {pictureSpec(), runPicture},
+      {newSpec(), runNew},         {setSpec(), runSet},       {measureSpec(), runMeasure},
   };
 }
 
@@ -41,7 +42,7 @@ const Command* find(const std::vector<Command>& all, std::string_view name) {
 
 std::string overview() {
   std::string page =
-      "Handwheel repairs scanned meshes.\n\n"
+      "Handwheel repairs scanned meshes, and prepares workpieces and robot cells.\n\n"
       "Usage: handwheel [--dark] [--screenshot PNG] [FILE...]   opens the window, or draws it and quits\n"
       "       handwheel COMMAND [...]                           works without it\n\n"
       "Commands:\n";
@@ -81,7 +82,7 @@ bool isMistypedCommand(std::string_view word) {
          !std::filesystem::exists(word, ignored);
 }
 
-int dispatch(std::span<char* const> words) {
+int dispatch(std::span<char* const> words, const DocumentKinds& kinds) {
   const std::string_view first = words[0];
   const std::span<char* const> rest = words.subspan(1);
   if (isHelpWord(first)) return help(rest);
@@ -95,7 +96,17 @@ int dispatch(std::span<char* const> words) {
   const Arguments arguments = parseArguments(command->spec, rest);
   if (!arguments.problem.empty()) return failUsage(arguments.problem, command->spec.name);
   if (arguments.has("help")) return print(helpPage(command->spec));
-  return command->run(arguments);
+  return command->run(arguments, kinds);
+}
+
+// Plots need fonts, and so a QGuiApplication; it needs no display.
+std::unique_ptr<QCoreApplication> makeApplication(int& argc, char** argv) {
+  const auto isPlot = [](const char* word) { return std::string_view(word).starts_with("--plot"); };
+  if (std::string_view(argv[1]) != measureSpec().name || std::none_of(argv + 1, argv + argc, isPlot)) {
+    return std::make_unique<QCoreApplication>(argc, argv);
+  }
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  return std::make_unique<QGuiApplication>(argc, argv);
 }
 
 }  // namespace
@@ -105,15 +116,15 @@ bool isCommand(int argc, char** argv) {
   return isHelpWord(argv[1]) || find(commands(), argv[1]) || !isForWindow(argv[1]) || isMistypedCommand(argv[1]);
 }
 
-int runCommand(int argc, char** argv) {
+int runCommand(int argc, char** argv, const DocumentKinds& kinds) {
   watchSignals();
-  const QCoreApplication application(argc, argv);
+  const std::unique_ptr<QCoreApplication> application = makeApplication(argc, argv);
   EnglishPlurals plurals;
   QCoreApplication::installTranslator(&plurals);
   // Its constructor takes over the user's locale. The command line speaks English and writes numbers as in C.
   std::setlocale(LC_ALL, "C");
   try {
-    return dispatch(std::span<char* const>(argv, static_cast<std::size_t>(argc)).subspan(1));
+    return dispatch(std::span<char* const>(argv, static_cast<std::size_t>(argc)).subspan(1), kinds);
   } catch (const std::bad_alloc&) {
     return fail({ErrorCode::OutOfMemory, {}, {}, {}});
   }

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "document/DocumentKind.h"
+
 namespace handwheel {
 
 // True when the first argument is a subcommand or asks for help or the version.
 bool isCommand(int argc, char** argv);
 
 // Runs it. Exit code 0: done; 2: repaired, but something is left; 1: error, told on stderr.
-int runCommand(int argc, char** argv);
+int runCommand(int argc, char** argv, const DocumentKinds& kinds);
 
 }  // namespace handwheel

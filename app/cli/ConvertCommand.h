@@ -3,10 +3,11 @@
 #pragma once
 
 #include "cli/Arguments.h"
+#include "document/DocumentKind.h"
 
 namespace handwheel {
 
 CommandSpec convertSpec();
-int runConvert(const Arguments& arguments);
+int runConvert(const Arguments& arguments, const DocumentKinds& kinds);
 
 }  // namespace handwheel

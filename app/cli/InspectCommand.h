@@ -3,10 +3,11 @@
 #pragma once
 
 #include "cli/Arguments.h"
+#include "document/DocumentKind.h"
 
 namespace handwheel {
 
 CommandSpec inspectSpec();
-int runInspect(const Arguments& arguments);
+int runInspect(const Arguments& arguments, const DocumentKinds& kinds);
 
 }  // namespace handwheel

@@ -3,9 +3,9 @@
 #include "cli/Picture.h"
 
 #include "cli/ChildProcess.h"
+#include "cli/Input.h"
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
-#include "document/formats/MeshFormat.h"
 #include "mesh/BoundaryLoops.h"
 #include "mesh/MeshBuilder.h"
 #include "theme/DefectColours.h"
@@ -39,7 +39,7 @@ std::vector<LoopMark> marksOf(const HalfEdgeMesh& mesh) {
 CommandSpec pictureSpec() {
   return {"picture",
           "IN PNG",
-          "Draws a mesh file with its boundary loops. Without a display it does so under xvfb-run.",
+          "Draws a document; a mesh with its boundary loops. Without a display it does so under xvfb-run.",
           {
               {"partial", 0, "", "Read what is readable of a damaged file"},
               {"help", 'h', "", "Show this page"},
@@ -58,22 +58,25 @@ int makePictureApart(const std::filesystem::path& mesh, const std::filesystem::p
   return code == kExitDone ? kExitDone : kExitError;
 }
 
-int runPicture(const Arguments& arguments) {
+int runPicture(const Arguments& arguments, const DocumentKinds& kinds) {
   const bool partial = arguments.has("partial");
   if (!hasDisplay()) return makePictureApart(arguments.operands[0], arguments.operands[1], partial);
-  std::optional<Error> failure;
+  std::optional<Result<Input>> input;
   HalfEdgeMesh mesh;
+  DisplayModel model;
   runInterruptible("Reading", [&](Job& job) {
-    const ReadOptions options{.partial = partial};
-    const Result<MeshFile> file = readMeshFile(arguments.operands[0], options, job.progress());
-    if (file) {
-      mesh = buildMesh(file->soup).mesh;
+    input = readInput(arguments.operands[0], {.partial = partial}, kinds, job.progress());
+    if (!*input) return;
+    if (input->value().mesh) {
+      mesh = buildMesh(input->value().mesh->soup).mesh;
     } else {
-      failure = file.error();
+      model = input->value().document.kind->display(*input->value().document.content);
     }
   });
-  if (failure) return fail(*failure);
-  const Status drawn = renderToFile(mesh, marksOf(mesh), arguments.operands[1], kWidth, kHeight);
+  if (!*input) return fail(input->error());
+  const std::filesystem::path png = arguments.operands[1];
+  const Status drawn = input->value().mesh ? renderToFile(mesh, marksOf(mesh), png, kWidth, kHeight)
+                                           : renderToFile(model, png, kWidth, kHeight);
   return drawn ? kExitDone : fail(drawn.error());
 }
 

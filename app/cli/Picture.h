@@ -3,13 +3,14 @@
 #pragma once
 
 #include "cli/Arguments.h"
+#include "document/DocumentKind.h"
 
 #include <filesystem>
 
 namespace handwheel {
 
 CommandSpec pictureSpec();
-int runPicture(const Arguments& arguments);
+int runPicture(const Arguments& arguments, const DocumentKinds& kinds);
 
 // Draws a mesh file in a process of its own, under xvfb-run when there is no display: a broken display ends that
 // process only. Says on stderr why there is no picture. Returns an exit code.

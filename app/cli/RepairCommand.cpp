@@ -134,7 +134,7 @@ CommandSpec repairSpec() {
       "else stays as it is, bit for bit. Exit code 0: the written file is closed, manifold and oriented;\n"
       "2: something is left and told on stderr; 1: error. The format is that of OUT's ending.",
       {
-          {"output", 'o', "OUT", "The repaired mesh: .stl, .ply, .obj or .off; may be the input"},
+          {"output", 'o', "OUT", "The repaired mesh: .stl, .ply, .obj, .off, .3mf or .handwheel; may be the input"},
           {"fill", 0, "METHOD", "fair (default), refined, ear or minimal"},
           {"keep-open", 0, "ID,...", "Loops to leave open, numbered as 'handwheel inspect' does"},
           {"fill-rims", 0, "", "Also fill the outer edges of open sheets"},
@@ -148,13 +148,13 @@ CommandSpec repairSpec() {
       }};
 }
 
-int runRepair(const Arguments& arguments) {
+int runRepair(const Arguments& arguments, const DocumentKinds& kinds) {
   RepairRequest request;
   const std::string problem = readRequest(arguments, request);
   if (!problem.empty()) return failUsage(problem, "repair");
 
   std::optional<Result<RepairRun>> run;
-  runInterruptible("Repairing", [&](Job& job) { run = repairFile(request, job); });
+  runInterruptible("Repairing", [&](Job& job) { run = repairFile(request, kinds, job); });
   if (!*run) return fail(run->error());
   const RepairRun& result = run->value();
   if (!result.unknownLoops.empty()) {

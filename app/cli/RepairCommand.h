@@ -3,10 +3,11 @@
 #pragma once
 
 #include "cli/Arguments.h"
+#include "document/DocumentKind.h"
 
 namespace handwheel {
 
 CommandSpec repairSpec();
-int runRepair(const Arguments& arguments);
+int runRepair(const Arguments& arguments, const DocumentKinds& kinds);
 
 }  // namespace handwheel

@@ -12,6 +12,7 @@
 
 namespace handwheel {
 
+class DocumentKinds;
 class Job;
 
 struct RepairRequest {
@@ -38,6 +39,6 @@ struct RepairRun {
 
 // Reads, repairs, writes, and reads the written file again to measure it. The input's coordinates are rounded to the
 // numbers of the output first, so that what is repaired is what the file will hold.
-Result<RepairRun> repairFile(const RepairRequest& request, Job& job);
+Result<RepairRun> repairFile(const RepairRequest& request, const DocumentKinds& kinds, Job& job);
 
 }  // namespace handwheel

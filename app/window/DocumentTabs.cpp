@@ -48,7 +48,7 @@ bool DocumentTabs::contains(const OpenDocument* document) const {
 OpenDocument* DocumentTabs::withPath(const QString& path) const {
   const QFileInfo wanted(path);
   for (const auto& each : m_documents) {
-    if (QFileInfo(each->document.path()) == wanted) return each.get();
+    if (!each->document.file().path.empty() && QFileInfo(each->document.path()) == wanted) return each.get();
   }
   return nullptr;
 }
@@ -70,7 +70,7 @@ void DocumentTabs::add(std::unique_ptr<OpenDocument> document) {
     m_bar->setTabButton(index, QTabBar::RightSide, close);
     m_bar->setCurrentIndex(index);
   }
-  connect(&added->document, &MeshDocument::fileChanged, this, [this, added] { refresh(added); });
+  connect(&added->document, &Document::fileChanged, this, [this, added] { refresh(added); });
   refresh(added);
   emit this->added(added);
   emit currentChanged(added);

@@ -4,8 +4,8 @@
 
 #include "theme/Icons.h"
 #include "window/ClosePrompt.h"
-#include "window/CommandText.h"
 #include "window/DocumentTabs.h"
+#include "window/KindUi.h"
 #include "window/OpenDocument.h"
 #include "window/RecentFiles.h"
 
@@ -15,6 +15,7 @@
 #include <QFileInfo>
 #include <QMenu>
 #include <QSettings>
+#include <algorithm>
 
 namespace handwheel {
 
@@ -30,12 +31,63 @@ void rememberFolder(const QString& path) {
   QSettings().setValue(kFolderKey, QFileInfo(path).absolutePath());
 }
 
-// The file itself must not be overwritten without asking: it holds what the document does not, or is not the user's.
-bool needsNewName(const OpenDocument& open) {
-  const MeshDocument& document = open.document;
-  if (open.written) return false;
-  return !document.damage().empty() || !document.lostAttributes().empty() || !QFileInfo(document.path()).isWritable() ||
-         QFileInfo(document.path()) == QFileInfo(samplePath());
+QString patterns(const FileFormat& format) {
+  QStringList all;
+  for (const std::string& ending : format.endings) all << QLatin1Char('*') + QString::fromStdString(ending);
+  return all.join(QLatin1Char(' '));
+}
+
+QString containerPattern() {
+  return QLatin1Char('*') + QString::fromUtf8(kContainerEnding.data(), static_cast<qsizetype>(kContainerEnding.size()));
+}
+
+QString kindTitle(const DocumentKind& kind) {
+  return QCoreApplication::translate("DocumentKind", kind.title().c_str());
+}
+
+// "Everything Handwheel opens", then one line for each kind.
+QStringList openFilters(const DocumentKinds& kinds) {
+  QStringList all{containerPattern()}, lines;
+  for (const auto& kind : kinds.all()) {
+    QStringList own;
+    for (const FileFormat& format : kind->formats()) {
+      if (format.reads) own << patterns(format);
+    }
+    all << own;
+    if (!own.isEmpty()) lines << QStringLiteral("%1 (%2)").arg(kindTitle(*kind), own.join(QLatin1Char(' ')));
+  }
+  lines.prepend(FileActions::tr("All that Handwheel opens (%1)").arg(all.join(QLatin1Char(' '))));
+  return lines << FileActions::tr("All files (*)");
+}
+
+QStringList saveFilters(const DocumentKind& kind) {
+  QStringList lines{FileActions::tr("Handwheel documents (%1)").arg(containerPattern())};
+  for (const FileFormat& format : kind.formats()) {
+    if (format.writes) lines << QStringLiteral("%1 (%2)").arg(QString::fromStdString(format.name), patterns(format));
+  }
+  return lines;
+}
+
+// "*.handwheel *.stl": what stands in brackets in all lines.
+QString endingsIn(const QStringList& filters) {
+  QStringList endings;
+  for (const QString& line : filters) endings << line.section(QLatin1Char('('), -1).chopped(1);
+  return endings.join(QLatin1Char(' '));
+}
+
+bool canWrite(const DocumentKind& kind, const std::filesystem::path& path) {
+  if (isContainerName(path)) return true;
+  const std::string ending = QString::fromStdString(path.extension().string()).toLower().toStdString();
+  for (const FileFormat& format : kind.formats()) {
+    if (format.writes && std::find(format.endings.begin(), format.endings.end(), ending) != format.endings.end()) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool isSample(const QFileInfo& file) {
+  return file == QFileInfo(samplePath(kScanSample)) || file == QFileInfo(samplePath(kRobotSample));
 }
 
 void prepare(QAction& action, const char* name, const char* iconName, const QString& tip) {
@@ -48,15 +100,19 @@ void prepare(QAction& action, const char* name, const char* iconName, const QStr
 
 }  // namespace
 
-FileActions::FileActions(QWidget* window, DocumentTabs& tabs, JobRunner& jobs, RecentFiles& recent, LogModel& log)
+FileActions::FileActions(QWidget* window, const DocumentKinds& kinds, const KindUis& uis, DocumentTabs& tabs,
+                         JobRunner& jobs, RecentFiles& recent, LogModel& log)
     : QObject(window),
       m_window(window),
+      m_kinds(kinds),
       m_tabs(tabs),
       m_recent(recent),
-      m_loader(tabs, jobs, recent, log),
+      m_loader(kinds, uis, tabs, jobs, recent, log),
       m_saver(tabs, jobs, recent, log),
       m_open(tr("&Open…")),
-      m_openSample(tr("Open the &sample")),
+      m_newWorkpiece(tr("&New workpiece")),
+      m_openSample(tr("Open the &sample scan")),
+      m_openRobotSample(tr("Open the sample &robot")),
       m_save(tr("&Save")),
       m_saveAs(tr("Save &as…")),
       m_close(tr("&Close")),
@@ -65,16 +121,21 @@ FileActions::FileActions(QWidget* window, DocumentTabs& tabs, JobRunner& jobs, R
   m_save.setShortcut(QKeySequence::Save);
   m_saveAs.setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));
   m_close.setShortcut(QKeySequence(Qt::CTRL | Qt::Key_W));
-  prepare(m_open, "openFile", "open", tr("Open mesh files"));
+  prepare(m_open, "openFile", "open", tr("Open files"));
   prepare(m_openSample, "openSample", "repair", tr("Open the sample scan"));
   prepare(m_save, "saveFile", "save", tr("Save this document"));
   prepare(m_saveAs, "saveFileAs", "save-as", tr("Save this document under another name"));
   prepare(m_close, "closeDocument", "close", tr("Close this document"));
   m_recentMenu->setObjectName(QStringLiteral("recentMenu"));
-  m_openSample.setEnabled(!samplePath().isEmpty());
+  prepare(m_newWorkpiece, "newWorkpiece", "kind-workpiece", tr("Start with a cylinder to be turned"));
+  prepare(m_openRobotSample, "openRobotSample", "kind-cell", tr("Open the sample robot arm"));
+  m_openSample.setEnabled(!samplePath(kScanSample).isEmpty());
+  m_openRobotSample.setEnabled(!samplePath(kRobotSample).isEmpty());
 
   connect(&m_open, &QAction::triggered, this, &FileActions::askForFiles);
-  connect(&m_openSample, &QAction::triggered, this, [this] { m_loader.load(samplePath()); });
+  connect(&m_openSample, &QAction::triggered, this, [this] { m_loader.load(samplePath(kScanSample)); });
+  connect(&m_openRobotSample, &QAction::triggered, this, [this] { m_loader.load(samplePath(kRobotSample)); });
+  connect(&m_newWorkpiece, &QAction::triggered, this, [this] { m_loader.create("workpiece"); });
   connect(&m_save, &QAction::triggered, this, &FileActions::saveCurrent);
   connect(&m_saveAs, &QAction::triggered, this, [this] { askForName(m_tabs.current(), {}); });
   connect(&m_close, &QAction::triggered, this, [this] { requestClose(m_tabs.current()); });
@@ -110,8 +171,8 @@ void FileActions::openPaths(const QStringList& paths) {
 }
 
 void FileActions::askForFiles() {
-  auto* dialog = new QFileDialog(m_window, tr("Open mesh files"), lastFolder(),
-                                 tr("Meshes (*.stl *.ply *.obj *.off);;All files (*)"));
+  auto* dialog =
+      new QFileDialog(m_window, tr("Open files"), lastFolder(), openFilters(m_kinds).join(QStringLiteral(";;")));
   dialog->setObjectName(QStringLiteral("openDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFiles);
@@ -126,6 +187,16 @@ void FileActions::saveCurrent() {
   saveOrAsk(m_tabs.current(), {});
 }
 
+// The file itself must not be overwritten without asking: it holds what the document does not, is not the user's, or
+// cannot be written by us.
+bool FileActions::needsNewName(const OpenDocument& open) const {
+  const Document& document = open.document;
+  if (document.file().path.empty() || !canWrite(document.kind(), document.file().path)) return true;
+  if (open.written) return false;
+  const QFileInfo file(document.path());
+  return document.file().isPrecious() || (file.exists() && !file.isWritable()) || isSample(file);
+}
+
 void FileActions::saveOrAsk(OpenDocument* document, std::function<void()> then) {
   if (needsNewName(*document)) return askForName(document, std::move(then));
   m_saver.save(document, document->document.path(), std::move(then));
@@ -137,9 +208,11 @@ void FileActions::askForName(OpenDocument* document, std::function<void()> then)
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setLabelText(QFileDialog::LookIn, tr("Save in:"));
-  dialog->setNameFilters({tr("Meshes (*.stl *.ply *.obj *.off)"), tr("All files (*)")});
-  const QString suggestion = repairedName(document->document.path());
-  const bool sample = QFileInfo(document->document.path()) == QFileInfo(samplePath());
+  QStringList filters = saveFilters(document->document.kind());
+  filters.prepend(tr("All formats (%1)").arg(endingsIn(filters)));
+  dialog->setNameFilters(filters << tr("All files (*)"));
+  const QString suggestion = document->ui.suggestedName(*document);
+  const bool sample = isSample(QFileInfo(document->document.path()));
   const bool writable = QFileInfo(QFileInfo(suggestion).path()).isWritable();
   dialog->setDirectory(writable && !sample ? QFileInfo(suggestion).path() : lastFolder());
   dialog->selectFile(QFileInfo(suggestion).fileName());
@@ -174,8 +247,7 @@ void FileActions::requestCloseAll(std::function<void()> then) {
   requestClose(m_tabs.all().back().get(), [this, then] { requestCloseAll(then); });
 }
 
-QString samplePath() {
-  const QString name = QStringLiteral("scan-with-holes.stl");
+QString samplePath(const QString& name) {
   for (const QString& folder : {QCoreApplication::applicationDirPath() + QStringLiteral("/../share/handwheel/samples"),
                                 QStringLiteral(HANDWHEEL_SOURCE_SAMPLES)}) {
     const QFileInfo file(QDir(folder), name);

@@ -17,14 +17,19 @@ class FileActions : public QObject {
   Q_OBJECT
 
  public:
-  FileActions(QWidget* window, DocumentTabs& tabs, JobRunner& jobs, RecentFiles& recent, LogModel& log);
+  FileActions(QWidget* window, const DocumentKinds& kinds, const KindUis& uis, DocumentTabs& tabs, JobRunner& jobs,
+              RecentFiles& recent, LogModel& log);
 
   QAction* open() { return &m_open; }
+  QAction* newWorkpiece() { return &m_newWorkpiece; }
   QAction* openSample() { return &m_openSample; }
+  QAction* openRobotSample() { return &m_openRobotSample; }
   QAction* save() { return &m_save; }
   QAction* saveAs() { return &m_saveAs; }
   QAction* closeTab() { return &m_close; }
   QMenu* recentMenu() { return m_recentMenu; }
+
+  FileLoader& loader() { return m_loader; }
 
   void openPaths(const QStringList& paths);
   // Closes a document; when it is modified the user is asked first. then: called once it is closed.
@@ -42,21 +47,27 @@ class FileActions : public QObject {
   void askForName(OpenDocument* document, std::function<void()> then);
   void followDocument();
   void fillRecentMenu();
+  bool needsNewName(const OpenDocument& document) const;
 
   QWidget* m_window;
+  const DocumentKinds& m_kinds;
   DocumentTabs& m_tabs;
   RecentFiles& m_recent;
   FileLoader m_loader;
   FileSaver m_saver;
   QAction m_open;
+  QAction m_newWorkpiece;
   QAction m_openSample;
+  QAction m_openRobotSample;
   QAction m_save;
   QAction m_saveAs;
   QAction m_close;
   QMenu* m_recentMenu;
 };
 
-// The sample scan that is shipped with the program; empty when it is missing.
-QString samplePath();
+// A sample that is shipped with the program; empty when it is missing.
+QString samplePath(const QString& name);
+inline const auto kScanSample = QStringLiteral("scan-with-holes.stl");
+inline const auto kRobotSample = QStringLiteral("robot-arm.urdf");
 
 }  // namespace handwheel

@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/FileLoader.h"
 
+#include "document/DocumentKind.h"
 #include "panels/LogModel.h"
 #include "text/ErrorText.h"
 #include "text/RepairText.h"
 #include "window/CommandText.h"
 #include "window/DocumentTabs.h"
 #include "window/JobRunner.h"
+#include "window/KindUi.h"
 #include "window/OpenDocument.h"
 #include "window/RecentFiles.h"
 
 #include <QFile>
 #include <QFileInfo>
-#include <QLocale>
-#include <algorithm>
 
 namespace handwheel {
 
@@ -47,41 +47,59 @@ Error withoutFile(Error error) {
 
 }  // namespace
 
-FileLoader::FileLoader(DocumentTabs& tabs, JobRunner& jobs, RecentFiles& recent, LogModel& log, QObject* parent)
-    : QObject(parent), m_tabs(tabs), m_jobs(jobs), m_recent(recent), m_log(log) {}
+FileLoader::FileLoader(const DocumentKinds& kinds, const KindUis& uis, DocumentTabs& tabs, JobRunner& jobs,
+                       RecentFiles& recent, LogModel& log, QObject* parent)
+    : QObject(parent), m_kinds(kinds), m_uis(uis), m_tabs(tabs), m_jobs(jobs), m_recent(recent), m_log(log) {}
 
 void FileLoader::load(const QString& path, const ReadOptions& options) {
   if (const OpenDocument* open = m_tabs.withPath(path)) return m_tabs.setCurrent(open);
   Job job;
   job.name = tr("Opening %1").arg(QFileInfo(path).fileName());
   job.work = [this, path, options](Progress progress) -> Job::Finish {
-    Result<MeshFile> read = readMeshFile(QFile::encodeName(path).toStdString(), options, progress.part(0.0, 0.6));
-    if (!read) return [this, path, options, error = read.error()] { failed(path, error, options); };
-    auto file = std::make_shared<MeshFile>(std::move(read.value()));
-    BuiltMesh built = buildMesh(file->soup);
-    file->soup = {};  // the mesh holds it all; the memory is better used elsewhere
-    return [this, path, file, build = std::move(built.report), mesh = inspected(std::move(built.mesh))] {
-      loaded(path, *file, mesh, build);
-    };
+    Result<OpenedFile> opened = m_kinds.open(QFile::encodeName(path).toStdString(), options, progress);
+    if (!opened) return [this, path, options, error = opened.error()] { failed(path, error, options); };
+    return [this, path, opened = std::move(opened.value())] { loaded(path, opened); };
   };
   job.failed = [this, path, options](const Error& error) { failed(path, error, options); };
   m_jobs.start(std::move(job));
 }
 
-void FileLoader::loaded(const QString& path, const MeshFile& file, const InspectedMesh& mesh,
-                        const BuildReport& build) {
+void FileLoader::create(const std::string& kind) {
+  add(DocumentKinds::blank(*m_kinds.withId(kind)));
+}
+
+void FileLoader::recover(const QString& autosave, const QString& path, std::function<void(OpenDocument*)> then) {
+  Job job;
+  const QString name = QFileInfo(path).fileName();
+  job.name = tr("Recovering %1").arg(name);
+  job.work = [this, autosave, path, then](Progress progress) -> Job::Finish {
+    Result<OpenedFile> opened = m_kinds.open(QFile::encodeName(autosave).toStdString(), {}, progress);
+    if (!opened) return [this, path, error = opened.error()] { failed(path, error, ReadOptions{.partial = true}); };
+    return [this, path, then, opened = std::move(opened.value())] {
+      OpenDocument* recovered = add(opened);
+      recovered->document.markRecovered(path);
+      m_log.add(tr("Recovered %1 as it was last autosaved").arg(recovered->document.name()));
+      then(recovered);
+    };
+  };
+  job.failed = [this, path](const Error& error) { failed(path, error, ReadOptions{.partial = true}); };
+  m_jobs.start(std::move(job));
+}
+
+OpenDocument* FileLoader::add(OpenedFile opened) {
+  const DocumentKind& kind = *opened.kind;
+  auto open = m_uis.at(kind.id())->open(kind.make(std::move(opened)));
+  OpenDocument* added = open.get();
+  m_tabs.add(std::move(open));
+  return added;
+}
+
+void FileLoader::loaded(const QString& path, OpenedFile opened) {
   if (const OpenDocument* open = m_tabs.withPath(path)) return m_tabs.setCurrent(open);
-  auto opened = std::make_unique<OpenDocument>(path, file, mesh, build);
-  const Inspection& inspection = opened->inspection;
-  m_log.add(tr("Opened %1: %2 triangles, %3 holes, %4 triangles turned over")
-                .arg(opened->document.name())
-                .arg(opened->document.mesh().liveFaceCount())
-                .arg(inspection.holes().size())
-                .arg(inspection.count(DefectKind::Flipped)),
-            inspectCommand(path));
-  m_tabs.add(std::move(opened));
+  OpenDocument* added = add(std::move(opened));
+  m_log.add(added->ui.openedText(*added), inspectCommand(path));
   m_recent.add(path);
-  tellLosses(path, file);
+  tellLosses(added->document);
 }
 
 void FileLoader::failed(const QString& path, const Error& error, const ReadOptions& options) {
@@ -98,10 +116,13 @@ void FileLoader::failed(const QString& path, const Error& error, const ReadOptio
   emit this->message(message);
 }
 
-void FileLoader::tellLosses(const QString& path, const MeshFile& file) {
-  if (file.damage.empty() && file.lost.empty()) return;
-  const QString name = QFileInfo(path).fileName();
+void FileLoader::tellLosses(const Document& document) {
+  const DocumentFile& file = document.file();
+  if (!file.isPrecious()) return;
+  const QString name = document.name();
   QStringList lines;
+  if (file.isNewer)
+    lines << tr("It was written by a newer version of Handwheel; what only that one knows is not shown.");
   for (std::size_t i = 0; i < file.damage.size(); ++i) {
     const QString sentence = errorSentence(withoutFile(file.damage[i]));
     m_log.add(name + QStringLiteral(": ") + sentence, {}, LogEntry::Weight::Warning);
@@ -118,7 +139,9 @@ void FileLoader::tellLosses(const QString& path, const MeshFile& file) {
   }
   const bool damaged = !file.damage.empty();
   emit message({damaged ? Message::Weight::Warning : Message::Weight::Info,
-                damaged ? tr("%1 is damaged").arg(name) : tr("%1 holds more than its surface").arg(name),
+                damaged        ? tr("%1 is damaged").arg(name)
+                : file.isNewer ? tr("%1 is opened for reading only").arg(name)
+                               : tr("%1 holds more than its surface").arg(name),
                 lines.join(QLatin1Char(' ')),
                 tr("“Save” will ask for a new name, so the original stays as it is."),
                 {},

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "document/MeshExport.h"
+#include "document/DocumentKind.h"
 #include "panels/MessageBar.h"
 
 #include <QObject>
@@ -30,7 +30,7 @@ class FileSaver : public QObject {
   void message(const handwheel::Message& message);
 
  private:
-  void saved(OpenDocument* document, const QString& path, std::uint64_t revision, const ExportReport& report);
+  void saved(OpenDocument* document, const QString& path, std::uint64_t revision, const WrittenFile& written);
   void failed(const QString& path, const Error& error);
 
   DocumentTabs& m_tabs;

@@ -2,168 +2,251 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/MainWindow.h"
 
-#include "panels/DefectModel.h"
-#include "panels/DefectsPanel.h"
+#include "controls/CommandPalette.h"
+#include "controls/PreferencesDialog.h"
 #include "panels/DocumentsPanel.h"
 #include "panels/HintBar.h"
 #include "panels/JobBar.h"
 #include "panels/MessageBar.h"
 #include "panels/NextStepCard.h"
 #include "panels/StartPage.h"
+#include "theme/Icons.h"
 #include "viewport/Viewport.h"
-#include "window/DocumentScene.h"
+#include "window/DocumentProperties.h"
 #include "window/DocumentTabs.h"
-#include "window/NextSteps.h"
 #include "window/OpenDocument.h"
+#include "window/ToolHost.h"
+#include "window/ToolPanel.h"
 #include "window/ViewActions.h"
+#include "window/ViewSettings.h"
 #include "window/WindowLayout.h"
 
+#include <QActionGroup>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QLabel>
-#include <QLocale>
+#include <QMenu>
+#include <QMenuBar>
 #include <QMimeData>
-#include <QShortcut>
 #include <QStackedWidget>
+#include <QToolBar>
 #include <QUrl>
+#include <algorithm>
 
 namespace handwheel {
 
-MainWindow::MainWindow(QThreadPool& pool)
+MainWindow::MainWindow(QThreadPool& pool, const KindSet& kinds)
     : m_jobs(JobRunner::Policy::Queue, pool),
-      m_preview(pool),
-      m_search(pool),
+      m_pool(pool),
       m_tabs(new DocumentTabs(this)),
-      m_fileActions(this, *m_tabs, m_jobs, m_recent, m_log),
-      m_repairJobs(*m_tabs, m_jobs, m_log),
-      m_repairActions(*m_tabs, m_selection, m_repairJobs, m_preview),
-      m_showDefects(tr("&Show the list")),
+      m_fileActions(this, kinds.documents, m_uis, *m_tabs, m_jobs, m_recent, m_log),
+      m_autosave(*m_tabs, m_fileActions.loader(), pool, m_log, m_services),
+      m_showPanel(tr("&Show the list")),
       m_quit(tr("&Quit")) {
   setObjectName(QStringLiteral("mainWindow"));
   setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
-  m_showDefects.setObjectName(QStringLiteral("showDefects"));
-  m_showDefects.setToolTip(tr("Show the whole model and the list of its defects"));
-  connect(&m_showDefects, &QAction::triggered, this, &MainWindow::showDefects);
+  m_showPanel.setObjectName(QStringLiteral("showPanel"));
+  m_showPanel.setToolTip(tr("Show the whole model and its panel"));
+  connect(&m_showPanel, &QAction::triggered, this, &MainWindow::showPanel);
   buildCentre();
+  makeKinds(kinds);
   buildDocks();
   buildStatusBar();
   buildMenus();
   buildToolBars();
   connectDocuments();
-  connectSelection();
   connectJobs();
   connectStartPage();
-  restoreLayout(*this, {m_documentsDock, m_historyDock, m_logDock});
+  m_palette = new CommandPalette(this);
+  findChild<QMenu*>(QStringLiteral("helpMenu"))->insertAction(nullptr, m_palette->action());
+  m_keys.setActions(findChildren<QAction*>(), menuBar());
+  restoreLayout(*this, {m_documentsDock, m_historyDock, m_statusDock, m_logDock});
+  prefer(loadPreferences());
   showDocument(nullptr);
 }
 
 // The parts refer to one another, so they go in the reverse order of their making, before the widgets do.
 MainWindow::~MainWindow() {
-  m_defectsDock->disconnect(this);  // it hides last of all
-  m_scene->setDocument(nullptr);
-  m_defects->setInspection(nullptr);
-  m_selection.setDocument(nullptr);
-  m_search.setDocument(nullptr);
+  m_kindDock->disconnect(this);  // it hides last of all
+  m_tools->stop();
+  for (const auto& [id, ui] : m_uis) ui->setDocument(nullptr);
+}
+
+void MainWindow::makeKinds(const KindSet& kinds) {
+  const WindowParts parts{.window = this,
+                          .tabs = *m_tabs,
+                          .jobs = m_jobs,
+                          .pool = m_pool,
+                          .log = m_log,
+                          .viewport = *m_viewport,
+                          .services = m_services,
+                          .tools = *m_tools,
+                          .saveAs = m_fileActions.saveAs(),
+                          .isPanelVisible = [this] { return m_kindDock->isVisible(); },
+                          .showPanel = &m_showPanel};
+  for (const auto& [id, make] : kinds.windows) {
+    auto made = make(parts);
+    connect(made.get(), &KindUi::stateChanged, this, [this, from = made.get()] {
+      if (from != ui()) return;
+      updateFigures();
+      updateHints();
+      updateCard();
+    });
+    toolActions(*made);
+    connect(made.get(), &KindUi::message, m_messages, &MessageBar::showMessage);
+    m_uis.emplace(id, std::move(made));
+  }
+}
+
+KindUi* MainWindow::ui() const {
+  const OpenDocument* document = m_tabs->current();
+  return document ? &document->ui : nullptr;
 }
 
 bool MainWindow::isSettled() const {
-  return m_jobs.isIdle() && m_search.isIdle() && m_preview.state().kind != PreviewState::Kind::Working;
+  return m_jobs.isIdle() &&
+         std::all_of(m_uis.begin(), m_uis.end(), [](const auto& each) { return each.second->isSettled(); });
 }
 
 void MainWindow::connectDocuments() {
   connect(m_tabs, &DocumentTabs::added, this, [this](OpenDocument* opened) {
     m_undo.addStack(opened->document.history());
     m_documents->addDocument(&opened->document);
-    connect(&opened->document, &MeshDocument::fileChanged, this, [this] {
+    connect(&opened->document, &Document::fileChanged, this, [this] {
       updateTitle();
-      updateCard();
-    });
-    connect(&opened->inspection, &Inspection::changed, this, [this] {
-      updateFigures();
       updateCard();
     });
   });
   connect(m_tabs, &DocumentTabs::closing, this, [this](OpenDocument* closed) {
     showDocument(nullptr);  // whoever points at it lets go
+    closed->ui.forget(closed);
     m_undo.removeStack(closed->document.history());
     m_documents->removeDocument(&closed->document);
     closed->document.disconnect(this);
-    closed->inspection.disconnect(this);
   });
   connect(m_tabs, &DocumentTabs::currentChanged, this, &MainWindow::showDocument);
-  const auto openOf = [this](const MeshDocument* document) -> OpenDocument* {
+  const auto openOf = [this](const Document* document) -> OpenDocument* {
     for (const auto& each : m_tabs->all()) {
       if (&each->document == document) return each.get();
     }
     return nullptr;
   };
   connect(m_documents, &DocumentsPanel::activated, this,
-          [this, openOf](MeshDocument* document) { m_tabs->setCurrent(openOf(document)); });
-  connect(m_documents, &DocumentsPanel::visibilityChanged, this, [this, openOf](MeshDocument* document, bool visible) {
-    openOf(document)->visible = visible;
-    m_scene->refreshVisibility();
+          [this, openOf](Document* document) { m_tabs->setCurrent(openOf(document)); });
+  connect(m_documents, &DocumentsPanel::visibilityChanged, this, [this, openOf](Document* document, bool visible) {
+    OpenDocument* changed = openOf(document);
+    changed->visible = visible;
+    if (changed == m_tabs->current()) changed->ui.refreshVisibility();
   });
   connect(&m_fileActions, &FileActions::message, m_messages, &MessageBar::showMessage);
-}
-
-void MainWindow::connectSelection() {
-  connect(&m_selection, &Selection::changed, this, [this] {
-    m_defects->setSelectedLoop(m_selection.loop());
-    updateHints();
-    updateCard();
-  });
-  connect(&m_selection, &Selection::hoverChanged, this,
-          [this] { m_defects->setHighlightedLoop(m_selection.hovered()); });
-  connect(m_defects, &DefectsPanel::loopHovered, &m_selection, &Selection::hover);
-  connect(m_defects, &DefectsPanel::loopSelected, &m_selection, &Selection::select);
-  connect(m_defects, &DefectsPanel::defectActivated, m_scene, &DocumentScene::showPlace);
-  connect(m_defects->settings(), &HoleSettings::methodChanged, &m_repairActions, &RepairActions::setMethod);
-  m_defects->settings()->setMethod(m_repairActions.method());
-  connect(&m_preview, &HolePreview::changed, this, [this] { m_defects->settings()->showPreview(m_preview.state()); });
-  connect(&m_repairActions, &RepairActions::showLoopRequested, m_scene, &DocumentScene::showLoop);
+  connect(&m_autosave, &Autosave::message, m_messages, &MessageBar::showMessage);
   connect(m_card, &NextStepCard::dismissed, this, [this] {
     m_tabs->current()->cardDismissed = true;
     updateCard();
   });
   connect(m_card, &NextStepCard::covers, m_viewport, &Viewport::setCovered);
-  auto* space = new QShortcut(QKeySequence(Qt::Key_Space), m_viewport, nullptr, nullptr, Qt::WidgetShortcut);
-  connect(space, &QShortcut::activated, m_repairActions.next(), &QAction::trigger);
 }
 
 void MainWindow::connectJobs() {
+  connect(m_tools, &ToolHost::updated, this, &MainWindow::updateHints);
+  connect(&m_tools->runner(), &ToolRunner::failed, this, [this](const QString& reason) {
+    m_messages->showMessage({Message::Weight::Error,
+                             tr("The tool failed and was put away"),
+                             reason,
+                             tr("The document is as it was before."),
+                             {},
+                             {}});
+  });
   connect(&m_jobs, &JobRunner::started, m_jobBar, &JobBar::showJob);
   connect(&m_jobs, &JobRunner::progressed, m_jobBar, &JobBar::setProgress);
   connect(&m_jobs, &JobRunner::finished, m_jobBar, &JobBar::hideJob);
-  connect(&m_repairJobs, &RepairJobs::workingChanged, this, &MainWindow::updateCard);
   connect(m_jobBar, &JobBar::cancelRequested, &m_jobs, &JobRunner::cancel);
 }
 
 void MainWindow::connectStartPage() {
-  m_start->setSampleAvailable(!samplePath().isEmpty());
+  m_start->setSampleAvailable(StartPage::Sample::Scan, m_fileActions.openSample()->isEnabled());
+  m_start->setSampleAvailable(StartPage::Sample::Cell, m_fileActions.openRobotSample()->isEnabled());
+  m_start->setSampleAvailable(StartPage::Sample::Lathe, true);
+  connect(m_start, &StartPage::sampleChosen, this, [this](StartPage::Sample sample) {
+    switch (sample) {
+      case StartPage::Sample::Scan:
+        return m_fileActions.openSample()->trigger();
+      case StartPage::Sample::Lathe:
+        return m_fileActions.newWorkpiece()->trigger();
+      case StartPage::Sample::Cell:
+        return m_fileActions.openRobotSample()->trigger();
+    }
+  });
   m_start->setRecentFiles(m_recent.paths());
   connect(&m_recent, &RecentFiles::changed, this, [this] { m_start->setRecentFiles(m_recent.paths()); });
-  connect(m_start, &StartPage::sampleRequested, m_fileActions.openSample(), &QAction::trigger);
   connect(m_start, &StartPage::openRequested, m_fileActions.open(), &QAction::trigger);
   connect(m_start, &StartPage::recentRequested, this, [this](const QString& path) { openPaths({path}); });
   connect(m_start, &StartPage::clearRecentRequested, &m_recent, &RecentFiles::clear);
 }
 
 void MainWindow::showDocument(OpenDocument* document) {
-  m_preview.forget();
+  KindUi* present = document ? &document->ui : nullptr;
   m_tabs->setVisible(document != nullptr);
   m_stack->setCurrentWidget(document ? static_cast<QWidget*>(m_viewport) : m_start);
   m_undo.setActiveStack(document ? document->document.history() : nullptr);
-  m_defects->setInspection(document ? &document->inspection : nullptr);
   m_documents->setCurrent(document ? &document->document : nullptr);
-  m_scene->setDocument(document);
-  m_search.setDocument(document);
-  m_selection.setDocument(document);
+  m_properties->setDocument(document ? &document->document : nullptr);
+  for (const auto& [id, each] : m_uis) {
+    if (each.get() != present) each->setDocument(nullptr);
+  }
+  if (present) present->setDocument(document);
+  showKind(present);
+  m_viewSettings->refresh();
   for (QAction* action : m_viewActions->views() + m_viewActions->shadings()) action->setEnabled(document != nullptr);
   m_viewActions->fit()->setEnabled(document != nullptr);
   if (document) m_viewport->setFocus();
   updateTitle();
   updateFigures();
+  updateHints();
+  updateCard();
+}
+
+// Panel, menu and tools of the kind of the present document. Without a document, those of the last one stay.
+void MainWindow::showKind(KindUi* present) {
+  m_kindMenu->setEnabled(present != nullptr);
+  m_kindBar->setEnabled(present != nullptr);
+  if (!present) return m_tools->stop();
+  m_kindPanels->setCurrentWidget(present->panel());
+  m_kindDock->setWindowTitle(present->panelTitle());
+  m_kindDock->setAccessibleName(present->panelTitle());
+  m_kindMenu->setTitle(present->menuTitle());
+  const QList<QAction*> tools = toolActions(*present);
+  m_kindMenu->clear();
+  m_kindMenu->addActions(tools);
+  m_kindMenu->addSeparator();
+  m_kindMenu->addActions(present->menu());
+  m_kindBar->clear();
+  m_kindBar->addActions(tools);
+  m_kindBar->addSeparator();
+  m_kindBar->addActions(present->toolBar());
+  nameButtons(*m_kindBar);
+  if (!tools.isEmpty()) tools.first()->trigger();
+}
+
+// One action for each tool of the kind; they exclude each other. Made once.
+QList<QAction*> MainWindow::toolActions(KindUi& kind) {
+  const QString name = QStringLiteral("tools/%1").arg(reinterpret_cast<quintptr>(&kind));
+  auto* group = findChild<QActionGroup*>(name);
+  if (group) return group->actions();
+  group = new QActionGroup(this);
+  group->setObjectName(name);
+  for (const ToolOffer& offer : kind.tools()) {
+    QAction* action = group->addAction(icon(offer.icon), offer.text);
+    action->setObjectName(offer.id);
+    action->setCheckable(true);
+    action->setIconVisibleInMenu(false);
+    action->setShortcut(offer.key);
+    connect(action, &QAction::triggered, this, [this, &kind, make = offer.make] {
+      if (ui() == &kind) m_tools->start(make(), m_tabs->current()->document);
+    });
+  }
+  return group->actions();
 }
 
 void MainWindow::updateTitle() {
@@ -177,41 +260,57 @@ void MainWindow::updateFigures() {
   m_figures->setVisible(document != nullptr);
   m_unit->setVisible(document != nullptr);
   if (!document) return;
-  const std::size_t faces = document->document.mesh().liveFaceCount();
-  m_figures->setText(tr("%1 triangles").arg(QLocale().toString(static_cast<qulonglong>(faces))));
+  m_figures->setText(document->ui.figures());
+  m_unit->setText(QString::fromLatin1(symbolOf(document->document.displayUnit())));
+  m_viewport->setDisplayUnit(document->document.displayUnit());
 }
 
 void MainWindow::updateCard() {
   const OpenDocument* document = m_tabs->current();
-  if (!document || m_selection.loop() >= 0 || m_repairJobs.isWorking()) return m_card->showStep({});
-  QAction* showList = m_defectsDock->isVisible() ? nullptr : &m_showDefects;
-  m_card->showStep(nextStepFor(*document, {m_repairActions.repairAll(), m_repairActions.removeDebris(),
-                                           m_repairActions.goOneByOne(), showList, m_fileActions.saveAs()}));
+  m_card->showStep(document && !document->cardDismissed ? document->ui.nextStep() : NextStep{});
 }
 
 void MainWindow::updateHints() {
   std::vector<Hint> hints;
-  if (!m_tabs->current()) {
-    hints = {{tr("Ctrl+O"), tr("open a file")}, {tr("Drop"), tr("files anywhere")}};
-  } else if (m_selection.loop() >= 0) {
-    hints = {{tr("Enter"), tr("fill")},   {tr("K"), tr("keep open")},  {tr("N"), tr("next hole")},
-             {tr("Esc"), tr("deselect")}, {tr("Middle"), tr("orbit")}, {tr("Shift+middle"), tr("pan")},
-             {tr("Wheel"), tr("zoom")}};
-    if (!m_repairActions.fill()->isEnabled()) hints.erase(hints.begin());
+  if (KindUi* present = ui()) {
+    hints = present->hints();
+    for (const auto& [input, effect] : m_viewport->navigationHints()) hints.push_back({input, effect});
+    hints.push_back({m_viewActions->fit()->shortcut().toString(QKeySequence::NativeText), tr("fit")});
   } else {
-    if (m_repairActions.next()->isEnabled()) hints = {{tr("Click"), tr("select a hole")}, {tr("N"), tr("next hole")}};
-    hints.insert(hints.end(), {{tr("Middle"), tr("orbit")},
-                               {tr("Shift+middle"), tr("pan")},
-                               {tr("Wheel"), tr("zoom")},
-                               {tr("F"), tr("fit")}});
+    hints = {{tr("Ctrl+O"), tr("open a file")}, {tr("Drop"), tr("files anywhere")}};
   }
   m_hints->setHints(std::move(hints));
 }
 
-void MainWindow::showDefects() {
-  m_defectsDock->show();
-  m_defectsDock->raise();
+void MainWindow::showPanel() {
+  m_kindDock->show();
+  m_kindDock->raise();
   m_viewport->fit();
+}
+
+void MainWindow::showPreferences() {
+  if (auto* open = findChild<PreferencesDialog*>()) return open->raise();
+  std::vector<NavigationChoice> choices;
+  for (NavigationPreset preset : kNavigationPresets) {
+    QStringList bindings;
+    for (const auto& [input, effect] : navigationHints(preset)) bindings << tr("%1: %2").arg(input, effect);
+    choices.push_back({idOf(preset), nameOf(preset), bindings.join(QStringLiteral(", "))});
+  }
+  auto* dialog = new PreferencesDialog(&m_keys, std::move(choices), this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &PreferencesDialog::changed, this, &MainWindow::prefer);
+  dialog->show();
+}
+
+void MainWindow::prefer(const Preferences& preferences) {
+  m_viewport->setNavigationPreset(presetOf(preferences.navigation));
+  m_autosave.setInterval(preferences.autosaveSeconds);
+  updateHints();
+}
+
+QList<QDockWidget*> MainWindow::docks() const {
+  return {m_documentsDock,  m_historyDock, m_kindDock, m_toolDock,
+          m_propertiesDock, m_viewDock,    m_logDock,  m_statusDock};
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

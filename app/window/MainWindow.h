@@ -2,35 +2,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "controls/ShortcutModel.h"
 #include "panels/LogModel.h"
+#include "window/Autosave.h"
 #include "window/FileActions.h"
-#include "window/HolePreview.h"
 #include "window/JobRunner.h"
+#include "window/KindUi.h"
 #include "window/RecentFiles.h"
-#include "window/RepairActions.h"
-#include "window/RepairJobs.h"
-#include "window/Selection.h"
-#include "window/SelfIntersectionSearch.h"
+#include "window/WindowServices.h"
 
 #include <QMainWindow>
 #include <QUndoGroup>
 
 class QLabel;
+class QMenu;
 class QStackedWidget;
+class QToolBar;
 
 namespace handwheel {
 
-class DefectsPanel;
-class DocumentScene;
+class CommandPalette;
+class DocumentProperties;
 class DocumentsPanel;
 class DocumentTabs;
 class HintBar;
 class JobBar;
 class MessageBar;
 class NextStepCard;
+class PropertyList;
 class StartPage;
+class StatusPanel;
+class ToolHost;
+class ToolPanel;
 class ViewActions;
+class ViewSettings;
 class Viewport;
+struct Preferences;
 
 // Puts the parts of the window together and connects them. Decisions are made in the parts.
 class MainWindow : public QMainWindow {
@@ -38,10 +45,12 @@ class MainWindow : public QMainWindow {
 
  public:
   // The pool runs all jobs; it outlives the window.
-  explicit MainWindow(QThreadPool& pool);
+  MainWindow(QThreadPool& pool, const KindSet& kinds);
   ~MainWindow() override;
 
   void openPaths(const QStringList& paths) { m_fileActions.openPaths(paths); }
+  // What a session that was killed left behind; at the start of the program.
+  void offerLeftovers() { m_autosave.offerLeftovers(); }
   // Nothing is running that will still change what the window shows.
   bool isSettled() const;
 
@@ -57,48 +66,68 @@ class MainWindow : public QMainWindow {
   void buildMenus();
   void buildToolBars();
   void connectDocuments();
-  void connectSelection();
   void connectJobs();
   void connectStartPage();
 
+  KindUi* ui() const;  // of the present document; null when none is open
+  void makeKinds(const KindSet& kinds);
   void showDocument(OpenDocument* document);
+  void showKind(KindUi* ui);
+  QList<QAction*> toolActions(KindUi& ui);
   void updateTitle();
   void updateFigures();
   void updateCard();
   void updateHints();
-  void showDefects();
+  void showPanel();
+  void showPreferences();
+  void prefer(const Preferences& preferences);
+  QList<QDockWidget*> docks() const;  // in the order of the menu
 
   JobRunner m_jobs;
   LogModel m_log;
   RecentFiles m_recent;
   QUndoGroup m_undo;
-  Selection m_selection;
-  HolePreview m_preview;
-  SelfIntersectionSearch m_search;
+  WindowServices m_services;
+  KindUis m_uis;
+  QThreadPool& m_pool;
+  ShortcutModel m_keys;
   DocumentTabs* m_tabs;
   FileActions m_fileActions;
-  RepairJobs m_repairJobs;
-  RepairActions m_repairActions;
-  QAction m_showDefects;
+  Autosave m_autosave;
+  QAction m_showPanel;
   QAction m_quit;
 
   Viewport* m_viewport;
   ViewActions* m_viewActions;
-  DefectsPanel* m_defects;
   DocumentsPanel* m_documents;
-  DocumentScene* m_scene;
   StartPage* m_start;
   QStackedWidget* m_stack;
+  QStackedWidget* m_kindPanels;
+  QMenu* m_kindMenu;
+  QToolBar* m_kindBar;
   MessageBar* m_messages;
   NextStepCard* m_card;
   HintBar* m_hints;
   JobBar* m_jobBar;
   QLabel* m_figures;
   QLabel* m_unit;
+  DocumentProperties* m_properties;
+  ViewSettings* m_viewSettings;
+  ToolPanel* m_toolPanel;
+  ToolHost* m_tools;
+  CommandPalette* m_palette;
   QDockWidget* m_documentsDock;
   QDockWidget* m_historyDock;
-  QDockWidget* m_defectsDock;
+  QDockWidget* m_kindDock;
+  QDockWidget* m_toolDock;
+  QDockWidget* m_propertiesDock;
+  QDockWidget* m_viewDock;
   QDockWidget* m_logDock;
+  QDockWidget* m_statusDock;
 };
+
+// Names the buttons of a tool bar after their actions, for screen readers and tests. Actions of high priority show
+// their text.
+void nameButtons(QToolBar& bar);
 
 }  // namespace handwheel

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // How the main window is put together: centre, docks, status bar, menus and tool bars.
+#include "controls/StatusPanel.h"
 #include "panels/ActionButton.h"
-#include "panels/DefectsPanel.h"
 #include "panels/DockTitle.h"
 #include "panels/DocumentsPanel.h"
 #include "panels/HintBar.h"
@@ -14,11 +14,14 @@
 #include "panels/StartPage.h"
 #include "theme/Icons.h"
 #include "viewport/Viewport.h"
-#include "window/DocumentScene.h"
+#include "window/DocumentProperties.h"
 #include "window/DocumentTabs.h"
 #include "window/HelpPages.h"
 #include "window/MainWindow.h"
+#include "window/ToolHost.h"
+#include "window/ToolPanel.h"
 #include "window/ViewActions.h"
+#include "window/ViewSettings.h"
 
 #include <QApplication>
 #include <QDockWidget>
@@ -51,16 +54,6 @@ QDockWidget* addDock(MainWindow& window, Qt::DockWidgetArea area, const char* na
   return dock;
 }
 
-// Names the buttons of a tool bar after their actions, for screen readers and tests.
-void nameButtons(QToolBar& bar) {
-  for (QAction* action : bar.actions()) {
-    auto* button = qobject_cast<QToolButton*>(bar.widgetForAction(action));
-    if (!button || action->objectName().isEmpty()) continue;
-    button->setObjectName(bar.objectName() + QLatin1Char('/') + action->objectName());
-    button->setAccessibleName(action->iconText());
-  }
-}
-
 QToolBar* addBar(MainWindow& window, Qt::ToolBarArea area, const char* name, const QString& title) {
   auto* bar = new QToolBar(title, &window);
   bar->setObjectName(QString::fromLatin1(name));
@@ -73,6 +66,16 @@ QToolBar* addBar(MainWindow& window, Qt::ToolBarArea area, const char* name, con
 }
 
 }  // namespace
+
+void nameButtons(QToolBar& bar) {
+  for (QAction* action : bar.actions()) {
+    auto* button = qobject_cast<QToolButton*>(bar.widgetForAction(action));
+    if (!button || action->objectName().isEmpty()) continue;
+    button->setObjectName(bar.objectName() + QLatin1Char('/') + action->objectName());
+    button->setAccessibleName(action->iconText());
+    if (action->priority() == QAction::HighPriority) button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  }
+}
 
 void MainWindow::buildCentre() {
   auto* centre = new QWidget(this);
@@ -93,6 +96,8 @@ void MainWindow::buildCentre() {
   column->addWidget(m_stack, 1);
   setCentralWidget(centre);
   m_viewActions = new ViewActions(*m_viewport, this);
+  m_toolPanel = new ToolPanel(this);
+  m_tools = new ToolHost(*m_viewport, *m_toolPanel, m_services.needs(), this);
   m_card = new NextStepCard(m_viewport);
   connect(m_viewport, &Viewport::graphicsFailed, m_messages, [this](const QString& problem) {
     m_messages->showMessage({Message::Weight::Error,
@@ -110,28 +115,41 @@ void MainWindow::buildDocks() {
   history->setObjectName(QStringLiteral("historyView"));
   history->setAccessibleName(tr("History"));
   history->setEmptyLabel(tr("As opened"));
-  m_defects = new DefectsPanel({m_repairActions.repairAll(), m_repairActions.previous(), m_repairActions.next(),
-                                m_repairActions.fill(), m_repairActions.keepOpen(), m_repairActions.preview()},
-                               this);
-  m_defects->setMinimumWidth(264);
+  m_kindPanels = new QStackedWidget(this);
+  for (const auto& [id, each] : m_uis) m_kindPanels->addWidget(each->panel());
   m_documentsDock = addDock(*this, Qt::LeftDockWidgetArea, "documentsDock", tr("Documents"), m_documents, "documents");
   m_historyDock = addDock(*this, Qt::LeftDockWidgetArea, "historyDock", tr("History"), history, "history");
-  m_defectsDock = addDock(*this, Qt::RightDockWidgetArea, "defectsDock", tr("Defects"), m_defects, "defects");
+  m_kindDock = addDock(*this, Qt::RightDockWidgetArea, "kindDock", tr("Defects"), m_kindPanels, "defects");
+  m_toolDock = addDock(*this, Qt::RightDockWidgetArea, "toolDock", tr("Tool"), m_toolPanel, "tool-settings");
+  auto* properties = new PropertyList(this);
+  properties->setEmptyText(tr("No document is open."));
+  m_properties = new DocumentProperties(*properties, this);
+  m_propertiesDock =
+      addDock(*this, Qt::RightDockWidgetArea, "propertiesDock", tr("Properties"), properties, "properties");
+  auto* view = new PropertyList(this);
+  m_viewSettings = new ViewSettings(*view, *m_viewport, this);
+  m_viewDock = addDock(*this, Qt::RightDockWidgetArea, "viewDock", tr("View"), view, "view-iso");
+  tabifyDockWidget(m_kindDock, m_toolDock);
+  tabifyDockWidget(m_toolDock, m_propertiesDock);
+  tabifyDockWidget(m_propertiesDock, m_viewDock);
+  m_kindDock->raise();
+  auto* status = new StatusPanel(this);
+  status->setSource([this] { return m_services.status(); });
+  m_statusDock = addDock(*this, Qt::BottomDockWidgetArea, "statusDock", tr("Status"), status, "status");
   m_logDock = addDock(*this, Qt::BottomDockWidgetArea, "logDock", tr("Log"), new LogPanel(&m_log, this), "log");
-  connect(m_defectsDock, &QDockWidget::visibilityChanged, this, &MainWindow::updateCard);
+  connect(m_kindDock, &QDockWidget::visibilityChanged, this, &MainWindow::updateCard);
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-  resizeDocks({m_documentsDock, m_defectsDock}, {216, 272}, Qt::Horizontal);
+  resizeDocks({m_documentsDock, m_kindDock}, {216, 272}, Qt::Horizontal);
   resizeDocks({m_documentsDock, m_historyDock}, {300, 300}, Qt::Vertical);
   resizeDocks({m_logDock}, {176}, Qt::Vertical);
-  m_scene = new DocumentScene(*m_viewport, m_selection, m_preview, *m_defects->model(), this);
 }
 
 void MainWindow::buildStatusBar() {
   m_hints = new HintBar(this);
   m_jobBar = new JobBar(this);
   m_figures = new QLabel(this);
-  m_figures->setObjectName(QStringLiteral("triangleCount"));
+  m_figures->setObjectName(QStringLiteral("figures"));
   m_unit = new QLabel(tr("mm"), this);
   m_unit->setObjectName(QStringLiteral("badge"));
   m_unit->setToolTip(tr("Lengths are in millimetres, as in the file"));
@@ -155,7 +173,7 @@ void MainWindow::buildMenus() {
   QMenu* file = menuBar()->addMenu(tr("&File"));
   file->addAction(m_fileActions.open());
   file->addMenu(m_fileActions.recentMenu());
-  file->addAction(m_fileActions.openSample());
+  file->addActions({m_fileActions.newWorkpiece(), m_fileActions.openSample(), m_fileActions.openRobotSample()});
   file->addSeparator();
   file->addActions({m_fileActions.save(), m_fileActions.saveAs()});
   file->addSeparator();
@@ -172,7 +190,9 @@ void MainWindow::buildMenus() {
   redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
   edit->addActions({undo, redo});
   edit->addSeparator();
-  edit->addAction(m_repairActions.deselect());
+  QAction* preferences = edit->addAction(tr("&Preferences…"), this, &MainWindow::showPreferences);
+  preferences->setObjectName(QStringLiteral("preferences"));
+  preferences->setMenuRole(QAction::PreferencesRole);
 
   QMenu* view = menuBar()->addMenu(tr("&View"));
   view->addAction(m_viewActions->fit());
@@ -181,16 +201,15 @@ void MainWindow::buildMenus() {
   view->addSeparator();
   view->addActions(m_viewActions->shadings());
   view->addSeparator();
-  for (QDockWidget* dock : {m_documentsDock, m_historyDock, m_defectsDock, m_logDock}) {
-    view->addAction(dock->toggleViewAction());
-  }
+  for (QDockWidget* dock : docks()) view->addAction(dock->toggleViewAction());
   view->addSeparator();
   view->addAction(m_viewActions->darkTheme());
 
-  QMenu* repair = menuBar()->addMenu(tr("&Repair"));
-  repair->addActions(m_repairActions.all());
+  m_kindMenu = menuBar()->addMenu(m_uis.begin()->second->menuTitle());
+  m_kindMenu->setObjectName(QStringLiteral("kindMenu"));
 
   QMenu* help = menuBar()->addMenu(tr("&Help"));
+  help->setObjectName(QStringLiteral("helpMenu"));
   QAction* keys = help->addAction(tr("&Keys and mouse"), QKeySequence(Qt::Key_F1), this, [this] { showKeys(*this); });
   keys->setObjectName(QStringLiteral("showKeys"));
   QAction* about = help->addAction(tr("&About Handwheel"), this, [this] { showAbout(*this); });
@@ -208,22 +227,12 @@ void MainWindow::buildToolBars() {
   quick->addAction(m_viewActions->fit());
   quick->addActions(m_viewActions->views().mid(0, 2) +
                     QList<QAction*>{m_viewActions->views().at(3), m_viewActions->views().at(5)});
-  quick->addSeparator();
-  quick->addActions({m_repairActions.repairAll(), m_repairActions.previous(), m_repairActions.next(),
-                     m_repairActions.fill(), m_repairActions.keepOpen()});
-  auto* stretch = new QWidget(quick);
-  stretch->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-  quick->addWidget(stretch);
   quick->addAction(m_viewActions->darkTheme());
   nameButtons(*quick);
-  for (QAction* named : {m_repairActions.repairAll(), m_repairActions.fill()}) {
-    static_cast<QToolButton*>(quick->widgetForAction(named))->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  }
+  m_kindBar = addBar(*this, Qt::TopToolBarArea, "kindActions", tr("Actions of the document"));
 
   QToolBar* strip = addBar(*this, Qt::LeftToolBarArea, "panelStrip", tr("Panels"));
-  for (QDockWidget* dock : {m_documentsDock, m_historyDock, m_defectsDock, m_logDock}) {
-    strip->addAction(dock->toggleViewAction());
-  }
+  for (QDockWidget* dock : docks()) strip->addAction(dock->toggleViewAction());
   nameButtons(*strip);
 }
 

@@ -2,28 +2,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "document/MeshDocument.h"
-#include "mesh/Repair.h"
-#include "panels/Inspection.h"
+#include "document/Document.h"
 #include "viewport/CameraState.h"
 
+#include <memory>
 #include <optional>
 
 namespace handwheel {
 
-// A document with what the window remembers about it while it is open.
-struct OpenDocument {
-  OpenDocument(const QString& path, MeshFile file, InspectedMesh mesh, BuildReport build)
-      : document(path, std::move(file), std::move(mesh), std::move(build)), inspection(document) {}
+class KindUi;
 
-  MeshDocument document;
-  Inspection inspection;
+// A document with what the window remembers about it while it is open. Kinds derive their own.
+struct OpenDocument {
+  OpenDocument(std::unique_ptr<Document> made, KindUi& of) : owned(std::move(made)), document(*owned), ui(of) {}
+  virtual ~OpenDocument() = default;
+
+  const std::unique_ptr<Document> owned;
+  Document& document;
+  KindUi& ui;                         // of its kind
   std::optional<CameraState> camera;  // absent until it was shown
-  Vertex selected = kNone;            // Inspection::keyOf the selected loop
   bool visible = true;
   bool written = false;  // its file was written by us, so it holds nothing that the document does not
   bool cardDismissed = false;
-  bool repaired = false;  // "Repair all" ran at least once
+  std::uint64_t autosaved = 0;  // the revision that an autosave holds
 };
 
 }  // namespace handwheel

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/RunWindow.h"
 
-#include "text/EnglishPlurals.h"
+#include "controls/Preferences.h"
+#include "text/Translations.h"
 #include "theme/Icons.h"
 #include "theme/Theme.h"
 #include "viewport/Viewport.h"
@@ -59,7 +60,7 @@ ThemeKind startTheme(const Wishes& wishes) {
 
 }  // namespace
 
-int runWindow(int argc, char** argv) {
+int runWindow(int argc, char** argv, const KindSet& kinds) {
   if (!hasDisplay()) return 1;
   Viewport::prepareApplication();
   QApplication application(argc, argv);
@@ -67,8 +68,7 @@ int runWindow(int argc, char** argv) {
   QCoreApplication::setOrganizationName(QStringLiteral("Handwheel"));
   QCoreApplication::setApplicationName(QStringLiteral("Handwheel"));
   QCoreApplication::setApplicationVersion(QStringLiteral(HANDWHEEL_VERSION));
-  EnglishPlurals plurals;
-  QCoreApplication::installTranslator(&plurals);
+  const Translations translations(loadPreferences().language);
   const Wishes wishes = readArguments(application);
   applyTheme(application, startTheme(wishes));
   QApplication::setWindowIcon(icon(QStringLiteral("handwheel"), themeColours(ThemeKind::Light).accent));
@@ -77,9 +77,10 @@ int runWindow(int argc, char** argv) {
   workers.setMaxThreadCount(kWorkers);
   int code = 0;
   {
-    MainWindow window(workers);
+    MainWindow window(workers, kinds);
     window.openPaths(wishes.files);
     window.show();
+    if (wishes.screenshot.isEmpty()) window.offerLeftovers();
     if (!wishes.screenshot.isEmpty()) takeScreenshot(window, wishes.screenshot);
     code = QApplication::exec();
   }

@@ -35,6 +35,16 @@ enum class ErrorCode {
   NoTriangles,        // the file holds no triangle
   WriteFailed,        // {system's reason}
   CheckFailed,        // {what} the written file does not read back as what was to be written
+  ArchiveMalformed,   // {library's reason} not a ZIP archive, or one that cannot be read at all
+  EntryMissing,       // {name} an entry that the archive should hold
+  EntryDamaged,       // {name} an entry that cannot be unpacked, or not to what its checksum says
+  VersionNewer,       // {version of the file, newest version known} written by a newer program
+  KindUnknown,        // {kind} a kind of document that this program does not know
+  ElementMalformed,   // {element, what is wrong with it} in XML or JSON
+  ReferenceMissing,   // {what, name} a file or an element that another refers to
+  ValueOutOfRange,    // {name, value, least, largest}
+  Unsupported,        // {what} understood, but not something that this program does
+  LibraryFailed,      // {library, reason}
 };
 
 // Where in the input: the byte offset in binary files, the line (from 1) in text files.

@@ -11,6 +11,7 @@ namespace handwheel {
 
 using Vec3 = Eigen::Vector3d;
 using Box = Eigen::AlignedBox3d;
+using Pose = Eigen::Isometry3d;  // rotation and translation (mm)
 
 // Three vertex numbers, counter-clockwise seen from outside.
 using Triangle = std::array<std::uint32_t, 3>;

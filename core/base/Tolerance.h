@@ -19,7 +19,8 @@ inline constexpr double kDebrisArea = 0.01;
 inline constexpr double kDebrisFaces = 0.01;
 // A face that hangs on a surplus edge is removed as a flap when no edge of it is longer than this.
 inline constexpr double kFlap = 0.01;
-// Vertices on open borders nearer than this are one vertex that the file rounded apart; a repair merges them.
+// Vertices on open borders nearer than this are one vertex that the file rounded apart; a repair merges them. The
+// default of the fidelity setting mesh.near_weld.
 inline constexpr double kNearWeld = 1e-5;
 // But not across more than this share of the longer border edge at either: that would be detail.
 inline constexpr double kNearWeldEdge = 0.25;
@@ -36,6 +37,9 @@ inline constexpr int kCubicFillEdges = 300;
 inline constexpr int kLibraryFillEdges = 20'000;
 // CGAL builds a vertex with n faces in O(n²): 0.2 s for 5,000, 3 s for 20,000.
 inline constexpr int kLibraryFanFaces = 5'000;
+// How densely a patch is refined: where its edges are longer than 1 / this of those around the hole, they are split.
+// √2 splits to about their length. The default of the fidelity setting mesh.patch_density.
+inline constexpr double kPatchDensity = 1.4142135623730951;
 // New vertices of a patch per boundary edge; refining beyond is refused.
 inline constexpr int kPatchVerticesPerEdge = 20;
 // A polygon of a file is planar when no corner is further from its plane than this share of its size: beyond, which cut

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/BorderVertices.h"
 
-#include "base/Tolerance.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,9 +12,9 @@ namespace {
 
 // How far each vertex on an open border may move to another: a share of its longer border edge, so that fine detail
 // of a large model does not fall together.
-std::unordered_map<Vertex, double> reaches(const HalfEdgeMesh& mesh) {
+std::unordered_map<Vertex, double> reaches(const HalfEdgeMesh& mesh, double nearWeld) {
   std::unordered_map<Vertex, double> reach;
-  const double most = nearWeldReach(mesh);
+  const double most = nearWeldReach(mesh, nearWeld);
   for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h) {
     if (!mesh.isBorder(h)) continue;
     const double length = (mesh.position(mesh.to(h)) - mesh.position(mesh.from(h))).norm();
@@ -40,9 +38,9 @@ double modelDiagonal(const HalfEdgeMesh& mesh) {
   return box.isEmpty() ? 0.0 : box.diagonal().stableNorm();
 }
 
-double nearWeldReach(const HalfEdgeMesh& mesh) {
+double nearWeldReach(const HalfEdgeMesh& mesh, double nearWeld) {
   const double diagonal = modelDiagonal(mesh);
-  return std::isfinite(diagonal * diagonal) ? tolerance::kNearWeld * diagonal : 0.0;
+  return std::isfinite(diagonal * diagonal) ? nearWeld * diagonal : 0.0;
 }
 
 BorderVertices::BorderVertices(const HalfEdgeMesh& mesh, const std::vector<bool>& without) {
@@ -62,9 +60,10 @@ BorderVertices::BorderVertices(const HalfEdgeMesh& mesh, const std::vector<bool>
   m_places = TriangleHierarchy(points, places);
 }
 
-std::vector<std::pair<Vertex, Vertex>> nearBorderVertices(const HalfEdgeMesh& mesh, const std::vector<bool>& without) {
+std::vector<std::pair<Vertex, Vertex>> nearBorderVertices(const HalfEdgeMesh& mesh, const std::vector<bool>& without,
+                                                          double nearWeld) {
   const BorderVertices vertices(mesh, without);
-  const std::unordered_map<Vertex, double> reach = reaches(mesh);
+  const std::unordered_map<Vertex, double> reach = reaches(mesh, nearWeld);
   std::vector<std::pair<Vertex, Vertex>> pairs;
   for (Vertex v : vertices.all()) {
     const Vec3 p = mesh.position(v);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/Tolerance.h"
 #include "mesh/HalfEdgeMesh.h"
 #include "proximity/TriangleHierarchy.h"
 
@@ -13,9 +14,9 @@ namespace handwheel {
 // Length of the diagonal of the box around all live faces; 0 for an empty mesh.
 double modelDiagonal(const HalfEdgeMesh& mesh);
 
-// How near vertices on open borders are one vertex of the scan: tolerance::kNearWeld of the diagonal. 0 where the model
-// is so large that its square is no number.
-double nearWeldReach(const HalfEdgeMesh& mesh);
+// How near vertices on open borders are one vertex of the scan: this share of the diagonal. 0 where the model is so
+// large that its square is no number.
+double nearWeldReach(const HalfEdgeMesh& mesh, double nearWeld = tolerance::kNearWeld);
 
 // The vertices on open borders, to be found by place.
 class BorderVertices {
@@ -44,6 +45,7 @@ class BorderVertices {
 // tolerance::kNearWeldEdge of the longer border edge at either: most often one vertex of the scan that its file rounded
 // apart. Each is paired with its nearest of smaller number. Vertices marked in "without" take no part.
 std::vector<std::pair<Vertex, Vertex>> nearBorderVertices(const HalfEdgeMesh& mesh,
-                                                          const std::vector<bool>& without = {});
+                                                          const std::vector<bool>& without = {},
+                                                          double nearWeld = tolerance::kNearWeld);
 
 }  // namespace handwheel

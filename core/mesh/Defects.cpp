@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/Defects.h"
 
-#include "base/Tolerance.h"
 #include "mesh/BorderVertices.h"
 #include "mesh/EdgeTable.h"
 #include "mesh/FaceComponents.h"
@@ -70,7 +69,7 @@ std::vector<Component> findComponents(const HalfEdgeMesh& mesh) {
   return components(mesh, PositionTriangles(mesh));
 }
 
-Defects findDefects(const HalfEdgeMesh& mesh) {
+Defects findDefects(const HalfEdgeMesh& mesh, double nearWeld) {
   Defects defects;
   const PositionTriangles byPosition(mesh);
   defects.loops = findBoundaryLoops(mesh, byPosition);
@@ -82,13 +81,13 @@ Defects findDefects(const HalfEdgeMesh& mesh) {
     defects.box.extend(p[0]).extend(p[1]).extend(p[2]);
     if (isDegenerate(p)) defects.degenerateFaces.push_back(f);
   }
-  defects.nearVertices = nearBorderVertices(mesh);
+  defects.nearVertices = nearBorderVertices(mesh, {}, nearWeld);
   defects.components = components(mesh, byPosition);
   return defects;
 }
 
-InspectedMesh inspected(HalfEdgeMesh mesh) {
-  auto defects = std::make_shared<const Defects>(findDefects(mesh));
+InspectedMesh inspected(HalfEdgeMesh mesh, double nearWeld) {
+  auto defects = std::make_shared<const Defects>(findDefects(mesh, nearWeld));
   return {std::move(mesh), std::move(defects)};
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Progress.h"
+#include "base/Tolerance.h"
 #include "mesh/BoundaryLoops.h"
 #include "mesh/HalfEdgeMesh.h"
 
@@ -28,7 +29,7 @@ struct Defects {
   std::vector<Vertex> nonManifoldVertices;                  // one of the vertices at each such position
   std::vector<Face> degenerateFaces;                        // zero area
   std::vector<Face> duplicateFaces;                         // same three positions as an earlier face
-  std::vector<std::pair<Vertex, Vertex>> nearVertices;      // on open borders, apart but within tolerance::kNearWeld
+  std::vector<std::pair<Vertex, Vertex>> nearVertices;      // on open borders, apart but within the near weld
   std::vector<Component> components;                        // largest area first
   Box box;                                                  // of all live faces
 };
@@ -36,14 +37,15 @@ struct Defects {
 // The parts of the mesh, largest area first.
 std::vector<Component> findComponents(const HalfEdgeMesh& mesh);
 
-Defects findDefects(const HalfEdgeMesh& mesh);
+// nearWeld: the setting mesh.near_weld, as in RepairOptions.
+Defects findDefects(const HalfEdgeMesh& mesh, double nearWeld = tolerance::kNearWeld);
 
 // A version of a mesh with what is wrong with it. A worker makes it, so that the window need not look.
 struct InspectedMesh {
   HalfEdgeMesh mesh;
   std::shared_ptr<const Defects> defects;
 };
-InspectedMesh inspected(HalfEdgeMesh mesh);
+InspectedMesh inspected(HalfEdgeMesh mesh, double nearWeld = tolerance::kNearWeld);
 
 // Pairs of faces that meet in more than a shared vertex or edge. Empty optional when cancelled.
 std::optional<std::vector<std::pair<Face, Face>>> findSelfIntersections(const HalfEdgeMesh& mesh,

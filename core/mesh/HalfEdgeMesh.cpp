@@ -77,6 +77,11 @@ Vertex HalfEdgeMesh::addVertex(const Vec3& p) {
   return static_cast<Vertex>(m_positions.size() - 1);
 }
 
+Face HalfEdgeMesh::addSlot(const Triangle& corners, const std::array<HalfEdge, 3>& opposites) {
+  m_faces.push_back({corners, opposites});
+  return static_cast<Face>(m_faces.size() - 1);
+}
+
 Face HalfEdgeMesh::addFace(const Triangle& corners) {
   FaceSlot slot;
   slot.corners = corners;

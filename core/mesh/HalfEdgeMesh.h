@@ -72,6 +72,8 @@ class HalfEdgeMesh {
   Vertex addVertex(const Vec3& p);
   void setPosition(Vertex v, const Vec3& p) { m_positions.set(v, p); }
   Face addFace(const Triangle& corners);
+  // A face with its neighbours, or a dead slot: as a file holds them.
+  Face addSlot(const Triangle& corners, const std::array<HalfEdge, 3>& opposites);
   void removeFace(Face f);  // neighbours become border
   void setCorner(HalfEdge h, Vertex v);
   void setTriangle(Face f, const Triangle& corners);

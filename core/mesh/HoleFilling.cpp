@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/HoleFilling.h"
 
-#include "base/Tolerance.h"
 #include "mesh/EarCutting.h"
 #include "mesh/EdgeTable.h"
 #include "mesh/LibraryFill.h"
@@ -99,7 +98,7 @@ bool doublesAnEdge(const Patch& patch, const Edges& existing) {
 class Candidates {
  public:
   Candidates(const HoleContext& hole, const Obstacles& obstacles, const FillOptions& options, Progress progress)
-      : m_hole(hole), m_obstacles(obstacles), m_progress(progress) {
+      : m_hole(hole), m_obstacles(obstacles), m_density(options.density), m_progress(progress) {
     add(options.method);
     if (!options.tryOthers) return;
     for (FillMethod m : {FillMethod::Fair, FillMethod::Refined, FillMethod::Ear, FillMethod::Minimal}) {
@@ -154,11 +153,12 @@ class Candidates {
   }
 
   std::optional<Patch> refined(const std::optional<Patch>& start, Bending bending) {
-    return start ? refinePatch(m_hole, *start, bending) : std::nullopt;
+    return start ? refinePatch(m_hole, *start, bending, m_density) : std::nullopt;
   }
 
   const HoleContext& m_hole;
   const Obstacles& m_obstacles;
+  double m_density;
   Progress m_progress;
   std::vector<std::function<std::optional<Patch>()>> m_makers;
   std::optional<Patch> m_minimal;

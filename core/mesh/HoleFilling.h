@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Progress.h"
+#include "base/Tolerance.h"
 #include "mesh/BoundaryLoops.h"
 #include "mesh/HalfEdgeMesh.h"
 #include "mesh/Patch.h"
@@ -26,6 +27,7 @@ struct FillOptions {
   FillMethod method = FillMethod::Fair;
   bool tryOthers = true;  // when the chosen method gives no acceptable patch
   NumberType numbers = NumberType::Float64;
+  double density = tolerance::kPatchDensity;  // of Fair and Refined; the setting mesh.patch_density
 };
 
 struct FillAttempt {

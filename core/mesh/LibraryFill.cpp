@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/LibraryFill.h"
 
-#include "base/Tolerance.h"
-
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/fair.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -75,7 +73,7 @@ std::vector<Corners> triangulate(const HoleContext& hole) {
 
 // How many triangles refining would make, from the areas and the edge lengths at the corners; an estimate that keeps a
 // tiny edge beside a huge hole from filling the memory.
-double expectedTriangles(const HoleContext& hole, const Patch& patch) {
+double expectedTriangles(const HoleContext& hole, const Patch& patch, double density) {
   double n = 0.0;
   for (const Triangle& t : patch.triangles) {
     const Vec3 u = patch.points[t[1]] - patch.points[t[0]];
@@ -83,7 +81,7 @@ double expectedTriangles(const HoleContext& hole, const Patch& patch) {
     const double edge = (hole.edgeLength[t[0]] + hole.edgeLength[t[1]] + hole.edgeLength[t[2]]) / 3.0;
     n += 0.5 * u.cross(v).norm() / (0.43 * edge * edge);  // 0.43: area of the equilateral triangle of side 1
   }
-  return n;
+  return n * (density / tolerance::kPatchDensity) * (density / tolerance::kPatchDensity);
 }
 
 // True when a vertex has so many faces that the library would take minutes to build it.
@@ -169,8 +167,9 @@ std::optional<Patch> triangulateMinimal(const HoleContext& hole) {
   return patch;
 }
 
-std::optional<Patch> refinePatch(const HoleContext& hole, const Patch& start, Bending bending) {
-  if (expectedTriangles(hole, start) > 2.0 * tolerance::kPatchVerticesPerEdge * static_cast<double>(hole.loopSize)) {
+std::optional<Patch> refinePatch(const HoleContext& hole, const Patch& start, Bending bending, double density) {
+  if (expectedTriangles(hole, start, density) >
+      2.0 * tolerance::kPatchVerticesPerEdge * static_cast<double>(hole.loopSize)) {
     return std::nullopt;
   }
   if (hasHugeFan(hole)) return std::nullopt;
@@ -183,7 +182,8 @@ std::optional<Patch> refinePatch(const HoleContext& hole, const Patch& start, Be
     std::vector<Surface::Face_index> faces = assembled->patchFaces;
     std::vector<Surface::Face_index> newFaces;
     std::vector<Surface::Vertex_index> newVertices;
-    pmp::refine(surface, faces, std::back_inserter(newFaces), std::back_inserter(newVertices));
+    pmp::refine(surface, faces, std::back_inserter(newFaces), std::back_inserter(newVertices),
+                CGAL::parameters::density_control_factor(density));
     faces.insert(faces.end(), newFaces.begin(), newFaces.end());
     if (bending == Bending::Fair && !newVertices.empty() &&
         !pmp::fair(surface, newVertices, CGAL::parameters::fairing_continuity(1))) {

@@ -48,7 +48,8 @@ class Repairer {
     if (!progress.cancelled()) m_report.removedDuplicates = removeDuplicateFaces(m_mesh);
     if (!progress.cancelled()) m_report.removedFlaps = removeFlaps(m_mesh);
     if (m_options.removeDebris && !progress.cancelled()) m_report.removedDebris = removeDebris(m_mesh);
-    if (!progress.cancelled()) m_report.mergedVertices = stitchBorders(m_mesh, keptVertices(), progress).size();
+    if (!progress.cancelled())
+      m_report.mergedVertices = stitchBorders(m_mesh, keptVertices(), progress, m_options.nearWeld).size();
     if (!progress.cancelled()) m_report.removedDegenerate += removeDegenerateFaces(m_mesh);
   }
 

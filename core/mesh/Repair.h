@@ -10,7 +10,8 @@ namespace handwheel {
 
 struct RepairOptions {
   FillOptions fill;
-  std::set<int> keepOpen;  // loop ids, as in findBoundaryLoops() of the input
+  double nearWeld = tolerance::kNearWeld;  // share of the diagonal; the setting mesh.near_weld
+  std::set<int> keepOpen;                  // loop ids, as in findBoundaryLoops() of the input
   bool fillRims = false;
   std::size_t maxEdges = 0;  // loops with more edges stay open; 0: no limit
   bool removeDebris = false;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/Stitching.h"
 
-#include "base/Tolerance.h"
 #include "mesh/BorderVertices.h"
 #include "mesh/MeshBuilder.h"
 
@@ -36,10 +35,10 @@ bool isIn(const std::vector<bool>& set, Vertex v) {
 }
 
 // Moves each vertex of a near pair onto the one with the smaller number.
-std::vector<Vertex> mergeNear(HalfEdgeMesh& mesh, const std::vector<bool>& fixed) {
+std::vector<Vertex> mergeNear(HalfEdgeMesh& mesh, const std::vector<bool>& fixed, double nearWeld) {
   std::vector<Vertex> moved;
   std::map<Vertex, Vertex> onto;
-  for (const auto& [a, b] : nearBorderVertices(mesh, fixed)) {
+  for (const auto& [a, b] : nearBorderVertices(mesh, fixed, nearWeld)) {
     const auto target = onto.find(a);
     const Vertex goal = target == onto.end() ? a : target->second;
     if (goal == b || !onto.emplace(b, goal).second) continue;
@@ -64,13 +63,13 @@ void splitAt(HalfEdgeMesh& mesh, HalfEdge h, const Vec3& p) {
 }
 
 // The position of a border vertex strictly inside the edge and within reach of it, nearest to its middle.
-std::optional<Vec3> vertexOnEdge(const HalfEdgeMesh& mesh, HalfEdge h, const BorderVertices& vertices,
-                                 double diagonal) {
+std::optional<Vec3> vertexOnEdge(const HalfEdgeMesh& mesh, HalfEdge h, const BorderVertices& vertices, double diagonal,
+                                 double nearWeld) {
   const Vec3 a = mesh.position(mesh.from(h)), b = mesh.position(mesh.to(h));
   const Vec3 d = b - a;
   const double length = d.stableNorm();
   if (length == 0.0) return std::nullopt;
-  const double reach = std::min(tolerance::kNearWeld * diagonal, tolerance::kNearWeldEdge * length);
+  const double reach = std::min(nearWeld * diagonal, tolerance::kNearWeldEdge * length);
   const Vec3& apex = mesh.position(mesh.from(HalfEdgeMesh::previous(h)));
   std::optional<Vec3> best;
   double bestOffset = 0.5;
@@ -93,7 +92,7 @@ std::optional<Vec3> vertexOnEdge(const HalfEdgeMesh& mesh, HalfEdge h, const Bor
   return best;
 }
 
-std::size_t splitTJunctions(HalfEdgeMesh& mesh, const std::vector<bool>& fixed, Progress progress) {
+std::size_t splitTJunctions(HalfEdgeMesh& mesh, const std::vector<bool>& fixed, Progress progress, double nearWeld) {
   const BorderVertices vertices(mesh, fixed);
   const double diagonal = modelDiagonal(mesh);
   std::size_t splits = 0;
@@ -101,7 +100,7 @@ std::size_t splitTJunctions(HalfEdgeMesh& mesh, const std::vector<bool>& fixed, 
   for (HalfEdge h = 0; h < mesh.halfEdgeSlots() && splits < limit && !progress.cancelled(); ++h) {
     while (splits < limit && mesh.isBorder(h)) {
       if (isIn(fixed, mesh.from(h)) || isIn(fixed, mesh.to(h))) break;
-      const std::optional<Vec3> p = vertexOnEdge(mesh, h, vertices, diagonal);
+      const std::optional<Vec3> p = vertexOnEdge(mesh, h, vertices, diagonal, nearWeld);
       if (!p) break;
       // The new face's half-edges are visited later in this very loop.
       splitAt(mesh, h, *p);
@@ -113,7 +112,8 @@ std::size_t splitTJunctions(HalfEdgeMesh& mesh, const std::vector<bool>& fixed, 
 
 }  // namespace
 
-std::vector<Vertex> stitchBorders(HalfEdgeMesh& mesh, const std::vector<bool>& fixed, Progress progress) {
+std::vector<Vertex> stitchBorders(HalfEdgeMesh& mesh, const std::vector<bool>& fixed, Progress progress,
+                                  double nearWeld) {
   // Relinks what was changed; keeps it when it is better.
   const auto keepIfBetter = [&](HalfEdgeMesh trial) {
     HalfEdgeMesh unchanged = mesh;
@@ -124,10 +124,10 @@ std::vector<Vertex> stitchBorders(HalfEdgeMesh& mesh, const std::vector<bool>& f
     return true;
   };
   HalfEdgeMesh trial = mesh;
-  std::vector<Vertex> moved = mergeNear(trial, fixed);
+  std::vector<Vertex> moved = mergeNear(trial, fixed, nearWeld);
   if (!moved.empty() && !keepIfBetter(trial)) moved.clear();
   trial = mesh;
-  if (splitTJunctions(trial, fixed, progress) > 0 && !progress.cancelled()) keepIfBetter(trial);
+  if (splitTJunctions(trial, fixed, progress, nearWeld) > 0 && !progress.cancelled()) keepIfBetter(trial);
   return moved;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Progress.h"
+#include "base/Tolerance.h"
 #include "mesh/HalfEdgeMesh.h"
 
 #include <vector>
@@ -13,6 +14,7 @@ namespace handwheel {
 // them, then splits border edges at border vertices that lie on them within the same distance (T-junctions). Vertices
 // in "fixed" take no part. Changes are kept only when fewer border edges and no more non-manifold edges result; then
 // the mesh is relinked. Returns the vertices that were moved onto another one. When cancelled, some may be left.
-std::vector<Vertex> stitchBorders(HalfEdgeMesh& mesh, const std::vector<bool>& fixed, Progress progress = {});
+std::vector<Vertex> stitchBorders(HalfEdgeMesh& mesh, const std::vector<bool>& fixed, Progress progress = {},
+                                  double nearWeld = tolerance::kNearWeld);
 
 }  // namespace handwheel

@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/Bars.h"
 #include "core/proximity/Surfaces.h"
 #include "document/formats/MeshFormat.h"
+#include "mesh/Defects.h"
+#include "mesh/FaceHierarchy.h"
 #include "mesh/HoleFilling.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/Weld.h"
@@ -12,24 +15,19 @@
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Surface_mesh.h>
-#include <benchmark/benchmark.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkSTLReader.h>
 
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 
 using namespace handwheel;
+using bench::secondsOf;
 
 namespace {
 
-double secondsOf(auto&& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
+bench::Bars bars;
 
 // A binary STL of a closed bumpy sphere with 8 n² triangles; gone with this.
 class StlFile {
@@ -50,38 +48,44 @@ class StlFile {
   std::filesystem::path m_path;
 };
 
-// From the file to the half-edge mesh, beside VTK's reader, which only merges equal points. Both in the same run:
-// "timesFaster" is what to compare across machines.
-void loadWeldBuild(benchmark::State& state) {
+std::size_t verticesReadByVtk(const StlFile& file) {
+  vtkNew<vtkSTLReader> reader;
+  reader->SetFileName(file.path().c_str());
+  reader->MergingOn();
+  reader->Update();
+  return static_cast<std::size_t>(reader->GetOutput()->GetNumberOfPoints());
+}
+
+// One of our ways from the file to a number of vertices beside VTK's reader, which merges equal points. Both in the
+// same run, by turns: "ratio" is what to compare across machines.
+void besideVtk(benchmark::State& state, const std::string& what, double bar,
+               std::size_t (*vertices)(const MeshFile& file)) {
   const StlFile file(static_cast<int>(state.range(0)));
-  double ours = 0.0, building = 0.0, theirs = 0.0;
-  std::size_t triangles = 0;
+  bench::Fastest ours, theirs;
   for (auto _ : state) {
-    std::size_t vertices = 0, theirVertices = 0;
-    const double seconds = secondsOf([&] {
-      Result<MeshFile> read = readMeshFile(file.path(), {});
-      building += secondsOf([&] {
-        const BuiltMesh built = buildMesh(read->soup);
-        triangles = built.mesh.faceSlots();
-        vertices = built.mesh.vertexSlots();
-      });
-    });
+    std::size_t count = 0, theirCount = 0;
+    const double seconds = secondsOf([&] { count = vertices(*readMeshFile(file.path(), {})); });
     state.SetIterationTime(seconds);
-    ours += seconds;
-    theirs += secondsOf([&] {
-      vtkNew<vtkSTLReader> reader;
-      reader->SetFileName(file.path().c_str());
-      reader->MergingOn();
-      reader->Update();
-      theirVertices = static_cast<std::size_t>(reader->GetOutput()->GetNumberOfPoints());
-    });
-    if (vertices != theirVertices) state.SkipWithError("the numbers of vertices differ");
+    ours.add(seconds);
+    theirs.add(secondsOf([&] { theirCount = verticesReadByVtk(file); }));
+    if (count != theirCount) state.SkipWithError("the numbers of vertices differ");
   }
-  const auto runs = static_cast<double>(state.iterations());
-  state.counters["triangles"] = static_cast<double>(triangles);
-  state.counters["buildMs"] = 1e3 * building / runs;
-  state.counters["vtkMs"] = 1e3 * theirs / runs;
-  state.counters["timesFaster"] = theirs / ours;
+  state.counters["vtkMs"] = 1e3 * theirs.seconds;
+  state.counters["ratio"] = ours.seconds / theirs.seconds;
+  bars.atMost(what + " of 1 M triangles, to VTK's STL reader with merging", bar, ours.seconds / theirs.seconds);
+}
+
+void loadWeld(benchmark::State& state) {
+  besideVtk(state, "load and weld", 1.0, [](const MeshFile& file) { return weld(file.soup).points.size(); });
+}
+
+// All defects but self-intersections.
+void loadInspect(benchmark::State& state) {
+  besideVtk(state, "load, topology and defects", 4.0, [](const MeshFile& file) {
+    const HalfEdgeMesh mesh = buildMesh(file.soup).mesh;
+    benchmark::DoNotOptimize(findDefects(mesh));
+    return mesh.vertexSlots();
+  });
 }
 
 // The two halves of building.
@@ -163,12 +167,38 @@ void buildHierarchy(benchmark::State& state) {
   state.counters["triangles"] = static_cast<double>(mesh.faceSlots());
 }
 
+// Rays from a camera's distance through points all over the model, as the mouse sends them. The bar is for the slowest
+// in a thousand, so that a pause of the machine does not count.
+void pick(benchmark::State& state) {
+  const test::Surface sphere = test::sphere(static_cast<int>(state.range(0)), Vec3(10, 20, 30), 50.0, 0.1);
+  const FaceHierarchy faces(buildMesh({sphere.points, sphere.triangles}).mesh);
+  const Vec3 centre = faces.bounds().center();
+  std::vector<double> times;
+  std::size_t i = 0, missed = 0;
+  for (auto _ : state) {
+    const Vec3 target = centre + 0.5 * (sphere.points[(i++ * 7919) % sphere.points.size()] - centre);  // within
+    const Vec3 eye = centre + 5.0 * Vec3(50, 20, -80 + static_cast<double>(i % 160));
+    const double seconds = secondsOf([&] { missed += !faces.firstHit({eye, (target - eye).normalized()}); });
+    state.SetIterationTime(seconds);
+    times.push_back(seconds);
+  }
+  if (missed > 0) state.SkipWithError("a ray has missed");
+  const auto slow = times.begin() + static_cast<std::ptrdiff_t>(times.size() * 999 / 1000);
+  std::nth_element(times.begin(), slow, times.end());
+  state.counters["slowUs"] = 1e6 * *slow;
+  bars.atMost("picking on 2 M triangles, slowest of a thousand rays, ms", 1.0, 1e3 * *slow);
+}
+
 }  // namespace
 
-BENCHMARK(loadWeldBuild)->Arg(100)->Arg(382)->Unit(benchmark::kMillisecond)->UseManualTime()->MinTime(2.0);
+BENCHMARK(loadWeld)->Arg(354)->Unit(benchmark::kMillisecond)->UseManualTime()->MinTime(2.0);
+BENCHMARK(loadInspect)->Arg(354)->Unit(benchmark::kMillisecond)->UseManualTime()->MinTime(4.0);
 BENCHMARK(weldPoints)->Arg(382)->Unit(benchmark::kMillisecond);
 BENCHMARK(linkFaces)->Arg(382)->Unit(benchmark::kMillisecond);
+BENCHMARK(pick)->Arg(500)->Unit(benchmark::kMicrosecond)->UseManualTime();
 BENCHMARK(fillHole)->Arg(20)->Arg(55)->Arg(80)->Unit(benchmark::kMillisecond)->UseManualTime();
 BENCHMARK(buildHierarchy)->Arg(5)->Arg(7)->Unit(benchmark::kMillisecond);
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+  return bench::run(argc, argv, bars);
+}

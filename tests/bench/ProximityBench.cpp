@@ -1,20 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/Bars.h"
 #include "core/proximity/Surfaces.h"
 #include "proximity/SelfIntersection.h"
 #include "proximity/TriangleHierarchy.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>
-#include <benchmark/benchmark.h>
 #include <tbb/task_arena.h>
 
-#include <chrono>
-
 using namespace handwheel;
+using bench::secondsOf;
 using test::Surface;
 
 namespace {
+
+bench::Bars bars;
 
 // A closed bumpy sphere of 8 n² triangles.
 const Surface& bumpySphere(int n) {
@@ -122,31 +123,28 @@ class CgalSelfIntersection {
   std::vector<Kernel::Point_3> m_points;
 };
 
-double secondsOf(auto&& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-// Both in the same run: "timesFaster" and "timesFasterAlone" (on one thread, as CGAL) are what to compare across
+// Both in the same run, by turns: "ratio" and "ratioAlone" (on one thread, as CGAL) are what to compare across
 // machines.
 void selfIntersection(benchmark::State& state) {
   const Surface& s = bumpySphere(static_cast<int>(state.range(0)));
   const CgalSelfIntersection cgal(s);
   tbb::task_arena alone(1);
-  double ours = 0.0, oursAlone = 0.0, theirs = 0.0;
+  bench::Fastest ours, oursAlone, theirs;
   std::size_t found = 0, foundByCgal = 0;
   for (auto _ : state) {
     const double seconds = secondsOf([&] { found = selfIntersections(s.points, s.triangles)->size(); });
     state.SetIterationTime(seconds);
-    ours += seconds;
-    oursAlone += secondsOf([&] { alone.execute([&] { found += selfIntersections(s.points, s.triangles)->size(); }); });
-    theirs += secondsOf([&] { foundByCgal = cgal.count(); });
+    ours.add(seconds);
+    oursAlone.add(
+        secondsOf([&] { alone.execute([&] { found += selfIntersections(s.points, s.triangles)->size(); }); }));
+    theirs.add(secondsOf([&] { foundByCgal = cgal.count(); }));
     if (found != 2 * foundByCgal) state.SkipWithError("the numbers of pairs differ");
   }
   countTriangles(state, s);
-  state.counters["timesFaster"] = theirs / ours;
-  state.counters["timesFasterAlone"] = theirs / oursAlone;
+  state.counters["ratio"] = ours.seconds / theirs.seconds;
+  state.counters["ratioAlone"] = oursAlone.seconds / theirs.seconds;
+  bars.atMost("self-intersections, on all cores, to CGAL's sequential search", 1.05, ours.seconds / theirs.seconds);
+  bars.atMost("self-intersections, on one core, to CGAL's sequential search", 1.05, oursAlone.seconds / theirs.seconds);
 }
 
 }  // namespace
@@ -156,4 +154,6 @@ BENCHMARK(ray)->Arg(158)->Arg(354)->Arg(500)->Unit(benchmark::kMicrosecond);
 BENCHMARK(nearest)->Arg(158)->Arg(354)->Arg(500)->Unit(benchmark::kMicrosecond);
 BENCHMARK(selfIntersection)->Arg(158)->Arg(354)->Unit(benchmark::kMillisecond)->UseManualTime();
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+  return bench::run(argc, argv, bars);
+}

@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-// Entry for libFuzzer; StandaloneFuzzer.cpp drives it where that is not at hand. The first byte chooses the file name's
-// ending and the mode, the rest is the file.
+// Entry for libFuzzer; StandaloneFuzzer.cpp drives it where that is not at hand. The input is the file; its length
+// chooses the ending of its name and the mode.
 
 namespace {
 
@@ -40,17 +40,16 @@ void writeAndRead(const handwheel::MeshFile& file, handwheel::MeshFormat format)
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (size == 0) return 0;
   constexpr const char* kNames[] = {"a.stl", "a.ply", "a.obj", "a.off", ""};
-  const char* name = kNames[(data[0] >> 1) % 5];
-  const handwheel::ReadOptions options{.partial = (data[0] & 1) != 0};
-  const std::string_view bytes(reinterpret_cast<const char*>(data + 1), size - 1);
+  const char* name = kNames[size / 2 % 5];
+  const handwheel::ReadOptions options{.partial = size % 2 == 1};
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   const auto file = handwheel::readMesh(bytes, name, options);
   judge(file);
   if (file && file->soup.points.size() < 1000) {
     constexpr handwheel::MeshFormat kWritten[] = {handwheel::MeshFormat::Ply, handwheel::MeshFormat::Obj,
                                                   handwheel::MeshFormat::Off};
-    writeAndRead(*file, kWritten[data[0] % 3]);
+    writeAndRead(*file, kWritten[size % 3]);
   }
   return 0;
 }

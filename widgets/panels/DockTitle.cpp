@@ -11,23 +11,54 @@
 
 namespace handwheel {
 
-DockTitle::DockTitle(QDockWidget* dock) : QFrame(dock) {
+namespace {
+
+QToolButton* button(const QString& name, QWidget* parent) {
+  auto* result = new QToolButton(parent);
+  result->setObjectName(name);
+  result->setIconSize({14, 14});
+  result->setAutoRaise(true);
+  result->setFocusPolicy(Qt::TabFocus);
+  return result;
+}
+
+}  // namespace
+
+DockTitle::DockTitle(QDockWidget* dock)
+    : QFrame(dock),
+      m_dock(dock),
+      m_float(button(dock->objectName() + QStringLiteral("FloatButton"), this)),
+      m_fold(button(dock->objectName() + QStringLiteral("FoldButton"), this)) {
   setObjectName(QStringLiteral("dockTitle"));
   auto* text = new QLabel(dock->windowTitle(), this);
   text->setObjectName(QStringLiteral("dockTitleText"));
-  auto* fold = new QToolButton(this);
-  fold->setObjectName(dock->objectName() + QStringLiteral("FoldButton"));
-  fold->setIcon(icon(QStringLiteral("close")));
-  fold->setIconSize({12, 12});
-  fold->setAutoRaise(true);
-  fold->setToolTip(tr("Fold this panel away"));
-  fold->setAccessibleName(tr("Fold the panel “%1” away").arg(dock->windowTitle()));
-  connect(fold, &QToolButton::clicked, dock, &QDockWidget::close);
-
+  m_fold->setIcon(icon(QStringLiteral("close")));
+  connect(dock, &QDockWidget::windowTitleChanged, text, &QLabel::setText);
+  connect(dock, &QDockWidget::windowTitleChanged, this, &DockTitle::showState);
+  connect(dock, &QDockWidget::topLevelChanged, this, &DockTitle::showState);
+  connect(dock, &QDockWidget::featuresChanged, this, &DockTitle::showState);
+  connect(m_float, &QToolButton::clicked, dock, [dock] { dock->setFloating(!dock->isFloating()); });
+  connect(m_fold, &QToolButton::clicked, dock, &QDockWidget::close);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(12, 2, 4, 2);
+  row->setSpacing(0);
   row->addWidget(text, 1);
-  row->addWidget(fold);
+  row->addWidget(m_float);
+  row->addWidget(m_fold);
+  showState();
+}
+
+void DockTitle::showState() {
+  const QString name = m_dock->windowTitle();
+  const bool floats = m_dock->isFloating();
+  m_float->setVisible(m_dock->features() & QDockWidget::DockWidgetFloatable);
+  m_fold->setVisible(m_dock->features() & QDockWidget::DockWidgetClosable);
+  m_float->setIcon(icon(floats ? QStringLiteral("dock") : QStringLiteral("float")));
+  m_float->setToolTip(floats ? tr("Put this panel back into the window") : tr("Take this panel out of the window"));
+  m_float->setAccessibleName(floats ? tr("Put the panel “%1” back into the window").arg(name)
+                                    : tr("Take the panel “%1” out of the window").arg(name));
+  m_fold->setToolTip(tr("Fold this panel away"));
+  m_fold->setAccessibleName(tr("Fold the panel “%1” away").arg(name));
 }
 
 }  // namespace handwheel

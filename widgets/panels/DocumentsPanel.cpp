@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/DocumentsPanel.h"
 
-#include "document/MeshDocument.h"
+#include "document/Document.h"
+#include "document/DocumentKind.h"
 #include "theme/Icons.h"
 
 #include <QDir>
 #include <QHeaderView>
-#include <QLocale>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -15,7 +15,7 @@ namespace handwheel {
 
 namespace {
 
-enum Column { Name, Triangles, Eye, Columns };
+enum Column { Name, Eye, Columns };
 constexpr int kDocumentRole = Qt::UserRole;
 constexpr int kVisibleRole = Qt::UserRole + 1;
 
@@ -29,14 +29,13 @@ QTreeWidget* documentTree(QWidget* parent) {
   tree->header()->setStretchLastSection(false);
   tree->header()->setMinimumSectionSize(28);
   tree->header()->setSectionResizeMode(Name, QHeaderView::Stretch);
-  tree->header()->setSectionResizeMode(Triangles, QHeaderView::ResizeToContents);
   tree->header()->setSectionResizeMode(Eye, QHeaderView::Fixed);
   tree->header()->resizeSection(Eye, 28);
   return tree;
 }
 
-MeshDocument* documentOf(const QTreeWidgetItem* item) {
-  return item->data(Name, kDocumentRole).value<MeshDocument*>();
+Document* documentOf(const QTreeWidgetItem* item) {
+  return item->data(Name, kDocumentRole).value<Document*>();
 }
 
 }  // namespace
@@ -47,7 +46,7 @@ DocumentsPanel::DocumentsPanel(QWidget* parent) : QWidget(parent), m_tree(docume
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(m_tree);
   connect(m_tree, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item, int clickedColumn) {
-    MeshDocument* document = documentOf(item);
+    Document* document = documentOf(item);
     if (clickedColumn != Eye) return emit activated(document);
     const bool visible = !item->data(Eye, kVisibleRole).toBool();
     item->setData(Eye, kVisibleRole, visible);
@@ -56,39 +55,37 @@ DocumentsPanel::DocumentsPanel(QWidget* parent) : QWidget(parent), m_tree(docume
   });
 }
 
-void DocumentsPanel::addDocument(MeshDocument* document) {
+void DocumentsPanel::addDocument(Document* document) {
   auto* item = new QTreeWidgetItem(m_tree);
   item->setData(Name, kDocumentRole, QVariant::fromValue(document));
   item->setData(Eye, kVisibleRole, true);
-  connect(document, &MeshDocument::fileChanged, this, [this, document] { refresh(document); });
-  connect(document, &MeshDocument::meshChanged, this, [this, document] { refresh(document); });
+  item->setIcon(Name, icon(QStringLiteral("kind-") + QString::fromStdString(document->kind().id())));
+  connect(document, &Document::fileChanged, this, [this, document] { refresh(document); });
   refresh(document);
 }
 
-void DocumentsPanel::removeDocument(MeshDocument* document) {
+void DocumentsPanel::removeDocument(Document* document) {
   document->disconnect(this);
   delete itemOf(document);
 }
 
-void DocumentsPanel::setCurrent(MeshDocument* document) {
+void DocumentsPanel::setCurrent(Document* document) {
   m_tree->setCurrentItem(document ? itemOf(document) : nullptr);
 }
 
-QTreeWidgetItem* DocumentsPanel::itemOf(const MeshDocument* document) const {
+QTreeWidgetItem* DocumentsPanel::itemOf(const Document* document) const {
   for (int i = 0; i < m_tree->topLevelItemCount(); ++i) {
     if (documentOf(m_tree->topLevelItem(i)) == document) return m_tree->topLevelItem(i);
   }
   return nullptr;
 }
 
-void DocumentsPanel::refresh(const MeshDocument* document) {
+void DocumentsPanel::refresh(const Document* document) {
   QTreeWidgetItem* item = itemOf(document);
   if (!item) return;
   const bool visible = item->data(Eye, kVisibleRole).toBool();
   item->setText(Name, document->isModified() ? document->name() + QStringLiteral(" •") : document->name());
   item->setToolTip(Name, QDir::toNativeSeparators(document->path()));
-  item->setText(Triangles, QLocale().toString(static_cast<qulonglong>(document->mesh().liveFaceCount())));
-  item->setToolTip(Triangles, tr("Triangles"));
   item->setIcon(Eye, icon(visible ? QStringLiteral("eye") : QStringLiteral("eye-off")));
   item->setToolTip(Eye, visible ? tr("Hide the surface") : tr("Show the surface"));
 }

@@ -9,7 +9,7 @@ class QTreeWidgetItem;
 
 namespace handwheel {
 
-class MeshDocument;
+class Document;
 
 // The open documents with their state. A click makes one the present document; its eye shows or hides the surface.
 class DocumentsPanel : public QWidget {
@@ -18,17 +18,17 @@ class DocumentsPanel : public QWidget {
  public:
   explicit DocumentsPanel(QWidget* parent = nullptr);
 
-  void addDocument(MeshDocument* document);
-  void removeDocument(MeshDocument* document);
-  void setCurrent(MeshDocument* document);
+  void addDocument(Document* document);
+  void removeDocument(Document* document);
+  void setCurrent(Document* document);
 
  signals:
-  void activated(handwheel::MeshDocument* document);
-  void visibilityChanged(handwheel::MeshDocument* document, bool visible);
+  void activated(handwheel::Document* document);
+  void visibilityChanged(handwheel::Document* document, bool visible);
 
  private:
-  QTreeWidgetItem* itemOf(const MeshDocument* document) const;
-  void refresh(const MeshDocument* document);
+  QTreeWidgetItem* itemOf(const Document* document) const;
+  void refresh(const Document* document);
 
   QTreeWidget* m_tree;
 };

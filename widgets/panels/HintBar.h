@@ -9,11 +9,15 @@ namespace handwheel {
 
 // What a mouse button or key does now.
 struct Hint {
-  QString input;   // "Middle drag"
-  QString effect;  // "orbit"
+  QString input;        // "Middle drag"
+  QString effect;       // "orbit"
+  bool enabled = true;  // false: not in the present state
+
+  bool operator==(const Hint&) const = default;
 };
 
-// The line at the bottom that says what each input does. Shows as many hints as fit, in order.
+// The line at the bottom that says what each input does. Shows as many hints as fit, in order; the tooltip has them
+// all.
 class HintBar : public QWidget {
   Q_OBJECT
 
@@ -28,6 +32,9 @@ class HintBar : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  int widthOf(const Hint& hint) const;
+  void draw(QPainter& painter, const Hint& hint, int x) const;
+
   std::vector<Hint> m_hints;
 };
 

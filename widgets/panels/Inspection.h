@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "document/MeshDocument.h"
+#include "document/mesh/MeshDocument.h"
 #include "mesh/HoleFilling.h"
 #include "theme/DefectColours.h"
 

@@ -5,6 +5,7 @@
 #include "theme/Icons.h"
 #include "theme/Theme.h"
 
+#include <QAccessible>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -76,6 +77,8 @@ void MessageBar::showMessage(const Message& message) {
   m_action->setText(message.actionText);
   m_action->setVisible(m_run != nullptr);
   show();
+  QAccessibleEvent alert(this, QAccessible::Alert);
+  QAccessible::updateAccessibility(&alert);
 }
 
 }  // namespace handwheel

@@ -7,124 +7,243 @@
 #include "theme/Theme.h"
 
 #include <QDir>
+#include <QEvent>
 #include <QFileInfo>
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QVBoxLayout>
+#include <QScrollArea>
+#include <QStyle>
+#include <algorithm>
 
 namespace handwheel {
 
 namespace {
 
-constexpr int kColumnWidth = 2 * 264 + 16;
-constexpr int kRecentShown = 6;
+constexpr int kWidest = 840;
+constexpr int kMargin = 24;
+constexpr int kGap = 16;
+constexpr int kNarrowestSample = 152;
+constexpr QSize kPicture(134, 86);
+constexpr int kRecentWidth = kPicture.width() + 18;
+constexpr int kRecentShown = 10;
 
-QLayout* heading(QWidget* parent) {
-  auto* sign = new QLabel(parent);
-  sign->setPixmap(icon(QStringLiteral("handwheel"), themeColours(currentTheme()).accent)
-                      .pixmap(QSize(48, 48), parent->devicePixelRatioF()));
-  auto* name = new QLabel(QStringLiteral("Handwheel"), parent);
+const char* iconOf(StartPage::Sample sample) {
+  switch (sample) {
+    case StartPage::Sample::Scan:
+      return "repair";
+    case StartPage::Sample::Lathe:
+      return "kind-workpiece";
+    case StartPage::Sample::Cell:
+      break;
+  }
+  return "kind-cell";
+}
+
+QString titleOf(StartPage::Sample sample) {
+  switch (sample) {
+    case StartPage::Sample::Scan:
+      return StartPage::tr("Repair a scan");
+    case StartPage::Sample::Lathe:
+      return StartPage::tr("Lathe exercise");
+    case StartPage::Sample::Cell:
+      break;
+  }
+  return StartPage::tr("Robot cell");
+}
+
+QString lineOf(StartPage::Sample sample) {
+  switch (sample) {
+    case StartPage::Sample::Scan:
+      return StartPage::tr("A scanned part with holes. Close the first one with Enter.");
+    case StartPage::Sample::Lathe:
+      return StartPage::tr("A shaft in the chuck. Turn a step, and feel what the cut costs.");
+    case StartPage::Sample::Cell:
+      break;
+  }
+  return StartPage::tr("An arm and a table. Plan a path, see that it is clear, export it.");
+}
+
+QString iconFor(const QFileInfo& file) {
+  const QString ending = file.suffix().toLower();
+  const auto among = [&](std::initializer_list<const char*> endings) {
+    return std::any_of(endings.begin(), endings.end(), [&](const char* e) { return ending == QLatin1String(e); });
+  };
+  if (among({"stl", "ply", "obj", "off", "3mf"})) return QStringLiteral("kind-mesh");
+  if (among({"urdf", "xacro", "srdf"})) return QStringLiteral("kind-cell");
+  if (among({"step", "stp"})) return QStringLiteral("kind-workpiece");
+  return among({"handwheel"}) ? QStringLiteral("handwheel") : QStringLiteral("file");
+}
+
+// Into rows of so many columns, each as wide as the others.
+template <class Tiles>
+void fill(QGridLayout& grid, const Tiles& tiles, int columns, bool stretched) {
+  while (grid.count() > 0) delete grid.takeAt(0);
+  for (int column = 0; column < grid.columnCount(); ++column) grid.setColumnStretch(column, 0);
+  for (int i = 0; i < static_cast<int>(tiles.size()); ++i) {
+    grid.addWidget(tiles[static_cast<typename Tiles::size_type>(i)], i / columns, i % columns);
+    if (stretched) grid.setColumnStretch(i % columns, 1);
+  }
+  if (!stretched) grid.setColumnStretch(columns, 1);
+}
+
+}  // namespace
+
+StartPage::StartPage(QWidget* parent)
+    : QWidget(parent),
+      m_sign(new QLabel(this)),
+      m_content(new QWidget(this)),
+      m_samples(new QGridLayout),
+      m_recent(new QGridLayout) {
+  setObjectName(QStringLiteral("startPage"));
+  setAttribute(Qt::WA_StyledBackground);
+  static constexpr const char* kNames[] = {"sampleTile", "latheTile", "cellTile"};
+  for (Sample sample : {Sample::Scan, Sample::Lathe, Sample::Cell}) {
+    const auto i = static_cast<std::size_t>(sample);
+    auto* tile = new Tile(QString::fromLatin1(iconOf(sample)), titleOf(sample), lineOf(sample), m_content);
+    tile->setObjectName(QString::fromLatin1(kNames[i]));
+    m_sampleTiles[i] = tile;
+    setSampleAvailable(sample, false);
+    connect(tile, &Tile::clicked, this, [this, sample] {
+      emit sampleChosen(sample);
+      if (sample == Sample::Scan) emit sampleRequested();
+    });
+  }
+  auto* open = new QPushButton(icon(QStringLiteral("open")), tr("Open a file…"), m_content);
+  open->setObjectName(QStringLiteral("openTile"));
+  open->setToolTip(tr("Or drop files anywhere on this window"));
+  connect(open, &QPushButton::clicked, this, &StartPage::openRequested);
+  m_recentHeader = recentHeader();
+  m_samples->setSpacing(kGap);
+  m_recent->setSpacing(8);
+  auto* column = new QVBoxLayout(m_content);
+  column->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
+  column->setSpacing(kGap);
+  column->addStretch(2);
+  column->addLayout(heading());
+  column->addSpacing(8);
+  column->addLayout(m_samples);
+  column->addWidget(open, 0, Qt::AlignLeft);
+  column->addWidget(m_recentHeader);
+  column->addLayout(m_recent);
+  column->addStretch(3);
+  auto* scroll = new QScrollArea(this);
+  scroll->setObjectName(QStringLiteral("startScroll"));
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidgetResizable(true);
+  scroll->setAlignment(Qt::AlignHCenter);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFocusPolicy(Qt::NoFocus);  // its tiles have it, and are scrolled to
+  scroll->setWidget(m_content);
+  scroll->viewport()->setAutoFillBackground(false);
+  m_content->setAutoFillBackground(false);
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  all->addWidget(scroll);
+  m_content->setMaximumWidth(kWidest);
+  setRecentFiles({});
+  drawSign();
+}
+
+QLayout* StartPage::heading() {
+  auto* name = new QLabel(QStringLiteral("Handwheel"), m_content);
   QFont big = name->font();
   big.setPointSizeF(big.pointSizeF() * 2.4);
   big.setWeight(QFont::DemiBold);
   name->setFont(big);
-  auto* line = new QLabel(StartPage::tr("Open a scan, see what is wrong with it, close its holes."), parent);
+  auto* line = new QLabel(tr("Repair scans, practise at the lathe, plan paths for robots."), m_content);
   line->setProperty("muted", true);
+  line->setWordWrap(true);
   auto* text = new QVBoxLayout;
   text->setSpacing(0);
   text->addWidget(name);
   text->addWidget(line);
   auto* row = new QHBoxLayout;
-  row->setSpacing(16);
-  row->addWidget(sign);
-  row->addLayout(text);
-  row->addStretch();
+  row->setSpacing(kGap);
+  row->addWidget(m_sign);
+  row->addLayout(text, 1);
   return row;
 }
 
-QPushButton* recentButton(const QString& path, QWidget* parent) {
-  const QFileInfo file(path);
-  auto* button = new QPushButton(icon(QStringLiteral("documents")), file.fileName(), parent);
-  button->setProperty("flat", true);
-  button->setStyleSheet(QStringLiteral("text-align: left"));
-  button->setToolTip(QDir::toNativeSeparators(path));
-  button->setAccessibleName(StartPage::tr("Open %1").arg(file.fileName()));
-  button->setObjectName(QStringLiteral("recent/") + file.fileName());
-  return button;
-}
-
-}  // namespace
-
-StartPage::StartPage(QWidget* parent) : QWidget(parent), m_recentHeader(new QWidget(this)), m_recent(new QVBoxLayout) {
-  setObjectName(QStringLiteral("startPage"));
-  setAttribute(Qt::WA_StyledBackground);
-  auto* sample = new Tile(QStringLiteral("repair"), tr("Repair a scan — try the sample"),
-                          tr("A scanned part with holes. Close the first one with Enter."), this);
-  sample->setObjectName(QStringLiteral("sampleTile"));
-  m_sample = sample;
-  auto* open = new Tile(QStringLiteral("open"), tr("Open a file…"),
-                        tr("STL, PLY, OBJ or OFF. Or drop files anywhere on this window."), this);
-  open->setObjectName(QStringLiteral("openTile"));
-  connect(sample, &Tile::clicked, this, &StartPage::sampleRequested);
-  connect(open, &Tile::clicked, this, &StartPage::openRequested);
-  auto* tiles = new QHBoxLayout;
-  tiles->setSpacing(16);
-  tiles->addWidget(sample);
-  tiles->addWidget(open);
-  tiles->addStretch();
-
-  auto* recentTitle = new QLabel(tr("Recent files"), m_recentHeader);
-  recentTitle->setProperty("strong", true);
-  auto* clear = new QPushButton(tr("Clear"), m_recentHeader);
+QWidget* StartPage::recentHeader() {
+  auto* header = new QWidget(m_content);
+  auto* title = new QLabel(tr("Recent files"), header);
+  title->setProperty("strong", true);
+  auto* clear = new QPushButton(tr("Clear"), header);
   clear->setObjectName(QStringLiteral("clearRecent"));
   clear->setProperty("flat", true);
   clear->setAccessibleName(tr("Clear the list of recent files"));
   connect(clear, &QPushButton::clicked, this, &StartPage::clearRecentRequested);
-  auto* recentRow = new QHBoxLayout(m_recentHeader);
-  recentRow->setContentsMargins(0, 16, 0, 0);
-  recentRow->addWidget(recentTitle);
-  recentRow->addStretch();
-  recentRow->addWidget(clear);
-  m_recent->setSpacing(0);
-
-  auto* content = new QWidget(this);
-  content->setFixedWidth(kColumnWidth);
-  auto* column = new QVBoxLayout(content);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(24);
-  column->addLayout(heading(this));
-  column->addLayout(tiles);
-  auto* recent = new QVBoxLayout;
-  recent->setSpacing(4);
-  recent->addWidget(m_recentHeader);
-  recent->addLayout(m_recent);
-  column->addLayout(recent);
-  auto* middle = new QHBoxLayout;
-  middle->addStretch();
-  middle->addWidget(content);
-  middle->addStretch();
-  auto* all = new QVBoxLayout(this);
-  all->addStretch(2);
-  all->addLayout(middle);
-  all->addStretch(3);
+  auto* row = new QHBoxLayout(header);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(title);
+  row->addStretch();
+  row->addWidget(clear);
+  return header;
 }
 
-void StartPage::setSampleAvailable(bool available) {
-  m_sample->setVisible(available);
+void StartPage::setSampleAvailable(Sample sample, bool available) {
+  Tile* tile = m_sampleTiles[static_cast<std::size_t>(sample)];
+  tile->setEnabled(available);
+  tile->setLine(available ? lineOf(sample) : tr("The sample is not installed."));
+}
+
+void StartPage::setPictures(Pictures pictures) {
+  m_pictures = std::move(pictures);
+  setRecentFiles(m_paths);
 }
 
 void StartPage::setRecentFiles(const QStringList& paths) {
-  while (QLayoutItem* item = m_recent->takeAt(0)) {
-    if (item->widget()) item->widget()->deleteLater();
-    delete item;
+  m_paths = paths;
+  for (Tile* tile : std::exchange(m_recentTiles, {})) {  // one of them may be what led here
+    tile->hide();
+    tile->deleteLater();
   }
-  for (const QString& path : paths.mid(0, kRecentShown)) {
-    QPushButton* button = recentButton(path, this);
-    connect(button, &QPushButton::clicked, this, [this, path] { emit recentRequested(path); });
-    m_recent->addWidget(button);
-  }
+  for (const QString& path : paths.mid(0, kRecentShown)) m_recentTiles << recentTile(path);
   m_recentHeader->setVisible(!paths.isEmpty());
+  arrange();
+}
+
+Tile* StartPage::recentTile(const QString& path) {
+  const QFileInfo file(path);
+  QFont strong = font();
+  strong.setBold(true);
+  const QString name = QFontMetrics(strong).elidedText(file.fileName(), Qt::ElideMiddle, kPicture.width());
+  const QString folder = fontMetrics().elidedText(QDir(file.path()).dirName(), Qt::ElideMiddle, kPicture.width());
+  auto* tile = new Tile(iconFor(file), name, folder, m_content);
+  tile->setPicture(m_pictures ? m_pictures(path) : QPixmap(), kPicture);
+  tile->layout()->setContentsMargins(8, 8, 8, 8);
+  tile->layout()->setSpacing(2);
+  tile->setFixedWidth(kRecentWidth);
+  tile->setToolTip(QDir::toNativeSeparators(path));
+  tile->setAccessibleName(tr("Open %1").arg(file.fileName()));
+  tile->setAccessibleDescription(QDir::toNativeSeparators(path));
+  tile->setObjectName(QStringLiteral("recent/") + file.fileName());
+  connect(tile, &Tile::clicked, this, [this, path] { emit recentRequested(path); });
+  return tile;
+}
+
+// In as many columns as fit.
+void StartPage::arrange() {
+  const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+  const int room = std::min(width(), kWidest) - 2 * kMargin - (width() < kWidest + bar ? bar : 0);
+  fill(*m_samples, m_sampleTiles, std::clamp((room + kGap) / (kNarrowestSample + kGap), 1, 3), true);
+  fill(*m_recent, m_recentTiles, std::max(1, (room + 8) / (kRecentWidth + 8)), false);
+}
+
+void StartPage::drawSign() {
+  m_sign->setPixmap(icon(QStringLiteral("handwheel"), themeColours(currentTheme()).accent)
+                        .pixmap(QSize(48, 48), devicePixelRatioF()));
+}
+
+void StartPage::resizeEvent(QResizeEvent* event) {
+  arrange();
+  QWidget::resizeEvent(event);
+}
+
+void StartPage::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange) drawSign();
+  QWidget::changeEvent(event);
 }
 
 }  // namespace handwheel

@@ -2,35 +2,64 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QPixmap>
 #include <QStringList>
 #include <QWidget>
+#include <array>
+#include <functional>
 
+class QGridLayout;
 class QLabel;
-class QPushButton;
-class QVBoxLayout;
 
 namespace handwheel {
 
-// What is shown when no document is open: the sample to try, a file to open, and what was open before.
+class Tile;
+
+// What is shown when no document is open: a sample for each trade, a file to open, and what was open before.
 class StartPage : public QWidget {
   Q_OBJECT
 
  public:
+  enum class Sample { Scan, Lathe, Cell };
+  Q_ENUM(Sample)
+  // The picture of a file; a null one where there is none.
+  using Pictures = std::function<QPixmap(const QString& path)>;
+
   explicit StartPage(QWidget* parent = nullptr);
 
-  void setSampleAvailable(bool available);
+  // A sample that is not installed is shown, but cannot be opened.
+  void setSampleAvailable(Sample sample, bool available);
+  void setSampleAvailable(bool available) { setSampleAvailable(Sample::Scan, available); }
+  void setPictures(Pictures pictures);
   void setRecentFiles(const QStringList& paths);
 
  signals:
-  void sampleRequested();
+  void sampleChosen(handwheel::StartPage::Sample sample);
+  void sampleRequested();  // the scan
   void openRequested();
   void recentRequested(const QString& path);
   void clearRecentRequested();
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
  private:
-  QWidget* m_sample;
-  QWidget* m_recentHeader;
-  QVBoxLayout* m_recent;
+  QLayout* heading();
+  QWidget* recentHeader();
+  void drawSign();
+  Tile* recentTile(const QString& path);
+  void arrange();
+
+  QLabel* m_sign;
+  QWidget* m_content;
+  QWidget* m_recentHeader = nullptr;
+  QGridLayout* m_samples;
+  QGridLayout* m_recent;
+  std::array<Tile*, 3> m_sampleTiles{};
+  QList<Tile*> m_recentTiles;
+  QStringList m_paths;
+  Pictures m_pictures;
 };
 
 }  // namespace handwheel

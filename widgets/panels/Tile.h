@@ -2,23 +2,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QFrame>
+#include <QAbstractButton>
+
+class QLabel;
 
 namespace handwheel {
 
-// A large button: a picture, what it does, and one line more.
-class Tile : public QFrame {
+// A large button: a picture, a heading, and a line more.
+class Tile : public QAbstractButton {
   Q_OBJECT
 
  public:
   Tile(const QString& iconName, const QString& title, const QString& text, QWidget* parent = nullptr);
 
- signals:
-  void clicked();
+  void setLine(const QString& text);
+  // Instead of the icon, cut to this size (logical pixels). Without a picture the icon stands in the middle of it.
+  void setPicture(const QPixmap& picture, const QSize& size);
 
  protected:
-  void mouseReleaseEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void drawIcon();
+
+  QString m_iconName;
+  bool m_hasPicture = false;
+  QLabel* m_picture;
+  QLabel* m_line;
 };
 
 }  // namespace handwheel

@@ -102,6 +102,26 @@ QString whatHappened(const Error& error) {
       return Text::tr("the file could not be written (%1)").arg(a);
     case ErrorCode::CheckFailed:
       return Text::tr("the written file does not read back as it should (%1), so it was not kept").arg(a);
+    case ErrorCode::ArchiveMalformed:
+      return Text::tr("the archive cannot be read (%1)").arg(a);
+    case ErrorCode::EntryMissing:
+      return Text::tr("the part '%1' is missing").arg(a);
+    case ErrorCode::EntryDamaged:
+      return Text::tr("the part '%1' is damaged").arg(a);
+    case ErrorCode::VersionNewer:
+      return Text::tr("the file has version %1 of the format; this program knows up to version %2").arg(a, b);
+    case ErrorCode::KindUnknown:
+      return Text::tr("the file holds a '%1', a kind of document that this program does not know").arg(a);
+    case ErrorCode::ElementMalformed:
+      return Text::tr("the element '%1' is malformed: %2").arg(a, b);
+    case ErrorCode::ReferenceMissing:
+      return Text::tr("%1 '%2' is named, but cannot be found").arg(a, b);
+    case ErrorCode::ValueOutOfRange:
+      return Text::tr("%1 cannot be %2; it must lie between %3 and %4").arg(a, b, c, argument(error, 3));
+    case ErrorCode::Unsupported:
+      return Text::tr("%1 is not supported").arg(a);
+    case ErrorCode::LibraryFailed:
+      return Text::tr("the library %1 gave up (%2)").arg(a, b);
   }
   return {};
 }
@@ -173,6 +193,22 @@ QString errorAdvice(const Error& error) {
       return Text::tr("Check the free space and that you may write there, or choose another place.");
     case ErrorCode::CheckFailed:
       return Text::tr("An earlier file of that name is untouched. Save in another format, for example PLY.");
+    case ErrorCode::ArchiveMalformed:
+    case ErrorCode::EntryMissing:
+    case ErrorCode::EntryDamaged:
+      return Text::tr("Copy the file again, or go back to an earlier copy of it.");
+    case ErrorCode::VersionNewer:
+    case ErrorCode::KindUnknown:
+      return Text::tr("Open it with a newer version of Handwheel.");
+    case ErrorCode::ElementMalformed:
+      return Text::tr("Mend the file at this place, or export it again.");
+    case ErrorCode::ReferenceMissing:
+      return Text::tr("Put the missing file where the other one expects it.");
+    case ErrorCode::ValueOutOfRange:
+      return Text::tr("Enter a value within these limits.");
+    case ErrorCode::Unsupported:
+    case ErrorCode::LibraryFailed:
+      return Text::tr("Export the model in another way or another format.");
   }
   return {};
 }

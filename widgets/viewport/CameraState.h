@@ -3,23 +3,38 @@
 #pragma once
 
 #include "base/Geometry.h"
+#include "base/Units.h"
+
+#include <cmath>
 
 namespace handwheel {
 
-// From where the model is seen. The projection is parallel, so that lengths on the screen can be compared and the scale
-// bar holds for the whole picture. A value: each document keeps its own.
+// Under parallel projection lengths on the screen can be compared, and a scale bar holds for the whole picture; under
+// perspective what is near is larger, as the eye is used to.
+enum class Projection { Parallel, Perspective };
+
+// Between the lines of sight at the upper and the lower edge of the view, under perspective; radian.
+inline constexpr double kFieldOfView = 30.0 * kRadiansPerDegree;
+
+// From where the model is seen. A value: each document keeps its own.
 struct CameraState {
-  Vec3 centre = Vec3::Zero();  // the point in the middle of the view
+  Vec3 centre = Vec3::Zero();  // the focus: the point in the middle of the view
   // Turns view axes (x right, y up, z towards the viewer) into model axes.
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
-  double height = 1.0;  // length seen from the bottom to the top of the view, in units of the model
+  double height = 1.0;  // length seen from the bottom to the top of the view, in the plane through the focus; mm
+  Projection projection = Projection::Parallel;
 
   Vec3 right() const { return orientation * Vec3::UnitX(); }
   Vec3 up() const { return orientation * Vec3::UnitY(); }
   Vec3 towardsViewer() const { return orientation * Vec3::UnitZ(); }
 
+  // Where the viewer stands under perspective: so far away that the field of view spans the height at the focus.
+  double eyeDistance() const { return height / (2.0 * std::tan(kFieldOfView / 2.0)); }
+  Vec3 eye() const { return centre + eyeDistance() * towardsViewer(); }
+
   bool operator==(const CameraState& o) const {
-    return centre == o.centre && orientation.coeffs() == o.orientation.coeffs() && height == o.height;
+    return centre == o.centre && orientation.coeffs() == o.orientation.coeffs() && height == o.height &&
+           projection == o.projection;
   }
 };
 

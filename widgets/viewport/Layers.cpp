@@ -7,6 +7,11 @@
 
 namespace handwheel {
 
+void setPlane(vtkPlane* plane, const Vec3& normal, const Vec3& point) {
+  plane->SetNormal(-normal.x(), -normal.y(), -normal.z());
+  plane->SetOrigin(point.x(), point.y(), point.z());
+}
+
 Layer::Layer(vtkRenderer* renderer, double lift) : m_lift(lift) {
   m_actor->SetMapper(m_mapper);
   m_actor->SetVisibility(false);
@@ -22,8 +27,19 @@ void Layer::setData(vtkPolyData* data) {
 
 void Layer::prepare(const LayerFrame& frame) {
   if (!m_actor->GetVisibility()) return;
-  const Vec3 shift = m_lift * frame.unitsPerPixel * frame.towardsViewer;
+  const Vec3 shift = m_lift * frame.shiftPerPixel;
+  const double scale = 1.0 - m_lift * frame.shrinkPerPixel;
   m_actor->SetPosition(shift.x(), shift.y(), shift.z());
+  m_actor->SetScale(scale);
+  clip(frame.clip, shift, scale);
+}
+
+// The plane is lifted with the layer: else one that lies just behind it would be cut away.
+void Layer::clip(const ClipPlane& plane, const Vec3& shift, double scale) {
+  const bool isClipped = m_mapper->GetNumberOfClippingPlanes() > 0;
+  if (isClipped != plane.on) plane.on ? m_mapper->AddClippingPlane(m_plane) : m_mapper->RemoveAllClippingPlanes();
+  if (!plane.on) return;
+  setPlane(m_plane, plane.normal, scale * plane.offset * plane.normal + shift);
 }
 
 StrokeLayer::StrokeLayer(vtkRenderer* renderer, double lift, double width)

@@ -2,25 +2,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "viewport/ClipPlane.h"
 #include "viewport/PolyData.h"
 
 #include <vtkActor.h>
 #include <vtkNew.h>
+#include <vtkPlane.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkRenderer.h>
 #include <span>
 
 namespace handwheel {
 
-// What the layers over the model need to know of a frame.
+// The plane as VTK has it, which keeps what lies on the side of its normal.
+void setPlane(vtkPlane* plane, const Vec3& normal, const Vec3& point);
+
+// What the layers over the model need to know of a frame. Positions are about the origin of the drawing.
 struct LayerFrame {
-  double pixelRatio = 1.0;     // device pixels to a logical pixel
-  double unitsPerPixel = 1.0;  // model units to a logical pixel
-  Vec3 towardsViewer = Vec3::UnitZ();
+  double pixelRatio = 1.0;  // device pixels to a logical pixel
+  // What lifts a layer by a logical pixel towards the viewer and leaves it where it appears: under parallel projection
+  // a shift along the view; under perspective, where a pixel is worth more the farther one looks, a shrinking towards
+  // the eye.
+  Vec3 shiftPerPixel = Vec3::Zero();
+  double shrinkPerPixel = 0.0;
+  ClipPlane clip;
 };
 
-// One actor over the model, coloured by its points. It is moved towards the viewer by some pixels' worth of length:
-// under a parallel projection that changes nothing but its depth, and by the same amount everywhere.
+// One actor over the model, coloured by its points. It is lifted by some pixels' worth of length towards the viewer,
+// which changes nothing but its depth.
 class Layer {
  public:
   // lift: logical pixels towards the viewer; a higher layer hides a lower one.
@@ -33,8 +42,11 @@ class Layer {
   vtkProperty* property() { return m_actor->GetProperty(); }
 
  private:
+  void clip(const ClipPlane& plane, const Vec3& shift, double scale);
+
   vtkNew<vtkActor> m_actor;
   vtkNew<vtkPolyDataMapper> m_mapper;
+  vtkNew<vtkPlane> m_plane;
   double m_lift;
 };
 

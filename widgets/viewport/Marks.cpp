@@ -8,11 +8,6 @@ namespace handwheel {
 
 namespace {
 
-QColor mixed(const QColor& a, const QColor& b, float share) {
-  return QColor::fromRgbF(a.redF() + (b.redF() - a.redF()) * share, a.greenF() + (b.greenF() - a.greenF()) * share,
-                          a.blueF() + (b.blueF() - a.blueF()) * share);
-}
-
 QColor withAlpha(QColor c, float alpha) {
   c.setAlphaF(alpha);
   return c;
@@ -45,10 +40,25 @@ void CasedStrokes::prepare(const LayerFrame& frame) {
   m_core.prepare(frame);
 }
 
+FaceLayer::FaceLayer(vtkRenderer* renderer, double lift) : m_layer(renderer, lift) {
+  setOverlayMaterial(m_layer.property());
+}
+
+void FaceLayer::setColour(const QColor& colour, double opacity) {
+  m_layer.property()->SetColor(colour.redF(), colour.greenF(), colour.blueF());
+  m_layer.property()->SetOpacity(opacity);
+}
+
+void FaceLayer::rebuild(const HalfEdgeMesh& mesh, const Vec3& origin) {
+  m_faces.empty() ? m_layer.hide() : m_layer.setData(facesOf(mesh, m_faces, origin));
+}
+
 Marks::Marks(vtkRenderer* renderer)
     : m_colours(sceneColours(false)),
       m_faces(renderer, 1.0),
-      m_hovered(renderer, 1.5),
+      m_selected(renderer, 1.2),
+      m_highlighted(renderer, 1.4),
+      m_hovered(renderer, 1.6),
       m_preview(renderer, 1.5),
       m_previewEdges(renderer, 2.0, 1.0),
       m_plainLoops(renderer, 3.0, 3.0, 1.0),
@@ -56,6 +66,16 @@ Marks::Marks(vtkRenderer* renderer)
       m_lines(renderer, 4.0, 3.0, 1.0),
       m_points(renderer, 6.0, 8.0, 1.5) {
   for (Layer* layer : {&m_faces, &m_hovered, &m_preview}) setOverlayMaterial(layer->property());
+}
+
+void Marks::clear() {
+  setLoops({});
+  setFaceMarks({});
+  setPointMarks({});
+  setLineMarks({});
+  setPreview({}, {});
+  setSelectedFaces({});
+  setHighlightedFaces({});
 }
 
 void Marks::setLoops(std::vector<LoopMark> loops) {
@@ -66,6 +86,16 @@ void Marks::setLoops(std::vector<LoopMark> loops) {
 void Marks::setFaceMarks(std::vector<FaceMark> marks) {
   m_faceMarks = std::move(marks);
   m_stale.set(Faces);
+}
+
+void Marks::setSelectedFaces(std::vector<Face> faces) {
+  m_selected.set(std::move(faces));
+  m_stale.set(Selected);
+}
+
+void Marks::setHighlightedFaces(std::vector<Face> faces) {
+  m_highlighted.set(std::move(faces));
+  m_stale.set(Highlighted);
 }
 
 void Marks::setPointMarks(std::vector<PointMark> marks) {
@@ -94,13 +124,14 @@ void Marks::setHovered(int listLoop, int cursorLoop, Face face) {
 
 void Marks::setColours(const SceneColours& colours) {
   m_colours = colours;
+  m_selected.setColour(colours.selected, 0.75);
+  m_highlighted.setColour(colours.accent, 0.45);
   m_stale.set();
 }
 
 void Marks::setMesh(const HalfEdgeMesh& mesh, const Vec3& origin) {
   if (m_origin != origin) m_stale.set();
-  m_stale.set(Faces);
-  m_stale.set(HoveredFace);
+  for (const Part part : {Faces, Selected, Highlighted, HoveredFace}) m_stale.set(part);
   m_mesh = mesh;
   m_origin = origin;
 }
@@ -108,6 +139,7 @@ void Marks::setMesh(const HalfEdgeMesh& mesh, const Vec3& origin) {
 void Marks::prepare(const LayerFrame& frame) {
   rebuildStale();
   for (Layer* layer : {&m_faces, &m_hovered, &m_preview}) layer->prepare(frame);
+  for (FaceLayer* layer : {&m_selected, &m_highlighted}) layer->prepare(frame);
   m_previewEdges.prepare(frame);
   for (CasedStrokes* strokes : {&m_plainLoops, &m_strongLoops, &m_lines, &m_points}) strokes->prepare(frame);
 }
@@ -115,6 +147,8 @@ void Marks::prepare(const LayerFrame& frame) {
 void Marks::rebuildStale() {
   if (m_stale[Loops]) rebuildLoops();
   if (m_stale[Faces]) rebuildFaces();
+  if (m_stale[Selected]) m_selected.rebuild(m_mesh, m_origin);
+  if (m_stale[Highlighted]) m_highlighted.rebuild(m_mesh, m_origin);
   if (m_stale[HoveredFace]) rebuildHoveredFace();
   if (m_stale[Points]) rebuildPoints();
   if (m_stale[Lines]) rebuildLines();

@@ -23,16 +23,35 @@ class CasedStrokes {
   StrokeLayer m_core;
 };
 
+// Faces of the mesh in one colour. For sets that are large and change often.
+class FaceLayer {
+ public:
+  FaceLayer(vtkRenderer* renderer, double lift);
+
+  void set(std::vector<Face> faces) { m_faces = std::move(faces); }
+  void setColour(const QColor& colour, double opacity);
+  void rebuild(const HalfEdgeMesh& mesh, const Vec3& origin);
+  void prepare(const LayerFrame& frame) { m_layer.prepare(frame); }
+
+ private:
+  std::vector<Face> m_faces;
+  Layer m_layer;
+};
+
 // All that is drawn over the model.
 class Marks {
  public:
   explicit Marks(vtkRenderer* renderer);
 
+  void clear();
   void setLoops(std::vector<LoopMark> loops);
   void setFaceMarks(std::vector<FaceMark> marks);
   void setPointMarks(std::vector<PointMark> marks);
   void setLineMarks(std::vector<LineMark> marks);
   void setPreview(std::vector<Vec3> points, std::vector<Triangle> triangles);
+  // Until they are set anew: selected faces, and those that a tool points out.
+  void setSelectedFaces(std::vector<Face> faces);
+  void setHighlightedFaces(std::vector<Face> faces);
   const std::vector<LoopMark>& loops() const { return m_loops; }
 
   // The loops to be drawn as hovered and the face under the cursor; -1 and kNone for none.
@@ -45,7 +64,7 @@ class Marks {
   void prepare(const LayerFrame& frame);
 
  private:
-  enum Part { Loops, Faces, HoveredFace, Points, Lines, Preview, kParts };
+  enum Part { Loops, Faces, Selected, Highlighted, HoveredFace, Points, Lines, Preview, kParts };
 
   void rebuildStale();
   void rebuildLoops();
@@ -71,6 +90,8 @@ class Marks {
   std::bitset<kParts> m_stale;
 
   Layer m_faces;
+  FaceLayer m_selected;
+  FaceLayer m_highlighted;
   Layer m_hovered;
   Layer m_preview;
   StrokeLayer m_previewEdges;

@@ -6,12 +6,12 @@
 
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
 #include <vtkRenderer.h>
+#include <algorithm>
 
 namespace handwheel {
 
-MeshBlocks::MeshBlocks(vtkRenderer* renderer) : m_renderer(renderer), m_colours(sceneColours(false)) {}
+MeshBlocks::MeshBlocks(vtkRenderer* renderer) : m_renderer(renderer) {}
 
 void MeshBlocks::clear() {
   for (const auto& actor : m_blocks) {
@@ -26,8 +26,8 @@ void MeshBlocks::enqueue(std::size_t block, SurfaceGeometry geometry) {
   m_queue.push_back({block, std::move(geometry)});
 }
 
-bool MeshBlocks::takeOne() {
-  if (m_queue.empty()) return false;
+std::size_t MeshBlocks::takeOne() {
+  if (m_queue.empty()) return 0;
   const Pending next = std::move(m_queue.front());
   m_queue.pop_front();
   if (next.block >= m_blocks.size()) m_blocks.resize(next.block + 1);
@@ -36,7 +36,7 @@ bool MeshBlocks::takeOne() {
   actor = makeActor(next.geometry);
   actor->SetVisibility(!m_reduced || !m_coarse);
   ++m_built;
-  return true;
+  return std::max<std::size_t>(next.geometry.indices.size() / 3, 1);
 }
 
 void MeshBlocks::setCoarse(std::optional<SurfaceGeometry> geometry) {
@@ -71,43 +71,15 @@ vtkSmartPointer<vtkActor> MeshBlocks::makeActor(const SurfaceGeometry& geometry)
 }
 
 void MeshBlocks::style(vtkActor* actor) const {
-  setSurfaceMaterial(actor, m_colours);
-  for (vtkProperty* p : {actor->GetProperty(), actor->GetBackfaceProperty()}) {
-    p->SetEdgeVisibility(m_shading == Shading::ShadedWithEdges);
-    p->SetEdgeColor(m_colours.edge.redF(), m_colours.edge.greenF(), m_colours.edge.blueF());
-    p->SetLineWidth(static_cast<float>(m_pixelRatio));
-    if (m_shading == Shading::Wireframe) {
-      p->SetRepresentationToWireframe();
-      p->LightingOff();
-      p->SetColor(m_colours.wire.redF(), m_colours.wire.greenF(), m_colours.wire.blueF());
-    } else {
-      p->SetRepresentationToSurface();
-      p->LightingOn();
-    }
-  }
+  applyStyle(actor, m_style, {m_style.colours.front});
 }
 
-void MeshBlocks::styleAll() {
+void MeshBlocks::setStyle(const SurfaceStyle& style) {
+  m_style = style;
   for (const auto& actor : m_blocks) {
-    if (actor) style(actor);
+    if (actor) this->style(actor);
   }
-  if (m_coarse) style(m_coarse);
-}
-
-void MeshBlocks::setShading(Shading shading) {
-  m_shading = shading;
-  styleAll();
-}
-
-void MeshBlocks::setColours(const SceneColours& colours) {
-  m_colours = colours;
-  styleAll();
-}
-
-void MeshBlocks::setPixelRatio(double ratio) {
-  if (ratio == m_pixelRatio) return;
-  m_pixelRatio = ratio;
-  styleAll();
+  if (m_coarse) this->style(m_coarse);
 }
 
 }  // namespace handwheel

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "viewport/Lighting.h"
 #include "viewport/SurfaceGeometry.h"
-#include "viewport/ViewportTypes.h"
+#include "viewport/SurfaceStyle.h"
 
 #include <vtkActor.h>
 #include <vtkSmartPointer.h>
@@ -21,21 +20,19 @@ class MeshBlocks {
   void clear();
   // Queues the geometry; the block shows its former state until then.
   void enqueue(std::size_t block, SurfaceGeometry geometry);
-  // Takes one block from the queue, so that the next frame uploads no more than that. False when none was waiting.
-  bool takeOne();
+  // Takes one block from the queue, so that the next frame uploads no more than that. Returns its triangles; 0 when
+  // none was waiting.
+  std::size_t takeOne();
   void setCoarse(std::optional<SurfaceGeometry> geometry);
   // Shows the stand-in instead of the blocks, if there is one.
   void setReduced(bool reduced);
 
-  void setShading(Shading shading);
-  void setColours(const SceneColours& colours);
-  void setPixelRatio(double ratio);
+  void setStyle(const SurfaceStyle& style);
   int builtCount() const { return m_built; }
 
  private:
   vtkSmartPointer<vtkActor> makeActor(const SurfaceGeometry& geometry);
   void style(vtkActor* actor) const;
-  void styleAll();
   void updateVisibility();
 
   struct Pending {
@@ -47,9 +44,7 @@ class MeshBlocks {
   std::vector<vtkSmartPointer<vtkActor>> m_blocks;
   vtkSmartPointer<vtkActor> m_coarse;
   std::deque<Pending> m_queue;
-  SceneColours m_colours;
-  Shading m_shading = Shading::Shaded;
-  double m_pixelRatio = 1.0;
+  SurfaceStyle m_style;
   bool m_reduced = false;
   int m_built = 0;
 };

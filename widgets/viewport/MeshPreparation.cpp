@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/MeshPreparation.h"
 
-#include <QPromise>
-#include <QThreadPool>
+#include "viewport/Worker.h"
 
 namespace handwheel {
 
@@ -11,20 +10,6 @@ namespace {
 
 constexpr std::size_t kSmallMesh = 200000;       // faces that even software rendering turns without a stand-in
 constexpr std::size_t kCoarseTriangles = 50000;  // of the stand-in, roughly
-
-// Runs work(promise) on a worker and returns the watcher of its future.
-template <class T, class Work>
-std::unique_ptr<QFutureWatcher<T>> run(Work work) {
-  auto promise = std::make_shared<QPromise<T>>();
-  auto watcher = std::make_unique<QFutureWatcher<T>>();
-  watcher->setFuture(promise->future());
-  promise->start();
-  QThreadPool::globalInstance()->start([promise, work = std::move(work)] {
-    work(*promise);
-    promise->finish();
-  });
-  return watcher;
-}
 
 template <class T>
 void drop(std::unique_ptr<QFutureWatcher<T>>& watcher) {
@@ -63,7 +48,7 @@ void MeshPreparation::finishBlocks() {
 void MeshPreparation::startBlocks(const HalfEdgeMesh& mesh, const Vec3& origin) {
   drop(m_blocks);
   const std::vector<std::size_t> owed(m_owed.begin(), m_owed.end());
-  m_blocks = run<Block>([mesh, origin, owed](QPromise<Block>& promise) {
+  m_blocks = runOnWorker<Block>([mesh, origin, owed](QPromise<Block>& promise) {
     for (const std::size_t b : owed) {
       if (promise.isCanceled()) return;
       promise.addResult(Block{b, std::make_shared<SurfaceGeometry>(blockGeometry(mesh, b, origin))});
@@ -75,7 +60,7 @@ void MeshPreparation::startBlocks(const HalfEdgeMesh& mesh, const Vec3& origin) 
 
 void MeshPreparation::startRest(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin) {
   drop(m_rest);
-  m_rest = run<Rest>([mesh, bounds, origin](QPromise<Rest>& promise) {
+  m_rest = runOnWorker<Rest>([mesh, bounds, origin](QPromise<Rest>& promise) {
     Rest rest;
     if (mesh.faceSlots() > kSmallMesh) {
       rest.coarse = std::make_shared<SurfaceGeometry>(coarseGeometry(mesh, bounds, origin, kCoarseTriangles));

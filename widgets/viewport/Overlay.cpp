@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/Overlay.h"
 
+#include "viewport/StrokeText.h"
+
+#include <QFontMetricsF>
+#include <QGuiApplication>
 #include <QLocale>
 #include <QPainterPath>
 #include <algorithm>
@@ -15,6 +19,7 @@ namespace {
 constexpr double kMargin = 16;
 constexpr double kTriadRadius = 30;
 constexpr double kScaleBarMax = 160;
+constexpr double kCapital = 9;  // height of stroked capitals
 
 struct Axis {
   QPointF tip;   // from the middle of the triad
@@ -45,6 +50,11 @@ void strokeWithRim(QPainter& painter, const QPainterPath& path, const QPen& pen,
 // Text whose middle is at the point.
 void paintText(QPainter& painter, const QPointF& middle, const QString& text, bool bold, const QColor& colour,
                QColor rim) {
+  if (!qobject_cast<QGuiApplication*>(QCoreApplication::instance())) {
+    const QPainterPath path =
+        strokeText(text, kCapital).translated(middle + QPointF(-strokeTextWidth(text, kCapital) / 2, kCapital / 2));
+    return strokeWithRim(painter, path, QPen(colour, bold ? 1.8 : 1.3, Qt::SolidLine, Qt::RoundCap), rim);
+  }
   QFont font = painter.font();
   font.setPixelSize(12);
   font.setBold(bold);
@@ -71,8 +81,9 @@ void paintTriad(QPainter& painter, const QPointF& middle, const CameraState& cam
   }
 }
 
-void paintScaleBar(QPainter& painter, const QSizeF& size, double unitsPerPixel, const SceneColours& colours) {
-  const ScaleBar bar = scaleBar(unitsPerPixel, kScaleBarMax);
+void paintScaleBar(QPainter& painter, const QSizeF& size, double unitsPerPixel, LengthUnit unit,
+                   const SceneColours& colours) {
+  const ScaleBar bar = scaleBar(unitsPerPixel, kScaleBarMax, unit);
   const double right = std::round(size.width() - kMargin) - 0.5, y = std::round(size.height() - kMargin) - 0.5;
   const double left = right - std::round(bar.pixels);
   QPainterPath path(QPointF(left, y - 6));
@@ -83,26 +94,46 @@ void paintScaleBar(QPainter& painter, const QSizeF& size, double unitsPerPixel, 
 
 }  // namespace
 
-ScaleBar scaleBar(double unitsPerPixel, double maxPixels) {
-  const double longest = unitsPerPixel * maxPixels;
+ScaleBar scaleBar(double unitsPerPixel, double maxPixels, LengthUnit unit) {
+  const double perPixel = unitsPerPixel / millimetresPer(unit);
+  const double longest = perPixel * maxPixels;
   const double decade = std::pow(10.0, std::floor(std::log10(longest)));
   const double share = longest / decade;
   const double length = decade * (share >= 5 ? 5 : share >= 2 ? 2 : 1);
-  return {length, length / unitsPerPixel};
+  return {length, length / perPixel, unit};
 }
 
 QString ScaleBar::label() const {
   const auto number = [](double v) { return QLocale().toString(v, 'g', 6); };
+  if (unit != LengthUnit::Millimetre) return number(length) + QLatin1Char(' ') + QLatin1String(symbolOf(unit));
   if (length < 0.1) return number(length * 1000) + QStringLiteral(" µm");
   if (length >= 1000) return number(length / 1000) + QStringLiteral(" m");
   return number(length) + QStringLiteral(" mm");
 }
 
-void paintOverlay(QPainter& painter, const QSizeF& size, const CameraState& camera, const SceneColours& colours) {
+void paintOverlay(QPainter& painter, const QSizeF& size, const CameraState& camera, LengthUnit unit,
+                  const SceneColours& colours) {
   painter.setRenderHint(QPainter::Antialiasing);
   const double reach = kTriadRadius + 18;  // with the letters
   paintTriad(painter, QPointF(kMargin + reach, size.height() - kMargin - reach), camera, colours);
-  paintScaleBar(painter, size, camera.height / std::max(size.height(), 1.0), colours);
+  if (camera.projection == Projection::Perspective) return;  // no length holds for the whole picture
+  paintScaleBar(painter, size, camera.height / std::max(size.height(), 1.0), unit, colours);
+}
+
+void paintLines(QPainter& painter, const CameraNavigation& view, const std::vector<std::vector<Vec3>>& lines,
+                const SceneColours& colours) {
+  painter.setRenderHint(QPainter::Antialiasing);
+  QPainterPath path;
+  for (const std::vector<Vec3>& line : lines) {
+    bool isDown = false;
+    for (const Vec3& p : line) {
+      const bool isSeen = view.isBeforeEye(p);
+      const Vec2 at = isSeen ? view.toScreen(p) : Vec2::Zero();
+      if (isSeen) isDown ? path.lineTo(at.x(), at.y()) : path.moveTo(at.x(), at.y());
+      isDown = isSeen;
+    }
+  }
+  strokeWithRim(painter, path, QPen(colours.accent, 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin), colours.casing);
 }
 
 }  // namespace handwheel

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "viewport/CameraState.h"
+#include "base/Units.h"
+#include "viewport/CameraNavigation.h"
 #include "viewport/Lighting.h"
 
 #include <QPainter>
@@ -10,15 +11,23 @@
 
 namespace handwheel {
 
-// The triad of the axes at the lower left and the scale bar at the lower right, in logical pixels.
-void paintOverlay(QPainter& painter, const QSizeF& size, const CameraState& camera, const SceneColours& colours);
+// The triad of the axes at the lower left and, under parallel projection, the scale bar at the lower right; in logical
+// pixels. Needs no application object; with one, texts are in its font.
+void paintOverlay(QPainter& painter, const QSizeF& size, const CameraState& camera, LengthUnit unit,
+                  const SceneColours& colours);
 
-// What a scale bar shows: the largest of 1, 2, 5 × 10ⁿ units that is not longer than maxPixels.
+// Polylines over everything, with a rim that sets them off.
+void paintLines(QPainter& painter, const CameraNavigation& view, const std::vector<std::vector<Vec3>>& lines,
+                const SceneColours& colours);
+
+// What a scale bar shows: the largest of 1, 2, 5 × 10ⁿ of the unit that is not longer than maxPixels.
 struct ScaleBar {
-  double length;  // units of the model (mm)
+  double length;  // in the unit
   double pixels;
-  QString label() const;  // in µm, mm or m
+  LengthUnit unit;
+  QString label() const;  // millimetres also as µm and m
 };
-ScaleBar scaleBar(double unitsPerPixel, double maxPixels);
+// unitsPerPixel: mm to a pixel.
+ScaleBar scaleBar(double unitsPerPixel, double maxPixels, LengthUnit unit = LengthUnit::Millimetre);
 
 }  // namespace handwheel

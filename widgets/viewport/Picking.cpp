@@ -3,6 +3,7 @@
 #include "viewport/Picking.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace handwheel {
 
@@ -24,33 +25,46 @@ double nearestOnSegment(const Vec2& a, const Vec2& b, const Vec2& cursor) {
   return squared > 0 ? std::clamp((cursor - a).dot(along) / squared, 0.0, 1.0) : 0.0;
 }
 
+// The point of the segment that appears at the share t of its picture; under perspective the farther half is shorter.
+Vec3 pointAt(const CameraNavigation& view, const Vec3& a, const Vec3& b, double t) {
+  const double near = t * view.unitsPerPixelAt(a), far = (1.0 - t) * view.unitsPerPixelAt(b);
+  return a + near / (near + far) * (b - a);
+}
+
 void collectNearSegments(const LoopMark& loop, const CameraNavigation& view, const Vec2& cursor,
                          std::vector<LoopCandidate>& found) {
   const std::size_t n = loop.points.size();
-  if (n == 0) return;
-  Vec2 a = view.toScreen(loop.points[n - 1]);
   for (std::size_t i = 0; i < n; ++i) {
-    const Vec2 b = view.toScreen(loop.points[i]);
+    const Vec3 &p = loop.points[(i + n - 1) % n], &q = loop.points[i];
+    if (!view.isBeforeEye(p) || !view.isBeforeEye(q)) continue;
+    const Vec2 a = view.toScreen(p), b = view.toScreen(q);
     const double t = nearestOnSegment(a, b, cursor);
     const double distance = (a + t * (b - a) - cursor).norm();
-    if (distance <= kLoopPickRadius) {
-      const Vec3& p = loop.points[(i + n - 1) % n];
-      found.push_back({loop.id, distance, p + t * (loop.points[i] - p)});
-    }
-    a = b;
+    if (distance <= kLoopPickRadius) found.push_back({loop.id, distance, pointAt(view, p, q, t)});
   }
 }
 
-// A point before the whole model from which a ray along the view meets p.
-Vec3 rayOrigin(const PickIndex& index, const CameraNavigation& view, const Vec3& p) {
-  const Box& box = index.bounds();
-  const double front = view.depth(box.center()) + box.diagonal().norm();
-  return p + (front - view.depth(p)) * view.camera().towardsViewer();
+bool isHidden(const Pickable& pickable, const CameraNavigation& view, const Vec3& p) {
+  if (pickable.clip.isClippedAway(p)) return true;
+  const ViewRay ray = view.rayAt(view.toScreen(p), pickable.bounds());
+  const auto hit = firstSurface(pickable, ray.origin, ray.direction);
+  return hit && hit->distance < (p - ray.origin).dot(ray.direction) - kHidingDepth * view.unitsPerPixelAt(p);
 }
 
-bool isHidden(const PickIndex& index, const CameraNavigation& view, const Vec3& p) {
-  const auto hit = index.firstHit(rayOrigin(index, view, p), -view.camera().towardsViewer());
-  return hit && view.depth(hit->point) > view.depth(p) + kHidingDepth * view.unitsPerPixel();
+// The stretch of a ray that is not clipped away; from > to when there is none.
+struct Stretch {
+  double from = 0.0;
+  double to = std::numeric_limits<double>::infinity();
+};
+
+Stretch unclipped(const ClipPlane& clip, const Vec3& origin, const Vec3& direction) {
+  Stretch s;
+  if (!clip.on) return s;
+  const double room = clip.offset - clip.normal.dot(origin), slope = clip.normal.dot(direction);
+  if (slope > 0) s.to = room / slope;
+  if (slope < 0) s.from = std::max(room / slope, 0.0);
+  if (slope == 0 && room < 0) s.to = -1.0;
+  return s;
 }
 
 }  // namespace
@@ -59,27 +73,63 @@ PickIndex::PickIndex(const HalfEdgeMesh& mesh) {
   HalfEdgeMesh::Compact compact = mesh.compact();
   m_hierarchy = TriangleHierarchy(compact.soup.points, compact.soup.triangles);
   m_faceOf = std::move(compact.faceOf);
-  m_bounds = m_hierarchy.bounds();
 }
 
 std::optional<PickIndex::Hit> PickIndex::firstHit(const Vec3& origin, const Vec3& direction) const {
   const auto hit = m_hierarchy.firstHit(origin, direction);
   if (!hit) return std::nullopt;
-  return Hit{m_faceOf[hit->triangle], origin + hit->distance * direction};
+  return Hit{m_faceOf[hit->triangle], hit->distance};
 }
 
-Pick pickAt(const PickIndex& index, const std::vector<LoopMark>& loops, const CameraNavigation& view,
-            const Vec2& cursor) {
+Vec3 PickIndex::normalNear(const Vec3& p) const {
+  const auto nearest = m_hierarchy.nearest(p);
+  if (!nearest) return Vec3::Zero();
+  const auto [a, b, c] = m_hierarchy.corners(nearest->triangle);
+  return (b - a).cross(c - a).normalized();
+}
+
+Box Pickable::bounds() const {
+  Box box;
+  if (mesh) box.extend(mesh->bounds());
+  for (const PickPart& part : parts) {
+    if (part.index->bounds().isEmpty()) continue;
+    for (const Vec3& corner : cornersOf(part.index->bounds())) box.extend(part.pose * corner);
+  }
+  return box;
+}
+
+std::optional<SurfaceHit> firstSurface(const Pickable& pickable, const Vec3& origin, const Vec3& direction) {
+  const Stretch stretch = unclipped(pickable.clip, origin, direction);
+  const Vec3 start = origin + stretch.from * direction;
+  SurfaceHit best;
+  best.distance = stretch.to;
+  bool isHit = false;
+  const auto consider = [&](const std::optional<PickIndex::Hit>& hit, const PickPart* part) {
+    if (!hit || stretch.from + hit->distance > best.distance) return;
+    best = {part ? kNone : hit->face, part, start + hit->distance * direction, stretch.from + hit->distance};
+    isHit = true;
+  };
+  if (pickable.mesh) consider(pickable.mesh->firstHit(start, direction), nullptr);
+  for (const PickPart& part : pickable.parts) {
+    const Pose inverse = part.pose.inverse();
+    consider(part.index->firstHit(inverse * start, inverse.linear() * direction), &part);
+  }
+  if (!isHit) return std::nullopt;
+  return best;
+}
+
+Pick pickAt(const Pickable& pickable, const CameraNavigation& view, const Vec2& cursor) {
   std::vector<LoopCandidate> near;
-  for (const LoopMark& loop : loops) collectNearSegments(loop, view, cursor, near);
+  for (const LoopMark& loop : pickable.loops) collectNearSegments(loop, view, cursor, near);
   std::sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.distance < b.distance; });
 
   for (const LoopCandidate& c : near) {
-    if (!isHidden(index, view, c.point)) return {c.loop, kNone, c.point};
+    if (!isHidden(pickable, view, c.point)) return {c.loop, kNone, c.point, {}};
   }
-  const Vec3 origin = rayOrigin(index, view, view.fromScreen(cursor));
-  const auto hit = index.firstHit(origin, -view.camera().towardsViewer());
-  return hit ? Pick{-1, hit->face, hit->point} : Pick{};
+  const ViewRay ray = view.rayAt(cursor, pickable.bounds());
+  const auto hit = firstSurface(pickable, ray.origin, ray.direction);
+  if (!hit) return {};
+  return {-1, hit->face, hit->point, hit->part ? hit->part->name : std::string()};
 }
 
 }  // namespace handwheel

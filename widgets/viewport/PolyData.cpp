@@ -10,6 +10,7 @@
 #include <vtkTypeInt32Array.h>
 #include <vtkUnsignedCharArray.h>
 #include <algorithm>
+#include <numeric>
 
 namespace handwheel {
 
@@ -36,15 +37,37 @@ vtkSmartPointer<vtkCellArray> toCells(const std::vector<std::int32_t>& ends, con
   return cells;
 }
 
+vtkSmartPointer<vtkCellArray> toTriangles(const std::vector<std::int32_t>& corners) {
+  std::vector<std::int32_t> ends(corners.size() / 3 + 1);
+  for (std::size_t i = 0; i < ends.size(); ++i) ends[i] = static_cast<std::int32_t>(3 * i);
+  return toCells(ends, corners);
+}
+
 }  // namespace
 
 vtkSmartPointer<vtkPolyData> toPolyData(const SurfaceGeometry& geometry) {
   auto data = vtkSmartPointer<vtkPolyData>::New();
   setPositions(data, geometry.positions);
   data->GetPointData()->SetNormals(toArray<vtkFloatArray>(geometry.normals, 3));
-  std::vector<std::int32_t> ends(geometry.indices.size() / 3 + 1);
-  for (std::size_t i = 0; i < ends.size(); ++i) ends[i] = static_cast<std::int32_t>(3 * i);
-  data->SetPolys(toCells(ends, geometry.indices));
+  data->SetPolys(toTriangles(geometry.indices));
+  return data;
+}
+
+vtkSmartPointer<vtkPolyData> facesOf(const HalfEdgeMesh& mesh, std::span<const Face> faces, const Vec3& origin) {
+  std::vector<float> positions;
+  positions.reserve(9 * faces.size());
+  for (const Face f : faces) {
+    if (f >= mesh.faceSlots() || !mesh.isLive(f)) continue;
+    for (const Vertex v : mesh.triangle(f)) {
+      const Eigen::Vector3f p = (mesh.position(v) - origin).cast<float>();
+      positions.insert(positions.end(), p.begin(), p.end());
+    }
+  }
+  std::vector<std::int32_t> corners(positions.size() / 3);
+  std::iota(corners.begin(), corners.end(), 0);
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  setPositions(data, positions);
+  data->SetPolys(toTriangles(corners));
   return data;
 }
 

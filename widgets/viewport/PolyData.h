@@ -7,10 +7,14 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <QColor>
+#include <span>
 
 namespace handwheel {
 
 vtkSmartPointer<vtkPolyData> toPolyData(const SurfaceGeometry& geometry);
+
+// The triangles of those of the faces that are live, without normals or colours, about an origin near the model.
+vtkSmartPointer<vtkPolyData> facesOf(const HalfEdgeMesh& mesh, std::span<const Face> faces, const Vec3& origin);
 
 // Collects coloured points, lines and triangles about an origin near the model.
 class PolyDataBuilder {

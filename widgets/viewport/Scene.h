@@ -3,15 +3,18 @@
 #pragma once
 
 #include "viewport/CameraNavigation.h"
+#include "viewport/ClipPlane.h"
 #include "viewport/Marks.h"
 #include "viewport/MeshBlocks.h"
+#include "viewport/PartActors.h"
 
 #include <vtkNew.h>
 #include <vtkRenderer.h>
 
 namespace handwheel {
 
-// One renderer with the model, the marks on it, lights and background; used by the widget and for pictures without one.
+// One renderer with a mesh and rigid parts, the marks on them, lights and background; used by the widget and for
+// pictures without one.
 class Scene {
  public:
   Scene();
@@ -21,32 +24,55 @@ class Scene {
   Marks& marks() { return m_marks; }
   const std::vector<LoopMark>& loops() const { return m_marks.loops(); }
 
+  // No mesh, no parts, no marks.
   void clear();
-  // Another model with the bounds of its live faces; its blocks are to be enqueued about origin(). Keeps the marks.
+  // Another mesh with the bounds of its live faces; its blocks are to be enqueued about origin(). Keeps the marks.
   void setMesh(const HalfEdgeMesh& mesh, const Box& bounds);
-  // The same model after an edit; the origin stays.
+  // The same mesh after an edit; the origin stays.
   void updateMesh(const HalfEdgeMesh& mesh, const std::vector<Face>& touched);
   const HalfEdgeMesh& mesh() const { return m_mesh; }
-  const Box& bounds() const { return m_bounds; }
-  const Vec3& origin() const { return m_origin; }
-  // A few thousand points of the model, enough to tell how far it reaches in any direction.
-  const std::vector<Vec3>& outline() const { return m_outline; }
+  const Box& meshBounds() const { return m_meshBounds; }
 
+  // The parts of the model, and those that a tool proposes, which are translucent.
+  PartActors& parts() { return m_parts; }
+  PartActors& proposedParts() { return m_proposed; }
+  const PartActors& parts() const { return m_parts; }
+  void setParts(const std::vector<DisplayPart>& parts);
+
+  Box bounds() const;  // of mesh and parts
+  const Vec3& origin() const { return m_origin; }
+  // Some thousand points of mesh and parts, enough to tell how far they reach in any direction.
+  std::vector<Vec3> outline() const;
+
+  void setShading(Shading shading);
   void setDark(bool dark);
-  const SceneColours& colours() const { return m_colours; }
+  void setClipPlane(const ClipPlane& plane);
+  const ClipPlane& clipPlane() const { return m_clip; }
+  const SceneColours& colours() const { return m_style.colours; }
+  // Takes geometry from the queues until the next frame has enough to upload. False when nothing was waiting.
+  bool takeGeometry();
+  // How often a block of the mesh or of a part has been built.
+  int builtCount() const;
   // Sets camera and line widths for the next frame. size in logical pixels.
   void prepare(const CameraState& camera, const Vec2& size, double pixelRatio);
 
  private:
-  void placeCamera(const CameraState& camera);
+  void setOrigin(const Vec3& origin);
+  void applyStyle();
+  void placeClipPlane();
+  void placeCamera(const CameraNavigation& view);
 
   vtkNew<vtkRenderer> m_renderer;
   MeshBlocks m_blocks;
+  PartActors m_parts;
+  PartActors m_proposed;
   Marks m_marks;
-  SceneColours m_colours;
+  SurfaceStyle m_style;
+  ClipPlane m_clip;
+  vtkNew<vtkPlane> m_clipPlane;  // the same, about the origin
   HalfEdgeMesh m_mesh;
-  Box m_bounds;
-  std::vector<Vec3> m_outline;
+  Box m_meshBounds;
+  std::vector<Vec3> m_meshOutline;
   Vec3 m_origin = Vec3::Zero();
 };
 

@@ -3,6 +3,7 @@
 #include "viewport/Snapshot.h"
 
 #include "viewport/DisplayCheck.h"
+#include "viewport/Overlay.h"
 #include "viewport/Scene.h"
 
 #include <vtkRenderWindow.h>
@@ -21,10 +22,9 @@ Error writeFailed(std::string reason, const std::filesystem::path& png) {
   return {ErrorCode::WriteFailed, {std::move(reason)}, {}, png.string()};
 }
 
-// Always from the same side, so that pictures of a part before and after a repair can be compared.
-CameraState wholeModel(const Scene& scene, const Vec2& size) {
+CameraState wholeModel(const Scene& scene, const Vec2& size, const Vec3& outward) {
   CameraState camera;
-  camera.orientation = orientationOf(StandardView::Isometric);
+  camera.orientation = uprightTowards(outward);
   return CameraNavigation(camera, size).fitted(scene.outline(), kShare);
 }
 
@@ -51,26 +51,51 @@ Status save(const QImage& picture, const std::filesystem::path& png) {
   return Done{};
 }
 
-}  // namespace
-
-Status renderToFile(const HalfEdgeMesh& mesh, const std::vector<LoopMark>& loops, const std::filesystem::path& png,
-                    int width, int height) {
+// fill: gives the scene what it is to show.
+template <class Fill>
+Status renderScene(const Fill& fill, const std::filesystem::path& png, int width, int height, const Vec3& outward) {
   if (width < 1 || height < 1) return writeFailed("the picture has no pixels", png);
   const DisplayCheck display;
   if (!display.problem().empty()) return writeFailed(display.problem(), png);
-
   Scene scene;
-  scene.setMesh(mesh, boundsOf(mesh));
-  for (std::size_t b = 0; b < blockCount(mesh); ++b) {
-    scene.blocks().enqueue(b, blockGeometry(mesh, b, scene.origin()));
-    scene.blocks().takeOne();
+  fill(scene);
+  while (scene.takeGeometry()) {
   }
-  scene.marks().setLoops(loops);
   const Vec2 size(width, height);
-  scene.prepare(wholeModel(scene, size), size, 1.0);
-  const QImage picture = render(scene, width, height);
+  const CameraState camera = wholeModel(scene, size, outward);
+  scene.prepare(camera, size, 1.0);
+  QImage picture = render(scene, width, height);
   if (picture.isNull()) return writeFailed("the picture could not be rendered", png);
+  QPainter painter(&picture);
+  paintOverlay(painter, picture.size(), camera, LengthUnit::Millimetre, scene.colours());
+  painter.end();
   return save(picture, png);
+}
+
+}  // namespace
+
+Status renderToFile(const HalfEdgeMesh& mesh, const std::vector<LoopMark>& loops, const std::filesystem::path& png,
+                    int width, int height, const Vec3& outward) {
+  const auto fill = [&](Scene& scene) {
+    scene.setMesh(mesh, boundsOf(mesh));
+    for (std::size_t b = 0; b < blockCount(mesh); ++b) {
+      scene.blocks().enqueue(b, blockGeometry(mesh, b, scene.origin()));
+    }
+    scene.marks().setLoops(loops);
+  };
+  return renderScene(fill, png, width, height, outward);
+}
+
+Status renderToFile(const DisplayModel& model, const std::filesystem::path& png, int width, int height,
+                    const Vec3& outward) {
+  const auto fill = [&](Scene& scene) {
+    scene.setParts(model.parts);
+    for (const PartActors::Soup& soup : scene.parts().missing()) {
+      PartShape shape = shapeOf(*soup);
+      scene.parts().setShape(soup, shape);
+    }
+  };
+  return renderScene(fill, png, width, height, outward);
 }
 
 }  // namespace handwheel

@@ -3,16 +3,23 @@
 #pragma once
 
 #include "base/Result.h"
+#include "document/DisplayModel.h"
 #include "viewport/ViewportTypes.h"
 
 #include <filesystem>
 
 namespace handwheel {
 
-// Renders the mesh with its loops to a PNG of width × height pixels, without a widget and without an application
-// object. The camera looks from the front right above, whatever loops there are. Needs an X display with GLX;
-// WriteFailed {reason} when there is none or the file cannot be written.
+// From the front right above, so that pictures of a part before and after a repair can be compared.
+inline const Vec3 kPictureSide{1.0, -1.0, 1.0};
+
+// Renders the mesh with its loops, or the parts, with axes and scale bar to a PNG of width × height pixels: without a
+// widget and without an application object. outward: on which side of the model the viewer stands; it need not be of
+// unit length, z is up. Needs an X display with GLX; WriteFailed {reason} when there is none or the file cannot be
+// written.
 Status renderToFile(const HalfEdgeMesh& mesh, const std::vector<LoopMark>& loops, const std::filesystem::path& png,
-                    int width, int height);
+                    int width, int height, const Vec3& outward = kPictureSide);
+Status renderToFile(const DisplayModel& model, const std::filesystem::path& png, int width, int height,
+                    const Vec3& outward = kPictureSide);
 
 }  // namespace handwheel

@@ -38,9 +38,9 @@ void append(std::vector<float>& to, const Vec3& v) {
 
 class BlockBuilder {
  public:
-  BlockBuilder(const HalfEdgeMesh& mesh, std::size_t block, const Vec3& origin)
-      : m_mesh(mesh), m_origin(origin), m_first(static_cast<Face>(block) * kBlockFaces) {
-    m_end = static_cast<Face>(std::min<std::size_t>(mesh.faceSlots(), std::size_t{m_first} + kBlockFaces));
+  BlockBuilder(const HalfEdgeMesh& mesh, std::size_t block, const Vec3& origin, Face blockFaces)
+      : m_mesh(mesh), m_origin(origin), m_first(static_cast<Face>(block) * blockFaces) {
+    m_end = static_cast<Face>(std::min<std::size_t>(mesh.faceSlots(), std::size_t{m_first} + blockFaces));
     m_vertexOf.assign(3 * std::size_t{m_end - m_first}, -1);
   }
 
@@ -102,12 +102,12 @@ class BlockBuilder {
 
 }  // namespace
 
-std::size_t blockCount(const HalfEdgeMesh& mesh) {
-  return (mesh.faceSlots() + kBlockFaces - 1) / kBlockFaces;
+std::size_t blockCount(const HalfEdgeMesh& mesh, Face blockFaces) {
+  return (mesh.faceSlots() + blockFaces - 1) / blockFaces;
 }
 
-SurfaceGeometry blockGeometry(const HalfEdgeMesh& mesh, std::size_t block, const Vec3& origin) {
-  return BlockBuilder(mesh, block, origin).build();
+SurfaceGeometry blockGeometry(const HalfEdgeMesh& mesh, std::size_t block, const Vec3& origin, Face blockFaces) {
+  return BlockBuilder(mesh, block, origin, blockFaces).build();
 }
 
 Box boundsOf(const HalfEdgeMesh& mesh) {

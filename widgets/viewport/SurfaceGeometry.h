@@ -19,13 +19,15 @@ struct SurfaceGeometry {
   std::size_t vertexCount() const { return positions.size() / 3; }
 };
 
-// A block is a run of this many face slots: block b holds the faces b * kBlockFaces … (b + 1) * kBlockFaces - 1.
+// A block is a run of so many face slots: block b holds the faces b * blockFaces … (b + 1) * blockFaces - 1. The
+// setting view.block_faces, and its default.
 inline constexpr Face kBlockFaces = 65536;
-std::size_t blockCount(const HalfEdgeMesh& mesh);
+std::size_t blockCount(const HalfEdgeMesh& mesh, Face blockFaces = kBlockFaces);
 
 // The live faces of one block. Normals are angle-weighted over the faces around a vertex (Thürmer, Wüthrich, "Computing
 // vertex normals from polygonal facets", 1998) and split where neighbouring faces differ by more than 40°.
-SurfaceGeometry blockGeometry(const HalfEdgeMesh& mesh, std::size_t block, const Vec3& origin);
+SurfaceGeometry blockGeometry(const HalfEdgeMesh& mesh, std::size_t block, const Vec3& origin,
+                              Face blockFaces = kBlockFaces);
 
 // A stand-in of roughly this many triangles for a mesh that is too large to follow the mouse: vertices in the same cell
 // of a grid become one (Rossignac, Borrel, 1993).

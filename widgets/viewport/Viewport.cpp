@@ -27,8 +27,16 @@ Viewport::Private::Private(Viewport* widget)
                      q->update();
                    },
                    [this](SurfaceGeometry geometry) { scene.blocks().setCoarse(std::move(geometry)); },
-                   [this](MeshPreparation::Index built) { index = std::move(built); }}) {
+                   [this](MeshPreparation::Index built) {
+                     index = std::move(built);
+                     isIndexAwaited = false;
+                   }}),
+      partPreparation(
+          [this](const PartPreparation::Soup& soup, PartShape shape) { takeShape(soup, std::move(shape)); }),
+      cube(new ViewCube(widget)) {
   camera.orientation = orientationOf(StandardView::Isometric);
+  cube->setOrientation(camera.orientation);
+  connectCube();
   rest.setSingleShot(true);
   rest.setInterval(200);
   QObject::connect(&rest, &QTimer::timeout, q, qOverload<>(&QWidget::update));
@@ -36,6 +44,7 @@ Viewport::Private::Private(Viewport* widget)
 
 void Viewport::Private::moveTo(const CameraState& state) {
   camera = state;
+  cube->setOrientation(camera.orientation);
   q->update();
   emit q->cameraChanged();
 }
@@ -86,26 +95,32 @@ void Viewport::setMesh(const HalfEdgeMesh& mesh) {
 
 void Viewport::setMesh(const HalfEdgeMesh& mesh, const Box& bounds) {
   d->index.reset();
+  d->isIndexAwaited = true;
   d->hover({});
   d->isSeen = false;
   d->scene.setMesh(mesh, bounds);
-  d->preparation.startAll(mesh, d->scene.bounds(), d->scene.origin());
+  d->preparation.startAll(mesh, d->scene.meshBounds(), d->scene.origin());
   update();
 }
 
 void Viewport::updateMesh(const HalfEdgeMesh& mesh, const std::vector<Face>& touched) {
   const std::vector<std::size_t> blocks = d->blocksAround(d->scene.mesh(), mesh, touched);
   d->index.reset();
+  d->isIndexAwaited = true;
   d->hover({});
   d->scene.updateMesh(mesh, touched);
-  d->preparation.startSome(mesh, d->scene.bounds(), d->scene.origin(), blocks);
+  d->preparation.startSome(mesh, d->scene.meshBounds(), d->scene.origin(), blocks);
   update();
 }
 
 void Viewport::clear() {
   d->preparation.cancel();
+  d->partPreparation.cancel();
   d->index.reset();
+  d->isIndexAwaited = false;
   d->hover({});
+  d->polylines.clear();
+  d->brushLine.clear();
   d->scene.clear();
   update();
 }
@@ -137,13 +152,12 @@ void Viewport::setPreview(const std::vector<Vec3>& points, const std::vector<Tri
 
 void Viewport::setHighlightedLoop(int id) {
   d->listLoop = id;
-  d->scene.marks().setHovered(id, d->hovered.loop, d->hovered.face);
-  update();
+  d->highlight();
 }
 
 void Viewport::setShading(Shading shading) {
   d->shading = shading;
-  d->scene.blocks().setShading(shading);
+  d->scene.setShading(shading);
   update();
 }
 
@@ -153,6 +167,7 @@ Shading Viewport::shading() const {
 
 void Viewport::setDarkTheme(bool dark) {
   d->scene.setDark(dark);
+  d->cube->setColours(d->scene.colours());
   update();
 }
 
@@ -175,9 +190,8 @@ void Viewport::flyTo(const Box& box, const Vec3& outward) {
   CameraState from = d->goal();
   from.orientation = turnedTowards(from.orientation, outward);
   CameraState goal = CameraNavigation(from, d->size()).fitted(cornersOf(box), kFlyToShare, d->covered);
-  if (!d->scene.bounds().isEmpty()) {
-    goal.height = std::max(goal.height, kNearestFlight * d->scene.bounds().diagonal().norm());
-  }
+  const Box whole = d->scene.bounds();
+  if (!whole.isEmpty()) goal.height = std::max(goal.height, kNearestFlight * whole.diagonal().norm());
   d->flyTo(goal);
 }
 
@@ -195,7 +209,7 @@ Pick Viewport::pickAt(const QPointF& position) const {
 }
 
 bool Viewport::isPickingReady() const {
-  return d->index != nullptr;
+  return !d->isIndexAwaited && !d->scene.bounds().isEmpty() && d->scene.parts().missing().empty();
 }
 
 QString Viewport::graphicsProblem() const {
@@ -203,7 +217,11 @@ QString Viewport::graphicsProblem() const {
 }
 
 int Viewport::blocksBuilt() const {
-  return d->scene.blocks().builtCount();
+  return d->scene.builtCount();
+}
+
+int Viewport::framesDrawn() const {
+  return d->framesDrawn;
 }
 
 QSize Viewport::sizeHint() const {

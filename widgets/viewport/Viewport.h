@@ -2,17 +2,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "document/DisplayModel.h"
 #include "viewport/CameraState.h"
+#include "viewport/ClipPlane.h"
+#include "viewport/NavigationPreset.h"
 #include "viewport/ViewportTypes.h"
 
 #include <QImage>
 #include <QOpenGLWidget>
+#include <functional>
 #include <memory>
 
 namespace handwheel {
 
-// Draws one mesh with the marks on it, lets the mouse move the camera and tells what is under the cursor. All calls
-// belong to the window thread. Lengths and positions are in units of the model (mm).
+// Draws a mesh, rigid parts or both with the marks on them, lets the mouse move the camera and tells what is under the
+// cursor. All calls belong to the window thread. Lengths and positions are in units of the model (mm).
 class Viewport : public QOpenGLWidget {
   Q_OBJECT
  public:
@@ -35,8 +39,12 @@ class Viewport : public QOpenGLWidget {
   // The same model after an edit that touched these faces (added, removed, turned or with moved corners). Rebuilds only
   // the blocks concerned.
   void updateMesh(const HalfEdgeMesh& mesh, const std::vector<Face>& touched);
-  // Removes the model and every mark.
+  // Shows these parts, beside the mesh if there is one. Returns at once. A part whose soup is still the same object is
+  // moved, not built anew; one whose soup changed keeps its former shape until the new one has been built.
+  void setParts(const DisplayModel& model);
+  // Removes mesh, parts and every mark.
   void clear();
+  Box bounds() const;  // of mesh and parts
 
   void setLoops(std::vector<LoopMark> loops);
   void setFaceMarks(std::vector<FaceMark> marks);
@@ -44,12 +52,30 @@ class Viewport : public QOpenGLWidget {
   void setLineMarks(std::vector<LineMark> marks);
   // A translucent patch over the model, for what an operation would add. Empty removes it.
   void setPreview(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles);
-  // Draws this loop as under the cursor, for hovering in a list; -1 for none.
+  // Draws this loop or part as under the cursor, for hovering in a list; -1 and an empty name for none.
   void setHighlightedLoop(int id);
+  void setHighlightedPart(const std::string& name);
+
+  // Faces of the mesh that are selected, and those that a tool points out; until they are set anew.
+  void setSelectedFaces(std::vector<Face> faces);
+  void setHighlightedFaces(std::vector<Face> faces);
+  // What a tool proposes, translucent.
+  void setProposedParts(const std::vector<DisplayPart>& parts);
+  // Lines over everything: a lasso, a ruler.
+  void setPolylines(std::vector<std::vector<Vec3>> lines);
+  // A circle that follows the surface around its centre.
+  void setBrush(const std::optional<BrushCircle>& brush);
 
   void setShading(Shading shading);
   Shading shading() const;
   void setDarkTheme(bool dark);
+  // What lies beyond the plane is neither drawn nor picked. Its offsets across the model: clipOffsets(bounds(),
+  // normal).
+  void setClipPlane(const ClipPlane& plane);
+  const ClipPlane& clipPlane() const;
+  // In which the scale bar measures.
+  void setDisplayUnit(LengthUnit unit);
+  void setViewCubeVisible(bool visible);
 
   void setStandardView(StandardView view);  // whole model from this side, animated
   void fit();                               // whole model from the present side, animated
@@ -60,17 +86,33 @@ class Viewport : public QOpenGLWidget {
   void flyTo(const Box& box, const Vec3& outward);
   CameraState camera() const;  // where the camera is, or where its present flight will end
   void setCamera(const CameraState& camera);
+  // The same picture at the focus, under the other projection. It is a part of the camera's state: setCamera() may
+  // change it, too.
+  void setProjection(Projection projection);
+  Projection projection() const { return camera().projection; }
+
+  void setNavigationPreset(NavigationPreset preset);
+  NavigationPreset navigationPreset() const;
+  // Input and effect, translated: for the hint bar.
+  std::vector<std::pair<QString, QString>> navigationHints() const;
+  // The sink hears of the mouse before the camera does, and returns whether it wants the event for itself. What it
+  // takes as a press is its until that button is released: all moves, and the release. Of what the camera follows it
+  // hears nothing. Null for none.
+  void setPointerSink(std::function<bool(const PointerInput&)> sink);
 
   // The picture as shown, in device pixels. Waits until the whole model is uploaded.
   QImage grabImage();
-  // What is at this position of the widget. Nothing as long as the model's search structure is being built.
+  // What is at this position of the widget. Nothing as long as the search structure of the mesh is being built; no part
+  // whose own is.
   Pick pickAt(const QPointF& position) const;
   bool isPickingReady() const;
+  ViewRay rayAt(const QPointF& position) const;
 
   // Why nothing can be drawn, as a translated sentence; empty when all is well.
   QString graphicsProblem() const;
-  // How often a block of the mesh has been built since the construction; for tests of updateMesh.
+  // How often a block of the mesh or of a part has been built, and a frame drawn, since the construction; for tests.
   int blocksBuilt() const;
+  int framesDrawn() const;
 
   QSize sizeHint() const override;
 
@@ -84,6 +126,7 @@ class Viewport : public QOpenGLWidget {
  protected:
   void initializeGL() override;
   void resizeGL(int width, int height) override;
+  void resizeEvent(QResizeEvent* event) override;
   void paintGL() override;
   void showEvent(QShowEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;

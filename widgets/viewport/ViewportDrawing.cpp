@@ -16,6 +16,7 @@ namespace handwheel {
 namespace {
 
 constexpr double kUnevenFrameMs = 30.0;  // from here on, edges are not smoothed while the camera moves
+constexpr int kCubeMargin = 8;           // logical pixels to the corner of the view
 constexpr double kSlowFrameMs = 60.0;    // from here on, the stand-in follows the mouse instead of the model
 
 bool isUsable(const QOpenGLContext& context) {
@@ -43,8 +44,7 @@ void Viewport::prepareApplication() {
 QString Viewport::platformProblem() {
   if (QGuiApplication::platformName() == QLatin1String("xcb")) return {};
   return tr("The 3D view needs an X server, and this session runs on “%1”. Start the program in an X11 session, or in "
-            "a "
-            "Wayland session with Xwayland.")
+            "a Wayland session with Xwayland.")
       .arg(QGuiApplication::platformName());
 }
 
@@ -95,16 +95,27 @@ void Viewport::showEvent(QShowEvent* event) {
 
 void Viewport::resizeGL(int, int) {}
 
+void Viewport::resizeEvent(QResizeEvent* event) {
+  QOpenGLWidget::resizeEvent(event);
+  d->cube->move(width() - d->cube->width() - kCubeMargin, kCubeMargin);
+}
+
 void Viewport::paintGL() {
   if (!d->glWindow.isAttached()) return;
   d->draw();
-  QPainter painter(this);
-  paintOverlay(painter, size(), d->camera, d->scene.colours());
+  d->paintOver();
+}
+
+void Viewport::Private::paintOver() {
+  QPainter painter(q);
+  if (!polylines.empty()) paintLines(painter, navigation(), polylines, scene.colours());
+  if (!brushLine.empty()) paintLines(painter, navigation(), {brushLine}, scene.colours());
+  paintOverlay(painter, q->size(), camera, unit, scene.colours());
 }
 
 // While the camera moves, a slow display gives up first the smoothing of edges, then the fine triangles.
 void Viewport::Private::draw() {
-  const bool uploads = scene.blocks().takeOne();
+  const bool uploads = scene.takeGeometry();
   if (uploads) q->update();  // for the next block, or at last for an undisturbed frame
   const bool isReduced = isMoving() && fullFrameMs > kSlowFrameMs;
   scene.blocks().setReduced(isReduced);
@@ -119,6 +130,7 @@ void Viewport::Private::draw() {
   // Software rendering works on after the call returns.
   q->context()->functions()->glFinish();
   isSeen = true;
+  ++framesDrawn;
   if (isReduced || uploads) return;
   const double milliseconds = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
   fullFrameMs = isSmooth ? milliseconds : std::max(fullFrameMs, milliseconds);
@@ -126,7 +138,8 @@ void Viewport::Private::draw() {
 
 QImage Viewport::grabImage() {
   d->preparation.finishBlocks();
-  while (d->scene.blocks().takeOne()) {
+  d->partPreparation.finish();
+  while (d->scene.takeGeometry()) {
   }
   return grabFramebuffer();
 }

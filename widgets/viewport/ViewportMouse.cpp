@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kDragThreshold = 4.0;     // logical pixels; less is a click
 constexpr double kZoomPerDegree = 1.0119;  // a notch of 15° magnifies by 1.19
+constexpr double kZoomPerPixel = 1.006;    // by dragging: 115 pixels magnify by 2
 constexpr double kNearestZoom = 1e-5;      // height of the view over the model's diagonal
 constexpr double kFarthestZoom = 50.0;
 
@@ -21,13 +22,31 @@ Vec2 toVec2(const QPointF& p) {
 }
 
 bool isSame(const Pick& a, const Pick& b) {
-  return a.loop == b.loop && a.face == b.face;
+  return a.loop == b.loop && a.face == b.face && a.part == b.part;
+}
+
+Qt::CursorShape cursorOf(NavigationGesture gesture) {
+  switch (gesture) {
+    case NavigationGesture::Orbit:
+      return Qt::ClosedHandCursor;
+    case NavigationGesture::Pan:
+      return Qt::SizeAllCursor;
+    case NavigationGesture::Zoom:
+      return Qt::SizeVerCursor;
+    case NavigationGesture::None:
+      break;
+  }
+  return Qt::ArrowCursor;
 }
 
 }  // namespace
 
+Pickable Viewport::Private::pickable() const {
+  return {index.get(), scene.parts().pickable(), scene.loops(), scene.clipPlane()};
+}
+
 Pick Viewport::Private::pick(const Vec2& cursor) const {
-  return index ? handwheel::pickAt(*index, scene.loops(), navigation(), cursor) : Pick{};
+  return isIndexAwaited ? Pick{} : handwheel::pickAt(pickable(), navigation(), cursor);
 }
 
 // What is under the cursor stays there. On the background: what is in the middle of the view, else the model's middle.
@@ -35,41 +54,82 @@ Vec3 Viewport::Private::orbitPivot(const Pick& underCursor) const {
   if (!underCursor.isNothing()) return underCursor.point;
   const Pick middle = pick(size() / 2);
   if (!middle.isNothing()) return middle.point;
-  return scene.bounds().isEmpty() ? camera.centre : Vec3(scene.bounds().center());
+  const Box box = scene.bounds();
+  return box.isEmpty() ? camera.centre : Vec3(box.center());
+}
+
+bool Viewport::Private::offer(PointerInput::Kind kind, const QSinglePointEvent& event, double wheel) const {
+  return sink && sink({kind, event.position(), event.button(), event.buttons(), event.modifiers(), wheel});
 }
 
 void Viewport::Private::press(const QMouseEvent& event) {
-  if (button != Qt::NoButton) return;
-  flight.stop();
-  button = event.button();
-  pressed = last = toVec2(event.position());
-  const Pick under = pick(pressed);
-  const bool turns = button == Qt::MiddleButton ||
-                     (button == Qt::LeftButton && (under.isNothing() || (event.modifiers() & Qt::AltModifier)));
-  const bool pans =
-      button == Qt::RightButton || (button == Qt::MiddleButton && (event.modifiers() & Qt::ShiftModifier));
-  intended = pans ? Drag::Pan : turns ? Drag::Orbit : Drag::None;
-  if (intended == Drag::Orbit) pivot = orbitPivot(under);
+  isClick = !followed;
+  if (isClick) {
+    flight.stop();
+    pressed = last = toVec2(event.position());
+    const Pick under = pick(pressed);
+    isOnBackground = under.isNothing();
+    pivot = orbitPivot(under);
+  }
+  followed |= event.button();
+  intended = gestureFor(preset, followed, event.modifiers(), isOnBackground);
+  if (gesture != NavigationGesture::None) startGesture(intended);
+}
+
+void Viewport::Private::follow(const QMouseEvent& event) {
+  const Vec2 cursor = toVec2(event.position());
+  if (followed) return dragTo(cursor);
+  const bool isTaken = offer(PointerInput::Kind::Move, event);
+  if (isTaken || taken) return hover({});
+  if (!flight.isUnderWay()) hover(pick(cursor));
+}
+
+void Viewport::Private::release(const QMouseEvent& event) {
+  const Vec2 cursor = toVec2(event.position());
+  followed &= ~Qt::MouseButtons(event.button());
+  const bool wasClick = isClick && gesture == NavigationGesture::None;
+  isClick = false;
+  intended = gestureFor(preset, followed, event.modifiers(), isOnBackground);
+  if (gesture != NavigationGesture::None) startGesture(intended);
+  if (followed) return;
+  const Pick under = pick(cursor);
+  hover(under);
+  if (!wasClick || (cursor - pressed).norm() >= kDragThreshold || offer(PointerInput::Kind::Click, event)) return;
+  if (event.button() == Qt::LeftButton) emit q->clicked(under, event.modifiers());
+}
+
+void Viewport::Private::startGesture(NavigationGesture next) {
+  gesture = next;
+  next == NavigationGesture::None ? q->unsetCursor() : q->setCursor(cursorOf(next));
+  q->update();  // at rest, in full detail
 }
 
 void Viewport::Private::dragTo(const Vec2& cursor) {
-  if (drag == Drag::None && intended != Drag::None && (cursor - pressed).norm() >= kDragThreshold) {
-    drag = intended;
-    hover({});
-    q->setCursor(drag == Drag::Pan ? Qt::SizeAllCursor : Qt::ClosedHandCursor);
+  if (gesture == NavigationGesture::None && (cursor - pressed).norm() >= kDragThreshold) {
+    isClick = false;
+    if (intended != NavigationGesture::None) {
+      hover({});
+      startGesture(intended);
+    }
   }
-  if (drag == Drag::Orbit) moveTo(navigation().orbited(pivot, cursor - last));
-  if (drag == Drag::Pan) moveTo(navigation().panned(cursor - last));
+  const Vec2 delta = cursor - last;
   last = cursor;
+  if (gesture == NavigationGesture::Orbit) moveTo(navigation().orbited(pivot, delta));
+  if (gesture == NavigationGesture::Pan) moveTo(navigation().panned(delta, pivot));
+  if (gesture == NavigationGesture::Zoom) {
+    zoomAbout(isOnBackground ? navigation().fromScreen(pressed) : pivot, std::pow(kZoomPerPixel, -delta.y()));
+  }
 }
 
-void Viewport::Private::endDrag() {
-  button = Qt::NoButton;
-  intended = Drag::None;
-  if (drag == Drag::None) return;
-  drag = Drag::None;
-  q->unsetCursor();
-  q->update();  // in full detail
+void Viewport::Private::zoomAbout(const Vec3& fixed, double factor) {
+  const Box box = scene.bounds();
+  const double diagonal = box.isEmpty() ? 1.0 : box.diagonal().norm();
+  const double height = camera.height;
+  // The limits never pull back a camera that something else has placed beyond them.
+  const double nearest = std::min(height, kNearestZoom * diagonal),
+               farthest = std::max(height, kFarthestZoom * diagonal);
+  const double goal = std::clamp(height / factor, nearest, farthest);
+  moveTo(navigation().zoomedAbout(fixed, height / goal));
 }
 
 void Viewport::Private::hover(const Pick& pick) {
@@ -77,56 +137,72 @@ void Viewport::Private::hover(const Pick& pick) {
   if (!isNew && pick.isNothing()) return;
   hovered = pick;
   if (isNew) {
-    scene.marks().setHovered(listLoop, hovered.loop, hovered.face);
-    if (drag == Drag::None) hovered.loop >= 0 ? q->setCursor(Qt::PointingHandCursor) : q->unsetCursor();
-    q->update();
+    highlight();
+    if (gesture == NavigationGesture::None) hovered.loop >= 0 ? q->setCursor(Qt::PointingHandCursor) : q->unsetCursor();
   }
   emit q->hovered(hovered);
 }
 
+void Viewport::Private::highlight() {
+  scene.marks().setHovered(listLoop, hovered.loop, hovered.face);
+  scene.parts().setHighlighted(listPart, hovered.part);
+  q->update();
+}
+
+void Viewport::setPointerSink(std::function<bool(const PointerInput&)> sink) {
+  d->sink = std::move(sink);
+  d->taken = {};
+}
+
 void Viewport::mousePressEvent(QMouseEvent* event) {
-  d->press(*event);
+  if (d->offer(PointerInput::Kind::Press, *event)) {
+    d->taken |= event->button();
+  } else {
+    d->press(*event);
+  }
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
-  const Vec2 cursor = toVec2(event->position());
-  if (d->button != Qt::NoButton) return d->dragTo(cursor);
-  if (!d->flight.isUnderWay()) d->hover(d->pick(cursor));
+  d->follow(*event);
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
-  if (event->button() != d->button) return;
-  const Vec2 cursor = toVec2(event->position());
-  const bool isClick = d->button == Qt::LeftButton && (cursor - d->pressed).norm() < kDragThreshold;
-  const bool wasDragged = d->drag != Drag::None;
-  d->endDrag();
-  const Pick pick = d->pick(cursor);
-  d->hover(pick);
-  if (isClick && !wasDragged) emit clicked(pick, event->modifiers());
+  if (d->taken & event->button()) {
+    d->taken &= ~Qt::MouseButtons(event->button());
+    d->offer(PointerInput::Kind::Release, *event);
+  } else if (d->followed & event->button()) {
+    d->release(*event);
+  }
 }
 
 void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
-  // Its release is not to count as a click again: no button is being followed.
-  if (event->button() == Qt::LeftButton) emit doubleClicked(d->pick(toVec2(event->position())));
+  if (d->offer(PointerInput::Kind::DoubleClick, *event)) {
+    d->taken |= event->button();
+  } else if (event->button() != Qt::LeftButton) {
+    d->press(*event);  // the camera is often taken hold of twice in a row
+  } else {
+    // Its release is not to count as a click again: the button is not followed.
+    emit doubleClicked(d->pick(toVec2(event->position())));
+  }
 }
 
 void Viewport::wheelEvent(QWheelEvent* event) {
   const double degrees = event->angleDelta().y() / 8.0;
   if (degrees == 0) return;
-  d->flight.stop();
-  const double diagonal = d->scene.bounds().isEmpty() ? 1.0 : d->scene.bounds().diagonal().norm();
-  const double height = d->camera.height;
-  // The limits never pull back a camera that something else has placed beyond them.
-  const double nearest = std::min(height, kNearestZoom * diagonal),
-               farthest = std::max(height, kFarthestZoom * diagonal);
-  const double goal = std::clamp(height / std::pow(kZoomPerDegree, degrees), nearest, farthest);
-  d->rest.start();
-  d->moveTo(d->navigation().zoomedAt(toVec2(event->position()), height / goal));
   event->accept();
+  if (d->offer(PointerInput::Kind::Wheel, *event, degrees)) return;
+  d->flight.stop();
+  d->rest.start();
+  const Vec2 cursor = toVec2(event->position());
+  const Pick under = d->pick(cursor);
+  const double enlarging = wheelAwayEnlarges(d->preset) ? degrees : -degrees;
+  d->zoomAbout(under.isNothing() ? d->navigation().fromScreen(cursor) : under.point,
+               std::pow(kZoomPerDegree, enlarging));
 }
 
 void Viewport::leaveEvent(QEvent* event) {
   QOpenGLWidget::leaveEvent(event);
+  if (d->sink) d->sink({PointerInput::Kind::Leave, {}, Qt::NoButton, {}, {}, 0.0});
   d->hover({});
 }
 

@@ -5,16 +5,17 @@
 #include "viewport/CameraFlight.h"
 #include "viewport/GlWindow.h"
 #include "viewport/MeshPreparation.h"
+#include "viewport/PartPreparation.h"
 #include "viewport/Scene.h"
+#include "viewport/ViewCube.h"
 #include "viewport/Viewport.h"
 
 #include <QTimer>
 #include <optional>
 
-namespace handwheel {
+class QSinglePointEvent;
 
-// What a held mouse button does.
-enum class Drag { None, Orbit, Pan };
+namespace handwheel {
 
 // What the widget is made of; shared by the files that draw and that listen to the mouse.
 class Viewport::Private {
@@ -27,23 +28,36 @@ class Viewport::Private {
   void moveTo(const CameraState& state);
   void flyTo(const CameraState& goal);
   void fitFrom(const Eigen::Quaterniond& orientation);
+  void lookFrom(const CubeRegion& region);
   const CameraState& goal() const { return flight.isUnderWay() ? flight.goal() : camera; }
 
   // Drawing
   void report(const QString& problem);
   void detachGl();
   void draw();
-  bool isMoving() const { return drag != Drag::None || flight.isUnderWay() || rest.isActive(); }
+  void paintOver();
+  bool isMoving() const { return gesture != NavigationGesture::None || flight.isUnderWay() || rest.isActive(); }
   std::vector<std::size_t> blocksAround(const HalfEdgeMesh& before, const HalfEdgeMesh& after,
                                         const std::vector<Face>& touched) const;
 
+  // Parts
+  void requestShapes();
+  void takeShape(const PartPreparation::Soup& soup, PartShape shape);
+
   // Mouse
+  bool offer(PointerInput::Kind kind, const QSinglePointEvent& event, double wheel = 0.0) const;
   void press(const QMouseEvent& event);
+  void follow(const QMouseEvent& event);
+  void release(const QMouseEvent& event);
+  void startGesture(NavigationGesture next);
   void dragTo(const Vec2& cursor);
-  void endDrag();
+  void zoomAbout(const Vec3& fixed, double factor);
   void hover(const Pick& pick);
+  Pickable pickable() const;
   Pick pick(const Vec2& cursor) const;
   Vec3 orbitPivot(const Pick& underCursor) const;
+  void highlight();
+  void connectCube();
 
   Viewport* q;
   Scene scene;
@@ -52,22 +66,36 @@ class Viewport::Private {
   std::optional<CameraState> fitted;  // where the camera was last sent to see the whole model
   CameraFlight flight;
   MeshPreparation::Index index;
+  bool isIndexAwaited = false;
   MeshPreparation preparation;
+  PartPreparation partPreparation;
   Shading shading = Shading::Shaded;
   QString problem;
   bool isSeen = false;       // a frame of this model was drawn; before, the camera leaps instead of flying
   int covered = 0;           // pixels at the lower edge
   double fullFrameMs = 0.0;  // what a frame in full detail took last
-  QTimer rest;               // runs while the wheel turns
+  int framesDrawn = 0;
+  QTimer rest;  // runs while the wheel turns
 
-  Qt::MouseButton button = Qt::NoButton;  // held since the press that is being followed
-  Drag intended = Drag::None;             // what the button does once the mouse has moved far enough
-  Drag drag = Drag::None;
+  NavigationPreset preset = NavigationPreset::Handwheel;
+  std::function<bool(const PointerInput&)> sink;
+  Qt::MouseButtons taken;     // held, of those whose press the sink took
+  Qt::MouseButtons followed;  // held, of the others
+  bool isClick = false;       // what the mouse does may still become a click
+  bool isOnBackground = false;
+  NavigationGesture intended = NavigationGesture::None;  // once the mouse has moved far enough
+  NavigationGesture gesture = NavigationGesture::None;
   Vec2 pressed = Vec2::Zero();
   Vec2 last = Vec2::Zero();
   Vec3 pivot = Vec3::Zero();
   Pick hovered;
   int listLoop = -1;
+  std::string listPart;
+
+  ViewCube* cube;
+  LengthUnit unit = LengthUnit::Millimetre;
+  std::vector<std::vector<Vec3>> polylines;
+  std::vector<Vec3> brushLine;
 };
 
 }  // namespace handwheel

@@ -6,6 +6,7 @@
 #include "document/formats/OffHeader.h"
 #include "document/formats/StlReader.h"
 #include "document/formats/TextScanner.h"
+#include "document/formats/ThreeMfReader.h"
 
 namespace handwheel {
 
@@ -37,6 +38,7 @@ Result<MeshFormat> detectFormat(std::string_view bytes, std::string_view name) {
   if (bytes.empty()) return Error{ErrorCode::FileEmpty, {}, {}, {}};
   if (looksLikePly(bytes)) return MeshFormat::Ply;
   if (isWholeBinaryStl(bytes)) return MeshFormat::Stl;
+  if (looksLikeThreeMf(bytes)) return MeshFormat::ThreeMf;
   const auto named = formatForName(name);
   if (const auto wide = wideEncoding(bytes); !wide.empty() && named != MeshFormat::Stl)
     return Error{ErrorCode::TextEncoding, {std::string(wide)}, {}, {}};

@@ -32,7 +32,7 @@ MeshAssembly::MeshAssembly(MeshFormat format, const ReadOptions& options, Progre
 
 bool MeshAssembly::look(std::uint64_t byte) {
   m_nextLook = byte + kBytesPerLook;
-  m_progress.set(static_cast<double>(byte) / static_cast<double>(std::max<std::uint64_t>(m_bytes, 1)));
+  m_progress.set(std::min(1.0, static_cast<double>(byte) / static_cast<double>(std::max<std::uint64_t>(m_bytes, 1))));
   return !cancelled();
 }
 

@@ -25,6 +25,9 @@ class MeshAssembly {
   MeshAssembly(const MeshAssembly&) = delete;
   MeshAssembly& operator=(const MeshAssembly&) = delete;
 
+  // How many bytes there will be, where that is known only later.
+  void expect(std::uint64_t bytes) { m_bytes = bytes; }
+
   TriangleSoup& soup() { return m_file.soup; }
   std::size_t pointCount() const { return m_file.soup.points.size(); }
 

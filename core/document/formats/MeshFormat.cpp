@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/formats/MeshFormat.h"
 
+#include "document/FileBytes.h"
 #include "document/formats/FormatDetection.h"
 #include "document/formats/MeshWriter.h"
 #include "document/formats/ObjReader.h"
@@ -9,14 +10,11 @@
 #include "document/formats/PlyReader.h"
 #include "document/formats/StlReader.h"
 #include "document/formats/TextNumber.h"
+#include "document/formats/ThreeMfReader.h"
+#include "document/formats/ThreeMfWriter.h"
 
-#include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <memory>
 #include <new>
 #include <stdexcept>
-#include <system_error>
 
 namespace handwheel {
 
@@ -30,46 +28,12 @@ Result<MeshFile> readAs(MeshFormat format, std::string_view bytes, const ReadOpt
       return readPly(bytes, options, progress);
     case MeshFormat::Obj:
       return readObj(bytes, options, progress);
+    case MeshFormat::ThreeMf:
+      return readThreeMf(bytes, options, progress);
     case MeshFormat::Off:
       break;
   }
   return readOff(bytes, options, progress);
-}
-
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-
-Error unreadable(int number) {
-  return {ErrorCode::FileUnreadable, {std::generic_category().message(number)}, {}, {}};
-}
-
-// In blocks, for progress and cancellation. Not memory-mapped: another program that cuts the file would kill us.
-Result<std::string> readAll(const std::filesystem::path& path, Progress progress) {
-  std::error_code failed;
-  const auto status = std::filesystem::status(path, failed);
-  if (std::filesystem::is_directory(status)) return unreadable(EISDIR);
-  // A device or a pipe may never end.
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-    return Error{ErrorCode::FileUnreadable, {"Not a regular file"}, {}, {}};
-  const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
-  if (!file && errno == ENOENT) return Error{ErrorCode::FileMissing, {}, {}, {}};
-  if (!file) return unreadable(errno);
-  constexpr std::size_t kBlock = std::size_t{4} << 20;
-  const auto expected = std::filesystem::file_size(path, failed);
-  std::string bytes;
-  if (!failed) bytes.reserve(static_cast<std::size_t>(expected) + kBlock);
-  for (;;) {
-    if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-    const std::size_t before = bytes.size();
-    bytes.resize(before + kBlock);
-    const std::size_t got = std::fread(bytes.data() + before, 1, kBlock, file.get());
-    bytes.resize(before + got);
-    if (std::ferror(file.get())) return unreadable(errno);
-    if (got < kBlock) return bytes;
-    if (!failed && expected > 0)
-      progress.set(std::min(1.0, static_cast<double>(bytes.size()) / static_cast<double>(expected)));
-  }
 }
 
 Error outOfMemory() {
@@ -94,7 +58,7 @@ Result<MeshFile> readMesh(std::string_view bytes, std::string_view nameHint, con
 Result<MeshFile> readMeshFile(const std::filesystem::path& path, const ReadOptions& options, Progress progress) {
   const auto read = [&]() -> Result<MeshFile> {
     try {
-      const Result<std::string> bytes = readAll(path, progress.part(0.0, 0.2));
+      const Result<std::string> bytes = readFileBytes(path, progress.part(0.0, 0.2));
       if (!bytes) return bytes.error();
       return readMesh(*bytes, path.filename().string(), options, progress.part(0.2, 1.0));
     } catch (const std::bad_alloc&) {
@@ -118,6 +82,7 @@ std::optional<MeshFormat> formatForName(std::string_view name) {
   if (equalsIgnoringCase(extension, "ply")) return MeshFormat::Ply;
   if (equalsIgnoringCase(extension, "obj")) return MeshFormat::Obj;
   if (equalsIgnoringCase(extension, "off")) return MeshFormat::Off;
+  if (equalsIgnoringCase(extension, "3mf")) return MeshFormat::ThreeMf;
   return {};
 }
 
@@ -133,6 +98,8 @@ std::string writeMesh(const TriangleSoup& soup, MeshFormat format, NumberType nu
       return writePly(soup, numbers);
     case MeshFormat::Obj:
       return writeObj(soup, numbers);
+    case MeshFormat::ThreeMf:
+      return writeThreeMf(soup, numbers);
     case MeshFormat::Off:
       break;
   }

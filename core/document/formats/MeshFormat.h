@@ -15,7 +15,7 @@
 
 namespace handwheel {
 
-enum class MeshFormat { Stl, Ply, Obj, Off };
+enum class MeshFormat { Stl, Ply, Obj, Off, ThreeMf };
 
 // What a file holds that the mesh does not keep; named for the user ("vertex colour", "texture coordinates").
 enum class LostAttribute { Colour, Normals, TextureCoordinates, Materials, Groups, Lines, Points, Curves, Other };
@@ -46,7 +46,7 @@ std::optional<MeshFormat> formatForName(std::string_view name);
 NumberType numberTypeOf(MeshFormat format, NumberType documentNumbers);
 
 // The bytes of a file of this format. STL and PLY are binary little-endian; text holds the shortest digits that read
-// back to the same number.
+// back to the same number. 3MF is in millimetres.
 std::string writeMesh(const TriangleSoup& soup, MeshFormat format, NumberType numbers);
 
 }  // namespace handwheel

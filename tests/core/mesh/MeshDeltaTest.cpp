@@ -70,6 +70,7 @@ class MeshDeltaTest : public QObject {
   void chainOfEdits();
   void touchedFaces();
   void sizeGrowsWithTheChange();
+  void runs();
   void snapshotsStayAsTheyWere();
 };
 
@@ -93,7 +94,7 @@ void MeshDeltaTest::undoAndRedo() {
     HalfEdgeMesh after = before;
     for (int n = *rc::gen::inRange(0, 300); n > 0; --n) change(after, random);
     if (*rc::gen::arbitrary<bool>()) std::swap(before, after);  // a change that shrinks the mesh
-    MeshDelta delta = MeshDelta::between(before, after);
+    MeshDelta delta = MeshDelta::between(before, after, *rc::gen::element<std::size_t>(1, 2, 7, 64, 4096, 100'000));
     HalfEdgeMesh mesh = before;
     for (int round = 0; round < 2; ++round) {
       delta.swap(mesh);
@@ -133,7 +134,7 @@ void MeshDeltaTest::touchedFaces() {
     const HalfEdgeMesh before = buildMesh(test::torus(8, 6)).mesh;
     HalfEdgeMesh after = before;
     for (int n = *rc::gen::inRange(0, 20); n > 0; --n) change(after, random);
-    MeshDelta delta = MeshDelta::between(before, after);
+    MeshDelta delta = MeshDelta::between(before, after, *rc::gen::element<std::size_t>(1, 16, 4096));
     HalfEdgeMesh mesh = before;
     const std::set<Face> wanted = changedLooks(before, after);
     for (int round = 0; round < 2; ++round) {
@@ -158,6 +159,18 @@ void MeshDeltaTest::sizeGrowsWithTheChange() {
   QVERIFY(of10 < sizeof(MeshDelta) + 10 * 128);
   QVERIFY(of1000 > 1000 * sizeof(Vec3));
   QVERIFY(of1000 < sizeof(MeshDelta) + 1000 * 128);
+}
+
+// Every hundredth of 1000 vertices moved. In runs of 1: a number and a place each; in longer ones the neighbours too.
+void MeshDeltaTest::runs() {
+  HalfEdgeMesh after = sphere();
+  for (Vertex v = 0; v < 1000; v += 100) after.setPosition(v, Vec3(v, 1, 2));
+  const auto bytesIn = [&](std::size_t run) { return MeshDelta::between(sphere(), after, run).bytes(); };
+  const std::size_t single = bytesIn(1);
+  QCOMPARE(single, sizeof(MeshDelta) + 10 * (sizeof(std::uint32_t) + sizeof(Vec3)));
+  QCOMPARE(bytesIn(10), sizeof(MeshDelta) + 10 * (sizeof(std::uint32_t) + 10 * sizeof(Vec3)));
+  QCOMPARE(bytesIn(1000), sizeof(MeshDelta) + sizeof(std::uint32_t) + 1000 * sizeof(Vec3));
+  QCOMPARE(bytesIn(1'000'000), sizeof(MeshDelta) + sizeof(std::uint32_t) + 4096 * sizeof(Vec3));  // a page at most
 }
 
 void MeshDeltaTest::snapshotsStayAsTheyWere() {

@@ -27,6 +27,18 @@ CameraState anyCamera() {
   return c;
 }
 
+// Both projections, one after the other.
+CameraState anyCameraOfBoth() {
+  CameraState c = anyCamera();
+  c.projection = *rc::gen::element(Projection::Parallel, Projection::Perspective);
+  return c;
+}
+
+// A point that the camera sees: about the focus, and before the eye.
+Vec3 anyPointBefore(const CameraState& c) {
+  return c.centre + c.orientation * Vec3(number(1), number(1), number(1)) * c.height;
+}
+
 }  // namespace
 
 class CameraNavigationTest : public QObject {
@@ -58,16 +70,96 @@ class CameraNavigationTest : public QObject {
 
   void fromScreenInvertsToScreen() {
     QVERIFY(rc::check([] {
-      const CameraNavigation view(anyCamera(), kSize);
+      const CameraNavigation view(anyCameraOfBoth(), kSize);
       const Vec2 s(number(1000), number(1000));
       RC_ASSERT((view.toScreen(view.fromScreen(s)) - s).norm() < 1e-6);
     }));
   }
 
+  // Every point of the line of sight through s appears at s, and lies before the eye or the model.
+  void rayRunsThroughWhatAppearsThere() {
+    QVERIFY(rc::check([] {
+      const CameraState c = anyCameraOfBoth();
+      const CameraNavigation view(c, kSize);
+      const Box box(anyPoint().cwiseMin(c.centre), anyPoint().cwiseMax(c.centre));
+      const Vec3 p = anyPointBefore(c);
+      const ViewRay ray = view.rayAt(view.toScreen(p), Box(box).extend(p));
+      const double along = (p - ray.origin).dot(ray.direction);
+      RC_ASSERT(along > 0);
+      RC_ASSERT((ray.origin + along * ray.direction - p).norm() < 1e-9 * along);
+      RC_ASSERT(std::abs(ray.direction.norm() - 1) < 1e-12);
+      RC_ASSERT(ray.eye.has_value() == view.isPerspective());
+      if (ray.eye) RC_ASSERT((*ray.eye - c.eye()).norm() == 0.0);
+      RC_ASSERT(ray.pixel == c.height / kSize.y());
+    }));
+  }
+
+  // Similar triangles: at half the distance to the eye everything is twice as large.
+  void perspectiveShrinksWithTheDistance() {
+    CameraState c;
+    c.height = 60;
+    c.projection = Projection::Perspective;
+    const CameraNavigation view(c, kSize);
+    const double distance = 30 / std::tan(15 * kRadiansPerDegree);
+    QVERIFY((c.eye() - Vec3(0, 0, distance)).norm() < 1e-12);
+    QVERIFY((view.toScreen({1, 0, 0}) - Vec2(410, 300)).norm() < 1e-9);
+    QVERIFY((view.toScreen({1, 0, distance / 2}) - Vec2(420, 300)).norm() < 1e-9);
+    QVERIFY((view.toScreen({1, 0, -distance}) - Vec2(405, 300)).norm() < 1e-9);
+    QVERIFY(view.isBeforeEye({0, 0, distance / 2}));
+    QVERIFY(!view.isBeforeEye({0, 0, distance}));
+    QVERIFY(!view.isBeforeEye({0, 0, 2 * distance}));
+  }
+
+  void switchingTheProjectionKeepsTheFocalPlane() {
+    QVERIFY(rc::check([] {
+      CameraState c = anyCamera();
+      const Vec3 p = c.centre + c.orientation * Vec3(number(1), number(1), 0) * c.height;
+      const Vec2 parallel = CameraNavigation(c, kSize).toScreen(p);
+      c.projection = Projection::Perspective;
+      RC_ASSERT((CameraNavigation(c, kSize).toScreen(p) - parallel).norm() < 1e-6);
+    }));
+  }
+
+  // Whatever the size of the model, and however far away it stands: all of it is drawn but what is next to the eye, and
+  // the depth buffer's 24 bits still tell a hundredth of the view's height apart at the focus.
+  void depthRangeHoldsTheModel_data() {
+    QTest::addColumn<double>("size");
+    QTest::addColumn<double>("offset");
+    for (const double size : {1e-6, 1.0, 1e6}) {
+      for (const double offset : {0.0, 1e7}) QTest::addRow("%g at %g", size, offset) << size << offset;
+    }
+  }
+
+  void depthRangeHoldsTheModel() {
+    QFETCH(double, size);
+    QFETCH(double, offset);
+    if (offset / size > 1e12) QSKIP("double precision itself cannot hold it");
+    QVERIFY(rc::check([&] {
+      const Box box(Vec3(offset, -offset, offset), Vec3(offset, -offset, offset) + Vec3(size, size / 3, size / 7));
+      CameraState c = anyCameraOfBoth();
+      c.centre = box.center() + anyPoint() / 100 * size;
+      c.height = size * std::pow(10.0, number(4) - 2);
+      const CameraNavigation view(c, kSize);
+      const Viewpoint v = view.viewpoint(box);
+      RC_ASSERT(v.nearest > 0);
+      RC_ASSERT(v.farthest > v.nearest);
+      for (const Vec3& corner : cornersOf(box)) {
+        const double distance = (v.position - corner).dot(c.towardsViewer());
+        RC_ASSERT(distance <= v.farthest);
+        RC_ASSERT(distance >= v.nearest || (view.isPerspective() && v.nearest <= 0.05 * c.eyeDistance()));
+      }
+      const double focus = view.isPerspective() ? c.eyeDistance() : (v.position - c.centre).dot(c.towardsViewer());
+      if (view.isPerspective() && focus > v.nearest) {
+        const double step = focus * focus / v.nearest * (1 - v.nearest / v.farthest) / (1 << 24);
+        RC_ASSERT(step < c.height / 100);
+      }
+    }));
+  }
+
   void orbitKeepsThePivotInPlace() {
     QVERIFY(rc::check([] {
-      const CameraState c = anyCamera();
-      const Vec3 pivot = anyPoint();
+      const CameraState c = anyCameraOfBoth();
+      const Vec3 pivot = anyPointBefore(c);
       const CameraState turned = CameraNavigation(c, kSize).orbited(pivot, {number(300), number(300)});
       const Vec2 before = CameraNavigation(c, kSize).toScreen(pivot),
                  after = CameraNavigation(turned, kSize).toScreen(pivot);
@@ -85,6 +177,17 @@ class CameraNavigationTest : public QObject {
     QVERIFY(CameraNavigation(tilted, kSize).toScreen(front).y() > view.toScreen(front).y());
   }
 
+  void panTakesTheGrabbedPointAlong() {
+    QVERIFY(rc::check([] {
+      const CameraState c = anyCameraOfBoth();
+      const Vec2 delta(number(300), number(300));
+      const Vec3 p = anyPointBefore(c);
+      const CameraState panned = CameraNavigation(c, kSize).panned(delta, p);
+      const Vec2 moved = CameraNavigation(panned, kSize).toScreen(p) - CameraNavigation(c, kSize).toScreen(p);
+      RC_ASSERT((moved - delta).norm() < 1e-6);
+    }));
+  }
+
   void panMovesEverythingWithTheCursor() {
     QVERIFY(rc::check([] {
       const CameraState c = anyCamera();
@@ -98,13 +201,79 @@ class CameraNavigationTest : public QObject {
 
   void zoomKeepsWhatIsUnderTheCursor() {
     QVERIFY(rc::check([] {
-      const CameraState c = anyCamera();
+      const CameraState c = anyCameraOfBoth();
       const Vec2 cursor(number(400) + 400, number(300) + 300);
       const Vec3 p = CameraNavigation(c, kSize).fromScreen(cursor);
       const CameraState zoomed = CameraNavigation(c, kSize).zoomedAt(cursor, 2.5);
       RC_ASSERT((CameraNavigation(zoomed, kSize).toScreen(p) - cursor).norm() < 1e-6);
       RC_ASSERT(std::abs(zoomed.height * 2.5 - c.height) < 1e-9);
     }));
+  }
+
+  void zoomAboutAPointKeepsItThere() {
+    QVERIFY(rc::check([] {
+      const CameraState c = anyCameraOfBoth();
+      const Vec3 p = anyPointBefore(c);
+      const CameraState zoomed = CameraNavigation(c, kSize).zoomedAbout(p, 2.5);
+      const CameraNavigation before(c, kSize), after(zoomed, kSize);
+      RC_ASSERT((after.toScreen(p) - before.toScreen(p)).norm() < 1e-6);
+      RC_ASSERT(std::abs(after.unitsPerPixelAt(p) * 2.5 - before.unitsPerPixelAt(p)) < 1e-9);
+    }));
+  }
+
+  // All points within the share of the free part of the view, and at least two opposite sides of it touched.
+  void perspectiveFitShowsAllAndIsTight() {
+    QVERIFY(rc::check([] {
+      std::vector<Vec3> points;
+      for (int i = 0; i < 20; ++i) points.push_back(anyPoint());
+      points.push_back(points[0] + Vec3::Ones());  // never all the same
+      CameraState c = anyCamera();
+      c.projection = Projection::Perspective;
+      const double covered = *rc::gen::element(0.0, kSize.y() / 4);
+      const CameraNavigation view(CameraNavigation(c, kSize).fitted(points, 0.5, covered), kSize);
+      const Vec2 free = kSize - Vec2(0, covered);
+      Vec2 low = kSize, high = Vec2::Zero();
+      for (const Vec3& p : points) {
+        RC_ASSERT(view.isBeforeEye(p));
+        low = low.cwiseMin(view.toScreen(p));
+        high = high.cwiseMax(view.toScreen(p));
+      }
+      const Vec2 reach = (low - free / 2).cwiseAbs().cwiseMax((high - free / 2).cwiseAbs()).cwiseQuotient(free / 2);
+      RC_ASSERT(reach.maxCoeff() < 0.5 + 1e-9);
+      const Vec2 share = (high - low).cwiseQuotient(free);
+      RC_ASSERT(std::abs(share.maxCoeff() - 0.5) < 1e-9);
+    }));
+  }
+
+  void perspectiveFitOfDegeneratePoints() {
+    CameraState c;
+    c.projection = Projection::Perspective;
+    const Vec3 p(3, 4, 5);
+    const CameraNavigation one(CameraNavigation(c, kSize).fitted(std::array{p, p}, 0.5), kSize);
+    QVERIFY((one.toScreen(p) - kSize / 2).norm() < 1e-9);
+    QVERIFY(one.camera().height > 0);
+    const std::array along{p, Vec3(3, 4, 9)};  // one behind the other
+    const CameraNavigation line(CameraNavigation(c, kSize).fitted(along, 0.5), kSize);
+    for (const Vec3& q : along) {
+      QVERIFY(line.isBeforeEye(q));
+      QVERIFY((line.toScreen(q) - kSize / 2).norm() < 1e-9);
+    }
+  }
+
+  void uprightViewsLookAlongTheirDirection() {
+    QVERIFY(rc::check([] {
+      const Vec3 outward = anyPoint() + Vec3(0.01, 0.02, 0.03);
+      const Eigen::Quaterniond q = uprightTowards(outward);
+      RC_ASSERT((q * Vec3::UnitZ() - outward.normalized()).norm() < 1e-9);
+      RC_ASSERT(std::abs((q * Vec3::UnitX()).z()) < 1e-9);  // the horizon is level
+      RC_ASSERT((q * Vec3::UnitY()).z() > 0);
+    }));
+    for (const StandardView v : {StandardView::Front, StandardView::Back, StandardView::Left, StandardView::Right,
+                                 StandardView::Top, StandardView::Bottom, StandardView::Isometric}) {
+      const Eigen::Quaterniond q = orientationOf(v);
+      QVERIFY(uprightTowards(3 * (q * Vec3::UnitZ())).angularDistance(q) < 1e-9);
+    }
+    QVERIFY(uprightTowards(Vec3::Zero()).angularDistance(orientationOf(StandardView::Isometric)) < 1e-12);
   }
 
   void fittedShowsAllAndFillsTheShare() {

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ShapeModels.h"
 #include "SheetModel.h"
 #include "mesh/MeshBuilder.h"
 #include "viewport/Snapshot.h"
@@ -40,6 +41,51 @@ class SnapshotTest : public QObject {
     for (const QPoint& corner : {QPoint(0, 0), QPoint(200, 20), QPoint(20, 150), QPoint(380, 150), QPoint(200, 280)}) {
       QCOMPARE(a.pixelColor(corner), b.pixelColor(corner));
     }
+  }
+
+  // A red box above, a green one before: from the top and from the front they stand in each other's way, so that the
+  // colour in the middle tells from where the picture was taken.
+  void pictureOfParts() {
+    if (qEnvironmentVariableIsEmpty("DISPLAY")) QSKIP("DISPLAY is not set: nothing can be rendered");
+    const QTemporaryDir folder;
+    const auto box = shared(boxSoup({2, 2, 2}, {-1, -1, -1}));
+    DisplayModel model{{{"high", box, Pose::Identity(), {0.9f, 0.1f, 0.1f}},
+                        {"front", box, Pose::Identity(), {0.1f, 0.8f, 0.1f}},
+                        {"middle", box}}};
+    model.parts[0].pose.translation().z() = 2.5;
+    model.parts[1].pose.translation().y() = -2.5;
+    const auto colourFrom = [&](const Vec3& outward, int x, int y) {
+      const QString png = folder.filePath("parts.png");
+      const Status drawn = renderToFile(model, png.toStdString(), 400, 300, outward);
+      return drawn ? QImage(png).pixelColor(x, y) : QColor();
+    };
+    // Along z the picture spans y from -3.5 to 1: the red box covers its upper end. Likewise from the front.
+    QVERIFY(colourFrom(Vec3(0, 0, 5), 200, 80).red() > 100);
+    QVERIFY(colourFrom(Vec3(0, 0, 5), 200, 80).green() < 80);
+    QVERIFY(colourFrom(Vec3(0, 0, 5), 200, 230).green() > 100);
+    QVERIFY(colourFrom(-Vec3::UnitY(), 200, 230).green() > 100);
+    QVERIFY(colourFrom(-Vec3::UnitY(), 200, 80).red() > 100);
+    const QColor behind = colourFrom(Vec3::UnitY(), 200, 230);
+    QVERIFY(std::abs(behind.red() - behind.green()) < 20);  // the grey one hides the green one
+  }
+
+  // The triad at the lower left and the scale bar at the lower right, without an application object that has fonts.
+  void pictureHasAxesAndScale() {
+    if (qEnvironmentVariableIsEmpty("DISPLAY")) QSKIP("DISPLAY is not set: nothing can be rendered");
+    const QTemporaryDir folder;
+    const QString png = folder.filePath("axes.png");
+    QVERIFY(renderToFile({{{"box", shared(boxSoup({1, 1, 1}))}}}, png.toStdString(), 600, 400).hasValue());
+    const QImage image(png);
+    for (const QColor& axis : {QColor(0xe0, 0x4b, 0x43), QColor(0x4c, 0xa8, 0x4f), QColor(0x3f, 0x7f, 0xe0)}) {
+      QVERIFY(pixelsNear(image.copy(0, 280, 120, 120), axis) > 30);
+    }
+    // The bar is a dark line between two ticks, 16 pixels above the lower edge.
+    int longest = 0, run = 0;
+    for (int x = 400; x < 600; ++x) {
+      run = qGray(image.pixel(x, 383)) < 130 ? run + 1 : 0;
+      longest = std::max(longest, run);
+    }
+    QVERIFY(longest > 60 && longest <= 161);
   }
 
   void pictureWithoutDisplayIsAnError() {

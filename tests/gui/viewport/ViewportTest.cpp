@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "DisplayTestMain.h"
+#include "ShapeModels.h"
 #include "SheetModel.h"
 #include "mesh/MeshBuilder.h"
 #include "viewport/CameraNavigation.h"
-#include "viewport/Viewport.h"
 
-#include <QApplication>
 #include <QSignalSpy>
 #include <QVBoxLayout>
-#include <QtTest>
 
 using namespace handwheel;
 
@@ -28,10 +27,8 @@ QPointF onScreen(double x, double y) {
 
 }  // namespace
 
-class ViewportTest : public QObject {
+class ViewportTest : public ViewportFixture {
   Q_OBJECT
-
-  std::unique_ptr<Viewport> m_view;
 
   void showSheet(int cells = kCells) {
     m_view->setMesh(buildMesh(sheet(cells)).mesh);
@@ -40,25 +37,6 @@ class ViewportTest : public QObject {
   }
 
  private slots:
-  void initTestCase() {
-    qRegisterMetaType<handwheel::Pick>();
-    Viewport probe;
-    probe.resize(200, 150);
-    probe.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&probe));
-    QTRY_VERIFY(probe.isValid() || !probe.graphicsProblem().isEmpty());
-    if (!probe.graphicsProblem().isEmpty()) QSKIP("the display offers no GLX");
-  }
-
-  void init() {
-    m_view = std::make_unique<Viewport>();
-    m_view->resize(600, 500);
-    m_view->show();
-    QVERIFY(QTest::qWaitForWindowExposed(m_view.get()));
-  }
-
-  void cleanup() { m_view.reset(); }
-
   void picksTheFaceUnderTheCursor() {
     showSheet();
     for (const auto& [i, j] : {std::pair(0, 0), std::pair(3, 11), std::pair(19, 19)}) {
@@ -222,6 +200,54 @@ class ViewportTest : public QObject {
     QCOMPARE(m_view->blocksBuilt(), 6);
   }
 
+  void partsArePickedByName() {
+    const auto box = shared(boxSoup({2, 2, 2}));
+    DisplayModel model{{{"left", box}, {"right", box}}};
+    model.parts[1].pose.translation() = Vec3(10, 10, 0);
+    m_view->setParts(model);
+    m_view->setCamera(fromAbove());
+    QTRY_VERIFY(m_view->isPickingReady());
+    QCOMPARE(m_view->pickAt(onScreen(1, 1)).part, "left");
+    QCOMPARE(m_view->pickAt(onScreen(11, 11)).part, "right");
+    QVERIFY((m_view->pickAt(onScreen(11, 11.5)).point - Vec3(11, 11.5, 2)).norm() < 1e-9);
+    m_view->grabImage();
+    QCOMPARE(m_view->blocksBuilt(), 1);
+    // Moved, not built anew: what is picked follows at once.
+    model.parts[1].pose.translation() = Vec3(15, 5, 0);
+    m_view->setParts(model);
+    QVERIFY(m_view->isPickingReady());
+    QVERIFY(m_view->pickAt(onScreen(11, 11)).isNothing());
+    QSignalSpy hovered(m_view.get(), &Viewport::hovered);
+    QTest::mouseMove(m_view.get(), onScreen(16, 6).toPoint());
+    QTRY_VERIFY(!hovered.isEmpty());
+    QCOMPARE(hovered.last()[0].value<Pick>().part, "right");
+    m_view->grabImage();
+    QCOMPARE(m_view->blocksBuilt(), 1);
+    QVERIFY((m_view->bounds().max() - Vec3(17, 7, 2)).norm() < 1e-12);
+  }
+
+  void meshAndPartsAreShownTogether() {
+    showSheet();
+    DisplayModel model{{{"box", shared(boxSoup({2, 2, 2}))}}};
+    model.parts[0].pose.translation() = Vec3(10, 10, 0);
+    m_view->setParts(model);
+    QTRY_VERIFY(m_view->isPickingReady());
+    QCOMPARE(m_view->pickAt(onScreen(11, 11)).part, "box");
+    QVERIFY(m_view->pickAt(onScreen(5.3, 5.2)).face != kNone);
+    m_view->clear();
+    QVERIFY(m_view->pickAt(onScreen(11, 11)).isNothing());
+    QVERIFY(m_view->bounds().isEmpty());
+  }
+
+  void aModelOfPartsIsFitted() {
+    DisplayModel model{{{"box", shared(boxSoup({2, 2, 2}))}}};
+    model.parts[0].pose.translation() = Vec3(1e6, 0, 0);
+    m_view->setParts(model);
+    m_view->setStandardView(StandardView::Top);
+    QVERIFY((m_view->camera().centre.head<2>() - Eigen::Vector2d(1e6 + 1, 1)).norm() < 1e-6);
+    QVERIFY(std::abs(m_view->camera().height - 2 / 0.86) < 1e-6);
+  }
+
   void removedFaceIsNoLongerPicked() {
     showSheet();
     HalfEdgeMesh mesh = buildMesh(sheet(kCells)).mesh;
@@ -250,22 +276,9 @@ class ViewportTest : public QObject {
   }
 };
 
-// Stands in for the tests where there is no display to run them on.
-class WithoutDisplay : public QObject {
-  Q_OBJECT
- private slots:
-  void viewport() { QSKIP("DISPLAY is not set: the viewport cannot be tested"); }
-};
-
 int main(int argc, char** argv) {
-  if (qEnvironmentVariableIsEmpty("DISPLAY")) {
-    WithoutDisplay skipped;
-    return QTest::qExec(&skipped, argc, argv);
-  }
-  Viewport::prepareApplication();
-  QApplication app(argc, argv);
-  ViewportTest test;
-  return QTest::qExec(&test, argc, argv);
+  return runOnDisplay<ViewportTest>(argc, argv);
 }
 
 #include "ViewportTest.moc"
+#include "moc_DisplayTestMain.cpp"

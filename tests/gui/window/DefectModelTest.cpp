@@ -3,6 +3,8 @@
 #include "panels/DefectModel.h"
 
 #include <QAbstractItemModelTester>
+#include "MeshDocuments.h"
+
 #include <QtTest>
 
 using namespace handwheel;
@@ -10,14 +12,14 @@ using namespace handwheel;
 namespace {
 
 // A strip of separate triangles: each is a sheet of its own, and so a rim.
-MeshDocument* scatteredTriangles(int count) {
+std::unique_ptr<MeshDocument> scatteredTriangles(int count) {
   TriangleSoup soup;
   for (int i = 0; i < count; ++i) {
     const auto first = std::uint32_t(soup.points.size());
     for (const Vec3& p : {Vec3(3.0 * i, 0, 0), Vec3(3.0 * i + 1, 0, 0), Vec3(3.0 * i, 2, 0)}) soup.points.push_back(p);
     soup.triangles.push_back({first, first + 1, first + 2});
   }
-  return new MeshDocument("triangles.stl", MeshFile{}, inspected(buildMesh(soup).mesh), BuildReport{});
+  return test::meshDocument(soup);
 }
 
 }  // namespace
@@ -27,7 +29,7 @@ class DefectModelTest : public QObject {
 
  private slots:
   void isASoundModelWithTenThousandRows() {
-    const std::unique_ptr<MeshDocument> document(scatteredTriangles(10000));
+    const auto document = scatteredTriangles(10000);
     Inspection inspection(*document);
     DefectModel model;
     QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
@@ -47,7 +49,7 @@ class DefectModelTest : public QObject {
   }
 
   void placesAreWhereTheDefectsAre() {
-    const std::unique_ptr<MeshDocument> document(scatteredTriangles(3));
+    const auto document = scatteredTriangles(3);
     Inspection inspection(*document);
     DefectModel model;
     model.setInspection(&inspection);

@@ -13,7 +13,7 @@ class ErrorTextTest : public QObject {
 
  private slots:
   void everyCodeHasASentence() {
-    for (int code = 0; code <= int(ErrorCode::CheckFailed); ++code) {
+    for (int code = 0; code <= int(ErrorCode::LibraryFailed); ++code) {
       const Error error{ErrorCode(code), {"facets", "12", "9"}, Place::line(7), "scan.stl"};
       const QString sentence = errorSentence(error);
       QVERIFY2(sentence.startsWith("scan.stl, line 7: "), qPrintable(sentence));

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "MeshDocuments.h"
 #include "StlFiles.h"
-#include "window/HolePicking.h"
+#include "window/mesh/HolePicking.h"
 
 #include <QtTest>
 
@@ -25,8 +26,7 @@ class HolePickingTest : public QObject {
       for (const Corner& c : t) soup.points.emplace_back(c[0], c[1], c[2]);
       soup.triangles.push_back({first, first + 1, first + 2});
     }
-    m_document =
-        std::make_unique<MeshDocument>("torus.stl", MeshFile{}, inspected(buildMesh(soup).mesh), BuildReport{});
+    m_document = test::meshDocument(soup);
     m_inspection = std::make_unique<Inspection>(*m_document);
     QCOMPARE(m_inspection->loopCount(), 2);
   }

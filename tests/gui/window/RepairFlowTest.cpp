@@ -113,7 +113,7 @@ class RepairFlowTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(driver.text("previewStatus"), "2 new triangles", kPatienceMs);
     driver.click("fillHoleButton");
     QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), 2, kPatienceMs);
-    QCOMPARE(driver.text("triangleCount"), "2,300 triangles");  // 2 * (48 * 24 - 3) + 2
+    QCOMPARE(driver.text("figures"), "2,300 triangles");  // 2 * (48 * 24 - 3) + 2
   }
 
   void aRepairThatWasUndoneIsOfferedAgain() {
@@ -166,7 +166,7 @@ class RepairFlowTest : public QObject {
     QVERIFY(driver.text("messageText").contains("damaged.stl"));
     driver.click("messageAction");
     QTRY_COMPARE_WITH_TIMEOUT(driver.tabs(), 1, kPatienceMs);
-    QCOMPARE(driver.text("triangleCount"), "1,000 triangles");
+    QCOMPARE(driver.text("figures"), "1,000 triangles");
     QVERIFY(driver.settle());
   }
 

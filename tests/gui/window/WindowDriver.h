@@ -3,6 +3,7 @@
 #pragma once
 
 #include "panels/DefectModel.h"
+#include "registration/Registration.h"
 #include "viewport/Viewport.h"
 #include "window/MainWindow.h"
 
@@ -26,7 +27,7 @@ constexpr int kPatienceMs = 20000;
 
 class WindowDriver {
  public:
-  WindowDriver() : m_window(m_workers) {
+  WindowDriver() : m_kinds(registeredKinds()), m_window(m_workers, m_kinds) {
     m_window.resize(1280, 800);
     m_window.show();
     if (!QTest::qWaitForWindowExposed(&m_window)) qFatal("the window does not appear");
@@ -56,6 +57,16 @@ class WindowDriver {
       }
     }
     qFatal("no menu has %s", name);
+  }
+  // Types a value into the field of a property and accepts it.
+  void edit(const char* property, const QString& value) {
+    auto* row = find<QWidget>((QByteArray("property/") + property).constData());
+    auto* line = row->findChild<QLineEdit*>();
+    if (!line) qFatal("%s cannot be edited", property);
+    line->setFocus();
+    line->selectAll();
+    QTest::keyClicks(line, value);
+    QTest::keyClick(line, Qt::Key_Return);
   }
   QString text(const char* name) { return find<QLabel>(name)->text(); }
 
@@ -92,6 +103,7 @@ class WindowDriver {
 
  private:
   QThreadPool m_workers;
+  KindSet m_kinds;
   MainWindow m_window;
 };
 

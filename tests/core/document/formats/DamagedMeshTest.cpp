@@ -52,6 +52,11 @@ QByteArray stlBinary() {
   return bytes;
 }
 
+QByteArray threeMf() {
+  const TriangleSoup soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {1, 3, 2}, {2, 1, 3}}};
+  return QByteArray::fromStdString(writeMesh(soup, MeshFormat::ThreeMf, NumberType::Float32));
+}
+
 std::vector<Seed> seeds() {
   const QByteArray facet =
       "facet normal 0 0 1\n outer loop\n  vertex 0 0 0\n  vertex 1 0 0\n  vertex 0 1 0\n endloop\nendfacet\n";
@@ -75,7 +80,8 @@ std::vector<Seed> seeds() {
           {"text PLY", ply, true},
           {"PLY strips", strips, true},
           {"little-endian PLY", plyBinary(std::endian::little), true},
-          {"big-endian PLY", plyBinary(std::endian::big), true}};
+          {"big-endian PLY", plyBinary(std::endian::big), true},
+          {"3MF", threeMf(), true}};
 }
 
 // What every result must keep to, whatever the bytes were.

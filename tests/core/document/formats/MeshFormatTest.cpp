@@ -28,7 +28,7 @@ QByteArray utf16(const QByteArray& text, bool big, bool mark) {
   return wide;
 }
 
-const auto kFormats = {MeshFormat::Stl, MeshFormat::Ply, MeshFormat::Obj, MeshFormat::Off};
+const auto kFormats = {MeshFormat::Stl, MeshFormat::Ply, MeshFormat::Obj, MeshFormat::Off, MeshFormat::ThreeMf};
 
 // A flat grid of cells × cells squares.
 TriangleSoup grid(std::uint32_t cells) {
@@ -51,9 +51,14 @@ class MeshFormatTest : public QObject {
  private slots:
   void contentDecides() {
     const std::pair<QByteArray, MeshFormat> files[] = {
-        {kObj, MeshFormat::Obj}, {kOff, MeshFormat::Off}, {kPly, MeshFormat::Ply}, {kStl, MeshFormat::Stl}};
+        {kObj, MeshFormat::Obj},
+        {kOff, MeshFormat::Off},
+        {kPly, MeshFormat::Ply},
+        {kStl, MeshFormat::Stl},
+        {QByteArray::fromStdString(writeMesh(read(kObj)->soup, MeshFormat::ThreeMf, NumberType::Float32)),
+         MeshFormat::ThreeMf}};
     for (const auto& [bytes, format] : files)
-      for (const char* name : {"", "a.stl", "a.obj", "a.off", "a.ply", "a.txt", "a"}) {
+      for (const char* name : {"", "a.stl", "a.obj", "a.off", "a.ply", "a.3mf", "a.txt", "a"}) {
         const auto file = read(bytes, false, name);
         QVERIFY2(file, name);
         QCOMPARE(file->format, format);
@@ -69,6 +74,7 @@ class MeshFormatTest : public QObject {
     QCOMPARE(describe(read("hello", false, "a.obj")), QString("NoTriangles"));
     QCOMPARE(describe(read("hello", false, "a.ply")), QString("HeaderMalformed(ply) line 1"));
     QCOMPARE(describe(read("hello", false, "a.off")), QString("HeaderMalformed(OFF) line 1"));
+    QCOMPARE(describe(read("hello", false, "a.3mf")), QString("ArchiveMalformed(Not a zip archive)"));
     QCOMPARE(describe(read("hello", false, "a")), QString("FormatUnknown"));
     QCOMPARE(describe(read("", false, "a.stl")), QString("FileEmpty"));
   }
@@ -86,13 +92,14 @@ class MeshFormatTest : public QObject {
     QVERIFY(formatForName("/b.obj/A.PLY") == MeshFormat::Ply);
     QVERIFY(formatForName("a.stl.Obj") == MeshFormat::Obj);
     QVERIFY(formatForName(".off") == MeshFormat::Off);
+    QVERIFY(formatForName("a.3MF") == MeshFormat::ThreeMf);
     for (const char* name : {"", "stl", "a.", "a.stl2", "a.st"}) QVERIFY2(!formatForName(name), name);
   }
 
   void numberTypes() {
     for (NumberType document : {NumberType::Float32, NumberType::Float64}) {
       QCOMPARE(numberTypeOf(MeshFormat::Stl, document), NumberType::Float32);
-      for (MeshFormat format : {MeshFormat::Ply, MeshFormat::Obj, MeshFormat::Off})
+      for (MeshFormat format : {MeshFormat::Ply, MeshFormat::Obj, MeshFormat::Off, MeshFormat::ThreeMf})
         QCOMPARE(numberTypeOf(format, document), document);
     }
   }

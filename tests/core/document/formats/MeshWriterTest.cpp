@@ -55,6 +55,8 @@ class MeshWriterTest : public QObject {
     QTest::newRow("OBJ double") << MeshFormat::Obj << NumberType::Float64;
     QTest::newRow("OFF single") << MeshFormat::Off << NumberType::Float32;
     QTest::newRow("OFF double") << MeshFormat::Off << NumberType::Float64;
+    QTest::newRow("3MF single") << MeshFormat::ThreeMf << NumberType::Float32;
+    QTest::newRow("3MF double") << MeshFormat::ThreeMf << NumberType::Float64;
   }
 
   void readsBackTheSame() {
@@ -87,7 +89,8 @@ class MeshWriterTest : public QObject {
 
   void coordinatesAreRounded() {
     const TriangleSoup soup{{{0.1, 0, 0}, {1, -0.0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
-    for (MeshFormat format : {MeshFormat::Stl, MeshFormat::Ply, MeshFormat::Obj, MeshFormat::Off}) {
+    for (MeshFormat format :
+         {MeshFormat::Stl, MeshFormat::Ply, MeshFormat::Obj, MeshFormat::Off, MeshFormat::ThreeMf}) {
       const auto file = readMesh(writeMesh(soup, format, NumberType::Float32), "", {});
       QVERIFY(file);
       QVERIFY(file->soup.points[0].x() == static_cast<double>(0.1f));

@@ -52,6 +52,20 @@ inline const char* nameOf(ErrorCode code) {
       return "TypeUnknown";
     case ErrorCode::NoTriangles:
       return "NoTriangles";
+    case ErrorCode::FileTooLarge:
+      return "FileTooLarge";
+    case ErrorCode::ArchiveMalformed:
+      return "ArchiveMalformed";
+    case ErrorCode::EntryMissing:
+      return "EntryMissing";
+    case ErrorCode::EntryDamaged:
+      return "EntryDamaged";
+    case ErrorCode::ElementMalformed:
+      return "ElementMalformed";
+    case ErrorCode::ReferenceMissing:
+      return "ReferenceMissing";
+    case ErrorCode::Unsupported:
+      return "Unsupported";
     default:
       return "other";
   }

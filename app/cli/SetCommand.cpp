@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/SetCommand.h"
+
+#include "cli/Input.h"
+#include "cli/Interrupt.h"
+#include "cli/Messages.h"
+#include "cli/PropertyText.h"
+#include "document/Document.h"
+#include "text/NoteText.h"
+
+#include <algorithm>
+#include <span>
+
+namespace handwheel {
+
+namespace {
+
+// Applies one "name=value".
+Status assign(Document& document, const std::string& word) {
+  const std::size_t equals = word.find('=');
+  const std::string name = word.substr(0, equals);
+  if (equals == std::string::npos) return Error{ErrorCode::ElementMalformed, {word, "NAME=VALUE was expected"}, {}, {}};
+  const std::vector<Property> all = document.properties();
+  const auto property = std::find_if(all.begin(), all.end(), [&](const Property& p) { return p.id == name; });
+  if (property == all.end()) return Error{ErrorCode::ReferenceMissing, {"the property", name}, {}, {}};
+  if (!property->editable) return Error{ErrorCode::Unsupported, {"changing " + name}, {}, {}};
+  const Result<PropertyValue> value = propertyValue(*property, word.substr(equals + 1));
+  return value ? document.setProperty(name, *value) : Status(value.error());
+}
+
+// Changes and writes. The document is made anew on this thread; saving may be interrupted.
+int assignAndSave(OpenedFile opened, std::span<const std::string> words, const std::string& output) {
+  const DocumentKind& kind = *opened.kind;
+  const std::unique_ptr<Document> document = kind.make(std::move(opened));
+  for (const std::string& word : words) {
+    if (const Status done = assign(*document, word); !done) return fail(done.error());
+  }
+  std::optional<Result<WrittenFile>> written;
+  runInterruptible("Writing", [&, content = document->snapshot()](Job& job) {
+    job.startWriting();
+    written = saveDocument(kind, document->file(), *content, output, job.progress());
+  });
+  if (!*written) return fail(written->error());
+  for (const Note& note : written->value().notes) complain(noteText(note).toStdString());
+  return kExitDone;
+}
+
+const std::vector<OptionSpec> kOptions = {
+    {"output", 'o', "OUT", "The document to write, .handwheel or an export"},
+    {"help", 'h', "", "Show this page"},
+};
+
+}  // namespace
+
+CommandSpec newSpec() {
+  return {"new", "KIND [NAME=VALUE...]",
+          "Makes a document of default size. KIND: workpiece. Properties can be given as 'set' takes them.", kOptions};
+}
+
+CommandSpec setSpec() {
+  return {"set", "IN [NAME=VALUE...]",
+          "Changes properties of a document, such as diameter=25.4/2 or joint_1=30deg, and writes it to OUT.\n"
+          "'handwheel inspect IN' lists the properties.",
+          kOptions};
+}
+
+int runNew(const Arguments& arguments, const DocumentKinds& kinds) {
+  if (!arguments.has("output")) return failUsage("The option -o OUT is missing.", "new");
+  const DocumentKind* kind = kinds.withId(arguments.operands[0]);
+  if (!kind || !kind->blank()) return failUsage("There is no new '" + arguments.operands[0] + "' to be had.", "new");
+  return assignAndSave(DocumentKinds::blank(*kind), std::span(arguments.operands).subspan(1),
+                       arguments.valueOf("output"));
+}
+
+int runSet(const Arguments& arguments, const DocumentKinds& kinds) {
+  if (!arguments.has("output")) return failUsage("The option -o OUT is missing.", "set");
+  std::optional<Result<OpenedFile>> opened;
+  runInterruptible("Reading", [&](Job& job) { opened = kinds.open(arguments.operands[0], {}, job.progress()); });
+  if (!*opened) return fail(opened->error());
+  const DocumentFile& file = opened->value().file;
+  tellLosses(file.damage, file.unlistedDamage, file.lost);
+  return assignAndSave(std::move(opened->value()), std::span(arguments.operands).subspan(1),
+                       arguments.valueOf("output"));
+}
+
+}  // namespace handwheel

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "fidelity/Cases.h"
+
+namespace handwheel {
+
+// As sources of cases; the comments on the shapes below hold.
+SoupSource sphereSource(int levels, double radius);
+SoupSource torusSource(std::uint32_t rounds, std::uint32_t sides, double radius, double tube);
+
+// Around the origin, facing outwards; neighbours share points. An icosahedron with each face cut into four "levels"
+// times: 20 · 4^levels triangles of nearly equal size.
+TriangleSoup sphereSoup(int levels, double radius);
+
+// Around the z axis: rounds × sides cells of two triangles. radius: of the circle in the middle; tube: of the tube.
+TriangleSoup torusSoup(std::uint32_t rounds, std::uint32_t sides, double radius, double tube);
+
+// The distance of a point to that torus (mm).
+double distanceToTorus(const Vec3& p, double radius, double tube);
+
+}  // namespace handwheel

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/FidelitySweep.h"
+#include "mesh/TriangleSoup.h"
+
+#include <memory>
+
+namespace handwheel {
+
+// What the settings are measured on. Each on built-in shapes, where the truth is known in closed form or by
+// construction, and most on a mesh that the user brings, where the truth is what was there before the case spoilt it.
+// Asked when a case first runs; its mesh must have a face with area.
+using SoupSource = std::function<std::shared_ptr<const TriangleSoup>()>;
+
+// mesh.near_weld: a surface torn along one plane by rounding (1e-8 to 1e-5 of the diagonal), and slit along another by
+// a real gap (2e-5 to 1e-3). Wrong is a torn vertex that stays torn and a slit one that is merged.
+std::vector<FidelityCase> nearWeldCases();
+FidelityCase nearWeldCaseOn(const std::string& name, SoupSource soup);
+
+// mesh.fill_method and mesh.patch_density: pieces cut out of a surface and filled again.
+std::vector<FidelityCase> fillMethodCases();
+FidelityCase fillMethodCaseOn(const std::string& name, SoupSource soup);
+std::vector<FidelityCase> patchDensityCases();
+FidelityCase patchDensityCaseOn(const std::string& name, SoupSource soup);
+
+// document.undo_granularity: edits of a large mesh, kept and exchanged as an undo step does.
+std::vector<FidelityCase> undoGranularityCases();
+FidelityCase undoGranularityCaseOn(const std::string& name, SoupSource soup);
+
+// nurbs.chord_mm: stock cylinders as triangles.
+FidelitySetting chordSetting();
+std::vector<FidelityCase> chordCases();
+
+// view.block_faces: the blocks of the display that an edit of one face rebuilds.
+FidelitySetting blockFacesSetting();
+std::vector<FidelityCase> blockFacesCases();
+FidelityCase blockFacesCaseOn(const std::string& name, SoupSource soup);
+
+}  // namespace handwheel

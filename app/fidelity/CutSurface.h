@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/HoleFilling.h"
+#include "mesh/TriangleSoup.h"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace handwheel {
+
+using SurfaceDistance = std::function<double(const Vec3&)>;  // of a point to the surface that was there (mm)
+
+// A surface with pieces cut out, and what was there.
+struct CutSurface {
+  struct Hole {
+    BoundaryLoop loop;
+    SurfaceDistance distance;
+  };
+  std::unique_ptr<HoleFiller> filler;
+  std::vector<Hole> holes;
+};
+
+// Cuts a few round holes where the seed says, an eighth of the part's diagonal in radius and apart from each other.
+// truth: the surface in closed form; without one, what is cut out stands for it. O(n log n).
+CutSurface cutHoles(const TriangleSoup& soup, std::uint64_t seed, const SurfaceDistance& truth);
+
+}  // namespace handwheel

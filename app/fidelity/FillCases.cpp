@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/ThreadClock.h"
+#include "fidelity/CaseShapes.h"
+#include "fidelity/Cases.h"
+#include "fidelity/CutSurface.h"
+#include "fidelity/SeededInput.h"
+#include "mesh/MeshFidelity.h"
+
+#include <cmath>
+#include <limits>
+
+namespace handwheel {
+namespace {
+
+constexpr int kCuts = 4;  // each triangle of a patch is sampled at the middles of kCuts² parts
+
+// Σ area · (distance / size)² over the patch and Σ area.
+struct Deviation {
+  double squares = 0.0;
+  double area = 0.0;
+
+  void add(const Patch& patch, const SurfaceDistance& distance, double size) {
+    for (const Triangle& t : patch.triangles) {
+      const Vec3 a = patch.points[t[0]], u = (patch.points[t[1]] - a) / kCuts, v = (patch.points[t[2]] - a) / kCuts;
+      const double part = 0.5 * u.cross(v).norm();
+      for (int i = 0; i < kCuts; ++i) {
+        for (int j = 0; j < kCuts - i; ++j) {
+          addPoint(distance(a + (i + 1.0 / 3.0) * u + (j + 1.0 / 3.0) * v) / size, part);
+          if (j < kCuts - i - 1) addPoint(distance(a + (i + 2.0 / 3.0) * u + (j + 2.0 / 3.0) * v) / size, part);
+        }
+      }
+    }
+  }
+  void addPoint(double share, double part) {
+    squares += part * share * share;
+    area += part;
+  }
+};
+
+FidelitySample fill(const CutSurface& input, const FillOptions& options, Progress progress) {
+  FidelitySample sample;
+  Deviation deviation;
+  for (const CutSurface::Hole& hole : input.holes) {
+    FillAttempt attempt;
+    sample.cost += cpuMilliseconds([&] { attempt = input.filler->propose(hole.loop, options, progress); });
+    if (attempt.failure == FillFailure::None) {
+      deviation.add(attempt.patch, hole.distance, hole.loop.box.diagonal().norm());
+    }
+  }
+  if (!input.holes.empty()) sample.cost /= static_cast<double>(input.holes.size());
+  sample.error = deviation.area > 0.0 ? 100.0 * std::sqrt(deviation.squares / deviation.area)
+                                      : std::numeric_limits<double>::infinity();
+  return sample;
+}
+
+// A surface, and the truth about it; a truth without a function is what is cut out.
+struct Surface {
+  std::string name;
+  SoupSource soup;
+  SurfaceDistance distance = nullptr;
+};
+
+std::vector<Surface> builtIn() {
+  return {{"sphere", sphereSource(5, 50.0), [](const Vec3& p) { return std::abs(p.norm() - 50.0); }},
+          {"torus", torusSource(240, 80, 60.0, 30.0), [](const Vec3& p) { return distanceToTorus(p, 60.0, 30.0); }}};
+}
+
+FidelityCase caseOn(const Surface& surface, void (*choose)(FillOptions&, double value)) {
+  const SeededInput<CutSurface> input(
+      [surface](std::uint64_t seed) { return cutHoles(*surface.soup(), seed, surface.distance); });
+  return {surface.name + ", four holes cut", surface.distance ? "closed form" : "surface cut out",
+          [input, choose](double value, std::uint64_t seed, Progress progress) {
+            FillOptions options;
+            choose(options, value);
+            return fill(input(seed), options, progress);
+          }};
+}
+
+void chooseMethod(FillOptions& options, double value) {
+  FidelityValues values;
+  if (values.set(fillMethodSetting(), value)) options.method = fillMethodOf(values);
+}
+
+void chooseDensity(FillOptions& options, double value) {
+  options.density = value;
+}
+
+std::vector<FidelityCase> casesOn(const std::vector<Surface>& surfaces, void (*choose)(FillOptions&, double value)) {
+  std::vector<FidelityCase> cases;
+  for (const Surface& surface : surfaces) cases.push_back(caseOn(surface, choose));
+  return cases;
+}
+
+}  // namespace
+
+std::vector<FidelityCase> fillMethodCases() {
+  return casesOn(builtIn(), chooseMethod);
+}
+
+FidelityCase fillMethodCaseOn(const std::string& name, SoupSource soup) {
+  return caseOn({name, std::move(soup)}, chooseMethod);
+}
+
+std::vector<FidelityCase> patchDensityCases() {
+  return casesOn(builtIn(), chooseDensity);
+}
+
+FidelityCase patchDensityCaseOn(const std::string& name, SoupSource soup) {
+  return caseOn({name, std::move(soup)}, chooseDensity);
+}
+
+}  // namespace handwheel

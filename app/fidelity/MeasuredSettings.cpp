@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fidelity/MeasuredSettings.h"
+
+#include "mesh/MeshFidelity.h"
+
+namespace handwheel {
+
+FidelityRegistry measuredSettings() {
+  FidelityRegistry registry;
+  registry.add(nearWeldSetting(), nearWeldCases());
+  registry.add(fillMethodSetting(), fillMethodCases());
+  registry.add(patchDensitySetting(), patchDensityCases());
+  registry.add(chordSetting(), chordCases());
+  registry.add(undoGranularitySetting(), undoGranularityCases());
+  registry.add(blockFacesSetting(), blockFacesCases());
+  return registry;
+}
+
+std::vector<FidelityCase> casesOnMesh(std::string_view id, const std::string& name, const SoupSource& soup) {
+  struct Maker {
+    std::string id;
+    FidelityCase (*make)(const std::string&, SoupSource);
+  };
+  const Maker makers[] = {{nearWeldSetting().id, nearWeldCaseOn},
+                          {fillMethodSetting().id, fillMethodCaseOn},
+                          {patchDensitySetting().id, patchDensityCaseOn},
+                          {undoGranularitySetting().id, undoGranularityCaseOn},
+                          {blockFacesSetting().id, blockFacesCaseOn}};
+  for (const Maker& maker : makers) {
+    if (maker.id == id) return {maker.make(name, soup)};
+  }
+  return {};
+}
+
+}  // namespace handwheel

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "registration/Registration.h"
+
+#include "document/cell/CellKind.h"
+#include "document/mesh/MeshKind.h"
+#include "document/workpiece/WorkpieceKind.h"
+#include "window/cell/CellUi.h"
+#include "window/mesh/MeshUi.h"
+#include "window/workpiece/WorkpieceUi.h"
+
+namespace handwheel {
+
+namespace {
+
+struct Entry {
+  std::unique_ptr<DocumentKind> kind;
+  KindUiFactory window;
+};
+
+template <class Ui>
+std::unique_ptr<KindUi> make(const WindowParts& parts) {
+  return std::make_unique<Ui>(parts);
+}
+
+// Asked in this order whose a file is; meshes take what nobody else does.
+std::vector<Entry> entries() {
+  std::vector<Entry> all;
+  all.push_back({std::make_unique<CellKind>(), make<CellUi>});
+  all.push_back({std::make_unique<WorkpieceKind>(), make<WorkpieceUi>});
+  all.push_back({std::make_unique<MeshKind>(), make<MeshUi>});
+  return all;
+}
+
+}  // namespace
+
+KindSet registeredKinds() {
+  std::vector<std::unique_ptr<DocumentKind>> kinds;
+  std::map<std::string, KindUiFactory> windows;
+  for (Entry& entry : entries()) {
+    windows[entry.kind->id()] = std::move(entry.window);
+    kinds.push_back(std::move(entry.kind));
+  }
+  return {DocumentKinds(std::move(kinds)), std::move(windows)};
+}
+
+}  // namespace handwheel

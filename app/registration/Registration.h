@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "window/KindUi.h"
+
+namespace handwheel {
+
+// Every kind of document that the program knows: the one place to add another.
+KindSet registeredKinds();
+
+}  // namespace handwheel

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/Autosave.h"
+
+#include "document/DocumentKind.h"
+#include "panels/LogModel.h"
+#include "text/ErrorText.h"
+#include "window/DocumentTabs.h"
+#include "window/FileLoader.h"
+#include "window/OpenDocument.h"
+#include "window/WindowServices.h"
+
+#include <QFile>
+
+namespace handwheel {
+
+Autosave::Autosave(DocumentTabs& tabs, FileLoader& loader, QThreadPool& pool, LogModel& log, WindowServices& services,
+                   QObject* parent)
+    : QObject(parent),
+      m_tabs(tabs),
+      m_loader(loader),
+      m_log(log),
+      m_services(services),
+      m_jobs(JobRunner::Policy::Queue, pool),
+      m_session(std::make_shared<RecoverySession>()) {
+  m_timer.setSingleShot(true);
+  connect(&m_timer, &QTimer::timeout, this, &Autosave::saveAll);
+  connect(&m_tabs, &DocumentTabs::added, this, &Autosave::follow);
+  connect(&m_tabs, &DocumentTabs::closing, this, [this](OpenDocument* document) {
+    document->document.disconnect(this);
+    m_session->remove(m_keys[document]);
+    m_keys.erase(document);
+  });
+}
+
+void Autosave::setInterval(int seconds) {
+  m_timer.setInterval(1000 * seconds);
+}
+
+void Autosave::follow(OpenDocument* document) {
+  m_keys[document] = ++m_lastKey;
+  document->autosaved = document->document.revision();
+  connect(&document->document, &Document::changed, this, [this, document] { changed(document); });
+  connect(&document->document, &Document::fileChanged, this, [this, document] {
+    if (!document->document.isModified()) m_session->remove(m_keys[document]);
+  });
+}
+
+void Autosave::changed(OpenDocument* document) {
+  if (!document->document.isModified() || m_timer.interval() == 0) return;
+  if (!m_need.isNeeded()) m_need = m_services.needs().need("autosave");
+  if (!m_timer.isActive()) m_timer.start();
+}
+
+void Autosave::saveAll() {
+  m_need = Need();
+  for (const auto& each : m_tabs.all()) {
+    if (each->document.isModified() && each->autosaved != each->document.revision()) save(each.get());
+  }
+}
+
+void Autosave::save(OpenDocument* document) {
+  const std::uint64_t revision = document->document.revision(), key = m_keys[document];
+  AutosaveInfo info;
+  info.documentId = document->document.file().id;
+  info.path = document->document.file().path;
+  info.name = document->document.name().toStdString();
+  info.kind = document->document.kind().id();
+  document->autosaved = revision;
+  Job job;
+  job.name = tr("Autosaving %1").arg(document->document.name());
+  job.work = [this, document, key, info, session = m_session, &service = m_services.autosave(),
+              &kind = document->document.kind(), file = document->document.file(),
+              content = document->document.snapshot()](Progress progress) -> Job::Finish {
+    const ServiceTick tick(service);
+    const Result<std::string> bytes = containerBytes(kind, file, *content, Compression::None, progress);
+    const Status stored = bytes ? session->store(key, info, *bytes, progress) : Status(bytes.error());
+    if (stored) return {};
+    return [this, document, name = info.name, error = stored.error()] {
+      m_log.add(tr("%1 could not be autosaved. %2").arg(QString::fromStdString(name), errorSentence(error)), {},
+                LogEntry::Weight::Warning);
+      if (!m_tabs.contains(document)) return;
+      document->autosaved = 0;  // tried again after the next change
+      changed(document);
+    };
+  };
+  m_jobs.start(std::move(job));
+}
+
+void Autosave::offerLeftovers() {
+  m_leftovers.emplace();
+  for (const Error& error : m_leftovers->skipped()) {
+    m_log.add(errorSentence(error), {}, LogEntry::Weight::Warning);
+  }
+  const auto count = static_cast<int>(m_leftovers->found().size());
+  if (count == 0) return m_leftovers.reset();
+  QStringList names;
+  for (const Leftover& leftover : m_leftovers->found()) names << QString::fromStdString(leftover.info.name);
+  emit message({Message::Weight::Warning,
+                tr("Handwheel ended unexpectedly. %Ln document(s) had changes that were not saved.", nullptr, count),
+                names.join(QStringLiteral(", ")),
+                tr("They can be recovered as they were last autosaved; otherwise they are offered again at the next "
+                   "start."),
+                tr("Recover"), [this] { recoverAll(); }});
+}
+
+void Autosave::recoverAll() {
+  if (!m_leftovers) return;
+  const auto leftovers = std::make_shared<Leftovers>(std::move(*m_leftovers));
+  m_leftovers.reset();
+  for (std::size_t i = 0; i < leftovers->found().size(); ++i) {
+    const Leftover& leftover = leftovers->found()[i];
+    m_loader.recover(QFile::decodeName(leftover.file.c_str()),
+                     QFile::decodeName(QByteArray::fromStdString(leftover.info.path)),
+                     [this, leftovers, i](OpenDocument* recovered) {
+                       const Status adopted = m_session->adopt(leftovers->found()[i], m_keys[recovered]);
+                       if (!adopted) m_log.add(errorSentence(adopted.error()), {}, LogEntry::Weight::Warning);
+                     });
+  }
+}
+
+}  // namespace handwheel

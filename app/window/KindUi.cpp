@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/KindUi.h"
+
+#include "window/OpenDocument.h"
+
+#include <QFileInfo>
+
+namespace handwheel {
+
+// The container beside the file that it came from.
+QString KindUi::suggestedName(const OpenDocument& document) const {
+  const QString ending = QString::fromUtf8(kContainerEnding.data(), static_cast<qsizetype>(kContainerEnding.size()));
+  if (document.document.file().path.empty()) return document.document.name() + ending;
+  const QFileInfo file(document.document.path());
+  return file.path() + QLatin1Char('/') + file.completeBaseName() + ending;
+}
+
+}  // namespace handwheel

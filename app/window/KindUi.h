@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/DocumentKind.h"
+#include "panels/HintBar.h"
+#include "panels/NextStepCard.h"
+#include "tools/Tool.h"
+
+#include <QAction>
+#include <QKeySequence>
+#include <QObject>
+#include <functional>
+#include <map>
+#include <memory>
+
+class QThreadPool;
+
+namespace handwheel {
+
+class DocumentTabs;
+class JobRunner;
+class LogModel;
+class ToolHost;
+class Viewport;
+class WindowServices;
+struct Message;
+struct OpenDocument;
+
+// What the parts of the window offer to the kinds of documents.
+struct WindowParts {
+  QWidget* window;
+  DocumentTabs& tabs;
+  JobRunner& jobs;
+  QThreadPool& pool;
+  LogModel& log;
+  Viewport& viewport;
+  WindowServices& services;
+  ToolHost& tools;
+  QAction* saveAs;
+  std::function<bool()> isPanelVisible;
+  QAction* showPanel;
+};
+
+// A tool that can be chosen.
+struct ToolOffer {
+  QString id;    // "select"
+  QString text;  // "Select faces"
+  QString icon;
+  QKeySequence key;
+  std::function<std::unique_ptr<Tool>()> make;
+};
+
+// What the window adds for one kind of document: its scene, panel, menu, tools and advice. One per window and kind.
+class KindUi : public QObject {
+  Q_OBJECT
+
+ public:
+  using QObject::QObject;
+
+  virtual std::unique_ptr<OpenDocument> open(std::unique_ptr<Document> document) = 0;
+  // The document in view; null when it is of another kind, or none is open. Fills the viewport or leaves it empty.
+  virtual void setDocument(OpenDocument* document) = 0;
+  // After OpenDocument::visible was changed.
+  virtual void refreshVisibility() = 0;
+  // Before a document goes.
+  virtual void forget(OpenDocument* document) { (void)document; }
+
+  virtual QString panelTitle() const = 0;
+  virtual QWidget* panel() = 0;  // of the dock of the kind; owned by the window
+  virtual QString menuTitle() const = 0;
+  virtual QList<QAction*> menu() = 0;
+  virtual QList<QAction*> toolBar() = 0;
+  // The tools for such documents, the usual one first. Made for the document in view.
+  virtual std::vector<ToolOffer> tools() { return {}; }
+
+  virtual std::vector<Hint> hints() { return {}; }
+  virtual NextStep nextStep() { return {}; }
+  virtual QString figures() const { return {}; }  // "1 234 triangles"
+  // One line for the log when a document was opened.
+  virtual QString openedText(const OpenDocument& document) const = 0;
+  // The name that "Save as" offers.
+  virtual QString suggestedName(const OpenDocument& document) const;
+  // Nothing runs that will still change what is shown.
+  virtual bool isSettled() const { return true; }
+
+ signals:
+  void stateChanged();  // hints, next step or figures
+  void message(const handwheel::Message& message);
+};
+
+using KindUiFactory = std::function<std::unique_ptr<KindUi>(const WindowParts&)>;
+
+// The kinds of documents as the program registers them, and what the window adds to each, by the id of the kind.
+struct KindSet {
+  DocumentKinds documents;
+  std::map<std::string, KindUiFactory> windows;
+};
+
+}  // namespace handwheel

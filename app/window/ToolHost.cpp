@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/ToolHost.h"
+
+#include "document/Document.h"
+#include "viewport/Viewport.h"
+#include "window/ToolPanel.h"
+
+#include <QCoreApplication>
+#include <QKeyEvent>
+
+namespace handwheel {
+
+namespace {
+
+PointerButton buttonOf(Qt::MouseButton button) {
+  if (button == Qt::LeftButton) return PointerButton::First;
+  return button == Qt::RightButton ? PointerButton::Second : PointerButton::None;
+}
+
+// None for what is the camera's in any case.
+std::optional<PointerEvent> eventOf(const PointerInput& input, const ViewRay& ray) {
+  PointerEvent event;
+  event.ray = {ray.origin, ray.direction};
+  event.eye = ray.eye;
+  event.pixel = ray.pixel;
+  event.button = buttonOf(input.button);
+  event.modifiers = {input.modifiers.testFlag(Qt::ShiftModifier), input.modifiers.testFlag(Qt::ControlModifier),
+                     input.modifiers.testFlag(Qt::AltModifier)};
+  switch (input.kind) {
+    case PointerInput::Kind::Move:
+      event.kind = input.held & Qt::LeftButton ? PointerEvent::Kind::Drag : PointerEvent::Kind::Hover;
+      if (event.kind == PointerEvent::Kind::Drag) event.button = PointerButton::First;
+      return event;
+    case PointerInput::Kind::Press:
+      event.kind = PointerEvent::Kind::Press;
+      break;
+    case PointerInput::Kind::Release:
+      event.kind = PointerEvent::Kind::Release;
+      break;
+    case PointerInput::Kind::DoubleClick:
+      event.kind = PointerEvent::Kind::DoubleClick;
+      break;
+    case PointerInput::Kind::Leave:
+      event.kind = PointerEvent::Kind::Leave;
+      return event;
+    case PointerInput::Kind::Click:
+    case PointerInput::Kind::Wheel:
+      return {};
+  }
+  return event.button == PointerButton::First ? std::optional(event) : std::nullopt;
+}
+
+QString translated(const char* context, const std::string& text) {
+  return QCoreApplication::translate(context, text.c_str());
+}
+
+}  // namespace
+
+ToolHost::ToolHost(Viewport& viewport, ToolPanel& panel, NeedSet& needs, QObject* parent)
+    : QObject(parent), m_viewport(viewport), m_panel(panel), m_needs(needs) {
+  m_viewport.installEventFilter(this);
+  m_viewport.setPointerSink([this](const PointerInput& input) { return take(input); });
+  connect(&m_panel.settings(), &PropertyList::edited, this,
+          [this](const std::string& id, const PropertyValue& value, bool) { m_runner.setSetting(id, value); });
+  connect(&m_panel, &ToolPanel::triggered, this, [this](const std::string& action) { m_runner.perform(action); });
+  connect(&m_runner, &ToolRunner::updated, this, &ToolHost::show);
+  connect(&m_runner, &ToolRunner::ended, this, &ToolHost::showNothing);
+}
+
+ToolHost::~ToolHost() {
+  m_runner.disconnect(this);
+  m_viewport.setPointerSink({});
+}
+
+void ToolHost::start(std::unique_ptr<Tool> tool, Document& document) {
+  m_needed.clear();
+  for (const std::string& service : tool->needs()) m_needed.push_back(m_needs.need(service));
+  m_runner.start(std::move(tool), document);
+  show();
+}
+
+// A hover is never kept from the view, which tells the lists what is under the cursor.
+bool ToolHost::take(const PointerInput& input) {
+  if (!m_runner.tool()) return false;
+  if (input.kind == PointerInput::Kind::Click && input.button == Qt::RightButton) {
+    return m_runner.perform("revert") != ToolReply::Ignored;
+  }
+  const auto event = eventOf(input, m_viewport.rayAt(input.position));
+  if (!event) return false;
+  const bool used = m_runner.pointer(*event) != ToolReply::Ignored;
+  return used && event->kind != PointerEvent::Kind::Hover && event->kind != PointerEvent::Kind::Leave;
+}
+
+std::vector<Hint> ToolHost::hints() const {
+  std::vector<Hint> hints;
+  const Tool* tool = m_runner.tool();
+  if (!tool) return hints;
+  for (const ToolAction& action : tool->actions()) {
+    if (!action.enabled) continue;
+    const QString key = keyText(action);
+    hints.push_back({key.isEmpty() ? translated("ToolInput", action.input) : key, translated("Tool", action.effect)});
+  }
+  return hints;
+}
+
+bool ToolHost::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::KeyPress) return QObject::eventFilter(watched, event);
+  const QKeySequence key(static_cast<QKeyEvent*>(event)->keyCombination());
+  return m_runner.key(key.toString(QKeySequence::PortableText).toStdString()) != ToolReply::Ignored;
+}
+
+void ToolHost::show() {
+  const Tool* tool = m_runner.tool();
+  if (!tool) return showNothing();
+  ToolPreview preview = tool->preview();
+  m_viewport.setProposedParts(preview.parts);
+  m_viewport.setHighlightedFaces(std::move(preview.highlighted));
+  m_viewport.setSelectedFaces(preview.selected.faces());
+  m_viewport.setPolylines(std::move(preview.lines));
+  m_viewport.setBrush(preview.circle ? std::optional(BrushCircle{preview.circle->first, preview.circle->second})
+                                     : std::nullopt);
+  if (m_runner.document()) m_panel.settings().setLengthUnit(m_runner.document()->displayUnit());
+  m_panel.settings().setProperties(tool->settings());
+  m_panel.setActions(tool->actions());
+  emit updated();
+}
+
+void ToolHost::showNothing() {
+  m_needed.clear();
+  m_viewport.setProposedParts({});
+  m_viewport.setHighlightedFaces({});
+  m_viewport.setSelectedFaces({});
+  m_viewport.setPolylines({});
+  m_viewport.setBrush({});
+  m_panel.settings().setProperties({});
+  m_panel.setActions({});
+  emit updated();
+}
+
+}  // namespace handwheel

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Service.h"
+#include "panels/HintBar.h"
+#include "tools/ToolRunner.h"
+
+namespace handwheel {
+
+class ToolPanel;
+class Viewport;
+struct PointerInput;
+
+// Brings the tool in use together with viewport, keyboard and its settings: the mouse becomes pointer events, what the
+// tool previews is drawn, what it declares becomes hints.
+class ToolHost : public QObject {
+  Q_OBJECT
+
+ public:
+  ToolHost(Viewport& viewport, ToolPanel& panel, NeedSet& needs, QObject* parent = nullptr);
+  ~ToolHost() override;
+
+  void start(std::unique_ptr<Tool> tool, Document& document);
+  void stop() { m_runner.stop(); }
+  ToolRunner& runner() { return m_runner; }
+
+  // What the pointer and the keys do now, translated.
+  std::vector<Hint> hints() const;
+ signals:
+  void updated();  // hints, or what the tool shows
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;  // keys that the tool declares, pressed in the view
+
+ private:
+  bool take(const PointerInput& input);
+  void show();
+  void showNothing();
+
+  Viewport& m_viewport;
+  ToolPanel& m_panel;
+  NeedSet& m_needs;
+  ToolRunner m_runner;
+  std::vector<Need> m_needed;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/ToolPanel.h"
+
+#include <QCoreApplication>
+#include <QKeySequence>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace handwheel {
+
+namespace {
+
+// "fill the hole" as a title: "Fill the hole".
+QString titleOf(const ToolAction& action) {
+  const QString effect = QCoreApplication::translate("Tool", action.effect.c_str());
+  return effect.left(1).toUpper() + effect.mid(1);
+}
+
+}  // namespace
+
+QString keyText(const ToolAction& action) {
+  if (action.id.empty()) return {};
+  const QKeySequence key(QString::fromStdString(action.input), QKeySequence::PortableText);
+  return key.isEmpty() || key[0].key() == Qt::Key_unknown ? QString() : key.toString(QKeySequence::NativeText);
+}
+
+ToolPanel::ToolPanel(QWidget* parent) : QWidget(parent), m_settings(new PropertyList(this)), m_column(new QVBoxLayout) {
+  setObjectName(QStringLiteral("toolPanel"));
+  m_settings->setEmptyText(tr("This tool has no settings."));
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  all->addWidget(m_settings, 1);
+  m_column->setContentsMargins(8, 0, 8, 8);
+  m_column->setSpacing(4);
+  all->addLayout(m_column);
+}
+
+void ToolPanel::setActions(const std::vector<ToolAction>& actions) {
+  std::vector<ToolAction> shown = actions;
+  std::erase_if(shown, [](const ToolAction& action) { return action.id.empty(); });
+  const bool same = std::equal(shown.begin(), shown.end(), m_buttons.begin(), m_buttons.end(),
+                               [](const ToolAction& action, const auto& button) { return action.id == button.first; });
+  if (!same) {
+    for (const auto& [id, button] : m_buttons) button->deleteLater();
+    m_buttons.clear();
+    for (const ToolAction& action : shown) {
+      auto* button = new QPushButton(this);
+      button->setObjectName(QStringLiteral("toolAction/") + QString::fromStdString(action.id));
+      button->setFocusPolicy(Qt::TabFocus);  // a click leaves the keys with the view
+      connect(button, &QPushButton::clicked, this, [this, id = action.id] { emit triggered(id); });
+      m_column->addWidget(button);
+      m_buttons.emplace_back(action.id, button);
+    }
+  }
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    QPushButton* button = m_buttons[i].second;
+    const QString title = titleOf(shown[i]), key = keyText(shown[i]);
+    button->setText(title);
+    button->setAccessibleName(title);
+    button->setToolTip(key.isEmpty() ? title : QStringLiteral("%1 (%2)").arg(title, key));
+    button->setEnabled(shown[i].enabled);
+  }
+}
+
+}  // namespace handwheel

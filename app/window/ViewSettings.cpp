@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/ViewSettings.h"
+
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+constexpr int kAlongView = 3;
+const char* const kClipGroup = QT_TRANSLATE_NOOP("Property", "Clipping plane");
+
+Property choice(const char* id, const char* label, int value, std::vector<std::string> choices) {
+  Property property;
+  property.id = id;
+  property.group = QT_TRANSLATE_NOOP("Property", "View");
+  property.label = label;
+  property.value = static_cast<double>(value);
+  property.least = 0;
+  property.largest = static_cast<double>(choices.size()) - 1;
+  property.choices = std::move(choices);
+  return property;
+}
+
+Property toggle(const char* id, const char* label, bool on) {
+  Property property;
+  property.id = id;
+  property.group = kClipGroup;
+  property.label = label;
+  property.value = on;
+  return property;
+}
+
+}  // namespace
+
+ViewSettings::ViewSettings(PropertyList& list, Viewport& viewport, QObject* parent)
+    : QObject(parent), m_list(list), m_viewport(viewport) {
+  connect(&m_list, &PropertyList::edited, this, [this](const std::string& id, const PropertyValue& value, bool) {
+    set(id, value);
+    refresh();
+  });
+}
+
+void ViewSettings::refresh() {
+  std::vector<Property> all{choice(
+      "projection", QT_TRANSLATE_NOOP("Property", "Projection"), m_viewport.projection() == Projection::Perspective,
+      {QT_TRANSLATE_NOOP("Property", "Parallel"), QT_TRANSLATE_NOOP("Property", "Perspective")})};
+  Property cube = toggle("view_cube", QT_TRANSLATE_NOOP("Property", "View cube"), m_cube);
+  cube.group = all[0].group;
+  all.push_back(cube);
+  all.push_back(toggle("clip", QT_TRANSLATE_NOOP("Property", "Cut the model open"), m_isClipping));
+  Property axis = choice("clip_axis", QT_TRANSLATE_NOOP("Property", "Across"), m_axis,
+                         {"X", "Y", "Z", QT_TRANSLATE_NOOP("Property", "View direction")});
+  axis.group = kClipGroup;
+  all.push_back(axis);
+  all.push_back(toggle("clip_flip", QT_TRANSLATE_NOOP("Property", "Other side"), m_isFlipped));
+  const ClipPlane plane = m_viewport.clipPlane();
+  const auto [least, largest] =
+      m_viewport.bounds().isEmpty() ? std::pair(0.0, 1.0) : clipOffsets(m_viewport.bounds(), plane.normal);
+  Property offset;
+  offset.id = "clip_offset";
+  offset.group = kClipGroup;
+  offset.label = QT_TRANSLATE_NOOP("Property", "Offset");
+  offset.quantity = Quantity::Length;
+  offset.continuous = true;
+  offset.least = least;
+  offset.largest = largest;
+  offset.value = std::clamp(plane.offset, least, largest);
+  offset.editable = m_isClipping;
+  all.push_back(offset);
+  m_list.setProperties(all);
+}
+
+void ViewSettings::set(const std::string& id, const PropertyValue& value) {
+  if (id == "projection") {
+    m_viewport.setProjection(std::get<double>(value) > 0.5 ? Projection::Perspective : Projection::Parallel);
+  } else if (id == "view_cube") {
+    m_viewport.setViewCubeVisible(m_cube = std::get<bool>(value));
+  } else if (id == "clip") {
+    m_isClipping = std::get<bool>(value);
+    clip();
+  } else if (id == "clip_axis") {
+    m_axis = static_cast<int>(std::get<double>(value));
+    m_viewDirection = m_viewport.camera().towardsViewer();
+    clip();
+  } else if (id == "clip_flip") {
+    m_isFlipped = std::get<bool>(value);
+    m_place = 1.0 - m_place;
+    clip();
+  } else if (id == "clip_offset") {
+    const auto [least, largest] = clipOffsets(m_viewport.bounds(), m_viewport.clipPlane().normal);
+    m_place = largest > least ? (std::get<double>(value) - least) / (largest - least) : 0.5;
+    clip();
+  }
+}
+
+void ViewSettings::clip() {
+  ClipPlane plane;
+  plane.on = m_isClipping;
+  plane.normal = m_axis == kAlongView ? m_viewDirection : Vec3(Vec3::Unit(m_axis));
+  if (m_isFlipped) plane.normal = -plane.normal;
+  if (!m_viewport.bounds().isEmpty()) {
+    const auto [least, largest] = clipOffsets(m_viewport.bounds(), plane.normal);
+    plane.offset = least + m_place * (largest - least);
+  }
+  m_viewport.setClipPlane(plane);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "controls/PropertyList.h"
+#include "viewport/Viewport.h"
+
+namespace handwheel {
+
+// How the view shows the model: projection, clipping plane, view cube. Shown as a form, kept with nothing: a view is
+// not a part of a document.
+class ViewSettings : public QObject {
+  Q_OBJECT
+
+ public:
+  ViewSettings(PropertyList& list, Viewport& viewport, QObject* parent = nullptr);
+
+  // Another model is in view, or its size has changed.
+  void refresh();
+
+ private:
+  void set(const std::string& id, const PropertyValue& value);
+  void clip();
+
+  PropertyList& m_list;
+  Viewport& m_viewport;
+  bool m_isClipping = false;
+  int m_axis = 0;  // X, Y, Z, or the direction of the view at the time it was chosen
+  bool m_isFlipped = false;
+  double m_place = 0.5;  // of the plane across the model, 0…1
+  Vec3 m_viewDirection = Vec3::UnitZ();
+  bool m_cube = true;
+};
+
+}  // namespace handwheel

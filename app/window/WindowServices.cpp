@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/WindowServices.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+struct Text {
+  Q_DECLARE_TR_FUNCTIONS(WindowServices)
+};
+
+QString nameOf(const std::string& id) {
+  if (id == "autosave") return Text::tr("Autosave");
+  if (id == "self_intersections") return Text::tr("Search for self-intersections");
+  return Text::tr("Preview of the patch");
+}
+
+}  // namespace
+
+WindowServices::WindowServices()
+    : m_autosave("autosave"),
+      m_selfIntersections("self_intersections"),
+      m_fillPreview("fill_preview"),
+      m_asked(std::chrono::steady_clock::now()) {
+  for (Service* service : {&m_autosave, &m_selfIntersections, &m_fillPreview}) m_needs.add(*service);
+}
+
+std::vector<ServiceStatus> WindowServices::status() {
+  const auto now = std::chrono::steady_clock::now();
+  const double seconds = std::max(1e-3, std::chrono::duration<double>(now - m_asked).count());
+  m_asked = now;
+  std::vector<ServiceStatus> all;
+  m_needs.forEach([&](const Service& service) {
+    const ServiceCounters counters = service.counters();
+    ServiceCounters& before = m_before[service.id()];
+    const auto ticks = static_cast<double>(counters.ticks - before.ticks);
+    ServiceStatus status;
+    status.id = QString::fromStdString(service.id());
+    status.name = nameOf(service.id());
+    status.running = counters.running;
+    status.ticksPerSecond = ticks / seconds;
+    status.microsecondsPerTick =
+        counters.ticks > 0 ? counters.cpuMicroseconds / static_cast<double>(counters.ticks) : 0.0;
+    before = counters;
+    all.push_back(status);
+  });
+  return all;
+}
+
+}  // namespace handwheel

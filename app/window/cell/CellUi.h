@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "window/PartsUi.h"
+
+namespace handwheel {
+
+// Robot cells in the window: the joints as sliders, and the robot to be dragged.
+class CellUi : public PartsUi {
+  Q_OBJECT
+
+ public:
+  explicit CellUi(const WindowParts& parts);
+
+  QString panelTitle() const override { return tr("Joints"); }
+  QString menuTitle() const override { return tr("&Cell"); }
+  std::vector<ToolOffer> tools() override;
+  std::vector<Hint> hints() override;
+  QString figures() const override;
+  QString openedText(const OpenDocument& document) const override;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/mesh/DefectScene.h"
+
+#include "panels/DefectModel.h"
+#include "viewport/Viewport.h"
+#include "window/mesh/ClearView.h"
+#include "window/mesh/HolePicking.h"
+#include "window/mesh/OpenMesh.h"
+#include "window/mesh/Selection.h"
+
+#include <QCursor>
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+// Share of the model's diagonal that the camera shows at least.
+constexpr double kLeastPlace = 0.08;
+
+std::vector<Vec3> pointsOf(const HalfEdgeMesh& mesh, const BoundaryLoop& loop) {
+  std::vector<Vec3> points;
+  points.reserve(loop.halfEdges.size());
+  for (HalfEdge h : loop.halfEdges) points.push_back(mesh.position(mesh.from(h)));
+  return points;
+}
+
+std::vector<Face> facesOf(const Inspection& inspection, DefectKind kind) {
+  const Defects& defects = inspection.document().defects();
+  std::vector<Face> faces;
+  switch (kind) {
+    case DefectKind::Flipped:
+      return inspection.document().turnedFaces();
+    case DefectKind::Degenerate:
+      return defects.degenerateFaces;
+    case DefectKind::Duplicate:
+      return defects.duplicateFaces;
+    case DefectKind::SelfIntersection:
+      if (!inspection.selfIntersections()) return {};
+      for (const auto& [a, b] : *inspection.selfIntersections()) faces.insert(faces.end(), {a, b});
+      return faces;
+    case DefectKind::Debris:
+      for (std::size_t i : inspection.debris()) {
+        faces.insert(faces.end(), defects.components[i].faces.begin(), defects.components[i].faces.end());
+      }
+      return faces;
+    default:
+      return {};
+  }
+}
+
+std::vector<Vec3> vertexPointsOf(const Inspection& inspection, DefectKind kind) {
+  const HalfEdgeMesh& mesh = inspection.document().mesh();
+  const Defects& defects = inspection.document().defects();
+  std::vector<Vec3> points;
+  if (kind == DefectKind::NonManifoldVertex) {
+    for (Vertex v : defects.nonManifoldVertices) points.push_back(mesh.position(v));
+  } else {
+    for (const auto& pair : defects.nearVertices) points.push_back(mesh.position(pair.first));
+  }
+  return points;
+}
+
+}  // namespace
+
+DefectScene::DefectScene(Viewport& viewport, Selection& selection, DefectModel& defects, QObject* parent)
+    : QObject(parent), m_viewport(viewport), m_selection(selection), m_defects(defects) {
+  connect(&m_selection, &Selection::changed, this, &DefectScene::drawLoops);
+  connect(&m_selection, &Selection::hoverChanged, this,
+          [this] { m_viewport.setHighlightedLoop(m_selection.hovered()); });
+  connect(&m_defects, &DefectModel::shownChanged, this, [this] {
+    drawLoops();
+    drawDefects();
+  });
+  connect(&m_viewport, &Viewport::hovered, this, [this](const Pick& pick) { m_selection.hover(loopAt(pick)); });
+  connect(&m_viewport, &Viewport::clicked, this, [this](const Pick& pick) { m_selection.select(loopAt(pick)); });
+  connect(&m_viewport, &Viewport::doubleClicked, this, [this](const Pick& pick) { showLoop(loopAt(pick)); });
+}
+
+void DefectScene::setDocument(OpenMesh* document) {
+  if (m_document) {
+    m_document->camera = m_viewport.camera();
+    m_document->document.disconnect(this);
+    m_document->inspection.disconnect(this);
+  }
+  m_document = document;
+  if (!document) return m_viewport.clear();
+  connect(&document->document, &MeshDocument::meshChanged, this, [this](const std::vector<Face>& touched) {
+    if (m_document->visible) m_viewport.updateMesh(m_document->document.mesh(), touched);
+  });
+  connect(&document->inspection, &Inspection::changed, this, [this] {
+    drawLoops();
+    drawDefects();
+  });
+  showSurface();
+  if (document->camera) {
+    m_viewport.setCamera(*document->camera);
+  } else {
+    m_viewport.setStandardView(StandardView::Isometric);
+  }
+}
+
+int DefectScene::loopAt(const Pick& pick) const {
+  if (pick.loop >= 0 || !m_document) return pick.loop;
+  const CameraState camera = m_viewport.camera();
+  if (!pick.isNothing()) return loopAround(m_document->inspection, camera, pick.point, pick.point);
+  const QPointF cursor = m_viewport.mapFromGlobal(QPointF(QCursor::pos()));
+  const double scale = camera.height / m_viewport.height();  // units of the model to the pixel
+  const double right = (cursor.x() - m_viewport.width() / 2.0) * scale;
+  const double up = (m_viewport.height() / 2.0 - cursor.y()) * scale;
+  return loopAround(m_document->inspection, camera, camera.centre + right * camera.right() + up * camera.up(), {});
+}
+
+void DefectScene::showSurface() {
+  if (!m_document->visible) return m_viewport.clear();
+  m_viewport.setMesh(m_document->document.mesh(), m_document->document.defects().box);
+  drawLoops();
+  drawDefects();
+}
+
+void DefectScene::refreshVisibility() {
+  if (m_document) showSurface();
+}
+
+void DefectScene::showLoop(int loop) {
+  if (!m_document || loop < 0) return;
+  showPlace(m_defects.loopIndex(loop));
+}
+
+void DefectScene::showPlace(const QModelIndex& defect) {
+  const auto [place, outward] = m_defects.placeOf(defect);
+  if (!m_document || place.isEmpty()) return;
+  const HalfEdgeMesh& mesh = m_document->document.mesh();
+  // A tiny defect is shown with enough around it to see where it is.
+  const double least = kLeastPlace * m_document->document.defects().box.diagonal().norm();
+  const double grow = std::max(0.0, (least - place.diagonal().norm()) / 2.0);
+  m_viewport.flyTo(Box(place.min().array() - grow, place.max().array() + grow), clearView(mesh, place, outward));
+}
+
+void DefectScene::drawLoops() {
+  if (!m_document || !m_document->visible) return;
+  const Inspection& inspection = m_document->inspection;
+  std::vector<LoopMark> marks;
+  for (DefectKind kind : {DefectKind::Hole, DefectKind::KeptOpen}) {
+    for (int id : kind == DefectKind::Hole ? inspection.holes() : inspection.keptOpen()) {
+      const bool selected = id == m_selection.loop();
+      if (!selected && !m_defects.isShown(kind)) continue;
+      marks.push_back({id, pointsOf(m_document->document.mesh(), inspection.loop(id)), defectColour(kind), selected});
+    }
+  }
+  m_viewport.setLoops(std::move(marks));
+}
+
+void DefectScene::drawDefects() {
+  if (!m_document || !m_document->visible) return;
+  const Inspection& inspection = m_document->inspection;
+  std::vector<FaceMark> faces;
+  for (DefectKind kind : {DefectKind::Debris, DefectKind::Flipped, DefectKind::Degenerate, DefectKind::Duplicate,
+                          DefectKind::SelfIntersection}) {
+    if (m_defects.isShown(kind)) faces.push_back({facesOf(inspection, kind), defectColour(kind)});
+  }
+  m_viewport.setFaceMarks(std::move(faces));
+
+  std::vector<PointMark> points;
+  for (DefectKind kind : {DefectKind::NonManifoldVertex, DefectKind::NearVertex}) {
+    if (m_defects.isShown(kind)) points.push_back({vertexPointsOf(inspection, kind), defectColour(kind)});
+  }
+  m_viewport.setPointMarks(std::move(points));
+
+  std::vector<LineMark> lines;
+  if (m_defects.isShown(DefectKind::NonManifoldEdge)) {
+    const HalfEdgeMesh& mesh = m_document->document.mesh();
+    LineMark mark{{}, defectColour(DefectKind::NonManifoldEdge)};
+    for (const auto& [a, b] : m_document->document.defects().nonManifoldEdges) {
+      mark.segments.emplace_back(mesh.position(a), mesh.position(b));
+    }
+    lines.push_back(std::move(mark));
+  }
+  m_viewport.setLineMarks(std::move(lines));
+}
+
+}  // namespace handwheel

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/mesh/HolePreview.h"
+
+#include "window/WindowServices.h"
+#include "window/mesh/OpenMesh.h"
+
+#include <utility>
+
+namespace handwheel {
+
+HolePreview::HolePreview(QThreadPool& pool, WindowServices& services, QObject* parent)
+    : QObject(parent), m_services(services), m_runner(JobRunner::Policy::Latest, pool, this) {}
+
+void HolePreview::request(OpenMesh* document, int loop, FillMethod method) {
+  if (!document || loop < 0) document = nullptr;
+  const std::uint64_t revision = document ? document->document.revision() : 0;
+  const Vertex key = document ? document->inspection.keyOf(loop) : kNone;
+  const bool same = document == m_document && revision == m_revision && key == m_key && method == m_method;
+  if (same && (!document || m_state.kind != PreviewState::Kind::Off)) return;
+  if (document && (document != m_benchDocument || revision != m_benchRevision)) m_bench = nullptr;
+  m_document = document;
+  m_revision = revision;
+  m_key = key;
+  m_loop = loop;
+  m_method = method;
+  start();
+}
+
+void HolePreview::start() {
+  ++m_request;
+  m_attempt.reset();
+  m_state = {};
+  m_need = m_document ? m_services.needs().need("fill_preview") : Need();
+  if (!m_document) {
+    m_runner.cancel();
+    emit changed();
+    return;
+  }
+  if (!m_bench) giveBack(m_document, std::make_shared<FillBench>(m_document->document.mesh()));
+  m_state.kind = PreviewState::Kind::Working;
+  emit changed();
+  const MeshDocument& document = m_document->document;
+  FillOptions options;
+  options.method = m_method;
+  options.numbers = document.fileNumbers();
+  Job job;
+  job.name = tr("Preview");
+  job.work = [this, &service = m_services.fillPreview(), bench = m_bench, loop = m_document->inspection.loop(m_loop),
+              options, request = m_request](Progress progress) -> Job::Finish {
+    const ServiceTick tick(service);
+    auto attempt = std::make_shared<FillAttempt>(bench->filler().propose(loop, options, progress));
+    return [this, attempt, request] { finished(request, std::move(*attempt)); };
+  };
+  m_runner.start(std::move(job));
+}
+
+void HolePreview::finished(std::uint64_t request, FillAttempt attempt) {
+  if (request != m_request) return;
+  m_state.kind = attempt.failure == FillFailure::None ? PreviewState::Kind::Ready : PreviewState::Kind::Failed;
+  m_state.triangles = attempt.patch.triangles.size();
+  m_state.method = attempt.patch.method;
+  m_state.failure = attempt.failure;
+  m_attempt = std::move(attempt);
+  emit changed();
+}
+
+const FillAttempt* HolePreview::attempt() const {
+  return m_attempt ? &*m_attempt : nullptr;
+}
+
+PreparedFill HolePreview::take() {
+  PreparedFill prepared;
+  if (m_state.kind == PreviewState::Kind::Ready || m_state.kind == PreviewState::Kind::Failed) {
+    prepared = {m_bench, std::move(m_attempt)};
+  }
+  m_bench = nullptr;
+  clear();
+  return prepared;
+}
+
+void HolePreview::forget() {
+  m_bench = nullptr;
+  clear();
+}
+
+void HolePreview::giveBack(OpenMesh* document, std::shared_ptr<FillBench> bench) {
+  m_bench = std::move(bench);
+  m_benchDocument = document;
+  m_benchRevision = document->document.revision();
+}
+
+}  // namespace handwheel

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Service.h"
+#include "panels/HoleSettings.h"
+#include "window/JobRunner.h"
+#include "window/mesh/FillBench.h"
+
+#include <memory>
+
+namespace handwheel {
+
+class WindowServices;
+struct OpenMesh;
+
+// What a fill starts from: the bench, and the attempt that the preview showed when there is one.
+struct PreparedFill {
+  std::shared_ptr<FillBench> bench;
+  std::optional<FillAttempt> attempt;
+};
+
+// Computes on a worker what filling a hole would give, as soon as the hole is selected.
+class HolePreview : public QObject {
+  Q_OBJECT
+
+ public:
+  HolePreview(QThreadPool& pool, WindowServices& services, QObject* parent = nullptr);
+
+  // Asking for what is already shown or on its way changes nothing. loop -1 or no document: no preview.
+  void request(OpenMesh* document, int loop, FillMethod method);
+  void clear() { request(nullptr, -1, m_method); }
+  // The same, and nothing is kept for the next request. For when the document changes.
+  void forget();
+
+  const PreviewState& state() const { return m_state; }
+  const FillAttempt* attempt() const;  // null unless ready or failed
+
+  // Hands over the work done for this hole; the fill uses the bench alone. The next request starts anew, unless the
+  // bench comes back, now of the document as it is with the patch in it.
+  PreparedFill take();
+  void giveBack(OpenMesh* document, std::shared_ptr<FillBench> bench);
+
+ signals:
+  void changed();
+
+ private:
+  void start();
+  void finished(std::uint64_t request, FillAttempt attempt);
+
+  WindowServices& m_services;
+  Need m_need;  // as long as a preview is wanted
+  JobRunner m_runner;
+  OpenMesh* m_document = nullptr;
+  std::uint64_t m_revision = 0;
+  Vertex m_key = kNone;
+  int m_loop = -1;
+  FillMethod m_method = FillMethod::Fair;
+  std::uint64_t m_request = 0;
+  std::shared_ptr<FillBench> m_bench;
+  const OpenMesh* m_benchDocument = nullptr;
+  std::uint64_t m_benchRevision = 0;
+  std::optional<FillAttempt> m_attempt;
+  PreviewState m_state;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/mesh/MeshTools.h"
+
+#include "tools/MeasureTool.h"
+#include "tools/mesh/SelectTool.h"
+#include "window/ToolHost.h"
+#include "window/mesh/HolePreview.h"
+#include "window/mesh/OpenMesh.h"
+#include "window/mesh/RepairActions.h"
+#include "window/mesh/Selection.h"
+
+#include <QCoreApplication>
+
+namespace handwheel {
+
+MeshTools::MeshTools(ToolHost& host, QThreadPool& pool, Selection& selection, HolePreview& preview,
+                     RepairActions& actions, RepairJobs& jobs, QObject* parent)
+    : QObject(parent),
+      m_host(host),
+      m_selection(selection),
+      m_preview(preview),
+      m_actions(actions),
+      m_jobs(jobs),
+      m_sorting(JobRunner::Policy::Latest, pool),
+      m_thinking(JobRunner::Policy::Latest, pool) {
+  connect(&m_preview, &HolePreview::changed, this, &MeshTools::answer);
+  connect(&m_selection, &Selection::changed, this, &MeshTools::followSelection);
+  connect(&m_host, &ToolHost::updated, this, &MeshTools::followTool);
+}
+
+void MeshTools::setDocument(OpenMesh* document) {
+  m_thinking.cancel();
+  m_sorting.cancel();
+  m_faces.reset();
+  m_facesRevision = m_sortingRevision = 0;
+  m_document = document;
+}
+
+std::unique_ptr<Tool> MeshTools::fillTool() {
+  FillServices services;
+  services.faces = [this] { return faces(); };
+  services.request = [this](const FillRequest& wanted) { request(wanted); };
+  services.commit = [this](const BoundaryLoop&, const FillAttempt&) { m_actions.fill()->trigger(); };
+  const Vertex selected = m_document->selected;
+  auto tool = std::make_unique<FillHoleTool>(m_document->document, std::move(services),
+                                             selected == kNone ? std::nullopt : std::optional(selected));
+  return tool;
+}
+
+std::unique_ptr<Tool> MeshTools::selectTool() {
+  return std::make_unique<SelectTool>(m_document->document, services());
+}
+
+std::unique_ptr<Tool> MeshTools::measureTool() {
+  return std::make_unique<MeasureTool>([this](const Ray& ray) -> std::optional<Vec3> {
+    const auto sorted = faces();
+    const auto hit = sorted ? sorted->firstHit(ray) : std::nullopt;
+    return hit ? std::optional(hit->point) : std::nullopt;
+  });
+}
+
+std::shared_ptr<const FaceHierarchy> MeshTools::faces() {
+  const std::uint64_t revision = m_document->document.revision();
+  if (m_facesRevision == revision || m_sortingRevision == revision) return m_faces;
+  m_sortingRevision = revision;
+  Job job;
+  job.name = tr("Preparing to pick");
+  job.work = [this, revision, mesh = m_document->document.mesh()](Progress) -> Job::Finish {
+    return [this, revision, sorted = std::make_shared<const FaceHierarchy>(mesh)] {
+      m_faces = sorted;
+      m_facesRevision = revision;
+    };
+  };
+  m_sorting.start(std::move(job));
+  return m_faces;
+}
+
+MeshServices MeshTools::services() {
+  MeshServices services;
+  services.faces = [this] { return faces(); };
+  services.cancel = [this] { m_thinking.cancel(); };
+  services.run = [this](ToolJob wanted) {
+    Job job;
+    job.name = QCoreApplication::translate("Tool", wanted.name);
+    job.work = [this, work = std::move(wanted.work)](Progress progress) -> Job::Finish {
+      return [this, finish = work(progress)] { m_host.runner().deliver(finish); };
+    };
+    m_thinking.start(std::move(job));
+  };
+  services.commit = [this](MeshChange change) { m_jobs.change(m_document, std::move(change)); };
+  return services;
+}
+
+const FillHoleTool* MeshTools::runningFillTool() const {
+  return dynamic_cast<const FillHoleTool*>(m_host.runner().tool());
+}
+
+// The preview of the window is the tool's, so the list, the settings and the tool show the same patch.
+void MeshTools::request(const FillRequest& request) {
+  m_ticket = request.ticket;
+  m_selection.select(m_document->inspection.loopWithKey(keyOf(m_document->document.mesh(), request.loop)));
+  answer();
+}
+
+void MeshTools::answer() {
+  const FillAttempt* attempt = m_preview.attempt();
+  if (!attempt || !runningFillTool()) return;
+  m_host.runner().deliver([this, ticket = m_ticket, attempt = *attempt] {
+    const_cast<FillHoleTool*>(runningFillTool())->previewReady(ticket, attempt);
+  });
+}
+
+// Chosen in the list, by key or by undo.
+void MeshTools::followSelection() {
+  const FillHoleTool* tool = runningFillTool();
+  if (!tool || !m_document) return;
+  const BoundaryLoop* loop = tool->loop();
+  const Vertex working = loop ? keyOf(m_document->document.mesh(), *loop) : kNone;
+  if (working != m_document->selected) m_host.start(fillTool(), m_document->document);
+}
+
+// Dropped in the tool.
+void MeshTools::followTool() {
+  const FillHoleTool* tool = runningFillTool();
+  if (tool && m_document && !tool->loop() && m_selection.loop() >= 0) m_selection.select(-1);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tools/mesh/FillHoleTool.h"
+#include "tools/mesh/MeshServices.h"
+#include "window/JobRunner.h"
+
+namespace handwheel {
+
+class HolePreview;
+class RepairActions;
+class RepairJobs;
+class Selection;
+class ToolHost;
+struct OpenMesh;
+
+// The tools for meshes in the window: gives them the document's jobs and picking, and keeps the hole that the tool
+// works on and the one selected in the list the same.
+class MeshTools : public QObject {
+  Q_OBJECT
+
+ public:
+  MeshTools(ToolHost& host, QThreadPool& pool, Selection& selection, HolePreview& preview, RepairActions& actions,
+            RepairJobs& jobs, QObject* parent = nullptr);
+
+  void setDocument(OpenMesh* document);
+
+  std::unique_ptr<Tool> fillTool();
+  std::unique_ptr<Tool> selectTool();
+  std::unique_ptr<Tool> measureTool();
+  // The faces of the present mesh, to be found by rays; of an older version while the present one is being sorted.
+  std::shared_ptr<const FaceHierarchy> faces();
+
+ private:
+  const FillHoleTool* runningFillTool() const;
+  void request(const FillRequest& request);
+  void answer();
+  void followSelection();
+  void followTool();
+  MeshServices services();
+
+  ToolHost& m_host;
+  Selection& m_selection;
+  HolePreview& m_preview;
+  RepairActions& m_actions;
+  RepairJobs& m_jobs;
+  JobRunner m_sorting;   // faces into their hierarchy
+  JobRunner m_thinking;  // the jobs of the select tool
+  OpenMesh* m_document = nullptr;
+  std::shared_ptr<const FaceHierarchy> m_faces;
+  std::uint64_t m_facesRevision = 0;
+  std::uint64_t m_sortingRevision = 0;
+  std::uint64_t m_ticket = 0;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/mesh/MeshUi.h"
+
+#include "panels/DefectModel.h"
+#include "panels/DefectsPanel.h"
+#include "viewport/Viewport.h"
+#include "window/CommandText.h"
+#include "window/ToolHost.h"
+#include "window/mesh/DefectScene.h"
+#include "window/mesh/NextSteps.h"
+#include "window/mesh/OpenMesh.h"
+
+#include <QLocale>
+#include <QShortcut>
+
+namespace handwheel {
+
+MeshUi::MeshUi(const WindowParts& parts)
+    : m_parts(parts),
+      m_preview(parts.pool, parts.services),
+      m_search(parts.pool, parts.services),
+      m_jobs(parts.tabs, parts.jobs, parts.log),
+      m_actions(m_selection, m_jobs, m_preview),
+      m_panel(new DefectsPanel({m_actions.repairAll(), m_actions.previous(), m_actions.next(), m_actions.fill(),
+                                m_actions.keepOpen(), m_actions.preview()},
+                               parts.window)),
+      m_scene(new DefectScene(parts.viewport, m_selection, *m_panel->model(), this)),
+      m_tools(parts.tools, parts.pool, m_selection, m_preview, m_actions, m_jobs) {
+  m_panel->setMinimumWidth(264);
+  connectSelection();
+  connect(&m_jobs, &RepairJobs::workingChanged, this, &KindUi::stateChanged);
+  auto* space = new QShortcut(QKeySequence(Qt::Key_Space), &m_parts.viewport, nullptr, nullptr, Qt::WidgetShortcut);
+  connect(space, &QShortcut::activated, m_actions.next(), &QAction::trigger);
+}
+
+MeshUi::~MeshUi() {
+  setDocument(nullptr);
+}
+
+void MeshUi::connectSelection() {
+  connect(&m_selection, &Selection::changed, this, [this] {
+    if (m_panel) m_panel->setSelectedLoop(m_selection.loop());
+    emit stateChanged();
+  });
+  connect(&m_selection, &Selection::hoverChanged, this, [this] { m_panel->setHighlightedLoop(m_selection.hovered()); });
+  connect(m_panel, &DefectsPanel::loopHovered, &m_selection, &Selection::hover);
+  connect(m_panel, &DefectsPanel::loopSelected, &m_selection, &Selection::select);
+  connect(m_panel, &DefectsPanel::defectActivated, m_scene, &DefectScene::showPlace);
+  connect(m_panel->settings(), &HoleSettings::methodChanged, &m_actions, &RepairActions::setMethod);
+  m_panel->settings()->setMethod(m_actions.method());
+  connect(&m_preview, &HolePreview::changed, this, [this] {
+    if (m_panel) m_panel->settings()->showPreview(m_preview.state());
+  });
+  connect(&m_actions, &RepairActions::showLoopRequested, m_scene, &DefectScene::showLoop);
+}
+
+QWidget* MeshUi::panel() {
+  return m_panel;
+}
+
+std::unique_ptr<OpenDocument> MeshUi::open(std::unique_ptr<Document> document) {
+  auto open = std::make_unique<OpenMesh>(std::move(document), *this);
+  connect(&open->inspection, &Inspection::changed, this, &KindUi::stateChanged);
+  return open;
+}
+
+void MeshUi::setDocument(OpenDocument* document) {
+  m_document = static_cast<OpenMesh*>(document);
+  m_preview.forget();
+  if (m_panel) m_panel->setInspection(m_document ? &m_document->inspection : nullptr);
+  m_scene->setDocument(m_document);
+  m_tools.setDocument(m_document);
+  m_search.setDocument(m_document);
+  m_actions.setDocument(m_document);
+  m_selection.setDocument(m_document);
+}
+
+void MeshUi::refreshVisibility() {
+  m_scene->refreshVisibility();
+}
+
+QList<QAction*> MeshUi::toolBar() {
+  return {m_actions.repairAll(), m_actions.previous(), m_actions.next(), m_actions.fill(), m_actions.keepOpen()};
+}
+
+std::vector<ToolOffer> MeshUi::tools() {
+  return {{QStringLiteral("fillTool"), tr("&Holes"), QStringLiteral("hole"), QKeySequence(Qt::Key_H),
+           [this] { return m_tools.fillTool(); }},
+          {QStringLiteral("selectTool"), tr("&Select faces"), QStringLiteral("select"), QKeySequence(Qt::Key_S),
+           [this] { return m_tools.selectTool(); }},
+          {QStringLiteral("measureTool"), tr("&Measure"), QStringLiteral("ruler"), QKeySequence(Qt::Key_M),
+           [this] { return m_tools.measureTool(); }}};
+}
+
+std::vector<Hint> MeshUi::hints() {
+  return m_parts.tools.hints();
+}
+
+NextStep MeshUi::nextStep() {
+  if (!m_document || m_selection.loop() >= 0 || m_jobs.isWorking()) return {};
+  return nextStepFor(*m_document, {m_actions.repairAll(), m_actions.removeDebris(), m_actions.goOneByOne(),
+                                   m_parts.isPanelVisible() ? nullptr : m_parts.showPanel, m_parts.saveAs});
+}
+
+QString MeshUi::figures() const {
+  if (!m_document) return {};
+  const std::size_t faces = m_document->document.mesh().liveFaceCount();
+  return tr("%1 triangles").arg(QLocale().toString(static_cast<qulonglong>(faces)));
+}
+
+QString MeshUi::openedText(const OpenDocument& document) const {
+  const auto& mesh = static_cast<const OpenMesh&>(document);
+  return tr("Opened %1: %2 triangles, %3 holes, %4 triangles turned over")
+      .arg(mesh.document.name())
+      .arg(mesh.document.mesh().liveFaceCount())
+      .arg(mesh.inspection.holes().size())
+      .arg(mesh.inspection.count(DefectKind::Flipped));
+}
+
+QString MeshUi::suggestedName(const OpenDocument& document) const {
+  return document.document.file().isContainer ? document.document.path() : repairedName(document.document.path());
+}
+
+bool MeshUi::isSettled() const {
+  return m_search.isIdle() && m_preview.state().kind != PreviewState::Kind::Working;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "window/KindUi.h"
+#include "window/mesh/HolePreview.h"
+#include "window/mesh/MeshTools.h"
+#include "window/mesh/RepairActions.h"
+#include "window/mesh/RepairJobs.h"
+#include "window/mesh/Selection.h"
+#include "window/mesh/SelfIntersectionSearch.h"
+
+#include <QPointer>
+
+namespace handwheel {
+
+class DefectsPanel;
+class DefectScene;
+
+// Meshes in the window: their defects in panel and viewport, and what repairs them.
+class MeshUi : public KindUi {
+  Q_OBJECT
+
+ public:
+  explicit MeshUi(const WindowParts& parts);
+  ~MeshUi() override;
+
+  std::unique_ptr<OpenDocument> open(std::unique_ptr<Document> document) override;
+  void setDocument(OpenDocument* document) override;
+  void refreshVisibility() override;
+  QString panelTitle() const override { return tr("Defects"); }
+  QWidget* panel() override;
+  QString menuTitle() const override { return tr("&Repair"); }
+  QList<QAction*> menu() override { return m_actions.all(); }
+  QList<QAction*> toolBar() override;
+  std::vector<ToolOffer> tools() override;
+  std::vector<Hint> hints() override;
+  NextStep nextStep() override;
+  QString figures() const override;
+  QString openedText(const OpenDocument& document) const override;
+  QString suggestedName(const OpenDocument& document) const override;
+  bool isSettled() const override;
+
+ private:
+  void connectSelection();
+
+  WindowParts m_parts;
+  Selection m_selection;
+  HolePreview m_preview;
+  SelfIntersectionSearch m_search;
+  RepairJobs m_jobs;
+  RepairActions m_actions;
+  QPointer<DefectsPanel> m_panel;
+  DefectScene* m_scene;
+  MeshTools m_tools;
+  OpenMesh* m_document = nullptr;
+};
+
+}  // namespace handwheel

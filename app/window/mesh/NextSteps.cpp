@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/mesh/NextSteps.h"
+
+#include "text/RepairText.h"
+#include "theme/DefectColours.h"
+#include "theme/Theme.h"
+#include "window/mesh/OpenMesh.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+constexpr int kReasonsNamed = 3;
+
+struct Text {
+  Q_DECLARE_TR_FUNCTIONS(NextSteps)
+};
+
+// "3 non-manifold edges, 1 loose piece.": everything that is wrong besides the holes.
+QString otherFindings(const Inspection& inspection) {
+  QStringList parts;
+  const auto add = [&](DefectKind kind, const auto& phrase) {
+    if (const auto n = static_cast<int>(inspection.count(kind)); n > 0) parts << phrase(n);
+  };
+  add(DefectKind::Flipped, [](int n) { return Text::tr("%Ln triangle(s) turned over", nullptr, n); });
+  add(DefectKind::NonManifoldEdge, [](int n) { return Text::tr("%Ln non-manifold edge(s)", nullptr, n); });
+  add(DefectKind::NonManifoldVertex, [](int n) { return Text::tr("%Ln non-manifold point(s)", nullptr, n); });
+  add(DefectKind::NearVertex, [](int n) { return Text::tr("%Ln pair(s) of near vertices", nullptr, n); });
+  add(DefectKind::Degenerate, [](int n) { return Text::tr("%Ln triangle(s) without area", nullptr, n); });
+  add(DefectKind::Duplicate, [](int n) { return Text::tr("%Ln duplicate triangle(s)", nullptr, n); });
+  add(DefectKind::Debris, [](int n) { return Text::tr("%Ln loose piece(s)", nullptr, n); });
+  return parts.isEmpty() ? QString() : parts.join(QStringLiteral(", ")) + QLatin1Char('.');
+}
+
+QString headline(const Inspection& inspection) {
+  const auto holes = static_cast<int>(inspection.count(DefectKind::Hole));
+  return holes > 0 ? Text::tr("%Ln hole(s) found.", nullptr, holes) : Text::tr("No holes, but other defects.");
+}
+
+// "Hole 3 stays open: every patch would cross the part." for the first few.
+QString reasons(const Inspection& inspection) {
+  QStringList lines;
+  int more = 0;
+  for (int id : inspection.holes()) {
+    const FillFailure failure = inspection.failure(id);
+    if (failure == FillFailure::None) continue;
+    if (lines.size() == kReasonsNamed) {
+      ++more;
+    } else {
+      lines << Text::tr("%1 stays open: %2.").arg(inspection.loopName(id), fillFailureReason(failure));
+    }
+  }
+  if (more > 0) lines << Text::tr("…and %Ln more, see the list.", nullptr, more);
+  return lines.join(QLatin1Char(' '));
+}
+
+QString openTitle(const Inspection& inspection) {
+  const auto& open = inspection.keptOpen();
+  const bool sheet = std::all_of(open.begin(), open.end(), [&](int id) { return inspection.loop(id).rim; });
+  return sheet ? Text::tr("No holes. This is an open sheet.") : Text::tr("No holes are left except those kept open.");
+}
+
+// False again once a repair is undone.
+bool wasTriedOnAll(const Inspection& inspection) {
+  const auto& holes = inspection.holes();
+  return std::all_of(holes.begin(), holes.end(), [&](int id) { return inspection.failure(id) != FillFailure::None; });
+}
+
+bool isWorthSaving(const OpenMesh& document) {
+  return document.document.isModified() || (!document.written && !document.document.turnedFaces().empty());
+}
+
+}  // namespace
+
+NextStep nextStepFor(const OpenMesh& document, const NextStepActions& actions) {
+  const Inspection& inspection = document.inspection;
+  const ThemeColours& colours = themeColours(currentTheme());
+  if (document.cardDismissed) return {};
+  if (inspection.isClean()) {
+    const bool tight = inspection.isWatertight();
+    NextStep step{tight ? QStringLiteral("watertight") : defectIconName(DefectKind::KeptOpen),
+                  tight ? colours.success : defectColour(DefectKind::KeptOpen),
+                  tight ? Text::tr("Watertight.") : openTitle(inspection),
+                  {},
+                  {}};
+    if (isWorthSaving(document)) {
+      step.actions = {actions.saveAs};
+      if (const auto turned = static_cast<int>(document.document.turnedFaces().size()); turned > 0) {
+        step.detail = Text::tr("%Ln triangle(s) faced the wrong way and were turned over.", nullptr, turned);
+      }
+    } else {
+      step.detail = document.written ? Text::tr("Saved as %1.").arg(document.document.name())
+                                     : Text::tr("There is nothing to repair.");
+    }
+    if (!inspection.debris().empty()) step.actions.push_back(actions.removeDebris);
+    return step;
+  }
+  if (document.repaired && wasTriedOnAll(inspection)) {
+    const auto holes = static_cast<int>(inspection.count(DefectKind::Hole));
+    NextStep left{
+        QStringLiteral("warning"),
+        colours.warning,
+        holes > 0 ? Text::tr("%Ln hole(s) could not be filled.", nullptr, holes) : Text::tr("Some defects are left."),
+        holes > 0 ? reasons(inspection) : otherFindings(inspection),
+        {}};
+    if (holes > 0) left.actions.push_back(actions.oneByOne);
+    left.actions.push_back(actions.saveAs);
+    return left;
+  }
+  const bool holes = !inspection.holes().empty();
+  NextStep step{holes ? defectIconName(DefectKind::Hole) : QStringLiteral("warning"),
+                holes ? defectColour(DefectKind::Hole) : colours.warning,
+                headline(inspection),
+                otherFindings(inspection),
+                {actions.repairAll}};
+  if (holes) step.actions.push_back(actions.oneByOne);
+  if (actions.showDefects) step.actions.push_back(actions.showDefects);
+  return step;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/mesh/MeshDocument.h"
+#include "mesh/Repair.h"
+#include "panels/Inspection.h"
+#include "window/OpenDocument.h"
+
+namespace handwheel {
+
+// An open mesh. Its document hides the one of the base: it is the same, known as what it is.
+struct OpenMesh : OpenDocument {
+  OpenMesh(std::unique_ptr<Document> made, KindUi& of)
+      : OpenDocument(std::move(made), of),
+        document(static_cast<MeshDocument&>(OpenDocument::document)),
+        inspection(document) {}
+
+  MeshDocument& document;
+  Inspection inspection;
+  Vertex selected = kNone;  // Inspection::keyOf the selected loop
+  bool repaired = false;    // "Repair all" ran at least once
+};
+
+}  // namespace handwheel

@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/mesh/RepairActions.h"
+
+#include "theme/Icons.h"
+#include "window/mesh/OpenMesh.h"
+#include "window/mesh/Selection.h"
+
+#include <QSettings>
+#include <QTimer>
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+const auto kMethodKey = QStringLiteral("fillMethod");
+const auto kPreviewKey = QStringLiteral("showPreview");
+// The patch is seen in its place for a moment before the camera leaves for the next hole.
+constexpr int kLookMs = 450;
+
+void prepare(QAction& action, const char* name, const char* iconName, const QList<QKeySequence>& keys,
+             const QString& tip) {
+  action.setObjectName(QString::fromLatin1(name));
+  if (iconName) action.setIcon(icon(QString::fromLatin1(iconName)));
+  action.setShortcuts(keys);
+  action.setToolTip(
+      keys.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, keys.first().toString(QKeySequence::NativeText)));
+}
+
+}  // namespace
+
+RepairActions::RepairActions(Selection& selection, RepairJobs& jobs, HolePreview& preview, QObject* parent)
+    : QObject(parent),
+      m_selection(selection),
+      m_jobs(jobs),
+      m_preview(preview),
+      m_method(static_cast<FillMethod>(std::clamp(QSettings().value(kMethodKey, 0).toInt(), 0, 3))),
+      m_repairAll(tr("&Repair all")),
+      m_removeDebris(tr("Remove &debris")),
+      m_oneByOne(tr("&Go one by one")),
+      m_fill(tr("&Fill")),
+      m_keepOpen(tr("&Keep open")),
+      m_showPreview(tr("&Preview")),
+      m_next(tr("&Next hole")),
+      m_previous(tr("Pre&vious hole")),
+      m_deselect(tr("&Clear selection")) {
+  prepare(m_repairAll, "repairAll", "repair", {QKeySequence(Qt::CTRL | Qt::Key_R)},
+          tr("Fill all holes except those kept open, and mend the other defects, as one step"));
+  prepare(m_removeDebris, "removeDebris", "debris", {},
+          tr("Remove the small pieces that are not connected with the model"));
+  prepare(m_oneByOne, "goOneByOne", "next", {}, tr("Look at one hole after the other"));
+  prepare(m_fill, "fillHole", "fill-hole", {QKeySequence(Qt::Key_Return), QKeySequence(Qt::Key_Enter)},
+          tr("Fill the selected hole"));
+  prepare(m_keepOpen, "keepOpen", "keep-open", {QKeySequence(Qt::Key_K)},
+          tr("This opening is meant to be there: “Repair all” leaves it"));
+  prepare(m_showPreview, "showPreview", "preview", {QKeySequence(Qt::Key_P)},
+          tr("Show the patch of the selected hole before it is filled"));
+  prepare(m_next, "nextHole", "next", {QKeySequence(Qt::Key_N)}, tr("Go to the next hole"));
+  prepare(m_previous, "previousHole", "previous", {QKeySequence(Qt::SHIFT | Qt::Key_N)}, tr("Go to the previous hole"));
+  prepare(m_deselect, "deselect", nullptr, {QKeySequence(Qt::Key_Escape)}, tr("Clear the selection and the preview"));
+  m_repairAll.setPriority(QAction::HighPriority);
+  m_fill.setPriority(QAction::HighPriority);
+  m_keepOpen.setCheckable(true);
+  m_showPreview.setCheckable(true);
+  // In menus the check mark stands where the icon would.
+  m_keepOpen.setIconVisibleInMenu(false);
+  m_showPreview.setIconVisibleInMenu(false);
+  m_showPreview.setChecked(QSettings().value(kPreviewKey, true).toBool());
+  connectActions();
+  follow();
+}
+
+void RepairActions::connectActions() {
+  connect(&m_repairAll, &QAction::triggered, this, [this] {
+    m_selection.select(-1);
+    m_jobs.repairAll(m_document, m_method);
+  });
+  connect(&m_removeDebris, &QAction::triggered, this, [this] { m_jobs.removeDebris(m_document); });
+  connect(&m_oneByOne, &QAction::triggered, this, [this] { step(+1); });
+  connect(&m_fill, &QAction::triggered, this, &RepairActions::fillSelected);
+  connect(&m_keepOpen, &QAction::triggered, this, &RepairActions::toggleKeepOpen);
+  connect(&m_next, &QAction::triggered, this, [this] { step(+1); });
+  connect(&m_previous, &QAction::triggered, this, [this] { step(-1); });
+  connect(&m_deselect, &QAction::triggered, this, [this] { m_selection.select(-1); });
+  connect(&m_showPreview, &QAction::toggled, this, [this](bool on) {
+    QSettings().setValue(kPreviewKey, on);
+    follow();
+  });
+  connect(&m_preview, &HolePreview::changed, this, &RepairActions::followPreview);
+  connect(&m_selection, &Selection::changed, this, &RepairActions::follow);
+  connect(&m_jobs, &RepairJobs::filled, this,
+          [this](OpenMesh* document, Vertex key, const std::shared_ptr<FillBench>& bench) {
+            if (document != m_document) return;
+            m_preview.giveBack(document, bench);
+            if (m_selection.loop() < 0) selectFirstAfter(document, key);
+          });
+  connect(&m_jobs, &RepairJobs::workingChanged, this, &RepairActions::follow);
+}
+
+QList<QAction*> RepairActions::all() {
+  return {&m_repairAll, &m_removeDebris, &m_fill, &m_keepOpen, &m_showPreview, &m_next, &m_previous, &m_deselect};
+}
+
+void RepairActions::setDocument(OpenMesh* document) {
+  m_document = document;
+  follow();
+}
+
+void RepairActions::setMethod(FillMethod method) {
+  m_method = method;
+  QSettings().setValue(kMethodKey, static_cast<int>(method));
+  follow();
+}
+
+// Which actions are possible, and what the preview shows, follows from document and selection.
+void RepairActions::follow() {
+  OpenMesh* document = m_document;
+  const int loop = document ? m_selection.loop() : -1;
+  const bool kept = loop >= 0 && document->document.isKeptOpen(document->inspection.loop(loop));
+  const bool rim = loop >= 0 && document->inspection.loop(loop).rim;
+  const bool holes = document && !document->inspection.holes().empty();
+  m_repairAll.setEnabled(!m_jobs.isWorking() && document && !document->inspection.isClean());
+  m_removeDebris.setEnabled(!m_jobs.isWorking() && document && !document->inspection.debris().empty());
+  for (QAction* action : {&m_oneByOne, &m_next, &m_previous}) action->setEnabled(holes);
+  m_keepOpen.setEnabled(loop >= 0 && !rim);
+  m_keepOpen.setChecked(kept || rim);
+  m_deselect.setEnabled(loop >= 0);
+  m_preview.request(document, !m_jobs.isWorking() && m_showPreview.isChecked() && !kept ? loop : -1, m_method);
+  followPreview();
+}
+
+// There is no point in filling what the preview could not.
+void RepairActions::followPreview() {
+  const int loop = m_selection.loop();
+  const OpenMesh* document = m_document;
+  const bool kept = loop >= 0 && document && document->document.isKeptOpen(document->inspection.loop(loop));
+  const bool hopeless = m_preview.state().kind == PreviewState::Kind::Failed;
+  m_fill.setEnabled(document && loop >= 0 && !kept && !hopeless && !m_jobs.isWorking());
+}
+
+void RepairActions::fillSelected() {
+  OpenMesh* document = m_document;
+  const int loop = m_selection.loop();
+  m_jobs.fill(document, loop, m_method, m_preview.take());
+}
+
+void RepairActions::toggleKeepOpen() {
+  OpenMesh* document = m_document;
+  const BoundaryLoop loop = document->inspection.loop(m_selection.loop());
+  document->document.setKeptOpen(loop, !document->document.isKeptOpen(loop));
+  follow();
+}
+
+// Goes round among the holes, in the order of the list.
+void RepairActions::step(int direction) {
+  const std::vector<int>& holes = m_document->inspection.holes();
+  if (holes.empty()) return;
+  const int count = static_cast<int>(holes.size());
+  const auto at = std::lower_bound(holes.begin(), holes.end(), m_selection.loop());
+  int index = static_cast<int>(at - holes.begin());
+  const bool onHole = at != holes.end() && *at == m_selection.loop();
+  if (direction > 0 && onHole) ++index;
+  if (direction < 0) --index;
+  const int loop = holes[static_cast<std::size_t>((index + count) % count)];
+  m_selection.select(loop);
+  emit showLoopRequested(loop);
+}
+
+// Goes on to the hole after the one just filled. The camera follows a moment later.
+void RepairActions::selectFirstAfter(OpenMesh* document, Vertex key) {
+  const Inspection& inspection = document->inspection;
+  const std::vector<int>& holes = inspection.holes();
+  if (holes.empty()) return;
+  // Loops are numbered in the order of their keys.
+  const auto after = std::find_if(holes.begin(), holes.end(), [&](int id) { return inspection.keyOf(id) > key; });
+  const int nextLoop = after != holes.end() ? *after : holes.front();
+  m_selection.select(nextLoop);
+  QTimer::singleShot(kLookMs, this, [this, document, next = inspection.keyOf(nextLoop)] {
+    if (m_document != document || document->selected != next || m_selection.loop() < 0) return;
+    emit showLoopRequested(m_selection.loop());
+  });
+}
+
+}  // namespace handwheel

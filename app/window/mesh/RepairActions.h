@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "window/mesh/RepairJobs.h"
+
+#include <QAction>
+
+namespace handwheel {
+
+class Selection;
+
+// The Repair menu: what can be done about defects, by menu, key, button or card.
+class RepairActions : public QObject {
+  Q_OBJECT
+
+ public:
+  RepairActions(Selection& selection, RepairJobs& jobs, HolePreview& preview, QObject* parent = nullptr);
+
+  void setDocument(OpenMesh* document);  // null: no mesh is in view
+
+  QAction* repairAll() { return &m_repairAll; }
+  QAction* removeDebris() { return &m_removeDebris; }
+  QAction* goOneByOne() { return &m_oneByOne; }
+  QAction* fill() { return &m_fill; }
+  QAction* keepOpen() { return &m_keepOpen; }
+  QAction* preview() { return &m_showPreview; }
+  QAction* next() { return &m_next; }
+  QAction* previous() { return &m_previous; }
+  QAction* deselect() { return &m_deselect; }
+  QList<QAction*> all();
+
+  FillMethod method() const { return m_method; }
+  void setMethod(FillMethod method);
+
+ signals:
+  void showLoopRequested(int loop);  // fly there
+
+ private:
+  void connectActions();
+  void follow();
+  void followPreview();
+  void fillSelected();
+  void toggleKeepOpen();
+  void step(int direction);
+  void selectFirstAfter(OpenMesh* document, Vertex key);
+
+  OpenMesh* m_document = nullptr;
+  Selection& m_selection;
+  RepairJobs& m_jobs;
+  HolePreview& m_preview;
+  FillMethod m_method = FillMethod::Fair;
+  QAction m_repairAll;
+  QAction m_removeDebris;
+  QAction m_oneByOne;
+  QAction m_fill;
+  QAction m_keepOpen;
+  QAction m_showPreview;
+  QAction m_next;
+  QAction m_previous;
+  QAction m_deselect;
+};
+
+}  // namespace handwheel

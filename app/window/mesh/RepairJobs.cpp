@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/mesh/RepairJobs.h"
+
+#include "mesh/Cleaning.h"
+#include "panels/LogModel.h"
+#include "text/ErrorText.h"
+#include "text/RepairText.h"
+#include "window/CommandText.h"
+#include "window/DocumentTabs.h"
+#include "window/mesh/OpenMesh.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+NumberType numbersOf(const MeshDocument& document) {
+  return document.fileNumbers();
+}
+
+// Why loops stayed open, by their key, because the repair renumbers them.
+std::vector<std::pair<Vertex, FillFailure>> failuresOf(const Inspection& inspection, const RepairReport& report) {
+  std::vector<std::pair<Vertex, FillFailure>> failures;
+  for (const LoopResult& loop : report.loops) {
+    if (loop.outcome == LoopOutcome::Failed && loop.id >= 0)
+      failures.emplace_back(inspection.keyOf(loop.id), loop.reason);
+  }
+  return failures;
+}
+
+std::size_t countOf(const RepairReport& report, LoopOutcome outcome) {
+  return static_cast<std::size_t>(std::count_if(report.loops.begin(), report.loops.end(),
+                                                [outcome](const LoopResult& l) { return l.outcome == outcome; }));
+}
+
+}  // namespace
+
+RepairJobs::RepairJobs(DocumentTabs& tabs, JobRunner& jobs, LogModel& log, QObject* parent)
+    : QObject(parent), m_tabs(tabs), m_jobs(jobs), m_log(log) {}
+
+void RepairJobs::fill(OpenMesh* document, int loop, FillMethod method, PreparedFill prepared) {
+  startFill(document, document->inspection.keyOf(loop), method, std::move(prepared), Round::First);
+}
+
+void RepairJobs::startFill(OpenMesh* document, Vertex key, FillMethod method, PreparedFill prepared, Round round) {
+  const int loopId = document->inspection.loopWithKey(key);
+  if (loopId < 0) return;  // an undo or another fill was faster
+  const std::uint64_t revision = document->document.revision();
+  FillOptions options;
+  options.method = method;
+  options.numbers = numbersOf(document->document);
+  if (!prepared.bench) prepared = {std::make_shared<FillBench>(document->document.mesh()), std::nullopt};
+  Job job;
+  job.name = tr("Filling hole %1").arg(document->inspection.loopNumber(loopId));
+  job.work = [this, document, key, method, revision, round, options, prepared = std::move(prepared),
+              loop = document->inspection.loop(loopId)](Progress progress) -> Job::Finish {
+    HoleFiller& filler = prepared.bench->filler();
+    const FillAttempt attempt = prepared.attempt ? *prepared.attempt : filler.propose(loop, options, progress);
+    InspectedMesh after;
+    if (attempt.failure == FillFailure::None) {
+      filler.accept(loop, attempt.patch);
+      after = inspected(filler.mesh());
+    }
+    return [this, document, key, method, revision, round, bench = prepared.bench, failure = attempt.failure, after] {
+      if (!m_tabs.contains(document)) return;
+      if (!isStale(document, revision)) return filledOne(document, key, bench, failure, after);
+      tellStale(*document, round);
+      if (round == Round::First) startFill(document, key, method, {}, Round::Second);
+    };
+  };
+  start(std::move(job));
+}
+
+void RepairJobs::filledOne(OpenMesh* document, Vertex key, const std::shared_ptr<FillBench>& bench, FillFailure failure,
+                           const InspectedMesh& after) {
+  const int loop = document->inspection.loopWithKey(key);
+  const QString name = document->inspection.loopName(loop);
+  const int number = document->inspection.loopNumber(loop);
+  document->inspection.setFailure(loop, failure);
+  if (failure != FillFailure::None) {
+    m_log.add(tr("%1 stays open: %2").arg(name, fillFailureReason(failure)), {}, LogEntry::Weight::Warning);
+    return;
+  }
+  document->document.commit(tr("Fill hole %1").arg(number), after);
+  m_log.add(tr("Filled %1 of %2").arg(name, document->document.name()));
+  emit filled(document, key, bench);
+}
+
+void RepairJobs::removeDebris(OpenMesh* document) {
+  change(document,
+         {QT_TRANSLATE_NOOP("Tool", "Remove debris"), [](HalfEdgeMesh& mesh) { handwheel::removeDebris(mesh); }});
+}
+
+void RepairJobs::startChange(OpenMesh* document, MeshChange wanted, Round round) {
+  const std::uint64_t revision = document->document.revision();
+  const QString text = QCoreApplication::translate("Tool", wanted.text);
+  Job job;
+  job.name = text;
+  job.work = [this, document, revision, round, wanted, text,
+              mesh = document->document.mesh()](Progress) -> Job::Finish {
+    HalfEdgeMesh result = mesh;
+    wanted.apply(result);
+    return [this, document, revision, round, wanted, text, after = inspected(std::move(result))] {
+      if (!m_tabs.contains(document)) return;
+      if (!isStale(document, revision)) {
+        if (document->document.commit(text, after)) m_log.add(tr("%1: %2").arg(document->document.name(), text));
+        return;
+      }
+      tellStale(*document, round);
+      if (round == Round::First) startChange(document, wanted, Round::Second);
+    };
+  };
+  start(std::move(job));
+}
+
+void RepairJobs::repairAll(OpenMesh* document, FillMethod method) {
+  startRepair(document, method, Round::First);
+}
+
+void RepairJobs::startRepair(OpenMesh* document, FillMethod method, Round round) {
+  const std::uint64_t revision = document->document.revision();
+  RepairOptions options;
+  options.fill.method = method;
+  options.fill.numbers = numbersOf(document->document);
+  for (int id : document->inspection.keptOpen()) {
+    if (!document->inspection.loop(id).rim) options.keepOpen.insert(id);
+  }
+  Job job;
+  job.name = tr("Repairing %1").arg(document->document.name());
+  job.work = [this, document, method, revision, round, options,
+              mesh = document->document.mesh()](Progress progress) -> Job::Finish {
+    HalfEdgeMesh result = mesh;
+    const RepairReport report = repair(result, options, progress);
+    return [this, document, method, revision, round, options, after = inspected(std::move(result)), report] {
+      if (!m_tabs.contains(document) || report.cancelled) return;
+      if (!isStale(document, revision)) return repairedAll(document, after, report, options);
+      tellStale(*document, round);
+      if (round == Round::First) startRepair(document, method, Round::Second);
+    };
+  };
+  start(std::move(job));
+}
+
+void RepairJobs::repairedAll(OpenMesh* document, const InspectedMesh& after, const RepairReport& report,
+                             const RepairOptions& options) {
+  Inspection& inspection = document->inspection;
+  const auto failures = failuresOf(inspection, report);
+  logRepair(*document, report, options);
+  document->repaired = true;
+  document->document.commit(tr("Repair all"), after);
+  inspection.setFailures(failures);
+}
+
+void RepairJobs::logRepair(const OpenMesh& document, const RepairReport& report, const RepairOptions& options) {
+  QStringList parts{tr("%1 of %2 holes filled").arg(countOf(report, LoopOutcome::Filled)).arg(report.loops.size())};
+  if (const std::size_t kept = countOf(report, LoopOutcome::KeptOpen); kept > 0) parts << tr("%1 kept open").arg(kept);
+  parts << repairSummary(report);
+  m_log.add(tr("Repaired %1: %2").arg(document.document.name(), parts.join(QStringLiteral(", "))),
+            repairCommand(document.document.path(), options));
+  for (const LoopResult& loop : report.loops) {
+    if (loop.outcome != LoopOutcome::Failed) continue;
+    const QString name = loop.id >= 0 ? document.inspection.loopName(loop.id) : tr("A hole that the repair laid open");
+    m_log.add(tr("%1 stays open: %2").arg(name, fillFailureReason(loop.reason)), {}, LogEntry::Weight::Warning);
+  }
+}
+
+bool RepairJobs::isStale(OpenMesh* document, std::uint64_t revision) const {
+  return document->document.revision() != revision;
+}
+
+void RepairJobs::tellStale(const OpenMesh& document, Round round) {
+  const QString name = document.document.name();
+  m_log.add(round == Round::First ? tr("%1 was changed meanwhile; the job runs once more").arg(name)
+                                  : tr("%1 was changed again; the result was discarded").arg(name),
+            {}, LogEntry::Weight::Warning);
+}
+
+void RepairJobs::start(Job job) {
+  ++m_working;
+  emit workingChanged();
+  job.work = [this, work = std::move(job.work)](Progress progress) -> Job::Finish {
+    return [this, finish = work(progress)] {
+      finish();
+      ended();
+    };
+  };
+  job.failed = [this, name = job.name](const Error& error) {
+    m_log.add(name + QStringLiteral(": ") + errorSentence(error), {}, LogEntry::Weight::Warning);
+    ended();
+  };
+  m_jobs.start(std::move(job));
+}
+
+void RepairJobs::ended() {
+  --m_working;
+  emit workingChanged();
+}
+
+}  // namespace handwheel

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/Defects.h"
+#include "mesh/Repair.h"
+#include "tools/mesh/MeshServices.h"
+#include "window/mesh/FillBench.h"
+#include "window/mesh/HolePreview.h"
+
+#include <QObject>
+
+namespace handwheel {
+
+class DocumentTabs;
+class LogModel;
+
+// What changes a mesh, as jobs on snapshots. The result becomes one undo step; when the document was changed meanwhile
+// the result is thrown away and the job runs once more.
+class RepairJobs : public QObject {
+  Q_OBJECT
+
+ public:
+  RepairJobs(DocumentTabs& tabs, JobRunner& jobs, LogModel& log, QObject* parent = nullptr);
+
+  // prepared: what the preview already did for this hole; may be empty.
+  void fill(OpenMesh* document, int loop, FillMethod method, PreparedFill prepared);
+  void repairAll(OpenMesh* document, FillMethod method);
+  void removeDebris(OpenMesh* document);
+  // Any change that a tool wants.
+  void change(OpenMesh* document, MeshChange wanted) { startChange(document, std::move(wanted), Round::First); }
+
+  // A fill or repair was asked for and has not ended.
+  bool isWorking() const { return m_working > 0; }
+
+ signals:
+  // key: of the loop that is no more. bench: fit for the document as it is now.
+  void filled(handwheel::OpenMesh* document, handwheel::Vertex key, std::shared_ptr<handwheel::FillBench> bench);
+  void workingChanged();
+
+ private:
+  enum class Round { First, Second };
+  void startFill(OpenMesh* document, Vertex key, FillMethod method, PreparedFill prepared, Round round);
+  void startChange(OpenMesh* document, MeshChange wanted, Round round);
+  void startRepair(OpenMesh* document, FillMethod method, Round round);
+  bool isStale(OpenMesh* document, std::uint64_t revision) const;
+  void filledOne(OpenMesh* document, Vertex key, const std::shared_ptr<FillBench>& bench, FillFailure failure,
+                 const InspectedMesh& after);
+  void repairedAll(OpenMesh* document, const InspectedMesh& after, const RepairReport& report,
+                   const RepairOptions& options);
+  void logRepair(const OpenMesh& document, const RepairReport& report, const RepairOptions& options);
+  void tellStale(const OpenMesh& document, Round round);
+  void start(Job job);
+  void ended();
+
+  DocumentTabs& m_tabs;
+  JobRunner& m_jobs;
+  LogModel& m_log;
+  int m_working = 0;
+};
+
+}  // namespace handwheel

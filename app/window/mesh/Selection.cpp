@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/mesh/Selection.h"
+
+#include "window/mesh/OpenMesh.h"
+
+namespace handwheel {
+
+void Selection::setDocument(OpenMesh* document) {
+  if (m_document) m_document->inspection.disconnect(this);
+  m_document = document;
+  if (document) connect(&document->inspection, &Inspection::changed, this, &Selection::follow);
+  hover(-1);
+  follow();
+}
+
+void Selection::select(int loop) {
+  if (!m_document || loop >= m_document->inspection.loopCount()) loop = -1;
+  if (m_document) m_document->selected = loop < 0 ? kNone : m_document->inspection.keyOf(loop);
+  if (std::exchange(m_loop, loop) != loop) emit changed();
+}
+
+void Selection::hover(int loop) {
+  if (std::exchange(m_hovered, loop) != loop) emit hoverChanged();
+}
+
+// The ids of the loops change with every edit; their keys do not.
+void Selection::follow() {
+  m_loop = m_document && m_document->selected != kNone ? m_document->inspection.loopWithKey(m_document->selected) : -1;
+  if (m_document && m_loop < 0) m_document->selected = kNone;
+  hover(-1);
+  emit changed();
+}
+
+}  // namespace handwheel

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+namespace handwheel {
+
+struct OpenMesh;
+
+// Which loop of the present document is selected and which is under the cursor, for list and viewport alike.
+class Selection : public QObject {
+  Q_OBJECT
+
+ public:
+  using QObject::QObject;
+
+  int loop() const { return m_loop; }        // -1 for none
+  int hovered() const { return m_hovered; }  // -1 for none
+
+  // Takes up the selection that the document had when it was last shown. Null: none is open.
+  void setDocument(OpenMesh* document);
+  void select(int loop);
+  void hover(int loop);
+
+ signals:
+  void changed();
+  void hoverChanged();
+
+ private:
+  void follow();
+
+  OpenMesh* m_document = nullptr;
+  int m_loop = -1;
+  int m_hovered = -1;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/mesh/SelfIntersectionSearch.h"
+
+#include "window/WindowServices.h"
+#include "window/mesh/OpenMesh.h"
+
+#include <utility>
+
+namespace handwheel {
+
+namespace {
+// Long enough for the model to be on the screen first, and for a quick series of edits to be searched once.
+constexpr int kRestMs = 500;
+}  // namespace
+
+SelfIntersectionSearch::SelfIntersectionSearch(QThreadPool& pool, WindowServices& services, QObject* parent)
+    : QObject(parent), m_services(services), m_runner(JobRunner::Policy::Latest, pool, this) {
+  m_rest.setSingleShot(true);
+  m_rest.setInterval(kRestMs);
+  connect(&m_rest, &QTimer::timeout, this, &SelfIntersectionSearch::start);
+}
+
+void SelfIntersectionSearch::setDocument(OpenMesh* document) {
+  if (m_document) m_document->inspection.disconnect(this);
+  m_document = document;
+  m_rest.stop();
+  m_runner.cancel();
+  m_need = document ? m_services.needs().need("self_intersections") : Need();
+  if (!document) return;
+  connect(&document->inspection, &Inspection::changed, this, &SelfIntersectionSearch::schedule);
+  schedule();
+}
+
+void SelfIntersectionSearch::schedule() {
+  if (m_document->inspection.selfIntersections()) return;
+  m_rest.start();
+}
+
+void SelfIntersectionSearch::start() {
+  if (!m_document || m_document->inspection.selfIntersections()) return;
+  Job job;
+  job.name = tr("Searching self-intersections");
+  job.work = [this, &service = m_services.selfIntersections(), document = m_document,
+              revision = m_document->document.revision(),
+              mesh = m_document->document.mesh()](Progress progress) -> Job::Finish {
+    const ServiceTick tick(service);
+    auto found = findSelfIntersections(mesh, progress);
+    if (!found) return {};
+    return [this, document, revision, pairs = std::move(*found)]() mutable {
+      if (document == m_document) document->inspection.setSelfIntersections(revision, std::move(pairs));
+    };
+  };
+  m_runner.start(std::move(job));
+}
+
+}  // namespace handwheel

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/workpiece/WorkpieceUi.h"
+
+#include "controls/QuantityText.h"
+#include "document/workpiece/WorkpieceDocument.h"
+#include "window/OpenDocument.h"
+
+#include <QLocale>
+
+namespace handwheel {
+
+namespace {
+
+// "⌀ 50 mm × 100 mm"
+QString sizeText(const Document& document) {
+  const WorkpieceSnapshot& workpiece = static_cast<const WorkpieceDocument&>(document).workpiece();
+  const LengthUnit unit = document.displayUnit();
+  return QStringLiteral("⌀ %1 × %2")
+      .arg(quantityText(workpiece.stock.diameter, Quantity::Length, unit, QLocale()),
+           quantityText(workpiece.stock.length, Quantity::Length, unit, QLocale()));
+}
+
+}  // namespace
+
+WorkpieceUi::WorkpieceUi(const WindowParts& parts) : PartsUi(parts, {"Stock"}) {}
+
+QString WorkpieceUi::figures() const {
+  return document() ? sizeText(document()->document) : QString();
+}
+
+QString WorkpieceUi::openedText(const OpenDocument& opened) const {
+  return tr("Opened %1: stock %2").arg(opened.document.name(), sizeText(opened.document));
+}
+
+}  // namespace handwheel

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "window/PartsUi.h"
+
+namespace handwheel {
+
+// Workpieces in the window: the stock and its sizes.
+class WorkpieceUi : public PartsUi {
+  Q_OBJECT
+
+ public:
+  explicit WorkpieceUi(const WindowParts& parts);
+
+  QString panelTitle() const override { return tr("Stock"); }
+  QString menuTitle() const override { return tr("&Workpiece"); }
+  QString figures() const override;
+  QString openedText(const OpenDocument& document) const override;
+};
+
+}  // namespace handwheel

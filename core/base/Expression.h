@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>  // before <numbers> of Units.h, which moc cannot read alone
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "base/Units.h"
+
+namespace handwheel {
+
+// What a number without a unit means where an expression is entered, and what the result has to be.
+struct ExpressionField {
+  Quantity quantity = Quantity::Number;
+  LengthUnit lengthUnit = LengthUnit::Millimetre;  // of bare lengths; bare angles are degrees
+  bool decimalComma = false;                       // the language writes 1,5; then "1,234" is below two as well
+};
+
+struct ExpressionError {
+  enum class Kind {
+    Empty,
+    TooLong,
+    TooDeep,
+    NumberMissing,    // found stands in its place; empty: the text ends there
+    OperatorMissing,  // before found
+    BracketMissing,   // a closing one, before found; empty: at the end
+    NumberMalformed,  // {found}
+    CommaAmbiguous,   // {found} "1,234" may be 1.234 or 1234
+    NameUnknown,      // {found} no such unit or constant
+    UnlikeTerms,      // a length, an angle and a number cannot be added
+    WrongQuantity,    // the result is not what the field wants
+    DivisionByZero,
+    TooLarge,  // beyond the range of a double
+  };
+  Kind kind = Kind::Empty;
+  std::size_t column = 1;  // of what is wrong, from 1, in characters
+  std::string found;
+};
+
+using ExpressionResult = std::variant<double, ExpressionError>;
+
+inline constexpr std::size_t kLongestExpression = 256;  // bytes
+inline constexpr int kDeepestExpression = 32;           // brackets in brackets
+
+// Evaluates "25.4/2", "1 in + 2mm", "2*(3+4)", "90deg", "pi/2 rad" (UTF-8): a finite number in mm, radian or of no
+// unit, as the field's quantity says. Bare numbers take the field's unit when they are added to one that has it, or at
+// the end. A unit belongs to the product before it while that has none ("1/2 in" is half an inch), else to the last
+// factor
+// ("2mm/4mm" is 0.5). Takes both decimal signs, of any locale; a comma that might separate thousands is refused.
+// Linear in the text's length.
+ExpressionResult evaluateExpression(std::string_view text, const ExpressionField& field);
+
+}  // namespace handwheel

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace handwheel {
+
+// Walks through the text of an expression; part of Expression.cpp. Operators and blanks that are not ASCII, as copied
+// from a text, count as their ASCII ones.
+class ExpressionScanner {
+ public:
+  explicit ExpressionScanner(std::string_view text) : m_text(text) {}
+
+  std::size_t at() const { return m_at; }  // byte
+  bool atEnd() const { return m_at == m_text.size(); }
+  std::size_t column(std::size_t at) const;  // from 1, in characters
+
+  // The next character that is no blank; 0 at the end.
+  char sign();
+  void skipSign();
+  void skipBlanks();
+
+  // Letters, and whatever is neither ASCII nor an operator; or a quotation mark, which stands for inches. May be empty.
+  std::string_view peekWord();
+  void skip(std::size_t bytes) { m_at += bytes; }
+
+  // What stands here, to be quoted: a word or a character.
+  std::string_view peekToken();
+
+  // A number with either decimal sign; not well formed when it has two of them or no digit.
+  struct Number {
+    std::string_view word;
+    bool wellFormed = false;
+    bool perhapsThousands = false;  // "1,234"
+  };
+  Number number();
+
+ private:
+  char peek() const { return m_at < m_text.size() ? m_text[m_at] : '\0'; }
+  std::size_t skipDigits();
+  void skipExponent();
+
+  std::string_view m_text;
+  std::size_t m_at = 0;
+};
+
+}  // namespace handwheel

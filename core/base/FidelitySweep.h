@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Fidelity.h"
+#include "base/Progress.h"
+
+#include <cstdint>
+#include <functional>
+#include <span>
+
+namespace handwheel {
+
+struct FidelitySample {
+  double error = 0.0;  // infinite: no result at all with this value
+  double cost = 0.0;
+};
+
+// One thing that a setting is measured on. run() works with the value on input that the seed fixes, so that the error
+// is the same every time, and measures the cost itself (cpuMilliseconds(), bytes, counts). When cancelled it may return
+// anything.
+struct FidelityCase {
+  std::string name;   // short, English: "sphere, torn along a meridian"
+  std::string truth;  // against what the error is taken: "closed form", "run ten times finer", ...
+  std::function<FidelitySample(double value, std::uint64_t seed, Progress progress)> run;
+};
+
+// The settings of a program with what each is measured on. Made by app, passed on by reference.
+class FidelityRegistry {
+ public:
+  struct Entry {
+    FidelitySetting setting;
+    std::vector<FidelityCase> cases;
+  };
+
+  // The setting must be sound (see FidelityTest) and its id new.
+  void add(FidelitySetting setting, std::vector<FidelityCase> cases);
+  const std::vector<Entry>& entries() const { return m_entries; }
+  const Entry* find(std::string_view id) const;  // null when unknown
+
+ private:
+  std::vector<Entry> m_entries;
+};
+
+// One measurement: a line of the table, of the CSV file and of the curves kept as data.
+struct FidelityRow {
+  std::string setting;
+  double value = 0.0;
+  std::string testCase;
+  double error = 0.0;
+  std::string errorUnit;
+  double cost = 0.0;  // median over the repeats
+  std::string costUnit;
+  double spread = 0.0;  // of the cost: median absolute deviation from the median
+  int repeats = 0;
+  std::uint64_t seed = 0;
+  std::string truth;
+};
+
+struct SweepOptions {
+  int steps = 9;  // values over the range, spread by its scale; default and presets come on top
+  int repeats = 5;
+  std::uint64_t seed = 1;
+};
+
+// The values that a sweep takes, ascending, each once: all choices; else steps over the range (in two digits where the
+// scale is logarithmic), default and presets.
+std::vector<double> sweepValues(const FidelitySetting& setting, int steps);
+
+// Measures every case at every value. Repeats go round all values in turn, so that a machine that grows slow hits all
+// alike. Rows: case by case, values ascending. Errors: Cancelled.
+Result<std::vector<FidelityRow>> sweep(const FidelitySetting& setting, std::span<const FidelityCase> cases,
+                                       const SweepOptions& options, Progress progress = {});
+
+double median(std::vector<double> values);  // of at least one; the mean of the middle two where their number is even
+double medianDeviation(const std::vector<double>& values);  // median absolute deviation from the median
+
+// The rows as comma-separated values (RFC 4180) with a header line; numbers as in C.
+std::string csvOf(const FidelitySetting& setting, std::span<const FidelityRow> rows);
+inline constexpr std::string_view kFidelityCsvHeader =
+    "setting,value,case,error,error_unit,cost,cost_unit,spread,repeats,seed,truth\n";
+
+}  // namespace handwheel

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace handwheel {
+
+struct ServiceCounters {
+  std::uint64_t ticks = 0;
+  double cpuMicroseconds = 0.0;  // of all ticks together, on the threads that ran them
+  std::uint64_t starts = 0;
+  bool running = false;
+};
+
+// Something that runs only while a document or the active tool needs it: surface contact, snap, rigid bodies, sound…
+// What it does between start and stop is given as functions; they are called on the thread that owns the NeedSet.
+// Counters are read and ticks measured on any thread, without locks.
+class Service {
+ public:
+  explicit Service(std::string id, std::function<void()> start = {}, std::function<void()> stop = {});
+  Service(const Service&) = delete;
+  Service& operator=(const Service&) = delete;
+
+  const std::string& id() const { return m_id; }
+  ServiceCounters counters() const;
+  bool isRunning() const { return m_running.load(std::memory_order_relaxed); }
+
+ private:
+  friend class ServiceTick;
+  friend class NeedSet;
+  void start();
+  void stop();
+
+  const std::string m_id;
+  const std::function<void()> m_start;
+  const std::function<void()> m_stop;
+  std::atomic<std::uint64_t> m_ticks{0};
+  std::atomic<std::uint64_t> m_nanoseconds{0};
+  std::atomic<std::uint64_t> m_starts{0};
+  std::atomic<bool> m_running{false};
+  static_assert(std::atomic<std::uint64_t>::is_always_lock_free, "ticks are counted on real-time threads");
+};
+
+// Counts one tick of a service and its CPU time from construction to destruction. On the thread that does the work;
+// allocates and locks nothing.
+class ServiceTick {
+ public:
+  explicit ServiceTick(Service& service);
+  ~ServiceTick();
+  ServiceTick(const ServiceTick&) = delete;
+  ServiceTick& operator=(const ServiceTick&) = delete;
+
+ private:
+  Service& m_service;
+  std::uint64_t m_start;
+};
+
+class NeedSet;
+
+// Needs a service as long as it lives. Outlived by its NeedSet.
+class Need {
+ public:
+  Need() = default;  // of nothing
+  Need(Need&& other) noexcept : m_set(other.m_set), m_id(std::move(other.m_id)) { other.m_set = nullptr; }
+  Need& operator=(Need&& other) noexcept;
+  ~Need() { drop(); }
+
+  bool isNeeded() const { return m_set != nullptr; }
+
+ private:
+  friend class NeedSet;
+  Need(NeedSet& set, std::string id) : m_set(&set), m_id(std::move(id)) {}
+  void drop();
+
+  NeedSet* m_set = nullptr;
+  std::string m_id;
+};
+
+// Who needs which service. A service starts with the first need of its id and stops with the last; a need may come
+// before its service is known. One thread.
+class NeedSet {
+ public:
+  NeedSet() = default;
+  ~NeedSet();
+  NeedSet(const NeedSet&) = delete;
+  NeedSet& operator=(const NeedSet&) = delete;
+
+  // The service must outlive this set or be removed; its id must be new.
+  void add(Service& service);
+  void remove(Service& service);  // stops it
+
+  [[nodiscard]] Need need(std::string_view id);
+  std::size_t needCount(std::string_view id) const;
+
+  // Calls visit(const Service&) for each known service, in order of the ids.
+  template <class Visit>
+  void forEach(Visit visit) const {
+    for (const auto& entry : m_entries) {
+      if (entry.second.service) visit(static_cast<const Service&>(*entry.second.service));
+    }
+  }
+
+ private:
+  friend class Need;
+  void release(const std::string& id);
+
+  struct Entry {
+    Service* service = nullptr;  // null: needed, but not known here
+    std::size_t needs = 0;
+  };
+  std::map<std::string, Entry, std::less<>> m_entries;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <numbers>
+
+namespace handwheel {
+
+// What a number measures. Inside the program: millimetre, radian, second.
+enum class Quantity { Number, Length, Angle };
+
+// In which lengths are shown.
+enum class LengthUnit { Millimetre, Centimetre, Metre, Inch };
+
+constexpr double millimetresPer(LengthUnit unit) {
+  switch (unit) {
+    case LengthUnit::Centimetre:
+      return 10.0;
+    case LengthUnit::Metre:
+      return 1000.0;
+    case LengthUnit::Inch:
+      return 25.4;
+    case LengthUnit::Millimetre:
+      break;
+  }
+  return 1.0;
+}
+
+// "mm", "cm", "m", "in": in files, on the command line and on the screen.
+constexpr const char* symbolOf(LengthUnit unit) {
+  switch (unit) {
+    case LengthUnit::Centimetre:
+      return "cm";
+    case LengthUnit::Metre:
+      return "m";
+    case LengthUnit::Inch:
+      return "in";
+    case LengthUnit::Millimetre:
+      break;
+  }
+  return "mm";
+}
+
+inline constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
+static_assert(millimetresPer(LengthUnit::Inch) * 5.0 == 127.0);
+
+}  // namespace handwheel

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/TriangleSoup.h"
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace handwheel {
+
+// A rigid piece of what a document looks like. The viewport compares soup pointers: a piece whose pose alone changed is
+// moved, not built anew.
+struct DisplayPart {
+  std::string name;                          // unique in its model; what a pick answers
+  std::shared_ptr<const TriangleSoup> soup;  // mm, in the part's own frame
+  Pose pose = Pose::Identity();
+  std::array<float, 3> colour{0.72f, 0.74f, 0.78f};  // sRGB, 0…1
+  bool smooth = true;                                // shade across edges that are not sharp
+};
+
+struct DisplayModel {
+  std::vector<DisplayPart> parts;
+  Box bounds() const;  // of all parts in their poses; O(points)
+};
+
+}  // namespace handwheel

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/Document.h"
+
+#include "document/DisplayUnitEdit.h"
+#include "document/EditCommand.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QFileInfo>
+
+namespace handwheel {
+
+Document::Document(const DocumentKind& kind, DocumentFile file, QObject* parent)
+    : QObject(parent), m_kind(kind), m_file(std::move(file)) {
+  connect(&m_history, &QUndoStack::cleanChanged, this, &Document::fileChanged);
+}
+
+// A dying history says that it is clean; nobody may hear it from a document that is half gone.
+Document::~Document() {
+  m_history.disconnect();
+}
+
+QString Document::path() const {
+  return QFile::decodeName(QByteArray::fromStdString(m_file.path));
+}
+
+QString Document::name() const {
+  return m_file.path.empty() ? tr("Untitled") : QFileInfo(path()).fileName();
+}
+
+void Document::markSaved(const QString& path, bool isContainer) {
+  m_file.path = QFile::encodeName(path).toStdString();
+  m_file.isContainer = isContainer;
+  m_file.isNewer = false;
+  m_file.damage.clear();
+  m_file.unlistedDamage = 0;
+  m_file.lost.clear();
+  m_recovered = false;
+  m_history.setClean();
+  emit fileChanged();
+}
+
+void Document::markRecovered(const QString& path) {
+  m_file.path = QFile::encodeName(path).toStdString();
+  m_recovered = true;
+  emit fileChanged();
+}
+
+std::vector<Property> Document::properties() const {
+  return {displayUnitProperty(m_file.displayUnit)};
+}
+
+Result<std::unique_ptr<Edit>> Document::propertyEdit(const std::string& id, const PropertyValue& value) const {
+  if (id != kDisplayUnitId) return Error{ErrorCode::ReferenceMissing, {"the property", id}, {}, {}};
+  return displayUnitEdit(m_file.displayUnit, value);
+}
+
+Status Document::setProperty(const std::string& id, const PropertyValue& value, Stroke stroke) {
+  auto edit = propertyEdit(id, value);
+  if (!edit) return edit.error();
+  if (*edit) {
+    commit(tr("Change %1").arg(labelOf(id)), std::move(edit.value()), stroke);
+  } else if (stroke == Stroke::Ends) {
+    m_isStroking = false;
+  }
+  return Done{};
+}
+
+void Document::commit(const QString& text, std::unique_ptr<Edit> edit, Stroke stroke) {
+  if (!m_isStroking) ++m_stroke;
+  m_isStroking = stroke == Stroke::Continues;
+  m_history.push(new EditCommand(*this, text, std::move(edit), m_stroke));
+}
+
+QString Document::labelOf(const std::string& id) const {
+  for (const Property& property : properties()) {
+    if (property.id != id) continue;
+    return property.translated ? QCoreApplication::translate("Property", property.label.c_str())
+                               : QString::fromStdString(property.label);
+  }
+  return QString::fromStdString(id);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Result.h"
+#include "document/DocumentFile.h"
+#include "document/Edit.h"
+#include "document/Property.h"
+
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+
+namespace handwheel {
+
+// Whether more edits of the same gesture follow, such as those of a slider that is still held.
+enum class Stroke { Continues, Ends };
+
+// A value with a file and a history. Window thread; work on other threads takes a snapshot(), which is cheap. Each kind
+// of document derives from it (mesh/MeshDocument.h, …).
+class Document : public QObject {
+  Q_OBJECT
+
+ public:
+  Document(const DocumentKind& kind, DocumentFile file, QObject* parent = nullptr);
+  ~Document() override;
+
+  const DocumentKind& kind() const { return m_kind; }
+  const DocumentFile& file() const { return m_file; }
+  QString path() const;
+  QString name() const;                                  // file name; "Untitled" where there is none
+  std::uint64_t revision() const { return m_revision; }  // grows with every change, undo and redo included
+
+  QUndoStack* history() { return &m_history; }
+  const QUndoStack* history() const { return &m_history; }
+  bool isModified() const { return m_recovered || !m_history.isClean(); }
+  // After its present state was written there; a container keeps id and unknown keys.
+  void markSaved(const QString& path, bool isContainer);
+  // It comes from an autosave: it belongs to this path, but differs from what stands there.
+  void markRecovered(const QString& path);
+
+  virtual SnapshotPointer snapshot() const = 0;
+
+  // What can be read, and set, of the document by name. Kinds add theirs before those that all have.
+  virtual std::vector<Property> properties() const;
+  // An edit that gives a property a new value; null when it has that value already. Errors: ReferenceMissing
+  // {property}, ValueOutOfRange, ElementMalformed.
+  virtual Result<std::unique_ptr<Edit>> propertyEdit(const std::string& id, const PropertyValue& value) const;
+  Status setProperty(const std::string& id, const PropertyValue& value, Stroke stroke = Stroke::Ends);
+
+  // One step in the history, or a part of one: the edits of a stroke become one step as far as they absorb each other.
+  void commit(const QString& text, std::unique_ptr<Edit> edit, Stroke stroke = Stroke::Ends);
+
+  LengthUnit displayUnit() const { return m_file.displayUnit; }
+
+ signals:
+  void changed();      // the value; also by undo and redo
+  void fileChanged();  // path, format, clean state or display unit
+
+ protected:
+  // By every edit. Who has signals of its own emits them between counting and changed().
+  void countChange() { ++m_revision; }
+  void wasChanged() {
+    countChange();
+    emit changed();
+  }
+
+ private:
+  friend class DisplayUnitEdit;
+  QString labelOf(const std::string& property) const;
+
+  const DocumentKind& m_kind;
+  DocumentFile m_file;
+  std::uint64_t m_revision = 1;
+  int m_stroke = 0;
+  bool m_isStroking = false;
+  bool m_recovered = false;
+  QUndoStack m_history;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Error.h"
+#include "base/Units.h"
+#include "document/Snapshot.h"
+#include "document/formats/MeshFormat.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace handwheel {
+
+struct Container;
+class DocumentKind;
+
+// What a document knows of the file that it came from.
+struct DocumentFile {
+  std::string id;    // UUID; made when a document is imported, kept in containers
+  std::string path;  // absolute, as bytes; empty for a document that was never saved
+  LengthUnit displayUnit = LengthUnit::Millimetre;
+  std::vector<Error> damage;        // what was skipped or mended
+  std::size_t unlistedDamage = 0;   // further damage beyond what is listed
+  std::vector<LostAttribute> lost;  // what the file holds and the document does not
+  bool isContainer = false;
+  bool isNewer = false;  // written by a newer program
+  // Keys and blobs that this program does not know; they go back into the file.
+  std::shared_ptr<const Container> unknown;
+
+  // Writing over the file would lose something.
+  bool isPrecious() const { return !damage.empty() || !lost.empty() || isNewer; }
+};
+
+// What a worker read: a document in all but name.
+struct OpenedFile {
+  const DocumentKind* kind = nullptr;
+  DocumentFile file;
+  SnapshotPointer content;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/DocumentKind.h"
+
+#include "document/AtomicFile.h"
+#include "document/FileBytes.h"
+#include "document/container/UnknownPart.h"
+
+#include <QUuid>
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace handwheel {
+
+namespace {
+
+constexpr std::size_t kHead = 64 << 10;  // bytes by which a kind recognises a file
+
+std::string stringAt(const nlohmann::json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+std::string newId() {
+  return QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
+}
+
+LengthUnit unitNamed(const std::string& symbol) {
+  for (LengthUnit unit : {LengthUnit::Centimetre, LengthUnit::Metre, LengthUnit::Inch}) {
+    if (symbol == symbolOf(unit)) return unit;
+  }
+  return LengthUnit::Millimetre;
+}
+
+// What goes back into the file when it is saved: the whole manifest, over which ours is written, and the blobs of
+// others.
+std::shared_ptr<const Container> keptPart(Container read, const DocumentKind& kind) {
+  std::erase_if(read.blobs, [own = kind.id() + "/"](const auto& blob) { return blob.first.starts_with(own); });
+  return std::make_shared<const Container>(std::move(read));
+}
+
+Result<OpenedFile> load(const DocumentKinds& kinds, std::string_view bytes, Progress progress) {
+  Result<ReadContainer> read = readContainer(bytes, progress.part(0.0, 0.4));
+  if (!read) return read.error();
+  const nlohmann::json& manifest = *read->container.manifest;
+  const std::string kindId = stringAt(manifest, "kind");
+  const DocumentKind* kind = kinds.withId(kindId);
+  if (!kind) return Error{ErrorCode::KindUnknown, {kindId}, {}, {}};
+  OpenedFile opened;
+  opened.kind = kind;
+  opened.file.damage = read->damage;
+  Result<SnapshotPointer> content = kind->load(read->container, opened.file.damage, progress.part(0.4, 1.0));
+  if (!content) return content.error();
+  opened.content = std::move(content.value());
+  opened.file.id = stringAt(manifest, "id");
+  if (opened.file.id.empty()) opened.file.id = newId();
+  opened.file.displayUnit = unitNamed(stringAt(manifest, "display_unit"));
+  opened.file.isContainer = true;
+  opened.file.isNewer = read->isNewer;
+  opened.file.unknown = keptPart(std::move(read->container), *kind);
+  return opened;
+}
+
+Result<const DocumentKind*> recognised(const DocumentKinds& kinds, const std::filesystem::path& path) {
+  const Result<std::string> head = readFileHead(path, kHead);
+  if (!head) return head.error();
+  if (head->empty()) return Error{ErrorCode::FileEmpty, {}, {}, {}};
+  if (isContainerName(path) || looksLikeContainer(*head)) return static_cast<const DocumentKind*>(nullptr);
+  const std::string name = path.filename().string();
+  for (const auto& kind : kinds.all()) {
+    if (kind->recognises(*head, name)) return static_cast<const DocumentKind*>(kind.get());
+  }
+  return Error{ErrorCode::FormatUnknown, {}, {}, {}};
+}
+
+Result<OpenedFile> openAny(const DocumentKinds& kinds, const std::filesystem::path& path, const ReadOptions& options,
+                           Progress progress) {
+  const Result<const DocumentKind*> kind = recognised(kinds, path);
+  if (!kind) return kind.error();
+  if (*kind) {
+    Result<OpenedFile> opened = (*kind)->import(path, options, progress);
+    if (opened) opened->file.id = newId();
+    return opened;
+  }
+  const Result<std::string> bytes = readFileBytes(path, progress.part(0.0, 0.2));
+  if (!bytes) return bytes.error();
+  return load(kinds, *bytes, progress.part(0.2, 1.0));
+}
+
+Error withSubject(Error error, const std::filesystem::path& path) {
+  if (error.subject.empty()) error.subject = path.string();
+  return error;
+}
+
+}  // namespace
+
+DocumentKinds::DocumentKinds(std::vector<std::unique_ptr<DocumentKind>> kinds) : m_kinds(std::move(kinds)) {}
+
+const DocumentKind* DocumentKinds::withId(std::string_view id) const {
+  const auto found = std::find_if(m_kinds.begin(), m_kinds.end(), [&](const auto& kind) { return kind->id() == id; });
+  return found == m_kinds.end() ? nullptr : found->get();
+}
+
+Result<OpenedFile> DocumentKinds::open(const std::filesystem::path& path, const ReadOptions& options,
+                                       Progress progress) const {
+  const auto open = [&]() -> Result<OpenedFile> {
+    try {
+      return openAny(*this, path, options, progress);
+    } catch (const std::bad_alloc&) {
+      return Error{ErrorCode::OutOfMemory, {}, {}, {}};
+    } catch (const std::length_error&) {
+      return Error{ErrorCode::OutOfMemory, {}, {}, {}};
+    }
+  };
+  Result<OpenedFile> opened = open();
+  if (opened) {
+    std::error_code ignored;
+    opened->file.path = std::filesystem::absolute(path, ignored).string();
+    return opened;
+  }
+  return withSubject(opened.error(), path);
+}
+
+Result<const DocumentKind*> DocumentKinds::kindOf(const std::filesystem::path& path) const {
+  Result<const DocumentKind*> kind = recognised(*this, path);
+  return kind ? kind : Result<const DocumentKind*>(withSubject(kind.error(), path));
+}
+
+OpenedFile DocumentKinds::blank(const DocumentKind& kind) {
+  OpenedFile opened;
+  opened.kind = &kind;
+  opened.content = kind.blank();
+  opened.file.id = newId();
+  return opened;
+}
+
+bool isContainerName(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return ending == kContainerEnding;
+}
+
+Result<std::string> containerBytes(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
+                                   Compression compression, Progress progress) {
+  Container container;
+  nlohmann::json& manifest = *container.manifest;
+  manifest["id"] = file.id.empty() ? newId() : file.id;
+  manifest["kind"] = kind.id();
+  manifest["display_unit"] = symbolOf(file.displayUnit);
+  kind.save(content, container);
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  if (file.unknown) container = merged(*file.unknown, std::move(container));
+  return writeContainer(container, compression, progress.part(0.2, 1.0));
+}
+
+Result<WrittenFile> saveDocument(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
+                                 const std::filesystem::path& path, Progress progress) {
+  if (!isContainerName(path)) return kind.exportTo(content, path, progress);
+  const Result<std::string> bytes = containerBytes(kind, file, content, Compression::Fast, progress.part(0.0, 0.7));
+  if (!bytes) return bytes.error();
+  const Result<ReadContainer> back = readContainer(*bytes, progress.part(0.7, 0.8));
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  if (!back || !back->damage.empty()) {
+    return Error{ErrorCode::CheckFailed, {"it cannot be opened"}, {}, path.string()};
+  }
+  const Status written = writeFileAtomically(path, *bytes, progress.part(0.8, 1.0));
+  if (!written) return written.error();
+  return WrittenFile{bytes->size(), {}};
+}
+
+}  // namespace handwheel

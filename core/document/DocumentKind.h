@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "base/Result.h"
+#include "document/Container.h"
+#include "document/DisplayModel.h"
+#include "document/DocumentFile.h"
+#include "document/Note.h"
+#include "document/Property.h"
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+
+namespace handwheel {
+
+class Document;
+
+// A foreign file format of one kind of document.
+struct FileFormat {
+  std::string name;                  // "STL"
+  std::vector<std::string> endings;  // lower case with the dot: ".stl"
+  bool reads = true;
+  bool writes = true;
+};
+
+struct WrittenFile {
+  std::size_t bytes = 0;
+  std::vector<Note> notes;  // what the file holds otherwise than the document, and in which state it is
+};
+
+// All that the program needs to know of a kind of document: how it is read, saved, exported, described and drawn. No
+// state; any thread, except make(). Adding a kind means deriving this and adding it to the list in app/kinds.
+class DocumentKind {
+ public:
+  virtual ~DocumentKind() = default;
+
+  virtual std::string id() const = 0;     // in manifests and on the command line: "mesh"
+  virtual std::string title() const = 0;  // English, context "DocumentKind": "Mesh"
+  virtual std::vector<FileFormat> formats() const = 0;
+
+  // Whether a foreign file is of this kind, by its first 64 KiB and its name.
+  virtual bool recognises(std::string_view head, std::string_view name) const = 0;
+  virtual Result<OpenedFile> import(const std::filesystem::path& path, const ReadOptions& options,
+                                    Progress progress) const = 0;
+  // Writes a foreign format by the ending of the path: the whole file or nothing.
+  virtual Result<WrittenFile> exportTo(const Snapshot& content, const std::filesystem::path& path,
+                                       Progress progress) const = 0;
+
+  // To and from the part of a container that belongs to this kind: the object manifest["document"], in which save()
+  // writes every key it knows, and the blobs in a folder named after the kind. load() must expect anything, and give
+  // what can be had of a damaged file.
+  virtual void save(const Snapshot& content, Container& container) const = 0;
+  virtual Result<SnapshotPointer> load(const Container& container, std::vector<Error>& damage,
+                                       Progress progress) const = 0;
+
+  // A new document of default size; null where there is no such thing as an empty one.
+  virtual SnapshotPointer blank() const { return nullptr; }
+
+  virtual std::unique_ptr<Document> make(OpenedFile opened) const = 0;
+
+  // What 'handwheel inspect --json' says about it.
+  virtual nlohmann::json describe(const Snapshot& content) const = 0;
+  virtual DisplayModel display(const Snapshot& content) const = 0;
+};
+
+// The kinds that this program knows, and what can be done with any file.
+class DocumentKinds {
+ public:
+  explicit DocumentKinds(std::vector<std::unique_ptr<DocumentKind>> kinds);
+
+  std::span<const std::unique_ptr<DocumentKind>> all() const { return m_kinds; }
+  const DocumentKind* withId(std::string_view id) const;  // null when unknown
+
+  // Reads a container or a foreign file of any kind, recognised by content. Errors: those of the readers,
+  // FormatUnknown, KindUnknown.
+  Result<OpenedFile> open(const std::filesystem::path& path, const ReadOptions& options, Progress progress = {}) const;
+  // Whose foreign file this is, by its first bytes and its name; null for a container. Errors: those of opening it,
+  // FormatUnknown.
+  Result<const DocumentKind*> kindOf(const std::filesystem::path& path) const;
+  // A new, unsaved document of a kind that has blank ones.
+  static OpenedFile blank(const DocumentKind& kind);
+
+ private:
+  std::vector<std::unique_ptr<DocumentKind>> m_kinds;
+};
+
+inline constexpr std::string_view kContainerEnding = ".handwheel";
+bool isContainerName(const std::filesystem::path& path);
+
+// Writes the document's container or a foreign format, by the ending of the path: the whole file or nothing.
+Result<WrittenFile> saveDocument(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
+                                 const std::filesystem::path& path, Progress progress = {});
+
+// The bytes of the document's container.
+Result<std::string> containerBytes(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
+                                   Compression compression, Progress progress = {});
+
+}  // namespace handwheel

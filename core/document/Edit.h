@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+namespace handwheel {
+
+class Document;
+
+// A change of a document as a value. Applying it turns it into its own inverse, so undo and redo are the same exchange.
+// It costs memory and time in proportion to what it changes.
+class Edit {
+ public:
+  virtual ~Edit() = default;
+
+  // Never fails: who made the edit has checked that it can be applied.
+  virtual void exchange(Document& document) = 0;
+
+  // For edits of one property, such as those of a slider: takes in a later edit that was applied to the same property
+  // and returns true; the first inverse is kept.
+  virtual bool absorb(const Edit& later) {
+    (void)later;
+    return false;
+  }
+
+  virtual std::size_t bytes() const = 0;  // about; for the share of history in a document's memory
+};
+
+}  // namespace handwheel

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Edit.h"
+
+#include <QUndoCommand>
+
+namespace handwheel {
+
+// One step in a document's history.
+class EditCommand : public QUndoCommand {
+ public:
+  // stroke: edits of the same stroke may become one step.
+  EditCommand(Document& document, const QString& text, std::unique_ptr<Edit> edit, int stroke)
+      : QUndoCommand(text), m_document(document), m_edit(std::move(edit)), m_stroke(stroke) {}
+
+  void redo() override { m_edit->exchange(m_document); }
+  void undo() override { m_edit->exchange(m_document); }
+  int id() const override { return 1; }  // all of them: whether two merge is for strokes and edits to say
+  bool mergeWith(const QUndoCommand* later) override;
+
+  const Edit& edit() const { return *m_edit; }
+
+ private:
+  Document& m_document;
+  std::unique_ptr<Edit> m_edit;
+  int m_stroke;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "base/Result.h"
+
+#include <filesystem>
+#include <string>
+
+namespace handwheel {
+
+// All bytes of a regular file. Errors, without subject: FileMissing, FileUnreadable, Cancelled. May throw bad_alloc.
+Result<std::string> readFileBytes(const std::filesystem::path& path, Progress progress = {});
+// The first bytes of it, at most this many. The same errors.
+Result<std::string> readFileHead(const std::filesystem::path& path, std::size_t most);
+
+}  // namespace handwheel

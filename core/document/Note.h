@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace handwheel {
+
+// Something worth knowing about what was done: an English sentence with %1, %2… for its arguments, translated where it
+// is shown (context "Note"; widgets/text/NoteText.h).
+struct Note {
+  std::string text;
+  std::vector<std::string> arguments = {};
+};
+
+}  // namespace handwheel

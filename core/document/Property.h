@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Units.h"
+
+#include <limits>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace handwheel {
+
+// A number, a switch, or a text; of a choice, the index of the chosen one as a number.
+using PropertyValue = std::variant<double, bool, std::string>;
+
+// One named value of a document or a tool, as the Properties panel, the tool settings and the command line show it.
+struct Property {
+  std::string id;     // stable, for files, tests and the command line: "diameter"
+  std::string group;  // English heading, translated where it is shown (context "Property"): "Stock"
+  std::string label;  // English, translated there too: "Diameter"
+  PropertyValue value;
+  Quantity quantity = Quantity::Number;
+  double least = -std::numeric_limits<double>::infinity();  // mm, radian
+  double largest = std::numeric_limits<double>::infinity();
+  std::vector<std::string> choices = {};  // English, translated where they are shown
+  bool editable = true;
+  bool translated = true;    // false: the label is a name from the file
+  std::string prefix = {};   // shown before the number: "⌀", "R"
+  std::string problem = {};  // English, context "Property": what the reader must know of it ("effort is not known")
+  bool continuous = false;   // best changed by a slider between its limits
+};
+
+}  // namespace handwheel

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "base/Result.h"
+#include "document/RecoveryFiles.h"
+#include "document/RecoveryLock.h"
+
+#include <map>
+#include <mutex>
+#include <optional>
+
+namespace handwheel {
+
+struct Leftover;
+
+// The autosaves of a running program: a folder of its own below the root, made when it is first needed and locked as
+// long as the session lives. Autosaves that are left at its end stay, and can be found as those of a dead one
+// (RecoveryLeftovers.h). Any thread; the autosaves of one key are stored one after the other.
+class RecoverySession {
+ public:
+  explicit RecoverySession(std::filesystem::path root = recoveryFolder());
+  ~RecoverySession();
+  RecoverySession(const RecoverySession&) = delete;
+  RecoverySession& operator=(const RecoverySession&) = delete;
+
+  // Puts a container in the place of the key's older autosave, atomically and durably; a failure, such as a full disk,
+  // leaves the older one. The key names the open document in this session: two copies of a file have the same document
+  // id. Errors: WriteFailed, Cancelled.
+  Status store(std::uint64_t key, const AutosaveInfo& info, std::string_view container, Progress progress = {});
+
+  // The document is closed, or no longer differs from its file. Not when it was changed again while it was saved: a
+  // store() that is under way may hold that change, and is undone.
+  void remove(std::uint64_t key);
+
+  // Takes over what a dead session left, by renaming: at every moment one of the two has it. Errors: WriteFailed.
+  Status adopt(const Leftover& leftover, std::uint64_t key);
+
+ private:
+  struct Slot {
+    std::uint64_t removals = 0;
+    std::optional<AutosaveInfo> info;  // as it is on the disk
+  };
+
+  Status openFolder();
+  Status write(const std::filesystem::path& autosave, const AutosaveInfo& info, bool infoIsThere,
+               std::string_view container, Progress progress) const;
+
+  std::mutex m_mutex;  // for all below; not held while writing
+  std::filesystem::path m_root;
+  std::filesystem::path m_folder;
+  std::optional<RecoveryLock> m_lock;
+  std::map<std::uint64_t, Slot> m_slots;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/cell/CellBlobs.h"
+
+#include "document/cell/CellImport.h"
+#include "document/cell/SurfaceBudget.h"
+#include "document/container/Blobs.h"
+#include "robot/UrdfReader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+namespace handwheel {
+
+namespace {
+
+const std::string kDescription = "cell/robot.urdf";
+
+std::string surfaceName(std::size_t shape) {
+  char number[16];
+  std::snprintf(number, sizeof number, "%04zu", shape);
+  return std::string("cell/surfaces/") + number;
+}
+
+nlohmann::json writeSurface(const TriangleSoup& soup, const std::string& name, Container& container) {
+  std::vector<float> numbers;
+  numbers.reserve(3 * soup.points.size());
+  for (const Vec3& p : soup.points) {
+    for (double v : p) numbers.push_back(static_cast<float>(v));
+  }
+  writeArray<float>(container, name + "/points", numbers, 3);
+  std::vector<std::uint32_t> corners;
+  corners.reserve(3 * soup.triangles.size());
+  for (const Triangle& t : soup.triangles) corners.insert(corners.end(), t.begin(), t.end());
+  writeArray<std::uint32_t>(container, name + "/triangles", corners, 3);
+  return {{"points", soup.points.size()}, {"triangles", soup.triangles.size()}};
+}
+
+std::uint64_t countAt(const nlohmann::json& object, const char* key) {
+  if (!object.is_object()) return 0;
+  const auto found = object.find(key);
+  return found != object.end() && found->is_number_unsigned() ? found->get<std::uint64_t>() : 0;
+}
+
+std::vector<bool> isThere(const std::vector<IndexRange>& lost, std::size_t count) {
+  std::vector<bool> there(count, true);
+  for (const IndexRange& range : lost) {
+    for (std::size_t i = range.begin; i < std::min(range.end, count); ++i) there[i] = false;
+  }
+  return there;
+}
+
+// The triangles whose corners are all there; lost counts the others.
+TriangleSoup readSurfaceBlobs(const nlohmann::json& counts, const std::string& name, const Container& container,
+                              std::uint64_t& lost) {
+  const std::uint64_t count = countAt(counts, "triangles");
+  const auto points = readArray<float>(container, name + "/points", countAt(counts, "points"), 3);
+  const auto corners = readArray<std::uint32_t>(container, name + "/triangles", count, 3);
+  std::vector<bool> isReadable = isThere(points.lost, points.values.size() / 3);
+  TriangleSoup soup;
+  soup.points.reserve(isReadable.size());
+  for (std::size_t i = 0; i < isReadable.size(); ++i) {
+    const Vec3 p(points.values[3 * i], points.values[3 * i + 1], points.values[3 * i + 2]);
+    if (!p.allFinite()) isReadable[i] = false;
+    soup.points.push_back(isReadable[i] ? p : Vec3(Vec3::Zero()));
+  }
+  const std::vector<bool> isListed = isThere(corners.lost, corners.values.size() / 3);
+  for (std::size_t i = 0; i < isListed.size(); ++i) {
+    const Triangle t{corners.values[3 * i], corners.values[3 * i + 1], corners.values[3 * i + 2]};
+    const auto isGood = [&](std::uint32_t corner) { return corner < isReadable.size() && isReadable[corner]; };
+    if (isListed[i] && std::all_of(t.begin(), t.end(), isGood)) soup.triangles.push_back(t);
+  }
+  lost = count - std::min<std::uint64_t>(count, soup.triangles.size());
+  return soup;
+}
+
+class Loading {
+ public:
+  Loading(const Container& container, std::vector<Error>& damage) : m_container(container), m_damage(damage) {
+    const auto document = container.manifest->find("document");
+    if (document != container.manifest->end() && document->is_object()) m_document = *document;
+  }
+
+  Result<SnapshotPointer> read(Progress progress) {
+    const auto description = m_container.blobs.find(kDescription);
+    if (description == m_container.blobs.end()) return Error{ErrorCode::EntryMissing, {kDescription}, {}, {}};
+    // What is wrong with the description was told when it was imported; it is saved as it is.
+    Result<ReadRobot> read = readUrdf(description->second, progress.part(0.0, 0.1));
+    if (!read) return read.error();
+    auto robot = std::make_shared<CellRobot>();
+    robot->model = std::move(read->robot);
+    robot->description = description->second;
+    SurfaceBudget budget(robot->model);
+    for (std::size_t i = 0; i < robot->model.shapes.size(); ++i) {
+      if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+      auto surface = surfaceOf(robot->model.shapes[i], i);
+      robot->surfaces.push_back(surface && budget.take(i, *surface) ? std::move(surface) : nullptr);
+    }
+    auto cell = std::make_shared<CellSnapshot>();
+    cell->joints = readJoints(robot->model);
+    cell->robot = std::move(robot);
+    const auto source = m_document.find("source");
+    if (source != m_document.end() && source->is_string()) cell->source = source->get<std::string>();
+    return SnapshotPointer(std::move(cell));
+  }
+
+ private:
+  std::shared_ptr<const TriangleSoup> surfaceOf(const Shape& shape, std::size_t number) {
+    if (!std::holds_alternative<MeshShape>(shape)) {
+      std::vector<Error> none;
+      return std::make_shared<const TriangleSoup>(std::move(readSurface(shape, {}, none)).value());
+    }
+    const auto surfaces = m_document.find("surfaces");
+    const std::string name = surfaceName(number);
+    if (surfaces == m_document.end() || !surfaces->is_array() || number >= surfaces->size()) {
+      m_damage.push_back({ErrorCode::EntryMissing, {name}, {}, {}});
+      return nullptr;
+    }
+    const nlohmann::json& counts = (*surfaces)[number];
+    if (counts.is_null()) return nullptr;  // it was missing when the cell was saved
+    std::uint64_t lost = 0;
+    TriangleSoup soup = readSurfaceBlobs(counts, name, m_container, lost);
+    if (lost > 0 || soup.triangles.empty()) m_damage.push_back({ErrorCode::EntryDamaged, {name}, {}, {}});
+    if (soup.triangles.empty()) return nullptr;
+    return std::make_shared<const TriangleSoup>(std::move(soup));
+  }
+
+  JointValues readJoints(const RobotModel& model) const {
+    JointValues values = restValues(model);
+    const auto joints = m_document.find("joints");
+    if (joints == m_document.end() || !joints->is_object()) return values;
+    for (std::size_t dof = 0; dof < model.dofs.size(); ++dof) {
+      const auto value = joints->find(model.jointOfDof(dof).name);
+      if (value == joints->end() || !value->is_number()) continue;
+      const double number = value->get<double>();
+      if (std::isfinite(number)) values[static_cast<Eigen::Index>(dof)] = number;
+    }
+    return withinLimits(model, values);
+  }
+
+  const Container& m_container;
+  std::vector<Error>& m_damage;
+  nlohmann::json m_document = nlohmann::json::object();
+};
+
+}  // namespace
+
+void writeCell(const CellSnapshot& cell, Container& container) {
+  nlohmann::json& document = (*container.manifest)["document"];
+  const CellRobot& robot = *cell.robot;
+  container.blobs[kDescription] = robot.description;
+  document["source"] = cell.source;
+  document["joints"] = nlohmann::json::object();
+  for (std::size_t dof = 0; dof < robot.model.dofs.size(); ++dof)
+    document["joints"][robot.model.jointOfDof(dof).name] = cell.joints[static_cast<Eigen::Index>(dof)];
+  document["surfaces"] = nlohmann::json::array();
+  for (std::size_t i = 0; i < robot.surfaces.size(); ++i) {
+    const bool isStored = robot.surfaces[i] && std::holds_alternative<MeshShape>(robot.model.shapes[i]);
+    document["surfaces"].push_back(isStored ? writeSurface(*robot.surfaces[i], surfaceName(i), container)
+                                            : nlohmann::json());
+  }
+}
+
+Result<SnapshotPointer> readCell(const Container& container, std::vector<Error>& damage, Progress progress) {
+  return Loading(container, damage).read(progress);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "base/Result.h"
+#include "document/Container.h"
+#include "document/cell/CellSnapshot.h"
+
+namespace handwheel {
+
+// A cell in a container holds all that it needs: the description in the blob "cell/robot.urdf", and of each mesh the
+// points (three floats each, mm) and triangles (three indices each) in "cell/surfaces/NNNN/…". The manifest has
+// the value of each joint by its name; rad, mm.
+void writeCell(const CellSnapshot& cell, Container& container);
+
+// Gives the robot without what is lost or makes no sense, and the joints within their limits. Errors: EntryMissing
+// {cell/robot.urdf}, those of readUrdf(), Cancelled.
+Result<SnapshotPointer> readCell(const Container& container, std::vector<Error>& damage, Progress progress);
+
+}  // namespace handwheel

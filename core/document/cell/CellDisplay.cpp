@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/cell/CellDisplay.h"
+
+#include "robot/Kinematics.h"
+
+#include <algorithm>
+
+namespace handwheel {
+
+DisplayModel displayOf(const CellRobot& robot, const JointValues& joints) {
+  const RobotModel& model = robot.model;
+  const std::vector<Pose> poses = linkPoses(model, joints);
+  const bool hasVisuals =
+      std::any_of(model.links.begin(), model.links.end(), [](const Link& link) { return !link.visuals.empty(); });
+  DisplayModel display;
+  for (std::size_t l = 0; l < model.links.size(); ++l) {
+    const Link& link = model.links[l];
+    const auto& shapes = hasVisuals ? link.visuals : link.collisions;
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      if (!robot.surfaces[shapes[i].shape]) continue;
+      DisplayPart part;
+      part.name = link.name + '/' + std::to_string(i);
+      part.soup = robot.surfaces[shapes[i].shape];
+      part.pose = poses[l] * shapes[i].origin;
+      if (shapes[i].colour) part.colour = *shapes[i].colour;
+      display.parts.push_back(std::move(part));
+    }
+  }
+  return display;
+}
+
+std::uint32_t linkOfPart(const CellRobot& robot, std::string_view part) {
+  const std::size_t slash = part.rfind('/');
+  return slash == part.npos ? kNone : linkNamed(robot.model, part.substr(0, slash));
+}
+
+}  // namespace handwheel

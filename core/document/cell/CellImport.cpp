@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/cell/CellImport.h"
+
+#include "document/FileBytes.h"
+#include "document/cell/ColladaReader.h"
+#include "document/cell/SurfaceBudget.h"
+#include "document/formats/MeshFormat.h"
+#include "mesh/Weld.h"
+#include "robot/MeshLocation.h"
+#include "robot/ShapeSurfaces.h"
+#include "robot/UrdfReader.h"
+
+#include <QFile>
+
+namespace handwheel {
+
+namespace {
+
+constexpr std::uintmax_t kLargestMesh = std::uintmax_t{256} << 20;  // bytes
+constexpr std::uintmax_t kLargestDescription = std::uintmax_t{16} << 20;
+constexpr double kLargestCoordinate = 1e9;  // mm
+
+Result<std::string> readBounded(const std::filesystem::path& path, std::uintmax_t limit, Progress progress) {
+  std::error_code failed;
+  const std::uintmax_t size = std::filesystem::file_size(path, failed);
+  if (!failed && size > limit)
+    return Error{ErrorCode::FileTooLarge, {"bytes", std::to_string(size), std::to_string(limit)}, {}, {}};
+  return readFileBytes(path, progress);
+}
+
+// In metres.
+Result<TriangleSoup> readMetres(const std::filesystem::path& path, std::vector<Error>& damage, Progress progress) {
+  const Result<std::string> bytes = readBounded(path, kLargestMesh, progress.part(0.0, 0.3));
+  if (!bytes) return bytes.error();
+  if (looksLikeCollada(std::string_view(*bytes).substr(0, 4096))) {
+    Result<ColladaMesh> mesh = readCollada(*bytes, progress.part(0.3, 1.0));
+    if (!mesh) return mesh.error();
+    damage = std::move(mesh->damage);
+    return std::move(mesh->soup);
+  }
+  Result<MeshFile> mesh = readMesh(*bytes, path.filename().string(), {.partial = true}, progress.part(0.3, 1.0));
+  if (!mesh) return mesh.error();
+  damage = std::move(mesh->damage);
+  return std::move(mesh->soup);
+}
+
+Error withSubject(Error error, const std::filesystem::path& path) {
+  if (error.subject.empty()) error.subject = path.string();
+  return error;
+}
+
+Result<TriangleSoup> readMeshSurface(const MeshShape& shape, const std::filesystem::path& path,
+                                     std::vector<Error>& damage, Progress progress) {
+  Result<TriangleSoup> soup = readMetres(path, damage, progress);
+  if (!soup) return soup.error();
+  place(shape, *soup);
+  for (const Triangle& t : soup->triangles) {
+    for (std::uint32_t corner : t) {
+      const Vec3& p = soup->points[corner];
+      if (p.allFinite() && p.cwiseAbs().maxCoeff() <= kLargestCoordinate) continue;
+      const std::string largest = QString::number(p.cwiseAbs().maxCoeff()).toStdString();
+      return Error{ErrorCode::ValueOutOfRange, {"a coordinate of the mesh", largest, "-1e9", "1e9"}, {}, {}};
+    }
+  }
+  roundPoints(*soup, NumberType::Float32);
+  return weld(*soup);
+}
+
+class Import {
+ public:
+  Import(ReadRobot read, std::filesystem::path folder) : m_folder(std::move(folder)), m_robot(new CellRobot) {
+    m_robot->model = std::move(read.robot);
+    m_result.damage = std::move(read.damage);
+    m_result.unlistedDamage = read.unlistedDamage;
+  }
+
+  // False when somebody cancelled.
+  bool readSurfaces(Progress progress) {
+    const auto& shapes = m_robot->model.shapes;
+    SurfaceBudget budget(m_robot->model);
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      const auto part = [&](std::size_t n) { return static_cast<double>(n) / static_cast<double>(shapes.size()); };
+      auto surface = surfaceOfShape(shapes[i], progress.part(part(i), part(i + 1)));
+      if (surface && !budget.take(i, *surface)) {
+        note({ErrorCode::FileTooLarge, {"triangles", "", std::to_string(SurfaceBudget::kMostTriangles)}, {}, {}});
+        surface = nullptr;
+      }
+      m_robot->surfaces.push_back(std::move(surface));
+      if (progress.cancelled()) return false;
+    }
+    return true;
+  }
+
+  ImportedCell finish(std::string description, std::string source) {
+    m_robot->description = std::move(description);
+    auto cell = std::make_shared<CellSnapshot>();
+    cell->joints = restValues(m_robot->model);
+    cell->robot = std::move(m_robot);
+    cell->source = std::move(source);
+    m_result.cell = std::move(cell);
+    return std::move(m_result);
+  }
+
+ private:
+  std::shared_ptr<const TriangleSoup> surfaceOfShape(const Shape& shape, Progress progress) {
+    std::vector<Error> damage;
+    Result<TriangleSoup> soup = readSurface(shape, m_folder, damage, progress);
+    if (!soup) damage = {soup.error()};
+    for (Error& error : damage) note(std::move(error));
+    return soup ? std::make_shared<const TriangleSoup>(std::move(soup).value()) : nullptr;
+  }
+
+  void note(Error error) {
+    constexpr std::size_t kMostNotes = 1000;
+    if (m_result.damage.size() < kMostNotes)
+      m_result.damage.push_back(std::move(error));
+    else
+      ++m_result.unlistedDamage;
+  }
+
+  std::filesystem::path m_folder;
+  std::shared_ptr<CellRobot> m_robot;
+  ImportedCell m_result;
+};
+
+}  // namespace
+
+Result<TriangleSoup> readSurface(const Shape& shape, const std::filesystem::path& folder, std::vector<Error>& damage,
+                                 Progress progress) {
+  const auto* mesh = std::get_if<MeshShape>(&shape);
+  if (!mesh) {
+    TriangleSoup soup = surfaceOf(shape);
+    roundPoints(soup, NumberType::Float32);
+    return soup;
+  }
+  const Result<std::filesystem::path> path = locateMesh(mesh->file, folder);
+  if (!path) return path.error();
+  Result<TriangleSoup> soup = readMeshSurface(*mesh, *path, damage, progress);
+  for (Error& error : damage) error = withSubject(std::move(error), *path);
+  if (!soup) return withSubject(soup.error(), *path);
+  return soup;
+}
+
+Result<ImportedCell> importCell(const std::filesystem::path& path, Progress progress) {
+  Result<std::string> bytes = readBounded(path, kLargestDescription, progress.part(0.0, 0.05));
+  if (!bytes) return bytes.error();
+  Result<ReadRobot> read = readUrdf(*bytes, progress.part(0.05, 0.1));
+  if (!read) return read.error();
+  Import import(std::move(read).value(), path.parent_path());
+  if (!import.readSurfaces(progress.part(0.1, 1.0))) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  const std::string source = QFile::decodeName(QByteArray::fromStdString(path.string())).toStdString();
+  return import.finish(std::move(bytes).value(), source);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "base/Result.h"
+#include "document/cell/CellSnapshot.h"
+
+#include <filesystem>
+
+namespace handwheel {
+
+struct ImportedCell {
+  std::shared_ptr<const CellSnapshot> cell;
+  std::vector<Error> damage;  // of the description and the meshes; the robot opens without what is damaged
+  std::size_t unlistedDamage = 0;
+};
+
+// Reads a robot description and every mesh it names, joints at rest. Errors: those of reading the description.
+Result<ImportedCell> importCell(const std::filesystem::path& path, Progress progress = {});
+
+// The surface of a shape, placed, in mm. Mesh files are STL, OBJ, PLY, OFF or COLLADA, recognised by content, of at
+// most 256 MiB; they lie where locateMesh() says. damage takes what could not be read of them. Errors: those of the
+// readers, ReferenceMissing, FileTooLarge, Unsupported, ValueOutOfRange; with the file as subject.
+Result<TriangleSoup> readSurface(const Shape& shape, const std::filesystem::path& folder, std::vector<Error>& damage,
+                                 Progress progress = {});
+
+}  // namespace handwheel

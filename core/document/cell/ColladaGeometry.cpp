@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/cell/ColladaGeometry.h"
+
+#include "robot/XmlNumbers.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+constexpr std::size_t kMostInputs = 64;  // numbers to a corner
+constexpr std::size_t kMostNotes = 100;
+
+// A whole number that is not negative; the fallback where there is none.
+std::size_t countAt(const XmlElement& element, std::string_view attribute, std::size_t fallback) {
+  const std::string* text = element.attribute(attribute);
+  std::size_t value = fallback;
+  if (text) std::from_chars(text->data(), text->data() + text->size(), value);
+  return value;
+}
+
+// Every stride-th of the numbers, from the first-th on. False where one is no whole number.
+bool readIndices(std::string_view text, std::size_t stride, std::size_t first, std::vector<std::uint32_t>& indices) {
+  std::size_t column = 0;
+  for (std::string_view word = takeWord(text); !word.empty(); word = takeWord(text)) {
+    std::uint32_t index = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), index);
+    if (error != std::errc() || end != word.data() + word.size()) return false;
+    if (column == first) indices.push_back(index);
+    column = (column + 1) % stride;
+  }
+  return true;
+}
+
+// The points that an accessor picks out of a source's numbers: those of its first three parameters.
+std::vector<Vec3> readPoints(const XmlElement& source) {
+  std::vector<Vec3> points;
+  const XmlElement* array = source.child("float_array");
+  const XmlElement* common = source.child("technique_common");
+  const XmlElement* accessor = common ? common->child("accessor") : nullptr;
+  if (!array) return points;
+  const std::size_t stride = std::clamp<std::size_t>(accessor ? countAt(*accessor, "stride", 1) : 3, 3, kMostInputs);
+  const std::size_t offset = accessor ? countAt(*accessor, "offset", 0) : 0;
+  std::string_view text = array->text;
+  std::size_t number = 0;
+  Vec3 point;
+  for (std::string_view word = takeWord(text); !word.empty(); word = takeWord(text), ++number) {
+    const std::size_t column = (number + stride - offset % stride) % stride;
+    if (number < offset || column >= 3) continue;
+    const Result<double> value = parseNumber(word);
+    point[static_cast<Eigen::Index>(column)] = value ? *value : std::nan("");
+    if (column == 2) points.push_back(point);
+  }
+  return points;
+}
+
+}  // namespace
+
+const XmlElement* ColladaIds::referred(const XmlElement& from, std::string_view attribute,
+                                       std::string_view name) const {
+  const std::string* address = from.attribute(attribute);
+  if (!address || !address->starts_with('#')) return nullptr;
+  const auto found = m_elements.find(std::string_view(*address).substr(1));
+  return found != m_elements.end() && found->second->name == name ? found->second : nullptr;
+}
+
+void ColladaIds::collect(const XmlElement& element) {
+  if (const std::string* id = element.attribute("id")) m_elements.try_emplace(*id, &element);
+  for (const XmlElement& child : element.children) collect(child);
+}
+
+ColladaGeometry::ColladaGeometry(const ColladaIds& ids, std::vector<Error>& damage, Progress progress)
+    : m_ids(ids),
+      m_damage(damage),
+      m_progress(progress),
+      m_triangulation([progress] { return !progress.cancelled(); }) {}
+
+void ColladaGeometry::note(Error error) {
+  if (m_damage.size() < kMostNotes) m_damage.push_back(std::move(error));
+}
+
+TriangleSoup ColladaGeometry::read(const XmlElement& geometry) {
+  TriangleSoup soup;
+  m_basePoints.clear();
+  const XmlElement* mesh = geometry.child("mesh");
+  if (!mesh) {
+    note({ErrorCode::Unsupported, {"a geometry that is no mesh"}, Place::line(geometry.line), {}});
+    return soup;
+  }
+  for (const XmlElement& child : mesh->children) {
+    if (m_progress.cancelled()) break;
+    for (std::string_view kind : {"triangles", "polylist", "polygons", "tristrips", "trifans"}) {
+      if (child.name == kind) readPrimitive(child, soup);
+    }
+  }
+  return soup;
+}
+
+std::optional<ColladaGeometry::Layout> ColladaGeometry::layoutOf(const XmlElement& primitive) const {
+  Layout layout;
+  for (const XmlElement& input : primitive.children) {
+    if (input.name != "input") continue;
+    const std::size_t offset = countAt(input, "offset", 0);
+    if (offset >= kMostInputs) return {};
+    layout.stride = std::max(layout.stride, offset + 1);
+    const std::string* semantic = input.attribute("semantic");
+    if (!semantic || *semantic != "VERTEX") continue;
+    layout.vertex = offset;
+    const XmlElement* vertices = m_ids.referred(input, "source", "vertices");
+    if (!vertices) return {};
+    for (const XmlElement& inner : vertices->children) {
+      const std::string* meaning = inner.name == "input" ? inner.attribute("semantic") : nullptr;
+      if (meaning && *meaning == "POSITION") layout.positions = m_ids.referred(inner, "source", "source");
+    }
+  }
+  if (!layout.positions) return {};
+  return layout;
+}
+
+std::uint32_t ColladaGeometry::basePointOf(const XmlElement& source, TriangleSoup& soup) {
+  const auto [known, isNew] = m_basePoints.try_emplace(&source, static_cast<std::uint32_t>(soup.points.size()));
+  if (isNew) {
+    const std::vector<Vec3> points = readPoints(source);
+    soup.points.insert(soup.points.end(), points.begin(), points.end());
+  }
+  return known->second;
+}
+
+void ColladaGeometry::readPrimitive(const XmlElement& primitive, TriangleSoup& soup) {
+  const std::optional<Layout> layout = layoutOf(primitive);
+  if (!layout) return note(malformed(primitive, "its vertices have no positions"));
+  const std::uint32_t base = basePointOf(*layout->positions, soup);
+  m_dropped = 0;
+  std::vector<std::uint32_t> corners;
+  for (const XmlElement& list : primitive.children) {
+    if (list.name == "ph") ++m_dropped;  // a polygon with holes
+    if (list.name != "p") continue;
+    corners.clear();
+    if (!readIndices(list.text, layout->stride, layout->vertex, corners))
+      note(malformed(list, "one of its indices is no number"));
+    for (std::uint32_t& corner : corners) corner = corner < kNone - base ? corner + base : kNone;
+    if (primitive.name == "tristrips" || primitive.name == "trifans")
+      addStrip(primitive.name, corners, soup);
+    else
+      addPolygons(primitive, corners, soup);
+  }
+  if (m_dropped > 0) note(malformed(primitive, std::to_string(m_dropped) + " of its polygons cannot be read"));
+}
+
+void ColladaGeometry::addPolygons(const XmlElement& primitive, const std::vector<std::uint32_t>& corners,
+                                  TriangleSoup& soup) {
+  if (primitive.name == "polygons") return addPolygon(corners, soup);
+  const std::span<const std::uint32_t> all(corners);
+  const XmlElement* counts = primitive.name == "polylist" ? primitive.child("vcount") : nullptr;
+  std::string_view text = counts ? std::string_view(counts->text) : std::string_view();
+  for (std::size_t at = 0; at < all.size();) {
+    std::uint32_t count = 3;
+    if (primitive.name == "polylist") {
+      const std::string_view word = takeWord(text);
+      const auto read = std::from_chars(word.data(), word.data() + word.size(), count);
+      if (read.ec != std::errc() || count == 0) count = kNone;
+    }
+    if (count > all.size() - at) {
+      ++m_dropped;
+      return;
+    }
+    addPolygon(all.subspan(at, count), soup);
+    at += count;
+  }
+}
+
+void ColladaGeometry::addStrip(std::string_view kind, const std::vector<std::uint32_t>& corners, TriangleSoup& soup) {
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    const bool isFan = kind == "trifans", turned = !isFan && i % 2 == 1;
+    const std::array triangle{corners[isFan ? 0 : i - 2], corners[turned ? i : i - 1], corners[turned ? i - 1 : i]};
+    addPolygon(triangle, soup);
+  }
+}
+
+void ColladaGeometry::addPolygon(std::span<const std::uint32_t> corners, TriangleSoup& soup) {
+  const bool isReadable = corners.size() >= 3 && std::all_of(corners.begin(), corners.end(), [&](std::uint32_t c) {
+                            return c < soup.points.size() && soup.points[c].allFinite();
+                          });
+  if (isReadable)
+    m_triangulation.cut(soup.points, corners, soup.triangles);
+  else
+    ++m_dropped;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "document/formats/PolygonTriangulation.h"
+#include "mesh/TriangleSoup.h"
+#include "robot/Xml.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace handwheel {
+
+// The elements of a document that others can refer to.
+class ColladaIds {
+ public:
+  explicit ColladaIds(const XmlElement& root) { collect(root); }
+
+  // What an attribute such as url="#id" refers to, if it is such an element; null otherwise.
+  const XmlElement* referred(const XmlElement& from, std::string_view attribute, std::string_view name) const;
+
+ private:
+  void collect(const XmlElement& element);
+
+  std::map<std::string_view, const XmlElement*> m_elements;
+};
+
+// Reads single geometries. What is wrong with a primitive is noted, and the rest of it left out.
+class ColladaGeometry {
+ public:
+  ColladaGeometry(const ColladaIds& ids, std::vector<Error>& damage, Progress progress);
+
+  // In the geometry's own frame and unit.
+  TriangleSoup read(const XmlElement& geometry);
+  // Lists damage, up to a hundred pieces.
+  void note(Error error);
+
+ private:
+  // Where a primitive's list of indices has the number of a vertex.
+  struct Layout {
+    std::size_t stride = 0, vertex = 0;
+    const XmlElement* positions = nullptr;  // a "source"
+  };
+
+  std::optional<Layout> layoutOf(const XmlElement& primitive) const;
+  std::uint32_t basePointOf(const XmlElement& source, TriangleSoup& soup);
+  void readPrimitive(const XmlElement& primitive, TriangleSoup& soup);
+  void addPolygons(const XmlElement& primitive, const std::vector<std::uint32_t>& corners, TriangleSoup& soup);
+  void addStrip(std::string_view kind, const std::vector<std::uint32_t>& corners, TriangleSoup& soup);
+  void addPolygon(std::span<const std::uint32_t> corners, TriangleSoup& soup);
+
+  const ColladaIds& m_ids;
+  std::vector<Error>& m_damage;
+  Progress m_progress;
+  PolygonTriangulation m_triangulation;
+  std::map<const XmlElement*, std::uint32_t> m_basePoints;  // of the sources read into the soup
+  std::size_t m_dropped = 0;                                // polygons of the primitive that is being read
+};
+
+}  // namespace handwheel

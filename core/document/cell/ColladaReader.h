@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "base/Result.h"
+#include "mesh/TriangleSoup.h"
+
+#include <string_view>
+
+namespace handwheel {
+
+struct ColladaMesh {
+  TriangleSoup soup;          // in metres; nothing welded
+  std::vector<Error> damage;  // what could not be understood and was left out
+};
+
+// Reads the triangles and polygons of a COLLADA 1.4 or 1.5 document, instances placed as its scene has them. The
+// document's unit is applied, once; its up axis is not, as in robot descriptions everywhere. Materials, skins and
+// animations are left out. O(bytes + triangles), both bounded. Errors: those of readXml(), NoTriangles.
+Result<ColladaMesh> readCollada(std::string_view bytes, Progress progress = {});
+
+bool looksLikeCollada(std::string_view head);
+
+}  // namespace handwheel

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/TriangleSoup.h"
+#include "robot/RobotModel.h"
+
+namespace handwheel {
+
+// How many triangles a robot may show. A short description can place a large mesh a thousand times.
+class SurfaceBudget {
+ public:
+  static constexpr std::size_t kMostTriangles = 20'000'000;
+
+  explicit SurfaceBudget(const RobotModel& robot) : m_placements(robot.shapes.size()) {
+    for (const Link& link : robot.links) {
+      for (const PlacedShape& placed : link.visuals) ++m_placements[placed.shape];
+      for (const PlacedShape& placed : link.collisions) ++m_placements[placed.shape];
+    }
+  }
+
+  // False, and nothing taken, when the surface of a shape, placed as often as it is, is too much.
+  bool take(std::size_t shape, const TriangleSoup& surface) {
+    const std::size_t triangles = m_placements[shape] * surface.triangles.size();
+    if (triangles > kMostTriangles - m_taken) return false;
+    m_taken += triangles;
+    return true;
+  }
+
+ private:
+  std::vector<std::size_t> m_placements;  // per shape
+  std::size_t m_taken = 0;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/container/Migrations.h"
+
+#include "document/Container.h"
+
+#include <array>
+#include <cassert>
+
+namespace handwheel {
+
+std::span<const Migration> migrations() {
+  static const std::array<Migration, kContainerVersion - 1> kChain = {};
+  return kChain;
+}
+
+Status migrate(Container& container, std::uint64_t version, std::span<const Migration> chain) {
+  assert(version >= 1);
+  for (std::size_t i = static_cast<std::size_t>(version - 1); i < chain.size(); ++i) {
+    if (const Status done = chain[i](container); !done) return done.error();
+  }
+  return Done{};
+}
+
+}  // namespace handwheel

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Container.h"
+
+#include <span>
+
+namespace handwheel {
+
+// What a file holds beyond what this program would write of it: keys, in objects at any depth, that `known` does not
+// have, and blobs that it does not have and that are not below a folder of ours ("mesh/"). Arrays and values count as
+// one: where `known` has the key, nothing of them is unknown.
+Container unknownPart(const Container& read, const Container& known, std::span<const std::string> ownFolders);
+
+// `ours` over the unknown part: objects are merged key by key, at any depth; everything else is ours where we have it.
+// Like RFC 7386, except that a null of ours is a value and removes nothing.
+Container merged(const Container& unknown, Container ours);
+
+}  // namespace handwheel

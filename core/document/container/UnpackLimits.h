@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+namespace handwheel {
+
+// How much an archive may unpack to. A ZIP of a few kilobytes can announce, and deliver, gigabytes.
+struct UnpackLimits {
+  std::uint64_t largest = 0;    // bytes of all entries together, whatever the archive's size
+  std::uint64_t allowance = 0;  // bytes that any archive may unpack to, however small it is,
+  std::uint64_t ratio = 100;    // plus this many for each of its own
+  std::size_t entries = 100'000;
+
+  std::uint64_t budget(std::uint64_t archiveBytes) const {
+    // No overflow: an archive in memory is smaller than 2^57 bytes.
+    return std::min(largest, allowance + ratio * archiveBytes);
+  }
+};
+
+}  // namespace handwheel

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "base/Result.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace handwheel {
+
+enum class Compression { None, Fast };
+
+struct ZipEntry {
+  std::string_view name;  // UTF-8, relative, with slashes
+  std::string_view bytes;
+};
+
+// The bytes of a ZIP archive with these entries in this order. Equal input gives equal bytes: no clock, no time zone.
+// Works in memory only. Errors: Cancelled, OutOfMemory, LibraryFailed.
+Result<std::string> writeZip(std::span<const ZipEntry> entries, Compression compression, Progress progress = {});
+
+}  // namespace handwheel

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Error.h"
+
+#include <QXmlStreamReader>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace handwheel {
+
+// Whether a text may be given to Qt's XML reader, which takes time in the square of a tag's attributes and keeps texts
+// in one piece: no tag over 8 KiB, no text over 16 MiB, no document type (which could define entities), UTF-8 only.
+// O(text). Errors: TextEncoding, ElementMalformed {"XML", what is wrong}, with the byte.
+std::optional<Error> objectionToXml(std::string_view text);
+
+// The attribute's text as bytes, without blanks around it; empty when there is none. Only ASCII is kept.
+std::string asciiOf(QStringView value);
+
+}  // namespace handwheel

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Edit.h"
+#include "mesh/HalfEdgeMesh.h"
+
+namespace handwheel {
+
+// Marks a boundary loop as wanted open, or takes the mark back. Only made when that changes something.
+class KeepOpenEdit : public Edit {
+ public:
+  KeepOpenEdit(Vertex loopKey, bool keep) : m_loopKey(loopKey), m_keep(keep) {}
+
+  void exchange(Document& document) override;
+  std::size_t bytes() const override { return sizeof *this; }
+
+ private:
+  Vertex m_loopKey;
+  bool m_keep;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/mesh/MeshDocument.h"
+
+#include "document/mesh/KeepOpenEdit.h"
+#include "document/mesh/MeshEdit.h"
+
+#include <algorithm>
+
+namespace handwheel {
+
+MeshDocument::MeshDocument(OpenedFile opened, QObject* parent)
+    : Document(*opened.kind, std::move(opened.file), parent) {
+  const auto& content = static_cast<const MeshSnapshot&>(*opened.content);
+  m_build = content.build;
+  m_numbers = content.numbers;
+  m_mesh = content.mesh.mesh;
+  m_defects = content.mesh.defects;
+  m_keptOpen = content.keptOpen;
+  m_turnedFaces = m_build->turnedFaces;
+}
+
+NumberType MeshDocument::fileNumbers() const {
+  const auto format = formatForName(file().path);
+  return format ? numberTypeOf(*format, m_numbers) : m_numbers;
+}
+
+SnapshotPointer MeshDocument::snapshot() const {
+  auto snapshot = std::make_shared<MeshSnapshot>();
+  snapshot->mesh = {m_mesh, m_defects};
+  snapshot->build = m_build;
+  snapshot->keptOpen = m_keptOpen;
+  snapshot->numbers = m_numbers;
+  return snapshot;
+}
+
+std::vector<Property> MeshDocument::properties() const {
+  std::vector<Property> all;
+  const auto add = [&all](const char* id, const char* label, double value, Quantity quantity) {
+    Property property;
+    property.id = id;
+    property.group = QT_TRANSLATE_NOOP("Property", "Mesh");
+    property.label = label;
+    property.value = value;
+    property.quantity = quantity;
+    property.editable = false;
+    all.push_back(std::move(property));
+  };
+  std::size_t faces = 0;
+  for (const Component& part : m_defects->components) faces += part.faceCount;
+  add("triangles", QT_TRANSLATE_NOOP("Property", "Triangles"), static_cast<double>(faces), Quantity::Number);
+  add("parts", QT_TRANSLATE_NOOP("Property", "Parts"), static_cast<double>(m_defects->components.size()),
+      Quantity::Number);
+  const Vec3 size = m_defects->box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(m_defects->box.sizes());
+  add("size_x", QT_TRANSLATE_NOOP("Property", "Size in X"), size.x(), Quantity::Length);
+  add("size_y", QT_TRANSLATE_NOOP("Property", "Size in Y"), size.y(), Quantity::Length);
+  add("size_z", QT_TRANSLATE_NOOP("Property", "Size in Z"), size.z(), Quantity::Length);
+  for (Property& common : Document::properties()) all.push_back(std::move(common));
+  return all;
+}
+
+bool MeshDocument::commit(const QString& text, const InspectedMesh& after) {
+  MeshDelta delta = MeshDelta::between(m_mesh, after.mesh);
+  if (delta.isEmpty()) return false;  // not even pushed as obsolete: that would cost the user the steps to redo
+  commit(text, std::make_unique<MeshEdit>(std::move(delta), after.defects));
+  return true;
+}
+
+bool MeshDocument::isKeptOpen(const BoundaryLoop& loop) const {
+  return m_keptOpen.count(keyOf(loop)) != 0;
+}
+
+void MeshDocument::setKeptOpen(const BoundaryLoop& loop, bool keep) {
+  if (isKeptOpen(loop) == keep) return;
+  commit(keep ? tr("Keep open") : tr("No longer keep open"), std::make_unique<KeepOpenEdit>(keyOf(loop), keep));
+}
+
+void MeshDocument::meshWasChanged(const std::vector<Face>& touched) {
+  m_turnedFaces.clear();
+  std::copy_if(m_build->turnedFaces.begin(), m_build->turnedFaces.end(), std::back_inserter(m_turnedFaces),
+               [this](Face f) { return m_mesh.isLive(f); });
+  countChange();
+  emit meshChanged(touched);
+  emit changed();
+}
+
+Vertex MeshDocument::keyOf(const BoundaryLoop& loop) const {
+  Vertex smallest = kNone;
+  for (HalfEdge h : loop.halfEdges) smallest = std::min(smallest, m_mesh.from(h));
+  return smallest;
+}
+
+}  // namespace handwheel

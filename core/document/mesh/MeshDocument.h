@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Document.h"
+#include "document/mesh/MeshSnapshot.h"
+
+namespace handwheel {
+
+// A mesh. Jobs take a copy of mesh(), which is cheap, and bring their result back through commit().
+class MeshDocument : public Document {
+  Q_OBJECT
+
+ public:
+  // opened: the content is a MeshSnapshot.
+  explicit MeshDocument(OpenedFile opened, QObject* parent = nullptr);
+
+  const HalfEdgeMesh& mesh() const { return m_mesh; }
+  const Defects& defects() const { return *m_defects; }        // of the present mesh
+  const BuildReport& buildReport() const { return *m_build; }  // of the file as it was opened
+  // Faces turned over on opening that are still there.
+  const std::vector<Face>& turnedFaces() const { return m_turnedFaces; }
+  // In which its present file, or the container, holds its coordinates.
+  NumberType fileNumbers() const;
+
+  SnapshotPointer snapshot() const override;
+  std::vector<Property> properties() const override;
+
+  using Document::commit;
+  // Makes "after" the present mesh as one undo step. False, and no step, when nothing differs. Takes time in proportion
+  // to the change.
+  bool commit(const QString& text, const InspectedMesh& after);
+
+  // A loop that the user wants open is known by its smallest vertex, which outlives edits elsewhere. Undoable.
+  bool isKeptOpen(const BoundaryLoop& loop) const;
+  void setKeptOpen(const BoundaryLoop& loop, bool keep);
+
+ signals:
+  // touched: the faces whose triangle changed, came or went.
+  void meshChanged(const std::vector<handwheel::Face>& touched);
+  void keptOpenChanged();
+
+ private:
+  friend class MeshEdit;
+  friend class KeepOpenEdit;
+  void meshWasChanged(const std::vector<Face>& touched);
+  Vertex keyOf(const BoundaryLoop& loop) const;
+
+  std::shared_ptr<const BuildReport> m_build;
+  NumberType m_numbers;
+  std::vector<Face> m_turnedFaces;
+  HalfEdgeMesh m_mesh;
+  std::shared_ptr<const Defects> m_defects;
+  std::set<Vertex> m_keptOpen;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/mesh/MeshEdit.h"
+
+#include "document/mesh/MeshDocument.h"
+
+#include <algorithm>
+
+namespace handwheel {
+
+void MeshEdit::exchange(Document& document) {
+  auto& owner = static_cast<MeshDocument&>(document);
+  std::vector<Face> touched = m_delta.touchedFaces(owner.m_mesh);
+  std::sort(touched.begin(), touched.end());
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  m_delta.swap(owner.m_mesh);
+  m_defects.swap(owner.m_defects);
+  owner.meshWasChanged(touched);
+}
+
+}  // namespace handwheel

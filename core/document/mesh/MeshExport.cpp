@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/mesh/MeshExport.h"
+
+#include "document/mesh/RoundingCollisions.h"
+#include "mesh/Weld.h"
+
+namespace handwheel {
+
+namespace {
+
+Error cancelledError() {
+  return {ErrorCode::Cancelled, {}, {}, {}};
+}
+
+bool sameCorners(const TriangleSoup& meant, NumberType numbers, const TriangleSoup& found) {
+  if (meant.triangles.size() != found.triangles.size()) return false;
+  for (std::size_t i = 0; i < meant.triangles.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 expected = rounded(meant.points[meant.triangles[i][k]], numbers);
+      if (found.points[found.triangles[i][k]] != expected) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+Result<MeshFormat> formatForOutput(const std::filesystem::path& path) {
+  if (const auto format = formatForName(path.filename().string())) return *format;
+  return Error{ErrorCode::ExtensionUnknown, {path.extension().string()}, {}, path.string()};
+}
+
+Result<std::string> encodeChecked(const TriangleSoup& soup, MeshFormat format, NumberType numbers, Progress progress) {
+  std::string bytes = writeMesh(soup, format, numbers);
+  progress.set(0.4);
+  if (progress.cancelled()) return cancelledError();
+  const Result<MeshFile> back = readMesh(bytes, {}, {}, progress.part(0.4, 0.9));
+  if (progress.cancelled()) return cancelledError();
+  if (!back) return Error{ErrorCode::CheckFailed, {"it cannot be opened"}, back.error().place, {}};
+  if (!sameCorners(soup, numbers, back->soup)) return Error{ErrorCode::CheckFailed, {"its triangles differ"}, {}, {}};
+  progress.set(1.0);
+  return bytes;
+}
+
+Result<ExportReport> exportMesh(const HalfEdgeMesh& mesh, NumberType documentNumbers, const std::filesystem::path& path,
+                                Progress progress) {
+  const Result<MeshFormat> format = formatForOutput(path);
+  if (!format) return format.error();
+  const NumberType numbers = numberTypeOf(*format, documentNumbers);
+
+  HalfEdgeMesh::Compact compact = mesh.compact();
+  if (progress.cancelled()) return cancelledError();
+  ExportReport report;
+  TriangleSoup forFile = compact.soup;
+  roundPoints(forFile, numbers);
+  for (std::uint32_t v : partCollisions(compact.soup, forFile)) report.parted.push_back(compact.vertexOf[v]);
+  progress.set(0.2);
+
+  const Result<std::string> bytes = encodeChecked(forFile, *format, numbers, progress.part(0.2, 0.7));
+  if (!bytes) {
+    Error error = bytes.error();
+    error.subject = path.string();
+    return error;
+  }
+  report.inFile = reportOn(forFile, SelfIntersections::Skip);
+  const Status written = writeFileAtomically(path, *bytes, progress.part(0.9, 1.0));
+  if (!written) return written.error();
+  report.bytes = bytes->size();
+  return report;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/mesh/MeshKind.h"
+
+#include "document/mesh/MeshBlobs.h"
+#include "document/mesh/MeshDocument.h"
+#include "document/mesh/MeshExport.h"
+
+#include <nlohmann/json.hpp>
+
+namespace handwheel {
+
+namespace {
+
+const MeshSnapshot& meshOf(const Snapshot& content) {
+  return static_cast<const MeshSnapshot&>(content);
+}
+
+// What another program will find in the file.
+Note stateOf(const MeshReport& report) {
+  if (report.isSound()) return {QT_TRANSLATE_NOOP("Note", "The file is closed, manifold and oriented.")};
+  return {QT_TRANSLATE_NOOP("Note",
+                            "The file has %1 open edges, %2 edges with more than two faces and %3 edges at which faces "
+                            "disagree."),
+          {std::to_string(report.boundaryEdges), std::to_string(report.nonManifoldEdges),
+           std::to_string(report.inconsistentEdges)}};
+}
+
+}  // namespace
+
+std::string MeshKind::title() const {
+  return QT_TRANSLATE_NOOP("DocumentKind", "Mesh");
+}
+
+std::vector<FileFormat> MeshKind::formats() const {
+  return {{"STL", {".stl"}}, {"PLY", {".ply"}}, {"OBJ", {".obj"}}, {"OFF", {".off"}}, {"3MF", {".3mf"}}};
+}
+
+bool MeshKind::recognises(std::string_view, std::string_view) const {
+  return true;
+}
+
+std::shared_ptr<MeshSnapshot> meshSnapshotOf(const MeshFile& file) {
+  BuiltMesh built = buildMesh(file.soup);
+  auto snapshot = std::make_shared<MeshSnapshot>();
+  snapshot->build = std::make_shared<const BuildReport>(std::move(built.report));
+  snapshot->mesh = inspected(std::move(built.mesh));
+  snapshot->numbers = file.numbers;
+  return snapshot;
+}
+
+Result<OpenedFile> MeshKind::import(const std::filesystem::path& path, const ReadOptions& options,
+                                    Progress progress) const {
+  const Result<MeshFile> file = readMeshFile(path, options, progress.part(0.0, 0.6));
+  if (!file) return file.error();
+  OpenedFile opened;
+  opened.kind = this;
+  opened.file.damage = file->damage;
+  opened.file.unlistedDamage = file->unlistedDamage;
+  opened.file.lost = file->lost;
+  opened.content = meshSnapshotOf(*file);
+  return opened;
+}
+
+Result<WrittenFile> MeshKind::exportTo(const Snapshot& content, const std::filesystem::path& path,
+                                       Progress progress) const {
+  const MeshSnapshot& mesh = meshOf(content);
+  const Result<ExportReport> report = exportMesh(mesh.mesh.mesh, mesh.numbers, path, progress);
+  if (!report) return report.error();
+  WrittenFile written{report->bytes, {stateOf(report->inFile)}};
+  if (!report->parted.empty()) {
+    written.notes.push_back({QT_TRANSLATE_NOOP("Note",
+                                               "%1 vertices were moved by the smallest possible amount, so that the "
+                                               "file does not weld them."),
+                             {std::to_string(report->parted.size())}});
+  }
+  return written;
+}
+
+void MeshKind::save(const Snapshot& content, Container& container) const {
+  const MeshSnapshot& mesh = meshOf(content);
+  nlohmann::json& document = (*container.manifest)["document"];
+  document["numbers"] = mesh.numbers == NumberType::Float32 ? "float32" : "float64";
+  document["kept_open"] = mesh.keptOpen;
+  document["turned_faces"] = mesh.build->turnedFaces;
+  document["vertices"] = mesh.mesh.mesh.vertexSlots();
+  document["faces"] = mesh.mesh.mesh.faceSlots();
+  writeMeshBlobs(mesh.mesh.mesh, container);
+}
+
+namespace {
+
+// Numbers below a bound; anything else in the file is dropped.
+template <class Target>
+Target numbersBelow(const nlohmann::json& document, const char* key, std::size_t bound) {
+  Target numbers;
+  const auto found = document.find(key);
+  if (found == document.end() || !found->is_array()) return numbers;
+  for (const nlohmann::json& entry : *found) {
+    if (entry.is_number_unsigned() && entry.get<std::uint64_t>() < bound) {
+      numbers.insert(numbers.end(), entry.get<std::uint32_t>());
+    }
+  }
+  return numbers;
+}
+
+}  // namespace
+
+Result<SnapshotPointer> MeshKind::load(const Container& container, std::vector<Error>& damage,
+                                       Progress progress) const {
+  const auto found = container.manifest->find("document");
+  if (found == container.manifest->end() || !found->is_object()) {
+    return Error{ErrorCode::ElementMalformed, {"document", "it is missing"}, {}, {}};
+  }
+  Result<LoadedMesh> loaded = readMeshBlobs(*found, container, damage, progress.part(0.0, 0.6));
+  if (!loaded) return loaded.error();
+  auto snapshot = std::make_shared<MeshSnapshot>();
+  BuildReport report = std::move(loaded->report);
+  if (loaded->isWhole) {
+    const HalfEdgeMesh& mesh = loaded->mesh;
+    snapshot->keptOpen = numbersBelow<std::set<Vertex>>(*found, "kept_open", mesh.vertexSlots());
+    for (Face f : numbersBelow<std::vector<Face>>(*found, "turned_faces", mesh.faceSlots())) {
+      if (mesh.isLive(f)) report.turnedFaces.push_back(f);
+    }
+  }
+  snapshot->build = std::make_shared<const BuildReport>(std::move(report));
+  snapshot->mesh = inspected(std::move(loaded->mesh));
+  snapshot->numbers =
+      found->value("numbers", nlohmann::json()) == "float32" ? NumberType::Float32 : NumberType::Float64;
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  return SnapshotPointer(snapshot);
+}
+
+std::unique_ptr<Document> MeshKind::make(OpenedFile opened) const {
+  return std::make_unique<MeshDocument>(std::move(opened));
+}
+
+nlohmann::json MeshKind::describe(const Snapshot& content) const {
+  const MeshSnapshot& mesh = meshOf(content);
+  const Defects& defects = *mesh.mesh.defects;
+  return {{"triangles", mesh.mesh.mesh.liveFaceCount()},
+          {"boundary_loops", defects.loops.size()},
+          {"non_manifold_edges", defects.nonManifoldEdges.size()},
+          {"parts", defects.components.size()}};
+}
+
+DisplayModel MeshKind::display(const Snapshot& content) const {
+  DisplayPart part;
+  part.name = "mesh";
+  part.soup = std::make_shared<const TriangleSoup>(meshOf(content).mesh.mesh.compact().soup);
+  return {{std::move(part)}};
+}
+
+}  // namespace handwheel

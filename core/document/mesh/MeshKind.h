@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/DocumentKind.h"
+#include "document/mesh/MeshSnapshot.h"
+
+namespace handwheel {
+
+inline constexpr std::string_view kMeshKind = "mesh";
+
+// Triangle meshes: scans and what becomes of them.
+class MeshKind : public DocumentKind {
+ public:
+  std::string id() const override { return std::string(kMeshKind); }
+  std::string title() const override;
+  std::vector<FileFormat> formats() const override;
+  // Whatever no other kind claims: its readers say best what is wrong with a file.
+  bool recognises(std::string_view head, std::string_view name) const override;
+  Result<OpenedFile> import(const std::filesystem::path& path, const ReadOptions& options,
+                            Progress progress) const override;
+  Result<WrittenFile> exportTo(const Snapshot& content, const std::filesystem::path& path,
+                               Progress progress) const override;
+  void save(const Snapshot& content, Container& container) const override;
+  Result<SnapshotPointer> load(const Container& container, std::vector<Error>& damage,
+                               Progress progress) const override;
+  std::unique_ptr<Document> make(OpenedFile opened) const override;
+  nlohmann::json describe(const Snapshot& content) const override;
+  DisplayModel display(const Snapshot& content) const override;
+};
+
+// A mesh file as it was read, as the value of a document.
+std::shared_ptr<MeshSnapshot> meshSnapshotOf(const MeshFile& file);
+
+}  // namespace handwheel

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Snapshot.h"
+#include "mesh/Defects.h"
+#include "mesh/MeshBuilder.h"
+
+#include <set>
+
+namespace handwheel {
+
+// The value of a mesh document.
+struct MeshSnapshot : Snapshot {
+  InspectedMesh mesh;
+  std::shared_ptr<const BuildReport> build;  // what building the mesh from its file reported; never null
+  std::set<Vertex> keptOpen;                 // smallest vertices of the loops that the user wants open
+  NumberType numbers = NumberType::Float64;  // of the coordinates in the file that it came from
+};
+
+}  // namespace handwheel

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/workpiece/WorkpieceDocument.h"
+
+#include "document/workpiece/WorkpieceEdit.h"
+
+namespace handwheel {
+
+WorkpieceDocument::WorkpieceDocument(OpenedFile opened, QObject* parent)
+    : Document(*opened.kind, std::move(opened.file), parent),
+      m_workpiece(std::static_pointer_cast<const WorkpieceSnapshot>(opened.content)) {}
+
+std::vector<Property> WorkpieceDocument::properties() const {
+  std::vector<Property> all = workpieceProperties(*m_workpiece);
+  for (Property& common : Document::properties()) all.push_back(std::move(common));
+  return all;
+}
+
+Result<std::unique_ptr<Edit>> WorkpieceDocument::propertyEdit(const std::string& id, const PropertyValue& value) const {
+  const auto field = fieldNamed(id);
+  if (!field) return Document::propertyEdit(id, value);
+  const Status checked = checkValue(*field, value);
+  if (!checked) return checked.error();
+  if (propertyOf(*m_workpiece, *field).value == value) return std::unique_ptr<Edit>();
+  return std::unique_ptr<Edit>(std::make_unique<WorkpieceEdit>(*field, value));
+}
+
+void WorkpieceDocument::set(WorkpieceSnapshot workpiece) {
+  m_workpiece = std::make_shared<const WorkpieceSnapshot>(std::move(workpiece));
+  wasChanged();
+}
+
+}  // namespace handwheel

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Document.h"
+#include "document/workpiece/WorkpieceSnapshot.h"
+
+namespace handwheel {
+
+// A bar to be turned.
+class WorkpieceDocument : public Document {
+  Q_OBJECT
+
+ public:
+  // opened: the content is a WorkpieceSnapshot.
+  explicit WorkpieceDocument(OpenedFile opened, QObject* parent = nullptr);
+
+  const WorkpieceSnapshot& workpiece() const { return *m_workpiece; }
+
+  SnapshotPointer snapshot() const override { return m_workpiece; }
+  // Those of workpieceProperties(), then those of every document.
+  std::vector<Property> properties() const override;
+  Result<std::unique_ptr<Edit>> propertyEdit(const std::string& id, const PropertyValue& value) const override;
+
+ private:
+  friend class WorkpieceEdit;
+  void set(WorkpieceSnapshot workpiece);
+
+  std::shared_ptr<const WorkpieceSnapshot> m_workpiece;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/DocumentKind.h"
+
+namespace handwheel {
+
+// Workpieces for the lathe.
+class WorkpieceKind : public DocumentKind {
+ public:
+  std::string id() const override { return "workpiece"; }
+  std::string title() const override;
+  std::vector<FileFormat> formats() const override;
+  // STEP files, to say that they are only written.
+  bool recognises(std::string_view head, std::string_view name) const override;
+  Result<OpenedFile> import(const std::filesystem::path& path, const ReadOptions& options,
+                            Progress progress) const override;
+  // STEP holds the exact surface as a solid, and is read back and measured before it is kept; mesh formats hold
+  // triangles within the chord tolerance.
+  Result<WrittenFile> exportTo(const Snapshot& content, const std::filesystem::path& path,
+                               Progress progress) const override;
+  void save(const Snapshot& content, Container& container) const override;
+  Result<SnapshotPointer> load(const Container& container, std::vector<Error>& damage,
+                               Progress progress) const override;
+  SnapshotPointer blank() const override;
+  std::unique_ptr<Document> make(OpenedFile opened) const override;
+  nlohmann::json describe(const Snapshot& content) const override;
+  DisplayModel display(const Snapshot& content) const override;
+};
+
+}  // namespace handwheel

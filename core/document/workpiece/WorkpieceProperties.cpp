@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/workpiece/WorkpieceProperties.h"
+
+#include <QString>
+#include <QtGlobal>
+
+namespace handwheel {
+
+namespace {
+
+constexpr std::size_t kLongestMaterial = 1000;  // bytes
+
+Property stockProperty(const char* id, const char* label, PropertyValue value) {
+  Property property;
+  property.id = id;
+  property.group = QT_TRANSLATE_NOOP("Property", "Stock");
+  property.label = label;
+  property.value = std::move(value);
+  return property;
+}
+
+Property length(const char* id, const char* label, double value, double least, double largest) {
+  Property property = stockProperty(id, label, value);
+  property.quantity = Quantity::Length;
+  property.least = least;
+  property.largest = largest;
+  return property;
+}
+
+Property computed(const char* id, const char* label, double value) {
+  Property property = stockProperty(id, label, value);
+  property.editable = false;
+  return property;
+}
+
+std::string text(double value) {
+  return QString::number(value).toStdString();
+}
+
+Error malformed(const std::string& id, const char* expected) {
+  return {ErrorCode::ElementMalformed, {id, expected}, {}, {}};
+}
+
+bool isUtf8(const std::string& bytes) {
+  return QString::fromUtf8(bytes.data(), static_cast<qsizetype>(bytes.size())).toStdString() == bytes;
+}
+
+}  // namespace
+
+Property propertyOf(const WorkpieceSnapshot& workpiece, WorkpieceField field) {
+  const StockCylinder& stock = workpiece.stock;
+  switch (field) {
+    case WorkpieceField::Diameter: {
+      Property diameter = length("diameter", QT_TRANSLATE_NOOP("Property", "Diameter"), stock.diameter,
+                                 StockCylinder::kLeastSize, StockCylinder::kLargestSize);
+      diameter.prefix = "⌀";
+      return diameter;
+    }
+    case WorkpieceField::Length:
+      return length("length", QT_TRANSLATE_NOOP("Property", "Length"), stock.length, StockCylinder::kLeastSize,
+                    StockCylinder::kLargestSize);
+    case WorkpieceField::Position:
+      return length("position", QT_TRANSLATE_NOOP("Property", "Lower end at Z"), stock.position,
+                    -StockCylinder::kFurthest, StockCylinder::kFurthest);
+    case WorkpieceField::Chord:
+      return length("chord", QT_TRANSLATE_NOOP("Property", "Chord tolerance"), workpiece.chord,
+                    WorkpieceSnapshot::kLeastChord, WorkpieceSnapshot::kLargestChord);
+    case WorkpieceField::Material:
+      break;
+  }
+  return stockProperty("material", QT_TRANSLATE_NOOP("Property", "Material"), workpiece.material);
+}
+
+std::optional<WorkpieceField> fieldNamed(std::string_view id) {
+  static const WorkpieceSnapshot any;
+  for (WorkpieceField field : kWorkpieceFields) {
+    if (propertyOf(any, field).id == id) return field;
+  }
+  return std::nullopt;
+}
+
+Status checkValue(WorkpieceField field, const PropertyValue& value) {
+  static const WorkpieceSnapshot any;
+  const Property property = propertyOf(any, field);
+  if (field == WorkpieceField::Material) {
+    const auto* name = std::get_if<std::string>(&value);
+    if (!name || name->size() > kLongestMaterial || !isUtf8(*name)) {
+      return malformed(property.id, "a text of at most 1000 bytes in UTF-8 was expected");
+    }
+    return Done{};
+  }
+  const auto* number = std::get_if<double>(&value);
+  if (!number) return malformed(property.id, "a number was expected");
+  if (!(*number >= property.least && *number <= property.largest)) {
+    return Error{
+        ErrorCode::ValueOutOfRange, {property.id, text(*number), text(property.least), text(property.largest)}, {}, {}};
+  }
+  return Done{};
+}
+
+WorkpieceSnapshot withValue(WorkpieceSnapshot workpiece, WorkpieceField field, const PropertyValue& value) {
+  switch (field) {
+    case WorkpieceField::Diameter:
+      workpiece.stock.diameter = std::get<double>(value);
+      break;
+    case WorkpieceField::Length:
+      workpiece.stock.length = std::get<double>(value);
+      break;
+    case WorkpieceField::Position:
+      workpiece.stock.position = std::get<double>(value);
+      break;
+    case WorkpieceField::Chord:
+      workpiece.chord = std::get<double>(value);
+      break;
+    case WorkpieceField::Material:
+      workpiece.material = std::get<std::string>(value);
+      break;
+  }
+  if (!workpiece.mesh->isOf(workpiece.stock, workpiece.chord)) {
+    workpiece.mesh = std::make_shared<const StockMesh>(workpiece.stock, workpiece.chord);
+  }
+  return workpiece;
+}
+
+std::vector<Property> workpieceProperties(const WorkpieceSnapshot& workpiece) {
+  std::vector<Property> all;
+  for (WorkpieceField field : kWorkpieceFields) all.push_back(propertyOf(workpiece, field));
+  all.push_back(computed("volume", QT_TRANSLATE_NOOP("Property", "Volume (mm³)"), workpiece.stock.volume()));
+  all.push_back(computed("area", QT_TRANSLATE_NOOP("Property", "Surface (mm²)"), workpiece.stock.area()));
+  return all;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/HalfEdgeMesh.h"
+#include "mesh/Sight.h"
+#include "proximity/TriangleHierarchy.h"
+
+namespace handwheel {
+
+// One version of a mesh, its faces to be found by rays. Immutable once built; built on a worker, read on any thread.
+class FaceHierarchy {
+ public:
+  explicit FaceHierarchy(const HalfEdgeMesh& mesh);
+
+  const HalfEdgeMesh& mesh() const { return m_mesh; }
+  const Box& bounds() const { return m_hierarchy.bounds(); }  // of all live faces with finite corners
+
+  struct Hit {
+    Face face;
+    Vec3 point;
+    double distance;  // in lengths of the direction
+  };
+  // The first face that the ray meets, from either side; none for a ray that is not usable.
+  std::optional<Hit> firstHit(const Ray& ray) const;
+
+  // Whether something lies before p, by more than this (mm), as seen along the line of sight through it from the eye
+  // or, without one, from outside the model along the direction. A face that p is known to lie on does not count.
+  bool isHidden(const Vec3& p, const std::optional<Vec3>& eye, const Vec3& direction, double by = 0.0,
+                Face own = kNone) const;
+
+ private:
+  HalfEdgeMesh m_mesh;
+  std::vector<Face> m_faceOf;  // of each triangle in the hierarchy
+  TriangleHierarchy m_hierarchy;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/MeshFidelity.h"
+
+#include "mesh/MeshDelta.h"
+
+namespace handwheel {
+namespace {
+
+constexpr FillMethod kMethods[] = {FillMethod::Ear, FillMethod::Minimal, FillMethod::Refined, FillMethod::Fair};
+
+}  // namespace
+
+FidelitySetting nearWeldSetting() {
+  FidelitySetting s;
+  s.id = "mesh.near_weld";
+  s.label = "Distance below which torn border vertices are one";
+  s.unit = "share of the diagonal";
+  s.scale = FidelityScale::Logarithmic;
+  s.least = 1e-8;
+  s.largest = 1e-2;
+  s.standard = RepairOptions().nearWeld;
+  s.presets = {1e-5, 1e-5, 1e-5};
+  s.error = {"border vertices left torn or merged wrongly", "%"};
+  s.cost = {"CPU time to stitch the borders", "ms"};
+  return s;
+}
+
+FidelitySetting fillMethodSetting() {
+  FidelitySetting s;
+  s.id = "mesh.fill_method";
+  s.label = "Method that fills holes";
+  setChoices(s, {"ear", "minimal", "refined", "fair"});  // as kMethods
+  s.standard = 3.0;
+  s.presets = {3.0, 3.0, 3.0};
+  s.error = {"RMS distance of the patch from the surface", "% of the hole"};
+  s.cost = {"CPU time of a fill", "ms"};
+  return s;
+}
+
+FidelitySetting patchDensitySetting() {
+  FidelitySetting s;
+  s.id = "mesh.patch_density";
+  s.label = "Density of patches, in that of their surroundings";
+  s.scale = FidelityScale::Logarithmic;
+  s.least = 0.35;
+  s.largest = 2.0;  // beyond, the limit on a patch's vertices refuses large holes
+  s.standard = FillOptions().density;
+  s.presets = {0.35, 0.72, s.standard};
+  s.error = {"RMS distance of the patch from the surface", "% of the hole"};
+  s.cost = {"CPU time of a fill", "ms"};
+  return s;
+}
+
+FidelitySetting undoGranularitySetting() {
+  FidelitySetting s;
+  s.id = "document.undo_granularity";
+  s.label = "Vertices or faces that an undo step keeps together";
+  s.scale = FidelityScale::Logarithmic;
+  s.least = 1.0;
+  s.largest = 4096.0;
+  s.whole = true;
+  s.standard = static_cast<double>(MeshDelta::kRunSlots);
+  s.presets = {4.0, 2.0, 1.0};
+  s.error = {"memory of an undo step", "MB"};
+  s.cost = {"CPU time to take, undo and redo a step", "ms"};
+  return s;
+}
+
+FillMethod fillMethodOf(const FidelityValues& values) {
+  return kMethods[static_cast<std::size_t>(values.of(fillMethodSetting()))];
+}
+
+void apply(const FidelityValues& values, FillOptions& options) {
+  options.method = fillMethodOf(values);
+  options.density = values.of(patchDensitySetting());
+}
+
+void apply(const FidelityValues& values, RepairOptions& options) {
+  apply(values, options.fill);
+  options.nearWeld = values.of(nearWeldSetting());
+}
+
+}  // namespace handwheel

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Fidelity.h"
+#include "mesh/Repair.h"
+
+namespace handwheel {
+
+// Where this room trades speed for accuracy. Presets follow from resources/fidelity (the test FidelityPresetsTest).
+FidelitySetting nearWeldSetting();         // mesh.near_weld: RepairOptions::nearWeld
+FidelitySetting fillMethodSetting();       // mesh.fill_method: FillOptions::method
+FidelitySetting patchDensitySetting();     // mesh.patch_density: FillOptions::density
+FidelitySetting undoGranularitySetting();  // document.undo_granularity: MeshDelta::between()
+
+// The chosen method: of Ear, Minimal, Refined, Fair.
+FillMethod fillMethodOf(const FidelityValues& values);
+
+// Puts what was chosen into the options of a fill or a repair; the rest of them stays.
+void apply(const FidelityValues& values, FillOptions& options);
+void apply(const FidelityValues& values, RepairOptions& options);
+
+}  // namespace handwheel

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <utility>
+
+namespace handwheel {
+
+// A point of the half plane in which a profile lies: (r, z), mm.
+using ProfilePoint = Eigen::Vector2d;
+
+inline constexpr int kHighestDegree = 3;
+
+// One smooth piece of a profile: a rational Bézier curve of degree 1 to 3 over t in 0…1. Its poles are kept relative to
+// the first one, so that a place far from the origin costs no digits of shape.
+struct BezierArc {
+  int degree = 1;
+  ProfilePoint origin{0, 0};
+  // (w r, w z, w) relative to the origin; the first degree + 1 of them; all weights are positive.
+  std::array<Eigen::Vector3d, kHighestDegree + 1> poles;
+
+  // The point and the derivatives by t of order 1 to 3; those beyond the degree are zero only where no weight varies.
+  std::array<ProfilePoint, kHighestDegree + 1> derivatives(double t) const;
+
+  // Unit direction in which the arc runs on from t (into t, at t = 1). Where the derivative vanishes, as it does at
+  // double poles, the limit; zero for an arc that is one point.
+  ProfilePoint direction(double t) const;
+
+  // No point of the arc is further from its chord, and no point of the chord further from the arc, than this. Exact for
+  // polynomials of degree 2; else a bound.
+  double chordError() const;
+
+  std::pair<BezierArc, BezierArc> halves() const;
+
+  ProfilePoint start() const { return origin + poles[0].head<2>() / poles[0].z(); }
+  ProfilePoint end() const { return origin + poles[degree].head<2>() / poles[degree].z(); }
+};
+
+}  // namespace handwheel

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "nurbs/ProfileCurve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace handwheel {
+
+namespace {
+
+// Knots nearer than this share of their range are one knot written badly.
+constexpr double kLeastSpan = 1e-12;
+
+bool arePolesSound(const ProfileNet& net) {
+  constexpr double most = ProfileCurve::kLargestCoordinate;
+  return std::all_of(net.poles.begin(), net.poles.end(), [](const ProfilePoint& p) {
+    return p.x() >= 0.0 && p.x() <= most && std::abs(p.y()) <= most;  // false for NaN
+  });
+}
+
+bool areWeightsSound(const ProfileNet& net) {
+  constexpr double most = ProfileCurve::kLargestWeight;
+  return net.weights.size() == net.poles.size() &&
+         std::all_of(net.weights.begin(), net.weights.end(), [](double w) { return w >= 1.0 / most && w <= most; });
+}
+
+bool areKnotsSound(const ProfileNet& net) {
+  const auto& knots = net.knots;
+  const std::size_t degree = static_cast<std::size_t>(net.degree), count = net.poles.size();
+  constexpr double most = ProfileCurve::kLargestCoordinate;
+  if (knots.size() != count + degree + 1) return false;
+  if (!(std::abs(knots.front()) <= most && std::abs(knots.back()) <= most)) return false;
+  const double span = kLeastSpan * (knots.back() - knots.front());
+  for (std::size_t i = 1; i < knots.size(); ++i) {
+    const double gap = knots[i] - knots[i - 1];
+    if (!(gap == 0.0 || (span > 0.0 && gap >= span))) return false;
+  }
+  if (knots[degree] != knots.front() || knots[count] != knots.back()) return false;
+  for (std::size_t i = 1; i < count; ++i) {
+    if (knots[i] == knots[i + degree]) return false;
+  }
+  return true;
+}
+
+// The pole of the Bézier arc over [a, b] that takes "ends" of its arguments at b: the value of the span's symmetric
+// multi-affine form (its blossom; Ramshaw 1987). t[m] is knot k + m of the span's own knot k.
+Eigen::Vector3d blossom(std::array<Eigen::Vector3d, kHighestDegree + 1> poles, int degree, const double* t, int ends) {
+  for (int level = 1; level <= degree; ++level) {
+    const double u = level <= ends ? t[1] : t[0];
+    for (int i = degree; i >= level; --i) {
+      const double low = t[i - degree], high = t[i + 1 - level];
+      const double share = (u - low) / (high - low);
+      poles[i] = (1.0 - share) * poles[i - 1] + share * poles[i];
+    }
+  }
+  return poles[degree];
+}
+
+BezierArc arcOf(const ProfileNet& net, std::size_t k) {
+  BezierArc arc;
+  arc.degree = net.degree;
+  const std::size_t first = k - static_cast<std::size_t>(net.degree);
+  arc.origin = net.poles[first];
+  std::array<Eigen::Vector3d, kHighestDegree + 1> local;
+  for (std::size_t i = 0; i <= static_cast<std::size_t>(net.degree); ++i) {
+    const ProfilePoint p = net.poles[first + i] - arc.origin;
+    local[i] = net.weights[first + i] * Eigen::Vector3d(p.x(), p.y(), 1.0);
+  }
+  for (int i = 0; i <= net.degree; ++i) arc.poles[i] = blossom(local, net.degree, &net.knots[k], i);
+  return arc;
+}
+
+}  // namespace
+
+Result<ProfileCurve> ProfileCurve::make(ProfileNet net) {
+  const auto malformed = [](const char* what) { return Error{ErrorCode::ElementMalformed, {"profile", what}, {}, {}}; };
+  if (net.degree < 1 || net.degree > kHighestDegree) return malformed("its degree must be 1, 2 or 3");
+  if (net.poles.size() > kMostPoles) {
+    return Error{
+        ErrorCode::FileTooLarge, {"poles", std::to_string(net.poles.size()), std::to_string(kMostPoles)}, {}, {}};
+  }
+  if (net.poles.size() < static_cast<std::size_t>(net.degree) + 1) return malformed("it has too few poles");
+  if (!arePolesSound(net)) return malformed("a pole is across the axis, too far away or not finite");
+  if (!areWeightsSound(net)) return malformed("a weight is missing, not positive or too large");
+  if (!areKnotsSound(net)) return malformed("its knots do not fit its poles");
+
+  ProfileCurve curve;
+  for (std::size_t k = static_cast<std::size_t>(net.degree); k < net.poles.size(); ++k) {
+    if (net.knots[k] == net.knots[k + 1]) continue;
+    curve.m_arcs.push_back(arcOf(net, k));
+    curve.m_breaks.push_back(net.knots[k]);
+  }
+  curve.m_breaks.push_back(net.knots.back());
+  curve.m_net = std::move(net);
+  return curve;
+}
+
+Result<ProfileCurve> ProfileCurve::polyline(std::vector<ProfilePoint> points) {
+  ProfileNet net;
+  net.weights.assign(points.size(), 1.0);
+  net.knots.push_back(0.0);
+  for (std::size_t i = 0; i < points.size(); ++i) net.knots.push_back(static_cast<double>(i));
+  net.knots.push_back(net.knots.back());
+  net.poles = std::move(points);
+  return make(std::move(net));
+}
+
+ProfileCurve::Location ProfileCurve::locate(double u) const {
+  const auto inner = std::upper_bound(m_breaks.begin() + 1, m_breaks.end() - 1, u);
+  const auto i = static_cast<std::size_t>(inner - m_breaks.begin()) - 1;
+  const double length = m_breaks[i + 1] - m_breaks[i];
+  return {m_arcs[i], std::clamp((u - m_breaks[i]) / length, 0.0, 1.0), length};
+}
+
+ProfilePoint ProfileCurve::point(double u) const {
+  const Location at = locate(u);
+  return at.arc.derivatives(at.t)[0];
+}
+
+ProfilePoint ProfileCurve::derivative(double u) const {
+  const Location at = locate(u);
+  return at.arc.derivatives(at.t)[1] / at.length;
+}
+
+ProfilePoint ProfileCurve::direction(double u) const {
+  const Location at = locate(u);
+  return at.arc.direction(at.t);
+}
+
+}  // namespace handwheel

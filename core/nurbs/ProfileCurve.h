@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Result.h"
+#include "nurbs/BezierArc.h"
+
+#include <span>
+#include <vector>
+
+namespace handwheel {
+
+// What defines a rational B-spline: n poles of the (r, z) half plane with their weights, and n + degree + 1 knots in
+// rising order. The first and the last knot stand degree + 1 times, so the curve begins and ends in a pole; an inner
+// knot at most degree times, where the curve then has a corner in a pole.
+struct ProfileNet {
+  int degree = 1;
+  std::vector<double> knots;
+  std::vector<ProfilePoint> poles;  // mm
+  std::vector<double> weights;
+};
+
+// The outline of a turned part: a curve in the half plane r ≥ 0 beside the axis z. It runs from the lower end of the
+// part to the upper one and has the material on the side of the axis.
+class ProfileCurve {
+ public:
+  static constexpr std::size_t kMostPoles = 100'000;
+  static constexpr double kLargestCoordinate = 1e9;  // mm
+  static constexpr double kLargestWeight = 1e6;      // and the least is 1 over it
+
+  // O(poles). Errors: FileTooLarge {poles, count, limit}, ElementMalformed {"profile", what is wrong}.
+  static Result<ProfileCurve> make(ProfileNet net);
+  // Straight lines through at least two points; one unit of the parameter for each.
+  static Result<ProfileCurve> polyline(std::vector<ProfilePoint> points);
+
+  const ProfileNet& net() const { return m_net; }
+  double from() const { return m_net.knots.front(); }
+  double to() const { return m_net.knots.back(); }
+
+  // The smooth pieces in order, one for each pair of different neighbours among the knots.
+  std::span<const BezierArc> arcs() const { return m_arcs; }
+
+  // At u, which is taken into the range of the parameter; at a knot, the piece that begins there. O(log poles).
+  ProfilePoint point(double u) const;
+  ProfilePoint derivative(double u) const;
+  ProfilePoint direction(double u) const;  // BezierArc::direction
+
+ private:
+  struct Location {
+    const BezierArc& arc;
+    double t;
+    double length;  // of the arc in the parameter of the curve
+  };
+  ProfileCurve() = default;
+  Location locate(double u) const;
+
+  ProfileNet m_net;
+  std::vector<BezierArc> m_arcs;
+  std::vector<double> m_breaks;  // different knots: one more than arcs
+};
+
+}  // namespace handwheel

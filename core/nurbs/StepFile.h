@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Geometry.h"
+#include "base/Progress.h"
+#include "base/Result.h"
+#include "nurbs/ProfileCurve.h"
+
+#include <string>
+#include <string_view>
+
+namespace handwheel {
+
+// A STEP file (AP214, millimetres) that holds the part between a profile, the flat ends through its first and last
+// point, and the axis, as one solid. Between two corners of the profile the mantle is one exact rational B-spline
+// surface of nine columns. Numbers are written with all their digits. Any thread; Open CASCADE's STEP works on one at a
+// time, so others wait. Errors: ElementMalformed {profile}, LibraryFailed, Cancelled.
+Result<std::string> writeStep(const ProfileCurve& profile, Progress progress = {});
+
+struct StepReport {
+  std::size_t solids = 0;
+  bool isValid = false;  // topology and geometry fit together, as Open CASCADE's analyser sees it
+  double volume = 0.0;   // mm³, of all solids
+  double area = 0.0;     // mm²
+  Box bounds;            // mm; may be larger than the solids by their tolerance
+};
+
+// Reads a STEP file back and measures it. For files that this program made: the library's parser is not proof against
+// hostile ones. Errors: LibraryFailed, Cancelled.
+Result<StepReport> inspectStep(std::string_view bytes, Progress progress = {});
+
+}  // namespace handwheel

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Geometry.h"
+#include "nurbs/ProfileCurve.h"
+
+namespace handwheel {
+
+// The bar that a turned part is made of: a cylinder around the axis z, from z = position to z = position + length.
+struct StockCylinder {
+  double diameter = 50.0;  // mm
+  double length = 100.0;   // mm
+  double position = 0.0;   // mm, of the lower end
+
+  static constexpr double kLeastSize = 1e-6, kLargestSize = 1e6;  // of diameter and length
+  static constexpr double kFurthest = 1e7;                        // of the position, either way
+
+  // Within these limits; false for NaN.
+  bool isSound() const;
+
+  double volume() const;  // mm³
+  double area() const;    // mm², mantle and both ends
+  Box bounds() const;
+
+  // Its outline: the mantle's straight line. The two flat ends are where this begins and ends. The stock must be sound.
+  ProfileCurve profile() const;
+
+  bool operator==(const StockCylinder&) const = default;
+};
+
+}  // namespace handwheel

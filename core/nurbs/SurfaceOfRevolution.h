@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Geometry.h"
+#include "nurbs/ProfileCurve.h"
+
+namespace handwheel {
+
+struct SurfacePoint {
+  Vec3 position;   // mm
+  Vec3 byCircle;   // ∂S/∂u; zero on the axis
+  Vec3 byProfile;  // ∂S/∂v
+  Vec3 normal;     // unit, away from the material; zero only where the profile is a single point
+};
+
+// A tensor-product surface: degree 2 along the circle with nine columns, the profile's degree along it. poles[i][j] and
+// weights[i][j]: i along the circle, j along the profile.
+struct SurfaceNet {
+  int profileDegree = 1;
+  std::vector<double> circleKnots, profileKnots;
+  std::array<std::vector<Vec3>, 9> poles;
+  std::array<std::vector<double>, 9> weights;
+};
+
+// The mantle that a profile sweeps round the axis z: the exact surface S(u, v) = (r(v) cos θ(u), r(v) sin θ(u), z(v)).
+class SurfaceOfRevolution {
+ public:
+  explicit SurfaceOfRevolution(ProfileCurve profile) : m_profile(std::move(profile)) {}
+
+  const ProfileCurve& profile() const { return m_profile; }
+
+  // u: 0…1 round the axis, from +x over +y; v: the parameter of the profile. O(log poles).
+  SurfacePoint at(double u, double v) const;
+
+  SurfaceNet net() const;
+
+ private:
+  ProfileCurve m_profile;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "base/Result.h"
+#include "mesh/TriangleSoup.h"
+#include "nurbs/ProfileCurve.h"
+#include "nurbs/TessellationOptions.h"
+
+namespace handwheel {
+
+// The part between a profile, the flat ends through its first and last point, and the axis, as triangles: closed,
+// facing outwards, neighbours sharing vertices. Where the profile is curved, half of the tolerance goes to it and half
+// to the circle; vertices between its chords' ends may then be off the surface by that half. O(triangles). Errors:
+// ValueOutOfRange {"chord tolerance", value, least for this part, largest}, ElementMalformed {profile}, Cancelled.
+Result<TriangleSoup> tessellate(const ProfileCurve& profile, const TessellationOptions& options,
+                                Progress progress = {});
+
+}  // namespace handwheel

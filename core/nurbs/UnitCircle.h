@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+namespace handwheel {
+
+// The unit circle as a rational quadratic B-spline of nine poles, four quarters with the weights 1, √½, 1 (Piegl and
+// Tiller, "The NURBS Book", 7.3). Exact: every point is on the circle to the last digit.
+namespace unit_circle {
+
+std::array<Eigen::Vector2d, 9> poles();
+std::array<double, 9> weights();
+std::vector<double> knots();  // 12 of them, over 0…1
+
+// At u, which is taken into 0…1: (cos θ, sin θ), and dθ/du, which runs between 2π · 0.90 and 2π · 1.06.
+struct Point {
+  Eigen::Vector2d direction;
+  double speed;
+};
+Point at(double u);
+
+}  // namespace unit_circle
+
+}  // namespace handwheel

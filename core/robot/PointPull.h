@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "robot/RobotModel.h"
+
+namespace handwheel {
+
+// A point of a link that is drawn to a place.
+struct PointPull {
+  std::uint32_t link = kNone;
+  Vec3 point = Vec3::Zero();   // in the link; mm
+  Vec3 target = Vec3::Zero();  // in the frame of the root; mm
+  std::uint32_t dof = kNone;   // the only one that may move; kNone: all
+};
+
+// How far the point is from its target; mm.
+double pullDistance(const RobotModel& robot, const JointValues& values, const PointPull& pull);
+
+// Joint values that bring the point nearer to the target, as near as a number of steps gets it; never further away.
+// Damped least squares with the error in the damping (Chan and Lawrence 1988; Sugihara 2011), so it keeps calm where
+// the arm is stretched or folded. Limits are kept: a joint that meets its limit stays there and the others go on.
+// Finite for every finite input. O(steps · dofs³).
+JointValues pulled(const RobotModel& robot, const JointValues& values, const PointPull& pull, int steps = 40);
+
+}  // namespace handwheel

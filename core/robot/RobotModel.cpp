@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robot/RobotModel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <tuple>
+
+namespace handwheel {
+
+std::uint32_t linkNamed(const RobotModel& robot, std::string_view name) {
+  const auto found =
+      std::find_if(robot.links.begin(), robot.links.end(), [&](const Link& link) { return link.name == name; });
+  return found == robot.links.end() ? kNone : static_cast<std::uint32_t>(found - robot.links.begin());
+}
+
+std::uint32_t toolLink(const RobotModel& robot) {
+  std::vector<int> moving(robot.links.size()), all(robot.links.size());  // joints above each link
+  std::vector<bool> isLeaf(robot.links.size(), true);
+  int most = 0;
+  for (std::uint32_t j : robot.order) {
+    const Joint& joint = robot.joints[j];
+    const bool isOwn = joint.dof != kNone && robot.dofs[joint.dof] == j;
+    moving[joint.child] = moving[joint.parent] + isOwn;
+    all[joint.child] = all[joint.parent] + 1;
+    isLeaf[joint.parent] = false;
+    most = std::max(most, moving[joint.child]);
+  }
+  const auto rank = [&](std::uint32_t link) {
+    const bool isEmpty = robot.links[link].visuals.empty() && robot.links[link].collisions.empty();
+    return std::tuple(bool(isLeaf[link]), isEmpty && 2 * moving[link] >= most, moving[link], all[link]);
+  };
+  std::uint32_t best = robot.root;
+  for (std::uint32_t link = 0; link < robot.links.size(); ++link) {
+    if (rank(link) > rank(best)) best = link;
+  }
+  return best;
+}
+
+std::uint32_t dofMoving(const RobotModel& robot, std::uint32_t link) {
+  for (std::uint32_t j = robot.links[link].parentJoint; j != kNone;
+       j = robot.links[robot.joints[j].parent].parentJoint) {
+    if (robot.joints[j].dof != kNone) return robot.joints[j].dof;
+  }
+  return kNone;
+}
+
+JointValues withinLimits(const RobotModel& robot, JointValues values) {
+  // A whole turn of a joint is not one of those that follow it.
+  std::vector<bool> isFollowed(robot.dofs.size());
+  for (std::uint32_t j = 0; j < robot.joints.size(); ++j) {
+    const std::uint32_t dof = robot.joints[j].dof;
+    if (dof != kNone && robot.dofs[dof] != j) isFollowed[dof] = true;
+  }
+  for (std::size_t dof = 0; dof < robot.dofs.size(); ++dof) {
+    const Joint& joint = robot.jointOfDof(dof);
+    double& value = values[static_cast<Eigen::Index>(dof)];
+    if (joint.kind == JointKind::Continuous && !isFollowed[dof])
+      value = std::remainder(value, 2.0 * std::numbers::pi);
+    else
+      value = std::clamp(value, joint.limits.lower, joint.limits.upper);
+  }
+  return values;
+}
+
+JointValues restValues(const RobotModel& robot) {
+  return withinLimits(robot, JointValues::Zero(static_cast<Eigen::Index>(robot.dofs.size())));
+}
+
+}  // namespace handwheel

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Geometry.h"
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace handwheel {
+
+enum class JointKind {
+  Fixed,
+  Revolute,
+  Continuous,  // revolute without limits
+  Prismatic,
+};
+
+struct JointLimits {
+  double lower = -std::numeric_limits<double>::infinity();  // rad, mm
+  double upper = std::numeric_limits<double>::infinity();
+  std::optional<double> velocity = {};  // rad/s, mm/s; none where the file does not tell, or says 0
+  std::optional<double> effort = {};    // N m, N; the same
+};
+
+// Joins two links. Its position is factor · value(dof) + offset: one degree of freedom may move several joints.
+struct Joint {
+  std::string name;
+  JointKind kind = JointKind::Fixed;
+  std::uint32_t parent = kNone;    // link
+  std::uint32_t child = kNone;     // link
+  Pose origin = Pose::Identity();  // of the child in the parent at position 0
+  Vec3 axis = Vec3::UnitX();       // in the child's frame, of unit length
+  JointLimits limits = {};
+  std::uint32_t dof = kNone;  // none: the joint stays at offset
+  double factor = 1.0;        // from the unit of the degree of freedom to the joint's
+  double offset = 0.0;        // rad, mm
+};
+
+struct BoxShape {
+  Vec3 size;  // mm, centred
+  bool operator==(const BoxShape&) const = default;
+};
+struct CylinderShape {
+  double radius, length;  // mm, along z, centred
+  bool operator==(const CylinderShape&) const = default;
+};
+struct SphereShape {
+  double radius;  // mm
+  bool operator==(const SphereShape&) const = default;
+};
+struct MeshShape {
+  std::string file;  // as the description names it: "package://name/part.stl"
+  Vec3 scale;        // of the numbers in the file, which are metres
+  bool operator==(const MeshShape&) const = default;
+};
+using Shape = std::variant<BoxShape, CylinderShape, SphereShape, MeshShape>;
+
+using ShapeColour = std::array<float, 3>;  // sRGB, 0…1
+
+struct PlacedShape {
+  std::uint32_t shape = kNone;     // in RobotModel::shapes
+  Pose origin = Pose::Identity();  // in the link
+  std::optional<ShapeColour> colour;
+};
+
+struct Link {
+  std::string name;
+  std::uint32_t parentJoint = kNone;  // none for the root
+  std::vector<PlacedShape> visuals;
+  std::vector<PlacedShape> collisions;
+};
+
+// Links joined to a tree. Names of links are unique, so are those of joints. Immutable once read; any thread.
+struct RobotModel {
+  std::string name;
+  std::vector<Link> links;
+  std::vector<Joint> joints;
+  std::vector<Shape> shapes;         // each once, however often it is placed
+  std::vector<std::uint32_t> order;  // all joints, each after the one that moves its parent
+  std::vector<std::uint32_t> dofs;   // per degree of freedom: the joint that gives it name, kind and limits
+  std::uint32_t root = kNone;        // link
+
+  const Joint& jointOfDof(std::size_t dof) const { return joints[dofs[dof]]; }
+};
+
+// One value per degree of freedom; rad, mm.
+using JointValues = Eigen::VectorXd;
+
+// Prismatic joints go no further than this, whatever their limits say; mm.
+inline constexpr double kFarthestTravel = 1e9;
+
+// kNone when there is no such link. O(links).
+std::uint32_t linkNamed(const RobotModel& robot, std::string_view name);
+
+// Where a tool is fixed: a leaf, if possible one without a body ("tool0", "flange") beyond half of the degrees of
+// freedom, for behind it there may be fingers that move; of these the one that most of them move, then the one at the
+// end of most joints, then the first in the file.
+std::uint32_t toolLink(const RobotModel& robot);
+
+// The degree of freedom that moves the link and no link above it; kNone for what stands still.
+std::uint32_t dofMoving(const RobotModel& robot, std::uint32_t link);
+
+// The values with each within its limits; continuous joints that no other follows turned by whole turns into -π…π.
+// Values must be finite. O(joints).
+JointValues withinLimits(const RobotModel& robot, JointValues values);
+
+// Zero, or the limit nearest to it.
+JointValues restValues(const RobotModel& robot);
+
+}  // namespace handwheel

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Result.h"
+#include "robot/RobotModel.h"
+
+#include <span>
+#include <string>
+
+namespace handwheel {
+
+// What a description says of a joint that repeats another one's motion: position = multiplier · position of the leader
+// + offset, in metres and radians.
+struct Following {
+  std::uint32_t joint;
+  std::string leader;
+  double multiplier, offset;
+};
+
+// Ties the joints and links of a model together: who follows whom and which degrees of freedom there are, each link's
+// joint, the root and the order. places: the line of each joint, for errors. The links must form one tree.
+// O((links + joints) log joints). Errors: ElementMalformed, ReferenceMissing.
+Status tieTogether(RobotModel& robot, std::span<const Following> following, std::span<const Place> places);
+
+}  // namespace handwheel

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "robot/RobotTree.h"
+#include "robot/UrdfShapes.h"
+
+#include <map>
+
+namespace handwheel {
+
+// Reads the joints of a description, one by one.
+class UrdfJoints {
+ public:
+  // links: all of them, by name. shapes takes the notes.
+  UrdfJoints(RobotModel& robot, const std::map<std::string, std::uint32_t>& links, UrdfShapes& shapes)
+      : m_robot(robot), m_links(links), m_shapes(shapes) {}
+
+  Status read(const XmlElement& element);
+
+  const std::vector<Following>& following() const { return m_following; }
+  const std::vector<Place>& places() const { return m_places; }  // per joint
+
+ private:
+  Result<JointKind> readKind(const XmlElement& element);
+  Result<std::uint32_t> readLink(const XmlElement& element, std::string_view role) const;
+  Status readMotion(const XmlElement& element, Joint& joint);
+  Result<JointLimits> readLimits(const XmlElement& element, const Joint& joint);
+  std::optional<double> readKnown(const XmlElement& limit, std::string_view attribute, double unit);
+  Status readFollowing(const XmlElement& mimic);
+
+  RobotModel& m_robot;
+  const std::map<std::string, std::uint32_t>& m_links;
+  UrdfShapes& m_shapes;
+  std::map<std::string, std::uint32_t> m_numbers;
+  std::vector<Following> m_following;
+  std::vector<Place> m_places;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "robot/UrdfReader.h"
+#include "robot/Xml.h"
+
+#include <map>
+#include <string>
+#include <utility>
+
+namespace handwheel {
+
+// Reads what links look like. Nothing here stops the reading: what is wrong is noted and left out.
+class UrdfShapes {
+ public:
+  explicit UrdfShapes(ReadRobot& read) : m_read(read) {}
+
+  // The colours of all materials of the description: a link may name one that another link defines.
+  void collectMaterials(const XmlElement& robot);
+  // The visual and collision elements of a link.
+  void readInto(Link& link, const XmlElement& element);
+  void note(Error error);
+
+ private:
+  void collectMaterial(const XmlElement& material);
+  std::optional<ShapeColour> colourOf(const XmlElement& visual);
+  void readShape(const XmlElement& element, std::vector<PlacedShape>& shapes);
+  Result<Shape> readGeometry(const XmlElement& element) const;
+  Result<Shape> readMesh(const XmlElement& mesh) const;
+  std::uint32_t numberOf(const Shape& shape);
+
+  ReadRobot& m_read;
+  std::map<std::string, ShapeColour> m_materials;
+  std::map<std::pair<std::string, std::array<double, 3>>, std::uint32_t> m_meshes;  // by file and scale
+};
+
+}  // namespace handwheel

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/cell/CellDocument.h"
+#include "tools/Tool.h"
+#include "tools/cell/AxisDrag.h"
+
+#include <functional>
+
+namespace handwheel {
+
+// What a ray meets first of a cell.
+struct CellPick {
+  std::string part;  // as displayOf() names it
+  Vec3 point;        // mm
+};
+
+// Moves a robot by dragging its links. The joint nearest to the link follows the pointer, or, with Shift, the whole arm
+// does. Limits are kept. Releasing makes one edit of it.
+class JointDragTool : public Tool {
+ public:
+  using Pick = std::function<std::optional<CellPick>(const Ray&)>;
+  JointDragTool(CellDocument& document, Pick pick) : m_document(document), m_pick(std::move(pick)) {}
+
+  // How the joints stand: while one drags as they would be, otherwise as they are.
+  const JointValues& joints() const { return m_drag ? m_drag->values : m_document.joints(); }
+  bool isDragging() const { return m_drag.has_value(); }
+
+  std::string id() const override { return "joints"; }
+  ToolReply pointer(const PointerEvent& given) override;
+  ToolReply perform(std::string_view action) override;
+  std::vector<ToolAction> actions() const override;
+  ToolPreview preview() const override;
+  std::vector<Property> settings() const override;
+  void documentChanged() override;
+  std::vector<std::string> needs() const override { return {"picking"}; }
+
+ private:
+  // A joint that one can take hold of.
+  struct Hold {
+    std::uint32_t link = kNone;   // the one that was picked
+    std::uint32_t joint = kNone;  // the nearest that moves its point
+    HeldPoint at;
+  };
+  struct Drag {
+    Hold hold;
+    Ray grip;  // the ray at the press
+    bool hasMoved = false;
+    bool isWholeArm = false;
+    double way = 0.0;  // of the joint since the press, limits left out; rad, mm
+    JointValues start, values;
+  };
+
+  std::optional<Hold> holdAt(const Ray& ray) const;
+  bool isItsOwn(std::uint32_t joint) const;
+  ToolReply press(const PointerEvent& event);
+  ToolReply release();
+  void follow(const PointerEvent& event);
+  void followWithJoint(const PointerEvent& event);
+  void followWithPull(const Ray& ray, std::uint32_t onlyDof);
+
+  CellDocument& m_document;
+  Pick m_pick;
+  std::optional<Hold> m_hovered;
+  std::optional<Drag> m_drag;
+};
+
+}  // namespace handwheel

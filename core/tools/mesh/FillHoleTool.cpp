@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/mesh/FillHoleTool.h"
+
+#include "document/mesh/MeshDocument.h"
+#include "mesh/HolePick.h"
+
+#include <QtGlobal>
+#include <utility>
+
+namespace handwheel {
+namespace {
+
+constexpr FillMethod kMethods[] = {FillMethod::Fair, FillMethod::Refined, FillMethod::Ear, FillMethod::Minimal};
+
+const char* problemOf(FillFailure failure) {
+  switch (failure) {
+    case FillFailure::None:
+      break;
+    case FillFailure::Cancelled:
+      return QT_TRANSLATE_NOOP("Property", "It was cancelled.");
+    case FillFailure::Rim:
+      return QT_TRANSLATE_NOOP("Property", "It is the outer edge of an open sheet.");
+    case FillFailure::KeptOpen:
+      return QT_TRANSLATE_NOOP("Property", "It is kept open.");
+    case FillFailure::TooLong:
+      return QT_TRANSLATE_NOOP("Property", "It has more edges than allowed.");
+    case FillFailure::NoPatch:
+      return QT_TRANSLATE_NOOP("Property", "No surface fits its edge.");
+    case FillFailure::SelfIntersecting:
+      return QT_TRANSLATE_NOOP("Property", "Every patch would cross the part.");
+    case FillFailure::Swelling:
+      return QT_TRANSLATE_NOOP("Property", "Every patch would bulge far out.");
+  }
+  return "";
+}
+
+}  // namespace
+
+FillHoleTool::FillHoleTool(MeshDocument& document, FillServices services, std::optional<Vertex> first)
+    : m_document(document), m_services(std::move(services)) {
+  choose(first);
+}
+
+const BoundaryLoop* FillHoleTool::loop() const {
+  return m_key ? loopWithKey(m_document.mesh(), m_document.defects().loops, *m_key) : nullptr;
+}
+
+void FillHoleTool::choose(std::optional<Vertex> key) {
+  m_key = key;
+  m_patch.reset();
+  m_attempt = {};
+  const BoundaryLoop* chosen = loop();
+  if (!chosen) {
+    m_key.reset();
+    m_state = State::Choosing;
+    ++m_ticket;  // an answer on its way comes too late
+    return;
+  }
+  m_index = static_cast<std::size_t>(chosen - m_document.defects().loops.data());
+  request();
+}
+
+void FillHoleTool::request() {
+  m_state = State::Computing;
+  m_services.request({++m_ticket, *loop(), m_method});
+}
+
+void FillHoleTool::previewReady(std::uint64_t ticket, FillAttempt attempt) {
+  if (ticket != m_ticket || m_state != State::Computing) return;
+  m_attempt = std::move(attempt);
+  m_state = m_attempt.failure == FillFailure::None ? State::Ready : State::Impossible;
+  if (m_state == State::Ready)
+    m_patch = std::make_shared<const TriangleSoup>(TriangleSoup{m_attempt.patch.points, m_attempt.patch.triangles});
+  tellUpdated();
+}
+
+std::optional<Vertex> FillHoleTool::holeFrom(std::size_t index, bool forward) const {
+  const auto& loops = m_document.defects().loops;
+  const std::size_t n = loops.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const BoundaryLoop& loop = loops[(index + (forward ? i : n - i)) % n];
+    if (!loop.rim && !m_document.isKeptOpen(loop)) return keyOf(m_document.mesh(), loop);
+  }
+  return std::nullopt;
+}
+
+std::optional<Vertex> FillHoleTool::neighbour(bool forward) const {
+  const std::size_t n = m_document.defects().loops.size();
+  if (n == 0) return std::nullopt;
+  if (!m_key) return holeFrom(forward ? 0 : n - 1, forward);
+  return holeFrom(forward ? m_index + 1 : m_index + n - 1, forward);
+}
+
+std::optional<Vertex> FillHoleTool::holeAt(const PointerEvent& event) const {
+  const auto faces = m_services.faces();
+  if (!faces) return std::nullopt;
+  const auto& loops = m_document.defects().loops;
+  const auto loop = pickHole(m_document.mesh(), loops, *faces, event.sight());
+  return loop ? std::optional(keyOf(m_document.mesh(), loops[*loop])) : std::nullopt;
+}
+
+ToolReply FillHoleTool::pointer(const PointerEvent& event) {
+  switch (event.kind) {
+    case PointerEvent::Kind::Hover:
+      m_hovered = holeAt(event);
+      return ToolReply::Used;
+    case PointerEvent::Kind::Leave:
+      m_hovered.reset();
+      return ToolReply::Used;
+    case PointerEvent::Kind::Press:
+      break;
+    default:
+      return ToolReply::Ignored;
+  }
+  if (event.device && event.button == PointerButton::Second) return commit();
+  if (event.button != PointerButton::First) return ToolReply::Ignored;
+  const auto key = holeAt(event);
+  if (!key) return ToolReply::Ignored;  // the camera's
+  if (key != m_key || m_state == State::Committing) choose(key);
+  return ToolReply::Used;
+}
+
+ToolReply FillHoleTool::perform(std::string_view action) {
+  if (action == "commit") return commit();
+  if (action == "keep") return keepOpen();
+  if (action == "next" || action == "previous") {
+    choose(neighbour(action == "next"));
+    return ToolReply::Used;
+  }
+  if (action != "revert") return ToolReply::Ignored;
+  if (!m_key) return ToolReply::Finished;
+  choose(std::nullopt);
+  return ToolReply::Used;
+}
+
+// The document may change now or later; documentChanged() goes on to the next hole.
+ToolReply FillHoleTool::commit() {
+  if (m_state != State::Ready) return ToolReply::Ignored;
+  m_state = State::Committing;
+  m_patch.reset();
+  const BoundaryLoop filled = *loop();
+  const FillAttempt attempt = std::move(m_attempt);
+  m_services.commit(filled, attempt);
+  return m_key ? ToolReply::Used : ToolReply::Finished;
+}
+
+ToolReply FillHoleTool::keepOpen() {
+  const BoundaryLoop* chosen = loop();
+  if (!chosen) return ToolReply::Ignored;
+  const BoundaryLoop kept = *chosen;
+  const bool keep = !m_document.isKeptOpen(kept);
+  m_document.setKeptOpen(kept, keep);
+  if (keep) choose(neighbour(true));
+  return ToolReply::Used;
+}
+
+// Loops are in the order of their smallest vertices, so the next one takes the index of one that is gone.
+void FillHoleTool::documentChanged() {
+  m_hovered.reset();
+  if (!m_key) return;
+  choose(loop() ? m_key : holeFrom(m_index));
+}
+
+std::vector<ToolAction> FillHoleTool::actions() const {
+  const BoundaryLoop* chosen = loop();
+  const bool kept = chosen && m_document.isKeptOpen(*chosen);
+  const bool any = neighbour(true).has_value();
+  return {
+      {"", QT_TRANSLATE_NOOP("ToolInput", "Click"), QT_TRANSLATE_NOOP("Tool", "choose a hole")},
+      {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "fill the hole"), m_state == State::Ready},
+      {"next", "N", QT_TRANSLATE_NOOP("Tool", "next hole"), any},
+      {"previous", "Shift+N", QT_TRANSLATE_NOOP("Tool", "previous hole"), any},
+      {"keep", "K", kept ? QT_TRANSLATE_NOOP("Tool", "no longer keep open") : QT_TRANSLATE_NOOP("Tool", "keep open"),
+       chosen != nullptr},
+      {"revert", "Esc", chosen ? QT_TRANSLATE_NOOP("Tool", "choose none") : QT_TRANSLATE_NOOP("Tool", "done")},
+  };
+}
+
+ToolPreview FillHoleTool::preview() const {
+  ToolPreview preview;
+  if (m_patch) {
+    DisplayPart part;
+    part.name = "patch";
+    part.soup = m_patch;
+    preview.parts.push_back(std::move(part));
+  }
+  const auto& loops = m_document.defects().loops;
+  for (const auto& key : {m_key, m_hovered != m_key ? m_hovered : std::nullopt}) {
+    const BoundaryLoop* line = key ? loopWithKey(m_document.mesh(), loops, *key) : nullptr;
+    if (line) preview.lines.push_back(outlineOf(m_document.mesh(), *line));
+  }
+  return preview;
+}
+
+std::vector<Property> FillHoleTool::settings() const {
+  Property method;
+  method.id = "method";
+  method.label = QT_TRANSLATE_NOOP("Property", "Method");
+  method.value = static_cast<double>(std::find(std::begin(kMethods), std::end(kMethods), m_method) - kMethods);
+  method.choices = {QT_TRANSLATE_NOOP("Property", "Fair"), QT_TRANSLATE_NOOP("Property", "Refined"),
+                    QT_TRANSLATE_NOOP("Property", "Ear cutting"), QT_TRANSLATE_NOOP("Property", "Minimal area")};
+  Property triangles;
+  triangles.id = "triangles";
+  triangles.label = QT_TRANSLATE_NOOP("Property", "New triangles");
+  triangles.value = static_cast<double>(m_patch ? m_patch->triangles.size() : 0);
+  triangles.editable = false;
+  if (m_state == State::Impossible) triangles.problem = problemOf(m_attempt.failure);
+  return {method, triangles};
+}
+
+void FillHoleTool::setSetting(std::string_view id, const PropertyValue& value) {
+  const double* index = std::get_if<double>(&value);
+  if (id != "method" || !index || !(*index >= 0.0 && *index < static_cast<double>(std::size(kMethods)))) return;
+  m_method = kMethods[static_cast<std::size_t>(*index)];
+  choose(m_key);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/FaceHierarchy.h"
+#include "mesh/HoleFilling.h"
+#include "tools/Tool.h"
+#include "tools/mesh/MeshSelection.h"
+
+#include <functional>
+#include <memory>
+
+namespace handwheel {
+
+class MeshDocument;
+
+// A patch that the tool wants proposed.
+struct FillRequest {
+  std::uint64_t ticket = 0;  // comes back with the answer
+  BoundaryLoop loop;
+  FillMethod method = FillMethod::Fair;
+};
+
+// What FillHoleTool is given by who owns the document's jobs. All of it is called on the window thread.
+struct FillServices {
+  std::function<std::shared_ptr<const FaceHierarchy>()> faces;  // "picking", as in MeshServices
+  // "fill preview": proposes a patch, and answers by previewReady(), now or later. A request takes the place of the one
+  // before.
+  std::function<void(const FillRequest&)> request;
+  // Puts a proposed patch into the document as one step, now or later.
+  std::function<void(const BoundaryLoop&, const FillAttempt&)> commit;
+};
+
+// Fills holes one by one: choose one, see the patch, take it or not, go on to the next.
+class FillHoleTool : public Tool {
+ public:
+  // The document must outlive all calls but the destructor's. first: the key of the hole to begin with.
+  FillHoleTool(MeshDocument& document, FillServices services, std::optional<Vertex> first = std::nullopt);
+
+  // The answer to a request; one that came too late is not shown.
+  void previewReady(std::uint64_t ticket, FillAttempt attempt);
+
+  enum class State {
+    Choosing,    // no hole is chosen
+    Computing,   // the patch is on its way
+    Ready,       // there is a patch
+    Impossible,  // there is none
+    Committing,  // it is being put in
+  };
+  State state() const { return m_state; }
+  // The chosen hole; null in the state Choosing.
+  const BoundaryLoop* loop() const;
+  // In the states Ready and Impossible.
+  const FillAttempt& attempt() const { return m_attempt; }
+
+  std::string id() const override { return "fill"; }
+  ToolReply pointer(const PointerEvent& event) override;
+  ToolReply perform(std::string_view action) override;
+  std::vector<ToolAction> actions() const override;
+  ToolPreview preview() const override;
+  std::vector<Property> settings() const override;
+  void setSetting(std::string_view id, const PropertyValue& value) override;
+  void documentChanged() override;
+  std::vector<std::string> needs() const override { return {"picking", "fill preview"}; }
+
+ private:
+  void choose(std::optional<Vertex> key);
+  void request();
+  // The key of the first hole that is not kept open, looked for from this index on (or back), around the end.
+  std::optional<Vertex> holeFrom(std::size_t index, bool forward = true) const;
+  std::optional<Vertex> neighbour(bool forward) const;
+  std::optional<Vertex> holeAt(const PointerEvent& event) const;
+  ToolReply commit();
+  ToolReply keepOpen();
+
+  MeshDocument& m_document;
+  FillServices m_services;
+  FillMethod m_method = FillMethod::Fair;
+  State m_state = State::Choosing;
+  std::optional<Vertex> m_key;
+  std::optional<Vertex> m_hovered;
+  std::size_t m_index = 0;  // of the chosen loop, in the mesh for which it was chosen
+  std::uint64_t m_ticket = 0;
+  FillAttempt m_attempt;
+  std::shared_ptr<const TriangleSoup> m_patch;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/BrushStroke.h"
+#include "mesh/Lasso.h"
+#include "tools/Tool.h"
+#include "tools/mesh/MeshSelection.h"
+#include "tools/mesh/MeshServices.h"
+#include "tools/mesh/SelectSettings.h"
+
+#include <variant>
+
+namespace handwheel {
+
+class MeshDocument;
+
+// Selects faces and holes: by click, brush, lasso, what hangs together, or what is smooth up to an angle. Shift adds,
+// Control removes. Selecting is no edit of the document; deleting what is selected is one.
+class SelectTool : public Tool {
+ public:
+  // The document must outlive all calls but the destructor's.
+  SelectTool(MeshDocument& document, MeshServices services, MeshSelection selection = {});
+  ~SelectTool() override;
+
+  // With what the present stroke has painted so far.
+  const MeshSelection& selection() const { return m_live ? *m_live : m_steps.present(); }
+  // From a list, for example.
+  void select(MeshSelection selection);
+
+  std::string id() const override { return "select"; }
+  ToolReply pointer(const PointerEvent& event) override;
+  ToolReply perform(std::string_view action) override;
+  std::vector<ToolAction> actions() const override;
+  ToolPreview preview() const override;
+  std::vector<Property> settings() const override { return m_settings.properties(); }
+  void setSetting(std::string_view id, const PropertyValue& value) override;
+  void documentChanged() override;
+  std::vector<std::string> needs() const override { return {"picking"}; }
+
+ private:
+  using Mode = SelectSettings::Mode;
+  enum class Combine { Replace, Add, Remove };
+
+  // What a ray points at.
+  struct Target {
+    std::optional<Vertex> loop;
+    std::optional<FaceHierarchy::Hit> hit;
+
+    bool isNothing() const { return !loop && !hit; }
+  };
+  struct Pressed {
+    Target target;
+    Combine how;
+  };
+  struct Stroke {
+    BrushStroke brush;
+    Combine how;
+  };
+  struct Path {
+    std::shared_ptr<const FaceHierarchy> faces;
+    Lasso lasso;
+    Combine how;
+    double depth;  // mm along the rays, where the line is drawn
+  };
+
+  ToolReply press(const PointerEvent& event);
+  ToolReply drag(const PointerEvent& event);
+  ToolReply release(const PointerEvent& event);
+  ToolReply hover(const PointerEvent& event);
+
+  Target targetOf(const PointerEvent& event) const;
+  // Takes a stroke or a lasso on.
+  void extend(const PointerEvent& event);
+  void paint(Stroke& stroke, const PointerEvent& event);
+  void selectTarget(const Target& target, Combine how);
+  void selectConnected(Face seed, Combine how);
+  void selectLater(const char* name, std::function<std::optional<FaceSelection>(Progress)> find, Combine how);
+  void combine(const MeshSelection& found, Combine how);
+  FaceSelection regionOf(Face seed) const;
+  ToolReply revert();
+  void dropGesture();
+  void cancelJob();
+  void step(bool forward);
+  MeshSelection presentAlive() const;
+  const HalfEdgeMesh& mesh() const;
+  static Combine combineOf(const Modifiers& modifiers);
+
+  MeshDocument& m_document;
+  MeshServices m_services;
+  SelectSettings m_settings;
+  SelectionSteps m_steps;
+  std::optional<MeshSelection> m_live;
+  std::variant<std::monostate, Pressed, Stroke, Path> m_gesture;
+
+  FaceSelection m_hovered;
+  std::optional<Vertex> m_hoveredLoop;
+  std::optional<std::pair<Vec3, double>> m_circle;
+
+  // The job under way; results of others come too late. Gone with the tool.
+  std::shared_ptr<const int> m_job;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Program.h"
+#include "Shapes.h"
+
+#include <QTest>
+#include <cmath>
+#include <numbers>
+
+using namespace handwheel;
+
+namespace {
+
+nlohmann::json jsonOf(const Ran& ran) {
+  return nlohmann::json::parse(ran.out.toStdString(), nullptr, false);
+}
+
+// One revolute joint about y, 200 mm up, with a link of 300 mm along x.
+const QByteArray kArm = R"(<robot name="arm">
+  <link name="base"/>
+  <link name="arm"><visual><origin xyz="0.15 0 0"/><geometry><box size="0.3 0.02 0.02"/></geometry></visual></link>
+  <link name="tool0"/>
+  <joint name="lift" type="revolute"><parent link="base"/><child link="arm"/><origin xyz="0 0 0.2"/>
+    <axis xyz="0 1 0"/><limit lower="-1.5707963267948966" upper="1.5707963267948966" velocity="1" effort="0"/></joint>
+  <joint name="end" type="fixed"><parent link="arm"/><child link="tool0"/><origin xyz="0.3 0 0"/></joint>
+</robot>)";
+
+}  // namespace
+
+// Every kind of document without a window: made, changed, described, saved, exported.
+class DocumentsTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void aWorkpieceIsMadeChangedAndExported() {
+    const Bench bench;
+    QCOMPARE(bench.run({"new", "workpiece", "diameter=25.4*2", "length=4in", "-o", "bar.handwheel"}).code, 0);
+    nlohmann::json bar = jsonOf(bench.run({"inspect", "--json", "bar.handwheel"}));
+    QCOMPARE(bar["kind"].get<std::string>(), std::string("workpiece"));
+    const nlohmann::json& document = bar["document"];
+    QCOMPARE(document["diameter"].get<double>(), 50.8);
+    QCOMPARE(document["length"].get<double>(), 101.6);
+    QCOMPARE(document["volume"].get<double>(), std::numbers::pi * 25.4 * 25.4 * 101.6);
+
+    QCOMPARE(bench.run({"set", "bar.handwheel", "diameter=20", "display_unit=in", "-o", "bar.handwheel"}).code, 0);
+    QCOMPARE(bench.run({"convert", "bar.handwheel", "bar.step"}).code, 0);
+    QVERIFY(bench.content("bar.step").startsWith("ISO-10303-21"));
+    QCOMPARE(bench.run({"convert", "bar.handwheel", "bar.stl"}).code, 0);
+    const nlohmann::json mesh = jsonOf(bench.run({"inspect", "--json", "bar.stl"}));
+    QVERIFY(mesh["closed"].get<bool>());
+    const double exact = std::numbers::pi * 100.0 * 101.6;
+    QVERIFY(std::abs(mesh["volume_mm3"].get<double>() / exact - 1.0) < 5e-3);
+    const QByteArray text = bench.run({"inspect", "bar.handwheel"}).out;
+    QVERIFY(text.contains("diameter: 20 mm"));
+    QVERIFY(text.contains("display_unit: in"));
+  }
+
+  void whatCannotBeSetIsRefusedByName() {
+    const Bench bench;
+    QCOMPARE(bench.run({"new", "workpiece", "-o", "bar.handwheel"}).code, 0);
+    const QByteArray before = bench.content("bar.handwheel");
+    for (const char* word : {"diameter=-5", "diameter=0", "diameter=nonsense", "diameter=3deg", "diametre=5",
+                             "volume=7", "display_unit=furlong", "diameter"}) {
+      const Ran ran = bench.run({"set", "bar.handwheel", word, "-o", "bar.handwheel"});
+      QCOMPARE(ran.code, 1);
+      QVERIFY2(ran.err.startsWith("handwheel: ") && ran.err.count('\n') == 1, ran.err);
+    }
+    QCOMPARE(bench.content("bar.handwheel"), before);
+    QCOMPARE(bench.run({"new", "castle", "-o", "x.handwheel"}).code, 1);
+    QCOMPARE(bench.run({"new", "mesh", "-o", "x.handwheel"}).code, 1);
+  }
+
+  // The tool of a one-joint arm goes round a circle of 300 mm about (0, 0, 200).
+  void aRobotMovesAndOpensWithoutItsDescription() {
+    const Bench bench;
+    bench.put("arm.urdf", kArm);
+    QCOMPARE(bench.run({"set", "arm.urdf", "lift=-30deg", "-o", "arm.handwheel"}).code, 0);
+    QVERIFY(QFile::remove(bench.path() + "/arm.urdf"));
+    const nlohmann::json cell = jsonOf(bench.run({"inspect", "--json", "arm.handwheel"}));
+    QCOMPARE(cell["kind"].get<std::string>(), std::string("cell"));
+    const nlohmann::json& joint = cell["document"]["joints"][0];
+    QCOMPARE(joint["name"].get<std::string>(), std::string("lift"));
+    QCOMPARE(joint["value"].get<double>(), -std::numbers::pi / 6.0);
+    QVERIFY(joint["effort"].is_null());  // zero: the file does not know it
+    const auto position = cell["document"]["tool"]["position"].get<std::vector<double>>();
+    QVERIFY(std::abs(position[0] - 300.0 * std::cos(std::numbers::pi / 6.0)) < 1e-9);
+    QVERIFY(std::abs(position[2] - (200.0 + 150.0)) < 1e-9);
+    QCOMPARE(bench.run({"set", "arm.handwheel", "lift=120deg", "-o", "x.handwheel"}).code, 1);  // beyond its limit
+    const Ran repair = bench.run({"repair", "arm.handwheel", "-o", "x.stl"});
+    QCOMPARE(repair.code, 1);
+    QVERIFY(repair.err.contains("not supported"));
+  }
+
+  // A mesh goes through the container without losing a bit, and is repaired into one.
+  void meshesLiveInContainersToo() {
+    const Bench bench;
+    bench.put("cube.off", openCube(0.1).off());
+    QCOMPARE(bench.run({"convert", "cube.off", "cube.handwheel"}).code, 0);
+    QCOMPARE(bench.run({"convert", "cube.handwheel", "back.off"}).code, 0);
+    QCOMPARE(bench.run({"convert", "cube.off", "direct.off"}).code, 0);
+    QCOMPARE(bench.content("back.off"), bench.content("direct.off"));
+    QCOMPARE(bench.run({"repair", "cube.handwheel", "-o", "whole.handwheel", "--report", "r.json"}).code, 0);
+    const nlohmann::json whole = jsonOf(bench.run({"inspect", "--json", "whole.handwheel"}));
+    QVERIFY(whole["closed"].get<bool>());
+    QVERIFY(std::abs(whole["volume_mm3"].get<double>() - 1e-3) < 1e-12);
+  }
+
+  void aDamagedContainerTellsWhatIsMissing() {
+    const Bench bench;
+    bench.put("cube.off", openCube(1.0).off());
+    QCOMPARE(bench.run({"convert", "cube.off", "cube.handwheel"}).code, 0);
+    const QByteArray whole = bench.content("cube.handwheel");
+    for (qsizetype length = 0; length < whole.size(); length += whole.size() / 20 + 1) {
+      bench.put("cut.handwheel", whole.left(length));
+      const Ran ran = bench.run({"inspect", "cut.handwheel"});
+      QVERIFY2(ran.code == 0 || ran.code == 1, ran.err);
+      QVERIFY(ran.code == 0 || ran.err.startsWith("handwheel: "));
+    }
+  }
+};
+
+QTEST_APPLESS_MAIN(DocumentsTest)
+#include "DocumentsTest.moc"

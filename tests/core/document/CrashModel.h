@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Container.h"
+
+#include <nlohmann/json.hpp>
+#include <random>
+
+// The little document that the crash test's child edits and its parent judges.
+namespace handwheel::test {
+
+// After so many edits: a counter, and blobs each of which is as it was after the last edit that touched it.
+class CrashModel {
+ public:
+  CrashModel() : m_blobs(kBlobs) {}
+
+  std::uint64_t edits() const { return m_edits; }
+
+  void edit() {
+    ++m_edits;
+    m_blobs[m_edits % kBlobs] = blobAfter(m_edits);
+  }
+
+  std::string archive(Compression compression) const {
+    Container container;
+    *container.manifest = {{"kind", "crash"}, {"document", {{"edits", m_edits}}}};
+    for (std::size_t i = 0; i < kBlobs; ++i) container.blobs["crash/" + std::to_string(i)] = m_blobs[i];
+    return *writeContainer(container, compression);
+  }
+
+  // The number of edits in an archive that is whole, and exactly what it was after that many; else -1.
+  static std::int64_t editsIn(std::string_view bytes) {
+    const auto read = readContainer(bytes);
+    if (!read || !read->damage.empty() || read->container.blobs.size() != kBlobs) return -1;
+    const auto edits = (*read->container.manifest)["document"].value("edits", std::uint64_t{0});
+    for (std::size_t i = 0; i < kBlobs; ++i) {
+      std::uint64_t last = edits;  // the last edit of blob i
+      while (last > 0 && last % kBlobs != i) --last;
+      if (read->container.blobs.at("crash/" + std::to_string(i)) != (last > 0 ? blobAfter(last) : "")) return -1;
+    }
+    return static_cast<std::int64_t>(edits);
+  }
+
+ private:
+  static constexpr std::size_t kBlobs = 20;
+
+  static std::string blobAfter(std::uint64_t edit) {
+    std::mt19937_64 random(edit);
+    std::string blob(random() % 60'000, '\0');
+    for (char& c : blob) c = static_cast<char>(random());
+    return blob;
+  }
+
+  std::uint64_t m_edits = 0;
+  std::vector<std::string> m_blobs;
+};
+
+}  // namespace handwheel::test

@@ -1,0 +1,361 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Cells.h"
+
+#include "document/cell/CellDisplay.h"
+#include "robot/Kinematics.h"
+
+#include <rapidcheck.h>
+#include <QTest>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+const CellKind kKind;
+
+Box boxOf(const TriangleSoup& soup) {
+  Box box;
+  for (const Vec3& p : soup.points) box.extend(p);
+  return box;
+}
+
+bool isNear(const Box& box, const Vec3& min, const Vec3& max, double tolerance = 1e-4) {
+  return (box.min() - min).norm() < tolerance && (box.max() - max).norm() < tolerance;
+}
+
+const DisplayPart* partNamed(const DisplayModel& model, const std::string& name) {
+  for (const DisplayPart& part : model.parts)
+    if (part.name == name) return &part;
+  return nullptr;
+}
+
+std::shared_ptr<CellSnapshot> withJoints(const CellSnapshot& cell, const JointValues& joints) {
+  auto moved = std::make_shared<CellSnapshot>(cell);
+  moved->joints = joints;
+  return moved;
+}
+
+Container saved(const Snapshot& content) {
+  Container container;
+  kKind.save(content, container);
+  return container;
+}
+
+std::shared_ptr<const CellSnapshot> loaded(const Container& container, std::vector<Error>& damage) {
+  Result<SnapshotPointer> content = kKind.load(container, damage, {});
+  return content ? std::static_pointer_cast<const CellSnapshot>(*content) : nullptr;
+}
+
+bool sameSoups(const CellRobot& a, const CellRobot& b) {
+  for (std::size_t i = 0; i < a.surfaces.size(); ++i) {
+    if (!a.surfaces[i] != !b.surfaces[i]) return false;
+    if (!a.surfaces[i]) continue;
+    if (a.surfaces[i]->points != b.surfaces[i]->points || a.surfaces[i]->triangles != b.surfaces[i]->triangles)
+      return false;
+  }
+  return a.surfaces.size() == b.surfaces.size();
+}
+
+}  // namespace
+
+class CellKindTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void recognises();
+  void imports();
+  void meshesInMetres();
+  void colladaMeshes();
+  void missingMeshes();
+  void damagedMeshes();
+  void badDescription();
+  void tooMuchToShow();
+  void cancelled();
+  void display();
+  void saveAndLoad();
+  void loadsWithoutThePackage();
+  void lostBlobs();
+  void hostileManifests();
+  void describes();
+  void exports();
+
+ private:
+  ArmPackage m_package;
+};
+
+void CellKindTest::recognises() {
+  QVERIFY(kKind.recognises("<?xml?><robot name='r'>", "anything.xml"));
+  QVERIFY(kKind.recognises("", "r.urdf"));
+  QVERIFY(!kKind.recognises("solid a", "part.stl"));
+}
+
+void CellKindTest::imports() {
+  const OpenedFile opened = importOrThrow(m_package.urdf());
+  QVERIFY(opened.file.damage.empty());
+  const CellSnapshot& cell = cellIn(opened);
+  QCOMPARE(cell.joints, values({0, 0}));
+  QCOMPARE(QString::fromStdString(cell.source), m_package.urdf());
+  QCOMPARE(cell.robot->description, kArmUrdf);
+  QCOMPARE(cell.robot->surfaces.size(), std::size_t{2});  // the mesh is shared by what is seen and what collides
+  QVERIFY(isNear(boxOf(*cell.robot->surfaces[0]), Vec3(-100, -100, -50), Vec3(100, 100, 50)));
+}
+
+// The file's numbers are metres, whatever the scale makes of them; and they are welded.
+void CellKindTest::meshesInMetres() {
+  const CellSnapshot cell = cellIn(importOrThrow(m_package.urdf()));
+  const TriangleSoup& upper = *cell.robot->surfaces[1];
+  QCOMPARE(upper.points.size(), std::size_t{8});
+  QCOMPARE(upper.triangles.size(), std::size_t{12});
+  QVERIFY(isNear(boxOf(upper), Vec3(-250, -50, -50), Vec3(250, 50, 50)));
+  for (const char* ending : {"obj", "ply", "off"}) {
+    const auto format = formatForName(std::string("a.") + ending);
+    const QString file = m_package.path(QString("arm/meshes/part.") + ending);
+    write(file, writeMesh(surfaceOf(BoxShape{{1, 2, 3}}), *format, NumberType::Float64));
+    std::vector<Error> damage;
+    const auto surface = readSurface(MeshShape{file.toStdString(), {0.0254, 0.0254, -0.0254}}, "/", damage);
+    QVERIFY(surface.hasValue() && damage.empty());
+    QVERIFY(isNear(boxOf(*surface), Vec3(-12.7, -25.4, -38.1), Vec3(12.7, 25.4, 38.1)));
+  }
+}
+
+// The unit of the file once, the scale of the description once, and millimetres.
+void CellKindTest::colladaMeshes() {
+  const std::string dae =
+      "<COLLADA><asset><unit meter='0.0254'/><up_axis>Y_UP</up_axis></asset><library_geometries><geometry id='g'><mesh>"
+      "<source id='p'><float_array>0 0 0 10 0 0 0 20 30</float_array></source><vertices id='v'><input "
+      "semantic='POSITION' source='#p'/></vertices><triangles><input semantic='VERTEX' source='#v' offset='0'/>"
+      "<p>0 1 2</p></triangles></mesh></geometry></library_geometries><library_visual_scenes><visual_scene><node>"
+      "<instance_geometry url='#g'/></node></visual_scene></library_visual_scenes></COLLADA>";
+  const QString file = m_package.path("inch.dae");
+  write(file, dae);
+  std::vector<Error> damage;
+  const auto surface = readSurface(MeshShape{file.toStdString(), {2, 1, 1}}, "/", damage);
+  QVERIFY(surface.hasValue());
+  QVERIFY(isNear(boxOf(*surface), Vec3::Zero(), Vec3(508, 508, 762)));
+}
+
+void CellKindTest::missingMeshes() {
+  const ArmPackage package;
+  QVERIFY(QFile::remove(package.mesh()));
+  const OpenedFile opened = importOrThrow(package.urdf());
+  QCOMPARE(opened.file.damage.size(), std::size_t{1});
+  QCOMPARE(opened.file.damage[0].code, ErrorCode::ReferenceMissing);
+  QVERIFY(!cellIn(opened).robot->surfaces[1]);
+  QCOMPARE(kKind.display(*opened.content).parts.size(), std::size_t{1});
+  const nlohmann::json description = kKind.describe(*opened.content);
+  QVERIFY(description["missing_meshes"] == nlohmann::json({"package://arm/meshes/upper.stl"}));
+  // Saved and loaded it is still missing, and that is no damage of the container.
+  std::vector<Error> damage;
+  const auto again = loaded(saved(*opened.content), damage);
+  QVERIFY(again && !again->robot->surfaces[1]);
+  QVERIFY(damage.empty());
+}
+
+void CellKindTest::damagedMeshes() {
+  const auto damageOf = [](const char* name, const std::string& bytes) {
+    ArmPackage package;
+    write(package.path(name), bytes);
+    std::vector<Error> damage;
+    const auto surface = readSurface(MeshShape{package.path(name).toStdString(), Vec3::Ones()}, "/", damage);
+    if (surface) return damage.empty() ? Error{ErrorCode::Cancelled, {}, {}, "no damage"} : damage[0];
+    return surface.error();
+  };
+  QCOMPARE(damageOf("a.stl", "").code, ErrorCode::FileEmpty);
+  QCOMPARE(damageOf("a.stl", "solid a\nfacet").subject.empty(), false);
+  QCOMPARE(damageOf("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 9\n").code, ErrorCode::IndexOutOfRange);
+  QCOMPARE(damageOf("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1e200 0\nf 1 2 3\n").code, ErrorCode::ValueOutOfRange);
+  QCOMPARE(damageOf("a.dae", "<COLLADA/>").code, ErrorCode::NoTriangles);
+  QCOMPARE(damageOf("a.dae", "<COLLADA>").code, ErrorCode::ElementMalformed);
+}
+
+void CellKindTest::badDescription() {
+  write(m_package.path("bad.urdf"), "<robot name='r'><link name='a'/><link name='b'/></robot>");
+  const auto opened = kKind.import(m_package.path("bad.urdf").toStdString(), {}, {});
+  QVERIFY(!opened);
+  QCOMPARE(opened.error().code, ErrorCode::ElementMalformed);
+  QCOMPARE(kKind.import(m_package.path("none.urdf").toStdString(), {}, {}).error().code, ErrorCode::FileMissing);
+  QCOMPARE(kKind.import(m_package.path("arm").toStdString(), {}, {}).error().code, ErrorCode::FileUnreadable);
+}
+
+// 2000 places for a mesh of 30,000 triangles.
+void CellKindTest::tooMuchToShow() {
+  TriangleSoup many;
+  many.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  many.triangles.assign(30'000, {0, 1, 2});
+  write(m_package.path("many.ply"), writeMesh(many, MeshFormat::Ply, NumberType::Float32));
+  std::string visuals;
+  for (int i = 0; i < 2000; ++i) visuals += "<visual><geometry><mesh filename='many.ply'/></geometry></visual>";
+  write(m_package.path("many.urdf"), "<robot><link name='a'>" + visuals + "</link></robot>");
+  const OpenedFile opened = importOrThrow(m_package.path("many.urdf"));
+  QCOMPARE(opened.file.damage.size(), std::size_t{1});
+  QCOMPARE(opened.file.damage[0].code, ErrorCode::FileTooLarge);
+  QVERIFY(kKind.display(*opened.content).parts.empty());
+}
+
+void CellKindTest::cancelled() {
+  JobState state;
+  state.cancelled = true;
+  const auto opened = kKind.import(m_package.urdf().toStdString(), {}, Progress(state));
+  QVERIFY(!opened);
+  QCOMPARE(opened.error().code, ErrorCode::Cancelled);
+}
+
+void CellKindTest::display() {
+  const CellSnapshot cell = cellIn(importOrThrow(m_package.urdf()));
+  const DisplayModel model = displayOf(*cell.robot, values({100, M_PI_2}));
+  QCOMPARE(model.parts.size(), std::size_t{2});
+  const DisplayPart* upper = partNamed(model, "upper/0");
+  QVERIFY(upper);
+  QVERIFY((upper->pose.translation() - Vec3(100, 250, 0)).norm() < 1e-9);
+  QVERIFY(upper->colour == (std::array<float, 3>{1, 0, 0}));
+  QCOMPARE(linkOfPart(*cell.robot, "upper/0"), linkNamed(cell.robot->model, "upper"));
+  QCOMPARE(linkOfPart(*cell.robot, "upper"), kNone);
+  QCOMPARE(linkOfPart(*cell.robot, "none/0"), kNone);
+  QVERIFY(isNear(model.bounds(), Vec3(-100, -100, -50), Vec3(150, 500, 50)));
+
+  write(m_package.path("bare.urdf"),
+        "<robot><link name='a'><collision><geometry><sphere radius='1'/></geometry></collision></link></robot>");
+  QCOMPARE(kKind.display(*importOrThrow(m_package.path("bare.urdf")).content).parts.size(), std::size_t{1});
+}
+
+void CellKindTest::saveAndLoad() {
+  const CellSnapshot cell = cellIn(importOrThrow(m_package.urdf()));
+  QVERIFY(rc::check("save and load", [&] {
+    const auto moved =
+        withJoints(cell, values({*rc::gen::inRange(0, 1001) / 1.0, *rc::gen::inRange(-200, 201) / 100.0}));
+    std::vector<Error> damage;
+    // Through the bytes of a file, so that every number is written and read.
+    const auto bytes = writeContainer(saved(*moved), Compression::Fast);
+    RC_ASSERT(bytes.hasValue());
+    const auto read = readContainer(*bytes);
+    RC_ASSERT(read.hasValue());
+    const auto again = loaded(read->container, damage);
+    RC_ASSERT(again != nullptr);
+    RC_ASSERT(damage.empty());
+    RC_ASSERT(again->joints == moved->joints);
+    RC_ASSERT(again->source == moved->source);
+    RC_ASSERT(again->robot->description == moved->robot->description);
+    RC_ASSERT(sameSoups(*again->robot, *moved->robot));
+  }));
+}
+
+void CellKindTest::loadsWithoutThePackage() {
+  Container container;
+  {
+    const ArmPackage elsewhere;
+    container = saved(*importOrThrow(elsewhere.urdf()).content);
+  }
+  std::vector<Error> damage;
+  const auto cell = loaded(container, damage);
+  QVERIFY(cell && damage.empty());
+  QVERIFY(cell->robot->surfaces[0] && cell->robot->surfaces[1]);
+}
+
+void CellKindTest::lostBlobs() {
+  const OpenedFile opened = importOrThrow(m_package.urdf());
+  const Container whole = saved(*opened.content);
+  for (const auto& [name, bytes] : whole.blobs) {
+    for (const bool shortened : {false, true}) {
+      Container part = whole;
+      if (shortened)
+        part.blobs[name].resize(bytes.size() / 2);
+      else
+        part.blobs.erase(name);
+      std::vector<Error> damage;
+      const auto cell = loaded(part, damage);
+      if (name == "cell/robot.urdf") {
+        QVERIFY(!cell);
+      } else {
+        QVERIFY2(cell && !damage.empty(), name.c_str());
+        QCOMPARE(damage[0].code, ErrorCode::EntryDamaged);
+      }
+    }
+  }
+  // An index beyond the points, and a coordinate that is no number.
+  for (const char* const suffix : {"triangles/0000", "points/0000"}) {
+    Container wrong = whole;
+    std::string& blob = wrong.blobs.at("cell/surfaces/0001/" + std::string(suffix));
+    std::fill_n(blob.begin(), 4, '\xff');
+    std::vector<Error> damage;
+    const auto cell = loaded(wrong, damage);
+    QVERIFY(cell && cell->robot->surfaces[1] && damage.size() == 1);
+    QVERIFY(cell->robot->surfaces[1]->triangles.size() < 12);
+    for (const Vec3& p : cell->robot->surfaces[1]->points) QVERIFY(p.allFinite());
+  }
+}
+
+void CellKindTest::hostileManifests() {
+  const Container whole = saved(*importOrThrow(m_package.urdf()).content);
+  const nlohmann::json kJoints[] = {nullptr, 7, {1, 2}, {{"turn", "x"}}, {{"turn", nullptr}}, {{"turn", {1}}}};
+  for (const nlohmann::json& joints : kJoints) {
+    Container wrong = whole;
+    (*wrong.manifest)["document"]["joints"] = joints;
+    std::vector<Error> damage;
+    const auto cell = loaded(wrong, damage);
+    QVERIFY(cell);
+    QCOMPARE(cell->joints, values({0, 0}));
+  }
+  Container outside = whole;
+  (*outside.manifest)["document"]["joints"] = {{"turn", 1e300}, {"slide", -5}, {"none", 3}};
+  std::vector<Error> damage;
+  QCOMPARE(loaded(outside, damage)->joints, values({0, 2}));
+  const nlohmann::json kSurfaces[] = {nullptr,
+                                      3,
+                                      nlohmann::json::array(),
+                                      {nullptr, 5},
+                                      {nullptr, {{"points", -1}, {"triangles", 1e30}}},
+                                      {nullptr, {{"points", 4'000'000'000u}, {"triangles", 4'000'000'000u}}}};
+  for (const nlohmann::json& surfaces : kSurfaces) {
+    Container wrong = whole;
+    (*wrong.manifest)["document"]["surfaces"] = surfaces;
+    std::vector<Error> found;
+    const auto cell = loaded(wrong, found);
+    QVERIFY(cell && !found.empty());
+  }
+  Container empty;
+  QVERIFY(!loaded(empty, damage));
+  empty.blobs["cell/robot.urdf"] = kArmUrdf;
+  QVERIFY(loaded(empty, damage));
+}
+
+void CellKindTest::describes() {
+  const CellSnapshot cell = cellIn(importOrThrow(m_package.urdf()));
+  const nlohmann::json d = kKind.describe(*withJoints(cell, values({250, M_PI_2})));
+  QVERIFY(d["robot"] == nlohmann::json("arm"));
+  QVERIFY(d["links"] == nlohmann::json(5));
+  QCOMPARE(d["joints"].size(), std::size_t{2});
+  QVERIFY(d["joints"][1]["name"] == nlohmann::json("turn"));
+  QVERIFY(d["joints"][1]["kind"] == nlohmann::json("revolute"));
+  QVERIFY(d["joints"][1]["upper"] == nlohmann::json(2.0));
+  QVERIFY(d["joints"][1]["effort"].is_null());
+  QVERIFY(d["joints"][0]["velocity"] == nlohmann::json(500.0));
+  QVERIFY(d["tool"]["link"] == nlohmann::json("tool0"));
+  QVERIFY(std::abs(d["tool"]["position"][1].get<double>() - 500.0) < 1e-9);
+  QVERIFY(std::abs(d["tool"]["quaternion"][0].get<double>() - std::sqrt(0.5)) < 1e-12);
+  QVERIFY(d["triangles"] == nlohmann::json(24));
+  QVERIFY(!d.dump().empty());
+}
+
+void CellKindTest::exports() {
+  const CellSnapshot cell = cellIn(importOrThrow(m_package.urdf()));
+  const auto moved = withJoints(cell, values({100, M_PI_2}));
+  for (const char* name : {"out.stl", "out.obj", "out.ply", "out.off"}) {
+    const std::string path = m_package.path(name).toStdString();
+    const auto written = kKind.exportTo(*moved, path, {});
+    QVERIFY(written.hasValue());
+    QCOMPARE(written->notes.size(), std::size_t{1});
+    const auto back = readMeshFile(path, {});
+    QVERIFY(back.hasValue());
+    QCOMPARE(back->soup.triangles.size(), std::size_t{24});
+    QVERIFY(isNear(boxOf(back->soup), Vec3(-100, -100, -50), Vec3(150, 500, 50)));
+  }
+  QCOMPARE(kKind.exportTo(*moved, m_package.path("out.urdf").toStdString(), {}).error().code,
+           ErrorCode::ExtensionUnknown);
+}
+
+QTEST_GUILESS_MAIN(CellKindTest)
+#include "CellKindTest.moc"

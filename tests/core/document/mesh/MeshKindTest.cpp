@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/mesh/MeshKind.h"
+
+#include "MeshDocuments.h"
+#include "MeshShapes.h"
+#include "document/mesh/MeshBlobs.h"
+#include "mesh/MeshValidator.h"
+#include "mesh/Repair.h"
+
+#include <rapidcheck.h>
+#include <QTemporaryDir>
+#include <QTest>
+#include <nlohmann/json.hpp>
+
+using namespace handwheel;
+
+namespace {
+
+const MeshKind kKind;
+
+DocumentKinds kinds() {
+  std::vector<std::unique_ptr<DocumentKind>> all;
+  all.push_back(std::make_unique<MeshKind>());
+  return DocumentKinds(std::move(all));
+}
+
+bool sameSlots(const HalfEdgeMesh& a, const HalfEdgeMesh& b) {
+  if (a.vertexSlots() != b.vertexSlots() || a.faceSlots() != b.faceSlots()) return false;
+  for (Vertex v = 0; v < a.vertexSlots(); ++v) {
+    if (a.position(v) != b.position(v)) return false;
+  }
+  for (Face f = 0; f < a.faceSlots(); ++f) {
+    if (a.triangle(f) != b.triangle(f)) return false;
+    for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
+      if (a.opposite(h) != b.opposite(h)) return false;
+    }
+  }
+  return true;
+}
+
+// A grid with a vertex raised here and there.
+TriangleSoup grid(std::uint32_t n) {
+  TriangleSoup soup;
+  for (std::uint32_t y = 0; y <= n; ++y) {
+    for (std::uint32_t x = 0; x <= n; ++x) soup.points.emplace_back(x, y, (x * y) % 3 * 0.25);
+  }
+  for (std::uint32_t y = 0; y < n; ++y) {
+    for (std::uint32_t x = 0; x < n; ++x) {
+      const std::uint32_t a = y * (n + 1) + x, b = a + n + 1;
+      soup.triangles.push_back({a, a + 1, b + 1});
+      soup.triangles.push_back({a, b + 1, b});
+    }
+  }
+  return soup;
+}
+
+Result<SnapshotPointer> reloaded(const Document& document, std::vector<Error>& damage) {
+  Container container;
+  kKind.save(*document.snapshot(), container);
+  return kKind.load(container, damage, {});
+}
+
+const MeshSnapshot& meshOf(const SnapshotPointer& content) {
+  return static_cast<const MeshSnapshot&>(*content);
+}
+
+}  // namespace
+
+class MeshKindTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // What is saved comes back slot for slot, dead slots, marks and all, whatever edits went before.
+  void loadingIsTheInverseOfSaving() {
+    const bool held = rc::check([] {
+      const auto document = test::meshDocument(grid(*rc::gen::inRange<std::uint32_t>(1, 6)));
+      const auto edits = *rc::gen::inRange(0, 6);
+      for (int i = 0; i < edits; ++i) {
+        HalfEdgeMesh mesh = document->mesh();
+        const auto f = static_cast<Face>(*rc::gen::inRange<std::size_t>(0, mesh.faceSlots()));
+        if (mesh.isLive(f)) mesh.removeFace(f);
+        relink(mesh);
+        document->commit("Remove", inspected(mesh));
+      }
+      if (!document->defects().loops.empty()) document->setKeptOpen(document->defects().loops[0], true);
+      std::vector<Error> damage;
+      const auto back = reloaded(*document, damage);
+      if (document->mesh().liveFaceCount() == 0) return;
+      RC_ASSERT(back.hasValue());
+      RC_ASSERT(damage.empty());
+      RC_ASSERT(sameSlots(meshOf(*back).mesh.mesh, document->mesh()));
+      RC_ASSERT(meshOf(*back).keptOpen == static_cast<const MeshSnapshot&>(*document->snapshot()).keptOpen);
+      RC_ASSERT(meshOf(*back).numbers == NumberType::Float32);
+    });
+    QVERIFY(held);
+  }
+
+  void aLostBlobCostsOnlyItsFaces() {
+    const auto document = test::meshDocument(grid(300));  // 180,000 faces in three blobs
+    Container container;
+    kKind.save(*document->snapshot(), container);
+    std::string middle;
+    int facesBlobs = 0;
+    for (const auto& [name, bytes] : container.blobs) {
+      if (name.find("faces") != std::string::npos && ++facesBlobs == 2) middle = name;
+    }
+    QVERIFY(facesBlobs == 3);
+    container.blobs.erase(middle);
+    std::vector<Error> damage;
+    const auto back = kKind.load(container, damage, {});
+    QVERIFY(back.hasValue());
+    QCOMPARE(meshOf(*back).mesh.mesh.liveFaceCount(), std::size_t(180'000 - 65'536));
+    QCOMPARE(damage.size(), std::size_t(1));
+    QCOMPARE(damage[0].code, ErrorCode::DataTruncated);
+    QCOMPARE(QString::fromStdString(validate(meshOf(*back).mesh.mesh)), QString());
+  }
+
+  // A file that contradicts itself is rebuilt from its triangles or refused, and never believed.
+  void hostileNumbersAreNotBelieved() {
+    const auto document = test::meshDocument(grid(4));
+    Container whole;
+    kKind.save(*document->snapshot(), whole);
+    const bool held = rc::check([&] {
+      Container hostile = whole;
+      for (auto& [name, bytes] : hostile.blobs) {
+        const auto hits = *rc::gen::inRange(0, 4);
+        for (int i = 0; i < hits && !bytes.empty(); ++i) {
+          bytes[*rc::gen::inRange<std::size_t>(0, bytes.size())] = static_cast<char>(*rc::gen::inRange(0, 256));
+        }
+        if (*rc::gen::inRange(0, 8) == 0) bytes.resize(*rc::gen::inRange<std::size_t>(0, bytes.size() + 1));
+      }
+      nlohmann::json& described = (*hostile.manifest)["document"];
+      switch (*rc::gen::inRange(0, 6)) {
+        case 0:
+          described["faces"] = 0xffffffffffffull;
+          break;
+        case 1:
+          described["vertices"] = "many";
+          break;
+        case 2:
+          described["kept_open"] = {-1, 1e300, "x", 4'000'000'000u};
+          break;
+        case 3:
+          described = nullptr;
+          break;
+        default:
+          break;
+      }
+      std::vector<Error> damage;
+      const auto back = kKind.load(hostile, damage, {});
+      if (back) RC_ASSERT(validate(meshOf(*back).mesh.mesh) == std::string());
+    });
+    QVERIFY(held);
+  }
+
+  // Through the file system, with what this program does not know.
+  void unknownKeysSurviveOpeningAndSaving() {
+    const QTemporaryDir folder;
+    const std::filesystem::path path = folder.filePath("part.handwheel").toStdString();
+    const auto document = test::meshDocument(grid(3));
+    DocumentFile file = document->file();
+    auto unknown = std::make_shared<Container>();
+    (*unknown->manifest)["from_the_future"] = {{"answer", 42}};
+    (*unknown->manifest)["document"]["colour_of_the_wind"] = "blue";
+    unknown->blobs["future/data"] = "kept";
+    file.unknown = unknown;
+    QVERIFY(saveDocument(kKind, file, *document->snapshot(), path).hasValue());
+
+    const DocumentKinds all = kinds();
+    auto opened = all.open(path, {});
+    QVERIFY(opened.hasValue());
+    QCOMPARE(opened->file.id, std::string("test"));
+    QVERIFY(opened->file.isContainer);
+    const auto again = kKind.make(std::move(*opened));
+    QVERIFY(again->setProperty("display_unit", 3.0).hasValue());
+    const std::filesystem::path second = folder.filePath("again.handwheel").toStdString();
+    QVERIFY(saveDocument(kKind, again->file(), *again->snapshot(), second).hasValue());
+    const auto last = all.open(second, {});
+    QVERIFY(last.hasValue());
+    QCOMPARE(last->file.displayUnit, LengthUnit::Inch);
+    QVERIFY((*last->file.unknown->manifest)["from_the_future"]["answer"] == 42);
+    QVERIFY((*last->file.unknown->manifest)["document"]["colour_of_the_wind"] == "blue");
+    QCOMPARE(last->file.unknown->blobs.at("future/data"), std::string("kept"));
+  }
+};
+
+QTEST_APPLESS_MAIN(MeshKindTest)
+#include "MeshKindTest.moc"

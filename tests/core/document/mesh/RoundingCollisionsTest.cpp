@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/mesh/RoundingCollisions.h"
+
+#include "mesh/MeshReport.h"
+#include "mesh/Weld.h"
+
+#include <rapidcheck.h>
+#include <QTest>
+#include <cmath>
+
+using namespace handwheel;
+
+namespace {
+
+// A corner of a coarse lattice, off it by less than half a step of single precision: many of them round to one place.
+Vec3 nearLatticePoint() {
+  const auto coordinate = [] { return *rc::gen::inRange(1, 3) + *rc::gen::inRange(-3, 4) * std::ldexp(1.0, -27); };
+  const double x = coordinate(), y = coordinate();
+  return {x, y, coordinate()};
+}
+
+// Tetrahedra with corners of their own, so that they touch at most by the positions they happen to share.
+TriangleSoup tetrahedra(int count) {
+  TriangleSoup soup;
+  for (int i = 0; i < count; ++i) {
+    const auto n = static_cast<std::uint32_t>(soup.points.size());
+    for (int k = 0; k < 4; ++k) soup.points.push_back(nearLatticePoint());
+    for (const Triangle& t : {Triangle{0, 2, 1}, Triangle{0, 1, 3}, Triangle{1, 2, 3}, Triangle{2, 0, 3}}) {
+      soup.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
+    }
+  }
+  return soup;
+}
+
+MeshReport figures(const TriangleSoup& soup) {
+  return reportOn(soup, SelfIntersections::Skip);
+}
+
+}  // namespace
+
+class RoundingCollisionsTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void edgesStaySound() {
+    const bool holds = rc::check("rounding spoils no edge, and moves nothing far", [] {
+      const TriangleSoup exact = tetrahedra(*rc::gen::inRange(1, 6));
+      TriangleSoup inFile = exact;
+      roundPoints(inFile, NumberType::Float32);
+      const TriangleSoup plain = inFile;
+      const auto parted = partCollisions(exact, inFile);
+      RC_CLASSIFY(!parted.empty(), "vertices parted");
+
+      const MeshReport before = figures(exact), welded = figures(plain), after = figures(inFile);
+      RC_ASSERT(after.nonManifoldEdges <= before.nonManifoldEdges);
+      RC_ASSERT(after.inconsistentEdges <= before.inconsistentEdges);
+      if (welded.nonManifoldEdges == 0 && welded.inconsistentEdges == 0) RC_ASSERT(parted.empty());
+      for (std::uint32_t v = 0; v < plain.points.size(); ++v) {
+        const bool moved = inFile.points[v] != plain.points[v];
+        RC_ASSERT(moved == (std::find(parted.begin(), parted.end(), v) != parted.end()));
+        // One step at numbers from 2 to 4 is 2^-22.
+        RC_ASSERT((inFile.points[v] - plain.points[v]).cwiseAbs().maxCoeff() <= 4 * std::ldexp(1.0, -22));
+        RC_ASSERT(rounded(inFile.points[v], NumberType::Float32) == inFile.points[v]);
+      }
+      for (std::size_t v = 0; v < exact.points.size(); ++v) {
+        for (std::size_t u = 0; u < v; ++u) {
+          // What is one position in the mesh stays one in the file.
+          if (exact.points[v] == exact.points[u]) RC_ASSERT(inFile.points[v] == inFile.points[u]);
+        }
+      }
+    });
+    QVERIFY(holds);
+  }
+};
+
+QTEST_APPLESS_MAIN(RoundingCollisionsTest)
+#include "RoundingCollisionsTest.moc"

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "nurbs/ProfileCurve.h"
+
+#include <rapidcheck.h>
+
+#include <cmath>
+
+// Profiles to test with, and the textbook's definition of a B-spline to judge them by.
+namespace handwheel::test {
+
+// N(i, p) at u by the Cox–de Boor recursion; the last span is closed at its end.
+inline double basis(const std::vector<double>& knots, std::size_t i, int degree, double u) {
+  if (degree == 0) {
+    const bool isLast = knots[i + 1] == knots.back() && knots[i] < knots.back();
+    return (u >= knots[i] && u < knots[i + 1]) || (isLast && u == knots.back()) ? 1.0 : 0.0;
+  }
+  const auto p = static_cast<std::size_t>(degree);
+  double sum = 0.0;
+  if (knots[i + p] > knots[i]) sum += (u - knots[i]) / (knots[i + p] - knots[i]) * basis(knots, i, degree - 1, u);
+  if (knots[i + p + 1] > knots[i + 1])
+    sum += (knots[i + p + 1] - u) / (knots[i + p + 1] - knots[i + 1]) * basis(knots, i + 1, degree - 1, u);
+  return sum;
+}
+
+inline ProfilePoint pointByDefinition(const ProfileNet& net, double u) {
+  ProfilePoint sum(0, 0);
+  double weights = 0.0;
+  for (std::size_t i = 0; i < net.poles.size(); ++i) {
+    const double share = net.weights[i] * basis(net.knots, i, net.degree, u);
+    sum += share * net.poles[i];
+    weights += share;
+  }
+  return sum / weights;
+}
+
+// Evenly from the whole range, also in RapidCheck's first, small tests.
+inline double between(double low, double high) {
+  return low + (high - low) * *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 1'000'001)) / 1e6;
+}
+
+// Sound nets of any degree, with simple and multiple inner knots, double poles, poles on the axis, uneven weights.
+inline ProfileNet randomNet() {
+  ProfileNet net;
+  net.degree = *rc::gen::inRange(1, 4);
+  const auto spans = *rc::gen::inRange(1, 7);
+  net.knots.assign(net.degree + 1, 0.0);
+  double knot = 0.0;
+  for (int i = 1; i < spans; ++i) {
+    knot += between(0.01, 2.0);
+    net.knots.insert(net.knots.end(), *rc::gen::inRange(1, net.degree + 1), knot);
+  }
+  net.knots.insert(net.knots.end(), net.degree + 1, knot + between(0.01, 2.0));
+  while (net.poles.size() + net.degree + 1 < net.knots.size()) {
+    const bool isDouble = !net.poles.empty() && *rc::gen::inRange(0, 5) == 0;
+    net.poles.push_back(isDouble ? net.poles.back()
+                                 : ProfilePoint(std::max(0.0, between(-2.0, 10.0)), between(-20.0, 20.0)));
+    net.weights.push_back(between(0.2, 5.0));
+  }
+  return net;
+}
+
+// A half circle from pole to pole, exact.
+inline ProfileNet sphere(double radius, double centre) {
+  const double w = std::sqrt(0.5);
+  return {2,
+          {0, 0, 0, 1, 1, 2, 2, 2},
+          {{0, centre - radius},
+           {radius, centre - radius},
+           {radius, centre},
+           {radius, centre + radius},
+           {0, centre + radius}},
+          {1, w, 1, w, 1}};
+}
+
+}  // namespace handwheel::test

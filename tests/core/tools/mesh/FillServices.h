@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/mesh/MeshDocument.h"
+#include "tools/mesh/FillHoleTool.h"
+#include "tools/mesh/MeshServices.h"
+
+namespace handwheel::test {
+
+// Does at once what a window's workers would do. tool: filled in by the caller before the first request comes.
+inline FillServices fillServices(MeshDocument& document, FillHoleTool*& tool) {
+  FillServices services;
+  services.faces = immediateServices(document).faces;
+  services.request = [&document, &tool](const FillRequest& request) {
+    if (!tool) return;
+    FillOptions options;
+    options.method = request.method;
+    tool->previewReady(request.ticket, HoleFiller(document.mesh()).propose(request.loop, options));
+  };
+  services.commit = [&document](const BoundaryLoop& loop, const FillAttempt& attempt) {
+    HoleFiller filler(document.mesh());
+    filler.accept(loop, attempt.patch);
+    document.commit("Fill hole", inspected(filler.mesh()));
+  };
+  return services;
+}
+
+}  // namespace handwheel::test

@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "MeshChecks.h"
+#include "MeshShapes.h"
+#include "fidelity/CaseShapes.h"
+#include "fidelity/CutSurface.h"
+#include "fidelity/MeasuredSettings.h"
+#include "mesh/MeshBuilder.h"
+
+#include <QTest>
+#include <cmath>
+
+using namespace handwheel;
+
+namespace {
+
+const FidelityRegistry& registry() {
+  static const FidelityRegistry all = measuredSettings();
+  return all;
+}
+
+double errorAt(const FidelityCase& c, double value, std::uint64_t seed = 1) {
+  return c.run(value, seed, {}).error;
+}
+
+FidelityCase onMesh(const char* id, const TriangleSoup& soup) {
+  const auto shared = std::make_shared<const TriangleSoup>(soup);
+  return casesOnMesh(id, "mesh", [shared] { return shared; }).at(0);
+}
+
+}  // namespace
+
+class CasesTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void shapes();
+  void everyCaseRuns_data();
+  void everyCaseRuns();
+  void holesAreCutAndKnown();
+  void tornVerticesOfAMesh();
+  void patchesOfAMesh();
+  void smallAndDegenerateMeshes_data();
+  void smallAndDegenerateMeshes();
+};
+
+void CasesTest::shapes() {
+  const TriangleSoup sphere = sphereSoup(3, 50.0), torus = torusSoup(30, 20, 60.0, 30.0);
+  QCOMPARE(sphere.triangles.size(), std::size_t{20 * 64});
+  QCOMPARE(torus.triangles.size(), std::size_t{1200});
+  for (const Vec3& p : sphere.points) QVERIFY(std::abs(p.norm() - 50.0) < 1e-12);
+  for (const Vec3& p : torus.points) QVERIFY(distanceToTorus(p, 60.0, 30.0) < 1e-12);
+  QVERIFY(std::abs(distanceToTorus(Vec3::Zero(), 60.0, 30.0) - 30.0) < 1e-12);
+  for (const TriangleSoup& s : {sphere, torus}) {
+    QVERIFY(test::countEdges(s).sound());
+    QVERIFY(test::volume(s) > 0.0);  // facing outwards
+  }
+  QCOMPARE(test::eulerCharacteristic(sphere), 2L);
+  QCOMPARE(test::eulerCharacteristic(torus), 0L);
+}
+
+void CasesTest::everyCaseRuns_data() {
+  QTest::addColumn<QString>("id");
+  QTest::addColumn<int>("index");
+  for (const auto& entry : registry().entries()) {
+    for (int i = 0; i < int(entry.cases.size()); ++i) {
+      QTest::addRow("%s, %s", entry.setting.id.c_str(), entry.cases[i].name.c_str())
+          << QString::fromStdString(entry.setting.id) << i;
+    }
+  }
+}
+
+// At the default there is a result with an error and a cost, and the seed alone decides on the error.
+void CasesTest::everyCaseRuns() {
+  QFETCH(QString, id);
+  QFETCH(int, index);
+  const FidelityRegistry::Entry& entry = *registry().find(id.toStdString());
+  const FidelityCase& c = entry.cases[index];
+  QVERIFY(!c.truth.empty());
+  const FidelitySample first = c.run(entry.setting.standard, 1, {});
+  QVERIFY(std::isfinite(first.error) && first.error >= 0.0);
+  QVERIFY(first.cost > 0.0);
+  QCOMPARE(errorAt(c, entry.setting.standard), first.error);
+}
+
+void CasesTest::holesAreCutAndKnown() {
+  const TriangleSoup soup = sphereSoup(4, 10.0);
+  for (std::uint64_t seed : {1, 2, 3}) {
+    const CutSurface cut = cutHoles(soup, seed, nullptr);
+    QCOMPARE(cut.holes.size(), std::size_t{4});
+    QCOMPARE(findBoundaryLoops(cut.filler->mesh()).size(), std::size_t{4});
+    for (const CutSurface::Hole& hole : cut.holes) {
+      // The rim lies on what was cut out, and the sphere bulges out of it by what is known of a cap.
+      for (const Vec3& p : loopPoints(cut.filler->mesh(), hole.loop)) QVERIFY(hole.distance(p) < 1e-9);
+      QVERIFY(hole.distance(10.0 * hole.loop.centre.normalized()) < 0.05);
+      QVERIFY(hole.distance(hole.loop.centre) > 0.1);
+    }
+  }
+}
+
+// A file torn by half the tolerance for single vertices, on the user's own mesh: too small a tolerance leaves tears,
+// too large a one eats gaps, and both ends are wrong about half of what was parted.
+void CasesTest::tornVerticesOfAMesh() {
+  const FidelityCase c = onMesh("mesh.near_weld", torusSoup(60, 40, 20.0, 6.0));
+  QCOMPARE(errorAt(c, 1e-5), 0.0);
+  QVERIFY(errorAt(c, 1e-8) > 30.0 && errorAt(c, 1e-8) < 70.0);
+  QVERIFY(errorAt(c, 1e-3) > 20.0 && errorAt(c, 1e-3) < 70.0);
+}
+
+void CasesTest::patchesOfAMesh() {
+  const TriangleSoup soup = sphereSoup(4, 10.0);
+  const FidelityCase method = onMesh("mesh.fill_method", soup), density = onMesh("mesh.patch_density", soup);
+  const FidelityRegistry::Entry& entry = *registry().find("mesh.fill_method");
+  const double fair = errorAt(method, *valueOf(entry.setting, "fair"));
+  QVERIFY(fair < 0.5);                                             // % of the hole: it continues the curvature,
+  QVERIFY(errorAt(method, *valueOf(entry.setting, "ear")) > 2.0);  // which a flat lid cannot
+  QCOMPARE(errorAt(density, registry().find("mesh.patch_density")->setting.standard), fair);
+  QVERIFY(casesOnMesh("nurbs.chord_mm", "mesh", nullptr).empty());
+}
+
+void CasesTest::smallAndDegenerateMeshes_data() {
+  QTest::addColumn<int>("shape");
+  QTest::newRow("one triangle") << 0;
+  QTest::newRow("tetrahedron") << 1;
+  QTest::newRow("Klein bottle") << 2;
+  QTest::newRow("no area") << 3;
+  QTest::newRow("far away") << 4;
+}
+
+// Whatever the user brings: no crash, and no error that is not a number.
+void CasesTest::smallAndDegenerateMeshes() {
+  QFETCH(int, shape);
+  const TriangleSoup soups[] = {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}},
+                                test::tetrahedron(),
+                                test::kleinBottle(20, 10),
+                                {{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}, {0, 0, 1}}},
+                                test::moved(test::icosphere(3), Vec3(1e7, 1e7, 1e7))};
+  for (const auto& entry : registry().entries()) {
+    for (const FidelityCase& c :
+         casesOnMesh(entry.setting.id, "mesh", [&] { return std::make_shared<const TriangleSoup>(soups[shape]); })) {
+      for (double value : {entry.setting.least, entry.setting.standard, entry.setting.largest}) {
+        const FidelitySample sample = c.run(value, 1, {});
+        QVERIFY(!std::isnan(sample.error) && sample.error >= 0.0);
+        QVERIFY(std::isfinite(sample.cost) && sample.cost >= 0.0);
+      }
+    }
+  }
+}
+
+QTEST_GUILESS_MAIN(CasesTest)
+#include "CasesTest.moc"

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QAccessible>
+#include <QApplication>
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QKeySequenceEdit>
+#include <QLabel>
+#include <QLineEdit>
+#include <QScrollBar>
+#include <QSet>
+#include <QTest>
+#include <functional>
+
+// What a person who uses the keyboard, a screen reader or large letters would miss in a window. Each function returns
+// one line per finding: the path of object names and classes from the root. Only what is visible is looked at.
+namespace handwheel::test {
+
+inline QString pathOf(const QWidget* widget, const QWidget& root) {
+  QStringList parts;
+  for (; widget && widget != &root; widget = widget->parentWidget()) {
+    const QString name = widget->objectName();
+    parts.prepend(name.isEmpty() ? QString::fromLatin1(widget->metaObject()->className()) : name);
+  }
+  return parts.join(QLatin1Char('/'));
+}
+
+// Parts of other widgets, which are operated through those: the line of a spin box, the list of a combo box.
+inline bool isInnerPart(const QWidget* widget) {
+  for (const QWidget* p = widget->parentWidget(); p && !p->isWindow(); p = p->parentWidget()) {
+    if (qobject_cast<const QComboBox*>(p) || qobject_cast<const QAbstractSpinBox*>(p) ||
+        qobject_cast<const QKeySequenceEdit*>(p) || qobject_cast<const QLineEdit*>(p) ||
+        qobject_cast<const QAbstractItemView*>(p)) {
+      return true;
+    }
+    if (p->inherits("QTabBar")) return true;
+  }
+  return false;
+}
+
+inline QList<QWidget*> visibleWidgets(QWidget& root) {
+  QList<QWidget*> widgets = root.findChildren<QWidget*>();
+  widgets.removeIf([&root](const QWidget* w) { return !w->isVisibleTo(&root) || w->window() != root.window(); });
+  return widgets;
+}
+
+// Widgets that take the focus by Tab, but have nothing that a screen reader could say.
+inline QStringList withoutAccessibleName(QWidget& root) {
+  QStringList found;
+  for (QWidget* widget : visibleWidgets(root)) {
+    if (!(widget->focusPolicy() & Qt::TabFocus) || widget->focusProxy() || isInnerPart(widget)) continue;
+    const QAccessibleInterface* interface = QAccessible::queryAccessibleInterface(widget);
+    if (!interface || interface->text(QAccessible::Name).trimmed().isEmpty()) found << pathOf(widget, root);
+  }
+  return found;
+}
+
+// What a mouse can operate.
+inline bool isOperated(const QWidget* widget) {
+  if (!widget->isEnabled() || isInnerPart(widget) || qobject_cast<const QScrollBar*>(widget)) return false;
+  return qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const QLineEdit*>(widget) ||
+         qobject_cast<const QComboBox*>(widget) || qobject_cast<const QAbstractSlider*>(widget) ||
+         qobject_cast<const QAbstractSpinBox*>(widget) || qobject_cast<const QAbstractItemView*>(widget) ||
+         qobject_cast<const QKeySequenceEdit*>(widget) || (widget->focusPolicy() & Qt::TabFocus);
+}
+
+// Widgets that the mouse can operate and that pressing Tab again and again never reaches. Of a group of exclusive
+// buttons one is enough. The window must be shown; `otherwise` tells what is reached in another way (by a menu).
+inline QStringList notReachedByTab(QWidget& root, const std::function<bool(const QWidget*)>& otherwise = {}) {
+  root.window()->activateWindow();
+  QSet<const QWidget*> reached;
+  const int limit = 2 * int(root.window()->findChildren<QWidget*>().size()) + 2;
+  for (int i = 0; i < limit; ++i) {
+    QWidget* before = QApplication::focusWidget();
+    QTest::keyClick(before ? before : root.window(), Qt::Key_Tab);
+    QWidget* now = QApplication::focusWidget();
+    if (!now || (now == before && i > 0) || (i > 0 && reached.contains(now))) break;
+    reached.insert(now);
+    if (const auto* button = qobject_cast<QAbstractButton*>(now); button && button->group()) {
+      for (const QAbstractButton* other : button->group()->buttons()) reached.insert(other);
+    }
+  }
+  QStringList found;
+  for (const QWidget* widget : visibleWidgets(root)) {
+    const QWidget* target = widget;
+    while (target->focusProxy()) target = target->focusProxy();
+    if (!isOperated(widget) || reached.contains(target) || (otherwise && otherwise(widget))) continue;
+    found << pathOf(widget, root);
+  }
+  return found;
+}
+
+// Labels and buttons with less room than their text needs.
+inline QStringList cutTexts(QWidget& root) {
+  QStringList found;
+  for (const QWidget* widget : visibleWidgets(root)) {
+    const auto* label = qobject_cast<const QLabel*>(widget);
+    const bool texted = (label && !label->text().isEmpty()) || qobject_cast<const QAbstractButton*>(widget);
+    if (!texted || isInnerPart(widget)) continue;
+    const bool wraps = label && label->wordWrap();
+    const QSize needed =
+        wraps ? QSize(label->minimumSizeHint().width(), label->heightForWidth(label->width())) : widget->sizeHint();
+    if (widget->width() >= needed.width() && widget->height() >= needed.height()) continue;
+    found << QStringLiteral("%1: %2x%3 of %4x%5")
+                 .arg(pathOf(widget, root))
+                 .arg(widget->width())
+                 .arg(widget->height())
+                 .arg(needed.width())
+                 .arg(needed.height());
+  }
+  return found;
+}
+
+}  // namespace handwheel::test

@@ -1,0 +1,264 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "controls/CommandPalette.h"
+
+#include "ControlScenes.h"
+#include "ControlsTestMain.h"
+#include "controls/ActionText.h"
+#include "controls/CommandModel.h"
+#include "controls/CommandSearch.h"
+
+#include <rapidcheck.h>
+
+#include <QAbstractItemModelTester>
+#include <QListView>
+#include <QSignalSpy>
+#include <QTest>
+#include <random>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+const std::vector<CommandText> kCommands = {
+    {"openFile", "Open…", "File", "Open a mesh", "Ctrl+O"},
+    {"save", "Save", "File", "", "Ctrl+S"},
+    {"saveAs", "Save as…", "File", "", "Ctrl+Shift+S"},
+    {"shaded", "Shaded", "View › Shading", "", "S"},
+    {"shadedWithEdges", "Shaded with edges", "View › Shading", "", ""},
+    {"repairAll", "Alles reparieren", "Reparatur", "Alle Löcher schließen", "R"},
+    {"openEdges", "Öffnungen zeigen", "Ansicht", "", ""},
+    {"fitView", "适合窗口", "视图", "显示整个模型", "F"},
+};
+
+QStringList found(const QString& query, const QStringList& recent = {}) {
+  CommandSearch search;
+  search.setCommands(kCommands);
+  QStringList ids;
+  for (int i : search.find(query, recent)) ids << kCommands[std::size_t(i)].id;
+  return ids;
+}
+
+// A palette on a window with menus; the titles of what it lists.
+struct Bench {
+  Bench() : window(sampleWindow()), palette(window.get()) {
+    QSettings().clear();
+    before = new QLineEdit(window->centralWidget());
+    before->show();
+    window->resize(700, 500);
+    window->show();
+    window->activateWindow();
+    if (!QTest::qWaitForWindowActive(window.get())) qFatal("the window does not appear");
+    before->setFocus();
+    query = palette.findChild<QLineEdit*>("commandQuery");
+    list = palette.findChild<QListView*>("commandList");
+  }
+  QStringList titles() const {
+    QStringList titles;
+    for (int row = 0; row < list->model()->rowCount(); ++row) titles << list->model()->index(row, 0).data().toString();
+    return titles;
+  }
+  QString current() const { return list->currentIndex().data().toString(); }
+  QAction* action(const char* name) const { return window->findChild<QAction*>(name); }
+
+  std::unique_ptr<QMainWindow> window;
+  CommandPalette palette;
+  QLineEdit* before;
+  QLineEdit* query;
+  QListView* list;
+};
+
+}  // namespace
+
+class CommandPaletteTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void mnemonics();
+  void bestFirst();
+  void accentsAndOtherLanguages();
+  void recentFirst();
+  void findsWhatItShould();
+  void listsNamedActionsOnly();
+  void keyboardOnly();
+  void mouse();
+  void disabledActionsSayWhy();
+  void goesAway();
+  void remembers();
+  void actionMayCloseTheWindow();
+  void staysWithinTheWindow();
+};
+
+void CommandPaletteTest::mnemonics() {
+  QCOMPARE(withoutMnemonic("&Open…"), QString("Open…"));
+  QCOMPARE(withoutMnemonic("Cut && paste"), QString("Cut & paste"));
+  QCOMPARE(withoutMnemonic("打开(&O)…"), QString("打开…"));
+  QCOMPARE(withoutMnemonic("Plain"), QString("Plain"));
+}
+
+void CommandPaletteTest::bestFirst() {
+  QCOMPARE(found("sa").mid(0, 3), QStringList({"save", "saveAs", "shaded"}));  // beginning, beginning, in order
+  QCOMPARE(found("swe").first(), QString("shadedWithEdges"));                  // beginnings of words
+  QCOMPARE(found("edges").first(), QString("shadedWithEdges"));                // holds it
+  QCOMPARE(found("save as"), QStringList({"saveAs"}));
+  QCOMPARE(found("svs"), QStringList({"saveAs"}));
+  QCOMPARE(found("file save").mid(0, 2), QStringList({"save", "saveAs"}));  // menu and title
+  QCOMPARE(found("ctrl+shift+s"), QStringList({"saveAs"}));
+  QCOMPARE(found("mesh"), QStringList({"openFile"}));  // tooltip
+  QCOMPARE(found("xyzzy"), QStringList());
+  QCOMPARE(found("  SAVE   AS "), QStringList({"saveAs"}));
+}
+
+void CommandPaletteTest::accentsAndOtherLanguages() {
+  QCOMPARE(found("offnungen"), QStringList({"openEdges"}));
+  QCOMPARE(found("schliessen"), QStringList({"repairAll"}));  // ß is ss
+  QCOMPARE(found("窗口"), QStringList({"fitView"}));
+  QCOMPARE(found("整个").size(), 0);                      // not at the beginning of a word, and only in the tooltip
+  QCOMPARE(found("fit view"), QStringList({"fitView"}));  // English ids
+  QCOMPARE(found("repair").first(), QString("repairAll"));
+}
+
+void CommandPaletteTest::recentFirst() {
+  QCOMPARE(found("", {"shaded", "save"}).mid(0, 3), QStringList({"shaded", "save", "openFile"}));
+  QCOMPARE(found("").size(), qsizetype(kCommands.size()));
+  QCOMPARE(found("sa", {"saveAs"}).mid(0, 2), QStringList({"saveAs", "save"}));
+  QCOMPARE(found("save", {"gone", "shaded"}).first(), QString("save"));
+}
+
+void CommandPaletteTest::findsWhatItShould() {
+  QVERIFY(rc::check("any letters of a title, in order, find it; its beginning ranks with the first", [] {
+    std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
+    const CommandText& command = kCommands[random() % kCommands.size()];
+    QString letters;
+    for (QChar c : command.title) {
+      if (random() % 3 == 0 && c.isLetter()) letters += random() % 2 ? c.toUpper() : c;
+    }
+    RC_ASSERT(found(letters).contains(command.id));
+    const QString beginning = command.title.left(1 + int(random() % command.title.size()));
+    const QString first = found(beginning).value(0);
+    const auto title = std::find_if(kCommands.begin(), kCommands.end(), [&](auto& c) { return c.id == first; });
+    RC_ASSERT(title->title.startsWith(beginning.trimmed(), Qt::CaseInsensitive) ||
+              title->id.startsWith(beginning, Qt::CaseInsensitive));
+  }));
+}
+
+void CommandPaletteTest::listsNamedActionsOnly() {
+  Bench bench;
+  bench.window->menuBar()->addAction("nameless");
+  auto* hidden = new QAction("Hidden", bench.window.get());
+  hidden->setObjectName("hidden");
+  hidden->setVisible(false);
+  bench.action("shaded")->setText("Sha&ded");
+  bench.palette.popUp();
+  const QAbstractItemModelTester tester(bench.list->model(), QAbstractItemModelTester::FailureReportingMode::QtTest);
+  QCOMPARE(bench.titles(),
+           QStringList({"Open…", "Save", "Save as…", "Undo", "Redo", "Shaded", "Shaded with edges", "Wireframe"}));
+  QTest::keyClicks(bench.query, "wire");
+  QCOMPARE(bench.titles(), QStringList({"Wireframe"}));
+  const QModelIndex row = bench.list->currentIndex();
+  QCOMPARE(row.data(CommandModel::PathRole).toString(), QString("View › Shading"));
+}
+
+void CommandPaletteTest::keyboardOnly() {
+  Bench bench;
+  QSignalSpy undone(bench.action("undo"), &QAction::triggered);
+  QSignalSpy redone(bench.action("redo"), &QAction::triggered);
+  QTest::keyClick(bench.before, Qt::Key_K, Qt::ControlModifier);
+  QVERIFY(bench.palette.isVisible());
+  QVERIFY(bench.query->hasFocus());
+  QTest::keyClicks(bench.query, "do");
+  QVERIFY(bench.titles().contains("Undo") && bench.titles().contains("Redo"));
+  const QString first = bench.current();
+  QTest::keyClick(bench.query, Qt::Key_Down);
+  QVERIFY(bench.current() != first);
+  QTest::keyClick(bench.query, Qt::Key_Up);
+  QCOMPARE(bench.current(), first);
+  QTest::keyClick(bench.query, Qt::Key_Return);
+  QVERIFY(!bench.palette.isVisible());
+  QCOMPARE(QApplication::focusWidget(), bench.before);
+  QTest::qWait(1);
+  QCOMPARE(undone.size() + redone.size(), 1);
+}
+
+void CommandPaletteTest::mouse() {
+  Bench bench;
+  QSignalSpy triggered(bench.action("saveAs"), &QAction::triggered);
+  bench.palette.popUp();
+  const QModelIndex row = bench.list->model()->index(2, 0);
+  QTest::mouseClick(bench.list->viewport(), Qt::LeftButton, {}, bench.list->visualRect(row).center());
+  QTest::qWait(1);
+  QCOMPARE(triggered.size(), 1);
+  QVERIFY(!bench.palette.isVisible());
+}
+
+void CommandPaletteTest::disabledActionsSayWhy() {
+  Bench bench;
+  QSignalSpy triggered(bench.action("save"), &QAction::triggered);
+  bench.palette.popUp();
+  QTest::keyClicks(bench.query, "save");
+  QCOMPARE(bench.current(), QString("Save"));
+  QCOMPARE(bench.list->currentIndex().data(CommandModel::ReasonRole).toString(), QString("There is nothing to save"));
+  QTest::keyClick(bench.query, Qt::Key_Return);
+  QTest::qWait(1);
+  QCOMPARE(triggered.size(), 0);
+  QVERIFY(bench.palette.isVisible());
+}
+
+void CommandPaletteTest::goesAway() {
+  Bench bench;
+  QAction esc("Esc", bench.window.get());
+  esc.setShortcut(Qt::Key_Escape);
+  bench.window->addAction(&esc);
+  QSignalSpy escaped(&esc, &QAction::triggered);
+  bench.palette.popUp();
+  QTest::keyClick(bench.query, Qt::Key_Escape);
+  QVERIFY(!bench.palette.isVisible());
+  QCOMPARE(escaped.size(), 0);
+  QCOMPARE(QApplication::focusWidget(), bench.before);
+  bench.palette.popUp();
+  QTest::mouseClick(bench.before, Qt::LeftButton);
+  bench.before->setFocus(Qt::MouseFocusReason);
+  QVERIFY(!bench.palette.isVisible());
+}
+
+void CommandPaletteTest::remembers() {
+  Bench bench;
+  for (const char* name : {"redo", "shaded"}) {
+    bench.palette.popUp();
+    QTest::keyClicks(bench.query, name);
+    QTest::keyClick(bench.query, Qt::Key_Return);
+    QTest::qWait(1);
+  }
+  bench.palette.popUp();
+  QCOMPARE(bench.titles().mid(0, 3), QStringList({"Shaded", "Redo", "Open…"}));
+}
+
+void CommandPaletteTest::actionMayCloseTheWindow() {
+  auto window = sampleWindow();
+  auto* palette = new CommandPalette(window.get());
+  window->show();
+  connect(window->findChild<QAction*>("undo"), &QAction::triggered, this, [&window] { window.reset(); });
+  palette->popUp();
+  auto* query = palette->findChild<QLineEdit*>("commandQuery");
+  QTest::keyClicks(query, "undo");
+  QTest::keyClick(query, Qt::Key_Return);
+  QTRY_VERIFY(!window);
+}
+
+void CommandPaletteTest::staysWithinTheWindow() {
+  Bench bench;
+  for (int i = 0; i < 40; ++i) {
+    auto* action = new QAction(QString("Extra %1").arg(i), bench.window.get());
+    action->setObjectName(QString("extra%1").arg(i));
+  }
+  bench.palette.popUp();
+  for (const QSize& size : {QSize(700, 500), QSize(300, 200), QSize(1600, 900)}) {
+    bench.window->resize(size);
+    QTest::qWait(1);
+    QVERIFY(bench.window->rect().contains(bench.palette.geometry()));
+  }
+}
+
+HANDWHEEL_CONTROLS_TEST(CommandPaletteTest)
+#include "CommandPaletteTest.moc"

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "text/EnglishPlurals.h"
+#include "theme/Theme.h"
+
+#include <QApplication>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <clocale>
+
+// main() of a test of widgets: as the program starts, but with settings in a temporary folder.
+#define HANDWHEEL_CONTROLS_TEST(Test)                                                   \
+  int main(int argc, char** argv) {                                                     \
+    QApplication application(argc, argv);                                               \
+    std::setlocale(LC_NUMERIC, "C");                                                    \
+    const QTemporaryDir settings;                                                       \
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path()); \
+    QCoreApplication::setOrganizationName("Handwheel");                                 \
+    QCoreApplication::setApplicationName("HandwheelTest");                              \
+    QLocale::setDefault(QLocale::c());                                                  \
+    handwheel::EnglishPlurals plurals;                                                  \
+    QCoreApplication::installTranslator(&plurals);                                      \
+    handwheel::applyTheme(application, handwheel::ThemeKind::Light);                    \
+    Test test;                                                                          \
+    return QTest::qExec(&test, argc, argv);                                             \
+  }

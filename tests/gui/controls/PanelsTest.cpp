@@ -1,0 +1,247 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Accessibility.h"
+#include "ControlScenes.h"
+#include "ControlsTestMain.h"
+#include "panels/Tile.h"
+
+#include <QAbstractItemModelTester>
+#include <QProgressBar>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolButton>
+#include <QTreeView>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+// Start page, docks, hints, jobs and services.
+class PanelsTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void startPageByKeyboard();
+  void startPageSamples();
+  void recentFiles();
+  void docksFloatAndReturn();
+  void docksFollowTheirTitle();
+  void hintsThatFit();
+  void severalJobs();
+  void oneJobAsBefore();
+  void servicesKeepTheirRows();
+  void hiddenStatusAsksNobody();
+};
+
+void PanelsTest::startPageByKeyboard() {
+  const auto page = sampleStartPage();
+  page->resize(560, 300);
+  page->show();
+  QVERIFY(QTest::qWaitForWindowActive(page.get()));
+  QStringList said;
+  connect(page.get(), &StartPage::sampleChosen, this, [&](StartPage::Sample s) { said << QString::number(int(s)); });
+  connect(page.get(), &StartPage::openRequested, this, [&] { said << "open"; });
+  connect(page.get(), &StartPage::clearRecentRequested, this, [&] { said << "clear"; });
+  connect(page.get(), &StartPage::recentRequested, this, [&](const QString& path) { said << path; });
+  for (int i = 0; i < 5; ++i) {
+    QTest::keyClick(page.get(), Qt::Key_Tab);
+    QWidget* focused = QApplication::focusWidget();
+    QVERIFY(focused);
+    QVERIFY(!focused->visibleRegion().isEmpty());  // scrolled to
+    QTest::keyClick(focused, i % 2 || !qobject_cast<Tile*>(focused) ? Qt::Key_Space : Qt::Key_Return);
+  }
+  QCOMPARE(said, QStringList({"0", "2", "open", "clear", "/home/a/scans/bunny.stl"}));
+}
+
+void PanelsTest::startPageSamples() {
+  StartPage page;
+  auto* tile = page.findChild<Tile*>("latheTile");
+  QVERIFY(!tile->isEnabled());
+  QCOMPARE(tile->accessibleDescription(), QString("The sample is not installed."));
+  page.setSampleAvailable(StartPage::Sample::Lathe, true);
+  QVERIFY(tile->isEnabled());
+  QVERIFY(tile->accessibleDescription() != QString("The sample is not installed."));
+  QSignalSpy scan(&page, &StartPage::sampleRequested);
+  page.setSampleAvailable(true);
+  page.findChild<Tile*>("sampleTile")->click();
+  tile->click();
+  QCOMPARE(scan.size(), 1);
+}
+
+void PanelsTest::recentFiles() {
+  StartPage page;
+  page.show();
+  QStringList asked;
+  page.setPictures([&](const QString& path) {
+    asked << path;
+    return samplePicture(path);
+  });
+  QVERIFY(!page.findChild<QWidget*>("clearRecent")->isVisible());
+  const QStringList paths = {"/a/one.stl", "/a/two.urdf"};
+  page.setRecentFiles(paths);
+  QCOMPARE(asked, paths);
+  QVERIFY(page.findChild<QWidget*>("clearRecent")->isVisible());
+  // A click may lead to another list at once.
+  connect(&page, &StartPage::recentRequested, &page, [&](const QString&) { page.setRecentFiles({"/a/two.urdf"}); });
+  QTest::mouseClick(page.findChild<Tile*>("recent/one.stl"), Qt::LeftButton);
+  QTest::qWait(1);
+  QVERIFY(!page.findChild<Tile*>("recent/one.stl"));
+  QVERIFY(page.findChild<Tile*>("recent/two.urdf"));
+}
+
+namespace {
+
+struct DockBench {
+  DockBench() : dock("Properties", &window) {
+    dock.setObjectName("propertiesDock");
+    dock.setWidget(new QLineEdit(&dock));
+    title = new DockTitle(&dock);
+    dock.setTitleBarWidget(title);
+    window.setCentralWidget(new QWidget(&window));
+    window.addDockWidget(Qt::RightDockWidgetArea, &dock);
+    window.resize(640, 400);
+    window.show();
+    if (!QTest::qWaitForWindowExposed(&window)) qFatal("the window does not appear");
+  }
+  QToolButton* button(const char* name) { return title->findChild<QToolButton*>(name); }
+
+  QMainWindow window;
+  QDockWidget dock;
+  DockTitle* title;
+};
+
+}  // namespace
+
+void PanelsTest::docksFloatAndReturn() {
+  DockBench bench;
+  QCOMPARE(notReachedByTab(bench.window), QStringList());
+  auto* button = bench.button("propertiesDockFloatButton");
+  button->setFocus();
+  QTest::keyClick(button, Qt::Key_Space);
+  QVERIFY(bench.dock.isFloating());
+  QVERIFY(bench.title->isVisible());
+  QVERIFY(bench.title->height() > 0);
+  QCOMPARE(bench.dock.windowTitle(), QString("Properties"));
+  QVERIFY(button->accessibleName().contains("back"));
+  QTest::mouseDClick(bench.title, Qt::LeftButton, {}, QPoint(20, 8));
+  QVERIFY(!bench.dock.isFloating());
+  QVERIFY(!button->accessibleName().contains("back"));
+  QTest::mouseDClick(bench.title, Qt::LeftButton, {}, QPoint(20, 8));
+  QVERIFY(bench.dock.isFloating());
+  QTest::mouseClick(bench.button("propertiesDockFoldButton"), Qt::LeftButton);
+  QVERIFY(!bench.dock.isVisible());
+  bench.dock.toggleViewAction()->trigger();
+  QVERIFY(bench.dock.isVisible());
+}
+
+void PanelsTest::docksFollowTheirTitle() {
+  DockBench bench;
+  bench.dock.setWindowTitle("Tool settings");
+  QCOMPARE(bench.title->findChild<QLabel*>("dockTitleText")->text(), QString("Tool settings"));
+  QVERIFY(bench.button("propertiesDockFoldButton")->accessibleName().contains("Tool settings"));
+  bench.dock.setFeatures(QDockWidget::DockWidgetClosable);
+  QVERIFY(!bench.button("propertiesDockFloatButton")->isVisible());
+  QVERIFY(bench.button("propertiesDockFoldButton")->isVisible());
+}
+
+void PanelsTest::hintsThatFit() {
+  HintBar bar;
+  bar.setHints(sampleHints());
+  QVERIFY(bar.accessibleName().contains("Wheel: zoom"));
+  QVERIFY(!bar.accessibleName().contains("Enter"));  // cannot be used now
+  QVERIFY(bar.toolTip().contains("Esc: leave"));
+  bar.resize(60, bar.sizeHint().height());
+  const QImage narrow = bar.grab().toImage();
+  bar.setHints({});
+  QVERIFY(bar.grab().toImage() != narrow);  // at least that there is more
+  QCOMPARE(bar.accessibleName(), QString());
+}
+
+void PanelsTest::severalJobs() {
+  JobBar bar;
+  QList<quint64> cancelled;
+  connect(&bar, &JobBar::cancelJobRequested, this, [&](quint64 id) { cancelled << id; });
+  bar.setJobs({{7, "Repairing", 0.5}, {8, "Saving"}, {9, "Loading", 0.25}});
+  QVERIFY(bar.isVisible());
+  auto* more = bar.findChild<QToolButton*>("jobMore");
+  QVERIFY(more->isVisible());
+  QCOMPARE(more->accessibleName(), QString("2 more jobs"));
+  QTest::mouseClick(bar.findChild<QToolButton*>("jobCancel"), Qt::LeftButton);
+  QTest::mouseClick(more, Qt::LeftButton);
+  auto* list = bar.findChild<QWidget*>("jobList");
+  QVERIFY(list->isVisible());
+  QTest::mouseClick(list->findChild<QToolButton*>("jobCancel/2"), Qt::LeftButton);
+  QCOMPARE(cancelled, QList<quint64>({7, 9}));
+  auto* progress = list->findChild<QProgressBar*>("jobProgress/2");
+  QCOMPARE(double(progress->value()) / progress->maximum(), 0.25);
+  QCOMPARE(list->findChild<QProgressBar*>("jobProgress/1")->maximum(), 0);  // not known: it moves to and fro
+  bar.setJobs({{9, "Loading", 0.75}});
+  QVERIFY(!list->isVisible());
+  QVERIFY(!more->isVisible());
+  QTest::mouseClick(bar.findChild<QToolButton*>("jobCancel"), Qt::LeftButton);
+  QCOMPARE(cancelled.last(), quint64(9));
+  bar.setJobs({});
+  QVERIFY(!bar.isVisible());
+}
+
+void PanelsTest::oneJobAsBefore() {
+  JobBar bar;
+  QSignalSpy cancelled(&bar, &JobBar::cancelRequested);
+  bar.showJob("Repairing");
+  auto* progress = bar.findChild<QProgressBar*>("jobProgress");
+  QCOMPARE(progress->maximum(), 0);
+  bar.setProgress(0.5);
+  QCOMPARE(double(progress->value()) / progress->maximum(), 0.5);
+  QCOMPARE(bar.findChild<QLabel*>("jobName")->text(), QString("Repairing"));
+  QTest::mouseClick(bar.findChild<QToolButton*>("jobCancel"), Qt::LeftButton);
+  QCOMPARE(cancelled.size(), 1);
+  bar.hideJob();
+  QVERIFY(!bar.isVisible());
+  bar.setProgress(0.7);  // a late word
+  bar.showJob("Saving");
+  QCOMPARE(progress->maximum(), 0);
+}
+
+void PanelsTest::servicesKeepTheirRows() {
+  ServiceModel model;
+  const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+  model.setServices(sampleServices());
+  const auto text = [&](int row, int column) { return model.index(row, column).data().toString(); };
+  QCOMPARE(text(0, ServiceModel::Ticks), QString("1000"));
+  QCOMPARE(text(0, ServiceModel::Cost), QString("42"));
+  QCOMPARE(text(0, ServiceModel::Share), QString("4.2 % of the servo tick"));
+  QCOMPARE(text(1, ServiceModel::Share), QString("82 % of the frame"));
+  QCOMPARE(text(2, ServiceModel::Ticks), QString());  // asleep
+  QCOMPARE(text(3, ServiceModel::Share), QString());
+  QSignalSpy reset(&model, &QAbstractItemModel::modelReset);
+  QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
+  auto services = sampleServices();
+  services[0].ticksPerSecond = 998.0;
+  model.setServices(services);
+  QCOMPARE(reset.size(), 0);
+  QCOMPARE(changed.size(), 1);
+  QCOMPARE(text(0, ServiceModel::Ticks), QString("998"));
+  services.pop_back();
+  model.setServices(services);
+  QCOMPARE(reset.size(), 1);
+  QCOMPARE(model.rowCount(), 3);
+}
+
+void PanelsTest::hiddenStatusAsksNobody() {
+  StatusPanel panel;
+  int asked = 0;
+  panel.setSource([&] {
+    ++asked;
+    return sampleServices();
+  });
+  QTest::qWait(700);
+  QCOMPARE(asked, 0);
+  panel.show();
+  QTRY_VERIFY(asked >= 3);
+  panel.hide();
+  asked = 0;
+  QTest::qWait(700);
+  QCOMPARE(asked, 0);
+}
+
+HANDWHEEL_CONTROLS_TEST(PanelsTest)
+#include "PanelsTest.moc"

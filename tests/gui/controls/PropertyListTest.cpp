@@ -1,0 +1,245 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "controls/PropertyList.h"
+
+#include "Accessibility.h"
+#include "ControlScenes.h"
+#include "ControlsTestMain.h"
+
+#include <QCheckBox>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTest>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+struct Edit {
+  std::string id;
+  PropertyValue value;
+  bool stillDragging;
+
+  bool operator==(const Edit&) const = default;
+};
+
+// A list in a window that writes down what it is told.
+struct Bench {
+  Bench() {
+    list.setProperties(sampleProperties());
+    QObject::connect(&list, &PropertyList::edited, &list,
+                     [this](const std::string& id, const PropertyValue& value, bool stillDragging) {
+                       edits.push_back({id, value, stillDragging});
+                       if (onEdit) onEdit();
+                     });
+    list.resize(280, 900);
+    list.show();
+    list.activateWindow();
+    if (!QTest::qWaitForWindowActive(&list)) qFatal("the window does not appear");
+  }
+  template <class Widget>
+  Widget* find(const std::string& id, const char* name = "") {
+    auto* row = list.findChild<QWidget*>("property/" + QString::fromStdString(id));
+    auto* widget = row ? row->findChild<Widget*>(QString::fromLatin1(name)) : nullptr;
+    if (!widget) qFatal("there is no %s", id.c_str());
+    return widget;
+  }
+
+  PropertyList list;
+  std::vector<Edit> edits;
+  std::function<void()> onEdit;
+};
+
+Property& named(std::vector<Property>& properties, const std::string& id) {
+  return *std::find_if(properties.begin(), properties.end(), [&](const Property& p) { return p.id == id; });
+}
+
+}  // namespace
+
+class PropertyListTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void editsOfEachKind();
+  void sliderDrags();
+  void valuesChangeInPlace();
+  void rowsSurviveAChangeOfTheSet();
+  void aRowMayGoWhileItSpeaks();
+  void followsTheLengthUnit();
+  void readOnlyValuesAndProblems();
+  void tabFollowsTheOrder();
+  void strangeValues();
+};
+
+void PropertyListTest::editsOfEachKind() {
+  Bench bench;
+  auto* diameter = bench.find<QLineEdit>("diameter", "numberLine");
+  diameter->setFocus();
+  diameter->selectAll();
+  QTest::keyClicks(diameter, "2 in\r");
+  QTest::mouseClick(bench.find<QCheckBox>("coolant"), Qt::LeftButton, {}, QPoint(8, 10));
+  auto* note = bench.find<QLineEdit>("note");
+  note->setFocus();
+  QTest::keyClicks(note, "!\r");
+  auto* material = bench.find<QComboBox>("material");
+  material->setFocus();
+  QTest::keyClick(material, Qt::Key_Down);
+  QVERIFY(bench.edits == std::vector<Edit>({{"diameter", 50.8, false},
+                                            {"coolant", false, false},
+                                            {"note", std::string("first try!"), false},
+                                            {"material", 2.0, false}}));
+}
+
+void PropertyListTest::sliderDrags() {
+  Bench bench;
+  auto* slider = bench.find<QSlider>("joint1", "propertySlider");
+  auto* line = bench.find<QLineEdit>("joint1", "numberLine");
+  QVERIFY(slider->isVisible());
+  QVERIFY(!bench.find<QSlider>("diameter", "propertySlider")->isVisible());
+  QCOMPARE(slider->value(), 583);  // (30 + 180) / 360 of 1000
+  slider->setSliderDown(true);
+  slider->setSliderPosition(1000);
+  slider->setSliderPosition(500);
+  // The document answers with its own value while the slider is held: the handle stays under the hand.
+  auto properties = sampleProperties();
+  named(properties, "joint1").value = 0.1;
+  bench.list.setProperties(properties);
+  QCOMPARE(slider->value(), 500);
+  QCOMPARE(line->text(), QString("5.72958"));  // 0.1 rad = 5.7295779…°
+  slider->setSliderPosition(0);
+  slider->setSliderDown(false);
+  const double pi = std::numbers::pi;
+  QVERIFY(
+      bench.edits ==
+      std::vector<Edit>({{"joint1", pi, true}, {"joint1", 0.0, true}, {"joint1", -pi, true}, {"joint1", -pi, false}}));
+  bench.edits.clear();
+  slider->setSliderDown(true);  // pressed and let go
+  slider->setSliderDown(false);
+  QVERIFY(bench.edits.empty());
+  slider->setFocus();
+  QTest::keyClick(slider, Qt::Key_End);
+  QVERIFY(bench.edits == std::vector<Edit>({{"joint1", pi, false}}));
+}
+
+void PropertyListTest::valuesChangeInPlace() {
+  Bench bench;
+  auto* diameter = bench.find<QLineEdit>("diameter", "numberLine");
+  auto* length = bench.find<QLineEdit>("length", "numberLine");
+  diameter->setFocus();
+  diameter->selectAll();
+  QTest::keyClicks(diameter, "7");
+  auto properties = sampleProperties();
+  named(properties, "diameter").value = 51.0;
+  named(properties, "length").value = 99.0;
+  named(properties, "coolant").value = false;
+  named(properties, "material").choices = {"Aluminium 6082", "Steel C45", "Brass", "Wood"};
+  named(properties, "joint2").problem.clear();
+  bench.list.setProperties(properties);
+  QCOMPARE(diameter, bench.find<QLineEdit>("diameter", "numberLine"));
+  QCOMPARE(QApplication::focusWidget(), diameter);
+  QCOMPARE(diameter->text(), QString("7"));
+  QCOMPARE(length->text(), QString("99"));
+  QVERIFY(!bench.find<QCheckBox>("coolant")->isChecked());
+  QCOMPARE(bench.find<QComboBox>("material")->count(), 4);
+  QCOMPARE(bench.find<QComboBox>("material")->currentText(), QString("Steel C45"));
+  QVERIFY(!bench.find<QLabel>("joint2", "propertyProblem")->isVisible());
+  QVERIFY(bench.edits.empty());
+}
+
+void PropertyListTest::rowsSurviveAChangeOfTheSet() {
+  Bench bench;
+  auto* slider = bench.find<QSlider>("joint2", "propertySlider");
+  slider->setFocus();
+  slider->setSliderDown(true);
+  auto properties = sampleProperties();
+  std::reverse(properties.begin(), properties.end());
+  properties.push_back({.id = "speed", .label = "Speed", .value = 3.0});
+  properties.erase(properties.begin());
+  bench.list.setProperties(properties);
+  QCOMPARE(bench.find<QSlider>("joint2", "propertySlider"), slider);
+  QCOMPARE(QApplication::focusWidget(), slider);
+  QVERIFY(slider->isSliderDown());
+  slider->setSliderDown(false);
+  QTest::qWait(1);  // what goes is deleted later
+  QCOMPARE(bench.list.findChildren<PropertyRow*>().size(), qsizetype(properties.size()));
+  // Down the page as in the list.
+  int bottom = 0;
+  for (const Property& p : properties) {
+    const auto* row = bench.list.findChild<QWidget*>("property/" + QString::fromStdString(p.id));
+    QVERIFY(row->y() >= bottom);
+    bottom = row->geometry().bottom();
+  }
+}
+
+void PropertyListTest::aRowMayGoWhileItSpeaks() {
+  Bench bench;
+  bench.onEdit = [&] { bench.list.setProperties({}); };
+  QTest::mouseClick(bench.find<QCheckBox>("coolant"), Qt::LeftButton, {}, QPoint(8, 10));
+  QTest::qWait(1);
+  QCOMPARE(bench.edits.size(), std::size_t(1));
+  QVERIFY(bench.list.findChildren<PropertyRow*>().isEmpty());
+}
+
+void PropertyListTest::followsTheLengthUnit() {
+  Bench bench;
+  bench.list.setLengthUnit(LengthUnit::Inch);
+  QCOMPARE(bench.find<QLineEdit>("diameter", "numberLine")->text(), QString("1.9685"));  // 50 / 25.4
+  QCOMPARE(bench.find<QLineEdit>("joint1", "numberLine")->text(), QString("30"));
+  QCOMPARE(bench.find<QLabel>("size", "propertyValue")->text(), QString("48.6055\u00a0in"));  // 1234.5678 / 25.4
+  bench.list.setProperties(sampleProperties());
+  QCOMPARE(bench.find<QLineEdit>("diameter", "numberLine")->text(), QString("1.9685"));
+}
+
+void PropertyListTest::readOnlyValuesAndProblems() {
+  Bench bench;
+  QCOMPARE(bench.find<QLabel>("volume", "propertyValue")->text(), QString("1170000"));
+  QCOMPARE(bench.find<QLabel>("closed", "propertyValue")->text(), QString("no"));
+  auto* problem = bench.find<QLabel>("joint2", "propertyProblem");
+  QVERIFY(problem->isVisible());
+  QCOMPARE(problem->text(), QString("The effort of this joint is not known."));
+  bench.list.setProperties({{.id = "m", .label = "M", .value = 1.0, .choices = {"a", "b"}, .editable = false}});
+  QCOMPARE(bench.find<QLabel>("m", "propertyValue")->text(), QString("b"));
+}
+
+void PropertyListTest::tabFollowsTheOrder() {
+  Bench bench;
+  auto properties = sampleProperties();
+  std::swap(properties[0], properties[5]);  // the note comes first
+  properties.insert(properties.begin() + 6, {.id = "new", .group = "Joints", .label = "New", .value = 1.0});
+  bench.list.setProperties(properties);
+  bench.find<QLineEdit>("note")->setFocus();
+  QStringList order;
+  for (int i = 0; i < 10; ++i) {
+    const QWidget* at = QApplication::focusWidget();
+    while (at && !at->objectName().startsWith("property/")) at = at->parentWidget();
+    if (at) order << at->objectName().mid(9);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+  }
+  QCOMPARE(order, QStringList({"note", "length", "chord", "material", "coolant", "diameter", "new", "joint1", "joint1",
+                               "joint2"}));
+  QCOMPARE(notReachedByTab(bench.list), QStringList());
+}
+
+// A document with a bug, or limits from a strange file, must not harm the window.
+void PropertyListTest::strangeValues() {
+  const double inf = std::numeric_limits<double>::infinity();
+  PropertyList list;
+  list.setProperties(
+      {{.id = "a", .label = "A", .value = std::nan(""), .least = 0.0, .largest = 1.0, .continuous = true},
+       {.id = "b", .label = "B", .value = inf, .least = 1.0, .largest = 0.0, .continuous = true},
+       {.id = "c", .label = "C", .value = 7.0, .choices = {"x"}},
+       {.id = "d", .label = "D", .value = std::nan(""), .choices = {"x"}, .editable = false},
+       {.id = "e", .label = "E", .value = true, .choices = {"x"}},
+       {.id = "f", .label = "", .value = std::string("<b>plain</b>"), .editable = false},
+       {.id = "g", .label = "G", .value = 0.5, .least = -1e308, .largest = 1e308, .continuous = true}});
+  list.show();
+  auto* slider = list.findChild<QWidget*>("property/g")->findChild<QSlider*>();
+  QSignalSpy spy(&list, &PropertyList::edited);
+  slider->setValue(slider->maximum());
+  QCOMPARE(spy.size(), 1);
+  QCOMPARE(std::get<double>(spy[0][1].value<PropertyValue>()), 1e308);
+}
+
+HANDWHEEL_CONTROLS_TEST(PropertyListTest)
+#include "PropertyListTest.moc"

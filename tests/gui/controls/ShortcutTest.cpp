@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ControlScenes.h"
+#include "ControlsTestMain.h"
+#include "controls/ActionText.h"
+#include "controls/ShortcutEditor.h"
+#include "controls/ShortcutModel.h"
+
+#include <rapidcheck.h>
+
+#include <QAbstractItemModelTester>
+#include <QFileDialog>
+#include <QKeySequenceEdit>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTreeView>
+#include <random>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+using Keys = QList<QKeySequence>;
+
+// A window's actions and their keys.
+struct Bench {
+  Bench() : window(sampleWindow()) { model.setActions(namedActions(*window), window->menuBar()); }
+
+  QAction* action(const char* name) const { return window->findChild<QAction*>(name); }
+  int row(const char* name) const {
+    for (int row = 0; row < model.rowCount(); ++row) {
+      if (model.index(row, 0).data(ShortcutModel::IdRole) == QLatin1String(name)) return row;
+    }
+    qFatal("there is no %s", name);
+  }
+  QStringList conflicts(const char* name) const {
+    return model.index(row(name), 0).data(ShortcutModel::ConflictRole).toStringList();
+  }
+
+  std::unique_ptr<QMainWindow> window;
+  ShortcutModel model;
+};
+
+ErrorCode codeOf(const QByteArray& json) {
+  const Result<ShortcutChanges> result = shortcutsFromJson(json);
+  if (result) qFatal("no error");
+  return result.error().code;
+}
+
+QByteArray fileWith(const QByteArray& shortcuts) {
+  return R"({"format":"handwheel-shortcuts","version":1,"shortcuts":)" + shortcuts + "}";
+}
+
+}  // namespace
+
+class ShortcutTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() { QSettings().clear(); }
+  void isASoundModel();
+  void changesHoldAtOnceAndLater();
+  void onlyDifferencesAreKept();
+  void conflicts();
+  void taking();
+  void fileAndBack();
+  void randomChangesSurviveTheFile();
+  void hostileFiles();
+  void editor();
+  void importAndExport();
+};
+
+void ShortcutTest::isASoundModel() {
+  Bench bench;
+  const QAbstractItemModelTester tester(&bench.model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+  QCOMPARE(bench.model.rowCount(), 8);
+  const QModelIndex redo = bench.model.index(bench.row("redo"), ShortcutModel::Command);
+  QCOMPARE(redo.data().toString(), QString("Edit › Redo"));
+  QCOMPARE(redo.siblingAtColumn(ShortcutModel::Keys).data().toString(), QString("Ctrl+Shift+Z; Ctrl+Y"));
+  bench.model.setKeys(redo.row(), {});
+  delete bench.action("undo");  // actions may go
+  QVERIFY(bench.model.keys(bench.row("undo")).isEmpty());
+}
+
+void ShortcutTest::changesHoldAtOnceAndLater() {
+  {
+    Bench bench;
+    bench.model.setKeys(bench.row("undo"), {QKeySequence("F5")});
+    bench.model.setKeys(bench.row("openFile"), {});
+    QCOMPARE(bench.action("undo")->shortcuts(), Keys({QKeySequence("F5")}));
+  }
+  Bench next;  // the program starts again
+  QCOMPARE(next.action("undo")->shortcuts(), Keys({QKeySequence("F5")}));
+  QVERIFY(next.action("openFile")->shortcuts().isEmpty());
+  QVERIFY(next.model.index(next.row("undo"), 0).data(ShortcutModel::ChangedRole).toBool());
+  next.model.reset(next.row("undo"));
+  QCOMPARE(next.action("undo")->shortcuts(), Keys({QKeySequence("Ctrl+Z")}));
+  QVERIFY(next.action("openFile")->shortcuts().isEmpty());
+  next.model.resetAll();
+  QCOMPARE(next.action("openFile")->shortcuts(), Keys({QKeySequence("Ctrl+O")}));
+}
+
+void ShortcutTest::onlyDifferencesAreKept() {
+  Bench bench;
+  QVERIFY(QSettings().allKeys().isEmpty());
+  bench.model.setKeys(bench.row("redo"), {QKeySequence("Ctrl+Y")});
+  QCOMPARE(QSettings().allKeys(), QStringList({"shortcuts/redo"}));
+  bench.model.setKeys(bench.row("redo"), {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
+  QVERIFY(QSettings().allKeys().isEmpty());
+  QVERIFY(bench.model.changes().isEmpty());
+}
+
+void ShortcutTest::conflicts() {
+  Bench bench;
+  QCOMPARE(bench.conflicts("save"), QStringList());
+  bench.model.setKeys(bench.row("wireframe"), {QKeySequence("F9"), QKeySequence("Ctrl+Y")});
+  QCOMPARE(bench.conflicts("wireframe"), QStringList({"Redo"}));
+  QCOMPARE(bench.conflicts("redo"), QStringList({"Wireframe"}));
+  // "S, 1" can never be typed where S alone does something.
+  bench.model.setKeys(bench.row("wireframe"), {QKeySequence("S, 1")});
+  QCOMPARE(bench.conflicts("shaded"), QStringList({"Wireframe"}));
+  bench.model.setKeys(bench.row("wireframe"), {});
+  QCOMPARE(bench.conflicts("wireframe"), QStringList());  // those without a key do not collide
+}
+
+void ShortcutTest::taking() {
+  Bench bench;
+  bench.model.setKeys(bench.row("wireframe"), {QKeySequence("Ctrl+Y")});
+  bench.model.resolveInFavourOf(bench.row("wireframe"));
+  QCOMPARE(bench.action("redo")->shortcuts(), Keys({QKeySequence("Ctrl+Shift+Z")}));
+  QCOMPARE(bench.action("wireframe")->shortcuts(), Keys({QKeySequence("Ctrl+Y")}));
+  QCOMPARE(bench.conflicts("wireframe"), QStringList());
+}
+
+void ShortcutTest::fileAndBack() {
+  Bench bench;
+  bench.model.setKeys(bench.row("undo"), {QKeySequence("Ctrl+Shift+U"), QKeySequence("Ctrl+X, Ctrl+U")});
+  bench.model.setKeys(bench.row("save"), {});
+  const QByteArray json = toJson(bench.model.changes());
+  bench.model.resetAll();
+  bench.model.setKeys(bench.row("shaded"), {QKeySequence("F3")});
+  const Result<ShortcutChanges> read = shortcutsFromJson(json);
+  QVERIFY(read.hasValue());
+  bench.model.setChanges(*read);
+  QCOMPARE(bench.action("undo")->shortcuts(), Keys({QKeySequence("Ctrl+Shift+U"), QKeySequence("Ctrl+X, Ctrl+U")}));
+  QVERIFY(bench.action("save")->shortcuts().isEmpty());
+  QCOMPARE(bench.action("shaded")->shortcuts(), Keys({QKeySequence("S")}));  // not in the file: as the program has it
+}
+
+void ShortcutTest::randomChangesSurviveTheFile() {
+  QVERIFY(rc::check("changes survive JSON", [] {
+    std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
+    ShortcutChanges changes;
+    for (auto n = random() % 6; n > 0; --n) {
+      QStringList keys;
+      for (auto k = random() % 3; k > 0; --k) {
+        const int modifiers[] = {0, Qt::CTRL, Qt::SHIFT | Qt::CTRL, Qt::ALT, Qt::META};
+        const int key = modifiers[random() % 5] | (Qt::Key_A + int(random() % 26));
+        keys << QKeySequence(key, random() % 2 ? key : 0).toString(QKeySequence::PortableText);
+      }
+      changes[QString("action %1 \"%2\"").arg(random() % 100).arg(QChar(0x4e00 + int(random() % 1000)))] = keys;
+    }
+    const Result<ShortcutChanges> read = shortcutsFromJson(toJson(changes));
+    RC_ASSERT(read.hasValue());
+    RC_ASSERT(*read == changes);
+  }));
+}
+
+void ShortcutTest::hostileFiles() {
+  QCOMPARE(codeOf(""), ErrorCode::FormatUnknown);
+  QCOMPARE(codeOf("[1,2]"), ErrorCode::FormatUnknown);
+  QCOMPARE(codeOf(QByteArray(100000, '[')), ErrorCode::FormatUnknown);
+  QCOMPARE(codeOf(R"({"format":"other"})"), ErrorCode::FormatUnknown);
+  QCOMPARE(codeOf("{\"format\":\"handwheel-shortcuts\xff\"}"), ErrorCode::FormatUnknown);
+  QCOMPARE(codeOf(QByteArray(kLargestShortcutFile + 1, ' ')), ErrorCode::FileTooLarge);
+  QCOMPARE(codeOf(R"({"format":"handwheel-shortcuts"})"), ErrorCode::ElementMalformed);
+  QCOMPARE(codeOf(R"({"format":"handwheel-shortcuts","version":2,"shortcuts":{}})"), ErrorCode::VersionNewer);
+  QCOMPARE(codeOf(fileWith("[]")), ErrorCode::ElementMalformed);
+  QCOMPARE(codeOf(fileWith(R"({"undo":"Ctrl+Z"})")), ErrorCode::ElementMalformed);
+  QCOMPARE(codeOf(fileWith(R"({"undo":["Ctrl+Blah"]})")), ErrorCode::ElementMalformed);
+  QCOMPARE(codeOf(fileWith(R"({"undo":[""]})")), ErrorCode::ElementMalformed);
+  QCOMPARE(codeOf(fileWith(R"({"undo":[7]})")), ErrorCode::ElementMalformed);
+  QCOMPARE(codeOf(fileWith(R"({"undo":["A","A","A","A","A","A","A","A","A"]})")), ErrorCode::ElementMalformed);
+  QVERIFY(shortcutsFromJson(fileWith(R"({"unknown":["F1"]})")).hasValue());
+}
+
+void ShortcutTest::editor() {
+  Bench bench;
+  ShortcutEditor editor(&bench.model);
+  editor.show();
+  auto* list = editor.findChild<QTreeView*>("shortcutList");
+  auto* keys = editor.findChild<QKeySequenceEdit*>("shortcutKeys");
+  auto* status = editor.findChild<QLabel*>("shortcutStatus");
+  auto* take = editor.findChild<QPushButton*>("shortcutTake");
+  const auto click = [&](const char* name) { QTest::mouseClick(editor.findChild<QPushButton*>(name), Qt::LeftButton); };
+  QVERIFY(!keys->isEnabled());
+  QTest::keyClicks(editor.findChild<QLineEdit*>("shortcutSearch"), "wire");
+  QCOMPARE(list->model()->rowCount(), 1);
+  list->setCurrentIndex(list->model()->index(0, 0));
+  QVERIFY(keys->isEnabled());
+  keys->setFocus();
+  QTest::keyClick(keys, Qt::Key_Y, Qt::ControlModifier);
+  QTRY_COMPARE(bench.action("wireframe")->shortcuts(), Keys({QKeySequence("Ctrl+Y")}));  // after the pause
+  QVERIFY(status->text().contains("Redo"));
+  QVERIFY(take->isVisible());
+  click("shortcutTake");
+  QCOMPARE(bench.action("redo")->shortcuts(), Keys({QKeySequence("Ctrl+Shift+Z")}));
+  QVERIFY(!take->isVisible());
+  click("shortcutNone");
+  QVERIFY(bench.action("wireframe")->shortcuts().isEmpty());
+  click("shortcutResetAll");
+  QVERIFY(bench.model.changes().isEmpty());
+  list->setCurrentIndex({});
+  QVERIFY(!keys->isEnabled());
+}
+
+void ShortcutTest::importAndExport() {
+  const QTemporaryDir folder;
+  Bench bench;
+  ShortcutEditor editor(&bench.model);
+  editor.show();
+  const auto choose = [&](const char* button, const char* dialogName, const QString& path) {
+    QTest::mouseClick(editor.findChild<QPushButton*>(button), Qt::LeftButton);
+    auto* dialog = editor.findChild<QFileDialog*>(dialogName);
+    QVERIFY(dialog);
+    emit dialog->fileSelected(path);
+    delete dialog;
+  };
+  const QString path = folder.filePath("keys.json");
+  auto* status = editor.findChild<QLabel*>("shortcutStatus");
+  bench.model.setKeys(bench.row("undo"), {QKeySequence("F5")});
+  choose("shortcutExport", "shortcutExportDialog", path);
+  bench.model.resetAll();
+  choose("shortcutImport", "shortcutImportDialog", path);
+  QCOMPARE(bench.action("undo")->shortcuts(), Keys({QKeySequence("F5")}));
+  choose("shortcutImport", "shortcutImportDialog", folder.filePath("missing.json"));
+  QVERIFY(!status->text().isEmpty());
+  QVERIFY(status->property("bad").toBool());
+  QCOMPARE(bench.action("undo")->shortcuts(), Keys({QKeySequence("F5")}));
+  choose("shortcutExport", "shortcutExportDialog", folder.filePath("no/such/folder/keys.json"));
+  QVERIFY(status->property("bad").toBool());
+}
+
+HANDWHEEL_CONTROLS_TEST(ShortcutTest)
+#include "ShortcutTest.moc"

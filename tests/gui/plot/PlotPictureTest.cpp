@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plot/PlotExport.h"
+#include "plot/PlotLayout.h"
+
+#include <QFile>
+#include <QPainter>
+#include <QSvgRenderer>
+#include <QTemporaryDir>
+#include <QTest>
+#include <cmath>
+#include <limits>
+
+using namespace handwheel;
+
+namespace {
+
+constexpr QSize kSize(480, 320);
+
+Plot trade() {
+  Plot plot;
+  plot.title = "mesh.fill_method";
+  plot.x = {"CPU time of a fill", "ms", true};
+  plot.y = {"RMS distance", "mm", true};
+  plot.series = {{"sphere, cut", {{1, 0.5}, {10, 0.05}, {100, 0.01}}, true},
+                 {"torus \"thin\"", {{2, 0.3}, {20, std::nan("")}, {200, 0.02}}, true}};
+  plot.marks = {{{10, 0.05}, "Balanced"}};
+  return plot;
+}
+
+// How many pixels are nearly of this colour.
+int pixelsLike(const QImage& image, const QColor& colour, const QRect& where) {
+  int count = 0;
+  for (int y = where.top(); y <= where.bottom(); ++y) {
+    for (int x = where.left(); x <= where.right(); ++x) {
+      const QColor c = image.pixelColor(x, y);
+      count +=
+          std::abs(c.red() - colour.red()) + std::abs(c.green() - colour.green()) + std::abs(c.blue() - colour.blue()) <
+          24;
+    }
+  }
+  return count;
+}
+
+QByteArray contentOf(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+}  // namespace
+
+class PlotPictureTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void pointsAreWhereTheirValuesAre_data();
+  void pointsAreWhereTheirValuesAre();
+  void oneMorePlotOneMorePlace();
+  void strangePlots();
+  void files();
+  void csv();
+};
+
+void PlotPictureTest::pointsAreWhereTheirValuesAre_data() {
+  QTest::addColumn<ThemeKind>("theme");
+  QTest::newRow("light") << ThemeKind::Light;
+  QTest::newRow("dark") << ThemeKind::Dark;
+}
+
+void PlotPictureTest::pointsAreWhereTheirValuesAre() {
+  QFETCH(ThemeKind, theme);
+  Plot plot = trade();
+  plot.series.resize(1);
+  plot.marks.clear();
+  const QImage image = plotImage(std::vector{plot}, kSize, theme);
+  QCOMPARE(image.size(), kSize);
+  QCOMPARE(image.pixelColor(1, 1), themeColours(theme).window);
+  QFont font;
+  font.setPixelSize(13);
+  const PlotLayout layout(plot, QRectF(QPointF(), kSize), QFontMetricsF(font));
+  const QColor colour = theme == ThemeKind::Dark ? QColor(0x0072b2).lighter(135) : QColor(0x0072b2);
+  int atPoints = 0;
+  for (const QPointF& p : plot.series[0].points) {
+    const QPoint at = layout.toScreen(p).toPoint();
+    QVERIFY(pixelsLike(image, colour, QRect(at - QPoint(2, 2), QSize(4, 4))) > 8);
+    atPoints += pixelsLike(image, colour, QRect(at - QPoint(5, 5), QSize(10, 10)));
+  }
+  // Besides, only the line between them has that colour.
+  const int elsewhere = pixelsLike(image, colour, image.rect()) - atPoints;
+  QVERIFY2(elsewhere > 50 && elsewhere < 2000, qPrintable(QString::number(elsewhere)));
+  // The ground is that of the theme; titles and numbers stand out from it.
+  QVERIFY(pixelsLike(image, themeColours(theme).base, image.rect()) > kSize.width() * kSize.height() / 3);
+  QVERIFY(pixelsLike(image, themeColours(theme).text, image.rect()) > 50);
+}
+
+void PlotPictureTest::oneMorePlotOneMorePlace() {
+  QCOMPARE(plotImage(std::vector(1, trade()), kSize, ThemeKind::Light).size(), kSize);
+  QCOMPARE(plotImage(std::vector(2, trade()), kSize, ThemeKind::Light).size(), QSize(960, 320));
+  QCOMPARE(plotImage(std::vector(3, trade()), kSize, ThemeKind::Light).size(), QSize(960, 640));
+  QCOMPARE(plotImage(std::vector(5, trade()), kSize, ThemeKind::Light).size(), QSize(1440, 640));
+  QCOMPARE(plotImage(std::vector(2, trade()), kSize, ThemeKind::Light, 2.0).size(), QSize(1920, 640));
+  const QImage two = plotImage(std::vector(2, trade()), kSize, ThemeKind::Light);
+  QCOMPARE(two.copy(0, 0, 480, 320), two.copy(480, 0, 480, 320));
+}
+
+// Nothing that a caller may bring makes it crash or hang.
+void PlotPictureTest::strangePlots() {
+  const double infinity = std::numeric_limits<double>::infinity();
+  Plot empty;
+  Plot odd = trade();
+  odd.series[0].points = {{0, 0}, {-1, 1e308}, {infinity, -infinity}, {std::nan(""), 1}, {1e-320, 5e-324}, {1e308, 2}};
+  odd.marks = {{{infinity, 0}, "away"}, {{-5, 1}, "below"}};
+  Plot single = trade();
+  single.series = {{"one", {{3, 3}}, true}};
+  single.marks.clear();
+  for (const Plot& plot : {empty, odd, single}) {
+    QVERIFY(!plotImage(std::vector{plot}, kSize, ThemeKind::Dark).isNull());
+    plotImage(std::vector{plot}, QSize(5, 5), ThemeKind::Light);
+  }
+  QVERIFY(!plotImage({}, kSize, ThemeKind::Light).isNull());
+}
+
+void PlotPictureTest::files() {
+  QTemporaryDir folder;
+  const std::vector plots{trade()};
+  for (const char* name : {"a.png", "a.svg", "a.CSV"}) {
+    QVERIFY(exportPlots(plots, folder.filePath(name), kSize, ThemeKind::Light));
+  }
+  const QImage png(folder.filePath("a.png"));
+  QCOMPARE(png.size(), 2 * kSize);
+  QCOMPARE(contentOf(folder.filePath("a.CSV")), plotCsv(plots));
+  // The SVG file shows what the picture shows.
+  QSvgRenderer svg(folder.filePath("a.svg"));
+  QVERIFY(svg.isValid());
+  QCOMPARE(svg.viewBox(), QRect(QPoint(), kSize));
+  QImage drawn(kSize, QImage::Format_RGB32);
+  QPainter painter(&drawn);
+  svg.render(&painter);
+  painter.end();
+  const QImage direct = plotImage(plots, kSize, ThemeKind::Light);
+  const QColor blue(0x0072b2);
+  const double ratio = double(pixelsLike(drawn, blue, drawn.rect())) / pixelsLike(direct, blue, direct.rect());
+  QVERIFY2(ratio > 0.8 && ratio < 1.25, qPrintable(QString::number(ratio)));
+
+  const Status wrongEnding = exportPlots(plots, folder.filePath("a.bmp"), kSize, ThemeKind::Light);
+  QVERIFY(!wrongEnding && wrongEnding.error().code == ErrorCode::ExtensionUnknown);
+  const Status noFolder = exportPlots(plots, folder.filePath("none/a.png"), kSize, ThemeKind::Light);
+  QVERIFY(!noFolder && noFolder.error().code == ErrorCode::WriteFailed);
+}
+
+void PlotPictureTest::csv() {
+  QCOMPARE(plotCsv(std::vector{trade()}), QByteArray("plot,series,x,y\n"
+                                                     "mesh.fill_method,\"sphere, cut\",1,0.5\n"
+                                                     "mesh.fill_method,\"sphere, cut\",10,0.05\n"
+                                                     "mesh.fill_method,\"sphere, cut\",100,0.01\n"
+                                                     "mesh.fill_method,\"torus \"\"thin\"\"\",2,0.3\n"
+                                                     "mesh.fill_method,\"torus \"\"thin\"\"\",20,nan\n"
+                                                     "mesh.fill_method,\"torus \"\"thin\"\"\",200,0.02\n"));
+}
+
+QTEST_MAIN(PlotPictureTest)
+#include "PlotPictureTest.moc"

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "viewport/Viewport.h"
+
+#include <QApplication>
+#include <QtTest>
+#include <memory>
+
+namespace handwheel {
+
+// A viewport of 600 × 500 pixels on the display, for each test a new one.
+class ViewportFixture : public QObject {
+  Q_OBJECT
+
+ protected:
+  std::unique_ptr<Viewport> m_view;
+
+ private slots:
+  void initTestCase() {
+    qRegisterMetaType<handwheel::Pick>();
+    Viewport probe;
+    probe.resize(200, 150);
+    probe.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&probe));
+    QTRY_VERIFY(probe.isValid() || !probe.graphicsProblem().isEmpty());
+    if (!probe.graphicsProblem().isEmpty()) QSKIP("the display offers no GLX");
+  }
+
+  void init() {
+    m_view = std::make_unique<Viewport>();
+    m_view->resize(600, 500);
+    m_view->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_view.get()));
+  }
+
+  void cleanup() { m_view.reset(); }
+};
+
+// Stands in for the tests where there is no display to run them on.
+class WithoutDisplay : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void viewport() { QSKIP("DISPLAY is not set: the viewport cannot be tested"); }
+};
+
+template <class Test>
+int runOnDisplay(int argc, char** argv) {
+  if (qEnvironmentVariableIsEmpty("DISPLAY")) {
+    WithoutDisplay skipped;
+    return QTest::qExec(&skipped, argc, argv);
+  }
+  Viewport::prepareApplication();
+  QApplication app(argc, argv);
+  Test test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ShapeModels.h"
+#include "viewport/PartActors.h"
+#include "viewport/PartPreparation.h"
+
+#include <vtkActorCollection.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+
+#include <rapidcheck.h>
+#include <QtTest>
+
+using namespace handwheel;
+
+namespace {
+
+const auto kBox = shared(boxSoup({1, 2, 3}));
+
+DisplayPart partAt(const std::string& name, const Vec3& where, const std::shared_ptr<const TriangleSoup>& soup = kBox) {
+  DisplayPart part{name, soup};
+  part.pose.translation() = where;
+  return part;
+}
+
+void makeAll(PartActors& actors) {
+  for (const auto& soup : actors.missing()) {
+    PartShape shape = shapeOf(*soup);
+    actors.setShape(soup, shape);
+  }
+  while (actors.takeOne() > 0) {
+  }
+}
+
+}  // namespace
+
+// Needs no display: nothing is rendered.
+class PartActorsTest : public QObject {
+  Q_OBJECT
+
+  vtkNew<vtkRenderer> m_renderer;
+
+  std::vector<vtkActor*> shown() {
+    std::vector<vtkActor*> actors;
+    vtkActorCollection* all = m_renderer->GetActors();
+    all->InitTraversal();
+    while (vtkActor* actor = all->GetNextActor()) actors.push_back(actor);
+    return actors;
+  }
+
+  // Where the actor draws the point of the part, in model coordinates.
+  static Vec3 drawnAt(vtkActor* actor, const Vec3& inGeometry, const Vec3& origin) {
+    const double p[4] = {inGeometry.x(), inGeometry.y(), inGeometry.z(), 1};
+    double q[4];
+    actor->GetMatrix()->MultiplyPoint(p, q);
+    return Vec3(q[0], q[1], q[2]) + origin;
+  }
+
+ private slots:
+  void cleanup() { m_renderer->RemoveAllViewProps(); }
+
+  void nothingIsShownBeforeTheShapeIsMade() {
+    PartActors actors(m_renderer);
+    actors.set({partAt("a", {0, 0, 0}), partAt("b", {5, 0, 0})});
+    QVERIFY(shown().empty());
+    QCOMPARE(actors.missing(), std::vector{kBox});  // once for both
+    QVERIFY(actors.pickable().empty());
+    makeAll(actors);
+    QCOMPARE(shown().size(), std::size_t{2});
+    QCOMPARE(actors.builtCount(), 1);
+    QCOMPARE(actors.pickable().size(), std::size_t{2});
+    QVERIFY(actors.missing().empty());
+  }
+
+  // The geometry stands about the middle of the box, the drawing about the origin; both are taken out again.
+  void actorsStandWhereThePoseSays() {
+    QVERIFY(rc::check([this] {
+      const auto number = [](double limit) { return *rc::gen::inRange(-1000, 1001) * limit / 1000.0; };
+      PartActors actors(m_renderer);
+      const Vec3 origin(number(1e7), number(1e7), number(1e7));
+      actors.setOrigin(origin);
+      actors.set({partAt("a", origin)});
+      makeAll(actors);
+      vtkActor* actor = shown().at(0);
+      DisplayPart part = partAt("a", origin + Vec3(number(100), number(100), number(100)));
+      part.pose.linear() =
+          Eigen::Quaterniond(number(1) + 1.01, number(1), number(1), number(1)).normalized().toRotationMatrix();
+      actors.set({part});
+      RC_ASSERT(shown() == std::vector{actor});
+      RC_ASSERT(actors.builtCount() == 1);
+      const Vec3 p(number(1), number(2), number(3)), middle(0.5, 1, 1.5);
+      RC_ASSERT((drawnAt(actor, p - middle, origin) - part.pose * p).norm() < 1e-8);
+      m_renderer->RemoveAllViewProps();
+    }));
+  }
+
+  void boundsAndOutlineFollowThePoses() {
+    PartActors actors(m_renderer);
+    DisplayPart turned = partAt("b", {10, 0, 0});
+    turned.pose.linear() = Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitZ()).toRotationMatrix();
+    actors.set({partAt("a", {0, 0, 0}), turned});
+    QVERIFY((actors.bounds().min() - Vec3(0, 0, 0)).norm() < 1e-12);
+    QVERIFY((actors.bounds().max() - Vec3(10, 2, 3)).norm() < 1e-12);
+    Box outline;
+    for (const Vec3& p : actors.outline()) outline.extend(p);
+    QVERIFY(outline.isApprox(actors.bounds()));
+  }
+
+  // A slider that changes the shape faster than it can be made: the last one made stays, until a later one is.
+  void theFormerShapeStaysUntilTheNewOneIsMade() {
+    PartActors actors(m_renderer);
+    actors.set({partAt("a", {0, 0, 0})});
+    makeAll(actors);
+    vtkActor* first = shown().at(0);
+    const auto second = shared(boxSoup({2, 2, 2})), third = shared(boxSoup({3, 3, 3})),
+               last = shared(boxSoup({4, 4, 4}));
+    for (const auto& soup : {second, third, last}) {
+      actors.set({partAt("a", {1, 0, 0}, soup)});
+      QCOMPARE(shown(), std::vector{first});
+      QVERIFY((drawnAt(first, {0, 0, 0}, Vec3::Zero()) - Vec3(1.5, 1, 1.5)).norm() < 1e-12);  // moved along
+    }
+    PartShape shape = shapeOf(*second);  // it was under way
+    QVERIFY(actors.setShape(second, shape));
+    QVERIFY(actors.takeOne() > 0);
+    vtkActor* between = shown().at(0);
+    QVERIFY(between != first);
+    PartShape obsolete = shapeOf(*third);  // nobody waits for this
+    QVERIFY(!actors.setShape(third, obsolete));
+    makeAll(actors);
+    QCOMPARE(shown().size(), std::size_t{1});
+    QVERIFY(shown().at(0) != between);
+    QVERIFY((actors.bounds().max() - Vec3(5, 4, 4)).norm() < 1e-12);
+  }
+
+  void whatIsGoneIsFreed() {
+    PartActors actors(m_renderer);
+    auto soup = std::make_shared<const TriangleSoup>(boxSoup({1, 1, 1}));
+    const std::weak_ptr<const TriangleSoup> watched = soup;
+    actors.set({partAt("a", {0, 0, 0}, soup)});
+    makeAll(actors);
+    soup.reset();
+    QVERIFY(!watched.expired());
+    actors.set({});
+    QVERIFY(watched.expired());
+    QVERIFY(shown().empty());
+    QVERIFY(actors.bounds().isEmpty());
+  }
+
+  void oddSoupsDoNoHarm() {
+    PartActors actors(m_renderer);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    TriangleSoup odd;
+    odd.points = {{nan, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    odd.triangles = {{1, 2, 3}, {1, 1, 1}};
+    const auto empty = shared({});
+    actors.set({partAt("empty", {0, 0, 0}, empty), partAt("odd", {0, 0, 0}, shared(odd)), partAt("twice", {0, 0, 0}),
+                partAt("twice", {9, 9, 9})});
+    makeAll(actors);
+    QCOMPARE(actors.builtCount(), 3);
+    QVERIFY((actors.bounds().max() - Vec3(10, 11, 12)).norm() < 1e-12);
+    actors.set({partAt("twice", {0, 0, 0})});
+    QCOMPARE(shown().size(), std::size_t{1});
+    actors.set({});
+    QVERIFY(shown().empty());
+  }
+
+  void largePartsComeInBlocks() {
+    PartActors actors(m_renderer);
+    actors.set({partAt("ball", {0, 0, 0}, shared(sphereSoup(200)))});  // 159 200 triangles
+    PartShape shape = shapeOf(*actors.missing().at(0));
+    QVERIFY(actors.setShape(actors.missing().at(0), shape));
+    std::size_t triangles = 0, blocks = 0;
+    while (const std::size_t some = actors.takeOne()) {
+      QVERIFY(some <= kBlockFaces);
+      triangles += some;
+      QCOMPARE(shown().size(), ++blocks);
+    }
+    QCOMPARE(triangles, std::size_t{159200});
+    QCOMPARE(blocks, std::size_t{3});
+  }
+
+  void highlightedPartsAreTinted() {
+    PartActors actors(m_renderer);
+    actors.set({partAt("a", {0, 0, 0}), partAt("b", {5, 0, 0})});
+    makeAll(actors);
+    const auto colours = [this] {
+      std::vector<Vec3> all;
+      for (vtkActor* actor : shown()) all.emplace_back(actor->GetProperty()->GetColor());
+      return all;
+    };
+    const auto plain = colours();
+    actors.setHighlighted("", "b");
+    QVERIFY(colours()[0] == plain[0] && colours()[1] != plain[1]);
+    actors.setHighlighted("a", "");
+    QVERIFY(colours()[0] != plain[0] && colours()[1] == plain[1]);
+    actors.setHighlighted("", "");
+    QVERIFY(colours() == plain);
+  }
+
+  // Every soup is delivered once, in order; one that is being made is delivered although no longer asked for.
+  void preparationDelivers() {
+    std::vector<std::shared_ptr<const TriangleSoup>> delivered;
+    PartPreparation preparation([&](const PartPreparation::Soup& soup, PartShape shape) {
+      QVERIFY(shape.index != nullptr);
+      delivered.push_back(soup);
+    });
+    const auto a = shared(sphereSoup(30)), b = shared(sphereSoup(20)), c = shared(sphereSoup(10));
+    preparation.request({a, b});
+    preparation.request({c});
+    QTRY_COMPARE(delivered.size(), std::size_t{2});
+    QVERIFY(delivered == (std::vector{a, c}));
+    QTRY_VERIFY(!preparation.isUnderWay());
+    preparation.request({b, a});
+    preparation.finish();
+    QVERIFY(delivered == (std::vector{a, c, b, a}));
+    preparation.request({b});
+    preparation.cancel();
+    QTest::qWait(50);
+    QCOMPARE(delivered.size(), std::size_t{4});
+  }
+};
+
+QTEST_GUILESS_MAIN(PartActorsTest)
+#include "PartActorsTest.moc"

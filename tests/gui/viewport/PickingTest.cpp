@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "SheetModel.h"
+#include "mesh/MeshBuilder.h"
+#include "viewport/BrushOutline.h"
+#include "viewport/Picking.h"
+
+#include <rapidcheck.h>
+#include <QtTest>
+
+using namespace handwheel;
+
+namespace {
+
+const Vec2 kSize(600, 500);
+
+double number(double limit) {
+  return *rc::gen::inRange(-1000, 1001) * limit / 1000.0;
+}
+
+std::shared_ptr<const PickIndex> indexOf(const TriangleSoup& soup) {
+  return std::make_shared<const PickIndex>(buildMesh(soup).mesh);
+}
+
+CameraState fromAbove(Projection projection) {
+  CameraState c;
+  c.centre = Vec3(10, 10, 0);
+  c.height = 25;
+  c.projection = projection;
+  return c;
+}
+
+Pose raisedBy(double z) {
+  Pose pose = Pose::Identity();
+  pose.translation().z() = z;
+  return pose;
+}
+
+}  // namespace
+
+class PickingTest : public QObject {
+  Q_OBJECT
+
+  const std::shared_ptr<const PickIndex> m_sheet = indexOf(sheet(kCells));
+
+ private slots:
+  // Project a point of the sheet, pick there: the same point comes back.
+  void pickInvertsProjection() {
+    QVERIFY(rc::check([&] {
+      CameraState c = fromAbove(*rc::gen::element(Projection::Parallel, Projection::Perspective));
+      c.orientation = Eigen::Quaterniond(2 + number(1), number(0.5), number(0.5), number(1)).normalized();
+      const CameraNavigation view(c, kSize);
+      const Vec3 p(10 + number(9.9), 10 + number(9.9), 0);
+      if (!view.isBeforeEye(p)) return;
+      const Pick pick = pickAt({.mesh = m_sheet.get()}, view, view.toScreen(p));
+      RC_ASSERT(pick.face != kNone);
+      RC_ASSERT((pick.point - p).norm() < 1e-9);
+      RC_ASSERT(pick.part.empty());
+    }));
+  }
+
+  void theNearestPartIsPicked() {
+    const std::vector<PickPart> parts{
+        {"low", raisedBy(1), m_sheet}, {"high", raisedBy(3), m_sheet}, {"below", raisedBy(-3), m_sheet}};
+    for (const Projection projection : {Projection::Parallel, Projection::Perspective}) {
+      const CameraNavigation view(fromAbove(projection), kSize);
+      const Vec3 p(7.3, 8.4, 3);
+      const Pick pick = pickAt({.mesh = m_sheet.get(), .parts = parts}, view, view.toScreen(p));
+      QCOMPARE(pick.part, "high");
+      QCOMPARE(pick.face, kNone);
+      QVERIFY((pick.point - p).norm() < 1e-9);
+      QVERIFY(!pick.isNothing());
+    }
+  }
+
+  // A part is found where its pose puts it, however far away.
+  void partsArePickedInTheirPose() {
+    QVERIFY(rc::check([&] {
+      Pose pose = Pose::Identity();
+      pose.linear() =
+          Eigen::Quaterniond(1 + number(0.9), number(1), number(1), number(1)).normalized().toRotationMatrix();
+      pose.translation() = Vec3(1e7, -1e7, 5e6);
+      const Vec3 p = pose * Vec3(10 + number(9.9), 10 + number(9.9), 0);
+      CameraState c = fromAbove(Projection::Perspective);
+      c.orientation = Eigen::Quaterniond(pose.linear());
+      c.centre = p;
+      const std::vector<PickPart> parts{{"sheet", pose, m_sheet}};
+      const Pick pick = pickAt({.parts = parts}, CameraNavigation(c, kSize), kSize / 2);
+      RC_ASSERT(pick.part == "sheet");
+      RC_ASSERT((pick.point - p).norm() < 1e-6);
+    }));
+  }
+
+  // The plane opens the upper sheet on one side: there the lower one is picked, and nothing when it is clipped as well.
+  void whatIsClippedAwayIsNotPicked() {
+    const std::vector<PickPart> parts{{"low", raisedBy(0), m_sheet}, {"high", raisedBy(3), m_sheet}};
+    for (const Projection projection : {Projection::Parallel, Projection::Perspective}) {
+      const CameraNavigation view(fromAbove(projection), kSize);
+      const auto pickedAt = [&](const Vec3& p, const ClipPlane& clip) {
+        return pickAt({.parts = parts, .clip = clip}, view, view.toScreen(p)).part;
+      };
+      const ClipPlane between{Vec3::UnitZ(), 1.5, true};
+      QCOMPARE(pickedAt({5, 5, 3}, between), "low");
+      QCOMPARE(pickedAt({5, 5, 3}, between.flipped()), "high");
+      const ClipPlane slanted{Vec3(1, 0, 1).normalized(), 10 / std::sqrt(2.0), true};  // keeps x + z <= 10
+      QCOMPARE(pickedAt({6.9, 5, 3}, slanted), "high");
+      QCOMPARE(pickedAt({9.9, 10, 0}, slanted), "low");
+      QCOMPARE(pickedAt({10.1, 10, 0}, slanted), "");
+      QCOMPARE(pickedAt({5, 5, 3}, {Vec3::UnitZ(), -1, true}), "");
+      QCOMPARE(pickedAt({5, 5, 3}, {Vec3::UnitZ(), -1, false}), "high");
+      QCOMPARE(pickedAt({8, 8, 0}, {Vec3::UnitX(), 5, true}), "");
+    }
+  }
+
+  void clippedLoopIsNotPicked() {
+    const std::vector<LoopMark> loops{squareLoop(0, Qt::blue)};
+    const CameraNavigation view(fromAbove(Projection::Perspective), kSize);
+    const Vec2 at = view.toScreen({5, 10, 0});
+    QCOMPARE(pickAt({.mesh = m_sheet.get(), .loops = loops}, view, at).loop, 7);
+    const Pick clipped = pickAt({.mesh = m_sheet.get(), .loops = loops, .clip = {-Vec3::UnitX(), -8, true}}, view, at);
+    QCOMPARE(clipped.loop, -1);
+    QVERIFY(clipped.isNothing());
+  }
+
+  // On a slanted line under perspective the middle of the picture is not the middle of the line.
+  void loopPointIsWhereTheCursorIs() {
+    CameraState c = fromAbove(Projection::Perspective);
+    c.orientation = Eigen::Quaterniond(Eigen::AngleAxisd(1.2, Vec3::UnitX()));
+    const CameraNavigation view(c, kSize);
+    const std::vector<LoopMark> loops{{4, {{10, 2, 0}, {10, 18, 0}}, Qt::blue, false}};
+    for (const double y : {2.5, 7.0, 10.0, 17.0}) {
+      const Pick pick = pickAt({.loops = loops}, view, view.toScreen({10, y, 0}));
+      QCOMPARE(pick.loop, 4);
+      QVERIFY((pick.point - Vec3(10, y, 0)).norm() < 1e-9);
+    }
+  }
+
+  void loopBehindTheEyeIsNotPicked() {
+    const CameraState c = fromAbove(Projection::Perspective);
+    const CameraNavigation view(c, kSize);
+    const double behind = 2 * c.eyeDistance();
+    const std::vector<LoopMark> loops{{4, {{9, 9, behind}, {11, 11, behind}}, Qt::blue, false}};
+    QCOMPARE(pickAt({.loops = loops}, view, kSize / 2).loop, -1);
+  }
+
+  // A circle on a plane is that circle; on a roof it follows both slopes; beyond the surface it is flat.
+  void brushLiesOnTheSurface() {
+    const BrushCircle brush{Vec3(10, 10, 0), 3.0};
+    for (const Vec3& p : brushOutline({.mesh = m_sheet.get()}, brush, Vec3::UnitZ())) {
+      QVERIFY(std::abs((p - brush.centre).norm() - 3) < 1e-9);
+      QVERIFY(std::abs(p.z()) < 1e-9);
+    }
+    TriangleSoup roof;  // ridge along y at z = 0, slopes of 15°
+    const double fall = 20 * std::tan(15 * kRadiansPerDegree);
+    roof.points = {{0, -20, 0}, {0, 20, 0}, {-20, 0, -fall}, {20, 0, -fall}};
+    roof.triangles = {{0, 1, 2}, {1, 0, 3}};
+    const auto index = indexOf(roof);
+    for (const Vec3& p : brushOutline({.mesh = index.get()}, {Vec3(0.01, 0, 0), 2.0}, Vec3::UnitZ())) {
+      QVERIFY(std::abs(p.z() + std::abs(p.x()) * std::tan(15 * kRadiansPerDegree)) < 1e-9);
+    }
+    const std::vector<Vec3> free = brushOutline({}, brush, Vec3::UnitX());
+    for (const Vec3& p : free) QVERIFY(std::abs(p.x() - 10) < 1e-12);
+    QVERIFY((free.front() - free.back()).norm() < 1e-12);
+  }
+};
+
+QTEST_APPLESS_MAIN(PickingTest)
+#include "PickingTest.moc"

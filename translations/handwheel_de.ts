@@ -1,0 +1,2663 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>ClosePrompt</name>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Nicht gespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>Save the changes to %1?</source>
+        <translation>Änderungen an %1 speichern?</translation>
+    </message>
+    <message>
+        <source>Without saving they are lost.</source>
+        <translation>Sonst gehen sie verloren.</translation>
+    </message>
+</context>
+<context>
+    <name>DocumentKind</name>
+    <message>
+        <source>Mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>Robot cell</source>
+        <translation>Roboterzelle</translation>
+    </message>
+</context>
+<context>
+    <name>ErrorText</name>
+    <message>
+        <source>%1 expected</source>
+        <translation>%1 erwartet</translation>
+    </message>
+    <message>
+        <source>%1 found</source>
+        <translation>%1 gefunden</translation>
+    </message>
+    <message>
+        <source>the file is too large (more than %1 %2)</source>
+        <translation>die Datei ist zu groß (mehr als %1 %2)</translation>
+    </message>
+    <message>
+        <source>the file is too large (%1 %2, at most %3 can be opened)</source>
+        <translation>die Datei ist zu groß (%1 %2, höchstens %3 können geöffnet werden)</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; makes no sense here</source>
+        <translation>„%1“ ergibt hier keinen Sinn</translation>
+    </message>
+    <message>
+        <source>%1 was expected, but nothing follows</source>
+        <translation>%1 wurde erwartet, aber es folgt nichts mehr</translation>
+    </message>
+    <message>
+        <source>%1 was expected, &apos;%2&apos; was found</source>
+        <translation>%1 wurde erwartet, „%2“ gefunden</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>abgebrochen</translation>
+    </message>
+    <message>
+        <source>there is not enough memory</source>
+        <translation>der Arbeitsspeicher reicht nicht aus</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>diese Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>the file cannot be read (%1)</source>
+        <translation>die Datei kann nicht gelesen werden (%1)</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>this is no mesh file that Handwheel knows</source>
+        <translation>das ist keine Netzdatei, die Handwheel kennt</translation>
+    </message>
+    <message>
+        <source>no mesh format belongs to the ending &apos;%1&apos;</source>
+        <translation>zur Endung „%1“ gehört kein Netzformat</translation>
+    </message>
+    <message>
+        <source>the header is malformed: %1 is missing</source>
+        <translation>der Dateikopf ist fehlerhaft: %1 fehlt</translation>
+    </message>
+    <message>
+        <source>the text is in %1, which cannot be read</source>
+        <translation>der Text ist in %1 kodiert, was nicht gelesen werden kann</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a number</source>
+        <translation>„%1“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>the coordinate &apos;%1&apos; is not a finite number</source>
+        <translation>die Koordinate „%1“ ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>a face uses vertex %1, but the file has %2 vertices</source>
+        <translation>eine Fläche verwendet Eckpunkt %1, die Datei hat aber nur %2 Eckpunkte</translation>
+    </message>
+    <message>
+        <source>a face uses vertex %1, which could not be read</source>
+        <translation>eine Fläche verwendet Eckpunkt %1, der nicht gelesen werden konnte</translation>
+    </message>
+    <message>
+        <source>a face with %1 corners was cut into triangles as if it were convex</source>
+        <translation>eine Fläche mit %1 Ecken wurde in Dreiecke zerlegt, als wäre sie konvex</translation>
+    </message>
+    <message>
+        <source>a face has fewer than three corners (%1)</source>
+        <translation>eine Fläche hat weniger als drei Ecken (%1)</translation>
+    </message>
+    <message>
+        <source>the file ends too early (%1)</source>
+        <translation>die Datei endet zu früh (%1)</translation>
+    </message>
+    <message>
+        <source>the file contradicts itself (%1)</source>
+        <translation>die Datei widerspricht sich (%1)</translation>
+    </message>
+    <message>
+        <source>the data type &apos;%1&apos; is not known</source>
+        <translation>der Datentyp „%1“ ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the file holds no triangle</source>
+        <translation>die Datei enthält kein Dreieck</translation>
+    </message>
+    <message>
+        <source>the file is damaged here, and none of its triangles can be read</source>
+        <translation>die Datei ist hier beschädigt, und keines ihrer Dreiecke ist lesbar</translation>
+    </message>
+    <message>
+        <source>the file could not be written (%1)</source>
+        <translation>die Datei konnte nicht geschrieben werden (%1)</translation>
+    </message>
+    <message>
+        <source>the written file does not read back as it should (%1), so it was not kept</source>
+        <translation>die geschriebene Datei liest sich nicht wie erwartet zurück (%1) und wurde daher verworfen</translation>
+    </message>
+    <message>
+        <source>the archive cannot be read (%1)</source>
+        <translation>das Archiv kann nicht gelesen werden (%1)</translation>
+    </message>
+    <message>
+        <source>the part &apos;%1&apos; is missing</source>
+        <translation>der Teil „%1“ fehlt</translation>
+    </message>
+    <message>
+        <source>the part &apos;%1&apos; is damaged</source>
+        <translation>der Teil „%1“ ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the file has version %1 of the format; this program knows up to version %2</source>
+        <translation>die Datei hat Formatversion %1; dieses Programm kennt Versionen bis %2</translation>
+    </message>
+    <message>
+        <source>the file holds a &apos;%1&apos;, a kind of document that this program does not know</source>
+        <translation>die Datei enthält „%1“, eine Dokumentart, die dieses Programm nicht kennt</translation>
+    </message>
+    <message>
+        <source>the element &apos;%1&apos; is malformed: %2</source>
+        <translation>das Element „%1“ ist fehlerhaft: %2</translation>
+    </message>
+    <message>
+        <source>%1 &apos;%2&apos; is named, but cannot be found</source>
+        <translation>%1 „%2“ wird genannt, ist aber nicht zu finden</translation>
+    </message>
+    <message>
+        <source>%1 cannot be %2; it must lie between %3 and %4</source>
+        <translation>%1 kann nicht %2 sein; erlaubt ist %3 bis %4</translation>
+    </message>
+    <message>
+        <source>%1 is not supported</source>
+        <translation>%1 wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>the library %1 gave up (%2)</source>
+        <translation>die Bibliothek %1 hat aufgegeben (%2)</translation>
+    </message>
+    <message>
+        <source>byte %1</source>
+        <translation>Byte %1</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>Close other documents or programs, or try a model with fewer triangles.</source>
+        <translation>Schließen Sie andere Dokumente oder Programme, oder nehmen Sie ein Modell mit weniger Dreiecken.</translation>
+    </message>
+    <message>
+        <source>Check the name, or whether the file was moved.</source>
+        <translation>Prüfen Sie den Namen und ob die Datei verschoben wurde.</translation>
+    </message>
+    <message>
+        <source>Name a file that you may read, and check that its disk is connected.</source>
+        <translation>Wählen Sie eine Datei, die Sie lesen dürfen, und prüfen Sie, ob ihr Laufwerk verbunden ist.</translation>
+    </message>
+    <message>
+        <source>Export or copy the file again.</source>
+        <translation>Exportieren oder kopieren Sie die Datei noch einmal.</translation>
+    </message>
+    <message>
+        <source>Reduce or split the model in the program that made it.</source>
+        <translation>Verkleinern oder teilen Sie das Modell in dem Programm, das es erzeugt hat.</translation>
+    </message>
+    <message>
+        <source>Export the model as STL, PLY, OBJ or OFF.</source>
+        <translation>Exportieren Sie das Modell als STL, PLY, OBJ oder OFF.</translation>
+    </message>
+    <message>
+        <source>Use a name that ends in .stl, .ply, .obj or .off.</source>
+        <translation>Wählen Sie einen Namen, der auf .stl, .ply, .obj oder .off endet.</translation>
+    </message>
+    <message>
+        <source>Save the file as UTF-8 text or in a binary format.</source>
+        <translation>Speichern Sie die Datei als UTF-8-Text oder in einem Binärformat.</translation>
+    </message>
+    <message>
+        <source>Export the file again; its beginning is damaged or of a variant that is not supported.</source>
+        <translation>Exportieren Sie die Datei noch einmal; ihr Anfang ist beschädigt oder von einer nicht unterstützten Variante.</translation>
+    </message>
+    <message>
+        <source>Export or copy the file again, or open only what is readable (on the command line: --partial).</source>
+        <translation>Exportieren oder kopieren Sie die Datei noch einmal, oder öffnen Sie nur, was lesbar ist (auf der Befehlszeile: --partial).</translation>
+    </message>
+    <message>
+        <source>Check the shape of that face, or export the model as triangles.</source>
+        <translation>Prüfen Sie die Form dieser Fläche, oder exportieren Sie das Modell als Dreiecke.</translation>
+    </message>
+    <message>
+        <source>Export the model as a surface of triangles; points and curves alone cannot be repaired.</source>
+        <translation>Exportieren Sie das Modell als Dreiecksfläche; Punkte und Kurven allein lassen sich nicht reparieren.</translation>
+    </message>
+    <message>
+        <source>Check the free space and that you may write there, or choose another place.</source>
+        <translation>Prüfen Sie den freien Platz und Ihre Schreibrechte, oder wählen Sie einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>An earlier file of that name is untouched. Save in another format, for example PLY.</source>
+        <translation>Eine frühere Datei dieses Namens ist unverändert. Speichern Sie in einem anderen Format, zum Beispiel PLY.</translation>
+    </message>
+    <message>
+        <source>Copy the file again, or go back to an earlier copy of it.</source>
+        <translation>Kopieren Sie die Datei noch einmal, oder nehmen Sie eine frühere Kopie.</translation>
+    </message>
+    <message>
+        <source>Open it with a newer version of Handwheel.</source>
+        <translation>Öffnen Sie sie mit einer neueren Version von Handwheel.</translation>
+    </message>
+    <message>
+        <source>Mend the file at this place, or export it again.</source>
+        <translation>Berichtigen Sie die Datei an dieser Stelle, oder exportieren Sie sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Put the missing file where the other one expects it.</source>
+        <translation>Legen Sie die fehlende Datei dorthin, wo die andere sie erwartet.</translation>
+    </message>
+    <message>
+        <source>Enter a value within these limits.</source>
+        <translation>Geben Sie einen Wert innerhalb dieser Grenzen ein.</translation>
+    </message>
+    <message>
+        <source>Export the model in another way or another format.</source>
+        <translation>Exportieren Sie das Modell auf andere Weise oder in einem anderen Format.</translation>
+    </message>
+</context>
+<context>
+    <name>ExpressionText</name>
+    <message>
+        <source>A number is missing</source>
+        <translation>Es fehlt eine Zahl</translation>
+    </message>
+    <message>
+        <source>This is too long</source>
+        <translation>Das ist zu lang</translation>
+    </message>
+    <message>
+        <source>Too many brackets within brackets</source>
+        <translation>Zu viele ineinander geschachtelte Klammern</translation>
+    </message>
+    <message>
+        <source>A number is missing at the end</source>
+        <translation>Am Ende fehlt eine Zahl</translation>
+    </message>
+    <message>
+        <source>A number is missing before “%1”</source>
+        <translation>Vor „%1“ fehlt eine Zahl</translation>
+    </message>
+    <message>
+        <source>A sign such as + or * is missing before “%1”</source>
+        <translation>Vor „%1“ fehlt ein Rechenzeichen wie + oder *</translation>
+    </message>
+    <message>
+        <source>A closing bracket is missing at the end</source>
+        <translation>Am Ende fehlt eine schließende Klammer</translation>
+    </message>
+    <message>
+        <source>A closing bracket is missing before “%1”</source>
+        <translation>Vor „%1“ fehlt eine schließende Klammer</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number</source>
+        <translation>„%1“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>“%1” can be read in two ways; write it with a point, or without the comma</source>
+        <translation>„%1“ ist mehrdeutig; schreiben Sie es mit Punkt oder ohne Komma</translation>
+    </message>
+    <message>
+        <source>There is no unit “%1”</source>
+        <translation>Die Einheit „%1“ gibt es nicht</translation>
+    </message>
+    <message>
+        <source>Lengths, angles and plain numbers cannot be added to each other</source>
+        <translation>Längen, Winkel und reine Zahlen lassen sich nicht addieren</translation>
+    </message>
+    <message>
+        <source>The result has the wrong unit</source>
+        <translation>Das Ergebnis hat die falsche Einheit</translation>
+    </message>
+    <message>
+        <source>Nothing can be divided by zero</source>
+        <translation>Durch null kann nicht geteilt werden</translation>
+    </message>
+    <message>
+        <source>The result is too large</source>
+        <translation>Das Ergebnis ist zu groß</translation>
+    </message>
+    <message>
+        <source>%1 (character %2).</source>
+        <translation>%1 (Zeichen %2).</translation>
+    </message>
+</context>
+<context>
+    <name>HelpPages</name>
+    <message>
+        <source>Click</source>
+        <translation>Klick</translation>
+    </message>
+    <message>
+        <source>select a hole</source>
+        <translation>Loch auswählen</translation>
+    </message>
+    <message>
+        <source>Double-click</source>
+        <translation>Doppelklick</translation>
+    </message>
+    <message>
+        <source>go to a hole</source>
+        <translation>zu einem Loch gehen</translation>
+    </message>
+    <message>
+        <source>Middle drag</source>
+        <translation>Mittlere Taste ziehen</translation>
+    </message>
+    <message>
+        <source>orbit</source>
+        <translation>drehen</translation>
+    </message>
+    <message>
+        <source>Shift+middle drag</source>
+        <translation>Umschalt+mittlere Taste ziehen</translation>
+    </message>
+    <message>
+        <source>pan</source>
+        <translation>verschieben</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Rad</translation>
+    </message>
+    <message>
+        <source>zoom to the cursor</source>
+        <translation>zum Mauszeiger zoomen</translation>
+    </message>
+    <message>
+        <source>N or Space</source>
+        <translation>N oder Leertaste</translation>
+    </message>
+    <message>
+        <source>next hole</source>
+        <translation>nächstes Loch</translation>
+    </message>
+    <message>
+        <source>Shift+N</source>
+        <translation>Umschalt+N</translation>
+    </message>
+    <message>
+        <source>previous hole</source>
+        <translation>voriges Loch</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>fill the selected hole</source>
+        <translation>ausgewähltes Loch füllen</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>keep the selected hole open</source>
+        <translation>ausgewähltes Loch offen lassen</translation>
+    </message>
+    <message>
+        <source>P</source>
+        <translation>P</translation>
+    </message>
+    <message>
+        <source>preview on or off</source>
+        <translation>Vorschau ein oder aus</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>clear selection and preview</source>
+        <translation>Auswahl und Vorschau aufheben</translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation>Strg+R</translation>
+    </message>
+    <message>
+        <source>repair all</source>
+        <translation>alles reparieren</translation>
+    </message>
+    <message>
+        <source>F</source>
+        <translation>F</translation>
+    </message>
+    <message>
+        <source>show the whole model</source>
+        <translation>ganzes Modell zeigen</translation>
+    </message>
+    <message>
+        <source>1 to 7</source>
+        <translation>1 bis 7</translation>
+    </message>
+    <message>
+        <source>front, back, right, left, top, bottom, isometric</source>
+        <translation>vorne, hinten, rechts, links, oben, unten, isometrisch</translation>
+    </message>
+    <message>
+        <source>Ctrl+O, Ctrl+S, Ctrl+Shift+S</source>
+        <translation>Strg+O, Strg+S, Strg+Umschalt+S</translation>
+    </message>
+    <message>
+        <source>open, save, save as</source>
+        <translation>öffnen, speichern, speichern unter</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z, Ctrl+Shift+Z</source>
+        <translation>Strg+Z, Strg+Umschalt+Z</translation>
+    </message>
+    <message>
+        <source>undo, redo</source>
+        <translation>rückgängig machen, wiederholen</translation>
+    </message>
+    <message>
+        <source>Ctrl+W, Ctrl+Q</source>
+        <translation>Strg+W, Strg+Q</translation>
+    </message>
+    <message>
+        <source>close the document, quit</source>
+        <translation>Dokument schließen, beenden</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>Repairs scanned meshes: finds their defects, fills their holes.</source>
+        <translation>Repariert gescannte Netze: findet ihre Fehler, füllt ihre Löcher.</translation>
+    </message>
+    <message>
+        <source>Free software under the GNU General Public Licence, version 3 or later.&lt;br&gt;Built with Qt, VTK, CGAL and Eigen.</source>
+        <translation>Freie Software unter der GNU General Public License, Version 3 oder neuer.&lt;br&gt;Gebaut mit Qt, VTK, CGAL und Eigen.</translation>
+    </message>
+    <message>
+        <source>About Handwheel</source>
+        <translation>Über Handwheel</translation>
+    </message>
+</context>
+<context>
+    <name>Navigation</name>
+    <message>
+        <source>Handwheel</source>
+        <translation>Handwheel</translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation>Blender</translation>
+    </message>
+    <message>
+        <source>FreeCAD</source>
+        <translation>FreeCAD</translation>
+    </message>
+    <message>
+        <source>SolidWorks</source>
+        <translation>SolidWorks</translation>
+    </message>
+    <message>
+        <source>Laptop without a middle button</source>
+        <translation>Laptop ohne mittlere Taste</translation>
+    </message>
+    <message>
+        <source>Ctrl+</source>
+        <translation>Strg+</translation>
+    </message>
+    <message>
+        <source>Alt+</source>
+        <translation>Alt+</translation>
+    </message>
+    <message>
+        <source>Shift+</source>
+        <translation>Umschalt+</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>orbit</source>
+        <translation>drehen</translation>
+    </message>
+    <message>
+        <source>pan</source>
+        <translation>verschieben</translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation>zoomen</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Rad</translation>
+    </message>
+</context>
+<context>
+    <name>NextSteps</name>
+    <message numerus="yes">
+        <source>%Ln triangle(s) turned over</source>
+        <translation>
+            <numerusform>%Ln Dreieck umgedreht</numerusform>
+            <numerusform>%Ln Dreiecke umgedreht</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln non-manifold edge(s)</source>
+        <translation>
+            <numerusform>%Ln nicht-mannigfaltige Kante</numerusform>
+            <numerusform>%Ln nicht-mannigfaltige Kanten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln non-manifold point(s)</source>
+        <translation>
+            <numerusform>%Ln nicht-mannigfaltiger Punkt</numerusform>
+            <numerusform>%Ln nicht-mannigfaltige Punkte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln pair(s) of near vertices</source>
+        <translation>
+            <numerusform>%Ln Paar fast gleicher Eckpunkte</numerusform>
+            <numerusform>%Ln Paare fast gleicher Eckpunkte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln triangle(s) without area</source>
+        <translation>
+            <numerusform>%Ln entartetes Dreieck</numerusform>
+            <numerusform>%Ln entartete Dreiecke</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln duplicate triangle(s)</source>
+        <translation>
+            <numerusform>%Ln doppeltes Dreieck</numerusform>
+            <numerusform>%Ln doppelte Dreiecke</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln loose piece(s)</source>
+        <translation>
+            <numerusform>%Ln loses Stück</numerusform>
+            <numerusform>%Ln lose Stücke</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln hole(s) found.</source>
+        <translation>
+            <numerusform>%Ln Loch gefunden.</numerusform>
+            <numerusform>%Ln Löcher gefunden.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No holes, but other defects.</source>
+        <translation>Keine Löcher, aber andere Fehler.</translation>
+    </message>
+    <message>
+        <source>%1 stays open: %2.</source>
+        <translation>%1 bleibt offen: %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>…and %Ln more, see the list.</source>
+        <translation>
+            <numerusform>… und %Ln weiteres, siehe Liste.</numerusform>
+            <numerusform>… und %Ln weitere, siehe Liste.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No holes. This is an open sheet.</source>
+        <translation>Keine Löcher. Das ist eine offene Fläche.</translation>
+    </message>
+    <message>
+        <source>No holes are left except those kept open.</source>
+        <translation>Keine Löcher mehr außer den offen gelassenen.</translation>
+    </message>
+    <message>
+        <source>Watertight.</source>
+        <translation>Wasserdicht.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln triangle(s) faced the wrong way and were turned over.</source>
+        <translation>
+            <numerusform>%Ln Dreieck war verkehrt herum und wurde umgedreht.</numerusform>
+            <numerusform>%Ln Dreiecke waren verkehrt herum und wurden umgedreht.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>Gespeichert als %1.</translation>
+    </message>
+    <message>
+        <source>There is nothing to repair.</source>
+        <translation>Es gibt nichts zu reparieren.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln hole(s) could not be filled.</source>
+        <translation>
+            <numerusform>%Ln Loch konnte nicht gefüllt werden.</numerusform>
+            <numerusform>%Ln Löcher konnten nicht gefüllt werden.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Some defects are left.</source>
+        <translation>Einige Fehler sind übrig.</translation>
+    </message>
+</context>
+<context>
+    <name>Note</name>
+    <message>
+        <source>The file is closed, manifold and oriented.</source>
+        <translation>Die Datei ist geschlossen, mannigfaltig und orientiert.</translation>
+    </message>
+    <message>
+        <source>The file has %1 open edges, %2 edges with more than two faces and %3 edges at which faces disagree.</source>
+        <translation>Die Datei hat %1 offene Kanten, %2 Kanten mit mehr als zwei Flächen und %3 Kanten mit gegenläufigen Flächen.</translation>
+    </message>
+    <message>
+        <source>%1 vertices were moved by the smallest possible amount, so that the file does not weld them.</source>
+        <translation>%1 Eckpunkte wurden um das kleinstmögliche Maß verschoben, damit die Datei sie nicht verschmilzt.</translation>
+    </message>
+    <message>
+        <source>The file holds the robot&apos;s surfaces as they stand now; it has no joints.</source>
+        <translation>Die Datei enthält die Oberflächen des Roboters in der jetzigen Stellung; Gelenke hat sie keine.</translation>
+    </message>
+</context>
+<context>
+    <name>Property</name>
+    <message>
+        <source>Document</source>
+        <translation>Dokument</translation>
+    </message>
+    <message>
+        <source>Display unit</source>
+        <translation>Anzeigeeinheit</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>Size in X</source>
+        <translation>Ausdehnung in X</translation>
+    </message>
+    <message>
+        <source>Size in Y</source>
+        <translation>Ausdehnung in Y</translation>
+    </message>
+    <message>
+        <source>Size in Z</source>
+        <translation>Ausdehnung in Z</translation>
+    </message>
+    <message>
+        <source>speed and effort are not known</source>
+        <translation>Geschwindigkeit und Kraft sind nicht bekannt</translation>
+    </message>
+    <message>
+        <source>effort is not known</source>
+        <translation>Kraft ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>speed is not known</source>
+        <translation>Geschwindigkeit ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Gelenke</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Glied</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>It was cancelled.</source>
+        <translation>Es wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>It is the outer edge of an open sheet.</source>
+        <translation>Es ist der Außenrand einer offenen Fläche.</translation>
+    </message>
+    <message>
+        <source>It is kept open.</source>
+        <translation>Es wird offen gelassen.</translation>
+    </message>
+    <message>
+        <source>It has more edges than allowed.</source>
+        <translation>Es hat mehr Kanten als erlaubt.</translation>
+    </message>
+    <message>
+        <source>No surface fits its edge.</source>
+        <translation>Keine Fläche passt auf seinen Rand.</translation>
+    </message>
+    <message>
+        <source>Every patch would cross the part.</source>
+        <translation>Jede Füllfläche würde das Teil durchdringen.</translation>
+    </message>
+    <message>
+        <source>Every patch would bulge far out.</source>
+        <translation>Jede Füllfläche würde sich weit vorwölben.</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Methode</translation>
+    </message>
+    <message>
+        <source>Fair</source>
+        <translation>Stetig</translation>
+    </message>
+    <message>
+        <source>Refined</source>
+        <translation>Verfeinert</translation>
+    </message>
+    <message>
+        <source>Ear cutting</source>
+        <translation>Ohren abschneiden</translation>
+    </message>
+    <message>
+        <source>Minimal area</source>
+        <translation>Kleinste Fläche</translation>
+    </message>
+    <message>
+        <source>New triangles</source>
+        <translation>Neue Dreiecke</translation>
+    </message>
+    <message>
+        <source>Select by</source>
+        <translation>Auswählen mit</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Klick</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
+    <message>
+        <source>Connected</source>
+        <translation>Verbunden</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Size in</source>
+        <translation>Größe in</translation>
+    </message>
+    <message>
+        <source>Length on the model</source>
+        <translation>Länge am Modell</translation>
+    </message>
+    <message>
+        <source>Pixels</source>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>Brush radius</source>
+        <translation>Pinselradius</translation>
+    </message>
+    <message>
+        <source>Select through the model</source>
+        <translation>Durch das Modell hindurch auswählen</translation>
+    </message>
+    <message>
+        <source>Largest angle</source>
+        <translation>Größter Winkel</translation>
+    </message>
+    <message>
+        <source>Clipping plane</source>
+        <translation>Schnittebene</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation>Projektion</translation>
+    </message>
+    <message>
+        <source>Parallel</source>
+        <translation>Parallel</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>Perspektive</translation>
+    </message>
+    <message>
+        <source>View cube</source>
+        <translation>Ansichtswürfel</translation>
+    </message>
+    <message>
+        <source>Cut the model open</source>
+        <translation>Modell aufschneiden</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>Quer zu</translation>
+    </message>
+    <message>
+        <source>View direction</source>
+        <translation>Blickrichtung</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>Andere Seite</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Versatz</translation>
+    </message>
+</context>
+<context>
+    <name>RepairText</name>
+    <message>
+        <source>Fair</source>
+        <translation>Stetig</translation>
+    </message>
+    <message>
+        <source>Refined</source>
+        <translation>Verfeinert</translation>
+    </message>
+    <message>
+        <source>Ear cutting</source>
+        <translation>Ohren abschneiden</translation>
+    </message>
+    <message>
+        <source>Minimal area</source>
+        <translation>Kleinste Fläche</translation>
+    </message>
+    <message>
+        <source>Stitched</source>
+        <translation>Vernäht</translation>
+    </message>
+    <message>
+        <source>Removed</source>
+        <translation>Entfernt</translation>
+    </message>
+    <message>
+        <source>Triangles as fine as the surroundings, bent to continue them. For scans.</source>
+        <translation>Dreiecke so fein wie die Umgebung und so gewölbt, dass sie sie fortsetzen. Für Scans.</translation>
+    </message>
+    <message>
+        <source>Triangles as fine as the surroundings, not bent. For flat places.</source>
+        <translation>Dreiecke so fein wie die Umgebung, nicht gewölbt. Für ebene Stellen.</translation>
+    </message>
+    <message>
+        <source>Cuts one corner after the other; adds no vertices.</source>
+        <translation>Schneidet eine Ecke nach der anderen ab; fügt keine Eckpunkte hinzu.</translation>
+    </message>
+    <message>
+        <source>The smallest possible area; adds no vertices.</source>
+        <translation>Die kleinstmögliche Fläche; fügt keine Eckpunkte hinzu.</translation>
+    </message>
+    <message>
+        <source>The borders were brought together.</source>
+        <translation>Die Ränder wurden zusammengeführt.</translation>
+    </message>
+    <message>
+        <source>The faces around it were removed.</source>
+        <translation>Die Flächen darum herum wurden entfernt.</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>abgebrochen</translation>
+    </message>
+    <message>
+        <source>it is the outer edge of an open sheet</source>
+        <translation>es ist der Außenrand einer offenen Fläche</translation>
+    </message>
+    <message>
+        <source>you asked for it</source>
+        <translation>so gewünscht</translation>
+    </message>
+    <message>
+        <source>it has more edges than allowed</source>
+        <translation>es hat mehr Kanten als erlaubt</translation>
+    </message>
+    <message>
+        <source>no surface fits its edge</source>
+        <translation>keine Fläche passt auf seinen Rand</translation>
+    </message>
+    <message>
+        <source>every patch would cross the part</source>
+        <translation>jede Füllfläche würde das Teil durchdringen</translation>
+    </message>
+    <message>
+        <source>every patch would bulge far out</source>
+        <translation>jede Füllfläche würde sich weit vorwölben</translation>
+    </message>
+    <message>
+        <source>colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>normals</source>
+        <translation>Normalen</translation>
+    </message>
+    <message>
+        <source>texture coordinates</source>
+        <translation>Texturkoordinaten</translation>
+    </message>
+    <message>
+        <source>materials</source>
+        <translation>Materialien</translation>
+    </message>
+    <message>
+        <source>groups</source>
+        <translation>Gruppen</translation>
+    </message>
+    <message>
+        <source>lines</source>
+        <translation>Linien</translation>
+    </message>
+    <message>
+        <source>single points</source>
+        <translation>einzelne Punkte</translation>
+    </message>
+    <message>
+        <source>curves</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>further attributes</source>
+        <translation>weitere Attribute</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) turned over</source>
+        <translation>
+            <numerusform>%n Dreieck umgedreht</numerusform>
+            <numerusform>%n Dreiecke umgedreht</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) without area removed</source>
+        <translation>
+            <numerusform>%n entartetes Dreieck entfernt</numerusform>
+            <numerusform>%n entartete Dreiecke entfernt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n duplicate triangle(s) removed</source>
+        <translation>
+            <numerusform>%n doppeltes Dreieck entfernt</numerusform>
+            <numerusform>%n doppelte Dreiecke entfernt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n loosely hanging triangle(s) removed</source>
+        <translation>
+            <numerusform>%n lose hängendes Dreieck entfernt</numerusform>
+            <numerusform>%n lose hängende Dreiecke entfernt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) of debris removed</source>
+        <translation>
+            <numerusform>%n Dreieck von Bruchstücken entfernt</numerusform>
+            <numerusform>%n Dreiecke von Bruchstücken entfernt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n near point(s) merged</source>
+        <translation>
+            <numerusform>%n naher Punkt verschmolzen</numerusform>
+            <numerusform>%n nahe Punkte verschmolzen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n touching point(s) parted</source>
+        <translation>
+            <numerusform>%n Berührpunkt getrennt</numerusform>
+            <numerusform>%n Berührpunkte getrennt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>Tool</name>
+    <message>
+        <source>second point</source>
+        <translation>zweiter Punkt</translation>
+    </message>
+    <message>
+        <source>first point</source>
+        <translation>erster Punkt</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>start again</source>
+        <translation>neu beginnen</translation>
+    </message>
+    <message>
+        <source>choose a hole</source>
+        <translation>Loch wählen</translation>
+    </message>
+    <message>
+        <source>fill the hole</source>
+        <translation>Loch füllen</translation>
+    </message>
+    <message>
+        <source>next hole</source>
+        <translation>nächstes Loch</translation>
+    </message>
+    <message>
+        <source>previous hole</source>
+        <translation>voriges Loch</translation>
+    </message>
+    <message>
+        <source>no longer keep open</source>
+        <translation>nicht mehr offen lassen</translation>
+    </message>
+    <message>
+        <source>keep open</source>
+        <translation>offen lassen</translation>
+    </message>
+    <message>
+        <source>choose none</source>
+        <translation>keines wählen</translation>
+    </message>
+    <message>
+        <source>Selecting by lasso</source>
+        <translation>Auswahl mit dem Lasso läuft</translation>
+    </message>
+    <message>
+        <source>select a face or a hole</source>
+        <translation>Fläche oder Loch auswählen</translation>
+    </message>
+    <message>
+        <source>paint faces</source>
+        <translation>Flächen malen</translation>
+    </message>
+    <message>
+        <source>draw a line around faces</source>
+        <translation>Linie um Flächen ziehen</translation>
+    </message>
+    <message>
+        <source>select all that hangs together</source>
+        <translation>alles Zusammenhängende auswählen</translation>
+    </message>
+    <message>
+        <source>select up to the next edge</source>
+        <translation>bis zur nächsten Kante auswählen</translation>
+    </message>
+    <message>
+        <source>Selecting up to the next edge</source>
+        <translation>Auswahl bis zur nächsten Kante läuft</translation>
+    </message>
+    <message>
+        <source>Selecting what hangs together</source>
+        <translation>Auswahl des Zusammenhängenden läuft</translation>
+    </message>
+    <message>
+        <source>Delete faces</source>
+        <translation>Flächen löschen</translation>
+    </message>
+    <message>
+        <source>add to the selection</source>
+        <translation>zur Auswahl hinzufügen</translation>
+    </message>
+    <message>
+        <source>take out of the selection</source>
+        <translation>aus der Auswahl nehmen</translation>
+    </message>
+    <message>
+        <source>smaller brush</source>
+        <translation>kleinerer Pinsel</translation>
+    </message>
+    <message>
+        <source>larger brush</source>
+        <translation>größerer Pinsel</translation>
+    </message>
+    <message>
+        <source>select all</source>
+        <translation>alles auswählen</translation>
+    </message>
+    <message>
+        <source>select the rest</source>
+        <translation>den Rest auswählen</translation>
+    </message>
+    <message>
+        <source>grow by one ring</source>
+        <translation>um einen Ring erweitern</translation>
+    </message>
+    <message>
+        <source>shrink by one ring</source>
+        <translation>um einen Ring verkleinern</translation>
+    </message>
+    <message>
+        <source>previous selection</source>
+        <translation>vorige Auswahl</translation>
+    </message>
+    <message>
+        <source>next selection</source>
+        <translation>nächste Auswahl</translation>
+    </message>
+    <message>
+        <source>delete the faces</source>
+        <translation>Flächen löschen</translation>
+    </message>
+    <message>
+        <source>select nothing</source>
+        <translation>nichts auswählen</translation>
+    </message>
+</context>
+<context>
+    <name>ToolInput</name>
+    <message>
+        <source>Click</source>
+        <translation>Klick</translation>
+    </message>
+    <message>
+        <source>Shift+click</source>
+        <translation>Umschalt+Klick</translation>
+    </message>
+    <message>
+        <source>Ctrl+click</source>
+        <translation>Strg+Klick</translation>
+    </message>
+    <message>
+        <source>Drag</source>
+        <translation>Ziehen</translation>
+    </message>
+    <message>
+        <source>Shift+drag</source>
+        <translation>Umschalt+Ziehen</translation>
+    </message>
+    <message>
+        <source>Ctrl+drag</source>
+        <translation>Strg+Ziehen</translation>
+    </message>
+    <message>
+        <source>Double-click</source>
+        <translation>Doppelklick</translation>
+    </message>
+</context>
+<context>
+    <name>WindowServices</name>
+    <message>
+        <source>Autosave</source>
+        <translation>Automatisches Sichern</translation>
+    </message>
+    <message>
+        <source>Search for self-intersections</source>
+        <translation>Suche nach Selbstdurchdringungen</translation>
+    </message>
+    <message>
+        <source>Preview of the patch</source>
+        <translation>Vorschau der Füllfläche</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::CommandModel</name>
+    <message>
+        <source>Not possible now</source>
+        <translation>Jetzt nicht möglich</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::CommandPalette</name>
+    <message>
+        <source>&amp;Search commands…</source>
+        <translation>Befehle &amp;suchen…</translation>
+    </message>
+    <message>
+        <source>Find and run any command by its name (Ctrl+K)</source>
+        <translation>Jeden Befehl am Namen finden und ausführen (Strg+K)</translation>
+    </message>
+    <message>
+        <source>What do you want to do?</source>
+        <translation>Was möchten Sie tun?</translation>
+    </message>
+    <message>
+        <source>Search commands</source>
+        <translation>Befehle suchen</translation>
+    </message>
+    <message>
+        <source>Commands found</source>
+        <translation>Gefundene Befehle</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::DefectModel</name>
+    <message>
+        <source>searching…</source>
+        <translation>Suche läuft…</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>%1: searching</source>
+        <translation>%1: Suche läuft</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Stayed open: %1.</source>
+        <translation>Blieb offen: %1.</translation>
+    </message>
+    <message>
+        <source>Edge %1</source>
+        <translation>Kante %1</translation>
+    </message>
+    <message>
+        <source>Vertex %1</source>
+        <translation>Eckpunkt %1</translation>
+    </message>
+    <message>
+        <source>Vertices %1 and %2</source>
+        <translation>Eckpunkte %1 und %2</translation>
+    </message>
+    <message>
+        <source>Triangle %1</source>
+        <translation>Dreieck %1</translation>
+    </message>
+    <message>
+        <source>Triangles %1 and %2</source>
+        <translation>Dreiecke %1 und %2</translation>
+    </message>
+    <message>
+        <source>Piece %1</source>
+        <translation>Stück %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln triangle(s)</source>
+        <translation>
+            <numerusform>%Ln Dreieck</numerusform>
+            <numerusform>%Ln Dreiecke</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>Löcher</translation>
+    </message>
+    <message>
+        <source>Kept open</source>
+        <translation>Offen gelassen</translation>
+    </message>
+    <message>
+        <source>Non-manifold edges</source>
+        <translation>Nicht-mannigfaltige Kanten</translation>
+    </message>
+    <message>
+        <source>Non-manifold vertices</source>
+        <translation>Nicht-mannigfaltige Eckpunkte</translation>
+    </message>
+    <message>
+        <source>Near vertices</source>
+        <translation>Fast gleiche Eckpunkte</translation>
+    </message>
+    <message>
+        <source>Triangles turned over</source>
+        <translation>Umgedrehte Dreiecke</translation>
+    </message>
+    <message>
+        <source>Degenerate triangles</source>
+        <translation>Entartete Dreiecke</translation>
+    </message>
+    <message>
+        <source>Duplicate triangles</source>
+        <translation>Doppelte Dreiecke</translation>
+    </message>
+    <message>
+        <source>Self-intersections</source>
+        <translation>Selbstdurchdringungen</translation>
+    </message>
+    <message>
+        <source>Debris</source>
+        <translation>Bruchstücke</translation>
+    </message>
+    <message>
+        <source>Places where the surface is missing. (A tunnel through the part is not a hole.)</source>
+        <translation>Stellen, an denen die Oberfläche fehlt. (Ein Tunnel durch das Teil ist kein Loch.)</translation>
+    </message>
+    <message>
+        <source>Openings that are meant to be there, and outer edges of open sheets. “Fill all” leaves them.</source>
+        <translation>Gewollte Öffnungen und Außenränder offener Flächen. „Alle füllen“ lässt sie offen.</translation>
+    </message>
+    <message>
+        <source>Edges at which more than two triangles meet.</source>
+        <translation>Kanten, an denen sich mehr als zwei Dreiecke treffen.</translation>
+    </message>
+    <message>
+        <source>Points at which parts of the surface touch only with a tip.</source>
+        <translation>Punkte, an denen sich Teile der Oberfläche nur mit einer Spitze berühren.</translation>
+    </message>
+    <message>
+        <source>Vertices on open borders that the file has rounded apart. A repair merges them.</source>
+        <translation>Eckpunkte an offenen Rändern, die durch Rundung in der Datei auseinanderliegen. Eine Reparatur führt sie zusammen.</translation>
+    </message>
+    <message>
+        <source>Triangles that faced the wrong way in the file. They were turned over on opening.</source>
+        <translation>Dreiecke, die in der Datei verkehrt herum lagen. Sie wurden beim Öffnen umgedreht.</translation>
+    </message>
+    <message>
+        <source>Triangles without area.</source>
+        <translation>Dreiecke ohne Flächeninhalt.</translation>
+    </message>
+    <message>
+        <source>Triangles that lie exactly on another one.</source>
+        <translation>Dreiecke, die genau auf einem anderen liegen.</translation>
+    </message>
+    <message>
+        <source>Pairs of triangles that pass through each other. They are shown, not repaired.</source>
+        <translation>Paare von Dreiecken, die einander durchdringen. Sie werden gezeigt, nicht repariert.</translation>
+    </message>
+    <message>
+        <source>Small pieces that are not connected with the model.</source>
+        <translation>Kleine Stücke, die nicht mit dem Modell verbunden sind.</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::DefectsPanel</name>
+    <message>
+        <source>Defects</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Open a mesh to see its holes and other defects here.</source>
+        <translation>Öffnen Sie ein Netz, um hier seine Löcher und anderen Fehler zu sehen.</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::DockTitle</name>
+    <message>
+        <source>Fold this panel away</source>
+        <translation>Dieses Feld einklappen</translation>
+    </message>
+    <message>
+        <source>Fold the panel “%1” away</source>
+        <translation>Das Feld „%1“ einklappen</translation>
+    </message>
+    <message>
+        <source>Put this panel back into the window</source>
+        <translation>Dieses Feld zurück ins Fenster setzen</translation>
+    </message>
+    <message>
+        <source>Take this panel out of the window</source>
+        <translation>Dieses Feld aus dem Fenster lösen</translation>
+    </message>
+    <message>
+        <source>Put the panel “%1” back into the window</source>
+        <translation>Das Feld „%1“ zurück ins Fenster setzen</translation>
+    </message>
+    <message>
+        <source>Take the panel “%1” out of the window</source>
+        <translation>Das Feld „%1“ aus dem Fenster lösen</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::Document</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Unbenannt</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>%1 ändern</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::DocumentTabs</name>
+    <message>
+        <source>Open documents</source>
+        <translation>Offene Dokumente</translation>
+    </message>
+    <message>
+        <source>Close %1</source>
+        <translation>%1 schließen</translation>
+    </message>
+    <message>
+        <source>Close (Ctrl+W)</source>
+        <translation>Schließen (Strg+W)</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::DocumentsPanel</name>
+    <message>
+        <source>Open documents</source>
+        <translation>Offene Dokumente</translation>
+    </message>
+    <message>
+        <source>Hide the surface</source>
+        <translation>Oberfläche ausblenden</translation>
+    </message>
+    <message>
+        <source>Show the surface</source>
+        <translation>Oberfläche einblenden</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::FileActions</name>
+    <message>
+        <source>All that Handwheel opens (%1)</source>
+        <translation>Alles, was Handwheel öffnet (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Handwheel documents (%1)</source>
+        <translation>Handwheel-Dokumente (%1)</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Open the &amp;sample</source>
+        <translation>Beisp&amp;iel öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Speichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt verwendet</translation>
+    </message>
+    <message>
+        <source>Open files</source>
+        <translation>Dateien öffnen</translation>
+    </message>
+    <message>
+        <source>Open the sample scan</source>
+        <translation>Beispiel-Scan öffnen</translation>
+    </message>
+    <message>
+        <source>Save this document</source>
+        <translation>Dieses Dokument speichern</translation>
+    </message>
+    <message>
+        <source>Save this document under another name</source>
+        <translation>Dieses Dokument unter anderem Namen speichern</translation>
+    </message>
+    <message>
+        <source>Close this document</source>
+        <translation>Dieses Dokument schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Clear this list</source>
+        <translation>Liste &amp;leeren</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Speichern unter</translation>
+    </message>
+    <message>
+        <source>Save in:</source>
+        <translation>Speichern in:</translation>
+    </message>
+    <message>
+        <source>All formats (%1)</source>
+        <translation>Alle Formate (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::FileLoader</name>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Recovering %1</source>
+        <translation>%1 wird wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>Recovered %1 as it was last autosaved</source>
+        <translation>%1 im zuletzt gesicherten Stand wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>Opening %1 was cancelled</source>
+        <translation>Öffnen von %1 abgebrochen</translation>
+    </message>
+    <message>
+        <source>%1 could not be opened</source>
+        <translation>%1 konnte nicht geöffnet werden</translation>
+    </message>
+    <message>
+        <source>Open what is readable</source>
+        <translation>Lesbares öffnen</translation>
+    </message>
+    <message>
+        <source>It was written by a newer version of Handwheel; what only that one knows is not shown.</source>
+        <translation>Sie stammt von einer neueren Version von Handwheel; was nur diese kennt, wird nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>…and %1 more, listed in the Log.</source>
+        <translation>… und %1 weitere, siehe Protokoll.</translation>
+    </message>
+    <message>
+        <source>Not kept by Handwheel: %1.</source>
+        <translation>Von Handwheel nicht übernommen: %1.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged</source>
+        <translation>%1 ist beschädigt</translation>
+    </message>
+    <message>
+        <source>%1 is opened for reading only</source>
+        <translation>%1 ist nur zum Lesen geöffnet</translation>
+    </message>
+    <message>
+        <source>%1 holds more than its surface</source>
+        <translation>%1 enthält mehr als die Oberfläche</translation>
+    </message>
+    <message>
+        <source>“Save” will ask for a new name, so the original stays as it is.</source>
+        <translation>„Speichern“ fragt nach einem neuen Namen, damit das Original bleibt, wie es ist.</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::FileSaver</name>
+    <message>
+        <source>Saving %1</source>
+        <translation>%1 wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Saved %1: %2 bytes, read back and compared</source>
+        <translation>%1 gespeichert: %2 Bytes, zurückgelesen und verglichen</translation>
+    </message>
+    <message>
+        <source>%1 holds the state before your last change</source>
+        <translation>%1 enthält den Stand vor Ihrer letzten Änderung</translation>
+    </message>
+    <message>
+        <source>Saving %1 was cancelled; the old file is untouched</source>
+        <translation>Speichern von %1 abgebrochen; die alte Datei ist unverändert</translation>
+    </message>
+    <message>
+        <source>%1 could not be saved</source>
+        <translation>%1 konnte nicht gespeichert werden</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::HolePreview</name>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::HoleSettings</name>
+    <message>
+        <source>Fill method</source>
+        <translation>Füllmethode</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Methode</translation>
+    </message>
+    <message>
+        <source>Computing the patch…</source>
+        <translation>Füllfläche wird berechnet…</translation>
+    </message>
+    <message>
+        <source>Cannot be filled: %1.</source>
+        <translation>Kann nicht gefüllt werden: %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln new triangle(s)</source>
+        <translation>
+            <numerusform>%Ln neues Dreieck</numerusform>
+            <numerusform>%Ln neue Dreiecke</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, by “%2” because the chosen method fits none</source>
+        <translation>%1, mit „%2“, weil die gewählte Methode keine findet</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::Inspection</name>
+    <message>
+        <source>Outer edge %1</source>
+        <translation>Außenrand %1</translation>
+    </message>
+    <message>
+        <source>Hole %1</source>
+        <translation>Loch %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln edge(s), %1</source>
+        <translation>
+            <numerusform>%Ln Kante, %1</numerusform>
+            <numerusform>%Ln Kanten, %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 — %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::JobBar</name>
+    <message>
+        <source>Cancel this job</source>
+        <translation>Diesen Vorgang abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancel “%1”</source>
+        <translation>„%1“ abbrechen</translation>
+    </message>
+    <message>
+        <source>Show all jobs</source>
+        <translation>Alle Vorgänge zeigen</translation>
+    </message>
+    <message>
+        <source>Jobs</source>
+        <translation>Vorgänge</translation>
+    </message>
+    <message>
+        <source>+%1</source>
+        <translation>+%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more job(s)</source>
+        <translation>
+            <numerusform>%n weiterer Vorgang</numerusform>
+            <numerusform>%n weitere Vorgänge</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::LogModel</name>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>Ereignis</translation>
+    </message>
+    <message>
+        <source>The same without a window</source>
+        <translation>Dasselbe ohne Fenster</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::LogPanel</name>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::MainWindow</name>
+    <message>
+        <source>&amp;Show the list</source>
+        <translation>Liste &amp;zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Show the whole model and its panel</source>
+        <translation>Ganzes Modell und sein Feld zeigen</translation>
+    </message>
+    <message>
+        <source>%1[*] — Handwheel</source>
+        <translation>%1[*] – Handwheel</translation>
+    </message>
+    <message>
+        <source>fit</source>
+        <translation>einpassen</translation>
+    </message>
+    <message>
+        <source>Ctrl+O</source>
+        <translation>Strg+O</translation>
+    </message>
+    <message>
+        <source>open a file</source>
+        <translation>Datei öffnen</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>Ablegen</translation>
+    </message>
+    <message>
+        <source>files anywhere</source>
+        <translation>Dateien irgendwo</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>The 3D view cannot be drawn</source>
+        <translation>Die 3D-Ansicht kann nicht gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>Files can still be repaired and saved.</source>
+        <translation>Dateien lassen sich trotzdem reparieren und speichern.</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>Wie geöffnet</translation>
+    </message>
+    <message>
+        <source>Documents</source>
+        <translation>Dokumente</translation>
+    </message>
+    <message>
+        <source>Defects</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Lengths are in millimetres, as in the file</source>
+        <translation>Längen in Millimetern, wie in der Datei</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Keys and mouse</source>
+        <translation>&amp;Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>&amp;About Handwheel</source>
+        <translation>Ü&amp;ber Handwheel</translation>
+    </message>
+    <message>
+        <source>Quick actions</source>
+        <translation>Schnellzugriff</translation>
+    </message>
+    <message>
+        <source>Actions of the document</source>
+        <translation>Aktionen des Dokuments</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Felder</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>No document is open.</source>
+        <translation>Kein Dokument ist geöffnet.</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Eigenschaften</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation>Status</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>&amp;Einstellungen…</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::MeshDocument</name>
+    <message>
+        <source>Keep open</source>
+        <translation>Offen lassen</translation>
+    </message>
+    <message>
+        <source>No longer keep open</source>
+        <translation>Nicht mehr offen lassen</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::MeshUi</name>
+    <message>
+        <source>Click</source>
+        <translation>Klick</translation>
+    </message>
+    <message>
+        <source>select a hole</source>
+        <translation>Loch auswählen</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>next hole</source>
+        <translation>nächstes Loch</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>fill</source>
+        <translation>füllen</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>keep open</source>
+        <translation>offen lassen</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>deselect</source>
+        <translation>Auswahl aufheben</translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation>%1 Dreiecke</translation>
+    </message>
+    <message>
+        <source>Opened %1: %2 triangles, %3 holes, %4 triangles turned over</source>
+        <translation>%1 geöffnet: %2 Dreiecke, %3 Löcher, %4 Dreiecke umgedreht</translation>
+    </message>
+    <message>
+        <source>Defects</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>&amp;Repair</source>
+        <translation>&amp;Reparatur</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::MessageBar</name>
+    <message>
+        <source>Close this message</source>
+        <translation>Diese Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::NextStepCard</name>
+    <message>
+        <source>Do not show this card for this document again</source>
+        <translation>Diese Karte für dieses Dokument nicht mehr zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::NumberField</name>
+    <message>
+        <source>in %1</source>
+        <translation>in %1</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>mindestens %1</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>höchstens %1</translation>
+    </message>
+    <message>
+        <source>Must be at least %1.</source>
+        <translation>Muss mindestens %1 sein.</translation>
+    </message>
+    <message>
+        <source>Must be at most %1.</source>
+        <translation>Darf höchstens %1 sein.</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Maus</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Einheiten</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Autosave</source>
+        <translation>Automatisches Sichern</translation>
+    </message>
+    <message>
+        <source>Mouse navigation</source>
+        <translation>Mausnavigation</translation>
+    </message>
+    <message>
+        <source>Move the view as in</source>
+        <translation>Ansicht bewegen wie in</translation>
+    </message>
+    <message>
+        <source>Length unit</source>
+        <translation>Längeneinheit</translation>
+    </message>
+    <message>
+        <source>Millimetres (mm)</source>
+        <translation>Millimeter (mm)</translation>
+    </message>
+    <message>
+        <source>Centimetres (cm)</source>
+        <translation>Zentimeter (cm)</translation>
+    </message>
+    <message>
+        <source>Metres (m)</source>
+        <translation>Meter (m)</translation>
+    </message>
+    <message>
+        <source>Inches (in)</source>
+        <translation>Zoll (in)</translation>
+    </message>
+    <message>
+        <source>Lengths of new documents</source>
+        <translation>Längen neuer Dokumente</translation>
+    </message>
+    <message>
+        <source>Each document can show another unit. Every field takes all units: “1 in + 2 mm”.</source>
+        <translation>Jedes Dokument kann eine andere Einheit zeigen. Jedes Feld nimmt alle Einheiten an: „1 in + 2 mm“.</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Shown from the next start.</source>
+        <translation>Gilt ab dem nächsten Start.</translation>
+    </message>
+    <message>
+        <source>Save a recovery copy while working</source>
+        <translation>Während der Arbeit eine Sicherungskopie anlegen</translation>
+    </message>
+    <message>
+        <source>Seconds between recovery copies</source>
+        <translation>Sekunden zwischen Sicherungskopien</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Every</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>The copy is kept beside your files, never in their place; after a crash it is offered to you.</source>
+        <translation>Die Kopie liegt neben Ihren Dateien und ersetzt sie nie; nach einem Absturz wird sie Ihnen angeboten.</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ReadOnlyRow</name>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::RepairActions</name>
+    <message>
+        <source>&amp;Repair all</source>
+        <translation>Alles &amp;reparieren</translation>
+    </message>
+    <message>
+        <source>Remove &amp;debris</source>
+        <translation>&amp;Bruchstücke entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Go one by one</source>
+        <translation>&amp;Einzeln durchgehen</translation>
+    </message>
+    <message>
+        <source>&amp;Fill</source>
+        <translation>&amp;Füllen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep open</source>
+        <translation>&amp;Offen lassen</translation>
+    </message>
+    <message>
+        <source>&amp;Preview</source>
+        <translation>Vor&amp;schau</translation>
+    </message>
+    <message>
+        <source>&amp;Next hole</source>
+        <translation>&amp;Nächstes Loch</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious hole</source>
+        <translation>&amp;Voriges Loch</translation>
+    </message>
+    <message>
+        <source>&amp;Clear selection</source>
+        <translation>&amp;Auswahl aufheben</translation>
+    </message>
+    <message>
+        <source>Fill all holes except those kept open, and mend the other defects, as one step</source>
+        <translation>Alle Löcher außer den offen gelassenen füllen und die anderen Fehler beheben, in einem Schritt</translation>
+    </message>
+    <message>
+        <source>Remove the small pieces that are not connected with the model</source>
+        <translation>Kleine Stücke entfernen, die nicht mit dem Modell verbunden sind</translation>
+    </message>
+    <message>
+        <source>Look at one hole after the other</source>
+        <translation>Ein Loch nach dem anderen ansehen</translation>
+    </message>
+    <message>
+        <source>Fill the selected hole</source>
+        <translation>Ausgewähltes Loch füllen</translation>
+    </message>
+    <message>
+        <source>This opening is meant to be there: “Repair all” leaves it</source>
+        <translation>Diese Öffnung ist gewollt: „Alles reparieren“ lässt sie offen</translation>
+    </message>
+    <message>
+        <source>Show the patch of the selected hole before it is filled</source>
+        <translation>Füllfläche des ausgewählten Lochs vor dem Füllen zeigen</translation>
+    </message>
+    <message>
+        <source>Go to the next hole</source>
+        <translation>Zum nächsten Loch gehen</translation>
+    </message>
+    <message>
+        <source>Go to the previous hole</source>
+        <translation>Zum vorigen Loch gehen</translation>
+    </message>
+    <message>
+        <source>Clear the selection and the preview</source>
+        <translation>Auswahl und Vorschau aufheben</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::RepairJobs</name>
+    <message>
+        <source>Filling hole %1</source>
+        <translation>Loch %1 wird gefüllt</translation>
+    </message>
+    <message>
+        <source>%1 stays open: %2</source>
+        <translation>%1 bleibt offen: %2</translation>
+    </message>
+    <message>
+        <source>Fill hole %1</source>
+        <translation>Loch %1 füllen</translation>
+    </message>
+    <message>
+        <source>Filled %1 of %2</source>
+        <translation>%1 von %2 gefüllt</translation>
+    </message>
+    <message>
+        <source>Removing debris</source>
+        <translation>Bruchstücke werden entfernt</translation>
+    </message>
+    <message>
+        <source>Remove debris</source>
+        <translation>Bruchstücke entfernen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Removed %Ln loose piece(s) from %1</source>
+        <translation>
+            <numerusform>%Ln loses Stück aus %1 entfernt</numerusform>
+            <numerusform>%Ln lose Stücke aus %1 entfernt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Repairing %1</source>
+        <translation>%1 wird repariert</translation>
+    </message>
+    <message>
+        <source>Repair all</source>
+        <translation>Alles reparieren</translation>
+    </message>
+    <message>
+        <source>%1 of %2 holes filled</source>
+        <translation>%1 von %2 Löchern gefüllt</translation>
+    </message>
+    <message>
+        <source>%1 kept open</source>
+        <translation>%1 offen gelassen</translation>
+    </message>
+    <message>
+        <source>Repaired %1: %2</source>
+        <translation>%1 repariert: %2</translation>
+    </message>
+    <message>
+        <source>A hole that the repair laid open</source>
+        <translation>Ein Loch, das die Reparatur freigelegt hat</translation>
+    </message>
+    <message>
+        <source>%1 was changed meanwhile; the job runs once more</source>
+        <translation>%1 wurde inzwischen geändert; der Vorgang läuft noch einmal</translation>
+    </message>
+    <message>
+        <source>%1 was changed again; the result was discarded</source>
+        <translation>%1 wurde erneut geändert; das Ergebnis wurde verworfen</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::SelfIntersectionSearch</name>
+    <message>
+        <source>Searching self-intersections</source>
+        <translation>Selbstdurchdringungen werden gesucht</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ServiceModel</name>
+    <message>
+        <source>%1 % of the frame</source>
+        <translation>%1 % des Bildes</translation>
+    </message>
+    <message>
+        <source>%1 % of the servo tick</source>
+        <translation>%1 % des Regeltakts</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>asleep</source>
+        <translation>ruht</translation>
+    </message>
+    <message>
+        <source>Service</source>
+        <translation>Dienst</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Ticks/s</source>
+        <translation>Takte/s</translation>
+    </message>
+    <message>
+        <source>µs per tick</source>
+        <translation>µs je Takt</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Anteil</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ShortcutEditor</name>
+    <message>
+        <source>No key</source>
+        <translation>Keine Taste</translation>
+    </message>
+    <message>
+        <source>The command has no key any more</source>
+        <translation>Der Befehl hat keine Taste mehr</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Back to the key that the program gives it</source>
+        <translation>Zurück zur Taste, die das Programm vorgibt</translation>
+    </message>
+    <message>
+        <source>Take it from them</source>
+        <translation>Den anderen wegnehmen</translation>
+    </message>
+    <message>
+        <source>The other commands lose this key</source>
+        <translation>Die anderen Befehle verlieren diese Taste</translation>
+    </message>
+    <message>
+        <source>Search by name or key</source>
+        <translation>Nach Name oder Taste suchen</translation>
+    </message>
+    <message>
+        <source>Search commands and keys</source>
+        <translation>Befehle und Tasten suchen</translation>
+    </message>
+    <message>
+        <source>Commands and their keys</source>
+        <translation>Befehle und ihre Tasten</translation>
+    </message>
+    <message>
+        <source>New key of the chosen command</source>
+        <translation>Neue Taste des gewählten Befehls</translation>
+    </message>
+    <message>
+        <source>Press the new key here</source>
+        <translation>Neue Taste hier drücken</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation>Alle zurücksetzen</translation>
+    </message>
+    <message>
+        <source>All keys as the program gives them</source>
+        <translation>Alle Tasten wie vom Programm vorgegeben</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Importieren…</translation>
+    </message>
+    <message>
+        <source>Take the keys from a file</source>
+        <translation>Tasten aus einer Datei übernehmen</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren…</translation>
+    </message>
+    <message>
+        <source>Write the changed keys to a file</source>
+        <translation>Geänderte Tasten in eine Datei schreiben</translation>
+    </message>
+    <message>
+        <source>Choose a command to change its key.</source>
+        <translation>Wählen Sie einen Befehl, um seine Taste zu ändern.</translation>
+    </message>
+    <message>
+        <source>The same key starts “%1”; so neither works.</source>
+        <translation>Dieselbe Taste startet „%1“; so wirkt keiner von beiden.</translation>
+    </message>
+    <message>
+        <source>”, “</source>
+        <translation>“, „</translation>
+    </message>
+    <message>
+        <source>Import keys</source>
+        <translation>Tasten importieren</translation>
+    </message>
+    <message>
+        <source>Keys (*.json)</source>
+        <translation>Tasten (*.json)</translation>
+    </message>
+    <message>
+        <source>The keys were taken from the file.</source>
+        <translation>Die Tasten wurden aus der Datei übernommen.</translation>
+    </message>
+    <message>
+        <source>Export keys</source>
+        <translation>Tasten exportieren</translation>
+    </message>
+    <message>
+        <source>The changed keys were written.</source>
+        <translation>Die geänderten Tasten wurden geschrieben.</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ShortcutModel</name>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::StartPage</name>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 öffnen</translation>
+    </message>
+    <message>
+        <source>A scanned part with holes. Close the first one with Enter.</source>
+        <translation>Ein gescanntes Teil mit Löchern. Schließen Sie das erste mit der Eingabetaste.</translation>
+    </message>
+    <message>
+        <source>Open a file…</source>
+        <translation>Datei öffnen…</translation>
+    </message>
+    <message>
+        <source>Recent files</source>
+        <translation>Zuletzt verwendete Dateien</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
+    <message>
+        <source>Clear the list of recent files</source>
+        <translation>Liste der zuletzt verwendeten Dateien leeren</translation>
+    </message>
+    <message>
+        <source>Repair a scan</source>
+        <translation>Scan reparieren</translation>
+    </message>
+    <message>
+        <source>Lathe exercise</source>
+        <translation>Drehübung</translation>
+    </message>
+    <message>
+        <source>Robot cell</source>
+        <translation>Roboterzelle</translation>
+    </message>
+    <message>
+        <source>A shaft in the chuck. Turn a step, and feel what the cut costs.</source>
+        <translation>Eine Welle im Futter. Drehen Sie einen Absatz und spüren Sie, was der Schnitt kostet.</translation>
+    </message>
+    <message>
+        <source>An arm and a table. Plan a path, see that it is clear, export it.</source>
+        <translation>Ein Arm und ein Tisch. Bahn planen, auf Kollisionen prüfen, exportieren.</translation>
+    </message>
+    <message>
+        <source>Or drop files anywhere on this window</source>
+        <translation>Oder Dateien irgendwo auf dieses Fenster ziehen</translation>
+    </message>
+    <message>
+        <source>Repair scans, practise at the lathe, plan paths for robots.</source>
+        <translation>Scans reparieren, an der Drehmaschine üben, Roboterbahnen planen.</translation>
+    </message>
+    <message>
+        <source>The sample is not installed.</source>
+        <translation>Das Beispiel ist nicht installiert.</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::StateCard</name>
+    <message>
+        <source>Watertight</source>
+        <translation>Wasserdicht</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln hole(s)</source>
+        <translation>
+            <numerusform>%Ln Loch</numerusform>
+            <numerusform>%Ln Löcher</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No holes left</source>
+        <translation>Keine Löcher mehr</translation>
+    </message>
+    <message>
+        <source>Not manifold</source>
+        <translation>Nicht mannigfaltig</translation>
+    </message>
+    <message>
+        <source>%1 non-manifold</source>
+        <translation>%1 nicht-mannigfaltig</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln kept open</source>
+        <translation>
+            <numerusform>%Ln offen gelassen</numerusform>
+            <numerusform>%Ln offen gelassen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln turned over</source>
+        <translation>
+            <numerusform>%Ln umgedreht</numerusform>
+            <numerusform>%Ln umgedreht</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln self-intersection(s)</source>
+        <translation>
+            <numerusform>%Ln Selbstdurchdringung</numerusform>
+            <numerusform>%Ln Selbstdurchdringungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Closed and manifold</source>
+        <translation>Geschlossen und mannigfaltig</translation>
+    </message>
+    <message>
+        <source>Manifold</source>
+        <translation>Mannigfaltig</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::StatusPanel</name>
+    <message>
+        <source>Services</source>
+        <translation>Dienste</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ViewActions</name>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>&amp;Einpassen</translation>
+    </message>
+    <message>
+        <source>&amp;Dark theme</source>
+        <translation>&amp;Dunkles Design</translation>
+    </message>
+    <message>
+        <source>Show the whole model (F)</source>
+        <translation>Ganzes Modell zeigen (F)</translation>
+    </message>
+    <message>
+        <source>&amp;Isometric</source>
+        <translation>&amp;Isometrisch</translation>
+    </message>
+    <message>
+        <source>F&amp;ront</source>
+        <translation>&amp;Vorne</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Hinten</translation>
+    </message>
+    <message>
+        <source>Rig&amp;ht</source>
+        <translation>&amp;Rechts</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Links</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>&amp;Oben</translation>
+    </message>
+    <message>
+        <source>Botto&amp;m</source>
+        <translation>&amp;Unten</translation>
+    </message>
+    <message>
+        <source>&amp;Shaded</source>
+        <translation>&amp;Schattiert</translation>
+    </message>
+    <message>
+        <source>Shaded with &amp;edges</source>
+        <translation>Schattiert mit &amp;Kanten</translation>
+    </message>
+    <message>
+        <source>&amp;Wireframe</source>
+        <translation>Dr&amp;ahtgitter</translation>
+    </message>
+    <message>
+        <source>Switch between the light and the dark theme</source>
+        <translation>Zwischen hellem und dunklem Design wechseln</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ViewCube</name>
+    <message>
+        <source>View cube</source>
+        <translation>Ansichtswürfel</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorne</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Hinten</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Unten</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::Viewport</name>
+    <message>
+        <source>3D view</source>
+        <translation>3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>The 3D view needs an X server, and this session runs on “%1”. Start the program in an X11 session, or in a Wayland session with Xwayland.</source>
+        <translation>Die 3D-Ansicht braucht einen X-Server, diese Sitzung läuft aber auf „%1“. Starten Sie das Programm in einer X11-Sitzung oder in einer Wayland-Sitzung mit Xwayland.</translation>
+    </message>
+    <message>
+        <source>The 3D view needs OpenGL 3.2 through an X server (GLX), which this session does not offer. Start the program in an X11 session, or in a Wayland session with Xwayland.</source>
+        <translation>Die 3D-Ansicht braucht OpenGL 3.2 über einen X-Server (GLX), was diese Sitzung nicht bietet. Starten Sie das Programm in einer X11-Sitzung oder in einer Wayland-Sitzung mit Xwayland.</translation>
+    </message>
+    <message>
+        <source>The 3D view could not start: the display offers no OpenGL. Check the graphics driver, or whether the X server provides GLX.</source>
+        <translation>Die 3D-Ansicht konnte nicht starten: Die Anzeige bietet kein OpenGL. Prüfen Sie den Grafiktreiber und ob der X-Server GLX bereitstellt.</translation>
+    </message>
+</context>
+</TS>

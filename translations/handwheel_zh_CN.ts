@@ -1,0 +1,2636 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="zh_CN" sourcelanguage="en">
+<context>
+    <name>ClosePrompt</name>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>未保存的更改</translation>
+    </message>
+    <message>
+        <source>Save the changes to %1?</source>
+        <translation>是否保存对 %1 的更改？</translation>
+    </message>
+    <message>
+        <source>Without saving they are lost.</source>
+        <translation>不保存将丢失这些更改。</translation>
+    </message>
+</context>
+<context>
+    <name>DocumentKind</name>
+    <message>
+        <source>Mesh</source>
+        <translation>网格</translation>
+    </message>
+    <message>
+        <source>Robot cell</source>
+        <translation>机器人单元</translation>
+    </message>
+</context>
+<context>
+    <name>ErrorText</name>
+    <message>
+        <source>%1 expected</source>
+        <translation>应为 %1</translation>
+    </message>
+    <message>
+        <source>%1 found</source>
+        <translation>实为 %1</translation>
+    </message>
+    <message>
+        <source>the file is too large (more than %1 %2)</source>
+        <translation>文件过大（超过 %1 %2）</translation>
+    </message>
+    <message>
+        <source>the file is too large (%1 %2, at most %3 can be opened)</source>
+        <translation>文件过大（%1 %2，最多可打开 %3）</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; makes no sense here</source>
+        <translation>“%1”在此处没有意义</translation>
+    </message>
+    <message>
+        <source>%1 was expected, but nothing follows</source>
+        <translation>应为 %1，但后面没有内容</translation>
+    </message>
+    <message>
+        <source>%1 was expected, &apos;%2&apos; was found</source>
+        <translation>应为 %1，却是“%2”</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>已取消</translation>
+    </message>
+    <message>
+        <source>there is not enough memory</source>
+        <translation>内存不足</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>文件不存在</translation>
+    </message>
+    <message>
+        <source>the file cannot be read (%1)</source>
+        <translation>无法读取文件（%1）</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>文件为空</translation>
+    </message>
+    <message>
+        <source>this is no mesh file that Handwheel knows</source>
+        <translation>这不是 Handwheel 能识别的网格文件</translation>
+    </message>
+    <message>
+        <source>no mesh format belongs to the ending &apos;%1&apos;</source>
+        <translation>扩展名“%1”不对应任何网格格式</translation>
+    </message>
+    <message>
+        <source>the header is malformed: %1 is missing</source>
+        <translation>文件头有误：缺少 %1</translation>
+    </message>
+    <message>
+        <source>the text is in %1, which cannot be read</source>
+        <translation>文本采用 %1 编码，无法读取</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a number</source>
+        <translation>“%1”不是数字</translation>
+    </message>
+    <message>
+        <source>the coordinate &apos;%1&apos; is not a finite number</source>
+        <translation>坐标“%1”不是有限数</translation>
+    </message>
+    <message>
+        <source>a face uses vertex %1, but the file has %2 vertices</source>
+        <translation>某个面使用了顶点 %1，但文件只有 %2 个顶点</translation>
+    </message>
+    <message>
+        <source>a face uses vertex %1, which could not be read</source>
+        <translation>某个面使用了无法读取的顶点 %1</translation>
+    </message>
+    <message>
+        <source>a face with %1 corners was cut into triangles as if it were convex</source>
+        <translation>一个有 %1 个角的面已按凸多边形剖分为三角形</translation>
+    </message>
+    <message>
+        <source>a face has fewer than three corners (%1)</source>
+        <translation>某个面的角少于三个（%1）</translation>
+    </message>
+    <message>
+        <source>the file ends too early (%1)</source>
+        <translation>文件提前结束（%1）</translation>
+    </message>
+    <message>
+        <source>the file contradicts itself (%1)</source>
+        <translation>文件内容自相矛盾（%1）</translation>
+    </message>
+    <message>
+        <source>the data type &apos;%1&apos; is not known</source>
+        <translation>未知的数据类型“%1”</translation>
+    </message>
+    <message>
+        <source>the file holds no triangle</source>
+        <translation>文件中没有三角形</translation>
+    </message>
+    <message>
+        <source>the file is damaged here, and none of its triangles can be read</source>
+        <translation>文件在此处损坏，无法读取任何三角形</translation>
+    </message>
+    <message>
+        <source>the file could not be written (%1)</source>
+        <translation>无法写入文件（%1）</translation>
+    </message>
+    <message>
+        <source>the written file does not read back as it should (%1), so it was not kept</source>
+        <translation>写出的文件回读结果不符（%1），因此未予保留</translation>
+    </message>
+    <message>
+        <source>the archive cannot be read (%1)</source>
+        <translation>无法读取压缩包（%1）</translation>
+    </message>
+    <message>
+        <source>the part &apos;%1&apos; is missing</source>
+        <translation>缺少部分“%1”</translation>
+    </message>
+    <message>
+        <source>the part &apos;%1&apos; is damaged</source>
+        <translation>部分“%1”已损坏</translation>
+    </message>
+    <message>
+        <source>the file has version %1 of the format; this program knows up to version %2</source>
+        <translation>文件格式版本为 %1；本程序最高支持版本 %2</translation>
+    </message>
+    <message>
+        <source>the file holds a &apos;%1&apos;, a kind of document that this program does not know</source>
+        <translation>文件包含“%1”，本程序不认识这种文档类型</translation>
+    </message>
+    <message>
+        <source>the element &apos;%1&apos; is malformed: %2</source>
+        <translation>元素“%1”有误：%2</translation>
+    </message>
+    <message>
+        <source>%1 &apos;%2&apos; is named, but cannot be found</source>
+        <translation>引用了%1“%2”，但找不到</translation>
+    </message>
+    <message>
+        <source>%1 cannot be %2; it must lie between %3 and %4</source>
+        <translation>%1 不能为 %2；须在 %3 与 %4 之间</translation>
+    </message>
+    <message>
+        <source>%1 is not supported</source>
+        <translation>不支持 %1</translation>
+    </message>
+    <message>
+        <source>the library %1 gave up (%2)</source>
+        <translation>程序库 %1 处理失败（%2）</translation>
+    </message>
+    <message>
+        <source>byte %1</source>
+        <translation>第 %1 字节</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>第 %1 行</translation>
+    </message>
+    <message>
+        <source>Close other documents or programs, or try a model with fewer triangles.</source>
+        <translation>请关闭其他文档或程序，或使用三角形较少的模型。</translation>
+    </message>
+    <message>
+        <source>Check the name, or whether the file was moved.</source>
+        <translation>请检查文件名，或文件是否已被移动。</translation>
+    </message>
+    <message>
+        <source>Name a file that you may read, and check that its disk is connected.</source>
+        <translation>请选择有读取权限的文件，并确认其所在磁盘已连接。</translation>
+    </message>
+    <message>
+        <source>Export or copy the file again.</source>
+        <translation>请重新导出或复制该文件。</translation>
+    </message>
+    <message>
+        <source>Reduce or split the model in the program that made it.</source>
+        <translation>请在生成该模型的程序中简化或拆分模型。</translation>
+    </message>
+    <message>
+        <source>Export the model as STL, PLY, OBJ or OFF.</source>
+        <translation>请将模型导出为 STL、PLY、OBJ 或 OFF。</translation>
+    </message>
+    <message>
+        <source>Use a name that ends in .stl, .ply, .obj or .off.</source>
+        <translation>请使用以 .stl、.ply、.obj 或 .off 结尾的文件名。</translation>
+    </message>
+    <message>
+        <source>Save the file as UTF-8 text or in a binary format.</source>
+        <translation>请将文件保存为 UTF-8 文本或二进制格式。</translation>
+    </message>
+    <message>
+        <source>Export the file again; its beginning is damaged or of a variant that is not supported.</source>
+        <translation>请重新导出文件；其开头已损坏，或属于不支持的变体。</translation>
+    </message>
+    <message>
+        <source>Export or copy the file again, or open only what is readable (on the command line: --partial).</source>
+        <translation>请重新导出或复制文件，或只打开可读部分（命令行：--partial）。</translation>
+    </message>
+    <message>
+        <source>Check the shape of that face, or export the model as triangles.</source>
+        <translation>请检查该面的形状，或将模型导出为三角形。</translation>
+    </message>
+    <message>
+        <source>Export the model as a surface of triangles; points and curves alone cannot be repaired.</source>
+        <translation>请将模型导出为三角形曲面；仅有点和曲线无法修复。</translation>
+    </message>
+    <message>
+        <source>Check the free space and that you may write there, or choose another place.</source>
+        <translation>请检查剩余空间和写入权限，或选择其他位置。</translation>
+    </message>
+    <message>
+        <source>An earlier file of that name is untouched. Save in another format, for example PLY.</source>
+        <translation>原有的同名文件未被改动。请保存为其他格式，例如 PLY。</translation>
+    </message>
+    <message>
+        <source>Copy the file again, or go back to an earlier copy of it.</source>
+        <translation>请重新复制文件，或使用较早的副本。</translation>
+    </message>
+    <message>
+        <source>Open it with a newer version of Handwheel.</source>
+        <translation>请用更新版本的 Handwheel 打开。</translation>
+    </message>
+    <message>
+        <source>Mend the file at this place, or export it again.</source>
+        <translation>请修正文件的此处，或重新导出。</translation>
+    </message>
+    <message>
+        <source>Put the missing file where the other one expects it.</source>
+        <translation>请把缺少的文件放到引用它的位置。</translation>
+    </message>
+    <message>
+        <source>Enter a value within these limits.</source>
+        <translation>请输入该范围内的值。</translation>
+    </message>
+    <message>
+        <source>Export the model in another way or another format.</source>
+        <translation>请以其他方式或其他格式导出模型。</translation>
+    </message>
+</context>
+<context>
+    <name>ExpressionText</name>
+    <message>
+        <source>A number is missing</source>
+        <translation>缺少数字</translation>
+    </message>
+    <message>
+        <source>This is too long</source>
+        <translation>内容过长</translation>
+    </message>
+    <message>
+        <source>Too many brackets within brackets</source>
+        <translation>括号嵌套过多</translation>
+    </message>
+    <message>
+        <source>A number is missing at the end</source>
+        <translation>末尾缺少数字</translation>
+    </message>
+    <message>
+        <source>A number is missing before “%1”</source>
+        <translation>“%1”前缺少数字</translation>
+    </message>
+    <message>
+        <source>A sign such as + or * is missing before “%1”</source>
+        <translation>“%1”前缺少 + 或 * 之类的运算符</translation>
+    </message>
+    <message>
+        <source>A closing bracket is missing at the end</source>
+        <translation>末尾缺少右括号</translation>
+    </message>
+    <message>
+        <source>A closing bracket is missing before “%1”</source>
+        <translation>“%1”前缺少右括号</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number</source>
+        <translation>“%1”不是数字</translation>
+    </message>
+    <message>
+        <source>“%1” can be read in two ways; write it with a point, or without the comma</source>
+        <translation>“%1”有两种读法；请用小数点，或去掉逗号</translation>
+    </message>
+    <message>
+        <source>There is no unit “%1”</source>
+        <translation>没有单位“%1”</translation>
+    </message>
+    <message>
+        <source>Lengths, angles and plain numbers cannot be added to each other</source>
+        <translation>长度、角度与纯数之间不能相加</translation>
+    </message>
+    <message>
+        <source>The result has the wrong unit</source>
+        <translation>结果的单位不对</translation>
+    </message>
+    <message>
+        <source>Nothing can be divided by zero</source>
+        <translation>不能除以零</translation>
+    </message>
+    <message>
+        <source>The result is too large</source>
+        <translation>结果过大</translation>
+    </message>
+    <message>
+        <source>%1 (character %2).</source>
+        <translation>%1（第 %2 个字符）。</translation>
+    </message>
+</context>
+<context>
+    <name>HelpPages</name>
+    <message>
+        <source>Click</source>
+        <translation>单击</translation>
+    </message>
+    <message>
+        <source>select a hole</source>
+        <translation>选择孔洞</translation>
+    </message>
+    <message>
+        <source>Double-click</source>
+        <translation>双击</translation>
+    </message>
+    <message>
+        <source>go to a hole</source>
+        <translation>转到孔洞</translation>
+    </message>
+    <message>
+        <source>Middle drag</source>
+        <translation>中键拖动</translation>
+    </message>
+    <message>
+        <source>orbit</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>Shift+middle drag</source>
+        <translation>Shift+中键拖动</translation>
+    </message>
+    <message>
+        <source>pan</source>
+        <translation>平移</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>滚轮</translation>
+    </message>
+    <message>
+        <source>zoom to the cursor</source>
+        <translation>以光标为中心缩放</translation>
+    </message>
+    <message>
+        <source>N or Space</source>
+        <translation>N 或空格</translation>
+    </message>
+    <message>
+        <source>next hole</source>
+        <translation>下一个孔洞</translation>
+    </message>
+    <message>
+        <source>Shift+N</source>
+        <translation>Shift+N</translation>
+    </message>
+    <message>
+        <source>previous hole</source>
+        <translation>上一个孔洞</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>fill the selected hole</source>
+        <translation>填补所选孔洞</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>keep the selected hole open</source>
+        <translation>让所选孔洞保持开放</translation>
+    </message>
+    <message>
+        <source>P</source>
+        <translation>P</translation>
+    </message>
+    <message>
+        <source>preview on or off</source>
+        <translation>开关预览</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>clear selection and preview</source>
+        <translation>清除选择和预览</translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation>Ctrl+R</translation>
+    </message>
+    <message>
+        <source>repair all</source>
+        <translation>全部修复</translation>
+    </message>
+    <message>
+        <source>F</source>
+        <translation>F</translation>
+    </message>
+    <message>
+        <source>show the whole model</source>
+        <translation>显示整个模型</translation>
+    </message>
+    <message>
+        <source>1 to 7</source>
+        <translation>1 至 7</translation>
+    </message>
+    <message>
+        <source>front, back, right, left, top, bottom, isometric</source>
+        <translation>前、后、右、左、上、下、等轴测</translation>
+    </message>
+    <message>
+        <source>Ctrl+O, Ctrl+S, Ctrl+Shift+S</source>
+        <translation>Ctrl+O、Ctrl+S、Ctrl+Shift+S</translation>
+    </message>
+    <message>
+        <source>open, save, save as</source>
+        <translation>打开、保存、另存为</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z, Ctrl+Shift+Z</source>
+        <translation>Ctrl+Z、Ctrl+Shift+Z</translation>
+    </message>
+    <message>
+        <source>undo, redo</source>
+        <translation>撤销、重做</translation>
+    </message>
+    <message>
+        <source>Ctrl+W, Ctrl+Q</source>
+        <translation>Ctrl+W、Ctrl+Q</translation>
+    </message>
+    <message>
+        <source>close the document, quit</source>
+        <translation>关闭文档、退出</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>按键与鼠标</translation>
+    </message>
+    <message>
+        <source>Repairs scanned meshes: finds their defects, fills their holes.</source>
+        <translation>修复扫描网格：找出缺陷，填补孔洞。</translation>
+    </message>
+    <message>
+        <source>Free software under the GNU General Public Licence, version 3 or later.&lt;br&gt;Built with Qt, VTK, CGAL and Eigen.</source>
+        <translation>自由软件，遵循 GNU 通用公共许可证第 3 版或更高版本。&lt;br&gt;基于 Qt、VTK、CGAL 和 Eigen 构建。</translation>
+    </message>
+    <message>
+        <source>About Handwheel</source>
+        <translation>关于 Handwheel</translation>
+    </message>
+</context>
+<context>
+    <name>Navigation</name>
+    <message>
+        <source>Handwheel</source>
+        <translation>Handwheel</translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation>Blender</translation>
+    </message>
+    <message>
+        <source>FreeCAD</source>
+        <translation>FreeCAD</translation>
+    </message>
+    <message>
+        <source>SolidWorks</source>
+        <translation>SolidWorks</translation>
+    </message>
+    <message>
+        <source>Laptop without a middle button</source>
+        <translation>无中键的笔记本</translation>
+    </message>
+    <message>
+        <source>Ctrl+</source>
+        <translation>Ctrl+</translation>
+    </message>
+    <message>
+        <source>Alt+</source>
+        <translation>Alt+</translation>
+    </message>
+    <message>
+        <source>Shift+</source>
+        <translation>Shift+</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>左键</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>中键</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>右键</translation>
+    </message>
+    <message>
+        <source>orbit</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>pan</source>
+        <translation>平移</translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation>缩放</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>滚轮</translation>
+    </message>
+</context>
+<context>
+    <name>NextSteps</name>
+    <message numerus="yes">
+        <source>%Ln triangle(s) turned over</source>
+        <translation>
+            <numerusform>已翻转 %Ln 个三角形</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln non-manifold edge(s)</source>
+        <translation>
+            <numerusform>%Ln 条非流形边</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln non-manifold point(s)</source>
+        <translation>
+            <numerusform>%Ln 个非流形点</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln pair(s) of near vertices</source>
+        <translation>
+            <numerusform>%Ln 对邻近顶点</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln triangle(s) without area</source>
+        <translation>
+            <numerusform>%Ln 个零面积三角形</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln duplicate triangle(s)</source>
+        <translation>
+            <numerusform>%Ln 个重复三角形</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln loose piece(s)</source>
+        <translation>
+            <numerusform>%Ln 个孤立碎片</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln hole(s) found.</source>
+        <translation>
+            <numerusform>发现 %Ln 个孔洞。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No holes, but other defects.</source>
+        <translation>没有孔洞，但有其他缺陷。</translation>
+    </message>
+    <message>
+        <source>%1 stays open: %2.</source>
+        <translation>%1 未填补：%2。</translation>
+    </message>
+    <message numerus="yes">
+        <source>…and %Ln more, see the list.</source>
+        <translation>
+            <numerusform>…还有 %Ln 个，见列表。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No holes. This is an open sheet.</source>
+        <translation>没有孔洞。这是一张开放曲面。</translation>
+    </message>
+    <message>
+        <source>No holes are left except those kept open.</source>
+        <translation>除保持开放的以外，已无孔洞。</translation>
+    </message>
+    <message>
+        <source>Watertight.</source>
+        <translation>水密。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln triangle(s) faced the wrong way and were turned over.</source>
+        <translation>
+            <numerusform>%Ln 个三角形朝向有误，已翻转。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>已保存为 %1。</translation>
+    </message>
+    <message>
+        <source>There is nothing to repair.</source>
+        <translation>没有需要修复的内容。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln hole(s) could not be filled.</source>
+        <translation>
+            <numerusform>%Ln 个孔洞无法填补。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Some defects are left.</source>
+        <translation>仍有一些缺陷。</translation>
+    </message>
+</context>
+<context>
+    <name>Note</name>
+    <message>
+        <source>The file is closed, manifold and oriented.</source>
+        <translation>文件是封闭、流形且定向一致的。</translation>
+    </message>
+    <message>
+        <source>The file has %1 open edges, %2 edges with more than two faces and %3 edges at which faces disagree.</source>
+        <translation>文件有 %1 条开放边、%2 条超过两个面的边和 %3 条两侧朝向不一致的边。</translation>
+    </message>
+    <message>
+        <source>%1 vertices were moved by the smallest possible amount, so that the file does not weld them.</source>
+        <translation>%1 个顶点已作最小幅度的移动，以免它们在文件中被焊接。</translation>
+    </message>
+    <message>
+        <source>The file holds the robot&apos;s surfaces as they stand now; it has no joints.</source>
+        <translation>文件只包含机器人当前姿态的表面，没有关节。</translation>
+    </message>
+</context>
+<context>
+    <name>Property</name>
+    <message>
+        <source>Document</source>
+        <translation>文档</translation>
+    </message>
+    <message>
+        <source>Display unit</source>
+        <translation>显示单位</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>网格</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>部件</translation>
+    </message>
+    <message>
+        <source>Size in X</source>
+        <translation>X 向尺寸</translation>
+    </message>
+    <message>
+        <source>Size in Y</source>
+        <translation>Y 向尺寸</translation>
+    </message>
+    <message>
+        <source>Size in Z</source>
+        <translation>Z 向尺寸</translation>
+    </message>
+    <message>
+        <source>speed and effort are not known</source>
+        <translation>速度和力未知</translation>
+    </message>
+    <message>
+        <source>effort is not known</source>
+        <translation>力未知</translation>
+    </message>
+    <message>
+        <source>speed is not known</source>
+        <translation>速度未知</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>工具</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>连杆</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>距离</translation>
+    </message>
+    <message>
+        <source>It was cancelled.</source>
+        <translation>已取消。</translation>
+    </message>
+    <message>
+        <source>It is the outer edge of an open sheet.</source>
+        <translation>这是开放曲面的外边界。</translation>
+    </message>
+    <message>
+        <source>It is kept open.</source>
+        <translation>它被保持开放。</translation>
+    </message>
+    <message>
+        <source>It has more edges than allowed.</source>
+        <translation>边数超过允许值。</translation>
+    </message>
+    <message>
+        <source>No surface fits its edge.</source>
+        <translation>没有曲面能贴合其边界。</translation>
+    </message>
+    <message>
+        <source>Every patch would cross the part.</source>
+        <translation>任何补片都会穿过零件。</translation>
+    </message>
+    <message>
+        <source>Every patch would bulge far out.</source>
+        <translation>任何补片都会明显鼓出。</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>Fair</source>
+        <translation>光顺</translation>
+    </message>
+    <message>
+        <source>Refined</source>
+        <translation>细化</translation>
+    </message>
+    <message>
+        <source>Ear cutting</source>
+        <translation>切耳法</translation>
+    </message>
+    <message>
+        <source>Minimal area</source>
+        <translation>最小面积</translation>
+    </message>
+    <message>
+        <source>New triangles</source>
+        <translation>新三角形</translation>
+    </message>
+    <message>
+        <source>Select by</source>
+        <translation>选择方式</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>单击</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>画笔</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>套索</translation>
+    </message>
+    <message>
+        <source>Connected</source>
+        <translation>相连</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>Size in</source>
+        <translation>尺寸单位</translation>
+    </message>
+    <message>
+        <source>Length on the model</source>
+        <translation>模型上的长度</translation>
+    </message>
+    <message>
+        <source>Pixels</source>
+        <translation>像素</translation>
+    </message>
+    <message>
+        <source>Brush radius</source>
+        <translation>画笔半径</translation>
+    </message>
+    <message>
+        <source>Select through the model</source>
+        <translation>穿透选择</translation>
+    </message>
+    <message>
+        <source>Largest angle</source>
+        <translation>最大角度</translation>
+    </message>
+    <message>
+        <source>Clipping plane</source>
+        <translation>剖切平面</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation>投影</translation>
+    </message>
+    <message>
+        <source>Parallel</source>
+        <translation>平行</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>透视</translation>
+    </message>
+    <message>
+        <source>View cube</source>
+        <translation>视图立方体</translation>
+    </message>
+    <message>
+        <source>Cut the model open</source>
+        <translation>剖开模型</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>垂直于</translation>
+    </message>
+    <message>
+        <source>View direction</source>
+        <translation>视线方向</translation>
+    </message>
+    <message>
+        <source>Other side</source>
+        <translation>另一侧</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>偏移</translation>
+    </message>
+</context>
+<context>
+    <name>RepairText</name>
+    <message>
+        <source>Fair</source>
+        <translation>光顺</translation>
+    </message>
+    <message>
+        <source>Refined</source>
+        <translation>细化</translation>
+    </message>
+    <message>
+        <source>Ear cutting</source>
+        <translation>切耳法</translation>
+    </message>
+    <message>
+        <source>Minimal area</source>
+        <translation>最小面积</translation>
+    </message>
+    <message>
+        <source>Stitched</source>
+        <translation>缝合</translation>
+    </message>
+    <message>
+        <source>Removed</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Triangles as fine as the surroundings, bent to continue them. For scans.</source>
+        <translation>三角形与周围一样细密，并顺着周围弯曲。适合扫描数据。</translation>
+    </message>
+    <message>
+        <source>Triangles as fine as the surroundings, not bent. For flat places.</source>
+        <translation>三角形与周围一样细密，不弯曲。适合平坦处。</translation>
+    </message>
+    <message>
+        <source>Cuts one corner after the other; adds no vertices.</source>
+        <translation>逐个切去角点；不增加顶点。</translation>
+    </message>
+    <message>
+        <source>The smallest possible area; adds no vertices.</source>
+        <translation>面积最小；不增加顶点。</translation>
+    </message>
+    <message>
+        <source>The borders were brought together.</source>
+        <translation>两侧边界已合拢。</translation>
+    </message>
+    <message>
+        <source>The faces around it were removed.</source>
+        <translation>周围的面已移除。</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>已取消</translation>
+    </message>
+    <message>
+        <source>it is the outer edge of an open sheet</source>
+        <translation>这是开放曲面的外边界</translation>
+    </message>
+    <message>
+        <source>you asked for it</source>
+        <translation>您要求如此</translation>
+    </message>
+    <message>
+        <source>it has more edges than allowed</source>
+        <translation>边数超过允许值</translation>
+    </message>
+    <message>
+        <source>no surface fits its edge</source>
+        <translation>没有曲面能贴合其边界</translation>
+    </message>
+    <message>
+        <source>every patch would cross the part</source>
+        <translation>任何补片都会穿过零件</translation>
+    </message>
+    <message>
+        <source>every patch would bulge far out</source>
+        <translation>任何补片都会明显鼓出</translation>
+    </message>
+    <message>
+        <source>colours</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>normals</source>
+        <translation>法线</translation>
+    </message>
+    <message>
+        <source>texture coordinates</source>
+        <translation>纹理坐标</translation>
+    </message>
+    <message>
+        <source>materials</source>
+        <translation>材质</translation>
+    </message>
+    <message>
+        <source>groups</source>
+        <translation>分组</translation>
+    </message>
+    <message>
+        <source>lines</source>
+        <translation>线段</translation>
+    </message>
+    <message>
+        <source>single points</source>
+        <translation>孤立点</translation>
+    </message>
+    <message>
+        <source>curves</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>further attributes</source>
+        <translation>其他属性</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) turned over</source>
+        <translation>
+            <numerusform>翻转 %n 个三角形</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) without area removed</source>
+        <translation>
+            <numerusform>移除 %n 个零面积三角形</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n duplicate triangle(s) removed</source>
+        <translation>
+            <numerusform>移除 %n 个重复三角形</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n loosely hanging triangle(s) removed</source>
+        <translation>
+            <numerusform>移除 %n 个悬挂三角形</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) of debris removed</source>
+        <translation>
+            <numerusform>移除碎片中的 %n 个三角形</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n near point(s) merged</source>
+        <translation>
+            <numerusform>合并 %n 个邻近点</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n touching point(s) parted</source>
+        <translation>
+            <numerusform>分开 %n 个接触点</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>Tool</name>
+    <message>
+        <source>second point</source>
+        <translation>第二点</translation>
+    </message>
+    <message>
+        <source>first point</source>
+        <translation>第一点</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>start again</source>
+        <translation>重新开始</translation>
+    </message>
+    <message>
+        <source>choose a hole</source>
+        <translation>选择孔洞</translation>
+    </message>
+    <message>
+        <source>fill the hole</source>
+        <translation>填补孔洞</translation>
+    </message>
+    <message>
+        <source>next hole</source>
+        <translation>下一个孔洞</translation>
+    </message>
+    <message>
+        <source>previous hole</source>
+        <translation>上一个孔洞</translation>
+    </message>
+    <message>
+        <source>no longer keep open</source>
+        <translation>不再保持开放</translation>
+    </message>
+    <message>
+        <source>keep open</source>
+        <translation>保持开放</translation>
+    </message>
+    <message>
+        <source>choose none</source>
+        <translation>取消选择</translation>
+    </message>
+    <message>
+        <source>Selecting by lasso</source>
+        <translation>正在用套索选择</translation>
+    </message>
+    <message>
+        <source>select a face or a hole</source>
+        <translation>选择面或孔洞</translation>
+    </message>
+    <message>
+        <source>paint faces</source>
+        <translation>涂选面</translation>
+    </message>
+    <message>
+        <source>draw a line around faces</source>
+        <translation>围绕面画线</translation>
+    </message>
+    <message>
+        <source>select all that hangs together</source>
+        <translation>选择所有相连部分</translation>
+    </message>
+    <message>
+        <source>select up to the next edge</source>
+        <translation>选择到下一条棱边</translation>
+    </message>
+    <message>
+        <source>Selecting up to the next edge</source>
+        <translation>正在选择到下一条棱边</translation>
+    </message>
+    <message>
+        <source>Selecting what hangs together</source>
+        <translation>正在选择相连部分</translation>
+    </message>
+    <message>
+        <source>Delete faces</source>
+        <translation>删除面</translation>
+    </message>
+    <message>
+        <source>add to the selection</source>
+        <translation>添加到选择</translation>
+    </message>
+    <message>
+        <source>take out of the selection</source>
+        <translation>从选择中移除</translation>
+    </message>
+    <message>
+        <source>smaller brush</source>
+        <translation>缩小画笔</translation>
+    </message>
+    <message>
+        <source>larger brush</source>
+        <translation>放大画笔</translation>
+    </message>
+    <message>
+        <source>select all</source>
+        <translation>全选</translation>
+    </message>
+    <message>
+        <source>select the rest</source>
+        <translation>反选</translation>
+    </message>
+    <message>
+        <source>grow by one ring</source>
+        <translation>扩展一圈</translation>
+    </message>
+    <message>
+        <source>shrink by one ring</source>
+        <translation>收缩一圈</translation>
+    </message>
+    <message>
+        <source>previous selection</source>
+        <translation>上一个选择</translation>
+    </message>
+    <message>
+        <source>next selection</source>
+        <translation>下一个选择</translation>
+    </message>
+    <message>
+        <source>delete the faces</source>
+        <translation>删除面</translation>
+    </message>
+    <message>
+        <source>select nothing</source>
+        <translation>清除选择</translation>
+    </message>
+</context>
+<context>
+    <name>ToolInput</name>
+    <message>
+        <source>Click</source>
+        <translation>单击</translation>
+    </message>
+    <message>
+        <source>Shift+click</source>
+        <translation>Shift+单击</translation>
+    </message>
+    <message>
+        <source>Ctrl+click</source>
+        <translation>Ctrl+单击</translation>
+    </message>
+    <message>
+        <source>Drag</source>
+        <translation>拖动</translation>
+    </message>
+    <message>
+        <source>Shift+drag</source>
+        <translation>Shift+拖动</translation>
+    </message>
+    <message>
+        <source>Ctrl+drag</source>
+        <translation>Ctrl+拖动</translation>
+    </message>
+    <message>
+        <source>Double-click</source>
+        <translation>双击</translation>
+    </message>
+</context>
+<context>
+    <name>WindowServices</name>
+    <message>
+        <source>Autosave</source>
+        <translation>自动保存</translation>
+    </message>
+    <message>
+        <source>Search for self-intersections</source>
+        <translation>自相交查找</translation>
+    </message>
+    <message>
+        <source>Preview of the patch</source>
+        <translation>补片预览</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::CommandModel</name>
+    <message>
+        <source>Not possible now</source>
+        <translation>当前不可用</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::CommandPalette</name>
+    <message>
+        <source>&amp;Search commands…</source>
+        <translation>搜索命令(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Find and run any command by its name (Ctrl+K)</source>
+        <translation>按名称查找并运行任意命令（Ctrl+K）</translation>
+    </message>
+    <message>
+        <source>What do you want to do?</source>
+        <translation>您想做什么？</translation>
+    </message>
+    <message>
+        <source>Search commands</source>
+        <translation>搜索命令</translation>
+    </message>
+    <message>
+        <source>Commands found</source>
+        <translation>找到的命令</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::DefectModel</name>
+    <message>
+        <source>searching…</source>
+        <translation>正在查找…</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>%1: searching</source>
+        <translation>%1：正在查找</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Stayed open: %1.</source>
+        <translation>未填补：%1。</translation>
+    </message>
+    <message>
+        <source>Edge %1</source>
+        <translation>边 %1</translation>
+    </message>
+    <message>
+        <source>Vertex %1</source>
+        <translation>顶点 %1</translation>
+    </message>
+    <message>
+        <source>Vertices %1 and %2</source>
+        <translation>顶点 %1 和 %2</translation>
+    </message>
+    <message>
+        <source>Triangle %1</source>
+        <translation>三角形 %1</translation>
+    </message>
+    <message>
+        <source>Triangles %1 and %2</source>
+        <translation>三角形 %1 和 %2</translation>
+    </message>
+    <message>
+        <source>Piece %1</source>
+        <translation>碎片 %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln triangle(s)</source>
+        <translation>
+            <numerusform>%Ln 个三角形</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>孔洞</translation>
+    </message>
+    <message>
+        <source>Kept open</source>
+        <translation>保持开放</translation>
+    </message>
+    <message>
+        <source>Non-manifold edges</source>
+        <translation>非流形边</translation>
+    </message>
+    <message>
+        <source>Non-manifold vertices</source>
+        <translation>非流形顶点</translation>
+    </message>
+    <message>
+        <source>Near vertices</source>
+        <translation>邻近顶点</translation>
+    </message>
+    <message>
+        <source>Triangles turned over</source>
+        <translation>已翻转的三角形</translation>
+    </message>
+    <message>
+        <source>Degenerate triangles</source>
+        <translation>退化三角形</translation>
+    </message>
+    <message>
+        <source>Duplicate triangles</source>
+        <translation>重复三角形</translation>
+    </message>
+    <message>
+        <source>Self-intersections</source>
+        <translation>自相交</translation>
+    </message>
+    <message>
+        <source>Debris</source>
+        <translation>碎片</translation>
+    </message>
+    <message>
+        <source>Places where the surface is missing. (A tunnel through the part is not a hole.)</source>
+        <translation>表面缺失之处。（贯穿零件的通道不算孔洞。）</translation>
+    </message>
+    <message>
+        <source>Openings that are meant to be there, and outer edges of open sheets. “Fill all” leaves them.</source>
+        <translation>有意保留的开口，以及开放曲面的外边界。“全部填补”会跳过它们。</translation>
+    </message>
+    <message>
+        <source>Edges at which more than two triangles meet.</source>
+        <translation>超过两个三角形共用的边。</translation>
+    </message>
+    <message>
+        <source>Points at which parts of the surface touch only with a tip.</source>
+        <translation>曲面各部分仅以尖点相接之处。</translation>
+    </message>
+    <message>
+        <source>Vertices on open borders that the file has rounded apart. A repair merges them.</source>
+        <translation>开放边界上因文件舍入而分开的顶点。修复时会合并。</translation>
+    </message>
+    <message>
+        <source>Triangles that faced the wrong way in the file. They were turned over on opening.</source>
+        <translation>文件中朝向有误的三角形，打开时已翻转。</translation>
+    </message>
+    <message>
+        <source>Triangles without area.</source>
+        <translation>面积为零的三角形。</translation>
+    </message>
+    <message>
+        <source>Triangles that lie exactly on another one.</source>
+        <translation>与另一个完全重合的三角形。</translation>
+    </message>
+    <message>
+        <source>Pairs of triangles that pass through each other. They are shown, not repaired.</source>
+        <translation>互相穿插的三角形对。仅显示，不修复。</translation>
+    </message>
+    <message>
+        <source>Small pieces that are not connected with the model.</source>
+        <translation>与模型不相连的小块。</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::DefectsPanel</name>
+    <message>
+        <source>Defects</source>
+        <translation>缺陷</translation>
+    </message>
+    <message>
+        <source>Open a mesh to see its holes and other defects here.</source>
+        <translation>打开网格后，这里会显示其孔洞和其他缺陷。</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::DockTitle</name>
+    <message>
+        <source>Fold this panel away</source>
+        <translation>折叠此面板</translation>
+    </message>
+    <message>
+        <source>Fold the panel “%1” away</source>
+        <translation>折叠面板“%1”</translation>
+    </message>
+    <message>
+        <source>Put this panel back into the window</source>
+        <translation>将此面板放回窗口</translation>
+    </message>
+    <message>
+        <source>Take this panel out of the window</source>
+        <translation>将此面板移出窗口</translation>
+    </message>
+    <message>
+        <source>Put the panel “%1” back into the window</source>
+        <translation>将面板“%1”放回窗口</translation>
+    </message>
+    <message>
+        <source>Take the panel “%1” out of the window</source>
+        <translation>将面板“%1”移出窗口</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::Document</name>
+    <message>
+        <source>Untitled</source>
+        <translation>未命名</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>更改%1</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::DocumentTabs</name>
+    <message>
+        <source>Open documents</source>
+        <translation>已打开的文档</translation>
+    </message>
+    <message>
+        <source>Close %1</source>
+        <translation>关闭 %1</translation>
+    </message>
+    <message>
+        <source>Close (Ctrl+W)</source>
+        <translation>关闭（Ctrl+W）</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::DocumentsPanel</name>
+    <message>
+        <source>Open documents</source>
+        <translation>已打开的文档</translation>
+    </message>
+    <message>
+        <source>Hide the surface</source>
+        <translation>隐藏表面</translation>
+    </message>
+    <message>
+        <source>Show the surface</source>
+        <translation>显示表面</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::FileActions</name>
+    <message>
+        <source>All that Handwheel opens (%1)</source>
+        <translation>Handwheel 可打开的文件 (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Handwheel documents (%1)</source>
+        <translation>Handwheel 文档 (%1)</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>打开(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Open the &amp;sample</source>
+        <translation>打开示例(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>另存为(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>关闭(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>最近打开(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Open files</source>
+        <translation>打开文件</translation>
+    </message>
+    <message>
+        <source>Open the sample scan</source>
+        <translation>打开示例扫描</translation>
+    </message>
+    <message>
+        <source>Save this document</source>
+        <translation>保存此文档</translation>
+    </message>
+    <message>
+        <source>Save this document under another name</source>
+        <translation>以其他名称保存此文档</translation>
+    </message>
+    <message>
+        <source>Close this document</source>
+        <translation>关闭此文档</translation>
+    </message>
+    <message>
+        <source>&amp;Clear this list</source>
+        <translation>清空列表(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>另存为</translation>
+    </message>
+    <message>
+        <source>Save in:</source>
+        <translation>保存到：</translation>
+    </message>
+    <message>
+        <source>All formats (%1)</source>
+        <translation>所有格式 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::FileLoader</name>
+    <message>
+        <source>Opening %1</source>
+        <translation>正在打开 %1</translation>
+    </message>
+    <message>
+        <source>Recovering %1</source>
+        <translation>正在恢复 %1</translation>
+    </message>
+    <message>
+        <source>Recovered %1 as it was last autosaved</source>
+        <translation>已将 %1 恢复到最近一次自动保存的状态</translation>
+    </message>
+    <message>
+        <source>Opening %1 was cancelled</source>
+        <translation>已取消打开 %1</translation>
+    </message>
+    <message>
+        <source>%1 could not be opened</source>
+        <translation>无法打开 %1</translation>
+    </message>
+    <message>
+        <source>Open what is readable</source>
+        <translation>打开可读部分</translation>
+    </message>
+    <message>
+        <source>It was written by a newer version of Handwheel; what only that one knows is not shown.</source>
+        <translation>该文件由更新版本的 Handwheel 写入；仅新版本认识的内容不会显示。</translation>
+    </message>
+    <message>
+        <source>…and %1 more, listed in the Log.</source>
+        <translation>…还有 %1 项，见日志。</translation>
+    </message>
+    <message>
+        <source>Not kept by Handwheel: %1.</source>
+        <translation>Handwheel 未保留：%1。</translation>
+    </message>
+    <message>
+        <source>%1 is damaged</source>
+        <translation>%1 已损坏</translation>
+    </message>
+    <message>
+        <source>%1 is opened for reading only</source>
+        <translation>%1 以只读方式打开</translation>
+    </message>
+    <message>
+        <source>%1 holds more than its surface</source>
+        <translation>%1 不只包含表面</translation>
+    </message>
+    <message>
+        <source>“Save” will ask for a new name, so the original stays as it is.</source>
+        <translation>“保存”时会要求新文件名，原文件保持不变。</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::FileSaver</name>
+    <message>
+        <source>Saving %1</source>
+        <translation>正在保存 %1</translation>
+    </message>
+    <message>
+        <source>Saved %1: %2 bytes, read back and compared</source>
+        <translation>已保存 %1：%2 字节，已回读比对</translation>
+    </message>
+    <message>
+        <source>%1 holds the state before your last change</source>
+        <translation>%1 保存的是您最后一次更改之前的状态</translation>
+    </message>
+    <message>
+        <source>Saving %1 was cancelled; the old file is untouched</source>
+        <translation>已取消保存 %1；原文件未被改动</translation>
+    </message>
+    <message>
+        <source>%1 could not be saved</source>
+        <translation>无法保存 %1</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::HolePreview</name>
+    <message>
+        <source>Preview</source>
+        <translation>预览</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::HoleSettings</name>
+    <message>
+        <source>Fill method</source>
+        <translation>填补方法</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>Computing the patch…</source>
+        <translation>正在计算补片…</translation>
+    </message>
+    <message>
+        <source>Cannot be filled: %1.</source>
+        <translation>无法填补：%1。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln new triangle(s)</source>
+        <translation>
+            <numerusform>%Ln 个新三角形</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, by “%2” because the chosen method fits none</source>
+        <translation>%1，因所选方法无解而改用“%2”</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::Inspection</name>
+    <message>
+        <source>Outer edge %1</source>
+        <translation>外边界 %1</translation>
+    </message>
+    <message>
+        <source>Hole %1</source>
+        <translation>孔洞 %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln edge(s), %1</source>
+        <translation>
+            <numerusform>%Ln 条边，%1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 — %2</source>
+        <translation>%1 — %2</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::JobBar</name>
+    <message>
+        <source>Cancel this job</source>
+        <translation>取消此任务</translation>
+    </message>
+    <message>
+        <source>Cancel “%1”</source>
+        <translation>取消“%1”</translation>
+    </message>
+    <message>
+        <source>Show all jobs</source>
+        <translation>显示所有任务</translation>
+    </message>
+    <message>
+        <source>Jobs</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>+%1</source>
+        <translation>+%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more job(s)</source>
+        <translation>
+            <numerusform>另有 %n 个任务</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::LogModel</name>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>事件</translation>
+    </message>
+    <message>
+        <source>The same without a window</source>
+        <translation>等效命令</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::LogPanel</name>
+    <message>
+        <source>Log</source>
+        <translation>日志</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::MainWindow</name>
+    <message>
+        <source>&amp;Show the list</source>
+        <translation>显示列表(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>退出(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Show the whole model and its panel</source>
+        <translation>显示整个模型及其面板</translation>
+    </message>
+    <message>
+        <source>%1[*] — Handwheel</source>
+        <translation>%1[*] — Handwheel</translation>
+    </message>
+    <message>
+        <source>fit</source>
+        <translation>适合窗口</translation>
+    </message>
+    <message>
+        <source>Ctrl+O</source>
+        <translation>Ctrl+O</translation>
+    </message>
+    <message>
+        <source>open a file</source>
+        <translation>打开文件</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>拖放</translation>
+    </message>
+    <message>
+        <source>files anywhere</source>
+        <translation>文件到任意处</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>三维视图</translation>
+    </message>
+    <message>
+        <source>The 3D view cannot be drawn</source>
+        <translation>无法绘制三维视图</translation>
+    </message>
+    <message>
+        <source>Files can still be repaired and saved.</source>
+        <translation>仍可修复和保存文件。</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>历史</translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>打开时</translation>
+    </message>
+    <message>
+        <source>Documents</source>
+        <translation>文档</translation>
+    </message>
+    <message>
+        <source>Defects</source>
+        <translation>缺陷</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>日志</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Lengths are in millimetres, as in the file</source>
+        <translation>长度单位为毫米，与文件一致</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>文件(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>编辑(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>重做(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Keys and mouse</source>
+        <translation>按键与鼠标(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;About Handwheel</source>
+        <translation>关于 Handwheel(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Quick actions</source>
+        <translation>快捷操作</translation>
+    </message>
+    <message>
+        <source>Actions of the document</source>
+        <translation>文档操作</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>面板</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>No document is open.</source>
+        <translation>没有打开的文档。</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>属性</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>首选项(&amp;P)…</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::MeshDocument</name>
+    <message>
+        <source>Keep open</source>
+        <translation>保持开放</translation>
+    </message>
+    <message>
+        <source>No longer keep open</source>
+        <translation>不再保持开放</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::MeshUi</name>
+    <message>
+        <source>Click</source>
+        <translation>单击</translation>
+    </message>
+    <message>
+        <source>select a hole</source>
+        <translation>选择孔洞</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>next hole</source>
+        <translation>下一个孔洞</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>fill</source>
+        <translation>填补</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>keep open</source>
+        <translation>保持开放</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>deselect</source>
+        <translation>取消选择</translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation>%1 个三角形</translation>
+    </message>
+    <message>
+        <source>Opened %1: %2 triangles, %3 holes, %4 triangles turned over</source>
+        <translation>已打开 %1：%2 个三角形，%3 个孔洞，翻转 %4 个三角形</translation>
+    </message>
+    <message>
+        <source>Defects</source>
+        <translation>缺陷</translation>
+    </message>
+    <message>
+        <source>&amp;Repair</source>
+        <translation>修复(&amp;R)</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::MessageBar</name>
+    <message>
+        <source>Close this message</source>
+        <translation>关闭此消息</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::NextStepCard</name>
+    <message>
+        <source>Do not show this card for this document again</source>
+        <translation>不再为此文档显示此卡片</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::NumberField</name>
+    <message>
+        <source>in %1</source>
+        <translation>单位 %1</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>不小于 %1</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>不大于 %1</translation>
+    </message>
+    <message>
+        <source>Must be at least %1.</source>
+        <translation>不得小于 %1。</translation>
+    </message>
+    <message>
+        <source>Must be at most %1.</source>
+        <translation>不得大于 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>首选项</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>页面</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>按键</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>鼠标</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>语言</translation>
+    </message>
+    <message>
+        <source>Autosave</source>
+        <translation>自动保存</translation>
+    </message>
+    <message>
+        <source>Mouse navigation</source>
+        <translation>鼠标导航</translation>
+    </message>
+    <message>
+        <source>Move the view as in</source>
+        <translation>视图操作方式仿照</translation>
+    </message>
+    <message>
+        <source>Length unit</source>
+        <translation>长度单位</translation>
+    </message>
+    <message>
+        <source>Millimetres (mm)</source>
+        <translation>毫米 (mm)</translation>
+    </message>
+    <message>
+        <source>Centimetres (cm)</source>
+        <translation>厘米 (cm)</translation>
+    </message>
+    <message>
+        <source>Metres (m)</source>
+        <translation>米 (m)</translation>
+    </message>
+    <message>
+        <source>Inches (in)</source>
+        <translation>英寸 (in)</translation>
+    </message>
+    <message>
+        <source>Lengths of new documents</source>
+        <translation>新文档的长度</translation>
+    </message>
+    <message>
+        <source>Each document can show another unit. Every field takes all units: “1 in + 2 mm”.</source>
+        <translation>每个文档可显示不同的单位。所有输入框都接受任意单位：“1 in + 2 mm”。</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>跟随系统</translation>
+    </message>
+    <message>
+        <source>Shown from the next start.</source>
+        <translation>下次启动时生效。</translation>
+    </message>
+    <message>
+        <source>Save a recovery copy while working</source>
+        <translation>工作时保存恢复副本</translation>
+    </message>
+    <message>
+        <source>Seconds between recovery copies</source>
+        <translation>恢复副本的间隔秒数</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> 秒</translation>
+    </message>
+    <message>
+        <source>Every</source>
+        <translation>每隔</translation>
+    </message>
+    <message>
+        <source>The copy is kept beside your files, never in their place; after a crash it is offered to you.</source>
+        <translation>副本与您的文件分开保存，绝不覆盖；崩溃后会提供恢复。</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ReadOnlyRow</name>
+    <message>
+        <source>yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::RepairActions</name>
+    <message>
+        <source>&amp;Repair all</source>
+        <translation>全部修复(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Remove &amp;debris</source>
+        <translation>移除碎片(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Go one by one</source>
+        <translation>逐个处理(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Fill</source>
+        <translation>填补(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Keep open</source>
+        <translation>保持开放(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;Preview</source>
+        <translation>预览(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Next hole</source>
+        <translation>下一个孔洞(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious hole</source>
+        <translation>上一个孔洞(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Clear selection</source>
+        <translation>清除选择(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Fill all holes except those kept open, and mend the other defects, as one step</source>
+        <translation>一步填补所有未保持开放的孔洞，并修复其他缺陷</translation>
+    </message>
+    <message>
+        <source>Remove the small pieces that are not connected with the model</source>
+        <translation>移除与模型不相连的小块</translation>
+    </message>
+    <message>
+        <source>Look at one hole after the other</source>
+        <translation>逐个查看孔洞</translation>
+    </message>
+    <message>
+        <source>Fill the selected hole</source>
+        <translation>填补所选孔洞</translation>
+    </message>
+    <message>
+        <source>This opening is meant to be there: “Repair all” leaves it</source>
+        <translation>此开口是有意的：“全部修复”会跳过它</translation>
+    </message>
+    <message>
+        <source>Show the patch of the selected hole before it is filled</source>
+        <translation>填补前显示所选孔洞的补片</translation>
+    </message>
+    <message>
+        <source>Go to the next hole</source>
+        <translation>转到下一个孔洞</translation>
+    </message>
+    <message>
+        <source>Go to the previous hole</source>
+        <translation>转到上一个孔洞</translation>
+    </message>
+    <message>
+        <source>Clear the selection and the preview</source>
+        <translation>清除选择和预览</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::RepairJobs</name>
+    <message>
+        <source>Filling hole %1</source>
+        <translation>正在填补孔洞 %1</translation>
+    </message>
+    <message>
+        <source>%1 stays open: %2</source>
+        <translation>%1 未填补：%2</translation>
+    </message>
+    <message>
+        <source>Fill hole %1</source>
+        <translation>填补孔洞 %1</translation>
+    </message>
+    <message>
+        <source>Filled %1 of %2</source>
+        <translation>已填补 %2 的 %1</translation>
+    </message>
+    <message>
+        <source>Removing debris</source>
+        <translation>正在移除碎片</translation>
+    </message>
+    <message>
+        <source>Remove debris</source>
+        <translation>移除碎片</translation>
+    </message>
+    <message numerus="yes">
+        <source>Removed %Ln loose piece(s) from %1</source>
+        <translation>
+            <numerusform>已从 %1 移除 %Ln 个碎片</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Repairing %1</source>
+        <translation>正在修复 %1</translation>
+    </message>
+    <message>
+        <source>Repair all</source>
+        <translation>全部修复</translation>
+    </message>
+    <message>
+        <source>%1 of %2 holes filled</source>
+        <translation>已填补 %2 个孔洞中的 %1 个</translation>
+    </message>
+    <message>
+        <source>%1 kept open</source>
+        <translation>%1 个保持开放</translation>
+    </message>
+    <message>
+        <source>Repaired %1: %2</source>
+        <translation>已修复 %1：%2</translation>
+    </message>
+    <message>
+        <source>A hole that the repair laid open</source>
+        <translation>修复过程中露出的孔洞</translation>
+    </message>
+    <message>
+        <source>%1 was changed meanwhile; the job runs once more</source>
+        <translation>%1 在此期间已更改；任务将重新运行</translation>
+    </message>
+    <message>
+        <source>%1 was changed again; the result was discarded</source>
+        <translation>%1 再次更改；结果已丢弃</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::SelfIntersectionSearch</name>
+    <message>
+        <source>Searching self-intersections</source>
+        <translation>正在查找自相交</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ServiceModel</name>
+    <message>
+        <source>%1 % of the frame</source>
+        <translation>占帧时间的 %1 %</translation>
+    </message>
+    <message>
+        <source>%1 % of the servo tick</source>
+        <translation>占伺服周期的 %1 %</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>运行中</translation>
+    </message>
+    <message>
+        <source>asleep</source>
+        <translation>休眠</translation>
+    </message>
+    <message>
+        <source>Service</source>
+        <translation>服务</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Ticks/s</source>
+        <translation>周期/秒</translation>
+    </message>
+    <message>
+        <source>µs per tick</source>
+        <translation>µs/周期</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>占比</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ShortcutEditor</name>
+    <message>
+        <source>No key</source>
+        <translation>无按键</translation>
+    </message>
+    <message>
+        <source>The command has no key any more</source>
+        <translation>该命令不再有按键</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>重置</translation>
+    </message>
+    <message>
+        <source>Back to the key that the program gives it</source>
+        <translation>恢复程序默认的按键</translation>
+    </message>
+    <message>
+        <source>Take it from them</source>
+        <translation>从其他命令取走</translation>
+    </message>
+    <message>
+        <source>The other commands lose this key</source>
+        <translation>其他命令将失去此按键</translation>
+    </message>
+    <message>
+        <source>Search by name or key</source>
+        <translation>按名称或按键搜索</translation>
+    </message>
+    <message>
+        <source>Search commands and keys</source>
+        <translation>搜索命令和按键</translation>
+    </message>
+    <message>
+        <source>Commands and their keys</source>
+        <translation>命令及其按键</translation>
+    </message>
+    <message>
+        <source>New key of the chosen command</source>
+        <translation>所选命令的新按键</translation>
+    </message>
+    <message>
+        <source>Press the new key here</source>
+        <translation>在此按下新按键</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation>全部重置</translation>
+    </message>
+    <message>
+        <source>All keys as the program gives them</source>
+        <translation>所有按键恢复程序默认</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>导入…</translation>
+    </message>
+    <message>
+        <source>Take the keys from a file</source>
+        <translation>从文件读取按键</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>导出…</translation>
+    </message>
+    <message>
+        <source>Write the changed keys to a file</source>
+        <translation>将更改的按键写入文件</translation>
+    </message>
+    <message>
+        <source>Choose a command to change its key.</source>
+        <translation>选择命令以更改其按键。</translation>
+    </message>
+    <message>
+        <source>The same key starts “%1”; so neither works.</source>
+        <translation>同一按键也用于“%1”；两者都不会生效。</translation>
+    </message>
+    <message>
+        <source>”, “</source>
+        <translation>”、“</translation>
+    </message>
+    <message>
+        <source>Import keys</source>
+        <translation>导入按键</translation>
+    </message>
+    <message>
+        <source>Keys (*.json)</source>
+        <translation>按键 (*.json)</translation>
+    </message>
+    <message>
+        <source>The keys were taken from the file.</source>
+        <translation>已从文件读取按键。</translation>
+    </message>
+    <message>
+        <source>Export keys</source>
+        <translation>导出按键</translation>
+    </message>
+    <message>
+        <source>The changed keys were written.</source>
+        <translation>已写入更改的按键。</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ShortcutModel</name>
+    <message>
+        <source>Command</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>按键</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::StartPage</name>
+    <message>
+        <source>Open %1</source>
+        <translation>打开 %1</translation>
+    </message>
+    <message>
+        <source>A scanned part with holes. Close the first one with Enter.</source>
+        <translation>一个有孔洞的扫描零件。按 Enter 封闭第一个。</translation>
+    </message>
+    <message>
+        <source>Open a file…</source>
+        <translation>打开文件…</translation>
+    </message>
+    <message>
+        <source>Recent files</source>
+        <translation>最近的文件</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>清空</translation>
+    </message>
+    <message>
+        <source>Clear the list of recent files</source>
+        <translation>清空最近文件列表</translation>
+    </message>
+    <message>
+        <source>Repair a scan</source>
+        <translation>修复扫描</translation>
+    </message>
+    <message>
+        <source>Lathe exercise</source>
+        <translation>车削练习</translation>
+    </message>
+    <message>
+        <source>Robot cell</source>
+        <translation>机器人单元</translation>
+    </message>
+    <message>
+        <source>A shaft in the chuck. Turn a step, and feel what the cut costs.</source>
+        <translation>卡盘中的一根轴。车出台阶，感受切削力。</translation>
+    </message>
+    <message>
+        <source>An arm and a table. Plan a path, see that it is clear, export it.</source>
+        <translation>一个机械臂和一张工作台。规划路径，确认无碰撞，然后导出。</translation>
+    </message>
+    <message>
+        <source>Or drop files anywhere on this window</source>
+        <translation>或将文件拖放到窗口任意处</translation>
+    </message>
+    <message>
+        <source>Repair scans, practise at the lathe, plan paths for robots.</source>
+        <translation>修复扫描、练习车削、规划机器人路径。</translation>
+    </message>
+    <message>
+        <source>The sample is not installed.</source>
+        <translation>示例未安装。</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::StateCard</name>
+    <message>
+        <source>Watertight</source>
+        <translation>水密</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln hole(s)</source>
+        <translation>
+            <numerusform>%Ln 个孔洞</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No holes left</source>
+        <translation>已无孔洞</translation>
+    </message>
+    <message>
+        <source>Not manifold</source>
+        <translation>非流形</translation>
+    </message>
+    <message>
+        <source>%1 non-manifold</source>
+        <translation>%1 处非流形</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln kept open</source>
+        <translation>
+            <numerusform>%Ln 个保持开放</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln turned over</source>
+        <translation>
+            <numerusform>%Ln 个已翻转</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln self-intersection(s)</source>
+        <translation>
+            <numerusform>%Ln 处自相交</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Closed and manifold</source>
+        <translation>封闭且流形</translation>
+    </message>
+    <message>
+        <source>Manifold</source>
+        <translation>流形</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::StatusPanel</name>
+    <message>
+        <source>Services</source>
+        <translation>服务</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ViewActions</name>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>适合窗口(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Dark theme</source>
+        <translation>深色主题(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Show the whole model (F)</source>
+        <translation>显示整个模型（F）</translation>
+    </message>
+    <message>
+        <source>&amp;Isometric</source>
+        <translation>等轴测(&amp;I)</translation>
+    </message>
+    <message>
+        <source>F&amp;ront</source>
+        <translation>前视(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>后视(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Rig&amp;ht</source>
+        <translation>右视(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>左视(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>俯视(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Botto&amp;m</source>
+        <translation>仰视(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Shaded</source>
+        <translation>着色(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Shaded with &amp;edges</source>
+        <translation>带边着色(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Wireframe</source>
+        <translation>线框(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Switch between the light and the dark theme</source>
+        <translation>切换浅色与深色主题</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ViewCube</name>
+    <message>
+        <source>View cube</source>
+        <translation>视图立方体</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>前</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>后</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>下</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>上</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::Viewport</name>
+    <message>
+        <source>3D view</source>
+        <translation>三维视图</translation>
+    </message>
+    <message>
+        <source>The 3D view needs an X server, and this session runs on “%1”. Start the program in an X11 session, or in a Wayland session with Xwayland.</source>
+        <translation>三维视图需要 X 服务器，而当前会话运行于“%1”。请在 X11 会话或带 Xwayland 的 Wayland 会话中启动程序。</translation>
+    </message>
+    <message>
+        <source>The 3D view needs OpenGL 3.2 through an X server (GLX), which this session does not offer. Start the program in an X11 session, or in a Wayland session with Xwayland.</source>
+        <translation>三维视图需要通过 X 服务器（GLX）使用 OpenGL 3.2，当前会话不提供。请在 X11 会话或带 Xwayland 的 Wayland 会话中启动程序。</translation>
+    </message>
+    <message>
+        <source>The 3D view could not start: the display offers no OpenGL. Check the graphics driver, or whether the X server provides GLX.</source>
+        <translation>三维视图无法启动：显示环境不提供 OpenGL。请检查显卡驱动，或 X 服务器是否提供 GLX。</translation>
+    </message>
+</context>
+</TS>

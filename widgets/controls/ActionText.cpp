@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "controls/ActionText.h"
+
+#include <QAction>
+#include <QMenu>
+#include <QMenuBar>
+#include <QRegularExpression>
+
+namespace handwheel {
+
+namespace {
+
+void collect(const QList<QAction*>& actions, const QString& path, QHash<const QAction*, QString>& paths) {
+  for (const QAction* action : actions) {
+    if (!action->menu()) {
+      if (!paths.contains(action)) paths.insert(action, path);
+      continue;
+    }
+    const QString title = withoutMnemonic(action->text());
+    collect(action->menu()->actions(), path.isEmpty() ? title : path + QStringLiteral(" › ") + title, paths);
+  }
+}
+
+}  // namespace
+
+QString withoutMnemonic(const QString& text) {
+  // Chinese and Japanese append it in brackets: 文件(&F).
+  static const QRegularExpression kAppended(QStringLiteral(R"(\s*\(&\w\))"));
+  static const QRegularExpression kMark(QStringLiteral("&(.)"));
+  return QString(text).remove(kAppended).replace(kMark, QStringLiteral("\\1"));
+}
+
+QHash<const QAction*, QString> menuPaths(const QMenuBar* bar) {
+  QHash<const QAction*, QString> paths;
+  if (bar) collect(bar->actions(), {}, paths);
+  return paths;
+}
+
+QList<QAction*> namedActions(const QObject& root) {
+  QList<QAction*> named = root.findChildren<QAction*>();
+  const auto foreign = [](const QAction* action) {
+    // Qt names the actions of its own widgets with an underscore or "qt_" in front.
+    const QString name = action->objectName();
+    return name.isEmpty() || name.startsWith(QLatin1Char('_')) || name.startsWith(QLatin1String("qt_")) ||
+           action->text().isEmpty() || action->isSeparator() || action->menu();
+  };
+  named.removeIf(foreign);
+  return named;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAbstractListModel>
+#include <QHash>
+#include <QPointer>
+#include <QStringList>
+#include <vector>
+
+#include "controls/CommandSearch.h"
+
+class QAction;
+
+namespace handwheel {
+
+// The actions that match what is typed, best first.
+class CommandModel : public QAbstractListModel {
+  Q_OBJECT
+
+ public:
+  enum Role {
+    PathRole = Qt::UserRole,  // the menus that lead to it
+    ShortcutRole,
+    ReasonRole,  // why it cannot be run now; empty when it can
+  };
+
+  using QAbstractListModel::QAbstractListModel;
+
+  // Invisible actions are left out.
+  void setActions(const QList<QAction*>& actions, const QHash<const QAction*, QString>& paths);
+  void setRecent(const QStringList& ids) { m_recent = ids; }
+  void setQuery(const QString& query);
+  QAction* action(const QModelIndex& index) const;  // null: gone
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+
+ private:
+  struct Command {
+    QPointer<QAction> action;
+    QString path;
+  };
+  std::vector<Command> m_commands;
+  CommandSearch m_search;
+  QStringList m_recent;
+  std::vector<int> m_found;
+};
+
+}  // namespace handwheel

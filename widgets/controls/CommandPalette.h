@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFrame>
+#include <QPointer>
+
+class QLineEdit;
+class QListView;
+class QMainWindow;
+
+namespace handwheel {
+
+class CommandModel;
+
+// Finds and runs any action of the window by a few letters of its name. Lies over the top of the window while it is in
+// use; Esc or a click elsewhere puts it away. The last used are remembered in the settings.
+class CommandPalette : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit CommandPalette(QMainWindow* window);
+
+  // "Search commands…", Ctrl+K: for menu and tool bar.
+  QAction* action() const { return m_action; }
+  void popUp();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  bool useKey(QKeyEvent* event);
+  void search();
+  void place();
+  void run(const QModelIndex& index);
+  void remember(const QString& id);
+
+  QMainWindow* m_window;
+  QAction* m_action;
+  CommandModel* m_model;
+  QLineEdit* m_query;
+  QListView* m_list;
+  QPointer<QWidget> m_before;  // had the focus
+};
+
+}  // namespace handwheel

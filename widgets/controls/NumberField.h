@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+
+#include "base/Expression.h"
+
+class QLabel;
+
+namespace handwheel {
+
+class NumberLine;
+
+// A number with its unit. Takes expressions ("25.4/2", "1 in + 2mm"); the arrow keys and, with the focus, the wheel
+// step it (Shift: ten steps, Ctrl: a tenth). What cannot be taken stays in the line with the reason below, until it is
+// mended or Esc brings the value back. Values are in mm and radian whatever is shown.
+class NumberField : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit NumberField(QWidget* parent = nullptr);
+
+  void setQuantity(Quantity quantity, LengthUnit unit);
+  void setRange(double least, double largest);  // none when they are the wrong way round
+  void setPrefix(const QString& prefix);        // "⌀", "R"
+  void setLabel(const QString& label);          // for screen readers
+  void setStep(double step) { m_step = step; }  // 0: chosen by the size of the value
+  // A text that is being edited stays.
+  void setValue(double value);
+
+  double value() const { return m_value; }
+  QString problem() const;  // empty: none
+
+ signals:
+  // During a run of steps stillDragging is true; the last value is sent once more with false.
+  void valueEdited(double value, bool stillDragging);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void showMarks();
+  void showValue();
+  void describe();
+  void commit();
+  void revert();
+  void step(double steps);
+  void endSteps();
+  double oneStep() const;
+  QString text() const;
+  QString rangeProblem(double value) const;
+  void showProblem(const QString& problem);
+
+  NumberLine* m_line;
+  QLabel* m_problem;
+  QTimer m_pause;  // ends a run of steps
+  bool m_stepping = false;
+  Quantity m_quantity = Quantity::Number;
+  LengthUnit m_unit = LengthUnit::Millimetre;
+  QString m_prefix;
+  double m_least;
+  double m_largest;
+  double m_step = 0.0;
+  double m_value = 0.0;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "controls/Preferences.h"
+
+#include <QSettings>
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+const auto kNavigation = QStringLiteral("navigation");
+const auto kLengthUnit = QStringLiteral("lengthUnit");
+const auto kLanguage = QStringLiteral("language");
+const auto kAutosave = QStringLiteral("autosaveSeconds");
+
+constexpr LengthUnit kUnits[] = {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre, LengthUnit::Inch};
+
+}  // namespace
+
+Preferences loadPreferences() {
+  const QSettings settings;
+  Preferences preferences;
+  preferences.navigation = settings.value(kNavigation).toString();
+  preferences.language = settings.value(kLanguage, preferences.language).toString();
+  const QString symbol = settings.value(kLengthUnit).toString();
+  for (LengthUnit unit : kUnits) {
+    if (symbol == QLatin1String(symbolOf(unit))) preferences.lengthUnit = unit;
+  }
+  bool isNumber = false;
+  const int seconds = settings.value(kAutosave).toInt(&isNumber);
+  if (isNumber && seconds >= 0) {
+    preferences.autosaveSeconds = seconds == 0 ? 0 : std::clamp(seconds, kShortestAutosave, kLongestAutosave);
+  }
+  return preferences;
+}
+
+void storePreferences(const Preferences& preferences) {
+  QSettings settings;
+  settings.setValue(kNavigation, preferences.navigation);
+  settings.setValue(kLengthUnit, QLatin1String(symbolOf(preferences.lengthUnit)));
+  settings.setValue(kLanguage, preferences.language);
+  settings.setValue(kAutosave, preferences.autosaveSeconds);
+}
+
+}  // namespace handwheel

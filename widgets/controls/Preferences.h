@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include "base/Units.h"
+
+namespace handwheel {
+
+// What the user has chosen for all documents.
+struct Preferences {
+  QString navigation;                              // id of a preset of mouse navigation; empty: the program's own
+  LengthUnit lengthUnit = LengthUnit::Millimetre;  // of new documents
+  QString language = QStringLiteral("system");     // or a code: "de"
+  int autosaveSeconds = 20;                        // 0: never
+
+  bool operator==(const Preferences&) const = default;
+};
+
+inline constexpr int kShortestAutosave = 5;  // seconds
+inline constexpr int kLongestAutosave = 600;
+
+// From and to the program's settings. What makes no sense there counts as not set.
+Preferences loadPreferences();
+void storePreferences(const Preferences& preferences);
+
+}  // namespace handwheel

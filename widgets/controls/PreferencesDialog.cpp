@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "controls/PreferencesDialog.h"
+
+#include "controls/ShortcutEditor.h"
+#include "text/Translations.h"
+#include "theme/Icons.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QScrollArea>
+#include <QSpinBox>
+#include <QStackedWidget>
+
+namespace handwheel {
+
+namespace {
+
+QLabel* note(const QString& text, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  label->setProperty("muted", true);
+  label->setWordWrap(true);
+  return label;
+}
+
+// A page with one line: a label and what is chosen by it.
+QFormLayout* line(QWidget* page, const QString& label, QWidget* field) {
+  auto* form = new QFormLayout(page);
+  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+  form->setContentsMargins(0, 0, 0, 0);
+  form->addRow(label, field);
+  return form;
+}
+
+QComboBox* comboBox(const char* name, const QString& label, QWidget* parent) {
+  auto* box = new QComboBox(parent);
+  box->setObjectName(QString::fromLatin1(name));
+  box->setAccessibleName(label);
+  return box;
+}
+
+}  // namespace
+
+PreferencesDialog::PreferencesDialog(ShortcutModel* keys, std::vector<NavigationChoice> navigation, QWidget* parent)
+    : QDialog(parent),
+      m_navigation(std::move(navigation)),
+      m_preferences(loadPreferences()),
+      m_titles(new QListWidget(this)),
+      m_pages(new QStackedWidget(this)) {
+  setObjectName(QStringLiteral("preferences"));
+  setWindowTitle(tr("Preferences"));
+  m_titles->setObjectName(QStringLiteral("preferencePages"));
+  m_titles->setAccessibleName(tr("Pages"));
+  m_titles->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  connect(m_titles, &QListWidget::currentRowChanged, m_pages, &QStackedWidget::setCurrentIndex);
+  addPage("keyboard", tr("Keys"), new ShortcutEditor(keys, this));
+  addPage("mouse", tr("Mouse"), mousePage());
+  addPage("ruler", tr("Units"), unitsPage());
+  addPage("language", tr("Language"), languagePage());
+  addPage("save", tr("Autosave"), autosavePage());
+  m_titles->setFixedWidth(m_titles->sizeHintForColumn(0) + 24);
+  m_titles->setCurrentRow(0);
+  auto* close = new QDialogButtonBox(QDialogButtonBox::Close, this);
+  connect(close, &QDialogButtonBox::rejected, this, &QDialog::close);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(16);
+  row->addWidget(m_titles);
+  row->addWidget(m_pages, 1);
+  auto* column = new QVBoxLayout(this);
+  column->addLayout(row, 1);
+  column->addWidget(close);
+  resize(640, 480);
+}
+
+void PreferencesDialog::addPage(const char* iconName, const QString& title, QWidget* page) {
+  auto* item = new QListWidgetItem(icon(QString::fromLatin1(iconName)), title, m_titles);
+  item->setSizeHint({item->sizeHint().width(), m_titles->fontMetrics().height() + 12});
+  m_pages->addWidget(page);
+}
+
+QWidget* PreferencesDialog::mousePage() {
+  auto* page = new QWidget(this);
+  auto* box = comboBox("navigationChoice", tr("Mouse navigation"), page);
+  for (const NavigationChoice& choice : m_navigation) box->addItem(choice.name, choice.id);
+  box->setCurrentIndex(std::max(0, box->findData(m_preferences.navigation)));
+  auto* description = note({}, page);
+  const auto describe = [this, box, description] {
+    const int index = box->currentIndex();
+    description->setText(index < 0 ? QString() : m_navigation[static_cast<std::size_t>(index)].description);
+  };
+  describe();
+  connect(box, &QComboBox::activated, this, [this, box, describe] {
+    m_preferences.navigation = box->currentData().toString();
+    describe();
+    store();
+  });
+  line(page, tr("Move the view as in"), box)->addRow(description);
+  return page;
+}
+
+QWidget* PreferencesDialog::unitsPage() {
+  auto* page = new QWidget(this);
+  auto* box = comboBox("lengthUnitChoice", tr("Length unit"), page);
+  box->addItem(tr("Millimetres (mm)"), static_cast<int>(LengthUnit::Millimetre));
+  box->addItem(tr("Centimetres (cm)"), static_cast<int>(LengthUnit::Centimetre));
+  box->addItem(tr("Metres (m)"), static_cast<int>(LengthUnit::Metre));
+  box->addItem(tr("Inches (in)"), static_cast<int>(LengthUnit::Inch));
+  box->setCurrentIndex(box->findData(static_cast<int>(m_preferences.lengthUnit)));
+  connect(box, &QComboBox::activated, this, [this, box] {
+    m_preferences.lengthUnit = static_cast<LengthUnit>(box->currentData().toInt());
+    store();
+  });
+  line(page, tr("Lengths of new documents"), box)
+      ->addRow(note(tr("Each document can show another unit. Every field takes all units: “1 in + 2 mm”."), page));
+  return page;
+}
+
+QWidget* PreferencesDialog::languagePage() {
+  auto* page = new QWidget(this);
+  auto* box = comboBox("languageChoice", tr("Language"), page);
+  box->addItem(tr("As the system"), QStringLiteral("system"));
+  for (const Language& language : windowLanguages()) box->addItem(language.name, language.code);
+  box->setCurrentIndex(std::max(0, box->findData(m_preferences.language)));
+  connect(box, &QComboBox::activated, this, [this, box] {
+    m_preferences.language = box->currentData().toString();
+    store();
+  });
+  line(page, tr("Language"), box)->addRow(note(tr("Shown from the next start."), page));
+  return page;
+}
+
+QWidget* PreferencesDialog::autosavePage() {
+  auto* page = new QWidget(this);
+  auto* on = new QCheckBox(tr("Save a recovery copy while working"), page);
+  on->setObjectName(QStringLiteral("autosaveOn"));
+  on->setChecked(m_preferences.autosaveSeconds > 0);
+  auto* seconds = new QSpinBox(page);
+  seconds->setObjectName(QStringLiteral("autosaveSeconds"));
+  seconds->setAccessibleName(tr("Seconds between recovery copies"));
+  seconds->setRange(kShortestAutosave, kLongestAutosave);
+  seconds->setSuffix(tr(" s"));
+  seconds->setValue(on->isChecked() ? m_preferences.autosaveSeconds : Preferences().autosaveSeconds);
+  seconds->setEnabled(on->isChecked());
+  const auto use = [this, on, seconds] {
+    seconds->setEnabled(on->isChecked());
+    m_preferences.autosaveSeconds = on->isChecked() ? seconds->value() : 0;
+    store();
+  };
+  connect(on, &QCheckBox::toggled, this, use);
+  connect(seconds, &QSpinBox::valueChanged, this, use);
+  QFormLayout* form = line(page, tr("Every"), seconds);
+  form->insertRow(0, on);
+  form->addRow(
+      note(tr("The copy is kept beside your files, never in their place; after a crash it is offered to you."), page));
+  return page;
+}
+
+void PreferencesDialog::store() {
+  storePreferences(m_preferences);
+  emit changed(m_preferences);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDialog>
+#include <vector>
+
+#include "controls/Preferences.h"
+
+class QListWidget;
+class QStackedWidget;
+
+namespace handwheel {
+
+class ShortcutModel;
+
+// A choice of mouse navigation: who knows the viewport supplies them.
+struct NavigationChoice {
+  QString id;
+  QString name;
+  QString description;  // "Middle: orbit, Shift+middle: pan"
+};
+
+// Keys, mouse, units, language, autosave. Not modal; every change is stored and in force at once.
+class PreferencesDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  PreferencesDialog(ShortcutModel* keys, std::vector<NavigationChoice> navigation, QWidget* parent = nullptr);
+
+ signals:
+  void changed(const handwheel::Preferences& preferences);
+
+ private:
+  QWidget* mousePage();
+  QWidget* unitsPage();
+  QWidget* languagePage();
+  QWidget* autosavePage();
+  void addPage(const char* iconName, const QString& title, QWidget* page);
+  void store();
+
+  std::vector<NavigationChoice> m_navigation;
+  Preferences m_preferences;
+  QListWidget* m_titles;
+  QStackedWidget* m_pages;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "controls/PropertyList.h"
+
+#include "controls/PropertyRow.h"
+
+#include <QCoreApplication>
+#include <QLabel>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+namespace handwheel {
+
+namespace {
+constexpr int kUsualWidth = 256;
+}
+
+PropertyList::PropertyList(QWidget* parent)
+    : QScrollArea(parent), m_page(new QWidget(this)), m_column(new QVBoxLayout(m_page)), m_empty(new QLabel(m_page)) {
+  setObjectName(QStringLiteral("propertyList"));
+  setFrameShape(QFrame::NoFrame);
+  setWidgetResizable(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setFocusPolicy(Qt::NoFocus);  // its fields have it
+  m_empty->setProperty("muted", true);
+  m_empty->setWordWrap(true);
+  m_column->setContentsMargins(12, 8, 12, 12);
+  m_column->setSpacing(8);
+  m_column->addWidget(m_empty);
+  m_column->addStretch();
+  setWidget(m_page);
+}
+
+void PropertyList::setProperties(const std::vector<Property>& properties) {
+  const bool same = fit(properties);
+  m_properties = properties;
+  if (!same) return rebuild();
+  for (std::size_t i = 0; i < m_rows.size(); ++i) m_rows[i]->showProperty(m_properties[i], m_unit);
+}
+
+// Whether the present rows and headings are right for them.
+bool PropertyList::fit(const std::vector<Property>& properties) const {
+  if (properties.size() != m_rows.size()) return false;
+  for (std::size_t i = 0; i < m_rows.size(); ++i) {
+    if (!m_rows[i]->fits(properties[i]) || properties[i].group != m_properties[i].group) return false;
+  }
+  return true;
+}
+
+// Rows that still fit are kept, wherever they stand now.
+void PropertyList::rebuild() {
+  std::vector<PropertyRow*> old = std::exchange(m_rows, {});
+  for (QLabel* heading : std::exchange(m_headings, {})) delete heading;
+  while (m_column->count() > 0) delete m_column->takeAt(0);  // the items; the widgets stay
+  m_column->addWidget(m_empty);
+  m_empty->setVisible(m_properties.empty());
+  const std::string* group = nullptr;
+  for (const Property& property : m_properties) {
+    if (!group || *group != property.group) addHeading(property.group);
+    group = &property.group;
+    const auto kept = std::find_if(old.begin(), old.end(), [&](const PropertyRow* row) { return row->fits(property); });
+    PropertyRow* row = kept == old.end() ? addRow(property) : *kept;
+    if (kept != old.end()) {
+      old.erase(kept);
+      row->showProperty(property, m_unit);
+    }
+    m_rows.push_back(row);
+    m_column->addWidget(row);
+  }
+  m_column->addStretch();
+  for (PropertyRow* row : old) {  // one of them may be the sender of what led here
+    row->hide();
+    row->deleteLater();
+  }
+  for (std::size_t i = 1; i < m_rows.size(); ++i) setTabOrder(m_rows[i - 1], m_rows[i]);
+  updateGeometry();
+}
+
+void PropertyList::setLengthUnit(LengthUnit unit) {
+  m_unit = unit;
+  for (std::size_t i = 0; i < m_rows.size(); ++i) m_rows[i]->showProperty(m_properties[i], unit);
+}
+
+void PropertyList::setEmptyText(const QString& text) {
+  m_empty->setText(text);
+}
+
+QSize PropertyList::sizeHint() const {
+  return {kUsualWidth, m_page->heightForWidth(kUsualWidth)};
+}
+
+PropertyRow* PropertyList::addRow(const Property& property) {
+  PropertyRow* row = PropertyRow::make(property, m_unit, m_page);
+  connect(row, &PropertyRow::edited, this, [this, id = property.id](const PropertyValue& value, bool stillDragging) {
+    emit edited(id, value, stillDragging);
+  });
+  return row;
+}
+
+void PropertyList::addHeading(const std::string& group) {
+  if (group.empty()) return;
+  auto* heading = new QLabel(QCoreApplication::translate("Property", group.c_str()), m_page);
+  heading->setProperty("strong", true);
+  m_headings.push_back(heading);
+  m_column->addSpacing(m_rows.empty() ? 0 : 8);
+  m_column->addWidget(heading);
+}
+
+}  // namespace handwheel

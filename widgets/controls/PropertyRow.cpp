@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "controls/PropertyRow.h"
+
+#include "controls/PropertyRows.h"
+
+#include <QCoreApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace handwheel {
+
+PropertyRow::PropertyRow(QWidget* parent) : QWidget(parent), m_label(new QLabel(this)), m_problem(new QLabel(this)) {
+  m_label->setWordWrap(true);
+  m_problem->setObjectName(QStringLiteral("propertyProblem"));
+  m_problem->setProperty("bad", true);
+  m_problem->setWordWrap(true);
+}
+
+PropertyRow* PropertyRow::make(const Property& property, LengthUnit unit, QWidget* parent) {
+  PropertyRow* row = nullptr;
+  switch (kindOf(property)) {
+    case Kind::Number:
+      row = new NumberRow(parent);
+      break;
+    case Kind::Switch:
+      row = new SwitchRow(parent);
+      break;
+    case Kind::Text:
+      row = new TextRow(parent);
+      break;
+    case Kind::Choice:
+      row = new ChoiceRow(parent);
+      break;
+    case Kind::ReadOnly:
+      row = new ReadOnlyRow(parent);
+      break;
+  }
+  row->m_id = property.id;
+  row->m_kind = kindOf(property);
+  row->setObjectName(QStringLiteral("property/") + QString::fromStdString(property.id));
+  row->showProperty(property, unit);
+  return row;
+}
+
+bool PropertyRow::fits(const Property& property) const {
+  return property.id == m_id && kindOf(property) == m_kind;
+}
+
+void PropertyRow::showProperty(const Property& property, LengthUnit unit) {
+  const QString label = property.translated ? translated(property.label) : QString::fromStdString(property.label);
+  m_label->setText(label);
+  setLabel(label);
+  m_problem->setText(translated(property.problem));
+  m_problem->setVisible(!property.problem.empty());
+  showValue(property, unit);
+}
+
+PropertyRow::Kind PropertyRow::kindOf(const Property& property) {
+  if (!property.editable) return Kind::ReadOnly;
+  if (!property.choices.empty()) return Kind::Choice;
+  if (std::holds_alternative<bool>(property.value)) return Kind::Switch;
+  return std::holds_alternative<std::string>(property.value) ? Kind::Text : Kind::Number;
+}
+
+QString PropertyRow::translated(const std::string& english) {
+  return english.empty() ? QString() : QCoreApplication::translate("Property", english.c_str());
+}
+
+void PropertyRow::arrange(QWidget* editor, bool besideLabel, QWidget* below) {
+  auto* line = new QHBoxLayout;
+  line->setSpacing(8);
+  m_label->setVisible(besideLabel);
+  if (besideLabel) line->addWidget(m_label, 2, Qt::AlignTop);
+  line->addWidget(editor, 3);
+  m_label->setMinimumHeight(editor->sizeHint().height());
+  m_label->setBuddy(editor);
+  setFocusProxy(editor);  // for the order of Tab
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(4);
+  column->addLayout(line);
+  if (below) column->addWidget(below);
+  column->addWidget(m_problem);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "document/Property.h"
+
+class QLabel;
+
+namespace handwheel {
+
+// One line of a PropertyList: the label, what edits the value, and what the reader must know of it.
+class PropertyRow : public QWidget {
+  Q_OBJECT
+
+ public:
+  // The row for this kind of property; it shows it already.
+  static PropertyRow* make(const Property& property, LengthUnit unit, QWidget* parent);
+
+  const std::string& id() const { return m_id; }
+  // Whether this row can show that property: of the same id and kind.
+  bool fits(const Property& property) const;
+  void showProperty(const Property& property, LengthUnit unit);
+
+ signals:
+  void edited(const PropertyValue& value, bool stillDragging);
+
+ protected:
+  enum class Kind { Number, Switch, Text, Choice, ReadOnly };
+  static Kind kindOf(const Property& property);
+  static QString translated(const std::string& english);
+
+  explicit PropertyRow(QWidget* parent);
+  // The parts, once: the label beside the editor, or the editor alone.
+  void arrange(QWidget* editor, bool besideLabel = true, QWidget* below = nullptr);
+
+  virtual void showValue(const Property& property, LengthUnit unit) = 0;
+  virtual void setLabel(const QString& label) = 0;  // for screen readers, or where the editor shows it
+
+ private:
+  std::string m_id;
+  Kind m_kind = Kind::ReadOnly;
+  QLabel* m_label;
+  QLabel* m_problem;
+};
+
+}  // namespace handwheel

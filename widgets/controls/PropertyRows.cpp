@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "controls/PropertyRows.h"
+
+#include "controls/NumberField.h"
+#include "controls/QuantityText.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace handwheel {
+
+namespace {
+
+constexpr int kSliderSteps = 1000;
+
+// With the wheel over them, these would change instead of letting the form scroll.
+template <class Widget>
+class Unhurried final : public Widget {
+ public:
+  using Widget::Widget;
+
+ protected:
+  void wheelEvent(QWheelEvent* event) override {
+    if (Widget::hasFocus()) return Widget::wheelEvent(event);
+    event->ignore();
+  }
+};
+
+// A value of another type than the row is made for would be a bug of the document; it shows as zero or nothing.
+template <class T>
+T valueAs(const Property& property) {
+  const T* value = std::get_if<T>(&property.value);
+  return value ? *value : T();
+}
+
+int choiceOf(const Property& property) {
+  const double index = valueAs<double>(property);
+  return index >= 0.0 && index < static_cast<double>(property.choices.size()) ? static_cast<int>(index) : -1;
+}
+
+QString plainText(const Property& property) {
+  return QString::fromStdString(valueAs<std::string>(property));
+}
+
+}  // namespace
+
+NumberRow::NumberRow(QWidget* parent)
+    : PropertyRow(parent), m_field(new NumberField(this)), m_slider(new Unhurried<QSlider>(Qt::Horizontal, this)) {
+  m_slider->setObjectName(QStringLiteral("propertySlider"));
+  m_slider->setRange(0, kSliderSteps);
+  m_slider->setSingleStep(kSliderSteps / 100);
+  m_slider->setPageStep(kSliderSteps / 10);
+  m_slider->setFocusPolicy(Qt::StrongFocus);
+  arrange(m_field, true, m_slider);
+  connect(m_field, &NumberField::valueEdited, this,
+          [this](double value, bool stillDragging) { emit edited(value, stillDragging); });
+  connect(m_slider, &QSlider::valueChanged, this, &NumberRow::slide);
+  connect(m_slider, &QSlider::sliderReleased, this, [this] {
+    if (std::exchange(m_slid, false)) slide(m_slider->value());
+  });
+}
+
+void NumberRow::showValue(const Property& property, LengthUnit unit) {
+  const auto value = valueAs<double>(property);
+  m_field->setQuantity(property.quantity, unit);
+  m_field->setPrefix(QString::fromStdString(property.prefix));
+  m_field->setRange(property.least, property.largest);
+  m_field->setValue(value);
+  m_least = property.least;
+  m_largest = property.largest;
+  const bool bounded = std::isfinite(m_least) && std::isfinite(m_largest) && m_least < m_largest;
+  m_slider->setVisible(property.continuous && bounded);
+  if (!bounded || m_slider->isSliderDown() || !std::isfinite(value)) return;
+  const QSignalBlocker quiet(m_slider);
+  const double share = std::clamp((value - m_least) / (m_largest - m_least), 0.0, 1.0);
+  m_slider->setValue(static_cast<int>(std::lround(share * kSliderSteps)));
+}
+
+void NumberRow::setLabel(const QString& label) {
+  m_field->setLabel(label);
+  m_slider->setAccessibleName(label);
+}
+
+// Weighted, so that both ends are met exactly.
+void NumberRow::slide(int position) {
+  const double share = static_cast<double>(position) / kSliderSteps;
+  const double value = (1.0 - share) * m_least + share * m_largest;
+  m_field->setValue(value);
+  m_slid = m_slider->isSliderDown();
+  emit edited(value, m_slid);
+}
+
+SwitchRow::SwitchRow(QWidget* parent) : PropertyRow(parent), m_box(new QCheckBox(this)) {
+  arrange(m_box, false);
+  connect(m_box, &QCheckBox::clicked, this, [this](bool checked) { emit edited(checked, false); });
+}
+
+void SwitchRow::showValue(const Property& property, LengthUnit) {
+  m_box->setChecked(valueAs<bool>(property));
+}
+
+void SwitchRow::setLabel(const QString& label) {
+  m_box->setText(label);
+}
+
+TextRow::TextRow(QWidget* parent) : PropertyRow(parent), m_line(new QLineEdit(this)) {
+  arrange(m_line);
+  connect(m_line, &QLineEdit::editingFinished, this, [this] {
+    if (!m_line->isModified()) return;
+    m_line->setModified(false);
+    emit edited(m_line->text().toStdString(), false);
+  });
+}
+
+void TextRow::showValue(const Property& property, LengthUnit) {
+  if (!m_line->isModified() && m_line->text() != plainText(property)) m_line->setText(plainText(property));
+}
+
+void TextRow::setLabel(const QString& label) {
+  m_line->setAccessibleName(label);
+}
+
+ChoiceRow::ChoiceRow(QWidget* parent) : PropertyRow(parent), m_box(new Unhurried<QComboBox>(this)) {
+  m_box->setFocusPolicy(Qt::StrongFocus);
+  m_box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  m_box->setMinimumContentsLength(6);
+  arrange(m_box);
+  connect(m_box, &QComboBox::activated, this, [this](int index) { emit edited(static_cast<double>(index), false); });
+}
+
+void ChoiceRow::showValue(const Property& property, LengthUnit) {
+  QStringList choices;
+  for (const std::string& choice : property.choices) choices << translated(choice);
+  QStringList shown;
+  for (int i = 0; i < m_box->count(); ++i) shown << m_box->itemText(i);
+  if (shown != choices) {
+    m_box->clear();
+    m_box->addItems(choices);
+  }
+  m_box->setCurrentIndex(choiceOf(property));
+  m_box->setToolTip(m_box->currentText());
+}
+
+void ChoiceRow::setLabel(const QString& label) {
+  m_box->setAccessibleName(label);
+}
+
+ReadOnlyRow::ReadOnlyRow(QWidget* parent) : PropertyRow(parent), m_text(new QLabel(this)) {
+  m_text->setObjectName(QStringLiteral("propertyValue"));
+  m_text->setTextFormat(Qt::PlainText);
+  m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  m_text->setWordWrap(true);
+  m_text->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  arrange(m_text);
+}
+
+void ReadOnlyRow::showValue(const Property& property, LengthUnit unit) {
+  if (!property.choices.empty()) {
+    const int index = choiceOf(property);
+    m_text->setText(index < 0 ? QString() : translated(property.choices[static_cast<std::size_t>(index)]));
+  } else if (const bool* on = std::get_if<bool>(&property.value)) {
+    m_text->setText(*on ? tr("yes") : tr("no"));
+  } else if (const double* number = std::get_if<double>(&property.value)) {
+    m_text->setText(QString::fromStdString(property.prefix) + quantityText(*number, property.quantity, unit, locale()));
+  } else {
+    m_text->setText(plainText(property));
+  }
+}
+
+void ReadOnlyRow::setLabel(const QString& label) {
+  m_text->setAccessibleName(label);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "controls/ShortcutEditor.h"
+
+#include "controls/ShortcutModel.h"
+#include "text/ErrorText.h"
+
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeySequenceEdit>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSaveFile>
+#include <QStyle>
+#include <QTreeView>
+
+namespace handwheel {
+
+namespace {
+
+QPushButton* button(const char* name, const QString& text, const QString& toolTip, QWidget* parent) {
+  auto* result = new QPushButton(text, parent);
+  result->setObjectName(QString::fromLatin1(name));
+  result->setToolTip(toolTip);
+  result->setAutoDefault(false);
+  return result;
+}
+
+}  // namespace
+
+ShortcutEditor::ShortcutEditor(ShortcutModel* model, QWidget* parent)
+    : QWidget(parent),
+      m_model(model),
+      m_list(new QTreeView(this)),
+      m_keys(new QKeySequenceEdit(this)),
+      m_none(button("shortcutNone", tr("No key"), tr("The command has no key any more"), this)),
+      m_reset(button("shortcutReset", tr("Reset"), tr("Back to the key that the program gives it"), this)),
+      m_take(button("shortcutTake", tr("Take it from them"), tr("The other commands lose this key"), this)),
+      m_status(new QLabel(this)) {
+  setObjectName(QStringLiteral("shortcutEditor"));
+  m_filtered.setSourceModel(model);
+  m_filtered.setFilterKeyColumn(-1);
+  m_filtered.setFilterCaseSensitivity(Qt::CaseInsensitive);
+  auto* search = new QLineEdit(this);
+  search->setObjectName(QStringLiteral("shortcutSearch"));
+  search->setPlaceholderText(tr("Search by name or key"));
+  search->setAccessibleName(tr("Search commands and keys"));
+  search->setClearButtonEnabled(true);
+  connect(search, &QLineEdit::textChanged, &m_filtered, &QSortFilterProxyModel::setFilterFixedString);
+  m_list->setObjectName(QStringLiteral("shortcutList"));
+  m_list->setAccessibleName(tr("Commands and their keys"));
+  m_list->setModel(&m_filtered);
+  m_list->setRootIsDecorated(false);
+  m_list->setUniformRowHeights(true);
+  m_list->header()->setSectionResizeMode(ShortcutModel::Command, QHeaderView::Stretch);
+  m_list->header()->setSectionResizeMode(ShortcutModel::Keys, QHeaderView::ResizeToContents);
+  m_list->header()->setStretchLastSection(false);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(search);
+  column->addWidget(m_list, 1);
+  buildKeyLine(*column);
+  m_status->setObjectName(QStringLiteral("shortcutStatus"));
+  m_status->setWordWrap(true);
+  column->addWidget(m_status);
+  buildFileLine(*column);
+  connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this, &ShortcutEditor::showRow);
+  connect(model, &ShortcutModel::dataChanged, this, &ShortcutEditor::showRow);
+  connect(model, &ShortcutModel::modelReset, this, &ShortcutEditor::showRow);
+  showRow();
+}
+
+void ShortcutEditor::buildKeyLine(QLayout& column) {
+  m_keys->setObjectName(QStringLiteral("shortcutKeys"));
+  m_keys->setAccessibleName(tr("New key of the chosen command"));
+  m_keys->setToolTip(tr("Press the new key here"));
+  auto* line = new QHBoxLayout;
+  line->addWidget(m_keys, 1);
+  for (QPushButton* part : {m_take, m_none, m_reset}) line->addWidget(part);
+  column.addItem(line);
+  connect(m_keys, &QKeySequenceEdit::editingFinished, this, &ShortcutEditor::useKey);
+  connect(m_none, &QPushButton::clicked, this, [this] { m_model->setKeys(row(), {}); });
+  connect(m_reset, &QPushButton::clicked, this, [this] { m_model->reset(row()); });
+  connect(m_take, &QPushButton::clicked, this, [this] { m_model->resolveInFavourOf(row()); });
+}
+
+void ShortcutEditor::buildFileLine(QLayout& column) {
+  auto* all = button("shortcutResetAll", tr("Reset all"), tr("All keys as the program gives them"), this);
+  auto* read = button("shortcutImport", tr("Import…"), tr("Take the keys from a file"), this);
+  auto* write = button("shortcutExport", tr("Export…"), tr("Write the changed keys to a file"), this);
+  auto* line = new QHBoxLayout;
+  line->addWidget(all);
+  line->addStretch();
+  line->addWidget(read);
+  line->addWidget(write);
+  column.addItem(line);
+  connect(all, &QPushButton::clicked, m_model, &ShortcutModel::resetAll);
+  connect(read, &QPushButton::clicked, this, &ShortcutEditor::importFile);
+  connect(write, &QPushButton::clicked, this, &ShortcutEditor::exportFile);
+}
+
+int ShortcutEditor::row() const {
+  return m_filtered.mapToSource(m_list->currentIndex()).row();
+}
+
+void ShortcutEditor::showRow() {
+  const int chosen = row();
+  for (QWidget* part : std::initializer_list<QWidget*>{m_keys, m_none, m_reset}) part->setEnabled(chosen >= 0);
+  const QStringList others =
+      chosen < 0 ? QStringList() : m_model->index(chosen, 0).data(ShortcutModel::ConflictRole).toStringList();
+  m_take->setVisible(!others.isEmpty());
+  if (chosen < 0) {
+    m_keys->clear();
+    return say(tr("Choose a command to change its key."), false);
+  }
+  const QList<QKeySequence> keys = m_model->keys(chosen);
+  m_keys->setKeySequence(keys.isEmpty() ? QKeySequence() : keys.first());
+  m_none->setEnabled(!keys.isEmpty());
+  m_reset->setEnabled(m_model->index(chosen, 0).data(ShortcutModel::ChangedRole).toBool());
+  if (others.isEmpty()) return say({}, false);
+  say(tr("The same key starts “%1”; so neither works.").arg(others.join(tr("”, “"))), true);
+}
+
+void ShortcutEditor::useKey() {
+  const QKeySequence key = m_keys->keySequence();
+  if (row() < 0 || key.isEmpty() || m_model->keys(row()).startsWith(key)) return;
+  m_model->setKeys(row(), {key});
+}
+
+void ShortcutEditor::importFile() {
+  auto* dialog = new QFileDialog(this, tr("Import keys"), {}, tr("Keys (*.json)"));
+  dialog->setObjectName(QStringLiteral("shortcutImportDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+    QFile file(path);
+    const QByteArray bytes = file.open(QIODevice::ReadOnly) ? file.read(kLargestShortcutFile + 1) : QByteArray();
+    const Result<ShortcutChanges> changes = shortcutsFromJson(bytes);
+    if (!changes) return say(errorSentence(changes.error()), true);
+    m_model->setChanges(*changes);
+    say(tr("The keys were taken from the file."), false);
+  });
+  dialog->open();
+}
+
+void ShortcutEditor::exportFile() {
+  auto* dialog = new QFileDialog(this, tr("Export keys"), QStringLiteral("keys.json"), tr("Keys (*.json)"));
+  dialog->setObjectName(QStringLiteral("shortcutExportDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(QStringLiteral("json"));
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+    QSaveFile file(path);
+    const bool good = file.open(QIODevice::WriteOnly) && file.write(toJson(m_model->changes())) >= 0 && file.commit();
+    const Error failure{ErrorCode::WriteFailed, {file.errorString().toStdString()}, {}, {}};
+    say(good ? tr("The changed keys were written.") : errorSentence(failure), !good);
+  });
+  dialog->open();
+}
+
+void ShortcutEditor::say(const QString& what, bool wrong) {
+  m_status->setProperty("bad", wrong);
+  m_status->setProperty("muted", !wrong);
+  m_status->style()->unpolish(m_status);
+  m_status->style()->polish(m_status);
+  m_status->setText(what);
+  m_status->setVisible(!what.isEmpty());
+}
+
+}  // namespace handwheel

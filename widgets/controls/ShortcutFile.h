@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <QMap>
+#include <QString>
+#include <QStringList>
+
+#include "base/Result.h"
+
+namespace handwheel {
+
+// Keys that differ from the defaults, by the id of the action, in Qt's portable form ("Ctrl+Shift+Z"). None: no key.
+using ShortcutChanges = QMap<QString, QStringList>;
+
+inline constexpr qint64 kLargestShortcutFile = 1 << 20;  // bytes
+
+QByteArray toJson(const ShortcutChanges& changes);
+
+// Errors: FileTooLarge, FormatUnknown, VersionNewer, ElementMalformed.
+Result<ShortcutChanges> shortcutsFromJson(const QByteArray& json);
+
+}  // namespace handwheel

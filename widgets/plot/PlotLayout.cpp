@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plot/PlotLayout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handwheel {
+namespace {
+
+PlotScale scaleOf(const Plot& plot, const PlotAxis& axis, double (*of)(const QPointF&)) {
+  std::vector<double> values;
+  for (const PlotSeries& s : plot.series) {
+    for (const QPointF& p : s.points) {
+      if (std::isfinite(p.x()) && std::isfinite(p.y())) values.push_back(of(p));
+    }
+  }
+  for (const PlotMark& m : plot.marks) values.push_back(of(m.place));
+  return scaleFor(values, axis.logarithmic);
+}
+
+double widestLabel(const PlotScale& scale, const QLocale& locale, const QFontMetricsF& metrics) {
+  double width = 0.0;
+  for (double tick : scale.ticks) width = std::max(width, metrics.horizontalAdvance(tickLabel(tick, scale, locale)));
+  return width;
+}
+
+}  // namespace
+
+PlotLayout::PlotLayout(const Plot& plot, const QRectF& area, const QFontMetricsF& metrics)
+    : m_x(scaleOf(plot, plot.x, [](const QPointF& p) { return p.x(); })),
+      m_y(scaleOf(plot, plot.y, [](const QPointF& p) { return p.y(); })) {
+  const double line = metrics.height(), gap = 0.5 * line;
+  const bool hasLegend = plot.series.size() > 1;
+  const double left = widestLabel(m_y, plot.locale, metrics) + gap;
+  const double bottom = gap + line + gap + line;
+  const double top = 3.0 * line + (hasLegend ? 1.2 * line * static_cast<double>(plot.series.size()) : 0.0);
+  m_frame = area.adjusted(gap + left, gap + top, -2.0 * gap, -gap - bottom);
+}
+
+QPointF PlotLayout::toScreen(const QPointF& value) const {
+  return {m_frame.left() + m_x.placeOf(value.x()) * m_frame.width(),
+          m_frame.bottom() - m_y.placeOf(value.y()) * m_frame.height()};
+}
+
+QPointF PlotLayout::toValue(const QPointF& screen) const {
+  return {m_x.valueAt((screen.x() - m_frame.left()) / m_frame.width()),
+          m_y.valueAt((m_frame.bottom() - screen.y()) / m_frame.height())};
+}
+
+bool PlotLayout::isShown(const QPointF& value) const {
+  constexpr double kFar = 1e6;  // pixels; NaN is what a logarithm gives for what it does not take
+  const QPointF screen = toScreen(value);
+  return std::abs(screen.x()) < kFar && std::abs(screen.y()) < kFar;
+}
+
+std::optional<PlotLayout::Reading> PlotLayout::readingAt(const Plot& plot, const QPointF& screen, double reach) const {
+  std::optional<Reading> reading;
+  for (std::size_t s = 0; s < plot.series.size(); ++s) {
+    for (std::size_t i = 0; i < plot.series[s].points.size(); ++i) {
+      if (!isShown(plot.series[s].points[i])) continue;
+      const QPointF d = toScreen(plot.series[s].points[i]) - screen;
+      const double distance = std::hypot(d.x(), d.y());
+      if (distance > reach) continue;
+      reach = distance;
+      reading = Reading{s, i};
+    }
+  }
+  return reading;
+}
+
+QString axisTitle(const PlotAxis& axis) {
+  return axis.unit.isEmpty() ? axis.title : QStringLiteral("%1 (%2)").arg(axis.title, axis.unit);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "plot/Plot.h"
+#include "plot/PlotScale.h"
+
+#include <QFontMetricsF>
+#include <QRectF>
+#include <optional>
+
+namespace handwheel {
+
+// Where the parts of a plot lie in a rectangle of the screen or the page; shared by painting and by the cursor
+// read-out.
+class PlotLayout {
+ public:
+  PlotLayout(const Plot& plot, const QRectF& area, const QFontMetricsF& metrics);
+
+  const QRectF& frame() const { return m_frame; }  // what the axes enclose
+  const PlotScale& x() const { return m_x; }
+  const PlotScale& y() const { return m_y; }
+
+  QPointF toScreen(const QPointF& value) const;
+  QPointF toValue(const QPointF& screen) const;
+  bool isShown(const QPointF& value) const;  // finite, and above zero where an axis is logarithmic
+
+  // The point of a series nearest to a place on the screen, if one is within reach (pixels).
+  struct Reading {
+    std::size_t series;
+    std::size_t point;
+  };
+  std::optional<Reading> readingAt(const Plot& plot, const QPointF& screen, double reach) const;
+
+ private:
+  PlotScale m_x, m_y;
+  QRectF m_frame;
+};
+
+// "title (unit)"
+QString axisTitle(const PlotAxis& axis);
+
+}  // namespace handwheel

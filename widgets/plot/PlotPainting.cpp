@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plot/PlotPainting.h"
+
+#include "plot/PlotLayout.h"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <array>
+
+namespace handwheel {
+namespace {
+
+// Okabe and Ito, "Color universal design" (2008), without black and yellow, which vanish on a dark or a light ground.
+constexpr std::array<QRgb, 6> kSeriesColours{0xff0072b2, 0xffd55e00, 0xff009e73, 0xffcc79a7, 0xff56b4e9, 0xffe69f00};
+constexpr double kPointRadius = 3.5;  // pixels
+
+QColor seriesColour(std::size_t series, ThemeKind theme) {
+  const QColor colour(kSeriesColours[series % kSeriesColours.size()]);
+  return theme == ThemeKind::Dark ? colour.lighter(135) : colour;
+}
+
+// Circle, square, diamond, triangle, in turn.
+QPainterPath pointShape(std::size_t series, const QPointF& at) {
+  QPainterPath path;
+  const double r = kPointRadius;
+  switch (series % 4) {
+    case 0:
+      path.addEllipse(at, r, r);
+      break;
+    case 1:
+      path.addRect(QRectF(at.x() - 0.9 * r, at.y() - 0.9 * r, 1.8 * r, 1.8 * r));
+      break;
+    case 2:
+      path.addPolygon(QPolygonF{at + QPointF(0, -1.3 * r), at + QPointF(1.3 * r, 0), at + QPointF(0, 1.3 * r),
+                                at + QPointF(-1.3 * r, 0)});
+      break;
+    default:
+      path.addPolygon(
+          QPolygonF{at + QPointF(0, -1.3 * r), at + QPointF(1.2 * r, 0.9 * r), at + QPointF(-1.2 * r, 0.9 * r)});
+  }
+  path.closeSubpath();
+  return path;
+}
+
+class PlotPainting {
+ public:
+  PlotPainting(QPainter& painter, const QRectF& area, const Plot& plot, ThemeKind theme)
+      : m_painter(painter),
+        m_area(area),
+        m_plot(plot),
+        m_theme(theme),
+        m_colours(themeColours(theme)),
+        m_metrics(painter.font()),
+        m_layout(plot, area, m_metrics) {}
+
+  void paint() {
+    if (m_layout.frame().width() < 10.0 || m_layout.frame().height() < 10.0) return;
+    title();
+    axes();
+    m_painter.setClipRect(m_layout.frame().adjusted(-6, -6, 6, 6));
+    for (std::size_t s = 0; s < m_plot.series.size(); ++s) series(s);
+    m_painter.setClipping(false);
+    for (const PlotMark& m : m_plot.marks) mark(m);
+  }
+
+ private:
+  double line() const { return m_metrics.height(); }
+
+  void text(const QRectF& box, int flags, const QString& words, const QColor& colour) {
+    m_painter.setPen(colour);
+    m_painter.drawText(box, flags | Qt::TextDontClip, words);
+  }
+
+  void title() {
+    QRectF row(m_layout.frame().left(), m_area.top() + 0.5 * line(), m_layout.frame().width(), line());
+    QFont bold = m_painter.font();
+    bold.setBold(true);
+    m_painter.save();
+    m_painter.setFont(bold);
+    text(row, Qt::AlignLeft, m_plot.title, m_colours.text);
+    m_painter.restore();
+    if (m_plot.series.size() < 2) return;
+    for (std::size_t s = 0; s < m_plot.series.size(); ++s) {
+      row.translate(0.0, 1.2 * line());
+      const QPointF at(row.left() + kPointRadius, row.center().y());
+      m_painter.fillPath(pointShape(s, at), seriesColour(s, m_theme));
+      text(row.adjusted(line(), 0, 0, 0), Qt::AlignLeft, m_plot.series[s].name, m_colours.muted);
+    }
+  }
+
+  void axes() {
+    const QRectF& f = m_layout.frame();
+    m_painter.fillRect(f, m_colours.base);
+    for (double tick : m_layout.x().ticks) {
+      const double x = f.left() + m_layout.x().placeOf(tick) * f.width();
+      m_painter.setPen(QPen(m_colours.border, 1.0));
+      m_painter.drawLine(QPointF(x, f.top()), QPointF(x, f.bottom()));
+      text(QRectF(x, f.bottom() + 0.3 * line(), 0, line()), Qt::AlignHCenter,
+           tickLabel(tick, m_layout.x(), m_plot.locale), m_colours.muted);
+    }
+    for (double tick : m_layout.y().ticks) {
+      const double y = f.bottom() - m_layout.y().placeOf(tick) * f.height();
+      m_painter.setPen(QPen(m_colours.border, 1.0));
+      m_painter.drawLine(QPointF(f.left(), y), QPointF(f.right(), y));
+      text(QRectF(f.left() - 0.5 * line(), y, 0, 0), Qt::AlignRight | Qt::AlignVCenter,
+           tickLabel(tick, m_layout.y(), m_plot.locale), m_colours.muted);
+    }
+    m_painter.setPen(QPen(m_colours.muted, 1.0));
+    m_painter.drawRect(f);
+    text(QRectF(f.left(), f.bottom() + 1.6 * line(), f.width(), line()), Qt::AlignHCenter, axisTitle(m_plot.x),
+         m_colours.text);
+    // Above the axis rather than turned beside it: long titles find room, and nobody bends the head.
+    const QRectF row(m_area.left() + 0.5 * line(), f.top() - 1.4 * line(), m_area.width() - line(), line());
+    text(row, Qt::AlignLeft, m_metrics.elidedText(axisTitle(m_plot.y), Qt::ElideRight, row.width()), m_colours.text);
+  }
+
+  void series(std::size_t index) {
+    const PlotSeries& s = m_plot.series[index];
+    const QColor colour = seriesColour(index, m_theme);
+    QPolygonF line;
+    for (const QPointF& p : s.points) {
+      if (m_layout.isShown(p)) line << m_layout.toScreen(p);
+    }
+    m_painter.setPen(QPen(colour, 1.5));
+    if (s.joined) m_painter.drawPolyline(line);
+    for (const QPointF& p : line) m_painter.fillPath(pointShape(index, p), colour);
+  }
+
+  void mark(const PlotMark& m) {
+    if (!m_layout.isShown(m.place)) return;
+    const QPointF at = m_layout.toScreen(m.place);
+    m_painter.setPen(QPen(m_colours.accent, 2.0));
+    m_painter.setBrush(Qt::NoBrush);
+    m_painter.drawEllipse(at, 2.0 * kPointRadius, 2.0 * kPointRadius);
+    // Towards the middle, so that the words stay inside.
+    const bool isLeft = at.x() < m_layout.frame().center().x();
+    const bool isHigh = at.y() < m_layout.frame().top() + 1.5 * line();
+    const double offset = isLeft ? 3.0 * kPointRadius : -3.0 * kPointRadius;
+    text(QRectF(at.x() + offset, at.y() + (isHigh ? 0.6 : -0.6) * line(), 0, 0),
+         (isLeft ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter, m.label, m_colours.accent);
+  }
+
+  QPainter& m_painter;
+  const QRectF m_area;
+  const Plot& m_plot;
+  const ThemeKind m_theme;
+  const ThemeColours& m_colours;
+  const QFontMetricsF m_metrics;
+  const PlotLayout m_layout;
+};
+
+}  // namespace
+
+void paintPlot(QPainter& painter, const QRectF& area, const Plot& plot, ThemeKind theme) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  PlotPainting(painter, area, plot, theme).paint();
+  painter.restore();
+}
+
+}  // namespace handwheel

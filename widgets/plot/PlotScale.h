@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QLocale>
+#include <QString>
+#include <span>
+#include <vector>
+
+namespace handwheel {
+
+// The range of an axis and the values that it names.
+struct PlotScale {
+  double least = 0.0;
+  double largest = 1.0;
+  bool logarithmic = false;
+  std::vector<double> ticks;  // ascending, inside the range
+
+  double placeOf(double value) const;  // 0 at least, 1 at largest
+  double valueAt(double place) const;
+};
+
+// A scale that shows all these values with some room and about "count" ticks at 1, 2 or 5 times a power of ten
+// (Heckbert, "Nice numbers for graph labels", 1990). Values that are not finite, or beyond 1e300, count for nothing;
+// without any, the scale is 0…1. Logarithmic only where all are above zero (1e-300).
+PlotScale scaleFor(std::span<const double> values, bool logarithmic, int count = 6);
+
+// As it stands at the axis: plain digits, or a power of ten.
+QString tickLabel(double tick, const PlotScale& scale, const QLocale& locale);
+
+}  // namespace handwheel

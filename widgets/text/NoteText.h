@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Note.h"
+
+#include <QString>
+
+namespace handwheel {
+
+// The note as a sentence in the language of the program.
+QString noteText(const Note& note);
+
+}  // namespace handwheel

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Geometry.h"
+
+#include <utility>
+
+namespace handwheel {
+
+// Cuts the picture open: what lies beyond the plane, in the direction of its normal, is neither drawn nor picked.
+struct ClipPlane {
+  Vec3 normal = Vec3::UnitZ();  // of unit length
+  double offset = 0.0;          // of the plane from the origin of the model along the normal; mm
+  bool on = false;
+
+  bool isClippedAway(const Vec3& p) const { return on && normal.dot(p) > offset; }
+  // The same plane that cuts away the other side.
+  ClipPlane flipped() const { return {-normal, -offset, on}; }
+
+  bool operator==(const ClipPlane&) const = default;
+};
+
+// The offsets between which a plane with this normal meets the box.
+inline std::pair<double, double> clipOffsets(const Box& box, const Vec3& normal) {
+  const double middle = normal.dot(box.center());
+  const double reach = normal.cwiseAbs().dot(box.sizes()) / 2.0;
+  return {middle - reach, middle + reach};
+}
+
+}  // namespace handwheel

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "viewport/PartShape.h"
+
+#include <QFutureWatcher>
+#include <deque>
+#include <functional>
+
+namespace handwheel {
+
+// Makes the shapes of parts on a worker thread, one after the other; they arrive on the window thread. A shape that is
+// being made is finished and delivered even when it is no longer asked for: so a part whose shape changes faster than
+// it can be made still shows some of the states between.
+class PartPreparation {
+ public:
+  using Soup = std::shared_ptr<const TriangleSoup>;
+  using Receiver = std::function<void(const Soup&, PartShape)>;
+
+  explicit PartPreparation(Receiver receiver) : m_receiver(std::move(receiver)) {}
+  ~PartPreparation() { cancel(); }
+
+  // What is to be made, in this order, instead of what is waiting.
+  void request(const std::vector<Soup>& soups);
+  void cancel();
+  // Waits for all that was requested and hands it over.
+  void finish();
+  bool isUnderWay() const { return m_run != nullptr; }
+
+ private:
+  using Run = QFutureWatcher<std::shared_ptr<PartShape>>;  // shared, as futures hand out copies
+
+  void startNext();
+  void deliver();
+
+  Receiver m_receiver;
+  std::deque<Soup> m_waiting;
+  Soup m_present;  // that of the run
+  std::unique_ptr<Run> m_run;
+  int m_serial = 0;  // of the run
+  QObject m_context;
+};
+
+}  // namespace handwheel

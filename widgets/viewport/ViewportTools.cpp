@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewport/BrushOutline.h"
+#include "viewport/ViewportPrivate.h"
+
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kCubeTurn = 2.5;  // the cube is small: dragging it turns faster than dragging the model
+
+}  // namespace
+
+void Viewport::Private::requestShapes() {
+  std::vector<PartPreparation::Soup> soups = scene.parts().missing();
+  const std::vector<PartPreparation::Soup> proposed = scene.proposedParts().missing();
+  soups.insert(soups.end(), proposed.begin(), proposed.end());
+  partPreparation.request(soups);
+}
+
+void Viewport::Private::takeShape(const PartPreparation::Soup& soup, PartShape shape) {
+  // When both want it, the second gets another, as it is asked for again.
+  if (!scene.parts().setShape(soup, shape)) scene.proposedParts().setShape(soup, shape);
+  requestShapes();
+  q->update();
+}
+
+void Viewport::setParts(const DisplayModel& model) {
+  d->scene.setParts(model.parts);
+  const auto isMissing = [missing = d->scene.parts().missing()](const DisplayPart& part) {
+    return std::find(missing.begin(), missing.end(), part.soup) != missing.end();
+  };
+  if (std::all_of(model.parts.begin(), model.parts.end(), isMissing)) d->isSeen = false;
+  d->requestShapes();
+  update();
+}
+
+void Viewport::setProposedParts(const std::vector<DisplayPart>& parts) {
+  d->scene.proposedParts().set(parts);
+  d->requestShapes();
+  update();
+}
+
+void Viewport::setHighlightedPart(const std::string& name) {
+  d->listPart = name;
+  d->highlight();
+}
+
+void Viewport::setSelectedFaces(std::vector<Face> faces) {
+  d->scene.marks().setSelectedFaces(std::move(faces));
+  update();
+}
+
+void Viewport::setHighlightedFaces(std::vector<Face> faces) {
+  d->scene.marks().setHighlightedFaces(std::move(faces));
+  update();
+}
+
+void Viewport::setPolylines(std::vector<std::vector<Vec3>> lines) {
+  d->polylines = std::move(lines);
+  update();
+}
+
+void Viewport::setBrush(const std::optional<BrushCircle>& brush) {
+  d->brushLine.clear();
+  if (brush) d->brushLine = brushOutline(d->pickable(), *brush, d->camera.towardsViewer());
+  update();
+}
+
+ViewRay Viewport::rayAt(const QPointF& position) const {
+  return d->navigation().rayAt({position.x(), position.y()}, d->scene.bounds());
+}
+
+Box Viewport::bounds() const {
+  return d->scene.bounds();
+}
+
+void Viewport::setClipPlane(const ClipPlane& plane) {
+  d->scene.setClipPlane(plane);
+  update();
+}
+
+const ClipPlane& Viewport::clipPlane() const {
+  return d->scene.clipPlane();
+}
+
+void Viewport::setProjection(Projection projection) {
+  CameraState camera = d->goal();
+  camera.projection = projection;
+  setCamera(camera);
+}
+
+void Viewport::setNavigationPreset(NavigationPreset preset) {
+  d->preset = preset;
+}
+
+NavigationPreset Viewport::navigationPreset() const {
+  return d->preset;
+}
+
+std::vector<std::pair<QString, QString>> Viewport::navigationHints() const {
+  return handwheel::navigationHints(d->preset);
+}
+
+void Viewport::setDisplayUnit(LengthUnit unit) {
+  d->unit = unit;
+  update();
+}
+
+void Viewport::setViewCubeVisible(bool visible) {
+  d->cube->setVisible(visible);
+}
+
+void Viewport::Private::connectCube() {
+  connect(cube, &ViewCube::chosen, q, [this](const CubeRegion& region) { lookFrom(region); });
+  connect(cube, &ViewCube::stepped, q,
+          [this](int around, int up) { lookFrom(steppedFrom(regionFacing(goal().orientation), around, up)); });
+  connect(cube, &ViewCube::entered, q, [this] { hover({}); });
+  connect(cube, &ViewCube::dragStarted, q, [this] {
+    flight.stop();
+    pivot = orbitPivot({});
+    gesture = NavigationGesture::Orbit;
+  });
+  connect(cube, &ViewCube::dragged, q, [this](const QPointF& delta) {
+    moveTo(navigation().orbited(pivot, kCubeTurn * Vec2(delta.x(), delta.y())));
+  });
+  connect(cube, &ViewCube::dragEnded, q, [this] { startGesture(NavigationGesture::None); });
+}
+
+// What is in the middle of the view stays there, in its size.
+void Viewport::Private::lookFrom(const CubeRegion& region) {
+  flyTo(turnedAbout(goal(), orbitPivot({}), uprightTowards(region.cast<double>())));
+}
+
+}  // namespace handwheel

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFutureWatcher>
+#include <QPromise>
+#include <QThreadPool>
+#include <memory>
+
+namespace handwheel {
+
+// Runs work(promise) on a worker and returns the watcher of its future. Destroying the watcher drops the results that
+// are on their way.
+template <class T, class Work>
+std::unique_ptr<QFutureWatcher<T>> runOnWorker(Work work) {
+  auto promise = std::make_shared<QPromise<T>>();
+  auto watcher = std::make_unique<QFutureWatcher<T>>();
+  watcher->setFuture(promise->future());
+  promise->start();
+  QThreadPool::globalInstance()->start([promise, work = std::move(work)] {
+    work(*promise);
+    promise->finish();
+  });
+  return watcher;
+}
+
+}  // namespace handwheel
