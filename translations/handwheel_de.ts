@@ -26,6 +26,10 @@
         <source>Robot cell</source>
         <translation>Roboterzelle</translation>
     </message>
+    <message>
+        <source>Workpiece</source>
+        <translation>Werkstück</translation>
+    </message>
 </context>
 <context>
     <name>ErrorText</name>
@@ -273,6 +277,441 @@
         <source>Export the model in another way or another format.</source>
         <translation>Exportieren Sie das Modell auf andere Weise oder in einem anderen Format.</translation>
     </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+</context>
+<context>
+    <name>ErrorWord</name>
+    <message>
+        <source>bytes</source>
+        <translation>Bytes</translation>
+    </message>
+    <message>
+        <source>elements</source>
+        <translation>Elemente</translation>
+    </message>
+    <message>
+        <source>entries</source>
+        <translation>Einträge</translation>
+    </message>
+    <message>
+        <source>faces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <source>facets</source>
+        <translation>Facetten</translation>
+    </message>
+    <message>
+        <source>numbers</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
+        <source>parts</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>poles</source>
+        <translation>Pole</translation>
+    </message>
+    <message>
+        <source>strips</source>
+        <translation>Streifen</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>vertices</source>
+        <translation>Eckpunkte</translation>
+    </message>
+    <message>
+        <source>a count</source>
+        <translation>eine Anzahl</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a statement of the format</source>
+        <translation>eine Anweisung des Formats</translation>
+    </message>
+    <message>
+        <source>a vertex number</source>
+        <translation>eine Eckpunktnummer</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>the end of the line</source>
+        <translation>das Zeilenende</translation>
+    </message>
+    <message>
+        <source>the number of faces</source>
+        <translation>die Anzahl der Flächen</translation>
+    </message>
+    <message>
+        <source>the number of vertices</source>
+        <translation>die Anzahl der Eckpunkte</translation>
+    </message>
+    <message>
+        <source>the 3D model</source>
+        <translation>das 3D-Modell</translation>
+    </message>
+    <message>
+        <source>the joint</source>
+        <translation>das Gelenk</translation>
+    </message>
+    <message>
+        <source>the link</source>
+        <translation>das Glied</translation>
+    </message>
+    <message>
+        <source>the mesh</source>
+        <translation>das Netz</translation>
+    </message>
+    <message>
+        <source>the object</source>
+        <translation>das Objekt</translation>
+    </message>
+    <message>
+        <source>the property</source>
+        <translation>die Eigenschaft</translation>
+    </message>
+    <message>
+        <source>XML that declares entities</source>
+        <translation>XML mit eigenen Entitäten</translation>
+    </message>
+    <message>
+        <source>a geometry that is no mesh</source>
+        <translation>eine Geometrie, die kein Netz ist,</translation>
+    </message>
+    <message>
+        <source>a skinned mesh</source>
+        <translation>ein Netz mit Skelett</translation>
+    </message>
+    <message>
+        <source>a xacro file that is not expanded to URDF</source>
+        <translation>eine nicht in URDF umgewandelte Xacro-Datei</translation>
+    </message>
+    <message>
+        <source>reading STEP files</source>
+        <translation>das Lesen von STEP-Dateien</translation>
+    </message>
+    <message>
+        <source>the 3MF extension &apos;%1&apos;</source>
+        <translation>die 3MF-Erweiterung „%1“</translation>
+    </message>
+    <message>
+        <source>the floating joint &apos;%1&apos;, which is held still,</source>
+        <translation>das freie Gelenk „%1“, das festgehalten wird,</translation>
+    </message>
+    <message>
+        <source>the planar joint &apos;%1&apos;, which is held still,</source>
+        <translation>das ebene Gelenk „%1“, das festgehalten wird,</translation>
+    </message>
+    <message>
+        <source>the mesh name &apos;%1&apos;, which is no file on this machine,</source>
+        <translation>der Netzname „%1“, der keine Datei auf diesem Rechner ist,</translation>
+    </message>
+    <message>
+        <source>the mesh name &apos;%1&apos;, which leads too far away,</source>
+        <translation>der Netzname „%1“, der zu weit wegführt,</translation>
+    </message>
+    <message>
+        <source>the mesh name &apos;%1&apos;, which leaves its package,</source>
+        <translation>der Netzname „%1“, der sein Paket verlässt,</translation>
+    </message>
+    <message>
+        <source>the mesh name &apos;%1&apos;, which lies on another machine,</source>
+        <translation>der Netzname „%1“, der auf einem anderen Rechner liegt,</translation>
+    </message>
+    <message>
+        <source>the mesh name &apos;%1&apos;, which names no package,</source>
+        <translation>der Netzname „%1“, der kein Paket nennt,</translation>
+    </message>
+    <message>
+        <source>the shape &apos;%1&apos;</source>
+        <translation>die Form „%1“</translation>
+    </message>
+    <message>
+        <source>a coordinate of the mesh</source>
+        <translation>eine Koordinate des Netzes</translation>
+    </message>
+    <message>
+        <source>an origin</source>
+        <translation>ein Ursprung</translation>
+    </message>
+    <message>
+        <source>chord tolerance</source>
+        <translation>die Sehnentoleranz</translation>
+    </message>
+    <message>
+        <source>it cannot be opened</source>
+        <translation>sie lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>it holds no valid solid</source>
+        <translation>sie enthält keinen gültigen Volumenkörper</translation>
+    </message>
+    <message>
+        <source>its triangles differ</source>
+        <translation>ihre Dreiecke weichen ab</translation>
+    </message>
+    <message>
+        <source>its volume differs</source>
+        <translation>ihr Volumen weicht ab</translation>
+    </message>
+    <message>
+        <source>Its directory is wrong</source>
+        <translation>Sein Verzeichnis ist falsch</translation>
+    </message>
+    <message>
+        <source>Not a regular file</source>
+        <translation>Keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>it is not a STEP file</source>
+        <translation>es ist keine STEP-Datei</translation>
+    </message>
+    <message>
+        <source>the faces do not close</source>
+        <translation>die Flächen schließen sich nicht</translation>
+    </message>
+    <message>
+        <source>the faces do not join</source>
+        <translation>die Flächen passen nicht aneinander</translation>
+    </message>
+    <message>
+        <source>the file cannot be written</source>
+        <translation>die Datei lässt sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>the file holds no shape</source>
+        <translation>die Datei enthält keine Form</translation>
+    </message>
+    <message>
+        <source>the solid cannot be translated</source>
+        <translation>der Volumenkörper lässt sich nicht umsetzen</translation>
+    </message>
+    <message>
+        <source>%1 of its polygons cannot be read</source>
+        <translation>%1 seiner Polygone sind unlesbar</translation>
+    </message>
+    <message>
+        <source>a choice was expected</source>
+        <translation>eine Auswahl wurde erwartet</translation>
+    </message>
+    <message>
+        <source>a comment is too long</source>
+        <translation>ein Kommentar ist zu lang</translation>
+    </message>
+    <message>
+        <source>a number was expected</source>
+        <translation>eine Zahl wurde erwartet</translation>
+    </message>
+    <message>
+        <source>a pole is across the axis, too far away or not finite</source>
+        <translation>ein Pol liegt jenseits der Achse, zu weit weg oder ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>a tag is too long</source>
+        <translation>eine Marke ist zu lang</translation>
+    </message>
+    <message>
+        <source>a text is too long</source>
+        <translation>ein Text ist zu lang</translation>
+    </message>
+    <message>
+        <source>a text of at most 1000 bytes in UTF-8 was expected</source>
+        <translation>ein UTF-8-Text von höchstens 1000 Bytes wurde erwartet</translation>
+    </message>
+    <message>
+        <source>a weight is missing, not positive or too large</source>
+        <translation>ein Gewicht fehlt, ist nicht positiv oder zu groß</translation>
+    </message>
+    <message>
+        <source>elements are nested too deeply</source>
+        <translation>Elemente sind zu tief geschachtelt</translation>
+    </message>
+    <message>
+        <source>it belongs to a ring of joints</source>
+        <translation>es gehört zu einem Ring von Gelenken</translation>
+    </message>
+    <message>
+        <source>it contains itself</source>
+        <translation>es enthält sich selbst</translation>
+    </message>
+    <message>
+        <source>it does not say the version of the format</source>
+        <translation>die Formatversion fehlt</translation>
+    </message>
+    <message>
+        <source>it follows itself</source>
+        <translation>es folgt sich selbst</translation>
+    </message>
+    <message>
+        <source>it goes too far when it follows</source>
+        <translation>es geht beim Folgen zu weit</translation>
+    </message>
+    <message>
+        <source>it has a document type</source>
+        <translation>es hat einen Dokumenttyp</translation>
+    </message>
+    <message>
+        <source>it has no limits, so it moves without</source>
+        <translation>es hat keine Grenzen und bewegt sich ohne</translation>
+    </message>
+    <message>
+        <source>it has no links</source>
+        <translation>es hat keine Glieder</translation>
+    </message>
+    <message>
+        <source>it has no name</source>
+        <translation>der Name fehlt</translation>
+    </message>
+    <message>
+        <source>it has no shape</source>
+        <translation>die Form fehlt</translation>
+    </message>
+    <message>
+        <source>it has no type</source>
+        <translation>der Typ fehlt</translation>
+    </message>
+    <message>
+        <source>it has no %1</source>
+        <translation>„%1“ fehlt</translation>
+    </message>
+    <message>
+        <source>it has too few poles</source>
+        <translation>es hat zu wenige Pole</translation>
+    </message>
+    <message>
+        <source>it is missing</source>
+        <translation>es fehlt</translation>
+    </message>
+    <message>
+        <source>it is nested too deeply</source>
+        <translation>es ist zu tief geschachtelt</translation>
+    </message>
+    <message>
+        <source>it is no length; metres are assumed</source>
+        <translation>es ist keine Länge; Meter werden angenommen</translation>
+    </message>
+    <message>
+        <source>it is not JSON</source>
+        <translation>es ist kein JSON</translation>
+    </message>
+    <message>
+        <source>it is not an object</source>
+        <translation>es ist kein Objekt</translation>
+    </message>
+    <message>
+        <source>it is not the root</source>
+        <translation>es ist nicht die Wurzel</translation>
+    </message>
+    <message>
+        <source>it is not twelve numbers</source>
+        <translation>es sind nicht zwölf Zahlen</translation>
+    </message>
+    <message>
+        <source>it is placed too often, or within itself</source>
+        <translation>es ist zu oft oder in sich selbst eingesetzt</translation>
+    </message>
+    <message>
+        <source>it lies on the axis</source>
+        <translation>es liegt auf der Achse</translation>
+    </message>
+    <message>
+        <source>it names no file</source>
+        <translation>es nennt keine Datei</translation>
+    </message>
+    <message>
+        <source>it names no joint</source>
+        <translation>es nennt kein Gelenk</translation>
+    </message>
+    <message>
+        <source>it names no %1</source>
+        <translation>es nennt kein „%1“</translation>
+    </message>
+    <message>
+        <source>its axis has no direction</source>
+        <translation>seine Achse hat keine Richtung</translation>
+    </message>
+    <message>
+        <source>its degree must be 1, 2 or 3</source>
+        <translation>sein Grad muss 1, 2 oder 3 sein</translation>
+    </message>
+    <message>
+        <source>its joints form a ring</source>
+        <translation>seine Gelenke bilden einen Ring</translation>
+    </message>
+    <message>
+        <source>its knots do not fit its poles</source>
+        <translation>seine Knoten passen nicht zu seinen Polen</translation>
+    </message>
+    <message>
+        <source>its lower limit is above the upper one</source>
+        <translation>seine untere Grenze liegt über der oberen</translation>
+    </message>
+    <message>
+        <source>its number %1 is taken</source>
+        <translation>seine Nummer %1 ist vergeben</translation>
+    </message>
+    <message>
+        <source>its object is of the type &apos;other&apos;</source>
+        <translation>sein Objekt ist vom Typ „other“</translation>
+    </message>
+    <message>
+        <source>its scale leaves no shape</source>
+        <translation>seine Skalierung lässt keine Form übrig</translation>
+    </message>
+    <message>
+        <source>its size is no length</source>
+        <translation>seine Größe ist keine Länge</translation>
+    </message>
+    <message>
+        <source>its transformation is not understood</source>
+        <translation>seine Transformation ist unverständlich</translation>
+    </message>
+    <message>
+        <source>its type &apos;%1&apos; is not known</source>
+        <translation>sein Typ „%1“ ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>its unit is &apos;%1&apos;</source>
+        <translation>seine Einheit ist „%1“</translation>
+    </message>
+    <message>
+        <source>its vertices have no positions</source>
+        <translation>seine Eckpunkte haben keine Positionen</translation>
+    </message>
+    <message>
+        <source>no joint links it with %1</source>
+        <translation>kein Gelenk verbindet es mit %1</translation>
+    </message>
+    <message>
+        <source>one of its indices is no number</source>
+        <translation>einer seiner Indizes ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>there are two of that name</source>
+        <translation>es gibt zwei dieses Namens</translation>
+    </message>
 </context>
 <context>
     <name>ExpressionText</name>
@@ -497,6 +936,17 @@
     </message>
 </context>
 <context>
+    <name>JointDragTool</name>
+    <message>
+        <source>Pull the arm</source>
+        <translation>Arm ziehen</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>%1 bewegen</translation>
+    </message>
+</context>
+<context>
     <name>Navigation</name>
     <message>
         <source>Handwheel</source>
@@ -688,6 +1138,10 @@
     <message>
         <source>The file holds the robot&apos;s surfaces as they stand now; it has no joints.</source>
         <translation>Die Datei enthält die Oberflächen des Roboters in der jetzigen Stellung; Gelenke hat sie keine.</translation>
+    </message>
+    <message>
+        <source>The file holds one valid solid.</source>
+        <translation>Die Datei enthält einen gültigen Volumenkörper.</translation>
     </message>
 </context>
 <context>
@@ -915,6 +1369,38 @@
     <message>
         <source>Offset</source>
         <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>Rohteil</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Durchmesser</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Lower end at Z</source>
+        <translation>Unteres Ende bei Z</translation>
+    </message>
+    <message>
+        <source>Chord tolerance</source>
+        <translation>Sehnentoleranz</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Werkstoff</translation>
+    </message>
+    <message>
+        <source>Volume (mm³)</source>
+        <translation>Volumen (mm³)</translation>
+    </message>
+    <message>
+        <source>Surface (mm²)</source>
+        <translation>Oberfläche (mm²)</translation>
     </message>
 </context>
 <context>
@@ -1215,6 +1701,22 @@
         <source>select nothing</source>
         <translation>nichts auswählen</translation>
     </message>
+    <message>
+        <source>move the joint</source>
+        <translation>Gelenk bewegen</translation>
+    </message>
+    <message>
+        <source>pull the whole arm</source>
+        <translation>ganzen Arm ziehen</translation>
+    </message>
+    <message>
+        <source>put it back</source>
+        <translation>zurückstellen</translation>
+    </message>
+    <message>
+        <source>Remove debris</source>
+        <translation>Bruchstücke entfernen</translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
@@ -1260,6 +1762,58 @@
     <message>
         <source>Preview of the patch</source>
         <translation>Vorschau der Füllfläche</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::Autosave</name>
+    <message>
+        <source>Autosaving %1</source>
+        <translation>%1 wird automatisch gesichert</translation>
+    </message>
+    <message>
+        <source>%1 could not be autosaved. %2</source>
+        <translation>%1 konnte nicht automatisch gesichert werden. %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>Handwheel ended unexpectedly. %Ln document(s) had changes that were not saved.</source>
+        <translation>
+            <numerusform>Handwheel wurde unerwartet beendet. %Ln Dokument hatte nicht gespeicherte Änderungen.</numerusform>
+            <numerusform>Handwheel wurde unerwartet beendet. %Ln Dokumente hatten nicht gespeicherte Änderungen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>They can be recovered as they were last autosaved; otherwise they are offered again at the next start.</source>
+        <translation>Sie lassen sich im zuletzt gesicherten Stand wiederherstellen; sonst werden sie beim nächsten Start wieder angeboten.</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::CellUi</name>
+    <message numerus="yes">
+        <source>%Ln joint(s)</source>
+        <translation>
+            <numerusform>%Ln Gelenk</numerusform>
+            <numerusform>%Ln Gelenke</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Opened %1: robot %2 with %3 links and %4 joints that move</source>
+        <translation>%1 geöffnet: Roboter %2 mit %3 Gliedern und %4 beweglichen Gelenken</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Gelenke</translation>
+    </message>
+    <message>
+        <source>&amp;Cell</source>
+        <translation>&amp;Zelle</translation>
+    </message>
+    <message>
+        <source>&amp;Move by hand</source>
+        <translation>Von Hand &amp;bewegen</translation>
     </message>
 </context>
 <context>
@@ -1524,10 +2078,6 @@
         <translation>Ö&amp;ffnen…</translation>
     </message>
     <message>
-        <source>Open the &amp;sample</source>
-        <translation>Beisp&amp;iel öffnen</translation>
-    </message>
-    <message>
         <source>&amp;Save</source>
         <translation>&amp;Speichern</translation>
     </message>
@@ -1578,6 +2128,26 @@
     <message>
         <source>All formats (%1)</source>
         <translation>Alle Formate (%1)</translation>
+    </message>
+    <message>
+        <source>&amp;New workpiece</source>
+        <translation>&amp;Neues Werkstück</translation>
+    </message>
+    <message>
+        <source>Open the &amp;sample scan</source>
+        <translation>Beisp&amp;iel-Scan öffnen</translation>
+    </message>
+    <message>
+        <source>Open the sample &amp;robot</source>
+        <translation>Beispiel-&amp;Roboter öffnen</translation>
+    </message>
+    <message>
+        <source>Start with a cylinder to be turned</source>
+        <translation>Mit einem Zylinder zum Drehen beginnen</translation>
+    </message>
+    <message>
+        <source>Open the sample robot arm</source>
+        <translation>Beispiel-Roboterarm öffnen</translation>
     </message>
 </context>
 <context>
@@ -1915,6 +2485,18 @@
         <source>&amp;Preferences…</source>
         <translation>&amp;Einstellungen…</translation>
     </message>
+    <message>
+        <source>The tool failed and was put away</source>
+        <translation>Das Werkzeug ist ausgefallen und wurde weggelegt</translation>
+    </message>
+    <message>
+        <source>The document is as it was before.</source>
+        <translation>Das Dokument ist wie zuvor.</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::MeshDocument</name>
@@ -1928,47 +2510,14 @@
     </message>
 </context>
 <context>
+    <name>handwheel::MeshTools</name>
+    <message>
+        <source>Preparing to pick</source>
+        <translation>Auswahl wird vorbereitet</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::MeshUi</name>
-    <message>
-        <source>Click</source>
-        <translation>Klick</translation>
-    </message>
-    <message>
-        <source>select a hole</source>
-        <translation>Loch auswählen</translation>
-    </message>
-    <message>
-        <source>N</source>
-        <translation>N</translation>
-    </message>
-    <message>
-        <source>next hole</source>
-        <translation>nächstes Loch</translation>
-    </message>
-    <message>
-        <source>Enter</source>
-        <translation>Eingabe</translation>
-    </message>
-    <message>
-        <source>fill</source>
-        <translation>füllen</translation>
-    </message>
-    <message>
-        <source>K</source>
-        <translation>K</translation>
-    </message>
-    <message>
-        <source>keep open</source>
-        <translation>offen lassen</translation>
-    </message>
-    <message>
-        <source>Esc</source>
-        <translation>Esc</translation>
-    </message>
-    <message>
-        <source>deselect</source>
-        <translation>Auswahl aufheben</translation>
-    </message>
     <message>
         <source>%1 triangles</source>
         <translation>%1 Dreiecke</translation>
@@ -1984,6 +2533,18 @@
     <message>
         <source>&amp;Repair</source>
         <translation>&amp;Reparatur</translation>
+    </message>
+    <message>
+        <source>&amp;Holes</source>
+        <translation>&amp;Löcher</translation>
+    </message>
+    <message>
+        <source>&amp;Select faces</source>
+        <translation>&amp;Flächen auswählen</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
     </message>
 </context>
 <context>
@@ -2223,21 +2784,6 @@
         <translation>%1 von %2 gefüllt</translation>
     </message>
     <message>
-        <source>Removing debris</source>
-        <translation>Bruchstücke werden entfernt</translation>
-    </message>
-    <message>
-        <source>Remove debris</source>
-        <translation>Bruchstücke entfernen</translation>
-    </message>
-    <message numerus="yes">
-        <source>Removed %Ln loose piece(s) from %1</source>
-        <translation>
-            <numerusform>%Ln loses Stück aus %1 entfernt</numerusform>
-            <numerusform>%Ln lose Stücke aus %1 entfernt</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Repairing %1</source>
         <translation>%1 wird repariert</translation>
     </message>
@@ -2268,6 +2814,10 @@
     <message>
         <source>%1 was changed again; the result was discarded</source>
         <translation>%1 wurde erneut geändert; das Ergebnis wurde verworfen</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -2552,6 +3102,13 @@
     </message>
 </context>
 <context>
+    <name>handwheel::ToolPanel</name>
+    <message>
+        <source>This tool has no settings.</source>
+        <translation>Dieses Werkzeug hat keine Einstellungen.</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::ViewActions</name>
     <message>
         <source>&amp;Fit</source>
@@ -2658,6 +3215,21 @@
     <message>
         <source>The 3D view could not start: the display offers no OpenGL. Check the graphics driver, or whether the X server provides GLX.</source>
         <translation>Die 3D-Ansicht konnte nicht starten: Die Anzeige bietet kein OpenGL. Prüfen Sie den Grafiktreiber und ob der X-Server GLX bereitstellt.</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::WorkpieceUi</name>
+    <message>
+        <source>Opened %1: stock %2</source>
+        <translation>%1 geöffnet: Rohteil %2</translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>Rohteil</translation>
+    </message>
+    <message>
+        <source>&amp;Workpiece</source>
+        <translation>&amp;Werkstück</translation>
     </message>
 </context>
 </TS>

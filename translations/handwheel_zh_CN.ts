@@ -26,6 +26,10 @@
         <source>Robot cell</source>
         <translation>机器人单元</translation>
     </message>
+    <message>
+        <source>Workpiece</source>
+        <translation>工件</translation>
+    </message>
 </context>
 <context>
     <name>ErrorText</name>
@@ -39,11 +43,11 @@
     </message>
     <message>
         <source>the file is too large (more than %1 %2)</source>
-        <translation>文件过大（超过 %1 %2）</translation>
+        <translation>文件过大（超过 %1 个%2）</translation>
     </message>
     <message>
         <source>the file is too large (%1 %2, at most %3 can be opened)</source>
-        <translation>文件过大（%1 %2，最多可打开 %3）</translation>
+        <translation>文件过大（%1 个%2，最多可打开 %3 个）</translation>
     </message>
     <message>
         <source>&apos;%1&apos; makes no sense here</source>
@@ -273,6 +277,441 @@
         <source>Export the model in another way or another format.</source>
         <translation>请以其他方式或其他格式导出模型。</translation>
     </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1。</translation>
+    </message>
+</context>
+<context>
+    <name>ErrorWord</name>
+    <message>
+        <source>bytes</source>
+        <translation>字节</translation>
+    </message>
+    <message>
+        <source>elements</source>
+        <translation>元素</translation>
+    </message>
+    <message>
+        <source>entries</source>
+        <translation>条目</translation>
+    </message>
+    <message>
+        <source>faces</source>
+        <translation>面</translation>
+    </message>
+    <message>
+        <source>facets</source>
+        <translation>面片</translation>
+    </message>
+    <message>
+        <source>numbers</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>parts</source>
+        <translation>部件</translation>
+    </message>
+    <message>
+        <source>poles</source>
+        <translation>控制点</translation>
+    </message>
+    <message>
+        <source>strips</source>
+        <translation>三角带</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>vertices</source>
+        <translation>顶点</translation>
+    </message>
+    <message>
+        <source>a count</source>
+        <translation>数量</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>数字</translation>
+    </message>
+    <message>
+        <source>a statement of the format</source>
+        <translation>该格式的语句</translation>
+    </message>
+    <message>
+        <source>a vertex number</source>
+        <translation>顶点编号</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>整数</translation>
+    </message>
+    <message>
+        <source>the end of the line</source>
+        <translation>行尾</translation>
+    </message>
+    <message>
+        <source>the number of faces</source>
+        <translation>面数</translation>
+    </message>
+    <message>
+        <source>the number of vertices</source>
+        <translation>顶点数</translation>
+    </message>
+    <message>
+        <source>the 3D model</source>
+        <translation>三维模型</translation>
+    </message>
+    <message>
+        <source>the joint</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>the link</source>
+        <translation>连杆</translation>
+    </message>
+    <message>
+        <source>the mesh</source>
+        <translation>网格</translation>
+    </message>
+    <message>
+        <source>the object</source>
+        <translation>对象</translation>
+    </message>
+    <message>
+        <source>the property</source>
+        <translation>属性</translation>
+    </message>
+    <message>
+        <source>XML that declares entities</source>
+        <translation>声明实体的 XML</translation>
+    </message>
+    <message>
+        <source>a geometry that is no mesh</source>
+        <translation>非网格的几何体</translation>
+    </message>
+    <message>
+        <source>a skinned mesh</source>
+        <translation>蒙皮网格</translation>
+    </message>
+    <message>
+        <source>a xacro file that is not expanded to URDF</source>
+        <translation>未展开为 URDF 的 xacro 文件</translation>
+    </message>
+    <message>
+        <source>reading STEP files</source>
+        <translation>读取 STEP 文件</translation>
+    </message>
+    <message>
+        <source>the 3MF extension &apos;%1&apos;</source>
+        <translation>3MF 扩展“%1”</translation>
+    </message>
+    <message>
+        <source>the floating joint &apos;%1&apos;, which is held still,</source>
+        <translation>浮动关节“%1”（已固定）</translation>
+    </message>
+    <message>
+        <source>the planar joint &apos;%1&apos;, which is held still,</source>
+        <translation>平面关节“%1”（已固定）</translation>
+    </message>
+    <message>
+        <source>the mesh name &apos;%1&apos;, which is no file on this machine,</source>
+        <translation>网格名“%1”（不是本机文件）</translation>
+    </message>
+    <message>
+        <source>the mesh name &apos;%1&apos;, which leads too far away,</source>
+        <translation>网格名“%1”（路径过远）</translation>
+    </message>
+    <message>
+        <source>the mesh name &apos;%1&apos;, which leaves its package,</source>
+        <translation>网格名“%1”（超出所属软件包）</translation>
+    </message>
+    <message>
+        <source>the mesh name &apos;%1&apos;, which lies on another machine,</source>
+        <translation>网格名“%1”（位于其他机器）</translation>
+    </message>
+    <message>
+        <source>the mesh name &apos;%1&apos;, which names no package,</source>
+        <translation>网格名“%1”（未指明软件包）</translation>
+    </message>
+    <message>
+        <source>the shape &apos;%1&apos;</source>
+        <translation>形状“%1”</translation>
+    </message>
+    <message>
+        <source>a coordinate of the mesh</source>
+        <translation>网格坐标</translation>
+    </message>
+    <message>
+        <source>an origin</source>
+        <translation>原点</translation>
+    </message>
+    <message>
+        <source>chord tolerance</source>
+        <translation>弦高公差</translation>
+    </message>
+    <message>
+        <source>it cannot be opened</source>
+        <translation>无法打开</translation>
+    </message>
+    <message>
+        <source>it holds no valid solid</source>
+        <translation>不含有效实体</translation>
+    </message>
+    <message>
+        <source>its triangles differ</source>
+        <translation>三角形不一致</translation>
+    </message>
+    <message>
+        <source>its volume differs</source>
+        <translation>体积不一致</translation>
+    </message>
+    <message>
+        <source>Its directory is wrong</source>
+        <translation>目录有误</translation>
+    </message>
+    <message>
+        <source>Not a regular file</source>
+        <translation>不是普通文件</translation>
+    </message>
+    <message>
+        <source>it is not a STEP file</source>
+        <translation>不是 STEP 文件</translation>
+    </message>
+    <message>
+        <source>the faces do not close</source>
+        <translation>各面未封闭</translation>
+    </message>
+    <message>
+        <source>the faces do not join</source>
+        <translation>各面未相接</translation>
+    </message>
+    <message>
+        <source>the file cannot be written</source>
+        <translation>无法写入文件</translation>
+    </message>
+    <message>
+        <source>the file holds no shape</source>
+        <translation>文件不含形状</translation>
+    </message>
+    <message>
+        <source>the solid cannot be translated</source>
+        <translation>实体无法转换</translation>
+    </message>
+    <message>
+        <source>%1 of its polygons cannot be read</source>
+        <translation>其中 %1 个多边形无法读取</translation>
+    </message>
+    <message>
+        <source>a choice was expected</source>
+        <translation>应为选项</translation>
+    </message>
+    <message>
+        <source>a comment is too long</source>
+        <translation>注释过长</translation>
+    </message>
+    <message>
+        <source>a number was expected</source>
+        <translation>应为数字</translation>
+    </message>
+    <message>
+        <source>a pole is across the axis, too far away or not finite</source>
+        <translation>某控制点越过轴线、过远或非有限值</translation>
+    </message>
+    <message>
+        <source>a tag is too long</source>
+        <translation>标签过长</translation>
+    </message>
+    <message>
+        <source>a text is too long</source>
+        <translation>文本过长</translation>
+    </message>
+    <message>
+        <source>a text of at most 1000 bytes in UTF-8 was expected</source>
+        <translation>应为不超过 1000 字节的 UTF-8 文本</translation>
+    </message>
+    <message>
+        <source>a weight is missing, not positive or too large</source>
+        <translation>某权重缺失、非正或过大</translation>
+    </message>
+    <message>
+        <source>elements are nested too deeply</source>
+        <translation>元素嵌套过深</translation>
+    </message>
+    <message>
+        <source>it belongs to a ring of joints</source>
+        <translation>它属于关节环</translation>
+    </message>
+    <message>
+        <source>it contains itself</source>
+        <translation>它包含自身</translation>
+    </message>
+    <message>
+        <source>it does not say the version of the format</source>
+        <translation>未注明格式版本</translation>
+    </message>
+    <message>
+        <source>it follows itself</source>
+        <translation>它跟随自身</translation>
+    </message>
+    <message>
+        <source>it goes too far when it follows</source>
+        <translation>跟随时超出范围</translation>
+    </message>
+    <message>
+        <source>it has a document type</source>
+        <translation>含有文档类型声明</translation>
+    </message>
+    <message>
+        <source>it has no limits, so it moves without</source>
+        <translation>没有限位，因此不受限运动</translation>
+    </message>
+    <message>
+        <source>it has no links</source>
+        <translation>没有连杆</translation>
+    </message>
+    <message>
+        <source>it has no name</source>
+        <translation>缺少名称</translation>
+    </message>
+    <message>
+        <source>it has no shape</source>
+        <translation>缺少形状</translation>
+    </message>
+    <message>
+        <source>it has no type</source>
+        <translation>缺少类型</translation>
+    </message>
+    <message>
+        <source>it has no %1</source>
+        <translation>缺少“%1”</translation>
+    </message>
+    <message>
+        <source>it has too few poles</source>
+        <translation>控制点过少</translation>
+    </message>
+    <message>
+        <source>it is missing</source>
+        <translation>缺失</translation>
+    </message>
+    <message>
+        <source>it is nested too deeply</source>
+        <translation>嵌套过深</translation>
+    </message>
+    <message>
+        <source>it is no length; metres are assumed</source>
+        <translation>不是长度；按米处理</translation>
+    </message>
+    <message>
+        <source>it is not JSON</source>
+        <translation>不是 JSON</translation>
+    </message>
+    <message>
+        <source>it is not an object</source>
+        <translation>不是对象</translation>
+    </message>
+    <message>
+        <source>it is not the root</source>
+        <translation>不是根元素</translation>
+    </message>
+    <message>
+        <source>it is not twelve numbers</source>
+        <translation>不是十二个数</translation>
+    </message>
+    <message>
+        <source>it is placed too often, or within itself</source>
+        <translation>放置次数过多，或放置于自身之内</translation>
+    </message>
+    <message>
+        <source>it lies on the axis</source>
+        <translation>位于轴线上</translation>
+    </message>
+    <message>
+        <source>it names no file</source>
+        <translation>未指明文件</translation>
+    </message>
+    <message>
+        <source>it names no joint</source>
+        <translation>未指明关节</translation>
+    </message>
+    <message>
+        <source>it names no %1</source>
+        <translation>未指明“%1”</translation>
+    </message>
+    <message>
+        <source>its axis has no direction</source>
+        <translation>轴没有方向</translation>
+    </message>
+    <message>
+        <source>its degree must be 1, 2 or 3</source>
+        <translation>次数须为 1、2 或 3</translation>
+    </message>
+    <message>
+        <source>its joints form a ring</source>
+        <translation>其关节构成环</translation>
+    </message>
+    <message>
+        <source>its knots do not fit its poles</source>
+        <translation>节点与控制点不匹配</translation>
+    </message>
+    <message>
+        <source>its lower limit is above the upper one</source>
+        <translation>下限高于上限</translation>
+    </message>
+    <message>
+        <source>its number %1 is taken</source>
+        <translation>编号 %1 已被占用</translation>
+    </message>
+    <message>
+        <source>its object is of the type &apos;other&apos;</source>
+        <translation>其对象类型为“other”</translation>
+    </message>
+    <message>
+        <source>its scale leaves no shape</source>
+        <translation>缩放后没有形状</translation>
+    </message>
+    <message>
+        <source>its size is no length</source>
+        <translation>尺寸不是长度</translation>
+    </message>
+    <message>
+        <source>its transformation is not understood</source>
+        <translation>无法理解其变换</translation>
+    </message>
+    <message>
+        <source>its type &apos;%1&apos; is not known</source>
+        <translation>类型“%1”未知</translation>
+    </message>
+    <message>
+        <source>its unit is &apos;%1&apos;</source>
+        <translation>单位为“%1”</translation>
+    </message>
+    <message>
+        <source>its vertices have no positions</source>
+        <translation>其顶点没有位置</translation>
+    </message>
+    <message>
+        <source>no joint links it with %1</source>
+        <translation>没有关节将其与 %1 相连</translation>
+    </message>
+    <message>
+        <source>one of its indices is no number</source>
+        <translation>某个索引不是数字</translation>
+    </message>
+    <message>
+        <source>there are two of that name</source>
+        <translation>有两个同名项</translation>
+    </message>
 </context>
 <context>
     <name>ExpressionText</name>
@@ -497,6 +936,17 @@
     </message>
 </context>
 <context>
+    <name>JointDragTool</name>
+    <message>
+        <source>Pull the arm</source>
+        <translation>拖动机械臂</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>移动 %1</translation>
+    </message>
+</context>
+<context>
     <name>Navigation</name>
     <message>
         <source>Handwheel</source>
@@ -677,6 +1127,10 @@
     <message>
         <source>The file holds the robot&apos;s surfaces as they stand now; it has no joints.</source>
         <translation>文件只包含机器人当前姿态的表面，没有关节。</translation>
+    </message>
+    <message>
+        <source>The file holds one valid solid.</source>
+        <translation>文件包含一个有效实体。</translation>
     </message>
 </context>
 <context>
@@ -904,6 +1358,38 @@
     <message>
         <source>Offset</source>
         <translation>偏移</translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>毛坯</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>直径</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>长度</translation>
+    </message>
+    <message>
+        <source>Lower end at Z</source>
+        <translation>下端 Z 坐标</translation>
+    </message>
+    <message>
+        <source>Chord tolerance</source>
+        <translation>弦高公差</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>材料</translation>
+    </message>
+    <message>
+        <source>Volume (mm³)</source>
+        <translation>体积 (mm³)</translation>
+    </message>
+    <message>
+        <source>Surface (mm²)</source>
+        <translation>表面积 (mm²)</translation>
     </message>
 </context>
 <context>
@@ -1197,6 +1683,22 @@
         <source>select nothing</source>
         <translation>清除选择</translation>
     </message>
+    <message>
+        <source>move the joint</source>
+        <translation>移动关节</translation>
+    </message>
+    <message>
+        <source>pull the whole arm</source>
+        <translation>拖动整个机械臂</translation>
+    </message>
+    <message>
+        <source>put it back</source>
+        <translation>恢复原位</translation>
+    </message>
+    <message>
+        <source>Remove debris</source>
+        <translation>移除碎片</translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
@@ -1242,6 +1744,56 @@
     <message>
         <source>Preview of the patch</source>
         <translation>补片预览</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::Autosave</name>
+    <message>
+        <source>Autosaving %1</source>
+        <translation>正在自动保存 %1</translation>
+    </message>
+    <message>
+        <source>%1 could not be autosaved. %2</source>
+        <translation>无法自动保存 %1。%2</translation>
+    </message>
+    <message numerus="yes">
+        <source>Handwheel ended unexpectedly. %Ln document(s) had changes that were not saved.</source>
+        <translation>
+            <numerusform>Handwheel 意外退出。%Ln 个文档有未保存的更改。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>They can be recovered as they were last autosaved; otherwise they are offered again at the next start.</source>
+        <translation>可恢复到最近一次自动保存的状态；否则下次启动时会再次提示。</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>恢复</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::CellUi</name>
+    <message numerus="yes">
+        <source>%Ln joint(s)</source>
+        <translation>
+            <numerusform>%Ln 个关节</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Opened %1: robot %2 with %3 links and %4 joints that move</source>
+        <translation>已打开 %1：机器人 %2，%3 个连杆，%4 个可动关节</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>&amp;Cell</source>
+        <translation>单元(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Move by hand</source>
+        <translation>手动移动(&amp;M)</translation>
     </message>
 </context>
 <context>
@@ -1505,10 +2057,6 @@
         <translation>打开(&amp;O)…</translation>
     </message>
     <message>
-        <source>Open the &amp;sample</source>
-        <translation>打开示例(&amp;S)</translation>
-    </message>
-    <message>
         <source>&amp;Save</source>
         <translation>保存(&amp;S)</translation>
     </message>
@@ -1559,6 +2107,26 @@
     <message>
         <source>All formats (%1)</source>
         <translation>所有格式 (%1)</translation>
+    </message>
+    <message>
+        <source>&amp;New workpiece</source>
+        <translation>新建工件(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Open the &amp;sample scan</source>
+        <translation>打开示例扫描(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Open the sample &amp;robot</source>
+        <translation>打开示例机器人(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Start with a cylinder to be turned</source>
+        <translation>从待车削的圆柱开始</translation>
+    </message>
+    <message>
+        <source>Open the sample robot arm</source>
+        <translation>打开示例机械臂</translation>
     </message>
 </context>
 <context>
@@ -1893,6 +2461,18 @@
         <source>&amp;Preferences…</source>
         <translation>首选项(&amp;P)…</translation>
     </message>
+    <message>
+        <source>The tool failed and was put away</source>
+        <translation>工具出错，已退出</translation>
+    </message>
+    <message>
+        <source>The document is as it was before.</source>
+        <translation>文档保持原样。</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>工具</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::MeshDocument</name>
@@ -1906,47 +2486,14 @@
     </message>
 </context>
 <context>
+    <name>handwheel::MeshTools</name>
+    <message>
+        <source>Preparing to pick</source>
+        <translation>正在准备拾取</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::MeshUi</name>
-    <message>
-        <source>Click</source>
-        <translation>单击</translation>
-    </message>
-    <message>
-        <source>select a hole</source>
-        <translation>选择孔洞</translation>
-    </message>
-    <message>
-        <source>N</source>
-        <translation>N</translation>
-    </message>
-    <message>
-        <source>next hole</source>
-        <translation>下一个孔洞</translation>
-    </message>
-    <message>
-        <source>Enter</source>
-        <translation>Enter</translation>
-    </message>
-    <message>
-        <source>fill</source>
-        <translation>填补</translation>
-    </message>
-    <message>
-        <source>K</source>
-        <translation>K</translation>
-    </message>
-    <message>
-        <source>keep open</source>
-        <translation>保持开放</translation>
-    </message>
-    <message>
-        <source>Esc</source>
-        <translation>Esc</translation>
-    </message>
-    <message>
-        <source>deselect</source>
-        <translation>取消选择</translation>
-    </message>
     <message>
         <source>%1 triangles</source>
         <translation>%1 个三角形</translation>
@@ -1962,6 +2509,18 @@
     <message>
         <source>&amp;Repair</source>
         <translation>修复(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Holes</source>
+        <translation>孔洞(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Select faces</source>
+        <translation>选择面(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>测量(&amp;M)</translation>
     </message>
 </context>
 <context>
@@ -2201,20 +2760,6 @@
         <translation>已填补 %2 的 %1</translation>
     </message>
     <message>
-        <source>Removing debris</source>
-        <translation>正在移除碎片</translation>
-    </message>
-    <message>
-        <source>Remove debris</source>
-        <translation>移除碎片</translation>
-    </message>
-    <message numerus="yes">
-        <source>Removed %Ln loose piece(s) from %1</source>
-        <translation>
-            <numerusform>已从 %1 移除 %Ln 个碎片</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Repairing %1</source>
         <translation>正在修复 %1</translation>
     </message>
@@ -2245,6 +2790,10 @@
     <message>
         <source>%1 was changed again; the result was discarded</source>
         <translation>%1 再次更改；结果已丢弃</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
     </message>
 </context>
 <context>
@@ -2525,6 +3074,13 @@
     </message>
 </context>
 <context>
+    <name>handwheel::ToolPanel</name>
+    <message>
+        <source>This tool has no settings.</source>
+        <translation>此工具没有设置。</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::ViewActions</name>
     <message>
         <source>&amp;Fit</source>
@@ -2631,6 +3187,21 @@
     <message>
         <source>The 3D view could not start: the display offers no OpenGL. Check the graphics driver, or whether the X server provides GLX.</source>
         <translation>三维视图无法启动：显示环境不提供 OpenGL。请检查显卡驱动，或 X 服务器是否提供 GLX。</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::WorkpieceUi</name>
+    <message>
+        <source>Opened %1: stock %2</source>
+        <translation>已打开 %1：毛坯 %2</translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>毛坯</translation>
+    </message>
+    <message>
+        <source>&amp;Workpiece</source>
+        <translation>工件(&amp;W)</translation>
     </message>
 </context>
 </TS>

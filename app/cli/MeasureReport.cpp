@@ -168,7 +168,12 @@ Plot plotOf(const MeasuredSetting& m) {
     word += (word.isEmpty() ? "" : ", ") + QString::fromStdString(std::string(wordFor(preset)));
   }
   words[s.standard] += words[s.standard].isEmpty() ? "default" : ", default";
-  for (const auto& [value, word] : words) plot.marks.push_back({{m.at(value).cost, m.at(value).error}, word});
+  for (const auto& [value, word] : words) {
+    const FidelityRow& row = *std::max_element(m.rows.begin(), m.rows.end(), [v = value](const auto& a, const auto& b) {
+      return std::pair(a.value == v, a.cost) < std::pair(b.value == v, b.cost);
+    });
+    plot.marks.push_back({{row.cost, row.error}, word});
+  }
   return plot;
 }
 

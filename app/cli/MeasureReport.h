@@ -32,7 +32,7 @@ using FidelityBudgets = std::map<std::string, double>;
 std::string readableText(const MeasuredSetting& measured, const FidelityBudgets& budgets);
 nlohmann::ordered_json toJson(const MeasuredSetting& measured, const FidelityBudgets& budgets);
 
-// Error over cost, a series for each case; presets are marked on the curve of the worst of the cases.
+// Error over cost, a series for each case; presets are marked where they cost most.
 Plot plotOf(const MeasuredSetting& measured);
 
 }  // namespace handwheel

@@ -60,7 +60,7 @@ CommandSpec newSpec() {
 
 CommandSpec setSpec() {
   return {"set", "IN [NAME=VALUE...]",
-          "Changes properties of a document, such as diameter=25.4/2 or joint_1=30deg, and writes it to OUT.\n"
+          "Changes properties of a document, such as diameter=25.4/2 or joint.joint_1=30deg, and writes it to OUT.\n"
           "'handwheel inspect IN' lists the properties.",
           kOptions};
 }

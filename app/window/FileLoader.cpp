@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/FileLoader.h"
 
+#include "controls/Preferences.h"
 #include "document/DocumentKind.h"
 #include "panels/LogModel.h"
 #include "text/ErrorText.h"
@@ -88,6 +89,7 @@ void FileLoader::recover(const QString& autosave, const QString& path, std::func
 
 OpenDocument* FileLoader::add(OpenedFile opened) {
   const DocumentKind& kind = *opened.kind;
+  if (!opened.file.isContainer) opened.file.displayUnit = loadPreferences().lengthUnit;
   auto open = m_uis.at(kind.id())->open(kind.make(std::move(opened)));
   OpenDocument* added = open.get();
   m_tabs.add(std::move(open));

@@ -15,6 +15,7 @@
 #include "window/DocumentProperties.h"
 #include "window/DocumentTabs.h"
 #include "window/OpenDocument.h"
+#include "window/Thumbnails.h"
 #include "window/ToolHost.h"
 #include "window/ToolPanel.h"
 #include "window/ViewActions.h"
@@ -119,6 +120,9 @@ void MainWindow::connectDocuments() {
     });
   });
   connect(m_tabs, &DocumentTabs::closing, this, [this](OpenDocument* closed) {
+    if (closed == m_tabs->current() && closed->visible && !closed->document.file().path.empty()) {
+      storeThumbnail(closed->document.path(), m_viewport->grabFramebuffer(), m_pool);
+    }
     showDocument(nullptr);  // whoever points at it lets go
     closed->ui.forget(closed);
     m_undo.removeStack(closed->document.history());
@@ -178,6 +182,7 @@ void MainWindow::connectStartPage() {
         return m_fileActions.openRobotSample()->trigger();
     }
   });
+  m_start->setPictures(thumbnailOf);
   m_start->setRecentFiles(m_recent.paths());
   connect(&m_recent, &RecentFiles::changed, this, [this] { m_start->setRecentFiles(m_recent.paths()); });
   connect(m_start, &StartPage::openRequested, m_fileActions.open(), &QAction::trigger);

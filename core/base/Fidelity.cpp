@@ -86,7 +86,7 @@ double valueAt(const FidelitySetting& setting, double place) {
 double FidelityValues::of(const FidelitySetting& setting) const {
   const auto own = m_overrides.find(setting.id);
   if (own != m_overrides.end()) return own->second;
-  return m_preset < 0 ? setting.standard : setting.presets[static_cast<std::size_t>(m_preset)];
+  return m_preset ? setting.presetValue(*m_preset) : setting.standard;
 }
 
 Status FidelityValues::set(const FidelitySetting& setting, double value) {

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,7 +18,7 @@ enum class FidelityScale { Linear, Logarithmic, Choices };
 
 enum class FidelityPreset { Draft, Balanced, Exact };
 inline constexpr std::array kFidelityPresets{FidelityPreset::Draft, FidelityPreset::Balanced, FidelityPreset::Exact};
-std::string_view wordFor(FidelityPreset preset);  // "Draft", ...
+std::string_view wordFor(FidelityPreset preset);  // "Draft"; lower-case where people type it
 
 // What is measured, in words, and its unit: "ms", "us", "MB", "mm", or what is counted ("vertices").
 struct FidelityMeasure {
@@ -64,19 +65,20 @@ double valueAt(const FidelitySetting& setting, double place);
 class FidelityValues {
  public:
   FidelityValues() = default;  // the defaults
-  explicit FidelityValues(FidelityPreset preset) : m_preset(static_cast<int>(preset)) {}
+  explicit FidelityValues(FidelityPreset preset) : m_preset(preset) {}
 
   double of(const FidelitySetting& setting) const;
   // Error: ValueOutOfRange; then nothing changes.
   Status set(const FidelitySetting& setting, double value);
   void reset(const FidelitySetting& setting) { m_overrides.erase(setting.id); }
 
-  bool isDefault() const { return m_preset < 0 && m_overrides.empty(); }
+  bool isDefault() const { return !m_preset && m_overrides.empty(); }
+  std::optional<FidelityPreset> preset() const { return m_preset; }
   const std::map<std::string, double>& overrides() const { return m_overrides; }
   bool operator==(const FidelityValues&) const = default;
 
  private:
-  int m_preset = -1;  // of FidelityPreset; -1: the defaults
+  std::optional<FidelityPreset> m_preset;  // none: the defaults
   std::map<std::string, double> m_overrides;
 };
 

@@ -10,13 +10,6 @@
 namespace handwheel {
 namespace {
 
-bool isSound(const FidelitySetting& s) {
-  if (s.id.empty() || s.label.empty() || s.error.name.empty() || s.cost.unit.empty()) return false;
-  if (!(s.least < s.largest) || (s.scale == FidelityScale::Logarithmic && !(s.least > 0.0))) return false;
-  return checkValue(s, s.standard) &&
-         std::all_of(s.presets.begin(), s.presets.end(), [&](double v) { return bool(checkValue(s, v)); });
-}
-
 // The value in two digits, where the range allows: presets follow from these values, and people read them.
 double plain(const FidelitySetting& setting, double value) {
   if (setting.scale != FidelityScale::Logarithmic || value == setting.least || value == setting.largest) return value;
@@ -62,17 +55,6 @@ std::string field(const std::string& text) {
 }
 
 }  // namespace
-
-void FidelityRegistry::add(FidelitySetting setting, std::vector<FidelityCase> cases) {
-  assert(isSound(setting));
-  assert(!find(setting.id));
-  m_entries.push_back({std::move(setting), std::move(cases)});
-}
-
-const FidelityRegistry::Entry* FidelityRegistry::find(std::string_view id) const {
-  const auto at = std::find_if(m_entries.begin(), m_entries.end(), [&](const Entry& e) { return e.setting.id == id; });
-  return at == m_entries.end() ? nullptr : &*at;
-}
 
 std::vector<double> sweepValues(const FidelitySetting& setting, int steps) {
   std::vector<double> values(setting.presets.begin(), setting.presets.end());

@@ -2,45 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "base/Fidelity.h"
-#include "base/Progress.h"
+#include "base/FidelityRegistry.h"
 
-#include <cstdint>
-#include <functional>
 #include <span>
 
 namespace handwheel {
-
-struct FidelitySample {
-  double error = 0.0;  // infinite: no result at all with this value
-  double cost = 0.0;
-};
-
-// One thing that a setting is measured on. run() works with the value on input that the seed fixes, so that the error
-// is the same every time, and measures the cost itself (cpuMilliseconds(), bytes, counts). When cancelled it may return
-// anything.
-struct FidelityCase {
-  std::string name;   // short, English: "sphere, torn along a meridian"
-  std::string truth;  // against what the error is taken: "closed form", "run ten times finer", ...
-  std::function<FidelitySample(double value, std::uint64_t seed, Progress progress)> run;
-};
-
-// The settings of a program with what each is measured on. Made by app, passed on by reference.
-class FidelityRegistry {
- public:
-  struct Entry {
-    FidelitySetting setting;
-    std::vector<FidelityCase> cases;
-  };
-
-  // The setting must be sound (see FidelityTest) and its id new.
-  void add(FidelitySetting setting, std::vector<FidelityCase> cases);
-  const std::vector<Entry>& entries() const { return m_entries; }
-  const Entry* find(std::string_view id) const;  // null when unknown
-
- private:
-  std::vector<Entry> m_entries;
-};
 
 // One measurement: a line of the table, of the CSV file and of the curves kept as data.
 struct FidelityRow {

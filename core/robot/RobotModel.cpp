@@ -27,9 +27,11 @@ std::uint32_t toolLink(const RobotModel& robot) {
     isLeaf[joint.parent] = false;
     most = std::max(most, moving[joint.child]);
   }
-  const auto rank = [&](std::uint32_t link) {
-    const bool isEmpty = robot.links[link].visuals.empty() && robot.links[link].collisions.empty();
-    return std::tuple(bool(isLeaf[link]), isEmpty && 2 * moving[link] >= most, moving[link], all[link]);
+  const auto rank = [&](std::uint32_t l) {
+    const Link& link = robot.links[l];
+    const bool isFixed = link.parentJoint != kNone && robot.joints[link.parentJoint].kind == JointKind::Fixed;
+    const bool isFrame = isFixed && link.visuals.empty() && link.collisions.empty() && 2 * moving[l] >= most;
+    return std::tuple(bool(isLeaf[l]), isFrame, moving[l], all[l]);
   };
   std::uint32_t best = robot.root;
   for (std::uint32_t link = 0; link < robot.links.size(); ++link) {

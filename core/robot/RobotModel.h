@@ -98,9 +98,9 @@ inline constexpr double kFarthestTravel = 1e9;
 // kNone when there is no such link. O(links).
 std::uint32_t linkNamed(const RobotModel& robot, std::string_view name);
 
-// Where a tool is fixed: a leaf, if possible one without a body ("tool0", "flange") beyond half of the degrees of
-// freedom, for behind it there may be fingers that move; of these the one that most of them move, then the one at the
-// end of most joints, then the first in the file.
+// Where a tool is fixed: a leaf, if possible a fixed one without a body ("tool0", "flange") behind at least half of the
+// degrees of freedom, for beside it there may be fingers that move; of these the one that most of them move, then the
+// one at the end of most joints, then the first in the file.
 std::uint32_t toolLink(const RobotModel& robot);
 
 // The degree of freedom that moves the link and no link above it; kNone for what stands still.

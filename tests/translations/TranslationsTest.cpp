@@ -59,6 +59,29 @@ class TranslationsTest : public QObject {
     QCOMPARE(repairSummary(report).value(0), "2 duplicate triangles removed");
   }
 
+  void phrasesOfTheCoreWithNamesInThem() {
+    const Error unknown{ErrorCode::Unsupported, {"the shape 'capsule'"}, Place::line(7), "arm.urdf"};
+    const Error truncated{ErrorCode::DataTruncated, {"facets", "12", "9"}, {}, "part.stl"};
+    const Error nameless{ErrorCode::ElementMalformed, {"joint", "it has no name"}, {}, {}};
+    QCOMPARE(errorSentence(unknown), "arm.urdf, line 7: the shape 'capsule' is not supported.");
+    {
+      const Translations german("de");
+      QCOMPARE(errorSentence(unknown), "arm.urdf, Zeile 7: die Form „capsule“ wird nicht unterstützt.");
+      QCOMPARE(errorSentence(truncated), "part.stl: die Datei endet zu früh (Facetten: 12 erwartet, 9 gefunden).");
+      QCOMPARE(errorSentence(nameless), "Das Element „joint“ ist fehlerhaft: der Name fehlt.");
+    }
+    const Translations chinese("zh_CN");
+    QCOMPARE(errorSentence(truncated), "part.stl：文件提前结束（面片：应为 12，实为 9）。");
+  }
+
+  void phrasesAreWholeAndQuotesAreShort() {
+    const std::string phrase = "a pole is across the axis, too far away or not finite";
+    QVERIFY(errorSentence({ErrorCode::ElementMalformed, {"profile", phrase}, {}, {}}).contains(phrase.c_str()));
+    const std::string name(500, 'x');
+    for (const std::string& argument : {name, "the shape '" + name + "'"})
+      QVERIFY(errorSentence({ErrorCode::Unsupported, {argument}, {}, {}}).size() < 100);
+  }
+
   void everyLanguageButEnglishHasItsTexts() {
     for (const Language& language : windowLanguages())
       QCOMPARE(QFile::exists(":/translations/handwheel_" + language.code + ".qm"), language.code != "en");

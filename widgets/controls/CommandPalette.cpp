@@ -46,6 +46,7 @@ CommandPalette::CommandPalette(QMainWindow* window)
   m_action->setObjectName(QStringLiteral("searchCommands"));
   m_action->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_K));
   m_action->setToolTip(tr("Find and run any command by its name (Ctrl+K)"));
+  window->addAction(m_action);  // its key works wherever else it stands
   connect(m_action, &QAction::triggered, this, &CommandPalette::popUp);
   m_query->setObjectName(QStringLiteral("commandQuery"));
   m_query->setPlaceholderText(tr("What do you want to do?"));

@@ -12,13 +12,13 @@ namespace {
 
 constexpr int kNoMatch = 100;
 
-// Lower case, without accents: "Öffnen" is found by "offnen".
+// Lower case, without accents: "Öffnen" is found by "offnen", "schließen" by "schliessen".
 QString folded(const QString& text) {
   QString result;
   for (QChar c : text.normalized(QString::NormalizationForm_KD).toCaseFolded()) {
     if (!c.isMark()) result += c;
   }
-  return result;
+  return result.replace(QChar(0xdf), QStringLiteral("ss"));
 }
 
 QStringList wordsOf(const QString& text) {

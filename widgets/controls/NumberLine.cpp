@@ -33,11 +33,18 @@ bool isStep(const QKeyEvent& event) {
 void NumberLine::setMarks(const QString& prefix, const QString& unit) {
   m_prefix = prefix;
   m_unit = unit;
-  const auto room = [this](const QString& mark) {
-    return mark.isEmpty() ? 0 : fontMetrics().horizontalAdvance(mark) + kGap;
+  const auto room = [](const QString& mark, const QFont& font) {
+    return mark.isEmpty() ? 0 : QFontMetrics(font).horizontalAdvance(mark) + kGap;
   };
-  setTextMargins(room(prefix), 0, room(unit), 0);
+  setTextMargins(room(prefix, prefixFont()), 0, room(unit, font()), 0);
   update();
+}
+
+// Most fonts draw ⌀ small, and nobody may overlook it.
+QFont NumberLine::prefixFont() const {
+  QFont large = font();
+  large.setPointSizeF(large.pointSizeF() * 1.25);
+  return large;
 }
 
 // Keys that would otherwise start an action of the window. Enter and Esc belong to the line while there is something to
@@ -94,12 +101,14 @@ void NumberLine::focusOutEvent(QFocusEvent* event) {
 void NumberLine::paintEvent(QPaintEvent* event) {
   QLineEdit::paintEvent(event);
   QPainter painter(this);
-  QColor colour = themeColours(currentTheme()).muted;
-  if (!isEnabled()) colour = palette().color(QPalette::Disabled, QPalette::Text);
-  painter.setPen(colour);
+  const QColor off = palette().color(QPalette::Disabled, QPalette::Text);
+  const ThemeColours& colours = themeColours(currentTheme());
   const QRect inner = rect().adjusted(kGap * 2, 0, -kGap * 2, 0);
-  painter.drawText(inner, Qt::AlignLeft | Qt::AlignVCenter, m_prefix);
+  painter.setPen(isEnabled() ? colours.muted : off);
   painter.drawText(inner, Qt::AlignRight | Qt::AlignVCenter, m_unit);
+  painter.setPen(isEnabled() ? colours.text : off);
+  painter.setFont(prefixFont());
+  painter.drawText(inner, Qt::AlignLeft | Qt::AlignVCenter, m_prefix);
 }
 
 }  // namespace handwheel

@@ -30,6 +30,8 @@ class NumberLine : public QLineEdit {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  QFont prefixFont() const;
+
   QString m_prefix;
   QString m_unit;
 };

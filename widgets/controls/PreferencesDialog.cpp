@@ -33,7 +33,10 @@ QFormLayout* line(QWidget* page, const QString& label, QWidget* field) {
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
   form->setContentsMargins(0, 0, 0, 0);
+  form->setHorizontalSpacing(8);
+  form->setVerticalSpacing(8);
   form->addRow(label, field);
+  form->labelForField(field)->setMinimumHeight(field->sizeHint().height());  // on one line with it
   return form;
 }
 

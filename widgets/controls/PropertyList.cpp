@@ -73,8 +73,20 @@ void PropertyList::rebuild() {
     row->hide();
     row->deleteLater();
   }
-  for (std::size_t i = 1; i < m_rows.size(); ++i) setTabOrder(m_rows[i - 1], m_rows[i]);
+  chainTab();
   updateGeometry();
+}
+
+// Tab goes down the page, also where rows were moved or added.
+void PropertyList::chainTab() {
+  QWidget* last = nullptr;
+  for (const PropertyRow* row : m_rows) {
+    for (QWidget* part : row->findChildren<QWidget*>()) {
+      if (!(part->focusPolicy() & Qt::TabFocus) || part->focusProxy() || part->window() != window()) continue;
+      if (last) setTabOrder(last, part);
+      last = part;
+    }
+  }
 }
 
 void PropertyList::setLengthUnit(LengthUnit unit) {

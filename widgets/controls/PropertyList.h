@@ -35,6 +35,7 @@ class PropertyList : public QScrollArea {
  private:
   bool fit(const std::vector<Property>& properties) const;
   void rebuild();
+  void chainTab();
   PropertyRow* addRow(const Property& property);
   void addHeading(const std::string& group);
 

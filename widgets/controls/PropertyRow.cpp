@@ -76,7 +76,6 @@ void PropertyRow::arrange(QWidget* editor, bool besideLabel, QWidget* below) {
   line->addWidget(editor, 3);
   m_label->setMinimumHeight(editor->sizeHint().height());
   m_label->setBuddy(editor);
-  setFocusProxy(editor);  // for the order of Tab
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(4);

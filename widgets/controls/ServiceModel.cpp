@@ -10,7 +10,7 @@ namespace handwheel {
 namespace {
 
 QString number(double value) {
-  return QLocale().toString(value, 'f', value < 10.0 ? 1 : 0);
+  return QLocale().toString(value, 'f', value < 1.0 ? 2 : value < 10.0 ? 1 : 0);
 }
 
 QString shareText(const ServiceStatus& service) {

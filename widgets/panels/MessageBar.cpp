@@ -6,6 +6,7 @@
 #include "theme/Theme.h"
 
 #include <QAccessible>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -70,7 +71,8 @@ MessageBar::MessageBar(QWidget* parent)
 }
 
 void MessageBar::showMessage(const Message& message) {
-  m_icon->setPixmap(iconOf(message.weight).pixmap(QSize(20, 20), devicePixelRatioF()));
+  m_weight = message.weight;
+  drawIcon();
   m_text->setText(textOf(message));
   setAccessibleName(message.title);
   m_run = message.action;
@@ -79,6 +81,15 @@ void MessageBar::showMessage(const Message& message) {
   show();
   QAccessibleEvent alert(this, QAccessible::Alert);
   QAccessible::updateAccessibility(&alert);
+}
+
+void MessageBar::drawIcon() {
+  m_icon->setPixmap(iconOf(m_weight).pixmap(QSize(20, 20), devicePixelRatioF()));
+}
+
+void MessageBar::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange) drawIcon();
+  QFrame::changeEvent(event);
 }
 
 }  // namespace handwheel

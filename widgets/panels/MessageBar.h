@@ -30,7 +30,13 @@ class MessageBar : public QFrame {
 
   void showMessage(const Message& message);
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
+  void drawIcon();
+
+  Message::Weight m_weight = Message::Weight::Info;
   QLabel* m_icon;
   QLabel* m_text;
   QPushButton* m_action;

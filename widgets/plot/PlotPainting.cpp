@@ -61,7 +61,7 @@ class PlotPainting {
     m_painter.setClipRect(m_layout.frame().adjusted(-6, -6, 6, 6));
     for (std::size_t s = 0; s < m_plot.series.size(); ++s) series(s);
     m_painter.setClipping(false);
-    for (const PlotMark& m : m_plot.marks) mark(m);
+    for (std::size_t i = 0; i < m_plot.marks.size(); ++i) mark(m_plot.marks[i], i % 2 == 1);
   }
 
  private:
@@ -127,7 +127,8 @@ class PlotPainting {
     for (const QPointF& p : line) m_painter.fillPath(pointShape(index, p), colour);
   }
 
-  void mark(const PlotMark& m) {
+  // Neighbours have their words above and below in turn.
+  void mark(const PlotMark& m, bool below) {
     if (!m_layout.isShown(m.place)) return;
     const QPointF at = m_layout.toScreen(m.place);
     m_painter.setPen(QPen(m_colours.accent, 2.0));
@@ -135,9 +136,11 @@ class PlotPainting {
     m_painter.drawEllipse(at, 2.0 * kPointRadius, 2.0 * kPointRadius);
     // Towards the middle, so that the words stay inside.
     const bool isLeft = at.x() < m_layout.frame().center().x();
+    const bool isLow = at.y() > m_layout.frame().bottom() - 1.5 * line();
     const bool isHigh = at.y() < m_layout.frame().top() + 1.5 * line();
+    const double side = isHigh || (below && !isLow) ? 0.6 : -0.6;
     const double offset = isLeft ? 3.0 * kPointRadius : -3.0 * kPointRadius;
-    text(QRectF(at.x() + offset, at.y() + (isHigh ? 0.6 : -0.6) * line(), 0, 0),
+    text(QRectF(at.x() + offset, at.y() + side * line(), 0, 0),
          (isLeft ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter, m.label, m_colours.accent);
   }
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text/ErrorText.h"
 
+#include "text/ErrorWords.h"
+
 #include <QCoreApplication>
 
 namespace handwheel {
 
 namespace {
-
-constexpr qsizetype kLongestQuote = 48;  // characters of a foreign file shown in a sentence
 
 struct Text {
   Q_DECLARE_TR_FUNCTIONS(ErrorText)
@@ -23,11 +23,15 @@ QString harmless(const std::string& bytes) {
   return text;
 }
 
-// Arguments may quote a damaged file, so they are shortened.
 QString argument(const Error& error, std::size_t i) {
-  if (i >= error.arguments.size()) return {};
-  const QString text = harmless(error.arguments[i]).simplified();
-  return text.size() > kLongestQuote ? text.left(kLongestQuote) + QChar(0x2026) : text;
+  return i < error.arguments.size() ? errorArgument(harmless(error.arguments[i]).simplified()) : QString();
+}
+
+// The parts that there are, as a list: "scan.stl, line 7".
+QString listed(const QStringList& parts) {
+  QString list = parts.value(0);
+  for (const QString& part : parts.mid(1)) list = Text::tr("%1, %2").arg(list, part);
+  return list;
 }
 
 // "the file ends too early: 12 facets expected, 9 found", leaving out what is not known.
@@ -35,7 +39,7 @@ QString counts(const QString& what, const QString& expected, const QString& foun
   QStringList parts;
   if (!expected.isEmpty()) parts << Text::tr("%1 expected").arg(expected);
   if (!found.isEmpty()) parts << Text::tr("%1 found").arg(found);
-  return what + QStringLiteral(": ") + parts.join(QStringLiteral(", "));
+  return Text::tr("%1: %2").arg(what, listed(parts));
 }
 
 QString tooLarge(const QString& what, const QString& count, const QString& limit) {
@@ -145,8 +149,8 @@ QString errorSentence(const Error& error) {
   QStringList origin;
   if (!error.subject.empty()) origin << harmless(error.subject);
   if (const QString place = where(error); !place.isEmpty()) origin << place;
-  QString sentence = whatHappened(error) + QLatin1Char('.');
-  if (!origin.isEmpty()) sentence = origin.join(QStringLiteral(", ")) + QStringLiteral(": ") + sentence;
+  QString sentence = Text::tr("%1.").arg(whatHappened(error));
+  if (!origin.isEmpty()) sentence = Text::tr("%1: %2").arg(listed(origin), sentence);
   // File names are left as they are.
   return error.subject.empty() ? sentence.left(1).toUpper() + sentence.mid(1) : sentence;
 }

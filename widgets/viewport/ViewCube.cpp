@@ -12,11 +12,11 @@ namespace handwheel {
 
 namespace {
 
-constexpr int kSize = 104;      // logical pixels
-constexpr double kHalf = 30.0;  // of the cube's edge; its corners reach √3 times as far
+constexpr int kSize = 112;      // logical pixels
+constexpr double kHalf = 32.0;  // of the cube's edge; its corners reach √3 times as far
 constexpr double kDragThreshold = 4.0;
-constexpr double kTextHeight = 0.62;  // of the capitals, in halves of the cube's edge
-constexpr double kTextWidth = 1.5;    // at most
+constexpr double kTextHeight = 0.42;  // of the capitals, in halves of the cube's edge
+constexpr double kTextWidth = 1.2;    // at most
 
 QPolygonF toPolygon(const std::array<Vec2, 4>& outline) {
   QPolygonF polygon;

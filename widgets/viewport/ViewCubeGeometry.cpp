@@ -10,9 +10,9 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kMiddleShare = 0.6;  // of a side, that is the side's own
-constexpr double kOnBorder = 1e-6;    // square pixels
-constexpr double kFacing = 1e-3;      // a side that faces the viewer less is not worth showing
+constexpr double kMiddleShare = 0.66;  // of a side, that is the side's own
+constexpr double kOnBorder = 1e-6;     // square pixels
+constexpr double kFacing = 1e-3;       // a side that faces the viewer less is not worth showing
 
 std::array<CubeRegion, 6> sides() {
   std::array<CubeRegion, 6> all;

@@ -204,6 +204,12 @@ void Viewport::setCamera(const CameraState& camera) {
   d->moveTo(camera);
 }
 
+Pick Viewport::pickAlong(const Vec3& origin, const Vec3& direction) const {
+  const auto hit = firstSurface(d->pickable(), origin, direction);
+  if (!hit) return {};
+  return {-1, hit->face, hit->point, hit->part ? hit->part->name : std::string()};
+}
+
 Pick Viewport::pickAt(const QPointF& position) const {
   return d->pick({position.x(), position.y()});
 }

@@ -105,6 +105,8 @@ class Viewport : public QOpenGLWidget {
   // What is at this position of the widget. Nothing as long as the search structure of the mesh is being built; no part
   // whose own is.
   Pick pickAt(const QPointF& position) const;
+  // The first surface along a ray, for tools; no loops. The direction is of unit length.
+  Pick pickAlong(const Vec3& origin, const Vec3& direction) const;
   bool isPickingReady() const;
   ViewRay rayAt(const QPointF& position) const;
 

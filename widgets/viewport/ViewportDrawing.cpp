@@ -8,6 +8,7 @@
 #include <QGuiApplication>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
+#include <QOpenGLPaintDevice>
 #include <QSurfaceFormat>
 #include <algorithm>
 
@@ -106,8 +107,12 @@ void Viewport::paintGL() {
   d->paintOver();
 }
 
+// Not on the widget itself: while a window takes a picture of itself, painting on its widgets goes elsewhere.
 void Viewport::Private::paintOver() {
-  QPainter painter(q);
+  const double ratio = q->devicePixelRatioF();
+  QOpenGLPaintDevice device((QSizeF(q->size()) * ratio).toSize());
+  device.setDevicePixelRatio(ratio);
+  QPainter painter(&device);
   if (!polylines.empty()) paintLines(painter, navigation(), polylines, scene.colours());
   if (!brushLine.empty()) paintLines(painter, navigation(), {brushLine}, scene.colours());
   paintOverlay(painter, q->size(), camera, unit, scene.colours());

@@ -3,15 +3,26 @@
 #include "window/cell/CellUi.h"
 
 #include "document/cell/CellDocument.h"
+#include "tools/cell/JointDragTool.h"
+#include "viewport/Viewport.h"
 #include "window/OpenDocument.h"
 #include "window/ToolHost.h"
 
 namespace handwheel {
 
-CellUi::CellUi(const WindowParts& parts) : PartsUi(parts, {"Joints"}) {}
+CellUi::CellUi(const WindowParts& window) : PartsUi(window, {"Joints"}) {}
 
 std::vector<ToolOffer> CellUi::tools() {
-  return {};
+  return {{QStringLiteral("jointTool"), tr("&Move by hand"), QStringLiteral("hand"), QKeySequence(Qt::Key_M),
+           [this] { return jointTool(); }}};
+}
+
+std::unique_ptr<Tool> CellUi::jointTool() {
+  auto& cell = static_cast<CellDocument&>(document()->document);
+  return std::make_unique<JointDragTool>(cell, [this](const Ray& ray) -> std::optional<CellPick> {
+    const Pick pick = parts().viewport.pickAlong(ray.origin, ray.direction);
+    return pick.part.empty() ? std::nullopt : std::optional(CellPick{pick.part, pick.point});
+  });
 }
 
 std::vector<Hint> CellUi::hints() {

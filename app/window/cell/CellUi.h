@@ -11,7 +11,7 @@ class CellUi : public PartsUi {
   Q_OBJECT
 
  public:
-  explicit CellUi(const WindowParts& parts);
+  explicit CellUi(const WindowParts& window);
 
   QString panelTitle() const override { return tr("Joints"); }
   QString menuTitle() const override { return tr("&Cell"); }
@@ -19,6 +19,9 @@ class CellUi : public PartsUi {
   std::vector<Hint> hints() override;
   QString figures() const override;
   QString openedText(const OpenDocument& document) const override;
+
+ private:
+  std::unique_ptr<Tool> jointTool();
 };
 
 }  // namespace handwheel

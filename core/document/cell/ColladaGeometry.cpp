@@ -12,7 +12,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::size_t kMostInputs = 64;  // numbers to a corner
+constexpr std::size_t kMostInputs = 64;  // of a primitive or of vertices; numbers to a corner
 constexpr std::size_t kMostNotes = 100;
 
 // A whole number that is not negative; the fallback where there is none.
@@ -102,7 +102,10 @@ TriangleSoup ColladaGeometry::read(const XmlElement& geometry) {
 
 std::optional<ColladaGeometry::Layout> ColladaGeometry::layoutOf(const XmlElement& primitive) const {
   Layout layout;
-  for (const XmlElement& input : primitive.children) {
+  const auto first = [](const XmlElement& element) {
+    return std::span(element.children).first(std::min(element.children.size(), kMostInputs));
+  };
+  for (const XmlElement& input : first(primitive)) {
     if (input.name != "input") continue;
     const std::size_t offset = countAt(input, "offset", 0);
     if (offset >= kMostInputs) return {};
@@ -112,7 +115,7 @@ std::optional<ColladaGeometry::Layout> ColladaGeometry::layoutOf(const XmlElemen
     layout.vertex = offset;
     const XmlElement* vertices = m_ids.referred(input, "source", "vertices");
     if (!vertices) return {};
-    for (const XmlElement& inner : vertices->children) {
+    for (const XmlElement& inner : first(*vertices)) {
       const std::string* meaning = inner.name == "input" ? inner.attribute("semantic") : nullptr;
       if (meaning && *meaning == "POSITION") layout.positions = m_ids.referred(inner, "source", "source");
     }

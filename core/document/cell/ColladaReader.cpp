@@ -16,7 +16,7 @@ namespace {
 
 constexpr XmlLimits kLimits{std::size_t{256} << 20, 500'000, 64};
 constexpr std::size_t kMostTriangles = 20'000'000;
-constexpr std::size_t kMostPoints = 3 * kMostTriangles;
+constexpr std::size_t kMostPoints = 20'000'000;
 constexpr int kMostNodes = 100'000;   // instances counted as often as they are placed
 constexpr int kDeepestInstance = 64;  // of nodes in nodes
 

@@ -40,8 +40,8 @@ Container unknownPart(const Container& read, const Container& known, std::span<c
   Container unknown;
   *unknown.manifest = keysBeyond(*read.manifest, *known.manifest);
   for (const auto& [name, bytes] : read.blobs) {
-    const bool isOurs = known.blobs.contains(name) || std::any_of(ownFolders.begin(), ownFolders.end(),
-                                                                  [&](const auto& f) { return name.starts_with(f); });
+    const auto isWithin = [&name = name](const std::string& folder) { return name.starts_with(folder); };
+    const bool isOurs = known.blobs.contains(name) || std::any_of(ownFolders.begin(), ownFolders.end(), isWithin);
     if (!isOurs) unknown.blobs.emplace(name, bytes);
   }
   return unknown;

@@ -128,11 +128,17 @@ class ZipReader::Archive {
     return m_localByName[name];
   }
 
+  bool isAnnouncedLocally(const std::string& name, std::uint64_t size) {
+    const auto& local = localEntries(name);
+    return std::any_of(local.begin(), local.end(), [&](const LocalEntry* entry) { return entry->size == size; });
+  }
+
   Result<std::string> readListed(zip_uint64_t index, const std::string& name) {
     zip_stat_t status;
     if (zip_stat_index(m_zip.get(), index, 0, &status) != 0) return damagedError(name);
     if (!isPossible(status)) return damagedError(name);
-    if (status.size > m_budget) return tooLarge();
+    // One wrong bit makes any size huge; a bomb is one by its own header, too.
+    if (status.size > m_budget) return isAnnouncedLocally(name, status.size) ? tooLarge() : damagedError(name);
     const std::unique_ptr<zip_file_t, CloseEntry> entry(zip_fopen_index(m_zip.get(), index, 0));
     if (!entry) return damagedError(name);
     return readToEnd(entry.get(), status);

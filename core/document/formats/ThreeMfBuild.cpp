@@ -8,7 +8,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::uint64_t kMost = std::uint64_t{1} << 26;  // triangles, and points
+constexpr std::uint64_t kMost = std::uint64_t{1} << 25;  // triangles, and points
 constexpr int kDeepest = 100;
 
 Error malformed(const ThreeMfReference& reference, const char* what) {

@@ -11,7 +11,7 @@
 namespace handwheel {
 
 // Puts the objects of a 3MF file together as its build says. What a small file builds may be huge, or without end: it
-// is counted first, and refused beyond 2^26 triangles or points, 100 components within each other, or a cycle.
+// is counted first, and refused beyond 2^25 triangles or points, 100 components within each other, or a cycle.
 class ThreeMfBuild {
  public:
   // A part by the path that a reference holds, or null.

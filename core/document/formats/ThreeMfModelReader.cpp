@@ -3,6 +3,7 @@
 #include "document/formats/ThreeMfModelReader.h"
 
 #include "document/formats/TextNumber.h"
+#include "document/formats/ThreeMfVocabulary.h"
 #include "document/formats/XmlText.h"
 
 #include <QBuffer>
@@ -15,13 +16,9 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::size_t kDeepest = 32;              // elements within each other; the format needs seven
-constexpr std::size_t kMostElements = kNone - 1;  // vertices and triangles are numbered in 32 bits
+using namespace threemf;
 
-const QString kCore = QStringLiteral("http://schemas.microsoft.com/3dmanufacturing/core/2015/02");
-const QString kProduction = QStringLiteral("http://schemas.microsoft.com/3dmanufacturing/production/2015/06");
-const QString kMaterials = QStringLiteral("http://schemas.microsoft.com/3dmanufacturing/material/2015/02");
-const QString kTriangleSets = QStringLiteral("http://schemas.microsoft.com/3dmanufacturing/trianglesets/2021/07");
+constexpr std::size_t kDeepest = 32;  // elements within each other; the format needs seven
 
 enum class In { File, Model, Resources, Object, Mesh, Vertices, Triangles, Components, Build, Leaf, Foreign };
 
@@ -42,27 +39,6 @@ constexpr Step kSteps[] = {{In::File, u"model", In::Model},
                            {In::Components, u"component", In::Leaf},
                            {In::Model, u"build", In::Build},
                            {In::Build, u"item", In::Leaf}};
-
-double millimetresPerUnit(QStringView unit) {
-  struct Unit {
-    const char16_t* name;
-    double millimetres;
-  };
-  constexpr Unit kUnits[] = {{u"micron", 1e-3}, {u"millimeter", 1.0}, {u"centimeter", 10.0},
-                             {u"inch", 25.4},   {u"foot", 304.8},     {u"meter", 1000.0}};
-  for (const Unit& known : kUnits)
-    if (unit == known.name) return known.millimetres;
-  return 0.0;
-}
-
-// What is lost of an element that is not read.
-LostAttribute lostWith(QStringView nameSpace, QStringView name) {
-  if (nameSpace == kTriangleSets) return LostAttribute::Groups;
-  if (name == u"colorgroup") return LostAttribute::Colour;
-  if (name.startsWith(u"texture2d")) return LostAttribute::TextureCoordinates;
-  if (name == u"beamlattice") return LostAttribute::Lines;
-  return nameSpace == kMaterials || name == u"basematerials" ? LostAttribute::Materials : LostAttribute::Other;
-}
 
 class ModelReader {
  public:
@@ -186,9 +162,6 @@ class ModelReader {
   }
 
   bool readVertex() {
-    TriangleSoup& mesh = m_object.mesh;
-    if (mesh.points.size() >= kMostElements)
-      return m_assembly.fail({ErrorCode::FileTooLarge, {"vertices", "", std::to_string(kMostElements)}, {}, {}});
     Vec3 point;
     const QLatin1String names[] = {QLatin1String("x"), QLatin1String("y"), QLatin1String("z")};
     for (int axis = 0; axis < 3; ++axis) {
@@ -203,7 +176,7 @@ class ModelReader {
       point.x() = std::numeric_limits<double>::quiet_NaN();
       break;
     }
-    mesh.points.push_back(point);
+    m_object.mesh.points.push_back(point);
     return true;
   }
 
@@ -213,11 +186,12 @@ class ModelReader {
     const char* const names[] = {"v1", "v2", "v3"};
     for (std::size_t k = 0; k < 3; ++k) {
       if (!readNumber32("triangle", names[k], triangle[k])) return m_ok;
-      const std::string written = std::to_string(triangle[k]);
-      if (triangle[k] >= mesh.points.size())
-        return tolerate({ErrorCode::IndexOutOfRange, {written, std::to_string(mesh.points.size())}, place(), {}});
-      if (m_unreadable > 0 && std::isnan(mesh.points[triangle[k]].x()))
-        return tolerate({ErrorCode::VertexUnreadable, {written}, place(), {}});
+      const std::uint32_t v = triangle[k];
+      if (v >= mesh.points.size())
+        return tolerate(
+            {ErrorCode::IndexOutOfRange, {std::to_string(v), std::to_string(mesh.points.size())}, place(), {}});
+      if (m_unreadable > 0 && std::isnan(mesh.points[v].x()))
+        return tolerate({ErrorCode::VertexUnreadable, {std::to_string(v)}, place(), {}});
     }
     if (m_attributes.size() > 3) m_assembly.lose(LostAttribute::Materials);
     mesh.triangles.push_back(triangle);
@@ -230,24 +204,11 @@ class ModelReader {
     reference.part = m_attributes.value(kProduction, QLatin1String("path")).toUtf8().toStdString();
     if (!readNumber32("item", "objectid", reference.object)) return m_ok;
     const QStringView transform = m_attributes.value(QLatin1String("transform"));
-    if (!transform.isEmpty() && !parseTransform(transform, reference.transform))
+    if (!transform.isEmpty() && !parseTransform(asciiOf(transform), reference.transform))
       return tolerate(malformed("transform", "it is not twelve numbers"));
+    reference.transform.translation() *= m_scale;
     to.push_back(std::move(reference));
     return true;
-  }
-
-  // "m00 m01 m02 m10 … m32": a matrix of four rows and three columns, which stands behind a row vector.
-  bool parseTransform(QStringView value, ThreeMfTransform& transform) const {
-    const std::string text = asciiOf(value);
-    TextScanner scanner(text);
-    for (int row = 0; row < 4; ++row) {
-      for (int column = 0; column < 3; ++column) {
-        ErrorCode why;
-        if (!parseNumber(scanner.wordOnAnyLine(), transform(column, row), why)) return false;
-      }
-    }
-    transform.translation() *= m_scale;
-    return scanner.wordOnAnyLine().empty();
   }
 
   // False when it is no such number; m_ok then says whether that is tolerated.

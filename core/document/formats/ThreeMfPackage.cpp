@@ -87,7 +87,8 @@ bool ThreeMfPackage::findModel(std::string& name) {
       !m_assembly.tolerate({ErrorCode::ArchiveMalformed, {m_zip.directoryProblem()}, {}, {}}))
     return false;
   std::string relationships;
-  if (!read(kRelationships, relationships)) return false;
+  const std::string entry = entryFor(kRelationships);
+  if (!read(entry.empty() ? kRelationships : entry, relationships)) return false;
   if (relationships.size() <= kLongestRelationships) name = entryFor(modelTarget(relationships));
   if (!name.empty()) return true;
   if (!m_assembly.tolerate({ErrorCode::ReferenceMissing, {"the 3D model", kRelationships}, {}, {}})) return false;

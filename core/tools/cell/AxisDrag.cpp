@@ -13,6 +13,7 @@ namespace {
 constexpr double kEdgeOn = 0.2;       // sine of the angle below which a circle is seen from the side
 constexpr double kParallel = 1e-3;    // sine of the angle below which two lines are
 constexpr double kLongestStep = 0.3;  // rad
+constexpr double kShortestStep = 1e-9;
 constexpr int kSteps = 30;
 
 // The held point on its circle.
@@ -35,13 +36,16 @@ class Circle {
 
   double distanceAt(double angle, const Ray& ray) const { return aside(pointAt(angle) - ray.origin, ray).norm(); }
 
-  // Gauss and Newton's steps towards the ray.
+  // Gauss and Newton's steps towards the ray, shortened until they help.
   double nearest(double angle, const Ray& ray) const {
     for (int i = 0; i < kSteps; ++i) {
       const Vec3 off = aside(pointAt(angle) - ray.origin, ray);
       const Vec3 way = aside(std::cos(angle) * m_across - std::sin(angle) * m_radial, ray);
       const double stiffness = way.squaredNorm() + 1e-9 * m_radial.squaredNorm();
-      angle += std::clamp(-way.dot(off) / stiffness, -kLongestStep, kLongestStep);
+      double step = std::clamp(-way.dot(off) / stiffness, -kLongestStep, kLongestStep);
+      while (std::abs(step) > kShortestStep && !(distanceAt(angle + step, ray) < off.norm())) step *= 0.5;
+      if (!(std::abs(step) > kShortestStep)) break;
+      angle += step;
     }
     return angle;
   }

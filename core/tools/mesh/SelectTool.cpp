@@ -13,8 +13,12 @@
 namespace handwheel {
 namespace {
 
-// A region with more faces than this is not shown before it is selected: growing it takes 2 ms.
+// A region with more faces than this is not shown before it is selected: growing it takes a millisecond.
 constexpr std::size_t kMostHovered = 20'000;
+
+double alongRay(const Ray& ray, const Vec3& p) {
+  return (p - ray.origin).dot(ray.direction);
+}
 
 }  // namespace
 
@@ -106,36 +110,32 @@ FaceSelection SelectTool::regionOf(Face seed) const {
 }
 
 ToolReply SelectTool::press(const PointerEvent& event) {
-  const bool isDeviceButton = event.device && event.button == PointerButton::Second;
-  if (isDeviceButton) return perform("commit");
+  if (event.device && event.button == PointerButton::Second) return perform("commit");
   const bool wasBusy = m_gesture.index() != 0;
   dropGesture();
   if (event.button != PointerButton::First) return wasBusy ? ToolReply::Used : ToolReply::Ignored;
-
-  const Combine how = combineOf(event.modifiers);
   const auto faces = m_services.faces();
   if (!faces || !event.ray.isUsable()) return ToolReply::Ignored;
+
+  const Combine how = combineOf(event.modifiers);
   const Target target = targetOf(event);
   if (m_settings.mode == Mode::Lasso) {
-    const Vec3 place = target.hit || faces->bounds().isEmpty() ? event.ray.origin : Vec3(faces->bounds().center());
-    const double depth = target.hit ? target.hit->distance : (place - event.ray.origin).dot(event.ray.direction);
+    const double toMiddle = faces->bounds().isEmpty() ? 0.0 : alongRay(event.ray, faces->bounds().center());
+    const double depth = target.hit ? target.hit->distance : toMiddle;
     m_gesture = Path{faces, {{event.ray}, event.eye, m_settings.through}, how, std::max(0.0, depth)};
-    return ToolReply::Used;
-  }
-  if (m_settings.mode == Mode::Brush) {
-    if (target.isNothing()) return ToolReply::Ignored;  // the camera's
+  } else if (target.isNothing()) {
+    if (m_settings.mode != Mode::Brush) m_gesture = Pressed{target, how};
+    return ToolReply::Ignored;  // the camera may have it
+  } else if (m_settings.mode == Mode::Brush) {
     cancelJob();
     m_live = how == Combine::Replace ? MeshSelection() : m_steps.present();
-    m_gesture = Stroke{BrushStroke(faces), how};
-    paint(std::get<Stroke>(m_gesture), event);
-    return ToolReply::Used;
-  }
-  if (event.kind == PointerEvent::Kind::DoubleClick && m_settings.mode == Mode::Click && target.hit) {
+    paint(m_gesture.emplace<Stroke>(Stroke{BrushStroke(faces), how}), event);
+  } else if (event.kind == PointerEvent::Kind::DoubleClick && m_settings.mode == Mode::Click && target.hit) {
     selectConnected(target.hit->face, how);
-    return ToolReply::Used;
+  } else {
+    m_gesture = Pressed{target, how};
   }
-  m_gesture = Pressed{target, how};
-  return target.isNothing() ? ToolReply::Ignored : ToolReply::Used;
+  return ToolReply::Used;
 }
 
 void SelectTool::extend(const PointerEvent& event) {

@@ -47,7 +47,6 @@ class FidelitySweepTest : public QObject {
   void repeatsGoRound();
   void cancelled();
   void csv();
-  void registry();
 };
 
 void FidelitySweepTest::valuesCoverTheRange() {
@@ -140,15 +139,6 @@ void FidelitySweepTest::csv() {
   row.value = 1;
   QVERIFY(csvOf(method, std::vector{row}).starts_with("a.b,fair,"));
   QCOMPARE(std::count(kFidelityCsvHeader.begin(), kFidelityCsvHeader.end(), ','), 10);
-}
-
-void FidelitySweepTest::registry() {
-  FidelityRegistry registry;
-  registry.add(chord(), {withCosts({1.0})});
-  QCOMPARE(registry.entries().size(), std::size_t{1});
-  QVERIFY(registry.find("nurbs.chord_mm"));
-  QCOMPARE(registry.find("nurbs.chord_mm")->cases.front().name, std::string("list"));
-  QVERIFY(!registry.find("nurbs.chord"));
 }
 
 QTEST_APPLESS_MAIN(FidelitySweepTest)

@@ -3,6 +3,7 @@
 #include "ContainerChecks.h"
 
 #include <QTest>
+#include <random>
 #include <set>
 
 using namespace handwheel;
@@ -126,6 +127,22 @@ class ContainerDamageTest : public QObject {
       RC_ASSERT(verdict.isOpen && verdict.problem.isEmpty());
       for (const std::string& name : verdict.missing) RC_ASSERT(touched.contains(name));
     }));
+  }
+
+  // One bit makes a chunk of 2 MB one of 2 GB, which is not a reason to refuse the file.
+  void aSizeThatIsTooLarge() {
+    Container container;
+    std::string chunk;
+    std::mt19937 random(1);
+    while (chunk.size() < 5 << 19) chunk += static_cast<char>(random());  // which cannot be packed
+    container.blobs["a"] = container.blobs["b"] = chunk;
+    std::string bytes = *writeContainer(container, Compression::Fast);
+    const std::size_t entry = bytes.rfind("PK\1\2", bytes.rfind("PK\1\2") - 1);  // of b, in the directory
+    bytes[entry + 27] ^= static_cast<char>(0x80);
+    const auto read = readContainer(bytes);
+    QVERIFY(read);
+    QVERIFY(read->container.blobs == container.blobs);
+    QCOMPARE(read->damage.size(), std::size_t{1});
   }
 
   void directoryCutOff() {

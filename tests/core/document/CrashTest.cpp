@@ -35,7 +35,9 @@ std::int64_t now() {
 class Victim {
  public:
   Victim(const QString& file, const QString& root, int seed) {
-    m_process.start(CRASH_WRITER, {file, root, QString::number(seed), QString::number(kInterval)});
+    const auto program = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "CrashWriter";
+    m_process.start(QString::fromStdString(program.string()),
+                    {file, root, QString::number(seed), QString::number(kInterval)});
   }
 
   void readFor(std::int64_t microseconds) {

@@ -1,61 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "document/Recovery.h"
+#include "RecoveryChecks.h"
 
-#include "document/Container.h"
-#include "document/FileBytes.h"
-#include "document/RecoveryLeftovers.h"
-
-#include <rapidcheck.h>
 #include <sys/resource.h>
 #include <QDir>
-#include <QFile>
-#include <QTemporaryDir>
-#include <QTest>
 #include <csignal>
 #include <thread>
 
 using namespace handwheel;
-
-namespace {
-
-std::filesystem::path rootIn(const QTemporaryDir& folder) {
-  return std::filesystem::path(folder.path().toStdString()) / "recovery";
-}
-
-std::string containerOf(const std::string& text) {
-  Container container;
-  container.blobs["note"] = text;
-  return *writeContainer(container, Compression::None);
-}
-
-const AutosaveInfo kInfo{"id-1", "/parts/caf\xe9/a.handwheel", "a.handwheel", "mesh"};
-
-std::string contentOf(const Leftover& leftover) {
-  const auto bytes = readFileBytes(leftover.file);
-  if (!bytes) return "unreadable";
-  const auto read = readContainer(*bytes);
-  return read && read->damage.empty() ? read->container.blobs.at("note") : "damaged";
-}
-
-// What the next start of the program would find.
-std::vector<std::string> contentsIn(const std::filesystem::path& root) {
-  std::vector<std::string> contents;
-  const Leftovers leftovers(root);
-  for (const Leftover& leftover : leftovers.found()) contents.push_back(contentOf(leftover));
-  std::sort(contents.begin(), contents.end());
-  return contents;
-}
-
-using Strings = std::vector<std::string>;
-
-void put(const std::filesystem::path& path, const QByteArray& bytes) {
-  QFile file(QFile::decodeName(path.c_str()));
-  QVERIFY(file.open(QIODevice::WriteOnly));
-  file.write(bytes);
-}
-
-}  // namespace
+using namespace handwheel::test;
 
 class RecoveryTest : public QObject {
   Q_OBJECT
@@ -139,40 +92,6 @@ class RecoveryTest : public QObject {
     QCOMPARE(QDir(folder.path() + "/recovery/" + files.at(0)).entryList(QDir::Files), (QStringList{"1.json", "lock"}));
   }
 
-  void twoWindowsDoNotOfferTheSame() {
-    QTemporaryDir folder;
-    {
-      RecoverySession session(rootIn(folder));
-      QVERIFY(session.store(1, kInfo, containerOf("one")));
-    }
-    const Leftovers first(rootIn(folder));
-    RecoverySession second(rootIn(folder));
-    QVERIFY(second.store(1, kInfo, containerOf("two")));
-    QCOMPARE(first.found().size(), std::size_t{1});
-    QVERIFY(contentsIn(rootIn(folder)).empty());
-  }
-
-  void undecidedStays() {
-    QTemporaryDir folder;
-    {
-      RecoverySession session(rootIn(folder));
-      QVERIFY(session.store(1, kInfo, containerOf("one")));
-      QVERIFY(session.store(2, kInfo, containerOf("two")));
-    }
-    for (int start = 0; start < 3; ++start) QVERIFY(contentsIn(rootIn(folder)) == (Strings{"one", "two"}));
-    {
-      const Leftovers leftovers(rootIn(folder));
-      for (const Leftover& leftover : leftovers.found())
-        if (contentOf(leftover) == "one") leftovers.discard(leftover);
-    }
-    QVERIFY(contentsIn(rootIn(folder)) == Strings{"two"});
-    {
-      const Leftovers leftovers(rootIn(folder));
-      leftovers.discard(leftovers.found().at(0));
-    }
-    QVERIFY(std::filesystem::is_empty(rootIn(folder)));
-  }
-
   // The recovered document is open again, and the program dies again before it was saved.
   void adoptedAutosavesStayRecoverable() {
     QTemporaryDir folder;
@@ -225,39 +144,6 @@ class RecoveryTest : public QObject {
     QVERIFY(contentsIn(rootIn(folder)) == Strings{"old"});
   }
 
-  void damagedEntriesAreSkippedAndKept() {
-    QTemporaryDir folder;
-    {
-      RecoverySession session(rootIn(folder));
-      for (std::uint64_t key : {1, 2, 3}) QVERIFY(session.store(key, kInfo, containerOf(std::to_string(key))));
-    }
-    std::filesystem::path session = std::filesystem::directory_iterator(rootIn(folder))->path();
-    put(session / "1.handwheel", "");
-    put(session / "2.json", "{\"path\": 7, \"name\": ");
-    put(session / "4.handwheel", "garbage");
-    put(session / "5.json", "{}");
-    put(session / "6.handwheel.Xa7dAt", "half written");
-    {
-      const Leftovers leftovers(rootIn(folder));
-      QCOMPARE(leftovers.found().size(), std::size_t{2});
-      for (const Leftover& leftover : leftovers.found())
-        QVERIFY(leftover.info == (contentOf(leftover) == "3" ? kInfo : AutosaveInfo()));
-      QCOMPARE(leftovers.skipped().size(), std::size_t{2});
-      for (const Error& error : leftovers.skipped()) {
-        QVERIFY(error.code == ErrorCode::EntryDamaged);
-        QVERIFY(std::filesystem::exists(error.subject));
-      }
-    }
-    QVERIFY(contentsIn(rootIn(folder)) == (Strings{"2", "3"}));
-    {
-      const Leftovers leftovers(rootIn(folder));
-      QCOMPARE(leftovers.skipped().size(), std::size_t{2});
-      leftovers.discardSkipped();
-    }
-    QVERIFY(Leftovers(rootIn(folder)).skipped().empty());
-    QVERIFY(contentsIn(rootIn(folder)) == (Strings{"2", "3"}));
-  }
-
   // Somebody cleans up the folder under the program.
   void aFolderThatVanishes() {
     QTemporaryDir folder;
@@ -273,30 +159,12 @@ class RecoveryTest : public QObject {
     QVERIFY(leftovers.found()[0].info == kInfo);
   }
 
-  // Between making its folder and locking it a session looks like a dead one, but for the name.
-  void aSessionThatBeginsIsNoLeftover() {
-    QTemporaryDir folder;
-    std::filesystem::create_directories(rootIn(folder) / ".new");
-    put(rootIn(folder) / "a file", "x");
-    QVERIFY(contentsIn(rootIn(folder)).empty());
-    QVERIFY(std::filesystem::exists(rootIn(folder) / ".new"));
-  }
-
   void othersCannotLookInside() {
     QTemporaryDir folder;
     RecoverySession session(rootIn(folder));
     QVERIFY(session.store(1, kInfo, containerOf("secret")));
     const auto path = std::filesystem::directory_iterator(rootIn(folder))->path();
     QVERIFY(std::filesystem::status(path).permissions() == std::filesystem::perms::owner_all);
-  }
-
-  void infoReadsBackTheSame() {
-    QVERIFY(rc::check([] {
-      const auto text = rc::gen::container<std::string>(rc::gen::inRange<char>(1, 127));
-      const AutosaveInfo info{*text, *rc::gen::arbitrary<std::string>(), *text, *text};
-      RC_ASSERT(recovery::parseInfo(recovery::infoText(info)) == info);
-    }));
-    QVERIFY(recovery::parseInfo("[1, 2]") == AutosaveInfo());
   }
 
   void placesThatCannotBeWritten() {

@@ -26,8 +26,6 @@ const Joint& onlyJoint(const ReadRobot& read) {
 
 }  // namespace
 
-Q_DECLARE_METATYPE(handwheel::ErrorCode)
-
 class UrdfReaderTest : public QObject {
   Q_OBJECT
 
@@ -40,13 +38,6 @@ class UrdfReaderTest : public QObject {
   void freeOfLimits();
   void followers();
   void heldStill();
-  void shapes();
-  void colours();
-  void damagedShapesAreLeftOut_data();
-  void damagedShapesAreLeftOut();
-  void refused_data();
-  void refused();
-  void linesOfErrors();
   void toolAmongFingers();
   void longChain();
   void recognised();
@@ -171,48 +162,6 @@ void UrdfReaderTest::heldStill() {
     QCOMPARE(read.damage[0].code, ErrorCode::Unsupported);
   }
 }
-
-void UrdfReaderTest::shapes() {
-  const std::string finger = "<geometry><mesh filename='f.stl' scale='1 2 -3'/></geometry>";
-  const RobotModel robot =
-      readOrThrow(robotOf(link("a",
-                               "<visual><origin xyz='0 0 1'/><geometry><box size='1 2 3'/></geometry></visual>"
-                               "<visual><geometry><cylinder radius='0.5' length='2'/></geometry></visual>"
-                               "<collision><geometry><sphere radius='0.25'/></geometry></collision>"
-                               "<visual>" +
-                                   finger + "</visual><collision>" + finger + "</collision>")))
-          .robot;
-  const Link& a = robot.links[0];
-  QCOMPARE(a.visuals.size(), std::size_t{3});
-  QCOMPARE(a.collisions.size(), std::size_t{2});
-  QCOMPARE(robot.shapes.size(), std::size_t{4});  // the mesh once
-  QVERIFY(robot.shapes[a.visuals[0].shape] == Shape(BoxShape{{1000, 2000, 3000}}));
-  QVERIFY(a.visuals[0].origin.translation() == Vec3(0, 0, 1000));
-  QVERIFY(robot.shapes[a.visuals[1].shape] == Shape(CylinderShape{500, 2000}));
-  QVERIFY(robot.shapes[a.collisions[0].shape] == Shape(SphereShape{250}));
-  QVERIFY(robot.shapes[a.visuals[2].shape] == Shape(MeshShape{"f.stl", {1, 2, -3}}));
-  QCOMPARE(a.visuals[2].shape, a.collisions[1].shape);
-}
-
-void UrdfReaderTest::colours() {
-  const auto visual = [](const std::string& material) {
-    return "<visual><geometry><sphere radius='1'/></geometry>" + material + "</visual>";
-  };
-  const RobotModel robot =
-      readOrThrow(robotOf("<material name='red'><color rgba='1 0 0 1'/></material>" +
-                          link("a", visual("<material name='red'/>") + visual("<material name='later'/>") + visual("") +
-                                        visual("<material name='none'/>") +
-                                        visual("<material name=''><color rgba='2 .5 -1 1'/></material>")) +
-                          link("b", visual("<material name='later'><color rgba='0 0 1 1'/></material>")) +
-                          joint("j", "fixed", "a", "b")))
-          .robot;
-  const auto& visuals = robot.links[0].visuals;
-  QVERIFY(visuals[0].colour == (ShapeColour{1, 0, 0}));
-  QVERIFY(visuals[1].colour == (ShapeColour{0, 0, 1}));
-  QVERIFY(!visuals[2].colour && !visuals[3].colour);
-  QVERIFY(visuals[4].colour == (ShapeColour{1, 0.5f, 0}));
-}
-
 void UrdfReaderTest::damagedShapesAreLeftOut_data() {
   QTest::addColumn<QString>("visual");
   for (const char* text :
@@ -226,82 +175,6 @@ void UrdfReaderTest::damagedShapesAreLeftOut_data() {
         "<origin xyz='nan 0 0'/><geometry><sphere radius='1'/></geometry>"})
     QTest::newRow(text) << QString(text);
 }
-
-void UrdfReaderTest::damagedShapesAreLeftOut() {
-  QFETCH(QString, visual);
-  const std::string good = "<visual><geometry><sphere radius='1'/></geometry></visual>";
-  const ReadRobot read = readOrThrow(robotOf(link("a", "<visual>" + visual.toStdString() + "</visual>" + good)));
-  QCOMPARE(read.robot.links[0].visuals.size(), std::size_t{1});
-  QCOMPARE(read.damage.size(), std::size_t{1});
-  QVERIFY(read.damage[0].place.kind == Place::Kind::Line);
-}
-
-void UrdfReaderTest::refused_data() {
-  QTest::addColumn<QString>("text");
-  QTest::addColumn<ErrorCode>("code");
-  const auto row = [](const char* name, const std::string& text, ErrorCode code) {
-    QTest::newRow(name) << QString::fromStdString(text) << code;
-  };
-  const auto kMalformed = ErrorCode::ElementMalformed;
-  row("no XML", "solid part", kMalformed);
-  row("something else", "<html/>", kMalformed);
-  row("empty", robotOf(""), kMalformed);
-  row("link without name", robotOf("<link/>"), kMalformed);
-  row("two links of a name", robotOf(link("a") + link("a")), kMalformed);
-  row("two joints of a name", robotOf(kAB + link("c") + joint("j", "fixed", "a", "b") + joint("j", "fixed", "b", "c")),
-      kMalformed);
-  row("joint without name", robotOf(kAB + "<joint type='fixed'/>"), kMalformed);
-  row("joint without type", robotOf(kAB + "<joint name='j'/>"), kMalformed);
-  row("unknown type", jointAB("hinge"), kMalformed);
-  row("no parent", robotOf(kAB + "<joint name='j' type='fixed'><child link='b'/></joint>"), kMalformed);
-  row("missing parent", robotOf(link("b") + joint("j", "fixed", "a", "b")), ErrorCode::ReferenceMissing);
-  row("missing child", robotOf(link("a") + joint("j", "fixed", "a", "b")), ErrorCode::ReferenceMissing);
-  row("two roots", robotOf(kAB), kMalformed);
-  row("no root", robotOf(kAB + joint("j", "fixed", "a", "b") + joint("k", "fixed", "b", "a")), kMalformed);
-  row("own parent", robotOf(link("a") + joint("j", "fixed", "a", "a")), kMalformed);
-  row("two parents",
-      robotOf(kAB + link("c") + joint("j", "fixed", "a", "b") + joint("k", "fixed", "a", "c") +
-              joint("l", "fixed", "c", "b")),
-      kMalformed);
-  row("ring apart",
-      robotOf(kAB + link("c") + link("d") + joint("j", "fixed", "a", "b") + joint("k", "fixed", "c", "d") +
-              joint("l", "fixed", "d", "c")),
-      kMalformed);
-  row("no axis", jointAB("revolute", "<axis xyz='0 0 0'/>" + limit(-1, 1)), kMalformed);
-  row("axis of two numbers", jointAB("revolute", "<axis xyz='0 1'/>" + limit(-1, 1)), ErrorCode::CountMismatch);
-  row("axis not finite", jointAB("revolute", "<axis xyz='0 nan 0'/>" + limit(-1, 1)), ErrorCode::NumberNotFinite);
-  row("origin not finite", jointAB("fixed", "<origin xyz='inf 0 0'/>"), ErrorCode::NumberNotFinite);
-  row("turn not finite", jointAB("fixed", "<origin rpy='0 0 1e999'/>"), ErrorCode::NumberNotFinite);
-  row("origin no number", jointAB("fixed", "<origin xyz='${x} 0 0'/>"), ErrorCode::NumberMalformed);
-  row("origin too far", jointAB("fixed", "<origin xyz='1e7 0 0'/>"), ErrorCode::ValueOutOfRange);
-  row("limits turned round", jointAB("revolute", limit(1, -1)), kMalformed);
-  row("limit not a number", jointAB("revolute", "<limit lower='nan' upper='1'/>"), ErrorCode::NumberNotFinite);
-  row("limit malformed", jointAB("revolute", "<limit lower='a' upper='1'/>"), ErrorCode::NumberMalformed);
-  row("limit of two numbers", jointAB("revolute", "<limit lower='0 1' upper='1'/>"), ErrorCode::NumberMalformed);
-  row("follows nobody", jointAB("revolute", limit(-1, 1) + "<mimic/>"), kMalformed);
-  row("follows too far",
-      robotOf(kAB + link("c") + joint("j", "revolute", "a", "b", limit(-1, 1)) +
-              joint("k", "revolute", "b", "c", limit(-1, 1) + "<mimic joint='j' multiplier='1e300'/>")),
-      kMalformed);
-  row("xacro", robotOf(link("a") + "<xacro:include filename='x'/>"), ErrorCode::Unsupported);
-}
-
-void UrdfReaderTest::refused() {
-  QFETCH(QString, text);
-  QFETCH(ErrorCode, code);
-  const auto read = readUrdf(text.toStdString());
-  QVERIFY(!read);
-  QCOMPARE(read.error().code, code);
-}
-
-void UrdfReaderTest::linesOfErrors() {
-  const auto read = readUrdf("<robot>\n<link name='a'/>\n<link name='b'/>\n\n" +
-                             joint("j", "revolute", "a", "b", "\n<axis xyz='0 0 oops'/>") + "</robot>");
-  QVERIFY(!read);
-  QCOMPARE(read.error().place.value, std::uint64_t{6});
-  QCOMPARE(read.error().arguments, std::vector<std::string>{"oops"});
-}
-
 // A frame between two fingers that move; a frame at the foot is none.
 void UrdfReaderTest::toolAmongFingers() {
   const std::string body = "<visual><geometry><sphere radius='0.1'/></geometry></visual>";

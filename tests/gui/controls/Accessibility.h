@@ -103,9 +103,9 @@ inline QStringList cutTexts(QWidget& root) {
     const auto* label = qobject_cast<const QLabel*>(widget);
     const bool texted = (label && !label->text().isEmpty()) || qobject_cast<const QAbstractButton*>(widget);
     if (!texted || isInnerPart(widget)) continue;
-    const bool wraps = label && label->wordWrap();
-    const QSize needed =
-        wraps ? QSize(label->minimumSizeHint().width(), label->heightForWidth(label->width())) : widget->sizeHint();
+    const QSize needed = widget->hasHeightForWidth()  // it wraps
+                             ? QSize(widget->minimumSizeHint().width(), widget->heightForWidth(widget->width()))
+                             : widget->sizeHint();
     if (widget->width() >= needed.width() && widget->height() >= needed.height()) continue;
     found << QStringLiteral("%1: %2x%3 of %4x%5")
                  .arg(pathOf(widget, root))

@@ -5,6 +5,7 @@
 #include "Accessibility.h"
 #include "ControlScenes.h"
 #include "ControlsTestMain.h"
+#include "controls/PropertyRow.h"
 
 #include <QCheckBox>
 #include <QSignalSpy>
@@ -154,7 +155,7 @@ void PropertyListTest::rowsSurviveAChangeOfTheSet() {
   slider->setSliderDown(true);
   auto properties = sampleProperties();
   std::reverse(properties.begin(), properties.end());
-  properties.push_back({.id = "speed", .label = "Speed", .value = 3.0});
+  properties.push_back({.id = "speed", .group = "", .label = "Speed", .value = 3.0});
   properties.erase(properties.begin());
   bench.list.setProperties(properties);
   QCOMPARE(bench.find<QSlider>("joint2", "propertySlider"), slider);
@@ -184,11 +185,11 @@ void PropertyListTest::aRowMayGoWhileItSpeaks() {
 void PropertyListTest::followsTheLengthUnit() {
   Bench bench;
   bench.list.setLengthUnit(LengthUnit::Inch);
-  QCOMPARE(bench.find<QLineEdit>("diameter", "numberLine")->text(), QString("1.9685"));  // 50 / 25.4
+  QCOMPARE(bench.find<QLineEdit>("diameter", "numberLine")->text(), QString("1.968504"));  // 50 / 25.4
   QCOMPARE(bench.find<QLineEdit>("joint1", "numberLine")->text(), QString("30"));
   QCOMPARE(bench.find<QLabel>("size", "propertyValue")->text(), QString("48.6055\u00a0in"));  // 1234.5678 / 25.4
   bench.list.setProperties(sampleProperties());
-  QCOMPARE(bench.find<QLineEdit>("diameter", "numberLine")->text(), QString("1.9685"));
+  QCOMPARE(bench.find<QLineEdit>("diameter", "numberLine")->text(), QString("1.968504"));
 }
 
 void PropertyListTest::readOnlyValuesAndProblems() {
@@ -198,7 +199,8 @@ void PropertyListTest::readOnlyValuesAndProblems() {
   auto* problem = bench.find<QLabel>("joint2", "propertyProblem");
   QVERIFY(problem->isVisible());
   QCOMPARE(problem->text(), QString("The effort of this joint is not known."));
-  bench.list.setProperties({{.id = "m", .label = "M", .value = 1.0, .choices = {"a", "b"}, .editable = false}});
+  bench.list.setProperties(
+      {{.id = "m", .group = "", .label = "M", .value = 1.0, .choices = {"a", "b"}, .editable = false}});
   QCOMPARE(bench.find<QLabel>("m", "propertyValue")->text(), QString("b"));
 }
 
@@ -226,13 +228,13 @@ void PropertyListTest::strangeValues() {
   const double inf = std::numeric_limits<double>::infinity();
   PropertyList list;
   list.setProperties(
-      {{.id = "a", .label = "A", .value = std::nan(""), .least = 0.0, .largest = 1.0, .continuous = true},
-       {.id = "b", .label = "B", .value = inf, .least = 1.0, .largest = 0.0, .continuous = true},
-       {.id = "c", .label = "C", .value = 7.0, .choices = {"x"}},
-       {.id = "d", .label = "D", .value = std::nan(""), .choices = {"x"}, .editable = false},
-       {.id = "e", .label = "E", .value = true, .choices = {"x"}},
-       {.id = "f", .label = "", .value = std::string("<b>plain</b>"), .editable = false},
-       {.id = "g", .label = "G", .value = 0.5, .least = -1e308, .largest = 1e308, .continuous = true}});
+      {{.id = "a", .group = "", .label = "A", .value = std::nan(""), .least = 0.0, .largest = 1.0, .continuous = true},
+       {.id = "b", .group = "", .label = "B", .value = inf, .least = 1.0, .largest = 0.0, .continuous = true},
+       {.id = "c", .group = "", .label = "C", .value = 7.0, .choices = {"x"}},
+       {.id = "d", .group = "", .label = "D", .value = std::nan(""), .choices = {"x"}, .editable = false},
+       {.id = "e", .group = "", .label = "E", .value = true, .choices = {"x"}},
+       {.id = "f", .group = "", .label = "", .value = std::string("<b>plain</b>"), .editable = false},
+       {.id = "g", .group = "", .label = "G", .value = 0.5, .least = -1e308, .largest = 1e308, .continuous = true}});
   list.show();
   auto* slider = list.findChild<QWidget*>("property/g")->findChild<QSlider*>();
   QSignalSpy spy(&list, &PropertyList::edited);

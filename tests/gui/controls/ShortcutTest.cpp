@@ -11,6 +11,7 @@
 #include <QAbstractItemModelTester>
 #include <QFileDialog>
 #include <QKeySequenceEdit>
+#include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTreeView>

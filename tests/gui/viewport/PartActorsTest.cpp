@@ -113,18 +113,18 @@ class PartActorsTest : public QObject {
     PartActors actors(m_renderer);
     actors.set({partAt("a", {0, 0, 0})});
     makeAll(actors);
-    vtkActor* first = shown().at(0);
+    const vtkSmartPointer<vtkActor> first = shown().at(0);  // held, so that no other gets its address
     const auto second = shared(boxSoup({2, 2, 2})), third = shared(boxSoup({3, 3, 3})),
                last = shared(boxSoup({4, 4, 4}));
     for (const auto& soup : {second, third, last}) {
       actors.set({partAt("a", {1, 0, 0}, soup)});
-      QCOMPARE(shown(), std::vector{first});
+      QCOMPARE(shown(), std::vector{first.GetPointer()});
       QVERIFY((drawnAt(first, {0, 0, 0}, Vec3::Zero()) - Vec3(1.5, 1, 1.5)).norm() < 1e-12);  // moved along
     }
     PartShape shape = shapeOf(*second);  // it was under way
     QVERIFY(actors.setShape(second, shape));
     QVERIFY(actors.takeOne() > 0);
-    vtkActor* between = shown().at(0);
+    const vtkSmartPointer<vtkActor> between = shown().at(0);
     QVERIFY(between != first);
     PartShape obsolete = shapeOf(*third);  // nobody waits for this
     QVERIFY(!actors.setShape(third, obsolete));

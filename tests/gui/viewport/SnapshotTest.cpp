@@ -74,7 +74,8 @@ class SnapshotTest : public QObject {
     if (qEnvironmentVariableIsEmpty("DISPLAY")) QSKIP("DISPLAY is not set: nothing can be rendered");
     const QTemporaryDir folder;
     const QString png = folder.filePath("axes.png");
-    QVERIFY(renderToFile({{{"box", shared(boxSoup({1, 1, 1}))}}}, png.toStdString(), 600, 400).hasValue());
+    const Vec3 outward(1, 1, 1);  // all three axes point towards the viewer, and are drawn in full colour
+    QVERIFY(renderToFile({{{"box", shared(boxSoup({1, 1, 1}))}}}, png.toStdString(), 600, 400, outward).hasValue());
     const QImage image(png);
     for (const QColor& axis : {QColor(0xe0, 0x4b, 0x43), QColor(0x4c, 0xa8, 0x4f), QColor(0x3f, 0x7f, 0xe0)}) {
       QVERIFY(pixelsNear(image.copy(0, 280, 120, 120), axis) > 30);

@@ -53,7 +53,7 @@ class KindsTest : public QObject {
     QVERIFY(driver.settle());
     QCOMPARE(driver.find<QDockWidget>("kindDock")->windowTitle(), QStringLiteral("Joints"));
     const QImage before = driver.find<Viewport>("viewport")->grabImage();
-    driver.edit("joint_2", "45");
+    driver.edit("joint.joint_2", "45");
     QVERIFY(driver.window().isWindowModified());
     QVERIFY(driver.find<Viewport>("viewport")->grabImage() != before);
     driver.click("quickActions/undo");

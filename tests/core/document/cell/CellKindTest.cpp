@@ -15,49 +15,10 @@ using namespace handwheel::test;
 
 namespace {
 
-const CellKind kKind;
-
-Box boxOf(const TriangleSoup& soup) {
-  Box box;
-  for (const Vec3& p : soup.points) box.extend(p);
-  return box;
-}
-
-bool isNear(const Box& box, const Vec3& min, const Vec3& max, double tolerance = 1e-4) {
-  return (box.min() - min).norm() < tolerance && (box.max() - max).norm() < tolerance;
-}
-
 const DisplayPart* partNamed(const DisplayModel& model, const std::string& name) {
   for (const DisplayPart& part : model.parts)
     if (part.name == name) return &part;
   return nullptr;
-}
-
-std::shared_ptr<CellSnapshot> withJoints(const CellSnapshot& cell, const JointValues& joints) {
-  auto moved = std::make_shared<CellSnapshot>(cell);
-  moved->joints = joints;
-  return moved;
-}
-
-Container saved(const Snapshot& content) {
-  Container container;
-  kKind.save(content, container);
-  return container;
-}
-
-std::shared_ptr<const CellSnapshot> loaded(const Container& container, std::vector<Error>& damage) {
-  Result<SnapshotPointer> content = kKind.load(container, damage, {});
-  return content ? std::static_pointer_cast<const CellSnapshot>(*content) : nullptr;
-}
-
-bool sameSoups(const CellRobot& a, const CellRobot& b) {
-  for (std::size_t i = 0; i < a.surfaces.size(); ++i) {
-    if (!a.surfaces[i] != !b.surfaces[i]) return false;
-    if (!a.surfaces[i]) continue;
-    if (a.surfaces[i]->points != b.surfaces[i]->points || a.surfaces[i]->triangles != b.surfaces[i]->triangles)
-      return false;
-  }
-  return a.surfaces.size() == b.surfaces.size();
 }
 
 }  // namespace
@@ -76,10 +37,6 @@ class CellKindTest : public QObject {
   void tooMuchToShow();
   void cancelled();
   void display();
-  void saveAndLoad();
-  void loadsWithoutThePackage();
-  void lostBlobs();
-  void hostileManifests();
   void describes();
   void exports();
 
@@ -221,40 +178,6 @@ void CellKindTest::display() {
         "<robot><link name='a'><collision><geometry><sphere radius='1'/></geometry></collision></link></robot>");
   QCOMPARE(kKind.display(*importOrThrow(m_package.path("bare.urdf")).content).parts.size(), std::size_t{1});
 }
-
-void CellKindTest::saveAndLoad() {
-  const CellSnapshot cell = cellIn(importOrThrow(m_package.urdf()));
-  QVERIFY(rc::check("save and load", [&] {
-    const auto moved =
-        withJoints(cell, values({*rc::gen::inRange(0, 1001) / 1.0, *rc::gen::inRange(-200, 201) / 100.0}));
-    std::vector<Error> damage;
-    // Through the bytes of a file, so that every number is written and read.
-    const auto bytes = writeContainer(saved(*moved), Compression::Fast);
-    RC_ASSERT(bytes.hasValue());
-    const auto read = readContainer(*bytes);
-    RC_ASSERT(read.hasValue());
-    const auto again = loaded(read->container, damage);
-    RC_ASSERT(again != nullptr);
-    RC_ASSERT(damage.empty());
-    RC_ASSERT(again->joints == moved->joints);
-    RC_ASSERT(again->source == moved->source);
-    RC_ASSERT(again->robot->description == moved->robot->description);
-    RC_ASSERT(sameSoups(*again->robot, *moved->robot));
-  }));
-}
-
-void CellKindTest::loadsWithoutThePackage() {
-  Container container;
-  {
-    const ArmPackage elsewhere;
-    container = saved(*importOrThrow(elsewhere.urdf()).content);
-  }
-  std::vector<Error> damage;
-  const auto cell = loaded(container, damage);
-  QVERIFY(cell && damage.empty());
-  QVERIFY(cell->robot->surfaces[0] && cell->robot->surfaces[1]);
-}
-
 void CellKindTest::lostBlobs() {
   const OpenedFile opened = importOrThrow(m_package.urdf());
   const Container whole = saved(*opened.content);
@@ -287,41 +210,6 @@ void CellKindTest::lostBlobs() {
     for (const Vec3& p : cell->robot->surfaces[1]->points) QVERIFY(p.allFinite());
   }
 }
-
-void CellKindTest::hostileManifests() {
-  const Container whole = saved(*importOrThrow(m_package.urdf()).content);
-  const nlohmann::json kJoints[] = {nullptr, 7, {1, 2}, {{"turn", "x"}}, {{"turn", nullptr}}, {{"turn", {1}}}};
-  for (const nlohmann::json& joints : kJoints) {
-    Container wrong = whole;
-    (*wrong.manifest)["document"]["joints"] = joints;
-    std::vector<Error> damage;
-    const auto cell = loaded(wrong, damage);
-    QVERIFY(cell);
-    QCOMPARE(cell->joints, values({0, 0}));
-  }
-  Container outside = whole;
-  (*outside.manifest)["document"]["joints"] = {{"turn", 1e300}, {"slide", -5}, {"none", 3}};
-  std::vector<Error> damage;
-  QCOMPARE(loaded(outside, damage)->joints, values({0, 2}));
-  const nlohmann::json kSurfaces[] = {nullptr,
-                                      3,
-                                      nlohmann::json::array(),
-                                      {nullptr, 5},
-                                      {nullptr, {{"points", -1}, {"triangles", 1e30}}},
-                                      {nullptr, {{"points", 4'000'000'000u}, {"triangles", 4'000'000'000u}}}};
-  for (const nlohmann::json& surfaces : kSurfaces) {
-    Container wrong = whole;
-    (*wrong.manifest)["document"]["surfaces"] = surfaces;
-    std::vector<Error> found;
-    const auto cell = loaded(wrong, found);
-    QVERIFY(cell && !found.empty());
-  }
-  Container empty;
-  QVERIFY(!loaded(empty, damage));
-  empty.blobs["cell/robot.urdf"] = kArmUrdf;
-  QVERIFY(loaded(empty, damage));
-}
-
 void CellKindTest::describes() {
   const CellSnapshot cell = cellIn(importOrThrow(m_package.urdf()));
   const nlohmann::json d = kKind.describe(*withJoints(cell, values({250, M_PI_2})));

@@ -57,8 +57,9 @@ class ArmPackage {
   QTemporaryDir m_folder;
 };
 
+inline const CellKind kKind;
+
 inline OpenedFile importOrThrow(const QString& path) {
-  static const CellKind kKind;
   Result<OpenedFile> opened = kKind.import(path.toStdString(), {}, {});
   if (!opened) throw std::runtime_error("not opened: error " + std::to_string(int(opened.error().code)));
   return std::move(opened).value();
@@ -72,6 +73,34 @@ inline JointValues values(std::initializer_list<double> list) {
   JointValues v(Eigen::Index(list.size()));
   std::copy(list.begin(), list.end(), v.begin());
   return v;
+}
+
+inline std::shared_ptr<CellSnapshot> withJoints(const CellSnapshot& cell, const JointValues& joints) {
+  auto moved = std::make_shared<CellSnapshot>(cell);
+  moved->joints = joints;
+  return moved;
+}
+
+inline Container saved(const Snapshot& content) {
+  Container container;
+  kKind.save(content, container);
+  return container;
+}
+
+inline std::shared_ptr<const CellSnapshot> loaded(const Container& container, std::vector<Error>& damage) {
+  Result<SnapshotPointer> content = kKind.load(container, damage, {});
+  return content ? std::static_pointer_cast<const CellSnapshot>(*content) : nullptr;
+}
+
+inline Box boxOf(const TriangleSoup& soup) {
+  Box box;
+  for (const Vec3& p : soup.points) box.extend(p);
+  return box;
+}
+
+// Both corners there, to a tenth of a micrometre.
+inline bool isNear(const Box& box, const Vec3& min, const Vec3& max, double tolerance = 1e-4) {
+  return (box.min() - min).norm() < tolerance && (box.max() - max).norm() < tolerance;
 }
 
 }  // namespace handwheel::test

@@ -1,106 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "document/cell/ColladaReader.h"
+#include "ColladaDocuments.h"
 
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
-#include <assimp/Importer.hpp>
-
-#include <QDirIterator>
 #include <QTest>
-#include <algorithm>
 #include <clocale>
 #include <cmath>
 
 using namespace handwheel;
-
-namespace {
-
-const std::string kTriangles =
-    "<triangles count='1'><input semantic='VERTEX' source='#v' offset='0'/><p>0 1 2</p></triangles>";
-
-// Nine points in a square grid of side 1, at z = 0, 1, 2, … times a tenth; one geometry "g" with these primitives.
-std::string geometry(const std::string& primitives = kTriangles) {
-  std::string numbers;
-  for (int i = 0; i < 9; ++i)
-    numbers += std::to_string(i % 3) + " " + std::to_string(i / 3) + " 0." + std::to_string(i) + "\n";
-  return "<library_geometries><geometry id='g'><mesh><source id='p'><float_array id='a' count='27'>" + numbers +
-         "</float_array><technique_common><accessor source='#a' count='9' stride='3'><param name='X' type='float'/>"
-         "<param name='Y' type='float'/><param name='Z' type='float'/></accessor></technique_common></source>"
-         "<vertices id='v'><input semantic='POSITION' source='#p'/></vertices>" +
-         primitives + "</mesh></geometry></library_geometries>";
-}
-
-std::string scene(const std::string& nodes = "<node><instance_geometry url='#g'/></node>") {
-  return "<library_visual_scenes><visual_scene id='s'>" + nodes +
-         "</visual_scene></library_visual_scenes><scene><instance_visual_scene url='#s'/></scene>";
-}
-
-std::string document(const std::string& inside, const std::string& asset = "") {
-  return "<?xml version='1.0'?><COLLADA xmlns='http://www.collada.org/2005/11/COLLADASchema' version='1.4.1'><asset>" +
-         asset + "</asset>" + inside + "</COLLADA>";
-}
-
-ColladaMesh readOrThrow(const std::string& bytes) {
-  Result<ColladaMesh> mesh = readCollada(bytes);
-  if (!mesh) throw std::runtime_error("not read: error " + std::to_string(int(mesh.error().code)));
-  return std::move(mesh).value();
-}
-
-Vec3 gridPoint(int i) {
-  return {double(i % 3), double(i / 3), i / 10.0};
-}
-
-// The corners' positions, as often as they are used, in a fixed order.
-std::vector<std::array<double, 3>> cornersOf(const TriangleSoup& soup) {
-  std::vector<std::array<double, 3>> corners;
-  for (const Triangle& t : soup.triangles)
-    for (std::uint32_t c : t) corners.push_back({soup.points[c].x(), soup.points[c].y(), soup.points[c].z()});
-  std::sort(corners.begin(), corners.end());
-  return corners;
-}
-
-Vec3 areaVector(const TriangleSoup& soup) {
-  Vec3 sum = Vec3::Zero();
-  for (const Triangle& t : soup.triangles)
-    sum += (soup.points[t[1]] - soup.points[t[0]]).cross(soup.points[t[2]] - soup.points[t[0]]) / 2;
-  return sum;
-}
-
-void addNode(const aiNode& node, const aiMatrix4x4& above, const aiScene& scene, TriangleSoup& soup) {
-  const aiMatrix4x4 placement = above * node.mTransformation;
-  for (unsigned m = 0; m < node.mNumMeshes; ++m) {
-    const aiMesh& mesh = *scene.mMeshes[node.mMeshes[m]];
-    const auto base = std::uint32_t(soup.points.size());
-    for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
-      const aiVector3D p = placement * mesh.mVertices[v];
-      soup.points.emplace_back(p.x, p.y, p.z);
-    }
-    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-      const auto* i = mesh.mFaces[f].mIndices;
-      if (mesh.mFaces[f].mNumIndices == 3) soup.triangles.push_back({base + i[0], base + i[1], base + i[2]});
-    }
-  }
-  for (unsigned c = 0; c < node.mNumChildren; ++c) addNode(*node.mChildren[c], placement, scene, soup);
-}
-
-TriangleSoup byAnotherReader(const std::string& bytes) {
-  Assimp::Importer importer;
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
-  const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), aiProcess_Triangulate, "dae");
-  TriangleSoup soup;
-  if (scene) addNode(*scene->mRootNode, aiMatrix4x4(), *scene, soup);
-  return soup;
-}
-
-}  // namespace
+using namespace handwheel::test;
 
 class ColladaReaderTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void unitsOnce_data();
-  void unitsOnce();
   void primitives_data();
   void primitives();
   void indicesBetweenOthers();
@@ -114,41 +26,7 @@ class ColladaReaderTest : public QObject {
   void nothingToSee();
   void cancelled();
   void numbersDoNotFollowTheLocale();
-  void filesAsAnotherReaderSeesThem_data();
-  void filesAsAnotherReaderSeesThem();
 };
-
-void ColladaReaderTest::unitsOnce_data() {
-  QTest::addColumn<QString>("unit");
-  QTest::addColumn<QString>("up");
-  QTest::addColumn<double>("metres");
-  for (const char* up : {"", "<up_axis>X_UP</up_axis>", "<up_axis>Y_UP</up_axis>", "<up_axis>Z_UP</up_axis>"}) {
-    QTest::addRow("none %s", up) << "" << up << 1.0;
-    for (double metres : {1.0, 0.001, 0.0254, 0.01})
-      QTest::addRow("%g %s", metres, up) << QString("<unit name='u' meter='%1'/>").arg(metres) << up << metres;
-  }
-}
-
-// Whatever stands in nodes is in the document's unit, too. The up axis changes nothing.
-void ColladaReaderTest::unitsOnce() {
-  QFETCH(QString, unit);
-  QFETCH(QString, up);
-  QFETCH(double, metres);
-  const std::string node = "<node><translate>10 0 0</translate><instance_geometry url='#g'/></node>";
-  const std::string bytes = document(geometry() + scene(node), (unit + up).toStdString());
-  const ColladaMesh mesh = readOrThrow(bytes);
-  QVERIFY(mesh.damage.empty());
-  QCOMPARE(mesh.soup.triangles.size(), std::size_t{1});
-  for (int i = 0; i < 3; ++i) {
-    const Vec3 expected = metres * (gridPoint(i) + Vec3(10, 0, 0));
-    QVERIFY((mesh.soup.points[mesh.soup.triangles[0][std::size_t(i)]] - expected).norm() < 1e-15);
-  }
-  const auto other = cornersOf(byAnotherReader(bytes)), own = cornersOf(mesh.soup);
-  QCOMPARE(own.size(), other.size());
-  for (std::size_t i = 0; i < own.size(); ++i)
-    for (std::size_t k = 0; k < 3; ++k) QVERIFY(std::abs(own[i][k] - other[i][k]) < 1e-5 * metres);
-}
-
 void ColladaReaderTest::primitives_data() {
   QTest::addColumn<QString>("text");
   QTest::addColumn<int>("triangles");
@@ -309,33 +187,5 @@ void ColladaReaderTest::numbersDoNotFollowTheLocale() {
   std::setlocale(LC_ALL, "C");
   QCOMPARE(mesh->soup.points[1], Vec3(0.5, 0, 0.05));
 }
-
-void ColladaReaderTest::filesAsAnotherReaderSeesThem_data() {
-  QTest::addColumn<QString>("path");
-  if (qEnvironmentVariableIsEmpty("HANDWHEEL_DATA")) QSKIP("HANDWHEEL_DATA is not set: real meshes are left out");
-  QDirIterator files(qEnvironmentVariable("HANDWHEEL_DATA") + "/robots", {"*.dae"}, QDir::Files,
-                     QDirIterator::Subdirectories);
-  while (files.hasNext()) {
-    const QString path = files.next();
-    QTest::newRow(qPrintable(path.section('/', -5))) << path;
-  }
-}
-
-void ColladaReaderTest::filesAsAnotherReaderSeesThem() {
-  QFETCH(QString, path);
-  QFile file(path);
-  QVERIFY(file.open(QIODevice::ReadOnly));
-  const std::string bytes = file.readAll().toStdString();
-  const ColladaMesh mesh = readOrThrow(bytes);
-  QVERIFY(mesh.damage.empty());
-  const TriangleSoup expected = byAnotherReader(bytes);
-  QCOMPARE(mesh.soup.triangles.size(), expected.triangles.size());
-  Box own, other;
-  for (const auto& c : cornersOf(mesh.soup)) own.extend(Vec3(c[0], c[1], c[2]));
-  for (const auto& c : cornersOf(expected)) other.extend(Vec3(c[0], c[1], c[2]));
-  QVERIFY((own.min() - other.min()).norm() < 1e-6 && (own.max() - other.max()).norm() < 1e-6);
-  QVERIFY((areaVector(mesh.soup) - areaVector(expected)).norm() < 1e-6);
-}
-
 QTEST_GUILESS_MAIN(ColladaReaderTest)
 #include "ColladaReaderTest.moc"

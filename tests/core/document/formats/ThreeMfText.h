@@ -56,4 +56,24 @@ inline QByteArray item(int id, const QByteArray& attributes = "") {
   return "<item objectid='" + QByteArray::number(id) + "' " + attributes + "/>";
 }
 
+inline QByteArray mesh(const QByteArray& vertices, const QByteArray& triangles) {
+  return "<mesh><vertices>" + vertices + "</vertices><triangles>" + triangles + "</triangles></mesh>";
+}
+
+// kTriangle.
+inline const QByteArray kTriangleMesh =
+    mesh("<vertex x='0' y='0' z='0'/><vertex x='1' y='0' z='0'/><vertex x='0' y='1' z='0'/>",
+         "<triangle v1='0' v2='1' v3='2'/>");
+
+inline QString readModel(const QByteArray& resources, const QByteArray& build, const QByteArray& attributes = "",
+                         bool partial = false) {
+  return describe(read(package(model(resources, build, attributes)), partial));
+}
+
+// Cancelled when it is read: never an error here.
+inline ErrorCode codeOf(const QByteArray& bytes, bool partial = false) {
+  const auto file = read(bytes, partial);
+  return file ? ErrorCode::Cancelled : file.error().code;
+}
+
 }  // namespace handwheel::test

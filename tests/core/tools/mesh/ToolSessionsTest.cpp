@@ -49,7 +49,6 @@ class Session {
       if (const std::string problem = check(); !problem.empty()) return "step " + std::to_string(i) + ": " + problem;
     }
     m_runner.stop();
-    std::fprintf(stderr, "H %d\n", m_document->history()->count());
     QUndoStack& history = *m_document->history();
     history.setIndex(history.count());
     const HalfEdgeMesh after = m_document->mesh();
@@ -100,7 +99,10 @@ class Session {
       m_fill = tool.get();
       m_runner.start(std::move(tool), *m_document);
     } else {
-      auto tool = std::make_unique<SelectTool>(*m_document, immediateServices(*m_document));
+      const HalfEdgeMesh& mesh = m_document->mesh();
+      const auto some =
+          FaceSelection::where(mesh.faceSlots(), [&](Face f) { return mesh.isLive(f) && below(10) == 0; });
+      auto tool = std::make_unique<SelectTool>(*m_document, immediateServices(*m_document), MeshSelection{some, {}});
       m_select = tool.get();
       m_runner.start(std::move(tool), *m_document);
     }

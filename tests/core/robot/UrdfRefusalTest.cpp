@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robot/UrdfReader.h"
+
+#include "Robots.h"
+
+#include <QTest>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+const std::string kAB = link("a") + link("b");
+
+std::string jointAB(const std::string& type, const std::string& inside = {}) {
+  return robotOf(kAB + joint("j", type, "a", "b", inside));
+}
+
+}  // namespace
+
+Q_DECLARE_METATYPE(handwheel::ErrorCode)
+
+class UrdfRefusalTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void refused_data();
+  void refused();
+  void linesOfErrors();
+};
+
+void UrdfRefusalTest::refused_data() {
+  QTest::addColumn<QString>("text");
+  QTest::addColumn<ErrorCode>("code");
+  const auto row = [](const char* name, const std::string& text, ErrorCode code) {
+    QTest::newRow(name) << QString::fromStdString(text) << code;
+  };
+  const auto kMalformed = ErrorCode::ElementMalformed;
+  row("no XML", "solid part", kMalformed);
+  row("something else", "<html/>", kMalformed);
+  row("empty", robotOf(""), kMalformed);
+  row("link without name", robotOf("<link/>"), kMalformed);
+  row("two links of a name", robotOf(link("a") + link("a")), kMalformed);
+  row("two joints of a name", robotOf(kAB + link("c") + joint("j", "fixed", "a", "b") + joint("j", "fixed", "b", "c")),
+      kMalformed);
+  row("joint without name", robotOf(kAB + "<joint type='fixed'/>"), kMalformed);
+  row("joint without type", robotOf(kAB + "<joint name='j'/>"), kMalformed);
+  row("unknown type", jointAB("hinge"), kMalformed);
+  row("no parent", robotOf(kAB + "<joint name='j' type='fixed'><child link='b'/></joint>"), kMalformed);
+  row("missing parent", robotOf(link("b") + joint("j", "fixed", "a", "b")), ErrorCode::ReferenceMissing);
+  row("missing child", robotOf(link("a") + joint("j", "fixed", "a", "b")), ErrorCode::ReferenceMissing);
+  row("two roots", robotOf(kAB), kMalformed);
+  row("no root", robotOf(kAB + joint("j", "fixed", "a", "b") + joint("k", "fixed", "b", "a")), kMalformed);
+  row("own parent", robotOf(link("a") + joint("j", "fixed", "a", "a")), kMalformed);
+  row("two parents",
+      robotOf(kAB + link("c") + joint("j", "fixed", "a", "b") + joint("k", "fixed", "a", "c") +
+              joint("l", "fixed", "c", "b")),
+      kMalformed);
+  row("ring apart",
+      robotOf(kAB + link("c") + link("d") + joint("j", "fixed", "a", "b") + joint("k", "fixed", "c", "d") +
+              joint("l", "fixed", "d", "c")),
+      kMalformed);
+  row("no axis", jointAB("revolute", "<axis xyz='0 0 0'/>" + limit(-1, 1)), kMalformed);
+  row("axis of two numbers", jointAB("revolute", "<axis xyz='0 1'/>" + limit(-1, 1)), ErrorCode::CountMismatch);
+  row("axis not finite", jointAB("revolute", "<axis xyz='0 nan 0'/>" + limit(-1, 1)), ErrorCode::NumberNotFinite);
+  row("origin not finite", jointAB("fixed", "<origin xyz='inf 0 0'/>"), ErrorCode::NumberNotFinite);
+  row("turn not finite", jointAB("fixed", "<origin rpy='0 0 1e999'/>"), ErrorCode::NumberNotFinite);
+  row("origin no number", jointAB("fixed", "<origin xyz='${x} 0 0'/>"), ErrorCode::NumberMalformed);
+  row("origin too far", jointAB("fixed", "<origin xyz='1e7 0 0'/>"), ErrorCode::ValueOutOfRange);
+  row("limits turned round", jointAB("revolute", limit(1, -1)), kMalformed);
+  row("limit not a number", jointAB("revolute", "<limit lower='nan' upper='1'/>"), ErrorCode::NumberNotFinite);
+  row("limit malformed", jointAB("revolute", "<limit lower='a' upper='1'/>"), ErrorCode::NumberMalformed);
+  row("limit of two numbers", jointAB("revolute", "<limit lower='0 1' upper='1'/>"), ErrorCode::NumberMalformed);
+  row("follows nobody", jointAB("revolute", limit(-1, 1) + "<mimic/>"), kMalformed);
+  row("follows too far",
+      robotOf(kAB + link("c") + joint("j", "revolute", "a", "b", limit(-1, 1)) +
+              joint("k", "revolute", "b", "c", limit(-1, 1) + "<mimic joint='j' multiplier='1e300'/>")),
+      kMalformed);
+  row("xacro", robotOf(link("a") + "<xacro:include filename='x'/>"), ErrorCode::Unsupported);
+}
+
+void UrdfRefusalTest::refused() {
+  QFETCH(QString, text);
+  QFETCH(ErrorCode, code);
+  const auto read = readUrdf(text.toStdString());
+  QVERIFY(!read);
+  QCOMPARE(read.error().code, code);
+}
+
+void UrdfRefusalTest::linesOfErrors() {
+  const auto read = readUrdf("<robot>\n<link name='a'/>\n<link name='b'/>\n\n" +
+                             joint("j", "revolute", "a", "b", "\n<axis xyz='0 0 oops'/>") + "</robot>");
+  QVERIFY(!read);
+  QCOMPARE(read.error().place.value, std::uint64_t{6});
+  QCOMPARE(read.error().arguments, std::vector<std::string>{"oops"});
+}
+
+QTEST_GUILESS_MAIN(UrdfRefusalTest)
+#include "UrdfRefusalTest.moc"

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ToolEvents.h"
+#include "document/cell/CellKind.h"
+#include "robot/ShapeSurfaces.h"
+#include "robot/UrdfReader.h"
+#include "tools/cell/JointDragTool.h"
+
+#include <memory>
+#include <numbers>
+#include <string>
+
+// A robot to be dragged.
+namespace handwheel::test {
+
+inline constexpr double kPi = std::numbers::pi;
+
+inline std::string bar(const std::string& name) {
+  return "<link name='" + name + "'><visual><origin xyz='0.2 0 0'/><geometry><box size='0.4 0.1 0.1'/></geometry>" +
+         "</visual></link>";
+}
+
+inline std::string joint(const std::string& name, const std::string& type, const std::string& parent,
+                         const std::string& child, double x, const std::string& axis,
+                         const std::string& more = "<limit lower='-2' upper='2'/>") {
+  return "<joint name='" + name + "' type='" + type + "'><parent link='" + parent + "'/><child link='" + child +
+         "'/><origin xyz='" + std::to_string(x) + " 0 0'/><axis xyz='" + axis + "'/>" + more + "</joint>";
+}
+
+// Two arms of 400 mm in the plane z = 0, turning about z by at most 2 rad; a sledge on the second, along it; and a
+// finger that turns with the second joint.
+inline const std::string kRobot =
+    "<robot name='r'>" + bar("foot") + bar("upper") + bar("lower") + bar("sledge") + bar("finger") + bar("free") +
+    joint("shoulder", "revolute", "foot", "upper", 0, "0 0 1") +
+    joint("elbow", "revolute", "upper", "lower", 0.4, "0 0 1") +
+    joint("slide", "prismatic", "lower", "sledge", 0.4, "1 0 0", "<limit lower='0' upper='0.3'/>") +
+    joint("grip", "revolute", "upper", "finger", 0.2, "0 0 1", "<limit lower='-2' upper='2'/><mimic joint='elbow'/>") +
+    joint("spin", "continuous", "foot", "free", -1.0, "0 0 1", "") + "</robot>";
+
+class Bench {
+ public:
+  Bench() {
+    auto read = readUrdf(kRobot);
+    auto robot = std::make_shared<CellRobot>();
+    robot->model = std::move(read->robot);
+    for (const Shape& shape : robot->model.shapes)
+      robot->surfaces.push_back(std::make_shared<const TriangleSoup>(surfaceOf(shape)));
+    auto cell = std::make_shared<CellSnapshot>();
+    cell->joints = restValues(robot->model);
+    cell->robot = robot;
+    OpenedFile opened;
+    opened.kind = &m_kind;
+    opened.content = cell;
+    m_document = std::make_unique<CellDocument>(std::move(opened));
+  }
+
+  CellDocument& document() { return *m_document; }
+
+  // The rays of the tests look straight down; what they meet is told beforehand.
+  JointDragTool::Pick picking(const std::string& part) {
+    return [part](const Ray& ray) -> std::optional<CellPick> {
+      return CellPick{part, Vec3(ray.origin.x(), ray.origin.y(), 0)};
+    };
+  }
+
+ private:
+  CellKind m_kind;
+  std::unique_ptr<CellDocument> m_document;
+};
+
+inline PointerEvent at(Kind kind, double x, double y, Modifiers modifiers = {}) {
+  return above(kind, x, y, modifiers);
+}
+
+}  // namespace handwheel::test

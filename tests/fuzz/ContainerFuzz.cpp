@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/container/Blobs.h"
+#include "document/container/UnknownPart.h"
+#include "document/container/ZipWriter.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+// Entry for libFuzzer; StandaloneFuzzer.cpp drives it where that is not at hand. The input is an archive; or, where it
+// begins with a brace, the manifest of one, so that changes get past the checksums.
+
+using namespace handwheel;
+
+namespace {
+
+void require(bool condition, const char* what) {
+  if (condition) return;
+  std::fprintf(stderr, "ContainerFuzz: %s\n", what);
+  std::abort();
+}
+
+nlohmann::json ownPart(nlohmann::json manifest) {
+  manifest.erase("handwheel");
+  return manifest;
+}
+
+bool same(const Container& a, const Container& b) {
+  return ownPart(*a.manifest) == ownPart(*b.manifest) && a.blobs == b.blobs;
+}
+
+// What was read is written, and reads back the same, whole.
+void writeAndRead(const Container& container, Compression compression) {
+  const auto bytes = writeContainer(container, compression);
+  if (!bytes && bytes.error().code == ErrorCode::FileTooLarge) return;  // a manifest grows when it is written
+  require(bytes.hasValue(), "what was read cannot be written");
+  require(looksLikeContainer(*bytes), "what was written is not recognised");
+  const auto again = readContainer(*bytes);
+  require(again.hasValue() && again->damage.empty(), "what was written is not read");
+  require(same(again->container, container), "what was written is read differently");
+}
+
+void judge(std::string_view archive, Compression compression) {
+  const auto read = readContainer(archive);
+  if (!read) return;
+  require(read->container.manifest->is_object(), "the manifest is no object");
+  for (const auto& [name, bytes] : read->container.blobs)
+    require(!name.empty() && name.front() != '/' && name.find("..") == std::string::npos, "a name leads elsewhere");
+  for (std::uint64_t count : {std::uint64_t{7}, ~std::uint64_t{0}}) {
+    const auto array = readArray<double>(read->container, "mesh/positions", count, 3);
+    require(array.values.size() <= 3 * count || count > 7, "more values than asked for");
+  }
+  writeAndRead(read->container, compression);
+  const Container nothing;
+  require(same(merged(unknownPart(read->container, nothing, {}), nothing), read->container), "unknown keys are lost");
+}
+
+std::string withManifest(std::string_view manifest) {
+  const ZipEntry entries[] = {
+      {"manifest.json", manifest}, {"mesh/positions/0000", "0123456789abcdef01234567"}, {"a", ""}};
+  const auto archive = writeZip(entries, Compression::None);
+  require(archive.hasValue(), "no archive");
+  return *archive;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  const Compression compression = size % 2 == 0 ? Compression::None : Compression::Fast;
+  judge(bytes.starts_with('{') ? withManifest(bytes) : std::string(bytes), compression);
+  return 0;
+}

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "text/ErrorWords.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <optional>
+
+namespace handwheel {
+
+namespace {
+
+constexpr qsizetype kLongestQuote = 48;  // characters of a foreign file shown in a sentence
+
+// The phrases that the core, most of which knows no Qt, puts into its errors. A phrase that is missing here is shown in
+// English. %1 stands for a name or a number; the first phrase that fits counts.
+constexpr const char* kPhrases[] = {
+    // {what} of counts
+    QT_TRANSLATE_NOOP("ErrorWord", "bytes"),
+    QT_TRANSLATE_NOOP("ErrorWord", "elements"),
+    QT_TRANSLATE_NOOP("ErrorWord", "entries"),
+    QT_TRANSLATE_NOOP("ErrorWord", "faces"),
+    QT_TRANSLATE_NOOP("ErrorWord", "facets"),
+    QT_TRANSLATE_NOOP("ErrorWord", "numbers"),
+    QT_TRANSLATE_NOOP("ErrorWord", "parts"),
+    QT_TRANSLATE_NOOP("ErrorWord", "poles"),
+    QT_TRANSLATE_NOOP("ErrorWord", "strips"),
+    QT_TRANSLATE_NOOP("ErrorWord", "triangles"),
+    QT_TRANSLATE_NOOP("ErrorWord", "vertices"),
+    // … was expected
+    QT_TRANSLATE_NOOP("ErrorWord", "a count"),
+    QT_TRANSLATE_NOOP("ErrorWord", "a number"),
+    QT_TRANSLATE_NOOP("ErrorWord", "a statement of the format"),
+    QT_TRANSLATE_NOOP("ErrorWord", "a vertex number"),
+    QT_TRANSLATE_NOOP("ErrorWord", "a whole number"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the end of the line"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the number of faces"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the number of vertices"),
+    // … is named, but cannot be found
+    QT_TRANSLATE_NOOP("ErrorWord", "the 3D model"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the joint"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the link"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the mesh"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the object"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the property"),
+    // … is not supported
+    QT_TRANSLATE_NOOP("ErrorWord", "XML that declares entities"),
+    QT_TRANSLATE_NOOP("ErrorWord", "a geometry that is no mesh"),
+    QT_TRANSLATE_NOOP("ErrorWord", "a skinned mesh"),
+    QT_TRANSLATE_NOOP("ErrorWord", "a xacro file that is not expanded to URDF"),
+    QT_TRANSLATE_NOOP("ErrorWord", "reading STEP files"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the 3MF extension '%1'"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the floating joint '%1', which is held still,"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the planar joint '%1', which is held still,"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the mesh name '%1', which is no file on this machine,"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the mesh name '%1', which leads too far away,"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the mesh name '%1', which leaves its package,"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the mesh name '%1', which lies on another machine,"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the mesh name '%1', which names no package,"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the shape '%1'"),
+    // … cannot be 7; it must lie between
+    QT_TRANSLATE_NOOP("ErrorWord", "a coordinate of the mesh"),
+    QT_TRANSLATE_NOOP("ErrorWord", "an origin"),
+    QT_TRANSLATE_NOOP("ErrorWord", "chord tolerance"),
+    // the written file does not read back as it should
+    QT_TRANSLATE_NOOP("ErrorWord", "it cannot be opened"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it holds no valid solid"),
+    QT_TRANSLATE_NOOP("ErrorWord", "its triangles differ"),
+    QT_TRANSLATE_NOOP("ErrorWord", "its volume differs"),
+    // the file, the archive or the library
+    QT_TRANSLATE_NOOP("ErrorWord", "Its directory is wrong"),
+    QT_TRANSLATE_NOOP("ErrorWord", "Not a regular file"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it is not a STEP file"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the faces do not close"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the faces do not join"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the file cannot be written"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the file holds no shape"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the solid cannot be translated"),
+    // the element is malformed:
+    QT_TRANSLATE_NOOP("ErrorWord", "%1 of its polygons cannot be read"),
+    QT_TRANSLATE_NOOP("ErrorWord", "a choice was expected"),
+    QT_TRANSLATE_NOOP("ErrorWord", "a comment is too long"),
+    QT_TRANSLATE_NOOP("ErrorWord", "a number was expected"),
+    QT_TRANSLATE_NOOP("ErrorWord", "a pole is across the axis, too far away or not finite"),
+    QT_TRANSLATE_NOOP("ErrorWord", "a tag is too long"),
+    QT_TRANSLATE_NOOP("ErrorWord", "a text is too long"),
+    QT_TRANSLATE_NOOP("ErrorWord", "a text of at most 1000 bytes in UTF-8 was expected"),
+    QT_TRANSLATE_NOOP("ErrorWord", "a weight is missing, not positive or too large"),
+    QT_TRANSLATE_NOOP("ErrorWord", "elements are nested too deeply"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it belongs to a ring of joints"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it contains itself"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it does not say the version of the format"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it follows itself"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it goes too far when it follows"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it has a document type"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it has no limits, so it moves without"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it has no links"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it has no name"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it has no shape"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it has no type"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it has no %1"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it has too few poles"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it is missing"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it is nested too deeply"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it is no length; metres are assumed"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it is not JSON"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it is not an object"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it is not the root"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it is not twelve numbers"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it is placed too often, or within itself"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it lies on the axis"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it names no file"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it names no joint"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it names no %1"),
+    QT_TRANSLATE_NOOP("ErrorWord", "its axis has no direction"),
+    QT_TRANSLATE_NOOP("ErrorWord", "its degree must be 1, 2 or 3"),
+    QT_TRANSLATE_NOOP("ErrorWord", "its joints form a ring"),
+    QT_TRANSLATE_NOOP("ErrorWord", "its knots do not fit its poles"),
+    QT_TRANSLATE_NOOP("ErrorWord", "its lower limit is above the upper one"),
+    QT_TRANSLATE_NOOP("ErrorWord", "its number %1 is taken"),
+    QT_TRANSLATE_NOOP("ErrorWord", "its object is of the type 'other'"),
+    QT_TRANSLATE_NOOP("ErrorWord", "its scale leaves no shape"),
+    QT_TRANSLATE_NOOP("ErrorWord", "its size is no length"),
+    QT_TRANSLATE_NOOP("ErrorWord", "its transformation is not understood"),
+    QT_TRANSLATE_NOOP("ErrorWord", "its type '%1' is not known"),
+    QT_TRANSLATE_NOOP("ErrorWord", "its unit is '%1'"),
+    QT_TRANSLATE_NOOP("ErrorWord", "its vertices have no positions"),
+    QT_TRANSLATE_NOOP("ErrorWord", "no joint links it with %1"),
+    QT_TRANSLATE_NOOP("ErrorWord", "one of its indices is no number"),
+    QT_TRANSLATE_NOOP("ErrorWord", "there are two of that name"),
+};
+
+QString shortened(const QString& text) {
+  return text.size() > kLongestQuote ? text.left(kLongestQuote) + QChar(0x2026) : text;
+}
+
+// What %1 of the phrase stands for in the text; empty when it stands for nothing; none when the text is not the phrase.
+std::optional<QString> nameWithin(const QString& text, QLatin1String phrase) {
+  const qsizetype at = phrase.indexOf(QLatin1String("%1"));
+  if (at < 0) return text == phrase ? std::optional(QString()) : std::nullopt;
+  const QLatin1String before = phrase.first(at), after = phrase.sliced(at + 2);
+  if (text.size() <= before.size() + after.size() || !text.startsWith(before) || !text.endsWith(after)) return {};
+  return text.sliced(before.size(), text.size() - before.size() - after.size());
+}
+
+}  // namespace
+
+QString errorArgument(const QString& english) {
+  for (const char* phrase : kPhrases) {
+    const std::optional<QString> name = nameWithin(english, QLatin1String(phrase));
+    if (!name) continue;
+    const QString translated = QCoreApplication::translate("ErrorWord", phrase);
+    return name->isEmpty() ? translated : translated.arg(shortened(*name));
+  }
+  return shortened(english);
+}
+
+}  // namespace handwheel
