@@ -40,14 +40,15 @@ void Autosave::setInterval(int seconds) {
 void Autosave::follow(OpenDocument* document) {
   m_keys[document] = ++m_lastKey;
   document->autosaved = document->document.revision();
-  connect(&document->document, &Document::changed, this, [this, document] { changed(document); });
+  connect(&document->document, &Document::changed, this, &Autosave::changed);
   connect(&document->document, &Document::fileChanged, this, [this, document] {
     if (!document->document.isModified()) m_session->remove(m_keys[document]);
   });
 }
 
-void Autosave::changed(OpenDocument* document) {
-  if (!document->document.isModified() || m_timer.interval() == 0) return;
+// Whether that made it differ from its file is not known before the edit is in the history.
+void Autosave::changed() {
+  if (m_timer.interval() == 0) return;
   if (!m_need.isNeeded()) m_need = m_services.needs().need("autosave");
   if (!m_timer.isActive()) m_timer.start();
 }
@@ -81,7 +82,7 @@ void Autosave::save(OpenDocument* document) {
                 LogEntry::Weight::Warning);
       if (!m_tabs.contains(document)) return;
       document->autosaved = 0;  // tried again after the next change
-      changed(document);
+      changed();
     };
   };
   m_jobs.start(std::move(job));

@@ -38,7 +38,7 @@ class Autosave : public QObject {
 
  private:
   void follow(OpenDocument* document);
-  void changed(OpenDocument* document);
+  void changed();
   void saveAll();
   void save(OpenDocument* document);
   void recoverAll();

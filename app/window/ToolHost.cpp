@@ -19,8 +19,9 @@ PointerButton buttonOf(Qt::MouseButton button) {
 }
 
 // None for what is the camera's in any case.
-std::optional<PointerEvent> eventOf(const PointerInput& input, const ViewRay& ray) {
+std::optional<PointerEvent> eventOf(const PointerInput& input, const ViewRay& ray, const CameraState& camera) {
   PointerEvent event;
+  event.focus = ray.eye ? camera.eyeDistance() : 0.0;
   event.ray = {ray.origin, ray.direction};
   event.eye = ray.eye;
   event.pixel = ray.pixel;
@@ -86,7 +87,7 @@ bool ToolHost::take(const PointerInput& input) {
   if (input.kind == PointerInput::Kind::Click && input.button == Qt::RightButton) {
     return m_runner.perform("revert") != ToolReply::Ignored;
   }
-  const auto event = eventOf(input, m_viewport.rayAt(input.position));
+  const auto event = eventOf(input, m_viewport.rayAt(input.position), m_viewport.camera());
   if (!event) return false;
   const bool used = m_runner.pointer(*event) != ToolReply::Ignored;
   return used && event->kind != PointerEvent::Kind::Hover && event->kind != PointerEvent::Kind::Leave;

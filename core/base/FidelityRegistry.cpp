@@ -8,7 +8,7 @@
 namespace handwheel {
 namespace {
 
-bool isSound(const FidelitySetting& s) {
+[[maybe_unused]] bool isSound(const FidelitySetting& s) {
   if (s.id.empty() || s.label.empty() || s.error.name.empty() || s.cost.unit.empty()) return false;
   if (!(s.least < s.largest) || (s.scale == FidelityScale::Logarithmic && !(s.least > 0.0))) return false;
   return checkValue(s, s.standard) &&

@@ -32,7 +32,8 @@ class FidelityRegistry {
     std::vector<FidelityCase> cases;
   };
 
-  // The setting must be sound (see FidelityTest) and its id new.
+  // The setting must be sound: named, its range in order (above zero where it is logarithmic), default and presets
+  // inside. Its id must be new.
   void add(FidelitySetting setting, std::vector<FidelityCase> cases);
   const std::vector<Entry>& entries() const { return m_entries; }
   const Entry* find(std::string_view id) const;  // null when unknown

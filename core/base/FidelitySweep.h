@@ -41,7 +41,7 @@ Result<std::vector<FidelityRow>> sweep(const FidelitySetting& setting, std::span
 double median(std::vector<double> values);  // of at least one; the mean of the middle two where their number is even
 double medianDeviation(const std::vector<double>& values);  // median absolute deviation from the median
 
-// The rows as comma-separated values (RFC 4180) with a header line; numbers as in C.
+// The rows as comma-separated values (RFC 4180), numbers as in C; and the line that stands above them.
 std::string csvOf(const FidelitySetting& setting, std::span<const FidelityRow> rows);
 inline constexpr std::string_view kFidelityCsvHeader =
     "setting,value,case,error,error_unit,cost,cost_unit,spread,repeats,seed,truth\n";

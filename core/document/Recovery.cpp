@@ -57,9 +57,10 @@ Status RecoverySession::store(std::uint64_t key, const AutosaveInfo& info, std::
   bool infoIsThere = false;
   {
     const std::lock_guard guard(m_mutex);
+    Slot& slot = m_slots[key];
+    if (slot.isClosed) return Done{};
     if (const Status open = openFolder(); !open) return open.error();
     autosave = autosaveFile(m_folder, key);
-    Slot& slot = m_slots[key];
     removals = slot.removals;
     infoIsThere = slot.info == info;
     slot.info.reset();
@@ -85,6 +86,12 @@ void RecoverySession::remove(std::uint64_t key) {
   const std::lock_guard guard(m_mutex);
   ++m_slots[key].removals;
   if (m_lock) removeAutosave(autosaveFile(m_folder, key));
+}
+
+void RecoverySession::close(std::uint64_t key) {
+  remove(key);
+  const std::lock_guard guard(m_mutex);
+  m_slots[key].isClosed = true;
 }
 
 Status RecoverySession::adopt(const Leftover& leftover, std::uint64_t key) {

@@ -30,9 +30,11 @@ class RecoverySession {
   // id. Errors: WriteFailed, Cancelled.
   Status store(std::uint64_t key, const AutosaveInfo& info, std::string_view container, Progress progress = {});
 
-  // The document is closed, or no longer differs from its file. Not when it was changed again while it was saved: a
-  // store() that is under way may hold that change, and is undone.
+  // The document no longer differs from its file. Not when it was changed again while it was saved: a store() that is
+  // under way may hold that change, and is undone.
   void remove(std::uint64_t key);
+  // The document is closed. Also a store() that begins only now, because its job had to wait, leaves nothing.
+  void close(std::uint64_t key);
 
   // Takes over what a dead session left, by renaming: at every moment one of the two has it. Errors: WriteFailed.
   Status adopt(const Leftover& leftover, std::uint64_t key);
@@ -41,6 +43,7 @@ class RecoverySession {
   struct Slot {
     std::uint64_t removals = 0;
     std::optional<AutosaveInfo> info;  // as it is on the disk
+    bool isClosed = false;
   };
 
   Status openFolder();

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-// Entry for libFuzzer; StandaloneFuzzer.cpp drives it where that is not at hand. All but the first byte is the file.
+// Entry for libFuzzer; StandaloneFuzzer.cpp drives it where that is not at hand. The input is the file.
 
 namespace {
 
@@ -20,8 +20,7 @@ void require(bool condition, const char* what) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (size == 0) return 0;
-  const auto mesh = handwheel::readCollada({reinterpret_cast<const char*>(data + 1), size - 1});
+  const auto mesh = handwheel::readCollada({reinterpret_cast<const char*>(data), size});
   if (!mesh) return 0;
   require(!mesh->soup.triangles.empty(), "a mesh without triangles");
   require(mesh->damage.size() <= 1000, "too much listed");

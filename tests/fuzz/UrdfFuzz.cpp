@@ -11,8 +11,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-// Entry for libFuzzer; StandaloneFuzzer.cpp drives it where that is not at hand. The first byte chooses how the joints
-// stand, the rest is the file.
+// Entry for libFuzzer; StandaloneFuzzer.cpp drives it where that is not at hand. The input is the file; its length
+// chooses how the joints stand.
 
 namespace {
 
@@ -71,15 +71,14 @@ void move(const RobotModel& robot, double value) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (size == 0) return 0;
-  const auto read = readUrdf({reinterpret_cast<const char*>(data + 1), size - 1});
+  const auto read = readUrdf({reinterpret_cast<const char*>(data), size});
   if (!read) return 0;
   judgeTree(read->robot);
   judgeJoints(read->robot);
   judgeShapes(read->robot);
   require(read->damage.size() <= 1000, "too much listed");
   constexpr double kValues[] = {0.0, 1.0, -1e3, 1e9};
-  move(read->robot, kValues[data[0] % std::size(kValues)]);
+  move(read->robot, kValues[size % std::size(kValues)]);
   for (const Shape& shape : read->robot.shapes) {
     if (const auto* mesh = std::get_if<MeshShape>(&shape)) (void)locateMesh(mesh->file, "/nowhere");
   }

@@ -100,6 +100,7 @@ void NumberRow::slide(int position) {
 }
 
 SwitchRow::SwitchRow(QWidget* parent) : PropertyRow(parent), m_box(new QCheckBox(this)) {
+  m_box->setObjectName(QStringLiteral("propertySwitch"));
   arrange(m_box, false);
   connect(m_box, &QCheckBox::clicked, this, [this](bool checked) { emit edited(checked, false); });
 }
@@ -113,6 +114,7 @@ void SwitchRow::setLabel(const QString& label) {
 }
 
 TextRow::TextRow(QWidget* parent) : PropertyRow(parent), m_line(new QLineEdit(this)) {
+  m_line->setObjectName(QStringLiteral("propertyText"));
   arrange(m_line);
   connect(m_line, &QLineEdit::editingFinished, this, [this] {
     if (!m_line->isModified()) return;
@@ -131,6 +133,7 @@ void TextRow::setLabel(const QString& label) {
 
 ChoiceRow::ChoiceRow(QWidget* parent) : PropertyRow(parent), m_box(new Unhurried<QComboBox>(this)) {
   m_box->setFocusPolicy(Qt::StrongFocus);
+  m_box->setObjectName(QStringLiteral("propertyChoice"));
   m_box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   m_box->setMinimumContentsLength(6);
   arrange(m_box);

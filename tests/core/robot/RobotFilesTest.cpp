@@ -125,6 +125,7 @@ void RobotFilesTest::meshesAreFound() {
   }
   QVERIFY(meshes > 0);
 }
+
 void RobotFilesTest::tools() {
   for (const auto& [file, tool] : {std::pair{kIrb120, "tool0"},
                                    {kIrb2400, "tool0"},

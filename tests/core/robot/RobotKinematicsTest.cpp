@@ -117,6 +117,10 @@ class RobotKinematicsTest : public QObject {
   void reach();
 };
 
+void RobotKinematicsTest::initTestCase() {
+  if (qEnvironmentVariableIsEmpty("HANDWHEEL_DATA")) QSKIP("HANDWHEEL_DATA is not set: real robots are left out");
+}
+
 void RobotKinematicsTest::denavitHartenbergTables() {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> angle(-std::numbers::pi, std::numbers::pi);

@@ -162,19 +162,7 @@ void UrdfReaderTest::heldStill() {
     QCOMPARE(read.damage[0].code, ErrorCode::Unsupported);
   }
 }
-void UrdfReaderTest::damagedShapesAreLeftOut_data() {
-  QTest::addColumn<QString>("visual");
-  for (const char* text :
-       {"", "<geometry/>", "<geometry><mesh/></geometry>", "<geometry><mesh filename=''/></geometry>",
-        "<geometry><box size='1 1'/></geometry>", "<geometry><box size='1 0 1'/></geometry>",
-        "<geometry><box/></geometry>", "<geometry><sphere radius='-1'/></geometry>",
-        "<geometry><sphere radius='nan'/></geometry>", "<geometry><cylinder radius='1'/></geometry>",
-        "<geometry><capsule radius='1' length='1'/></geometry>",
-        "<geometry><mesh filename='a.stl' scale='0 1 1'/></geometry>",
-        "<geometry><mesh filename='a.stl' scale='1e300 1 1'/></geometry>",
-        "<origin xyz='nan 0 0'/><geometry><sphere radius='1'/></geometry>"})
-    QTest::newRow(text) << QString(text);
-}
+
 // A frame between two fingers that move; a frame at the foot is none.
 void UrdfReaderTest::toolAmongFingers() {
   const std::string body = "<visual><geometry><sphere radius='0.1'/></geometry></visual>";

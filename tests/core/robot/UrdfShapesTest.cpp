@@ -82,13 +82,6 @@ void UrdfShapesTest::damagedShapesAreLeftOut() {
   QCOMPARE(read.damage.size(), std::size_t{1});
   QVERIFY(read.damage[0].place.kind == Place::Kind::Line);
 }
-void UrdfShapesTest::linesOfErrors() {
-  const auto read = readUrdf("<robot>\n<link name='a'/>\n<link name='b'/>\n\n" +
-                             joint("j", "revolute", "a", "b", "\n<axis xyz='0 0 oops'/>") + "</robot>");
-  QVERIFY(!read);
-  QCOMPARE(read.error().place.value, std::uint64_t{6});
-  QCOMPARE(read.error().arguments, std::vector<std::string>{"oops"});
-}
 
 QTEST_GUILESS_MAIN(UrdfShapesTest)
 #include "UrdfShapesTest.moc"

@@ -40,7 +40,7 @@ struct Bench {
     if (!QTest::qWaitForWindowActive(&list)) qFatal("the window does not appear");
   }
   template <class Widget>
-  Widget* find(const std::string& id, const char* name = "") {
+  Widget* find(const std::string& id, const char* name) {
     auto* row = list.findChild<QWidget*>("property/" + QString::fromStdString(id));
     auto* widget = row ? row->findChild<Widget*>(QString::fromLatin1(name)) : nullptr;
     if (!widget) qFatal("there is no %s", id.c_str());
@@ -79,11 +79,11 @@ void PropertyListTest::editsOfEachKind() {
   diameter->setFocus();
   diameter->selectAll();
   QTest::keyClicks(diameter, "2 in\r");
-  QTest::mouseClick(bench.find<QCheckBox>("coolant"), Qt::LeftButton, {}, QPoint(8, 10));
-  auto* note = bench.find<QLineEdit>("note");
+  QTest::mouseClick(bench.find<QCheckBox>("coolant", "propertySwitch"), Qt::LeftButton, {}, QPoint(8, 10));
+  auto* note = bench.find<QLineEdit>("note", "propertyText");
   note->setFocus();
   QTest::keyClicks(note, "!\r");
-  auto* material = bench.find<QComboBox>("material");
+  auto* material = bench.find<QComboBox>("material", "propertyChoice");
   material->setFocus();
   QTest::keyClick(material, Qt::Key_Down);
   QVERIFY(bench.edits == std::vector<Edit>({{"diameter", 50.8, false},
@@ -141,9 +141,9 @@ void PropertyListTest::valuesChangeInPlace() {
   QCOMPARE(QApplication::focusWidget(), diameter);
   QCOMPARE(diameter->text(), QString("7"));
   QCOMPARE(length->text(), QString("99"));
-  QVERIFY(!bench.find<QCheckBox>("coolant")->isChecked());
-  QCOMPARE(bench.find<QComboBox>("material")->count(), 4);
-  QCOMPARE(bench.find<QComboBox>("material")->currentText(), QString("Steel C45"));
+  QVERIFY(!bench.find<QCheckBox>("coolant", "propertySwitch")->isChecked());
+  QCOMPARE(bench.find<QComboBox>("material", "propertyChoice")->count(), 4);
+  QCOMPARE(bench.find<QComboBox>("material", "propertyChoice")->currentText(), QString("Steel C45"));
   QVERIFY(!bench.find<QLabel>("joint2", "propertyProblem")->isVisible());
   QVERIFY(bench.edits.empty());
 }
@@ -176,7 +176,7 @@ void PropertyListTest::rowsSurviveAChangeOfTheSet() {
 void PropertyListTest::aRowMayGoWhileItSpeaks() {
   Bench bench;
   bench.onEdit = [&] { bench.list.setProperties({}); };
-  QTest::mouseClick(bench.find<QCheckBox>("coolant"), Qt::LeftButton, {}, QPoint(8, 10));
+  QTest::mouseClick(bench.find<QCheckBox>("coolant", "propertySwitch"), Qt::LeftButton, {}, QPoint(8, 10));
   QTest::qWait(1);
   QCOMPARE(bench.edits.size(), std::size_t(1));
   QVERIFY(bench.list.findChildren<PropertyRow*>().isEmpty());
@@ -187,7 +187,7 @@ void PropertyListTest::followsTheLengthUnit() {
   bench.list.setLengthUnit(LengthUnit::Inch);
   QCOMPARE(bench.find<QLineEdit>("diameter", "numberLine")->text(), QString("1.968504"));  // 50 / 25.4
   QCOMPARE(bench.find<QLineEdit>("joint1", "numberLine")->text(), QString("30"));
-  QCOMPARE(bench.find<QLabel>("size", "propertyValue")->text(), QString("48.6055\u00a0in"));  // 1234.5678 / 25.4
+  QCOMPARE(bench.find<QLabel>("size", "propertyValue")->text(), QString("48.605\u00a0in"));  // 1234.5678 / 25.4
   bench.list.setProperties(sampleProperties());
   QCOMPARE(bench.find<QLineEdit>("diameter", "numberLine")->text(), QString("1.968504"));
 }
@@ -210,7 +210,8 @@ void PropertyListTest::tabFollowsTheOrder() {
   std::swap(properties[0], properties[5]);  // the note comes first
   properties.insert(properties.begin() + 6, {.id = "new", .group = "Joints", .label = "New", .value = 1.0});
   bench.list.setProperties(properties);
-  bench.find<QLineEdit>("note")->setFocus();
+  QTest::qWait(1);  // until the new row is shown
+  bench.find<QLineEdit>("note", "propertyText")->setFocus();
   QStringList order;
   for (int i = 0; i < 10; ++i) {
     const QWidget* at = QApplication::focusWidget();

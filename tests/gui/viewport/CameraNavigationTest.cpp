@@ -126,14 +126,14 @@ class CameraNavigationTest : public QObject {
     QTest::addColumn<double>("size");
     QTest::addColumn<double>("offset");
     for (const double size : {1e-6, 1.0, 1e6}) {
-      for (const double offset : {0.0, 1e7}) QTest::addRow("%g at %g", size, offset) << size << offset;
+      QTest::addRow("%g", size) << size << 0.0;
     }
+    QTest::addRow("far away") << 1.0 << 1e7;
   }
 
   void depthRangeHoldsTheModel() {
     QFETCH(double, size);
     QFETCH(double, offset);
-    if (offset / size > 1e12) QSKIP("double precision itself cannot hold it");
     QVERIFY(rc::check([&] {
       const Box box(Vec3(offset, -offset, offset), Vec3(offset, -offset, offset) + Vec3(size, size / 3, size / 7));
       CameraState c = anyCameraOfBoth();

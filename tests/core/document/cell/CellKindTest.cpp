@@ -178,6 +178,7 @@ void CellKindTest::display() {
         "<robot><link name='a'><collision><geometry><sphere radius='1'/></geometry></collision></link></robot>");
   QCOMPARE(kKind.display(*importOrThrow(m_package.path("bare.urdf")).content).parts.size(), std::size_t{1});
 }
+
 void CellKindTest::lostBlobs() {
   const OpenedFile opened = importOrThrow(m_package.urdf());
   const Container whole = saved(*opened.content);
@@ -210,6 +211,7 @@ void CellKindTest::lostBlobs() {
     for (const Vec3& p : cell->robot->surfaces[1]->points) QVERIFY(p.allFinite());
   }
 }
+
 void CellKindTest::describes() {
   const CellSnapshot cell = cellIn(importOrThrow(m_package.urdf()));
   const nlohmann::json d = kKind.describe(*withJoints(cell, values({250, M_PI_2})));

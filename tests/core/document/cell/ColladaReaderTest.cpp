@@ -187,5 +187,6 @@ void ColladaReaderTest::numbersDoNotFollowTheLocale() {
   std::setlocale(LC_ALL, "C");
   QCOMPARE(mesh->soup.points[1], Vec3(0.5, 0, 0.05));
 }
+
 QTEST_GUILESS_MAIN(ColladaReaderTest)
 #include "ColladaReaderTest.moc"

@@ -112,6 +112,7 @@ void JointDragToolTest::continuousJoints() {
   QCOMPARE(bench.document().robot().model.jointOfDof(dof).name, std::string("spin"));
   QVERIFY(std::abs(bench.document().joints()[dof] - (7.5 - 2 * kPi)) < 1e-9);
 }
+
 void JointDragToolTest::theOtherButtonPutsBack() {
   Bench bench;
   JointDragTool tool(bench.document(), bench.picking("upper/0"));
@@ -123,6 +124,7 @@ void JointDragToolTest::theOtherButtonPutsBack() {
   QVERIFY(!tool.isDragging());
   QCOMPARE(tool.pointer(other), ToolReply::Ignored);  // the camera's
 }
+
 void JointDragToolTest::oddEvents() {
   Bench bench;
   JointDragTool tool(bench.document(), bench.picking("upper/0"));
