@@ -19,6 +19,7 @@ class QThreadPool;
 namespace handwheel {
 
 class DocumentTabs;
+class FidelityChoice;
 class JobRunner;
 class LogModel;
 class ToolHost;
@@ -37,6 +38,7 @@ struct WindowParts {
   Viewport& viewport;
   WindowServices& services;
   ToolHost& tools;
+  FidelityChoice& fidelity;
   QAction* saveAs;
   std::function<bool()> isPanelVisible;
   QAction* showPanel;

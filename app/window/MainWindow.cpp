@@ -62,7 +62,7 @@ MainWindow::MainWindow(QThreadPool& pool, const KindSet& kinds)
   m_palette = new CommandPalette(this);
   findChild<QMenu*>(QStringLiteral("helpMenu"))->insertAction(nullptr, m_palette->action());
   m_keys.setActions(findChildren<QAction*>(), menuBar());
-  restoreLayout(*this, {m_documentsDock, m_historyDock, m_statusDock, m_logDock});
+  restoreLayout(*this, {m_documentsDock, m_historyDock, m_fidelityDock, m_statusDock, m_logDock});
   prefer(loadPreferences());
   showDocument(nullptr);
 }
@@ -83,6 +83,7 @@ void MainWindow::makeKinds(const KindSet& kinds) {
                           .viewport = *m_viewport,
                           .services = m_services,
                           .tools = *m_tools,
+                          .fidelity = m_fidelity,
                           .saveAs = m_fileActions.saveAs(),
                           .isPanelVisible = [this] { return m_kindDock->isVisible(); },
                           .showPanel = &m_showPanel};

@@ -5,6 +5,7 @@
 #include "controls/ShortcutModel.h"
 #include "panels/LogModel.h"
 #include "window/Autosave.h"
+#include "window/FidelityChoice.h"
 #include "window/FileActions.h"
 #include "window/JobRunner.h"
 #include "window/KindUi.h"
@@ -88,6 +89,7 @@ class MainWindow : public QMainWindow {
   RecentFiles m_recent;
   QUndoGroup m_undo;
   WindowServices m_services;
+  FidelityChoice m_fidelity;
   KindUis m_uis;
   QThreadPool& m_pool;
   ShortcutModel m_keys;
@@ -122,6 +124,7 @@ class MainWindow : public QMainWindow {
   QDockWidget* m_toolDock;
   QDockWidget* m_propertiesDock;
   QDockWidget* m_viewDock;
+  QDockWidget* m_fidelityDock;
   QDockWidget* m_logDock;
   QDockWidget* m_statusDock;
 };

@@ -16,6 +16,7 @@
 #include "viewport/Viewport.h"
 #include "window/DocumentProperties.h"
 #include "window/DocumentTabs.h"
+#include "window/FidelityPanel.h"
 #include "window/HelpPages.h"
 #include "window/MainWindow.h"
 #include "window/ToolHost.h"
@@ -129,6 +130,8 @@ void MainWindow::buildDocks() {
   auto* view = new PropertyList(this);
   m_viewSettings = new ViewSettings(*view, *m_viewport, this);
   m_viewDock = addDock(*this, Qt::RightDockWidgetArea, "viewDock", tr("View"), view, "view-iso");
+  m_fidelityDock = addDock(*this, Qt::LeftDockWidgetArea, "fidelityDock", tr("Fidelity"),
+                           new FidelityPanel(m_fidelity, this), "fidelity");
   tabifyDockWidget(m_kindDock, m_toolDock);
   tabifyDockWidget(m_toolDock, m_propertiesDock);
   tabifyDockWidget(m_propertiesDock, m_viewDock);

@@ -88,6 +88,8 @@ void Leftovers::look(const fs::path& file) {
   std::error_code ignored;
   leftover.bytes = fs::file_size(file, ignored);
   leftover.savedAt = timeOf(file);
+  leftover.isOutdated = !leftover.info.path.empty() && fs::exists(leftover.info.path, ignored) &&
+                        timeOf(leftover.info.path) > leftover.savedAt;
   m_found.push_back(std::move(leftover));
 }
 

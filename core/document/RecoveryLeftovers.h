@@ -16,6 +16,7 @@ struct Leftover {
   std::filesystem::path file;  // a container
   std::uint64_t bytes = 0;
   std::int64_t savedAt = 0;  // milliseconds since 1970
+  bool isOutdated = false;   // the file it belongs to was written later
 };
 
 // What dead sessions left below a root. While this lives it holds their locks, so that no other window offers the same.

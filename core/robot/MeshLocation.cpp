@@ -37,7 +37,7 @@ Error refused(std::string_view name, const char* why) {
 std::string decoded(std::string_view address) {
   std::string path;
   for (std::size_t i = 0; i < address.size(); ++i) {
-    int byte = 0;
+    unsigned char byte = 0;
     const char* const digits = address.data() + i + 1;
     if (address[i] == '%' && i + 2 < address.size() &&
         std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2) {

@@ -41,16 +41,17 @@ class Step {
 
   double distance() const { return m_distance; }  // mm
 
-  // H = JᵀJ + λI, H δ = Jᵀe; what meets a limit is set there, and the rest solved again for what is left.
+  // (JᵀJ + λI) δ = Jᵀe, which is δ = Jᵀ(JJᵀ + λI)⁻¹e; what meets a limit is set there, and the rest solved again for
+  // what is left.
   JointValues taken(double damping) const {
     Eigen::Matrix3Xd columns = m_columns;
     Vec3 error = m_error;
     JointValues values = m_values;
     const double lambda = damping * (kLeastDamping + kErrorDamping * m_error.squaredNorm());
     for (Eigen::Index round = 0; round <= values.size(); ++round) {
-      Eigen::MatrixXd h = columns.transpose() * columns;
-      h.diagonal().array() += lambda;
-      Eigen::VectorXd delta = h.ldlt().solve(columns.transpose() * error);
+      Eigen::Matrix3d square = columns * columns.transpose();
+      square.diagonal().array() += lambda;
+      Eigen::VectorXd delta = columns.transpose() * square.ldlt().solve(error);
       const double longest = delta.size() == 0 ? 0.0 : delta.cwiseAbs().maxCoeff();
       if (!std::isfinite(longest)) return m_values;
       if (longest > kLongestTurn) delta *= kLongestTurn / longest;

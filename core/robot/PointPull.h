@@ -20,7 +20,7 @@ double pullDistance(const RobotModel& robot, const JointValues& values, const Po
 // Joint values that bring the point nearer to the target, as near as a number of steps gets it; never further away.
 // Damped least squares with the error in the damping (Chan and Lawrence 1988; Sugihara 2011), so it keeps calm where
 // the arm is stretched or folded. Limits are kept: a joint that meets its limit stays there and the others go on.
-// Finite for every finite input. O(steps · dofs³).
+// Finite for every finite input. O(steps · joints), times the joints that meet their limits.
 JointValues pulled(const RobotModel& robot, const JointValues& values, const PointPull& pull, int steps = 40);
 
 }  // namespace handwheel

@@ -37,16 +37,17 @@ QHash<const QAction*, QString> menuPaths(const QMenuBar* bar) {
   return paths;
 }
 
-QList<QAction*> namedActions(const QObject& root) {
-  QList<QAction*> named = root.findChildren<QAction*>();
-  const auto foreign = [](const QAction* action) {
-    // Qt names the actions of its own widgets with an underscore or "qt_" in front.
-    const QString name = action->objectName();
-    return name.isEmpty() || name.startsWith(QLatin1Char('_')) || name.startsWith(QLatin1String("qt_")) ||
-           action->text().isEmpty() || action->isSeparator() || action->menu();
-  };
-  named.removeIf(foreign);
-  return named;
+bool isCommand(const QAction& action) {
+  // Qt names the actions of its own widgets with an underscore or "qt_" in front.
+  const QString name = action.objectName();
+  return !name.isEmpty() && !name.startsWith(QLatin1Char('_')) && !name.startsWith(QLatin1String("qt_")) &&
+         !action.text().isEmpty() && !action.isSeparator() && !action.menu();
+}
+
+QList<QAction*> commandsOf(const QObject& root) {
+  QList<QAction*> commands = root.findChildren<QAction*>();
+  commands.removeIf([](const QAction* action) { return !isCommand(*action); });
+  return commands;
 }
 
 }  // namespace handwheel

@@ -18,7 +18,10 @@ QString withoutMnemonic(const QString& text);
 // The menus that lead to each action: "View › Shading".
 QHash<const QAction*, QString> menuPaths(const QMenuBar* bar);
 
-// The program's own actions below this object: those that have a name and a text. Menus and separators are none.
-QList<QAction*> namedActions(const QObject& root);
+// Whether it is a command of the program: with a name and a text, and not one of Qt's own, a menu or a separator.
+bool isCommand(const QAction& action);
+
+// Those below this object.
+QList<QAction*> commandsOf(const QObject& root);
 
 }  // namespace handwheel

@@ -74,7 +74,7 @@ CommandPalette::CommandPalette(QMainWindow* window)
 
 void CommandPalette::popUp() {
   if (!isVisible()) m_before = QApplication::focusWidget();
-  QList<QAction*> actions = namedActions(*m_window);
+  QList<QAction*> actions = commandsOf(*m_window);
   actions.removeOne(m_action);
   m_model->setActions(actions, menuPaths(m_window->findChild<QMenuBar*>()));
   m_model->setRecent(QSettings().value(kRecentKey).toStringList());

@@ -52,7 +52,6 @@ NumberField::NumberField(QWidget* parent)
   m_problem->hide();
   m_pause.setSingleShot(true);
   m_pause.setInterval(kPauseMs);
-  setFocusProxy(m_line);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(2);

@@ -82,7 +82,7 @@ void PropertyList::chainTab() {
   QWidget* last = nullptr;
   for (const PropertyRow* row : m_rows) {
     for (QWidget* part : row->findChildren<QWidget*>()) {
-      if (!(part->focusPolicy() & Qt::TabFocus) || part->focusProxy() || part->window() != window()) continue;
+      if (!(part->focusPolicy() & Qt::TabFocus) || part->window() != window()) continue;
       if (last) setTabOrder(last, part);
       last = part;
     }

@@ -49,18 +49,30 @@ QList<QKeySequence> fromPortable(const QStringList& texts) {
 
 void ShortcutModel::setActions(const QList<QAction*>& actions, const QMenuBar* menus) {
   const QHash<const QAction*, QString> paths = menuPaths(menus);
-  const QSettings settings;
-  beginResetModel();
-  m_entries.clear();
+  std::vector<Entry> entries;
   for (QAction* action : actions) {
-    m_entries.push_back(
-        {action, action->objectName(), withoutMnemonic(action->text()), paths.value(action), action->shortcuts()});
-    const QString key = kGroup + action->objectName();
-    if (settings.contains(key)) action->setShortcuts(fromPortable(settings.value(key).toStringList()));
+    if (isCommand(*action)) entries.push_back(entryOf(action, paths.value(action)));
   }
-  std::stable_sort(m_entries.begin(), m_entries.end(),
+  std::stable_sort(entries.begin(), entries.end(),
                    [](const Entry& a, const Entry& b) { return a.path.localeAwareCompare(b.path) < 0; });
+  beginResetModel();
+  m_entries = std::move(entries);
   endResetModel();
+}
+
+// An action that is known already has the user's keys: its defaults are those of its entry.
+ShortcutModel::Entry ShortcutModel::entryOf(QAction* action, const QString& path) const {
+  Entry entry{action, action->objectName(), withoutMnemonic(action->text()), path, action->shortcuts()};
+  const auto known =
+      std::find_if(m_entries.begin(), m_entries.end(), [&](const Entry& e) { return e.action == action; });
+  if (known != m_entries.end()) {
+    entry.defaults = known->defaults;
+    return entry;
+  }
+  const QSettings settings;
+  const QString key = kGroup + entry.id;
+  if (settings.contains(key)) action->setShortcuts(fromPortable(settings.value(key).toStringList()));
+  return entry;
 }
 
 QList<QKeySequence> ShortcutModel::keys(int row) const {

@@ -25,7 +25,8 @@ class ShortcutModel : public QAbstractTableModel {
 
   using QAbstractTableModel::QAbstractTableModel;
 
-  // To be called once all actions stand: their present keys are the defaults, and those of the user are applied.
+  // Of these, the commands. The present keys of those that are new here are their defaults; then those of the user are
+  // applied. To be called again when actions have come.
   void setActions(const QList<QAction*>& actions, const QMenuBar* menus);
 
   QList<QKeySequence> keys(int row) const;
@@ -55,6 +56,7 @@ class ShortcutModel : public QAbstractTableModel {
     QString path;
     QList<QKeySequence> defaults;
   };
+  Entry entryOf(QAction* action, const QString& path) const;
   void apply(const Entry& entry, const QList<QKeySequence>& keys);
   void announce();
 

@@ -44,6 +44,12 @@ FaceLayer::FaceLayer(vtkRenderer* renderer, double lift) : m_layer(renderer, lif
   setOverlayMaterial(m_layer.property());
 }
 
+bool FaceLayer::set(std::vector<Face> faces) {
+  if (faces == m_faces) return false;
+  m_faces = std::move(faces);
+  return true;
+}
+
 void FaceLayer::setColour(const QColor& colour, double opacity) {
   m_layer.property()->SetColor(colour.redF(), colour.greenF(), colour.blueF());
   m_layer.property()->SetOpacity(opacity);
@@ -88,14 +94,16 @@ void Marks::setFaceMarks(std::vector<FaceMark> marks) {
   m_stale.set(Faces);
 }
 
-void Marks::setSelectedFaces(std::vector<Face> faces) {
-  m_selected.set(std::move(faces));
-  m_stale.set(Selected);
+bool Marks::setSelectedFaces(std::vector<Face> faces) {
+  const bool isNew = m_selected.set(std::move(faces));
+  if (isNew) m_stale.set(Selected);
+  return isNew;
 }
 
-void Marks::setHighlightedFaces(std::vector<Face> faces) {
-  m_highlighted.set(std::move(faces));
-  m_stale.set(Highlighted);
+bool Marks::setHighlightedFaces(std::vector<Face> faces) {
+  const bool isNew = m_highlighted.set(std::move(faces));
+  if (isNew) m_stale.set(Highlighted);
+  return isNew;
 }
 
 void Marks::setPointMarks(std::vector<PointMark> marks) {

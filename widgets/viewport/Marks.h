@@ -28,7 +28,7 @@ class FaceLayer {
  public:
   FaceLayer(vtkRenderer* renderer, double lift);
 
-  void set(std::vector<Face> faces) { m_faces = std::move(faces); }
+  bool set(std::vector<Face> faces);  // false when they are the same as before
   void setColour(const QColor& colour, double opacity);
   void rebuild(const HalfEdgeMesh& mesh, const Vec3& origin);
   void prepare(const LayerFrame& frame) { m_layer.prepare(frame); }
@@ -49,9 +49,9 @@ class Marks {
   void setPointMarks(std::vector<PointMark> marks);
   void setLineMarks(std::vector<LineMark> marks);
   void setPreview(std::vector<Vec3> points, std::vector<Triangle> triangles);
-  // Until they are set anew: selected faces, and those that a tool points out.
-  void setSelectedFaces(std::vector<Face> faces);
-  void setHighlightedFaces(std::vector<Face> faces);
+  // Until they are set anew: selected faces, and those that a tool points out. False when they are the same as before.
+  bool setSelectedFaces(std::vector<Face> faces);
+  bool setHighlightedFaces(std::vector<Face> faces);
   const std::vector<LoopMark>& loops() const { return m_loops; }
 
   // The loops to be drawn as hovered and the face under the cursor; -1 and kNone for none.

@@ -118,6 +118,12 @@ std::optional<SurfaceHit> firstSurface(const Pickable& pickable, const Vec3& ori
   return best;
 }
 
+Pick pickAlong(const Pickable& pickable, const Vec3& origin, const Vec3& direction) {
+  const auto hit = firstSurface(pickable, origin, direction);
+  if (!hit) return {};
+  return {-1, hit->face, hit->point, hit->part ? hit->part->name : std::string()};
+}
+
 Pick pickAt(const Pickable& pickable, const CameraNavigation& view, const Vec2& cursor) {
   std::vector<LoopCandidate> near;
   for (const LoopMark& loop : pickable.loops) collectNearSegments(loop, view, cursor, near);
@@ -127,9 +133,7 @@ Pick pickAt(const Pickable& pickable, const CameraNavigation& view, const Vec2& 
     if (!isHidden(pickable, view, c.point)) return {c.loop, kNone, c.point, {}};
   }
   const ViewRay ray = view.rayAt(cursor, pickable.bounds());
-  const auto hit = firstSurface(pickable, ray.origin, ray.direction);
-  if (!hit) return {};
-  return {-1, hit->face, hit->point, hit->part ? hit->part->name : std::string()};
+  return pickAlong(pickable, ray.origin, ray.direction);
 }
 
 }  // namespace handwheel

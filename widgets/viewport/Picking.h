@@ -56,6 +56,9 @@ struct SurfaceHit {
 // The first surface along the ray that is not clipped away. The direction is of unit length.
 std::optional<SurfaceHit> firstSurface(const Pickable& pickable, const Vec3& origin, const Vec3& direction);
 
+// The same as a pick; no loops.
+Pick pickAlong(const Pickable& pickable, const Vec3& origin, const Vec3& direction);
+
 // A loop nearer to the cursor than this wins over the face below it; logical pixels.
 inline constexpr double kLoopPickRadius = 8.0;
 

@@ -30,6 +30,7 @@ Viewport::Private::Private(Viewport* widget)
                    [this](MeshPreparation::Index built) {
                      index = std::move(built);
                      isIndexAwaited = false;
+                     layBrush();
                    }}),
       partPreparation(
           [this](const PartPreparation::Soup& soup, PartShape shape) { takeShape(soup, std::move(shape)); }),
@@ -120,6 +121,7 @@ void Viewport::clear() {
   d->isIndexAwaited = false;
   d->hover({});
   d->polylines.clear();
+  d->brush.reset();
   d->brushLine.clear();
   d->scene.clear();
   update();
@@ -151,6 +153,7 @@ void Viewport::setPreview(const std::vector<Vec3>& points, const std::vector<Tri
 }
 
 void Viewport::setHighlightedLoop(int id) {
+  if (id == d->listLoop) return;
   d->listLoop = id;
   d->highlight();
 }
@@ -205,9 +208,7 @@ void Viewport::setCamera(const CameraState& camera) {
 }
 
 Pick Viewport::pickAlong(const Vec3& origin, const Vec3& direction) const {
-  const auto hit = firstSurface(d->pickable(), origin, direction);
-  if (!hit) return {};
-  return {-1, hit->face, hit->point, hit->part ? hit->part->name : std::string()};
+  return handwheel::pickAlong(d->pickable(), origin, direction);
 }
 
 Pick Viewport::pickAt(const QPointF& position) const {

@@ -59,6 +59,9 @@ class Viewport::Private {
   void highlight();
   void connectCube();
 
+  // Tools
+  void layBrush();
+
   Viewport* q;
   Scene scene;
   GlWindow glWindow;
@@ -95,6 +98,7 @@ class Viewport::Private {
   ViewCube* cube;
   LengthUnit unit = LengthUnit::Millimetre;
   std::vector<std::vector<Vec3>> polylines;
+  std::optional<BrushCircle> brush;
   std::vector<Vec3> brushLine;
 };
 

@@ -37,36 +37,49 @@ void Viewport::setParts(const DisplayModel& model) {
   update();
 }
 
+// A tool may say with each move of the mouse all that it shows: what is the same costs no frame.
+
 void Viewport::setProposedParts(const std::vector<DisplayPart>& parts) {
+  if (parts.empty() && d->scene.proposedParts().isEmpty()) return;
   d->scene.proposedParts().set(parts);
   d->requestShapes();
   update();
 }
 
 void Viewport::setHighlightedPart(const std::string& name) {
+  if (name == d->listPart) return;
   d->listPart = name;
   d->highlight();
 }
 
 void Viewport::setSelectedFaces(std::vector<Face> faces) {
-  d->scene.marks().setSelectedFaces(std::move(faces));
-  update();
+  if (d->scene.marks().setSelectedFaces(std::move(faces))) update();
 }
 
 void Viewport::setHighlightedFaces(std::vector<Face> faces) {
-  d->scene.marks().setHighlightedFaces(std::move(faces));
-  update();
+  if (d->scene.marks().setHighlightedFaces(std::move(faces))) update();
 }
 
 void Viewport::setPolylines(std::vector<std::vector<Vec3>> lines) {
+  if (lines == d->polylines) return;
   d->polylines = std::move(lines);
   update();
 }
 
 void Viewport::setBrush(const std::optional<BrushCircle>& brush) {
-  d->brushLine.clear();
-  if (brush) d->brushLine = brushOutline(d->pickable(), *brush, d->camera.towardsViewer());
-  update();
+  if (brush == d->brush) return;
+  d->brush = brush;
+  d->layBrush();
+}
+
+void Viewport::Private::layBrush() {
+  if (!brush) {
+    if (brushLine.empty()) return;
+    brushLine.clear();
+  } else {
+    brushLine = brushOutline(pickable(), *brush, camera.towardsViewer());
+  }
+  q->update();
 }
 
 ViewRay Viewport::rayAt(const QPointF& position) const {

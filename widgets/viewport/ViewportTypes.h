@@ -48,6 +48,8 @@ struct LineMark {
 struct BrushCircle {
   Vec3 centre = Vec3::Zero();  // mm
   double radius = 0.0;         // mm
+
+  bool operator==(const BrushCircle&) const = default;
 };
 
 // What is under the cursor: a loop, a face of the mesh or a part. A loop within 8 pixels wins over what it lies on.

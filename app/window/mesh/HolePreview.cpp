@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/HolePreview.h"
 
+#include "mesh/MeshFidelity.h"
+#include "window/FidelityChoice.h"
 #include "window/WindowServices.h"
 #include "window/mesh/OpenMesh.h"
 
@@ -9,8 +11,8 @@
 
 namespace handwheel {
 
-HolePreview::HolePreview(QThreadPool& pool, WindowServices& services, QObject* parent)
-    : QObject(parent), m_services(services), m_runner(JobRunner::Policy::Latest, pool, this) {}
+HolePreview::HolePreview(QThreadPool& pool, WindowServices& services, const FidelityChoice& fidelity, QObject* parent)
+    : QObject(parent), m_services(services), m_fidelity(fidelity), m_runner(JobRunner::Policy::Latest, pool, this) {}
 
 void HolePreview::request(OpenMesh* document, int loop, FillMethod method) {
   if (!document || loop < 0) document = nullptr;
@@ -42,6 +44,7 @@ void HolePreview::start() {
   emit changed();
   const MeshDocument& document = m_document->document;
   FillOptions options;
+  apply(m_fidelity.values(), options);
   options.method = m_method;
   options.numbers = document.fileNumbers();
   Job job;

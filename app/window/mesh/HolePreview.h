@@ -11,6 +11,7 @@
 
 namespace handwheel {
 
+class FidelityChoice;
 class WindowServices;
 struct OpenMesh;
 
@@ -25,7 +26,7 @@ class HolePreview : public QObject {
   Q_OBJECT
 
  public:
-  HolePreview(QThreadPool& pool, WindowServices& services, QObject* parent = nullptr);
+  HolePreview(QThreadPool& pool, WindowServices& services, const FidelityChoice& fidelity, QObject* parent = nullptr);
 
   // Asking for what is already shown or on its way changes nothing. loop -1 or no document: no preview.
   void request(OpenMesh* document, int loop, FillMethod method);
@@ -49,6 +50,7 @@ class HolePreview : public QObject {
   void finished(std::uint64_t request, FillAttempt attempt);
 
   WindowServices& m_services;
+  const FidelityChoice& m_fidelity;
   Need m_need;  // as long as a preview is wanted
   JobRunner m_runner;
   OpenMesh* m_document = nullptr;

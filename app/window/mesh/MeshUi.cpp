@@ -18,9 +18,9 @@ namespace handwheel {
 
 MeshUi::MeshUi(const WindowParts& parts)
     : m_parts(parts),
-      m_preview(parts.pool, parts.services),
+      m_preview(parts.pool, parts.services, parts.fidelity),
       m_search(parts.pool, parts.services),
-      m_jobs(parts.tabs, parts.jobs, parts.log),
+      m_jobs(parts.tabs, parts.jobs, parts.log, parts.fidelity),
       m_actions(m_selection, m_jobs, m_preview),
       m_panel(new DefectsPanel({m_actions.repairAll(), m_actions.previous(), m_actions.next(), m_actions.fill(),
                                 m_actions.keepOpen(), m_actions.preview()},

@@ -3,11 +3,13 @@
 #include "window/mesh/RepairJobs.h"
 
 #include "mesh/Cleaning.h"
+#include "mesh/MeshFidelity.h"
 #include "panels/LogModel.h"
 #include "text/ErrorText.h"
 #include "text/RepairText.h"
 #include "window/CommandText.h"
 #include "window/DocumentTabs.h"
+#include "window/FidelityChoice.h"
 #include "window/mesh/OpenMesh.h"
 
 #include <QCoreApplication>
@@ -38,8 +40,9 @@ std::size_t countOf(const RepairReport& report, LoopOutcome outcome) {
 
 }  // namespace
 
-RepairJobs::RepairJobs(DocumentTabs& tabs, JobRunner& jobs, LogModel& log, QObject* parent)
-    : QObject(parent), m_tabs(tabs), m_jobs(jobs), m_log(log) {}
+RepairJobs::RepairJobs(DocumentTabs& tabs, JobRunner& jobs, LogModel& log, const FidelityChoice& fidelity,
+                       QObject* parent)
+    : QObject(parent), m_tabs(tabs), m_jobs(jobs), m_log(log), m_fidelity(fidelity) {}
 
 void RepairJobs::fill(OpenMesh* document, int loop, FillMethod method, PreparedFill prepared) {
   startFill(document, document->inspection.keyOf(loop), method, std::move(prepared), Round::First);
@@ -50,6 +53,7 @@ void RepairJobs::startFill(OpenMesh* document, Vertex key, FillMethod method, Pr
   if (loopId < 0) return;  // an undo or another fill was faster
   const std::uint64_t revision = document->document.revision();
   FillOptions options;
+  apply(m_fidelity.values(), options);
   options.method = method;
   options.numbers = numbersOf(document->document);
   if (!prepared.bench) prepared = {std::make_shared<FillBench>(document->document.mesh()), std::nullopt};
@@ -123,6 +127,7 @@ void RepairJobs::repairAll(OpenMesh* document, FillMethod method) {
 void RepairJobs::startRepair(OpenMesh* document, FillMethod method, Round round) {
   const std::uint64_t revision = document->document.revision();
   RepairOptions options;
+  apply(m_fidelity.values(), options);
   options.fill.method = method;
   options.fill.numbers = numbersOf(document->document);
   for (int id : document->inspection.keptOpen()) {

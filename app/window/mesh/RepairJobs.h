@@ -13,6 +13,7 @@
 namespace handwheel {
 
 class DocumentTabs;
+class FidelityChoice;
 class LogModel;
 
 // What changes a mesh, as jobs on snapshots. The result becomes one undo step; when the document was changed meanwhile
@@ -21,7 +22,8 @@ class RepairJobs : public QObject {
   Q_OBJECT
 
  public:
-  RepairJobs(DocumentTabs& tabs, JobRunner& jobs, LogModel& log, QObject* parent = nullptr);
+  RepairJobs(DocumentTabs& tabs, JobRunner& jobs, LogModel& log, const FidelityChoice& fidelity,
+             QObject* parent = nullptr);
 
   // prepared: what the preview already did for this hole; may be empty.
   void fill(OpenMesh* document, int loop, FillMethod method, PreparedFill prepared);
@@ -56,6 +58,7 @@ class RepairJobs : public QObject {
   DocumentTabs& m_tabs;
   JobRunner& m_jobs;
   LogModel& m_log;
+  const FidelityChoice& m_fidelity;
   int m_working = 0;
 };
 

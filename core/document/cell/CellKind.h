@@ -13,6 +13,7 @@ class CellKind : public DocumentKind {
   std::string title() const override;
   std::vector<FileFormat> formats() const override;
   bool recognises(std::string_view head, std::string_view name) const override;
+  // A robot always opens without those of its meshes that are missing or damaged.
   Result<OpenedFile> import(const std::filesystem::path& path, const ReadOptions& options,
                             Progress progress) const override;
   // The surfaces as they are shown, as one mesh.

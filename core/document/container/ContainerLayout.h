@@ -5,6 +5,7 @@
 #include "document/Container.h"
 #include "document/container/UnpackLimits.h"
 
+#include <new>
 #include <stdexcept>
 
 // What writing and reading a container agree upon; docs/format.md is the description.

@@ -3,6 +3,7 @@
 #include "RecoveryChecks.h"
 
 #include <rapidcheck.h>
+#include <chrono>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -22,6 +23,25 @@ class RecoveryLeftoversTest : public QObject {
     QVERIFY(second.store(1, kInfo, containerOf("two")));
     QCOMPARE(first.found().size(), std::size_t{1});
     QVERIFY(contentsIn(rootIn(folder)).empty());
+  }
+
+  // Saved after the autosave, changed again, and killed before the next one.
+  void autosavesOlderThanTheFile() {
+    QTemporaryDir folder;
+    const auto file = std::filesystem::path(folder.filePath("a.handwheel").toStdString());
+    put(file, "x");
+    {
+      RecoverySession session(rootIn(folder));
+      QVERIFY(session.store(1, {"id", file.string(), "a", "mesh"}, containerOf("one")));
+    }
+    const auto isOutdated = [&] { return Leftovers(rootIn(folder)).found().at(0).isOutdated; };
+    const auto now = std::filesystem::file_time_type::clock::now();
+    std::filesystem::last_write_time(file, now - std::chrono::hours(1));
+    QVERIFY(!isOutdated());
+    std::filesystem::last_write_time(file, now + std::chrono::hours(1));
+    QVERIFY(isOutdated());
+    std::filesystem::remove(file);
+    QVERIFY(!isOutdated());
   }
 
   void undecidedStays() {

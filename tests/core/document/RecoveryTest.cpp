@@ -78,6 +78,22 @@ class RecoveryTest : public QObject {
     QCOMPARE(QDir(folder.path() + "/recovery").entryList(QDir::Dirs | QDir::NoDotAndDotDot | QDir::Hidden).size(), 1);
   }
 
+  // Its job had to wait for others, and the document was closed meanwhile.
+  void storedAfterItWasClosed() {
+    QTemporaryDir folder;
+    {
+      RecoverySession session(rootIn(folder));
+      session.close(1);
+      QVERIFY(session.store(1, kInfo, containerOf("late")));
+      QVERIFY(!std::filesystem::exists(rootIn(folder)));
+      QVERIFY(session.store(2, kInfo, containerOf("two")));
+      QVERIFY(session.store(3, kInfo, containerOf("three")));
+      session.close(3);
+      QVERIFY(session.store(3, kInfo, containerOf("late")));
+    }
+    QVERIFY(contentsIn(rootIn(folder)) == Strings{"two"});
+  }
+
   // The document is closed while its autosave is being written.
   void removedWhileItIsStored() {
     QTemporaryDir folder;

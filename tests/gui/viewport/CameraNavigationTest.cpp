@@ -221,45 +221,6 @@ class CameraNavigationTest : public QObject {
     }));
   }
 
-  // All points within the share of the free part of the view, and at least two opposite sides of it touched.
-  void perspectiveFitShowsAllAndIsTight() {
-    QVERIFY(rc::check([] {
-      std::vector<Vec3> points;
-      for (int i = 0; i < 20; ++i) points.push_back(anyPoint());
-      points.push_back(points[0] + Vec3::Ones());  // never all the same
-      CameraState c = anyCamera();
-      c.projection = Projection::Perspective;
-      const double covered = *rc::gen::element(0.0, kSize.y() / 4);
-      const CameraNavigation view(CameraNavigation(c, kSize).fitted(points, 0.5, covered), kSize);
-      const Vec2 free = kSize - Vec2(0, covered);
-      Vec2 low = kSize, high = Vec2::Zero();
-      for (const Vec3& p : points) {
-        RC_ASSERT(view.isBeforeEye(p));
-        low = low.cwiseMin(view.toScreen(p));
-        high = high.cwiseMax(view.toScreen(p));
-      }
-      const Vec2 reach = (low - free / 2).cwiseAbs().cwiseMax((high - free / 2).cwiseAbs()).cwiseQuotient(free / 2);
-      RC_ASSERT(reach.maxCoeff() < 0.5 + 1e-9);
-      const Vec2 share = (high - low).cwiseQuotient(free);
-      RC_ASSERT(std::abs(share.maxCoeff() - 0.5) < 1e-9);
-    }));
-  }
-
-  void perspectiveFitOfDegeneratePoints() {
-    CameraState c;
-    c.projection = Projection::Perspective;
-    const Vec3 p(3, 4, 5);
-    const CameraNavigation one(CameraNavigation(c, kSize).fitted(std::array{p, p}, 0.5), kSize);
-    QVERIFY((one.toScreen(p) - kSize / 2).norm() < 1e-9);
-    QVERIFY(one.camera().height > 0);
-    const std::array along{p, Vec3(3, 4, 9)};  // one behind the other
-    const CameraNavigation line(CameraNavigation(c, kSize).fitted(along, 0.5), kSize);
-    for (const Vec3& q : along) {
-      QVERIFY(line.isBeforeEye(q));
-      QVERIFY((line.toScreen(q) - kSize / 2).norm() < 1e-9);
-    }
-  }
-
   void uprightViewsLookAlongTheirDirection() {
     QVERIFY(rc::check([] {
       const Vec3 outward = anyPoint() + Vec3(0.01, 0.02, 0.03);
@@ -274,41 +235,6 @@ class CameraNavigationTest : public QObject {
       QVERIFY(uprightTowards(3 * (q * Vec3::UnitZ())).angularDistance(q) < 1e-9);
     }
     QVERIFY(uprightTowards(Vec3::Zero()).angularDistance(orientationOf(StandardView::Isometric)) < 1e-12);
-  }
-
-  void fittedShowsAllAndFillsTheShare() {
-    QVERIFY(rc::check([] {
-      std::vector<Vec3> points;
-      for (int i = 0; i < 20; ++i) points.push_back(anyPoint());
-      points.push_back(points[0] + Vec3::Ones());  // never all the same
-      const CameraNavigation view(CameraNavigation(anyCamera(), kSize).fitted(points, 0.5), kSize);
-      Vec2 low = kSize, high = Vec2::Zero();
-      for (const Vec3& p : points) {
-        low = low.cwiseMin(view.toScreen(p));
-        high = high.cwiseMax(view.toScreen(p));
-      }
-      RC_ASSERT(((low + high) / 2 - kSize / 2).norm() < 1e-6);
-      const Vec2 share = (high - low).cwiseQuotient(kSize);
-      RC_ASSERT(std::abs(share.maxCoeff() - 0.5) < 1e-9);
-    }));
-  }
-
-  void fittedKeepsClearOfWhatCoversTheLowerEdge() {
-    QVERIFY(rc::check([] {
-      std::vector<Vec3> points;
-      for (int i = 0; i < 20; ++i) points.push_back(anyPoint());
-      points.push_back(points[0] + Vec3::Ones());  // never all the same
-      const double covered = kSize.y() / 4;
-      const CameraNavigation view(CameraNavigation(anyCamera(), kSize).fitted(points, 0.5, covered), kSize);
-      const Vec2 free = kSize - Vec2(0, covered);
-      Vec2 low = kSize, high = Vec2::Zero();
-      for (const Vec3& p : points) {
-        low = low.cwiseMin(view.toScreen(p));
-        high = high.cwiseMax(view.toScreen(p));
-      }
-      RC_ASSERT(((low + high) / 2 - free / 2).norm() < 1e-6);
-      RC_ASSERT(std::abs((high - low).cwiseQuotient(free).maxCoeff() - 0.5) < 1e-9);
-    }));
   }
 
   void turnedTowardsLooksAgainstTheDirection() {

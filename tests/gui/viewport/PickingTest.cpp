@@ -71,6 +71,10 @@ class PickingTest : public QObject {
       QVERIFY((pick.point - p).norm() < 1e-9);
       QVERIFY(!pick.isNothing());
     }
+    const Pickable all{.mesh = m_sheet.get(), .parts = parts};
+    QCOMPARE(pickAlong(all, Vec3(7.3, 8.4, 2), -Vec3::UnitZ()).part, "low");
+    QCOMPARE(pickAlong(all, Vec3(7.3, 8.4, 0.5), -Vec3::UnitZ()).face, static_cast<Face>(2 * (8 * kCells + 7) + 1));
+    QVERIFY(pickAlong(all, Vec3(7.3, 8.4, 4), Vec3::UnitZ()).isNothing());
   }
 
   // A part is found where its pose puts it, however far away.

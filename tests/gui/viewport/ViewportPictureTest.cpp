@@ -1,70 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "DisplayTestMain.h"
-#include "ShapeModels.h"
-#include "SheetModel.h"
+#include "PictureFixture.h"
 #include "mesh/MeshBuilder.h"
-#include "viewport/CameraNavigation.h"
-#include "viewport/Lighting.h"
 
 using namespace handwheel;
 
 namespace {
 
-const Vec2 kSize(600, 500);
 constexpr double kTwelfth = std::numbers::pi / 6;
-
-// A view of this height about the point, from the front right above.
-CameraState around(const Vec3& point, double height, Projection projection) {
-  CameraState c;
-  c.orientation = orientationOf(StandardView::Isometric);
-  c.centre = point;
-  c.height = height;
-  c.projection = projection;
-  return c;
-}
-
-CameraState fromAbove(Projection projection) {
-  CameraState c;
-  c.centre = Vec3(10, 10, 0);
-  c.height = 25;
-  c.projection = projection;
-  return c;
-}
-
-Vec2 middleOf(const Silhouette& s) {
-  return {(s.left + s.right + 1) / 2.0, (s.top + s.bottom + 1) / 2.0};
-}
-
-bool isNear(double a, double b, double share) {
-  return std::abs(a - b) <= share * std::abs(b);
-}
 
 }  // namespace
 
-Q_DECLARE_METATYPE(handwheel::Projection)
-
 // Pictures compared with what geometry says they must show.
-class ViewportPictureTest : public ViewportFixture {
+class ViewportPictureTest : public PictureFixture {
   Q_OBJECT
-
-  QImage emptyPicture(const CameraState& camera) {
-    m_view->clear();
-    m_view->setCamera(camera);
-    return m_view->grabImage();
-  }
-
-  QImage picture(const std::vector<DisplayPart>& parts, const CameraState& camera) {
-    m_view->setParts({parts});
-    m_view->setCamera(camera);
-    return m_view->grabImage();
-  }
-
-  static void addProjections() {
-    QTest::addColumn<Projection>("projection");
-    QTest::newRow("parallel") << Projection::Parallel;
-    QTest::newRow("perspective") << Projection::Perspective;
-  }
 
  private slots:
   void sphereCoversItsDisc_data() {
@@ -162,124 +111,6 @@ class ViewportPictureTest : public ViewportFixture {
     const Vec2 expected = CameraNavigation(camera, kSize).toScreen(rod.pose * Vec3(4, 0, 0));
     QVERIFY((s.centroid - expected).norm() < 0.5);
     QVERIFY(std::abs(s.area - 8 * 20 * 20) < 0.5 * (8 + 1) * 2 * 20);  // half a pixel along the outline
-  }
-
-  void clipPlaneHalvesTheSilhouette_data() { addProjections(); }
-
-  void clipPlaneHalvesTheSilhouette() {
-    QFETCH(Projection, projection);
-    const CameraState camera = around(Vec3(5, 5, 5), 3, projection);
-    const QImage empty = emptyPicture(camera);
-    DisplayPart ball{"ball", shared(sphereSoup(90))};
-    ball.pose.translation() = Vec3(5, 5, 5);
-    const double whole = silhouette(picture({ball}, camera), empty).area;
-    const Vec3 right = camera.right();
-    ClipPlane plane{right, right.dot(Vec3(5, 5, 5)), true};
-    m_view->setClipPlane(plane);
-    const Silhouette left = silhouette(m_view->grabImage(), empty);
-    QVERIFY(isNear(left.area, whole / 2, 0.01));
-    QVERIFY(std::abs(left.right - 299) <= 1);
-    m_view->setClipPlane(plane.flipped());
-    const Silhouette other = silhouette(m_view->grabImage(), empty);
-    QVERIFY(isNear(other.area, whole / 2, 0.01));
-    QVERIFY(std::abs(other.left - 300) <= 1);
-    plane.offset -= 2;
-    m_view->setClipPlane(plane);
-    QCOMPARE(silhouette(m_view->grabImage(), empty).area, 0.0);
-    plane.on = false;
-    m_view->setClipPlane(plane);
-    QCOMPARE(silhouette(m_view->grabImage(), empty).area, whole);
-  }
-
-  // Cut open towards the viewer, a ball shows its inner side, flat in the colour of the cut.
-  void theCutIsFlat() {
-    const CameraState camera = around(Vec3::Zero(), 3, Projection::Parallel);
-    const QImage empty = emptyPicture(camera);
-    const Silhouette whole = silhouette(picture({{"ball", shared(sphereSoup(90))}}, camera), empty);
-    m_view->setClipPlane({camera.towardsViewer(), 0.0, true});
-    const QRgb cut = sceneColours(false).cut.rgb();
-    const auto isCut = [cut](QRgb colour) { return difference(colour, cut) <= 2; };
-    QVERIFY(isNear(silhouette(m_view->grabImage(), empty, isCut).area, whole.area, 0.02));
-  }
-
-  void meshAndMarksAreClippedToo() {
-    const CameraState camera = fromAbove(Projection::Perspective);
-    const QImage empty = emptyPicture(camera);
-    m_view->setMesh(buildMesh(sheet(kCells)).mesh);
-    const QColor blue(0x00, 0x72, 0xb2);
-    m_view->setLoops({squareLoop(0, blue)});
-    const QImage whole = m_view->grabImage();
-    m_view->setClipPlane({Vec3::UnitX(), 10, true});
-    const QImage half = m_view->grabImage();
-    QVERIFY(isNear(silhouette(half, empty).area, silhouette(whole, empty).area / 2, 0.01));
-    QVERIFY(isNear(pixelsNear(half, blue), pixelsNear(whole, blue) / 2.0, 0.05));
-    // A loop in the plane itself stays, as it is lifted together with it.
-    m_view->setClipPlane({Vec3::UnitZ(), 1e-6, true});
-    QVERIFY(isNear(pixelsNear(m_view->grabImage(), blue), pixelsNear(whole, blue), 0.05));
-  }
-
-  // Loops are lifted off the surface, but only by pixels: before the sheet they show, behind it they do not.
-  void loopsShowUnderBothProjections_data() { addProjections(); }
-
-  void loopsShowUnderBothProjections() {
-    QFETCH(Projection, projection);
-    CameraState camera = fromAbove(projection);
-    camera.orientation = Eigen::Quaterniond(Eigen::AngleAxisd(0.8, Vec3::UnitX()));
-    const QColor blue(0x00, 0x72, 0xb2);
-    m_view->setMesh(buildMesh(sheet(kCells)).mesh);
-    m_view->setCamera(camera);
-    m_view->setLoops({squareLoop(0, blue)});
-    const CameraNavigation view(camera, kSize);
-    double perimeter = 0;
-    const auto corners = squareLoop(0, blue).points;
-    for (int i = 0; i < 4; ++i) perimeter += (view.toScreen(corners[i]) - view.toScreen(corners[(i + 1) % 4])).norm();
-    const QImage image = m_view->grabImage();
-    QVERIFY(isNear(pixelsNear(image, blue), 3 * perimeter, 0.25));  // three pixels wide
-    m_view->setLoops({squareLoop(-1, blue)});
-    QVERIFY(pixelsNear(m_view->grabImage(), blue) < perimeter / 20);
-  }
-
-  void selectedFacesAreTinted() {
-    m_view->setMesh(buildMesh(sheet(kCells)).mesh);
-    m_view->setCamera(fromAbove(Projection::Parallel));
-    const QImage plain = m_view->grabImage();
-    std::vector<Face> faces;
-    for (int j = 4; j < 9; ++j) {
-      for (int i = 2; i < 12; ++i) {
-        faces.push_back(static_cast<Face>(2 * (j * kCells + i)));
-        faces.push_back(static_cast<Face>(2 * (j * kCells + i) + 1));
-      }
-    }
-    m_view->setSelectedFaces(faces);
-    const Silhouette selected = silhouette(m_view->grabImage(), plain);
-    QVERIFY(isNear(selected.area, 50 * 20 * 20, 0.02));
-    QVERIFY(
-        (selected.centroid - CameraNavigation(fromAbove(Projection::Parallel), kSize).toScreen({7, 6.5, 0})).norm() <
-        0.5);
-    m_view->setSelectedFaces({});
-    m_view->setHighlightedFaces(faces);
-    QVERIFY(isNear(silhouette(m_view->grabImage(), plain).area, 50 * 20 * 20, 0.02));
-    m_view->setHighlightedFaces({});
-    QCOMPARE(silhouette(m_view->grabImage(), plain).area, 0.0);
-  }
-
-  void toolsDrawOverTheModel() {
-    m_view->setMesh(buildMesh(sheet(kCells)).mesh);
-    m_view->setCamera(fromAbove(Projection::Parallel));
-    QTRY_VERIFY(m_view->isPickingReady());
-    const QImage plain = m_view->grabImage();
-    m_view->setBrush(BrushCircle{Vec3(8, 12, 0), 3.0});
-    const Silhouette circle = silhouette(m_view->grabImage(), plain);
-    QVERIFY((middleOf(circle) - Vec2(260, 210)).norm() < 1.0);
-    QVERIFY(std::abs(circle.right + 1 - circle.left - 2 * 3 * 20) <= 6);  // and the width of the line
-    QVERIFY(circle.area < 2 * std::numbers::pi * 60 * 6);
-    m_view->setBrush(std::nullopt);
-    m_view->setPolylines({{{5, 5, -3}, {15, 5, -3}}});  // behind the sheet, yet over everything
-    const Silhouette line = silhouette(m_view->grabImage(), plain);
-    QVERIFY((middleOf(line) - Vec2(300, 350)).norm() < 1.0);
-    QVERIFY(std::abs(line.right + 1 - line.left - 200) <= 6);
-    m_view->setPolylines({});
-    QCOMPARE(silhouette(m_view->grabImage(), plain).area, 0.0);
   }
 
   // Each side of a box has one colour: its corners have not been rounded. The facets of a ball shade into each other,

@@ -3,9 +3,7 @@
 #include "Cells.h"
 
 #include "document/cell/CellDisplay.h"
-#include "robot/Kinematics.h"
 
-#include <rapidcheck.h>
 #include <QTest>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -177,39 +175,6 @@ void CellKindTest::display() {
   write(m_package.path("bare.urdf"),
         "<robot><link name='a'><collision><geometry><sphere radius='1'/></geometry></collision></link></robot>");
   QCOMPARE(kKind.display(*importOrThrow(m_package.path("bare.urdf")).content).parts.size(), std::size_t{1});
-}
-
-void CellKindTest::lostBlobs() {
-  const OpenedFile opened = importOrThrow(m_package.urdf());
-  const Container whole = saved(*opened.content);
-  for (const auto& [name, bytes] : whole.blobs) {
-    for (const bool shortened : {false, true}) {
-      Container part = whole;
-      if (shortened)
-        part.blobs[name].resize(bytes.size() / 2);
-      else
-        part.blobs.erase(name);
-      std::vector<Error> damage;
-      const auto cell = loaded(part, damage);
-      if (name == "cell/robot.urdf") {
-        QVERIFY(!cell);
-      } else {
-        QVERIFY2(cell && !damage.empty(), name.c_str());
-        QCOMPARE(damage[0].code, ErrorCode::EntryDamaged);
-      }
-    }
-  }
-  // An index beyond the points, and a coordinate that is no number.
-  for (const char* const suffix : {"triangles/0000", "points/0000"}) {
-    Container wrong = whole;
-    std::string& blob = wrong.blobs.at("cell/surfaces/0001/" + std::string(suffix));
-    std::fill_n(blob.begin(), 4, '\xff');
-    std::vector<Error> damage;
-    const auto cell = loaded(wrong, damage);
-    QVERIFY(cell && cell->robot->surfaces[1] && damage.size() == 1);
-    QVERIFY(cell->robot->surfaces[1]->triangles.size() < 12);
-    for (const Vec3& p : cell->robot->surfaces[1]->points) QVERIFY(p.allFinite());
-  }
 }
 
 void CellKindTest::describes() {

@@ -113,47 +113,6 @@ void JointDragToolTest::continuousJoints() {
   QVERIFY(std::abs(bench.document().joints()[dof] - (7.5 - 2 * kPi)) < 1e-9);
 }
 
-void JointDragToolTest::theOtherButtonPutsBack() {
-  Bench bench;
-  JointDragTool tool(bench.document(), bench.picking("upper/0"));
-  tool.pointer(at(Kind::Press, 300, 0));
-  tool.pointer(at(Kind::Drag, 0, 300));
-  PointerEvent other = at(Kind::Press, 0, 300);
-  other.button = PointerButton::Second;
-  QCOMPARE(tool.pointer(other), ToolReply::Used);
-  QVERIFY(!tool.isDragging());
-  QCOMPARE(tool.pointer(other), ToolReply::Ignored);  // the camera's
-}
-
-void JointDragToolTest::oddEvents() {
-  Bench bench;
-  JointDragTool tool(bench.document(), bench.picking("upper/0"));
-  PointerEvent odd = at(Kind::Press, 300, 0);
-  odd.ray.direction.setZero();
-  QCOMPARE(tool.pointer(odd), ToolReply::Ignored);
-  for (const Modifiers& modifiers : {kNoModifiers, kShift}) {
-    tool.pointer(at(Kind::Press, 300, 0, modifiers));
-    for (double bad : {std::nan(""), HUGE_VAL, 1e308, 1e150}) {
-      for (int axis = 0; axis < 3; ++axis) {
-        PointerEvent event = at(Kind::Drag, 300, 0);
-        event.ray.origin[axis] = bad;
-        tool.pointer(event);
-        event = at(Kind::Drag, 300, 0);
-        event.ray.direction[axis] = bad;
-        tool.pointer(event);
-        QVERIFY(tool.joints().allFinite());
-      }
-    }
-    tool.perform("revert");
-  }
-  // A direction need not be of unit length.
-  tool.pointer(at(Kind::Press, 300, 0));
-  PointerEvent longer = at(Kind::Drag, 0, 300);
-  longer.ray.direction *= 1e-3;
-  tool.pointer(longer);
-  QVERIFY(std::abs(tool.joints()[0] - kPi / 2) < 1e-9);
-}
-
 void JointDragToolTest::anyDragKeepsTheLimits() {
   QVERIFY(rc::check("limits", [] {
     Bench bench;

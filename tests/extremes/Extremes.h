@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "MeshShapes.h"
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+
+// Input at the edge of what can be: one generator for the tests of every room. docs/extremes.md says what must hold.
+namespace handwheel::test {
+
+// Sizes of a part and places of its middle (mm).
+inline constexpr double kScales[] = {1e-6, 1e-3, 1.0, 1e3, 1e6};
+inline constexpr double kOffsets[] = {0.0, 1e3, 1e5, 1e7};
+
+// Numbers that no formula expects.
+inline std::vector<double> strangeNumbers() {
+  using Limits = std::numeric_limits<double>;
+  return {Limits::quiet_NaN(),
+          Limits::infinity(),
+          -Limits::infinity(),
+          Limits::denorm_min(),
+          -1e-310,
+          Limits::min(),
+          Limits::max(),
+          Limits::lowest(),
+          -0.0,
+          1e300};
+}
+
+// A mesh with what follows from its making alone.
+struct ExtremeMesh {
+  std::string name;
+  std::function<TriangleSoup()> soup;
+  std::size_t components = 1;
+  std::size_t loops = 0;                        // chains of open edges
+  std::size_t degenerate = 0;                   // triangles without area
+  bool oriented = true;                         // in the file
+  bool sound = true;                            // a repair leaves it closed, manifold and oriented
+  std::optional<double> volume = std::nullopt;  // when sound, after a repair (mm³)
+  double volumeError = 1e-9;                    // relative: what holds for the volume
+};
+
+// Every corner at the same place.
+inline TriangleSoup coincident(std::size_t triangles) {
+  TriangleSoup s;
+  s.points.assign(3 * triangles, Vec3(1, 2, 3));
+  for (std::uint32_t i = 0; i < triangles; ++i) s.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  return s;
+}
+
+// Triangles along one line.
+inline TriangleSoup collinear(std::size_t triangles) {
+  TriangleSoup s;
+  for (std::uint32_t i = 0; i < triangles + 2; ++i) s.points.emplace_back(i, 2 * i, 3 * i);
+  for (std::uint32_t i = 0; i < triangles; ++i) s.triangles.push_back({i, i + 1, i + 2});
+  return s;
+}
+
+// A closed bar of square section 1 × 1, so many times as long, in slivers from end to end.
+inline TriangleSoup sliverBar(double length) {
+  TriangleSoup s = cube();
+  for (Vec3& p : s.points) p.z() *= length;
+  return s;
+}
+
+// A unit cube with needles without area along its edges: what was closed stays closed.
+inline TriangleSoup needleCube() {
+  TriangleSoup s = cube();
+  for (std::size_t f = 0; f < 4; ++f) addNeedles(s, f, 0, {0.25, 0.5, 1.0 - 1e-9});
+  return s;
+}
+
+// So many tetrahedra of volume 1/6 on a grid, apart from each other.
+inline TriangleSoup scattered(std::uint32_t parts) {
+  TriangleSoup s;
+  const auto side = static_cast<std::uint32_t>(std::ceil(std::cbrt(parts)));
+  s.points.reserve(4 * parts);
+  for (std::uint32_t i = 0; i < parts; ++i) {
+    append(s, moved(tetrahedron(), 2.0 * Vec3(i % side, i / side % side, i / side / side)));
+  }
+  return s;
+}
+
+// At least so many triangles on a torus with holes of four edges each; volume without them 2π² · 50 · 20² mm³.
+inline TriangleSoup largeTorus(std::size_t triangles, std::size_t holes) {
+  const auto n = static_cast<std::uint32_t>(std::ceil(std::sqrt(static_cast<double>(triangles + 2 * holes) / 2.0)));
+  TriangleSoup s = torus(n, n, 50.0, 20.0);
+  const std::size_t every = s.triangles.size() / holes / 2 * 2;  // the two triangles of a cell go together
+  for (std::size_t i = 0; i < holes; ++i) s.triangles[i * every][0] = s.triangles[i * every + 1][0] = kNone;
+  std::erase_if(s.triangles, [](const Triangle& t) { return t[0] == kNone; });
+  return s;
+}
+
+// Spheres with three holes, of every size and in every place.
+inline std::vector<ExtremeMesh> scaledMeshes() {
+  std::vector<ExtremeMesh> meshes;
+  const double sphere = 4.0 / 3.0 * M_PI;
+  for (double scale : kScales) {
+    meshes.push_back({"holed sphere of radius " + std::to_string(scale) + " mm",
+                      [=] { return moved(sphereWithHoles(4, 3, 0.3), Vec3::Zero(), scale); }});
+    meshes.back().volume = sphere * scale * scale * scale;
+  }
+  for (double offset : kOffsets) {
+    meshes.push_back({"holed sphere of radius 10 mm, " + std::to_string(static_cast<int>(offset)) + " mm away",
+                      [=] { return moved(sphereWithHoles(4, 3, 0.3), Vec3(offset, -offset, offset), 10.0); }});
+    meshes.back().volume = sphere * 1000.0;
+  }
+  for (ExtremeMesh& mesh : meshes) {
+    mesh.loops = 3;
+    mesh.volumeError = 0.01;  // flat triangles instead of the sphere, and the patches
+  }
+  return meshes;
+}
+
+// Closed surfaces of odd triangles, and what is hardly a surface at all.
+inline std::vector<ExtremeMesh> oddMeshes() {
+  return {
+      {.name = "needles", .soup = needleCube, .degenerate = 12, .volume = 1.0},
+      {.name = "slivers 1e6 : 1", .soup = [] { return sliverBar(1e6); }, .volume = 1e6},
+      {.name = "slivers 1 : 1e6", .soup = [] { return sliverBar(1e-6); }, .volume = 1e-6},
+      {.name = "coincident points", .soup = [] { return coincident(100); }, .degenerate = 100, .sound = false},
+      {.name = "zero areas only",
+       .soup = [] { return collinear(100); },
+       .loops = 1,
+       .degenerate = 100,
+       .oriented = false,
+       .sound = false},
+      {.name = "points of its own for each triangle", .soup = [] { return unshared(icosphere(3)); }},
+      {.name = "one triangle",
+       .soup =
+           [] {
+             return TriangleSoup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+           },
+       .loops = 1,
+       .sound = false},
+      {.name = "nothing", .soup = [] { return TriangleSoup(); }, .components = 0, .sound = false},
+      {.name = "denormal coordinates", .soup = [] { return moved(cube(), Vec3::Zero(), 1e-310); }},
+      {.name = "squares that underflow", .soup = [] { return moved(cube(), Vec3::Zero(), 1e-170); }},
+      {.name = "squares that overflow", .soup = [] { return moved(cube(), Vec3::Zero(), 1e170); }},
+  };
+}
+
+// One-sided, open, in many parts.
+inline std::vector<ExtremeMesh> topologicalMeshes() {
+  return {
+      {.name = "open sheet", .soup = [] { return disc(60, 10); }, .loops = 1, .sound = false},
+      {.name = "open sheet with a hole", .soup = [] { return annulus(60, 10, 0.2, 1.0); }, .loops = 2, .sound = false},
+      {.name = "Möbius strip",
+       .soup = [] { return moebiusStrip(60, 4); },
+       .loops = 1,
+       .oriented = false,
+       .sound = false},
+      {.name = "Klein bottle", .soup = [] { return kleinBottle(60, 30); }, .oriented = false, .sound = false},
+      {.name = "100,000 components",
+       .soup = [] { return scattered(100'000); },
+       .components = 100'000,
+       .volume = 100'000 / 6.0},
+      {.name = "fan of 20,000 triangles", .soup = [] { return uvSphere(20'000, 3); }},
+  };
+}
+
+}  // namespace handwheel::test
