@@ -6,6 +6,7 @@
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
 #include "document/mesh/MeshExport.h"
+#include "document/mesh/MeshKind.h"
 #include "text/NoteText.h"
 
 #include <algorithm>
@@ -15,50 +16,62 @@ namespace handwheel {
 namespace {
 
 struct Conversion {
-  std::vector<Error> damage;
-  std::size_t unlistedDamage = 0;
-  std::vector<LostAttribute> lost;
-  bool wasRounded = false;
-  std::vector<Note> notes;
+  DocumentFile file;  // what reading lost
+  std::vector<std::string> notes;
+  std::string refusal;  // why nothing was written
 };
+
+// A document of another kind than a mesh, or one that goes into a container.
+Result<Conversion> convertDocument(const OpenedFile& opened, const std::filesystem::path& output, Progress progress) {
+  const auto written = saveDocument(*opened.kind, opened.file, *opened.content, output, progress);
+  if (!written) return written.error();
+  Conversion done{opened.file, {}, {}};
+  for (const Note& note : written->notes) done.notes.push_back(noteText(note).toStdString());
+  return done;
+}
 
 bool changesByRounding(const TriangleSoup& soup, NumberType numbers) {
   return std::any_of(soup.points.begin(), soup.points.end(), [&](const Vec3& p) { return rounded(p, numbers) != p; });
 }
 
-// A document of another kind than a mesh, or one that goes into a container.
-Result<Conversion> convertDocument(const OpenedFile& opened, const std::filesystem::path& output, Job& job) {
-  job.startWriting();
-  const auto written = saveDocument(*opened.kind, opened.file, *opened.content, output, job.progress().part(0.4, 1.0));
-  if (!written) return written.error();
-  return Conversion{opened.file.damage, opened.file.unlistedDamage, opened.file.lost, false, written->notes};
-}
-
-Result<Conversion> convert(const std::filesystem::path& input, const std::filesystem::path& output, bool partial,
-                           const DocumentKinds& kinds, Job& job) {
-  const Progress progress = job.progress();
-  const ReadOptions options{.partial = partial};
-  if (isContainerName(output)) {
-    const Result<OpenedFile> opened = kinds.open(input, options, progress.part(0.0, 0.4));
-    return opened ? convertDocument(*opened, output, job) : Result<Conversion>(opened.error());
-  }
-  const Result<Input> read = readInput(input, options, kinds, progress.part(0.0, 0.4));
-  if (!read) return read.error();
-  if (!read->mesh) return convertDocument(read->document, output, job);
+// The triangles as they stand in the file.
+Result<Conversion> convertMesh(const Input& input, const std::filesystem::path& output, Progress progress) {
   const Result<MeshFormat> format = formatForOutput(output);
   if (!format) return format.error();
-  const MeshFile* file = &*read->mesh;
-  const NumberType numbers = numberTypeOf(*format, file->numbers);
-  const Result<std::string> bytes = encodeChecked(file->soup, *format, numbers, progress.part(0.4, 0.9));
+  const NumberType numbers = numberTypeOf(*format, input.mesh->numbers);
+  const Result<std::string> bytes = encodeChecked(input.mesh->soup, *format, numbers, progress.part(0.0, 0.8));
   if (!bytes) {
     Error error = bytes.error();
     error.subject = output.string();
     return error;
   }
-  job.startWriting();
-  const Status written = writeFileAtomically(output, *bytes, progress.part(0.9, 1.0));
+  const Status written = writeFileAtomically(output, *bytes, progress.part(0.8, 1.0));
   if (!written) return written.error();
-  return Conversion{file->damage, file->unlistedDamage, file->lost, changesByRounding(file->soup, numbers), {}};
+  Conversion done{input.opened.file, {}, {}};
+  if (changesByRounding(input.mesh->soup, numbers)) {
+    done.notes.push_back("The coordinates are rounded to the single precision of the format.");
+  }
+  return done;
+}
+
+Result<Conversion> convert(const std::filesystem::path& input, const std::filesystem::path& output, bool partial,
+                           const DocumentKinds& kinds, Progress progress) {
+  const ReadOptions options{.partial = partial};
+  const Progress reading = progress.part(0.0, 0.4), writing = progress.part(0.4, 1.0);
+  if (!isContainerName(output)) {
+    const Result<Input> read = readInput(input, options, kinds, reading);
+    if (!read) return read.error();
+    return read->mesh ? convertMesh(*read, output, writing) : convertDocument(read->opened, output, writing);
+  }
+  const Result<OpenedFile> opened = kinds.open(input, options, reading);
+  if (!opened) return opened.error();
+  const std::string refusal = refusalToReplace(opened->file, output);
+  if (!refusal.empty()) return Conversion{opened->file, {}, refusal};
+  Result<Conversion> done = convertDocument(*opened, output, writing);
+  if (!done || opened->file.isContainer || opened->kind->id() != kMeshKind) return done;
+  const auto turned = static_cast<const MeshSnapshot&>(*opened->content).build->turnedFaces.size();
+  if (turned > 0) done->notes.push_back("Triangles turned as their neighbours are: " + std::to_string(turned) + ".");
+  return done;
 }
 
 }  // namespace
@@ -68,7 +81,9 @@ CommandSpec convertSpec() {
       "convert",
       "IN OUT",
       "Writes a document in another format, by OUT's ending: .handwheel for all kinds; meshes also .stl, .ply, .obj,\n"
-      ".off and .3mf, workpieces .step. The triangles of a mesh stay the same, in the same order; nothing is repaired.",
+      ".off and .3mf, workpieces .step. The triangles of a mesh stay the same, in the same order; nothing is "
+      "repaired,\n"
+      "but in a .handwheel equal positions are one vertex, and triangles are turned as their neighbours are.",
       {
           {"partial", 0, "", "Read what is readable of a damaged file"},
           {"help", 'h', "", "Show this page"},
@@ -78,13 +93,13 @@ CommandSpec convertSpec() {
 int runConvert(const Arguments& arguments, const DocumentKinds& kinds) {
   std::optional<Result<Conversion>> result;
   runInterruptible("Converting", [&](Job& job) {
-    result = convert(arguments.operands[0], arguments.operands[1], arguments.has("partial"), kinds, job);
+    result = convert(arguments.operands[0], arguments.operands[1], arguments.has("partial"), kinds, job.progress());
   });
   if (!*result) return fail(result->error());
   const Conversion& done = result->value();
-  tellLosses(done.damage, done.unlistedDamage, done.lost);
-  for (const Note& note : done.notes) complain(noteText(note).toStdString());
-  if (done.wasRounded) complain("The coordinates are rounded to the single precision of the format.");
+  tellLosses(done.file);
+  if (!done.refusal.empty()) return refuse(done.refusal);
+  for (const std::string& note : done.notes) complain(note);
   return kExitDone;
 }
 

@@ -8,42 +8,77 @@
 
 namespace handwheel {
 
+namespace {
+
+Result<Input> readMesh(const DocumentKind& kind, const std::filesystem::path& path, const ReadOptions& options,
+                       Progress progress) {
+  Result<MeshFile> file = readMeshFile(path, options, progress);
+  if (!file) return file.error();
+  Input input;
+  input.opened.kind = &kind;
+  input.opened.file.path = path.string();
+  input.opened.file.damage = std::move(file->damage);
+  input.opened.file.unlistedDamage = file->unlistedDamage;
+  input.opened.file.lost = std::move(file->lost);
+  input.mesh = MeshInput{file->numbers, std::move(file->soup)};
+  return input;
+}
+
+}  // namespace
+
+const MeshSnapshot* Input::meshDocument() const {
+  return mesh && opened.content ? static_cast<const MeshSnapshot*>(opened.content.get()) : nullptr;
+}
+
 Result<Input> readInput(const std::filesystem::path& path, const ReadOptions& options, const DocumentKinds& kinds,
                         Progress progress) {
-  Input input;
   const Result<const DocumentKind*> kind = kinds.kindOf(path);
   if (!kind) return kind.error();
-  if (*kind && (*kind)->id() == kMeshKind) {
-    Result<MeshFile> file = readMeshFile(path, options, progress);
-    if (!file) return file.error();
-    input.mesh = std::move(file.value());
-    return input;
-  }
+  if (*kind && (*kind)->id() == kMeshKind) return readMesh(**kind, path, options, progress);
   Result<OpenedFile> opened = kinds.open(path, options, progress);
   if (!opened) return opened.error();
-  input.document = std::move(opened.value());
-  if (input.document.kind->id() == kMeshKind) {
-    const auto& content = static_cast<const MeshSnapshot&>(*input.document.content);
-    input.mesh = MeshFile{.numbers = content.numbers,
-                          .soup = content.mesh.mesh.compact().soup,
-                          .damage = input.document.file.damage,
-                          .unlistedDamage = input.document.file.unlistedDamage,
-                          .lost = {}};
+  Input input{std::move(opened.value()), std::nullopt};
+  if (input.opened.kind->id() == kMeshKind) {
+    const auto& content = static_cast<const MeshSnapshot&>(*input.opened.content);
+    input.mesh = MeshInput{content.numbers, content.mesh.mesh.compact().soup};
   }
   return input;
 }
 
-Result<MeshFile> readMeshInput(const std::filesystem::path& path, const ReadOptions& options,
-                               const DocumentKinds& kinds, Progress progress) {
+Result<Input> readMeshInput(const std::filesystem::path& path, const ReadOptions& options, const DocumentKinds& kinds,
+                            Progress progress) {
   Result<Input> input = readInput(path, options, kinds, progress);
-  if (!input) return input.error();
-  if (input->mesh) return std::move(*input->mesh);
-  return Error{ErrorCode::Unsupported, {"this command on a " + input->document.kind->id()}, {}, path.string()};
+  if (!input || input->mesh) return input;
+  return Error{ErrorCode::Unsupported, {"this command on a " + input->opened.kind->id()}, {}, path.string()};
 }
 
-void tellLosses(const std::vector<Error>& damage, std::size_t unlistedDamage, const std::vector<LostAttribute>& lost) {
-  for (const std::string& note : damageSentences(damage, unlistedDamage)) complain(note);
-  if (!lost.empty()) complain("Not kept: " + listOf(lost) + ".");
+MeshReport reportOn(const Input& mesh, SelfIntersections choice, Progress progress) {
+  MeshReport report = reportOn(mesh.mesh->soup, choice, progress);
+  if (const MeshSnapshot* document = mesh.meshDocument()) report.loops = reportOn(document->mesh.defects->loops);
+  return report;
+}
+
+void tellLosses(const DocumentFile& file) {
+  if (file.isNewer) complain(file.path + ": written by a newer version of Handwheel; read as far as it is understood.");
+  for (const std::string& note : damageSentences(file)) complain(note);
+  if (!file.lost.empty()) complain("Not kept: " + listOf(file.lost) + ".");
+}
+
+bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code ignored;
+  const auto whole = [&](const std::filesystem::path& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
+  };
+  return whole(a) == whole(b);
+}
+
+std::string refusalToReplace(const DocumentFile& input, const std::filesystem::path& output) {
+  if (!input.isContainer || !isSameFile(input.path, output)) return {};
+  if (input.isNewer)
+    return output.string() + " was written by a newer version of Handwheel and is not replaced; write to another file.";
+  if (!input.damage.empty())
+    return output.string() + " is damaged and is not replaced, so that no more of it is lost; write to another file.";
+  return {};
 }
 
 }  // namespace handwheel

@@ -3,27 +3,47 @@
 #pragma once
 
 #include "document/DocumentKind.h"
+#include "mesh/MeshReport.h"
 
 #include <optional>
 
 namespace handwheel {
 
-// What a file named on the command line is: a mesh as the file holds it, or a document of another kind.
-struct Input {
-  std::optional<MeshFile> mesh;
-  OpenedFile document;  // when it is no mesh, or comes from a container
+struct MeshSnapshot;
+
+// The triangles of a mesh as its file holds them, unwelded.
+struct MeshInput {
+  NumberType numbers = NumberType::Float64;
+  TriangleSoup soup;
 };
 
-// Reads a mesh file as it stands there, unwelded, or the mesh in a container, or any other document. Errors: those of
-// the readers.
+// What a file named on the command line holds.
+struct Input {
+  OpenedFile opened;              // of a mesh file that is no container without its content
+  std::optional<MeshInput> mesh;  // of every mesh
+
+  const MeshSnapshot* meshDocument() const;  // of a mesh in a container; else null
+};
+
+// Errors: those of the readers.
 Result<Input> readInput(const std::filesystem::path& path, const ReadOptions& options, const DocumentKinds& kinds,
                         Progress progress);
 
 // The same for commands that work on meshes only: others are Unsupported.
-Result<MeshFile> readMeshInput(const std::filesystem::path& path, const ReadOptions& options,
-                               const DocumentKinds& kinds, Progress progress);
+Result<Input> readMeshInput(const std::filesystem::path& path, const ReadOptions& options, const DocumentKinds& kinds,
+                            Progress progress);
 
-// What is to be said about a file that could not be read whole, or holds more than is kept.
-void tellLosses(const std::vector<Error>& damage, std::size_t unlistedDamage, const std::vector<LostAttribute>& lost);
+// The figures of a mesh. The loops of a document have its own numbers: edits may have put them in another order than
+// the triangles alone would. Incomplete once cancelled.
+MeshReport reportOn(const Input& mesh, SelfIntersections choice, Progress progress);
+
+// Says what could not be read, is not understood, or is not kept.
+void tellLosses(const DocumentFile& file);
+
+// By their place: a link and what it leads to are the same. They need not exist.
+bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b);
+
+// Why the file that was read must not be written over; empty when output is another one, or nothing would be lost.
+std::string refusalToReplace(const DocumentFile& input, const std::filesystem::path& output);
 
 }  // namespace handwheel

@@ -9,6 +9,7 @@
 #include "cli/ReportJson.h"
 #include "cli/ReportText.h"
 #include "document/Document.h"
+#include "document/mesh/MeshSnapshot.h"
 
 namespace handwheel {
 
@@ -37,8 +38,41 @@ std::string readableText(const OpenedFile& opened) {
   return text;
 }
 
+// What every container has.
+nlohmann::ordered_json heading(const OpenedFile& opened) {
+  return {{"kind", opened.kind->id()}, {"id", opened.file.id}, {"display_unit", symbolOf(opened.file.displayUnit)}};
+}
+
 nlohmann::ordered_json toJson(const OpenedFile& opened) {
-  return {{"kind", opened.kind->id()}, {"id", opened.file.id}, {"document", opened.kind->describe(*opened.content)}};
+  nlohmann::ordered_json json = heading(opened);
+  json["document"] = opened.kind->describe(*opened.content);
+  return json;
+}
+
+// The loops of a document that stay open, by their numbers.
+std::vector<int> keptOpen(const MeshSnapshot& document) {
+  std::vector<int> ids;
+  for (const BoundaryLoop& loop : document.mesh.defects->loops) {
+    if (document.keptOpen.contains(keyOf(document.mesh.mesh, loop))) ids.push_back(loop.id);
+  }
+  return ids;
+}
+
+std::string meshText(const Input& input, const MeshReport& report) {
+  const MeshSnapshot* document = input.meshDocument();
+  if (!document) return handwheel::readableText(report);
+  std::string text = readableText(input.opened) + "\n" + handwheel::readableText(report);
+  for (const int id : keptOpen(*document)) text += "Loop " + std::to_string(id) + " is kept open.\n";
+  return text;
+}
+
+nlohmann::ordered_json meshJson(const Input& input, const MeshReport& report) {
+  const MeshSnapshot* document = input.meshDocument();
+  if (!document) return handwheel::toJson(report);
+  nlohmann::ordered_json json = heading(input.opened);
+  json.update(handwheel::toJson(report));
+  json["kept_open"] = keptOpen(*document);
+  return json;
 }
 
 struct Inspected {
@@ -51,9 +85,8 @@ Result<Inspected> inspect(const Arguments& arguments, const DocumentKinds& kinds
       readInput(arguments.operands[0], {.partial = arguments.has("partial")}, kinds, progress.part(0.0, 0.3));
   if (!input) return input.error();
   Inspected result{std::move(input.value()), {}};
-  if (result.input.mesh) {
-    result.report = reportOn(result.input.mesh->soup, SelfIntersections::Count, progress.part(0.3, 1.0));
-  }
+  if (result.input.mesh) result.report = reportOn(result.input, SelfIntersections::Count, progress.part(0.3, 1.0));
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   return result;
 }
 
@@ -62,17 +95,14 @@ Result<Inspected> inspect(const Arguments& arguments, const DocumentKinds& kinds
 int runInspect(const Arguments& arguments, const DocumentKinds& kinds) {
   std::optional<Result<Inspected>> result;
   runInterruptible("Inspecting", [&](Job& job) { result = inspect(arguments, kinds, job.progress()); });
-  if (wasInterrupted()) return fail({ErrorCode::Cancelled, {}, {}, {}});
   if (!*result) return fail(result->error());
-  const Inspected& found = result->value();
+  const auto& [input, report] = result->value();
+  DocumentFile file = input.opened.file;
+  if (input.mesh) file.lost.clear();  // nothing is written, so nothing is not kept
+  tellLosses(file);
   const bool json = arguments.has("json");
-  if (found.input.mesh) {
-    tellLosses(found.input.mesh->damage, found.input.mesh->unlistedDamage, {});
-    return print(json ? textOf(handwheel::toJson(found.report)) : handwheel::readableText(found.report));
-  }
-  const OpenedFile& document = found.input.document;
-  tellLosses(document.file.damage, document.file.unlistedDamage, document.file.lost);
-  return print(json ? textOf(toJson(document)) : readableText(document));
+  if (input.mesh) return print(json ? textOf(meshJson(input, report)) : meshText(input, report));
+  return print(json ? textOf(toJson(input.opened)) : readableText(input.opened));
 }
 
 }  // namespace handwheel

@@ -4,6 +4,7 @@
 
 #include "cli/Messages.h"
 #include "cli/ProgressBar.h"
+#include "document/AtomicFile.h"
 
 #include <chrono>
 #include <condition_variable>
@@ -52,7 +53,7 @@ class JobRun {
     return m_changed.wait_for(lock, time, [this] { return m_done; });
   }
   void cancel() { m_job.m_state.cancelled = true; }
-  bool isWriting() const { return m_job.m_isWriting; }
+  bool hasWritten() const { return m_job.m_hasWritten; }
   double fraction() const { return m_job.m_state.fraction; }
   std::exception_ptr failure() const { return m_failure; }
 
@@ -94,9 +95,9 @@ void runInterruptible(std::string_view label, const std::function<void(Job&)>& w
       bar.show(run.fraction());
       if (!signalled) continue;
       run.cancel();
-      if (run.waitFor(kGrace) || run.isWriting()) continue;
+      if (run.waitFor(kGrace) || isWritingFile()) continue;
       bar.clear();
-      complain("Cancelled.");
+      complain(run.hasWritten() ? kCancelledTooLate : "Cancelled.");
       std::_Exit(kExitInterrupted);
     }
     failure = run.failure();

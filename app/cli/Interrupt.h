@@ -13,19 +13,21 @@ namespace handwheel {
 class Job {
  public:
   Progress progress() { return Progress(m_state); }
-  // From here on files change: an interrupted job is waited for, not abandoned. It still looks at the cancel flag.
-  void startWriting() { m_isWriting = true; }
+  // The file asked for is written, and what follows only looks at it: whoever interrupts that is told.
+  void hasWritten() { m_hasWritten = true; }
 
  private:
   friend class JobRun;
   JobState m_state;
-  std::atomic<bool> m_isWriting{false};
+  std::atomic<bool> m_hasWritten{false};
 };
 
 // Runs work on a thread of its own; this one shows its progress when stderr is a terminal and looks for signals. A job
 // that does not stop at once after a signal is abandoned together with the program (exit code 130), because some
-// library calls cannot be interrupted. Passes on what work throws.
+// library calls cannot be interrupted, but never while it writes a file. Passes on what work throws.
 void runInterruptible(std::string_view label, const std::function<void(Job&)>& work);
+
+inline constexpr std::string_view kCancelledTooLate = "Cancelled. The result is written already.";
 
 // Takes SIGINT and SIGTERM from now on. To be called first.
 void watchSignals();

@@ -103,9 +103,9 @@ Result<std::vector<std::pair<std::string, SoupSource>>> readInputs(const Measure
                                                                    const DocumentKinds& kinds, Progress progress) {
   std::vector<std::pair<std::string, SoupSource>> soups;
   for (const std::filesystem::path& path : request.inputs) {
-    Result<MeshFile> file = readMeshInput(path, {}, kinds, progress);
-    if (!file) return file.error();
-    const auto soup = std::make_shared<const TriangleSoup>(std::move(file->soup));
+    Result<Input> input = readMeshInput(path, {}, kinds, progress);
+    if (!input) return input.error();
+    const auto soup = std::make_shared<const TriangleSoup>(std::move(input->mesh->soup));
     soups.emplace_back(path.filename().string(), [soup] { return soup; });
   }
   return soups;

@@ -28,6 +28,11 @@ int fail(const Error& error) {
   return kExitError;
 }
 
+int refuse(std::string_view sentence) {
+  complain(sentence);
+  return kExitError;
+}
+
 int failUsage(std::string_view sentence, std::string_view command) {
   complain(sentence);
   std::fprintf(stderr, "Try 'handwheel help%s%.*s'.\n", command.empty() ? "" : " ", static_cast<int>(command.size()),

@@ -21,6 +21,9 @@ void complain(std::string_view sentence);
 // Says what went wrong and what to do about it, on one line. Returns the exit code for it.
 int fail(const Error& error);
 
+// Says why something is not done. Returns kExitError.
+int refuse(std::string_view sentence);
+
 // Says it, and where help is to be had. Returns kExitError.
 int failUsage(std::string_view sentence, std::string_view command);
 

@@ -6,7 +6,7 @@
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
-#include "mesh/BoundaryLoops.h"
+#include "document/mesh/MeshSnapshot.h"
 #include "mesh/MeshBuilder.h"
 #include "theme/DefectColours.h"
 #include "viewport/Snapshot.h"
@@ -67,10 +67,12 @@ int runPicture(const Arguments& arguments, const DocumentKinds& kinds) {
   runInterruptible("Reading", [&](Job& job) {
     input = readInput(arguments.operands[0], {.partial = partial}, kinds, job.progress());
     if (!*input) return;
-    if (input->value().mesh) {
-      mesh = buildMesh(input->value().mesh->soup).mesh;
+    if (const MeshSnapshot* document = input->value().meshDocument()) {
+      mesh = document->mesh.mesh;
+    } else if (input->value().mesh) {
+      mesh = buildMesh(input->value().mesh->soup, job.progress()).mesh;
     } else {
-      model = input->value().document.kind->display(*input->value().document.content);
+      model = input->value().opened.kind->display(*input->value().opened.content);
     }
   });
   if (!*input) return fail(input->error());

@@ -5,6 +5,7 @@
 #include "base/Expression.h"
 
 #include <charconv>
+#include <optional>
 
 namespace handwheel {
 
@@ -28,17 +29,46 @@ std::string numberText(double value, Quantity quantity) {
   return shortest(value);
 }
 
-Error malformed(const Property& property, const char* why) {
-  return {ErrorCode::ElementMalformed, {property.id, why}, {}, {}};
+std::string listOf(const std::vector<std::string>& choices) {
+  std::string all;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    all += (i == 0 ? "" : i + 1 == choices.size() ? " or " : ", ") + choices[i];
+  }
+  return all;
 }
 
-Result<PropertyValue> chosen(const Property& property, const std::string& word) {
-  for (std::size_t i = 0; i < property.choices.size(); ++i) {
-    if (property.choices[i] == word) return PropertyValue(static_cast<double>(i));
+// What a property takes, as the end of a sentence.
+std::string wanted(const Property& property) {
+  if (std::holds_alternative<bool>(property.value)) return "yes or no";
+  if (!property.choices.empty()) return listOf(property.choices);
+  switch (property.quantity) {
+    case Quantity::Length:
+      return "a length, such as 12.5, 25.4/2 or 1in";
+    case Quantity::Angle:
+      return "an angle, such as 30, 30deg or pi/6 rad";
+    case Quantity::Number:
+      break;
   }
-  std::string all;
-  for (const std::string& choice : property.choices) all += (all.empty() ? "" : ", ") + choice;
-  return malformed(property, ("it takes " + all).c_str());
+  return "a number";
+}
+
+std::optional<PropertyValue> valueOf(const Property& property, const std::string& word) {
+  if (std::holds_alternative<std::string>(property.value)) return word;
+  if (std::holds_alternative<bool>(property.value)) {
+    return word == "yes" || word == "no" ? std::optional<PropertyValue>(word == "yes") : std::nullopt;
+  }
+  for (std::size_t i = 0; i < property.choices.size(); ++i) {
+    if (property.choices[i] == word) return static_cast<double>(i);
+  }
+  if (!property.choices.empty()) return std::nullopt;
+  const ExpressionResult value = evaluateExpression(word, {.quantity = property.quantity});
+  const auto* number = std::get_if<double>(&value);
+  return number ? std::optional<PropertyValue>(*number) : std::nullopt;
+}
+
+bool isWithin(const Property& property, const PropertyValue& value) {
+  const auto* number = std::get_if<double>(&value);
+  return !number || (*number >= property.least && *number <= property.largest);
 }
 
 }  // namespace
@@ -51,16 +81,12 @@ std::string propertyText(const Property& property) {
   return property.choices.at(static_cast<std::size_t>(number));
 }
 
-Result<PropertyValue> propertyValue(const Property& property, const std::string& word) {
-  if (std::holds_alternative<std::string>(property.value)) return PropertyValue(word);
-  if (std::holds_alternative<bool>(property.value)) {
-    if (word == "yes" || word == "no") return PropertyValue(word == "yes");
-    return malformed(property, "it takes yes or no");
-  }
-  if (!property.choices.empty()) return chosen(property, word);
-  const ExpressionResult value = evaluateExpression(word, {.quantity = property.quantity});
-  if (const auto* number = std::get_if<double>(&value)) return PropertyValue(*number);
-  return malformed(property, "a number was expected, such as 12.5, 25.4/2, 1in or 30deg");
+std::variant<PropertyValue, std::string> propertyValue(const Property& property, const std::string& word) {
+  const std::optional<PropertyValue> value = valueOf(property, word);
+  if (!value) return property.id + " takes " + wanted(property) + ", not '" + word + "'.";
+  if (isWithin(property, *value)) return *value;
+  return property.id + " must lie between " + numberText(property.least, property.quantity) + " and " +
+         numberText(property.largest, property.quantity) + ".";
 }
 
 }  // namespace handwheel

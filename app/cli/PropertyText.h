@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "base/Result.h"
 #include "document/Property.h"
 
 #include <string>
@@ -13,7 +12,7 @@ namespace handwheel {
 std::string propertyText(const Property& property);
 
 // The value that a word stands for: a number with or without a unit or an expression, yes or no, one of the choices, a
-// text. Errors: ElementMalformed {name, what is wrong}.
-Result<PropertyValue> propertyValue(const Property& property, const std::string& word);
+// text. Or what is wrong with the word, as a sentence.
+std::variant<PropertyValue, std::string> propertyValue(const Property& property, const std::string& word);
 
 }  // namespace handwheel

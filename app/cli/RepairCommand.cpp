@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/RepairCommand.h"
 
+#include "cli/Input.h"
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
 #include "cli/Picture.h"
@@ -9,6 +10,8 @@
 #include "cli/ReportJson.h"
 #include "cli/Wording.h"
 #include "document/AtomicFile.h"
+#include "fidelity/MeasuredSettings.h"
+#include "mesh/MeshFidelity.h"
 
 #include <algorithm>
 #include <charconv>
@@ -34,14 +37,6 @@ bool readIds(std::string_view list, std::set<int>& ids) {
   }
 }
 
-bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
-  std::error_code ignored;
-  const auto whole = [&](const std::filesystem::path& path) {
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
-  };
-  return whole(a) == whole(b);
-}
-
 // OUT may be IN, but what is written beside must not replace either, nor one another.
 std::string fileNamedTwice(const RepairRequest& request, const Arguments& arguments) {
   const std::string report = arguments.valueOf("report"), picture = arguments.valueOf("screenshot");
@@ -64,6 +59,11 @@ std::string readRequest(const Arguments& arguments, RepairRequest& request) {
   request.countSelfIntersections = arguments.has("report");
   request.options.fillRims = arguments.has("fill-rims");
   request.options.removeDebris = arguments.has("remove-debris");
+  if (arguments.has("fidelity")) {
+    const Result<FidelityValues> values = readValues(measuredSettings(), arguments.valueOf("fidelity"));
+    if (!values) return sentenceFor(values.error());
+    apply(*values, request.options);
+  }
   if (arguments.has("fill")) {
     const auto method = fillMethodFor(arguments.valueOf("fill"));
     if (!method) return "--fill takes fair, refined, ear or minimal.";
@@ -105,8 +105,7 @@ std::string summary(const RepairRun& run, const RepairRequest& request) {
 
 // Tells what came of it, on stdout and stderr and in the files asked for.
 int deliver(const RepairRun& run, const RepairRequest& request, const Arguments& arguments) {
-  for (const std::string& note : damageSentences(run.damage, run.unlistedDamage)) complain(note);
-  if (!run.lost.empty()) complain("Not kept: " + listOf(run.lost) + ".");
+  tellLosses(run.file);
   if (arguments.has("report")) {
     const std::string unit = arguments.has("unit") ? arguments.valueOf("unit") : "mm";
     const Status written = writeFileAtomically(arguments.valueOf("report"), textOf(toJson(run, request, unit)));
@@ -135,6 +134,7 @@ CommandSpec repairSpec() {
       "2: something is left and told on stderr; 1: error. The format is that of OUT's ending.",
       {
           {"output", 'o', "OUT", "The repaired mesh: .stl, .ply, .obj, .off, .3mf or .handwheel; may be the input"},
+          {"fidelity", 0, "LIST", "draft, balanced or exact, and single values: mesh.near_weld=1e-4,..."},
           {"fill", 0, "METHOD", "fair (default), refined, ear or minimal"},
           {"keep-open", 0, "ID,...", "Loops to leave open, numbered as 'handwheel inspect' does"},
           {"fill-rims", 0, "", "Also fill the outer edges of open sheets"},
@@ -157,14 +157,21 @@ int runRepair(const Arguments& arguments, const DocumentKinds& kinds) {
   runInterruptible("Repairing", [&](Job& job) { run = repairFile(request, kinds, job); });
   if (!*run) return fail(run->error());
   const RepairRun& result = run->value();
+  if (!result.refusal.empty()) {
+    tellLosses(result.file);
+    return refuse(result.refusal);
+  }
   if (!result.unknownLoops.empty()) {
     return failUsage("There is no loop " + std::to_string(result.unknownLoops.front()) +
                          " to keep open; 'handwheel inspect' lists them.",
                      "repair");
   }
   if (result.nothingLeft) {
-    complain(request.input.string() + ": no triangle has an area, so there is nothing to repair.");
-    return kExitError;
+    return refuse(request.input.string() + ": no triangle has an area, so there is nothing to repair.");
+  }
+  if (!result.isMeasured) {
+    complain(kCancelledTooLate);
+    return kExitInterrupted;
   }
   return deliver(result, request, arguments);
 }

@@ -19,11 +19,6 @@ namespace {
 
 const Error kCancelled{ErrorCode::Cancelled, {}, {}, {}};
 
-std::vector<int> loopsNotIn(const HalfEdgeMesh& mesh, std::set<int> ids) {
-  for (const BoundaryLoop& loop : findBoundaryLoops(mesh)) ids.erase(loop.id);
-  return {ids.begin(), ids.end()};
-}
-
 // Vertices of the input among both lists, each once.
 std::vector<Vertex> touchedInputs(std::vector<Vertex> repaired, const std::vector<Vertex>& parted,
                                   std::size_t inputVertices) {
@@ -34,17 +29,20 @@ std::vector<Vertex> touchedInputs(std::vector<Vertex> repaired, const std::vecto
   return repaired;
 }
 
-// Measures what was written: its figures, and whether every untouched vertex is in it.
-Status measure(const RepairRequest& request, const DocumentKinds& kinds, const HalfEdgeMesh& before,
-               const HalfEdgeMesh& after, RepairRun& run, Progress progress) {
-  const Result<MeshFile> written = readMeshInput(request.output, {}, kinds, progress.part(0.0, 0.3));
-  if (!written) return written.error();
-  run.untouchedIdentical = untouchedAreIdentical(before, after, run.touched, written->soup);
-  run.after =
-      reportOn(written->soup, request.countSelfIntersections ? SelfIntersections::Count : SelfIntersections::Skip,
-               progress.part(0.3, 1.0));
-  return Done{};
-}
+// The loops to leave open, by both of their names.
+struct KeptLoops {
+  std::set<int> ids;
+  std::set<Vertex> keys;
+};
+
+// What is on the bench.
+struct Work {
+  Input input;
+  std::optional<NumberType> numbers;  // in which the output holds coordinates; none: as they are, in a container
+  BuiltMesh before;
+  KeptLoops kept;
+  HalfEdgeMesh after;
+};
 
 // The format of the output; none for a container, which holds what the document holds.
 Result<std::optional<MeshFormat>> formatFor(const std::filesystem::path& output) {
@@ -54,17 +52,79 @@ Result<std::optional<MeshFormat>> formatFor(const std::filesystem::path& output)
   return std::optional<MeshFormat>(*format);
 }
 
-Result<ExportReport> write(const HalfEdgeMesh& mesh, NumberType numbers, const std::filesystem::path& output,
-                           const DocumentKinds& kinds, Progress progress) {
-  if (!isContainerName(output)) return exportMesh(mesh, numbers, output, progress);
-  const DocumentKind& kind = *kinds.withId(kMeshKind);
-  MeshSnapshot snapshot;
-  snapshot.mesh = inspected(mesh);
-  snapshot.build = std::make_shared<const BuildReport>();
-  snapshot.numbers = numbers;
-  const Result<WrittenFile> written = saveDocument(kind, DocumentFile(), snapshot, output, progress);
+// Whether that changed anything.
+bool roundPositions(HalfEdgeMesh& mesh, NumberType numbers) {
+  bool isChanged = false;
+  for (Vertex v = 0; v < mesh.vertexSlots(); ++v) {
+    const Vec3 p = rounded(mesh.position(v), numbers);
+    if (p == mesh.position(v)) continue;
+    mesh.setPosition(v, p);
+    isChanged = true;
+  }
+  return isChanged;
+}
+
+// The mesh of a document keeps its numbers, by which its loops are known.
+BuiltMesh meshToRepair(Input& input, std::optional<NumberType> numbers, Progress progress) {
+  if (const MeshSnapshot* document = input.meshDocument()) {
+    BuiltMesh built{document->mesh.mesh, {}};
+    if (numbers && roundPositions(built.mesh, *numbers)) built.report = relink(built.mesh);
+    return built;
+  }
+  if (numbers) roundPoints(input.mesh->soup, *numbers);
+  return buildMesh(input.mesh->soup, progress);
+}
+
+// Those asked for, and those that a document marks. Unknown are the ids that there are no loops for.
+KeptLoops loopsToKeep(const Input& input, const HalfEdgeMesh& mesh, const std::set<int>& asked,
+                      std::vector<int>& unknown) {
+  KeptLoops kept;
+  std::set<int> missing = asked;
+  for (const BoundaryLoop& loop : findBoundaryLoops(mesh)) {
+    missing.erase(loop.id);
+    const Vertex key = keyOf(mesh, loop);
+    const bool isMarked = input.meshDocument() && input.meshDocument()->keptOpen.contains(key);
+    if (!isMarked && !asked.contains(loop.id)) continue;
+    kept.ids.insert(loop.id);
+    kept.keys.insert(key);
+  }
+  unknown.assign(missing.begin(), missing.end());
+  return kept;
+}
+
+// The document of the input with another mesh, and with marks for the loops that were asked to be kept open.
+MeshSnapshot repairedDocument(const Work& work, Progress progress) {
+  MeshSnapshot repaired;
+  const MeshSnapshot* document = work.input.meshDocument();
+  repaired.build = document ? document->build : std::make_shared<const BuildReport>(work.before.report);
+  repaired.keptOpen = work.kept.keys;
+  if (document) repaired.keptOpen.insert(document->keptOpen.begin(), document->keptOpen.end());
+  repaired.numbers = work.input.mesh->numbers;
+  repaired.mesh = inspected(work.after, tolerance::kNearWeld, progress);
+  return repaired;
+}
+
+Result<ExportReport> write(const Work& work, const std::filesystem::path& output, Progress progress) {
+  if (work.numbers) return exportMesh(work.after, *work.numbers, output, progress);
+  const OpenedFile& opened = work.input.opened;
+  const MeshSnapshot repaired = repairedDocument(work, progress.part(0.0, 0.5));
+  const Result<WrittenFile> written =
+      saveDocument(*opened.kind, opened.file, repaired, output, progress.part(0.5, 1.0));
   if (!written) return written.error();
   return ExportReport{{}, written->bytes, {}};
+}
+
+// Measures what was written: its figures, and whether every untouched vertex is in it. Not when that is cancelled.
+Status measure(const RepairRequest& request, const DocumentKinds& kinds, const Work& work, RepairRun& run,
+               Progress progress) {
+  const Result<Input> written = readMeshInput(request.output, {}, kinds, progress.part(0.0, 0.3));
+  if (!written && written.error().code == ErrorCode::Cancelled) return Done{};
+  if (!written) return written.error();
+  run.untouchedIdentical = untouchedAreIdentical(work.before.mesh, work.after, run.touched, written->mesh->soup);
+  run.after = reportOn(*written, request.countSelfIntersections ? SelfIntersections::Count : SelfIntersections::Skip,
+                       progress.part(0.3, 1.0));
+  run.isMeasured = !progress.cancelled();
+  return Done{};
 }
 
 }  // namespace
@@ -74,38 +134,39 @@ Result<RepairRun> repairFile(const RepairRequest& request, const DocumentKinds& 
   const Progress progress = job.progress();
   const Result<std::optional<MeshFormat>> format = formatFor(request.output);
   if (!format) return format.error();
-  Result<MeshFile> file = readMeshInput(request.input, request.read, kinds, progress.part(0.0, 0.1));
-  if (!file) return file.error();
+  Result<Input> input = readMeshInput(request.input, request.read, kinds, progress.part(0.0, 0.1));
+  if (!input) return input.error();
 
   RepairRun run;
-  run.damage = std::move(file->damage);
-  run.unlistedDamage = file->unlistedDamage;
-  run.lost = std::move(file->lost);
+  run.file = input->opened.file;
+  run.refusal = refusalToReplace(run.file, request.output);
+  if (!run.refusal.empty()) return run;
   if (request.countSelfIntersections) {
-    run.before = reportOn(file->soup, SelfIntersections::Count, progress.part(0.1, 0.2));
+    run.before = reportOn(*input, SelfIntersections::Count, progress.part(0.1, 0.2));
   }
-  const NumberType numbers = *format ? numberTypeOf(**format, file->numbers) : file->numbers;
-  roundPoints(file->soup, numbers);
-  BuiltMesh built = buildMesh(file->soup);
+  Work work{std::move(input.value()), {}, {}, {}, {}};
+  if (*format) work.numbers = numberTypeOf(**format, work.input.mesh->numbers);
+  work.before = meshToRepair(work.input, work.numbers, progress.part(0.2, 0.25));
   if (progress.cancelled()) return kCancelled;
-  run.unknownLoops = loopsNotIn(built.mesh, request.options.keepOpen);
+  work.kept = loopsToKeep(work.input, work.before.mesh, request.options.keepOpen, run.unknownLoops);
   if (!run.unknownLoops.empty()) return run;
 
-  HalfEdgeMesh mesh = built.mesh;
   RepairOptions options = request.options;
-  options.fill.numbers = numbers;
-  run.repair = repair(mesh, options, progress.part(0.25, 0.75));
+  options.keepOpen = work.kept.ids;
+  options.fill.numbers = work.numbers.value_or(work.input.mesh->numbers);
+  work.after = work.before.mesh;
+  run.repair = repair(work.after, options, progress.part(0.25, 0.75));
   if (run.repair.cancelled || progress.cancelled()) return kCancelled;
-  run.nothingLeft = mesh.liveFaceCount() == 0;
+  run.nothingLeft = work.after.liveFaceCount() == 0;
   if (run.nothingLeft) return run;
 
-  job.startWriting();
-  const Result<ExportReport> exported = write(mesh, numbers, request.output, kinds, progress.part(0.75, 0.85));
+  const Result<ExportReport> exported = write(work, request.output, progress.part(0.75, 0.85));
   if (!exported) return exported.error();
-  run.repair.turnedFaces += built.report.turnedFaces.size();
+  job.hasWritten();
+  run.repair.turnedFaces += work.before.report.turnedFaces.size();
   run.repair.partedVertices += exported->parted.size();
-  run.touched = touchedInputs(run.repair.touchedVertices, exported->parted, built.mesh.vertexSlots());
-  const Status measured = measure(request, kinds, built.mesh, mesh, run, progress.part(0.85, 1.0));
+  run.touched = touchedInputs(run.repair.touchedVertices, exported->parted, work.before.mesh.vertexSlots());
+  const Status measured = measure(request, kinds, work, run, progress.part(0.85, 1.0));
   if (!measured) return measured.error();
   run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return run;

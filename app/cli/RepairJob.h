@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/Result.h"
-#include "document/formats/MeshFormat.h"
+#include "document/DocumentFile.h"
 #include "mesh/MeshReport.h"
 #include "mesh/Repair.h"
 
@@ -29,16 +29,17 @@ struct RepairRun {
   RepairReport repair;              // with the faces turned on building the mesh, and the vertices parted by the export
   std::vector<Vertex> touched;      // vertices of the input that were moved, merged or parted
   bool untouchedIdentical = false;  // measured on the written file
-  std::vector<Error> damage;
-  std::size_t unlistedDamage = 0;
-  std::vector<LostAttribute> lost;
+  DocumentFile file;                // what reading the input lost
   double seconds = 0.0;
   std::vector<int> unknownLoops;  // asked to be kept open but not there: then nothing was repaired or written
+  bool isMeasured = false;        // else that was cancelled, but the output is written
+  std::string refusal;            // why the output must not be replaced: then nothing was repaired or written
   bool nothingLeft = false;       // every face was removed: then nothing was written
 };
 
 // Reads, repairs, writes, and reads the written file again to measure it. The input's coordinates are rounded to the
-// numbers of the output first, so that what is repaired is what the file will hold.
+// numbers of the output first, so that what is repaired is what the file will hold. Loops that a container marks to be
+// kept open are; a container made from one keeps its marks, its id, its unit and what only others know of it.
 Result<RepairRun> repairFile(const RepairRequest& request, const DocumentKinds& kinds, Job& job);
 
 }  // namespace handwheel

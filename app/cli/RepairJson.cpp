@@ -31,7 +31,7 @@ Json toJson(const RepairRun& run, const RepairRequest& request, const std::strin
   Json loops = Json::array();
   for (const LoopResult& loop : run.repair.loops) loops.push_back(toJson(loop));
   Json lost = Json::array();
-  for (LostAttribute attribute : run.lost) lost.push_back(lostAttributeName(attribute).toStdString());
+  for (LostAttribute attribute : run.file.lost) lost.push_back(lostAttributeName(attribute).toStdString());
   return {
       {"input", request.input.string()},
       {"output", request.output.string()},
@@ -49,7 +49,7 @@ Json toJson(const RepairRun& run, const RepairRequest& request, const std::strin
       {"untouched_vertices_identical", run.untouchedIdentical},
       {"unit", unit},
       {"lost_attributes", lost},
-      {"damage", damageSentences(run.damage, run.unlistedDamage)},
+      {"damage", damageSentences(run.file)},
       {"seconds", run.seconds},
   };
 }

@@ -16,17 +16,19 @@ namespace handwheel {
 
 namespace {
 
-// Applies one "name=value".
-Status assign(Document& document, const std::string& word) {
+// Applies one "name=value". Returns what is wrong with it, or nothing.
+std::string assign(Document& document, const std::string& word) {
   const std::size_t equals = word.find('=');
+  if (equals == std::string::npos) return "NAME=VALUE was expected, not '" + word + "'.";
   const std::string name = word.substr(0, equals);
-  if (equals == std::string::npos) return Error{ErrorCode::ElementMalformed, {word, "NAME=VALUE was expected"}, {}, {}};
   const std::vector<Property> all = document.properties();
   const auto property = std::find_if(all.begin(), all.end(), [&](const Property& p) { return p.id == name; });
-  if (property == all.end()) return Error{ErrorCode::ReferenceMissing, {"the property", name}, {}, {}};
-  if (!property->editable) return Error{ErrorCode::Unsupported, {"changing " + name}, {}, {}};
-  const Result<PropertyValue> value = propertyValue(*property, word.substr(equals + 1));
-  return value ? document.setProperty(name, *value) : Status(value.error());
+  if (property == all.end()) return "There is no property '" + name + "'; 'handwheel inspect' lists them.";
+  if (!property->editable) return "The property " + name + " follows from others and cannot be set.";
+  const auto value = propertyValue(*property, word.substr(equals + 1));
+  if (const auto* problem = std::get_if<std::string>(&value)) return *problem;
+  const Status done = document.setProperty(name, std::get<PropertyValue>(value));
+  return done ? std::string() : sentenceFor(done.error());
 }
 
 // Changes and writes. The document is made anew on this thread; saving may be interrupted.
@@ -34,11 +36,10 @@ int assignAndSave(OpenedFile opened, std::span<const std::string> words, const s
   const DocumentKind& kind = *opened.kind;
   const std::unique_ptr<Document> document = kind.make(std::move(opened));
   for (const std::string& word : words) {
-    if (const Status done = assign(*document, word); !done) return fail(done.error());
+    if (const std::string problem = assign(*document, word); !problem.empty()) return refuse(problem);
   }
   std::optional<Result<WrittenFile>> written;
   runInterruptible("Writing", [&, content = document->snapshot()](Job& job) {
-    job.startWriting();
     written = saveDocument(kind, document->file(), *content, output, job.progress());
   });
   if (!*written) return fail(written->error());
@@ -78,8 +79,9 @@ int runSet(const Arguments& arguments, const DocumentKinds& kinds) {
   std::optional<Result<OpenedFile>> opened;
   runInterruptible("Reading", [&](Job& job) { opened = kinds.open(arguments.operands[0], {}, job.progress()); });
   if (!*opened) return fail(opened->error());
-  const DocumentFile& file = opened->value().file;
-  tellLosses(file.damage, file.unlistedDamage, file.lost);
+  tellLosses(opened->value().file);
+  const std::string refusal = refusalToReplace(opened->value().file, arguments.valueOf("output"));
+  if (!refusal.empty()) return refuse(refusal);
   return assignAndSave(std::move(opened->value()), std::span(arguments.operands).subspan(1),
                        arguments.valueOf("output"));
 }

@@ -58,10 +58,12 @@ std::string listOf(const std::vector<LostAttribute>& attributes) {
   return names.join(", ").toStdString();
 }
 
-std::vector<std::string> damageSentences(const std::vector<Error>& damage, std::size_t unlisted) {
+std::vector<std::string> damageSentences(const DocumentFile& file) {
   std::vector<std::string> sentences;
-  for (const Error& error : damage) sentences.push_back(sentenceFor(error));
-  if (unlisted > 0) sentences.push_back("Damage at " + counted(unlisted, "further place", "further places") + ".");
+  for (const Error& error : file.damage) sentences.push_back(sentenceFor(error));
+  if (file.unlistedDamage > 0) {
+    sentences.push_back("Damage at " + counted(file.unlistedDamage, "further place", "further places") + ".");
+  }
   return sentences;
 }
 

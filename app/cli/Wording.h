@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "document/formats/MeshFormat.h"
+#include "document/DocumentFile.h"
 #include "mesh/MeshReport.h"
 #include "mesh/Repair.h"
 
@@ -27,7 +27,7 @@ std::string reasonSentence(FillFailure failure);
 std::string listOf(const std::vector<LostAttribute>& attributes);
 
 // What was skipped or mended on reading, a sentence each; the last one counts those that are not listed.
-std::vector<std::string> damageSentences(const std::vector<Error>& damage, std::size_t unlisted);
+std::vector<std::string> damageSentences(const DocumentFile& file);
 
 // What a repair did besides filling, as one line; empty when it did nothing.
 std::string changesLine(const RepairReport& repair);

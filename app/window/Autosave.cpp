@@ -14,21 +14,21 @@
 
 namespace handwheel {
 
-Autosave::Autosave(DocumentTabs& tabs, FileLoader& loader, QThreadPool& pool, LogModel& log, WindowServices& services,
-                   QObject* parent)
+Autosave::Autosave(DocumentTabs& tabs, FileLoader& loader, LogModel& log, WindowServices& services, QObject* parent)
     : QObject(parent),
       m_tabs(tabs),
       m_loader(loader),
       m_log(log),
       m_services(services),
-      m_jobs(JobRunner::Policy::Queue, pool),
+      m_jobs(JobRunner::Policy::Queue, m_pool),
       m_session(std::make_shared<RecoverySession>()) {
+  m_pool.setMaxThreadCount(1);
   m_timer.setSingleShot(true);
   connect(&m_timer, &QTimer::timeout, this, &Autosave::saveAll);
   connect(&m_tabs, &DocumentTabs::added, this, &Autosave::follow);
   connect(&m_tabs, &DocumentTabs::closing, this, [this](OpenDocument* document) {
     document->document.disconnect(this);
-    m_session->remove(m_keys[document]);
+    m_session->close(m_keys[document]);
     m_keys.erase(document);
   });
 }
@@ -96,7 +96,10 @@ void Autosave::offerLeftovers() {
   const auto count = static_cast<int>(m_leftovers->found().size());
   if (count == 0) return m_leftovers.reset();
   QStringList names;
-  for (const Leftover& leftover : m_leftovers->found()) names << QString::fromStdString(leftover.info.name);
+  for (const Leftover& leftover : m_leftovers->found()) {
+    const QString name = QString::fromStdString(leftover.info.name);
+    names << (leftover.isOutdated ? tr("%1 (its file was saved since)").arg(name) : name);
+  }
   emit message({Message::Weight::Warning,
                 tr("Handwheel ended unexpectedly. %Ln document(s) had changes that were not saved.", nullptr, count),
                 names.join(QStringLiteral(", ")),

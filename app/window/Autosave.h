@@ -9,6 +9,7 @@
 #include "window/JobRunner.h"
 
 #include <QObject>
+#include <QThreadPool>
 #include <QTimer>
 #include <map>
 #include <optional>
@@ -27,8 +28,7 @@ class Autosave : public QObject {
   Q_OBJECT
 
  public:
-  Autosave(DocumentTabs& tabs, FileLoader& loader, QThreadPool& pool, LogModel& log, WindowServices& services,
-           QObject* parent = nullptr);
+  Autosave(DocumentTabs& tabs, FileLoader& loader, LogModel& log, WindowServices& services, QObject* parent = nullptr);
 
   void setInterval(int seconds);  // 0: never
   void offerLeftovers();
@@ -47,6 +47,7 @@ class Autosave : public QObject {
   FileLoader& m_loader;
   LogModel& m_log;
   WindowServices& m_services;
+  QThreadPool m_pool;  // of its own: long jobs must not delay it
   JobRunner m_jobs;
   QTimer m_timer;  // runs from the first change that is in no autosave
   Need m_need;     // as long as that is so

@@ -6,7 +6,9 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QLocale>
 #include <QRegularExpression>
+#include <algorithm>
 
 namespace handwheel {
 
@@ -19,19 +21,43 @@ QString quoted(const QString& word) {
   return QLatin1Char('\'') + inner.replace(QLatin1Char('\''), QLatin1String("'\\''")) + QLatin1Char('\'');
 }
 
-QString fileName(const QString& path) {
-  return quoted(QFileInfo(path).fileName());
+QString file(const QString& path) {
+  return quoted(QDir::toNativeSeparators(QFileInfo(path).absoluteFilePath()));
+}
+
+QString valueText(const Property& property) {
+  if (const auto* text = std::get_if<std::string>(&property.value)) return QString::fromStdString(*text);
+  if (const auto* on = std::get_if<bool>(&property.value)) return *on ? QStringLiteral("yes") : QStringLiteral("no");
+  const double number = std::get<double>(property.value);
+  if (!property.choices.empty()) return QString::fromStdString(property.choices.at(static_cast<std::size_t>(number)));
+  const bool angle = property.quantity == Quantity::Angle;
+  const QString digits =
+      QString::number(angle ? number / kRadiansPerDegree : number, 'g', QLocale::FloatingPointShortest);
+  if (property.quantity == Quantity::Number) return digits;
+  return digits + (angle ? QStringLiteral("deg") : QStringLiteral("mm"));
+}
+
+// " diameter=25mm length=50mm"
+QString assignments(const std::vector<Property>& before, const std::vector<Property>& now) {
+  QString words;
+  for (const Property& property : now) {
+    const auto same = [&](const Property& other) { return other.id == property.id && other.value == property.value; };
+    if (!property.editable || std::any_of(before.begin(), before.end(), same)) continue;
+    words += QLatin1Char(' ') + quoted(QString::fromStdString(property.id) + QLatin1Char('=') + valueText(property));
+  }
+  return words;
 }
 
 }  // namespace
 
-QString inspectCommand(const QString& path) {
-  return QStringLiteral("handwheel inspect ") + fileName(path);
+QString inspectCommand(const QString& path, const ReadOptions& options) {
+  return QStringLiteral("handwheel inspect ") + file(path) +
+         (options.partial ? QStringLiteral(" --partial") : QString());
 }
 
 QString repairCommand(const QString& path, const RepairOptions& options) {
   QString command = QStringLiteral("handwheel repair %1 -o %2 --fill %3")
-                        .arg(fileName(path), fileName(repairedName(path)), fillMethodWord(options.fill.method));
+                        .arg(file(path), file(repairedName(path)), fillMethodWord(options.fill.method));
   if (options.keepOpen.empty()) return command;
   QStringList ids;
   for (int id : options.keepOpen) ids << QString::number(id);
@@ -39,7 +65,20 @@ QString repairCommand(const QString& path, const RepairOptions& options) {
 }
 
 QString convertCommand(const QString& from, const QString& to) {
-  return QStringLiteral("handwheel convert %1 %2").arg(fileName(from), fileName(to));
+  return QStringLiteral("handwheel convert %1 %2").arg(file(from), file(to));
+}
+
+QString setCommand(const QString& from, const std::vector<Property>& before, const std::vector<Property>& now,
+                   const QString& to) {
+  const QString words = assignments(before, now);
+  if (words.isEmpty()) return file(from) == file(to) ? QString() : convertCommand(from, to);
+  return QStringLiteral("handwheel set ") + file(from) + words + QStringLiteral(" -o ") + file(to);
+}
+
+QString newCommand(const std::string& kind, const std::vector<Property>& before, const std::vector<Property>& now,
+                   const QString& to) {
+  return QStringLiteral("handwheel new ") + QString::fromStdString(kind) + assignments(before, now) +
+         QStringLiteral(" -o ") + file(to);
 }
 
 QString repairedName(const QString& path) {

@@ -30,7 +30,8 @@ DocumentTabs::DocumentTabs(QWidget* parent) : QFrame(parent), m_bar(new QTabBar(
   row->addStretch();
   connect(m_bar, &QTabBar::currentChanged, this, [this] { emit currentChanged(current()); });
   connect(m_bar, &QTabBar::tabMoved, this, [this](int from, int to) {
-    std::swap(m_documents[static_cast<std::size_t>(from)], m_documents[static_cast<std::size_t>(to)]);
+    const auto first = m_documents.begin() + std::min(from, to), last = m_documents.begin() + std::max(from, to) + 1;
+    std::rotate(first, from < to ? first + 1 : last - 1, last);
   });
 }
 
@@ -78,6 +79,11 @@ void DocumentTabs::add(std::unique_ptr<OpenDocument> document) {
 
 void DocumentTabs::setCurrent(const OpenDocument* document) {
   m_bar->setCurrentIndex(indexOf(document));
+}
+
+void DocumentTabs::step(int places) {
+  if (m_bar->count() == 0) return;
+  m_bar->setCurrentIndex((m_bar->currentIndex() + places + m_bar->count()) % m_bar->count());
 }
 
 void DocumentTabs::close(OpenDocument* document) {

@@ -27,6 +27,7 @@ class DocumentTabs : public QFrame {
 
   void add(std::unique_ptr<OpenDocument> document);  // and makes it current
   void setCurrent(const OpenDocument* document);
+  void step(int places);               // to the right, and round
   void close(OpenDocument* document);  // without asking
 
  signals:

@@ -3,8 +3,10 @@
 #include "window/FileActions.h"
 
 #include "theme/Icons.h"
+#include "window/ActionTip.h"
 #include "window/ClosePrompt.h"
 #include "window/DocumentTabs.h"
+#include "window/FileFilters.h"
 #include "window/KindUi.h"
 #include "window/OpenDocument.h"
 #include "window/RecentFiles.h"
@@ -31,71 +33,14 @@ void rememberFolder(const QString& path) {
   QSettings().setValue(kFolderKey, QFileInfo(path).absolutePath());
 }
 
-QString patterns(const FileFormat& format) {
-  QStringList all;
-  for (const std::string& ending : format.endings) all << QLatin1Char('*') + QString::fromStdString(ending);
-  return all.join(QLatin1Char(' '));
-}
-
-QString containerPattern() {
-  return QLatin1Char('*') + QString::fromUtf8(kContainerEnding.data(), static_cast<qsizetype>(kContainerEnding.size()));
-}
-
-QString kindTitle(const DocumentKind& kind) {
-  return QCoreApplication::translate("DocumentKind", kind.title().c_str());
-}
-
-// "Everything Handwheel opens", then one line for each kind.
-QStringList openFilters(const DocumentKinds& kinds) {
-  QStringList all{containerPattern()}, lines;
-  for (const auto& kind : kinds.all()) {
-    QStringList own;
-    for (const FileFormat& format : kind->formats()) {
-      if (format.reads) own << patterns(format);
-    }
-    all << own;
-    if (!own.isEmpty()) lines << QStringLiteral("%1 (%2)").arg(kindTitle(*kind), own.join(QLatin1Char(' ')));
-  }
-  lines.prepend(FileActions::tr("All that Handwheel opens (%1)").arg(all.join(QLatin1Char(' '))));
-  return lines << FileActions::tr("All files (*)");
-}
-
-QStringList saveFilters(const DocumentKind& kind) {
-  QStringList lines{FileActions::tr("Handwheel documents (%1)").arg(containerPattern())};
-  for (const FileFormat& format : kind.formats()) {
-    if (format.writes) lines << QStringLiteral("%1 (%2)").arg(QString::fromStdString(format.name), patterns(format));
-  }
-  return lines;
-}
-
-// "*.handwheel *.stl": what stands in brackets in all lines.
-QString endingsIn(const QStringList& filters) {
-  QStringList endings;
-  for (const QString& line : filters) endings << line.section(QLatin1Char('('), -1).chopped(1);
-  return endings.join(QLatin1Char(' '));
-}
-
-bool canWrite(const DocumentKind& kind, const std::filesystem::path& path) {
-  if (isContainerName(path)) return true;
-  const std::string ending = QString::fromStdString(path.extension().string()).toLower().toStdString();
-  for (const FileFormat& format : kind.formats()) {
-    if (format.writes && std::find(format.endings.begin(), format.endings.end(), ending) != format.endings.end()) {
-      return true;
-    }
-  }
-  return false;
-}
-
 bool isSample(const QFileInfo& file) {
   return file == QFileInfo(samplePath(kScanSample)) || file == QFileInfo(samplePath(kRobotSample));
 }
 
 void prepare(QAction& action, const char* name, const char* iconName, const QString& tip) {
   action.setObjectName(QString::fromLatin1(name));
-  if (iconName) action.setIcon(icon(QString::fromLatin1(iconName)));
-  action.setToolTip(action.shortcut().isEmpty()
-                        ? tip
-                        : QStringLiteral("%1 (%2)").arg(tip, action.shortcut().toString(QKeySequence::NativeText)));
+  action.setIcon(icon(QString::fromLatin1(iconName)));
+  setTip(action, tip);
 }
 
 }  // namespace
@@ -109,23 +54,29 @@ FileActions::FileActions(QWidget* window, const DocumentKinds& kinds, const Kind
       m_recent(recent),
       m_loader(kinds, uis, tabs, jobs, recent, log),
       m_saver(tabs, jobs, recent, log),
-      m_open(tr("&Open…")),
-      m_newWorkpiece(tr("&New workpiece")),
-      m_openSample(tr("Open the &sample scan")),
-      m_openRobotSample(tr("Open the sample &robot")),
-      m_save(tr("&Save")),
-      m_saveAs(tr("Save &as…")),
-      m_close(tr("&Close")),
+      m_open(tr("&Open…"), this),
+      m_newWorkpiece(tr("&New workpiece"), this),
+      m_openSample(tr("Open the &sample scan"), this),
+      m_openRobotSample(tr("Open the sample &robot"), this),
+      m_save(tr("&Save"), this),
+      m_saveAs(tr("Save &as…"), this),
+      m_close(tr("&Close"), this),
+      m_nextTab(tr("Ne&xt document"), this),
+      m_previousTab(tr("&Previous document"), this),
       m_recentMenu(new QMenu(tr("Open &recent"), window)) {
   m_open.setShortcut(QKeySequence::Open);
   m_save.setShortcut(QKeySequence::Save);
   m_saveAs.setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));
   m_close.setShortcut(QKeySequence(Qt::CTRL | Qt::Key_W));
+  m_nextTab.setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Tab));
+  m_previousTab.setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Backtab));
   prepare(m_open, "openFile", "open", tr("Open files"));
   prepare(m_openSample, "openSample", "repair", tr("Open the sample scan"));
   prepare(m_save, "saveFile", "save", tr("Save this document"));
   prepare(m_saveAs, "saveFileAs", "save-as", tr("Save this document under another name"));
   prepare(m_close, "closeDocument", "close", tr("Close this document"));
+  prepare(m_nextTab, "nextDocument", "next", tr("Go to the next open document"));
+  prepare(m_previousTab, "previousDocument", "previous", tr("Go to the previous open document"));
   m_recentMenu->setObjectName(QStringLiteral("recentMenu"));
   prepare(m_newWorkpiece, "newWorkpiece", "kind-workpiece", tr("Start with a cylinder to be turned"));
   prepare(m_openRobotSample, "openRobotSample", "kind-cell", tr("Open the sample robot arm"));
@@ -139,8 +90,11 @@ FileActions::FileActions(QWidget* window, const DocumentKinds& kinds, const Kind
   connect(&m_save, &QAction::triggered, this, &FileActions::saveCurrent);
   connect(&m_saveAs, &QAction::triggered, this, [this] { askForName(m_tabs.current(), {}); });
   connect(&m_close, &QAction::triggered, this, [this] { requestClose(m_tabs.current()); });
+  connect(&m_nextTab, &QAction::triggered, this, [this] { m_tabs.step(+1); });
+  connect(&m_previousTab, &QAction::triggered, this, [this] { m_tabs.step(-1); });
   connect(&m_loader, &FileLoader::message, this, &FileActions::message);
   connect(&m_saver, &FileSaver::message, this, &FileActions::message);
+  connect(&m_saver, &FileSaver::failed, this, &FileActions::offerAnotherName);
   connect(&m_tabs, &DocumentTabs::currentChanged, this, &FileActions::followDocument);
   connect(&m_tabs, &DocumentTabs::closeRequested, this, [this](OpenDocument* document) { requestClose(document); });
   connect(&m_recent, &RecentFiles::changed, this, &FileActions::fillRecentMenu);
@@ -151,6 +105,7 @@ FileActions::FileActions(QWidget* window, const DocumentKinds& kinds, const Kind
 void FileActions::followDocument() {
   const bool open = m_tabs.current() != nullptr;
   for (QAction* action : {&m_save, &m_saveAs, &m_close}) action->setEnabled(open);
+  for (QAction* action : tabSteps()) action->setEnabled(m_tabs.all().size() > 1);
 }
 
 void FileActions::fillRecentMenu() {
@@ -191,7 +146,7 @@ void FileActions::saveCurrent() {
 // cannot be written by us.
 bool FileActions::needsNewName(const OpenDocument& open) const {
   const Document& document = open.document;
-  if (document.file().path.empty() || !canWrite(document.kind(), document.file().path)) return true;
+  if (document.file().path.empty() || !canWrite(document.kind(), document.path())) return true;
   if (open.written) return false;
   const QFileInfo file(document.path());
   return document.file().isPrecious() || (file.exists() && !file.isWritable()) || isSample(file);
@@ -208,9 +163,7 @@ void FileActions::askForName(OpenDocument* document, std::function<void()> then)
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setLabelText(QFileDialog::LookIn, tr("Save in:"));
-  QStringList filters = saveFilters(document->document.kind());
-  filters.prepend(tr("All formats (%1)").arg(endingsIn(filters)));
-  dialog->setNameFilters(filters << tr("All files (*)"));
+  dialog->setNameFilters(saveFilters(document->document.kind()));
   const QString suggestion = document->ui.suggestedName(*document);
   const bool sample = isSample(QFileInfo(document->document.path()));
   const bool writable = QFileInfo(QFileInfo(suggestion).path()).isWritable();
@@ -223,6 +176,14 @@ void FileActions::askForName(OpenDocument* document, std::function<void()> then)
     m_saver.save(document, path, then);
   });
   dialog->open();
+}
+
+void FileActions::offerAnotherName(OpenDocument* document, Message message) {
+  message.actionText = tr("Save as…");
+  message.action = [this, document] {
+    if (m_tabs.contains(document)) askForName(document, {});
+  };
+  emit this->message(message);
 }
 
 void FileActions::requestClose(OpenDocument* document, std::function<void()> then) {

@@ -27,6 +27,7 @@ class FileActions : public QObject {
   QAction* save() { return &m_save; }
   QAction* saveAs() { return &m_saveAs; }
   QAction* closeTab() { return &m_close; }
+  QList<QAction*> tabSteps() { return {&m_nextTab, &m_previousTab}; }
   QMenu* recentMenu() { return m_recentMenu; }
 
   FileLoader& loader() { return m_loader; }
@@ -45,6 +46,7 @@ class FileActions : public QObject {
   void saveCurrent();
   void saveOrAsk(OpenDocument* document, std::function<void()> then);
   void askForName(OpenDocument* document, std::function<void()> then);
+  void offerAnotherName(OpenDocument* document, Message message);
   void followDocument();
   void fillRecentMenu();
   bool needsNewName(const OpenDocument& document) const;
@@ -62,6 +64,8 @@ class FileActions : public QObject {
   QAction m_save;
   QAction m_saveAs;
   QAction m_close;
+  QAction m_nextTab;
+  QAction m_previousTab;
   QMenu* m_recentMenu;
 };
 

@@ -59,20 +59,20 @@ void FileLoader::load(const QString& path, const ReadOptions& options) {
   job.work = [this, path, options](Progress progress) -> Job::Finish {
     Result<OpenedFile> opened = m_kinds.open(QFile::encodeName(path).toStdString(), options, progress);
     if (!opened) return [this, path, options, error = opened.error()] { failed(path, error, options); };
-    return [this, path, opened = std::move(opened.value())] { loaded(path, opened); };
+    return [this, path, options, opened = std::move(opened.value())] { loaded(path, options, opened); };
   };
   job.failed = [this, path, options](const Error& error) { failed(path, error, options); };
   m_jobs.start(std::move(job));
 }
 
 void FileLoader::create(const std::string& kind) {
-  add(DocumentKinds::blank(*m_kinds.withId(kind)));
+  OpenDocument* added = add(DocumentKinds::blank(*m_kinds.withId(kind)));
+  added->inFile = added->document.properties();
 }
 
 void FileLoader::recover(const QString& autosave, const QString& path, std::function<void(OpenDocument*)> then) {
   Job job;
-  const QString name = QFileInfo(path).fileName();
-  job.name = tr("Recovering %1").arg(name);
+  job.name = path.isEmpty() ? tr("Recovering") : tr("Recovering %1").arg(QFileInfo(path).fileName());
   job.work = [this, autosave, path, then](Progress progress) -> Job::Finish {
     Result<OpenedFile> opened = m_kinds.open(QFile::encodeName(autosave).toStdString(), {}, progress);
     if (!opened) return [this, path, error = opened.error()] { failed(path, error, ReadOptions{.partial = true}); };
@@ -96,10 +96,11 @@ OpenDocument* FileLoader::add(OpenedFile opened) {
   return added;
 }
 
-void FileLoader::loaded(const QString& path, OpenedFile opened) {
+void FileLoader::loaded(const QString& path, const ReadOptions& options, OpenedFile opened) {
   if (const OpenDocument* open = m_tabs.withPath(path)) return m_tabs.setCurrent(open);
   OpenDocument* added = add(std::move(opened));
-  m_log.add(added->ui.openedText(*added), inspectCommand(path));
+  added->inFile = added->document.properties();
+  m_log.add(added->ui.openedText(*added), inspectCommand(path, options));
   m_recent.add(path);
   tellLosses(added->document);
 }

@@ -44,7 +44,7 @@ class FileLoader : public QObject {
 
  private:
   OpenDocument* add(OpenedFile opened);
-  void loaded(const QString& path, OpenedFile opened);
+  void loaded(const QString& path, const ReadOptions& options, OpenedFile opened);
   void failed(const QString& path, const Error& error, const ReadOptions& options);
   void tellLosses(const Document& document);
 

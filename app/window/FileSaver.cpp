@@ -5,9 +5,10 @@
 #include "panels/LogModel.h"
 #include "text/ErrorText.h"
 #include "text/NoteText.h"
-#include "window/CommandText.h"
 #include "window/DocumentTabs.h"
+#include "window/FileFilters.h"
 #include "window/JobRunner.h"
+#include "window/KindUi.h"
 #include "window/OpenDocument.h"
 #include "window/RecentFiles.h"
 
@@ -20,44 +21,63 @@ FileSaver::FileSaver(DocumentTabs& tabs, JobRunner& jobs, RecentFiles& recent, L
     : QObject(parent), m_tabs(tabs), m_jobs(jobs), m_recent(recent), m_log(log) {}
 
 void FileSaver::save(OpenDocument* document, const QString& path, std::function<void()> then) {
-  const std::uint64_t revision = document->document.revision();
+  const Written state{path, document->ui.saveCommand(*document, path), document->document.revision(),
+                      document->document.properties()};
   Job job;
   job.name = tr("Saving %1").arg(QFileInfo(path).fileName());
-  job.work = [this, document, path, revision, then, &kind = document->document.kind(), file = document->document.file(),
+  job.work = [this, document, state, then, &kind = document->document.kind(), file = document->document.file(),
               content = document->document.snapshot()](Progress progress) -> Job::Finish {
-    const auto written = saveDocument(kind, file, *content, QFile::encodeName(path).toStdString(), progress);
-    if (!written) return [this, path, error = written.error()] { failed(path, error); };
-    return [this, document, path, revision, then, written = written.value()] {
+    const auto written = saveDocument(kind, file, *content, QFile::encodeName(state.path).toStdString(), progress);
+    if (!written) return [this, document, state, error = written.error()] { tellFailure(document, state.path, error); };
+    return [this, document, state, then, written = written.value()] {
       if (!m_tabs.contains(document)) return;
-      saved(document, path, revision, written);
+      saved(document, state, written);
       if (then && !document->document.isModified()) then();
     };
   };
-  job.failed = [this, path](const Error& error) { failed(path, error); };
+  job.failed = [this, document, path](const Error& error) { tellFailure(document, path, error); };
   m_jobs.start(std::move(job));
 }
 
-void FileSaver::saved(OpenDocument* document, const QString& path, std::uint64_t revision, const WrittenFile& written) {
-  const QString name = QFileInfo(path).fileName();
-  m_log.add(tr("Saved %1: %2 bytes, read back and compared").arg(name).arg(written.bytes),
-            convertCommand(document->document.path(), path));
+void FileSaver::saved(OpenDocument* document, const Written& state, const WrittenFile& written) {
+  Document& saved = document->document;
+  const QString name = QFileInfo(state.path).fileName();
+  m_log.add(tr("Saved %1: %2 bytes, read back and compared").arg(name).arg(written.bytes), state.command);
   for (const Note& note : written.notes) m_log.add(name + QStringLiteral(": ") + noteText(note));
-  m_recent.add(path);
-  if (document->document.revision() == revision) {
+  const auto foreign = formatOf(saved.kind(), state.path);
+  if (foreign && !foreign->reads) return tellExport(*document, name);
+  m_recent.add(state.path);
+  if (saved.revision() == state.revision) {
     document->written = true;
-    document->document.markSaved(path, isContainerName(QFile::encodeName(path).toStdString()));
+    document->inFile = state.properties;
+    saved.markSaved(state.path, !foreign);
   } else {
     m_log.add(tr("%1 holds the state before your last change").arg(name), {}, LogEntry::Weight::Warning);
   }
 }
 
-void FileSaver::failed(const QString& path, const Error& error) {
+void FileSaver::tellExport(const OpenDocument& document, const QString& name) {
+  if (!document.document.isModified()) return;
+  emit message({Message::Weight::Info,
+                tr("%1 was written").arg(name),
+                tr("It holds the shape, but not all of the document, which is not saved yet."),
+                tr("Save the document as *%1 to go on with it another day.").arg(containerEnding()),
+                {},
+                {}});
+}
+
+void FileSaver::tellFailure(OpenDocument* document, const QString& path, const Error& error) {
   const QString name = QFileInfo(path).fileName();
   if (error.code == ErrorCode::Cancelled)
     return m_log.add(tr("Saving %1 was cancelled; the old file is untouched").arg(name));
   const QString title = tr("%1 could not be saved").arg(name);
   m_log.add(title + QStringLiteral(". ") + errorSentence(error), {}, LogEntry::Weight::Error);
-  emit message({Message::Weight::Error, title, errorSentence(error), errorAdvice(error), {}, {}});
+  const Message told{Message::Weight::Error, title, errorSentence(error), errorAdvice(error), {}, {}};
+  if (m_tabs.contains(document)) {
+    emit failed(document, told);
+  } else {
+    emit message(told);
+  }
 }
 
 }  // namespace handwheel

@@ -16,7 +16,8 @@ class LogModel;
 class RecentFiles;
 struct OpenDocument;
 
-// Writes documents on a worker. The file is complete and checked, or the old one is untouched.
+// Writes documents on a worker. The file is complete and checked, or the old one is untouched. A format that the
+// document cannot be read back from is an export: the document stays unsaved.
 class FileSaver : public QObject {
   Q_OBJECT
 
@@ -28,10 +29,19 @@ class FileSaver : public QObject {
 
  signals:
   void message(const handwheel::Message& message);
+  // It is still open and unsaved; message: says so, without an action.
+  void failed(handwheel::OpenDocument* document, const handwheel::Message& message);
 
  private:
-  void saved(OpenDocument* document, const QString& path, std::uint64_t revision, const WrittenFile& written);
-  void failed(const QString& path, const Error& error);
+  struct Written {
+    QString path;
+    QString command;  // that does the same without a window
+    std::uint64_t revision;
+    std::vector<Property> properties;
+  };
+  void saved(OpenDocument* document, const Written& state, const WrittenFile& written);
+  void tellExport(const OpenDocument& document, const QString& name);
+  void tellFailure(OpenDocument* document, const QString& path, const Error& error);
 
   DocumentTabs& m_tabs;
   JobRunner& m_jobs;

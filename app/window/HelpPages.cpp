@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/HelpPages.h"
 
+#include "controls/ActionText.h"
 #include "theme/Icons.h"
 #include "theme/Theme.h"
 
@@ -9,6 +10,9 @@
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QLabel>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
 #include <QVBoxLayout>
 #include <utility>
 #include <vector>
@@ -21,26 +25,54 @@ struct Text {
   Q_DECLARE_TR_FUNCTIONS(HelpPages)
 };
 
-std::vector<std::pair<QString, QString>> keys() {
-  return {
-      {Text::tr("Click"), Text::tr("select a hole")},
-      {Text::tr("Double-click"), Text::tr("go to a hole")},
-      {Text::tr("Middle drag"), Text::tr("orbit")},
-      {Text::tr("Shift+middle drag"), Text::tr("pan")},
-      {Text::tr("Wheel"), Text::tr("zoom to the cursor")},
-      {Text::tr("N or Space"), Text::tr("next hole")},
-      {Text::tr("Shift+N"), Text::tr("previous hole")},
-      {Text::tr("Enter"), Text::tr("fill the selected hole")},
-      {Text::tr("K"), Text::tr("keep the selected hole open")},
-      {Text::tr("P"), Text::tr("preview on or off")},
-      {Text::tr("Esc"), Text::tr("clear selection and preview")},
-      {Text::tr("Ctrl+R"), Text::tr("repair all")},
-      {Text::tr("F"), Text::tr("show the whole model")},
-      {Text::tr("1 to 7"), Text::tr("front, back, right, left, top, bottom, isometric")},
-      {Text::tr("Ctrl+O, Ctrl+S, Ctrl+Shift+S"), Text::tr("open, save, save as")},
-      {Text::tr("Ctrl+Z, Ctrl+Shift+Z"), Text::tr("undo, redo")},
-      {Text::tr("Ctrl+W, Ctrl+Q"), Text::tr("close the document, quit")},
-  };
+// A heading with lines of keys and effects, as rows of a table.
+struct Section {
+  QString title;
+  std::vector<std::pair<QString, QString>> lines;
+};
+
+void collect(const QList<QAction*>& actions, Section& section) {
+  for (const QAction* action : actions) {
+    if (action->menu()) {
+      collect(action->menu()->actions(), section);
+      continue;
+    }
+    QStringList keys;
+    for (const QKeySequence& key : action->shortcuts()) keys << key.toString(QKeySequence::NativeText);
+    if (!keys.isEmpty()) section.lines.emplace_back(keys.join(QStringLiteral(", ")), withoutMnemonic(action->text()));
+  }
+}
+
+std::vector<Section> sectionsOf(const QMenuBar& menus, const std::vector<Hint>& now) {
+  std::vector<Section> all{{Text::tr("Now"), {}}};
+  for (const Hint& hint : now) all[0].lines.emplace_back(hint.input, hint.effect);
+  for (const QAction* menu : menus.actions()) {
+    if (!menu->menu() || !menu->isVisible()) continue;
+    all.push_back({withoutMnemonic(menu->text()), {}});
+    collect(menu->menu()->actions(), all.back());
+  }
+  std::erase_if(all, [](const Section& section) { return section.lines.empty(); });
+  return all;
+}
+
+// Two columns of about the same height.
+QString tableOf(const std::vector<Section>& sections) {
+  std::size_t lines = 0, above = 0;
+  for (const Section& section : sections) lines += section.lines.size() + 1;
+  QString html = QStringLiteral("<table><tr><td><table cellpadding='3'>");
+  for (const Section& section : sections) {
+    if (above > 0 && above < lines && 2 * above >= lines) {
+      html += QStringLiteral("</table></td><td width='32'></td><td><table cellpadding='3'>");
+      above = lines;  // the rest stays in the second column
+    }
+    html += QStringLiteral("<tr><td colspan='2'><b>%1</b></td></tr>").arg(section.title.toHtmlEscaped());
+    for (const auto& [key, effect] : section.lines) {
+      html += QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td>%2</td></tr>")
+                  .arg(key.toHtmlEscaped(), effect.toHtmlEscaped());
+    }
+    above += section.lines.size() + 1;
+  }
+  return html + QStringLiteral("</table></td></tr></table>");
 }
 
 void showPage(QWidget& parent, const char* name, const QString& title, const QString& html, bool withSign) {
@@ -70,21 +102,17 @@ void showPage(QWidget& parent, const char* name, const QString& title, const QSt
 
 }  // namespace
 
-void showKeys(QWidget& parent) {
-  QString html = QStringLiteral("<table cellspacing='0' cellpadding='4'>");
-  for (const auto& [key, effect] : keys()) {
-    html += QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td></tr>").arg(key, effect);
-  }
-  showPage(parent, "keysPage", Text::tr("Keys and mouse"), html + QStringLiteral("</table>"), false);
+void showKeys(QMainWindow& window, const std::vector<Hint>& now) {
+  showPage(window, "keysPage", Text::tr("Keys and mouse"), tableOf(sectionsOf(*window.menuBar(), now)), false);
 }
 
-void showAbout(QWidget& parent) {
+void showAbout(QMainWindow& window) {
   const QString html = QStringLiteral("<h2>Handwheel %1</h2><p>%2</p><p>%3</p>")
                            .arg(QCoreApplication::applicationVersion(),
-                                Text::tr("Repairs scanned meshes: finds their defects, fills their holes."),
+                                Text::tr("Repairs scanned meshes, prepares workpieces and robot cells."),
                                 Text::tr("Free software under the GNU General Public Licence, version 3 or later.<br>"
-                                         "Built with Qt, VTK, CGAL and Eigen."));
-  showPage(parent, "aboutPage", Text::tr("About Handwheel"), html, true);
+                                         "Built with Qt, VTK, CGAL, Open CASCADE, Eigen, libzip and expat."));
+  showPage(window, "aboutPage", Text::tr("About Handwheel"), html, true);
 }
 
 }  // namespace handwheel

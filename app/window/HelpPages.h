@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-class QWidget;
+#include "panels/HintBar.h"
+
+class QMainWindow;
 
 namespace handwheel {
 
 // Small windows that stay open beside the work.
-void showKeys(QWidget& parent);
-void showAbout(QWidget& parent);
+
+// What the mouse and the keys do now, and the present keys of all commands in the menus.
+void showKeys(QMainWindow& window, const std::vector<Hint>& now);
+void showAbout(QMainWindow& window);
 
 }  // namespace handwheel

@@ -10,7 +10,8 @@ namespace handwheel {
 
 namespace {
 constexpr int kPollMs = 20;
-}
+const Error kCancelled{ErrorCode::Cancelled, {}, {}, {}};
+}  // namespace
 
 struct JobRunner::Task {
   Job job;
@@ -54,11 +55,29 @@ void JobRunner::cancel() {
   if (!m_running) return;
   m_running->state.cancelled = true;
   if (m_policy == Policy::Latest) return;
-  const Error cancelled{ErrorCode::Cancelled, {}, {}, {}};
-  const std::shared_ptr<Task> abandoned = std::exchange(m_running, nullptr);
-  abandoned->job.failed(cancelled);
-  for (const Job& job : waiting) job.failed(cancelled);
+  abandonRunning();
+  for (const Job& job : waiting) job.failed(kCancelled);
   if (!m_running) startNext();
+}
+
+void JobRunner::cancelOf(const void* owner) {
+  std::vector<Job> cancelled;
+  for (auto job = m_waiting.begin(); job != m_waiting.end();) {
+    if (job->owner == owner) cancelled.push_back(std::move(*job));
+    job = job->owner == owner ? m_waiting.erase(job) : job + 1;
+  }
+  for (const Job& job : cancelled) job.failed(kCancelled);
+  if (!m_running || m_running->job.owner != owner) return;
+  m_running->state.cancelled = true;
+  if (m_policy == Policy::Latest) return;
+  abandonRunning();
+  if (!m_running) startNext();
+}
+
+// It has been told to stop, and may take its time.
+void JobRunner::abandonRunning() {
+  const std::shared_ptr<Task> abandoned = std::exchange(m_running, nullptr);
+  abandoned->job.failed(kCancelled);
 }
 
 void JobRunner::startNext() {
@@ -84,7 +103,7 @@ void JobRunner::poll() {
   const std::shared_ptr<Task> task = std::exchange(m_running, nullptr);
   // The results of a cancelled job are discarded, whatever it still delivered.
   if (task->state.cancelled) {
-    task->job.failed(Error{ErrorCode::Cancelled, {}, {}, {}});
+    task->job.failed(kCancelled);
   } else if (task->outOfMemory) {
     task->job.failed(Error{ErrorCode::OutOfMemory, {}, {}, {}});
   } else if (task->finish) {

@@ -24,6 +24,7 @@ struct Job {
   std::function<Finish(Progress)> work;
   // Instead of the finish, on the window thread: Cancelled or OutOfMemory.
   std::function<void(const Error&)> failed = [](const Error&) {};
+  const void* owner = nullptr;  // with which it is cancelled: a document
 };
 
 // Runs jobs one after another. Everything here is called and emitted on the window thread.
@@ -42,6 +43,7 @@ class JobRunner : public QObject {
 
   void start(Job job);
   void cancel();
+  void cancelOf(const void* owner);  // all that it owns
   bool isIdle() const { return !m_running && m_waiting.empty(); }
 
  signals:
@@ -51,6 +53,7 @@ class JobRunner : public QObject {
 
  private:
   struct Task;
+  void abandonRunning();
   void startNext();
   void poll();
 

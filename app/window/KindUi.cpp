@@ -2,11 +2,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/KindUi.h"
 
+#include "window/CommandText.h"
 #include "window/OpenDocument.h"
 
 #include <QFileInfo>
 
 namespace handwheel {
+
+// For documents that are edited through their properties alone.
+QString KindUi::saveCommand(const OpenDocument& open, const QString& path) const {
+  if (!open.inFile) return {};
+  const Document& document = open.document;
+  if (document.file().path.empty()) return newCommand(document.kind().id(), *open.inFile, document.properties(), path);
+  return setCommand(document.path(), *open.inFile, document.properties(), path);
+}
 
 // The container beside the file that it came from.
 QString KindUi::suggestedName(const OpenDocument& document) const {

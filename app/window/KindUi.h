@@ -50,7 +50,8 @@ struct ToolOffer {
   QString text;  // "Select faces"
   QString icon;
   QKeySequence key;
-  std::function<std::unique_ptr<Tool>()> make;
+  std::function<std::unique_ptr<Tool>()> make;  // for the document in view
+  bool isUsual = false;                         // in use as long as no other is chosen
 };
 
 // What the window adds for one kind of document: its scene, panel, menu, tools and advice. One per window and kind.
@@ -69,11 +70,12 @@ class KindUi : public QObject {
   virtual void forget(OpenDocument* document) { (void)document; }
 
   virtual QString panelTitle() const = 0;
-  virtual QWidget* panel() = 0;  // of the dock of the kind; owned by the window
+  virtual QString panelIcon() const = 0;  // name of a drawing
+  virtual QWidget* panel() = 0;           // of the dock of the kind; owned by the window
   virtual QString menuTitle() const = 0;
   virtual QList<QAction*> menu() = 0;
   virtual QList<QAction*> toolBar() = 0;
-  // The tools for such documents, the usual one first. Made for the document in view.
+  // The tools for such documents. Offers with the same id in several kinds are the same tool to the user.
   virtual std::vector<ToolOffer> tools() { return {}; }
 
   virtual std::vector<Hint> hints() { return {}; }
@@ -81,6 +83,8 @@ class KindUi : public QObject {
   virtual QString figures() const { return {}; }  // "1 234 triangles"
   // One line for the log when a document was opened.
   virtual QString openedText(const OpenDocument& document) const = 0;
+  // The command line that makes the file of the one that the document came from; empty when none does.
+  virtual QString saveCommand(const OpenDocument& document, const QString& path) const;
   // The name that "Save as" offers.
   virtual QString suggestedName(const OpenDocument& document) const;
   // Nothing runs that will still change what is shown.

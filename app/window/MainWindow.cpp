@@ -4,33 +4,19 @@
 
 #include "controls/CommandPalette.h"
 #include "controls/PreferencesDialog.h"
-#include "panels/DocumentsPanel.h"
-#include "panels/HintBar.h"
-#include "panels/JobBar.h"
-#include "panels/MessageBar.h"
-#include "panels/NextStepCard.h"
-#include "panels/StartPage.h"
-#include "theme/Icons.h"
 #include "viewport/Viewport.h"
-#include "window/DocumentProperties.h"
 #include "window/DocumentTabs.h"
 #include "window/OpenDocument.h"
-#include "window/Thumbnails.h"
-#include "window/ToolHost.h"
-#include "window/ToolPanel.h"
-#include "window/ViewActions.h"
+#include "window/PopupKeys.h"
+#include "window/ToolChoice.h"
 #include "window/ViewSettings.h"
 #include "window/WindowLayout.h"
 
-#include <QActionGroup>
 #include <QCloseEvent>
 #include <QDockWidget>
-#include <QLabel>
-#include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
-#include <QStackedWidget>
-#include <QToolBar>
+#include <QTabBar>
 #include <QUrl>
 #include <algorithm>
 
@@ -38,29 +24,31 @@ namespace handwheel {
 
 MainWindow::MainWindow(QThreadPool& pool, const KindSet& kinds)
     : m_jobs(JobRunner::Policy::Queue, pool),
+      m_thumbnails(pool),
       m_pool(pool),
       m_tabs(new DocumentTabs(this)),
       m_fileActions(this, kinds.documents, m_uis, *m_tabs, m_jobs, m_recent, m_log),
-      m_autosave(*m_tabs, m_fileActions.loader(), pool, m_log, m_services),
-      m_showPanel(tr("&Show the list")),
-      m_quit(tr("&Quit")) {
+      m_autosave(*m_tabs, m_fileActions.loader(), m_log, m_services),
+      m_showPanel(tr("&Show the list"), this),
+      m_quit(tr("&Quit"), this) {
   setObjectName(QStringLiteral("mainWindow"));
   setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowTabbedDocks | AllowNestedDocks);
-  m_showPanel.setObjectName(QStringLiteral("showPanel"));
-  m_showPanel.setToolTip(tr("Show the whole model and its panel"));
-  connect(&m_showPanel, &QAction::triggered, this, &MainWindow::showPanel);
+  new PopupKeys(this);
   buildCentre();
   makeKinds(kinds);
   buildDocks();
   buildStatusBar();
   buildMenus();
   buildToolBars();
+  m_kindPlace = std::make_unique<KindPlace>(*m_kindDock, *m_kindPanels, *m_kindMenu, *m_kindBar);
+  addSearch();
   connectDocuments();
+  connectDocumentsPanel();
+  connectMessages();
+  connectTools();
   connectJobs();
   connectStartPage();
-  m_palette = new CommandPalette(this);
-  findChild<QMenu*>(QStringLiteral("helpMenu"))->insertAction(nullptr, m_palette->action());
   m_keys.setActions(findChildren<QAction*>(), menuBar());
   restoreLayout(*this, {m_documentsDock, m_historyDock, m_fidelityDock, m_statusDock, m_logDock});
   prefer(loadPreferences());
@@ -70,7 +58,7 @@ MainWindow::MainWindow(QThreadPool& pool, const KindSet& kinds)
 // The parts refer to one another, so they go in the reverse order of their making, before the widgets do.
 MainWindow::~MainWindow() {
   m_kindDock->disconnect(this);  // it hides last of all
-  m_tools->stop();
+  m_toolChoice->putAway();
   for (const auto& [id, ui] : m_uis) ui->setDocument(nullptr);
 }
 
@@ -89,13 +77,15 @@ void MainWindow::makeKinds(const KindSet& kinds) {
                           .showPanel = &m_showPanel};
   for (const auto& [id, make] : kinds.windows) {
     auto made = make(parts);
+    made->setParent(this);  // whose actions are found below the window
     connect(made.get(), &KindUi::stateChanged, this, [this, from = made.get()] {
       if (from != ui()) return;
+      m_viewSettings->refresh();
       updateFigures();
       updateHints();
       updateCard();
     });
-    toolActions(*made);
+    m_toolChoice->add(*made);
     connect(made.get(), &KindUi::message, m_messages, &MessageBar::showMessage);
     m_uis.emplace(id, std::move(made));
   }
@@ -109,183 +99,6 @@ KindUi* MainWindow::ui() const {
 bool MainWindow::isSettled() const {
   return m_jobs.isIdle() &&
          std::all_of(m_uis.begin(), m_uis.end(), [](const auto& each) { return each.second->isSettled(); });
-}
-
-void MainWindow::connectDocuments() {
-  connect(m_tabs, &DocumentTabs::added, this, [this](OpenDocument* opened) {
-    m_undo.addStack(opened->document.history());
-    m_documents->addDocument(&opened->document);
-    connect(&opened->document, &Document::fileChanged, this, [this] {
-      updateTitle();
-      updateCard();
-    });
-  });
-  connect(m_tabs, &DocumentTabs::closing, this, [this](OpenDocument* closed) {
-    if (closed == m_tabs->current() && closed->visible && !closed->document.file().path.empty()) {
-      storeThumbnail(closed->document.path(), m_viewport->grabFramebuffer(), m_pool);
-    }
-    showDocument(nullptr);  // whoever points at it lets go
-    closed->ui.forget(closed);
-    m_undo.removeStack(closed->document.history());
-    m_documents->removeDocument(&closed->document);
-    closed->document.disconnect(this);
-  });
-  connect(m_tabs, &DocumentTabs::currentChanged, this, &MainWindow::showDocument);
-  const auto openOf = [this](const Document* document) -> OpenDocument* {
-    for (const auto& each : m_tabs->all()) {
-      if (&each->document == document) return each.get();
-    }
-    return nullptr;
-  };
-  connect(m_documents, &DocumentsPanel::activated, this,
-          [this, openOf](Document* document) { m_tabs->setCurrent(openOf(document)); });
-  connect(m_documents, &DocumentsPanel::visibilityChanged, this, [this, openOf](Document* document, bool visible) {
-    OpenDocument* changed = openOf(document);
-    changed->visible = visible;
-    if (changed == m_tabs->current()) changed->ui.refreshVisibility();
-  });
-  connect(&m_fileActions, &FileActions::message, m_messages, &MessageBar::showMessage);
-  connect(&m_autosave, &Autosave::message, m_messages, &MessageBar::showMessage);
-  connect(m_card, &NextStepCard::dismissed, this, [this] {
-    m_tabs->current()->cardDismissed = true;
-    updateCard();
-  });
-  connect(m_card, &NextStepCard::covers, m_viewport, &Viewport::setCovered);
-}
-
-void MainWindow::connectJobs() {
-  connect(m_tools, &ToolHost::updated, this, &MainWindow::updateHints);
-  connect(&m_tools->runner(), &ToolRunner::failed, this, [this](const QString& reason) {
-    m_messages->showMessage({Message::Weight::Error,
-                             tr("The tool failed and was put away"),
-                             reason,
-                             tr("The document is as it was before."),
-                             {},
-                             {}});
-  });
-  connect(&m_jobs, &JobRunner::started, m_jobBar, &JobBar::showJob);
-  connect(&m_jobs, &JobRunner::progressed, m_jobBar, &JobBar::setProgress);
-  connect(&m_jobs, &JobRunner::finished, m_jobBar, &JobBar::hideJob);
-  connect(m_jobBar, &JobBar::cancelRequested, &m_jobs, &JobRunner::cancel);
-}
-
-void MainWindow::connectStartPage() {
-  m_start->setSampleAvailable(StartPage::Sample::Scan, m_fileActions.openSample()->isEnabled());
-  m_start->setSampleAvailable(StartPage::Sample::Cell, m_fileActions.openRobotSample()->isEnabled());
-  m_start->setSampleAvailable(StartPage::Sample::Lathe, true);
-  connect(m_start, &StartPage::sampleChosen, this, [this](StartPage::Sample sample) {
-    switch (sample) {
-      case StartPage::Sample::Scan:
-        return m_fileActions.openSample()->trigger();
-      case StartPage::Sample::Lathe:
-        return m_fileActions.newWorkpiece()->trigger();
-      case StartPage::Sample::Cell:
-        return m_fileActions.openRobotSample()->trigger();
-    }
-  });
-  m_start->setPictures(thumbnailOf);
-  m_start->setRecentFiles(m_recent.paths());
-  connect(&m_recent, &RecentFiles::changed, this, [this] { m_start->setRecentFiles(m_recent.paths()); });
-  connect(m_start, &StartPage::openRequested, m_fileActions.open(), &QAction::trigger);
-  connect(m_start, &StartPage::recentRequested, this, [this](const QString& path) { openPaths({path}); });
-  connect(m_start, &StartPage::clearRecentRequested, &m_recent, &RecentFiles::clear);
-}
-
-void MainWindow::showDocument(OpenDocument* document) {
-  KindUi* present = document ? &document->ui : nullptr;
-  m_tabs->setVisible(document != nullptr);
-  m_stack->setCurrentWidget(document ? static_cast<QWidget*>(m_viewport) : m_start);
-  m_undo.setActiveStack(document ? document->document.history() : nullptr);
-  m_documents->setCurrent(document ? &document->document : nullptr);
-  m_properties->setDocument(document ? &document->document : nullptr);
-  for (const auto& [id, each] : m_uis) {
-    if (each.get() != present) each->setDocument(nullptr);
-  }
-  if (present) present->setDocument(document);
-  showKind(present);
-  m_viewSettings->refresh();
-  for (QAction* action : m_viewActions->views() + m_viewActions->shadings()) action->setEnabled(document != nullptr);
-  m_viewActions->fit()->setEnabled(document != nullptr);
-  if (document) m_viewport->setFocus();
-  updateTitle();
-  updateFigures();
-  updateHints();
-  updateCard();
-}
-
-// Panel, menu and tools of the kind of the present document. Without a document, those of the last one stay.
-void MainWindow::showKind(KindUi* present) {
-  m_kindMenu->setEnabled(present != nullptr);
-  m_kindBar->setEnabled(present != nullptr);
-  if (!present) return m_tools->stop();
-  m_kindPanels->setCurrentWidget(present->panel());
-  m_kindDock->setWindowTitle(present->panelTitle());
-  m_kindDock->setAccessibleName(present->panelTitle());
-  m_kindMenu->setTitle(present->menuTitle());
-  const QList<QAction*> tools = toolActions(*present);
-  m_kindMenu->clear();
-  m_kindMenu->addActions(tools);
-  m_kindMenu->addSeparator();
-  m_kindMenu->addActions(present->menu());
-  m_kindBar->clear();
-  m_kindBar->addActions(tools);
-  m_kindBar->addSeparator();
-  m_kindBar->addActions(present->toolBar());
-  nameButtons(*m_kindBar);
-  if (!tools.isEmpty()) tools.first()->trigger();
-}
-
-// One action for each tool of the kind; they exclude each other. Made once.
-QList<QAction*> MainWindow::toolActions(KindUi& kind) {
-  const QString name = QStringLiteral("tools/%1").arg(reinterpret_cast<quintptr>(&kind));
-  auto* group = findChild<QActionGroup*>(name);
-  if (group) return group->actions();
-  group = new QActionGroup(this);
-  group->setObjectName(name);
-  for (const ToolOffer& offer : kind.tools()) {
-    QAction* action = group->addAction(icon(offer.icon), offer.text);
-    action->setObjectName(offer.id);
-    action->setCheckable(true);
-    action->setIconVisibleInMenu(false);
-    action->setShortcut(offer.key);
-    connect(action, &QAction::triggered, this, [this, &kind, make = offer.make] {
-      if (ui() == &kind) m_tools->start(make(), m_tabs->current()->document);
-    });
-  }
-  return group->actions();
-}
-
-void MainWindow::updateTitle() {
-  const OpenDocument* document = m_tabs->current();
-  setWindowTitle(document ? tr("%1[*] — Handwheel").arg(document->document.name()) : QStringLiteral("Handwheel"));
-  setWindowModified(document && document->document.isModified());
-}
-
-void MainWindow::updateFigures() {
-  const OpenDocument* document = m_tabs->current();
-  m_figures->setVisible(document != nullptr);
-  m_unit->setVisible(document != nullptr);
-  if (!document) return;
-  m_figures->setText(document->ui.figures());
-  m_unit->setText(QString::fromLatin1(symbolOf(document->document.displayUnit())));
-  m_viewport->setDisplayUnit(document->document.displayUnit());
-}
-
-void MainWindow::updateCard() {
-  const OpenDocument* document = m_tabs->current();
-  m_card->showStep(document && !document->cardDismissed ? document->ui.nextStep() : NextStep{});
-}
-
-void MainWindow::updateHints() {
-  std::vector<Hint> hints;
-  if (KindUi* present = ui()) {
-    hints = present->hints();
-    for (const auto& [input, effect] : m_viewport->navigationHints()) hints.push_back({input, effect});
-    hints.push_back({m_viewActions->fit()->shortcut().toString(QKeySequence::NativeText), tr("fit")});
-  } else {
-    hints = {{tr("Ctrl+O"), tr("open a file")}, {tr("Drop"), tr("files anywhere")}};
-  }
-  m_hints->setHints(std::move(hints));
 }
 
 void MainWindow::showPanel() {
@@ -315,8 +128,17 @@ void MainWindow::prefer(const Preferences& preferences) {
 }
 
 QList<QDockWidget*> MainWindow::docks() const {
-  return {m_documentsDock,  m_historyDock, m_kindDock, m_toolDock,
-          m_propertiesDock, m_viewDock,    m_logDock,  m_statusDock};
+  return {m_documentsDock, m_historyDock,  m_kindDock, m_toolDock,  m_propertiesDock,
+          m_viewDock,      m_fidelityDock, m_logDock,  m_statusDock};
+}
+
+// Qt makes the tab bars of docks by itself, and gives them no names.
+void MainWindow::childEvent(QChildEvent* event) {
+  QMainWindow::childEvent(event);
+  auto* bar = event->polished() ? qobject_cast<QTabBar*>(event->child()) : nullptr;
+  if (!bar || !bar->objectName().isEmpty()) return;
+  bar->setObjectName(QStringLiteral("dockTabs"));
+  bar->setAccessibleName(tr("Panels"));
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -8,8 +8,10 @@
 #include "window/FidelityChoice.h"
 #include "window/FileActions.h"
 #include "window/JobRunner.h"
+#include "window/KindPlace.h"
 #include "window/KindUi.h"
 #include "window/RecentFiles.h"
+#include "window/Thumbnails.h"
 #include "window/WindowServices.h"
 
 #include <QMainWindow>
@@ -33,6 +35,7 @@ class NextStepCard;
 class PropertyList;
 class StartPage;
 class StatusPanel;
+class ToolChoice;
 class ToolHost;
 class ToolPanel;
 class ViewActions;
@@ -56,6 +59,7 @@ class MainWindow : public QMainWindow {
   bool isSettled() const;
 
  protected:
+  void childEvent(QChildEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
@@ -66,19 +70,23 @@ class MainWindow : public QMainWindow {
   void buildStatusBar();
   void buildMenus();
   void buildToolBars();
+  void addSearch();
   void connectDocuments();
+  void connectDocumentsPanel();
+  void connectMessages();
+  void connectTools();
   void connectJobs();
   void connectStartPage();
 
   KindUi* ui() const;  // of the present document; null when none is open
   void makeKinds(const KindSet& kinds);
   void showDocument(OpenDocument* document);
-  void showKind(KindUi* ui);
-  QList<QAction*> toolActions(KindUi& ui);
+  void keepPicture();
   void updateTitle();
   void updateFigures();
   void updateCard();
   void updateHints();
+  std::vector<Hint> hints();  // what the mouse and the keys do now
   void showPanel();
   void showPreferences();
   void prefer(const Preferences& preferences);
@@ -87,6 +95,7 @@ class MainWindow : public QMainWindow {
   JobRunner m_jobs;
   LogModel m_log;
   RecentFiles m_recent;
+  Thumbnails m_thumbnails;
   QUndoGroup m_undo;
   WindowServices m_services;
   FidelityChoice m_fidelity;
@@ -98,6 +107,7 @@ class MainWindow : public QMainWindow {
   Autosave m_autosave;
   QAction m_showPanel;
   QAction m_quit;
+  OpenDocument* m_shown = nullptr;
 
   Viewport* m_viewport;
   ViewActions* m_viewActions;
@@ -117,6 +127,8 @@ class MainWindow : public QMainWindow {
   ViewSettings* m_viewSettings;
   ToolPanel* m_toolPanel;
   ToolHost* m_tools;
+  ToolChoice* m_toolChoice;
+  std::unique_ptr<KindPlace> m_kindPlace;
   CommandPalette* m_palette;
   QDockWidget* m_documentsDock;
   QDockWidget* m_historyDock;
@@ -128,9 +140,5 @@ class MainWindow : public QMainWindow {
   QDockWidget* m_logDock;
   QDockWidget* m_statusDock;
 };
-
-// Names the buttons of a tool bar after their actions, for screen readers and tests. Actions of high priority show
-// their text.
-void nameButtons(QToolBar& bar);
 
 }  // namespace handwheel

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How the main window is put together: centre, docks, status bar, menus and tool bars.
+// How the main window is put together: centre, docks and status bar.
 #include "controls/StatusPanel.h"
-#include "panels/ActionButton.h"
 #include "panels/DockTitle.h"
 #include "panels/DocumentsPanel.h"
 #include "panels/HintBar.h"
@@ -17,20 +16,17 @@
 #include "window/DocumentProperties.h"
 #include "window/DocumentTabs.h"
 #include "window/FidelityPanel.h"
-#include "window/HelpPages.h"
 #include "window/MainWindow.h"
+#include "window/ToolChoice.h"
 #include "window/ToolHost.h"
 #include "window/ToolPanel.h"
 #include "window/ViewActions.h"
 #include "window/ViewSettings.h"
 
-#include <QApplication>
 #include <QDockWidget>
 #include <QLabel>
-#include <QMenuBar>
 #include <QStackedWidget>
 #include <QStatusBar>
-#include <QToolBar>
 #include <QToolButton>
 #include <QUndoView>
 #include <QVBoxLayout>
@@ -38,8 +34,6 @@
 namespace handwheel {
 
 namespace {
-
-constexpr QSize kToolIcon(20, 20);
 
 QDockWidget* addDock(MainWindow& window, Qt::DockWidgetArea area, const char* name, const QString& title,
                      QWidget* content, const char* iconName) {
@@ -55,28 +49,7 @@ QDockWidget* addDock(MainWindow& window, Qt::DockWidgetArea area, const char* na
   return dock;
 }
 
-QToolBar* addBar(MainWindow& window, Qt::ToolBarArea area, const char* name, const QString& title) {
-  auto* bar = new QToolBar(title, &window);
-  bar->setObjectName(QString::fromLatin1(name));
-  bar->setMovable(false);
-  bar->setFloatable(false);
-  bar->setIconSize(kToolIcon);
-  bar->setContextMenuPolicy(Qt::PreventContextMenu);
-  window.addToolBar(area, bar);
-  return bar;
-}
-
 }  // namespace
-
-void nameButtons(QToolBar& bar) {
-  for (QAction* action : bar.actions()) {
-    auto* button = qobject_cast<QToolButton*>(bar.widgetForAction(action));
-    if (!button || action->objectName().isEmpty()) continue;
-    button->setObjectName(bar.objectName() + QLatin1Char('/') + action->objectName());
-    button->setAccessibleName(action->iconText());
-    if (action->priority() == QAction::HighPriority) button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  }
-}
 
 void MainWindow::buildCentre() {
   auto* centre = new QWidget(this);
@@ -99,6 +72,7 @@ void MainWindow::buildCentre() {
   m_viewActions = new ViewActions(*m_viewport, this);
   m_toolPanel = new ToolPanel(this);
   m_tools = new ToolHost(*m_viewport, *m_toolPanel, m_services.needs(), this);
+  m_toolChoice = new ToolChoice(*m_tools, this);
   m_card = new NextStepCard(m_viewport);
   connect(m_viewport, &Viewport::graphicsFailed, m_messages, [this](const QString& problem) {
     m_messages->showMessage({Message::Weight::Error,
@@ -153,9 +127,8 @@ void MainWindow::buildStatusBar() {
   m_jobBar = new JobBar(this);
   m_figures = new QLabel(this);
   m_figures->setObjectName(QStringLiteral("figures"));
-  m_unit = new QLabel(tr("mm"), this);
+  m_unit = new QLabel(this);
   m_unit->setObjectName(QStringLiteral("badge"));
-  m_unit->setToolTip(tr("Lengths are in millimetres, as in the file"));
   auto* log = new QToolButton(this);
   log->setObjectName(QStringLiteral("logButton"));
   log->setDefaultAction(m_logDock->toggleViewAction());
@@ -166,77 +139,6 @@ void MainWindow::buildStatusBar() {
   for (QWidget* widget : std::initializer_list<QWidget*>{m_jobBar, m_figures, m_unit, log}) {
     statusBar()->addPermanentWidget(widget);
   }
-}
-
-void MainWindow::buildMenus() {
-  m_quit.setObjectName(QStringLiteral("quit"));
-  m_quit.setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q));
-  m_quit.setMenuRole(QAction::QuitRole);
-  connect(&m_quit, &QAction::triggered, this, &QWidget::close);
-  QMenu* file = menuBar()->addMenu(tr("&File"));
-  file->addAction(m_fileActions.open());
-  file->addMenu(m_fileActions.recentMenu());
-  file->addActions({m_fileActions.newWorkpiece(), m_fileActions.openSample(), m_fileActions.openRobotSample()});
-  file->addSeparator();
-  file->addActions({m_fileActions.save(), m_fileActions.saveAs()});
-  file->addSeparator();
-  file->addActions({m_fileActions.closeTab(), &m_quit});
-
-  QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-  QAction* undo = m_undo.createUndoAction(this, tr("&Undo"));
-  QAction* redo = m_undo.createRedoAction(this, tr("&Redo"));
-  undo->setObjectName(QStringLiteral("undo"));
-  redo->setObjectName(QStringLiteral("redo"));
-  undo->setIcon(icon(QStringLiteral("undo")));
-  redo->setIcon(icon(QStringLiteral("redo")));
-  undo->setShortcut(QKeySequence::Undo);
-  redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
-  edit->addActions({undo, redo});
-  edit->addSeparator();
-  QAction* preferences = edit->addAction(tr("&Preferences…"), this, &MainWindow::showPreferences);
-  preferences->setObjectName(QStringLiteral("preferences"));
-  preferences->setMenuRole(QAction::PreferencesRole);
-
-  QMenu* view = menuBar()->addMenu(tr("&View"));
-  view->addAction(m_viewActions->fit());
-  view->addSeparator();
-  view->addActions(m_viewActions->views());
-  view->addSeparator();
-  view->addActions(m_viewActions->shadings());
-  view->addSeparator();
-  for (QDockWidget* dock : docks()) view->addAction(dock->toggleViewAction());
-  view->addSeparator();
-  view->addAction(m_viewActions->darkTheme());
-
-  m_kindMenu = menuBar()->addMenu(m_uis.begin()->second->menuTitle());
-  m_kindMenu->setObjectName(QStringLiteral("kindMenu"));
-
-  QMenu* help = menuBar()->addMenu(tr("&Help"));
-  help->setObjectName(QStringLiteral("helpMenu"));
-  QAction* keys = help->addAction(tr("&Keys and mouse"), QKeySequence(Qt::Key_F1), this, [this] { showKeys(*this); });
-  keys->setObjectName(QStringLiteral("showKeys"));
-  QAction* about = help->addAction(tr("&About Handwheel"), this, [this] { showAbout(*this); });
-  about->setObjectName(QStringLiteral("about"));
-}
-
-void MainWindow::buildToolBars() {
-  QToolBar* quick = addBar(*this, Qt::TopToolBarArea, "quickActions", tr("Quick actions"));
-  quick->addActions({m_fileActions.open(), m_fileActions.save()});
-  quick->addSeparator();
-  quick->addActions({findChild<QAction*>(QStringLiteral("undo")), findChild<QAction*>(QStringLiteral("redo"))});
-  quick->addSeparator();
-  quick->addActions(m_viewActions->shadings());
-  quick->addSeparator();
-  quick->addAction(m_viewActions->fit());
-  quick->addActions(m_viewActions->views().mid(0, 2) +
-                    QList<QAction*>{m_viewActions->views().at(3), m_viewActions->views().at(5)});
-  quick->addAction(m_viewActions->darkTheme());
-  nameButtons(*quick);
-  m_kindBar = addBar(*this, Qt::TopToolBarArea, "kindActions", tr("Actions of the document"));
-
-  QToolBar* strip = addBar(*this, Qt::LeftToolBarArea, "panelStrip", tr("Panels"));
-  for (QDockWidget* dock : docks()) strip->addAction(dock->toggleViewAction());
-  nameButtons(*strip);
 }
 
 }  // namespace handwheel

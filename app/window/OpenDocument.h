@@ -5,6 +5,8 @@
 #include "document/Document.h"
 #include "viewport/CameraState.h"
 
+#include <QString>
+
 #include <memory>
 #include <optional>
 
@@ -21,10 +23,13 @@ struct OpenDocument {
   Document& document;
   KindUi& ui;                         // of its kind
   std::optional<CameraState> camera;  // absent until it was shown
+  QString tool;                       // the id of the one in use; empty: the usual one
   bool visible = true;
   bool written = false;  // its file was written by us, so it holds nothing that the document does not
   bool cardDismissed = false;
   std::uint64_t autosaved = 0;  // the revision that an autosave holds
+  // As they stand in its file, or in a blank document. Absent after a recovery, when nobody knows.
+  std::optional<std::vector<Property>> inFile;
 };
 
 }  // namespace handwheel

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/PartsUi.h"
 
+#include "tools/MeasureTool.h"
 #include "viewport/Viewport.h"
 #include "window/DocumentProperties.h"
 #include "window/OpenDocument.h"
+#include "window/ToolHost.h"
 
 #include <algorithm>
 
@@ -47,6 +49,24 @@ void PartsUi::refreshVisibility() {
 
 QWidget* PartsUi::panel() {
   return m_panel;
+}
+
+std::vector<Hint> PartsUi::hints() {
+  return m_parts.tools.hints();
+}
+
+ToolOffer PartsUi::measureOffer() const {
+  const auto pick = [&viewport = m_parts.viewport](const Ray& ray) -> std::optional<Vec3> {
+    const Pick hit = viewport.pickAlong(ray.origin, ray.direction);
+    return hit.isNothing() ? std::nullopt : std::optional(hit.point);
+  };
+  return {QStringLiteral("measureTool"), tr("&Measure"), QStringLiteral("ruler"), QKeySequence(Qt::Key_M),
+          [pick] { return std::make_unique<MeasureTool>(pick); }};
+}
+
+std::vector<QAction*> PartsUi::panelActions() const {
+  if (m_parts.isPanelVisible()) return {};
+  return {m_parts.showPanel};
 }
 
 void PartsUi::show() {

@@ -26,10 +26,13 @@ class PartsUi : public KindUi {
   QWidget* panel() override;
   QList<QAction*> menu() override { return {}; }
   QList<QAction*> toolBar() override { return {}; }
+  std::vector<Hint> hints() override;
 
  protected:
   OpenDocument* document() const { return m_document; }
   const WindowParts& parts() const { return m_parts; }
+  ToolOffer measureOffer() const;
+  std::vector<QAction*> panelActions() const;  // what the next step offers when the panel is folded away
 
  private:
   void show();

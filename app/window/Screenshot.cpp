@@ -18,6 +18,7 @@ constexpr QSize kSize(1280, 800);
 }  // namespace
 
 void takeScreenshot(MainWindow& window, const QString& path) {
+  window.setWindowState(Qt::WindowNoState);
   window.resize(kSize);
   auto* timer = new QTimer(&window);
   QObject::connect(timer, &QTimer::timeout, &window, [&window, timer, path, calm = 0]() mutable {

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/Thumbnails.h"
 
+#include <QCoreApplication>
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFileInfo>
 #include <QImage>
+#include <QPointer>
 #include <QStandardPaths>
 #include <QThreadPool>
 
@@ -23,16 +25,20 @@ QString fileFor(const QString& path) {
 
 }  // namespace
 
-void storeThumbnail(const QString& path, const QImage& picture, QThreadPool& pool) {
-  pool.start([file = fileFor(path), picture] {
+void Thumbnails::store(const QString& path, const QImage& picture) {
+  m_pool.start([file = fileFor(path), picture, self = QPointer<Thumbnails>(this)] {
     const QImage filled = picture.scaled(kSize, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
     QDir().mkpath(QFileInfo(file).path());
     filled.copy(QRect(QPoint((filled.width() - kSize.width()) / 2, (filled.height() - kSize.height()) / 2), kSize))
         .save(file);
+    const auto tell = [self] {
+      if (self) emit self->stored();
+    };
+    QMetaObject::invokeMethod(qApp, tell, Qt::QueuedConnection);
   });
 }
 
-QPixmap thumbnailOf(const QString& path) {
+QPixmap Thumbnails::of(const QString& path) {
   return QPixmap(fileFor(path));
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QObject>
 #include <QPixmap>
-#include <QString>
 
 class QImage;
 class QThreadPool;
@@ -11,9 +11,20 @@ class QThreadPool;
 namespace handwheel {
 
 // Small pictures of files, in the cache of the program; by path, so they may be older than the file.
-// Stores on a worker.
-void storeThumbnail(const QString& path, const QImage& picture, QThreadPool& pool);
-// A null one where there is none.
-QPixmap thumbnailOf(const QString& path);
+class Thumbnails : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Thumbnails(QThreadPool& pool, QObject* parent = nullptr) : QObject(parent), m_pool(pool) {}
+
+  void store(const QString& path, const QImage& picture);  // on a worker
+  static QPixmap of(const QString& path);                  // a null one where there is none
+
+ signals:
+  void stored();
+
+ private:
+  QThreadPool& m_pool;
+};
 
 }  // namespace handwheel

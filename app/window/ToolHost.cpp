@@ -3,6 +3,7 @@
 #include "window/ToolHost.h"
 
 #include "document/Document.h"
+#include "theme/Theme.h"
 #include "viewport/Viewport.h"
 #include "window/ToolPanel.h"
 
@@ -50,6 +51,12 @@ std::optional<PointerEvent> eventOf(const PointerInput& input, const ViewRay& ra
       return {};
   }
   return event.button == PointerButton::First ? std::optional(event) : std::nullopt;
+}
+
+// What a tool proposes is told from what is there by its colour.
+void tint(std::vector<DisplayPart>& parts) {
+  const QColor accent = themeColours(currentTheme()).accent;
+  for (DisplayPart& part : parts) part.colour = {accent.redF(), accent.greenF(), accent.blueF()};
 }
 
 QString translated(const char* context, const std::string& text) {
@@ -100,7 +107,13 @@ std::vector<Hint> ToolHost::hints() const {
   for (const ToolAction& action : tool->actions()) {
     if (!action.enabled) continue;
     const QString key = keyText(action);
-    hints.push_back({key.isEmpty() ? translated("ToolInput", action.input) : key, translated("Tool", action.effect)});
+    const QString input = key.isEmpty() ? translated("ToolInput", action.input) : key;
+    const QString effect = translated("Tool", action.effect);
+    if (!hints.empty() && hints.back().effect == effect) {
+      hints.back().input += QStringLiteral(" / ") + input;
+    } else {
+      hints.push_back({input, effect});
+    }
   }
   return hints;
 }
@@ -115,6 +128,7 @@ void ToolHost::show() {
   const Tool* tool = m_runner.tool();
   if (!tool) return showNothing();
   ToolPreview preview = tool->preview();
+  tint(preview.parts);
   m_viewport.setProposedParts(preview.parts);
   m_viewport.setHighlightedFaces(std::move(preview.highlighted));
   m_viewport.setSelectedFaces(preview.selected.faces());

@@ -6,6 +6,7 @@
 #include <QKeySequence>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace handwheel {
 
@@ -15,6 +16,16 @@ namespace {
 QString titleOf(const ToolAction& action) {
   const QString effect = QCoreApplication::translate("Tool", action.effect.c_str());
   return effect.left(1).toUpper() + effect.mid(1);
+}
+
+// Those that can be pressed, each effect once: Return and Esc may both mean "done".
+std::vector<ToolAction> buttonsOf(const std::vector<ToolAction>& actions) {
+  std::vector<ToolAction> shown;
+  for (const ToolAction& action : actions) {
+    const auto same = [&action](const ToolAction& other) { return other.effect == action.effect; };
+    if (!action.id.empty() && std::none_of(shown.begin(), shown.end(), same)) shown.push_back(action);
+  }
+  return shown;
 }
 
 }  // namespace
@@ -37,8 +48,7 @@ ToolPanel::ToolPanel(QWidget* parent) : QWidget(parent), m_settings(new Property
 }
 
 void ToolPanel::setActions(const std::vector<ToolAction>& actions) {
-  std::vector<ToolAction> shown = actions;
-  std::erase_if(shown, [](const ToolAction& action) { return action.id.empty(); });
+  const std::vector<ToolAction> shown = buttonsOf(actions);
   const bool same = std::equal(shown.begin(), shown.end(), m_buttons.begin(), m_buttons.end(),
                                [](const ToolAction& action, const auto& button) { return action.id == button.first; });
   if (!same) {

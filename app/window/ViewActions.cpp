@@ -5,6 +5,7 @@
 #include "theme/Icons.h"
 #include "theme/Theme.h"
 #include "viewport/Viewport.h"
+#include "window/ActionTip.h"
 
 #include <QApplication>
 #include <QSettings>
@@ -12,11 +13,15 @@
 namespace handwheel {
 
 ViewActions::ViewActions(Viewport& viewport, QObject* parent)
-    : QObject(parent), m_viewport(viewport), m_fit(tr("&Fit")), m_dark(tr("&Dark theme")), m_shadings(this) {
+    : QObject(parent),
+      m_viewport(viewport),
+      m_fit(tr("&Fit"), this),
+      m_dark(tr("&Dark theme"), this),
+      m_shadings(this) {
   m_fit.setObjectName(QStringLiteral("fitView"));
   m_fit.setIcon(icon(QStringLiteral("fit")));
   m_fit.setShortcut(QKeySequence(Qt::Key_F));
-  m_fit.setToolTip(tr("Show the whole model (F)"));
+  setTip(m_fit, tr("Show the whole model"));
   connect(&m_fit, &QAction::triggered, this, [this] { m_viewport.fit(); });
 
   addView(StandardView::Isometric, tr("&Isometric"), Qt::Key_7, "view-iso", "viewIsometric");
@@ -49,6 +54,7 @@ void ViewActions::addView(StandardView view, const QString& text, int key, const
   auto* action = new QAction(icon(QString::fromLatin1(iconName)), text, this);
   action->setObjectName(QString::fromLatin1(name));
   action->setShortcut(QKeySequence(key));
+  setTip(*action, tr("Look from: %1").arg(action->iconText()));
   connect(action, &QAction::triggered, this, [this, view] { m_viewport.setStandardView(view); });
   m_views.push_back(action);
 }

@@ -55,9 +55,7 @@ void ViewSettings::refresh() {
   axis.group = kClipGroup;
   all.push_back(axis);
   all.push_back(toggle("clip_flip", QT_TRANSLATE_NOOP("Property", "Other side"), m_isFlipped));
-  const ClipPlane plane = m_viewport.clipPlane();
-  const auto [least, largest] =
-      m_viewport.bounds().isEmpty() ? std::pair(0.0, 1.0) : clipOffsets(m_viewport.bounds(), plane.normal);
+  const auto [least, largest] = range();
   Property offset;
   offset.id = "clip_offset";
   offset.group = kClipGroup;
@@ -66,10 +64,29 @@ void ViewSettings::refresh() {
   offset.continuous = true;
   offset.least = least;
   offset.largest = largest;
-  offset.value = std::clamp(plane.offset, least, largest);
+  offset.value = std::clamp(m_offset, least, largest);
   offset.editable = m_isClipping;
   all.push_back(offset);
   m_list.setProperties(all);
+}
+
+void ViewSettings::setLengthUnit(LengthUnit unit) {
+  m_list.setLengthUnit(unit);
+}
+
+void ViewSettings::followModel() {
+  const auto [least, largest] = range();
+  m_offset = least + m_place * (largest - least);
+  clip();
+  refresh();
+}
+
+Vec3 ViewSettings::axis() const {
+  return m_axis == kAlongView ? m_viewDirection : Vec3(Vec3::Unit(m_axis));
+}
+
+std::pair<double, double> ViewSettings::range() const {
+  return m_viewport.bounds().isEmpty() ? std::pair(0.0, 1.0) : clipOffsets(m_viewport.bounds(), axis());
 }
 
 void ViewSettings::set(const std::string& id, const PropertyValue& value) {
@@ -83,28 +100,21 @@ void ViewSettings::set(const std::string& id, const PropertyValue& value) {
   } else if (id == "clip_axis") {
     m_axis = static_cast<int>(std::get<double>(value));
     m_viewDirection = m_viewport.camera().towardsViewer();
-    clip();
+    followModel();
   } else if (id == "clip_flip") {
     m_isFlipped = std::get<bool>(value);
-    m_place = 1.0 - m_place;
     clip();
   } else if (id == "clip_offset") {
-    const auto [least, largest] = clipOffsets(m_viewport.bounds(), m_viewport.clipPlane().normal);
-    m_place = largest > least ? (std::get<double>(value) - least) / (largest - least) : 0.5;
+    m_offset = std::get<double>(value);
+    const auto [least, largest] = range();
+    m_place = largest > least ? (m_offset - least) / (largest - least) : 0.5;
     clip();
   }
 }
 
 void ViewSettings::clip() {
-  ClipPlane plane;
-  plane.on = m_isClipping;
-  plane.normal = m_axis == kAlongView ? m_viewDirection : Vec3(Vec3::Unit(m_axis));
-  if (m_isFlipped) plane.normal = -plane.normal;
-  if (!m_viewport.bounds().isEmpty()) {
-    const auto [least, largest] = clipOffsets(m_viewport.bounds(), plane.normal);
-    plane.offset = least + m_place * (largest - least);
-  }
-  m_viewport.setClipPlane(plane);
+  const ClipPlane plane{axis(), m_offset, m_isClipping};
+  m_viewport.setClipPlane(m_isFlipped ? plane.flipped() : plane);
 }
 
 }  // namespace handwheel

@@ -15,10 +15,15 @@ class ViewSettings : public QObject {
  public:
   ViewSettings(PropertyList& list, Viewport& viewport, QObject* parent = nullptr);
 
-  // Another model is in view, or its size has changed.
+  // Another model is in view: the plane lies across it as it did across the last one.
+  void followModel();
+  // The model has changed its size, or the camera its projection.
   void refresh();
+  void setLengthUnit(LengthUnit unit);
 
  private:
+  Vec3 axis() const;
+  std::pair<double, double> range() const;  // of the offset across the model, mm
   void set(const std::string& id, const PropertyValue& value);
   void clip();
 
@@ -27,7 +32,8 @@ class ViewSettings : public QObject {
   bool m_isClipping = false;
   int m_axis = 0;  // X, Y, Z, or the direction of the view at the time it was chosen
   bool m_isFlipped = false;
-  double m_place = 0.5;  // of the plane across the model, 0…1
+  double m_offset = 0.0;  // along the axis, mm
+  double m_place = 0.5;   // of the plane across the model, 0…1
   Vec3 m_viewDirection = Vec3::UnitZ();
   bool m_cube = true;
 };

@@ -24,6 +24,8 @@ void restoreLayout(QMainWindow& window, const QList<QDockWidget*>& foldable) {
   if (!window.restoreGeometry(settings.value(kGeometryKey).toByteArray())) {
     const QSize room = window.screen()->availableSize();
     window.resize(kUsualSize.boundedTo(room));
+    // The frame takes some of the room as well.
+    if (kUsualSize.boundedTo(room) != kUsualSize) window.setWindowState(Qt::WindowMaximized);
   }
   if (window.restoreState(settings.value(kStateKey).toByteArray(), kStateVersion)) return;
   for (QDockWidget* dock : foldable) {

@@ -70,9 +70,7 @@ class FidelityValues {
   double of(const FidelitySetting& setting) const;
   // Error: ValueOutOfRange; then nothing changes.
   Status set(const FidelitySetting& setting, double value);
-  void reset(const FidelitySetting& setting) { m_overrides.erase(setting.id); }
 
-  bool isDefault() const { return !m_preset && m_overrides.empty(); }
   std::optional<FidelityPreset> preset() const { return m_preset; }
   const std::map<std::string, double>& overrides() const { return m_overrides; }
   bool operator==(const FidelityValues&) const = default;

@@ -6,6 +6,7 @@
 #include <unistd.h>
 #include <QFile>
 #include <QSaveFile>
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 
@@ -14,6 +15,13 @@ namespace handwheel {
 namespace {
 
 constexpr std::size_t kBlock = 1 << 20;
+
+std::atomic<int> filesBeingWritten{0};
+
+struct BeingWritten {
+  BeingWritten() { ++filesBeingWritten; }
+  ~BeingWritten() { --filesBeingWritten; }
+};
 
 Error writeFailed(const std::filesystem::path& path, std::string reason) {
   return {ErrorCode::WriteFailed, {std::move(reason)}, {}, path.string()};
@@ -66,6 +74,8 @@ Status writeFileAtomically(const std::filesystem::path& path, std::string_view b
   const QString name = QFile::decodeName(target.c_str());
   if (QFile::encodeName(name) != target.c_str()) return writeFailed(path, "The name is not UTF-8");
 
+  const BeingWritten counted;
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   QSaveFile file(name);
   if (!file.open(QIODevice::WriteOnly)) return writeFailed(path, file.errorString().toStdString());
   for (std::size_t start = 0; start < bytes.size(); start += kBlock) {
@@ -79,6 +89,10 @@ Status writeFileAtomically(const std::filesystem::path& path, std::string_view b
   if (!file.commit()) return writeFailed(path, file.errorString().toStdString());
   if (!syncFolderOf(target)) return writeFailed(path, systemReason());
   return Done{};
+}
+
+bool isWritingFile() {
+  return filesBeingWritten != 0;
 }
 
 }  // namespace handwheel

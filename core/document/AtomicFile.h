@@ -15,4 +15,8 @@ namespace handwheel {
 // failed write leaves nothing behind. Errors: WriteFailed {system's reason}, Cancelled.
 Status writeFileAtomically(const std::filesystem::path& path, std::string_view bytes, Progress progress = {});
 
+// Whether one is being written now: a program that ended itself here would leave a temporary file. Once its progress is
+// cancelled none begins. Any thread.
+bool isWritingFile();
+
 }  // namespace handwheel

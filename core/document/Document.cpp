@@ -8,8 +8,19 @@
 #include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
+#include <algorithm>
+#include <cassert>
 
 namespace handwheel {
+
+namespace {
+
+QString labelOf(const Property& property) {
+  return property.translated ? QCoreApplication::translate("Property", property.label.c_str())
+                             : QString::fromStdString(property.label);
+}
+
+}  // namespace
 
 Document::Document(const DocumentKind& kind, DocumentFile file, QObject* parent)
     : QObject(parent), m_kind(kind), m_file(std::move(file)) {
@@ -37,6 +48,7 @@ void Document::markSaved(const QString& path, bool isContainer) {
   m_file.unlistedDamage = 0;
   m_file.lost.clear();
   m_recovered = false;
+  m_isStroking = false;  // what follows is a step of its own
   m_history.setClean();
   emit fileChanged();
 }
@@ -58,28 +70,26 @@ Result<std::unique_ptr<Edit>> Document::propertyEdit(const std::string& id, cons
 
 Status Document::setProperty(const std::string& id, const PropertyValue& value, Stroke stroke) {
   auto edit = propertyEdit(id, value);
+  if ((!edit || !*edit) && stroke == Stroke::Ends) m_isStroking = false;
   if (!edit) return edit.error();
-  if (*edit) {
-    commit(tr("Change %1").arg(labelOf(id)), std::move(edit.value()), stroke);
-  } else if (stroke == Stroke::Ends) {
-    m_isStroking = false;
-  }
+  if (!*edit) return Done{};
+  const std::vector<Property> all = properties();
+  const auto property = std::find_if(all.begin(), all.end(), [&](const Property& each) { return each.id == id; });
+  assert(property != all.end());  // propertyEdit() has found it
+  const QString text = tr("Change %1").arg(labelOf(*property));
+  push(new EditCommand(*this, text, std::move(*edit), EditCommand::Values{property->value, value}), stroke);
   return Done{};
 }
 
 void Document::commit(const QString& text, std::unique_ptr<Edit> edit, Stroke stroke) {
-  if (!m_isStroking) ++m_stroke;
-  m_isStroking = stroke == Stroke::Continues;
-  m_history.push(new EditCommand(*this, text, std::move(edit), m_stroke));
+  push(new EditCommand(*this, text, std::move(edit)), stroke);
 }
 
-QString Document::labelOf(const std::string& id) const {
-  for (const Property& property : properties()) {
-    if (property.id != id) continue;
-    return property.translated ? QCoreApplication::translate("Property", property.label.c_str())
-                               : QString::fromStdString(property.label);
-  }
-  return QString::fromStdString(id);
+void Document::push(EditCommand* command, Stroke stroke) {
+  if (!m_isStroking) ++m_stroke;
+  m_isStroking = stroke == Stroke::Continues;
+  command->setStroke(m_stroke);
+  m_history.push(command);
 }
 
 }  // namespace handwheel

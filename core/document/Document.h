@@ -13,6 +13,8 @@
 
 namespace handwheel {
 
+class EditCommand;
+
 // Whether more edits of the same gesture follow, such as those of a slider that is still held.
 enum class Stroke { Continues, Ends };
 
@@ -46,6 +48,7 @@ class Document : public QObject {
   // An edit that gives a property a new value; null when it has that value already. Errors: ReferenceMissing
   // {property}, ValueOutOfRange, ElementMalformed.
   virtual Result<std::unique_ptr<Edit>> propertyEdit(const std::string& id, const PropertyValue& value) const;
+  // A stroke that leads back to where it began leaves no step. The same errors.
   Status setProperty(const std::string& id, const PropertyValue& value, Stroke stroke = Stroke::Ends);
 
   // One step in the history, or a part of one: the edits of a stroke become one step as far as they absorb each other.
@@ -67,7 +70,7 @@ class Document : public QObject {
 
  private:
   friend class DisplayUnitEdit;
-  QString labelOf(const std::string& property) const;
+  void push(EditCommand* command, Stroke stroke);
 
   const DocumentKind& m_kind;
   DocumentFile m_file;

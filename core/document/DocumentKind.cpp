@@ -4,6 +4,7 @@
 
 #include "document/AtomicFile.h"
 #include "document/FileBytes.h"
+#include "document/NewerFile.h"
 #include "document/container/UnknownPart.h"
 
 #include <QUuid>
@@ -88,6 +89,16 @@ Result<OpenedFile> openAny(const DocumentKinds& kinds, const std::filesystem::pa
   return load(kinds, *bytes, progress.part(0.2, 1.0));
 }
 
+// That every blob comes back as its checksum says.
+Status checkReadable(std::string_view bytes, Progress progress) {
+  const Result<ReadContainer> back = readContainer(bytes, progress);
+  if (back && back->damage.empty()) return Done{};
+  if (!back && (back.error().code == ErrorCode::Cancelled || back.error().code == ErrorCode::OutOfMemory)) {
+    return back.error();
+  }
+  return Error{ErrorCode::CheckFailed, {"it cannot be opened"}, {}, {}};
+}
+
 Error withSubject(Error error, const std::filesystem::path& path) {
   if (error.subject.empty()) error.subject = path.string();
   return error;
@@ -158,12 +169,11 @@ Result<std::string> containerBytes(const DocumentKind& kind, const DocumentFile&
 Result<WrittenFile> saveDocument(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
                                  const std::filesystem::path& path, Progress progress) {
   if (!isContainerName(path)) return kind.exportTo(content, path, progress);
+  if (const Status may = mayReplace(path); !may) return may.error();
   const Result<std::string> bytes = containerBytes(kind, file, content, Compression::Fast, progress.part(0.0, 0.7));
-  if (!bytes) return bytes.error();
-  const Result<ReadContainer> back = readContainer(*bytes, progress.part(0.7, 0.8));
-  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-  if (!back || !back->damage.empty()) {
-    return Error{ErrorCode::CheckFailed, {"it cannot be opened"}, {}, path.string()};
+  if (!bytes) return withSubject(bytes.error(), path);
+  if (const Status whole = checkReadable(*bytes, progress.part(0.7, 0.8)); !whole) {
+    return withSubject(whole.error(), path);
   }
   const Status written = writeFileAtomically(path, *bytes, progress.part(0.8, 1.0));
   if (!written) return written.error();

@@ -33,7 +33,7 @@ struct WrittenFile {
 };
 
 // All that the program needs to know of a kind of document: how it is read, saved, exported, described and drawn. No
-// state; any thread, except make(). Adding a kind means deriving this and adding it to the list in app/kinds.
+// state; any thread, except make(). Adding a kind means deriving this and adding it to the list in app/registration.
 class DocumentKind {
  public:
   virtual ~DocumentKind() = default;
@@ -91,7 +91,9 @@ class DocumentKinds {
 inline constexpr std::string_view kContainerEnding = ".handwheel";
 bool isContainerName(const std::filesystem::path& path);
 
-// Writes the document's container or a foreign format, by the ending of the path: the whole file or nothing.
+// Writes the document's container or a foreign format, by the ending of the path: the whole file or nothing. Errors: of
+// the formats; of a container VersionNewer (of the file that stands there, which is never replaced), FileTooLarge,
+// CheckFailed, WriteFailed, OutOfMemory, Cancelled.
 Result<WrittenFile> saveDocument(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
                                  const std::filesystem::path& path, Progress progress = {});
 

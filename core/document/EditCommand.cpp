@@ -6,7 +6,9 @@ namespace handwheel {
 
 bool EditCommand::mergeWith(const QUndoCommand* later) {
   const auto& next = *static_cast<const EditCommand*>(later);
-  return next.m_stroke == m_stroke && m_edit->absorb(*next.m_edit);
+  if (next.m_stroke != m_stroke || !m_edit->absorb(*next.m_edit)) return false;
+  setObsolete(m_values && next.m_values && m_values->before == next.m_values->after);
+  return true;
 }
 
 }  // namespace handwheel

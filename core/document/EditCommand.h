@@ -3,17 +3,27 @@
 #pragma once
 
 #include "document/Edit.h"
+#include "document/Property.h"
 
 #include <QUndoCommand>
+#include <optional>
 
 namespace handwheel {
 
 // One step in a document's history.
 class EditCommand : public QUndoCommand {
  public:
-  // stroke: edits of the same stroke may become one step.
-  EditCommand(Document& document, const QString& text, std::unique_ptr<Edit> edit, int stroke)
-      : QUndoCommand(text), m_document(document), m_edit(std::move(edit)), m_stroke(stroke) {}
+  // Of the one property that the edit changes.
+  struct Values {
+    PropertyValue before;
+    PropertyValue after;
+  };
+
+  EditCommand(Document& document, const QString& text, std::unique_ptr<Edit> edit, std::optional<Values> values = {})
+      : QUndoCommand(text), m_document(document), m_edit(std::move(edit)), m_values(std::move(values)) {}
+
+  // Edits of the same stroke may become one step.
+  void setStroke(int stroke) { m_stroke = stroke; }
 
   void redo() override { m_edit->exchange(m_document); }
   void undo() override { m_edit->exchange(m_document); }
@@ -25,7 +35,8 @@ class EditCommand : public QUndoCommand {
  private:
   Document& m_document;
   std::unique_ptr<Edit> m_edit;
-  int m_stroke;
+  std::optional<Values> m_values;
+  int m_stroke = 0;
 };
 
 }  // namespace handwheel

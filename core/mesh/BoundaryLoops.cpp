@@ -61,6 +61,12 @@ void measure(const HalfEdgeMesh& mesh, BoundaryLoop& loop) {
 
 }  // namespace
 
+Vertex keyOf(const HalfEdgeMesh& mesh, const BoundaryLoop& loop) {
+  Vertex smallest = kNone;
+  for (const HalfEdge h : loop.halfEdges) smallest = std::min(smallest, mesh.from(h));
+  return smallest;
+}
+
 std::vector<Vec3> loopPoints(const HalfEdgeMesh& mesh, const BoundaryLoop& loop) {
   std::vector<Vec3> points;
   points.reserve(loop.halfEdges.size());

@@ -26,6 +26,9 @@ struct BoundaryLoop {
 std::vector<BoundaryLoop> findBoundaryLoops(const HalfEdgeMesh& mesh);
 std::vector<BoundaryLoop> findBoundaryLoops(const HalfEdgeMesh& mesh, const PositionTriangles& byPosition);
 
+// A loop is known by its smallest vertex, which outlives edits elsewhere. No two loops of a mesh share it.
+Vertex keyOf(const HalfEdgeMesh& mesh, const BoundaryLoop& loop);
+
 // The start of each half-edge.
 std::vector<Vec3> loopPoints(const HalfEdgeMesh& mesh, const BoundaryLoop& loop);
 

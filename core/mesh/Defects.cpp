@@ -10,6 +10,7 @@
 #include "proximity/SelfIntersection.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace handwheel {
 namespace {
@@ -36,6 +37,15 @@ void findNonManifold(const PositionTriangles& byPosition, Defects& defects) {
   });
   for (std::uint32_t c : findNonManifoldVertices(byPosition.triangles, first.size())) {
     defects.nonManifoldVertices.push_back(first[c]);
+  }
+}
+
+void findDegenerate(const HalfEdgeMesh& mesh, Defects& defects) {
+  for (Face f = 0; f < mesh.faceSlots(); ++f) {
+    if (!mesh.isLive(f)) continue;
+    const TrianglePoints p = mesh.points(f);
+    defects.box.extend(p[0]).extend(p[1]).extend(p[2]);
+    if (isDegenerate(p)) defects.degenerateFaces.push_back(f);
   }
 }
 
@@ -69,25 +79,28 @@ std::vector<Component> findComponents(const HalfEdgeMesh& mesh) {
   return components(mesh, PositionTriangles(mesh));
 }
 
-Defects findDefects(const HalfEdgeMesh& mesh, double nearWeld) {
+Defects findDefects(const HalfEdgeMesh& mesh, double nearWeld, Progress progress) {
   Defects defects;
   const PositionTriangles byPosition(mesh);
-  defects.loops = findBoundaryLoops(mesh, byPosition);
-  findNonManifold(byPosition, defects);
-  findDuplicates(byPosition.triangles, defects);
-  for (Face f = 0; f < mesh.faceSlots(); ++f) {
-    if (!mesh.isLive(f)) continue;
-    const TrianglePoints p = mesh.points(f);
-    defects.box.extend(p[0]).extend(p[1]).extend(p[2]);
-    if (isDegenerate(p)) defects.degenerateFaces.push_back(f);
+  const std::function<void()> steps[] = {
+      [&] { defects.loops = findBoundaryLoops(mesh, byPosition); },
+      [&] { findNonManifold(byPosition, defects); },
+      [&] { findDuplicates(byPosition.triangles, defects); },
+      [&] { findDegenerate(mesh, defects); },
+      [&] { defects.nearVertices = nearBorderVertices(mesh, {}, nearWeld); },
+      [&] { defects.components = components(mesh, byPosition); },
+  };
+  double done = 1.0;  // the triangles by position
+  for (const auto& step : steps) {
+    progress.set(done++ / (1.0 + static_cast<double>(std::size(steps))));
+    if (progress.cancelled()) break;
+    step();
   }
-  defects.nearVertices = nearBorderVertices(mesh, {}, nearWeld);
-  defects.components = components(mesh, byPosition);
   return defects;
 }
 
-InspectedMesh inspected(HalfEdgeMesh mesh, double nearWeld) {
-  auto defects = std::make_shared<const Defects>(findDefects(mesh, nearWeld));
+InspectedMesh inspected(HalfEdgeMesh mesh, double nearWeld, Progress progress) {
+  auto defects = std::make_shared<const Defects>(findDefects(mesh, nearWeld, progress));
   return {std::move(mesh), std::move(defects)};
 }
 

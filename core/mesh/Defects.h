@@ -37,15 +37,15 @@ struct Defects {
 // The parts of the mesh, largest area first.
 std::vector<Component> findComponents(const HalfEdgeMesh& mesh);
 
-// nearWeld: the setting mesh.near_weld, as in RepairOptions.
-Defects findDefects(const HalfEdgeMesh& mesh, double nearWeld = tolerance::kNearWeld);
+// nearWeld: the setting mesh.near_weld, as in RepairOptions. Incomplete once cancelled.
+Defects findDefects(const HalfEdgeMesh& mesh, double nearWeld = tolerance::kNearWeld, Progress progress = {});
 
 // A version of a mesh with what is wrong with it. A worker makes it, so that the window need not look.
 struct InspectedMesh {
   HalfEdgeMesh mesh;
   std::shared_ptr<const Defects> defects;
 };
-InspectedMesh inspected(HalfEdgeMesh mesh, double nearWeld = tolerance::kNearWeld);
+InspectedMesh inspected(HalfEdgeMesh mesh, double nearWeld = tolerance::kNearWeld, Progress progress = {});
 
 // Pairs of faces that meet in more than a shared vertex or edge. Empty optional when cancelled.
 std::optional<std::vector<std::pair<Face, Face>>> findSelfIntersections(const HalfEdgeMesh& mesh,

@@ -16,13 +16,18 @@ namespace {
 // the old vertices; classOf tells which vertices share a position.
 class FanVertices {
  public:
-  FanVertices(HalfEdgeMesh& mesh, const PointClasses& classes)
-      : m_mesh(mesh), m_classes(classes), m_taken(mesh.vertexSlots(), false), m_seen(mesh.halfEdgeSlots(), false) {}
+  FanVertices(HalfEdgeMesh& mesh, const PointClasses& classes, Progress progress)
+      : m_mesh(mesh),
+        m_classes(classes),
+        m_progress(progress),
+        m_taken(mesh.vertexSlots(), false),
+        m_seen(mesh.halfEdgeSlots(), false) {}
 
   // Vertices that had to be added or changed hands because a position has more than one fan.
   std::vector<Vertex> assign() {
     std::vector<std::vector<HalfEdge>> homeless;  // fans whose vertices were all taken
     for (HalfEdge h = 0; h < m_mesh.halfEdgeSlots(); ++h) {
+      if (h % kLook == 0 && m_progress.cancelled()) return {};
       if (m_seen[h] || !m_mesh.isProper(HalfEdgeMesh::face(h))) continue;
       std::vector<HalfEdge> fan = m_mesh.fan(h);
       for (HalfEdge g : fan) m_seen[g] = true;
@@ -78,8 +83,11 @@ class FanVertices {
     return spare;
   }
 
+  static constexpr HalfEdge kLook = 1 << 16;  // half-edges between two looks at the cancel flag
+
   HalfEdgeMesh& m_mesh;
   const PointClasses& m_classes;
+  Progress m_progress;
   std::vector<bool> m_taken;
   std::vector<bool> m_seen;
 };
@@ -97,7 +105,8 @@ std::vector<Face> orient(HalfEdgeMesh& mesh, std::vector<Triangle>& triangles, c
   return turnedFaces;
 }
 
-BuildReport link(HalfEdgeMesh& mesh, const PointClasses& classes, std::span<const Vec3> points) {
+// Once cancelled it stops halfway.
+BuildReport link(HalfEdgeMesh& mesh, const PointClasses& classes, std::span<const Vec3> points, Progress progress) {
   BuildReport report;
   report.weldedPoints = points.size() - classes.representative.size();
   // Triangles over the first vertex at each position; dead slots look like triangles with a repeated vertex.
@@ -107,19 +116,26 @@ BuildReport link(HalfEdgeMesh& mesh, const PointClasses& classes, std::span<cons
     for (int k = 0; k < 3; ++k) triangles[f][k] = classes.representative[classes.classOf[mesh.triangle(f)[k]]];
   }
   EdgeTable edges(triangles, points.size());
+  progress.set(0.3);
+  if (progress.cancelled()) return report;
   report.turnedFaces = orient(mesh, triangles, edges);
   if (!report.turnedFaces.empty()) edges = EdgeTable(triangles, points.size());
+  progress.set(0.5);
+  if (progress.cancelled()) return report;
 
   const PairedEdges paired = pairEdges(edges, triangles, points);
   report.nonManifoldEdges = paired.nonManifoldEdges;
   report.unpairedHalfEdges = paired.seams;
+  if (progress.cancelled()) return report;
   for (Face f = 0; f < triangles.size(); ++f) {
     if (!mesh.isLive(f)) continue;
     // A face that welding made degenerate joins nothing; its corners show it.
     if (hasRepeatedVertex(triangles[f])) mesh.setTriangle(f, triangles[f]);
     for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) mesh.setOpposite(h, paired.opposite[h]);
   }
-  report.splitVertices = FanVertices(mesh, classes).assign();
+  progress.set(0.8);
+  report.splitVertices = FanVertices(mesh, classes, progress).assign();
+  progress.set(1.0);
   return report;
 }
 
@@ -128,19 +144,22 @@ BuildReport link(HalfEdgeMesh& mesh, const PointClasses& classes, std::span<cons
 BuildReport relink(HalfEdgeMesh& mesh) {
   std::vector<Vec3> points(mesh.vertexSlots());
   for (Vertex v = 0; v < points.size(); ++v) points[v] = mesh.position(v);
-  return link(mesh, classifyPoints(points), points);
+  return link(mesh, classifyPoints(points), points, {});
 }
 
-BuiltMesh buildMesh(const TriangleSoup& soup) {
+BuiltMesh buildMesh(const TriangleSoup& soup, Progress progress) {
   BuiltMesh built;
   const TriangleSoup welded = weld(soup);
+  progress.set(0.2);
+  if (progress.cancelled()) return built;
   for (const Vec3& p : welded.points) built.mesh.addVertex(p);
   for (const Triangle& t : welded.triangles) built.mesh.addFace(t);
   PointClasses each;  // no two of them share a position
   each.classOf.resize(welded.points.size());
   std::iota(each.classOf.begin(), each.classOf.end(), 0u);
   each.representative = each.classOf;
-  built.report = link(built.mesh, each, welded.points);
+  built.report = link(built.mesh, each, welded.points, progress.part(0.3, 1.0));
+  if (progress.cancelled()) return {};
   built.report.weldedPoints = soup.points.size() - welded.points.size();
   return built;
 }

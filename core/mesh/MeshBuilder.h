@@ -24,8 +24,8 @@ struct BuiltMesh {
 
 // Welds exactly equal positions, turns faces so that neighbours agree (fewest turned in each part), pairs the faces at
 // edges with more than two by the solid wedge between them, and gives every fan of faces a vertex of its own. Face i of
-// the mesh is triangle i of the soup: none is dropped, none is added.
-BuiltMesh buildMesh(const TriangleSoup& soup);
+// the mesh is triangle i of the soup: none is dropped, none is added. Once cancelled, an empty one.
+BuiltMesh buildMesh(const TriangleSoup& soup, Progress progress = {});
 
 // Does the same in place for a mesh whose faces changed: pairs everything anew by position. Face and vertex numbers
 // stay; where a position has more fans than vertices, vertices are added.

@@ -65,19 +65,20 @@ double signedVolume(const TriangleSoup& soup, const Vec3& origin) {
   return volume;
 }
 
-std::vector<LoopReport> loopReports(const TriangleSoup& welded) {
+}  // namespace
+
+std::vector<LoopReport> reportOn(std::span<const BoundaryLoop> loops) {
   std::vector<LoopReport> reports;
-  for (const BoundaryLoop& loop : findBoundaryLoops(buildMesh(welded).mesh)) {
+  for (const BoundaryLoop& loop : loops) {
     reports.push_back({loop.id, loop.borderEdges, loop.length, loop.planarity});
   }
   return reports;
 }
 
-}  // namespace
-
 MeshReport reportOn(const TriangleSoup& soup, SelfIntersections choice, Progress progress) {
-  const TriangleSoup welded = weld(soup);
   MeshReport report;
+  const TriangleSoup welded = weld(soup);
+  if (progress.cancelled()) return report;
   report.triangles = welded.triangles.size();
   report.vertices = welded.points.size();
   for (const Vec3& p : welded.points) report.box.extend(p);
@@ -85,13 +86,19 @@ MeshReport reportOn(const TriangleSoup& soup, SelfIntersections choice, Progress
     report.degenerateFaces += isDegenerate({welded.points[t[0]], welded.points[t[1]], welded.points[t[2]]});
   }
   countEdges(welded, report);
+  if (progress.cancelled()) return report;
   report.components = countComponents(welded);
   report.nonManifoldVertices = findNonManifoldVertices(welded.triangles, welded.points.size()).size();
+  if (progress.cancelled()) return report;
   report.duplicateFaces = countDuplicates(welded);
+  if (progress.cancelled()) return report;
   report.closed = report.triangles > 0 && report.boundaryEdges == 0;
   report.manifold = report.nonManifoldEdges == 0;
   report.oriented = report.inconsistentEdges == 0;
-  if (report.boundaryEdges > 0) report.loops = loopReports(welded);
+  if (report.boundaryEdges > 0) {
+    report.loops = reportOn(findBoundaryLoops(buildMesh(welded, progress.part(0.1, 0.3)).mesh));
+    if (progress.cancelled()) return report;
+  }
   if (report.closed) report.volumeMm3 = signedVolume(welded, report.box.center());
   progress.set(0.3);
   if (choice == SelfIntersections::Count) {

@@ -3,10 +3,10 @@
 #pragma once
 
 #include "base/Progress.h"
-#include "mesh/TriangleSoup.h"
+#include "mesh/BoundaryLoops.h"
 
-#include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace handwheel {
@@ -41,9 +41,11 @@ struct MeshReport {
   bool isSound() const { return closed && manifold && oriented; }
 };
 
+std::vector<LoopReport> reportOn(std::span<const BoundaryLoop> loops);
+
 enum class SelfIntersections { Skip, Count };
 
-// O(n log n); self-intersections cost most of it. A cancelled count is left out of the report.
+// O(n log n); self-intersections cost most of it. Incomplete once cancelled.
 MeshReport reportOn(const TriangleSoup& soup, SelfIntersections choice, Progress progress = {});
 
 }  // namespace handwheel

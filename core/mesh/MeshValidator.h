@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/Progress.h"
 #include "mesh/HalfEdgeMesh.h"
 
 #include <string>
 
 namespace handwheel {
 
-// Checks every invariant of the half-edge mesh; returns the first that is broken, or an empty string. For tests and
-// assertions. O(n).
+// Checks every invariant of the half-edge mesh; returns the first that is broken, or an empty string. For meshes from
+// files, and for tests. Once cancelled it says that. O(n).
 //  - corners of live faces are vertices in range with finite positions; dead faces have no neighbours;
 //  - opposites are mutual, run the other way along the same two vertices, and join proper live faces;
 //  - a vertex has exactly one fan of proper faces.
-std::string validate(const HalfEdgeMesh& mesh);
+std::string validate(const HalfEdgeMesh& mesh, Progress progress = {});
 
 }  // namespace handwheel

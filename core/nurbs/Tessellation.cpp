@@ -68,7 +68,8 @@ Error tooFine(const ProfileCurve& profile, const TessellationOptions& options, P
   do {
     coarser.chord *= 2.0;
     rings = layRings(profile, coarser, progress);
-  } while (!rings && rings.error().code == ErrorCode::FileTooLarge);
+  } while (!rings && rings.error().code == ErrorCode::FileTooLarge &&
+           coarser.chord < TessellationOptions::kLargestChord);
   if (!rings) return rings.error();
   return {ErrorCode::ValueOutOfRange,
           {"chord tolerance", text(options.chord), text(coarser.chord), text(TessellationOptions::kLargestChord)},

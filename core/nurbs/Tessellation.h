@@ -13,7 +13,8 @@ namespace handwheel {
 // The part between a profile, the flat ends through its first and last point, and the axis, as triangles: closed,
 // facing outwards, neighbours sharing vertices. Where the profile is curved, half of the tolerance goes to it and half
 // to the circle; vertices between its chords' ends may then be off the surface by that half. O(triangles). Errors:
-// ValueOutOfRange {"chord tolerance", value, least for this part, largest}, ElementMalformed {profile}, Cancelled.
+// ValueOutOfRange {"chord tolerance", value, least for this part, largest}, FileTooLarge where no tolerance is coarse
+// enough, ElementMalformed {profile}, Cancelled.
 Result<TriangleSoup> tessellate(const ProfileCurve& profile, const TessellationOptions& options,
                                 Progress progress = {});
 

@@ -2,7 +2,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "proximity/RayTriangle.h"
 
+#include <cmath>
+
 namespace handwheel {
+namespace {
+
+// ab - cd with the right sign, and 0 only when it is 0 (Kahan's difference of products). Swapping the products gives
+// exactly the opposite number.
+double crossOf(double a, double b, double c, double d) {
+  const double plain = a * b - c * d;  // rounding is monotonic: its sign is right, or it is 0
+  if (plain != 0.0) return plain;
+  const double cd = c * d;
+  return std::fma(a, b, -cd) + std::fma(-c, d, cd);
+}
+
+}  // namespace
 
 RayTriangleTest::RayTriangleTest(const Vec3& origin, const Vec3& direction) : m_origin(origin) {
   int longest = 0;
@@ -21,11 +35,12 @@ Vec3 RayTriangleTest::sheared(const Vec3& p) const {
 
 std::optional<double> RayTriangleTest::hit(const Vec3& a, const Vec3& b, const Vec3& c) const {
   const Vec3 p = sheared(a), q = sheared(b), r = sheared(c);
-  // Twice the signed areas between the axis and the edges. Rounding is monotonic: a sign is right or 0, never wrong,
-  // and the triangle on the other side of the edge gets exactly the opposite number.
-  const double u = r.x() * q.y() - r.y() * q.x();
-  const double v = p.x() * r.y() - p.y() * r.x();
-  const double w = q.x() * p.y() - q.y() * p.x();
+  // Twice the signed areas between the axis and the edges. The triangle on the other side of an edge gets exactly the
+  // opposite number. A 0 where there is none would let a triangle that is seen nearly edge-on be hit by rays that pass
+  // it in its plane.
+  const double u = crossOf(r.x(), q.y(), r.y(), q.x());
+  const double v = crossOf(p.x(), r.y(), p.y(), r.x());
+  const double w = crossOf(q.x(), p.y(), q.y(), p.x());
   if ((u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0)) return std::nullopt;
   const double area = u + v + w;
   if (area == 0.0) return std::nullopt;

@@ -61,7 +61,7 @@ JointValues withinLimits(const RobotModel& robot, JointValues values) {
     if (joint.kind == JointKind::Continuous && !isFollowed[dof])
       value = std::remainder(value, 2.0 * std::numbers::pi);
     else
-      value = std::clamp(value, joint.limits.lower, joint.limits.upper);
+      value = joint.limits.nearest(value);
   }
   return values;
 }

@@ -4,6 +4,7 @@
 
 #include "base/Geometry.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <optional>
@@ -21,11 +22,20 @@ enum class JointKind {
   Prismatic,
 };
 
+// No joint goes further than this, whatever its limits say, so that what follows it stays finite; rad, mm.
+inline constexpr double kFarthestTravel = 1e9;
+
 struct JointLimits {
   double lower = -std::numeric_limits<double>::infinity();  // rad, mm
   double upper = std::numeric_limits<double>::infinity();
   std::optional<double> velocity = {};  // rad/s, mm/s; none where the file does not tell, or says 0
   std::optional<double> effort = {};    // N m, N; the same
+
+  // The nearest value that is allowed. At least one within kFarthestTravel must be.
+  double nearest(double value) const {
+    return std::clamp(value, std::max(lower, -kFarthestTravel), std::min(upper, kFarthestTravel));
+  }
+  bool areClosed() const { return lower == upper; }  // the joint cannot move
 };
 
 // Joins two links. Its position is factor · value(dof) + offset: one degree of freedom may move several joints.
@@ -91,9 +101,6 @@ struct RobotModel {
 
 // One value per degree of freedom; rad, mm.
 using JointValues = Eigen::VectorXd;
-
-// Prismatic joints go no further than this, whatever their limits say; mm.
-inline constexpr double kFarthestTravel = 1e9;
 
 // kNone when there is no such link. O(links).
 std::uint32_t linkNamed(const RobotModel& robot, std::string_view name);

@@ -19,7 +19,7 @@ double unitOf(const Joint& joint) {
 
 class Tree {
  public:
-  Tree(RobotModel& robot, std::span<const Place> places) : m_robot(robot), m_places(places) {}
+  Tree(RobotModel& robot, const RobotPlaces& places) : m_robot(robot), m_places(places) {}
 
   Status follow(std::span<const Following> following);
   Status findParents();
@@ -38,11 +38,14 @@ class Tree {
   Status resolve(std::uint32_t joint, const std::map<std::uint32_t, const Following*>& following);
   Status joinLeader(std::uint32_t joint, const Following& own);
   Error wrong(std::uint32_t joint, std::string what) const {
-    return {ErrorCode::ElementMalformed, {"joint " + m_robot.joints[joint].name, std::move(what)}, m_places[joint], {}};
+    return {ErrorCode::ElementMalformed,
+            {"joint " + m_robot.joints[joint].name, std::move(what)},
+            m_places.joints[joint],
+            {}};
   }
 
   RobotModel& m_robot;
-  std::span<const Place> m_places;
+  const RobotPlaces& m_places;
   std::map<std::string_view, std::uint32_t> m_numbers;
   std::vector<Motion> m_motions;  // per joint
 };
@@ -74,7 +77,7 @@ Status Tree::resolve(std::uint32_t joint, const std::map<std::uint32_t, const Fo
     chain.push_back(own->second);
     const auto leader = m_numbers.find(own->second->leader);
     if (leader == m_numbers.end())
-      return Error{ErrorCode::ReferenceMissing, {"the joint", own->second->leader}, m_places[j], {}};
+      return Error{ErrorCode::ReferenceMissing, {"the joint", own->second->leader}, m_places.joints[j], {}};
     j = leader->second;
   }
   for (; !chain.empty(); chain.pop_back()) {
@@ -107,12 +110,14 @@ Status Tree::findRoot() {
     if (m_robot.links[link].parentJoint != kNone) continue;
     if (m_robot.root != kNone) {
       const std::string what = "no joint links it with " + m_robot.links[m_robot.root].name;
-      return Error{ErrorCode::ElementMalformed, {"link " + m_robot.links[link].name, what}, {}, {}};
+      return Error{ErrorCode::ElementMalformed, {"link " + m_robot.links[link].name, what}, m_places.links[link], {}};
     }
     m_robot.root = link;
   }
-  if (m_robot.root == kNone) return Error{ErrorCode::ElementMalformed, {"robot", "its joints form a ring"}, {}, {}};
-  return Done{};
+  if (m_robot.root != kNone) return Done{};
+  std::uint32_t j = 0;  // as many steps upwards as there are joints end in a ring
+  for (std::size_t i = 0; i < m_robot.joints.size(); ++i) j = m_robot.links[m_robot.joints[j].parent].parentJoint;
+  return wrong(j, "it belongs to a ring of joints");
 }
 
 // Depth first, so that the joints of an arm stand together.
@@ -146,7 +151,7 @@ void Tree::numberDofs() {
     Joint& joint = m_robot.joints[j];
     const Motion& motion = m_motions[j];
     joint.offset = motion.offset * unitOf(joint);
-    if (motion.leader == kNone) continue;
+    if (motion.leader == kNone || motion.factor == 0.0) continue;
     joint.dof = dofOf[motion.leader];
     joint.factor = motion.factor * unitOf(joint) / unitOf(m_robot.joints[motion.leader]);
   }
@@ -154,7 +159,7 @@ void Tree::numberDofs() {
 
 }  // namespace
 
-Status tieTogether(RobotModel& robot, std::span<const Following> following, std::span<const Place> places) {
+Status tieTogether(RobotModel& robot, std::span<const Following> following, const RobotPlaces& places) {
   Tree tree(robot, places);
   for (const auto step : {&Tree::findParents, &Tree::findRoot, &Tree::findOrder}) {
     if (const Status status = (tree.*step)(); !status) return status;

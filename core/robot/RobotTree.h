@@ -7,6 +7,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace handwheel {
 
@@ -18,9 +19,14 @@ struct Following {
   double multiplier, offset;
 };
 
+// The lines of a description, for errors.
+struct RobotPlaces {
+  std::vector<Place> links, joints;
+};
+
 // Ties the joints and links of a model together: who follows whom and which degrees of freedom there are, each link's
-// joint, the root and the order. places: the line of each joint, for errors. The links must form one tree.
+// joint, the root and the order. places: of each link and joint. The links must form one tree.
 // O((links + joints) log joints). Errors: ElementMalformed, ReferenceMissing.
-Status tieTogether(RobotModel& robot, std::span<const Following> following, std::span<const Place> places);
+Status tieTogether(RobotModel& robot, std::span<const Following> following, const RobotPlaces& places);
 
 }  // namespace handwheel

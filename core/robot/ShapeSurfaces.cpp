@@ -85,7 +85,7 @@ TriangleSoup surfaceOf(const Shape& shape) {
 void place(const MeshShape& shape, TriangleSoup& soup) {
   const Vec3 scale = shape.scale * kMillimetresPerMetre;
   for (Vec3& p : soup.points) p = p.cwiseProduct(scale);
-  if (scale.prod() > 0.0) return;
+  if ((scale.array() < 0.0).count() % 2 == 0) return;
   for (Triangle& t : soup.triangles) std::swap(t[1], t[2]);
 }
 

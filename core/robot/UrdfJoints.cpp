@@ -50,7 +50,7 @@ Status UrdfJoints::read(const XmlElement& element) {
     if (const Status status = readMotion(element, joint); !status) return status;
   }
   m_robot.joints.push_back(std::move(joint));
-  m_places.push_back(Place::line(element.line));
+  m_places.joints.push_back(Place::line(element.line));
   return Done{};
 }
 
@@ -108,6 +108,8 @@ Result<JointLimits> UrdfJoints::readLimits(const XmlElement& element, const Join
     limits.lower = *lower * unit;
     limits.upper = *upper * unit;
     if (limits.lower > limits.upper) return malformed(element, "its lower limit is above the upper one");
+    if (limits.lower > kFarthestTravel || limits.upper < -kFarthestTravel)
+      return malformed(element, "its limits are too far away");
   } else {
     m_shapes.note(malformed(element, "it has no limits, so it moves without"));
   }

@@ -12,14 +12,14 @@ namespace handwheel {
 // Reads the joints of a description, one by one.
 class UrdfJoints {
  public:
-  // links: all of them, by name. shapes takes the notes.
-  UrdfJoints(RobotModel& robot, const std::map<std::string, std::uint32_t>& links, UrdfShapes& shapes)
-      : m_robot(robot), m_links(links), m_shapes(shapes) {}
+  // links: all of them, by name. places takes the joints' lines, shapes the notes.
+  UrdfJoints(RobotModel& robot, const std::map<std::string, std::uint32_t>& links, RobotPlaces& places,
+             UrdfShapes& shapes)
+      : m_robot(robot), m_links(links), m_places(places), m_shapes(shapes) {}
 
   Status read(const XmlElement& element);
 
   const std::vector<Following>& following() const { return m_following; }
-  const std::vector<Place>& places() const { return m_places; }  // per joint
 
  private:
   Result<JointKind> readKind(const XmlElement& element);
@@ -31,10 +31,10 @@ class UrdfJoints {
 
   RobotModel& m_robot;
   const std::map<std::string, std::uint32_t>& m_links;
+  RobotPlaces& m_places;
   UrdfShapes& m_shapes;
   std::map<std::string, std::uint32_t> m_numbers;
   std::vector<Following> m_following;
-  std::vector<Place> m_places;
 };
 
 }  // namespace handwheel

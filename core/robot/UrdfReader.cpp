@@ -20,7 +20,7 @@ bool isOfXacro(const XmlElement& element) {
 }
 
 Status readLinks(const XmlElement& root, ReadRobot& read, UrdfShapes& shapes,
-                 std::map<std::string, std::uint32_t>& numbers) {
+                 std::map<std::string, std::uint32_t>& numbers, std::vector<Place>& places) {
   for (const XmlElement& element : root.children) {
     if (isOfXacro(element)) {
       return Error{
@@ -33,6 +33,7 @@ Status readLinks(const XmlElement& root, ReadRobot& read, UrdfShapes& shapes,
       return malformed(element, "there are two of that name");
     Link& link = read.robot.links.emplace_back();
     link.name = *name;
+    places.push_back(Place::line(element.line));
     shapes.readInto(link, element);
   }
   if (read.robot.links.empty()) return malformed(root, "it has no links");
@@ -45,13 +46,14 @@ Result<ReadRobot> readRobot(const XmlElement& root) {
   UrdfShapes shapes(read);
   shapes.collectMaterials(root);
   std::map<std::string, std::uint32_t> links;
-  if (const Status status = readLinks(root, read, shapes, links); !status) return status.error();
-  UrdfJoints joints(read.robot, links, shapes);
+  RobotPlaces places;
+  if (const Status status = readLinks(root, read, shapes, links, places.links); !status) return status.error();
+  UrdfJoints joints(read.robot, links, places, shapes);
   for (const XmlElement& element : root.children) {
     if (element.name != "joint") continue;
     if (const Status status = joints.read(element); !status) return status.error();
   }
-  const Status status = tieTogether(read.robot, joints.following(), joints.places());
+  const Status status = tieTogether(read.robot, joints.following(), places);
   if (!status) return status.error();
   return read;
 }

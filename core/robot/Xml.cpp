@@ -79,7 +79,11 @@ class TreeBuilder {
     if (!m_open.empty()) element = &m_open.back()->children.emplace_back();
     element->name = name;
     element->line = here().value;
-    for (; *attributes; attributes += 2) element->attributes.push_back({attributes[0], attributes[1]});
+    for (; *attributes; attributes += 2) {
+      if (++m_attributes > 8 * m_limits.elements)
+        return stop({ErrorCode::FileTooLarge, {"attributes", "", std::to_string(8 * m_limits.elements)}, here(), {}});
+      element->attributes.push_back({attributes[0], attributes[1]});
+    }
     m_open.push_back(element);
   }
 
@@ -94,7 +98,7 @@ class TreeBuilder {
   XmlElement m_root;
   // From the root to the innermost. The pointers hold because only the innermost element gets children.
   std::vector<XmlElement*> m_open;
-  std::size_t m_elements = 0;
+  std::size_t m_elements = 0, m_attributes = 0;
   std::optional<Error> m_failure;
 };
 

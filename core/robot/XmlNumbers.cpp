@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robot/XmlNumbers.h"
 
-#include <charconv>
+#include "base/NumberText.h"
+
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -27,17 +29,9 @@ std::string_view takeWord(std::string_view& text) {
 }
 
 Result<double> parseNumber(std::string_view word) {
-  std::string_view digits = word;
-  if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
   double value = 0.0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error == std::errc::invalid_argument || end != digits.data() + digits.size())
-    return about(ErrorCode::NumberMalformed, word);
-  if (error == std::errc::result_out_of_range) {
-    const bool isTiny = digits.find("e-") != digits.npos || digits.find("E-") != digits.npos;
-    if (!isTiny) return about(ErrorCode::NumberNotFinite, word);
-    value = 0.0;
-  }
+  ErrorCode why = ErrorCode::NumberMalformed;
+  if (!parseDecimal(word, value, why)) return about(why, word);
   return value;
 }
 

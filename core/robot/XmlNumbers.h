@@ -13,9 +13,7 @@ namespace handwheel {
 // The next word of a text, words being divided by blanks and line ends; removes it from the text. Empty at the end.
 std::string_view takeWord(std::string_view& text);
 
-// A decimal number in the C locale, whatever locale the process has; a leading plus is allowed. Numbers with an
-// exponent too small for a double are zero. "inf" and "nan" are read, too: who calls decides. Errors: NumberMalformed,
-// NumberNotFinite (out of the range of a double).
+// As parseDecimal() reads it. Errors: NumberMalformed, NumberNotFinite (out of the range of a double).
 Result<double> parseNumber(std::string_view word);
 
 // Exactly as many finite numbers as there is room. Errors: NumberMalformed, NumberNotFinite, CountMismatch.

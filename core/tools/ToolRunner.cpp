@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/ToolRunner.h"
 
+#include <cassert>
 #include <exception>
 #include <utility>
 

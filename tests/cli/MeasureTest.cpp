@@ -56,6 +56,7 @@ class MeasureTest : public QObject {
   void budget();
   void usersFile();
   void curves();
+  void repairReadsTheSettings();
   void wrongWords_data();
   void wrongWords();
   void wrongFiles();
@@ -182,6 +183,43 @@ void MeasureTest::curves() {
   QVERIFY(curve.at("setting") == "nurbs.chord_mm");
   QVERIFY(!curve.at("machine").get<std::string>().empty());
   QVERIFY(curve.at("rows").size() >= 18);
+}
+
+// Two halves of a sheet, torn apart by 1e-4 of the diagonal: a matter of mesh.near_weld. A hole in a ball: a matter of
+// the method and the density.
+void MeasureTest::repairReadsTheSettings() {
+  const Bench bench;
+  Shape sheet = flatSheet(4);
+  sheet.add(flatSheet(4), {4.0 + 1e-4 * std::sqrt(80.0), 0, 0});
+  bench.put("torn.off", sheet.off());
+  const auto merged = [&](const QStringList& more) {
+    bench.run(QStringList{"repair", "torn.off", "-o", "b.off", "--report", "r.json"} + more);
+    return bench.json("r.json").at("merged_vertices").get<int>();
+  };
+  QCOMPARE(merged({}), 0);
+  QCOMPARE(merged({"--fidelity", "mesh.near_weld=1e-3"}), 5);
+
+  Shape holed = ball(40);
+  holed.faces.resize(holed.faces.size() - 2 * 80 * 4);  // the cap around the north pole
+  bench.put("holed.off", holed.off());
+  const auto newFaces = [&](const QStringList& more) {
+    bench.run(QStringList{"repair", "holed.off", "-o", "b.off", "--report", "r.json"} + more);
+    const auto report = bench.json("r.json");
+    int sum = 0;
+    for (const auto& loop : report.at("loops")) sum += loop.at("new_faces").get<int>();
+    return sum;
+  };
+  const int standard = newFaces({}), draft = newFaces({"--fidelity", "draft"}),
+            ear = newFaces({"--fidelity", "exact,mesh.fill_method=ear"});
+  QVERIFY(ear < draft && draft < standard);
+  QCOMPARE(newFaces({"--fidelity", "exact,mesh.fill_method=ear", "--fill", "fair"}), newFaces({"--fidelity", "exact"}));
+
+  for (const char* wrong : {"fast", "mesh.near_weld=7", "mesh.near_weld", "mesh.fill_method=flat"}) {
+    const Ran ran = bench.run({"repair", "torn.off", "-o", "c.off", "--fidelity", wrong});
+    QCOMPARE(ran.code, 1);
+    QVERIFY(ran.err.endsWith("Try 'handwheel help repair'.\n"));
+    QVERIFY(!bench.names().contains("c.off"));
+  }
 }
 
 void MeasureTest::wrongWords_data() {

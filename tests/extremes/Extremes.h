@@ -37,6 +37,7 @@ struct ExtremeMesh {
   std::function<TriangleSoup()> soup;
   std::size_t components = 1;
   std::size_t loops = 0;                        // chains of open edges
+  std::size_t filled = 0;                       // loops that a repair closes
   std::size_t degenerate = 0;                   // triangles without area
   bool oriented = true;                         // in the file
   bool sound = true;                            // a repair leaves it closed, manifold and oriented
@@ -110,7 +111,7 @@ inline std::vector<ExtremeMesh> scaledMeshes() {
     meshes.back().volume = sphere * 1000.0;
   }
   for (ExtremeMesh& mesh : meshes) {
-    mesh.loops = 3;
+    mesh.loops = mesh.filled = 3;
     mesh.volumeError = 0.01;  // flat triangles instead of the sphere, and the patches
   }
   return meshes;
@@ -126,6 +127,7 @@ inline std::vector<ExtremeMesh> oddMeshes() {
       {.name = "zero areas only",
        .soup = [] { return collinear(100); },
        .loops = 1,
+       .filled = 1,  // gone with its faces
        .degenerate = 100,
        .oriented = false,
        .sound = false},
@@ -148,10 +150,15 @@ inline std::vector<ExtremeMesh> oddMeshes() {
 inline std::vector<ExtremeMesh> topologicalMeshes() {
   return {
       {.name = "open sheet", .soup = [] { return disc(60, 10); }, .loops = 1, .sound = false},
-      {.name = "open sheet with a hole", .soup = [] { return annulus(60, 10, 0.2, 1.0); }, .loops = 2, .sound = false},
+      {.name = "open sheet with a hole",
+       .soup = [] { return annulus(60, 10, 0.2, 1.0); },
+       .loops = 2,
+       .filled = 1,
+       .sound = false},
       {.name = "Möbius strip",
        .soup = [] { return moebiusStrip(60, 4); },
        .loops = 1,
+       .filled = 1,
        .oriented = false,
        .sound = false},
       {.name = "Klein bottle", .soup = [] { return kleinBottle(60, 30); }, .oriented = false, .sound = false},

@@ -152,6 +152,10 @@ void MeshExtremesTest::repairs() {
   for (const LoopResult& loop : report.loops) {
     QCOMPARE(loop.reason == FillFailure::None, loop.outcome == LoopOutcome::Filled);  // what stays open says why
   }
+  QCOMPARE(report.removedDegenerate, extreme.degenerate);
+  const auto filled = std::count_if(report.loops.begin(), report.loops.end(),
+                                    [](const LoopResult& loop) { return loop.outcome == LoopOutcome::Filled; });
+  QCOMPARE(static_cast<std::size_t>(filled), extreme.filled);
   if (!extreme.volume) return;
   const MeshReport figures = reportOn(result, SelfIntersections::Skip);
   QVERIFY(figures.volumeMm3);

@@ -6,6 +6,7 @@
 #include "fidelity/CutSurface.h"
 #include "fidelity/MeasuredSettings.h"
 #include "mesh/MeshBuilder.h"
+#include "viewport/SurfaceGeometry.h"
 
 #include <QTest>
 #include <cmath>
@@ -40,6 +41,7 @@ class CasesTest : public QObject {
   void holesAreCutAndKnown();
   void tornVerticesOfAMesh();
   void patchesOfAMesh();
+  void blocksOfAnySize();
   void smallAndDegenerateMeshes_data();
   void smallAndDegenerateMeshes();
 };
@@ -98,8 +100,7 @@ void CasesTest::holesAreCutAndKnown() {
   }
 }
 
-// A file torn by half the tolerance for single vertices, on the user's own mesh: too small a tolerance leaves tears,
-// too large a one eats gaps, and both ends are wrong about half of what was parted.
+// About half of what is parted are tears, half gaps: no tolerance leaves the tears, a huge one eats the gaps.
 void CasesTest::tornVerticesOfAMesh() {
   const FidelityCase c = onMesh("mesh.near_weld", torusSoup(60, 40, 20.0, 6.0));
   QCOMPARE(errorAt(c, 1e-5), 0.0);
@@ -116,6 +117,21 @@ void CasesTest::patchesOfAMesh() {
   QVERIFY(errorAt(method, *valueOf(entry.setting, "ear")) > 2.0);  // which a flat lid cannot
   QCOMPARE(errorAt(density, registry().find("mesh.patch_density")->setting.standard), fair);
   QVERIFY(casesOnMesh("nurbs.chord_mm", "mesh", nullptr).empty());
+}
+
+// However the faces are parted into blocks: each is drawn once.
+void CasesTest::blocksOfAnySize() {
+  const HalfEdgeMesh mesh = buildMesh(torusSoup(60, 40, 20.0, 6.0)).mesh;
+  for (Face faces : {Face{1}, Face{7}, Face{1000}, kBlockFaces}) {
+    QCOMPARE(blockCount(mesh, faces), (4800 + std::size_t{faces} - 1) / faces);
+    std::size_t drawn = 0;
+    for (std::size_t b = 0; b < blockCount(mesh, faces); ++b) {
+      const SurfaceGeometry g = blockGeometry(mesh, b, Vec3::Zero(), faces);
+      QVERIFY(g.indices.size() <= 3 * std::size_t{faces});
+      drawn += g.indices.size() / 3;
+    }
+    QCOMPARE(drawn, std::size_t{4800});
+  }
 }
 
 void CasesTest::smallAndDegenerateMeshes_data() {

@@ -171,7 +171,7 @@ QString DefectModel::rowDetail(DefectKind kind, int row) const {
   const HalfEdgeMesh& mesh = m_inspection->document().mesh();
   if (kind == DefectKind::NonManifoldEdge) {
     const std::vector<Vertex> ends = verticesOf(kind, row);
-    return lengthText((mesh.position(ends[0]) - mesh.position(ends[1])).norm());
+    return lengthText((mesh.position(ends[0]) - mesh.position(ends[1])).norm(), m_inspection->document().displayUnit());
   }
   if (kind == DefectKind::Debris) {
     const std::size_t i = m_inspection->debris()[static_cast<std::size_t>(row)];

@@ -5,6 +5,7 @@
 #include "text/RepairText.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace handwheel {
 
@@ -13,6 +14,10 @@ Inspection::Inspection(MeshDocument& document, QObject* parent) : QObject(parent
   connect(&document, &MeshDocument::keptOpenChanged, this, [this] {
     sortLoops();
     emit changed();
+  });
+  connect(&document, &Document::fileChanged, this, [this, unit = document.displayUnit()]() mutable {
+    const LengthUnit before = std::exchange(unit, m_document.displayUnit());
+    if (unit != before) emit changed();
   });
   nameLoops();
   sortLoops();
@@ -28,11 +33,9 @@ void Inspection::documentChanged() {
 void Inspection::nameLoops() {
   m_keys.clear();
   for (const BoundaryLoop& each : m_document.defects().loops) {
-    Vertex smallest = kNone;
-    for (HalfEdge h : each.halfEdges) smallest = std::min(smallest, m_document.mesh().from(h));
-    m_keys.push_back(smallest);
+    m_keys.push_back(handwheel::keyOf(m_document.mesh(), each));
     int& given = each.rim ? m_rimsNamed : m_holesNamed;
-    if (m_numbers.emplace(smallest, given + 1).second) ++given;
+    if (m_numbers.emplace(m_keys.back(), given + 1).second) ++given;
   }
 }
 
@@ -103,7 +106,8 @@ QString Inspection::loopName(int id) const {
 
 QString Inspection::loopDetail(int id) const {
   const BoundaryLoop& l = loop(id);
-  return tr("%Ln edge(s), %1", nullptr, static_cast<int>(l.halfEdges.size())).arg(lengthText(l.length));
+  return tr("%Ln edge(s), %1", nullptr, static_cast<int>(l.halfEdges.size()))
+      .arg(lengthText(l.length, m_document.displayUnit()));
 }
 
 QString Inspection::loopTitle(int id) const {

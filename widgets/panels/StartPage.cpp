@@ -97,18 +97,7 @@ StartPage::StartPage(QWidget* parent)
       m_recent(new QGridLayout) {
   setObjectName(QStringLiteral("startPage"));
   setAttribute(Qt::WA_StyledBackground);
-  static constexpr const char* kNames[] = {"sampleTile", "latheTile", "cellTile"};
-  for (Sample sample : {Sample::Scan, Sample::Lathe, Sample::Cell}) {
-    const auto i = static_cast<std::size_t>(sample);
-    auto* tile = new Tile(QString::fromLatin1(iconOf(sample)), titleOf(sample), lineOf(sample), m_content);
-    tile->setObjectName(QString::fromLatin1(kNames[i]));
-    m_sampleTiles[i] = tile;
-    setSampleAvailable(sample, false);
-    connect(tile, &Tile::clicked, this, [this, sample] {
-      emit sampleChosen(sample);
-      if (sample == Sample::Scan) emit sampleRequested();
-    });
-  }
+  makeSamples();
   auto* open = new QPushButton(icon(QStringLiteral("open")), tr("Open a file…"), m_content);
   open->setObjectName(QStringLiteral("openTile"));
   open->setToolTip(tr("Or drop files anywhere on this window"));
@@ -127,6 +116,26 @@ StartPage::StartPage(QWidget* parent)
   column->addWidget(m_recentHeader);
   column->addLayout(m_recent);
   column->addStretch(3);
+  makeScrollable();
+  setRecentFiles({});
+  drawSign();
+}
+
+void StartPage::makeSamples() {
+  static constexpr const char* kNames[] = {"sampleTile", "latheTile", "cellTile"};
+  for (Sample sample : {Sample::Scan, Sample::Lathe, Sample::Cell}) {
+    const auto i = static_cast<std::size_t>(sample);
+    auto* tile = new Tile(QString::fromLatin1(iconOf(sample)), titleOf(sample), lineOf(sample), m_content);
+    tile->setObjectName(QString::fromLatin1(kNames[i]));
+    m_sampleTiles[i] = tile;
+    setSampleAvailable(sample, false);
+    connect(tile, &Tile::clicked, this, [this, sample] { emit sampleChosen(sample); });
+  }
+}
+
+// Where the window is small or the letters are large.
+void StartPage::makeScrollable() {
+  m_content->setMaximumWidth(kWidest);
   auto* scroll = new QScrollArea(this);
   scroll->setObjectName(QStringLiteral("startScroll"));
   scroll->setFrameShape(QFrame::NoFrame);
@@ -140,9 +149,6 @@ StartPage::StartPage(QWidget* parent)
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(0, 0, 0, 0);
   all->addWidget(scroll);
-  m_content->setMaximumWidth(kWidest);
-  setRecentFiles({});
-  drawSign();
 }
 
 QLayout* StartPage::heading() {

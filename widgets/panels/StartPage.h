@@ -29,13 +29,11 @@ class StartPage : public QWidget {
 
   // A sample that is not installed is shown, but cannot be opened.
   void setSampleAvailable(Sample sample, bool available);
-  void setSampleAvailable(bool available) { setSampleAvailable(Sample::Scan, available); }
   void setPictures(Pictures pictures);
   void setRecentFiles(const QStringList& paths);
 
  signals:
   void sampleChosen(handwheel::StartPage::Sample sample);
-  void sampleRequested();  // the scan
   void openRequested();
   void recentRequested(const QString& path);
   void clearRecentRequested();
@@ -45,6 +43,8 @@ class StartPage : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
+  void makeSamples();
+  void makeScrollable();
   QLayout* heading();
   QWidget* recentHeader();
   void drawSign();

@@ -43,11 +43,6 @@ QPointF PlotLayout::toScreen(const QPointF& value) const {
           m_frame.bottom() - m_y.placeOf(value.y()) * m_frame.height()};
 }
 
-QPointF PlotLayout::toValue(const QPointF& screen) const {
-  return {m_x.valueAt((screen.x() - m_frame.left()) / m_frame.width()),
-          m_y.valueAt((m_frame.bottom() - screen.y()) / m_frame.height())};
-}
-
 bool PlotLayout::isShown(const QPointF& value) const {
   constexpr double kFar = 1e6;  // pixels; NaN is what a logarithm gives for what it does not take
   const QPointF screen = toScreen(value);

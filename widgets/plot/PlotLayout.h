@@ -22,13 +22,13 @@ class PlotLayout {
   const PlotScale& y() const { return m_y; }
 
   QPointF toScreen(const QPointF& value) const;
-  QPointF toValue(const QPointF& screen) const;
   bool isShown(const QPointF& value) const;  // finite, and above zero where an axis is logarithmic
 
   // The point of a series nearest to a place on the screen, if one is within reach (pixels).
   struct Reading {
     std::size_t series;
     std::size_t point;
+    bool operator==(const Reading&) const = default;
   };
   std::optional<Reading> readingAt(const Plot& plot, const QPointF& screen, double reach) const;
 

@@ -60,10 +60,6 @@ double PlotScale::placeOf(double value) const {
   return (value - least) / (largest - least);
 }
 
-double PlotScale::valueAt(double place) const {
-  return logarithmic ? least * std::pow(largest / least, place) : least + place * (largest - least);
-}
-
 PlotScale scaleFor(std::span<const double> values, bool logarithmic, int count) {
   std::vector<double> finite;
   std::copy_if(values.begin(), values.end(), std::back_inserter(finite),

@@ -17,7 +17,6 @@ struct PlotScale {
   std::vector<double> ticks;  // ascending, inside the range
 
   double placeOf(double value) const;  // 0 at least, 1 at largest
-  double valueAt(double place) const;
 };
 
 // A scale that shows all these values with some room and about "count" ticks at 1, 2 or 5 times a power of ten

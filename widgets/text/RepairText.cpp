@@ -137,10 +137,12 @@ QStringList repairSummary(const RepairReport& report) {
   return parts;
 }
 
-QString lengthText(double millimetres) {
-  const double size = std::abs(millimetres);
-  const int decimals = size >= 100.0 ? 0 : size >= 10.0 ? 1 : 2;
-  return Text::tr("%1 mm").arg(QLocale::c().toString(millimetres, 'f', decimals));
+QString lengthText(double millimetres, LengthUnit unit) {
+  const double length = millimetres / millimetresPer(unit);
+  const int most = unit == LengthUnit::Millimetre ? 2 : 4;
+  const int decimals =
+      length == 0.0 ? most : std::clamp(2 - static_cast<int>(std::floor(std::log10(std::abs(length)))), 0, most);
+  return QLocale().toString(length, 'f', decimals) + QLatin1Char(' ') + QString::fromLatin1(symbolOf(unit));
 }
 
 }  // namespace handwheel

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/Units.h"
 #include "document/formats/MeshFormat.h"
 #include "mesh/HoleFilling.h"
 #include "mesh/Repair.h"
@@ -26,7 +27,8 @@ QString lostAttributeName(LostAttribute attribute);
 // What a repair did besides filling, one phrase per kind of change; empty when it did nothing.
 QStringList repairSummary(const RepairReport& report);
 
-// A length as the user reads it, with three significant digits and at most two decimals: "31.2 mm".
-QString lengthText(double millimetres);
+// A length as the user reads it, with three significant digits: "31.2 mm", and at most two decimals, or four in units
+// other than mm.
+QString lengthText(double millimetres, LengthUnit unit);
 
 }  // namespace handwheel

@@ -21,7 +21,8 @@ void drop(std::unique_ptr<QFutureWatcher<T>>& watcher) {
 
 void MeshPreparation::startAll(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin) {
   cancel();
-  for (std::size_t b = 0; b < blockCount(mesh); ++b) m_owed.insert(b);
+  m_blockFaces = m_nextBlockFaces;
+  for (std::size_t b = 0; b < blockCount(mesh, m_blockFaces); ++b) m_owed.insert(b);
   startBlocks(mesh, origin);
   startRest(mesh, bounds, origin);
 }
@@ -48,10 +49,10 @@ void MeshPreparation::finishBlocks() {
 void MeshPreparation::startBlocks(const HalfEdgeMesh& mesh, const Vec3& origin) {
   drop(m_blocks);
   const std::vector<std::size_t> owed(m_owed.begin(), m_owed.end());
-  m_blocks = runOnWorker<Block>([mesh, origin, owed](QPromise<Block>& promise) {
+  m_blocks = runOnWorker<Block>([mesh, origin, owed, faces = m_blockFaces](QPromise<Block>& promise) {
     for (const std::size_t b : owed) {
       if (promise.isCanceled()) return;
-      promise.addResult(Block{b, std::make_shared<SurfaceGeometry>(blockGeometry(mesh, b, origin))});
+      promise.addResult(Block{b, std::make_shared<SurfaceGeometry>(blockGeometry(mesh, b, origin, faces))});
     }
   });
   QObject::connect(m_blocks.get(), &QFutureWatcherBase::resultReadyAt, m_blocks.get(),

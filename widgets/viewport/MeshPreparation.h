@@ -25,6 +25,10 @@ class MeshPreparation {
   explicit MeshPreparation(Receivers receivers) : m_receivers(std::move(receivers)) {}
   ~MeshPreparation() { cancel(); }
 
+  // Faces to a block, from the next startAll() on: the setting view.block_faces.
+  void setBlockFaces(Face faces) { m_nextBlockFaces = faces; }
+  Face blockFaces() const { return m_blockFaces; }  // at present
+
   // All blocks of the mesh and the rest. Drops what is under way.
   void startAll(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin);
   // After an edit: the given blocks, those still owed of the state before, and the rest.
@@ -49,6 +53,8 @@ class MeshPreparation {
   void deliver(const Block& block);
 
   Receivers m_receivers;
+  Face m_blockFaces = kBlockFaces;
+  Face m_nextBlockFaces = kBlockFaces;
   std::set<std::size_t> m_owed;  // blocks not yet delivered
   // A watcher serves one run; destroying it drops the results that are on their way.
   std::unique_ptr<QFutureWatcher<Block>> m_blocks;

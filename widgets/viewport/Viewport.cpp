@@ -67,13 +67,14 @@ void Viewport::Private::fitFrom(const Eigen::Quaterniond& orientation) {
 // share normals with them.
 std::vector<std::size_t> Viewport::Private::blocksAround(const HalfEdgeMesh& before, const HalfEdgeMesh& after,
                                                          const std::vector<Face>& touched) const {
+  const Face perBlock = preparation.blockFaces();
   std::set<std::size_t> blocks;
   for (const Face f : touched) {
-    if (f < after.faceSlots()) blocks.insert(f / kBlockFaces);
+    if (f < after.faceSlots()) blocks.insert(f / perBlock);
     for (const HalfEdgeMesh* mesh : {&before, &after}) {
       if (f >= mesh->faceSlots() || !mesh->isProper(f)) continue;
       for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
-        for (const HalfEdge g : mesh->fan(h)) blocks.insert(HalfEdgeMesh::face(g) / kBlockFaces);
+        for (const HalfEdge g : mesh->fan(h)) blocks.insert(HalfEdgeMesh::face(g) / perBlock);
       }
     }
   }
@@ -88,6 +89,10 @@ Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), d(std::make_unique<
   setMinimumSize(200, 150);
   setObjectName(QStringLiteral("viewport"));
   setAccessibleName(tr("3D view"));
+}
+
+void Viewport::setBlockFaces(Face faces) {
+  d->preparation.setBlockFaces(faces);
 }
 
 void Viewport::setMesh(const HalfEdgeMesh& mesh) {

@@ -31,6 +31,9 @@ class Viewport : public QOpenGLWidget {
   explicit Viewport(QWidget* parent = nullptr);
   ~Viewport() override;
 
+  // How many faces are built and drawn together, from the next setMesh() on: the setting view.block_faces.
+  void setBlockFaces(Face faces);
+
   // Shows another model. The camera stays, and leaps instead of flying where it is sent next. Returns at once, the
   // parts appear over the next frames.
   void setMesh(const HalfEdgeMesh& mesh);

@@ -33,6 +33,8 @@ void Viewport::setParts(const DisplayModel& model) {
     return std::find(missing.begin(), missing.end(), part.soup) != missing.end();
   };
   if (std::all_of(model.parts.begin(), model.parts.end(), isMissing)) d->isSeen = false;
+  const auto isHovered = [this](const DisplayPart& part) { return part.name == d->hovered.part; };
+  if (!d->hovered.part.empty() && std::none_of(model.parts.begin(), model.parts.end(), isHovered)) d->hover({});
   d->requestShapes();
   update();
 }

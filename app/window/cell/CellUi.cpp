@@ -3,18 +3,19 @@
 #include "window/cell/CellUi.h"
 
 #include "document/cell/CellDocument.h"
+#include "theme/Theme.h"
 #include "tools/cell/JointDragTool.h"
 #include "viewport/Viewport.h"
 #include "window/OpenDocument.h"
-#include "window/ToolHost.h"
 
 namespace handwheel {
 
 CellUi::CellUi(const WindowParts& window) : PartsUi(window, {"Joints"}) {}
 
 std::vector<ToolOffer> CellUi::tools() {
-  return {{QStringLiteral("jointTool"), tr("&Move by hand"), QStringLiteral("hand"), QKeySequence(Qt::Key_M),
-           [this] { return jointTool(); }}};
+  return {{QStringLiteral("jointTool"), tr("Move &joints by hand"), QStringLiteral("hand"), QKeySequence(Qt::Key_J),
+           [this] { return jointTool(); }, true},
+          measureOffer()};
 }
 
 std::unique_ptr<Tool> CellUi::jointTool() {
@@ -25,8 +26,14 @@ std::unique_ptr<Tool> CellUi::jointTool() {
   });
 }
 
-std::vector<Hint> CellUi::hints() {
-  return parts().tools.hints();
+NextStep CellUi::nextStep() {
+  if (!document() || document()->document.history()->count() > 0) return {};
+  const CellRobot& robot = static_cast<const CellDocument&>(document()->document).robot();
+  return {panelIcon(), themeColours(currentTheme()).accent,
+          tr("Robot %1: %Ln joint(s) that move.", nullptr, static_cast<int>(robot.model.dofs.size()))
+              .arg(QString::fromStdString(robot.model.name)),
+          tr("Drag a link with the mouse, or with Shift the whole arm. The list of joints takes angles."),
+          panelActions()};
 }
 
 QString CellUi::figures() const {

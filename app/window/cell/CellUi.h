@@ -14,9 +14,10 @@ class CellUi : public PartsUi {
   explicit CellUi(const WindowParts& window);
 
   QString panelTitle() const override { return tr("Joints"); }
+  QString panelIcon() const override { return QStringLiteral("kind-cell"); }
   QString menuTitle() const override { return tr("&Cell"); }
   std::vector<ToolOffer> tools() override;
-  std::vector<Hint> hints() override;
+  NextStep nextStep() override;
   QString figures() const override;
   QString openedText(const OpenDocument& document) const override;
 

@@ -21,7 +21,7 @@ MeshUi::MeshUi(const WindowParts& parts)
       m_preview(parts.pool, parts.services, parts.fidelity),
       m_search(parts.pool, parts.services),
       m_jobs(parts.tabs, parts.jobs, parts.log, parts.fidelity),
-      m_actions(m_selection, m_jobs, m_preview),
+      m_actions(m_selection, m_jobs, m_preview, this),
       m_panel(new DefectsPanel({m_actions.repairAll(), m_actions.previous(), m_actions.next(), m_actions.fill(),
                                 m_actions.keepOpen(), m_actions.preview()},
                                parts.window)),
@@ -62,6 +62,10 @@ QWidget* MeshUi::panel() {
 std::unique_ptr<OpenDocument> MeshUi::open(std::unique_ptr<Document> document) {
   auto open = std::make_unique<OpenMesh>(std::move(document), *this);
   connect(&open->inspection, &Inspection::changed, this, &KindUi::stateChanged);
+  connect(&open->document, &MeshDocument::meshChanged, this, [mesh = open.get()] { ++mesh->changes; });
+  connect(&open->document, &Document::fileChanged, this, [mesh = open.get()] {
+    if (!mesh->document.isModified()) mesh->changesInFile = mesh->changes;
+  });
   return open;
 }
 
@@ -86,7 +90,7 @@ QList<QAction*> MeshUi::toolBar() {
 
 std::vector<ToolOffer> MeshUi::tools() {
   return {{QStringLiteral("fillTool"), tr("&Holes"), QStringLiteral("hole"), QKeySequence(Qt::Key_H),
-           [this] { return m_tools.fillTool(); }},
+           [this] { return m_tools.fillTool(); }, true},
           {QStringLiteral("selectTool"), tr("&Select faces"), QStringLiteral("select"), QKeySequence(Qt::Key_S),
            [this] { return m_tools.selectTool(); }},
           {QStringLiteral("measureTool"), tr("&Measure"), QStringLiteral("ruler"), QKeySequence(Qt::Key_M),
@@ -116,6 +120,13 @@ QString MeshUi::openedText(const OpenDocument& document) const {
       .arg(mesh.document.mesh().liveFaceCount())
       .arg(mesh.inspection.holes().size())
       .arg(mesh.inspection.count(DefectKind::Flipped));
+}
+
+// No command line makes a change of the mesh but "repair", which was logged when it was done.
+QString MeshUi::saveCommand(const OpenDocument& open, const QString& path) const {
+  const auto& mesh = static_cast<const OpenMesh&>(open);
+  const bool isCopy = mesh.isAsInFile() && !mesh.document.isModified() && mesh.document.path() != path;
+  return isCopy ? convertCommand(mesh.document.path(), path) : QString();
 }
 
 QString MeshUi::suggestedName(const OpenDocument& document) const {

@@ -29,6 +29,7 @@ class MeshUi : public KindUi {
   void setDocument(OpenDocument* document) override;
   void refreshVisibility() override;
   QString panelTitle() const override { return tr("Defects"); }
+  QString panelIcon() const override { return QStringLiteral("defects"); }
   QWidget* panel() override;
   QString menuTitle() const override { return tr("&Repair"); }
   QList<QAction*> menu() override { return m_actions.all(); }
@@ -38,6 +39,7 @@ class MeshUi : public KindUi {
   NextStep nextStep() override;
   QString figures() const override;
   QString openedText(const OpenDocument& document) const override;
+  QString saveCommand(const OpenDocument& document, const QString& path) const override;
   QString suggestedName(const OpenDocument& document) const override;
   bool isSettled() const override;
 

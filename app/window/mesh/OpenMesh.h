@@ -20,6 +20,12 @@ struct OpenMesh : OpenDocument {
   Inspection inspection;
   Vertex selected = kNone;  // Inspection::keyOf the selected loop
   bool repaired = false;    // "Repair all" ran at least once
+
+  // Of the mesh, undo and redo included; as many as when it was last as in its file.
+  std::uint64_t changes = 0;
+  std::uint64_t changesInFile = 0;
+  // Whether the mesh is that of the file, read without loss. What is kept open may differ.
+  bool isAsInFile() const { return inFile && document.file().damage.empty() && changes == changesInFile; }
 };
 
 }  // namespace handwheel

@@ -3,6 +3,7 @@
 #include "window/mesh/RepairActions.h"
 
 #include "theme/Icons.h"
+#include "window/ActionTip.h"
 #include "window/mesh/OpenMesh.h"
 #include "window/mesh/Selection.h"
 
@@ -24,8 +25,7 @@ void prepare(QAction& action, const char* name, const char* iconName, const QLis
   action.setObjectName(QString::fromLatin1(name));
   if (iconName) action.setIcon(icon(QString::fromLatin1(iconName)));
   action.setShortcuts(keys);
-  action.setToolTip(
-      keys.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, keys.first().toString(QKeySequence::NativeText)));
+  setTip(action, tip);
 }
 
 }  // namespace
@@ -36,15 +36,15 @@ RepairActions::RepairActions(Selection& selection, RepairJobs& jobs, HolePreview
       m_jobs(jobs),
       m_preview(preview),
       m_method(static_cast<FillMethod>(std::clamp(QSettings().value(kMethodKey, 0).toInt(), 0, 3))),
-      m_repairAll(tr("&Repair all")),
-      m_removeDebris(tr("Remove &debris")),
-      m_oneByOne(tr("&Go one by one")),
-      m_fill(tr("&Fill")),
-      m_keepOpen(tr("&Keep open")),
-      m_showPreview(tr("&Preview")),
-      m_next(tr("&Next hole")),
-      m_previous(tr("Pre&vious hole")),
-      m_deselect(tr("&Clear selection")) {
+      m_repairAll(tr("&Repair all"), this),
+      m_removeDebris(tr("Remove &debris"), this),
+      m_oneByOne(tr("&Go one by one"), this),
+      m_fill(tr("&Fill"), this),
+      m_keepOpen(tr("&Keep open"), this),
+      m_showPreview(tr("&Preview"), this),
+      m_next(tr("&Next hole"), this),
+      m_previous(tr("Pre&vious hole"), this),
+      m_deselect(tr("&Clear selection"), this) {
   prepare(m_repairAll, "repairAll", "repair", {QKeySequence(Qt::CTRL | Qt::Key_R)},
           tr("Fill all holes except those kept open, and mend the other defects, as one step"));
   prepare(m_removeDebris, "removeDebris", "debris", {},
@@ -93,7 +93,7 @@ void RepairActions::connectActions() {
           [this](OpenMesh* document, Vertex key, const std::shared_ptr<FillBench>& bench) {
             if (document != m_document) return;
             m_preview.giveBack(document, bench);
-            if (m_selection.loop() < 0) selectFirstAfter(document, key);
+            goOnAfter(document, key);
           });
   connect(&m_jobs, &RepairJobs::workingChanged, this, &RepairActions::follow);
 }
@@ -167,15 +167,17 @@ void RepairActions::step(int direction) {
   emit showLoopRequested(loop);
 }
 
-// Goes on to the hole after the one just filled. The camera follows a moment later.
-void RepairActions::selectFirstAfter(OpenMesh* document, Vertex key) {
+// Goes on to the hole after the one just filled, unless the user has chosen another meanwhile. The tool may have gone
+// there already; the camera follows a moment later.
+void RepairActions::goOnAfter(OpenMesh* document, Vertex key) {
   const Inspection& inspection = document->inspection;
   const std::vector<int>& holes = inspection.holes();
   if (holes.empty()) return;
   // Loops are numbered in the order of their keys.
   const auto after = std::find_if(holes.begin(), holes.end(), [&](int id) { return inspection.keyOf(id) > key; });
   const int nextLoop = after != holes.end() ? *after : holes.front();
-  m_selection.select(nextLoop);
+  if (m_selection.loop() < 0) m_selection.select(nextLoop);
+  if (m_selection.loop() != nextLoop) return;
   QTimer::singleShot(kLookMs, this, [this, document, next = inspection.keyOf(nextLoop)] {
     if (m_document != document || document->selected != next || m_selection.loop() < 0) return;
     emit showLoopRequested(m_selection.loop());

@@ -43,7 +43,7 @@ class RepairActions : public QObject {
   void fillSelected();
   void toggleKeepOpen();
   void step(int direction);
-  void selectFirstAfter(OpenMesh* document, Vertex key);
+  void goOnAfter(OpenMesh* document, Vertex key);
 
   OpenMesh* m_document = nullptr;
   Selection& m_selection;

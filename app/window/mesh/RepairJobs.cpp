@@ -42,7 +42,9 @@ std::size_t countOf(const RepairReport& report, LoopOutcome outcome) {
 
 RepairJobs::RepairJobs(DocumentTabs& tabs, JobRunner& jobs, LogModel& log, const FidelityChoice& fidelity,
                        QObject* parent)
-    : QObject(parent), m_tabs(tabs), m_jobs(jobs), m_log(log), m_fidelity(fidelity) {}
+    : QObject(parent), m_tabs(tabs), m_jobs(jobs), m_log(log), m_fidelity(fidelity) {
+  connect(&tabs, &DocumentTabs::closing, this, [this](OpenDocument* document) { m_jobs.cancelOf(document); });
+}
 
 void RepairJobs::fill(OpenMesh* document, int loop, FillMethod method, PreparedFill prepared) {
   startFill(document, document->inspection.keyOf(loop), method, std::move(prepared), Round::First);
@@ -75,7 +77,7 @@ void RepairJobs::startFill(OpenMesh* document, Vertex key, FillMethod method, Pr
       if (round == Round::First) startFill(document, key, method, {}, Round::Second);
     };
   };
-  start(std::move(job));
+  start(document, std::move(job));
 }
 
 void RepairJobs::filledOne(OpenMesh* document, Vertex key, const std::shared_ptr<FillBench>& bench, FillFailure failure,
@@ -117,7 +119,7 @@ void RepairJobs::startChange(OpenMesh* document, MeshChange wanted, Round round)
       if (round == Round::First) startChange(document, wanted, Round::Second);
     };
   };
-  start(std::move(job));
+  start(document, std::move(job));
 }
 
 void RepairJobs::repairAll(OpenMesh* document, FillMethod method) {
@@ -146,7 +148,7 @@ void RepairJobs::startRepair(OpenMesh* document, FillMethod method, Round round)
       if (round == Round::First) startRepair(document, method, Round::Second);
     };
   };
-  start(std::move(job));
+  start(document, std::move(job));
 }
 
 void RepairJobs::repairedAll(OpenMesh* document, const InspectedMesh& after, const RepairReport& report,
@@ -164,7 +166,7 @@ void RepairJobs::logRepair(const OpenMesh& document, const RepairReport& report,
   if (const std::size_t kept = countOf(report, LoopOutcome::KeptOpen); kept > 0) parts << tr("%1 kept open").arg(kept);
   parts << repairSummary(report);
   m_log.add(tr("Repaired %1: %2").arg(document.document.name(), parts.join(QStringLiteral(", "))),
-            repairCommand(document.document.path(), options));
+            document.isAsInFile() ? repairCommand(document.document.path(), options) : QString());
   for (const LoopResult& loop : report.loops) {
     if (loop.outcome != LoopOutcome::Failed) continue;
     const QString name = loop.id >= 0 ? document.inspection.loopName(loop.id) : tr("A hole that the repair laid open");
@@ -183,7 +185,8 @@ void RepairJobs::tellStale(const OpenMesh& document, Round round) {
             {}, LogEntry::Weight::Warning);
 }
 
-void RepairJobs::start(Job job) {
+void RepairJobs::start(const OpenDocument* document, Job job) {
+  job.owner = document;
   ++m_working;
   emit workingChanged();
   job.work = [this, work = std::move(job.work)](Progress progress) -> Job::Finish {

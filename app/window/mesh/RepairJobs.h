@@ -15,6 +15,7 @@ namespace handwheel {
 class DocumentTabs;
 class FidelityChoice;
 class LogModel;
+struct OpenDocument;
 
 // What changes a mesh, as jobs on snapshots. The result becomes one undo step; when the document was changed meanwhile
 // the result is thrown away and the job runs once more.
@@ -52,7 +53,7 @@ class RepairJobs : public QObject {
                    const RepairOptions& options);
   void logRepair(const OpenMesh& document, const RepairReport& report, const RepairOptions& options);
   void tellStale(const OpenMesh& document, Round round);
-  void start(Job job);
+  void start(const OpenDocument* document, Job job);
   void ended();
 
   DocumentTabs& m_tabs;

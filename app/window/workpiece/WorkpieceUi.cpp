@@ -4,6 +4,7 @@
 
 #include "controls/QuantityText.h"
 #include "document/workpiece/WorkpieceDocument.h"
+#include "theme/Theme.h"
 #include "window/OpenDocument.h"
 
 #include <QLocale>
@@ -24,6 +25,12 @@ QString sizeText(const Document& document) {
 }  // namespace
 
 WorkpieceUi::WorkpieceUi(const WindowParts& parts) : PartsUi(parts, {"Stock"}) {}
+
+NextStep WorkpieceUi::nextStep() {
+  if (!document() || document()->document.history()->count() > 0) return {};
+  return {panelIcon(), themeColours(currentTheme()).accent, tr("Stock of %1.").arg(sizeText(document()->document)),
+          tr("Its panel takes other sizes, also as “2in” or “50/2”. “Save as” writes STEP, too."), panelActions()};
+}
 
 QString WorkpieceUi::figures() const {
   return document() ? sizeText(document()->document) : QString();

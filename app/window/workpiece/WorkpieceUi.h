@@ -14,7 +14,10 @@ class WorkpieceUi : public PartsUi {
   explicit WorkpieceUi(const WindowParts& parts);
 
   QString panelTitle() const override { return tr("Stock"); }
+  QString panelIcon() const override { return QStringLiteral("kind-workpiece"); }
   QString menuTitle() const override { return tr("&Workpiece"); }
+  std::vector<ToolOffer> tools() override { return {measureOffer()}; }
+  NextStep nextStep() override;
   QString figures() const override;
   QString openedText(const OpenDocument& document) const override;
 };

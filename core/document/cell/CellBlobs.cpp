@@ -63,7 +63,7 @@ TriangleSoup readSurfaceBlobs(const nlohmann::json& counts, const std::string& n
   soup.points.reserve(isReadable.size());
   for (std::size_t i = 0; i < isReadable.size(); ++i) {
     const Vec3 p(points.values[3 * i], points.values[3 * i + 1], points.values[3 * i + 2]);
-    if (!p.allFinite()) isReadable[i] = false;
+    if (!(p.allFinite() && p.cwiseAbs().maxCoeff() <= kLargestCoordinate)) isReadable[i] = false;
     soup.points.push_back(isReadable[i] ? p : Vec3(Vec3::Zero()));
   }
   const std::vector<bool> isListed = isThere(corners.lost, corners.values.size() / 3);
@@ -96,7 +96,11 @@ class Loading {
     for (std::size_t i = 0; i < robot->model.shapes.size(); ++i) {
       if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
       auto surface = surfaceOf(robot->model.shapes[i], i);
-      robot->surfaces.push_back(surface && budget.take(i, *surface) ? std::move(surface) : nullptr);
+      if (surface && !budget.take(i, *surface)) {
+        m_damage.push_back(SurfaceBudget::exceeded());
+        surface = nullptr;
+      }
+      robot->surfaces.push_back(std::move(surface));
     }
     auto cell = std::make_shared<CellSnapshot>();
     cell->joints = readJoints(robot->model);

@@ -19,7 +19,6 @@ namespace {
 
 constexpr std::uintmax_t kLargestMesh = std::uintmax_t{256} << 20;  // bytes
 constexpr std::uintmax_t kLargestDescription = std::uintmax_t{16} << 20;
-constexpr double kLargestCoordinate = 1e9;  // mm
 
 Result<std::string> readBounded(const std::filesystem::path& path, std::uintmax_t limit, Progress progress) {
   std::error_code failed;
@@ -83,7 +82,7 @@ class Import {
       const auto part = [&](std::size_t n) { return static_cast<double>(n) / static_cast<double>(shapes.size()); };
       auto surface = surfaceOfShape(shapes[i], progress.part(part(i), part(i + 1)));
       if (surface && !budget.take(i, *surface)) {
-        note({ErrorCode::FileTooLarge, {"triangles", "", std::to_string(SurfaceBudget::kMostTriangles)}, {}, {}});
+        note(SurfaceBudget::exceeded());
         surface = nullptr;
       }
       m_robot->surfaces.push_back(std::move(surface));

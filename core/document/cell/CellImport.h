@@ -10,6 +10,9 @@
 
 namespace handwheel {
 
+// Of the points of a surface, either way; mm.
+inline constexpr double kLargestCoordinate = 1e9;
+
 struct ImportedCell {
   std::shared_ptr<const CellSnapshot> cell;
   std::vector<Error> damage;  // of the description and the meshes; the robot opens without what is damaged

@@ -23,9 +23,12 @@ const CellSnapshot& cellOf(const Snapshot& content) {
   return static_cast<const CellSnapshot&>(content);
 }
 
-TriangleSoup posedSurface(const DisplayModel& display) {
+Result<TriangleSoup> posedSurface(const DisplayModel& display, Progress progress) {
   TriangleSoup all;
-  for (const DisplayPart& part : display.parts) {
+  for (std::size_t i = 0; i < display.parts.size(); ++i) {
+    if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+    progress.set(static_cast<double>(i) / static_cast<double>(display.parts.size()));
+    const DisplayPart& part = display.parts[i];
     const auto base = static_cast<std::uint32_t>(all.points.size());
     for (const Vec3& p : part.soup->points) all.points.push_back(part.pose * p);
     for (const Triangle& t : part.soup->triangles) all.triangles.push_back({base + t[0], base + t[1], base + t[2]});
@@ -109,10 +112,11 @@ Result<WrittenFile> CellKind::exportTo(const Snapshot& content, const std::files
                                        Progress progress) const {
   const Result<MeshFormat> format = formatForOutput(path);
   if (!format) return format.error();
-  const TriangleSoup soup = posedSurface(display(content));
-  if (soup.triangles.empty()) return Error{ErrorCode::NoTriangles, {}, {}, {}};
+  const Result<TriangleSoup> soup = posedSurface(display(content), progress.part(0.0, 0.2));
+  if (!soup) return soup.error();
+  if (soup->triangles.empty()) return Error{ErrorCode::NoTriangles, {}, {}, {}};
   const Result<std::string> bytes =
-      encodeChecked(soup, *format, numberTypeOf(*format, NumberType::Float64), progress.part(0.0, 0.8));
+      encodeChecked(*soup, *format, numberTypeOf(*format, NumberType::Float64), progress.part(0.2, 0.8));
   if (!bytes) return bytes.error();
   const Status written = writeFileAtomically(path, *bytes, progress.part(0.8, 1.0));
   if (!written) return written.error();

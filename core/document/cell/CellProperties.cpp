@@ -88,9 +88,10 @@ Result<double> jointValueFrom(const RobotModel& robot, std::uint32_t dof, const 
   const auto* number = std::get_if<double>(&value);
   if (!number || !std::isfinite(*number))
     return Error{ErrorCode::ElementMalformed, {joint.name, "a number was expected"}, {}, {}};
-  if (*number >= joint.limits.lower && *number <= joint.limits.upper) return *number;
+  if (joint.limits.nearest(*number) == *number) return *number;
+  const double least = joint.limits.nearest(-HUGE_VAL), largest = joint.limits.nearest(HUGE_VAL);
   return Error{ErrorCode::ValueOutOfRange,
-               {joint.name, shown(*number, joint), shown(joint.limits.lower, joint), shown(joint.limits.upper, joint)},
+               {joint.name, shown(*number, joint), shown(least, joint), shown(largest, joint)},
                {},
                {}};
 }

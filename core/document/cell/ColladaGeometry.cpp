@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::size_t kMostInputs = 64;  // of a primitive or of vertices; numbers to a corner
 constexpr std::size_t kMostNotes = 100;
+constexpr std::size_t kMostRead = std::size_t{256} << 20;  // bytes of sources, counted as often as they are read
+constexpr std::size_t kPointBytes = 12;                    // that a point counts at least
 
 // A whole number that is not negative; the fallback where there is none.
 std::size_t countAt(const XmlElement& element, std::string_view attribute, std::size_t fallback) {
@@ -124,46 +126,51 @@ std::optional<ColladaGeometry::Layout> ColladaGeometry::layoutOf(const XmlElemen
   return layout;
 }
 
-std::uint32_t ColladaGeometry::basePointOf(const XmlElement& source, TriangleSoup& soup) {
-  const auto [known, isNew] = m_basePoints.try_emplace(&source, static_cast<std::uint32_t>(soup.points.size()));
-  if (isNew) {
-    const std::vector<Vec3> points = readPoints(source);
-    soup.points.insert(soup.points.end(), points.begin(), points.end());
-  }
-  return known->second;
+std::optional<std::uint32_t> ColladaGeometry::basePointOf(const XmlElement& source, TriangleSoup& soup) {
+  const auto known = m_basePoints.find(&source);
+  if (known != m_basePoints.end()) return known->second;
+  if (m_read > kMostRead) return {};
+  const std::vector<Vec3> points = readPoints(source);
+  const XmlElement* array = source.child("float_array");
+  m_read += std::max(array ? array->text.size() : 0, kPointBytes * points.size());
+  const auto base = static_cast<std::uint32_t>(soup.points.size());
+  soup.points.insert(soup.points.end(), points.begin(), points.end());
+  return m_basePoints[&source] = base;
 }
 
 void ColladaGeometry::readPrimitive(const XmlElement& primitive, TriangleSoup& soup) {
   const std::optional<Layout> layout = layoutOf(primitive);
   if (!layout) return note(malformed(primitive, "its vertices have no positions"));
-  const std::uint32_t base = basePointOf(*layout->positions, soup);
+  const std::optional<std::uint32_t> base = basePointOf(*layout->positions, soup);
+  if (!base)
+    return note({ErrorCode::FileTooLarge, {"bytes", "", std::to_string(kMostRead)}, Place::line(primitive.line), {}});
+  const XmlElement* vcount = primitive.child("vcount");
+  std::string_view counts = vcount ? std::string_view(vcount->text) : std::string_view();
   m_dropped = 0;
   std::vector<std::uint32_t> corners;
   for (const XmlElement& list : primitive.children) {
+    if (m_progress.cancelled()) return;
     if (list.name == "ph") ++m_dropped;  // a polygon with holes
     if (list.name != "p") continue;
     corners.clear();
     if (!readIndices(list.text, layout->stride, layout->vertex, corners))
       note(malformed(list, "one of its indices is no number"));
-    for (std::uint32_t& corner : corners) corner = corner < kNone - base ? corner + base : kNone;
-    if (primitive.name == "tristrips" || primitive.name == "trifans")
-      addStrip(primitive.name, corners, soup);
-    else
-      addPolygons(primitive, corners, soup);
+    for (std::uint32_t& corner : corners) corner = corner < kNone - *base ? corner + *base : kNone;
+    addList(primitive, counts, corners, soup);
   }
   if (m_dropped > 0) note(malformed(primitive, std::to_string(m_dropped) + " of its polygons cannot be read"));
 }
 
-void ColladaGeometry::addPolygons(const XmlElement& primitive, const std::vector<std::uint32_t>& corners,
-                                  TriangleSoup& soup) {
+// counts: of the corners of polygons in a "polylist"; those that are used are taken away.
+void ColladaGeometry::addList(const XmlElement& primitive, std::string_view& counts,
+                              const std::vector<std::uint32_t>& corners, TriangleSoup& soup) {
+  if (primitive.name == "tristrips" || primitive.name == "trifans") return addStrip(primitive.name, corners, soup);
   if (primitive.name == "polygons") return addPolygon(corners, soup);
   const std::span<const std::uint32_t> all(corners);
-  const XmlElement* counts = primitive.name == "polylist" ? primitive.child("vcount") : nullptr;
-  std::string_view text = counts ? std::string_view(counts->text) : std::string_view();
   for (std::size_t at = 0; at < all.size();) {
     std::uint32_t count = 3;
     if (primitive.name == "polylist") {
-      const std::string_view word = takeWord(text);
+      const std::string_view word = takeWord(counts);
       const auto read = std::from_chars(word.data(), word.data() + word.size(), count);
       if (read.ec != std::errc() || count == 0) count = kNone;
     }

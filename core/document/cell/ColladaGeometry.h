@@ -47,9 +47,10 @@ class ColladaGeometry {
   };
 
   std::optional<Layout> layoutOf(const XmlElement& primitive) const;
-  std::uint32_t basePointOf(const XmlElement& source, TriangleSoup& soup);
+  std::optional<std::uint32_t> basePointOf(const XmlElement& source, TriangleSoup& soup);
   void readPrimitive(const XmlElement& primitive, TriangleSoup& soup);
-  void addPolygons(const XmlElement& primitive, const std::vector<std::uint32_t>& corners, TriangleSoup& soup);
+  void addList(const XmlElement& primitive, std::string_view& counts, const std::vector<std::uint32_t>& corners,
+               TriangleSoup& soup);
   void addStrip(std::string_view kind, const std::vector<std::uint32_t>& corners, TriangleSoup& soup);
   void addPolygon(std::span<const std::uint32_t> corners, TriangleSoup& soup);
 
@@ -58,6 +59,7 @@ class ColladaGeometry {
   Progress m_progress;
   PolygonTriangulation m_triangulation;
   std::map<const XmlElement*, std::uint32_t> m_basePoints;  // of the sources read into the soup
+  std::size_t m_read = 0;                                   // bytes, for all geometries: they may share a source
   std::size_t m_dropped = 0;                                // polygons of the primitive that is being read
 };
 

@@ -17,8 +17,9 @@ namespace {
 constexpr XmlLimits kLimits{std::size_t{256} << 20, 500'000, 64};
 constexpr std::size_t kMostTriangles = 20'000'000;
 constexpr std::size_t kMostPoints = 20'000'000;
-constexpr int kMostNodes = 100'000;   // instances counted as often as they are placed
-constexpr int kDeepestInstance = 64;  // of nodes in nodes
+constexpr int kMostNodes = 100'000;    // instances counted as often as they are placed
+constexpr int kMostSteps = 2'000'000;  // elements looked at in them
+constexpr int kDeepestInstance = 64;   // of nodes in nodes
 
 using Placement = Eigen::Affine3d;
 
@@ -80,6 +81,8 @@ class Scene {
 
   void addNode(const XmlElement& node, Placement placement, int depth) {
     if (++m_nodes > kMostNodes || depth > kDeepestInstance || m_progress.cancelled()) return giveUp(node);
+    m_steps += static_cast<int>(node.children.size());
+    if (m_steps > kMostSteps) return giveUp(node);
     for (const XmlElement& child : node.children) {
       if (!isStep(child.name)) continue;
       if (const auto step = stepOf(child))
@@ -110,9 +113,9 @@ class Scene {
   void addGeometry(const XmlElement& geometry, const Placement& placement) {
     const auto [known, isNew] = m_soups.try_emplace(&geometry);
     if (isNew) known->second = m_geometry.read(geometry);
-    const TriangleSoup& own = known->second;
+    TriangleSoup& own = known->second;
     TriangleSoup& soup = m_result.soup;
-    if (own.triangles.empty()) return;
+    if (own.triangles.empty()) return void(own = {});
     if (soup.triangles.size() + own.triangles.size() > kMostTriangles ||
         soup.points.size() + own.points.size() > kMostPoints)
       return giveUp(geometry);
@@ -135,6 +138,7 @@ class Scene {
   ColladaGeometry m_geometry;
   std::map<const XmlElement*, TriangleSoup> m_soups;
   int m_nodes = 0;
+  int m_steps = 0;
   bool m_gaveUp = false;
 };
 

@@ -2,16 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/Error.h"
 #include "mesh/TriangleSoup.h"
 #include "robot/RobotModel.h"
 
+#include <algorithm>
+
 namespace handwheel {
 
-// How many triangles a robot may show. A short description can place a large mesh a thousand times.
+// How many triangles, and how many points, a robot may show. A short description can place a large mesh a thousand
+// times.
 class SurfaceBudget {
  public:
-  static constexpr std::size_t kMostTriangles = 20'000'000;
-
   explicit SurfaceBudget(const RobotModel& robot) : m_placements(robot.shapes.size()) {
     for (const Link& link : robot.links) {
       for (const PlacedShape& placed : link.visuals) ++m_placements[placed.shape];
@@ -21,13 +23,16 @@ class SurfaceBudget {
 
   // False, and nothing taken, when the surface of a shape, placed as often as it is, is too much.
   bool take(std::size_t shape, const TriangleSoup& surface) {
-    const std::size_t triangles = m_placements[shape] * surface.triangles.size();
-    if (triangles > kMostTriangles - m_taken) return false;
-    m_taken += triangles;
+    const std::size_t wanted = m_placements[shape] * std::max(surface.triangles.size(), surface.points.size());
+    if (wanted > kMost - m_taken) return false;
+    m_taken += wanted;
     return true;
   }
+  static Error exceeded() { return {ErrorCode::FileTooLarge, {"triangles", "", std::to_string(kMost)}, {}, {}}; }
 
  private:
+  static constexpr std::size_t kMost = 20'000'000;
+
   std::vector<std::size_t> m_placements;  // per shape
   std::size_t m_taken = 0;
 };

@@ -62,7 +62,7 @@ class ZipReader::Archive {
     if (m_zip && listed != m_indices.end() && zip_stat_index(m_zip.get(), listed->second, 0, &status) == 0)
       return status.size;
     const auto scanned = m_localByName.find(name);
-    return scanned == m_localByName.end() ? 0 : scanned->second.front()->size;
+    return scanned == m_localByName.end() || scanned->second.empty() ? 0 : scanned->second.front()->size;
   }
 
   Result<std::string> read(const std::string& name) {
@@ -156,7 +156,8 @@ class ZipReader::Archive {
       const zip_int64_t got = zip_fread(entry, bytes.data() + before, room);
       if (got < 0) return damagedError(announced.name);
       bytes.resize(before + static_cast<std::size_t>(got));
-      if (bytes.size() > m_budget) return tooLarge();
+      m_work -= std::min(m_work, static_cast<std::uint64_t>(got));
+      if (bytes.size() > m_budget || m_work == 0) return tooLarge();
       if (got == 0) break;
     }
     m_budget -= bytes.size();
@@ -188,7 +189,7 @@ class ZipReader::Archive {
   UnpackLimits m_limits;
   Progress m_progress;
   std::uint64_t m_budget;  // bytes that may still be unpacked
-  std::uint64_t m_work;    // for salvage, see unpackLocalEntry()
+  std::uint64_t m_work;    // bytes that may still be unpacked in vain, see unpackLocalEntry()
   std::unique_ptr<zip_t, DropArchive> m_zip;
   std::string m_problem;
   std::vector<std::string> m_names;

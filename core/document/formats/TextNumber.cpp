@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/formats/TextNumber.h"
 
+#include "base/NumberText.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -10,31 +12,6 @@
 namespace handwheel {
 
 namespace {
-
-std::string_view withoutPlus(std::string_view word) {
-  return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
-}
-
-bool isDigit(char c) {
-  return c >= '0' && c <= '9';
-}
-
-// Whether a well-formed number that is not within the range of double is too large rather than too small: the sign of
-// the exponent of its first digit other than zero.
-bool isHuge(std::string_view word) {
-  const std::size_t e = std::min(word.find_first_of("eE"), word.size());
-  const std::string_view mantissa = word.substr(0, e);
-  const std::size_t point = std::min(mantissa.find('.'), mantissa.size());
-  const std::size_t first = mantissa.find_first_of("123456789");
-  if (first == std::string_view::npos) return false;
-  const auto power = static_cast<std::int64_t>(point) - static_cast<std::int64_t>(first);
-  std::string_view digits = word.substr(std::min(e + 1, word.size()));
-  const bool negative = !digits.empty() && digits[0] == '-';
-  if (!digits.empty() && !isDigit(digits[0])) digits.remove_prefix(1);
-  std::int64_t exponent = 0;
-  for (char c : digits) exponent = std::min<std::int64_t>(exponent * 10 + (c - '0'), std::int64_t{1} << 40);
-  return power + (negative ? -exponent : exponent) > 0;
-}
 
 // "1.#INF", "-1.#IND", "1.#QNAN": what Microsoft's C library used to print.
 bool isMicrosoftNotFinite(std::string_view word) {
@@ -45,17 +22,11 @@ bool isMicrosoftNotFinite(std::string_view word) {
 }  // namespace
 
 bool parseNumber(std::string_view word, double& value, ErrorCode& why) {
-  const std::string_view digits = withoutPlus(word);
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error == std::errc::invalid_argument || end != digits.data() + digits.size()) {
-    why = isMicrosoftNotFinite(digits) ? ErrorCode::NumberNotFinite : ErrorCode::NumberMalformed;
+  if (!parseDecimal(word, value, why)) {
+    if (isMicrosoftNotFinite(withoutPlus(word))) why = ErrorCode::NumberNotFinite;
     return false;
   }
   why = ErrorCode::NumberNotFinite;
-  if (error == std::errc::result_out_of_range) {
-    value = 0.0;
-    return !isHuge(digits);
-  }
   return std::isfinite(value);
 }
 

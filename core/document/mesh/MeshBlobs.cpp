@@ -42,11 +42,13 @@ bool isFinite(const double* p) {
   return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
 }
 
-// Slot for slot; or none when the numbers make no sense together.
-bool assemble(const std::vector<double>& positions, const std::vector<std::uint32_t>& faces, HalfEdgeMesh& mesh) {
+// Slot for slot; false when the numbers make no sense together.
+bool assemble(const std::vector<double>& positions, const std::vector<std::uint32_t>& faces, HalfEdgeMesh& mesh,
+              Progress progress) {
   const std::size_t vertices = positions.size() / kPositionNumbers, count = faces.size() / kFaceNumbers;
   for (std::size_t v = 0; v < vertices; ++v) {
     const double* p = &positions[v * kPositionNumbers];
+    if (!isFinite(p)) return false;  // even where no face uses it: it would differ from itself
     mesh.addVertex({p[0], p[1], p[2]});
   }
   for (std::size_t f = 0; f < count; ++f) {
@@ -58,7 +60,7 @@ bool assemble(const std::vector<double>& positions, const std::vector<std::uint3
     }
     mesh.addSlot({slot[0], slot[1], slot[2]}, {slot[3], slot[4], slot[5]});
   }
-  return validate(mesh).empty();
+  return validate(mesh, progress).empty();
 }
 
 TriangleSoup readableTriangles(const std::vector<double>& positions, const std::vector<std::uint32_t>& faces,
@@ -85,6 +87,12 @@ TriangleSoup readableTriangles(const std::vector<double>& positions, const std::
   return soup;
 }
 
+// What is to be said of a mesh that was built anew.
+Error rebuilt(std::size_t read, std::size_t lost) {
+  if (lost == 0) return {ErrorCode::ElementMalformed, {"mesh", "its triangles contradict each other"}, {}, {}};
+  return {ErrorCode::DataTruncated, {"triangles", std::to_string(read + lost), std::to_string(read)}, {}, {}};
+}
+
 }  // namespace
 
 void writeMeshBlobs(const HalfEdgeMesh& mesh, Container& container) {
@@ -103,25 +111,28 @@ void writeMeshBlobs(const HalfEdgeMesh& mesh, Container& container) {
     for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) faces.push_back(mesh.opposite(h));
   }
   writeArray<std::uint32_t>(container, kFaces, faces, kFaceNumbers);
+  nlohmann::json& document = (*container.manifest)["document"];
+  document["vertices"] = mesh.vertexSlots();
+  document["faces"] = mesh.faceSlots();
 }
 
 Result<LoadedMesh> readMeshBlobs(const nlohmann::json& document, const Container& container, std::vector<Error>& damage,
                                  Progress progress) {
+  const Error cancelled{ErrorCode::Cancelled, {}, {}, {}};
   const auto positions = readSlots(document, "vertices", kPositions, kPositionNumbers, std::nan(""), container);
   const auto faces = readSlots(document, "faces", kFaces, kFaceNumbers, kNone, container);
-  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  if (progress.cancelled()) return cancelled;
   LoadedMesh loaded;
-  loaded.isWhole =
-      positions.lost.empty() && faces.lost.empty() && assemble(positions.values, faces.values, loaded.mesh);
+  loaded.isWhole = positions.lost.empty() && faces.lost.empty() &&
+                   assemble(positions.values, faces.values, loaded.mesh, progress.part(0.2, 0.6));
+  if (progress.cancelled()) return cancelled;
   if (loaded.isWhole) return loaded;
   std::size_t lost = countOf(faces.lost);
   const TriangleSoup soup = readableTriangles(positions.values, faces.values, lost);
   if (soup.triangles.empty()) return Error{ErrorCode::NoTriangles, {}, {}, {}};
-  damage.push_back({ErrorCode::DataTruncated,
-                    {"triangles", std::to_string(soup.triangles.size() + lost), std::to_string(soup.triangles.size())},
-                    {},
-                    {}});
-  BuiltMesh built = buildMesh(soup);
+  damage.push_back(rebuilt(soup.triangles.size(), lost));
+  BuiltMesh built = buildMesh(soup, progress.part(0.6, 1.0));
+  if (progress.cancelled()) return cancelled;
   return LoadedMesh{std::move(built.mesh), std::move(built.report), false};
 }
 

@@ -10,7 +10,8 @@
 namespace handwheel {
 
 // Blobs "mesh/positions/NNNN" (three doubles a vertex) and "mesh/faces/NNNN" (three corners and three opposites a
-// face), 65,536 slots to a blob, dead slots included, so that every number keeps its meaning.
+// face), 65,536 slots to a blob, dead slots included, so that every number keeps its meaning. How many there are stands
+// in the object "document" of the manifest.
 void writeMeshBlobs(const HalfEdgeMesh& mesh, Container& container);
 
 struct LoadedMesh {
@@ -19,9 +20,8 @@ struct LoadedMesh {
   bool isWhole = false;  // slot for slot what was written; else built from the triangles that are left, renumbered
 };
 
-// document: the object of the manifest, with the numbers of vertices and faces. A mesh that breaks an invariant, or has
-// lost blobs, is built anew from the triangles that can still be read; damage says how many cannot. Errors:
-// NoTriangles, ElementMalformed, Cancelled.
+// A mesh that breaks an invariant, or has lost blobs, is built anew from the triangles that can still be read; damage
+// says so. Errors: NoTriangles, Cancelled.
 Result<LoadedMesh> readMeshBlobs(const nlohmann::json& document, const Container& container, std::vector<Error>& damage,
                                  Progress progress);
 

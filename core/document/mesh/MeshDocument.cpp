@@ -67,12 +67,12 @@ bool MeshDocument::commit(const QString& text, const InspectedMesh& after) {
 }
 
 bool MeshDocument::isKeptOpen(const BoundaryLoop& loop) const {
-  return m_keptOpen.count(keyOf(loop)) != 0;
+  return m_keptOpen.contains(keyOf(m_mesh, loop));
 }
 
 void MeshDocument::setKeptOpen(const BoundaryLoop& loop, bool keep) {
   if (isKeptOpen(loop) == keep) return;
-  commit(keep ? tr("Keep open") : tr("No longer keep open"), std::make_unique<KeepOpenEdit>(keyOf(loop), keep));
+  commit(keep ? tr("Keep open") : tr("No longer keep open"), std::make_unique<KeepOpenEdit>(keyOf(m_mesh, loop), keep));
 }
 
 void MeshDocument::meshWasChanged(const std::vector<Face>& touched) {
@@ -82,12 +82,6 @@ void MeshDocument::meshWasChanged(const std::vector<Face>& touched) {
   countChange();
   emit meshChanged(touched);
   emit changed();
-}
-
-Vertex MeshDocument::keyOf(const BoundaryLoop& loop) const {
-  Vertex smallest = kNone;
-  for (HalfEdge h : loop.halfEdges) smallest = std::min(smallest, m_mesh.from(h));
-  return smallest;
 }
 
 }  // namespace handwheel

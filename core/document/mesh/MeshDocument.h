@@ -31,7 +31,7 @@ class MeshDocument : public Document {
   // to the change.
   bool commit(const QString& text, const InspectedMesh& after);
 
-  // A loop that the user wants open is known by its smallest vertex, which outlives edits elsewhere. Undoable.
+  // Whether the user wants it open. Undoable.
   bool isKeptOpen(const BoundaryLoop& loop) const;
   void setKeptOpen(const BoundaryLoop& loop, bool keep);
 
@@ -44,7 +44,6 @@ class MeshDocument : public Document {
   friend class MeshEdit;
   friend class KeepOpenEdit;
   void meshWasChanged(const std::vector<Face>& touched);
-  Vertex keyOf(const BoundaryLoop& loop) const;
 
   std::shared_ptr<const BuildReport> m_build;
   NumberType m_numbers;

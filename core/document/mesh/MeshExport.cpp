@@ -56,6 +56,7 @@ Result<ExportReport> exportMesh(const HalfEdgeMesh& mesh, NumberType documentNum
   roundPoints(forFile, numbers);
   for (std::uint32_t v : partCollisions(compact.soup, forFile)) report.parted.push_back(compact.vertexOf[v]);
   progress.set(0.2);
+  if (progress.cancelled()) return cancelledError();
 
   const Result<std::string> bytes = encodeChecked(forFile, *format, numbers, progress.part(0.2, 0.7));
   if (!bytes) {
@@ -63,7 +64,8 @@ Result<ExportReport> exportMesh(const HalfEdgeMesh& mesh, NumberType documentNum
     error.subject = path.string();
     return error;
   }
-  report.inFile = reportOn(forFile, SelfIntersections::Skip);
+  report.inFile = reportOn(forFile, SelfIntersections::Skip, progress.part(0.7, 0.9));
+  if (progress.cancelled()) return cancelledError();
   const Status written = writeFileAtomically(path, *bytes, progress.part(0.9, 1.0));
   if (!written) return written.error();
   report.bytes = bytes->size();

@@ -2,15 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/mesh/MeshKind.h"
 
+#include "document/container/Blobs.h"
 #include "document/mesh/MeshBlobs.h"
 #include "document/mesh/MeshDocument.h"
 #include "document/mesh/MeshExport.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace handwheel {
 
 namespace {
+
+const std::string kTurnedFaces = "mesh/turned_faces";
 
 const MeshSnapshot& meshOf(const Snapshot& content) {
   return static_cast<const MeshSnapshot&>(content);
@@ -40,25 +44,26 @@ bool MeshKind::recognises(std::string_view, std::string_view) const {
   return true;
 }
 
-std::shared_ptr<MeshSnapshot> meshSnapshotOf(const MeshFile& file) {
-  BuiltMesh built = buildMesh(file.soup);
+std::shared_ptr<MeshSnapshot> meshSnapshotOf(const MeshFile& file, Progress progress) {
+  BuiltMesh built = buildMesh(file.soup, progress.part(0.0, 0.4));
   auto snapshot = std::make_shared<MeshSnapshot>();
   snapshot->build = std::make_shared<const BuildReport>(std::move(built.report));
-  snapshot->mesh = inspected(std::move(built.mesh));
+  snapshot->mesh = inspected(std::move(built.mesh), tolerance::kNearWeld, progress.part(0.4, 1.0));
   snapshot->numbers = file.numbers;
   return snapshot;
 }
 
 Result<OpenedFile> MeshKind::import(const std::filesystem::path& path, const ReadOptions& options,
                                     Progress progress) const {
-  const Result<MeshFile> file = readMeshFile(path, options, progress.part(0.0, 0.6));
+  const Result<MeshFile> file = readMeshFile(path, options, progress.part(0.0, 0.5));
   if (!file) return file.error();
   OpenedFile opened;
   opened.kind = this;
   opened.file.damage = file->damage;
   opened.file.unlistedDamage = file->unlistedDamage;
   opened.file.lost = file->lost;
-  opened.content = meshSnapshotOf(*file);
+  opened.content = meshSnapshotOf(*file, progress.part(0.5, 1.0));
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   return opened;
 }
 
@@ -79,29 +84,35 @@ Result<WrittenFile> MeshKind::exportTo(const Snapshot& content, const std::files
 
 void MeshKind::save(const Snapshot& content, Container& container) const {
   const MeshSnapshot& mesh = meshOf(content);
+  const std::vector<Face>& turned = mesh.build->turnedFaces;
   nlohmann::json& document = (*container.manifest)["document"];
   document["numbers"] = mesh.numbers == NumberType::Float32 ? "float32" : "float64";
   document["kept_open"] = mesh.keptOpen;
-  document["turned_faces"] = mesh.build->turnedFaces;
-  document["vertices"] = mesh.mesh.mesh.vertexSlots();
-  document["faces"] = mesh.mesh.mesh.faceSlots();
+  document["turned_faces"] = turned.size();
+  writeArray<std::uint32_t>(container, kTurnedFaces, turned);
   writeMeshBlobs(mesh.mesh.mesh, container);
 }
 
 namespace {
 
-// Numbers below a bound; anything else in the file is dropped.
-template <class Target>
-Target numbersBelow(const nlohmann::json& document, const char* key, std::size_t bound) {
-  Target numbers;
-  const auto found = document.find(key);
-  if (found == document.end() || !found->is_array()) return numbers;
+std::set<Vertex> keptOpenOf(const nlohmann::json& document, std::size_t vertices) {
+  std::set<Vertex> keys;
+  const auto found = document.find("kept_open");
+  if (found == document.end() || !found->is_array()) return keys;
   for (const nlohmann::json& entry : *found) {
-    if (entry.is_number_unsigned() && entry.get<std::uint64_t>() < bound) {
-      numbers.insert(numbers.end(), entry.get<std::uint32_t>());
-    }
+    if (entry.is_number_unsigned() && entry.get<std::uint64_t>() < vertices) keys.insert(entry.get<Vertex>());
   }
-  return numbers;
+  return keys;
+}
+
+std::vector<Face> turnedFacesOf(const nlohmann::json& document, const Container& container, const HalfEdgeMesh& mesh) {
+  const nlohmann::json count = document.value("turned_faces", nlohmann::json());
+  if (!count.is_number_unsigned()) return {};
+  std::vector<Face> faces = readArray<std::uint32_t>(container, kTurnedFaces, count.get<std::uint64_t>()).values;
+  std::erase_if(faces, [&](Face f) { return f >= mesh.faceSlots() || !mesh.isLive(f); });
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
 }
 
 }  // namespace
@@ -112,19 +123,18 @@ Result<SnapshotPointer> MeshKind::load(const Container& container, std::vector<E
   if (found == container.manifest->end() || !found->is_object()) {
     return Error{ErrorCode::ElementMalformed, {"document", "it is missing"}, {}, {}};
   }
-  Result<LoadedMesh> loaded = readMeshBlobs(*found, container, damage, progress.part(0.0, 0.6));
+  Result<LoadedMesh> loaded = readMeshBlobs(*found, container, damage, progress.part(0.0, 0.5));
   if (!loaded) return loaded.error();
   auto snapshot = std::make_shared<MeshSnapshot>();
   BuildReport report = std::move(loaded->report);
   if (loaded->isWhole) {
-    const HalfEdgeMesh& mesh = loaded->mesh;
-    snapshot->keptOpen = numbersBelow<std::set<Vertex>>(*found, "kept_open", mesh.vertexSlots());
-    for (Face f : numbersBelow<std::vector<Face>>(*found, "turned_faces", mesh.faceSlots())) {
-      if (mesh.isLive(f)) report.turnedFaces.push_back(f);
-    }
+    snapshot->keptOpen = keptOpenOf(*found, loaded->mesh.vertexSlots());
+    report.turnedFaces = turnedFacesOf(*found, container, loaded->mesh);
+  } else if (!keptOpenOf(*found, kNone).empty()) {
+    damage.push_back({ErrorCode::ElementMalformed, {"kept_open", "its loops cannot be told any more"}, {}, {}});
   }
   snapshot->build = std::make_shared<const BuildReport>(std::move(report));
-  snapshot->mesh = inspected(std::move(loaded->mesh));
+  snapshot->mesh = inspected(std::move(loaded->mesh), tolerance::kNearWeld, progress.part(0.5, 1.0));
   snapshot->numbers =
       found->value("numbers", nlohmann::json()) == "float32" ? NumberType::Float32 : NumberType::Float64;
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};

@@ -29,7 +29,7 @@ class MeshKind : public DocumentKind {
   DisplayModel display(const Snapshot& content) const override;
 };
 
-// A mesh file as it was read, as the value of a document.
-std::shared_ptr<MeshSnapshot> meshSnapshotOf(const MeshFile& file);
+// A mesh file as it was read, as the value of a document. Of no use once cancelled.
+std::shared_ptr<MeshSnapshot> meshSnapshotOf(const MeshFile& file, Progress progress = {});
 
 }  // namespace handwheel

@@ -14,7 +14,7 @@ namespace handwheel {
 struct MeshSnapshot : Snapshot {
   InspectedMesh mesh;
   std::shared_ptr<const BuildReport> build;  // what building the mesh from its file reported; never null
-  std::set<Vertex> keptOpen;                 // smallest vertices of the loops that the user wants open
+  std::set<Vertex> keptOpen;                 // keyOf() the loops that the user wants open
   NumberType numbers = NumberType::Float64;  // of the coordinates in the file that it came from
 };
 

@@ -14,6 +14,7 @@ namespace handwheel {
 namespace {
 
 constexpr double kShortestLever = 0.01;  // mm; nearer to its axis a point tells nothing of a turn
+constexpr double kStill = 1e-7;          // rad, mm; below the resolution of any pointer
 
 }  // namespace
 
@@ -41,7 +42,7 @@ std::optional<JointDragTool::Hold> JointDragTool::holdAt(const Ray& ray) const {
   for (hold.joint = robot.links[hold.link].parentJoint; hold.joint != kNone;
        hold.joint = robot.links[robot.joints[hold.joint].parent].parentJoint) {
     const Joint& joint = robot.joints[hold.joint];
-    if (joint.dof == kNone || joint.kind == JointKind::Fixed) continue;
+    if (joint.dof == kNone || robot.jointOfDof(joint.dof).limits.areClosed()) continue;
     hold.at.centre = poses[joint.child].translation();
     hold.at.axis = poses[joint.child].linear() * joint.axis;
     if (joint.kind == JointKind::Prismatic || hold.at.lever() > kShortestLever) return hold;
@@ -109,7 +110,7 @@ void JointDragTool::followWithJoint(const PointerEvent& event) {
                                                       : turnUnder(m_drag->hold.at, event.sight(), m_drag->way);
   if (!way) return;
   m_drag->way = *way;
-  m_drag->values[joint.dof] = std::clamp(m_drag->start[joint.dof] + *way, joint.limits.lower, joint.limits.upper);
+  m_drag->values[joint.dof] = joint.limits.nearest(m_drag->start[joint.dof] + *way);
 }
 
 void JointDragTool::followWithPull(const Ray& ray, std::uint32_t onlyDof) {
@@ -125,9 +126,12 @@ ToolReply JointDragTool::release() {
   const Drag drag = std::move(*m_drag);
   m_drag.reset();
   m_hovered.reset();
+  const RobotModel& robot = m_document.robot().model;
+  // Whoever comes back to where he began gets no step for what rounding left.
+  const JointValues way = withinLimits(robot, drag.values) - drag.start;
+  if (way.cwiseAbs().maxCoeff() < kStill) return ToolReply::Used;
   auto edit = m_document.jointEdit(drag.values);
   if (!edit) return ToolReply::Used;
-  const RobotModel& robot = m_document.robot().model;
   const Joint& joint = robot.jointOfDof(robot.joints[drag.hold.joint].dof);
   const QString text =
       drag.isWholeArm ? QCoreApplication::translate("JointDragTool", "Pull the arm")

@@ -6,12 +6,6 @@
 
 namespace handwheel {
 
-Vertex keyOf(const HalfEdgeMesh& mesh, const BoundaryLoop& loop) {
-  Vertex smallest = kNone;
-  for (const HalfEdge h : loop.halfEdges) smallest = std::min(smallest, mesh.from(h));
-  return smallest;
-}
-
 const BoundaryLoop* loopWithKey(const HalfEdgeMesh& mesh, std::span<const BoundaryLoop> loops, Vertex key) {
   const auto found =
       std::find_if(loops.begin(), loops.end(), [&](const BoundaryLoop& loop) { return keyOf(mesh, loop) == key; });

@@ -11,9 +11,7 @@
 
 namespace handwheel {
 
-// A loop is known by its smallest vertex, which outlives edits elsewhere.
-Vertex keyOf(const HalfEdgeMesh& mesh, const BoundaryLoop& loop);
-// O(all loops).
+// The loop whose keyOf() this is; null when there is none. O(all loops).
 const BoundaryLoop* loopWithKey(const HalfEdgeMesh& mesh, std::span<const BoundaryLoop> loops, Vertex key);
 
 // The line of a loop, closed.

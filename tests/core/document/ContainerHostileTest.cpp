@@ -184,6 +184,29 @@ class ContainerHostileTest : public QObject {
     QVERIFY(total > 0 && total <= kSmall.largest);
   }
 
+  // And none of them is whole: unpacking in vain is bounded as well.
+  void overlappingDamagedEntries() {
+    HandmadeZip::Entry shared = HandmadeZip::deflated("0", std::string(900, 'x'));
+    shared.checksum ^= 1;
+    HandmadeZip zip;
+    zip.add(shared);
+    for (int i = 1; i < 1000; ++i) {
+      shared.name = std::to_string(i);
+      zip.list(shared, 0);
+    }
+    const std::string archive = zip.bytes();
+    ZipReader reader(archive, kSmall);
+    std::size_t damaged = 0, refused = 0;
+    for (const std::string& name : reader.names()) {
+      const auto bytes = reader.read(name);
+      QVERIFY(!bytes);
+      damaged += bytes.error().code == ErrorCode::EntryDamaged;
+      refused += bytes.error().code == ErrorCode::FileTooLarge;
+    }
+    QVERIFY(damaged > 0 && refused > 0);
+    QCOMPARE(damaged + refused, std::size_t{1000});
+  }
+
   // Headers every thirty bytes, each of which claims all that follows: the work is bounded, not only the result.
   void overlappingHeaders() {
     std::string header = HandmadeZip().add({"a", "", 1u << 20, 0, 0, 0}).withoutDirectory();

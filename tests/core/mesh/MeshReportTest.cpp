@@ -194,7 +194,7 @@ void MeshReportTest::cancelled() {
 }
 
 void MeshReportTest::empty() {
-  const MeshReport r = reportOn({});
+  const MeshReport r = reportOn(TriangleSoup{});
   QCOMPARE(r.triangles + r.vertices + r.components, std::size_t{0});
   QVERIFY(!r.closed && !r.isSound());
   QVERIFY(!r.volumeMm3);

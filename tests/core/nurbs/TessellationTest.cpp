@@ -28,6 +28,7 @@ class TessellationTest : public QObject {
   void anyProfileIsClosedAndNear();
   void refusesTolerancesThatAreNone();
   void refusesTooManyTriangles();
+  void refusesLimitsThatNothingKeeps();
   void refusesAProfileOnTheAxis();
   void stopsWhenCancelled();
 };
@@ -255,6 +256,14 @@ void TessellationTest::refusesTooManyTriangles() {
       QVERIFY(soup->triangles.size() > options.mostTriangles / 4);
     }
   }
+}
+
+void TessellationTest::refusesLimitsThatNothingKeeps() {
+  TessellationOptions options;
+  options.mostTriangles = 10;  // even eight sides take more
+  const auto soup = tessellate(StockCylinder{}.profile(), options);
+  QVERIFY(!soup);
+  QCOMPARE(soup.error().code, ErrorCode::FileTooLarge);
 }
 
 void TessellationTest::refusesAProfileOnTheAxis() {

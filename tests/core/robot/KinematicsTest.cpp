@@ -48,6 +48,7 @@ class KinematicsTest : public QObject {
   void slidesAlongItsAxis();
   void posesAreProductsOfExponentials();
   void posesAreRigid();
+  void posesAreFinite();
   void jacobianIsTheDerivative();
   void jacobianOfWhatStandsStill();
 };
@@ -94,6 +95,21 @@ void KinematicsTest::posesAreRigid() {
     for (const Pose& pose : linkPoses(robot, JointValues::Constant(200, angle))) {
       QVERIFY(pose.matrix().allFinite());
       QVERIFY((pose.linear() * pose.linear().transpose() - Eigen::Matrix3d::Identity()).norm() < 1e-12);
+    }
+  }
+}
+
+void KinematicsTest::posesAreFinite() {
+  const std::string kFollows = limit(-1, 1) + "<mimic joint='j' multiplier='1e6' offset='-1e6'/>";
+  for (const std::string& leader :
+       {joint("j", "continuous", "a", "b"), joint("j", "revolute", "a", "b", "<limit lower='-inf' upper='inf'/>"),
+        joint("j", "prismatic", "a", "b", limit(-1e300, 1e300))}) {
+    const RobotModel robot =
+        readOrThrow(robotOf(link("a") + link("b") + link("c") + leader + joint("k", "prismatic", "a", "c", kFollows)))
+            .robot;
+    for (double value : {0.0, 1e300, -1e308}) {
+      const JointValues values = withinLimits(robot, JointValues::Constant(1, value));
+      for (const Pose& pose : linkPoses(robot, values)) QVERIFY(pose.matrix().allFinite());
     }
   }
 }

@@ -145,6 +145,10 @@ void UrdfReaderTest::followers() {
     QCOMPARE(ring.error().code, ErrorCode::ElementMalformed);
   }
   QCOMPARE(readUrdf(robot("<mimic joint='x'/>", "")).error().code, ErrorCode::ReferenceMissing);
+  // Following not at all is standing still.
+  const RobotModel none = readOrThrow(robot("<mimic joint='j' multiplier='0' offset='0.25'/>", "")).robot;
+  QCOMPARE(none.dofs.size(), std::size_t{2});
+  QVERIFY(none.joints[1].dof == kNone && none.joints[1].offset == 250.0);
   // A fixed joint follows nobody, and who follows a fixed joint stands still.
   const RobotModel still =
       readOrThrow(robotOf(kAB + link("c") + joint("j", "fixed", "a", "b", "<mimic joint='x'/>") +

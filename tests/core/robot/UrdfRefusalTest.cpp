@@ -69,6 +69,9 @@ void UrdfRefusalTest::refused_data() {
   row("origin no number", jointAB("fixed", "<origin xyz='${x} 0 0'/>"), ErrorCode::NumberMalformed);
   row("origin too far", jointAB("fixed", "<origin xyz='1e7 0 0'/>"), ErrorCode::ValueOutOfRange);
   row("limits turned round", jointAB("revolute", limit(1, -1)), kMalformed);
+  row("limits at infinity", jointAB("revolute", "<limit lower='inf' upper='inf'/>"), kMalformed);
+  row("limits at its other end", jointAB("prismatic", "<limit lower='-inf' upper='-inf'/>"), kMalformed);
+  row("limits too far", jointAB("prismatic", "<limit lower='1e300' upper='1e301'/>"), kMalformed);
   row("limit not a number", jointAB("revolute", "<limit lower='nan' upper='1'/>"), ErrorCode::NumberNotFinite);
   row("limit malformed", jointAB("revolute", "<limit lower='a' upper='1'/>"), ErrorCode::NumberMalformed);
   row("limit of two numbers", jointAB("revolute", "<limit lower='0 1' upper='1'/>"), ErrorCode::NumberMalformed);
@@ -94,6 +97,12 @@ void UrdfRefusalTest::linesOfErrors() {
   QVERIFY(!read);
   QCOMPARE(read.error().place.value, std::uint64_t{6});
   QCOMPARE(read.error().arguments, std::vector<std::string>{"oops"});
+  const auto roots = readUrdf("<robot>\n<link name='a'/>\n<link name='b'/>\n</robot>");
+  QCOMPARE(roots.error().place.value, std::uint64_t{3});
+  const auto ring = readUrdf("<robot>\n" + kAB + link("c") + joint("i", "fixed", "b", "c") +
+                             joint("j", "fixed", "a", "b") + joint("k", "fixed", "b", "a") + "</robot>");
+  QCOMPARE(ring.error().code, ErrorCode::ElementMalformed);
+  QVERIFY(ring.error().place.value == 3 || ring.error().place.value == 4);  // i only hangs on it
 }
 
 QTEST_GUILESS_MAIN(UrdfRefusalTest)

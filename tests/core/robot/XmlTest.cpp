@@ -83,6 +83,10 @@ void XmlTest::limits() {
   QCOMPARE(codeOf(nested(1'000'000)), ErrorCode::ElementMalformed);
   QCOMPARE(codeOf("<a><b/><b/></a>", {.elements = 2}), ErrorCode::FileTooLarge);
   QVERIFY(readXml("<a><b/></a>", {.elements = 2}).hasValue());
+  std::string attributes;
+  for (int i = 0; i < 9; ++i) attributes += " x" + std::to_string(i) + "=''";
+  QVERIFY(readXml("<a" + attributes + "/>", {.elements = 2}).hasValue());
+  QCOMPARE(codeOf("<a" + attributes + "/>", {.elements = 1}), ErrorCode::FileTooLarge);
   QCOMPARE(codeOf("<a/>", {.bytes = 3}), ErrorCode::FileTooLarge);
 }
 
@@ -114,6 +118,12 @@ void XmlTest::numbers() {
   for (const char* word : {"", "+", "-", "+-1", "1,5", "1.5x", "0x10", "${x}"})
     QCOMPARE(parseNumber(word).error().code, ErrorCode::NumberMalformed);
   QCOMPARE(parseNumber("1e400").error().code, ErrorCode::NumberNotFinite);
+
+  // The sign of the exponent alone does not tell which end of the range was left.
+  const std::string zeros(400, '0');
+  QCOMPARE(*parseNumber("0." + zeros + "1"), 0.0);
+  QCOMPARE(*parseNumber("0." + zeros + "1e5"), 0.0);
+  QCOMPARE(parseNumber("1" + zeros + "e-5").error().code, ErrorCode::NumberNotFinite);
 
   double three[3] = {};
   QVERIFY(parseNumbers(" 1\t2\n3 ", three).hasValue());

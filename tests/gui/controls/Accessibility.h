@@ -71,9 +71,12 @@ inline bool isOperated(const QWidget* widget) {
 }
 
 // Widgets that the mouse can operate and that pressing Tab again and again never reaches. Of a group of exclusive
-// buttons one is enough. The window must be shown; `otherwise` tells what is reached in another way (by a menu).
+// buttons one is enough. The window must be shown, and such that it can become active (X without a window
+// manager activates no tool window); `otherwise` tells what is reached in another way (by a menu).
 inline QStringList notReachedByTab(QWidget& root, const std::function<bool(const QWidget*)>& otherwise = {}) {
   root.window()->activateWindow();
+  const auto isActive = [&root] { return root.window()->isActiveWindow(); };
+  if (!QTest::qWaitFor(isActive)) return {QStringLiteral("the window is not active")};
   QSet<const QWidget*> reached;
   const int limit = 2 * int(root.window()->findChildren<QWidget*>().size()) + 2;
   for (int i = 0; i < limit; ++i) {

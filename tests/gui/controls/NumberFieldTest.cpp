@@ -4,9 +4,6 @@
 
 #include "ControlsTestMain.h"
 #include "controls/ExpressionText.h"
-#include "controls/QuantityText.h"
-
-#include <rapidcheck.h>
 
 #include <QLineEdit>
 #include <QSignalSpy>
@@ -15,7 +12,6 @@
 #include <QWheelEvent>
 #include <cmath>
 #include <numbers>
-#include <random>
 
 using namespace handwheel;
 
@@ -83,10 +79,6 @@ class NumberFieldTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void numbersAsShort_data();
-  void numbersAsShort();
-  void numbersAreNearEnoughAndNoLonger();
-  void quantities();
   void takesExpressions();
   void takesOtherUnits();
   void speaksGerman();
@@ -104,60 +96,6 @@ class NumberFieldTest : public QObject {
   void screenReaders();
   void everyErrorHasASentence();
 };
-
-void NumberFieldTest::numbersAsShort_data() {
-  QTest::addColumn<double>("value");
-  QTest::addColumn<QString>("text");
-  const auto row = [](double value, const char* text) { QTest::newRow(text) << value << QString::fromUtf8(text); };
-  row(0.0, "0");
-  row(-0.0, "0 ");
-  row(0.003, "0.003");
-  row(12.7, "12.7");
-  row(25.4 / 25.4, "1");
-  row(0.1 + 0.2, "0.3");
-  row(-1e-7, "-0.0000001");
-  row(3e-9, "3e-09");
-  row(1.0 / 3.0, "0.333333");
-  row(2.0 / 3.0, "0.666667");
-  row(90.0 + 1e-12, "90");
-  row(1000000.0, "1000000");
-  row(1234567.0, "1234567");
-  row(1e15, "1e+15");
-  row(INFINITY, "∞");
-  row(-INFINITY, "−∞");
-  row(std::nan(""), "—");
-}
-
-void NumberFieldTest::numbersAsShort() {
-  QFETCH(double, value);
-  QFETCH(QString, text);
-  QCOMPARE(numberText(value, QLocale::c()), text.trimmed());
-}
-
-void NumberFieldTest::numbersAreNearEnoughAndNoLonger() {
-  QVERIFY(rc::check("number texts", [] {
-    std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
-    const double value = std::ldexp(std::uniform_real_distribution<double>(-1, 1)(random),
-                                    std::uniform_int_distribution(-60, 60)(random));
-    const QString text = numberText(value, QLocale::c());
-    RC_ASSERT(std::abs(text.toDouble() - value) <= 1.0000001e-6 * std::abs(value));
-    // One digit less would be too far away.
-    const bool exponent = text.contains('e');
-    const int digits = text.contains('.') ? text.section('.', 1).section('e', 0, 0).size() : 0;
-    if (digits > 0) {
-      const double shorter = QString::number(value, exponent ? 'e' : 'f', digits - 1).toDouble();
-      RC_ASSERT(std::abs(shorter - value) > 1e-6 * std::abs(value));
-    }
-    RC_ASSERT(numberText(value, kGerman) == QString(text).replace('.', ','));
-  }));
-}
-
-void NumberFieldTest::quantities() {
-  QCOMPARE(quantityText(12.7, Quantity::Length, LengthUnit::Inch, QLocale::c()), QString("0.5\u00a0in"));
-  QCOMPARE(quantityText(12.7, Quantity::Length, LengthUnit::Millimetre, kGerman), QString("12,7\u00a0mm"));
-  QCOMPARE(quantityText(std::numbers::pi / 2, Quantity::Angle, LengthUnit::Metre, QLocale::c()), QString("90°"));
-  QCOMPARE(quantityText(-2.5, Quantity::Number, LengthUnit::Metre, QLocale::c()), QString("-2.5"));
-}
 
 void NumberFieldTest::takesExpressions() {
   Bench bench;

@@ -17,6 +17,16 @@ class ViewportFixture : public QObject {
  protected:
   std::unique_ptr<Viewport> m_view;
 
+  // Until everything is built and no further frame is drawn.
+  void settle() {
+    m_view->grabImage();
+    int frames = -1;
+    while (frames != m_view->framesDrawn()) {
+      frames = m_view->framesDrawn();
+      QTest::qWait(250);
+    }
+  }
+
  private slots:
   void initTestCase() {
     qRegisterMetaType<handwheel::Pick>();

@@ -145,7 +145,7 @@ class ViewportLayersTest : public PictureFixture {
       m_view->setHighlightedPart("none");
     };
     showAll(1);
-    QTest::qWait(300);
+    settle();
     const int frames = m_view->framesDrawn();
     showAll(1);
     QTest::qWait(200);

@@ -152,7 +152,7 @@ class ViewportPictureTest : public PictureFixture {
     picture({{"ball", shared(sphereSoup(20))}}, camera);
     m_view->setParts({});
     QCOMPARE(m_view->grabImage(), empty);
-    QTest::qWait(300);
+    settle();
     const int frames = m_view->framesDrawn();
     QTest::qWait(300);
     QCOMPARE(m_view->framesDrawn(), frames);

@@ -224,6 +224,9 @@ class ViewportTest : public ViewportFixture {
     m_view->grabImage();
     QCOMPARE(m_view->blocksBuilt(), 1);
     QVERIFY((m_view->bounds().max() - Vec3(17, 7, 2)).norm() < 1e-12);
+    model.parts.pop_back();
+    m_view->setParts(model);
+    QVERIFY(hovered.last()[0].value<Pick>().isNothing());
   }
 
   void meshAndPartsAreShownTogether() {

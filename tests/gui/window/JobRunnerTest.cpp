@@ -56,6 +56,35 @@ class JobRunnerTest : public QObject {
     QVERIFY(!delivered);
   }
 
+  // What a document started ends with it; the jobs of others go on.
+  void jobsGoWithTheirOwner() {
+    QThreadPool pool;
+    JobRunner runner(JobRunner::Policy::Queue, pool);
+    QStringList done, failed;
+    const int mine = 0, others = 0;
+    const auto add = [&](const char* name, const void* owner) {
+      runner.start({QString::fromLatin1(name),
+                    [&done, name](Progress progress) -> Job::Finish {
+                      if (*name == 'a')
+                        while (!progress.cancelled()) QThread::msleep(1);
+                      return [&done, name] { done << QString::fromLatin1(name); };
+                    },
+                    [&failed, name](const Error& error) {
+                      if (error.code == ErrorCode::Cancelled) failed << QString::fromLatin1(name);
+                    },
+                    owner});
+    };
+    add("a", &mine);
+    add("b", &others);
+    add("c", &mine);
+    add("d", nullptr);
+    runner.cancelOf(&mine);
+    QTRY_VERIFY(runner.isIdle());
+    QCOMPARE(done, QStringList({"b", "d"}));
+    failed.sort();
+    QCOMPARE(failed, QStringList({"a", "c"}));
+  }
+
   void theLatestReplacesTheOthersAndWaitsForTheFirstToLetGo() {
     QThreadPool pool;
     JobRunner runner(JobRunner::Policy::Latest, pool);

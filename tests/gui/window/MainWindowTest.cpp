@@ -1,13 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "../controls/Accessibility.h"
 #include "StlFiles.h"
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
+#include "window/Thumbnails.h"
 
-#include <QAbstractItemView>
-#include <QComboBox>
+#include <QDockWidget>
 #include <QDropEvent>
 #include <QMimeData>
+#include <QStandardPaths>
+#include <QToolBar>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -26,6 +29,8 @@ class MainWindowTest : public QObject {
   }
 
  private slots:
+  void initTestCase() { QStandardPaths::setTestModeEnabled(true); }  // for the pictures of recent files
+
   // At 1280 x 800, with the panels of a first start.
   void theViewportHasMostOfTheWindow() {
     WindowDriver driver;
@@ -48,6 +53,119 @@ class MainWindowTest : public QObject {
       const auto* button = qobject_cast<QAbstractButton*>(widget);
       QVERIFY2(!widget->accessibleName().isEmpty() || (button && !button->text().isEmpty()), qPrintable(what));
     }
+  }
+
+  // What takes the focus has a name, what is written has the room that it needs: for each kind of document.
+  void everybodyCanReadIt() {
+    WindowDriver driver;
+    const auto look = [&driver] {
+      QCOMPARE(withoutAccessibleName(driver.window()).join('\n'), QString());
+      QTRY_COMPARE(cutTexts(driver.window()).join('\n'), QString());
+    };
+    look();
+    QVERIFY(driver.open(fileWithHoles("read.stl")));
+    driver.clickDefect(DefectKind::Hole, 0);
+    look();
+    for (const char* other : {"newWorkpiece", "openRobotSample"}) {
+      driver.choose(other);
+      QVERIFY(driver.settle());
+      look();
+    }
+  }
+
+  void withoutADocumentThereIsNothingToWorkOn() {
+    WindowDriver driver;
+    QVERIFY(!driver.find<QMenu>("kindMenu")->menuAction()->isVisible());
+    driver.choose("newWorkpiece");
+    QVERIFY(driver.settle());
+    QVERIFY(driver.find<QMenu>("kindMenu")->menuAction()->isVisible());
+    driver.click("closeTab");
+    QVERIFY(!driver.find<QMenu>("kindMenu")->menuAction()->isVisible());
+    QVERIFY(driver.find<QToolBar>("kindActions")->actions().isEmpty());
+  }
+
+  // The icon in the strip of panels is that of the kind.
+  void eachKindHasItsIcon() {
+    WindowDriver driver;
+    auto* button = driver.find<QAbstractButton>("panelStrip/kindDockToggle");
+    QList<QImage> icons;
+    const auto look = [&] {
+      const QImage image = button->icon().pixmap(20, 20).toImage();
+      QVERIFY(!image.isNull() && !icons.contains(image));
+      icons << image;
+    };
+    QVERIFY(driver.open(fileWithHoles("icon.stl")));
+    look();
+    for (const char* other : {"newWorkpiece", "openRobotSample"}) {
+      driver.choose(other);
+      QVERIFY(driver.settle());
+      look();
+    }
+  }
+
+  void movedTabsStayWithTheirDocuments() {
+    WindowDriver driver;
+    for (const char* name : {"a.stl", "b.stl", "c.stl"}) QVERIFY(driver.open(fileWithHoles(name)));
+    auto* tabs = driver.find<QTabBar>("documentTabBar");
+    tabs->moveTab(0, 2);
+    for (int i = 0; i < tabs->count(); ++i) {
+      tabs->setCurrentIndex(i);
+      QVERIFY2(driver.window().windowTitle().startsWith(tabs->tabText(i)), qPrintable(tabs->tabText(i)));
+    }
+    QVERIFY(driver.settle());
+  }
+
+  void aDocumentClosedWhileItIsRepaired() {
+    WindowDriver driver;
+    const QString path = fileWithHoles("going.stl");
+    QVERIFY(driver.open(path));
+    driver.click("repairAllButton");
+    driver.click("closeTab");
+    QCOMPARE(driver.tabs(), 0);
+    QTRY_VERIFY(driver.settle());
+    QVERIFY(driver.open(path));
+    QCOMPARE(driver.count(DefectKind::Hole), 3);
+    QVERIFY(driver.find<QAction>("repairAll")->isEnabled());
+  }
+
+  void lengthsFollowTheDisplayUnit() {
+    WindowDriver driver;
+    QVERIFY(driver.open(fileWithHoles("inch.stl")));
+    const auto detail = [&] {
+      const QModelIndex group = driver.defects().groupIndex(DefectKind::Hole);
+      return driver.defects().index(0, 0, group).data(DefectModel::DetailRole).toString();
+    };
+    QVERIFY(detail().endsWith(" mm"));
+    QCOMPARE(driver.text("badge"), QStringLiteral("mm"));
+    auto* unit = driver.find<QWidget>("property/display_unit")->findChild<QComboBox*>();
+    unit->setCurrentIndex(unit->findText("in"));
+    emit unit->activated(unit->currentIndex());
+    QTRY_COMPARE(driver.text("badge"), QStringLiteral("in"));
+    QVERIFY2(detail().endsWith(" in"), qPrintable(detail()));
+    QVERIFY(driver.find<QLabel>("badge")->toolTip().contains("in"));
+    driver.click("quickActions/undo");
+    QVERIFY(detail().endsWith(" mm"));
+    QVERIFY(driver.settle());
+  }
+
+  // The plane stays where it is when the other side is cut away, and its offset reads the same.
+  void theOtherSideOfTheSamePlane() {
+    WindowDriver driver;
+    QVERIFY(driver.open(fileWithHoles("clip.stl")));
+    const auto check = [&driver](const char* property) {
+      driver.find<QWidget>(property)->findChild<QAbstractButton*>()->click();
+    };
+    driver.find<QDockWidget>("viewDock")->raise();
+    check("property/clip");
+    driver.edit("clip_offset", "7.5");
+    auto* view = driver.find<Viewport>("viewport");
+    const ClipPlane before = view->clipPlane();
+    QVERIFY(before.on);
+    QCOMPARE(before.offset, 7.5);
+    check("property/clip_flip");
+    QCOMPARE(view->clipPlane(), before.flipped());
+    QCOMPARE(driver.find<QWidget>("property/clip_offset")->findChild<QLineEdit*>()->text(), QStringLiteral("7.5"));
+    QVERIFY(driver.settle());
   }
 
   void severalDocumentsKeepTheirStates() {
@@ -95,6 +213,9 @@ class MainWindowTest : public QObject {
     {
       WindowDriver driver;
       QVERIFY(driver.open(path));
+      QTRY_VERIFY_WITH_TIMEOUT(driver.find<Viewport>("viewport")->isPickingReady(), kPatienceMs);
+      driver.click("closeTab");
+      QTRY_VERIFY_WITH_TIMEOUT(!Thumbnails::of(path).isNull(), kPatienceMs);
     }
     WindowDriver driver;
     driver.click("recent/recent.stl");

@@ -34,6 +34,7 @@ class CellBlobsTest : public QObject {
   void loadsWithoutThePackage();
   void lostBlobs();
   void hostileManifests();
+  void pointsWithoutTriangles();
 
  private:
   ArmPackage m_package;
@@ -92,16 +93,18 @@ void CellBlobsTest::lostBlobs() {
       }
     }
   }
-  // An index beyond the points, and a coordinate that is no number.
-  for (const char* const suffix : {"triangles/0000", "points/0000"}) {
+  // An index beyond the points, a coordinate that is no number, and one that is too far away.
+  const std::pair<const char*, std::string> kWrong[] = {
+      {"triangles/0000", "\xff\xff\xff\xff"}, {"points/0000", "\xff\xff\xff\xff"}, {"points/0000", "\xff\xff\x7f\x7f"}};
+  for (const auto& [suffix, number] : kWrong) {
     Container wrong = whole;
     std::string& blob = wrong.blobs.at("cell/surfaces/0001/" + std::string(suffix));
-    std::fill_n(blob.begin(), 4, '\xff');
+    std::copy(number.begin(), number.end(), blob.begin());
     std::vector<Error> damage;
     const auto cell = loaded(wrong, damage);
     QVERIFY(cell && cell->robot->surfaces[1] && damage.size() == 1);
     QVERIFY(cell->robot->surfaces[1]->triangles.size() < 12);
-    for (const Vec3& p : cell->robot->surfaces[1]->points) QVERIFY(p.allFinite());
+    for (const Vec3& p : cell->robot->surfaces[1]->points) QVERIFY(p.allFinite() && p.norm() < 1e9);
   }
 }
 
@@ -137,6 +140,22 @@ void CellBlobsTest::hostileManifests() {
   QVERIFY(!loaded(empty, damage));
   empty.blobs["cell/robot.urdf"] = kArmUrdf;
   QVERIFY(loaded(empty, damage));
+}
+
+// One triangle and many points, placed ten thousand times.
+void CellBlobsTest::pointsWithoutTriangles() {
+  std::string visuals;
+  for (int i = 0; i < 10'000; ++i) visuals += "<visual><geometry><mesh filename='x.stl'/></geometry></visual>";
+  Container container;
+  container.blobs["cell/robot.urdf"] = "<robot><link name='a'>" + visuals + "</link></robot>";
+  container.blobs["cell/surfaces/0000/points/0000"] = std::string(65'536 * 12, '\0');
+  container.blobs["cell/surfaces/0000/triangles/0000"] = toBlob(std::vector<std::uint32_t>{0, 1, 2});
+  (*container.manifest)["document"]["surfaces"].push_back({{"points", 65'536u}, {"triangles", 1u}});
+  std::vector<Error> damage;
+  const auto cell = loaded(container, damage);
+  QVERIFY(cell && kKind.display(*cell).parts.empty());
+  QCOMPARE(damage.size(), std::size_t{1});
+  QCOMPARE(damage[0].code, ErrorCode::FileTooLarge);
 }
 
 QTEST_GUILESS_MAIN(CellBlobsTest)

@@ -38,6 +38,7 @@ class CellDocumentTest : public QObject {
   void toolPosition();
   void setting();
   void settingRefuses();
+  void settingWithoutLimits();
   void dragsAreOneStep();
   void editsKeepLimits();
   void snapshotsStay();
@@ -110,6 +111,20 @@ void CellDocumentTest::settingRefuses() {
   // Degrees, as they are shown.
   const Status refused = m_document->setProperty("joint.turn", 90.0);
   QCOMPARE(refused.error().arguments, (std::vector<std::string>{"turn", "5156.62", "-114.592", "114.592"}));
+}
+
+void CellDocumentTest::settingWithoutLimits() {
+  write(m_package->path("free.urdf"),
+        "<robot><link name='a'/><link name='b'/><joint name='j' type='revolute'><parent link='a'/><child link='b'/>"
+        "</joint></robot>");
+  CellDocument document(importOrThrow(m_package->path("free.urdf")));
+  const auto all = document.properties();
+  QVERIFY(!find(all, "joint.j")->continuous);  // a slider needs ends
+  QVERIFY(document.setProperty("joint.j", 100.0).hasValue());
+  QCOMPARE(numberOf(document, "joint.j"), 100.0);
+  const Status refused = document.setProperty("joint.j", 1e300);
+  QVERIFY(!refused);
+  QCOMPARE(refused.error().code, ErrorCode::ValueOutOfRange);
 }
 
 void CellDocumentTest::dragsAreOneStep() {

@@ -210,6 +210,11 @@ void CellKindTest::exports() {
   }
   QCOMPARE(kKind.exportTo(*moved, m_package.path("out.urdf").toStdString(), {}).error().code,
            ErrorCode::ExtensionUnknown);
+  JobState state;
+  state.cancelled = true;
+  const QString path = m_package.path("cancelled.stl");
+  QCOMPARE(kKind.exportTo(*moved, path.toStdString(), Progress(state)).error().code, ErrorCode::Cancelled);
+  QVERIFY(!QFile::exists(path));
 }
 
 QTEST_GUILESS_MAIN(CellKindTest)

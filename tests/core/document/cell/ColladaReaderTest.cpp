@@ -23,6 +23,7 @@ class ColladaReaderTest : public QObject {
   void damage_data();
   void damage();
   void instancesOfThemselves();
+  void fewBytesMuchWork();
   void nothingToSee();
   void cancelled();
   void numbersDoNotFollowTheLocale();
@@ -37,6 +38,7 @@ void ColladaReaderTest::primitives_data() {
   };
   QTest::newRow("triangles") << element("triangles", "<p>0 1 3 1 4 3</p>") << 2 << 1.0;
   QTest::newRow("polylist") << element("polylist", "<vcount>4 3</vcount><p>0 2 8 6 0 1 3</p>") << 3 << 4.5;
+  QTest::newRow("lists in pieces") << element("polylist", "<vcount>4 3</vcount><p>0 2 8 6</p><p>0 1 3</p>") << 3 << 4.5;
   QTest::newRow("polygons") << element("polygons", "<p>0 2 8 6</p><p>0 1 3</p>") << 3 << 4.5;
   // An L: as a fan from its first corner it would cover more.
   QTest::newRow("concave") << element("polygons", "<p>2 5 4 7 6 0</p>") << 4 << 3.0;
@@ -159,6 +161,39 @@ void ColladaReaderTest::instancesOfThemselves() {
       document(geometry() + library + "</library_nodes>" + scene("<node><instance_node url='#n39'/></node>")));
   QVERIFY(!doubled.damage.empty());
   QVERIFY(doubled.soup.triangles.size() <= 100'000);
+}
+
+// What takes hours, or all memory, where each element is paid for as often as others name it.
+void ColladaReaderTest::fewBytesMuchWork() {
+  const auto times = [](int count, const std::string& text) {
+    std::string all;
+    for (int i = 0; i < count; ++i) all += text;
+    return all;
+  };
+  const std::string input = "<input semantic='VERTEX' source='#v' offset='0'/>";
+  // Empty lists, whose counts come last.
+  const ColladaMesh lists = readOrThrow(
+      document(geometry(kTriangles + "<polylist>" + input + times(400'000, "<p/>") + "<vcount>3</vcount></polylist>") +
+               scene()));
+  QCOMPARE(lists.soup.triangles.size(), std::size_t{1});
+  // A wide node, placed often.
+  const ColladaMesh wide = readOrThrow(
+      document(geometry() + "<library_nodes><node id='w'>" + times(200'000, "<extra/>") + "</node></library_nodes>" +
+               scene("<node><instance_geometry url='#g'/>" + times(90'000, "<instance_node url='#w'/>") + "</node>")));
+  QCOMPARE(wide.soup.triangles.size(), std::size_t{1});
+  QVERIFY(!wide.damage.empty());
+  // Many geometries with the points of one: 4000 times 30 000.
+  const std::string source = "<source id='p'><float_array>" + times(90'000, "1 ") + "</float_array></source>" +
+                             "<vertices id='v'><input semantic='POSITION' source='#p'/></vertices>";
+  std::string geometries = "<library_geometries>", nodes;
+  for (int i = 0; i < 4000; ++i) {
+    const std::string id = "g" + std::to_string(i);
+    geometries += "<geometry id='" + id + "'><mesh>" + (i == 0 ? source : "") + kTriangles + "</mesh></geometry>";
+    nodes += "<node><instance_geometry url='#" + id + "'/></node>";
+  }
+  const ColladaMesh shared = readOrThrow(document(geometries + "</library_geometries>" + scene(nodes)));
+  QVERIFY(shared.soup.points.size() <= 20'000'000);
+  QVERIFY(!shared.damage.empty());
 }
 
 void ColladaReaderTest::nothingToSee() {

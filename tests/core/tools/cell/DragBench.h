@@ -41,8 +41,8 @@ inline const std::string kRobot =
 
 class Bench {
  public:
-  Bench() {
-    auto read = readUrdf(kRobot);
+  explicit Bench(const std::string& urdf = kRobot) {
+    auto read = readUrdf(urdf);
     auto robot = std::make_shared<CellRobot>();
     robot->model = std::move(read->robot);
     for (const Shape& shape : robot->model.shapes)

@@ -14,6 +14,8 @@ class JointDragMannersTest : public QObject {
 
  private slots:
   void clicksChangeNothing();
+  void comingBackChangesNothing();
+  void jointsThatCannotMove();
   void escPutsBack();
   void theOtherButtonPutsBack();
   void nothingToTakeHoldOf();
@@ -32,6 +34,39 @@ void JointDragMannersTest::clicksChangeNothing() {
   }
   QCOMPARE(bench.document().history()->count(), 0);
   QVERIFY(!tool.isDragging());
+}
+
+// Out and back; and once around the axis, where there are no limits.
+void JointDragMannersTest::comingBackChangesNothing() {
+  Bench bench;
+  const std::pair<const char*, std::vector<Vec3>> kWays[] = {
+      {"upper/0", {{300.7, 0.3, 0}, {200, 200, 0}, {-50, 200, 0}, {300.7, 0.3, 0}}},
+      {"finger/0", {{300.7, 0.3, 0}, {250, 80, 0}, {300.7, 0.3, 0}}},
+      {"free/0", {{-700, 0.3, 0}, {-900, 200, 0}, {-1200, 100, 0}, {-1200, -100, 0}, {-900, -200, 0}, {-700, 0.3, 0}}}};
+  for (const auto& [part, way] : kWays) {
+    JointDragTool tool(bench.document(), bench.picking(part));
+    tool.pointer(at(Kind::Press, way[0].x(), way[0].y()));
+    for (const Vec3& p : way) {
+      tool.pointer(at(Kind::Drag, p.x(), p.y()));
+      if (&p == &way[1]) QVERIFY(tool.joints() != bench.document().joints());
+    }
+    tool.pointer(at(Kind::Release, way.back().x(), way.back().y()));
+    QVERIFY(!tool.isDragging());
+    QCOMPARE(bench.document().history()->count(), 0);
+  }
+}
+
+void JointDragMannersTest::jointsThatCannotMove() {
+  Bench bench("<robot name='r'>" + bar("foot") + bar("upper") + bar("lower") +
+              joint("shoulder", "revolute", "foot", "upper", 0, "0 0 1") +
+              joint("elbow", "revolute", "upper", "lower", 0.4, "0 0 1", "<limit lower='0.5' upper='0.5'/>") +
+              "</robot>");
+  JointDragTool tool(bench.document(), bench.picking("lower/0"));
+  tool.pointer(at(Kind::Press, 600, 0));
+  QCOMPARE(tool.settings().at(0).label, std::string("shoulder"));
+  tool.pointer(at(Kind::Release, 0, 600));
+  QVERIFY(std::abs(bench.document().joints()[0] - kPi / 2) < 1e-12);
+  QCOMPARE(bench.document().joints()[1], 0.5);
 }
 
 void JointDragMannersTest::escPutsBack() {

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/ActionTip.h"
+
+#include <QAction>
+
+namespace handwheel {
+
+void setTip(QAction& action, const QString& tip) {
+  const auto show = [&action, tip] {
+    const QString key = action.shortcut().toString(QKeySequence::NativeText);
+    action.setToolTip(key.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, key));
+  };
+  QObject::connect(&action, &QAction::changed, &action, show);
+  show();
+}
+
+}  // namespace handwheel

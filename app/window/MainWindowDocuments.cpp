@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What the main window does when documents come, change and go.
+#include "panels/DocumentsPanel.h"
+#include "panels/HintBar.h"
+#include "panels/JobBar.h"
+#include "panels/MessageBar.h"
+#include "panels/NextStepCard.h"
+#include "panels/StartPage.h"
+#include "viewport/Viewport.h"
+#include "window/DocumentProperties.h"
+#include "window/DocumentTabs.h"
+#include "window/MainWindow.h"
+#include "window/OpenDocument.h"
+#include "window/ToolChoice.h"
+#include "window/ToolHost.h"
+#include "window/ToolPanel.h"
+#include "window/ViewActions.h"
+#include "window/ViewSettings.h"
+
+#include <QDockWidget>
+#include <QLabel>
+#include <QStackedWidget>
+
+namespace handwheel {
+
+void MainWindow::connectDocuments() {
+  connect(m_tabs, &DocumentTabs::added, this, [this](OpenDocument* opened) {
+    m_undo.addStack(opened->document.history());
+    m_documents->addDocument(&opened->document);
+    connect(&opened->document, &Document::fileChanged, this, [this] {
+      updateTitle();
+      updateFigures();
+      updateCard();
+    });
+  });
+  connect(m_tabs, &DocumentTabs::closing, this, [this](OpenDocument* closed) {
+    if (closed == m_shown) showDocument(nullptr);  // whoever points at it lets go
+    closed->ui.forget(closed);
+    m_undo.removeStack(closed->document.history());
+    m_documents->removeDocument(&closed->document);
+    closed->document.disconnect(this);
+  });
+  connect(m_tabs, &DocumentTabs::currentChanged, this, [this](OpenDocument* current) {
+    if (current != m_shown || !current) showDocument(current);
+  });
+}
+
+void MainWindow::connectDocumentsPanel() {
+  const auto openOf = [this](const Document* document) -> OpenDocument* {
+    for (const auto& each : m_tabs->all()) {
+      if (&each->document == document) return each.get();
+    }
+    return nullptr;
+  };
+  connect(m_documents, &DocumentsPanel::activated, this,
+          [this, openOf](Document* document) { m_tabs->setCurrent(openOf(document)); });
+  connect(m_documents, &DocumentsPanel::visibilityChanged, this, [this, openOf](Document* document, bool visible) {
+    OpenDocument* changed = openOf(document);
+    changed->visible = visible;
+    if (changed == m_tabs->current()) changed->ui.refreshVisibility();
+  });
+}
+
+void MainWindow::connectMessages() {
+  connect(&m_fileActions, &FileActions::message, m_messages, &MessageBar::showMessage);
+  connect(&m_autosave, &Autosave::message, m_messages, &MessageBar::showMessage);
+  connect(&m_tools->runner(), &ToolRunner::failed, this, [this](const QString& reason) {
+    m_messages->showMessage({Message::Weight::Error,
+                             tr("The tool failed and was put away"),
+                             reason,
+                             tr("The document is as it was before."),
+                             {},
+                             {}});
+  });
+  connect(m_card, &NextStepCard::dismissed, this, [this] {
+    m_tabs->current()->cardDismissed = true;
+    updateCard();
+  });
+  connect(m_card, &NextStepCard::covers, m_viewport, &Viewport::setCovered);
+}
+
+void MainWindow::connectTools() {
+  connect(m_tools, &ToolHost::updated, this, &MainWindow::updateHints);
+  connect(m_toolChoice, &ToolChoice::otherChosen, m_toolDock, &QWidget::raise);
+  connect(m_toolChoice, &ToolChoice::usualChosen, this, [this] {
+    if (!m_toolPanel->visibleRegion().isEmpty()) m_kindDock->raise();
+  });
+}
+
+void MainWindow::connectJobs() {
+  connect(&m_jobs, &JobRunner::started, m_jobBar, &JobBar::showJob);
+  connect(&m_jobs, &JobRunner::progressed, m_jobBar, &JobBar::setProgress);
+  connect(&m_jobs, &JobRunner::finished, m_jobBar, &JobBar::hideJob);
+  connect(m_jobBar, &JobBar::cancelRequested, &m_jobs, &JobRunner::cancel);
+}
+
+void MainWindow::connectStartPage() {
+  m_start->setSampleAvailable(StartPage::Sample::Scan, m_fileActions.openSample()->isEnabled());
+  m_start->setSampleAvailable(StartPage::Sample::Cell, m_fileActions.openRobotSample()->isEnabled());
+  m_start->setSampleAvailable(StartPage::Sample::Lathe, true);
+  connect(m_start, &StartPage::sampleChosen, this, [this](StartPage::Sample sample) {
+    switch (sample) {
+      case StartPage::Sample::Scan:
+        return m_fileActions.openSample()->trigger();
+      case StartPage::Sample::Lathe:
+        return m_fileActions.newWorkpiece()->trigger();
+      case StartPage::Sample::Cell:
+        return m_fileActions.openRobotSample()->trigger();
+    }
+  });
+  m_start->setPictures(Thumbnails::of);
+  const auto showRecent = [this] { m_start->setRecentFiles(m_recent.paths()); };
+  showRecent();
+  connect(&m_recent, &RecentFiles::changed, this, showRecent);
+  connect(&m_thumbnails, &Thumbnails::stored, this, showRecent);
+  connect(m_start, &StartPage::openRequested, m_fileActions.open(), &QAction::trigger);
+  connect(m_start, &StartPage::recentRequested, this, [this](const QString& path) { openPaths({path}); });
+  connect(m_start, &StartPage::clearRecentRequested, &m_recent, &RecentFiles::clear);
+}
+
+void MainWindow::showDocument(OpenDocument* document) {
+  KindUi* present = document ? &document->ui : nullptr;
+  keepPicture();
+  m_toolChoice->putAway();
+  m_shown = document;
+  m_tabs->setVisible(document != nullptr);
+  m_stack->setCurrentWidget(document ? static_cast<QWidget*>(m_viewport) : m_start);
+  m_undo.setActiveStack(document ? document->document.history() : nullptr);
+  m_documents->setCurrent(document ? &document->document : nullptr);
+  m_properties->setDocument(document ? &document->document : nullptr);
+  for (const auto& [id, each] : m_uis) {
+    if (each.get() != present) each->setDocument(nullptr);
+  }
+  if (present) present->setDocument(document);
+  m_kindPlace->show(present, present ? m_toolChoice->actions(*present) : QList<QAction*>());
+  m_toolChoice->takeUp(document);
+  m_viewSettings->followModel();
+  for (QAction* action : m_viewActions->views() + m_viewActions->shadings()) action->setEnabled(document != nullptr);
+  m_viewActions->fit()->setEnabled(document != nullptr);
+  if (document) m_viewport->setFocus();
+  updateTitle();
+  updateFigures();
+  updateHints();
+  updateCard();
+}
+
+// Of the document that goes out of view, for the start page; not when it has not been drawn whole.
+void MainWindow::keepPicture() {
+  if (!m_shown || !m_shown->visible || m_shown->document.file().path.empty() || !m_viewport->isPickingReady()) return;
+  const QImage picture = m_viewport->grabFramebuffer();
+  if (!picture.isNull()) m_thumbnails.store(m_shown->document.path(), picture);
+}
+
+void MainWindow::updateTitle() {
+  const OpenDocument* document = m_tabs->current();
+  setWindowTitle(document ? tr("%1[*] — Handwheel").arg(document->document.name()) : QStringLiteral("Handwheel"));
+  setWindowModified(document && document->document.isModified());
+}
+
+void MainWindow::updateFigures() {
+  const OpenDocument* document = m_tabs->current();
+  m_figures->setVisible(document != nullptr);
+  m_unit->setVisible(document != nullptr);
+  if (!document) return;
+  const LengthUnit unit = document->document.displayUnit();
+  const QString symbol = QString::fromLatin1(symbolOf(unit));
+  m_figures->setText(document->ui.figures());
+  m_unit->setText(symbol);
+  m_unit->setToolTip(tr("Lengths are shown in %1: the display unit of the document, among its properties").arg(symbol));
+  m_viewport->setDisplayUnit(unit);
+  m_viewSettings->setLengthUnit(unit);
+}
+
+void MainWindow::updateCard() {
+  const OpenDocument* document = m_tabs->current();
+  m_card->showStep(document && !document->cardDismissed ? document->ui.nextStep() : NextStep{});
+}
+
+void MainWindow::updateHints() {
+  m_hints->setHints(hints());
+}
+
+std::vector<Hint> MainWindow::hints() {
+  const auto keyOf = [](const QAction* action) { return action->shortcut().toString(QKeySequence::NativeText); };
+  KindUi* present = ui();
+  if (!present) return {{keyOf(m_fileActions.open()), tr("open a file")}, {tr("Drop"), tr("files anywhere")}};
+  std::vector<Hint> hints = present->hints();
+  for (const auto& [input, effect] : m_viewport->navigationHints()) hints.push_back({input, effect});
+  hints.push_back({keyOf(m_viewActions->fit()), tr("fit")});
+  return hints;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The menus and tool bars of the main window.
+#include "controls/CommandPalette.h"
+#include "theme/Icons.h"
+#include "window/HelpPages.h"
+#include "window/MainWindow.h"
+#include "window/ViewActions.h"
+
+#include <QDockWidget>
+#include <QMenuBar>
+#include <QToolBar>
+#include <QToolButton>
+
+namespace handwheel {
+
+namespace {
+
+constexpr QSize kToolIcon(20, 20);
+
+QToolBar* addBar(MainWindow& window, Qt::ToolBarArea area, const char* name, const QString& title) {
+  auto* bar = new QToolBar(title, &window);
+  bar->setObjectName(QString::fromLatin1(name));
+  bar->setMovable(false);
+  bar->setFloatable(false);
+  bar->setIconSize(kToolIcon);
+  bar->setContextMenuPolicy(Qt::PreventContextMenu);
+  window.addToolBar(area, bar);
+  return bar;
+}
+
+}  // namespace
+
+void MainWindow::buildMenus() {
+  m_showPanel.setObjectName(QStringLiteral("showPanel"));
+  m_showPanel.setToolTip(tr("Show the whole model and its panel"));
+  connect(&m_showPanel, &QAction::triggered, this, &MainWindow::showPanel);
+  m_quit.setObjectName(QStringLiteral("quit"));
+  m_quit.setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q));
+  m_quit.setMenuRole(QAction::QuitRole);
+  connect(&m_quit, &QAction::triggered, this, &QWidget::close);
+  QMenu* file = menuBar()->addMenu(tr("&File"));
+  file->addAction(m_fileActions.open());
+  file->addMenu(m_fileActions.recentMenu());
+  file->addActions({m_fileActions.newWorkpiece(), m_fileActions.openSample(), m_fileActions.openRobotSample()});
+  file->addSeparator();
+  file->addActions({m_fileActions.save(), m_fileActions.saveAs()});
+  file->addSeparator();
+  file->addActions({m_fileActions.closeTab(), &m_quit});
+
+  QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+  QAction* undo = m_undo.createUndoAction(this, tr("&Undo"));
+  QAction* redo = m_undo.createRedoAction(this, tr("&Redo"));
+  undo->setObjectName(QStringLiteral("undo"));
+  redo->setObjectName(QStringLiteral("redo"));
+  undo->setIcon(icon(QStringLiteral("undo")));
+  redo->setIcon(icon(QStringLiteral("redo")));
+  undo->setShortcut(QKeySequence::Undo);
+  redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
+  edit->addActions({undo, redo});
+  edit->addSeparator();
+  QAction* preferences = edit->addAction(tr("&Preferences…"), this, &MainWindow::showPreferences);
+  preferences->setObjectName(QStringLiteral("preferences"));
+  preferences->setMenuRole(QAction::PreferencesRole);
+
+  QMenu* view = menuBar()->addMenu(tr("&View"));
+  view->addAction(m_viewActions->fit());
+  view->addSeparator();
+  view->addActions(m_viewActions->views());
+  view->addSeparator();
+  view->addActions(m_viewActions->shadings());
+  view->addSeparator();
+  for (QDockWidget* dock : docks()) view->addAction(dock->toggleViewAction());
+  view->addSeparator();
+  view->addActions(m_fileActions.tabSteps());
+  view->addSeparator();
+  view->addAction(m_viewActions->darkTheme());
+
+  m_kindMenu = menuBar()->addMenu(QString());
+  m_kindMenu->setObjectName(QStringLiteral("kindMenu"));
+
+  QMenu* help = menuBar()->addMenu(tr("&Help"));
+  m_palette = new CommandPalette(this);
+  help->addAction(m_palette->action());
+  QAction* keys =
+      help->addAction(tr("&Keys and mouse"), QKeySequence(Qt::Key_F1), this, [this] { showKeys(*this, hints()); });
+  keys->setObjectName(QStringLiteral("showKeys"));
+  QAction* about = help->addAction(tr("&About Handwheel"), this, [this] { showAbout(*this); });
+  about->setObjectName(QStringLiteral("about"));
+}
+
+void MainWindow::buildToolBars() {
+  QToolBar* quick = addBar(*this, Qt::TopToolBarArea, "quickActions", tr("Quick actions"));
+  quick->addActions({m_fileActions.open(), m_fileActions.save()});
+  quick->addSeparator();
+  quick->addActions({findChild<QAction*>(QStringLiteral("undo")), findChild<QAction*>(QStringLiteral("redo"))});
+  quick->addSeparator();
+  quick->addActions(m_viewActions->shadings());
+  quick->addSeparator();
+  quick->addAction(m_viewActions->fit());
+  quick->addActions(m_viewActions->views().mid(0, 2) +
+                    QList<QAction*>{m_viewActions->views().at(3), m_viewActions->views().at(5)});
+  quick->addAction(m_viewActions->darkTheme());
+  nameButtons(*quick);
+  m_kindBar = addBar(*this, Qt::TopToolBarArea, "kindActions", tr("Actions of the document"));
+
+  QToolBar* strip = addBar(*this, Qt::LeftToolBarArea, "panelStrip", tr("Panels"));
+  for (QDockWidget* dock : docks()) strip->addAction(dock->toggleViewAction());
+  nameButtons(*strip);
+}
+
+// At the end of the menu bar, where it takes no room from the view.
+void MainWindow::addSearch() {
+  auto* search = new QToolButton(this);
+  search->setObjectName(QStringLiteral("searchButton"));
+  search->setDefaultAction(m_palette->action());
+  search->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  search->setIconSize({16, 16});
+  search->setAccessibleName(tr("Search commands"));
+  menuBar()->setCornerWidget(search);
+}
+
+}  // namespace handwheel

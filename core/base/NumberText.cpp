@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/NumberText.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+
+namespace handwheel {
+
+namespace {
+
+bool isDigit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+// Whether a well-formed number that is not within the range of double is too large rather than too small: the sign of
+// the exponent of its first digit other than zero.
+bool isHuge(std::string_view word) {
+  const std::size_t e = std::min(word.find_first_of("eE"), word.size());
+  const std::string_view mantissa = word.substr(0, e);
+  const std::size_t point = std::min(mantissa.find('.'), mantissa.size());
+  const std::size_t first = mantissa.find_first_of("123456789");
+  if (first == std::string_view::npos) return false;
+  const auto power = static_cast<std::int64_t>(point) - static_cast<std::int64_t>(first);
+  std::string_view digits = word.substr(std::min(e + 1, word.size()));
+  const bool negative = !digits.empty() && digits[0] == '-';
+  if (!digits.empty() && !isDigit(digits[0])) digits.remove_prefix(1);
+  std::int64_t exponent = 0;
+  for (char c : digits) exponent = std::min<std::int64_t>(exponent * 10 + (c - '0'), std::int64_t{1} << 40);
+  return power + (negative ? -exponent : exponent) > 0;
+}
+
+}  // namespace
+
+bool parseDecimal(std::string_view word, double& value, ErrorCode& why) {
+  const std::string_view digits = withoutPlus(word);
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error == std::errc::invalid_argument || end != digits.data() + digits.size()) {
+    why = ErrorCode::NumberMalformed;
+    return false;
+  }
+  if (error != std::errc::result_out_of_range) return true;
+  value = 0.0;
+  why = ErrorCode::NumberNotFinite;
+  return !isHuge(digits);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/NewerFile.h"
+
+#include "document/Container.h"
+#include "document/FileBytes.h"
+#include "document/container/ContainerLayout.h"
+#include "document/container/JsonText.h"
+#include "document/container/ZipReader.h"
+
+#include <nlohmann/json.hpp>
+
+namespace handwheel {
+
+namespace {
+
+constexpr std::size_t kHead = 64 << 10;  // bytes; enough to know a container
+
+// What the manifest, or its copy, says; 0 where it says nothing.
+std::uint64_t versionIn(std::string_view bytes) {
+  ZipReader zip(bytes, layout::kLimits, {});
+  for (const std::string& name : {layout::kManifest, layout::kManifestCopy}) {
+    const Result<std::string> text = zip.read(name);
+    if (!text || text->size() > layout::kLargestManifest) continue;
+    const Result<nlohmann::json> manifest = parseJson(*text, name);
+    static const nlohmann::json::json_pointer kFormat("/handwheel/format");
+    if (!manifest || !manifest->contains(kFormat)) continue;
+    const nlohmann::json& format = (*manifest)[kFormat];
+    return format.is_number_unsigned() ? format.get<std::uint64_t>() : 0;
+  }
+  return 0;
+}
+
+}  // namespace
+
+Status mayReplace(const std::filesystem::path& path) {
+  return layout::withinMemory([&]() -> Status {
+    const Result<std::string> head = readFileHead(path, kHead);
+    if (!head || !looksLikeContainer(*head)) return Done{};
+    const Result<std::string> bytes = readFileBytes(path);
+    const std::uint64_t version = bytes ? versionIn(*bytes) : 0;
+    if (version <= kContainerVersion) return Done{};
+    return Error{
+        ErrorCode::VersionNewer, {std::to_string(version), std::to_string(kContainerVersion)}, {}, path.string()};
+  });
+}
+
+}  // namespace handwheel

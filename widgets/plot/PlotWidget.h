@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "plot/Plot.h"
+#include "plot/PlotLayout.h"
+
+#include <QWidget>
+#include <optional>
+
+namespace handwheel {
+
+// A plot with a read-out: the point nearest to the cursor is marked and its values are shown. The arrow keys walk along
+// the points, up and down from series to series; Escape takes the read-out away.
+class PlotWidget : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PlotWidget(QWidget* parent = nullptr);
+
+  void setPlot(Plot plot);
+  const Plot& plot() const { return m_plot; }
+
+  // What is read out, as it is shown: "sphere: 10 ms, 0.05 mm"; empty when nothing is.
+  QString reading() const;
+
+  QSize sizeHint() const override;
+
+ signals:
+  void readingChanged(const QString& reading);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  PlotLayout layoutNow() const;
+  void read(std::optional<PlotLayout::Reading> reading);
+  // The next point that can be shown, from this one on.
+  std::optional<PlotLayout::Reading> neighbour(PlotLayout::Reading from, int alongSeries, int alongPoints) const;
+
+  Plot m_plot;
+  std::optional<PlotLayout::Reading> m_reading;
+};
+
+}  // namespace handwheel
