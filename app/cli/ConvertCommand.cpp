@@ -65,7 +65,7 @@ Result<Conversion> convert(const std::filesystem::path& input, const std::filesy
   }
   const Result<OpenedFile> opened = kinds.open(input, options, reading);
   if (!opened) return opened.error();
-  const std::string refusal = refusalToReplace(opened->file, output);
+  const std::string refusal = refusalToReplace(output, opened->file);
   if (!refusal.empty()) return Conversion{opened->file, {}, refusal};
   Result<Conversion> done = convertDocument(*opened, output, writing);
   if (!done || opened->file.isContainer || opened->kind->id() != kMeshKind) return done;

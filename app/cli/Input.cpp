@@ -4,6 +4,7 @@
 
 #include "cli/Messages.h"
 #include "cli/Wording.h"
+#include "document/NewerFile.h"
 #include "document/mesh/MeshKind.h"
 
 namespace handwheel {
@@ -59,7 +60,7 @@ MeshReport reportOn(const Input& mesh, SelfIntersections choice, Progress progre
 }
 
 void tellLosses(const DocumentFile& file) {
-  if (file.isNewer) complain(file.path + ": written by a newer version of Handwheel; read as far as it is understood.");
+  if (file.isNewer) complain("A newer version of Handwheel wrote the file; it is read as far as it is understood.");
   for (const std::string& note : damageSentences(file)) complain(note);
   if (!file.lost.empty()) complain("Not kept: " + listOf(file.lost) + ".");
 }
@@ -72,13 +73,13 @@ bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b) 
   return whole(a) == whole(b);
 }
 
-std::string refusalToReplace(const DocumentFile& input, const std::filesystem::path& output) {
-  if (!input.isContainer || !isSameFile(input.path, output)) return {};
-  if (input.isNewer)
-    return output.string() + " was written by a newer version of Handwheel and is not replaced; write to another file.";
-  if (!input.damage.empty())
-    return output.string() + " is damaged and is not replaced, so that no more of it is lost; write to another file.";
-  return {};
+std::string refusalToReplace(const std::filesystem::path& output, const DocumentFile& input) {
+  if (!isContainerName(output)) return {};
+  if (!mayReplace(output)) {
+    return output.string() + " was written by a newer version of Handwheel and is not replaced. Write to another file.";
+  }
+  if (!input.isContainer || input.damage.empty() || !isSameFile(input.path, output)) return {};
+  return output.string() + " is damaged and is not replaced, so that no more of it is lost. Write to another file.";
 }
 
 }  // namespace handwheel

@@ -43,7 +43,8 @@ void tellLosses(const DocumentFile& file);
 // By their place: a link and what it leads to are the same. They need not exist.
 bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b);
 
-// Why the file that was read must not be written over; empty when output is another one, or nothing would be lost.
-std::string refusalToReplace(const DocumentFile& input, const std::filesystem::path& output);
+// Why a document must not be written there, as a sentence: a newer program wrote what stands there, or it is the very
+// file that was read, and damaged. Empty when it may.
+std::string refusalToReplace(const std::filesystem::path& output, const DocumentFile& input);
 
 }  // namespace handwheel

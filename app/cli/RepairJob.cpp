@@ -139,7 +139,7 @@ Result<RepairRun> repairFile(const RepairRequest& request, const DocumentKinds& 
 
   RepairRun run;
   run.file = input->opened.file;
-  run.refusal = refusalToReplace(run.file, request.output);
+  run.refusal = refusalToReplace(request.output, run.file);
   if (!run.refusal.empty()) return run;
   if (request.countSelfIntersections) {
     run.before = reportOn(*input, SelfIntersections::Count, progress.part(0.1, 0.2));

@@ -33,6 +33,7 @@ std::string assign(Document& document, const std::string& word) {
 
 // Changes and writes. The document is made anew on this thread; saving may be interrupted.
 int assignAndSave(OpenedFile opened, std::span<const std::string> words, const std::string& output) {
+  if (const std::string refusal = refusalToReplace(output, opened.file); !refusal.empty()) return refuse(refusal);
   const DocumentKind& kind = *opened.kind;
   const std::unique_ptr<Document> document = kind.make(std::move(opened));
   for (const std::string& word : words) {
@@ -80,8 +81,6 @@ int runSet(const Arguments& arguments, const DocumentKinds& kinds) {
   runInterruptible("Reading", [&](Job& job) { opened = kinds.open(arguments.operands[0], {}, job.progress()); });
   if (!*opened) return fail(opened->error());
   tellLosses(opened->value().file);
-  const std::string refusal = refusalToReplace(opened->value().file, arguments.valueOf("output"));
-  if (!refusal.empty()) return refuse(refusal);
   return assignAndSave(std::move(opened->value()), std::span(arguments.operands).subspan(1),
                        arguments.valueOf("output"));
 }

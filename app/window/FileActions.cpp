@@ -68,8 +68,8 @@ FileActions::FileActions(QWidget* window, const DocumentKinds& kinds, const Kind
   m_save.setShortcut(QKeySequence::Save);
   m_saveAs.setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));
   m_close.setShortcut(QKeySequence(Qt::CTRL | Qt::Key_W));
-  m_nextTab.setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Tab));
-  m_previousTab.setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Backtab));
+  m_nextTab.setShortcut(QKeySequence(Qt::CTRL | Qt::Key_PageDown));
+  m_previousTab.setShortcut(QKeySequence(Qt::CTRL | Qt::Key_PageUp));
   prepare(m_open, "openFile", "open", tr("Open files"));
   prepare(m_openSample, "openSample", "repair", tr("Open the sample scan"));
   prepare(m_save, "saveFile", "save", tr("Save this document"));

@@ -55,24 +55,34 @@ std::vector<Section> sectionsOf(const QMenuBar& menus, const std::vector<Hint>& 
   return all;
 }
 
-// Two columns of about the same height.
-QString tableOf(const std::vector<Section>& sections) {
-  std::size_t lines = 0, above = 0;
-  for (const Section& section : sections) lines += section.lines.size() + 1;
-  QString html = QStringLiteral("<table><tr><td><table cellpadding='3'>");
-  for (const Section& section : sections) {
-    if (above > 0 && above < lines && 2 * above >= lines) {
-      html += QStringLiteral("</table></td><td width='32'></td><td><table cellpadding='3'>");
-      above = lines;  // the rest stays in the second column
-    }
-    html += QStringLiteral("<tr><td colspan='2'><b>%1</b></td></tr>").arg(section.title.toHtmlEscaped());
-    for (const auto& [key, effect] : section.lines) {
+// The section with which a second column begins, so that the two are about as high.
+std::size_t middleOf(const std::vector<Section>& sections) {
+  const auto height = [&sections](std::size_t from, std::size_t to) {
+    std::size_t lines = 0;
+    for (std::size_t i = from; i < to; ++i) lines += sections[i].lines.size() + 1;
+    return lines;
+  };
+  std::size_t middle = 0;
+  while (middle < sections.size() && height(0, middle + 1) <= height(middle, sections.size())) ++middle;
+  return middle;
+}
+
+QString columnOf(const std::vector<Section>& sections, std::size_t from, std::size_t to) {
+  QString html = QStringLiteral("<td><table cellpadding='3'>");
+  for (std::size_t i = from; i < to; ++i) {
+    html += QStringLiteral("<tr><td colspan='2'><b>%1</b></td></tr>").arg(sections[i].title.toHtmlEscaped());
+    for (const auto& [key, effect] : sections[i].lines) {
       html += QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td>%2</td></tr>")
                   .arg(key.toHtmlEscaped(), effect.toHtmlEscaped());
     }
-    above += section.lines.size() + 1;
   }
-  return html + QStringLiteral("</table></td></tr></table>");
+  return html + QStringLiteral("</table></td>");
+}
+
+QString tableOf(const std::vector<Section>& sections) {
+  const std::size_t middle = middleOf(sections);
+  return QStringLiteral("<table><tr>") + columnOf(sections, 0, middle) + QStringLiteral("<td width='32'></td>") +
+         columnOf(sections, middle, sections.size()) + QStringLiteral("</tr></table>");
 }
 
 void showPage(QWidget& parent, const char* name, const QString& title, const QString& html, bool withSign) {

@@ -85,7 +85,8 @@ class DocumentsTest : public QObject {
     const auto position = cell["document"]["tool"]["position"].get<std::vector<double>>();
     QVERIFY(std::abs(position[0] - 300.0 * std::cos(std::numbers::pi / 6.0)) < 1e-9);
     QVERIFY(std::abs(position[2] - (200.0 + 150.0)) < 1e-9);
-    QCOMPARE(bench.run({"set", "arm.handwheel", "joint.lift=120deg", "-o", "x.handwheel"}).code, 1);  // beyond its limit
+    QCOMPARE(bench.run({"set", "arm.handwheel", "joint.lift=120deg", "-o", "x.handwheel"}).code,
+             1);  // beyond its limit
     const Ran repair = bench.run({"repair", "arm.handwheel", "-o", "x.stl"});
     QCOMPARE(repair.code, 1);
     QVERIFY(repair.err.contains("not supported"));

@@ -13,7 +13,9 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::uint64_t kMostLost = 64;  // elements lost for each that is there, before the array is given up
+// Elements lost for each that is there, before the array is given up; a chunk that is there, however short, stands for
+// a whole one.
+constexpr std::uint64_t kMostLost = 64;
 
 std::string chunkName(const std::string& name, std::uint64_t chunk) {
   std::string digits = std::to_string(chunk);
@@ -95,7 +97,7 @@ ReadArray<T> readArray(const Container& container, const std::string& name, std:
   count = std::min<std::uint64_t>(count, kLargestContainer);  // no more elements than bytes
   std::vector<Chunk> chunks = soundChunks(container, name, count, numbers * sizeof(T));
   std::uint64_t present = 0;
-  for (const Chunk& chunk : chunks) present += chunk.end - chunk.begin;
+  for (const Chunk& chunk : chunks) present += std::max<std::uint64_t>(chunk.end - chunk.begin, kChunkElements);
   if (!chunks.empty() && chunks.back().end > kMostLost * present) chunks.clear();
 
   ReadArray<T> read;
