@@ -154,6 +154,7 @@ class MainWindowTest : public QObject {
     QVERIFY(driver.open(fileWithHoles("clip.stl")));
     const auto check = [&driver](const char* property) {
       driver.find<QWidget>(property)->findChild<QAbstractButton*>()->click();
+      QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // rows that took another form
     };
     driver.find<QDockWidget>("viewDock")->raise();
     check("property/clip");

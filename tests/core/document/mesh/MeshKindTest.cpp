@@ -116,6 +116,79 @@ class MeshKindTest : public QObject {
     QCOMPARE(QString::fromStdString(validate(meshOf(*back).mesh.mesh)), QString());
   }
 
+  // A file may turn very many faces: they are no part of the manifest, whose size is bounded.
+  void turnedFacesComeBack() {
+    TriangleSoup soup = grid(4);
+    for (std::size_t f = 0; f < 8; ++f) std::swap(soup.triangles[f][1], soup.triangles[f][2]);
+    const auto document = test::meshDocument(soup);
+    QCOMPARE(document->turnedFaces().size(), std::size_t(8));
+    std::vector<Error> damage;
+    const auto back = reloaded(*document, damage);
+    QVERIFY(back.hasValue());
+    QCOMPARE(meshOf(*back).build->turnedFaces, document->turnedFaces());
+    Container container;
+    kKind.save(*document->snapshot(), container);
+    QVERIFY((*container.manifest)["document"]["turned_faces"] == 8);
+  }
+
+  // What is lost of a mesh that cannot be taken as it is, is said.
+  void aMeshThatContradictsItselfIsJoinedAnew() {
+    const auto document = test::meshDocument(grid(3));
+    document->setKeptOpen(document->defects().loops[0], true);
+    Container container;
+    kKind.save(*document->snapshot(), container);
+    std::string& faces = container.blobs.at("mesh/faces/0000");
+    std::swap_ranges(faces.begin() + 12, faces.begin() + 16, faces.begin() + 24 + 12);  // opposites of two faces
+    std::vector<Error> damage;
+    const auto back = kKind.load(container, damage, {});
+    QVERIFY(back.hasValue());
+    QVERIFY(sameSlots(meshOf(*back).mesh.mesh, document->mesh()));
+    QVERIFY(meshOf(*back).keptOpen.empty());
+    QCOMPARE(damage.size(), std::size_t(2));
+    QCOMPARE(damage[0].arguments[0], std::string("mesh"));
+    QCOMPARE(damage[1].arguments[0], std::string("kept_open"));
+  }
+
+  // A position that is no number differs from itself: every edit would seem to change it.
+  void aVertexThatIsNoNumberIsDropped() {
+    const auto document = test::meshDocument(grid(2));
+    HalfEdgeMesh mesh = document->mesh();
+    mesh.addVertex(Vec3(std::nan(""), 0, 0));
+    MeshSnapshot odd = static_cast<const MeshSnapshot&>(*document->snapshot());
+    odd.mesh.mesh = mesh;
+    Container container;
+    kKind.save(odd, container);
+    std::vector<Error> damage;
+    const auto back = kKind.load(container, damage, {});
+    QVERIFY(back.hasValue());
+    QVERIFY(sameSlots(meshOf(*back).mesh.mesh, document->mesh()));
+    QCOMPARE(damage.size(), std::size_t(1));
+  }
+
+  void cancelledWorkSaysSo() {
+    const auto document = test::meshDocument(grid(3));
+    Container container;
+    kKind.save(*document->snapshot(), container);
+    JobState state;
+    state.cancelled = true;
+    std::vector<Error> damage;
+    const auto back = kKind.load(container, damage, Progress(state));
+    QVERIFY(!back.hasValue());
+    QCOMPARE(back.error().code, ErrorCode::Cancelled);
+    const QTemporaryDir folder;
+    for (const char* name : {"a.handwheel", "a.stl", "a.3mf"}) {
+      const auto path = folder.filePath(name).toStdString();
+      const auto saved = saveDocument(kKind, document->file(), *document->snapshot(), path, Progress(state));
+      QVERIFY(!saved.hasValue());
+      QCOMPARE(saved.error().code, ErrorCode::Cancelled);
+      QVERIFY(!QFile::exists(folder.filePath(name)));
+      QVERIFY(saveDocument(kKind, document->file(), *document->snapshot(), path).hasValue());
+      const auto opened = kinds().open(path, {}, Progress(state));
+      QVERIFY(!opened.hasValue());
+      QCOMPARE(opened.error().code, ErrorCode::Cancelled);
+    }
+  }
+
   // A file that contradicts itself is rebuilt from its triangles or refused, and never believed.
   void hostileNumbersAreNotBelieved() {
     const auto document = test::meshDocument(grid(4));

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/NewerFile.h"
+
+#include "document/AtomicFile.h"
+#include "document/FileBytes.h"
+#include "document/container/ZipWriter.h"
+#include "document/workpiece/WorkpieceKind.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace handwheel;
+
+namespace {
+
+// An archive as a program of that version would write it.
+std::string containerOf(const std::string& format) {
+  const std::string manifest = R"({"handwheel": {"format": )" + format + R"(}, "kind": "workpiece", "document": {}})";
+  const std::vector<ZipEntry> entries{{"manifest.json", manifest}, {"manifest.copy.json", manifest}};
+  return *writeZip(entries, Compression::Fast);
+}
+
+}  // namespace
+
+class NewerFileTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void mayReplace_data() {
+    QTest::addColumn<QByteArray>("there");
+    QTest::addColumn<bool>("may");
+    const auto row = [](const char* name, const std::string& there, bool may) {
+      QTest::newRow(name) << QByteArray::fromStdString(there) << may;
+    };
+    row("nothing in it", "", true);
+    row("no container", "solid", true);
+    row("this version", containerOf("1"), true);
+    row("the next", containerOf("2"), false);
+    row("a far one", containerOf("18446744073709551615"), false);
+    row("no number", containerOf("\"two\""), true);
+    row("no version", containerOf("null"), true);
+    row("cut short", containerOf("2").substr(0, 30), true);
+    std::string damaged = containerOf("2");
+    damaged[40] ^= 0x55;  // within the first manifest; the copy still tells
+    row("damaged", damaged, false);
+  }
+  void mayReplace() {
+    QFETCH(QByteArray, there);
+    QFETCH(bool, may);
+    const QTemporaryDir folder;
+    const std::filesystem::path path = folder.filePath("x.handwheel").toStdString();
+    QVERIFY(writeFileAtomically(path, there.toStdString()).hasValue());
+    const Status status = handwheel::mayReplace(path);
+    QCOMPARE(status.hasValue(), may);
+    if (!may) QCOMPARE(status.error().code, ErrorCode::VersionNewer);
+    if (!may) QCOMPARE(status.error().subject, path.string());
+  }
+
+  void whereNothingIs() {
+    const QTemporaryDir folder;
+    QVERIFY(handwheel::mayReplace(folder.filePath("x.handwheel").toStdString()).hasValue());
+    QVERIFY(handwheel::mayReplace(folder.path().toStdString()).hasValue());
+    QVERIFY(handwheel::mayReplace("/dev/zero").hasValue());
+  }
+
+  // Nor by a save, whatever the document came from.
+  void savingLeavesItAlone() {
+    const QTemporaryDir folder;
+    const std::filesystem::path path = folder.filePath("x.handwheel").toStdString();
+    const std::string newer = containerOf("2");
+    QVERIFY(writeFileAtomically(path, newer).hasValue());
+    const WorkpieceKind kind;
+    const OpenedFile blank = DocumentKinds::blank(kind);
+    const auto saved = saveDocument(kind, blank.file, *blank.content, path);
+    QVERIFY(!saved.hasValue());
+    QCOMPARE(saved.error().code, ErrorCode::VersionNewer);
+    QCOMPARE(*readFileBytes(path), newer);
+  }
+};
+
+QTEST_APPLESS_MAIN(NewerFileTest)
+#include "NewerFileTest.moc"
