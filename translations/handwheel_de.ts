@@ -781,158 +781,45 @@
     </message>
 </context>
 <context>
+    <name>FileFilters</name>
+    <message>
+        <source>All that Handwheel opens</source>
+        <translation>Alles, was Handwheel öffnet</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>Alle Dateien</translation>
+    </message>
+    <message>
+        <source>Handwheel documents</source>
+        <translation>Handwheel-Dokumente</translation>
+    </message>
+    <message>
+        <source>All formats</source>
+        <translation>Alle Formate</translation>
+    </message>
+</context>
+<context>
     <name>HelpPages</name>
-    <message>
-        <source>Click</source>
-        <translation>Klick</translation>
-    </message>
-    <message>
-        <source>select a hole</source>
-        <translation>Loch auswählen</translation>
-    </message>
-    <message>
-        <source>Double-click</source>
-        <translation>Doppelklick</translation>
-    </message>
-    <message>
-        <source>go to a hole</source>
-        <translation>zu einem Loch gehen</translation>
-    </message>
-    <message>
-        <source>Middle drag</source>
-        <translation>Mittlere Taste ziehen</translation>
-    </message>
-    <message>
-        <source>orbit</source>
-        <translation>drehen</translation>
-    </message>
-    <message>
-        <source>Shift+middle drag</source>
-        <translation>Umschalt+mittlere Taste ziehen</translation>
-    </message>
-    <message>
-        <source>pan</source>
-        <translation>verschieben</translation>
-    </message>
-    <message>
-        <source>Wheel</source>
-        <translation>Rad</translation>
-    </message>
-    <message>
-        <source>zoom to the cursor</source>
-        <translation>zum Mauszeiger zoomen</translation>
-    </message>
-    <message>
-        <source>N or Space</source>
-        <translation>N oder Leertaste</translation>
-    </message>
-    <message>
-        <source>next hole</source>
-        <translation>nächstes Loch</translation>
-    </message>
-    <message>
-        <source>Shift+N</source>
-        <translation>Umschalt+N</translation>
-    </message>
-    <message>
-        <source>previous hole</source>
-        <translation>voriges Loch</translation>
-    </message>
-    <message>
-        <source>Enter</source>
-        <translation>Eingabe</translation>
-    </message>
-    <message>
-        <source>fill the selected hole</source>
-        <translation>ausgewähltes Loch füllen</translation>
-    </message>
-    <message>
-        <source>K</source>
-        <translation>K</translation>
-    </message>
-    <message>
-        <source>keep the selected hole open</source>
-        <translation>ausgewähltes Loch offen lassen</translation>
-    </message>
-    <message>
-        <source>P</source>
-        <translation>P</translation>
-    </message>
-    <message>
-        <source>preview on or off</source>
-        <translation>Vorschau ein oder aus</translation>
-    </message>
-    <message>
-        <source>Esc</source>
-        <translation>Esc</translation>
-    </message>
-    <message>
-        <source>clear selection and preview</source>
-        <translation>Auswahl und Vorschau aufheben</translation>
-    </message>
-    <message>
-        <source>Ctrl+R</source>
-        <translation>Strg+R</translation>
-    </message>
-    <message>
-        <source>repair all</source>
-        <translation>alles reparieren</translation>
-    </message>
-    <message>
-        <source>F</source>
-        <translation>F</translation>
-    </message>
-    <message>
-        <source>show the whole model</source>
-        <translation>ganzes Modell zeigen</translation>
-    </message>
-    <message>
-        <source>1 to 7</source>
-        <translation>1 bis 7</translation>
-    </message>
-    <message>
-        <source>front, back, right, left, top, bottom, isometric</source>
-        <translation>vorne, hinten, rechts, links, oben, unten, isometrisch</translation>
-    </message>
-    <message>
-        <source>Ctrl+O, Ctrl+S, Ctrl+Shift+S</source>
-        <translation>Strg+O, Strg+S, Strg+Umschalt+S</translation>
-    </message>
-    <message>
-        <source>open, save, save as</source>
-        <translation>öffnen, speichern, speichern unter</translation>
-    </message>
-    <message>
-        <source>Ctrl+Z, Ctrl+Shift+Z</source>
-        <translation>Strg+Z, Strg+Umschalt+Z</translation>
-    </message>
-    <message>
-        <source>undo, redo</source>
-        <translation>rückgängig machen, wiederholen</translation>
-    </message>
-    <message>
-        <source>Ctrl+W, Ctrl+Q</source>
-        <translation>Strg+W, Strg+Q</translation>
-    </message>
-    <message>
-        <source>close the document, quit</source>
-        <translation>Dokument schließen, beenden</translation>
-    </message>
     <message>
         <source>Keys and mouse</source>
         <translation>Tasten und Maus</translation>
     </message>
     <message>
-        <source>Repairs scanned meshes: finds their defects, fills their holes.</source>
-        <translation>Repariert gescannte Netze: findet ihre Fehler, füllt ihre Löcher.</translation>
-    </message>
-    <message>
-        <source>Free software under the GNU General Public Licence, version 3 or later.&lt;br&gt;Built with Qt, VTK, CGAL and Eigen.</source>
-        <translation>Freie Software unter der GNU General Public License, Version 3 oder neuer.&lt;br&gt;Gebaut mit Qt, VTK, CGAL und Eigen.</translation>
-    </message>
-    <message>
         <source>About Handwheel</source>
         <translation>Über Handwheel</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>Repairs scanned meshes, prepares workpieces and robot cells.</source>
+        <translation>Repariert gescannte Netze, bereitet Werkstücke und Roboterzellen vor.</translation>
+    </message>
+    <message>
+        <source>Free software under the GNU General Public Licence, version 3 or later.&lt;br&gt;Built with Qt, VTK, CGAL, Open CASCADE, Eigen, libzip and expat.</source>
+        <translation>Freie Software unter der GNU General Public License, Version 3 oder später.&lt;br&gt;Gebaut mit Qt, VTK, CGAL, Open CASCADE, Eigen, libzip und expat.</translation>
     </message>
 </context>
 <context>
@@ -944,6 +831,17 @@
     <message>
         <source>Move %1</source>
         <translation>%1 bewegen</translation>
+    </message>
+</context>
+<context>
+    <name>KindPlace</name>
+    <message>
+        <source>No document is open.</source>
+        <translation>Es ist kein Dokument geöffnet.</translation>
+    </message>
+    <message>
+        <source>Document</source>
+        <translation>Dokument</translation>
     </message>
 </context>
 <context>
@@ -1402,6 +1300,38 @@
         <source>Surface (mm²)</source>
         <translation>Oberfläche (mm²)</translation>
     </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Speed against accuracy</source>
+        <translation>Tempo gegen Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Voreinstellung</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <source>Balanced</source>
+        <translation>Ausgewogen</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Genau</translation>
+    </message>
+    <message>
+        <source>Own values</source>
+        <translation>Eigene Werte</translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -1565,10 +1495,6 @@
             <numerusform>%n Berührpunkt getrennt</numerusform>
             <numerusform>%n Berührpunkte getrennt</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
     </message>
 </context>
 <context>
@@ -1789,6 +1715,10 @@
         <source>Recover</source>
         <translation>Wiederherstellen</translation>
     </message>
+    <message>
+        <source>%1 (its file was saved since)</source>
+        <translation>%1 (die Datei wurde seither gespeichert)</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::CellUi</name>
@@ -1812,8 +1742,16 @@
         <translation>&amp;Zelle</translation>
     </message>
     <message>
-        <source>&amp;Move by hand</source>
-        <translation>Von Hand &amp;bewegen</translation>
+        <source>Move &amp;joints by hand</source>
+        <translation>&amp;Gelenke von Hand bewegen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Robot %1: %Ln joint(s) that move.</source>
+        <translation><numerusform>Roboter %1: %Ln bewegliches Gelenk.</numerusform><numerusform>Roboter %1: %Ln bewegliche Gelenke.</numerusform></translation>
+    </message>
+    <message>
+        <source>Drag a link with the mouse, or with Shift the whole arm. The list of joints takes angles.</source>
+        <translation>Ziehen Sie ein Glied mit der Maus, mit Umschalt den ganzen Arm. Die Liste der Gelenke nimmt Winkel an.</translation>
     </message>
 </context>
 <context>
@@ -2060,19 +1998,18 @@
     </message>
 </context>
 <context>
+    <name>handwheel::FidelityPanel</name>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::FileActions</name>
-    <message>
-        <source>All that Handwheel opens (%1)</source>
-        <translation>Alles, was Handwheel öffnet (%1)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Handwheel documents (%1)</source>
-        <translation>Handwheel-Dokumente (%1)</translation>
-    </message>
     <message>
         <source>&amp;Open…</source>
         <translation>Ö&amp;ffnen…</translation>
@@ -2126,10 +2063,6 @@
         <translation>Speichern in:</translation>
     </message>
     <message>
-        <source>All formats (%1)</source>
-        <translation>Alle Formate (%1)</translation>
-    </message>
-    <message>
         <source>&amp;New workpiece</source>
         <translation>&amp;Neues Werkstück</translation>
     </message>
@@ -2148,6 +2081,26 @@
     <message>
         <source>Open the sample robot arm</source>
         <translation>Beispiel-Roboterarm öffnen</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt document</source>
+        <translation>N&amp;ächstes Dokument</translation>
+    </message>
+    <message>
+        <source>&amp;Previous document</source>
+        <translation>&amp;Voriges Dokument</translation>
+    </message>
+    <message>
+        <source>Go to the next open document</source>
+        <translation>Zum nächsten offenen Dokument</translation>
+    </message>
+    <message>
+        <source>Go to the previous open document</source>
+        <translation>Zum vorigen offenen Dokument</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Speichern unter…</translation>
     </message>
 </context>
 <context>
@@ -2204,6 +2157,10 @@
         <source>“Save” will ask for a new name, so the original stays as it is.</source>
         <translation>„Speichern“ fragt nach einem neuen Namen, damit das Original bleibt, wie es ist.</translation>
     </message>
+    <message>
+        <source>Recovering</source>
+        <translation>Wiederherstellen</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::FileSaver</name>
@@ -2226,6 +2183,18 @@
     <message>
         <source>%1 could not be saved</source>
         <translation>%1 konnte nicht gespeichert werden</translation>
+    </message>
+    <message>
+        <source>%1 was written</source>
+        <translation>%1 wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>It holds the shape, but not all of the document, which is not saved yet.</source>
+        <translation>Die Datei enthält die Form, aber nicht das ganze Dokument; das ist noch nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Save the document as *%1 to go on with it another day.</source>
+        <translation>Speichern Sie das Dokument als *%1, um später daran weiterzuarbeiten.</translation>
     </message>
 </context>
 <context>
@@ -2362,10 +2331,6 @@
         <translation>einpassen</translation>
     </message>
     <message>
-        <source>Ctrl+O</source>
-        <translation>Strg+O</translation>
-    </message>
-    <message>
         <source>open a file</source>
         <translation>Datei öffnen</translation>
     </message>
@@ -2408,14 +2373,6 @@
     <message>
         <source>Log</source>
         <translation>Protokoll</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
-    </message>
-    <message>
-        <source>Lengths are in millimetres, as in the file</source>
-        <translation>Längen in Millimetern, wie in der Datei</translation>
     </message>
     <message>
         <source>&amp;File</source>
@@ -2496,6 +2453,18 @@
     <message>
         <source>Tool</source>
         <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>Lengths are shown in %1: the display unit of the document, among its properties</source>
+        <translation>Längen werden in %1 angezeigt: der Anzeigeeinheit des Dokuments, unter seinen Eigenschaften</translation>
+    </message>
+    <message>
+        <source>Search commands</source>
+        <translation>Befehle suchen</translation>
+    </message>
+    <message>
+        <source>Fidelity</source>
+        <translation>Genauigkeit</translation>
     </message>
 </context>
 <context>
@@ -2582,6 +2551,20 @@
     <message>
         <source>Must be at most %1.</source>
         <translation>Darf höchstens %1 sein.</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::PartsUi</name>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::PlotWidget</name>
+    <message>
+        <source>%1: %2, %3</source>
+        <translation>%1: %2, %3</translation>
     </message>
 </context>
 <context>
@@ -3119,10 +3102,6 @@
         <translation>&amp;Dunkles Design</translation>
     </message>
     <message>
-        <source>Show the whole model (F)</source>
-        <translation>Ganzes Modell zeigen (F)</translation>
-    </message>
-    <message>
         <source>&amp;Isometric</source>
         <translation>&amp;Isometrisch</translation>
     </message>
@@ -3165,6 +3144,14 @@
     <message>
         <source>Switch between the light and the dark theme</source>
         <translation>Zwischen hellem und dunklem Design wechseln</translation>
+    </message>
+    <message>
+        <source>Show the whole model</source>
+        <translation>Das ganze Modell zeigen</translation>
+    </message>
+    <message>
+        <source>Look from: %1</source>
+        <translation>Blick von: %1</translation>
     </message>
 </context>
 <context>
@@ -3230,6 +3217,14 @@
     <message>
         <source>&amp;Workpiece</source>
         <translation>&amp;Werkstück</translation>
+    </message>
+    <message>
+        <source>Stock of %1.</source>
+        <translation>Rohteil %1.</translation>
+    </message>
+    <message>
+        <source>Its panel takes other sizes, also as “2in” or “50/2”. “Save as” writes STEP, too.</source>
+        <translation>Im Bereich daneben lassen sich andere Maße eingeben, auch als „2in“ oder „50/2“. „Speichern unter“ schreibt auch STEP.</translation>
     </message>
 </context>
 </TS>

@@ -781,158 +781,45 @@
     </message>
 </context>
 <context>
+    <name>FileFilters</name>
+    <message>
+        <source>All that Handwheel opens</source>
+        <translation>Handwheel 可打开的所有文件</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>所有文件</translation>
+    </message>
+    <message>
+        <source>Handwheel documents</source>
+        <translation>Handwheel 文档</translation>
+    </message>
+    <message>
+        <source>All formats</source>
+        <translation>所有格式</translation>
+    </message>
+</context>
+<context>
     <name>HelpPages</name>
-    <message>
-        <source>Click</source>
-        <translation>单击</translation>
-    </message>
-    <message>
-        <source>select a hole</source>
-        <translation>选择孔洞</translation>
-    </message>
-    <message>
-        <source>Double-click</source>
-        <translation>双击</translation>
-    </message>
-    <message>
-        <source>go to a hole</source>
-        <translation>转到孔洞</translation>
-    </message>
-    <message>
-        <source>Middle drag</source>
-        <translation>中键拖动</translation>
-    </message>
-    <message>
-        <source>orbit</source>
-        <translation>旋转</translation>
-    </message>
-    <message>
-        <source>Shift+middle drag</source>
-        <translation>Shift+中键拖动</translation>
-    </message>
-    <message>
-        <source>pan</source>
-        <translation>平移</translation>
-    </message>
-    <message>
-        <source>Wheel</source>
-        <translation>滚轮</translation>
-    </message>
-    <message>
-        <source>zoom to the cursor</source>
-        <translation>以光标为中心缩放</translation>
-    </message>
-    <message>
-        <source>N or Space</source>
-        <translation>N 或空格</translation>
-    </message>
-    <message>
-        <source>next hole</source>
-        <translation>下一个孔洞</translation>
-    </message>
-    <message>
-        <source>Shift+N</source>
-        <translation>Shift+N</translation>
-    </message>
-    <message>
-        <source>previous hole</source>
-        <translation>上一个孔洞</translation>
-    </message>
-    <message>
-        <source>Enter</source>
-        <translation>Enter</translation>
-    </message>
-    <message>
-        <source>fill the selected hole</source>
-        <translation>填补所选孔洞</translation>
-    </message>
-    <message>
-        <source>K</source>
-        <translation>K</translation>
-    </message>
-    <message>
-        <source>keep the selected hole open</source>
-        <translation>让所选孔洞保持开放</translation>
-    </message>
-    <message>
-        <source>P</source>
-        <translation>P</translation>
-    </message>
-    <message>
-        <source>preview on or off</source>
-        <translation>开关预览</translation>
-    </message>
-    <message>
-        <source>Esc</source>
-        <translation>Esc</translation>
-    </message>
-    <message>
-        <source>clear selection and preview</source>
-        <translation>清除选择和预览</translation>
-    </message>
-    <message>
-        <source>Ctrl+R</source>
-        <translation>Ctrl+R</translation>
-    </message>
-    <message>
-        <source>repair all</source>
-        <translation>全部修复</translation>
-    </message>
-    <message>
-        <source>F</source>
-        <translation>F</translation>
-    </message>
-    <message>
-        <source>show the whole model</source>
-        <translation>显示整个模型</translation>
-    </message>
-    <message>
-        <source>1 to 7</source>
-        <translation>1 至 7</translation>
-    </message>
-    <message>
-        <source>front, back, right, left, top, bottom, isometric</source>
-        <translation>前、后、右、左、上、下、等轴测</translation>
-    </message>
-    <message>
-        <source>Ctrl+O, Ctrl+S, Ctrl+Shift+S</source>
-        <translation>Ctrl+O、Ctrl+S、Ctrl+Shift+S</translation>
-    </message>
-    <message>
-        <source>open, save, save as</source>
-        <translation>打开、保存、另存为</translation>
-    </message>
-    <message>
-        <source>Ctrl+Z, Ctrl+Shift+Z</source>
-        <translation>Ctrl+Z、Ctrl+Shift+Z</translation>
-    </message>
-    <message>
-        <source>undo, redo</source>
-        <translation>撤销、重做</translation>
-    </message>
-    <message>
-        <source>Ctrl+W, Ctrl+Q</source>
-        <translation>Ctrl+W、Ctrl+Q</translation>
-    </message>
-    <message>
-        <source>close the document, quit</source>
-        <translation>关闭文档、退出</translation>
-    </message>
     <message>
         <source>Keys and mouse</source>
         <translation>按键与鼠标</translation>
     </message>
     <message>
-        <source>Repairs scanned meshes: finds their defects, fills their holes.</source>
-        <translation>修复扫描网格：找出缺陷，填补孔洞。</translation>
-    </message>
-    <message>
-        <source>Free software under the GNU General Public Licence, version 3 or later.&lt;br&gt;Built with Qt, VTK, CGAL and Eigen.</source>
-        <translation>自由软件，遵循 GNU 通用公共许可证第 3 版或更高版本。&lt;br&gt;基于 Qt、VTK、CGAL 和 Eigen 构建。</translation>
-    </message>
-    <message>
         <source>About Handwheel</source>
         <translation>关于 Handwheel</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>当前</translation>
+    </message>
+    <message>
+        <source>Repairs scanned meshes, prepares workpieces and robot cells.</source>
+        <translation>修复扫描网格,准备工件和机器人单元。</translation>
+    </message>
+    <message>
+        <source>Free software under the GNU General Public Licence, version 3 or later.&lt;br&gt;Built with Qt, VTK, CGAL, Open CASCADE, Eigen, libzip and expat.</source>
+        <translation>自由软件,遵循 GNU 通用公共许可证第 3 版或更高版本。&lt;br&gt;使用 Qt、VTK、CGAL、Open CASCADE、Eigen、libzip 和 expat 构建。</translation>
     </message>
 </context>
 <context>
@@ -944,6 +831,17 @@
     <message>
         <source>Move %1</source>
         <translation>移动 %1</translation>
+    </message>
+</context>
+<context>
+    <name>KindPlace</name>
+    <message>
+        <source>No document is open.</source>
+        <translation>没有打开的文档。</translation>
+    </message>
+    <message>
+        <source>Document</source>
+        <translation>文档</translation>
     </message>
 </context>
 <context>
@@ -1391,6 +1289,38 @@
         <source>Surface (mm²)</source>
         <translation>表面积 (mm²)</translation>
     </message>
+    <message>
+        <source>Settings</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>Speed against accuracy</source>
+        <translation>速度与精度</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>预设</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>默认</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>草稿</translation>
+    </message>
+    <message>
+        <source>Balanced</source>
+        <translation>均衡</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>精确</translation>
+    </message>
+    <message>
+        <source>Own values</source>
+        <translation>自定义</translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -1547,10 +1477,6 @@
         <translation>
             <numerusform>分开 %n 个接触点</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
     </message>
 </context>
 <context>
@@ -1770,6 +1696,10 @@
         <source>Recover</source>
         <translation>恢复</translation>
     </message>
+    <message>
+        <source>%1 (its file was saved since)</source>
+        <translation>%1(其文件此后已保存)</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::CellUi</name>
@@ -1792,8 +1722,16 @@
         <translation>单元(&amp;C)</translation>
     </message>
     <message>
-        <source>&amp;Move by hand</source>
-        <translation>手动移动(&amp;M)</translation>
+        <source>Move &amp;joints by hand</source>
+        <translation>手动移动关节(&amp;J)</translation>
+    </message>
+    <message numerus="yes">
+        <source>Robot %1: %Ln joint(s) that move.</source>
+        <translation><numerusform>机器人 %1:%Ln 个可动关节。</numerusform></translation>
+    </message>
+    <message>
+        <source>Drag a link with the mouse, or with Shift the whole arm. The list of joints takes angles.</source>
+        <translation>用鼠标拖动一个连杆,按住 Shift 拖动整个手臂。关节列表可输入角度。</translation>
     </message>
 </context>
 <context>
@@ -2039,19 +1977,18 @@
     </message>
 </context>
 <context>
+    <name>handwheel::FidelityPanel</name>
+    <message>
+        <source>Measured</source>
+        <translation>实测</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>当前</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::FileActions</name>
-    <message>
-        <source>All that Handwheel opens (%1)</source>
-        <translation>Handwheel 可打开的文件 (%1)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>所有文件 (*)</translation>
-    </message>
-    <message>
-        <source>Handwheel documents (%1)</source>
-        <translation>Handwheel 文档 (%1)</translation>
-    </message>
     <message>
         <source>&amp;Open…</source>
         <translation>打开(&amp;O)…</translation>
@@ -2105,10 +2042,6 @@
         <translation>保存到：</translation>
     </message>
     <message>
-        <source>All formats (%1)</source>
-        <translation>所有格式 (%1)</translation>
-    </message>
-    <message>
         <source>&amp;New workpiece</source>
         <translation>新建工件(&amp;N)</translation>
     </message>
@@ -2127,6 +2060,26 @@
     <message>
         <source>Open the sample robot arm</source>
         <translation>打开示例机械臂</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt document</source>
+        <translation>下一个文档(&amp;X)</translation>
+    </message>
+    <message>
+        <source>&amp;Previous document</source>
+        <translation>上一个文档(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Go to the next open document</source>
+        <translation>转到下一个打开的文档</translation>
+    </message>
+    <message>
+        <source>Go to the previous open document</source>
+        <translation>转到上一个打开的文档</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>另存为…</translation>
     </message>
 </context>
 <context>
@@ -2183,6 +2136,10 @@
         <source>“Save” will ask for a new name, so the original stays as it is.</source>
         <translation>“保存”时会要求新文件名，原文件保持不变。</translation>
     </message>
+    <message>
+        <source>Recovering</source>
+        <translation>恢复</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::FileSaver</name>
@@ -2205,6 +2162,18 @@
     <message>
         <source>%1 could not be saved</source>
         <translation>无法保存 %1</translation>
+    </message>
+    <message>
+        <source>%1 was written</source>
+        <translation>%1 已写入</translation>
+    </message>
+    <message>
+        <source>It holds the shape, but not all of the document, which is not saved yet.</source>
+        <translation>它包含形状,但不包含整个文档;文档尚未保存。</translation>
+    </message>
+    <message>
+        <source>Save the document as *%1 to go on with it another day.</source>
+        <translation>将文档保存为 *%1,以便日后继续。</translation>
     </message>
 </context>
 <context>
@@ -2338,10 +2307,6 @@
         <translation>适合窗口</translation>
     </message>
     <message>
-        <source>Ctrl+O</source>
-        <translation>Ctrl+O</translation>
-    </message>
-    <message>
         <source>open a file</source>
         <translation>打开文件</translation>
     </message>
@@ -2384,14 +2349,6 @@
     <message>
         <source>Log</source>
         <translation>日志</translation>
-    </message>
-    <message>
-        <source>mm</source>
-        <translation>mm</translation>
-    </message>
-    <message>
-        <source>Lengths are in millimetres, as in the file</source>
-        <translation>长度单位为毫米，与文件一致</translation>
     </message>
     <message>
         <source>&amp;File</source>
@@ -2472,6 +2429,18 @@
     <message>
         <source>Tool</source>
         <translation>工具</translation>
+    </message>
+    <message>
+        <source>Lengths are shown in %1: the display unit of the document, among its properties</source>
+        <translation>长度以 %1 显示:文档的显示单位,见其属性</translation>
+    </message>
+    <message>
+        <source>Search commands</source>
+        <translation>搜索命令</translation>
+    </message>
+    <message>
+        <source>Fidelity</source>
+        <translation>保真度</translation>
     </message>
 </context>
 <context>
@@ -2558,6 +2527,20 @@
     <message>
         <source>Must be at most %1.</source>
         <translation>不得大于 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::PartsUi</name>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>测量(&amp;M)</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::PlotWidget</name>
+    <message>
+        <source>%1: %2, %3</source>
+        <translation>%1:%2,%3</translation>
     </message>
 </context>
 <context>
@@ -3091,10 +3074,6 @@
         <translation>深色主题(&amp;D)</translation>
     </message>
     <message>
-        <source>Show the whole model (F)</source>
-        <translation>显示整个模型（F）</translation>
-    </message>
-    <message>
         <source>&amp;Isometric</source>
         <translation>等轴测(&amp;I)</translation>
     </message>
@@ -3137,6 +3116,14 @@
     <message>
         <source>Switch between the light and the dark theme</source>
         <translation>切换浅色与深色主题</translation>
+    </message>
+    <message>
+        <source>Show the whole model</source>
+        <translation>显示整个模型</translation>
+    </message>
+    <message>
+        <source>Look from: %1</source>
+        <translation>视向:%1</translation>
     </message>
 </context>
 <context>
@@ -3202,6 +3189,14 @@
     <message>
         <source>&amp;Workpiece</source>
         <translation>工件(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Stock of %1.</source>
+        <translation>毛坯 %1。</translation>
+    </message>
+    <message>
+        <source>Its panel takes other sizes, also as “2in” or “50/2”. “Save as” writes STEP, too.</source>
+        <translation>可在面板中输入其他尺寸,也可写作“2in”或“50/2”。“另存为”也能写 STEP。</translation>
     </message>
 </context>
 </TS>

@@ -34,7 +34,7 @@ Result<std::unique_ptr<Edit>> displayUnitEdit(LengthUnit present, const Property
   const auto* number = std::get_if<double>(&value);
   if (!number) return Error{ErrorCode::ElementMalformed, {kDisplayUnitId, "a choice was expected"}, {}, {}};
   const int index = *number >= 0 && *number < kUnits ? static_cast<int>(*number) : -1;
-  if (index != *number) {
+  if (index < 0 || index != *number) {
     return Error{ErrorCode::ValueOutOfRange, {kDisplayUnitId, std::to_string(*number), "0", "3"}, {}, {}};
   }
   const auto unit = static_cast<LengthUnit>(index);

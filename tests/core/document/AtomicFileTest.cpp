@@ -49,6 +49,18 @@ class AtomicFileTest : public QObject {
     QCOMPARE(namesIn(folder), QStringList{"a"});
   }
 
+  // Who is about to end the program looks at the one after setting the other.
+  void cancelledBeforeItBegins() {
+    QTemporaryDir folder;
+    JobState state;
+    state.cancelled = true;
+    const Status status = writeFileAtomically(in(folder, "a"), "", Progress(state));
+    QVERIFY(!status.hasValue());
+    QCOMPARE(status.error().code, ErrorCode::Cancelled);
+    QVERIFY(!isWritingFile());
+    QVERIFY(namesIn(folder).isEmpty());
+  }
+
   void keepsPermissions() {
     QTemporaryDir folder;
     QVERIFY(writeFileAtomically(in(folder, "a"), "old").hasValue());

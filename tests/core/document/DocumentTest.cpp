@@ -176,7 +176,7 @@ void checkHistory(Document& document, Change change) {
 
 // With two loops.
 TriangleSoup holed() {
-  TriangleSoup soup = test::sphere(4);
+  TriangleSoup soup = test::uvSphere(6, 8);
   soup.triangles.erase(soup.triangles.begin());
   soup.triangles.pop_back();
   return soup;

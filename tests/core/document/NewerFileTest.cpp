@@ -42,7 +42,7 @@ class NewerFileTest : public QObject {
     row("no version", containerOf("null"), true);
     row("cut short", containerOf("2").substr(0, 30), true);
     std::string damaged = containerOf("2");
-    damaged[40] ^= 0x55;  // within the first manifest; the copy still tells
+    damaged[50] ^= 0x55;  // within the first manifest; the copy still tells
     row("damaged", damaged, false);
   }
   void mayReplace() {

@@ -158,6 +158,7 @@ class MainWindowTest : public QObject {
     };
     driver.find<QDockWidget>("viewDock")->raise();
     check("property/clip");
+    QTRY_VERIFY(driver.find<QWidget>("property/clip_offset")->findChild<QLineEdit*>());
     driver.edit("clip_offset", "7.5");
     auto* view = driver.find<Viewport>("viewport");
     const ClipPlane before = view->clipPlane();

@@ -8,6 +8,7 @@
 #include "window/MainWindow.h"
 
 #include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
@@ -97,6 +98,8 @@ class WindowDriver {
     };
     if (!QTest::qWaitFor(appears, kPatienceMs)) return false;
     dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(path);
+    // The suggested file may be selected by now, and would count for more than the name.
+    dialog->findChild<QAbstractItemView*>(QStringLiteral("listView"))->clearSelection();
     QMetaObject::invokeMethod(dialog, "accept");
     return QTest::qWaitFor([&] { return !m_window.findChild<QFileDialog*>(QString::fromLatin1(dialogName)); });
   }
