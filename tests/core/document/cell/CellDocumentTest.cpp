@@ -184,10 +184,10 @@ void CellDocumentTest::undoIsTheInverse() {
         RC_ASSERT(m_document->setProperty("joint.turn", *rc::gen::inRange(-20, 21) / 10.0, stroke).hasValue());
       else if (auto edit = m_document->jointEdit(values({*rc::gen::inRange(0, 11) * 100.0, 1.0})))
         m_document->commit("Move", std::move(edit), stroke);
-      if (m_document->history()->count() == before)
-        states.back() = m_document->joints();  // nothing changed, or merged
-      else
-        states.push_back(m_document->joints());
+      const int after = m_document->history()->count();
+      if (after < before) states.pop_back();  // the stroke led back to where it began: no step is left of it
+      if (after == before) states.back() = m_document->joints();
+      if (after > before) states.push_back(m_document->joints());
     }
     RC_ASSERT(states.size() == std::size_t(m_document->history()->count()) + 1);
     for (std::size_t i = states.size(); i-- > 1;) {
