@@ -97,9 +97,9 @@ class WindowDriver {
       return dialog && dialog->isVisible();
     };
     if (!QTest::qWaitFor(appears, kPatienceMs)) return false;
-    dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(path);
     // The suggested file may be selected by now, and would count for more than the name.
     dialog->findChild<QAbstractItemView*>(QStringLiteral("listView"))->clearSelection();
+    dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(path);
     QMetaObject::invokeMethod(dialog, "accept");
     return QTest::qWaitFor([&] { return !m_window.findChild<QFileDialog*>(QString::fromLatin1(dialogName)); });
   }
