@@ -8,6 +8,7 @@
 #include "window/FidelityChoice.h"
 
 #include <QCoreApplication>
+#include <QLabel>
 #include <QPainter>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -19,6 +20,7 @@ namespace {
 
 constexpr const char* kPreset = "preset";
 constexpr int kCurveHeight = 200;  // logical pixels
+constexpr int kLeastWidth = 296;   // for the titles of the axes
 
 QString translated(const std::string& text) {
   return QCoreApplication::translate("Fidelity", text.c_str());
@@ -60,7 +62,6 @@ class FidelityPanel::Curve : public QWidget {
   }
   void show(Plot plot) {
     m_plot = std::move(plot);
-    setAccessibleName(m_plot.title);
     update();
   }
 
@@ -78,12 +79,18 @@ FidelityPanel::FidelityPanel(FidelityChoice& choice, QWidget* parent)
     : QWidget(parent),
       m_choice(choice),
       m_list(new PropertyList(this)),
+      m_title(new QLabel(this)),
       m_curve(new Curve(this)),
       m_shown(choice.registry().entries().front().setting.id) {
   setObjectName(QStringLiteral("fidelityPanel"));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
+  setMinimumWidth(kLeastWidth);
+  m_title->setWordWrap(true);
+  m_title->setProperty("strong", true);
+  m_title->setContentsMargins(12, 0, 12, 0);
   column->addWidget(m_list, 1);
+  column->addWidget(m_title);
   column->addWidget(m_curve);
   connect(m_list, &PropertyList::edited, this, [this](const std::string& id, const PropertyValue& value, bool) {
     if (const auto* number = std::get_if<double>(&value)) edit(id, *number);
@@ -119,13 +126,14 @@ void FidelityPanel::refresh() {
     all.push_back(propertyFor(entry.setting, m_choice.values().of(entry.setting)));
   }
   m_list->setProperties(all);
+  m_title->setText(translated(m_choice.registry().find(m_shown)->setting.label));
+  m_curve->setAccessibleName(m_title->text());
   m_curve->show(plotOf(m_shown));
 }
 
 Plot FidelityPanel::plotOf(const std::string& id) const {
   const FidelitySetting& setting = m_choice.registry().find(id)->setting;
   Plot plot;
-  plot.title = translated(setting.label);
   plot.x = {translated(setting.cost.name), QString::fromStdString(setting.cost.unit), true};
   plot.y = {translated(setting.error.name), QString::fromStdString(setting.error.unit), true};
   plot.locale = QLocale();

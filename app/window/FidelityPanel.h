@@ -6,6 +6,8 @@
 
 #include <QWidget>
 
+class QLabel;
+
 namespace handwheel {
 
 class FidelityChoice;
@@ -27,6 +29,7 @@ class FidelityPanel : public QWidget {
 
   FidelityChoice& m_choice;
   PropertyList* m_list;
+  QLabel* m_title;  // of the curve
   Curve* m_curve;
   std::string m_shown;  // id of the setting whose curve is drawn
 };

@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/KindPlace.h"
 
+#include "controls/ActionText.h"
 #include "theme/Icons.h"
 #include "window/KindUi.h"
+#include "window/PanelToggle.h"
 
 #include <QCoreApplication>
 #include <QDockWidget>
 #include <QLabel>
 #include <QMenu>
+#include <QMenuBar>
 #include <QStackedWidget>
 #include <QToolBar>
 #include <QToolButton>
@@ -21,10 +24,9 @@ struct Text {
   Q_DECLARE_TR_FUNCTIONS(KindPlace)
 };
 
-// Menu and tool bar without a line where there is nothing to part.
+// With a line between the two, where there is something to part.
 template <class Place>
 void fill(Place& place, const QList<QAction*>& tools, const QList<QAction*>& others) {
-  place.clear();
   place.addActions(tools);
   if (!tools.isEmpty() && !others.isEmpty()) place.addSeparator();
   place.addActions(others);
@@ -32,25 +34,32 @@ void fill(Place& place, const QList<QAction*>& tools, const QList<QAction*>& oth
 
 }  // namespace
 
-KindPlace::KindPlace(QDockWidget& dock, QStackedWidget& panels, QMenu& menu, QToolBar& bar)
-    : m_dock(dock), m_panels(panels), m_menu(menu), m_bar(bar), m_empty(new QLabel(&panels)) {
-  m_empty->setText(Text::tr("No document is open."));
+KindPlace::KindPlace(QDockWidget& dock, QStackedWidget& panels, QToolBar& bar)
+    : m_dock(dock), m_panels(panels), m_bar(bar), m_empty(new QLabel(Text::tr("No document is open."), &panels)) {
   m_empty->setProperty("muted", true);
   m_empty->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   m_empty->setContentsMargins(12, 12, 12, 12);
   m_panels.addWidget(m_empty);
 }
 
-void KindPlace::show(KindUi* kind, const QList<QAction*>& tools) {
+void KindPlace::add(const std::string& id, KindUi& kind, const QList<QAction*>& tools, QMenuBar& menus, QMenu& before) {
+  auto* menu = new QMenu(kind.menuTitle(), &menus);
+  menu->setObjectName(QStringLiteral("kindMenu/") + QString::fromStdString(id));
+  fill(*menu, tools, kind.menu());
+  menus.insertMenu(before.menuAction(), menu);
+  m_menus[&kind] = menu;
+  m_tools[&kind] = tools;
+}
+
+void KindPlace::show(KindUi* kind) {
   const QString title = kind ? kind->panelTitle() : Text::tr("Document");
   m_dock.setWindowTitle(title);
   m_dock.setAccessibleName(title);
-  m_dock.toggleViewAction()->setIcon(icon(kind ? kind->panelIcon() : QStringLiteral("file")));
+  m_dock.findChild<PanelToggle*>()->setIcon(icon(kind ? kind->panelIcon() : QStringLiteral("file")));
   m_panels.setCurrentWidget(kind ? kind->panel() : m_empty);
-  m_menu.menuAction()->setVisible(kind != nullptr);
-  if (kind) m_menu.setTitle(kind->menuTitle());
-  fill(m_menu, tools, kind ? kind->menu() : QList<QAction*>());
-  fill(m_bar, tools, kind ? kind->toolBar() : QList<QAction*>());
+  for (const auto& [each, menu] : m_menus) menu->menuAction()->setVisible(each == kind);
+  m_bar.clear();
+  if (kind) fill(m_bar, m_tools.at(kind), kind->toolBar());
   nameButtons(m_bar);
 }
 
@@ -58,6 +67,7 @@ void nameButtons(QToolBar& bar) {
   for (QAction* action : bar.actions()) {
     auto* button = qobject_cast<QToolButton*>(bar.widgetForAction(action));
     if (!button || action->objectName().isEmpty()) continue;
+    action->setIconText(withoutMnemonic(action->text()));  // Qt leaves what Chinese has in brackets
     button->setObjectName(bar.objectName() + QLatin1Char('/') + action->objectName());
     button->setAccessibleName(action->iconText());
     if (action->priority() == QAction::HighPriority) button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);

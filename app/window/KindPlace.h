@@ -4,10 +4,13 @@
 
 #include <QAction>
 #include <QList>
+#include <map>
+#include <string>
 
 class QDockWidget;
 class QLabel;
 class QMenu;
+class QMenuBar;
 class QStackedWidget;
 class QToolBar;
 
@@ -15,21 +18,25 @@ namespace handwheel {
 
 class KindUi;
 
-// Where the window shows what the kind of the present document adds: panel, menu and tool bar.
+// Where the window shows what the kinds of documents add: each has a menu, which is seen as long as such a document is
+// the present one; panel and tool bar they share.
 class KindPlace {
  public:
   // dock: whose widget is the stack of the panels.
-  KindPlace(QDockWidget& dock, QStackedWidget& panels, QMenu& menu, QToolBar& bar);
+  KindPlace(QDockWidget& dock, QStackedWidget& panels, QToolBar& bar);
 
+  // before: the place of the menu.
+  void add(const std::string& id, KindUi& kind, const QList<QAction*>& tools, QMenuBar& menus, QMenu& before);
   // Null: no document is open.
-  void show(KindUi* kind, const QList<QAction*>& tools);
+  void show(KindUi* kind);
 
  private:
   QDockWidget& m_dock;
   QStackedWidget& m_panels;
-  QMenu& m_menu;
   QToolBar& m_bar;
   QLabel* m_empty;
+  std::map<const KindUi*, QMenu*> m_menus;
+  std::map<const KindUi*, QList<QAction*>> m_tools;
 };
 
 // Names the buttons of a tool bar after their actions, for screen readers and tests. Actions of high priority show

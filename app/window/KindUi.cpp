@@ -6,8 +6,14 @@
 #include "window/OpenDocument.h"
 
 #include <QFileInfo>
+#include <utility>
 
 namespace handwheel {
+
+ToolOffer measureOffer(std::function<std::unique_ptr<Tool>()> make) {
+  return {QStringLiteral("measureTool"), KindUi::tr("&Measure"),  KindUi::tr("Measure the distance between two points"),
+          QStringLiteral("ruler"),       QKeySequence(Qt::Key_M), std::move(make)};
+}
 
 // For documents that are edited through their properties alone.
 QString KindUi::saveCommand(const OpenDocument& open, const QString& path) const {

@@ -48,11 +48,15 @@ struct WindowParts {
 struct ToolOffer {
   QString id;    // "select"
   QString text;  // "Select faces"
+  QString tip;
   QString icon;
   QKeySequence key;
   std::function<std::unique_ptr<Tool>()> make;  // for the document in view
   bool isUsual = false;                         // in use as long as no other is chosen
 };
+
+// The ruler, which several kinds offer.
+ToolOffer measureOffer(std::function<std::unique_ptr<Tool>()> make);
 
 // What the window adds for one kind of document: its scene, panel, menu, tools and advice. One per window and kind.
 class KindUi : public QObject {

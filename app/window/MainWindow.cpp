@@ -41,7 +41,7 @@ MainWindow::MainWindow(QThreadPool& pool, const KindSet& kinds)
   buildStatusBar();
   buildMenus();
   buildToolBars();
-  m_kindPlace = std::make_unique<KindPlace>(*m_kindDock, *m_kindPanels, *m_kindMenu, *m_kindBar);
+  placeKinds();
   addSearch();
   connectDocuments();
   connectDocumentsPanel();
@@ -139,6 +139,10 @@ void MainWindow::childEvent(QChildEvent* event) {
   if (!bar || !bar->objectName().isEmpty()) return;
   bar->setObjectName(QStringLiteral("dockTabs"));
   bar->setAccessibleName(tr("Panels"));
+  bar->setElideMode(Qt::ElideNone);  // what has no room is scrolled to
+  bar->setUsesScrollButtons(true);
+  // Keys reach the panels by the strip; Qt keeps bars of folded panels outside the window, where a focus would be lost.
+  bar->setFocusPolicy(Qt::ClickFocus);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -18,7 +18,6 @@
 #include <QUndoGroup>
 
 class QLabel;
-class QMenu;
 class QStackedWidget;
 class QToolBar;
 
@@ -71,6 +70,7 @@ class MainWindow : public QMainWindow {
   void buildMenus();
   void buildToolBars();
   void addSearch();
+  void placeKinds();
   void connectDocuments();
   void connectDocumentsPanel();
   void connectMessages();
@@ -115,7 +115,6 @@ class MainWindow : public QMainWindow {
   StartPage* m_start;
   QStackedWidget* m_stack;
   QStackedWidget* m_kindPanels;
-  QMenu* m_kindMenu;
   QToolBar* m_kindBar;
   MessageBar* m_messages;
   NextStepCard* m_card;

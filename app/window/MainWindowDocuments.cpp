@@ -134,7 +134,7 @@ void MainWindow::showDocument(OpenDocument* document) {
     if (each.get() != present) each->setDocument(nullptr);
   }
   if (present) present->setDocument(document);
-  m_kindPlace->show(present, present ? m_toolChoice->actions(*present) : QList<QAction*>());
+  m_kindPlace->show(present);
   m_toolChoice->takeUp(document);
   m_viewSettings->followModel();
   for (QAction* action : m_viewActions->views() + m_viewActions->shadings()) action->setEnabled(document != nullptr);

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The menus and tool bars of the main window.
+#include "controls/ActionText.h"
 #include "controls/CommandPalette.h"
 #include "theme/Icons.h"
 #include "window/HelpPages.h"
 #include "window/MainWindow.h"
+#include "window/PanelToggle.h"
+#include "window/ToolChoice.h"
 #include "window/ViewActions.h"
 
 #include <QDockWidget>
@@ -71,16 +74,14 @@ void MainWindow::buildMenus() {
   view->addSeparator();
   view->addActions(m_viewActions->shadings());
   view->addSeparator();
-  for (QDockWidget* dock : docks()) view->addAction(dock->toggleViewAction());
+  for (QDockWidget* dock : docks()) view->addAction(dock->findChild<PanelToggle*>());
   view->addSeparator();
   view->addActions(m_fileActions.tabSteps());
   view->addSeparator();
   view->addAction(m_viewActions->darkTheme());
 
-  m_kindMenu = menuBar()->addMenu(QString());
-  m_kindMenu->setObjectName(QStringLiteral("kindMenu"));
-
   QMenu* help = menuBar()->addMenu(tr("&Help"));
+  help->setObjectName(QStringLiteral("helpMenu"));
   m_palette = new CommandPalette(this);
   help->addAction(m_palette->action());
   QAction* keys =
@@ -106,15 +107,23 @@ void MainWindow::buildToolBars() {
   m_kindBar = addBar(*this, Qt::TopToolBarArea, "kindActions", tr("Actions of the document"));
 
   QToolBar* strip = addBar(*this, Qt::LeftToolBarArea, "panelStrip", tr("Panels"));
-  for (QDockWidget* dock : docks()) strip->addAction(dock->toggleViewAction());
+  for (QDockWidget* dock : docks()) strip->addAction(dock->findChild<PanelToggle*>());
   nameButtons(*strip);
+}
+
+void MainWindow::placeKinds() {
+  m_kindPlace = std::make_unique<KindPlace>(*m_kindDock, *m_kindPanels, *m_kindBar);
+  auto* help = findChild<QMenu*>(QStringLiteral("helpMenu"));
+  for (const auto& [id, kind] : m_uis) m_kindPlace->add(id, *kind, m_toolChoice->actions(*kind), *menuBar(), *help);
 }
 
 // At the end of the menu bar, where it takes no room from the view.
 void MainWindow::addSearch() {
+  QAction* action = m_palette->action();
+  action->setIconText(withoutMnemonic(action->text()));
   auto* search = new QToolButton(this);
   search->setObjectName(QStringLiteral("searchButton"));
-  search->setDefaultAction(m_palette->action());
+  search->setDefaultAction(action);
   search->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   search->setIconSize({16, 16});
   search->setAccessibleName(tr("Search commands"));

@@ -11,12 +11,12 @@
 #include "panels/MessageBar.h"
 #include "panels/NextStepCard.h"
 #include "panels/StartPage.h"
-#include "theme/Icons.h"
 #include "viewport/Viewport.h"
 #include "window/DocumentProperties.h"
 #include "window/DocumentTabs.h"
 #include "window/FidelityPanel.h"
 #include "window/MainWindow.h"
+#include "window/PanelToggle.h"
 #include "window/ToolChoice.h"
 #include "window/ToolHost.h"
 #include "window/ToolPanel.h"
@@ -42,9 +42,7 @@ QDockWidget* addDock(MainWindow& window, Qt::DockWidgetArea area, const char* na
   dock->setAccessibleName(title);
   dock->setWidget(content);
   dock->setTitleBarWidget(new DockTitle(dock));
-  dock->toggleViewAction()->setIconVisibleInMenu(false);
-  dock->toggleViewAction()->setIcon(icon(QString::fromLatin1(iconName)));
-  dock->toggleViewAction()->setObjectName(dock->objectName() + QStringLiteral("Toggle"));
+  new PanelToggle(dock, QString::fromLatin1(iconName));
   window.addDockWidget(area, dock);
   return dock;
 }
@@ -106,6 +104,8 @@ void MainWindow::buildDocks() {
   m_viewDock = addDock(*this, Qt::RightDockWidgetArea, "viewDock", tr("View"), view, "view-iso");
   m_fidelityDock = addDock(*this, Qt::LeftDockWidgetArea, "fidelityDock", tr("Fidelity"),
                            new FidelityPanel(m_fidelity, this), "fidelity");
+  tabifyDockWidget(m_historyDock, m_fidelityDock);
+  m_historyDock->raise();
   tabifyDockWidget(m_kindDock, m_toolDock);
   tabifyDockWidget(m_toolDock, m_propertiesDock);
   tabifyDockWidget(m_propertiesDock, m_viewDock);
@@ -131,7 +131,7 @@ void MainWindow::buildStatusBar() {
   m_unit->setObjectName(QStringLiteral("badge"));
   auto* log = new QToolButton(this);
   log->setObjectName(QStringLiteral("logButton"));
-  log->setDefaultAction(m_logDock->toggleViewAction());
+  log->setDefaultAction(m_logDock->findChild<PanelToggle*>());
   log->setAccessibleName(tr("Log"));
   log->setIconSize({16, 16});
   statusBar()->setSizeGripEnabled(false);

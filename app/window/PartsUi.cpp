@@ -55,13 +55,12 @@ std::vector<Hint> PartsUi::hints() {
   return m_parts.tools.hints();
 }
 
-ToolOffer PartsUi::measureOffer() const {
+ToolOffer PartsUi::measureParts() const {
   const auto pick = [&viewport = m_parts.viewport](const Ray& ray) -> std::optional<Vec3> {
     const Pick hit = viewport.pickAlong(ray.origin, ray.direction);
     return hit.isNothing() ? std::nullopt : std::optional(hit.point);
   };
-  return {QStringLiteral("measureTool"), tr("&Measure"), QStringLiteral("ruler"), QKeySequence(Qt::Key_M),
-          [pick] { return std::make_unique<MeasureTool>(pick); }};
+  return measureOffer([pick] { return std::make_unique<MeasureTool>(pick); });
 }
 
 std::vector<QAction*> PartsUi::panelActions() const {

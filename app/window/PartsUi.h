@@ -31,7 +31,7 @@ class PartsUi : public KindUi {
  protected:
   OpenDocument* document() const { return m_document; }
   const WindowParts& parts() const { return m_parts; }
-  ToolOffer measureOffer() const;
+  ToolOffer measureParts() const;
   std::vector<QAction*> panelActions() const;  // what the next step offers when the panel is folded away
 
  private:

@@ -27,7 +27,7 @@ void ToolChoice::add(KindUi& kind) {
       action->setCheckable(true);
       action->setIconVisibleInMenu(false);
       action->setShortcut(offer.key);
-      setTip(*action, action->iconText());
+      setTip(*action, offer.tip);
       m_group.addAction(action);
       connect(action, &QAction::triggered, this, [this, id = offer.id](bool on) { choose(on ? id : QString()); });
     }
@@ -42,6 +42,8 @@ void ToolChoice::putAway() {
 
 void ToolChoice::takeUp(OpenDocument* document) {
   m_document = document;
+  const QList<QAction*> offered = document ? m_actions.at(&document->ui) : QList<QAction*>();
+  for (QAction* action : m_group.actions()) action->setEnabled(offered.contains(action));
   if (document) start();
 }
 

@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QRegularExpression>
+#include <algorithm>
 
 namespace handwheel {
 
@@ -33,7 +34,10 @@ QString withoutMnemonic(const QString& text) {
 
 QHash<const QAction*, QString> menuPaths(const QMenuBar* bar) {
   QHash<const QAction*, QString> paths;
-  if (bar) collect(bar->actions(), {}, paths);
+  if (!bar) return paths;
+  QList<QAction*> menus = bar->actions();
+  std::stable_partition(menus.begin(), menus.end(), [](const QAction* menu) { return menu->isVisible(); });
+  collect(menus, {}, paths);
   return paths;
 }
 

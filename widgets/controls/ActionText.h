@@ -15,7 +15,7 @@ namespace handwheel {
 // The text of an action or a menu without its mnemonic.
 QString withoutMnemonic(const QString& text);
 
-// The menus that lead to each action: "View › Shading".
+// The menus that lead to each action: "View › Shading". Of several, that which is seen.
 QHash<const QAction*, QString> menuPaths(const QMenuBar* bar);
 
 // Whether it is a command of the program: with a name and a text, and not one of Qt's own, a menu or a separator.

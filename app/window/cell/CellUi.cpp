@@ -13,9 +13,10 @@ namespace handwheel {
 CellUi::CellUi(const WindowParts& window) : PartsUi(window, {"Joints"}) {}
 
 std::vector<ToolOffer> CellUi::tools() {
-  return {{QStringLiteral("jointTool"), tr("Move &joints by hand"), QStringLiteral("hand"), QKeySequence(Qt::Key_J),
-           [this] { return jointTool(); }, true},
-          measureOffer()};
+  ToolOffer joints{QStringLiteral("jointTool"), tr("Move &joints by hand"), tr("Drag the links of the robot"),
+                   QStringLiteral("hand"),      QKeySequence(Qt::Key_J),    [this] { return jointTool(); }};
+  joints.isUsual = true;
+  return {joints, measureParts()};
 }
 
 std::unique_ptr<Tool> CellUi::jointTool() {

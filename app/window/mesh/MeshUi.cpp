@@ -89,12 +89,18 @@ QList<QAction*> MeshUi::toolBar() {
 }
 
 std::vector<ToolOffer> MeshUi::tools() {
-  return {{QStringLiteral("fillTool"), tr("&Holes"), QStringLiteral("hole"), QKeySequence(Qt::Key_H),
-           [this] { return m_tools.fillTool(); }, true},
-          {QStringLiteral("selectTool"), tr("&Select faces"), QStringLiteral("select"), QKeySequence(Qt::Key_S),
-           [this] { return m_tools.selectTool(); }},
-          {QStringLiteral("measureTool"), tr("&Measure"), QStringLiteral("ruler"), QKeySequence(Qt::Key_M),
-           [this] { return m_tools.measureTool(); }}};
+  ToolOffer fill{QStringLiteral("fillTool"),
+                 tr("&Holes"),
+                 tr("Choose a hole, look at its patch, fill it"),
+                 QStringLiteral("hole"),
+                 QKeySequence(Qt::Key_H),
+                 [this] { return m_tools.fillTool(); }};
+  fill.isUsual = true;
+  return {fill,
+          {QStringLiteral("selectTool"), tr("&Select faces"),
+           tr("Select faces by click, brush, lasso, connection or angle"), QStringLiteral("select"),
+           QKeySequence(Qt::Key_S), [this] { return m_tools.selectTool(); }},
+          measureOffer([this] { return m_tools.measureTool(); })};
 }
 
 std::vector<Hint> MeshUi::hints() {

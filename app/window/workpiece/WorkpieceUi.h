@@ -16,7 +16,7 @@ class WorkpieceUi : public PartsUi {
   QString panelTitle() const override { return tr("Stock"); }
   QString panelIcon() const override { return QStringLiteral("kind-workpiece"); }
   QString menuTitle() const override { return tr("&Workpiece"); }
-  std::vector<ToolOffer> tools() override { return {measureOffer()}; }
+  std::vector<ToolOffer> tools() override { return {measureParts()}; }
   NextStep nextStep() override;
   QString figures() const override;
   QString openedText(const OpenDocument& document) const override;

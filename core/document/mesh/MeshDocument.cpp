@@ -62,7 +62,7 @@ std::vector<Property> MeshDocument::properties() const {
 bool MeshDocument::commit(const QString& text, const InspectedMesh& after) {
   MeshDelta delta = MeshDelta::between(m_mesh, after.mesh);
   if (delta.isEmpty()) return false;  // not even pushed as obsolete: that would cost the user the steps to redo
-  commit(text, std::make_unique<MeshEdit>(std::move(delta), after.defects));
+  commit(text, std::make_unique<MeshEdit>(std::move(delta), DefectsDelta::between(*m_defects, *after.defects)));
   return true;
 }
 

@@ -14,7 +14,10 @@ void MeshEdit::exchange(Document& document) {
   std::sort(touched.begin(), touched.end());
   touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
   m_delta.swap(owner.m_mesh);
-  m_defects.swap(owner.m_defects);
+  // Snapshots may hold the present ones.
+  auto defects = std::make_shared<Defects>(*owner.m_defects);
+  m_defects.swap(*defects);
+  owner.m_defects = std::move(defects);
   owner.meshWasChanged(touched);
 }
 

@@ -3,23 +3,22 @@
 #pragma once
 
 #include "document/Edit.h"
-#include "mesh/Defects.h"
+#include "document/mesh/DefectsDelta.h"
 #include "mesh/MeshDelta.h"
 
 namespace handwheel {
 
-// Any change of a document's mesh, held as the slots that differ, and the defects of the version that is not present.
+// Any change of a document's mesh, held as what differs: slots and defects.
 class MeshEdit : public Edit {
  public:
-  MeshEdit(MeshDelta delta, std::shared_ptr<const Defects> defects)
-      : m_delta(std::move(delta)), m_defects(std::move(defects)) {}
+  MeshEdit(MeshDelta delta, DefectsDelta defects) : m_delta(std::move(delta)), m_defects(std::move(defects)) {}
 
   void exchange(Document& document) override;
-  std::size_t bytes() const override { return sizeof *this + m_delta.bytes(); }
+  std::size_t bytes() const override { return sizeof *this + m_delta.bytes() + m_defects.bytes(); }
 
  private:
   MeshDelta m_delta;
-  std::shared_ptr<const Defects> m_defects;
+  DefectsDelta m_defects;
 };
 
 }  // namespace handwheel

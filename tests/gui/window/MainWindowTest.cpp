@@ -28,6 +28,15 @@ class MainWindowTest : public QObject {
     return path;
   }
 
+  // Not of panels that lie behind others: they are laid out when they come to the front.
+  static QString cutTextsInSight(QWidget& window) {
+    QStringList cut;
+    for (auto* part : window.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+      if (part->isVisible() && !part->visibleRegion().isEmpty()) cut << cutTexts(*part);
+    }
+    return cut.join('\n');
+  }
+
  private slots:
   void initTestCase() { QStandardPaths::setTestModeEnabled(true); }  // for the pictures of recent files
 
@@ -55,12 +64,16 @@ class MainWindowTest : public QObject {
     }
   }
 
-  // What takes the focus has a name, what is written has the room that it needs: for each kind of document.
+  // What takes the focus has a name, what is written has the room that it needs: with each kind of document, in each
+  // panel.
   void everybodyCanReadIt() {
     WindowDriver driver;
     const auto look = [&driver] {
       QCOMPARE(withoutAccessibleName(driver.window()).join('\n'), QString());
-      QTRY_COMPARE(cutTexts(driver.window()).join('\n'), QString());
+      for (const char* panel : {"toolDock", "propertiesDock", "viewDock", "kindDock"}) {
+        driver.find<QDockWidget>(panel)->raise();
+        QTRY_COMPARE(cutTextsInSight(driver.window()), QString());
+      }
     };
     look();
     QVERIFY(driver.open(fileWithHoles("read.stl")));
@@ -75,12 +88,12 @@ class MainWindowTest : public QObject {
 
   void withoutADocumentThereIsNothingToWorkOn() {
     WindowDriver driver;
-    QVERIFY(!driver.find<QMenu>("kindMenu")->menuAction()->isVisible());
+    QVERIFY(!driver.find<QMenu>("kindMenu/workpiece")->menuAction()->isVisible());
     driver.choose("newWorkpiece");
     QVERIFY(driver.settle());
-    QVERIFY(driver.find<QMenu>("kindMenu")->menuAction()->isVisible());
+    QVERIFY(driver.find<QMenu>("kindMenu/workpiece")->menuAction()->isVisible());
     driver.click("closeTab");
-    QVERIFY(!driver.find<QMenu>("kindMenu")->menuAction()->isVisible());
+    QVERIFY(!driver.find<QMenu>("kindMenu/workpiece")->menuAction()->isVisible());
     QVERIFY(driver.find<QToolBar>("kindActions")->actions().isEmpty());
   }
 
@@ -101,6 +114,25 @@ class MainWindowTest : public QObject {
       QVERIFY(driver.settle());
       look();
     }
+  }
+
+  // The strip brings a panel to the front that lies behind another, and folds away one that is seen.
+  void thePanelStripShowsAndFolds() {
+    WindowDriver driver;
+    QVERIFY(driver.open(fileWithHoles("strip.stl")));
+    auto* view = driver.find<QDockWidget>("viewDock");
+    const auto isSeen = [view] { return !view->visibleRegion().isEmpty(); };
+    QVERIFY(view->isVisible() && !isSeen());
+    QVERIFY(!driver.find<QAbstractButton>("panelStrip/viewDockToggle")->isChecked());
+    driver.click("panelStrip/viewDockToggle");
+    QTRY_VERIFY(isSeen());
+    QVERIFY(driver.find<QAbstractButton>("panelStrip/viewDockToggle")->isChecked());
+    QVERIFY(!driver.find<QAbstractButton>("panelStrip/kindDockToggle")->isChecked());
+    driver.click("panelStrip/viewDockToggle");
+    QTRY_VERIFY(view->isHidden());
+    driver.click("panelStrip/viewDockToggle");
+    QTRY_VERIFY(isSeen());
+    QVERIFY(driver.settle());
   }
 
   void movedTabsStayWithTheirDocuments() {

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/Defects.h"
+
+namespace handwheel {
+
+// What differs between the defects of two versions of a mesh, so that a history does not hold them once more for each
+// step. An edit in one place changes one stretch of each list.
+class DefectsDelta {
+ public:
+  // O(defects), in time.
+  static DefectsDelta between(const Defects& before, const Defects& after);
+
+  // Turns "before" into "after" and this delta into its own inverse. O(defects).
+  void swap(Defects& defects);
+
+  std::size_t bytes() const;
+
+ private:
+  // Of a list: what stands in the other version between what both begin and end with.
+  template <class T>
+  struct Stretch {
+    std::size_t begin = 0;
+    std::size_t behind = 0;  // elements
+    std::vector<T> other;
+  };
+  template <class T, class Same>
+  static Stretch<T> stretch(const std::vector<T>& before, const std::vector<T>& after, Same same);
+  template <class T>
+  static void swapStretch(std::vector<T>& list, Stretch<T>& stretch);
+
+  Stretch<BoundaryLoop> m_loops;
+  Stretch<std::pair<Vertex, Vertex>> m_nonManifoldEdges;
+  Stretch<Vertex> m_nonManifoldVertices;
+  Stretch<Face> m_degenerateFaces;
+  Stretch<Face> m_duplicateFaces;
+  Stretch<std::pair<Vertex, Vertex>> m_nearVertices;
+  Stretch<Component> m_components;
+  Box m_box;
+};
+
+}  // namespace handwheel

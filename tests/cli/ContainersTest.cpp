@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Program.h"
+#include "Shapes.h"
+#include "document/Container.h"
+
+#include <QTest>
+
+using namespace handwheel;
+using Json = nlohmann::json;
+
+namespace {
+
+Container containerIn(const Bench& bench, const QString& name) {
+  const auto read = readContainer(bench.content(name).toStdString());
+  return read ? read->container : Container();
+}
+
+void put(const Bench& bench, const QString& name, const Container& container) {
+  bench.put(name, QByteArray::fromStdString(*writeContainer(container, Compression::Fast)));
+}
+
+// The same, as a program of the next version would have written it.
+void putNewer(const Bench& bench, const QString& name, const Container& container) {
+  Json manifest = *container.manifest;
+  manifest["handwheel"]["format"] = kContainerVersion + 1;
+  const std::string text = manifest.dump();
+  std::vector<ZipEntry> entries{{"manifest.json", text}};
+  for (const auto& [blob, bytes] : container.blobs) entries.push_back({blob, bytes});
+  entries.push_back({"manifest.copy.json", text});
+  bench.put(name, QByteArray::fromStdString(*writeZip(entries, Compression::Fast)));
+}
+
+Json inspected(const Bench& bench, const QString& name) {
+  return Json::parse(bench.run({"inspect", name, "--json"}).out.toStdString(), nullptr, false);
+}
+
+int loopWith(const Json& report, int edges) {
+  for (const Json& loop : report.at("loops")) {
+    if (loop.at("edges") == edges) return loop.at("id");
+  }
+  return -1;
+}
+
+// A box with three holes, of 4, 6 and 8 edges, in a document with all that can be lost of one: a mark on the hole with
+// 6 edges, a unit, and what this program does not know.
+void putDocument(const Bench& bench, const QString& name) {
+  bench.put("a.off", holedBox().off());
+  const int kept = loopWith(inspected(bench, "a.off"), 6);
+  bench.run({"repair", "a.off", "-o", name, "--keep-open", QString::number(kept), "--max-hole", "3"});
+  bench.run({"set", name, "display_unit=in", "-o", name});
+  Container container = containerIn(bench, name);
+  (*container.manifest)["future"] = {{"list", {1, {{"deep", true}}}}};
+  (*container.manifest)["document"]["future"] = {{"object", {{"deep", "yes"}}}};
+  container.blobs["future/data"] = "kept";
+  put(bench, name, container);
+}
+
+void compareWhatMustNotBeLost(const Bench& bench, const QString& before, const QString& after) {
+  const Container was = containerIn(bench, before), is = containerIn(bench, after);
+  for (const char* key : {"id", "display_unit", "future", "kind"}) QVERIFY((*is.manifest)[key] == (*was.manifest)[key]);
+  for (const char* key : {"kept_open", "future", "numbers"})
+    QVERIFY((*is.manifest)["document"][key] == (*was.manifest)["document"][key]);
+  QCOMPARE(is.blobs.at("future/data"), std::string("kept"));
+}
+
+}  // namespace
+
+// What containers hold beyond their triangles, from one command to the next.
+class ContainersTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void repairKeepsTheDocument() {
+    const Bench bench;
+    putDocument(bench, "a.handwheel");
+    const Ran ran = bench.run({"repair", "a.handwheel", "-o", "b.handwheel", "--report", "r.json"});
+    QCOMPARE(ran.code, 2);
+    QVERIFY(ran.out.startsWith("2 of 3 holes filled. "));
+    QVERIFY(ran.err.contains("(6 edges) stays open: you asked for it."));
+    compareWhatMustNotBeLost(bench, "a.handwheel", "b.handwheel");
+    const Json after = inspected(bench, "b.handwheel");
+    QCOMPARE(after.at("loops").size(), std::size_t(1));
+    QCOMPARE(after.at("loops").at(0).at("edges").get<int>(), 6);
+    QCOMPARE(after.at("kept_open").size(), std::size_t(1));
+    QVERIFY(bench.json("r.json").at("untouched_vertices_identical").get<bool>());
+    // In place, and once more: nothing is left to do.
+    QCOMPARE(bench.run({"repair", "b.handwheel", "-o", "b.handwheel"}).code, 2);
+    compareWhatMustNotBeLost(bench, "a.handwheel", "b.handwheel");
+    // The marks hold for exports too.
+    QVERIFY(bench.run({"repair", "a.handwheel", "-o", "b.stl"}).out.startsWith("2 of 3 holes filled. "));
+  }
+
+  void convertAndSetKeepTheDocument() {
+    const Bench bench;
+    putDocument(bench, "a.handwheel");
+    QCOMPARE(bench.run({"convert", "a.handwheel", "b.handwheel"}).code, 0);
+    compareWhatMustNotBeLost(bench, "a.handwheel", "b.handwheel");
+    QCOMPARE(bench.content("b.handwheel"), bench.content("a.handwheel"));
+    QCOMPARE(bench.run({"set", "b.handwheel", "display_unit=mm", "-o", "b.handwheel"}).code, 0);
+    QCOMPARE(bench.run({"set", "b.handwheel", "display_unit=in", "-o", "b.handwheel"}).code, 0);
+    QCOMPARE(bench.content("b.handwheel"), bench.content("a.handwheel"));
+  }
+
+  // A document keeps the numbers of its vertices. After an edit its loops are in another order than its bare triangles
+  // would give; the numbers that inspect shows are those that repair takes.
+  void loopsHaveTheNumbersThatInspectShows() {
+    const Bench bench;
+    putDocument(bench, "a.handwheel");
+    Container container = containerIn(bench, "a.handwheel");
+    // The last triangles become the first: their vertices are met first by whoever reads triangles only.
+    std::string& faces = container.blobs.at("mesh/faces/0000");
+    const std::size_t count = faces.size() / 24;
+    const auto number = [&](std::size_t i) { return reinterpret_cast<std::uint32_t*>(faces.data()) + i; };
+    for (std::size_t f = 0; f < count / 2; ++f) {
+      std::swap_ranges(number(6 * f), number(6 * f + 6), number(6 * (count - 1 - f)));
+    }
+    for (std::size_t f = 0; f < count; ++f) {
+      for (std::size_t k = 3; k < 6; ++k) {
+        std::uint32_t& opposite = *number(6 * f + k);
+        if (opposite < 3 * count) opposite = 3 * (count - 1 - opposite / 3) + opposite % 3;
+      }
+    }
+    put(bench, "b.handwheel", container);
+    const Json report = inspected(bench, "b.handwheel");
+    QVERIFY(bench.run({"inspect", "b.handwheel"}).err.isEmpty());  // still a sound mesh
+    QCOMPARE(bench.run({"convert", "b.handwheel", "bare.off"}).code, 0);
+    QVERIFY(loopWith(inspected(bench, "bare.off"), 8) != loopWith(report, 8));
+    QCOMPARE(report.at("kept_open").at(0).get<int>(), loopWith(report, 6));
+    const QString id = QString::number(loopWith(report, 8));
+    bench.run({"repair", "b.handwheel", "-o", "c.handwheel", "--keep-open", id});
+    const Json after = inspected(bench, "c.handwheel");
+    QCOMPARE(after.at("loops").size(), std::size_t(2));
+    QVERIFY(loopWith(after, 4) == -1);
+    QCOMPARE(after.at("kept_open").size(), std::size_t(2));
+  }
+
+  void newerFilesAreNotReplaced_data() {
+    QTest::addColumn<QStringList>("words");
+    const auto row = [](const char* words) { QTest::newRow(words) << QString(words).split(' '); };
+    row("set n.handwheel display_unit=cm -o n.handwheel");
+    row("set n.handwheel display_unit=cm -o ./link.handwheel");
+    row("set link.handwheel display_unit=cm -o n.handwheel");
+    row("convert n.handwheel n.handwheel");
+    row("convert a.off n.handwheel");
+    row("repair n.handwheel -o n.handwheel");
+    row("repair a.handwheel -o n.handwheel");
+    row("new workpiece -o n.handwheel");
+  }
+  void newerFilesAreNotReplaced() {
+    QFETCH(QStringList, words);
+    const Bench bench;
+    putDocument(bench, "a.handwheel");
+    putNewer(bench, "n.handwheel", containerIn(bench, "a.handwheel"));
+    QVERIFY(QFile::link("n.handwheel", bench.path() + "/link.handwheel"));
+    const QByteArray before = bench.content("n.handwheel");
+    const Ran ran = bench.run(words);
+    QCOMPARE(ran.code, 1);
+    QVERIFY2(ran.err.endsWith("handwheel was written by a newer version of Handwheel and is not replaced. Write to "
+                              "another file.\n"),
+             ran.err);
+    QCOMPARE(bench.content("n.handwheel"), before);
+    QVERIFY(QFileInfo(bench.path() + "/link.handwheel").isSymLink());
+  }
+
+  void newerFilesAreReadAsFarAsTheyAreUnderstood() {
+    const Bench bench;
+    putDocument(bench, "a.handwheel");
+    putNewer(bench, "n.handwheel", containerIn(bench, "a.handwheel"));
+    const Ran ran = bench.run({"convert", "n.handwheel", "b.handwheel"});
+    QCOMPARE(ran.code, 0);
+    QCOMPARE(ran.err, QByteArray("handwheel: A newer version of Handwheel wrote the file; it is read as far as it is "
+                                 "understood.\n"));
+    compareWhatMustNotBeLost(bench, "a.handwheel", "b.handwheel");
+  }
+
+  void damagedFilesAreNotReplaced_data() {
+    QTest::addColumn<QStringList>("words");
+    const auto row = [](const char* words) { QTest::newRow(words) << QString(words).split(' '); };
+    row("set d.handwheel display_unit=cm -o d.handwheel");
+    row("convert d.handwheel d.handwheel");
+    row("repair d.handwheel -o d.handwheel");
+  }
+  void damagedFilesAreNotReplaced() {
+    QFETCH(QStringList, words);
+    const Bench bench;
+    putDocument(bench, "a.handwheel");
+    QByteArray damaged = bench.content("a.handwheel");
+    damaged.replace("future/data", "fXture/data");  // in the local header and in the directory
+    bench.put("d.handwheel", damaged);
+    const Ran ran = bench.run(words);
+    QCOMPARE(ran.code, 1);
+    QVERIFY2(ran.err.contains("'future/data' is missing"), ran.err);
+    QVERIFY2(ran.err.endsWith("d.handwheel is damaged and is not replaced, so that no more of it is lost. Write to "
+                              "another file.\n"),
+             ran.err);
+    QCOMPARE(bench.content("d.handwheel"), damaged);
+    // What can be had of it goes elsewhere, and a whole file may take its place.
+    words.last() = "e.handwheel";
+    QVERIFY(bench.run(words).code != 1);
+    QVERIFY(bench.names().contains("e.handwheel"));
+    QCOMPARE(bench.run({"convert", "e.handwheel", "d.handwheel"}).code, 0);
+  }
+
+  void importedDocumentsRememberWhatWasTurned() {
+    Shape shape = cube();
+    std::swap(shape.faces[7][0], shape.faces[7][1]);
+    const Bench bench;
+    bench.put("a.off", shape.off());
+    const Ran ran = bench.run({"convert", "a.off", "a.handwheel"});
+    QCOMPARE(ran.code, 0);
+    QCOMPARE(ran.err, QByteArray("handwheel: Triangles turned as their neighbours are: 1.\n"));
+    QVERIFY((*containerIn(bench, "a.handwheel").manifest)["document"]["turned_faces"] == 1);
+    QCOMPARE(bench.run({"repair", "a.off", "-o", "b.handwheel"}).code, 0);
+    QVERIFY((*containerIn(bench, "b.handwheel").manifest)["document"]["turned_faces"] == 1);
+  }
+};
+
+QTEST_GUILESS_MAIN(ContainersTest)
+#include "ContainersTest.moc"
