@@ -43,19 +43,17 @@ std::size_t takeOption(const CommandSpec& command, std::span<char* const> words,
     result.problem = "The option " + std::string(name.substr(0, isShort ? 2 : name.size())) + " takes no value.";
     return 0;
   }
+  std::size_t used = 1;
   if (equals != std::string_view::npos) {
     value = word.substr(equals + 1);
-    return 1;
-  }
-  if (isShort && word.size() > 2) {
+  } else if (isShort && word.size() > 2) {
     value = word.substr(2);
-    return 1;
-  }
-  if (words.size() > 1) {
+  } else if (words.size() > 1) {
     value = words[1];
-    return 2;
+    used = 2;
   }
-  result.problem = "The option " + std::string(word) + " needs a value: " + std::string(option->value) + ".";
+  if (!value.empty()) return used;
+  result.problem = "The option " + std::string(name) + " needs a value: " + std::string(option->value) + ".";
   return 0;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <charconv>
 #include <map>
 #include <span>
 #include <string>
@@ -35,6 +36,13 @@ struct Arguments {
   std::string valueOf(std::string_view name) const;  // the last one given; empty when none was
   std::vector<std::string> valuesOf(std::string_view name) const;
 };
+
+// The whole word as a number, in any locale; for doubles also "inf" and "nan". False when it is none.
+template <class Number>
+bool readNumber(std::string_view word, Number& value) {
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  return error == std::errc() && end == word.data() + word.size();
+}
 
 // "--name value", "--name=value", "-n value", "-nvalue"; "--" ends the options.
 Arguments parseArguments(const CommandSpec& command, std::span<char* const> words);

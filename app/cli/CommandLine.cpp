@@ -12,6 +12,8 @@
 #include "cli/SetCommand.h"
 #include "text/EnglishPlurals.h"
 
+#include <fcntl.h>
+#include <unistd.h>
 #include <QGuiApplication>
 #include <algorithm>
 #include <clocale>
@@ -40,6 +42,12 @@ const Command* find(const std::vector<Command>& all, std::string_view name) {
   return found == all.end() ? nullptr : &*found;
 }
 
+// A point within a word, as in ".stl", ends none.
+std::string_view firstSentence(std::string_view text) {
+  const std::size_t end = std::min(text.find(". "), text.find(".\n"));
+  return end == std::string_view::npos ? text : text.substr(0, end + 1);
+}
+
 std::string overview() {
   std::string page =
       "Handwheel repairs scanned meshes, and prepares workpieces and robot cells.\n\n"
@@ -47,11 +55,12 @@ std::string overview() {
       "       handwheel COMMAND [...]                           works without it\n\n"
       "Commands:\n";
   for (const Command& command : commands()) {
-    const std::string summary(command.spec.summary);
     const std::string name(command.spec.name);
-    page += "  " + name + std::string(10 - name.size(), ' ') + summary.substr(0, summary.find('.') + 1) + "\n";
+    page += "  " + name + std::string(10 - name.size(), ' ') + std::string(firstSentence(command.spec.summary)) + "\n";
   }
-  return page + "\n'handwheel help COMMAND' says more. --version shows the version.\n";
+  return page +
+         "\n'handwheel help COMMAND' says more. --version shows the version.\n"
+         "Exit codes: 0 done, 1 error, 2 something is left or over budget (repair, measure), 130 interrupted.\n";
 }
 
 int help(std::span<char* const> words) {
@@ -113,6 +122,14 @@ std::unique_ptr<QCoreApplication> makeApplication(int& argc, char** argv) {
   return application;
 }
 
+// So that no file gets the number of a stream that the shell has closed (2>&-), and messages do not go into it. Writing
+// to such a stream still fails.
+void occupyClosedStreams() {
+  int descriptor = 0;
+  while (descriptor >= 0 && descriptor <= STDERR_FILENO) descriptor = ::open("/dev/null", O_RDONLY);
+  if (descriptor >= 0) ::close(descriptor);
+}
+
 }  // namespace
 
 bool isCommand(int argc, char** argv) {
@@ -121,6 +138,7 @@ bool isCommand(int argc, char** argv) {
 }
 
 int runCommand(int argc, char** argv, const DocumentKinds& kinds) {
+  occupyClosedStreams();
   watchSignals();
   const std::unique_ptr<QCoreApplication> application = makeApplication(argc, argv);
   EnglishPlurals plurals;

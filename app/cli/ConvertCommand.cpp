@@ -61,6 +61,8 @@ Result<Conversion> convert(const std::filesystem::path& input, const std::filesy
   if (!isContainerName(output)) {
     const Result<Input> read = readInput(input, options, kinds, reading);
     if (!read) return read.error();
+    const std::string refusal = refusalToReplace(output, read->opened.file);
+    if (!refusal.empty()) return Conversion{read->opened.file, {}, refusal};
     return read->mesh ? convertMesh(*read, output, writing) : convertDocument(read->opened, output, writing);
   }
   const Result<OpenedFile> opened = kinds.open(input, options, reading);
@@ -80,10 +82,10 @@ CommandSpec convertSpec() {
   return {
       "convert",
       "IN OUT",
-      "Writes a document in another format, by OUT's ending: .handwheel for all kinds; meshes also .stl, .ply, .obj,\n"
-      ".off and .3mf, workpieces .step. The triangles of a mesh stay the same, in the same order; nothing is "
-      "repaired,\n"
-      "but in a .handwheel equal positions are one vertex, and triangles are turned as their neighbours are.",
+      "Writes a document in another format. OUT's ending says in which: .handwheel for all kinds; meshes also .stl,\n"
+      ".ply, .obj, .off and .3mf, workpieces .step. The triangles of a mesh stay the same, in the same order; nothing "
+      "is\n"
+      "repaired, but in a .handwheel equal positions are one vertex, and triangles are turned as their neighbours are.",
       {
           {"partial", 0, "", "Read what is readable of a damaged file"},
           {"help", 'h', "", "Show this page"},

@@ -7,6 +7,9 @@
 #include "document/NewerFile.h"
 #include "document/mesh/MeshKind.h"
 
+#include <QString>
+#include <algorithm>
+
 namespace handwheel {
 
 namespace {
@@ -67,18 +70,33 @@ void tellLosses(const DocumentFile& file) {
 
 bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
   std::error_code ignored;
+  if (std::filesystem::equivalent(a, b, ignored)) return true;
   const auto whole = [&](const std::filesystem::path& path) {
     return std::filesystem::weakly_canonical(std::filesystem::absolute(path, ignored), ignored);
   };
   return whole(a) == whole(b);
 }
 
+bool isDocumentName(const std::filesystem::path& path, const DocumentKinds& kinds) {
+  const auto hasEndingOf = [name = QString::fromStdString(path.string())](const std::unique_ptr<DocumentKind>& kind) {
+    const std::vector<FileFormat> formats = kind->formats();
+    return std::any_of(formats.begin(), formats.end(), [&](const FileFormat& format) {
+      return std::any_of(format.endings.begin(), format.endings.end(), [&](const std::string& ending) {
+        return name.endsWith(QString::fromStdString(ending), Qt::CaseInsensitive);
+      });
+    });
+  };
+  return isContainerName(path) || std::any_of(kinds.all().begin(), kinds.all().end(), hasEndingOf);
+}
+
 std::string refusalToReplace(const std::filesystem::path& output, const DocumentFile& input) {
-  if (!isContainerName(output)) return {};
   if (!mayReplace(output)) {
-    return output.string() + " was written by a newer version of Handwheel and is not replaced. Write to another file.";
+    return output.string() +
+           " was written by a newer version of Handwheel and is not replaced, so that nothing that only that one knows "
+           "is lost. Write to another file.";
   }
-  if (!input.isContainer || input.damage.empty() || !isSameFile(input.path, output)) return {};
+  const bool isWhole = input.damage.empty() && input.unlistedDamage == 0;
+  if (!input.isContainer || isWhole || !isSameFile(input.path, output)) return {};
   return output.string() + " is damaged and is not replaced, so that no more of it is lost. Write to another file.";
 }
 

@@ -40,11 +40,14 @@ MeshReport reportOn(const Input& mesh, SelfIntersections choice, Progress progre
 // Says what could not be read, is not understood, or is not kept.
 void tellLosses(const DocumentFile& file);
 
-// By their place: a link and what it leads to are the same. They need not exist.
+// A link, symbolic or hard, and what it leads to are the same. They need not exist.
 bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b);
 
-// Why a document must not be written there, as a sentence: a newer program wrote what stands there, or it is the very
-// file that was read, and damaged. Empty when it may.
+// Whether a document has such a name, by its ending: what is no document must not be written there.
+bool isDocumentName(const std::filesystem::path& path, const DocumentKinds& kinds);
+
+// Why nothing must be written there, as a sentence: a newer program wrote the document that stands there, or it is the
+// very document that was read, and damaged. Empty when it may.
 std::string refusalToReplace(const std::filesystem::path& output, const DocumentFile& input);
 
 }  // namespace handwheel

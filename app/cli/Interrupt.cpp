@@ -6,6 +6,7 @@
 #include "cli/ProgressBar.h"
 #include "document/AtomicFile.h"
 
+#include <unistd.h>
 #include <chrono>
 #include <condition_variable>
 #include <csignal>
@@ -30,13 +31,20 @@ void noteSignal(int) {
   signalled = true;
 }
 
+// Calls only what a signal handler may.
+void endAtOnce(int) {
+  static constexpr std::string_view kMessage = "handwheel: Cancelled.\n";
+  [[maybe_unused]] const auto told = ::write(STDERR_FILENO, kMessage.data(), kMessage.size());
+  std::_Exit(kExitInterrupted);
+}
+
 // A program started with a signal ignored (nohup, a background job of a plain shell) goes on ignoring it.
-void watch(int signal) {
+void watch(int signal, void (*handler)(int)) {
   struct sigaction previous {};
   sigaction(signal, nullptr, &previous);
   if (previous.sa_handler == SIG_IGN) return;
   struct sigaction action {};
-  action.sa_handler = noteSignal;
+  action.sa_handler = handler;
   action.sa_flags = SA_RESTART;
   sigaction(signal, &action, nullptr);
 }
@@ -78,12 +86,16 @@ class JobRun {
 };
 
 void watchSignals() {
-  watch(SIGINT);
-  watch(SIGTERM);
+  for (int signal : {SIGINT, SIGTERM}) watch(signal, noteSignal);
 }
 
 bool wasInterrupted() {
   return signalled;
+}
+
+void endWhenInterrupted() {
+  for (int signal : {SIGINT, SIGTERM}) watch(signal, endAtOnce);
+  if (signalled) endAtOnce(0);
 }
 
 void runInterruptible(std::string_view label, const std::function<void(Job&)>& work) {

@@ -35,4 +35,8 @@ void watchSignals();
 // One of them came.
 bool wasInterrupted();
 
+// From now on one of them ends the program at once, which says so; also if it came already. For what cannot be
+// cancelled.
+void endWhenInterrupted();
+
 }  // namespace handwheel

@@ -14,7 +14,6 @@
 
 #include <QFile>
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace handwheel {
@@ -30,12 +29,6 @@ struct MeasureRequest {
   FidelityBudgets budgets;
   SweepOptions sweep;
 };
-
-template <class Number>
-bool readNumber(std::string_view text, Number& value) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size();
-}
 
 // "us=50,ms=16,mb=200"
 bool readBudgets(std::string_view list, FidelityBudgets& budgets) {
@@ -62,7 +55,7 @@ bool readCount(const Arguments& arguments, std::string_view name, int& count) {
 }
 
 // Turns the words into a request. Returns what is wrong with them, or nothing.
-std::string readRequest(const Arguments& arguments, MeasureRequest& request) {
+std::string readRequest(const Arguments& arguments, const DocumentKinds& kinds, MeasureRequest& request) {
   for (const std::string& id : arguments.operands) {
     const FidelityRegistry::Entry* entry = request.registry.find(id);
     if (!entry) return "There is no setting " + id + "; 'handwheel measure --list' names them.";
@@ -77,6 +70,8 @@ std::string readRequest(const Arguments& arguments, MeasureRequest& request) {
   }
   if (!readCount(arguments, "steps", request.sweep.steps)) return "--steps takes a number from 1 to 1000.";
   if (!readCount(arguments, "repeats", request.sweep.repeats)) return "--repeats takes a number from 1 to 1000.";
+  if (isDocumentName(arguments.valueOf("csv"), kinds))
+    return "--csv takes a name such as curves.csv, not that of a document.";
   const std::string plot = std::filesystem::path(arguments.valueOf("plot")).extension().string();
   if (arguments.has("plot") && plot != ".png" && plot != ".svg" && plot != ".csv") {
     return "--plot takes a name that ends in .png, .svg or .csv.";
@@ -202,7 +197,7 @@ CommandSpec measureSpec() {
 
 int runMeasure(const Arguments& arguments, const DocumentKinds& kinds) {
   MeasureRequest request;
-  const std::string problem = readRequest(arguments, request);
+  const std::string problem = readRequest(arguments, kinds, request);
   if (!problem.empty()) return failUsage(problem, "measure");
   if (arguments.has("list")) return print(list(request.registry));
 

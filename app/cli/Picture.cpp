@@ -36,6 +36,11 @@ std::vector<LoopMark> marksOf(const HalfEdgeMesh& mesh) {
 
 }  // namespace
 
+bool isPictureName(const std::filesystem::path& path) {
+  const std::string ending = path.extension().string();
+  return ending == ".png" || ending == ".PNG";
+}
+
 CommandSpec pictureSpec() {
   return {"picture",
           "IN PNG",
@@ -59,6 +64,7 @@ int makePictureApart(const std::filesystem::path& mesh, const std::filesystem::p
 }
 
 int runPicture(const Arguments& arguments, const DocumentKinds& kinds) {
+  if (!isPictureName(arguments.operands[1])) return failUsage("PNG is a name that ends in .png.", "picture");
   const bool partial = arguments.has("partial");
   if (!hasDisplay()) return makePictureApart(arguments.operands[0], arguments.operands[1], partial);
   std::optional<Result<Input>> input;
@@ -77,6 +83,7 @@ int runPicture(const Arguments& arguments, const DocumentKinds& kinds) {
   });
   if (!*input) return fail(input->error());
   const std::filesystem::path png = arguments.operands[1];
+  endWhenInterrupted();
   const Status drawn = input->value().mesh ? renderToFile(mesh, marksOf(mesh), png, kWidth, kHeight)
                                            : renderToFile(model, png, kWidth, kHeight);
   return drawn ? kExitDone : fail(drawn.error());

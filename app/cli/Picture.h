@@ -9,6 +9,9 @@
 
 namespace handwheel {
 
+// Ends in .png or .PNG.
+bool isPictureName(const std::filesystem::path& path);
+
 CommandSpec pictureSpec();
 int runPicture(const Arguments& arguments, const DocumentKinds& kinds);
 

@@ -14,31 +14,24 @@
 #include "mesh/MeshFidelity.h"
 
 #include <algorithm>
-#include <charconv>
 
 namespace handwheel {
 
 namespace {
 
-template <class Integer>
-bool readInteger(std::string_view text, Integer& value) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size();
-}
-
 bool readIds(std::string_view list, std::set<int>& ids) {
   while (true) {
     const std::size_t comma = list.find(',');
     int id = 0;
-    if (!readInteger(list.substr(0, comma), id)) return false;
+    if (!readNumber(list.substr(0, comma), id)) return false;
     ids.insert(id);
     if (comma == std::string_view::npos) return true;
     list.remove_prefix(comma + 1);
   }
 }
 
-// OUT may be IN, but what is written beside must not replace either, nor one another.
-std::string fileNamedTwice(const RepairRequest& request, const Arguments& arguments) {
+// OUT may be IN, but what is written beside must not replace either, nor another document, nor one another.
+std::string problemBeside(const RepairRequest& request, const Arguments& arguments, const DocumentKinds& kinds) {
   const std::string report = arguments.valueOf("report"), picture = arguments.valueOf("screenshot");
   for (const std::string& beside : {report, picture}) {
     if (beside.empty()) continue;
@@ -47,11 +40,14 @@ std::string fileNamedTwice(const RepairRequest& request, const Arguments& argume
     }
   }
   const bool both = !report.empty() && !picture.empty();
-  return both && isSameFile(report, picture) ? "The report and the screenshot need a file each." : std::string();
+  if (both && isSameFile(report, picture)) return "The report and the screenshot need a file each.";
+  if (isDocumentName(report, kinds)) return "--report takes a name such as part.json, not that of a document.";
+  if (!picture.empty() && !isPictureName(picture)) return "--screenshot takes a name that ends in .png.";
+  return {};
 }
 
 // Turns the words into a request. Returns what is wrong with them, or nothing.
-std::string readRequest(const Arguments& arguments, RepairRequest& request) {
+std::string readRequest(const Arguments& arguments, const DocumentKinds& kinds, RepairRequest& request) {
   if (!arguments.has("output")) return "The option -o OUT is missing.";
   request.input = arguments.operands[0];
   request.output = arguments.valueOf("output");
@@ -73,14 +69,14 @@ std::string readRequest(const Arguments& arguments, RepairRequest& request) {
     return "--keep-open takes loop numbers separated by commas.";
   }
   if (arguments.has("max-hole") &&
-      (!readInteger(arguments.valueOf("max-hole"), request.options.maxEdges) || request.options.maxEdges == 0)) {
+      (!readNumber(arguments.valueOf("max-hole"), request.options.maxEdges) || request.options.maxEdges == 0)) {
     return "--max-hole takes a number of edges above zero.";
   }
   const std::string unit = arguments.valueOf("unit");
   if (arguments.has("unit") && unit != "mm" && unit != "cm" && unit != "m" && unit != "in") {
     return "--unit takes mm, cm, m or in.";
   }
-  return fileNamedTwice(request, arguments);
+  return problemBeside(request, arguments, kinds);
 }
 
 // "closed, manifold and oriented", or what of it the file is not.
@@ -143,14 +139,14 @@ CommandSpec repairSpec() {
           {"unit", 0, "UNIT", "mm (default), cm, m or in: noted in the report, nothing is scaled"},
           {"partial", 0, "", "Read what is readable of a damaged file"},
           {"report", 0, "FILE", "Write figures before and after, and what became of each loop, as JSON"},
-          {"screenshot", 0, "PNG", "Draw the result"},
+          {"screenshot", 0, "PNG", "Draw the result; where that fails the repair is done all the same"},
           {"help", 'h', "", "Show this page"},
       }};
 }
 
 int runRepair(const Arguments& arguments, const DocumentKinds& kinds) {
   RepairRequest request;
-  const std::string problem = readRequest(arguments, request);
+  const std::string problem = readRequest(arguments, kinds, request);
   if (!problem.empty()) return failUsage(problem, "repair");
 
   std::optional<Result<RepairRun>> run;

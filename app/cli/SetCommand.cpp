@@ -48,6 +48,15 @@ int assignAndSave(OpenedFile opened, std::span<const std::string> words, const s
   return kExitDone;
 }
 
+// The kinds of which there are new documents: "workpiece".
+std::string kindsToMake(const DocumentKinds& kinds) {
+  std::string all;
+  for (const auto& kind : kinds.all()) {
+    if (kind->blank()) all += (all.empty() ? "" : " or ") + kind->id();
+  }
+  return all;
+}
+
 const std::vector<OptionSpec> kOptions = {
     {"output", 'o', "OUT", "The document to write, .handwheel or an export"},
     {"help", 'h', "", "Show this page"},
@@ -61,16 +70,18 @@ CommandSpec newSpec() {
 }
 
 CommandSpec setSpec() {
-  return {"set", "IN [NAME=VALUE...]",
-          "Changes properties of a document, such as diameter=25.4/2 or joint.joint_1=30deg, and writes it to OUT.\n"
-          "'handwheel inspect IN' lists the properties.",
-          kOptions};
+  return {
+      "set", "IN [NAME=VALUE...]",
+      "Changes properties of a document. Examples: diameter=25.4/2, joint.joint_1=30deg; 'handwheel inspect IN' lists\n"
+      "them. OUT may be IN, unless IN is damaged or of a newer version.",
+      kOptions};
 }
 
 int runNew(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!arguments.has("output")) return failUsage("The option -o OUT is missing.", "new");
   const DocumentKind* kind = kinds.withId(arguments.operands[0]);
-  if (!kind || !kind->blank()) return failUsage("There is no new '" + arguments.operands[0] + "' to be had.", "new");
+  if (!kind || !kind->blank())
+    return failUsage("KIND is " + kindsToMake(kinds) + ", not '" + arguments.operands[0] + "'.", "new");
   return assignAndSave(DocumentKinds::blank(*kind), std::span(arguments.operands).subspan(1),
                        arguments.valueOf("output"));
 }

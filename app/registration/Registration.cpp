@@ -28,7 +28,9 @@ std::vector<Entry> entries() {
   std::vector<Entry> all;
   all.push_back({std::make_unique<CellKind>(), make<CellUi>});
   all.push_back({std::make_unique<WorkpieceKind>(), make<WorkpieceUi>});
-  all.push_back({std::make_unique<MeshKind>(), make<MeshUi>});
+  auto mesh = std::make_unique<MeshKind>();
+  const auto meshWindow = [&kind = *mesh](const WindowParts& parts) { return std::make_unique<MeshUi>(parts, kind); };
+  all.push_back({std::move(mesh), meshWindow});
   return all;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/CommandText.h"
 
+#include "mesh/MeshFidelity.h"
 #include "text/RepairText.h"
 
 #include <QDir>
@@ -48,6 +49,17 @@ QString assignments(const std::vector<Property>& before, const std::vector<Prope
   return words;
 }
 
+// " --fidelity mesh.near_weld=0.0001", with the values that are not the defaults. The method has an option of its own.
+QString fidelityOption(const RepairOptions& options) {
+  QStringList values;
+  const auto add = [&values](const FidelitySetting& setting, double value) {
+    if (value != setting.standard) values << QString::fromStdString(setting.id + '=' + textOf(setting, value));
+  };
+  add(nearWeldSetting(), options.nearWeld);
+  add(patchDensitySetting(), options.fill.density);
+  return values.isEmpty() ? QString() : QStringLiteral(" --fidelity ") + values.join(QLatin1Char(','));
+}
+
 }  // namespace
 
 QString inspectCommand(const QString& path, const ReadOptions& options) {
@@ -57,7 +69,8 @@ QString inspectCommand(const QString& path, const ReadOptions& options) {
 
 QString repairCommand(const QString& path, const RepairOptions& options) {
   QString command = QStringLiteral("handwheel repair %1 -o %2 --fill %3")
-                        .arg(file(path), file(repairedName(path)), fillMethodWord(options.fill.method));
+                        .arg(file(path), file(repairedName(path)), fillMethodWord(options.fill.method)) +
+                    fidelityOption(options);
   if (options.keepOpen.empty()) return command;
   QStringList ids;
   for (int id : options.keepOpen) ids << QString::number(id);

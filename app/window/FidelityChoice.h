@@ -26,13 +26,17 @@ class FidelityChoice : public QObject {
   void set(const std::string& id, double value);
 
   // As measured when the presets were derived; empty when it is not there.
-  std::vector<CurvePoint> curve(const std::string& id) const;
+  const std::vector<CurvePoint>& curve(const std::string& id) const;
+  // What a value of a registered setting will err and cost by that curve: between two measured ones on the line that
+  // joins them where the scales are logarithmic. None without a curve.
+  std::optional<CurvePoint> predicted(const std::string& id, double value) const;
 
  signals:
   void changed();
 
  private:
   FidelityRegistry m_registry;
+  mutable std::map<std::string, std::vector<CurvePoint>> m_curves;  // as far as they were asked for
   FidelityValues m_values;
 };
 

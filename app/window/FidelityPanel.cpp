@@ -3,16 +3,17 @@
 #include "window/FidelityPanel.h"
 
 #include "controls/PropertyList.h"
-#include "plot/PlotPainting.h"
-#include "theme/Theme.h"
+#include "plot/PlotWidget.h"
 #include "window/FidelityChoice.h"
 
-#include <QCoreApplication>
+#include <QApplication>
 #include <QLabel>
-#include <QPainter>
+#include <QSignalBlocker>
+#include <QSlider>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 namespace handwheel {
 
@@ -20,7 +21,8 @@ namespace {
 
 constexpr const char* kPreset = "preset";
 constexpr int kCurveHeight = 200;  // logical pixels
-constexpr int kLeastWidth = 296;   // for the titles of the axes
+constexpr int kSliderSteps = 100;
+constexpr int kLeastWidth = 296;  // for the titles of the axes
 
 QString translated(const std::string& text) {
   return QCoreApplication::translate("Fidelity", text.c_str());
@@ -39,6 +41,36 @@ int presetOf(const FidelityRegistry& registry, const FidelityValues& values) {
   return static_cast<int>(kFidelityPresets.size()) + 1;
 }
 
+int stepsOf(const FidelitySetting& setting) {
+  return setting.scale == FidelityScale::Choices ? static_cast<int>(setting.choices.size()) - 1 : kSliderSteps;
+}
+
+// In two digits: more would pretend a precision that nobody chose.
+double valueAtStep(const FidelitySetting& setting, int step) {
+  const double value = valueAt(setting, static_cast<double>(step) / stepsOf(setting));
+  if (setting.scale == FidelityScale::Choices) return value;
+  return std::clamp(QString::number(value, 'g', 2).toDouble(), setting.least, setting.largest);
+}
+
+// "CPU time of a fill: 3.2 ms"
+QString lineOf(const FidelityMeasure& measure, double value) {
+  const QString number = std::isfinite(value) ? QLocale().toString(value, 'g', 3) : QStringLiteral("∞");
+  return QStringLiteral("%1: %2 %3").arg(translated(measure.name), number, QString::fromStdString(measure.unit));
+}
+
+// "Draft: 0.1, Balanced: 0.022, Exact: 0.0001"
+QString presetsOf(const FidelitySetting& setting) {
+  QStringList presets;
+  for (FidelityPreset preset : kFidelityPresets) {
+    const double value = setting.presetValue(preset);
+    const QString shown =
+        setting.choices.empty() ? QLocale().toString(value, 'g', 7) : QString::fromStdString(textOf(setting, value));
+    const QString word = QCoreApplication::translate("Property", std::string(wordFor(preset)).c_str());
+    presets << QStringLiteral("%1: %2").arg(word, shown);
+  }
+  return presets.join(QStringLiteral(", "));
+}
+
 Property propertyFor(const FidelitySetting& setting, double value) {
   Property property;
   property.id = setting.id;
@@ -54,49 +86,57 @@ Property propertyFor(const FidelitySetting& setting, double value) {
 
 }  // namespace
 
-class FidelityPanel::Curve : public QWidget {
- public:
-  explicit Curve(QWidget* parent) : QWidget(parent) {
-    setObjectName(QStringLiteral("fidelityCurve"));
-    setFixedHeight(kCurveHeight);
-  }
-  void show(Plot plot) {
-    m_plot = std::move(plot);
-    update();
-  }
-
- protected:
-  void paintEvent(QPaintEvent*) override {
-    QPainter painter(this);
-    paintPlot(painter, rect(), m_plot, currentTheme());
-  }
-
- private:
-  Plot m_plot;
-};
-
 FidelityPanel::FidelityPanel(FidelityChoice& choice, QWidget* parent)
     : QWidget(parent),
       m_choice(choice),
       m_list(new PropertyList(this)),
       m_title(new QLabel(this)),
-      m_curve(new Curve(this)),
+      m_slider(new QSlider(Qt::Horizontal, this)),
+      m_prediction(new QLabel(this)),
+      m_curve(new PlotWidget(this)),
       m_shown(choice.registry().entries().front().setting.id) {
   setObjectName(QStringLiteral("fidelityPanel"));
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
   setMinimumWidth(kLeastWidth);
   m_title->setWordWrap(true);
   m_title->setProperty("strong", true);
-  m_title->setContentsMargins(12, 0, 12, 0);
+  m_slider->setObjectName(QStringLiteral("fidelitySlider"));
+  m_slider->setTracking(false);
+  m_prediction->setObjectName(QStringLiteral("fidelityPrediction"));
+  m_prediction->setWordWrap(true);
+  m_curve->setObjectName(QStringLiteral("fidelityCurve"));
+  m_curve->setFixedHeight(kCurveHeight);
+  auto* detail = new QVBoxLayout;
+  detail->setContentsMargins(12, 0, 12, 0);
+  for (QWidget* part : std::initializer_list<QWidget*>{m_title, m_slider, m_prediction}) detail->addWidget(part);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(m_list, 1);
-  column->addWidget(m_title);
+  column->addLayout(detail);
   column->addWidget(m_curve);
   connect(m_list, &PropertyList::edited, this, [this](const std::string& id, const PropertyValue& value, bool) {
     if (const auto* number = std::get_if<double>(&value)) edit(id, *number);
   });
+  const auto setting = [this]() -> const FidelitySetting& { return m_choice.registry().find(m_shown)->setting; };
+  connect(m_slider, &QSlider::sliderMoved, this, [=, this](int place) { predict(valueAtStep(setting(), place)); });
+  connect(m_slider, &QSlider::valueChanged, this,
+          [=, this](int place) { m_choice.set(m_shown, valueAtStep(setting(), place)); });
+  // Let go where it began, it changes nothing; shown later, as the slider takes its place after this signal.
+  connect(
+      m_slider, &QSlider::sliderReleased, this, [this] { showSetting(m_shown); }, Qt::QueuedConnection);
+  connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { follow(now); });
   connect(&m_choice, &FidelityChoice::changed, this, &FidelityPanel::refresh);
   refresh();
+}
+
+// The setting of the row that has the focus is shown below.
+void FidelityPanel::follow(QWidget* focused) {
+  const QString prefix = QStringLiteral("property/");
+  for (QWidget* at = m_list->isAncestorOf(focused) ? focused : nullptr; at && at != m_list; at = at->parentWidget()) {
+    if (!at->objectName().startsWith(prefix)) continue;
+    const std::string id = at->objectName().mid(prefix.size()).toStdString();
+    if (id != m_shown && m_choice.registry().find(id)) showSetting(id);
+    return;
+  }
 }
 
 void FidelityPanel::edit(const std::string& id, double value) {
@@ -126,28 +166,48 @@ void FidelityPanel::refresh() {
     all.push_back(propertyFor(entry.setting, m_choice.values().of(entry.setting)));
   }
   m_list->setProperties(all);
-  m_title->setText(translated(m_choice.registry().find(m_shown)->setting.label));
-  m_curve->setAccessibleName(m_title->text());
-  m_curve->show(plotOf(m_shown));
+  showSetting(m_shown);
 }
 
-Plot FidelityPanel::plotOf(const std::string& id) const {
+void FidelityPanel::showSetting(const std::string& id) {
+  m_shown = id;
+  const FidelitySetting& setting = m_choice.registry().find(id)->setting;
+  const double value = m_choice.of(id);
+  m_title->setText(translated(setting.label));
+  m_slider->setAccessibleName(m_title->text());
+  if (!m_slider->isSliderDown()) {
+    const QSignalBlocker quiet(m_slider);
+    m_slider->setRange(0, stepsOf(setting));
+    m_slider->setPageStep(std::max(1, stepsOf(setting) / 10));
+    m_slider->setValue(static_cast<int>(std::lround(placeOf(setting, value) * stepsOf(setting))));
+  }
+  predict(value);
+}
+
+void FidelityPanel::predict(double value) {
+  const FidelitySetting& setting = m_choice.registry().find(m_shown)->setting;
+  const auto point = m_choice.predicted(m_shown, value);
+  QStringList lines;
+  if (point) lines << lineOf(setting.error, point->error) << lineOf(setting.cost, point->cost);
+  lines << presetsOf(setting);
+  m_prediction->setText(lines.join(QLatin1Char('\n')));
+  m_curve->setPlot(plotOf(m_shown, value));
+  m_curve->setAccessibleName(m_title->text());
+}
+
+Plot FidelityPanel::plotOf(const std::string& id, double value) const {
   const FidelitySetting& setting = m_choice.registry().find(id)->setting;
   Plot plot;
   plot.x = {translated(setting.cost.name), QString::fromStdString(setting.cost.unit), true};
   plot.y = {translated(setting.error.name), QString::fromStdString(setting.error.unit), true};
   plot.locale = QLocale();
-  const std::vector<CurvePoint> curve = m_choice.curve(id);
   PlotSeries measured;
   measured.name = tr("Measured");
-  for (const CurvePoint& point : curve) measured.points.emplace_back(point.cost, point.error);
-  const double value = m_choice.of(id);
-  const auto nearest = std::min_element(curve.begin(), curve.end(), [&](const CurvePoint& a, const CurvePoint& b) {
-    return std::abs(placeOf(setting, a.value) - placeOf(setting, value)) <
-           std::abs(placeOf(setting, b.value) - placeOf(setting, value));
-  });
-  if (nearest != curve.end()) plot.marks.push_back({QPointF(nearest->cost, nearest->error), tr("now")});
+  for (const CurvePoint& point : m_choice.curve(id)) measured.points.emplace_back(point.cost, point.error);
   plot.series.push_back(std::move(measured));
+
+  const auto now = m_choice.predicted(id, value);
+  if (now) plot.marks.push_back({QPointF(now->cost, now->error), tr("now")});
   return plot;
 }
 

@@ -7,14 +7,17 @@
 #include <QWidget>
 
 class QLabel;
+class QSlider;
 
 namespace handwheel {
 
 class FidelityChoice;
+class PlotWidget;
 class PropertyList;
 
-// Shows where the user stands between speed and accuracy: preset, each setting, and the measured curve of the one that
-// was touched last, with the present choice on it.
+// Shows where the user stands between speed and accuracy: preset, each setting, and of the one that has the focus, or
+// had it last, a slider on its own scale, what its value is predicted to err and cost, its presets, and the measured
+// curve with the value on it. While the slider is held all of that follows it; the choice is made when it is let go.
 class FidelityPanel : public QWidget {
   Q_OBJECT
 
@@ -22,16 +25,20 @@ class FidelityPanel : public QWidget {
   explicit FidelityPanel(FidelityChoice& choice, QWidget* parent = nullptr);
 
  private:
-  class Curve;
+  void follow(QWidget* focused);
+  void showSetting(const std::string& id);
   void edit(const std::string& id, double value);
   void refresh();
-  Plot plotOf(const std::string& id) const;
+  void predict(double value);
+  Plot plotOf(const std::string& id, double value) const;
 
   FidelityChoice& m_choice;
   PropertyList* m_list;
-  QLabel* m_title;  // of the curve
-  Curve* m_curve;
-  std::string m_shown;  // id of the setting whose curve is drawn
+  QLabel* m_title;  // of what is below
+  QSlider* m_slider;
+  QLabel* m_prediction;
+  PlotWidget* m_curve;
+  std::string m_shown;  // id of the setting
 };
 
 }  // namespace handwheel

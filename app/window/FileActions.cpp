@@ -43,6 +43,16 @@ void prepare(QAction& action, const char* name, const char* iconName, const QStr
   setTip(action, tip);
 }
 
+// "part-2.handwheel", or what number is free.
+QString freeName(const QString& path) {
+  const QFileInfo file(path);
+  for (int number = 2;; ++number) {
+    const QString name =
+        QStringLiteral("%1-%2.%3").arg(file.completeBaseName(), QString::number(number), file.suffix());
+    if (!file.dir().exists(name)) return file.dir().filePath(name);
+  }
+}
+
 }  // namespace
 
 FileActions::FileActions(QWidget* window, const DocumentKinds& kinds, const KindUis& uis, DocumentTabs& tabs,
@@ -164,7 +174,8 @@ void FileActions::askForName(OpenDocument* document, std::function<void()> then)
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setLabelText(QFileDialog::LookIn, tr("Save in:"));
   dialog->setNameFilters(saveFilters(document->document.kind()));
-  const QString suggestion = document->ui.suggestedName(*document);
+  QString suggestion = document->ui.suggestedName(*document);
+  if (needsNewName(*document) && suggestion == document->document.path()) suggestion = freeName(suggestion);
   const bool sample = isSample(QFileInfo(document->document.path()));
   const bool writable = QFileInfo(QFileInfo(suggestion).path()).isWritable();
   dialog->setDirectory(writable && !sample ? QFileInfo(suggestion).path() : lastFolder());

@@ -66,8 +66,9 @@ void FileLoader::load(const QString& path, const ReadOptions& options) {
 }
 
 void FileLoader::create(const std::string& kind) {
-  OpenDocument* added = add(DocumentKinds::blank(*m_kinds.withId(kind)));
-  added->inFile = added->document.properties();
+  const DocumentKind& of = *m_kinds.withId(kind);
+  OpenDocument* added = add(DocumentKinds::blank(of));
+  added->inFile = of.make(DocumentKinds::blank(of))->properties();  // from which the command line starts
 }
 
 void FileLoader::recover(const QString& autosave, const QString& path, std::function<void(OpenDocument*)> then) {

@@ -10,6 +10,7 @@
 #include "window/PanelToggle.h"
 #include "window/ToolChoice.h"
 #include "window/ViewActions.h"
+#include "window/ViewSettings.h"
 
 #include <QDockWidget>
 #include <QMenuBar>
@@ -73,6 +74,8 @@ void MainWindow::buildMenus() {
   view->addActions(m_viewActions->views());
   view->addSeparator();
   view->addActions(m_viewActions->shadings());
+  view->addSeparator();
+  view->addAction(m_viewSettings->clipAction());
   view->addSeparator();
   for (QDockWidget* dock : docks()) view->addAction(dock->findChild<PanelToggle*>());
   view->addSeparator();

@@ -70,7 +70,9 @@ ToolHost::ToolHost(Viewport& viewport, ToolPanel& panel, NeedSet& needs, QObject
   m_viewport.installEventFilter(this);
   m_viewport.setPointerSink([this](const PointerInput& input) { return take(input); });
   connect(&m_panel.settings(), &PropertyList::edited, this,
-          [this](const std::string& id, const PropertyValue& value, bool) { m_runner.setSetting(id, value); });
+          [this](const std::string& id, const PropertyValue& value, bool) {
+            if (const Tool* tool = m_runner.tool()) choose(tool->id(), id, value);
+          });
   connect(&m_panel, &ToolPanel::triggered, this, [this](const std::string& action) { m_runner.perform(action); });
   connect(&m_runner, &ToolRunner::updated, this, &ToolHost::show);
   connect(&m_runner, &ToolRunner::ended, this, &ToolHost::showNothing);
@@ -84,8 +86,14 @@ ToolHost::~ToolHost() {
 void ToolHost::start(std::unique_ptr<Tool> tool, Document& document) {
   m_needed.clear();
   for (const std::string& service : tool->needs()) m_needed.push_back(m_needs.need(service));
+  for (const auto& [id, value] : m_chosen[tool->id()]) tool->setSetting(id, value);
   m_runner.start(std::move(tool), document);
   show();
+}
+
+void ToolHost::choose(const std::string& tool, const std::string& setting, const PropertyValue& value) {
+  m_chosen[tool][setting] = value;
+  if (m_runner.tool() && m_runner.tool()->id() == tool) m_runner.setSetting(setting, value);
 }
 
 // A hover is never kept from the view, which tells the lists what is under the cursor.

@@ -6,6 +6,8 @@
 #include "panels/HintBar.h"
 #include "tools/ToolRunner.h"
 
+#include <map>
+
 namespace handwheel {
 
 class ToolPanel;
@@ -23,6 +25,8 @@ class ToolHost : public QObject {
 
   void start(std::unique_ptr<Tool> tool, Document& document);
   void stop() { m_runner.stop(); }
+  // A setting of a tool: for the one that runs, and for the next time that such a one is started.
+  void choose(const std::string& tool, const std::string& setting, const PropertyValue& value);
   ToolRunner& runner() { return m_runner; }
 
   // What the pointer and the keys do now, translated.
@@ -43,6 +47,7 @@ class ToolHost : public QObject {
   NeedSet& m_needs;
   ToolRunner m_runner;
   std::vector<Need> m_needed;
+  std::map<std::string, std::map<std::string, PropertyValue>> m_chosen;  // by tool
 };
 
 }  // namespace handwheel

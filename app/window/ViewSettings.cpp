@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/ViewSettings.h"
 
+#include "theme/Icons.h"
+#include "window/ActionTip.h"
+
 #include <algorithm>
 
 namespace handwheel {
@@ -35,7 +38,17 @@ Property toggle(const char* id, const char* label, bool on) {
 }  // namespace
 
 ViewSettings::ViewSettings(PropertyList& list, Viewport& viewport, QObject* parent)
-    : QObject(parent), m_list(list), m_viewport(viewport) {
+    : QObject(parent), m_list(list), m_viewport(viewport), m_clip(tr("&Cut the model open"), this) {
+  m_clip.setObjectName(QStringLiteral("clipModel"));
+  m_clip.setIcon(icon(QStringLiteral("clip")));
+  m_clip.setIconVisibleInMenu(false);  // the check mark stands there
+  m_clip.setCheckable(true);
+  m_clip.setShortcut(QKeySequence(Qt::Key_C));
+  setTip(m_clip, tr("Clipping plane: look inside; the panel “View” places it"));
+  connect(&m_clip, &QAction::toggled, this, [this] {
+    clip();
+    refresh();
+  });
   connect(&m_list, &PropertyList::edited, this, [this](const std::string& id, const PropertyValue& value, bool) {
     set(id, value);
     refresh();
@@ -49,7 +62,7 @@ void ViewSettings::refresh() {
   Property cube = toggle("view_cube", QT_TRANSLATE_NOOP("Property", "View cube"), m_cube);
   cube.group = all[0].group;
   all.push_back(cube);
-  all.push_back(toggle("clip", QT_TRANSLATE_NOOP("Property", "Cut the model open"), m_isClipping));
+  all.push_back(toggle("clip", QT_TRANSLATE_NOOP("Property", "Cut the model open"), m_clip.isChecked()));
   Property axis = choice("clip_axis", QT_TRANSLATE_NOOP("Property", "Across"), m_axis,
                          {"X", "Y", "Z", QT_TRANSLATE_NOOP("Property", "View direction")});
   axis.group = kClipGroup;
@@ -65,7 +78,7 @@ void ViewSettings::refresh() {
   offset.least = least;
   offset.largest = largest;
   offset.value = std::clamp(m_offset, least, largest);
-  offset.editable = m_isClipping;
+  offset.editable = m_clip.isChecked();
   all.push_back(offset);
   m_list.setProperties(all);
 }
@@ -95,8 +108,7 @@ void ViewSettings::set(const std::string& id, const PropertyValue& value) {
   } else if (id == "view_cube") {
     m_viewport.setViewCubeVisible(m_cube = std::get<bool>(value));
   } else if (id == "clip") {
-    m_isClipping = std::get<bool>(value);
-    clip();
+    m_clip.setChecked(std::get<bool>(value));
   } else if (id == "clip_axis") {
     m_axis = static_cast<int>(std::get<double>(value));
     m_viewDirection = m_viewport.camera().towardsViewer();
@@ -113,7 +125,7 @@ void ViewSettings::set(const std::string& id, const PropertyValue& value) {
 }
 
 void ViewSettings::clip() {
-  const ClipPlane plane{axis(), m_offset, m_isClipping};
+  const ClipPlane plane{axis(), m_offset, m_clip.isChecked()};
   m_viewport.setClipPlane(m_isFlipped ? plane.flipped() : plane);
 }
 

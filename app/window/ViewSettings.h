@@ -5,6 +5,8 @@
 #include "controls/PropertyList.h"
 #include "viewport/Viewport.h"
 
+#include <QAction>
+
 namespace handwheel {
 
 // How the view shows the model: projection, clipping plane, view cube. Shown as a form, kept with nothing: a view is
@@ -20,6 +22,7 @@ class ViewSettings : public QObject {
   // The model has changed its size, or the camera its projection.
   void refresh();
   void setLengthUnit(LengthUnit unit);
+  QAction* clipAction() { return &m_clip; }  // cuts the model open
 
  private:
   Vec3 axis() const;
@@ -29,7 +32,7 @@ class ViewSettings : public QObject {
 
   PropertyList& m_list;
   Viewport& m_viewport;
-  bool m_isClipping = false;
+  QAction m_clip;
   int m_axis = 0;  // X, Y, Z, or the direction of the view at the time it was chosen
   bool m_isFlipped = false;
   double m_offset = 0.0;  // along the axis, mm

@@ -3,6 +3,7 @@
 #include "base/ThreadClock.h"
 
 #include <time.h>
+#include <chrono>
 
 namespace handwheel {
 
@@ -10,6 +11,11 @@ std::uint64_t threadCpuNanoseconds() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);  // cannot fail for the calling thread
   return static_cast<std::uint64_t>(time.tv_sec) * 1'000'000'000u + static_cast<std::uint64_t>(time.tv_nsec);
+}
+
+Spent Spent::now() {
+  const std::chrono::duration<double, std::milli> clock = std::chrono::steady_clock::now().time_since_epoch();
+  return {clock.count(), static_cast<double>(threadCpuNanoseconds()) * 1e-6};
 }
 
 }  // namespace handwheel

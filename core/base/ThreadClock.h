@@ -10,6 +10,16 @@ namespace handwheel {
 // costs a fraction of a microsecond (a system call).
 std::uint64_t threadCpuNanoseconds();
 
+// A time in ms: by the clock, and of the calling thread's CPU.
+struct Spent {
+  double clock = 0.0;
+  double cpu = 0.0;
+
+  static Spent now();  // since some moment in the past
+  Spent operator+(const Spent& other) const { return {clock + other.clock, cpu + other.cpu}; }
+  Spent operator-(const Spent& other) const { return {clock - other.clock, cpu - other.cpu}; }
+};
+
 // CPU time, in ms, that a piece of work takes on the calling thread. What it hands to other threads is not counted.
 template <class Work>
 double cpuMilliseconds(Work&& work) {

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/AtomicFile.h"
 
+#include "document/DraftFile.h"
+
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
-#include <QFile>
-#include <QSaveFile>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
@@ -32,14 +33,14 @@ std::string systemReason() {
 }
 
 // The path itself, or what the link leads to, which need not exist.
-std::filesystem::path linkTarget(const std::filesystem::path& path) {
+std::filesystem::path linkTarget(std::filesystem::path path) {
+  constexpr int kMostLinks = 40;  // as Linux follows; in a ring it ends at a link, which nothing can be written to
   std::error_code ignored;
-  const auto resolved = std::filesystem::weakly_canonical(path, ignored);
-  return ignored || resolved.empty() ? path : resolved;
+  for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(path, ignored); ++i)
+    path = path.parent_path() / std::filesystem::read_symlink(path, ignored);
+  return path;
 }
 
-// Straight to the descriptor: QSaveFile loses the reason ("Unknown error") when a disk fills up half-way through a
-// block.
 bool writeAll(int descriptor, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
@@ -49,14 +50,17 @@ bool writeAll(int descriptor, std::string_view bytes) {
   return true;
 }
 
-// After the rename: without this the folder may still name the old file after a power cut.
-bool syncFolderOf(const std::filesystem::path& target) {
-  const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return errno == EACCES;  // a folder one may write to but not list cannot be synchronised
-  const bool synced = ::fsync(descriptor) == 0 || errno == EINVAL;  // EINVAL: the file system has no such thing
-  ::close(descriptor);
-  return synced;
+// EINVAL: the file system has no such thing.
+bool synchronise(int descriptor) {
+  return ::fsync(descriptor) == 0 || errno == EINVAL;
+}
+
+// The old file must be writable, though it is only replaced; its permissions stay where the file system has any.
+bool takeOver(const std::filesystem::path& target, int descriptor) {
+  struct stat old {};
+  if (::stat(target.c_str(), &old) != 0) return errno == ENOENT;
+  (void)::fchmod(descriptor, old.st_mode & 0777);
+  return ::access(target.c_str(), W_OK) == 0;
 }
 
 }  // namespace
@@ -71,24 +75,30 @@ Status writeFileAtomically(const std::filesystem::path& path, std::string_view b
       kind != std::filesystem::file_type::none) {
     return writeFailed(path, "Not a regular file");
   }
-  const QString name = QFile::decodeName(target.c_str());
-  if (QFile::encodeName(name) != target.c_str()) return writeFailed(path, "The name is not UTF-8");
 
   const BeingWritten counted;
-  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-  QSaveFile file(name);
-  if (!file.open(QIODevice::WriteOnly)) return writeFailed(path, file.errorString().toStdString());
+  const Error cancelled{ErrorCode::Cancelled, {}, {}, {}};
+  if (progress.cancelled()) return cancelled;
+  DraftFile draft(target);
+  const int file = draft.descriptor();
+  if (file < 0 || !takeOver(target, file)) return writeFailed(path, systemReason());
   for (std::size_t start = 0; start < bytes.size(); start += kBlock) {
-    if (!writeAll(file.handle(), bytes.substr(start, kBlock))) return writeFailed(path, systemReason());
+    if (!writeAll(file, bytes.substr(start, kBlock))) return writeFailed(path, systemReason());
     progress.set(static_cast<double>(start) / static_cast<double>(bytes.size()));
-    if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+    if (progress.cancelled()) return cancelled;
   }
-  // QSaveFile synchronises too but keeps quiet about a failure, such as a disk quota found exceeded this late.
-  if (::fsync(file.handle()) != 0 && errno != EINVAL) return writeFailed(path, systemReason());
-  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-  if (!file.commit()) return writeFailed(path, file.errorString().toStdString());
-  if (!syncFolderOf(target)) return writeFailed(path, systemReason());
+  if (!synchronise(file)) return writeFailed(path, systemReason());
+  if (progress.cancelled()) return cancelled;
+  if (!draft.takePlace() || !syncFolder(folderOf(target))) return writeFailed(path, systemReason());
   return Done{};
+}
+
+bool syncFolder(const std::filesystem::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return errno == EACCES;  // a folder one may write to but not list cannot be synchronised
+  const bool synced = synchronise(descriptor);
+  ::close(descriptor);
+  return synced;
 }
 
 bool isWritingFile() {

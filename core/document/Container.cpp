@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/Container.h"
 
+#include "document/FileBytes.h"
 #include "document/container/ContainerLayout.h"
 
 #include <cassert>
@@ -64,7 +65,7 @@ Result<std::string> writeContainer(const Container& container, Compression compr
 }
 
 bool looksLikeContainer(std::string_view bytes) {
-  constexpr std::size_t kNameInHeader = 30, kProbe = 64 * 1024;
+  constexpr std::size_t kNameInHeader = 30;
   const auto hasManifestAt = [&](std::size_t header) {
     return bytes.size() > header + kNameInHeader && bytes.substr(header + kNameInHeader).starts_with(kManifest);
   };
@@ -72,7 +73,7 @@ bool looksLikeContainer(std::string_view bytes) {
   constexpr std::string_view kLocalHeader("PK\3\4", 4);
   if (!bytes.starts_with(kLocalHeader)) return false;
   // Somebody has unpacked and packed it.
-  bytes = bytes.substr(0, kProbe);
+  bytes = bytes.substr(0, kFileHead);
   for (std::size_t at = 0; at != std::string_view::npos; at = bytes.find(kLocalHeader, at + 1)) {
     if (hasManifestAt(at)) return true;
   }

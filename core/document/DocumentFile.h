@@ -26,8 +26,10 @@ struct DocumentFile {
   std::vector<LostAttribute> lost;  // what the file holds and the document does not
   bool isContainer = false;
   bool isNewer = false;  // written by a newer program
-  // Keys and blobs that this program does not know; they go back into the file.
+  // Keys and blobs that this program does not know; they go back into the file. And the keys that it knew when it read
+  // the file: what was unknown in one of these goes when that is deleted. Both null for what came from no container.
   std::shared_ptr<const Container> unknown;
+  std::shared_ptr<const Container> known;
 
   // Writing over the file would lose something.
   bool isPrecious() const { return !damage.empty() || !lost.empty() || isNewer; }

@@ -16,8 +16,6 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::size_t kHead = 64 << 10;  // bytes by which a kind recognises a file
-
 std::string stringAt(const nlohmann::json& object, const char* key) {
   const auto found = object.find(key);
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
@@ -34,11 +32,24 @@ LengthUnit unitNamed(const std::string& symbol) {
   return LengthUnit::Millimetre;
 }
 
-// What goes back into the file when it is saved: the whole manifest, over which ours is written, and the blobs of
-// others.
-std::shared_ptr<const Container> keptPart(Container read, const DocumentKind& kind) {
-  std::erase_if(read.blobs, [own = kind.id() + "/"](const auto& blob) { return blob.first.starts_with(own); });
-  return std::make_shared<const Container>(std::move(read));
+// What this program writes of a document.
+Container ownPart(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content) {
+  Container own;
+  nlohmann::json& manifest = *own.manifest;
+  manifest["id"] = file.id.empty() ? newId() : file.id;
+  manifest["kind"] = kind.id();
+  manifest["display_unit"] = symbolOf(file.displayUnit);
+  kind.save(content, own);
+  return own;
+}
+
+// Sets apart what goes back into the file when it is saved.
+void keepUnknown(OpenedFile& opened, const Container& read) {
+  Container known = ownPart(*opened.kind, opened.file, *opened.content);
+  const std::string folder = opened.kind->id() + "/";
+  opened.file.unknown = std::make_shared<const Container>(unknownPart(read, known, {&folder, 1}));
+  known.blobs.clear();
+  opened.file.known = std::make_shared<const Container>(std::move(known));
 }
 
 Result<OpenedFile> load(const DocumentKinds& kinds, std::string_view bytes, Progress progress) {
@@ -59,12 +70,13 @@ Result<OpenedFile> load(const DocumentKinds& kinds, std::string_view bytes, Prog
   opened.file.displayUnit = unitNamed(stringAt(manifest, "display_unit"));
   opened.file.isContainer = true;
   opened.file.isNewer = read->isNewer;
-  opened.file.unknown = keptPart(std::move(read->container), *kind);
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  keepUnknown(opened, read->container);
   return opened;
 }
 
 Result<const DocumentKind*> recognised(const DocumentKinds& kinds, const std::filesystem::path& path) {
-  const Result<std::string> head = readFileHead(path, kHead);
+  const Result<std::string> head = readFileHead(path);
   if (!head) return head.error();
   if (head->empty()) return Error{ErrorCode::FileEmpty, {}, {}, {}};
   if (isContainerName(path) || looksLikeContainer(*head)) return static_cast<const DocumentKind*>(nullptr);
@@ -155,21 +167,16 @@ bool isContainerName(const std::filesystem::path& path) {
 
 Result<std::string> containerBytes(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
                                    Compression compression, Progress progress) {
-  Container container;
-  nlohmann::json& manifest = *container.manifest;
-  manifest["id"] = file.id.empty() ? newId() : file.id;
-  manifest["kind"] = kind.id();
-  manifest["display_unit"] = symbolOf(file.displayUnit);
-  kind.save(content, container);
+  Container container = ownPart(kind, file, content);
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-  if (file.unknown) container = merged(*file.unknown, std::move(container));
+  if (file.unknown) container = merged(*file.unknown, std::move(container), file.known ? *file.known : Container());
   return writeContainer(container, compression, progress.part(0.2, 1.0));
 }
 
 Result<WrittenFile> saveDocument(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
                                  const std::filesystem::path& path, Progress progress) {
-  if (!isContainerName(path)) return kind.exportTo(content, path, progress);
   if (const Status may = mayReplace(path); !may) return may.error();
+  if (!isContainerName(path)) return kind.exportTo(content, path, progress);
   const Result<std::string> bytes = containerBytes(kind, file, content, Compression::Fast, progress.part(0.0, 0.7));
   if (!bytes) return withSubject(bytes.error(), path);
   if (const Status whole = checkReadable(*bytes, progress.part(0.7, 0.8)); !whole) {

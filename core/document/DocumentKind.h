@@ -91,9 +91,9 @@ class DocumentKinds {
 inline constexpr std::string_view kContainerEnding = ".handwheel";
 bool isContainerName(const std::filesystem::path& path);
 
-// Writes the document's container or a foreign format, by the ending of the path: the whole file or nothing. Errors: of
-// the formats; of a container VersionNewer (of the file that stands there, which is never replaced), FileTooLarge,
-// CheckFailed, WriteFailed, OutOfMemory, Cancelled.
+// Writes the document's container or a foreign format, by the ending of the path: the whole file or nothing. Errors:
+// VersionNewer (of a document that stands there, which is never replaced); those of the formats; of a container
+// FileTooLarge, CheckFailed, WriteFailed, OutOfMemory, Cancelled.
 Result<WrittenFile> saveDocument(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
                                  const std::filesystem::path& path, Progress progress = {});
 

@@ -12,7 +12,9 @@ namespace handwheel {
 
 // All bytes of a regular file. Errors, without subject: FileMissing, FileUnreadable, Cancelled. May throw bad_alloc.
 Result<std::string> readFileBytes(const std::filesystem::path& path, Progress progress = {});
-// The first bytes of it, at most this many. The same errors.
-Result<std::string> readFileHead(const std::filesystem::path& path, std::size_t most);
+// Bytes by which files are recognised.
+inline constexpr std::size_t kFileHead = 64 << 10;
+// The first bytes of it, at most so many. The same errors.
+Result<std::string> readFileHead(const std::filesystem::path& path, std::size_t most = kFileHead);
 
 }  // namespace handwheel

@@ -14,8 +14,6 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::size_t kHead = 64 << 10;  // bytes; enough to know a container
-
 // What the manifest, or its copy, says; 0 where it says nothing.
 std::uint64_t versionIn(std::string_view bytes) {
   ZipReader zip(bytes, layout::kLimits, {});
@@ -35,7 +33,7 @@ std::uint64_t versionIn(std::string_view bytes) {
 
 Status mayReplace(const std::filesystem::path& path) {
   return layout::withinMemory([&]() -> Status {
-    const Result<std::string> head = readFileHead(path, kHead);
+    const Result<std::string> head = readFileHead(path);
     if (!head || !looksLikeContainer(*head)) return Done{};
     const Result<std::string> bytes = readFileBytes(path);
     const std::uint64_t version = bytes ? versionIn(*bytes) : 0;

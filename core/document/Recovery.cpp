@@ -46,7 +46,7 @@ Status RecoverySession::openFolder() {
   m_folder = m_root / name;
   std::filesystem::rename(hidden, m_folder, failed);
   if (failed) return writeFailed(m_folder, failed);
-  syncFolder(m_root);
+  (void)syncFolder(m_root);
   return Done{};
 }
 
@@ -102,7 +102,7 @@ Status RecoverySession::adopt(const Leftover& leftover, std::uint64_t key) {
   std::error_code failed;
   std::filesystem::rename(leftover.file, autosave, failed);
   if (failed) return writeFailed(autosave, failed);
-  syncFolder(m_folder);
+  (void)syncFolder(m_folder);
   return Done{};
 }
 

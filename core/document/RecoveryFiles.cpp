@@ -4,8 +4,6 @@
 
 #include "document/container/JsonText.h"
 
-#include <fcntl.h>
-#include <unistd.h>
 #include <QByteArray>
 #include <QStandardPaths>
 #include <nlohmann/json.hpp>
@@ -47,13 +45,6 @@ AutosaveInfo parseInfo(std::string_view text) {
   take("kind", info.kind);
   info.path = QByteArray::fromPercentEncoding(QByteArray::fromStdString(info.path)).toStdString();
   return info;
-}
-
-void syncFolder(const std::filesystem::path& folder) {
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return;
-  (void)::fsync(descriptor);
-  ::close(descriptor);
 }
 
 }  // namespace recovery

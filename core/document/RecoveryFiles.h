@@ -35,9 +35,6 @@ std::string infoText(const AutosaveInfo& info);
 // Whatever can be understood; the rest stays empty.
 AutosaveInfo parseInfo(std::string_view text);
 
-// Makes what was created, renamed or removed in a folder last through a power cut. Best effort.
-void syncFolder(const std::filesystem::path& folder);
-
 }  // namespace recovery
 
 }  // namespace handwheel

@@ -15,7 +15,6 @@ namespace {
 using namespace recovery;
 namespace fs = std::filesystem;
 
-constexpr std::size_t kHead = 64 << 10;         // enough to recognise a container
 constexpr std::size_t kLongestInfo = 64 << 10;  // a path has at most 4 KiB
 
 std::vector<fs::path> childrenOf(const fs::path& folder) {
@@ -75,7 +74,7 @@ void Leftovers::list(const fs::path& folder) {
 }
 
 void Leftovers::look(const fs::path& file) {
-  const Result<std::string> head = readFileHead(file, kHead);
+  const Result<std::string> head = readFileHead(file);
   if (!head || !looksLikeContainer(*head)) {
     Error error = head ? Error{ErrorCode::EntryDamaged, {file.filename().string()}, {}, {}} : head.error();
     error.subject = file.string();

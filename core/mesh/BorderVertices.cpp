@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/BorderVertices.h"
 
+#include "mesh/Steps.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,10 +14,11 @@ namespace {
 
 // How far each vertex on an open border may move to another: a share of its longer border edge, so that fine detail
 // of a large model does not fall together.
-std::unordered_map<Vertex, double> reaches(const HalfEdgeMesh& mesh, double nearWeld) {
+std::unordered_map<Vertex, double> reaches(const HalfEdgeMesh& mesh, double nearWeld, Progress progress) {
   std::unordered_map<Vertex, double> reach;
   const double most = nearWeldReach(mesh, nearWeld);
   for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h) {
+    if (!mayGoOn(h, mesh.halfEdgeSlots(), progress)) break;
     if (!mesh.isBorder(h)) continue;
     const double length = (mesh.position(mesh.to(h)) - mesh.position(mesh.from(h))).norm();
     for (Vertex v : {mesh.from(h), mesh.to(h)}) {
@@ -43,8 +46,9 @@ double nearWeldReach(const HalfEdgeMesh& mesh, double nearWeld) {
   return std::isfinite(diagonal * diagonal) ? nearWeld * diagonal : 0.0;
 }
 
-BorderVertices::BorderVertices(const HalfEdgeMesh& mesh, const std::vector<bool>& without) {
+BorderVertices::BorderVertices(const HalfEdgeMesh& mesh, const std::vector<bool>& without, Progress progress) {
   for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h) {
+    if (!mayGoOn(h, mesh.halfEdgeSlots(), progress)) return;
     if (mesh.isBorder(h)) m_vertices.insert(m_vertices.end(), {mesh.from(h), mesh.to(h)});
   }
   std::sort(m_vertices.begin(), m_vertices.end());
@@ -61,11 +65,13 @@ BorderVertices::BorderVertices(const HalfEdgeMesh& mesh, const std::vector<bool>
 }
 
 std::vector<std::pair<Vertex, Vertex>> nearBorderVertices(const HalfEdgeMesh& mesh, const std::vector<bool>& without,
-                                                          double nearWeld) {
-  const BorderVertices vertices(mesh, without);
-  const std::unordered_map<Vertex, double> reach = reaches(mesh, nearWeld);
+                                                          double nearWeld, Progress progress) {
+  const BorderVertices vertices(mesh, without, progress.part(0.0, 0.3));
+  const std::unordered_map<Vertex, double> reach = reaches(mesh, nearWeld, progress.part(0.3, 0.5));
   std::vector<std::pair<Vertex, Vertex>> pairs;
-  for (Vertex v : vertices.all()) {
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    if (!mayGoOn(i, vertices.size(), progress.part(0.5, 1.0), 1)) break;  // many may lie within the reach
+    const Vertex v = vertices.all()[i];
     const Vec3 p = mesh.position(v);
     const double own = reach.at(v);
     double best = std::numeric_limits<double>::infinity();

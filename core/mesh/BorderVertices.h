@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/Progress.h"
 #include "base/Tolerance.h"
 #include "mesh/HalfEdgeMesh.h"
 #include "proximity/TriangleHierarchy.h"
@@ -21,8 +22,9 @@ double nearWeldReach(const HalfEdgeMesh& mesh, double nearWeld = tolerance::kNea
 // The vertices on open borders, to be found by place.
 class BorderVertices {
  public:
-  // Vertices marked in "without" are left out; it may be shorter than the number of vertices.
-  explicit BorderVertices(const HalfEdgeMesh& mesh, const std::vector<bool>& without = {});
+  // Vertices marked in "without" are left out; it may be shorter than the number of vertices. Of no
+  // use once cancelled.
+  explicit BorderVertices(const HalfEdgeMesh& mesh, const std::vector<bool>& without = {}, Progress progress = {});
 
   std::size_t size() const { return m_vertices.size(); }
   const std::vector<Vertex>& all() const { return m_vertices; }
@@ -43,9 +45,11 @@ class BorderVertices {
 
 // Pairs of vertices on open borders that are apart, but nearer than nearWeldReach() and than
 // tolerance::kNearWeldEdge of the longer border edge at either: most often one vertex of the scan that its file rounded
-// apart. Each is paired with its nearest of smaller number. Vertices marked in "without" take no part.
+// apart. Each is paired with its nearest of smaller number. Vertices marked in "without" take no part. Of no use
+// once cancelled.
 std::vector<std::pair<Vertex, Vertex>> nearBorderVertices(const HalfEdgeMesh& mesh,
                                                           const std::vector<bool>& without = {},
-                                                          double nearWeld = tolerance::kNearWeld);
+                                                          double nearWeld = tolerance::kNearWeld,
+                                                          Progress progress = {});
 
 }  // namespace handwheel

@@ -4,6 +4,7 @@
 
 #include "mesh/PositionTriangles.h"
 #include "mesh/SheetRims.h"
+#include "mesh/Steps.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -74,11 +75,14 @@ std::vector<Vec3> loopPoints(const HalfEdgeMesh& mesh, const BoundaryLoop& loop)
   return points;
 }
 
-std::vector<BoundaryLoop> findBoundaryLoops(const HalfEdgeMesh& mesh) {
-  return findBoundaryLoops(mesh, PositionTriangles(mesh));
+std::vector<BoundaryLoop> findBoundaryLoops(const HalfEdgeMesh& mesh, Progress progress) {
+  const PositionTriangles byPosition(mesh, progress.part(0.0, 0.5));
+  if (progress.cancelled()) return {};
+  return findBoundaryLoops(mesh, byPosition, progress.part(0.5, 1.0));
 }
 
-std::vector<BoundaryLoop> findBoundaryLoops(const HalfEdgeMesh& mesh, const PositionTriangles& byPosition) {
+std::vector<BoundaryLoop> findBoundaryLoops(const HalfEdgeMesh& mesh, const PositionTriangles& byPosition,
+                                            Progress progress) {
   // Vertices that share a position count as the first of them.
   const auto number = [&](HalfEdge h) {
     return byPosition.classes.representative[byPosition.classes.classOf[mesh.from(h)]];
@@ -86,6 +90,7 @@ std::vector<BoundaryLoop> findBoundaryLoops(const HalfEdgeMesh& mesh, const Posi
   std::vector<std::pair<Vertex, BoundaryLoop>> found;  // with the smallest number
   std::vector<bool> seen(mesh.halfEdgeSlots(), false);
   for (HalfEdge start = 0; start < mesh.halfEdgeSlots(); ++start) {
+    if (!mayGoOn(start, mesh.halfEdgeSlots(), progress.part(0.0, 0.5))) return {};
     if (seen[start] || !mesh.isBorder(start)) continue;
     std::vector<HalfEdge> chain;
     for (HalfEdge h = start; !seen[h]; h = mesh.nextOpen(h)) {
@@ -111,7 +116,8 @@ std::vector<BoundaryLoop> findBoundaryLoops(const HalfEdgeMesh& mesh, const Posi
     loop.id = static_cast<int>(loops.size());
     loops.push_back(std::move(loop));
   }
-  markRims(mesh, byPosition, loops);
+  markRims(mesh, byPosition, loops, progress.part(0.5, 1.0));
+  if (progress.cancelled()) return {};
   return loops;
 }
 

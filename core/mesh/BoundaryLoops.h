@@ -22,9 +22,11 @@ struct BoundaryLoop {
   Box box;
 };
 
-// Every border half-edge is in exactly one loop; loops of seams alone are left out. O(n log n).
-std::vector<BoundaryLoop> findBoundaryLoops(const HalfEdgeMesh& mesh);
-std::vector<BoundaryLoop> findBoundaryLoops(const HalfEdgeMesh& mesh, const PositionTriangles& byPosition);
+// Every border half-edge is in exactly one loop; loops of seams alone are left out. O(n log n). Once
+// cancelled, none.
+std::vector<BoundaryLoop> findBoundaryLoops(const HalfEdgeMesh& mesh, Progress progress = {});
+std::vector<BoundaryLoop> findBoundaryLoops(const HalfEdgeMesh& mesh, const PositionTriangles& byPosition,
+                                            Progress progress = {});
 
 // A loop is known by its smallest vertex, which outlives edits elsewhere. No two loops of a mesh share it.
 Vertex keyOf(const HalfEdgeMesh& mesh, const BoundaryLoop& loop);

@@ -9,6 +9,7 @@
 #include "mesh/EdgeTable.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/PositionTriangles.h"
+#include "mesh/Steps.h"
 
 #include <algorithm>
 #include <array>
@@ -56,10 +57,11 @@ bool hangsLoose(const std::array<int, 3>& facesAtEdge) {
 
 }  // namespace
 
-std::size_t removeDegenerateFaces(HalfEdgeMesh& mesh) {
+std::size_t removeDegenerateFaces(HalfEdgeMesh& mesh, Progress progress) {
   std::size_t removed = 0;
   std::vector<Face> needles;
   for (Face f = 0; f < mesh.faceSlots(); ++f) {
+    if (!mayGoOn(f, mesh.faceSlots(), progress.part(0.0, 0.5))) return removed;
     if (!mesh.isLive(f)) continue;
     if (!mesh.isProper(f)) {
       mesh.removeFace(f);
@@ -73,40 +75,43 @@ std::size_t removeDegenerateFaces(HalfEdgeMesh& mesh) {
   for (Face f : needles) {
     if (isDegenerate(mesh.points(f))) mesh.removeFace(f);
   }
-  if (removed > 0) relink(mesh);
+  if (removed > 0) relink(mesh, progress.part(0.5, 1.0));
   return removed;
 }
 
-std::size_t removeFlaps(HalfEdgeMesh& mesh) {
+std::size_t removeFlaps(HalfEdgeMesh& mesh, Progress progress) {
   const double limit = tolerance::kFlap * modelDiagonal(mesh);
-  const PositionTriangles byPosition(mesh);
+  const PositionTriangles byPosition(mesh, progress.part(0.0, 0.2));
   std::vector<std::array<int, 3>> facesAtEdge(mesh.faceSlots());
-  const EdgeTable edges(byPosition.triangles, byPosition.classes.representative.size());
-  edges.forEachEdge([&](std::uint32_t, std::uint32_t, std::span<const EdgeTable::Entry> run) {
+  const EdgeTable edges(byPosition.triangles, byPosition.classes.representative.size(), progress.part(0.2, 0.4));
+  const auto countFaces = [&](std::uint32_t, std::uint32_t, std::span<const EdgeTable::Entry> run) {
     for (const EdgeTable::Entry& e : run) facesAtEdge[e.halfEdge / 3][e.halfEdge % 3] = static_cast<int>(run.size());
-  });
+  };
+  edges.forEachEdge(countFaces, progress.part(0.4, 0.5));
   // A book of nothing but loose leaves is a part of its own.
   std::vector<bool> onSurface(mesh.faceSlots(), false);
-  edges.forEachEdge([&](std::uint32_t, std::uint32_t, std::span<const EdgeTable::Entry> run) {
+  const auto findSurface = [&](std::uint32_t, std::uint32_t, std::span<const EdgeTable::Entry> run) {
     const auto isLoose = [&](const EdgeTable::Entry& e) { return hangsLoose(facesAtEdge[e.halfEdge / 3]); };
     if (std::all_of(run.begin(), run.end(), isLoose)) return;
     for (const EdgeTable::Entry& e : run) onSurface[e.halfEdge / 3] = true;
-  });
+  };
+  edges.forEachEdge(findSurface, progress.part(0.5, 0.6));
   std::size_t removed = 0;
   for (Face f = 0; f < mesh.faceSlots(); ++f) {
+    if (!mayGoOn(f, mesh.faceSlots(), progress.part(0.6, 0.7))) return removed;
     if (!mesh.isProper(f) || !hangsLoose(facesAtEdge[f]) || !onSurface[f]) continue;
     const HalfEdge h = longestEdge(mesh, f);
     if ((mesh.position(mesh.to(h)) - mesh.position(mesh.from(h))).norm() > limit) continue;
     mesh.removeFace(f);
     ++removed;
   }
-  if (removed > 0) relink(mesh);
+  if (removed > 0) relink(mesh, progress.part(0.7, 1.0));
   return removed;
 }
 
-std::size_t removeDebris(HalfEdgeMesh& mesh) {
+std::size_t removeDebris(HalfEdgeMesh& mesh, Progress progress) {
   std::size_t removed = 0;
-  for (const Component& part : findComponents(mesh)) {
+  for (const Component& part : findComponents(mesh, progress)) {
     if (!part.debris) continue;
     for (Face f : part.faces) mesh.removeFace(f);
     removed += part.faces.size();

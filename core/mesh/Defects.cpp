@@ -3,10 +3,12 @@
 #include "mesh/Defects.h"
 
 #include "mesh/BorderVertices.h"
+#include "mesh/DuplicateFaces.h"
 #include "mesh/EdgeTable.h"
 #include "mesh/FaceComponents.h"
 #include "mesh/NonManifoldVertices.h"
 #include "mesh/PositionTriangles.h"
+#include "mesh/Steps.h"
 #include "proximity/SelfIntersection.h"
 
 #include <algorithm>
@@ -15,33 +17,25 @@
 namespace handwheel {
 namespace {
 
-void findDuplicates(const std::vector<Triangle>& triangles, Defects& defects) {
-  std::vector<std::pair<Triangle, Face>> sorted;
-  for (Face f = 0; f < triangles.size(); ++f) {
-    if (hasRepeatedVertex(triangles[f])) continue;
-    Triangle t = triangles[f];
-    std::sort(t.begin(), t.end());
-    sorted.emplace_back(t, f);
-  }
-  std::sort(sorted.begin(), sorted.end());
-  for (std::size_t i = 1; i < sorted.size(); ++i) {
-    if (sorted[i].first == sorted[i - 1].first) defects.duplicateFaces.push_back(sorted[i].second);
-  }
-}
-
-void findNonManifold(const PositionTriangles& byPosition, Defects& defects) {
+// Non-manifold edges and vertices, and duplicates.
+void findCrowded(const PositionTriangles& byPosition, Defects& defects, Progress progress) {
   const std::vector<Vertex>& first = byPosition.classes.representative;
-  const EdgeTable edges(byPosition.triangles, first.size());
-  edges.forEachEdge([&](std::uint32_t low, std::uint32_t high, std::span<const EdgeTable::Entry> run) {
+  const EdgeTable edges(byPosition.triangles, first.size(), progress.part(0.0, 0.4));
+  const auto findEdge = [&](std::uint32_t low, std::uint32_t high, std::span<const EdgeTable::Entry> run) {
     if (run.size() > 2) defects.nonManifoldEdges.emplace_back(first[low], first[high]);
-  });
-  for (std::uint32_t c : findNonManifoldVertices(byPosition.triangles, first.size())) {
+  };
+  edges.forEachEdge(findEdge, progress.part(0.4, 0.5));
+  for (const FaceGroup& group : equalFaces(byPosition.triangles, edges, progress.part(0.5, 0.6))) {
+    defects.duplicateFaces.insert(defects.duplicateFaces.end(), group.faces.begin() + 1, group.faces.end());
+  }
+  for (std::uint32_t c : findNonManifoldVertices(byPosition.triangles, first.size(), progress.part(0.6, 1.0))) {
     defects.nonManifoldVertices.push_back(first[c]);
   }
 }
 
-void findDegenerate(const HalfEdgeMesh& mesh, Defects& defects) {
+void findDegenerate(const HalfEdgeMesh& mesh, Defects& defects, Progress progress) {
   for (Face f = 0; f < mesh.faceSlots(); ++f) {
+    if (!mayGoOn(f, mesh.faceSlots(), progress)) return;
     if (!mesh.isLive(f)) continue;
     const TrianglePoints p = mesh.points(f);
     defects.box.extend(p[0]).extend(p[1]).extend(p[2]);
@@ -49,10 +43,12 @@ void findDegenerate(const HalfEdgeMesh& mesh, Defects& defects) {
   }
 }
 
-std::vector<Component> components(const HalfEdgeMesh& mesh, const PositionTriangles& byPosition) {
-  const FaceComponents parts(mesh, byPosition);
+std::vector<Component> components(const HalfEdgeMesh& mesh, const PositionTriangles& byPosition, Progress progress) {
+  const FaceComponents parts(mesh, byPosition, progress.part(0.0, 0.5));
+  if (progress.cancelled()) return {};
   std::vector<Component> found(parts.count());
   for (Face f = 0; f < mesh.faceSlots(); ++f) {
+    if (!mayGoOn(f, mesh.faceSlots(), progress.part(0.5, 1.0))) return {};
     if (!mesh.isLive(f)) continue;
     const TrianglePoints p = mesh.points(f);
     Component& c = found[parts.of(f)];
@@ -75,26 +71,29 @@ std::vector<Component> components(const HalfEdgeMesh& mesh, const PositionTriang
 
 }  // namespace
 
-std::vector<Component> findComponents(const HalfEdgeMesh& mesh) {
-  return components(mesh, PositionTriangles(mesh));
+std::vector<Component> findComponents(const HalfEdgeMesh& mesh, Progress progress) {
+  const PositionTriangles byPosition(mesh, progress.part(0.0, 0.5));
+  if (progress.cancelled()) return {};
+  return components(mesh, byPosition, progress.part(0.5, 1.0));
 }
 
 Defects findDefects(const HalfEdgeMesh& mesh, double nearWeld, Progress progress) {
   Defects defects;
-  const PositionTriangles byPosition(mesh);
-  const std::function<void()> steps[] = {
-      [&] { defects.loops = findBoundaryLoops(mesh, byPosition); },
-      [&] { findNonManifold(byPosition, defects); },
-      [&] { findDuplicates(byPosition.triangles, defects); },
-      [&] { findDegenerate(mesh, defects); },
-      [&] { defects.nearVertices = nearBorderVertices(mesh, {}, nearWeld); },
-      [&] { defects.components = components(mesh, byPosition); },
+  std::optional<PositionTriangles> byPosition;
+  const std::function<void(Progress)> steps[] = {
+      [&](Progress p) { byPosition.emplace(mesh, p); },
+      [&](Progress p) { defects.loops = findBoundaryLoops(mesh, *byPosition, p); },
+      [&](Progress p) { findCrowded(*byPosition, defects, p); },
+      [&](Progress p) { findDegenerate(mesh, defects, p); },
+      [&](Progress p) { defects.nearVertices = nearBorderVertices(mesh, {}, nearWeld, p); },
+      [&](Progress p) { defects.components = components(mesh, *byPosition, p); },
   };
-  double done = 1.0;  // the triangles by position
+  const double share = 1.0 / static_cast<double>(std::size(steps));
+  double done = 0.0;
   for (const auto& step : steps) {
-    progress.set(done++ / (1.0 + static_cast<double>(std::size(steps))));
+    step(progress.part(done, done + share));
+    progress.set(done += share);
     if (progress.cancelled()) break;
-    step();
   }
   return defects;
 }

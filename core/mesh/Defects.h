@@ -34,8 +34,8 @@ struct Defects {
   Box box;                                                  // of all live faces
 };
 
-// The parts of the mesh, largest area first.
-std::vector<Component> findComponents(const HalfEdgeMesh& mesh);
+// The parts of the mesh, largest area first. Once cancelled, none.
+std::vector<Component> findComponents(const HalfEdgeMesh& mesh, Progress progress = {});
 
 // nearWeld: the setting mesh.near_weld, as in RepairOptions. Incomplete once cancelled.
 Defects findDefects(const HalfEdgeMesh& mesh, double nearWeld = tolerance::kNearWeld, Progress progress = {});

@@ -6,6 +6,7 @@
 #include "mesh/EdgeTable.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/PositionTriangles.h"
+#include "mesh/Steps.h"
 
 #include <algorithm>
 #include <map>
@@ -13,34 +14,14 @@
 namespace handwheel {
 namespace {
 
-// Faces over the same three positions.
-struct Group {
-  Triangle positions;  // classes, ascending
-  std::vector<Face> faces;
-  bool isPlate = false;  // two faces, back to back
-};
-
 // Of two triangles over the same three positions: true when they look opposite ways.
 bool areOpposite(const Triangle& a, const Triangle& b) {
   const auto at = std::find(b.begin(), b.end(), a[0]) - b.begin();
   return b[static_cast<std::size_t>((at + 1) % 3)] == a[2];
 }
 
-std::vector<Group> findGroups(const std::vector<Triangle>& triangles) {
-  std::map<Triangle, std::vector<Face>> byPositions;
-  for (Face f = 0; f < triangles.size(); ++f) {
-    Triangle t = triangles[f];
-    if (hasRepeatedVertex(t)) continue;
-    std::sort(t.begin(), t.end());
-    byPositions[t].push_back(f);
-  }
-  std::vector<Group> groups;
-  for (auto& [t, faces] : byPositions) {
-    if (faces.size() < 2) continue;
-    const bool isPlate = faces.size() == 2 && areOpposite(triangles[faces[0]], triangles[faces[1]]);
-    groups.push_back({t, std::move(faces), isPlate});
-  }
-  return groups;
+bool isPlate(const FaceGroup& group, const std::vector<Triangle>& triangles) {
+  return group.faces.size() == 2 && areOpposite(triangles[group.faces[0]], triangles[group.faces[1]]);
 }
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
@@ -55,16 +36,20 @@ struct Meeting {
   std::uint32_t firstGroup = 0;
 };
 
-std::map<Edge, Meeting> findMeetings(const std::vector<Triangle>& triangles, const std::vector<Group>& groups) {
+std::map<Edge, Meeting> findMeetings(const std::vector<Triangle>& triangles, const std::vector<FaceGroup>& groups,
+                                     Progress progress) {
   std::map<Edge, Meeting> meetings;
   for (std::uint32_t g = 0; g < groups.size(); ++g) {
+    if (!mayGoOn(g, groups.size(), progress.part(0.0, 0.5), kSearchesPerLook)) return meetings;
     for (int k = 0; k < 3; ++k) {
       Meeting& m = meetings.try_emplace(edge(groups[g].positions, k), Meeting{0, 0, g}).first->second;
       ++m.groups;
       m.others -= static_cast<int>(groups[g].faces.size());  // its faces are counted below
     }
   }
-  for (const Triangle& t : triangles) {
+  for (Face f = 0; f < triangles.size(); ++f) {
+    if (!mayGoOn(f, triangles.size(), progress.part(0.5, 1.0), kSearchesPerLook)) return meetings;
+    const Triangle& t = triangles[f];
     if (hasRepeatedVertex(t)) continue;
     for (int k = 0; k < 3; ++k) {
       const auto at = meetings.find(edge(t, k));
@@ -103,21 +88,47 @@ struct Choice {
 
 }  // namespace
 
-std::size_t removeDuplicateFaces(HalfEdgeMesh& mesh) {
-  const PositionTriangles byPosition(mesh);
-  const std::vector<Group> groups = findGroups(byPosition.triangles);
+std::vector<FaceGroup> equalFaces(std::span<const Triangle> triangles, const EdgeTable& edges, Progress progress) {
+  std::vector<FaceGroup> groups;
+  std::vector<std::pair<std::uint32_t, Face>> above;  // third corners beyond the edge's, with their faces
+  // A triangle is looked for at the edge between its two lowest positions.
+  const auto collect = [&](std::uint32_t low, std::uint32_t high, std::span<const EdgeTable::Entry> run) {
+    above.clear();
+    for (const EdgeTable::Entry& e : run) {
+      const std::uint32_t third = triangles[e.halfEdge / 3][(e.halfEdge + 2) % 3];
+      if (third > high) above.emplace_back(third, e.halfEdge / 3);
+    }
+    std::sort(above.begin(), above.end());
+    for (std::size_t i = 0, end = 0; i < above.size(); i = end) {
+      while (end < above.size() && above[end].first == above[i].first) ++end;
+      if (end - i < 2) continue;
+      FaceGroup& group = groups.emplace_back(FaceGroup{{low, high, above[i].first}, {}});
+      for (std::size_t k = i; k < end; ++k) group.faces.push_back(above[k].second);
+    }
+  };
+  edges.forEachEdge(collect, progress);
+  return groups;
+}
+
+std::size_t removeDuplicateFaces(HalfEdgeMesh& mesh, Progress progress) {
+  const PositionTriangles byPosition(mesh, progress.part(0.0, 0.2));
+  const EdgeTable edges(byPosition.triangles, byPosition.classes.representative.size(), progress.part(0.2, 0.4));
+  const std::vector<FaceGroup> groups = equalFaces(byPosition.triangles, edges, progress.part(0.4, 0.5));
   if (groups.empty()) return 0;
 
-  const std::map<Edge, Meeting> meetings = findMeetings(byPosition.triangles, groups);
+  const std::map<Edge, Meeting> meetings = findMeetings(byPosition.triangles, groups, progress.part(0.5, 0.6));
+  if (progress.cancelled()) return 0;
   DisjointSets sets(groups.size());
   for (std::uint32_t g = 0; g < groups.size(); ++g) {
+    if (!mayGoOn(g, groups.size(), progress.part(0.6, 0.65), kSearchesPerLook)) return 0;
     for (int k = 0; k < 3; ++k) sets.join(g, meetings.at(edge(groups[g].positions, k)).firstGroup);
   }
   std::map<std::uint32_t, Choice> choices;
   for (const auto& [e, meeting] : meetings) choices[sets.root(meeting.firstGroup)].count(meeting);
   for (std::uint32_t g = 0; g < groups.size(); ++g) {
+    if (!mayGoOn(g, groups.size(), progress.part(0.65, 0.7), kSearchesPerLook)) return 0;
     Choice& choice = choices[sets.root(g)];
-    choice.platesOnly = choice.platesOnly && groups[g].isPlate;
+    choice.platesOnly = choice.platesOnly && isPlate(groups[g], byPosition.triangles);
     ++choice.groups;
   }
   std::size_t removed = 0;
@@ -125,7 +136,7 @@ std::size_t removeDuplicateFaces(HalfEdgeMesh& mesh) {
     const auto keep = static_cast<std::size_t>(choices[sets.root(g)].keep());
     for (std::size_t i = keep; i < groups[g].faces.size(); ++i, ++removed) mesh.removeFace(groups[g].faces[i]);
   }
-  if (removed > 0) relink(mesh);
+  if (removed > 0) relink(mesh, progress.part(0.7, 1.0));
   return removed;
 }
 

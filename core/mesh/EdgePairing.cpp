@@ -62,7 +62,8 @@ std::size_t pairWedges(const std::vector<Spoke>& spokes, Pair pair) {
 
 }  // namespace
 
-PairedEdges pairEdges(const EdgeTable& edges, std::span<const Triangle> triangles, std::span<const Vec3> points) {
+PairedEdges pairEdges(const EdgeTable& edges, std::span<const Triangle> triangles, std::span<const Vec3> points,
+                      Progress progress) {
   PairedEdges result;
   std::vector<std::uint32_t>& opposite = result.opposite;
   opposite.assign(3 * triangles.size(), static_cast<std::uint32_t>(Open::Border));
@@ -72,7 +73,7 @@ PairedEdges pairEdges(const EdgeTable& edges, std::span<const Triangle> triangle
   };
   const auto from = [&](std::uint32_t h) { return triangles[h / 3][h % 3]; };
 
-  edges.forEachEdge([&](std::uint32_t low, std::uint32_t high, std::span<const EdgeTable::Entry> run) {
+  const auto join = [&](std::uint32_t low, std::uint32_t high, std::span<const EdgeTable::Entry> run) {
     if (run.size() == 1) return;
     if (run.size() == 2 && from(run[0].halfEdge) != from(run[1].halfEdge)) {
       pair(run[0].halfEdge, run[1].halfEdge);
@@ -81,7 +82,8 @@ PairedEdges pairEdges(const EdgeTable& edges, std::span<const Triangle> triangle
     for (const EdgeTable::Entry& e : run) opposite[e.halfEdge] = static_cast<std::uint32_t>(Open::Seam);
     result.nonManifoldEdges += run.size() > 2;
     result.seams += pairWedges(spokesByAngle(run, low, high, triangles, points), pair);
-  });
+  };
+  edges.forEachEdge(join, progress);
   return result;
 }
 

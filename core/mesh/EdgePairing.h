@@ -15,7 +15,9 @@ struct PairedEdges {
 };
 
 // Pairs the half-edges of every edge. Where more than two triangles meet, those that bound the same solid wedge become
-// neighbours, so that solids that touch along an edge come apart there. Triangles must be oriented already.
-PairedEdges pairEdges(const EdgeTable& edges, std::span<const Triangle> triangles, std::span<const Vec3> points);
+// neighbours, so that solids that touch along an edge come apart there. Triangles must be oriented already. Of no use
+// once cancelled.
+PairedEdges pairEdges(const EdgeTable& edges, std::span<const Triangle> triangles, std::span<const Vec3> points,
+                      Progress progress = {});
 
 }  // namespace handwheel

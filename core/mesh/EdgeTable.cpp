@@ -6,8 +6,16 @@
 
 namespace handwheel {
 
-EdgeTable::EdgeTable(std::span<const Triangle> triangles, std::size_t vertexCount) : m_starts(vertexCount + 1, 0) {
-  for (const Triangle& t : triangles) {
+EdgeTable::EdgeTable(std::span<const Triangle> triangles, std::size_t vertexCount, Progress progress)
+    : m_starts(vertexCount + 1, 0) {
+  if (!fill(triangles, vertexCount, progress)) m_starts.clear();
+}
+
+// False when cancelled.
+bool EdgeTable::fill(std::span<const Triangle> triangles, std::size_t vertexCount, Progress progress) {
+  for (std::size_t f = 0; f < triangles.size(); ++f) {
+    if (!mayGoOn(f, triangles.size(), progress.part(0.0, 0.2))) return false;
+    const Triangle& t = triangles[f];
     if (hasRepeatedVertex(t)) continue;
     for (int k = 0; k < 3; ++k) ++m_starts[std::min(t[k], t[(k + 1) % 3]) + 1];
   }
@@ -16,6 +24,7 @@ EdgeTable::EdgeTable(std::span<const Triangle> triangles, std::size_t vertexCoun
   m_entries.resize(m_starts.back());
   std::vector<std::size_t> next(m_starts.begin(), m_starts.end() - 1);
   for (std::size_t f = 0; f < triangles.size(); ++f) {
+    if (!mayGoOn(f, triangles.size(), progress.part(0.2, 0.6))) return false;
     const Triangle& t = triangles[f];
     if (hasRepeatedVertex(t)) continue;
     for (std::uint32_t k = 0; k < 3; ++k) {
@@ -24,11 +33,13 @@ EdgeTable::EdgeTable(std::span<const Triangle> triangles, std::size_t vertexCoun
     }
   }
   for (std::size_t v = 0; v < vertexCount; ++v) {
+    if (!mayGoOn(v, vertexCount, progress.part(0.6, 1.0))) return false;
     std::sort(m_entries.begin() + static_cast<std::ptrdiff_t>(m_starts[v]),
               m_entries.begin() + static_cast<std::ptrdiff_t>(m_starts[v + 1]), [](const Entry& a, const Entry& b) {
                 return a.high != b.high ? a.high < b.high : a.halfEdge < b.halfEdge;
               });
   }
+  return true;
 }
 
 }  // namespace handwheel

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Geometry.h"
+#include "mesh/Steps.h"
 
 #include <span>
 #include <vector>
@@ -19,12 +20,14 @@ class EdgeTable {
     std::uint32_t halfEdge;
   };
 
-  EdgeTable(std::span<const Triangle> triangles, std::size_t vertexCount);
+  // Of no use once cancelled, though safe to go through.
+  EdgeTable(std::span<const Triangle> triangles, std::size_t vertexCount, Progress progress = {});
 
-  // Calls visit(low, high, span of entries) for each edge, in order of (low, high).
+  // Calls visit(low, high, span of entries) for each edge, in order of (low, high), until cancelled.
   template <class Visit>
-  void forEachEdge(Visit visit) const {
+  void forEachEdge(Visit visit, Progress progress = {}) const {
     for (std::uint32_t low = 0; low + 1 < m_starts.size(); ++low) {
+      if (!mayGoOn(low, m_starts.size(), progress)) return;
       for (std::size_t i = m_starts[low]; i < m_starts[low + 1];) {
         std::size_t end = i + 1;
         while (end < m_starts[low + 1] && m_entries[end].high == m_entries[i].high) ++end;
@@ -35,6 +38,8 @@ class EdgeTable {
   }
 
  private:
+  bool fill(std::span<const Triangle> triangles, std::size_t vertexCount, Progress progress);
+
   std::vector<std::size_t> m_starts;  // per vertex
   std::vector<Entry> m_entries;
 };

@@ -3,19 +3,23 @@
 #include "mesh/FaceComponents.h"
 
 #include "mesh/DisjointSets.h"
+#include "mesh/Steps.h"
 
 namespace handwheel {
 
-FaceComponents::FaceComponents(const HalfEdgeMesh& mesh, const PositionTriangles& byPosition)
+FaceComponents::FaceComponents(const HalfEdgeMesh& mesh, const PositionTriangles& byPosition, Progress progress)
     : m_of(mesh.faceSlots(), kNone) {
   const auto& [classes, triangles] = byPosition;
   DisjointSets sets(classes.representative.size());
-  for (const Triangle& t : triangles) {
+  for (Face f = 0; f < triangles.size(); ++f) {
+    if (!mayGoOn(f, triangles.size(), progress.part(0.0, 0.5))) return;
+    const Triangle& t = triangles[f];
     sets.join(t[0], t[1]);
     sets.join(t[1], t[2]);
   }
   std::vector<std::uint32_t> number(classes.representative.size(), kNone);
   for (Face f = 0; f < triangles.size(); ++f) {
+    if (!mayGoOn(f, triangles.size(), progress.part(0.5, 1.0))) return;
     if (!mesh.isLive(f)) continue;
     std::uint32_t& n = number[sets.root(triangles[f][0])];
     if (n == kNone) n = static_cast<std::uint32_t>(m_count++);

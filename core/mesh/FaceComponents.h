@@ -9,7 +9,8 @@ namespace handwheel {
 // The parts of a mesh: faces that hang together through shared vertex positions.
 class FaceComponents {
  public:
-  FaceComponents(const HalfEdgeMesh& mesh, const PositionTriangles& byPosition);
+  // Of no use once cancelled.
+  FaceComponents(const HalfEdgeMesh& mesh, const PositionTriangles& byPosition, Progress progress = {});
 
   std::size_t count() const { return m_count; }
   // The part of a live face, in order of the first face.

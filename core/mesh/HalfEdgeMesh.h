@@ -17,7 +17,7 @@ using HalfEdge = std::uint32_t;
 enum class Open : std::uint32_t {
   Border = kNone,    // nothing: the surface ends here
   Seam = kNone - 1,  // further faces that could not be paired: the edge has more than two faces in the file, or the
-                     // surface is one-sided (Möbius strip). Not a hole, and never filled.
+                     // surface is one-sided (Möbius strip). No hole by itself, but the loop of one may run along it.
 };
 
 // An oriented triangle mesh in which every vertex has one fan of faces and every edge at most two. It is the directed

@@ -170,7 +170,7 @@ class Candidates {
 }  // namespace
 
 struct HoleFiller::State {
-  explicit State(const HalfEdgeMesh& m) : mesh(m), obstacles(m) {}
+  State(const HalfEdgeMesh& m, Progress progress) : mesh(m), obstacles(m, progress) {}
 
   FillFailure judge(const HoleContext& hole, const Edges& existing, Patch& patch, NumberType numbers) const {
     for (std::size_t i = patch.loopSize; i < patch.points.size(); ++i) {
@@ -190,7 +190,8 @@ struct HoleFiller::State {
   Obstacles obstacles;
 };
 
-HoleFiller::HoleFiller(const HalfEdgeMesh& mesh) : m_state(std::make_unique<State>(mesh)) {}
+HoleFiller::HoleFiller(const HalfEdgeMesh& mesh, Progress progress)
+    : m_state(std::make_unique<State>(mesh, progress)) {}
 HoleFiller::~HoleFiller() = default;
 
 const HalfEdgeMesh& HoleFiller::mesh() const {

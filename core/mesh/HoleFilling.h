@@ -39,7 +39,8 @@ struct FillAttempt {
 // remembered, so later ones are checked against them too. One thread at a time.
 class HoleFiller {
  public:
-  explicit HoleFiller(const HalfEdgeMesh& mesh);
+  // Of no use once cancelled.
+  explicit HoleFiller(const HalfEdgeMesh& mesh, Progress progress = {});
   ~HoleFiller();
   HoleFiller(const HoleFiller&) = delete;
   HoleFiller& operator=(const HoleFiller&) = delete;

@@ -4,6 +4,7 @@
 
 #include "mesh/EdgePairing.h"
 #include "mesh/Orientation.h"
+#include "mesh/Steps.h"
 #include "mesh/Weld.h"
 
 #include <map>
@@ -27,7 +28,7 @@ class FanVertices {
   std::vector<Vertex> assign() {
     std::vector<std::vector<HalfEdge>> homeless;  // fans whose vertices were all taken
     for (HalfEdge h = 0; h < m_mesh.halfEdgeSlots(); ++h) {
-      if (h % kLook == 0 && m_progress.cancelled()) return {};
+      if (!mayGoOn(h, m_mesh.halfEdgeSlots(), m_progress)) return {};
       if (m_seen[h] || !m_mesh.isProper(HalfEdgeMesh::face(h))) continue;
       std::vector<HalfEdge> fan = m_mesh.fan(h);
       for (HalfEdge g : fan) m_seen[g] = true;
@@ -83,8 +84,6 @@ class FanVertices {
     return spare;
   }
 
-  static constexpr HalfEdge kLook = 1 << 16;  // half-edges between two looks at the cancel flag
-
   HalfEdgeMesh& m_mesh;
   const PointClasses& m_classes;
   Progress m_progress;
@@ -93,9 +92,11 @@ class FanVertices {
 };
 
 // Turns triangles over where neighbours disagree, in the mesh and in the list over positions.
-std::vector<Face> orient(HalfEdgeMesh& mesh, std::vector<Triangle>& triangles, const EdgeTable& edges) {
-  const std::vector<bool> turn = trianglesToTurn(edges, triangles);
+std::vector<Face> orient(HalfEdgeMesh& mesh, std::vector<Triangle>& triangles, const EdgeTable& edges,
+                         Progress progress) {
+  const std::vector<bool> turn = trianglesToTurn(edges, triangles, progress);
   std::vector<Face> turnedFaces;
+  if (progress.cancelled()) return turnedFaces;
   for (Face f = 0; f < triangles.size(); ++f) {
     if (!turn[f]) continue;
     triangles[f] = turned(triangles[f]);
@@ -112,48 +113,55 @@ BuildReport link(HalfEdgeMesh& mesh, const PointClasses& classes, std::span<cons
   // Triangles over the first vertex at each position; dead slots look like triangles with a repeated vertex.
   std::vector<Triangle> triangles(mesh.faceSlots(), Triangle{0, 0, 0});
   for (Face f = 0; f < triangles.size(); ++f) {
+    if (!mayGoOn(f, triangles.size(), progress.part(0.0, 0.1))) return report;
     if (!mesh.isLive(f)) continue;
     for (int k = 0; k < 3; ++k) triangles[f][k] = classes.representative[classes.classOf[mesh.triangle(f)[k]]];
   }
-  EdgeTable edges(triangles, points.size());
-  progress.set(0.3);
+  EdgeTable edges(triangles, points.size(), progress.part(0.1, 0.3));
   if (progress.cancelled()) return report;
-  report.turnedFaces = orient(mesh, triangles, edges);
-  if (!report.turnedFaces.empty()) edges = EdgeTable(triangles, points.size());
-  progress.set(0.5);
+  report.turnedFaces = orient(mesh, triangles, edges, progress.part(0.3, 0.45));
+  if (!report.turnedFaces.empty()) edges = EdgeTable(triangles, points.size(), progress.part(0.45, 0.6));
   if (progress.cancelled()) return report;
 
-  const PairedEdges paired = pairEdges(edges, triangles, points);
+  const PairedEdges paired = pairEdges(edges, triangles, points, progress.part(0.6, 0.7));
   report.nonManifoldEdges = paired.nonManifoldEdges;
   report.unpairedHalfEdges = paired.seams;
   if (progress.cancelled()) return report;
   for (Face f = 0; f < triangles.size(); ++f) {
+    if (!mayGoOn(f, triangles.size(), progress.part(0.7, 0.8))) return report;
     if (!mesh.isLive(f)) continue;
     // A face that welding made degenerate joins nothing; its corners show it.
     if (hasRepeatedVertex(triangles[f])) mesh.setTriangle(f, triangles[f]);
     for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) mesh.setOpposite(h, paired.opposite[h]);
   }
-  progress.set(0.8);
-  report.splitVertices = FanVertices(mesh, classes, progress).assign();
+  report.splitVertices = FanVertices(mesh, classes, progress.part(0.8, 1.0)).assign();
   progress.set(1.0);
   return report;
 }
 
 }  // namespace
 
-BuildReport relink(HalfEdgeMesh& mesh) {
+BuildReport relink(HalfEdgeMesh& mesh, Progress progress) {
   std::vector<Vec3> points(mesh.vertexSlots());
   for (Vertex v = 0; v < points.size(); ++v) points[v] = mesh.position(v);
-  return link(mesh, classifyPoints(points), points, {});
+  const PointClasses classes = classifyPoints(points, progress.part(0.0, 0.2));
+  if (progress.cancelled()) return {};
+  HalfEdgeMesh linked = mesh;
+  BuildReport report = link(linked, classes, points, progress.part(0.2, 1.0));
+  if (progress.cancelled()) return {};
+  mesh = std::move(linked);
+  return report;
 }
 
 BuiltMesh buildMesh(const TriangleSoup& soup, Progress progress) {
   BuiltMesh built;
-  const TriangleSoup welded = weld(soup);
-  progress.set(0.2);
+  const TriangleSoup welded = weld(soup, progress.part(0.0, 0.2));
   if (progress.cancelled()) return built;
   for (const Vec3& p : welded.points) built.mesh.addVertex(p);
-  for (const Triangle& t : welded.triangles) built.mesh.addFace(t);
+  for (const Triangle& t : welded.triangles) {
+    if (!mayGoOn(built.mesh.faceSlots(), welded.triangles.size(), progress.part(0.2, 0.3))) return {};
+    built.mesh.addFace(t);
+  }
   PointClasses each;  // no two of them share a position
   each.classOf.resize(welded.points.size());
   std::iota(each.classOf.begin(), each.classOf.end(), 0u);

@@ -28,7 +28,7 @@ struct BuiltMesh {
 BuiltMesh buildMesh(const TriangleSoup& soup, Progress progress = {});
 
 // Does the same in place for a mesh whose faces changed: pairs everything anew by position. Face and vertex numbers
-// stay; where a position has more fans than vertices, vertices are added.
-BuildReport relink(HalfEdgeMesh& mesh);
+// stay; where a position has more fans than vertices, vertices are added. Once cancelled, the mesh is as it was.
+BuildReport relink(HalfEdgeMesh& mesh, Progress progress = {});
 
 }  // namespace handwheel

@@ -2,7 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/MeshFidelity.h"
 
+#include "base/Translatable.h"
 #include "mesh/MeshDelta.h"
+
+#include <algorithm>
+#include <cassert>
+#include <iterator>
 
 namespace handwheel {
 namespace {
@@ -14,61 +19,71 @@ constexpr FillMethod kMethods[] = {FillMethod::Ear, FillMethod::Minimal, FillMet
 FidelitySetting nearWeldSetting() {
   FidelitySetting s;
   s.id = "mesh.near_weld";
-  s.label = "Distance below which torn border vertices are one";
-  s.unit = "share of the diagonal";
+  s.label = translatable("Fidelity", "Distance below which torn border vertices are one");
+  s.unit = translatable("Fidelity", "share of the diagonal");
   s.scale = FidelityScale::Logarithmic;
   s.least = 1e-8;
   s.largest = 1e-2;
   s.standard = RepairOptions().nearWeld;
   s.presets = {1e-5, 1e-5, 1e-5};
-  s.error = {"border vertices left torn or merged wrongly", "%"};
-  s.cost = {"CPU time to stitch the borders", "ms"};
+  s.error = {translatable("Fidelity", "border vertices left torn or merged wrongly"), "%"};
+  s.cost = {translatable("Fidelity", "CPU time to stitch the borders"), "ms"};
   return s;
 }
 
 FidelitySetting fillMethodSetting() {
   FidelitySetting s;
   s.id = "mesh.fill_method";
-  s.label = "Method that fills holes";
-  setChoices(s, {"ear", "minimal", "refined", "fair"});  // as kMethods
+  s.label = translatable("Fidelity", "Method that fills holes");
+  setChoices(s, {translatable("Fidelity", "ear"), translatable("Fidelity", "minimal"),
+                 translatable("Fidelity", "refined"), translatable("Fidelity", "fair")});  // as kMethods
   s.standard = 3.0;
   s.presets = {3.0, 3.0, 3.0};
-  s.error = {"RMS distance of the patch from the surface", "% of the hole"};
-  s.cost = {"CPU time of a fill", "ms"};
+  s.error = {translatable("Fidelity", "RMS distance of the patch from the surface"),
+             translatable("Fidelity", "% of the hole")};
+  s.cost = {translatable("Fidelity", "CPU time of a fill"), "ms"};
   return s;
 }
 
 FidelitySetting patchDensitySetting() {
   FidelitySetting s;
   s.id = "mesh.patch_density";
-  s.label = "Density of patches, in that of their surroundings";
+  s.label = translatable("Fidelity", "Density of patches, in that of their surroundings");
   s.scale = FidelityScale::Logarithmic;
   s.least = 0.35;
   s.largest = 2.0;  // beyond, the limit on a patch's vertices refuses large holes
   s.standard = FillOptions().density;
   s.presets = {0.35, 0.72, s.standard};
-  s.error = {"RMS distance of the patch from the surface", "% of the hole"};
-  s.cost = {"CPU time of a fill", "ms"};
+  s.error = {translatable("Fidelity", "RMS distance of the patch from the surface"),
+             translatable("Fidelity", "% of the hole")};
+  s.cost = {translatable("Fidelity", "CPU time of a fill"), "ms"};
   return s;
 }
 
 FidelitySetting undoGranularitySetting() {
   FidelitySetting s;
   s.id = "document.undo_granularity";
-  s.label = "Vertices or faces that an undo step keeps together";
+  s.label = translatable("Fidelity", "Vertices or faces that an undo step keeps together");
   s.scale = FidelityScale::Logarithmic;
   s.least = 1.0;
   s.largest = 4096.0;
   s.whole = true;
   s.standard = static_cast<double>(MeshDelta::kRunSlots);
   s.presets = {4.0, 2.0, 1.0};
-  s.error = {"memory of an undo step", "MB"};
-  s.cost = {"CPU time to take, undo and redo a step", "ms"};
+  s.error = {translatable("Fidelity", "memory of an undo step"), "MB"};
+  s.cost = {translatable("Fidelity", "CPU time to take, undo and redo a step"), "ms"};
   return s;
 }
 
 FillMethod fillMethodOf(const FidelityValues& values) {
   return kMethods[static_cast<std::size_t>(values.of(fillMethodSetting()))];
+}
+
+void setFillMethod(FidelityValues& values, FillMethod method) {
+  const auto* place = std::find(std::begin(kMethods), std::end(kMethods), method);
+  [[maybe_unused]] const Status isSet =
+      values.set(fillMethodSetting(), static_cast<double>(place - std::begin(kMethods)));
+  assert(isSet);
 }
 
 void apply(const FidelityValues& values, FillOptions& options) {

@@ -15,6 +15,7 @@ FidelitySetting undoGranularitySetting();  // document.undo_granularity: MeshDel
 
 // The chosen method: of Ear, Minimal, Refined, Fair.
 FillMethod fillMethodOf(const FidelityValues& values);
+void setFillMethod(FidelityValues& values, FillMethod method);
 
 // Puts what was chosen into the options of a fill or a repair; the rest of them stays.
 void apply(const FidelityValues& values, FillOptions& options);

@@ -4,6 +4,7 @@
 
 #include "mesh/BoundaryLoops.h"
 #include "mesh/DisjointSets.h"
+#include "mesh/DuplicateFaces.h"
 #include "mesh/EdgeTable.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/NonManifoldVertices.h"
@@ -16,9 +17,10 @@
 namespace handwheel {
 namespace {
 
-void countEdges(const TriangleSoup& soup, MeshReport& report) {
-  const EdgeTable edges(soup.triangles, soup.points.size());
-  edges.forEachEdge([&](std::uint32_t low, std::uint32_t, std::span<const EdgeTable::Entry> run) {
+// Edges and duplicates.
+void countEdges(const TriangleSoup& soup, MeshReport& report, Progress progress) {
+  const EdgeTable edges(soup.triangles, soup.points.size(), progress.part(0.0, 0.7));
+  const auto count = [&](std::uint32_t low, std::uint32_t, std::span<const EdgeTable::Entry> run) {
     const auto forward = std::count_if(run.begin(), run.end(), [&](const EdgeTable::Entry& e) {
       return soup.triangles[e.halfEdge / 3][e.halfEdge % 3] == low;
     });
@@ -26,7 +28,11 @@ void countEdges(const TriangleSoup& soup, MeshReport& report) {
     report.boundaryEdges += run.size() == 1;
     report.nonManifoldEdges += run.size() > 2;
     report.inconsistentEdges += (forward > 1) + (backward > 1);
-  });
+  };
+  edges.forEachEdge(count, progress.part(0.7, 0.9));
+  for (const FaceGroup& group : equalFaces(soup.triangles, edges, progress.part(0.9, 1.0))) {
+    report.duplicateFaces += group.faces.size() - 1;
+  }
 }
 
 std::size_t countComponents(const TriangleSoup& soup) {
@@ -39,19 +45,6 @@ std::size_t countComponents(const TriangleSoup& soup) {
   std::size_t roots = 0;
   for (std::uint32_t v = 0; v < soup.points.size(); ++v) roots += sets.root(v) == v;
   return roots;
-}
-
-std::size_t countDuplicates(const TriangleSoup& soup) {
-  std::vector<Triangle> sorted;
-  for (Triangle t : soup.triangles) {
-    if (hasRepeatedVertex(t)) continue;
-    std::sort(t.begin(), t.end());
-    sorted.push_back(t);
-  }
-  std::sort(sorted.begin(), sorted.end());
-  std::size_t n = 0;
-  for (std::size_t i = 1; i < sorted.size(); ++i) n += sorted[i] == sorted[i - 1];
-  return n;
 }
 
 double signedVolume(const TriangleSoup& soup, const Vec3& origin) {
@@ -77,7 +70,7 @@ std::vector<LoopReport> reportOn(std::span<const BoundaryLoop> loops) {
 
 MeshReport reportOn(const TriangleSoup& soup, SelfIntersections choice, Progress progress) {
   MeshReport report;
-  const TriangleSoup welded = weld(soup);
+  const TriangleSoup welded = weld(soup, progress.part(0.0, 0.03));
   if (progress.cancelled()) return report;
   report.triangles = welded.triangles.size();
   report.vertices = welded.points.size();
@@ -85,18 +78,18 @@ MeshReport reportOn(const TriangleSoup& soup, SelfIntersections choice, Progress
   for (const Triangle& t : welded.triangles) {
     report.degenerateFaces += isDegenerate({welded.points[t[0]], welded.points[t[1]], welded.points[t[2]]});
   }
-  countEdges(welded, report);
+  countEdges(welded, report, progress.part(0.03, 0.06));
   if (progress.cancelled()) return report;
   report.components = countComponents(welded);
-  report.nonManifoldVertices = findNonManifoldVertices(welded.triangles, welded.points.size()).size();
-  if (progress.cancelled()) return report;
-  report.duplicateFaces = countDuplicates(welded);
+  report.nonManifoldVertices =
+      findNonManifoldVertices(welded.triangles, welded.points.size(), progress.part(0.06, 0.1)).size();
   if (progress.cancelled()) return report;
   report.closed = report.triangles > 0 && report.boundaryEdges == 0;
   report.manifold = report.nonManifoldEdges == 0;
   report.oriented = report.inconsistentEdges == 0;
   if (report.boundaryEdges > 0) {
-    report.loops = reportOn(findBoundaryLoops(buildMesh(welded, progress.part(0.1, 0.3)).mesh));
+    report.loops =
+        reportOn(findBoundaryLoops(buildMesh(welded, progress.part(0.1, 0.2)).mesh, progress.part(0.2, 0.3)));
     if (progress.cancelled()) return report;
   }
   if (report.closed) report.volumeMm3 = signedVolume(welded, report.box.center());

@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/MeshValidator.h"
 
+#include "mesh/Steps.h"
+
 namespace handwheel {
 namespace {
 
 const std::string kCancelled = "the check was cancelled";
-
-// Looks at the flag now and then.
-bool isCancelledAt(std::uint32_t i, Progress progress) {
-  return i % (1 << 16) == 0 && progress.cancelled();
-}
 
 std::string checkFace(const HalfEdgeMesh& mesh, Face f) {
   const auto broken = [f](const char* how) { return "face " + std::to_string(f) + how; };
@@ -62,7 +59,7 @@ std::string checkFans(const HalfEdgeMesh& mesh, Progress progress) {
   std::vector<bool> seen(mesh.halfEdgeSlots(), false);
   std::vector<bool> hasFan(mesh.vertexSlots(), false);
   for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h) {
-    if (isCancelledAt(h, progress)) return kCancelled;
+    if (!mayGoOn(h, mesh.halfEdgeSlots(), progress)) return kCancelled;
     if (seen[h] || !mesh.isProper(HalfEdgeMesh::face(h))) continue;
     const Vertex v = mesh.from(h);
     if (hasFan[v]) return "vertex " + std::to_string(v) + " has more than one fan";
@@ -76,14 +73,14 @@ std::string checkFans(const HalfEdgeMesh& mesh, Progress progress) {
 
 std::string validate(const HalfEdgeMesh& mesh, Progress progress) {
   for (Face f = 0; f < mesh.faceSlots(); ++f) {
-    if (isCancelledAt(f, progress)) return kCancelled;
+    if (!mayGoOn(f, mesh.faceSlots(), progress.part(0.0, 0.2))) return kCancelled;
     if (std::string broken = checkFace(mesh, f); !broken.empty()) return broken;
   }
   for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h) {
-    if (isCancelledAt(h, progress)) return kCancelled;
+    if (!mayGoOn(h, mesh.halfEdgeSlots(), progress.part(0.2, 0.5))) return kCancelled;
     if (std::string broken = checkHalfEdge(mesh, h); !broken.empty()) return broken;
   }
-  return checkFans(mesh, progress);
+  return checkFans(mesh, progress.part(0.5, 1.0));
 }
 
 }  // namespace handwheel

@@ -4,6 +4,7 @@
 
 #include "mesh/DisjointSets.h"
 #include "mesh/EdgeTable.h"
+#include "mesh/Steps.h"
 
 #include <algorithm>
 
@@ -32,11 +33,13 @@ struct Incidence {
 
 }  // namespace
 
-std::vector<std::uint32_t> findNonManifoldVertices(std::span<const Triangle> triangles, std::size_t vertexCount) {
+std::vector<std::uint32_t> findNonManifoldVertices(std::span<const Triangle> triangles, std::size_t vertexCount,
+                                                   Progress progress) {
   const Incidence incidence(triangles, vertexCount);
   std::vector<std::uint32_t> found;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;  // other vertex of an edge, number of its triangle at v
   for (std::uint32_t v = 0; v < vertexCount; ++v) {
+    if (!mayGoOn(v, vertexCount, progress)) break;
     const std::size_t first = incidence.starts[v];
     const std::size_t count = incidence.starts[v + 1] - first;
     if (count < 2) continue;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/Obstacles.h"
 
+#include "mesh/Steps.h"
 #include "mesh/Weld.h"
 #include "proximity/SelfIntersection.h"
 
@@ -10,18 +11,22 @@
 namespace handwheel {
 namespace {
 
-TriangleHierarchy hierarchyOf(const HalfEdgeMesh& mesh) {
+TriangleHierarchy hierarchyOf(const HalfEdgeMesh& mesh, Progress progress) {
   TriangleSoup soup = mesh.compact().soup;
   // Faces without area cannot be crossed and are not judged.
-  std::erase_if(soup.triangles, [&](const Triangle& t) {
-    return isDegenerate({soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]});
-  });
-  return {soup.points, soup.triangles};
+  std::size_t kept = 0;
+  for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
+    if (!mayGoOn(f, soup.triangles.size(), progress)) return {};
+    const Triangle t = soup.triangles[f];
+    if (!isDegenerate({soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]})) soup.triangles[kept++] = t;
+  }
+  soup.triangles.resize(kept);
+  return {soup.points, soup.triangles, progress};
 }
 
 }  // namespace
 
-Obstacles::Obstacles(const HalfEdgeMesh& mesh) : m_hierarchy(hierarchyOf(mesh)) {}
+Obstacles::Obstacles(const HalfEdgeMesh& mesh, Progress progress) : m_hierarchy(hierarchyOf(mesh, progress)) {}
 
 // Visits triangles near the box until the visit returns false; false when it did.
 template <class Visit>

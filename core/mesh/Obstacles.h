@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/Progress.h"
 #include "mesh/GrowingHierarchy.h"
 #include "mesh/HalfEdgeMesh.h"
 #include "mesh/Patch.h"
@@ -14,7 +15,8 @@ namespace handwheel {
 // The surface that a patch must neither cross nor touch: a mesh, and the patches put in since its hierarchy was built.
 class Obstacles {
  public:
-  explicit Obstacles(const HalfEdgeMesh& mesh);
+  // Of no use once cancelled.
+  explicit Obstacles(const HalfEdgeMesh& mesh, Progress progress = {});
 
   Box bounds() const { return m_hierarchy.bounds(); }  // of the mesh
   bool hits(const TrianglePoints& t) const;

@@ -5,6 +5,7 @@
 #include "mesh/EdgeOperations.h"
 #include "mesh/EdgeTable.h"
 #include "mesh/PositionTriangles.h"
+#include "mesh/Steps.h"
 #include "proximity/TriangleHierarchy.h"
 
 #include <algorithm>
@@ -40,8 +41,10 @@ struct PositionHash {
 
 class Parter {
  public:
-  Parter(HalfEdgeMesh& mesh, NumberType numbers) : m_mesh(mesh), m_numbers(numbers) {
+  // Of no use once cancelled.
+  Parter(HalfEdgeMesh& mesh, NumberType numbers, Progress progress) : m_mesh(mesh), m_numbers(numbers) {
     for (Face f = 0; f < mesh.faceSlots(); ++f) {
+      if (!mayGoOn(f, mesh.faceSlots(), progress, kSearchesPerLook)) return;
       if (!mesh.isLive(f)) continue;
       for (Vertex v : mesh.triangle(f)) m_positions.insert(key(mesh.position(v)));
       if (!isDegenerate(mesh.points(f))) m_faces.push_back(f);
@@ -176,27 +179,30 @@ class Parter {
 
 // Calls visit(classes, low, high, half-edges) for each edge that has more than two faces in the file.
 template <class Visit>
-void forEachCrowdedEdge(const HalfEdgeMesh& mesh, Visit visit) {
-  const PositionTriangles byPosition(mesh);
-  const EdgeTable edges(byPosition.triangles, byPosition.classes.representative.size());
-  edges.forEachEdge([&](std::uint32_t low, std::uint32_t high, std::span<const EdgeTable::Entry> run) {
+void forEachCrowdedEdge(const HalfEdgeMesh& mesh, Progress progress, Visit visit) {
+  const PositionTriangles byPosition(mesh, progress.part(0.0, 0.4));
+  const EdgeTable edges(byPosition.triangles, byPosition.classes.representative.size(), progress.part(0.4, 0.8));
+  const auto visitCrowded = [&](std::uint32_t low, std::uint32_t high, std::span<const EdgeTable::Entry> run) {
     if (run.size() > 2) visit(byPosition.classes, low, high, run);
-  });
+  };
+  edges.forEachEdge(visitCrowded, progress.part(0.8, 1.0));
 }
 
 // The fans at each position at the end of a crowded edge, by class.
 using Fans = std::map<Vertex, std::vector<HalfEdge>>;
-std::map<std::uint32_t, Fans> crowdedFans(const HalfEdgeMesh& mesh) {
+std::map<std::uint32_t, Fans> crowdedFans(const HalfEdgeMesh& mesh, Progress progress) {
   std::vector<std::uint32_t> classOf;
   std::vector<bool> crowded;
-  forEachCrowdedEdge(mesh, [&](const PointClasses& classes, std::uint32_t low, std::uint32_t high, auto) {
+  const auto mark = [&](const PointClasses& classes, std::uint32_t low, std::uint32_t high, auto) {
     if (classOf.empty()) classOf = classes.classOf;
     crowded.resize(classes.representative.size());
     crowded[low] = crowded[high] = true;
-  });
+  };
+  forEachCrowdedEdge(mesh, progress.part(0.0, 0.8), mark);
   std::map<std::uint32_t, Fans> fansAt;
   if (crowded.empty()) return fansAt;
   for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h) {
+    if (!mayGoOn(h, mesh.halfEdgeSlots(), progress.part(0.8, 1.0))) break;
     if (!mesh.isProper(HalfEdgeMesh::face(h))) continue;
     const Vertex v = mesh.from(h);
     if (!crowded[classOf[v]]) continue;
@@ -207,9 +213,9 @@ std::map<std::uint32_t, Fans> crowdedFans(const HalfEdgeMesh& mesh) {
 }
 
 // One half-edge of each pair of faces beyond the first at every crowded edge.
-std::vector<HalfEdge> surplusEdges(const HalfEdgeMesh& mesh) {
+std::vector<HalfEdge> surplusEdges(const HalfEdgeMesh& mesh, Progress progress) {
   std::vector<HalfEdge> surplus;
-  forEachCrowdedEdge(mesh,
+  forEachCrowdedEdge(mesh, progress,
                      [&](const PointClasses&, std::uint32_t, std::uint32_t, std::span<const EdgeTable::Entry> run) {
                        bool first = true;
                        for (const EdgeTable::Entry& e : run) {
@@ -240,7 +246,7 @@ void partEdges(Parter& parter, const HalfEdgeMesh& mesh, std::vector<Vertex>& ad
   for (bool again = true; again;) {
     again = false;
     std::unordered_set<Face> split;
-    for (HalfEdge h : surplusEdges(mesh)) {
+    for (HalfEdge h : surplusEdges(mesh, progress.part(0.0, 0.0))) {  // nobody knows how many passes it takes
       if (progress.cancelled()) return;
       const Face f = HalfEdgeMesh::face(h), g = HalfEdgeMesh::face(mesh.opposite(h));
       if (split.contains(f) || split.contains(g)) continue;
@@ -256,9 +262,9 @@ void partEdges(Parter& parter, const HalfEdgeMesh& mesh, std::vector<Vertex>& ad
 }  // namespace
 
 std::vector<Vertex> partDuplicates(HalfEdgeMesh& mesh, NumberType numbers, Progress progress) {
-  std::map<std::uint32_t, Fans> fansAt = crowdedFans(mesh);
+  std::map<std::uint32_t, Fans> fansAt = crowdedFans(mesh, progress.part(0.0, 0.5));
   if (fansAt.empty()) return {};
-  Parter parter(mesh, numbers);
+  Parter parter(mesh, numbers, progress.part(0.5, 0.8));
   std::vector<Vertex> moved;
   // What cannot move at first may once its neighbours along the edge have.
   for (std::size_t before = 0, pass = 0; pass == 0 || moved.size() > before; ++pass) {
@@ -268,7 +274,7 @@ std::vector<Vertex> partDuplicates(HalfEdgeMesh& mesh, NumberType numbers, Progr
       partFans(parter, fans, moved);
     }
   }
-  partEdges(parter, mesh, moved, progress);
+  partEdges(parter, mesh, moved, progress.part(0.8, 1.0));
   return moved;
 }
 

@@ -2,20 +2,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/PositionTriangles.h"
 
+#include "mesh/Steps.h"
+
 namespace handwheel {
 namespace {
 
-PointClasses classesOf(const HalfEdgeMesh& mesh) {
+PointClasses classesOf(const HalfEdgeMesh& mesh, Progress progress) {
   std::vector<Vec3> points(mesh.vertexSlots());
   for (Vertex v = 0; v < points.size(); ++v) points[v] = mesh.position(v);
-  return classifyPoints(points);
+  return classifyPoints(points, progress);
 }
 
 }  // namespace
 
-PositionTriangles::PositionTriangles(const HalfEdgeMesh& mesh)
-    : classes(classesOf(mesh)), triangles(mesh.faceSlots(), Triangle{0, 0, 0}) {
+PositionTriangles::PositionTriangles(const HalfEdgeMesh& mesh, Progress progress)
+    : classes(classesOf(mesh, progress.part(0.0, 0.6))), triangles(mesh.faceSlots(), Triangle{0, 0, 0}) {
   for (Face f = 0; f < mesh.faceSlots(); ++f) {
+    if (!mayGoOn(f, mesh.faceSlots(), progress.part(0.6, 1.0))) return;
     if (!mesh.isLive(f)) continue;
     for (int k = 0; k < 3; ++k) triangles[f][k] = classes.classOf[mesh.triangle(f)[k]];
   }

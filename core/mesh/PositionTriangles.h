@@ -10,7 +10,8 @@ namespace handwheel {
 // The live faces of a mesh as a file shows them: over positions instead of vertices. Index i is face i; a dead face
 // stands as a degenerate triangle that joins nothing.
 struct PositionTriangles {
-  explicit PositionTriangles(const HalfEdgeMesh& mesh);
+  // Of no use once cancelled.
+  explicit PositionTriangles(const HalfEdgeMesh& mesh, Progress progress = {});
 
   PointClasses classes;             // of the mesh's vertices
   std::vector<Triangle> triangles;  // over classes

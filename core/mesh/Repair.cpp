@@ -6,6 +6,7 @@
 #include "mesh/DuplicateFaces.h"
 #include "mesh/LoopOwners.h"
 #include "mesh/PartDuplicates.h"
+#include "mesh/Steps.h"
 #include "mesh/Stitching.h"
 #include "mesh/Weld.h"
 
@@ -23,20 +24,20 @@ double millisecondsSince(Clock::time_point start) {
 
 class Repairer {
  public:
-  Repairer(const HalfEdgeMesh& input, const RepairOptions& options)
+  // progress: of finding the loops.
+  Repairer(const HalfEdgeMesh& input, const RepairOptions& options, Progress progress)
       : m_input(input),
         m_mesh(input),
         m_options(options),
-        m_inputLoops(findBoundaryLoops(input)),
+        m_inputLoops(findBoundaryLoops(input, progress)),
         m_owners(input, m_inputLoops) {}
 
   RepairReport run(Progress progress) {
-    clean(progress);
-    progress.set(0.1);
-    if (!progress.cancelled()) fill(progress.part(0.1, 0.9));
-    if (!progress.cancelled()) part(progress.part(0.9, 1.0));
+    clean(progress.part(0.0, 0.3));
+    if (!progress.cancelled()) fill(progress.part(0.3, 0.9));
+    if (!progress.cancelled()) part(progress.part(0.9, 0.95));
+    if (!progress.cancelled()) finish(progress.part(0.95, 1.0));
     m_report.cancelled = progress.cancelled();
-    if (!m_report.cancelled) finish();
     return std::move(m_report);
   }
 
@@ -44,13 +45,16 @@ class Repairer {
 
  private:
   void clean(Progress progress) {
-    if (!progress.cancelled()) m_report.removedDegenerate = removeDegenerateFaces(m_mesh);
-    if (!progress.cancelled()) m_report.removedDuplicates = removeDuplicateFaces(m_mesh);
-    if (!progress.cancelled()) m_report.removedFlaps = removeFlaps(m_mesh);
-    if (m_options.removeDebris && !progress.cancelled()) m_report.removedDebris = removeDebris(m_mesh);
-    if (!progress.cancelled())
-      m_report.mergedVertices = stitchBorders(m_mesh, keptVertices(), progress, m_options.nearWeld).size();
-    if (!progress.cancelled()) m_report.removedDegenerate += removeDegenerateFaces(m_mesh);
+    if (!progress.cancelled()) m_report.removedDegenerate = removeDegenerateFaces(m_mesh, progress.part(0.0, 0.15));
+    if (!progress.cancelled()) m_report.removedDuplicates = removeDuplicateFaces(m_mesh, progress.part(0.15, 0.35));
+    if (!progress.cancelled()) m_report.removedFlaps = removeFlaps(m_mesh, progress.part(0.35, 0.6));
+    if (m_options.removeDebris && !progress.cancelled())
+      m_report.removedDebris = removeDebris(m_mesh, progress.part(0.6, 0.7));
+    if (!progress.cancelled()) {
+      m_report.mergedVertices =
+          stitchBorders(m_mesh, keptVertices(), progress.part(0.7, 0.9), m_options.nearWeld).size();
+    }
+    if (!progress.cancelled()) m_report.removedDegenerate += removeDegenerateFaces(m_mesh, progress.part(0.9, 1.0));
   }
 
   void part(Progress progress) {
@@ -72,15 +76,16 @@ class Repairer {
   }
 
   void fill(Progress progress) {
-    std::vector<BoundaryLoop> loops = findBoundaryLoops(m_mesh);
+    std::vector<BoundaryLoop> loops = findBoundaryLoops(m_mesh, progress.part(0.0, 0.1));
     // Small ones first: they are the surest, and a large patch must respect them.
     std::stable_sort(loops.begin(), loops.end(), [](const BoundaryLoop& a, const BoundaryLoop& b) {
       return a.halfEdges.size() < b.halfEdges.size();
     });
     if (loops.empty()) return;
-    HoleFiller filler(m_mesh);
-    for (std::size_t i = 0; i < loops.size() && !progress.cancelled(); ++i) {
-      fillOne(filler, loops[i], progress.part(double(i) / double(loops.size()), double(i + 1) / double(loops.size())));
+    HoleFiller filler(m_mesh, progress.part(0.1, 0.2));
+    const Progress filling = progress.part(0.2, 1.0);
+    for (std::size_t i = 0; i < loops.size() && !filling.cancelled(); ++i) {
+      fillOne(filler, loops[i], filling.part(double(i) / double(loops.size()), double(i + 1) / double(loops.size())));
     }
     m_mesh = filler.mesh();
   }
@@ -137,7 +142,7 @@ class Repairer {
     }
   }
 
-  void finish() {
+  void finish(Progress progress) {
     for (const BoundaryLoop& loop : m_inputLoops) {
       const auto at = m_results.find(loop.id);
       if (at != m_results.end()) {
@@ -154,25 +159,27 @@ class Repairer {
       m_report.loops.push_back(closed);
     }
     m_report.loops.insert(m_report.loops.end(), m_laidOpen.begin(), m_laidOpen.end());
-    compareWithInput();
+    compareWithInput(progress);
   }
 
-  void compareWithInput() {
+  void compareWithInput(Progress progress) {
     for (Face f = 0; f < m_input.faceSlots(); ++f) {
+      if (!mayGoOn(f, m_input.faceSlots(), progress.part(0.0, 0.4))) return;
       if (m_input.isLive(f) && m_mesh.isLive(f)) m_report.turnedFaces += isTurned(m_input.points(f), m_mesh.points(f));
     }
     for (Vertex v = 0; v < m_input.vertexSlots(); ++v) {
       if (m_mesh.position(v) != m_input.position(v)) m_touchedHomes.push_back(m_input.position(v));
     }
-    m_report.touchedVertices = verticesAt(m_touchedHomes);
+    m_report.touchedVertices = verticesAt(m_touchedHomes, progress.part(0.4, 1.0));
   }
 
-  // The vertices of the input at these positions, sorted.
-  std::vector<Vertex> verticesAt(const std::vector<Vec3>& places) const {
+  // The vertices of the input at these positions, sorted. Once cancelled, none.
+  std::vector<Vertex> verticesAt(const std::vector<Vec3>& places, Progress progress) const {
     if (places.empty()) return {};
     std::vector<Vec3> points = places;
     for (Vertex v = 0; v < m_input.vertexSlots(); ++v) points.push_back(m_input.position(v));
-    const PointClasses classes = classifyPoints(points);
+    const PointClasses classes = classifyPoints(points, progress);
+    if (progress.cancelled()) return {};
     std::vector<Vertex> vertices;
     for (Vertex v = 0; v < m_input.vertexSlots(); ++v) {
       if (classes.representative[classes.classOf[places.size() + v]] < places.size()) vertices.push_back(v);
@@ -198,8 +205,8 @@ class Repairer {
 }  // namespace
 
 RepairReport repair(HalfEdgeMesh& mesh, const RepairOptions& options, Progress progress) {
-  Repairer repairer(mesh, options);
-  RepairReport report = repairer.run(progress);
+  Repairer repairer(mesh, options, progress.part(0.0, 0.1));
+  RepairReport report = repairer.run(progress.part(0.1, 1.0));
   if (!report.cancelled) mesh = repairer.mesh();
   return report;
 }

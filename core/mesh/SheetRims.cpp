@@ -4,6 +4,7 @@
 
 #include "base/Tolerance.h"
 #include "mesh/FaceComponents.h"
+#include "mesh/Steps.h"
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
@@ -42,9 +43,11 @@ struct Sheet {
 
 }  // namespace
 
-void markRims(const HalfEdgeMesh& mesh, const PositionTriangles& byPosition, std::vector<BoundaryLoop>& loops) {
+void markRims(const HalfEdgeMesh& mesh, const PositionTriangles& byPosition, std::vector<BoundaryLoop>& loops,
+              Progress progress) {
   if (loops.empty()) return;
-  const FaceComponents components(mesh, byPosition);
+  const FaceComponents components(mesh, byPosition, progress.part(0.0, 0.5));
+  if (progress.cancelled()) return;
   std::vector<Sheet> sheets(components.count());
   for (BoundaryLoop& loop : loops) {
     Sheet& sheet = sheets[components.of(HalfEdgeMesh::face(loop.halfEdges.front()))];
@@ -52,6 +55,7 @@ void markRims(const HalfEdgeMesh& mesh, const PositionTriangles& byPosition, std
   }
   const Vec3 origin = loops.front().centre;  // near the model, so that far-off ones keep their digits
   for (Face f = 0; f < mesh.faceSlots(); ++f) {
+    if (!mayGoOn(f, mesh.faceSlots(), progress.part(0.5, 1.0))) return;
     if (!mesh.isProper(f) || !sheets[components.of(f)].longest) continue;
     Sheet& sheet = sheets[components.of(f)];
     const TrianglePoints p = mesh.points(f);

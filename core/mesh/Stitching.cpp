@@ -4,6 +4,7 @@
 
 #include "mesh/BorderVertices.h"
 #include "mesh/MeshBuilder.h"
+#include "mesh/Steps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,10 +36,10 @@ bool isIn(const std::vector<bool>& set, Vertex v) {
 }
 
 // Moves each vertex of a near pair onto the one with the smaller number.
-std::vector<Vertex> mergeNear(HalfEdgeMesh& mesh, const std::vector<bool>& fixed, double nearWeld) {
+std::vector<Vertex> mergeNear(HalfEdgeMesh& mesh, const std::vector<bool>& fixed, Progress progress, double nearWeld) {
   std::vector<Vertex> moved;
   std::map<Vertex, Vertex> onto;
-  for (const auto& [a, b] : nearBorderVertices(mesh, fixed, nearWeld)) {
+  for (const auto& [a, b] : nearBorderVertices(mesh, fixed, nearWeld, progress)) {
     const auto target = onto.find(a);
     const Vertex goal = target == onto.end() ? a : target->second;
     if (goal == b || !onto.emplace(b, goal).second) continue;
@@ -93,12 +94,15 @@ std::optional<Vec3> vertexOnEdge(const HalfEdgeMesh& mesh, HalfEdge h, const Bor
 }
 
 std::size_t splitTJunctions(HalfEdgeMesh& mesh, const std::vector<bool>& fixed, Progress progress, double nearWeld) {
-  const BorderVertices vertices(mesh, fixed);
+  const BorderVertices vertices(mesh, fixed, progress.part(0.0, 0.3));
   const double diagonal = modelDiagonal(mesh);
   std::size_t splits = 0;
   const std::size_t limit = 4 * vertices.size();  // each vertex splits few edges; a bound against endless splitting
-  for (HalfEdge h = 0; h < mesh.halfEdgeSlots() && splits < limit && !progress.cancelled(); ++h) {
+  const std::size_t most = mesh.halfEdgeSlots() + 3 * limit;
+  for (HalfEdge h = 0; h < mesh.halfEdgeSlots() && splits < limit; ++h) {
+    if (!mayGoOn(h, most, progress.part(0.3, 1.0))) break;
     while (splits < limit && mesh.isBorder(h)) {
+      if (progress.cancelled()) return splits;  // many may lie near a long edge
       if (isIn(fixed, mesh.from(h)) || isIn(fixed, mesh.to(h))) break;
       const std::optional<Vec3> p = vertexOnEdge(mesh, h, vertices, diagonal, nearWeld);
       if (!p) break;
@@ -115,19 +119,20 @@ std::size_t splitTJunctions(HalfEdgeMesh& mesh, const std::vector<bool>& fixed, 
 std::vector<Vertex> stitchBorders(HalfEdgeMesh& mesh, const std::vector<bool>& fixed, Progress progress,
                                   double nearWeld) {
   // Relinks what was changed; keeps it when it is better.
-  const auto keepIfBetter = [&](HalfEdgeMesh trial) {
+  const auto keepIfBetter = [&](HalfEdgeMesh trial, Progress part) {
     HalfEdgeMesh unchanged = mesh;
-    const Openness before = measure(unchanged, relink(unchanged));
-    const Openness after = measure(trial, relink(trial));
-    if (!after.improvesOn(before)) return false;
+    const Openness before = measure(unchanged, relink(unchanged, part.part(0.0, 0.5)));
+    const Openness after = measure(trial, relink(trial, part.part(0.5, 1.0)));
+    if (part.cancelled() || !after.improvesOn(before)) return false;
     mesh = trial;
     return true;
   };
   HalfEdgeMesh trial = mesh;
-  std::vector<Vertex> moved = mergeNear(trial, fixed, nearWeld);
-  if (!moved.empty() && !keepIfBetter(trial)) moved.clear();
+  std::vector<Vertex> moved = mergeNear(trial, fixed, progress.part(0.0, 0.2), nearWeld);
+  if (!moved.empty() && !keepIfBetter(trial, progress.part(0.2, 0.5))) moved.clear();
   trial = mesh;
-  if (splitTJunctions(trial, fixed, progress, nearWeld) > 0 && !progress.cancelled()) keepIfBetter(trial);
+  if (splitTJunctions(trial, fixed, progress.part(0.5, 0.7), nearWeld) > 0)
+    keepIfBetter(trial, progress.part(0.7, 1.0));
   return moved;
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/Weld.h"
 
+#include "mesh/Steps.h"
+
 #include <bit>
 
 namespace handwheel {
@@ -63,22 +65,25 @@ class ClassTable {
 
 }  // namespace
 
-PointClasses classifyPoints(std::span<const Vec3> points) {
+PointClasses classifyPoints(std::span<const Vec3> points, Progress progress) {
   PointClasses result;
   result.classOf.resize(points.size());
   ClassTable table(points);
   for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!mayGoOn(i, points.size(), progress)) break;
     result.classOf[i] = table.classify(static_cast<std::uint32_t>(i), result.representative);
   }
   return result;
 }
 
-TriangleSoup weld(const TriangleSoup& soup) {
-  const PointClasses classes = classifyPoints(soup.points);
+TriangleSoup weld(const TriangleSoup& soup, Progress progress) {
+  const PointClasses classes = classifyPoints(soup.points, progress.part(0.0, 0.7));
+  if (progress.cancelled()) return {};
   std::vector<std::uint32_t> number(classes.representative.size(), kNone);
   TriangleSoup welded;
   welded.triangles.reserve(soup.triangles.size());
   for (const Triangle& t : soup.triangles) {
+    if (!mayGoOn(welded.triangles.size(), soup.triangles.size(), progress.part(0.7, 1.0))) return {};
     Triangle w;
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t c = classes.classOf[t[k]];

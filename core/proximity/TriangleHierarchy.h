@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Geometry.h"
+#include "base/Progress.h"
 #include "proximity/BoxTree.h"
 #include "proximity/TriangleBoxes.h"
 
@@ -32,7 +33,8 @@ struct NearestPoint {
 class TriangleHierarchy {
  public:
   TriangleHierarchy() = default;
-  TriangleHierarchy(std::span<const Vec3> points, std::span<const Triangle> triangles);
+  // Empty once cancelled.
+  TriangleHierarchy(std::span<const Vec3> points, std::span<const Triangle> triangles, Progress progress = {});
 
   bool empty() const { return m_order.empty(); }
   const Box& bounds() const { return m_bounds; }

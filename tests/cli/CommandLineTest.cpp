@@ -16,7 +16,7 @@ class CommandLineTest : public QObject {
     const Ran overview = bench.run({"--help"});
     QCOMPARE(overview.code, 0);
     QCOMPARE(overview.err, QByteArray());
-    for (const char* command : {"inspect", "repair", "convert", "picture"}) {
+    for (const char* command : {"inspect", "repair", "convert", "picture", "new", "set", "measure"}) {
       QVERIFY(overview.out.contains(QByteArray("\n  ") + command + " "));
       const Ran page = bench.run({"help", command});
       QCOMPARE(page.code, 0);
@@ -24,6 +24,9 @@ class CommandLineTest : public QObject {
       QCOMPARE(bench.run({command, "--help"}).out, page.out);
     }
     QCOMPARE(bench.run({"help"}).out, overview.out);
+    // Whole sentences: a point within a word, as in ".stl" and "25.4", ends none.
+    const QRegularExpression line("^  [a-z]+ +[A-Z][A-Za-z ,;-]+\\.$", QRegularExpression::MultilineOption);
+    QCOMPARE(QString(overview.out).count(line), 7);
     for (const char* option : {"-o", "--fill", "--keep-open", "--fill-rims", "--max-hole", "--remove-debris", "--unit",
                                "--partial", "--report", "--screenshot"}) {
       QVERIFY2(bench.run({"help", "repair"}).out.contains(option), option);
@@ -65,6 +68,18 @@ class CommandLineTest : public QObject {
         "IN and OUT cannot be the report or the screenshot too: a.stl.", " repair");
     row({"repair", "a.stl", "-o", "b.stl", "--report", "r", "--screenshot", "r"},
         "The report and the screenshot need a file each.", " repair");
+    for (const char* document : {"c.handwheel", "c.STL", "c.step", "c.urdf"})
+      row({"repair", "a.stl", "-o", "b.stl", "--report", document},
+          "--report takes a name such as part.json, not that of a document.", " repair");
+    row({"repair", "a.stl", "-o", "b.stl", "--screenshot", "c.handwheel"},
+        "--screenshot takes a name that ends in .png.", " repair");
+    row({"measure", "--csv", "c.handwheel"}, "--csv takes a name such as curves.csv, not that of a document.",
+        " measure");
+    row({"picture", "a.stl", "a.stl"}, "PNG is a name that ends in .png.", " picture");
+    row({"repair", "a.stl", "-o", ""}, "The option -o needs a value: OUT.", " repair");
+    row({"repair", "a.stl", "--output="}, "The option --output needs a value: OUT.", " repair");
+    row({"set", "a.stl"}, "The option -o OUT is missing.", " set");
+    row({"new", "castle", "-o", "b.handwheel"}, "KIND is workpiece, not 'castle'.", " new");
     row({"convert", "a.stl"}, "The command convert needs IN OUT.", " convert");
   }
   void mistakes() {
@@ -84,6 +99,19 @@ class CommandLineTest : public QObject {
       QCOMPARE(bench.run(QStringList{"repair"} + output + QStringList{"a.off"}).code, 0);
       QCOMPARE(bench.names(), (QStringList{"a.off", "b.off"}));
     }
+  }
+
+  // No file that the program opens takes the place of its closed output.
+  void closedOutputIsAnError() {
+    const Bench bench;
+    bench.put("a.off", cube().off());
+    QProcess process;
+    process.setWorkingDirectory(bench.path());
+    process.start("sh", {"-c", QString("exec '%1' inspect a.off 0<&- 1>&-").arg(HANDWHEEL_PROGRAM)});
+    QVERIFY(process.waitForFinished());
+    QCOMPARE(process.exitCode(), 1);
+    QCOMPARE(process.readAllStandardError(),
+             QByteArray("handwheel: The output could not be written (Bad file descriptor).\n"));
   }
 
   // Redirected to a full disk, the figures are not lost silently.

@@ -5,6 +5,7 @@
 #include "document/Container.h"
 
 #include <QTest>
+#include <filesystem>
 
 using namespace handwheel;
 using Json = nlohmann::json;
@@ -56,6 +57,15 @@ void putDocument(const Bench& bench, const QString& name) {
   put(bench, name, container);
 }
 
+// Other names of a file: symbolic and hard links, also with the ending of another format.
+void putLinks(const Bench& bench, const QString& name) {
+  const std::filesystem::path folder = bench.path().toStdString(), file = folder / name.toStdString();
+  for (const char* ending : {".handwheel", ".stl"}) {
+    std::filesystem::create_symlink(file.filename(), folder / (std::string("link") + ending));
+    std::filesystem::create_hard_link(file, folder / (std::string("hard") + ending));
+  }
+}
+
 void compareWhatMustNotBeLost(const Bench& bench, const QString& before, const QString& after) {
   const Container was = containerIn(bench, before), is = containerIn(bench, after);
   for (const char* key : {"id", "display_unit", "future", "kind"}) QVERIFY((*is.manifest)[key] == (*was.manifest)[key]);
@@ -100,6 +110,8 @@ class ContainersTest : public QObject {
     QCOMPARE(bench.run({"set", "b.handwheel", "display_unit=mm", "-o", "b.handwheel"}).code, 0);
     QCOMPARE(bench.run({"set", "b.handwheel", "display_unit=in", "-o", "b.handwheel"}).code, 0);
     QCOMPARE(bench.content("b.handwheel"), bench.content("a.handwheel"));
+    QCOMPARE(bench.run({"set", "a.handwheel", "display_unit=in", "-o", "c.handwheel"}).code, 0);
+    QCOMPARE(bench.content("c.handwheel"), bench.content("a.handwheel"));
   }
 
   // A document keeps the numbers of its vertices. After an edit its loops are in another order than its bare triangles
@@ -146,18 +158,24 @@ class ContainersTest : public QObject {
     row("repair n.handwheel -o n.handwheel");
     row("repair a.handwheel -o n.handwheel");
     row("new workpiece -o n.handwheel");
+    // Under another name, also as another format.
+    row("set n.handwheel display_unit=cm -o hard.handwheel");
+    row("set n.handwheel display_unit=cm -o hard.stl");
+    row("convert a.off link.stl");
+    row("convert n.handwheel link.stl");
+    row("repair a.off -o link.stl");
   }
   void newerFilesAreNotReplaced() {
     QFETCH(QStringList, words);
     const Bench bench;
     putDocument(bench, "a.handwheel");
     putNewer(bench, "n.handwheel", containerIn(bench, "a.handwheel"));
-    QVERIFY(QFile::link("n.handwheel", bench.path() + "/link.handwheel"));
+    putLinks(bench, "n.handwheel");
     const QByteArray before = bench.content("n.handwheel");
     const Ran ran = bench.run(words);
     QCOMPARE(ran.code, 1);
-    QVERIFY2(ran.err.endsWith("handwheel was written by a newer version of Handwheel and is not replaced. Write to "
-                              "another file.\n"),
+    QVERIFY2(ran.err.endsWith(" was written by a newer version of Handwheel and is not replaced, so that nothing that "
+                              "only that one knows is lost. Write to another file.\n"),
              ran.err);
     QCOMPARE(bench.content("n.handwheel"), before);
     QVERIFY(QFileInfo(bench.path() + "/link.handwheel").isSymLink());
@@ -180,6 +198,11 @@ class ContainersTest : public QObject {
     row("set d.handwheel display_unit=cm -o d.handwheel");
     row("convert d.handwheel d.handwheel");
     row("repair d.handwheel -o d.handwheel");
+    for (const char* other : {"link.handwheel", "hard.handwheel", "./d.handwheel", "sub/../d.handwheel", "hard.stl"}) {
+      row(qPrintable(QString("set d.handwheel display_unit=cm -o ") + other));
+      row(qPrintable(QString("convert d.handwheel ") + other));
+      row(qPrintable(QString("repair d.handwheel -o ") + other));
+    }
   }
   void damagedFilesAreNotReplaced() {
     QFETCH(QStringList, words);
@@ -188,10 +211,12 @@ class ContainersTest : public QObject {
     QByteArray damaged = bench.content("a.handwheel");
     damaged.replace("future/data", "fXture/data");  // in the local header and in the directory
     bench.put("d.handwheel", damaged);
+    putLinks(bench, "d.handwheel");
+    QVERIFY(QDir(bench.path()).mkdir("sub"));
     const Ran ran = bench.run(words);
     QCOMPARE(ran.code, 1);
     QVERIFY2(ran.err.contains("'future/data' is missing"), ran.err);
-    QVERIFY2(ran.err.endsWith("d.handwheel is damaged and is not replaced, so that no more of it is lost. Write to "
+    QVERIFY2(ran.err.endsWith(" is damaged and is not replaced, so that no more of it is lost. Write to "
                               "another file.\n"),
              ran.err);
     QCOMPARE(bench.content("d.handwheel"), damaged);

@@ -3,6 +3,7 @@
 #include "Program.h"
 #include "Shapes.h"
 
+#include <QStandardPaths>
 #include <QTest>
 #include <csignal>
 
@@ -67,6 +68,35 @@ class InterruptTest : public QObject {
     QCOMPARE(process.readAllStandardOutput(), QByteArray());
     QCOMPARE(bench.names(), (QStringList{"a.off", "old.stl"}));
     QCOMPARE(bench.content("old.stl"), QByteArray("what was there before"));
+  }
+
+  // Also while it draws: the program that draws under xvfb-run ends with the one that was asked.
+  void noPictureComesLater_data() {
+    QTest::addColumn<int>("milliseconds");
+    for (int wait : {100, 700, 1300}) QTest::addRow("%d ms", wait) << wait;
+  }
+  void noPictureComesLater() {
+    if (QStandardPaths::findExecutable("xvfb-run").isEmpty()) QSKIP("xvfb-run is not installed");
+    QFETCH(int, milliseconds);
+    const Bench bench;
+    bench.put("a.off", largeTorus(600));
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.remove("DISPLAY");
+    process.setProcessEnvironment(environment);
+    process.setWorkingDirectory(bench.path());
+    process.start(HANDWHEEL_PROGRAM, {"picture", "a.off", "p.png"});
+    QVERIFY(process.waitForStarted());
+    QTRY_VERIFY(catches(process.processId(), SIGTERM));
+    QTest::qWait(milliseconds);
+    if (bench.names().contains("p.png")) QSKIP("it is quicker than that");
+    process.terminate();
+    QVERIFY(process.waitForFinished());
+    QCOMPARE(process.exitCode(), 130);
+    QTest::qWait(1000);
+    QCOMPARE(bench.names(), QStringList{"a.off"});
+    const QByteArray told = process.readAllStandardError();
+    QVERIFY2(told.isEmpty() || told == "handwheel: Cancelled.\n", told);
   }
 
   // Progress is for people at a terminal.

@@ -230,7 +230,7 @@ void MeasureTest::wrongWords_data() {
   QTest::newRow("setting") << QStringList{"mesh.near"}
                            << QByteArray("There is no setting mesh.near; 'handwheel measure --list' names them.");
   for (const char* words :
-       {"", "16", "ms", "ms=", "ms=x", "s=3", "ms=-1", "ms=0", "ms=nan", "ms=inf", "ms=1,", "ms=1 "}) {
+       {",", "16", "ms", "ms=", "ms=x", "s=3", "ms=-1", "ms=0", "ms=nan", "ms=inf", "ms=1,", "ms=1 "}) {
     QTest::newRow((QByteArray("budget ") + words).constData()) << QStringList{"--budget", words} << budget;
   }
   QTest::newRow("plot") << QStringList{"--plot", "a.bmp"} << plot;

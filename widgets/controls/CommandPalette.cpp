@@ -10,6 +10,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListView>
 #include <QMainWindow>
@@ -39,7 +40,8 @@ CommandPalette::CommandPalette(QMainWindow* window)
       m_action(new QAction(icon(QStringLiteral("search")), tr("&Search commands…"), window)),
       m_model(new CommandModel(this)),
       m_query(new QLineEdit(this)),
-      m_list(new QListView(this)) {
+      m_list(new QListView(this)),
+      m_nothing(new QLabel(tr("No command is called that."), this)) {
   setObjectName(QStringLiteral("commandPalette"));
   setProperty("card", true);
   setAutoFillBackground(true);
@@ -54,6 +56,9 @@ CommandPalette::CommandPalette(QMainWindow* window)
   m_query->setMaxLength(kLongestQuery);
   m_query->addAction(icon(QStringLiteral("search")), QLineEdit::LeadingPosition);
   m_query->installEventFilter(this);
+  m_nothing->setObjectName(QStringLiteral("noCommand"));
+  m_nothing->setProperty("muted", true);
+  m_nothing->setContentsMargins(8, 0, 8, 4);
   m_list->setObjectName(QStringLiteral("commandList"));
   m_list->setAccessibleName(tr("Commands found"));
   m_list->setModel(m_model);
@@ -66,6 +71,7 @@ CommandPalette::CommandPalette(QMainWindow* window)
   column->setSpacing(8);
   column->addWidget(m_query);
   column->addWidget(m_list);
+  column->addWidget(m_nothing);
   connect(m_query, &QLineEdit::textChanged, this, &CommandPalette::search);
   connect(m_list, &QListView::clicked, this, &CommandPalette::run);
   connect(m_list, &QListView::entered, m_list, &QListView::setCurrentIndex);
@@ -141,6 +147,7 @@ void CommandPalette::place() {
   int height = 0;
   for (int row = 0; row < std::min(m_model->rowCount(), kRowsShown); ++row) height += m_list->sizeHintForRow(row);
   m_list->setVisible(m_model->rowCount() > 0);
+  m_nothing->setVisible(m_model->rowCount() == 0);
   m_list->setFixedHeight(height + 2 * m_list->frameWidth());
   const int width = std::min(kWidth, m_window->width() - 2 * kMargin);
   const int room = m_window->height() - kTop - kMargin;

@@ -5,6 +5,7 @@
 #include <QFrame>
 #include <QPointer>
 
+class QLabel;
 class QLineEdit;
 class QListView;
 class QMainWindow;
@@ -41,6 +42,7 @@ class CommandPalette : public QFrame {
   CommandModel* m_model;
   QLineEdit* m_query;
   QListView* m_list;
+  QLabel* m_nothing;
   QPointer<QWidget> m_before;  // had the focus
 };
 

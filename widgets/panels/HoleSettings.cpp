@@ -10,7 +10,6 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QSignalBlocker>
 #include <QStyle>
 
 namespace handwheel {
@@ -92,7 +91,6 @@ FillMethod HoleSettings::method() const {
 }
 
 void HoleSettings::setMethod(FillMethod method) {
-  const QSignalBlocker quiet(m_method);
   m_method->setCurrentIndex(m_method->findData(static_cast<int>(method)));
 }
 

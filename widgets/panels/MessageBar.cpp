@@ -11,11 +11,12 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QToolButton>
-#include <utility>
 
 namespace handwheel {
 
 namespace {
+
+constexpr std::size_t kMostMessages = 50;  // the log has them all
 
 QIcon iconOf(Message::Weight weight) {
   const ThemeColours& colours = themeColours(currentTheme());
@@ -41,12 +42,18 @@ QString textOf(const Message& message) {
 }  // namespace
 
 MessageBar::MessageBar(QWidget* parent)
-    : QFrame(parent), m_icon(new QLabel(this)), m_text(new QLabel(this)), m_action(new QPushButton(this)) {
+    : QFrame(parent),
+      m_icon(new QLabel(this)),
+      m_text(new QLabel(this)),
+      m_more(new QLabel(this)),
+      m_action(new QPushButton(this)) {
   setObjectName(QStringLiteral("messageBar"));
   m_text->setObjectName(QStringLiteral("messageText"));
   m_text->setTextFormat(Qt::RichText);
   m_text->setWordWrap(true);
   m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  m_more->setObjectName(QStringLiteral("messageMore"));
+  m_more->setProperty("muted", true);
   m_action->setObjectName(QStringLiteral("messageAction"));
   auto* close = new QToolButton(this);
   close->setObjectName(QStringLiteral("messageClose"));
@@ -54,37 +61,51 @@ MessageBar::MessageBar(QWidget* parent)
   close->setIconSize({14, 14});
   close->setToolTip(tr("Close this message"));
   close->setAccessibleName(close->toolTip());
-  connect(close, &QToolButton::clicked, this, &QWidget::hide);
-  connect(m_action, &QPushButton::clicked, this, [this] {
-    hide();
-    if (const auto run = std::exchange(m_run, nullptr)) run();
-  });
+  const auto take = [this] {
+    const auto action = m_messages.back().action;
+    m_messages.pop_back();
+    showLatest();
+    return action;
+  };
+  connect(close, &QToolButton::clicked, this, take);
+  connect(m_action, &QPushButton::clicked, this, [take] { take()(); });
 
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(16, 8, 8, 8);
   row->setSpacing(12);
   row->addWidget(m_icon, 0, Qt::AlignTop);
   row->addWidget(m_text, 1);
+  row->addWidget(m_more, 0, Qt::AlignVCenter);
   row->addWidget(m_action, 0, Qt::AlignVCenter);
   row->addWidget(close, 0, Qt::AlignTop);
   hide();
 }
 
 void MessageBar::showMessage(const Message& message) {
-  m_weight = message.weight;
-  drawIcon();
-  m_text->setText(textOf(message));
-  setAccessibleName(message.title);
-  m_run = message.action;
-  m_action->setText(message.actionText);
-  m_action->setVisible(m_run != nullptr);
-  show();
+  std::erase_if(m_messages, [text = textOf(message)](const Message& earlier) { return textOf(earlier) == text; });
+  if (m_messages.size() == kMostMessages) m_messages.erase(m_messages.begin());
+  m_messages.push_back(message);
+  showLatest();
   QAccessibleEvent alert(this, QAccessible::Alert);
   QAccessible::updateAccessibility(&alert);
 }
 
+void MessageBar::showLatest() {
+  setVisible(!m_messages.empty());
+  if (m_messages.empty()) return;
+  const Message& message = m_messages.back();
+  drawIcon();
+  m_text->setText(textOf(message));
+  setAccessibleName(message.title);
+  m_action->setText(message.actionText);
+  m_action->setVisible(message.action != nullptr);
+  m_more->setText(tr("%n more", nullptr, static_cast<int>(m_messages.size()) - 1));
+  m_more->setVisible(m_messages.size() > 1);
+}
+
 void MessageBar::drawIcon() {
-  m_icon->setPixmap(iconOf(m_weight).pixmap(QSize(20, 20), devicePixelRatioF()));
+  if (m_messages.empty()) return;
+  m_icon->setPixmap(iconOf(m_messages.back().weight).pixmap(QSize(20, 20), devicePixelRatioF()));
 }
 
 void MessageBar::changeEvent(QEvent* event) {

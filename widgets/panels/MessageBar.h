@@ -4,6 +4,7 @@
 
 #include <QFrame>
 #include <functional>
+#include <vector>
 
 class QLabel;
 class QPushButton;
@@ -21,7 +22,7 @@ struct Message {
   std::function<void()> action;
 };
 
-// Shows one message above the viewport until it is closed or the next one comes. Nothing waits for it.
+// Shows messages above the viewport, the latest first; each stays until it is closed. Nothing waits for them.
 class MessageBar : public QFrame {
   Q_OBJECT
 
@@ -34,13 +35,14 @@ class MessageBar : public QFrame {
   void changeEvent(QEvent* event) override;
 
  private:
+  void showLatest();
   void drawIcon();
 
-  Message::Weight m_weight = Message::Weight::Info;
+  std::vector<Message> m_messages;  // the latest is the last
   QLabel* m_icon;
   QLabel* m_text;
+  QLabel* m_more;  // how many others there are
   QPushButton* m_action;
-  std::function<void()> m_run;
 };
 
 }  // namespace handwheel

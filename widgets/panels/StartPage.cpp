@@ -57,11 +57,11 @@ QString lineOf(StartPage::Sample sample) {
     case StartPage::Sample::Scan:
       return StartPage::tr("A scanned part with holes. Close the first one with Enter.");
     case StartPage::Sample::Lathe:
-      return StartPage::tr("A shaft in the chuck. Turn a step, and feel what the cut costs.");
+      return StartPage::tr("A shaft for the lathe. Give it its size, save it as STEP.");
     case StartPage::Sample::Cell:
       break;
   }
-  return StartPage::tr("An arm and a table. Plan a path, see that it is clear, export it.");
+  return StartPage::tr("An arm with six joints. Move it by hand within its limits.");
 }
 
 QString iconFor(const QFileInfo& file) {

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plot/PlotExport.h"
 
+#include "document/AtomicFile.h"
 #include "plot/PlotPainting.h"
 
 #include <QBuffer>
 #include <QFile>
 #include <QFileInfo>
 #include <QPainter>
-#include <QSaveFile>
 #include <QSvgGenerator>
 #include <charconv>
 #include <cmath>
@@ -75,9 +75,8 @@ QByteArray field(QString text) {
 }
 
 Status writeWhole(const QString& path, const QByteArray& bytes) {
-  QSaveFile file(path);
-  if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit()) return Done{};
-  return Error{ErrorCode::WriteFailed, {file.errorString().toStdString()}, {}, QFile::encodeName(path).toStdString()};
+  return writeFileAtomically(QFile::encodeName(path).toStdString(),
+                             {bytes.constData(), static_cast<std::size_t>(bytes.size())});
 }
 
 }  // namespace

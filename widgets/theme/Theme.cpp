@@ -137,7 +137,8 @@ ThemeKind currentTheme() {
 }
 
 void applyTheme(QApplication& application, ThemeKind kind) {
-  application.setStyle(new PlainFusion);
+  // Going through all widgets takes long enough once; both themes have this style.
+  if (application.styleSheet().isEmpty()) application.setStyle(new PlainFusion);
   application.setPalette(paletteOf(themeColours(kind)));
   application.setStyleSheet(styleSheetOf(kind));
 }

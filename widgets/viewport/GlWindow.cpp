@@ -25,17 +25,18 @@ GlWindow::~GlWindow() {
   m_window->RemoveAllObservers();
 }
 
-// Not the widget's makeCurrent(): that also binds Qt's framebuffer, and VTK asks in the middle of building its own.
+// When it is current already, nothing: the widget would also bind Qt's framebuffer, and VTK asks in the middle of
+// building its own.
 void GlWindow::makeContextCurrent() {
-  if (m_context && m_context->surface()) m_context->makeCurrent(m_context->surface());
+  if (m_widget && QOpenGLContext::currentContext() != m_widget->context()) m_widget->makeCurrent();
 }
 
 void GlWindow::reportIsCurrent(vtkObject*, unsigned long, void* isCurrent) {
-  *static_cast<bool*>(isCurrent) = m_context && QOpenGLContext::currentContext() == m_context;
+  *static_cast<bool*>(isCurrent) = m_widget && QOpenGLContext::currentContext() == m_widget->context();
 }
 
-void GlWindow::attach(QOpenGLContext* context) {
-  m_context = context;
+void GlWindow::attach(QOpenGLWidget* widget) {
+  m_widget = widget;
   vtkOpenGLState* state = m_window->GetState();
   state->Reset();
   // VTK expects LEQUAL as the rest state, Qt leaves LESS.
@@ -46,13 +47,13 @@ void GlWindow::attach(QOpenGLContext* context) {
 }
 
 void GlWindow::detach() {
-  if (!m_context) return;
+  if (!m_widget) return;
   m_window->SetReadyForRendering(false);
   m_window->Finalize();
-  m_context = nullptr;
+  m_widget = nullptr;
 }
 
-void GlWindow::draw(QOpenGLWidget* widget, const QSize& size) {
+void GlWindow::draw(const QSize& size) {
   vtkOpenGLState* state = m_window->GetState();
   state->Reset();
   state->Push();
@@ -60,15 +61,15 @@ void GlWindow::draw(QOpenGLWidget* widget, const QSize& size) {
   m_window->SetSize(size.width(), size.height());
   m_window->Render();
 
-  widget->makeCurrent();
-  QOpenGLExtraFunctions* gl = m_context->extraFunctions();
-  gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, widget->defaultFramebufferObject());
+  m_widget->makeCurrent();
+  QOpenGLExtraFunctions* gl = m_widget->context()->extraFunctions();
+  gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, m_widget->defaultFramebufferObject());
   const GLenum target = GL_COLOR_ATTACHMENT0;
   gl->glDrawBuffers(1, &target);
   state->vtkglDisable(GL_SCISSOR_TEST);
   m_window->BlitDisplayFramebuffer();
   // VTK leaves alpha below one where it blended; the desktop would shine through.
-  gl->glBindFramebuffer(GL_FRAMEBUFFER, widget->defaultFramebufferObject());
+  gl->glBindFramebuffer(GL_FRAMEBUFFER, m_widget->defaultFramebufferObject());
   gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
   gl->glClearColor(0, 0, 0, 1);
   gl->glClear(GL_COLOR_BUFFER_BIT);

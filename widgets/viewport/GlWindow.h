@@ -6,7 +6,6 @@
 #include <vtkNew.h>
 #include <QSize>
 
-class QOpenGLContext;
 class QOpenGLWidget;
 class vtkRenderer;
 
@@ -19,20 +18,20 @@ class GlWindow {
   explicit GlWindow(vtkRenderer* renderer);
   ~GlWindow();
 
-  // For each new context; a widget gets another when it moves to another window.
-  void attach(QOpenGLContext* context);
+  // For each new context of the widget; it gets another when it moves to another window.
+  void attach(QOpenGLWidget* widget);
   // Frees what belongs to the context, before that goes.
   void detach();
-  bool isAttached() const { return m_context != nullptr; }
+  bool isAttached() const { return m_widget != nullptr; }
   // size in device pixels.
-  void draw(QOpenGLWidget* widget, const QSize& size);
+  void draw(const QSize& size);
 
  private:
   void makeContextCurrent();
   void reportIsCurrent(vtkObject* caller, unsigned long event, void* isCurrent);
 
   vtkNew<vtkGenericOpenGLRenderWindow> m_window;
-  QOpenGLContext* m_context = nullptr;
+  QOpenGLWidget* m_widget = nullptr;
 };
 
 }  // namespace handwheel

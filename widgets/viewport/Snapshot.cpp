@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/Snapshot.h"
 
+#include "document/AtomicFile.h"
 #include "viewport/DisplayCheck.h"
 #include "viewport/Overlay.h"
 #include "viewport/Scene.h"
 
 #include <vtkRenderWindow.h>
 #include <vtkUnsignedCharArray.h>
+#include <QBuffer>
 #include <QImage>
-#include <QSaveFile>
 #include <algorithm>
 
 namespace handwheel {
@@ -44,11 +45,10 @@ QImage render(Scene& scene, int width, int height) {
 }
 
 Status save(const QImage& picture, const std::filesystem::path& png) {
-  QSaveFile file(QString::fromStdString(png.string()));
-  if (!file.open(QIODevice::WriteOnly) || !picture.save(&file, "PNG") || !file.commit()) {
-    return writeFailed(file.errorString().toStdString(), png);
-  }
-  return Done{};
+  QBuffer buffer;
+  buffer.open(QIODevice::WriteOnly);
+  if (!picture.save(&buffer, "PNG")) return writeFailed("the picture could not be packed", png);
+  return writeFileAtomically(png, {buffer.data().constData(), static_cast<std::size_t>(buffer.size())});
 }
 
 // fill: gives the scene what it is to show.

@@ -236,6 +236,10 @@ int Viewport::framesDrawn() const {
   return d->framesDrawn;
 }
 
+Spent Viewport::timeDrawing() const {
+  return d->timeDrawing;
+}
+
 QSize Viewport::sizeHint() const {
   return {960, 640};
 }

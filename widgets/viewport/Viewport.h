@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/ThreadClock.h"
 #include "document/DisplayModel.h"
 #include "viewport/CameraState.h"
 #include "viewport/ClipPlane.h"
@@ -118,6 +119,7 @@ class Viewport : public QOpenGLWidget {
   // How often a block of the mesh or of a part has been built, and a frame drawn, since the construction; for tests.
   int blocksBuilt() const;
   int framesDrawn() const;
+  Spent timeDrawing() const;  // in the renderer so far, for measurements
 
   QSize sizeHint() const override;
 

@@ -4,7 +4,6 @@
 #include "viewport/ViewportPrivate.h"
 
 #include <qopenglcontext_platform.h>
-#include <QElapsedTimer>
 #include <QGuiApplication>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
@@ -79,7 +78,7 @@ void Viewport::initializeGL() {
   }
   d->report({});
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] { d->detachGl(); });
-  d->glWindow.attach(context());
+  d->glWindow.attach(this);
 }
 
 void Viewport::showEvent(QShowEvent* event) {
@@ -129,16 +128,16 @@ void Viewport::Private::draw() {
   const double ratio = q->devicePixelRatioF();
   scene.prepare(camera, size(), ratio);
 
-  QElapsedTimer timer;
-  timer.start();
-  glWindow.draw(q, (QSizeF(q->size()) * ratio).toSize());
+  const Spent start = Spent::now();
+  glWindow.draw((QSizeF(q->size()) * ratio).toSize());
   // Software rendering works on after the call returns.
   q->context()->functions()->glFinish();
   isSeen = true;
   ++framesDrawn;
+  const Spent spent = Spent::now() - start;
+  timeDrawing = timeDrawing + spent;
   if (isReduced || uploads) return;
-  const double milliseconds = static_cast<double>(timer.nsecsElapsed()) * 1e-6;
-  fullFrameMs = isSmooth ? milliseconds : std::max(fullFrameMs, milliseconds);
+  fullFrameMs = isSmooth ? spent.clock : std::max(fullFrameMs, spent.clock);
 }
 
 QImage Viewport::grabImage() {

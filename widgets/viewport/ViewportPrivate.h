@@ -78,6 +78,7 @@ class Viewport::Private {
   int covered = 0;           // pixels at the lower edge
   double fullFrameMs = 0.0;  // what a frame in full detail took last
   int framesDrawn = 0;
+  Spent timeDrawing;
   QTimer rest;  // runs while the wheel turns
 
   NavigationPreset preset = NavigationPreset::Handwheel;

@@ -14,18 +14,21 @@ namespace handwheel {
 HolePreview::HolePreview(QThreadPool& pool, WindowServices& services, const FidelityChoice& fidelity, QObject* parent)
     : QObject(parent), m_services(services), m_fidelity(fidelity), m_runner(JobRunner::Policy::Latest, pool, this) {}
 
-void HolePreview::request(OpenMesh* document, int loop, FillMethod method) {
+void HolePreview::request(OpenMesh* document, int loop) {
   if (!document || loop < 0) document = nullptr;
   const std::uint64_t revision = document ? document->document.revision() : 0;
   const Vertex key = document ? document->inspection.keyOf(loop) : kNone;
-  const bool same = document == m_document && revision == m_revision && key == m_key && method == m_method;
+  FillOptions options;
+  apply(m_fidelity.values(), options);
+  const bool same = document == m_document && revision == m_revision && key == m_key &&
+                    options.method == m_options.method && options.density == m_options.density;
   if (same && (!document || m_state.kind != PreviewState::Kind::Off)) return;
   if (document && (document != m_benchDocument || revision != m_benchRevision)) m_bench = nullptr;
   m_document = document;
   m_revision = revision;
   m_key = key;
   m_loop = loop;
-  m_method = method;
+  m_options = options;
   start();
 }
 
@@ -43,14 +46,11 @@ void HolePreview::start() {
   m_state.kind = PreviewState::Kind::Working;
   emit changed();
   const MeshDocument& document = m_document->document;
-  FillOptions options;
-  apply(m_fidelity.values(), options);
-  options.method = m_method;
-  options.numbers = document.fileNumbers();
+  m_options.numbers = document.fileNumbers();
   Job job;
   job.name = tr("Preview");
   job.work = [this, &service = m_services.fillPreview(), bench = m_bench, loop = m_document->inspection.loop(m_loop),
-              options, request = m_request](Progress progress) -> Job::Finish {
+              options = m_options, request = m_request](Progress progress) -> Job::Finish {
     const ServiceTick tick(service);
     auto attempt = std::make_shared<FillAttempt>(bench->filler().propose(loop, options, progress));
     return [this, attempt, request] { finished(request, std::move(*attempt)); };

@@ -29,8 +29,8 @@ class HolePreview : public QObject {
   HolePreview(QThreadPool& pool, WindowServices& services, const FidelityChoice& fidelity, QObject* parent = nullptr);
 
   // Asking for what is already shown or on its way changes nothing. loop -1 or no document: no preview.
-  void request(OpenMesh* document, int loop, FillMethod method);
-  void clear() { request(nullptr, -1, m_method); }
+  void request(OpenMesh* document, int loop);
+  void clear() { request(nullptr, -1); }
   // The same, and nothing is kept for the next request. For when the document changes.
   void forget();
 
@@ -57,7 +57,7 @@ class HolePreview : public QObject {
   std::uint64_t m_revision = 0;
   Vertex m_key = kNone;
   int m_loop = -1;
-  FillMethod m_method = FillMethod::Fair;
+  FillOptions m_options;
   std::uint64_t m_request = 0;
   std::shared_ptr<FillBench> m_bench;
   const OpenMesh* m_benchDocument = nullptr;

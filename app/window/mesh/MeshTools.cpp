@@ -27,6 +27,8 @@ MeshTools::MeshTools(ToolHost& host, QThreadPool& pool, Selection& selection, Ho
   connect(&m_preview, &HolePreview::changed, this, &MeshTools::answer);
   connect(&m_selection, &Selection::changed, this, &MeshTools::followSelection);
   connect(&m_host, &ToolHost::updated, this, &MeshTools::followTool);
+  connect(&m_actions, &RepairActions::methodChanged, this, &MeshTools::followMethod);
+  followMethod();
 }
 
 void MeshTools::setDocument(OpenMesh* document) {
@@ -38,21 +40,23 @@ void MeshTools::setDocument(OpenMesh* document) {
 }
 
 std::unique_ptr<Tool> MeshTools::fillTool() {
+  faces();  // so that the first gesture finds them sorted
   FillServices services;
   services.faces = [this] { return faces(); };
   services.request = [this](const FillRequest& wanted) { request(wanted); };
   services.commit = [this](const BoundaryLoop&, const FillAttempt&) { m_actions.fill()->trigger(); };
   const Vertex selected = m_document->selected;
-  auto tool = std::make_unique<FillHoleTool>(m_document->document, std::move(services),
-                                             selected == kNone ? std::nullopt : std::optional(selected));
-  return tool;
+  return std::make_unique<FillHoleTool>(m_document->document, std::move(services),
+                                        selected == kNone ? std::nullopt : std::optional(selected));
 }
 
 std::unique_ptr<Tool> MeshTools::selectTool() {
+  faces();
   return std::make_unique<SelectTool>(m_document->document, services());
 }
 
 std::unique_ptr<Tool> MeshTools::measureTool() {
+  faces();
   return std::make_unique<MeasureTool>([this](const Ray& ray) -> std::optional<Vec3> {
     const auto sorted = faces();
     const auto hit = sorted ? sorted->firstHit(ray) : std::nullopt;
@@ -99,6 +103,7 @@ const FillHoleTool* MeshTools::runningFillTool() const {
 // The preview of the window is the tool's, so the list, the settings and the tool show the same patch.
 void MeshTools::request(const FillRequest& request) {
   m_ticket = request.ticket;
+  m_actions.setMethod(request.method);
   m_selection.select(m_document->inspection.loopWithKey(keyOf(m_document->document.mesh(), request.loop)));
   answer();
 }
@@ -118,6 +123,11 @@ void MeshTools::followSelection() {
   const BoundaryLoop* loop = tool->loop();
   const Vertex working = loop ? keyOf(m_document->document.mesh(), *loop) : kNone;
   if (working != m_document->selected) m_host.start(fillTool(), m_document->document);
+}
+
+// Chosen in the list of defects, or as a matter of speed against accuracy.
+void MeshTools::followMethod() {
+  m_host.choose("fill", "method", FillHoleTool::settingOf(m_actions.method()));
 }
 
 // Dropped in the tool.

@@ -38,6 +38,7 @@ class MeshTools : public QObject {
   void answer();
   void followSelection();
   void followTool();
+  void followMethod();
   MeshServices services();
 
   ToolHost& m_host;

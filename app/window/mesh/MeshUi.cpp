@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/MeshUi.h"
 
+#include "document/mesh/MeshKind.h"
+#include "fidelity/Cases.h"
+#include "mesh/MeshFidelity.h"
 #include "panels/DefectModel.h"
 #include "panels/DefectsPanel.h"
 #include "viewport/Viewport.h"
 #include "window/CommandText.h"
+#include "window/DocumentTabs.h"
+#include "window/FidelityChoice.h"
 #include "window/ToolHost.h"
 #include "window/mesh/DefectScene.h"
 #include "window/mesh/NextSteps.h"
@@ -16,12 +21,13 @@
 
 namespace handwheel {
 
-MeshUi::MeshUi(const WindowParts& parts)
+MeshUi::MeshUi(const WindowParts& parts, MeshKind& kind)
     : m_parts(parts),
+      m_kind(kind),
       m_preview(parts.pool, parts.services, parts.fidelity),
       m_search(parts.pool, parts.services),
       m_jobs(parts.tabs, parts.jobs, parts.log, parts.fidelity),
-      m_actions(m_selection, m_jobs, m_preview, this),
+      m_actions(m_selection, m_jobs, m_preview, parts.fidelity, this),
       m_panel(new DefectsPanel({m_actions.repairAll(), m_actions.previous(), m_actions.next(), m_actions.fill(),
                                 m_actions.keepOpen(), m_actions.preview()},
                                parts.window)),
@@ -29,6 +35,8 @@ MeshUi::MeshUi(const WindowParts& parts)
       m_tools(parts.tools, parts.pool, m_selection, m_preview, m_actions, m_jobs) {
   m_panel->setMinimumWidth(264);
   connectSelection();
+  connect(&m_parts.fidelity, &FidelityChoice::changed, this, &MeshUi::followFidelity);
+  followFidelity();
   connect(&m_jobs, &RepairJobs::workingChanged, this, &KindUi::stateChanged);
   auto* space = new QShortcut(QKeySequence(Qt::Key_Space), &m_parts.viewport, nullptr, nullptr, Qt::WidgetShortcut);
   connect(space, &QShortcut::activated, m_actions.next(), &QAction::trigger);
@@ -48,11 +56,21 @@ void MeshUi::connectSelection() {
   connect(m_panel, &DefectsPanel::loopSelected, &m_selection, &Selection::select);
   connect(m_panel, &DefectsPanel::defectActivated, m_scene, &DefectScene::showPlace);
   connect(m_panel->settings(), &HoleSettings::methodChanged, &m_actions, &RepairActions::setMethod);
-  m_panel->settings()->setMethod(m_actions.method());
   connect(&m_preview, &HolePreview::changed, this, [this] {
     if (m_panel) m_panel->settings()->showPreview(m_preview.state());
   });
   connect(&m_actions, &RepairActions::showLoopRequested, m_scene, &DefectScene::showLoop);
+}
+
+// Jobs ask when they start; the others have to be told.
+void MeshUi::followFidelity() {
+  const FidelityValues& values = m_parts.fidelity.values();
+  m_kind.setNearWeld(values.of(nearWeldSetting()));
+  m_parts.viewport.setBlockFaces(static_cast<Face>(values.of(blockFacesSetting())));
+  m_panel->settings()->setMethod(m_actions.method());
+  for (const auto& open : m_parts.tabs.all()) {
+    if (&open->ui == this) static_cast<OpenMesh&>(*open).document.setFidelity(values);
+  }
 }
 
 QWidget* MeshUi::panel() {
@@ -61,6 +79,7 @@ QWidget* MeshUi::panel() {
 
 std::unique_ptr<OpenDocument> MeshUi::open(std::unique_ptr<Document> document) {
   auto open = std::make_unique<OpenMesh>(std::move(document), *this);
+  open->document.setFidelity(m_parts.fidelity.values());
   connect(&open->inspection, &Inspection::changed, this, &KindUi::stateChanged);
   connect(&open->document, &MeshDocument::meshChanged, this, [mesh = open.get()] { ++mesh->changes; });
   connect(&open->document, &Document::fileChanged, this, [mesh = open.get()] {

@@ -16,13 +16,15 @@ namespace handwheel {
 
 class DefectsPanel;
 class DefectScene;
+class MeshKind;
 
 // Meshes in the window: their defects in panel and viewport, and what repairs them.
 class MeshUi : public KindUi {
   Q_OBJECT
 
  public:
-  explicit MeshUi(const WindowParts& parts);
+  // kind: of the meshes; outlives this.
+  MeshUi(const WindowParts& parts, MeshKind& kind);
   ~MeshUi() override;
 
   std::unique_ptr<OpenDocument> open(std::unique_ptr<Document> document) override;
@@ -45,8 +47,10 @@ class MeshUi : public KindUi {
 
  private:
   void connectSelection();
+  void followFidelity();
 
   WindowParts m_parts;
+  MeshKind& m_kind;
   Selection m_selection;
   HolePreview m_preview;
   SelfIntersectionSearch m_search;

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/RepairActions.h"
 
+#include "mesh/MeshFidelity.h"
 #include "theme/Icons.h"
 #include "window/ActionTip.h"
+#include "window/FidelityChoice.h"
 #include "window/mesh/OpenMesh.h"
 #include "window/mesh/Selection.h"
 
@@ -15,7 +17,6 @@ namespace handwheel {
 
 namespace {
 
-const auto kMethodKey = QStringLiteral("fillMethod");
 const auto kPreviewKey = QStringLiteral("showPreview");
 // The patch is seen in its place for a moment before the camera leaves for the next hole.
 constexpr int kLookMs = 450;
@@ -30,12 +31,13 @@ void prepare(QAction& action, const char* name, const char* iconName, const QLis
 
 }  // namespace
 
-RepairActions::RepairActions(Selection& selection, RepairJobs& jobs, HolePreview& preview, QObject* parent)
+RepairActions::RepairActions(Selection& selection, RepairJobs& jobs, HolePreview& preview, FidelityChoice& fidelity,
+                             QObject* parent)
     : QObject(parent),
       m_selection(selection),
       m_jobs(jobs),
       m_preview(preview),
-      m_method(static_cast<FillMethod>(std::clamp(QSettings().value(kMethodKey, 0).toInt(), 0, 3))),
+      m_fidelity(fidelity),
       m_repairAll(tr("&Repair all"), this),
       m_removeDebris(tr("Remove &debris"), this),
       m_oneByOne(tr("&Go one by one"), this),
@@ -74,7 +76,7 @@ RepairActions::RepairActions(Selection& selection, RepairJobs& jobs, HolePreview
 void RepairActions::connectActions() {
   connect(&m_repairAll, &QAction::triggered, this, [this] {
     m_selection.select(-1);
-    m_jobs.repairAll(m_document, m_method);
+    m_jobs.repairAll(m_document, method());
   });
   connect(&m_removeDebris, &QAction::triggered, this, [this] { m_jobs.removeDebris(m_document); });
   connect(&m_oneByOne, &QAction::triggered, this, [this] { step(+1); });
@@ -96,6 +98,10 @@ void RepairActions::connectActions() {
             goOnAfter(document, key);
           });
   connect(&m_jobs, &RepairJobs::workingChanged, this, &RepairActions::follow);
+  connect(&m_fidelity, &FidelityChoice::changed, this, [this] {
+    follow();
+    emit methodChanged();
+  });
 }
 
 QList<QAction*> RepairActions::all() {
@@ -107,10 +113,14 @@ void RepairActions::setDocument(OpenMesh* document) {
   follow();
 }
 
+FillMethod RepairActions::method() const {
+  return fillMethodOf(m_fidelity.values());
+}
+
 void RepairActions::setMethod(FillMethod method) {
-  m_method = method;
-  QSettings().setValue(kMethodKey, static_cast<int>(method));
-  follow();
+  FidelityValues values = m_fidelity.values();
+  setFillMethod(values, method);
+  if (values != m_fidelity.values()) m_fidelity.use(values);
 }
 
 // Which actions are possible, and what the preview shows, follows from document and selection.
@@ -126,7 +136,7 @@ void RepairActions::follow() {
   m_keepOpen.setEnabled(loop >= 0 && !rim);
   m_keepOpen.setChecked(kept || rim);
   m_deselect.setEnabled(loop >= 0);
-  m_preview.request(document, !m_jobs.isWorking() && m_showPreview.isChecked() && !kept ? loop : -1, m_method);
+  m_preview.request(document, !m_jobs.isWorking() && m_showPreview.isChecked() && !kept ? loop : -1);
   followPreview();
 }
 
@@ -142,7 +152,7 @@ void RepairActions::followPreview() {
 void RepairActions::fillSelected() {
   OpenMesh* document = m_document;
   const int loop = m_selection.loop();
-  m_jobs.fill(document, loop, m_method, m_preview.take());
+  m_jobs.fill(document, loop, method(), m_preview.take());
 }
 
 void RepairActions::toggleKeepOpen() {

@@ -8,6 +8,7 @@
 
 namespace handwheel {
 
+class FidelityChoice;
 class Selection;
 
 // The Repair menu: what can be done about defects, by menu, key, button or card.
@@ -15,7 +16,8 @@ class RepairActions : public QObject {
   Q_OBJECT
 
  public:
-  RepairActions(Selection& selection, RepairJobs& jobs, HolePreview& preview, QObject* parent = nullptr);
+  RepairActions(Selection& selection, RepairJobs& jobs, HolePreview& preview, FidelityChoice& fidelity,
+                QObject* parent = nullptr);
 
   void setDocument(OpenMesh* document);  // null: no mesh is in view
 
@@ -30,10 +32,12 @@ class RepairActions : public QObject {
   QAction* deselect() { return &m_deselect; }
   QList<QAction*> all();
 
-  FillMethod method() const { return m_method; }
+  // Of the choice between speed and accuracy.
+  FillMethod method() const;
   void setMethod(FillMethod method);
 
  signals:
+  void methodChanged();
   void showLoopRequested(int loop);  // fly there
 
  private:
@@ -49,7 +53,7 @@ class RepairActions : public QObject {
   Selection& m_selection;
   RepairJobs& m_jobs;
   HolePreview& m_preview;
-  FillMethod m_method = FillMethod::Fair;
+  FidelityChoice& m_fidelity;
   QAction m_repairAll;
   QAction m_removeDebris;
   QAction m_oneByOne;

@@ -61,14 +61,15 @@ void RepairJobs::startFill(OpenMesh* document, Vertex key, FillMethod method, Pr
   if (!prepared.bench) prepared = {std::make_shared<FillBench>(document->document.mesh()), std::nullopt};
   Job job;
   job.name = tr("Filling hole %1").arg(document->inspection.loopNumber(loopId));
-  job.work = [this, document, key, method, revision, round, options, prepared = std::move(prepared),
+  job.work = [this, document, key, method, revision, round, options, nearWeld = nearWeld(),
+              prepared = std::move(prepared),
               loop = document->inspection.loop(loopId)](Progress progress) -> Job::Finish {
     HoleFiller& filler = prepared.bench->filler();
     const FillAttempt attempt = prepared.attempt ? *prepared.attempt : filler.propose(loop, options, progress);
     InspectedMesh after;
     if (attempt.failure == FillFailure::None) {
       filler.accept(loop, attempt.patch);
-      after = inspected(filler.mesh());
+      after = inspected(filler.mesh(), nearWeld);
     }
     return [this, document, key, method, revision, round, bench = prepared.bench, failure = attempt.failure, after] {
       if (!m_tabs.contains(document)) return;
@@ -105,11 +106,11 @@ void RepairJobs::startChange(OpenMesh* document, MeshChange wanted, Round round)
   const QString text = QCoreApplication::translate("Tool", wanted.text);
   Job job;
   job.name = text;
-  job.work = [this, document, revision, round, wanted, text,
+  job.work = [this, document, revision, round, wanted, text, nearWeld = nearWeld(),
               mesh = document->document.mesh()](Progress) -> Job::Finish {
     HalfEdgeMesh result = mesh;
     wanted.apply(result);
-    return [this, document, revision, round, wanted, text, after = inspected(std::move(result))] {
+    return [this, document, revision, round, wanted, text, after = inspected(std::move(result), nearWeld)] {
       if (!m_tabs.contains(document)) return;
       if (!isStale(document, revision)) {
         if (document->document.commit(text, after)) m_log.add(tr("%1: %2").arg(document->document.name(), text));
@@ -141,7 +142,8 @@ void RepairJobs::startRepair(OpenMesh* document, FillMethod method, Round round)
               mesh = document->document.mesh()](Progress progress) -> Job::Finish {
     HalfEdgeMesh result = mesh;
     const RepairReport report = repair(result, options, progress);
-    return [this, document, method, revision, round, options, after = inspected(std::move(result)), report] {
+    return [this, document, method, revision, round, options, after = inspected(std::move(result), options.nearWeld),
+            report] {
       if (!m_tabs.contains(document) || report.cancelled) return;
       if (!isStale(document, revision)) return repairedAll(document, after, report, options);
       tellStale(*document, round);
@@ -172,6 +174,10 @@ void RepairJobs::logRepair(const OpenMesh& document, const RepairReport& report,
     const QString name = loop.id >= 0 ? document.inspection.loopName(loop.id) : tr("A hole that the repair laid open");
     m_log.add(tr("%1 stays open: %2").arg(name, fillFailureReason(loop.reason)), {}, LogEntry::Weight::Warning);
   }
+}
+
+double RepairJobs::nearWeld() const {
+  return m_fidelity.values().of(nearWeldSetting());
 }
 
 bool RepairJobs::isStale(OpenMesh* document, std::uint64_t revision) const {

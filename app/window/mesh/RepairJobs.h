@@ -46,6 +46,7 @@ class RepairJobs : public QObject {
   void startFill(OpenMesh* document, Vertex key, FillMethod method, PreparedFill prepared, Round round);
   void startChange(OpenMesh* document, MeshChange wanted, Round round);
   void startRepair(OpenMesh* document, FillMethod method, Round round);
+  double nearWeld() const;  // for the defects of what a job made
   bool isStale(OpenMesh* document, std::uint64_t revision) const;
   void filledOne(OpenMesh* document, Vertex key, const std::shared_ptr<FillBench>& bench, FillFailure failure,
                  const InspectedMesh& after);

@@ -4,7 +4,10 @@
 
 #include "controls/QuantityText.h"
 #include "document/workpiece/WorkpieceDocument.h"
+#include "document/workpiece/WorkpieceProperties.h"
+#include "fidelity/Cases.h"
 #include "theme/Theme.h"
+#include "window/FidelityChoice.h"
 #include "window/OpenDocument.h"
 
 #include <QLocale>
@@ -25,6 +28,16 @@ QString sizeText(const Document& document) {
 }  // namespace
 
 WorkpieceUi::WorkpieceUi(const WindowParts& parts) : PartsUi(parts, {"Stock"}) {}
+
+std::unique_ptr<OpenDocument> WorkpieceUi::open(std::unique_ptr<Document> document) {
+  if (document->file().path.empty()) {
+    const auto& blank = static_cast<const WorkpieceDocument&>(*document).workpiece();
+    const double chord = parts().fidelity.values().of(chordSetting());
+    auto begun = std::make_shared<const WorkpieceSnapshot>(withValue(blank, WorkpieceField::Chord, chord));
+    document = document->kind().make({&document->kind(), document->file(), std::move(begun)});
+  }
+  return PartsUi::open(std::move(document));
+}
 
 NextStep WorkpieceUi::nextStep() {
   if (!document() || document()->document.history()->count() > 0) return {};

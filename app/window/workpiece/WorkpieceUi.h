@@ -13,6 +13,8 @@ class WorkpieceUi : public PartsUi {
  public:
   explicit WorkpieceUi(const WindowParts& parts);
 
+  // A new one starts with the chord tolerance that the user chose; from then on its own property holds.
+  std::unique_ptr<OpenDocument> open(std::unique_ptr<Document> document) override;
   QString panelTitle() const override { return tr("Stock"); }
   QString panelIcon() const override { return QStringLiteral("kind-workpiece"); }
   QString menuTitle() const override { return tr("&Workpiece"); }

@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-// Both recurse no deeper than what parseJson() lets in.
+// All recurse no deeper than what parseJson() lets in.
 json keysBeyond(const json& read, const json& known) {
   json beyond = json::object();
   for (const auto& [key, value] : read.items()) {
@@ -24,6 +24,19 @@ json keysBeyond(const json& read, const json& known) {
     }
   }
   return beyond;
+}
+
+// Without what stood in objects that were known and are gone.
+json withoutDeleted(const json& unknown, const json& known, const json& ours) {
+  json left = json::object();
+  for (const auto& [key, value] : unknown.items()) {
+    const auto was = known.find(key), is = ours.find(key);
+    if (was == known.end())
+      left[key] = value;
+    else if (is != ours.end() && is->is_object())
+      left[key] = withoutDeleted(value, *was, *is);
+  }
+  return left;
 }
 
 void put(json& onto, json&& ours) {
@@ -47,8 +60,10 @@ Container unknownPart(const Container& read, const Container& known, std::span<c
   return unknown;
 }
 
-Container merged(const Container& unknown, Container ours) {
-  Container both = unknown;
+Container merged(const Container& unknown, Container ours, const Container& knownWhenRead) {
+  Container both;
+  *both.manifest = withoutDeleted(*unknown.manifest, *knownWhenRead.manifest, *ours.manifest);
+  both.blobs = unknown.blobs;
   put(*both.manifest, std::move(*ours.manifest));
   for (auto& [name, bytes] : ours.blobs) both.blobs[name] = std::move(bytes);
   return both;

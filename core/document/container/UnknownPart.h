@@ -14,7 +14,8 @@ namespace handwheel {
 Container unknownPart(const Container& read, const Container& known, std::span<const std::string> ownFolders);
 
 // `ours` over the unknown part: objects are merged key by key, at any depth; everything else is ours where we have it.
-// Like RFC 7386, except that a null of ours is a value and removes nothing.
-Container merged(const Container& unknown, Container ours);
+// Like RFC 7386, except that a null of ours is a value and removes nothing. What was unknown within an object that was
+// known when the file was read, and that ours has no more, was deleted with it.
+Container merged(const Container& unknown, Container ours, const Container& knownWhenRead = {});
 
 }  // namespace handwheel

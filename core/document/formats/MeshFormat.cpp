@@ -90,20 +90,20 @@ NumberType numberTypeOf(MeshFormat format, NumberType documentNumbers) {
   return format == MeshFormat::Stl ? NumberType::Float32 : documentNumbers;
 }
 
-std::string writeMesh(const TriangleSoup& soup, MeshFormat format, NumberType numbers) {
+std::string writeMesh(const TriangleSoup& soup, MeshFormat format, NumberType numbers, Progress progress) {
   switch (format) {
     case MeshFormat::Stl:
-      return writeStl(soup);
+      return writeStl(soup, progress);
     case MeshFormat::Ply:
-      return writePly(soup, numbers);
+      return writePly(soup, numbers, progress);
     case MeshFormat::Obj:
-      return writeObj(soup, numbers);
+      return writeObj(soup, numbers, progress);
     case MeshFormat::ThreeMf:
-      return writeThreeMf(soup, numbers);
+      return writeThreeMf(soup, numbers, progress);
     case MeshFormat::Off:
       break;
   }
-  return writeOff(soup, numbers);
+  return writeOff(soup, numbers, progress);
 }
 
 }  // namespace handwheel

@@ -46,7 +46,7 @@ std::optional<MeshFormat> formatForName(std::string_view name);
 NumberType numberTypeOf(MeshFormat format, NumberType documentNumbers);
 
 // The bytes of a file of this format. STL and PLY are binary little-endian; text holds the shortest digits that read
-// back to the same number. 3MF is in millimetres.
-std::string writeMesh(const TriangleSoup& soup, MeshFormat format, NumberType numbers);
+// back to the same number. 3MF is in millimetres. Empty once cancelled.
+std::string writeMesh(const TriangleSoup& soup, MeshFormat format, NumberType numbers, Progress progress = {});
 
 }  // namespace handwheel

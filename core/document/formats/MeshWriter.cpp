@@ -3,6 +3,7 @@
 #include "document/formats/MeshWriter.h"
 
 #include "document/formats/ByteOrder.h"
+#include "mesh/Steps.h"
 
 #include <charconv>
 #include <cmath>
@@ -48,24 +49,42 @@ void appendTriangleText(std::string& to, const Triangle& t, std::uint64_t firstI
   to += '\n';
 }
 
+// Calls write(point) and then write(triangle) for each of the soup. False when cancelled.
+template <class WritePoint, class WriteTriangle>
+bool writeEach(const TriangleSoup& soup, Progress progress, WritePoint writePoint, WriteTriangle writeTriangle) {
+  const std::size_t points = soup.points.size(), count = points + soup.triangles.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!mayGoOn(i, count, progress)) return false;
+    if (i < points) {
+      writePoint(soup.points[i]);
+    } else {
+      writeTriangle(soup.triangles[i - points]);
+    }
+  }
+  progress.set(1.0);
+  return !progress.cancelled();
+}
+
 }  // namespace
 
-std::string writeStl(const TriangleSoup& soup) {
+std::string writeStl(const TriangleSoup& soup, Progress progress) {
   std::string bytes = "Binary STL written by Handwheel";  // must not begin with "solid"
   bytes.reserve(84 + 50 * soup.triangles.size());
   bytes.resize(80, '\0');
   appendNumber(bytes, static_cast<std::uint32_t>(soup.triangles.size()), kLittle);
-  for (const Triangle& t : soup.triangles) {
+  const auto writeTriangle = [&](const Triangle& t) {
     std::array<Vec3, 3> p;
     for (std::size_t k = 0; k < 3; ++k) p[k] = rounded(soup.points[t[k]], NumberType::Float32);
     appendFloats(bytes, rounded(unitNormal(p[0], p[1], p[2]), NumberType::Float32));
     for (const Vec3& corner : p) appendFloats(bytes, corner);
     appendNumber(bytes, std::uint16_t{0}, kLittle);
-  }
+  };
+  const auto skipPoint = [](const Vec3&) {};
+  if (!writeEach(soup, progress, skipPoint, writeTriangle)) return {};
   return bytes;
 }
 
-std::string writePly(const TriangleSoup& soup, NumberType numbers) {
+std::string writePly(const TriangleSoup& soup, NumberType numbers, Progress progress) {
   const std::string type = numbers == NumberType::Float32 ? "float" : "double";
   // Some programs know signed indices only; they do as long as they suffice.
   const bool manyPoints = soup.points.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max());
@@ -75,41 +94,44 @@ std::string writePly(const TriangleSoup& soup, NumberType numbers) {
   bytes += "element face " + std::to_string(soup.triangles.size()) + "\n";
   bytes += std::string("property list uchar ") + (manyPoints ? "uint" : "int") + " vertex_indices\nend_header\n";
   bytes.reserve(bytes.size() + 24 * soup.points.size() + 13 * soup.triangles.size());
-  for (const Vec3& point : soup.points) {
+  const auto writePoint = [&](const Vec3& point) {
     const Vec3 p = rounded(point, numbers);
     if (numbers == NumberType::Float32)
       appendFloats(bytes, p);
     else
       for (double x : p) appendNumber(bytes, x, kLittle);
-  }
-  for (const Triangle& t : soup.triangles) {
+  };
+  const auto writeTriangle = [&](const Triangle& t) {
     bytes += '\3';
     for (std::uint32_t corner : t) appendNumber(bytes, corner, kLittle);
-  }
+  };
+  if (!writeEach(soup, progress, writePoint, writeTriangle)) return {};
   return bytes;
 }
 
-std::string writeObj(const TriangleSoup& soup, NumberType numbers) {
+std::string writeObj(const TriangleSoup& soup, NumberType numbers, Progress progress) {
   std::string text = "# written by Handwheel\n";
-  for (const Vec3& point : soup.points) {
+  const auto writePoint = [&](const Vec3& point) {
     text += "v ";
     appendPointText(text, rounded(point, numbers));
-  }
-  for (const Triangle& t : soup.triangles) {
+  };
+  const auto writeTriangle = [&](const Triangle& t) {
     text += 'f';
     appendTriangleText(text, t, 1);
-  }
+  };
+  if (!writeEach(soup, progress, writePoint, writeTriangle)) return {};
   return text;
 }
 
-std::string writeOff(const TriangleSoup& soup, NumberType numbers) {
+std::string writeOff(const TriangleSoup& soup, NumberType numbers, Progress progress) {
   std::string text = "OFF\n";
   text += std::to_string(soup.points.size()) + " " + std::to_string(soup.triangles.size()) + " 0\n";
-  for (const Vec3& point : soup.points) appendPointText(text, rounded(point, numbers));
-  for (const Triangle& t : soup.triangles) {
+  const auto writePoint = [&](const Vec3& point) { appendPointText(text, rounded(point, numbers)); };
+  const auto writeTriangle = [&](const Triangle& t) {
     text += '3';
     appendTriangleText(text, t, 0);
-  }
+  };
+  if (!writeEach(soup, progress, writePoint, writeTriangle)) return {};
   return text;
 }
 

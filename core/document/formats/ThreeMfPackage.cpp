@@ -44,7 +44,7 @@ std::string modelTarget(std::string_view text) {
 }  // namespace
 
 ThreeMfPackage::ThreeMfPackage(std::string_view archive, MeshAssembly& assembly, Progress progress)
-    : m_zip(archive, kLimits, progress), m_assembly(assembly) {
+    : m_zip(archive, kLimits, progress), m_assembly(assembly), m_progress(progress) {
   for (const std::string& name : m_zip.names()) m_names.emplace(lowerCase(name), name);
 }
 
@@ -76,7 +76,7 @@ bool ThreeMfPackage::readBytes(const std::string& name, std::string& bytes) {
 
 bool ThreeMfPackage::read(const std::string& name, std::string& text) {
   if (!readBytes(name, text)) return false;
-  auto objection = objectionToXml(text);
+  auto objection = objectionToXml(text, m_progress);
   if (!objection) return true;
   objection->subject = name;
   return m_assembly.fail(*objection);

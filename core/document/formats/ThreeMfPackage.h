@@ -32,6 +32,7 @@ class ThreeMfPackage {
 
   ZipReader m_zip;
   MeshAssembly& m_assembly;
+  Progress m_progress;                         // for cancelling only
   std::map<std::string, std::string> m_names;  // in lower case: the entry
 };
 

@@ -3,6 +3,7 @@
 #include "document/formats/ThreeMfWriter.h"
 
 #include "document/container/ZipWriter.h"
+#include "mesh/Steps.h"
 
 #include <array>
 #include <charconv>
@@ -34,13 +35,17 @@ void appendAttribute(std::string& to, std::string_view name, Number value) {
   to += '"';
 }
 
-std::string modelText(const TriangleSoup& soup, NumberType numbers) {
+// Once cancelled, a beginning of it.
+std::string modelText(const TriangleSoup& soup, NumberType numbers, Progress progress) {
   std::string text =
       R"(<?xml version="1.0" encoding="UTF-8"?>
 <model unit="millimeter" xml:lang="en-US" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">
 <resources><object id="1" type="model"><mesh><vertices>
 )";
-  for (const Vec3& point : soup.points) {
+  const std::size_t points = soup.points.size(), triangles = soup.triangles.size();
+  for (std::size_t i = 0; i < points; ++i) {
+    if (!mayGoOn(i, points, progress.part(0.0, 0.5))) return text;
+    const Vec3& point = soup.points[i];
     const Vec3 p = rounded(point, numbers);
     appendAttribute(text, "<vertex x=\"", p.x());
     appendAttribute(text, " y=\"", p.y());
@@ -48,7 +53,9 @@ std::string modelText(const TriangleSoup& soup, NumberType numbers) {
     text += "/>\n";
   }
   text += "</vertices><triangles>\n";
-  for (const Triangle& t : soup.triangles) {
+  for (std::size_t i = 0; i < triangles; ++i) {
+    if (!mayGoOn(i, triangles, progress.part(0.5, 1.0))) return text;
+    const Triangle& t = soup.triangles[i];
     appendAttribute(text, "<triangle v1=\"", t[0]);
     appendAttribute(text, " v2=\"", t[1]);
     appendAttribute(text, " v3=\"", t[2]);
@@ -60,11 +67,12 @@ std::string modelText(const TriangleSoup& soup, NumberType numbers) {
 
 }  // namespace
 
-std::string writeThreeMf(const TriangleSoup& soup, NumberType numbers) {
-  const std::string model = modelText(soup, numbers);
+std::string writeThreeMf(const TriangleSoup& soup, NumberType numbers, Progress progress) {
+  const std::string model = modelText(soup, numbers, progress.part(0.0, 0.3));
+  if (progress.cancelled()) return {};
   const std::array<ZipEntry, 3> entries = {
       {{"[Content_Types].xml", kContentTypes}, {"_rels/.rels", kRelationships}, {"3D/3dmodel.model", model}}};
-  Result<std::string> archive = writeZip(entries, Compression::Fast);
+  Result<std::string> archive = writeZip(entries, Compression::Fast, progress.part(0.3, 1.0));
   return archive ? std::move(archive.value()) : std::string();
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/formats/XmlText.h"
 
+#include "mesh/Steps.h"
+
 #include <algorithm>
 
 namespace handwheel {
@@ -50,12 +52,14 @@ std::optional<Error> pass(std::string_view text, std::size_t& at) {
 
 }  // namespace
 
-std::optional<Error> objectionToXml(std::string_view text) {
+std::optional<Error> objectionToXml(std::string_view text, const Progress& progress) {
   if (text.substr(0, 4).find('\0') != std::string_view::npos || text.starts_with("\xfe\xff") ||
       text.starts_with("\xff\xfe")) {
     return Error{ErrorCode::TextEncoding, {"UTF-16"}, {}, {}};
   }
+  std::size_t marks = 0;
   for (std::size_t at = 0; at < text.size();) {
+    if (++marks % kStepsPerLook == 0 && progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
     const std::size_t next = std::min(text.find('<', at), text.size());
     if (next - at > kLongestText) return malformed("a text is too long", at);
     at = next;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Error.h"
+#include "base/Progress.h"
 
 #include <QXmlStreamReader>
 #include <optional>
@@ -13,8 +14,9 @@ namespace handwheel {
 
 // Whether a text may be given to Qt's XML reader, which takes time in the square of a tag's attributes and keeps texts
 // in one piece: no tag over 8 KiB, no text over 16 MiB, no document type (which could define entities), UTF-8 only.
-// O(text). Errors: TextEncoding, ElementMalformed {"XML", what is wrong}, with the byte.
-std::optional<Error> objectionToXml(std::string_view text);
+// O(text). Looks at the cancel flag. Errors: TextEncoding, ElementMalformed {"XML", what is wrong}, with the byte;
+// Cancelled.
+std::optional<Error> objectionToXml(std::string_view text, const Progress& progress = {});
 
 // The attribute's text as bytes, without blanks around it; empty when there is none. Only ASCII is kept.
 std::string asciiOf(QStringView value);

@@ -4,6 +4,7 @@
 
 #include "document/container/Blobs.h"
 #include "mesh/MeshValidator.h"
+#include "mesh/Steps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,16 +43,18 @@ bool isFinite(const double* p) {
   return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
 }
 
-// Slot for slot; false when the numbers make no sense together.
+// Slot for slot; false when the numbers make no sense together, or cancelled.
 bool assemble(const std::vector<double>& positions, const std::vector<std::uint32_t>& faces, HalfEdgeMesh& mesh,
               Progress progress) {
   const std::size_t vertices = positions.size() / kPositionNumbers, count = faces.size() / kFaceNumbers;
   for (std::size_t v = 0; v < vertices; ++v) {
+    if (!mayGoOn(v, vertices, progress.part(0.0, 0.2))) return false;
     const double* p = &positions[v * kPositionNumbers];
     if (!isFinite(p)) return false;  // even where no face uses it: it would differ from itself
     mesh.addVertex({p[0], p[1], p[2]});
   }
   for (std::size_t f = 0; f < count; ++f) {
+    if (!mayGoOn(f, count, progress.part(0.2, 0.5))) return false;
     const std::uint32_t* slot = &faces[f * kFaceNumbers];
     const bool isDead = slot[0] == kNone;
     for (std::size_t k = 0; k < 3 && !isDead; ++k) {
@@ -60,11 +63,12 @@ bool assemble(const std::vector<double>& positions, const std::vector<std::uint3
     }
     mesh.addSlot({slot[0], slot[1], slot[2]}, {slot[3], slot[4], slot[5]});
   }
-  return validate(mesh, progress).empty();
+  return validate(mesh, progress.part(0.5, 1.0)).empty();
 }
 
+// Of no use once cancelled.
 TriangleSoup readableTriangles(const std::vector<double>& positions, const std::vector<std::uint32_t>& faces,
-                               std::size_t& lost) {
+                               std::size_t& lost, Progress progress) {
   TriangleSoup soup;
   const std::size_t vertices = positions.size() / kPositionNumbers;
   soup.points.reserve(vertices);
@@ -73,6 +77,7 @@ TriangleSoup readableTriangles(const std::vector<double>& positions, const std::
     soup.points.push_back(isFinite(p) ? Vec3(p[0], p[1], p[2]) : Vec3(Vec3::Zero()));
   }
   for (std::size_t f = 0; f * kFaceNumbers < faces.size(); ++f) {
+    if (!mayGoOn(f, faces.size() / kFaceNumbers, progress)) break;
     const std::uint32_t* corner = &faces[f * kFaceNumbers];
     if (corner[0] == kNone) continue;
     const bool isReadable = std::all_of(corner, corner + 3, [&](std::uint32_t v) {
@@ -120,6 +125,8 @@ Result<LoadedMesh> readMeshBlobs(const nlohmann::json& document, const Container
                                  Progress progress) {
   const Error cancelled{ErrorCode::Cancelled, {}, {}, {}};
   const auto positions = readSlots(document, "vertices", kPositions, kPositionNumbers, std::nan(""), container);
+  progress.set(0.1);
+  if (progress.cancelled()) return cancelled;
   const auto faces = readSlots(document, "faces", kFaces, kFaceNumbers, kNone, container);
   if (progress.cancelled()) return cancelled;
   LoadedMesh loaded;
@@ -128,10 +135,11 @@ Result<LoadedMesh> readMeshBlobs(const nlohmann::json& document, const Container
   if (progress.cancelled()) return cancelled;
   if (loaded.isWhole) return loaded;
   std::size_t lost = countOf(faces.lost);
-  const TriangleSoup soup = readableTriangles(positions.values, faces.values, lost);
+  const TriangleSoup soup = readableTriangles(positions.values, faces.values, lost, progress.part(0.6, 0.7));
+  if (progress.cancelled()) return cancelled;
   if (soup.triangles.empty()) return Error{ErrorCode::NoTriangles, {}, {}, {}};
   damage.push_back(rebuilt(soup.triangles.size(), lost));
-  BuiltMesh built = buildMesh(soup, progress.part(0.6, 1.0));
+  BuiltMesh built = buildMesh(soup, progress.part(0.7, 1.0));
   if (progress.cancelled()) return cancelled;
   return LoadedMesh{std::move(built.mesh), std::move(built.report), false};
 }

@@ -4,6 +4,7 @@
 
 #include "document/mesh/KeepOpenEdit.h"
 #include "document/mesh/MeshEdit.h"
+#include "mesh/MeshFidelity.h"
 
 #include <algorithm>
 
@@ -60,7 +61,8 @@ std::vector<Property> MeshDocument::properties() const {
 }
 
 bool MeshDocument::commit(const QString& text, const InspectedMesh& after) {
-  MeshDelta delta = MeshDelta::between(m_mesh, after.mesh);
+  const auto runSlots = static_cast<std::size_t>(m_fidelity.of(undoGranularitySetting()));
+  MeshDelta delta = MeshDelta::between(m_mesh, after.mesh, runSlots);
   if (delta.isEmpty()) return false;  // not even pushed as obsolete: that would cost the user the steps to redo
   commit(text, std::make_unique<MeshEdit>(std::move(delta), DefectsDelta::between(*m_defects, *after.defects)));
   return true;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/Fidelity.h"
 #include "document/Document.h"
 #include "document/mesh/MeshSnapshot.h"
 
@@ -26,9 +27,13 @@ class MeshDocument : public Document {
   SnapshotPointer snapshot() const override;
   std::vector<Property> properties() const override;
 
+  // What its user chose between speed and accuracy; holds for what is done from now on. No part of its value.
+  const FidelityValues& fidelity() const { return m_fidelity; }
+  void setFidelity(FidelityValues values) { m_fidelity = std::move(values); }
+
   using Document::commit;
   // Makes "after" the present mesh as one undo step. False, and no step, when nothing differs. Takes time in proportion
-  // to the change.
+  // to the change. The step is kept as the setting document.undo_granularity says.
   bool commit(const QString& text, const InspectedMesh& after);
 
   // Whether the user wants it open. Undoable.
@@ -51,6 +56,7 @@ class MeshDocument : public Document {
   HalfEdgeMesh m_mesh;
   std::shared_ptr<const Defects> m_defects;
   std::set<Vertex> m_keptOpen;
+  FidelityValues m_fidelity;
 };
 
 }  // namespace handwheel

@@ -3,6 +3,7 @@
 #include "document/mesh/MeshExport.h"
 
 #include "document/mesh/RoundingCollisions.h"
+#include "mesh/Steps.h"
 #include "mesh/Weld.h"
 
 namespace handwheel {
@@ -13,9 +14,11 @@ Error cancelledError() {
   return {ErrorCode::Cancelled, {}, {}, {}};
 }
 
-bool sameCorners(const TriangleSoup& meant, NumberType numbers, const TriangleSoup& found) {
+// True also when cancelled.
+bool sameCorners(const TriangleSoup& meant, NumberType numbers, const TriangleSoup& found, Progress progress) {
   if (meant.triangles.size() != found.triangles.size()) return false;
   for (std::size_t i = 0; i < meant.triangles.size(); ++i) {
+    if (!mayGoOn(i, meant.triangles.size(), progress)) break;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 expected = rounded(meant.points[meant.triangles[i][k]], numbers);
       if (found.points[found.triangles[i][k]] != expected) return false;
@@ -32,13 +35,14 @@ Result<MeshFormat> formatForOutput(const std::filesystem::path& path) {
 }
 
 Result<std::string> encodeChecked(const TriangleSoup& soup, MeshFormat format, NumberType numbers, Progress progress) {
-  std::string bytes = writeMesh(soup, format, numbers);
-  progress.set(0.4);
+  std::string bytes = writeMesh(soup, format, numbers, progress.part(0.0, 0.4));
   if (progress.cancelled()) return cancelledError();
   const Result<MeshFile> back = readMesh(bytes, {}, {}, progress.part(0.4, 0.9));
   if (progress.cancelled()) return cancelledError();
   if (!back) return Error{ErrorCode::CheckFailed, {"it cannot be opened"}, back.error().place, {}};
-  if (!sameCorners(soup, numbers, back->soup)) return Error{ErrorCode::CheckFailed, {"its triangles differ"}, {}, {}};
+  const bool isSame = sameCorners(soup, numbers, back->soup, progress.part(0.9, 1.0));
+  if (progress.cancelled()) return cancelledError();
+  if (!isSame) return Error{ErrorCode::CheckFailed, {"its triangles differ"}, {}, {}};
   progress.set(1.0);
   return bytes;
 }
@@ -54,6 +58,8 @@ Result<ExportReport> exportMesh(const HalfEdgeMesh& mesh, NumberType documentNum
   ExportReport report;
   TriangleSoup forFile = compact.soup;
   roundPoints(forFile, numbers);
+  progress.set(0.1);
+  if (progress.cancelled()) return cancelledError();
   for (std::uint32_t v : partCollisions(compact.soup, forFile)) report.parted.push_back(compact.vertexOf[v]);
   progress.set(0.2);
   if (progress.cancelled()) return cancelledError();

@@ -44,11 +44,11 @@ bool MeshKind::recognises(std::string_view, std::string_view) const {
   return true;
 }
 
-std::shared_ptr<MeshSnapshot> meshSnapshotOf(const MeshFile& file, Progress progress) {
+std::shared_ptr<MeshSnapshot> meshSnapshotOf(const MeshFile& file, double nearWeld, Progress progress) {
   BuiltMesh built = buildMesh(file.soup, progress.part(0.0, 0.4));
   auto snapshot = std::make_shared<MeshSnapshot>();
   snapshot->build = std::make_shared<const BuildReport>(std::move(built.report));
-  snapshot->mesh = inspected(std::move(built.mesh), tolerance::kNearWeld, progress.part(0.4, 1.0));
+  snapshot->mesh = inspected(std::move(built.mesh), nearWeld, progress.part(0.4, 1.0));
   snapshot->numbers = file.numbers;
   return snapshot;
 }
@@ -62,7 +62,7 @@ Result<OpenedFile> MeshKind::import(const std::filesystem::path& path, const Rea
   opened.file.damage = file->damage;
   opened.file.unlistedDamage = file->unlistedDamage;
   opened.file.lost = file->lost;
-  opened.content = meshSnapshotOf(*file, progress.part(0.5, 1.0));
+  opened.content = meshSnapshotOf(*file, m_nearWeld, progress.part(0.5, 1.0));
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   return opened;
 }
@@ -134,7 +134,7 @@ Result<SnapshotPointer> MeshKind::load(const Container& container, std::vector<E
     damage.push_back({ErrorCode::ElementMalformed, {"kept_open", "its loops cannot be told any more"}, {}, {}});
   }
   snapshot->build = std::make_shared<const BuildReport>(std::move(report));
-  snapshot->mesh = inspected(std::move(loaded->mesh), tolerance::kNearWeld, progress.part(0.5, 1.0));
+  snapshot->mesh = inspected(std::move(loaded->mesh), m_nearWeld, progress.part(0.5, 1.0));
   snapshot->numbers =
       found->value("numbers", nlohmann::json()) == "float32" ? NumberType::Float32 : NumberType::Float64;
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/Tolerance.h"
 #include "document/DocumentKind.h"
 #include "document/mesh/MeshSnapshot.h"
+
+#include <atomic>
 
 namespace handwheel {
 
@@ -12,6 +15,9 @@ inline constexpr std::string_view kMeshKind = "mesh";
 // Triangle meshes: scans and what becomes of them.
 class MeshKind : public DocumentKind {
  public:
+  // The setting mesh.near_weld for the defects of files that are opened from now on. Any thread.
+  void setNearWeld(double share) { m_nearWeld = share; }
+
   std::string id() const override { return std::string(kMeshKind); }
   std::string title() const override;
   std::vector<FileFormat> formats() const override;
@@ -27,9 +33,13 @@ class MeshKind : public DocumentKind {
   std::unique_ptr<Document> make(OpenedFile opened) const override;
   nlohmann::json describe(const Snapshot& content) const override;
   DisplayModel display(const Snapshot& content) const override;
+
+ private:
+  std::atomic<double> m_nearWeld = tolerance::kNearWeld;  // share of the diagonal
 };
 
-// A mesh file as it was read, as the value of a document. Of no use once cancelled.
-std::shared_ptr<MeshSnapshot> meshSnapshotOf(const MeshFile& file, Progress progress = {});
+// A mesh file as it was read, as the value of a document. nearWeld: as in findDefects(). Of no use once cancelled.
+std::shared_ptr<MeshSnapshot> meshSnapshotOf(const MeshFile& file, double nearWeld = tolerance::kNearWeld,
+                                             Progress progress = {});
 
 }  // namespace handwheel

@@ -193,11 +193,15 @@ ToolPreview FillHoleTool::preview() const {
   return preview;
 }
 
+double FillHoleTool::settingOf(FillMethod method) {
+  return static_cast<double>(std::find(std::begin(kMethods), std::end(kMethods), method) - kMethods);
+}
+
 std::vector<Property> FillHoleTool::settings() const {
   Property method;
   method.id = "method";
   method.label = QT_TRANSLATE_NOOP("Property", "Method");
-  method.value = static_cast<double>(std::find(std::begin(kMethods), std::end(kMethods), m_method) - kMethods);
+  method.value = settingOf(m_method);
   method.choices = {QT_TRANSLATE_NOOP("Property", "Fair"), QT_TRANSLATE_NOOP("Property", "Refined"),
                     QT_TRANSLATE_NOOP("Property", "Ear cutting"), QT_TRANSLATE_NOOP("Property", "Minimal area")};
   Property triangles;

@@ -37,6 +37,9 @@ class FillHoleTool : public Tool {
   // The document must outlive all calls but the destructor's. first: the key of the hole to begin with.
   FillHoleTool(MeshDocument& document, FillServices services, std::optional<Vertex> first = std::nullopt);
 
+  // The value of the setting "method" that stands for one.
+  static double settingOf(FillMethod method);
+
   // The answer to a request; one that came too late is not shown.
   void previewReady(std::uint64_t ticket, FillAttempt attempt);
 

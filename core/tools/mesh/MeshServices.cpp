@@ -3,6 +3,7 @@
 #include "tools/mesh/MeshServices.h"
 
 #include "document/mesh/MeshDocument.h"
+#include "mesh/MeshFidelity.h"
 
 #include <QCoreApplication>
 
@@ -24,7 +25,8 @@ MeshServices immediateServices(MeshDocument& document) {
   services.commit = [&document](const MeshChange& change) {
     HalfEdgeMesh mesh = document.mesh();
     change.apply(mesh);
-    document.commit(QCoreApplication::translate("Tool", change.text), inspected(std::move(mesh)));
+    const double nearWeld = document.fidelity().of(nearWeldSetting());
+    document.commit(QCoreApplication::translate("Tool", change.text), inspected(std::move(mesh), nearWeld));
   };
   return services;
 }

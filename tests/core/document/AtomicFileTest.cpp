@@ -2,8 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/AtomicFile.h"
 
+#include "document/DraftFile.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 #include <QDir>
 #include <QFile>
@@ -81,6 +86,74 @@ class AtomicFileTest : public QObject {
     QVERIFY(writeFileAtomically(in(folder, "link"), "second").hasValue());
     QCOMPARE(contentOf(target), QByteArray("second"));
     QVERIFY(std::filesystem::is_symlink(in(folder, "link")));
+    // Over several links, and in a ring.
+    std::filesystem::create_symlink(in(folder, "link"), in(folder, "further"));
+    QVERIFY(writeFileAtomically(in(folder, "further"), "third").hasValue());
+    QCOMPARE(contentOf(target), QByteArray("third"));
+    std::filesystem::create_symlink("ring", in(folder, "ring"));
+    QCOMPARE(reasonOf(writeFileAtomically(in(folder, "ring"), "x")), std::string(std::strerror(ELOOP)));
+    QCOMPARE(namesIn(folder), (QStringList{"elsewhere", "further", "link", "ring"}));
+  }
+
+  void namesAreBytes() {
+    QTemporaryDir folder;
+    const std::filesystem::path path = in(folder, "a\xff\xfe.handwheel");
+    QVERIFY(writeFileAtomically(path, "first").hasValue());
+    QVERIFY(writeFileAtomically(path, "second").hasValue());
+    QVERIFY(std::filesystem::file_size(path) == 6);
+    const std::filesystem::path longest = in(folder, std::string(255, 'x').c_str());
+    QVERIFY(writeFileAtomically(longest, "first").hasValue());
+    QVERIFY(writeFileAtomically(longest, "second").hasValue());
+    QCOMPARE(contentOf(longest), QByteArray("second"));
+  }
+
+  // Killed at any moment of many writes. Only while the complete file has a name besides the one it takes there is
+  // another, hidden one; the next write removes it.
+  void killedItLeavesTheOldOrTheNewFileAndNothingElse() {
+    QTemporaryDir folder;
+    const auto path = in(folder, "a");
+    const std::string contents[] = {std::string(3 << 20, 'x'), std::string(5 << 20, 'y')};
+    QVERIFY(writeFileAtomically(path, contents[0]).hasValue());
+    for (int i = 0; i < 20; ++i) {
+      const pid_t child = fork();
+      if (child == 0) {
+        for (int n = 0;; ++n) (void)writeFileAtomically(path, contents[n % 2]);
+      }
+      QTest::qSleep(5 + 7 * (i % 5));
+      QCOMPARE(kill(child, SIGKILL), 0);
+      QCOMPARE(waitpid(child, nullptr, 0), child);
+      const std::string left = contentOf(path).toStdString();
+      QVERIFY(left == contents[0] || left == contents[1]);
+      QVERIFY(namesIn(folder).size() <= 2);
+      QVERIFY(writeFileAtomically(path, contents[i % 2]).hasValue());
+      QCOMPARE(namesIn(folder), QStringList{"a"});
+    }
+  }
+
+  // What a killed program left goes, the draft of a living one stays.
+  void draftsAreRemovedUnlessSomebodyHoldsThem() {
+    QTemporaryDir folder;
+    const auto path = in(folder, "a"), dead = DraftFile::hiddenName(path, 1), alive = DraftFile::hiddenName(path, 0);
+    for (const auto& file : {path, dead, alive}) QVERIFY(writeFileAtomically(file, "old").hasValue());
+    const int held = ::open(alive.c_str(), O_RDONLY);
+    QCOMPARE(flock(held, LOCK_EX), 0);
+    QVERIFY(writeFileAtomically(path, "new").hasValue());
+    QCOMPARE(contentOf(path), QByteArray("new"));
+    QVERIFY(std::filesystem::exists(alive) && !std::filesystem::exists(dead));
+    ::close(held);
+    QVERIFY(writeFileAtomically(path, "newer").hasValue());
+    QCOMPARE(contentOf(path), QByteArray("newer"));
+    QCOMPARE(namesIn(folder), QStringList{"a"});
+  }
+
+  void readOnlyFile() {
+    if (geteuid() == 0) QSKIP("the superuser may write everywhere");
+    QTemporaryDir folder;
+    QVERIFY(writeFileAtomically(in(folder, "a"), "old").hasValue());
+    QCOMPARE(chmod(in(folder, "a").c_str(), 0400), 0);
+    QCOMPARE(reasonOf(writeFileAtomically(in(folder, "a"), "new")), std::string(std::strerror(EACCES)));
+    QCOMPARE(contentOf(in(folder, "a")), QByteArray("old"));
+    QCOMPARE(namesIn(folder), QStringList{"a"});
   }
 
   void missingFolder() {

@@ -64,10 +64,15 @@ class NewerFileTest : public QObject {
     QVERIFY(handwheel::mayReplace("/dev/zero").hasValue());
   }
 
-  // Nor by a save, whatever the document came from.
+  // Nor by a save or an export, whatever the document came from and whatever its file is called.
+  void savingLeavesItAlone_data() {
+    QTest::addColumn<QString>("name");
+    for (const char* name : {"x.handwheel", "x.stl", "x.step"}) QTest::newRow(name) << name;
+  }
   void savingLeavesItAlone() {
+    QFETCH(QString, name);
     const QTemporaryDir folder;
-    const std::filesystem::path path = folder.filePath("x.handwheel").toStdString();
+    const std::filesystem::path path = folder.filePath(name).toStdString();
     const std::string newer = containerOf("2");
     QVERIFY(writeFileAtomically(path, newer).hasValue());
     const WorkpieceKind kind;

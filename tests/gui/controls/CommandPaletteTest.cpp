@@ -81,6 +81,7 @@ class CommandPaletteTest : public QObject {
   void recentFirst();
   void findsWhatItShould();
   void listsNamedActionsOnly();
+  void saysWhenThereIsNone();
   void keyboardOnly();
   void mouse();
   void disabledActionsSayWhy();
@@ -159,6 +160,15 @@ void CommandPaletteTest::listsNamedActionsOnly() {
   QCOMPARE(bench.titles(), QStringList({"Wireframe"}));
   const QModelIndex row = bench.list->currentIndex();
   QCOMPARE(row.data(CommandModel::PathRole).toString(), QString("View › Shading"));
+}
+
+void CommandPaletteTest::saysWhenThereIsNone() {
+  Bench bench;
+  bench.palette.popUp();
+  const auto* nothing = bench.palette.findChild<QWidget*>("noCommand");
+  QVERIFY(bench.list->isVisible() && !nothing->isVisible());
+  QTest::keyClicks(bench.query, "xyzzy");
+  QVERIFY(!bench.list->isVisible() && nothing->isVisible());
 }
 
 void CommandPaletteTest::keyboardOnly() {

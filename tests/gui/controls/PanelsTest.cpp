@@ -26,6 +26,7 @@ class PanelsTest : public QObject {
   void docksFloatAndReturn();
   void docksFollowTheirTitle();
   void hintsThatFit();
+  void messagesWaitForEachOther();
   void severalJobs();
   void oneJobAsBefore();
   void servicesKeepTheirRows();
@@ -156,6 +157,34 @@ void PanelsTest::hintsThatFit() {
   bar.setHints({});
   QVERIFY(bar.grab().toImage() != narrow);  // at least that there is more
   QCOMPARE(bar.accessibleName(), QString());
+}
+
+// The latest is in front; closing it or taking what it offers brings back the one before. A repeated one counts once.
+void PanelsTest::messagesWaitForEachOther() {
+  QWidget window;
+  MessageBar bar(&window);
+  window.show();
+  const auto text = [&bar] { return bar.findChild<QLabel*>("messageText")->text(); };
+  const auto press = [&bar](const char* name) {
+    auto* button = bar.findChild<QAbstractButton*>(name);
+    QVERIFY(button->isVisible());
+    button->click();
+  };
+  int recovered = 0;
+  bar.showMessage({Message::Weight::Warning, "recover", {}, {}, "Recover", [&] { ++recovered; }});
+  for (const char* title : {"first", "second", "first"})
+    bar.showMessage({Message::Weight::Error, title, {}, {}, {}, {}});
+  QVERIFY(text().contains("first"));
+  QCOMPARE(bar.findChild<QLabel*>("messageMore")->text(), QString("2 more"));
+  QVERIFY(!bar.findChild<QWidget*>("messageAction")->isVisible());
+  press("messageClose");
+  QVERIFY(text().contains("second"));
+  press("messageClose");
+  QVERIFY(text().contains("recover"));
+  QVERIFY(!bar.findChild<QWidget*>("messageMore")->isVisible());
+  press("messageAction");
+  QCOMPARE(recovered, 1);
+  QVERIFY(bar.isHidden());
 }
 
 void PanelsTest::severalJobs() {

@@ -3,12 +3,14 @@
 #include "plot/PlotExport.h"
 #include "plot/PlotLayout.h"
 
+#include <sys/stat.h>
 #include <QFile>
 #include <QPainter>
 #include <QSvgRenderer>
 #include <QTemporaryDir>
 #include <QTest>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
 using namespace handwheel;
@@ -146,6 +148,18 @@ void PlotPictureTest::files() {
   QVERIFY(!wrongEnding && wrongEnding.error().code == ErrorCode::ExtensionUnknown);
   const Status noFolder = exportPlots(plots, folder.filePath("none/a.png"), kSize, ThemeKind::Light);
   QVERIFY(!noFolder && noFolder.error().code == ErrorCode::WriteFailed);
+
+  // A link stays a link, and what is no file stays what it is.
+  QVERIFY(QFile::link("a.png", folder.filePath("link.png")));
+  QVERIFY(exportPlots(plots, folder.filePath("link.png"), kSize, ThemeKind::Dark));
+  QVERIFY(QFileInfo(folder.filePath("link.png")).isSymLink());
+  QVERIFY(QImage(folder.filePath("a.png")) != png);
+  const std::filesystem::path pipe = folder.filePath("pipe").toStdString();
+  QCOMPARE(mkfifo(pipe.c_str(), 0600), 0);
+  QVERIFY(QFile::link("pipe", folder.filePath("pipe.csv")));
+  const Status noFile = exportPlots(plots, folder.filePath("pipe.csv"), kSize, ThemeKind::Light);
+  QVERIFY(!noFile && noFile.error().code == ErrorCode::WriteFailed);
+  QVERIFY(std::filesystem::is_fifo(pipe) && QFileInfo(folder.filePath("pipe.csv")).isSymLink());
 }
 
 void PlotPictureTest::csv() {

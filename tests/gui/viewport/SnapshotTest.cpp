@@ -5,6 +5,7 @@
 #include "mesh/MeshBuilder.h"
 #include "viewport/Snapshot.h"
 
+#include <sys/stat.h>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -27,6 +28,16 @@ class SnapshotTest : public QObject {
     const Status failed = renderToFile(mesh, {}, folder.filePath("no/such/folder.png").toStdString(), 40, 30);
     QVERIFY(!failed);
     QCOMPARE(failed.error().code, ErrorCode::WriteFailed);
+
+    // What is no file stays what it is, also behind a link.
+    const std::filesystem::path pipe = folder.filePath("pipe").toStdString();
+    const std::filesystem::path link = folder.filePath("link.png").toStdString();
+    QCOMPARE(mkfifo(pipe.c_str(), 0600), 0);
+    std::filesystem::create_symlink("pipe", link);
+    const Status noFile = renderToFile(mesh, {}, link, 40, 30);
+    QVERIFY(!noFile);
+    QCOMPARE(noFile.error().code, ErrorCode::WriteFailed);
+    QVERIFY(std::filesystem::is_fifo(pipe) && std::filesystem::is_symlink(link));
   }
 
   // Before and after a repair a part is seen from the same side.

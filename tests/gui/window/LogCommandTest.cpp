@@ -76,6 +76,50 @@ class LogCommandTest : public QObject {
     QVERIFY(readStl(m_folder.filePath("copy.stl")) == copy);
   }
 
+  // The values are those of the moment, not those of whoever pastes the command.
+  void aRepairWithOtherValuesThanTheDefaults() {
+    const QString path = m_folder.filePath("torn.stl");
+    std::vector<Corners> mesh = torus(48, 24, {{3, 5}, {3, 6}, {3, 7}, {4, 5}, {4, 6}, {4, 7}, {5, 5}, {5, 6}, {5, 7}});
+    for (Corner& corner : mesh.back()) corner[2] += 0.02f;  // 2e-4 of the diagonal
+    writeStl(path, mesh);
+    std::vector<std::vector<Corners>> results;
+    for (const char* chosen : {"", "mesh.near_weld=1e-3,mesh.patch_density=0.5,mesh.fill_method=refined", "draft"}) {
+      QSettings().setValue("fidelity", chosen);
+      WindowDriver driver;
+      QVERIFY(driver.open(path));
+      driver.click("repairAllButton");
+      QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), 0, kPatienceMs);
+      QVERIFY(driver.settle());
+      const QString repaired = lastCommand(driver);
+      QCOMPARE(repaired.contains("--fidelity"), *chosen != 0);
+      const QString byWindow = m_folder.filePath("torn-window.stl");
+      QVERIFY(saveAs(driver, byWindow));
+      QSettings().remove("fidelity");
+      QVERIFY(QList<int>({0, 2}).contains(paste(repaired)));  // 2: the torn triangle is left
+      results.push_back(readStl(byWindow));
+      QVERIFY(!results.back().empty() && readStl(m_folder.filePath("torn-repaired.stl")) == results.back());
+      QVERIFY(QFile::remove(byWindow) && QFile::remove(m_folder.filePath("torn-repaired.stl")));
+    }
+    QVERIFY(results[0] != results[1] && results[1] != results[2] && results[2] != results[0]);
+  }
+
+  void aNewWorkpieceWithTheChosenChord() {
+    QSettings().setValue("fidelity", "nurbs.chord_mm=0.25");
+    WindowDriver driver;
+    driver.choose("newWorkpiece");
+    QVERIFY(driver.settle());
+    const QString path = m_folder.filePath("coarse.stl"), fine = m_folder.filePath("fine.stl");
+    QVERIFY(saveAs(driver, path));
+    const auto coarse = readStl(path);
+    QVERIFY(QFile::remove(path));
+    QCOMPARE(paste(lastCommand(driver)), 0);
+    QVERIFY(!coarse.empty() && readStl(path) == coarse);
+    driver.edit("chord", "0.01");  // the document's own value
+    QVERIFY(saveAs(driver, fine));
+    QVERIFY(readStl(fine).size() > coarse.size());
+    QSettings().remove("fidelity");
+  }
+
   void aNewWorkpieceAndItsChanges() {
     WindowDriver driver;
     driver.choose("newWorkpiece");

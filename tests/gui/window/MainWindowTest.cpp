@@ -180,6 +180,16 @@ class MainWindowTest : public QObject {
     QVERIFY(driver.settle());
   }
 
+  // Each view draws by a context of its own.
+  void twoWindowsAtOnce() {
+    WindowDriver first;
+    WindowDriver second;
+    for (WindowDriver* driver : {&first, &second}) {
+      QVERIFY(driver->open(fileWithHoles("two.stl")));
+      QVERIFY(!driver->find<Viewport>("viewport")->grabImage().isNull());
+    }
+  }
+
   // The plane stays where it is when the other side is cut away, and its offset reads the same.
   void theOtherSideOfTheSamePlane() {
     WindowDriver driver;
@@ -197,6 +207,12 @@ class MainWindowTest : public QObject {
     QVERIFY(before.on);
     QCOMPARE(before.offset, 7.5);
     check("property/clip_flip");
+    QCOMPARE(view->clipPlane(), before.flipped());
+    driver.choose("clipModel");
+    QVERIFY(!view->clipPlane().on);
+    auto* box = driver.find<QWidget>("property/clip")->findChild<QAbstractButton*>();
+    QVERIFY(!box->isChecked());
+    driver.choose("clipModel");
     QCOMPARE(view->clipPlane(), before.flipped());
     QCOMPARE(driver.find<QWidget>("property/clip_offset")->findChild<QLineEdit*>()->text(), QStringLiteral("7.5"));
     QVERIFY(driver.settle());

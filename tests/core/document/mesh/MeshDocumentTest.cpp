@@ -3,6 +3,8 @@
 #include "document/mesh/MeshDocument.h"
 
 #include "MeshDocuments.h"
+#include "document/EditCommand.h"
+#include "mesh/MeshFidelity.h"
 
 #include <rapidcheck.h>
 #include <QSignalSpy>
@@ -86,6 +88,22 @@ HalfEdgeMesh randomlyChanged(HalfEdgeMesh mesh) {
   return mesh;
 }
 
+FidelityValues withGranularity(double runSlots) {
+  FidelityValues values;
+  if (!values.set(undoGranularitySetting(), runSlots)) qFatal("the value is out of range");
+  return values;
+}
+
+// Bytes of the step that moves one vertex, kept in runs of so many.
+std::size_t bytesOfAStep(double runSlots) {
+  const auto document = documentOf(sheet(40));
+  document->setFidelity(withGranularity(runSlots));
+  HalfEdgeMesh mesh = document->mesh();
+  mesh.setPosition(0, Vec3(0, 0, 1));
+  document->commit("Move", inspected(mesh));
+  return static_cast<const EditCommand*>(document->history()->command(0))->edit().bytes();
+}
+
 HalfEdgeMesh without(HalfEdgeMesh mesh, Face face) {
   mesh.removeFace(face);
   relink(mesh);
@@ -98,7 +116,8 @@ class MeshDocumentTest : public QObject {
   Q_OBJECT
 
  private slots:
-  // Any walk through history ends where it says, slot for slot.
+  // Any walk through history ends where it says, slot for slot; however coarse the steps were kept, and whatever the
+  // setting is when they are undone.
   void historyIsExact() {
     const bool holds = rc::check("undo and redo restore every slot", [] {
       const auto document = documentOf(sheet(4));
@@ -107,6 +126,7 @@ class MeshDocumentTest : public QObject {
       const int steps = *rc::gen::inRange(1, 20);
       for (int i = 0; i < steps; ++i) {
         const std::uint64_t revision = document->revision();
+        document->setFidelity(withGranularity(*rc::gen::element(1.0, 2.0, 3.0, 64.0, 4096.0)));
         switch (*rc::gen::inRange(0, 4)) {
           case 0:
             if (present == 0) continue;
@@ -134,6 +154,12 @@ class MeshDocumentTest : public QObject {
       }
     });
     QVERIFY(holds);
+  }
+
+  // One vertex is 24 bytes; a run of 64 keeps 63 more.
+  void stepsAreKeptAsChosen() {
+    QCOMPARE(bytesOfAStep(64.0) - bytesOfAStep(1.0), std::size_t(63 * 24));
+    QCOMPARE(documentOf(sheet(2))->fidelity(), FidelityValues());
   }
 
   // Whoever redraws only the faces that the signal names shows the right mesh.

@@ -131,6 +131,36 @@ class MeshKindTest : public QObject {
     QVERIFY((*container.manifest)["document"]["turned_faces"] == 8);
   }
 
+  // Two halves of a sheet, torn apart by 1e-4 of the diagonal: whether that is one vertex is a matter of the setting.
+  void filesAreInspectedWithTheNearWeldChosen() {
+    TriangleSoup soup = grid(4);
+    const std::size_t half = soup.points.size();
+    for (std::size_t i = 0; i < half; ++i) soup.points.push_back(soup.points[i] + Vec3(4.0 + 1e-3, 0, 0));
+    for (std::size_t i = 0; i < half; ++i) soup.points[i].z() = soup.points[half + i].z() = 0.0;
+    for (std::size_t f = 0; f < 32; ++f) {
+      const auto shift = static_cast<std::uint32_t>(half);
+      const Triangle t = soup.triangles[f];
+      soup.triangles.push_back({t[0] + shift, t[1] + shift, t[2] + shift});
+    }
+    const QTemporaryDir folder;
+    const auto document = test::meshDocument(soup, "/scans/torn.ply", NumberType::Float64);
+    auto kind = std::make_unique<MeshKind>();
+    MeshKind& chosen = *kind;
+    std::vector<std::unique_ptr<DocumentKind>> one;
+    one.push_back(std::move(kind));
+    const DocumentKinds all(std::move(one));
+    for (const char* name : {"a.handwheel", "a.ply"}) {
+      const auto path = folder.filePath(name).toStdString();
+      QVERIFY(saveDocument(kKind, document->file(), *document->snapshot(), path).hasValue());
+      for (const auto& [nearWeld, pairs] : {std::pair(1e-5, 0), std::pair(1e-3, 5)}) {
+        chosen.setNearWeld(nearWeld);
+        const auto opened = all.open(path, {});
+        QVERIFY(opened.hasValue());
+        QCOMPARE(meshOf(opened->content).mesh.defects->nearVertices.size(), std::size_t(pairs));
+      }
+    }
+  }
+
   // What is lost of a mesh that cannot be taken as it is, is said.
   void aMeshThatContradictsItselfIsJoinedAnew() {
     const auto document = test::meshDocument(grid(3));

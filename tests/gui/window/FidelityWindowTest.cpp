@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "MeshDocuments.h"
+#include "StlFiles.h"
+#include "WindowDriver.h"
+#include "WindowTestMain.h"
+#include "document/mesh/MeshDocument.h"
+#include "document/workpiece/WorkpieceDocument.h"
+#include "fidelity/Cases.h"
+#include "mesh/MeshFidelity.h"
+#include "plot/PlotWidget.h"
+#include "tools/mesh/MeshServices.h"
+#include "window/DocumentTabs.h"
+#include "window/FidelityChoice.h"
+#include "window/OpenDocument.h"
+
+#include <QComboBox>
+#include <QDockWidget>
+#include <QSlider>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+// Two squares of 4 × 4 mm, each without its middle, side by side with a gap of 1e-3 mm: 1.1e-4 of the diagonal.
+std::vector<Corners> tornSheet() {
+  std::vector<Corners> triangles;
+  for (const float left : {0.0f, 4.001f}) {
+    for (int cell = 0; cell < 16; ++cell) {
+      if (cell == 5) continue;
+      const auto x = left + float(cell % 4), y = float(cell / 4);
+      triangles.push_back({Corner{x, y, 0}, Corner{x + 1, y, 0}, Corner{x + 1, y + 1, 0}});
+      triangles.push_back({Corner{x, y, 0}, Corner{x + 1, y + 1, 0}, Corner{x, y + 1, 0}});
+    }
+  }
+  return triangles;
+}
+
+}  // namespace
+
+// What the user chooses between speed and accuracy reaches what reads it, and the panel shows where that leads.
+class FidelityWindowTest : public QObject {
+  Q_OBJECT
+
+ private:
+  QTemporaryDir m_folder;
+
+  QString file(const char* name, const std::vector<Corners>& triangles) {
+    const QString path = m_folder.filePath(QString::fromLatin1(name));
+    writeStl(path, triangles);
+    return path;
+  }
+  template <class Kind>
+  static Kind& document(WindowDriver& driver) {
+    return static_cast<Kind&>(driver.find<DocumentTabs>("tabRow")->current()->document);
+  }
+  static void raisePanel(WindowDriver& driver) {
+    auto* dock = driver.find<QDockWidget>("fidelityDock");
+    dock->show();
+    dock->raise();
+    driver.window().activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&driver.window()));
+    QTRY_VERIFY(!dock->visibleRegion().isEmpty());
+  }
+  static QSlider* slider(WindowDriver& driver) { return driver.find<QSlider>("fidelitySlider"); }
+  static double mark(WindowDriver& driver) {  // the cost at the present point
+    for (const PlotMark& each : driver.find<PlotWidget>("fidelityCurve")->plot().marks) {
+      if (each.label == "now") return each.place.x();
+    }
+    return -1.0;
+  }
+
+ private slots:
+  void cleanup() { QSettings().remove("fidelity"); }
+
+  // On opening, and of what a job made.
+  void nearWeldHoldsForEveryInspection() {
+    const QString path = file("torn.stl", tornSheet());
+    for (const auto& [chosen, pairs] : {std::pair("", 0u), std::pair("mesh.near_weld=1e-3", 5u)}) {
+      QSettings().setValue("fidelity", chosen);
+      WindowDriver driver;
+      QVERIFY(driver.open(path));
+      auto& mesh = document<MeshDocument>(driver);
+      QCOMPARE(mesh.defects().nearVertices.size(), std::size_t(pairs));
+      driver.clickDefect(DefectKind::Hole, 0);
+      driver.click("fillHoleButton");
+      QTRY_COMPARE_WITH_TIMEOUT(mesh.history()->count(), 1, kPatienceMs);
+      QCOMPARE(mesh.defects().nearVertices.size(), std::size_t(pairs));
+      QVERIFY(driver.settle());
+    }
+  }
+
+  // The same of a change that a tool makes without a window.
+  void nearWeldHoldsForToolsWithoutAWindow() {
+    TriangleSoup soup;
+    for (const Corners& triangle : tornSheet()) {
+      const auto first = static_cast<std::uint32_t>(soup.points.size());
+      for (const Corner& p : triangle) soup.points.emplace_back(p[0], p[1], p[2]);
+      soup.triangles.push_back({first, first + 1, first + 2});
+    }
+    for (const auto& [chosen, pairs] : {std::pair(1e-5, 0u), std::pair(1e-3, 5u)}) {
+      const auto mesh = meshDocument(soup);
+      FidelityValues values;
+      QVERIFY(values.set(nearWeldSetting(), chosen));
+      mesh->setFidelity(values);
+      immediateServices(*mesh).commit({"Remove", [](HalfEdgeMesh& changed) {
+                                         changed.removeFace(2);
+                                         relink(changed);
+                                       }});
+      QCOMPARE(mesh->history()->count(), 1);
+      QCOMPARE(mesh->defects().nearVertices.size(), std::size_t(pairs));
+    }
+  }
+
+  void documentsHoldWhatIsChosenWhetherOpenBeforeOrAfter() {
+    WindowDriver driver;
+    QVERIFY(driver.open(file("before.stl", torus(24, 12, {{3, 5}}))));
+    raisePanel(driver);
+    driver.edit("document.undo_granularity", "64");
+    QCOMPARE(document<MeshDocument>(driver).fidelity().of(undoGranularitySetting()), 64.0);
+    QVERIFY(driver.open(file("after.stl", torus(24, 12, {{3, 5}}))));
+    QCOMPARE(document<MeshDocument>(driver).fidelity().of(undoGranularitySetting()), 64.0);
+  }
+
+  // 20,000 faces: one block by default, five of 4096; for the next mesh, and in the next session.
+  void blocksAreAsLargeAsChosen() {
+    const auto built = [this](WindowDriver& driver, const char* name) {
+      auto* view = driver.find<Viewport>("viewport");
+      const int before = view->blocksBuilt();
+      if (!driver.open(file(name, torus(200, 50, {})))) return -1;
+      view->grabImage();  // waits for them
+      return view->blocksBuilt() - before;
+    };
+    {
+      WindowDriver driver;
+      QCOMPARE(built(driver, "one.stl"), 1);
+      raisePanel(driver);
+      driver.edit("view.block_faces", "4096");
+      QCOMPARE(built(driver, "five.stl"), 5);
+      QVERIFY(driver.settle());
+    }
+    WindowDriver driver;
+    QCOMPARE(built(driver, "next.stl"), 5);
+    QVERIFY(driver.settle());
+  }
+
+  void aNewWorkpieceStartsWithTheChosenChord() {
+    WindowDriver driver;
+    raisePanel(driver);
+    driver.edit("nurbs.chord_mm", "0.25");
+    driver.choose("newWorkpiece");
+    QVERIFY(driver.settle());
+    QCOMPARE(document<WorkpieceDocument>(driver).workpiece().chord, 0.25);
+    QCOMPARE(document<WorkpieceDocument>(driver).history()->count(), 0);
+    driver.edit("chord", "0.5");
+    driver.edit("nurbs.chord_mm", "0.125");
+    QCOMPARE(document<WorkpieceDocument>(driver).workpiece().chord, 0.5);
+    const QString path = m_folder.filePath("bar.handwheel");
+    driver.choose("saveFileAs");
+    QVERIFY(driver.enterFileName("saveDialog", path) && driver.settle());
+    WindowDriver second;
+    QVERIFY(second.open(path));
+    QCOMPARE(document<WorkpieceDocument>(second).workpiece().chord, 0.5);
+  }
+
+  void thePanelShowsTheSettingThatHasTheFocus() {
+    WindowDriver driver;
+    raisePanel(driver);
+    const FidelityChoice choice;
+    for (const auto& entry : choice.registry().entries()) {
+      const QByteArray row = QByteArray::fromStdString("property/" + entry.setting.id);
+      auto* field =
+          driver.find<QWidget>(row.constData())
+              ->findChild<QWidget*>(entry.setting.choices.empty() ? QString() : QStringLiteral("propertyChoice"));
+      for (QWidget* each : driver.find<QWidget>(row.constData())->findChildren<QWidget*>()) {
+        if (each->focusPolicy() != Qt::NoFocus && each->isVisible()) field = each;
+      }
+      field->setFocus();
+      QTRY_COMPARE(slider(driver)->accessibleName(), QString::fromStdString(entry.setting.label));
+      const auto now = choice.predicted(entry.setting.id, entry.setting.standard);
+      QVERIFY(now && std::isfinite(now->error));
+      QCOMPARE(mark(driver), now->cost);
+      const QStringList lines = driver.text("fidelityPrediction").split('\n');
+      QCOMPARE(lines.size(), 3);
+      QVERIFY(lines[0].startsWith(QString::fromStdString(entry.setting.error.name)));
+      QVERIFY(lines[1].endsWith(QString::fromStdString(entry.setting.cost.unit)));
+      QVERIFY(lines[2].startsWith("Draft: ") && lines[2].contains("Exact: "));
+    }
+  }
+
+  // While it is held it only tells; the choice is made when it is let go.
+  void theSliderFollowsTheScale() {
+    WindowDriver driver;
+    raisePanel(driver);
+    driver.edit("nurbs.chord_mm", "0.1");  // three quarters of 1e-4 … 1
+    QSlider* held = slider(driver);
+    QCOMPARE(held->value(), 75);
+    const double before = mark(driver);
+    held->setSliderDown(true);
+    held->setSliderPosition(25);
+    QVERIFY(mark(driver) > before);
+    QCOMPARE(FidelityChoice().values().of(chordSetting()), 0.1);
+    held->setSliderDown(false);
+    QCOMPARE(FidelityChoice().values().of(chordSetting()), 0.001);
+    QTRY_COMPARE(held->value(), 25);
+  }
+
+  void presetsAreChosenAndRecognised() {
+    WindowDriver driver;
+    raisePanel(driver);
+    auto* box = driver.find<QWidget>("property/preset")->findChild<QComboBox*>();
+    for (int i = 1; i <= 3; ++i) {
+      box->setCurrentIndex(i);
+      emit box->activated(i);
+      QCOMPARE(FidelityChoice().values(), FidelityValues(kFidelityPresets[std::size_t(i - 1)]));
+      QCOMPARE(box->currentIndex(), i);
+    }
+    driver.edit("view.block_faces", "5000");
+    QCOMPARE(box->currentText(), QString("Own values"));
+  }
+
+  // Measured points are met, and nothing is predicted beyond its neighbours.
+  void predictionsLieBetweenMeasurements() {
+    const FidelityChoice choice;
+    for (const auto& entry : choice.registry().entries()) {
+      const FidelitySetting& setting = entry.setting;
+      const auto& curve = choice.curve(setting.id);
+      QVERIFY(curve.size() >= 4);
+      for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
+        const CurvePoint &a = curve[i], &b = curve[i + 1];
+        QVERIFY(choice.predicted(setting.id, a.value) == a);
+        const double middle = setting.scale == FidelityScale::Choices ? a.value : std::sqrt(a.value * b.value);
+        const auto point = choice.predicted(setting.id, middle);
+        QVERIFY(point && point->cost >= std::min(a.cost, b.cost) && point->cost <= std::max(a.cost, b.cost));
+        QVERIFY(point->error >= std::min(a.error, b.error) && point->error <= std::max(a.error, b.error));
+      }
+    }
+  }
+};
+
+HANDWHEEL_WINDOW_TEST(FidelityWindowTest)
+#include "FidelityWindowTest.moc"

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "StlFiles.h"
+#include "WindowDriver.h"
+#include "WindowTestMain.h"
+#include "controls/PropertyList.h"
+
+#include <QComboBox>
+#include <QDockWidget>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+// The tools of a mesh in the window: their settings, and gestures in the view.
+class ToolsTest : public QObject {
+  Q_OBJECT
+
+ private:
+  QTemporaryDir m_folder;
+
+  QString fileWithHole() {
+    const QString path = m_folder.filePath(QStringLiteral("hole.stl"));
+    std::set<std::pair<int, int>> missing;
+    for (int i = 3; i < 9; ++i) {
+      for (int j = 5; j < 9; ++j) missing.emplace(i, j);
+    }
+    writeStl(path, torus(48, 24, missing));
+    return path;
+  }
+
+  // The choice of a property in the tool's panel.
+  static QComboBox* choice(WindowDriver& driver, const char* property) {
+    auto* panel = driver.find<QWidget>("toolDock");
+    auto* row = panel->findChild<QWidget*>(QStringLiteral("property/") + QString::fromLatin1(property));
+    return row ? row->findChild<QComboBox*>() : nullptr;
+  }
+  static void choose(QComboBox* box, const QString& text) {
+    box->setCurrentIndex(box->findText(text, Qt::MatchFixedString));  // in any case
+    emit box->activated(box->currentIndex());
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // rows that took another form
+  }
+
+ private slots:
+  // What was set for a tool holds the next time.
+  void settingsStayAsTheyWereLeft() {
+    WindowDriver driver;
+    QVERIFY(driver.open(fileWithHole()));
+    driver.find<QAction>("selectTool")->trigger();
+    choose(choice(driver, "mode"), QStringLiteral("Lasso"));
+    driver.find<QAction>("measureTool")->trigger();
+    driver.find<QAction>("selectTool")->trigger();
+    QCOMPARE(choice(driver, "mode")->currentText(), QStringLiteral("Lasso"));
+    QVERIFY(driver.settle());
+  }
+
+  // A press that no movement of the pointer came before.
+  void theFirstGestureCounts() {
+    WindowDriver driver;
+    QVERIFY(driver.open(fileWithHole()));
+    driver.find<QAction>("selectTool")->trigger();
+    choose(choice(driver, "mode"), QStringLiteral("Lasso"));
+    QVERIFY(driver.settle());
+    auto* view = driver.find<Viewport>("viewport");
+    const auto at = [view](double x, double y) {
+      return QPoint(static_cast<int>(x * view->width()), static_cast<int>(y * view->height()));
+    };
+    QTest::mousePress(view, Qt::LeftButton, {}, at(0.05, 0.05));
+    for (const QPoint& p : {at(0.95, 0.05), at(0.95, 0.95), at(0.05, 0.95)}) QTest::mouseMove(view, p);
+    QTest::mouseRelease(view, Qt::LeftButton, {}, at(0.05, 0.1));
+    QTRY_VERIFY(driver.find<QAbstractButton>("toolAction/delete")->isEnabled());
+  }
+
+  // The method of fills is one, wherever it is chosen: with the hole, in the tool's panel, as a matter of fidelity.
+  void oneMethodForAll() {
+    WindowDriver driver;
+    QVERIFY(driver.open(fileWithHole()));
+    driver.clickDefect(DefectKind::Hole, 0);
+    QVERIFY(driver.settle());
+    auto* withHole = driver.find<QComboBox>("fillMethod");
+    const auto isEverywhere = [&](const QString& text) {
+      return QTest::qWaitFor(
+          [&] { return withHole->currentText() == text && choice(driver, "method")->currentText() == text; });
+    };
+    QVERIFY(isEverywhere(QStringLiteral("Fair")));
+    const QString fine = driver.text("previewStatus");
+    choose(choice(driver, "method"), QStringLiteral("Ear cutting"));
+    QVERIFY(isEverywhere(QStringLiteral("Ear cutting")));
+    QVERIFY(driver.settle());
+    QVERIFY2(driver.text("previewStatus") != fine, qPrintable(fine));
+    choose(withHole, QStringLiteral("Minimal area"));
+    QVERIFY(isEverywhere(QStringLiteral("Minimal area")));
+    auto* panel = driver.find<QWidget>("fidelityPanel");
+    choose(panel->findChild<QWidget*>("property/mesh.fill_method")->findChild<QComboBox*>(), QStringLiteral("Fair"));
+    QVERIFY(isEverywhere(QStringLiteral("Fair")));
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.text("previewStatus"), fine);
+  }
+};
+
+HANDWHEEL_WINDOW_TEST(ToolsTest)
+#include "ToolsTest.moc"
