@@ -781,6 +781,101 @@
     </message>
 </context>
 <context>
+    <name>Fidelity</name>
+    <message>
+        <source>Distance below which torn border vertices are one</source>
+        <translation>Abstand, unter dem getrennte Randpunkte einer sind</translation>
+    </message>
+    <message>
+        <source>share of the diagonal</source>
+        <translation>Anteil der Diagonale</translation>
+    </message>
+    <message>
+        <source>border vertices left torn or merged wrongly</source>
+        <translation>getrennt gebliebene oder falsch vereinte Randpunkte</translation>
+    </message>
+    <message>
+        <source>CPU time to stitch the borders</source>
+        <translation>CPU-Zeit, um die Ränder zu nähen</translation>
+    </message>
+    <message>
+        <source>Method that fills holes</source>
+        <translation>Verfahren, das Löcher füllt</translation>
+    </message>
+    <message>
+        <source>ear</source>
+        <translation>Ohren</translation>
+    </message>
+    <message>
+        <source>minimal</source>
+        <translation>minimal</translation>
+    </message>
+    <message>
+        <source>refined</source>
+        <translation>verfeinert</translation>
+    </message>
+    <message>
+        <source>fair</source>
+        <translation>glatt</translation>
+    </message>
+    <message>
+        <source>RMS distance of the patch from the surface</source>
+        <translation>mittlerer Abstand (RMS) des Flickens von der Fläche</translation>
+    </message>
+    <message>
+        <source>% of the hole</source>
+        <translation>% des Lochs</translation>
+    </message>
+    <message>
+        <source>CPU time of a fill</source>
+        <translation>CPU-Zeit einer Füllung</translation>
+    </message>
+    <message>
+        <source>Density of patches, in that of their surroundings</source>
+        <translation>Dichte der Flicken, gemessen an ihrer Umgebung</translation>
+    </message>
+    <message>
+        <source>Vertices or faces that an undo step keeps together</source>
+        <translation>Punkte oder Flächen, die ein Rückgängig-Schritt zusammen hält</translation>
+    </message>
+    <message>
+        <source>memory of an undo step</source>
+        <translation>Speicher eines Rückgängig-Schritts</translation>
+    </message>
+    <message>
+        <source>CPU time to take, undo and redo a step</source>
+        <translation>CPU-Zeit, um einen Schritt zu tun, zurückzunehmen und zu wiederholen</translation>
+    </message>
+    <message>
+        <source>Faces that the display builds and draws together</source>
+        <translation>Flächen, die die Anzeige zusammen aufbaut und zeichnet</translation>
+    </message>
+    <message>
+        <source>draw calls of a frame</source>
+        <translation>Zeichenaufrufe eines Bildes</translation>
+    </message>
+    <message>
+        <source>calls</source>
+        <translation>Aufrufe</translation>
+    </message>
+    <message>
+        <source>CPU time to rebuild what an edit of one face touches</source>
+        <translation>CPU-Zeit, um neu aufzubauen, was die Änderung einer Fläche berührt</translation>
+    </message>
+    <message>
+        <source>How far triangles may leave a curved surface</source>
+        <translation>Wie weit Dreiecke von einer gekrümmten Fläche abweichen dürfen</translation>
+    </message>
+    <message>
+        <source>largest distance of the triangles from the surface</source>
+        <translation>größter Abstand der Dreiecke von der Fläche</translation>
+    </message>
+    <message>
+        <source>CPU time of a tessellation</source>
+        <translation>CPU-Zeit einer Triangulierung</translation>
+    </message>
+</context>
+<context>
     <name>FileFilters</name>
     <message>
         <source>All that Handwheel opens</source>
@@ -1747,11 +1842,18 @@
     </message>
     <message numerus="yes">
         <source>Robot %1: %Ln joint(s) that move.</source>
-        <translation><numerusform>Roboter %1: %Ln bewegliches Gelenk.</numerusform><numerusform>Roboter %1: %Ln bewegliche Gelenke.</numerusform></translation>
+        <translation>
+            <numerusform>Roboter %1: %Ln bewegliches Gelenk.</numerusform>
+            <numerusform>Roboter %1: %Ln bewegliche Gelenke.</numerusform>
+        </translation>
     </message>
     <message>
         <source>Drag a link with the mouse, or with Shift the whole arm. The list of joints takes angles.</source>
         <translation>Ziehen Sie ein Glied mit der Maus, mit Umschalt den ganzen Arm. Die Liste der Gelenke nimmt Winkel an.</translation>
+    </message>
+    <message>
+        <source>Drag the links of the robot</source>
+        <translation>Die Glieder des Roboters ziehen</translation>
     </message>
 </context>
 <context>
@@ -1782,6 +1884,10 @@
     <message>
         <source>Commands found</source>
         <translation>Gefundene Befehle</translation>
+    </message>
+    <message>
+        <source>No command is called that.</source>
+        <translation>Kein Befehl heißt so.</translation>
     </message>
 </context>
 <context>
@@ -1847,11 +1953,11 @@
     </message>
     <message>
         <source>Non-manifold edges</source>
-        <translation>Nicht-mannigfaltige Kanten</translation>
+        <translation>Nicht-mannigf. Kanten</translation>
     </message>
     <message>
         <source>Non-manifold vertices</source>
-        <translation>Nicht-mannigfaltige Eckpunkte</translation>
+        <translation>Nicht-mannigf. Eckpunkte</translation>
     </message>
     <message>
         <source>Near vertices</source>
@@ -2287,6 +2393,17 @@
     </message>
 </context>
 <context>
+    <name>handwheel::KindUi</name>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>Measure the distance between two points</source>
+        <translation>Den Abstand zweier Punkte messen</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::LogModel</name>
     <message>
         <source>Time</source>
@@ -2512,8 +2629,12 @@
         <translation>&amp;Flächen auswählen</translation>
     </message>
     <message>
-        <source>&amp;Measure</source>
-        <translation>&amp;Messen</translation>
+        <source>Choose a hole, look at its patch, fill it</source>
+        <translation>Ein Loch wählen, den Flicken ansehen, füllen</translation>
+    </message>
+    <message>
+        <source>Select faces by click, brush, lasso, connection or angle</source>
+        <translation>Flächen wählen durch Klick, Pinsel, Lasso, Zusammenhang oder Winkel</translation>
     </message>
 </context>
 <context>
@@ -2521,6 +2642,10 @@
     <message>
         <source>Close this message</source>
         <translation>Diese Meldung schließen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <translation><numerusform>%n weitere</numerusform><numerusform>%n weitere</numerusform></translation>
     </message>
 </context>
 <context>
@@ -2551,13 +2676,6 @@
     <message>
         <source>Must be at most %1.</source>
         <translation>Darf höchstens %1 sein.</translation>
-    </message>
-</context>
-<context>
-    <name>handwheel::PartsUi</name>
-    <message>
-        <source>&amp;Measure</source>
-        <translation>&amp;Messen</translation>
     </message>
 </context>
 <context>
@@ -3002,14 +3120,6 @@
         <translation>Roboterzelle</translation>
     </message>
     <message>
-        <source>A shaft in the chuck. Turn a step, and feel what the cut costs.</source>
-        <translation>Eine Welle im Futter. Drehen Sie einen Absatz und spüren Sie, was der Schnitt kostet.</translation>
-    </message>
-    <message>
-        <source>An arm and a table. Plan a path, see that it is clear, export it.</source>
-        <translation>Ein Arm und ein Tisch. Bahn planen, auf Kollisionen prüfen, exportieren.</translation>
-    </message>
-    <message>
         <source>Or drop files anywhere on this window</source>
         <translation>Oder Dateien irgendwo auf dieses Fenster ziehen</translation>
     </message>
@@ -3020,6 +3130,14 @@
     <message>
         <source>The sample is not installed.</source>
         <translation>Das Beispiel ist nicht installiert.</translation>
+    </message>
+    <message>
+        <source>A shaft for the lathe. Give it its size, save it as STEP.</source>
+        <translation>Eine Welle für die Drehbank. Maße eingeben, als STEP speichern.</translation>
+    </message>
+    <message>
+        <source>An arm with six joints. Move it by hand within its limits.</source>
+        <translation>Ein Arm mit sechs Gelenken. Von Hand bewegen, in seinen Grenzen.</translation>
     </message>
 </context>
 <context>
@@ -3183,6 +3301,17 @@
     <message>
         <source>Top</source>
         <translation>Oben</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ViewSettings</name>
+    <message>
+        <source>&amp;Cut the model open</source>
+        <translation>Modell auf&amp;schneiden</translation>
+    </message>
+    <message>
+        <source>Clipping plane: look inside; the panel “View” places it</source>
+        <translation>Schnittebene: ins Innere sehen; der Bereich „Ansicht“ legt sie fest</translation>
     </message>
 </context>
 <context>

@@ -781,6 +781,101 @@
     </message>
 </context>
 <context>
+    <name>Fidelity</name>
+    <message>
+        <source>Distance below which torn border vertices are one</source>
+        <translation>小于此距离的断开边界顶点视为同一点</translation>
+    </message>
+    <message>
+        <source>share of the diagonal</source>
+        <translation>对角线的比例</translation>
+    </message>
+    <message>
+        <source>border vertices left torn or merged wrongly</source>
+        <translation>仍断开或误合并的边界顶点</translation>
+    </message>
+    <message>
+        <source>CPU time to stitch the borders</source>
+        <translation>缝合边界的 CPU 时间</translation>
+    </message>
+    <message>
+        <source>Method that fills holes</source>
+        <translation>填补孔洞的方法</translation>
+    </message>
+    <message>
+        <source>ear</source>
+        <translation>耳切</translation>
+    </message>
+    <message>
+        <source>minimal</source>
+        <translation>最小</translation>
+    </message>
+    <message>
+        <source>refined</source>
+        <translation>细化</translation>
+    </message>
+    <message>
+        <source>fair</source>
+        <translation>光顺</translation>
+    </message>
+    <message>
+        <source>RMS distance of the patch from the surface</source>
+        <translation>补片到曲面的均方根距离</translation>
+    </message>
+    <message>
+        <source>% of the hole</source>
+        <translation>孔洞的 %</translation>
+    </message>
+    <message>
+        <source>CPU time of a fill</source>
+        <translation>一次填补的 CPU 时间</translation>
+    </message>
+    <message>
+        <source>Density of patches, in that of their surroundings</source>
+        <translation>补片密度,相对于周围</translation>
+    </message>
+    <message>
+        <source>Vertices or faces that an undo step keeps together</source>
+        <translation>撤销步骤中合并保存的顶点或面</translation>
+    </message>
+    <message>
+        <source>memory of an undo step</source>
+        <translation>一个撤销步骤的内存</translation>
+    </message>
+    <message>
+        <source>CPU time to take, undo and redo a step</source>
+        <translation>执行、撤销和重做一步的 CPU 时间</translation>
+    </message>
+    <message>
+        <source>Faces that the display builds and draws together</source>
+        <translation>显示时一起构建和绘制的面数</translation>
+    </message>
+    <message>
+        <source>draw calls of a frame</source>
+        <translation>每帧绘制调用</translation>
+    </message>
+    <message>
+        <source>calls</source>
+        <translation>次</translation>
+    </message>
+    <message>
+        <source>CPU time to rebuild what an edit of one face touches</source>
+        <translation>编辑一个面后重建所涉部分的 CPU 时间</translation>
+    </message>
+    <message>
+        <source>How far triangles may leave a curved surface</source>
+        <translation>三角形偏离曲面的允许距离</translation>
+    </message>
+    <message>
+        <source>largest distance of the triangles from the surface</source>
+        <translation>三角形到曲面的最大距离</translation>
+    </message>
+    <message>
+        <source>CPU time of a tessellation</source>
+        <translation>一次三角化的 CPU 时间</translation>
+    </message>
+</context>
+<context>
     <name>FileFilters</name>
     <message>
         <source>All that Handwheel opens</source>
@@ -1727,11 +1822,17 @@
     </message>
     <message numerus="yes">
         <source>Robot %1: %Ln joint(s) that move.</source>
-        <translation><numerusform>机器人 %1:%Ln 个可动关节。</numerusform></translation>
+        <translation>
+            <numerusform>机器人 %1:%Ln 个可动关节。</numerusform>
+        </translation>
     </message>
     <message>
         <source>Drag a link with the mouse, or with Shift the whole arm. The list of joints takes angles.</source>
         <translation>用鼠标拖动一个连杆,按住 Shift 拖动整个手臂。关节列表可输入角度。</translation>
+    </message>
+    <message>
+        <source>Drag the links of the robot</source>
+        <translation>拖动机器人的连杆</translation>
     </message>
 </context>
 <context>
@@ -1762,6 +1863,10 @@
     <message>
         <source>Commands found</source>
         <translation>找到的命令</translation>
+    </message>
+    <message>
+        <source>No command is called that.</source>
+        <translation>没有这个名称的命令。</translation>
     </message>
 </context>
 <context>
@@ -2263,6 +2368,17 @@
     </message>
 </context>
 <context>
+    <name>handwheel::KindUi</name>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>测量(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Measure the distance between two points</source>
+        <translation>测量两点之间的距离</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::LogModel</name>
     <message>
         <source>Time</source>
@@ -2488,8 +2604,12 @@
         <translation>选择面(&amp;S)</translation>
     </message>
     <message>
-        <source>&amp;Measure</source>
-        <translation>测量(&amp;M)</translation>
+        <source>Choose a hole, look at its patch, fill it</source>
+        <translation>选择孔洞,查看补片,然后填补</translation>
+    </message>
+    <message>
+        <source>Select faces by click, brush, lasso, connection or angle</source>
+        <translation>通过点击、画笔、套索、连通或角度选择面</translation>
     </message>
 </context>
 <context>
@@ -2497,6 +2617,10 @@
     <message>
         <source>Close this message</source>
         <translation>关闭此消息</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <translation><numerusform>还有 %n 条</numerusform></translation>
     </message>
 </context>
 <context>
@@ -2527,13 +2651,6 @@
     <message>
         <source>Must be at most %1.</source>
         <translation>不得大于 %1。</translation>
-    </message>
-</context>
-<context>
-    <name>handwheel::PartsUi</name>
-    <message>
-        <source>&amp;Measure</source>
-        <translation>测量(&amp;M)</translation>
     </message>
 </context>
 <context>
@@ -2978,14 +3095,6 @@
         <translation>机器人单元</translation>
     </message>
     <message>
-        <source>A shaft in the chuck. Turn a step, and feel what the cut costs.</source>
-        <translation>卡盘中的一根轴。车出台阶，感受切削力。</translation>
-    </message>
-    <message>
-        <source>An arm and a table. Plan a path, see that it is clear, export it.</source>
-        <translation>一个机械臂和一张工作台。规划路径，确认无碰撞，然后导出。</translation>
-    </message>
-    <message>
         <source>Or drop files anywhere on this window</source>
         <translation>或将文件拖放到窗口任意处</translation>
     </message>
@@ -2996,6 +3105,14 @@
     <message>
         <source>The sample is not installed.</source>
         <translation>示例未安装。</translation>
+    </message>
+    <message>
+        <source>A shaft for the lathe. Give it its size, save it as STEP.</source>
+        <translation>一根车床用的轴。设定尺寸,另存为 STEP。</translation>
+    </message>
+    <message>
+        <source>An arm with six joints. Move it by hand within its limits.</source>
+        <translation>六关节手臂。在限位内手动移动。</translation>
     </message>
 </context>
 <context>
@@ -3155,6 +3272,17 @@
     <message>
         <source>Top</source>
         <translation>上</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ViewSettings</name>
+    <message>
+        <source>&amp;Cut the model open</source>
+        <translation>剖开模型(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Clipping plane: look inside; the panel “View” places it</source>
+        <translation>剖切平面:查看内部;在“视图”面板中定位</translation>
     </message>
 </context>
 <context>

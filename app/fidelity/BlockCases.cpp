@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/ThreadClock.h"
+#include "base/Translatable.h"
 #include "fidelity/CaseShapes.h"
 #include "fidelity/Cases.h"
 #include "fidelity/SeededInput.h"
@@ -57,15 +58,15 @@ FidelitySample rebuild(const EditedFaces& edit, double value) {
 FidelitySetting blockFacesSetting() {
   FidelitySetting s;
   s.id = "view.block_faces";
-  s.label = "Faces that the display builds and draws together";
+  s.label = translatable("Fidelity", "Faces that the display builds and draws together");
   s.scale = FidelityScale::Logarithmic;
   s.least = 4096.0;
   s.largest = 262144.0;
   s.whole = true;
   s.standard = kBlockFaces;
   s.presets = {5800.0, 46000.0, 262144.0};
-  s.error = {"draw calls of a frame", "calls"};
-  s.cost = {"CPU time to rebuild what an edit of one face touches", "ms"};
+  s.error = {translatable("Fidelity", "draw calls of a frame"), translatable("Fidelity", "calls")};
+  s.cost = {translatable("Fidelity", "CPU time to rebuild what an edit of one face touches"), "ms"};
   return s;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/ThreadClock.h"
+#include "base/Translatable.h"
 #include "fidelity/Cases.h"
 #include "nurbs/CylinderDistance.h"
 #include "nurbs/Tessellation.h"
@@ -28,15 +29,15 @@ FidelityCase caseOn(const std::string& name, const StockCylinder& stock) {
 FidelitySetting chordSetting() {
   FidelitySetting s;
   s.id = "nurbs.chord_mm";
-  s.label = "How far triangles may leave a curved surface";
+  s.label = translatable("Fidelity", "How far triangles may leave a curved surface");
   s.unit = "mm";
   s.scale = FidelityScale::Logarithmic;
   s.least = 1e-4;
   s.largest = 1.0;
   s.standard = TessellationOptions().chord;
   s.presets = {0.1, 0.022, 1e-4};
-  s.error = {"largest distance of the triangles from the surface", "mm"};
-  s.cost = {"CPU time of a tessellation", "ms"};
+  s.error = {translatable("Fidelity", "largest distance of the triangles from the surface"), "mm"};
+  s.cost = {translatable("Fidelity", "CPU time of a tessellation"), "ms"};
   return s;
 }
 

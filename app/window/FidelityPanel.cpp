@@ -55,7 +55,7 @@ double valueAtStep(const FidelitySetting& setting, int step) {
 // "CPU time of a fill: 3.2 ms"
 QString lineOf(const FidelityMeasure& measure, double value) {
   const QString number = std::isfinite(value) ? QLocale().toString(value, 'g', 3) : QStringLiteral("∞");
-  return QStringLiteral("%1: %2 %3").arg(translated(measure.name), number, QString::fromStdString(measure.unit));
+  return QStringLiteral("%1: %2 %3").arg(translated(measure.name), number, translated(measure.unit));
 }
 
 // "Draft: 0.1, Balanced: 0.022, Exact: 0.0001"
@@ -64,7 +64,7 @@ QString presetsOf(const FidelitySetting& setting) {
   for (FidelityPreset preset : kFidelityPresets) {
     const double value = setting.presetValue(preset);
     const QString shown =
-        setting.choices.empty() ? QLocale().toString(value, 'g', 7) : QString::fromStdString(textOf(setting, value));
+        setting.choices.empty() ? QLocale().toString(value, 'g', 7) : translated(textOf(setting, value));
     const QString word = QCoreApplication::translate("Property", std::string(wordFor(preset)).c_str());
     presets << QStringLiteral("%1: %2").arg(word, shown);
   }
@@ -80,7 +80,7 @@ Property propertyFor(const FidelitySetting& setting, double value) {
   property.value = value;
   property.least = setting.least;
   property.largest = setting.largest;
-  for (const std::string& word : setting.choices) property.choices.push_back(word);
+  for (const std::string& word : setting.choices) property.choices.push_back(translated(word).toStdString());
   return property;
 }
 
@@ -198,8 +198,8 @@ void FidelityPanel::predict(double value) {
 Plot FidelityPanel::plotOf(const std::string& id, double value) const {
   const FidelitySetting& setting = m_choice.registry().find(id)->setting;
   Plot plot;
-  plot.x = {translated(setting.cost.name), QString::fromStdString(setting.cost.unit), true};
-  plot.y = {translated(setting.error.name), QString::fromStdString(setting.error.unit), true};
+  plot.x = {translated(setting.cost.name), translated(setting.cost.unit), true};
+  plot.y = {translated(setting.error.name), translated(setting.error.unit), true};
   plot.locale = QLocale();
   PlotSeries measured;
   measured.name = tr("Measured");

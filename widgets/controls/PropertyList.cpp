@@ -89,6 +89,11 @@ void PropertyList::chainTab() {
   }
 }
 
+// A field that is being edited loses the focus with the list, and would tell its value to a list that is half gone.
+PropertyList::~PropertyList() {
+  for (PropertyRow* row : m_rows) row->disconnect(this);
+}
+
 void PropertyList::setLengthUnit(LengthUnit unit) {
   m_unit = unit;
   for (std::size_t i = 0; i < m_rows.size(); ++i) m_rows[i]->showProperty(m_properties[i], unit);

@@ -21,6 +21,7 @@ class PropertyList : public QScrollArea {
 
  public:
   explicit PropertyList(QWidget* parent = nullptr);
+  ~PropertyList() override;
 
   // In groups as they come; with ids that are all different.
   void setProperties(const std::vector<Property>& properties);

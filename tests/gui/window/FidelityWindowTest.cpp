@@ -17,6 +17,7 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QSlider>
+#include <QTranslator>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -72,6 +73,19 @@ class FidelityWindowTest : public QObject {
   }
 
  private slots:
+  // The rooms that describe settings know nothing of Qt: a text that nobody marked would stay English.
+  void everySettingSpeaksGerman() {
+    QTranslator german;
+    QVERIFY(german.load(QStringLiteral(":/translations/handwheel_de")));
+    const FidelityChoice choice;
+    for (const auto& entry : choice.registry().entries()) {
+      const FidelitySetting& setting = entry.setting;
+      for (const std::string& text : {setting.label, setting.error.name, setting.cost.name}) {
+        QVERIFY2(!german.translate("Fidelity", text.c_str()).isEmpty(), text.c_str());
+      }
+    }
+  }
+
   void cleanup() { QSettings().remove("fidelity"); }
 
   // On opening, and of what a job made.
