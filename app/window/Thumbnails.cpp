@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/Thumbnails.h"
 
+#include "document/AtomicFile.h"
+
+#include <QBuffer>
 #include <QCoreApplication>
 #include <QCryptographicHash>
 #include <QDir>
@@ -29,8 +32,12 @@ void Thumbnails::store(const QString& path, const QImage& picture) {
   m_pool.start([file = fileFor(path), picture, self = QPointer<Thumbnails>(this)] {
     const QImage filled = picture.scaled(kSize, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
     QDir().mkpath(QFileInfo(file).path());
-    filled.copy(QRect(QPoint((filled.width() - kSize.width()) / 2, (filled.height() - kSize.height()) / 2), kSize))
-        .save(file);
+    const QPoint corner((filled.width() - kSize.width()) / 2, (filled.height() - kSize.height()) / 2);
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    filled.copy(QRect(corner, kSize)).save(&buffer, "PNG");
+    // As a whole, for it may be read meanwhile. Where it cannot be written, the tile shows the kind's icon.
+    (void)writeFileAtomically(file.toStdString(), {buffer.data().constData(), static_cast<std::size_t>(buffer.size())});
     const auto tell = [self] {
       if (self) emit self->stored();
     };
