@@ -3,6 +3,7 @@
 #include "controls/ShortcutEditor.h"
 
 #include "controls/ShortcutModel.h"
+#include "document/AtomicFile.h"
 #include "text/ErrorText.h"
 
 #include <QFileDialog>
@@ -12,7 +13,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QStyle>
 #include <QTreeView>
 
@@ -156,10 +156,8 @@ void ShortcutEditor::exportFile() {
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(QStringLiteral("json"));
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-    QSaveFile file(path);
-    const bool good = file.open(QIODevice::WriteOnly) && file.write(toJson(m_model->changes())) >= 0 && file.commit();
-    const Error failure{ErrorCode::WriteFailed, {file.errorString().toStdString()}, {}, {}};
-    say(good ? tr("The changed keys were written.") : errorSentence(failure), !good);
+    const Status written = writeFileAtomically(path.toStdString(), toJson(m_model->changes()).toStdString());
+    say(written ? tr("The changed keys were written.") : errorSentence(written.error()), !written);
   });
   dialog->open();
 }
