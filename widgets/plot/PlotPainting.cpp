@@ -108,11 +108,20 @@ class PlotPainting {
     }
     m_painter.setPen(QPen(m_colours.muted, 1.0));
     m_painter.drawRect(f);
-    text(QRectF(f.left(), f.bottom() + 1.6 * line(), f.width(), line()), Qt::AlignHCenter, axisTitle(m_plot.x),
-         m_colours.text);
+    title(m_plot.x, QRectF(f.left(), f.bottom() + 1.6 * line(), f.width(), line()), Qt::AlignHCenter);
     // Above the axis rather than turned beside it: long titles find room, and nobody bends the head.
-    const QRectF row(m_area.left() + 0.5 * line(), f.top() - 1.4 * line(), m_area.width() - line(), line());
-    text(row, Qt::AlignLeft, m_metrics.elidedText(axisTitle(m_plot.y), Qt::ElideRight, row.width()), m_colours.text);
+    title(m_plot.y, QRectF(m_area.left() + 0.5 * line(), f.top() - 1.4 * line(), m_area.width() - line(), line()),
+          Qt::AlignLeft);
+  }
+
+  // As much of it as there is room for; centred where it is short, over all of the picture where it is not.
+  void title(const PlotAxis& axis, QRectF row, Qt::Alignment alignment) {
+    const QString words = axisTitle(axis);
+    if (m_metrics.horizontalAdvance(words) > row.width()) {
+      row.setLeft(m_area.left() + 0.5 * line());
+      row.setWidth(m_area.width() - line());
+    }
+    text(row, alignment, m_metrics.elidedText(words, Qt::ElideRight, row.width()), m_colours.text);
   }
 
   void series(std::size_t index) {
