@@ -33,7 +33,7 @@ struct WrittenFile {
 };
 
 // All that the program needs to know of a kind of document: how it is read, saved, exported, described and drawn. No
-// state; any thread, except make(). Adding a kind means deriving this and adding it to the list in app/registration.
+// state but settings; any thread, but make(). To add a kind, derive this and add it to the list in app/registration.
 class DocumentKind {
  public:
   virtual ~DocumentKind() = default;
