@@ -2583,6 +2583,10 @@
         <source>Fidelity</source>
         <translation>Genauigkeit</translation>
     </message>
+    <message>
+        <source>Keys, mouse, units, language, autosave</source>
+        <translation>Tasten, Maus, Einheiten, Sprache, automatisches Sichern</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::MeshDocument</name>
@@ -2645,7 +2649,10 @@
     </message>
     <message numerus="yes">
         <source>%n more</source>
-        <translation><numerusform>%n weitere</numerusform><numerusform>%n weitere</numerusform></translation>
+        <translation>
+            <numerusform>%n weitere</numerusform>
+            <numerusform>%n weitere</numerusform>
+        </translation>
     </message>
 </context>
 <context>

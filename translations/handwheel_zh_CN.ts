@@ -2558,6 +2558,10 @@
         <source>Fidelity</source>
         <translation>保真度</translation>
     </message>
+    <message>
+        <source>Keys, mouse, units, language, autosave</source>
+        <translation>按键、鼠标、单位、语言、自动保存</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::MeshDocument</name>
@@ -2620,7 +2624,9 @@
     </message>
     <message numerus="yes">
         <source>%n more</source>
-        <translation><numerusform>还有 %n 条</numerusform></translation>
+        <translation>
+            <numerusform>还有 %n 条</numerusform>
+        </translation>
     </message>
 </context>
 <context>

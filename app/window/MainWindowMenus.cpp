@@ -5,6 +5,7 @@
 #include "controls/ActionText.h"
 #include "controls/CommandPalette.h"
 #include "theme/Icons.h"
+#include "window/ActionTip.h"
 #include "window/HelpPages.h"
 #include "window/MainWindow.h"
 #include "window/PanelToggle.h"
@@ -67,6 +68,7 @@ void MainWindow::buildMenus() {
   QAction* preferences = edit->addAction(tr("&Preferences…"), this, &MainWindow::showPreferences);
   preferences->setObjectName(QStringLiteral("preferences"));
   preferences->setMenuRole(QAction::PreferencesRole);
+  setTip(*preferences, tr("Keys, mouse, units, language, autosave"));
 
   QMenu* view = menuBar()->addMenu(tr("&View"));
   view->addAction(m_viewActions->fit());
