@@ -70,9 +70,13 @@ inline std::vector<std::size_t> cancelPoints(std::size_t allocations) {
 
 }  // namespace handwheel::test
 
-void* operator new(std::size_t size) {
+// This too: the sanitizers' own would not go with the operator delete below.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   handwheel::test::CancelPoint::allocated();
-  if (void* bytes = std::malloc(size > 0 ? size : 1)) return bytes;
+  return std::malloc(size > 0 ? size : 1);
+}
+void* operator new(std::size_t size) {
+  if (void* bytes = operator new(size, std::nothrow)) return bytes;
   throw std::bad_alloc();
 }
 void operator delete(void* bytes) noexcept {
