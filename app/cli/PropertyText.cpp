@@ -3,30 +3,24 @@
 #include "cli/PropertyText.h"
 
 #include "base/Expression.h"
+#include "base/NumberText.h"
 
-#include <charconv>
 #include <optional>
 
 namespace handwheel {
 
 namespace {
 
-std::string shortest(double value) {
-  char digits[32];
-  const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
-  return {digits, end};
-}
-
 std::string numberText(double value, Quantity quantity) {
   switch (quantity) {
     case Quantity::Length:
-      return shortest(value) + " mm";
+      return shortestText(value) + " mm";
     case Quantity::Angle:
-      return shortest(value / kRadiansPerDegree) + " deg";
+      return shortestText(value / kRadiansPerDegree) + " deg";
     case Quantity::Number:
       break;
   }
-  return shortest(value);
+  return shortestText(value);
 }
 
 std::string listOf(const std::vector<std::string>& choices) {

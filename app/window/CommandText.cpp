@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/CommandText.h"
 
+#include "base/NumberText.h"
 #include "mesh/MeshFidelity.h"
 #include "text/RepairText.h"
 
 #include <QDir>
 #include <QFileInfo>
-#include <QLocale>
 #include <QRegularExpression>
 #include <algorithm>
 
@@ -32,8 +32,7 @@ QString valueText(const Property& property) {
   const double number = std::get<double>(property.value);
   if (!property.choices.empty()) return QString::fromStdString(property.choices.at(static_cast<std::size_t>(number)));
   const bool angle = property.quantity == Quantity::Angle;
-  const QString digits =
-      QString::number(angle ? number / kRadiansPerDegree : number, 'g', QLocale::FloatingPointShortest);
+  const QString digits = QString::fromStdString(shortestText(angle ? number / kRadiansPerDegree : number));
   if (property.quantity == Quantity::Number) return digits;
   return digits + (angle ? QStringLiteral("deg") : QStringLiteral("mm"));
 }

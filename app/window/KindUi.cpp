@@ -3,6 +3,7 @@
 #include "window/KindUi.h"
 
 #include "window/CommandText.h"
+#include "window/FileFilters.h"
 #include "window/OpenDocument.h"
 
 #include <QFileInfo>
@@ -25,7 +26,7 @@ QString KindUi::saveCommand(const OpenDocument& open, const QString& path) const
 
 // The container beside the file that it came from.
 QString KindUi::suggestedName(const OpenDocument& document) const {
-  const QString ending = QString::fromUtf8(kContainerEnding.data(), static_cast<qsizetype>(kContainerEnding.size()));
+  const QString ending = containerEnding();
   if (document.document.file().path.empty()) return document.document.name() + ending;
   const QFileInfo file(document.document.path());
   return file.path() + QLatin1Char('/') + file.completeBaseName() + ending;

@@ -2,17 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/Fidelity.h"
 
+#include "base/NumberText.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 
 namespace handwheel {
 namespace {
-
-std::string shortest(double value) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
 
 bool isWhole(const FidelitySetting& setting) {
   return setting.whole || setting.scale == FidelityScale::Choices;
@@ -43,7 +40,7 @@ Status checkValue(const FidelitySetting& setting, double value) {
   const bool inside = value >= setting.least && value <= setting.largest;  // false for NaN
   if (inside && (!isWhole(setting) || value == std::round(value))) return Done{};
   return Error{ErrorCode::ValueOutOfRange,
-               {setting.id, shortest(value), textOf(setting, setting.least), textOf(setting, setting.largest)},
+               {setting.id, shortestText(value), textOf(setting, setting.least), textOf(setting, setting.largest)},
                {},
                {}};
 }
@@ -51,7 +48,7 @@ Status checkValue(const FidelitySetting& setting, double value) {
 std::string textOf(const FidelitySetting& setting, double value) {
   const bool isChoice = setting.scale == FidelityScale::Choices && value >= 0.0 &&
                         value < static_cast<double>(setting.choices.size()) && value == std::round(value);
-  return isChoice ? setting.choices[static_cast<std::size_t>(value)] : shortest(value);
+  return isChoice ? setting.choices[static_cast<std::size_t>(value)] : shortestText(value);
 }
 
 Result<double> valueOf(const FidelitySetting& setting, std::string_view text) {

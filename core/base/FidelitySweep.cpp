@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/FidelitySweep.h"
 
+#include "base/NumberText.h"
+
 #include <algorithm>
 #include <cassert>
 #include <charconv>
@@ -39,11 +41,6 @@ FidelityRow rowOf(const FidelitySetting& setting, const FidelityCase& testCase, 
   row.seed = seed;
   row.truth = testCase.truth;
   return row;
-}
-
-std::string number(double value) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
 }
 
 // Quoted where RFC 4180 wants it.
@@ -114,9 +111,10 @@ double medianDeviation(const std::vector<double>& values) {
 std::string csvOf(const FidelitySetting& setting, std::span<const FidelityRow> rows) {
   std::string text;
   for (const FidelityRow& r : rows) {
-    text += field(r.setting) + ',' + field(textOf(setting, r.value)) + ',' + field(r.testCase) + ',' + number(r.error) +
-            ',' + field(r.errorUnit) + ',' + number(r.cost) + ',' + field(r.costUnit) + ',' + number(r.spread) + ',' +
-            std::to_string(r.repeats) + ',' + std::to_string(r.seed) + ',' + field(r.truth) + '\n';
+    text += field(r.setting) + ',' + field(textOf(setting, r.value)) + ',' + field(r.testCase) + ',' +
+            shortestText(r.error) + ',' + field(r.errorUnit) + ',' + shortestText(r.cost) + ',' + field(r.costUnit) +
+            ',' + shortestText(r.spread) + ',' + std::to_string(r.repeats) + ',' + std::to_string(r.seed) + ',' +
+            field(r.truth) + '\n';
   }
   return text;
 }

@@ -46,4 +46,9 @@ bool parseDecimal(std::string_view word, double& value, ErrorCode& why) {
   return !isHuge(digits);
 }
 
+std::string shortestText(double value) {
+  char digits[32];
+  return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
+}
+
 }  // namespace handwheel

@@ -4,6 +4,7 @@
 
 #include "base/Error.h"
 
+#include <string>
 #include <string_view>
 
 namespace handwheel {
@@ -12,6 +13,9 @@ namespace handwheel {
 // double are zero. "inf" and "nan" are read, too: who calls decides. False, with the reason, for anything else:
 // NumberMalformed, NumberNotFinite (too large for a double).
 bool parseDecimal(std::string_view word, double& value, ErrorCode& why);
+
+// The fewest digits that read back as the same number, in the C locale.
+std::string shortestText(double value);
 
 inline std::string_view withoutPlus(std::string_view word) {
   return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;

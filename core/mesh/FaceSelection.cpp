@@ -74,14 +74,14 @@ bool FaceSelection::set(Face f, bool isIn) {
   return m_count != before;
 }
 
-std::size_t removeFaces(HalfEdgeMesh& mesh, const FaceSelection& faces) {
+std::size_t removeFaces(HalfEdgeMesh& mesh, const FaceSelection& faces, Progress progress) {
   std::size_t removed = 0;
   faces.forEach([&](Face f) {
     if (f >= mesh.faceSlots() || !mesh.isLive(f)) return;
     mesh.removeFace(f);
     ++removed;
   });
-  if (removed > 0) relink(mesh);
+  if (removed > 0) relink(mesh, progress);
   return removed;
 }
 

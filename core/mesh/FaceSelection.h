@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/PagedArray.h"
+#include "base/Progress.h"
 #include "mesh/HalfEdgeMesh.h"
 
 #include <algorithm>
@@ -84,8 +85,8 @@ class FaceSelection {
 };
 
 // Removes the selected faces that are live, and pairs anew what they leave behind (relink()). Returns how many went.
-// O(n).
-std::size_t removeFaces(HalfEdgeMesh& mesh, const FaceSelection& faces);
+// When cancelled, the mesh is not to be used. O(n).
+std::size_t removeFaces(HalfEdgeMesh& mesh, const FaceSelection& faces, Progress progress = {});
 
 template <class Predicate>
 FaceSelection FaceSelection::where(std::size_t slotCount, Predicate isIn) {

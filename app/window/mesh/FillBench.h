@@ -14,9 +14,13 @@ class FillBench {
  public:
   explicit FillBench(HalfEdgeMesh mesh) : m_mesh(std::move(mesh)) {}
 
-  HoleFiller& filler() {
-    if (!m_filler) m_filler.emplace(m_mesh);
-    return *m_filler;
+  // Null when it is cancelled before it is ready; the next call begins anew.
+  HoleFiller* filler(Progress progress) {
+    if (!m_filler) {
+      m_filler.emplace(m_mesh, progress);
+      if (progress.cancelled()) m_filler.reset();
+    }
+    return m_filler ? &*m_filler : nullptr;
   }
 
  private:

@@ -52,7 +52,9 @@ void HolePreview::start() {
   job.work = [this, &service = m_services.fillPreview(), bench = m_bench, loop = m_document->inspection.loop(m_loop),
               options = m_options, request = m_request](Progress progress) -> Job::Finish {
     const ServiceTick tick(service);
-    auto attempt = std::make_shared<FillAttempt>(bench->filler().propose(loop, options, progress));
+    HoleFiller* filler = bench->filler(progress.part(0.0, 0.5));
+    if (!filler) return {};
+    auto attempt = std::make_shared<FillAttempt>(filler->propose(loop, options, progress.part(0.5, 1.0)));
     return [this, attempt, request] { finished(request, std::move(*attempt)); };
   };
   m_runner.start(std::move(job));

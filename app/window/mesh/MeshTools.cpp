@@ -27,8 +27,6 @@ MeshTools::MeshTools(ToolHost& host, QThreadPool& pool, Selection& selection, Ho
   connect(&m_preview, &HolePreview::changed, this, &MeshTools::answer);
   connect(&m_selection, &Selection::changed, this, &MeshTools::followSelection);
   connect(&m_host, &ToolHost::updated, this, &MeshTools::followTool);
-  connect(&m_actions, &RepairActions::methodChanged, this, &MeshTools::followMethod);
-  followMethod();
 }
 
 void MeshTools::setDocument(OpenMesh* document) {
@@ -37,6 +35,10 @@ void MeshTools::setDocument(OpenMesh* document) {
   m_faces.reset();
   m_facesRevision = m_sortingRevision = 0;
   m_document = document;
+}
+
+void MeshTools::setMethod(FillMethod method) {
+  m_host.choose("fill", "method", FillHoleTool::settingOf(method));
 }
 
 std::unique_ptr<Tool> MeshTools::fillTool() {
@@ -123,11 +125,6 @@ void MeshTools::followSelection() {
   const BoundaryLoop* loop = tool->loop();
   const Vertex working = loop ? keyOf(m_document->document.mesh(), *loop) : kNone;
   if (working != m_document->selected) m_host.start(fillTool(), m_document->document);
-}
-
-// Chosen in the list of defects, or as a matter of speed against accuracy.
-void MeshTools::followMethod() {
-  m_host.choose("fill", "method", FillHoleTool::settingOf(m_actions.method()));
 }
 
 // Dropped in the tool.

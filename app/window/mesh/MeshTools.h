@@ -25,6 +25,7 @@ class MeshTools : public QObject {
             RepairJobs& jobs, QObject* parent = nullptr);
 
   void setDocument(OpenMesh* document);
+  void setMethod(FillMethod method);  // of fills
 
   std::unique_ptr<Tool> fillTool();
   std::unique_ptr<Tool> selectTool();
@@ -38,7 +39,6 @@ class MeshTools : public QObject {
   void answer();
   void followSelection();
   void followTool();
-  void followMethod();
   MeshServices services();
 
   ToolHost& m_host;

@@ -68,6 +68,7 @@ void MeshUi::followFidelity() {
   m_kind.setNearWeld(values.of(nearWeldSetting()));
   m_parts.viewport.setBlockFaces(static_cast<Face>(values.of(blockFacesSetting())));
   m_panel->settings()->setMethod(m_actions.method());
+  m_tools.setMethod(m_actions.method());
   for (const auto& open : m_parts.tabs.all()) {
     if (&open->ui == this) static_cast<OpenMesh&>(*open).document.setFidelity(values);
   }

@@ -76,7 +76,7 @@ RepairActions::RepairActions(Selection& selection, RepairJobs& jobs, HolePreview
 void RepairActions::connectActions() {
   connect(&m_repairAll, &QAction::triggered, this, [this] {
     m_selection.select(-1);
-    m_jobs.repairAll(m_document, method());
+    m_jobs.repairAll(m_document);
   });
   connect(&m_removeDebris, &QAction::triggered, this, [this] { m_jobs.removeDebris(m_document); });
   connect(&m_oneByOne, &QAction::triggered, this, [this] { step(+1); });
@@ -98,10 +98,7 @@ void RepairActions::connectActions() {
             goOnAfter(document, key);
           });
   connect(&m_jobs, &RepairJobs::workingChanged, this, &RepairActions::follow);
-  connect(&m_fidelity, &FidelityChoice::changed, this, [this] {
-    follow();
-    emit methodChanged();
-  });
+  connect(&m_fidelity, &FidelityChoice::changed, this, &RepairActions::follow);
 }
 
 QList<QAction*> RepairActions::all() {
@@ -152,7 +149,7 @@ void RepairActions::followPreview() {
 void RepairActions::fillSelected() {
   OpenMesh* document = m_document;
   const int loop = m_selection.loop();
-  m_jobs.fill(document, loop, method(), m_preview.take());
+  m_jobs.fill(document, loop, m_preview.take());
 }
 
 void RepairActions::toggleKeepOpen() {

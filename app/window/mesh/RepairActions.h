@@ -37,7 +37,6 @@ class RepairActions : public QObject {
   void setMethod(FillMethod method);
 
  signals:
-  void methodChanged();
   void showLoopRequested(int loop);  // fly there
 
  private:

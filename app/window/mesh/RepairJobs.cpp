@@ -46,36 +46,36 @@ RepairJobs::RepairJobs(DocumentTabs& tabs, JobRunner& jobs, LogModel& log, const
   connect(&tabs, &DocumentTabs::closing, this, [this](OpenDocument* document) { m_jobs.cancelOf(document); });
 }
 
-void RepairJobs::fill(OpenMesh* document, int loop, FillMethod method, PreparedFill prepared) {
-  startFill(document, document->inspection.keyOf(loop), method, std::move(prepared), Round::First);
+void RepairJobs::fill(OpenMesh* document, int loop, PreparedFill prepared) {
+  startFill(document, document->inspection.keyOf(loop), std::move(prepared), Round::First);
 }
 
-void RepairJobs::startFill(OpenMesh* document, Vertex key, FillMethod method, PreparedFill prepared, Round round) {
+void RepairJobs::startFill(OpenMesh* document, Vertex key, PreparedFill prepared, Round round) {
   const int loopId = document->inspection.loopWithKey(key);
   if (loopId < 0) return;  // an undo or another fill was faster
   const std::uint64_t revision = document->document.revision();
   FillOptions options;
   apply(m_fidelity.values(), options);
-  options.method = method;
   options.numbers = numbersOf(document->document);
   if (!prepared.bench) prepared = {std::make_shared<FillBench>(document->document.mesh()), std::nullopt};
   Job job;
   job.name = tr("Filling hole %1").arg(document->inspection.loopNumber(loopId));
-  job.work = [this, document, key, method, revision, round, options, nearWeld = nearWeld(),
-              prepared = std::move(prepared),
+  job.work = [this, document, key, revision, round, options, nearWeld = nearWeld(), prepared = std::move(prepared),
               loop = document->inspection.loop(loopId)](Progress progress) -> Job::Finish {
-    HoleFiller& filler = prepared.bench->filler();
-    const FillAttempt attempt = prepared.attempt ? *prepared.attempt : filler.propose(loop, options, progress);
+    HoleFiller* filler = prepared.bench->filler(progress.part(0.0, 0.3));
+    if (!filler) return {};
+    const FillAttempt attempt =
+        prepared.attempt ? *prepared.attempt : filler->propose(loop, options, progress.part(0.3, 0.6));
     InspectedMesh after;
     if (attempt.failure == FillFailure::None) {
-      filler.accept(loop, attempt.patch);
-      after = inspected(filler.mesh(), nearWeld);
+      filler->accept(loop, attempt.patch);
+      after = inspected(filler->mesh(), nearWeld, progress.part(0.6, 1.0));
     }
-    return [this, document, key, method, revision, round, bench = prepared.bench, failure = attempt.failure, after] {
+    return [this, document, key, revision, round, bench = prepared.bench, failure = attempt.failure, after] {
       if (!m_tabs.contains(document)) return;
       if (!isStale(document, revision)) return filledOne(document, key, bench, failure, after);
       tellStale(*document, round);
-      if (round == Round::First) startFill(document, key, method, {}, Round::Second);
+      if (round == Round::First) startFill(document, key, {}, Round::Second);
     };
   };
   start(document, std::move(job));
@@ -97,8 +97,8 @@ void RepairJobs::filledOne(OpenMesh* document, Vertex key, const std::shared_ptr
 }
 
 void RepairJobs::removeDebris(OpenMesh* document) {
-  change(document,
-         {QT_TRANSLATE_NOOP("Tool", "Remove debris"), [](HalfEdgeMesh& mesh) { handwheel::removeDebris(mesh); }});
+  change(document, {QT_TRANSLATE_NOOP("Tool", "Remove debris"),
+                    [](HalfEdgeMesh& mesh, Progress progress) { handwheel::removeDebris(mesh, progress); }});
 }
 
 void RepairJobs::startChange(OpenMesh* document, MeshChange wanted, Round round) {
@@ -107,10 +107,12 @@ void RepairJobs::startChange(OpenMesh* document, MeshChange wanted, Round round)
   Job job;
   job.name = text;
   job.work = [this, document, revision, round, wanted, text, nearWeld = nearWeld(),
-              mesh = document->document.mesh()](Progress) -> Job::Finish {
+              mesh = document->document.mesh()](Progress progress) -> Job::Finish {
     HalfEdgeMesh result = mesh;
-    wanted.apply(result);
-    return [this, document, revision, round, wanted, text, after = inspected(std::move(result), nearWeld)] {
+    wanted.apply(result, progress.part(0.0, 0.5));
+    if (progress.cancelled()) return {};
+    return [this, document, revision, round, wanted, text,
+            after = inspected(std::move(result), nearWeld, progress.part(0.5, 1.0))] {
       if (!m_tabs.contains(document)) return;
       if (!isStale(document, revision)) {
         if (document->document.commit(text, after)) m_log.add(tr("%1: %2").arg(document->document.name(), text));
@@ -123,31 +125,31 @@ void RepairJobs::startChange(OpenMesh* document, MeshChange wanted, Round round)
   start(document, std::move(job));
 }
 
-void RepairJobs::repairAll(OpenMesh* document, FillMethod method) {
-  startRepair(document, method, Round::First);
+void RepairJobs::repairAll(OpenMesh* document) {
+  startRepair(document, Round::First);
 }
 
-void RepairJobs::startRepair(OpenMesh* document, FillMethod method, Round round) {
+void RepairJobs::startRepair(OpenMesh* document, Round round) {
   const std::uint64_t revision = document->document.revision();
   RepairOptions options;
   apply(m_fidelity.values(), options);
-  options.fill.method = method;
   options.fill.numbers = numbersOf(document->document);
   for (int id : document->inspection.keptOpen()) {
     if (!document->inspection.loop(id).rim) options.keepOpen.insert(id);
   }
   Job job;
   job.name = tr("Repairing %1").arg(document->document.name());
-  job.work = [this, document, method, revision, round, options,
+  job.work = [this, document, revision, round, options,
               mesh = document->document.mesh()](Progress progress) -> Job::Finish {
     HalfEdgeMesh result = mesh;
-    const RepairReport report = repair(result, options, progress);
-    return [this, document, method, revision, round, options, after = inspected(std::move(result), options.nearWeld),
-            report] {
-      if (!m_tabs.contains(document) || report.cancelled) return;
+    const RepairReport report = repair(result, options, progress.part(0.0, 0.9));
+    if (report.cancelled) return {};
+    return [this, document, revision, round, options,
+            after = inspected(std::move(result), options.nearWeld, progress.part(0.9, 1.0)), report] {
+      if (!m_tabs.contains(document)) return;
       if (!isStale(document, revision)) return repairedAll(document, after, report, options);
       tellStale(*document, round);
-      if (round == Round::First) startRepair(document, method, Round::Second);
+      if (round == Round::First) startRepair(document, Round::Second);
     };
   };
   start(document, std::move(job));

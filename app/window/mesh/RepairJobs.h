@@ -27,8 +27,8 @@ class RepairJobs : public QObject {
              QObject* parent = nullptr);
 
   // prepared: what the preview already did for this hole; may be empty.
-  void fill(OpenMesh* document, int loop, FillMethod method, PreparedFill prepared);
-  void repairAll(OpenMesh* document, FillMethod method);
+  void fill(OpenMesh* document, int loop, PreparedFill prepared);
+  void repairAll(OpenMesh* document);
   void removeDebris(OpenMesh* document);
   // Any change that a tool wants.
   void change(OpenMesh* document, MeshChange wanted) { startChange(document, std::move(wanted), Round::First); }
@@ -43,9 +43,9 @@ class RepairJobs : public QObject {
 
  private:
   enum class Round { First, Second };
-  void startFill(OpenMesh* document, Vertex key, FillMethod method, PreparedFill prepared, Round round);
+  void startFill(OpenMesh* document, Vertex key, PreparedFill prepared, Round round);
   void startChange(OpenMesh* document, MeshChange wanted, Round round);
-  void startRepair(OpenMesh* document, FillMethod method, Round round);
+  void startRepair(OpenMesh* document, Round round);
   double nearWeld() const;  // for the defects of what a job made
   bool isStale(OpenMesh* document, std::uint64_t revision) const;
   void filledOne(OpenMesh* document, Vertex key, const std::shared_ptr<FillBench>& bench, FillFailure failure,

@@ -24,7 +24,7 @@ MeshServices immediateServices(MeshDocument& document) {
   services.cancel = [] {};
   services.commit = [&document](const MeshChange& change) {
     HalfEdgeMesh mesh = document.mesh();
-    change.apply(mesh);
+    change.apply(mesh, {});
     const double nearWeld = document.fidelity().of(nearWeldSetting());
     document.commit(QCoreApplication::translate("Tool", change.text), inspected(std::move(mesh), nearWeld));
   };

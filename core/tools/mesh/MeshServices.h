@@ -16,7 +16,7 @@ class MeshDocument;
 // the mesh has changed meanwhile. Faces keep their numbers.
 struct MeshChange {
   const char* text;  // of the undo step; English, context "Tool"
-  std::function<void(HalfEdgeMesh&)> apply;
+  std::function<void(HalfEdgeMesh&, Progress)> apply;
 };
 
 // Thinking that takes too long for the window. It sees only what it captured by value, and returns what is to be done

@@ -126,8 +126,9 @@ ToolReply SelectTool::perform(std::string_view action) {
   } else if (action == "previous" || action == "next") {
     step(action == "next");
   } else if (action == "delete") {
-    m_services.commit({QT_TRANSLATE_NOOP("Tool", "Delete faces"),
-                       [faces = present.faces](HalfEdgeMesh& mesh) { removeFaces(mesh, faces); }});
+    m_services.commit(
+        {QT_TRANSLATE_NOOP("Tool", "Delete faces"),
+         [faces = present.faces](HalfEdgeMesh& mesh, Progress progress) { removeFaces(mesh, faces, progress); }});
   } else {
     return ToolReply::Ignored;
   }

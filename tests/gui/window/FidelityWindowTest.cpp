@@ -118,9 +118,9 @@ class FidelityWindowTest : public QObject {
       FidelityValues values;
       QVERIFY(values.set(nearWeldSetting(), chosen));
       mesh->setFidelity(values);
-      immediateServices(*mesh).commit({"Remove", [](HalfEdgeMesh& changed) {
+      immediateServices(*mesh).commit({"Remove", [](HalfEdgeMesh& changed, Progress progress) {
                                          changed.removeFace(2);
-                                         relink(changed);
+                                         relink(changed, progress);
                                        }});
       QCOMPARE(mesh->history()->count(), 1);
       QCOMPARE(mesh->defects().nearVertices.size(), std::size_t(pairs));

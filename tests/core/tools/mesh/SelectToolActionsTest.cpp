@@ -135,7 +135,7 @@ void SelectToolActionsTest::jobsComeLater() {
   QCOMPARE(b.document->history()->count(), 0);
   HalfEdgeMesh later = b.document->mesh();  // the change can be made on another version
   later.removeFace(300);
-  waiting.changes.front().apply(later);
+  waiting.changes.front().apply(later, {});
   QCOMPARE(later.liveFaceCount(), std::size_t(200));
   QCOMPARE(validate(later), std::string());
 }
