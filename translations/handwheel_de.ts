@@ -874,6 +874,50 @@
         <source>CPU time of a tessellation</source>
         <translation>CPU-Zeit einer Triangulierung</translation>
     </message>
+    <message>
+        <source>area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>dihedral</source>
+        <translation>Knick</translation>
+    </message>
+    <message>
+        <source>ridge</source>
+        <translation>Grate</translation>
+    </message>
+    <message>
+        <source>Edges of a hole that is filled in one piece</source>
+        <translation>Kanten eines Lochs, das in einem Stück gefüllt wird</translation>
+    </message>
+    <message>
+        <source>Triangles that a slow display draws while the view moves</source>
+        <translation>Dreiecke, die eine langsame Anzeige zeichnet, während sich die Ansicht bewegt</translation>
+    </message>
+    <message>
+        <source>largest distance from the mesh, in diagonals</source>
+        <translation>größter Abstand vom Netz, in Diagonalen</translation>
+    </message>
+    <message>
+        <source>triangles of a frame</source>
+        <translation>Dreiecke eines Bildes</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Sides of the round shapes of robots</source>
+        <translation>Seiten der runden Formen von Robotern</translation>
+    </message>
+    <message>
+        <source>largest distance of the triangles from the shape, in radii</source>
+        <translation>größter Abstand der Dreiecke von der Form, in Radien</translation>
+    </message>
+    <message>
+        <source>triangles of a shape</source>
+        <translation>Dreiecke einer Form</translation>
+    </message>
 </context>
 <context>
     <name>FileFilters</name>
@@ -1427,6 +1471,18 @@
         <source>Own values</source>
         <translation>Eigene Werte</translation>
     </message>
+    <message>
+        <source>Least area</source>
+        <translation>Kleinste Fläche</translation>
+    </message>
+    <message>
+        <source>Least bend</source>
+        <translation>Kleinster Knick</translation>
+    </message>
+    <message>
+        <source>Ridges</source>
+        <translation>Grate</translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -1590,6 +1646,50 @@
             <numerusform>%n Berührpunkt getrennt</numerusform>
             <numerusform>%n Berührpunkte getrennt</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Least area</source>
+        <translation>Kleinste Fläche</translation>
+    </message>
+    <message>
+        <source>Least bend</source>
+        <translation>Kleinster Knick</translation>
+    </message>
+    <message>
+        <source>Ridges</source>
+        <translation>Grate</translation>
+    </message>
+    <message>
+        <source>Cone</source>
+        <translation>Kegel</translation>
+    </message>
+    <message>
+        <source>Given a back</source>
+        <translation>Mit Rückseite</translation>
+    </message>
+    <message>
+        <source>The least area of all triangulations; adds no vertices.</source>
+        <translation>Die kleinste Fläche aller Triangulierungen; ohne neue Punkte.</translation>
+    </message>
+    <message>
+        <source>The least bend between neighbours, then the least area; adds no vertices.</source>
+        <translation>Der kleinste Knick zwischen Nachbarn, dann die kleinste Fläche; ohne neue Punkte.</translation>
+    </message>
+    <message>
+        <source>As fair, with the sharp edges that end at the hole carried through it. For designed parts.</source>
+        <translation>Wie glatt, aber scharfe Kanten, die am Loch enden, laufen hindurch. Für konstruierte Teile.</translation>
+    </message>
+    <message>
+        <source>Triangles to one point behind or before the hole.</source>
+        <translation>Dreiecke zu einem Punkt hinter oder vor dem Loch.</translation>
+    </message>
+    <message>
+        <source>The sheet became a thin body.</source>
+        <translation>Das Blatt wurde ein dünner Körper.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) cut where patches cross</source>
+        <translation><numerusform>%n Dreieck geschnitten, wo Flicken kreuzen</numerusform><numerusform>%n Dreiecke geschnitten, wo Flicken kreuzen</numerusform></translation>
     </message>
 </context>
 <context>

@@ -874,6 +874,50 @@
         <source>CPU time of a tessellation</source>
         <translation>一次三角化的 CPU 时间</translation>
     </message>
+    <message>
+        <source>area</source>
+        <translation>面积</translation>
+    </message>
+    <message>
+        <source>dihedral</source>
+        <translation>二面角</translation>
+    </message>
+    <message>
+        <source>ridge</source>
+        <translation>棱线</translation>
+    </message>
+    <message>
+        <source>Edges of a hole that is filled in one piece</source>
+        <translation>整块填补的孔洞的边数</translation>
+    </message>
+    <message>
+        <source>Triangles that a slow display draws while the view moves</source>
+        <translation>视图移动时慢速显示绘制的三角形数</translation>
+    </message>
+    <message>
+        <source>largest distance from the mesh, in diagonals</source>
+        <translation>到网格的最大距离(对角线的比例)</translation>
+    </message>
+    <message>
+        <source>triangles of a frame</source>
+        <translation>每帧三角形数</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>个三角形</translation>
+    </message>
+    <message>
+        <source>Sides of the round shapes of robots</source>
+        <translation>机器人圆形体的边数</translation>
+    </message>
+    <message>
+        <source>largest distance of the triangles from the shape, in radii</source>
+        <translation>三角形到形体的最大距离(半径的比例)</translation>
+    </message>
+    <message>
+        <source>triangles of a shape</source>
+        <translation>一个形体的三角形数</translation>
+    </message>
 </context>
 <context>
     <name>FileFilters</name>
@@ -1416,6 +1460,18 @@
         <source>Own values</source>
         <translation>自定义</translation>
     </message>
+    <message>
+        <source>Least area</source>
+        <translation>最小面积</translation>
+    </message>
+    <message>
+        <source>Least bend</source>
+        <translation>最小弯折</translation>
+    </message>
+    <message>
+        <source>Ridges</source>
+        <translation>棱线</translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -1572,6 +1628,50 @@
         <translation>
             <numerusform>分开 %n 个接触点</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Least area</source>
+        <translation>最小面积</translation>
+    </message>
+    <message>
+        <source>Least bend</source>
+        <translation>最小弯折</translation>
+    </message>
+    <message>
+        <source>Ridges</source>
+        <translation>棱线</translation>
+    </message>
+    <message>
+        <source>Cone</source>
+        <translation>锥</translation>
+    </message>
+    <message>
+        <source>Given a back</source>
+        <translation>加背面</translation>
+    </message>
+    <message>
+        <source>The least area of all triangulations; adds no vertices.</source>
+        <translation>所有三角化中面积最小者;不增加顶点。</translation>
+    </message>
+    <message>
+        <source>The least bend between neighbours, then the least area; adds no vertices.</source>
+        <translation>相邻面弯折最小,其次面积最小;不增加顶点。</translation>
+    </message>
+    <message>
+        <source>As fair, with the sharp edges that end at the hole carried through it. For designed parts.</source>
+        <translation>与光顺相同,但终止于孔边的锐边会贯穿补片。适用于设计零件。</translation>
+    </message>
+    <message>
+        <source>Triangles to one point behind or before the hole.</source>
+        <translation>连向孔后或孔前一点的三角形。</translation>
+    </message>
+    <message>
+        <source>The sheet became a thin body.</source>
+        <translation>片体变成了薄实体。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s) cut where patches cross</source>
+        <translation><numerusform>在补片相交处切开了 %n 个三角形</numerusform></translation>
     </message>
 </context>
 <context>

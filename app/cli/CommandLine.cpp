@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/CommandLine.h"
 
+#include "cli/CompareCommand.h"
 #include "cli/ConvertCommand.h"
+#include "cli/DecimateCommand.h"
 #include "cli/InspectCommand.h"
 #include "cli/Interrupt.h"
 #include "cli/MeasureCommand.h"
@@ -32,8 +34,9 @@ struct Command {
 
 std::vector<Command> commands() {
   return {
-      {inspectSpec(), runInspect}, {repairSpec(), runRepair}, {convertSpec(), runConvert}, {pictureSpec(), runPicture},
-      {newSpec(), runNew},         {setSpec(), runSet},       {measureSpec(), runMeasure},
+      {inspectSpec(), runInspect}, {repairSpec(), runRepair},   {convertSpec(), runConvert},
+      {pictureSpec(), runPicture}, {newSpec(), runNew},         {setSpec(), runSet},
+      {measureSpec(), runMeasure}, {compareSpec(), runCompare}, {decimateSpec(), runDecimate},
   };
 }
 
@@ -108,10 +111,15 @@ int dispatch(std::span<char* const> words, const DocumentKinds& kinds) {
   return command->run(arguments, kinds);
 }
 
-// Plots need fonts, and so a QGuiApplication; it needs no display.
+bool needsFonts(std::span<char* const> words) {
+  const auto any = [&](auto holds) { return std::any_of(words.begin() + 1, words.end(), holds); };
+  if (words[0] == measureSpec().name) return any([](std::string_view word) { return word.starts_with("--plot"); });
+  return words[0] == compareSpec().name && any([](std::string_view word) { return word.ends_with(".pdf"); });
+}
+
+// Plots and printed pages need fonts, and so a QGuiApplication; it needs no display.
 std::unique_ptr<QCoreApplication> makeApplication(int& argc, char** argv) {
-  const auto isPlot = [](const char* word) { return std::string_view(word).starts_with("--plot"); };
-  if (std::string_view(argv[1]) != measureSpec().name || std::none_of(argv + 1, argv + argc, isPlot)) {
+  if (!needsFonts(std::span<char* const>(argv, static_cast<std::size_t>(argc)).subspan(1))) {
     return std::make_unique<QCoreApplication>(argc, argv);
   }
   qputenv("QT_QPA_PLATFORM", "offscreen");

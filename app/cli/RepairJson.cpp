@@ -6,6 +6,8 @@
 #include "cli/Wording.h"
 #include "text/RepairText.h"
 
+#include <algorithm>
+
 namespace handwheel {
 
 namespace {
@@ -44,6 +46,7 @@ Json toJson(const RepairRun& run, const RepairRequest& request, const std::strin
       {"removed_debris", run.repair.removedDebris},
       {"turned_faces", run.repair.turnedFaces},
       {"merged_vertices", run.repair.mergedVertices},
+      {"cut_faces", run.repair.cutFaces},
       {"parted_vertices", run.repair.partedVertices},
       {"touched_vertices", run.touched.size()},
       {"untouched_vertices_identical", run.untouchedIdentical},
@@ -52,6 +55,28 @@ Json toJson(const RepairRun& run, const RepairRequest& request, const std::strin
       {"damage", damageSentences(run.file)},
       {"seconds", run.seconds},
   };
+}
+
+std::string outcomeLine(const RepairRun& run, const RepairRequest& request) {
+  std::vector<std::string> left = leftovers(run.repair, run.after);
+  if (left.empty() && !run.after.isSound()) left.push_back("Faces meet at single points.");
+  const Json outcome{
+      {"input", request.input.string()},
+      {"output", request.output.string()},
+      {"state", run.after.isSound() ? "closed" : "left-open"},
+      {"holes", run.repair.loops.size()},
+      {"filled", filledLoops(run.repair)},
+      {"left", left.size()},
+      {"reason", left.empty() ? Json(nullptr) : Json(left.front())},
+      {"seconds", run.seconds},
+  };
+  return outcome.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::size_t filledLoops(const RepairReport& repair) {
+  return static_cast<std::size_t>(std::count_if(repair.loops.begin(), repair.loops.end(), [](const LoopResult& loop) {
+    return loop.outcome == LoopOutcome::Filled;
+  }));
 }
 
 }  // namespace handwheel

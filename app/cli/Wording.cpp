@@ -16,20 +16,23 @@ std::string counted(std::size_t n, std::string_view one, std::string_view many) 
 std::string leftOpen(const LoopResult& loop) {
   const std::string size = " (" + counted(loop.edges, "edge", "edges") + ")";
   const std::string name = loop.id < 0 ? "A hole that the repair laid open" : "Loop " + std::to_string(loop.id);
-  const std::string hint = loop.reason == FillFailure::Rim ? "; --fill-rims fills it all the same" : "";
+  const std::string hint = loop.reason == FillFailure::Rim ? "; --rims fill fills it all the same" : "";
   return name + size + " stays open: " + fillFailureReason(loop.reason).toStdString() + hint + ".";
 }
 
 }  // namespace
 
 std::optional<FillMethod> fillMethodFor(std::string_view word) {
-  for (FillMethod method : {FillMethod::Fair, FillMethod::Refined, FillMethod::Ear, FillMethod::Minimal}) {
+  for (FillMethod method : {FillMethod::Fair, FillMethod::Refined, FillMethod::Ear, FillMethod::Minimal,
+                            FillMethod::Area, FillMethod::Dihedral, FillMethod::Ridge}) {
     if (wordFor(method) == word) return method;
   }
   return std::nullopt;
 }
 
 std::string wordFor(FillMethod method) {
+  if (method == FillMethod::Cone) return "cone";
+  if (method == FillMethod::Backed) return "backed";
   if (method == FillMethod::Stitched) return "stitched";
   if (method == FillMethod::Removed) return "removed";
   return fillMethodWord(method).toStdString();

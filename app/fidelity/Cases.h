@@ -19,11 +19,13 @@ using SoupSource = std::function<std::shared_ptr<const TriangleSoup>()>;
 std::vector<FidelityCase> nearWeldCases();
 FidelityCase nearWeldCaseOn(const std::string& name, SoupSource soup);
 
-// mesh.fill_method and mesh.patch_density: pieces cut out of a surface and filled again.
+// mesh.fill_method, mesh.patch_density and mesh.piece_edges: pieces cut out of a surface and filled again.
 std::vector<FidelityCase> fillMethodCases();
 FidelityCase fillMethodCaseOn(const std::string& name, SoupSource soup);
 std::vector<FidelityCase> patchDensityCases();
 FidelityCase patchDensityCaseOn(const std::string& name, SoupSource soup);
+std::vector<FidelityCase> pieceEdgesCases();
+FidelityCase pieceEdgesCaseOn(const std::string& name, SoupSource soup);
 
 // document.undo_granularity: edits of a large mesh, kept and exchanged as an undo step does.
 std::vector<FidelityCase> undoGranularityCases();
@@ -37,5 +39,14 @@ std::vector<FidelityCase> chordCases();
 FidelitySetting blockFacesSetting();
 std::vector<FidelityCase> blockFacesCases();
 FidelityCase blockFacesCaseOn(const std::string& name, SoupSource soup);
+
+// view.coarse_triangles: what a slow display draws of a mesh while the camera moves, against the mesh.
+FidelitySetting coarseTrianglesSetting();
+std::vector<FidelityCase> coarseTrianglesCases();
+FidelityCase coarseTrianglesCaseOn(const std::string& name, SoupSource soup);
+
+// cell.shape_sides: round shapes of robots as triangles.
+FidelitySetting shapeSidesSetting();
+std::vector<FidelityCase> shapeSidesCases();
 
 }  // namespace handwheel

@@ -66,6 +66,13 @@ std::vector<Surface> builtIn() {
           {"torus", torusSource(240, 80, 60.0, 30.0), [](const Vec3& p) { return distanceToTorus(p, 60.0, 30.0); }}};
 }
 
+// With loops of some 300 edges.
+std::vector<Surface> fine() {
+  return {
+      {"fine sphere", sphereSource(7, 50.0), [](const Vec3& p) { return std::abs(p.norm() - 50.0); }},
+      {"fine torus", torusSource(720, 240, 60.0, 30.0), [](const Vec3& p) { return distanceToTorus(p, 60.0, 30.0); }}};
+}
+
 FidelityCase caseOn(const Surface& surface, void (*choose)(FillOptions&, double value)) {
   const SeededInput<CutSurface> input(
       [surface](std::uint64_t seed) { return cutHoles(*surface.soup(), seed, surface.distance); });
@@ -84,6 +91,10 @@ void chooseMethod(FillOptions& options, double value) {
 
 void chooseDensity(FillOptions& options, double value) {
   options.density = value;
+}
+
+void choosePieceEdges(FillOptions& options, double value) {
+  options.pieceEdges = static_cast<std::size_t>(value);
 }
 
 std::vector<FidelityCase> casesOn(const std::vector<Surface>& surfaces, void (*choose)(FillOptions&, double value)) {
@@ -108,6 +119,14 @@ std::vector<FidelityCase> patchDensityCases() {
 
 FidelityCase patchDensityCaseOn(const std::string& name, SoupSource soup) {
   return caseOn({name, std::move(soup)}, chooseDensity);
+}
+
+std::vector<FidelityCase> pieceEdgesCases() {
+  return casesOn(fine(), choosePieceEdges);
+}
+
+FidelityCase pieceEdgesCaseOn(const std::string& name, SoupSource soup) {
+  return caseOn({name, std::move(soup)}, choosePieceEdges);
 }
 
 }  // namespace handwheel

@@ -11,9 +11,12 @@ FidelityRegistry measuredSettings() {
   registry.add(nearWeldSetting(), nearWeldCases());
   registry.add(fillMethodSetting(), fillMethodCases());
   registry.add(patchDensitySetting(), patchDensityCases());
+  registry.add(pieceEdgesSetting(), pieceEdgesCases());
   registry.add(chordSetting(), chordCases());
   registry.add(undoGranularitySetting(), undoGranularityCases());
   registry.add(blockFacesSetting(), blockFacesCases());
+  registry.add(coarseTrianglesSetting(), coarseTrianglesCases());
+  registry.add(shapeSidesSetting(), shapeSidesCases());
   return registry;
 }
 
@@ -26,7 +29,9 @@ std::vector<FidelityCase> casesOnMesh(std::string_view id, const std::string& na
                           {fillMethodSetting().id, fillMethodCaseOn},
                           {patchDensitySetting().id, patchDensityCaseOn},
                           {undoGranularitySetting().id, undoGranularityCaseOn},
-                          {blockFacesSetting().id, blockFacesCaseOn}};
+                          {pieceEdgesSetting().id, pieceEdgesCaseOn},
+                          {blockFacesSetting().id, blockFacesCaseOn},
+                          {coarseTrianglesSetting().id, coarseTrianglesCaseOn}};
   for (const Maker& maker : makers) {
     if (maker.id == id) return {maker.make(name, soup)};
   }

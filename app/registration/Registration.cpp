@@ -26,7 +26,9 @@ std::unique_ptr<KindUi> make(const WindowParts& parts) {
 // Asked in this order whose a file is; meshes take what nobody else does.
 std::vector<Entry> entries() {
   std::vector<Entry> all;
-  all.push_back({std::make_unique<CellKind>(), make<CellUi>});
+  auto cell = std::make_unique<CellKind>();
+  const auto cellWindow = [&kind = *cell](const WindowParts& parts) { return std::make_unique<CellUi>(parts, kind); };
+  all.push_back({std::move(cell), cellWindow});
   all.push_back({std::make_unique<WorkpieceKind>(), make<WorkpieceUi>});
   auto mesh = std::make_unique<MeshKind>();
   const auto meshWindow = [&kind = *mesh](const WindowParts& parts) { return std::make_unique<MeshUi>(parts, kind); };

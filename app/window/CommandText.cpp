@@ -56,6 +56,7 @@ QString fidelityOption(const RepairOptions& options) {
   };
   add(nearWeldSetting(), options.nearWeld);
   add(patchDensitySetting(), options.fill.density);
+  add(pieceEdgesSetting(), static_cast<double>(options.fill.pieceEdges));
   return values.isEmpty() ? QString() : QStringLiteral(" --fidelity ") + values.join(QLatin1Char(','));
 }
 
@@ -69,6 +70,7 @@ QString inspectCommand(const QString& path, const ReadOptions& options) {
 QString repairCommand(const QString& path, const RepairOptions& options) {
   QString command = QStringLiteral("handwheel repair %1 -o %2 --fill %3")
                         .arg(file(path), file(repairedName(path)), fillMethodWord(options.fill.method)) +
+                    (options.rims == RimHandling::Keep ? QStringLiteral(" --rims keep") : QString()) +
                     fidelityOption(options);
   if (options.keepOpen.empty()) return command;
   QStringList ids;

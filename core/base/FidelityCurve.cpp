@@ -31,6 +31,7 @@ std::vector<CurvePoint> curveOf(std::span<const FidelityRow> rows) {
     p.cost = std::max(p.cost, row.cost);
   }
   std::vector<CurvePoint> curve;
+  curve.reserve(byValue.size());
   for (const auto& entry : byValue) curve.push_back(entry.second);
   return curve;
 }

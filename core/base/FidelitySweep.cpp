@@ -104,6 +104,7 @@ double median(std::vector<double> values) {
 double medianDeviation(const std::vector<double>& values) {
   const double centre = median(values);
   std::vector<double> deviations;
+  deviations.reserve(values.size());
   for (double v : values) deviations.push_back(std::abs(v - centre));
   return median(deviations);
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+
 namespace handwheel::tolerance {
 
 // Every tolerance of the program, so that none hides in a formula. Lengths are shares of the model's bounding-box
@@ -33,6 +35,12 @@ inline constexpr double kCapSlack = 1.5;
 inline constexpr double kCapCosine = 0.4;
 // CGAL's cubic hole triangulation is allowed up to this many edges; beyond, it freezes (90 s at 2554).
 inline constexpr int kCubicFillEdges = 300;
+// A loop of more edges is cut into pieces of no more before it is triangulated: 2,554 edges then take 60 ms, and what
+// is filled in one piece is better shaped. The default of the fidelity setting mesh.piece_edges.
+inline constexpr int kPieceEdges = 1000;
+// The best of all triangulations by an own criterion, O(n³), is looked for up to this many edges; pieces of longer
+// loops have half as many, which keeps 2,554 edges below 0.1 s.
+inline constexpr int kOptimalFillEdges = 300;
 // CGAL's hole triangulation recurses once per edge at worst: 40,000 overflow a stack of 2 MB, 100,000 one of 8 MB.
 inline constexpr int kLibraryFillEdges = 20'000;
 // CGAL builds a vertex with n faces in O(n²): 0.2 s for 5,000, 3 s for 20,000.
@@ -40,8 +48,20 @@ inline constexpr int kLibraryFanFaces = 5'000;
 // How densely a patch is refined: where its edges are longer than 1 / this of those around the hole, they are split.
 // √2 splits to about their length. The default of the fidelity setting mesh.patch_density.
 inline constexpr double kPatchDensity = 1.4142135623730951;
+// A crease whose sides meet at more than this angle (radian; 30°) and that ends at a hole is carried on through it.
+inline constexpr double kRidgeAngle = 0.52;
 // New vertices of a patch per boundary edge; refining beyond is refused.
 inline constexpr int kPatchVerticesPerEdge = 20;
+// The thickness of a sheet that is given a back.
+inline constexpr double kBackThickness = 1e-3;
+// A back is set behind a vertex by at most this share of its shortest edge.
+inline constexpr double kBackEdge = 0.25;
+// More crossings that hang together than this are not cut apart: it would take minutes.
+inline constexpr std::size_t kUncrossPairs = 50'000;
+inline constexpr std::size_t kCutsPerFace = 200;
+// Closing what no patch closes is given up after trials over so many faces, some 20 s; a face to cut counts for many.
+inline constexpr std::size_t kHardHoleWork = 20'000'000;
+inline constexpr std::size_t kCutWork = 2'000;
 // A polygon of a file is planar when no corner is further from its plane than this share of its size: beyond, which cut
 // is right depends on more than the outline, and everybody expects a fan.
 inline constexpr double kPlanarPolygon = 1e-3;

@@ -18,6 +18,7 @@ struct BoundaryLoop {
   double length = 0.0;              // mm
   double planarity = 0.0;           // RMS distance to the best plane / length
   bool rim = false;                 // the outer edge of an open sheet rather than a hole in a surface
+  bool picture = false;             // a rim of what is no body but a drawing or a view of one from one side
   Vec3 centre = Vec3::Zero();
   Box box;
 };

@@ -2,25 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/HoleFilling.h"
 
-#include "mesh/EarCutting.h"
 #include "mesh/EdgeTable.h"
-#include "mesh/LibraryFill.h"
+#include "mesh/FillCandidates.h"
 #include "mesh/Weld.h"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace handwheel {
 namespace {
 
 using Edges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;  // sorted
-
-// One ear cutting may get stuck where another does not: a spread of tastes, the balanced ones first, for flat loops and
-// for loops that wind through space.
-constexpr EarWeights kEarWeights[] = {{1, 1, 1}, {1, 1, 1, 0}, {1, 0, 0}, {0.2, 0, 2},
-                                      {0, 2, 1}, {3, 1, 0},    {0, 0, 1}, {0.5, 3, 0}};
-constexpr std::size_t kBalanced = 2;
 
 // True when the triangles make a surface whose only border is the loop, run the other way.
 bool closesLoop(const Patch& patch) {
@@ -94,96 +86,23 @@ bool doublesAnEdge(const Patch& patch, const Edges& existing) {
   return false;
 }
 
-// Produces candidates in the order of preference, each made only when asked for.
-class Candidates {
- public:
-  Candidates(const HoleContext& hole, const Obstacles& obstacles, const FillOptions& options, Progress progress)
-      : m_hole(hole), m_obstacles(obstacles), m_density(options.density), m_progress(progress) {
-    add(options.method);
-    if (!options.tryOthers) return;
-    for (FillMethod m : {FillMethod::Fair, FillMethod::Refined, FillMethod::Ear, FillMethod::Minimal}) {
-      if (m != options.method) add(m);
-    }
-    if (hole.loopSize == 3) return;  // whatever the taste, there is one ear
-    for (std::size_t i = kBalanced; i < std::size(kEarWeights); ++i) m_makers.push_back([this, i] { return ears(i); });
-  }
-
-  std::size_t size() const { return m_makers.size(); }
-  std::optional<Patch> make(std::size_t i) { return m_makers[i](); }
-
- private:
-  void add(FillMethod method) {
-    switch (method) {
-      case FillMethod::Fair:
-        m_makers.push_back([this] { return refined(minimal(), Bending::Fair); });
-        for (std::size_t i = 0; i < kBalanced; ++i) {
-          m_makers.push_back([this, i] { return refined(balancedEars(i), Bending::Fair); });
-        }
-        break;
-      case FillMethod::Refined:
-        m_makers.push_back([this] { return refined(minimal(), Bending::Flat); });
-        for (std::size_t i = 0; i < kBalanced; ++i) {
-          m_makers.push_back([this, i] { return refined(balancedEars(i), Bending::Flat); });
-        }
-        break;
-      case FillMethod::Ear:
-        for (std::size_t i = 0; i < kBalanced; ++i) m_makers.push_back([this, i] { return balancedEars(i); });
-        break;
-      case FillMethod::Minimal:
-        m_makers.push_back([this] { return minimal(); });
-        break;
-      case FillMethod::Stitched:
-      case FillMethod::Removed:
-        break;
-    }
-  }
-
-  const std::optional<Patch>& minimal() {
-    if (!m_minimalMade) m_minimal = triangulateMinimal(m_hole);
-    m_minimalMade = true;
-    return m_minimal;
-  }
-
-  std::optional<Patch> ears(std::size_t i) const { return cutEars(m_hole, m_obstacles, kEarWeights[i], m_progress); }
-
-  const std::optional<Patch>& balancedEars(std::size_t i) {
-    if (!m_earsMade[i]) m_ears[i] = ears(i);
-    m_earsMade[i] = true;
-    return m_ears[i];
-  }
-
-  std::optional<Patch> refined(const std::optional<Patch>& start, Bending bending) {
-    return start ? refinePatch(m_hole, *start, bending, m_density) : std::nullopt;
-  }
-
-  const HoleContext& m_hole;
-  const Obstacles& m_obstacles;
-  double m_density;
-  Progress m_progress;
-  std::vector<std::function<std::optional<Patch>()>> m_makers;
-  std::optional<Patch> m_minimal;
-  std::optional<Patch> m_ears[kBalanced];
-  bool m_minimalMade = false;
-  bool m_earsMade[kBalanced] = {};
-};
-
 }  // namespace
 
 struct HoleFiller::State {
   State(const HalfEdgeMesh& m, Progress progress) : mesh(m), obstacles(m, progress) {}
 
-  FillFailure judge(const HoleContext& hole, const Edges& existing, Patch& patch, NumberType numbers) const {
+  FillFailure judge(const HoleContext& hole, const Edges& existing, Patch& patch, const FillOptions& options) const {
     for (std::size_t i = patch.loopSize; i < patch.points.size(); ++i) {
       if (!patch.points[i].allFinite()) return FillFailure::NoPatch;
-      patch.points[i] = rounded(patch.points[i], numbers);
+      patch.points[i] = rounded(patch.points[i], options.numbers);
       // Equal positions would be one vertex in the file; the intersection test takes them for shared corners.
       if (obstacles.hasVertexAt(patch.points[i])) return FillFailure::SelfIntersecting;
     }
     if (classifyPoints(patch.points).representative.size() < patch.points.size()) return FillFailure::NoPatch;
     if (!closesLoop(patch) || hasDegenerateTriangle(patch)) return FillFailure::NoPatch;
-    if (doublesAnEdge(patch, existing)) return FillFailure::NoPatch;
+    if (!options.mayCross && doublesAnEdge(patch, existing)) return FillFailure::NoPatch;
     if (swells(hole, patch, obstacles.bounds())) return FillFailure::Swelling;
-    return obstacles.hits(patch) ? FillFailure::SelfIntersecting : FillFailure::None;
+    return !options.mayCross && obstacles.hits(patch) ? FillFailure::SelfIntersecting : FillFailure::None;
   }
 
   HalfEdgeMesh mesh;
@@ -203,20 +122,29 @@ FillAttempt HoleFiller::propose(const BoundaryLoop& loop, const FillOptions& opt
   if (loop.halfEdges.size() < 3) return attempt;
   const HoleContext hole = holeContext(m_state->mesh, loop);
   const Edges existing = m_state->obstacles.edgesAmong(hole.loop());
-  Candidates candidates(hole, m_state->obstacles, options, progress);
+  FillCandidates candidates(hole, m_state->obstacles, options, progress);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (progress.cancelled()) return {FillFailure::Cancelled, {}};
     std::optional<Patch> patch = candidates.make(i);
     if (!patch) continue;
-    const FillFailure failure = m_state->judge(hole, existing, *patch, options.numbers);
+    const FillFailure failure = m_state->judge(hole, existing, *patch, options);
     if (failure == FillFailure::None) return {failure, std::move(*patch)};
     attempt.failure = std::max(attempt.failure, failure);
   }
   return attempt;
 }
 
+std::vector<Stitch> HoleFiller::proposeStitches(const BoundaryLoop& loop, std::size_t pieceEdges,
+                                                Progress progress) const {
+  return handwheel::proposeStitches(holeContext(m_state->mesh, loop), m_state->obstacles, pieceEdges, progress);
+}
+
 void HoleFiller::accept(const BoundaryLoop& loop, const Patch& patch) {
-  HalfEdgeMesh& mesh = m_state->mesh;
+  putPatch(m_state->mesh, loop, patch);
+  m_state->obstacles.add(patch);
+}
+
+void putPatch(HalfEdgeMesh& mesh, const BoundaryLoop& loop, const Patch& patch) {
   const std::size_t n = loop.halfEdges.size();
   std::vector<Vertex> vertex(patch.points.size());
   for (std::size_t i = 0; i < n; ++i) {
@@ -240,7 +168,6 @@ void HoleFiller::accept(const BoundaryLoop& loop, const Patch& patch) {
       mesh.pair(h, loop.halfEdges[high == low + 1 ? low : high]);
     }
   });
-  m_state->obstacles.add(patch);
 }
 
 }  // namespace handwheel

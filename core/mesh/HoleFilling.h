@@ -5,6 +5,7 @@
 #include "base/Progress.h"
 #include "base/Tolerance.h"
 #include "mesh/BoundaryLoops.h"
+#include "mesh/EarCutting.h"
 #include "mesh/HalfEdgeMesh.h"
 #include "mesh/Patch.h"
 
@@ -26,8 +27,15 @@ enum class FillFailure {
 struct FillOptions {
   FillMethod method = FillMethod::Fair;
   bool tryOthers = true;  // when the chosen method gives no acceptable patch
+  bool mayCross = false;  // patches that cross or touch the part will do: who accepts them uncrosses them
   NumberType numbers = NumberType::Float64;
   double density = tolerance::kPatchDensity;  // of Fair and Refined; the setting mesh.patch_density
+  EarWeights ears = {};                       // of Ear
+  // A loop of more edges is cut into pieces of no more, each triangulated by itself: the setting mesh.piece_edges.
+  std::size_t pieceEdges = tolerance::kPieceEdges;
+  // Where it is cut, or a shorter one too; the bridges are edges of the patch unless it is refined. Empty: as
+  // HoleFiller::proposeStitches() says. Along stitches that are none or cross (cutLoop()) there is no patch.
+  std::vector<Stitch> stitches = {};
 };
 
 struct FillAttempt {
@@ -48,6 +56,10 @@ class HoleFiller {
   // A patch that closes the loop without crossing the part, itself or an accepted patch. The loop must be open still.
   FillAttempt propose(const BoundaryLoop& loop, const FillOptions& options, Progress progress = {}) const;
 
+  // The bridges along which propose() would cut the loop into pieces; none when it is short enough.
+  std::vector<Stitch> proposeStitches(const BoundaryLoop& loop, std::size_t pieceEdges = tolerance::kPieceEdges,
+                                      Progress progress = {}) const;
+
   // Puts a proposed patch into the mesh. Only new faces and vertices appear; where the loop was pinched, its vertices
   // at the pinch become one.
   void accept(const BoundaryLoop& loop, const Patch& patch);
@@ -59,5 +71,8 @@ class HoleFiller {
   struct State;
   std::unique_ptr<State> m_state;
 };
+
+// Puts a patch into a mesh, as HoleFiller::accept() does.
+void putPatch(HalfEdgeMesh& mesh, const BoundaryLoop& loop, const Patch& patch);
 
 }  // namespace handwheel

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/LibraryFill.h"
 
+#include "mesh/Fairing.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/fair.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/refine.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
@@ -145,6 +146,24 @@ std::optional<Patch> toPatch(const HoleContext& hole, const Surface& surface,
   return patch;
 }
 
+// Bends the patch so that it continues the ring; its triangles stay.
+bool bend(const HoleContext& hole, Patch& patch) {
+  const std::size_t n = hole.loopSize, known = hole.points.size();
+  std::vector<Vec3> points = hole.points;
+  points.insert(points.end(), patch.points.begin() + static_cast<std::ptrdiff_t>(n), patch.points.end());
+  std::vector<Triangle> triangles = hole.ring;
+  for (Triangle t : patch.triangles) {
+    for (std::uint32_t& v : t) v = v < n ? v : static_cast<std::uint32_t>(v - n + known);
+    triangles.push_back(t);
+  }
+  std::vector<bool> isFree(points.size(), false);
+  std::fill(isFree.begin() + static_cast<std::ptrdiff_t>(known), isFree.end(), true);
+  if (!fair(points, triangles, isFree)) return false;
+  std::copy(points.begin() + static_cast<std::ptrdiff_t>(known), points.end(),
+            patch.points.begin() + static_cast<std::ptrdiff_t>(n));
+  return true;
+}
+
 }  // namespace
 
 std::optional<Patch> triangulateMinimal(const HoleContext& hole) {
@@ -185,12 +204,10 @@ std::optional<Patch> refinePatch(const HoleContext& hole, const Patch& start, Be
     pmp::refine(surface, faces, std::back_inserter(newFaces), std::back_inserter(newVertices),
                 CGAL::parameters::density_control_factor(density));
     faces.insert(faces.end(), newFaces.begin(), newFaces.end());
-    if (bending == Bending::Fair && !newVertices.empty() &&
-        !pmp::fair(surface, newVertices, CGAL::parameters::fairing_continuity(1))) {
-      return std::nullopt;
-    }
     std::optional<Patch> patch = toPatch(hole, surface, faces, origin);
-    if (patch) patch->method = bending == Bending::Fair ? FillMethod::Fair : FillMethod::Refined;
+    if (!patch || (bending == Bending::Fair && !bend(hole, *patch))) return std::nullopt;
+    patch->method = bending == Bending::Fair ? FillMethod::Fair : FillMethod::Refined;
+    patch->stitches = start.stitches;
     return patch;
   } catch (const std::exception&) {
     return std::nullopt;

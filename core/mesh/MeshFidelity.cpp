@@ -12,7 +12,8 @@
 namespace handwheel {
 namespace {
 
-constexpr FillMethod kMethods[] = {FillMethod::Ear, FillMethod::Minimal, FillMethod::Refined, FillMethod::Fair};
+constexpr FillMethod kMethods[] = {FillMethod::Ear,  FillMethod::Minimal,  FillMethod::Refined, FillMethod::Fair,
+                                   FillMethod::Area, FillMethod::Dihedral, FillMethod::Ridge};
 
 }  // namespace
 
@@ -35,8 +36,10 @@ FidelitySetting fillMethodSetting() {
   FidelitySetting s;
   s.id = "mesh.fill_method";
   s.label = translatable("Fidelity", "Method that fills holes");
-  setChoices(s, {translatable("Fidelity", "ear"), translatable("Fidelity", "minimal"),
-                 translatable("Fidelity", "refined"), translatable("Fidelity", "fair")});  // as kMethods
+  setChoices(s,
+             {translatable("Fidelity", "ear"), translatable("Fidelity", "minimal"), translatable("Fidelity", "refined"),
+              translatable("Fidelity", "fair"), translatable("Fidelity", "area"), translatable("Fidelity", "dihedral"),
+              translatable("Fidelity", "ridge")});  // as kMethods
   s.standard = 3.0;
   s.presets = {3.0, 3.0, 3.0};
   s.error = {translatable("Fidelity", "RMS distance of the patch from the surface"),
@@ -54,6 +57,22 @@ FidelitySetting patchDensitySetting() {
   s.largest = 2.0;  // beyond, the limit on a patch's vertices refuses large holes
   s.standard = FillOptions().density;
   s.presets = {0.35, 0.72, s.standard};
+  s.error = {translatable("Fidelity", "RMS distance of the patch from the surface"),
+             translatable("Fidelity", "% of the hole")};
+  s.cost = {translatable("Fidelity", "CPU time of a fill"), "ms"};
+  return s;
+}
+
+FidelitySetting pieceEdgesSetting() {
+  FidelitySetting s;
+  s.id = "mesh.piece_edges";
+  s.label = translatable("Fidelity", "Edges of a hole that is filled in one piece");
+  s.scale = FidelityScale::Logarithmic;
+  s.least = 20.0;
+  s.largest = 4000.0;
+  s.whole = true;
+  s.standard = static_cast<double>(FillOptions().pieceEdges);
+  s.presets = {s.standard, s.standard, s.standard};
   s.error = {translatable("Fidelity", "RMS distance of the patch from the surface"),
              translatable("Fidelity", "% of the hole")};
   s.cost = {translatable("Fidelity", "CPU time of a fill"), "ms"};
@@ -89,6 +108,7 @@ void setFillMethod(FidelityValues& values, FillMethod method) {
 void apply(const FidelityValues& values, FillOptions& options) {
   options.method = fillMethodOf(values);
   options.density = values.of(patchDensitySetting());
+  options.pieceEdges = static_cast<std::size_t>(values.of(pieceEdgesSetting()));
 }
 
 void apply(const FidelityValues& values, RepairOptions& options) {

@@ -11,9 +11,10 @@ namespace handwheel {
 FidelitySetting nearWeldSetting();         // mesh.near_weld: RepairOptions::nearWeld
 FidelitySetting fillMethodSetting();       // mesh.fill_method: FillOptions::method
 FidelitySetting patchDensitySetting();     // mesh.patch_density: FillOptions::density
+FidelitySetting pieceEdgesSetting();       // mesh.piece_edges: FillOptions::pieceEdges
 FidelitySetting undoGranularitySetting();  // document.undo_granularity: MeshDelta::between()
 
-// The chosen method: of Ear, Minimal, Refined, Fair.
+// The chosen method: of Ear, Minimal, Refined, Fair, Area, Dihedral, Ridge.
 FillMethod fillMethodOf(const FidelityValues& values);
 void setFillMethod(FidelityValues& values, FillMethod method);
 

@@ -59,6 +59,9 @@ class Parter {
   // Moves the fan's vertex off its position; false when every step would harm.
   bool part(const std::vector<HalfEdge>& fan) { return part(fan, intersections(facesOf(fan))); }
 
+  // So many crossings may now be made in all.
+  void mayCross(std::size_t n) { m_spare = n; }
+
   // Gives an edge that another pair of faces has too a vertex of its own in the middle. The new vertex; kNone, and
   // nothing changed, when that would harm.
   Vertex partEdge(HalfEdge h) {
@@ -92,20 +95,27 @@ class Parter {
     const double unit = unitInTheLastPlace(home, m_numbers);
     const std::vector<Vec3> directions = waysOut(fan);
     const std::vector<Face> faces = facesOf(fan);
-    for (int step = kSmallestStep; step <= kLargestStep; step *= 2) {
+    std::size_t fewest = allowed + m_spare + 1;
+    Vec3 best = home;
+    for (int step = kSmallestStep; step <= kLargestStep && fewest > allowed; step *= 2) {
       for (const Vec3& d : directions) {
         const Vec3 p = rounded(Vec3(home + step * unit * d), m_numbers);
         if (p == home || m_positions.contains(key(p))) continue;
         m_mesh.setPosition(v, p);
         m_reach = std::max(m_reach, (p - home).norm());
-        if (!hasFlatFace(faces) && intersections(faces) <= allowed) {
-          m_positions.insert(key(p));
-          return true;
-        }
+        if (hasFlatFace(faces)) continue;
+        const std::size_t n = intersections(faces);
+        if (n >= fewest) continue;
+        fewest = n;
+        best = p;
+        if (n <= allowed) break;
       }
     }
-    m_mesh.setPosition(v, home);
-    return false;
+    m_mesh.setPosition(v, best);
+    if (best == home) return false;
+    m_positions.insert(key(best));
+    m_spare -= fewest > allowed ? fewest - allowed : 0;
+    return true;
   }
 
   static std::array<double, 3> key(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
@@ -174,6 +184,7 @@ class Parter {
   std::unordered_map<Face, std::vector<Face>> m_halves;                 // what was split off a face of the hierarchy
   std::unordered_map<Face, Face> m_whole;                               // the reverse
   std::unordered_set<std::array<double, 3>, PositionHash> m_positions;  // that the file will hold
+  std::size_t m_spare = 0;
   double m_reach = 0.0;  // no vertex is farther from where the hierarchy has it
 };
 
@@ -259,22 +270,33 @@ void partEdges(Parter& parter, const HalfEdgeMesh& mesh, std::vector<Vertex>& ad
   }
 }
 
-}  // namespace
-
-std::vector<Vertex> partDuplicates(HalfEdgeMesh& mesh, NumberType numbers, Progress progress) {
-  std::map<std::uint32_t, Fans> fansAt = crowdedFans(mesh, progress.part(0.0, 0.5));
-  if (fansAt.empty()) return {};
-  Parter parter(mesh, numbers, progress.part(0.5, 0.8));
-  std::vector<Vertex> moved;
+void partAll(Parter& parter, const HalfEdgeMesh& mesh, std::map<std::uint32_t, Fans>& fansAt,
+             std::vector<Vertex>& moved, Progress progress) {
   // What cannot move at first may once its neighbours along the edge have.
   for (std::size_t before = 0, pass = 0; pass == 0 || moved.size() > before; ++pass) {
     before = moved.size();
     for (auto& [c, fans] : fansAt) {
-      if (progress.cancelled()) return moved;
+      if (progress.cancelled()) return;
       partFans(parter, fans, moved);
     }
   }
-  partEdges(parter, mesh, moved, progress.part(0.8, 1.0));
+  partEdges(parter, mesh, moved, progress);
+}
+
+}  // namespace
+
+std::vector<Vertex> partDuplicates(HalfEdgeMesh& mesh, NumberType numbers, Progress progress,
+                                   const std::function<std::size_t()>& spareCrossings) {
+  std::map<std::uint32_t, Fans> fansAt = crowdedFans(mesh, progress.part(0.0, 0.5));
+  if (fansAt.empty()) return {};
+  Parter parter(mesh, numbers, progress.part(0.5, 0.8));
+  std::vector<Vertex> moved;
+  partAll(parter, mesh, fansAt, moved, progress.part(0.8, 0.9));
+  if (!spareCrossings || progress.cancelled()) return moved;
+  fansAt = crowdedFans(mesh, progress.part(0.9, 0.95));
+  if (fansAt.empty()) return moved;
+  parter.mayCross(spareCrossings());
+  partAll(parter, mesh, fansAt, moved, progress.part(0.95, 1.0));
   return moved;
 }
 

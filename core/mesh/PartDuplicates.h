@@ -5,6 +5,8 @@
 #include "base/Progress.h"
 #include "mesh/HalfEdgeMesh.h"
 
+#include <functional>
+
 #include <vector>
 
 namespace handwheel {
@@ -14,6 +16,8 @@ namespace handwheel {
 // type can show and that makes no new self-intersection. Vertices whose welding harms no edge stay. An
 // edge whose ends cannot come apart gets a vertex in its middle that can. Returns the vertices that were moved, then
 // those that were added.
-std::vector<Vertex> partDuplicates(HalfEdgeMesh& mesh, NumberType numbers, Progress progress = {});
+// spareCrossings: asked only when some cannot be parted so; then so many crossings are made where that parts them.
+std::vector<Vertex> partDuplicates(HalfEdgeMesh& mesh, NumberType numbers, Progress progress = {},
+                                   const std::function<std::size_t()>& spareCrossings = {});
 
 }  // namespace handwheel

@@ -4,10 +4,13 @@
 
 #include "mesh/Cleaning.h"
 #include "mesh/DuplicateFaces.h"
+#include "mesh/HardHoles.h"
 #include "mesh/LoopOwners.h"
+#include "mesh/MeshBuilder.h"
 #include "mesh/PartDuplicates.h"
 #include "mesh/Steps.h"
 #include "mesh/Stitching.h"
+#include "mesh/Uncrossing.h"
 #include "mesh/Weld.h"
 
 #include <algorithm>
@@ -22,6 +25,8 @@ double millisecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
+constexpr int kHardRounds = 4;
+
 class Repairer {
  public:
   // progress: of finding the loops.
@@ -34,8 +39,8 @@ class Repairer {
 
   RepairReport run(Progress progress) {
     clean(progress.part(0.0, 0.3));
-    if (!progress.cancelled()) fill(progress.part(0.3, 0.9));
-    if (!progress.cancelled()) part(progress.part(0.9, 0.95));
+    if (!progress.cancelled()) fill(progress.part(0.3, 0.6));
+    if (!progress.cancelled()) closeHard(progress.part(0.6, 0.95));
     if (!progress.cancelled()) finish(progress.part(0.95, 1.0));
     m_report.cancelled = progress.cancelled();
     return std::move(m_report);
@@ -57,12 +62,21 @@ class Repairer {
     if (!progress.cancelled()) m_report.removedDegenerate += removeDegenerateFaces(m_mesh, progress.part(0.9, 1.0));
   }
 
-  void part(Progress progress) {
+  // False when there was nothing to part.
+  bool part(Progress progress) {
     const HalfEdgeMesh before = m_mesh;
-    for (Vertex v : partDuplicates(m_mesh, m_options.fill.numbers, progress)) {
+    const auto spareCrossings = [&] {
+      const std::size_t were = countCrossings(m_input, m_options.fill.numbers, progress);
+      const std::size_t are = countCrossings(m_mesh, m_options.fill.numbers, progress);
+      return are < were ? were - are : 0;
+    };
+    const std::vector<Vertex> parted = partDuplicates(m_mesh, m_options.fill.numbers, progress, spareCrossings);
+    for (Vertex v : parted) {
       if (v < before.vertexSlots()) m_touchedHomes.push_back(before.position(v));
-      ++m_report.partedVertices;
     }
+    m_report.partedVertices += parted.size();
+    if (!parted.empty()) relink(m_mesh, progress);
+    return !parted.empty();
   }
 
   // The vertices of loops that the user wants open.
@@ -113,10 +127,64 @@ class Repairer {
     progress.set(1.0);
   }
 
+  // What is cut and parted may leave slits, which the next round closes.
+  void closeHard(Progress progress) {
+    for (int round = 0; round < kHardRounds && !progress.cancelled(); ++round) {
+      const Progress now = progress.part(double(round) / kHardRounds, double(round + 1) / kHardRounds);
+      const bool closed = closeHardOnce(now.part(0.0, 0.8));
+      const bool parted = !now.cancelled() && part(now.part(0.8, 1.0));
+      if (!closed && !parted) return;
+    }
+  }
+
+  // False when nothing was closed.
+  bool closeHardOnce(Progress progress) {
+    std::vector<HardHole> holes;
+    std::vector<std::set<int>> owners;
+    for (const BoundaryLoop& loop : findBoundaryLoops(m_mesh, progress.part(0.0, 0.1))) {
+      std::set<int> of = m_owners.of(m_mesh, loop);
+      const FillFailure reason = reasonToLeave(loop, of);
+      const bool back = reason == FillFailure::Rim && m_options.rims == RimHandling::Back && !loop.picture;
+      if (reason != FillFailure::None && !back) continue;
+      holes.push_back({loop, back});
+      owners.push_back(std::move(of));
+    }
+    const auto start = Clock::now();
+    const HardClosings closings = closeHardHoles(
+        m_mesh, holes, m_options.fill, tolerance::kBackThickness * diagonal(),
+        tolerance::kHardHoleWork - std::min(m_hardWork, tolerance::kHardHoleWork), progress.part(0.1, 1.0));
+    m_hardWork += closings.work;
+    m_report.cutFaces += closings.cutFaces;
+    const double each = millisecondsSince(start) / std::max(1.0, static_cast<double>(holes.size()));
+    bool any = false;
+    for (std::size_t i = 0; i < closings.holes.size(); ++i) {
+      if (!closings.holes[i].closed) continue;
+      any = true;
+      for (int id : owners[i]) m_results.erase(id);  // what failed before
+      LoopResult result;
+      result.edges = holes[i].loop.borderEdges;
+      result.outcome = LoopOutcome::Filled;
+      result.method = closings.holes[i].method;
+      result.newFaces = closings.holes[i].newFaces;
+      result.milliseconds = each;
+      record(result, owners[i]);
+    }
+    return any;
+  }
+
+  double diagonal() const {
+    Box box;
+    for (Face f = 0; f < m_mesh.faceSlots(); ++f) {
+      if (!m_mesh.isLive(f)) continue;
+      for (Vertex v : m_mesh.triangle(f)) box.extend(m_mesh.position(v));
+    }
+    return box.isEmpty() ? 0.0 : box.diagonal().norm();
+  }
+
   FillFailure reasonToLeave(const BoundaryLoop& loop, const std::set<int>& owners) const {
     const auto kept = [&](int id) { return m_options.keepOpen.contains(id); };
     if (std::any_of(owners.begin(), owners.end(), kept)) return FillFailure::KeptOpen;
-    if (loop.rim && !m_options.fillRims) return FillFailure::Rim;
+    if (loop.rim && m_options.rims != RimHandling::Fill) return FillFailure::Rim;
     if (m_options.maxEdges > 0 && loop.halfEdges.size() > m_options.maxEdges) return FillFailure::TooLong;
     return FillFailure::None;
   }
@@ -142,7 +210,30 @@ class Repairer {
     }
   }
 
+  // What is open at last, whatever was tried before.
+  void recordOpenLoops(Progress progress) {
+    std::erase_if(m_laidOpen, [](const LoopResult& r) { return r.outcome != LoopOutcome::Filled; });
+    std::map<int, FillFailure> reasons;
+    for (const auto& [id, result] : m_results) {
+      if (result.outcome == LoopOutcome::Failed) reasons[id] = result.reason;
+    }
+    std::erase_if(m_results, [](const auto& entry) { return entry.second.outcome != LoopOutcome::Filled; });
+    for (const BoundaryLoop& loop : findBoundaryLoops(m_mesh, progress)) {
+      const std::set<int> owners = m_owners.of(m_mesh, loop);
+      LoopResult result;
+      result.edges = loop.borderEdges;
+      result.reason = reasonToLeave(loop, owners);
+      result.outcome = result.reason == FillFailure::None ? LoopOutcome::Failed : LoopOutcome::KeptOpen;
+      if (result.outcome == LoopOutcome::Failed) {
+        const auto known = owners.empty() ? reasons.end() : reasons.find(*owners.begin());
+        result.reason = known == reasons.end() ? FillFailure::SelfIntersecting : known->second;
+      }
+      record(result, owners);
+    }
+  }
+
   void finish(Progress progress) {
+    recordOpenLoops(progress.part(0.0, 0.1));
     for (const BoundaryLoop& loop : m_inputLoops) {
       const auto at = m_results.find(loop.id);
       if (at != m_results.end()) {
@@ -199,6 +290,7 @@ class Repairer {
   std::map<int, LoopResult> m_results;
   std::vector<LoopResult> m_laidOpen;
   std::vector<Vec3> m_touchedHomes;  // where vertices were before they were moved
+  std::size_t m_hardWork = 0;
   RepairReport m_report;
 };
 

@@ -8,11 +8,18 @@
 
 namespace handwheel {
 
+// What to do with the outer edges of open sheets.
+enum class RimHandling {
+  Keep,
+  Back,  // the sheet becomes a thin body (backSheet()), unless it is the picture of a body from one side
+  Fill,  // as if they were holes
+};
+
 struct RepairOptions {
   FillOptions fill;
   double nearWeld = tolerance::kNearWeld;  // share of the diagonal; the setting mesh.near_weld
   std::set<int> keepOpen;                  // loop ids, as in findBoundaryLoops() of the input
-  bool fillRims = false;
+  RimHandling rims = RimHandling::Back;
   std::size_t maxEdges = 0;  // loops with more edges stay open; 0: no limit
   bool removeDebris = false;
 };
@@ -37,6 +44,7 @@ struct RepairReport {
   std::size_t removedDebris = 0;
   std::size_t turnedFaces = 0;
   std::size_t mergedVertices = 0;
+  std::size_t cutFaces = 0;             // where a patch crosses the part
   std::size_t partedVertices = 0;       // moved, or put into the middle of an edge, so that nothing welds that must not
   std::vector<Vertex> touchedVertices;  // of the input: moved, merged or parted
   bool cancelled = false;

@@ -56,11 +56,12 @@ void markRims(const HalfEdgeMesh& mesh, const PositionTriangles& byPosition, std
   const Vec3 origin = loops.front().centre;  // near the model, so that far-off ones keep their digits
   for (Face f = 0; f < mesh.faceSlots(); ++f) {
     if (!mayGoOn(f, mesh.faceSlots(), progress.part(0.5, 1.0))) return;
-    if (!mesh.isProper(f) || !sheets[components.of(f)].longest) continue;
+    if (!mesh.isProper(f)) continue;
     Sheet& sheet = sheets[components.of(f)];
     const TrianglePoints p = mesh.points(f);
     const double area = 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
     sheet.area += area;
+    if (!sheet.longest) continue;
     const Vec3& centre = sheet.longest->centre;
     sheet.volume += (p[0] - centre).dot((p[1] - centre).cross(p[2] - centre)) / 6.0;
     for (const Vec3& corner : p) {
@@ -69,9 +70,14 @@ void markRims(const HalfEdgeMesh& mesh, const PositionTriangles& byPosition, std
       sheet.secondMoment += area / 3.0 * r * r.transpose();
     }
   }
+  const Sheet* largest = nullptr;
   for (const Sheet& sheet : sheets) {
+    if (!largest || sheet.area > largest->area) largest = &sheet;
     if (sheet.longest && sheet.area > 0.0) sheet.longest->rim = sheet.isFlat() || sheet.isThin() || sheet.isRagged();
   }
+  if (!largest->longest || !largest->longest->rim) return;
+  if (!largest->isRagged() && !(sheets.size() == 1 && largest->isFlat())) return;
+  for (BoundaryLoop& loop : loops) loop.picture = loop.rim;
 }
 
 }  // namespace handwheel

@@ -84,9 +84,9 @@ std::optional<Vec3> vertexOnEdge(const HalfEdgeMesh& mesh, HalfEdge h, const Bor
     best = p;
   };
   // In pieces: the box of a long slanting edge would hold much of the model.
-  const double pieces = std::ceil(length / (kLongestPiece * diagonal));
-  for (double i = 0.0; i < pieces; ++i) {
-    const Vec3 begin = a + i / pieces * d, end = a + (i + 1.0) / pieces * d;
+  const auto pieces = static_cast<int>(std::ceil(length / (kLongestPiece * diagonal)));
+  for (int i = 0; i < pieces; ++i) {
+    const Vec3 begin = a + double(i) / pieces * d, end = a + double(i + 1) / pieces * d;
     const Vec3 slack = Vec3::Constant(reach);
     vertices.forEachInBox(Box(begin.cwiseMin(end) - slack, begin.cwiseMax(end) + slack), consider);
   }

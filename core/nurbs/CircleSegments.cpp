@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "nurbs/CircleSegments.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <numbers>
@@ -27,7 +28,7 @@ std::optional<CircleSegments> CircleSegments::make(double largestRadius, double 
   const double chords = chordsFor(largestRadius, tolerance);
   if (!(chords <= 0x1p30)) return std::nullopt;
   const auto least = static_cast<std::uint32_t>(chords);
-  const int shift = std::bit_width(least) - kShare;
+  const int shift = std::max(0, static_cast<int>(std::bit_width(least)) - kShare);
   const std::uint32_t most = ((least + (1u << shift) - 1) >> shift) << shift;
   return CircleSegments(most, std::bit_width(most) - kShare, tolerance);
 }

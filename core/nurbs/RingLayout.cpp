@@ -126,7 +126,7 @@ std::vector<Ring> divide(const std::vector<Ring>& rings, double aspect) {
   for (std::size_t i = 1; i < rings.size(); ++i) {
     const Ring &a = rings[i - 1], &b = rings[i];
     const double parts = divisions(a, b, aspect);
-    for (double k = 1.0; k < parts; ++k) {
+    for (int k = 1; k < parts; ++k) {
       result.push_back(between(a, b, k / parts, std::max(a.segments, b.segments)));
     }
     result.push_back(b);

@@ -4,6 +4,7 @@
 
 #include "robot/UrdfValues.h"
 
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -11,9 +12,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::uint32_t kSides = 48;
-
-TriangleSoup surface(const BoxShape& box) {
+TriangleSoup surface(const BoxShape& box, std::uint32_t) {
   TriangleSoup soup;
   for (int corner = 0; corner < 8; ++corner) {
     const Vec3 sign(corner & 1 ? 0.5 : -0.5, corner & 2 ? 0.5 : -0.5, corner & 4 ? 0.5 : -0.5);
@@ -28,58 +27,59 @@ TriangleSoup surface(const BoxShape& box) {
   return soup;
 }
 
-// A surface of revolution about z: a pole, rings of kSides points from the lowest to the highest, a pole.
+// A surface of revolution about z: a pole, rings of so many points from the lowest to the highest, a pole.
 struct Ring {
   double radius, z;
 };
-TriangleSoup revolved(double bottom, const std::vector<Ring>& rings, double top) {
+TriangleSoup revolved(double bottom, const std::vector<Ring>& rings, double top, std::uint32_t sides) {
   TriangleSoup soup;
   soup.points.emplace_back(0.0, 0.0, bottom);
   for (const Ring& ring : rings) {
-    for (std::uint32_t i = 0; i < kSides; ++i) {
-      const double angle = 2.0 * std::numbers::pi * i / kSides;
+    for (std::uint32_t i = 0; i < sides; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / sides;
       soup.points.emplace_back(ring.radius * std::cos(angle), ring.radius * std::sin(angle), ring.z);
     }
   }
   soup.points.emplace_back(0.0, 0.0, top);
   const auto last = static_cast<std::uint32_t>(soup.points.size() - 1);
-  for (std::uint32_t i = 0; i < kSides; ++i) {
-    const std::uint32_t here = 1 + i, next = 1 + (i + 1) % kSides;
+  for (std::uint32_t i = 0; i < sides; ++i) {
+    const std::uint32_t here = 1 + i, next = 1 + (i + 1) % sides;
     soup.triangles.push_back({0, next, here});
     for (std::uint32_t ring = 0; ring + 1 < rings.size(); ++ring) {
-      const std::uint32_t a = here + ring * kSides, b = next + ring * kSides;
-      soup.triangles.push_back({a, b, b + kSides});
-      soup.triangles.push_back({a, b + kSides, a + kSides});
+      const std::uint32_t a = here + ring * sides, b = next + ring * sides;
+      soup.triangles.push_back({a, b, b + sides});
+      soup.triangles.push_back({a, b + sides, a + sides});
     }
-    const auto highest = static_cast<std::uint32_t>(rings.size() - 1) * kSides;
+    const auto highest = static_cast<std::uint32_t>(rings.size() - 1) * sides;
     soup.triangles.push_back({here + highest, next + highest, last});
   }
   return soup;
 }
 
-TriangleSoup surface(const CylinderShape& cylinder) {
+TriangleSoup surface(const CylinderShape& cylinder, std::uint32_t sides) {
   const double z = 0.5 * cylinder.length;
-  return revolved(-z, {{cylinder.radius, -z}, {cylinder.radius, z}}, z);
+  return revolved(-z, {{cylinder.radius, -z}, {cylinder.radius, z}}, z, sides);
 }
 
-TriangleSoup surface(const SphereShape& sphere) {
+TriangleSoup surface(const SphereShape& sphere, std::uint32_t sides) {
   std::vector<Ring> rings;
-  constexpr std::uint32_t kBelts = kSides / 2;
-  for (std::uint32_t i = 1; i < kBelts; ++i) {
-    const double angle = std::numbers::pi * i / kBelts;
+  const std::uint32_t belts = sides / 2;
+  for (std::uint32_t i = 1; i < belts; ++i) {
+    const double angle = std::numbers::pi * i / belts;
     rings.push_back({sphere.radius * std::sin(angle), -sphere.radius * std::cos(angle)});
   }
-  return revolved(-sphere.radius, rings, sphere.radius);
+  return revolved(-sphere.radius, rings, sphere.radius, sides);
 }
 
-TriangleSoup surface(const MeshShape&) {
+TriangleSoup surface(const MeshShape&, std::uint32_t) {
   return {};
 }
 
 }  // namespace
 
-TriangleSoup surfaceOf(const Shape& shape) {
-  return std::visit([](const auto& s) { return surface(s); }, shape);
+TriangleSoup surfaceOf(const Shape& shape, std::uint32_t sides) {
+  assert(sides >= kLeastShapeSides);
+  return std::visit([sides](const auto& s) { return surface(s, sides); }, shape);
 }
 
 void place(const MeshShape& shape, TriangleSoup& soup) {

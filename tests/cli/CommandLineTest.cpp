@@ -16,7 +16,8 @@ class CommandLineTest : public QObject {
     const Ran overview = bench.run({"--help"});
     QCOMPARE(overview.code, 0);
     QCOMPARE(overview.err, QByteArray());
-    for (const char* command : {"inspect", "repair", "convert", "picture", "new", "set", "measure"}) {
+    for (const char* command :
+         {"inspect", "repair", "convert", "picture", "new", "set", "measure", "compare", "decimate"}) {
       QVERIFY(overview.out.contains(QByteArray("\n  ") + command + " "));
       const Ran page = bench.run({"help", command});
       QCOMPARE(page.code, 0);
@@ -26,8 +27,8 @@ class CommandLineTest : public QObject {
     QCOMPARE(bench.run({"help"}).out, overview.out);
     // Whole sentences: a point within a word, as in ".stl" and "25.4", ends none.
     const QRegularExpression line("^  [a-z]+ +[A-Z][A-Za-z ,;-]+\\.$", QRegularExpression::MultilineOption);
-    QCOMPARE(QString(overview.out).count(line), 7);
-    for (const char* option : {"-o", "--fill", "--keep-open", "--fill-rims", "--max-hole", "--remove-debris", "--unit",
+    QCOMPARE(QString(overview.out).count(line), 9);
+    for (const char* option : {"-o", "--fill", "--keep-open", "--rims", "--max-hole", "--remove-debris", "--unit",
                                "--partial", "--report", "--screenshot"}) {
       QVERIFY2(bench.run({"help", "repair"}).out.contains(option), option);
     }
@@ -56,7 +57,8 @@ class CommandLineTest : public QObject {
     row({"repair", "a.stl"}, "The option -o OUT is missing.", " repair");
     row({"repair", "a.stl", "-o"}, "The option -o needs a value: OUT.", " repair");
     row({"repair", "a.stl", "-o", "b.stl", "-x"}, "There is no option -x.", " repair");
-    row({"repair", "a.stl", "-o", "b.stl", "--fill", "x"}, "--fill takes fair, refined, ear or minimal.", " repair");
+    row({"repair", "a.stl", "-o", "b.stl", "--fill", "x"},
+        "--fill takes fair, ridge, refined, ear, minimal, area or dihedral.", " repair");
     row({"repair", "a.stl", "-o", "b.stl", "--keep-open", "1,"}, "--keep-open takes loop numbers separated by commas.",
         " repair");
     row({"repair", "a.stl", "-o", "b.stl", "--max-hole", "-3"}, "--max-hole takes a number of edges above zero.",

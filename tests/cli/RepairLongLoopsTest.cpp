@@ -71,7 +71,7 @@ class RepairLongLoopsTest : public QObject {
   void tornBorders_data() {
     QTest::addColumn<double>("gap");
     QTest::addColumn<int>("parts");
-    QTest::newRow("apart") << 0.01 << 2;
+    QTest::newRow("apart") << 0.1 << 2;
     QTest::newRow("one border, torn by rounding") << 1e-5 << 1;
   }
   void tornBorders() {
@@ -99,7 +99,7 @@ class RepairLongLoopsTest : public QObject {
     const Bench bench;
     QCOMPARE(bench.run({"repair", scan, "-o", "b.stl", "--report", "r.json"}).code, 2);
     const Json report = bench.json("r.json");
-    QCOMPARE(report.at("loops").size(), std::size_t(62));
+    QVERIFY(report.at("loops").size() >= std::size_t(62));  // and what cutting lays open
     int cuts = 0;
     for (const Json& loop : report.at("loops")) {
       if (loop.at("edges") != 2554) continue;
@@ -107,7 +107,7 @@ class RepairLongLoopsTest : public QObject {
       QCOMPARE(loop.at("outcome").get<std::string>(), std::string("filled"));
     }
     QCOMPARE(cuts, 4);
-    QVERIFY(filled(report) >= 22);
+    QVERIFY(filled(report) >= 40);
     QVERIFY(report.at("untouched_vertices_identical").get<bool>());
   }
 };

@@ -60,6 +60,7 @@ class RepairTest : public QObject {
                                             "removed_debris",
                                             "turned_faces",
                                             "merged_vertices",
+                                            "cut_faces",
                                             "parted_vertices",
                                             "touched_vertices",
                                             "untouched_vertices_identical",

@@ -42,6 +42,8 @@ class CasesTest : public QObject {
   void tornVerticesOfAMesh();
   void patchesOfAMesh();
   void blocksOfAnySize();
+  void standInsOfAMesh();
+  void sidesOfRoundShapes();
   void smallAndDegenerateMeshes_data();
   void smallAndDegenerateMeshes();
 };
@@ -131,6 +133,31 @@ void CasesTest::blocksOfAnySize() {
       drawn += g.indices.size() / 3;
     }
     QCOMPARE(drawn, std::size_t{4800});
+  }
+}
+
+// A small mesh is drawn as it is; what stands in for a large one lies closer the more triangles it has.
+void CasesTest::standInsOfAMesh() {
+  const FidelityCase small = onMesh("view.coarse_triangles", sphereSoup(4, 10.0));
+  QCOMPARE(small.run(2000.0, 1, {}).error, 0.0);
+  QCOMPARE(small.run(2000.0, 1, {}).cost, 5120.0);
+  const FidelityCase large = onMesh("view.coarse_triangles", sphereSoup(6, 10.0));  // 81,920 faces
+  const FidelitySample few = large.run(2000.0, 1, {}), more = large.run(10000.0, 1, {});
+  QVERIFY(few.cost < more.cost && few.cost > 1000.0 && more.cost < 20000.0);
+  QVERIFY(few.error > more.error && more.error > 0.0);
+  QVERIFY(few.error < 1.0);  // % of the diagonal: half a cell
+}
+
+// A chord of a circle is furthest from it in its middle: by 1 - cos(pi / n) of the radius.
+void CasesTest::sidesOfRoundShapes() {
+  const FidelityRegistry::Entry& entry = *registry().find("cell.shape_sides");
+  for (double n : {8.0, 13.0, 48.0, 128.0}) {
+    const double chord = 100.0 * (1.0 - std::cos(M_PI / n));
+    const FidelitySample ball = entry.cases.at(0).run(n, 1, {}), cylinder = entry.cases.at(1).run(n, 1, {});
+    QVERIFY(std::abs(cylinder.error - chord) < 1e-9);
+    QCOMPARE(cylinder.cost, 4.0 * n);
+    QVERIFY(ball.error > chord && ball.error < 3.0 * chord);  // bent both ways
+    QCOMPARE(ball.cost, 2.0 * n * (std::floor(n / 2.0) - 1.0));
   }
 }
 

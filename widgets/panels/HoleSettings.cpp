@@ -16,7 +16,8 @@ namespace handwheel {
 
 namespace {
 
-constexpr FillMethod kMethods[] = {FillMethod::Fair, FillMethod::Refined, FillMethod::Ear, FillMethod::Minimal};
+constexpr FillMethod kMethods[] = {FillMethod::Fair, FillMethod::Refined,  FillMethod::Ear,  FillMethod::Minimal,
+                                   FillMethod::Area, FillMethod::Dihedral, FillMethod::Ridge};
 
 QComboBox* methodBox(QWidget* parent) {
   auto* box = new QComboBox(parent);

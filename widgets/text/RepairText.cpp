@@ -33,6 +33,16 @@ QString fillMethodName(FillMethod method) {
       return Text::tr("Ear cutting");
     case FillMethod::Minimal:
       return Text::tr("Minimal area");
+    case FillMethod::Area:
+      return Text::tr("Least area");
+    case FillMethod::Dihedral:
+      return Text::tr("Least bend");
+    case FillMethod::Ridge:
+      return Text::tr("Ridges");
+    case FillMethod::Cone:
+      return Text::tr("Cone");
+    case FillMethod::Backed:
+      return Text::tr("Given a back");
     case FillMethod::Stitched:
       return Text::tr("Stitched");
     case FillMethod::Removed:
@@ -51,6 +61,16 @@ QString fillMethodHint(FillMethod method) {
       return Text::tr("Cuts one corner after the other; adds no vertices.");
     case FillMethod::Minimal:
       return Text::tr("The smallest possible area; adds no vertices.");
+    case FillMethod::Area:
+      return Text::tr("The least area of all triangulations; adds no vertices.");
+    case FillMethod::Dihedral:
+      return Text::tr("The least bend between neighbours, then the least area; adds no vertices.");
+    case FillMethod::Ridge:
+      return Text::tr("As fair, with the sharp edges that end at the hole carried through it. For designed parts.");
+    case FillMethod::Cone:
+      return Text::tr("Triangles to one point behind or before the hole.");
+    case FillMethod::Backed:
+      return Text::tr("The sheet became a thin body.");
     case FillMethod::Stitched:
       return Text::tr("The borders were brought together.");
     case FillMethod::Removed:
@@ -69,6 +89,14 @@ QString fillMethodWord(FillMethod method) {
       return QStringLiteral("ear");
     case FillMethod::Minimal:
       return QStringLiteral("minimal");
+    case FillMethod::Area:
+      return QStringLiteral("area");
+    case FillMethod::Dihedral:
+      return QStringLiteral("dihedral");
+    case FillMethod::Ridge:
+      return QStringLiteral("ridge");
+    case FillMethod::Cone:
+    case FillMethod::Backed:
     case FillMethod::Stitched:
     case FillMethod::Removed:
       break;  // cannot be asked for
@@ -133,6 +161,7 @@ QStringList repairSummary(const RepairReport& report) {
   add(report.removedFlaps, [](int n) { return Text::tr("%n loosely hanging triangle(s) removed", nullptr, n); });
   add(report.removedDebris, [](int n) { return Text::tr("%n triangle(s) of debris removed", nullptr, n); });
   add(report.mergedVertices, [](int n) { return Text::tr("%n near point(s) merged", nullptr, n); });
+  add(report.cutFaces, [](int n) { return Text::tr("%n triangle(s) cut where patches cross", nullptr, n); });
   add(report.partedVertices, [](int n) { return Text::tr("%n touching point(s) parted", nullptr, n); });
   return parts;
 }

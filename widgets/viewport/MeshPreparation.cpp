@@ -8,9 +8,6 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::size_t kSmallMesh = 200000;       // faces that even software rendering turns without a stand-in
-constexpr std::size_t kCoarseTriangles = 50000;  // of the stand-in, roughly
-
 template <class T>
 void drop(std::unique_ptr<QFutureWatcher<T>>& watcher) {
   if (watcher) watcher->cancel();
@@ -18,6 +15,11 @@ void drop(std::unique_ptr<QFutureWatcher<T>>& watcher) {
 }
 
 }  // namespace
+
+bool hasStandIn(const HalfEdgeMesh& mesh, std::size_t coarseTriangles) {
+  constexpr std::size_t kGain = 4;
+  return mesh.faceSlots() / kGain > coarseTriangles;
+}
 
 void MeshPreparation::startAll(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin) {
   cancel();
@@ -61,10 +63,10 @@ void MeshPreparation::startBlocks(const HalfEdgeMesh& mesh, const Vec3& origin) 
 
 void MeshPreparation::startRest(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin) {
   drop(m_rest);
-  m_rest = runOnWorker<Rest>([mesh, bounds, origin](QPromise<Rest>& promise) {
+  m_rest = runOnWorker<Rest>([mesh, bounds, origin, triangles = m_coarseTriangles](QPromise<Rest>& promise) {
     Rest rest;
-    if (mesh.faceSlots() > kSmallMesh) {
-      rest.coarse = std::make_shared<SurfaceGeometry>(coarseGeometry(mesh, bounds, origin, kCoarseTriangles));
+    if (hasStandIn(mesh, triangles)) {
+      rest.coarse = std::make_shared<SurfaceGeometry>(coarseGeometry(mesh, bounds, origin, triangles));
     }
     if (promise.isCanceled()) return;
     rest.index = std::make_shared<const PickIndex>(mesh);

@@ -11,6 +11,12 @@
 
 namespace handwheel {
 
+// Roughly the triangles that a slow display draws of a large mesh while the camera moves: the setting
+// view.coarse_triangles, and its default.
+inline constexpr std::size_t kCoarseTriangles = 50000;
+// A stand-in must have far fewer triangles than the mesh, or it is not worth the look: a quarter at most.
+bool hasStandIn(const HalfEdgeMesh& mesh, std::size_t coarseTriangles);
+
 // Builds on worker threads what drawing and picking need of a mesh: blocks, a coarse stand-in and the search structure.
 // Works on a snapshot; results come to the window thread, and none of a mesh that has been replaced meanwhile.
 class MeshPreparation {
@@ -29,6 +35,9 @@ class MeshPreparation {
   void setBlockFaces(Face faces) { m_nextBlockFaces = faces; }
   Face blockFaces() const { return m_blockFaces; }  // at present
 
+  // Of the stand-in, from the next start on.
+  void setCoarseTriangles(std::size_t triangles) { m_coarseTriangles = triangles; }
+
   // All blocks of the mesh and the rest. Drops what is under way.
   void startAll(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin);
   // After an edit: the given blocks, those still owed of the state before, and the rest.
@@ -44,7 +53,7 @@ class MeshPreparation {
     std::shared_ptr<SurfaceGeometry> geometry;  // shared, as futures hand out copies
   };
   struct Rest {
-    std::shared_ptr<SurfaceGeometry> coarse;  // null where the mesh is small
+    std::shared_ptr<SurfaceGeometry> coarse;  // null where there is none
     Index index;
   };
 
@@ -55,6 +64,7 @@ class MeshPreparation {
   Receivers m_receivers;
   Face m_blockFaces = kBlockFaces;
   Face m_nextBlockFaces = kBlockFaces;
+  std::size_t m_coarseTriangles = kCoarseTriangles;
   std::set<std::size_t> m_owed;  // blocks not yet delivered
   // A watcher serves one run; destroying it drops the results that are on their way.
   std::unique_ptr<QFutureWatcher<Block>> m_blocks;

@@ -95,6 +95,10 @@ void Viewport::setBlockFaces(Face faces) {
   d->preparation.setBlockFaces(faces);
 }
 
+void Viewport::setCoarseTriangles(std::size_t triangles) {
+  d->preparation.setCoarseTriangles(triangles);
+}
+
 void Viewport::setMesh(const HalfEdgeMesh& mesh) {
   setMesh(mesh, boundsOf(mesh));
 }

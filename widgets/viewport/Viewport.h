@@ -34,6 +34,9 @@ class Viewport : public QOpenGLWidget {
 
   // How many faces are built and drawn together, from the next setMesh() on: the setting view.block_faces.
   void setBlockFaces(Face faces);
+  // Roughly how many triangles a slow display draws of a large mesh while the camera moves, from the next setMesh() or
+  // edit on: the setting view.coarse_triangles.
+  void setCoarseTriangles(std::size_t triangles);
 
   // Shows another model. The camera stays, and leaps instead of flying where it is sent next. Returns at once, the
   // parts appear over the next frames.

@@ -3,14 +3,23 @@
 #include "window/cell/CellUi.h"
 
 #include "document/cell/CellDocument.h"
+#include "document/cell/CellKind.h"
+#include "fidelity/Cases.h"
 #include "theme/Theme.h"
 #include "tools/cell/JointDragTool.h"
 #include "viewport/Viewport.h"
+#include "window/FidelityChoice.h"
 #include "window/OpenDocument.h"
 
 namespace handwheel {
 
-CellUi::CellUi(const WindowParts& window) : PartsUi(window, {"Joints"}) {}
+CellUi::CellUi(const WindowParts& window, CellKind& kind) : PartsUi(window, {"Joints"}) {
+  const auto follow = [&kind, &choice = window.fidelity] {
+    kind.setShapeSides(static_cast<std::uint32_t>(choice.values().of(shapeSidesSetting())));
+  };
+  connect(&window.fidelity, &FidelityChoice::changed, this, follow);
+  follow();
+}
 
 std::vector<ToolOffer> CellUi::tools() {
   ToolOffer joints{QStringLiteral("jointTool"), tr("Move &joints by hand"), tr("Drag the links of the robot"),

@@ -6,12 +6,14 @@
 
 namespace handwheel {
 
+class CellKind;
+
 // Robot cells in the window: the joints as sliders, and the robot to be dragged.
 class CellUi : public PartsUi {
   Q_OBJECT
 
  public:
-  explicit CellUi(const WindowParts& window);
+  CellUi(const WindowParts& window, CellKind& kind);
 
   QString panelTitle() const override { return tr("Joints"); }
   QString panelIcon() const override { return QStringLiteral("kind-cell"); }

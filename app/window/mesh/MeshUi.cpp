@@ -67,6 +67,7 @@ void MeshUi::followFidelity() {
   const FidelityValues& values = m_parts.fidelity.values();
   m_kind.setNearWeld(values.of(nearWeldSetting()));
   m_parts.viewport.setBlockFaces(static_cast<Face>(values.of(blockFacesSetting())));
+  m_parts.viewport.setCoarseTriangles(static_cast<std::size_t>(values.of(coarseTrianglesSetting())));
   m_panel->settings()->setMethod(m_actions.method());
   m_tools.setMethod(m_actions.method());
   for (const auto& open : m_parts.tabs.all()) {

@@ -132,6 +132,7 @@ void RepairJobs::repairAll(OpenMesh* document) {
 void RepairJobs::startRepair(OpenMesh* document, Round round) {
   const std::uint64_t revision = document->document.revision();
   RepairOptions options;
+  options.rims = RimHandling::Keep;  // the list shows them as left open
   apply(m_fidelity.values(), options);
   options.fill.numbers = numbersOf(document->document);
   for (int id : document->inspection.keptOpen()) {

@@ -78,7 +78,8 @@ TriangleSoup readSurfaceBlobs(const nlohmann::json& counts, const std::string& n
 
 class Loading {
  public:
-  Loading(const Container& container, std::vector<Error>& damage) : m_container(container), m_damage(damage) {
+  Loading(const Container& container, std::uint32_t shapeSides, std::vector<Error>& damage)
+      : m_container(container), m_shapeSides(shapeSides), m_damage(damage) {
     const auto document = container.manifest->find("document");
     if (document != container.manifest->end() && document->is_object()) m_document = *document;
   }
@@ -112,10 +113,7 @@ class Loading {
 
  private:
   std::shared_ptr<const TriangleSoup> surfaceOf(const Shape& shape, std::size_t number) {
-    if (!std::holds_alternative<MeshShape>(shape)) {
-      std::vector<Error> none;
-      return std::make_shared<const TriangleSoup>(std::move(readSurface(shape, {}, none)).value());
-    }
+    if (!std::holds_alternative<MeshShape>(shape)) return roundedSurface(shape, m_shapeSides);
     const auto surfaces = m_document.find("surfaces");
     const std::string name = surfaceName(number);
     if (surfaces == m_document.end() || !surfaces->is_array() || number >= surfaces->size()) {
@@ -145,6 +143,7 @@ class Loading {
   }
 
   const Container& m_container;
+  std::uint32_t m_shapeSides;
   std::vector<Error>& m_damage;
   nlohmann::json m_document = nlohmann::json::object();
 };
@@ -167,8 +166,9 @@ void writeCell(const CellSnapshot& cell, Container& container) {
   }
 }
 
-Result<SnapshotPointer> readCell(const Container& container, std::vector<Error>& damage, Progress progress) {
-  return Loading(container, damage).read(progress);
+Result<SnapshotPointer> readCell(const Container& container, std::uint32_t shapeSides, std::vector<Error>& damage,
+                                 Progress progress) {
+  return Loading(container, shapeSides, damage).read(progress);
 }
 
 }  // namespace handwheel

@@ -14,8 +14,10 @@ namespace handwheel {
 // the value of each joint by its name; rad, mm.
 void writeCell(const CellSnapshot& cell, Container& container);
 
-// Gives the robot without what is lost or makes no sense, and the joints within their limits. Errors: EntryMissing
+// Gives the robot without what is lost or makes no sense, and the joints within their limits. Round shapes have so many
+// sides, as in surfaceOf(). Errors: EntryMissing
 // {cell/robot.urdf}, those of readUrdf(), Cancelled.
-Result<SnapshotPointer> readCell(const Container& container, std::vector<Error>& damage, Progress progress);
+Result<SnapshotPointer> readCell(const Container& container, std::uint32_t shapeSides, std::vector<Error>& damage,
+                                 Progress progress);
 
 }  // namespace handwheel

@@ -8,7 +8,6 @@
 #include "document/formats/MeshFormat.h"
 #include "mesh/Weld.h"
 #include "robot/MeshLocation.h"
-#include "robot/ShapeSurfaces.h"
 #include "robot/UrdfReader.h"
 
 #include <QFile>
@@ -68,7 +67,8 @@ Result<TriangleSoup> readMeshSurface(const MeshShape& shape, const std::filesyst
 
 class Import {
  public:
-  Import(ReadRobot read, std::filesystem::path folder) : m_folder(std::move(folder)), m_robot(new CellRobot) {
+  Import(ReadRobot read, std::filesystem::path folder, std::uint32_t shapeSides)
+      : m_folder(std::move(folder)), m_shapeSides(shapeSides), m_robot(new CellRobot) {
     m_robot->model = std::move(read.robot);
     m_result.damage = std::move(read.damage);
     m_result.unlistedDamage = read.unlistedDamage;
@@ -103,6 +103,7 @@ class Import {
 
  private:
   std::shared_ptr<const TriangleSoup> surfaceOfShape(const Shape& shape, Progress progress) {
+    if (!std::holds_alternative<MeshShape>(shape)) return roundedSurface(shape, m_shapeSides);
     std::vector<Error> damage;
     Result<TriangleSoup> soup = readSurface(shape, m_folder, damage, progress);
     if (!soup) damage = {soup.error()};
@@ -119,20 +120,23 @@ class Import {
   }
 
   std::filesystem::path m_folder;
+  std::uint32_t m_shapeSides;
   std::shared_ptr<CellRobot> m_robot;
   ImportedCell m_result;
 };
 
 }  // namespace
 
+std::shared_ptr<const TriangleSoup> roundedSurface(const Shape& shape, std::uint32_t sides) {
+  TriangleSoup soup = surfaceOf(shape, sides);
+  roundPoints(soup, NumberType::Float32);
+  return std::make_shared<const TriangleSoup>(std::move(soup));
+}
+
 Result<TriangleSoup> readSurface(const Shape& shape, const std::filesystem::path& folder, std::vector<Error>& damage,
                                  Progress progress) {
   const auto* mesh = std::get_if<MeshShape>(&shape);
-  if (!mesh) {
-    TriangleSoup soup = surfaceOf(shape);
-    roundPoints(soup, NumberType::Float32);
-    return soup;
-  }
+  if (!mesh) return *roundedSurface(shape, kShapeSides);
   const Result<std::filesystem::path> path = locateMesh(mesh->file, folder);
   if (!path) return path.error();
   Result<TriangleSoup> soup = readMeshSurface(*mesh, *path, damage, progress);
@@ -141,12 +145,12 @@ Result<TriangleSoup> readSurface(const Shape& shape, const std::filesystem::path
   return soup;
 }
 
-Result<ImportedCell> importCell(const std::filesystem::path& path, Progress progress) {
+Result<ImportedCell> importCell(const std::filesystem::path& path, std::uint32_t shapeSides, Progress progress) {
   Result<std::string> bytes = readBounded(path, kLargestDescription, progress.part(0.0, 0.05));
   if (!bytes) return bytes.error();
   Result<ReadRobot> read = readUrdf(*bytes, progress.part(0.05, 0.1));
   if (!read) return read.error();
-  Import import(std::move(read).value(), path.parent_path());
+  Import import(std::move(read).value(), path.parent_path(), shapeSides);
   if (!import.readSurfaces(progress.part(0.1, 1.0))) return Error{ErrorCode::Cancelled, {}, {}, {}};
   const std::string source = QFile::decodeName(QByteArray::fromStdString(path.string())).toStdString();
   return import.finish(std::move(bytes).value(), source);

@@ -5,6 +5,7 @@
 #include "base/Progress.h"
 #include "base/Result.h"
 #include "document/cell/CellSnapshot.h"
+#include "robot/ShapeSurfaces.h"
 
 #include <filesystem>
 
@@ -19,8 +20,13 @@ struct ImportedCell {
   std::size_t unlistedDamage = 0;
 };
 
-// Reads a robot description and every mesh it names, joints at rest. Errors: those of reading the description.
-Result<ImportedCell> importCell(const std::filesystem::path& path, Progress progress = {});
+// Reads a robot description and every mesh it names, joints at rest. shapeSides: as in surfaceOf(). Errors: those of
+// reading the description.
+Result<ImportedCell> importCell(const std::filesystem::path& path, std::uint32_t shapeSides = kShapeSides,
+                                Progress progress = {});
+
+// The surface of a shape that is no mesh, in mm and single precision, round ones with so many sides.
+std::shared_ptr<const TriangleSoup> roundedSurface(const Shape& shape, std::uint32_t sides);
 
 // The surface of a shape, placed, in mm. Mesh files are STL, OBJ, PLY, OFF or COLLADA, recognised by content, of at
 // most 256 MiB; they lie where locateMesh() says. damage takes what could not be read of them. Errors: those of the

@@ -98,7 +98,7 @@ bool CellKind::recognises(std::string_view head, std::string_view name) const {
 }
 
 Result<OpenedFile> CellKind::import(const std::filesystem::path& path, const ReadOptions&, Progress progress) const {
-  Result<ImportedCell> imported = importCell(path, progress);
+  Result<ImportedCell> imported = importCell(path, m_shapeSides, progress);
   if (!imported) return imported.error();
   OpenedFile opened;
   opened.kind = this;
@@ -131,7 +131,7 @@ void CellKind::save(const Snapshot& content, Container& container) const {
 
 Result<SnapshotPointer> CellKind::load(const Container& container, std::vector<Error>& damage,
                                        Progress progress) const {
-  return readCell(container, damage, progress);
+  return readCell(container, m_shapeSides, damage, progress);
 }
 
 std::unique_ptr<Document> CellKind::make(OpenedFile opened) const {

@@ -3,12 +3,18 @@
 #pragma once
 
 #include "document/DocumentKind.h"
+#include "robot/ShapeSurfaces.h"
+
+#include <atomic>
 
 namespace handwheel {
 
 // Robots: a URDF description with its meshes, and joints that stand somewhere.
 class CellKind : public DocumentKind {
  public:
+  // The setting cell.shape_sides for the robots that are opened from now on. Any thread.
+  void setShapeSides(std::uint32_t sides) { m_shapeSides = sides; }
+
   std::string id() const override { return "cell"; }
   std::string title() const override;
   std::vector<FileFormat> formats() const override;
@@ -25,6 +31,9 @@ class CellKind : public DocumentKind {
   std::unique_ptr<Document> make(OpenedFile opened) const override;
   nlohmann::json describe(const Snapshot& content) const override;
   DisplayModel display(const Snapshot& content) const override;
+
+ private:
+  std::atomic<std::uint32_t> m_shapeSides = kShapeSides;
 };
 
 }  // namespace handwheel

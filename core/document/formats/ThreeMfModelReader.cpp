@@ -23,22 +23,22 @@ constexpr std::size_t kDeepest = 32;  // elements within each other; the format 
 enum class In { File, Model, Resources, Object, Mesh, Vertices, Triangles, Components, Build, Leaf, Foreign };
 
 struct Step {
-  In parent;
   const char16_t* name;
+  In parent;
   In child;
 };
-constexpr Step kSteps[] = {{In::File, u"model", In::Model},
-                           {In::Model, u"resources", In::Resources},
-                           {In::Resources, u"object", In::Object},
-                           {In::Object, u"mesh", In::Mesh},
-                           {In::Mesh, u"vertices", In::Vertices},
-                           {In::Vertices, u"vertex", In::Leaf},
-                           {In::Mesh, u"triangles", In::Triangles},
-                           {In::Triangles, u"triangle", In::Leaf},
-                           {In::Object, u"components", In::Components},
-                           {In::Components, u"component", In::Leaf},
-                           {In::Model, u"build", In::Build},
-                           {In::Build, u"item", In::Leaf}};
+constexpr Step kSteps[] = {{u"model", In::File, In::Model},
+                           {u"resources", In::Model, In::Resources},
+                           {u"object", In::Resources, In::Object},
+                           {u"mesh", In::Object, In::Mesh},
+                           {u"vertices", In::Mesh, In::Vertices},
+                           {u"vertex", In::Vertices, In::Leaf},
+                           {u"triangles", In::Mesh, In::Triangles},
+                           {u"triangle", In::Triangles, In::Leaf},
+                           {u"components", In::Object, In::Components},
+                           {u"component", In::Components, In::Leaf},
+                           {u"build", In::Model, In::Build},
+                           {u"item", In::Build, In::Leaf}};
 
 class ModelReader {
  public:

@@ -8,6 +8,7 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <utility>
 
 namespace handwheel {
 
@@ -81,11 +82,12 @@ ToolReply JointDragTool::press(const PointerEvent& event) {
   if (event.button != PointerButton::First || !event.ray.isUsable()) return ToolReply::Ignored;
   const auto hold = holdAt(event.ray);
   if (!hold) return ToolReply::Ignored;  // the camera's
-  m_drag.emplace();
-  m_drag->hold = *hold;
-  m_drag->grip = event.ray;
-  m_drag->isWholeArm = event.modifiers.shift;
-  m_drag->start = m_drag->values = m_document.joints();
+  Drag drag;
+  drag.hold = *hold;
+  drag.grip = event.ray;
+  drag.isWholeArm = event.modifiers.shift;
+  drag.start = drag.values = m_document.joints();
+  m_drag = std::move(drag);
   return ToolReply::Used;
 }
 

@@ -11,7 +11,8 @@
 namespace handwheel {
 namespace {
 
-constexpr FillMethod kMethods[] = {FillMethod::Fair, FillMethod::Refined, FillMethod::Ear, FillMethod::Minimal};
+constexpr FillMethod kMethods[] = {FillMethod::Fair, FillMethod::Refined,  FillMethod::Ear,  FillMethod::Minimal,
+                                   FillMethod::Area, FillMethod::Dihedral, FillMethod::Ridge};
 
 const char* problemOf(FillFailure failure) {
   switch (failure) {
@@ -202,8 +203,10 @@ std::vector<Property> FillHoleTool::settings() const {
   method.id = "method";
   method.label = QT_TRANSLATE_NOOP("Property", "Method");
   method.value = settingOf(m_method);
-  method.choices = {QT_TRANSLATE_NOOP("Property", "Fair"), QT_TRANSLATE_NOOP("Property", "Refined"),
-                    QT_TRANSLATE_NOOP("Property", "Ear cutting"), QT_TRANSLATE_NOOP("Property", "Minimal area")};
+  method.choices = {QT_TRANSLATE_NOOP("Property", "Fair"),        QT_TRANSLATE_NOOP("Property", "Refined"),
+                    QT_TRANSLATE_NOOP("Property", "Ear cutting"), QT_TRANSLATE_NOOP("Property", "Minimal area"),
+                    QT_TRANSLATE_NOOP("Property", "Least area"),  QT_TRANSLATE_NOOP("Property", "Least bend"),
+                    QT_TRANSLATE_NOOP("Property", "Ridges")};
   Property triangles;
   triangles.id = "triangles";
   triangles.label = QT_TRANSLATE_NOOP("Property", "New triangles");

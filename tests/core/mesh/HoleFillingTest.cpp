@@ -14,7 +14,8 @@ using namespace handwheel;
 
 namespace {
 
-constexpr FillMethod kMethods[] = {FillMethod::Fair, FillMethod::Refined, FillMethod::Ear, FillMethod::Minimal};
+constexpr FillMethod kMethods[] = {FillMethod::Fair,    FillMethod::Refined, FillMethod::Ear,
+                                   FillMethod::Minimal, FillMethod::Area,    FillMethod::Dihedral};
 
 FillOptions only(FillMethod method) {
   FillOptions options;
@@ -108,7 +109,8 @@ void HoleFillingTest::planarPolygons() {
     TriangleSoup soup = tube(polygon);
     for (Vec3& p : soup.points) p = turn * p;
     const HalfEdgeMesh mesh = buildMesh(soup).mesh;
-    for (FillMethod method : {FillMethod::Ear, FillMethod::Minimal, FillMethod::Refined}) {
+    for (FillMethod method :
+         {FillMethod::Ear, FillMethod::Minimal, FillMethod::Refined, FillMethod::Area, FillMethod::Dihedral}) {
       HoleFiller filler(mesh);
       for (const BoundaryLoop& loop : findBoundaryLoops(mesh)) {
         FillAttempt attempt = filler.propose(loop, only(method));
@@ -167,7 +169,7 @@ void HoleFillingTest::usesTheDiagonalThatIsFree() {
   soup.triangles.resize(2);
   const HalfEdgeMesh mesh = buildMesh(soup).mesh;
   const BoundaryLoop loop = findBoundaryLoops(mesh).at(0);
-  for (FillMethod method : {FillMethod::Ear, FillMethod::Minimal, FillMethod::Fair}) {
+  for (FillMethod method : kMethods) {
     HoleFiller filler(mesh);
     FillOptions options;
     options.method = method;

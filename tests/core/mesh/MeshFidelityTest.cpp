@@ -45,6 +45,7 @@ void MeshFidelityTest::defaultsChangeNothing() {
   QVERIFY(options.fill.method == RepairOptions().fill.method);
   QCOMPARE(options.fill.density, RepairOptions().fill.density);
   QCOMPARE(options.nearWeld, RepairOptions().nearWeld);
+  QCOMPARE(options.fill.pieceEdges, RepairOptions().fill.pieceEdges);
   QCOMPARE(RepairOptions().nearWeld, 1e-5);
   QCOMPARE(RepairOptions().fill.density * RepairOptions().fill.density, std::sqrt(2.0) * std::sqrt(2.0));
 }
@@ -53,12 +54,13 @@ void MeshFidelityTest::valuesReachTheOptions() {
   FidelityValues values;
   QVERIFY(values.set(nearWeldSetting(), 1e-4));
   QVERIFY(values.set(patchDensitySetting(), 2.0));
+  QVERIFY(values.set(pieceEdgesSetting(), 77.0));
   RepairOptions options;
   options.maxEdges = 77;
-  const std::pair<const char*, FillMethod> methods[] = {{"ear", FillMethod::Ear},
-                                                        {"minimal", FillMethod::Minimal},
-                                                        {"refined", FillMethod::Refined},
-                                                        {"fair", FillMethod::Fair}};
+  const std::pair<const char*, FillMethod> methods[] = {
+      {"ear", FillMethod::Ear},    {"minimal", FillMethod::Minimal}, {"refined", FillMethod::Refined},
+      {"fair", FillMethod::Fair},  {"area", FillMethod::Area},       {"dihedral", FillMethod::Dihedral},
+      {"ridge", FillMethod::Ridge}};
   for (const auto& [word, method] : methods) {
     QVERIFY(values.set(fillMethodSetting(), *valueOf(fillMethodSetting(), word)));
     apply(values, options);
@@ -66,6 +68,7 @@ void MeshFidelityTest::valuesReachTheOptions() {
   }
   QCOMPARE(options.nearWeld, 1e-4);
   QCOMPARE(options.fill.density, 2.0);
+  QCOMPARE(options.fill.pieceEdges, std::size_t{77});
   QCOMPARE(options.maxEdges, std::size_t{77});  // none of our business
 }
 
@@ -79,6 +82,7 @@ void MeshFidelityTest::nearWeldIsRead() {
       QCOMPARE(inspected(torn, nearWeld).defects->nearVertices.size(), std::size_t{isNear ? 2u : 0u});
       RepairOptions options;
       options.nearWeld = nearWeld;
+      options.rims = RimHandling::Keep;
       HalfEdgeMesh mesh = torn;
       QCOMPARE(repair(mesh, options).mergedVertices, std::size_t{isNear ? 2u : 0u});
       QCOMPARE(test::countBorder(mesh), std::size_t{isNear ? 6u : 8u});

@@ -76,7 +76,7 @@ void RepairPropertiesTest::randomHoles() {
     RepairOptions options;
     options.fill.method = *rc::gen::element(FillMethod::Fair, FillMethod::Ear);
     options.fill.numbers = *rc::gen::element(NumberType::Float32, NumberType::Float64);
-    options.fillRims = *rc::gen::arbitrary<bool>();
+    options.rims = *rc::gen::element(RimHandling::Keep, RimHandling::Back, RimHandling::Fill);
     const RepairReport report = repair(mesh, options);
     RC_ASSERT(validate(mesh) == std::string());
     RC_ASSERT(test::inconsistent(input, mesh, report) == std::string());
@@ -106,7 +106,7 @@ void RepairPropertiesTest::brokenBlocks() {
     const HalfEdgeMesh input = buildMesh(soup).mesh;
     HalfEdgeMesh mesh = input;
     RepairOptions options;
-    options.fillRims = true;
+    options.rims = RimHandling::Fill;
     options.fill.numbers = NumberType::Float32;
     const RepairReport report = repair(mesh, options);
     RC_ASSERT(validate(mesh) == std::string());
@@ -120,10 +120,10 @@ void RepairPropertiesTest::anySoup() {
   QVERIFY(rc::check("whatever the input, the result is a mesh and the report adds up", [] {
     std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
     const auto steps = *rc::gen::inRange<std::uint32_t>(2, 7);
-    const HalfEdgeMesh input = buildMesh(test::randomSoup(random, *rc::gen::inRange<std::size_t>(1, 40), steps)).mesh;
+    const HalfEdgeMesh input = buildMesh(test::randomSoup(random, *rc::gen::inRange<std::size_t>(1, 25), steps)).mesh;
     HalfEdgeMesh mesh = input;
     RepairOptions options;
-    options.fillRims = *rc::gen::arbitrary<bool>();
+    options.rims = *rc::gen::element(RimHandling::Keep, RimHandling::Back, RimHandling::Fill);
     options.removeDebris = *rc::gen::arbitrary<bool>();
     options.fill.numbers = *rc::gen::element(NumberType::Float32, NumberType::Float64);
     const RepairReport report = repair(mesh, options);

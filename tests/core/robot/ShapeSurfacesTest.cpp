@@ -34,6 +34,7 @@ class ShapeSurfacesTest : public QObject {
   void boxes();
   void cylinders();
   void spheres();
+  void anyNumberOfSides();
   void meshes();
 };
 
@@ -68,6 +69,20 @@ void ShapeSurfacesTest::spheres() {
     furthestIn = std::max(furthestIn, 10 - middle.norm());
   }
   QVERIFY(furthestIn < 0.05);  // 0.5 %
+}
+
+void ShapeSurfacesTest::anyNumberOfSides() {
+  for (std::uint32_t n : {kLeastShapeSides, 5u, 13u, 128u}) {
+    const TriangleSoup cylinder = surfaceOf(CylinderShape{10, 50}, n), ball = surfaceOf(SphereShape{10}, n);
+    for (const TriangleSoup& soup : {cylinder, ball}) {
+      QVERIFY(countEdges(soup).sound());
+      QCOMPARE(eulerCharacteristic(soup), 2L);
+      QVERIFY(volumeOf(soup) > 0.0);
+    }
+    const double area = 0.5 * n * 100 * std::sin(2 * std::numbers::pi / n);
+    QVERIFY(std::abs(volumeOf(cylinder) - area * 50) < 1e-6);
+    for (const Vec3& p : ball.points) QVERIFY(std::abs(p.norm() - 10) < 1e-12);
+  }
 }
 
 void ShapeSurfacesTest::meshes() {

@@ -150,16 +150,16 @@ void FillHoleToolTest::methodIsASetting() {
   const std::size_t edges = m_tool->loop()->halfEdges.size();
   const auto triangles = [&] { return std::get<double>(test::propertyNamed(m_tool->settings(), "triangles")->value); };
   QVERIFY(triangles() > double(edges - 2));
-  for (const double method : {2.0, 3.0}) {  // those that add no vertices
+  for (const double method : {2.0, 3.0, 4.0, 5.0}) {  // those that add no vertices
     m_tool->setSetting("method", method);
     QCOMPARE(std::get<double>(test::propertyNamed(m_tool->settings(), "method")->value), method);
     QCOMPARE(triangles(), double(edges - 2));
   }
-  for (const PropertyValue& value : {PropertyValue(4.0), PropertyValue(-1.0), PropertyValue(std::nan("")),
+  for (const PropertyValue& value : {PropertyValue(7.0), PropertyValue(-1.0), PropertyValue(std::nan("")),
                                      PropertyValue(true), PropertyValue("Fair")})
     m_tool->setSetting("method", value);
   m_tool->setSetting("unknown", 0.0);
-  QCOMPARE(std::get<double>(test::propertyNamed(m_tool->settings(), "method")->value), 3.0);
+  QCOMPARE(std::get<double>(test::propertyNamed(m_tool->settings(), "method")->value), 5.0);
 }
 
 void FillHoleToolTest::tellsWhyNot() {

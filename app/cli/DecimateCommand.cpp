@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/DecimateCommand.h"
+
+#include "base/NumberText.h"
+#include "base/Units.h"
+#include "cli/Input.h"
+#include "cli/Interrupt.h"
+#include "cli/Messages.h"
+#include "document/mesh/MeshExport.h"
+#include "document/mesh/MeshKind.h"
+#include "mesh/Decimation.h"
+#include "mesh/MeshBuilder.h"
+
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+struct DecimateRequest {
+  std::filesystem::path input, output;
+  ReadOptions read;
+  DecimationOptions options;
+};
+
+bool readAboveZero(const std::string& word, double& value) {
+  return readNumber(word, value) && std::isfinite(value) && value > 0.0;
+}
+
+// Turns the words into a request. Returns what is wrong with them, or nothing.
+std::string readRequest(const Arguments& arguments, DecimateRequest& request) {
+  if (!arguments.has("output")) return "The option -o OUT is missing.";
+  if (!arguments.has("faces") && !arguments.has("error")) return "Say how far to go: --faces N, --error MM or both.";
+  request.input = arguments.operands[0];
+  request.output = arguments.valueOf("output");
+  request.read.partial = arguments.has("partial");
+  DecimationOptions& options = request.options;
+  options.keepBorders = arguments.has("keep-borders");
+  options.avoidIntersections = arguments.has("no-crossings");
+  if (arguments.has("faces") && (!readNumber(arguments.valueOf("faces"), options.faces) || options.faces == 0)) {
+    return "--faces takes a number above zero.";
+  }
+  double value = 0.0;
+  if (arguments.has("error")) {
+    if (!readAboveZero(arguments.valueOf("error"), value)) return "--error takes a length in mm above zero.";
+    options.error = value;
+  }
+  if (arguments.has("keep-creases")) {
+    if (!readAboveZero(arguments.valueOf("keep-creases"), value) || value >= 180.0) {
+      return "--keep-creases takes an angle in degrees between 0 and 180.";
+    }
+    options.creaseAngle = value * kRadiansPerDegree;
+  }
+  return {};
+}
+
+struct Decimated {
+  DocumentFile file;  // what reading lost
+  DecimationReport report;
+  std::string refusal;  // why nothing was written
+};
+
+// A container gets a document of its own numbers: vertices and loops are not those of the input.
+Status write(const Input& input, const HalfEdgeMesh& mesh, const std::filesystem::path& output, Progress progress) {
+  if (!isContainerName(output)) {
+    const auto exported = exportMesh(mesh, input.mesh->numbers, output, progress);
+    return exported ? Status(Done{}) : Status(exported.error());
+  }
+  MeshFile file;
+  file.soup = mesh.compact().soup;
+  file.numbers = input.mesh->numbers;
+  const auto content = meshSnapshotOf(file, tolerance::kNearWeld, progress.part(0.0, 0.5));
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  const auto saved = saveDocument(*input.opened.kind, input.opened.file, *content, output, progress.part(0.5, 1.0));
+  return saved ? Status(Done{}) : Status(saved.error());
+}
+
+Result<Decimated> decimateFile(const DecimateRequest& request, const DocumentKinds& kinds, Progress progress) {
+  if (!isContainerName(request.output)) {
+    if (const auto format = formatForOutput(request.output); !format) return format.error();
+  }
+  const Result<Input> input = readMeshInput(request.input, request.read, kinds, progress.part(0.0, 0.15));
+  if (!input) return input.error();
+  Decimated done{input->opened.file, {}, refusalToReplace(request.output, input->opened.file)};
+  if (!done.refusal.empty()) return done;
+  const MeshSnapshot* document = input->meshDocument();
+  HalfEdgeMesh mesh = document ? document->mesh.mesh : buildMesh(input->mesh->soup, progress.part(0.15, 0.2)).mesh;
+  if (!progress.cancelled()) done.report = decimate(mesh, request.options, progress.part(0.2, 0.9));
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  const Status written = write(*input, mesh, request.output, progress.part(0.9, 1.0));
+  if (!written) return written.error();
+  return done;
+}
+
+std::string readableText(const DecimationReport& report) {
+  std::string text =
+      "Triangles: " + std::to_string(report.facesBefore) + " before, " + std::to_string(report.facesAfter) + " now.\n";
+  if (report.largestDistance) {
+    text += "Largest distance found between before and now: " + shortestText(*report.largestDistance) + " mm.\n" +
+            (report.isProven ? "No point is farther away than --error allows.\n"
+                             : "Between the points looked at it is not proven that --error is kept.\n");
+  }
+  return text;
+}
+
+}  // namespace
+
+CommandSpec decimateSpec() {
+  return {
+      "decimate",
+      "FILE",
+      "Makes a mesh of fewer triangles that stays as near to the original as it can. Holes, handles and parts stay,\n"
+      "and no triangle turns over. Exit code 0: done; 2: --faces was not reached, and why is told on stderr; 1: error.",
+      {
+          {"output", 'o', "OUT", "The result: .stl, .ply, .obj, .off, .3mf or .handwheel; may be the input"},
+          {"faces", 0, "N", "Stop at so many triangles"},
+          {"error", 0, "MM", "Stay within this distance of the original, measured both ways"},
+          {"keep-borders", 0, "", "Leave the vertices of open edges where they are"},
+          {"keep-creases", 0, "DEGREES", "Leave the vertices of edges at least that sharp on them"},
+          {"no-crossings", 0, "", "Let no triangles meet that did not meet before"},
+          {"partial", 0, "", "Read what is readable of a damaged file"},
+          {"help", 'h', "", "Show this page"},
+      }};
+}
+
+int runDecimate(const Arguments& arguments, const DocumentKinds& kinds) {
+  DecimateRequest request;
+  const std::string problem = readRequest(arguments, request);
+  if (!problem.empty()) return failUsage(problem, "decimate");
+
+  std::optional<Result<Decimated>> result;
+  runInterruptible("Decimating", [&](Job& job) { result = decimateFile(request, kinds, job.progress()); });
+  if (!*result) return fail(result->error());
+  const Decimated& done = result->value();
+  tellLosses(done.file);
+  if (!done.refusal.empty()) return refuse(done.refusal);
+  if (const int code = print(readableText(done.report)); code != kExitDone) return code;
+  if (request.options.faces == 0 || done.report.facesAfter <= request.options.faces) return kExitDone;
+  complain("More than " + std::to_string(request.options.faces) +
+           " triangles are left: further ones cannot go within what is to be kept.");
+  return kExitSomethingLeft;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/DeviationReport.h"
+
+#include <QBuffer>
+#include <QImage>
+#include <QPageSize>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QTextDocument>
+#include <QUrl>
+#include <algorithm>
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+namespace handwheel {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kWidth = 640, kHeight = 200;  // of a histogram, in pixels at 96 a inch
+constexpr char kBarColour[] = "#3465a4";
+
+std::string number(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value == 0.0 ? 0.0 : value, std::chars_format::general, 6).ptr};
+}
+
+std::string point(const Vec3& p) {
+  return number(p.x()) + ", " + number(p.y()) + ", " + number(p.z());
+}
+
+struct Row {
+  std::string name, ofMesh, ofScan;
+};
+
+std::string extreme(const DeviationPlace& place) {
+  return number(place.distance) + " at " + point(place.place);
+}
+
+std::vector<Row> rowsOf(const Deviation& d) {
+  const auto row = [&](std::string name, auto value) { return Row{std::move(name), value(d.ofMesh), value(d.ofScan)}; };
+  std::vector<Row> rows;
+  rows.push_back(row("Mean", [](const SurfaceDeviation& s) { return number(s.mean); }));
+  rows.push_back(row("Mean, without sign", [](const SurfaceDeviation& s) { return number(s.meanAbsolute); }));
+  rows.push_back(row("RMS", [](const SurfaceDeviation& s) { return number(s.rms); }));
+  for (std::size_t i = 0; i < kDeviationPercentiles.size(); ++i) {
+    rows.push_back(row(number(kDeviationPercentiles[i]) + " % of the area within",
+                       [i](const SurfaceDeviation& s) { return number(s.percentiles[i]); }));
+  }
+  rows.push_back(row("Lowest", [](const SurfaceDeviation& s) { return extreme(s.lowest); }));
+  rows.push_back(row("Highest", [](const SurfaceDeviation& s) { return extreme(s.highest); }));
+  rows.push_back(row("Vertices", [](const SurfaceDeviation& s) { return std::to_string(s.vertices); }));
+  rows.push_back(row("Samples", [](const SurfaceDeviation& s) { return std::to_string(s.samples); }));
+  rows.push_back(row("Area (mm2)", [](const SurfaceDeviation& s) { return number(s.area); }));
+  return rows;
+}
+
+std::string escaped(const std::string& text) {
+  return QString::fromStdString(text).toHtmlEscaped().toStdString();
+}
+
+double tallest(const SurfaceDeviation& s) {
+  return *std::max_element(s.histogram.begin(), s.histogram.end());
+}
+
+std::string svgOf(const SurfaceDeviation& s) {
+  const auto size = [](double value) { return number(value); };
+  std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + std::to_string(kWidth) + "\" height=\"" +
+                    std::to_string(kHeight + 20) + "\" role=\"img\">\n";
+  const double bar = static_cast<double>(kWidth) / static_cast<double>(s.histogram.size());
+  for (std::size_t i = 0; i < s.histogram.size(); ++i) {
+    const double height = kHeight * s.histogram[i] / tallest(s);
+    svg += "<rect x=\"" + size(bar * static_cast<double>(i)) + "\" y=\"" + size(kHeight - height) + "\" width=\"" +
+           size(bar) + "\" height=\"" + size(height) + "\" fill=\"" + kBarColour + "\"/>\n";
+  }
+  const auto label = [&](const char* anchor, int x, double value) {
+    svg += "<text x=\"" + std::to_string(x) + "\" y=\"" + std::to_string(kHeight + 15) + "\" text-anchor=\"" + anchor +
+           "\" font-size=\"12\">" + number(value) + " mm</text>\n";
+  };
+  svg += "<line x1=\"0\" y1=\"" + std::to_string(kHeight) + "\" x2=\"" + std::to_string(kWidth) + "\" y2=\"" +
+         std::to_string(kHeight) + "\" stroke=\"black\"/>\n";
+  label("start", 0, s.lowest.distance);
+  label("end", kWidth, s.highest.distance);
+  return svg + "</svg>\n";
+}
+
+QImage pictureOf(const SurfaceDeviation& s) {
+  constexpr int kRatio = 3;  // sharp on paper
+  QImage image(kWidth * kRatio, kHeight * kRatio, QImage::Format_RGB32);
+  image.fill(Qt::white);
+  QPainter painter(&image);
+  painter.scale(kRatio, kRatio);
+  const double bar = static_cast<double>(kWidth) / static_cast<double>(s.histogram.size());
+  for (std::size_t i = 0; i < s.histogram.size(); ++i) {
+    const double height = kHeight * s.histogram[i] / tallest(s);
+    painter.fillRect(QRectF(bar * static_cast<double>(i), kHeight - height, bar, height), QColor(kBarColour));
+  }
+  painter.drawLine(0, kHeight - 1, kWidth, kHeight - 1);
+  return image;
+}
+
+// The page without its frame; histogram(surface, name) draws one.
+template <class Histogram>
+std::string bodyOf(const Comparison& c, Histogram histogram) {
+  std::string body = "<h1>Deviation</h1>\n<p>Mesh: " + escaped(c.mesh) + "<br/>Scan: " + escaped(c.scan) +
+                     "</p>\n<p>Distances in mm, above zero on the side to which the faces of the other surface look. "
+                     "The largest distance found either way is " +
+                     number(c.deviation.hausdorff()) + " mm.</p>\n" +
+                     "<table border=\"1\" cellspacing=\"0\" cellpadding=\"4\">\n"
+                     "<tr><th></th><th>Mesh from scan</th><th>Scan from mesh</th></tr>\n";
+  for (const Row& row : rowsOf(c.deviation)) {
+    body += "<tr><td>" + row.name + "</td><td>" + row.ofMesh + "</td><td>" + row.ofScan + "</td></tr>\n";
+  }
+  body += "</table>\n<h2>Mesh from scan, shares of the area</h2>\n" + histogram(c.deviation.ofMesh, "mesh") +
+          "<h2>Scan from mesh, shares of the area</h2>\n" + histogram(c.deviation.ofScan, "scan");
+  return body;
+}
+
+Json toJson(const DeviationPlace& place) {
+  const auto coordinates = [](const Vec3& p) { return Json::array({p.x(), p.y(), p.z()}); };
+  return {{"distance_mm", place.distance}, {"at", coordinates(place.place)}, {"nearest", coordinates(place.nearest)}};
+}
+
+Json toJson(const SurfaceDeviation& s) {
+  Json percentiles = Json::object();
+  for (std::size_t i = 0; i < kDeviationPercentiles.size(); ++i) {
+    percentiles[number(kDeviationPercentiles[i])] = s.percentiles[i];
+  }
+  return {{"vertices", s.vertices},
+          {"samples", s.samples},
+          {"area_mm2", s.area},
+          {"mean_mm", s.mean},
+          {"mean_absolute_mm", s.meanAbsolute},
+          {"rms_mm", s.rms},
+          {"lowest", toJson(s.lowest)},
+          {"highest", toJson(s.highest)},
+          {"percentiles_mm", percentiles},
+          {"histogram", s.histogram}};
+}
+
+}  // namespace
+
+std::string readableText(const Comparison& c) {
+  std::string text = "Distances in mm; above zero on the side to which the other's faces look.\n\n";
+  std::vector<Row> rows = rowsOf(c.deviation);
+  rows.insert(rows.begin(), {"", "Mesh from scan", "Scan from mesh"});
+  std::size_t names = 0, values = 0;
+  for (const Row& row : rows) {
+    names = std::max(names, row.name.size());
+    values = std::max(values, row.ofMesh.size());
+  }
+  for (const Row& row : rows) {
+    text += row.name + std::string(names + 2 - row.name.size(), ' ') + row.ofMesh +
+            std::string(values + 2 - row.ofMesh.size(), ' ') + row.ofScan + "\n";
+  }
+  return text + "\nLargest distance found either way: " + number(c.deviation.hausdorff()) + "\n";
+}
+
+Json toJson(const Comparison& c) {
+  return {{"mesh", c.mesh},
+          {"scan", c.scan},
+          {"largest_distance_mm", c.deviation.hausdorff()},
+          {"mesh_from_scan", toJson(c.deviation.ofMesh)},
+          {"scan_from_mesh", toJson(c.deviation.ofScan)}};
+}
+
+std::string htmlOf(const Comparison& c) {
+  const auto histogram = [](const SurfaceDeviation& s, const char*) { return svgOf(s); };
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"/><title>Deviation of " + escaped(c.mesh) +
+         "</title>\n<style>body { font-family: sans-serif; max-width: 60em; margin: 2em auto; }</style></head>\n"
+         "<body>\n" +
+         bodyOf(c, histogram) + "</body>\n</html>\n";
+}
+
+std::string pdfOf(const Comparison& c) {
+  QTextDocument document;
+  const auto histogram = [&](const SurfaceDeviation& s, const char* name) {
+    document.addResource(QTextDocument::ImageResource, QUrl(name), pictureOf(s));
+    return "<p><img src=\"" + std::string(name) + "\" width=\"" + std::to_string(kWidth * 3 / 4) + "\"/><br/>from " +
+           number(s.lowest.distance) + " to " + number(s.highest.distance) + " mm</p>\n";
+  };
+  document.setHtml(QString::fromStdString(bodyOf(c, histogram)));
+  QBuffer buffer;
+  buffer.open(QIODevice::WriteOnly);
+  QPdfWriter writer(&buffer);
+  writer.setPageSize(QPageSize(QPageSize::A4));
+  writer.setTitle(QString::fromStdString("Deviation of " + c.mesh));
+  document.print(&writer);
+  buffer.close();
+  return buffer.data().toStdString();
+}
+
+}  // namespace handwheel

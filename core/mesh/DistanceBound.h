@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/SurfaceDistance.h"
+
+namespace handwheel {
+
+enum class Within {
+  Yes,      // proven for every point of the surface, between the places looked at too
+  No,       // a point is farther
+  Unknown,  // too near to call within the steps allowed, or cancelled
+};
+
+// Of the distances that are told apart, as a share: where a point is that much nearer than the limit, No may be
+// answered all the same, never Yes where one is farther.
+inline constexpr double kBoundSlack = 0.01;
+
+// Whether every point of one surface is within a distance (mm, above zero) of the other. Triangles are cut into four
+// until all three corners of a part are within it of one and the same triangle of the other surface, to which the
+// distance is a convex function, or until the part is smaller than what its middle has to spare (after Tang, Lee, Kim,
+// "Interactive Hausdorff distance computation for general polygonal models", 2009). On all threads of the arena; the
+// time grows as the length of the other's edges over the distance.
+Within liesWithin(const SurfaceDistance& surface, const SurfaceDistance& of, double distance, Progress progress = {});
+
+}  // namespace handwheel

@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/HardHoles.h"
+
+#include "base/Tolerance.h"
+#include "mesh/EdgeTable.h"
+#include "mesh/LoopOwners.h"
+#include "mesh/MeshBuilder.h"
+#include "mesh/PositionTriangles.h"
+#include "mesh/SheetBacking.h"
+#include "mesh/Uncrossing.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+namespace handwheel {
+namespace {
+
+struct Way {
+  FillMethod method;
+  double height = 0.0;  // of a cone, in the loop's shortest edges; towards the outside
+};
+// From the best shape to the least that may do.
+constexpr Way kWays[] = {{FillMethod::Fair},        {FillMethod::Refined},    {FillMethod::Minimal},
+                         {FillMethod::Ear},         {FillMethod::Cone, -0.1}, {FillMethod::Cone, 0.1},
+                         {FillMethod::Cone, -0.01}, {FillMethod::Cone, 0.01}, {FillMethod::Backed}};
+// A cone over a longer loop would be a spike.
+constexpr std::size_t kConeEdges = 16;
+// Backed is only a sheet that is hardly more than its edge.
+constexpr std::size_t kBackedFacesPerEdge = 4;
+
+std::vector<BoundaryLoop> numbered(std::span<const HardHole> holes) {
+  std::vector<BoundaryLoop> loops;
+  for (const HardHole& hole : holes) {
+    loops.push_back(hole.loop);
+    loops.back().id = static_cast<int>(loops.size()) - 1;
+  }
+  return loops;
+}
+
+// Edges of the written file that have not two faces.
+std::size_t countBadEdges(const HalfEdgeMesh& mesh, Progress progress) {
+  const PositionTriangles byPosition(mesh, progress.part(0.0, 0.5));
+  const EdgeTable edges(byPosition.triangles, byPosition.classes.representative.size(), progress.part(0.5, 1.0));
+  std::size_t bad = 0;
+  edges.forEachEdge(
+      [&](std::uint32_t, std::uint32_t, std::span<const EdgeTable::Entry> run) { bad += run.size() != 2; });
+  return bad;
+}
+
+class Closer {
+ public:
+  Closer(HalfEdgeMesh& mesh, std::span<const HardHole> holes, const FillOptions& options, double thickness,
+         std::size_t mostWork, Progress progress)
+      : m_mesh(mesh),
+        m_holes(holes),
+        m_owners(mesh, numbered(holes)),
+        m_options(options),
+        m_thickness(thickness),
+        m_mostWork(mostWork),
+        m_progress(progress),
+        m_crossings(countCrossings(mesh, options.numbers, now())),
+        m_badEdges(countBadEdges(mesh, now())) {
+    m_options.mayCross = true;
+    m_options.tryOthers = false;
+    m_result.holes.resize(holes.size());
+  }
+
+  HardClosings run() {
+    std::vector<std::size_t> left(m_holes.size());
+    std::iota(left.begin(), left.end(), std::size_t{0});
+    for (const Way& way : kWays) {
+      m_way = way;
+      m_options.method = way.method;
+      m_proposals.clear();
+      close(left);
+      std::erase_if(left, [&](std::size_t i) { return m_result.holes[i].closed; });
+    }
+    return std::move(m_result);
+  }
+
+ private:
+  // What would close a loop of the mesh as it is: a patch, or a back to its sheet.
+  struct Proposal {
+    std::size_t hole;
+    BoundaryLoop loop;
+    std::optional<Patch> patch;
+  };
+
+  void close(std::span<const std::size_t> some) {
+    if (some.empty() || m_progress.cancelled() || m_result.work > m_mostWork) return;
+    if (tryTogether(some) || some.size() == 1) return;
+    close(some.first(some.size() / 2));
+    close(some.subspan(some.size() / 2));
+  }
+
+  // True when there is nothing more to try with these.
+  bool tryTogether(std::span<const std::size_t> some) {
+    if (m_proposals.empty()) propose();
+    HalfEdgeMesh changed = m_mesh;
+    std::vector<HardClosing> closings(m_holes.size());
+    std::vector<Face> newFaces, sheets;
+    for (const Proposal& p : m_proposals) {
+      if (std::find(some.begin(), some.end(), p.hole) == some.end()) continue;
+      if (!p.patch) {
+        sheets.push_back(HalfEdgeMesh::face(p.loop.halfEdges.front()));
+        closings[p.hole] = {true, FillMethod::Backed, 0};
+        continue;
+      }
+      for (std::size_t i = 0; i < p.patch->triangles.size(); ++i)
+        newFaces.push_back(static_cast<Face>(changed.faceSlots() + i));
+      putPatch(changed, p.loop, *p.patch);
+      closings[p.hole] = {true, p.patch->method, closings[p.hole].newFaces + p.patch->triangles.size()};
+    }
+    giveBacks(changed, sheets, newFaces);
+    return newFaces.empty() || keepIfSound(std::move(changed), newFaces, closings);
+  }
+
+  // For all that is left, with the mesh as it is and the method.
+  void propose() {
+    const HoleFiller filler(m_mesh, now());
+    for (const BoundaryLoop& loop : findBoundaryLoops(m_mesh, now())) {
+      if (m_progress.cancelled()) return;
+      const std::size_t hole = ownerOf(loop);
+      if (hole == kNobody) continue;
+      if (m_holes[hole].back || m_options.method == FillMethod::Backed) {
+        if (mayBack(hole, loop)) m_proposals.push_back({hole, loop, {}});
+        continue;
+      }
+      if (m_way.method == FillMethod::Cone) {
+        if (loop.halfEdges.size() <= kConeEdges) m_proposals.push_back({hole, loop, cone(loop)});
+        continue;
+      }
+      FillAttempt attempt = filler.propose(loop, m_options, now());
+      if (attempt.failure == FillFailure::None) m_proposals.push_back({hole, loop, std::move(attempt.patch)});
+    }
+  }
+
+  // Trials take turns, so the share of the work that is allowed is all that can be told.
+  Progress now() const {
+    const double share = std::min(1.0, static_cast<double>(m_result.work) / static_cast<double>(m_mostWork + 1));
+    return m_progress.part(share, share);
+  }
+
+  static constexpr std::size_t kNobody = ~std::size_t{0};
+
+  std::size_t ownerOf(const BoundaryLoop& loop) const {
+    for (int id : m_owners.of(m_mesh, loop)) {
+      if (!m_result.holes[static_cast<std::size_t>(id)].closed) return static_cast<std::size_t>(id);
+    }
+    return kNobody;
+  }
+
+  Patch cone(const BoundaryLoop& loop) const {
+    Patch patch;
+    patch.method = FillMethod::Cone;
+    patch.points = loopPoints(m_mesh, loop);
+    const auto n = static_cast<std::uint32_t>(patch.points.size());
+    patch.loopSize = n;
+    Vec3 middle = Vec3::Zero(), area = Vec3::Zero();
+    double shortest = std::numeric_limits<double>::infinity();
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const Vec3 &a = patch.points[i], &b = patch.points[(i + 1) % n];
+      middle += a / n;
+      area += (b - loop.centre).cross(a - loop.centre);  // the patch runs against the loop
+      shortest = std::min(shortest, (b - a).norm());
+      patch.triangles.push_back({(i + 1) % n, i, n});
+    }
+    patch.points.push_back(
+        rounded(Vec3(middle + m_way.height * shortest * area.stableNormalized()), m_options.numbers));
+    return patch;
+  }
+
+  // Backs are tried once, and for what is no sheet last.
+  bool mayBack(std::size_t hole, const BoundaryLoop& loop) const {
+    if (m_holes[hole].back) return m_options.method == kWays[0].method;
+    return sheetOf(m_mesh, HalfEdgeMesh::face(loop.halfEdges.front())).size() <=
+           kBackedFacesPerEdge * loop.halfEdges.size();
+  }
+
+  void giveBacks(HalfEdgeMesh& mesh, const std::vector<Face>& sheets, std::vector<Face>& newFaces) const {
+    std::vector<bool> backed(m_mesh.faceSlots(), false);
+    for (Face seed : sheets) {
+      if (backed[seed]) continue;  // another loop of the same sheet
+      std::vector<Face> sheet = sheetOf(mesh, seed);
+      for (Face f : sheet) {
+        if (f < backed.size()) backed[f] = true;
+      }
+      const std::vector<Face> faces = backSheet(mesh, sheet, m_thickness, m_options.numbers);
+      newFaces.insert(newFaces.end(), faces.begin(), faces.end());
+    }
+    if (!sheets.empty()) relink(mesh, now());
+  }
+
+  bool keepIfSound(HalfEdgeMesh changed, const std::vector<Face>& newFaces, const std::vector<HardClosing>& closings) {
+    const UncrossReport report = uncross(changed, newFaces, m_options.numbers, m_crossings, now());
+    m_result.work += m_mesh.faceSlots() + tolerance::kCutWork * report.cutFaces;
+    if (report.crossingsAfter > m_crossings) return false;
+    const std::size_t bad = countBadEdges(changed, now());
+    if (m_progress.cancelled() || bad >= m_badEdges) return false;
+    m_badEdges = bad;
+    m_crossings = report.crossingsAfter;
+    m_mesh = std::move(changed);
+    m_proposals.clear();  // their loops are no longer those of the mesh
+    m_result.cutFaces += report.cutFaces;
+    for (std::size_t i = 0; i < closings.size(); ++i) {
+      if (closings[i].closed) m_result.holes[i] = closings[i];
+    }
+    return true;
+  }
+
+  HalfEdgeMesh& m_mesh;
+  std::span<const HardHole> m_holes;
+  LoopOwners m_owners;
+  FillOptions m_options;
+  double m_thickness;
+  std::size_t m_mostWork;
+  Progress m_progress;
+  HardClosings m_result;
+  std::size_t m_crossings;  // of the mesh, as the file will show it
+  std::size_t m_badEdges;
+  Way m_way = kWays[0];
+  std::vector<Proposal> m_proposals;
+};
+
+}  // namespace
+
+HardClosings closeHardHoles(HalfEdgeMesh& mesh, std::span<const HardHole> holes, const FillOptions& options,
+                            double thickness, std::size_t mostWork, Progress progress) {
+  if (holes.empty()) return {};
+  return Closer(mesh, holes, options, thickness, mostWork, progress).run();
+}
+
+}  // namespace handwheel

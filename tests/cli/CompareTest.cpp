@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Program.h"
+#include "Shapes.h"
+
+#include <QTest>
+#include <QXmlStreamReader>
+
+using namespace handwheel;
+
+namespace {
+
+// A flat sheet of 4 × 4, and the same by so much higher.
+Shape sheetAt(double height) {
+  return Shape().add(flatSheet(4), {0, 0, height});
+}
+
+}  // namespace
+
+class CompareTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void figures() {
+    const Bench bench;
+    bench.put("high.off", sheetAt(0.5).off());
+    bench.put("low.off", sheetAt(0).off());
+    const Ran ran = bench.run({"compare", "high.off", "low.off", "--report", "r.json"}, "de_DE.UTF-8");
+    QCOMPARE(ran.code, 0);
+    QCOMPARE(ran.err, QByteArray());
+    QVERIFY(ran.out.contains("Largest distance found either way: 0.5\n"));
+    QVERIFY(QRegularExpression("RMS +0\\.5 +0\\.5\n").match(ran.out).hasMatch());
+    QVERIFY(QRegularExpression("Mean +0\\.5 +-0\\.5\n").match(ran.out).hasMatch());
+    const auto json = bench.json("r.json");
+    QCOMPARE(json["mesh_from_scan"]["vertices"].get<int>(), 25);
+    QCOMPARE(json["mesh_from_scan"]["samples"].get<int>(), 200000);
+    QVERIFY(std::abs(json["mesh_from_scan"]["area_mm2"].get<double>() - 16.0) < 1e-12);
+    QVERIFY(std::abs(json["mesh_from_scan"]["rms_mm"].get<double>() - 0.5) < 1e-9);
+    QVERIFY(std::abs(json["scan_from_mesh"]["mean_mm"].get<double>() + 0.5) < 1e-9);
+    QCOMPARE(json["mesh_from_scan"]["percentiles_mm"]["99"].get<double>(), 0.5);
+    QCOMPARE(json["mesh_from_scan"]["histogram"].size(), std::size_t{50});
+  }
+
+  void itselfIsNoDistanceAway() {
+    const Bench bench;
+    bench.put("a.off", holedBox().off());
+    QCOMPARE(bench.run({"convert", "a.off", "a.handwheel"}).code, 0);
+    const Ran ran = bench.run({"compare", "a.off", "a.handwheel", "--samples", "1000", "--report", "r.json"});
+    QCOMPARE(ran.code, 0);
+    QVERIFY(bench.json("r.json")["largest_distance_mm"].get<double>() < 1e-12);
+    QCOMPARE(bench.json("r.json")["mesh_from_scan"]["samples"].get<int>(), 1000);
+  }
+
+  void pageStandsAlone() {
+    const Bench bench;
+    bench.put("a<&.off", cube(2).off());
+    bench.put("b.off", cube(1).off());
+    QCOMPARE(bench.run({"compare", "a<&.off", "b.off", "--report", "r.html"}).code, 0);
+    const QByteArray page = bench.content("r.html");
+    QVERIFY(page.contains("a&lt;&amp;.off"));
+    QVERIFY(!page.contains("src=") && !page.contains("href="));
+    QXmlStreamReader xml(page);
+    int bars = 0, pictures = 0, cells = 0;
+    while (!xml.atEnd()) {
+      if (xml.readNext() != QXmlStreamReader::StartElement) continue;
+      pictures += xml.name() == u"svg";
+      bars += xml.name() == u"rect";
+      cells += xml.name() == u"td";
+    }
+    QVERIFY2(!xml.hasError(), qPrintable(xml.errorString()));
+    QCOMPARE(pictures, 2);
+    QCOMPARE(bars, 100);
+    QVERIFY(cells > 20 && cells % 3 == 0);
+    // The corner opposite to the shared one is √3 away.
+    QVERIFY(page.contains("1.73205 at 2, 2, 2"));
+  }
+
+  void printed() {
+    const Bench bench;
+    bench.put("a.off", cube(2).off());
+    bench.put("b.off", cube(1).off());
+    const Ran ran = bench.run({"compare", "a.off", "b.off", "--report", "r.pdf"});
+    QCOMPARE(ran.code, 0);
+    QCOMPARE(ran.err, QByteArray());
+    const QByteArray pdf = bench.content("r.pdf");
+    QVERIFY(pdf.startsWith("%PDF-"));
+    QVERIFY(pdf.trimmed().endsWith("%%EOF"));
+    QCOMPARE(pdf.count("/Subtype /Image"), 2);
+    QVERIFY(pdf.contains("/FontFile2"));
+  }
+
+  void mistakes() {
+    const Bench bench;
+    bench.put("a.off", cube().off());
+    bench.put("a.html", cube().off());
+    bench.put("none.off", "OFF\n0 0 0\n");
+    const auto says = [&](const QStringList& words, const char* sentence) {
+      const Ran ran = bench.run(words);
+      return ran.code == 1 && ran.out.isEmpty() && ran.err.startsWith(QByteArray("handwheel: ") + sentence);
+    };
+    QVERIFY(says({"compare", "a.off"}, "The command compare needs FILE SCAN."));
+    QVERIFY(says({"compare", "a.off", "a.off", "--samples", "-1"}, "--samples takes a number from 0 to 4000000."));
+    QVERIFY(says({"compare", "a.off", "a.off", "--samples", "4000001"}, "--samples takes a number from 0 to 4000000."));
+    QVERIFY(says({"compare", "a.off", "a.off", "--report", "r.txt"},
+                 "--report takes a name that ends in .html, .pdf or .json."));
+    QVERIFY(says({"compare", "a.off", "a.html", "--report", "./a.html"},
+                 "FILE and SCAN cannot be the report too: ./a.html."));
+    QCOMPARE(bench.run({"compare", "a.off", "none.off"}).code, 1);
+    QCOMPARE(bench.run({"compare", "a.off", "missing.off"}).code, 1);
+    QCOMPARE(bench.run({"compare", "a.off", "a.off", "--report", "no/such/r.html"}).code, 1);
+    QCOMPARE(bench.names(), (QStringList{"a.html", "a.off", "none.off"}));
+  }
+};
+
+QTEST_GUILESS_MAIN(CompareTest)
+#include "CompareTest.moc"
