@@ -10,6 +10,7 @@
 #include "mesh/PartDuplicates.h"
 #include "mesh/Steps.h"
 #include "mesh/Stitching.h"
+#include "mesh/TurningOut.h"
 #include "mesh/Uncrossing.h"
 #include "mesh/Weld.h"
 
@@ -41,6 +42,7 @@ class Repairer {
     clean(progress.part(0.0, 0.3));
     if (!progress.cancelled()) fill(progress.part(0.3, 0.6));
     if (!progress.cancelled()) closeHard(progress.part(0.6, 0.95));
+    if (!progress.cancelled()) turnOut(m_mesh, progress.part(0.95, 0.96));
     if (!progress.cancelled()) finish(progress.part(0.95, 1.0));
     m_report.cancelled = progress.cancelled();
     return std::move(m_report);

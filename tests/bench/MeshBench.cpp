@@ -10,11 +10,6 @@
 #include "mesh/Weld.h"
 #include "support/MeshShapes.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/border.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
-#include <CGAL/Surface_mesh.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkSTLReader.h>
@@ -104,60 +99,6 @@ void linkFaces(benchmark::State& state) {
   }
 }
 
-namespace pmp = CGAL::Polygon_mesh_processing;
-using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
-using Surface = CGAL::Surface_mesh<Point>;
-
-Surface toLibrary(const TriangleSoup& soup) {
-  std::vector<Point> points;
-  for (const Vec3& p : soup.points) points.emplace_back(p.x(), p.y(), p.z());
-  Surface surface;
-  pmp::polygon_soup_to_polygon_mesh(points, soup.triangles, surface);
-  return surface;
-}
-
-// The library alone: no check for intersections, no other method to fall back to.
-double fillByLibrary(Surface surface, std::size_t& newFaces) {
-  std::vector<Surface::Halfedge_index> borders;
-  pmp::extract_boundary_cycles(surface, std::back_inserter(borders));
-  std::vector<Surface::Face_index> faces;
-  std::vector<Surface::Vertex_index> vertices;
-  const double seconds = secondsOf([&] {
-    pmp::triangulate_refine_and_fair_hole(surface, borders.front(), std::back_inserter(faces),
-                                          std::back_inserter(vertices));
-  });
-  newFaces = faces.size();
-  return seconds;
-}
-
-// A fair patch with its check for intersections against the part, whose hierarchy is there already.
-void fillHole(benchmark::State& state) {
-  const double radius = 0.01 * static_cast<double>(state.range(0));
-  TriangleSoup soup = test::withHole(test::icosphere(5), Vec3(1, 1, 1).normalized(), radius);
-  const HalfEdgeMesh mesh = buildMesh(soup).mesh;
-  soup = mesh.compact().soup;  // without the points inside the hole
-  const BoundaryLoop loop = findBoundaryLoops(mesh).at(0);
-  const HoleFiller filler(mesh);
-  const Surface surface = toLibrary(soup);
-  double ours = 0.0, theirs = 0.0;
-  std::size_t newFaces = 0, theirFaces = 0;
-  for (auto _ : state) {
-    const double seconds = secondsOf([&] {
-      const FillAttempt attempt = filler.propose(loop, {});
-      newFaces = attempt.patch.triangles.size();
-      if (attempt.patch.method != FillMethod::Fair) state.SkipWithError("not filled fairly");
-    });
-    state.SetIterationTime(seconds);
-    ours += seconds;
-    theirs += fillByLibrary(surface, theirFaces);
-  }
-  state.counters["edges"] = static_cast<double>(loop.halfEdges.size());
-  state.counters["newFaces"] = static_cast<double>(newFaces);
-  state.counters["cgalFaces"] = static_cast<double>(theirFaces);
-  state.counters["cgalMs"] = 1e3 * theirs / static_cast<double>(state.iterations());
-  state.counters["timesAsLong"] = ours / theirs;
-}
-
 void buildHierarchy(benchmark::State& state) {
   const HalfEdgeMesh mesh = buildMesh(test::icosphere(static_cast<int>(state.range(0)))).mesh;
   for (auto _ : state) {
@@ -196,7 +137,6 @@ BENCHMARK(loadInspect)->Arg(354)->Unit(benchmark::kMillisecond)->UseManualTime()
 BENCHMARK(weldPoints)->Arg(382)->Unit(benchmark::kMillisecond);
 BENCHMARK(linkFaces)->Arg(382)->Unit(benchmark::kMillisecond);
 BENCHMARK(pick)->Arg(500)->Unit(benchmark::kMicrosecond)->UseManualTime();
-BENCHMARK(fillHole)->Arg(20)->Arg(55)->Arg(80)->Unit(benchmark::kMillisecond)->UseManualTime();
 BENCHMARK(buildHierarchy)->Arg(5)->Arg(7)->Unit(benchmark::kMillisecond);
 
 int main(int argc, char** argv) {

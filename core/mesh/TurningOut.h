@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "mesh/HalfEdgeMesh.h"
+
+namespace handwheel {
+
+// Turns closed shells that are inside out: each shell with a negative volume that lies in no other closed one, and with
+// it all that lies in it, so that a cavity stays one. Open shells stay as they are. Returns how many faces were turned.
+// O(n), and for each shell that may lie in another, O(faces of that). Once cancelled, or where more than
+// kMostShellPairs pairs of shells would have to be looked at, nothing is turned.
+inline constexpr std::size_t kMostShellPairs = 10'000'000;
+std::size_t turnOut(HalfEdgeMesh& mesh, Progress progress = {});
+
+}  // namespace handwheel

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/TurningOut.h"
+
+#include "MeshChecks.h"
+#include "MeshShapes.h"
+#include "mesh/MeshBuilder.h"
+#include "mesh/MeshValidator.h"
+
+#include <QTest>
+
+using namespace handwheel;
+
+namespace {
+
+TriangleSoup together(std::vector<TriangleSoup> parts) {
+  TriangleSoup all;
+  for (const TriangleSoup& part : parts) test::append(all, part);
+  return all;
+}
+
+}  // namespace
+
+class TurningOutTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void shells_data();
+  void shells();
+  void cancelled();
+};
+
+void TurningOutTest::shells_data() {
+  QTest::addColumn<TriangleSoup>("soup");
+  QTest::addColumn<int>("turned");
+  QTest::addColumn<double>("volume");  // then; not a number: open
+  const TriangleSoup large = test::cube(4.0), inner = test::cube(1.0, {1, 1, 1});
+  const TriangleSoup beside = test::cube(1.0, {9, 0, 0}), innermost = test::cube(0.5, {1.2, 1.2, 1.2});
+  const auto over = test::turnedOver;
+  QTest::newRow("nothing") << TriangleSoup{} << 0 << 0.0;
+  QTest::newRow("right") << large << 0 << 64.0;
+  QTest::newRow("inside out") << over(large) << 12 << 64.0;
+  QTest::newRow("a cavity stays") << together({large, over(inner)}) << 0 << 63.0;
+  QTest::newRow("a cavity turns with its body") << together({over(large), inner}) << 24 << 63.0;
+  QTest::newRow("a body in a body") << together({over(large), over(inner)}) << 24 << 65.0;
+  QTest::newRow("three in each other") << together({over(large), inner, over(innermost)}) << 36 << 63.125;
+  QTest::newRow("one of two") << together({large, over(beside)}) << 12 << 65.0;
+  QTest::newRow("far off") << test::moved(over(test::icosphere(3)), {1e6, -1e6, 1e6}) << 1280 << std::nan("");
+  QTest::newRow("open") << over(test::sphereWithoutCap(2)) << 0 << std::nan("");
+}
+
+void TurningOutTest::shells() {
+  QFETCH(TriangleSoup, soup);
+  const HalfEdgeMesh before = buildMesh(soup).mesh;
+  HalfEdgeMesh mesh = before;
+  QTEST(static_cast<int>(turnOut(mesh)), "turned");
+  QFETCH(int, turned);
+  QFETCH(double, volume);
+  QCOMPARE(validate(mesh), std::string());
+  QCOMPARE(mesh.liveFaceCount(), before.liveFaceCount());
+  if (!std::isnan(volume)) QCOMPARE(test::volume(mesh.compact().soup), volume);
+  for (Vertex v = 0; v < before.vertexSlots(); ++v) QVERIFY(test::sameBits(mesh.position(v), before.position(v)));
+  if (turned > 0) QCOMPARE(turnOut(mesh), std::size_t{0});  // once is enough
+}
+
+void TurningOutTest::cancelled() {
+  const HalfEdgeMesh before = buildMesh(test::turnedOver(test::cube())).mesh;
+  HalfEdgeMesh mesh = before;
+  JobState state;
+  state.cancelled = true;
+  QCOMPARE(turnOut(mesh, Progress(state)), std::size_t{0});
+  QVERIFY(test::sameMesh(mesh, before));
+}
+
+QTEST_APPLESS_MAIN(TurningOutTest)
+#include "TurningOutTest.moc"
