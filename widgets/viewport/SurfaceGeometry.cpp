@@ -39,8 +39,9 @@ void append(std::vector<float>& to, const Vec3& v) {
 class BlockBuilder {
  public:
   BlockBuilder(const HalfEdgeMesh& mesh, std::size_t block, const Vec3& origin, Face blockFaces)
-      : m_mesh(mesh), m_origin(origin), m_first(static_cast<Face>(block) * blockFaces) {
-    m_end = static_cast<Face>(std::min<std::size_t>(mesh.faceSlots(), std::size_t{m_first} + blockFaces));
+      : m_mesh(mesh), m_origin(origin) {
+    m_first = static_cast<Face>(std::min(mesh.faceSlots(), block * blockFaces));
+    m_end = static_cast<Face>(std::min(mesh.faceSlots(), std::size_t{m_first} + blockFaces));
     m_vertexOf.assign(3 * std::size_t{m_end - m_first}, -1);
   }
 

@@ -24,8 +24,9 @@ struct SurfaceGeometry {
 inline constexpr Face kBlockFaces = 65536;
 std::size_t blockCount(const HalfEdgeMesh& mesh, Face blockFaces = kBlockFaces);
 
-// The live faces of one block. Normals are angle-weighted over the faces around a vertex (Thürmer, Wüthrich, "Computing
-// vertex normals from polygonal facets", 1998) and split where neighbouring faces differ by more than 40°.
+// The live faces of one block; none of a block behind the last, as an undo leaves it to be drawn anew. Normals are
+// angle-weighted over the faces around a vertex (Thürmer, Wüthrich, "Computing vertex normals from polygonal facets",
+// 1998) and split where neighbouring faces differ by more than 40°.
 SurfaceGeometry blockGeometry(const HalfEdgeMesh& mesh, std::size_t block, const Vec3& origin,
                               Face blockFaces = kBlockFaces);
 

@@ -57,6 +57,17 @@ Vec3 vectorAt(const std::vector<float>& values, std::size_t i) {
 class SurfaceGeometryTest : public QObject {
   Q_OBJECT
  private slots:
+  // What an undo made shorter has no faces in the blocks behind its end.
+  void blockBehindTheEndIsEmpty() {
+    const HalfEdgeMesh mesh = buildMesh(cube()).mesh;
+    for (const std::size_t block : {std::size_t{2}, std::size_t{3}, std::size_t{65'536}}) {
+      const SurfaceGeometry g = blockGeometry(mesh, block, Vec3::Zero(), 6);
+      QCOMPARE(g.vertexCount(), std::size_t{0});
+      QVERIFY(g.indices.empty());
+    }
+    QCOMPARE(blockGeometry(mesh, 1, Vec3::Zero(), 6).indices.size(), std::size_t{18});
+  }
+
   // Each corner of a cube lies on three creases: three drawn vertices with the normals of the sides.
   void cubeHasSharpEdges() {
     const HalfEdgeMesh mesh = buildMesh(cube()).mesh;
