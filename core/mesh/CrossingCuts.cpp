@@ -4,6 +4,7 @@
 
 #include "base/Tolerance.h"
 #include "mesh/EdgeTable.h"
+#include "mesh/QuietCgal.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Constrained_triangulation_plus_2.h>
@@ -220,7 +221,12 @@ class Cutter {
 
 CrossingCuts cutAtCrossings(const TriangleSoup& soup, std::span<const TrianglePair> pairs, NumberType numbers,
                             Progress progress) {
-  return Cutter(soup, numbers).run(pairs, progress);
+  const QuietCgal quiet;
+  try {
+    return Cutter(soup, numbers).run(pairs, progress);
+  } catch (const std::exception&) {  // a precondition of the library, or no memory
+    return {soup.points, {}};
+  }
 }
 
 }  // namespace handwheel

@@ -3,6 +3,7 @@
 #include "mesh/LibraryFill.h"
 
 #include "mesh/Fairing.h"
+#include "mesh/QuietCgal.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -22,23 +23,6 @@ using Surface = CGAL::Surface_mesh<Point>;
 Point toPoint(const Vec3& p) {
   return {p.x(), p.y(), p.z()};
 }
-
-// CGAL reports broken preconditions on stderr unless told not to; here they are ordinary refusals, thrown and caught.
-class QuietCgal {
- public:
-  QuietCgal() : m_error(CGAL::set_error_handler(silent)), m_warning(CGAL::set_warning_handler(silent)) {}
-  ~QuietCgal() {
-    CGAL::set_error_handler(m_error);
-    CGAL::set_warning_handler(m_warning);
-  }
-  QuietCgal(const QuietCgal&) = delete;
-  QuietCgal& operator=(const QuietCgal&) = delete;
-
- private:
-  static void silent(const char*, const char*, const char*, int, const char*) {}
-  CGAL::Failure_function m_error;
-  CGAL::Failure_function m_warning;
-};
 
 struct Corners {
   int a, b, c;
