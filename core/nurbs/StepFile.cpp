@@ -69,11 +69,13 @@ class Indicator : public Message_ProgressIndicator {
   Progress m_progress;
 };
 
-// The library's STEP translators and its messages live in global variables.
+// The library's STEP translators and its messages live in global variables. One for all: a variable of the template
+// below would be one for each kind of work.
+std::mutex libraryMutex;
+
 template <class Work>
 auto withLibrary(Work work) -> decltype(work()) {
-  static std::mutex mutex;
-  const std::lock_guard<std::mutex> lock(mutex);
+  const std::lock_guard<std::mutex> lock(libraryMutex);
   try {
     Message::DefaultMessenger()->ChangePrinters().Clear();
     return work();
