@@ -12,6 +12,7 @@ class blocked_range {
   Value begin() const { return m_begin; }
   Value end() const { return m_end; }
   Value grainsize() const { return m_grain; }
+  Value size() const { return m_end - m_begin; }
 
  private:
   Value m_begin, m_end, m_grain;
