@@ -111,7 +111,8 @@ CommandSpec decimateSpec() {
       "decimate",
       "FILE",
       "Makes a mesh of fewer triangles that stays as near to the original as it can. Holes, handles and parts stay,\n"
-      "and no triangle turns over. Exit code 0: done; 2: --faces was not reached, and why is told on stderr; 1: error.",
+      "and no triangle turns over. Exit code 0: done; 2: --faces was not reached, or nothing could go, told on stderr; "
+      "1: error.",
       {
           {"output", 'o', "OUT", "The result: .stl, .ply, .obj, .off, .3mf or .handwheel; may be the input"},
           {"faces", 0, "N", "Stop at so many triangles"},
@@ -136,6 +137,10 @@ int runDecimate(const Arguments& arguments, const DocumentKinds& kinds) {
   tellLosses(done.file);
   if (!done.refusal.empty()) return refuse(done.refusal);
   if (const int code = print(readableText(done.report)); code != kExitDone) return code;
+  if (request.options.error && done.report.facesAfter + done.report.removedDegenerate == done.report.facesBefore) {
+    complain("Nothing was taken away: no try kept to --error everywhere. A larger one may do.");
+    return kExitSomethingLeft;
+  }
   if (request.options.faces == 0 || done.report.facesAfter <= request.options.faces) return kExitDone;
   complain("More than " + std::to_string(request.options.faces) +
            " triangles are left: further ones cannot go within what is to be kept.");

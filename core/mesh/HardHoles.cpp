@@ -204,7 +204,7 @@ class Closer {
     m_crossings = report.crossingsAfter;
     m_mesh = std::move(changed);
     m_proposals.clear();  // their loops are no longer those of the mesh
-    m_result.cutFaces += report.cutFaces;
+    if (report.changed) m_result.cutFaces += report.cutFaces;
     for (std::size_t i = 0; i < closings.size(); ++i) {
       if (closings[i].closed) m_result.holes[i] = closings[i];
     }

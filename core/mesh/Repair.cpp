@@ -43,7 +43,7 @@ class Repairer {
     if (!progress.cancelled()) fill(progress.part(0.3, 0.6));
     if (!progress.cancelled()) closeHard(progress.part(0.6, 0.95));
     if (!progress.cancelled()) turnOut(m_mesh, progress.part(0.95, 0.96));
-    if (!progress.cancelled()) finish(progress.part(0.95, 1.0));
+    if (!progress.cancelled()) finish(progress.part(0.96, 1.0));
     m_report.cancelled = progress.cancelled();
     return std::move(m_report);
   }

@@ -3,8 +3,7 @@
 #include "mesh/TurningOut.h"
 
 #include "mesh/Orientation.h"
-#include "mesh/SheetBacking.h"
-#include "mesh/Steps.h"
+#include "mesh/Shells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,33 +36,43 @@ Shell shellOf(const HalfEdgeMesh& mesh, std::vector<Face> faces) {
 
 std::vector<Shell> closedShells(const HalfEdgeMesh& mesh, Progress progress) {
   std::vector<Shell> shells;
-  std::vector<bool> seen(mesh.faceSlots(), false);
-  for (Face f = 0; f < mesh.faceSlots(); ++f) {
-    if (!mayGoOn(f, mesh.faceSlots(), progress)) return {};
-    if (seen[f] || !mesh.isProper(f)) continue;
-    std::vector<Face> faces = sheetOf(mesh, f);
-    for (Face g : faces) seen[g] = true;
+  for (std::vector<Face>& faces : findShells(mesh, progress)) {
+    if (progress.cancelled()) return {};
     Shell shell = shellOf(mesh, std::move(faces));
     if (shell.closed) shells.push_back(std::move(shell));
   }
   return shells;
 }
 
-// By the sum of the solid angles of the shell's faces at one point of the other, which is 4π inside and 0 outside
-// (van Oosterom and Strackee, "The Solid Angle of a Plane Triangle", 1983).
-bool liesIn(const HalfEdgeMesh& mesh, const Shell& inner, const Shell& outer) {
-  if (!outer.box.contains(inner.box)) return false;
-  const TrianglePoints first = mesh.points(inner.faces.front());
-  const Vec3 at = (first[0] + first[1] + first[2]) / 3.0;
-  double angle = 0.0;
-  for (Face f : outer.faces) {
-    const TrianglePoints p = mesh.points(f);
-    const Vec3 a = p[0] - at, b = p[1] - at, c = p[2] - at;
-    const double u = a.norm(), v = b.norm(), w = c.norm();
-    angle += 2.0 * std::atan2(a.dot(b.cross(c)), u * v * w + a.dot(b) * w + b.dot(c) * u + c.dot(a) * v);
+class Nesting {
+ public:
+  Nesting(const HalfEdgeMesh& mesh, const Progress& progress) : m_mesh(mesh), m_progress(progress) {}
+
+  // False as soon as it is cancelled, or has cost too much: then no answer counts.
+  bool isSure() const { return m_visits <= kMostShellVisits && !m_progress.cancelled(); }
+
+  // By the sum of the solid angles of the shell's faces at one point of the other, which is 4π inside and 0 outside
+  // (van Oosterom and Strackee, "The Solid Angle of a Plane Triangle", 1983).
+  bool liesIn(const Shell& inner, const Shell& outer) {
+    if (!isSure() || &inner == &outer || !outer.box.contains(inner.box)) return false;
+    m_visits += outer.faces.size();
+    const TrianglePoints first = m_mesh.points(inner.faces.front());
+    const Vec3 at = (first[0] + first[1] + first[2]) / 3.0;
+    double angle = 0.0;
+    for (Face f : outer.faces) {
+      const TrianglePoints p = m_mesh.points(f);
+      const Vec3 a = p[0] - at, b = p[1] - at, c = p[2] - at;
+      const double u = a.norm(), v = b.norm(), w = c.norm();
+      angle += 2.0 * std::atan2(a.dot(b.cross(c)), u * v * w + a.dot(b) * w + b.dot(c) * u + c.dot(a) * v);
+    }
+    return std::abs(angle) > 2.0 * std::numbers::pi;
   }
-  return std::abs(angle) > 2.0 * std::numbers::pi;
-}
+
+ private:
+  const HalfEdgeMesh& m_mesh;
+  const Progress& m_progress;
+  std::size_t m_visits = 0;
+};
 
 // All half-edges of the shell run the other way; neighbours stay neighbours.
 void turn(HalfEdgeMesh& mesh, const Shell& shell) {
@@ -84,16 +93,17 @@ std::size_t turnOut(HalfEdgeMesh& mesh, Progress progress) {
   const std::vector<Shell> shells = closedShells(mesh, progress.part(0.0, 0.5));
   const auto isInsideOut = [](const Shell& s) { return s.volume < 0.0; };
   const auto suspects = static_cast<std::size_t>(std::count_if(shells.begin(), shells.end(), isInsideOut));
-  if (suspects == 0 || suspects * shells.size() > kMostShellPairs) return 0;
+  if (suspects == 0 || suspects > kMostShellPairs / shells.size()) return 0;
+  Nesting nesting(mesh, progress);
   std::vector<bool> mustTurn(shells.size(), false);
   for (std::size_t i = 0; i < shells.size(); ++i) {
-    if (progress.cancelled()) return 0;
     if (!isInsideOut(shells[i])) continue;
-    const auto holdsIt = [&](const Shell& s) { return &s != &shells[i] && liesIn(mesh, shells[i], s); };
+    const auto holdsIt = [&](const Shell& s) { return nesting.liesIn(shells[i], s); };
     if (std::any_of(shells.begin(), shells.end(), holdsIt)) continue;
     for (std::size_t k = 0; k < shells.size(); ++k)
-      mustTurn[k] = mustTurn[k] || k == i || liesIn(mesh, shells[k], shells[i]);
+      mustTurn[k] = mustTurn[k] || k == i || nesting.liesIn(shells[k], shells[i]);
   }
+  if (!nesting.isSure()) return 0;
   std::size_t faces = 0;
   for (std::size_t i = 0; i < shells.size(); ++i) {
     if (!mustTurn[i]) continue;

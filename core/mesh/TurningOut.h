@@ -9,9 +9,11 @@ namespace handwheel {
 
 // Turns closed shells that are inside out: each shell with a negative volume that lies in no other closed one, and with
 // it all that lies in it, so that a cavity stays one. Open shells stay as they are. Returns how many faces were turned.
-// O(n), and for each shell that may lie in another, O(faces of that). Once cancelled, or where more than
-// kMostShellPairs pairs of shells would have to be looked at, nothing is turned.
+// O(n), and for each shell in whose box a shell that is inside out lies, O(faces of that). Nothing is turned once
+// cancelled, or where that would be more pairs of shells or visits of faces than these: a second, where a body is full
+// of bubbles.
 inline constexpr std::size_t kMostShellPairs = 10'000'000;
+inline constexpr std::size_t kMostShellVisits = 30'000'000;
 std::size_t turnOut(HalfEdgeMesh& mesh, Progress progress = {});
 
 }  // namespace handwheel

@@ -158,7 +158,7 @@ inline std::vector<ExtremeMesh> topologicalMeshes() {
       {.name = "Möbius strip",
        .soup = [] { return moebiusStrip(60, 4); },
        .loops = 1,
-       .filled = 2,  // cut at the twist, it has another
+       .filled = 2,  // cut at the twist, it has two
        .oriented = false},
       {.name = "Klein bottle", .soup = [] { return kleinBottle(60, 30); }, .oriented = false, .sound = false},
       {.name = "100,000 components",

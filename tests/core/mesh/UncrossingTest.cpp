@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "base/Tolerance.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshValidator.h"
 
@@ -48,7 +49,8 @@ class UncrossingTest : public QObject {
   void onlyWhatWasAskedFor();
   void nothingCrosses();
   void cancelled();
-  void notMoreThanAllowed();
+  void facesInOnePlane();
+  void tangleIsLeft();
 };
 
 void UncrossingTest::cubesThatOverlap_data() {
@@ -116,13 +118,30 @@ void UncrossingTest::cancelled() {
   QCOMPARE(mesh.liveFaceCount(), std::size_t{24});
 }
 
-// Two cubes with a face in one plane cover each other there, which no cutting undoes.
-void UncrossingTest::notMoreThanAllowed() {
+// Two cubes with faces in the same planes: both enclose afterwards what they enclosed before.
+void UncrossingTest::facesInOnePlane() {
   HalfEdgeMesh mesh = twoCubes({0.5, 0.5, 0.0});
-  const std::size_t were = countCrossings(mesh, NumberType::Float64);
+  QVERIFY(uncross(mesh, allFaces(mesh), NumberType::Float64, 0).changed);
+  QCOMPARE(test::meetingPairs(mesh), std::size_t{0});
+  QVERIFY(std::abs(test::volume(mesh.compact().soup) - 2.0) < 1e-9);
+}
+
+// A triangle cut by more others than may cut one is left, with all of them.
+void UncrossingTest::tangleIsLeft() {
+  TriangleSoup s{{{0, 0, 0}, {1000, 0, 0}, {0, 1000, 0}}, {{0, 1, 2}}};
+  for (std::uint32_t i = 0; i <= tolerance::kCutsPerFace; ++i) {
+    const double x = 1.0 + 2.0 * i;
+    const auto n = static_cast<std::uint32_t>(s.points.size());
+    s.points.insert(s.points.end(), {{x, 1, -1}, {x + 1, 1, -1}, {x, 1.5, 1}});
+    s.triangles.push_back({n, n + 1, n + 2});
+  }
+  const HalfEdgeMesh before = buildMesh(s).mesh;
+  HalfEdgeMesh mesh = before;
   const UncrossReport report = uncross(mesh, allFaces(mesh), NumberType::Float64, 0);
-  QCOMPARE(report.changed, report.crossingsAfter == 0);
-  if (!report.changed) QCOMPARE(countCrossings(mesh, NumberType::Float64), were);
+  QCOMPARE(report.crossingsBefore, tolerance::kCutsPerFace + 1);
+  QCOMPARE(report.crossingsAfter, report.crossingsBefore);
+  QVERIFY(!report.changed);
+  QVERIFY(test::sameMesh(mesh, before));
 }
 
 QTEST_APPLESS_MAIN(UncrossingTest)
