@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/BatchRun.h"
 
+#include "base/NumberText.h"
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
 #include "document/AtomicFile.h"
 
 #include <algorithm>
-#include <charconv>
 #include <csignal>
 #include <cstring>
 
@@ -43,11 +43,6 @@ std::string oneLine(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }, '?');
   return text;
-}
-
-std::string text(double number) {
-  char digits[32];
-  return {digits, std::to_chars(digits, digits + sizeof digits, number).ptr};
 }
 
 }  // namespace
@@ -173,7 +168,7 @@ std::string BatchRun::reasonOf(const Running& running, const ChildProcess& child
   const std::vector<std::string> sentences = complaints(child.errors());
   if (running.told) {
     const bool isWritten = !sentences.empty() && sentences.back() == kCancelledTooLate;
-    return "It took longer than " + text(*m_request.timeLimit) + " s" +
+    return "It took longer than " + shortestText(*m_request.timeLimit) + " s" +
            (isWritten ? "; the result is written, but not checked." : ".");
   }
   if (child.code() == 128 + SIGKILL) return "The system ended its process; memory may have run out.";

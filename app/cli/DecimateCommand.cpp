@@ -97,7 +97,7 @@ std::string readableText(const DecimationReport& report) {
   std::string text =
       "Triangles: " + std::to_string(report.facesBefore) + " before, " + std::to_string(report.facesAfter) + " now.\n";
   if (report.largestDistance) {
-    text += "Largest distance found between before and now: " + shortestText(*report.largestDistance) + " mm.\n" +
+    text += "Largest distance found between before and now: " + roundedText(*report.largestDistance) + " mm.\n" +
             (report.isProven ? "No point is farther away than --error allows.\n"
                              : "Between the points looked at it is not proven that --error is kept.\n");
   }
@@ -138,7 +138,7 @@ int runDecimate(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!done.refusal.empty()) return refuse(done.refusal);
   if (const int code = print(readableText(done.report)); code != kExitDone) return code;
   if (request.options.error && done.report.facesAfter + done.report.removedDegenerate == done.report.facesBefore) {
-    complain("Nothing was taken away: no try kept to --error everywhere. A larger one may do.");
+    complain("Nothing was taken away: nothing can go within --error. A larger one may do.");
     return kExitSomethingLeft;
   }
   if (request.options.faces == 0 || done.report.facesAfter <= request.options.faces) return kExitDone;

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/MeasureReport.h"
 
+#include "base/NumberText.h"
+
 #include <algorithm>
 #include <cassert>
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -16,9 +17,7 @@ using Json = nlohmann::ordered_json;
 using Row = std::vector<std::string>;
 
 std::string number(double value) {
-  if (std::isinf(value)) return "no result";
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 3).ptr};
+  return std::isinf(value) ? "no result" : roundedText(value, 3);
 }
 
 // Columns as wide as their widest cell; the first two to the left, numbers to the right.

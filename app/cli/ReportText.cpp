@@ -2,17 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/ReportText.h"
 
-#include <charconv>
+#include "base/NumberText.h"
 
 namespace handwheel {
 
 namespace {
-
-std::string number(double value) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6).ptr;
-  return {text, end};
-}
 
 std::string line(std::string_view name, const std::string& value) {
   constexpr std::size_t kColumn = 26;
@@ -24,7 +18,7 @@ std::string yesNo(bool value) {
 }
 
 std::string point(const Vec3& p) {
-  return number(p.x()) + ", " + number(p.y()) + ", " + number(p.z());
+  return roundedText(p.x()) + ", " + roundedText(p.y()) + ", " + roundedText(p.z());
 }
 
 std::string rightAligned(const std::string& text, std::size_t width) {
@@ -35,7 +29,7 @@ std::string loopTable(const std::vector<LoopReport>& loops) {
   std::string table = "\nBoundary loops\n    id   edges     length (mm)   planarity\n";
   for (const LoopReport& loop : loops) {
     table += rightAligned(std::to_string(loop.id), 6) + rightAligned(std::to_string(loop.edges), 8) +
-             rightAligned(number(loop.lengthMm), 16) + rightAligned(number(loop.planarity), 12) + "\n";
+             rightAligned(roundedText(loop.lengthMm), 16) + rightAligned(roundedText(loop.planarity), 12) + "\n";
   }
   return table;
 }
@@ -57,7 +51,7 @@ std::string readableText(const MeshReport& report) {
   text += line("Duplicate faces", std::to_string(report.duplicateFaces));
   const auto& pairs = report.selfIntersectingPairs;
   text += line("Self-intersecting pairs", pairs ? std::to_string(*pairs) : "not counted");
-  text += line("Volume (mm3)", report.volumeMm3 ? number(*report.volumeMm3) : "none, the surface is open");
+  text += line("Volume (mm3)", report.volumeMm3 ? roundedText(*report.volumeMm3) : "none, the surface is open");
   text += line("Bounding box (mm)", point(report.box.min()) + " to " + point(report.box.max()));
   if (!report.loops.empty()) text += loopTable(report.loops);
   return text;

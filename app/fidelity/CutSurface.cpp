@@ -35,7 +35,7 @@ std::vector<Face> facesInBall(const HalfEdgeMesh& mesh, Face first, double radiu
 }
 
 // The distance to the faces of a mesh that are cut out.
-SurfaceDistance distanceTo(const HalfEdgeMesh& mesh, const std::vector<Face>& faces) {
+DistanceToTruth distanceTo(const HalfEdgeMesh& mesh, const std::vector<Face>& faces) {
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;
   for (Face f : faces) {
@@ -49,13 +49,13 @@ SurfaceDistance distanceTo(const HalfEdgeMesh& mesh, const std::vector<Face>& fa
 
 }  // namespace
 
-CutSurface cutHoles(const TriangleSoup& soup, std::uint64_t seed, const SurfaceDistance& truth) {
+CutSurface cutHoles(const TriangleSoup& soup, std::uint64_t seed, const DistanceToTruth& truth) {
   Random random(seed);
   HalfEdgeMesh mesh = buildMesh(soup).mesh;
   Box box;
   for (const Vec3& p : soup.points) box.extend(p);
   const double radius = kHoleShare * box.diagonal().norm();
-  std::vector<std::pair<Vec3, SurfaceDistance>> cuts;
+  std::vector<std::pair<Vec3, DistanceToTruth>> cuts;
   for (int attempt = 0; attempt < 100 && cuts.size() < kHoles && mesh.faceSlots() > 0; ++attempt) {
     const auto first = static_cast<Face>(random.below(mesh.faceSlots()));
     if (!mesh.isLive(first) || !mesh.isProper(first)) continue;

@@ -11,13 +11,13 @@
 
 namespace handwheel {
 
-using SurfaceDistance = std::function<double(const Vec3&)>;  // of a point to the surface that was there (mm)
+using DistanceToTruth = std::function<double(const Vec3&)>;  // of a point to the surface that was there (mm)
 
 // A surface with pieces cut out, and what was there.
 struct CutSurface {
   struct Hole {
     BoundaryLoop loop;
-    SurfaceDistance distance;
+    DistanceToTruth distance;
   };
   std::unique_ptr<HoleFiller> filler;
   std::vector<Hole> holes;
@@ -25,6 +25,6 @@ struct CutSurface {
 
 // Cuts a few round holes where the seed says, an eighth of the part's diagonal in radius and apart from each other.
 // truth: the surface in closed form; without one, what is cut out stands for it. O(n log n).
-CutSurface cutHoles(const TriangleSoup& soup, std::uint64_t seed, const SurfaceDistance& truth);
+CutSurface cutHoles(const TriangleSoup& soup, std::uint64_t seed, const DistanceToTruth& truth);
 
 }  // namespace handwheel

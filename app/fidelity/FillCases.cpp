@@ -20,7 +20,7 @@ struct Deviation {
   double squares = 0.0;
   double area = 0.0;
 
-  void add(const Patch& patch, const SurfaceDistance& distance, double size) {
+  void add(const Patch& patch, const DistanceToTruth& distance, double size) {
     for (const Triangle& t : patch.triangles) {
       const Vec3 a = patch.points[t[0]], u = (patch.points[t[1]] - a) / kCuts, v = (patch.points[t[2]] - a) / kCuts;
       const double part = 0.5 * u.cross(v).norm();
@@ -58,7 +58,7 @@ FidelitySample fill(const CutSurface& input, const FillOptions& options, Progres
 struct Surface {
   std::string name;
   SoupSource soup;
-  SurfaceDistance distance = nullptr;
+  DistanceToTruth distance = nullptr;
 };
 
 std::vector<Surface> builtIn() {

@@ -51,4 +51,10 @@ std::string shortestText(double value) {
   return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
 }
 
+std::string roundedText(double value, int digits) {
+  char text[64];
+  const double signless = value == 0.0 ? 0.0 : value;
+  return {text, std::to_chars(text, text + sizeof text, signless, std::chars_format::general, digits).ptr};
+}
+
 }  // namespace handwheel

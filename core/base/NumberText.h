@@ -16,6 +16,8 @@ bool parseDecimal(std::string_view word, double& value, ErrorCode& why);
 
 // The fewest digits that read back as the same number, in the C locale.
 std::string shortestText(double value);
+// With so many digits at most, for people; without a sign for zero. In the C locale.
+std::string roundedText(double value, int digits = 6);
 
 inline std::string_view withoutPlus(std::string_view word) {
   return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;

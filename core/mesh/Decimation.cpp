@@ -2,235 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/Decimation.h"
 
+#include "mesh/Decimator.h"
 #include "mesh/Deviation.h"
 #include "mesh/DistanceBound.h"
-#include "mesh/EdgeCollapse.h"
-#include "mesh/EdgePlacing.h"
-#include "mesh/ErrorCheck.h"
-#include "mesh/FaceGrid.h"
-#include "mesh/GrowingHierarchy.h"
-#include "mesh/Steps.h"
 
 #include <algorithm>
-#include <cmath>
-#include <queue>
 
 namespace handwheel {
 namespace {
 
-constexpr double kFlipCosine = 0.2;  // between a face's normals before and after
-constexpr double kNeedle = 0.01;     // area as a share of an equilateral triangle's with the same sum of squares
-constexpr double kThinner = 0.9;     // as a share of the thinnest before: where all are needles they may shear a little
-constexpr std::size_t kCollapsesPerLook = 256;
-
-struct Candidate {
-  double cost;
-  HalfEdge edge;
-  std::uint32_t fromStamp, toStamp;
-  // For std::priority_queue, whose top is the largest.
-  bool operator<(const Candidate& other) const { return cost != other.cost ? cost > other.cost : edge > other.edge; }
-};
-
-Vec3 areaNormal(const TrianglePoints& t) {
-  return 0.5 * (t[1] - t[0]).cross(t[2] - t[0]);
-}
-
-// 1 for an equilateral triangle, 0 for one without area.
-double shapeOf(const TrianglePoints& t) {
-  const double squares = (t[1] - t[0]).squaredNorm() + (t[2] - t[1]).squaredNorm() + (t[0] - t[2]).squaredNorm();
-  return squares > 0.0 ? 4.0 * std::sqrt(3.0) * areaNormal(t).norm() / squares : 0.0;
-}
-
-class Decimator {
- public:
-  // error: null where none is asked for.
-  Decimator(HalfEdgeMesh& mesh, const DecimationOptions& options, ErrorCheck* error, const Progress& progress)
-      : m_mesh(mesh),
-        m_options(options),
-        m_error(error),
-        m_faces(mesh.liveFaceCount()),
-        m_holds(mesh, options.keepBorders, options.creaseAngle, progress) {}
-
-  // False when cancelled.
-  bool run(const Progress& progress);
-
- private:
-  // What a collapse does to the faces around the edge.
-  struct Star {
-    std::vector<Face> faces;                    // of all: first those that stay, in the same order, then those that go
-    std::vector<TrianglePoints> before, after;  // of those that stay; the corner that moves comes first
-  };
-
-  bool prepare(const Progress& progress);
-  bool seed(const Progress& progress);
-  bool drain(const Progress& progress);
-
-  void offer(HalfEdge h);
-
-  void takeStar(HalfEdge h, const Vec3& p);
-  bool keepsShape() const;
-  bool meetsNothing();
-  bool isAllowed(HalfEdge h, const Vec3& p);
-  void collapse(HalfEdge h, const Vec3& p);
-
-  HalfEdgeMesh& m_mesh;
-  const DecimationOptions& m_options;
-  ErrorCheck* m_error;
-  std::size_t m_faces;                 // live
-  std::vector<std::uint32_t> m_stamp;  // per vertex: grows when its edges change
-  VertexHolds m_holds;
-  std::vector<std::uint32_t> m_inStar;  // per face: the number of the last star that it was in
-  std::uint32_t m_stars = 0;
-  FaceGrid m_grid;  // of the live faces, where intersections matter
-  std::priority_queue<Candidate> m_queue;
-  Star m_star;
-};
-
-bool Decimator::prepare(const Progress& progress) {
-  m_stamp.assign(m_mesh.vertexSlots(), 0);
-  m_inStar.assign(m_mesh.faceSlots(), 0);
-  for (Face f = 0; m_options.avoidIntersections && f < m_mesh.faceSlots(); ++f) {
-    if (!mayGoOn(f, m_mesh.faceSlots(), progress)) return false;
-    if (m_mesh.isLive(f)) m_grid.add(f, boxOf(m_mesh.points(f)));
-  }
-  return !progress.cancelled();
-}
-
-void Decimator::offer(HalfEdge h) {
-  if (m_mesh.hasOpposite(h)) h = std::min(h, m_mesh.opposite(h));
-  const auto placing = placingOf(m_mesh, m_holds, h);
-  if (placing) m_queue.push({placing->cost, h, m_stamp[m_mesh.from(h)], m_stamp[m_mesh.to(h)]});
-}
-
-bool Decimator::seed(const Progress& progress) {
-  for (HalfEdge h = 0; h < m_mesh.halfEdgeSlots(); ++h) {
-    if (!mayGoOn(h, m_mesh.halfEdgeSlots(), progress, kSearchesPerLook)) return false;
-    if (!m_mesh.isProper(HalfEdgeMesh::face(h))) continue;
-    if (!m_mesh.hasOpposite(h) || h < m_mesh.opposite(h)) offer(h);
-  }
-  return true;
-}
-
-void Decimator::takeStar(HalfEdge h, const Vec3& p) {
-  m_star = {};
-  const Face f = HalfEdgeMesh::face(h), o = m_mesh.hasOpposite(h) ? HalfEdgeMesh::face(m_mesh.opposite(h)) : kNone;
-  for (const HalfEdge end : {h, HalfEdgeMesh::next(h)}) {
-    forEachInFan(m_mesh, end, [&](HalfEdge g) {
-      if (HalfEdgeMesh::face(g) == f || HalfEdgeMesh::face(g) == o) return true;
-      const Vec3 &to = m_mesh.position(m_mesh.to(g)), &last = m_mesh.position(m_mesh.to(HalfEdgeMesh::next(g)));
-      m_star.faces.push_back(HalfEdgeMesh::face(g));
-      m_star.before.push_back({m_mesh.position(m_mesh.from(g)), to, last});
-      m_star.after.push_back({p, to, last});
-      return true;
-    });
-  }
-  m_star.faces.push_back(f);
-  if (o != kNone) m_star.faces.push_back(o);
-}
-
-// No face turns over, loses its area, or becomes a needle much thinner than those that were there.
-bool Decimator::keepsShape() const {
-  double thinnest = 1.0, thinnestBefore = 1.0;
-  for (std::size_t i = 0; i < m_star.after.size(); ++i) {
-    const Vec3 before = areaNormal(m_star.before[i]), after = areaNormal(m_star.after[i]);
-    if (isDegenerate(m_star.after[i])) return false;
-    if (!before.isZero() && before.dot(after) <= kFlipCosine * before.norm() * after.norm()) return false;
-    thinnest = std::min(thinnest, shapeOf(m_star.after[i]));
-    thinnestBefore = std::min(thinnestBefore, shapeOf(m_star.before[i]));
-  }
-  return thinnest >= std::min(kNeedle, kThinner * thinnestBefore);
-}
-
-bool Decimator::meetsNothing() {
-  ++m_stars;
-  for (const Face f : m_star.faces) m_inStar[f] = m_stars;
-  for (std::size_t i = 0; i < m_star.after.size(); ++i) {
-    const TrianglePoints& t = m_star.after[i];
-    for (std::size_t j = 0; j < i; ++j) {
-      if (trianglesMeet(t, m_star.after[j])) return false;
-    }
-    const Box box = boxOf(t);
-    const bool isClear = m_grid.forEachNear(box, [&](Face other) {
-      if (m_inStar[other] == m_stars) return true;
-      const TrianglePoints points = m_mesh.points(other);
-      return !boxOf(points).intersects(box) || isDegenerate(points) || !trianglesMeet(t, points);
-    });
-    if (!isClear) return false;
-  }
-  return true;
-}
-
-bool Decimator::isAllowed(HalfEdge h, const Vec3& p) {
-  if (m_holds.mergesCreases(m_mesh, h) || !canCollapse(m_mesh, h)) return false;
-  takeStar(h, p);
-  if (!keepsShape()) return false;
-  if (m_options.avoidIntersections && !meetsNothing()) return false;
-  return !m_error || m_error->allows(m_star.faces, m_star.after);
-}
-
-void Decimator::collapse(HalfEdge h, const Vec3& p) {
-  const Vertex a = m_mesh.from(h);
-  const bool isInner = m_mesh.hasOpposite(h);
-  m_holds.beforeCollapse(m_mesh, h);
-  if (m_options.avoidIntersections) {
-    for (const Face f : m_star.faces) m_grid.remove(f, boxOf(m_mesh.points(f)));
-  }
-  const HalfEdge leaving = collapseEdge(m_mesh, h, p);
-  const std::span<const Face> stay = std::span<const Face>(m_star.faces).first(m_star.after.size());
-  if (m_options.avoidIntersections) {
-    for (const Face f : stay) m_grid.add(f, boxOf(m_mesh.points(f)));
-  }
-  if (m_error) m_error->replace(m_star.faces, stay);
-  m_faces -= isInner ? 2 : 1;
-  ++m_stamp[a];
-  forEachInFan(m_mesh, leaving, [&](HalfEdge g) {
-    offer(g);
-    const HalfEdge back = HalfEdgeMesh::previous(g);
-    if (!m_mesh.hasOpposite(back)) offer(back);
-    return true;
-  });
-}
-
-bool Decimator::drain(const Progress& progress) {
-  const double toGo = static_cast<double>(m_faces - std::min(m_faces, m_options.faces)), start = double(m_faces);
-  for (std::size_t i = 0; !m_queue.empty() && m_faces > m_options.faces; ++i) {
-    if (i % kCollapsesPerLook == 0) {
-      if (progress.cancelled()) return false;
-      progress.set((start - static_cast<double>(m_faces)) / toGo);
-    }
-    const Candidate c = m_queue.top();
-    m_queue.pop();
-    if (!m_mesh.isLive(HalfEdgeMesh::face(c.edge))) continue;
-    if (m_stamp[m_mesh.from(c.edge)] != c.fromStamp || m_stamp[m_mesh.to(c.edge)] != c.toStamp) continue;
-    // The faces around its ends may have changed since: then it queues again.
-    const auto placing = placingOf(m_mesh, m_holds, c.edge);
-    if (placing && placing->cost > c.cost) {
-      m_queue.push({placing->cost, c.edge, c.fromStamp, c.toStamp});
-    } else if (placing && isAllowed(c.edge, placing->place)) {
-      collapse(c.edge, placing->place);
-    }
-  }
-  return true;
-}
-
-bool Decimator::run(const Progress& progress) {
-  if (!prepare(progress.part(0.0, 0.05))) return false;
-  // Edges that were refused are tried again once their surroundings have changed, as long as that brings something.
-  double from = 0.05;
-  std::size_t before = 0;
-  do {
-    before = m_faces;
-    const Progress round = progress.part(from, 0.5 * (from + 1.0));
-    from = 0.5 * (from + 1.0);
-    m_queue = {};
-    if (!seed(round.part(0.0, 0.3)) || !drain(round.part(0.3, 1.0))) return false;
-  } while (m_faces > m_options.faces && before - m_faces > before / 100);
-  return true;
-}
-
-// Of the error asked for: with how much the first try is made, what is found between its samples being often as much
-// more, and each further one as a share of the one before.
-constexpr double kFirstShare = 0.95, kNextShare = 0.85;
+// Of the error asked for: with how much the first try is made, and each further one as a share of the one before.
+constexpr double kFirstShare = 0.95, kNextShare = 0.95;
 constexpr int kTries = 6;
 
 std::size_t removeDegenerate(HalfEdgeMesh& mesh) {
@@ -255,30 +37,53 @@ std::optional<double> largestDistance(const HalfEdgeMesh& mesh, const HalfEdgeMe
   return measured ? std::optional(measured->hausdorff()) : std::nullopt;
 }
 
-// Whether each is within the error of the other.
-Within isWithin(const SurfaceDistance& a, const SurfaceDistance& b, double error, const Progress& progress) {
-  const Within one = liesWithin(a, b, error, progress.part(0.0, 0.6));
-  if (one == Within::No) return one;
-  const Within other = liesWithin(b, a, error, progress.part(0.6, 1.0));
+// Whether each is within the error of the other, and where not.
+Within isWithin(const SurfaceDistance& a, const SurfaceDistance& b, double error, std::vector<Vec3>& beyond,
+                const Progress& progress) {
+  std::vector<Vec3> beyondOther;
+  const Within one = liesWithin(a, b, error, progress.part(0.0, 0.6), &beyond);
+  const Within other = liesWithin(b, a, error, progress.part(0.6, 1.0), &beyondOther);
+  beyond.insert(beyond.end(), beyondOther.begin(), beyondOther.end());
+  if (one == Within::No || other == Within::No) return Within::No;
   return other == Within::Yes ? one : other;
 }
 
-// Of no use once cancelled.
+// The vertices of the faces of the surface that come as near to these places.
+void addVerticesNear(const SurfaceDistance& surface, const std::vector<Vec3>& places, double reach,
+                     std::vector<Vertex>& vertices) {
+  for (const Vec3& p : places) {
+    const Box box(p - Vec3::Constant(reach), p + Vec3::Constant(reach));
+    surface.hierarchy().forEachInBox(box, [&](std::uint32_t triangle) {
+      for (const Vertex v : surface.mesh().triangle(surface.faces()[triangle])) vertices.push_back(v);
+      return true;
+    });
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+}
+
+// Where a try is found to be too far between the points that each collapse was checked at, the next one leaves the
+// surface as it was. Of no use once cancelled.
 void decimateWithin(HalfEdgeMesh& mesh, const DecimationOptions& options, DecimationReport& report,
                     const Progress& progress) {
   const HalfEdgeMesh original = mesh;
   const SurfaceDistance surface(original);
-  double error = kFirstShare * *options.error, from = 0.0;
-  for (int i = 0; i < kTries; ++i, error *= kNextShare) {
+  double error = kFirstShare * *options.error, reach = 2.0 * *options.error, from = 0.0;
+  std::vector<Vertex> fixed;
+  for (int i = 0; i < kTries; ++i, error *= kNextShare, reach *= 2.0) {
     const double to = 0.5 * (from + 1.0);
     const Progress whole = progress.part(from, to);
     from = to;
     mesh = original;
     ErrorCheck check(original, error, whole.part(0.0, 0.05));
-    report.cancelled = !Decimator(mesh, options, &check, whole.part(0.05, 0.1)).run(whole.part(0.1, 0.6));
+    report.cancelled = !Decimator(mesh, options, {&check, fixed}, whole.part(0.05, 0.1)).run(whole.part(0.1, 0.6));
     if (report.cancelled) return;
-    const Within within = isWithin(SurfaceDistance(mesh), surface, *options.error, whole.part(0.6, 0.8));
-    if (within == Within::No) continue;
+    std::vector<Vec3> beyond;
+    const Within within = isWithin(SurfaceDistance(mesh), surface, *options.error, beyond, whole.part(0.6, 0.8));
+    if (within == Within::No) {
+      addVerticesNear(surface, beyond, reach, fixed);
+      continue;
+    }
     report.largestDistance = largestDistance(mesh, original, whole.part(0.8, 1.0));
     report.isProven = within == Within::Yes;
     report.cancelled = progress.cancelled();
@@ -299,7 +104,7 @@ DecimationReport decimate(HalfEdgeMesh& mesh, const DecimationOptions& options, 
   if (options.error) {
     decimateWithin(mesh, options, report, progress);
   } else {
-    report.cancelled = !Decimator(mesh, options, nullptr, progress.part(0.0, 0.05)).run(progress.part(0.05, 1.0));
+    report.cancelled = !Decimator(mesh, options, {}, progress.part(0.0, 0.05)).run(progress.part(0.05, 1.0));
   }
   if (report.cancelled) mesh = original;
   report.facesAfter = mesh.liveFaceCount();

@@ -15,7 +15,8 @@ struct DecimationOptions {
   // mm, above zero; how far the result may be from the original, and the original from the result. Every collapse is
   // checked: the new faces, at points about as dense as the original's vertices, and all points of the original that
   // lie nearest to them, its vertices and some on each face. Then the whole is put to the proof (liesWithin()) and,
-  // where it fails, made again with less; where that does not help, nothing is removed.
+  // where it fails, made again with less, and with nothing near where it failed; where that does not help, nothing is
+  // removed.
   std::optional<double> error = std::nullopt;
   bool keepBorders = false;  // no vertex of an open edge moves or goes
   // No vertex of an edge with at least this angle between its faces' normals (radian) leaves it: along it vertices may

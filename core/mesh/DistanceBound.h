@@ -20,7 +20,9 @@ inline constexpr double kBoundSlack = 0.01;
 // until all three corners of a part are within it of one and the same triangle of the other surface, to which the
 // distance is a convex function, or until the part is smaller than what its middle has to spare (after Tang, Lee, Kim,
 // "Interactive Hausdorff distance computation for general polygonal models", 2009). On all threads of the arena; the
-// time grows as the length of the other's edges over the distance.
-Within liesWithin(const SurfaceDistance& surface, const SurfaceDistance& of, double distance, Progress progress = {});
+// time grows as the length of the other's edges over the distance. beyond: when given, all faces are gone through, and
+// it gets a place that is farther for each face that has one; sorted.
+Within liesWithin(const SurfaceDistance& surface, const SurfaceDistance& of, double distance, Progress progress = {},
+                  std::vector<Vec3>* beyond = nullptr);
 
 }  // namespace handwheel

@@ -5,7 +5,8 @@
 #include "mesh/Cleaning.h"
 #include "mesh/DuplicateFaces.h"
 #include "mesh/HardHoles.h"
-#include "mesh/LoopOwners.h"
+#include "mesh/LoopFilling.h"
+#include "mesh/LoopResults.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/PartDuplicates.h"
 #include "mesh/Steps.h"
@@ -32,11 +33,7 @@ class Repairer {
  public:
   // progress: of finding the loops.
   Repairer(const HalfEdgeMesh& input, const RepairOptions& options, Progress progress)
-      : m_input(input),
-        m_mesh(input),
-        m_options(options),
-        m_inputLoops(findBoundaryLoops(input, progress)),
-        m_owners(input, m_inputLoops) {}
+      : m_input(input), m_mesh(input), m_options(options), m_results(input, progress) {}
 
   RepairReport run(Progress progress) {
     clean(progress.part(0.0, 0.3));
@@ -84,7 +81,7 @@ class Repairer {
   // The vertices of loops that the user wants open.
   std::vector<bool> keptVertices() const {
     std::vector<bool> kept(m_input.vertexSlots(), false);
-    for (const BoundaryLoop& loop : m_inputLoops) {
+    for (const BoundaryLoop& loop : m_results.inputLoops()) {
       if (!m_options.keepOpen.contains(loop.id)) continue;
       for (HalfEdge h : loop.halfEdges) kept[m_input.from(h)] = kept[m_input.to(h)] = true;
     }
@@ -92,41 +89,27 @@ class Repairer {
   }
 
   void fill(Progress progress) {
-    std::vector<BoundaryLoop> loops = findBoundaryLoops(m_mesh, progress.part(0.0, 0.1));
-    // Small ones first: they are the surest, and a large patch must respect them.
-    std::stable_sort(loops.begin(), loops.end(), [](const BoundaryLoop& a, const BoundaryLoop& b) {
-      return a.halfEdges.size() < b.halfEdges.size();
-    });
-    if (loops.empty()) return;
-    HoleFiller filler(m_mesh, progress.part(0.1, 0.2));
-    const Progress filling = progress.part(0.2, 1.0);
-    for (std::size_t i = 0; i < loops.size() && !filling.cancelled(); ++i) {
-      fillOne(filler, loops[i], filling.part(double(i) / double(loops.size()), double(i + 1) / double(loops.size())));
+    std::vector<BoundaryLoop> loops;
+    std::vector<std::set<int>> owners;
+    for (BoundaryLoop& loop : findBoundaryLoops(m_mesh, progress.part(0.0, 0.1))) {
+      std::set<int> of = m_results.ownersOf(m_mesh, loop);
+      if (reasonToLeave(loop, of) != FillFailure::None) continue;
+      loops.push_back(std::move(loop));
+      owners.push_back(std::move(of));
     }
-    m_mesh = filler.mesh();
-  }
-
-  void fillOne(HoleFiller& filler, const BoundaryLoop& loop, Progress progress) {
-    const auto start = Clock::now();
-    const std::set<int> owners = m_owners.of(m_mesh, loop);
-    LoopResult result;
-    result.edges = loop.borderEdges;
-    result.reason = reasonToLeave(loop, owners);
-    if (result.reason != FillFailure::None) {
-      result.outcome = LoopOutcome::KeptOpen;
-    } else {
-      const FillAttempt attempt = filler.propose(loop, m_options.fill, progress);
-      result.reason = attempt.failure;
-      if (attempt.failure == FillFailure::None) {
-        filler.accept(loop, attempt.patch);
+    const std::vector<LoopFill> fills = fillLoops(m_mesh, loops, m_options.fill, progress.part(0.1, 1.0));
+    for (std::size_t i = 0; i < fills.size(); ++i) {
+      LoopResult result;
+      result.edges = loops[i].borderEdges;
+      result.reason = fills[i].attempt.failure;
+      if (result.reason == FillFailure::None) {
         result.outcome = LoopOutcome::Filled;
-        result.method = attempt.patch.method;
-        result.newFaces = attempt.patch.triangles.size();
+        result.method = fills[i].attempt.patch.method;
+        result.newFaces = fills[i].attempt.patch.triangles.size();
       }
+      result.milliseconds = fills[i].milliseconds;
+      m_results.record(result, owners[i]);
     }
-    result.milliseconds = millisecondsSince(start);
-    record(result, owners);
-    progress.set(1.0);
   }
 
   // What is cut and parted may leave slits, which the next round closes.
@@ -144,7 +127,7 @@ class Repairer {
     std::vector<HardHole> holes;
     std::vector<std::set<int>> owners;
     for (const BoundaryLoop& loop : findBoundaryLoops(m_mesh, progress.part(0.0, 0.1))) {
-      std::set<int> of = m_owners.of(m_mesh, loop);
+      std::set<int> of = m_results.ownersOf(m_mesh, loop);
       const FillFailure reason = reasonToLeave(loop, of);
       const bool back = reason == FillFailure::Rim && m_options.rims == RimHandling::Back && !loop.picture;
       if (reason != FillFailure::None && !back) continue;
@@ -162,14 +145,13 @@ class Repairer {
     for (std::size_t i = 0; i < closings.holes.size(); ++i) {
       if (!closings.holes[i].closed) continue;
       any = true;
-      for (int id : owners[i]) m_results.erase(id);  // what failed before
       LoopResult result;
       result.edges = holes[i].loop.borderEdges;
       result.outcome = LoopOutcome::Filled;
       result.method = closings.holes[i].method;
       result.newFaces = closings.holes[i].newFaces;
       result.milliseconds = each;
-      record(result, owners[i]);
+      m_results.replace(result, owners[i]);
     }
     return any;
   }
@@ -191,67 +173,10 @@ class Repairer {
     return FillFailure::None;
   }
 
-  // One line for each loop of the input that this one runs along; a loop in several pieces keeps the worst outcome.
-  void record(LoopResult result, const std::set<int>& owners) {
-    if (owners.empty()) {
-      m_laidOpen.push_back(result);
-      return;
-    }
-    for (int id : owners) {
-      result.id = id;
-      result.edges = m_inputLoops[static_cast<std::size_t>(id)].borderEdges;
-      const auto [at, isNew] = m_results.emplace(id, result);
-      if (isNew) continue;
-      LoopResult& known = at->second;
-      known.milliseconds += result.milliseconds;
-      known.newFaces += result.newFaces;
-      if (result.outcome > known.outcome) {
-        known.outcome = result.outcome;
-        known.reason = result.reason;
-      }
-    }
-  }
-
-  // What is open at last, whatever was tried before.
-  void recordOpenLoops(Progress progress) {
-    std::erase_if(m_laidOpen, [](const LoopResult& r) { return r.outcome != LoopOutcome::Filled; });
-    std::map<int, FillFailure> reasons;
-    for (const auto& [id, result] : m_results) {
-      if (result.outcome == LoopOutcome::Failed) reasons[id] = result.reason;
-    }
-    std::erase_if(m_results, [](const auto& entry) { return entry.second.outcome != LoopOutcome::Filled; });
-    for (const BoundaryLoop& loop : findBoundaryLoops(m_mesh, progress)) {
-      const std::set<int> owners = m_owners.of(m_mesh, loop);
-      LoopResult result;
-      result.edges = loop.borderEdges;
-      result.reason = reasonToLeave(loop, owners);
-      result.outcome = result.reason == FillFailure::None ? LoopOutcome::Failed : LoopOutcome::KeptOpen;
-      if (result.outcome == LoopOutcome::Failed) {
-        const auto known = owners.empty() ? reasons.end() : reasons.find(*owners.begin());
-        result.reason = known == reasons.end() ? FillFailure::SelfIntersecting : known->second;
-      }
-      record(result, owners);
-    }
-  }
-
   void finish(Progress progress) {
-    recordOpenLoops(progress.part(0.0, 0.1));
-    for (const BoundaryLoop& loop : m_inputLoops) {
-      const auto at = m_results.find(loop.id);
-      if (at != m_results.end()) {
-        m_report.loops.push_back(at->second);
-        continue;
-      }
-      LoopResult closed;
-      closed.id = loop.id;
-      closed.edges = loop.borderEdges;
-      closed.outcome = LoopOutcome::Filled;
-      const bool isGone = std::none_of(loop.halfEdges.begin(), loop.halfEdges.end(),
-                                       [&](HalfEdge h) { return m_mesh.isLive(HalfEdgeMesh::face(h)); });
-      closed.method = isGone ? FillMethod::Removed : FillMethod::Stitched;
-      m_report.loops.push_back(closed);
-    }
-    m_report.loops.insert(m_report.loops.end(), m_laidOpen.begin(), m_laidOpen.end());
+    m_report.loops = m_results.conclude(
+        m_mesh, [this](const BoundaryLoop& loop, const std::set<int>& owners) { return reasonToLeave(loop, owners); },
+        progress.part(0.0, 0.1));
     compareWithInput(progress);
   }
 
@@ -287,10 +212,7 @@ class Repairer {
   const HalfEdgeMesh m_input;
   HalfEdgeMesh m_mesh;
   const RepairOptions& m_options;
-  std::vector<BoundaryLoop> m_inputLoops;
-  LoopOwners m_owners;
-  std::map<int, LoopResult> m_results;
-  std::vector<LoopResult> m_laidOpen;
+  LoopResults m_results;
   std::vector<Vec3> m_touchedHomes;  // where vertices were before they were moved
   std::size_t m_hardWork = 0;
   RepairReport m_report;

@@ -25,6 +25,7 @@ class VertexHolds {
   // cancelled.
   VertexHolds(const HalfEdgeMesh& mesh, bool keepBorders, std::optional<double> creaseAngle, Progress progress);
 
+  void fix(Vertex v) { m_hold[v] = Hold::Fixed; }
   Hold of(Vertex v) const { return m_hold[v]; }
   bool isCrease(HalfEdge h) const { return !m_crease.empty() && m_crease[h]; }
 

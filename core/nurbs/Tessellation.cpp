@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "nurbs/Tessellation.h"
 
+#include "base/NumberText.h"
 #include "nurbs/RingLayout.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 
@@ -14,11 +14,6 @@ namespace handwheel {
 namespace {
 
 constexpr double kFinest = 1e-15;  // share of the part's size that rounding takes anyway
-
-std::string text(double number) {
-  char buffer[32];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, number, std::chars_format::general, 6).ptr};
-}
 
 void addRing(TriangleSoup& soup, const Ring& ring) {
   for (std::uint32_t i = 0; i < ring.segments; ++i) {
@@ -72,7 +67,8 @@ Error tooFine(const ProfileCurve& profile, const TessellationOptions& options, P
            coarser.chord < TessellationOptions::kLargestChord);
   if (!rings) return rings.error();
   return {ErrorCode::ValueOutOfRange,
-          {"chord tolerance", text(options.chord), text(coarser.chord), text(TessellationOptions::kLargestChord)},
+          {"chord tolerance", roundedText(options.chord), roundedText(coarser.chord),
+           roundedText(TessellationOptions::kLargestChord)},
           {},
           {}};
 }
@@ -82,7 +78,7 @@ Error tooFine(const ProfileCurve& profile, const TessellationOptions& options, P
 Result<TriangleSoup> tessellate(const ProfileCurve& profile, const TessellationOptions& options, Progress progress) {
   if (!(options.chord > 0.0 && options.chord <= TessellationOptions::kLargestChord)) {
     return Error{ErrorCode::ValueOutOfRange,
-                 {"chord tolerance", text(options.chord), "0", text(TessellationOptions::kLargestChord)},
+                 {"chord tolerance", roundedText(options.chord), "0", roundedText(TessellationOptions::kLargestChord)},
                  {},
                  {}};
   }

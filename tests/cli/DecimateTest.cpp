@@ -84,6 +84,9 @@ class DecimateTest : public QObject {
     QVERIFY(ran.out.startsWith("Triangles: 12 before, 12 now.\n"));
     QCOMPARE(ran.err.count('\n'), 1);
     QCOMPARE(bench.content("b.off").isEmpty(), false);
+    const Ran alone = bench.run({"decimate", "a.off", "-o", "b.off", "--error", "0.01"});
+    QCOMPARE(alone.code, 2);
+    QVERIFY(alone.err.contains("Nothing was taken away"));
     QCOMPARE(bench.run({"decimate", "a.off", "-o", "b.off", "--faces", "6", "--keep-creases", "30"}).code, 2);
     QCOMPARE(inspected(bench, "b.off")["triangles"].get<int>(), 12);
   }

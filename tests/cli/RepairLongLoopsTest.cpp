@@ -71,7 +71,7 @@ class RepairLongLoopsTest : public QObject {
   void tornBorders_data() {
     QTest::addColumn<double>("gap");
     QTest::addColumn<int>("parts");
-    QTest::newRow("apart") << 0.1 << 2;
+    QTest::newRow("apart") << 0.01 << 2;
     QTest::newRow("one border, torn by rounding") << 1e-5 << 1;
   }
   void tornBorders() {

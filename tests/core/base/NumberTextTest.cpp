@@ -15,6 +15,7 @@ class NumberTextTest : public QObject {
   void numbers();
   void notFiniteOnes();
   void refuses();
+  void rounded();
 };
 
 void NumberTextTest::numbers() {
@@ -47,6 +48,13 @@ void NumberTextTest::refuses() {
     QVERIFY2(!parseDecimal(word, value, why), word.c_str());
     QCOMPARE(why, expected);
   }
+}
+
+void NumberTextTest::rounded() {
+  QCOMPARE(roundedText(0.04438398609306824), std::string("0.044384"));
+  QCOMPARE(roundedText(-1234.5678, 3), std::string("-1.23e+03"));
+  QCOMPARE(roundedText(-0.0), std::string("0"));
+  QCOMPARE(roundedText(2.5), std::string("2.5"));
 }
 
 QTEST_APPLESS_MAIN(NumberTextTest)

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/LoopFilling.h"
+
+#include "MeshChecks.h"
+#include "MeshShapes.h"
+#include "mesh/MeshBuilder.h"
+#include "mesh/MeshValidator.h"
+#include "mesh/Uncrossing.h"
+
+#include <QTest>
+
+using namespace handwheel;
+
+namespace {
+
+// Two balls of radius 1 without their tops, mouth to mouth.
+HalfEdgeMesh balls(double gap) {
+  const TriangleSoup lower = test::sphereWithoutCap(4, 0.9);
+  TriangleSoup upper = test::turnedOver(lower);
+  double mouth = -1.0;
+  for (const test::Place& p : test::places(lower)) mouth = std::max(mouth, p[2]);
+  for (Vec3& p : upper.points) p.z() = 2.0 * mouth + gap - p.z();
+  TriangleSoup both = lower;
+  test::append(both, upper);
+  return buildMesh(both).mesh;
+}
+
+}  // namespace
+
+class LoopFillingTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void farFromEachOther();
+  void oneInTheWayOfTheOther();
+  void nothingToFill();
+  void cancelled();
+};
+
+void LoopFillingTest::farFromEachOther() {
+  HalfEdgeMesh mesh = balls(2.0);
+  const auto loops = findBoundaryLoops(mesh);
+  const auto fills = fillLoops(mesh, loops, {});
+  QCOMPARE(fills.size(), std::size_t(2));
+  for (const LoopFill& fill : fills) QCOMPARE(fill.attempt.patch.method, FillMethod::Fair);
+  QVERIFY(test::countEdges(mesh).sound());
+}
+
+// The cap that continues one ball stands in the mouth of the other: after it no patch fits there.
+void LoopFillingTest::oneInTheWayOfTheOther() {
+  HalfEdgeMesh mesh = balls(0.02);
+  const auto loops = findBoundaryLoops(mesh);
+  QCOMPARE(loops.size(), std::size_t(2));
+  HoleFiller oneByOne(mesh);
+  const FillAttempt first = oneByOne.propose(loops[0], {});
+  QCOMPARE(first.failure, FillFailure::None);
+  oneByOne.accept(loops[0], first.patch);
+  QCOMPARE(oneByOne.propose(loops[1], {}).failure, FillFailure::SelfIntersecting);
+
+  const auto fills = fillLoops(mesh, loops, {});
+  for (const LoopFill& fill : fills) QCOMPARE(fill.attempt.failure, FillFailure::None);
+  QVERIFY(test::countEdges(mesh).sound());
+  QCOMPARE(countCrossings(mesh, NumberType::Float64), std::size_t(0));
+  QCOMPARE(validate(mesh), std::string());
+}
+
+void LoopFillingTest::nothingToFill() {
+  HalfEdgeMesh mesh = buildMesh(test::cube(1.0)).mesh;
+  QVERIFY(fillLoops(mesh, {}, {}).empty());
+  QCOMPARE(mesh.liveFaceCount(), std::size_t(12));
+}
+
+void LoopFillingTest::cancelled() {
+  HalfEdgeMesh mesh = balls(0.02);
+  const auto loops = findBoundaryLoops(mesh);
+  JobState job;
+  job.cancelled = true;
+  fillLoops(mesh, loops, {}, Progress(job));
+  QVERIFY(test::sameMesh(mesh, balls(0.02)));
+}
+
+QTEST_GUILESS_MAIN(LoopFillingTest)
+#include "LoopFillingTest.moc"
