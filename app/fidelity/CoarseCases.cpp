@@ -4,6 +4,7 @@
 #include "fidelity/CaseShapes.h"
 #include "fidelity/Cases.h"
 #include "fidelity/SeededInput.h"
+#include "mesh/MeshBounds.h"
 #include "mesh/MeshBuilder.h"
 #include "proximity/TriangleHierarchy.h"
 #include "viewport/MeshPreparation.h"

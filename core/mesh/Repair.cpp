@@ -7,6 +7,7 @@
 #include "mesh/HardHoles.h"
 #include "mesh/LoopFilling.h"
 #include "mesh/LoopResults.h"
+#include "mesh/MeshBounds.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/PartDuplicates.h"
 #include "mesh/Steps.h"
@@ -136,7 +137,7 @@ class Repairer {
     }
     const auto start = Clock::now();
     const HardClosings closings = closeHardHoles(
-        m_mesh, holes, m_options.fill, tolerance::kBackThickness * diagonal(),
+        m_mesh, holes, m_options.fill, tolerance::kBackThickness * diagonalOf(m_mesh),
         tolerance::kHardHoleWork - std::min(m_hardWork, tolerance::kHardHoleWork), progress.part(0.1, 1.0));
     m_hardWork += closings.work;
     m_report.cutFaces += closings.cutFaces;
@@ -154,15 +155,6 @@ class Repairer {
       m_results.replace(result, owners[i]);
     }
     return any;
-  }
-
-  double diagonal() const {
-    Box box;
-    for (Face f = 0; f < m_mesh.faceSlots(); ++f) {
-      if (!m_mesh.isLive(f)) continue;
-      for (Vertex v : m_mesh.triangle(f)) box.extend(m_mesh.position(v));
-    }
-    return box.isEmpty() ? 0.0 : box.diagonal().norm();
   }
 
   FillFailure reasonToLeave(const BoundaryLoop& loop, const std::set<int>& owners) const {

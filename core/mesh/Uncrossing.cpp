@@ -69,21 +69,16 @@ void replace(HalfEdgeMesh& mesh, const CrossingCuts& cuts, const PositionTriangl
   }
 }
 
-}  // namespace
-
-std::size_t countCrossings(const HalfEdgeMesh& mesh, NumberType numbers, Progress progress) {
-  const auto pairs = crossings(mesh, numbers, progress);
-  return pairs ? pairs->size() : 0;
-}
-
-UncrossReport uncross(HalfEdgeMesh& mesh, const std::vector<Face>& faces, NumberType numbers, std::size_t allowed,
-                      Progress progress) {
+// most: of crossings; none for those of other clusters.
+UncrossReport uncrossWithin(HalfEdgeMesh& mesh, const std::vector<Face>& faces, NumberType numbers,
+                            std::optional<std::size_t> most, const Progress& progress) {
   UncrossReport report;
   const auto before = crossings(mesh, numbers, progress.part(0.0, 0.2));
   if (!before) return report;
   report.crossingsBefore = report.crossingsAfter = before->size();
   const std::vector<TrianglePair> pairs = cluster(*before, faces, mesh.faceSlots());
   if (pairs.empty() || pairs.size() > tolerance::kUncrossPairs) return report;
+  const std::size_t allowed = most.value_or(before->size() - pairs.size());
 
   HalfEdgeMesh result = mesh;
   const PositionTriangles byPosition(mesh, progress.part(0.2, 0.25));
@@ -108,6 +103,22 @@ UncrossReport uncross(HalfEdgeMesh& mesh, const std::vector<Face>& faces, Number
   report.changed = after->size() <= allowed;
   if (report.changed) mesh = std::move(result);
   return report;
+}
+
+}  // namespace
+
+std::size_t countCrossings(const HalfEdgeMesh& mesh, NumberType numbers, Progress progress) {
+  const auto pairs = crossings(mesh, numbers, progress);
+  return pairs ? pairs->size() : 0;
+}
+
+UncrossReport uncross(HalfEdgeMesh& mesh, const std::vector<Face>& faces, NumberType numbers, std::size_t allowed,
+                      Progress progress) {
+  return uncrossWithin(mesh, faces, numbers, allowed, progress);
+}
+
+UncrossReport uncrossAll(HalfEdgeMesh& mesh, const std::vector<Face>& faces, NumberType numbers, Progress progress) {
+  return uncrossWithin(mesh, faces, numbers, std::nullopt, progress);
 }
 
 }  // namespace handwheel

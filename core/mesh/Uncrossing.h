@@ -14,7 +14,7 @@ std::size_t countCrossings(const HalfEdgeMesh& mesh, NumberType numbers, Progres
 
 struct UncrossReport {
   bool changed = false;             // else the mesh is as it was
-  std::size_t cutFaces = 0;         // tried, when not changed;         // of the mesh before
+  std::size_t cutFaces = 0;         // of the mesh before; tried, when not changed
   std::size_t crossingsBefore = 0;  // pairs of faces that meet, in the whole mesh, as numbers round it
   std::size_t crossingsAfter = 0;
 };
@@ -27,5 +27,8 @@ struct UncrossReport {
 // Needs O(n) for the mesh beside O(m log m) for m crossings.
 UncrossReport uncross(HalfEdgeMesh& mesh, const std::vector<Face>& faces, NumberType numbers, std::size_t allowed,
                       Progress progress = {});
+// The same; allowed are the crossings that have nothing to do with these faces.
+UncrossReport uncrossAll(HalfEdgeMesh& mesh, const std::vector<Face>& faces, NumberType numbers,
+                         Progress progress = {});
 
 }  // namespace handwheel

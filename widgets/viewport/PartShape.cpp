@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/PartShape.h"
 
+#include "mesh/MeshBounds.h"
 #include "mesh/MeshBuilder.h"
 
 namespace handwheel {

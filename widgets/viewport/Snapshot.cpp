@@ -3,6 +3,7 @@
 #include "viewport/Snapshot.h"
 
 #include "document/AtomicFile.h"
+#include "mesh/MeshBounds.h"
 #include "viewport/DisplayCheck.h"
 #include "viewport/Overlay.h"
 #include "viewport/Scene.h"

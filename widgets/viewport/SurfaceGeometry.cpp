@@ -111,13 +111,4 @@ SurfaceGeometry blockGeometry(const HalfEdgeMesh& mesh, std::size_t block, const
   return BlockBuilder(mesh, block, origin, blockFaces).build();
 }
 
-Box boundsOf(const HalfEdgeMesh& mesh) {
-  Box box;
-  for (Face f = 0; f < mesh.faceSlots(); ++f) {
-    if (!mesh.isLive(f)) continue;
-    for (const Vertex v : mesh.triangle(f)) box.extend(mesh.position(v));
-  }
-  return box;
-}
-
 }  // namespace handwheel

@@ -34,7 +34,4 @@ SurfaceGeometry blockGeometry(const HalfEdgeMesh& mesh, std::size_t block, const
 // of a grid become one (Rossignac, Borrel, 1993).
 SurfaceGeometry coarseGeometry(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin, std::size_t triangles);
 
-// Bounds of the corners of the live faces.
-Box boundsOf(const HalfEdgeMesh& mesh);
-
 }  // namespace handwheel

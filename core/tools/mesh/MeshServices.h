@@ -17,6 +17,8 @@ class MeshDocument;
 struct MeshChange {
   const char* text;  // of the undo step; English, context "Tool"
   std::function<void(HalfEdgeMesh&, Progress)> apply;
+  // Why it may have changed nothing; English, context "Tool". Null where that needs no reason.
+  const char* hindrance = nullptr;
 };
 
 // Thinking that takes too long for the window. It sees only what it captured by value, and returns what is to be done

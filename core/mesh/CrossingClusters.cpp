@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/CrossingClusters.h"
+
+#include "mesh/Uncrossing.h"
+
+#include <algorithm>
+#include <map>
+#include <span>
+
+namespace handwheel {
+namespace {
+
+using Cluster = std::vector<Face>;
+
+class ClusterUncrosser {
+ public:
+  ClusterUncrosser(HalfEdgeMesh& mesh, NumberType numbers, Progress progress)
+      : m_mesh(mesh), m_numbers(numbers), m_progress(progress) {}
+
+  void take(std::span<const Cluster> some) {
+    if (some.empty() || m_progress.cancelled() || m_work > tolerance::kHardHoleWork) return;
+    if (tryTogether(some)) {
+      m_done += some.size();
+      return;
+    }
+    if (some.size() == 1) return;
+    take(some.first(some.size() / 2));
+    take(some.subspan(some.size() / 2));
+  }
+
+  std::size_t done() const { return m_done; }
+
+ private:
+  bool tryTogether(std::span<const Cluster> some) {
+    Cluster faces;
+    for (const Cluster& cluster : some) faces.insert(faces.end(), cluster.begin(), cluster.end());
+    const UncrossReport report = uncrossAll(m_mesh, faces, m_numbers, now());
+    m_work += m_mesh.faceSlots() + tolerance::kCutWork * report.cutFaces;
+    return report.changed;
+  }
+
+  // Trials take turns, so the share of the work that is allowed is all that can be told.
+  Progress now() const {
+    const double share = std::min(1.0, static_cast<double>(m_work) / static_cast<double>(tolerance::kHardHoleWork));
+    return m_progress.part(share, share);
+  }
+
+  HalfEdgeMesh& m_mesh;
+  NumberType m_numbers;
+  Progress m_progress;
+  std::size_t m_work = 0;
+  std::size_t m_done = 0;
+};
+
+}  // namespace
+
+std::vector<std::vector<Face>> crossingClusters(const std::vector<std::pair<Face, Face>>& pairs) {
+  std::map<Face, Face> root;
+  const auto find = [&](Face f) {
+    Face top = root.emplace(f, f).first->second;
+    while (root[top] != top) top = root[top] = root[root[top]];
+    return root[f] = top;
+  };
+  for (const auto& [a, b] : pairs) {
+    const auto [low, high] = std::minmax({find(a), find(b)});
+    root[high] = low;
+  }
+  std::map<Face, Cluster> clusters;
+  for (const auto& entry : std::map(root)) clusters[find(entry.first)].push_back(entry.first);
+  std::vector<Cluster> sorted;
+  for (auto& entry : clusters) sorted.push_back(std::move(entry.second));
+  return sorted;
+}
+
+std::size_t uncrossClusters(HalfEdgeMesh& mesh, const std::vector<std::pair<Face, Face>>& pairs, NumberType numbers,
+                            Progress progress) {
+  ClusterUncrosser uncrosser(mesh, numbers, progress);
+  uncrosser.take(crossingClusters(pairs));
+  return uncrosser.done();
+}
+
+}  // namespace handwheel

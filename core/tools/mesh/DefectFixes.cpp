@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/mesh/DefectFixes.h"
+
+#include "mesh/Cleaning.h"
+#include "mesh/CrossingClusters.h"
+#include "mesh/Defects.h"
+#include "mesh/DuplicateFaces.h"
+#include "mesh/FaceSelection.h"
+#include "mesh/HardHoles.h"
+#include "mesh/MeshBounds.h"
+#include "mesh/MeshBuilder.h"
+#include "mesh/PartDuplicates.h"
+#include "mesh/SheetBacking.h"
+#include "mesh/Stitching.h"
+
+#include <QtGlobal>
+#include <algorithm>
+
+namespace handwheel {
+namespace {
+
+void closeHard(HalfEdgeMesh& mesh, const std::vector<Vertex>& keys, bool back, const FillOptions& options,
+               Progress progress) {
+  std::vector<HardHole> holes;
+  for (BoundaryLoop& loop : findBoundaryLoops(mesh, progress.part(0.0, 0.1))) {
+    if (std::find(keys.begin(), keys.end(), keyOf(mesh, loop)) != keys.end()) holes.push_back({std::move(loop), back});
+  }
+  closeHardHoles(mesh, holes, options, tolerance::kBackThickness * diagonalOf(mesh), tolerance::kHardHoleWork,
+                 progress.part(0.1, 1.0));
+}
+
+void partNonManifold(HalfEdgeMesh& mesh, NumberType numbers, Progress progress) {
+  if (!partDuplicates(mesh, numbers, progress.part(0.0, 0.8)).empty()) relink(mesh, progress.part(0.8, 1.0));
+}
+
+}  // namespace
+
+MeshChange degenerateFix() {
+  return {QT_TRANSLATE_NOOP("Tool", "Remove triangles without area"),
+          [](HalfEdgeMesh& mesh, Progress progress) { removeDegenerateFaces(mesh, progress); }};
+}
+
+MeshChange duplicateFix() {
+  return {QT_TRANSLATE_NOOP("Tool", "Remove duplicate triangles"),
+          [](HalfEdgeMesh& mesh, Progress progress) { removeDuplicateFaces(mesh, progress); }};
+}
+
+MeshChange nearVertexFix(double nearWeld, std::vector<std::pair<Vertex, Vertex>> pairs) {
+  return {QT_TRANSLATE_NOOP("Tool", "Merge near vertices"),
+          [nearWeld, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
+            std::vector<bool> fixed(mesh.vertexSlots(), !pairs.empty());
+            for (const auto& [a, b] : pairs) fixed[a] = fixed[b] = false;
+            stitchBorders(mesh, fixed, progress, nearWeld);
+          },
+          QT_TRANSLATE_NOOP("Tool", "merging them would close no gap, or leave edges with more than two triangles")};
+}
+
+MeshChange nonManifoldFix(NumberType numbers) {
+  return {QT_TRANSLATE_NOOP("Tool", "Part what only touches"),
+          [numbers](HalfEdgeMesh& mesh, Progress progress) { partNonManifold(mesh, numbers, progress); },
+          QT_TRANSLATE_NOOP("Tool", "every step apart would make the surface cross itself")};
+}
+
+MeshChange crossingFix(NumberType numbers, std::vector<std::pair<Face, Face>> pairs) {
+  return {QT_TRANSLATE_NOOP("Tool", "Cut crossings apart"),
+          [numbers, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
+            uncrossClusters(mesh, pairs, numbers, progress);
+          },
+          QT_TRANSLATE_NOOP("Tool", "the triangles lie in one plane or are tangled too much to be cut apart")};
+}
+
+MeshChange debrisFix(std::vector<Face> faces) {
+  return {QT_TRANSLATE_NOOP("Tool", "Remove debris"),
+          [faces = std::move(faces)](HalfEdgeMesh& mesh, Progress progress) {
+            FaceSelection pieces;
+            for (const Face f : faces) {
+              if (!mesh.isLive(f) || pieces.contains(f)) continue;
+              for (const Face other : sheetOf(mesh, f)) pieces.add(other);
+            }
+            removeFaces(mesh, pieces, progress);
+          }};
+}
+
+MeshChange backFix(std::vector<Vertex> loops, const FillOptions& options) {
+  return {QT_TRANSLATE_NOOP("Tool", "Give a back"),
+          [loops = std::move(loops), options](HalfEdgeMesh& mesh, Progress progress) {
+            closeHard(mesh, loops, true, options, progress);
+            partNonManifold(mesh, options.numbers, progress);
+          },
+          QT_TRANSLATE_NOOP("Tool", "a back would cross the part")};
+}
+
+MeshChange cutAndCloseFix(Vertex loop, const FillOptions& options) {
+  return {QT_TRANSLATE_NOOP("Tool", "Cut and close"),
+          [loop, options](HalfEdgeMesh& mesh, Progress progress) {
+            closeHard(mesh, {loop}, false, options, progress);
+            partNonManifold(mesh, options.numbers, progress);
+          },
+          QT_TRANSLATE_NOOP("Tool", "what would be cut is tangled too much")};
+}
+
+}  // namespace handwheel

@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/mesh/DefectFixes.h"
+
+#include "MeshChecks.h"
+#include "MeshDocuments.h"
+#include "MeshShapes.h"
+#include "mesh/Defects.h"
+#include "mesh/MeshValidator.h"
+
+#include <QTest>
+
+using namespace handwheel;
+
+namespace {
+
+constexpr NumberType kNumbers = NumberType::Float64;
+
+// A change made to a document as a tool would; undone and done again on the way.
+void make(MeshDocument& document, const MeshChange& change) {
+  const HalfEdgeMesh before = document.mesh();
+  const std::uint64_t revision = document.revision();
+  immediateServices(document).commit(change);
+  QCOMPARE(validate(document.mesh()), std::string());
+  if (document.revision() == revision) return;  // nothing was changed
+  const HalfEdgeMesh after = document.mesh();
+  document.history()->undo();
+  QVERIFY(test::sameMesh(document.mesh(), before));
+  document.history()->redo();
+  QVERIFY(test::sameMesh(document.mesh(), after));
+}
+
+std::unique_ptr<MeshDocument> open(const TriangleSoup& soup) {
+  return test::meshDocument(soup, "/scans/part.stl", kNumbers);
+}
+
+std::vector<Vertex> keysOf(const MeshDocument& document) {
+  std::vector<Vertex> keys;
+  for (const BoundaryLoop& loop : document.defects().loops) keys.push_back(keyOf(document.mesh(), loop));
+  return keys;
+}
+
+}  // namespace
+
+class DefectFixesTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void withoutArea();
+  void duplicates();
+  void nearVertices();
+  void onlyOnePair();
+  void touchingCubes();
+  void crossings();
+  void debris();
+  void backOfASheet();
+  void aRodInTheHole();
+  void nothingToMend();
+};
+
+void DefectFixesTest::withoutArea() {
+  TriangleSoup soup = test::cube();
+  test::addNeedles(soup, 0, 0, {0.5});
+  const auto document = open(soup);
+  QVERIFY(!document->defects().degenerateFaces.empty());
+  make(*document, degenerateFix());
+  QVERIFY(document->defects().degenerateFaces.empty());
+  QVERIFY(test::countEdges(document->mesh()).sound());
+}
+
+void DefectFixesTest::duplicates() {
+  TriangleSoup soup = test::cube();
+  soup.triangles.push_back(soup.triangles[3]);
+  const auto document = open(soup);
+  QCOMPARE(document->defects().duplicateFaces.size(), std::size_t(1));
+  make(*document, duplicateFix());
+  QVERIFY(document->defects().duplicateFaces.empty());
+  QVERIFY(test::countEdges(document->mesh()).sound());
+}
+
+// A cube whose lid the file has rounded away from it at two corners.
+TriangleSoup looseLid(double shift) {
+  TriangleSoup soup = test::unshared(test::cube());
+  int moved = 0;
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+    bool isLid = true;
+    for (const std::uint32_t v : soup.triangles[t]) isLid = isLid && soup.points[v].z() == 1.0;
+    for (const std::uint32_t v : soup.triangles[t]) {
+      Vec3& p = soup.points[v];
+      if (!isLid || p.y() != 0.0) continue;
+      p.y() -= shift;
+      ++moved;
+    }
+  }
+  Q_ASSERT(moved > 0);
+  return soup;
+}
+
+void DefectFixesTest::nearVertices() {
+  const auto document = open(looseLid(1e-9));
+  QCOMPARE(document->defects().nearVertices.size(), std::size_t(2));
+  make(*document, nearVertexFix(tolerance::kNearWeld));
+  QVERIFY(document->defects().nearVertices.empty());
+  QVERIFY(test::countEdges(document->mesh()).sound());
+}
+
+void DefectFixesTest::onlyOnePair() {
+  const auto document = open(looseLid(1e-9));
+  const auto pairs = document->defects().nearVertices;
+  make(*document, nearVertexFix(tolerance::kNearWeld, {pairs[1]}));
+  QCOMPARE(document->defects().nearVertices.size(), std::size_t(1));
+  QVERIFY(document->mesh().position(pairs[0].first) != document->mesh().position(pairs[0].second));
+}
+
+// Along an edge: four triangles meet there in the file.
+void DefectFixesTest::touchingCubes() {
+  TriangleSoup soup = test::cube();
+  test::append(soup, test::cube(1.0, {1, 1, 0}));
+  const auto document = open(soup);
+  QCOMPARE(document->defects().nonManifoldEdges.size(), std::size_t(1));
+  make(*document, nonManifoldFix(kNumbers));
+  QVERIFY(test::countEdges(document->mesh()).sound());
+  QCOMPARE(findSelfIntersections(document->mesh())->size(), std::size_t(0));
+}
+
+void DefectFixesTest::crossings() {
+  TriangleSoup soup = test::cube();
+  test::append(soup, test::cube(1.0, {0.41, 0.27, 0.33}));
+  const auto document = open(soup);
+  make(*document, crossingFix(kNumbers, *findSelfIntersections(document->mesh())));
+  QCOMPARE(findSelfIntersections(document->mesh())->size(), std::size_t(0));
+  QVERIFY(test::countEdges(document->mesh()).sound());
+}
+
+void DefectFixesTest::debris() {
+  TriangleSoup soup = test::icosphere(3);
+  const std::size_t faces = soup.triangles.size();
+  for (double x : {2.0, 3.0}) test::append(soup, test::cube(1e-3, {x, 0, 0}));
+  const auto document = open(soup);
+  make(*document, debrisFix({static_cast<Face>(faces)}));
+  QCOMPARE(document->mesh().liveFaceCount(), faces + 12);
+  for (Face f = 0; f < faces; ++f) QVERIFY(document->mesh().isLive(f));
+}
+
+// A flat square of side 1: the back lies behind it by the thousandth of its diagonal that backs have, so that is the
+// volume, but for the slope at the edge.
+void DefectFixesTest::backOfASheet() {
+  const auto document = open(test::grid(5, 5, false, false, [](std::uint32_t i, std::uint32_t j) {
+    return Vec3(i / 4.0, j / 4.0, 0.0);
+  }));
+  make(*document, backFix(keysOf(*document), {}));
+  QVERIFY(test::countEdges(document->mesh()).sound());
+  QVERIFY(document->defects().loops.empty());
+  const double volume = test::volume(document->mesh().compact().soup), thickness = 1e-3 * M_SQRT2;
+  QVERIFY(volume > 0.5 * thickness && volume < thickness);
+}
+
+void DefectFixesTest::aRodInTheHole() {
+  TriangleSoup soup = test::sphereWithoutCap(3, 0.5);
+  test::append(soup, test::moved(test::cylinder(12, 2, 0.1, 2.0, true), {0.03, 0.02, -0.2}));
+  const auto document = open(soup);
+  QCOMPARE(document->defects().loops.size(), std::size_t(1));
+  FillOptions options;
+  options.numbers = kNumbers;
+  make(*document, cutAndCloseFix(keysOf(*document)[0], options));
+  QVERIFY(document->defects().loops.empty());
+  QCOMPARE(findSelfIntersections(document->mesh())->size(), std::size_t(0));
+}
+
+void DefectFixesTest::nothingToMend() {
+  const auto document = open(test::cube());
+  const std::uint64_t revision = document->revision();
+  for (const MeshChange& change : {degenerateFix(), duplicateFix(), nearVertexFix(tolerance::kNearWeld),
+                                   nonManifoldFix(kNumbers), crossingFix(kNumbers, {}), debrisFix({}), backFix({}, {}),
+                                   cutAndCloseFix(0, {})}) {
+    make(*document, change);
+    QCOMPARE(document->revision(), revision);
+  }
+}
+
+QTEST_GUILESS_MAIN(DefectFixesTest)
+#include "DefectFixesTest.moc"
