@@ -7,9 +7,9 @@
 namespace tbb {
 
 // On one thread: what is sorted is not shared.
-template <class Iterator>
-void parallel_sort(Iterator first, Iterator last) {
-  std::sort(first, last);
+template <class Range, class Compare>
+void parallel_sort(Range& range, Compare isLess) {
+  std::sort(range.begin(), range.end(), isLess);
 }
 
 }  // namespace tbb
