@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/CrossingClusters.h"
 
+#include "mesh/PositionTriangles.h"
 #include "mesh/Uncrossing.h"
 
 #include <algorithm>
@@ -16,7 +17,10 @@ using Cluster = std::vector<Face>;
 class ClusterUncrosser {
  public:
   ClusterUncrosser(HalfEdgeMesh& mesh, NumberType numbers, Progress progress)
-      : m_mesh(mesh), m_numbers(numbers), m_progress(progress) {}
+      : m_mesh(mesh),
+        m_numbers(numbers),
+        m_progress(progress),
+        m_badEdges(countBadEdges(mesh, progress.part(0.0, 0.0))) {}
 
   void take(std::span<const Cluster> some) {
     if (some.empty() || m_progress.cancelled() || m_work > tolerance::kHardHoleWork) return;
@@ -35,9 +39,15 @@ class ClusterUncrosser {
   bool tryTogether(std::span<const Cluster> some) {
     Cluster faces;
     for (const Cluster& cluster : some) faces.insert(faces.end(), cluster.begin(), cluster.end());
-    const UncrossReport report = uncrossAll(m_mesh, faces, m_numbers, now());
+    HalfEdgeMesh changed = m_mesh;
+    const UncrossReport report = uncrossAll(changed, faces, m_numbers, now());
     m_work += m_mesh.faceSlots() + tolerance::kCutWork * report.cutFaces;
-    return report.changed;
+    if (!report.changed) return false;
+    const std::size_t badEdges = countBadEdges(changed, now());
+    if (badEdges > m_badEdges || m_progress.cancelled()) return false;
+    m_badEdges = badEdges;
+    m_mesh = std::move(changed);
+    return true;
   }
 
   // Trials take turns, so the share of the work that is allowed is all that can be told.
@@ -49,6 +59,7 @@ class ClusterUncrosser {
   HalfEdgeMesh& m_mesh;
   NumberType m_numbers;
   Progress m_progress;
+  std::size_t m_badEdges;  // of the mesh, as the file will show it
   std::size_t m_work = 0;
   std::size_t m_done = 0;
 };

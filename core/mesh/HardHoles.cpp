@@ -3,7 +3,6 @@
 #include "mesh/HardHoles.h"
 
 #include "base/Tolerance.h"
-#include "mesh/EdgeTable.h"
 #include "mesh/LoopOwners.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/PositionTriangles.h"
@@ -38,16 +37,6 @@ std::vector<BoundaryLoop> numbered(std::span<const HardHole> holes) {
     loops.back().id = static_cast<int>(loops.size()) - 1;
   }
   return loops;
-}
-
-// Edges of the written file that have not two faces.
-std::size_t countBadEdges(const HalfEdgeMesh& mesh, Progress progress) {
-  const PositionTriangles byPosition(mesh, progress.part(0.0, 0.5));
-  const EdgeTable edges(byPosition.triangles, byPosition.classes.representative.size(), progress.part(0.5, 1.0));
-  std::size_t bad = 0;
-  edges.forEachEdge(
-      [&](std::uint32_t, std::uint32_t, std::span<const EdgeTable::Entry> run) { bad += run.size() != 2; });
-  return bad;
 }
 
 class Closer {

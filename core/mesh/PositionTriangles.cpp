@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/PositionTriangles.h"
 
+#include "mesh/EdgeTable.h"
 #include "mesh/Steps.h"
 
 namespace handwheel {
@@ -22,6 +23,15 @@ PositionTriangles::PositionTriangles(const HalfEdgeMesh& mesh, Progress progress
     if (!mesh.isLive(f)) continue;
     for (int k = 0; k < 3; ++k) triangles[f][k] = classes.classOf[mesh.triangle(f)[k]];
   }
+}
+
+std::size_t countBadEdges(const HalfEdgeMesh& mesh, Progress progress) {
+  const PositionTriangles byPosition(mesh, progress.part(0.0, 0.5));
+  const EdgeTable edges(byPosition.triangles, byPosition.classes.representative.size(), progress.part(0.5, 1.0));
+  std::size_t bad = 0;
+  edges.forEachEdge(
+      [&](std::uint32_t, std::uint32_t, std::span<const EdgeTable::Entry> run) { bad += run.size() != 2; });
+  return bad;
 }
 
 }  // namespace handwheel

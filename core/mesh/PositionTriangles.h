@@ -17,4 +17,7 @@ struct PositionTriangles {
   std::vector<Triangle> triangles;  // over classes
 };
 
+// How many edges the file will have that have not two faces: open ones, and those where more meet. O(n log n).
+std::size_t countBadEdges(const HalfEdgeMesh& mesh, Progress progress = {});
+
 }  // namespace handwheel

@@ -261,7 +261,7 @@ QString defectKindHint(DefectKind kind) {
       return DefectModel::tr("Places where the surface is missing. (A tunnel through the part is not a hole.)");
     case DefectKind::KeptOpen:
       return DefectModel::tr(
-          "Openings that are meant to be there, and outer edges of open sheets. “Fill all” leaves them.");
+          "Openings that are meant to be there, and outer edges of open sheets. “Repair all” leaves them.");
     case DefectKind::NonManifoldEdge:
       return DefectModel::tr("Edges at which more than two triangles meet.");
     case DefectKind::NonManifoldVertex:
@@ -275,7 +275,7 @@ QString defectKindHint(DefectKind kind) {
     case DefectKind::Duplicate:
       return DefectModel::tr("Triangles that lie exactly on another one.");
     case DefectKind::SelfIntersection:
-      return DefectModel::tr("Pairs of triangles that pass through each other. They are shown, not repaired.");
+      return DefectModel::tr("Pairs of triangles that pass through each other. “Repair all” leaves them as they are.");
     case DefectKind::Debris:
       return DefectModel::tr("Small pieces that are not connected with the model.");
   }

@@ -3,6 +3,7 @@
 #include "panels/DefectsPanel.h"
 
 #include "panels/ActionButton.h"
+#include "panels/DefectCard.h"
 #include "panels/DefectDelegate.h"
 #include "panels/DefectModel.h"
 #include "panels/StateCard.h"
@@ -61,7 +62,9 @@ DefectsPanel::DefectsPanel(const DefectsPanelActions& actions, QWidget* parent)
       m_delegate(new DefectDelegate(this)),
       m_state(new StateCard(this)),
       m_list(defectList(this, m_model, m_delegate)),
-      m_settings(new HoleSettings(actions.fill, actions.keepOpen, actions.preview, this)),
+      m_settings(new HoleSettings(actions.fill, actions.keepOpen, actions.preview,
+                                  {actions.giveBack, actions.cutAndClose}, this)),
+      m_card(new DefectCard(actions.fix, this)),
       m_content(new QWidget(this)),
       m_empty(emptyText(this)) {
   setObjectName(QStringLiteral("defectsPanel"));
@@ -81,6 +84,7 @@ DefectsPanel::DefectsPanel(const DefectsPanelActions& actions, QWidget* parent)
   column->addLayout(top);
   column->addWidget(m_list, 1);
   column->addWidget(m_settings);
+  column->addWidget(m_card);
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(0, 0, 0, 0);
   all->addWidget(m_content);
@@ -152,6 +156,13 @@ void DefectsPanel::updateSettings() {
   const bool hole = m_inspection && m_selectedLoop >= 0 && m_selectedLoop < m_inspection->loopCount();
   m_settings->setVisible(hole);
   if (hole) m_settings->showLoop(m_inspection->loopName(m_selectedLoop), m_inspection->loopDetail(m_selectedLoop));
+  const QModelIndex defect = m_list->currentIndex();
+  m_card->setVisible(!hole && defect.isValid());
+  if (defect.isValid()) {
+    m_card->showDefect(defect.data().toString(),
+                       defectKindHint(static_cast<DefectKind>(defect.data(DefectModel::KindRole).toInt())));
+  }
+  emit defectChosen(defect);
 }
 
 void DefectsPanel::clicked(const QModelIndex& index) {

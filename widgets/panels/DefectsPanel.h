@@ -12,6 +12,7 @@ class QTreeView;
 
 namespace handwheel {
 
+class DefectCard;
 class DefectDelegate;
 class DefectModel;
 class Inspection;
@@ -25,6 +26,9 @@ struct DefectsPanelActions {
   QAction* fill;
   QAction* keepOpen;
   QAction* preview;
+  QAction* giveBack;
+  QAction* cutAndClose;
+  QAction* fix;  // of what is chosen in the list
 };
 
 // The defects of the present document: verdict, list by kind, and the settings for the selected hole. It mirrors the
@@ -46,6 +50,7 @@ class DefectsPanel : public QWidget {
   void loopSelected(int loop);
   void loopHovered(int loop);
   void defectActivated(const QModelIndex& index);  // a click: fly there
+  void defectChosen(const QModelIndex& index);     // a row or a group; invalid for none
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -61,6 +66,7 @@ class DefectsPanel : public QWidget {
   StateCard* m_state;
   QTreeView* m_list;
   HoleSettings* m_settings;
+  DefectCard* m_card;
   QWidget* m_content;
   QWidget* m_empty;
   Inspection* m_inspection = nullptr;

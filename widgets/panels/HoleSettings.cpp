@@ -43,7 +43,8 @@ QCheckBox* checkBoxFor(QAction* action, QWidget* parent) {
 
 }  // namespace
 
-HoleSettings::HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, QWidget* parent)
+HoleSettings::HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, const QList<QAction*>& others,
+                           QWidget* parent)
     : QFrame(parent),
       m_name(new QLabel(this)),
       m_detail(new QLabel(this)),
@@ -79,6 +80,13 @@ HoleSettings::HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, Q
   column->addWidget(checkBoxFor(preview, this));
   column->addWidget(m_status);
   column->addLayout(buttons);
+  for (QAction* other : others) {
+    auto* button = new ActionButton(other, ActionButton::Rank::Ordinary, this);
+    const auto follow = [button, other] { button->setVisible(other->isVisible() && other->isEnabled()); };
+    connect(other, &QAction::changed, button, follow);
+    follow();
+    column->addWidget(button);
+  }
 
   connect(m_method, &QComboBox::currentIndexChanged, this, [this] {
     m_method->setToolTip(fillMethodHint(this->method()));

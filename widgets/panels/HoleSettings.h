@@ -27,8 +27,9 @@ class HoleSettings : public QFrame {
   Q_OBJECT
 
  public:
-  // The actions are those of the menus and keys.
-  HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, QWidget* parent = nullptr);
+  // The actions are those of the menus and keys. others: further ways to close it, shown where they are possible.
+  HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, const QList<QAction*>& others,
+               QWidget* parent = nullptr);
 
   FillMethod method() const;
   void setMethod(FillMethod method);

@@ -7,6 +7,7 @@
 #include "mesh/MeshFidelity.h"
 #include "panels/DefectModel.h"
 #include "panels/DefectsPanel.h"
+#include "panels/MessageBar.h"
 #include "viewport/Viewport.h"
 #include "window/CommandText.h"
 #include "window/DocumentTabs.h"
@@ -28,9 +29,11 @@ MeshUi::MeshUi(const WindowParts& parts, MeshKind& kind)
       m_search(parts.pool, parts.services),
       m_jobs(parts.tabs, parts.jobs, parts.log, parts.fidelity),
       m_actions(m_selection, m_jobs, m_preview, parts.fidelity, this),
-      m_panel(new DefectsPanel({m_actions.repairAll(), m_actions.previous(), m_actions.next(), m_actions.fill(),
-                                m_actions.keepOpen(), m_actions.preview()},
-                               parts.window)),
+      m_defectActions(m_selection, m_jobs, m_preview, parts.fidelity, this),
+      m_panel(new DefectsPanel(
+          {m_actions.repairAll(), m_actions.previous(), m_actions.next(), m_actions.fill(), m_actions.keepOpen(),
+           m_actions.preview(), m_defectActions.giveBack(), m_defectActions.cutAndClose(), m_defectActions.fix()},
+          parts.window)),
       m_scene(new DefectScene(parts.viewport, m_selection, *m_panel->model(), this)),
       m_tools(parts.tools, parts.pool, m_selection, m_preview, m_actions, m_jobs) {
   m_panel->setMinimumWidth(264);
@@ -54,6 +57,14 @@ void MeshUi::connectSelection() {
   connect(&m_selection, &Selection::hoverChanged, this, [this] { m_panel->setHighlightedLoop(m_selection.hovered()); });
   connect(m_panel, &DefectsPanel::loopHovered, &m_selection, &Selection::hover);
   connect(m_panel, &DefectsPanel::loopSelected, &m_selection, &Selection::select);
+  connect(m_panel, &DefectsPanel::defectChosen, this, [this](const QModelIndex& index) {
+    const auto kind = static_cast<DefectKind>(index.data(DefectModel::KindRole).toInt());
+    m_defectActions.choose(index.isValid() ? std::optional(kind) : std::nullopt,
+                           index.parent().isValid() ? index.row() : -1);
+  });
+  connect(&m_jobs, &RepairJobs::changedNothing, this, [this](const QString& what, const QString& why) {
+    emit message({Message::Weight::Warning, tr("%1: nothing was changed").arg(what), why, {}, {}, {}});
+  });
   connect(m_panel, &DefectsPanel::defectActivated, m_scene, &DefectScene::showPlace);
   connect(m_panel->settings(), &HoleSettings::methodChanged, &m_actions, &RepairActions::setMethod);
   connect(&m_preview, &HolePreview::changed, this, [this] {
@@ -98,6 +109,7 @@ void MeshUi::setDocument(OpenDocument* document) {
   m_tools.setDocument(m_document);
   m_search.setDocument(m_document);
   m_actions.setDocument(m_document);
+  m_defectActions.setDocument(m_document);
   m_selection.setDocument(m_document);
 }
 
@@ -130,8 +142,9 @@ std::vector<Hint> MeshUi::hints() {
 
 NextStep MeshUi::nextStep() {
   if (!m_document || m_selection.loop() >= 0 || m_jobs.isWorking()) return {};
-  return nextStepFor(*m_document, {m_actions.repairAll(), m_actions.removeDebris(), m_actions.goOneByOne(),
-                                   m_parts.isPanelVisible() ? nullptr : m_parts.showPanel, m_parts.saveAs});
+  return nextStepFor(
+      *m_document, {m_actions.repairAll(), m_actions.removeDebris(), m_actions.goOneByOne(), m_defectActions.giveBack(),
+                    m_parts.isPanelVisible() ? nullptr : m_parts.showPanel, m_parts.saveAs});
 }
 
 QString MeshUi::figures() const {

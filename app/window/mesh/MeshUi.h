@@ -3,6 +3,7 @@
 #pragma once
 
 #include "window/KindUi.h"
+#include "window/mesh/DefectActions.h"
 #include "window/mesh/HolePreview.h"
 #include "window/mesh/MeshTools.h"
 #include "window/mesh/RepairActions.h"
@@ -34,7 +35,7 @@ class MeshUi : public KindUi {
   QString panelIcon() const override { return QStringLiteral("defects"); }
   QWidget* panel() override;
   QString menuTitle() const override { return tr("&Repair"); }
-  QList<QAction*> menu() override { return m_actions.all(); }
+  QList<QAction*> menu() override { return m_actions.all() + m_defectActions.all(); }
   QList<QAction*> toolBar() override;
   std::vector<ToolOffer> tools() override;
   std::vector<Hint> hints() override;
@@ -56,6 +57,7 @@ class MeshUi : public KindUi {
   SelfIntersectionSearch m_search;
   RepairJobs m_jobs;
   RepairActions m_actions;
+  DefectActions m_defectActions;
   QPointer<DefectsPanel> m_panel;
   DefectScene* m_scene;
   MeshTools m_tools;

@@ -96,6 +96,7 @@ NextStep nextStepFor(const OpenMesh& document, const NextStepActions& actions) {
       step.detail = document.written ? Text::tr("Saved as %1.").arg(document.document.name())
                                      : Text::tr("There is nothing to repair.");
     }
+    if (!tight && actions.giveBack->isEnabled()) step.actions.push_back(actions.giveBack);
     if (!inspection.debris().empty()) step.actions.push_back(actions.removeDebris);
     return step;
   }

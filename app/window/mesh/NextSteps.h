@@ -14,6 +14,7 @@ struct NextStepActions {
   QAction* repairAll;
   QAction* removeDebris;
   QAction* oneByOne;
+  QAction* giveBack;
   QAction* showDefects;  // null: they are in view
   QAction* saveAs;
 };

@@ -115,14 +115,22 @@ void RepairJobs::startChange(OpenMesh* document, MeshChange wanted, Round round)
             after = inspected(std::move(result), nearWeld, progress.part(0.5, 1.0))] {
       if (!m_tabs.contains(document)) return;
       if (!isStale(document, revision)) {
-        if (document->document.commit(text, after)) m_log.add(tr("%1: %2").arg(document->document.name(), text));
-        return;
+        return changed(document, wanted, text, after);
       }
       tellStale(*document, round);
       if (round == Round::First) startChange(document, wanted, Round::Second);
     };
   };
   start(document, std::move(job));
+}
+
+void RepairJobs::changed(OpenMesh* document, const MeshChange& wanted, const QString& text,
+                         const InspectedMesh& after) {
+  if (document->document.commit(text, after)) {
+    m_log.add(tr("%1: %2").arg(document->document.name(), text));
+  } else if (wanted.hindrance) {
+    emit changedNothing(text, tr("Why: %1.").arg(QCoreApplication::translate("Tool", wanted.hindrance)));
+  }
 }
 
 void RepairJobs::repairAll(OpenMesh* document) {

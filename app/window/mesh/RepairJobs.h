@@ -40,12 +40,15 @@ class RepairJobs : public QObject {
   // key: of the loop that is no more. bench: fit for the document as it is now.
   void filled(handwheel::OpenMesh* document, handwheel::Vertex key, std::shared_ptr<handwheel::FillBench> bench);
   void workingChanged();
+  // A change was asked for, and nothing differs; why, as a sentence.
+  void changedNothing(const QString& what, const QString& why);
 
  private:
   enum class Round { First, Second };
   void startFill(OpenMesh* document, Vertex key, PreparedFill prepared, Round round);
   void startChange(OpenMesh* document, MeshChange wanted, Round round);
   void startRepair(OpenMesh* document, Round round);
+  void changed(OpenMesh* document, const MeshChange& wanted, const QString& text, const InspectedMesh& after);
   double nearWeld() const;  // for the defects of what a job made
   bool isStale(OpenMesh* document, std::uint64_t revision) const;
   void filledOne(OpenMesh* document, Vertex key, const std::shared_ptr<FillBench>& bench, FillFailure failure,

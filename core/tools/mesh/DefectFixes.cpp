@@ -67,7 +67,8 @@ MeshChange crossingFix(NumberType numbers, std::vector<std::pair<Face, Face>> pa
           [numbers, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
             uncrossClusters(mesh, pairs, numbers, progress);
           },
-          QT_TRANSLATE_NOOP("Tool", "the triangles lie in one plane or are tangled too much to be cut apart")};
+          QT_TRANSLATE_NOOP("Tool",
+                            "the triangles lie in one plane, lie on others, or are tangled too much to be cut apart")};
 }
 
 MeshChange debrisFix(std::vector<Face> faces) {

@@ -33,6 +33,7 @@ class CrossingClustersTest : public QObject {
   void clusters();
   void oneOfTwo();
   void bothAtOnce();
+  void whatWouldOpen();
   void cancelled();
 };
 
@@ -68,6 +69,19 @@ void CrossingClustersTest::bothAtOnce() {
   QCOMPARE(uncrossClusters(mesh, all, NumberType::Float64), crossingClusters(all).size());
   QCOMPARE(findSelfIntersections(mesh)->size(), std::size_t(0));
   QVERIFY(test::countEdges(mesh).sound());
+}
+
+// A face too many, on another one: cut, the two would not be closed any more.
+void CrossingClustersTest::whatWouldOpen() {
+  TriangleSoup s = test::cube();
+  test::append(s, test::cube(1.0, {0.41, 0.27, 0.33}));
+  const HalfEdgeMesh good = buildMesh(s).mesh;
+  s.triangles.push_back(s.triangles[findSelfIntersections(good)->front().first]);
+  HalfEdgeMesh mesh = buildMesh(s).mesh;
+  const HalfEdgeMesh before = mesh;
+  const std::size_t done = uncrossClusters(mesh, *findSelfIntersections(mesh), NumberType::Float64);
+  QVERIFY(done > 0 || test::sameMesh(mesh, before));
+  QVERIFY(test::countEdges(mesh).border <= test::countEdges(before).border);
 }
 
 void CrossingClustersTest::cancelled() {

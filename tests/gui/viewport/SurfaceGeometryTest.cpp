@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/MeshBuilder.h"
 #include "mesh/MeshBounds.h"
+#include "mesh/MeshBuilder.h"
 #include "viewport/SurfaceGeometry.h"
 
 #include <QtTest>

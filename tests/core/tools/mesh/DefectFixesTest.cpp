@@ -145,9 +145,8 @@ void DefectFixesTest::debris() {
 // A flat square of side 1: the back lies behind it by the thousandth of its diagonal that backs have, so that is the
 // volume, but for the slope at the edge.
 void DefectFixesTest::backOfASheet() {
-  const auto document = open(test::grid(5, 5, false, false, [](std::uint32_t i, std::uint32_t j) {
-    return Vec3(i / 4.0, j / 4.0, 0.0);
-  }));
+  const auto document = open(
+      test::grid(5, 5, false, false, [](std::uint32_t i, std::uint32_t j) { return Vec3(i / 4.0, j / 4.0, 0.0); }));
   make(*document, backFix(keysOf(*document), {}));
   QVERIFY(test::countEdges(document->mesh()).sound());
   QVERIFY(document->defects().loops.empty());
@@ -170,9 +169,9 @@ void DefectFixesTest::aRodInTheHole() {
 void DefectFixesTest::nothingToMend() {
   const auto document = open(test::cube());
   const std::uint64_t revision = document->revision();
-  for (const MeshChange& change : {degenerateFix(), duplicateFix(), nearVertexFix(tolerance::kNearWeld),
-                                   nonManifoldFix(kNumbers), crossingFix(kNumbers, {}), debrisFix({}), backFix({}, {}),
-                                   cutAndCloseFix(0, {})}) {
+  for (const MeshChange& change :
+       {degenerateFix(), duplicateFix(), nearVertexFix(tolerance::kNearWeld), nonManifoldFix(kNumbers),
+        crossingFix(kNumbers, {}), debrisFix({}), backFix({}, {}), cutAndCloseFix(0, {})}) {
     make(*document, change);
     QCOMPARE(document->revision(), revision);
   }

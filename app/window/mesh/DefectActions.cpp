@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/mesh/DefectActions.h"
+
+#include "mesh/MeshFidelity.h"
+#include "theme/Icons.h"
+#include "tools/mesh/DefectFixes.h"
+#include "window/ActionTip.h"
+#include "window/FidelityChoice.h"
+#include "window/mesh/HolePreview.h"
+#include "window/mesh/OpenMesh.h"
+#include "window/mesh/RepairJobs.h"
+#include "window/mesh/Selection.h"
+
+#include <QCoreApplication>
+
+namespace handwheel {
+
+namespace {
+
+void prepare(QAction& action, const char* name, const char* iconName, const QString& tip) {
+  action.setObjectName(QString::fromLatin1(name));
+  action.setIcon(icon(QString::fromLatin1(iconName)));
+  setTip(action, tip);
+}
+
+// One of them, or all for -1.
+template <class Value>
+std::vector<Value> chosen(const std::vector<Value>& values, int row) {
+  return row < 0 ? values : std::vector<Value>{values[static_cast<std::size_t>(row)]};
+}
+
+}  // namespace
+
+DefectActions::DefectActions(Selection& selection, RepairJobs& jobs, const HolePreview& preview,
+                             const FidelityChoice& fidelity, QObject* parent)
+    : QObject(parent),
+      m_selection(selection),
+      m_jobs(jobs),
+      m_preview(preview),
+      m_fidelity(fidelity),
+      m_fix(tr("Mend"), this),
+      m_giveBack(tr("Give a &back"), this),
+      m_cutAndClose(tr("&Cut and close"), this) {
+  prepare(m_fix, "fixDefect", "repair", tr("Mend what is chosen in the list of defects"));
+  prepare(m_giveBack, "giveBack", "sheet-back",
+          tr("Make a thin body of an open sheet: of the selected one, or of all"));
+  prepare(m_cutAndClose, "cutAndClose", "fill-hole",
+          tr("Close the hole across the part, and cut the part where the patch crosses it"));
+  connect(&m_fix, &QAction::triggered, this, [this] {
+    if (auto wanted = change()) m_jobs.change(m_document, std::move(*wanted));
+  });
+  connect(&m_giveBack, &QAction::triggered, this, [this] {
+    std::vector<Vertex> keys;
+    for (const int id : sheets()) keys.push_back(m_document->inspection.keyOf(id));
+    m_jobs.change(m_document, backFix(std::move(keys), options()));
+  });
+  connect(&m_cutAndClose, &QAction::triggered, this, [this] {
+    m_jobs.change(m_document, cutAndCloseFix(m_document->inspection.keyOf(m_selection.loop()), options()));
+  });
+  connect(&m_selection, &Selection::changed, this, &DefectActions::follow);
+  connect(&m_preview, &HolePreview::changed, this, &DefectActions::follow);
+  connect(&m_jobs, &RepairJobs::workingChanged, this, &DefectActions::follow);
+  follow();
+}
+
+void DefectActions::setDocument(OpenMesh* document) {
+  m_document = document;
+  choose(std::nullopt, -1);
+}
+
+void DefectActions::choose(std::optional<DefectKind> kind, int row) {
+  m_kind = kind;
+  m_row = row;
+  follow();
+}
+
+void DefectActions::follow() {
+  const bool free = m_document && !m_jobs.isWorking();
+  const auto wanted = change();
+  m_fix.setVisible(wanted.has_value());
+  m_fix.setEnabled(free && wanted);
+  if (wanted) m_fix.setText(QCoreApplication::translate("Tool", wanted->text));
+  m_giveBack.setEnabled(free && !sheets().empty());
+  const int loop = m_document ? m_selection.loop() : -1;
+  const bool isBlocked = loop >= 0 && !m_document->inspection.loop(loop).rim &&
+                         m_preview.state().kind == PreviewState::Kind::Failed &&
+                         m_preview.state().failure == FillFailure::SelfIntersecting;
+  m_cutAndClose.setVisible(isBlocked);
+  m_cutAndClose.setEnabled(free && isBlocked);
+}
+
+std::vector<int> DefectActions::sheets() const {
+  if (!m_document) return {};
+  const Inspection& inspection = m_document->inspection;
+  std::vector<int> ids;
+  if (const int selected = m_selection.loop(); selected >= 0) {
+    if (inspection.loop(selected).rim) ids.push_back(selected);
+    return ids;
+  }
+  for (const int id : inspection.keptOpen()) {
+    if (inspection.loop(id).rim) ids.push_back(id);
+  }
+  return ids;
+}
+
+FillOptions DefectActions::options() const {
+  FillOptions options;
+  apply(m_fidelity.values(), options);
+  options.numbers = m_document->document.fileNumbers();
+  return options;
+}
+
+std::optional<MeshChange> DefectActions::change() const {
+  if (!m_document || !m_kind) return std::nullopt;
+  const Inspection& inspection = m_document->inspection;
+  const Defects& defects = m_document->document.defects();
+  const NumberType numbers = m_document->document.fileNumbers();
+  if (const auto count = static_cast<int>(inspection.count(*m_kind)); count == 0 || m_row >= count) return std::nullopt;
+  switch (*m_kind) {
+    case DefectKind::NonManifoldEdge:
+    case DefectKind::NonManifoldVertex:
+      return nonManifoldFix(numbers);
+    case DefectKind::NearVertex:
+      return nearVertexFix(m_fidelity.values().of(nearWeldSetting()), chosen(defects.nearVertices, m_row));
+    case DefectKind::Degenerate:
+      return degenerateFix();
+    case DefectKind::Duplicate:
+      return duplicateFix();
+    case DefectKind::SelfIntersection:
+      return crossingFix(numbers, chosen(*inspection.selfIntersections(), m_row));
+    case DefectKind::Debris: {
+      std::vector<Face> faces;
+      for (const std::size_t i : chosen(inspection.debris(), m_row))
+        faces.push_back(defects.components[i].faces.front());
+      return debrisFix(std::move(faces));
+    }
+    case DefectKind::Hole:
+    case DefectKind::KeptOpen:
+    case DefectKind::Flipped:
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "theme/DefectColours.h"
+#include "tools/mesh/MeshServices.h"
+
+#include <QAction>
+#include <optional>
+
+namespace handwheel {
+
+class FidelityChoice;
+class HolePreview;
+class RepairJobs;
+class Selection;
+struct FillOptions;
+struct OpenMesh;
+
+// What mends one defect, or all of a kind, besides the filling of holes: chosen in the list, done by a button.
+class DefectActions : public QObject {
+  Q_OBJECT
+
+ public:
+  DefectActions(Selection& selection, RepairJobs& jobs, const HolePreview& preview, const FidelityChoice& fidelity,
+                QObject* parent = nullptr);
+
+  void setDocument(OpenMesh* document);  // null: no mesh is in view
+  // In the list: one row of a kind, or -1 for all of it.
+  void choose(std::optional<DefectKind> kind, int row);
+
+  QAction* fix() { return &m_fix; }                  // hidden where there is nothing to press
+  QAction* giveBack() { return &m_giveBack; }        // of the selected sheet, or of all
+  QAction* cutAndClose() { return &m_cutAndClose; }  // hidden unless a patch would cross the part
+  QList<QAction*> all() { return {&m_fix, &m_giveBack, &m_cutAndClose}; }
+
+ private:
+  void follow();
+  std::optional<MeshChange> change() const;
+  std::vector<int> sheets() const;  // loop ids
+  FillOptions options() const;
+
+  OpenMesh* m_document = nullptr;
+  Selection& m_selection;
+  RepairJobs& m_jobs;
+  const HolePreview& m_preview;
+  const FidelityChoice& m_fidelity;
+  std::optional<DefectKind> m_kind;
+  int m_row = -1;
+  QAction m_fix;
+  QAction m_giveBack;
+  QAction m_cutAndClose;
+};
+
+}  // namespace handwheel

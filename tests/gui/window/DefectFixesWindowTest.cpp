@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "MeshShapes.h"
+#include "StlFiles.h"
+#include "WindowDriver.h"
+#include "WindowTestMain.h"
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+// Each kind of defect, mended from the list.
+class DefectFixesWindowTest : public QObject {
+  Q_OBJECT
+
+ private:
+  QTemporaryDir m_folder;
+
+  QString file(const char* name, const TriangleSoup& soup) {
+    std::vector<Corners> triangles;
+    for (const Triangle& t : soup.triangles) {
+      Corners corners;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Eigen::Vector3f p = soup.points[t[k]].cast<float>();
+        corners[k] = {p.x(), p.y(), p.z()};
+      }
+      triangles.push_back(corners);
+    }
+    const QString path = m_folder.filePath(QString::fromLatin1(name));
+    writeStl(path, triangles);
+    return path;
+  }
+
+  static void clickGroup(WindowDriver& driver, DefectKind kind) {
+    auto* list = driver.find<QTreeView>("defectList");
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
+                      list->visualRect(driver.defects().groupIndex(kind)).center());
+  }
+
+ private slots:
+  void crossingCubes() {
+    TriangleSoup soup = cube();
+    append(soup, cube(1.0, {0.41, 0.27, 0.33}));
+    WindowDriver driver;
+    QVERIFY(driver.open(file("cubes.stl", soup)));
+    const int crossings = driver.count(DefectKind::SelfIntersection);
+    QVERIFY(crossings > 0);
+    clickGroup(driver, DefectKind::SelfIntersection);
+    driver.click("fixDefectButton");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::SelfIntersection), 0, kPatienceMs);
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.text("stateHeadline"), "Watertight");
+    driver.click("quickActions/undo");
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.count(DefectKind::SelfIntersection), crossings);
+  }
+
+  void duplicatesThenEdges() {
+    TriangleSoup soup = cube();
+    append(soup, cube(1.0, {1, 1, 0}));
+    soup.triangles.push_back(soup.triangles[0]);
+    WindowDriver driver;
+    QVERIFY(driver.open(file("touching.stl", soup)));
+    clickGroup(driver, DefectKind::Duplicate);
+    driver.click("fixDefectButton");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Duplicate), 0, kPatienceMs);
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.count(DefectKind::NonManifoldEdge), 1);
+    clickGroup(driver, DefectKind::NonManifoldEdge);
+    driver.click("fixDefectButton");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::NonManifoldEdge), 0, kPatienceMs);
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.text("stateHeadline"), "Watertight");
+  }
+
+  void sheetGetsABack() {
+    WindowDriver driver;
+    const auto height = [](std::uint32_t i, std::uint32_t j) { return Vec3(i, j, 0.02 * i * j); };
+    QVERIFY(driver.open(file("sheet.stl", grid(9, 9, false, false, height))));
+    QCOMPARE(driver.count(DefectKind::KeptOpen), 1);
+    driver.click("nextStep/giveBack");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::KeptOpen), 0, kPatienceMs);
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.text("stateHeadline"), "Watertight");
+  }
+
+  // Where every patch would cross what stands in the hole, the card offers to cut.
+  void aRodInTheHole() {
+    TriangleSoup soup = sphereWithoutCap(3, 0.5);
+    append(soup, moved(cylinder(12, 2, 0.1, 2.0, true), {0.03, 0.02, -0.2}));
+    WindowDriver driver;
+    QVERIFY(driver.open(file("rod.stl", soup)));
+    driver.clickDefect(DefectKind::Hole, 0);
+    driver.click("cutAndCloseButton");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), 0, kPatienceMs);
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.text("stateHeadline"), "Watertight");
+  }
+
+  // Faces in one plane are not cut; the window says so.
+  void whatCannotBeMended() {
+    TriangleSoup soup = cube();
+    append(soup, cube(1.0, {0.5, 0.25, 0.0}));
+    WindowDriver driver;
+    QVERIFY(driver.open(file("planes.stl", soup)));
+    const int crossings = driver.count(DefectKind::SelfIntersection);
+    QVERIFY(crossings > 0);
+    clickGroup(driver, DefectKind::SelfIntersection);
+    driver.click("fixDefectButton");
+    QTRY_VERIFY_WITH_TIMEOUT(driver.find<QWidget>("messageBar")->isVisible(), kPatienceMs);
+    QVERIFY(driver.settle());
+    QVERIFY(driver.text("messageText").contains("in one plane"));
+    QCOMPARE(driver.count(DefectKind::SelfIntersection), crossings);
+  }
+};
+
+HANDWHEEL_WINDOW_TEST(DefectFixesWindowTest)
+#include "DefectFixesWindowTest.moc"
