@@ -4,7 +4,7 @@
 
 #include "base/Progress.h"
 #include "base/Result.h"
-#include "mesh/HalfEdgeMesh.h"
+#include "mesh/SurfaceDistance.h"
 
 #include <array>
 #include <vector>
@@ -15,8 +15,8 @@ inline constexpr std::size_t kMaxDeviationSamples = 4'000'000;
 inline constexpr std::size_t kMaxDeviationBins = 10'000;
 
 struct DeviationOptions {
-  std::size_t samples =
-      200'000;            // on each surface, besides its vertices, equally many on equal areas; 0: vertices only
+  // On each surface, besides its vertices, equally many on equal areas; 0: vertices only.
+  std::size_t samples = 200'000;
   std::size_t bins = 50;  // of the histogram, at least 1
 };
 
@@ -58,5 +58,8 @@ struct Deviation {
 // n) on ordinary surfaces. Errors: NoTriangles, ValueOutOfRange (a coordinate beyond 1e60), Cancelled.
 Result<Deviation> deviation(const HalfEdgeMesh& mesh, const HalfEdgeMesh& scan, const DeviationOptions& options = {},
                             Progress progress = {});
+// The same for who wants to measure more distances from them. Errors: those, but Cancelled where a surface was.
+Result<Deviation> deviation(const SurfaceDistance& mesh, const SurfaceDistance& scan,
+                            const DeviationOptions& options = {}, Progress progress = {});
 
 }  // namespace handwheel
