@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QColor>
 #include <QLocale>
 #include <QPointF>
 #include <QString>
@@ -18,8 +19,10 @@ struct PlotAxis {
 
 struct PlotSeries {
   QString name;
-  std::vector<QPointF> points;  // in units of the axes; those that are not finite are left out
-  bool joined = true;           // by lines, in order
+  std::vector<QPointF> points;    // in units of the axes; those that are not finite are left out
+  bool joined = true;             // by lines, in order
+  double barWidth = 0.0;          // above zero: drawn as bars so wide, in units of x, instead
+  std::vector<QColor> bars = {};  // their colours; none: that of the series
 };
 
 // A point with words beside it.

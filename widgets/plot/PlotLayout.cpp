@@ -12,7 +12,13 @@ PlotScale scaleOf(const Plot& plot, const PlotAxis& axis, double (*of)(const QPo
   std::vector<double> values;
   for (const PlotSeries& s : plot.series) {
     for (const QPointF& p : s.points) {
-      if (std::isfinite(p.x()) && std::isfinite(p.y())) values.push_back(of(p));
+      if (!std::isfinite(p.x()) || !std::isfinite(p.y())) continue;
+      values.push_back(of(p));
+      if (!(s.barWidth > 0.0)) continue;
+      // From the left end to the right one, and down to nothing.
+      for (const double x : {p.x() - 0.5 * s.barWidth, p.x() + 0.5 * s.barWidth}) {
+        values.push_back(of(QPointF(x, axis.logarithmic ? p.y() : 0.0)));
+      }
     }
   }
   for (const PlotMark& m : plot.marks) values.push_back(of(m.place));

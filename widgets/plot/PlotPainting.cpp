@@ -131,9 +131,24 @@ class PlotPainting {
     for (const QPointF& p : s.points) {
       if (m_layout.isShown(p)) line << m_layout.toScreen(p);
     }
+    if (s.barWidth > 0.0) return bars(s, colour);
     m_painter.setPen(QPen(colour, 1.5));
     if (s.joined) m_painter.drawPolyline(line);
     for (const QPointF& p : line) m_painter.fillPath(pointShape(index, p), colour);
+  }
+
+  // From nothing to their values; on a logarithmic axis, which has no nothing, from its lower end.
+  void bars(const PlotSeries& s, const QColor& colour) {
+    const double foot = m_layout.y().logarithmic ? m_layout.frame().bottom() : m_layout.toScreen({0.0, 0.0}).y();
+    const QPointF half(0.5 * s.barWidth, 0.0);
+    m_painter.setPen(QPen(m_colours.muted, 0.5));
+    for (std::size_t i = 0; i < s.points.size(); ++i) {
+      if (!m_layout.isShown(s.points[i])) continue;
+      const double right = m_layout.toScreen(s.points[i] + half).x();
+      const QRectF bar(m_layout.toScreen(s.points[i] - half), QPointF(right, foot));
+      m_painter.fillRect(bar, i < s.bars.size() ? s.bars[i] : colour);
+      m_painter.drawRect(bar);
+    }
   }
 
   // Neighbours have their words above and below in turn.

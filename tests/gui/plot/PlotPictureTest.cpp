@@ -58,6 +58,8 @@ class PlotPictureTest : public QObject {
   void pointsAreWhereTheirValuesAre_data();
   void pointsAreWhereTheirValuesAre();
   void oneMorePlotOneMorePlace();
+  void barsStandOnTheAxis_data();
+  void barsStandOnTheAxis();
   void strangePlots();
   void files();
   void csv();
@@ -93,6 +95,36 @@ void PlotPictureTest::pointsAreWhereTheirValuesAre() {
   // The ground is that of the theme; titles and numbers stand out from it.
   QVERIFY(pixelsLike(image, themeColours(theme).base, image.rect()) > kSize.width() * kSize.height() / 3);
   QVERIFY(pixelsLike(image, themeColours(theme).text, image.rect()) > 50);
+}
+
+void PlotPictureTest::barsStandOnTheAxis_data() {
+  QTest::addColumn<bool>("logarithmic");
+  QTest::newRow("linear") << false;
+  QTest::newRow("logarithmic") << true;
+}
+
+// Above the axis the middle of each bar has its colour up to its value, and not beyond.
+void PlotPictureTest::barsStandOnTheAxis() {
+  QFETCH(bool, logarithmic);
+  Plot plot;
+  plot.y.logarithmic = logarithmic;
+  PlotSeries bars{"bars", {{-1.0, 2.0}, {0.0, 8.0}, {1.0, 5.0}}};
+  bars.barWidth = 1.0;
+  bars.bars = {Qt::blue, Qt::green, Qt::red};
+  plot.series = {bars};
+  const QImage image = plotImage({&plot, 1}, kSize, ThemeKind::Light);
+  QFont font;
+  font.setPixelSize(13);
+  const PlotLayout layout(plot, QRectF(QPointF(), kSize), QFontMetricsF(font));
+  QVERIFY(logarithmic || layout.y().least <= 0.0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const QPointF top = layout.toScreen(bars.points[i]);
+    const int x = static_cast<int>(top.x()), y = static_cast<int>(top.y());
+    const int foot = static_cast<int>(logarithmic ? layout.frame().bottom() : layout.toScreen({0.0, 0.0}).y());
+    QCOMPARE(image.pixelColor(x, y + 4), bars.bars[i]);
+    QCOMPARE(image.pixelColor(x, foot - 4), bars.bars[i]);
+    QVERIFY(image.pixelColor(x, y - 4) != bars.bars[i]);
+  }
 }
 
 void PlotPictureTest::oneMorePlotOneMorePlace() {
