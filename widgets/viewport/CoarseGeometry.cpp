@@ -13,8 +13,8 @@ namespace {
 // The cells of the grid that hold vertices, numbered as they are met.
 class Clusters {
  public:
-  Clusters(const HalfEdgeMesh& mesh, const Box& bounds, double cell)
-      : m_mesh(mesh), m_corner(bounds.min()), m_cell(cell) {
+  Clusters(const HalfEdgeMesh& mesh, const Box& bounds, double cell, const std::vector<double>* values)
+      : m_mesh(mesh), m_values(values), m_corner(bounds.min()), m_cell(cell) {
     m_clusterOf.assign(mesh.vertexSlots(), kNone);
   }
 
@@ -25,9 +25,10 @@ class Clusters {
     const auto key = (static_cast<std::uint64_t>(c.x()) << 42) | (static_cast<std::uint64_t>(c.y()) << 21) |
                      static_cast<std::uint64_t>(c.z());
     const auto [it, isNew] = m_number.try_emplace(key, static_cast<std::uint32_t>(m_members.size()));
-    if (isNew) m_members.push_back({Vec3::Zero(), Vec3::Zero(), 0});
+    if (isNew) m_members.push_back({Vec3::Zero(), Vec3::Zero(), 0.0, 0});
     Cluster& cluster = m_members[it->second];
     cluster.sum += m_mesh.position(v) - m_corner;
+    if (m_values) cluster.value += (*m_values)[v];
     ++cluster.count;
     return m_clusterOf[v] = it->second;
   }
@@ -52,6 +53,7 @@ class Clusters {
         g.positions.push_back(static_cast<float>(p[k]));
         g.normals.push_back(static_cast<float>(n[k]));
       }
+      if (m_values) g.values.push_back(static_cast<float>(m_members[c].value / m_members[c].count));
     }
   }
 
@@ -59,10 +61,12 @@ class Clusters {
   struct Cluster {
     Vec3 sum;
     Vec3 normal;
+    double value;  // their sum
     int count;
   };
 
   const HalfEdgeMesh& m_mesh;
+  const std::vector<double>* const m_values;
   const Vec3 m_corner;
   const double m_cell;
   std::vector<std::uint32_t> m_clusterOf;
@@ -72,7 +76,8 @@ class Clusters {
 
 }  // namespace
 
-SurfaceGeometry coarseGeometry(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin, std::size_t triangles) {
+SurfaceGeometry coarseGeometry(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin, std::size_t triangles,
+                               const std::vector<double>* values) {
   SurfaceGeometry g;
   if (bounds.isEmpty() || triangles == 0) return g;
   // A surface cuts about two triangles out of each cell it crosses; half the area of the box stands for its area.
@@ -80,7 +85,7 @@ SurfaceGeometry coarseGeometry(const HalfEdgeMesh& mesh, const Box& bounds, cons
   const double area = s.x() * s.y() + s.y() * s.z() + s.z() * s.x();
   const double cell = std::max(std::sqrt(2 * area / static_cast<double>(triangles)), 1e-6 * s.norm());
   if (!(cell > 0)) return g;
-  Clusters clusters(mesh, bounds, cell);
+  Clusters clusters(mesh, bounds, cell, values);
   std::vector<std::array<std::uint32_t, 3>> kept;
   for (Face f = 0; f < mesh.faceSlots(); ++f) {
     if (!mesh.isLive(f)) continue;

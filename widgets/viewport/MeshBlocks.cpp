@@ -4,12 +4,33 @@
 
 #include "viewport/PolyData.h"
 
+#include <vtkLookupTable.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkRenderer.h>
 #include <algorithm>
+#include <limits>
 
 namespace handwheel {
+
+namespace {
+
+vtkSmartPointer<vtkScalarsToColors> colourMapOf(const ColourScale& scale) {
+  constexpr int kColours = 1024;
+  const auto map = vtkSmartPointer<vtkLookupTable>::New();
+  map->SetNumberOfTableValues(kColours);
+  map->SetTableRange(-scale.range, scale.range);
+  for (int i = 0; i < kColours; ++i) {
+    const QColor c = scale.at(scale.range * (2.0 * (i + 0.5) / kColours - 1.0));
+    map->SetTableValue(i, c.redF(), c.greenF(), c.blueF());
+  }
+  const QColor unknown = scale.at(std::numeric_limits<double>::quiet_NaN());
+  map->SetNanColor(unknown.redF(), unknown.greenF(), unknown.blueF(), 1.0);
+  return map;
+}
+
+}  // namespace
 
 MeshBlocks::MeshBlocks(vtkRenderer* renderer) : m_renderer(renderer) {}
 
@@ -19,6 +40,7 @@ void MeshBlocks::clear() {
   }
   m_blocks.clear();
   m_queue.clear();
+  m_toColour.clear();
   setCoarse(std::nullopt);
 }
 
@@ -27,7 +49,7 @@ void MeshBlocks::enqueue(std::size_t block, SurfaceGeometry geometry) {
 }
 
 std::size_t MeshBlocks::takeOne() {
-  if (m_queue.empty()) return 0;
+  if (m_queue.empty()) return colourOne();
   const Pending next = std::move(m_queue.front());
   m_queue.pop_front();
   if (next.block >= m_blocks.size()) m_blocks.resize(next.block + 1);
@@ -65,13 +87,46 @@ vtkSmartPointer<vtkActor> MeshBlocks::makeActor(const SurfaceGeometry& geometry)
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->PickableOff();
-  style(actor);
+  colour(actor);
   m_renderer->AddActor(actor);
   return actor;
 }
 
 void MeshBlocks::style(vtkActor* actor) const {
-  applyStyle(actor, m_style, {m_style.colours.front});
+  const bool isColoured = actor->GetMapper()->GetScalarVisibility();
+  applyStyle(actor, m_style, {.front = m_style.colours.front, .glossy = !isColoured});
+  keepInnerSide(actor, isColoured);
+}
+
+void MeshBlocks::colour(vtkActor* actor) const {
+  auto* mapper = static_cast<vtkPolyDataMapper*>(actor->GetMapper());
+  const bool isColoured = m_colourMap && mapper->GetInput()->GetPointData()->GetScalars();
+  mapper->SetScalarVisibility(isColoured);
+  style(actor);
+  if (!isColoured) return;
+  mapper->SetInterpolateScalarsBeforeMapping(true);  // colours by value within triangles too
+  mapper->SetUseLookupTableScalarRange(true);
+  mapper->SetLookupTable(m_colourMap);
+}
+
+std::size_t MeshBlocks::colourOne() {
+  if (m_toColour.empty()) return 0;
+  vtkActor* actor = m_blocks[m_toColour.front()];
+  m_toColour.pop_front();
+  if (!actor) return 1;
+  colour(actor);
+  const auto triangles = static_cast<vtkPolyDataMapper*>(actor->GetMapper())->GetInput()->GetNumberOfPolys();
+  return std::max<std::size_t>(static_cast<std::size_t>(triangles), 1);
+}
+
+// Blocks that wait already keep their place, so that all have their turn while a scale is being dragged.
+void MeshBlocks::setColourScale(const std::optional<ColourScale>& scale) {
+  if (!scale && !m_colourMap) return;
+  m_colourMap = scale ? colourMapOf(*scale) : nullptr;
+  if (m_coarse) colour(m_coarse);
+  for (std::size_t b = 0; b < m_blocks.size(); ++b) {
+    if (std::find(m_toColour.begin(), m_toColour.end(), b) == m_toColour.end()) m_toColour.push_back(b);
+  }
 }
 
 void MeshBlocks::setStyle(const SurfaceStyle& style) {

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "viewport/ColourScale.h"
 #include "viewport/SurfaceGeometry.h"
 #include "viewport/SurfaceStyle.h"
 
 #include <vtkActor.h>
+#include <vtkScalarsToColors.h>
 #include <vtkSmartPointer.h>
 #include <deque>
 #include <optional>
@@ -28,11 +30,16 @@ class MeshBlocks {
   void setReduced(bool reduced);
 
   void setStyle(const SurfaceStyle& style);
+  // How geometry with values is coloured; none: as if it had none. Block by block as takeOne() is called, as each is
+  // uploaded again.
+  void setColourScale(const std::optional<ColourScale>& scale);
   int builtCount() const { return m_built; }
 
  private:
   vtkSmartPointer<vtkActor> makeActor(const SurfaceGeometry& geometry);
   void style(vtkActor* actor) const;
+  void colour(vtkActor* actor) const;
+  std::size_t colourOne();
   void updateVisibility();
 
   struct Pending {
@@ -44,6 +51,8 @@ class MeshBlocks {
   std::vector<vtkSmartPointer<vtkActor>> m_blocks;
   vtkSmartPointer<vtkActor> m_coarse;
   std::deque<Pending> m_queue;
+  std::deque<std::size_t> m_toColour;               // blocks
+  vtkSmartPointer<vtkScalarsToColors> m_colourMap;  // null: values are not shown
   SurfaceStyle m_style;
   bool m_reduced = false;
   int m_built = 0;

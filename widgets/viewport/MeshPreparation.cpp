@@ -36,6 +36,12 @@ void MeshPreparation::startSome(const HalfEdgeMesh& mesh, const Box& bounds, con
   startRest(mesh, bounds, origin);
 }
 
+void MeshPreparation::startAgain(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin) {
+  for (std::size_t b = 0; b < blockCount(mesh, m_blockFaces); ++b) m_owed.insert(b);
+  startBlocks(mesh, origin);
+  startRest(mesh, bounds, origin);
+}
+
 void MeshPreparation::cancel() {
   drop(m_blocks);
   drop(m_rest);
@@ -51,22 +57,25 @@ void MeshPreparation::finishBlocks() {
 void MeshPreparation::startBlocks(const HalfEdgeMesh& mesh, const Vec3& origin) {
   drop(m_blocks);
   const std::vector<std::size_t> owed(m_owed.begin(), m_owed.end());
-  m_blocks = runOnWorker<Block>([mesh, origin, owed, faces = m_blockFaces](QPromise<Block>& promise) {
-    for (const std::size_t b : owed) {
-      if (promise.isCanceled()) return;
-      promise.addResult(Block{b, std::make_shared<SurfaceGeometry>(blockGeometry(mesh, b, origin, faces))});
-    }
-  });
+  m_blocks =
+      runOnWorker<Block>([mesh, origin, owed, faces = m_blockFaces, values = m_values](QPromise<Block>& promise) {
+        for (const std::size_t b : owed) {
+          if (promise.isCanceled()) return;
+          promise.addResult(
+              Block{b, std::make_shared<SurfaceGeometry>(blockGeometry(mesh, b, origin, faces, values.get()))});
+        }
+      });
   QObject::connect(m_blocks.get(), &QFutureWatcherBase::resultReadyAt, m_blocks.get(),
                    [this](int i) { deliver(m_blocks->resultAt(i)); });
 }
 
 void MeshPreparation::startRest(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin) {
   drop(m_rest);
-  m_rest = runOnWorker<Rest>([mesh, bounds, origin, triangles = m_coarseTriangles](QPromise<Rest>& promise) {
+  m_rest = runOnWorker<Rest>([mesh, bounds, origin, triangles = m_coarseTriangles,
+                              values = m_values](QPromise<Rest>& promise) {
     Rest rest;
     if (hasStandIn(mesh, triangles)) {
-      rest.coarse = std::make_shared<SurfaceGeometry>(coarseGeometry(mesh, bounds, origin, triangles));
+      rest.coarse = std::make_shared<SurfaceGeometry>(coarseGeometry(mesh, bounds, origin, triangles, values.get()));
     }
     if (promise.isCanceled()) return;
     rest.index = std::make_shared<const PickIndex>(mesh);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "viewport/ColourScale.h"
 #include "viewport/Picking.h"
 #include "viewport/SurfaceGeometry.h"
 
@@ -38,11 +39,16 @@ class MeshPreparation {
   // Of the stand-in, from the next start on.
   void setCoarseTriangles(std::size_t triangles) { m_coarseTriangles = triangles; }
 
+  // Of the vertices, for what is built from the next start on; null for none.
+  void setValues(VertexValues values) { m_values = std::move(values); }
+
   // All blocks of the mesh and the rest. Drops what is under way.
   void startAll(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin);
   // After an edit: the given blocks, those still owed of the state before, and the rest.
   void startSome(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin,
                  const std::vector<std::size_t>& blocks);
+  // All blocks of the mesh that was started last, with other values, and the rest.
+  void startAgain(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin);
   void cancel();
   // Waits for the blocks and hands them over.
   void finishBlocks();
@@ -65,6 +71,7 @@ class MeshPreparation {
   Face m_blockFaces = kBlockFaces;
   Face m_nextBlockFaces = kBlockFaces;
   std::size_t m_coarseTriangles = kCoarseTriangles;
+  VertexValues m_values;
   std::set<std::size_t> m_owed;  // blocks not yet delivered
   // A watcher serves one run; destroying it drops the results that are on their way.
   std::unique_ptr<QFutureWatcher<Block>> m_blocks;

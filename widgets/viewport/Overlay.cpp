@@ -47,17 +47,26 @@ void strokeWithRim(QPainter& painter, const QPainterPath& path, const QPen& pen,
   painter.strokePath(path, pen);
 }
 
+bool hasFonts() {
+  return qobject_cast<QGuiApplication*>(QCoreApplication::instance()) != nullptr;
+}
+
+QFont overlayFont(const QPainter& painter, bool bold) {
+  QFont font = painter.font();
+  font.setPixelSize(12);
+  font.setBold(bold);
+  return font;
+}
+
 // Text whose middle is at the point.
 void paintText(QPainter& painter, const QPointF& middle, const QString& text, bool bold, const QColor& colour,
                QColor rim) {
-  if (!qobject_cast<QGuiApplication*>(QCoreApplication::instance())) {
+  if (!hasFonts()) {
     const QPainterPath path =
         strokeText(text, kCapital).translated(middle + QPointF(-strokeTextWidth(text, kCapital) / 2, kCapital / 2));
     return strokeWithRim(painter, path, QPen(colour, bold ? 1.8 : 1.3, Qt::SolidLine, Qt::RoundCap), rim);
   }
-  QFont font = painter.font();
-  font.setPixelSize(12);
-  font.setBold(bold);
+  const QFont font = overlayFont(painter, bold);
   const QFontMetricsF metrics(font);
   QPainterPath path;
   path.addText(middle + QPointF(-metrics.horizontalAdvance(text) / 2, metrics.capHeight() / 2), font, text);
@@ -93,6 +102,15 @@ void paintScaleBar(QPainter& painter, const QSizeF& size, double unitsPerPixel, 
 }
 
 }  // namespace
+
+void paintText(QPainter& painter, const QPointF& middle, const QString& text, bool bold, const SceneColours& colours) {
+  paintText(painter, middle, text, bold, colours.text, colours.casing);
+}
+
+double textWidth(const QPainter& painter, const QString& text) {
+  return hasFonts() ? QFontMetricsF(overlayFont(painter, false)).horizontalAdvance(text)
+                    : strokeTextWidth(text, kCapital);
+}
 
 ScaleBar scaleBar(double unitsPerPixel, double maxPixels, LengthUnit unit) {
   const double perPixel = unitsPerPixel / millimetresPer(unit);

@@ -20,6 +20,10 @@ void paintOverlay(QPainter& painter, const QSizeF& size, const CameraState& came
 void paintLines(QPainter& painter, const CameraNavigation& view, const std::vector<std::vector<Vec3>>& lines,
                 const SceneColours& colours);
 
+// Text whose middle is at the point, in the colour of the scale bar, and how wide it is.
+void paintText(QPainter& painter, const QPointF& middle, const QString& text, bool bold, const SceneColours& colours);
+double textWidth(const QPainter& painter, const QString& text);
+
 // What a scale bar shows: the largest of 1, 2, 5 × 10ⁿ of the unit that is not longer than maxPixels.
 struct ScaleBar {
   double length;  // in the unit

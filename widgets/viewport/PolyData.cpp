@@ -50,6 +50,7 @@ vtkSmartPointer<vtkPolyData> toPolyData(const SurfaceGeometry& geometry) {
   setPositions(data, geometry.positions);
   data->GetPointData()->SetNormals(toArray<vtkFloatArray>(geometry.normals, 3));
   data->SetPolys(toTriangles(geometry.indices));
+  if (!geometry.values.empty()) data->GetPointData()->SetScalars(toArray<vtkFloatArray>(geometry.values, 1));
   return data;
 }
 

@@ -5,13 +5,13 @@
 #include "document/AtomicFile.h"
 #include "mesh/MeshBounds.h"
 #include "viewport/DisplayCheck.h"
+#include "viewport/Legend.h"
 #include "viewport/Overlay.h"
 #include "viewport/Scene.h"
 
 #include <vtkRenderWindow.h>
 #include <vtkUnsignedCharArray.h>
 #include <QBuffer>
-#include <QImage>
 #include <algorithm>
 
 namespace handwheel {
@@ -45,12 +45,28 @@ QImage render(Scene& scene, int width, int height) {
   return picture.mirrored();  // rows come from below; this copies
 }
 
-Status save(const QImage& picture, const std::filesystem::path& png) {
-  QBuffer buffer;
-  buffer.open(QIODevice::WriteOnly);
-  if (!picture.save(&buffer, "PNG")) return writeFailed("the picture could not be packed", png);
-  return writeFileAtomically(png, {buffer.data().constData(), static_cast<std::size_t>(buffer.size())});
+void addMesh(Scene& scene, const HalfEdgeMesh& mesh, const std::vector<double>* values) {
+  scene.setMesh(mesh, boundsOf(mesh));
+  for (std::size_t b = 0; b < blockCount(mesh); ++b) {
+    scene.blocks().enqueue(b, blockGeometry(mesh, b, scene.origin(), kBlockFaces, values));
+  }
 }
+
+// With axes and scale bar; null when it could not be rendered.
+QImage drawn(Scene& scene, const QSize& size, const Vec3& outward) {
+  while (scene.takeGeometry()) {
+  }
+  const Vec2 pixels(size.width(), size.height());
+  const CameraState camera = wholeModel(scene, pixels, outward);
+  scene.prepare(camera, pixels, 1.0);
+  QImage picture = render(scene, size.width(), size.height());
+  if (picture.isNull()) return picture;
+  QPainter painter(&picture);
+  paintOverlay(painter, picture.size(), camera, LengthUnit::Millimetre, scene.colours());
+  return picture;
+}
+
+constexpr char kNotRendered[] = "the picture could not be rendered";
 
 // fill: gives the scene what it is to show.
 template <class Fill>
@@ -60,17 +76,8 @@ Status renderScene(const Fill& fill, const std::filesystem::path& png, int width
   if (!display.problem().empty()) return writeFailed(display.problem(), png);
   Scene scene;
   fill(scene);
-  while (scene.takeGeometry()) {
-  }
-  const Vec2 size(width, height);
-  const CameraState camera = wholeModel(scene, size, outward);
-  scene.prepare(camera, size, 1.0);
-  QImage picture = render(scene, width, height);
-  if (picture.isNull()) return writeFailed("the picture could not be rendered", png);
-  QPainter painter(&picture);
-  paintOverlay(painter, picture.size(), camera, LengthUnit::Millimetre, scene.colours());
-  painter.end();
-  return save(picture, png);
+  const QImage picture = drawn(scene, {width, height}, outward);
+  return picture.isNull() ? writeFailed(kNotRendered, png) : savePng(picture, png);
 }
 
 }  // namespace
@@ -78,10 +85,7 @@ Status renderScene(const Fill& fill, const std::filesystem::path& png, int width
 Status renderToFile(const HalfEdgeMesh& mesh, const std::vector<LoopMark>& loops, const std::filesystem::path& png,
                     int width, int height, const Vec3& outward) {
   const auto fill = [&](Scene& scene) {
-    scene.setMesh(mesh, boundsOf(mesh));
-    for (std::size_t b = 0; b < blockCount(mesh); ++b) {
-      scene.blocks().enqueue(b, blockGeometry(mesh, b, scene.origin()));
-    }
+    addMesh(scene, mesh, nullptr);
     scene.marks().setLoops(loops);
   };
   return renderScene(fill, png, width, height, outward);
@@ -97,6 +101,35 @@ Status renderToFile(const DisplayModel& model, const std::filesystem::path& png,
     }
   };
   return renderScene(fill, png, width, height, outward);
+}
+
+Result<std::vector<QImage>> renderSides(const HalfEdgeMesh& mesh, const VertexValues& atVertex,
+                                        const ColourScale& scale, std::span<const Vec3> outward, const QSize& size,
+                                        Progress progress) {
+  const DisplayCheck display;
+  if (!display.problem().empty()) return writeFailed(display.problem(), {});
+  Scene scene;
+  addMesh(scene, mesh, atVertex.get());
+  scene.blocks().setColourScale(scale);
+  std::vector<QImage> pictures;
+  for (const Vec3& side : outward) {
+    if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+    QImage picture = drawn(scene, size, side);
+    if (picture.isNull()) return writeFailed(kNotRendered, {});
+    QPainter painter(&picture);
+    paintLegend(painter, size, scale, LengthUnit::Millimetre, scene.colours());
+    painter.end();
+    pictures.push_back(std::move(picture));
+    progress.set(static_cast<double>(pictures.size()) / static_cast<double>(outward.size()));
+  }
+  return pictures;
+}
+
+Status savePng(const QImage& picture, const std::filesystem::path& png) {
+  QBuffer buffer;
+  buffer.open(QIODevice::WriteOnly);
+  if (!picture.save(&buffer, "PNG")) return writeFailed("the picture could not be packed", png);
+  return writeFileAtomically(png, {buffer.data().constData(), static_cast<std::size_t>(buffer.size())});
 }
 
 }  // namespace handwheel

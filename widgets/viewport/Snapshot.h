@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/Progress.h"
 #include "base/Result.h"
 #include "document/DisplayModel.h"
+#include "viewport/ColourScale.h"
 #include "viewport/ViewportTypes.h"
 
+#include <QImage>
 #include <filesystem>
+#include <span>
 
 namespace handwheel {
 
@@ -21,5 +25,14 @@ Status renderToFile(const HalfEdgeMesh& mesh, const std::vector<LoopMark>& loops
                     int width, int height, const Vec3& outward = kPictureSide);
 Status renderToFile(const DisplayModel& model, const std::filesystem::path& png, int width, int height,
                     const Vec3& outward = kPictureSide);
+
+// Pictures of the mesh from several sides, coloured by the values, with the scale. Errors: WriteFailed {reason} as
+// above, Cancelled.
+Result<std::vector<QImage>> renderSides(const HalfEdgeMesh& mesh, const VertexValues& atVertex,
+                                        const ColourScale& scale, std::span<const Vec3> outward, const QSize& size,
+                                        Progress progress = {});
+
+// Error: WriteFailed {reason}.
+Status savePng(const QImage& picture, const std::filesystem::path& png);
 
 }  // namespace handwheel

@@ -39,6 +39,7 @@ constexpr GridPoint k9[] = {{0.4, 0}, {2.4, 0.8}, {4, 3.4}, {4, 5},   {3, 6},  {
 constexpr GridPoint kPoint[] = {{0.2, 0}, {0.4, 0}};
 constexpr GridPoint kComma[] = {{0.4, 0.2}, {0, -1.2}};
 constexpr GridPoint kMinus[] = {{0, 2.8}, {3, 2.8}};
+constexpr GridPoint kPlus[] = {{0, 2.8}, {3, 2.8}, kLift, {1.5, 1.3}, {1.5, 4.3}};
 constexpr GridPoint kX[] = {{0, 0}, {4, 6}, kLift, {0, 6}, {4, 0}};
 constexpr GridPoint kY[] = {{0, 6}, {2, 3}, {4, 6}, kLift, {2, 3}, {2, 0}};
 constexpr GridPoint kZ[] = {{0, 6}, {4, 6}, {0, 0}, {4, 0}};
@@ -50,10 +51,10 @@ constexpr GridPoint kN[] = {{0, 0}, {0, 4}, kLift, {0, 3}, {0.9, 4}, {2.2, 4}, {
 constexpr GridPoint kMicro[] = {{0, -1.8}, {0, 4}, kLift, {0, 1}, {0.8, 0}, {2, 0}, {3, 1}, kLift, {3, 4}, {3, 0}};
 
 constexpr Glyph kGlyphs[] = {
-    {u'0', 4, k0},       {u'1', 3, k1},       {u'2', 4, k2},     {u'3', 4, k3}, {u'4', 4, k4}, {u'5', 4, k5},
-    {u'6', 4, k6},       {u'7', 4, k7},       {u'8', 4, k8},     {u'9', 4, k9}, {u'X', 4, kX}, {u'Y', 4, kY},
-    {u'Z', 4, kZ},       {u'c', 3, kC},       {u'i', 0.6, kI},   {u'm', 5, kM}, {u'n', 3, kN}, {u'µ', 3, kMicro},
-    {u'.', 0.6, kPoint}, {u',', 0.6, kComma}, {u'-', 3, kMinus}, {u' ', 1, {}},
+    {u'0', 4, k0},       {u'1', 3, k1},       {u'2', 4, k2},     {u'3', 4, k3},    {u'4', 4, k4}, {u'5', 4, k5},
+    {u'6', 4, k6},       {u'7', 4, k7},       {u'8', 4, k8},     {u'9', 4, k9},    {u'X', 4, kX}, {u'Y', 4, kY},
+    {u'Z', 4, kZ},       {u'c', 3, kC},       {u'i', 0.6, kI},   {u'm', 5, kM},    {u'n', 3, kN}, {u'µ', 3, kMicro},
+    {u'.', 0.6, kPoint}, {u',', 0.6, kComma}, {u'-', 3, kMinus}, {u'+', 3, kPlus}, {u' ', 1, {}},
 };
 constexpr double kGap = 1.3;  // between signs
 constexpr double kCapital = 6.0;

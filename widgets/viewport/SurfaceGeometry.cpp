@@ -38,8 +38,9 @@ void append(std::vector<float>& to, const Vec3& v) {
 
 class BlockBuilder {
  public:
-  BlockBuilder(const HalfEdgeMesh& mesh, std::size_t block, const Vec3& origin, Face blockFaces)
-      : m_mesh(mesh), m_origin(origin) {
+  BlockBuilder(const HalfEdgeMesh& mesh, std::size_t block, const Vec3& origin, Face blockFaces,
+               const std::vector<double>* values)
+      : m_mesh(mesh), m_origin(origin), m_values(values) {
     m_first = static_cast<Face>(std::min(mesh.faceSlots(), block * blockFaces));
     m_end = static_cast<Face>(std::min(mesh.faceSlots(), std::size_t{m_first} + blockFaces));
     m_vertexOf.assign(3 * std::size_t{m_end - m_first}, -1);
@@ -88,12 +89,15 @@ class BlockBuilder {
       isInBlock = true;
     }
     if (!isInBlock) return;
-    append(m_result.positions, m_mesh.position(m_mesh.from(m_corners[from].edge)) - m_origin);
+    const Vertex v = m_mesh.from(m_corners[from].edge);
+    append(m_result.positions, m_mesh.position(v) - m_origin);
+    if (m_values) m_result.values.push_back(static_cast<float>((*m_values)[v]));
     append(m_result.normals, normal.squaredNorm() > 0 ? normal.normalized() : Vec3(Vec3::UnitZ()));
   }
 
   const HalfEdgeMesh& m_mesh;
   const Vec3 m_origin;
+  const std::vector<double>* const m_values;
   Face m_first = 0;
   Face m_end = 0;
   std::vector<std::int32_t> m_vertexOf;  // drawn vertex of each half-edge's start in the block; -1: not yet
@@ -107,8 +111,9 @@ std::size_t blockCount(const HalfEdgeMesh& mesh, Face blockFaces) {
   return (mesh.faceSlots() + blockFaces - 1) / blockFaces;
 }
 
-SurfaceGeometry blockGeometry(const HalfEdgeMesh& mesh, std::size_t block, const Vec3& origin, Face blockFaces) {
-  return BlockBuilder(mesh, block, origin, blockFaces).build();
+SurfaceGeometry blockGeometry(const HalfEdgeMesh& mesh, std::size_t block, const Vec3& origin, Face blockFaces,
+                              const std::vector<double>* values) {
+  return BlockBuilder(mesh, block, origin, blockFaces, values).build();
 }
 
 }  // namespace handwheel

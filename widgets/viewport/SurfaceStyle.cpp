@@ -5,6 +5,10 @@
 #include <vtkActor.h>
 #include <vtkMapper.h>
 #include <vtkProperty.h>
+#include <vtkShaderProperty.h>
+#include <locale>
+#include <sstream>
+#include <string>
 
 namespace handwheel {
 
@@ -44,12 +48,31 @@ void clip(vtkMapper* mapper, vtkPlane* plane) {
   plane ? mapper->AddClippingPlane(plane) : mapper->RemoveAllClippingPlanes();
 }
 
+std::string shaderColour(const double* colour, double share) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << "vec3(" << share * colour[0] << ", " << share * colour[1] << ", " << share * colour[2] << ")";
+  return text.str();
+}
+
 }  // namespace
+
+// The names are those of vtkOpenGLPolyDataMapper.
+void keepInnerSide(vtkActor* actor, bool keep) {
+  const std::string tag = "//VTK::Color::Impl";
+  if (!keep) return actor->GetShaderProperty()->ClearFragmentShaderReplacement(tag, true);
+  vtkProperty* back = actor->GetBackfaceProperty();
+  const std::string inner = "\n  if (gl_FrontFacing == false) {\n    ambientColor = " +
+                            shaderColour(back->GetAmbientColor(), back->GetAmbient()) +
+                            ";\n    diffuseColor = " + shaderColour(back->GetDiffuseColor(), back->GetDiffuse()) +
+                            ";\n  }\n";
+  actor->GetShaderProperty()->AddFragmentShaderReplacement(tag, true, tag + inner, false);
+}
 
 void applyStyle(vtkActor* actor, const SurfaceStyle& style, const SurfaceMaterial& material) {
   vtkProperty* front = actor->GetProperty();
   setColour(front, material.front);
-  setLit(front, 0.12);
+  setLit(front, material.glossy ? 0.12 : 0.0);
   front->SetOpacity(material.opacity);
   material.smooth ? front->SetInterpolationToPhong() : front->SetInterpolationToFlat();
   if (!actor->GetBackfaceProperty()) actor->SetBackfaceProperty(vtkSmartPointer<vtkProperty>::New());

@@ -25,9 +25,13 @@ struct SurfaceMaterial {
   QColor front;
   bool smooth = true;  // shade by the normals of the points, else by those of the faces
   double opacity = 1.0;
+  bool glossy = true;  // else without highlights, which would whiten colours that mean something
 };
 
 // Under a clipping plane the inner sides are flat in one colour, so that a solid looks cut through.
 void applyStyle(vtkActor* actor, const SurfaceStyle& style, const SurfaceMaterial& material);
+
+// VTK colours both sides of what has scalars. With keep, the inner one is as applyStyle() last made it.
+void keepInnerSide(vtkActor* actor, bool keep);
 
 }  // namespace handwheel

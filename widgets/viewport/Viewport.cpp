@@ -109,6 +109,7 @@ void Viewport::setMesh(const HalfEdgeMesh& mesh, const Box& bounds) {
   d->isIndexAwaited = true;
   d->hover({});
   d->isSeen = false;
+  setSurfaceValues(nullptr, {});
   d->scene.setMesh(mesh, bounds);
   d->preparation.startAll(mesh, d->scene.meshBounds(), d->scene.origin());
   update();
@@ -119,8 +120,28 @@ void Viewport::updateMesh(const HalfEdgeMesh& mesh, const std::vector<Face>& tou
   d->index.reset();
   d->isIndexAwaited = true;
   d->hover({});
+  setSurfaceValues(nullptr, {});
   d->scene.updateMesh(mesh, touched);
   d->preparation.startSome(mesh, d->scene.meshBounds(), d->scene.origin(), blocks);
+  update();
+}
+
+void Viewport::setSurfaceValues(VertexValues values, const ColourScale& scale) {
+  if (!values && !d->values) return;
+  const bool isNew = values && values != d->values;
+  d->values = std::move(values);
+  d->preparation.setValues(d->values);
+  if (!d->values) {
+    d->scene.blocks().setColourScale(std::nullopt);
+    return update();
+  }
+  setColourScale(scale);
+  if (isNew) d->preparation.startAgain(d->scene.mesh(), d->scene.meshBounds(), d->scene.origin());
+}
+
+void Viewport::setColourScale(const ColourScale& scale) {
+  d->colourScale = scale;
+  if (d->values) d->scene.blocks().setColourScale(scale);
   update();
 }
 
@@ -133,6 +154,7 @@ void Viewport::clear() {
   d->polylines.clear();
   d->brush.reset();
   d->brushLine.clear();
+  setSurfaceValues(nullptr, {});
   d->scene.clear();
   update();
 }

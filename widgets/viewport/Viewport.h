@@ -6,6 +6,7 @@
 #include "document/DisplayModel.h"
 #include "viewport/CameraState.h"
 #include "viewport/ClipPlane.h"
+#include "viewport/ColourScale.h"
 #include "viewport/NavigationPreset.h"
 #include "viewport/ViewportTypes.h"
 
@@ -46,6 +47,11 @@ class Viewport : public QOpenGLWidget {
   // The same model after an edit that touched these faces (added, removed, turned or with moved corners). Rebuilds only
   // the blocks concerned.
   void updateMesh(const HalfEdgeMesh& mesh, const std::vector<Face>& touched);
+  // Colours the mesh by a value to each vertex slot, with a legend, until it changes or is replaced; null ends it. The
+  // blocks change colour over the next frames.
+  void setSurfaceValues(VertexValues values, const ColourScale& scale);
+  // Another scale for them; builds no geometry anew.
+  void setColourScale(const ColourScale& scale);
   // Shows these parts, beside the mesh if there is one. Returns at once. A part whose soup is still the same object is
   // moved, not built anew; one whose soup changed keeps its former shape until the new one has been built.
   void setParts(const DisplayModel& model);

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewport/Legend.h"
 #include "viewport/Overlay.h"
 #include "viewport/ViewportPrivate.h"
 
@@ -115,6 +116,7 @@ void Viewport::Private::paintOver() {
   if (!polylines.empty()) paintLines(painter, navigation(), polylines, scene.colours());
   if (!brushLine.empty()) paintLines(painter, navigation(), {brushLine}, scene.colours());
   paintOverlay(painter, q->size(), camera, unit, scene.colours());
+  if (values) paintLegend(painter, q->size(), colourScale, unit, scene.colours());
 }
 
 // While the camera moves, a slow display gives up first the smoothing of edges, then the fine triangles.

@@ -72,6 +72,8 @@ class Viewport::Private {
   bool isIndexAwaited = false;
   MeshPreparation preparation;
   PartPreparation partPreparation;
+  VertexValues values;  // that colour the mesh; null for none
+  ColourScale colourScale;
   Shading shading = Shading::Shaded;
   QString problem;
   bool isSeen = false;       // a frame of this model was drawn; before, the camera leaps instead of flying

@@ -40,6 +40,25 @@ class SnapshotTest : public QObject {
     QVERIFY(std::filesystem::is_fifo(pipe) && std::filesystem::is_symlink(link));
   }
 
+  // A sheet, blue from above zero value downwards and red upwards, from above and from below.
+  void severalSidesInColours() {
+    if (qEnvironmentVariableIsEmpty("DISPLAY")) QSKIP("DISPLAY is not set: nothing can be rendered");
+    const HalfEdgeMesh mesh = buildMesh(sheet(kCells)).mesh;
+    std::vector<double> values(mesh.vertexSlots());
+    for (Vertex v = 0; v < mesh.vertexSlots(); ++v) values[v] = mesh.position(v).x() - kCells / 2;
+    const auto shared = std::make_shared<const std::vector<double>>(values);
+    const Vec3 sides[] = {Vec3::UnitZ(), -Vec3::UnitZ()};
+    const auto pictures = renderSides(mesh, shared, {2.0}, sides, {400, 300});
+    QVERIFY(pictures.hasValue());
+    QCOMPARE(pictures.value().size(), std::size_t{2});
+    const auto isBlue = [](const QColor& c) { return c.blue() > c.red() + 60; };
+    const auto isRed = [](const QColor& c) { return c.red() > c.blue() + 60; };
+    QVERIFY(isBlue(pictures.value()[0].pixelColor(150, 150)) && isRed(pictures.value()[0].pixelColor(250, 150)));
+    JobState job;
+    job.cancelled = true;
+    QCOMPARE(renderSides(mesh, shared, {2.0}, sides, {400, 300}, Progress(job)).error().code, ErrorCode::Cancelled);
+  }
+
   // Before and after a repair a part is seen from the same side.
   void loopsDoNotTurnThePicture() {
     if (qEnvironmentVariableIsEmpty("DISPLAY")) QSKIP("DISPLAY is not set: nothing can be rendered");

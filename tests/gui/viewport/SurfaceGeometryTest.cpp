@@ -58,6 +58,25 @@ Vec3 vectorAt(const std::vector<float>& values, std::size_t i) {
 class SurfaceGeometryTest : public QObject {
   Q_OBJECT
  private slots:
+  // Each drawn vertex has the value of the vertex that it stands for, whichever block it is in; a stand-in has means.
+  void valuesFollowTheirVertices() {
+    const HalfEdgeMesh mesh = buildMesh(sphere(12, Vec3::Zero())).mesh;
+    std::vector<double> heights(mesh.vertexSlots());
+    for (Vertex v = 0; v < mesh.vertexSlots(); ++v) heights[v] = mesh.position(v).z();
+    std::vector<SurfaceGeometry> all;
+    for (std::size_t b = 0; b < blockCount(mesh, 100); ++b) {
+      all.push_back(blockGeometry(mesh, b, Vec3::Zero(), 100, &heights));
+    }
+    all.push_back(coarseGeometry(mesh, boundsOf(mesh), Vec3::Zero(), 60, &heights));
+    for (const SurfaceGeometry& g : all) {
+      QCOMPARE(g.values.size(), g.vertexCount());
+      for (std::size_t i = 0; i < g.values.size(); ++i) {
+        QVERIFY(std::abs(g.values[i] - vectorAt(g.positions, i).z()) < 1e-6);
+      }
+    }
+    QVERIFY(blockGeometry(mesh, 0, Vec3::Zero()).values.empty());
+  }
+
   // What an undo made shorter has no faces in the blocks behind its end.
   void blockBehindTheEndIsEmpty() {
     const HalfEdgeMesh mesh = buildMesh(cube()).mesh;
