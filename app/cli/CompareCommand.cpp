@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/CompareCommand.h"
 
-#include "cli/DeviationReport.h"
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
-#include "cli/ReportJson.h"
-#include "document/AtomicFile.h"
+#include "cli/Picture.h"
 #include "document/mesh/MeshSnapshot.h"
 #include "mesh/MeshBuilder.h"
+#include "report/DeviationReport.h"
+
+#include <QTemporaryDir>
 
 namespace handwheel {
 
@@ -58,7 +59,7 @@ struct Compared {
 };
 
 Result<Compared> compare(const CompareRequest& request, const DocumentKinds& kinds, Progress progress) {
-  Compared done{{request.mesh.string(), request.scan.string(), {}}, {}};
+  Compared done{{request.mesh.string(), request.scan.string(), {}, {}}, {}};
   const Result<HalfEdgeMesh> mesh = readMesh(request.mesh, request.read, kinds, done.read, progress.part(0.0, 0.15));
   if (!mesh) return mesh.error();
   const Result<HalfEdgeMesh> scan = readMesh(request.scan, request.read, kinds, done.read, progress.part(0.15, 0.3));
@@ -70,10 +71,15 @@ Result<Compared> compare(const CompareRequest& request, const DocumentKinds& kin
   return done;
 }
 
-Status writeReport(const Comparison& comparison, const std::filesystem::path& path) {
-  const std::string ending = path.extension().string();
-  if (ending == ".json") return writeFileAtomically(path, textOf(toJson(comparison)));
-  return writeFileAtomically(path, ending == ".pdf" ? pdfOf(comparison) : htmlOf(comparison));
+// Drawn in a process of its own, which measures the distances at the vertices once more. Without it the report has no
+// pictures, and says so.
+void addPicture(const CompareRequest& request, Comparison& comparison) {
+  const QTemporaryDir folder;
+  const std::filesystem::path png = folder.filePath(QStringLiteral("sides.png")).toStdString();
+  if (makePictureApart({request.mesh, png, request.read.partial, request.scan,
+                        usualRange(comparison.deviation.ofMesh)}) == kExitDone) {
+    comparison.picture.load(QString::fromStdString(png.string()));
+  }
 }
 
 }  // namespace
@@ -86,7 +92,7 @@ CommandSpec compareSpec() {
           "the\n"
           "side to which the faces of the other look: of a closed one, outside.",
           {
-              {"report", 0, "FILE", "Write the figures with histograms, as .html, .pdf or .json"},
+              {"report", 0, "FILE", "Write the figures with histograms, as .html or .pdf with pictures, or .json"},
               {"samples", 0, "N", "Samples on each surface (default 200000); 0: vertices only"},
               {"partial", 0, "", "Read what is readable of a damaged file"},
               {"help", 'h', "", "Show this page"},
@@ -107,6 +113,8 @@ int runCompare(const Arguments& arguments, const DocumentKinds& kinds) {
     tellLosses(file);
   }
   if (arguments.has("report")) {
+    if (request.report.extension() != ".json") addPicture(request, done.comparison);
+    if (wasInterrupted()) return kExitInterrupted;
     const Status written = writeReport(done.comparison, request.report);
     if (!written) return fail(written.error());
   }

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/Picture.h"
 
+#include "base/NumberText.h"
 #include "cli/ChildProcess.h"
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
 #include "document/mesh/MeshSnapshot.h"
 #include "mesh/MeshBuilder.h"
+#include "report/DeviationReport.h"
 #include "theme/DefectColours.h"
 #include "viewport/Snapshot.h"
 
@@ -34,6 +36,56 @@ std::vector<LoopMark> marksOf(const HalfEdgeMesh& mesh) {
   return marks;
 }
 
+HalfEdgeMesh meshOf(const Input& input, Progress progress) {
+  if (const MeshSnapshot* document = input.meshDocument()) return document->mesh.mesh;
+  return buildMesh(input.mesh->soup, progress).mesh;
+}
+
+int drawDocument(const PictureRequest& request, const DocumentKinds& kinds) {
+  std::optional<Result<Input>> input;
+  HalfEdgeMesh mesh;
+  DisplayModel model;
+  runInterruptible("Reading", [&](Job& job) {
+    input = readInput(request.mesh, {.partial = request.partial}, kinds, job.progress());
+    if (!*input) return;
+    if (input->value().mesh) {
+      mesh = meshOf(input->value(), job.progress());
+    } else {
+      model = input->value().opened.kind->display(*input->value().opened.content);
+    }
+  });
+  if (!*input) return fail(input->error());
+  endWhenInterrupted();
+  const Status drawn = input->value().mesh ? renderToFile(mesh, marksOf(mesh), request.png, kWidth, kHeight)
+                                           : renderToFile(model, request.png, kWidth, kHeight);
+  return drawn ? kExitDone : fail(drawn.error());
+}
+
+// Measured at the vertices alone: they are what is coloured.
+Result<QImage> deviationSides(const PictureRequest& request, const DocumentKinds& kinds, Progress progress) {
+  const ReadOptions read{.partial = request.partial};
+  const Result<Input> input = readMeshInput(request.mesh, read, kinds, progress.part(0.0, 0.1));
+  if (!input) return input.error();
+  const Result<Input> scan = readMeshInput(request.scan, read, kinds, progress.part(0.1, 0.2));
+  if (!scan) return scan.error();
+  const HalfEdgeMesh mesh = meshOf(*input, progress.part(0.2, 0.25));
+  Result<Deviation> found =
+      deviation(mesh, meshOf(*scan, progress.part(0.25, 0.3)), {.samples = 0}, progress.part(0.3, 0.9));
+  if (!found) return found.error();
+  const ColourScale scale{request.range.value_or(usualRange(found->ofMesh))};
+  const auto values = std::make_shared<const std::vector<double>>(std::move(found->ofMesh.atVertex));
+  return deviationPicture(mesh, values, scale, progress.part(0.9, 1.0));
+}
+
+int drawDeviation(const PictureRequest& request, const DocumentKinds& kinds) {
+  std::optional<Result<QImage>> picture;
+  runInterruptible("Drawing", [&](Job& job) { picture = deviationSides(request, kinds, job.progress()); });
+  if (!*picture) return fail(picture->error());
+  endWhenInterrupted();
+  const Status saved = savePng(picture->value(), request.png);
+  return saved ? kExitDone : fail(saved.error());
+}
+
 }  // namespace
 
 bool isPictureName(const std::filesystem::path& path) {
@@ -42,19 +94,25 @@ bool isPictureName(const std::filesystem::path& path) {
 }
 
 CommandSpec pictureSpec() {
-  return {"picture",
-          "IN PNG",
-          "Draws a document; a mesh with its boundary loops. Without a display it does so under xvfb-run.",
-          {
-              {"partial", 0, "", "Read what is readable of a damaged file"},
-              {"help", 'h', "", "Show this page"},
-          }};
+  return {
+      "picture",
+      "IN PNG",
+      "Draws a document; a mesh with its boundary loops, or in the colours of a deviation map. Without a display it\n"
+      "does so under xvfb-run.",
+      {
+          {"scan", 0, "FILE", "Draw a mesh from four sides, coloured by its distance from this one"},
+          {"range", 0, "MM", "The distance at which the colours end (default: the 99th percentile)"},
+          {"partial", 0, "", "Read what is readable of a damaged file"},
+          {"help", 'h', "", "Show this page"},
+      }};
 }
 
-int makePictureApart(const std::filesystem::path& mesh, const std::filesystem::path& png, bool partial) {
+int makePictureApart(const PictureRequest& request) {
   std::vector<std::string> words{ownProgram(), "picture"};
-  if (partial) words.push_back("--partial");
-  words.insert(words.end(), {"--", mesh.string(), png.string()});
+  if (request.partial) words.push_back("--partial");
+  if (!request.scan.empty()) words.insert(words.end(), {"--scan", request.scan.string()});
+  if (request.range) words.insert(words.end(), {"--range", shortestText(*request.range)});
+  words.insert(words.end(), {"--", request.mesh.string(), request.png.string()});
   if (!hasDisplay()) words.insert(words.begin(), {"xvfb-run", "-a"});
   const int code = runChild(words);
   if (wasInterrupted()) return kExitInterrupted;
@@ -64,29 +122,17 @@ int makePictureApart(const std::filesystem::path& mesh, const std::filesystem::p
 }
 
 int runPicture(const Arguments& arguments, const DocumentKinds& kinds) {
-  if (!isPictureName(arguments.operands[1])) return failUsage("PNG is a name that ends in .png.", "picture");
-  const bool partial = arguments.has("partial");
-  if (!hasDisplay()) return makePictureApart(arguments.operands[0], arguments.operands[1], partial);
-  std::optional<Result<Input>> input;
-  HalfEdgeMesh mesh;
-  DisplayModel model;
-  runInterruptible("Reading", [&](Job& job) {
-    input = readInput(arguments.operands[0], {.partial = partial}, kinds, job.progress());
-    if (!*input) return;
-    if (const MeshSnapshot* document = input->value().meshDocument()) {
-      mesh = document->mesh.mesh;
-    } else if (input->value().mesh) {
-      mesh = buildMesh(input->value().mesh->soup, job.progress()).mesh;
-    } else {
-      model = input->value().opened.kind->display(*input->value().opened.content);
+  PictureRequest request{arguments.operands[0], arguments.operands[1], arguments.has("partial"),
+                         arguments.valueOf("scan"), std::nullopt};
+  if (!isPictureName(request.png)) return failUsage("PNG is a name that ends in .png.", "picture");
+  if (arguments.has("range")) {
+    request.range.emplace();
+    if (!readNumber(arguments.valueOf("range"), *request.range) || !(*request.range > 0.0)) {
+      return failUsage("--range takes a length in mm above zero.", "picture");
     }
-  });
-  if (!*input) return fail(input->error());
-  const std::filesystem::path png = arguments.operands[1];
-  endWhenInterrupted();
-  const Status drawn = input->value().mesh ? renderToFile(mesh, marksOf(mesh), png, kWidth, kHeight)
-                                           : renderToFile(model, png, kWidth, kHeight);
-  return drawn ? kExitDone : fail(drawn.error());
+  }
+  if (!hasDisplay()) return makePictureApart(request);
+  return request.scan.empty() ? drawDocument(request, kinds) : drawDeviation(request, kinds);
 }
 
 }  // namespace handwheel

@@ -45,7 +45,7 @@ int deliver(const RepairRun& run, const RepairRequest& request, const Arguments&
   }
   if (arguments.has("screenshot")) {
     // No picture is no failure: the repair is done.
-    if (makePictureApart(request.output, arguments.valueOf("screenshot"), false) == kExitInterrupted) {
+    if (makePictureApart({request.output, arguments.valueOf("screenshot")}) == kExitInterrupted) {
       return kExitInterrupted;
     }
   }

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/DeviationReport.h"
+#include "report/DeviationReport.h"
+
+#include "document/AtomicFile.h"
+#include "viewport/Snapshot.h"
 
 #include <QBuffer>
 #include <QImage>
@@ -11,6 +14,7 @@
 #include <QUrl>
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace handwheel {
@@ -21,6 +25,10 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kWidth = 640, kHeight = 200;  // of a histogram, in pixels at 96 a inch
 constexpr char kBarColour[] = "#3465a4";
+constexpr char kPicture[] = "sides";
+constexpr int kSideWidth = 800, kSideHeight = 600;  // of the picture from one side, in pixels
+// The corners of a tetrahedron: each side of the model is seen from one of them.
+const Vec3 kSides[] = {{1, -1, 1}, {-1, 1, 1}, {-1, -1, -1}, {1, 1, -1}};
 
 std::string number(double value) {
   char text[32];
@@ -101,9 +109,9 @@ QImage pictureOf(const SurfaceDeviation& s) {
   return image;
 }
 
-// The page without its frame; histogram(surface, name) draws one.
+// The page without its frame; histogram(surface, name) draws one, picture is the element of the picture.
 template <class Histogram>
-std::string bodyOf(const Comparison& c, Histogram histogram) {
+std::string bodyOf(const Comparison& c, Histogram histogram, const std::string& picture) {
   std::string body = "<h1>Deviation</h1>\n<p>Mesh: " + escaped(c.mesh) + "<br/>Scan: " + escaped(c.scan) +
                      "</p>\n<p>Distances in mm, above zero on the side to which the faces of the other surface look. "
                      "The largest distance found either way is " +
@@ -113,9 +121,17 @@ std::string bodyOf(const Comparison& c, Histogram histogram) {
   for (const Row& row : rowsOf(c.deviation)) {
     body += "<tr><td>" + row.name + "</td><td>" + row.ofMesh + "</td><td>" + row.ofScan + "</td></tr>\n";
   }
-  body += "</table>\n<h2>Mesh from scan, shares of the area</h2>\n" + histogram(c.deviation.ofMesh, "mesh") +
+  body += "</table>\n" + (picture.empty() ? picture : "<h2>Mesh from scan</h2>\n<p>" + picture + "</p>\n") +
+          "<h2>Mesh from scan, shares of the area</h2>\n" + histogram(c.deviation.ofMesh, "mesh") +
           "<h2>Scan from mesh, shares of the area</h2>\n" + histogram(c.deviation.ofScan, "scan");
   return body;
+}
+
+std::string base64Of(const QImage& picture) {
+  QBuffer buffer;
+  buffer.open(QIODevice::WriteOnly);
+  picture.save(&buffer, "PNG");
+  return buffer.data().toBase64().toStdString();
 }
 
 Json toJson(const DeviationPlace& place) {
@@ -141,6 +157,25 @@ Json toJson(const SurfaceDeviation& s) {
 }
 
 }  // namespace
+
+double usualRange(const SurfaceDeviation& deviation) {
+  constexpr double kSame = 1e-6;  // share of the surface's size: nearer is the rounding of a file
+  const double same = std::max(kSame * std::sqrt(deviation.area), 1e-300);
+  const double percentile = deviation.percentiles.back();
+  if (percentile > same) return percentile;
+  return std::max(std::abs(deviation.farthest().distance), same);
+}
+
+Result<QImage> deviationPicture(const HalfEdgeMesh& mesh, const VertexValues& atVertex, const ColourScale& scale,
+                                Progress progress) {
+  const Result<std::vector<QImage>> sides =
+      renderSides(mesh, atVertex, scale, kSides, {kSideWidth, kSideHeight}, progress);
+  if (!sides) return sides.error();
+  QImage sheet(2 * kSideWidth, 2 * kSideHeight, QImage::Format_RGB32);
+  QPainter painter(&sheet);
+  for (int i = 0; i < 4; ++i) painter.drawImage(i % 2 * kSideWidth, i / 2 * kSideHeight, (*sides)[std::size_t(i)]);
+  return sheet;
+}
 
 std::string readableText(const Comparison& c) {
   std::string text = "Distances in mm; above zero on the side to which the other's faces look.\n\n";
@@ -168,10 +203,14 @@ Json toJson(const Comparison& c) {
 
 std::string htmlOf(const Comparison& c) {
   const auto histogram = [](const SurfaceDeviation& s, const char*) { return svgOf(s); };
+  const std::string picture = c.picture.isNull() ? std::string()
+                                                 : "<img style=\"width: 100%\" alt=\"The mesh in colours\" "
+                                                   "src=\"data:image/png;base64," +
+                                                       base64Of(c.picture) + "\"/>";
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"/><title>Deviation of " + escaped(c.mesh) +
          "</title>\n<style>body { font-family: sans-serif; max-width: 60em; margin: 2em auto; }</style></head>\n"
          "<body>\n" +
-         bodyOf(c, histogram) + "</body>\n</html>\n";
+         bodyOf(c, histogram, picture) + "</body>\n</html>\n";
 }
 
 std::string pdfOf(const Comparison& c) {
@@ -181,7 +220,12 @@ std::string pdfOf(const Comparison& c) {
     return "<p><img src=\"" + std::string(name) + "\" width=\"" + std::to_string(kWidth * 3 / 4) + "\"/><br/>from " +
            number(s.lowest.distance) + " to " + number(s.highest.distance) + " mm</p>\n";
   };
-  document.setHtml(QString::fromStdString(bodyOf(c, histogram)));
+  std::string picture;
+  if (!c.picture.isNull()) {
+    document.addResource(QTextDocument::ImageResource, QUrl(kPicture), c.picture);
+    picture = "<img src=\"" + std::string(kPicture) + "\" width=\"" + std::to_string(kWidth) + "\"/>";
+  }
+  document.setHtml(QString::fromStdString(bodyOf(c, histogram, picture)));
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
   QPdfWriter writer(&buffer);
@@ -190,6 +234,13 @@ std::string pdfOf(const Comparison& c) {
   document.print(&writer);
   buffer.close();
   return buffer.data().toStdString();
+}
+
+Status writeReport(const Comparison& comparison, const std::filesystem::path& path) {
+  const std::string ending = path.extension().string();
+  if (ending == ".json")
+    return writeFileAtomically(path, toJson(comparison).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  return writeFileAtomically(path, ending == ".pdf" ? pdfOf(comparison) : htmlOf(comparison));
 }
 
 }  // namespace handwheel

@@ -78,6 +78,10 @@ QString repairCommand(const QString& path, const RepairOptions& options) {
   return command + QStringLiteral(" --keep-open ") + ids.join(QLatin1Char(','));
 }
 
+QString compareCommand(const QString& mesh, const QString& scan) {
+  return QStringLiteral("handwheel compare %1 %2").arg(file(mesh), file(scan));
+}
+
 QString convertCommand(const QString& from, const QString& to) {
   return QStringLiteral("handwheel convert %1 %2").arg(file(from), file(to));
 }

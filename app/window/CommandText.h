@@ -14,6 +14,7 @@ namespace handwheel {
 // and are quoted for a shell.
 QString inspectCommand(const QString& path, const ReadOptions& options);
 QString repairCommand(const QString& path, const RepairOptions& options);
+QString compareCommand(const QString& mesh, const QString& scan);
 QString convertCommand(const QString& from, const QString& to);
 // Gives the properties that differ their present values. Empty when none differs and both paths are the same.
 QString setCommand(const QString& from, const std::vector<Property>& before, const std::vector<Property>& now,

@@ -31,6 +31,7 @@ struct OpenDocument;
 // What the parts of the window offer to the kinds of documents.
 struct WindowParts {
   QWidget* window;
+  const DocumentKinds& kinds;
   DocumentTabs& tabs;
   JobRunner& jobs;
   QThreadPool& pool;

@@ -64,6 +64,7 @@ MainWindow::~MainWindow() {
 
 void MainWindow::makeKinds(const KindSet& kinds) {
   const WindowParts parts{.window = this,
+                          .kinds = kinds.documents,
                           .tabs = *m_tabs,
                           .jobs = m_jobs,
                           .pool = m_pool,
@@ -81,6 +82,7 @@ void MainWindow::makeKinds(const KindSet& kinds) {
     connect(made.get(), &KindUi::stateChanged, this, [this, from = made.get()] {
       if (from != ui()) return;
       m_viewSettings->refresh();
+      m_kindDock->setWindowTitle(ui()->panelTitle());
       updateFigures();
       updateHints();
       updateCard();

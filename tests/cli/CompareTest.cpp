@@ -3,6 +3,7 @@
 #include "Program.h"
 #include "Shapes.h"
 
+#include <QImage>
 #include <QTest>
 #include <QXmlStreamReader>
 
@@ -58,7 +59,8 @@ class CompareTest : public QObject {
     QCOMPARE(bench.run({"compare", "a<&.off", "b.off", "--report", "r.html"}).code, 0);
     const QByteArray page = bench.content("r.html");
     QVERIFY(page.contains("a&lt;&amp;.off"));
-    QVERIFY(!page.contains("src=") && !page.contains("href="));
+    QCOMPARE(page.count("src="), 1);
+    QVERIFY(page.contains("src=\"data:image/png;base64,") && !page.contains("href="));
     QXmlStreamReader xml(page);
     int bars = 0, pictures = 0, cells = 0;
     while (!xml.atEnd()) {
@@ -85,8 +87,47 @@ class CompareTest : public QObject {
     const QByteArray pdf = bench.content("r.pdf");
     QVERIFY(pdf.startsWith("%PDF-"));
     QVERIFY(pdf.trimmed().endsWith("%%EOF"));
-    QCOMPARE(pdf.count("/Subtype /Image"), 2);
+    QCOMPARE(pdf.count("/Subtype /Image"), 3);  // histograms, and the mesh in colours
     QVERIFY(pdf.contains("/FontFile2"));
+  }
+
+  // Without a display and without xvfb-run the figures are written all the same.
+  void withoutPicture() {
+    const Bench bench;
+    bench.put("a.off", cube(2).off());
+    bench.put("b.off", cube(1).off());
+    QProcess process;
+    process.setWorkingDirectory(bench.path());
+    QProcessEnvironment environment = environmentWith("C");
+    environment.remove("DISPLAY");
+    environment.insert("PATH", "/nonexistent");
+    process.setProcessEnvironment(environment);
+    process.start(HANDWHEEL_PROGRAM, {"compare", "a.off", "b.off", "--report", "r.html"});
+    QVERIFY(process.waitForFinished(60000));
+    QCOMPARE(process.exitCode(), 0);
+    QCOMPARE(process.readAllStandardError(),
+             QByteArray("handwheel: No picture was made: there is no display, and xvfb-run is not installed.\n"));
+    QVERIFY(bench.content("r.html").contains("1.73205"));
+    QVERIFY(!bench.content("r.html").contains("src="));
+  }
+
+  // A cube within one of twice its size: each side at least that far away, so only colours of one sign.
+  void deviationMap() {
+    const Bench bench;
+    bench.put("a.off", Shape().add(cube(1), {0.5, 0.5, 0.5}).off());
+    bench.put("b.off", cube(2).off());
+    QCOMPARE(bench.run({"picture", "a.off", "map.png", "--scan", "b.off", "--range", "0.5"}).code, 0);
+    const QImage map(bench.path() + "/map.png");
+    QCOMPARE(map.size(), QSize(1600, 1200));
+    for (const QPoint& side : {QPoint(400, 300), QPoint(1200, 300), QPoint(400, 900), QPoint(1200, 900)}) {
+      const QColor middle = map.pixelColor(side);
+      QVERIFY2(middle.blue() > middle.red() + 60, qPrintable(middle.name()));
+    }
+    for (const char* range : {"0", "-1", "nan", "x"}) {
+      QCOMPARE(bench.run({"picture", "a.off", "n.png", "--scan", "b.off", "--range", range}).code, 1);
+    }
+    QCOMPARE(bench.run({"picture", "a.off", "n.png", "--scan", "missing.off"}).code, 1);
+    QCOMPARE(bench.names(), (QStringList{"a.off", "b.off", "map.png"}));
   }
 
   void mistakes() {

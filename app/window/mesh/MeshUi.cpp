@@ -19,6 +19,7 @@
 
 #include <QLocale>
 #include <QShortcut>
+#include <QStackedWidget>
 
 namespace handwheel {
 
@@ -34,9 +35,18 @@ MeshUi::MeshUi(const WindowParts& parts, MeshKind& kind)
           {m_actions.repairAll(), m_actions.previous(), m_actions.next(), m_actions.fill(), m_actions.keepOpen(),
            m_actions.preview(), m_defectActions.giveBack(), m_defectActions.cutAndClose(), m_defectActions.fix()},
           parts.window)),
+      m_deviation(parts),
+      m_panels(new QStackedWidget(parts.window)),
       m_scene(new DefectScene(parts.viewport, m_selection, *m_panel->model(), this)),
       m_tools(parts.tools, parts.pool, m_selection, m_preview, m_actions, m_jobs) {
-  m_panel->setMinimumWidth(264);
+  m_panels->setMinimumWidth(264);
+  m_panels->addWidget(m_panel);
+  m_panels->addWidget(m_deviation.panel());
+  connect(&m_deviation, &DeviationView::message, this, &KindUi::message);
+  connect(&m_deviation, &DeviationView::shownChanged, this, [this] {
+    if (m_panels) m_panels->setCurrentIndex(m_deviation.isShown() ? 1 : 0);
+    emit stateChanged();
+  });
   connectSelection();
   connect(&m_parts.fidelity, &FidelityChoice::changed, this, &MeshUi::followFidelity);
   followFidelity();
@@ -87,7 +97,7 @@ void MeshUi::followFidelity() {
 }
 
 QWidget* MeshUi::panel() {
-  return m_panel;
+  return m_panels;
 }
 
 std::unique_ptr<OpenDocument> MeshUi::open(std::unique_ptr<Document> document) {
@@ -106,6 +116,7 @@ void MeshUi::setDocument(OpenDocument* document) {
   m_preview.forget();
   if (m_panel) m_panel->setInspection(m_document ? &m_document->inspection : nullptr);
   m_scene->setDocument(m_document);
+  m_deviation.setDocument(m_document);
   m_tools.setDocument(m_document);
   m_search.setDocument(m_document);
   m_actions.setDocument(m_document);
@@ -115,6 +126,7 @@ void MeshUi::setDocument(OpenDocument* document) {
 
 void MeshUi::refreshVisibility() {
   m_scene->refreshVisibility();
+  m_deviation.redraw();
 }
 
 QList<QAction*> MeshUi::toolBar() {

@@ -4,6 +4,7 @@
 
 #include "window/KindUi.h"
 #include "window/mesh/DefectActions.h"
+#include "window/mesh/DeviationView.h"
 #include "window/mesh/HolePreview.h"
 #include "window/mesh/MeshTools.h"
 #include "window/mesh/RepairActions.h"
@@ -12,6 +13,8 @@
 #include "window/mesh/SelfIntersectionSearch.h"
 
 #include <QPointer>
+
+class QStackedWidget;
 
 namespace handwheel {
 
@@ -31,11 +34,11 @@ class MeshUi : public KindUi {
   std::unique_ptr<OpenDocument> open(std::unique_ptr<Document> document) override;
   void setDocument(OpenDocument* document) override;
   void refreshVisibility() override;
-  QString panelTitle() const override { return tr("Defects"); }
+  QString panelTitle() const override { return m_deviation.isShown() ? tr("Deviation") : tr("Defects"); }
   QString panelIcon() const override { return QStringLiteral("defects"); }
   QWidget* panel() override;
   QString menuTitle() const override { return tr("&Repair"); }
-  QList<QAction*> menu() override { return m_actions.all() + m_defectActions.all(); }
+  QList<QAction*> menu() override { return m_actions.all() + m_defectActions.all() << m_deviation.action(); }
   QList<QAction*> toolBar() override;
   std::vector<ToolOffer> tools() override;
   std::vector<Hint> hints() override;
@@ -59,6 +62,8 @@ class MeshUi : public KindUi {
   RepairActions m_actions;
   DefectActions m_defectActions;
   QPointer<DefectsPanel> m_panel;
+  DeviationView m_deviation;
+  QPointer<QStackedWidget> m_panels;  // the one of the two that is shown
   DefectScene* m_scene;
   MeshTools m_tools;
   OpenMesh* m_document = nullptr;

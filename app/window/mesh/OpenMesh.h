@@ -9,17 +9,22 @@
 
 namespace handwheel {
 
+struct MeshDeviation;
+
 // An open mesh. Its document hides the one of the base: it is the same, known as what it is.
 struct OpenMesh : OpenDocument {
   OpenMesh(std::unique_ptr<Document> made, KindUi& of)
       : OpenDocument(std::move(made), of),
         document(static_cast<MeshDocument&>(OpenDocument::document)),
-        inspection(document) {}
+        inspection(document),
+        asOpened(document.mesh()) {}
 
   MeshDocument& document;
   Inspection inspection;
-  Vertex selected = kNone;  // Inspection::keyOf the selected loop
-  bool repaired = false;    // "Repair all" ran at least once
+  const HalfEdgeMesh asOpened;               // shares what has not changed since
+  std::shared_ptr<MeshDeviation> deviation;  // that is shown; null for none
+  Vertex selected = kNone;                   // Inspection::keyOf the selected loop
+  bool repaired = false;                     // "Repair all" ran at least once
 
   // Of the mesh, undo and redo included; as many as when it was last as in its file.
   std::uint64_t changes = 0;
