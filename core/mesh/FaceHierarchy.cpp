@@ -18,6 +18,10 @@ std::optional<FaceHierarchy::Hit> FaceHierarchy::firstHit(const Ray& ray) const 
   return Hit{m_faceOf[hit->triangle], ray.origin + hit->distance * ray.direction, hit->distance};
 }
 
+bool FaceHierarchy::forEachInBox(const Box& box, const std::function<bool(Face)>& visit) const {
+  return m_hierarchy.forEachInBox(box, [&](std::uint32_t i) { return visit(m_faceOf[i]); });
+}
+
 bool FaceHierarchy::isHidden(const Vec3& p, const std::optional<Vec3>& eye, const Vec3& direction, double by,
                              Face own) const {
   if (bounds().isEmpty()) return false;

@@ -6,6 +6,8 @@
 #include "mesh/Sight.h"
 #include "proximity/TriangleHierarchy.h"
 
+#include <functional>
+
 namespace handwheel {
 
 // One version of a mesh, its faces to be found by rays. Immutable once built; built on a worker, read on any thread.
@@ -23,6 +25,10 @@ class FaceHierarchy {
   };
   // The first face that the ray meets, from either side; none for a ray that is not usable.
   std::optional<Hit> firstHit(const Ray& ray) const;
+
+  // Calls visit(face) for each face whose box meets the box (boundaries included), and perhaps for some just outside,
+  // until it returns false. Returns false when a visit did.
+  bool forEachInBox(const Box& box, const std::function<bool(Face)>& visit) const;
 
   // Whether something lies before p, by more than this (mm), as seen along the line of sight through it from the eye
   // or, without one, from outside the model along the direction. A face that p is known to lie on does not count.

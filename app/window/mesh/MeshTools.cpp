@@ -3,6 +3,8 @@
 #include "window/mesh/MeshTools.h"
 
 #include "tools/MeasureTool.h"
+#include "tools/mesh/BoundaryTool.h"
+#include "tools/mesh/MakeFaceTool.h"
 #include "tools/mesh/SelectTool.h"
 #include "window/ToolHost.h"
 #include "window/mesh/HolePreview.h"
@@ -57,6 +59,18 @@ std::unique_ptr<Tool> MeshTools::selectTool() {
   return std::make_unique<SelectTool>(m_document->document, services());
 }
 
+std::unique_ptr<Tool> MeshTools::boundaryTool() {
+  faces();
+  const Vertex selected = m_document->selected;
+  return std::make_unique<BoundaryTool>(m_document->document, services(),
+                                        selected == kNone ? std::nullopt : std::optional(selected));
+}
+
+std::unique_ptr<Tool> MeshTools::makeFaceTool() {
+  faces();
+  return std::make_unique<MakeFaceTool>(m_document->document, services());
+}
+
 std::unique_ptr<Tool> MeshTools::measureTool() {
   faces();
   return std::make_unique<MeasureTool>([this](const Ray& ray) -> std::optional<Vec3> {
@@ -102,6 +116,10 @@ const FillHoleTool* MeshTools::runningFillTool() const {
   return dynamic_cast<const FillHoleTool*>(m_host.runner().tool());
 }
 
+const BoundaryTool* MeshTools::runningBoundaryTool() const {
+  return dynamic_cast<const BoundaryTool*>(m_host.runner().tool());
+}
+
 // The preview of the window is the tool's, so the list, the settings and the tool show the same patch.
 void MeshTools::request(const FillRequest& request) {
   m_ticket = request.ticket;
@@ -120,6 +138,10 @@ void MeshTools::answer() {
 
 // Chosen in the list, by key or by undo.
 void MeshTools::followSelection() {
+  if (const BoundaryTool* boundary = runningBoundaryTool(); boundary && m_document && m_document->selected != kNone) {
+    m_host.runner().deliver(
+        [boundary, key = m_document->selected] { const_cast<BoundaryTool*>(boundary)->choose(key); });
+  }
   const FillHoleTool* tool = runningFillTool();
   if (!tool || !m_document) return;
   const BoundaryLoop* loop = tool->loop();
@@ -127,8 +149,10 @@ void MeshTools::followSelection() {
   if (working != m_document->selected) m_host.start(fillTool(), m_document->document);
 }
 
-// Dropped in the tool.
+// Dropped in the tool. What works on an edge needs the hole free of a patch, and the keys of the list.
 void MeshTools::followTool() {
+  const BoundaryTool* boundary = runningBoundaryTool();
+  if (boundary && boundary->isBusy() && m_selection.loop() >= 0) m_selection.select(-1);
   const FillHoleTool* tool = runningFillTool();
   if (tool && m_document && !tool->loop() && m_selection.loop() >= 0) m_selection.select(-1);
 }

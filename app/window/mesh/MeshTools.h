@@ -8,6 +8,7 @@
 
 namespace handwheel {
 
+class BoundaryTool;
 class HolePreview;
 class RepairActions;
 class RepairJobs;
@@ -29,12 +30,15 @@ class MeshTools : public QObject {
 
   std::unique_ptr<Tool> fillTool();
   std::unique_ptr<Tool> selectTool();
+  std::unique_ptr<Tool> boundaryTool();
+  std::unique_ptr<Tool> makeFaceTool();
   std::unique_ptr<Tool> measureTool();
   // The faces of the present mesh, to be found by rays; of an older version while the present one is being sorted.
   std::shared_ptr<const FaceHierarchy> faces();
 
  private:
   const FillHoleTool* runningFillTool() const;
+  const BoundaryTool* runningBoundaryTool() const;
   void request(const FillRequest& request);
   void answer();
   void followSelection();

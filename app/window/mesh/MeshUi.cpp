@@ -145,6 +145,11 @@ std::vector<ToolOffer> MeshUi::tools() {
           {QStringLiteral("selectTool"), tr("&Select faces"),
            tr("Select faces by click, brush, lasso, connection or angle"), QStringLiteral("select"),
            QKeySequence(Qt::Key_S), [this] { return m_tools.selectTool(); }},
+          {QStringLiteral("boundaryTool"), tr("Hole &edges"),
+           tr("Pull, join and bridge points of an edge; smooth it; remove islands and peninsulas"),
+           QStringLiteral("boundary"), QKeySequence(Qt::Key_B), [this] { return m_tools.boundaryTool(); }},
+          {QStringLiteral("makeFaceTool"), tr("&Make a face"), tr("Make a face from three points of open edges"),
+           QStringLiteral("make-face"), QKeySequence(Qt::Key_T), [this] { return m_tools.makeFaceTool(); }},
           measureOffer([this] { return m_tools.measureTool(); })};
 }
 

@@ -7,6 +7,8 @@
 #include "ToolEvents.h"
 #include "mesh/MeshValidator.h"
 #include "tools/ToolRunner.h"
+#include "tools/mesh/BoundaryTool.h"
+#include "tools/mesh/MakeFaceTool.h"
 #include "tools/mesh/SelectTool.h"
 
 #include <rapidcheck.h>
@@ -94,7 +96,13 @@ class Session {
   void start() {
     m_fill = nullptr;
     m_select = nullptr;
-    if (below(3) == 0) {
+    const std::size_t which = below(5);
+    m_mayPointerEdit = which >= 3;
+    if (which == 3) {
+      m_runner.start(std::make_unique<BoundaryTool>(*m_document, immediateServices(*m_document)), *m_document);
+    } else if (which == 4) {
+      m_runner.start(std::make_unique<MakeFaceTool>(*m_document, immediateServices(*m_document)), *m_document);
+    } else if (which == 0) {
       auto tool = std::make_unique<FillHoleTool>(*m_document, test::fillServices(*m_document, m_fill));
       m_fill = tool.get();
       m_runner.start(std::move(tool), *m_document);
@@ -108,7 +116,6 @@ class Session {
     }
   }
 
-  // Nothing that the pointer does changes the document.
   void point() {
     PointerEvent event;
     event.kind = static_cast<Kind>(below(6));
@@ -116,7 +123,7 @@ class Session {
     m_isDown = event.kind == Kind::Press || event.kind == Kind::Drag;
     event.button = below(8) == 0 ? static_cast<PointerButton>(below(3)) : PointerButton::First;
     event.modifiers = {below(4) == 0, below(4) == 0, false};
-    const Vec3 target = m_middle + 0.4 * m_size * vector();
+    const Vec3 target = below(3) ? m_middle + 0.4 * m_size * vector() : borderPoint();
     event.ray.origin = m_isPerspective ? m_eye : Vec3(target - 5.0 * m_size * Vec3(0.1, 0.2, -1.0));
     event.ray.direction = (target - event.ray.origin).normalized();
     if (below(60) == 0) event.ray.direction = vector();
@@ -129,13 +136,22 @@ class Session {
     }
     const std::uint64_t revision = m_document->revision();
     m_runner.pointer(event);
-    if (m_document->revision() != revision) m_problem = "the pointer changed the document";
+    if (!m_mayPointerEdit && m_document->revision() != revision) m_problem = "the pointer changed the document";
+  }
+
+  // Where the tools for edges have something to take hold of.
+  Vec3 borderPoint() {
+    const auto& loops = m_document->defects().loops;
+    if (loops.empty()) return m_middle;
+    const auto& loop = loops[below(loops.size())].halfEdges;
+    return m_document->mesh().position(m_document->mesh().from(loop[below(loop.size())]));
   }
 
   void perform() {
     const std::vector<ToolAction> actions = m_runner.tool()->actions();
     ToolAction action = actions[below(actions.size())];
-    if (below(2)) action.id = m_select ? "delete" : below(3) ? "commit" : "next";  // what makes edits, more often
+    if (below(2) && !m_mayPointerEdit)
+      action.id = m_select ? "delete" : below(3) ? "commit" : "next";  // what makes edits, more often
     // Deleting all would end the fun too soon.
     if (action.id == "delete" && m_select &&
         2 * m_select->selection().faces.count() > m_document->mesh().liveFaceCount())
@@ -177,6 +193,7 @@ class Session {
   std::unique_ptr<MeshDocument> m_document;
   FillHoleTool* m_fill = nullptr;
   SelectTool* m_select = nullptr;
+  bool m_mayPointerEdit = false;
   ToolRunner m_runner;
   QMetaObject::Connection m_failed;
   QString m_problem;

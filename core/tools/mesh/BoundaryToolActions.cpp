@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/mesh/MeshDocument.h"
+#include "mesh/Islands.h"
+#include "mesh/Peninsulas.h"
+#include "tools/mesh/BoundaryTool.h"
+
+#include <QtGlobal>
+#include <algorithm>
+#include <utility>
+
+// What BoundaryTool offers, and what it does to a whole edge.
+namespace handwheel {
+namespace {
+
+const char* effectOf(JoinProblem problem, const char* otherwise) {
+  switch (problem) {
+    case JoinProblem::None:
+      return otherwise;
+    case JoinProblem::EdgeFull:
+      return QT_TRANSLATE_NOOP("Tool", "nothing: an edge would have more than two triangles");
+    case JoinProblem::Crosses:
+      return QT_TRANSLATE_NOOP("Tool", "nothing: it would cross or touch the part");
+    case JoinProblem::CornerOnly:
+      return QT_TRANSLATE_NOOP("Tool", "nothing: it would touch the surface in a point only");
+    default:
+      return QT_TRANSLATE_NOOP("Tool", "nothing: a triangle would turn over or lose its area");
+  }
+}
+
+}  // namespace
+
+const char* BoundaryTool::dragEffect() const {
+  switch (m_drag->deed) {
+    case Deed::Pull:
+      return m_drag->problem == JoinProblem::None
+                 ? QT_TRANSLATE_NOOP("Tool", "move the point")
+                 : QT_TRANSLATE_NOOP("Tool", "move the point as far as no triangle turns over");
+    case Deed::Weld:
+      return effectOf(m_drag->problem, QT_TRANSLATE_NOOP("Tool", "join the points"));
+    case Deed::Bridge:
+      break;
+  }
+  if (m_drag->target == kNone) return QT_TRANSLATE_NOOP("Tool", "nothing: no other point is near");
+  return effectOf(m_drag->problem, QT_TRANSLATE_NOOP("Tool", "lay the bridge"));
+}
+
+std::vector<ToolAction> BoundaryTool::actions() const {
+  if (m_drag && m_drag->hasMoved)
+    return {{"", QT_TRANSLATE_NOOP("ToolInput", "Release"), dragEffect()},
+            {"", QT_TRANSLATE_NOOP("ToolInput", "Shift"), QT_TRANSLATE_NOOP("Tool", "bridge instead of joining")},
+            {"", QT_TRANSLATE_NOOP("ToolInput", "Ctrl"), QT_TRANSLATE_NOOP("Tool", "no point attracts")},
+            {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "put it back")}};
+  const bool isChosen = loop() != nullptr, any = neighbour(true).has_value();
+  const char* commit = QT_TRANSLATE_NOOP("Tool", "done");
+  if (m_proposal) {
+    commit = m_proposal->kind == Kind::Smooth ? QT_TRANSLATE_NOOP("Tool", "take the smooth edge")
+                                              : QT_TRANSLATE_NOOP("Tool", "remove the marked faces");
+  }
+  const char* revert = QT_TRANSLATE_NOOP("Tool", "done");
+  if (m_drag)
+    revert = QT_TRANSLATE_NOOP("Tool", "put it back");
+  else if (m_proposal || m_job)
+    revert = QT_TRANSLATE_NOOP("Tool", "leave it as it is");
+  else if (isChosen)
+    revert = QT_TRANSLATE_NOOP("Tool", "choose none");
+  return {
+      {"", QT_TRANSLATE_NOOP("ToolInput", "Click"), QT_TRANSLATE_NOOP("Tool", "choose an edge")},
+      {"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), QT_TRANSLATE_NOOP("Tool", "pull a point; onto another: join them")},
+      {"", QT_TRANSLATE_NOOP("ToolInput", "Shift+drag"), QT_TRANSLATE_NOOP("Tool", "lay a bridge to another point")},
+      {"smooth", "Shift+S", QT_TRANSLATE_NOOP("Tool", "smooth the edge"), isChosen},
+      {"islands", "I", QT_TRANSLATE_NOOP("Tool", "find islands"), isChosen},
+      {"peninsulas", "Shift+I", QT_TRANSLATE_NOOP("Tool", "find peninsulas"), isChosen},
+      {"next", "N", QT_TRANSLATE_NOOP("Tool", "next hole"), any},
+      {"previous", "Shift+N", QT_TRANSLATE_NOOP("Tool", "previous hole"), any},
+      {"commit", "Return", commit, !m_job && (!m_proposal || isHeld(*m_proposal))},
+      {"revert", "Esc", revert},
+  };
+}
+
+ToolReply BoundaryTool::perform(std::string_view action) {
+  if (action == "revert") return revert();
+  if (m_drag) return ToolReply::Ignored;
+  if (action == "commit") return m_job ? ToolReply::Ignored : m_proposal ? commitProposal() : ToolReply::Finished;
+  if (action == "smooth") return propose(Kind::Smooth);
+  if (action == "islands") return propose(Kind::Islands);
+  if (action == "peninsulas") return propose(Kind::Peninsulas);
+  if (action != "next" && action != "previous") return ToolReply::Ignored;
+  choose(neighbour(action == "next"));
+  return ToolReply::Used;
+}
+
+// Step by step out of what is going on.
+ToolReply BoundaryTool::revert() {
+  if (m_drag) {
+    m_drag.reset();
+  } else if (m_proposal || m_job) {
+    dropProposal();
+  } else if (m_key) {
+    choose(std::nullopt);
+  } else {
+    return ToolReply::Finished;
+  }
+  return ToolReply::Used;
+}
+
+std::optional<Vertex> BoundaryTool::neighbour(bool forward) const {
+  const auto& loops = m_document.defects().loops;
+  const std::size_t n = loops.size();
+  if (n == 0) return std::nullopt;
+  const BoundaryLoop* chosen = loop();
+  if (!chosen) return keyOf(mesh(), forward ? loops.front() : loops.back());
+  const auto at = static_cast<std::size_t>(chosen - loops.data());
+  return keyOf(mesh(), loops[(at + (forward ? 1 : n - 1)) % n]);
+}
+
+void BoundaryTool::dropProposal() {
+  m_proposal.reset();
+  if (!m_job) return;
+  m_job.reset();
+  m_services.cancel();
+}
+
+// Whether there is something to be done.
+bool BoundaryTool::isHeld(const Proposal& proposal) const {
+  return proposal.kind == Kind::Smooth ? !proposal.smoothed.moves.empty() : !proposal.faces.empty();
+}
+
+ToolReply BoundaryTool::propose(Kind kind) {
+  if (!loop()) return ToolReply::Ignored;
+  dropProposal();
+  const auto faces = m_services.faces();
+  if (!faces) return ToolReply::Ignored;
+  m_job = std::make_shared<const Kind>(kind);
+  m_services.run({QT_TRANSLATE_NOOP("Tool", "Looking at the edge"),
+                  [this, work = workFor(kind), job = std::weak_ptr(m_job)](Progress progress) {
+                    const Proposal found = work(progress);
+                    return std::function<void()>([this, found, job] {
+                      if (job.expired()) return;
+                      m_job.reset();
+                      m_proposal = found;
+                      tellUpdated();
+                    });
+                  }});
+  return ToolReply::Used;
+}
+
+// On another thread: all that it needs goes with it.
+std::function<BoundaryTool::Proposal(Progress)> BoundaryTool::workFor(Kind kind) const {
+  return [kind, mesh = mesh(), loop = *loop(), loops = m_document.defects().loops, options = m_smoothing,
+          faces = m_services.faces()](Progress progress) {
+    Proposal proposal;
+    proposal.kind = kind;
+    if (kind == Kind::Islands) proposal.faces = findIslands(mesh, loop, loops, progress);
+    if (kind == Kind::Peninsulas) proposal.faces = findPeninsulas(mesh, loop, progress);
+    if (kind != Kind::Smooth) return proposal;
+    const NearFaces near(mesh, faces);
+    proposal.smoothed = smoothBorder(near, loop, options);
+    HalfEdgeMesh moved = mesh;
+    moveVertices(moved, proposal.smoothed.moves);
+    TriangleSoup shapes;
+    for (const VertexMove& m : proposal.smoothed.moves) {
+      for (const HalfEdge h : near.leaving(m.from)) {
+        if (!proposal.faces.add(HalfEdgeMesh::face(h))) continue;
+        const auto n = static_cast<std::uint32_t>(shapes.points.size());
+        for (const Vec3& p : moved.points(HalfEdgeMesh::face(h))) shapes.points.push_back(p);
+        shapes.triangles.push_back({n, n + 1, n + 2});
+      }
+    }
+    proposal.shapes = std::make_shared<const TriangleSoup>(std::move(shapes));
+    return proposal;
+  };
+}
+
+ToolReply BoundaryTool::commitProposal() {
+  if (!isHeld(*m_proposal)) return ToolReply::Ignored;
+  const Proposal proposal = *std::exchange(m_proposal, std::nullopt);
+  if (proposal.kind == Kind::Smooth) {
+    m_services.commit({QT_TRANSLATE_NOOP("Tool", "Smooth the edge"),
+                       [moves = proposal.smoothed.moves](HalfEdgeMesh& mesh, Progress) { moveVertices(mesh, moves); }});
+    return ToolReply::Used;
+  }
+  m_services.commit({proposal.kind == Kind::Islands ? QT_TRANSLATE_NOOP("Tool", "Remove islands")
+                                                    : QT_TRANSLATE_NOOP("Tool", "Remove peninsulas"),
+                     [faces = proposal.faces](HalfEdgeMesh& mesh, Progress p) { removeFaces(mesh, faces, p); }});
+  return ToolReply::Used;
+}
+
+void BoundaryTool::setSetting(std::string_view id, const PropertyValue& value) {
+  const double* number = std::get_if<double>(&value);
+  const bool* flag = std::get_if<bool>(&value);
+  if (id == "wavelength" && number && *number == *number) {
+    m_smoothing.wavelength = std::clamp(*number, 0.0, kLongestWave);
+  } else if (id == "evenly" && flag) {
+    m_smoothing.evenly = *flag;
+  } else {
+    return;
+  }
+  if ((m_proposal && m_proposal->kind == Kind::Smooth) || (m_job && *m_job == Kind::Smooth)) propose(Kind::Smooth);
+}
+
+void BoundaryTool::documentChanged() {
+  m_drag.reset();
+  m_hovered.reset();
+  m_hoveredLoop.reset();
+  dropProposal();
+  if (!loop()) m_key.reset();
+}
+
+}  // namespace handwheel

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tools/Tool.h"
+#include "tools/mesh/BorderPicking.h"
+
+namespace handwheel {
+
+// Makes single faces: three points of open edges are clicked one after the other, counter-clockwise as seen from
+// outside, and the third click makes the face. It must share an edge with the surface, whose way round it takes, and
+// touch it in no other point.
+class MakeFaceTool : public Tool {
+ public:
+  // The document must outlive all calls but the destructor's.
+  MakeFaceTool(MeshDocument& document, MeshServices services);
+
+  std::size_t cornerCount() const { return m_corners.size(); }
+  // Of the face with the point under the pointer as its last corner.
+  JoinProblem problem() const { return m_problem; }
+
+  std::string id() const override { return "face"; }
+  ToolReply pointer(const PointerEvent& event) override;
+  ToolReply perform(std::string_view action) override;
+  std::vector<ToolAction> actions() const override;
+  ToolPreview preview() const override;
+  std::vector<Property> settings() const override;
+  std::vector<ForceTerm> forces() const override;
+  void documentChanged() override;
+  std::vector<std::string> needs() const override { return {"picking"}; }
+
+ private:
+  void hover(const PointerEvent& event);
+  ToolReply press(const PointerEvent& event);
+  void judge();
+  const HalfEdgeMesh& mesh() const;
+
+  MeshDocument& m_document;
+  MeshServices m_services;
+  BorderPicking m_picking;
+  std::vector<Vertex> m_corners;  // at most two
+  std::optional<Vertex> m_hovered;
+  double m_mark = 0.0;  // radius of the mark on a point, mm
+  Triangle m_face{};    // of the corners and the hovered point, when there are three
+  JoinProblem m_problem = JoinProblem::NoBorder;
+};
+
+}  // namespace handwheel
