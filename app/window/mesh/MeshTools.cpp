@@ -4,8 +4,10 @@
 
 #include "tools/MeasureTool.h"
 #include "tools/mesh/BoundaryTool.h"
+#include "tools/mesh/DecimateTool.h"
 #include "tools/mesh/MakeFaceTool.h"
 #include "tools/mesh/SelectTool.h"
+#include "tools/mesh/TransformTool.h"
 #include "window/ToolHost.h"
 #include "window/mesh/HolePreview.h"
 #include "window/mesh/OpenMesh.h"
@@ -78,6 +80,14 @@ std::unique_ptr<Tool> MeshTools::measureTool() {
     const auto hit = sorted ? sorted->firstHit(ray) : std::nullopt;
     return hit ? std::optional(hit->point) : std::nullopt;
   });
+}
+
+std::unique_ptr<Tool> MeshTools::decimateTool() {
+  return std::make_unique<DecimateTool>(m_document->document, services());
+}
+
+std::unique_ptr<Tool> MeshTools::transformTool() {
+  return std::make_unique<TransformTool>(m_document->document, services());
 }
 
 std::shared_ptr<const FaceHierarchy> MeshTools::faces() {

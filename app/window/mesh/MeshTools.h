@@ -33,6 +33,8 @@ class MeshTools : public QObject {
   std::unique_ptr<Tool> boundaryTool();
   std::unique_ptr<Tool> makeFaceTool();
   std::unique_ptr<Tool> measureTool();
+  std::unique_ptr<Tool> decimateTool();
+  std::unique_ptr<Tool> transformTool();
   // The faces of the present mesh, to be found by rays; of an older version while the present one is being sorted.
   std::shared_ptr<const FaceHierarchy> faces();
 

@@ -35,7 +35,7 @@ MeshUi::MeshUi(const WindowParts& parts, MeshKind& kind)
           {m_actions.repairAll(), m_actions.previous(), m_actions.next(), m_actions.fill(), m_actions.keepOpen(),
            m_actions.preview(), m_defectActions.giveBack(), m_defectActions.cutAndClose(), m_defectActions.fix()},
           parts.window)),
-      m_deviation(parts),
+      m_deviation(parts, this),
       m_panels(new QStackedWidget(parts.window)),
       m_scene(new DefectScene(parts.viewport, m_selection, *m_panel->model(), this)),
       m_tools(parts.tools, parts.pool, m_selection, m_preview, m_actions, m_jobs) {
@@ -150,6 +150,12 @@ std::vector<ToolOffer> MeshUi::tools() {
            QStringLiteral("boundary"), QKeySequence(Qt::Key_B), [this] { return m_tools.boundaryTool(); }},
           {QStringLiteral("makeFaceTool"), tr("&Make a face"), tr("Make a face from three points of open edges"),
            QStringLiteral("make-face"), QKeySequence(Qt::Key_T), [this] { return m_tools.makeFaceTool(); }},
+          {QStringLiteral("decimateTool"), tr("&Reduce triangles"),
+           tr("Make a mesh of fewer triangles that stays near the surface"), QStringLiteral("decimate"),
+           QKeySequence(Qt::Key_R), [this] { return m_tools.decimateTool(); }},
+          {QStringLiteral("transformTool"), tr("&Place"),
+           tr("Move, turn and scale by numbers, or put onto a flat face, along the axes, to the origin"),
+           QStringLiteral("place"), QKeySequence(Qt::Key_W), [this] { return m_tools.transformTool(); }},
           measureOffer([this] { return m_tools.measureTool(); })};
 }
 

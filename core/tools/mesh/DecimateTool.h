@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/Decimation.h"
+#include "tools/Tool.h"
+#include "tools/mesh/MeshServices.h"
+
+namespace handwheel {
+
+class MeshDocument;
+
+// Makes a mesh of fewer triangles (decimate()): down to a number, or as few as stay within a distance of the present
+// surface.
+class DecimateTool : public Tool {
+ public:
+  // The document must outlive all calls but the destructor's.
+  DecimateTool(MeshDocument& document, MeshServices services);
+
+  std::string id() const override { return "decimate"; }
+  ToolReply pointer(const PointerEvent&) override { return ToolReply::Ignored; }
+  ToolReply perform(std::string_view action) override;
+  std::vector<ToolAction> actions() const override;
+  std::vector<Property> settings() const override;
+  void setSetting(std::string_view id, const PropertyValue& value) override;
+  void documentChanged() override;
+
+ private:
+  enum class Goal { Count, Distance };
+  DecimationOptions options() const;
+  void resetGoals();
+
+  MeshDocument& m_document;
+  MeshServices m_services;
+  Goal m_goal = Goal::Count;
+  double m_faces = 0.0;
+  double m_distance = 0.0;  // mm
+  bool m_keepsBorders = true;
+  bool m_keepsCreases = false;
+  double m_creaseAngle = 0.52;  // radian
+  bool m_avoidsCrossings = true;
+};
+
+}  // namespace handwheel
