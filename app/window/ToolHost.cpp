@@ -113,7 +113,7 @@ std::vector<Hint> ToolHost::hints() const {
   const Tool* tool = m_runner.tool();
   if (!tool) return hints;
   for (const ToolAction& action : tool->actions()) {
-    if (!action.enabled) continue;
+    if (!action.enabled || action.input.empty()) continue;  // a button in the panel says it
     const QString key = keyText(action);
     const QString input = key.isEmpty() ? translated("ToolInput", action.input) : key;
     const QString effect = translated("Tool", action.effect);

@@ -20,8 +20,10 @@ void HolePreview::request(OpenMesh* document, int loop) {
   const Vertex key = document ? document->inspection.keyOf(loop) : kNone;
   FillOptions options;
   apply(m_fidelity.values(), options);
+  if (document && key == m_stitched) options.stitches = m_stitches;
   const bool same = document == m_document && revision == m_revision && key == m_key &&
-                    options.method == m_options.method && options.density == m_options.density;
+                    options.method == m_options.method && options.density == m_options.density &&
+                    options.stitches == m_options.stitches;
   if (same && (!document || m_state.kind != PreviewState::Kind::Off)) return;
   if (document && (document != m_benchDocument || revision != m_benchRevision)) m_bench = nullptr;
   m_document = document;
@@ -30,6 +32,12 @@ void HolePreview::request(OpenMesh* document, int loop) {
   m_loop = loop;
   m_options = options;
   start();
+}
+
+void HolePreview::setStitches(Vertex key, std::vector<Stitch> stitches) {
+  m_stitched = key;
+  m_stitches = std::move(stitches);
+  if (m_document && m_key == key) request(m_document, m_loop);
 }
 
 void HolePreview::start() {

@@ -31,6 +31,8 @@ class HolePreview : public QObject {
   // Asking for what is already shown or on its way changes nothing. loop -1 or no document: no preview.
   void request(OpenMesh* document, int loop);
   void clear() { request(nullptr, -1); }
+  // The bridges that the user drew over a loop; none: the program's. They hold for this loop only.
+  void setStitches(Vertex key, std::vector<Stitch> stitches);
   // The same, and nothing is kept for the next request. For when the document changes.
   void forget();
 
@@ -58,6 +60,8 @@ class HolePreview : public QObject {
   Vertex m_key = kNone;
   int m_loop = -1;
   FillOptions m_options;
+  Vertex m_stitched = kNone;  // the key of the loop that has them
+  std::vector<Stitch> m_stitches;
   std::uint64_t m_request = 0;
   std::shared_ptr<FillBench> m_bench;
   const OpenMesh* m_benchDocument = nullptr;

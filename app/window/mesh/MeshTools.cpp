@@ -133,8 +133,10 @@ const BoundaryTool* MeshTools::runningBoundaryTool() const {
 // The preview of the window is the tool's, so the list, the settings and the tool show the same patch.
 void MeshTools::request(const FillRequest& request) {
   m_ticket = request.ticket;
+  const Vertex key = keyOf(m_document->document.mesh(), request.loop);
   m_actions.setMethod(request.method);
-  m_selection.select(m_document->inspection.loopWithKey(keyOf(m_document->document.mesh(), request.loop)));
+  m_preview.setStitches(key, request.stitches);
+  m_selection.select(m_document->inspection.loopWithKey(key));
   answer();
 }
 

@@ -66,9 +66,9 @@ std::vector<ToolAction> DecimateTool::actions() const {
 
 std::vector<Property> DecimateTool::settings() const {
   std::vector<Property> all;
-  all.push_back(choiceSetting("goal", QT_TRANSLATE_NOOP("Property", "Go down to"), static_cast<int>(m_goal),
-                              {QT_TRANSLATE_NOOP("Property", "A number of triangles"),
-                               QT_TRANSLATE_NOOP("Property", "A distance from the surface")}));
+  all.push_back(
+      choiceSetting("goal", QT_TRANSLATE_NOOP("Property", "Go down to"), static_cast<int>(m_goal),
+                    {QT_TRANSLATE_NOOP("Property", "A number"), QT_TRANSLATE_NOOP("Property", "A distance")}));
   if (m_goal == Goal::Count) {
     all.push_back(
         numberSetting("faces", QT_TRANSLATE_NOOP("Property", "Triangles"), m_faces, Quantity::Number, kFaces));

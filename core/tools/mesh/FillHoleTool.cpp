@@ -3,6 +3,7 @@
 #include "tools/mesh/FillHoleTool.h"
 
 #include "document/mesh/MeshDocument.h"
+#include "mesh/BorderPick.h"
 #include "mesh/HolePick.h"
 
 #include <QtGlobal>
@@ -49,10 +50,11 @@ const BoundaryLoop* FillHoleTool::loop() const {
 
 void FillHoleTool::choose(std::optional<Vertex> key) {
   m_key = key;
-  m_patch.reset();
-  m_attempt = {};
+  m_bridges.reset();
   const BoundaryLoop* chosen = loop();
   if (!chosen) {
+    m_patch.reset();
+    m_attempt = {};
     m_key.reset();
     m_state = State::Choosing;
     ++m_ticket;  // an answer on its way comes too late
@@ -64,7 +66,9 @@ void FillHoleTool::choose(std::optional<Vertex> key) {
 
 void FillHoleTool::request() {
   m_state = State::Computing;
-  m_services.request({++m_ticket, *loop(), m_method});
+  m_patch.reset();
+  m_attempt = {};
+  m_services.request({++m_ticket, *loop(), m_method, m_bridges.own()});
 }
 
 void FillHoleTool::previewReady(std::uint64_t ticket, FillAttempt attempt) {
@@ -110,16 +114,48 @@ ToolReply FillHoleTool::pointer(const PointerEvent& event) {
       m_hovered.reset();
       return ToolReply::Used;
     case PointerEvent::Kind::Press:
+      return press(event);
+    case PointerEvent::Kind::Drag:
+      if (!m_bridges.isDrawing()) return ToolReply::Ignored;
+      m_bridges.drag(pointAt(event));
+      return ToolReply::Used;
+    case PointerEvent::Kind::Release:
+      if (!m_bridges.isDrawing()) return ToolReply::Ignored;
+      if (loop() && m_bridges.release(loop()->halfEdges.size(), m_attempt.patch.stitches)) request();
+      return ToolReply::Used;
+    case PointerEvent::Kind::DoubleClick:
       break;
-    default:
-      return ToolReply::Ignored;
   }
+  return ToolReply::Ignored;
+}
+
+ToolReply FillHoleTool::press(const PointerEvent& event) {
   if (event.device && event.button == PointerButton::Second) return commit();
   if (event.button != PointerButton::First) return ToolReply::Ignored;
+  if (const auto point = m_state == State::Committing ? std::nullopt : pointAt(event)) {
+    m_bridges.press(*point);
+    return ToolReply::Used;
+  }
   const auto key = holeAt(event);
   if (!key) return ToolReply::Ignored;  // the camera's
   if (key != m_key || m_state == State::Committing) choose(key);
   return ToolReply::Used;
+}
+
+std::optional<std::uint32_t> FillHoleTool::pointAt(const PointerEvent& event) const {
+  const BoundaryLoop* chosen = loop();
+  const auto faces = m_services.faces();
+  if (!chosen || !faces) return std::nullopt;
+  const auto found = pickBorderPoint(m_document.mesh(), {chosen, 1}, *faces, event.sight());
+  if (!found) return std::nullopt;
+  const auto at = std::find(chosen->halfEdges.begin(), chosen->halfEdges.end(), found->at);
+  return static_cast<std::uint32_t>(at - chosen->halfEdges.begin());
+}
+
+std::vector<Vec3> FillHoleTool::line(const Stitch& bridge) const {
+  const auto& edges = loop()->halfEdges;
+  const HalfEdgeMesh& mesh = m_document.mesh();
+  return {mesh.position(mesh.from(edges[bridge.a])), mesh.position(mesh.from(edges[bridge.b]))};
 }
 
 ToolReply FillHoleTool::perform(std::string_view action) {
@@ -127,6 +163,10 @@ ToolReply FillHoleTool::perform(std::string_view action) {
   if (action == "keep") return keepOpen();
   if (action == "next" || action == "previous") {
     choose(neighbour(action == "next"));
+    return ToolReply::Used;
+  }
+  if (action == "automatic" && m_key) {
+    choose(m_key);
     return ToolReply::Used;
   }
   if (action != "revert") return ToolReply::Ignored;
@@ -174,6 +214,9 @@ std::vector<ToolAction> FillHoleTool::actions() const {
       {"previous", "Shift+N", QT_TRANSLATE_NOOP("Tool", "previous hole"), any},
       {"keep", "K", kept ? QT_TRANSLATE_NOOP("Tool", "no longer keep open") : QT_TRANSLATE_NOOP("Tool", "keep open"),
        chosen != nullptr},
+      {"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), QT_TRANSLATE_NOOP("Tool", "bridge the hole from point to point"),
+       chosen != nullptr},
+      {"automatic", "", QT_TRANSLATE_NOOP("Tool", "choose the bridges again"), !m_bridges.own().empty()},
       {"revert", "Esc", chosen ? QT_TRANSLATE_NOOP("Tool", "choose none") : QT_TRANSLATE_NOOP("Tool", "done")},
   };
 }
@@ -191,6 +234,9 @@ ToolPreview FillHoleTool::preview() const {
     const BoundaryLoop* line = key ? loopWithKey(m_document.mesh(), loops, *key) : nullptr;
     if (line) preview.lines.push_back(outlineOf(m_document.mesh(), *line));
   }
+  if (!loop()) return preview;
+  for (const Stitch& bridge : m_attempt.patch.stitches) preview.lines.push_back(line(bridge));
+  if (const auto drawn = m_bridges.drawn()) preview.lines.push_back(line(*drawn));
   return preview;
 }
 
@@ -220,7 +266,7 @@ void FillHoleTool::setSetting(std::string_view id, const PropertyValue& value) {
   const double* index = std::get_if<double>(&value);
   if (id != "method" || !index || !(*index >= 0.0 && *index < static_cast<double>(std::size(kMethods)))) return;
   m_method = kMethods[static_cast<std::size_t>(*index)];
-  choose(m_key);
+  if (loop()) request();
 }
 
 }  // namespace handwheel

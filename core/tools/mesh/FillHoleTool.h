@@ -5,6 +5,7 @@
 #include "mesh/FaceHierarchy.h"
 #include "mesh/HoleFilling.h"
 #include "tools/Tool.h"
+#include "tools/mesh/BridgeEditing.h"
 #include "tools/mesh/MeshSelection.h"
 
 #include <functional>
@@ -19,6 +20,7 @@ struct FillRequest {
   std::uint64_t ticket = 0;  // comes back with the answer
   BoundaryLoop loop;
   FillMethod method = FillMethod::Fair;
+  std::vector<Stitch> stitches = {};  // as in FillOptions
 };
 
 // What FillHoleTool is given by who owns the document's jobs. All of it is called on the window thread.
@@ -31,7 +33,9 @@ struct FillServices {
   std::function<void(const BoundaryLoop&, const FillAttempt&)> commit;
 };
 
-// Fills holes one by one: choose one, see the patch, take it or not, go on to the next.
+// Fills holes one by one: choose one, see the patch, take it or not, go on to the next. A line drawn from point to
+// point of the chosen hole's edge is a bridge that cuts the hole in two there (He 2008, section 4.2); those that the
+// program chose for a long edge are shown and changed in the same way.
 class FillHoleTool : public Tool {
  public:
   // The document must outlive all calls but the destructor's. first: the key of the hole to begin with.
@@ -73,6 +77,10 @@ class FillHoleTool : public Tool {
   std::optional<Vertex> holeFrom(std::size_t index, bool forward = true) const;
   std::optional<Vertex> neighbour(bool forward) const;
   std::optional<Vertex> holeAt(const PointerEvent& event) const;
+  ToolReply press(const PointerEvent& event);
+  // The point of the chosen loop that is pointed at, as its number.
+  std::optional<std::uint32_t> pointAt(const PointerEvent& event) const;
+  std::vector<Vec3> line(const Stitch& bridge) const;
   ToolReply commit();
   ToolReply keepOpen();
 
@@ -85,6 +93,7 @@ class FillHoleTool : public Tool {
   std::size_t m_index = 0;  // of the chosen loop, in the mesh for which it was chosen
   std::uint64_t m_ticket = 0;
   FillAttempt m_attempt;
+  BridgeEditing m_bridges;
   std::shared_ptr<const TriangleSoup> m_patch;
 };
 

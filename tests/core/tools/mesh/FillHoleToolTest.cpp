@@ -30,6 +30,7 @@ class FillHoleToolTest : public QObject {
   void lateAnswersAreNotShown();
   void followsTheDocument();
   void whileTheWorkerCommits();
+  void bridges();
   void deviceButton();
   void nothingToFill();
 
@@ -239,6 +240,41 @@ void FillHoleToolTest::whileTheWorkerCommits() {
   QCOMPARE(loops().size(), std::size_t(3));
   QCOMPARE(chosen(), second);
   QVERIFY(m_tool->state() == State::Ready);
+}
+
+// Drawn across the hole: the patch keeps to it, and drawing it once more takes it away.
+void FillHoleToolTest::bridges() {
+  start(test::sphereWithoutCap(3));
+  m_tool->setSetting("method", FillHoleTool::settingOf(FillMethod::Ear));
+  m_tool->pointer(test::above(Kind::Press, 0, 0));
+  m_tool->pointer(test::above(Kind::Release, 0, 0));
+  const std::vector<Vec3> points = loopPoints(m_document->mesh(), *m_tool->loop());
+  const Vec3 a = points[1], b = points[1 + points.size() / 2];
+  const auto drawn = [&] {
+    QCOMPARE(m_tool->pointer(test::above(Kind::Press, a.x(), a.y())), ToolReply::Used);
+    QCOMPARE(m_tool->pointer(test::above(Kind::Drag, b.x(), b.y())), ToolReply::Used);
+    QCOMPARE(m_tool->preview().lines.back(), std::vector<Vec3>({a, b}));
+    QCOMPARE(m_tool->pointer(test::above(Kind::Release, b.x(), b.y())), ToolReply::Used);
+  };
+  QVERIFY(!test::isEnabled(*m_tool, "automatic"));
+  drawn();
+  QVERIFY(m_tool->state() == State::Ready);
+  QCOMPARE(m_tool->attempt().patch.stitches.size(), std::size_t(1));
+  const Patch& patch = m_tool->attempt().patch;
+  const auto joins = [&](const Triangle& t) {
+    int ends = 0;
+    for (const std::uint32_t v : t) ends += patch.points[v] == a || patch.points[v] == b;
+    return ends == 2;
+  };
+  QCOMPARE(std::count_if(patch.triangles.begin(), patch.triangles.end(), joins), 2);
+  QVERIFY(test::isEnabled(*m_tool, "automatic"));
+  drawn();
+  QVERIFY(m_tool->attempt().patch.stitches.empty());
+  drawn();
+  m_tool->perform("automatic");
+  QVERIFY(m_tool->attempt().patch.stitches.empty());
+  m_tool->perform("commit");
+  QVERIFY(test::countEdges(m_document->mesh()).sound());
 }
 
 void FillHoleToolTest::deviceButton() {

@@ -16,6 +16,7 @@ inline FillServices fillServices(MeshDocument& document, FillHoleTool*& tool) {
     if (!tool) return;
     FillOptions options;
     options.method = request.method;
+    options.stitches = request.stitches;
     tool->previewReady(request.ticket, HoleFiller(document.mesh()).propose(request.loop, options));
   };
   services.commit = [&document](const BoundaryLoop& loop, const FillAttempt& attempt) {
