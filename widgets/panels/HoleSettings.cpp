@@ -11,6 +11,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QStyle>
+#include <QToolButton>
 
 namespace handwheel {
 
@@ -49,7 +50,8 @@ HoleSettings::HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, c
       m_name(new QLabel(this)),
       m_detail(new QLabel(this)),
       m_method(methodBox(this)),
-      m_status(new QLabel(this)) {
+      m_status(new QLabel(this)),
+      m_trials(new MethodTable(this)) {
   setObjectName(QStringLiteral("holeSettings"));
   m_name->setProperty("strong", true);
   m_detail->setProperty("muted", true);
@@ -68,6 +70,7 @@ HoleSettings::HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, c
   method->setSpacing(8);
   method->addWidget(methodLabel);
   method->addWidget(m_method, 1);
+  method->addWidget(compareButton());
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(8);
   buttons->addWidget(new ActionButton(keepOpen, ActionButton::Rank::Ordinary, this), 1);
@@ -77,6 +80,7 @@ HoleSettings::HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, c
   column->setSpacing(8);
   column->addLayout(title);
   column->addLayout(method);
+  column->addWidget(m_trials);
   column->addWidget(checkBoxFor(preview, this));
   column->addWidget(m_status);
   column->addLayout(buttons);
@@ -90,9 +94,38 @@ HoleSettings::HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, c
 
   connect(m_method, &QComboBox::currentIndexChanged, this, [this] {
     m_method->setToolTip(fillMethodHint(this->method()));
+    m_trials->showChosen(this->method());
     emit methodChanged(this->method());
   });
   m_method->setToolTip(fillMethodHint(FillMethod::Fair));
+  connect(m_trials, &MethodTable::methodChosen, this, &HoleSettings::setMethod);
+}
+
+QToolButton* HoleSettings::compareButton() {
+  auto* button = new QToolButton(this);
+  button->setObjectName(QStringLiteral("compareMethods"));
+  button->setText(tr("Compare"));
+  button->setToolTip(tr("Show what each method makes of this hole"));
+  button->setCheckable(true);
+  m_trials->hide();
+  connect(button, &QToolButton::toggled, this, [this](bool on) {
+    m_trials->setVisible(on);
+    if (on) emit compareWanted();
+  });
+  return button;
+}
+
+bool HoleSettings::isComparing() const {
+  return m_trials->isVisibleTo(this);
+}
+
+void HoleSettings::showTrials(const std::vector<MethodTrial>& trials) {
+  m_trials->showTrials(trials);
+  m_trials->showChosen(method());
+}
+
+std::span<const FillMethod> HoleSettings::methods() {
+  return kMethods;
 }
 
 FillMethod HoleSettings::method() const {

@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/HoleFilling.h"
+#include "panels/MethodTable.h"
 
 #include <QFrame>
+#include <span>
 
 class QAction;
 class QCheckBox;
 class QComboBox;
 class QLabel;
+class QToolButton;
 
 namespace handwheel {
 
@@ -31,19 +33,28 @@ class HoleSettings : public QFrame {
   HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, const QList<QAction*>& others,
                QWidget* parent = nullptr);
 
+  // Those to choose from, in order.
+  static std::span<const FillMethod> methods();
   FillMethod method() const;
   void setMethod(FillMethod method);
   void showLoop(const QString& name, const QString& detail);
   void showPreview(const PreviewState& state);
+  // The methods side by side are open: somebody wants to see their figures.
+  bool isComparing() const;
+  void showTrials(const std::vector<MethodTrial>& trials);
 
  signals:
   void methodChanged(handwheel::FillMethod method);
+  void compareWanted();
 
  private:
+  QToolButton* compareButton();
+
   QLabel* m_name;
   QLabel* m_detail;
   QComboBox* m_method;
   QLabel* m_status;
+  MethodTable* m_trials;
 };
 
 }  // namespace handwheel

@@ -7,9 +7,32 @@
 #include "window/WindowServices.h"
 #include "window/mesh/OpenMesh.h"
 
+#include <QElapsedTimer>
 #include <utility>
 
 namespace handwheel {
+
+namespace {
+
+// Each by itself: where a method fails, no other takes its place.
+std::vector<MethodTrial> tryMethods(const HoleFiller& filler, const BoundaryLoop& loop, FillOptions options,
+                                    Progress progress) {
+  std::vector<MethodTrial> trials;
+  options.tryOthers = false;
+  for (const FillMethod method : HoleSettings::methods()) {
+    if (progress.cancelled()) break;
+    options.method = method;
+    QElapsedTimer clock;
+    clock.start();
+    const FillAttempt attempt = filler.propose(loop, options, progress);
+    MethodTrial trial{method, attempt.failure, {}, 1e-6 * static_cast<double>(clock.nsecsElapsed())};
+    if (attempt.failure == FillFailure::None) trial.figures = figuresOf(filler.mesh(), loop, attempt.patch);
+    trials.push_back(trial);
+  }
+  return trials;
+}
+
+}  // namespace
 
 HolePreview::HolePreview(QThreadPool& pool, WindowServices& services, const FidelityChoice& fidelity, QObject* parent)
     : QObject(parent), m_services(services), m_fidelity(fidelity), m_runner(JobRunner::Policy::Latest, pool, this) {}
@@ -43,6 +66,7 @@ void HolePreview::setStitches(Vertex key, std::vector<Stitch> stitches) {
 void HolePreview::start() {
   ++m_request;
   m_attempt.reset();
+  m_trials.clear();
   m_state = {};
   m_need = m_document ? m_services.needs().need("fill_preview") : Need();
   if (!m_document) {
@@ -76,6 +100,27 @@ void HolePreview::finished(std::uint64_t request, FillAttempt attempt) {
   m_state.failure = attempt.failure;
   m_attempt = std::move(attempt);
   emit changed();
+}
+
+void HolePreview::compare() {
+  const bool isReady = m_state.kind == PreviewState::Kind::Ready || m_state.kind == PreviewState::Kind::Failed;
+  if (!isReady || !m_trials.empty() || !m_bench) return;
+  Job job;
+  job.name = tr("Comparing methods");
+  job.work = [this, &service = m_services.fillPreview(), bench = m_bench, loop = m_document->inspection.loop(m_loop),
+              options = m_options, request = m_request](Progress progress) -> Job::Finish {
+    const ServiceTick tick(service);
+    HoleFiller* filler = bench->filler(progress.part(0.0, 0.1));
+    if (!filler) return {};
+    auto trials =
+        std::make_shared<std::vector<MethodTrial>>(tryMethods(*filler, loop, options, progress.part(0.1, 1.0)));
+    return [this, trials, request] {
+      if (request != m_request) return;
+      m_trials = std::move(*trials);
+      emit compared();
+    };
+  };
+  m_runner.start(std::move(job));
 }
 
 const FillAttempt* HolePreview::attempt() const {

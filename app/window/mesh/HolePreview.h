@@ -39,6 +39,10 @@ class HolePreview : public QObject {
   const PreviewState& state() const { return m_state; }
   const FillAttempt* attempt() const;  // null unless ready or failed
 
+  // What every method makes of the hole that is shown: once the preview is there, and until the next request.
+  void compare();
+  const std::vector<MethodTrial>& trials() const { return m_trials; }
+
   // Hands over the work done for this hole; the fill uses the bench alone. The next request starts anew, unless the
   // bench comes back, now of the document as it is with the patch in it.
   PreparedFill take();
@@ -46,6 +50,7 @@ class HolePreview : public QObject {
 
  signals:
   void changed();
+  void compared();
 
  private:
   void start();
@@ -67,6 +72,7 @@ class HolePreview : public QObject {
   const OpenMesh* m_benchDocument = nullptr;
   std::uint64_t m_benchRevision = 0;
   std::optional<FillAttempt> m_attempt;
+  std::vector<MethodTrial> m_trials;
   PreviewState m_state;
 };
 

@@ -78,9 +78,18 @@ void MeshUi::connectSelection() {
   connect(m_panel, &DefectsPanel::defectActivated, m_scene, &DefectScene::showPlace);
   connect(m_panel->settings(), &HoleSettings::methodChanged, &m_actions, &RepairActions::setMethod);
   connect(&m_preview, &HolePreview::changed, this, [this] {
-    if (m_panel) m_panel->settings()->showPreview(m_preview.state());
+    if (!m_panel) return;
+    m_panel->settings()->showPreview(m_preview.state());
+    if (m_panel->settings()->isComparing()) compareMethods();
   });
+  connect(m_panel->settings(), &HoleSettings::compareWanted, this, &MeshUi::compareMethods);
+  connect(&m_preview, &HolePreview::compared, this, &MeshUi::compareMethods);
   connect(&m_actions, &RepairActions::showLoopRequested, m_scene, &DefectScene::showLoop);
+}
+
+void MeshUi::compareMethods() {
+  m_panel->settings()->showTrials(m_preview.trials());
+  m_preview.compare();
 }
 
 // Jobs ask when they start; the others have to be told.

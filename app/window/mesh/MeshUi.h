@@ -52,6 +52,7 @@ class MeshUi : public KindUi {
  private:
   void connectSelection();
   void followFidelity();
+  void compareMethods();
 
   WindowParts m_parts;
   MeshKind& m_kind;

@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QMessageBox>
 #include <QTimer>
+#include <QTreeWidget>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -42,6 +43,19 @@ class RepairFlowTest : public QObject {
     QVERIFY(!driver.find<QWidget>("nextStepCard")->isVisible());
     QTRY_VERIFY_WITH_TIMEOUT(driver.text("previewStatus").contains("new triangle"), kPatienceMs);
     QCOMPARE(driver.count(DefectKind::Hole), 3);  // a preview changes nothing
+
+    driver.click("compareMethods");
+    auto* table = driver.find<QTreeWidget>("methodTable");
+    QTRY_COMPARE_WITH_TIMEOUT(table->topLevelItemCount(), 7, kPatienceMs);
+    for (int i = 0; i < 7; ++i) {
+      if (table->topLevelItem(i)->text(0) != "Ear cutting") continue;
+      QVERIFY(table->topLevelItem(i)->text(1).toInt() > 0);
+      table->scrollToItem(table->topLevelItem(i));
+      QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualItemRect(table->topLevelItem(i)).center());
+    }
+    QCOMPARE(driver.find<QComboBox>("fillMethod")->currentText(), "Ear cutting");
+    driver.click("compareMethods");
+    QVERIFY(driver.settle());
 
     driver.click("fillHoleButton");
     QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), 2, kPatienceMs);

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panels/MethodTable.h"
+
+#include "base/Units.h"
+#include "text/RepairText.h"
+
+#include <QHeaderView>
+#include <QLocale>
+
+namespace handwheel {
+
+namespace {
+
+enum Column { kMethod, kTriangles, kArea, kLargestBend, kMeanBend, kTime, kColumns };
+
+QString degrees(double radian) {
+  return QLocale().toString(radian / kRadiansPerDegree, 'f', 0);
+}
+
+void fill(QTreeWidgetItem& row, const MethodTrial& trial) {
+  row.setText(kMethod, fillMethodName(trial.method));
+  row.setToolTip(kMethod, fillMethodHint(trial.method));
+  row.setData(kMethod, Qt::UserRole, static_cast<int>(trial.method));
+  for (int column = kTriangles; column < kColumns; ++column) {
+    row.setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+    row.setText(column, QStringLiteral("–"));
+  }
+  row.setText(kTime, QLocale().toString(trial.milliseconds, 'f', trial.milliseconds < 10.0 ? 1 : 0));
+  if (trial.failure != FillFailure::None) {
+    row.setToolTip(kTriangles, fillFailureReason(trial.failure));
+    row.setForeground(kMethod, row.treeWidget()->palette().color(QPalette::Disabled, QPalette::Text));
+    return;
+  }
+  row.setText(kTriangles, QLocale().toString(static_cast<qulonglong>(trial.figures.triangles)));
+  row.setText(kArea, QLocale().toString(trial.figures.area, 'g', 4));
+  row.setText(kLargestBend, degrees(trial.figures.largestBend));
+  row.setText(kMeanBend, degrees(trial.figures.meanBend));
+}
+
+}  // namespace
+
+MethodTable::MethodTable(QWidget* parent) : QTreeWidget(parent) {
+  setObjectName(QStringLiteral("methodTable"));
+  setAccessibleName(tr("Methods side by side"));
+  setRootIsDecorated(false);
+  setUniformRowHeights(true);
+  setColumnCount(kColumns);
+  setHeaderLabels({tr("Method"), tr("Faces"), tr("mm²"), tr("Bend°"), tr("Mean°"), tr("ms")});
+  headerItem()->setToolTip(kArea, tr("Area of the patch"));
+  headerItem()->setToolTip(kLargestBend, tr("The sharpest edge, that of the hole included"));
+  headerItem()->setToolTip(kMeanBend, tr("Root mean square over all edges"));
+  headerItem()->setToolTip(kTime, tr("Time that it took"));
+  header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  header()->setMinimumSectionSize(24);
+  setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
+  connect(this, &QTreeWidget::itemClicked, this, [this](const QTreeWidgetItem* row) {
+    emit methodChosen(static_cast<FillMethod>(row->data(kMethod, Qt::UserRole).toInt()));
+  });
+}
+
+void MethodTable::showTrials(const std::vector<MethodTrial>& trials) {
+  clear();
+  for (const MethodTrial& trial : trials) fill(*new QTreeWidgetItem(this), trial);
+}
+
+void MethodTable::showChosen(FillMethod method) {
+  for (int i = 0; i < topLevelItemCount(); ++i) {
+    QTreeWidgetItem* row = topLevelItem(i);
+    if (row->data(kMethod, Qt::UserRole).toInt() == static_cast<int>(method)) setCurrentItem(row);
+  }
+}
+
+}  // namespace handwheel
