@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/BorderSmoothing.h"
 
+#include "mesh/MovedFaces.h"
 #include "mesh/PeriodicSpline.h"
-#include "mesh/VertexPull.h"
 
 #include <algorithm>
 #include <map>
@@ -14,6 +14,7 @@ namespace {
 constexpr double kWavesKept = 3.0;         // a loop keeps this many around it, and fewer
 constexpr std::size_t kStepsPerKnot = 16;  // in which the length of the curve is measured
 constexpr int kHalvings = 6;               // of a way that turns a face over, before it is given up
+constexpr int kPasses = 4;                 // for what the first left behind
 
 // A curve by its length from its first knot.
 class MeasuredCurve {
@@ -65,78 +66,100 @@ std::vector<Vec3> targets(const std::vector<Vec3>& points, const SmoothingOption
   return result;
 }
 
-// The way of each vertex, cut short until no face turns over.
+// The points of a loop on their ways, each cut short where a face would turn over.
 class HeldWays {
  public:
-  HeldWays(const NearFaces& near, std::vector<VertexMove> moves) : m_near(near), m_moves(std::move(moves)) {
-    for (std::size_t i = 0; i < m_moves.size(); ++i) m_index[m_moves[i].vertex] = i;
-    m_share.assign(m_moves.size(), 1.0);
-    for (std::size_t i = 0; i < m_moves.size(); ++i) {
-      for (const HalfEdge h : near.leaving(m_moves[i].from)) {
+  HeldWays(const NearFaces& near, const BoundaryLoop& loop) : m_near(near), m_places(loopPoints(near.mesh(), loop)) {
+    for (const HalfEdge h : loop.halfEdges) {
+      const Vertex v = near.mesh().from(h);
+      m_index[v] = m_vertices.size();
+      m_vertices.push_back(v);
+      m_isStuck.push_back(false);
+      for (const HalfEdge g : near.leaving(near.mesh().position(v))) {
         // Whatever else lies there would be torn off.
-        const HalfEdge before = HalfEdgeMesh::previous(h);
-        if (near.mesh().from(h) != m_moves[i].vertex || near.mesh().isSeam(h) || near.mesh().isSeam(before))
-          m_share[i] = 0.0;
-        m_faces.push_back(HalfEdgeMesh::face(h));
+        const bool isSeam = near.mesh().isSeam(g) || near.mesh().isSeam(HalfEdgeMesh::previous(g));
+        if (near.mesh().from(g) != v || isSeam) m_isStuck.back() = true;
+        m_faces.push_back(HalfEdgeMesh::face(g));
       }
     }
     std::sort(m_faces.begin(), m_faces.end());
     m_faces.erase(std::unique(m_faces.begin(), m_faces.end()), m_faces.end());
   }
 
-  SmoothedBorder run() {
+  const std::vector<Vec3>& places() const { return m_places; }
+
+  // How many come less far than asked.
+  std::size_t draw(const std::vector<Vec3>& to) {
+    m_to = to;
+    m_share.clear();
+    for (std::size_t i = 0; i < to.size(); ++i) m_share.push_back(m_isStuck[i] || !to[i].allFinite() ? 0.0 : 1.0);
     for (int round = 0; shorten(round); ++round) {
     }
-    SmoothedBorder result;
-    for (std::size_t i = 0; i < m_moves.size(); ++i) {
-      result.held += m_share[i] < 1.0;
-      const Vec3 to = place(i);
-      if (to != m_moves[i].from) result.moves.push_back({m_moves[i].vertex, m_moves[i].from, to});
+    for (std::size_t i = 0; i < to.size(); ++i) m_places[i] = place(i);
+    return static_cast<std::size_t>(
+        std::count_if(m_share.begin(), m_share.end(), [](double share) { return share < 1.0; }));
+  }
+
+  std::vector<VertexMove> moves() const {
+    std::vector<VertexMove> result;
+    for (std::size_t i = 0; i < m_vertices.size(); ++i) {
+      const Vec3& from = m_near.mesh().position(m_vertices[i]);
+      if (m_places[i] != from) result.push_back({m_vertices[i], from, m_places[i]});
     }
     return result;
   }
 
  private:
-  Vec3 place(std::size_t i) const { return m_moves[i].from + m_share[i] * (m_moves[i].to - m_moves[i].from); }
+  Vec3 place(std::size_t i) const {
+    return m_share[i] > 0.0 ? Vec3(m_places[i] + m_share[i] * (m_to[i] - m_places[i])) : m_places[i];
+  }
 
-  // A face none of whose corners goes anywhere is never in the way, so this ends.
+  // Without any further step all faces are as they may be, so this ends.
   bool shorten(int round) {
-    std::vector<bool> isShort(m_moves.size(), false);
-    bool any = false;
+    MovedFaces moved{m_faces, {}};
+    std::vector<bool> isWrong;
     for (const Face f : m_faces) {
       TrianglePoints after = m_near.mesh().points(f);
-      std::vector<std::size_t> moved;
       for (std::size_t k = 0; k < 3; ++k) {
         const auto at = m_index.find(m_near.mesh().triangle(f)[k]);
-        if (at == m_index.end() || m_share[at->second] == 0.0) continue;
-        moved.push_back(at->second);
-        after[k] = place(at->second);
+        if (at != m_index.end()) after[k] = place(at->second);
       }
-      if (moved.empty() || mayBecome(m_near.mesh().points(f), after)) continue;
-      for (const std::size_t i : moved) isShort[i] = any = true;
+      isWrong.push_back(!mayBecome(m_near.mesh().points(f), after));
+      moved.shapes.push_back(after);
     }
-    for (std::size_t i = 0; i < m_moves.size(); ++i)
+    forEachNewCrossing(m_near, moved, [&](std::size_t i) { return isWrong[i] = true; });
+    std::vector<bool> isShort(m_share.size(), false);
+    for (std::size_t i = 0; i < m_faces.size(); ++i) {
+      for (const Vertex v : m_near.mesh().triangle(m_faces[i])) {
+        const auto at = m_index.find(v);
+        if (isWrong[i] && at != m_index.end() && m_share[at->second] > 0.0) isShort[at->second] = true;
+      }
+    }
+    for (std::size_t i = 0; i < m_share.size(); ++i)
       if (isShort[i]) m_share[i] = round < kHalvings ? 0.5 * m_share[i] : 0.0;
-    return any;
+    return std::find(isShort.begin(), isShort.end(), true) != isShort.end();
   }
 
   const NearFaces& m_near;
-  std::vector<VertexMove> m_moves;
+  std::vector<Vertex> m_vertices;
   std::map<Vertex, std::size_t> m_index;
-  std::vector<double> m_share;
   std::vector<Face> m_faces;
+  std::vector<bool> m_isStuck;
+  std::vector<Vec3> m_places;
+  std::vector<Vec3> m_to;
+  std::vector<double> m_share;  // of the way
 };
 
 }  // namespace
 
 SmoothedBorder smoothBorder(const NearFaces& near, const BoundaryLoop& loop, const SmoothingOptions& options) {
-  const std::vector<Vec3> points = loopPoints(near.mesh(), loop);
-  if (points.size() < 3) return {};
-  const std::vector<Vec3> to = targets(points, options);
-  std::vector<VertexMove> moves;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (to[i].allFinite()) moves.push_back({near.mesh().from(loop.halfEdges[i]), points[i], to[i]});
-  return HeldWays(near, std::move(moves)).run();
+  if (loop.halfEdges.size() < 3) return {};
+  HeldWays ways(near, loop);
+  std::size_t held = ways.draw(targets(ways.places(), options));
+  // Spreading takes points the longest way. Those that it left behind are drawn onto the curve where they are.
+  const SmoothingOptions here{options.wavelength, false};
+  for (int pass = 0; pass < kPasses && held > 0; ++pass) held = ways.draw(targets(ways.places(), here));
+  return {ways.moves(), held};
 }
 
 bool moveVertices(HalfEdgeMesh& mesh, const std::vector<VertexMove>& moves) {

@@ -28,8 +28,8 @@ struct SmoothedBorder {
 // Draws the vertices of a loop onto a smooth closed curve along it (PeriodicSpline.h). A plain spline through the
 // points keeps every tooth of a ragged edge, so it is a smoothing one: it takes waves by their length, and leaves the
 // loop's size and place, where averaging neighbours would shrink it. A small loop keeps its shape: waves of a third of
-// it or longer stay. Where a border face would turn over or lose its area, its corners go less far; points that other
-// fans or seams share stay. near: of this very mesh. O(n log n).
+// it or longer stay. Where a border face would turn over, lose its area or cross another, its corners go less far;
+// points that other fans or seams share stay. near: of this very mesh. O(n log n).
 SmoothedBorder smoothBorder(const NearFaces& near, const BoundaryLoop& loop, const SmoothingOptions& options = {});
 
 // Makes moves, if every vertex is where it was. False, and nothing changed, when one is not.

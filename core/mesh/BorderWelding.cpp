@@ -3,8 +3,7 @@
 #include "mesh/BorderWelding.h"
 
 #include "mesh/EdgeCollapse.h"
-#include "mesh/GrowingHierarchy.h"
-#include "mesh/VertexPull.h"
+#include "mesh/MovedFaces.h"
 
 #include <algorithm>
 #include <map>
@@ -15,12 +14,6 @@ namespace {
 struct Shift {
   Vertex from, onto;
 };
-
-void add(TriangleSoup& soup, const TrianglePoints& t) {
-  const auto n = static_cast<std::uint32_t>(soup.points.size());
-  soup.points.insert(soup.points.end(), t.begin(), t.end());
-  soup.triangles.push_back({n, n + 1, n + 2});
-}
 
 // Moves vertices onto others, and pairs the borders that come to lie on each other.
 class Welding {
@@ -35,51 +28,40 @@ class Welding {
       if (weld.problem != JoinProblem::None) return weld;
     }
     weld.mesh = std::move(m_mesh);
-    weld.changed = m_moved;
-    for (const TrianglePoints& t : m_shapes) add(weld.shapes, t);
+    weld.changed = std::move(m_moved.faces);
+    weld.shapes = soupOf(m_moved.shapes);
     return weld;
   }
 
  private:
-  bool isMoved(Face f) const { return std::binary_search(m_moved.begin(), m_moved.end(), f); }
+  bool isMoved(Face f) const { return std::binary_search(m_moved.faces.begin(), m_moved.faces.end(), f); }
 
   JoinProblem move() {
+    std::vector<Face>& faces = m_moved.faces;
     for (const Shift& s : m_shifts) {
       const Vec3 p = m_mesh.position(s.from);
       for (const HalfEdge h : m_near.leaving(p)) {
         if (m_mesh.from(h) != s.from) return JoinProblem::CornerOnly;  // it would be torn off what it touches
-        m_moved.push_back(HalfEdgeMesh::face(h));
+        faces.push_back(HalfEdgeMesh::face(h));
       }
     }
-    std::sort(m_moved.begin(), m_moved.end());
-    m_moved.erase(std::unique(m_moved.begin(), m_moved.end()), m_moved.end());
-    for (const Face f : m_moved) {
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    for (const Face f : faces) {
       const TrianglePoints before = m_mesh.points(f);
       for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h)
         for (const Shift& s : m_shifts)
           if (m_near.mesh().from(h) == s.from) m_mesh.setCorner(h, s.onto);
-      m_shapes.push_back(m_mesh.points(f));
-      if (!m_mesh.isProper(f) || isDegenerate(m_shapes.back())) return JoinProblem::NoArea;
-      if (!mayBecome(before, m_shapes.back())) return JoinProblem::TurnsOver;
+      m_moved.shapes.push_back(m_mesh.points(f));
+      if (!m_mesh.isProper(f) || isDegenerate(m_moved.shapes.back())) return JoinProblem::NoArea;
+      if (!mayBecome(before, m_moved.shapes.back())) return JoinProblem::TurnsOver;
     }
     return JoinProblem::None;
   }
 
-  // What met before may go on meeting.
   JoinProblem checkCrossings() {
-    for (std::size_t i = 0; i < m_moved.size(); ++i) {
-      const TrianglePoints before = m_near.mesh().points(m_moved[i]);
-      const auto crosses = [&](const TrianglePoints& otherBefore, const TrianglePoints& other) {
-        return !isDegenerate(other) && trianglesMeet(m_shapes[i], other) &&
-               (isDegenerate(before) || isDegenerate(otherBefore) || !trianglesMeet(before, otherBefore));
-      };
-      for (std::size_t k = 0; k < i; ++k)
-        if (crosses(m_near.mesh().points(m_moved[k]), m_shapes[k])) return JoinProblem::Crosses;
-      const bool isFree = m_near.forEachInBox(
-          boxOf(m_shapes[i]), [&](Face f) { return isMoved(f) || !crosses(m_mesh.points(f), m_mesh.points(f)); });
-      if (!isFree) return JoinProblem::Crosses;
-    }
-    return JoinProblem::None;
+    const bool isFree = forEachNewCrossing(m_near, m_moved, [](std::size_t) { return false; });
+    return isFree ? JoinProblem::None : JoinProblem::Crosses;
   }
 
   // The half-edges at the places that vertices were moved onto, as they are now.
@@ -88,7 +70,7 @@ class Welding {
     const auto add = [&](Face f) {
       for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) all.push_back(h);
     };
-    for (const Face f : m_moved) add(f);
+    for (const Face f : m_moved.faces) add(f);
     for (const Shift& s : m_shifts)
       for (const HalfEdge h : m_near.leaving(m_mesh.position(s.onto)))
         if (!isMoved(HalfEdgeMesh::face(h))) add(HalfEdgeMesh::face(h));
@@ -146,8 +128,7 @@ class Welding {
   const NearFaces& m_near;
   HalfEdgeMesh m_mesh;
   std::vector<Shift> m_shifts;
-  std::vector<Face> m_moved;             // sorted
-  std::vector<TrianglePoints> m_shapes;  // of those, as they become
+  MovedFaces m_moved;
 };
 
 // A border edge shrinks to the place of one of its ends.
@@ -156,16 +137,24 @@ Weld collapsed(const NearFaces& near, HalfEdge h, Shift shift) {
   const HalfEdgeMesh& mesh = near.mesh();
   const Vec3 from = mesh.position(shift.from), onto = mesh.position(shift.onto);
   if (!canCollapse(mesh, h)) weld.problem = JoinProblem::EdgeFull;
+  MovedFaces moved;
   for (const HalfEdge g : near.leaving(from)) {
-    const Face f = HalfEdgeMesh::face(g);
-    weld.changed.push_back(f);
     if (mesh.from(g) != shift.from) weld.problem = JoinProblem::CornerOnly;
-    if (f == HalfEdgeMesh::face(h)) continue;
-    TrianglePoints t = mesh.points(f);
-    std::replace(t.begin(), t.end(), from, onto);
-    if (!mayBecome(mesh.points(f), t)) weld.problem = JoinProblem::TurnsOver;
-    add(weld.shapes, t);
+    weld.changed.push_back(HalfEdgeMesh::face(g));
   }
+  std::sort(weld.changed.begin(), weld.changed.end());
+  for (const Face f : weld.changed) {
+    TrianglePoints t = mesh.points(f);
+    if (f == HalfEdgeMesh::face(h)) t.fill(onto);  // it goes
+    std::replace(t.begin(), t.end(), from, onto);
+    if (f != HalfEdgeMesh::face(h) && !mayBecome(mesh.points(f), t)) weld.problem = JoinProblem::TurnsOver;
+    moved.faces.push_back(f);
+    moved.shapes.push_back(t);
+  }
+  const bool isFree = forEachNewCrossing(near, moved, [](std::size_t) { return false; });
+  if (!isFree && weld.problem == JoinProblem::None) weld.problem = JoinProblem::Crosses;
+  std::erase_if(moved.shapes, [](const TrianglePoints& t) { return t[0] == t[1]; });
+  weld.shapes = soupOf(moved.shapes);
   if (weld.problem != JoinProblem::None) return weld;
   weld.mesh = mesh;
   collapseEdge(weld.mesh, h, onto);

@@ -3,7 +3,7 @@
 #include "mesh/Bridging.h"
 
 #include "mesh/FaceNormal.h"
-#include "mesh/VertexPull.h"
+#include "mesh/MovedFaces.h"
 
 #include <algorithm>
 #include <limits>

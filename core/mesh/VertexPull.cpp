@@ -2,86 +2,77 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/VertexPull.h"
 
-#include "mesh/FaceNormal.h"
-
 #include <algorithm>
+#include <utility>
 
 namespace handwheel {
 namespace {
 
-constexpr double kSlimmest = 0.02;  // slimness() that any face may have
-constexpr double kSlimmer = 0.5;    // share of its own that a slimmer one keeps
-constexpr int kSamples = 32;        // of the way, looked at for the first place that is not allowed
-constexpr int kHalvings = 20;       // of the way between two of them
+// Places of the way looked at for the first that is not allowed, and again between it and the one before; fewer where
+// there are many faces, so that the pointer is followed.
+constexpr std::size_t kMostPlaces = 32, kLeastPlaces = 2, kMostLooks = 2000;
 
 }  // namespace
 
-double slimness(const TrianglePoints& t) {
-  Vec3 a = t[1] - t[0], b = t[2] - t[0], c = t[2] - t[1];
-  const double longest = std::max({a.stableNorm(), b.stableNorm(), c.stableNorm()});
-  return longest > 0.0 ? (a / longest).cross(b / longest).norm() : 0.0;
-}
-
-bool mayBecome(const TrianglePoints& before, const TrianglePoints& after) {
-  const Vec3 was = unitNormal(before), is = unitNormal(after);
-  if (was.isZero(0.0)) return true;
-  return is.dot(was) > 0.0 && slimness(after) >= std::min(kSlimmest, kSlimmer * slimness(before));
-}
-
-VertexPull::VertexPull(const NearFaces& near, Vertex v) : m_start(near.mesh().position(v)) {
-  for (const HalfEdge h : near.leaving(m_start)) {
-    m_vertices.push_back(near.mesh().from(h));
+VertexPull::VertexPull(std::shared_ptr<const NearFaces> near, Vertex v)
+    : m_near(std::move(near)), m_start(m_near->mesh().position(v)) {
+  for (const HalfEdge h : m_near->leaving(m_start)) {
+    m_vertices.push_back(m_near->mesh().from(h));
     m_faces.push_back(HalfEdgeMesh::face(h));
-    m_before.push_back(near.mesh().points(HalfEdgeMesh::face(h)));
   }
-  std::sort(m_vertices.begin(), m_vertices.end());
-  m_vertices.erase(std::unique(m_vertices.begin(), m_vertices.end()), m_vertices.end());
+  for (auto* list : {&m_vertices, &m_faces}) {
+    std::sort(list->begin(), list->end());
+    list->erase(std::unique(list->begin(), list->end()), list->end());
+  }
+  for (const Face f : m_faces) m_before.push_back(m_near->mesh().points(f));
 }
 
-TrianglePoints VertexPull::shape(std::size_t i, const Vec3& place) const {
-  TrianglePoints t = m_before[i];
-  std::replace(t.begin(), t.end(), m_start, place);
-  return t;
+std::vector<TrianglePoints> VertexPull::shapes(const Vec3& place) const {
+  std::vector<TrianglePoints> result = m_before;
+  for (TrianglePoints& t : result) std::replace(t.begin(), t.end(), m_start, place);
+  return result;
 }
 
-bool VertexPull::isAllowed(const Vec3& place) const {
+JoinProblem VertexPull::problemAt(const Vec3& place, const NearFaces& near) const {
+  const MovedFaces moved{m_faces, shapes(place)};
   for (std::size_t i = 0; i < m_faces.size(); ++i)
-    if (!mayBecome(m_before[i], shape(i, place))) return false;
-  return true;
+    if (!mayBecome(m_before[i], moved.shapes[i])) return JoinProblem::TurnsOver;
+  const bool isFree = forEachNewCrossing(near, moved, [](std::size_t) { return false; });
+  return isFree ? JoinProblem::None : JoinProblem::Crosses;
 }
 
 VertexPull::Place VertexPull::towards(const Vec3& target) const {
-  if (!target.allFinite()) return {m_start, true};
-  const auto at = [&](double share) -> Vec3 { return m_start + share * (target - m_start); };
-  double good = 0.0, bad = 0.0;
-  for (int i = 1; i <= kSamples && bad == 0.0; ++i) {
-    const double share = static_cast<double>(i) / kSamples;
-    (isAllowed(i == kSamples ? target : at(share)) ? good : bad) = share;
-  }
-  if (bad == 0.0) return {target, false};
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle = 0.5 * (good + bad);
-    (isAllowed(at(middle)) ? good : bad) = middle;
-  }
-  return {good > 0.0 ? at(good) : m_start, true};
-}
-
-TriangleSoup VertexPull::shapes(const Vec3& place) const {
-  TriangleSoup soup;
-  for (std::size_t i = 0; i < m_faces.size(); ++i) {
-    const auto n = static_cast<std::uint32_t>(soup.points.size());
-    for (const Vec3& p : shape(i, place)) soup.points.push_back(p);
-    soup.triangles.push_back({n, n + 1, n + 2});
-  }
-  return soup;
+  if (!target.allFinite() || m_faces.empty()) return {m_start, JoinProblem::NoBorder};
+  const std::size_t places = std::clamp(kMostLooks / m_faces.size(), kLeastPlaces, kMostPlaces);
+  Place good{m_start};
+  double reached = 0.0, stop = 0.0;
+  const auto isAllowed = [&](double share) {
+    const Vec3 place = share < 1.0 ? Vec3(m_start + share * (target - m_start)) : target;
+    const JoinProblem problem = problemAt(place, *m_near);
+    if (problem == JoinProblem::None) {
+      good.point = place;
+      reached = share;
+    } else {
+      good.problem = problem;
+      stop = share;
+    }
+    return problem == JoinProblem::None;
+  };
+  for (std::size_t i = 1; i <= places; ++i)
+    if (!isAllowed(static_cast<double>(i) / static_cast<double>(places))) break;
+  for (std::size_t i = 0; i < places && good.problem != JoinProblem::None; ++i) isAllowed(0.5 * (reached + stop));
+  return good;
 }
 
 bool VertexPull::apply(HalfEdgeMesh& mesh, const Vec3& place) const {
+  Box reach(m_start, m_start);
   for (std::size_t i = 0; i < m_faces.size(); ++i) {
     const Face f = m_faces[i];
     if (f >= mesh.faceSlots() || !mesh.isLive(f) || mesh.points(f) != m_before[i]) return false;
+    for (const Vec3& p : m_before[i]) reach.extend(p);
   }
-  if (m_faces.empty() || !place.allFinite() || !isAllowed(place)) return false;
+  if (m_faces.empty() || !place.allFinite()) return false;
+  if (problemAt(place, NearFaces(mesh, reach.extend(place))) != JoinProblem::None) return false;
   for (const Vertex v : m_vertices) mesh.setPosition(v, place);
   return true;
 }

@@ -91,7 +91,7 @@ ToolReply BoundaryTool::press(const PointerEvent& event) {
   if (!near) return ToolReply::Used;
   dropProposal();
   const Vertex v = mesh().from(m_hovered->at);
-  Drag drag{near, *m_hovered, VertexPull(*near, v), event.ray, {}, kStill * event.sight().pixelAt(mesh().position(v))};
+  Drag drag{near, *m_hovered, VertexPull(near, v), event.ray, {}, kStill * event.sight().pixelAt(mesh().position(v))};
   if (event.device) drag.tip = event.device->translation();
   drag.place = drag.stop = drag.pull.start();
   m_drag = std::move(drag);
@@ -118,7 +118,7 @@ void BoundaryTool::follow(const PointerEvent& event) {
   if (m_drag->deed == Deed::Bridge) return;
   const VertexPull::Place reached = m_drag->pull.towards(m_drag->place);
   m_drag->stop = reached.point;
-  m_drag->problem = reached.isStopped ? JoinProblem::TurnsOver : JoinProblem::None;
+  m_drag->problem = reached.problem;
 }
 
 // What would come of joining the held point with another; none: of letting go here.

@@ -33,9 +33,8 @@ const char* effectOf(JoinProblem problem, const char* otherwise) {
 const char* BoundaryTool::dragEffect() const {
   switch (m_drag->deed) {
     case Deed::Pull:
-      return m_drag->problem == JoinProblem::None
-                 ? QT_TRANSLATE_NOOP("Tool", "move the point")
-                 : QT_TRANSLATE_NOOP("Tool", "move the point as far as no triangle turns over");
+      return m_drag->problem == JoinProblem::None ? QT_TRANSLATE_NOOP("Tool", "move the point")
+                                                  : QT_TRANSLATE_NOOP("Tool", "move the point as far as it may go");
     case Deed::Weld:
       return effectOf(m_drag->problem, QT_TRANSLATE_NOOP("Tool", "join the points"));
     case Deed::Bridge:
@@ -158,16 +157,11 @@ std::function<BoundaryTool::Proposal(Progress)> BoundaryTool::workFor(Kind kind)
     proposal.smoothed = smoothBorder(near, loop, options);
     HalfEdgeMesh moved = mesh;
     moveVertices(moved, proposal.smoothed.moves);
-    TriangleSoup shapes;
-    for (const VertexMove& m : proposal.smoothed.moves) {
-      for (const HalfEdge h : near.leaving(m.from)) {
-        if (!proposal.faces.add(HalfEdgeMesh::face(h))) continue;
-        const auto n = static_cast<std::uint32_t>(shapes.points.size());
-        for (const Vec3& p : moved.points(HalfEdgeMesh::face(h))) shapes.points.push_back(p);
-        shapes.triangles.push_back({n, n + 1, n + 2});
-      }
-    }
-    proposal.shapes = std::make_shared<const TriangleSoup>(std::move(shapes));
+    std::vector<TrianglePoints> shapes;
+    for (const VertexMove& m : proposal.smoothed.moves)
+      for (const HalfEdge h : near.leaving(m.from))
+        if (proposal.faces.add(HalfEdgeMesh::face(h))) shapes.push_back(moved.points(HalfEdgeMesh::face(h)));
+    proposal.shapes = std::make_shared<const TriangleSoup>(soupOf(shapes));
     return proposal;
   };
 }

@@ -29,16 +29,15 @@ void BoundaryTool::addDragPreview(ToolPreview& preview) const {
   preview.lines.push_back({start, m_drag->place});  // the thread
   TriangleSoup soup;
   if (m_drag->deed == Deed::Pull) {
-    soup = m_drag->pull.shapes(m_drag->stop);
+    soup = soupOf(m_drag->pull.shapes(m_drag->stop));
   } else if (m_drag->deed == Deed::Weld) {
     soup = m_drag->weld.shapes;
     if (m_drag->problem == JoinProblem::None) preview.highlighted = m_drag->weld.changed;
   } else {
-    for (const Triangle& t : m_drag->bridge.triangles) {
-      const auto n = static_cast<std::uint32_t>(soup.points.size());
-      for (const Vertex v : t) soup.points.push_back(mesh().position(v));
-      soup.triangles.push_back({n, n + 1, n + 2});
-    }
+    std::vector<TrianglePoints> laid;
+    for (const Triangle& t : m_drag->bridge.triangles)
+      laid.push_back({mesh().position(t[0]), mesh().position(t[1]), mesh().position(t[2])});
+    soup = soupOf(laid);
   }
   if (soup.triangles.empty()) return;
   preview.parts.push_back(proposed(std::make_shared<const TriangleSoup>(std::move(soup))));

@@ -52,6 +52,7 @@ struct Smoothed {
   // What must hold in any case; empty when it does.
   std::string problem() const {
     if (const std::string broken = validate(after); !broken.empty()) return broken;
+    if (test::meetingPairs(after) > test::meetingPairs(before)) return "faces cross";
     std::set<Vertex> own;
     for (const HalfEdge h : loop.halfEdges) own.insert(before.from(h));
     for (Vertex v = 0; v < before.vertexSlots(); ++v)

@@ -22,6 +22,7 @@ class VertexPullTest : public QObject {
   void shapes();
   void goesWhereItMay();
   void stopsBeforeAFaceTurns();
+  void stopsBeforeAWall();
   void takesWhatLiesThere();
   void otherMeshes();
   void neverTurnsAFace();
@@ -35,8 +36,8 @@ Vertex at(const HalfEdgeMesh& mesh, const Vec3& p) {
   return kNone;
 }
 
-NearFaces near(const HalfEdgeMesh& mesh) {
-  return {mesh, std::make_shared<FaceHierarchy>(mesh)};
+std::shared_ptr<const NearFaces> near(const HalfEdgeMesh& mesh) {
+  return std::make_shared<const NearFaces>(mesh, std::make_shared<FaceHierarchy>(mesh));
 }
 
 }  // namespace
@@ -63,15 +64,14 @@ void VertexPullTest::goesWhereItMay() {
   const VertexPull pull(near(mesh), v);
   QCOMPARE(pull.faces().size(), std::size_t(3));
   const Vec3 target(-1.2, 0.3, 0.4);
-  QVERIFY(!pull.towards(target).isStopped);
+  QCOMPARE(pull.towards(target).problem, JoinProblem::None);
   QCOMPARE(pull.towards(target).point, target);
   QVERIFY(pull.apply(mesh, target));
   QCOMPARE(validate(mesh), std::string());
   for (Vertex u = 0; u < mesh.vertexSlots(); ++u)
     QVERIFY(u == v ? mesh.position(u) == target : test::sameBits(mesh.position(u), before.position(u)));
-  const TriangleSoup shapes = pull.shapes(target);
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 3; ++k) QCOMPARE(shapes.points[3 * i + k], mesh.points(pull.faces()[i])[k]);
+  const std::vector<TrianglePoints> shapes = pull.shapes(target);
+  for (std::size_t i = 0; i < 3; ++i) QVERIFY(shapes[i] == mesh.points(pull.faces()[i]));
 }
 
 // The faces around (-2, 0) reach to x = -3; on the way there they lose their area.
@@ -79,7 +79,7 @@ void VertexPullTest::stopsBeforeAFaceTurns() {
   const HalfEdgeMesh mesh = buildMesh(test::plateWithHole()).mesh;
   const VertexPull pull(near(mesh), at(mesh, Vec3(-2, 0, 0)));
   const VertexPull::Place reached = pull.towards(Vec3(-5, 0, 0));
-  QVERIFY(reached.isStopped);
+  QCOMPARE(reached.problem, JoinProblem::TurnsOver);
   QVERIFY(reached.point.x() < -2.5 && reached.point.x() > -3.0);
   QCOMPARE(reached.point.y(), 0.0);
   for (const double gone : {std::nan(""), double(INFINITY)}) {
@@ -90,6 +90,22 @@ void VertexPullTest::stopsBeforeAFaceTurns() {
   HalfEdgeMesh same = mesh;
   QVERIFY(!pull.apply(same, Vec3(-5, 0, 0)));
   QVERIFY(test::sameMesh(same, mesh));
+}
+
+// A wall stands in the hole.
+void VertexPullTest::stopsBeforeAWall() {
+  TriangleSoup soup = test::plateWithHole();
+  test::append(soup, {{Vec3(-1, -1, -1), Vec3(-1, 1, -1), Vec3(-1, 0, 3)}, {{0, 1, 2}}});
+  const HalfEdgeMesh mesh = buildMesh(soup).mesh;
+  const VertexPull pull(near(mesh), at(mesh, Vec3(-2, 0, 0)));
+  QCOMPARE(pull.towards(Vec3(-1.1, 0, 0)).problem, JoinProblem::None);
+  const VertexPull::Place reached = pull.towards(Vec3(0, 0, 0));
+  QCOMPARE(reached.problem, JoinProblem::Crosses);
+  QVERIFY(reached.point.x() < -1.0 && reached.point.x() > -1.001);
+  HalfEdgeMesh moved = mesh;
+  QVERIFY(!pull.apply(moved, Vec3(0, 0, 0)));
+  QVERIFY(pull.apply(moved, reached.point));
+  QCOMPARE(test::meetingPairs(moved), std::size_t(0));
 }
 
 void VertexPullTest::takesWhatLiesThere() {
@@ -133,6 +149,7 @@ void VertexPullTest::neverTurnsAFace() {
     const Vec3 place = pull.towards(target).point;
     RC_ASSERT(pull.apply(mesh, place));
     RC_ASSERT(validate(mesh) == "");
+    RC_ASSERT(test::meetingPairs(mesh) <= test::meetingPairs(before));
     for (const Face f : pull.faces()) RC_ASSERT(unitNormal(before.points(f)).dot(unitNormal(mesh.points(f))) > 0.0);
   }));
 }

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Extremes.h"
+#include "MeshChecks.h"
+#include "mesh/BorderSmoothing.h"
+#include "mesh/BorderWelding.h"
+#include "mesh/Islands.h"
+#include "mesh/MeshBuilder.h"
+#include "mesh/MeshValidator.h"
+#include "mesh/Peninsulas.h"
+#include "mesh/VertexPull.h"
+
+#include <QTest>
+
+using namespace handwheel;
+
+// What is done to edges by hand, on every extreme mesh.
+class HandWorkExtremesTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void neverWorse_data();
+  void neverWorse();
+};
+
+namespace {
+
+constexpr std::size_t kMostFaces = 3000;  // all pairs of faces are looked at
+constexpr int kDeeds = 24;
+
+std::vector<test::ExtremeMesh> allMeshes() {
+  std::vector<test::ExtremeMesh> all = test::scaledMeshes();
+  for (const auto& more : {test::oddMeshes(), test::topologicalMeshes()})
+    all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+// One deed at a place that the numbers choose; true when it changed something.
+bool work(HalfEdgeMesh& mesh, int deed, std::mt19937& random) {
+  const auto loops = findBoundaryLoops(mesh);
+  if (loops.empty()) return false;
+  const BoundaryLoop& loop = loops[random() % loops.size()];
+  const auto near = std::make_shared<const NearFaces>(mesh, std::make_shared<FaceHierarchy>(mesh));
+  const std::size_t n = loop.halfEdges.size(), at = random() % n;
+  const BorderPair ends{loop.halfEdges[at], loop.halfEdges[(at + 1 + random() % 4) % n]};
+  switch (deed % 5) {
+    case 0:
+      return moveVertices(mesh, smoothBorder(*near, loop).moves);
+    case 1: {
+      const VertexPull pull(near, mesh.from(ends.a));
+      const Vec3 target = 0.5 * pull.start() + 0.5 * mesh.position(static_cast<Vertex>(random() % mesh.vertexSlots()));
+      return pull.apply(mesh, pull.towards(target).point);
+    }
+    case 2: {
+      Weld weld = weldBorder(*near, ends);
+      if (weld.problem != JoinProblem::None) return false;
+      mesh = std::move(weld.mesh);
+      return true;
+    }
+    case 3: {
+      const Bridge bridge = findBridge(*near, ends);
+      return bridge.problem == JoinProblem::None && addFaces(mesh, bridge.triangles, *near) == JoinProblem::None;
+    }
+    default: {
+      FaceSelection gone = findIslands(mesh, loop, loops);
+      gone.add(findPeninsulas(mesh, loop));
+      return removeFaces(mesh, gone) > 0;
+    }
+  }
+}
+
+}  // namespace
+
+void HandWorkExtremesTest::neverWorse_data() {
+  QTest::addColumn<QString>("name");
+  for (const test::ExtremeMesh& mesh : allMeshes()) QTest::newRow(mesh.name.c_str()) << QString(mesh.name.c_str());
+}
+
+void HandWorkExtremesTest::neverWorse() {
+  QFETCH(QString, name);
+  static const std::vector<test::ExtremeMesh> all = allMeshes();
+  const auto own = std::find_if(all.begin(), all.end(), [&](const auto& m) { return name == m.name.c_str(); });
+  HalfEdgeMesh mesh = buildMesh(own->soup()).mesh;
+  std::mt19937 random(11);
+  const bool isSmall = mesh.faceSlots() <= kMostFaces;
+  std::size_t crossings = isSmall ? test::meetingPairs(mesh) : 0;
+  for (int deed = 0; deed < kDeeds; ++deed) {
+    const HalfEdgeMesh before = mesh;
+    const auto was = test::countEdges(before);
+    if (!work(mesh, deed, random)) {
+      QVERIFY(test::sameMesh(mesh, before));
+      continue;
+    }
+    QCOMPARE(validate(mesh), std::string());
+    const auto is = test::countEdges(mesh);
+    QVERIFY(is.nonManifold <= was.nonManifold);
+    QVERIFY(is.inconsistent <= was.inconsistent);
+    if (!isSmall) continue;
+    const std::size_t now = test::meetingPairs(mesh);
+    QVERIFY2(now <= crossings, qPrintable(QString("deed %1: %2 after %3").arg(deed).arg(now).arg(crossings)));
+    crossings = now;
+  }
+}
+
+QTEST_GUILESS_MAIN(HandWorkExtremesTest)
+#include "HandWorkExtremesTest.moc"
