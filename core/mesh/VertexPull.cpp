@@ -8,9 +8,29 @@
 namespace handwheel {
 namespace {
 
-// Places of the way looked at for the first that is not allowed, and again between it and the one before; fewer where
-// there are many faces, so that the pointer is followed.
-constexpr std::size_t kMostPlaces = 32, kLeastPlaces = 2, kMostLooks = 2000;
+// Places of the way looked at for the first that is not allowed, and again between it and the one before. Looking for
+// crossings takes longest, so fewer do.
+constexpr int kTurnPlaces = 32, kCrossPlaces = 8;
+
+// The furthest share of a way, at most this, at which it is allowed, 0 if none; the furthest of all is looked at first.
+template <class IsAllowed>
+double furthest(double most, int places, IsAllowed isAllowed) {
+  if (isAllowed(most)) return most;
+  double good = 0.0, bad = most;
+  for (int i = 1; i < places; ++i) {
+    const double share = most * i / places;
+    if (!isAllowed(share)) {
+      bad = share;
+      break;
+    }
+    good = share;
+  }
+  for (int i = 0; i < places; ++i) {
+    const double middle = 0.5 * (good + bad);
+    (isAllowed(middle) ? good : bad) = middle;
+  }
+  return good;
+}
 
 }  // namespace
 
@@ -33,35 +53,26 @@ std::vector<TrianglePoints> VertexPull::shapes(const Vec3& place) const {
   return result;
 }
 
-JoinProblem VertexPull::problemAt(const Vec3& place, const NearFaces& near) const {
-  const MovedFaces moved{m_faces, shapes(place)};
-  for (std::size_t i = 0; i < m_faces.size(); ++i)
-    if (!mayBecome(m_before[i], moved.shapes[i])) return JoinProblem::TurnsOver;
-  const bool isFree = forEachNewCrossing(near, moved, [](std::size_t) { return false; });
-  return isFree ? JoinProblem::None : JoinProblem::Crosses;
+bool VertexPull::turnsAFace(const Vec3& place) const {
+  const std::vector<TrianglePoints> after = shapes(place);
+  for (std::size_t i = 0; i < after.size(); ++i)
+    if (!mayBecome(m_before[i], after[i])) return true;
+  return false;
+}
+
+bool VertexPull::crosses(const Vec3& place, const NearFaces& near) const {
+  return !forEachNewCrossing(near, {m_faces, shapes(place)}, [](std::size_t) { return false; });
 }
 
 VertexPull::Place VertexPull::towards(const Vec3& target) const {
   if (!target.allFinite() || m_faces.empty()) return {m_start, JoinProblem::NoBorder};
-  const std::size_t places = std::clamp(kMostLooks / m_faces.size(), kLeastPlaces, kMostPlaces);
-  Place good{m_start};
-  double reached = 0.0, stop = 0.0;
-  const auto isAllowed = [&](double share) {
-    const Vec3 place = share < 1.0 ? Vec3(m_start + share * (target - m_start)) : target;
-    const JoinProblem problem = problemAt(place, *m_near);
-    if (problem == JoinProblem::None) {
-      good.point = place;
-      reached = share;
-    } else {
-      good.problem = problem;
-      stop = share;
-    }
-    return problem == JoinProblem::None;
+  const auto at = [&](double share) -> Vec3 {
+    return share < 1.0 ? Vec3(m_start + share * (target - m_start)) : target;
   };
-  for (std::size_t i = 1; i <= places; ++i)
-    if (!isAllowed(static_cast<double>(i) / static_cast<double>(places))) break;
-  for (std::size_t i = 0; i < places && good.problem != JoinProblem::None; ++i) isAllowed(0.5 * (reached + stop));
-  return good;
+  const double unturned = furthest(1.0, kTurnPlaces, [&](double share) { return !turnsAFace(at(share)); });
+  const double free = furthest(unturned, kCrossPlaces, [&](double share) { return !crosses(at(share), *m_near); });
+  if (free < unturned) return {at(free), JoinProblem::Crosses};
+  return {at(free), free < 1.0 ? JoinProblem::TurnsOver : JoinProblem::None};
 }
 
 bool VertexPull::apply(HalfEdgeMesh& mesh, const Vec3& place) const {
@@ -72,7 +83,7 @@ bool VertexPull::apply(HalfEdgeMesh& mesh, const Vec3& place) const {
     for (const Vec3& p : m_before[i]) reach.extend(p);
   }
   if (m_faces.empty() || !place.allFinite()) return false;
-  if (problemAt(place, NearFaces(mesh, reach.extend(place))) != JoinProblem::None) return false;
+  if (turnsAFace(place) || crosses(place, NearFaces(mesh, reach.extend(place)))) return false;
   for (const Vertex v : m_vertices) mesh.setPosition(v, place);
   return true;
 }

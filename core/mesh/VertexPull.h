@@ -18,8 +18,8 @@ class VertexPull {
   const Vec3& start() const { return m_start; }
   const std::vector<Face>& faces() const { return m_faces; }  // those that change
 
-  // How near to the place it gets on a straight way from the start before a face would turn over, lose its area or
-  // cross another; and which of it holds it up. Looks at a bounded number of places, whatever the number of faces.
+  // The place, where no face would turn over, lose its area or cross another there; else how near to it the first of
+  // these lets it come on a straight way from the start, and which it is.
   struct Place {
     Vec3 point;
     JoinProblem problem = JoinProblem::None;
@@ -33,7 +33,8 @@ class VertexPull {
   bool apply(HalfEdgeMesh& mesh, const Vec3& place) const;
 
  private:
-  JoinProblem problemAt(const Vec3& place, const NearFaces& near) const;
+  bool turnsAFace(const Vec3& place) const;
+  bool crosses(const Vec3& place, const NearFaces& near) const;
 
   std::shared_ptr<const NearFaces> m_near;
   Vec3 m_start;

@@ -33,6 +33,29 @@ const char* textOf(JoinProblem problem) {
   return "";
 }
 
+const char* hintOf(JoinProblem problem, const char* otherwise) {
+  switch (problem) {
+    case JoinProblem::None:
+      break;
+    case JoinProblem::SamePoint:
+      return QT_TRANSLATE_NOOP("Tool", "nothing: two of the points are one");
+    case JoinProblem::NoArea:
+    case JoinProblem::TurnsOver:
+      return QT_TRANSLATE_NOOP("Tool", "nothing: a triangle would turn over or have no area");
+    case JoinProblem::EdgeFull:
+      return QT_TRANSLATE_NOOP("Tool", "nothing: an edge would have more than two triangles");
+    case JoinProblem::WrongWay:
+      return QT_TRANSLATE_NOOP("Tool", "nothing: the triangle beside it faces the other way");
+    case JoinProblem::CornerOnly:
+      return QT_TRANSLATE_NOOP("Tool", "nothing: it would touch the surface in a point only");
+    case JoinProblem::Crosses:
+      return QT_TRANSLATE_NOOP("Tool", "nothing: it would cross or touch the part");
+    case JoinProblem::NoBorder:
+      return QT_TRANSLATE_NOOP("Tool", "nothing: there is no open edge");
+  }
+  return otherwise;
+}
+
 std::optional<BorderPoint> BorderPicking::pointAt(const Sight& sight, const std::optional<Vec3>& without) const {
   const auto faces = m_faces();
   if (!faces) return std::nullopt;

@@ -12,6 +12,8 @@ namespace handwheel {
 
 // The sentence for a problem: English, context "Property"; empty for none.
 const char* textOf(JoinProblem problem);
+// What letting go does: nothing, and why, or what it would do otherwise. English, context "Tool".
+const char* hintOf(JoinProblem problem, const char* otherwise);
 
 // What a pointer points at on the borders of a document's mesh. Queries are about the present mesh, even while its
 // hierarchy is still that of an older one.

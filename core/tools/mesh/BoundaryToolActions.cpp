@@ -11,24 +11,6 @@
 
 // What BoundaryTool offers, and what it does to a whole edge.
 namespace handwheel {
-namespace {
-
-const char* effectOf(JoinProblem problem, const char* otherwise) {
-  switch (problem) {
-    case JoinProblem::None:
-      return otherwise;
-    case JoinProblem::EdgeFull:
-      return QT_TRANSLATE_NOOP("Tool", "nothing: an edge would have more than two triangles");
-    case JoinProblem::Crosses:
-      return QT_TRANSLATE_NOOP("Tool", "nothing: it would cross or touch the part");
-    case JoinProblem::CornerOnly:
-      return QT_TRANSLATE_NOOP("Tool", "nothing: it would touch the surface in a point only");
-    default:
-      return QT_TRANSLATE_NOOP("Tool", "nothing: a triangle would turn over or lose its area");
-  }
-}
-
-}  // namespace
 
 const char* BoundaryTool::dragEffect() const {
   switch (m_drag->deed) {
@@ -36,12 +18,12 @@ const char* BoundaryTool::dragEffect() const {
       return m_drag->problem == JoinProblem::None ? QT_TRANSLATE_NOOP("Tool", "move the point")
                                                   : QT_TRANSLATE_NOOP("Tool", "move the point as far as it may go");
     case Deed::Weld:
-      return effectOf(m_drag->problem, QT_TRANSLATE_NOOP("Tool", "join the points"));
+      return hintOf(m_drag->problem, QT_TRANSLATE_NOOP("Tool", "join the points"));
     case Deed::Bridge:
       break;
   }
   if (m_drag->target == kNone) return QT_TRANSLATE_NOOP("Tool", "nothing: no other point is near");
-  return effectOf(m_drag->problem, QT_TRANSLATE_NOOP("Tool", "lay the bridge"));
+  return hintOf(m_drag->problem, QT_TRANSLATE_NOOP("Tool", "lay the bridge"));
 }
 
 std::vector<ToolAction> BoundaryTool::actions() const {

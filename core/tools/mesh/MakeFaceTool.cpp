@@ -108,9 +108,10 @@ ToolReply MakeFaceTool::perform(std::string_view action) {
 std::vector<ToolAction> MakeFaceTool::actions() const {
   const char* effect = QT_TRANSLATE_NOOP("Tool", "first corner, on an open edge");
   if (m_corners.size() == 1) effect = QT_TRANSLATE_NOOP("Tool", "second corner, counter-clockwise");
-  if (m_corners.size() == 2) effect = QT_TRANSLATE_NOOP("Tool", "third corner: makes the face");
-  if (m_corners.size() == 2 && m_hovered && m_problem != JoinProblem::None)
-    effect = QT_TRANSLATE_NOOP("Tool", "no face here: see the tool's settings");
+  if (m_corners.size() == 2) {
+    effect = QT_TRANSLATE_NOOP("Tool", "third corner: makes the face");
+    if (m_hovered) effect = hintOf(m_problem, effect);
+  }
   return {
       {"", QT_TRANSLATE_NOOP("ToolInput", "Click"), effect},
       {"back", "Backspace", QT_TRANSLATE_NOOP("Tool", "take the last corner back"), !m_corners.empty()},

@@ -101,7 +101,7 @@ void VertexPullTest::stopsBeforeAWall() {
   QCOMPARE(pull.towards(Vec3(-1.1, 0, 0)).problem, JoinProblem::None);
   const VertexPull::Place reached = pull.towards(Vec3(0, 0, 0));
   QCOMPARE(reached.problem, JoinProblem::Crosses);
-  QVERIFY(reached.point.x() < -1.0 && reached.point.x() > -1.001);
+  QVERIFY(reached.point.x() < -1.0 && reached.point.x() > -1.01);
   HalfEdgeMesh moved = mesh;
   QVERIFY(!pull.apply(moved, Vec3(0, 0, 0)));
   QVERIFY(pull.apply(moved, reached.point));

@@ -70,6 +70,28 @@ class ToolsTest : public QObject {
     QTRY_VERIFY(driver.find<QAbstractButton>("toolAction/delete")->isEnabled());
   }
 
+  // The edge that is worked on is that of the hole in the list; what is done to it is one step. Then the list lets go
+  // of the hole, so that no patch is in the way and Return is the tool's.
+  void theEdgeOfTheChosenHole() {
+    WindowDriver driver;
+    QVERIFY(driver.open(fileWithHole()));
+    driver.find<QAction>("boundaryTool")->trigger();
+    QVERIFY(!driver.find<QAbstractButton>("toolAction/smooth")->isEnabled());
+    driver.clickDefect(DefectKind::Hole, 0);
+    QTRY_VERIFY(driver.find<QAbstractButton>("toolAction/smooth")->isEnabled());
+    QVERIFY(!driver.find<QAction>("undo")->isEnabled());
+    QTRY_VERIFY(driver.find<QAction>("fillHole")->isEnabled());
+    driver.find<QAbstractButton>("toolAction/smooth")->click();
+    QTRY_COMPARE(driver.find<QAbstractButton>("toolAction/commit")->text(), QStringLiteral("Take the smooth edge"));
+    QVERIFY(!driver.find<QAction>("fillHole")->isEnabled());
+    driver.find<QAbstractButton>("toolAction/commit")->click();
+    QTRY_VERIFY(driver.find<QAction>("undo")->isEnabled());
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.count(DefectKind::Hole), 1);
+    driver.find<QAction>("undo")->trigger();
+    QVERIFY(!driver.find<QAction>("undo")->isEnabled());
+  }
+
   // The method of fills is one, wherever it is chosen: with the hole, in the tool's panel, as a matter of fidelity.
   void oneMethodForAll() {
     WindowDriver driver;
