@@ -9,6 +9,8 @@
 
 namespace handwheel {
 
+const char* const kEdgeChanged = QT_TRANSLATE_NOOP("Tool", "the edge has changed meanwhile");
+
 const char* textOf(JoinProblem problem) {
   switch (problem) {
     case JoinProblem::None:

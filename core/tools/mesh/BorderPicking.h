@@ -15,6 +15,9 @@ const char* textOf(JoinProblem problem);
 // What letting go does: nothing, and why, or what it would do otherwise. English, context "Tool".
 const char* hintOf(JoinProblem problem, const char* otherwise);
 
+// Why a change of an edge may come to nothing; English, context "Tool".
+extern const char* const kEdgeChanged;
+
 // What a pointer points at on the borders of a document's mesh. Queries are about the present mesh, even while its
 // hierarchy is still that of an older one.
 class BorderPicking {

@@ -153,8 +153,10 @@ ToolReply BoundaryTool::release(const PointerEvent& event) {
 // The recipes look again: by the time they are carried out the mesh may be another.
 void BoundaryTool::commitDrag(const Drag& drag) {
   if (drag.deed == Deed::Pull) {
+    if (drag.stop == drag.pull.start()) return;
     m_services.commit({QT_TRANSLATE_NOOP("Tool", "Pull a point of the edge"),
-                       [pull = drag.pull, to = drag.stop](HalfEdgeMesh& mesh, Progress) { pull.apply(mesh, to); }});
+                       [pull = drag.pull, to = drag.stop](HalfEdgeMesh& mesh, Progress) { pull.apply(mesh, to); },
+                       kEdgeChanged});
     return;
   }
   if (drag.target == kNone || drag.problem != JoinProblem::None) return;
@@ -170,17 +172,21 @@ void BoundaryTool::commitDrag(const Drag& drag) {
     return true;
   };
   if (drag.deed == Deed::Weld) {
-    m_services.commit({QT_TRANSLATE_NOOP("Tool", "Join points of the edge"), [=](HalfEdgeMesh& mesh, Progress) {
+    m_services.commit({QT_TRANSLATE_NOOP("Tool", "Join points of the edge"),
+                       [=](HalfEdgeMesh& mesh, Progress) {
                          if (!isThere(mesh)) return;
                          Weld weld = weldBorder(NearFaces(mesh, reachOf(mesh, ends)), ends);
                          if (weld.problem == JoinProblem::None) mesh = std::move(weld.mesh);
-                       }});
+                       },
+                       kEdgeChanged});
   } else {
-    m_services.commit({QT_TRANSLATE_NOOP("Tool", "Lay a bridge"), [=](HalfEdgeMesh& mesh, Progress) {
+    m_services.commit({QT_TRANSLATE_NOOP("Tool", "Lay a bridge"),
+                       [=](HalfEdgeMesh& mesh, Progress) {
                          if (!isThere(mesh)) return;
                          const NearFaces near(mesh, reachOf(mesh, ends));
                          addFaces(mesh, findBridge(near, ends).triangles, near);
-                       }});
+                       },
+                       kEdgeChanged});
   }
 }
 

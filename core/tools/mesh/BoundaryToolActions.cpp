@@ -153,12 +153,14 @@ ToolReply BoundaryTool::commitProposal() {
   const Proposal proposal = *std::exchange(m_proposal, std::nullopt);
   if (proposal.kind == Kind::Smooth) {
     m_services.commit({QT_TRANSLATE_NOOP("Tool", "Smooth the edge"),
-                       [moves = proposal.smoothed.moves](HalfEdgeMesh& mesh, Progress) { moveVertices(mesh, moves); }});
+                       [moves = proposal.smoothed.moves](HalfEdgeMesh& mesh, Progress) { moveVertices(mesh, moves); },
+                       kEdgeChanged});
     return ToolReply::Used;
   }
   m_services.commit({proposal.kind == Kind::Islands ? QT_TRANSLATE_NOOP("Tool", "Remove islands")
                                                     : QT_TRANSLATE_NOOP("Tool", "Remove peninsulas"),
-                     [faces = proposal.faces](HalfEdgeMesh& mesh, Progress p) { removeFaces(mesh, faces, p); }});
+                     [faces = proposal.faces](HalfEdgeMesh& mesh, Progress p) { removeFaces(mesh, faces, p); },
+                     kEdgeChanged});
   return ToolReply::Used;
 }
 

@@ -84,11 +84,13 @@ ToolReply MakeFaceTool::press(const PointerEvent& event) {
   for (const Vertex v : m_face) places.push_back(mesh().position(v));
   m_corners.clear();
   // Looked at again: by the time it is carried out the mesh may be another.
-  m_services.commit({QT_TRANSLATE_NOOP("Tool", "Make a face"), [face = m_face, places](HalfEdgeMesh& mesh, Progress) {
+  m_services.commit({QT_TRANSLATE_NOOP("Tool", "Make a face"),
+                     [face = m_face, places](HalfEdgeMesh& mesh, Progress) {
                        for (std::size_t k = 0; k < 3; ++k)
                          if (face[k] >= mesh.vertexSlots() || mesh.position(face[k]) != places[k]) return;
                        addFaces(mesh, {&face, 1}, NearFaces(mesh, boxOf(mesh, face)));
-                     }});
+                     },
+                     kEdgeChanged});
   return ToolReply::Used;
 }
 

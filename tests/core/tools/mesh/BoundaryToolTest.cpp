@@ -1,20 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/mesh/BoundaryTool.h"
-
-#include "HoleShapes.h"
-#include "MeshChecks.h"
-#include "MeshDocuments.h"
-#include "ToolEvents.h"
-#include "WaitingServices.h"
-#include "mesh/MeshValidator.h"
+#include "BoundaryBench.h"
 
 #include <QTest>
 
 using namespace handwheel;
 using test::Kind;
 
-class BoundaryToolTest : public QObject {
+// What BoundaryTool makes of the pointer.
+class BoundaryToolTest : public QObject, private test::BoundaryBench {
   Q_OBJECT
 
  private slots:
@@ -29,29 +23,9 @@ class BoundaryToolTest : public QObject {
   void laysABridge();
   void controlLetsNothingAttract();
   void escPutsItBack();
-  void smoothsTheEdge();
-  void settingsLookAgain();
-  void removesIslands();
-  void removesPeninsulas();
-  void tellsWhenThereIsNothing();
-  void keys();
-  void followsTheDocument();
-  void lateResultsAreNotShown();
   void theMeshChangedMeanwhile();
   void aDevice();
   void nothingOpen();
-
- private:
-  void start(const TriangleSoup& soup);
-  void drag(const Vec3& from, const Vec3& to, Modifiers modifiers = {});
-  const HalfEdgeMesh& mesh() const { return m_document->mesh(); }
-  std::size_t loops() const { return m_document->defects().loops.size(); }
-  std::string problemOf(const char* property) const;
-  // One step was made, it is sound, and undo leads back to the mesh before.
-  std::string oneStep(const HalfEdgeMesh& before);
-
-  std::unique_ptr<MeshDocument> m_document;
-  std::unique_ptr<BoundaryTool> m_tool;
 };
 
 namespace {
@@ -61,39 +35,6 @@ bool hasVertexAt(const HalfEdgeMesh& mesh, const Vec3& p) {
 }
 
 }  // namespace
-
-void BoundaryToolTest::start(const TriangleSoup& soup) {
-  m_tool.reset();
-  m_document = test::meshDocument(soup);
-  m_tool = std::make_unique<BoundaryTool>(*m_document, immediateServices(*m_document));
-  connect(m_document.get(), &Document::changed, this, [this] { m_tool->documentChanged(); });
-}
-
-void BoundaryToolTest::drag(const Vec3& from, const Vec3& to, Modifiers modifiers) {
-  m_tool->pointer(test::above(Kind::Press, from.x(), from.y(), modifiers));
-  const Vec3 middle = 0.5 * (from + to);
-  m_tool->pointer(test::above(Kind::Drag, middle.x(), middle.y(), modifiers));
-  m_tool->pointer(test::above(Kind::Drag, to.x(), to.y(), modifiers));
-}
-
-std::string BoundaryToolTest::problemOf(const char* property) const {
-  const std::vector<Property> all = m_tool->settings();
-  const Property* shown = test::propertyNamed(all, property);
-  return shown ? shown->problem : "it is not shown";
-}
-
-std::string BoundaryToolTest::oneStep(const HalfEdgeMesh& before) {
-  QUndoStack& history = *m_document->history();
-  if (history.count() != 1 || history.index() != 1) return "not one step";
-  if (const std::string broken = validate(mesh()); !broken.empty()) return broken;
-  const HalfEdgeMesh after = mesh();
-  if (test::sameMesh(before, after)) return "nothing changed";
-  history.undo();
-  if (!test::sameMesh(mesh(), before)) return "undo does not lead back";
-  history.redo();
-  if (!test::sameMesh(mesh(), after)) return "redo does not lead forth";
-  return {};
-}
 
 void BoundaryToolTest::hoverShowsEdgeAndPoint() {
   QCOMPARE(m_tool->pointer(test::above(Kind::Hover, -1.95, 0.0)), ToolReply::Used);
@@ -220,128 +161,6 @@ void BoundaryToolTest::escPutsItBack() {
   QCOMPARE(m_tool->perform("revert"), ToolReply::Used);  // chooses none
   QVERIFY(!m_tool->loop());
   QCOMPARE(m_tool->perform("revert"), ToolReply::Finished);
-}
-
-void BoundaryToolTest::smoothsTheEdge() {
-  start(test::sphereWithoutCap(3, 0.5));
-  const HalfEdgeMesh before = mesh();
-  m_tool->perform("next");
-  QCOMPARE(m_tool->perform("smooth"), ToolReply::Used);
-  QCOMPARE(m_tool->preview().parts.size(), std::size_t(1));
-  QVERIFY(test::sameMesh(mesh(), before));
-  QCOMPARE(m_tool->perform("commit"), ToolReply::Used);
-  QCOMPARE(oneStep(before), std::string());
-  QCOMPARE(m_tool->perform("commit"), ToolReply::Finished);
-}
-
-void BoundaryToolTest::settingsLookAgain() {
-  start(test::sphereWithoutCap(4, 0.5));
-  m_tool->perform("next");
-  m_tool->perform("smooth");
-  const auto first = m_tool->preview().parts.at(0).soup->points;
-  m_tool->setSetting("wavelength", 20.0);
-  QVERIFY(m_tool->preview().parts.at(0).soup->points != first);
-  m_tool->setSetting("wavelength", 8.0);
-  QVERIFY(m_tool->preview().parts.at(0).soup->points == first);
-  m_tool->setSetting("wavelength", 0.0);
-  m_tool->setSetting("evenly", false);
-  QVERIFY(m_tool->preview().parts.empty() && !test::isEnabled(*m_tool, "commit"));
-  for (const PropertyValue& odd : {PropertyValue(std::nan("")), PropertyValue("8"), PropertyValue(true)})
-    m_tool->setSetting("wavelength", odd);
-  QCOMPARE(std::get<double>(test::propertyNamed(m_tool->settings(), "wavelength")->value), 0.0);
-  m_tool->setSetting("wavelength", 1e300);
-  QVERIFY(std::get<double>(test::propertyNamed(m_tool->settings(), "wavelength")->value) <= 100.0);
-}
-
-void BoundaryToolTest::removesIslands() {
-  start(test::plateWithIsland());
-  const HalfEdgeMesh before = mesh();
-  m_tool->pointer(test::above(Kind::Press, -4, 0));  // between island and rim
-  QVERIFY(m_tool->loop() && !m_tool->loop()->rim);
-  m_tool->perform("islands");
-  const FaceSelection marked = m_tool->preview().selected;
-  QVERIFY(marked.count() > 0 && test::isEnabled(*m_tool, "commit"));
-  m_tool->perform("commit");
-  QCOMPARE(oneStep(before), std::string());
-  QCOMPARE(loops(), std::size_t(2));
-  QCOMPARE(mesh().liveFaceCount(), before.liveFaceCount() - marked.count());
-}
-
-void BoundaryToolTest::removesPeninsulas() {
-  start(test::plateWithTongue());
-  const HalfEdgeMesh before = mesh();
-  m_tool->pointer(test::above(Kind::Press, 4, 0));
-  m_tool->perform("peninsulas");
-  const FaceSelection marked = m_tool->preview().selected;
-  QVERIFY(marked.count() >= 28 && marked.count() <= 33);
-  m_tool->perform("commit");
-  QCOMPARE(oneStep(before), std::string());
-  QCOMPARE(mesh().liveFaceCount(), before.liveFaceCount() - marked.count());
-}
-
-void BoundaryToolTest::tellsWhenThereIsNothing() {
-  m_tool->pointer(test::above(Kind::Press, 0, 0));
-  for (const char* action : {"islands", "peninsulas"}) {
-    m_tool->perform(action);
-    QVERIFY(!problemOf("faces").empty() && !test::isEnabled(*m_tool, "commit"));
-    QCOMPARE(m_tool->perform("commit"), ToolReply::Ignored);
-    QCOMPARE(m_tool->perform("revert"), ToolReply::Used);
-    QVERIFY(m_tool->loop());  // only the proposal went
-  }
-  QCOMPARE(m_document->history()->count(), 0);
-}
-
-void BoundaryToolTest::keys() {
-  std::set<std::string> inputs;
-  for (const ToolAction& action : m_tool->actions())
-    if (!action.id.empty()) QVERIFY2(inputs.insert(action.input).second, action.input.c_str());
-  QCOMPARE(m_tool->perform("smooth"), ToolReply::Ignored);  // nothing is chosen
-  m_tool->perform("next");
-  const Vertex first = keyOf(mesh(), *m_tool->loop());
-  m_tool->perform("next");
-  QVERIFY(keyOf(mesh(), *m_tool->loop()) != first);
-  m_tool->perform("previous");
-  QCOMPARE(keyOf(mesh(), *m_tool->loop()), first);
-  QCOMPARE(m_tool->perform("nonsense"), ToolReply::Ignored);
-}
-
-void BoundaryToolTest::followsTheDocument() {
-  m_tool->pointer(test::above(Kind::Press, 0, 0));
-  m_tool->perform("smooth");
-  HalfEdgeMesh closed = mesh();
-  FaceSelection all = FaceSelection::all(closed);
-  removeFaces(closed, all);
-  drag(Vec3(-2, 0, 0), Vec3(-1.5, 0, 0));
-  m_document->commit("Elsewhere", inspected(closed));
-  QVERIFY(!m_tool->loop() && !m_tool->isBusy());
-  QCOMPARE(m_tool->pointer(test::above(Kind::Release, -1.5, 0)), ToolReply::Ignored);
-  m_document->history()->undo();
-  QCOMPARE(loops(), std::size_t(2));
-}
-
-void BoundaryToolTest::lateResultsAreNotShown() {
-  test::WaitingServices waiting;
-  waiting.faces = std::make_shared<FaceHierarchy>(mesh());
-  std::function<void()> late;
-  {
-    BoundaryTool tool(*m_document, waiting.services());
-    tool.perform("next");
-    tool.perform("smooth");
-    QVERIFY(tool.isBusy() && !test::isEnabled(tool, "commit"));
-    QCOMPARE(tool.perform("commit"), ToolReply::Ignored);
-    const auto first = waiting.work();
-    tool.perform("peninsulas");
-    first();
-    QVERIFY(tool.preview().parts.empty());
-    tool.perform("revert");
-    QCOMPARE(waiting.cancelled, 2);
-    waiting.work()();
-    QVERIFY(!tool.isBusy());
-    tool.perform("smooth");
-    late = waiting.work();
-  }
-  late();  // the tool is gone
-  QCOMPARE(waiting.cancelled, 3);
 }
 
 // By the time a change is carried out the points may be elsewhere: then nothing happens.
