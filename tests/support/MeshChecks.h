@@ -149,6 +149,13 @@ inline bool sameBits(const Vec3& a, const Vec3& b) {
   return std::memcmp(a.data(), b.data(), sizeof(double[3])) == 0;
 }
 
+// The vertex at exactly this position; kNone where there is none.
+inline Vertex vertexAt(const HalfEdgeMesh& mesh, const Vec3& p) {
+  for (Vertex v = 0; v < mesh.vertexSlots(); ++v)
+    if (mesh.position(v) == p) return v;
+  return kNone;
+}
+
 // Every slot alike, bit for bit.
 inline bool sameMesh(const HalfEdgeMesh& a, const HalfEdgeMesh& b) {
   if (a.vertexSlots() != b.vertexSlots() || a.faceSlots() != b.faceSlots()) return false;

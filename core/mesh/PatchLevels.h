@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/LoopSubdivision.h"
+
+#include <memory>
+
+namespace handwheel {
+
+// A patch of a mesh at several levels, each made of the one before by subdivision and moved since. A version of the
+// whole mesh belongs to each level; what lies outside the patch is the same in all of them, and vertices and faces keep
+// their numbers from level to level. What a finer level has beyond the subdivided coarser one, its detail, is read off
+// in frames that follow the coarser one: when that is moved, the detail comes along (Zorin, Schröder, Sweldens,
+// "Interactive multiresolution mesh editing", 1997, without their step from a fine level back to the coarse ones, which
+// stay as they were). A value: a copy shares its pages and stencils, and costs next to nothing.
+class PatchLevels {
+ public:
+  PatchLevels(HalfEdgeMesh mesh, FaceSelection patch);
+
+  std::size_t finest() const { return m_levels.size() - 1; }
+  const HalfEdgeMesh& mesh() const { return m_levels.back().mesh; }  // at the finest level
+  const HalfEdgeMesh& mesh(std::size_t level) const { return m_levels[level].mesh; }
+  const FaceSelection& patch() const { return m_levels.back().patch; }
+  const FaceSelection& patch(std::size_t level) const { return m_levels[level].patch; }
+
+  // One level more, or nothing changed.
+  SubdivisionFailure refine(const SubdivisionLimits& limits = {});
+  // Without the finest level: the mesh is as it was before that was made, but for what was moved at the others since.
+  // There must be one more than the first.
+  void coarsen() { m_levels.pop_back(); }
+
+  // The face of this level from which a face of the finest level was made; itself outside of the patch.
+  Face faceAt(std::size_t level, Face fine) const;
+
+  // Puts another version in the place of a level's: the same faces, vertices of them elsewhere. Finer levels follow
+  // with their detail, as far as that turns no face over. Returns the faces of the finest level that were given other
+  // corners; none where nothing is finer. O(finer levels of the patch).
+  std::vector<Face> replace(std::size_t level, HalfEdgeMesh mesh, NumberType numbers = NumberType::Float64);
+
+ private:
+  struct Level {
+    HalfEdgeMesh mesh;
+    FaceSelection patch;
+    std::shared_ptr<const SubdivisionStep> step;  // from the level before; null for the first
+  };
+  std::vector<Level> m_levels;  // never empty
+};
+
+}  // namespace handwheel

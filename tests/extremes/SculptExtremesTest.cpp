@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Extremes.h"
+
+#include "MeshChecks.h"
+#include "mesh/FaceNormal.h"
+#include "mesh/MeshBuilder.h"
+#include "mesh/MeshValidator.h"
+#include "mesh/NoiseSmoothing.h"
+#include "mesh/PatchLevels.h"
+#include "mesh/SculptBrush.h"
+
+#include <QTest>
+
+Q_DECLARE_METATYPE(handwheel::TriangleSoup)
+
+using namespace handwheel;
+
+// Subdividing, brushes and smoothing on every mesh at the edge of what can be.
+class SculptExtremesTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void subdivides_data() { everyMesh(); }
+  void subdivides();
+  void brushes_data() { everyMesh(); }
+  void brushes();
+  void smoothsNoise_data() { everyMesh(); }
+  void smoothsNoise();
+
+ private:
+  static std::vector<test::ExtremeMesh> allMeshes() {
+    std::vector<test::ExtremeMesh> all = test::scaledMeshes();
+    for (const auto& more : {test::oddMeshes(), test::topologicalMeshes()})
+      all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+  static void everyMesh() {
+    QTest::addColumn<TriangleSoup>("soup");
+    for (const test::ExtremeMesh& mesh : allMeshes()) QTest::newRow(mesh.name.c_str()) << mesh.soup();
+  }
+};
+
+namespace {
+
+// What is wrong with a mesh that was moved from another with the same faces; empty for nothing.
+QString problemOf(const HalfEdgeMesh& before, const HalfEdgeMesh& after) {
+  if (const std::string broken = validate(after); !broken.empty()) return QString::fromStdString(broken);
+  for (Face f = 0; f < before.faceSlots(); ++f) {
+    const Vec3 normal = unitNormal(before.points(f));
+    if (!normal.isZero(0.0) && !(normal.dot(unitNormal(after.points(f))) > 0.0)) return QStringLiteral("turned over");
+  }
+  return {};
+}
+
+}  // namespace
+
+void SculptExtremesTest::subdivides() {
+  QFETCH(TriangleSoup, soup);
+  HalfEdgeMesh mesh = buildMesh(soup).mesh;
+  FaceSelection patch = FaceSelection::all(mesh);
+  const int levels = mesh.faceSlots() < 50'000 ? 2 : 1;
+  for (int level = 0; level < levels; ++level) {
+    const HalfEdgeMesh before = mesh;
+    const SubdivisionStep step = subdivide(mesh, patch);
+    QCOMPARE(QString::fromStdString(validate(mesh)), QString());
+    QCOMPARE(test::countBorder(mesh), test::countBorder(before));
+    QCOMPARE(test::countSeams(mesh), test::countSeams(before));
+    if (step.failure != SubdivisionFailure::None) {
+      QVERIFY(test::sameMesh(mesh, before));
+      break;
+    }
+    patch = step.faces;
+  }
+}
+
+void SculptExtremesTest::brushes() {
+  QFETCH(TriangleSoup, soup);
+  const HalfEdgeMesh whole = buildMesh(soup).mesh;
+  Box box;
+  for (const Vec3& p : soup.points) box.extend(p);
+  const double radius = soup.points.empty() ? 1.0 : 0.2 * box.sizes().stableNorm();
+  for (Face seed = 0; seed < whole.faceSlots(); seed += 1 + static_cast<Face>(whole.faceSlots() / 5)) {
+    for (int brush = 0; brush < 4; ++brush) {
+      HalfEdgeMesh mesh = whole;
+      const BrushArea area = brushArea(mesh, seed, mesh.points(seed)[0], radius, {.movesBorder = true});
+      const std::vector<VertexGoal> moves = brush == 0   ? dragged(mesh, area, Vec3::Constant(radius))
+                                            : brush == 1 ? inflated(mesh, area, radius)
+                                            : brush == 2 ? flattened(mesh, area, 1.0)
+                                                         : smoothed(mesh, area, 1.0);
+      moveTowards(mesh, moves);
+      QCOMPARE(problemOf(whole, mesh), QString());
+    }
+  }
+}
+
+void SculptExtremesTest::smoothsNoise() {
+  QFETCH(TriangleSoup, soup);
+  const HalfEdgeMesh before = buildMesh(soup).mesh;
+  HalfEdgeMesh mesh = before;
+  QVERIFY(smoothNoise(mesh, FaceSelection::all(mesh), {.movesBorder = true}));
+  QCOMPARE(problemOf(before, mesh), QString());
+}
+
+QTEST_GUILESS_MAIN(SculptExtremesTest)
+#include "SculptExtremesTest.moc"
