@@ -137,6 +137,7 @@ void ToolHost::show() {
   if (!tool) return showNothing();
   ToolPreview preview = tool->preview();
   tint(preview.parts);
+  m_viewport.setLiveMesh(preview.live);
   m_viewport.setProposedParts(preview.parts);
   m_viewport.setHighlightedFaces(std::move(preview.highlighted));
   m_viewport.setSelectedFaces(preview.selected.faces());
@@ -151,6 +152,7 @@ void ToolHost::show() {
 
 void ToolHost::showNothing() {
   m_needed.clear();
+  m_viewport.setLiveMesh(nullptr);
   m_viewport.setProposedParts({});
   m_viewport.setHighlightedFaces({});
   m_viewport.setSelectedFaces({});

@@ -6,10 +6,12 @@
 #include "document/DisplayModel.h"
 #include "document/Property.h"
 #include "mesh/FaceSelection.h"
+#include "mesh/LiveMesh.h"
 #include "mesh/Sight.h"
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -64,6 +66,7 @@ struct ToolPreview {
   std::vector<std::vector<Vec3>> lines;           // polylines over the model: a lasso, a ruler; mm
   std::optional<std::pair<Vec3, double>> circle;  // brush: centre on the surface and radius; mm
   FaceSelection selected;                         // faces that are selected now
+  std::shared_ptr<const LiveMesh> live;           // null: the document's mesh
 };
 
 // A contribution to the force that the user feels, mm and newtons. The servo loop adds those of all tools and services

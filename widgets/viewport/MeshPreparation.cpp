@@ -32,6 +32,7 @@ void MeshPreparation::startAll(const HalfEdgeMesh& mesh, const Box& bounds, cons
 void MeshPreparation::startSome(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin,
                                 const std::vector<std::size_t>& blocks) {
   m_owed.insert(blocks.begin(), blocks.end());
+  if (m_next) m_owed.merge(m_next->blocks);
   startBlocks(mesh, origin);
   startRest(mesh, bounds, origin);
 }
@@ -42,7 +43,20 @@ void MeshPreparation::startAgain(const HalfEdgeMesh& mesh, const Box& bounds, co
   startRest(mesh, bounds, origin);
 }
 
+void MeshPreparation::show(const HalfEdgeMesh& mesh, const Vec3& origin, const std::set<std::size_t>& blocks) {
+  if (m_blocks && !m_blocks->isFinished()) {
+    Shown next{mesh, origin, blocks};
+    if (m_next) next.blocks.merge(m_next->blocks);
+    m_next = std::move(next);
+    return;
+  }
+  m_owed.insert(blocks.begin(), blocks.end());
+  if (m_next) m_owed.merge(m_next->blocks);
+  startBlocks(mesh, origin);
+}
+
 void MeshPreparation::cancel() {
+  m_next.reset();
   drop(m_blocks);
   drop(m_rest);
   m_owed.clear();
@@ -50,11 +64,14 @@ void MeshPreparation::cancel() {
 
 void MeshPreparation::finishBlocks() {
   if (!m_blocks) return;
-  m_blocks->waitForFinished();
-  for (const Block& block : m_blocks->future().results()) deliver(block);
+  do {
+    m_blocks->waitForFinished();
+    for (const Block& block : m_blocks->future().results()) deliver(block);
+  } while (showNext());
 }
 
 void MeshPreparation::startBlocks(const HalfEdgeMesh& mesh, const Vec3& origin) {
+  m_next.reset();
   drop(m_blocks);
   const std::vector<std::size_t> owed(m_owed.begin(), m_owed.end());
   m_blocks =
@@ -67,6 +84,17 @@ void MeshPreparation::startBlocks(const HalfEdgeMesh& mesh, const Vec3& origin) 
       });
   QObject::connect(m_blocks.get(), &QFutureWatcherBase::resultReadyAt, m_blocks.get(),
                    [this](int i) { deliver(m_blocks->resultAt(i)); });
+  // Queued: a watcher must not be destroyed by its own report.
+  QObject::connect(
+      m_blocks.get(), &QFutureWatcherBase::finished, m_blocks.get(), [this] { showNext(); }, Qt::QueuedConnection);
+}
+
+bool MeshPreparation::showNext() {
+  if (!m_next) return false;
+  const Shown next = std::move(*m_next);
+  m_owed.insert(next.blocks.begin(), next.blocks.end());
+  startBlocks(next.mesh, next.origin);
+  return true;
 }
 
 void MeshPreparation::startRest(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin) {

@@ -8,6 +8,7 @@
 
 #include <QFutureWatcher>
 #include <functional>
+#include <optional>
 #include <set>
 
 namespace handwheel {
@@ -49,6 +50,9 @@ class MeshPreparation {
                  const std::vector<std::size_t>& blocks);
   // All blocks of the mesh that was started last, with other values, and the rest.
   void startAgain(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin);
+  // Blocks of a version that is only looked at for a moment. One run ends before the next begins, so that something is
+  // seen however fast they come; of those that come meanwhile only the last is built.
+  void show(const HalfEdgeMesh& mesh, const Vec3& origin, const std::set<std::size_t>& blocks);
   void cancel();
   // Waits for the blocks and hands them over.
   void finishBlocks();
@@ -64,6 +68,7 @@ class MeshPreparation {
   };
 
   void startBlocks(const HalfEdgeMesh& mesh, const Vec3& origin);
+  bool showNext();
   void startRest(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin);
   void deliver(const Block& block);
 
@@ -73,6 +78,12 @@ class MeshPreparation {
   std::size_t m_coarseTriangles = kCoarseTriangles;
   VertexValues m_values;
   std::set<std::size_t> m_owed;  // blocks not yet delivered
+  struct Shown {
+    HalfEdgeMesh mesh;
+    Vec3 origin;
+    std::set<std::size_t> blocks;
+  };
+  std::optional<Shown> m_next;  // to be shown when the present run has ended
   // A watcher serves one run; destroying it drops the results that are on their way.
   std::unique_ptr<QFutureWatcher<Block>> m_blocks;
   std::unique_ptr<QFutureWatcher<Rest>> m_rest;

@@ -164,7 +164,7 @@ void Scene::prepare(const CameraState& camera, const Vec2& size, double pixelRat
 
 void Scene::placeCamera(const CameraNavigation& view) {
   const CameraState& camera = view.camera();
-  const Viewpoint viewpoint = view.viewpoint(bounds().merged(m_proposed.bounds()));
+  const Viewpoint viewpoint = view.viewpoint(bounds().merged(m_proposed.bounds()).merged(m_liveBounds));
   const Vec3 eye = viewpoint.position - m_origin;
   const Vec3 focus = eye - viewpoint.farthest * camera.towardsViewer();  // an honest direction, whatever the distance
   const Vec3 up = camera.up();

@@ -32,6 +32,8 @@ class Scene {
   void updateMesh(const HalfEdgeMesh& mesh, const std::vector<Face>& touched);
   const HalfEdgeMesh& mesh() const { return m_mesh; }
   const Box& meshBounds() const { return m_meshBounds; }
+  // Of what is shown in the place of the mesh, so that it is not cut off before or behind.
+  void setLiveBounds(const Box& bounds) { m_liveBounds = bounds; }
 
   // The parts of the model, and those that a tool proposes, which are translucent.
   PartActors& parts() { return m_parts; }
@@ -72,6 +74,7 @@ class Scene {
   vtkNew<vtkPlane> m_clipPlane;  // the same, about the origin
   HalfEdgeMesh m_mesh;
   Box m_meshBounds;
+  Box m_liveBounds;
   std::vector<Vec3> m_meshOutline;
   Vec3 m_origin = Vec3::Zero();
 };

@@ -91,7 +91,9 @@ class BlockBuilder {
     if (!isInBlock) return;
     const Vertex v = m_mesh.from(m_corners[from].edge);
     append(m_result.positions, m_mesh.position(v) - m_origin);
-    if (m_values) m_result.values.push_back(static_cast<float>((*m_values)[v]));
+    if (m_values) {  // a version that is only shown may have vertices that have none
+      m_result.values.push_back(v < m_values->size() ? static_cast<float>((*m_values)[v]) : std::nanf(""));
+    }
     append(m_result.normals, normal.squaredNorm() > 0 ? normal.normalized() : Vec3(Vec3::UnitZ()));
   }
 

@@ -110,6 +110,7 @@ void Viewport::setMesh(const HalfEdgeMesh& mesh, const Box& bounds) {
   d->hover({});
   d->isSeen = false;
   setSurfaceValues(nullptr, {});
+  d->live.reset();
   d->scene.setMesh(mesh, bounds);
   d->preparation.startAll(mesh, d->scene.meshBounds(), d->scene.origin());
   update();
@@ -155,6 +156,7 @@ void Viewport::clear() {
   d->brush.reset();
   d->brushLine.clear();
   setSurfaceValues(nullptr, {});
+  d->live.reset();
   d->scene.clear();
   update();
 }

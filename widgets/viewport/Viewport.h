@@ -17,6 +17,8 @@
 
 namespace handwheel {
 
+struct LiveMesh;
+
 // Draws a mesh, rigid parts or both with the marks on them, lets the mouse move the camera and tells what is under the
 // cursor. All calls belong to the window thread. Lengths and positions are in units of the model (mm).
 class Viewport : public QOpenGLWidget {
@@ -72,6 +74,10 @@ class Viewport : public QOpenGLWidget {
   // Faces of the mesh that are selected, and those that a tool points out; until they are set anew.
   void setSelectedFaces(std::vector<Face> faces);
   void setHighlightedFaces(std::vector<Face> faces);
+  // Another version in the place of the mesh, as long as a tool works on it; null for none. Nothing else follows it:
+  // marks and what is picked are those of the mesh. Takes as long to appear as its blocks take to be built, and is left
+  // out when the next comes sooner.
+  void setLiveMesh(const std::shared_ptr<const LiveMesh>& live);
   // What a tool proposes, translucent.
   void setProposedParts(const std::vector<DisplayPart>& parts);
   // Lines over everything: a lasso, a ruler.

@@ -12,6 +12,7 @@
 
 #include <QTimer>
 #include <optional>
+#include <set>
 
 class QSinglePointEvent;
 
@@ -61,6 +62,7 @@ class Viewport::Private {
 
   // Tools
   void layBrush();
+  std::set<std::size_t> liveBlocks() const;
 
   Viewport* q;
   Scene scene;
@@ -102,6 +104,7 @@ class Viewport::Private {
   LengthUnit unit = LengthUnit::Millimetre;
   std::vector<std::vector<Vec3>> polylines;
   std::optional<BrushCircle> brush;
+  std::shared_ptr<const LiveMesh> live;
   std::vector<Vec3> brushLine;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/LiveMesh.h"
 #include "viewport/BrushOutline.h"
 #include "viewport/ViewportPrivate.h"
 
@@ -66,6 +67,29 @@ void Viewport::setPolylines(std::vector<std::vector<Vec3>> lines) {
   if (lines == d->polylines) return;
   d->polylines = std::move(lines);
   update();
+}
+
+// Faces around the touched ones share normals with them, but are nearly always in the same blocks.
+std::set<std::size_t> Viewport::Private::liveBlocks() const {
+  std::set<std::size_t> blocks;
+  if (live) live->touched.forEach([&](Face f) { blocks.insert(f / preparation.blockFaces()); });
+  return blocks;
+}
+
+void Viewport::setLiveMesh(const std::shared_ptr<const LiveMesh>& live) {
+  if (live == d->live) return;
+  std::set<std::size_t> blocks = d->liveBlocks();
+  d->live = live;
+  blocks.merge(d->liveBlocks());
+  Box bounds;
+  if (live) {
+    live->touched.forEach([&](Face f) {
+      if (!live->mesh.isLive(f)) return;
+      for (const Vec3& p : live->mesh.points(f)) bounds.extend(p);
+    });
+  }
+  d->scene.setLiveBounds(bounds);
+  d->preparation.show(live ? live->mesh : d->scene.mesh(), d->scene.origin(), blocks);
 }
 
 void Viewport::setBrush(const std::optional<BrushCircle>& brush) {

@@ -6,6 +6,7 @@
 #include "tools/mesh/BoundaryTool.h"
 #include "tools/mesh/DecimateTool.h"
 #include "tools/mesh/MakeFaceTool.h"
+#include "tools/mesh/SculptTool.h"
 #include "tools/mesh/SelectTool.h"
 #include "tools/mesh/TransformTool.h"
 #include "window/ToolHost.h"
@@ -71,6 +72,14 @@ std::unique_ptr<Tool> MeshTools::boundaryTool() {
 std::unique_ptr<Tool> MeshTools::makeFaceTool() {
   faces();
   return std::make_unique<MakeFaceTool>(m_document->document, services());
+}
+
+std::unique_ptr<Tool> MeshTools::sculptTool() {
+  faces();
+  const auto* select = dynamic_cast<const SelectTool*>(m_host.runner().tool());
+  const bool isSelected = select && !select->selection().faces.empty();
+  return std::make_unique<SculptTool>(m_document->document, services(), m_document->levels,
+                                      isSelected ? select->selection().faces : m_document->newest);
 }
 
 std::unique_ptr<Tool> MeshTools::measureTool() {

@@ -32,6 +32,8 @@ class MeshTools : public QObject {
   std::unique_ptr<Tool> selectTool();
   std::unique_ptr<Tool> boundaryTool();
   std::unique_ptr<Tool> makeFaceTool();
+  // Works on what the select tool has selected, else on what the last edit added.
+  std::unique_ptr<Tool> sculptTool();
   std::unique_ptr<Tool> measureTool();
   std::unique_ptr<Tool> decimateTool();
   std::unique_ptr<Tool> transformTool();

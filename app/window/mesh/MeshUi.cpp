@@ -113,7 +113,8 @@ std::unique_ptr<OpenDocument> MeshUi::open(std::unique_ptr<Document> document) {
   auto open = std::make_unique<OpenMesh>(std::move(document), *this);
   open->document.setFidelity(m_parts.fidelity.values());
   connect(&open->inspection, &Inspection::changed, this, &KindUi::stateChanged);
-  connect(&open->document, &MeshDocument::meshChanged, this, [mesh = open.get()] { ++mesh->changes; });
+  connect(&open->document, &MeshDocument::meshChanged, this,
+          [mesh = open.get()](const std::vector<Face>& touched) { mesh->meshChanged(touched); });
   connect(&open->document, &Document::fileChanged, this, [mesh = open.get()] {
     if (!mesh->document.isModified()) mesh->changesInFile = mesh->changes;
   });
@@ -165,6 +166,9 @@ std::vector<ToolOffer> MeshUi::tools() {
           {QStringLiteral("transformTool"), tr("&Place"),
            tr("Move, turn and scale by numbers, or put onto a flat face, along the axes, to the origin"),
            QStringLiteral("place"), QKeySequence(Qt::Key_W), [this] { return m_tools.transformTool(); }},
+          {QStringLiteral("sculptTool"), tr("Sc&ulpt"),
+           tr("Pull, smooth, inflate and flatten a surface; subdivide a patch and sculpt it at any of its levels"),
+           QStringLiteral("sculpt"), QKeySequence(Qt::Key_U), [this] { return m_tools.sculptTool(); }},
           measureOffer([this] { return m_tools.measureTool(); })};
 }
 

@@ -5,6 +5,7 @@
 #include "document/mesh/MeshDocument.h"
 #include "mesh/Repair.h"
 #include "panels/Inspection.h"
+#include "tools/mesh/LevelMemory.h"
 #include "window/OpenDocument.h"
 
 namespace handwheel {
@@ -26,9 +27,23 @@ struct OpenMesh : OpenDocument {
   Vertex selected = kNone;                   // Inspection::keyOf the selected loop
   bool repaired = false;                     // "Repair all" ran at least once
 
+  std::size_t faceSlots = document.mesh().faceSlots();  // when it was last changed
+  FaceSelection newest;  // the faces that the last change added: those of a patch, most often
+  std::shared_ptr<LevelMemory> levels = std::make_shared<LevelMemory>();
+
   // Of the mesh, undo and redo included; as many as when it was last as in its file.
   std::uint64_t changes = 0;
   std::uint64_t changesInFile = 0;
+  // touched: as in MeshDocument::meshChanged.
+  void meshChanged(const std::vector<Face>& touched) {
+    ++changes;
+    FaceSelection added;
+    for (const Face f : touched)
+      if (f >= faceSlots && f < document.mesh().faceSlots()) added.add(f);
+    faceSlots = document.mesh().faceSlots();
+    newest.dropDead(document.mesh());
+    if (!added.empty()) newest = added;
+  }
   // Whether the mesh is that of the file, read without loss. What is kept open may differ.
   bool isAsInFile() const { return inFile && document.file().damage.empty() && changes == changesInFile; }
 };

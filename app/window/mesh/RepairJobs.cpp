@@ -43,7 +43,10 @@ std::size_t countOf(const RepairReport& report, LoopOutcome outcome) {
 RepairJobs::RepairJobs(DocumentTabs& tabs, JobRunner& jobs, LogModel& log, const FidelityChoice& fidelity,
                        QObject* parent)
     : QObject(parent), m_tabs(tabs), m_jobs(jobs), m_log(log), m_fidelity(fidelity) {
-  connect(&tabs, &DocumentTabs::closing, this, [this](OpenDocument* document) { m_jobs.cancelOf(document); });
+  connect(&tabs, &DocumentTabs::closing, this, [this](OpenDocument* document) {
+    dropChanges(document);
+    m_jobs.cancelOf(document);
+  });
 }
 
 void RepairJobs::fill(OpenMesh* document, int loop, PreparedFill prepared) {
@@ -101,6 +104,26 @@ void RepairJobs::removeDebris(OpenMesh* document) {
                     [](HalfEdgeMesh& mesh, Progress progress) { handwheel::removeDebris(mesh, progress); }});
 }
 
+void RepairJobs::change(OpenMesh* document, MeshChange wanted) {
+  m_changes.emplace_back(document, std::move(wanted));
+  if (m_changes.size() == 1) startChange(document, m_changes.front().second, Round::First);
+}
+
+void RepairJobs::changeEnded() {
+  const MeshChange ended = std::move(m_changes.front().second);
+  m_changes.pop_front();
+  if (!m_changes.empty()) startChange(m_changes.front().first, m_changes.front().second, Round::First);
+  ended.ended();
+}
+
+// Those that are not under way.
+void RepairJobs::dropChanges(const OpenDocument* document) {
+  if (m_changes.empty()) return;
+  m_changes.erase(std::remove_if(m_changes.begin() + 1, m_changes.end(),
+                                 [document](const auto& change) { return change.first == document; }),
+                  m_changes.end());
+}
+
 void RepairJobs::startChange(OpenMesh* document, MeshChange wanted, Round round) {
   const std::uint64_t revision = document->document.revision();
   const QString text = QCoreApplication::translate("Tool", wanted.text);
@@ -113,14 +136,17 @@ void RepairJobs::startChange(OpenMesh* document, MeshChange wanted, Round round)
     if (progress.cancelled()) return {};
     return [this, document, revision, round, wanted, text,
             after = inspected(std::move(result), nearWeld, progress.part(0.5, 1.0))] {
-      if (!m_tabs.contains(document)) return;
+      if (!m_tabs.contains(document)) return changeEnded();
       if (!isStale(document, revision)) {
-        return changed(document, wanted, text, after);
+        changed(document, wanted, text, after);
+        return changeEnded();
       }
       tellStale(*document, round);
-      if (round == Round::First) startChange(document, wanted, Round::Second);
+      if (round == Round::First) return startChange(document, wanted, Round::Second);
+      changeEnded();
     };
   };
+  job.failed = [this](const Error&) { changeEnded(); };
   start(document, std::move(job));
 }
 
@@ -212,8 +238,9 @@ void RepairJobs::start(const OpenDocument* document, Job job) {
       ended();
     };
   };
-  job.failed = [this, name = job.name](const Error& error) {
+  job.failed = [this, name = job.name, failed = std::move(job.failed)](const Error& error) {
     m_log.add(name + QStringLiteral(": ") + errorSentence(error), {}, LogEntry::Weight::Warning);
+    failed(error);
     ended();
   };
   m_jobs.start(std::move(job));

@@ -9,6 +9,7 @@
 #include "window/mesh/HolePreview.h"
 
 #include <QObject>
+#include <deque>
 
 namespace handwheel {
 
@@ -30,8 +31,8 @@ class RepairJobs : public QObject {
   void fill(OpenMesh* document, int loop, PreparedFill prepared);
   void repairAll(OpenMesh* document);
   void removeDebris(OpenMesh* document);
-  // Any change that a tool wants.
-  void change(OpenMesh* document, MeshChange wanted) { startChange(document, std::move(wanted), Round::First); }
+  // Any change that a tool wants; one after the other.
+  void change(OpenMesh* document, MeshChange wanted);
 
   // A fill or repair was asked for and has not ended.
   bool isWorking() const { return m_working > 0; }
@@ -47,6 +48,8 @@ class RepairJobs : public QObject {
   enum class Round { First, Second };
   void startFill(OpenMesh* document, Vertex key, PreparedFill prepared, Round round);
   void startChange(OpenMesh* document, MeshChange wanted, Round round);
+  void changeEnded();
+  void dropChanges(const OpenDocument* document);
   void startRepair(OpenMesh* document, Round round);
   void changed(OpenMesh* document, const MeshChange& wanted, const QString& text, const InspectedMesh& after);
   double nearWeld() const;  // for the defects of what a job made
@@ -65,6 +68,7 @@ class RepairJobs : public QObject {
   LogModel& m_log;
   const FidelityChoice& m_fidelity;
   int m_working = 0;
+  std::deque<std::pair<OpenMesh*, MeshChange>> m_changes;  // the first is under way
 };
 
 }  // namespace handwheel

@@ -3,6 +3,7 @@
 #include "tools/mesh/MeshSelection.h"
 
 #include <algorithm>
+#include <unordered_set>
 
 namespace handwheel {
 
@@ -16,6 +17,27 @@ std::vector<Vec3> outlineOf(const HalfEdgeMesh& mesh, const BoundaryLoop& loop) 
   std::vector<Vec3> points = loopPoints(mesh, loop);
   if (!points.empty()) points.push_back(points.front());
   return points;
+}
+
+std::vector<std::vector<Vec3>> outlinesOf(const HalfEdgeMesh& mesh, const FaceSelection& faces) {
+  const auto isInside = [&](HalfEdge h) {
+    return mesh.hasOpposite(h) && faces.contains(HalfEdgeMesh::face(mesh.opposite(h)));
+  };
+  std::unordered_set<HalfEdge> seen;
+  std::vector<std::vector<Vec3>> lines;
+  faces.forEach([&](Face f) {
+    if (!mesh.isProper(f)) return;
+    for (HalfEdge first = 3 * f; first < 3 * f + 3; ++first) {
+      if (isInside(first) || seen.contains(first)) continue;
+      std::vector<Vec3>& line = lines.emplace_back();
+      for (HalfEdge h = first; seen.insert(h).second;) {
+        line.push_back(mesh.position(mesh.from(h)));
+        for (h = HalfEdgeMesh::next(h); isInside(h);) h = HalfEdgeMesh::next(mesh.opposite(h));
+      }
+      line.push_back(line.front());
+    }
+  });
+  return lines;
 }
 
 void MeshSelection::add(const MeshSelection& other) {

@@ -17,6 +17,9 @@ const BoundaryLoop* loopWithKey(const HalfEdgeMesh& mesh, std::span<const Bounda
 // The line of a loop, closed.
 std::vector<Vec3> outlineOf(const HalfEdgeMesh& mesh, const BoundaryLoop& loop);
 
+// The lines that part the faces from the others and from nothing, closed. O(faces).
+std::vector<std::vector<Vec3>> outlinesOf(const HalfEdgeMesh& mesh, const FaceSelection& faces);
+
 // What is selected of a mesh: faces, and loops by their keys.
 struct MeshSelection {
   FaceSelection faces;

@@ -27,6 +27,7 @@ MeshServices immediateServices(MeshDocument& document) {
     change.apply(mesh, {});
     const double nearWeld = document.fidelity().of(nearWeldSetting());
     document.commit(QCoreApplication::translate("Tool", change.text), inspected(std::move(mesh), nearWeld));
+    change.ended();
   };
   return services;
 }

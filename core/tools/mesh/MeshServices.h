@@ -19,6 +19,8 @@ struct MeshChange {
   std::function<void(HalfEdgeMesh&, Progress)> apply;
   // Why it may have changed nothing; English, context "Tool". Null where that needs no reason.
   const char* hindrance = nullptr;
+  // Hears on the window thread that nothing more will come of it, whether it was committed or not.
+  std::function<void()> ended = [] {};
 };
 
 // Thinking that takes too long for the window. It sees only what it captured by value, and returns what is to be done
@@ -37,8 +39,8 @@ struct MeshServices {
   // Starts a job in the place of the one before. Nothing comes of a job that is cancelled.
   std::function<void(ToolJob)> run;
   std::function<void()> cancel;
-  // Makes a change, looks for the defects of the result, and commits it as one step, now or later. Nothing happens
-  // when it changes nothing.
+  // Makes a change, looks for the defects of the result, and commits it as one step, now or later, but after those
+  // that were asked for before. Nothing happens when it changes nothing.
   std::function<void(MeshChange)> commit;
 };
 

@@ -3,6 +3,7 @@
 #include "DisplayTestMain.h"
 #include "ShapeModels.h"
 #include "SheetModel.h"
+#include "mesh/LiveMesh.h"
 #include "mesh/MeshBuilder.h"
 #include "viewport/CameraNavigation.h"
 
@@ -198,6 +199,26 @@ class ViewportTest : public ViewportFixture {
     m_view->updateMesh(mesh, {lastOfFirst});
     m_view->grabImage();
     QCOMPARE(m_view->blocksBuilt(), 6);
+  }
+
+  // However fast versions come, the last one is what stays; and the mesh when there is none any more.
+  void aLiveMeshTakesThePlaceOfTheMesh() {
+    showSheet();
+    const HalfEdgeMesh mesh = buildMesh(sheet(kCells)).mesh;
+    const QPoint middle = onScreen(10.5, 10.5).toPoint();
+    const QColor before = m_view->grabImage().pixelColor(middle);
+    auto live = std::make_shared<LiveMesh>(LiveMesh{mesh, {}});
+    for (Face f = 0; f < mesh.faceSlots(); ++f) {
+      live->touched.add(f);
+      live->mesh.removeFace(f);
+      if (f % 50 == 0) m_view->setLiveMesh(std::make_shared<LiveMesh>(*live));
+    }
+    m_view->setLiveMesh(live);
+    const QImage empty = m_view->grabImage();
+    QVERIFY(empty.pixelColor(middle) != before);
+    QVERIFY(m_view->pickAt(onScreen(10.7, 10.3)).face != kNone);  // of the mesh
+    m_view->setLiveMesh(nullptr);
+    QCOMPARE(m_view->grabImage().pixelColor(middle), before);
   }
 
   void partsArePickedByName() {

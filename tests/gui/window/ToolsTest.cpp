@@ -92,6 +92,40 @@ class ToolsTest : public QObject {
     QVERIFY(!driver.find<QAction>("undo")->isEnabled());
   }
 
+  // The brush works on the patch of the last fill, or on all; each stroke becomes a step, also when the tool has been
+  // left before they are all in.
+  void sculptsWhatWasFilled() {
+    WindowDriver driver;
+    QVERIFY(driver.open(fileWithHole()));
+    driver.find<QAction>("repairAll")->trigger();
+    QVERIFY(driver.settle());
+    driver.find<QAction>("sculptTool")->trigger();
+    QVERIFY(driver.settle());
+    driver.click("toolAction/subdivide");
+    QTRY_VERIFY(driver.find<QAbstractButton>("toolAction/back")->isEnabled());
+    driver.click("toolAction/whole");
+    QVERIFY(driver.settle());
+    auto* view = driver.find<Viewport>("viewport");
+    QTRY_VERIFY(view->isPickingReady());
+    QPoint place;
+    for (int x = view->width() / 4; view->pickAt(place).face == kNone && x < view->width(); x += 5)
+      place = {x, view->height() / 2};
+    for (int stroke = 0; stroke < 3; ++stroke) {
+      QTest::mousePress(view, Qt::LeftButton, {}, place);
+      QTest::mouseMove(view, place + QPoint(5, 2));
+      QTest::mouseRelease(view, Qt::LeftButton, {}, place + QPoint(9, 5 * stroke));
+    }
+    driver.find<QAction>("selectTool")->trigger();
+    QVERIFY(driver.settle());
+    auto* undo = driver.find<QAction>("undo");
+    for (int stroke = 0; stroke < 3; ++stroke) {
+      QTRY_VERIFY2(undo->text().contains(QStringLiteral("Drag surface")), qPrintable(undo->text()));
+      undo->trigger();
+      QVERIFY(driver.settle());
+    }
+    QVERIFY2(undo->text().contains(QStringLiteral("Subdivide patch")), qPrintable(undo->text()));
+  }
+
   // The method of fills is one, wherever it is chosen: with the hole, in the tool's panel, as a matter of fidelity.
   void oneMethodForAll() {
     WindowDriver driver;

@@ -18,6 +18,7 @@ class MeshSelectionTest : public QObject {
   void addAndRemove();
   void keysOutliveEditsElsewhere();
   void dropsWhatIsGone();
+  void outlinesOfFaces();
   void stepsBackAndForward();
   void stepsAreBounded();
   void settingsMatterByMode();
@@ -70,6 +71,22 @@ void MeshSelectionTest::dropsWhatIsGone() {
   QVERIFY((selection == MeshSelection{{0}, {keyOf(mesh, loops[0])}}));
   selection.dropDead(HalfEdgeMesh(), {});
   QVERIFY(selection.empty());
+}
+
+void MeshSelectionTest::outlinesOfFaces() {
+  const HalfEdgeMesh ring = buildMesh(test::annulus(16, 2, 1.0, 2.0)).mesh;
+  const auto lines = outlinesOf(ring, FaceSelection::all(ring));
+  QCOMPARE(lines.size(), std::size_t(2));
+  for (const std::vector<Vec3>& line : lines) {
+    QCOMPARE(line.size(), std::size_t(17));
+    QCOMPARE(line.front(), line.back());
+    for (const Vec3& p : line) QVERIFY(std::abs(p.norm() - line[0].norm()) < 1e-12);
+  }
+  const auto one = outlinesOf(ring, {5});
+  QCOMPARE(one.size(), std::size_t(1));
+  QCOMPARE(one[0].size(), std::size_t(4));
+  const HalfEdgeMesh closed = buildMesh(test::icosphere(1)).mesh;
+  QVERIFY(outlinesOf(closed, FaceSelection::all(closed)).empty() && outlinesOf(closed, {}).empty());
 }
 
 void MeshSelectionTest::stepsBackAndForward() {

@@ -5,10 +5,12 @@
 #include "MeshDocuments.h"
 #include "MeshShapes.h"
 #include "ToolEvents.h"
+#include "mesh/FaceGrowing.h"
 #include "mesh/MeshValidator.h"
 #include "tools/ToolRunner.h"
 #include "tools/mesh/BoundaryTool.h"
 #include "tools/mesh/MakeFaceTool.h"
+#include "tools/mesh/SculptTool.h"
 #include "tools/mesh/SelectTool.h"
 
 #include <rapidcheck.h>
@@ -96,12 +98,19 @@ class Session {
   void start() {
     m_fill = nullptr;
     m_select = nullptr;
-    const std::size_t which = below(5);
+    const std::size_t which = below(6);
     m_mayPointerEdit = which >= 3;
     if (which == 3) {
       m_runner.start(std::make_unique<BoundaryTool>(*m_document, immediateServices(*m_document)), *m_document);
     } else if (which == 4) {
       m_runner.start(std::make_unique<MakeFaceTool>(*m_document, immediateServices(*m_document)), *m_document);
+    } else if (which == 5) {
+      const auto n = static_cast<Face>(m_document->mesh().faceSlots());
+      const FaceSelection patch =
+          below(3) == 0 || n == 0 ? FaceSelection() : FaceSelection{static_cast<Face>(below(n))};
+      m_runner.start(std::make_unique<SculptTool>(*m_document, immediateServices(*m_document), m_levels,
+                                                  grownByRing(m_document->mesh(), patch)),
+                     *m_document);
     } else if (which == 0) {
       auto tool = std::make_unique<FillHoleTool>(*m_document, test::fillServices(*m_document, m_fill));
       m_fill = tool.get();
@@ -194,6 +203,7 @@ class Session {
   FillHoleTool* m_fill = nullptr;
   SelectTool* m_select = nullptr;
   bool m_mayPointerEdit = false;
+  std::shared_ptr<LevelMemory> m_levels = std::make_shared<LevelMemory>();
   ToolRunner m_runner;
   QMetaObject::Connection m_failed;
   QString m_problem;

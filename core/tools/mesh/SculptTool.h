@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tools/Tool.h"
+#include "tools/mesh/LevelMemory.h"
+#include "tools/mesh/MeshServices.h"
+#include "tools/mesh/SculptStroke.h"
+
+#include <deque>
+
+namespace handwheel {
+
+class MeshDocument;
+
+// Sculpts a surface by brushes: pulls, smooths, inflates and flattens it. A patch, where one is given, can be
+// subdivided, and sculpted at each of its levels; nothing outside of it moves then. Each stroke is one undo step. The
+// window need not wait for one to get into the document: the next begins on what is shown.
+class SculptTool : public Tool {
+ public:
+  // patch: the faces to work on; empty for the whole surface. memory: the levels of patches in this document. The
+  // document must outlive all calls but the destructor's.
+  SculptTool(MeshDocument& document, MeshServices services, std::shared_ptr<LevelMemory> memory,
+             FaceSelection patch = {});
+  ~SculptTool() override;
+
+  // With what is still on its way into the document, and the present stroke.
+  const PatchLevels& levels() const { return m_stroke ? m_stroke->levels() : m_levels; }
+  std::size_t level() const { return m_level; }  // that is sculpted
+
+  std::string id() const override { return "sculpt"; }
+  ToolReply pointer(const PointerEvent& event) override;
+  ToolReply perform(std::string_view action) override;
+  std::vector<ToolAction> actions() const override;
+  ToolPreview preview() const override;
+  std::vector<Property> settings() const override;
+  void setSetting(std::string_view id, const PropertyValue& value) override;
+  std::vector<ForceTerm> forces() const override;
+  void documentChanged() override;
+  std::vector<std::string> needs() const override { return {"picking"}; }
+
+ private:
+  // Something that was done and is on its way into the document.
+  struct Step {
+    std::uint64_t ticket;
+    PatchLevels levels;  // afterwards
+  };
+  struct Made {  // by a job
+    PatchLevels levels;
+    FaceSelection touched;
+    const char* problem = nullptr;  // why nothing was made; English, context "Property"
+  };
+
+  ToolReply press(const PointerEvent& event);
+  ToolReply drag(const PointerEvent& event);
+  ToolReply release(const PointerEvent& event);
+  std::optional<SurfacePlace> placeAt(const Ray& ray) const;
+  void dabAlong(const Ray& ray);
+  SculptStroke::Settings strokeSettings(const Modifiers& modifiers) const;
+
+  void start(const char* name, const char* text, std::function<Made(PatchLevels, Progress)> make);
+  void take(const char* text, PatchLevels levels, FaceSelection touched);
+  void refine(const char* text, std::function<int(const PatchLevels&)> wanted);
+  void smoothNoiseLater();
+  void goBackALevel();
+  void landed();
+  void stepEnded(std::uint64_t ticket);
+  void restart();
+  void setLevels(PatchLevels levels);
+  void showLive();
+  ToolReply revert();
+  void cancelJob();
+  void dropStroke();
+
+  MeshDocument& m_document;
+  MeshServices m_services;
+  std::shared_ptr<LevelMemory> m_memory;
+  SculptSettings m_settings;
+  PatchLevels m_levels;  // with the steps that wait
+  std::size_t m_level = 0;
+  std::vector<std::vector<Vec3>> m_outline;  // of the patch
+  double m_aspect = 0.0;                     // and how slim the triangles along it are
+  const char* m_problem = nullptr;           // of the last action
+
+  std::optional<SculptStroke> m_stroke;
+  Ray m_last;                 // where the last dab was
+  std::optional<Vec3> m_tip;  // of a haptic device, at the beginning of the stroke
+  std::optional<SurfacePlace> m_hovered;
+
+  HalfEdgeMesh m_known;  // the document's mesh when it was last looked at
+  std::deque<Step> m_waiting;
+  std::uint64_t m_ticket = 0;  // of the last step
+  FaceSelection m_touched;     // by those that wait
+  std::shared_ptr<const LiveMesh> m_live;
+
+  std::shared_ptr<const int> m_job;                                    // as in SelectTool
+  std::shared_ptr<const int> m_alive = std::make_shared<const int>();  // gone with the tool
+};
+
+}  // namespace handwheel

@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "SculptBench.h"
+#include "WaitingServices.h"
+
+#include <QTest>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+class SculptToolActionsTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void levels();
+  void aCoarseLevelTakesTheDetailAlong();
+  void undoFindsTheLevels();
+  void rememberedForTheNextTime();
+  void refinesToTheSurroundings();
+  void warnsOfSlimTriangles();
+  void smoothsNoise();
+  void tellsWhyNot();
+  void jobsThatComeTooLate();
+  void radiusByKey();
+  void oddSettings();
+};
+
+void SculptToolActionsTest::levels() {
+  SculptBench b(middle());
+  QVERIFY(!isEnabled(*b.tool, "back") && !isEnabled(*b.tool, "coarser"));
+  QCOMPARE(b.runner.key("L"), ToolReply::Used);
+  QCOMPARE(b.tool->levels().finest(), std::size_t(1));
+  QCOMPARE(b.tool->level(), std::size_t(1));
+  const std::size_t inside = (128 * 3 - 32) / 2;
+  QCOMPARE(b.document->mesh().liveFaceCount(), 800 + 2 * inside);
+  QCOMPARE(b.tool->levels().patch().count(), 128 + 2 * inside);
+  b.runner.key("L");
+  QCOMPARE(b.steps(), 2);
+  QCOMPARE(b.check(), std::string());
+  QCOMPARE(propertyNamed(b.tool->settings(), "level")->choices.size(), std::size_t(3));
+  b.runner.key("PgDown");
+  QCOMPARE(b.tool->level(), std::size_t(1));
+  b.runner.setSetting("level", 0.0);
+  QCOMPARE(b.tool->level(), std::size_t(0));
+  b.runner.key("Shift+L");
+  b.runner.key("Shift+L");
+  QCOMPARE(b.document->mesh().liveFaceCount(), std::size_t(800));
+  QCOMPARE(b.steps(), 4);
+  QCOMPARE(b.check(), std::string());
+}
+
+// A small bump at the finest level rides on a hill raised at the coarsest one.
+void SculptToolActionsTest::aCoarseLevelTakesTheDetailAlong() {
+  SculptBench b(middle());
+  b.runner.key("L");
+  b.runner.key("L");
+  b.runner.setSetting("radius", 0.8);
+  b.lift(0.3);
+  const double bump = b.height();
+  QVERIFY(std::abs(bump - 0.3) < 1e-6);
+  b.runner.setSetting("level", 0.0);
+  b.runner.setSetting("radius", 4.0);
+  b.lift(1.0);
+  QVERIFY(b.tool->levels().mesh(0).position(at(10, 10)).z() > 0.99);
+  // The hill at the finest level, as it would be without the bump.
+  SculptBench plain(middle());
+  plain.runner.key("L");
+  plain.runner.key("L");
+  plain.runner.setSetting("level", 0.0);
+  plain.runner.setSetting("radius", 4.0);
+  plain.lift(1.0);
+  QVERIFY(std::abs(b.height() - plain.height() - bump) < 0.02);
+  QCOMPARE(b.check(), std::string());
+  QCOMPARE(b.steps(), 4);
+  for (Vertex v = 0; v < 441; ++v) {
+    const Vec3& p = b.document->mesh().position(v);
+    const bool isInside = p.x() > 6 && p.x() < 14 && p.y() > 6 && p.y() < 14;
+    QVERIFY(isInside || p.z() == 0.0);
+  }
+}
+
+void SculptToolActionsTest::undoFindsTheLevels() {
+  SculptBench b(middle());
+  b.runner.key("L");
+  b.runner.setSetting("level", 0.0);
+  b.lift(1.0);
+  QVERIFY(b.tool->levels().mesh(0).position(at(10, 10)).z() > 0.9);
+  b.document->history()->undo();
+  QCOMPARE(b.tool->levels().finest(), std::size_t(1));
+  QCOMPARE(b.tool->levels().mesh(0).position(at(10, 10)).z(), 0.0);
+  b.document->history()->undo();
+  QCOMPARE(b.tool->levels().finest(), std::size_t(0));
+  QCOMPARE(b.tool->levels().patch().count(), std::size_t(128));
+  b.document->history()->redo();
+  b.document->history()->redo();
+  QCOMPARE(b.tool->levels().finest(), std::size_t(1));
+  QVERIFY(b.tool->levels().mesh(0).position(at(10, 10)).z() > 0.9);
+}
+
+void SculptToolActionsTest::rememberedForTheNextTime() {
+  SculptBench b(middle());
+  b.runner.key("L");
+  b.start();
+  QCOMPARE(b.tool->levels().finest(), std::size_t(1));
+  b.start({3});
+  QCOMPARE(b.tool->levels().finest(), std::size_t(0));
+  QCOMPARE(b.tool->levels().patch().count(), std::size_t(1));
+}
+
+// A quadrilateral of two triangles of 8 mm in a plate of 1 mm.
+void SculptToolActionsTest::refinesToTheSurroundings() {
+  TriangleSoup soup = annulus(24, 8, 4.0, 12.0);
+  const auto centre = static_cast<std::uint32_t>(soup.points.size());
+  soup.points.push_back(Vec3::Zero());
+  FaceSelection patch;
+  for (std::uint32_t j = 0; j < 24; ++j) {
+    patch.add(static_cast<Face>(soup.triangles.size()));
+    soup.triangles.push_back({centre, j, (j + 1) % 24});
+  }
+  SculptBench b(patch, soup);
+  b.runner.key("Ctrl+L");
+  QCOMPARE(b.tool->levels().finest(), std::size_t(2));
+  QCOMPARE(b.steps(), 1);
+  QCOMPARE(b.check(), std::string());
+  b.runner.key("Ctrl+L");
+  QCOMPARE(b.steps(), 1);
+  QVERIFY(!propertyNamed(b.tool->settings(), "patch")->problem.empty());
+}
+
+void SculptToolActionsTest::warnsOfSlimTriangles() {
+  SculptBench b({2 * (20 * 10 + 10), 2 * (20 * 10 + 10) + 1});
+  for (int level = 1; level <= 4; ++level) {
+    b.runner.key("L");
+    const Property* aspect = propertyNamed(b.tool->settings(), "aspect");
+    QVERIFY(aspect);
+    QCOMPARE(aspect->problem.empty(), level <= 3);
+  }
+  QVERIFY(std::get<double>(propertyNamed(b.tool->settings(), "aspect")->value) > 8.0);
+}
+
+void SculptToolActionsTest::smoothsNoise() {
+  TriangleSoup soup = sheet();
+  for (std::size_t i = 0; i < soup.points.size(); ++i) soup.points[i].z() = 0.05 * ((i * 7919) % 13 - 6.0) / 6.0;
+  const auto roughness = [](const HalfEdgeMesh& mesh) {
+    double sum = 0.0;
+    for (Vertex v = 0; v < 441; ++v) {
+      const Vec3& p = mesh.position(v);
+      if (p.x() > 6 && p.x() < 14 && p.y() > 6 && p.y() < 14) sum += p.z() * p.z();
+    }
+    return std::sqrt(sum);
+  };
+  SculptBench b(middle(), soup);
+  const double before = roughness(b.document->mesh());
+  b.runner.key("O");
+  QCOMPARE(b.steps(), 1);
+  QVERIFY(roughness(b.document->mesh()) < 0.5 * before);
+  QVERIFY(vertexAt(b.document->mesh(), soup.points[0]) != kNone);
+  b.runner.key("A");
+  b.runner.key("O");  // along the border of the plate
+  QCOMPARE(b.steps(), 2);
+  QCOMPARE(b.check(), std::string());
+}
+
+void SculptToolActionsTest::tellsWhyNot() {
+  SculptBench b({7});
+  b.runner.key("L");
+  QCOMPARE(b.steps(), 0);
+  QVERIFY(!propertyNamed(b.tool->settings(), "patch")->problem.empty());
+  SculptBench whole;
+  QVERIFY(!isEnabled(*whole.tool, "subdivide") && !isEnabled(*whole.tool, "refine") && isEnabled(*whole.tool, "noise"));
+}
+
+void SculptToolActionsTest::jobsThatComeTooLate() {
+  const auto document = meshDocument(sheet());
+  WaitingServices waiting;
+  waiting.faces = std::make_shared<FaceHierarchy>(document->mesh());
+  ToolRunner runner;
+  runner.start(std::make_unique<SculptTool>(*document, waiting.services(), std::make_shared<LevelMemory>(), middle()),
+               *document);
+  runner.key("L");
+  QVERIFY(!isEnabled(*runner.tool(), "subdivide"));
+  runner.deliver(waiting.work());
+  QCOMPARE(waiting.changes.size(), std::size_t(1));
+  runner.key("L");
+  runner.pointer(above(Kind::Press, 10, 10));  // a stroke goes before
+  QCOMPARE(waiting.cancelled, 1);
+  runner.deliver(waiting.work());
+  QCOMPARE(static_cast<const SculptTool*>(runner.tool())->levels().finest(), std::size_t(1));
+}
+
+void SculptToolActionsTest::radiusByKey() {
+  SculptBench b;
+  b.runner.key("]");
+  QCOMPARE(std::get<double>(propertyNamed(b.tool->settings(), "radius")->value), 3.75);
+  b.runner.key("[");
+  QCOMPARE(std::get<double>(propertyNamed(b.tool->settings(), "radius")->value), 3.0);
+}
+
+void SculptToolActionsTest::oddSettings() {
+  SculptBench b(middle());
+  for (const PropertyValue& value : {PropertyValue(std::numeric_limits<double>::quiet_NaN()), PropertyValue(-7.0),
+                                     PropertyValue(1e300), PropertyValue(true), PropertyValue(std::string("?"))}) {
+    for (const char* id : {"brush", "radius", "strength", "moves_border", "noise_angle", "level", "patch", "nothing"})
+      b.runner.setSetting(id, value);
+    b.stroke({{10, 10}, {12, 11}});
+    QCOMPARE(b.check(), std::string());
+  }
+}
+
+QTEST_GUILESS_MAIN(SculptToolActionsTest)
+#include "SculptToolActionsTest.moc"

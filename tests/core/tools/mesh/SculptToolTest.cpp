@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "SculptBench.h"
+#include "WaitingServices.h"
+
+#include <QTest>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+class SculptToolTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void dragsInThePlaneOfTheView();
+  void dragsWithADevice();
+  void aDragAndBackIsNoStep();
+  void brushes();
+  void shiftSmoothsAndControlInverts();
+  void escapeGivesTheStrokeUp();
+  void besideTheModel();
+  void onlyThePatch();
+  void strokesWaitForOneAnother();
+  void whatIsGivenUpIsTakenBack();
+  void whoElseChangesTheDocumentWins();
+};
+
+void SculptToolTest::dragsInThePlaneOfTheView() {
+  SculptBench b;
+  const PointerEvent press = above(Kind::Press, 10, 10);
+  QCOMPARE(b.runner.pointer(press), ToolReply::Used);
+  b.runner.pointer(above(Kind::Drag, 10.4, 10.2));
+  QVERIFY(b.tool->preview().live);
+  QVERIFY((b.tool->preview().live->mesh.position(at(10, 10)) - Vec3(10.4, 10.2, 0)).norm() < 1e-5);
+  QCOMPARE(b.document->mesh().position(at(10, 10)), Vec3(10, 10, 0));  // only shown
+  QCOMPARE(b.tool->forces().size(), std::size_t(1));
+  b.runner.pointer(above(Kind::Drag, 10.6, 9.8));
+  b.runner.pointer(above(Kind::Release, 10.5, 10.1));
+  QVERIFY((b.document->mesh().position(at(10, 10)) - Vec3(10.5, 10.1, 0)).norm() < 1e-5);
+  QCOMPARE(b.steps(), 1);
+  QVERIFY(!b.tool->preview().live && b.tool->forces().empty());
+  QCOMPARE(b.check(), std::string());
+  b.document->history()->undo();
+  QCOMPARE(b.document->mesh().position(at(10, 10)), Vec3(10, 10, 0));
+}
+
+void SculptToolTest::dragsWithADevice() {
+  SculptBench b;
+  b.lift(1.5);
+  QVERIFY(std::abs(b.height() - 1.5) < 1e-6);
+  QVERIFY(b.height(10, 11) > 0.5 && b.height(10, 11) < 1.5);
+  QCOMPARE(b.height(10, 14), 0.0);  // 4 mm off
+  QCOMPARE(b.steps(), 1);
+  PointerEvent second = above(Kind::Press, 10, 10);
+  second.device = Pose::Identity();
+  second.button = PointerButton::Second;
+  QCOMPARE(b.runner.pointer(second), ToolReply::Finished);
+}
+
+void SculptToolTest::aDragAndBackIsNoStep() {
+  SculptBench b;
+  b.stroke({{10, 10}, {11, 10}, {10, 10}});
+  QCOMPARE(b.steps(), 0);
+  QVERIFY(!b.tool->preview().live);
+}
+
+void SculptToolTest::brushes() {
+  SculptBench b;
+  b.runner.setSetting("strength", 1.0);
+  b.runner.setSetting("brush", kInflate);
+  b.stroke({{8, 10}, {12, 10}});
+  const double raised = b.height();
+  QVERIFY(raised > 0.2);
+  b.runner.setSetting("brush", kFlatten);
+  b.stroke({{8, 10}, {12, 10}});
+  QVERIFY(b.height() < raised);
+  b.runner.setSetting("brush", kSmooth);
+  b.stroke({{8, 10}, {12, 10}});
+  QCOMPARE(b.steps(), 3);
+  QCOMPARE(b.check(), std::string());
+  QCOMPARE(b.height(0, 0), 0.0);
+  b.document->history()->setIndex(0);
+  for (Vertex v = 0; v < b.document->mesh().vertexSlots(); ++v) QCOMPARE(b.document->mesh().position(v).z(), 0.0);
+}
+
+void SculptToolTest::shiftSmoothsAndControlInverts() {
+  SculptBench b;
+  b.runner.setSetting("brush", kInflate);
+  b.stroke({{10, 10}}, kControl);
+  const double pressed = b.height();
+  QVERIFY(pressed < -0.05);
+  b.stroke({{10, 10}, {11, 10}, {9, 10}, {10, 10}}, kShift);
+  QVERIFY(b.height() > pressed);
+}
+
+void SculptToolTest::escapeGivesTheStrokeUp() {
+  SculptBench b;
+  b.runner.pointer(above(Kind::Press, 10, 10));
+  b.runner.pointer(above(Kind::Drag, 12, 10));
+  QVERIFY(b.tool->preview().live);
+  QCOMPARE(b.runner.key("Esc"), ToolReply::Used);
+  QVERIFY(!b.tool->preview().live);
+  QCOMPARE(b.runner.pointer(above(Kind::Release, 12, 10)), ToolReply::Ignored);
+  QCOMPARE(b.steps(), 0);
+  QCOMPARE(b.runner.key("Esc"), ToolReply::Finished);
+}
+
+void SculptToolTest::besideTheModel() {
+  SculptBench b;
+  QCOMPARE(b.runner.pointer(above(Kind::Press, 40, 10)), ToolReply::Ignored);  // the camera may turn
+  QCOMPARE(b.runner.pointer(above(Kind::Drag, 10, 10)), ToolReply::Ignored);
+  b.runner.pointer(above(Kind::Hover, 10, 10));
+  QVERIFY(b.tool->preview().circle && b.tool->preview().circle->second == 3.0);
+  b.runner.pointer(above(Kind::Leave, 10, 10));
+  QVERIFY(!b.tool->preview().circle);
+}
+
+void SculptToolTest::onlyThePatch() {
+  SculptBench b(middle());
+  QCOMPARE(b.tool->preview().lines.size(), std::size_t(1));
+  b.runner.setSetting("radius", 8.0);
+  b.lift(2.0);
+  QVERIFY(b.height() > 1.9);
+  for (Vertex v = 0; v < 441; ++v) {
+    const Vec3& p = b.document->mesh().position(v);
+    const bool isInside = p.x() > 6 && p.x() < 14 && p.y() > 6 && p.y() < 14;
+    QVERIFY(isInside || p.z() == 0.0);
+  }
+  b.runner.key("A");
+  QVERIFY(b.tool->preview().lines.empty());
+  b.lift(2.0, 4.0);
+  QVERIFY(b.height(4, 10) > 1.9);
+}
+
+// A change takes its time; the next stroke begins on what is shown, and each becomes a step of its own.
+void SculptToolTest::strokesWaitForOneAnother() {
+  const auto document = meshDocument(sheet());
+  WaitingServices waiting;
+  waiting.faces = std::make_shared<FaceHierarchy>(document->mesh());
+  ToolRunner runner;
+  runner.start(std::make_unique<SculptTool>(*document, waiting.services(), std::make_shared<LevelMemory>()), *document);
+  runner.setSetting("radius", 3.0);
+  const auto* tool = static_cast<const SculptTool*>(runner.tool());
+  for (const double x : {10.5, 11.0, 11.5}) {
+    runner.pointer(above(Kind::Press, x - 0.5, 10));
+    runner.pointer(above(Kind::Release, x, 10));
+  }
+  QCOMPARE(waiting.changes.size(), std::size_t(3));
+  QVERIFY((tool->preview().live->mesh.position(at(10, 10)) - Vec3(11.5, 10, 0)).norm() < 1e-5);
+  for (int step = 1; step <= 3; ++step) {
+    const MeshChange change = waiting.changes.front();
+    waiting.changes.pop_front();
+    HalfEdgeMesh mesh = document->mesh();
+    change.apply(mesh, {});
+    QVERIFY(document->commit(QString(change.text), inspected(mesh)));
+    change.ended();
+    QCOMPARE(document->history()->count(), step);
+    QCOMPARE(tool->preview().live != nullptr, step < 3);
+  }
+  QVERIFY((document->mesh().position(at(10, 10)) - Vec3(11.5, 10, 0)).norm() < 1e-5);
+}
+
+void SculptToolTest::whatIsGivenUpIsTakenBack() {
+  const auto document = meshDocument(sheet());
+  WaitingServices waiting;
+  waiting.faces = std::make_shared<FaceHierarchy>(document->mesh());
+  ToolRunner runner;
+  runner.start(std::make_unique<SculptTool>(*document, waiting.services(), std::make_shared<LevelMemory>()), *document);
+  for (int i = 0; i < 2; ++i) {
+    runner.pointer(above(Kind::Press, 10, 10));
+    runner.pointer(above(Kind::Release, 10.5, 10));
+  }
+  QVERIFY(runner.tool()->preview().live);
+  waiting.changes[0].ended();  // cancelled
+  QVERIFY(!runner.tool()->preview().live);
+  waiting.changes[1].ended();  // without the first there is nothing that it could change
+  QVERIFY(!runner.tool()->preview().live);
+  runner.stop();
+  waiting.changes[1].ended();  // reaches nobody
+}
+
+void SculptToolTest::whoElseChangesTheDocumentWins() {
+  const auto document = meshDocument(sheet());
+  WaitingServices waiting;
+  waiting.faces = std::make_shared<FaceHierarchy>(document->mesh());
+  ToolRunner runner;
+  runner.start(std::make_unique<SculptTool>(*document, waiting.services(), std::make_shared<LevelMemory>()), *document);
+  runner.pointer(above(Kind::Press, 10, 10));
+  runner.pointer(above(Kind::Release, 10.5, 10));
+  HalfEdgeMesh other = document->mesh();
+  other.removeFace(0);
+  document->commit(QStringLiteral("other"), inspected(other));
+  QVERIFY(!runner.tool()->preview().live);
+  HalfEdgeMesh mesh = document->mesh();
+  waiting.changes.front().apply(mesh, {});
+  QVERIFY(sameMesh(mesh, document->mesh()));
+  waiting.changes.front().ended();
+  QCOMPARE(document->mesh().position(at(10, 10)), Vec3(10, 10, 0));
+}
+
+QTEST_GUILESS_MAIN(SculptToolTest)
+#include "SculptToolTest.moc"
