@@ -12,7 +12,7 @@
 namespace handwheel {
 
 ToolOffer measureOffer(std::function<std::unique_ptr<Tool>()> make) {
-  return {QStringLiteral("measureTool"), KindUi::tr("&Measure"),  KindUi::tr("Measure the distance between two points"),
+  return {QStringLiteral("measureTool"), KindUi::tr("&Measure"),  KindUi::tr("Measure distances, angles and walls"),
           QStringLiteral("ruler"),       QKeySequence(Qt::Key_M), std::move(make)};
 }
 

@@ -56,11 +56,11 @@ std::vector<Hint> PartsUi::hints() {
 }
 
 ToolOffer PartsUi::measureParts() const {
-  const auto pick = [&viewport = m_parts.viewport](const Ray& ray) -> std::optional<Vec3> {
+  const auto pick = [&viewport = m_parts.viewport](const Ray& ray) -> std::optional<SurfacePoint> {
     const Pick hit = viewport.pickAlong(ray.origin, ray.direction);
-    return hit.isNothing() ? std::nullopt : std::optional(hit.point);
+    return hit.isNothing() ? std::nullopt : std::optional(SurfacePoint{hit.point});
   };
-  return measureOffer([pick] { return std::make_unique<MeasureTool>(pick); });
+  return measureOffer([pick] { return std::make_unique<MeasureTool>(MeasureServices{pick, {}}); });
 }
 
 std::vector<QAction*> PartsUi::panelActions() const {

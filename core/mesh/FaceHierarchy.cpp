@@ -22,6 +22,11 @@ bool FaceHierarchy::forEachInBox(const Box& box, const std::function<bool(Face)>
   return m_hierarchy.forEachInBox(box, [&](std::uint32_t i) { return visit(m_faceOf[i]); });
 }
 
+std::optional<Vec3> FaceHierarchy::nearest(const Vec3& p) const {
+  const auto found = m_hierarchy.nearest(p);
+  return found ? std::optional(found->point) : std::nullopt;
+}
+
 bool FaceHierarchy::isHidden(const Vec3& p, const std::optional<Vec3>& eye, const Vec3& direction, double by,
                              Face own) const {
   if (bounds().isEmpty()) return false;

@@ -30,6 +30,9 @@ class FaceHierarchy {
   // until it returns false. Returns false when a visit did.
   bool forEachInBox(const Box& box, const std::function<bool(Face)>& visit) const;
 
+  // The point of the surface nearest to p; none without faces.
+  std::optional<Vec3> nearest(const Vec3& p) const;
+
   // Whether something lies before p, by more than this (mm), as seen along the line of sight through it from the eye
   // or, without one, from outside the model along the direction. A face that p is known to lie on does not count.
   bool isHidden(const Vec3& p, const std::optional<Vec3>& eye, const Vec3& direction, double by = 0.0,

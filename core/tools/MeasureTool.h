@@ -2,21 +2,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "mesh/WallThickness.h"
 #include "tools/Tool.h"
 
 #include <functional>
 
 namespace handwheel {
 
-// The distance between two points that one clicks at. It changes nothing.
+// A point of the model's surface.
+struct SurfacePoint {
+  Vec3 point = Vec3::Zero();
+  Vec3 normal = Vec3::Zero();  // of unit length, outward; zero where it is not known
+  Face face = kNone;           // of a mesh
+};
+
+struct MeasureServices {
+  // The point that a ray meets first ("picking").
+  std::function<std::optional<SurfacePoint>(const Ray&)> pick;
+  // Null where the model is no body of one mesh: then only points are measured.
+  std::function<std::optional<WallThickness>(const SurfacePoint&)> thickness;
+};
+
+// Measures what one clicks at: the distance of two points, the angle of three, the angle between two faces, or how
+// thick the wall is below a point. It changes nothing.
 class MeasureTool : public Tool {
  public:
-  // pick: the point of the model that a ray meets first ("picking").
-  using Pick = std::function<std::optional<Vec3>(const Ray&)>;
-  explicit MeasureTool(Pick pick) : m_pick(std::move(pick)) {}
+  enum class Mode { Distance, PointAngle, FaceAngle, Thickness };
 
-  // mm; between the first point and the second, or what is under the pointer. None before there are two.
-  std::optional<double> distance() const;
+  explicit MeasureTool(MeasureServices services) : m_services(std::move(services)) {}
+
+  // Of the points that were clicked, and as the last one that under the pointer; none while some are missing.
+  std::optional<double> distance() const;  // mm
+  // Radian, 0…π: at the second point between the others; or that which two faces enclose, on the side where it is below
+  // a half turn: right for the sides of a square bar, none for opposite ones.
+  std::optional<double> angle() const;
+  std::optional<WallThickness> thickness() const;
 
   std::string id() const override { return "measure"; }
   ToolReply pointer(const PointerEvent& event) override;
@@ -24,14 +44,21 @@ class MeasureTool : public Tool {
   std::vector<ToolAction> actions() const override;
   ToolPreview preview() const override;
   std::vector<Property> settings() const override;
-  void documentChanged() override { m_first = m_second = m_hovered = std::nullopt; }
+  void setSetting(std::string_view id, const PropertyValue& value) override;
+  void documentChanged() override { start(); }
   std::vector<std::string> needs() const override { return {"picking"}; }
 
  private:
-  std::optional<Vec3> end() const { return m_second ? m_second : m_hovered; }
+  std::size_t wanted() const;                // points
+  std::vector<SurfacePoint> points() const;  // clicked, and under the pointer
+  void start();
+  void addAngle(ToolPreview& preview, const std::vector<SurfacePoint>& points) const;
 
-  Pick m_pick;
-  std::optional<Vec3> m_first, m_second, m_hovered;
+  MeasureServices m_services;
+  Mode m_mode = Mode::Distance;
+  std::vector<SurfacePoint> m_clicked;
+  std::optional<SurfacePoint> m_hovered;
+  double m_pixel = 0.0;  // mm, where the pointer was last
 };
 
 }  // namespace handwheel

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/MeshTools.h"
 
+#include "mesh/SmoothNormal.h"
 #include "tools/MeasureTool.h"
 #include "tools/mesh/BoundaryTool.h"
 #include "tools/mesh/DecimateTool.h"
@@ -84,11 +85,19 @@ std::unique_ptr<Tool> MeshTools::sculptTool() {
 
 std::unique_ptr<Tool> MeshTools::measureTool() {
   faces();
-  return std::make_unique<MeasureTool>([this](const Ray& ray) -> std::optional<Vec3> {
+  MeasureServices services;
+  services.pick = [this](const Ray& ray) -> std::optional<SurfacePoint> {
     const auto sorted = faces();
     const auto hit = sorted ? sorted->firstHit(ray) : std::nullopt;
-    return hit ? std::optional(hit->point) : std::nullopt;
-  });
+    if (!hit) return std::nullopt;
+    return SurfacePoint{hit->point, smoothNormal(sorted->mesh(), hit->face, hit->point), hit->face};
+  };
+  services.thickness = [this](const SurfacePoint& at) -> std::optional<WallThickness> {
+    const auto sorted = faces();
+    if (!sorted || at.face >= sorted->mesh().faceSlots() || !sorted->mesh().isLive(at.face)) return std::nullopt;
+    return wallThickness(*sorted, at.face, at.point);
+  };
+  return std::make_unique<MeasureTool>(std::move(services));
 }
 
 std::unique_ptr<Tool> MeshTools::decimateTool() {

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "mesh/HalfEdgeMesh.h"
+
+#include <vector>
+
+namespace handwheel {
+
+struct SectionCurve {
+  std::vector<Vec3> points;  // mm; no two in a row are equal
+  bool closed = true;        // the last point joins the first; an open one ends where the surface does
+};
+
+// Where a plane meets a mesh. Seen from the side to which the plane's normal points, the curves have the material on
+// their left: outlines run counter-clockwise, those of hollows clockwise.
+struct Section {
+  std::vector<SectionCurve> curves;
+  double length = 0.0;  // mm, of all
+  double area = 0.0;    // mm², within the closed curves, without hollows; only they have a meaning as an area
+  bool isClosed = true;
+};
+
+// Cuts a mesh by the plane of the points p with normal · p = offset (mm); the normal is of unit length. What lies in
+// the plane itself counts as below it, so the result is that of a plane just above; each face is cut in one segment or
+// not at all, and the curves of a closed mesh are closed (Edelsbrunner, Mücke, "Simulation of simplicity", 1990).
+// Points lie on the edges of the mesh to the rounding of a division. Faces with a corner that is not finite, or with a
+// repeated one, are left out. Of no use once cancelled. O(faces).
+Section sectionOf(const HalfEdgeMesh& mesh, const Vec3& normal, double offset, Progress progress = {});
+
+}  // namespace handwheel
