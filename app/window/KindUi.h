@@ -85,6 +85,8 @@ class KindUi : public QObject {
 
   virtual std::vector<Hint> hints() { return {}; }
   virtual NextStep nextStep() { return {}; }
+  // Of the cut by the clipping plane; shown below its settings.
+  virtual std::vector<Property> sectionFigures() const { return {}; }
   virtual QString figures() const { return {}; }  // "1 234 triangles"
   // One line for the log when a document was opened.
   virtual QString openedText(const OpenDocument& document) const = 0;

@@ -81,7 +81,7 @@ void MainWindow::makeKinds(const KindSet& kinds) {
     made->setParent(this);  // whose actions are found below the window
     connect(made.get(), &KindUi::stateChanged, this, [this, from = made.get()] {
       if (from != ui()) return;
-      m_viewSettings->refresh();
+      m_viewSettings->setSectionFigures(ui()->sectionFigures());
       m_kindDock->setWindowTitle(ui()->panelTitle());
       updateFigures();
       updateHints();

@@ -137,6 +137,7 @@ void MainWindow::showDocument(OpenDocument* document) {
   m_kindPlace->show(present);
   m_toolChoice->takeUp(document);
   m_viewSettings->followModel();
+  if (!document) m_viewSettings->setSectionFigures({});
   for (QAction* action : m_viewActions->views() + m_viewActions->shadings()) action->setEnabled(document != nullptr);
   m_viewActions->fit()->setEnabled(document != nullptr);
   if (document) m_viewport->setFocus();

@@ -80,11 +80,20 @@ void ViewSettings::refresh() {
   offset.value = std::clamp(m_offset, least, largest);
   offset.editable = m_clip.isChecked();
   all.push_back(offset);
+  for (Property figure : m_figures) {
+    figure.group = kClipGroup;
+    all.push_back(std::move(figure));
+  }
   m_list.setProperties(all);
 }
 
 void ViewSettings::setLengthUnit(LengthUnit unit) {
   m_list.setLengthUnit(unit);
+}
+
+void ViewSettings::setSectionFigures(std::vector<Property> figures) {
+  m_figures = std::move(figures);
+  refresh();
 }
 
 void ViewSettings::followModel() {

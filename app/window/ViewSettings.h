@@ -22,6 +22,8 @@ class ViewSettings : public QObject {
   // The model has changed its size, or the camera its projection.
   void refresh();
   void setLengthUnit(LengthUnit unit);
+  // What was measured where the plane cuts the model; refreshes.
+  void setSectionFigures(std::vector<Property> figures);
   QAction* clipAction() { return &m_clip; }  // cuts the model open
 
  private:
@@ -39,6 +41,7 @@ class ViewSettings : public QObject {
   double m_place = 0.5;   // of the plane across the model, 0…1
   Vec3 m_viewDirection = Vec3::UnitZ();
   bool m_cube = true;
+  std::vector<Property> m_figures;
 };
 
 }  // namespace handwheel

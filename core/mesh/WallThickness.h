@@ -18,11 +18,12 @@ struct WallThickness {
   Vec3 ballCentre = Vec3::Zero();
 };
 
-// At a point of a live face, inwards from its smoothNormal(). Along it, parts that run into each other are one body; the
-// ball meets every wall. It shrinks from the one between the two walls until none of the surface is inside by more than
-// 1 % of its radius and what facets stand off from the smooth surface (Ma, Bae, Choi, "3D medial axis point approximation
-// using nearest neighbors and the normal field", 2012, on the surface instead of a cloud of points); so what is rougher
-// than that makes it small. None where there is no wall behind, as on an open sheet, or the face has no area.
+// At a point of a live face, inwards from its smoothNormal(). Along it, parts that run into each other are one body;
+// the ball meets every wall. It shrinks from the one between the two walls until none of the surface is inside by more
+// than 1 % of its radius and what facets stand off from the smooth surface (Ma, Bae, Choi, "3D medial axis point
+// approximation using nearest neighbors and the normal field", 2012, on the surface instead of a cloud of points); so
+// what is rougher than that makes it small. None where there is no wall behind, as on an open sheet, or the face has no
+// area.
 std::optional<WallThickness> wallThickness(const FaceHierarchy& faces, Face f, const Vec3& p);
 
 }  // namespace handwheel

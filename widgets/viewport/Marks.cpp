@@ -70,7 +70,8 @@ Marks::Marks(vtkRenderer* renderer)
       m_plainLoops(renderer, 3.0, 3.0, 1.0),
       m_strongLoops(renderer, 4.0, 5.0, 2.5),
       m_lines(renderer, 4.0, 3.0, 1.0),
-      m_points(renderer, 6.0, 8.0, 1.5) {
+      m_points(renderer, 6.0, 8.0, 1.5),
+      m_section(renderer, 2.5, 2.5, 1.0) {
   for (Layer* layer : {&m_faces, &m_hovered, &m_preview}) setOverlayMaterial(layer->property());
 }
 
@@ -79,6 +80,7 @@ void Marks::clear() {
   setFaceMarks({});
   setPointMarks({});
   setLineMarks({});
+  setSection({});
   setPreview({}, {});
   setSelectedFaces({});
   setHighlightedFaces({});
@@ -116,6 +118,11 @@ void Marks::setLineMarks(std::vector<LineMark> marks) {
   m_stale.set(Lines);
 }
 
+void Marks::setSection(std::vector<SectionMark> section) {
+  m_sectionMarks = std::move(section);
+  m_stale.set(Section);
+}
+
 void Marks::setPreview(std::vector<Vec3> points, std::vector<Triangle> triangles) {
   m_previewPoints = std::move(points);
   m_previewTriangles = std::move(triangles);
@@ -149,7 +156,8 @@ void Marks::prepare(const LayerFrame& frame) {
   for (Layer* layer : {&m_faces, &m_hovered, &m_preview}) layer->prepare(frame);
   for (FaceLayer* layer : {&m_selected, &m_highlighted}) layer->prepare(frame);
   m_previewEdges.prepare(frame);
-  for (CasedStrokes* strokes : {&m_plainLoops, &m_strongLoops, &m_lines, &m_points}) strokes->prepare(frame);
+  for (CasedStrokes* strokes : {&m_plainLoops, &m_strongLoops, &m_lines, &m_points, &m_section})
+    strokes->prepare(frame);
 }
 
 void Marks::rebuildStale() {
@@ -160,6 +168,7 @@ void Marks::rebuildStale() {
   if (m_stale[HoveredFace]) rebuildHoveredFace();
   if (m_stale[Points]) rebuildPoints();
   if (m_stale[Lines]) rebuildLines();
+  if (m_stale[Section]) rebuildSection();
   if (m_stale[Preview]) rebuildPreview();
   m_stale.reset();
 }
@@ -203,6 +212,12 @@ void Marks::rebuildPoints() {
     for (const Vec3& p : mark.points) dots.push_back({{&p, 1}, false, mark.colour});
   }
   m_points.set(std::move(dots), m_colours.casing, m_origin);
+}
+
+void Marks::rebuildSection() {
+  std::vector<Stroke> strokes;
+  for (const SectionMark& mark : m_sectionMarks) strokes.push_back({mark.points, mark.closed, m_colours.accent});
+  m_section.set(std::move(strokes), m_colours.casing, m_origin);
 }
 
 void Marks::rebuildLines() {

@@ -48,6 +48,7 @@ class Marks {
   void setFaceMarks(std::vector<FaceMark> marks);
   void setPointMarks(std::vector<PointMark> marks);
   void setLineMarks(std::vector<LineMark> marks);
+  void setSection(std::vector<SectionMark> section);
   void setPreview(std::vector<Vec3> points, std::vector<Triangle> triangles);
   // Until they are set anew: selected faces, and those that a tool points out. False when they are the same as before.
   bool setSelectedFaces(std::vector<Face> faces);
@@ -64,7 +65,7 @@ class Marks {
   void prepare(const LayerFrame& frame);
 
  private:
-  enum Part { Loops, Faces, Selected, Highlighted, HoveredFace, Points, Lines, Preview, kParts };
+  enum Part { Loops, Faces, Selected, Highlighted, HoveredFace, Points, Lines, Section, Preview, kParts };
 
   void rebuildStale();
   void rebuildLoops();
@@ -72,6 +73,7 @@ class Marks {
   void rebuildHoveredFace();
   void rebuildPoints();
   void rebuildLines();
+  void rebuildSection();
   void rebuildPreview();
   void addFace(PolyDataBuilder& builder, Face face, const QColor& colour) const;
 
@@ -82,6 +84,7 @@ class Marks {
   std::vector<FaceMark> m_faceMarks;
   std::vector<PointMark> m_pointMarks;
   std::vector<LineMark> m_lineMarks;
+  std::vector<SectionMark> m_sectionMarks;
   std::vector<Vec3> m_previewPoints;
   std::vector<Triangle> m_previewTriangles;
   int m_listLoop = -1;
@@ -99,6 +102,7 @@ class Marks {
   CasedStrokes m_strongLoops;
   CasedStrokes m_lines;
   CasedStrokes m_points;
+  CasedStrokes m_section;
 };
 
 }  // namespace handwheel

@@ -181,6 +181,11 @@ void Viewport::setLineMarks(std::vector<LineMark> marks) {
   update();
 }
 
+void Viewport::setSection(std::vector<SectionMark> section) {
+  d->scene.marks().setSection(std::move(section));
+  update();
+}
+
 void Viewport::setPreview(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles) {
   d->scene.marks().setPreview(points, triangles);
   update();

@@ -65,6 +65,8 @@ class Viewport : public QOpenGLWidget {
   void setFaceMarks(std::vector<FaceMark> marks);
   void setPointMarks(std::vector<PointMark> marks);
   void setLineMarks(std::vector<LineMark> marks);
+  // The outline of a cut, on the model.
+  void setSection(std::vector<SectionMark> section);
   // A translucent patch over the model, for what an operation would add. Empty removes it.
   void setPreview(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles);
   // Draws this loop or part as under the cursor, for hovering in a list; -1 and an empty name for none.
@@ -143,6 +145,7 @@ class Viewport : public QOpenGLWidget {
   void clicked(const handwheel::Pick& pick, Qt::KeyboardModifiers modifiers);
   void doubleClicked(const handwheel::Pick& pick);
   void cameraChanged();
+  void clipPlaneChanged();
   void graphicsFailed(const QString& problem);
 
  protected:

@@ -117,8 +117,10 @@ Box Viewport::bounds() const {
 }
 
 void Viewport::setClipPlane(const ClipPlane& plane) {
+  if (plane == clipPlane()) return;
   d->scene.setClipPlane(plane);
   update();
+  emit clipPlaneChanged();
 }
 
 const ClipPlane& Viewport::clipPlane() const {

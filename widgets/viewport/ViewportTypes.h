@@ -44,6 +44,12 @@ struct LineMark {
   QColor colour;
 };
 
+// A line along which the model is cut. Closed: the last point joins the first.
+struct SectionMark {
+  std::vector<Vec3> points;
+  bool closed = true;
+};
+
 // The circle of a brush on the surface.
 struct BrushCircle {
   Vec3 centre = Vec3::Zero();  // mm

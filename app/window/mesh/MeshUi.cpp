@@ -36,12 +36,14 @@ MeshUi::MeshUi(const WindowParts& parts, MeshKind& kind)
            m_actions.preview(), m_defectActions.giveBack(), m_defectActions.cutAndClose(), m_defectActions.fix()},
           parts.window)),
       m_deviation(parts, this),
+      m_section(parts.viewport, parts.pool),
       m_panels(new QStackedWidget(parts.window)),
       m_scene(new DefectScene(parts.viewport, m_selection, *m_panel->model(), this)),
       m_tools(parts.tools, parts.pool, m_selection, m_preview, m_actions, m_jobs) {
   m_panels->setMinimumWidth(264);
   m_panels->addWidget(m_panel);
   m_panels->addWidget(m_deviation.panel());
+  connect(&m_section, &SectionView::changed, this, &KindUi::stateChanged);
   connect(&m_deviation, &DeviationView::message, this, &KindUi::message);
   connect(&m_deviation, &DeviationView::shownChanged, this, [this] {
     if (m_panels) m_panels->setCurrentIndex(m_deviation.isShown() ? 1 : 0);
@@ -127,6 +129,7 @@ void MeshUi::setDocument(OpenDocument* document) {
   if (m_panel) m_panel->setInspection(m_document ? &m_document->inspection : nullptr);
   m_scene->setDocument(m_document);
   m_deviation.setDocument(m_document);
+  m_section.setDocument(m_document);
   m_tools.setDocument(m_document);
   m_search.setDocument(m_document);
   m_actions.setDocument(m_document);
@@ -137,6 +140,7 @@ void MeshUi::setDocument(OpenDocument* document) {
 void MeshUi::refreshVisibility() {
   m_scene->refreshVisibility();
   m_deviation.redraw();
+  m_section.redraw();
 }
 
 QList<QAction*> MeshUi::toolBar() {

@@ -9,6 +9,7 @@
 #include "window/mesh/MeshTools.h"
 #include "window/mesh/RepairActions.h"
 #include "window/mesh/RepairJobs.h"
+#include "window/mesh/SectionView.h"
 #include "window/mesh/Selection.h"
 #include "window/mesh/SelfIntersectionSearch.h"
 
@@ -43,6 +44,7 @@ class MeshUi : public KindUi {
   std::vector<ToolOffer> tools() override;
   std::vector<Hint> hints() override;
   NextStep nextStep() override;
+  std::vector<Property> sectionFigures() const override { return m_section.figures(); }
   QString figures() const override;
   QString openedText(const OpenDocument& document) const override;
   QString saveCommand(const OpenDocument& document, const QString& path) const override;
@@ -64,6 +66,7 @@ class MeshUi : public KindUi {
   DefectActions m_defectActions;
   QPointer<DefectsPanel> m_panel;
   DeviationView m_deviation;
+  SectionView m_section;
   QPointer<QStackedWidget> m_panels;  // the one of the two that is shown
   DefectScene* m_scene;
   MeshTools m_tools;
