@@ -12,9 +12,10 @@ namespace handwheel {
 
 // What a plot shows: a value, as every part of the window that draws curves makes one. All texts come from the caller.
 struct PlotAxis {
-  QString title;             // "CPU time of a fill"
-  QString unit;              // "ms"; shown in brackets behind the title
-  bool logarithmic = false;  // where all values are above zero; else it is linear all the same
+  QString title;                   // "CPU time of a fill"
+  QString unit;                    // "ms"; shown in brackets behind the title
+  bool logarithmic = false;        // where all values are above zero; else it is linear all the same
+  std::vector<double> shown = {};  // values that lie on it whatever the series have
 };
 
 struct PlotSeries {

@@ -9,7 +9,7 @@ namespace handwheel {
 namespace {
 
 PlotScale scaleOf(const Plot& plot, const PlotAxis& axis, double (*of)(const QPointF&)) {
-  std::vector<double> values;
+  std::vector<double> values = axis.shown;
   for (const PlotSeries& s : plot.series) {
     for (const QPointF& p : s.points) {
       if (!std::isfinite(p.x()) || !std::isfinite(p.y())) continue;

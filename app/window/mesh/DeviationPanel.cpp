@@ -153,6 +153,7 @@ void DeviationPanel::showHistogram() {
   const double perShown = perShownUnit(Quantity::Length, m_unit);
   Plot plot;
   plot.x = {tr("Distance"), unitSymbol(Quantity::Length, m_unit)};
+  plot.x.shown = {-scale.range / perShown, scale.range / perShown};
   plot.y = {tr("Share of the area"), QStringLiteral("%"), true};
   plot.locale = QLocale();
   PlotSeries bars;

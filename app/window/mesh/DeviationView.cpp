@@ -49,7 +49,7 @@ Result<std::shared_ptr<MeshDeviation>> compared(const HalfEdgeMesh& mesh, const 
   found->figures = std::move(figures.value());
   found->atVertex = std::make_shared<const std::vector<double>>(std::move(found->figures.ofMesh.atVertex));
   found->diagonal = found->scan->hierarchy().bounds().diagonal().norm();
-  found->scale.range = usualRange(found->ofMesh());
+  found->scale.range = QString::number(usualRange(found->ofMesh()), 'g', 3).toDouble();  // to be read at a glance
   return found;
 }
 
