@@ -4,6 +4,7 @@
 
 #include <QThreadPool>
 #include <new>
+#include <optional>
 #include <utility>
 
 namespace handwheel {
@@ -17,14 +18,16 @@ struct JobRunner::Task {
   Job job;
   JobState state;
   Job::Finish finish;  // written by the worker before done
-  bool outOfMemory = false;
+  std::optional<Error> error;
   std::atomic<bool> done{false};
 
   void run() {
     try {
       finish = job.work(Progress(state));
     } catch (const std::bad_alloc&) {
-      outOfMemory = true;
+      error = Error{ErrorCode::OutOfMemory, {}, {}, {}};
+    } catch (const std::exception& thrown) {  // a defect of ours or of a library; the document is as it was
+      error = Error{ErrorCode::LibraryFailed, {"C++", thrown.what()}, {}, {}};
     }
     job.work = nullptr;  // lets go of snapshots and caches before the window thread goes on
     done.store(true, std::memory_order_release);
@@ -104,8 +107,8 @@ void JobRunner::poll() {
   // The results of a cancelled job are discarded, whatever it still delivered.
   if (task->state.cancelled) {
     task->job.failed(kCancelled);
-  } else if (task->outOfMemory) {
-    task->job.failed(Error{ErrorCode::OutOfMemory, {}, {}, {}});
+  } else if (task->error) {
+    task->job.failed(*task->error);
   } else if (task->finish) {
     task->finish();
   }

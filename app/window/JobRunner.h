@@ -22,7 +22,7 @@ struct Job {
 
   QString name;
   std::function<Finish(Progress)> work;
-  // Instead of the finish, on the window thread: Cancelled or OutOfMemory.
+  // Instead of the finish, on the window thread: Cancelled, OutOfMemory, or LibraryFailed for what else was thrown.
   std::function<void(const Error&)> failed = [](const Error&) {};
   const void* owner = nullptr;  // with which it is cancelled: a document
 };

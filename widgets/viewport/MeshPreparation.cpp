@@ -84,6 +84,9 @@ void MeshPreparation::startBlocks(const HalfEdgeMesh& mesh, const Vec3& origin) 
       });
   QObject::connect(m_blocks.get(), &QFutureWatcherBase::resultReadyAt, m_blocks.get(),
                    [this](int i) { deliver(m_blocks->resultAt(i)); });
+  QObject::connect(m_blocks.get(), &QFutureWatcherBase::finished, m_blocks.get(), [this] {
+    if (!m_blocks->isCanceled() && !m_owed.empty()) m_receivers.outOfMemory();
+  });
   // Queued: a watcher must not be destroyed by its own report.
   QObject::connect(
       m_blocks.get(), &QFutureWatcherBase::finished, m_blocks.get(), [this] { showNext(); }, Qt::QueuedConnection);
@@ -113,6 +116,9 @@ void MeshPreparation::startRest(const HalfEdgeMesh& mesh, const Box& bounds, con
     const Rest rest = m_rest->result();
     if (rest.coarse) m_receivers.coarse(std::move(*rest.coarse));
     m_receivers.index(rest.index);
+  });
+  QObject::connect(m_rest.get(), &QFutureWatcherBase::finished, m_rest.get(), [this] {
+    if (!m_rest->isCanceled() && m_rest->future().resultCount() == 0) m_receivers.outOfMemory();
   });
 }
 

@@ -28,6 +28,7 @@ class MeshPreparation {
     std::function<void(std::size_t block, SurfaceGeometry)> block;
     std::function<void(SurfaceGeometry)> coarse;
     std::function<void(Index)> index;
+    std::function<void()> outOfMemory;  // something of these will not come
   };
 
   explicit MeshPreparation(Receivers receivers) : m_receivers(std::move(receivers)) {}

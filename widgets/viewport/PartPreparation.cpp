@@ -47,9 +47,10 @@ void PartPreparation::startNext() {
 }
 
 void PartPreparation::deliver() {
-  const std::shared_ptr<PartShape> shape = m_run->result();
+  const std::shared_ptr<PartShape> shape = m_run->future().resultCount() > 0 ? m_run->result() : nullptr;
   const Soup soup = m_present;
   startNext();
+  if (!shape) return m_outOfMemory();
   m_receiver(soup, std::move(*shape));
 }
 

@@ -18,7 +18,8 @@ class PartPreparation {
   using Soup = std::shared_ptr<const TriangleSoup>;
   using Receiver = std::function<void(const Soup&, PartShape)>;
 
-  explicit PartPreparation(Receiver receiver) : m_receiver(std::move(receiver)) {}
+  PartPreparation(Receiver receiver, std::function<void()> outOfMemory)
+      : m_receiver(std::move(receiver)), m_outOfMemory(std::move(outOfMemory)) {}
   ~PartPreparation() { cancel(); }
 
   // What is to be made, in this order, instead of what is waiting.
@@ -35,6 +36,7 @@ class PartPreparation {
   void deliver();
 
   Receiver m_receiver;
+  std::function<void()> m_outOfMemory;  // a shape will not come
   std::deque<Soup> m_waiting;
   Soup m_present;  // that of the run
   std::unique_ptr<Run> m_run;

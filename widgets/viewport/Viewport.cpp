@@ -32,9 +32,10 @@ Viewport::Private::Private(Viewport* widget)
                      index = std::move(built);
                      isIndexAwaited = false;
                      layBrush();
-                   }}),
-      partPreparation(
-          [this](const PartPreparation::Soup& soup, PartShape shape) { takeShape(soup, std::move(shape)); }),
+                   },
+                   [this] { tellOutOfMemory(); }}),
+      partPreparation([this](const PartPreparation::Soup& soup, PartShape shape) { takeShape(soup, std::move(shape)); },
+                      [this] { tellOutOfMemory(); }),
       cube(new ViewCube(widget)) {
   camera.orientation = orientationOf(StandardView::Isometric);
   cube->setOrientation(camera.orientation);
@@ -42,6 +43,10 @@ Viewport::Private::Private(Viewport* widget)
   rest.setSingleShot(true);
   rest.setInterval(200);
   QObject::connect(&rest, &QTimer::timeout, q, qOverload<>(&QWidget::update));
+}
+
+void Viewport::Private::tellOutOfMemory() {
+  emit q->graphicsFailed(Viewport::tr("There is not enough memory to draw all of the model."));
 }
 
 void Viewport::Private::moveTo(const CameraState& state) {

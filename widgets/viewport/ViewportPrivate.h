@@ -43,6 +43,7 @@ class Viewport::Private {
 
   // Parts
   void requestShapes();
+  void tellOutOfMemory();
   void takeShape(const PartPreparation::Soup& soup, PartShape shape);
 
   // Mouse

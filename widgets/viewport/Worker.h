@@ -6,11 +6,12 @@
 #include <QPromise>
 #include <QThreadPool>
 #include <memory>
+#include <new>
 
 namespace handwheel {
 
 // Runs work(promise) on a worker and returns the watcher of its future. Destroying the watcher drops the results that
-// are on their way.
+// are on their way. When there is not enough memory for the work it ends with fewer results, and is not cancelled.
 template <class T, class Work>
 std::unique_ptr<QFutureWatcher<T>> runOnWorker(Work work) {
   auto promise = std::make_shared<QPromise<T>>();
@@ -18,7 +19,10 @@ std::unique_ptr<QFutureWatcher<T>> runOnWorker(Work work) {
   watcher->setFuture(promise->future());
   promise->start();
   QThreadPool::globalInstance()->start([promise, work = std::move(work)] {
-    work(*promise);
+    try {
+      work(*promise);
+    } catch (const std::bad_alloc&) {  // who waits sees what is missing
+    }
     promise->finish();
   });
   return watcher;

@@ -24,10 +24,9 @@ void prepare(QAction& action, const char* name, const char* iconName, const QStr
   setTip(action, tip);
 }
 
-// One of them, or all for -1.
-template <class Value>
-std::vector<Value> chosen(const std::vector<Value>& values, int row) {
-  return row < 0 ? values : std::vector<Value>{values[static_cast<std::size_t>(row)]};
+// One of them, or all for -1. (lupdate would take the name in a template's head for the class of all tr() below.)
+auto chosen(const auto& values, int row) {
+  return row < 0 ? values : std::decay_t<decltype(values)>{values[static_cast<std::size_t>(row)]};
 }
 
 }  // namespace

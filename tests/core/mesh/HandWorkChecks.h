@@ -14,12 +14,6 @@ inline NearFaces nearFaces(const HalfEdgeMesh& mesh) {
   return {mesh, std::make_shared<FaceHierarchy>(mesh)};
 }
 
-inline Vertex vertexAt(const HalfEdgeMesh& mesh, const Vec3& p) {
-  for (Vertex v = 0; v < mesh.vertexSlots(); ++v)
-    if (mesh.position(v) == p) return v;
-  return kNone;
-}
-
 // The border half-edge that leaves the vertex there.
 inline HalfEdge borderAt(const HalfEdgeMesh& mesh, const Vec3& p) {
   for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h)

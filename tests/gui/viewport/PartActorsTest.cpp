@@ -202,10 +202,12 @@ class PartActorsTest : public QObject {
   // Every soup is delivered once, in order; one that is being made is delivered although no longer asked for.
   void preparationDelivers() {
     std::vector<std::shared_ptr<const TriangleSoup>> delivered;
-    PartPreparation preparation([&](const PartPreparation::Soup& soup, PartShape shape) {
-      QVERIFY(shape.index != nullptr);
-      delivered.push_back(soup);
-    });
+    PartPreparation preparation(
+        [&](const PartPreparation::Soup& soup, PartShape shape) {
+          QVERIFY(shape.index != nullptr);
+          delivered.push_back(soup);
+        },
+        [] { QFAIL("out of memory"); });
     const auto a = shared(sphereSoup(30)), b = shared(sphereSoup(20)), c = shared(sphereSoup(10));
     preparation.request({a, b});
     preparation.request({c});

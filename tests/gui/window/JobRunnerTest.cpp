@@ -112,6 +112,10 @@ class JobRunnerTest : public QObject {
                   [&](const Error& error) { failure = error.code; }});
     QTRY_VERIFY(runner.isIdle());
     QCOMPARE(failure, ErrorCode::OutOfMemory);
+    runner.start({"broken", [](Progress) -> Job::Finish { throw std::logic_error("unexpected"); },
+                  [&](const Error& error) { failure = error.code; }});
+    QTRY_VERIFY(runner.isIdle());
+    QCOMPARE(failure, ErrorCode::LibraryFailed);
   }
 };
 
