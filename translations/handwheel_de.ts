@@ -1483,6 +1483,234 @@
         <source>Ridges</source>
         <translation>Grate</translation>
     </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Angle of three points</source>
+        <translation>Winkel aus drei Punkten</translation>
+    </message>
+    <message>
+        <source>Angle of two faces</source>
+        <translation>Winkel zweier Flächen</translation>
+    </message>
+    <message>
+        <source>Wall thickness</source>
+        <translation>Wandstärke</translation>
+    </message>
+    <message>
+        <source>Straight through</source>
+        <translation>Gerade hindurch</translation>
+    </message>
+    <message>
+        <source>Largest ball inside</source>
+        <translation>Größte Kugel darin</translation>
+    </message>
+    <message>
+        <source>Two of the points are one.</source>
+        <translation>Zwei der Punkte fallen zusammen.</translation>
+    </message>
+    <message>
+        <source>A triangle would have no area.</source>
+        <translation>Ein Dreieck hätte keinen Flächeninhalt.</translation>
+    </message>
+    <message>
+        <source>An edge would have more than two triangles.</source>
+        <translation>Eine Kante hätte mehr als zwei Dreiecke.</translation>
+    </message>
+    <message>
+        <source>The triangle beside it faces the other way.</source>
+        <translation>Das Dreieck daneben liegt verkehrt herum.</translation>
+    </message>
+    <message>
+        <source>It would touch the surface in a point only.</source>
+        <translation>Es würde die Fläche nur in einem Punkt berühren.</translation>
+    </message>
+    <message>
+        <source>It would cross or touch the part.</source>
+        <translation>Es würde das Teil durchdringen oder berühren.</translation>
+    </message>
+    <message>
+        <source>A triangle would turn over or lose its area.</source>
+        <translation>Ein Dreieck würde umgedreht oder verlöre seinen Flächeninhalt.</translation>
+    </message>
+    <message>
+        <source>There is no open edge.</source>
+        <translation>Es gibt keine offene Kante.</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Glättung</translation>
+    </message>
+    <message>
+        <source>Waves up to (edges)</source>
+        <translation>Wellen bis (Kanten)</translation>
+    </message>
+    <message>
+        <source>Spread evenly</source>
+        <translation>Gleichmäßig verteilen</translation>
+    </message>
+    <message>
+        <source>Way</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Points held back</source>
+        <translation>Zurückgehaltene Punkte</translation>
+    </message>
+    <message>
+        <source>Further on a triangle would turn over, or the surface tear.</source>
+        <translation>Weiter würde ein Dreieck umgedreht oder die Fläche reißen.</translation>
+    </message>
+    <message>
+        <source>Marked triangles</source>
+        <translation>Markierte Dreiecke</translation>
+    </message>
+    <message>
+        <source>There is no island in this hole.</source>
+        <translation>In diesem Loch gibt es keine Insel.</translation>
+    </message>
+    <message>
+        <source>There is no peninsula in this hole.</source>
+        <translation>In diesem Loch gibt es keine Halbinsel.</translation>
+    </message>
+    <message>
+        <source>Go down to</source>
+        <translation>Reduzieren bis</translation>
+    </message>
+    <message>
+        <source>A number</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>A distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Largest distance</source>
+        <translation>Größter Abstand</translation>
+    </message>
+    <message>
+        <source>Leave open edges as they are</source>
+        <translation>Offene Kanten unverändert lassen</translation>
+    </message>
+    <message>
+        <source>Keep sharp edges</source>
+        <translation>Scharfe Kanten erhalten</translation>
+    </message>
+    <message>
+        <source>Sharp from</source>
+        <translation>Scharf ab</translation>
+    </message>
+    <message>
+        <source>Let nothing cross</source>
+        <translation>Durchdringungen vermeiden</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>Ecken</translation>
+    </message>
+    <message>
+        <source>Drag</source>
+        <translation>Ziehen</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Glätten</translation>
+    </message>
+    <message>
+        <source>Inflate</source>
+        <translation>Aufblähen</translation>
+    </message>
+    <message>
+        <source>Flatten</source>
+        <translation>Ebnen</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>Move the edges of holes, too</source>
+        <translation>Ränder der Löcher mitbewegen</translation>
+    </message>
+    <message>
+        <source>Noise up to</source>
+        <translation>Rauschen bis</translation>
+    </message>
+    <message>
+        <source>It has no edge inside to split.</source>
+        <translation>Er hat innen keine Kante, die sich teilen ließe.</translation>
+    </message>
+    <message>
+        <source>It would have too many triangles.</source>
+        <translation>Er hätte zu viele Dreiecke.</translation>
+    </message>
+    <message>
+        <source>The numbers of the file show no finer triangles.</source>
+        <translation>Die Zahlen der Datei geben keine feineren Dreiecke wieder.</translation>
+    </message>
+    <message>
+        <source>It is as fine as its surroundings.</source>
+        <translation>Er ist so fein wie seine Umgebung.</translation>
+    </message>
+    <message>
+        <source>Triangles of the patch</source>
+        <translation>Dreiecke des Flickens</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>Slimness at the edge</source>
+        <translation>Schlankheit am Rand</translation>
+    </message>
+    <message>
+        <source>Its outer triangles have become long and thin: go a level back.</source>
+        <translation>Die äußeren Dreiecke sind lang und schmal geworden: eine Stufe zurückgehen.</translation>
+    </message>
+    <message>
+        <source>Move along X</source>
+        <translation>Verschieben in X</translation>
+    </message>
+    <message>
+        <source>Move along Y</source>
+        <translation>Verschieben in Y</translation>
+    </message>
+    <message>
+        <source>Move along Z</source>
+        <translation>Verschieben in Z</translation>
+    </message>
+    <message>
+        <source>Turn about X</source>
+        <translation>Drehen um X</translation>
+    </message>
+    <message>
+        <source>Turn about Y</source>
+        <translation>Drehen um Y</translation>
+    </message>
+    <message>
+        <source>Turn about Z</source>
+        <translation>Drehen um Z</translation>
+    </message>
+    <message>
+        <source>Scale by</source>
+        <translation>Skalieren mit</translation>
+    </message>
+    <message>
+        <source>The file is in</source>
+        <translation>Die Datei ist in</translation>
+    </message>
+    <message>
+        <source>Length of the outline</source>
+        <translation>Länge des Umrisses</translation>
+    </message>
+    <message>
+        <source>the outline is open</source>
+        <translation>der Umriss ist offen</translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -1689,7 +1917,10 @@
     </message>
     <message numerus="yes">
         <source>%n triangle(s) cut where patches cross</source>
-        <translation><numerusform>%n Dreieck geschnitten, wo Flicken kreuzen</numerusform><numerusform>%n Dreiecke geschnitten, wo Flicken kreuzen</numerusform></translation>
+        <translation>
+            <numerusform>%n Dreieck geschnitten, wo Flicken kreuzen</numerusform>
+            <numerusform>%n Dreiecke geschnitten, wo Flicken kreuzen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1838,6 +2069,374 @@
         <source>Remove debris</source>
         <translation>Bruchstücke entfernen</translation>
     </message>
+    <message>
+        <source>third point</source>
+        <translation>dritter Punkt</translation>
+    </message>
+    <message>
+        <source>keep this place</source>
+        <translation>diese Stelle behalten</translation>
+    </message>
+    <message>
+        <source>first face</source>
+        <translation>erste Fläche</translation>
+    </message>
+    <message>
+        <source>second face</source>
+        <translation>zweite Fläche</translation>
+    </message>
+    <message>
+        <source>the edge has changed meanwhile</source>
+        <translation>der Rand hat sich inzwischen geändert</translation>
+    </message>
+    <message>
+        <source>nothing: two of the points are one</source>
+        <translation>nichts: zwei der Punkte fallen zusammen</translation>
+    </message>
+    <message>
+        <source>nothing: a triangle would turn over or have no area</source>
+        <translation>nichts: ein Dreieck würde umgedreht oder hätte keinen Flächeninhalt</translation>
+    </message>
+    <message>
+        <source>nothing: an edge would have more than two triangles</source>
+        <translation>nichts: eine Kante hätte mehr als zwei Dreiecke</translation>
+    </message>
+    <message>
+        <source>nothing: the triangle beside it faces the other way</source>
+        <translation>nichts: das Dreieck daneben liegt verkehrt herum</translation>
+    </message>
+    <message>
+        <source>nothing: it would touch the surface in a point only</source>
+        <translation>nichts: es würde die Fläche nur in einem Punkt berühren</translation>
+    </message>
+    <message>
+        <source>nothing: it would cross or touch the part</source>
+        <translation>nichts: es würde das Teil durchdringen oder berühren</translation>
+    </message>
+    <message>
+        <source>nothing: there is no open edge</source>
+        <translation>nichts: es gibt keine offene Kante</translation>
+    </message>
+    <message>
+        <source>Pull a point of the edge</source>
+        <translation>Randpunkt ziehen</translation>
+    </message>
+    <message>
+        <source>Join points of the edge</source>
+        <translation>Randpunkte verbinden</translation>
+    </message>
+    <message>
+        <source>Lay a bridge</source>
+        <translation>Brücke legen</translation>
+    </message>
+    <message>
+        <source>move the point</source>
+        <translation>Punkt verschieben</translation>
+    </message>
+    <message>
+        <source>move the point as far as it may go</source>
+        <translation>Punkt verschieben, so weit es geht</translation>
+    </message>
+    <message>
+        <source>join the points</source>
+        <translation>Punkte verbinden</translation>
+    </message>
+    <message>
+        <source>nothing: no other point is near</source>
+        <translation>nichts: kein anderer Punkt ist nah</translation>
+    </message>
+    <message>
+        <source>lay the bridge</source>
+        <translation>Brücke legen</translation>
+    </message>
+    <message>
+        <source>bridge instead of joining</source>
+        <translation>Brücke statt Verbindung</translation>
+    </message>
+    <message>
+        <source>no point attracts</source>
+        <translation>kein Punkt zieht an</translation>
+    </message>
+    <message>
+        <source>take the smooth edge</source>
+        <translation>glatten Rand übernehmen</translation>
+    </message>
+    <message>
+        <source>remove the marked faces</source>
+        <translation>markierte Flächen entfernen</translation>
+    </message>
+    <message>
+        <source>leave it as it is</source>
+        <translation>unverändert lassen</translation>
+    </message>
+    <message>
+        <source>choose an edge</source>
+        <translation>Rand wählen</translation>
+    </message>
+    <message>
+        <source>pull a point; onto another: join them</source>
+        <translation>Punkt ziehen; auf einen anderen: verbinden</translation>
+    </message>
+    <message>
+        <source>lay a bridge to another point</source>
+        <translation>Brücke zu einem anderen Punkt legen</translation>
+    </message>
+    <message>
+        <source>smooth the edge</source>
+        <translation>Rand glätten</translation>
+    </message>
+    <message>
+        <source>find islands</source>
+        <translation>Inseln finden</translation>
+    </message>
+    <message>
+        <source>find peninsulas</source>
+        <translation>Halbinseln finden</translation>
+    </message>
+    <message>
+        <source>Looking at the edge</source>
+        <translation>Rand wird untersucht</translation>
+    </message>
+    <message>
+        <source>Smooth the edge</source>
+        <translation>Rand glätten</translation>
+    </message>
+    <message>
+        <source>Remove islands</source>
+        <translation>Inseln entfernen</translation>
+    </message>
+    <message>
+        <source>Remove peninsulas</source>
+        <translation>Halbinseln entfernen</translation>
+    </message>
+    <message>
+        <source>Remove triangles</source>
+        <translation>Dreiecke entfernen</translation>
+    </message>
+    <message>
+        <source>no triangle can go within what is to be kept</source>
+        <translation>kein Dreieck kann wegfallen, wenn alles bleibt, was erhalten werden soll</translation>
+    </message>
+    <message>
+        <source>remove triangles</source>
+        <translation>Dreiecke entfernen</translation>
+    </message>
+    <message>
+        <source>Remove triangles without area</source>
+        <translation>Entartete Dreiecke entfernen</translation>
+    </message>
+    <message>
+        <source>Remove duplicate triangles</source>
+        <translation>Doppelte Dreiecke entfernen</translation>
+    </message>
+    <message>
+        <source>Merge near vertices</source>
+        <translation>Fast gleiche Eckpunkte verschmelzen</translation>
+    </message>
+    <message>
+        <source>merging them would close no gap, or leave edges with more than two triangles</source>
+        <translation>verschmolzen würden sie keine Lücke schließen oder Kanten mit mehr als zwei Dreiecken hinterlassen</translation>
+    </message>
+    <message>
+        <source>Part what only touches</source>
+        <translation>Trennen, was sich nur berührt</translation>
+    </message>
+    <message>
+        <source>every step apart would make the surface cross itself</source>
+        <translation>jeder Schritt auseinander würde die Fläche sich selbst durchdringen lassen</translation>
+    </message>
+    <message>
+        <source>Cut crossings apart</source>
+        <translation>Durchdringungen auftrennen</translation>
+    </message>
+    <message>
+        <source>the triangles lie in one plane, lie on others, or are tangled too much to be cut apart</source>
+        <translation>die Dreiecke liegen in einer Ebene, liegen auf anderen oder sind zu sehr verschlungen, um aufgetrennt zu werden</translation>
+    </message>
+    <message>
+        <source>Give a back</source>
+        <translation>Rückseite geben</translation>
+    </message>
+    <message>
+        <source>a back would cross the part</source>
+        <translation>eine Rückseite würde das Teil durchdringen</translation>
+    </message>
+    <message>
+        <source>Cut and close</source>
+        <translation>Schneiden und schließen</translation>
+    </message>
+    <message>
+        <source>what would be cut is tangled too much</source>
+        <translation>was zu schneiden wäre, ist zu sehr verschlungen</translation>
+    </message>
+    <message>
+        <source>bridge the hole from point to point</source>
+        <translation>Loch von Punkt zu Punkt überbrücken</translation>
+    </message>
+    <message>
+        <source>choose the bridges again</source>
+        <translation>Brücken neu wählen lassen</translation>
+    </message>
+    <message>
+        <source>Make a face</source>
+        <translation>Fläche erzeugen</translation>
+    </message>
+    <message>
+        <source>first corner, on an open edge</source>
+        <translation>erste Ecke, an einer offenen Kante</translation>
+    </message>
+    <message>
+        <source>second corner, counter-clockwise</source>
+        <translation>zweite Ecke, gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>third corner: makes the face</source>
+        <translation>dritte Ecke: erzeugt die Fläche</translation>
+    </message>
+    <message>
+        <source>take the last corner back</source>
+        <translation>letzte Ecke zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Smooth surface</source>
+        <translation>Oberfläche glätten</translation>
+    </message>
+    <message>
+        <source>Inflate surface</source>
+        <translation>Oberfläche aufblähen</translation>
+    </message>
+    <message>
+        <source>Flatten surface</source>
+        <translation>Oberfläche ebnen</translation>
+    </message>
+    <message>
+        <source>Drag surface</source>
+        <translation>Oberfläche ziehen</translation>
+    </message>
+    <message>
+        <source>Subdivide patch</source>
+        <translation>Flicken unterteilen</translation>
+    </message>
+    <message>
+        <source>Refine to the surroundings</source>
+        <translation>So fein wie die Umgebung unterteilen</translation>
+    </message>
+    <message>
+        <source>Subdividing</source>
+        <translation>Flicken wird unterteilt</translation>
+    </message>
+    <message>
+        <source>Smoothing noise</source>
+        <translation>Rauschen wird geglättet</translation>
+    </message>
+    <message>
+        <source>Smooth noise</source>
+        <translation>Rauschen glätten</translation>
+    </message>
+    <message>
+        <source>One level back</source>
+        <translation>Eine Stufe zurück</translation>
+    </message>
+    <message>
+        <source>sculpt</source>
+        <translation>modellieren</translation>
+    </message>
+    <message>
+        <source>smooth</source>
+        <translation>glätten</translation>
+    </message>
+    <message>
+        <source>the other way</source>
+        <translation>umgekehrt</translation>
+    </message>
+    <message>
+        <source>subdivide the patch</source>
+        <translation>Flicken unterteilen</translation>
+    </message>
+    <message>
+        <source>one level back</source>
+        <translation>eine Stufe zurück</translation>
+    </message>
+    <message>
+        <source>refine to the surroundings</source>
+        <translation>so fein wie die Umgebung unterteilen</translation>
+    </message>
+    <message>
+        <source>sculpt a coarser level</source>
+        <translation>gröbere Stufe modellieren</translation>
+    </message>
+    <message>
+        <source>sculpt a finer level</source>
+        <translation>feinere Stufe modellieren</translation>
+    </message>
+    <message>
+        <source>smooth the noise of the patch</source>
+        <translation>Rauschen des Flickens glätten</translation>
+    </message>
+    <message>
+        <source>smooth the noise along the holes</source>
+        <translation>Rauschen entlang der Löcher glätten</translation>
+    </message>
+    <message>
+        <source>sculpt the whole surface</source>
+        <translation>ganze Oberfläche modellieren</translation>
+    </message>
+    <message>
+        <source>it is there already, has no area, or is too large to tell</source>
+        <translation>das Teil liegt schon dort, hat keinen Flächeninhalt oder ist zu groß, um es zu sagen</translation>
+    </message>
+    <message>
+        <source>put onto the largest flat face</source>
+        <translation>auf die größte ebene Fläche stellen</translation>
+    </message>
+    <message>
+        <source>Put onto the largest flat face</source>
+        <translation>Auf die größte ebene Fläche stellen</translation>
+    </message>
+    <message>
+        <source>there is no flat face that the part can stand on, or it stands on it already</source>
+        <translation>es gibt keine ebene Fläche, auf der das Teil stehen kann, oder es steht schon darauf</translation>
+    </message>
+    <message>
+        <source>align the main axes</source>
+        <translation>Hauptachsen ausrichten</translation>
+    </message>
+    <message>
+        <source>Align the main axes</source>
+        <translation>Hauptachsen ausrichten</translation>
+    </message>
+    <message>
+        <source>centre on the origin</source>
+        <translation>im Ursprung zentrieren</translation>
+    </message>
+    <message>
+        <source>Centre on the origin</source>
+        <translation>Im Ursprung zentrieren</translation>
+    </message>
+    <message>
+        <source>put the low corner into the origin</source>
+        <translation>untere Ecke in den Ursprung legen</translation>
+    </message>
+    <message>
+        <source>Put the low corner into the origin</source>
+        <translation>Untere Ecke in den Ursprung legen</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Platzieren</translation>
+    </message>
+    <message>
+        <source>coordinates would become too large</source>
+        <translation>die Koordinaten würden zu groß</translation>
+    </message>
+    <message>
+        <source>place so</source>
+        <translation>so platzieren</translation>
+    </message>
+    <message>
+        <source>reset</source>
+        <translation>zurücksetzen</translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
@@ -1868,6 +2467,18 @@
     <message>
         <source>Double-click</source>
         <translation>Doppelklick</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Loslassen</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Umschalt</translation>
+    </message>
+    <message>
+        <source>Ctrl</source>
+        <translation>Strg</translation>
     </message>
 </context>
 <context>
@@ -1991,6 +2602,33 @@
     </message>
 </context>
 <context>
+    <name>handwheel::DefectActions</name>
+    <message>
+        <source>Mend</source>
+        <translation>Beheben</translation>
+    </message>
+    <message>
+        <source>Give a &amp;back</source>
+        <translation>Rückseite &amp;geben</translation>
+    </message>
+    <message>
+        <source>&amp;Cut and close</source>
+        <translation>Schneiden &amp;und schließen</translation>
+    </message>
+    <message>
+        <source>Mend what is chosen in the list of defects</source>
+        <translation>Beheben, was in der Liste der Fehler gewählt ist</translation>
+    </message>
+    <message>
+        <source>Make a thin body of an open sheet: of the selected one, or of all</source>
+        <translation>Aus einer offenen Fläche einen dünnen Körper machen: aus der ausgewählten oder aus allen</translation>
+    </message>
+    <message>
+        <source>Close the hole across the part, and cut the part where the patch crosses it</source>
+        <translation>Das Loch quer durch das Teil schließen und das Teil schneiden, wo die Füllfläche es durchdringt</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::DefectModel</name>
     <message>
         <source>searching…</source>
@@ -2088,10 +2726,6 @@
         <translation>Stellen, an denen die Oberfläche fehlt. (Ein Tunnel durch das Teil ist kein Loch.)</translation>
     </message>
     <message>
-        <source>Openings that are meant to be there, and outer edges of open sheets. “Fill all” leaves them.</source>
-        <translation>Gewollte Öffnungen und Außenränder offener Flächen. „Alle füllen“ lässt sie offen.</translation>
-    </message>
-    <message>
         <source>Edges at which more than two triangles meet.</source>
         <translation>Kanten, an denen sich mehr als zwei Dreiecke treffen.</translation>
     </message>
@@ -2116,12 +2750,16 @@
         <translation>Dreiecke, die genau auf einem anderen liegen.</translation>
     </message>
     <message>
-        <source>Pairs of triangles that pass through each other. They are shown, not repaired.</source>
-        <translation>Paare von Dreiecken, die einander durchdringen. Sie werden gezeigt, nicht repariert.</translation>
-    </message>
-    <message>
         <source>Small pieces that are not connected with the model.</source>
         <translation>Kleine Stücke, die nicht mit dem Modell verbunden sind.</translation>
+    </message>
+    <message>
+        <source>Openings that are meant to be there, and outer edges of open sheets. “Repair all” leaves them.</source>
+        <translation>Öffnungen, die gewollt sind, und Außenränder offener Flächen. „Alles reparieren“ lässt sie offen.</translation>
+    </message>
+    <message>
+        <source>Pairs of triangles that pass through each other. “Repair all” leaves them as they are.</source>
+        <translation>Paare von Dreiecken, die einander durchdringen. „Alles reparieren“ lässt sie, wie sie sind.</translation>
     </message>
 </context>
 <context>
@@ -2133,6 +2771,148 @@
     <message>
         <source>Open a mesh to see its holes and other defects here.</source>
         <translation>Öffnen Sie ein Netz, um hier seine Löcher und anderen Fehler zu sehen.</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::DeviationPanel</name>
+    <message>
+        <source>Fly to the place</source>
+        <translation>Zur Stelle fliegen</translation>
+    </message>
+    <message>
+        <source>Back to the defects</source>
+        <translation>Zurück zu den Fehlern</translation>
+    </message>
+    <message>
+        <source>Take the colours away</source>
+        <translation>Farben wegnehmen</translation>
+    </message>
+    <message>
+        <source>Compare with another file…</source>
+        <translation>Mit anderer Datei vergleichen…</translation>
+    </message>
+    <message>
+        <source>Highest</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Lowest</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittelwert</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
+    </message>
+    <message>
+        <source>90 % within</source>
+        <translation>90 % innerhalb</translation>
+    </message>
+    <message>
+        <source>99 % within</source>
+        <translation>99 % innerhalb</translation>
+    </message>
+    <message>
+        <source>Colours up to</source>
+        <translation>Farben bis</translation>
+    </message>
+    <message>
+        <source>Under the pointer</source>
+        <translation>Unter dem Zeiger</translation>
+    </message>
+    <message>
+        <source>Save report…</source>
+        <translation>Bericht speichern…</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>Deviation from the mesh as it was opened</source>
+        <translation>Abweichung vom Netz, wie es geöffnet wurde</translation>
+    </message>
+    <message>
+        <source>Deviation from %1</source>
+        <translation>Abweichung von %1</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Share of the area</source>
+        <translation>Anteil der Fläche</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Histogram of the deviation</source>
+        <translation>Histogramm der Abweichung</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::DeviationView</name>
+    <message>
+        <source>De&amp;viation…</source>
+        <translation>Abwei&amp;chung…</translation>
+    </message>
+    <message>
+        <source>Show in colours how far the mesh is from what was opened</source>
+        <translation>In Farben zeigen, wie weit das Netz vom geöffneten Stand entfernt ist</translation>
+    </message>
+    <message>
+        <source>Comparing…</source>
+        <translation>Vergleich läuft…</translation>
+    </message>
+    <message>
+        <source>Comparing %1</source>
+        <translation>%1 wird verglichen</translation>
+    </message>
+    <message>
+        <source>Compared %1: largest distance %2 mm</source>
+        <translation>%1 verglichen: größter Abstand %2 mm</translation>
+    </message>
+    <message>
+        <source>The meshes could not be compared</source>
+        <translation>Die Netze konnten nicht verglichen werden</translation>
+    </message>
+    <message>
+        <source>Compare with</source>
+        <translation>Vergleichen mit</translation>
+    </message>
+    <message>
+        <source>Save report</source>
+        <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>Report (*.pdf *.html *.json)</source>
+        <translation>Bericht (*.pdf *.html *.json)</translation>
+    </message>
+    <message>
+        <source>as it was opened</source>
+        <translation>wie geöffnet</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>%1 wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Saved the report %1</source>
+        <translation>Bericht %1 gespeichert</translation>
+    </message>
+    <message>
+        <source>%1 has no pictures</source>
+        <translation>%1 hat keine Bilder</translation>
+    </message>
+    <message>
+        <source>%1 could not be saved</source>
+        <translation>%1 konnte nicht gespeichert werden</translation>
     </message>
 </context>
 <context>
@@ -2409,6 +3189,10 @@
         <source>Preview</source>
         <translation>Vorschau</translation>
     </message>
+    <message>
+        <source>Comparing methods</source>
+        <translation>Methoden werden verglichen</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::HoleSettings</name>
@@ -2438,6 +3222,14 @@
     <message>
         <source>%1, by “%2” because the chosen method fits none</source>
         <translation>%1, mit „%2“, weil die gewählte Methode keine findet</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Show what each method makes of this hole</source>
+        <translation>Zeigen, was jede Methode aus diesem Loch macht</translation>
     </message>
 </context>
 <context>
@@ -2499,8 +3291,8 @@
         <translation>&amp;Messen</translation>
     </message>
     <message>
-        <source>Measure the distance between two points</source>
-        <translation>Den Abstand zweier Punkte messen</translation>
+        <source>Measure distances, angles and walls</source>
+        <translation>Abstände, Winkel und Wände messen</translation>
     </message>
 </context>
 <context>
@@ -2740,6 +3532,54 @@
         <source>Select faces by click, brush, lasso, connection or angle</source>
         <translation>Flächen wählen durch Klick, Pinsel, Lasso, Zusammenhang oder Winkel</translation>
     </message>
+    <message>
+        <source>%1: nothing was changed</source>
+        <translation>%1: nichts wurde geändert</translation>
+    </message>
+    <message>
+        <source>Hole &amp;edges</source>
+        <translation>Loc&amp;hränder</translation>
+    </message>
+    <message>
+        <source>Pull, join and bridge points of an edge; smooth it; remove islands and peninsulas</source>
+        <translation>Randpunkte ziehen, verbinden und überbrücken; Rand glätten; Inseln und Halbinseln entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Make a face</source>
+        <translation>Fläche er&amp;zeugen</translation>
+    </message>
+    <message>
+        <source>Make a face from three points of open edges</source>
+        <translation>Eine Fläche aus drei Punkten offener Kanten erzeugen</translation>
+    </message>
+    <message>
+        <source>&amp;Reduce triangles</source>
+        <translation>&amp;Dreiecke reduzieren</translation>
+    </message>
+    <message>
+        <source>Make a mesh of fewer triangles that stays near the surface</source>
+        <translation>Ein Netz mit weniger Dreiecken erzeugen, das nah an der Oberfläche bleibt</translation>
+    </message>
+    <message>
+        <source>&amp;Place</source>
+        <translation>&amp;Platzieren</translation>
+    </message>
+    <message>
+        <source>Move, turn and scale by numbers, or put onto a flat face, along the axes, to the origin</source>
+        <translation>Mit Zahlen verschieben, drehen und skalieren oder auf eine ebene Fläche, entlang der Achsen, in den Ursprung legen</translation>
+    </message>
+    <message>
+        <source>Sc&amp;ulpt</source>
+        <translation>Modell&amp;ieren</translation>
+    </message>
+    <message>
+        <source>Pull, smooth, inflate and flatten a surface; subdivide a patch and sculpt it at any of its levels</source>
+        <translation>Eine Oberfläche ziehen, glätten, aufblähen und ebnen; einen Flicken unterteilen und auf jeder seiner Stufen modellieren</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Abweichung</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::MessageBar</name>
@@ -2753,6 +3593,53 @@
             <numerusform>%n weitere</numerusform>
             <numerusform>%n weitere</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::MethodTable</name>
+    <message>
+        <source>Methods side by side</source>
+        <translation>Methoden nebeneinander</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Methode</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <source>mm²</source>
+        <translation>mm²</translation>
+    </message>
+    <message>
+        <source>Bend°</source>
+        <translation>Knick°</translation>
+    </message>
+    <message>
+        <source>Mean°</source>
+        <translation>Mittel°</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>Area of the patch</source>
+        <translation>Flächeninhalt der Füllfläche</translation>
+    </message>
+    <message>
+        <source>The sharpest edge, that of the hole included</source>
+        <translation>Die schärfste Kante, den Lochrand eingeschlossen</translation>
+    </message>
+    <message>
+        <source>Root mean square over all edges</source>
+        <translation>Quadratisches Mittel über alle Kanten</translation>
+    </message>
+    <message>
+        <source>Time that it took</source>
+        <translation>Benötigte Zeit</translation>
     </message>
 </context>
 <context>
@@ -3026,6 +3913,21 @@
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Why: %1.</source>
+        <translation>Grund: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::SectionView</name>
+    <message>
+        <source>Cutting</source>
+        <translation>Schnitt wird berechnet</translation>
+    </message>
+    <message>
+        <source>Area (%1)</source>
+        <translation>Fläche (%1)</translation>
     </message>
 </context>
 <context>
@@ -3438,6 +4340,10 @@
     <message>
         <source>The 3D view could not start: the display offers no OpenGL. Check the graphics driver, or whether the X server provides GLX.</source>
         <translation>Die 3D-Ansicht konnte nicht starten: Die Anzeige bietet kein OpenGL. Prüfen Sie den Grafiktreiber und ob der X-Server GLX bereitstellt.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to draw all of the model.</source>
+        <translation>Der Arbeitsspeicher reicht nicht aus, um das ganze Modell zu zeichnen.</translation>
     </message>
 </context>
 <context>

@@ -1472,6 +1472,234 @@
         <source>Ridges</source>
         <translation>棱线</translation>
     </message>
+    <message>
+        <source>Measure</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>Angle of three points</source>
+        <translation>三点角度</translation>
+    </message>
+    <message>
+        <source>Angle of two faces</source>
+        <translation>两面角度</translation>
+    </message>
+    <message>
+        <source>Wall thickness</source>
+        <translation>壁厚</translation>
+    </message>
+    <message>
+        <source>Straight through</source>
+        <translation>直穿厚度</translation>
+    </message>
+    <message>
+        <source>Largest ball inside</source>
+        <translation>内部最大球</translation>
+    </message>
+    <message>
+        <source>Two of the points are one.</source>
+        <translation>其中两点为同一点。</translation>
+    </message>
+    <message>
+        <source>A triangle would have no area.</source>
+        <translation>会有三角形面积为零。</translation>
+    </message>
+    <message>
+        <source>An edge would have more than two triangles.</source>
+        <translation>会有边超过两个三角形。</translation>
+    </message>
+    <message>
+        <source>The triangle beside it faces the other way.</source>
+        <translation>旁边的三角形朝向相反。</translation>
+    </message>
+    <message>
+        <source>It would touch the surface in a point only.</source>
+        <translation>它与曲面只会在一点相接。</translation>
+    </message>
+    <message>
+        <source>It would cross or touch the part.</source>
+        <translation>它会穿过或碰到零件。</translation>
+    </message>
+    <message>
+        <source>A triangle would turn over or lose its area.</source>
+        <translation>会有三角形翻转或失去面积。</translation>
+    </message>
+    <message>
+        <source>There is no open edge.</source>
+        <translation>没有开放边。</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>平滑</translation>
+    </message>
+    <message>
+        <source>Waves up to (edges)</source>
+        <translation>波长上限 (边数)</translation>
+    </message>
+    <message>
+        <source>Spread evenly</source>
+        <translation>均匀分布</translation>
+    </message>
+    <message>
+        <source>Way</source>
+        <translation>移动距离</translation>
+    </message>
+    <message>
+        <source>Points held back</source>
+        <translation>受限的点</translation>
+    </message>
+    <message>
+        <source>Further on a triangle would turn over, or the surface tear.</source>
+        <translation>再移动会使三角形翻转或曲面撕裂。</translation>
+    </message>
+    <message>
+        <source>Marked triangles</source>
+        <translation>已标记的三角形</translation>
+    </message>
+    <message>
+        <source>There is no island in this hole.</source>
+        <translation>此孔洞中没有孤岛。</translation>
+    </message>
+    <message>
+        <source>There is no peninsula in this hole.</source>
+        <translation>此孔洞中没有半岛。</translation>
+    </message>
+    <message>
+        <source>Go down to</source>
+        <translation>减少到</translation>
+    </message>
+    <message>
+        <source>A number</source>
+        <translation>数量</translation>
+    </message>
+    <message>
+        <source>A distance</source>
+        <translation>距离</translation>
+    </message>
+    <message>
+        <source>Largest distance</source>
+        <translation>最大距离</translation>
+    </message>
+    <message>
+        <source>Leave open edges as they are</source>
+        <translation>开放边保持原样</translation>
+    </message>
+    <message>
+        <source>Keep sharp edges</source>
+        <translation>保留锐边</translation>
+    </message>
+    <message>
+        <source>Sharp from</source>
+        <translation>锐边起始角</translation>
+    </message>
+    <message>
+        <source>Let nothing cross</source>
+        <translation>避免相交</translation>
+    </message>
+    <message>
+        <source>Corners</source>
+        <translation>角点</translation>
+    </message>
+    <message>
+        <source>Drag</source>
+        <translation>拖动</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>平滑</translation>
+    </message>
+    <message>
+        <source>Inflate</source>
+        <translation>膨胀</translation>
+    </message>
+    <message>
+        <source>Flatten</source>
+        <translation>压平</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>强度</translation>
+    </message>
+    <message>
+        <source>Move the edges of holes, too</source>
+        <translation>同时移动孔洞边界</translation>
+    </message>
+    <message>
+        <source>Noise up to</source>
+        <translation>噪声上限</translation>
+    </message>
+    <message>
+        <source>It has no edge inside to split.</source>
+        <translation>内部没有可分割的边。</translation>
+    </message>
+    <message>
+        <source>It would have too many triangles.</source>
+        <translation>三角形会过多。</translation>
+    </message>
+    <message>
+        <source>The numbers of the file show no finer triangles.</source>
+        <translation>文件的数值无法表示更细的三角形。</translation>
+    </message>
+    <message>
+        <source>It is as fine as its surroundings.</source>
+        <translation>它已与周围一样细密。</translation>
+    </message>
+    <message>
+        <source>Triangles of the patch</source>
+        <translation>补片的三角形</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>层级</translation>
+    </message>
+    <message>
+        <source>Slimness at the edge</source>
+        <translation>边界处细长度</translation>
+    </message>
+    <message>
+        <source>Its outer triangles have become long and thin: go a level back.</source>
+        <translation>外侧三角形已变得细长：请退回一级。</translation>
+    </message>
+    <message>
+        <source>Move along X</source>
+        <translation>沿 X 移动</translation>
+    </message>
+    <message>
+        <source>Move along Y</source>
+        <translation>沿 Y 移动</translation>
+    </message>
+    <message>
+        <source>Move along Z</source>
+        <translation>沿 Z 移动</translation>
+    </message>
+    <message>
+        <source>Turn about X</source>
+        <translation>绕 X 旋转</translation>
+    </message>
+    <message>
+        <source>Turn about Y</source>
+        <translation>绕 Y 旋转</translation>
+    </message>
+    <message>
+        <source>Turn about Z</source>
+        <translation>绕 Z 旋转</translation>
+    </message>
+    <message>
+        <source>Scale by</source>
+        <translation>缩放倍数</translation>
+    </message>
+    <message>
+        <source>The file is in</source>
+        <translation>文件单位</translation>
+    </message>
+    <message>
+        <source>Length of the outline</source>
+        <translation>轮廓长度</translation>
+    </message>
+    <message>
+        <source>the outline is open</source>
+        <translation>轮廓未闭合</translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -1671,7 +1899,9 @@
     </message>
     <message numerus="yes">
         <source>%n triangle(s) cut where patches cross</source>
-        <translation><numerusform>在补片相交处切开了 %n 个三角形</numerusform></translation>
+        <translation>
+            <numerusform>在补片相交处切开了 %n 个三角形</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1820,6 +2050,374 @@
         <source>Remove debris</source>
         <translation>移除碎片</translation>
     </message>
+    <message>
+        <source>third point</source>
+        <translation>第三点</translation>
+    </message>
+    <message>
+        <source>keep this place</source>
+        <translation>保留此位置</translation>
+    </message>
+    <message>
+        <source>first face</source>
+        <translation>第一个面</translation>
+    </message>
+    <message>
+        <source>second face</source>
+        <translation>第二个面</translation>
+    </message>
+    <message>
+        <source>the edge has changed meanwhile</source>
+        <translation>边界在此期间已更改</translation>
+    </message>
+    <message>
+        <source>nothing: two of the points are one</source>
+        <translation>无操作：其中两点为同一点</translation>
+    </message>
+    <message>
+        <source>nothing: a triangle would turn over or have no area</source>
+        <translation>无操作：会有三角形翻转或面积为零</translation>
+    </message>
+    <message>
+        <source>nothing: an edge would have more than two triangles</source>
+        <translation>无操作：会有边超过两个三角形</translation>
+    </message>
+    <message>
+        <source>nothing: the triangle beside it faces the other way</source>
+        <translation>无操作：旁边的三角形朝向相反</translation>
+    </message>
+    <message>
+        <source>nothing: it would touch the surface in a point only</source>
+        <translation>无操作：它与曲面只会在一点相接</translation>
+    </message>
+    <message>
+        <source>nothing: it would cross or touch the part</source>
+        <translation>无操作：它会穿过或碰到零件</translation>
+    </message>
+    <message>
+        <source>nothing: there is no open edge</source>
+        <translation>无操作：没有开放边</translation>
+    </message>
+    <message>
+        <source>Pull a point of the edge</source>
+        <translation>拖动边界点</translation>
+    </message>
+    <message>
+        <source>Join points of the edge</source>
+        <translation>连接边界点</translation>
+    </message>
+    <message>
+        <source>Lay a bridge</source>
+        <translation>搭桥</translation>
+    </message>
+    <message>
+        <source>move the point</source>
+        <translation>移动点</translation>
+    </message>
+    <message>
+        <source>move the point as far as it may go</source>
+        <translation>将点移动到允许的最远处</translation>
+    </message>
+    <message>
+        <source>join the points</source>
+        <translation>连接两点</translation>
+    </message>
+    <message>
+        <source>nothing: no other point is near</source>
+        <translation>无操作：附近没有其他点</translation>
+    </message>
+    <message>
+        <source>lay the bridge</source>
+        <translation>搭桥</translation>
+    </message>
+    <message>
+        <source>bridge instead of joining</source>
+        <translation>搭桥而不连接</translation>
+    </message>
+    <message>
+        <source>no point attracts</source>
+        <translation>不吸附到点</translation>
+    </message>
+    <message>
+        <source>take the smooth edge</source>
+        <translation>采用平滑边界</translation>
+    </message>
+    <message>
+        <source>remove the marked faces</source>
+        <translation>移除已标记的面</translation>
+    </message>
+    <message>
+        <source>leave it as it is</source>
+        <translation>保持原样</translation>
+    </message>
+    <message>
+        <source>choose an edge</source>
+        <translation>选择边界</translation>
+    </message>
+    <message>
+        <source>pull a point; onto another: join them</source>
+        <translation>拖动点；拖到另一点上则连接</translation>
+    </message>
+    <message>
+        <source>lay a bridge to another point</source>
+        <translation>搭桥到另一点</translation>
+    </message>
+    <message>
+        <source>smooth the edge</source>
+        <translation>平滑边界</translation>
+    </message>
+    <message>
+        <source>find islands</source>
+        <translation>查找孤岛</translation>
+    </message>
+    <message>
+        <source>find peninsulas</source>
+        <translation>查找半岛</translation>
+    </message>
+    <message>
+        <source>Looking at the edge</source>
+        <translation>正在检查边界</translation>
+    </message>
+    <message>
+        <source>Smooth the edge</source>
+        <translation>平滑边界</translation>
+    </message>
+    <message>
+        <source>Remove islands</source>
+        <translation>移除孤岛</translation>
+    </message>
+    <message>
+        <source>Remove peninsulas</source>
+        <translation>移除半岛</translation>
+    </message>
+    <message>
+        <source>Remove triangles</source>
+        <translation>移除三角形</translation>
+    </message>
+    <message>
+        <source>no triangle can go within what is to be kept</source>
+        <translation>在须保留的条件下，没有三角形可移除</translation>
+    </message>
+    <message>
+        <source>remove triangles</source>
+        <translation>移除三角形</translation>
+    </message>
+    <message>
+        <source>Remove triangles without area</source>
+        <translation>移除零面积三角形</translation>
+    </message>
+    <message>
+        <source>Remove duplicate triangles</source>
+        <translation>移除重复三角形</translation>
+    </message>
+    <message>
+        <source>Merge near vertices</source>
+        <translation>合并邻近顶点</translation>
+    </message>
+    <message>
+        <source>merging them would close no gap, or leave edges with more than two triangles</source>
+        <translation>合并它们不能封闭任何缝隙，或会留下超过两个三角形的边</translation>
+    </message>
+    <message>
+        <source>Part what only touches</source>
+        <translation>分开仅相接触之处</translation>
+    </message>
+    <message>
+        <source>every step apart would make the surface cross itself</source>
+        <translation>任何分开的移动都会使曲面自相交</translation>
+    </message>
+    <message>
+        <source>Cut crossings apart</source>
+        <translation>切开相交处</translation>
+    </message>
+    <message>
+        <source>the triangles lie in one plane, lie on others, or are tangled too much to be cut apart</source>
+        <translation>这些三角形共面、与其他三角形重合，或缠结过于严重而无法切开</translation>
+    </message>
+    <message>
+        <source>Give a back</source>
+        <translation>加背面</translation>
+    </message>
+    <message>
+        <source>a back would cross the part</source>
+        <translation>背面会穿过零件</translation>
+    </message>
+    <message>
+        <source>Cut and close</source>
+        <translation>切开并封闭</translation>
+    </message>
+    <message>
+        <source>what would be cut is tangled too much</source>
+        <translation>需切开的部分缠结过于严重</translation>
+    </message>
+    <message>
+        <source>bridge the hole from point to point</source>
+        <translation>在两点之间桥接孔洞</translation>
+    </message>
+    <message>
+        <source>choose the bridges again</source>
+        <translation>重新自动选择桥接</translation>
+    </message>
+    <message>
+        <source>Make a face</source>
+        <translation>创建面</translation>
+    </message>
+    <message>
+        <source>first corner, on an open edge</source>
+        <translation>第一个角点，位于开放边上</translation>
+    </message>
+    <message>
+        <source>second corner, counter-clockwise</source>
+        <translation>第二个角点，逆时针方向</translation>
+    </message>
+    <message>
+        <source>third corner: makes the face</source>
+        <translation>第三个角点：创建面</translation>
+    </message>
+    <message>
+        <source>take the last corner back</source>
+        <translation>撤回上一个角点</translation>
+    </message>
+    <message>
+        <source>Smooth surface</source>
+        <translation>平滑表面</translation>
+    </message>
+    <message>
+        <source>Inflate surface</source>
+        <translation>膨胀表面</translation>
+    </message>
+    <message>
+        <source>Flatten surface</source>
+        <translation>压平表面</translation>
+    </message>
+    <message>
+        <source>Drag surface</source>
+        <translation>拖动表面</translation>
+    </message>
+    <message>
+        <source>Subdivide patch</source>
+        <translation>细分补片</translation>
+    </message>
+    <message>
+        <source>Refine to the surroundings</source>
+        <translation>细化到与周围一致</translation>
+    </message>
+    <message>
+        <source>Subdividing</source>
+        <translation>正在细分</translation>
+    </message>
+    <message>
+        <source>Smoothing noise</source>
+        <translation>正在平滑噪声</translation>
+    </message>
+    <message>
+        <source>Smooth noise</source>
+        <translation>平滑噪声</translation>
+    </message>
+    <message>
+        <source>One level back</source>
+        <translation>退回一级</translation>
+    </message>
+    <message>
+        <source>sculpt</source>
+        <translation>雕刻</translation>
+    </message>
+    <message>
+        <source>smooth</source>
+        <translation>平滑</translation>
+    </message>
+    <message>
+        <source>the other way</source>
+        <translation>反向</translation>
+    </message>
+    <message>
+        <source>subdivide the patch</source>
+        <translation>细分补片</translation>
+    </message>
+    <message>
+        <source>one level back</source>
+        <translation>退回一级</translation>
+    </message>
+    <message>
+        <source>refine to the surroundings</source>
+        <translation>细化到与周围一致</translation>
+    </message>
+    <message>
+        <source>sculpt a coarser level</source>
+        <translation>雕刻较粗的层级</translation>
+    </message>
+    <message>
+        <source>sculpt a finer level</source>
+        <translation>雕刻较细的层级</translation>
+    </message>
+    <message>
+        <source>smooth the noise of the patch</source>
+        <translation>平滑补片的噪声</translation>
+    </message>
+    <message>
+        <source>smooth the noise along the holes</source>
+        <translation>平滑孔洞周围的噪声</translation>
+    </message>
+    <message>
+        <source>sculpt the whole surface</source>
+        <translation>雕刻整个表面</translation>
+    </message>
+    <message>
+        <source>it is there already, has no area, or is too large to tell</source>
+        <translation>零件已在该处、没有面积，或过大而无法判断</translation>
+    </message>
+    <message>
+        <source>put onto the largest flat face</source>
+        <translation>放到最大的平面上</translation>
+    </message>
+    <message>
+        <source>Put onto the largest flat face</source>
+        <translation>放到最大的平面上</translation>
+    </message>
+    <message>
+        <source>there is no flat face that the part can stand on, or it stands on it already</source>
+        <translation>没有零件可立于其上的平面，或零件已立于其上</translation>
+    </message>
+    <message>
+        <source>align the main axes</source>
+        <translation>对齐主轴</translation>
+    </message>
+    <message>
+        <source>Align the main axes</source>
+        <translation>对齐主轴</translation>
+    </message>
+    <message>
+        <source>centre on the origin</source>
+        <translation>居中到原点</translation>
+    </message>
+    <message>
+        <source>Centre on the origin</source>
+        <translation>居中到原点</translation>
+    </message>
+    <message>
+        <source>put the low corner into the origin</source>
+        <translation>将最低角点放到原点</translation>
+    </message>
+    <message>
+        <source>Put the low corner into the origin</source>
+        <translation>将最低角点放到原点</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>放置</translation>
+    </message>
+    <message>
+        <source>coordinates would become too large</source>
+        <translation>坐标会过大</translation>
+    </message>
+    <message>
+        <source>place so</source>
+        <translation>按此放置</translation>
+    </message>
+    <message>
+        <source>reset</source>
+        <translation>重置</translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
@@ -1850,6 +2448,18 @@
     <message>
         <source>Double-click</source>
         <translation>双击</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>松开</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Shift</translation>
+    </message>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
     </message>
 </context>
 <context>
@@ -1970,6 +2580,33 @@
     </message>
 </context>
 <context>
+    <name>handwheel::DefectActions</name>
+    <message>
+        <source>Mend</source>
+        <translation>修复</translation>
+    </message>
+    <message>
+        <source>Give a &amp;back</source>
+        <translation>加背面(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Cut and close</source>
+        <translation>切开并封闭(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Mend what is chosen in the list of defects</source>
+        <translation>修复缺陷列表中所选的项目</translation>
+    </message>
+    <message>
+        <source>Make a thin body of an open sheet: of the selected one, or of all</source>
+        <translation>将开放曲面变为薄实体：所选的一张，或全部</translation>
+    </message>
+    <message>
+        <source>Close the hole across the part, and cut the part where the patch crosses it</source>
+        <translation>横穿零件封闭孔洞，并在补片穿过零件处切开零件</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::DefectModel</name>
     <message>
         <source>searching…</source>
@@ -2066,10 +2703,6 @@
         <translation>表面缺失之处。（贯穿零件的通道不算孔洞。）</translation>
     </message>
     <message>
-        <source>Openings that are meant to be there, and outer edges of open sheets. “Fill all” leaves them.</source>
-        <translation>有意保留的开口，以及开放曲面的外边界。“全部填补”会跳过它们。</translation>
-    </message>
-    <message>
         <source>Edges at which more than two triangles meet.</source>
         <translation>超过两个三角形共用的边。</translation>
     </message>
@@ -2094,12 +2727,16 @@
         <translation>与另一个完全重合的三角形。</translation>
     </message>
     <message>
-        <source>Pairs of triangles that pass through each other. They are shown, not repaired.</source>
-        <translation>互相穿插的三角形对。仅显示，不修复。</translation>
-    </message>
-    <message>
         <source>Small pieces that are not connected with the model.</source>
         <translation>与模型不相连的小块。</translation>
+    </message>
+    <message>
+        <source>Openings that are meant to be there, and outer edges of open sheets. “Repair all” leaves them.</source>
+        <translation>有意保留的开口，以及开放曲面的外边界。“全部修复”会跳过它们。</translation>
+    </message>
+    <message>
+        <source>Pairs of triangles that pass through each other. “Repair all” leaves them as they are.</source>
+        <translation>相互穿过的三角形对。“全部修复”会保持其原样。</translation>
     </message>
 </context>
 <context>
@@ -2111,6 +2748,148 @@
     <message>
         <source>Open a mesh to see its holes and other defects here.</source>
         <translation>打开网格后，这里会显示其孔洞和其他缺陷。</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::DeviationPanel</name>
+    <message>
+        <source>Fly to the place</source>
+        <translation>飞到该处</translation>
+    </message>
+    <message>
+        <source>Back to the defects</source>
+        <translation>返回缺陷</translation>
+    </message>
+    <message>
+        <source>Take the colours away</source>
+        <translation>移除颜色</translation>
+    </message>
+    <message>
+        <source>Compare with another file…</source>
+        <translation>与其他文件比较…</translation>
+    </message>
+    <message>
+        <source>Highest</source>
+        <translation>最大值</translation>
+    </message>
+    <message>
+        <source>Lowest</source>
+        <translation>最小值</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>平均值</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>均方根</translation>
+    </message>
+    <message>
+        <source>90 % within</source>
+        <translation>90 % 以内</translation>
+    </message>
+    <message>
+        <source>99 % within</source>
+        <translation>99 % 以内</translation>
+    </message>
+    <message>
+        <source>Colours up to</source>
+        <translation>颜色范围</translation>
+    </message>
+    <message>
+        <source>Under the pointer</source>
+        <translation>指针处</translation>
+    </message>
+    <message>
+        <source>Save report…</source>
+        <translation>保存报告…</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>偏差</translation>
+    </message>
+    <message>
+        <source>Deviation from the mesh as it was opened</source>
+        <translation>与打开时网格的偏差</translation>
+    </message>
+    <message>
+        <source>Deviation from %1</source>
+        <translation>与 %1 的偏差</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>距离</translation>
+    </message>
+    <message>
+        <source>Share of the area</source>
+        <translation>面积占比</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>面积</translation>
+    </message>
+    <message>
+        <source>Histogram of the deviation</source>
+        <translation>偏差直方图</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::DeviationView</name>
+    <message>
+        <source>De&amp;viation…</source>
+        <translation>偏差(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>Show in colours how far the mesh is from what was opened</source>
+        <translation>用颜色显示网格与打开时的距离</translation>
+    </message>
+    <message>
+        <source>Comparing…</source>
+        <translation>正在比较…</translation>
+    </message>
+    <message>
+        <source>Comparing %1</source>
+        <translation>正在比较 %1</translation>
+    </message>
+    <message>
+        <source>Compared %1: largest distance %2 mm</source>
+        <translation>已比较 %1：最大距离 %2 mm</translation>
+    </message>
+    <message>
+        <source>The meshes could not be compared</source>
+        <translation>无法比较网格</translation>
+    </message>
+    <message>
+        <source>Compare with</source>
+        <translation>比较对象</translation>
+    </message>
+    <message>
+        <source>Save report</source>
+        <translation>保存报告</translation>
+    </message>
+    <message>
+        <source>Report (*.pdf *.html *.json)</source>
+        <translation>报告 (*.pdf *.html *.json)</translation>
+    </message>
+    <message>
+        <source>as it was opened</source>
+        <translation>打开时</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>正在保存 %1</translation>
+    </message>
+    <message>
+        <source>Saved the report %1</source>
+        <translation>已保存报告 %1</translation>
+    </message>
+    <message>
+        <source>%1 has no pictures</source>
+        <translation>%1 没有图片</translation>
+    </message>
+    <message>
+        <source>%1 could not be saved</source>
+        <translation>无法保存 %1</translation>
     </message>
 </context>
 <context>
@@ -2387,6 +3166,10 @@
         <source>Preview</source>
         <translation>预览</translation>
     </message>
+    <message>
+        <source>Comparing methods</source>
+        <translation>正在比较方法</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::HoleSettings</name>
@@ -2415,6 +3198,14 @@
     <message>
         <source>%1, by “%2” because the chosen method fits none</source>
         <translation>%1，因所选方法无解而改用“%2”</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>比较</translation>
+    </message>
+    <message>
+        <source>Show what each method makes of this hole</source>
+        <translation>显示每种方法对此孔洞的结果</translation>
     </message>
 </context>
 <context>
@@ -2474,8 +3265,8 @@
         <translation>测量(&amp;M)</translation>
     </message>
     <message>
-        <source>Measure the distance between two points</source>
-        <translation>测量两点之间的距离</translation>
+        <source>Measure distances, angles and walls</source>
+        <translation>测量距离、角度和壁厚</translation>
     </message>
 </context>
 <context>
@@ -2715,6 +3506,54 @@
         <source>Select faces by click, brush, lasso, connection or angle</source>
         <translation>通过点击、画笔、套索、连通或角度选择面</translation>
     </message>
+    <message>
+        <source>%1: nothing was changed</source>
+        <translation>%1：未作任何更改</translation>
+    </message>
+    <message>
+        <source>Hole &amp;edges</source>
+        <translation>孔洞边界(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Pull, join and bridge points of an edge; smooth it; remove islands and peninsulas</source>
+        <translation>拖动、连接和桥接边界点；平滑边界；移除孤岛和半岛</translation>
+    </message>
+    <message>
+        <source>&amp;Make a face</source>
+        <translation>创建面(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Make a face from three points of open edges</source>
+        <translation>用开放边上的三个点创建面</translation>
+    </message>
+    <message>
+        <source>&amp;Reduce triangles</source>
+        <translation>减少三角形(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Make a mesh of fewer triangles that stays near the surface</source>
+        <translation>生成三角形较少且贴近表面的网格</translation>
+    </message>
+    <message>
+        <source>&amp;Place</source>
+        <translation>放置(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Move, turn and scale by numbers, or put onto a flat face, along the axes, to the origin</source>
+        <translation>按数值移动、旋转和缩放，或放到平面上、对齐坐标轴、移到原点</translation>
+    </message>
+    <message>
+        <source>Sc&amp;ulpt</source>
+        <translation>雕刻(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Pull, smooth, inflate and flatten a surface; subdivide a patch and sculpt it at any of its levels</source>
+        <translation>拖动、平滑、膨胀和压平表面；细分补片，并在其任一层级上雕刻</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>偏差</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::MessageBar</name>
@@ -2727,6 +3566,53 @@
         <translation>
             <numerusform>还有 %n 条</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::MethodTable</name>
+    <message>
+        <source>Methods side by side</source>
+        <translation>方法对照</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>面</translation>
+    </message>
+    <message>
+        <source>mm²</source>
+        <translation>mm²</translation>
+    </message>
+    <message>
+        <source>Bend°</source>
+        <translation>弯折°</translation>
+    </message>
+    <message>
+        <source>Mean°</source>
+        <translation>平均°</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>Area of the patch</source>
+        <translation>补片的面积</translation>
+    </message>
+    <message>
+        <source>The sharpest edge, that of the hole included</source>
+        <translation>最尖锐的边，包括孔洞边界上的边</translation>
+    </message>
+    <message>
+        <source>Root mean square over all edges</source>
+        <translation>所有边的均方根</translation>
+    </message>
+    <message>
+        <source>Time that it took</source>
+        <translation>所用时间</translation>
     </message>
 </context>
 <context>
@@ -3000,6 +3886,21 @@
     <message>
         <source>%1: %2</source>
         <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Why: %1.</source>
+        <translation>原因：%1。</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::SectionView</name>
+    <message>
+        <source>Cutting</source>
+        <translation>正在剖切</translation>
+    </message>
+    <message>
+        <source>Area (%1)</source>
+        <translation>面积 (%1)</translation>
     </message>
 </context>
 <context>
@@ -3408,6 +4309,10 @@
     <message>
         <source>The 3D view could not start: the display offers no OpenGL. Check the graphics driver, or whether the X server provides GLX.</source>
         <translation>三维视图无法启动：显示环境不提供 OpenGL。请检查显卡驱动，或 X 服务器是否提供 GLX。</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to draw all of the model.</source>
+        <translation>内存不足，无法绘制整个模型。</translation>
     </message>
 </context>
 <context>
