@@ -12,6 +12,7 @@
 #include "cli/Picture.h"
 #include "cli/RepairCommand.h"
 #include "cli/SetCommand.h"
+#include "cli/ShellCommands.h"
 #include "text/EnglishPlurals.h"
 
 #include <fcntl.h>
@@ -37,6 +38,7 @@ std::vector<Command> commands() {
       {inspectSpec(), runInspect}, {repairSpec(), runRepair},   {convertSpec(), runConvert},
       {pictureSpec(), runPicture}, {newSpec(), runNew},         {setSpec(), runSet},
       {measureSpec(), runMeasure}, {compareSpec(), runCompare}, {decimateSpec(), runDecimate},
+      {splitSpec(), runSplit},     {mergeSpec(), runMerge},
   };
 }
 

@@ -6,6 +6,7 @@
 #include "base/Units.h"
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
+#include "cli/MeshOutput.h"
 #include "cli/Messages.h"
 #include "document/mesh/MeshExport.h"
 #include "document/mesh/MeshKind.h"
@@ -61,21 +62,6 @@ struct Decimated {
   std::string refusal;  // why nothing was written
 };
 
-// A container gets a document of its own numbers: vertices and loops are not those of the input.
-Status write(const Input& input, const HalfEdgeMesh& mesh, const std::filesystem::path& output, Progress progress) {
-  if (!isContainerName(output)) {
-    const auto exported = exportMesh(mesh, input.mesh->numbers, output, progress);
-    return exported ? Status(Done{}) : Status(exported.error());
-  }
-  MeshFile file;
-  file.soup = mesh.compact().soup;
-  file.numbers = input.mesh->numbers;
-  const auto content = meshSnapshotOf(file, tolerance::kNearWeld, progress.part(0.0, 0.5));
-  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-  const auto saved = saveDocument(*input.opened.kind, input.opened.file, *content, output, progress.part(0.5, 1.0));
-  return saved ? Status(Done{}) : Status(saved.error());
-}
-
 Result<Decimated> decimateFile(const DecimateRequest& request, const DocumentKinds& kinds, Progress progress) {
   if (!isContainerName(request.output)) {
     if (const auto format = formatForOutput(request.output); !format) return format.error();
@@ -88,7 +74,7 @@ Result<Decimated> decimateFile(const DecimateRequest& request, const DocumentKin
   HalfEdgeMesh mesh = document ? document->mesh.mesh : buildMesh(input->mesh->soup, progress.part(0.15, 0.2)).mesh;
   if (!progress.cancelled()) done.report = decimate(mesh, request.options, progress.part(0.2, 0.9));
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-  const Status written = write(*input, mesh, request.output, progress.part(0.9, 1.0));
+  const Status written = writeMesh(*input, mesh, request.output, progress.part(0.9, 1.0));
   if (!written) return written.error();
   return done;
 }
