@@ -14,6 +14,10 @@ namespace handwheel {
 
 namespace {
 
+bool isSame(const EarWeights& a, const EarWeights& b) {
+  return a.length == b.length && a.angles == b.angles && a.normal == b.normal && a.lid == b.lid;
+}
+
 // Each by itself: where a method fails, no other takes its place.
 std::vector<MethodTrial> tryMethods(const HoleFiller& filler, const BoundaryLoop& loop, FillOptions options,
                                     Progress progress) {
@@ -44,9 +48,10 @@ void HolePreview::request(OpenMesh* document, int loop) {
   FillOptions options;
   apply(m_fidelity.values(), options);
   if (document && key == m_stitched) options.stitches = m_stitches;
+  options.ears = m_ears;
   const bool same = document == m_document && revision == m_revision && key == m_key &&
                     options.method == m_options.method && options.density == m_options.density &&
-                    options.stitches == m_options.stitches;
+                    options.stitches == m_options.stitches && isSame(options.ears, m_options.ears);
   if (same && (!document || m_state.kind != PreviewState::Kind::Off)) return;
   if (document && (document != m_benchDocument || revision != m_benchRevision)) m_bench = nullptr;
   m_document = document;
@@ -57,7 +62,8 @@ void HolePreview::request(OpenMesh* document, int loop) {
   start();
 }
 
-void HolePreview::setStitches(Vertex key, std::vector<Stitch> stitches) {
+void HolePreview::setWishes(Vertex key, std::vector<Stitch> stitches, const EarWeights& ears) {
+  m_ears = ears;
   m_stitched = key;
   m_stitches = std::move(stitches);
   if (m_document && m_key == key) request(m_document, m_loop);

@@ -31,8 +31,9 @@ class HolePreview : public QObject {
   // Asking for what is already shown or on its way changes nothing. loop -1 or no document: no preview.
   void request(OpenMesh* document, int loop);
   void clear() { request(nullptr, -1); }
-  // The bridges that the user drew over a loop; none: the program's. They hold for this loop only.
-  void setStitches(Vertex key, std::vector<Stitch> stitches);
+  // The bridges that the user drew over a loop; none: the program's. They hold for this loop only; the weights of ear
+  // cutting for all.
+  void setWishes(Vertex key, std::vector<Stitch> stitches, const EarWeights& ears);
   // The same, and nothing is kept for the next request. For when the document changes.
   void forget();
 
@@ -67,6 +68,7 @@ class HolePreview : public QObject {
   FillOptions m_options;
   Vertex m_stitched = kNone;  // the key of the loop that has them
   std::vector<Stitch> m_stitches;
+  EarWeights m_ears;
   std::uint64_t m_request = 0;
   std::shared_ptr<FillBench> m_bench;
   const OpenMesh* m_benchDocument = nullptr;

@@ -153,7 +153,7 @@ void MeshTools::request(const FillRequest& request) {
   m_ticket = request.ticket;
   const Vertex key = keyOf(m_document->document.mesh(), request.loop);
   m_actions.setMethod(request.method);
-  m_preview.setStitches(key, request.stitches);
+  m_preview.setWishes(key, request.stitches, request.ears);
   m_selection.select(m_document->inspection.loopWithKey(key));
   answer();
 }

@@ -5,6 +5,7 @@
 #include "document/mesh/MeshDocument.h"
 #include "mesh/BorderPick.h"
 #include "mesh/HolePick.h"
+#include "tools/ToolProperty.h"
 
 #include <QtGlobal>
 #include <utility>
@@ -14,6 +15,17 @@ namespace {
 
 constexpr FillMethod kMethods[] = {FillMethod::Fair, FillMethod::Refined,  FillMethod::Ear,  FillMethod::Minimal,
                                    FillMethod::Area, FillMethod::Dihedral, FillMethod::Ridge};
+
+// Of ear cutting.
+struct Weight {
+  const char* id;
+  const char* label;
+  double EarWeights::*of;
+};
+constexpr Weight kWeights[] = {{"ear_length", QT_TRANSLATE_NOOP("Property", "Short edges count"), &EarWeights::length},
+                               {"ear_angles", QT_TRANSLATE_NOOP("Property", "Even angles count"), &EarWeights::angles},
+                               {"ear_normal", QT_TRANSLATE_NOOP("Property", "Small bends count"), &EarWeights::normal}};
+constexpr Limits kWeightLimits = {0.0, 5.0};
 
 const char* problemOf(FillFailure failure) {
   switch (failure) {
@@ -68,7 +80,7 @@ void FillHoleTool::request() {
   m_state = State::Computing;
   m_patch.reset();
   m_attempt = {};
-  m_services.request({++m_ticket, *loop(), m_method, m_bridges.own()});
+  m_services.request({++m_ticket, *loop(), m_method, m_bridges.own(), m_ears});
 }
 
 void FillHoleTool::previewReady(std::uint64_t ticket, FillAttempt attempt) {
@@ -245,28 +257,36 @@ double FillHoleTool::settingOf(FillMethod method) {
 }
 
 std::vector<Property> FillHoleTool::settings() const {
-  Property method;
-  method.id = "method";
-  method.label = QT_TRANSLATE_NOOP("Property", "Method");
-  method.value = settingOf(m_method);
-  method.choices = {QT_TRANSLATE_NOOP("Property", "Fair"),        QT_TRANSLATE_NOOP("Property", "Refined"),
-                    QT_TRANSLATE_NOOP("Property", "Ear cutting"), QT_TRANSLATE_NOOP("Property", "Minimal area"),
-                    QT_TRANSLATE_NOOP("Property", "Least area"),  QT_TRANSLATE_NOOP("Property", "Least bend"),
-                    QT_TRANSLATE_NOOP("Property", "Ridges")};
+  std::vector<Property> all;
+  all.push_back(
+      choiceSetting("method", QT_TRANSLATE_NOOP("Property", "Method"), static_cast<int>(settingOf(m_method)),
+                    {QT_TRANSLATE_NOOP("Property", "Fair"), QT_TRANSLATE_NOOP("Property", "Refined"),
+                     QT_TRANSLATE_NOOP("Property", "Ear cutting"), QT_TRANSLATE_NOOP("Property", "Minimal area"),
+                     QT_TRANSLATE_NOOP("Property", "Least area"), QT_TRANSLATE_NOOP("Property", "Least bend"),
+                     QT_TRANSLATE_NOOP("Property", "Ridges")}));
+  for (const Weight& weight : kWeights) {
+    if (m_method != FillMethod::Ear) break;
+    all.push_back(numberSetting(weight.id, weight.label, m_ears.*weight.of, Quantity::Number, kWeightLimits));
+    all.back().continuous = true;
+  }
   Property triangles;
   triangles.id = "triangles";
   triangles.label = QT_TRANSLATE_NOOP("Property", "New triangles");
   triangles.value = static_cast<double>(m_patch ? m_patch->triangles.size() : 0);
   triangles.editable = false;
   if (m_state == State::Impossible) triangles.problem = problemOf(m_attempt.failure);
-  return {method, triangles};
+  all.push_back(std::move(triangles));
+  return all;
 }
 
 void FillHoleTool::setSetting(std::string_view id, const PropertyValue& value) {
-  const double* index = std::get_if<double>(&value);
-  if (id != "method" || !index || !(*index >= 0.0 && *index < static_cast<double>(std::size(kMethods)))) return;
-  m_method = kMethods[static_cast<std::size_t>(*index)];
-  if (loop()) request();
+  std::size_t method = 0;
+  bool isTaken = id == "method" && takeChoice(method, value, static_cast<int>(std::size(kMethods)));
+  if (isTaken) m_method = kMethods[method];
+  for (const Weight& weight : kWeights) {
+    isTaken = isTaken || (id == weight.id && takeNumber(m_ears.*weight.of, value, kWeightLimits));
+  }
+  if (isTaken && loop()) request();
 }
 
 }  // namespace handwheel

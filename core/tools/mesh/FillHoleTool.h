@@ -21,6 +21,7 @@ struct FillRequest {
   BoundaryLoop loop;
   FillMethod method = FillMethod::Fair;
   std::vector<Stitch> stitches = {};  // as in FillOptions
+  EarWeights ears = {};               // the same
 };
 
 // What FillHoleTool is given by who owns the document's jobs. All of it is called on the window thread.
@@ -87,6 +88,7 @@ class FillHoleTool : public Tool {
   MeshDocument& m_document;
   FillServices m_services;
   FillMethod m_method = FillMethod::Fair;
+  EarWeights m_ears;
   State m_state = State::Choosing;
   std::optional<Vertex> m_key;
   std::optional<Vertex> m_hovered;

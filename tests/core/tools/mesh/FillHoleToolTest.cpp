@@ -31,6 +31,7 @@ class FillHoleToolTest : public QObject {
   void followsTheDocument();
   void whileTheWorkerCommits();
   void bridges();
+  void weightsOfEarCutting();
   void deviceButton();
   void nothingToFill();
 
@@ -275,6 +276,29 @@ void FillHoleToolTest::bridges() {
   QVERIFY(m_tool->attempt().patch.stitches.empty());
   m_tool->perform("commit");
   QVERIFY(test::countEdges(m_document->mesh()).sound());
+}
+
+// They are offered with the method that they are for, brought between their limits, and change its patch.
+void FillHoleToolTest::weightsOfEarCutting() {
+  start(test::sphereWithoutCap(3));
+  const auto ids = [&] {
+    std::vector<std::string> all;
+    for (const Property& property : m_tool->settings()) all.push_back(property.id);
+    return all;
+  };
+  QCOMPARE(ids(), std::vector<std::string>({"method", "triangles"}));
+  m_tool->setSetting("method", FillHoleTool::settingOf(FillMethod::Ear));
+  QCOMPARE(ids(), std::vector<std::string>({"method", "ear_length", "ear_angles", "ear_normal", "triangles"}));
+  m_tool->pointer(test::above(Kind::Press, 0, 0));
+  const std::vector<Triangle> usual = m_tool->attempt().patch.triangles;
+  m_tool->setSetting("ear_length", 0.0);
+  m_tool->setSetting("ear_angles", 99.0);
+  m_tool->setSetting("ear_normal", std::string("much"));
+  QCOMPARE(std::get<double>(m_tool->settings()[1].value), 0.0);
+  QCOMPARE(std::get<double>(m_tool->settings()[2].value), 5.0);
+  QCOMPARE(std::get<double>(m_tool->settings()[3].value), 1.0);
+  QVERIFY(m_tool->state() == State::Ready);
+  QVERIFY(m_tool->attempt().patch.triangles != usual);
 }
 
 void FillHoleToolTest::deviceButton() {

@@ -17,6 +17,7 @@ inline FillServices fillServices(MeshDocument& document, FillHoleTool*& tool) {
     FillOptions options;
     options.method = request.method;
     options.stitches = request.stitches;
+    options.ears = request.ears;
     tool->previewReady(request.ticket, HoleFiller(document.mesh()).propose(request.loop, options));
   };
   services.commit = [&document](const BoundaryLoop& loop, const FillAttempt& attempt) {
