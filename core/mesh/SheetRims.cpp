@@ -19,8 +19,11 @@ struct Sheet {
   Eigen::Matrix3d secondMoment = Eigen::Matrix3d::Zero();
   BoundaryLoop* longest = nullptr;
 
-  // Root mean square distances from the best plane and along its longer axis, with area for weight.
+  // Root mean square distances from the best plane and along its longer axis, with area for weight. What lies in a
+  // plane has an outline of 4π at least (the isoperimetric inequality), a rough one somewhat less; one that is far
+  // shorter is a hole in a plate.
   bool isFlat() const {
+    if (outline() < M_PI) return false;
     const Vec3 mean = firstMoment / area;
     const Eigen::Matrix3d covariance = secondMoment / area - mean * mean.transpose();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance, Eigen::EigenvaluesOnly);

@@ -54,6 +54,7 @@ class SheetRimsTest : public QObject {
   void flatDisc();
   void annulusOuterOnly();
   void closedShapesWithHoles();
+  void platesWithAHole();
   void cylinders();
   void raggedOutline();
   void eachPartOnItsOwn();
@@ -85,6 +86,25 @@ void SheetRimsTest::closedShapesWithHoles() {
   }
   QCOMPARE(rimsOf(test::sphereWithHoles(4, 5, 0.3)).holes, std::size_t{5});
   QVERIFY(rimsOf(test::sphereWithHoles(4, 5, 0.3)).lengths.empty());
+}
+
+// A plate, as flat as a sheet, whose only open edge is a small triangle in its lid: no sheet has so short an outline.
+void SheetRimsTest::platesWithAHole() {
+  const TriangleSoup lid =
+      test::grid(9, 9, false, false, [](std::uint32_t i, std::uint32_t j) { return Vec3(i, j, 0.01); });
+  TriangleSoup plate = lid;
+  test::append(plate, test::turnedOver(test::moved(lid, {0, 0, -0.01})));
+  const TriangleSoup wall = test::grid(33, 2, false, false, [](std::uint32_t i, std::uint32_t j) {
+    const std::uint32_t side = i % 32 / 8, k = i % 8;
+    const Vec3 corners[] = {{double(k), 0, 0}, {8, double(k), 0}, {8.0 - k, 8, 0}, {0, 8.0 - k, 0}};
+    return Vec3(corners[side] + 0.01 * j * Vec3::UnitZ());
+  });
+  test::append(plate, wall);
+  QVERIFY(rimsOf(plate).lengths.empty() && rimsOf(plate).holes == 0);
+  plate.triangles.erase(plate.triangles.begin() + 40);
+  const Rims rims = rimsOf(plate);
+  QVERIFY(rims.lengths.empty());
+  QCOMPARE(rims.holes, std::size_t{1});
 }
 
 void SheetRimsTest::cylinders() {
