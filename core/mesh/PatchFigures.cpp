@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/PatchFigures.h"
 
+#include "mesh/AngleBetween.h"
 #include "mesh/EdgeTable.h"
 #include "mesh/FaceNormal.h"
 
@@ -9,14 +10,6 @@
 #include <cmath>
 
 namespace handwheel {
-namespace {
-
-double angleBetween(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
-}  // namespace
-
 PatchFigures figuresOf(const HalfEdgeMesh& mesh, const BoundaryLoop& loop, const Patch& patch) {
   PatchFigures figures;
   figures.triangles = patch.triangles.size();

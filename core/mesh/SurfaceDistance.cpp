@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/SurfaceDistance.h"
 
+#include "mesh/AngleBetween.h"
 #include "mesh/FaceNormal.h"
 #include "mesh/Steps.h"
 #include "proximity/ClosestPoint.h"
@@ -25,11 +26,6 @@ std::vector<Face> surfaceFaces(const HalfEdgeMesh& mesh, const Progress& progres
     (isDegenerate(mesh.points(f)) ? flat : solid).push_back(f);
   }
   return solid.empty() ? flat : solid;
-}
-
-double angleBetween(const Vec3& a, const Vec3& b) {
-  const Vec3 u = a.stableNormalized(), v = b.stableNormalized();
-  return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
 std::vector<Vec3> vertexNormals(const HalfEdgeMesh& mesh, const std::vector<Face>& faces, const Progress& progress) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/MeasureTool.h"
 
+#include "mesh/AngleBetween.h"
+
 #include <QtGlobal>
 #include <algorithm>
 #include <cmath>
@@ -14,13 +16,6 @@ namespace {
 constexpr double kArcPixels = 48.0;     // radius of the arc that marks an angle
 constexpr double kNormalPixels = 64.0;  // length of the lines that stand on faces
 constexpr int kRoundSteps = 24;         // of an arc or a circle
-
-// Exact also where the directions are all but the same (Kahan, "How futile are mindless assessments of roundoff",
-// 2006).
-double angleBetween(const Vec3& a, const Vec3& b) {
-  const Vec3 u = a.stableNormalized(), v = b.stableNormalized();
-  return 2.0 * std::atan2((u - v).norm(), (u + v).norm());
-}
 
 Property figure(const char* id, const char* label, double value, Quantity quantity) {
   Property property;
