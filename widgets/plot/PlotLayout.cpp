@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace handwheel {
 namespace {
@@ -42,6 +43,25 @@ PlotLayout::PlotLayout(const Plot& plot, const QRectF& area, const QFontMetricsF
   const double bottom = gap + line + gap + line;
   const double top = 3.0 * line + (hasLegend ? 1.2 * line * static_cast<double>(plot.series.size()) : 0.0);
   m_frame = area.adjusted(gap + left, gap + top, -2.0 * gap, -gap - bottom);
+}
+
+std::vector<std::size_t> PlotLayout::labelledTicks(const QLocale& locale, const QFontMetricsF& metrics) const {
+  const std::vector<double>& ticks = m_x.ticks;
+  const auto zero = std::find(ticks.begin(), ticks.end(), 0.0);
+  const std::size_t kept = zero == ticks.end() ? 0 : static_cast<std::size_t>(zero - ticks.begin());
+  for (std::size_t every = 1; every < ticks.size(); ++every) {
+    std::vector<std::size_t> labelled;
+    double end = -std::numeric_limits<double>::infinity();
+    for (std::size_t i = kept % every; i < ticks.size(); i += every) {
+      const double middle = m_x.placeOf(ticks[i]) * m_frame.width();
+      const double half = 0.5 * metrics.horizontalAdvance(tickLabel(ticks[i], m_x, locale));
+      if (middle - half < end) break;
+      end = middle + half + 0.4 * metrics.height();
+      labelled.push_back(i);
+    }
+    if (labelled.size() == (ticks.size() - kept % every + every - 1) / every) return labelled;
+  }
+  return ticks.empty() ? std::vector<std::size_t>{} : std::vector<std::size_t>{kept};
 }
 
 QPointF PlotLayout::toScreen(const QPointF& value) const {

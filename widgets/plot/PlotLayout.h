@@ -21,6 +21,10 @@ class PlotLayout {
   const PlotScale& x() const { return m_x; }
   const PlotScale& y() const { return m_y; }
 
+  // Those of the ticks of x, by their numbers, whose labels have room beside each other below the frame: each second or
+  // third where need be, that at zero among them.
+  std::vector<std::size_t> labelledTicks(const QLocale& locale, const QFontMetricsF& metrics) const;
+
   QPointF toScreen(const QPointF& value) const;
   bool isShown(const QPointF& value) const;  // finite, and above zero where an axis is logarithmic
 

@@ -6,6 +6,7 @@
 
 #include <QPainter>
 #include <QPainterPath>
+#include <algorithm>
 #include <array>
 
 namespace handwheel {
@@ -92,10 +93,12 @@ class PlotPainting {
   void axes() {
     const QRectF& f = m_layout.frame();
     m_painter.fillRect(f, m_colours.base);
-    for (double tick : m_layout.x().ticks) {
-      const double x = f.left() + m_layout.x().placeOf(tick) * f.width();
+    const std::vector<std::size_t> labelled = m_layout.labelledTicks(m_plot.locale, m_metrics);
+    for (std::size_t i = 0; i < m_layout.x().ticks.size(); ++i) {
+      const double tick = m_layout.x().ticks[i], x = f.left() + m_layout.x().placeOf(tick) * f.width();
       m_painter.setPen(QPen(m_colours.border, 1.0));
       m_painter.drawLine(QPointF(x, f.top()), QPointF(x, f.bottom()));
+      if (std::find(labelled.begin(), labelled.end(), i) == labelled.end()) continue;
       text(QRectF(x, f.bottom() + 0.3 * line(), 0, line()), Qt::AlignHCenter,
            tickLabel(tick, m_layout.x(), m_plot.locale), m_colours.muted);
     }

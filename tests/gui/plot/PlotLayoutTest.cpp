@@ -27,6 +27,7 @@ class PlotLayoutTest : public QObject {
 
  private slots:
   void frameLiesInside();
+  void labelsDoNotOverlap();
   void places();
   void readings();
   void titles();
@@ -37,6 +38,32 @@ void PlotLayoutTest::frameLiesInside() {
   const PlotLayout layout(twoSeries(), area, QFontMetricsF(QGuiApplication::font()));
   QVERIFY(area.contains(layout.frame()));
   QVERIFY(layout.frame().width() > 450 && layout.frame().height() > 200);
+}
+
+// However narrow the plot and long the numbers, zero has its label.
+void PlotLayoutTest::labelsDoNotOverlap() {
+  const QFontMetricsF metrics(QGuiApplication::font());
+  Plot plot;
+  plot.series = {{"one", {{-0.00167, 1}, {0.00167, 2}}, true}};
+  std::size_t fewest = 100, most = 0;
+  for (const double width : {150.0, 220.0, 300.0, 500.0, 2000.0}) {
+    const PlotLayout layout(plot, QRectF(0, 0, width, 200), metrics);
+    const std::vector<std::size_t> labelled = layout.labelledTicks(plot.locale, metrics);
+    QVERIFY(!labelled.empty());
+    double end = -1e300;
+    bool hasZero = false;
+    for (const std::size_t i : labelled) {
+      const double tick = layout.x().ticks[i], middle = layout.toScreen({tick, 1}).x();
+      const double half = 0.5 * metrics.horizontalAdvance(tickLabel(tick, layout.x(), plot.locale));
+      QVERIFY(middle - half > end);
+      end = middle + half;
+      hasZero = hasZero || tick == 0.0;
+    }
+    QVERIFY(hasZero);
+    fewest = std::min(fewest, labelled.size());
+    most = std::max(most, labelled.size());
+  }
+  QVERIFY(fewest < most);
 }
 
 void PlotLayoutTest::places() {
