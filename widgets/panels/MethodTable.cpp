@@ -12,7 +12,7 @@ namespace handwheel {
 
 namespace {
 
-enum Column { kMethod, kTriangles, kArea, kLargestBend, kMeanBend, kTime, kColumns };
+enum Column { kMethod, kTriangles, kArea, kLargestBend, kMeanBend, kColumns };
 
 QString degrees(double radian) {
   return QLocale().toString(radian / kRadiansPerDegree, 'f', 0);
@@ -20,13 +20,13 @@ QString degrees(double radian) {
 
 void fill(QTreeWidgetItem& row, const MethodTrial& trial) {
   row.setText(kMethod, fillMethodName(trial.method));
-  row.setToolTip(kMethod, fillMethodHint(trial.method));
+  row.setToolTip(kMethod, MethodTable::tr("%1 It took %2 ms.")
+                              .arg(fillMethodHint(trial.method), QLocale().toString(trial.milliseconds, 'f', 1)));
   row.setData(kMethod, Qt::UserRole, static_cast<int>(trial.method));
   for (int column = kTriangles; column < kColumns; ++column) {
     row.setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     row.setText(column, QStringLiteral("–"));
   }
-  row.setText(kTime, QLocale().toString(trial.milliseconds, 'f', trial.milliseconds < 10.0 ? 1 : 0));
   if (trial.failure != FillFailure::None) {
     row.setToolTip(kTriangles, fillFailureReason(trial.failure));
     row.setForeground(kMethod, row.treeWidget()->palette().color(QPalette::Disabled, QPalette::Text));
@@ -44,13 +44,13 @@ MethodTable::MethodTable(QWidget* parent) : QTreeWidget(parent) {
   setObjectName(QStringLiteral("methodTable"));
   setAccessibleName(tr("Methods side by side"));
   setRootIsDecorated(false);
+  setIndentation(0);
   setUniformRowHeights(true);
   setColumnCount(kColumns);
-  setHeaderLabels({tr("Method"), tr("Faces"), tr("mm²"), tr("Bend°"), tr("Mean°"), tr("ms")});
+  setHeaderLabels({tr("Method"), tr("Faces"), tr("mm²"), tr("Bend°"), tr("Mean°")});
   headerItem()->setToolTip(kArea, tr("Area of the patch"));
   headerItem()->setToolTip(kLargestBend, tr("The sharpest edge, that of the hole included"));
   headerItem()->setToolTip(kMeanBend, tr("Root mean square over all edges"));
-  headerItem()->setToolTip(kTime, tr("Time that it took"));
   header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   header()->setMinimumSectionSize(24);
   setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);

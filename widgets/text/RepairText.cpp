@@ -32,7 +32,7 @@ QString fillMethodName(FillMethod method) {
     case FillMethod::Ear:
       return Text::tr("Ear cutting");
     case FillMethod::Minimal:
-      return Text::tr("Minimal area");
+      return Text::tr("Area and bend");
     case FillMethod::Area:
       return Text::tr("Least area");
     case FillMethod::Dihedral:

@@ -16,6 +16,7 @@
 #include "window/JobRunner.h"
 #include "window/mesh/ClearView.h"
 #include "window/mesh/MeshDeviation.h"
+#include "window/mesh/MeshReading.h"
 #include "window/mesh/OpenMesh.h"
 
 #include <QCursor>
@@ -31,13 +32,6 @@ namespace {
 
 constexpr double kPlace = 0.08;          // share of the model's diagonal that the camera shows around a place
 constexpr std::size_t kFineBins = 4000;  // from which the histogram of any range is made
-
-Result<HalfEdgeMesh> readMesh(const DocumentKinds& kinds, const QString& path, Progress progress) {
-  const Result<OpenedFile> opened = kinds.open(QFile::encodeName(path).toStdString(), {}, progress);
-  if (!opened) return opened.error();
-  if (const auto* mesh = dynamic_cast<const MeshSnapshot*>(opened->content.get())) return mesh->mesh.mesh;
-  return Error{ErrorCode::NoTriangles, {}, {}, path.toStdString()};
-}
 
 Result<std::shared_ptr<MeshDeviation>> compared(const HalfEdgeMesh& mesh, const HalfEdgeMesh& scan, Progress progress) {
   auto found = std::make_shared<MeshDeviation>();
@@ -64,6 +58,7 @@ DeviationView::DeviationView(const WindowParts& parts, QObject* parent)
   m_action.setShortcut(QKeySequence(Qt::Key_D));
   setTip(m_action, tr("Show in colours how far the mesh is from what was opened"));
   connect(&m_action, &QAction::triggered, this, [this] {
+    if (m_document->deviation) return close();
     if (!m_parts.isPanelVisible()) m_parts.showPanel->trigger();
     compare(m_document, {}, Round::First);
   });

@@ -49,9 +49,11 @@ void HolePreview::request(OpenMesh* document, int loop) {
   apply(m_fidelity.values(), options);
   if (document && key == m_stitched) options.stitches = m_stitches;
   options.ears = m_ears;
-  const bool same = document == m_document && revision == m_revision && key == m_key &&
-                    options.method == m_options.method && options.density == m_options.density &&
-                    options.stitches == m_options.stitches && isSame(options.ears, m_options.ears);
+  const bool sameHole = document == m_document && revision == m_revision && key == m_key &&
+                        options.density == m_options.density && options.stitches == m_options.stitches &&
+                        isSame(options.ears, m_options.ears);
+  if (!sameHole) m_trials.clear();
+  const bool same = sameHole && options.method == m_options.method;
   if (same && (!document || m_state.kind != PreviewState::Kind::Off)) return;
   if (document && (document != m_benchDocument || revision != m_benchRevision)) m_bench = nullptr;
   m_document = document;
@@ -72,7 +74,6 @@ void HolePreview::setWishes(Vertex key, std::vector<Stitch> stitches, const EarW
 void HolePreview::start() {
   ++m_request;
   m_attempt.reset();
-  m_trials.clear();
   m_state = {};
   m_need = m_document ? m_services.needs().need("fill_preview") : Need();
   if (!m_document) {

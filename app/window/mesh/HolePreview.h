@@ -40,7 +40,7 @@ class HolePreview : public QObject {
   const PreviewState& state() const { return m_state; }
   const FillAttempt* attempt() const;  // null unless ready or failed
 
-  // What every method makes of the hole that is shown: once the preview is there, and until the next request.
+  // What every method makes of the hole that is shown: once the preview is there, and until another hole is.
   void compare();
   const std::vector<MethodTrial>& trials() const { return m_trials; }
 

@@ -32,6 +32,7 @@ MeshTools::MeshTools(ToolHost& host, QThreadPool& pool, Selection& selection, Ho
       m_thinking(JobRunner::Policy::Latest, pool) {
   connect(&m_preview, &HolePreview::changed, this, &MeshTools::answer);
   connect(&m_selection, &Selection::changed, this, &MeshTools::followSelection);
+  connect(m_actions.preview(), &QAction::toggled, this, [this] { m_host.runner().deliver([] {}); });
   connect(&m_host, &ToolHost::updated, this, &MeshTools::followTool);
 }
 
@@ -53,6 +54,7 @@ std::unique_ptr<Tool> MeshTools::fillTool() {
   services.faces = [this] { return faces(); };
   services.request = [this](const FillRequest& wanted) { request(wanted); };
   services.commit = [this](const BoundaryLoop&, const FillAttempt&) { m_actions.fill()->trigger(); };
+  services.showsPatch = [this] { return m_actions.preview()->isChecked(); };
   const Vertex selected = m_document->selected;
   return std::make_unique<FillHoleTool>(m_document->document, std::move(services),
                                         selected == kNone ? std::nullopt : std::optional(selected));

@@ -31,6 +31,7 @@ MeshUi::MeshUi(const WindowParts& parts, MeshKind& kind)
       m_jobs(parts.tabs, parts.jobs, parts.log, parts.fidelity),
       m_actions(m_selection, m_jobs, m_preview, parts.fidelity, this),
       m_defectActions(m_selection, m_jobs, m_preview, parts.fidelity, this),
+      m_shells(parts, kind, *this, m_jobs),
       m_panel(new DefectsPanel(
           {m_actions.repairAll(), m_actions.previous(), m_actions.next(), m_actions.fill(), m_actions.keepOpen(),
            m_actions.preview(), m_defectActions.giveBack(), m_defectActions.cutAndClose(), m_defectActions.fix()},
@@ -49,6 +50,7 @@ MeshUi::MeshUi(const WindowParts& parts, MeshKind& kind)
     if (m_panels) m_panels->setCurrentIndex(m_deviation.isShown() ? 1 : 0);
     emit stateChanged();
   });
+  connect(&m_shells, &ShellActions::message, this, &KindUi::message);
   connectSelection();
   connect(&m_parts.fidelity, &FidelityChoice::changed, this, &MeshUi::followFidelity);
   followFidelity();
@@ -134,6 +136,7 @@ void MeshUi::setDocument(OpenDocument* document) {
   m_search.setDocument(m_document);
   m_actions.setDocument(m_document);
   m_defectActions.setDocument(m_document);
+  m_shells.setDocument(m_document);
   m_selection.setDocument(m_document);
 }
 

@@ -12,6 +12,7 @@
 #include "window/mesh/SectionView.h"
 #include "window/mesh/Selection.h"
 #include "window/mesh/SelfIntersectionSearch.h"
+#include "window/mesh/ShellActions.h"
 
 #include <QPointer>
 
@@ -39,7 +40,9 @@ class MeshUi : public KindUi {
   QString panelIcon() const override { return QStringLiteral("defects"); }
   QWidget* panel() override;
   QString menuTitle() const override { return tr("&Repair"); }
-  QList<QAction*> menu() override { return m_actions.all() + m_defectActions.all() << m_deviation.action(); }
+  QList<QAction*> menu() override {
+    return m_actions.all() + m_defectActions.all() + m_shells.all() << m_deviation.action();
+  }
   QList<QAction*> toolBar() override;
   std::vector<ToolOffer> tools() override;
   std::vector<Hint> hints() override;
@@ -64,6 +67,7 @@ class MeshUi : public KindUi {
   RepairJobs m_jobs;
   RepairActions m_actions;
   DefectActions m_defectActions;
+  ShellActions m_shells;
   QPointer<DefectsPanel> m_panel;
   DeviationView m_deviation;
   SectionView m_section;

@@ -87,7 +87,14 @@ NextStep nextStepFor(const OpenMesh& document, const NextStepActions& actions) {
                   tight ? Text::tr("Watertight.") : openTitle(inspection),
                   {},
                   {}};
-    if (isWorthSaving(document)) {
+    if (const auto crossings = static_cast<int>(inspection.count(DefectKind::SelfIntersection)); crossings > 0) {
+      step.icon = QStringLiteral("warning");
+      step.colour = colours.warning;
+      if (tight) step.title = Text::tr("Watertight, but it passes through itself.");
+      step.detail =
+          Text::tr("%Ln pair(s) of triangles cross. The list of defects cuts them apart.", nullptr, crossings);
+      if (isWorthSaving(document)) step.actions = {actions.saveAs};
+    } else if (isWorthSaving(document)) {
       step.actions = {actions.saveAs};
       if (const auto turned = static_cast<int>(document.document.turnedFaces().size()); turned > 0) {
         step.detail = Text::tr("%Ln triangle(s) faced the wrong way and were turned over.", nullptr, turned);

@@ -235,7 +235,7 @@ std::vector<ToolAction> FillHoleTool::actions() const {
 
 ToolPreview FillHoleTool::preview() const {
   ToolPreview preview;
-  if (m_patch) {
+  if (m_patch && m_services.showsPatch()) {
     DisplayPart part;
     part.name = "patch";
     part.soup = m_patch;
@@ -261,7 +261,7 @@ std::vector<Property> FillHoleTool::settings() const {
   all.push_back(
       choiceSetting("method", QT_TRANSLATE_NOOP("Property", "Method"), static_cast<int>(settingOf(m_method)),
                     {QT_TRANSLATE_NOOP("Property", "Fair"), QT_TRANSLATE_NOOP("Property", "Refined"),
-                     QT_TRANSLATE_NOOP("Property", "Ear cutting"), QT_TRANSLATE_NOOP("Property", "Minimal area"),
+                     QT_TRANSLATE_NOOP("Property", "Ear cutting"), QT_TRANSLATE_NOOP("Property", "Area and bend"),
                      QT_TRANSLATE_NOOP("Property", "Least area"), QT_TRANSLATE_NOOP("Property", "Least bend"),
                      QT_TRANSLATE_NOOP("Property", "Ridges")}));
   for (const Weight& weight : kWeights) {

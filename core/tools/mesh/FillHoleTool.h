@@ -32,6 +32,8 @@ struct FillServices {
   std::function<void(const FillRequest&)> request;
   // Puts a proposed patch into the document as one step, now or later.
   std::function<void(const BoundaryLoop&, const FillAttempt&)> commit;
+  // Whether the patch is to be seen before it is put in.
+  std::function<bool()> showsPatch = [] { return true; };
 };
 
 // Fills holes one by one: choose one, see the patch, take it or not, go on to the next. A line drawn from point to

@@ -14,10 +14,10 @@ struct SculptSettings {
   enum class Brush { Drag, Smooth, Inflate, Flatten };
 
   Brush brush = Brush::Drag;
-  double radius = 5.0;       // mm
-  double strength = 0.5;     // 0…1; dragging follows the pointer all the way whatever it is
-  bool movesBorder = false;  // also the vertices at the end of the surface
-  double noiseAngle = 0.35;  // radian; normals that differ by less are taken for noise
+  double radius = 5.0;                           // mm
+  double strength = 0.5;                         // 0…1; dragging follows the pointer all the way whatever it is
+  bool movesBorder = false;                      // also the vertices at the end of the surface
+  double noiseAngle = 20.0 * kRadiansPerDegree;  // normals that differ by less are taken for noise
 
   void scaleBrush(double factor);
 

@@ -96,6 +96,29 @@ class DefectFixesWindowTest : public QObject {
     QCOMPARE(driver.text("stateHeadline"), "Watertight");
   }
 
+  // Each shell becomes a document; put together again they are what they were.
+  void shellsApartAndTogether() {
+    TriangleSoup soup = cube();
+    append(soup, cube(1.0, {3, 0, 0}));
+    WindowDriver driver;
+    QVERIFY(driver.open(file("two.stl", soup)));
+    driver.choose("splitShells");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.tabs(), 3, kPatienceMs);
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.text("stateHeadline"), "Watertight");
+    driver.choose("splitShells");
+    QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains("one shell"), kPatienceMs);
+    QCOMPARE(driver.tabs(), 3);
+
+    driver.choose("addMesh");
+    QVERIFY(driver.enterFileName("addMeshDialog", file("one.stl", cube(1.0, {0, 3, 0}))));
+    auto* undo = driver.find<QAction>("undo");
+    QTRY_VERIFY_WITH_TIMEOUT(undo->isEnabled(), kPatienceMs);
+    QVERIFY(driver.settle());
+    QVERIFY(undo->text().contains("Add a mesh"));
+    QCOMPARE(driver.text("stateHeadline"), "Watertight");
+  }
+
   // Faces in one plane are not cut; the window says so.
   void whatCannotBeMended() {
     TriangleSoup soup = cube();

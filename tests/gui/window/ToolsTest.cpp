@@ -143,8 +143,8 @@ class ToolsTest : public QObject {
     QVERIFY(isEverywhere(QStringLiteral("Ear cutting")));
     QVERIFY(driver.settle());
     QVERIFY2(driver.text("previewStatus") != fine, qPrintable(fine));
-    choose(withHole, QStringLiteral("Minimal area"));
-    QVERIFY(isEverywhere(QStringLiteral("Minimal area")));
+    choose(withHole, QStringLiteral("Area and bend"));
+    QVERIFY(isEverywhere(QStringLiteral("Area and bend")));
     auto* panel = driver.find<QWidget>("fidelityPanel");
     choose(panel->findChild<QWidget*>("property/mesh.fill_method")->findChild<QComboBox*>(), QStringLiteral("Fair"));
     QVERIFY(isEverywhere(QStringLiteral("Fair")));

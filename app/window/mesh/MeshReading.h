@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/DocumentKind.h"
+#include "mesh/HalfEdgeMesh.h"
+
+#include <QString>
+
+namespace handwheel {
+
+// The mesh that a file holds. Errors: those of the readers; NoTriangles where it holds no mesh. Any thread.
+Result<HalfEdgeMesh> readMesh(const DocumentKinds& kinds, const QString& path, Progress progress);
+
+}  // namespace handwheel

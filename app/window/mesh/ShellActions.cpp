@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/mesh/ShellActions.h"
+
+#include "document/mesh/MeshKind.h"
+#include "mesh/Shells.h"
+#include "panels/LogModel.h"
+#include "panels/MessageBar.h"
+#include "text/ErrorText.h"
+#include "theme/Icons.h"
+#include "window/ActionTip.h"
+#include "window/DocumentTabs.h"
+#include "window/FileFilters.h"
+#include "window/JobRunner.h"
+#include "window/mesh/MeshReading.h"
+#include "window/mesh/MeshUi.h"
+#include "window/mesh/OpenMesh.h"
+#include "window/mesh/RepairJobs.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+
+namespace handwheel {
+
+namespace {
+
+constexpr std::size_t kMostShells = 20;  // as tabs; more are for the command line
+
+}  // namespace
+
+ShellActions::ShellActions(const WindowParts& parts, MeshKind& kind, MeshUi& ui, RepairJobs& jobs)
+    : QObject(&ui),
+      m_parts(parts),
+      m_kind(kind),
+      m_ui(ui),
+      m_jobs(jobs),
+      m_split(icon(QStringLiteral("split")), tr("Split into s&hells"), this),
+      m_add(icon(QStringLiteral("add-mesh")), tr("&Add a mesh…"), this) {
+  m_split.setObjectName(QStringLiteral("splitShells"));
+  m_add.setObjectName(QStringLiteral("addMesh"));
+  setTip(m_split, tr("Open each shell, what hangs together across edges, as a document of its own"));
+  setTip(m_add, tr("Put the mesh of another file into this one, where it stands"));
+  connect(&m_split, &QAction::triggered, this, &ShellActions::split);
+  connect(&m_add, &QAction::triggered, this, &ShellActions::askForMesh);
+  setDocument(nullptr);
+}
+
+void ShellActions::setDocument(OpenMesh* document) {
+  m_document = document;
+  for (QAction* action : all()) action->setEnabled(document != nullptr);
+}
+
+void ShellActions::split() {
+  Job job;
+  job.name = m_split.iconText();
+  job.owner = m_document;
+  job.work = [this, mesh = m_document->document.mesh(),
+              numbers = m_document->document.fileNumbers()](Progress progress) -> Job::Finish {
+    const auto shells = findShells(mesh, progress.part(0.0, 0.2));
+    std::vector<std::shared_ptr<MeshSnapshot>> contents;
+    for (std::size_t i = 0; i < shells.size() && shells.size() <= kMostShells && shells.size() > 1; ++i) {
+      const double from = 0.2 + 0.8 * double(i) / double(shells.size()), each = 0.8 / double(shells.size());
+      MeshFile file;
+      file.soup = extracted(mesh, shells[i]).compact().soup;
+      file.numbers = numbers;
+      contents.push_back(meshSnapshotOf(file, tolerance::kNearWeld, progress.part(from, from + each)));
+    }
+    return [this, contents = std::move(contents), count = shells.size()] {
+      contents.empty() ? tellCount(count) : open(contents);
+    };
+  };
+  m_parts.jobs.start(std::move(job));
+}
+
+void ShellActions::open(const std::vector<std::shared_ptr<MeshSnapshot>>& shells) {
+  for (const auto& shell : shells) {
+    OpenedFile opened = DocumentKinds::blank(m_kind);
+    opened.content = shell;
+    m_parts.tabs.add(m_ui.open(m_kind.make(std::move(opened))));
+  }
+  m_parts.log.add(tr("Split into %Ln shell(s)", nullptr, static_cast<int>(shells.size())));
+}
+
+void ShellActions::tellCount(std::size_t shells) {
+  const bool isOne = shells < 2;
+  emit message({Message::Weight::Info,
+                isOne ? tr("The mesh is one shell") : tr("There are %Ln shell(s)", nullptr, static_cast<int>(shells)),
+                {},
+                isOne ? QString() : tr("“handwheel split” writes so many into a folder. Debris can be removed before."),
+                {},
+                {}});
+}
+
+void ShellActions::askForMesh() {
+  auto* dialog = new QFileDialog(m_parts.window, tr("Add a mesh"), QFileInfo(m_document->document.path()).path(),
+                                 openFilters(m_parts.kinds).join(QStringLiteral(";;")));
+  dialog->setObjectName(QStringLiteral("addMeshDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, [this, document = m_document](const QString& path) {
+    if (m_parts.tabs.contains(document)) add(document, path);
+  });
+  dialog->open();
+}
+
+void ShellActions::add(OpenMesh* document, const QString& path) {
+  Job job;
+  job.name = tr("Reading %1").arg(QFileInfo(path).fileName());
+  job.owner = document;
+  job.work = [this, document, path](Progress progress) -> Job::Finish {
+    const Result<HalfEdgeMesh> other = readMesh(m_parts.kinds, path, progress);
+    if (!other) {
+      return [this, path, error = other.error()] {
+        emit message({Message::Weight::Error,
+                      tr("%1 could not be added").arg(QFileInfo(path).fileName()),
+                      errorSentence(error),
+                      errorAdvice(error),
+                      {},
+                      {}});
+      };
+    }
+    return [this, document, other = *other] {
+      if (!m_parts.tabs.contains(document)) return;
+      m_jobs.change(document, {QT_TRANSLATE_NOOP("Tool", "Add a mesh"),
+                               [other](HalfEdgeMesh& mesh, Progress) { append(mesh, other); }});
+    };
+  };
+  m_parts.jobs.start(std::move(job));
+}
+
+}  // namespace handwheel

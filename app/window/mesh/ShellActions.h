@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "window/KindUi.h"
+
+namespace handwheel {
+
+class MeshKind;
+class MeshUi;
+class RepairJobs;
+struct MeshSnapshot;
+struct OpenMesh;
+
+// The shells of a mesh as documents of their own, and other meshes added to it.
+class ShellActions : public QObject {
+  Q_OBJECT
+
+ public:
+  ShellActions(const WindowParts& parts, MeshKind& kind, MeshUi& ui, RepairJobs& jobs);
+
+  void setDocument(OpenMesh* document);  // null: no mesh is in view
+  QList<QAction*> all() { return {&m_split, &m_add}; }
+
+ signals:
+  void message(const handwheel::Message& message);
+
+ private:
+  void split();
+  void open(const std::vector<std::shared_ptr<MeshSnapshot>>& shells);
+  void tellCount(std::size_t shells);
+  void askForMesh();
+  void add(OpenMesh* document, const QString& path);
+
+  WindowParts m_parts;
+  MeshKind& m_kind;
+  MeshUi& m_ui;
+  RepairJobs& m_jobs;
+  OpenMesh* m_document = nullptr;
+  QAction m_split;
+  QAction m_add;
+};
+
+}  // namespace handwheel
