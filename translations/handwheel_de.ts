@@ -1157,6 +1157,14 @@
         <source>Some defects are left.</source>
         <translation>Einige Fehler sind übrig.</translation>
     </message>
+    <message>
+        <source>Watertight, but it passes through itself.</source>
+        <translation>Wasserdicht, durchdringt sich aber selbst.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln pair(s) of triangles cross. The list of defects cuts them apart.</source>
+        <translation><numerusform>%Ln Paar Dreiecke durchdringt sich. Die Liste der Fehler schneidet sie auseinander.</numerusform><numerusform>%Ln Paare von Dreiecken durchdringen sich. Die Liste der Fehler schneidet sie auseinander.</numerusform></translation>
+    </message>
 </context>
 <context>
     <name>Note</name>
@@ -1306,10 +1314,6 @@
     <message>
         <source>Ear cutting</source>
         <translation>Ohren abschneiden</translation>
-    </message>
-    <message>
-        <source>Minimal area</source>
-        <translation>Kleinste Fläche</translation>
     </message>
     <message>
         <source>New triangles</source>
@@ -1711,6 +1715,22 @@
         <source>the outline is open</source>
         <translation>der Umriss ist offen</translation>
     </message>
+    <message>
+        <source>Short edges count</source>
+        <translation>Gewicht kurzer Kanten</translation>
+    </message>
+    <message>
+        <source>Even angles count</source>
+        <translation>Gewicht gleicher Winkel</translation>
+    </message>
+    <message>
+        <source>Small bends count</source>
+        <translation>Gewicht kleiner Knicke</translation>
+    </message>
+    <message>
+        <source>Area and bend</source>
+        <translation>Fläche und Knick</translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -1725,10 +1745,6 @@
     <message>
         <source>Ear cutting</source>
         <translation>Ohren abschneiden</translation>
-    </message>
-    <message>
-        <source>Minimal area</source>
-        <translation>Kleinste Fläche</translation>
     </message>
     <message>
         <source>Stitched</source>
@@ -1921,6 +1937,10 @@
             <numerusform>%n Dreieck geschnitten, wo Flicken kreuzen</numerusform>
             <numerusform>%n Dreiecke geschnitten, wo Flicken kreuzen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Area and bend</source>
+        <translation>Fläche und Knick</translation>
     </message>
 </context>
 <context>
@@ -2436,6 +2456,10 @@
     <message>
         <source>reset</source>
         <translation>zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Add a mesh</source>
+        <translation>Netz hinzufügen</translation>
     </message>
 </context>
 <context>
@@ -3622,10 +3646,6 @@
         <translation>Mittel°</translation>
     </message>
     <message>
-        <source>ms</source>
-        <translation>ms</translation>
-    </message>
-    <message>
         <source>Area of the patch</source>
         <translation>Flächeninhalt der Füllfläche</translation>
     </message>
@@ -3638,8 +3658,8 @@
         <translation>Quadratisches Mittel über alle Kanten</translation>
     </message>
     <message>
-        <source>Time that it took</source>
-        <translation>Benötigte Zeit</translation>
+        <source>%1 It took %2 ms.</source>
+        <translation>%1 Es dauerte %2 ms.</translation>
     </message>
 </context>
 <context>
@@ -3974,6 +3994,53 @@
     <message>
         <source>Share</source>
         <translation>Anteil</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ShellActions</name>
+    <message>
+        <source>Split into s&amp;hells</source>
+        <translation>In &amp;Schalen teilen</translation>
+    </message>
+    <message>
+        <source>&amp;Add a mesh…</source>
+        <translation>Netz &amp;hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Open each shell, what hangs together across edges, as a document of its own</source>
+        <translation>Jede Schale, also was über Kanten zusammenhängt, als eigenes Dokument öffnen</translation>
+    </message>
+    <message>
+        <source>Put the mesh of another file into this one, where it stands</source>
+        <translation>Das Netz einer anderen Datei in dieses setzen, an seine Stelle</translation>
+    </message>
+    <message numerus="yes">
+        <source>Split into %Ln shell(s)</source>
+        <translation><numerusform>In %Ln Schale geteilt</numerusform><numerusform>In %Ln Schalen geteilt</numerusform></translation>
+    </message>
+    <message>
+        <source>The mesh is one shell</source>
+        <translation>Das Netz ist eine einzige Schale</translation>
+    </message>
+    <message numerus="yes">
+        <source>There are %Ln shell(s)</source>
+        <translation><numerusform>Es gibt %Ln Schale</numerusform><numerusform>Es gibt %Ln Schalen</numerusform></translation>
+    </message>
+    <message>
+        <source>“handwheel split” writes so many into a folder. Debris can be removed before.</source>
+        <translation>„handwheel split“ schreibt so viele in einen Ordner. Vorher lassen sich Bruchstücke entfernen.</translation>
+    </message>
+    <message>
+        <source>Add a mesh</source>
+        <translation>Netz hinzufügen</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
+    </message>
+    <message>
+        <source>%1 could not be added</source>
+        <translation>%1 konnte nicht hinzugefügt werden</translation>
     </message>
 </context>
 <context>

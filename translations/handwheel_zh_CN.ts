@@ -1146,6 +1146,14 @@
         <source>Some defects are left.</source>
         <translation>仍有一些缺陷。</translation>
     </message>
+    <message>
+        <source>Watertight, but it passes through itself.</source>
+        <translation>水密,但自身相交。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln pair(s) of triangles cross. The list of defects cuts them apart.</source>
+        <translation><numerusform>有 %Ln 对三角形相交。可在缺陷列表中将其切开。</numerusform></translation>
+    </message>
 </context>
 <context>
     <name>Note</name>
@@ -1295,10 +1303,6 @@
     <message>
         <source>Ear cutting</source>
         <translation>切耳法</translation>
-    </message>
-    <message>
-        <source>Minimal area</source>
-        <translation>最小面积</translation>
     </message>
     <message>
         <source>New triangles</source>
@@ -1700,6 +1704,22 @@
         <source>the outline is open</source>
         <translation>轮廓未闭合</translation>
     </message>
+    <message>
+        <source>Short edges count</source>
+        <translation>短边权重</translation>
+    </message>
+    <message>
+        <source>Even angles count</source>
+        <translation>均匀角权重</translation>
+    </message>
+    <message>
+        <source>Small bends count</source>
+        <translation>小弯折权重</translation>
+    </message>
+    <message>
+        <source>Area and bend</source>
+        <translation>面积与弯折</translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -1714,10 +1734,6 @@
     <message>
         <source>Ear cutting</source>
         <translation>切耳法</translation>
-    </message>
-    <message>
-        <source>Minimal area</source>
-        <translation>最小面积</translation>
     </message>
     <message>
         <source>Stitched</source>
@@ -1902,6 +1918,10 @@
         <translation>
             <numerusform>在补片相交处切开了 %n 个三角形</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Area and bend</source>
+        <translation>面积与弯折</translation>
     </message>
 </context>
 <context>
@@ -2417,6 +2437,10 @@
     <message>
         <source>reset</source>
         <translation>重置</translation>
+    </message>
+    <message>
+        <source>Add a mesh</source>
+        <translation>添加网格</translation>
     </message>
 </context>
 <context>
@@ -3595,10 +3619,6 @@
         <translation>平均°</translation>
     </message>
     <message>
-        <source>ms</source>
-        <translation>ms</translation>
-    </message>
-    <message>
         <source>Area of the patch</source>
         <translation>补片的面积</translation>
     </message>
@@ -3611,8 +3631,8 @@
         <translation>所有边的均方根</translation>
     </message>
     <message>
-        <source>Time that it took</source>
-        <translation>所用时间</translation>
+        <source>%1 It took %2 ms.</source>
+        <translation>%1用时 %2 毫秒。</translation>
     </message>
 </context>
 <context>
@@ -3947,6 +3967,53 @@
     <message>
         <source>Share</source>
         <translation>占比</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ShellActions</name>
+    <message>
+        <source>Split into s&amp;hells</source>
+        <translation>拆分为壳体(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Add a mesh…</source>
+        <translation>添加网格(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Open each shell, what hangs together across edges, as a document of its own</source>
+        <translation>将每个壳体(通过边相连的部分)作为单独的文档打开</translation>
+    </message>
+    <message>
+        <source>Put the mesh of another file into this one, where it stands</source>
+        <translation>将另一文件的网格按其位置放入此网格</translation>
+    </message>
+    <message numerus="yes">
+        <source>Split into %Ln shell(s)</source>
+        <translation><numerusform>已拆分为 %Ln 个壳体</numerusform></translation>
+    </message>
+    <message>
+        <source>The mesh is one shell</source>
+        <translation>该网格是一个整体壳体</translation>
+    </message>
+    <message numerus="yes">
+        <source>There are %Ln shell(s)</source>
+        <translation><numerusform>共有 %Ln 个壳体</numerusform></translation>
+    </message>
+    <message>
+        <source>“handwheel split” writes so many into a folder. Debris can be removed before.</source>
+        <translation>“handwheel split”可将这么多壳体写入文件夹。可先移除碎片。</translation>
+    </message>
+    <message>
+        <source>Add a mesh</source>
+        <translation>添加网格</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>正在读取 %1</translation>
+    </message>
+    <message>
+        <source>%1 could not be added</source>
+        <translation>无法添加 %1</translation>
     </message>
 </context>
 <context>
