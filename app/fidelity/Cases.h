@@ -27,6 +27,10 @@ FidelityCase patchDensityCaseOn(const std::string& name, SoupSource soup);
 std::vector<FidelityCase> pieceEdgesCases();
 FidelityCase pieceEdgesCaseOn(const std::string& name, SoupSource soup);
 
+// mesh.decimation_error: how far a mesh of fewer triangles is from what it was.
+std::vector<FidelityCase> decimationErrorCases();
+FidelityCase decimationErrorCaseOn(const std::string& name, SoupSource soup);
+
 // document.undo_granularity: edits of a large mesh, kept and exchanged as an undo step does.
 std::vector<FidelityCase> undoGranularityCases();
 FidelityCase undoGranularityCaseOn(const std::string& name, SoupSource soup);

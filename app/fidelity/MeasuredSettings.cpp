@@ -12,6 +12,7 @@ FidelityRegistry measuredSettings() {
   registry.add(fillMethodSetting(), fillMethodCases());
   registry.add(patchDensitySetting(), patchDensityCases());
   registry.add(pieceEdgesSetting(), pieceEdgesCases());
+  registry.add(decimationErrorSetting(), decimationErrorCases());
   registry.add(chordSetting(), chordCases());
   registry.add(undoGranularitySetting(), undoGranularityCases());
   registry.add(blockFacesSetting(), blockFacesCases());
@@ -25,13 +26,11 @@ std::vector<FidelityCase> casesOnMesh(std::string_view id, const std::string& na
     std::string id;
     FidelityCase (*make)(const std::string&, SoupSource);
   };
-  const Maker makers[] = {{nearWeldSetting().id, nearWeldCaseOn},
-                          {fillMethodSetting().id, fillMethodCaseOn},
-                          {patchDensitySetting().id, patchDensityCaseOn},
-                          {undoGranularitySetting().id, undoGranularityCaseOn},
-                          {pieceEdgesSetting().id, pieceEdgesCaseOn},
-                          {blockFacesSetting().id, blockFacesCaseOn},
-                          {coarseTrianglesSetting().id, coarseTrianglesCaseOn}};
+  const Maker makers[] = {
+      {nearWeldSetting().id, nearWeldCaseOn},         {fillMethodSetting().id, fillMethodCaseOn},
+      {patchDensitySetting().id, patchDensityCaseOn}, {undoGranularitySetting().id, undoGranularityCaseOn},
+      {pieceEdgesSetting().id, pieceEdgesCaseOn},     {decimationErrorSetting().id, decimationErrorCaseOn},
+      {blockFacesSetting().id, blockFacesCaseOn},     {coarseTrianglesSetting().id, coarseTrianglesCaseOn}};
   for (const Maker& maker : makers) {
     if (maker.id == id) return {maker.make(name, soup)};
   }

@@ -79,6 +79,21 @@ FidelitySetting pieceEdgesSetting() {
   return s;
 }
 
+FidelitySetting decimationErrorSetting() {
+  FidelitySetting s;
+  s.id = "mesh.decimation_error";
+  s.label = translatable("Fidelity", "Largest distance that removing triangles may leave");
+  s.unit = translatable("Fidelity", "share of the diagonal");
+  s.scale = FidelityScale::Logarithmic;
+  s.least = 1e-4;
+  s.largest = 1e-2;
+  s.standard = 1e-3;  // hardly seen
+  s.presets = {0.01, 0.0015, 1e-4};
+  s.error = {translatable("Fidelity", "largest distance from the mesh, in diagonals"), "%"};
+  s.cost = {translatable("Fidelity", "triangles that are left"), "%"};
+  return s;
+}
+
 FidelitySetting undoGranularitySetting() {
   FidelitySetting s;
   s.id = "document.undo_granularity";

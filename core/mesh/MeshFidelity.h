@@ -12,6 +12,7 @@ FidelitySetting nearWeldSetting();         // mesh.near_weld: RepairOptions::nea
 FidelitySetting fillMethodSetting();       // mesh.fill_method: FillOptions::method
 FidelitySetting patchDensitySetting();     // mesh.patch_density: FillOptions::density
 FidelitySetting pieceEdgesSetting();       // mesh.piece_edges: FillOptions::pieceEdges
+FidelitySetting decimationErrorSetting();  // mesh.decimation_error: DecimationOptions::error, in diagonals
 FidelitySetting undoGranularitySetting();  // document.undo_granularity: MeshDelta::between()
 
 // The chosen method: of Ear, Minimal, Refined, Fair, Area, Dihedral, Ridge.

@@ -43,6 +43,7 @@ class CasesTest : public QObject {
   void patchesOfAMesh();
   void blocksOfAnySize();
   void standInsOfAMesh();
+  void fewerTrianglesOfAMesh();
   void sidesOfRoundShapes();
   void smallAndDegenerateMeshes_data();
   void smallAndDegenerateMeshes();
@@ -146,6 +147,18 @@ void CasesTest::standInsOfAMesh() {
   QVERIFY(few.cost < more.cost && few.cost > 1000.0 && more.cost < 20000.0);
   QVERIFY(few.error > more.error && more.error > 0.0);
   QVERIFY(few.error < 1.0);  // % of the diagonal: half a cell
+}
+
+// The distance is kept and made use of: at a hundred times of it there are far fewer triangles.
+void CasesTest::fewerTrianglesOfAMesh() {
+  const FidelityCase ball = onMesh("mesh.decimation_error", sphereSoup(4, 10.0));
+  const FidelitySample fine = ball.run(1e-4, 1, {}), coarse = ball.run(1e-2, 1, {});
+  QVERIFY(fine.error <= 0.01);  // %
+  QVERIFY(coarse.error > 0.5 && coarse.error <= 1.0);
+  QVERIFY(coarse.cost > 0.0 && coarse.cost < 0.1 * fine.cost && fine.cost <= 100.0);
+  const FidelitySample cube = onMesh("mesh.decimation_error", test::cube()).run(1e-2, 1, {});
+  QCOMPARE(cube.error, 0.0);
+  QCOMPARE(cube.cost, 100.0);  // every corner counts
 }
 
 // A chord of a circle is furthest from it in its middle: by 1 - cos(pi / n) of the radius.

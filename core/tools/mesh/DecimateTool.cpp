@@ -3,6 +3,7 @@
 #include "tools/mesh/DecimateTool.h"
 
 #include "document/mesh/MeshDocument.h"
+#include "mesh/MeshFidelity.h"
 #include "tools/ToolProperty.h"
 
 #include <QtGlobal>
@@ -15,7 +16,6 @@ namespace {
 constexpr Limits kFaces = {4.0, 1e9};
 constexpr Limits kDistance = {1e-9, 1e9};  // mm
 constexpr Limits kAngle = {0.01, std::numbers::pi};
-constexpr double kUsualDistance = 1e-3;  // of the diagonal
 
 }  // namespace
 
@@ -24,11 +24,12 @@ DecimateTool::DecimateTool(MeshDocument& document, MeshServices services)
   resetGoals();
 }
 
-// Half of what is there; a distance that is hardly seen.
+// Half of what is there; the distance that was chosen for all meshes.
 void DecimateTool::resetGoals() {
   m_faces = kFaces.bring(std::round(0.5 * static_cast<double>(m_document.mesh().liveFaceCount())));
   const Box& box = m_document.defects().box;
-  m_distance = kDistance.bring(box.isEmpty() ? 1.0 : kUsualDistance * box.diagonal().norm());
+  const double share = m_document.fidelity().of(decimationErrorSetting());
+  m_distance = kDistance.bring(box.isEmpty() ? 1.0 : share * box.diagonal().norm());
 }
 
 // An undo may have brought back more than the goal was set for; a goal that still makes sense stays.

@@ -5,6 +5,7 @@
 #include "MeshChecks.h"
 #include "MeshDocuments.h"
 #include "MeshShapes.h"
+#include "mesh/MeshFidelity.h"
 #include "mesh/MeshValidator.h"
 
 #include <QTest>
@@ -33,6 +34,7 @@ class DecimateToolTest : public QObject {
  private slots:
   void toACount();
   void withinADistance();
+  void distanceThatWasChosen();
   void whatCannotBe();
   void afterUndo();
 };
@@ -63,6 +65,19 @@ void DecimateToolTest::withinADistance() {
   QVERIFY(document->mesh().liveFaceCount() < 2000);
   for (const test::Place& p : test::places(document->mesh().compact().soup)) {
     QVERIFY(std::abs(std::hypot(p[0], p[1], p[2]) - 1.0) <= 0.02 + 0.005);  // the ball's own chords take 0.004
+  }
+}
+
+// A share of the diagonal, from the fidelity of the document.
+void DecimateToolTest::distanceThatWasChosen() {
+  const auto document = test::meshDocument(test::cube());
+  for (const double share : {1e-3, 1e-4, 1e-2}) {
+    FidelityValues values;
+    QVERIFY(values.set(decimationErrorSetting(), share));
+    document->setFidelity(share == 1e-3 ? FidelityValues() : values);
+    DecimateTool tool(*document, immediateServices(*document));
+    tool.setSetting("goal", 1.0);
+    QVERIFY(std::abs(valueOf(tool, "distance") - share * std::sqrt(3.0)) < 1e-12);
   }
 }
 

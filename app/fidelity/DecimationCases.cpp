@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fidelity/CaseShapes.h"
+#include "fidelity/Cases.h"
+#include "fidelity/SeededInput.h"
+#include "mesh/Decimation.h"
+#include "mesh/Deviation.h"
+#include "mesh/MeshBounds.h"
+#include "mesh/MeshBuilder.h"
+#include "mesh/MeshFidelity.h"
+
+#include <limits>
+
+namespace handwheel {
+namespace {
+
+constexpr DeviationOptions kMeasuring{.samples = 20'000, .bins = 1};
+
+// Triangles are removed as the tool does it; what is left is compared with what there was, both ways.
+FidelitySample reduce(const HalfEdgeMesh& original, double value, const Progress& progress) {
+  const double diagonal = diagonalOf(original);
+  FidelitySample sample{std::numeric_limits<double>::infinity(), 100.0};
+  if (!(diagonal > 0.0)) return sample;
+  HalfEdgeMesh mesh = original;
+  DecimationOptions options;
+  options.error = value * diagonal;
+  options.keepBorders = options.avoidIntersections = true;
+  const DecimationReport report = decimate(mesh, options, progress.part(0.0, 0.7));
+  const auto found = deviation(mesh, original, kMeasuring, progress.part(0.7, 1.0));
+  if (!found) return sample;
+  sample.error = 100.0 * found->hausdorff() / diagonal;
+  sample.cost = 100.0 * static_cast<double>(report.facesAfter) / static_cast<double>(report.facesBefore);
+  return sample;
+}
+
+}  // namespace
+
+FidelityCase decimationErrorCaseOn(const std::string& name, SoupSource soup) {
+  const SeededInput<HalfEdgeMesh> input([soup](std::uint64_t) { return buildMesh(*soup()).mesh; });
+  return {name, "the mesh, at 20,000 places", [input](double value, std::uint64_t seed, Progress progress) {
+            return reduce(input(seed), value, progress);
+          }};
+}
+
+std::vector<FidelityCase> decimationErrorCases() {
+  return {decimationErrorCaseOn("sphere of 5,120 faces", sphereSource(4, 50.0)),
+          decimationErrorCaseOn("torus of 9,600 faces", torusSource(120, 40, 60.0, 30.0))};
+}
+
+}  // namespace handwheel
