@@ -918,6 +918,14 @@
         <source>triangles of a shape</source>
         <translation>Dreiecke einer Form</translation>
     </message>
+    <message>
+        <source>Largest distance that removing triangles may leave</source>
+        <translation>Größter Abstand, den das Entfernen von Dreiecken lassen darf</translation>
+    </message>
+    <message>
+        <source>triangles that are left</source>
+        <translation>verbleibende Dreiecke</translation>
+    </message>
 </context>
 <context>
     <name>FileFilters</name>
@@ -1163,7 +1171,10 @@
     </message>
     <message numerus="yes">
         <source>%Ln pair(s) of triangles cross. The list of defects cuts them apart.</source>
-        <translation><numerusform>%Ln Paar Dreiecke durchdringt sich. Die Liste der Fehler schneidet sie auseinander.</numerusform><numerusform>%Ln Paare von Dreiecken durchdringen sich. Die Liste der Fehler schneidet sie auseinander.</numerusform></translation>
+        <translation>
+            <numerusform>%Ln Paar Dreiecke durchdringt sich. Die Liste der Fehler schneidet sie auseinander.</numerusform>
+            <numerusform>%Ln Paare von Dreiecken durchdringen sich. Die Liste der Fehler schneidet sie auseinander.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3638,14 +3649,6 @@
         <translation>mm²</translation>
     </message>
     <message>
-        <source>Bend°</source>
-        <translation>Knick°</translation>
-    </message>
-    <message>
-        <source>Mean°</source>
-        <translation>Mittel°</translation>
-    </message>
-    <message>
         <source>Area of the patch</source>
         <translation>Flächeninhalt der Füllfläche</translation>
     </message>
@@ -3654,12 +3657,16 @@
         <translation>Die schärfste Kante, den Lochrand eingeschlossen</translation>
     </message>
     <message>
-        <source>Root mean square over all edges</source>
-        <translation>Quadratisches Mittel über alle Kanten</translation>
-    </message>
-    <message>
         <source>%1 It took %2 ms.</source>
         <translation>%1 Es dauerte %2 ms.</translation>
+    </message>
+    <message>
+        <source>Root mean square over all edges: %1</source>
+        <translation>Quadratisches Mittel über alle Kanten: %1</translation>
+    </message>
+    <message>
+        <source>Bend</source>
+        <translation>Knick</translation>
     </message>
 </context>
 <context>
@@ -4016,7 +4023,10 @@
     </message>
     <message numerus="yes">
         <source>Split into %Ln shell(s)</source>
-        <translation><numerusform>In %Ln Schale geteilt</numerusform><numerusform>In %Ln Schalen geteilt</numerusform></translation>
+        <translation>
+            <numerusform>In %Ln Schale geteilt</numerusform>
+            <numerusform>In %Ln Schalen geteilt</numerusform>
+        </translation>
     </message>
     <message>
         <source>The mesh is one shell</source>
@@ -4024,7 +4034,10 @@
     </message>
     <message numerus="yes">
         <source>There are %Ln shell(s)</source>
-        <translation><numerusform>Es gibt %Ln Schale</numerusform><numerusform>Es gibt %Ln Schalen</numerusform></translation>
+        <translation>
+            <numerusform>Es gibt %Ln Schale</numerusform>
+            <numerusform>Es gibt %Ln Schalen</numerusform>
+        </translation>
     </message>
     <message>
         <source>“handwheel split” writes so many into a folder. Debris can be removed before.</source>

@@ -918,6 +918,14 @@
         <source>triangles of a shape</source>
         <translation>一个形体的三角形数</translation>
     </message>
+    <message>
+        <source>Largest distance that removing triangles may leave</source>
+        <translation>减少三角形时允许的最大距离</translation>
+    </message>
+    <message>
+        <source>triangles that are left</source>
+        <translation>剩余三角形</translation>
+    </message>
 </context>
 <context>
     <name>FileFilters</name>
@@ -1152,7 +1160,9 @@
     </message>
     <message numerus="yes">
         <source>%Ln pair(s) of triangles cross. The list of defects cuts them apart.</source>
-        <translation><numerusform>有 %Ln 对三角形相交。可在缺陷列表中将其切开。</numerusform></translation>
+        <translation>
+            <numerusform>有 %Ln 对三角形相交。可在缺陷列表中将其切开。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3611,14 +3621,6 @@
         <translation>mm²</translation>
     </message>
     <message>
-        <source>Bend°</source>
-        <translation>弯折°</translation>
-    </message>
-    <message>
-        <source>Mean°</source>
-        <translation>平均°</translation>
-    </message>
-    <message>
         <source>Area of the patch</source>
         <translation>补片的面积</translation>
     </message>
@@ -3627,12 +3629,16 @@
         <translation>最尖锐的边，包括孔洞边界上的边</translation>
     </message>
     <message>
-        <source>Root mean square over all edges</source>
-        <translation>所有边的均方根</translation>
-    </message>
-    <message>
         <source>%1 It took %2 ms.</source>
         <translation>%1用时 %2 毫秒。</translation>
+    </message>
+    <message>
+        <source>Root mean square over all edges: %1</source>
+        <translation>所有边的均方根:%1</translation>
+    </message>
+    <message>
+        <source>Bend</source>
+        <translation>弯折</translation>
     </message>
 </context>
 <context>
@@ -3989,7 +3995,9 @@
     </message>
     <message numerus="yes">
         <source>Split into %Ln shell(s)</source>
-        <translation><numerusform>已拆分为 %Ln 个壳体</numerusform></translation>
+        <translation>
+            <numerusform>已拆分为 %Ln 个壳体</numerusform>
+        </translation>
     </message>
     <message>
         <source>The mesh is one shell</source>
@@ -3997,7 +4005,9 @@
     </message>
     <message numerus="yes">
         <source>There are %Ln shell(s)</source>
-        <translation><numerusform>共有 %Ln 个壳体</numerusform></translation>
+        <translation>
+            <numerusform>共有 %Ln 个壳体</numerusform>
+        </translation>
     </message>
     <message>
         <source>“handwheel split” writes so many into a folder. Debris can be removed before.</source>

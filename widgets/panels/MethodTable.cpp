@@ -12,10 +12,10 @@ namespace handwheel {
 
 namespace {
 
-enum Column { kMethod, kTriangles, kArea, kLargestBend, kMeanBend, kColumns };
+enum Column { kMethod, kTriangles, kArea, kLargestBend, kColumns };
 
 QString degrees(double radian) {
-  return QLocale().toString(radian / kRadiansPerDegree, 'f', 0);
+  return QLocale().toString(radian / kRadiansPerDegree, 'f', 0) + QChar(0x00b0);
 }
 
 void fill(QTreeWidgetItem& row, const MethodTrial& trial) {
@@ -33,9 +33,11 @@ void fill(QTreeWidgetItem& row, const MethodTrial& trial) {
     return;
   }
   row.setText(kTriangles, QLocale().toString(static_cast<qulonglong>(trial.figures.triangles)));
-  row.setText(kArea, QLocale().toString(trial.figures.area, 'g', 4));
+  const double area = trial.figures.area;
+  row.setText(kArea, area < 100.0 ? QLocale().toString(area, 'g', 3) : QLocale().toString(area, 'f', 0));
   row.setText(kLargestBend, degrees(trial.figures.largestBend));
-  row.setText(kMeanBend, degrees(trial.figures.meanBend));
+  row.setToolTip(kLargestBend,
+                 MethodTable::tr("Root mean square over all edges: %1").arg(degrees(trial.figures.meanBend)));
 }
 
 }  // namespace
@@ -47,13 +49,15 @@ MethodTable::MethodTable(QWidget* parent) : QTreeWidget(parent) {
   setIndentation(0);
   setUniformRowHeights(true);
   setColumnCount(kColumns);
-  setHeaderLabels({tr("Method"), tr("Faces"), tr("mm²"), tr("Bend°"), tr("Mean°")});
+  setHeaderLabels({tr("Method"), tr("Faces"), tr("mm²"), tr("Bend")});
   headerItem()->setToolTip(kArea, tr("Area of the patch"));
   headerItem()->setToolTip(kLargestBend, tr("The sharpest edge, that of the hole included"));
-  headerItem()->setToolTip(kMeanBend, tr("Root mean square over all edges"));
-  header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  // All in view, however narrow the panel.
   header()->setMinimumSectionSize(24);
-  setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
+  header()->setSectionResizeMode(QHeaderView::Stretch);
+  header()->setSectionResizeMode(kMethod, QHeaderView::ResizeToContents);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  header()->setStretchLastSection(false);
   connect(this, &QTreeWidget::itemClicked, this, [this](const QTreeWidgetItem* row) {
     emit methodChosen(static_cast<FillMethod>(row->data(kMethod, Qt::UserRole).toInt()));
   });
@@ -62,6 +66,9 @@ MethodTable::MethodTable(QWidget* parent) : QTreeWidget(parent) {
 void MethodTable::showTrials(const std::vector<MethodTrial>& trials) {
   clear();
   for (const MethodTrial& trial : trials) fill(*new QTreeWidgetItem(this), trial);
+  if (trials.empty()) return;
+  const int rows = static_cast<int>(trials.size()) * sizeHintForRow(0);
+  setFixedHeight(header()->sizeHint().height() + rows + 2 * frameWidth());
 }
 
 void MethodTable::showChosen(FillMethod method) {
