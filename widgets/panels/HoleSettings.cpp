@@ -5,6 +5,7 @@
 #include "panels/ActionButton.h"
 #include "text/RepairText.h"
 
+#include <QAbstractItemView>
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
@@ -28,6 +29,8 @@ QComboBox* methodBox(QWidget* parent) {
     box->addItem(fillMethodName(method), static_cast<int>(method));
     box->setItemData(box->count() - 1, fillMethodHint(method), Qt::ToolTipRole);
   }
+  constexpr int kPadding = 24;  // of the items, by the style sheet
+  box->view()->setMinimumWidth(box->view()->sizeHintForColumn(0) + kPadding);
   return box;
 }
 
