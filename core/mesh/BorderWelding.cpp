@@ -135,7 +135,7 @@ class Welding {
 Weld collapsed(const NearFaces& near, HalfEdge h, Shift shift) {
   Weld weld;
   const HalfEdgeMesh& mesh = near.mesh();
-  const Vec3 from = mesh.position(shift.from), onto = mesh.position(shift.onto);
+  const Vec3 &from = mesh.position(shift.from), &onto = mesh.position(shift.onto);
   if (!canCollapse(mesh, h)) weld.problem = JoinProblem::EdgeFull;
   MovedFaces moved;
   for (const HalfEdge g : near.leaving(from)) {

@@ -80,6 +80,7 @@ std::vector<std::vector<Face>> crossingClusters(const std::vector<std::pair<Face
   std::map<Face, Cluster> clusters;
   for (const auto& entry : std::map(root)) clusters[find(entry.first)].push_back(entry.first);
   std::vector<Cluster> sorted;
+  sorted.reserve(clusters.size());
   for (auto& entry : clusters) sorted.push_back(std::move(entry.second));
   return sorted;
 }

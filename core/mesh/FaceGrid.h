@@ -32,7 +32,7 @@ class FaceGrid {
         }
         continue;
       }
-      const bool goesOn = range.forEach([&](const Cell& cell) {
+      const bool goesOn = range.forEach([&, &cells = cells](const Cell& cell) {
         const auto found = cells.find(cell);
         return found == cells.end() || visitAll(found->second, visit);
       });

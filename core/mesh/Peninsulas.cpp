@@ -126,7 +126,9 @@ class Peninsulas {
       if (std::exchange(reached.at(v).isDone, true)) continue;
       for (const HalfEdge g : m_mesh.fan(reached.at(v).leaving)) {
         const HalfEdge back = HalfEdgeMesh::previous(g);
-        const auto length = [&](Vertex to) { return way + (m_mesh.position(to) - m_mesh.position(v)).norm(); };
+        const auto length = [&, &way = way, &v = v](Vertex to) {
+          return way + (m_mesh.position(to) - m_mesh.position(v)).norm();
+        };
         if (!border.contains(g)) reach(m_mesh.to(g), v, HalfEdgeMesh::next(g), length(m_mesh.to(g)));
         if (!m_mesh.hasOpposite(back) && !border.contains(back))
           reach(m_mesh.from(back), v, back, length(m_mesh.from(back)));
