@@ -4055,6 +4055,10 @@
         <source>%1 could not be added</source>
         <translation>%1 konnte nicht hinzugefügt werden</translation>
     </message>
+    <message>
+        <source>The shells could not be opened</source>
+        <translation>Die Schalen konnten nicht geöffnet werden</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::ShortcutEditor</name>

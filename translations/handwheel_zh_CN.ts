@@ -4025,6 +4025,10 @@
         <source>%1 could not be added</source>
         <translation>无法添加 %1</translation>
     </message>
+    <message>
+        <source>The shells could not be opened</source>
+        <translation>无法打开壳体</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::ShortcutEditor</name>

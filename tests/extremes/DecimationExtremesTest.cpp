@@ -28,15 +28,9 @@ class DecimationExtremesTest : public QObject {
   void compares();
 
  private:
-  static std::vector<test::ExtremeMesh> allMeshes() {
-    std::vector<test::ExtremeMesh> all = test::scaledMeshes();
-    for (const auto& more : {test::oddMeshes(), test::topologicalMeshes()})
-      all.insert(all.end(), more.begin(), more.end());
-    return all;
-  }
   static void everyMesh() {
     QTest::addColumn<TriangleSoup>("soup");
-    for (const test::ExtremeMesh& mesh : allMeshes()) QTest::newRow(mesh.name.c_str()) << mesh.soup();
+    for (const test::ExtremeMesh& mesh : test::allMeshes()) QTest::newRow(mesh.name.c_str()) << mesh.soup();
   }
 };
 
@@ -98,7 +92,7 @@ void DecimationExtremesTest::toACount() {
 // in.
 void DecimationExtremesTest::withinAnError_data() {
   QTest::addColumn<TriangleSoup>("soup");
-  for (const test::ExtremeMesh& mesh : allMeshes()) {
+  for (const test::ExtremeMesh& mesh : test::allMeshes()) {
     if (mesh.name != "fan of 20,000 triangles") QTest::newRow(mesh.name.c_str()) << mesh.soup();
   }
   QTest::newRow("fan of 1,000 triangles") << test::uvSphere(1000, 3);

@@ -169,4 +169,10 @@ inline std::vector<ExtremeMesh> topologicalMeshes() {
   };
 }
 
+inline std::vector<ExtremeMesh> allMeshes() {
+  std::vector<ExtremeMesh> all = scaledMeshes();
+  for (const auto& more : {oddMeshes(), topologicalMeshes()}) all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
 }  // namespace handwheel::test

@@ -29,15 +29,9 @@ class SculptExtremesTest : public QObject {
   void smoothsNoise();
 
  private:
-  static std::vector<test::ExtremeMesh> allMeshes() {
-    std::vector<test::ExtremeMesh> all = test::scaledMeshes();
-    for (const auto& more : {test::oddMeshes(), test::topologicalMeshes()})
-      all.insert(all.end(), more.begin(), more.end());
-    return all;
-  }
   static void everyMesh() {
     QTest::addColumn<TriangleSoup>("soup");
-    for (const test::ExtremeMesh& mesh : allMeshes()) QTest::newRow(mesh.name.c_str()) << mesh.soup();
+    for (const test::ExtremeMesh& mesh : test::allMeshes()) QTest::newRow(mesh.name.c_str()) << mesh.soup();
   }
 };
 

@@ -210,6 +210,7 @@ void DeviationView::saveReport(const QString& path) {
     if (!written) problem = written.error();
     return [this, path, problem] { reportSaved(path, problem); };
   };
+  job.failed = [this, path](const Error& error) { reportSaved(path, error); };
   m_parts.jobs.start(std::move(job));
 }
 

@@ -69,6 +69,7 @@ void ShellActions::split() {
       contents.empty() ? tellCount(count) : open(contents);
     };
   };
+  job.failed = [this](const Error& error) { tellFailed(tr("The shells could not be opened"), error); };
   m_parts.jobs.start(std::move(job));
 }
 
@@ -91,6 +92,11 @@ void ShellActions::tellCount(std::size_t shells) {
                 {}});
 }
 
+void ShellActions::tellFailed(const QString& title, const Error& error) {
+  if (error.code == ErrorCode::Cancelled) return;
+  emit message({Message::Weight::Error, title, errorSentence(error), errorAdvice(error), {}, {}});
+}
+
 void ShellActions::askForMesh() {
   auto* dialog = new QFileDialog(m_parts.window, tr("Add a mesh"), QFileInfo(m_document->document.path()).path(),
                                  openFilters(m_parts.kinds).join(QStringLiteral(";;")));
@@ -107,17 +113,12 @@ void ShellActions::add(OpenMesh* document, const QString& path) {
   Job job;
   job.name = tr("Reading %1").arg(QFileInfo(path).fileName());
   job.owner = document;
-  job.work = [this, document, path](Progress progress) -> Job::Finish {
+  const QString title = tr("%1 could not be added").arg(QFileInfo(path).fileName());
+  job.failed = [this, title](const Error& error) { tellFailed(title, error); };
+  job.work = [this, document, path, title](Progress progress) -> Job::Finish {
     const Result<HalfEdgeMesh> other = readMesh(m_parts.kinds, path, progress);
     if (!other) {
-      return [this, path, error = other.error()] {
-        emit message({Message::Weight::Error,
-                      tr("%1 could not be added").arg(QFileInfo(path).fileName()),
-                      errorSentence(error),
-                      errorAdvice(error),
-                      {},
-                      {}});
-      };
+      return [this, title, error = other.error()] { tellFailed(title, error); };
     }
     return [this, document, other = *other] {
       if (!m_parts.tabs.contains(document)) return;

@@ -29,6 +29,7 @@ class ShellActions : public QObject {
   void split();
   void open(const std::vector<std::shared_ptr<MeshSnapshot>>& shells);
   void tellCount(std::size_t shells);
+  void tellFailed(const QString& title, const Error& error);
   void askForMesh();
   void add(OpenMesh* document, const QString& path);
 

@@ -36,6 +36,15 @@ inline std::vector<Corners> torus(int rings, int sides, const std::set<std::pair
   return triangles;
 }
 
+// One hole, of 6 by 4 cells.
+inline std::vector<Corners> torusWithHole() {
+  std::set<std::pair<int, int>> missing;
+  for (int i = 3; i < 9; ++i) {
+    for (int j = 5; j < 9; ++j) missing.emplace(i, j);
+  }
+  return torus(48, 24, missing);
+}
+
 inline void writeStl(const QString& path, const std::vector<Corners>& triangles) {
   QByteArray bytes(84 + 50 * qsizetype(triangles.size()), '\0');
   const auto count = quint32(triangles.size());

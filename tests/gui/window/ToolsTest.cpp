@@ -20,11 +20,7 @@ class ToolsTest : public QObject {
 
   QString fileWithHole() {
     const QString path = m_folder.filePath(QStringLiteral("hole.stl"));
-    std::set<std::pair<int, int>> missing;
-    for (int i = 3; i < 9; ++i) {
-      for (int j = 5; j < 9; ++j) missing.emplace(i, j);
-    }
-    writeStl(path, torus(48, 24, missing));
+    writeStl(path, torusWithHole());
     return path;
   }
 
