@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/LocalFaces.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handwheel {
+namespace {
+
+// What rounding can add to a triple product, as a share of the product of the lengths: a line that passes an edge or a
+// corner that triangles share must hit one of them.
+constexpr double kEdgeRounding = 1e-15;
+
+// Whether the line from p along the step passes through the triangle: it sees the corners turn one way (Segura and
+// Feito 2001). Swapping two corners changes the sign exactly, so that neighbours agree on their edge.
+bool passesThrough(const Vec3& p, const Vec3& step, const TrianglePoints& t) {
+  const Vec3 a = t[0] - p, b = t[1] - p, c = t[2] - p;
+  const double far = std::max({a.squaredNorm(), b.squaredNorm(), c.squaredNorm()});
+  const double error = kEdgeRounding * step.norm() * far;
+  const double u = step.dot(b.cross(c)), v = step.dot(c.cross(a)), w = step.dot(a.cross(b));
+  return (u >= -error && v >= -error && w >= -error) || (u <= error && v <= error && w <= error);
+}
+
+}  // namespace
+
+LocalFaces::Sweep LocalFaces::sweep(const Vec3& p, const Vec3& step) {
+  Sweep best;
+  const bool local = lookUp(p, step);
+  const double share = inside(p, step);
+  const Vec3 way = share * step;
+  double crossing = std::numeric_limits<double>::infinity();
+  if (local) {
+    for (std::size_t i = 0; i < m_count; ++i) test(m_faces[i], p, way, best, crossing);
+  } else {
+    // Thousands of triangles at one place, such as the tip of a fan: each is looked at where it stands.
+    Box box(p);
+    box.extend(p + way);
+    const Vec3 margin = Vec3::Constant(2.0 * m_skin);
+    m_surface.forEachInBox(Box(box.min() - margin, box.max() + margin), [&](const ContactTriangle& t) {
+      const Vec3 normal = (t.corners[1] - t.corners[0]).cross(t.corners[2] - t.corners[0]).normalized();
+      test({t.corners, normal, t.id}, p, way, best, crossing);
+      return true;
+    });
+  }
+  best.fraction *= share;
+  return best;
+}
+
+void LocalFaces::test(const Face& face, const Vec3& p, const Vec3& step, Sweep& best, double& crossing) const {
+  double from = face.normal.dot(p - face.corners[0]);
+  double change = face.normal.dot(step);
+  const bool wound = from >= 0.0;
+  if (!wound) {
+    from = -from;
+    change = -change;
+  }
+  const double to = from + change;
+  if (!(change < 0.0) || to >= 0.5 * m_skin) return;
+  // Where it goes through, or ends so near that the next step might begin on the other side.
+  const double at = to < 0.0 ? from / -change : 1.0;
+  if (at >= crossing) return;
+  const Vec3 along = to < 0.0 ? step : Vec3(face.normal);
+  if (!passesThrough(to < 0.0 ? p : Vec3(p + step), along, face.corners)) return;
+  crossing = at;
+  best.fraction = std::clamp((from - m_skin) / -change, 0.0, at);
+  const double height = from + best.fraction * change;
+  best.hit = HalfSpace{wound ? face.normal : Vec3(-face.normal), m_skin - height};
+  best.triangle = face.id;
+  best.wound = wound;
+}
+
+double LocalFaces::inside(const Vec3& p, const Vec3& step) const {
+  double share = 1.0;
+  for (int k = 0; k < 3; ++k) {
+    if (step[k] > 0.0) share = std::min(share, (m_box.max()[k] - p[k]) / step[k]);
+    if (step[k] < 0.0) share = std::min(share, (m_box.min()[k] - p[k]) / step[k]);
+  }
+  return std::max(share, 0.0);
+}
+
+// False where more triangles meet than there is room for.
+bool LocalFaces::lookUp(const Vec3& p, const Vec3& step) {
+  const double length = step.norm();
+  const double least = 16.0 * m_skin;
+  m_reach = std::max(m_reach, least);
+  const double wanted = std::min(length, 0.25 * m_reach);
+  if (!m_box.isEmpty() && m_box.contains(p) && inside(p, step) * length >= wanted) return m_count <= kCapacity;
+  for (;;) {
+    const Vec3 ahead = length > m_reach ? Vec3(p + step * (m_reach / length)) : Vec3(p + step);
+    Box box(p);
+    box.extend(ahead);
+    const Vec3 margin = Vec3::Constant(0.25 * m_reach);
+    m_box = Box(box.min() - margin, box.max() + margin);
+    if (gather(m_box)) return true;
+    m_crowded = true;
+    if (m_reach <= least) return false;
+    m_reach = std::max(0.5 * m_reach, least);
+  }
+}
+
+bool LocalFaces::gather(const Box& box) {
+  m_count = 0;
+  return m_surface.forEachInBox(box, [&](const ContactTriangle& t) {
+    const Vec3 normal = (t.corners[1] - t.corners[0]).cross(t.corners[2] - t.corners[0]);
+    const double length = normal.norm();
+    if (!(length > 0.0)) return true;  // no area: its neighbours cover it
+    if (m_count == kCapacity) {
+      ++m_count;
+      return false;
+    }
+    m_faces[m_count++] = {t.corners, normal / length, t.id};
+    return true;
+  });
+}
+
+}  // namespace handwheel
