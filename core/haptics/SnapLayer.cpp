@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/SnapLayer.h"
+
+#include <limits>
+
+namespace handwheel {
+
+SnapLayer::SnapLayer(std::span<const SnapItem> items, const BoxFrame& frame, Progress progress) : m_frame(frame) {
+  std::vector<BoxedItem> boxed(items.size());
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const auto& [a, b, c] = items[i].points;
+    // A joint's neighbours are no part of it.
+    boxed[i].box = items[i].shape == SnapItem::Shape::Joint ? frame.around(a, a, a) : frame.around(a, b, c);
+    boxed[i].setId(static_cast<std::uint32_t>(i));
+  }
+  if (!m_tree.build(boxed, progress)) return;
+  m_items.reserve(items.size());
+  for (const BoxedItem& item : boxed) m_items.push_back(items[item.id()]);
+}
+
+SnapLayer::Hold SnapLayer::nearest(const Reach& reach) const {
+  const PointToBox hand(m_frame.toFrame(reach.hand));
+  const PointToBox proxy(m_frame.toFrame(reach.proxy));
+  const double scale = m_frame.scale();
+  const double handLimit = reach.distance * reach.distance * scale * scale;
+  Hold best;
+  double limit = reach.fromProxy;  // that of the best, and a tie
+  std::uint32_t seen = 0;
+  const auto look = [&](std::uint32_t i) {
+    const SnapItem& item = m_items[i];
+    if (item.shape == SnapItem::Shape::Joint) return;
+    Hold hold{i, {}, 0.0, (item.closestTo(reach.proxy) - reach.proxy).norm()};
+    if (hold.proxyDistance > limit) return;
+    hold.point = item.closestTo(reach.hand);
+    hold.handDistance = (hold.point - reach.hand).norm();
+    if (hold.handDistance > reach.distance) return;
+    if (best.item == kNone || isBetter(hold, best, reach)) best = hold;
+    limit = std::min(limit, hold.proxyDistance + reach.tie);
+  };
+  visitBestFirst(
+      m_tree,
+      [&](const FloatBox& box) {
+        return hand.squaredDistance(box) > handLimit ? std::numeric_limits<double>::infinity()
+                                                     : proxy.squaredDistance(box);
+      },
+      [&] { return seen < kMostItems ? limit * limit * scale * scale : -1.0; },
+      [&](std::uint32_t begin, std::uint32_t end) {
+        seen += end - begin;
+        for (std::uint32_t i = begin; i < end; ++i) look(i);
+      });
+  best.isCutShort = seen >= kMostItems;
+  return best;
+}
+
+bool SnapLayer::isBetter(const Hold& a, const Hold& b, const Reach& reach) const {
+  if (std::abs(a.proxyDistance - b.proxyDistance) > reach.tie) return a.proxyDistance < b.proxyDistance;
+  if (std::abs(a.handDistance - b.handDistance) > reach.tie) return a.handDistance < b.handDistance;
+  const SnapFeature &f = m_items[a.item].feature, &g = m_items[b.item].feature;
+  if ((f == reach.held) != (g == reach.held)) return f == reach.held;
+  return f.id < g.id;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "haptics/SnapItem.h"
+#include "proximity/BoxQueries.h"
+#include "proximity/TriangleBoxes.h"
+
+#include <vector>
+
+namespace handwheel {
+
+// The items of one dimension in a bounding volume hierarchy. Queries allocate nothing, lock nothing and call nothing of
+// the system: they are for the servo thread. They take time in proportion to what is near, and to the logarithm of the
+// rest; after kMostItems items looked at they end, having begun with the nearest boxes.
+class SnapLayer {
+ public:
+  // A share of a millisecond.
+  static constexpr std::uint32_t kMostItems = 4096;
+
+  // What the proxy is to hold.
+  struct Hold {
+    std::uint32_t item = kNone;
+    Vec3 point = Vec3::Zero();   // on the item, nearest to the hand
+    double handDistance = 0.0;   // mm
+    double proxyDistance = 0.0;  // mm, between the item and the proxy
+    bool isCutShort = false;     // there may be a better one
+  };
+  struct Reach {
+    Vec3 hand = Vec3::Zero();
+    Vec3 proxy = Vec3::Zero();
+    double distance = 0.0;   // mm: of items that are not further from the hand,
+    double fromProxy = 0.0;  // nor further than this from the proxy.
+    double tie = 0.0;        // mm: distances that differ by less are equal
+    SnapFeature held = {};   // preferred when all else is equal
+  };
+
+  SnapLayer() = default;
+  // Empty once cancelled.
+  SnapLayer(std::span<const SnapItem> items, const BoxFrame& frame, Progress progress);
+
+  bool empty() const { return m_items.empty(); }
+  const SnapItem& item(std::uint32_t i) const { return m_items[i]; }
+
+  // The item nearest to the proxy; of those equally near the one nearest to the hand, then the one that is held, then
+  // the one with the lowest number. An item of kNone when nothing is in reach.
+  Hold nearest(const Reach& reach) const;
+
+  // Calls visit(item, its nearest point, squared distance) for the items nearer to p than the square root of limit(),
+  // which may fall on the way. False when the work was cut short.
+  template <class Limit, class Visit>
+  bool forEachNear(const Vec3& p, Limit limit, Visit visit) const {
+    const PointToBox point(m_frame.toFrame(p));
+    const double scale2 = m_frame.scale() * m_frame.scale();
+    std::uint32_t seen = 0;
+    visitBestFirst(
+        m_tree, [&](const FloatBox& box) { return point.squaredDistance(box); },
+        [&] { return seen < kMostItems ? limit() * scale2 : -1.0; },
+        [&](std::uint32_t begin, std::uint32_t end) {
+          seen += end - begin;
+          for (std::uint32_t i = begin; i < end; ++i) {
+            const Vec3 closest = m_items[i].closestTo(p);
+            const double distance2 = (closest - p).squaredNorm();
+            if (distance2 < limit()) visit(m_items[i], closest, distance2);
+          }
+        });
+    return seen < kMostItems;
+  }
+
+ private:
+  bool isBetter(const Hold& a, const Hold& b, const Reach& reach) const;
+
+  std::vector<SnapItem> m_items;  // in the order of the leaves
+  BoxFrame m_frame;
+  BoxTree m_tree;
+};
+
+}  // namespace handwheel
