@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/Bars.h"
+#include "haptics/SnapProxy.h"
+#include "haptics/SnapSum.h"
+
+#include <CGAL/Orthogonal_k_neighbor_search.h>
+#include <CGAL/Search_traits_3.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <map>
+#include <random>
+
+using namespace handwheel;
+
+namespace {
+
+bench::Bars bars;
+
+constexpr double kRadius = 50.0;  // mm, of the sphere on which the features lie
+constexpr std::size_t kTicks = 20'000;
+
+enum class Kinds { Points, All };
+
+Vec3 onSphere(std::mt19937& random) {
+  std::normal_distribution<double> number;
+  const double x = number(random), y = number(random);
+  return kRadius * Vec3(x, y, number(random)).normalized();
+}
+
+// As large as a piece of the sphere to each feature.
+double spacingOf(std::size_t count) {
+  return kRadius * std::sqrt(4.0 * M_PI / static_cast<double>(count));
+}
+
+struct Scene {
+  std::vector<SnapItem> items;
+  SnapField field;
+  double buildSeconds = 0.0;
+};
+
+// Points, or points, segments and triangles by turns.
+const Scene& sceneOf(std::size_t count, Kinds kinds) {
+  static std::map<std::pair<std::size_t, Kinds>, Scene> scenes;
+  auto [at, isNew] = scenes.try_emplace({count, kinds});
+  if (!isNew) return at->second;
+  std::mt19937 random(1);
+  SnapFeatures features;
+  const double size = spacingOf(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const Vec3 a = onSphere(random);
+    const Vec3 b = a + size * onSphere(random) / kRadius, c = a + size * onSphere(random) / kRadius;
+    if (kinds == Kinds::Points || i % 3 == 0)
+      features.addPoint(i, a);
+    else if (i % 3 == 1)
+      features.addSegment(i, a, b);
+    else
+      features.addTriangle(i, a, b, c);
+  }
+  at->second.items.assign(features.items().begin(), features.items().end());
+  at->second.buildSeconds = bench::secondsOf([&] { at->second.field = SnapField(features); });
+  return at->second;
+}
+
+// A hand at 100 mm/s over the sphere, in and out by a snap distance, with a tremor of 0.05 mm.
+std::vector<Vec3> slide(double distance) {
+  std::mt19937 random(2);
+  std::normal_distribution<double> tremor(0.0, 0.05);
+  std::vector<Vec3> hands;
+  for (std::size_t i = 0; i < kTicks; ++i) {
+    const double t = 1e-3 * static_cast<double>(i), angle = 100.0 / kRadius * t;
+    const Vec3 foot(std::cos(angle), std::sin(angle) * std::cos(0.3 * t), std::sin(angle) * std::sin(0.3 * t));
+    const double x = tremor(random), y = tremor(random);
+    hands.push_back(foot * (kRadius + distance * std::sin(7.0 * t)) + Vec3(x, y, tremor(random)));
+  }
+  return hands;
+}
+
+struct Microseconds {
+  double middle = 0.0, p99 = 0.0;
+};
+
+template <class Step>
+Microseconds timesOf(const std::vector<Vec3>& hands, Step step) {
+  std::vector<double> times;
+  times.reserve(hands.size());
+  for (const Vec3& hand : hands) times.push_back(1e6 * bench::secondsOf([&] { benchmark::DoNotOptimize(step(hand)); }));
+  std::sort(times.begin(), times.end());
+  return {times[times.size() / 2], times[times.size() * 99 / 100]};
+}
+
+// Features within the snap distance of the hand, on average.
+double inReach(const Scene& scene, const std::vector<Vec3>& hands, double distance) {
+  double count = 0.0;
+  const double limit = distance * distance;
+  for (const Vec3& hand : hands)
+    for (std::size_t d = 0; d < SnapField::kDimensions; ++d)
+      scene.field.layer(d).forEachNear(
+          hand - scene.field.origin(), [&] { return limit; }, [&](const auto&...) { ++count; });
+  return count / static_cast<double>(hands.size());
+}
+
+// The force of each feature, one after the other: what an index has to beat.
+Vec3 sumOfAll(const Scene& scene, const SnapProfile& profile, const Vec3& hand) {
+  Vec3 force = Vec3::Zero();
+  for (const SnapItem& item : scene.items) {
+    const Vec3 way = item.closestTo(hand) - hand;
+    const double x = way.norm();
+    if (const double f = profile.force(x); f > 0.0) force += (f / x) * way;
+  }
+  return force;
+}
+
+void report(benchmark::State& state, const Microseconds& times) {
+  state.counters["us"] = times.middle;
+  state.counters["us99"] = times.p99;
+}
+
+std::string thousands(std::size_t count) {
+  return std::to_string(count / 1000) + ",000 features";
+}
+
+// Both methods at one number of features, the snap distance twice what they are apart. The linear loop in the same run.
+void features(benchmark::State& state) {
+  const auto count = static_cast<std::size_t>(state.range(0));
+  const Scene& scene = sceneOf(count, Kinds::All);
+  const SnapProfile profile(SnapShape::Gaussian, 0.5, 2.0 * spacingOf(count));
+  const std::vector<Vec3> hands = slide(profile.distance());
+  Microseconds sums, proxies, loops;
+  for (auto _ : state) {
+    SnapSum sum;
+    SnapProxy proxy;
+    sums = timesOf(hands, [&](const Vec3& hand) { return sum.step(scene.field, profile, hand).force; });
+    proxies = timesOf(hands, [&](const Vec3& hand) { return proxy.step(scene.field, profile, hand).force; });
+    const std::vector<Vec3> some(hands.begin(), hands.begin() + 20);
+    loops = timesOf(some, [&](const Vec3& hand) { return sumOfAll(scene, profile, hand); });
+  }
+  report(state, proxies);
+  state.counters["sum_us"] = sums.middle;
+  state.counters["sum_us99"] = sums.p99;
+  state.counters["loop_us"] = loops.middle;
+  state.counters["in_reach"] = inReach(scene, hands, profile.distance());
+  state.counters["build_ms"] = 1e3 * scene.buildSeconds;
+  static std::map<std::size_t, std::pair<double, double>> middles;
+  middles[count] = {sums.middle, proxies.middle};
+  if (count == 10'000) {
+    bars.atMost("force method, " + thousands(count) + ", median us", 5.0, sums.middle);
+    bars.atMost("force method, " + thousands(count) + ", p99 us", 5.0, sums.p99);
+    bars.atMost("proxy method, " + thousands(count) + ", median us", 5.0, proxies.middle);
+    bars.atMost("proxy method, " + thousands(count) + ", p99 us", 5.0, proxies.p99);
+    bars.atMost("force method to a loop over " + thousands(count), 0.1, sums.middle / loops.middle);
+  }
+  if (count == 1'000'000 && middles.contains(1'000)) {
+    // log 1,000,000 / log 1,000
+    bars.atMost("force method, a million features to a thousand", 2.0, sums.middle / middles[1'000].first);
+    bars.atMost("proxy method, a million features to a thousand", 2.0, proxies.middle / middles[1'000].second);
+  }
+}
+
+// All of 10,000 features within the snap distance: more than may act.
+void crowd(benchmark::State& state) {
+  const Scene& scene = sceneOf(10'000, Kinds::All);
+  const SnapProfile profile(SnapShape::Gaussian, 0.5, 3.0 * kRadius);
+  const std::vector<Vec3> hands = slide(2.0);
+  Microseconds sums, proxies;
+  for (auto _ : state) {
+    SnapSum sum(static_cast<std::size_t>(state.range(0)));
+    SnapProxy proxy;
+    sums = timesOf(hands, [&](const Vec3& hand) { return sum.step(scene.field, profile, hand).force; });
+    proxies = timesOf(hands, [&](const Vec3& hand) { return proxy.step(scene.field, profile, hand).force; });
+  }
+  report(state, proxies);
+  state.counters["sum_us"] = sums.middle;
+  state.counters["sum_us99"] = sums.p99;
+  if (state.range(0) != SnapSum::kMost) return;
+  bars.atMost("force method, 10,000 features all in reach, p99 us", 50.0, sums.p99);
+  bars.atMost("proxy method, 10,000 features all in reach, p99 us", 5.0, proxies.p99);
+}
+
+// The nearest of many points: against CGAL's kd tree, by turns, at random places.
+void nearestPoint(benchmark::State& state) {
+  using Kernel = CGAL::Simple_cartesian<double>;
+  using Search = CGAL::Orthogonal_k_neighbor_search<CGAL::Search_traits_3<Kernel>>;
+  const auto count = static_cast<std::size_t>(state.range(0));
+  const Scene& scene = sceneOf(count, Kinds::Points);
+  Search::Tree tree;
+  for (const SnapItem& item : scene.items) tree.insert({item.points[0].x(), item.points[0].y(), item.points[0].z()});
+  tree.build();
+  std::mt19937 random(3);
+  std::vector<Vec3> hands;
+  for (std::size_t i = 0; i < kTicks; ++i) hands.push_back(1.01 * onSphere(random));
+  bench::Fastest ours, theirs;
+  double distances = 0.0, theirDistances = 0.0;
+  for (auto _ : state) {
+    for (int turn = 0; turn < 3; ++turn) {
+      distances = theirDistances = 0.0;
+      ours.add(bench::secondsOf([&] {
+        for (const Vec3& hand : hands) {
+          const Vec3 p = hand - scene.field.origin();
+          distances += scene.field.layer(0).nearest({p, p, 10.0 * kRadius, 1e300}).handDistance;
+        }
+      }));
+      theirs.add(bench::secondsOf([&] {
+        for (const Vec3& p : hands)
+          theirDistances += std::sqrt(Search(tree, Kernel::Point_3(p.x(), p.y(), p.z()), 1).begin()->second);
+      }));
+    }
+    if (std::abs(distances - theirDistances) > 1e-9 * distances) state.SkipWithError("the distances differ");
+  }
+  const double ticks = static_cast<double>(kTicks);
+  state.counters["us"] = 1e6 * ours.seconds / ticks;
+  state.counters["cgal_us"] = 1e6 * theirs.seconds / ticks;
+  bars.atMost("nearest of " + thousands(count) + ", to CGAL's kd tree", 1.05, ours.seconds / theirs.seconds);
+}
+
+}  // namespace
+
+BENCHMARK(features)->Arg(1'000)->Arg(10'000)->Arg(100'000)->Arg(1'000'000)->Iterations(1);
+BENCHMARK(crowd)->Arg(16)->Arg(32)->Arg(64)->Arg(128)->Arg(256)->Iterations(1);
+BENCHMARK(nearestPoint)->Arg(10'000)->Arg(1'000'000)->Iterations(1);
+
+int main(int argc, char** argv) {
+  return bench::run(argc, argv, bars);
+}
