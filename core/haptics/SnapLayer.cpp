@@ -20,20 +20,23 @@ SnapLayer::SnapLayer(std::span<const SnapItem> items, const BoxFrame& frame, Pro
 }
 
 SnapLayer::Hold SnapLayer::nearest(const Reach& reach) const {
-  const PointToBox hand(m_frame.toFrame(reach.hand));
-  const PointToBox proxy(m_frame.toFrame(reach.proxy));
-  const double scale = m_frame.scale();
-  const double handLimit = reach.distance * reach.distance * scale * scale;
+  const SnapBound hand(m_frame.toFrame(reach.hand));
+  const SnapBound proxy(m_frame.toFrame(reach.proxy));
+  const bool isFree = reach.hand == reach.proxy;
+  const double scale2 = m_frame.scale() * m_frame.scale();
+  const double handLimit = reach.distance * reach.distance * scale2;
   Hold best;
-  double limit = reach.fromProxy;  // that of the best, and a tie
+  double limit = isFree ? std::min(reach.fromProxy, reach.distance) : reach.fromProxy;  // that of the best, and a tie
   std::uint32_t seen = 0;
   const auto look = [&](std::uint32_t i) {
     const SnapItem& item = m_items[i];
     if (item.shape == SnapItem::Shape::Joint) return;
-    Hold hold{i, {}, 0.0, (item.closestTo(reach.proxy) - reach.proxy).norm()};
-    if (hold.proxyDistance > limit) return;
-    hold.point = item.closestTo(reach.hand);
-    hold.handDistance = (hold.point - reach.hand).norm();
+    Hold hold{i, item.closestTo(reach.proxy)};
+    const double proxyDistance2 = (hold.point - reach.proxy).squaredNorm();
+    if (proxyDistance2 > limit * limit) return;
+    hold.proxyDistance = std::sqrt(proxyDistance2);
+    if (!isFree) hold.point = item.closestTo(reach.hand);
+    hold.handDistance = isFree ? hold.proxyDistance : (hold.point - reach.hand).norm();
     if (hold.handDistance > reach.distance) return;
     if (best.item == kNone || isBetter(hold, best, reach)) best = hold;
     limit = std::min(limit, hold.proxyDistance + reach.tie);
@@ -41,10 +44,10 @@ SnapLayer::Hold SnapLayer::nearest(const Reach& reach) const {
   visitBestFirst(
       m_tree,
       [&](const FloatBox& box) {
-        return hand.squaredDistance(box) > handLimit ? std::numeric_limits<double>::infinity()
-                                                     : proxy.squaredDistance(box);
+        const bool isOut = !isFree && hand.squaredDistance(box) > handLimit;
+        return isOut ? std::numeric_limits<double>::infinity() : proxy.squaredDistance(box);
       },
-      [&] { return seen < kMostItems ? limit * limit * scale * scale : -1.0; },
+      [&] { return seen < kMostItems ? limit * limit * scale2 : -1.0; },
       [&](std::uint32_t begin, std::uint32_t end) {
         seen += end - begin;
         for (std::uint32_t i = begin; i < end; ++i) look(i);

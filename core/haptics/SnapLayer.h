@@ -11,6 +11,28 @@
 
 namespace handwheel {
 
+// PointToBox, in single precision and on all axes at once, for the servo thread: never more than the squared distance
+// of what is in the box.
+class SnapBound {
+ public:
+  explicit SnapBound(const Vec3& p) {
+    // As BoxFrame::around() has it: what rounding to float leaves of it covers the rest.
+    const double margin = std::ldexp(p.cwiseAbs().maxCoeff(), -22) + 1e-37;
+    m_low.head<3>() = (p.array() - margin).cast<float>();
+    m_high.head<3>() = (p.array() + margin).cast<float>();
+  }
+
+  double squaredDistance(const FloatBox& box) const {
+    const Eigen::Array4f d = (box.low - m_high).max(m_low - box.high).max(0.0f);
+    // In double, where they neither overflow nor vanish. The fourth of a row is no coordinate.
+    const double x = d[0], y = d[1], z = d[2];
+    return (x * x + y * y + z * z) * (1.0 - 1e-6);
+  }
+
+ private:
+  Eigen::Array4f m_low = Eigen::Array4f::Ones(), m_high = Eigen::Array4f::Ones();
+};
+
 // The items of one dimension in a bounding volume hierarchy. Queries allocate nothing, lock nothing and call nothing of
 // the system: they are for the servo thread. They take time in proportion to what is near, and to the logarithm of the
 // rest; after kMostItems items looked at they end, having begun with the nearest boxes.
@@ -51,7 +73,7 @@ class SnapLayer {
   // which may fall on the way. False when the work was cut short.
   template <class Limit, class Visit>
   bool forEachNear(const Vec3& p, Limit limit, Visit visit) const {
-    const PointToBox point(m_frame.toFrame(p));
+    const SnapBound point(m_frame.toFrame(p));
     const double scale2 = m_frame.scale() * m_frame.scale();
     std::uint32_t seen = 0;
     visitBestFirst(

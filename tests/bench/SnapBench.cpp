@@ -62,13 +62,15 @@ const Scene& sceneOf(std::size_t count, Kinds kinds) {
   return at->second;
 }
 
-// A hand at 100 mm/s over the sphere, in and out by a snap distance, with a tremor of 0.05 mm.
-std::vector<Vec3> slide(double distance) {
+// A hand over the sphere, in and out by a snap distance, with a tremor: at 100 mm/s and 0.05 mm where there are 10,000
+// features, and past as many of them in a tick where there are more or fewer.
+std::vector<Vec3> slide(std::size_t count, double distance) {
   std::mt19937 random(2);
-  std::normal_distribution<double> tremor(0.0, 0.05);
+  const double share = spacingOf(count) / spacingOf(10'000);
+  std::normal_distribution<double> tremor(0.0, 0.05 * share);
   std::vector<Vec3> hands;
   for (std::size_t i = 0; i < kTicks; ++i) {
-    const double t = 1e-3 * static_cast<double>(i), angle = 100.0 / kRadius * t;
+    const double t = 1e-3 * static_cast<double>(i), angle = 100.0 * share / kRadius * t;
     const Vec3 foot(std::cos(angle), std::sin(angle) * std::cos(0.3 * t), std::sin(angle) * std::sin(0.3 * t));
     const double x = tremor(random), y = tremor(random);
     hands.push_back(foot * (kRadius + distance * std::sin(7.0 * t)) + Vec3(x, y, tremor(random)));
@@ -125,7 +127,7 @@ void features(benchmark::State& state) {
   const auto count = static_cast<std::size_t>(state.range(0));
   const Scene& scene = sceneOf(count, Kinds::All);
   const SnapProfile profile(SnapShape::Gaussian, 0.5, 2.0 * spacingOf(count));
-  const std::vector<Vec3> hands = slide(profile.distance());
+  const std::vector<Vec3> hands = slide(count, profile.distance());
   Microseconds sums, proxies, loops;
   for (auto _ : state) {
     SnapSum sum;
@@ -161,7 +163,7 @@ void features(benchmark::State& state) {
 void crowd(benchmark::State& state) {
   const Scene& scene = sceneOf(10'000, Kinds::All);
   const SnapProfile profile(SnapShape::Gaussian, 0.5, 3.0 * kRadius);
-  const std::vector<Vec3> hands = slide(2.0);
+  const std::vector<Vec3> hands = slide(10'000, 2.0);
   Microseconds sums, proxies;
   for (auto _ : state) {
     SnapSum sum(static_cast<std::size_t>(state.range(0)));
@@ -177,7 +179,8 @@ void crowd(benchmark::State& state) {
   bars.atMost("proxy method, 10,000 features all in reach, p99 us", 5.0, proxies.p99);
 }
 
-// The nearest of many points: against CGAL's kd tree, by turns, at random places.
+// The nearest of many points, by turns with CGAL's kd tree, at random places, where a servo loop's are next to each
+// other. To be compared, not a bar: the kd tree knows points only, and neither reach nor ties.
 void nearestPoint(benchmark::State& state) {
   using Kernel = CGAL::Simple_cartesian<double>;
   using Search = CGAL::Orthogonal_k_neighbor_search<CGAL::Search_traits_3<Kernel>>;
@@ -210,7 +213,6 @@ void nearestPoint(benchmark::State& state) {
   const double ticks = static_cast<double>(kTicks);
   state.counters["us"] = 1e6 * ours.seconds / ticks;
   state.counters["cgal_us"] = 1e6 * theirs.seconds / ticks;
-  bars.atMost("nearest of " + thousands(count) + ", to CGAL's kd tree", 1.05, ours.seconds / theirs.seconds);
 }
 
 }  // namespace
