@@ -53,4 +53,10 @@ FidelityCase coarseTrianglesCaseOn(const std::string& name, SoupSource soup);
 FidelitySetting shapeSidesSetting();
 std::vector<FidelityCase> shapeSidesCases();
 
+// snap.radius: a scripted hand that goes to one of many points, misses it a little and trembles.
+std::vector<FidelityCase> snapRadiusCases();
+
+// snap.features: the force where more features are in reach than pull.
+std::vector<FidelityCase> snapFeaturesCases();
+
 }  // namespace handwheel

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fidelity/MeasuredSettings.h"
 
+#include "haptics/SnapFidelity.h"
 #include "mesh/MeshFidelity.h"
 
 namespace handwheel {
@@ -18,6 +19,8 @@ FidelityRegistry measuredSettings() {
   registry.add(blockFacesSetting(), blockFacesCases());
   registry.add(coarseTrianglesSetting(), coarseTrianglesCases());
   registry.add(shapeSidesSetting(), shapeSidesCases());
+  registry.add(snapRadiusSetting(), snapRadiusCases());
+  registry.add(snapFeaturesSetting(), snapFeaturesCases());
   return registry;
 }
 

@@ -37,30 +37,36 @@ class Strongest {
 }  // namespace
 
 void SnapSum::add(const Term& term) {
-  const auto nearer = [](const Term& a, const Term& b) { return a.distance2 < b.distance2; };
-  const auto at = [&](std::size_t i) { return m_terms.begin() + static_cast<std::ptrdiff_t>(i); };
-  const bool isFull = m_size > m_most;
-  if (isFull) std::pop_heap(at(0), at(m_size--), nearer);
   m_terms[m_size++] = term;
-  if (isFull)
-    std::push_heap(at(0), at(m_size), nearer);
-  else if (m_size > m_most)
-    std::make_heap(at(0), at(m_size), nearer);
+  if (m_size == 2 * m_most + 2) keepNearest();
+}
+
+// Those that may act and the first that may not, which stands last. In linear time, and seldom: a heap takes longer.
+void SnapSum::keepNearest() {
+  const auto begin = m_terms.begin();
+  const auto last = begin + static_cast<std::ptrdiff_t>(m_most);
+  std::nth_element(begin, last, begin + static_cast<std::ptrdiff_t>(m_size),
+                   [](const Term& a, const Term& b) { return a.distance2 < b.distance2; });
+  m_size = m_most + 1;
+  m_limit2 = last->distance2;
 }
 
 // The nearest terms; the snap distance that is left.
 double SnapSum::gather(const SnapField& field, double distance, const Vec3& hand, bool& isCutShort) {
   m_size = 0;
-  const auto limit = [&] { return m_size > m_most ? m_terms[0].distance2 : distance * distance; };
+  m_limit2 = distance * distance;
   for (std::size_t d = 0; d < SnapField::kDimensions; ++d) {
-    const bool isAll =
-        field.layer(d).forEachNear(hand, limit, [&](const SnapItem& item, const Vec3& closest, double distance2) {
+    const bool isAll = field.layer(d).forEachNear(
+        hand, [&] { return m_limit2; },
+        [&](const SnapItem& item, const Vec3& closest, double distance2) {
           if (const double count = item.countAt(hand); count != 0.0)
             add({closest - hand, distance2, count, item.feature});
         });
     isCutShort |= !isAll;
   }
-  return m_size > m_most ? std::sqrt(m_terms[0].distance2) : distance;
+  if (m_size <= m_most) return distance;
+  keepNearest();
+  return std::sqrt(m_limit2);
 }
 
 SnapPull SnapSum::step(const SnapField& field, const SnapProfile& profile, const Vec3& hand) {

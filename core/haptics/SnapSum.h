@@ -40,9 +40,12 @@ class SnapSum {
   double gather(const SnapField& field, double distance, const Vec3& hand, bool& isCutShort);
   void add(const Term& term);
 
+  void keepNearest();
+
   std::size_t m_most;
   std::size_t m_size = 0;
-  std::array<Term, kLargest + 1> m_terms;  // a heap, the furthest first, once it is full
+  double m_limit2 = 0.0;  // mm²: of what is further from the hand nothing is wanted
+  std::array<Term, 2 * kLargest + 2> m_terms;
 };
 
 }  // namespace handwheel
