@@ -57,7 +57,14 @@ SnapField::SnapField(const SnapFeatures& features, Progress progress) {
   std::array<std::vector<SnapItem>, kDimensions> items;
   std::vector<Vec3> points;
   for (SnapItem item : features.items()) {
-    for (Vec3& p : item.points) p -= m_origin;
+    double largest = 0.0;
+    for (Vec3& p : item.points) {
+      p -= m_origin;
+      largest = std::max(largest, p.cwiseAbs().maxCoeff());
+    }
+    // A nearest point on it is computed, that of a point is the point.
+    if (item.shape != SnapItem::Shape::Point)
+      item.rounding = static_cast<float>(std::min(kQueryRounding * largest, 1e30));
     points.insert(points.end(), item.points.begin(), item.points.end());
     items[item.dimension()].push_back(item);
   }

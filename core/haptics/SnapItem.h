@@ -32,6 +32,7 @@ struct SnapItem {
   Shape shape = Shape::Point;
   std::array<bool, 2> yields = {};  // a segment to a joint at its first, second end
   float weight = 1.0f;              // as many equal features as it stands for
+  float rounding = 0.0f;            // mm: what is not further from a point of it than this may be the point itself
 
   // 0 of points, 1 of segments, curves and their joints, 2 of triangles.
   std::size_t dimension() const;

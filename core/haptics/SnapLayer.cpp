@@ -32,11 +32,13 @@ SnapLayer::Hold SnapLayer::nearest(const Reach& reach) const {
     const SnapItem& item = m_items[i];
     if (item.shape == SnapItem::Shape::Joint) return;
     Hold hold{i, item.closestTo(reach.proxy)};
+    const double rounding = item.rounding;
     const double proxyDistance2 = (hold.point - reach.proxy).squaredNorm();
-    if (proxyDistance2 > limit * limit) return;
-    hold.proxyDistance = std::sqrt(proxyDistance2);
+    if (proxyDistance2 > (limit + rounding) * (limit + rounding)) return;
+    const double distance = std::sqrt(proxyDistance2);
+    hold.proxyDistance = std::max(0.0, distance - rounding);
     if (!isFree) hold.point = item.closestTo(reach.hand);
-    hold.handDistance = isFree ? hold.proxyDistance : (hold.point - reach.hand).norm();
+    hold.handDistance = isFree ? distance : (hold.point - reach.hand).norm();
     if (hold.handDistance > reach.distance) return;
     if (best.item == kNone || isBetter(hold, best, reach)) best = hold;
     limit = std::min(limit, hold.proxyDistance + reach.tie);

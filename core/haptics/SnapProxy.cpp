@@ -44,7 +44,7 @@ SnapPull SnapProxy::step(const SnapField& field, const SnapProfile& profile, con
 
 // What is held, at the proxy, while it is in reach of the hand; else what is closest to the proxy, of the highest
 // dimension in reach.
-SnapLayer::Hold SnapProxy::capture(const SnapField& field, SnapLayer::Reach reach) {
+SnapLayer::Hold SnapProxy::capture(const SnapField& field, const SnapLayer::Reach& reach) {
   if (m_isHeld) {
     SnapLayer::Reach here = reach;
     here.fromProxy = reach.tie;

@@ -31,7 +31,7 @@ class SnapProxy {
  private:
   using Hold = SnapLayer::Hold;
 
-  Hold capture(const SnapField& field, SnapLayer::Reach reach);
+  Hold capture(const SnapField& field, const SnapLayer::Reach& reach);
   Hold slide(const SnapLayer& layer, SnapLayer::Reach reach, Hold hold) const;
   Hold descend(const SnapField& field, SnapLayer::Reach reach, Hold hold);
 

@@ -42,6 +42,7 @@ class SnapProxyTest : public QObject {
   void aFaceThenItsEdgeThenItsCorner();
   void aLowerOneFarFromTheProxyIsNotTaken();
   void slidesOverAFan();
+  void longLinesAreKept();
   void crossingLinesAreChosenByTheHand();
   void equalFeaturesAreHeldByNumber();
   void survivesAnEdit();
@@ -167,6 +168,27 @@ void SnapProxyTest::slidesOverAFan() {
     held.insert(pull.features[0].id);
   }
   QCOMPARE(held.size(), fan.size());
+}
+
+// A line 40 m long, whose nearest points are rounded by more than there is between them: kept although a face is in
+// reach, and left for another line where they cross.
+void SnapProxyTest::longLinesAreKept() {
+  const Vec3 along = Vec3(1.0, 0.7, 0.3).normalized(), up = along.unitOrthogonal(), aside = along.cross(up);
+  const double far = 2e4;
+  const SnapField field =
+      fieldOf({segment(-far * along, far * along), segment(-far * aside, far * aside),
+               face(-9.0 * along - 9.0 * aside - 1.5 * up, 9.0 * along - 1.5 * up, 9.0 * aside - 1.5 * up)});
+  SnapProxy proxy;
+  const auto heldAt = [&](double x, double y, double z) {
+    proxy.step(field, kProfile, x * along + y * aside + z * up);
+    return proxy.isHeld() ? proxy.held().id : kNone;
+  };
+  for (int i = 0; i < 1000; ++i) {
+    const double x = -7.0 + 0.003 * i;
+    QCOMPARE(heldAt(x, 0.0, 0.3), 0u);
+    QCOMPARE(heldAt(x, 0.1, -0.8), 0u);  // the face is nearer to the hand
+  }
+  QCOMPARE(heldAt(0.0, 0.5, 0.3), 1u);
 }
 
 void SnapProxyTest::crossingLinesAreChosenByTheHand() {
