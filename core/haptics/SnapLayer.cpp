@@ -30,7 +30,7 @@ SnapLayer::Hold SnapLayer::nearest(const Reach& reach) const {
   std::uint32_t seen = 0;
   const auto look = [&](std::uint32_t i) {
     const SnapItem& item = m_items[i];
-    if (item.shape == SnapItem::Shape::Joint) return;
+    if (item.shape == SnapItem::Shape::Joint || (reach.onlyHeld && item.feature != reach.held)) return;
     Hold hold{i, item.closestTo(reach.proxy)};
     const double rounding = item.rounding;
     const double proxyDistance2 = (hold.point - reach.proxy).squaredNorm();

@@ -56,6 +56,7 @@ class SnapLayer {
     double fromProxy = 0.0;  // nor further than this from the proxy.
     double tie = 0.0;        // mm: distances that differ by less are equal
     SnapFeature held = {};   // preferred when all else is equal
+    bool onlyHeld = false;   // nothing else is looked at
   };
 
   SnapLayer() = default;

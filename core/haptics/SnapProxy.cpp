@@ -49,6 +49,11 @@ SnapLayer::Hold SnapProxy::capture(const SnapField& field, const SnapLayer::Reac
     SnapLayer::Reach here = reach;
     here.fromProxy = reach.tie;
     if (const Hold hold = field.layer(m_dimension).nearest(here); hold.item != kNone) return hold;
+    // Of a curve the hand may have left the segment that held, and not yet the curve.
+    here = reach;
+    here.onlyHeld = true;
+    const bool isCurve = m_held.kind == SnapKind::Curve;
+    if (const Hold hold = isCurve ? field.layer(1).nearest(here) : Hold(); hold.item != kNone) return hold;
   }
   for (std::size_t d = SnapField::kDimensions; d-- > 0;) {
     const Hold hold = field.layer(d).nearest(reach);
@@ -59,16 +64,20 @@ SnapLayer::Hold SnapProxy::capture(const SnapField& field, const SnapLayer::Reac
   return {};
 }
 
-// On to neighbours as long as they are closer to the hand.
+// On to neighbours as long as they are closer to the hand. A curve of very short segments is passed in one stride.
 SnapLayer::Hold SnapProxy::slide(const SnapLayer& layer, SnapLayer::Reach reach, Hold hold) const {
   for (int hop = 0; hop < kMostHops; ++hop) {
     reach.proxy = hold.point;
     reach.held = layer.item(hold.item).feature;
     const Hold next = layer.nearest(reach);
-    if (next.item == kNone || !(next.handDistance < hold.handDistance - reach.tie)) break;
+    if (next.item == kNone || !(next.handDistance < hold.handDistance - reach.tie)) return hold;
     hold = next;
   }
-  return hold;
+  reach.held = layer.item(hold.item).feature;
+  if (reach.held.kind != SnapKind::Curve) return hold;
+  reach.onlyHeld = true;
+  reach.proxy = reach.hand;
+  return layer.nearest(reach);
 }
 
 // To what is of a lower dimension and near the proxy, and from there on.

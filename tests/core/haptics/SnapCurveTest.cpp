@@ -41,6 +41,7 @@ class SnapCurveTest : public QObject {
   void circleDrawsToItself();
   void continuousInEveryBend();
   void proxySlidesAlong();
+  void proxyKeepsUpWithAQuickHand();
 };
 
 // However it is divided: a joint adds nothing.
@@ -137,6 +138,30 @@ void SnapCurveTest::proxySlidesAlong() {
     QVERIFY((pull.proxy - on).norm() <= 0.01);
     QVERIFY(std::abs(pull.force.norm() - kStiffness * 0.5) <= 0.005);
   }
+}
+
+// Half a millimetre in a tick, along segments of 3 micrometres, over a face that lies in reach: the curve holds all the
+// way round.
+void SnapCurveTest::proxyKeepsUpWithAQuickHand() {
+  const double radius = 10.0;
+  SnapFeatures features;
+  features.addCurve(0, circle(radius, 20'000), true);
+  features.addTriangle(1, Vec3(-90, -90, -1.6), Vec3(90, -90, -1.6), Vec3(0, 90, -1.6));
+  const SnapField field(features);
+  const SnapProfile profile(SnapShape::Triangular, kStiffness, 1.5);
+  SnapProxy proxy;
+  proxy.step(field, profile, Vec3(radius, 0, 0.5));
+  for (int i = 0; i <= 500; ++i) {
+    const Vec3 on(radius * std::cos(0.05 * i), radius * std::sin(0.05 * i), 0.0);
+    const SnapPull pull = proxy.step(field, profile, 1.02 * on - Vec3(0, 0, 1.2));
+    QCOMPARE(proxy.held(), (SnapFeature{SnapKind::Curve, 0}));
+    QVERIFY((pull.proxy - on).norm() <= 4e-5);  // 2 % further out moves the foot on a chord by 2 % of its half
+  }
+  // The hand goes further than the snap distance at once, and not yet from the curve: it holds still, without a slide.
+  proxy.step(field, profile, Vec3(-radius, 0, -0.5));
+  QCOMPARE(proxy.held(), (SnapFeature{SnapKind::Curve, 0}));
+  proxy.step(field, profile, Vec3(0, 0, -0.5));
+  QCOMPARE(proxy.held(), (SnapFeature{SnapKind::Face, 1}));
 }
 
 QTEST_GUILESS_MAIN(SnapCurveTest)
