@@ -17,6 +17,10 @@ namespace handwheel {
 // many others, this may leap.) Equal features count as one item, and as often as they are there. More than that many
 // that are nearly but not quite at one place have next to no force around it.
 //
+// The time of a step grows with what is in reach, the samples of a curve included although they cancel (some 30 ns
+// each): a curve wants no more than a few dozen of them within the snap distance, and of thousands the tick is cut
+// short.
+//
 // For one thread, the servo's; no allocation.
 class SnapSum {
  public:

@@ -179,6 +179,37 @@ void crowd(benchmark::State& state) {
   bars.atMost("proxy method, 10,000 features all in reach, p99 us", 5.0, proxies.p99);
 }
 
+// A ring of 10,000 points as one curve: what its samples in reach cost. To choose a sampling by.
+void curve(benchmark::State& state) {
+  const auto reach = static_cast<double>(state.range(0));  // samples to each side of the hand
+  const double length = 2.0 * M_PI * kRadius / 10'000;
+  std::vector<Vec3> ring;
+  for (int i = 0; i < 10'000; ++i)
+    ring.push_back(kRadius * Vec3(std::cos(2e-4 * M_PI * i), std::sin(2e-4 * M_PI * i), 0.0));
+  SnapFeatures features;
+  features.addCurve(0, ring, true);
+  const SnapField field(features);
+  const SnapProfile profile(SnapShape::Gaussian, 0.5, reach * length);
+  std::vector<Vec3> hands;
+  for (std::size_t i = 0; i < kTicks; ++i) {
+    const double angle = 0.1 / kRadius * static_cast<double>(i);
+    hands.push_back((kRadius + 0.3 * profile.distance()) * Vec3(std::cos(angle), std::sin(angle), 0.0));
+  }
+  Microseconds sums, proxies;
+  for (auto _ : state) {
+    SnapSum sum;
+    SnapProxy proxy;
+    sums = timesOf(hands, [&](const Vec3& hand) { return sum.step(field, profile, hand).force; });
+    proxies = timesOf(hands, [&](const Vec3& hand) { return proxy.step(field, profile, hand).force; });
+  }
+  report(state, proxies);
+  state.counters["sum_us"] = sums.middle;
+  state.counters["sum_us99"] = sums.p99;
+  if (state.range(0) != 10) return;
+  bars.atMost("force method, curve of 10,000 points, 20 in reach, p99 us", 5.0, sums.p99);
+  bars.atMost("proxy method, curve of 10,000 points, 20 in reach, p99 us", 5.0, proxies.p99);
+}
+
 // The nearest of many points, by turns with CGAL's kd tree, at random places, where a servo loop's are next to each
 // other. To be compared, not a bar: the kd tree knows points only, and neither reach nor ties.
 void nearestPoint(benchmark::State& state) {
@@ -219,6 +250,7 @@ void nearestPoint(benchmark::State& state) {
 
 BENCHMARK(features)->Arg(1'000)->Arg(10'000)->Arg(100'000)->Arg(1'000'000)->Iterations(1);
 BENCHMARK(crowd)->Arg(16)->Arg(32)->Arg(64)->Arg(128)->Arg(256)->Iterations(1);
+BENCHMARK(curve)->Arg(10)->Arg(100)->Arg(1'000)->Iterations(1);
 BENCHMARK(nearestPoint)->Arg(10'000)->Arg(1'000'000)->Iterations(1);
 
 int main(int argc, char** argv) {
