@@ -32,8 +32,7 @@ void Service::stop() {
 ServiceTick::ServiceTick(Service& service) : m_service(service), m_start(threadCpuNanoseconds()) {}
 
 ServiceTick::~ServiceTick() {
-  m_service.m_nanoseconds.fetch_add(threadCpuNanoseconds() - m_start, std::memory_order_relaxed);
-  m_service.m_ticks.fetch_add(1, std::memory_order_relaxed);
+  m_service.countTick(threadCpuNanoseconds() - m_start);
 }
 
 Need& Need::operator=(Need&& other) noexcept {

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace handwheel {
+
+// A bounded queue from one thread to one other, first in, first out; neither waits, locks or allocates. When it is full
+// the newest value is dropped and counted: the writer is a real-time thread that must not wait.
+template <class T>
+class SpscRing {
+ public:
+  // Holds as many values, rounded up to a power of two.
+  explicit SpscRing(std::size_t capacity) : m_values(std::bit_ceil(capacity)), m_mask(m_values.size() - 1) {}
+  SpscRing(const SpscRing&) = delete;
+  SpscRing& operator=(const SpscRing&) = delete;
+
+  // The writing thread. False when full.
+  bool push(const T& value) noexcept {
+    const std::uint64_t at = m_written.load(std::memory_order_relaxed);
+    if (at - m_read.load(std::memory_order_acquire) > m_mask) {
+      m_dropped.fetch_add(1, std::memory_order_relaxed);
+      return false;
+    }
+    m_values[at & m_mask] = value;
+    m_written.store(at + 1, std::memory_order_release);
+    return true;
+  }
+
+  // The reading thread. False when empty.
+  bool pop(T& value) noexcept {
+    const std::uint64_t at = m_read.load(std::memory_order_relaxed);
+    if (at == m_written.load(std::memory_order_acquire)) return false;
+    value = m_values[at & m_mask];
+    m_read.store(at + 1, std::memory_order_release);
+    return true;
+  }
+
+  std::size_t capacity() const { return m_values.size(); }
+  std::uint64_t dropped() const { return m_dropped.load(std::memory_order_relaxed); }  // any thread
+
+ private:
+  static constexpr std::size_t kCacheLine = 64;  // apart, so that the two threads do not pass one line to and fro
+  std::vector<T> m_values;
+  const std::uint64_t m_mask;
+  alignas(kCacheLine) std::atomic<std::uint64_t> m_written{0};
+  std::atomic<std::uint64_t> m_dropped{0};
+  alignas(kCacheLine) std::atomic<std::uint64_t> m_read{0};
+};
+
+}  // namespace handwheel

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+
+namespace handwheel {
+
+// The newest value, from one thread to one other; older ones are overwritten unread. Neither waits, locks or allocates,
+// and a value is never seen half written.
+template <class T>
+class TripleBuffer {
+ public:
+  explicit TripleBuffer(const T& initial = {}) { m_slots.fill(initial); }
+  TripleBuffer(const TripleBuffer&) = delete;
+  TripleBuffer& operator=(const TripleBuffer&) = delete;
+
+  // The writing thread.
+  void write(const T& value) noexcept {
+    m_slots[m_writing] = value;
+    m_writing = m_shared.exchange(m_writing | kIsNew, std::memory_order_acq_rel) & kIndex;
+  }
+
+  // The reading thread: the value written last, valid until the next call.
+  const T& read() noexcept {
+    if (m_shared.load(std::memory_order_relaxed) & kIsNew)
+      m_reading = m_shared.exchange(m_reading, std::memory_order_acq_rel) & kIndex;
+    return m_slots[m_reading];
+  }
+
+ private:
+  static constexpr std::uint32_t kIndex = 3;
+  static constexpr std::uint32_t kIsNew = 4;
+  std::array<T, 3> m_slots;
+  std::uint32_t m_writing = 0;
+  std::uint32_t m_reading = 1;
+  std::atomic<std::uint32_t> m_shared{2};
+};
+
+}  // namespace handwheel
