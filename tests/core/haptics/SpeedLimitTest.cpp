@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/SpeedLimit.h"
+
+#include <QtTest>
+
+using namespace handwheel;
+
+namespace {
+
+SafetySettings settings() {
+  SafetySettings s;
+  s.dampingSpeed = 100.0;
+  s.cutSpeed = 300.0;
+  s.speedDamping = 0.02;
+  return s;
+}
+
+}  // namespace
+
+class SpeedLimitTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void dampingGrowsFromNothing() {
+    const SpeedLimit limit(settings());
+    QVERIFY(limit.damping({100, 0, 0}).isZero(0.0));
+    QVERIFY(limit.damping(Vec3::Zero()).isZero(0.0));
+    QVERIFY(limit.damping({100.001, 0, 0}).norm() < 1e-4);  // continuous
+    QVERIFY((limit.damping({0, 200, 0}) - Vec3(0, -0.5 * 0.02 * 200.0, 0)).norm() < 1e-12);
+    QVERIFY((limit.damping({0, 0, -300}) - Vec3(0, 0, 0.02 * 300.0)).norm() < 1e-12);
+    QVERIFY((limit.damping({0, 0, -600}) - Vec3(0, 0, 0.02 * 600.0)).norm() < 1e-12);
+  }
+
+  // Cut at 300 mm/s, and not given back at 299.
+  void theCutStaysUntilTheTipIsSlow() {
+    SpeedLimit limit(settings());
+    QVERIFY(!limit.cuts({299, 0, 0}));
+    QVERIFY(limit.cuts({300, 0, 0}));
+    QVERIFY(limit.cuts({0, 150, 0}));
+    QVERIFY(limit.cuts({0, 100, 0}));
+    QVERIFY(!limit.cuts({0, 99, 0}));
+    QVERIFY(!limit.cuts({0, 299, 0}));
+  }
+
+  void hugeSpeedsAreCut() {
+    SpeedLimit limit(settings());
+    QVERIFY(limit.cuts(Vec3::Constant(1e300)));
+  }
+};
+
+QTEST_GUILESS_MAIN(SpeedLimitTest)
+#include "SpeedLimitTest.moc"
