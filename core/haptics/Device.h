@@ -29,6 +29,8 @@ struct DeviceCapabilities {
   double inherentDamping = 0.0;      // N·s/mm: the b of eq. 2-1, friction of the mechanism that is always there
   // It measures a displacement from rest and springs back (a SpaceMouse): to be read as a velocity.
   bool isRateControl = false;
+  // s, what driver, wire and motors add between a motion and the force that answers it. The loop's own is measured.
+  double latency = 0.0;
 };
 
 enum class DeviceStatus : std::uint8_t {

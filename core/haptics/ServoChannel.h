@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/SpscRing.h"
+#include "base/TripleBuffer.h"
+#include "haptics/HapticScene.h"
+#include "haptics/ServoSample.h"
+#include "haptics/SnapshotSlot.h"
+
+#include <atomic>
+
+namespace handwheel {
+
+// Everything that passes between the servo thread and the rest: without locks, and nobody waits.
+struct ServoChannel {
+  explicit ServoChannel(std::size_t capacity) : samples(capacity) {}
+
+  SnapshotSlot<HapticScene> scenes;   // in
+  std::atomic<bool> mayLeap{false};   // in: the next tick starts the ramp
+  std::atomic<bool> isForceOn{true};  // in
+  SpscRing<ServoSample> samples;      // out: every tick, to one thread
+  TripleBuffer<ServoSample> latest;   // out: the last tick, to one thread
+};
+
+}  // namespace handwheel

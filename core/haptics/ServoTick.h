@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/LoopMeasure.h"
+#include "haptics/SafetyChain.h"
+#include "haptics/ServoChannel.h"
+#include "haptics/ServoClock.h"
+#include "haptics/VelocityEstimator.h"
+#include "haptics/WorkspaceMapper.h"
+
+namespace handwheel {
+
+struct ServoSettings {
+  double rate = 1000.0;  // ticks a second; kept within kLeastServoRate and kLargestServoRate
+  double velocityWindow = VelocityEstimator::kStandardWindow;  // s, where the device gives no velocity
+  int priority = 80;                                           // of SCHED_FIFO
+  std::size_t samples = 16384;                                 // that may wait to be fetched: 16 s at 1 kHz
+};
+
+inline constexpr double kLeastServoRate = 500.0;
+inline constexpr double kLargestServoRate = 8000.0;
+
+// What happens in one tick: read the device, carry it into the scene, ask the scene, pass the safety chain, write the
+// device, tell. No lock, no allocation, no system call but the device's own. One thread at a time.
+class ServoTick {
+ public:
+  // All three outlive it; the device is open.
+  ServoTick(Device& device, const ServoSettings& settings, ServoClock& clock, ServoChannel& channel);
+
+  // A tick that was woken at `now` (ns).
+  void run(std::int64_t now) noexcept;
+  // After a pause: time, velocity and energy start anew, the force comes back by the ramp.
+  void pause() noexcept;
+
+  LoopMeasure& measure() { return m_measure; }
+  const LoopMeasure& measure() const { return m_measure; }
+  double nominalPeriod() const { return m_chain.settings().nominalPeriod; }
+
+ private:
+  double advance(std::int64_t now);
+  bool takeScene();
+  void feel(ServoSample& sample, SafetyInput& input, double period);
+  void ask(ServoSample& sample, SafetyInput& input);
+  TipState tipFor(const DeviceState& device, const WorkspaceMapper::Tip& placed, double period) const;
+
+  Device& m_device;
+  ServoClock& m_clock;
+  ServoChannel& m_channel;
+  const DeviceCapabilities m_capabilities;
+  SafetyChain m_chain;
+  LoopMeasure m_measure;
+  VelocityEstimator m_velocity;
+  WorkspaceMapper m_mapper;
+  ForceSource* m_source = nullptr;  // of the scene that the channel has handed over
+  std::uint64_t m_tick = 0;
+  std::int64_t m_last = 0;  // ns: when the tick before was woken
+  double m_time = 0.0;      // s
+  bool m_hasLast = false;
+  bool m_wasReady = false;
+  bool m_wasHeld = false;
+  bool m_wasForceOn = true;
+  bool m_isRestart = true;  // the tip does not come from where it was
+};
+
+}  // namespace handwheel

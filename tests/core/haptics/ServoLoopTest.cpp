@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/ServoLoop.h"
+
+#include <QtTest>
+#include <vector>
+
+#include "HapticDevices.h"
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+struct Rig {
+  std::shared_ptr<ScriptedDevice::Log> log = std::make_shared<ScriptedDevice::Log>();
+  LateClock clock;
+  Service service{"servo"};
+  std::unique_ptr<ServoLoop> loop;
+
+  explicit Rig(const ServoSettings& settings = {}) {
+    loop = std::make_unique<ServoLoop>(std::make_unique<ScriptedDevice>(log), settings, clock, service);
+  }
+};
+
+}  // namespace
+
+class ServoLoopTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void ticksLieOnAGrid() {
+    ServoSettings settings;
+    settings.rate = 4000.0;
+    Rig rig(settings);
+    std::vector<std::int64_t> times;
+    rig.log->onRead = [&](ScriptedDevice::Log&) { times.push_back(rig.clock.now()); };
+    rig.loop->runTicks(100);
+    QCOMPARE(times.size(), std::size_t{100});
+    for (std::size_t i = 0; i < times.size(); ++i) QCOMPARE(times[i], static_cast<std::int64_t>(i) * 250'000);
+    QCOMPARE(rig.loop->missedTicks(), std::uint64_t{0});
+    QCOMPARE(rig.service.counters().ticks, std::uint64_t{100});
+  }
+
+  void theRateIsKeptInItsLimits() {
+    for (const auto& [rate, period] : {std::pair{1.0, 2'000'000}, std::pair{1e9, 125'000}}) {
+      ServoSettings settings;
+      settings.rate = rate;
+      Rig rig(settings);
+      rig.loop->runTicks(11);
+      QCOMPARE(rig.clock.now(), std::int64_t{10} * period);
+    }
+  }
+
+  // Woken 0.3 ms late again and again, the ticks do not drift off.
+  void latenessDoesNotAddUp() {
+    Rig rig;
+    rig.clock.late = [] { return 300'000; };
+    rig.loop->runTicks(1001);
+    QCOMPARE(rig.clock.now(), 1000 * kMillisecond + 300'000);
+    QVERIFY(qAbs(rig.loop->measure().lateness().quantile(0.5) - 300e-6) <= 5.001e-6);
+  }
+
+  // One that takes 50 ms: those it covers are left out and counted, and the next lies on the grid, alone.
+  void anOverrunIsNotMadeUpForInABurst() {
+    Rig rig;
+    std::vector<std::int64_t> times;
+    int n = 0;
+    rig.log->onRead = [&](ScriptedDevice::Log&) {
+      times.push_back(rig.clock.now());
+      if (n++ == 10) rig.clock.set(rig.clock.now() + 50 * kMillisecond + 400'000);
+    };
+    rig.loop->runTicks(15);
+    QCOMPARE(times[10], 10 * kMillisecond);
+    QCOMPARE(times[11], 61 * kMillisecond);
+    QCOMPARE(times[12], 62 * kMillisecond);
+    QCOMPARE(rig.loop->missedTicks(), std::uint64_t{50});
+  }
+
+  // The clock set back by an hour does not stop the loop for an hour.
+  void aClockThatGoesBackDoesNotStopTheLoop() {
+    Rig rig;
+    rig.clock.set(4'000'000 * kMillisecond);
+    rig.loop->runTicks(10);
+    int n = 0;
+    rig.log->onRead = [&](ScriptedDevice::Log&) {
+      if (n++ == 0) rig.clock.set(400'000 * kMillisecond);
+    };
+    rig.loop->runTicks(5);
+    QVERIFY(rig.clock.now() < 400'010 * kMillisecond);
+  }
+
+  // A real thread on the machine's clock: it runs, says what it is, feels, and ends with zero force and a closed
+  // device.
+  void runsOnItsThread() {
+    auto log = std::make_shared<ScriptedDevice::Log>();
+    MonotonicClock clock;
+    Service service("servo");
+    {
+      ServoLoop loop(std::make_unique<ScriptedDevice>(log), {}, clock, service);
+      QCOMPARE(static_cast<int>(loop.realTime()), static_cast<int>(RealTimeState::NotRunning));
+      loop.setScene(sceneOf([](const TipState&, ForceOut& out) { out.force = Vec3(0.1, 0, 0); }));
+      loop.start();
+      bool hasForce = false, hasOrder = true;
+      std::uint64_t next = 0;
+      ServoSample sample;
+      while (!hasForce) {
+        if (!loop.nextSample(sample)) continue;
+        hasOrder &= sample.tick == next++;
+        hasForce = sample.sent.force.x() > 0.0;
+      }
+      QVERIFY(hasOrder);
+      QVERIFY(loop.latest().hasSource);
+      QVERIFY(loop.realTime() != RealTimeState::NotRunning);
+      loop.setScene(sceneOf([](const TipState&, ForceOut& out) { out.force = Vec3(0.05, 0, 0); }));
+      while (!loop.collect()) {
+      }
+      loop.stop();
+      QVERIFY(log->last.isZero());
+      QCOMPARE(log->closes, 0);
+      loop.start();  // and again
+      while (!loop.nextSample(sample)) {
+      }
+      loop.stop();
+      QCOMPARE(static_cast<int>(loop.realTime()), static_cast<int>(RealTimeState::NotRunning));
+    }
+    QCOMPARE(log->closes, 1);
+    QVERIFY(service.counters().ticks > 0);
+    QVERIFY(service.counters().cpuMicroseconds > 0.0);
+  }
+
+  // An unplugged device has a closed end, too: nothing is read or written after the loop.
+  void nothingRunsAfterStop() {
+    auto log = std::make_shared<ScriptedDevice::Log>();
+    MonotonicClock clock;
+    Service service("servo");
+    ServoLoop loop(std::make_unique<ScriptedDevice>(log), {}, clock, service);
+    loop.start();
+    loop.stop();
+    const int reads = log->reads;
+    QThread::msleep(5);
+    QCOMPARE(log->reads, reads);
+    loop.stop();  // twice does no harm
+  }
+};
+
+QTEST_GUILESS_MAIN(ServoLoopTest)
+#include "ServoLoopTest.moc"

@@ -1,0 +1,343 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/ServoTick.h"
+
+#include <QtTest>
+#include <limits>
+
+#include "HapticDevices.h"
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+// A tick on a virtual clock, with a scripted device.
+struct Rig {
+  std::shared_ptr<ScriptedDevice::Log> log = std::make_shared<ScriptedDevice::Log>();
+  ScriptedDevice device{log};
+  VirtualClock clock;
+  ServoChannel channel{4096};
+  ServoTick tick{device, {}, clock, channel};
+  std::int64_t time = 0;
+
+  ServoSample run(std::int64_t step = kMillisecond) {
+    time += step;
+    clock.set(time);
+    tick.run(time);
+    return channel.latest.read();
+  }
+  // So many more, with what the last one gave.
+  ServoSample runMany(int count) {
+    ServoSample sample;
+    for (int i = 0; i < count; ++i) sample = run();
+    return sample;
+  }
+  // Past the ramp in free space, and then to x in half a second.
+  ServoSample pressTo(double x) {
+    log->state.position = {-1, 0, 0};
+    runMany(1500);
+    for (int i = 1; i <= 500; ++i) {
+      log->state.position.x() = -1 + (x + 1) * i / 500;
+      run();
+    }
+    return runMany(200);
+  }
+};
+
+}  // namespace
+
+class ServoTickTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // The whole way: 2 mm deep in a wall of 1 N/mm.
+  void aWallPushesBack() {
+    Rig rig;
+    rig.channel.scenes.publish(sceneOf(wall(1.0)));
+    const ServoSample sample = rig.pressTo(2.0);
+    QVERIFY((sample.sent.force - Vec3(-2, 0, 0)).norm() < 1e-12);
+    QCOMPARE(rig.log->last.force, sample.sent.force);
+    QVERIFY(sample.actions.isEmpty());
+    QVERIFY(sample.hasSource && sample.felt.isContact && !sample.felt.isSoftened);
+    QCOMPARE(sample.tip.position, Vec3(2, 0, 0));
+    QCOMPARE(sample.felt.proxy, Vec3(0, 0, 0));
+  }
+
+  void withoutASceneThereIsATipAndNoForce() {
+    Rig rig;
+    rig.log->state.position = {1, 2, 3};
+    const ServoSample sample = rig.runMany(10);
+    QCOMPARE(sample.tip.position, Vec3(1, 2, 3));
+    QCOMPARE(sample.felt.proxy, Vec3(1, 2, 3));
+    QVERIFY(!sample.hasSource);
+    QVERIFY(sample.sent.isZero());
+    QCOMPARE(rig.log->writes, 10);
+  }
+
+  // b/(T/2) = 0.005/0.0005 = 10 N/mm once the loop has measured itself; until then as if it were half as fast.
+  void theSceneIsToldHowStiffItMayBe() {
+    Rig rig;
+    QVERIFY(qAbs(rig.run().tip.stiffnessLimit - 5.0) < 1e-9);
+    QVERIFY(qAbs(rig.runMany(10000).tip.stiffnessLimit - 10.0) < 1e-6);
+    QCOMPARE(rig.run().tip.dampingLimit, 0.005);
+  }
+
+  // One mm of the device is ten in the scene: the scene may be a tenth as stiff, to feel the same.
+  void theLimitIsThatOfTheScene() {
+    Rig rig;
+    auto scene = sceneOf(wall(100.0));
+    scene->mapping.scale = 10.0;
+    scene->mapping.forceGain = 0.5;
+    rig.channel.scenes.publish(std::move(scene));
+    QVERIFY(qAbs(rig.runMany(10000).tip.stiffnessLimit - 2.0) < 1e-6);
+    rig.log->state.position = {0.5, 0, 0};
+    const ServoSample sample = rig.runMany(3000);
+    QVERIFY(sample.felt.isSoftened);
+    QVERIFY(qAbs(sample.sent.force.x() + 10.0 * 0.5) < 1e-4);  // 10 N/mm at the device
+  }
+
+  void velocityIsEstimatedWhereTheDeviceGivesNone() {
+    Rig rig;
+    ServoSample sample;
+    for (int i = 0; i < 50; ++i) {
+      rig.log->state.position = {0.1 * i, 0, 0};
+      sample = rig.run();
+    }
+    QVERIFY((sample.tip.velocity - Vec3(100, 0, 0)).norm() < 1e-9);
+    rig.log->state.hasVelocity = true;
+    rig.log->state.velocity = {0, 7, 0};
+    QCOMPARE(rig.run().tip.velocity, Vec3(0, 7, 0));
+  }
+
+  void numbersThatAreNone_data() {
+    QTest::addColumn<int>("where");
+    QTest::newRow("position") << 0;
+    QTest::newRow("orientation") << 1;
+    QTest::newRow("velocity") << 2;
+    QTest::newRow("gripper") << 3;
+    QTest::newRow("orientation of zeros") << 4;
+  }
+  // The tip in contact, the device says NaN: nothing in that very tick, the scene never sees it, and back by the ramp.
+  void numbersThatAreNone() {
+    QFETCH(int, where);
+    Rig rig;
+    bool isAlwaysFinite = true;
+    auto feel = wall(1.0);
+    rig.channel.scenes.publish(sceneOf([&](const TipState& tip, ForceOut& out) {
+      isAlwaysFinite &= tip.position.allFinite() && tip.orientation.coeffs().allFinite() && tip.velocity.allFinite();
+      feel(tip, out);
+    }));
+    rig.pressTo(2.0);
+    const DeviceState good = rig.log->state;
+    DeviceState& state = rig.log->state;
+    state.hasVelocity = where == 2;
+    if (where == 0) state.position.y() = kNan;
+    if (where == 1) state.orientation.x() = kNan;
+    if (where == 2) state.velocity.z() = -std::numeric_limits<double>::infinity();
+    if (where == 3) state.gripper = kNan;
+    if (where == 4) state.orientation.coeffs().setZero();
+    ServoSample sample = rig.run();
+    QVERIFY(sample.sent.isZero());
+    QVERIFY(sample.actions.has(SafetyAction::DeviceFault));
+    QVERIFY(!sample.hasSource);
+    state = good;
+    sample = rig.run();
+    QVERIFY(sample.tip.isRestart);
+    QVERIFY(sample.actions.has(SafetyAction::Ramp));
+    QVERIFY(sample.sent.isZero());
+    sample = rig.runMany(2500);
+    QVERIFY((sample.sent.force - Vec3(-2, 0, 0)).norm() < 1e-9);
+    QVERIFY(isAlwaysFinite);
+  }
+
+  void notReadyMeansNoForce_data() {
+    QTest::addColumn<int>("status");
+    QTest::newRow("unplugged") << static_cast<int>(DeviceStatus::Absent);
+    QTest::newRow("starting") << static_cast<int>(DeviceStatus::Starting);
+    QTest::newRow("needs homing") << static_cast<int>(DeviceStatus::NeedsHoming);
+    QTest::newRow("failed") << static_cast<int>(DeviceStatus::Failed);
+  }
+  // Unplugged in contact, and plugged in again elsewhere: no force at once, none when it comes back.
+  void notReadyMeansNoForce() {
+    QFETCH(int, status);
+    Rig rig;
+    rig.channel.scenes.publish(sceneOf(wall(1.0)));
+    rig.pressTo(2.0);
+    rig.log->state.status = static_cast<DeviceStatus>(status);
+    ServoSample sample = rig.run();
+    QVERIFY(sample.sent.isZero());
+    QVERIFY(rig.log->last.isZero());
+    QCOMPARE(static_cast<int>(sample.device.status), status);
+    rig.runMany(100);
+    rig.log->state.status = DeviceStatus::Ready;
+    rig.log->state.position = {5, 0, 0};
+    sample = rig.run();
+    QVERIFY(sample.sent.isZero());
+    QVERIFY(sample.tip.isRestart);
+    QVERIFY(!rig.run().tip.isRestart);
+  }
+
+  // A scene of NaN: nothing is sent, and the rest of the program sees why.
+  void aSceneOfNaNSendsNothing() {
+    Rig rig;
+    rig.channel.scenes.publish(sceneOf([](const TipState&, ForceOut& out) { out.force.x() = kNan; }));
+    const ServoSample sample = rig.runMany(100);
+    QVERIFY(sample.sent.isZero());
+    QVERIFY(sample.actions.has(SafetyAction::NotFinite));
+  }
+
+  // A tick 50 ms late, in a wall: the force starts from nothing, comes back without a step, and no burst follows.
+  void aTickFiftyMillisecondsLate() {
+    Rig rig;
+    rig.channel.scenes.publish(sceneOf(wall(1.0)));
+    rig.pressTo(2.0);
+    ServoSample sample = rig.run(50 * kMillisecond);
+    QVERIFY(sample.actions.has(SafetyAction::Watchdog));
+    QVERIFY(sample.tip.period <= 0.004 + 1e-12);
+    Vec3 last(-2, 0, 0);
+    for (int i = 0; i < 300; ++i) {
+      QVERIFY((sample.sent.force - last).norm() <= 2.0 * 2.0 + 1e-9);  // slew: 2 N/ms, two periods at most
+      last = sample.sent.force;
+      sample = rig.run();
+    }
+    QVERIFY((last - Vec3(-2, 0, 0)).norm() < 1e-9);
+  }
+
+  // The clock goes back an hour, stands still, goes on an hour: finite, and the time of the scene only goes on.
+  void theClockJumps() {
+    Rig rig;
+    rig.channel.scenes.publish(sceneOf(wall(1.0)));
+    double time = rig.pressTo(2.0).tip.time;
+    const std::int64_t hour = 3'600'000 * kMillisecond;
+    for (const std::int64_t step : {-hour, std::int64_t{0}, hour, kMillisecond, 4 * hour, -2 * hour}) {
+      const ServoSample sample = rig.run(step);
+      QVERIFY(sample.sent.force.allFinite() && sample.sent.force.norm() <= 8.0);
+      QVERIFY(sample.tip.time > time && sample.tip.time < time + 0.01);
+      QVERIFY(sample.tip.period > 0.0 && sample.tip.period <= 0.004 + 1e-12);
+      time = sample.tip.time;
+    }
+    QVERIFY((rig.runMany(300).sent.force - Vec3(-2, 0, 0)).norm() < 1e-9);
+  }
+
+  // At 10 m/s through the wall: cut, not followed.
+  void tenMetresASecond() {
+    Rig rig;
+    rig.channel.scenes.publish(sceneOf(wall(1.0)));
+    rig.pressTo(2.0);
+    ServoSample sample;
+    for (int i = 0; i < 20; ++i) {
+      rig.log->state.position.x() += 10.0;
+      sample = rig.run();
+    }
+    QVERIFY(sample.actions.has(SafetyAction::SpeedCut));
+    QVERIFY(sample.sent.isZero());
+  }
+
+  // Another model: by the ramp. An edit under the tip: as it was, and the new source follows the old.
+  void scenesLeapOrDoNot() {
+    Rig rig;
+    rig.channel.scenes.publish(sceneOf(wall(1.0)));
+    rig.pressTo(2.0);
+    auto edited = sceneOf(wall(1.0), false);
+    auto* source = static_cast<FunctionSource*>(edited->source.get());
+    rig.channel.scenes.publish(std::move(edited));
+    ServoSample sample = rig.run();
+    QVERIFY(source->followed != nullptr);
+    QVERIFY(sample.actions.isEmpty());
+    QVERIFY(!sample.tip.isRestart);
+    QVERIFY((sample.sent.force - Vec3(-2, 0, 0)).norm() < 1e-12);
+    rig.channel.scenes.publish(sceneOf(wall(1.0), true));
+    sample = rig.run();
+    QVERIFY(sample.actions.has(SafetyAction::Ramp));
+    rig.channel.scenes.collect();
+  }
+
+  void whatMayLeapIsAnnounced() {
+    Rig rig;
+    rig.channel.scenes.publish(sceneOf(wall(1.0)));
+    rig.pressTo(2.0);
+    rig.channel.mayLeap.store(true);
+    QVERIFY(rig.run().actions.has(SafetyAction::Ramp));
+  }
+
+  void forceIsSwitchedOffAndComesBackByTheRamp() {
+    Rig rig;
+    rig.channel.scenes.publish(sceneOf(wall(1.0)));
+    rig.pressTo(2.0);
+    rig.channel.isForceOn.store(false);
+    ServoSample sample = rig.runMany(10);
+    QVERIFY(sample.sent.isZero());
+    QVERIFY(sample.felt.isContact);  // what would be felt is still shown
+    rig.channel.isForceOn.store(true);
+    QVERIFY(rig.run().sent.isZero());
+    QVERIFY((rig.runMany(2500).sent.force - Vec3(-2, 0, 0)).norm() < 1e-9);
+  }
+
+  // Held by the clutch the tip stays, and nothing pushes the hand; let go, it goes on from there without a leap.
+  void theClutchMovesTheHandNotTheTip() {
+    Rig rig;
+    auto scene = sceneOf(wall(1.0));
+    scene->mapping.clutchButtons = 2;
+    rig.channel.scenes.publish(std::move(scene));
+    rig.pressTo(2.0);
+    rig.log->state.buttons = 2;
+    ServoSample sample;
+    for (int i = 0; i < 100; ++i) {
+      rig.log->state.position += Vec3(-0.3, 0.1, 0);
+      sample = rig.run();
+      QCOMPARE(sample.tip.position, Vec3(2, 0, 0));
+      QVERIFY(sample.tip.velocity.isZero(0.0));
+    }
+    QVERIFY(sample.sent.isZero());
+    rig.log->state.buttons = 0;
+    sample = rig.run();
+    QVERIFY((sample.tip.position - Vec3(2, 0, 0)).norm() < 1e-9);
+    QVERIFY(sample.actions.has(SafetyAction::Ramp));
+    QVERIFY(!sample.tip.isRestart);
+    rig.log->state.position += Vec3(0.5, 0, 0);
+    QVERIFY((rig.run().tip.position - Vec3(2.5, 0, 0)).norm() < 1e-9);
+  }
+
+  void aPauseStartsAnew() {
+    Rig rig;
+    rig.channel.scenes.publish(sceneOf(wall(1.0)));
+    rig.pressTo(2.0);
+    rig.tick.pause();
+    const ServoSample sample = rig.run(10'000 * kMillisecond);
+    QVERIFY(sample.tip.isRestart);
+    QVERIFY(sample.sent.isZero());
+    QVERIFY(!sample.actions.has(SafetyAction::Watchdog));
+  }
+
+  // What only points has no motors that could become unstable: no limit, and the force is still told.
+  void aDeviceWithoutMotorsHasNoLimit() {
+    Rig rig;
+    DeviceCapabilities mouse;
+    mouse.outputs = 0;
+    mouse.maxForce = 10.0;
+    ScriptedDevice device(rig.log, mouse);
+    ServoTick tick(device, {}, rig.clock, rig.channel);
+    for (int i = 1; i < 3000; ++i) tick.run(i * kMillisecond);
+    const ServoSample sample = rig.channel.latest.read();
+    QVERIFY(std::isinf(sample.tip.stiffnessLimit));
+    QVERIFY(std::isinf(sample.tip.dampingLimit));
+  }
+
+  void everyTickIsTold() {
+    Rig rig;
+    rig.runMany(1000);
+    ServoSample sample;
+    for (std::uint64_t i = 0; i < 1000; ++i) {
+      QVERIFY(rig.channel.samples.pop(sample));
+      QCOMPARE(sample.tick, i);
+    }
+    QVERIFY(!rig.channel.samples.pop(sample));
+    QCOMPARE(rig.channel.samples.dropped(), std::uint64_t{0});
+  }
+};
+
+QTEST_GUILESS_MAIN(ServoTickTest)
+#include "ServoTickTest.moc"

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/Device.h"
+#include "haptics/ForceSource.h"
+#include "haptics/HapticScene.h"
+#include "haptics/ServoClock.h"
+
+#include <functional>
+#include <memory>
+
+namespace handwheel::test {
+
+// A force device of 8 N with a friction of 5 N·s/m, as a Falcon has; where it is, the test says.
+inline DeviceCapabilities forceDevice() {
+  DeviceCapabilities device;
+  device.buttons = 2;
+  device.maxForce = 8.0;
+  device.maxStiffness = 100.0;  // so that the rule of stiffness decides
+  device.maxDamping = 0.02;
+  device.workspaceRadius = 100.0;
+  device.inherentDamping = 0.005;
+  return device;
+}
+
+class ScriptedDevice : public Device {
+ public:
+  struct Log {
+    DeviceState state;  // what the next reading says
+    DeviceForce last;   // what was written last
+    int reads = 0;
+    int writes = 0;
+    int closes = 0;
+    std::function<void(Log&)> onRead;  // before a reading
+  };
+
+  explicit ScriptedDevice(std::shared_ptr<Log> log, const DeviceCapabilities& capabilities = forceDevice())
+      : m_log(std::move(log)), m_capabilities(capabilities) {
+    m_log->state.status = DeviceStatus::Ready;
+  }
+
+  DeviceCapabilities capabilities() const override { return m_capabilities; }
+  Status open(Progress) override { return Done{}; }
+  void close() noexcept override { ++m_log->closes; }
+  DeviceState read() noexcept override {
+    if (m_log->onRead) m_log->onRead(*m_log);
+    ++m_log->reads;
+    return m_log->state;
+  }
+  void write(const DeviceForce& force) noexcept override {
+    ++m_log->writes;
+    m_log->last = force;
+  }
+
+ private:
+  std::shared_ptr<Log> m_log;
+  DeviceCapabilities m_capabilities;
+};
+
+// A force that a function makes of the tip.
+class FunctionSource : public ForceSource {
+ public:
+  using Function = std::function<void(const TipState&, ForceOut&)>;
+  explicit FunctionSource(Function function) : m_function(std::move(function)) {}
+  void tick(const TipState& tip, ForceOut& out) noexcept override { m_function(tip, out); }
+  void follow(const ForceSource& previous) noexcept override { followed = &previous; }
+
+  const ForceSource* followed = nullptr;
+
+ private:
+  Function m_function;
+};
+
+// A wall at x = 0 that fills x > 0, as stiff as asked and the loop allows, with a damping B (N·s/mm) inside.
+inline FunctionSource::Function wall(double stiffness, double damping = 0.0) {
+  return [=](const TipState& tip, ForceOut& out) {
+    const double limit = tip.stiffnessLimit * (1.0 - damping / tip.dampingLimit);
+    out.isSoftened = limit < stiffness;
+    out.stiffness = std::min(stiffness, limit);
+    out.isContact = tip.position.x() > 0.0;
+    if (!out.isContact) return;
+    out.proxy.x() = 0.0;
+    out.force.x() = -out.stiffness * tip.position.x() - damping * tip.velocity.x();
+  };
+}
+
+inline std::unique_ptr<HapticScene> sceneOf(FunctionSource::Function function, bool mayLeap = true) {
+  auto scene = std::make_unique<HapticScene>();
+  scene->source = std::make_unique<FunctionSource>(std::move(function));
+  scene->mayLeap = mayLeap;
+  return scene;
+}
+
+// A clock whose waits end when the test says: `late` ns after the time asked for.
+class LateClock : public VirtualClock {
+ public:
+  std::function<std::int64_t()> late;
+  void waitUntil(std::int64_t time) noexcept override {
+    VirtualClock::waitUntil(time);
+    if (late) set(now() + late());
+  }
+};
+
+inline constexpr std::int64_t kMillisecond = 1'000'000;  // ns
+
+}  // namespace handwheel::test
