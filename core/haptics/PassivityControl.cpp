@@ -3,21 +3,42 @@
 #include "haptics/PassivityControl.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace handwheel {
+
+PassivityControl::PassivityControl(const SafetySettings& settings) : m_settings(settings) {
+  const double ticks = std::round(settings.latency / settings.nominalPeriod);
+  m_latency = static_cast<std::size_t>(std::clamp(ticks, 0.0, static_cast<double>(kLongest - 1)));
+  m_sent.fill(Vec3::Zero());
+  m_friction.fill(0.0);
+}
+
+void PassivityControl::sent(const Vec3& force) {
+  m_newest = (m_newest + 1) % kLongest;
+  m_sent[m_newest] = force;
+  m_friction[m_newest] = 0.0;
+}
 
 void PassivityControl::observe(const Vec3& position, double period) {
   if (m_hasPosition) {
     const Vec3 step = position - m_position;
-    // In free space there is no credit to gather but that of the last step, which pays for entering a wall; a deficit
-    // is what the device's friction has not yet taken back. In contact a cap, lest long sliding hides what comes later.
-    if (m_held.isZero(0.0)) m_energy = std::min(m_energy, 0.0);
-    m_energy += -m_held.dot(step) + m_settings.inherentDamping * step.squaredNorm() / period;
-    m_energy = std::min(m_energy, m_settings.energyLimit);
+    const double friction = m_settings.inherentDamping * step.squaredNorm() / period;
+    m_friction[m_newest] = friction;
+    m_energy += -acting().dot(step) + friction;
+    // In free space there is no credit to gather but what pays for entering a wall, which a force that is so late
+    // answers so late: the friction since. In contact a cap, lest long sliding hides what comes later.
+    m_energy = std::min(m_energy, acting().isZero(0.0) ? recentFriction() : m_settings.energyLimit);
     m_velocity = step / period;
   }
   m_position = position;
   m_hasPosition = true;
+}
+
+double PassivityControl::recentFriction() const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i <= m_latency; ++i) sum += m_friction[(m_newest + kLongest - i) % kLongest];
+  return sum;
 }
 
 Vec3 PassivityControl::correction() const {

@@ -4,32 +4,43 @@
 
 #include "haptics/SafetySettings.h"
 
+#include <array>
+#include <cstddef>
+
 namespace handwheel {
 
 // Time-domain passivity observer and controller (Hannaford and Ryu, IEEE T-RA 18(1), 2002) for the force at the tip.
 // The observer integrates what was really sent and held since: between two readings the hand gave the scene exactly
 // -F·dx, and the friction b of the device took at least b·|dx|²/t whatever the way between (Cauchy and Schwarz). So a
-// spring K at period T never shows a deficit while K <= 2b/T, Colgate's bound. Torque is not observed.
+// spring K at period T never shows a deficit while K <= 2b/T, Colgate's bound. Where the device answers late, the force
+// that acted on a way is the one sent so much earlier, wherever the time is lost. Torque is not observed.
 class PassivityControl {
  public:
-  explicit PassivityControl(const SafetySettings& settings) : m_settings(settings) {}
+  explicit PassivityControl(const SafetySettings& settings);
 
   // Forgets all energy; the next reading is the first.
   void reset() { *this = PassivityControl(m_settings); }
-  // A new reading, mm, after so many seconds (> 0) in which the force given to sent() was held.
+  // A new reading, mm, so many seconds (> 0) after the one before.
   void observe(const Vec3& position, double period);
   // The damping force, N, that takes the deficit back within the next period; zero without one.
   Vec3 correction() const;
   // What was sent after the last reading.
-  void sent(const Vec3& force) { m_held = force; }
+  void sent(const Vec3& force);
 
   // N·mm that the hand has given and not got back. Below zero: the scene has made energy.
   double energy() const { return m_energy; }
 
  private:
+  static constexpr std::size_t kLongest = 512;  // ticks on the way: 64 ms at 8 kHz
+  const Vec3& acting() const { return m_sent[(m_newest + kLongest - m_latency) % kLongest]; }
+  double recentFriction() const;
+
   SafetySettings m_settings;
+  std::size_t m_latency;  // ticks
   double m_energy = 0.0;
-  Vec3 m_held = Vec3::Zero();
+  std::array<Vec3, kLongest> m_sent;        // round, up to m_newest
+  std::array<double, kLongest> m_friction;  // N·mm, taken by the device; in the same places
+  std::size_t m_newest = 0;
   Vec3 m_position = Vec3::Zero();
   Vec3 m_velocity = Vec3::Zero();  // mm/s, mean since the reading before
   bool m_hasPosition = false;

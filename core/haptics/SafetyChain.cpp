@@ -10,8 +10,8 @@ namespace handwheel {
 
 namespace {
 
-// mm: a kilometre, where no device reaches; below, squares and their sums stay finite.
-constexpr double kFarthest = 1e6;
+// mm: a thousand kilometres, where neither devices reach nor scenes lie; below, squares and their sums stay finite.
+constexpr double kFarthest = 1e9;
 
 bool isReading(const SafetyInput& input) {
   return input.isDeviceReady && input.position.allFinite() && input.position.stableNorm() < kFarthest &&

@@ -39,6 +39,8 @@ class SafetyActions {
 struct SafetySettings {
   double nominalPeriod = 0.001;
 
+  double latency = 0.0;  // of the device, from a motion to the force that answers it, without the loop's own
+
   double inherentDamping = 0.0;  // N·s/mm: b, what the device takes from the energy by itself
   double controlDamping = 0.0;   // N·s/mm: the most that the passivity controller adds; 0 switches it off
   double energyLimit = 0.0;      // N·mm: no more than this is credited, for no passive scene can store more

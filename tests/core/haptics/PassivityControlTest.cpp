@@ -147,6 +147,20 @@ class PassivityControlTest : public QObject {
     QVERIFY(qAbs(control.energy() - (-0.06 + 0.02)) < 1e-9);
   }
 
+  // 3 ms late: what was sent three ticks ago has acted.
+  void aLateDeviceIsObservedLate() {
+    SafetySettings s = settings(0.0, 0.0);
+    s.latency = 0.003;
+    PassivityControl control(s);
+    control.observe({0, 0, 0}, 0.001);
+    const double energies[] = {0, 0, 0, 1, 3, 6, 10};
+    for (int i = 0; i < 7; ++i) {
+      control.sent({-(i + 1.0), 0, 0});
+      control.observe({i + 1.0, 0, 0}, 0.001);
+      QCOMPARE(control.energy(), energies[i]);
+    }
+  }
+
   void creditEndsAtTheLimit() {
     SafetySettings s = settings(0.0, 1.0);
     s.energyLimit = 5.0;

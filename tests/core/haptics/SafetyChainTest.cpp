@@ -102,7 +102,7 @@ class SafetyChainTest : public QObject {
     if (fault == 2) input.position.x() = kNan;
     if (fault == 3) input.velocity.z() = kInf;
     if (fault == 4) input.isDeviceReady = false;
-    if (fault == 5) input.position.x() = 1e7;
+    if (fault == 5) input.position.x() = 1e10;
     if (fault == 6) input.period = 0.0;
     if (fault == 7) input.velocity.x() = 10'000.0;
     const SafetyOutput output = chain.process(input);
