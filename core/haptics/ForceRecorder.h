@@ -15,7 +15,7 @@ namespace handwheel {
 // so that neither the servo thread nor a busy window loses any. The only one that fetches samples from its loop.
 class ForceRecorder {
  public:
-  // Ten minutes at 4 kHz, 0.8 GB; then it ends by itself.
+  // Ten minutes at 4 kHz, 0.9 GB; then it ends by itself.
   static constexpr std::size_t kMostTicks = 2'400'000;
 
   // The loop outlives it.

@@ -50,7 +50,8 @@ class ForceSource {
   virtual void tick(const TipState& tip, ForceOut& out) noexcept = 0;
 
   // Called on the servo thread once, before the first tick, with the source that acted so far if there was one: where
-  // an edit made a new one of the same kind, the proxy goes on from the old one's.
+  // an edit made a new one of the same kind, the proxy goes on from the old one's. A source that follows none begins at
+  // the tip of its first tick, whatever isRestart says.
   virtual void follow(const ForceSource& previous) noexcept { (void)previous; }
 };
 

@@ -33,7 +33,7 @@ struct RecordedEvent {
   std::string text;
 };
 
-// The ticks of a stretch of time, about 340 bytes each. A copy shares them and costs next to nothing.
+// The ticks of a stretch of time, 368 bytes each. A copy shares them and costs next to nothing.
 class Recording {
  public:
   void add(const RecordedTick& tick);

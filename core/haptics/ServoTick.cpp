@@ -12,8 +12,9 @@ namespace {
 constexpr double kLongestGap = 1.0;      // s: a longer one is the clock that jumped, or a machine that slept
 constexpr double kLongestPeriods = 4.0;  // nominal ones, that a scene is told of
 
-double rateOf(const ServoSettings& settings) {
-  return std::clamp(settings.rate, kLeastServoRate, kLargestServoRate);
+double rateOf(const ServoSettings& settings, const DeviceCapabilities& device) {
+  const double rate = settings.rate == 0.0 ? device.nominalRate : settings.rate;
+  return rate > kLeastServoRate ? std::min(rate, kLargestServoRate) : kLeastServoRate;  // NaN, too
 }
 
 bool isReading(const DeviceState& state) {
@@ -29,7 +30,7 @@ ServoTick::ServoTick(Device& device, const ServoSettings& settings, ServoClock& 
       m_clock(clock),
       m_channel(channel),
       m_capabilities(device.capabilities()),
-      m_chain(safetySettingsFor(m_capabilities, rateOf(settings))),
+      m_chain(safetySettingsFor(m_capabilities, rateOf(settings, m_capabilities))),
       m_measure(m_capabilities, m_chain.settings().inherentDamping, m_chain.settings().nominalPeriod),
       m_velocity(settings.velocityWindow) {
   m_mapper.setMapping({});

@@ -12,7 +12,7 @@
 namespace handwheel {
 
 struct ServoSettings {
-  double rate = 1000.0;  // ticks a second; kept within kLeastServoRate and kLargestServoRate
+  double rate = 0.0;  // ticks a second, kept within kLeastServoRate and kLargestServoRate; 0: the device's nominal rate
   double velocityWindow = VelocityEstimator::kStandardWindow;  // s, where the device gives no velocity
   int priority = 80;                                           // of SCHED_FIFO
   std::size_t samples = 16384;                                 // that may wait to be fetched: 16 s at 1 kHz
