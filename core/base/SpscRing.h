@@ -46,10 +46,10 @@ class SpscRing {
 
  private:
   static constexpr std::size_t kCacheLine = 64;  // apart, so that the two threads do not pass one line to and fro
-  std::vector<T> m_values;
-  const std::uint64_t m_mask;
   alignas(kCacheLine) std::atomic<std::uint64_t> m_written{0};
   std::atomic<std::uint64_t> m_dropped{0};
+  std::vector<T> m_values;
+  const std::uint64_t m_mask;
   alignas(kCacheLine) std::atomic<std::uint64_t> m_read{0};
 };
 

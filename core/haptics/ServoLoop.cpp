@@ -11,8 +11,8 @@ ServoLoop::ServoLoop(std::unique_ptr<Device> device, const ServoSettings& settin
     : m_device(std::move(device)),
       m_clock(clock),
       m_service(service),
-      m_channel(settings.samples),
-      m_tick(*m_device, settings, clock, m_channel),
+      m_channel(std::make_unique<ServoChannel>(settings.samples)),
+      m_tick(*m_device, settings, clock, *m_channel),
       m_priority(settings.priority),
       m_period(std::llround(m_tick.nominalPeriod() * kNanoseconds)),
       m_due(clock.now()) {}

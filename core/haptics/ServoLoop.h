@@ -31,18 +31,18 @@ class ServoLoop {
   void runTicks(std::uint64_t count);
 
   // The next tick feels this scene. Frees what the loop has left.
-  void setScene(std::unique_ptr<HapticScene> scene) { m_channel.scenes.publish(std::move(scene)); }
+  void setScene(std::unique_ptr<HapticScene> scene) { m_channel->scenes.publish(std::move(scene)); }
   // To be called now and then, so that memory of a scene that was replaced does not wait for the next.
-  bool collect() { return m_channel.scenes.collect(); }
+  bool collect() { return m_channel->scenes.collect(); }
   // Something within the scene may make the force leap, a tool or a snap that was switched: starts the ramp.
-  void announceLeap() { m_channel.mayLeap.store(true, std::memory_order_release); }
-  void setForceOn(bool isOn) { m_channel.isForceOn.store(isOn, std::memory_order_relaxed); }
+  void announceLeap() { m_channel->mayLeap.store(true, std::memory_order_release); }
+  void setForceOn(bool isOn) { m_channel->isForceOn.store(isOn, std::memory_order_relaxed); }
 
   // The next tick that was not fetched yet; by one thread, the recorder's. False: none.
-  bool nextSample(ServoSample& sample) { return m_channel.samples.pop(sample); }
-  std::uint64_t droppedSamples() const { return m_channel.samples.dropped(); }
+  bool nextSample(ServoSample& sample) { return m_channel->samples.pop(sample); }
+  std::uint64_t droppedSamples() const { return m_channel->samples.dropped(); }
   // The last tick; by one thread, the window's.
-  const ServoSample& latest() { return m_channel.latest.read(); }
+  const ServoSample& latest() { return m_channel->latest.read(); }
 
   // Any thread.
   RealTimeState realTime() const { return m_realTime.load(std::memory_order_relaxed); }
@@ -59,7 +59,7 @@ class ServoLoop {
   const std::unique_ptr<Device> m_device;
   ServoClock& m_clock;
   Service& m_service;
-  ServoChannel m_channel;
+  const std::unique_ptr<ServoChannel> m_channel;
   ServoTick m_tick;
   const int m_priority;
   const std::int64_t m_period;  // ns
