@@ -5,6 +5,7 @@
 #include "cli/CompareCommand.h"
 #include "cli/ConvertCommand.h"
 #include "cli/DecimateCommand.h"
+#include "cli/DevicesCommand.h"
 #include "cli/InspectCommand.h"
 #include "cli/Interrupt.h"
 #include "cli/MeasureCommand.h"
@@ -23,22 +24,37 @@
 #include <filesystem>
 #include <memory>
 #include <new>
+#include <variant>
 
 namespace handwheel {
 
 namespace {
 
 struct Command {
+  using OnDocuments = int (*)(const Arguments&, const DocumentKinds&);
+  using OnAll = int (*)(const Arguments&, const Registered&);
+
   CommandSpec spec;
-  int (*run)(const Arguments&, const DocumentKinds&);
+  std::variant<OnDocuments, OnAll> run;
 };
+
+int runOnDevices(const Arguments& arguments, const Registered& registered) {
+  return runDevices(arguments, registered.drivers());
+}
+
+int run(const Command& command, const Arguments& arguments, const Registered& registered) {
+  if (const auto* onDocuments = std::get_if<Command::OnDocuments>(&command.run)) {
+    return (*onDocuments)(arguments, registered.kinds);
+  }
+  return std::get<Command::OnAll>(command.run)(arguments, registered);
+}
 
 std::vector<Command> commands() {
   return {
       {inspectSpec(), runInspect}, {repairSpec(), runRepair},   {convertSpec(), runConvert},
       {pictureSpec(), runPicture}, {newSpec(), runNew},         {setSpec(), runSet},
       {measureSpec(), runMeasure}, {compareSpec(), runCompare}, {decimateSpec(), runDecimate},
-      {splitSpec(), runSplit},     {mergeSpec(), runMerge},
+      {splitSpec(), runSplit},     {mergeSpec(), runMerge},     {devicesSpec(), runOnDevices},
   };
 }
 
@@ -96,7 +112,7 @@ bool isMistypedCommand(std::string_view word) {
          !std::filesystem::exists(word, ignored);
 }
 
-int dispatch(std::span<char* const> words, const DocumentKinds& kinds) {
+int dispatch(std::span<char* const> words, const Registered& registered) {
   const std::string_view first = words[0];
   const std::span<char* const> rest = words.subspan(1);
   if (isHelpWord(first)) return help(rest);
@@ -110,7 +126,7 @@ int dispatch(std::span<char* const> words, const DocumentKinds& kinds) {
   const Arguments arguments = parseArguments(command->spec, rest);
   if (!arguments.problem.empty()) return failUsage(arguments.problem, command->spec.name);
   if (arguments.has("help")) return print(helpPage(command->spec));
-  return command->run(arguments, kinds);
+  return run(*command, arguments, registered);
 }
 
 bool needsFonts(std::span<char* const> words) {
@@ -147,7 +163,7 @@ bool isCommand(int argc, char** argv) {
   return isHelpWord(argv[1]) || find(commands(), argv[1]) || !isForWindow(argv[1]) || isMistypedCommand(argv[1]);
 }
 
-int runCommand(int argc, char** argv, const DocumentKinds& kinds) {
+int runCommand(int argc, char** argv, const Registered& registered) {
   occupyClosedStreams();
   watchSignals();
   const std::unique_ptr<QCoreApplication> application = makeApplication(argc, argv);
@@ -156,7 +172,7 @@ int runCommand(int argc, char** argv, const DocumentKinds& kinds) {
   // Its constructor takes over the user's locale. The command line speaks English and writes numbers as in C.
   std::setlocale(LC_ALL, "C");
   try {
-    return dispatch(std::span<char* const>(argv, static_cast<std::size_t>(argc)).subspan(1), kinds);
+    return dispatch(std::span<char* const>(argv, static_cast<std::size_t>(argc)).subspan(1), registered);
   } catch (const std::bad_alloc&) {
     return fail({ErrorCode::OutOfMemory, {}, {}, {}});
   }

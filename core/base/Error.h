@@ -44,6 +44,10 @@ enum class ErrorCode {
   ReferenceMissing,   // {what, name} a file or an element that another refers to
   ValueOutOfRange,    // {name, value, least, largest}
   Unsupported,        // {what} understood, but not something that this program does
+  PluginVersion,      // {interface that it was made for, the program's}
+  PluginBroken,       // {reason}
+  DeviceUnreachable,  // {system's reason}
+  DeviceMute,         // {what it should have answered}
   LibraryFailed,      // {library, reason}
 };
 

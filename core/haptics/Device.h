@@ -67,7 +67,8 @@ class Device {
  public:
   virtual ~Device() = default;
 
-  virtual DeviceCapabilities capabilities() const = 0;  // known once open
+  // As its kind has them; exact once open, for those that can be asked.
+  virtual DeviceCapabilities capabilities() const = 0;
   // Connects: loads firmware where it must, with retries. Error: why not, to be read by a person.
   virtual Status open(Progress progress) = 0;
   // Sends zero force first. May be called at any time after open(), twice, and after the device is gone.

@@ -9,6 +9,7 @@ import unittest
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
 ROOMS = {"core": ("base", "mesh", "document"), "widgets": ("viewport", "panels"), "app": ("window",)}
+PLUGINS = ("io", "falcon", "haply")
 
 
 class LayersTest(unittest.TestCase):
@@ -19,6 +20,10 @@ class LayersTest(unittest.TestCase):
                     os.makedirs(os.path.join(root, layer, room))
                 with open(os.path.join(root, layer, "CMakeLists.txt"), "w", encoding="utf-8") as stream:
                     stream.writelines(f"add_subdirectory({room})\n" for room in rooms)
+            for plugin in PLUGINS:
+                os.makedirs(os.path.join(root, "plugins", "devices", plugin))
+            with open(os.path.join(root, "plugins", "devices", "CMakeLists.txt"), "w", encoding="utf-8") as stream:
+                stream.writelines(f"add_subdirectory({plugin})\n" for plugin in PLUGINS)
             with open(os.path.join(root, path), "w", encoding="utf-8") as stream:
                 stream.write(f"\n#include {include}\n")
             run = subprocess.run([os.path.join(ROOT, "tools", "layers"), root], capture_output=True, text=True)
@@ -56,6 +61,23 @@ class LayersTest(unittest.TestCase):
         self.assert_refused("core/document/A.h", "<QWidget>")
         self.assert_refused("core/document/A.h", "<QtWidgets/QWidget>")
         self.assert_refused("core/document/A.h", "<QOpenGLWidget>")
+
+    def test_plugins(self):
+        self.assert_allowed("plugins/devices/falcon/A.h", '"base/B.h"')
+        self.assert_allowed("plugins/devices/falcon/A.h", '"io/B.h"')
+        self.assert_allowed("plugins/devices/falcon/A.h", '"falcon/B.h"')
+        self.assert_allowed("plugins/devices/falcon/A.cpp", '"A.moc"')
+        self.assert_allowed("plugins/devices/falcon/A.cpp", "<QObject>")
+        self.assert_allowed("plugins/devices/falcon/A.cpp", "<libusb.h>")
+        self.assert_refused("plugins/devices/falcon/A.cpp", '"haply/B.h"')
+        self.assert_refused("plugins/devices/io/A.cpp", '"haply/B.h"')
+        self.assert_refused("plugins/devices/falcon/A.cpp", '"viewport/B.h"')
+        self.assert_refused("plugins/devices/falcon/A.cpp", '"window/B.h"')
+        self.assert_refused("plugins/devices/falcon/A.cpp", '"B.h"')
+        self.assert_refused("plugins/devices/falcon/A.h", "<QObject>")
+        self.assert_refused("plugins/devices/falcon/A.cpp", "<QWidget>")
+        self.assert_refused("core/mesh/A.cpp", '"falcon/B.h"')
+        self.assert_refused("app/window/A.cpp", '"io/B.h"')
 
     def test_libraries(self):
         self.assert_allowed("core/mesh/A.cpp", "<CGAL/Surface_mesh.h>")

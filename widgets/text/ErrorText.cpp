@@ -124,6 +124,14 @@ QString whatHappened(const Error& error) {
       return Text::tr("%1 cannot be %2; it must lie between %3 and %4").arg(a, b, c, argument(error, 3));
     case ErrorCode::Unsupported:
       return Text::tr("%1 is not supported").arg(a);
+    case ErrorCode::PluginVersion:
+      return Text::tr("the plugin was made for another version of Handwheel (%1, here %2)").arg(a, b);
+    case ErrorCode::PluginBroken:
+      return Text::tr("the plugin cannot be used (%1)").arg(a);
+    case ErrorCode::DeviceUnreachable:
+      return Text::tr("the device cannot be reached (%1)").arg(a);
+    case ErrorCode::DeviceMute:
+      return Text::tr("the device does not answer as it should (%1)").arg(a);
     case ErrorCode::LibraryFailed:
       return Text::tr("the library %1 gave up (%2)").arg(a, b);
   }
@@ -210,6 +218,13 @@ QString errorAdvice(const Error& error) {
       return Text::tr("Put the missing file where the other one expects it.");
     case ErrorCode::ValueOutOfRange:
       return Text::tr("Enter a value within these limits.");
+    case ErrorCode::PluginVersion:
+    case ErrorCode::PluginBroken:
+      return Text::tr("Install a plugin that was made for this version, or remove the file.");
+    case ErrorCode::DeviceUnreachable:
+      return Text::tr("Check that it is plugged in, that no other program uses it and that you may use it.");
+    case ErrorCode::DeviceMute:
+      return Text::tr("Switch it off and on again, or try another port.");
     case ErrorCode::Unsupported:
     case ErrorCode::LibraryFailed:
       return Text::tr("Export the model in another way or another format.");

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/DevicesCommand.h"
+
+#include "base/NumberText.h"
+#include "cli/Messages.h"
+#include "cli/ReportJson.h"
+
+namespace handwheel {
+
+namespace {
+
+struct Found {
+  DeviceListing listing;
+  DeviceCapabilities capabilities;
+};
+
+// A device that goes between finding and asking is left out.
+std::vector<Found> foundBy(DeviceCatalogue& catalogue) {
+  std::vector<Found> all;
+  for (DeviceListing& listing : catalogue.find()) {
+    const std::unique_ptr<Device> device = catalogue.make(listing.driver, listing.address);
+    if (device) all.push_back({std::move(listing), device->capabilities()});
+  }
+  return all;
+}
+
+nlohmann::ordered_json toJson(const DeviceCapabilities& all) {
+  return {{"inputs", all.inputs},
+          {"outputs", all.outputs},
+          {"buttons", all.buttons},
+          {"max_force_n", all.maxForce},
+          {"max_torque_nmm", all.maxTorque},
+          {"max_stiffness_n_per_mm", all.maxStiffness},
+          {"max_damping_ns_per_mm", all.maxDamping},
+          {"inherent_damping_ns_per_mm", all.inherentDamping},
+          {"workspace_radius_mm", all.workspaceRadius},
+          {"rate_hz", all.nominalRate},
+          {"delay_s", all.delay},
+          {"rate_control", all.isRateControl}};
+}
+
+nlohmann::ordered_json toJson(const PluginListing& plugin) {
+  nlohmann::ordered_json json = {
+      {"file", plugin.file}, {"name", plugin.name}, {"version", plugin.version}, {"driver", plugin.driver}};
+  json["error"] = plugin.error ? nlohmann::ordered_json(sentenceFor(*plugin.error)) : nlohmann::ordered_json();
+  return json;
+}
+
+nlohmann::ordered_json toJson(const DeviceCatalogue& catalogue, const std::vector<Found>& devices) {
+  nlohmann::ordered_json json = {{"drivers", catalogue.drivers()}};
+  json["devices"] = nlohmann::ordered_json::array();
+  for (const auto& [listing, capabilities] : devices) {
+    nlohmann::ordered_json entry = {{"driver", listing.driver}, {"address", listing.address}, {"name", listing.name}};
+    entry["capabilities"] = toJson(capabilities);
+    json["devices"].push_back(std::move(entry));
+  }
+  json["plugins"] = nlohmann::ordered_json::array();
+  for (const PluginListing& plugin : catalogue.plugins()) json["plugins"].push_back(toJson(plugin));
+  return json;
+}
+
+// "6 axes in, 3 driven, up to 8 N, 4 buttons"
+std::string textOf(const DeviceCapabilities& all) {
+  std::string text = std::to_string(all.inputs) + " axes in, ";
+  if (all.outputs > 0) {
+    text += std::to_string(all.outputs) + " driven, up to " + roundedText(all.maxForce) + " N, ";
+  } else {
+    text += "no force, ";
+  }
+  return text + std::to_string(all.buttons) + (all.buttons == 1 ? " button" : " buttons");
+}
+
+std::string readableText(const DeviceCatalogue& catalogue, const std::vector<Found>& devices) {
+  std::string text = "Drivers:";
+  for (const std::string& id : catalogue.drivers()) text += " " + id;
+  text += catalogue.drivers().empty() ? " none\n" : "\n";
+  text += devices.empty() ? "Devices: none found\n" : "Devices:\n";
+  for (const auto& [listing, capabilities] : devices) {
+    text += "  " + listing.name + " (" + listing.driver + ", " + listing.address + "): " + textOf(capabilities) + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+CommandSpec devicesSpec() {
+  return {
+      "devices",
+      "",
+      "Lists the haptic and pointing devices that are plugged in. Also the drivers, and the plugins that they come\n"
+      "from; a plugin that cannot be used is told on stderr.",
+      {
+          {"json", 0, "", "Print the list as JSON"},
+          {"help", 'h', "", "Show this page"},
+      }};
+}
+
+int runDevices(const Arguments& arguments, std::vector<std::unique_ptr<DeviceDriver>> drivers) {
+  DeviceCatalogue catalogue;
+  for (std::unique_ptr<DeviceDriver>& driver : drivers) catalogue.add(std::move(driver));
+  catalogue.load(pluginFolders());
+  for (const PluginListing& plugin : catalogue.plugins()) {
+    if (plugin.error) complain(sentenceFor(*plugin.error));
+  }
+  const std::vector<Found> devices = foundBy(catalogue);
+  return print(arguments.has("json") ? textOf(toJson(catalogue, devices)) : readableText(catalogue, devices));
+}
+
+}  // namespace handwheel

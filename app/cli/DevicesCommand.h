@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/Arguments.h"
+#include "devices/DeviceCatalogue.h"
+
+namespace handwheel {
+
+CommandSpec devicesSpec();
+// drivers: those of the program itself.
+int runDevices(const Arguments& arguments, std::vector<std::unique_ptr<DeviceDriver>> drivers);
+
+}  // namespace handwheel

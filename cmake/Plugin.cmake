@@ -1,0 +1,39 @@
+# SPDX-FileCopyrightText: 2026 The Handwheel developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Plugins are found here, relative to the program: the same in the build folder and where it is installed.
+set(HANDWHEEL_PLUGIN_FOLDER ${CMAKE_INSTALL_LIBDIR}/handwheel/plugins)
+
+# handwheel_device_library(NAME SOURCES file...): the protocol of a device, without its transport: what tests drive. Its
+# headers are reachable as "NAME/Header.h", as those of a room are.
+function(handwheel_device_library NAME)
+  cmake_parse_arguments(ARG "" "" "SOURCES" ${ARGN})
+  set(include_root ${CMAKE_BINARY_DIR}/rooms/${NAME})
+  file(MAKE_DIRECTORY ${include_root})
+  file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${include_root}/${NAME} SYMBOLIC)
+  add_library(device_${NAME} STATIC ${ARG_SOURCES})
+  set_target_properties(device_${NAME} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_include_directories(device_${NAME} PUBLIC ${include_root})
+  target_link_libraries(device_${NAME} PUBLIC hw_base hw_haptics)
+  if(NOT NAME STREQUAL io)
+    target_link_libraries(device_${NAME} PUBLIC device_io)
+  endif()
+  handwheel_warnings(device_${NAME})
+endfunction()
+
+# handwheel_device_plugin(NAME [SOURCES file...] [LIBS lib...]): the plugin on top of it, from Plugin.cpp, with what needs
+# the libraries of the device.
+function(handwheel_device_plugin NAME)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBS" ${ARGN})
+  add_library(plugin_${NAME} MODULE Plugin.cpp ${ARG_SOURCES})
+  set_target_properties(plugin_${NAME} PROPERTIES AUTOMOC ON PREFIX "" OUTPUT_NAME ${NAME}
+    LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/${HANDWHEEL_PLUGIN_FOLDER})
+  if(NOT HANDWHEEL_SANITIZE)
+    target_link_options(plugin_${NAME} PRIVATE -Wl,--no-undefined)
+  endif()
+  target_link_libraries(plugin_${NAME} PRIVATE device_${NAME} Qt6::Core ${ARG_LIBS})
+  handwheel_warnings(plugin_${NAME})
+endfunction()
+
+function(handwheel_install_plugin NAME)
+  install(TARGETS plugin_${NAME} LIBRARY DESTINATION ${HANDWHEEL_PLUGIN_FOLDER})
+endfunction()

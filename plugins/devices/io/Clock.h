@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace handwheel {
+
+// Time as the protocols see it, so that a test can make it pass as it likes. Seconds from any origin, never backwards.
+class Clock {
+ public:
+  virtual ~Clock() = default;
+  virtual double now() noexcept = 0;
+  virtual void sleep(double seconds) noexcept = 0;
+};
+
+class SteadyClock final : public Clock {
+ public:
+  double now() noexcept override;
+  void sleep(double seconds) noexcept override;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "io/Latest.h"
+#include "io/Session.h"
+
+#include <atomic>
+#include <memory>
+#include <thread>
+
+namespace handwheel {
+
+// A device whose line may wait, allocate and parse: its session runs on a thread of its own, and the servo thread only
+// exchanges the newest reading and force with it, without locks. Costs a delay of about one exchange, which the session
+// states in its capabilities. What comes from a device is finite, and no force outlives a servo loop that has stopped.
+class ThreadedDevice final : public Device {
+ public:
+  explicit ThreadedDevice(std::unique_ptr<Session> session);
+  ~ThreadedDevice() override;
+
+  DeviceCapabilities capabilities() const override { return m_session->capabilities(); }
+  Status open(Progress progress) override;
+  void close() noexcept override;
+  DeviceState read() noexcept override;
+  void write(const DeviceForce& force) noexcept override;
+
+ private:
+  void run() noexcept;
+  DeviceForce forceNow() noexcept;
+
+  std::unique_ptr<Session> m_session;
+  Latest<DeviceState> m_states;
+  Latest<DeviceForce> m_forces;
+  std::atomic<std::int64_t> m_writtenAt{0};  // ns of the steady clock
+  std::atomic<bool> m_stop{false};
+  std::atomic<bool> m_open{false};
+  std::thread m_thread;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Program.h"
+
+#include <QTest>
+
+using namespace handwheel;
+
+// With the plugins that the tests have, not those of the program.
+class DevicesTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void cleanup() {
+    qunsetenv("HANDWHEEL_PLUGINS");
+    qunsetenv("HANDWHEEL_EXAMPLE_DEVICE");
+  }
+
+  void listsDriversDevicesAndPlugins() {
+    const Bench bench;
+    bench.put("socket", "x");
+    qputenv("HANDWHEEL_PLUGINS", EXAMPLE_PLUGINS);
+    qputenv("HANDWHEEL_EXAMPLE_DEVICE", (bench.path() + "/socket").toUtf8());
+    const Ran ran = bench.run({"devices", "--json"}, "de_DE.UTF-8");
+    QCOMPARE(ran.code, 0);
+    QVERIFY2(ran.err.isEmpty(), ran.err);
+    const nlohmann::json json = nlohmann::json::parse(ran.out.toStdString());
+    QCOMPARE(json["plugins"].size(), std::size_t(1));
+    QCOMPARE(json["plugins"][0]["name"].get<std::string>(), std::string("Example"));
+    QVERIFY(json["plugins"][0]["error"].is_null());
+    const auto drivers = json["drivers"].get<std::vector<std::string>>();
+    QVERIFY(std::find(drivers.begin(), drivers.end(), "example") != drivers.end());
+    const nlohmann::json& device = json["devices"].back();  // the program's own come first
+    QCOMPARE(device["driver"].get<std::string>(), std::string("example"));
+    QCOMPARE(device["name"].get<std::string>(), std::string("Example device"));
+    QCOMPARE(device["capabilities"]["outputs"].get<int>(), 3);
+    QCOMPARE(device["capabilities"]["max_force_n"].get<double>(), 5.0);
+
+    const Ran readable = bench.run({"devices"});
+    QCOMPARE(readable.code, 0);
+    QVERIFY2(readable.out.contains("Example device (example, "), readable.out);
+    QVERIFY2(readable.out.contains("3 axes in, 3 driven, up to 5 N, 0 buttons"), readable.out);
+  }
+
+  void aPluginOfAnotherVersionIsToldAndTheRestGoesOn() {
+    const Bench bench;
+    qputenv("HANDWHEEL_PLUGINS", OLD_PLUGINS ":" EXAMPLE_PLUGINS);
+    const Ran ran = bench.run({"devices", "--json"});
+    QCOMPARE(ran.code, 0);
+    QVERIFY2(ran.err.contains("another version of Handwheel (handwheel.device/0, here "), ran.err);
+    const nlohmann::json json = nlohmann::json::parse(ran.out.toStdString());
+    QCOMPARE(json["plugins"].size(), std::size_t(2));
+    QVERIFY(json["plugins"][0]["error"].is_string());
+    QCOMPARE(json["plugins"][0]["driver"].get<std::string>(), std::string());
+    QCOMPARE(json["plugins"][1]["driver"].get<std::string>(), std::string("example"));
+  }
+
+  void withoutPluginsItSaysSo() {
+    const Bench bench;
+    qputenv("HANDWHEEL_PLUGINS", "/nowhere");
+    const Ran ran = bench.run({"devices", "--json"});
+    QCOMPARE(ran.code, 0);
+    QVERIFY(nlohmann::json::parse(ran.out.toStdString())["plugins"].empty());
+  }
+};
+
+QTEST_GUILESS_MAIN(DevicesTest)
+#include "DevicesTest.moc"
