@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "example/ExampleEmulator.h"
+#include "spacemouse/SpaceMouseEmulator.h"
 
 #include <QtTest>
 #include <cmath>
@@ -48,6 +49,8 @@ class DeviceContractTest : public QObject {
   void initTestCase_data() {
     QTest::addColumn<MakeSubject>("make");
     QTest::newRow("example") << &exampleSubject;
+    QTest::newRow("spacemouse, HID") << &spaceMouseHidSubject;
+    QTest::newRow("spacemouse, spacenavd") << &spaceNavSubject;
   }
 
   void init() {

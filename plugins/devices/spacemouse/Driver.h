@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/Device.h"
+#include "spacemouse/HidSession.h"
+
+#include <map>
+#include <optional>
+
+namespace handwheel::spacemouse {
+
+// What the driver needs of a HID library.
+struct Hid {
+  struct Entry {
+    std::string path;
+    std::string name;
+    int buttons = 0;
+  };
+  std::function<std::vector<Entry>()> find;  // devices with six axes
+  std::function<Result<std::unique_ptr<HidTransport>>(const std::string& path)> open;
+};
+
+// One device by spacenavd's socket where the daemon runs, else each by its HID reports. Never both: the daemon reads
+// the same devices, and every movement would count twice.
+class Driver final : public DeviceDriver {
+ public:
+  explicit Driver(Hid hid, std::vector<std::string> sockets = {"/run/spnav.sock", "/var/run/spnav.sock"})
+      : m_hid(std::move(hid)), m_sockets(std::move(sockets)), m_clock(std::make_shared<SteadyClock>()) {}
+
+  std::string id() const override { return "spacemouse"; }
+  std::vector<DeviceListing> find() override;
+  std::unique_ptr<Device> make(const std::string& address) override;
+
+ private:
+  std::optional<std::string> daemon();  // the socket that somebody listens on
+  bool answers(const std::string& path);
+
+  // A socket file, and whether somebody listened there. Asking anew would switch the lamp of the device on and off.
+  struct Asked {
+    std::string identity;
+    double at = 0.0;
+    bool listening = false;
+  };
+
+  Hid m_hid;
+  std::vector<std::string> m_sockets;
+  std::shared_ptr<Clock> m_clock;
+  std::map<std::string, Asked> m_asked;
+};
+
+}  // namespace handwheel::spacemouse

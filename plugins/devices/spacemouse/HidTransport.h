@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "io/ByteStream.h"
+
+namespace handwheel {
+
+// Reports of a HID device, whole: each read gives one, each write takes one.
+class HidTransport {
+ public:
+  virtual ~HidTransport() = default;
+  // The length of the report, its number first; 0: none came in time; kGone.
+  virtual std::ptrdiff_t read(std::span<std::uint8_t> into, double timeout) noexcept = 0;
+  virtual bool write(std::span<const std::uint8_t> report) noexcept = 0;
+};
+
+}  // namespace handwheel

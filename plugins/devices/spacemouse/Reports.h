@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "spacemouse/Motion.h"
+
+#include <optional>
+#include <span>
+
+namespace handwheel::spacemouse {
+
+// What HID reports have said so far. Any bytes may come; what is no report of these devices changes nothing.
+class Reports {
+ public:
+  // One report, its number first. True when it moved the axes, even to where they were.
+  bool take(std::span<const std::uint8_t> report);
+  void rest() { m_counts = {}; }
+
+  const Counts& counts() const { return m_counts; }
+  std::uint32_t buttons() const { return m_buttons; }
+  std::optional<int> batteryPercent() const { return m_battery; }
+
+ private:
+  bool takeMotion(std::span<const std::uint8_t> axes);
+  void takeBitmap(std::span<const std::uint8_t> bitmap);
+  void takeNumbers(std::span<const std::uint8_t> numbers);
+
+  Counts m_counts;
+  std::uint32_t m_buttons = 0;
+  std::optional<int> m_battery;
+};
+
+}  // namespace handwheel::spacemouse

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "io/ByteStream.h"
+#include "io/Session.h"
+#include "spacemouse/SocketRecords.h"
+
+#include <functional>
+#include <memory>
+
+namespace handwheel::spacemouse {
+
+// A SpaceMouse by way of spacenavd. The kernel passes it only changes, so a cap that is held still says nothing: it
+// stays where it was until the daemon tells otherwise or goes.
+class SocketSession final : public Session {
+ public:
+  using Connect = std::function<Result<std::unique_ptr<ByteStream>>()>;
+  explicit SocketSession(Connect connect) : m_connect(std::move(connect)) {}
+
+  DeviceCapabilities capabilities() const override { return capabilitiesWith(32); }  // whichever device it is
+  Status open(Progress progress) override;
+  DeviceState exchange(const DeviceForce& force) noexcept override;
+  void close() noexcept override { m_stream.reset(); }
+
+ private:
+  Connect m_connect;
+  std::unique_ptr<ByteStream> m_stream;  // null: not open, or gone
+  SocketRecords m_records;
+};
+
+}  // namespace handwheel::spacemouse
