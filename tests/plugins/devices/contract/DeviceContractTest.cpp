@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "example/ExampleEmulator.h"
+#include "falcon/FalconEmulator.h"
 #include "spacemouse/SpaceMouseEmulator.h"
 
 #include <QtTest>
@@ -49,6 +50,7 @@ class DeviceContractTest : public QObject {
   void initTestCase_data() {
     QTest::addColumn<MakeSubject>("make");
     QTest::newRow("example") << &exampleSubject;
+    QTest::newRow("falcon") << &falconSubject;
     QTest::newRow("spacemouse, HID") << &spaceMouseHidSubject;
     QTest::newRow("spacemouse, spacenavd") << &spaceNavSubject;
   }

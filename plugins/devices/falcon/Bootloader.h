@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "base/Result.h"
+#include "falcon/FtdiPort.h"
+#include "io/Clock.h"
+
+#include <vector>
+
+namespace handwheel::falcon {
+
+using Firmware = std::vector<std::uint8_t>;
+
+// Whether firmware runs already: it stays until the power goes. Leaves the port in running mode. False also when gone.
+bool runs(FtdiPort& port, Clock& clock) noexcept;
+
+// Loads the firmware, which often fails and is tried ten times. Leaves the port in running mode.
+// Errors: Cancelled, DeviceUnreachable (gone), DeviceMute (what it did not answer).
+Status loadFirmware(FtdiPort& port, Clock& clock, const Firmware& firmware, Progress progress);
+
+}  // namespace handwheel::falcon

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "falcon/UsbTransport.h"
+
+#include <memory>
+
+namespace handwheel::falcon {
+
+// The serial line behind the Falcon's FTDI chip.
+class FtdiPort {
+ public:
+  explicit FtdiPort(std::unique_ptr<UsbTransport> usb) : m_usb(std::move(usb)) {}
+
+  // 9600 baud, 8N1, no flow control, RTS low, DTR pulsed: the bootloader listens.
+  bool toBootloader() noexcept;
+  bool toFirmwareLoad() noexcept;  // 142,857 baud, DTR low
+  bool toRunning() noexcept;       // 1.5 Mbaud, answers within 1 ms
+
+  bool write(std::span<const std::uint8_t> bytes) noexcept { return m_usb->write(bytes); }
+  // What came, without the chip's two status bytes at the head of each 64-byte packet. 0: nothing in time; kGone.
+  std::ptrdiff_t read(std::span<std::uint8_t> into, double timeout) noexcept;
+  bool isGone() const noexcept { return m_usb->isGone(); }
+
+ private:
+  bool purge() noexcept;
+
+  std::unique_ptr<UsbTransport> m_usb;
+};
+
+}  // namespace handwheel::falcon

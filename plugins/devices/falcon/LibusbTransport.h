@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Result.h"
+#include "falcon/UsbTransport.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+struct libusb_context;
+
+namespace handwheel::falcon {
+
+// libusb with the Falcons that it finds. An address is "bus-port.port": the same for as long as the plug stays where it
+// is.
+class Usb {
+ public:
+  Usb();
+  std::vector<std::string> find() const;
+  // Takes the interface, from the kernel's serial driver if need be. Error: DeviceUnreachable with libusb's reason.
+  Result<std::unique_ptr<UsbTransport>> open(const std::string& address) const;
+
+ private:
+  std::shared_ptr<libusb_context> m_context;  // null when libusb could not start; then it finds nothing
+};
+
+}  // namespace handwheel::falcon

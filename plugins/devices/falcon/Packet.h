@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "falcon/Kinematics.h"
+
+#include <cstdint>
+#include <span>
+
+namespace handwheel::falcon {
+
+inline constexpr std::size_t kPacketSize = 16;
+using PacketBytes = std::array<std::uint8_t, kPacketSize>;
+
+// Bits of the byte that the host sends beside the torques.
+enum Light : std::uint8_t { kHoming = 1, kGreen = 2, kBlue = 4, kRed = 8 };
+
+// "<", three signed 16-bit torques by nibbles, lowest first, the lights, "A", ">"; each nibble is 'A' plus its value.
+PacketBytes encode(const Counts& torques, std::uint8_t lights);
+
+struct Reading {
+  Counts encoders{};
+  std::uint8_t buttons = 0;  // bits: plus, forward, centre, minus
+  std::uint8_t homed = 0;    // bits 0…2: the arms that know where they are
+
+  bool isHomed() const { return homed == 7; }
+};
+
+// Finds the answers in what comes in, whatever was lost: an answer begins with "<", ends with ">" 15 bytes later, and
+// has nothing but nibbles where the encoders are. Bytes that belong to none are passed over.
+class AnswerReader {
+ public:
+  // How many answers these bytes completed; reading() is the last.
+  int take(std::span<const std::uint8_t> bytes);
+  void clear() { m_filled = 0; }
+  const Reading& reading() const { return m_reading; }
+
+ private:
+  void dropToNextStart();
+
+  PacketBytes m_partial{};
+  std::size_t m_filled = 0;
+  Reading m_reading;
+};
+
+}  // namespace handwheel::falcon

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "falcon/Session.h"
+
+namespace handwheel::falcon {
+
+namespace {
+
+constexpr double kMillimetre = 1e-3;   // m
+constexpr double kAnswerTime = 0.004;  // s; it answers within one or two frames of the bus
+constexpr double kSilence = 0.1;       // s without an answer, and it has failed
+constexpr int kFarewells = 3;          // zero packets on leaving: what it does when none come is not known
+
+}  // namespace
+
+DeviceCapabilities Session::capabilities() const {
+  DeviceCapabilities all;
+  all.buttons = 4;
+  all.maxForce = 8.0;
+  all.maxStiffness = 3.0;
+  all.maxDamping = 0.020;
+  all.workspaceRadius = 40.0;
+  all.inherentDamping = 0.0005;
+  all.delay = 0.002;  // a packet out and one in, each in a frame of the bus
+  return all;
+}
+
+Status Session::open(Progress progress) {
+  auto usb = m_connect();
+  if (!usb) return usb.error();
+  m_port = std::make_unique<FtdiPort>(std::move(usb.value()));
+  m_answers.clear();
+  m_state = {};
+  m_state.status = DeviceStatus::Starting;
+  m_point = kHome;
+  if (!runs(*m_port, *m_clock) && !m_port->isGone()) {
+    const Result<Firmware> firmware = m_readFirmware();
+    if (!firmware) return firmware.error();
+    const Status loaded = loadFirmware(*m_port, *m_clock, *firmware, progress);
+    if (!loaded) return loaded;
+  }
+  m_lastAnswer = m_clock->now();
+  return Done{};
+}
+
+DeviceState Session::exchange(const DeviceForce& force) noexcept {
+  if (!m_port) return {};
+  const bool homed = m_state.status == DeviceStatus::Ready;
+  const std::uint8_t lights = homed ? kGreen : kHoming | kRed;
+  if (converse(homed ? torquesFor(force.force) : Counts{}, lights)) {
+    m_lastAnswer = m_clock->now();
+    understand();
+  } else if (m_port->isGone()) {
+    m_port.reset();
+    return {};
+  } else if (m_clock->now() - m_lastAnswer > kSilence) {
+    m_state.status = DeviceStatus::Failed;
+  }
+  return m_state;
+}
+
+void Session::close() noexcept {
+  for (int i = 0; m_port && !m_port->isGone() && i < kFarewells; ++i) (void)converse({}, kHoming | kRed);
+  m_port.reset();
+}
+
+// One packet out, one in. An answer that comes late is taken with the next.
+bool Session::converse(const Counts& torques, std::uint8_t lights) noexcept {
+  if (!m_port->write(encode(torques, lights))) return false;
+  std::array<std::uint8_t, 256> bytes{};
+  const double end = m_clock->now() + kAnswerTime;
+  do {
+    const std::ptrdiff_t count = m_port->read(bytes, end - m_clock->now());
+    if (count == kGone) return false;
+    if (m_answers.take(std::span(bytes).first(static_cast<std::size_t>(count))) > 0) return true;
+  } while (m_clock->now() < end);
+  return false;
+}
+
+Counts Session::torquesFor(const Vec3& force) const noexcept {
+  return torqueCounts(torques(force, m_point));
+}
+
+// The pose that the last answer tells. Angles that the mechanism cannot take are a fault of the line.
+void Session::understand() noexcept {
+  const Reading& reading = m_answers.reading();
+  m_state.buttons = reading.buttons;
+  m_state.status = reading.isHomed() ? DeviceStatus::Ready : DeviceStatus::NeedsHoming;
+  if (!reading.isHomed()) return;
+  const Angles angles = anglesOf(reading.encoders);
+  std::optional<Vec3> point = forward(angles, m_point);
+  if (!point) point = forward(angles, kHome);
+  if (!point) {
+    m_state.status = DeviceStatus::Failed;
+    return;
+  }
+  m_point = *point;
+  m_state.position = (m_point - kCentre) / kMillimetre;
+}
+
+}  // namespace handwheel::falcon

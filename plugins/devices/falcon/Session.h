@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "falcon/Bootloader.h"
+#include "falcon/Packet.h"
+#include "io/Session.h"
+
+#include <functional>
+
+namespace handwheel::falcon {
+
+// A Falcon from its port to the servo loop. No torque is sent before all three arms are homed: until then it does not
+// know where it is, and its position leaps when it does. The user pulls the grip out and pushes it in; the light is red
+// till then.
+class Session final : public handwheel::Session {
+ public:
+  using Connect = std::function<Result<std::unique_ptr<UsbTransport>>()>;
+  using ReadFirmware = std::function<Result<Firmware>()>;  // called only when the device has none
+  Session(Connect connect, ReadFirmware readFirmware, std::shared_ptr<Clock> clock)
+      : m_connect(std::move(connect)), m_readFirmware(std::move(readFirmware)), m_clock(std::move(clock)) {}
+
+  DeviceCapabilities capabilities() const override;
+  Status open(Progress progress) override;
+  DeviceState exchange(const DeviceForce& force) noexcept override;
+  void close() noexcept override;
+
+ private:
+  bool converse(const Counts& torques, std::uint8_t lights) noexcept;  // whether an answer came
+  Counts torquesFor(const Vec3& force) const noexcept;
+  void understand() noexcept;
+
+  Connect m_connect;
+  ReadFirmware m_readFirmware;
+  std::shared_ptr<Clock> m_clock;
+  std::unique_ptr<FtdiPort> m_port;  // null: not open, or gone
+  AnswerReader m_answers;
+  DeviceState m_state;
+  Vec3 m_point = kHome;  // m, in the mechanism's frame
+  double m_lastAnswer = 0.0;
+};
+
+}  // namespace handwheel::falcon
