@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "falcon/Session.h"
 
+#include "io/Capabilities.h"
+
 namespace handwheel::falcon {
 
 namespace {
@@ -20,7 +22,7 @@ DeviceCapabilities Session::capabilities() const {
   all.maxStiffness = 3.0;
   all.maxDamping = 0.020;
   all.workspaceRadius = 40.0;
-  all.inherentDamping = 0.0005;
+  all.inherentDamping = dampingBehind(all.maxStiffness, all.nominalRate);
   all.delay = 0.002;  // a packet out and one in, each in a frame of the bus
   return all;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "example/ExampleEmulator.h"
 #include "falcon/FalconEmulator.h"
+#include "haply/HaplyEmulator.h"
 #include "spacemouse/SpaceMouseEmulator.h"
 
 #include <QtTest>
@@ -51,6 +52,7 @@ class DeviceContractTest : public QObject {
     QTest::addColumn<MakeSubject>("make");
     QTest::newRow("example") << &exampleSubject;
     QTest::newRow("falcon") << &falconSubject;
+    QTest::newRow("haply") << &haplySubject;
     QTest::newRow("spacemouse, HID") << &spaceMouseHidSubject;
     QTest::newRow("spacemouse, spacenavd") << &spaceNavSubject;
   }

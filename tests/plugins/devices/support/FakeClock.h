@@ -5,6 +5,7 @@
 #include "io/Clock.h"
 
 #include <atomic>
+#include <cmath>
 
 namespace handwheel {
 
@@ -12,7 +13,7 @@ namespace handwheel {
 class FakeClock final : public Clock {
  public:
   double now() noexcept override { return static_cast<double>(m_microseconds.load()) * 1e-6; }
-  void sleep(double seconds) noexcept override { m_microseconds += static_cast<long long>(seconds * 1e6); }
+  void sleep(double seconds) noexcept override { m_microseconds += static_cast<long long>(std::ceil(seconds * 1e6)); }
 
  private:
   std::atomic<long long> m_microseconds{0};

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haply/Session.h"
+
+#include "io/Capabilities.h"
+
+namespace handwheel::haply {
+
+namespace {
+
+constexpr double kAnswerTime = 0.01;    // s
+constexpr double kInventoryTime = 2.0;  // s
+constexpr double kSilence = 0.1;        // s without a frame that makes sense, and it has failed
+
+}  // namespace
+
+DeviceCapabilities Session::capabilities() const {
+  DeviceCapabilities all;
+  all.inputs = m_hasGrip ? 6 : 3;
+  all.buttons = 3;
+  all.maxForce = 10.0;
+  all.maxStiffness = 1.0;
+  all.maxDamping = 0.006;
+  all.workspaceRadius = 150.0;
+  all.inherentDamping = dampingBehind(all.maxStiffness, all.nominalRate);
+  all.delay = 0.002;
+  return all;
+}
+
+Status Session::open(Progress) {
+  auto stream = m_connect();
+  if (!stream) return stream.error();
+  auto socket = WebSocket::open(std::move(stream.value()), m_clock, "localhost");
+  if (!socket) return socket.error();
+  m_socket = std::move(socket.value());
+  m_state = {};
+  m_state.status = DeviceStatus::Starting;
+  (void)m_socket->send(greeting());
+  const std::optional<std::string> inventory = m_socket->receive(kInventoryTime);
+  const std::optional<Frame> frame = inventory ? readFrame(*inventory) : std::nullopt;
+  if (!frame) return Error{ErrorCode::DeviceMute, {"an inventory with an Inverse3"}, {}, "Haply Inverse3"};
+  m_deviceId = frame->deviceId;
+  m_hasGrip = frame->orientation.has_value();
+  m_lastAnswer = m_clock->now();
+  m_asked = m_socket->send(centring(m_deviceId));
+  return Done{};
+}
+
+DeviceState Session::exchange(const DeviceForce& force) noexcept {
+  if (!m_socket) return {};
+  const bool late = m_clock->now() - m_lastAnswer > kSilence;
+  if (!m_asked || late) m_asked = m_socket->send(forceCommand(m_deviceId, force.force));
+  const std::optional<std::string> text = m_socket->receive(kAnswerTime);
+  if (text) m_asked = false;
+  if (const std::optional<Frame> frame = text ? readFrame(*text) : std::nullopt) {
+    m_lastAnswer = m_clock->now();
+    understand(*frame);
+  } else if (late) {
+    m_state.status = DeviceStatus::Failed;
+  }
+  if (!m_socket->isGone()) return m_state;
+  m_socket.reset();
+  return {};
+}
+
+// Commands do not outlive the message after them, so the service itself lets go when nothing more comes; this is
+// sooner.
+void Session::close() noexcept {
+  if (m_socket && !m_deviceId.empty()) (void)m_socket->send(forceCommand(m_deviceId, Vec3::Zero()));
+  if (m_socket) m_socket->sayGoodbye();
+  m_socket.reset();
+}
+
+void Session::understand(const Frame& frame) {
+  if (!frame.position) return;
+  m_state.position = *frame.position;
+  m_state.hasVelocity = frame.velocity.has_value();
+  m_state.velocity = frame.velocity.value_or(Vec3::Zero());
+  if (frame.orientation) m_state.orientation = *frame.orientation;
+  m_state.buttons = frame.buttons;
+  m_state.status = frame.isCalibrated ? DeviceStatus::Ready : DeviceStatus::NeedsHoming;
+}
+
+}  // namespace handwheel::haply

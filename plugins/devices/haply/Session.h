@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haply/Messages.h"
+#include "haply/WebSocket.h"
+#include "io/Session.h"
+
+#include <functional>
+
+namespace handwheel::haply {
+
+// The service answers each message with one frame, and sends none by itself: so each exchange is one message and one
+// frame. An answer that is late is waited for before the next question, or answers and questions would stay out of step
+// for good.
+class Session final : public handwheel::Session {
+ public:
+  using Connect = std::function<Result<std::unique_ptr<ByteStream>>()>;
+  Session(Connect connect, std::shared_ptr<Clock> clock) : m_connect(std::move(connect)), m_clock(std::move(clock)) {}
+
+  DeviceCapabilities capabilities() const override;
+  Status open(Progress progress) override;
+  DeviceState exchange(const DeviceForce& force) noexcept override;
+  void close() noexcept override;
+
+ private:
+  void understand(const Frame& frame);
+
+  Connect m_connect;
+  std::shared_ptr<Clock> m_clock;
+  std::unique_ptr<WebSocket> m_socket;  // null: not open, or gone
+  std::string m_deviceId;
+  bool m_hasGrip = false;
+  bool m_asked = false;  // and not answered
+  double m_lastAnswer = 0.0;
+  DeviceState m_state;
+};
+
+}  // namespace handwheel::haply

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace handwheel {
+
+// Makers do not publish the inherent damping of their devices, N·s/mm. But a wall of the stiffness (N/mm) that they
+// state, at their rate (Hz), can only be passive with at least this much (eq. 2-1): b = K·T/2.
+constexpr double dampingBehind(double stiffness, double rate) {
+  return 0.5 * stiffness / rate;
+}
+
+}  // namespace handwheel
