@@ -3,6 +3,7 @@
 #include "example/ExampleEmulator.h"
 #include "falcon/FalconEmulator.h"
 #include "haply/HaplyEmulator.h"
+#include "polhem/PolhemEmulator.h"
 #include "spacemouse/SpaceMouseEmulator.h"
 
 #include <QtTest>
@@ -53,6 +54,7 @@ class DeviceContractTest : public QObject {
     QTest::newRow("example") << &exampleSubject;
     QTest::newRow("falcon") << &falconSubject;
     QTest::newRow("haply") << &haplySubject;
+    QTest::newRow("polhem") << &polhemSubject;
     QTest::newRow("spacemouse, HID") << &spaceMouseHidSubject;
     QTest::newRow("spacemouse, spacenavd") << &spaceNavSubject;
   }

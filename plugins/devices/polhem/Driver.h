@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/Device.h"
+
+namespace handwheel::polhem {
+
+// Serial lines of the board that the Polhem is built on, a Teensy (USB 16c0:0483). Other things are built on it, too: a
+// line is opened only when the user chooses it. HANDWHEEL_POLHEM_PORT names one that is none of these.
+class Driver final : public DeviceDriver {
+ public:
+  explicit Driver(std::string sysfs = "/sys/class/tty", std::string dev = "/dev")
+      : m_sysfs(std::move(sysfs)), m_dev(std::move(dev)) {}
+
+  std::string id() const override { return "polhem"; }
+  std::vector<DeviceListing> find() override;
+  std::unique_ptr<Device> make(const std::string& address) override;
+
+ private:
+  std::string m_sysfs;
+  std::string m_dev;
+};
+
+}  // namespace handwheel::polhem

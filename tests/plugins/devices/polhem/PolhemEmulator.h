@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ContractSubject.h"
+#include "FakeStream.h"
+#include "io/ThreadedDevice.h"
+#include "polhem/Session.h"
+
+#include <cstdio>
+#include <sstream>
+#include <string>
+
+namespace handwheel {
+
+// The board of a Polhem: a line in, a line out, written with the format that its firmware uses.
+struct PolhemEmulator final : Peer {
+  double place[3] = {-59.276, 13.383, -148.002};
+  double angles[4] = {0.0919, -1.8483, 1.0370, -1.9512};
+  int booting = 0;  // lines that it does not hear yet
+  bool stalled = false;
+  std::size_t loses = 0;  // bytes from the middle of each line
+  std::optional<Vec3> force;
+
+  void receive(std::span<const std::uint8_t> bytes) override {
+    m_in.append(bytes.begin(), bytes.end());
+    for (std::size_t end = m_in.find('\n'); end != std::string::npos; end = m_in.find('\n')) {
+      heed(m_in.substr(0, end));
+      m_in.erase(0, end + 1);
+    }
+  }
+
+  std::string line() const {
+    char text[128];
+    const int length = std::snprintf(text, sizeof(text), "% 8.3f % 8.3f % 8.3f % 7.4f % 7.4f % 7.4f % 7.4f %d\n",
+                                     place[0], place[1], place[2], angles[0], angles[1], angles[2], angles[3], 0);
+    std::string padded(text, static_cast<std::size_t>(length));
+    padded.resize(62, ' ');
+    return padded + '\n';
+  }
+
+ private:
+  void heed(const std::string& text) {
+    if (text.size() != 62) return;
+    std::istringstream words(text);
+    int numbers[7] = {};
+    for (int& number : numbers) words >> number;
+    if (!words || numbers[3] != 2) return;
+    if (booting-- > 0) return;
+    force = 1e-3 * Vec3(numbers[0], numbers[1], numbers[2]);
+    std::string answer = line();
+    answer.erase(20, loses);
+    if (!stalled) toHost.insert(toHost.end(), answer.begin(), answer.end());
+  }
+
+  std::string m_in;
+};
+
+inline ContractSubject polhemSubject() {
+  const auto peer = std::make_shared<PolhemEmulator>();
+  const auto clock = std::make_shared<FakeClock>();
+  const auto connect = [=]() -> Result<std::unique_ptr<ByteStream>> {
+    return std::unique_ptr<ByteStream>(std::make_unique<FakeStream>(peer, clock));
+  };
+  return {
+      [=] { return std::make_unique<ThreadedDevice>(std::make_unique<polhem::Session>(connect, clock)); },
+      [=] {
+        const std::lock_guard lock(peer->mutex);
+        peer->gone = true;
+      },
+      [=] {
+        const std::lock_guard lock(peer->mutex);
+        for (const char c : std::string("nan inf 1e999 1e5 0 0 0 0                                        1\n\xff\n")) {
+          peer->toHost.push_back(static_cast<std::uint8_t>(c));
+        }
+      },
+      [=]() -> std::optional<Vec3> {
+        const std::lock_guard lock(peer->mutex);
+        if (!peer->force) return {};
+        return Vec3(peer->force->y(), peer->force->z(), peer->force->x());
+      }};
+}
+
+}  // namespace handwheel
