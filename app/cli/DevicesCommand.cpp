@@ -36,7 +36,7 @@ nlohmann::ordered_json toJson(const DeviceCapabilities& all) {
           {"inherent_damping_ns_per_mm", all.inherentDamping},
           {"workspace_radius_mm", all.workspaceRadius},
           {"rate_hz", all.nominalRate},
-          {"delay_s", all.delay},
+          {"latency_s", all.latency},
           {"rate_control", all.isRateControl}};
 }
 

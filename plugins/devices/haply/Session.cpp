@@ -23,7 +23,7 @@ DeviceCapabilities Session::capabilities() const {
   all.maxDamping = 0.006;
   all.workspaceRadius = 150.0;
   all.inherentDamping = dampingBehind(all.maxStiffness, all.nominalRate);
-  all.delay = 0.002;
+  all.latency = 0.002;
   return all;
 }
 

@@ -31,7 +31,7 @@ DeviceCapabilities Session::capabilities() const {
   all.maxDamping = 0.003;
   all.workspaceRadius = 100.0;
   all.inherentDamping = dampingBehind(all.maxStiffness, all.nominalRate);
-  all.delay = 0.002;
+  all.latency = 0.002;
   return all;
 }
 

@@ -33,7 +33,7 @@ DeviceCapabilities capabilitiesWith(int buttons) {
   all.buttons = buttons;
   all.workspaceRadius = kTravel;
   all.nominalRate = 62.5;
-  all.delay = 0.016;
+  all.latency = 0.016;
   all.isRateControl = true;
   return all;
 }

@@ -82,7 +82,7 @@ class DeviceContractTest : public QObject {
     QVERIFY(all.outputs == 0 || all.outputs == 3 || all.outputs == 6 || all.outputs == 7);
     QVERIFY(all.buttons >= 0 && all.buttons <= 32);
     for (const double value : {all.maxForce, all.maxTorque, all.maxGripperForce, all.maxStiffness,
-                               all.maxAngularStiffness, all.maxDamping, all.inherentDamping, all.delay}) {
+                               all.maxAngularStiffness, all.maxDamping, all.inherentDamping, all.latency}) {
       QVERIFY(std::isfinite(value) && value >= 0.0);
     }
     QVERIFY(all.workspaceRadius > 0.0 && all.workspaceRadius < 1e4);
