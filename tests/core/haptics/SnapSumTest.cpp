@@ -80,7 +80,7 @@ void SnapSumTest::isTheSum() {
 }
 
 void SnapSumTest::continuousAcrossOneFeature() {
-  const double ls = 1.5, step = 0.1 * 1e-3;  // 100 mm/s at 1 kHz, a tenth of it
+  const double ls = 1.5;
   std::mt19937 random(5);
   SnapSum sum;
   for (const Simplex& s : eachKind()) {
@@ -88,11 +88,12 @@ void SnapSumTest::continuousAcrossOneFeature() {
     for (int line = 0; line < 10; ++line) {
       const Vec3 from = s.corners[0] + randomIn(random, 2.5), through = s.corners.back() + randomIn(random, 0.4);
       const Vec3 to = 2.0 * through - from;
-      const int steps = static_cast<int>((to - from).norm() / step) + 1;
+      // At 1 kHz: a careful hand at 2 mm/s, a quick one at 100.
+      const int steps = static_cast<int>((to - from).norm() / (line % 2 ? 0.1 : 0.002)) + 1;
       for (const SnapShape shape : kSmoothShapes) {
         const SnapProfile profile(shape, kStiffness, ls);
         const Jump jump = sweep(from, to, steps, [&](const Vec3& p) { return sum.step(field, profile, p).force; });
-        QVERIFY(jump.peak > 0.3 * profile.peak());  // it did go through
+        QVERIFY(jump.peak > 0.1 * profile.peak());  // it did go through
         QVERIFY(jump.largest <= slopeByEquation(shape) * kStiffness * (to - from).norm() / steps * (1.0 + 1e-9));
       }
     }
