@@ -6,6 +6,7 @@
 #include "cli/ConvertCommand.h"
 #include "cli/DecimateCommand.h"
 #include "cli/DevicesCommand.h"
+#include "cli/FeelCommand.h"
 #include "cli/InspectCommand.h"
 #include "cli/Interrupt.h"
 #include "cli/MeasureCommand.h"
@@ -55,6 +56,7 @@ std::vector<Command> commands() {
       {pictureSpec(), runPicture}, {newSpec(), runNew},         {setSpec(), runSet},
       {measureSpec(), runMeasure}, {compareSpec(), runCompare}, {decimateSpec(), runDecimate},
       {splitSpec(), runSplit},     {mergeSpec(), runMerge},     {devicesSpec(), runOnDevices},
+      {feelSpec(), runFeel},
   };
 }
 

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/SceneForces.h"
+
+#include <algorithm>
+
+namespace handwheel {
+
+SceneForces::SceneForces(SceneFeel feel)
+    : m_feel(std::move(feel)), m_snapSum(m_feel.snap ? m_feel.snap->most : SnapSum::kMost) {}
+
+void SceneForces::follow(const ForceSource& previous) noexcept {
+  const auto* other = dynamic_cast<const SceneForces*>(&previous);
+  if (!other || !other->m_isPlaced) return;
+  m_god = other->m_god;
+  m_snapProxy = other->m_snapProxy;
+  m_isPlaced = true;
+  if (m_feel.surface) m_god.surfaceChanged(m_feel.surface->surface);
+}
+
+void SceneForces::tick(const TipState& tip, ForceOut& out) noexcept {
+  if (tip.isRestart || !m_isPlaced) {
+    m_god.place(tip.position);
+    m_snapProxy.release();
+    m_isPlaced = true;
+  }
+  touch(tip);
+  snap(tip);
+  const Contact& contact = m_god.contact();
+  out.isContact = m_feel.surface && contact.touching;
+  if (out.isContact) {
+    out.proxy = contact.proxy;
+  } else if (m_feel.snap) {
+    out.proxy = m_pull.proxy;
+  }
+
+  const double wanted = out.isContact ? m_feel.surface->damping : 0.0;
+  // Half of what the device can carry leaves as much for the springs.
+  const double damping = std::min(wanted, 0.5 * tip.dampingLimit);
+  const double room = damping > 0.0 ? 1.0 - damping / tip.dampingLimit : 1.0;
+  const double stiff = slope();
+  const double most = tip.stiffnessLimit * room;
+  const double share = stiff > most ? most / stiff : 1.0;
+  out.stiffness = share * stiff;
+  out.isSoftened = share < 1.0 || damping < wanted;
+  out.force = share * springForce(tip.position);
+  if (out.isContact) {
+    const double stiffness = share * m_feel.surface->stiffness;
+    out.force += contactForce(contact, tip.position, tip.velocity, stiffness, damping);
+  }
+}
+
+void SceneForces::touch(const TipState& tip) {
+  if (m_feel.surface) m_god.follow(m_feel.surface->surface, tip.position, m_feel.surface->contact);
+}
+
+void SceneForces::snap(const TipState& tip) {
+  if (!m_feel.snap) return;
+  const SnapFeel& feel = *m_feel.snap;
+  m_pull = feel.method == SnapMethod::Proxy ? m_snapProxy.step(feel.field, feel.profile, tip.position)
+                                            : m_snapSum.step(feel.field, feel.profile, tip.position);
+}
+
+// N/mm: a bound of |dF/dx| of all that acts.
+double SceneForces::slope() const {
+  double sum = m_feel.surface && m_god.contact().touching ? m_feel.surface->stiffness : 0.0;
+  if (m_feel.snap) sum += m_pull.slope;
+  for (const SpringFeel& spring : m_feel.springs) sum += spring.stiffness;
+  return sum;
+}
+
+Vec3 SceneForces::springForce(const Vec3& tip) const {
+  Vec3 sum = m_feel.snap ? m_pull.force : Vec3(Vec3::Zero());
+  for (const SpringFeel& spring : m_feel.springs) sum += spring.stiffness * (spring.target - tip);
+  return sum;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/ForceSource.h"
+#include "haptics/GodObject.h"
+#include "haptics/SnapProxy.h"
+#include "haptics/SnapSum.h"
+
+#include <optional>
+#include <vector>
+
+namespace handwheel {
+
+// A surface that can be touched, and how it feels.
+struct SurfaceFeel {
+  ContactSurface surface;
+  double stiffness = 0.5;  // N/mm
+  double damping = 0.0;    // N·s/mm, along the normal
+  ContactOptions contact;
+};
+
+enum class SnapMethod { Proxy, Sum };
+
+// Features that draw the tip to them.
+struct SnapFeel {
+  SnapField field;
+  SnapProfile profile;
+  SnapMethod method = SnapMethod::Proxy;
+  std::size_t most = SnapSum::kMost;  // features that pull at once by the sum
+};
+
+// A spring between the tip and a place, as a tool asks for it.
+struct SpringFeel {
+  Vec3 target = Vec3::Zero();  // mm
+  double stiffness = 0.0;      // N/mm
+};
+
+// Everything that can be felt in a scene; what is absent costs nothing.
+struct SceneFeel {
+  std::optional<SurfaceFeel> surface;
+  std::optional<SnapFeel> snap;
+  std::vector<SpringFeel> springs;
+};
+
+// The sum of the forces of a scene. Where it would be stiffer than the loop can carry, all of its springs are softened
+// alike, so that its direction stays. One that follows another goes on from its proxy, lifted where an edit has
+// buried it, and from the feature that was held.
+class SceneForces : public ForceSource {
+ public:
+  explicit SceneForces(SceneFeel feel);
+
+  void tick(const TipState& tip, ForceOut& out) noexcept override;
+  void follow(const ForceSource& previous) noexcept override;
+
+  const Contact& contact() const { return m_god.contact(); }
+  const SnapPull& pull() const { return m_pull; }
+
+ private:
+  void touch(const TipState& tip);
+  void snap(const TipState& tip);
+  double slope() const;
+  Vec3 springForce(const Vec3& tip) const;
+
+  SceneFeel m_feel;
+  GodObject m_god;
+  SnapProxy m_snapProxy;
+  SnapSum m_snapSum;
+  SnapPull m_pull;
+  bool m_isPlaced = false;
+};
+
+}  // namespace handwheel

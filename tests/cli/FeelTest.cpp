@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Program.h"
+#include "Shapes.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+using namespace handwheel;
+
+namespace {
+
+using Row = std::map<std::string, double>;
+
+std::vector<Row> rowsOf(const QByteArray& csv) {
+  const QList<QByteArray> lines = csv.trimmed().split('\n');
+  const QList<QByteArray> names = lines.first().split(',');
+  std::vector<Row> rows;
+  for (const QByteArray& line : lines.mid(1)) {
+    const QList<QByteArray> words = line.split(',');
+    Row row;
+    for (qsizetype i = 0; i < names.size(); ++i) row[names[i].toStdString()] = words[i].toDouble();
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+// Down onto the middle of a cube of 2 mm, in 100 ms 1 mm deep, and up again.
+const QByteArray kPress =
+    "t_s,x_mm,y_mm,z_mm\n"
+    "0,0.9,1.1,3\n"
+    "0.2,0.9,1.1,1\n"
+    "0.4,0.9,1.1,3\n";
+
+QByteArray lines(const QByteArray& csv) {
+  return csv.left(csv.indexOf('\n'));
+}
+
+}  // namespace
+
+class FeelTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // F = k (proxy - tip) - B v, at each tick of 1 ms.
+  void isTheSpringAndTheDamper() {
+    const Bench bench;
+    bench.put("cube.off", cube(2).off());
+    bench.put("p.csv", kPress);
+    const Ran ran =
+        bench.run({"feel", "cube.off", "--path", "p.csv", "--out", "f.csv", "--stiffness", "0.7", "--damping", "0.002"},
+                  "de_DE.UTF-8");
+    QCOMPARE(ran.err, QByteArray());
+    QCOMPARE(ran.code, 0);
+    const QByteArray csv = bench.content("f.csv");
+    QCOMPARE(lines(csv), QByteArray("t_s,hip_x,hip_y,hip_z,proxy_x,proxy_y,proxy_z,force_x,force_y,force_z,contact,"
+                                    "tick_us"));
+    const std::vector<Row> rows = rowsOf(csv);
+    QCOMPARE(rows.size(), std::size_t{401});
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const Row& row = rows[i];
+      const double t = 0.001 * static_cast<double>(i);
+      const double z = t < 0.2 ? 3 - 10 * t : 1 + 10 * (t - 0.2);
+      QVERIFY(std::abs(row.at("t_s") - t) < 1e-12);
+      QVERIFY(std::abs(row.at("hip_z") - z) < 1e-12);
+      if (std::abs(z - 2) < 1e-6) continue;
+      const bool inside = z < 2;
+      const double speed = i <= 200 ? -10 : 10;
+      const double force = inside ? std::max(0.0, 0.7 * (2 - z) - 0.002 * speed) : 0.0;
+      QCOMPARE(row.at("contact"), inside ? 1.0 : 0.0);
+      QVERIFY(std::abs(row.at("proxy_z") - (inside ? 2.0 : z)) < 1e-6);
+      QVERIFY(std::abs(row.at("force_z") - force) < 1e-6);
+      QVERIFY(std::abs(row.at("force_x")) + std::abs(row.at("force_y")) < 1e-6);
+    }
+  }
+
+  void isTheSameAgain() {
+    const Bench bench;
+    bench.put("cube.off", cube(2).off());
+    bench.put("p.csv", kPress);
+    const auto run = [&] {
+      std::vector<Row> rows = rowsOf(
+          bench.run({"feel", "cube.off", "--path", "p.csv", "--out", "-", "--friction", "0.3", "--rate", "4000"}).out);
+      for (Row& row : rows) row.erase("tick_us");
+      return rows;
+    };
+    const std::vector<Row> first = run();
+    QCOMPARE(first.size(), std::size_t{1601});
+    QVERIFY(first == run());
+  }
+
+  void saysWhatItFelt() {
+    const Bench bench;
+    bench.put("cube.off", cube(2).off());
+    bench.put("p.csv", kPress);
+    const Ran ran = bench.run({"feel", "cube.off", "--path", "p.csv"});
+    QCOMPARE(ran.code, 0);
+    QVERIFY(ran.out.contains("Ticks        401\n"));
+    QVERIFY(ran.out.contains("Peak force   0.5 N\n"));
+  }
+
+  // The device carries 1 N/mm at 1 kHz, and half of that at 500 Hz.
+  void isCappedByADevice() {
+    const Bench bench;
+    bench.put("cube.off", cube(2).off());
+    bench.put("p.csv", kPress);
+    const Ran capped = bench.run(
+        {"feel", "cube.off", "--path", "p.csv", "--stiffness", "5", "--device", "simulated", "--rate", "500"});
+    QCOMPARE(capped.code, 0);
+    QVERIFY(capped.err.contains("capped at 0.5 N/mm"));
+    QVERIFY(capped.out.contains("Peak force   0.5 N\n"));
+    const Ran free = bench.run({"feel", "cube.off", "--path", "p.csv", "--stiffness", "5"});
+    QCOMPARE(free.err, QByteArray());
+    QVERIFY(free.out.contains("Peak force   5 N\n"));
+  }
+
+  void readsColumnsByName() {
+    const Bench bench;
+    bench.put("cube.off", cube(2).off());
+    bench.put("p.csv", "\xef\xbb\xbf# a comment\r\nname, z_mm ,t_s,x_mm,y_mm\r\n\r\na,5,0,1,2\r\nb,5,0.01,1,2\r\n");
+    const std::vector<Row> rows = rowsOf(bench.run({"feel", "cube.off", "--path", "p.csv", "--out", "-"}).out);
+    QCOMPARE(rows.size(), std::size_t{11});
+    QVERIFY(rows.back().at("hip_x") == 1 && rows.back().at("hip_y") == 2 && rows.back().at("hip_z") == 5);
+  }
+
+  void refusesWhatIsNoPath_data() {
+    QTest::addColumn<QByteArray>("path");
+    QTest::addColumn<QByteArray>("why");
+    QTest::newRow("empty") << QByteArray() << QByteArray("no line of numbers");
+    QTest::newRow("no names") << QByteArray("0,0,0,0\n") << QByteArray("Line 1: The first line must name");
+    QTest::newRow("a word") << QByteArray("t_s,x_mm,y_mm,z_mm\n0,0,0,zero\n") << QByteArray("Line 2: 'zero' is not");
+    QTest::newRow("NaN") << QByteArray("t_s,x_mm,y_mm,z_mm\n0,nan,0,0\n") << QByteArray("Line 2: 'nan' is not");
+    QTest::newRow("infinity") << QByteArray("t_s,x_mm,y_mm,z_mm\n0,0,1e999,0\n") << QByteArray("Line 2: '1e999'");
+    QTest::newRow("short") << QByteArray("t_s,x_mm,y_mm,z_mm\n0,0,0\n") << QByteArray("z_mm is missing");
+    QTest::newRow("back in time") << QByteArray("t_s,x_mm,y_mm,z_mm\n1,0,0,0\n0.5,0,0,0\n")
+                                  << QByteArray("Line 3: The time");
+    QTest::newRow("too long") << QByteArray("t_s,x_mm,y_mm,z_mm\n0,0,0,0\n1e9,0,0,0\n") << QByteArray("ticks");
+  }
+
+  void refusesWhatIsNoPath() {
+    QFETCH(QByteArray, path);
+    QFETCH(QByteArray, why);
+    const Bench bench;
+    bench.put("cube.off", cube(2).off());
+    bench.put("p.csv", path);
+    const Ran ran = bench.run({"feel", "cube.off", "--path", "p.csv", "--out", "f.csv"});
+    QCOMPARE(ran.code, 1);
+    QVERIFY2(ran.err.contains(why), ran.err.constData());
+    QVERIFY(ran.err.contains("p.csv"));
+    QCOMPARE(ran.err.count('\n'), 1);
+    QVERIFY(!bench.names().contains("f.csv"));
+  }
+
+  void refusesUnusableOptions() {
+    const Bench bench;
+    bench.put("cube.off", cube(2).off());
+    bench.put("p.csv", kPress);
+    QCOMPARE(bench.run({"feel", "cube.off"}).code, 1);
+    QCOMPARE(bench.run({"feel", "cube.off", "--path", "missing.csv"}).code, 1);
+    QCOMPARE(bench.run({"feel", "missing.off", "--path", "p.csv"}).code, 1);
+    for (const char* bad : {"--stiffness=-1", "--damping=nan", "--friction=a", "--rate=0", "--device=falcon"})
+      QCOMPARE(bench.run({"feel", "cube.off", "--path", "p.csv", bad}).code, 1);
+    QCOMPARE(bench.run({"feel", "cube.off", "--path", "p.csv", "--out", "cube.off"}).code, 1);
+    QCOMPARE(bench.content("cube.off"), QByteArray(cube(2).off()));
+  }
+};
+
+QTEST_GUILESS_MAIN(FeelTest)
+#include "FeelTest.moc"

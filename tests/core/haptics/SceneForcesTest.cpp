@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/SceneForces.h"
+
+#include "MeshShapes.h"
+
+#include <QtTest>
+#include <limits>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+// The top of a cube of 10 mm is at z = 10.
+SurfaceFeel cubeFeel(double stiffness, double damping = 0.0) {
+  const TriangleSoup s = cube(10.0);
+  return {ContactSurface(s.points, s.triangles), stiffness, damping, {}};
+}
+
+ForceOut feltAt(SceneForces& scene, const Vec3& position, double limit = std::numeric_limits<double>::infinity(),
+                double dampingLimit = std::numeric_limits<double>::infinity(), const Vec3& velocity = Vec3::Zero()) {
+  TipState tip;
+  tip.position = position;
+  tip.velocity = velocity;
+  tip.isRestart = false;
+  tip.stiffnessLimit = limit;
+  tip.dampingLimit = dampingLimit;
+  ForceOut out;
+  out.proxy = position;
+  scene.tick(tip, out);
+  return out;
+}
+
+bool isNear(const Vec3& a, const Vec3& b) {
+  return (a - b).norm() < 1e-5;
+}
+
+}  // namespace
+
+class SceneForcesTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void nothingToFeel() {
+    SceneForces scene({});
+    const ForceOut out = feltAt(scene, {1, 2, 3});
+    QVERIFY(out.force.isZero(0.0) && !out.isContact && out.stiffness == 0.0);
+    QCOMPARE(out.proxy, Vec3(1, 2, 3));
+  }
+
+  void sumsWhatActs() {
+    SceneFeel feel;
+    feel.surface = cubeFeel(0.5);
+    feel.springs = {{Vec3(5, 5, 20), 0.1}};
+    SceneForces scene(std::move(feel));
+    QVERIFY(isNear(feltAt(scene, {5, 5, 12}).force, {0, 0, 0.8}));
+    const ForceOut out = feltAt(scene, {5, 5, 8});
+    QVERIFY(isNear(out.force, {0, 0, 1.0 + 1.2}));
+    QVERIFY(out.isContact && isNear(out.proxy, {5, 5, 10}));
+    QCOMPARE(out.stiffness, 0.6);
+    QVERIFY(!out.isSoftened);
+  }
+
+  void snapsToAFeature() {
+    SnapFeatures features;
+    features.addPoint(7, {0, 0, 0});
+    SceneFeel feel;
+    feel.snap = SnapFeel{SnapField(features), SnapProfile(SnapShape::Triangular, 0.4, 4.0), SnapMethod::Sum};
+    SceneForces scene(std::move(feel));
+    QVERIFY(isNear(feltAt(scene, {1, 0, 0}).force, {-0.4, 0, 0}));
+    QCOMPARE(scene.pull().featureCount, 1u);
+  }
+
+  // What the loop cannot carry is softened alike, damping and springs: K <= limit (1 - B / dampingLimit).
+  void isSoftenedAsAWhole() {
+    SceneFeel feel;
+    feel.surface = cubeFeel(1.5, 0.002);
+    feel.springs = {{Vec3(5, 5, 20), 0.5}};
+    SceneForces scene(std::move(feel));
+    feltAt(scene, {5, 5, 12});
+    const ForceOut still = feltAt(scene, {5, 5, 8}, 1.0, 0.004);
+    QVERIFY(still.isSoftened);
+    QVERIFY(std::abs(still.stiffness - 0.5) < 1e-12);
+    QVERIFY(isNear(still.force, {0, 0, 0.25 * (1.5 * 2 + 0.5 * 12)}));
+    // More damping than the device has: half of its own.
+    const ForceOut slow = feltAt(scene, {5, 5, 8}, 1.0, 0.001, {0, 0, -10});
+    QVERIFY(std::abs(slow.stiffness - 0.5) < 1e-12);
+    QVERIFY(isNear(slow.force, {0, 0, 0.25 * (1.5 * 2 + 0.5 * 12) + 0.0005 * 10}));
+  }
+
+  void goesOnFromTheOneBefore() {
+    SceneFeel before, after;
+    before.surface = cubeFeel(0.5);
+    after.surface = cubeFeel(0.5);
+    SceneForces first(std::move(before)), second(std::move(after));
+    feltAt(first, {5, 5, 12});
+    feltAt(first, {5, 5, 7});
+    second.follow(first);
+    const ForceOut out = feltAt(second, {5, 5, 7});
+    QVERIFY(out.isContact && isNear(out.force, {0, 0, 1.5}));
+    // One that follows none begins at the tip, wherever that is.
+    SceneFeel alone;
+    alone.surface = cubeFeel(0.5);
+    SceneForces third(std::move(alone));
+    QVERIFY(!feltAt(third, {5, 5, 7}).isContact);
+  }
+
+  void beginsAnewAfterALeap() {
+    SceneFeel feel;
+    feel.surface = cubeFeel(0.5);
+    SceneForces scene(std::move(feel));
+    feltAt(scene, {5, 5, 12});
+    TipState tip;
+    tip.position = Vec3(5, 5, 5);
+    tip.isRestart = true;
+    ForceOut out;
+    scene.tick(tip, out);
+    QVERIFY(!out.isContact && out.force.isZero(0.0));
+  }
+};
+
+QTEST_GUILESS_MAIN(SceneForcesTest)
+#include "SceneForcesTest.moc"
