@@ -51,7 +51,7 @@ class ForceSource {
 
   // Called on the servo thread once, before the first tick, with the source that acted so far if there was one: where
   // an edit made a new one of the same kind, the proxy goes on from the old one's. A source that follows none begins at
-  // the tip of its first tick, whatever isRestart says.
+  // the tip of its first tick, whatever isRestart says. The rules of a tick hold here, too: nothing is freed.
   virtual void follow(const ForceSource& previous) noexcept { (void)previous; }
 };
 

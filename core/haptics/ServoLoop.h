@@ -14,7 +14,7 @@ namespace handwheel {
 
 // Runs the ticks of one device on a thread of its own at a fixed rate. The ticks lie on a grid: one that comes late
 // does not move the next, and ticks that were missed are left out and counted, never made up for in a burst.
-// All functions but the histograms and states are called on the thread that owns it, the window's.
+// Where nothing else is said, functions are called on the thread that owns it, the window's.
 class ServoLoop {
  public:
   // The device is open and belongs to the loop from now on. The clock and the service outlive it; the service counts
