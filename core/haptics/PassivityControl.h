@@ -32,11 +32,14 @@ class PassivityControl {
 
  private:
   static constexpr std::size_t kLongest = 512;  // ticks on the way: 64 ms at 8 kHz
-  const Vec3& acting() const { return m_sent[(m_newest + kLongest - m_latency) % kLongest]; }
+  // What was sent so many ticks ago.
+  const Vec3& sentBefore(std::size_t ticks) const { return m_sent[(m_newest + kLongest - ticks) % kLongest]; }
+  Vec3 acting() const;
   double recentFriction() const;
 
   SafetySettings m_settings;
-  std::size_t m_latency;  // ticks
+  std::size_t m_latency = 0;    // whole ticks,
+  double m_latencyShare = 0.0;  // and the share of another
   double m_energy = 0.0;
   std::array<Vec3, kLongest> m_sent;        // round, up to m_newest
   std::array<double, kLongest> m_friction;  // N·mm, taken by the device; in the same places

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/SafetySettings.h"
 
+#include "haptics/StiffnessLimit.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -22,9 +24,12 @@ SafetySettings safetySettingsFor(const DeviceCapabilities& device, double rate) 
   s.speedDamping = std::min(0.5 * device.maxDamping, s.controlDamping);
   // What only points may be thrown across the scene: nothing can get loose.
   if (device.outputs == 0) s.dampingSpeed = s.cutSpeed = std::numeric_limits<double>::infinity();
-  // In 4 ms to full force: at 8 N what a wall of 2 N/mm gives to a hand of 1 m/s.
+  // Full force in 4 ms at least. And what a hand meets at the stiffest wall that the loop allows, as fast as it may be
+  // before damping sets in: a limit that acted there would lag behind the wall and give back more than it took.
   const double full = 0.004;
-  s.slewRate = device.maxForce / full;
+  const double allowed = stiffnessLimit({s.nominalPeriod, device.latency, s.inherentDamping}, 0.0);
+  const double stiffest = device.maxStiffness > 0.0 ? std::min(device.maxStiffness, allowed) : allowed;
+  s.slewRate = std::max(device.maxForce / full, device.outputs > 0 ? stiffest * s.dampingSpeed : 0.0);
   s.torqueSlewRate = device.maxTorque / full;
   s.gripperSlewRate = device.maxGripperForce / full;
   s.maxForce = device.maxForce;

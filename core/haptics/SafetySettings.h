@@ -57,7 +57,7 @@ struct SafetySettings {
   double fadeTime = 0.005;      // then it fades to damping alone,
   double dampingTime = 0.1;     // and this long after, even that ends
   double recoveryTime = 0.1;    // back to all of the force when the scene is heard again
-  double slewRate = 2000.0;     // N/s: 2 N a millisecond
+  double slewRate = 2000.0;     // N/s: 2 N a millisecond. Above what a wall does to a hand, or it makes energy
   double torqueSlewRate = 0.0;  // N·mm/s
   double gripperSlewRate = 0.0;
 

@@ -20,7 +20,8 @@ class ServoLoop {
   // The device is open and belongs to the loop from now on. The clock and the service outlive it; the service counts
   // ticks and the time from waking to the end of each.
   ServoLoop(std::unique_ptr<Device> device, const ServoSettings& settings, ServoClock& clock, Service& service);
-  ~ServoLoop();  // stops, and closes the device
+  // Stops, and closes the device, which may take its time: on a worker, when nothing else uses the loop any more.
+  ~ServoLoop();
   ServoLoop(const ServoLoop&) = delete;
   ServoLoop& operator=(const ServoLoop&) = delete;
 

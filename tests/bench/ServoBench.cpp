@@ -14,7 +14,7 @@ namespace {
 
 bench::Bars bars;
 
-constexpr int kTicks = 2000;  // in one run: 2 s
+constexpr int kTicks = 4000;  // in one run: 4 s
 constexpr int kRuns = 5;
 constexpr std::int64_t kPeriod = 1'000'000;  // ns
 

@@ -161,6 +161,26 @@ class PassivityControlTest : public QObject {
     }
   }
 
+  // 1.25 ms late: for a quarter of the period the force of two ticks ago, then that of one.
+  void latencyIsNoWholeNumberOfTicks() {
+    SafetySettings s = settings(0.0, 0.0);
+    s.latency = 0.00125;
+    PassivityControl control(s);
+    control.observe({0, 0, 0}, 0.001);
+    control.sent({-4, 0, 0});
+    control.observe({1, 0, 0}, 0.001);
+    QCOMPARE(control.energy(), 0.0);
+    control.sent({-8, 0, 0});
+    control.observe({2, 0, 0}, 0.001);
+    QCOMPARE(control.energy(), 3.0);
+    control.sent({0, 0, 0});
+    control.observe({3, 0, 0}, 0.001);
+    QCOMPARE(control.energy(), 3.0 + 7.0);
+    control.sent({0, 0, 0});
+    control.observe({4, 0, 0}, 0.001);
+    QCOMPARE(control.energy(), 10.0 + 2.0);
+  }
+
   void creditEndsAtTheLimit() {
     SafetySettings s = settings(0.0, 1.0);
     s.energyLimit = 5.0;

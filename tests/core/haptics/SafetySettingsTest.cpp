@@ -28,13 +28,25 @@ class SafetySettingsTest : public QObject {
     QCOMPARE(settings.energyLimit, 1600.0);
   }
 
-  // Whatever the size of a device, its whole force is reached within the same 4 ms.
+  // A soft device reaches its whole force within 4 ms.
   void slewsInTheSameTime() {
     for (const double force : {0.1, 3.3, 8.0, 40.0}) {
       DeviceCapabilities device = test::forceDevice();
       device.maxForce = force;
+      device.maxStiffness = 0.02;
       QVERIFY(qAbs(force / safetySettingsFor(device, 1000.0).slewRate - 0.004) < 1e-12);
     }
+  }
+
+  // A stiff one as fast as a hand of 1 m/s meets its stiffest wall: that of its maker, or of eq. 2-1.
+  void slewsAsFastAsAHandMeetsAWall() {
+    DeviceCapabilities device = test::forceDevice();
+    device.maxStiffness = 7.0;
+    QVERIFY(qAbs(safetySettingsFor(device, 1000.0).slewRate - 7000.0) < 1e-9);
+    device.maxStiffness = 1000.0;
+    QVERIFY(qAbs(safetySettingsFor(device, 1000.0).slewRate - 10000.0) < 1e-9);
+    device.latency = 0.0005;
+    QVERIFY(qAbs(safetySettingsFor(device, 1000.0).slewRate - 5000.0) < 1e-9);
   }
 
   // 3 N/mm at 1 kHz need 1.5 N·s/m, eq. 2-1; at whatever rate the loop then runs.

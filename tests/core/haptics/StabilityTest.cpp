@@ -71,6 +71,10 @@ struct Run {
   double jitter = 0.0;   // ns: every tick late by up to so much
   double beyond = 1.0;
   double wallDamping = 0.0;  // share of the device's friction
+  double mass = 0.1;         // kg
+  double friction = 0.0005;  // N·s/mm: b
+  double rate = 1000.0;      // Hz
+  double grip = 0.1;         // N/mm: of the hand
   bool isStolen = false;     // slices of 1 to 4 ms once a second, and now and then 50 ms, as a busy machine takes them
   double handDamping = 0.0;  // N·s/mm; 0: a hand that takes no energy away
   bool isControlled = true;  // by the passivity controller
@@ -90,8 +94,9 @@ Outcome press(const Run& run) {
   settings.capabilities.latency = run.latency;
   settings.capabilities.maxStiffness = 1000.0;
   if (!run.isControlled) settings.capabilities.maxDamping = 0.0;
-  const double friction = settings.capabilities.inherentDamping;
-  settings.grip = {0.1, run.handDamping, 0.0, 100.0};
+  settings.capabilities.inherentDamping = run.friction;
+  settings.mass = run.mass;
+  settings.grip = {run.grip, run.handDamping, 0.0, 100.0};
   LateClock clock;
   std::mt19937 random(11);
   if (run.jitter > 0.0) {
@@ -109,11 +114,13 @@ Outcome press(const Run& run) {
   SimulatedDevice& device = *made;
   const bool isOpen = device.open(Progress()).hasValue();
   Service service("servo");
-  ServoLoop loop(std::move(made), {}, clock, service);
+  ServoSettings loopSettings;
+  loopSettings.rate = run.rate;
+  ServoLoop loop(std::move(made), loopSettings, clock, service);
   loop.setScene(sceneOf([&](const TipState& tip, ForceOut& out) {
     TipState allowed = tip;
     allowed.stiffnessLimit *= run.beyond;
-    wall(1e6, run.wallDamping * friction)(allowed, out);
+    wall(1e6, run.wallDamping * run.friction)(allowed, out);
   }));
   // In free space until the loop has measured itself and the ramp is over.
   const Vec3 outside(-3, 0, 0), inside(2, 0, 0);
@@ -204,6 +211,37 @@ class StabilityTest : public QObject {
     // The cap is no excuse: it is the rule's for the period, jitter and delay of this run.
     const double longest = kPeriod + jitter * 1e-9;
     QVERIFY(outcome.largestStiffness >= 0.99 * 0.0005 * (1 - damping) / (0.5 * longest + latency));
+  }
+
+  // Whatever hand, device and rate: masses of 20 g to 1 kg, frictions of 0.2 to 20 N·s/m, 0.5 to 8 kHz.
+  void anyLoopIsPassiveAtTheCap() {
+    std::mt19937 random(23);
+    const auto any = [&](double least, double largest) {  // evenly in the logarithm
+      return least * std::pow(largest / least, std::uniform_real_distribution<>(0.0, 1.0)(random));
+    };
+    for (int i = 0; i < 40; ++i) {
+      Run run;
+      run.mass = any(0.02, 1.0);
+      run.friction = any(0.0002, 0.02);
+      run.rate = any(500.0, 8000.0);
+      run.grip = any(0.01, 1.0);
+      run.latency = i % 4 == 0 ? 0.0 : any(1e-4, 0.05);
+      run.jitter = i % 3 == 0 ? 0.0 : any(1e3, 0.9e9 / run.rate);
+      run.wallDamping = i % 2 == 0 ? 0.0 : any(0.01, 0.9);
+      const Outcome outcome = press(run);
+      const QString what = QString("m %1 b %2 rate %3 grip %4 latency %5 jitter %6 B %7: offset %8, energy %9")
+                               .arg(run.mass)
+                               .arg(run.friction)
+                               .arg(run.rate)
+                               .arg(run.grip)
+                               .arg(run.latency)
+                               .arg(run.jitter)
+                               .arg(run.wallDamping)
+                               .arg(outcome.largestOffset)
+                               .arg(outcome.leastEnergy);
+      QVERIFY2(outcome.largestOffset <= 5.0 + 1e-3, qPrintable(what));
+      QVERIFY2(outcome.leastEnergy >= -2e-3, qPrintable(what));
+    }
   }
 
   // Time that the machine takes away cannot be had back: what was sent last is held through it and pushes the tip out.
