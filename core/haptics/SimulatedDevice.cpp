@@ -97,8 +97,8 @@ void SimulatedDevice::moveUnder(const Vec3& force, double until) noexcept {
   if (!(seconds > 0.0)) return;  // a clock that goes back moves nothing
   const HandGrip& grip = m_settings.grip;
   const bool isLoose = grip.stiffness == 0.0 && grip.integral == 0.0 && grip.damping == 0.0;
-  const double steps = isLoose ? 1.0 : std::min(std::ceil(seconds / kStep), 1e5);
-  for (double i = 0; i < steps; ++i) step(force, seconds / steps);
+  const int steps = isLoose ? 1 : static_cast<int>(std::min(std::ceil(seconds / kStep), 1e5));
+  for (int i = 0; i < steps; ++i) step(force, seconds / steps);
   m_time = until;
 }
 

@@ -240,7 +240,8 @@ class StabilityTest : public QObject {
                                .arg(outcome.largestOffset)
                                .arg(outcome.leastEnergy);
       QVERIFY2(outcome.largestOffset <= 5.0 + 1e-3, qPrintable(what));
-      QVERIFY2(outcome.leastEnergy >= -2e-3, qPrintable(what));
+      // A thousandth of what the hand had stretched: one tick in a hundred is later than the cap takes for usual.
+      QVERIFY2(outcome.leastEnergy >= -1e-3 * 0.5 * run.grip * 25.0, qPrintable(what));
     }
   }
 
