@@ -3,17 +3,15 @@
 #pragma once
 
 #include "haptics/ForceSource.h"
-#include "haptics/WorkspaceMapping.h"
 
 #include <memory>
 
 namespace handwheel {
 
-// What the servo loop feels and where: made on the window thread, handed over whole.
+// What the servo loop feels: made on the window thread, handed over whole.
 struct HapticScene {
   std::unique_ptr<ForceSource> source;  // null: nothing to feel, only a tip
-  WorkspaceMapping mapping;
-  // Another model, tool or snap: the force comes back by the ramp. False for an edit under the tip and a moved view.
+  // Another model, tool or snap: the force comes back by the ramp. False for an edit under the tip.
   bool mayLeap = true;
 };
 

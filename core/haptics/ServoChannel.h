@@ -7,20 +7,29 @@
 #include "haptics/HapticScene.h"
 #include "haptics/ServoSample.h"
 #include "haptics/SnapshotSlot.h"
+#include "haptics/WorkspaceMapping.h"
 
 #include <atomic>
+#include <cstdint>
 
 namespace handwheel {
+
+// Where the device lies in the scene, from the change of this number on.
+struct NumberedMapping {
+  std::uint64_t number = 0;  // 0: none was set, the identity holds
+  WorkspaceMapping mapping;
+};
 
 // Everything that passes between the servo thread and the rest: without locks, and nobody waits.
 struct ServoChannel {
   explicit ServoChannel(std::size_t capacity) : samples(capacity) {}
 
-  SnapshotSlot<HapticScene> scenes;   // in
-  std::atomic<bool> mayLeap{false};   // in: the next tick starts the ramp
-  std::atomic<bool> isForceOn{true};  // in
-  SpscRing<ServoSample> samples;      // out: every tick, to one thread
-  TripleBuffer<ServoSample> latest;   // out: the last tick, to one thread
+  SnapshotSlot<HapticScene> scenes;       // in
+  TripleBuffer<NumberedMapping> mapping;  // in
+  std::atomic<bool> mayLeap{false};       // in: the next tick starts the ramp
+  std::atomic<bool> isForceOn{true};      // in
+  SpscRing<ServoSample> samples;          // out: every tick, to one thread
+  TripleBuffer<ServoSample> latest;       // out: the last tick, to one thread
 };
 
 }  // namespace handwheel

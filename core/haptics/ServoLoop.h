@@ -33,6 +33,9 @@ class ServoLoop {
 
   // The next tick feels this scene. Frees what the loop has left.
   void setScene(std::unique_ptr<HapticScene> scene) { m_channel->scenes.publish(std::move(scene)); }
+  // Where the device lies in the scene from the next tick on. A mapping that does not keep the tip starts the ramp; of
+  // a change of scale or axes, which turns the force about, announceLeap() tells.
+  void setMapping(const WorkspaceMapping& mapping) { m_channel->mapping.write({++m_mappingNumber, mapping}); }
   // To be called now and then, so that memory of a scene that was replaced does not wait for the next.
   bool collect() { return m_channel->scenes.collect(); }
   // Something within the scene may make the force leap, a tool or a snap that was switched: starts the ramp.
@@ -64,7 +67,8 @@ class ServoLoop {
   ServoTick m_tick;
   const int m_priority;
   const std::int64_t m_period;  // ns
-  std::int64_t m_due = 0;       // ns: when the next tick is to come
+  std::uint64_t m_mappingNumber = 0;
+  std::int64_t m_due = 0;  // ns: when the next tick is to come
   std::thread m_thread;
   std::atomic<bool> m_isStopping{false};
   std::atomic<RealTimeState> m_realTime{RealTimeState::NotRunning};

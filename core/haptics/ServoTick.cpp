@@ -45,6 +45,7 @@ void ServoTick::run(std::int64_t now) noexcept {
   SafetyInput input;
   input.period = period;
   input.mayLeap = takeScene();
+  takeMapping();
   input.isDeviceReady = isReading(sample.device);
   if (input.isDeviceReady) {
     feel(sample, input, period);
@@ -95,8 +96,14 @@ bool ServoTick::takeScene() {
   if (!taken.isNew) return mayLeap;
   m_source = taken.current->source.get();
   if (m_source && taken.previous && taken.previous->source) m_source->follow(*taken.previous->source);
-  m_mapper.setMapping(taken.current->mapping);
   return mayLeap || taken.current->mayLeap;
+}
+
+void ServoTick::takeMapping() {
+  const NumberedMapping& newest = m_channel.mapping.read();
+  if (newest.number == m_mappingNumber) return;
+  m_mappingNumber = newest.number;
+  m_mapper.setMapping(newest.mapping);
 }
 
 void ServoTick::feel(ServoSample& sample, SafetyInput& input, double period) {

@@ -40,6 +40,7 @@ class ServoTick {
  private:
   double advance(std::int64_t now);
   bool takeScene();
+  void takeMapping();
   void feel(ServoSample& sample, SafetyInput& input, double period);
   void ask(ServoSample& sample, SafetyInput& input);
   TipState tipFor(const DeviceState& device, const WorkspaceMapper::Tip& placed, double period) const;
@@ -53,6 +54,7 @@ class ServoTick {
   VelocityEstimator m_velocity;
   WorkspaceMapper m_mapper;
   ForceSource* m_source = nullptr;  // of the scene that the channel has handed over
+  std::uint64_t m_mappingNumber = 0;
   std::uint64_t m_tick = 0;
   std::int64_t m_last = 0;  // ns: when the tick before was woken
   double m_time = 0.0;      // s

@@ -88,10 +88,11 @@ class ServoTickTest : public QObject {
   // One mm of the device is ten in the scene: the scene may be a tenth as stiff, to feel the same.
   void theLimitIsThatOfTheScene() {
     Rig rig;
-    auto scene = sceneOf(wall(100.0));
-    scene->mapping.scale = 10.0;
-    scene->mapping.forceGain = 0.5;
-    rig.channel.scenes.publish(std::move(scene));
+    WorkspaceMapping mapping;
+    mapping.scale = 10.0;
+    mapping.forceGain = 0.5;
+    rig.channel.mapping.write({1, mapping});
+    rig.channel.scenes.publish(sceneOf(wall(100.0)));
     QVERIFY(qAbs(rig.runMany(10000).tip.stiffnessLimit - 2.0) < 1e-6);
     rig.log->state.position = {0.5, 0, 0};
     const ServoSample sample = rig.runMany(3000);
@@ -280,9 +281,10 @@ class ServoTickTest : public QObject {
   // Held by the clutch the tip stays, and nothing pushes the hand; let go, it goes on from there without a leap.
   void theClutchMovesTheHandNotTheTip() {
     Rig rig;
-    auto scene = sceneOf(wall(1.0));
-    scene->mapping.clutchButtons = 2;
-    rig.channel.scenes.publish(std::move(scene));
+    WorkspaceMapping mapping;
+    mapping.clutchButtons = 2;
+    rig.channel.mapping.write({1, mapping});
+    rig.channel.scenes.publish(sceneOf(wall(1.0)));
     rig.pressTo(2.0);
     rig.log->state.buttons = 2;
     ServoSample sample;
@@ -300,6 +302,27 @@ class ServoTickTest : public QObject {
     QVERIFY(!sample.tip.isRestart);
     rig.log->state.position += Vec3(0.5, 0, 0);
     QVERIFY((rig.run().tip.position - Vec3(2.5, 0, 0)).norm() < 1e-9);
+  }
+
+  // The view orbits while the tip is in a wall: the tip stays, the force is turned to the device's new axes.
+  void anotherViewKeepsTheTipAndTurnsTheForce() {
+    Rig rig;
+    rig.channel.scenes.publish(sceneOf(wall(1.0)));
+    rig.pressTo(2.0);
+    WorkspaceMapping turned;  // what was right in the scene is now towards the user
+    turned.sceneFromView.linear() << 0, 0, 1, 0, 1, 0, -1, 0, 0;
+    rig.channel.mapping.write({1, turned});
+    ServoSample sample = rig.run();
+    QVERIFY((sample.tip.position - Vec3(2, 0, 0)).norm() < 1e-12);
+    QVERIFY(sample.hasSource && !sample.tip.isRestart);
+    QVERIFY(!sample.actions.has(SafetyAction::Ramp));
+    QVERIFY((rig.run().sent.force - Vec3(0, 0, -2)).norm() < 1e-12);
+    turned.keepsTip = false;
+    rig.channel.mapping.write({2, turned});
+    sample = rig.run();
+    QVERIFY((sample.tip.position - Vec3(0, 0, -2)).norm() < 1e-12);
+    QVERIFY(sample.tip.isRestart);
+    QVERIFY(sample.actions.has(SafetyAction::Ramp));
   }
 
   void aPauseStartsAnew() {
