@@ -78,7 +78,8 @@ const Contact& GodObject::follow(const ContactSurface& surface, const Vec3& tip,
 void GodObject::slide(LocalFaces& faces, const Vec3& tip, const ContactOptions& options, double rest, double skin) {
   Planes planes;
   m_contact.triangle = kNone;
-  for (int i = 0; i < options.maxSteps; ++i) {
+  // When the steps are used up while it is over an edge, it falls down to the surface.
+  for (int i = 0; i < options.maxSteps || (planes.empty() && i < 2 * options.maxSteps); ++i) {
     const Vec3 goal = tip - m_proxy;
     Vec3 step = planes.empty() ? goal : nearestInCone(goal, planes.all(), 0.25 * skin);
     if (options.friction > 0.0 && !planes.empty()) step = heldBack(step, goal, options.friction);
