@@ -21,7 +21,8 @@ SafetySettings safetySettingsFor(const DeviceCapabilities& device, double rate) 
       device.latency < s.nominalPeriod ? device.maxDamping : std::min(device.maxDamping, s.inherentDamping);
   // A conservative field of forces up to maxForce holds no more than this across the workspace.
   s.energyLimit = 2.0 * device.maxForce * device.workspaceRadius;
-  s.speedDamping = std::min(0.5 * device.maxDamping, s.controlDamping);
+  // A velocity is always estimated late, by half the filter's window.
+  s.speedDamping = std::min(device.maxDamping, s.inherentDamping);
   // What only points may be thrown across the scene: nothing can get loose.
   if (device.outputs == 0) s.dampingSpeed = s.cutSpeed = std::numeric_limits<double>::infinity();
   // Full force in 4 ms at least. And what a hand meets at the stiffest wall that the loop allows, as fast as it may be

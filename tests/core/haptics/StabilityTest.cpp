@@ -245,6 +245,35 @@ class StabilityTest : public QObject {
     }
   }
 
+  // What the watchdog leaves, damping of a velocity that is estimated half a window late, slows even the lightest tip:
+  // it is never faster than it was let go.
+  void lateDampingOnlySlows() {
+    for (const double mass : {0.005, 0.02, 0.1}) {
+      SimulatedDeviceSettings settings = simulatedDevice();
+      settings.mass = mass;
+      settings.capabilities.inherentDamping = 0.005;
+      settings.grip = {0.0, 0.0, 0.0, 0.0};
+      VirtualClock clock;
+      auto made = std::make_unique<SimulatedDevice>(settings, HandPath(), clock);
+      made->setStart(Vec3::Zero(), {900, 0, 0});
+      QVERIFY(made->open(Progress()).hasValue());
+      Service service("servo");
+      ServoLoop loop(std::move(made), {}, clock, service);
+      loop.setScene(sceneOf([](const TipState&, ForceOut& out) { out.isFresh = false; }));
+      double last = 0.0;
+      bool hasDamped = false;
+      for (int i = 0; i < 300; ++i) {
+        loop.runTicks(1);
+        const ServoSample& sample = loop.latest();
+        const double x = sample.device.position.x();
+        QVERIFY(std::abs(x - last) <= 0.9 + 1e-9);  // 900 mm/s in a tick
+        hasDamped |= sample.actions.has(SafetyAction::Watchdog) && sample.sent.force.x() < 0.0;
+        last = x;
+      }
+      QVERIFY(hasDamped);
+    }
+  }
+
   // Time that the machine takes away cannot be had back: what was sent last is held through it and pushes the tip out.
   // But nothing builds up: within the device's force, and at rest again after.
   void stolenTimeDoesNotBuildUp() {
