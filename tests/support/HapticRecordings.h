@@ -38,7 +38,7 @@ struct RecordedRun {
   std::unique_ptr<ForceRecorder> recorder;
 
   RecordedRun() {
-    clock.late = [n = 0]() mutable { return ++n * 7919 % 300 * 1000; };
+    clock.late = [n = std::int64_t{0}]() mutable { return ++n * 7919 % 300 * 1000; };
     const Eigen::Quaterniond turned(Eigen::AngleAxisd(0.7, Vec3::UnitY()));
     const HandPath path({{0.0, {-1, 0, 0}}, {1.0, {2, 1, 0}, turned, 1}, {2.0, {-1, 3, 1}, turned, 0}});
     auto device = std::make_unique<SimulatedDevice>(simulatedDevice(), path, clock);
