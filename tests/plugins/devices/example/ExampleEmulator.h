@@ -37,7 +37,7 @@ struct ExampleEmulator final : Peer {
 
 inline ContractSubject exampleSubject() {
   const auto peer = std::make_shared<ExampleEmulator>();
-  const auto clock = std::make_shared<FakeClock>();
+  const auto clock = std::make_shared<FakeClock>(FakeClock::Pace::Real);
   const auto connect = [=]() -> Result<std::unique_ptr<ByteStream>> {
     return std::unique_ptr<ByteStream>(std::make_unique<FakeStream>(peer, clock));
   };

@@ -159,6 +159,7 @@ class FakeUsb final : public UsbTransport {
   }
 
   std::ptrdiff_t read(std::span<std::uint8_t> into, double) noexcept override {
+    m_clock->pace();
     const std::lock_guard lock(m_falcon->mutex);
     m_clock->sleep(0.001);  // the chip sends its status each ms, with or without data
     if (m_falcon->gone) return kGone;
@@ -195,7 +196,7 @@ inline std::unique_ptr<falcon::Session> falconSession(const std::shared_ptr<Falc
 
 inline ContractSubject falconSubject() {
   const auto device = std::make_shared<FalconEmulator>();
-  const auto clock = std::make_shared<FakeClock>();
+  const auto clock = std::make_shared<FakeClock>(FakeClock::Pace::Real);
   device->running = true;
   device->packetsToHoming = 20;
   return {[=] { return std::make_unique<ThreadedDevice>(falconSession(device, clock)); },

@@ -129,7 +129,7 @@ inline ContractSubject haplySubject() {
     bool gone = false;
   };
   const auto world = std::make_shared<World>();
-  const auto clock = std::make_shared<FakeClock>();
+  const auto clock = std::make_shared<FakeClock>(FakeClock::Pace::Real);
   const auto connect = [=]() -> Result<std::unique_ptr<ByteStream>> {
     const std::lock_guard lock(world->mutex);
     if (world->gone) return Error{ErrorCode::DeviceUnreachable, {"stopped"}, {}, {}};

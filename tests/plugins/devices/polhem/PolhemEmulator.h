@@ -58,7 +58,7 @@ struct PolhemEmulator final : Peer {
 
 inline ContractSubject polhemSubject() {
   const auto peer = std::make_shared<PolhemEmulator>();
-  const auto clock = std::make_shared<FakeClock>();
+  const auto clock = std::make_shared<FakeClock>(FakeClock::Pace::Real);
   const auto connect = [=]() -> Result<std::unique_ptr<ByteStream>> {
     return std::unique_ptr<ByteStream>(std::make_unique<FakeStream>(peer, clock));
   };

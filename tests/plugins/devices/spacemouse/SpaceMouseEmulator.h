@@ -29,6 +29,7 @@ class FakeHid final : public HidTransport {
       : m_mouse(std::move(mouse)), m_clock(std::move(clock)) {}
 
   std::ptrdiff_t read(std::span<std::uint8_t> into, double timeout) noexcept override {
+    m_clock->pace();
     const std::lock_guard lock(m_mouse->mutex);
     if (m_mouse->gone) return kGone;
     if (m_mouse->reports.empty()) {
@@ -64,7 +65,7 @@ inline std::unique_ptr<spacemouse::HidSession> hidSession(const std::shared_ptr<
 
 inline ContractSubject spaceMouseHidSubject() {
   const auto mouse = std::make_shared<SpaceMouseEmulator>();
-  const auto clock = std::make_shared<FakeClock>();
+  const auto clock = std::make_shared<FakeClock>(FakeClock::Pace::Real);
   return {[=] { return std::make_unique<ThreadedDevice>(hidSession(mouse, clock)); },
           [=] {
             const std::lock_guard lock(mouse->mutex);
@@ -92,7 +93,7 @@ struct SpaceNavEmulator final : Peer {
 
 inline ContractSubject spaceNavSubject() {
   const auto peer = std::make_shared<SpaceNavEmulator>();
-  const auto clock = std::make_shared<FakeClock>();
+  const auto clock = std::make_shared<FakeClock>(FakeClock::Pace::Real);
   const auto connect = [=]() -> Result<std::unique_ptr<ByteStream>> {
     return std::unique_ptr<ByteStream>(std::make_unique<FakeStream>(peer, clock));
   };

@@ -5,17 +5,30 @@
 #include "io/Clock.h"
 
 #include <atomic>
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 namespace handwheel {
 
 // Time that passes only when somebody sleeps. Any thread.
 class FakeClock final : public Clock {
  public:
+  enum class Pace { None, Real };
+  // Real: for a device on a thread of its own, which would otherwise keep a processor busy, perhaps at real-time
+  // priority.
+  explicit FakeClock(Pace pace = Pace::None) : m_pace(pace) {}
+
   double now() noexcept override { return static_cast<double>(m_microseconds.load()) * 1e-6; }
   void sleep(double seconds) noexcept override { m_microseconds += static_cast<long long>(std::ceil(seconds * 1e6)); }
 
+  // Called by the emulated lines for each transfer.
+  void pace() const {
+    if (m_pace == Pace::Real) std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+
  private:
+  Pace m_pace;
   std::atomic<long long> m_microseconds{0};
 };
 

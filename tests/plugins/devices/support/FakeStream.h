@@ -20,8 +20,6 @@ class Peer {
   virtual ~Peer() = default;
   // What the host has sent; what is to be read goes into toHost.
   virtual void receive(std::span<const std::uint8_t> bytes) = 0;
-  // Called before each read, for a device that sends by itself.
-  virtual void tick() {}
 
   std::mutex mutex;
   std::deque<std::uint8_t> toHost;
@@ -35,9 +33,9 @@ class FakeStream final : public ByteStream {
       : m_peer(std::move(peer)), m_clock(std::move(clock)) {}
 
   std::ptrdiff_t read(std::span<std::uint8_t> into, double timeout) noexcept override {
+    m_clock->pace();
     const std::lock_guard lock(m_peer->mutex);
     if (m_peer->gone) return kGone;
-    m_peer->tick();
     std::deque<std::uint8_t>& waiting = m_peer->toHost;
     if (waiting.empty()) m_clock->sleep(timeout);
     const auto count = static_cast<std::ptrdiff_t>(std::min({waiting.size(), into.size(), m_peer->longestRead}));
