@@ -289,6 +289,34 @@
         <source>%1.</source>
         <translation>%1.</translation>
     </message>
+    <message>
+        <source>the plugin was made for another version of Handwheel (%1, here %2)</source>
+        <translation>das Plugin wurde für eine andere Version von Handwheel gemacht (%1, hier %2)</translation>
+    </message>
+    <message>
+        <source>the plugin cannot be used (%1)</source>
+        <translation>das Plugin kann nicht benutzt werden (%1)</translation>
+    </message>
+    <message>
+        <source>the device cannot be reached (%1)</source>
+        <translation>das Gerät ist nicht erreichbar (%1)</translation>
+    </message>
+    <message>
+        <source>the device does not answer as it should (%1)</source>
+        <translation>das Gerät antwortet nicht, wie es soll (%1)</translation>
+    </message>
+    <message>
+        <source>Install a plugin that was made for this version, or remove the file.</source>
+        <translation>Installieren Sie ein Plugin für diese Version, oder entfernen Sie die Datei.</translation>
+    </message>
+    <message>
+        <source>Check that it is plugged in, that no other program uses it and that you may use it.</source>
+        <translation>Prüfen Sie, ob es eingesteckt ist, ob kein anderes Programm es benutzt und ob Sie es benutzen dürfen.</translation>
+    </message>
+    <message>
+        <source>Switch it off and on again, or try another port.</source>
+        <translation>Schalten Sie es aus und wieder ein, oder versuchen Sie einen anderen Anschluss.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -711,6 +739,50 @@
     <message>
         <source>there are two of that name</source>
         <translation>es gibt zwei dieses Namens</translation>
+    </message>
+    <message>
+        <source>the firmware file</source>
+        <translation>die Firmware-Datei</translation>
+    </message>
+    <message>
+        <source>a packet of the firmware</source>
+        <translation>ein Paket der Firmware</translation>
+    </message>
+    <message>
+        <source>an inventory with an Inverse3</source>
+        <translation>eine Geräteliste mit einem Inverse3</translation>
+    </message>
+    <message>
+        <source>the bootloader&apos;s greeting</source>
+        <translation>die Begrüßung des Bootloaders</translation>
+    </message>
+    <message>
+        <source>the echo of the first byte</source>
+        <translation>das Echo des ersten Bytes</translation>
+    </message>
+    <message>
+        <source>the firmware&apos;s echo</source>
+        <translation>das Echo der Firmware</translation>
+    </message>
+    <message>
+        <source>the handshake of a WebSocket</source>
+        <translation>der Handschlag eines WebSockets</translation>
+    </message>
+    <message>
+        <source>where it is</source>
+        <translation>wo es ist</translation>
+    </message>
+    <message>
+        <source>unplugged</source>
+        <translation>ausgesteckt</translation>
+    </message>
+    <message>
+        <source>it brings no driver</source>
+        <translation>es bringt keinen Treiber mit</translation>
+    </message>
+    <message>
+        <source>there is already a driver &apos;%1&apos;</source>
+        <translation>es gibt schon einen Treiber ‚%1‘</translation>
     </message>
 </context>
 <context>

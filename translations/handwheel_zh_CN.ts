@@ -289,6 +289,34 @@
         <source>%1.</source>
         <translation>%1。</translation>
     </message>
+    <message>
+        <source>the plugin was made for another version of Handwheel (%1, here %2)</source>
+        <translation>该插件是为另一版本的 Handwheel 制作的（%1，此处为 %2）</translation>
+    </message>
+    <message>
+        <source>the plugin cannot be used (%1)</source>
+        <translation>无法使用该插件（%1）</translation>
+    </message>
+    <message>
+        <source>the device cannot be reached (%1)</source>
+        <translation>无法连接到设备（%1）</translation>
+    </message>
+    <message>
+        <source>the device does not answer as it should (%1)</source>
+        <translation>设备没有正确应答（%1）</translation>
+    </message>
+    <message>
+        <source>Install a plugin that was made for this version, or remove the file.</source>
+        <translation>请安装为此版本制作的插件，或删除该文件。</translation>
+    </message>
+    <message>
+        <source>Check that it is plugged in, that no other program uses it and that you may use it.</source>
+        <translation>请检查设备是否已插好、没有被其他程序占用，以及您是否有权使用它。</translation>
+    </message>
+    <message>
+        <source>Switch it off and on again, or try another port.</source>
+        <translation>请将其关闭后再打开，或换一个端口。</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -711,6 +739,50 @@
     <message>
         <source>there are two of that name</source>
         <translation>有两个同名项</translation>
+    </message>
+    <message>
+        <source>the firmware file</source>
+        <translation>固件文件</translation>
+    </message>
+    <message>
+        <source>a packet of the firmware</source>
+        <translation>固件的数据包</translation>
+    </message>
+    <message>
+        <source>an inventory with an Inverse3</source>
+        <translation>包含 Inverse3 的设备清单</translation>
+    </message>
+    <message>
+        <source>the bootloader&apos;s greeting</source>
+        <translation>引导程序的问候</translation>
+    </message>
+    <message>
+        <source>the echo of the first byte</source>
+        <translation>第一个字节的回显</translation>
+    </message>
+    <message>
+        <source>the firmware&apos;s echo</source>
+        <translation>固件的回显</translation>
+    </message>
+    <message>
+        <source>the handshake of a WebSocket</source>
+        <translation>WebSocket 的握手</translation>
+    </message>
+    <message>
+        <source>where it is</source>
+        <translation>其位置</translation>
+    </message>
+    <message>
+        <source>unplugged</source>
+        <translation>已拔出</translation>
+    </message>
+    <message>
+        <source>it brings no driver</source>
+        <translation>其中没有驱动程序</translation>
+    </message>
+    <message>
+        <source>there is already a driver &apos;%1&apos;</source>
+        <translation>已有驱动程序“%1”</translation>
     </message>
 </context>
 <context>

@@ -43,6 +43,18 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "the mesh"),
     QT_TRANSLATE_NOOP("ErrorWord", "the object"),
     QT_TRANSLATE_NOOP("ErrorWord", "the property"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the firmware file"),
+    // the device does not answer as it should (…), cannot be reached (…); the plugin cannot be used (…)
+    QT_TRANSLATE_NOOP("ErrorWord", "a packet of the firmware"),
+    QT_TRANSLATE_NOOP("ErrorWord", "an inventory with an Inverse3"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the bootloader's greeting"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the echo of the first byte"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the firmware's echo"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the handshake of a WebSocket"),
+    QT_TRANSLATE_NOOP("ErrorWord", "where it is"),
+    QT_TRANSLATE_NOOP("ErrorWord", "unplugged"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it brings no driver"),
+    QT_TRANSLATE_NOOP("ErrorWord", "there is already a driver '%1'"),
     // … is not supported
     QT_TRANSLATE_NOOP("ErrorWord", "XML that declares entities"),
     QT_TRANSLATE_NOOP("ErrorWord", "a geometry that is no mesh"),

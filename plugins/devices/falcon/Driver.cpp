@@ -22,7 +22,10 @@ Result<Firmware> readFirmware() {
   Firmware bytes(kLargest);
   stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   bytes.resize(static_cast<std::size_t>(stream.gcount()));
-  if (bytes.empty()) return Error{ErrorCode::ReferenceMissing, {"the firmware file", path}, {}, "Novint Falcon"};
+  if (bytes.empty()) {
+    const std::string name = path.substr(path.rfind('/') + 1);
+    return Error{ErrorCode::ReferenceMissing, {"the firmware file", name}, {}, path};
+  }
   return bytes;
 }
 
