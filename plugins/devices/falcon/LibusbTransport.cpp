@@ -3,6 +3,7 @@
 #include "falcon/LibusbTransport.h"
 
 #include <libusb.h>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -15,6 +16,7 @@ constexpr std::uint16_t kProduct = 0xcb48;
 constexpr std::uint8_t kOut = 0x02, kIn = 0x81;
 constexpr std::uint8_t kVendorRequest = 0x40;
 constexpr unsigned kMilliseconds = 100;  // that a transfer out may take
+constexpr int kMostErrors = 10;
 
 class LibusbTransport final : public UsbTransport {
  public:
@@ -28,35 +30,50 @@ class LibusbTransport final : public UsbTransport {
   LibusbTransport& operator=(const LibusbTransport&) = delete;
 
   bool control(std::uint8_t request, std::uint16_t value) noexcept override {
-    return noted(libusb_control_transfer(m_handle, kVendorRequest, request, value, 0, nullptr, 0, kMilliseconds)) == 0;
+    return noted(libusb_control_transfer(m_handle, kVendorRequest, request, value, 0, nullptr, 0, kMilliseconds), 0) ==
+           0;
   }
 
   bool write(std::span<const std::uint8_t> bytes) noexcept override {
     int sent = 0;
     auto* const data = const_cast<std::uint8_t*>(bytes.data());  // libusb only reads it
     const int size = static_cast<int>(bytes.size());
-    return noted(libusb_bulk_transfer(m_handle, kOut, data, size, &sent, kMilliseconds)) == 0 && sent == size;
+    return noted(libusb_bulk_transfer(m_handle, kOut, data, size, &sent, kMilliseconds), kOut) == 0 && sent == size;
   }
 
   std::ptrdiff_t read(std::span<std::uint8_t> into, double timeout) noexcept override {
     int received = 0;
     const auto milliseconds = static_cast<unsigned>(std::max(1.0, std::ceil(timeout * 1e3)));  // 0 would be for ever
-    noted(libusb_bulk_transfer(m_handle, kIn, into.data(), static_cast<int>(into.size()), &received, milliseconds));
+    const int size = static_cast<int>(into.size());
+    noted(libusb_bulk_transfer(m_handle, kIn, into.data(), size, &received, milliseconds), kIn);
     return m_gone ? kGone : received;
   }
 
   bool isGone() const noexcept override { return m_gone; }
 
  private:
-  int noted(int status) noexcept {
-    if (status == LIBUSB_ERROR_NO_DEVICE || status == LIBUSB_ERROR_IO) m_gone = true;
+  // A halted pipe is set going again. A line that errs again and again is as good as gone; that nothing came is no
+  // error.
+  int noted(int status, std::uint8_t pipe) noexcept {
+    if (status == LIBUSB_ERROR_PIPE && pipe != 0) (void)libusb_clear_halt(m_handle, pipe);
+    m_errors = status == 0 || status == LIBUSB_ERROR_TIMEOUT ? 0 : m_errors + 1;
+    m_gone |= status == LIBUSB_ERROR_NO_DEVICE || m_errors >= kMostErrors;
     return status;
   }
 
   std::shared_ptr<libusb_context> m_context;
   libusb_device_handle* m_handle;
+  int m_errors = 0;  // one after the other
   bool m_gone = false;
 };
+
+// The kernel may have taken the chip for a serial line; it gets it back on release.
+int claim(libusb_device_handle* handle) {
+  const int status = libusb_claim_interface(handle, 0);
+  if (status != LIBUSB_ERROR_BUSY) return status;
+  (void)libusb_set_auto_detach_kernel_driver(handle, 1);
+  return libusb_claim_interface(handle, 0);
+}
 
 std::string addressOf(libusb_device* device) {
   std::uint8_t ports[7] = {};
@@ -99,8 +116,7 @@ Result<std::unique_ptr<UsbTransport>> Usb::open(const std::string& address) cons
     });
   }
   if (handle) {
-    (void)libusb_set_auto_detach_kernel_driver(handle, 1);
-    status = libusb_claim_interface(handle, 0);
+    status = claim(handle);
     if (status == 0) return std::unique_ptr<UsbTransport>(std::make_unique<LibusbTransport>(m_context, handle));
     libusb_close(handle);
   }

@@ -74,7 +74,7 @@ class HidrawTest : public QObject {
         "r 200 ^C^B^@\n";
     QProcess process;
     process.start(umockdev, {"-d", put("mouse.umockdev", tree()), "-i", "/dev/hidraw0=" + put("mouse.ioctl", ioctls()),
-                             "-s", "/dev/hidraw0=" + put("mouse.script", script), "--", HIDRAW_PROBE});
+                             "-s", "/dev/hidraw0=" + put("mouse.script", script), "--", HIDRAWPROBE});
     QVERIFY(process.waitForFinished(60000));
     const QByteArray errors = process.readAllStandardError();
     const QList<QByteArray> lines = process.readAllStandardOutput().trimmed().split('\n');
