@@ -35,7 +35,8 @@ Status Session::open(Progress progress) {
   m_state = {};
   m_state.status = DeviceStatus::Starting;
   m_point = kHome;
-  if (!runs(*m_port, *m_clock) && !m_port->isGone()) {
+  if (!runs(*m_port, *m_clock)) {
+    if (m_port->isGone()) return Error{ErrorCode::DeviceUnreachable, {"unplugged"}, {}, "Novint Falcon"};
     const Result<Firmware> firmware = m_readFirmware();
     if (!firmware) return firmware.error();
     const Status loaded = loadFirmware(*m_port, *m_clock, *firmware, progress);

@@ -33,6 +33,7 @@ class FalconEmulator {
   bool leadingZero = false;  // before the answer to a greeting
   int shortEvery = 0;        // of so many answers, one lacks its last two bytes
   bool stalled = false;
+  std::size_t unpluggedAt = 0;  // byte of a load; 0: never
   bool gone = false;
 
   // What it is like.
@@ -97,6 +98,7 @@ class FalconEmulator {
         echo.back() ^= 1;
       }
       if (m_loaded == image) running = true;
+      gone |= unpluggedAt > 0 && m_loaded.size() >= unpluggedAt;
     }
     send(echo);
   }

@@ -93,9 +93,16 @@ class FalconSessionTest : public QObject {
   }
 
   void unpluggedWhileLoading() {
+    m_falcon->unpluggedAt = 5000;
+    QCOMPARE(m_session->open({}).error().code, ErrorCode::DeviceUnreachable);
+    QCOMPARE(m_falcon->loads, 1);  // and not tried again
+  }
+
+  void unpluggedBeforeItIsAsked() {
     m_falcon->gone = true;
-    const Status opened = m_session->open({});
-    QVERIFY(!opened.hasValue() || m_session->exchange({}).status == DeviceStatus::Absent);
+    QCOMPARE(m_session->open({}).error().code, ErrorCode::DeviceUnreachable);
+    m_session->close();
+    QCOMPARE(m_session->exchange({}).status, DeviceStatus::Absent);
   }
 
   // Where it is cannot be known before, and its position leaps when it is: no torque until then, whatever is asked.
