@@ -5,6 +5,8 @@
 #include "base/NumberText.h"
 #include "cli/Messages.h"
 #include "cli/ReportJson.h"
+#include "haptics/MouseDevice.h"
+#include "haptics/SimulatedDevice.h"
 
 namespace handwheel {
 
@@ -15,9 +17,10 @@ struct Found {
   DeviceCapabilities capabilities;
 };
 
-// A device that goes between finding and asking is left out.
+// A device that goes between finding and asking is left out. The two that need no hardware come first.
 std::vector<Found> foundBy(DeviceCatalogue& catalogue) {
-  std::vector<Found> all;
+  std::vector<Found> all{{{"simulated", "hand", "Simulated hand"}, simulatedDevice().capabilities},
+                         {{"mouse", "pointer", "Mouse"}, MouseDevice().capabilities()}};
   for (DeviceListing& listing : catalogue.find()) {
     const std::unique_ptr<Device> device = catalogue.make(listing.driver, listing.address);
     if (device) all.push_back({std::move(listing), device->capabilities()});
@@ -75,7 +78,7 @@ std::string readableText(const DeviceCatalogue& catalogue, const std::vector<Fou
   std::string text = "Drivers:";
   for (const std::string& id : catalogue.drivers()) text += " " + id;
   text += catalogue.drivers().empty() ? " none\n" : "\n";
-  text += devices.empty() ? "Devices: none found\n" : "Devices:\n";
+  text += "Devices:\n";
   for (const auto& [listing, capabilities] : devices) {
     text += "  " + listing.name + " (" + listing.driver + ", " + listing.address + "): " + textOf(capabilities) + "\n";
   }

@@ -60,7 +60,14 @@ class DevicesTest : public QObject {
     qputenv("HANDWHEEL_PLUGINS", "/nowhere");
     const Ran ran = bench.run({"devices", "--json"});
     QCOMPARE(ran.code, 0);
-    QVERIFY(nlohmann::json::parse(ran.out.toStdString())["plugins"].empty());
+    const nlohmann::json json = nlohmann::json::parse(ran.out.toStdString());
+    QVERIFY(json["plugins"].empty());
+    // Those that need neither plugin nor hardware.
+    QCOMPARE(json["devices"].size(), std::size_t(2));
+    QCOMPARE(json["devices"][0]["driver"].get<std::string>(), std::string("simulated"));
+    QCOMPARE(json["devices"][0]["capabilities"]["outputs"].get<int>(), 3);
+    QVERIFY(json["devices"][0]["capabilities"]["max_force_n"].get<double>() > 0.0);
+    QCOMPARE(json["devices"][1]["driver"].get<std::string>(), std::string("mouse"));
   }
 };
 
