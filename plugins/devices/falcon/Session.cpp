@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kMillimetre = 1e-3;   // m
 constexpr double kAnswerTime = 0.004;  // s; it answers within one or two frames of the bus
+constexpr double kLateTime = 0.001;    // s that one that was missed is waited for
 constexpr double kSilence = 0.1;       // s without an answer, and it has failed
 constexpr int kFarewells = 3;          // zero packets on leaving: what it does when none come is not known
 
@@ -32,6 +33,7 @@ Status Session::open(Progress progress) {
   if (!usb) return usb.error();
   m_port = std::make_unique<FtdiPort>(std::move(usb.value()));
   m_answers.clear();
+  m_missed = false;
   m_state = {};
   m_state.status = DeviceStatus::Starting;
   m_point = kHome;
@@ -67,11 +69,17 @@ void Session::close() noexcept {
   m_port.reset();
 }
 
-// One packet out, one in. An answer that comes late is taken with the next.
+// One packet out, one in. An answer that was missed may still come: it is let in before the next question, or every
+// answer from then on would be that to the question before.
 bool Session::converse(const Counts& torques, std::uint8_t lights) noexcept {
-  if (!m_port->write(encode(torques, lights))) return false;
+  if (m_missed) (void)listen(kLateTime);
+  m_missed = !m_port->write(encode(torques, lights)) || !listen(kAnswerTime);
+  return !m_missed;
+}
+
+bool Session::listen(double timeout) noexcept {
   std::array<std::uint8_t, 256> bytes{};
-  const double end = m_clock->now() + kAnswerTime;
+  const double end = m_clock->now() + timeout;
   do {
     const std::ptrdiff_t count = m_port->read(bytes, end - m_clock->now());
     if (count == kGone) return false;

@@ -27,6 +27,7 @@ class Session final : public handwheel::Session {
 
  private:
   bool converse(const Counts& torques, std::uint8_t lights) noexcept;  // whether an answer came
+  bool listen(double timeout) noexcept;
   Counts torquesFor(const Vec3& force) const noexcept;
   void understand() noexcept;
 
@@ -35,6 +36,7 @@ class Session final : public handwheel::Session {
   std::shared_ptr<Clock> m_clock;
   std::unique_ptr<FtdiPort> m_port;  // null: not open, or gone
   AnswerReader m_answers;
+  bool m_missed = false;  // the last packet was not answered in time
   DeviceState m_state;
   Vec3 m_point = kHome;  // m, in the mechanism's frame
   double m_lastAnswer = 0.0;

@@ -52,7 +52,9 @@ Status Session::open(Progress progress) {
 
 DeviceState Session::exchange(const DeviceForce& force) noexcept {
   if (!m_stream) return {};
-  if (send(toOurs().transpose() * force.force) && !receive(kAnswerTime) && m_clock->now() - m_lastAnswer > kSilence) {
+  (void)receive(0.0);  // a line that came late; else every answer from then on would be that to the question before
+  if (m_stream && send(toOurs().transpose() * force.force) && !receive(kAnswerTime) &&
+      m_clock->now() - m_lastAnswer > kSilence) {
     m_state.status = DeviceStatus::Failed;
   }
   return m_stream ? m_state : DeviceState();

@@ -33,6 +33,7 @@ class FalconEmulator {
   bool leadingZero = false;  // before the answer to a greeting
   int shortEvery = 0;        // of so many answers, one lacks its last two bytes
   bool stalled = false;
+  bool lateOnce = false;        // the next answer comes when nobody waits for it any more
   std::size_t unpluggedAt = 0;  // byte of a load; 0: never
   bool gone = false;
 
@@ -49,6 +50,15 @@ class FalconEmulator {
   std::optional<std::array<int, 3>> torques;
   std::uint8_t lights = 0;
   std::deque<std::uint8_t> toHost;
+  Bytes late;  // an answer that comes with the fifth transfer from now
+  int transfers = 0;
+
+  void transfer() {
+    transfers = late.empty() ? 0 : transfers + 1;
+    if (transfers < 5) return;
+    send(late);
+    late.clear();
+  }
 
   bool isHomed() const { return packetsToHoming <= 0; }
 
@@ -133,7 +143,12 @@ class FalconEmulator {
     out.push_back('A');
     out.push_back('>');
     if (shortEvery > 0 && packets % shortEvery == 0) out.resize(14);
-    send(out);
+    if (lateOnce) {
+      late = out;
+      lateOnce = false;
+    } else {
+      send(out);
+    }
   }
 
   std::uint16_t m_baud = 0;
@@ -165,6 +180,7 @@ class FakeUsb final : public UsbTransport {
     const std::lock_guard lock(m_falcon->mutex);
     m_clock->sleep(0.001);  // the chip sends its status each ms, with or without data
     if (m_falcon->gone) return kGone;
+    m_falcon->transfer();
     std::size_t filled = 0;
     do {
       into[filled++] = 0x01;

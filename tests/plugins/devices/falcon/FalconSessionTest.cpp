@@ -163,6 +163,19 @@ class FalconSessionTest : public QObject {
     QCOMPARE(ready, 300);
   }
 
+  // Answers do not fall behind the questions for good.
+  void aLateAnswerIsNotTakenForTheNext() {
+    m_falcon->running = true;
+    QVERIFY(m_session->open({}).hasValue());
+    untilReady();
+    m_falcon->lateOnce = true;
+    m_session->exchange({});
+    QVERIFY(!m_falcon->late.empty());  // it was waited for in vain
+    m_falcon->encoders = {500, 500, 500};
+    QVERIFY((m_session->exchange({}).position - Vec3(0, 0, 156.860 - 134.6)).norm() < 2e-3);
+    QVERIFY(m_falcon->late.empty() && m_falcon->toHost.empty());
+  }
+
   void aStallFailsAndComesBack() {
     m_falcon->running = true;
     QVERIFY(m_session->open({}).hasValue());

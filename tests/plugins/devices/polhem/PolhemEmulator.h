@@ -19,8 +19,10 @@ struct PolhemEmulator final : Peer {
   double angles[4] = {0.0919, -1.8483, 1.0370, -1.9512};
   int booting = 0;  // lines that it does not hear yet
   bool stalled = false;
+  bool lateOnce = false;  // the next answer is kept in late
   std::size_t loses = 0;  // bytes from the middle of each line
   std::optional<Vec3> force;
+  std::string late;
 
   void receive(std::span<const std::uint8_t> bytes) override {
     m_in.append(bytes.begin(), bytes.end());
@@ -50,7 +52,13 @@ struct PolhemEmulator final : Peer {
     force = 1e-3 * Vec3(numbers[0], numbers[1], numbers[2]);
     std::string answer = line();
     answer.erase(20, loses);
-    if (!stalled) toHost.insert(toHost.end(), answer.begin(), answer.end());
+    if (stalled) return;
+    if (lateOnce) {
+      late = answer;
+    } else {
+      toHost.insert(toHost.end(), answer.begin(), answer.end());
+    }
+    lateOnce = false;
   }
 
   std::string m_in;

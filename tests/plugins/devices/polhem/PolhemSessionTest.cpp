@@ -139,6 +139,16 @@ class PolhemSessionTest : public QObject {
     QCOMPARE(m_session->open({}).error().code, ErrorCode::DeviceUnreachable);
   }
 
+  void aLateAnswerIsNotTakenForTheNext() {
+    QVERIFY(m_session->open({}).hasValue());
+    m_peer->lateOnce = true;
+    m_session->exchange({});
+    QVERIFY(!m_peer->late.empty());
+    m_peer->toHost.assign(m_peer->late.begin(), m_peer->late.end());  // here it comes
+    m_peer->place[1] = 42.0;
+    QCOMPARE(m_session->exchange({}).position.x(), 42.0);
+  }
+
   void aStallFailsAndComesBack() {
     QVERIFY(m_session->open({}).hasValue());
     m_peer->loses = 3;  // every line is cut short, which is as good as none
