@@ -11,10 +11,10 @@ inline constexpr std::uint16_t kLogitech = 0x046d;
 inline constexpr std::uint16_t k3Dconnexion = 0x256f;
 
 struct Model {
-  std::uint16_t vendor;
-  std::uint16_t product;
   const char* name;
   int buttons;
+  std::uint16_t vendor;
+  std::uint16_t product;
 };
 
 // What is known of a product; null for one that is not known, or that has no six axes.
