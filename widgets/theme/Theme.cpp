@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "theme/Theme.h"
 
+#include "theme/Restyling.h"
+
 #include <QApplication>
 #include <QFile>
 #include <QPalette>
 #include <QProxyStyle>
-#include <utility>
+#include <array>
 
 namespace handwheel {
 
@@ -64,7 +66,6 @@ QPalette paletteOf(const ThemeColours& c) {
   p.setColor(QPalette::Window, c.window);
   p.setColor(QPalette::WindowText, c.text);
   p.setColor(QPalette::Base, c.base);
-  p.setColor(QPalette::AlternateBase, c.window);
   p.setColor(QPalette::Text, c.text);
   p.setColor(QPalette::Button, c.raised);
   p.setColor(QPalette::ButtonText, c.text);
@@ -75,45 +76,50 @@ QPalette paletteOf(const ThemeColours& c) {
   p.setColor(QPalette::ToolTipText, c.text);
   p.setColor(QPalette::PlaceholderText, c.muted);
   p.setColor(QPalette::Link, c.accent);
-  p.setColor(QPalette::LinkVisited, c.accent);
   p.setColor(QPalette::Mid, c.border);
   p.setColor(QPalette::Midlight, c.hover);
-  p.setColor(QPalette::Light, c.raised);
   p.setColor(QPalette::Dark, c.border);
   for (auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
     p.setColor(QPalette::Disabled, role, withAlpha(c.muted, 140));
   }
   p.setColor(QPalette::Disabled, QPalette::Highlight, c.border);
+  // Roles that nothing in the window draws with carry the colours that a palette has no role for, to the style sheet.
+  p.setColor(QPalette::Shadow, c.muted);
+  p.setColor(QPalette::AlternateBase, withAlpha(c.accent, 56));
+  p.setColor(QPalette::LinkVisited, c.success);
+  p.setColor(QPalette::Light, c.warning);
+  p.setColor(QPalette::Disabled, QPalette::Light, c.raised);
   return p;
 }
 
-QString styleSheetOf(ThemeKind kind) {
-  const ThemeColours& c = themeColours(kind);
+// The words of the style sheet for the roles that paletteOf() gives them.
+struct SheetWord {
+  const char* word;
+  const char* role;
+};
+constexpr std::array kSheetWords = {
+    SheetWord{"@accentText", "highlighted-text"},
+    SheetWord{"@accentSoft", "alternate-base"},
+    SheetWord{"@accent", "highlight"},
+    SheetWord{"@window", "window"},
+    SheetWord{"@base", "base"},
+    SheetWord{"@raised", "button"},
+    SheetWord{"@hover", "midlight"},
+    SheetWord{"@border", "mid"},
+    SheetWord{"@text", "window-text"},
+    SheetWord{"@muted", "shadow"},
+    SheetWord{"@success", "link-visited"},
+    SheetWord{"@warning", "light"},
+    SheetWord{"@error", "bright-text"},
+};
+
+// The same for both themes.
+QString styleSheet() {
   QFile file(QStringLiteral(":/theme/handwheel.qss"));
   if (!file.open(QIODevice::ReadOnly)) return {};
   QString sheet = QString::fromUtf8(file.readAll());
-  sheet.replace(QLatin1String("@theme"), QLatin1String(kind == ThemeKind::Dark ? "dark" : "light"));
-  const std::pair<const char*, QColor> words[] = {
-      {"@accentText", c.accentText},
-      {"@accentSoft", withAlpha(c.accent, 56)},
-      {"@accent", c.accent},
-      {"@window", c.window},
-      {"@base", c.base},
-      {"@raised", c.raised},
-      {"@hover", c.hover},
-      {"@border", c.border},
-      {"@text", c.text},
-      {"@muted", c.muted},
-      {"@success", c.success},
-      {"@warning", c.warning},
-      {"@error", c.error},
-  };
-  for (const auto& [word, colour] : words) {
-    sheet.replace(QLatin1String(word), QStringLiteral("rgba(%1,%2,%3,%4)")
-                                           .arg(colour.red())
-                                           .arg(colour.green())
-                                           .arg(colour.blue())
-                                           .arg(colour.alpha()));
+  for (const auto& [word, role] : kSheetWords) {
+    sheet.replace(QLatin1String(word), QStringLiteral("palette(%1)").arg(QLatin1String(role)));
   }
   return sheet;
 }
@@ -137,10 +143,10 @@ ThemeKind currentTheme() {
 }
 
 void applyTheme(QApplication& application, ThemeKind kind) {
-  // Going through all widgets takes long enough once; both themes have this style.
-  if (application.styleSheet().isEmpty()) application.setStyle(new PlainFusion);
+  const bool isFirst = application.styleSheet().isEmpty();
+  if (isFirst) application.setStyle(new PlainFusion);
   application.setPalette(paletteOf(themeColours(kind)));
-  application.setStyleSheet(styleSheetOf(kind));
+  isFirst ? application.setStyleSheet(styleSheet()) : Restyling::restyle(application);
 }
 
 }  // namespace handwheel

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ControlScenes.h"
+#include "ControlsTestMain.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTest>
+#include <QToolButton>
+#include <QTreeWidget>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+// Switching the theme leaves nothing of the theme before: what was there looks like what is made in the new theme.
+class ThemeTest : public QObject {
+  Q_OBJECT
+
+ private:
+  // Everything that the style sheet names a colour for.
+  static std::unique_ptr<QWidget> scene() {
+    auto all = std::make_unique<QWidget>();
+    auto* column = new QVBoxLayout(all.get());
+    for (const char* property : {"muted", "strong", "good", "bad", "wrong"}) {
+      auto* label = new QLabel(QString::fromLatin1(property));
+      label->setProperty(property, true);
+      column->addWidget(label);
+    }
+    for (const char* property : {"primary", "flat", "none"}) {
+      auto* button = new QPushButton(QString::fromLatin1(property));
+      button->setProperty(property, true);
+      column->addWidget(button);
+    }
+    auto* tool = new QToolButton;
+    tool->setIcon(icon(QStringLiteral("fit")));
+    tool->setCheckable(true);
+    tool->setChecked(true);
+    column->addWidget(tool);
+    auto* check = new QCheckBox(QStringLiteral("check"));
+    check->setChecked(true);
+    column->addWidget(check);
+    auto* combo = new QComboBox;
+    combo->addItems({"one", "two"});
+    column->addWidget(combo);
+    auto* bar = new QProgressBar;
+    bar->setValue(40);
+    column->addWidget(bar);
+    auto* line = new QLineEdit(QStringLiteral("line"));
+    line->setProperty("wrong", true);
+    column->addWidget(line);
+    auto* tree = new QTreeWidget;
+    tree->addTopLevelItem(new QTreeWidgetItem(QStringList{QStringLiteral("item")}));
+    tree->topLevelItem(0)->addChild(new QTreeWidgetItem(QStringList{QStringLiteral("child")}));
+    tree->topLevelItem(0)->setSelected(true);
+    column->addWidget(tree);
+    auto* list = new PropertyList;
+    list->setProperties(sampleProperties());
+    column->addWidget(list);
+    all->resize(300, 900);
+    return all;
+  }
+
+  static QImage picture(QWidget& widget) {
+    widget.clearFocus();
+    return widget.grab().toImage();
+  }
+
+  static QImage inTheme(ThemeKind kind) {
+    applyTheme(*qApp, kind);
+    const auto fresh = scene();
+    fresh->setAttribute(Qt::WA_ShowWithoutActivating);
+    fresh->show();
+    if (!QTest::qWaitForWindowExposed(fresh.get())) qFatal("not shown");
+    QTest::qWait(50);
+    return picture(*fresh);
+  }
+
+ private slots:
+  void cleanup() { applyTheme(*qApp, ThemeKind::Light); }
+
+  void aVisibleWindowFollowsAtOnce() {
+    const QImage light = inTheme(ThemeKind::Light), dark = inTheme(ThemeKind::Dark);
+    QVERIFY(light != dark);
+    applyTheme(*qApp, ThemeKind::Light);
+    const auto window = scene();
+    window->setAttribute(Qt::WA_ShowWithoutActivating);
+    window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window.get()));
+    QTest::qWait(50);
+    QCOMPARE(picture(*window), light);
+    applyTheme(*qApp, ThemeKind::Dark);
+    QCOMPARE(picture(*window), dark);  // no event has been served in between
+    applyTheme(*qApp, ThemeKind::Light);
+    QCOMPARE(picture(*window), light);
+    applyTheme(*qApp, ThemeKind::Dark);
+    applyTheme(*qApp, ThemeKind::Light);  // the first of the two was not done with what is hidden
+    QTest::qWait(50);
+    QCOMPARE(picture(*window), light);
+  }
+
+  void whatIsHiddenFollows_data() {
+    QTest::addColumn<int>("waitMs");
+    QTest::newRow("when it is shown") << 0;
+    QTest::newRow("in time") << 200;
+  }
+  void whatIsHiddenFollows() {
+    QFETCH(int, waitMs);
+    const QImage dark = inTheme(ThemeKind::Dark);
+    applyTheme(*qApp, ThemeKind::Light);
+    const auto window = scene();
+    window->setAttribute(Qt::WA_ShowWithoutActivating);
+    window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window.get()));
+    window->hide();
+    QTest::qWait(50);
+    applyTheme(*qApp, ThemeKind::Dark);
+    if (waitMs > 0) QTest::qWait(waitMs);
+    window->show();
+    QCOMPARE(picture(*window), dark);
+  }
+
+  // While the hidden widgets wait for their turn.
+  void aWidgetMayDie() {
+    auto window = scene();
+    window->show();
+    window->hide();
+    applyTheme(*qApp, ThemeKind::Dark);
+    window.reset();
+    QTest::qWait(50);
+    QCOMPARE(currentTheme(), ThemeKind::Dark);
+  }
+};
+
+HANDWHEEL_CONTROLS_TEST(ThemeTest)
+#include "ThemeTest.moc"
