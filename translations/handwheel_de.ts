@@ -998,6 +998,22 @@
         <source>triangles that are left</source>
         <translation>verbleibende Dreiecke</translation>
     </message>
+    <message>
+        <source>What fair patches continue of their surroundings</source>
+        <translation>Was glatte Flicken von ihrer Umgebung fortsetzen</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>tangent</source>
+        <translation>Tangente</translation>
+    </message>
+    <message>
+        <source>curvature</source>
+        <translation>Krümmung</translation>
+    </message>
 </context>
 <context>
     <name>FileFilters</name>
@@ -1813,6 +1829,22 @@
     <message>
         <source>Area and bend</source>
         <translation>Fläche und Knick</translation>
+    </message>
+    <message>
+        <source>Continues</source>
+        <translation>Setzt fort</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>Tangents</source>
+        <translation>Tangenten</translation>
+    </message>
+    <message>
+        <source>Curvature</source>
+        <translation>Krümmung</translation>
     </message>
 </context>
 <context>

@@ -998,6 +998,22 @@
         <source>triangles that are left</source>
         <translation>剩余三角形</translation>
     </message>
+    <message>
+        <source>What fair patches continue of their surroundings</source>
+        <translation>光顺补片延续周围的什么</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>tangent</source>
+        <translation>切线</translation>
+    </message>
+    <message>
+        <source>curvature</source>
+        <translation>曲率</translation>
+    </message>
 </context>
 <context>
     <name>FileFilters</name>
@@ -1801,6 +1817,22 @@
     <message>
         <source>Area and bend</source>
         <translation>面积与弯折</translation>
+    </message>
+    <message>
+        <source>Continues</source>
+        <translation>延续</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Tangents</source>
+        <translation>切线</translation>
+    </message>
+    <message>
+        <source>Curvature</source>
+        <translation>曲率</translation>
     </message>
 </context>
 <context>

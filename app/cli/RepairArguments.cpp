@@ -69,6 +69,11 @@ std::string readRepairOptions(const Arguments& arguments, RepairRequest& request
     if (!method) return "--fill takes fair, ridge, refined, ear, minimal, area or dihedral.";
     request.options.fill.method = *method;
   }
+  if (arguments.has("continuity")) {
+    const auto continuity = valueOf(fillContinuitySetting(), arguments.valueOf("continuity"));
+    if (!continuity) return "--continuity takes position, tangent or curvature.";
+    request.options.fill.continuity = static_cast<Continuity>(*continuity);
+  }
   if (arguments.has("keep-open") && !readIds(arguments.valueOf("keep-open"), request.options.keepOpen)) {
     return "--keep-open takes loop numbers separated by commas.";
   }

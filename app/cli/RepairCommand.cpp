@@ -78,6 +78,7 @@ CommandSpec repairSpec() {
           {"output", 'o', "OUT", "The repaired mesh: .stl, .ply, .obj, .off, .3mf or .handwheel; may be the input"},
           {"fidelity", 0, "LIST", "draft, balanced or exact, and single values: mesh.near_weld=1e-4,..."},
           {"fill", 0, "METHOD", "fair (default), ridge, refined, ear, minimal, area or dihedral"},
+          {"continuity", 0, "HOW", "What fair patches continue: position, tangent (default) or curvature"},
           {"keep-open", 0, "ID,...", "Loops to leave open, numbered as 'handwheel inspect' does"},
           {"rims", 0, "HOW", "Outer edges of open sheets: give the sheet a back (default), keep or fill"},
           {"max-hole", 0, "N", "Leave loops with more than N edges open"},

@@ -19,9 +19,12 @@ using SoupSource = std::function<std::shared_ptr<const TriangleSoup>()>;
 std::vector<FidelityCase> nearWeldCases();
 FidelityCase nearWeldCaseOn(const std::string& name, SoupSource soup);
 
-// mesh.fill_method, mesh.patch_density and mesh.piece_edges: pieces cut out of a surface and filled again.
+// mesh.fill_method, mesh.fill_continuity, mesh.patch_density and mesh.piece_edges: pieces cut out of a surface and
+// filled again.
 std::vector<FidelityCase> fillMethodCases();
 FidelityCase fillMethodCaseOn(const std::string& name, SoupSource soup);
+std::vector<FidelityCase> fillContinuityCases();
+FidelityCase fillContinuityCaseOn(const std::string& name, SoupSource soup);
 std::vector<FidelityCase> patchDensityCases();
 FidelityCase patchDensityCaseOn(const std::string& name, SoupSource soup);
 std::vector<FidelityCase> pieceEdgesCases();

@@ -89,6 +89,11 @@ void chooseMethod(FillOptions& options, double value) {
   if (values.set(fillMethodSetting(), value)) options.method = fillMethodOf(values);
 }
 
+void chooseContinuity(FillOptions& options, double value) {
+  FidelityValues values;
+  if (values.set(fillContinuitySetting(), value)) options.continuity = fillContinuityOf(values);
+}
+
 void chooseDensity(FillOptions& options, double value) {
   options.density = value;
 }
@@ -111,6 +116,14 @@ std::vector<FidelityCase> fillMethodCases() {
 
 FidelityCase fillMethodCaseOn(const std::string& name, SoupSource soup) {
   return caseOn({name, std::move(soup)}, chooseMethod);
+}
+
+std::vector<FidelityCase> fillContinuityCases() {
+  return casesOn(builtIn(), chooseContinuity);
+}
+
+FidelityCase fillContinuityCaseOn(const std::string& name, SoupSource soup) {
+  return caseOn({name, std::move(soup)}, chooseContinuity);
 }
 
 std::vector<FidelityCase> patchDensityCases() {

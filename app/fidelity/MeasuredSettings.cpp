@@ -11,6 +11,7 @@ FidelityRegistry measuredSettings() {
   FidelityRegistry registry;
   registry.add(nearWeldSetting(), nearWeldCases());
   registry.add(fillMethodSetting(), fillMethodCases());
+  registry.add(fillContinuitySetting(), fillContinuityCases());
   registry.add(patchDensitySetting(), patchDensityCases());
   registry.add(pieceEdgesSetting(), pieceEdgesCases());
   registry.add(decimationErrorSetting(), decimationErrorCases());
@@ -29,11 +30,15 @@ std::vector<FidelityCase> casesOnMesh(std::string_view id, const std::string& na
     std::string id;
     FidelityCase (*make)(const std::string&, SoupSource);
   };
-  const Maker makers[] = {
-      {nearWeldSetting().id, nearWeldCaseOn},         {fillMethodSetting().id, fillMethodCaseOn},
-      {patchDensitySetting().id, patchDensityCaseOn}, {undoGranularitySetting().id, undoGranularityCaseOn},
-      {pieceEdgesSetting().id, pieceEdgesCaseOn},     {decimationErrorSetting().id, decimationErrorCaseOn},
-      {blockFacesSetting().id, blockFacesCaseOn},     {coarseTrianglesSetting().id, coarseTrianglesCaseOn}};
+  const Maker makers[] = {{nearWeldSetting().id, nearWeldCaseOn},
+                          {fillMethodSetting().id, fillMethodCaseOn},
+                          {fillContinuitySetting().id, fillContinuityCaseOn},
+                          {patchDensitySetting().id, patchDensityCaseOn},
+                          {undoGranularitySetting().id, undoGranularityCaseOn},
+                          {pieceEdgesSetting().id, pieceEdgesCaseOn},
+                          {decimationErrorSetting().id, decimationErrorCaseOn},
+                          {blockFacesSetting().id, blockFacesCaseOn},
+                          {coarseTrianglesSetting().id, coarseTrianglesCaseOn}};
   for (const Maker& maker : makers) {
     if (maker.id == id) return {maker.make(name, soup)};
   }

@@ -55,6 +55,7 @@ QString fidelityOption(const RepairOptions& options) {
     if (value != setting.standard) values << QString::fromStdString(setting.id + '=' + textOf(setting, value));
   };
   add(nearWeldSetting(), options.nearWeld);
+  add(fillContinuitySetting(), static_cast<double>(options.fill.continuity));
   add(patchDensitySetting(), options.fill.density);
   add(pieceEdgesSetting(), static_cast<double>(options.fill.pieceEdges));
   return values.isEmpty() ? QString() : QStringLiteral(" --fidelity ") + values.join(QLatin1Char(','));

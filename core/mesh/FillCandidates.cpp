@@ -59,15 +59,11 @@ FillCandidates::FillCandidates(const HoleContext& hole, const Obstacles& obstacl
 void FillCandidates::add(FillMethod method) {
   switch (method) {
     case FillMethod::Fair:
-    case FillMethod::Refined: {
-      const Bending bending = method == FillMethod::Fair ? Bending::Fair : Bending::Flat;
-      for (Start& start : m_starts) {
-        m_makers.push_back([this, &start, bending]() -> Made {
-          return start.get() ? refinePatch(m_hole, *start.get(), bending, m_options.density) : std::nullopt;
-        });
-      }
+      for (Continuity continuity : continuities()) addRefined(continuity);
       break;
-    }
+    case FillMethod::Refined:
+      addRefined(std::nullopt);
+      break;
     case FillMethod::Ear:
       if (!m_options.stitches.empty()) m_makers.push_back([this] { return inPieces(FillMethod::Ear); });
       for (std::size_t i = kBalanced; i > 0; --i) {
@@ -84,7 +80,11 @@ void FillCandidates::add(FillMethod method) {
       m_makers.push_back([this, method] { return m_isCut ? inPieces(method) : piece(m_hole, method); });
       break;
     case FillMethod::Ridge:
-      m_makers.push_back([this] { return fillAlongRidges(m_hole, m_obstacles, m_options.density, m_progress); });
+      for (Continuity continuity : continuities()) {
+        m_makers.push_back([this, continuity] {
+          return fillAlongRidges(m_hole, m_obstacles, m_options.density, continuity, m_progress);
+        });
+      }
       add(FillMethod::Fair);
       break;
     case FillMethod::Cone:
@@ -92,6 +92,20 @@ void FillCandidates::add(FillMethod method) {
     case FillMethod::Stitched:
     case FillMethod::Removed:
       break;
+  }
+}
+
+// The wanted one, and what takes its place where it swells too far or cannot be computed.
+std::vector<Continuity> FillCandidates::continuities() const {
+  if (m_options.continuity != Continuity::Curvature) return {m_options.continuity};
+  return {Continuity::Curvature, Continuity::Tangent};
+}
+
+void FillCandidates::addRefined(std::optional<Continuity> bent) {
+  for (Start& start : m_starts) {
+    m_makers.push_back([this, &start, bent]() -> Made {
+      return start.get() ? refinePatch(m_hole, *start.get(), bent, m_options.density) : std::nullopt;
+    });
   }
 }
 

@@ -39,6 +39,8 @@ class FillCandidates {
   };
 
   void add(FillMethod method);
+  std::vector<Continuity> continuities() const;
+  void addRefined(std::optional<Continuity> bent);
   Made inPieces(FillMethod method);
   Made piece(const HoleContext& hole, FillMethod method) const;
   Made ears(const HoleContext& hole, std::size_t taste) const;

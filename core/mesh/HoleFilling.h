@@ -6,6 +6,7 @@
 #include "base/Tolerance.h"
 #include "mesh/BoundaryLoops.h"
 #include "mesh/EarCutting.h"
+#include "mesh/Fairing.h"
 #include "mesh/HalfEdgeMesh.h"
 #include "mesh/Patch.h"
 
@@ -30,7 +31,9 @@ struct FillOptions {
   bool mayCross = false;  // patches that cross or touch the part will do: who accepts them uncrosses them
   NumberType numbers = NumberType::Float64;
   double density = tolerance::kPatchDensity;  // of Fair and Refined; the setting mesh.patch_density
-  EarWeights ears = {};                       // of Ear
+  // Of Fair and Ridge: the setting mesh.fill_continuity. Where no patch of curvature will do, one of tangent is tried.
+  Continuity continuity = Continuity::Tangent;
+  EarWeights ears = {};  // of Ear
   // A loop of more edges is cut into pieces of no more, each triangulated by itself: the setting mesh.piece_edges.
   std::size_t pieceEdges = tolerance::kPieceEdges;
   // Where it is cut, or a shorter one too; the bridges are edges of the patch unless it is refined. Empty: as

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/LibraryFill.h"
 
-#include "mesh/Fairing.h"
 #include "mesh/QuietCgal.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -131,7 +130,7 @@ std::optional<Patch> toPatch(const HoleContext& hole, const Surface& surface,
 }
 
 // Bends the patch so that it continues the ring; its triangles stay.
-bool bend(const HoleContext& hole, Patch& patch) {
+bool bend(const HoleContext& hole, Patch& patch, Continuity continuity) {
   const std::size_t n = hole.loopSize, known = hole.points.size();
   std::vector<Vec3> points = hole.points;
   points.insert(points.end(), patch.points.begin() + static_cast<std::ptrdiff_t>(n), patch.points.end());
@@ -142,7 +141,7 @@ bool bend(const HoleContext& hole, Patch& patch) {
   }
   std::vector<bool> isFree(points.size(), false);
   std::fill(isFree.begin() + static_cast<std::ptrdiff_t>(known), isFree.end(), true);
-  if (!fair(points, triangles, isFree)) return false;
+  if (!fair(points, triangles, isFree, continuity)) return false;
   std::copy(points.begin() + static_cast<std::ptrdiff_t>(known), points.end(),
             patch.points.begin() + static_cast<std::ptrdiff_t>(n));
   return true;
@@ -170,7 +169,8 @@ std::optional<Patch> triangulateMinimal(const HoleContext& hole) {
   return patch;
 }
 
-std::optional<Patch> refinePatch(const HoleContext& hole, const Patch& start, Bending bending, double density) {
+std::optional<Patch> refinePatch(const HoleContext& hole, const Patch& start, std::optional<Continuity> bent,
+                                 double density) {
   if (expectedTriangles(hole, start, density) >
       2.0 * tolerance::kPatchVerticesPerEdge * static_cast<double>(hole.loopSize)) {
     return std::nullopt;
@@ -189,8 +189,8 @@ std::optional<Patch> refinePatch(const HoleContext& hole, const Patch& start, Be
                 CGAL::parameters::density_control_factor(density));
     faces.insert(faces.end(), newFaces.begin(), newFaces.end());
     std::optional<Patch> patch = toPatch(hole, surface, faces, origin);
-    if (!patch || (bending == Bending::Fair && !bend(hole, *patch))) return std::nullopt;
-    patch->method = bending == Bending::Fair ? FillMethod::Fair : FillMethod::Refined;
+    if (!patch || (bent && !bend(hole, *patch, *bent))) return std::nullopt;
+    patch->method = bent ? FillMethod::Fair : FillMethod::Refined;
     patch->stitches = start.stitches;
     return patch;
   } catch (const std::exception&) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Tolerance.h"
+#include "mesh/Fairing.h"
 #include "mesh/HoleContext.h"
 #include "mesh/Patch.h"
 
@@ -15,12 +16,10 @@ namespace handwheel {
 // tolerance::kCubicFillEdges edges. No new vertices. None beyond tolerance::kLibraryFillEdges.
 std::optional<Patch> triangulateMinimal(const HoleContext& hole);
 
-enum class Bending { Flat, Fair };
-
-// Refines a patch to the density around the hole (Liepa 2003; density is its factor alpha) and, when Fair, bends it so
-// that it continues the tangents of the ring (Botsch et al. 2008). None when it would need too many vertices, a vertex
-// of the ring has more than tolerance::kLibraryFanFaces faces or the library refuses.
-std::optional<Patch> refinePatch(const HoleContext& hole, const Patch& start, Bending bending,
+// Refines a patch to the density around the hole (Liepa 2003; density is its factor alpha) and, with a continuity,
+// bends it so that it continues the ring (fair()). None when it would need too many vertices, a vertex of the ring has
+// more than tolerance::kLibraryFanFaces faces or the library refuses.
+std::optional<Patch> refinePatch(const HoleContext& hole, const Patch& start, std::optional<Continuity> bent,
                                  double density = tolerance::kPatchDensity);
 
 }  // namespace handwheel

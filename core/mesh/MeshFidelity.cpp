@@ -48,6 +48,20 @@ FidelitySetting fillMethodSetting() {
   return s;
 }
 
+FidelitySetting fillContinuitySetting() {
+  FidelitySetting s;
+  s.id = "mesh.fill_continuity";
+  s.label = translatable("Fidelity", "What fair patches continue of their surroundings");
+  setChoices(s, {translatable("Fidelity", "position"), translatable("Fidelity", "tangent"),
+                 translatable("Fidelity", "curvature")});  // as Continuity
+  s.standard = static_cast<double>(FillOptions().continuity);
+  s.presets = {1.0, 1.0, 2.0};
+  s.error = {translatable("Fidelity", "RMS distance of the patch from the surface"),
+             translatable("Fidelity", "% of the hole")};
+  s.cost = {translatable("Fidelity", "CPU time of a fill"), "ms"};
+  return s;
+}
+
 FidelitySetting patchDensitySetting() {
   FidelitySetting s;
   s.id = "mesh.patch_density";
@@ -120,8 +134,18 @@ void setFillMethod(FidelityValues& values, FillMethod method) {
   assert(isSet);
 }
 
+Continuity fillContinuityOf(const FidelityValues& values) {
+  return static_cast<Continuity>(values.of(fillContinuitySetting()));
+}
+
+void setFillContinuity(FidelityValues& values, Continuity continuity) {
+  [[maybe_unused]] const Status isSet = values.set(fillContinuitySetting(), static_cast<double>(continuity));
+  assert(isSet);
+}
+
 void apply(const FidelityValues& values, FillOptions& options) {
   options.method = fillMethodOf(values);
+  options.continuity = fillContinuityOf(values);
   options.density = values.of(patchDensitySetting());
   options.pieceEdges = static_cast<std::size_t>(values.of(pieceEdgesSetting()));
 }

@@ -10,6 +10,7 @@ namespace handwheel {
 // Where this room trades speed for accuracy. Presets follow from resources/fidelity (the test FidelityPresetsTest).
 FidelitySetting nearWeldSetting();         // mesh.near_weld: RepairOptions::nearWeld
 FidelitySetting fillMethodSetting();       // mesh.fill_method: FillOptions::method
+FidelitySetting fillContinuitySetting();   // mesh.fill_continuity: FillOptions::continuity
 FidelitySetting patchDensitySetting();     // mesh.patch_density: FillOptions::density
 FidelitySetting pieceEdgesSetting();       // mesh.piece_edges: FillOptions::pieceEdges
 FidelitySetting decimationErrorSetting();  // mesh.decimation_error: DecimationOptions::error, in diagonals
@@ -18,6 +19,9 @@ FidelitySetting undoGranularitySetting();  // document.undo_granularity: MeshDel
 // The chosen method: of Ear, Minimal, Refined, Fair, Area, Dihedral, Ridge.
 FillMethod fillMethodOf(const FidelityValues& values);
 void setFillMethod(FidelityValues& values, FillMethod method);
+
+Continuity fillContinuityOf(const FidelityValues& values);
+void setFillContinuity(FidelityValues& values, Continuity continuity);
 
 // Puts what was chosen into the options of a fill or a repair; the rest of them stays.
 void apply(const FidelityValues& values, FillOptions& options);

@@ -24,8 +24,8 @@ using Edge = std::pair<std::uint32_t, std::uint32_t>;  // smaller first
 class RidgeFiller {
  public:
   RidgeFiller(const HoleContext& hole, const Obstacles& obstacles, const std::vector<RidgeEnd>& ends,
-              const Ridges& ridges, double density, Progress progress)
-      : m_hole(hole), m_obstacles(obstacles), m_density(density), m_progress(progress) {
+              const Ridges& ridges, double density, Continuity continuity, Progress progress)
+      : m_hole(hole), m_obstacles(obstacles), m_density(density), m_continuity(continuity), m_progress(progress) {
     m_patch.loopSize = hole.loopSize;
     m_patch.points = hole.loop();
     m_patch.method = FillMethod::Ridge;
@@ -222,7 +222,7 @@ class RidgeFiller {
       made = triangulateOptimal(piece.hole, Criterion::Dihedral, chordsOfCurves(piece), m_progress);
     }
     if (!made) made = cutEars(piece.hole, m_obstacles, {}, m_progress);
-    if (made) made = refinePatch(piece.hole, *made, Bending::Fair, m_density);
+    if (made) made = refinePatch(piece.hole, *made, m_continuity, m_density);
     if (!made) return false;
     for (std::size_t i = made->loopSize; i < made->points.size(); ++i) {
       piece.number.push_back(static_cast<std::uint32_t>(m_patch.points.size()));
@@ -237,6 +237,7 @@ class RidgeFiller {
   const HoleContext& m_hole;
   const Obstacles& m_obstacles;
   double m_density;
+  Continuity m_continuity;
   Progress m_progress;
   Patch m_patch;
   std::vector<Path> m_paths;
@@ -251,11 +252,11 @@ class RidgeFiller {
 }  // namespace
 
 std::optional<Patch> fillAlongRidges(const HoleContext& hole, const Obstacles& obstacles, double density,
-                                     Progress progress) {
+                                     Continuity continuity, Progress progress) {
   const std::vector<RidgeEnd> ends = findRidgeEnds(hole, tolerance::kRidgeAngle);
   const Ridges ridges = matchRidges(hole, ends, density);
   if (ridges.pairs.empty() && ridges.corners.empty()) return std::nullopt;
-  return RidgeFiller(hole, obstacles, ends, ridges, density, progress).run();
+  return RidgeFiller(hole, obstacles, ends, ridges, density, continuity, progress).run();
 }
 
 }  // namespace handwheel

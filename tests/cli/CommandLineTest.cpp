@@ -27,9 +27,9 @@ class CommandLineTest : public QObject {
     QCOMPARE(bench.run({"help"}).out, overview.out);
     // Whole sentences: a point within a word, as in ".stl" and "25.4", ends none.
     const QRegularExpression line("^  [a-z]+ +[A-Z][A-Za-z ,;-]+\\.$", QRegularExpression::MultilineOption);
-    QCOMPARE(QString(overview.out).count(line), 12);
-    for (const char* option : {"-o", "--fill", "--keep-open", "--rims", "--max-hole", "--remove-debris", "--unit",
-                               "--partial", "--report", "--screenshot"}) {
+    QCOMPARE(QString(overview.out).count(line), 13);
+    for (const char* option : {"-o", "--fill", "--continuity", "--keep-open", "--rims", "--max-hole", "--remove-debris",
+                               "--unit", "--partial", "--report", "--screenshot"}) {
       QVERIFY2(bench.run({"help", "repair"}).out.contains(option), option);
     }
   }
@@ -59,6 +59,8 @@ class CommandLineTest : public QObject {
     row({"repair", "a.stl", "-o", "b.stl", "-x"}, "There is no option -x.", " repair");
     row({"repair", "a.stl", "-o", "b.stl", "--fill", "x"},
         "--fill takes fair, ridge, refined, ear, minimal, area or dihedral.", " repair");
+    row({"repair", "a.stl", "-o", "b.stl", "--continuity", "x"}, "--continuity takes position, tangent or curvature.",
+        " repair");
     row({"repair", "a.stl", "-o", "b.stl", "--keep-open", "1,"}, "--keep-open takes loop numbers separated by commas.",
         " repair");
     row({"repair", "a.stl", "-o", "b.stl", "--max-hole", "-3"}, "--max-hole takes a number of edges above zero.",

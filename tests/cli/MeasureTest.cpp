@@ -69,9 +69,10 @@ void MeasureTest::list() {
   const Ran ran = bench.run({"measure", "--list"});
   QCOMPARE(ran.code, 0);
   QCOMPARE(ran.err, QByteArray());
-  for (const char* id : {"mesh.near_weld", "mesh.fill_method", "mesh.patch_density", "mesh.piece_edges",
-                         "mesh.decimation_error", "nurbs.chord_mm", "document.undo_granularity", "view.block_faces",
-                         "view.coarse_triangles", "cell.shape_sides", "snap.radius", "snap.features"}) {
+  for (const char* id :
+       {"mesh.near_weld", "mesh.fill_method", "mesh.fill_continuity", "mesh.patch_density", "mesh.piece_edges",
+        "mesh.decimation_error", "nurbs.chord_mm", "document.undo_granularity", "view.block_faces",
+        "view.coarse_triangles", "cell.shape_sides", "snap.radius", "snap.features"}) {
     QVERIFY2(ran.out.contains(QByteArray(id) + ": "), id);
   }
 }

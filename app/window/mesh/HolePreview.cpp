@@ -50,8 +50,8 @@ void HolePreview::request(OpenMesh* document, int loop) {
   if (document && key == m_stitched) options.stitches = m_stitches;
   options.ears = m_ears;
   const bool sameHole = document == m_document && revision == m_revision && key == m_key &&
-                        options.density == m_options.density && options.stitches == m_options.stitches &&
-                        isSame(options.ears, m_options.ears);
+                        options.density == m_options.density && options.continuity == m_options.continuity &&
+                        options.stitches == m_options.stitches && isSame(options.ears, m_options.ears);
   if (!sameHole) m_trials.clear();
   const bool same = sameHole && options.method == m_options.method;
   if (same && (!document || m_state.kind != PreviewState::Kind::Off)) return;

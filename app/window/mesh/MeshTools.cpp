@@ -17,6 +17,7 @@
 #include "window/mesh/Selection.h"
 
 #include <QCoreApplication>
+#include <QScopedValueRollback>
 
 namespace handwheel {
 
@@ -44,8 +45,10 @@ void MeshTools::setDocument(OpenMesh* document) {
   m_document = document;
 }
 
-void MeshTools::setMethod(FillMethod method) {
+void MeshTools::setFill(FillMethod method, Continuity continuity) {
+  const QScopedValueRollback<bool> told(m_isTold, true);
   m_host.choose("fill", "method", FillHoleTool::settingOf(method));
+  m_host.choose("fill", "continuity", static_cast<double>(continuity));
 }
 
 std::unique_ptr<Tool> MeshTools::fillTool() {
@@ -154,7 +157,7 @@ const BoundaryTool* MeshTools::runningBoundaryTool() const {
 void MeshTools::request(const FillRequest& request) {
   m_ticket = request.ticket;
   const Vertex key = keyOf(m_document->document.mesh(), request.loop);
-  m_actions.setMethod(request.method);
+  if (!m_isTold) m_actions.setFill(request.method, request.continuity);
   m_preview.setWishes(key, request.stitches, request.ears);
   m_selection.select(m_document->inspection.loopWithKey(key));
   answer();

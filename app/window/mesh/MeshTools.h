@@ -26,7 +26,7 @@ class MeshTools : public QObject {
             RepairJobs& jobs, QObject* parent = nullptr);
 
   void setDocument(OpenMesh* document);
-  void setMethod(FillMethod method);  // of fills
+  void setFill(FillMethod method, Continuity continuity);
 
   std::unique_ptr<Tool> fillTool();
   std::unique_ptr<Tool> selectTool();
@@ -61,6 +61,7 @@ class MeshTools : public QObject {
   std::uint64_t m_facesRevision = 0;
   std::uint64_t m_sortingRevision = 0;
   std::uint64_t m_ticket = 0;
+  bool m_isTold = false;  // what to fill with, which is not to be told back
 };
 
 }  // namespace handwheel

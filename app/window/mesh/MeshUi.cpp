@@ -103,7 +103,7 @@ void MeshUi::followFidelity() {
   m_parts.viewport.setBlockFaces(static_cast<Face>(values.of(blockFacesSetting())));
   m_parts.viewport.setCoarseTriangles(static_cast<std::size_t>(values.of(coarseTrianglesSetting())));
   m_panel->settings()->setMethod(m_actions.method());
-  m_tools.setMethod(m_actions.method());
+  m_tools.setFill(m_actions.method(), fillContinuityOf(values));
   for (const auto& open : m_parts.tabs.all()) {
     if (&open->ui == this) static_cast<OpenMesh&>(*open).document.setFidelity(values);
   }

@@ -115,8 +115,13 @@ FillMethod RepairActions::method() const {
 }
 
 void RepairActions::setMethod(FillMethod method) {
+  setFill(method, fillContinuityOf(m_fidelity.values()));
+}
+
+void RepairActions::setFill(FillMethod method, Continuity continuity) {
   FidelityValues values = m_fidelity.values();
   setFillMethod(values, method);
+  if (fillContinuityOf(values) != continuity) setFillContinuity(values, continuity);
   if (values != m_fidelity.values()) m_fidelity.use(values);
 }
 

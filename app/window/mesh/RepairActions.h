@@ -35,6 +35,7 @@ class RepairActions : public QObject {
   // Of the choice between speed and accuracy.
   FillMethod method() const;
   void setMethod(FillMethod method);
+  void setFill(FillMethod method, Continuity continuity);
 
  signals:
   void showLoopRequested(int loop);  // fly there

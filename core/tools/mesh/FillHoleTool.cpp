@@ -16,6 +16,8 @@ namespace {
 constexpr FillMethod kMethods[] = {FillMethod::Fair, FillMethod::Refined,  FillMethod::Ear,  FillMethod::Minimal,
                                    FillMethod::Area, FillMethod::Dihedral, FillMethod::Ridge};
 
+constexpr int kContinuities = 3;
+
 // Of ear cutting.
 struct Weight {
   const char* id;
@@ -80,7 +82,7 @@ void FillHoleTool::request() {
   m_state = State::Computing;
   m_patch.reset();
   m_attempt = {};
-  m_services.request({++m_ticket, *loop(), m_method, m_bridges.own(), m_ears});
+  m_services.request({++m_ticket, *loop(), m_method, m_continuity, m_bridges.own(), m_ears});
 }
 
 void FillHoleTool::previewReady(std::uint64_t ticket, FillAttempt attempt) {
@@ -264,6 +266,12 @@ std::vector<Property> FillHoleTool::settings() const {
                      QT_TRANSLATE_NOOP("Property", "Ear cutting"), QT_TRANSLATE_NOOP("Property", "Area and bend"),
                      QT_TRANSLATE_NOOP("Property", "Least area"), QT_TRANSLATE_NOOP("Property", "Least bend"),
                      QT_TRANSLATE_NOOP("Property", "Ridges")}));
+  if (m_method == FillMethod::Fair || m_method == FillMethod::Ridge) {
+    all.push_back(choiceSetting("continuity", QT_TRANSLATE_NOOP("Property", "Continues"),
+                                static_cast<int>(m_continuity),
+                                {QT_TRANSLATE_NOOP("Property", "Position"), QT_TRANSLATE_NOOP("Property", "Tangents"),
+                                 QT_TRANSLATE_NOOP("Property", "Curvature")}));  // as Continuity
+  }
   for (const Weight& weight : kWeights) {
     if (m_method != FillMethod::Ear) break;
     all.push_back(numberSetting(weight.id, weight.label, m_ears.*weight.of, Quantity::Number, kWeightLimits));
@@ -280,9 +288,13 @@ std::vector<Property> FillHoleTool::settings() const {
 }
 
 void FillHoleTool::setSetting(std::string_view id, const PropertyValue& value) {
-  std::size_t method = 0;
+  std::size_t method = 0, continuity = 0;
   bool isTaken = id == "method" && takeChoice(method, value, static_cast<int>(std::size(kMethods)));
   if (isTaken) m_method = kMethods[method];
+  if (id == "continuity" && takeChoice(continuity, value, kContinuities)) {
+    m_continuity = static_cast<Continuity>(continuity);
+    isTaken = true;
+  }
   for (const Weight& weight : kWeights) {
     isTaken = isTaken || (id == weight.id && takeNumber(m_ears.*weight.of, value, kWeightLimits));
   }

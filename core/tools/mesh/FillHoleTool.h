@@ -20,6 +20,7 @@ struct FillRequest {
   std::uint64_t ticket = 0;  // comes back with the answer
   BoundaryLoop loop;
   FillMethod method = FillMethod::Fair;
+  Continuity continuity = Continuity::Tangent;
   std::vector<Stitch> stitches = {};  // as in FillOptions
   EarWeights ears = {};               // the same
 };
@@ -90,6 +91,7 @@ class FillHoleTool : public Tool {
   MeshDocument& m_document;
   FillServices m_services;
   FillMethod m_method = FillMethod::Fair;
+  Continuity m_continuity = Continuity::Tangent;
   EarWeights m_ears;
   State m_state = State::Choosing;
   std::optional<Vertex> m_key;

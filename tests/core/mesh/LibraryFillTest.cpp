@@ -79,10 +79,12 @@ void LibraryFillTest::refinedHasTheDensityAround() {
   const HoleContext hole = firstHole(soup);
   const auto start = triangulateMinimal(hole);
   QVERIFY(start.has_value());
-  for (Bending bending : {Bending::Flat, Bending::Fair}) {
-    const auto patch = refinePatch(hole, *start, bending);
+  const std::optional<Continuity> ways[] = {std::nullopt, Continuity::Position, Continuity::Tangent,
+                                            Continuity::Curvature};
+  for (const auto& bent : ways) {
+    const auto patch = refinePatch(hole, *start, bent);
     QVERIFY(patch.has_value());
-    QVERIFY(patch->method == (bending == Bending::Fair ? FillMethod::Fair : FillMethod::Refined));
+    QVERIFY(patch->method == (bent ? FillMethod::Fair : FillMethod::Refined));
     QVERIFY(patch->points.size() > hole.loopSize);
     QVERIFY(closes(soup, *patch));
     const double ratio = meanEdge({patch->points, patch->triangles}) / meanEdge(soup);
@@ -90,20 +92,23 @@ void LibraryFillTest::refinedHasTheDensityAround() {
   }
 }
 
-// Flat: the new points are means of the loop's. Fair: the middle rises towards the sphere.
+// Flat: the new points are means of the loop's. Fair: the middle rises towards the sphere, the further the smoother it
+// continues it; a membrane spans the loop.
 void LibraryFillTest::fairBulgesFlatDoesNot() {
   const HoleContext hole = firstHole(test::sphereWithoutCap(4));
   const auto start = triangulateMinimal(hole);
   double rim = 0.0;
   for (const Vec3& p : hole.loop()) rim = std::max(rim, p.z());
-  const auto top = [&](Bending bending) {
-    const Patch patch = refinePatch(hole, *start, bending).value();
+  const auto top = [&](std::optional<Continuity> bent) {
+    const Patch patch = refinePatch(hole, *start, bent).value();
     double z = 0.0;
     for (const Vec3& p : patch.points) z = std::max(z, p.z());
     return z;
   };
-  const double flat = top(Bending::Flat), fair = top(Bending::Fair);
+  const double flat = top(std::nullopt), fair = top(Continuity::Tangent);
   QVERIFY(flat <= rim + 1e-12);
+  QVERIFY(top(Continuity::Position) <= rim + 1e-12);
+  QVERIFY(std::abs(top(Continuity::Curvature) - 1.0) < std::abs(fair - 1.0));
   QVERIFY(fair > rim + 0.7 * (1.0 - rim));
 }
 
@@ -113,7 +118,7 @@ void LibraryFillTest::refusesToFillTheMemory() {
   const HoleContext hole = firstHole(test::cylinder(n, 4, 1.0, 0.02, false));
   const auto start = triangulateMinimal(hole);
   QVERIFY(start.has_value());
-  const auto patch = refinePatch(hole, *start, Bending::Fair);
+  const auto patch = refinePatch(hole, *start, Continuity::Tangent);
   QVERIFY(!patch || patch->points.size() <= n * (1 + tolerance::kPatchVerticesPerEdge));
 }
 
@@ -150,7 +155,7 @@ void LibraryFillTest::hostileSizesAreRefused() {
   HoleContext hole = holeContext(mesh, findBoundaryLoops(mesh).at(0));
   const Patch patch{3, hole.points, {{0, 2, 1}}, FillMethod::Minimal};
   hole.edgeLength.assign(hole.edgeLength.size(), 1.0);
-  QVERIFY(!refinePatch(hole, patch, Bending::Flat));
+  QVERIFY(!refinePatch(hole, patch, std::nullopt));
 }
 
 QTEST_GUILESS_MAIN(LibraryFillTest)

@@ -43,6 +43,7 @@ void MeshFidelityTest::defaultsChangeNothing() {
   RepairOptions options;
   apply(FidelityValues(), options);
   QVERIFY(options.fill.method == RepairOptions().fill.method);
+  QVERIFY(options.fill.continuity == Continuity::Tangent);
   QCOMPARE(options.fill.density, RepairOptions().fill.density);
   QCOMPARE(options.nearWeld, RepairOptions().nearWeld);
   QCOMPARE(options.fill.pieceEdges, RepairOptions().fill.pieceEdges);
@@ -65,6 +66,16 @@ void MeshFidelityTest::valuesReachTheOptions() {
     QVERIFY(values.set(fillMethodSetting(), *valueOf(fillMethodSetting(), word)));
     apply(values, options);
     QVERIFY(options.fill.method == method);
+  }
+  const std::pair<const char*, Continuity> continuities[] = {
+      {"position", Continuity::Position}, {"tangent", Continuity::Tangent}, {"curvature", Continuity::Curvature}};
+  for (const auto& [word, continuity] : continuities) {
+    QVERIFY(values.set(fillContinuitySetting(), *valueOf(fillContinuitySetting(), word)));
+    apply(values, options);
+    QVERIFY(options.fill.continuity == continuity);
+    FidelityValues same;
+    setFillContinuity(same, continuity);
+    QVERIFY(fillContinuityOf(same) == continuity);
   }
   QCOMPARE(options.nearWeld, 1e-4);
   QCOMPARE(options.fill.density, 2.0);

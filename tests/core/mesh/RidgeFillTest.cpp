@@ -218,7 +218,7 @@ void RidgeFillTest::cancels() {
   QVERIFY(fillAlongRidges(hole, obstacles, tolerance::kPatchDensity));
   JobState job;
   job.cancelled = true;
-  QVERIFY(!fillAlongRidges(hole, obstacles, tolerance::kPatchDensity, Progress(job)));
+  QVERIFY(!fillAlongRidges(hole, obstacles, tolerance::kPatchDensity, Continuity::Tangent, Progress(job)));
 }
 
 QTEST_GUILESS_MAIN(RidgeFillTest)

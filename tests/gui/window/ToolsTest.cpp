@@ -146,6 +146,14 @@ class ToolsTest : public QObject {
     QVERIFY(isEverywhere(QStringLiteral("Fair")));
     QVERIFY(driver.settle());
     QCOMPARE(driver.text("previewStatus"), fine);
+    // So is what fair patches continue.
+    auto* continuity = panel->findChild<QWidget*>("property/mesh.fill_continuity")->findChild<QComboBox*>();
+    choose(continuity, QStringLiteral("Curvature"));
+    QTRY_COMPARE(choice(driver, "continuity")->currentText(), QStringLiteral("Curvature"));
+    choose(choice(driver, "continuity"), QStringLiteral("Position"));
+    QTRY_COMPARE(continuity->currentText(), QStringLiteral("position"));
+    QVERIFY(isEverywhere(QStringLiteral("Fair")));
+    QVERIFY(driver.settle());
   }
 };
 

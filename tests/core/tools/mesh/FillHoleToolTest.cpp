@@ -32,6 +32,7 @@ class FillHoleToolTest : public QObject {
   void whileTheWorkerCommits();
   void bridges();
   void weightsOfEarCutting();
+  void continuityOfFairPatches();
   void deviceButton();
   void nothingToFill();
 
@@ -286,7 +287,7 @@ void FillHoleToolTest::weightsOfEarCutting() {
     for (const Property& property : m_tool->settings()) all.push_back(property.id);
     return all;
   };
-  QCOMPARE(ids(), std::vector<std::string>({"method", "triangles"}));
+  QCOMPARE(ids(), std::vector<std::string>({"method", "continuity", "triangles"}));
   m_tool->setSetting("method", FillHoleTool::settingOf(FillMethod::Ear));
   QCOMPARE(ids(), std::vector<std::string>({"method", "ear_length", "ear_angles", "ear_normal", "triangles"}));
   m_tool->pointer(test::above(Kind::Press, 0, 0));
@@ -299,6 +300,23 @@ void FillHoleToolTest::weightsOfEarCutting() {
   QCOMPARE(std::get<double>(m_tool->settings()[3].value), 1.0);
   QVERIFY(m_tool->state() == State::Ready);
   QVERIFY(m_tool->attempt().patch.triangles != usual);
+}
+
+// The top of a sphere: a membrane is flat, tangents lift it, curvature lifts it to where the sphere was.
+void FillHoleToolTest::continuityOfFairPatches() {
+  start(test::sphereWithoutCap(4));
+  m_tool->pointer(test::above(Kind::Press, 0, 0));
+  const auto missing = [&](double continuity) {
+    m_tool->setSetting("continuity", continuity);
+    double top = 0.0;
+    for (const Vec3& p : m_tool->attempt().patch.points) top = std::max(top, p.z());
+    return std::abs(1.0 - top);
+  };
+  const double position = missing(0.0), tangent = missing(1.0), curvature = missing(2.0);
+  QVERIFY(tangent < 0.5 * position && curvature < 0.5 * tangent);
+  QCOMPARE(missing(3.0), curvature);  // not offered
+  m_tool->setSetting("method", FillHoleTool::settingOf(FillMethod::Refined));
+  for (const Property& property : m_tool->settings()) QVERIFY(property.id != "continuity");
 }
 
 void FillHoleToolTest::deviceButton() {

@@ -16,6 +16,7 @@ inline FillServices fillServices(MeshDocument& document, FillHoleTool*& tool) {
     if (!tool) return;
     FillOptions options;
     options.method = request.method;
+    options.continuity = request.continuity;
     options.stitches = request.stitches;
     options.ears = request.ears;
     tool->previewReady(request.ticket, HoleFiller(document.mesh()).propose(request.loop, options));
