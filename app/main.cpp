@@ -10,5 +10,5 @@ int main(int argc, char** argv) {
   const handwheel::KindSet kinds = handwheel::registeredKinds();
   if (handwheel::isCommand(argc, argv))
     return handwheel::runCommand(argc, argv, {kinds.documents, handwheel::registeredDrivers});
-  return handwheel::runWindow(argc, argv, kinds);
+  return handwheel::runWindow(argc, argv, kinds, handwheel::registeredDrivers());
 }

@@ -20,6 +20,7 @@ namespace handwheel {
 
 class DocumentTabs;
 class FidelityChoice;
+class HapticSession;
 class JobRunner;
 class LogModel;
 class ToolHost;
@@ -40,6 +41,7 @@ struct WindowParts {
   WindowServices& services;
   ToolHost& tools;
   FidelityChoice& fidelity;
+  HapticSession& haptics;
   QAction* saveAs;
   std::function<bool()> isPanelVisible;
   QAction* showPanel;

@@ -13,6 +13,7 @@
 #include "window/RecentFiles.h"
 #include "window/Thumbnails.h"
 #include "window/WindowServices.h"
+#include "window/haptics/HapticSession.h"
 
 #include <QMainWindow>
 #include <QUndoGroup>
@@ -47,13 +48,16 @@ class MainWindow : public QMainWindow {
   Q_OBJECT
 
  public:
-  // The pool runs all jobs; it outlives the window.
-  MainWindow(QThreadPool& pool, const KindSet& kinds);
+  using Drivers = std::vector<std::unique_ptr<DeviceDriver>>;
+  // The pool runs all jobs; it outlives the window. drivers: of devices, besides those of plugins.
+  MainWindow(QThreadPool& pool, const KindSet& kinds, Drivers drivers = {});
   ~MainWindow() override;
 
   void openPaths(const QStringList& paths) { m_fileActions.openPaths(paths); }
   // What a session that was killed left behind; at the start of the program.
   void offerLeftovers() { m_autosave.offerLeftovers(); }
+  // Opens the haptic device that was in use last; at the start of the program.
+  void takeUpDevice() { m_haptics.takeUp(); }
   // Nothing is running that will still change what the window shows.
   bool isSettled() const;
 
@@ -99,6 +103,8 @@ class MainWindow : public QMainWindow {
   QUndoGroup m_undo;
   WindowServices m_services;
   FidelityChoice m_fidelity;
+  MonotonicClock m_servoClock;
+  HapticSession m_haptics;
   KindUis m_uis;
   QThreadPool& m_pool;
   ShortcutModel m_keys;

@@ -66,6 +66,7 @@ void MainWindow::connectDocumentsPanel() {
 void MainWindow::connectMessages() {
   connect(&m_fileActions, &FileActions::message, m_messages, &MessageBar::showMessage);
   connect(&m_autosave, &Autosave::message, m_messages, &MessageBar::showMessage);
+  connect(&m_haptics, &HapticSession::message, m_messages, &MessageBar::showMessage);
   connect(&m_tools->runner(), &ToolRunner::failed, this, [this](const QString& reason) {
     m_messages->showMessage({Message::Weight::Error,
                              tr("The tool failed and was put away"),

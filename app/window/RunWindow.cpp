@@ -60,7 +60,7 @@ ThemeKind startTheme(const Wishes& wishes) {
 
 }  // namespace
 
-int runWindow(int argc, char** argv, const KindSet& kinds) {
+int runWindow(int argc, char** argv, const KindSet& kinds, std::vector<std::unique_ptr<DeviceDriver>> drivers) {
   if (!hasDisplay()) return 1;
   Viewport::prepareApplication();
   QApplication application(argc, argv);
@@ -77,10 +77,11 @@ int runWindow(int argc, char** argv, const KindSet& kinds) {
   workers.setMaxThreadCount(kWorkers);
   int code = 0;
   {
-    MainWindow window(workers, kinds);
+    MainWindow window(workers, kinds, std::move(drivers));
     window.openPaths(wishes.files);
     window.show();
     if (wishes.screenshot.isEmpty()) window.offerLeftovers();
+    if (wishes.screenshot.isEmpty()) window.takeUpDevice();
     if (!wishes.screenshot.isEmpty()) takeScreenshot(window, wishes.screenshot);
     code = QApplication::exec();
   }

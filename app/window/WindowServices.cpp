@@ -16,6 +16,7 @@ struct Text {
 QString nameOf(const std::string& id) {
   if (id == "autosave") return Text::tr("Autosave");
   if (id == "self_intersections") return Text::tr("Search for self-intersections");
+  if (id == "haptics") return Text::tr("Servo loop of the device");
   return Text::tr("Preview of the patch");
 }
 
@@ -25,8 +26,9 @@ WindowServices::WindowServices()
     : m_autosave("autosave"),
       m_selfIntersections("self_intersections"),
       m_fillPreview("fill_preview"),
+      m_haptics("haptics"),
       m_asked(std::chrono::steady_clock::now()) {
-  for (Service* service : {&m_autosave, &m_selfIntersections, &m_fillPreview}) m_needs.add(*service);
+  for (Service* service : {&m_autosave, &m_selfIntersections, &m_fillPreview, &m_haptics}) m_needs.add(*service);
 }
 
 std::vector<ServiceStatus> WindowServices::status() {

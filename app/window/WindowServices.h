@@ -20,6 +20,7 @@ class WindowServices {
   Service& autosave() { return m_autosave; }
   Service& selfIntersections() { return m_selfIntersections; }
   Service& fillPreview() { return m_fillPreview; }
+  Service& haptics() { return m_haptics; }  // the servo loop of the device; its ticks are the loop's
 
   // The figures since the last call.
   std::vector<ServiceStatus> status();
@@ -28,6 +29,7 @@ class WindowServices {
   Service m_autosave;
   Service m_selfIntersections;
   Service m_fillPreview;
+  Service m_haptics;
   NeedSet m_needs;
   std::map<std::string, ServiceCounters> m_before;
   std::chrono::steady_clock::time_point m_asked;

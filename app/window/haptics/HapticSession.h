@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/ServoLoop.h"
+#include "haptics/SimulatedDevice.h"
+#include "panels/MessageBar.h"
+#include "viewport/CameraState.h"
+#include "window/haptics/DeviceFinder.h"
+
+#include <QElapsedTimer>
+#include <QList>
+#include <optional>
+
+namespace handwheel {
+
+class MouseDevice;
+class WindowServices;
+
+// The haptic device that the user has chosen, and the servo loop that runs as long as it is open: without one there is
+// no thread, no timer and no scene. The choice and its mapping are kept in the settings. Window thread.
+class HapticSession : public QObject {
+  Q_OBJECT
+
+ public:
+  // What a session needs of the program. The clock outlives the session.
+  struct Parts {
+    JobRunner& jobs;  // opening and closing; shown to the user
+    QThreadPool& pool;
+    WindowServices& services;
+    ServoClock& clock;
+  };
+  explicit HapticSession(const Parts& parts, std::vector<std::unique_ptr<DeviceDriver>> drivers = {},
+                         QObject* parent = nullptr);
+  ~HapticSession() override;
+
+  // The simulated hand and the mouse, then what was found when somebody looked.
+  QList<DeviceListing> found() const;
+  // Looks for devices every two seconds, as long as a list of them is seen.
+  void setWatching(bool isOn) { m_finder.setWatching(isOn); }
+  const std::vector<PluginListing>& plugins() const { return m_finder.plugins(); }
+
+  // Opens it in a job, in the place of the one before.
+  void choose(const std::string& driver, const std::string& address);
+  void close();
+  // The device that was in use when the program ended, if it is there: without a word if not.
+  void takeUp();
+  bool isOpen() const { return m_open != nullptr; }
+  DeviceListing chosen() const { return m_chosen; }  // being opened or open; all empty: none
+  DeviceCapabilities capabilities() const;           // of the open one
+
+  // The last tick as of sampled(); null: none is open, or no tick has passed. Valid until the next sampled().
+  const ServoSample* latest() const;
+  const LoopMeasure* measure() const;  // null: none is open
+  RealTimeState realTime() const;
+  std::uint64_t missedTicks() const;
+  double rate() const { return m_rate; }  // ticks a second, as measured over the last half second
+
+  // The user's part: axes, inversion, scale, gain, dead zones, clutch. A scale of 1 lets the workspace fill the view.
+  WorkspaceMapping mapping() const { return m_mapping; }
+  void setMapping(const WorkspaceMapping& mapping);
+  // The view part. The tip stays where it is as long as it can be seen, else it comes into the view.
+  void setView(const CameraState& camera, const Box& model);
+  // Brings the tip to where the device is in the present view.
+  void recentre();
+  // How the device lies in the scene now.
+  WorkspaceMapping mappingInScene() const;
+
+  bool isForceOn() const { return m_isForceOn; }
+  void setForceOn(bool isOn);
+  // Pulls gently along each axis of the device, up to kTestForce, through the safety chain; the scene is not felt
+  // meanwhile.
+  void startForceTest();
+  bool isTesting() const { return m_testEnd.has_value(); }
+  static constexpr double kTestForce = 0.5;  // N
+
+  // What is felt from the next tick on; dropped when nothing is open, and while a test goes on. sceneWanted() asks for
+  // it again.
+  void setScene(std::unique_ptr<HapticScene> scene);
+  void announceLeap();
+
+  // Null unless that is the open device.
+  MouseDevice* mouse() const;
+  SimulatedDevice* simulatedHand() const;
+
+ signals:
+  void foundChanged();
+  void chosenChanged();  // another, opened, or closed
+  void sampled();        // 60 times a second while one is open
+  void sceneWanted();
+  void forceOnChanged(bool isOn);
+  void mappingChanged();
+  void message(const handwheel::Message& message);
+
+ private:
+  struct OpenDevice;
+  DeviceFinder::Maker maker(const DeviceListing& listing) const;
+  void startOpening(bool isQuiet);
+  void opened(std::unique_ptr<Device> device);
+  void failed(const Error& error, bool isQuiet);
+  void closeLoop();
+  void applyMapping(bool keepsTip);
+  void sample();
+  void endForceTest();
+  void measureRate();
+  void tellStatus(DeviceStatus status);
+  void tellPlugins();
+
+  Parts m_parts;
+  DeviceFinder m_finder;
+  DeviceListing m_chosen;
+  std::unique_ptr<OpenDevice> m_open;
+  WorkspaceMapping m_mapping;
+  CameraState m_camera;
+  Box m_model;
+  QTimer m_timer;
+  double m_rate = 0.0;
+  QElapsedTimer m_rateClock;
+  std::uint64_t m_rateTick = 0;
+  bool m_isForceOn = true;
+  std::optional<double> m_testEnd;  // s, by the clock of the loop
+  std::size_t m_pluginsTold = 0;
+};
+
+}  // namespace handwheel

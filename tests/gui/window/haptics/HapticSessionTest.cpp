@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "HapticDevices.h"
+#include "window/WindowServices.h"
+#include "window/haptics/HapticSession.h"
+
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QThreadPool>
+#include <QtTest>
+#include <mutex>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+// Ten seconds pass in one.
+class HurriedClock : public ServoClock {
+ public:
+  std::int64_t now() noexcept override { return 10 * m_clock.now(); }
+  void waitUntil(std::int64_t time) noexcept override { m_clock.waitUntil(time / 10); }
+
+ private:
+  MonotonicClock m_clock;
+};
+
+class DeafDevice : public ScriptedDevice {
+ public:
+  using ScriptedDevice::ScriptedDevice;
+  Status open(Progress) override { return Error{ErrorCode::DeviceMute, {"a greeting"}, {}, {}}; }
+};
+
+// What is plugged in, as the test has it.
+struct Plugged {
+  std::mutex mutex;
+  std::vector<DeviceListing> listings;
+  std::shared_ptr<ScriptedDevice::Log> log = std::make_shared<ScriptedDevice::Log>();
+
+  void set(std::vector<DeviceListing> all) {
+    const std::lock_guard lock(mutex);
+    listings = std::move(all);
+  }
+};
+
+class FakeDriver : public DeviceDriver {
+ public:
+  explicit FakeDriver(Plugged& plugged) : m_plugged(plugged) {}
+  std::string id() const override { return "fake"; }
+  std::vector<DeviceListing> find() override {
+    const std::lock_guard lock(m_plugged.mutex);
+    return m_plugged.listings;
+  }
+  std::unique_ptr<Device> make(const std::string& address) override {
+    if (address == "deaf") return std::make_unique<DeafDevice>(m_plugged.log);
+    return address == "well" ? std::make_unique<ScriptedDevice>(m_plugged.log) : nullptr;
+  }
+
+ private:
+  Plugged& m_plugged;
+};
+
+// A session with all that it needs.
+struct Bench {
+  Plugged plugged;
+  QThreadPool pool;
+  JobRunner jobs{JobRunner::Policy::Queue, pool};
+  WindowServices services;
+  HurriedClock clock;
+  std::unique_ptr<HapticSession> session;
+  std::vector<Message> messages;
+
+  Bench() {
+    std::vector<std::unique_ptr<DeviceDriver>> drivers;
+    drivers.push_back(std::make_unique<FakeDriver>(plugged));
+    session = std::make_unique<HapticSession>(HapticSession::Parts{jobs, pool, services, clock}, std::move(drivers));
+    QObject::connect(session.get(), &HapticSession::message, session.get(),
+                     [this](const Message& message) { messages.push_back(message); });
+  }
+  ~Bench() {
+    session.reset();
+    pool.waitForDone();
+  }
+  bool waitForOpen() {
+    return QTest::qWaitFor([this] { return session->latest() != nullptr; }, 20000);
+  }
+};
+
+}  // namespace
+
+class HapticSessionTest : public QObject {
+  Q_OBJECT
+
+ private:
+  QTemporaryDir m_settings;
+
+ private slots:
+  void initTestCase() {
+    qputenv("HANDWHEEL_PLUGINS", m_settings.path().toLocal8Bit());  // a folder without any
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_settings.path());
+    QCoreApplication::setOrganizationName(QStringLiteral("Handwheel"));
+    QCoreApplication::setApplicationName(QStringLiteral("HandwheelTest"));
+  }
+  void init() { QSettings().clear(); }
+
+  void withoutADeviceNothingRuns() {
+    Bench b;
+    QSignalSpy sampled(b.session.get(), &HapticSession::sampled);
+    b.session->takeUp();
+    b.session->setMapping({});
+    b.session->setView({}, {});
+    b.session->startForceTest();
+    QTest::qWait(100);
+    QVERIFY(!b.session->isOpen() && !b.session->latest() && !b.session->measure());
+    QVERIFY(b.session->chosen().driver.empty());
+    QCOMPARE(b.services.haptics().counters().ticks, std::uint64_t(0));
+    QVERIFY(!b.services.haptics().isRunning());
+    QCOMPARE(sampled.count(), 0);
+  }
+
+  void theLoopRunsAsLongAsTheDeviceIsOpen() {
+    Bench b;
+    b.session->choose("simulated", "hand");
+    QVERIFY(b.waitForOpen());
+    QVERIFY(b.session->simulatedHand() && !b.session->mouse());
+    QVERIFY(b.services.haptics().isRunning());
+    QCOMPARE(b.session->latest()->device.status, DeviceStatus::Ready);
+    QTRY_VERIFY(b.session->rate() > 0.0);
+    b.session->close();
+    QVERIFY(!b.session->isOpen() && !b.session->latest());
+    QVERIFY(!b.services.haptics().isRunning());
+    const std::uint64_t ticks = b.services.haptics().counters().ticks;
+    QSignalSpy sampled(b.session.get(), &HapticSession::sampled);
+    QTest::qWait(100);
+    QCOMPARE(b.services.haptics().counters().ticks, ticks);
+    QCOMPARE(sampled.count(), 0);
+  }
+
+  // The last thing sent is no force, and the device is closed once.
+  void closingIsZeroForce() {
+    Bench b;
+    b.session->choose("fake", "well");
+    QVERIFY(b.waitForOpen());
+    b.session->setScene(sceneOf([](const TipState&, ForceOut& out) { out.force = Vec3(1.0, 0.0, 0.0); }));
+    QTRY_VERIFY(b.session->latest()->sent.force.x() > 0.5);
+    b.session->close();
+    QVERIFY(b.plugged.log->last.isZero());
+    QTRY_VERIFY(b.jobs.isIdle());
+    QCOMPARE(b.plugged.log->closes, 1);
+  }
+
+  void whatCannotBeOpenedIsTold() {
+    for (const char* address : {"deaf", "nowhere"}) {
+      Bench b;
+      b.session->choose("fake", address);
+      QCOMPARE(b.session->chosen().address, std::string(address));
+      QTRY_VERIFY(b.jobs.isIdle());
+      QVERIFY(!b.session->isOpen() && b.session->chosen().driver.empty());
+      QCOMPARE(b.messages.size(), std::size_t(1));
+      QCOMPARE(b.messages[0].weight, Message::Weight::Error);
+      QVERIFY(!b.messages[0].detail.isEmpty() && !b.messages[0].advice.isEmpty());
+    }
+  }
+
+  // At the start of the program nobody has asked for it.
+  void whatIsNotThereAnyMoreIsNoNews() {
+    QSettings().setValue("haptics/driver", "fake");
+    QSettings().setValue("haptics/address", "nowhere");
+    Bench b;
+    b.session->takeUp();
+    QTRY_VERIFY(b.jobs.isIdle());
+    QVERIFY(!b.session->isOpen() && b.messages.empty());
+  }
+
+  void choiceAndMappingAreRemembered() {
+    WorkspaceMapping mapping;
+    mapping.axes = {DeviceAxis{2, true}, DeviceAxis{0, false}, DeviceAxis{1, true}};
+    mapping.scale = 0.25;
+    mapping.forceGain = 2.0;
+    mapping.deadZone = 1.5;
+    mapping.clutchButtons = 5;
+    {
+      Bench b;
+      b.session->choose("fake", "well");
+      QVERIFY(b.waitForOpen());
+      b.session->setMapping(mapping);
+    }
+    Bench b;
+    b.session->takeUp();
+    QVERIFY(b.waitForOpen());
+    QCOMPARE(b.session->chosen().address, std::string("well"));
+    const WorkspaceMapping kept = b.session->mapping();
+    QVERIFY(kept.viewFromDevice() == mapping.viewFromDevice());
+    QCOMPARE(kept.scale, 0.25);
+    QCOMPARE(kept.forceGain, 2.0);
+    QCOMPARE(kept.deadZone, 1.5);
+    QCOMPARE(kept.clutchButtons, 5u);
+    b.session->close();
+    b.session->takeUp();
+    QVERIFY(b.session->chosen().driver.empty());  // closed by hand, it stays closed
+  }
+
+  void settingsThatMakeNoSenseAreNotTaken() {
+    QSettings().setValue("haptics/simulated/axes", "+0+0+2");
+    QSettings().setValue("haptics/simulated/scale", "nan");
+    QSettings().setValue("haptics/simulated/force_gain", -1);
+    Bench b;
+    b.session->choose("simulated", "hand");
+    QVERIFY(b.waitForOpen());
+    QVERIFY(b.session->mapping().viewFromDevice() == Eigen::Matrix3d::Identity());
+    QCOMPARE(b.session->mapping().scale, 1.0);
+    QCOMPARE(b.session->mapping().forceGain, 1.0);
+  }
+
+  void whatIsPluggedInIsFound() {
+    Bench b;
+    QCOMPARE(b.session->found().size(), 2);
+    QCOMPARE(b.session->found()[0].driver, std::string("simulated"));
+    QCOMPARE(b.session->found()[1].driver, std::string("mouse"));
+    QSignalSpy changed(b.session.get(), &HapticSession::foundChanged);
+    b.plugged.set({{"fake", "well", "Well"}});
+    b.session->setWatching(true);
+    QTRY_COMPARE(b.session->found().size(), 3);
+    QCOMPARE(b.session->found()[2].name, std::string("Well"));
+    b.plugged.set({});
+    QTRY_COMPARE_WITH_TIMEOUT(b.session->found().size(), 2, 20000);
+    QCOMPARE(changed.count(), 2);
+    b.session->setWatching(false);
+  }
+
+  // An unplugged device is told once, and its loop goes on without a force.
+  void unplugging() {
+    Bench b;
+    auto isGone = std::make_shared<std::atomic<bool>>(false);
+    b.plugged.log->onRead = [isGone](ScriptedDevice::Log& log) {
+      log.state.status = isGone->load() ? DeviceStatus::Absent : DeviceStatus::Ready;
+    };
+    b.session->choose("fake", "well");
+    QVERIFY(b.waitForOpen());
+    isGone->store(true);
+    QTRY_COMPARE(b.session->latest()->device.status, DeviceStatus::Absent);
+    QVERIFY(b.session->latest()->sent.isZero());
+    QTest::qWait(50);
+    QCOMPARE(b.messages.size(), std::size_t(1));
+  }
+
+  void theForceTestIsGentleAndEnds() {
+    Bench b;
+    b.session->choose("fake", "well");
+    QVERIFY(b.waitForOpen());
+    Vec3 most = Vec3::Zero();
+    connect(b.session.get(), &HapticSession::sampled, b.session.get(), [&] {
+      const Vec3 sent = b.session->latest()->sent.force.cwiseAbs();
+      most = most.cwiseMax(sent);
+    });
+    QSignalSpy wanted(b.session.get(), &HapticSession::sceneWanted);
+    b.session->startForceTest();
+    QVERIFY(b.session->isTesting());
+    // Dropped: it would push with 5 N.
+    b.session->setScene(sceneOf([](const TipState&, ForceOut& out) { out.force = Vec3(5.0, 0.0, 0.0); }));
+    QTRY_VERIFY_WITH_TIMEOUT(!b.session->isTesting(), 20000);
+    QCOMPARE(wanted.count(), 1);
+    QVERIFY(most.maxCoeff() <= HapticSession::kTestForce + 1e-9);
+    QVERIFY(most.maxCoeff() > 0.0);
+    QTRY_VERIFY(b.session->latest()->sent.isZero());
+  }
+};
+
+QTEST_GUILESS_MAIN(HapticSessionTest)
+#include "HapticSessionTest.moc"
