@@ -137,6 +137,7 @@ class PlotPainting {
     if (s.barWidth > 0.0) return bars(s, colour);
     m_painter.setPen(QPen(colour, 1.5));
     if (s.joined) m_painter.drawPolyline(line);
+    if (!s.dotted) return;
     for (const QPointF& p : line) m_painter.fillPath(pointShape(index, p), colour);
   }
 

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/LoopMeasure.h"
+#include "haptics/ServoSample.h"
+#include "panels/DevicePanel.h"
+
+#include <cmath>
+#include <numbers>
+
+// A device and what it does, for the tests of its panel.
+namespace handwheel::test {
+
+inline DeviceListing falcon() {
+  return {"falcon", "usb:1-2", "Novint Falcon"};
+}
+
+inline DeviceListing spaceMouse() {
+  return {"spacemouse", "/dev/hidraw3", "SpaceMouse Compact"};
+}
+
+// Three axes in and out, as of the first; six in, none out, as of the other.
+inline DeviceView falconView() {
+  DeviceView view;
+  view.found = {falcon(), spaceMouse()};
+  view.chosen = falcon();
+  view.capabilities.buttons = 4;
+  view.capabilities.maxForce = 8.0;
+  view.capabilities.maxStiffness = 3.0;
+  view.capabilities.maxDamping = 0.02;
+  view.capabilities.workspaceRadius = 40.0;
+  view.capabilities.inherentDamping = 0.002;
+  view.capabilities.latency = 0.001;
+  view.status = DeviceStatus::Ready;
+  view.isForceOn = true;
+  return view;
+}
+
+inline DeviceView spaceMouseView() {
+  DeviceView view;
+  view.found = {falcon(), spaceMouse()};
+  view.chosen = spaceMouse();
+  view.capabilities.inputs = 6;
+  view.capabilities.outputs = 0;
+  view.capabilities.buttons = 26;
+  view.capabilities.isRateControl = true;
+  view.status = DeviceStatus::Ready;
+  return view;
+}
+
+inline ServoSample sampleAt(double time, const Vec3& asked, const Vec3& sent) {
+  ServoSample sample;
+  sample.tip.time = time;
+  sample.felt.force = asked;
+  sample.sent.force = sent;
+  sample.device.status = DeviceStatus::Ready;
+  return sample;
+}
+
+// A wall touched again and again: ten seconds at the rate of a display.
+inline void playTouches(DevicePanel& panel) {
+  for (int i = 0; i <= 600; ++i) {
+    const double time = i / 60.0;
+    const double depth = std::max(0.0, std::sin(std::numbers::pi * time) * 4.0);  // mm
+    ServoSample sample = sampleAt(time, {0, 3.0 * depth, 0}, {0, std::min(8.0, 3.0 * depth), 0});
+    sample.device.position = {12.5, -depth, -31.0};
+    sample.device.orientation = Eigen::AngleAxisd(0.5, Vec3(0, 0, 1));
+    sample.device.buttons = 0b101;
+    if (3.0 * depth > 8.0) sample.actions.add(SafetyAction::Clamp);
+    panel.showSample(sample);
+  }
+}
+
+// A loop of 1 kHz: most ticks nearly in time, some late.
+inline void fill(LoopMeasure& measure) {
+  for (int i = 0; i < 1000; ++i) {
+    const double late = 1e-6 * (20 + i % 37) + (i % 100 == 0 ? 4e-4 : 0.0);
+    measure.addLateness(late);
+    measure.addPeriod(1e-3 + late);
+    measure.addDelay(1e-6 * (8 + i % 9));
+  }
+}
+
+}  // namespace handwheel::test

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace handwheel {
+
+// The forces of the last seconds, at the rate at which they can be seen; of those that come faster, the largest.
+class ForceTrace {
+ public:
+  static constexpr double kSeconds = 10.0;
+  static constexpr double kSpacing = 0.01;  // s between points, at least
+
+  struct Point {
+    double time = 0.0;   // s since the loop started
+    double asked = 0.0;  // N
+    double sent = 0.0;   // N
+  };
+
+  // A time before the last one is that of another loop: what was is forgotten. A time that is no number is left out.
+  void add(const Point& point);
+  void clear() { m_count = 0; }
+
+  std::size_t size() const { return m_count; }
+  const Point& at(std::size_t index) const { return m_ring[(m_first + index) % m_ring.size()]; }  // 0: the oldest
+  const Point& last() const { return at(m_count - 1); }
+
+ private:
+  std::array<Point, 1024> m_ring;  // more than kSeconds / kSpacing
+  std::size_t m_first = 0;
+  std::size_t m_count = 0;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "panels/DeviceView.h"
+
+#include <QWidget>
+
+class QCheckBox;
+class QLabel;
+class QPushButton;
+
+namespace handwheel {
+
+class AxisBars;
+class ButtonLamps;
+class ForcePlot;
+struct ServoSample;
+
+// What a device does at this moment: axes, buttons, force.
+class LivePage : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit LivePage(QWidget* parent = nullptr);
+
+  void showDevice(const DeviceView& view);
+  void showSample(const ServoSample& sample, double forceGain);
+  void clear();
+
+ signals:
+  void forceOnChanged(bool isOn);
+  void forceTestAsked();
+
+ private:
+  void enableForce(DeviceStatus status);
+
+  DeviceView m_view;
+  AxisBars* m_axes;
+  ButtonLamps* m_buttons;
+  QCheckBox* m_forceOn;
+  QPushButton* m_forceTest;
+  QLabel* m_noForce;
+  ForcePlot* m_plot;
+};
+
+}  // namespace handwheel

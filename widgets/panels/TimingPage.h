@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "panels/DeviceView.h"
+#include "panels/TimingPlot.h"
+
+#include <QWidget>
+#include <array>
+
+class QComboBox;
+class QLabel;
+
+namespace handwheel {
+
+class LoopMeasure;
+class PlotWidget;
+
+// How regularly the servo loop runs, and what to do when it is not real-time.
+class TimingPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit TimingPage(QWidget* parent = nullptr);
+
+  void showLoop(const LoopView& loop);
+  void showTiming(const LoopMeasure& measure);
+  void clear();
+
+ private:
+  void draw();
+
+  QLabel* m_warning;
+  QLabel* m_rate;
+  QComboBox* m_kind;
+  PlotWidget* m_plot;
+  QLabel* m_summary;
+  std::array<TimingCounts, 3> m_counts{};  // in the order of the choice
+};
+
+}  // namespace handwheel
