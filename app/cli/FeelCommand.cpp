@@ -108,9 +108,9 @@ CommandSpec feelSpec() {
   return {
       "feel",
       "MESH",
-      "Leads a tip along a path over a mesh and writes what it feels: a proxy that never goes through the surface,\n"
-      "and the force F = k (proxy - tip) - damping of the speed along the normal. Where the path begins is free "
-      "space.\n"
+      "Leads a tip along a path over a mesh and writes what it feels.\n"
+      "A proxy follows the tip and never goes through the surface; the force is F = k (proxy - tip), less the\n"
+      "damping of the speed along the normal. Where the path begins is free space.\n"
       "P.csv has the columns t_s,x_mm,y_mm,z_mm; between its lines the tip goes straight. The output has the columns\n"
       "t_s,hip_x,hip_y,hip_z,proxy_x,proxy_y,proxy_z,force_x,force_y,force_z,contact,tick_us, in mm and N.",
       {
