@@ -11,7 +11,6 @@
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPushButton>
 #include <QToolButton>
 #include <algorithm>
 
@@ -63,7 +62,7 @@ DeviceCard::DeviceCard(QWidget* parent)
       m_icon(new QLabel(m_state)),
       m_headline(new QLabel(m_state)),
       m_detail(new QLabel(m_state)),
-      m_notRealTime(new QPushButton(tr("Not in real time: what to do"), this)) {
+      m_notRealTime(new QToolButton(m_state)) {
   m_choice->setObjectName(QStringLiteral("deviceChoice"));
   m_choice->setAccessibleName(tr("Device"));
   m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -74,10 +73,6 @@ DeviceCard::DeviceCard(QWidget* parent)
   rescan->setIcon(icon(QStringLiteral("rescan")));
   rescan->setToolTip(tr("Look for devices again"));
   rescan->setAccessibleName(rescan->toolTip());
-  m_notRealTime->setObjectName(QStringLiteral("notRealTime"));
-  m_notRealTime->setIcon(icon(QStringLiteral("warning"), themeColours(currentTheme()).warning));
-  m_notRealTime->setToolTip(tr("Ticks come late when the machine is busy, and walls are made softer for it"));
-  m_notRealTime->hide();
   auto* row = new QHBoxLayout;
   row->setSpacing(8);
   row->addWidget(m_choice, 1);
@@ -87,10 +82,9 @@ DeviceCard::DeviceCard(QWidget* parent)
   column->setSpacing(8);
   column->addLayout(row);
   column->addWidget(stateFrame());
-  column->addWidget(m_notRealTime);
   connect(m_choice, &QComboBox::activated, this, &DeviceCard::choose);
   connect(rescan, &QToolButton::clicked, this, &DeviceCard::rescanAsked);
-  connect(m_notRealTime, &QPushButton::clicked, this, &DeviceCard::realTimeAdviceAsked);
+  connect(m_notRealTime, &QToolButton::clicked, this, &DeviceCard::realTimeAdviceAsked);
   showState();
 }
 
@@ -103,9 +97,18 @@ QWidget* DeviceCard::stateFrame() {
   m_detail->setObjectName(QStringLiteral("deviceDetail"));
   m_detail->setProperty("muted", true);
   m_detail->setWordWrap(true);
+  m_notRealTime->setObjectName(QStringLiteral("notRealTime"));
+  m_notRealTime->setText(tr("Not real-time"));
+  m_notRealTime->setToolTip(tr("Ticks come late when the machine is busy. Shows what to do."));
+  m_notRealTime->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  m_notRealTime->setFocusPolicy(Qt::TabFocus);
+  m_notRealTime->hide();
+  auto* title = new QHBoxLayout;
+  title->addWidget(m_headline, 1);
+  title->addWidget(m_notRealTime);
   auto* text = new QVBoxLayout;
   text->setSpacing(2);
-  text->addWidget(m_headline);
+  text->addLayout(title);
   text->addWidget(m_detail);
   auto* row = new QHBoxLayout(m_state);
   row->setContentsMargins(12, 8, 12, 8);
@@ -162,6 +165,7 @@ void DeviceCard::choose(int row) {
 }
 
 void DeviceCard::showState() {
+  m_notRealTime->setIcon(icon(QStringLiteral("warning"), themeColours(currentTheme()).warning));
   m_icon->setPixmap(iconOf(m_view).pixmap(QSize(20, 20), devicePixelRatioF()));
   m_headline->setText(headlineOf(m_view));
   m_detail->setText(detailOf(m_view));
@@ -170,10 +174,7 @@ void DeviceCard::showState() {
 }
 
 void DeviceCard::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::PaletteChange) {
-    m_notRealTime->setIcon(icon(QStringLiteral("warning"), themeColours(currentTheme()).warning));
-    showState();
-  }
+  if (event->type() == QEvent::PaletteChange) showState();
   QWidget::changeEvent(event);
 }
 

@@ -9,7 +9,7 @@
 class QComboBox;
 class QFrame;
 class QLabel;
-class QPushButton;
+class QToolButton;
 
 namespace handwheel {
 
@@ -46,7 +46,7 @@ class DeviceCard : public QWidget {
   QLabel* m_icon;
   QLabel* m_headline;
   QLabel* m_detail;
-  QPushButton* m_notRealTime;
+  QToolButton* m_notRealTime;
 };
 
 }  // namespace handwheel

@@ -67,11 +67,16 @@ QStringList DeviceText::safety(SafetyActions actions) {
 }
 
 QString DeviceText::realTimeAdvice() {
-  // The priority is that of ServoSettings with some room.
-  return tr("The system does not let the servo loop run in real time. Ticks come late when the machine is busy, and "
-            "walls are made softer for it. To allow it, add this line to a file in /etc/security/limits.d, with your "
-            "own user name, and log in again:") +
-         QStringLiteral("\n%1 - rtprio 90").arg(qEnvironmentVariable("USER", QStringLiteral("user")));
+  return tr(
+      "The system does not let the servo loop run in real time. Ticks come late when the machine is busy, and walls "
+      "are "
+      "made softer for it. To allow it, run this line in a terminal, then log out and in again:");
+}
+
+// The limit is the priority of ServoSettings with some room.
+QString DeviceText::realTimeCommand() {
+  return QStringLiteral("echo \"%1 - rtprio 90\" | sudo tee /etc/security/limits.d/90-handwheel.conf")
+      .arg(qEnvironmentVariable("USER", QStringLiteral("$USER")));
 }
 
 std::vector<DeviceText::Line> DeviceText::dataSheet(const DeviceCapabilities& device, const QLocale& locale) {

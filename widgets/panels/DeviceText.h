@@ -22,8 +22,9 @@ class DeviceText {
   static QString advice(DeviceStatus status);
   // What the safety chain does, a sentence for each, in the order of its stages.
   static QStringList safety(SafetyActions actions);
-  // What to do when the loop is not real-time; holds one line of configuration.
+  // What to do when the loop is not real-time, and the command that does it.
   static QString realTimeAdvice();
+  static QString realTimeCommand();
 
   // The data sheet: name and value of each line. What a device does not have is left out.
   struct Line {

@@ -6,9 +6,14 @@
 #include "panels/DeviceText.h"
 #include "plot/PlotWidget.h"
 
+#include <QClipboard>
 #include <QComboBox>
+#include <QGuiApplication>
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QLocale>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 namespace handwheel {
@@ -33,15 +38,11 @@ QString summaryOf(const TimingCounts& timing, const QLocale& locale) {
 
 TimingPage::TimingPage(QWidget* parent)
     : QWidget(parent),
-      m_warning(new QLabel(DeviceText::realTimeAdvice(), this)),
+      m_warning(warning()),
       m_rate(new QLabel(this)),
       m_kind(new QComboBox(this)),
       m_plot(new PlotWidget(this)),
       m_summary(new QLabel(this)) {
-  m_warning->setObjectName(QStringLiteral("realTimeAdvice"));
-  m_warning->setWordWrap(true);
-  m_warning->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-  m_warning->hide();
   m_rate->setObjectName(QStringLiteral("servoRate"));
   m_rate->setWordWrap(true);
   m_kind->setObjectName(QStringLiteral("timingKind"));
@@ -63,6 +64,33 @@ TimingPage::TimingPage(QWidget* parent)
   connect(m_kind, &QComboBox::currentIndexChanged, this, &TimingPage::draw);
   showLoop({});
   draw();
+}
+
+QWidget* TimingPage::warning() {
+  auto* frame = new QWidget(this);
+  auto* advice = new QLabel(DeviceText::realTimeAdvice(), frame);
+  advice->setObjectName(QStringLiteral("realTimeAdvice"));
+  advice->setWordWrap(true);
+  auto* command = new QLineEdit(DeviceText::realTimeCommand(), frame);
+  command->setObjectName(QStringLiteral("realTimeCommand"));
+  command->setAccessibleName(tr("Command"));
+  command->setReadOnly(true);
+  command->setCursorPosition(0);
+  command->setToolTip(command->text());
+  auto* copy = new QPushButton(tr("Copy"), frame);
+  copy->setObjectName(QStringLiteral("copyCommand"));
+  connect(copy, &QPushButton::clicked, this, [command] { QGuiApplication::clipboard()->setText(command->text()); });
+  auto* row = new QHBoxLayout;
+  row->setSpacing(8);
+  row->addWidget(command, 1);
+  row->addWidget(copy);
+  auto* column = new QVBoxLayout(frame);
+  column->setContentsMargins(0, 0, 0, 8);
+  column->setSpacing(8);
+  column->addWidget(advice);
+  column->addLayout(row);
+  frame->hide();
+  return frame;
 }
 
 void TimingPage::showLoop(const LoopView& loop) {

@@ -28,9 +28,10 @@ class TimingPage : public QWidget {
   void clear();
 
  private:
+  QWidget* warning();
   void draw();
 
-  QLabel* m_warning;
+  QWidget* m_warning;
   QLabel* m_rate;
   QComboBox* m_kind;
   PlotWidget* m_plot;

@@ -7,6 +7,7 @@
 #include "panels/ForcePlot.h"
 
 #include <QCheckBox>
+#include <QClipboard>
 #include <QDir>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -20,6 +21,9 @@ using namespace handwheel::test;
 // The panel of a device: what it shows of the values given, and what it asks for.
 class DevicePanelTest : public QObject {
   Q_OBJECT
+
+ private:
+  void look(DevicePanel& panel, const QString& name);
 
  private slots:
   void cleanup() { applyTheme(*qApp, ThemeKind::Light); }
@@ -39,6 +43,7 @@ class DevicePanelTest : public QObject {
   void timings();
   void pictures_data();
   void pictures();
+  void picturesOfTrouble();
 };
 
 namespace {
@@ -238,14 +243,15 @@ void DevicePanelTest::notRealTime() {
   Bench bench;
   bench.panel.showDevice(falconView());
   bench.panel.showLoop({998.4, 7, RealTimeState::RealTime});
-  auto* warning = bench.part<QPushButton>("notRealTime");
+  auto* warning = bench.part<QToolButton>("notRealTime");
   QVERIFY(!warning->isVisible());
   QCOMPARE(bench.text("servoRate"), QString("998 ticks a second, 7 missed so far"));
   bench.panel.showLoop({998.4, 7, RealTimeState::NotPermitted});
   QVERIFY(warning->isVisible());
   warning->click();
   QVERIFY(bench.part<QLabel>("realTimeAdvice")->isVisible());
-  QVERIFY(bench.text("realTimeAdvice").contains("- rtprio "));
+  bench.part<QPushButton>("copyCommand")->click();
+  QVERIFY(QGuiApplication::clipboard()->text().contains(" - rtprio "));
 }
 
 void DevicePanelTest::mappingIsEdited() {
@@ -293,12 +299,25 @@ void DevicePanelTest::pictures_data() {
   QTest::newRow("live-low") << 0 << QSize(296, 300);  // what is left of 1280 x 800 at 200 %
 }
 
-// In both themes nothing is cut, everything has a name and is reached by Tab. With HANDWHEEL_PICTURES, a folder, the
-// pictures are kept there to be looked at.
+void DevicePanelTest::picturesOfTrouble() {
+  Bench bench;
+  bench.panel.showDevice(falconView());
+  bench.panel.showLoop({998.4, 7, RealTimeState::NotPermitted});
+  playTouches(bench.panel);
+  ServoSample sample = sampleAt(10.0, Vec3::Zero(), Vec3::Zero());
+  sample.device.status = DeviceStatus::NeedsHoming;
+  for (const SafetyAction action : {SafetyAction::DeviceFault, SafetyAction::NotFinite, SafetyAction::Ramp}) {
+    sample.actions.add(action);
+  }
+  bench.panel.showSample(sample);
+  look(bench.panel, "falcon-homing");
+  bench.panel.showDevice({});
+  look(bench.panel, "none");
+}
+
 void DevicePanelTest::pictures() {
   QFETCH(int, page);
   QFETCH(QSize, size);
-  const QString folder = qEnvironmentVariable("HANDWHEEL_PICTURES");
   for (const DeviceView& view : {falconView(), spaceMouseView()}) {
     Bench bench;
     bench.panel.resize(size);
@@ -309,19 +328,26 @@ void DevicePanelTest::pictures() {
     LoopMeasure measure(view.capabilities, 0.002, 1e-3);
     fill(measure);
     bench.panel.showTiming(measure);
-    for (const ThemeKind theme : {ThemeKind::Light, ThemeKind::Dark}) {
-      applyTheme(*qApp, theme);
-      QTest::qWait(20);
-      const QString file = QStringLiteral("device-%1-%2-%3-%4.png")
-                               .arg(QString::fromStdString(view.chosen->driver), QTest::currentDataTag(),
-                                    theme == ThemeKind::Dark ? "dark" : "light")
-                               .arg(bench.panel.devicePixelRatioF());
-      if (!folder.isEmpty()) QVERIFY(bench.panel.grab().save(QDir(folder).filePath(file)));
-      QCOMPARE(cutTexts(bench.panel).join("\n"), QString());
-    }
-    QCOMPARE(withoutAccessibleName(bench.panel).join("\n"), QString());
-    QCOMPARE(notReachedByTab(bench.panel).join("\n"), QString());
+    look(bench.panel,
+         QStringLiteral("%1-%2").arg(QString::fromStdString(view.chosen->driver), QTest::currentDataTag()));
   }
+}
+
+// In both themes nothing is cut, everything has a name and is reached by Tab. With HANDWHEEL_PICTURES, a folder, the
+// pictures are kept there to be looked at.
+void DevicePanelTest::look(DevicePanel& panel, const QString& name) {
+  const QString folder = qEnvironmentVariable("HANDWHEEL_PICTURES");
+  for (const ThemeKind theme : {ThemeKind::Light, ThemeKind::Dark}) {
+    applyTheme(*qApp, theme);
+    QTest::qWait(20);
+    const QString file = QStringLiteral("device-%1-%2-%3.png")
+                             .arg(name, theme == ThemeKind::Dark ? "dark" : "light")
+                             .arg(panel.devicePixelRatioF());
+    if (!folder.isEmpty()) QVERIFY(panel.grab().save(QDir(folder).filePath(file)));
+    QCOMPARE(cutTexts(panel).join("\n"), QString());
+  }
+  QCOMPARE(withoutAccessibleName(panel).join("\n"), QString());
+  QCOMPARE(notReachedByTab(panel).join("\n"), QString());
 }
 
 HANDWHEEL_CONTROLS_TEST(DevicePanelTest)
