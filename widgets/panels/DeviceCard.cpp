@@ -9,6 +9,7 @@
 #include <QComboBox>
 #include <QEvent>
 #include <QFrame>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
@@ -98,23 +99,20 @@ QWidget* DeviceCard::stateFrame() {
   m_detail->setProperty("muted", true);
   m_detail->setWordWrap(true);
   m_notRealTime->setObjectName(QStringLiteral("notRealTime"));
-  m_notRealTime->setText(tr("Not real-time"));
-  m_notRealTime->setToolTip(tr("Ticks come late when the machine is busy. Shows what to do."));
+  m_notRealTime->setText(tr("Not in real time: what to do"));
+  m_notRealTime->setToolTip(tr("Ticks come late when the machine is busy, and walls are made softer for it"));
   m_notRealTime->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   m_notRealTime->setFocusPolicy(Qt::TabFocus);
   m_notRealTime->hide();
-  auto* title = new QHBoxLayout;
-  title->addWidget(m_headline, 1);
-  title->addWidget(m_notRealTime);
-  auto* text = new QVBoxLayout;
-  text->setSpacing(2);
-  text->addLayout(title);
-  text->addWidget(m_detail);
-  auto* row = new QHBoxLayout(m_state);
-  row->setContentsMargins(12, 8, 12, 8);
-  row->setSpacing(12);
-  row->addWidget(m_icon, 0, Qt::AlignTop);
-  row->addLayout(text, 1);
+  auto* grid = new QGridLayout(m_state);
+  grid->setContentsMargins(12, 8, 12, 8);
+  grid->setHorizontalSpacing(12);
+  grid->setVerticalSpacing(2);
+  grid->setColumnStretch(1, 1);
+  grid->addWidget(m_icon, 0, 0);
+  grid->addWidget(m_headline, 0, 1);
+  grid->addWidget(m_detail, 1, 1);
+  grid->addWidget(m_notRealTime, 2, 1, Qt::AlignLeft);
   return m_state;
 }
 
@@ -131,7 +129,8 @@ void DeviceCard::showStatus(DeviceStatus status) {
 }
 
 void DeviceCard::showLoop(const LoopView& loop) {
-  m_notRealTime->setVisible(loop.realTime == RealTimeState::NotPermitted);
+  m_isRealTimeRefused = loop.realTime == RealTimeState::NotPermitted;
+  showState();
 }
 
 // The list stays as it is while nothing has come or gone: somebody may have it open.
@@ -165,6 +164,7 @@ void DeviceCard::choose(int row) {
 }
 
 void DeviceCard::showState() {
+  m_notRealTime->setVisible(m_isRealTimeRefused && m_view.chosen);
   m_notRealTime->setIcon(icon(QStringLiteral("warning"), themeColours(currentTheme()).warning));
   m_icon->setPixmap(iconOf(m_view).pixmap(QSize(20, 20), devicePixelRatioF()));
   m_headline->setText(headlineOf(m_view));

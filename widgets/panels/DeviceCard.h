@@ -40,6 +40,7 @@ class DeviceCard : public QWidget {
   void showState();
 
   DeviceView m_view;
+  bool m_isRealTimeRefused = false;
   std::vector<DeviceListing> m_listed;  // the rows after the first
   QComboBox* m_choice;
   QFrame* m_state;

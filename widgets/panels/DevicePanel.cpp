@@ -108,6 +108,7 @@ void DevicePanel::showDevice(const DeviceView& view) {
   m_card->showDevice(view);
   m_live->showDevice(view);
   m_mapping->setDevice(view.capabilities);
+  m_mapping->setEnabled(view.chosen.has_value());  // it is that of a device
   m_dataSheet->setProperties(sheetOf(view, locale()));
   if (isSame) return;
   clearLive();

@@ -262,6 +262,7 @@ void DevicePanelTest::mappingIsEdited() {
   mapping.sceneFromView.translation() = Vec3(1, 2, 3);
   bench.panel.setMapping(mapping);
   bench.turnTo(1);
+  QVERIFY(bench.part<QWidget>("property/up")->isEnabled());
   std::vector<WorkspaceMapping> changed;
   connect(&bench.panel, &DevicePanel::mappingChanged, this, [&](const WorkspaceMapping& m) { changed.push_back(m); });
   auto* up = bench.part<QWidget>("property/up")->findChild<QComboBox*>("propertyChoice");
@@ -272,6 +273,8 @@ void DevicePanelTest::mappingIsEdited() {
   QCOMPARE(changed[0].axes[1].axis, 1);
   QCOMPARE(changed[0].scale, 3.0);
   QCOMPARE(Vec3(changed[0].sceneFromView.translation()), Vec3(1, 2, 3));
+  bench.panel.showDevice({});
+  QVERIFY(!bench.part<QWidget>("property/up")->isEnabled());
 }
 
 void DevicePanelTest::timings() {
