@@ -66,4 +66,14 @@ inline constexpr std::size_t kCutWork = 2'000;
 // is right depends on more than the outline, and everybody expects a fan.
 inline constexpr double kPlanarPolygon = 1e-3;
 
+// How far a proxy stays off the surface that it touches: far above what rounding moves it, far below what a person sees.
+inline constexpr double kContactSkin = 0x1p-27;
+// What is wider than this is no seam that has to be closed before a scan is touched.
+inline constexpr double kContactSeam = 0x1p-12;
+// Corners across a seam become one when it is narrower than this share of the open edges at them. A strip would be a
+// step there: the borders are seldom equally high, and a proxy stops at a step of a micrometre.
+inline constexpr double kContactSeamEdge = 0.25;
+// How far an edit is looked for that has buried a proxy.
+inline constexpr double kContactBuried = 0.01;
+
 }  // namespace handwheel::tolerance

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/ContactSeams.h"
 
+#include "base/Tolerance.h"
 #include "proximity/ClosestPoint.h"
 #include "proximity/TriangleHierarchy.h"
 
@@ -12,12 +13,6 @@
 
 namespace handwheel {
 namespace {
-
-// What is wider than this share of the model's diagonal is no seam.
-constexpr double kSeam = 0x1p-12;
-// Corners across a seam become one when it is narrower than this share of the open edges at them. A strip would be a
-// step there: the borders are seldom equally high, and a proxy stops at a step of a micrometre.
-constexpr double kOfAnEdge = 0.25;
 
 struct Edge {
   std::uint32_t from, to;  // as its triangle runs along it
@@ -56,7 +51,7 @@ class CornerMerging {
       : m_points(points), m_cell(tolerance) {
     std::unordered_map<std::uint32_t, double> reach;
     for (const Edge& e : open) {
-      const double own = std::min(tolerance, kOfAnEdge * (points[e.from] - points[e.to]).norm());
+      const double own = std::min(tolerance, tolerance::kContactSeamEdge * (points[e.from] - points[e.to]).norm());
       for (const std::uint32_t v : {e.from, e.to}) {
         const auto [entry, fresh] = reach.try_emplace(v, own);
         if (!fresh) entry->second = std::min(entry->second, own);
@@ -247,11 +242,11 @@ void closeSeams(std::vector<Vec3>& points, std::vector<Triangle>& triangles, Pro
   // From the middle of the model, so that far from the origin the cells can be told apart.
   std::vector<Vec3> local(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) local[i] = points[i] - bounds.center();
-  const CornerMerging merged(local, open, kSeam * diagonal);
+  const CornerMerging merged(local, open, tolerance::kContactSeam * diagonal);
   merged.move(points);
   open = openEdges(open, merged);
   if (progress.cancelled()) return;
-  Strips(points, open, kSeam * diagonal).addTo(triangles);
+  Strips(points, open, tolerance::kContactSeam * diagonal).addTo(triangles);
 }
 
 }  // namespace handwheel

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/ContactSurface.h"
 
+#include "base/Tolerance.h"
+
 #include <algorithm>
 
 namespace handwheel {
@@ -14,6 +16,12 @@ ContactSurface::ContactSurface(std::span<const Vec3> points, std::span<const Tri
     all.push_back({{points[a], points[b], points[c]}, static_cast<std::uint32_t>(i)});
   }
   add(std::move(all), progress);
+}
+
+double ContactSurface::skin() const {
+  if (m_bounds.isEmpty()) return 0.0;
+  const double far = std::max(m_bounds.min().cwiseAbs().maxCoeff(), m_bounds.max().cwiseAbs().maxCoeff());
+  return tolerance::kContactSkin * std::max(diagonal(), 0x1p-20 * far);
 }
 
 void ContactSurface::update(std::span<const std::uint32_t> removed, std::span<const ContactTriangle> added) {

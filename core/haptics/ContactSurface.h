@@ -29,8 +29,8 @@ class ContactSurface {
 
   // The diagonal of the box around all that was ever in it, mm: the scale of its tolerances.
   double diagonal() const { return m_bounds.isEmpty() ? 0.0 : m_bounds.diagonal().norm(); }
-  // How far a proxy stays off the surface, mm: far above what rounding moves it, far below what a person sees.
-  double skin() const { return 0x1p-27 * std::max(diagonal(), 0x1p-20 * m_bounds.max().cwiseAbs().maxCoeff()); }
+  // How far a proxy stays off the surface, mm. Far from the origin coordinates are coarser than the model's size says.
+  double skin() const;
   bool empty() const { return m_layers.empty(); }
 
   // Calls visit(const ContactTriangle&) for each triangle whose box meets the box, until it returns false. Returns

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/GodObject.h"
 
+#include "base/Tolerance.h"
 #include "haptics/LocalFaces.h"
 
 #include <algorithm>
@@ -13,8 +14,6 @@ namespace {
 
 // Beyond so many planes at one place the oldest are forgotten; they are met again where they matter.
 constexpr std::size_t kMaxPlanes = 8;
-// How far an edit is looked for that has buried a proxy, as a share of the surface's diagonal.
-constexpr double kBuried = 0.01;
 
 // The planes that are met at one place.
 class Planes {
@@ -107,7 +106,7 @@ void GodObject::slide(LocalFaces& faces, const Vec3& tip, const ContactOptions& 
 void GodObject::surfaceChanged(const ContactSurface& surface) {
   if (!m_contact.touching) return;
   LocalFaces faces(surface);
-  const double far = kBuried * surface.diagonal();
+  const double far = tolerance::kContactBuried * surface.diagonal();
   faces.setReach(far);
   // Upwards, it must not meet a surface from behind.
   const LocalFaces::Sweep sweep = faces.sweep(m_proxy, far * m_contact.normal);

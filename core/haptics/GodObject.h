@@ -27,8 +27,8 @@ struct Contact {
 // The point that a tip pushes over a surface and that never goes through it (Zilles and Salisbury, "A constraint-based
 // god-object method for haptic display", IROS 1995): each tick it moves to where it is nearest to the tip, on a way
 // that crosses no triangle from either side. Planes met are kept only as long as the proxy stays where it met them,
-// and released together otherwise, so that it slides out of concave corners. A step of its own radius of 0; it keeps
-// off the surface by ContactSurface::skin(). Servo thread: neither allocates nor locks; a few microseconds.
+// and released together otherwise, so that it slides out of concave corners. It has no radius; it keeps off the surface
+// by ContactSurface::skin(). Servo thread: neither allocates nor locks; a few microseconds.
 class GodObject {
  public:
   // Puts the proxy at the tip, as in free space.
