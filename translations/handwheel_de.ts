@@ -17,6 +17,149 @@
     </message>
 </context>
 <context>
+    <name>DeviceText</name>
+    <message>
+        <source>Not plugged in</source>
+        <translation>Nicht angeschlossen</translation>
+    </message>
+    <message>
+        <source>Starting…</source>
+        <translation>Startet …</translation>
+    </message>
+    <message>
+        <source>Needs homing</source>
+        <translation>Muss seine Lage finden</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>Does not answer as it should</source>
+        <translation>Antwortet nicht, wie es sollte</translation>
+    </message>
+    <message>
+        <source>Plug it in, then choose it again.</source>
+        <translation>Schließen Sie es an und wählen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>It is being connected and may be loading its firmware. This can take some seconds.</source>
+        <translation>Es wird verbunden und lädt vielleicht seine Firmware. Das kann einige Sekunden dauern.</translation>
+    </message>
+    <message>
+        <source>It does not know yet where it is. Pull the grip slowly all the way out, push it all the way in, and bring it back to the middle. There is no force until then.</source>
+        <translation>Es weiß noch nicht, wo es ist. Ziehen Sie den Griff langsam ganz heraus, schieben Sie ihn ganz hinein und bringen Sie ihn zurück zur Mitte. Bis dahin gibt es keine Kraft.</translation>
+    </message>
+    <message>
+        <source>Unplug it, wait for some seconds, plug it in and choose it again.</source>
+        <translation>Ziehen Sie es ab, warten Sie einige Sekunden, schließen Sie es an und wählen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>No force: the device is not ready.</source>
+        <translation>Keine Kraft: Das Gerät ist nicht bereit.</translation>
+    </message>
+    <message>
+        <source>No force: what the scene asked for is not a number.</source>
+        <translation>Keine Kraft: Was die Szene verlangt hat, ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>Damped: more energy came out than went in.</source>
+        <translation>Gedämpft: Es kam mehr Energie heraus, als hineinging.</translation>
+    </message>
+    <message>
+        <source>Damped: it moves faster than a hand at work.</source>
+        <translation>Gedämpft: Es bewegt sich schneller als eine arbeitende Hand.</translation>
+    </message>
+    <message>
+        <source>No force: it moves as if nobody held it.</source>
+        <translation>Keine Kraft: Es bewegt sich, als hielte es niemand.</translation>
+    </message>
+    <message>
+        <source>The force rises slowly after a change.</source>
+        <translation>Die Kraft steigt nach einer Änderung langsam an.</translation>
+    </message>
+    <message>
+        <source>The force fades: nothing new was heard in time.</source>
+        <translation>Die Kraft klingt ab: Es kam nicht rechtzeitig etwas Neues.</translation>
+    </message>
+    <message>
+        <source>The force changes no faster than is safe.</source>
+        <translation>Die Kraft ändert sich nicht schneller, als sicher ist.</translation>
+    </message>
+    <message>
+        <source>The force is as large as the device may give.</source>
+        <translation>Die Kraft ist so groß, wie das Gerät sie geben darf.</translation>
+    </message>
+    <message>
+        <source>The system does not let the servo loop run in real time. Ticks come late when the machine is busy, and walls are made softer for it. To allow it, run this line in a terminal, then log out and in again:</source>
+        <translation>Das System lässt die Servoschleife nicht in Echtzeit laufen. Ist der Rechner beschäftigt, kommen Takte zu spät, und Wände werden dafür weicher gemacht. Um es zu erlauben, führen Sie diese Zeile in einem Terminal aus und melden Sie sich dann ab und wieder an:</translation>
+    </message>
+    <message>
+        <source>Axes measured</source>
+        <translation>Gemessene Achsen</translation>
+    </message>
+    <message>
+        <source>Axes driven</source>
+        <translation>Angetriebene Achsen</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Largest force</source>
+        <translation>Größte Kraft</translation>
+    </message>
+    <message>
+        <source>Largest torque</source>
+        <translation>Größtes Drehmoment</translation>
+    </message>
+    <message>
+        <source>Largest force of the grip</source>
+        <translation>Größte Kraft des Griffs</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Stiffness in rotation</source>
+        <translation>Drehsteifigkeit</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>Damping of its own</source>
+        <translation>Eigene Dämpfung</translation>
+    </message>
+    <message>
+        <source>Radius of the workspace</source>
+        <translation>Radius des Arbeitsraums</translation>
+    </message>
+    <message>
+        <source>Servo rate</source>
+        <translation>Servotakt</translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation>Verzögerung</translation>
+    </message>
+    <message>
+        <source>Way of working</source>
+        <translation>Arbeitsweise</translation>
+    </message>
+    <message>
+        <source>springs back; its deflection is a speed</source>
+        <translation>federt zurück; seine Auslenkung ist eine Geschwindigkeit</translation>
+    </message>
+</context>
+<context>
     <name>DocumentKind</name>
     <message>
         <source>Mesh</source>
@@ -1014,6 +1157,30 @@
         <source>curvature</source>
         <translation>Krümmung</translation>
     </message>
+    <message>
+        <source>Snap distance</source>
+        <translation>Fangabstand</translation>
+    </message>
+    <message>
+        <source>distances between features</source>
+        <translation>Abstände zwischen den Merkmalen</translation>
+    </message>
+    <message>
+        <source>features that a trembling hand missed</source>
+        <translation>Merkmale, die eine zitternde Hand verfehlt hat</translation>
+    </message>
+    <message>
+        <source>CPU time of a tick</source>
+        <translation>Rechenzeit eines Takts</translation>
+    </message>
+    <message>
+        <source>Features that pull at once</source>
+        <translation>Merkmale, die zugleich ziehen</translation>
+    </message>
+    <message>
+        <source>RMS difference from the sum of all forces</source>
+        <translation>RMS-Abweichung von der Summe aller Kräfte</translation>
+    </message>
 </context>
 <context>
     <name>FileFilters</name>
@@ -1846,6 +2013,90 @@
         <source>Curvature</source>
         <translation>Krümmung</translation>
     </message>
+    <message>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>To the right</source>
+        <translation>Nach rechts</translation>
+    </message>
+    <message>
+        <source>Upwards</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Towards you</source>
+        <translation>Zu Ihnen hin</translation>
+    </message>
+    <message>
+        <source>X of the device</source>
+        <translation>X des Geräts</translation>
+    </message>
+    <message>
+        <source>X, inverted</source>
+        <translation>X, umgekehrt</translation>
+    </message>
+    <message>
+        <source>Y of the device</source>
+        <translation>Y des Geräts</translation>
+    </message>
+    <message>
+        <source>Y, inverted</source>
+        <translation>Y, umgekehrt</translation>
+    </message>
+    <message>
+        <source>Z of the device</source>
+        <translation>Z des Geräts</translation>
+    </message>
+    <message>
+        <source>Z, inverted</source>
+        <translation>Z, umgekehrt</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Scale (1 fills the view)</source>
+        <translation>Maßstab (1 füllt die Ansicht)</translation>
+    </message>
+    <message>
+        <source>Force gain</source>
+        <translation>Kraftverstärkung</translation>
+    </message>
+    <message>
+        <source>Dead zone</source>
+        <translation>Totzone</translation>
+    </message>
+    <message>
+        <source>Dead zone in rotation</source>
+        <translation>Totzone der Drehung</translation>
+    </message>
+    <message>
+        <source>Deflection is a speed</source>
+        <translation>Auslenkung ist eine Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>mm/s for each mm</source>
+        <translation>mm/s für jeden mm</translation>
+    </message>
+    <message>
+        <source>°/s for each degree</source>
+        <translation>°/s für jedes Grad</translation>
+    </message>
+    <message>
+        <source>No button</source>
+        <translation>Keine Taste</translation>
+    </message>
+    <message>
+        <source>Clutch: the tip stays while it is held</source>
+        <translation>Kupplung: Die Spitze bleibt stehen, solange sie gehalten wird</translation>
+    </message>
+    <message>
+        <source>Clutch</source>
+        <translation>Kupplung</translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -2056,6 +2307,17 @@
     <message>
         <source>Area and bend</source>
         <translation>Fläche und Knick</translation>
+    </message>
+</context>
+<context>
+    <name>TimingPlot</name>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Ticks</source>
+        <translation>Takte</translation>
     </message>
 </context>
 <context>
@@ -2634,6 +2896,10 @@
         <source>Preview of the patch</source>
         <translation>Vorschau der Füllfläche</translation>
     </message>
+    <message>
+        <source>Servo loop of the device</source>
+        <translation>Servoschleife des Geräts</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::Autosave</name>
@@ -2663,6 +2929,32 @@
     <message>
         <source>%1 (its file was saved since)</source>
         <translation>%1 (die Datei wurde seither gespeichert)</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::AxisBars</name>
+    <message>
+        <source>Position and orientation</source>
+        <translation>Lage und Ausrichtung</translation>
+    </message>
+    <message>
+        <source>Grip</source>
+        <translation>Griff</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ButtonLamps</name>
+    <message>
+        <source>Buttons</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>No button is held</source>
+        <translation>Keine Taste wird gehalten</translation>
+    </message>
+    <message>
+        <source>Held: %1</source>
+        <translation>Gehalten: %1</translation>
     </message>
 </context>
 <context>
@@ -3055,6 +3347,87 @@
     </message>
 </context>
 <context>
+    <name>handwheel::DeviceCard</name>
+    <message>
+        <source>No device in use</source>
+        <translation>Kein Gerät in Gebrauch</translation>
+    </message>
+    <message>
+        <source>The pointer is outside the view</source>
+        <translation>Der Zeiger ist außerhalb der Ansicht</translation>
+    </message>
+    <message>
+        <source>Plug one in: it appears here by itself.</source>
+        <translation>Schließen Sie eines an: Es erscheint hier von selbst.</translation>
+    </message>
+    <message>
+        <source>Choose one from the list above.</source>
+        <translation>Wählen Sie eines aus der Liste oben.</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>No device</source>
+        <translation>Kein Gerät</translation>
+    </message>
+    <message>
+        <source>Look for devices again</source>
+        <translation>Noch einmal nach Geräten suchen</translation>
+    </message>
+    <message>
+        <source>Not in real time: what to do</source>
+        <translation>Nicht in Echtzeit: was zu tun ist</translation>
+    </message>
+    <message>
+        <source>Ticks come late when the machine is busy, and walls are made softer for it</source>
+        <translation>Ist der Rechner beschäftigt, kommen Takte zu spät, und Wände werden dafür weicher gemacht</translation>
+    </message>
+    <message>
+        <source>%1 (unplugged)</source>
+        <translation>%1 (abgezogen)</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::DeviceFinder</name>
+    <message>
+        <source>Looking for devices</source>
+        <translation>Geräte werden gesucht</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::DevicePanel</name>
+    <message>
+        <source>No device is in use.</source>
+        <translation>Kein Gerät ist in Gebrauch.</translation>
+    </message>
+    <message>
+        <source>About the device</source>
+        <translation>Über das Gerät</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>Live</translation>
+    </message>
+    <message>
+        <source>Mapping</source>
+        <translation>Zuordnung</translation>
+    </message>
+    <message>
+        <source>Timing</source>
+        <translation>Takt</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>Daten</translation>
+    </message>
+    <message>
+        <source>Safety: nothing is held back.</source>
+        <translation>Sicherheit: Nichts wird zurückgehalten.</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::DockTitle</name>
     <message>
         <source>Fold this panel away</source>
@@ -3323,6 +3696,76 @@
     </message>
 </context>
 <context>
+    <name>handwheel::ForcePlot</name>
+    <message>
+        <source>Force of the last seconds</source>
+        <translation>Kraft der letzten Sekunden</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>asked for</source>
+        <translation>verlangt</translation>
+    </message>
+    <message>
+        <source>sent</source>
+        <translation>gesendet</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::HapticSession</name>
+    <message>
+        <source>Simulated hand</source>
+        <translation>Simulierte Hand</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Maus</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
+    </message>
+    <message>
+        <source>%1 could not be opened</source>
+        <translation>%1 konnte nicht geöffnet werden</translation>
+    </message>
+    <message>
+        <source>Closing %1</source>
+        <translation>%1 wird geschlossen</translation>
+    </message>
+    <message>
+        <source>%1 is not there</source>
+        <translation>%1 ist nicht da</translation>
+    </message>
+    <message>
+        <source>%1 has failed</source>
+        <translation>%1 ist ausgefallen</translation>
+    </message>
+    <message>
+        <source>It was unplugged, or is without power.</source>
+        <translation>Es wurde abgezogen oder hat keinen Strom.</translation>
+    </message>
+    <message>
+        <source>It does not answer as it should.</source>
+        <translation>Es antwortet nicht, wie es sollte.</translation>
+    </message>
+    <message>
+        <source>Plug it in again, and choose it once more in the panel “Device”.</source>
+        <translation>Schließen Sie es wieder an und wählen Sie es noch einmal im Bereich „Gerät“.</translation>
+    </message>
+    <message>
+        <source>A device plugin is not used</source>
+        <translation>Ein Gerätemodul wird nicht verwendet</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::HolePreview</name>
     <message>
         <source>Preview</source>
@@ -3432,6 +3875,29 @@
     <message>
         <source>Measure distances, angles and walls</source>
         <translation>Abstände, Winkel und Wände messen</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::LivePage</name>
+    <message>
+        <source>Force on</source>
+        <translation>Kraft ein</translation>
+    </message>
+    <message>
+        <source>Test the force</source>
+        <translation>Kraft prüfen</translation>
+    </message>
+    <message>
+        <source>This device has no motors: the force is only shown.</source>
+        <translation>Dieses Gerät hat keine Motoren: Die Kraft wird nur angezeigt.</translation>
+    </message>
+    <message>
+        <source>Let the device push; without this it only points</source>
+        <translation>Das Gerät darf drücken; ohne dies zeigt es nur</translation>
+    </message>
+    <message>
+        <source>The device pushes gently along each axis. Hold the grip.</source>
+        <translation>Das Gerät drückt sanft entlang jeder Achse. Halten Sie den Griff.</translation>
     </message>
 </context>
 <context>
@@ -3617,6 +4083,13 @@
     <message>
         <source>Keys, mouse, units, language, autosave</source>
         <translation>Tasten, Maus, Einheiten, Sprache, automatisches Sichern</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::MappingForm</name>
+    <message>
+        <source>Button %1</source>
+        <translation>Taste %1</translation>
     </message>
 </context>
 <context>
@@ -4397,6 +4870,57 @@
     <message>
         <source>Services</source>
         <translation>Dienste</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::TimingPage</name>
+    <message>
+        <source>%1 µs</source>
+        <translation>%1 µs</translation>
+    </message>
+    <message>
+        <source>Nothing was measured yet.</source>
+        <translation>Noch wurde nichts gemessen.</translation>
+    </message>
+    <message>
+        <source>Half within %1, 99 % within %2, some above %3</source>
+        <translation>Die Hälfte innerhalb %1, 99 % innerhalb %2, einige über %3</translation>
+    </message>
+    <message>
+        <source>Half within %1, 99 % within %2, all within %3</source>
+        <translation>Die Hälfte innerhalb %1, 99 % innerhalb %2, alle innerhalb %3</translation>
+    </message>
+    <message>
+        <source>What is shown</source>
+        <translation>Was gezeigt wird</translation>
+    </message>
+    <message>
+        <source>From tick to tick</source>
+        <translation>Von Takt zu Takt</translation>
+    </message>
+    <message>
+        <source>How late a tick comes</source>
+        <translation>Wie spät ein Takt kommt</translation>
+    </message>
+    <message>
+        <source>Time spent in a tick</source>
+        <translation>Zeit in einem Takt</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>The servo loop is not running.</source>
+        <translation>Die Servoschleife läuft nicht.</translation>
+    </message>
+    <message>
+        <source>%1 ticks a second, %2 missed so far</source>
+        <translation>%1 Takte in der Sekunde, %2 bisher ausgelassen</translation>
     </message>
 </context>
 <context>

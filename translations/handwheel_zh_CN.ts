@@ -17,6 +17,149 @@
     </message>
 </context>
 <context>
+    <name>DeviceText</name>
+    <message>
+        <source>Not plugged in</source>
+        <translation>未连接</translation>
+    </message>
+    <message>
+        <source>Starting…</source>
+        <translation>正在启动…</translation>
+    </message>
+    <message>
+        <source>Needs homing</source>
+        <translation>需要回零</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>就绪</translation>
+    </message>
+    <message>
+        <source>Does not answer as it should</source>
+        <translation>应答异常</translation>
+    </message>
+    <message>
+        <source>Plug it in, then choose it again.</source>
+        <translation>请接上设备，然后重新选择。</translation>
+    </message>
+    <message>
+        <source>It is being connected and may be loading its firmware. This can take some seconds.</source>
+        <translation>正在连接，可能正在加载固件。这可能需要几秒钟。</translation>
+    </message>
+    <message>
+        <source>It does not know yet where it is. Pull the grip slowly all the way out, push it all the way in, and bring it back to the middle. There is no force until then.</source>
+        <translation>设备还不知道自己的位置。请把手柄慢慢拉到最外，再推到最里，然后回到中间。在此之前没有力。</translation>
+    </message>
+    <message>
+        <source>Unplug it, wait for some seconds, plug it in and choose it again.</source>
+        <translation>请拔下设备，等几秒钟，再接上并重新选择。</translation>
+    </message>
+    <message>
+        <source>No force: the device is not ready.</source>
+        <translation>没有力：设备未就绪。</translation>
+    </message>
+    <message>
+        <source>No force: what the scene asked for is not a number.</source>
+        <translation>没有力：场景要求的不是数值。</translation>
+    </message>
+    <message>
+        <source>Damped: more energy came out than went in.</source>
+        <translation>已阻尼：输出的能量多于输入。</translation>
+    </message>
+    <message>
+        <source>Damped: it moves faster than a hand at work.</source>
+        <translation>已阻尼：移动得比工作中的手还快。</translation>
+    </message>
+    <message>
+        <source>No force: it moves as if nobody held it.</source>
+        <translation>没有力：设备像没人握住一样移动。</translation>
+    </message>
+    <message>
+        <source>The force rises slowly after a change.</source>
+        <translation>变化之后力缓慢上升。</translation>
+    </message>
+    <message>
+        <source>The force fades: nothing new was heard in time.</source>
+        <translation>力在减弱：没有及时收到新数据。</translation>
+    </message>
+    <message>
+        <source>The force changes no faster than is safe.</source>
+        <translation>力的变化不超过安全速度。</translation>
+    </message>
+    <message>
+        <source>The force is as large as the device may give.</source>
+        <translation>力已达到设备允许的最大值。</translation>
+    </message>
+    <message>
+        <source>The system does not let the servo loop run in real time. Ticks come late when the machine is busy, and walls are made softer for it. To allow it, run this line in a terminal, then log out and in again:</source>
+        <translation>系统不允许伺服循环实时运行。机器繁忙时节拍会迟到，墙面会因此变软。要允许实时运行，请在终端中执行下面这一行，然后注销并重新登录：</translation>
+    </message>
+    <message>
+        <source>Axes measured</source>
+        <translation>测量的轴</translation>
+    </message>
+    <message>
+        <source>Axes driven</source>
+        <translation>驱动的轴</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>按钮</translation>
+    </message>
+    <message>
+        <source>Largest force</source>
+        <translation>最大力</translation>
+    </message>
+    <message>
+        <source>Largest torque</source>
+        <translation>最大扭矩</translation>
+    </message>
+    <message>
+        <source>Largest force of the grip</source>
+        <translation>手柄的最大力</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>刚度</translation>
+    </message>
+    <message>
+        <source>Stiffness in rotation</source>
+        <translation>转动刚度</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>阻尼</translation>
+    </message>
+    <message>
+        <source>Damping of its own</source>
+        <translation>自身阻尼</translation>
+    </message>
+    <message>
+        <source>Radius of the workspace</source>
+        <translation>工作空间半径</translation>
+    </message>
+    <message>
+        <source>Servo rate</source>
+        <translation>伺服频率</translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation>延迟</translation>
+    </message>
+    <message>
+        <source>Way of working</source>
+        <translation>工作方式</translation>
+    </message>
+    <message>
+        <source>springs back; its deflection is a speed</source>
+        <translation>会弹回；偏移量代表速度</translation>
+    </message>
+</context>
+<context>
     <name>DocumentKind</name>
     <message>
         <source>Mesh</source>
@@ -1014,6 +1157,30 @@
         <source>curvature</source>
         <translation>曲率</translation>
     </message>
+    <message>
+        <source>Snap distance</source>
+        <translation>捕捉距离</translation>
+    </message>
+    <message>
+        <source>distances between features</source>
+        <translation>特征间距</translation>
+    </message>
+    <message>
+        <source>features that a trembling hand missed</source>
+        <translation>手抖时错过的特征</translation>
+    </message>
+    <message>
+        <source>CPU time of a tick</source>
+        <translation>每个节拍的 CPU 时间</translation>
+    </message>
+    <message>
+        <source>Features that pull at once</source>
+        <translation>同时吸引的特征数</translation>
+    </message>
+    <message>
+        <source>RMS difference from the sum of all forces</source>
+        <translation>与全部力之和的均方根偏差</translation>
+    </message>
 </context>
 <context>
     <name>FileFilters</name>
@@ -1834,6 +2001,90 @@
         <source>Curvature</source>
         <translation>曲率</translation>
     </message>
+    <message>
+        <source>Axes</source>
+        <translation>轴</translation>
+    </message>
+    <message>
+        <source>To the right</source>
+        <translation>向右</translation>
+    </message>
+    <message>
+        <source>Upwards</source>
+        <translation>向上</translation>
+    </message>
+    <message>
+        <source>Towards you</source>
+        <translation>朝向您</translation>
+    </message>
+    <message>
+        <source>X of the device</source>
+        <translation>设备的 X</translation>
+    </message>
+    <message>
+        <source>X, inverted</source>
+        <translation>X，反向</translation>
+    </message>
+    <message>
+        <source>Y of the device</source>
+        <translation>设备的 Y</translation>
+    </message>
+    <message>
+        <source>Y, inverted</source>
+        <translation>Y，反向</translation>
+    </message>
+    <message>
+        <source>Z of the device</source>
+        <translation>设备的 Z</translation>
+    </message>
+    <message>
+        <source>Z, inverted</source>
+        <translation>Z，反向</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>运动</translation>
+    </message>
+    <message>
+        <source>Scale (1 fills the view)</source>
+        <translation>比例（1 为充满视图）</translation>
+    </message>
+    <message>
+        <source>Force gain</source>
+        <translation>力增益</translation>
+    </message>
+    <message>
+        <source>Dead zone</source>
+        <translation>死区</translation>
+    </message>
+    <message>
+        <source>Dead zone in rotation</source>
+        <translation>转动死区</translation>
+    </message>
+    <message>
+        <source>Deflection is a speed</source>
+        <translation>偏移量即速度</translation>
+    </message>
+    <message>
+        <source>mm/s for each mm</source>
+        <translation>每毫米对应的 mm/s</translation>
+    </message>
+    <message>
+        <source>°/s for each degree</source>
+        <translation>每度对应的 °/s</translation>
+    </message>
+    <message>
+        <source>No button</source>
+        <translation>无按钮</translation>
+    </message>
+    <message>
+        <source>Clutch: the tip stays while it is held</source>
+        <translation>离合：按住时尖端不动</translation>
+    </message>
+    <message>
+        <source>Clutch</source>
+        <translation>离合</translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -2036,6 +2287,17 @@
     <message>
         <source>Area and bend</source>
         <translation>面积与弯折</translation>
+    </message>
+</context>
+<context>
+    <name>TimingPlot</name>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Ticks</source>
+        <translation>节拍数</translation>
     </message>
 </context>
 <context>
@@ -2614,6 +2876,10 @@
         <source>Preview of the patch</source>
         <translation>补片预览</translation>
     </message>
+    <message>
+        <source>Servo loop of the device</source>
+        <translation>设备的伺服循环</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::Autosave</name>
@@ -2642,6 +2908,32 @@
     <message>
         <source>%1 (its file was saved since)</source>
         <translation>%1(其文件此后已保存)</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::AxisBars</name>
+    <message>
+        <source>Position and orientation</source>
+        <translation>位置与方向</translation>
+    </message>
+    <message>
+        <source>Grip</source>
+        <translation>手柄</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ButtonLamps</name>
+    <message>
+        <source>Buttons</source>
+        <translation>按钮</translation>
+    </message>
+    <message>
+        <source>No button is held</source>
+        <translation>没有按下按钮</translation>
+    </message>
+    <message>
+        <source>Held: %1</source>
+        <translation>按住：%1</translation>
     </message>
 </context>
 <context>
@@ -3031,6 +3323,87 @@
     </message>
 </context>
 <context>
+    <name>handwheel::DeviceCard</name>
+    <message>
+        <source>No device in use</source>
+        <translation>没有使用设备</translation>
+    </message>
+    <message>
+        <source>The pointer is outside the view</source>
+        <translation>指针在视图之外</translation>
+    </message>
+    <message>
+        <source>Plug one in: it appears here by itself.</source>
+        <translation>接上设备后会自动出现在这里。</translation>
+    </message>
+    <message>
+        <source>Choose one from the list above.</source>
+        <translation>请从上面的列表中选择。</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>No device</source>
+        <translation>无设备</translation>
+    </message>
+    <message>
+        <source>Look for devices again</source>
+        <translation>重新查找设备</translation>
+    </message>
+    <message>
+        <source>Not in real time: what to do</source>
+        <translation>非实时：怎么办</translation>
+    </message>
+    <message>
+        <source>Ticks come late when the machine is busy, and walls are made softer for it</source>
+        <translation>机器繁忙时节拍会迟到，墙面会因此变软</translation>
+    </message>
+    <message>
+        <source>%1 (unplugged)</source>
+        <translation>%1（已拔下）</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::DeviceFinder</name>
+    <message>
+        <source>Looking for devices</source>
+        <translation>正在查找设备</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::DevicePanel</name>
+    <message>
+        <source>No device is in use.</source>
+        <translation>没有使用设备。</translation>
+    </message>
+    <message>
+        <source>About the device</source>
+        <translation>关于设备</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>实时</translation>
+    </message>
+    <message>
+        <source>Mapping</source>
+        <translation>映射</translation>
+    </message>
+    <message>
+        <source>Timing</source>
+        <translation>时序</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>数据</translation>
+    </message>
+    <message>
+        <source>Safety: nothing is held back.</source>
+        <translation>安全：没有任何限制在起作用。</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::DockTitle</name>
     <message>
         <source>Fold this panel away</source>
@@ -3299,6 +3672,76 @@
     </message>
 </context>
 <context>
+    <name>handwheel::ForcePlot</name>
+    <message>
+        <source>Force of the last seconds</source>
+        <translation>最近几秒的力</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>asked for</source>
+        <translation>要求的</translation>
+    </message>
+    <message>
+        <source>sent</source>
+        <translation>发送的</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::HapticSession</name>
+    <message>
+        <source>Simulated hand</source>
+        <translation>模拟手</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>鼠标</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>正在打开 %1</translation>
+    </message>
+    <message>
+        <source>%1 could not be opened</source>
+        <translation>无法打开 %1</translation>
+    </message>
+    <message>
+        <source>Closing %1</source>
+        <translation>正在关闭 %1</translation>
+    </message>
+    <message>
+        <source>%1 is not there</source>
+        <translation>%1 不在</translation>
+    </message>
+    <message>
+        <source>%1 has failed</source>
+        <translation>%1 出现故障</translation>
+    </message>
+    <message>
+        <source>It was unplugged, or is without power.</source>
+        <translation>设备被拔下，或者没有电源。</translation>
+    </message>
+    <message>
+        <source>It does not answer as it should.</source>
+        <translation>设备应答异常。</translation>
+    </message>
+    <message>
+        <source>Plug it in again, and choose it once more in the panel “Device”.</source>
+        <translation>请重新接上，并在“设备”面板中再次选择。</translation>
+    </message>
+    <message>
+        <source>A device plugin is not used</source>
+        <translation>有一个设备插件未被使用</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::HolePreview</name>
     <message>
         <source>Preview</source>
@@ -3405,6 +3848,29 @@
     <message>
         <source>Measure distances, angles and walls</source>
         <translation>测量距离、角度和壁厚</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::LivePage</name>
+    <message>
+        <source>Force on</source>
+        <translation>开启力</translation>
+    </message>
+    <message>
+        <source>Test the force</source>
+        <translation>测试力</translation>
+    </message>
+    <message>
+        <source>This device has no motors: the force is only shown.</source>
+        <translation>此设备没有电机：力只用于显示。</translation>
+    </message>
+    <message>
+        <source>Let the device push; without this it only points</source>
+        <translation>允许设备施力；否则只用于指点</translation>
+    </message>
+    <message>
+        <source>The device pushes gently along each axis. Hold the grip.</source>
+        <translation>设备将沿每个轴轻轻推动。请握住手柄。</translation>
     </message>
 </context>
 <context>
@@ -3590,6 +4056,13 @@
     <message>
         <source>Keys, mouse, units, language, autosave</source>
         <translation>按键、鼠标、单位、语言、自动保存</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::MappingForm</name>
+    <message>
+        <source>Button %1</source>
+        <translation>按钮 %1</translation>
     </message>
 </context>
 <context>
@@ -4363,6 +4836,57 @@
     <message>
         <source>Services</source>
         <translation>服务</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::TimingPage</name>
+    <message>
+        <source>%1 µs</source>
+        <translation>%1 µs</translation>
+    </message>
+    <message>
+        <source>Nothing was measured yet.</source>
+        <translation>还没有测量数据。</translation>
+    </message>
+    <message>
+        <source>Half within %1, 99 % within %2, some above %3</source>
+        <translation>一半在 %1 以内，99 % 在 %2 以内，个别超过 %3</translation>
+    </message>
+    <message>
+        <source>Half within %1, 99 % within %2, all within %3</source>
+        <translation>一半在 %1 以内，99 % 在 %2 以内，全部在 %3 以内</translation>
+    </message>
+    <message>
+        <source>What is shown</source>
+        <translation>显示内容</translation>
+    </message>
+    <message>
+        <source>From tick to tick</source>
+        <translation>节拍间隔</translation>
+    </message>
+    <message>
+        <source>How late a tick comes</source>
+        <translation>节拍迟到多少</translation>
+    </message>
+    <message>
+        <source>Time spent in a tick</source>
+        <translation>每个节拍耗时</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>The servo loop is not running.</source>
+        <translation>伺服循环没有运行。</translation>
+    </message>
+    <message>
+        <source>%1 ticks a second, %2 missed so far</source>
+        <translation>每秒 %1 个节拍，到目前为止漏掉 %2 个</translation>
     </message>
 </context>
 <context>
