@@ -32,6 +32,10 @@ class ContactSurface {
   // How far a proxy stays off the surface, mm. Far from the origin coordinates are coarser than the model's size says.
   double skin() const;
   bool empty() const { return m_layers.empty(); }
+  // Whether both came from one by edits, and not from different models.
+  bool isVersionOf(const ContactSurface& other) const {
+    return empty() == other.empty() && (empty() || m_layers.front().part == other.m_layers.front().part);
+  }
 
   // Calls visit(const ContactTriangle&) for each triangle whose box meets the box, until it returns false. Returns
   // false when a visit did. Neither allocates nor locks.

@@ -12,18 +12,19 @@ SceneForces::SceneForces(SceneFeel feel)
 void SceneForces::follow(const ForceSource& previous) noexcept {
   const auto* other = dynamic_cast<const SceneForces*>(&previous);
   if (!other || !other->m_isPlaced) return;
-  m_god = other->m_god;
   m_snapProxy = other->m_snapProxy;
+  // In front of another surface the proxy begins at the tip.
+  const auto &mine = m_feel.surface, &theirs = other->m_feel.surface;
+  if (!mine || !theirs || !mine->surface.isVersionOf(theirs->surface)) return;
+  m_god = other->m_god;
   m_isPlaced = true;
-  if (m_feel.surface) m_god.surfaceChanged(m_feel.surface->surface);
+  m_god.surfaceChanged(mine->surface);
 }
 
 void SceneForces::tick(const TipState& tip, ForceOut& out) noexcept {
-  if (tip.isRestart || !m_isPlaced) {
-    m_god.place(tip.position);
-    m_snapProxy.release();
-    m_isPlaced = true;
-  }
+  if (tip.isRestart) m_snapProxy.release();
+  if (tip.isRestart || !m_isPlaced) m_god.place(tip.position);
+  m_isPlaced = true;
   touch(tip);
   snap(tip);
   const Contact& contact = m_god.contact();

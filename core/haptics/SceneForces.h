@@ -44,8 +44,8 @@ struct SceneFeel {
 };
 
 // The sum of the forces of a scene. Where it would be stiffer than the loop can carry, all of its springs are softened
-// alike, so that its direction stays. One that follows another goes on from its proxy, lifted where an edit has
-// buried it, and from the feature that was held.
+// alike, so that its direction stays. One that follows another goes on from the feature that was held and, on the same
+// surface, from its proxy, lifted where an edit has buried it.
 class SceneForces : public ForceSource {
  public:
   explicit SceneForces(SceneFeel feel);

@@ -92,14 +92,21 @@ class SceneForcesTest : public QObject {
   void goesOnFromTheOneBefore() {
     SceneFeel before, after;
     before.surface = cubeFeel(0.5);
-    after.surface = cubeFeel(0.5);
+    after.surface = before.surface;
+    after.surface->surface.update(std::vector<std::uint32_t>{0}, {});  // an edit of the bottom
     SceneForces first(std::move(before)), second(std::move(after));
     feltAt(first, {5, 5, 12});
     feltAt(first, {5, 5, 7});
     second.follow(first);
     const ForceOut out = feltAt(second, {5, 5, 7});
     QVERIFY(out.isContact && isNear(out.force, {0, 0, 1.5}));
-    // One that follows none begins at the tip, wherever that is.
+    // One of another model begins at the tip, wherever that is.
+    SceneFeel other;
+    other.surface = cubeFeel(0.5);
+    SceneForces elsewhere(std::move(other));
+    elsewhere.follow(first);
+    QVERIFY(!feltAt(elsewhere, {5, 5, 7}).isContact);
+    // One that follows none does so, too.
     SceneFeel alone;
     alone.surface = cubeFeel(0.5);
     SceneForces third(std::move(alone));
