@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/haptics/DeviceDock.h"
+
+#include "window/haptics/HapticSession.h"
+
+namespace handwheel {
+
+namespace {
+constexpr int kRunMs = 500;  // between figures that a person can read
+}
+
+DeviceDock::DeviceDock(HapticSession& session, QWidget* parent) : DevicePanel(parent), m_session(session) {
+  connect(this, &DevicePanel::deviceChosen, &session, &HapticSession::choose);
+  connect(this, &DevicePanel::deviceLeft, &session, &HapticSession::close);
+  connect(this, &DevicePanel::forceOnChanged, &session, &HapticSession::setForceOn);
+  connect(this, &DevicePanel::forceTestAsked, &session, &HapticSession::startForceTest);
+  connect(this, &DevicePanel::mappingChanged, &session, &HapticSession::setMapping);
+  connect(this, &DevicePanel::rescanAsked, &session, [&session] {  // watching begins with a look
+    session.setWatching(false);
+    session.setWatching(true);
+  });
+  connect(&session, &HapticSession::foundChanged, this, &DeviceDock::showChosen);
+  connect(&session, &HapticSession::chosenChanged, this, &DeviceDock::showChosen);
+  connect(&session, &HapticSession::forceOnChanged, this, &DeviceDock::showChosen);
+  connect(&session, &HapticSession::mappingChanged, this, [this] { setMapping(m_session.mapping()); });
+  connect(&session, &HapticSession::sampled, this, &DeviceDock::showTick);
+  setMapping(session.mapping());
+  showChosen();
+}
+
+void DeviceDock::showEvent(QShowEvent* event) {
+  m_session.setWatching(true);
+  showChosen();
+  DevicePanel::showEvent(event);
+}
+
+void DeviceDock::hideEvent(QHideEvent* event) {
+  m_session.setWatching(false);
+  DevicePanel::hideEvent(event);
+}
+
+void DeviceDock::showChosen() {
+  DeviceView view;
+  const QList<DeviceListing> found = m_session.found();
+  view.found.assign(found.begin(), found.end());
+  if (const DeviceListing chosen = m_session.chosen(); !chosen.driver.empty()) view.chosen = chosen;
+  view.capabilities = m_session.capabilities();
+  const ServoSample* const last = m_session.latest();
+  view.status = last ? last->device.status : DeviceStatus::Starting;
+  view.isPointer = m_session.mouse() != nullptr;
+  view.isForceOn = m_session.isForceOn();
+  showDevice(view);
+  showRun();
+}
+
+void DeviceDock::showTick() {
+  if (!isVisible()) return;
+  if (const ServoSample* const last = m_session.latest()) showSample(*last);
+  if (m_sinceRun.isValid() && m_sinceRun.elapsed() < kRunMs) return;
+  showRun();
+}
+
+void DeviceDock::showRun() {
+  m_sinceRun.start();
+  showLoop({m_session.rate(), m_session.missedTicks(), m_session.realTime()});
+  if (const LoopMeasure* const measure = m_session.measure()) showTiming(*measure);
+}
+
+}  // namespace handwheel
