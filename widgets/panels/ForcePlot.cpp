@@ -9,8 +9,8 @@
 namespace handwheel {
 
 namespace {
-constexpr double kBetweenPictures = 1.0 / 30.0;  // s
-constexpr double kSmallestScale = 1.0;           // N: less would show noise as if it were a force
+constexpr double kBetweenPictures = 0.05;  // s: it moves by about a pixel
+constexpr double kSmallestScale = 1.0;     // N: less would show noise as if it were a force
 }  // namespace
 
 ForcePlot::ForcePlot(QWidget* parent) : PlotWidget(parent) {

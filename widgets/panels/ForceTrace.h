@@ -11,7 +11,7 @@ namespace handwheel {
 class ForceTrace {
  public:
   static constexpr double kSeconds = 10.0;
-  static constexpr double kSpacing = 0.01;  // s between points, at least
+  static constexpr double kSpacing = 0.025;  // s between points, at least: about a pixel of the plot
 
   struct Point {
     double time = 0.0;   // s since the loop started
@@ -28,7 +28,7 @@ class ForceTrace {
   const Point& last() const { return at(m_count - 1); }
 
  private:
-  std::array<Point, 1024> m_ring;  // more than kSeconds / kSpacing
+  std::array<Point, 512> m_ring;  // more than kSeconds / kSpacing
   std::size_t m_first = 0;
   std::size_t m_count = 0;
 };

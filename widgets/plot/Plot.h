@@ -24,7 +24,7 @@ struct PlotSeries {
   bool joined = true;             // by lines, in order
   double barWidth = 0.0;          // above zero: drawn as bars so wide, in units of x, instead
   std::vector<QColor> bars = {};  // their colours; none: that of the series
-  bool dotted = true;             // each point has its shape; not where they are too many to be told apart
+  bool dotted = true;             // each point has its shape; false for a line of too many to be told apart
 };
 
 // A point with words beside it.

@@ -136,9 +136,19 @@ class PlotPainting {
     }
     if (s.barWidth > 0.0) return bars(s, colour);
     m_painter.setPen(QPen(colour, 1.5));
+    if (!s.dotted) return manyLines(line, colour);
     if (s.joined) m_painter.drawPolyline(line);
-    if (!s.dotted) return;
     for (const QPointF& p : line) m_painter.fillPath(pointShape(index, p), colour);
+  }
+
+  // In pieces: the outline of one long line that goes up and down costs several times as much.
+  void manyLines(const QPolygonF& line, const QColor& colour) {
+    constexpr int kPiece = 16;
+    m_painter.setPen(QPen(colour, 1.5, Qt::SolidLine, Qt::FlatCap));  // two caps on one place would show
+    const int count = static_cast<int>(line.size());
+    for (int i = 0; i + 1 < count; i += kPiece) {
+      m_painter.drawPolyline(line.constData() + i, std::min(kPiece + 1, count - i));
+    }
   }
 
   // From nothing to their values; on a logarithmic axis, which has no nothing, from its lower end.

@@ -60,6 +60,7 @@ class PlotPictureTest : public QObject {
   void oneMorePlotOneMorePlace();
   void barsStandOnTheAxis_data();
   void barsStandOnTheAxis();
+  void linesWithoutPoints();
   void strangePlots();
   void files();
   void csv();
@@ -125,6 +126,26 @@ void PlotPictureTest::barsStandOnTheAxis() {
     QCOMPARE(image.pixelColor(x, foot - 4), bars.bars[i]);
     QVERIFY(image.pixelColor(x, y - 4) != bars.bars[i]);
   }
+}
+
+// A point without its shape leaves nothing but the line, as thin at the point as beside it. Both places lie between
+// lines of the grid.
+void PlotPictureTest::linesWithoutPoints() {
+  Plot plot;
+  plot.series = {{"level", {{-1.0, 1.0}, {0.25, 1.0}, {1.0, 1.0}}}};
+  QFont font;
+  font.setPixelSize(13);
+  const PlotLayout layout(plot, QRectF(QPointF(), kSize), QFontMetricsF(font));
+  const QPoint at = layout.toScreen({0.25, 1.0}).toPoint(), beside = layout.toScreen({0.7, 1.0}).toPoint();
+  const auto inked = [&](const QPoint& place) {
+    const QImage image = plotImage({&plot, 1}, kSize, ThemeKind::Light);
+    const QRect around(place - QPoint(2, 8), place + QPoint(2, 8));
+    return around.width() * around.height() - pixelsLike(image, themeColours(ThemeKind::Light).base, around);
+  };
+  QVERIFY(inked(at) > inked(beside));
+  plot.series[0].dotted = false;
+  QCOMPARE(inked(at), inked(beside));
+  QVERIFY(inked(at) > 0);
 }
 
 void PlotPictureTest::oneMorePlotOneMorePlace() {
