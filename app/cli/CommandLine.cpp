@@ -13,6 +13,7 @@
 #include "cli/Messages.h"
 #include "cli/Picture.h"
 #include "cli/RepairCommand.h"
+#include "cli/SectionCommand.h"
 #include "cli/SetCommand.h"
 #include "cli/ShellCommands.h"
 #include "text/EnglishPlurals.h"
@@ -56,7 +57,7 @@ std::vector<Command> commands() {
       {pictureSpec(), runPicture}, {newSpec(), runNew},         {setSpec(), runSet},
       {measureSpec(), runMeasure}, {compareSpec(), runCompare}, {decimateSpec(), runDecimate},
       {splitSpec(), runSplit},     {mergeSpec(), runMerge},     {devicesSpec(), runOnDevices},
-      {feelSpec(), runFeel},
+      {sectionSpec(), runSection}, {feelSpec(), runFeel},
   };
 }
 

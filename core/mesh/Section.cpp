@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/Section.h"
 
+#include "mesh/CoveredArea.h"
 #include "mesh/Steps.h"
 
 #include <array>
@@ -26,7 +27,7 @@ class Cut {
 
   Section build(const Progress& progress) {
     for (Face f = 0; f < m_mesh.faceSlots(); ++f) {
-      if (!mayGoOn(f, m_mesh.faceSlots(), progress)) return {};
+      if (!mayGoOn(f, m_mesh.faceSlots(), progress.part(0.0, 0.5))) return {};
       addFace(f);
     }
     // Where the surface ends, a curve begins; what is left then goes round.
@@ -35,6 +36,7 @@ class Cut {
         if (!m_cut[i].isTaken && (!isOpen || !isCut(m_cut[i].in))) follow(i);
       }
     }
+    m_section.area = coveredArea(m_closed, progress.part(0.5, 1.0));
     return std::move(m_section);
   }
 
@@ -90,14 +92,15 @@ class Cut {
 
   void measure(SectionCurve curve) {
     const std::vector<Vec3>& p = curve.points;
-    double twice = 0.0;
+    if (m_section.curves.empty()) m_origin = p[0];  // so that curves far away lose no digits
     for (std::size_t i = 0; i < p.size(); ++i) {
       if (i + 1 == p.size() && !curve.closed) break;
-      const Vec3& next = p[(i + 1) % p.size()];
-      m_section.length += (next - p[i]).norm();
-      twice += (p[i] - p[0]).cross(next - p[0]).dot(m_normal);
+      m_section.length += (p[(i + 1) % p.size()] - p[i]).norm();
     }
-    if (curve.closed) m_section.area += 0.5 * twice;
+    if (curve.closed) {
+      auto& flat = m_closed.emplace_back();
+      for (const Vec3& q : p) flat.emplace_back((q - m_origin).dot(m_axes.u), (q - m_origin).dot(m_axes.v));
+    }
     m_section.isClosed = m_section.isClosed && curve.closed;
     m_section.curves.push_back(std::move(curve));
   }
@@ -105,12 +108,23 @@ class Cut {
   const HalfEdgeMesh& m_mesh;
   const Vec3 m_normal;
   const double m_offset;
+  const PlaneAxes m_axes = axesOfPlane(m_normal);
   std::vector<CutFace> m_cut;
   std::unordered_map<Face, std::size_t> m_index;  // of cut faces
   Section m_section;
+  Vec3 m_origin = Vec3::Zero();
+  std::vector<std::vector<Eigen::Vector2d>> m_closed;  // in the plane
 };
 
 }  // namespace
+
+PlaneAxes axesOfPlane(const Vec3& normal) {
+  const Vec3 across = Vec3::UnitZ().cross(normal);
+  // Along Z within a rounding; there the cross product has no digits left.
+  const Vec3 u =
+      across.norm() > 1e-9 ? Vec3(across.normalized()) : Vec3((Vec3::UnitX() - normal.x() * normal).normalized());
+  return {u, normal.cross(u)};
+}
 
 Section sectionOf(const HalfEdgeMesh& mesh, const Vec3& normal, double offset, Progress progress) {
   return Cut(mesh, normal, offset).build(progress);

@@ -19,15 +19,22 @@ struct SectionCurve {
 struct Section {
   std::vector<SectionCurve> curves;
   double length = 0.0;  // mm, of all
-  double area = 0.0;    // mm², within the closed curves, without hollows; only they have a meaning as an area
+  double area = 0.0;    // mm², that the closed curves go around: parts that overlap count once, hollows not at all
   bool isClosed = true;
 };
+
+// Unit vectors of the plane of a unit normal: u, v and the normal are a right-handed system. Across X they are Y and Z,
+// across Z they are X and Y, across Y −X and Z.
+struct PlaneAxes {
+  Vec3 u, v;
+};
+PlaneAxes axesOfPlane(const Vec3& normal);
 
 // Cuts a mesh by the plane of the points p with normal · p = offset (mm); the normal is of unit length. What lies in
 // the plane itself counts as below it, so the result is that of a plane just above; each face is cut in one segment or
 // not at all, and the curves of a closed mesh are closed (Edelsbrunner, Mücke, "Simulation of simplicity", 1990).
 // Points lie on the edges of the mesh to the rounding of a division. Faces with a corner that is not finite, or with a
-// repeated one, are left out. Of no use once cancelled. O(faces).
+// repeated one, are left out. Of no use once cancelled. O(faces), and coveredArea().
 Section sectionOf(const HalfEdgeMesh& mesh, const Vec3& normal, double offset, Progress progress = {});
 
 }  // namespace handwheel

@@ -9,6 +9,7 @@
 
 #include <QTest>
 #include <numeric>
+#include <set>
 
 using namespace handwheel;
 
@@ -22,6 +23,10 @@ class SectionTest : public QObject {
   void torusThroughItsVertices();
   void torusAcross();
   void hollowCountsOff();
+  void overlapsCountOnce();
+  void overlapsOfRandomBoxes();
+  void insideOut();
+  void axesOfThePlane();
   void blocksInLayers();
   void slicesAddUpToTheVolume();
   void openSheet();
@@ -118,6 +123,64 @@ void SectionTest::hollowCountsOff() {
   const Section s = cut(shell, Vec3::UnitY(), 0.25);
   QCOMPARE(s.curves.size(), std::size_t{2});
   QVERIFY(isNear(s.area, 16.0 - 4.0) && isNear(s.length, 16.0 + 8.0));
+}
+
+// Two boxes of 4 × 4 that share 2 × 2, one of them with a hollow of 1 × 1 in what they share, which the other fills;
+// one box twice; one within another.
+void SectionTest::overlapsCountOnce() {
+  TriangleSoup two = test::cube(4.0);
+  test::append(two, test::cube(4.0, Vec3(2, 2, 0)));
+  QVERIFY(isNear(cut(two, Vec3::UnitZ(), 1.0).area, 16.0 + 16.0 - 4.0));
+  QVERIFY(isNear(cut(two, Vec3::UnitZ(), 1.0).length, 32.0));
+  TriangleSoup filled = two;
+  test::append(filled, test::turnedOver(test::cube(1.0, Vec3(2.5, 2.5, 0.5))));
+  QVERIFY(isNear(cut(filled, Vec3::UnitZ(), 1.0).area, 28.0));
+  TriangleSoup nested = test::cube(4.0);
+  test::append(nested, test::cube(1.0, Vec3(1, 1, 1)));
+  QVERIFY(isNear(cut(nested, Vec3::UnitZ(), 1.5).area, 16.0));
+  TriangleSoup touching = test::cube(2.0);
+  test::append(touching, test::cube(2.0, Vec3(2, 1, 0)));
+  QVERIFY(isNear(cut(touching, Vec3::UnitZ(), 1.0).area, 8.0));
+}
+
+// Of boxes with whole corners, the squares of the grid that any of them covers; across each axis.
+void SectionTest::overlapsOfRandomBoxes() {
+  QVERIFY(rc::check("as many squares as are covered", [] {
+    const int axis = *rc::gen::inRange(0, 3), a = (axis + 1) % 3, b = (axis + 2) % 3;
+    const double tilt = *rc::gen::element(0.0, 0.3, 1.1);  // the whole is turned about the axis
+    TriangleSoup all;
+    std::set<std::pair<int, int>> covered;
+    for (int n = *rc::gen::inRange(1, 9); n > 0; --n) {
+      const int size = *rc::gen::inRange(1, 5), x = *rc::gen::inRange(0, 8), y = *rc::gen::inRange(0, 8);
+      Vec3 corner = Vec3::Zero();
+      corner[a] = x;
+      corner[b] = y;
+      test::append(all, test::cube(size, corner));
+      for (int i = 0; i < size; ++i) {
+        for (int j = 0; j < size; ++j) covered.emplace(x + i, y + j);
+      }
+    }
+    const Eigen::AngleAxisd turn(tilt, Vec3::Unit(axis));
+    for (Vec3& p : all.points) p = turn * p;
+    const Section s = cut(all, Vec3::Unit(axis), 0.5);
+    RC_ASSERT(isNear(s.area, static_cast<double>(covered.size()), 1e-9));
+  }));
+}
+
+void SectionTest::insideOut() {
+  QVERIFY(isNear(cut(test::turnedOver(test::cube(2.0)), Vec3::UnitX(), 1.0).area, 4.0));
+}
+
+void SectionTest::axesOfThePlane() {
+  for (const Vec3& normal : test::directions(50)) {
+    const auto [u, v] = axesOfPlane(normal);
+    QVERIFY(isNear(u.norm(), 1.0) && isNear(v.norm(), 1.0) && isNear((u.cross(v) - normal).norm(), 0.0));
+  }
+  for (const Vec3& normal : {Vec3(Vec3::UnitZ()), Vec3(-Vec3::UnitZ()), Vec3(Vec3(1e-13, 0, 1).normalized())}) {
+    const auto [u, v] = axesOfPlane(normal);
+    QVERIFY(isNear((u.cross(v) - normal).norm(), 0.0) && isNear((u - Vec3::UnitX()).norm(), 0.0));
+  }
+  QVERIFY(isNear((axesOfPlane(Vec3::UnitX()).u - Vec3::UnitY()).norm(), 0.0));
 }
 
 // Blocks that touch at edges and corners: each layer has as much area as it has blocks. In the plane between two layers
