@@ -60,7 +60,8 @@ Result<ExportReport> exportMesh(const HalfEdgeMesh& mesh, NumberType documentNum
   roundPoints(forFile, numbers);
   progress.set(0.1);
   if (progress.cancelled()) return cancelledError();
-  for (std::uint32_t v : partCollisions(compact.soup, forFile)) report.parted.push_back(compact.vertexOf[v]);
+  for (std::uint32_t v : partCollisions(compact.soup, forFile, progress.part(0.1, 0.2)))
+    report.parted.push_back(compact.vertexOf[v]);
   progress.set(0.2);
   if (progress.cancelled()) return cancelledError();
 

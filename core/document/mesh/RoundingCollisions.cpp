@@ -32,7 +32,8 @@ std::pair<std::uint32_t, std::uint32_t> meantEdge(const Positions& positions, co
 }
 
 // Per seen class: it holds several meant ones and welding them spoils an edge that was sound before.
-std::vector<bool> spoilingClasses(const Positions& positions, const std::vector<Triangle>& triangles) {
+std::vector<bool> spoilingClasses(const Positions& positions, const std::vector<Triangle>& triangles,
+                                  Progress progress) {
   const std::size_t count = positions.seen.representative.size();
   std::vector<std::uint32_t> members(count, 0);
   for (std::uint32_t m = 0; m < positions.meant.representative.size(); ++m) ++members[positions.seenOf(m)];
@@ -42,8 +43,9 @@ std::vector<bool> spoilingClasses(const Positions& positions, const std::vector<
     for (std::size_t k = 0; k < 3; ++k) seenTriangles[f][k] = positions.seen.classOf[triangles[f][k]];
   }
   std::vector<bool> spoiling(count, false);
-  EdgeTable(seenTriangles, count)
-      .forEachEdge([&](std::uint32_t low, std::uint32_t high, std::span<const EdgeTable::Entry> run) {
+  const EdgeTable edges(seenTriangles, count, progress);
+  edges.forEachEdge(
+      [&](std::uint32_t low, std::uint32_t high, std::span<const EdgeTable::Entry> run) {
         if (run.size() < 2 || (members[low] < 2 && members[high] < 2)) return;
         const auto ends = [&](const EdgeTable::Entry& e) {
           return meantEdge(positions, triangles[e.halfEdge / 3], e.halfEdge % 3);
@@ -57,7 +59,8 @@ std::vector<bool> spoilingClasses(const Positions& positions, const std::vector<
         if (!severalMeant || sound) return;
         spoiling[low] = spoiling[low] || members[low] > 1;
         spoiling[high] = spoiling[high] || members[high] > 1;
-      });
+      },
+      progress);
   return spoiling;
 }
 
@@ -120,14 +123,17 @@ std::vector<Vec3> inwardDirections(const Positions& positions, const std::vector
 
 }  // namespace
 
-std::vector<std::uint32_t> partCollisions(const TriangleSoup& exact, TriangleSoup& inFile) {
+std::vector<std::uint32_t> partCollisions(const TriangleSoup& exact, TriangleSoup& inFile, Progress progress) {
   constexpr int kRounds = 4;  // a parted vertex may meet further ones
-  Positions positions{classifyPoints(exact.points), {}};
+  Positions positions{classifyPoints(exact.points, progress.part(0.0, 0.2)), {}};
   std::vector<bool> isParted(exact.points.size(), false);
   for (int round = 0; round < kRounds; ++round) {
-    positions.seen = classifyPoints(inFile.points);
+    const Progress now = progress.part(0.2 + 0.2 * round, 0.4 + 0.2 * round);
+    positions.seen = classifyPoints(inFile.points, now.part(0.0, 0.4));
+    if (progress.cancelled()) return {};
     if (positions.seen.representative.size() >= positions.meant.representative.size()) break;
-    const std::vector<bool> spoiling = spoilingClasses(positions, exact.triangles);
+    const std::vector<bool> spoiling = spoilingClasses(positions, exact.triangles, now.part(0.4, 1.0));
+    if (progress.cancelled()) return {};
     if (std::find(spoiling.begin(), spoiling.end(), true) == spoiling.end()) break;
 
     const std::vector<bool> moves = classesToMove(positions, spoiling, exact, inFile);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/Progress.h"
 #include "mesh/TriangleSoup.h"
 
 #include <vector>
@@ -14,6 +15,7 @@ namespace handwheel {
 //
 // exact and inFile are the same triangles, before and after rounding. Moves points of inFile and returns their indices;
 // where no free place is next to a point it stays welded.
-std::vector<std::uint32_t> partCollisions(const TriangleSoup& exact, TriangleSoup& inFile);
+// Of no use once cancelled.
+std::vector<std::uint32_t> partCollisions(const TriangleSoup& exact, TriangleSoup& inFile, Progress progress = {});
 
 }  // namespace handwheel

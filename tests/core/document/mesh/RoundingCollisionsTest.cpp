@@ -72,6 +72,27 @@ class RoundingCollisionsTest : public QObject {
     });
     QVERIFY(holds);
   }
+
+  void cancelled() {
+    TriangleSoup exact{{Vec3(1, 1, 1), Vec3(2, 1, 1), Vec3(1, 2, 1), Vec3(1, 1, 2)},
+                       {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+    const auto n = static_cast<std::uint32_t>(exact.points.size());  // the same once more, off by less than a step
+    for (std::uint32_t v = 0; v < n; ++v)
+      exact.points.push_back(exact.points[v] + Vec3::Constant(std::ldexp(1.0, -27)));
+    for (std::size_t f = 0; f < 4; ++f) {
+      const Triangle t = exact.triangles[f];
+      exact.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
+    }
+    TriangleSoup inFile = exact;
+    roundPoints(inFile, NumberType::Float32);
+    TriangleSoup untouched = inFile;
+    QVERIFY(!partCollisions(exact, inFile).empty());
+    JobState job;
+    job.cancelled = true;
+    QVERIFY(partCollisions(exact, untouched, Progress(job)).empty());
+    roundPoints(exact, NumberType::Float32);
+    QVERIFY(untouched.points == exact.points);
+  }
 };
 
 QTEST_APPLESS_MAIN(RoundingCollisionsTest)
