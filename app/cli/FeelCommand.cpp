@@ -11,9 +11,11 @@
 #include "document/AtomicFile.h"
 #include "document/FileBytes.h"
 #include "document/mesh/MeshSnapshot.h"
+#include "fidelity/MeasuredSettings.h"
 #include "haptics/ContactSeams.h"
 #include "haptics/SimulatedDevice.h"
 #include "haptics/StiffnessLimit.h"
+#include "haptics/TouchFidelity.h"
 #include "mesh/Weld.h"
 
 #include <cmath>
@@ -41,6 +43,15 @@ std::string readOption(const Arguments& arguments, std::string_view name, double
   return "--" + std::string(name) + " takes a number from " + roundedText(least) + " to " + roundedText(most) + ".";
 }
 
+// What --fidelity chooses, for whatever no option of its own says; what is wrong with it, or nothing.
+std::string readFidelity(const Arguments& arguments, FeelRequest& request) {
+  const Result<FidelityValues> values = readValues(measuredSettings(), arguments.valueOf("fidelity"));
+  if (!values) return sentenceFor(values.error());
+  request.surface = surfaceFeel(ContactSurface(), *values);
+  if (const double rate = servoSettings(*values).rate; rate > 0.0) request.run.rate = rate;
+  return {};
+}
+
 // Turns the words into a request. Returns what is wrong with them, or nothing.
 std::string readRequest(const Arguments& arguments, FeelRequest& request) {
   request.mesh = arguments.operands[0];
@@ -54,6 +65,7 @@ std::string readRequest(const Arguments& arguments, FeelRequest& request) {
   const std::string device = arguments.valueOf("device");
   request.hasDevice = arguments.has("device");
   if (request.hasDevice && device != "simulated") return "--device takes simulated: others do not follow a path.";
+  if (const std::string problem = readFidelity(arguments, request); !problem.empty()) return problem;
   SurfaceFeel& surface = request.surface;
   for (const std::string& problem : {readOption(arguments, "stiffness", 0.0, 1e6, surface.stiffness),
                                      readOption(arguments, "damping", 0.0, 1e6, surface.damping),
@@ -120,6 +132,7 @@ CommandSpec feelSpec() {
           {"damping", 0, "N·S/MM", "Of the speed along the normal, in contact (default 0)"},
           {"friction", 0, "MU", "Coulomb's coefficient (default 0)"},
           {"rate", 0, "HZ", "Ticks a second (default 1000)"},
+          {"fidelity", 0, "LIST", "draft, balanced or exact, and single values: proxy.tolerance=1e-6,..."},
           {"device", 0, "NAME", "simulated: stiffness, damping and force as that device can carry them"},
           {"partial", 0, "", "Read what is readable of a damaged file"},
           {"help", 'h', "", "Show this page"},

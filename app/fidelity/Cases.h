@@ -62,4 +62,16 @@ std::vector<FidelityCase> snapRadiusCases();
 // snap.features: the force where more features are in reach than pull.
 std::vector<FidelityCase> snapFeaturesCases();
 
+// proxy.tolerance: a tip below the surface of a bumpy ball, led along it.
+std::vector<FidelityCase> proxyToleranceCases();
+
+// contact.stiffness: a simulated hand that presses on a surface, at the rate which that stiffness needs.
+std::vector<FidelityCase> contactStiffnessCases();
+
+// servo.rate: the same hand on a wall as stiff as the rate allows; and a tip led along the bumpy ball, for the cost.
+std::vector<FidelityCase> servoRateCases();
+
+// servo.velocity_window: a hand that swings, read in the steps of a device.
+std::vector<FidelityCase> velocityWindowCases();
+
 }  // namespace handwheel

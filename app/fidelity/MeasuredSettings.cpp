@@ -3,6 +3,7 @@
 #include "fidelity/MeasuredSettings.h"
 
 #include "haptics/SnapFidelity.h"
+#include "haptics/TouchFidelity.h"
 #include "mesh/MeshFidelity.h"
 
 namespace handwheel {
@@ -22,6 +23,10 @@ FidelityRegistry measuredSettings() {
   registry.add(shapeSidesSetting(), shapeSidesCases());
   registry.add(snapRadiusSetting(), snapRadiusCases());
   registry.add(snapFeaturesSetting(), snapFeaturesCases());
+  registry.add(proxyToleranceSetting(), proxyToleranceCases());
+  registry.add(contactStiffnessSetting(), contactStiffnessCases());
+  registry.add(servoRateSetting(), servoRateCases());
+  registry.add(velocityWindowSetting(), velocityWindowCases());
   return registry;
 }
 

@@ -11,7 +11,7 @@ struct ContactOptions {
   double friction = 0.0;  // Coulomb's µ, static and sliding alike
   // A proxy that would move less than this share of the surface's diagonal is at rest: fidelity setting
   // proxy.tolerance.
-  double tolerance = 0x1p-30;
+  double tolerance = 1e-9;
   int maxSteps = 64;  // in one tick; what is not reached by then is reached in the next
 };
 

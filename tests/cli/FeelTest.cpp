@@ -103,6 +103,31 @@ class FeelTest : public QObject {
     QVERIFY(ran.out.contains("Peak force   0.5 N\n"));
   }
 
+  // Each option of its own goes before.
+  void readsTheSettings() {
+    const Bench bench;
+    bench.put("cube.off", cube(2).off());
+    bench.put("p.csv", kPress);
+    const QStringList words{"feel", "cube.off", "--path", "p.csv"};
+    const Ran ran = bench.run(words + QStringList{"--fidelity", "contact.stiffness=2,servo.rate=2000"});
+    QCOMPARE(ran.code, 0);
+    QVERIFY(ran.out.contains("Ticks        801\n"));
+    QVERIFY(ran.out.contains("Peak force   2 N\n"));
+    const Ran said = bench.run(words + QStringList{"--fidelity", "contact.stiffness=2,servo.rate=2000", "--rate",
+                                                   "1000", "--stiffness", "0.5"});
+    QCOMPARE(said.out.left(said.out.indexOf("A tick")), [&] {
+      const QByteArray plain = bench.run(words).out;
+      return plain.left(plain.indexOf("A tick"));
+    }());
+    // A proxy that may rest 1e-4 of the diagonal too soon is still pressed out by the plane that it meets.
+    QVERIFY(bench.run(words + QStringList{"--fidelity", "proxy.tolerance=1e-4"}).out.contains("Peak force   0.5 N\n"));
+    for (const char* wrong : {"fast", "contact.stiffness=1e9", "servo.rate"}) {
+      const Ran refused = bench.run(words + QStringList{"--fidelity", wrong});
+      QCOMPARE(refused.code, 1);
+      QVERIFY(refused.err.endsWith("Try 'handwheel help feel'.\n"));
+    }
+  }
+
   // The device carries 1 N/mm at 1 kHz, and half of that at 500 Hz.
   void isCappedByADevice() {
     const Bench bench;

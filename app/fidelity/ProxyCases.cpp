@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/ThreadClock.h"
+#include "fidelity/BallTouch.h"
+#include "fidelity/Cases.h"
+#include "fidelity/SeededInput.h"
+#include "haptics/TouchFidelity.h"
+
+namespace handwheel {
+namespace {
+
+constexpr std::size_t kTicks = 2000;
+// A millionth of the smallest that is measured: the proxy goes on until it cannot be told where it would move.
+constexpr double kFinest = 1e-18;
+constexpr int kManySteps = 4096;
+
+// mm, a hundredth of the finest step that a device can tell: not felt. A fast tip may be off by as much for a tick when
+// all steps of the proxy are used up.
+constexpr double kNothing = 1e-4;
+
+// A tip on its way, tick by tick, and where the proxy comes to rest for each.
+struct Slide {
+  BallTouch ball;
+  std::vector<Vec3> tips;
+  std::vector<Vec3> rests;
+};
+
+std::vector<Vec3> followed(const Slide& slide, const ContactOptions& options) {
+  std::vector<Vec3> proxies(slide.tips.size());
+  GodObject god;
+  god.place(slide.ball.above());
+  for (std::size_t i = 0; i < proxies.size(); ++i)
+    proxies[i] = god.follow(slide.ball.surface(), slide.tips[i], options).proxy;
+  return proxies;
+}
+
+// So many mm a tick.
+Slide slideAt(double step, std::uint64_t seed) {
+  Slide slide{BallTouch(seed), {}, {}};
+  for (std::size_t i = 0; i < kTicks; ++i) slide.tips.push_back(slide.ball.tipAt(step * static_cast<double>(i)));
+  ContactOptions finest;
+  finest.tolerance = kFinest;
+  finest.maxSteps = kManySteps;
+  slide.rests = followed(slide, finest);
+  return slide;
+}
+
+FidelitySample off(const Slide& slide, double tolerance) {
+  FidelityValues values;
+  [[maybe_unused]] const Status inRange = values.set(proxyToleranceSetting(), tolerance);
+  const ContactOptions options = contactOptions(values);
+  FidelitySample sample;
+  std::vector<Vec3> proxies;
+  sample.cost = 1e3 * cpuMilliseconds([&] { proxies = followed(slide, options); }) / static_cast<double>(kTicks);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < kTicks; ++i) {
+    const double distance = (proxies[i] - slide.rests[i]).norm();
+    if (distance > kNothing) sum += distance * distance;
+  }
+  sample.error = std::sqrt(sum / static_cast<double>(kTicks));
+  return sample;
+}
+
+FidelityCase slideCase(const std::string& name, double step) {
+  const SeededInput<Slide> input([step](std::uint64_t seed) { return slideAt(step, seed); });
+  return {name, "a tolerance of 1e-18",
+          [input](double value, std::uint64_t seed, Progress) { return off(input(seed), value); }};
+}
+
+}  // namespace
+
+std::vector<FidelityCase> proxyToleranceCases() {
+  return {slideCase("bumpy ball, 100 mm/s", 0.1), slideCase("bumpy ball, 1 m/s", 1.0)};
+}
+
+}  // namespace handwheel
