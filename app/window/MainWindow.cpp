@@ -132,8 +132,8 @@ void MainWindow::prefer(const Preferences& preferences) {
 }
 
 QList<QDockWidget*> MainWindow::docks() const {
-  return {m_documentsDock, m_historyDock,  m_kindDock, m_toolDock,  m_propertiesDock,
-          m_viewDock,      m_fidelityDock, m_logDock,  m_statusDock};
+  return {m_documentsDock, m_historyDock, m_kindDock,     m_toolDock, m_propertiesDock,
+          m_viewDock,      m_deviceDock,  m_fidelityDock, m_logDock,  m_statusDock};
 }
 
 // Qt makes the tab bars of docks by itself, and gives them no names.

@@ -141,6 +141,7 @@ class MainWindow : public QMainWindow {
   QDockWidget* m_toolDock;
   QDockWidget* m_propertiesDock;
   QDockWidget* m_viewDock;
+  QDockWidget* m_deviceDock;
   QDockWidget* m_fidelityDock;
   QDockWidget* m_logDock;
   QDockWidget* m_statusDock;

@@ -22,6 +22,7 @@
 #include "window/ToolPanel.h"
 #include "window/ViewActions.h"
 #include "window/ViewSettings.h"
+#include "window/haptics/DeviceDock.h"
 
 #include <QDockWidget>
 #include <QLabel>
@@ -109,6 +110,11 @@ void MainWindow::buildDocks() {
   tabifyDockWidget(m_kindDock, m_toolDock);
   tabifyDockWidget(m_toolDock, m_propertiesDock);
   tabifyDockWidget(m_propertiesDock, m_viewDock);
+  // Most have no device: who plugs one in finds it in the menu.
+  m_deviceDock =
+      addDock(*this, Qt::RightDockWidgetArea, "deviceDock", tr("Device"), new DeviceDock(m_haptics, this), "device");
+  tabifyDockWidget(m_viewDock, m_deviceDock);
+  m_deviceDock->hide();
   m_kindDock->raise();
   auto* status = new StatusPanel(this);
   status->setSource([this] { return m_services.status(); });

@@ -23,7 +23,7 @@ bool isSame(const DeviceListing& a, const DeviceListing& b) {
   return a.driver == b.driver && a.address == b.address;
 }
 
-QIcon iconOf(const DeviceView& view) {
+QIcon iconOf(const DeviceInUse& view) {
   const ThemeColours& colours = themeColours(currentTheme());
   if (!view.chosen) return icon(QStringLiteral("info"), colours.muted);
   switch (view.status) {
@@ -41,13 +41,13 @@ QIcon iconOf(const DeviceView& view) {
   return icon(QStringLiteral("error"), colours.error);
 }
 
-QString headlineOf(const DeviceView& view) {
+QString headlineOf(const DeviceInUse& view) {
   if (!view.chosen) return DeviceCard::tr("No device in use");
   const bool isOutside = view.isPointer && view.status == DeviceStatus::Absent;
   return isOutside ? DeviceCard::tr("The pointer is outside the view") : DeviceText::status(view.status);
 }
 
-QString detailOf(const DeviceView& view) {
+QString detailOf(const DeviceInUse& view) {
   if (view.isPointer) return {};
   if (view.chosen) return DeviceText::advice(view.status);
   return view.found.empty() ? DeviceCard::tr("Plug one in: it appears here by itself.")
@@ -116,7 +116,7 @@ QWidget* DeviceCard::stateFrame() {
   return m_state;
 }
 
-void DeviceCard::showDevice(const DeviceView& view) {
+void DeviceCard::showDevice(const DeviceInUse& view) {
   m_view = view;
   fillList();
   showState();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "panels/DeviceView.h"
+#include "panels/DeviceInUse.h"
 
 #include <QWidget>
 
@@ -20,7 +20,7 @@ class DeviceCard : public QWidget {
  public:
   explicit DeviceCard(QWidget* parent = nullptr);
 
-  void showDevice(const DeviceView& view);
+  void showDevice(const DeviceInUse& view);
   void showStatus(DeviceStatus status);  // of the chosen one, as it changes
   void showLoop(const LoopView& loop);
 
@@ -39,7 +39,7 @@ class DeviceCard : public QWidget {
   void choose(int row);
   void showState();
 
-  DeviceView m_view;
+  DeviceInUse m_view;
   bool m_isRealTimeRefused = false;
   std::vector<DeviceListing> m_listed;  // the rows after the first
   QComboBox* m_choice;

@@ -35,7 +35,7 @@ QScrollArea* scrolling(QWidget* page) {
   return area;
 }
 
-std::vector<Property> sheetOf(const DeviceView& view, const QLocale& locale) {
+std::vector<Property> sheetOf(const DeviceInUse& view, const QLocale& locale) {
   std::vector<Property> properties;
   if (!view.chosen) return properties;
   for (const DeviceText::Line& line : DeviceText::dataSheet(view.capabilities, locale)) {
@@ -100,7 +100,7 @@ void DevicePanel::connectParts() {
   connect(m_mapping, &MappingForm::mappingChanged, this, &DevicePanel::mappingChanged);
 }
 
-void DevicePanel::showDevice(const DeviceView& view) {
+void DevicePanel::showDevice(const DeviceInUse& view) {
   const auto key = [](const DeviceListing& listing) { return listing.driver + '\n' + listing.address; };
   const bool isSame =
       view.chosen.has_value() == m_chosen.has_value() && (!view.chosen || key(*view.chosen) == key(*m_chosen));

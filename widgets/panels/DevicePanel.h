@@ -3,7 +3,7 @@
 #pragma once
 
 #include "haptics/WorkspaceMapping.h"
-#include "panels/DeviceView.h"
+#include "panels/DeviceInUse.h"
 #include "panels/SafetyMemory.h"
 
 #include <QWidget>
@@ -30,7 +30,7 @@ class DevicePanel : public QWidget {
  public:
   explicit DevicePanel(QWidget* parent = nullptr);
 
-  void showDevice(const DeviceView& view);
+  void showDevice(const DeviceInUse& view);
   void setMapping(const WorkspaceMapping& mapping);
   void showSample(const ServoSample& sample);  // at the rate of the display
   void showLoop(const LoopView& loop);         // now and then, as the next

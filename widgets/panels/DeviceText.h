@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "panels/DeviceView.h"
+#include "panels/DeviceInUse.h"
 
 #include "haptics/SafetySettings.h"
 

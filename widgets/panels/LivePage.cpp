@@ -56,7 +56,7 @@ LivePage::LivePage(QWidget* parent)
   showDevice({});
 }
 
-void LivePage::showDevice(const DeviceView& view) {
+void LivePage::showDevice(const DeviceInUse& view) {
   m_view = view;
   const bool hasMotors = view.capabilities.outputs > 0;
   m_axes->setDevice(view.capabilities);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "panels/DeviceView.h"
+#include "panels/DeviceInUse.h"
 
 #include <QWidget>
 
@@ -24,7 +24,7 @@ class LivePage : public QWidget {
  public:
   explicit LivePage(QWidget* parent = nullptr);
 
-  void showDevice(const DeviceView& view);
+  void showDevice(const DeviceInUse& view);
   void showSample(const ServoSample& sample, double forceGain);
   void clear();
 
@@ -35,7 +35,7 @@ class LivePage : public QWidget {
  private:
   void enableForce(DeviceStatus status);
 
-  DeviceView m_view;
+  DeviceInUse m_view;
   AxisBars* m_axes;
   ButtonLamps* m_buttons;
   QCheckBox* m_forceOn;

@@ -41,7 +41,7 @@ void DeviceDock::hideEvent(QHideEvent* event) {
 }
 
 void DeviceDock::showChosen() {
-  DeviceView view;
+  DeviceInUse view;
   const QList<DeviceListing> found = m_session.found();
   view.found.assign(found.begin(), found.end());
   if (const DeviceListing chosen = m_session.chosen(); !chosen.driver.empty()) view.chosen = chosen;

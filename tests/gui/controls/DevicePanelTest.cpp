@@ -74,7 +74,7 @@ void DevicePanelTest::choosing() {
   auto* list = bench.part<QComboBox>("deviceChoice");
   QCOMPARE(list->count(), 1);
   QCOMPARE(bench.text("deviceHeadline"), QString("No device in use"));
-  DeviceView view;
+  DeviceInUse view;
   view.found = {falcon(), spaceMouse()};
   bench.panel.showDevice(view);
   QCOMPARE(list->count(), 3);
@@ -97,7 +97,7 @@ void DevicePanelTest::choosing() {
 
 void DevicePanelTest::unpluggedDeviceStaysInTheList() {
   Bench bench;
-  DeviceView view = falconView();
+  DeviceInUse view = falconView();
   view.found = {spaceMouse()};
   view.status = DeviceStatus::Absent;
   bench.panel.showDevice(view);
@@ -136,7 +136,7 @@ void DevicePanelTest::whatToDo() {
 
 void DevicePanelTest::mouseInThePlaceOfADevice() {
   Bench bench;
-  DeviceView view = spaceMouseView();
+  DeviceInUse view = spaceMouseView();
   view.isPointer = true;
   view.status = DeviceStatus::Absent;
   bench.panel.showDevice(view);
@@ -158,7 +158,7 @@ void DevicePanelTest::forceIsAskedFor() {
   on->click();
   QCOMPARE(force.size(), 1);
   QCOMPARE(force[0][0].toBool(), false);
-  DeviceView off = falconView();
+  DeviceInUse off = falconView();
   off.isForceOn = false;
   bench.panel.showDevice(off);
   button->click();  // there is none to be tested
@@ -191,7 +191,7 @@ void DevicePanelTest::samples() {
   QCOMPARE(asked[0], QPointF(-2.0, 5.0));
   QCOMPARE(sent[0], QPointF(-2.0, 5.0));
   QCOMPARE(sent[1], QPointF(0.0, 0.0));
-  DeviceView other = spaceMouseView();
+  DeviceInUse other = spaceMouseView();
   bench.panel.showDevice(other);  // what the first did is not the other's
   QCOMPARE(bench.part<ForcePlot>("forcePlot")->trace().size(), std::size_t(0));
 }
@@ -279,7 +279,7 @@ void DevicePanelTest::mappingIsEdited() {
 
 void DevicePanelTest::timings() {
   Bench bench;
-  const DeviceView view = falconView();
+  const DeviceInUse view = falconView();
   bench.panel.showDevice(view);
   LoopMeasure measure(view.capabilities, 0.002, 1e-3);
   fill(measure);
@@ -321,7 +321,7 @@ void DevicePanelTest::picturesOfTrouble() {
 void DevicePanelTest::pictures() {
   QFETCH(int, page);
   QFETCH(QSize, size);
-  for (const DeviceView& view : {falconView(), spaceMouseView()}) {
+  for (const DeviceInUse& view : {falconView(), spaceMouseView()}) {
     Bench bench;
     bench.panel.resize(size);
     bench.turnTo(page);

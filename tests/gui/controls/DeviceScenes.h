@@ -21,8 +21,8 @@ inline DeviceListing spaceMouse() {
 }
 
 // Three axes in and out, as of the first; six in, none out, as of the other.
-inline DeviceView falconView() {
-  DeviceView view;
+inline DeviceInUse falconView() {
+  DeviceInUse view;
   view.found = {falcon(), spaceMouse()};
   view.chosen = falcon();
   view.capabilities.buttons = 4;
@@ -37,8 +37,8 @@ inline DeviceView falconView() {
   return view;
 }
 
-inline DeviceView spaceMouseView() {
-  DeviceView view;
+inline DeviceInUse spaceMouseView() {
+  DeviceInUse view;
   view.found = {falcon(), spaceMouse()};
   view.chosen = spaceMouse();
   view.capabilities.inputs = 6;

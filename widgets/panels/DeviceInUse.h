@@ -11,7 +11,7 @@
 namespace handwheel {
 
 // What is known of the devices, as the panel shows it.
-struct DeviceView {
+struct DeviceInUse {
   std::vector<DeviceListing> found;
   std::optional<DeviceListing> chosen;  // not among those found when it was unplugged
   DeviceCapabilities capabilities;      // of the chosen one
