@@ -66,7 +66,8 @@ inline constexpr std::size_t kCutWork = 2'000;
 // is right depends on more than the outline, and everybody expects a fan.
 inline constexpr double kPlanarPolygon = 1e-3;
 
-// How far a proxy stays off the surface that it touches: far above what rounding moves it, far below what a person sees.
+// How far a proxy stays off the surface that it touches: far above what rounding moves it, far below what a person
+// sees.
 inline constexpr double kContactSkin = 0x1p-27;
 // What is wider than this is no seam that has to be closed before a scan is touched.
 inline constexpr double kContactSeam = 0x1p-12;
