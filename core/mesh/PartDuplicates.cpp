@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/PartDuplicates.h"
 
+#include "mesh/CrowdedEdges.h"
 #include "mesh/EdgeOperations.h"
-#include "mesh/EdgeTable.h"
 #include "mesh/PositionTriangles.h"
 #include "mesh/Steps.h"
 #include "proximity/TriangleHierarchy.h"
@@ -12,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -187,56 +186,6 @@ class Parter {
   std::size_t m_spare = 0;
   double m_reach = 0.0;  // no vertex is farther from where the hierarchy has it
 };
-
-// Calls visit(classes, low, high, half-edges) for each edge that has more than two faces in the file.
-template <class Visit>
-void forEachCrowdedEdge(const HalfEdgeMesh& mesh, Progress progress, Visit visit) {
-  const PositionTriangles byPosition(mesh, progress.part(0.0, 0.4));
-  const EdgeTable edges(byPosition.triangles, byPosition.classes.representative.size(), progress.part(0.4, 0.8));
-  const auto visitCrowded = [&](std::uint32_t low, std::uint32_t high, std::span<const EdgeTable::Entry> run) {
-    if (run.size() > 2) visit(byPosition.classes, low, high, run);
-  };
-  edges.forEachEdge(visitCrowded, progress.part(0.8, 1.0));
-}
-
-// The fans at each position at the end of a crowded edge, by class.
-using Fans = std::map<Vertex, std::vector<HalfEdge>>;
-std::map<std::uint32_t, Fans> crowdedFans(const HalfEdgeMesh& mesh, Progress progress) {
-  std::vector<std::uint32_t> classOf;
-  std::vector<bool> crowded;
-  const auto mark = [&](const PointClasses& classes, std::uint32_t low, std::uint32_t high, auto) {
-    if (classOf.empty()) classOf = classes.classOf;
-    crowded.resize(classes.representative.size());
-    crowded[low] = crowded[high] = true;
-  };
-  forEachCrowdedEdge(mesh, progress.part(0.0, 0.8), mark);
-  std::map<std::uint32_t, Fans> fansAt;
-  if (crowded.empty()) return fansAt;
-  for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h) {
-    if (!mayGoOn(h, mesh.halfEdgeSlots(), progress.part(0.8, 1.0))) break;
-    if (!mesh.isProper(HalfEdgeMesh::face(h))) continue;
-    const Vertex v = mesh.from(h);
-    if (!crowded[classOf[v]]) continue;
-    std::vector<HalfEdge>& fan = fansAt[classOf[v]][v];
-    if (fan.empty()) fan = mesh.fan(h);
-  }
-  return fansAt;
-}
-
-// One half-edge of each pair of faces beyond the first at every crowded edge.
-std::vector<HalfEdge> surplusEdges(const HalfEdgeMesh& mesh, Progress progress) {
-  std::vector<HalfEdge> surplus;
-  forEachCrowdedEdge(mesh, progress,
-                     [&](const PointClasses&, std::uint32_t, std::uint32_t, std::span<const EdgeTable::Entry> run) {
-                       bool first = true;
-                       for (const EdgeTable::Entry& e : run) {
-                         if (!mesh.hasOpposite(e.halfEdge) || mesh.opposite(e.halfEdge) < e.halfEdge) continue;
-                         if (!first) surplus.push_back(e.halfEdge);
-                         first = false;
-                       }
-                     });
-  return surplus;
-}
 
 // Moves fans off their common position, small ones first, until one is left.
 void partFans(Parter& parter, Fans& fans, std::vector<Vertex>& moved) {

@@ -17,9 +17,7 @@ constexpr FillMethod kMethods[] = {FillMethod::Fair, FillMethod::Refined,  FillM
                                    FillMethod::Area, FillMethod::Dihedral, FillMethod::Ridge};
 
 constexpr int kContinuities = 3;
-
-// Of ear cutting.
-struct Weight {
+struct Weight {  // of ear cutting
   const char* id;
   const char* label;
   double EarWeights::*of;
@@ -288,13 +286,11 @@ std::vector<Property> FillHoleTool::settings() const {
 }
 
 void FillHoleTool::setSetting(std::string_view id, const PropertyValue& value) {
-  std::size_t method = 0, continuity = 0;
-  bool isTaken = id == "method" && takeChoice(method, value, static_cast<int>(std::size(kMethods)));
-  if (isTaken) m_method = kMethods[method];
-  if (id == "continuity" && takeChoice(continuity, value, kContinuities)) {
-    m_continuity = static_cast<Continuity>(continuity);
-    isTaken = true;
-  }
+  std::size_t choice = 0;
+  const int choices = id == "method" ? static_cast<int>(std::size(kMethods)) : id == "continuity" ? kContinuities : 0;
+  bool isTaken = choices > 0 && takeChoice(choice, value, choices);
+  if (isTaken && id == "method") m_method = kMethods[choice];
+  if (isTaken && id == "continuity") m_continuity = static_cast<Continuity>(choice);
   for (const Weight& weight : kWeights) {
     isTaken = isTaken || (id == weight.id && takeNumber(m_ears.*weight.of, value, kWeightLimits));
   }

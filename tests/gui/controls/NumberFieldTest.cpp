@@ -1,77 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "controls/NumberField.h"
-
 #include "ControlsTestMain.h"
+#include "NumberFieldBench.h"
 #include "controls/ExpressionText.h"
 
-#include <QLineEdit>
-#include <QSignalSpy>
-#include <QTest>
-#include <QVBoxLayout>
-#include <QWheelEvent>
-#include <cmath>
 #include <numbers>
 
 using namespace handwheel;
+using namespace handwheel::test;
 
 namespace {
 
 const QLocale kGerman(QLocale::German, QLocale::Germany);
-
-// A field in a window, with what it says.
-struct Bench {
-  explicit Bench(Quantity quantity = Quantity::Length, LengthUnit unit = LengthUnit::Millimetre,
-                 const QLocale& locale = QLocale::c()) {
-    window.setLocale(locale);
-    field = new NumberField(&window);
-    other = new QLineEdit(&window);
-    auto* column = new QVBoxLayout(&window);
-    column->addWidget(field);
-    column->addWidget(other);
-    field->setQuantity(quantity, unit);
-    field->setLabel("Diameter");
-    line = field->findChild<QLineEdit*>("numberLine");
-    spy = std::make_unique<QSignalSpy>(field, &NumberField::valueEdited);
-    window.show();
-    window.activateWindow();
-    if (!QTest::qWaitForWindowActive(&window)) qFatal("the window does not appear");
-    line->setFocus();
-  }
-  void type(const QString& text) {
-    line->setFocus();
-    line->selectAll();
-    QTest::keyClicks(line, text);
-  }
-  void enter(const QString& text) {
-    type(text);
-    QTest::keyClick(line, Qt::Key_Return);
-  }
-  // The values said so far, without the last digits, and whether each was on the way.
-  QList<std::pair<double, bool>> said() {
-    QList<std::pair<double, bool>> values;
-    for (const QList<QVariant>& call : *spy) {
-      values << std::pair(std::round(call[0].toDouble() * 1e9) / 1e9, call[1].toBool());
-    }
-    spy->clear();
-    return values;
-  }
-  bool turnWheel(int notches, Qt::KeyboardModifiers modifiers = {}) {
-    const QPointF middle = line->rect().center();
-    QWheelEvent event(middle, line->mapToGlobal(middle), {}, QPoint(0, 120 * notches), Qt::NoButton, modifiers,
-                      Qt::NoScrollPhase, false);
-    QApplication::sendEvent(line, &event);
-    return event.isAccepted();
-  }
-
-  QWidget window;
-  NumberField* field;
-  QLineEdit* other;
-  QLineEdit* line;
-  std::unique_ptr<QSignalSpy> spy;
-};
-
-using Said = QList<std::pair<double, bool>>;
 
 }  // namespace
 
@@ -83,10 +23,6 @@ class NumberFieldTest : public QObject {
   void takesOtherUnits();
   void speaksGerman();
   void anglesAreDegrees();
-  void steps();
-  void stepsOfSmallValues();
-  void stepsStayInRange();
-  void wheelNeedsTheFocus();
   void refusesAndSaysWhy();
   void escBringsTheValueBack();
   void outOfRangeIsSaidAtOnce();
@@ -150,69 +86,6 @@ void NumberFieldTest::anglesAreDegrees() {
   QVERIFY(bench.field->value() <= std::numbers::pi);
   QTest::keyClick(bench.line, Qt::Key_Down);
   QCOMPARE(bench.line->text(), QString("179"));
-}
-
-void NumberFieldTest::steps() {
-  Bench bench;
-  bench.field->setValue(20.0);
-  QTest::keyPress(bench.line, Qt::Key_Up);
-  QTest::keyPress(bench.line, Qt::Key_Up);
-  QCOMPARE(bench.said(), Said({{21.0, true}, {22.0, true}}));
-  QTest::keyRelease(bench.line, Qt::Key_Up);
-  QCOMPARE(bench.said(), Said({{22.0, false}}));
-  QTest::keyClick(bench.line, Qt::Key_Down, Qt::ShiftModifier);
-  QTest::keyClick(bench.line, Qt::Key_Down, Qt::ControlModifier);
-  QCOMPARE(bench.said(), Said({{12.0, true}, {12.0, false}, {11.9, true}, {11.9, false}}));
-  QVERIFY(bench.turnWheel(2));
-  QVERIFY(bench.turnWheel(-1, Qt::ShiftModifier));
-  QCOMPARE(bench.said(), Said({{13.9, true}, {3.9, true}}));
-  QVERIFY(bench.spy->wait());  // a pause ends the run
-  QCOMPARE(bench.said(), Said({{3.9, false}}));
-  bench.turnWheel(1);
-  bench.other->setFocus();
-  QCOMPARE(bench.said(), Said({{4.9, true}, {4.9, false}}));
-  bench.type("7");
-  QTest::keyClick(bench.line, Qt::Key_Up);  // from what stands there
-  QCOMPARE(bench.said(), Said({{7.0, false}, {8.0, true}, {8.0, false}}));
-}
-
-void NumberFieldTest::stepsOfSmallValues() {
-  Bench bench;
-  bench.field->setValue(0.003);
-  QTest::keyClick(bench.line, Qt::Key_Up);
-  QCOMPARE(bench.line->text(), QString("0.004"));
-  QTest::keyClick(bench.line, Qt::Key_Up, Qt::ControlModifier);
-  QCOMPARE(bench.line->text(), QString("0.0041"));
-  bench.field->setValue(0.0);
-  QTest::keyClick(bench.line, Qt::Key_Up);
-  QCOMPARE(bench.field->value(), 1.0);
-  bench.field->setStep(0.25);
-  QTest::keyClick(bench.line, Qt::Key_Up);
-  QCOMPARE(bench.field->value(), 1.25);
-}
-
-void NumberFieldTest::stepsStayInRange() {
-  Bench bench;
-  bench.field->setRange(0.0, 10.0);
-  bench.field->setValue(9.5);
-  QTest::keyClick(bench.line, Qt::Key_Up);
-  QTest::keyClick(bench.line, Qt::Key_Up);
-  QCOMPARE(bench.said(), Said({{10.0, true}, {10.0, false}}));
-  bench.field->setRange(5.0, -5.0);  // makes no sense, so there is none
-  QTest::keyClick(bench.line, Qt::Key_Up);
-  QCOMPARE(bench.field->value(), 11.0);
-  bench.field->setValue(std::nan(""));
-  QTest::keyClick(bench.line, Qt::Key_Up);
-  QVERIFY(std::isnan(bench.field->value()));
-  bench.enter("3");
-  QCOMPARE(bench.field->value(), 3.0);
-}
-
-void NumberFieldTest::wheelNeedsTheFocus() {
-  Bench bench;
-  bench.other->setFocus();
-  QVERIFY(!bench.turnWheel(1));
-  QCOMPARE(bench.said(), Said());
 }
 
 void NumberFieldTest::refusesAndSaysWhy() {

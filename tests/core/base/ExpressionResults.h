@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Expression.h"
+
+#include <cmath>
+#include <string>
+
+// What an expression gives, for its tests.
+namespace handwheel::test {
+
+// The value, or NaN for an error.
+inline double valueOf(const std::string& text, const ExpressionField& field) {
+  const ExpressionResult result = evaluateExpression(text, field);
+  const double* value = std::get_if<double>(&result);
+  return value ? *value : std::nan("");
+}
+
+inline ExpressionError errorOf(const std::string& text, const ExpressionField& field) {
+  const ExpressionResult result = evaluateExpression(text, field);
+  const auto* error = std::get_if<ExpressionError>(&result);
+  return error ? *error : ExpressionError{ExpressionError::Kind::Empty, 0, "no error"};
+}
+
+inline const ExpressionField kLength{Quantity::Length};
+inline const ExpressionField kInches{Quantity::Length, LengthUnit::Inch};
+inline const ExpressionField kAngle{Quantity::Angle};
+inline const ExpressionField kNumber{};
+inline const ExpressionField kGermanLength{Quantity::Length, LengthUnit::Millimetre, true};
+
+}  // namespace handwheel::test

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "DisplayTestMain.h"
+#include "SheetModel.h"
+#include "mesh/MeshBuilder.h"
+
+namespace handwheel {
+
+// Looks down on the sheet, 20 pixels to the unit in a view of 600 × 500: (10, 10) is in the middle.
+inline CameraState fromAbove() {
+  CameraState c;
+  c.centre = Vec3(10, 10, 0);
+  c.height = 25;
+  return c;
+}
+
+inline QPointF onScreen(double x, double y) {
+  return {300 + (x - 10) * 20, 250 - (y - 10) * 20};
+}
+
+}  // namespace handwheel
