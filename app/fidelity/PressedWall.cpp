@@ -11,7 +11,8 @@ namespace handwheel {
 namespace {
 
 constexpr double kFreeTime = 5.0, kPressTime = 3.0, kMeanTime = 1.0;  // s
-constexpr double kWallSize = 1000.0;                                  // mm
+constexpr double kSettled = 1e-3;     // mm: what is left of the settling by then is less, and tells nothing
+constexpr double kWallSize = 1000.0;  // mm
 
 // The plane x = 0, to be touched from below.
 std::unique_ptr<HapticScene> wallOf(double stiffness) {
@@ -27,15 +28,43 @@ std::unique_ptr<HapticScene> wallOf(double stiffness) {
   return scene;
 }
 
+// A simulated device behind a wire.
+class WiredDevice : public Device {
+ public:
+  WiredDevice(const SimulatedDeviceSettings& settings, double packets, ServoClock& clock)
+      : m_device(settings, HandPath(), clock), m_period(std::llround(packets * kNanoseconds)), m_clock(clock) {}
+
+  DeviceCapabilities capabilities() const override { return m_device.capabilities(); }
+  Status open(Progress progress) override { return m_device.open(progress); }
+  void close() noexcept override { m_device.close(); }
+  DeviceState read() noexcept override {
+    if (m_period > 0) m_clock.waitUntil(nextPacket(m_clock.now()));
+    return m_device.read();
+  }
+  void write(const DeviceForce& force) noexcept override { m_device.write(force); }
+
+  void setTarget(const Vec3& place) noexcept { m_device.setTarget({0.0, place}); }
+
+ private:
+  // At half a period, and each whole one after that.
+  std::int64_t nextPacket(std::int64_t now) const {
+    return (now + m_period - 1 - m_period / 2) / m_period * m_period + m_period / 2;
+  }
+
+  SimulatedDevice m_device;
+  std::int64_t m_period;  // ns
+  ServoClock& m_clock;
+};
+
 }  // namespace
 
-double pressedDepth(const DeviceCapabilities& device, double rate, double stiffness) {
+double pressedDepth(const DeviceCapabilities& device, double rate, double stiffness, double packets) {
   SimulatedDeviceSettings settings = simulatedDevice();
   settings.capabilities = device;
   settings.grip.maxForce = kPressingForce;
   VirtualClock clock;
-  auto made = std::make_unique<SimulatedDevice>(settings, HandPath(), clock);
-  SimulatedDevice& hand = *made;
+  auto made = std::make_unique<WiredDevice>(settings, packets, clock);
+  WiredDevice& hand = *made;
   if (!hand.open({})) return 0.0;  // which needs no hardware
   Service service("servo");
   ServoSettings servo;
@@ -43,10 +72,10 @@ double pressedDepth(const DeviceCapabilities& device, double rate, double stiffn
   ServoLoop loop(std::move(made), servo, clock, service);
   loop.setScene(wallOf(stiffness));
   const auto ticksIn = [rate](double seconds) { return static_cast<std::uint64_t>(std::ceil(seconds * rate)); };
-  hand.setTarget({0.0, {-0.5, 0, 0}});
+  hand.setTarget({-0.5, 0, 0});
   loop.runTicks(ticksIn(kFreeTime));
   // So far away that the hand gives all of its force wherever the wall lets it be.
-  hand.setTarget({0.0, {kWallSize, 0, 0}});
+  hand.setTarget({kWallSize, 0, 0});
   loop.runTicks(ticksIn(kPressTime - kMeanTime));
   double sum = 0.0;
   const std::uint64_t ticks = ticksIn(kMeanTime);
@@ -54,7 +83,8 @@ double pressedDepth(const DeviceCapabilities& device, double rate, double stiffn
     loop.runTicks(1);
     sum += loop.latest().device.position.x();
   }
-  return sum / static_cast<double>(ticks);
+  const double depth = sum / static_cast<double>(ticks);
+  return std::round(depth / kSettled) * kSettled;
 }
 
 }  // namespace handwheel

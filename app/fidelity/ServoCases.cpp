@@ -88,14 +88,15 @@ double costOfTouch(const Slide& slide, const ServoSettings& servo) {
   return 1e3 * cpuMilliseconds([&] { loop.runTicks(ticksIn(kTouchTime)); }) / kTouchTime;
 }
 
-FidelityCase rateCase(const std::string& name, const DeviceCapabilities& device) {
+FidelityCase rateCase(const std::string& name, const DeviceCapabilities& device, double packets = 0.0) {
   const SeededInput<Slide> input(slideOf);
-  return {name, "a wall that does not yield", [input, device](double rate, std::uint64_t seed, Progress) {
-            FidelityValues values;
-            [[maybe_unused]] const Status inRange = values.set(servoRateSetting(), rate);
-            const ServoSettings servo = servoSettings(values);
-            return FidelitySample{pressedDepth(device, servo.rate, kStiffest), costOfTouch(input(seed), servo)};
-          }};
+  return {
+      name, "a wall that does not yield", [input, device, packets](double rate, std::uint64_t seed, Progress) {
+        FidelityValues values;
+        [[maybe_unused]] const Status inRange = values.set(servoRateSetting(), rate);
+        const ServoSettings servo = servoSettings(values);
+        return FidelitySample{pressedDepth(device, servo.rate, kStiffest, packets), costOfTouch(input(seed), servo)};
+      }};
 }
 
 }  // namespace
@@ -109,6 +110,7 @@ std::vector<FidelityCase> contactStiffnessCases() {
 std::vector<FidelityCase> servoRateCases() {
   return {rateCase("device that carries 1 N/mm at 1 kHz", promptDevice()),
           rateCase("the same, 1 ms late", lateDevice(0.001)),
+          rateCase("the same, on a wire with a packet a ms", promptDevice(), 0.001),
           rateCase("device of four times the friction", stiffDevice())};
 }
 

@@ -9,7 +9,7 @@ namespace handwheel {
 FidelitySetting proxyToleranceSetting() {
   FidelitySetting s;
   s.id = "proxy.tolerance";
-  s.label = translatable("Fidelity", "Tolerance of the point that slides over a surface");
+  s.label = translatable("Fidelity", "Tolerance of the contact point");
   s.unit = translatable("Fidelity", "diagonals of the model");
   s.scale = FidelityScale::Logarithmic;
   s.least = 1e-12;   // below what rounding moves it
@@ -31,7 +31,7 @@ FidelitySetting servoRateSetting() {
   s.largest = kLargestServoRate;
   s.whole = true;
   s.standard = DeviceCapabilities().nominalRate;
-  s.presets = {500.0, 1600.0, 8000.0};
+  s.presets = {500.0, 1000.0, 1000.0};
   s.error = {translatable("Fidelity", "how far 2 N push into a wall as stiff as the rate allows"), "mm"};
   s.cost = {translatable("Fidelity", "CPU time of a second of touch"), "us/s"};
   return s;
@@ -40,7 +40,7 @@ FidelitySetting servoRateSetting() {
 FidelitySetting contactStiffnessSetting() {
   FidelitySetting s;
   s.id = "contact.stiffness";
-  s.label = translatable("Fidelity", "Stiffness of touched surfaces");
+  s.label = translatable("Fidelity", "Stiffness of surfaces");
   s.unit = "N/mm";
   s.scale = FidelityScale::Logarithmic;
   s.least = 0.1;
@@ -55,7 +55,7 @@ FidelitySetting contactStiffnessSetting() {
 FidelitySetting velocityWindowSetting() {
   FidelitySetting s;
   s.id = "servo.velocity_window";
-  s.label = translatable("Fidelity", "Time over which velocity is measured");
+  s.label = translatable("Fidelity", "Velocity window");
   s.unit = "s";
   s.scale = FidelityScale::Logarithmic;
   s.least = 0.0005;
