@@ -1181,6 +1181,54 @@
         <source>RMS difference from the sum of all forces</source>
         <translation>RMS-Abweichung von der Summe aller Kräfte</translation>
     </message>
+    <message>
+        <source>Tolerance of the contact point</source>
+        <translation>Toleranz des Berührpunkts</translation>
+    </message>
+    <message>
+        <source>diagonals of the model</source>
+        <translation>Diagonalen des Modells</translation>
+    </message>
+    <message>
+        <source>RMS distance from where it comes to rest</source>
+        <translation>RMS-Abstand von seiner Ruhelage</translation>
+    </message>
+    <message>
+        <source>Rate of the servo loop</source>
+        <translation>Takt der Servoschleife</translation>
+    </message>
+    <message>
+        <source>how far 2 N push into a wall as stiff as the rate allows</source>
+        <translation>wie weit 2 N in eine Wand drücken, die so steif ist, wie der Takt erlaubt</translation>
+    </message>
+    <message>
+        <source>CPU time of a second of touch</source>
+        <translation>Rechenzeit für eine Sekunde Berührung</translation>
+    </message>
+    <message>
+        <source>Stiffness of surfaces</source>
+        <translation>Steifigkeit von Flächen</translation>
+    </message>
+    <message>
+        <source>how far 2 N push into the surface</source>
+        <translation>wie weit 2 N in die Fläche drücken</translation>
+    </message>
+    <message>
+        <source>rate of the servo loop that keeps it stable</source>
+        <translation>Takt der Servoschleife, der sie stabil hält</translation>
+    </message>
+    <message>
+        <source>Velocity window</source>
+        <translation>Zeitfenster der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>RMS error of the velocity</source>
+        <translation>RMS-Fehler der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>how late the velocity is</source>
+        <translation>wie spät die Geschwindigkeit ist</translation>
+    </message>
 </context>
 <context>
     <name>FileFilters</name>
@@ -4083,6 +4131,10 @@
     <message>
         <source>Keys, mouse, units, language, autosave</source>
         <translation>Tasten, Maus, Einheiten, Sprache, automatisches Sichern</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
     </message>
 </context>
 <context>

@@ -1181,6 +1181,54 @@
         <source>RMS difference from the sum of all forces</source>
         <translation>与全部力之和的均方根偏差</translation>
     </message>
+    <message>
+        <source>Tolerance of the contact point</source>
+        <translation>接触点的公差</translation>
+    </message>
+    <message>
+        <source>diagonals of the model</source>
+        <translation>模型对角线</translation>
+    </message>
+    <message>
+        <source>RMS distance from where it comes to rest</source>
+        <translation>与静止位置的均方根距离</translation>
+    </message>
+    <message>
+        <source>Rate of the servo loop</source>
+        <translation>伺服循环的频率</translation>
+    </message>
+    <message>
+        <source>how far 2 N push into a wall as stiff as the rate allows</source>
+        <translation>2 N 压入在该频率允许的最硬墙面的深度</translation>
+    </message>
+    <message>
+        <source>CPU time of a second of touch</source>
+        <translation>每秒触摸的 CPU 时间</translation>
+    </message>
+    <message>
+        <source>Stiffness of surfaces</source>
+        <translation>表面刚度</translation>
+    </message>
+    <message>
+        <source>how far 2 N push into the surface</source>
+        <translation>2 N 压入表面的深度</translation>
+    </message>
+    <message>
+        <source>rate of the servo loop that keeps it stable</source>
+        <translation>保持其稳定的伺服循环频率</translation>
+    </message>
+    <message>
+        <source>Velocity window</source>
+        <translation>速度窗口</translation>
+    </message>
+    <message>
+        <source>RMS error of the velocity</source>
+        <translation>速度的均方根误差</translation>
+    </message>
+    <message>
+        <source>how late the velocity is</source>
+        <translation>速度滞后多少</translation>
+    </message>
 </context>
 <context>
     <name>FileFilters</name>
@@ -4056,6 +4104,10 @@
     <message>
         <source>Keys, mouse, units, language, autosave</source>
         <translation>按键、鼠标、单位、语言、自动保存</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>设备</translation>
     </message>
 </context>
 <context>
