@@ -15,7 +15,7 @@ namespace handwheel {
 // A surface that can be touched, and how it feels.
 struct SurfaceFeel {
   ContactSurface surface;
-  double stiffness = 0.5;  // N/mm
+  double stiffness = 0.5;  // N/mm: fidelity setting contact.stiffness
   double damping = 0.0;    // N·s/mm, along the normal
   ContactOptions contact;
 };

@@ -11,6 +11,7 @@
 
 namespace handwheel {
 
+// Rate and window are fidelity settings: servoSettings() in TouchFidelity.h makes them of what was chosen.
 struct ServoSettings {
   double rate = 0.0;  // ticks a second, kept within kLeastServoRate and kLargestServoRate; 0: the device's nominal rate
   double velocityWindow = VelocityEstimator::kStandardWindow;  // s, where the device gives no velocity

@@ -21,7 +21,8 @@ FidelitySetting contactStiffnessSetting();
 // late.
 FidelitySetting velocityWindowSetting();
 
-// What was chosen, as the loop and the scene take it. Where nobody chose a rate, each device has its nominal one.
+// What was chosen, as the loop and the scene take it; both hold it from when they are made. Where nobody chose a rate,
+// it is 0, the nominal one of each device.
 ServoSettings servoSettings(const FidelityValues& values);
 ContactOptions contactOptions(const FidelityValues& values);
 SurfaceFeel surfaceFeel(ContactSurface surface, const FidelityValues& values);
