@@ -12,10 +12,10 @@
 #include "document/FileBytes.h"
 #include "document/mesh/MeshSnapshot.h"
 #include "fidelity/MeasuredSettings.h"
-#include "haptics/ContactSeams.h"
 #include "haptics/SimulatedDevice.h"
 #include "haptics/StiffnessLimit.h"
 #include "haptics/TouchFidelity.h"
+#include "haptics/TouchableSurface.h"
 #include "mesh/Weld.h"
 
 #include <cmath>
@@ -93,7 +93,7 @@ void limitBy(const DeviceCapabilities& device, FeelRequest& request) {
     complain("The damping is capped at " + roundedText(damping, 4) + " N·s/mm, half of the device's own.");
 }
 
-// Fit to be touched: equal corners are one, and no seam is open.
+// As it is read, equal corners made one.
 Result<ContactSurface> touchable(const FeelRequest& request, const DocumentKinds& kinds,
                                  std::vector<DocumentFile>& read, Progress progress) {
   const Result<Input> input = readMeshInput(request.mesh, request.read, kinds, progress.part(0.0, 0.4));
@@ -101,8 +101,8 @@ Result<ContactSurface> touchable(const FeelRequest& request, const DocumentKinds
   read.push_back(input->opened.file);
   const MeshSnapshot* document = input->meshDocument();
   TriangleSoup soup = document ? document->mesh.mesh.compact().soup : weld(input->mesh->soup, progress.part(0.4, 0.6));
-  closeSeams(soup.points, soup.triangles, progress.part(0.6, 0.7));
-  ContactSurface surface(soup.points, soup.triangles, progress.part(0.7, 1.0));
+  ContactSurface surface =
+      touchableSurface(std::move(soup.points), std::move(soup.triangles), {}, progress.part(0.6, 1.0));
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   return surface;
 }

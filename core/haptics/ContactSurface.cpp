@@ -18,6 +18,10 @@ ContactSurface::ContactSurface(std::span<const Vec3> points, std::span<const Tri
   add(std::move(all), progress);
 }
 
+ContactSurface::ContactSurface(std::vector<ContactTriangle> triangles, Progress progress) {
+  add(std::move(triangles), progress);
+}
+
 double ContactSurface::skin() const {
   if (m_bounds.isEmpty()) return 0.0;
   const double far = std::max(m_bounds.min().cwiseAbs().maxCoeff(), m_bounds.max().cwiseAbs().maxCoeff());

@@ -23,6 +23,9 @@ class ContactSurface {
   // The number of a triangle is its place in the span. O(n log n). Empty once cancelled.
   ContactSurface(std::span<const Vec3> points, std::span<const Triangle> triangles, Progress progress = {});
 
+  // With numbers of their own, which need not follow each other but should: memory goes with the largest.
+  explicit ContactSurface(std::vector<ContactTriangle> triangles, Progress progress = {});
+
   // Removes triangles by their numbers (unknown ones are ignored), then adds or replaces some. O(k log² n) for k of
   // them, over many edits.
   void update(std::span<const std::uint32_t> removed, std::span<const ContactTriangle> added);

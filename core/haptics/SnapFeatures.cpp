@@ -30,7 +30,7 @@ void SnapFeatures::addSegment(std::uint32_t id, const Vec3& a, const Vec3& b) {
 }
 
 void SnapFeatures::addTriangle(std::uint32_t id, const Vec3& a, const Vec3& b, const Vec3& c) {
-  add({{a, b, c}, {SnapKind::Face, id}, SnapItem::Shape::Face});
+  add({{a, b, c}, {SnapKind::Facet, id}, SnapItem::Shape::Facet});
 }
 
 void SnapFeatures::addCurve(std::uint32_t id, std::span<const Vec3> points, bool isClosed) {

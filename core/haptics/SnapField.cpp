@@ -31,7 +31,7 @@ void mergeEqual(std::vector<SnapItem>& items) {
     // In one order of the ends; those of a segment are the first and the repeated last.
     auto& p = item.points;
     const auto less = [](const Vec3& a, const Vec3& b) { return isLess(a, b); };
-    if (item.shape == SnapItem::Shape::Face) std::sort(p.begin(), p.end(), less);
+    if (item.shape == SnapItem::Shape::Facet) std::sort(p.begin(), p.end(), less);
     if (item.shape == SnapItem::Shape::Segment && isAlone(item) && isLess(p[1], p[0])) p = {p[1], p[0], p[0]};
   }
   std::sort(items.begin(), items.end(), [](const SnapItem& a, const SnapItem& b) { return isLess(a, b); });

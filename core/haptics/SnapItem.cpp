@@ -22,7 +22,7 @@ std::size_t SnapItem::dimension() const {
     case Shape::Segment:
     case Shape::Joint:
       return 1;
-    case Shape::Face:
+    case Shape::Facet:
       return 2;
   }
   return 0;
@@ -36,7 +36,7 @@ Vec3 SnapItem::closestTo(const Vec3& p) const {
       return a;
     case Shape::Segment:
       return closestOnSegment(p, a, b);
-    case Shape::Face:
+    case Shape::Facet:
       return closestOnTriangle(p, a, b, c);
   }
   return a;

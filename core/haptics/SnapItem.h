@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-enum class SnapKind : std::uint8_t { Point, Segment, Face, Curve };
+enum class SnapKind : std::uint8_t { Point, Segment, Facet, Curve };
 
 // Which feature it was: its kind and the number that it was added with.
 struct SnapFeature {
@@ -24,7 +24,7 @@ struct SnapFeature {
 // curve is the sum over its segments less that of its joints. Where the nearest point of a segment is a joint, the two
 // cancel; so the segment yields there to the joint, which counts how many segments it stands for.
 struct SnapItem {
-  enum class Shape : std::uint8_t { Point, Segment, Face, Joint };
+  enum class Shape : std::uint8_t { Point, Segment, Facet, Joint };
 
   std::array<Vec3, 3>
       points;  // those that the shape needs; of a joint its place and its two neighbours. The rest repeat

@@ -161,7 +161,7 @@ void SnapCurveTest::proxyKeepsUpWithAQuickHand() {
   proxy.step(field, profile, Vec3(-radius, 0, -0.5));
   QCOMPARE(proxy.held(), (SnapFeature{SnapKind::Curve, 0}));
   proxy.step(field, profile, Vec3(0, 0, -0.5));
-  QCOMPARE(proxy.held(), (SnapFeature{SnapKind::Face, 1}));
+  QCOMPARE(proxy.held(), (SnapFeature{SnapKind::Facet, 1}));
 }
 
 QTEST_GUILESS_MAIN(SnapCurveTest)

@@ -82,7 +82,7 @@ inline Simplex segment(const Vec3& a, const Vec3& b) {
   return {SnapKind::Segment, {a, b}};
 }
 inline Simplex face(const Vec3& a, const Vec3& b, const Vec3& c) {
-  return {SnapKind::Face, {a, b, c}};
+  return {SnapKind::Facet, {a, b, c}};
 }
 
 // Each with its place in the list as its number.
