@@ -60,13 +60,25 @@ void GlWindow::draw(const QSize& size) {
   state->vtkglDepthFunc(GL_LEQUAL);
   m_window->SetSize(size.width(), size.height());
   m_window->Render();
+  copy();
+  state->Pop();
+}
 
+void GlWindow::drawAgain() {
+  vtkOpenGLState* state = m_window->GetState();
+  state->Reset();
+  state->Push();
+  copy();
+  state->Pop();
+}
+
+void GlWindow::copy() {
   m_widget->makeCurrent();
   QOpenGLExtraFunctions* gl = m_widget->context()->extraFunctions();
   gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, m_widget->defaultFramebufferObject());
   const GLenum target = GL_COLOR_ATTACHMENT0;
   gl->glDrawBuffers(1, &target);
-  state->vtkglDisable(GL_SCISSOR_TEST);
+  m_window->GetState()->vtkglDisable(GL_SCISSOR_TEST);
   m_window->BlitDisplayFramebuffer();
   // VTK leaves alpha below one where it blended; the desktop would shine through.
   gl->glBindFramebuffer(GL_FRAMEBUFFER, m_widget->defaultFramebufferObject());
@@ -74,7 +86,6 @@ void GlWindow::draw(const QSize& size) {
   gl->glClearColor(0, 0, 0, 1);
   gl->glClear(GL_COLOR_BUFFER_BIT);
   gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->Pop();
 }
 
 }  // namespace handwheel

@@ -25,9 +25,12 @@ class GlWindow {
   bool isAttached() const { return m_widget != nullptr; }
   // size in device pixels.
   void draw(const QSize& size);
+  // What was drawn last once more: at the cost of a copy.
+  void drawAgain();
 
  private:
   void makeContextCurrent();
+  void copy();
   void reportIsCurrent(vtkObject* caller, unsigned long event, void* isCurrent);
 
   vtkNew<vtkGenericOpenGLRenderWindow> m_window;

@@ -42,7 +42,7 @@ Viewport::Private::Private(Viewport* widget)
   connectCube();
   rest.setSingleShot(true);
   rest.setInterval(200);
-  QObject::connect(&rest, &QTimer::timeout, q, qOverload<>(&QWidget::update));
+  QObject::connect(&rest, &QTimer::timeout, q, [this] { q->update(); });
 }
 
 void Viewport::Private::tellOutOfMemory() {

@@ -7,6 +7,7 @@
 #include "viewport/CameraState.h"
 #include "viewport/ClipPlane.h"
 #include "viewport/ColourScale.h"
+#include "viewport/DeviceCursor.h"
 #include "viewport/NavigationPreset.h"
 #include "viewport/ViewportTypes.h"
 
@@ -87,6 +88,10 @@ class Viewport : public QOpenGLWidget {
   // A circle that follows the surface around its centre.
   void setBrush(const std::optional<BrushCircle>& brush);
 
+  // The cursor of a haptic device, over everything; its shadow and what hides it are found here. None: no device. The
+  // model is not drawn anew for it.
+  void setDeviceCursor(const std::optional<DeviceCursor>& cursor);
+
   void setShading(Shading shading);
   Shading shading() const;
   void setDarkTheme(bool dark);
@@ -162,6 +167,9 @@ class Viewport : public QOpenGLWidget {
   void leaveEvent(QEvent* event) override;
 
  private:
+  // Draws the model anew; what is asked for otherwise shows what was drawn last.
+  void update();
+
   class Private;
   std::unique_ptr<Private> d;
 };

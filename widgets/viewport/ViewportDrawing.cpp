@@ -80,6 +80,7 @@ void Viewport::initializeGL() {
   d->report({});
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] { d->detachGl(); });
   d->glWindow.attach(this);
+  d->isStale = true;
 }
 
 void Viewport::showEvent(QShowEvent* event) {
@@ -94,7 +95,14 @@ void Viewport::showEvent(QShowEvent* event) {
   });
 }
 
-void Viewport::resizeGL(int, int) {}
+void Viewport::resizeGL(int, int) {
+  d->isStale = true;
+}
+
+void Viewport::update() {
+  d->isStale = true;
+  QOpenGLWidget::update();
+}
 
 void Viewport::resizeEvent(QResizeEvent* event) {
   QOpenGLWidget::resizeEvent(event);
@@ -103,7 +111,7 @@ void Viewport::resizeEvent(QResizeEvent* event) {
 
 void Viewport::paintGL() {
   if (!d->glWindow.isAttached()) return;
-  d->draw();
+  std::exchange(d->isStale, false) ? d->draw() : d->glWindow.drawAgain();
   d->paintOver();
 }
 
@@ -115,6 +123,7 @@ void Viewport::Private::paintOver() {
   QPainter painter(&device);
   if (!polylines.empty()) paintLines(painter, navigation(), polylines, scene.colours());
   if (!brushLine.empty()) paintLines(painter, navigation(), {brushLine}, scene.colours());
+  if (deviceCursor) paintCursor(painter, *deviceCursor, navigation(), scene.colours());
   paintOverlay(painter, q->size(), camera, unit, scene.colours());
   if (values) paintLegend(painter, q->size(), colourScale, unit, scene.colours());
 }

@@ -63,6 +63,7 @@ class Viewport::Private {
 
   // Tools
   void layBrush();
+  void cast(DeviceCursor& shown) const;  // its shadow, and whether the model hides it
   std::set<std::size_t> liveBlocks() const;
 
   Viewport* q;
@@ -82,6 +83,7 @@ class Viewport::Private {
   bool isSeen = false;       // a frame of this model was drawn; before, the camera leaps instead of flying
   int covered = 0;           // pixels at the lower edge
   double fullFrameMs = 0.0;  // what a frame in full detail took last
+  bool isStale = true;       // what was drawn last is no longer what is to be seen
   int framesDrawn = 0;
   Spent timeDrawing;
   QTimer rest;  // runs while the wheel turns
@@ -107,6 +109,7 @@ class Viewport::Private {
   std::optional<BrushCircle> brush;
   std::shared_ptr<const LiveMesh> live;
   std::vector<Vec3> brushLine;
+  std::optional<DeviceCursor> deviceCursor;
 };
 
 }  // namespace handwheel

@@ -11,6 +11,9 @@ namespace handwheel {
 namespace {
 
 constexpr double kCubeTurn = 2.5;  // the cube is small: dragging it turns faster than dragging the model
+// Pixels: a proxy that touches lies on the surface only as exactly as numbers are.
+constexpr double kLifted = 0.5;
+constexpr double kHidden = 4.0;
 
 }  // namespace
 
@@ -106,6 +109,27 @@ void Viewport::Private::layBrush() {
     brushLine = brushOutline(pickable(), *brush, camera.towardsViewer());
   }
   q->update();
+}
+
+void Viewport::setDeviceCursor(const std::optional<DeviceCursor>& cursor) {
+  std::optional<DeviceCursor> cast = cursor;
+  if (cast) d->cast(*cast);
+  if (cast == d->deviceCursor) return;
+  d->deviceCursor = cast;
+  QOpenGLWidget::update();
+}
+
+// Both rays are found in microseconds.
+void Viewport::Private::cast(DeviceCursor& shown) const {
+  if (!shown.proxy.allFinite()) return;
+  const Vec3 light = shadowDirection(camera);
+  const Pick below = q->pickAlong(shown.proxy - kLifted * navigation().unitsPerPixelAt(shown.proxy) * light, light);
+  if (!below.isNothing()) shown.shadow = below.point;
+  if (!navigation().isBeforeEye(shown.proxy)) return;
+  const ViewRay sight = navigation().rayAt(navigation().toScreen(shown.proxy), scene.bounds());
+  const Pick before = q->pickAlong(sight.origin, sight.direction);
+  const double slack = kHidden * navigation().unitsPerPixelAt(shown.proxy);
+  shown.isHidden = !before.isNothing() && (shown.proxy - before.point).dot(sight.direction) > slack;
 }
 
 ViewRay Viewport::rayAt(const QPointF& position) const {
