@@ -24,6 +24,7 @@ class HapticSession;
 class JobRunner;
 class LogModel;
 class ToolHost;
+class TouchScene;
 class Viewport;
 class WindowServices;
 struct Message;
@@ -42,6 +43,7 @@ struct WindowParts {
   ToolHost& tools;
   FidelityChoice& fidelity;
   HapticSession& haptics;
+  TouchScene& touch;
   QAction* saveAs;
   std::function<bool()> isPanelVisible;
   QAction* showPanel;

@@ -25,7 +25,8 @@ namespace handwheel {
 MainWindow::MainWindow(QThreadPool& pool, const KindSet& kinds, Drivers drivers)
     : m_jobs(JobRunner::Policy::Queue, pool),
       m_thumbnails(pool),
-      m_haptics({m_jobs, pool, m_services, m_servoClock}, std::move(drivers)),
+      m_haptics({m_jobs, pool, m_services, m_servoClock}, std::move(drivers), this),
+      m_touch(m_haptics),
       m_pool(pool),
       m_tabs(new DocumentTabs(this)),
       m_fileActions(this, kinds.documents, m_uis, *m_tabs, m_jobs, m_recent, m_log),
@@ -75,6 +76,7 @@ void MainWindow::makeKinds(const KindSet& kinds) {
                           .tools = *m_tools,
                           .fidelity = m_fidelity,
                           .haptics = m_haptics,
+                          .touch = m_touch,
                           .saveAs = m_fileActions.saveAs(),
                           .isPanelVisible = [this] { return m_kindDock->isVisible(); },
                           .showPanel = &m_showPanel};

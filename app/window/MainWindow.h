@@ -14,6 +14,7 @@
 #include "window/Thumbnails.h"
 #include "window/WindowServices.h"
 #include "window/haptics/HapticSession.h"
+#include "window/haptics/TouchScene.h"
 
 #include <QMainWindow>
 #include <QUndoGroup>
@@ -25,6 +26,7 @@ class QToolBar;
 namespace handwheel {
 
 class CommandPalette;
+class DeviceView;
 class DocumentProperties;
 class DocumentsPanel;
 class DocumentTabs;
@@ -105,6 +107,7 @@ class MainWindow : public QMainWindow {
   FidelityChoice m_fidelity;
   MonotonicClock m_servoClock;
   HapticSession m_haptics;
+  TouchScene m_touch;
   KindUis m_uis;
   QThreadPool& m_pool;
   ShortcutModel m_keys;
@@ -132,6 +135,7 @@ class MainWindow : public QMainWindow {
   ViewSettings* m_viewSettings;
   ToolPanel* m_toolPanel;
   ToolHost* m_tools;
+  DeviceView* m_deviceView;
   ToolChoice* m_toolChoice;
   std::unique_ptr<KindPlace> m_kindPlace;
   CommandPalette* m_palette;

@@ -18,6 +18,7 @@
 #include "window/ToolPanel.h"
 #include "window/ViewActions.h"
 #include "window/ViewSettings.h"
+#include "window/haptics/DeviceView.h"
 
 #include <QDockWidget>
 #include <QLabel>
@@ -138,6 +139,7 @@ void MainWindow::showDocument(OpenDocument* document) {
   m_kindPlace->show(present);
   m_toolChoice->takeUp(document);
   m_viewSettings->followModel();
+  m_deviceView->followModel();
   if (!document) m_viewSettings->setSectionFigures({});
   for (QAction* action : m_viewActions->views() + m_viewActions->shadings()) action->setEnabled(document != nullptr);
   m_viewActions->fit()->setEnabled(document != nullptr);

@@ -23,6 +23,8 @@
 #include "window/ViewActions.h"
 #include "window/ViewSettings.h"
 #include "window/haptics/DeviceDock.h"
+#include "window/haptics/DevicePointer.h"
+#include "window/haptics/DeviceView.h"
 
 #include <QDockWidget>
 #include <QLabel>
@@ -69,8 +71,10 @@ void MainWindow::buildCentre() {
   column->addWidget(m_stack, 1);
   setCentralWidget(centre);
   m_viewActions = new ViewActions(*m_viewport, this);
+  m_deviceView = new DeviceView(m_haptics, *m_viewport, this);
   m_toolPanel = new ToolPanel(this);
   m_tools = new ToolHost(*m_viewport, *m_toolPanel, m_services.needs(), this);
+  new DevicePointer(m_haptics, *m_viewport, *m_tools, m_touch, m_tools);
   m_toolChoice = new ToolChoice(*m_tools, this);
   m_card = new NextStepCard(m_viewport);
   connect(m_viewport, &Viewport::graphicsFailed, m_messages, [this](const QString& problem) {

@@ -98,14 +98,20 @@ void ToolHost::choose(const std::string& tool, const std::string& setting, const
 
 // A hover is never kept from the view, which tells the lists what is under the cursor.
 bool ToolHost::take(const PointerInput& input) {
-  if (!m_runner.tool()) return false;
+  const ViewRay ray = m_viewport.rayAt(input.position);
+  const auto tip = m_mouseDevice ? m_mouseDevice(input, ray) : std::nullopt;
+  const bool isDepth = tip && input.kind == PointerInput::Kind::Wheel && !input.modifiers.testFlag(Qt::ControlModifier);
+  if (!m_runner.tool()) return isDepth;
   if (input.kind == PointerInput::Kind::Click && input.button == Qt::RightButton) {
     return m_runner.perform("revert") != ToolReply::Ignored;
   }
-  const auto event = eventOf(input, m_viewport.rayAt(input.position), m_viewport.camera());
+  PointerInput read = input;
+  if (isDepth) read.kind = PointerInput::Kind::Move;
+  auto event = eventOf(read, ray, m_viewport.camera());
   if (!event) return false;
+  event->device = tip;
   const bool used = m_runner.pointer(*event) != ToolReply::Ignored;
-  return used && event->kind != PointerEvent::Kind::Hover && event->kind != PointerEvent::Kind::Leave;
+  return isDepth || (used && event->kind != PointerEvent::Kind::Hover && event->kind != PointerEvent::Kind::Leave);
 }
 
 std::vector<Hint> ToolHost::hints() const {

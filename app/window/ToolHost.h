@@ -13,6 +13,7 @@ namespace handwheel {
 class ToolPanel;
 class Viewport;
 struct PointerInput;
+struct ViewRay;
 
 // Brings the tool in use together with viewport, keyboard and its settings: the mouse becomes pointer events, what the
 // tool previews is drawn, what it declares becomes hints.
@@ -28,6 +29,12 @@ class ToolHost : public QObject {
   // A setting of a tool: for the one that runs, and for the next time that such a one is started.
   void choose(const std::string& tool, const std::string& setting, const PropertyValue& value);
   ToolRunner& runner() { return m_runner; }
+  // What a haptic device does; the mouse comes by itself.
+  void point(const PointerEvent& event) { m_runner.pointer(event); }
+  // Where the mouse is the device: hears of each input before the tool does, and says where the tip is; none where the
+  // mouse is but a mouse. Then the wheel moves the tip, but for Ctrl, with which it is the camera's.
+  using MouseDevicePlace = std::function<std::optional<Pose>(const PointerInput&, const ViewRay&)>;
+  void setMouseDevice(MouseDevicePlace place) { m_mouseDevice = std::move(place); }
 
   // What the pointer and the keys do now, translated.
   std::vector<Hint> hints() const;
@@ -46,6 +53,7 @@ class ToolHost : public QObject {
   ToolPanel& m_panel;
   NeedSet& m_needs;
   ToolRunner m_runner;
+  MouseDevicePlace m_mouseDevice;
   std::vector<Need> m_needed;
   std::map<std::string, std::map<std::string, PropertyValue>> m_chosen;  // by tool
 };

@@ -228,6 +228,15 @@ void HapticSession::applyMapping(bool keepsTip) {
   WorkspaceMapping mapping = mappingInScene();
   mapping.keepsTip = keepsTip && !m_open->mouse;
   m_open->loop->setMapping(mapping);
+  const double felt = mapping.scale * mapping.forceGain;
+  if (std::exchange(m_scale, felt) != felt) emit scaleChanged();
+}
+
+void HapticSession::setTouch(const TouchSettings& touch) {
+  if (touch == m_touch) return;
+  m_touch = touch;
+  keepTouch(touch);
+  emit touchChanged();
 }
 
 void HapticSession::setForceOn(bool isOn) {

@@ -7,6 +7,7 @@
 #include "panels/MessageBar.h"
 #include "viewport/CameraState.h"
 #include "window/haptics/DeviceFinder.h"
+#include "window/haptics/TouchSettings.h"
 
 #include <QElapsedTimer>
 #include <QList>
@@ -66,6 +67,10 @@ class HapticSession : public QObject {
   // How the device lies in the scene now.
   WorkspaceMapping mappingInScene() const;
 
+  // How what is touched feels.
+  const TouchSettings& touch() const { return m_touch; }
+  void setTouch(const TouchSettings& touch);
+
   bool isForceOn() const { return m_isForceOn; }
   void setForceOn(bool isOn);
   // Pulls gently along each axis of the device, up to kTestForce, through the safety chain; the scene is not felt
@@ -89,7 +94,9 @@ class HapticSession : public QObject {
   void sampled();        // 60 times a second while one is open
   void sceneWanted();
   void forceOnChanged(bool isOn);
-  void mappingChanged();
+  void mappingChanged();  // the user's part
+  void scaleChanged();    // of the mapping in the scene
+  void touchChanged();
   void message(const handwheel::Message& message);
 
  private:
@@ -111,6 +118,8 @@ class HapticSession : public QObject {
   DeviceListing m_chosen;
   std::unique_ptr<OpenDevice> m_open;
   WorkspaceMapping m_mapping;
+  double m_scale = 1.0;  // mm in the scene times N at the device, for one mm and one N on the other side
+  TouchSettings m_touch = keptTouch();
   CameraState m_camera;
   Box m_model;
   QTimer m_timer;

@@ -40,7 +40,8 @@ MeshUi::MeshUi(const WindowParts& parts, MeshKind& kind)
       m_section(parts.viewport, parts.pool),
       m_panels(new QStackedWidget(parts.window)),
       m_scene(new DefectScene(parts.viewport, m_selection, *m_panel->model(), this)),
-      m_tools(parts.tools, parts.pool, m_selection, m_preview, m_actions, m_jobs) {
+      m_tools(parts.tools, parts.pool, m_selection, m_preview, m_actions, m_jobs),
+      m_touch(parts.haptics, parts.touch, parts.pool) {
   m_panels->setMinimumWidth(264);
   m_panels->addWidget(m_panel);
   m_panels->addWidget(m_deviation.panel());
@@ -132,6 +133,7 @@ void MeshUi::setDocument(OpenDocument* document) {
   m_scene->setDocument(m_document);
   m_deviation.setDocument(m_document);
   m_section.setDocument(m_document);
+  m_touch.setDocument(m_document);
   m_tools.setDocument(m_document);
   m_search.setDocument(m_document);
   m_actions.setDocument(m_document);
@@ -144,6 +146,7 @@ void MeshUi::refreshVisibility() {
   m_scene->refreshVisibility();
   m_deviation.redraw();
   m_section.redraw();
+  m_touch.refreshVisibility();
 }
 
 QList<QAction*> MeshUi::toolBar() {
@@ -217,7 +220,7 @@ QString MeshUi::suggestedName(const OpenDocument& document) const {
 }
 
 bool MeshUi::isSettled() const {
-  return m_search.isIdle() && m_preview.state().kind != PreviewState::Kind::Working;
+  return m_search.isIdle() && m_touch.isSettled() && m_preview.state().kind != PreviewState::Kind::Working;
 }
 
 }  // namespace handwheel

@@ -7,6 +7,7 @@
 #include "window/mesh/DeviationView.h"
 #include "window/mesh/HolePreview.h"
 #include "window/mesh/MeshTools.h"
+#include "window/mesh/MeshTouch.h"
 #include "window/mesh/RepairActions.h"
 #include "window/mesh/RepairJobs.h"
 #include "window/mesh/SectionView.h"
@@ -74,6 +75,7 @@ class MeshUi : public KindUi {
   QPointer<QStackedWidget> m_panels;  // the one of the two that is shown
   DefectScene* m_scene;
   MeshTools m_tools;
+  MeshTouch m_touch;
   OpenMesh* m_document = nullptr;
 };
 

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/haptics/DevicePointer.h"
+
+#include "viewport/Viewport.h"
+#include "window/ToolHost.h"
+#include "window/haptics/HapticSession.h"
+#include "window/haptics/TouchScene.h"
+
+#include <QGuiApplication>
+
+namespace handwheel {
+
+namespace {
+
+constexpr std::uint32_t kFirst = 1u << 0, kSecond = 1u << 1;
+constexpr double kStill = 0.25;  // pixels: a hand that moves less moves nothing
+// A tip that lies in the surface itself would begin behind it as often as before it.
+constexpr double kClear = 2.0;          // pixels
+constexpr double kNotch = 15.0;         // degrees of the wheel
+constexpr double kDepthOfNotch = 0.01;  // of the height of the view
+
+double pixelOf(const Viewport& viewport) {
+  return viewport.camera().height / std::max(1, viewport.height());
+}
+
+}  // namespace
+
+DevicePointer::DevicePointer(HapticSession& session, Viewport& viewport, ToolHost& tools, TouchScene& scene,
+                             QObject* parent)
+    : QObject(parent), m_session(session), m_viewport(viewport), m_tools(tools), m_scene(scene) {
+  connect(&session, &HapticSession::sampled, this, &DevicePointer::follow);
+  connect(&session, &HapticSession::chosenChanged, this, &DevicePointer::follow);
+  connect(&tools, &ToolHost::updated, this, &DevicePointer::pull);
+  tools.setMouseDevice([this](const PointerInput& input, const ViewRay& ray) { return placeMouse(input, ray); });
+}
+
+DevicePointer::~DevicePointer() {
+  m_tools.setMouseDevice({});
+}
+
+void DevicePointer::follow() {
+  if (m_session.mouse()) return;  // its events come from the window
+  const ServoSample* const sample = m_session.latest();
+  const bool isThere = sample && sample->device.status == DeviceStatus::Ready && !m_session.isTesting();
+  isThere ? point(*sample) : letGo();
+}
+
+void DevicePointer::point(const ServoSample& sample) {
+  const std::uint32_t buttons = sample.device.buttons & ~m_session.mapping().clutchButtons;
+  const bool isHeld = (buttons & kFirst) != 0, isSecondHeld = (buttons & kSecond) != 0;
+  PointerEvent event = eventAt(sample);
+  if (isHeld != m_isHeld) {
+    m_isHeld = isHeld;
+    event.kind = isHeld ? PointerEvent::Kind::Press : PointerEvent::Kind::Release;
+    event.button = PointerButton::First;
+    m_tools.point(event);
+    pull();
+  } else if (!m_isPointing || (sample.tip.position - m_last).norm() > kStill * event.pixel) {
+    event.kind = isHeld ? PointerEvent::Kind::Drag : PointerEvent::Kind::Hover;
+    event.button = isHeld ? PointerButton::First : PointerButton::None;
+    m_tools.point(event);
+  } else if (isSecondHeld == m_isSecondHeld) {
+    return;
+  }
+  m_isPointing = true;
+  m_last = sample.tip.position;
+  if (isSecondHeld && !m_isSecondHeld) {
+    event.kind = PointerEvent::Kind::Press;
+    event.button = PointerButton::Second;
+    m_tools.point(event);
+  }
+  m_isSecondHeld = isSecondHeld;
+}
+
+// A device that goes takes its hand off: nothing may stay in the air that the next one would drag on.
+void DevicePointer::letGo() {
+  if (!m_isPointing) return;
+  m_isPointing = m_isSecondHeld = false;
+  if (std::exchange(m_isHeld, false)) m_tools.runner().perform("revert");
+  PointerEvent event;
+  event.kind = PointerEvent::Kind::Leave;
+  m_tools.point(event);
+  pull();
+}
+
+// Tools ask what is seen along the line of sight, so the ray is that through the place at which the cursor is shown;
+// where the hand itself is, which may be below the surface, tells the pose.
+PointerEvent DevicePointer::eventAt(const ServoSample& sample) const {
+  const CameraState camera = m_viewport.camera();
+  const Vec3& place = sample.felt.proxy;
+  PointerEvent event;
+  event.pixel = pixelOf(m_viewport);
+  const Qt::KeyboardModifiers keys = QGuiApplication::keyboardModifiers();
+  event.modifiers = {keys.testFlag(Qt::ShiftModifier), keys.testFlag(Qt::ControlModifier),
+                     keys.testFlag(Qt::AltModifier)};
+  event.device = Eigen::Translation3d(sample.tip.position) * sample.tip.orientation;
+  if (camera.projection == Projection::Perspective) {
+    event.eye = camera.eye();
+    event.focus = camera.eyeDistance();
+    event.ray = {camera.eye(), (place - camera.eye()).stableNormalized()};
+  } else {
+    const Box model = m_viewport.bounds();
+    const double before = camera.height + (model.isEmpty() ? 0.0 : model.diagonal().norm());
+    event.ray = {place + before * camera.towardsViewer(), -camera.towardsViewer()};
+  }
+  return event;
+}
+
+// While nothing is held, a tool's springs would pull from any distance to what is only under the cursor.
+void DevicePointer::pull() {
+  if (!m_session.isOpen()) return;
+  const Tool* const tool = m_tools.runner().tool();
+  m_scene.setSprings(tool && m_isHeld ? tool->forces() : std::vector<ForceTerm>());
+}
+
+std::optional<Pose> DevicePointer::placeMouse(const PointerInput& input, const ViewRay& ray) {
+  MouseDevice* const mouse = m_session.mouse();
+  if (!mouse) return std::nullopt;
+  if (input.kind == PointerInput::Kind::Leave) {
+    mouse->leave();
+    m_depth.resetWheel();
+    return std::nullopt;
+  }
+  m_isHeld = input.held.testFlag(Qt::LeftButton);
+  if (input.kind == PointerInput::Kind::Wheel && !input.modifiers.testFlag(Qt::ControlModifier))
+    m_depth.turnWheel(input.wheel / kNotch, kDepthOfNotch * m_viewport.camera().height);
+  const Pick under = m_isHeld ? Pick{} : m_viewport.pickAlong(ray.origin, ray.direction);
+  if (!under.isNothing()) m_depth.setSurface((under.point - ray.origin).norm() - kClear * pixelOf(m_viewport));
+  const Vec3 place = m_depth.place(ray.origin, ray.direction);
+  mouse->point(place, (m_isHeld ? kFirst : 0u) | (input.held.testFlag(Qt::RightButton) ? kSecond : 0u));
+  return Pose(Eigen::Translation3d(place) * m_viewport.camera().orientation);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/haptics/DeviceView.h"
+
+#include "viewport/Viewport.h"
+#include "window/haptics/HapticSession.h"
+
+namespace handwheel {
+
+DeviceView::DeviceView(HapticSession& session, Viewport& viewport, QObject* parent)
+    : QObject(parent), m_session(session), m_viewport(viewport) {
+  connect(&viewport, &Viewport::cameraChanged, this, &DeviceView::followCamera);
+  connect(&session, &HapticSession::sampled, this, &DeviceView::draw);
+  connect(&session, &HapticSession::chosenChanged, this, &DeviceView::draw);
+}
+
+void DeviceView::followModel() {
+  followCamera();
+  m_session.recentre();
+}
+
+void DeviceView::followCamera() {
+  m_session.setView(m_viewport.camera(), m_viewport.bounds());
+}
+
+void DeviceView::draw() {
+  const ServoSample* const last = m_session.latest();
+  if (!last || last->device.status != DeviceStatus::Ready) return m_viewport.setDeviceCursor({});
+  DeviceCursor cursor;
+  cursor.tip = last->tip.position;
+  cursor.proxy = last->felt.proxy;
+  cursor.force = last->felt.force;
+  const WorkspaceMapping mapping = m_session.mappingInScene();
+  cursor.limit = m_session.capabilities().maxForce / mapping.forceGain;
+  m_viewport.setDeviceCursor(cursor);
+}
+
+}  // namespace handwheel

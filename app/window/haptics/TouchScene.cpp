@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/haptics/TouchScene.h"
+
+#include "window/haptics/HapticSession.h"
+
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kSnapStiffness = 0.3;  // N/mm at the device
+constexpr double kFeltAtOnce = 0.2;     // N: a smaller leap of the springs needs no ramp
+
+Vec3 forceOf(const std::vector<ForceTerm>& terms, const Vec3& tip) {
+  Vec3 sum = Vec3::Zero();
+  for (const ForceTerm& term : terms) sum += term.stiffness * (term.target - tip);
+  return sum;
+}
+
+bool isSame(const ForceTerm& a, const ForceTerm& b) {
+  return a.target == b.target && a.stiffness == b.stiffness;
+}
+
+}  // namespace
+
+TouchScene::TouchScene(HapticSession& session, QObject* parent) : QObject(parent), m_session(session) {
+  connect(&session, &HapticSession::sceneWanted, this, [this] { publish(true); });
+  connect(&session, &HapticSession::touchChanged, this, [this] { publish(true); });
+  connect(&session, &HapticSession::scaleChanged, this, [this] { publish(false); });
+}
+
+void TouchScene::setSurface(std::optional<ContactSurface> surface, bool isEdit) {
+  if (!surface && !m_surface) return;
+  m_surface = std::move(surface);
+  publish(!isEdit);
+}
+
+void TouchScene::setSnap(std::optional<SnapField> field, double distance) {
+  if (!field && !m_snap) return;
+  m_snap = std::move(field);
+  m_snapDistance = distance;
+  publish(true);
+}
+
+void TouchScene::setSprings(const std::vector<ForceTerm>& terms) {
+  if (std::equal(terms.begin(), terms.end(), m_terms.begin(), m_terms.end(), isSame)) return;
+  const bool mayLeap = leapOf(terms) > kFeltAtOnce;
+  m_terms = terms;
+  publish(mayLeap);
+}
+
+// N at the device where the tip is now.
+double TouchScene::leapOf(const std::vector<ForceTerm>& terms) const {
+  const ServoSample* const last = m_session.latest();
+  if (!last) return 0.0;
+  const Vec3& tip = last->tip.position;
+  return (forceOf(terms, tip) - forceOf(m_terms, tip)).norm() / m_session.mappingInScene().scale;
+}
+
+// Stiffnesses are those at the hand: what would be soft in a view from afar is as stiff as in one from near.
+void TouchScene::publish(bool mayLeap) {
+  if (!m_session.isOpen()) return;
+  const WorkspaceMapping mapping = m_session.mappingInScene();
+  const TouchSettings& touch = m_session.touch();
+  SceneFeel feel;
+  if (m_surface) {
+    feel.surface =
+        SurfaceFeel{*m_surface, mapping.sceneStiffness(touch.stiffness), mapping.sceneStiffness(touch.damping), {}};
+    feel.surface->contact.friction = touch.friction;
+  }
+  if (m_snap) {
+    const SnapProfile profile(SnapShape::Quadratic, mapping.sceneStiffness(kSnapStiffness), m_snapDistance);
+    feel.snap = SnapFeel{*m_snap, profile, SnapMethod::Proxy, SnapSum::kMost};
+  }
+  for (const ForceTerm& term : m_terms) feel.springs.push_back({term.target, mapping.sceneStiffness(term.stiffness)});
+  auto scene = std::make_unique<HapticScene>();
+  scene->source = std::make_unique<SceneForces>(std::move(feel));
+  scene->mayLeap = mayLeap;
+  m_session.setScene(std::move(scene));
+}
+
+}  // namespace handwheel

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/SceneForces.h"
+#include "haptics/SnapScene.h"
+#include "tools/Tool.h"
+
+#include <QObject>
+
+namespace handwheel {
+
+class HapticSession;
+
+// What the device of a session feels: the surface of the model in view, what draws the tip, and what the tool in use
+// pulls with. Handed to the servo loop whole with each change; nothing is kept or handed over while no device is open.
+// Window thread.
+class TouchScene : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit TouchScene(HapticSession& session, QObject* parent = nullptr);
+
+  // isEdit: the same surface after an edit, which may be felt at once. Else the force comes back by the ramp.
+  void setSurface(std::optional<ContactSurface> surface, bool isEdit);
+  // What draws the tip within `distance` (mm in the scene).
+  void setSnap(std::optional<SnapField> field, double distance);
+  // Springs of the tool; stiffnesses as they are felt at the device.
+  void setSprings(const std::vector<ForceTerm>& terms);
+
+  bool hasSurface() const { return m_surface.has_value(); }
+  bool hasSnap() const { return m_snap.has_value(); }
+
+ private:
+  void publish(bool mayLeap);
+  double leapOf(const std::vector<ForceTerm>& terms) const;
+
+  HapticSession& m_session;
+  std::optional<ContactSurface> m_surface;
+  std::optional<SnapField> m_snap;
+  double m_snapDistance = 0.0;
+  std::vector<ForceTerm> m_terms;
+};
+
+}  // namespace handwheel

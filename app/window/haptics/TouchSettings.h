@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Property.h"
+
+namespace handwheel {
+
+// How surfaces feel to the hand, whatever document is open and however it is seen: lengths and forces are those at the
+// device. Kept in the settings.
+struct TouchSettings {
+  double stiffness = 0.5;  // N/mm
+  double damping = 0.0;    // N·s/mm, along the normal
+  double friction = 0.0;   // Coulomb's µ
+
+  bool operator==(const TouchSettings&) const = default;
+};
+
+// Those that were kept; what is missing there or makes no sense is as above.
+TouchSettings keptTouch();
+void keepTouch(const TouchSettings& touch);
+
+// As a form, and one value of it. Unknown names and values that are no numbers change nothing; others are brought
+// between the limits.
+std::vector<Property> propertiesOf(const TouchSettings& touch);
+void setProperty(TouchSettings& touch, std::string_view id, const PropertyValue& value);
+
+}  // namespace handwheel

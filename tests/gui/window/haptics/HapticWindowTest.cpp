@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../StlFiles.h"
+#include "../WindowDriver.h"
+#include "../WindowTestMain.h"
+#include "MeshShapes.h"
+#include "window/haptics/HapticSession.h"
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+// A ball of this radius about the origin, closed.
+constexpr double kRadius = 50.0;
+
+std::vector<Corners> ballOf(int levels, const Vec3& centre, double radius) {
+  const TriangleSoup soup = moved(icosphere(levels), centre, radius);
+  std::vector<Corners> all;
+  for (const Triangle& t : soup.triangles) {
+    Corners corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& p = soup.points[t[k]];
+      corners[k] = {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
+    }
+    all.push_back(corners);
+  }
+  return all;
+}
+
+// A window with a ball in it and the simulated hand open.
+struct HandBench {
+  WindowDriver driver;
+  HapticSession& session;
+
+  HandBench() : session(*driver.window().findChild<HapticSession*>()) {}
+  ~HandBench() { session.close(); }
+
+  bool begin(const QString& file) {
+    if (!driver.open(file)) return false;
+    session.choose("simulated", "hand");
+    return QTest::qWaitFor([this] { return session.latest() != nullptr; }, kPatienceMs) && driver.settle();
+  }
+  // The hand goes to where this place in the scene is for it.
+  void leadTo(const Vec3& place, std::uint32_t buttons = 0) {
+    const WorkspaceMapping mapping = session.mappingInScene();
+    HandPose pose;
+    pose.position = mapping.viewFromDevice().transpose() * (mapping.sceneFromView.inverse() * place) / mapping.scale;
+    pose.buttons = buttons;
+    session.simulatedHand()->setTarget(pose);
+  }
+  const ServoSample& now() { return *session.latest(); }
+  bool waitForContact() {
+    return QTest::qWaitFor([this] { return now().felt.isContact && now().felt.force.norm() > 0.0; }, kPatienceMs);
+  }
+};
+
+}  // namespace
+
+// A haptic device in the window, with the simulated hand in its place.
+class HapticWindowTest : public QObject {
+  Q_OBJECT
+
+ private:
+  QTemporaryDir m_folder;
+
+  QString ball() {
+    const QString path = m_folder.filePath(QStringLiteral("ball.stl"));
+    writeStl(path, ballOf(3, Vec3::Zero(), kRadius));
+    return path;
+  }
+  // Where a place appears in the view.
+  static QPoint pixelOf(HandBench& b, const Vec3& place) {
+    const auto* view = b.driver.find<Viewport>("viewport");
+    const Vec2 at = CameraNavigation(view->camera(), Vec2(view->width(), view->height())).toScreen(place);
+    return {static_cast<int>(at.x()), static_cast<int>(at.y())};
+  }
+  static Vec3 towardsViewer(HandBench& b) { return b.driver.find<Viewport>("viewport")->camera().towardsViewer(); }
+
+ private slots:
+  void init() { QSettings().clear(); }
+
+  // Pushed into the ball the tip stays outside, and the hand is pushed back, outwards.
+  void theModelIsFelt() {
+    HandBench b;
+    QVERIFY(b.begin(ball()));
+    const Vec3 out = towardsViewer(b);
+    b.leadTo(1.3 * kRadius * out);
+    QTRY_VERIFY_WITH_TIMEOUT((b.now().tip.position - 1.3 * kRadius * out).norm() < 1.0, kPatienceMs);
+    QVERIFY(!b.now().felt.isContact);
+    b.leadTo(0.8 * kRadius * out);
+    QVERIFY(b.waitForContact());
+    QTRY_VERIFY_WITH_TIMEOUT(b.now().sent.force.norm() > 0.05, kPatienceMs);  // after the ramp
+    const ForceOut felt = b.now().felt;
+    QVERIFY(felt.proxy.norm() > 0.99 * kRadius && felt.proxy.norm() < 1.01 * kRadius);
+    QVERIFY(felt.force.normalized().dot(felt.proxy.normalized()) > 0.95);
+    QVERIFY(b.now().tip.position.norm() < felt.proxy.norm());
+  }
+
+  // What is hidden, closed, or another document is not felt any more.
+  void onlyWhatIsSeenIsFelt() {
+    HandBench b;
+    QVERIFY(b.begin(ball()));
+    const Vec3 out = towardsViewer(b);
+    b.leadTo(0.8 * kRadius * out);
+    QVERIFY(b.waitForContact());
+    const QString far = m_folder.filePath(QStringLiteral("far.stl"));
+    writeStl(far, ballOf(2, Vec3(1e4, 0, 0), 1.0));
+    QVERIFY(b.driver.open(far));
+    QTRY_VERIFY_WITH_TIMEOUT(!b.now().felt.isContact, kPatienceMs);
+    QVERIFY((b.now().tip.position - Vec3(1e4, 0, 0)).norm() < 100.0);  // before the other model
+  }
+
+  // An edit is felt where it was made; undone, what was there is felt again.
+  void editsAreFelt() {
+    HandBench b;
+    QVERIFY(b.begin(ball()));
+    const Vec3 out = towardsViewer(b);
+    b.leadTo(0.9 * kRadius * out);
+    QVERIFY(b.waitForContact());
+    b.driver.find<QAction>("selectTool")->trigger();
+    auto* view = b.driver.find<Viewport>("viewport");
+    QTRY_VERIFY(view->isPickingReady());
+    QTest::mouseClick(view, Qt::LeftButton, {}, pixelOf(b, kRadius * out));
+    QTRY_VERIFY(b.driver.find<QAbstractButton>("toolAction/delete")->isEnabled());
+    b.driver.find<QAbstractButton>("toolAction/delete")->click();
+    QVERIFY(b.driver.settle());
+    QVERIFY(b.driver.find<QAction>("undo")->isEnabled());
+    b.leadTo(1.3 * kRadius * out);
+    QTRY_VERIFY_WITH_TIMEOUT(!b.now().felt.isContact, kPatienceMs);
+    b.leadTo(0.5 * kRadius * out);  // through the hole
+    QTRY_VERIFY_WITH_TIMEOUT(b.now().tip.position.norm() < 0.6 * kRadius, kPatienceMs);
+    QVERIFY(!b.now().felt.isContact);
+  }
+
+  // The tip on the ball, the first button: what the mouse selects by a click the hand selects by its button.
+  void theHandSelects() {
+    HandBench b;
+    QVERIFY(b.begin(ball()));
+    b.driver.find<QAction>("selectTool")->trigger();
+    QVERIFY(b.driver.settle());
+    const Vec3 out = towardsViewer(b);
+    b.leadTo(0.97 * kRadius * out);
+    QVERIFY(b.waitForContact());
+    QVERIFY(!b.driver.find<QAbstractButton>("toolAction/delete")->isEnabled());
+    b.leadTo(0.97 * kRadius * out, 1);
+    QTRY_COMPARE_WITH_TIMEOUT(b.now().device.buttons, 1u, kPatienceMs);
+    b.leadTo(0.97 * kRadius * out, 0);
+    QTRY_VERIFY(b.driver.find<QAbstractButton>("toolAction/delete")->isEnabled());
+    QVERIFY(!b.driver.find<QAction>("undo")->isEnabled());
+  }
+
+  // A drag of the hand is one step, and while it lasts the tool pulls at the hand.
+  void aDragIsOneStep() {
+    HandBench b;
+    QVERIFY(b.begin(ball()));
+    b.driver.find<QAction>("sculptTool")->trigger();
+    QVERIFY(b.driver.settle());
+    const Vec3 out = towardsViewer(b);
+    b.leadTo(0.97 * kRadius * out);
+    QVERIFY(b.waitForContact());
+    b.leadTo(0.97 * kRadius * out, 1);
+    QTRY_COMPARE_WITH_TIMEOUT(b.now().device.buttons, 1u, kPatienceMs);
+    b.leadTo(1.2 * kRadius * out, 1);
+    QTRY_VERIFY_WITH_TIMEOUT(b.now().tip.position.norm() > 1.1 * kRadius, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(b.now().felt.force.dot(out) < -0.01, kPatienceMs);  // back to where it took hold
+    b.leadTo(1.2 * kRadius * out, 0);
+    QTRY_VERIFY_WITH_TIMEOUT(b.driver.find<QAction>("undo")->isEnabled(), kPatienceMs);
+    QVERIFY(b.driver.settle());
+    QTRY_VERIFY_WITH_TIMEOUT(b.now().felt.force.isZero(0.0), kPatienceMs);
+    b.driver.find<QAction>("undo")->trigger();
+    QVERIFY(!b.driver.find<QAction>("undo")->isEnabled());
+  }
+
+  // The tip of the mouse lies on the surface; turned away from the user, the wheel pushes it in and the surface pushes
+  // back, while the camera stays. With Ctrl the wheel is the camera's.
+  void theMouseAsADevice() {
+    HandBench b;
+    QVERIFY(b.driver.open(ball()));
+    b.session.choose("mouse", "pointer");
+    auto* view = b.driver.find<Viewport>("viewport");
+    QTRY_VERIFY_WITH_TIMEOUT(b.session.latest() && view->isPickingReady() && b.driver.window().isSettled(),
+                             kPatienceMs);
+    const QPoint middle = pixelOf(b, kRadius * towardsViewer(b));
+    QTest::mouseMove(view, middle + QPoint(5, 5));
+    QTest::mouseMove(view, middle);
+    const auto isOnBall = [&] { return std::abs(b.now().tip.position.norm() - kRadius) < 0.02 * kRadius; };
+    QTRY_VERIFY_WITH_TIMEOUT(isOnBall() && b.now().device.status == DeviceStatus::Ready, kPatienceMs);
+    const double height = view->camera().height;
+    const auto turn = [&](Qt::KeyboardModifiers keys) {
+      QWheelEvent wheel(middle, view->mapToGlobal(middle), {}, {0, 480}, Qt::NoButton, keys, Qt::NoScrollPhase, false);
+      QCoreApplication::sendEvent(view, &wheel);
+    };
+    turn({});
+    QTRY_VERIFY_WITH_TIMEOUT(b.now().felt.isContact, kPatienceMs);
+    QVERIFY(b.now().felt.force.dot(towardsViewer(b)) > 0.0);
+    QVERIFY(isOnBall() || b.now().tip.position.norm() < kRadius);
+    QCOMPARE(view->camera().height, height);
+    turn(Qt::ControlModifier);
+    QVERIFY(view->camera().height < height);
+  }
+
+  // Nothing of all that without a device.
+  void withoutADeviceThereIsNoScene() {
+    WindowDriver driver;
+    QVERIFY(driver.open(ball()));
+    auto* view = driver.find<Viewport>("viewport");
+    auto& session = *driver.window().findChild<HapticSession*>();
+    QVERIFY(!session.isOpen() && !session.latest());
+    view->grabImage();
+    QTest::qWait(300);
+    const int frames = view->framesDrawn();
+    QTest::qWait(200);
+    QCOMPARE(view->framesDrawn(), frames);
+  }
+};
+
+HANDWHEEL_WINDOW_TEST(HapticWindowTest)
+#include "HapticWindowTest.moc"
