@@ -83,6 +83,7 @@ void DevicePanel::addPages() {
   m_pages->setObjectName(QStringLiteral("devicePages"));
   m_pages->setDocumentMode(true);
   m_pages->tabBar()->setObjectName(QStringLiteral("panelPages"));
+  m_pages->tabBar()->setDrawBase(false);
   m_pages->tabBar()->setAccessibleName(tr("About the device"));
   m_pages->addTab(scrolling(m_live), tr("Live"));
   m_pages->addTab(m_mapping, tr("Mapping"));
