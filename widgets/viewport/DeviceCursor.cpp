@@ -15,6 +15,7 @@ constexpr double kArrowLength = 72.0;  // pixels at the limit of the force
 constexpr double kLeastForce = 1e-3;   // of the limit; less is no arrow
 constexpr double kLeastSize = 0.6, kLargestSize = 1.8;
 constexpr double kHeadLength = 10.0, kHeadWidth = 5.0;
+constexpr double kGaugeGap = 5.0;  // pixels between ball and gauge
 constexpr double kHiddenOpacity = 0.4;
 
 // Under parallel projection nothing grows as it comes nearer; the cursor does, as depth could not be told otherwise.
@@ -68,6 +69,21 @@ void paintArrow(QPainter& painter, const CursorLook& look, const SceneColours& c
     painter.setBrush(colour);
     painter.setPen(QPen(colour, isRim ? 3.0 : 0.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPolygon(tip);
+  }
+}
+
+// The share of the limit once more, as a ring that closes: an arrow towards the viewer, of a push straight into the
+// model, is not seen.
+void paintGauge(QPainter& painter, const CursorLook& look, const SceneColours& colours) {
+  if (!look.proxy || look.load <= 0.0) return;
+  const double radius = look.radius + kGaugeGap;
+  const QRectF box(pointOf(*look.proxy) - QPointF(radius, radius), QSizeF(2.0 * radius, 2.0 * radius));
+  constexpr int kTurn = 360 * 16, kTop = 90 * 16;  // Qt's sixteenths of a degree
+  painter.setBrush(Qt::NoBrush);
+  for (const bool isRim : {true, false}) {
+    const QColor colour = isRim ? colours.casing : colourOf(look.load);
+    painter.setPen(QPen(colour, isRim ? 5.0 : 3.0, Qt::SolidLine, Qt::FlatCap));
+    painter.drawArc(box, kTop, -static_cast<int>(kTurn * look.load));
   }
 }
 
@@ -127,6 +143,7 @@ void paintCursor(QPainter& painter, const DeviceCursor& cursor, const CameraNavi
   paintTip(painter, look, colours);
   paintProxy(painter, look, colours);
   painter.setOpacity(1.0);
+  paintGauge(painter, look, colours);
   paintArrow(painter, look, colours);
   painter.restore();
 }

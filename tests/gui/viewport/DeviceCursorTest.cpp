@@ -111,6 +111,19 @@ class DeviceCursorTest : public PictureFixture {
     QVERIFY(spread(bare, touching, view.toScreen(cursor.proxy), 5.0) > 0.99);
     QVERIFY(spread(bare, touching, view.toScreen(cursor.tip), 9.0) > 0.1);
     QVERIFY(spread(bare, touching, *lookOf(cursor, view).arrow + Vec2(4, 0), 1.0) > 0.9);
+    // Straight towards the viewer no arrow is seen, but a ring that is closed at the limit, and half of it at half.
+    cursor = cursorAt(Vec3(10, 12, 0));
+    cursor.limit = 5.0;
+    cursor.force = Vec3(0, 0, 5);
+    const CursorLook look = lookOf(cursor, view);
+    const Vec2 left = *look.proxy - Vec2(look.radius + 5.0, 0), right = *look.proxy + Vec2(look.radius + 5.0, 0);
+    m_view->setDeviceCursor(cursor);
+    const QImage full = m_view->grabImage();
+    QVERIFY(spread(bare, full, left, 1.0) > 0.9 && spread(bare, full, right, 1.0) > 0.9);
+    cursor.force = Vec3(0, 0, 2.5);
+    m_view->setDeviceCursor(cursor);
+    const QImage half = m_view->grabImage();
+    QVERIFY(spread(bare, half, left, 1.0) < 0.1 && spread(bare, half, right, 1.0) > 0.9);
     m_view->setDeviceCursor({});
     QVERIFY(m_view->grabImage() == bare);
   }
