@@ -95,6 +95,8 @@ class Tool {
     (void)value;
   }
   virtual std::vector<ForceTerm> forces() const { return {}; }
+  // Whether the tip of a device is to be drawn to the points of open edges, as long as nothing is held.
+  virtual bool wantsBoundaryPoints() const { return false; }
 
   // The document has changed under the tool: what it had begun is dropped.
   virtual void documentChanged() {}

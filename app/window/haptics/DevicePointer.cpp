@@ -111,6 +111,7 @@ PointerEvent DevicePointer::eventAt(const ServoSample& sample) const {
 void DevicePointer::pull() {
   if (!m_session.isOpen()) return;
   const Tool* const tool = m_tools.runner().tool();
+  m_scene.setHolding(m_isHeld);
   m_scene.setSprings(tool && m_isHeld ? tool->forces() : std::vector<ForceTerm>());
 }
 

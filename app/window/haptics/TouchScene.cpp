@@ -37,11 +37,16 @@ void TouchScene::setSurface(std::optional<ContactSurface> surface, bool isEdit) 
   publish(!isEdit);
 }
 
-void TouchScene::setSnap(std::optional<SnapField> field, double distance) {
+void TouchScene::setSnap(std::optional<SnapField> field, double distance, bool isEdit) {
   if (!field && !m_snap) return;
   m_snap = std::move(field);
   m_snapDistance = distance;
-  publish(true);
+  publish(!isEdit);
+}
+
+// What draws the tip is weak near what it draws it to, where a button is pressed: no ramp is needed.
+void TouchScene::setHolding(bool isHolding) {
+  if (std::exchange(m_isHolding, isHolding) != isHolding && m_snap) publish(false);
 }
 
 void TouchScene::setSprings(const std::vector<ForceTerm>& terms) {
@@ -70,7 +75,7 @@ void TouchScene::publish(bool mayLeap) {
         SurfaceFeel{*m_surface, mapping.sceneStiffness(touch.stiffness), mapping.sceneStiffness(touch.damping), {}};
     feel.surface->contact.friction = touch.friction;
   }
-  if (m_snap) {
+  if (m_snap && !m_isHolding) {
     const SnapProfile profile(SnapShape::Quadratic, mapping.sceneStiffness(kSnapStiffness), m_snapDistance);
     feel.snap = SnapFeel{*m_snap, profile, SnapMethod::Proxy, SnapSum::kMost};
   }

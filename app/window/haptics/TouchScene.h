@@ -23,8 +23,9 @@ class TouchScene : public QObject {
 
   // isEdit: the same surface after an edit, which may be felt at once. Else the force comes back by the ramp.
   void setSurface(std::optional<ContactSurface> surface, bool isEdit);
-  // What draws the tip within `distance` (mm in the scene).
-  void setSnap(std::optional<SnapField> field, double distance);
+  // What draws the tip within `distance` (mm in the scene), as long as nothing is held. isEdit: as above.
+  void setSnap(std::optional<SnapField> field, double distance, bool isEdit);
+  void setHolding(bool isHolding);
   // Springs of the tool; stiffnesses as they are felt at the device.
   void setSprings(const std::vector<ForceTerm>& terms);
 
@@ -39,6 +40,7 @@ class TouchScene : public QObject {
   std::optional<ContactSurface> m_surface;
   std::optional<SnapField> m_snap;
   double m_snapDistance = 0.0;
+  bool m_isHolding = false;
   std::vector<ForceTerm> m_terms;
 };
 

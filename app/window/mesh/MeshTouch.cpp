@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/MeshTouch.h"
 
+#include "haptics/SnapScene.h"
 #include "haptics/TouchableSurface.h"
+#include "window/FidelityChoice.h"
+#include "window/KindUi.h"
+#include "window/ToolHost.h"
 #include "window/haptics/HapticSession.h"
 #include "window/haptics/TouchScene.h"
 #include "window/mesh/OpenMesh.h"
@@ -14,11 +18,39 @@ namespace {
 // More are not brought up to date on the window thread, where they would take longer than a frame.
 constexpr std::size_t kMostAtOnce = 10'000;
 
+// The points of the edges around holes, and of the outer ones.
+SnapScene boundaryPoints(const HalfEdgeMesh& mesh, const std::vector<BoundaryLoop>& loops, Progress progress) {
+  struct Rim {
+    std::vector<Vec3> points;
+    std::vector<std::uint32_t> vertices;
+  };
+  std::vector<Rim> kept(loops.size());
+  std::vector<SnapRim> rims;
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    for (const HalfEdge h : loops[i].halfEdges) {
+      kept[i].vertices.push_back(mesh.from(h));
+      kept[i].points.push_back(mesh.position(mesh.from(h)));
+    }
+    rims.push_back({static_cast<std::uint32_t>(i), kept[i].points, kept[i].vertices, loops[i].halfEdges});
+  }
+  return snapSceneOf(rims, {.vertices = true, .edges = false, .rims = false}, progress);
+}
+
 }  // namespace
 
-MeshTouch::MeshTouch(HapticSession& session, TouchScene& scene, QThreadPool& pool, QObject* parent)
-    : QObject(parent), m_session(session), m_scene(scene), m_making(JobRunner::Policy::Latest, pool) {
-  connect(&session, &HapticSession::chosenChanged, this, &MeshTouch::followSession);
+MeshTouch::MeshTouch(const WindowParts& parts, QObject* parent)
+    : QObject(parent),
+      m_session(parts.haptics),
+      m_scene(parts.touch),
+      m_tools(parts.tools),
+      m_fidelity(parts.fidelity),
+      m_making(JobRunner::Policy::Latest, parts.pool),
+      m_gathering(JobRunner::Policy::Latest, parts.pool) {
+  connect(&m_session, &HapticSession::chosenChanged, this, &MeshTouch::followSession);
+  connect(&m_tools, &ToolHost::updated, this, &MeshTouch::followTool);
+  connect(&m_fidelity, &FidelityChoice::changed, this, [this] {
+    if (m_isSnapping) gather(false);
+  });
 }
 
 void MeshTouch::setDocument(OpenMesh* document) {
@@ -39,7 +71,11 @@ void MeshTouch::rebuild() {
   m_making.cancel();
   m_surface.reset();
   m_scene.setSurface({}, false);
-  if (!m_document || !m_document->visible || !m_isOpen) return;
+  m_isSnapping = false;
+  m_gathering.cancel();
+  m_scene.setSnap({}, 0.0, false);
+  if (!isFelt()) return;
+  followTool();
   Job job;
   job.name = tr("Preparing to touch");
   job.work = [this, mesh = m_document->document.mesh()](Progress progress) -> Job::Finish {
@@ -54,9 +90,39 @@ void MeshTouch::rebuild() {
   m_making.start(std::move(job));
 }
 
+bool MeshTouch::isFelt() const {
+  return m_document && m_document->visible && m_isOpen;
+}
+
+void MeshTouch::followTool() {
+  const Tool* const tool = m_tools.runner().tool();
+  const bool isWanted = isFelt() && tool && tool->wantsBoundaryPoints();
+  if (isWanted == m_isSnapping) return;
+  m_isSnapping = isWanted;
+  if (isWanted) return gather(false);
+  m_gathering.cancel();
+  m_scene.setSnap({}, 0.0, false);
+}
+
+// Until the new ones are there, the old draw the tip.
+void MeshTouch::gather(bool isEdit) {
+  Job job;
+  job.name = tr("Preparing to snap");
+  job.work = [this, isEdit, mesh = m_document->document.mesh(),
+              loops = m_document->document.defects().loops](Progress progress) -> Job::Finish {
+    auto points = std::make_shared<SnapScene>(boundaryPoints(mesh, loops, progress));
+    return [this, isEdit, points] {
+      const double distance = points->distance(m_fidelity.values());
+      m_scene.setSnap(std::move(points->field), distance, isEdit);
+    };
+  };
+  m_gathering.start(std::move(job));
+}
+
 // While it is being made, it is made of a mesh that is no longer there.
 void MeshTouch::edited(const std::vector<Face>& touched) {
-  if (!m_isOpen || !m_document->visible) return;
+  if (!isFelt()) return;
+  if (m_isSnapping) gather(true);
   m_surface&& touched.size() <= kMostAtOnce ? update(touched) : rebuild();
 }
 

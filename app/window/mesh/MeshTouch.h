@@ -10,9 +10,12 @@
 
 namespace handwheel {
 
+class FidelityChoice;
 class HapticSession;
+class ToolHost;
 class TouchScene;
 struct OpenMesh;
+struct WindowParts;
 
 // What the device feels of the mesh in view: its surface, made on a worker when a device is opened or another mesh
 // comes into view, and brought up to date with each edit in time proportional to that. Without a device there is none.
@@ -20,25 +23,32 @@ class MeshTouch : public QObject {
   Q_OBJECT
 
  public:
-  MeshTouch(HapticSession& session, TouchScene& scene, QThreadPool& pool, QObject* parent = nullptr);
+  explicit MeshTouch(const WindowParts& parts, QObject* parent = nullptr);
 
   void setDocument(OpenMesh* document);
   // A mesh that is hidden is not felt.
   void refreshVisibility() { rebuild(); }
-  bool isSettled() const { return m_making.isIdle(); }
+  bool isSettled() const { return m_making.isIdle() && m_gathering.isIdle(); }
 
  private:
   void followSession();
   void rebuild();
+  void followTool();
+  void gather(bool isEdit);
+  bool isFelt() const;
   void edited(const std::vector<Face>& touched);
   void update(const std::vector<Face>& touched);
 
   HapticSession& m_session;
   TouchScene& m_scene;
-  JobRunner m_making;
+  ToolHost& m_tools;
+  FidelityChoice& m_fidelity;
+  JobRunner m_making;     // the surface
+  JobRunner m_gathering;  // points of open edges
   OpenMesh* m_document = nullptr;
   std::optional<ContactSurface> m_surface;  // of the present mesh; none while it is made
   bool m_isOpen = false;                    // the session was, when it last told
+  bool m_isSnapping = false;                // the points are in the scene, or on their way
 };
 
 }  // namespace handwheel

@@ -41,7 +41,7 @@ MeshUi::MeshUi(const WindowParts& parts, MeshKind& kind)
       m_panels(new QStackedWidget(parts.window)),
       m_scene(new DefectScene(parts.viewport, m_selection, *m_panel->model(), this)),
       m_tools(parts.tools, parts.pool, m_selection, m_preview, m_actions, m_jobs),
-      m_touch(parts.haptics, parts.touch, parts.pool) {
+      m_touch(parts) {
   m_panels->setMinimumWidth(264);
   m_panels->addWidget(m_panel);
   m_panels->addWidget(m_deviation.panel());

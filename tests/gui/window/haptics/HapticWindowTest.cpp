@@ -150,6 +150,30 @@ class HapticWindowTest : public QObject {
     QVERIFY(!b.driver.find<QAction>("undo")->isEnabled());
   }
 
+  // A point of an open edge draws the tip while a tool for such points is in use, and no other.
+  void pointsOfOpenEdgesDrawTheTip() {
+    HandBench b;
+    const QString path = m_folder.filePath(QStringLiteral("torus.stl"));
+    writeStl(path, torusWithHole());
+    QVERIFY(b.begin(path));
+    // Of the edge of its hole, and which way is out there.
+    const double u = 2.0 * M_PI * 6 / 48, v = 2.0 * M_PI * 5 / 24, r = 30.0 + 10.0 * std::cos(v);
+    const Vec3 point(r * std::cos(u), r * std::sin(u), 10.0 * std::sin(v));
+    const Vec3 out(std::cos(u) * std::cos(v), std::sin(u) * std::cos(v), std::sin(v));
+    const auto isDrawn = [&] { return (b.now().felt.proxy - point).norm() < 1e-3; };
+    b.leadTo(point + 30.0 * out);
+    QTRY_VERIFY_WITH_TIMEOUT((b.now().tip.position - point - 30.0 * out).norm() < 1.0, kPatienceMs);
+    b.leadTo(point + 0.4 * out);
+    QTRY_VERIFY_WITH_TIMEOUT((b.now().tip.position - point).norm() < 0.5, kPatienceMs);
+    QTest::qWait(100);
+    QVERIFY(!isDrawn() && b.now().felt.force.isZero(0.0));
+    b.driver.find<QAction>("boundaryTool")->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(isDrawn(), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(b.now().felt.force.dot(out) < 0.0, kPatienceMs);
+    b.driver.find<QAction>("measureTool")->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(!isDrawn() && b.now().felt.force.isZero(0.0), kPatienceMs);
+  }
+
   // A drag of the hand is one step, and while it lasts the tool pulls at the hand.
   void aDragIsOneStep() {
     HandBench b;
