@@ -2145,6 +2145,22 @@
         <source>Clutch</source>
         <translation>Kupplung</translation>
     </message>
+    <message>
+        <source>Touch</source>
+        <translation>Berührung</translation>
+    </message>
+    <message>
+        <source>Stiffness (N/mm)</source>
+        <translation>Steifigkeit (N/mm)</translation>
+    </message>
+    <message>
+        <source>Damping (N·s/mm)</source>
+        <translation>Dämpfung (N·s/mm)</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>Reibung</translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -4160,6 +4176,17 @@
     <message>
         <source>Preparing to pick</source>
         <translation>Auswahl wird vorbereitet</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::MeshTouch</name>
+    <message>
+        <source>Preparing to touch</source>
+        <translation>Berührung wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>Preparing to snap</source>
+        <translation>Fangen wird vorbereitet</translation>
     </message>
 </context>
 <context>

@@ -2133,6 +2133,22 @@
         <source>Clutch</source>
         <translation>离合</translation>
     </message>
+    <message>
+        <source>Touch</source>
+        <translation>触摸</translation>
+    </message>
+    <message>
+        <source>Stiffness (N/mm)</source>
+        <translation>刚度 (N/mm)</translation>
+    </message>
+    <message>
+        <source>Damping (N·s/mm)</source>
+        <translation>阻尼 (N·s/mm)</translation>
+    </message>
+    <message>
+        <source>Friction</source>
+        <translation>摩擦</translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -4133,6 +4149,17 @@
     <message>
         <source>Preparing to pick</source>
         <translation>正在准备拾取</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::MeshTouch</name>
+    <message>
+        <source>Preparing to touch</source>
+        <translation>正在准备触摸</translation>
+    </message>
+    <message>
+        <source>Preparing to snap</source>
+        <translation>正在准备捕捉</translation>
     </message>
 </context>
 <context>
