@@ -4,9 +4,10 @@
 
 #include "haptics/ForceTest.h"
 #include "haptics/MouseDevice.h"
-#include "text/ErrorText.h"
 #include "window/WindowServices.h"
+#include "window/haptics/BuiltInDevices.h"
 #include "window/haptics/DeviceMapping.h"
+#include "window/haptics/DeviceMessages.h"
 
 #include <QSettings>
 #include <algorithm>
@@ -20,8 +21,6 @@ constexpr int kRateMs = 500;       // over which the rate is measured
 constexpr double kTestTail = 0.2;  // s after the last pull, for what the safety chain has delayed
 const auto kDriverKey = QStringLiteral("haptics/driver");
 const auto kAddressKey = QStringLiteral("haptics/address");
-const char* const kSimulated = "simulated";
-const char* const kMouse = "mouse";
 
 // Closes what nobody has taken over.
 struct OpenedDevice {
@@ -62,8 +61,8 @@ HapticSession::~HapticSession() {
 }
 
 QList<DeviceListing> HapticSession::found() const {
-  QList<DeviceListing> all{{kSimulated, "hand", tr("Simulated hand").toStdString()},
-                           {kMouse, "pointer", tr("Mouse").toStdString()}};
+  QList<DeviceListing> all;
+  for (const DeviceListing& listing : builtInDevices()) all << listing;
   for (const DeviceListing& listing : m_finder.found()) all << listing;
   return all;
 }
@@ -104,20 +103,16 @@ DeviceCapabilities HapticSession::capabilities() const {
   return m_open ? m_open->capabilities : DeviceCapabilities{};
 }
 
-DeviceFinder::Maker HapticSession::maker(const DeviceListing& listing) const {
-  if (listing.driver == kMouse) return [] { return std::make_unique<MouseDevice>(); };
-  if (listing.driver != kSimulated) return m_finder.maker(listing.driver, listing.address);
-  return [&clock = m_parts.clock] { return std::make_unique<SimulatedDevice>(simulatedDevice(), HandPath(), clock); };
-}
-
 void HapticSession::startOpening(bool isQuiet) {
   Job job;
   job.name = tr("Opening %1").arg(nameOf(m_chosen));
   job.owner = this;
   job.failed = [this, isQuiet](const Error& error) { failed(error, isQuiet); };
-  job.work = [this, make = maker(m_chosen), isQuiet](Progress progress) -> Job::Finish {
+  job.work = [this, chosen = m_chosen, &clock = m_parts.clock, make = m_finder.maker(m_chosen.driver, m_chosen.address),
+              isQuiet](Progress progress) -> Job::Finish {
     const auto made = std::make_shared<OpenedDevice>();
-    std::unique_ptr<Device> device = make();
+    std::unique_ptr<Device> device = makeBuiltIn(chosen.driver, clock);
+    if (!device) device = make();
     const Status status =
         device ? device->open(progress) : Error{ErrorCode::DeviceUnreachable, {"it is not there"}, {}, {}};
     if (!status) return [this, isQuiet, error = status.error()] { failed(error, isQuiet); };
@@ -156,12 +151,7 @@ void HapticSession::failed(const Error& error, bool isQuiet) {
   m_chosen = {};
   emit chosenChanged();
   if (isQuiet || error.code == ErrorCode::Cancelled) return;
-  emit message({Message::Weight::Error,
-                tr("%1 could not be opened").arg(name),
-                errorSentence(error),
-                errorAdvice(error),
-                {},
-                {}});
+  emit message(notOpenedMessage(name, error));
 }
 
 // Zero force is sent and the thread ended at once; the device may take its time to close.
@@ -297,26 +287,13 @@ void HapticSession::measureRate() {
 
 void HapticSession::tellStatus(DeviceStatus status) {
   if (m_open->mouse || (status != DeviceStatus::Absent && status != DeviceStatus::Failed)) return;
-  const bool isGone = status == DeviceStatus::Absent;
-  emit message({Message::Weight::Warning,
-                isGone ? tr("%1 is not there").arg(nameOf(m_chosen)) : tr("%1 has failed").arg(nameOf(m_chosen)),
-                isGone ? tr("It was unplugged, or is without power.") : tr("It does not answer as it should."),
-                tr("Plug it in again, and choose it once more in the panel “Device”."),
-                {},
-                {}});
+  emit message(lostMessage(nameOf(m_chosen), status));
 }
 
 void HapticSession::tellPlugins() {
   const std::vector<PluginListing>& all = m_finder.plugins();
   for (; m_pluginsTold < all.size(); ++m_pluginsTold) {
-    const PluginListing& plugin = all[m_pluginsTold];
-    if (!plugin.error) continue;
-    emit message({Message::Weight::Warning,
-                  tr("A device plugin is not used"),
-                  errorSentence(*plugin.error),
-                  errorAdvice(*plugin.error),
-                  {},
-                  {}});
+    if (all[m_pluginsTold].error) emit message(unusedPluginMessage(all[m_pluginsTold]));
   }
 }
 

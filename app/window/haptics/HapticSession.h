@@ -101,7 +101,6 @@ class HapticSession : public QObject {
 
  private:
   struct OpenDevice;
-  DeviceFinder::Maker maker(const DeviceListing& listing) const;
   void startOpening(bool isQuiet);
   void opened(std::unique_ptr<Device> device);
   void failed(const Error& error, bool isQuiet);

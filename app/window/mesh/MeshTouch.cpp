@@ -58,22 +58,25 @@ void MeshTouch::setDocument(OpenMesh* document) {
   m_document = document;
   if (document) connect(&document->document, &MeshDocument::meshChanged, this, &MeshTouch::edited);
   m_isOpen = m_session.isOpen();
-  rebuild();
+  rebuild(false);
 }
 
 void MeshTouch::followSession() {
   if (m_session.isOpen() == m_isOpen) return;
   m_isOpen = m_session.isOpen();
-  rebuild();
+  rebuild(false);
 }
 
-void MeshTouch::rebuild() {
+// After an edit the surface of before is felt until the new one is there: who was outside would else be inside of it.
+void MeshTouch::rebuild(bool isEdit) {
   m_making.cancel();
   m_surface.reset();
-  m_scene.setSurface({}, false);
-  m_isSnapping = false;
-  m_gathering.cancel();
-  m_scene.setSnap({}, 0.0, false);
+  if (!isEdit) {
+    m_scene.setSurface({}, false);
+    m_isSnapping = false;
+    m_gathering.cancel();
+    m_scene.setSnap({}, 0.0, false);
+  }
   if (!isFelt()) return;
   followTool();
   Job job;
@@ -123,7 +126,8 @@ void MeshTouch::gather(bool isEdit) {
 void MeshTouch::edited(const std::vector<Face>& touched) {
   if (!isFelt()) return;
   if (m_isSnapping) gather(true);
-  m_surface&& touched.size() <= kMostAtOnce ? update(touched) : rebuild();
+  if (m_surface && touched.size() <= kMostAtOnce) return update(touched);
+  rebuild(true);
 }
 
 void MeshTouch::update(const std::vector<Face>& touched) {

@@ -27,12 +27,12 @@ class MeshTouch : public QObject {
 
   void setDocument(OpenMesh* document);
   // A mesh that is hidden is not felt.
-  void refreshVisibility() { rebuild(); }
+  void refreshVisibility() { rebuild(false); }
   bool isSettled() const { return m_making.isIdle() && m_gathering.isIdle(); }
 
  private:
   void followSession();
-  void rebuild();
+  void rebuild(bool isEdit);
   void followTool();
   void gather(bool isEdit);
   bool isFelt() const;

@@ -11,6 +11,10 @@ using namespace handwheel::test;
 
 namespace {
 
+bool isSame(double a, double b) {
+  return std::abs(a - b) <= 1e-9 * std::abs(b);
+}
+
 // A ball of this radius about the origin, closed.
 constexpr double kRadius = 50.0;
 
@@ -148,6 +152,27 @@ class HapticWindowTest : public QObject {
     b.leadTo(0.97 * kRadius * out, 0);
     QTRY_VERIFY(b.driver.find<QAbstractButton>("toolAction/delete")->isEnabled());
     QVERIFY(!b.driver.find<QAction>("undo")->isEnabled());
+  }
+
+  // Nearer, the same motion of the hand is a finer one, and the tip stays where it is; out of view, it comes back.
+  void theWorkspaceFollowsTheCamera() {
+    HandBench b;
+    QVERIFY(b.begin(ball()));
+    auto* view = b.driver.find<Viewport>("viewport");
+    const Vec3 place = 1.2 * kRadius * towardsViewer(b);
+    b.leadTo(place);
+    QTRY_VERIFY_WITH_TIMEOUT((b.now().tip.position - place).norm() < 1.0, kPatienceMs);
+    const double scale = b.session.mappingInScene().scale;
+    CameraState camera = view->camera();
+    camera.centre = place;
+    camera.height /= 2.0;
+    view->setCamera(camera);
+    QTest::qWait(100);
+    QVERIFY(isSame(b.session.mappingInScene().scale, scale / 2.0));
+    QVERIFY((b.now().tip.position - place).norm() < 1.0);
+    camera.centre += 10.0 * camera.height * camera.right();
+    view->setCamera(camera);
+    QTRY_VERIFY_WITH_TIMEOUT((b.now().tip.position - camera.centre).norm() < 1.1 * camera.height, kPatienceMs);
   }
 
   // A point of an open edge draws the tip while a tool for such points is in use, and no other.

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/haptics/BuiltInDevices.h"
+
+#include "haptics/MouseDevice.h"
+#include "haptics/SimulatedDevice.h"
+
+#include <QCoreApplication>
+
+namespace handwheel {
+
+namespace {
+
+struct Text {
+  Q_DECLARE_TR_FUNCTIONS(HapticSession)
+};
+
+constexpr const char* kSimulated = "simulated";
+constexpr const char* kMouse = "mouse";
+
+}  // namespace
+
+std::vector<DeviceListing> builtInDevices() {
+  return {{kSimulated, "hand", Text::tr("Simulated hand").toStdString()},
+          {kMouse, "pointer", Text::tr("Mouse").toStdString()}};
+}
+
+std::unique_ptr<Device> makeBuiltIn(const std::string& driver, ServoClock& clock) {
+  if (driver == kMouse) return std::make_unique<MouseDevice>();
+  if (driver == kSimulated) return std::make_unique<SimulatedDevice>(simulatedDevice(), HandPath(), clock);
+  return nullptr;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "devices/PluginLoader.h"
+#include "panels/MessageBar.h"
+
+namespace handwheel {
+
+// What the user is told of devices, translated.
+Message notOpenedMessage(const QString& name, const Error& error);
+Message lostMessage(const QString& name, DeviceStatus status);  // Absent or Failed, after it was there
+Message unusedPluginMessage(const PluginListing& plugin);       // with its error
+
+}  // namespace handwheel
