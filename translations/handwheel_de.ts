@@ -1250,6 +1250,45 @@
     </message>
 </context>
 <context>
+    <name>HapticSession</name>
+    <message>
+        <source>Simulated hand</source>
+        <translation>Simulierte Hand</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Maus</translation>
+    </message>
+    <message>
+        <source>%1 could not be opened</source>
+        <translation>%1 konnte nicht geöffnet werden</translation>
+    </message>
+    <message>
+        <source>%1 is not there</source>
+        <translation>%1 ist nicht da</translation>
+    </message>
+    <message>
+        <source>%1 has failed</source>
+        <translation>%1 ist ausgefallen</translation>
+    </message>
+    <message>
+        <source>It was unplugged, or is without power.</source>
+        <translation>Es wurde abgezogen oder hat keinen Strom.</translation>
+    </message>
+    <message>
+        <source>It does not answer as it should.</source>
+        <translation>Es antwortet nicht, wie es sollte.</translation>
+    </message>
+    <message>
+        <source>Plug it in again, and choose it once more in the panel “Device”.</source>
+        <translation>Schließen Sie es wieder an und wählen Sie es noch einmal im Bereich „Gerät“.</translation>
+    </message>
+    <message>
+        <source>A device plugin is not used</source>
+        <translation>Ein Gerätemodul wird nicht verwendet</translation>
+    </message>
+</context>
+<context>
     <name>HelpPages</name>
     <message>
         <source>Keys and mouse</source>
@@ -3785,48 +3824,12 @@
 <context>
     <name>handwheel::HapticSession</name>
     <message>
-        <source>Simulated hand</source>
-        <translation>Simulierte Hand</translation>
-    </message>
-    <message>
-        <source>Mouse</source>
-        <translation>Maus</translation>
-    </message>
-    <message>
         <source>Opening %1</source>
         <translation>%1 wird geöffnet</translation>
     </message>
     <message>
-        <source>%1 could not be opened</source>
-        <translation>%1 konnte nicht geöffnet werden</translation>
-    </message>
-    <message>
         <source>Closing %1</source>
         <translation>%1 wird geschlossen</translation>
-    </message>
-    <message>
-        <source>%1 is not there</source>
-        <translation>%1 ist nicht da</translation>
-    </message>
-    <message>
-        <source>%1 has failed</source>
-        <translation>%1 ist ausgefallen</translation>
-    </message>
-    <message>
-        <source>It was unplugged, or is without power.</source>
-        <translation>Es wurde abgezogen oder hat keinen Strom.</translation>
-    </message>
-    <message>
-        <source>It does not answer as it should.</source>
-        <translation>Es antwortet nicht, wie es sollte.</translation>
-    </message>
-    <message>
-        <source>Plug it in again, and choose it once more in the panel “Device”.</source>
-        <translation>Schließen Sie es wieder an und wählen Sie es noch einmal im Bereich „Gerät“.</translation>
-    </message>
-    <message>
-        <source>A device plugin is not used</source>
-        <translation>Ein Gerätemodul wird nicht verwendet</translation>
     </message>
 </context>
 <context>

@@ -1250,6 +1250,45 @@
     </message>
 </context>
 <context>
+    <name>HapticSession</name>
+    <message>
+        <source>Simulated hand</source>
+        <translation>模拟手</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>鼠标</translation>
+    </message>
+    <message>
+        <source>%1 could not be opened</source>
+        <translation>无法打开 %1</translation>
+    </message>
+    <message>
+        <source>%1 is not there</source>
+        <translation>%1 不在</translation>
+    </message>
+    <message>
+        <source>%1 has failed</source>
+        <translation>%1 出现故障</translation>
+    </message>
+    <message>
+        <source>It was unplugged, or is without power.</source>
+        <translation>设备被拔下，或者没有电源。</translation>
+    </message>
+    <message>
+        <source>It does not answer as it should.</source>
+        <translation>设备应答异常。</translation>
+    </message>
+    <message>
+        <source>Plug it in again, and choose it once more in the panel “Device”.</source>
+        <translation>请重新接上，并在“设备”面板中再次选择。</translation>
+    </message>
+    <message>
+        <source>A device plugin is not used</source>
+        <translation>有一个设备插件未被使用</translation>
+    </message>
+</context>
+<context>
     <name>HelpPages</name>
     <message>
         <source>Keys and mouse</source>
@@ -3761,48 +3800,12 @@
 <context>
     <name>handwheel::HapticSession</name>
     <message>
-        <source>Simulated hand</source>
-        <translation>模拟手</translation>
-    </message>
-    <message>
-        <source>Mouse</source>
-        <translation>鼠标</translation>
-    </message>
-    <message>
         <source>Opening %1</source>
         <translation>正在打开 %1</translation>
     </message>
     <message>
-        <source>%1 could not be opened</source>
-        <translation>无法打开 %1</translation>
-    </message>
-    <message>
         <source>Closing %1</source>
         <translation>正在关闭 %1</translation>
-    </message>
-    <message>
-        <source>%1 is not there</source>
-        <translation>%1 不在</translation>
-    </message>
-    <message>
-        <source>%1 has failed</source>
-        <translation>%1 出现故障</translation>
-    </message>
-    <message>
-        <source>It was unplugged, or is without power.</source>
-        <translation>设备被拔下，或者没有电源。</translation>
-    </message>
-    <message>
-        <source>It does not answer as it should.</source>
-        <translation>设备应答异常。</translation>
-    </message>
-    <message>
-        <source>Plug it in again, and choose it once more in the panel “Device”.</source>
-        <translation>请重新接上，并在“设备”面板中再次选择。</translation>
-    </message>
-    <message>
-        <source>A device plugin is not used</source>
-        <translation>有一个设备插件未被使用</translation>
     </message>
 </context>
 <context>
