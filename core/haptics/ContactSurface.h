@@ -32,6 +32,7 @@ class ContactSurface {
 
   // The diagonal of the box around all that was ever in it, mm: the scale of its tolerances.
   double diagonal() const { return m_bounds.isEmpty() ? 0.0 : m_bounds.diagonal().norm(); }
+  const Box& bounds() const { return m_bounds; }  // of all that was ever in it
   // How far a proxy stays off the surface, mm. Far from the origin coordinates are coarser than the model's size says.
   double skin() const;
   bool empty() const { return m_layers.empty(); }

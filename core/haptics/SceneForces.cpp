@@ -23,7 +23,7 @@ void SceneForces::follow(const ForceSource& previous) noexcept {
 
 void SceneForces::tick(const TipState& tip, ForceOut& out) noexcept {
   if (tip.isRestart) m_snapProxy.release();
-  if (tip.isRestart || !m_isPlaced) m_god.place(tip.position);
+  if (tip.isRestart || !m_isPlaced) m_god.place(entryOf(tip.position));
   m_isPlaced = true;
   touch(tip);
   snap(tip);
@@ -49,6 +49,15 @@ void SceneForces::tick(const TipState& tip, ForceOut& out) noexcept {
     const double stiffness = share * m_feel.surface->stiffness;
     out.force += contactForce(contact, tip.position, tip.velocity, stiffness, damping);
   }
+}
+
+// Outside of the sphere around the surface.
+Vec3 SceneForces::entryOf(const Vec3& tip) const {
+  if (!m_feel.surface || m_feel.comesFrom.isZero(0.0) || m_feel.surface->surface.empty()) return tip;
+  const ContactSurface& surface = m_feel.surface->surface;
+  const double far = (tip - surface.bounds().center()).norm() + 0.51 * surface.diagonal();
+  const Vec3 entry = tip + far * m_feel.comesFrom;
+  return entry.allFinite() ? entry : tip;
 }
 
 void SceneForces::touch(const TipState& tip) {

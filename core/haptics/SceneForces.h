@@ -41,6 +41,10 @@ struct SceneFeel {
   std::optional<SurfaceFeel> surface;
   std::optional<SnapFeel> snap;
   std::vector<SpringFeel> springs;
+  // From where a tip comes that appears anew, or to which a surface appears: a direction of length 1, towards the
+  // viewer. It comes to rest on the surface that is seen there, and not within what is solid. Zero: it appears where it
+  // is.
+  Vec3 comesFrom = Vec3::Zero();
 };
 
 // The sum of the forces of a scene. Where it would be stiffer than the loop can carry, all of its springs are softened
@@ -58,6 +62,7 @@ class SceneForces : public ForceSource {
 
  private:
   void touch(const TipState& tip);
+  Vec3 entryOf(const Vec3& tip) const;
   void snap(const TipState& tip);
   double slope() const;
   Vec3 springForce(const Vec3& tip) const;

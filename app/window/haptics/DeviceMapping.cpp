@@ -13,6 +13,7 @@ namespace {
 constexpr double kRestShare = 0.05;         // of the workspace: where a displacement from rest is none
 constexpr double kRestAngle = 0.02;         // radian
 constexpr std::uint32_t kClutch = 1u << 2;  // the first two are those of the tools
+constexpr double kBefore = 0.1;             // of the height of the view: of a surface that is seen
 constexpr double kLeastFactor = 1e-3, kLargestFactor = 1e3;
 
 QString keyOf(const std::string& driver, const char* name) {
@@ -48,7 +49,8 @@ std::array<DeviceAxis, 3> axesOf(const QString& text, const std::array<DeviceAxi
 }
 
 // mm from the focus of the view to the front of the model, but no more than what the device can reach back over.
-double depthOfFront(const CameraState& camera, const Box& model) {
+double depthOfFront(const CameraState& camera, const Box& model, const std::optional<Vec3>& seen) {
+  if (seen) return (*seen - camera.centre).dot(camera.towardsViewer()) + kBefore * camera.height;
   if (model.isEmpty()) return 0.0;
   double front = 0.0;
   for (int i = 0; i < 8; ++i) {
@@ -97,9 +99,9 @@ void keepMapping(const std::string& driver, const WorkspaceMapping& mapping) {
 }
 
 WorkspaceMapping mappingInView(const WorkspaceMapping& user, const DeviceCapabilities& device,
-                               const CameraState& camera, const Box& model) {
+                               const CameraState& camera, const Box& model, const std::optional<Vec3>& seen) {
   WorkspaceMapping mapping = user;
-  const Vec3 origin = camera.centre + depthOfFront(camera, model) * camera.towardsViewer();
+  const Vec3 origin = camera.centre + depthOfFront(camera, model, seen) * camera.towardsViewer();
   mapping.sceneFromView = Eigen::Translation3d(origin) * camera.orientation;
   if (device.workspaceRadius > 0.0) mapping.scale *= 0.5 * camera.height / device.workspaceRadius;
   return mapping;

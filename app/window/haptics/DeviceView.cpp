@@ -11,7 +11,11 @@ DeviceView::DeviceView(HapticSession& session, Viewport& viewport, QObject* pare
     : QObject(parent), m_session(session), m_viewport(viewport) {
   connect(&viewport, &Viewport::cameraChanged, this, &DeviceView::followCamera);
   connect(&session, &HapticSession::sampled, this, &DeviceView::draw);
-  connect(&session, &HapticSession::chosenChanged, this, &DeviceView::draw);
+  connect(&session, &HapticSession::chosenChanged, this, [this] {
+    if (m_session.isOpen() && !m_isOpen) followModel();
+    m_isOpen = m_session.isOpen();
+    draw();
+  });
 }
 
 void DeviceView::followModel() {
@@ -20,7 +24,14 @@ void DeviceView::followModel() {
 }
 
 void DeviceView::followCamera() {
-  m_session.setView(m_viewport.camera(), m_viewport.bounds());
+  if (!m_session.isOpen()) return;
+  const CameraState camera = m_viewport.camera();
+  const Box model = m_viewport.bounds();
+  const double around = model.isEmpty() ? 0.0 : model.diagonal().norm();
+  const bool isPerspective = camera.projection == Projection::Perspective;
+  const double before = isPerspective ? camera.eyeDistance() : camera.height + around;
+  const Pick middle = m_viewport.pickAlong(camera.centre + before * camera.towardsViewer(), -camera.towardsViewer());
+  m_session.setView(camera, model, middle.isNothing() ? std::nullopt : std::optional(middle.point));
 }
 
 void DeviceView::draw() {

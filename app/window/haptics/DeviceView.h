@@ -25,6 +25,7 @@ class DeviceView : public QObject {
 
   HapticSession& m_session;
   Viewport& m_viewport;
+  bool m_isOpen = false;  // the session was, when it last told
 };
 
 }  // namespace handwheel

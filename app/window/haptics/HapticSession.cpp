@@ -195,9 +195,10 @@ void HapticSession::setMapping(const WorkspaceMapping& mapping) {
   emit mappingChanged();
 }
 
-void HapticSession::setView(const CameraState& camera, const Box& model) {
+void HapticSession::setView(const CameraState& camera, const Box& model, const std::optional<Vec3>& seen) {
   m_camera = camera;
   m_model = model;
+  m_seen = seen;
   if (!m_open) return;
   const ServoSample* const last = latest();
   applyMapping(last && isInView(camera, last->tip.position));
@@ -210,16 +211,15 @@ void HapticSession::recentre() {
 // The mouse points in the scene itself.
 WorkspaceMapping HapticSession::mappingInScene() const {
   if (!m_open || m_open->mouse) return {};
-  return mappingInView(m_mapping, m_open->capabilities, m_camera, m_model);
+  return mappingInView(m_mapping, m_open->capabilities, m_camera, m_model, m_seen);
 }
 
 void HapticSession::applyMapping(bool keepsTip) {
   if (!m_open) return;
   WorkspaceMapping mapping = mappingInScene();
   mapping.keepsTip = keepsTip && !m_open->mouse;
+  emit viewChanged();
   m_open->loop->setMapping(mapping);
-  const double felt = mapping.scale * mapping.forceGain;
-  if (std::exchange(m_scale, felt) != felt) emit scaleChanged();
 }
 
 void HapticSession::setTouch(const TouchSettings& touch) {

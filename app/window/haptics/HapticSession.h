@@ -60,8 +60,10 @@ class HapticSession : public QObject {
   // The user's part: axes, inversion, scale, gain, dead zones, clutch. A scale of 1 lets the workspace fill the view.
   WorkspaceMapping mapping() const { return m_mapping; }
   void setMapping(const WorkspaceMapping& mapping);
-  // The view part. The tip stays where it is as long as it can be seen, else it comes into the view.
-  void setView(const CameraState& camera, const Box& model);
+  // The view part. The tip stays where it is as long as it can be seen, else it comes into the view. seen: what is seen
+  // in the middle of it.
+  void setView(const CameraState& camera, const Box& model, const std::optional<Vec3>& seen = {});
+  const CameraState& camera() const { return m_camera; }
   // Brings the tip to where the device is in the present view.
   void recentre();
   // How the device lies in the scene now.
@@ -95,7 +97,7 @@ class HapticSession : public QObject {
   void sceneWanted();
   void forceOnChanged(bool isOn);
   void mappingChanged();  // the user's part
-  void scaleChanged();    // of the mapping in the scene
+  void viewChanged();     // what mappingInScene() says, and from where the scene is seen; before the loop knows
   void touchChanged();
   void message(const handwheel::Message& message);
 
@@ -117,10 +119,10 @@ class HapticSession : public QObject {
   DeviceListing m_chosen;
   std::unique_ptr<OpenDevice> m_open;
   WorkspaceMapping m_mapping;
-  double m_scale = 1.0;  // mm in the scene times N at the device, for one mm and one N on the other side
   TouchSettings m_touch = keptTouch();
   CameraState m_camera;
   Box m_model;
+  std::optional<Vec3> m_seen;
   QTimer m_timer;
   double m_rate = 0.0;
   QElapsedTimer m_rateClock;

@@ -28,7 +28,7 @@ bool isSame(const ForceTerm& a, const ForceTerm& b) {
 TouchScene::TouchScene(HapticSession& session, QObject* parent) : QObject(parent), m_session(session) {
   connect(&session, &HapticSession::sceneWanted, this, [this] { publish(true); });
   connect(&session, &HapticSession::touchChanged, this, [this] { publish(true); });
-  connect(&session, &HapticSession::scaleChanged, this, [this] { publish(false); });
+  connect(&session, &HapticSession::viewChanged, this, [this] { publish(false); });
 }
 
 void TouchScene::setSurface(std::optional<ContactSurface> surface, bool isEdit) {
@@ -79,6 +79,7 @@ void TouchScene::publish(bool mayLeap) {
     const SnapProfile profile(SnapShape::Quadratic, mapping.sceneStiffness(kSnapStiffness), m_snapDistance);
     feel.snap = SnapFeel{*m_snap, profile, SnapMethod::Proxy, SnapSum::kMost};
   }
+  feel.comesFrom = m_session.camera().towardsViewer();
   for (const ForceTerm& term : m_terms) feel.springs.push_back({term.target, mapping.sceneStiffness(term.stiffness)});
   auto scene = std::make_unique<HapticScene>();
   scene->source = std::make_unique<SceneForces>(std::move(feel));

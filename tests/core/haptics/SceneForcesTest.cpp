@@ -49,6 +49,33 @@ class SceneForcesTest : public QObject {
     QCOMPARE(out.proxy, Vec3(1, 2, 3));
   }
 
+  // A tip that appears inside of a cube, or to which the cube appears, comes to rest on the side that it comes from.
+  void aTipThatAppearsComesFromTheViewer() {
+    for (const Vec3& from : {Vec3(0, 0, 1), Vec3(0, -1, 0), Vec3(1, 0, 0)}) {
+      const Vec3 inside = Vec3::Constant(5.0) + 0.5 * from;
+      const auto scene = [&] {
+        SceneFeel feel;
+        feel.surface = cubeFeel(0.5);
+        feel.comesFrom = from;
+        return SceneForces(std::move(feel));
+      };
+      SceneForces first = scene();
+      ForceOut out;
+      for (int i = 0; i < 10; ++i) out = feltAt(first, inside);
+      QVERIFY(out.isContact && isNear(out.proxy, Vec3::Constant(5.0) + 5.0 * from));
+      SceneForces nothing({});
+      feltAt(nothing, inside);
+      SceneForces second = scene();
+      second.follow(nothing);
+      for (int i = 0; i < 10; ++i) out = feltAt(second, inside);
+      QVERIFY(out.isContact && isNear(out.proxy, Vec3::Constant(5.0) + 5.0 * from));
+      SceneForces third = scene();  // beside it, nothing is in the way
+      const Vec3 beside = Vec3::Constant(5.0) + 30.0 * from.unitOrthogonal();
+      for (int i = 0; i < 10; ++i) out = feltAt(third, beside);
+      QVERIFY(!out.isContact && out.proxy == beside);
+    }
+  }
+
   void sumsWhatActs() {
     SceneFeel feel;
     feel.surface = cubeFeel(0.5);

@@ -68,6 +68,19 @@ class DeviceMappingTest : public QObject {
     }));
   }
 
+  // Seen from near, the surface that is seen counts, however deep the model is: rest lies before it.
+  void restIsBeforeWhatIsSeen() {
+    QVERIFY(rc::check([] {
+      const CameraState camera = anyCamera();
+      const double depth = number(-200.0, 200.0);
+      const Vec3 seen = camera.centre + depth * camera.towardsViewer();
+      const Box model(Vec3(camera.centre - Vec3::Constant(1e3)), Vec3(camera.centre + Vec3::Constant(1e3)));
+      const Vec3 rest = mappingInView({}, falcon(), camera, model, seen).sceneFromView.translation();
+      const double before = (rest - seen).dot(camera.towardsViewer());
+      RC_ASSERT(before > 0.0 && before < 0.5 * camera.height);
+    }));
+  }
+
   // A device that does not say how far it reaches is taken at its word, mm for mm.
   void withoutAWorkspaceLengthsAreLengths() {
     CameraState camera;

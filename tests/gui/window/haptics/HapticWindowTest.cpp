@@ -101,7 +101,7 @@ class HapticWindowTest : public QObject {
     QVERIFY(b.now().tip.position.norm() < felt.proxy.norm());
   }
 
-  // What is hidden, closed, or another document is not felt any more.
+  // With another document in view the one before is not felt any more.
   void onlyWhatIsSeenIsFelt() {
     HandBench b;
     QVERIFY(b.begin(ball()));
@@ -111,8 +111,11 @@ class HapticWindowTest : public QObject {
     const QString far = m_folder.filePath(QStringLiteral("far.stl"));
     writeStl(far, ballOf(2, Vec3(1e4, 0, 0), 1.0));
     QVERIFY(b.driver.open(far));
+    // The hand has not drawn back: it now pushes the other ball, from the side of the viewer.
+    const auto height = [&] { return (b.now().felt.proxy - Vec3(1e4, 0, 0)).dot(towardsViewer(b)); };
+    QTRY_VERIFY_WITH_TIMEOUT(b.now().felt.isContact && std::abs(height() - 1.0) < 0.1, kPatienceMs);
+    b.leadTo(Vec3(1e4, 0, 0) + 1.5 * towardsViewer(b));
     QTRY_VERIFY_WITH_TIMEOUT(!b.now().felt.isContact, kPatienceMs);
-    QVERIFY((b.now().tip.position - Vec3(1e4, 0, 0)).norm() < 100.0);  // before the other model
   }
 
   // An edit is felt where it was made; undone, what was there is felt again.
@@ -173,6 +176,31 @@ class HapticWindowTest : public QObject {
     camera.centre += 10.0 * camera.height * camera.right();
     view->setCamera(camera);
     QTRY_VERIFY_WITH_TIMEOUT((b.now().tip.position - camera.centre).norm() < 1.1 * camera.height, kPatienceMs);
+  }
+
+  // Stiffness is meant at the hand: in a view of half the height the scene is twice as stiff.
+  void aModelFeelsAlikeFromAfarAndNear() {
+    HandBench b;
+    QVERIFY(b.begin(ball()));
+    auto* view = b.driver.find<Viewport>("viewport");
+    const auto stiffnessAtHand = [&] {
+      const ServoSample sample = b.now();
+      const double depth = (sample.felt.proxy - sample.tip.position).norm();
+      const WorkspaceMapping mapping = b.session.mappingInScene();
+      return sample.felt.isContact && depth > 0.0 && !sample.felt.isSoftened
+                 ? mapping.deviceForce(sample.felt.force).norm() / (depth / mapping.scale)
+                 : 0.0;
+    };
+    b.session.setTouch({0.05, 0.0, 0.0});  // what the loop carries here, too
+    for (const double height : {150.0, 75.0}) {
+      CameraState camera = view->camera();
+      camera.height = height;
+      view->setCamera(camera);
+      b.leadTo(0.9 * kRadius * towardsViewer(b));
+      QVERIFY(b.waitForContact());
+      QTRY_VERIFY_WITH_TIMEOUT(std::abs(stiffnessAtHand() - 0.05) < 1e-6, kPatienceMs);
+    }
+    b.session.setTouch({});
   }
 
   // A point of an open edge draws the tip while a tool for such points is in use, and no other.
