@@ -240,11 +240,12 @@ class FidelityWindowTest : public QObject {
     for (const auto& entry : choice.registry().entries()) {
       const FidelitySetting& setting = entry.setting;
       const auto& curve = choice.curve(setting.id);
-      QVERIFY(curve.size() >= 4);
+      const bool isChoice = setting.scale == FidelityScale::Choices;
+      QVERIFY(curve.size() >= (isChoice ? setting.choices.size() : std::size_t(4)));
       for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
         const CurvePoint &a = curve[i], &b = curve[i + 1];
         QVERIFY(choice.predicted(setting.id, a.value) == a);
-        const double middle = setting.scale == FidelityScale::Choices ? a.value : std::sqrt(a.value * b.value);
+        const double middle = isChoice ? a.value : std::sqrt(a.value * b.value);
         const auto point = choice.predicted(setting.id, middle);
         QVERIFY(point && point->cost >= std::min(a.cost, b.cost) && point->cost <= std::max(a.cost, b.cost));
         QVERIFY(point->error >= std::min(a.error, b.error) && point->error <= std::max(a.error, b.error));
