@@ -58,7 +58,13 @@ void AxisBars::showState(const DeviceState& state) {
   const Vec3 turn = m_axes.size() >= 6 ? rotationVector(state.orientation) : Vec3::Zero();
   const double values[] = {state.position.x(), state.position.y(), state.position.z(), turn.x(),
                            turn.y(),           turn.z(),           state.gripper};
-  for (std::size_t i = 0; i < m_axes.size(); ++i) m_axes[i].value = values[i];
+  bool isSeen = false;
+  for (std::size_t i = 0; i < m_axes.size(); ++i) {
+    const QString before = number(m_axes[i]);
+    m_axes[i].value = values[i];
+    isSeen |= number(m_axes[i]) != before;
+  }
+  if (!isSeen) return;
   if (QAccessible::isActive()) setAccessibleDescription(text());
   update();
 }

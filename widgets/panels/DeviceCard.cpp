@@ -14,6 +14,7 @@
 #include <QLabel>
 #include <QToolButton>
 #include <algorithm>
+#include <utility>
 
 namespace handwheel {
 
@@ -129,8 +130,8 @@ void DeviceCard::showStatus(DeviceStatus status) {
 }
 
 void DeviceCard::showLoop(const LoopView& loop) {
-  m_isRealTimeRefused = loop.realTime == RealTimeState::NotPermitted;
-  showState();
+  const bool isRefused = loop.realTime == RealTimeState::NotPermitted;
+  if (std::exchange(m_isRealTimeRefused, isRefused) != isRefused) showState();
 }
 
 // The list stays as it is while nothing has come or gone: somebody may have it open.

@@ -9,8 +9,8 @@
 namespace handwheel {
 
 namespace {
-constexpr double kBetweenPictures = 0.05;  // s: it moves by about a pixel
-constexpr double kSmallestScale = 1.0;     // N: less would show noise as if it were a force
+constexpr double kBetweenPictures = 0.1;  // s: each picture costs a software renderer that of the whole window
+constexpr double kSmallestScale = 1.0;    // N: less would show noise as if it were a force
 }  // namespace
 
 ForcePlot::ForcePlot(QWidget* parent) : PlotWidget(parent) {
@@ -20,7 +20,8 @@ ForcePlot::ForcePlot(QWidget* parent) : PlotWidget(parent) {
 void ForcePlot::showSample(const ServoSample& sample, double forceGain) {
   m_trace.add({sample.tip.time, forceGain * sample.felt.force.norm(), sample.sent.force.norm()});
   if (m_trace.size() == 0 || !isVisible() || !reading().isEmpty()) return;
-  if (std::abs(m_trace.last().time - m_drawn) >= kBetweenPictures) draw();
+  if (std::abs(m_trace.last().time - m_drawn) < kBetweenPictures) return;
+  if (!m_isStill || !m_trace.isStill()) draw();
 }
 
 void ForcePlot::clear() {
@@ -35,6 +36,7 @@ void ForcePlot::showEvent(QShowEvent* event) {
 
 void ForcePlot::draw() {
   m_drawn = m_trace.size() > 0 ? m_trace.last().time : 0.0;
+  m_isStill = m_trace.isStill();
   Plot plot;
   plot.title = tr("Force of the last seconds");
   plot.x = {tr("Time"), QStringLiteral("s"), false, {-ForceTrace::kSeconds, 0.0}};

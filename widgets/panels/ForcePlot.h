@@ -30,7 +30,8 @@ class ForcePlot : public PlotWidget {
   void draw();
 
   ForceTrace m_trace;
-  double m_drawn = 0.0;  // s: the last point of the picture
+  double m_drawn = 0.0;    // s: the last point of the picture
+  bool m_isStill = false;  // the picture
 };
 
 }  // namespace handwheel

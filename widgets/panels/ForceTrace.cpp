@@ -23,4 +23,12 @@ void ForceTrace::add(const Point& point) {
   m_ring[(m_first + m_count++) % m_ring.size()] = point;
 }
 
+bool ForceTrace::isStill() const {
+  if (m_count == 0 || last().time - at(0).time < kSeconds - 2.0 * kSpacing) return false;
+  for (std::size_t i = 0; i + 1 < m_count; ++i) {
+    if (at(i).asked != last().asked || at(i).sent != last().sent) return false;
+  }
+  return true;
+}
+
 }  // namespace handwheel

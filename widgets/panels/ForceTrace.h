@@ -23,6 +23,9 @@ class ForceTrace {
   void add(const Point& point);
   void clear() { m_count = 0; }
 
+  // All of kSeconds at one force: its picture does not change as time goes on.
+  bool isStill() const;
+
   std::size_t size() const { return m_count; }
   const Point& at(std::size_t index) const { return m_ring[(m_first + index) % m_ring.size()]; }  // 0: the oldest
   const Point& last() const { return at(m_count - 1); }

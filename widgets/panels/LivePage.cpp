@@ -11,12 +11,14 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <cmath>
 
 namespace handwheel {
 
 namespace {
-constexpr int kPlotHeight = 232;  // logical pixels
-}
+constexpr int kPlotHeight = 232;       // logical pixels
+constexpr double kBetweenAxes = 0.05;  // s: no eye reads numbers that change faster
+}  // namespace
 
 LivePage::LivePage(QWidget* parent)
     : QWidget(parent),
@@ -75,7 +77,10 @@ void LivePage::enableForce(DeviceStatus status) {
 }
 
 void LivePage::showSample(const ServoSample& sample, double forceGain) {
-  m_axes->showState(sample.device);
+  if (std::abs(sample.tip.time - m_shown) >= kBetweenAxes) {
+    m_shown = sample.tip.time;
+    m_axes->showState(sample.device);
+  }
   m_buttons->showButtons(sample.device.buttons);
   m_plot->showSample(sample, forceGain);
   enableForce(sample.device.status);

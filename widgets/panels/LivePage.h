@@ -42,6 +42,7 @@ class LivePage : public QWidget {
   QPushButton* m_forceTest;
   QLabel* m_noForce;
   ForcePlot* m_plot;
+  double m_shown = 0.0;  // s: the sample whose axes are shown
 };
 
 }  // namespace handwheel

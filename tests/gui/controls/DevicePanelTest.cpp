@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Accessibility.h"
 #include "ControlsTestMain.h"
-#include "DeviceScenes.h"
-#include "panels/AxisBars.h"
-#include "panels/ForcePlot.h"
+#include "DevicePanelBench.h"
+#include "plot/PlotWidget.h"
 
 #include <QCheckBox>
 #include <QClipboard>
@@ -32,12 +31,6 @@ class DevicePanelTest : public QObject {
   void whatToDo_data();
   void whatToDo();
   void mouseInThePlaceOfADevice();
-  void forceIsAskedFor();
-  void withoutMotors();
-  void samples();
-  void plotHoldsStillWhileItIsRead();
-  void hiddenPanelLetsSamplesPass();
-  void safetyInWords();
   void notRealTime();
   void mappingIsEdited();
   void timings();
@@ -46,29 +39,8 @@ class DevicePanelTest : public QObject {
   void picturesOfTrouble();
 };
 
-namespace {
-
-struct Bench {
-  Bench() {
-    panel.resize(300, 680);
-    panel.show();
-    panel.activateWindow();
-    if (!QTest::qWaitForWindowActive(&panel)) qFatal("the panel does not appear");
-  }
-  template <class Widget>
-  Widget* part(const char* name) {
-    return panel.findChild<Widget*>(name);
-  }
-  QString text(const char* label) { return part<QLabel>(label)->text(); }
-  void turnTo(int page) { part<QTabWidget>("devicePages")->setCurrentIndex(page); }
-
-  DevicePanel panel;
-};
-
-}  // namespace
-
 void DevicePanelTest::choosing() {
-  Bench bench;
+  DevicePanelBench bench;
   QSignalSpy chosen(&bench.panel, &DevicePanel::deviceChosen), left(&bench.panel, &DevicePanel::deviceLeft);
   QSignalSpy rescan(&bench.panel, &DevicePanel::rescanAsked);
   auto* list = bench.part<QComboBox>("deviceChoice");
@@ -96,7 +68,7 @@ void DevicePanelTest::choosing() {
 }
 
 void DevicePanelTest::unpluggedDeviceStaysInTheList() {
-  Bench bench;
+  DevicePanelBench bench;
   DeviceInUse view = falconView();
   view.found = {spaceMouse()};
   view.status = DeviceStatus::Absent;
@@ -122,7 +94,7 @@ void DevicePanelTest::whatToDo_data() {
 void DevicePanelTest::whatToDo() {
   QFETCH(int, status);
   QFETCH(QString, words);
-  Bench bench;
+  DevicePanelBench bench;
   bench.panel.showDevice(falconView());
   QVERIFY(!bench.part<QLabel>("deviceDetail")->isVisible());
   ServoSample sample;
@@ -135,7 +107,7 @@ void DevicePanelTest::whatToDo() {
 }
 
 void DevicePanelTest::mouseInThePlaceOfADevice() {
-  Bench bench;
+  DevicePanelBench bench;
   DeviceInUse view = spaceMouseView();
   view.isPointer = true;
   view.status = DeviceStatus::Absent;
@@ -144,103 +116,8 @@ void DevicePanelTest::mouseInThePlaceOfADevice() {
   QCOMPARE(bench.part<QComboBox>("deviceChoice")->currentText(), QString("SpaceMouse Compact"));
 }
 
-void DevicePanelTest::forceIsAskedFor() {
-  Bench bench;
-  QSignalSpy force(&bench.panel, &DevicePanel::forceOnChanged), test(&bench.panel, &DevicePanel::forceTestAsked);
-  auto* on = bench.part<QCheckBox>("forceOn");
-  auto* button = bench.part<QPushButton>("forceTest");
-  QVERIFY(!on->isEnabled());
-  bench.panel.showDevice(falconView());
-  QVERIFY(on->isChecked());
-  QCOMPARE(force.size(), 0);
-  button->click();
-  QCOMPARE(test.size(), 1);
-  on->click();
-  QCOMPARE(force.size(), 1);
-  QCOMPARE(force[0][0].toBool(), false);
-  DeviceInUse off = falconView();
-  off.isForceOn = false;
-  bench.panel.showDevice(off);
-  button->click();  // there is none to be tested
-  QCOMPARE(test.size(), 1);
-}
-
-void DevicePanelTest::withoutMotors() {
-  Bench bench;
-  bench.panel.showDevice(spaceMouseView());
-  QVERIFY(!bench.part<QCheckBox>("forceOn")->isVisible());
-  QVERIFY(!bench.part<QPushButton>("forceTest")->isVisible());
-  QVERIFY(bench.part<QLabel>("noForce")->isVisible());
-  QCOMPARE(bench.part<AxisBars>("axisBars")->axes(), std::size_t(6));
-}
-
-// Force as a length, the scene's with the gain of the mapping, against the time before now.
-void DevicePanelTest::samples() {
-  Bench bench;
-  bench.panel.showDevice(falconView());
-  WorkspaceMapping mapping;
-  mapping.forceGain = 0.5;
-  bench.panel.setMapping(mapping);
-  bench.panel.showSample(sampleAt(1.0, {6, 8, 0}, {0, 3, 4}));
-  bench.panel.showSample(sampleAt(3.0, {0, 0, 0}, {0, 0, 0}));
-  const Plot& plot = bench.part<ForcePlot>("forcePlot")->plot();
-  QCOMPARE(plot.series.size(), std::size_t(2));
-  const auto& asked = plot.series[0].points;
-  const auto& sent = plot.series[1].points;
-  QCOMPARE(asked.size(), std::size_t(2));
-  QCOMPARE(asked[0], QPointF(-2.0, 5.0));
-  QCOMPARE(sent[0], QPointF(-2.0, 5.0));
-  QCOMPARE(sent[1], QPointF(0.0, 0.0));
-  DeviceInUse other = spaceMouseView();
-  bench.panel.showDevice(other);  // what the first did is not the other's
-  QCOMPARE(bench.part<ForcePlot>("forcePlot")->trace().size(), std::size_t(0));
-}
-
-void DevicePanelTest::plotHoldsStillWhileItIsRead() {
-  Bench bench;
-  bench.panel.showDevice(falconView());
-  bench.panel.showSample(sampleAt(1.0, {2, 0, 0}, {1, 0, 0}));
-  auto* plot = bench.part<ForcePlot>("forcePlot");
-  QTest::keyClick(plot, Qt::Key_Right);
-  QCOMPARE(plot->reading(), QString("asked for: 0 s, 2 N"));
-  bench.panel.showSample(sampleAt(2.0, {3, 0, 0}, {1, 0, 0}));
-  QCOMPARE(plot->reading(), QString("asked for: 0 s, 2 N"));
-  QCOMPARE(plot->trace().size(), std::size_t(2));
-  QTest::keyClick(plot, Qt::Key_Escape);
-  bench.panel.showSample(sampleAt(3.0, {3, 0, 0}, {1, 0, 0}));
-  QCOMPARE(plot->plot().series[0].points.size(), std::size_t(3));
-}
-
-void DevicePanelTest::hiddenPanelLetsSamplesPass() {
-  DevicePanel panel;
-  panel.showDevice(falconView());
-  playTouches(panel);
-  QCOMPARE(panel.findChild<ForcePlot*>("forcePlot")->trace().size(), std::size_t(0));
-  QCOMPARE(panel.findChild<AxisBars*>("axisBars")->text(0), QString("X 0.0 mm"));
-  panel.show();
-  playTouches(panel);
-  QVERIFY(panel.findChild<ForcePlot*>("forcePlot")->trace().size() > 300);
-  panel.hide();  // what comes later is not joined to it
-  QCOMPARE(panel.findChild<ForcePlot*>("forcePlot")->trace().size(), std::size_t(0));
-}
-
-void DevicePanelTest::safetyInWords() {
-  Bench bench;
-  bench.panel.showDevice(falconView());
-  ServoSample sample = sampleAt(1.0, Vec3::Zero(), Vec3::Zero());
-  sample.actions.add(SafetyAction::Passivity);
-  sample.actions.add(SafetyAction::Slew);
-  bench.panel.showSample(sample);
-  const QString words = bench.text("safetyText");
-  QVERIFY(words.indexOf("more energy") >= 0 && words.indexOf("more energy") < words.indexOf("no faster"));
-  bench.panel.showSample(sampleAt(1.1, Vec3::Zero(), Vec3::Zero()));
-  QCOMPARE(bench.text("safetyText"), words);  // long enough to be read
-  bench.panel.showSample(sampleAt(9.0, Vec3::Zero(), Vec3::Zero()));
-  QCOMPARE(bench.text("safetyText"), QString("Safety: nothing is held back."));
-}
-
 void DevicePanelTest::notRealTime() {
-  Bench bench;
+  DevicePanelBench bench;
   bench.panel.showDevice(falconView());
   bench.panel.showLoop({998.4, 7, RealTimeState::RealTime});
   auto* warning = bench.part<QToolButton>("notRealTime");
@@ -255,7 +132,7 @@ void DevicePanelTest::notRealTime() {
 }
 
 void DevicePanelTest::mappingIsEdited() {
-  Bench bench;
+  DevicePanelBench bench;
   bench.panel.showDevice(falconView());
   WorkspaceMapping mapping;
   mapping.scale = 3.0;
@@ -278,7 +155,7 @@ void DevicePanelTest::mappingIsEdited() {
 }
 
 void DevicePanelTest::timings() {
-  Bench bench;
+  DevicePanelBench bench;
   const DeviceInUse view = falconView();
   bench.panel.showDevice(view);
   LoopMeasure measure(view.capabilities, 0.002, 1e-3);
@@ -303,7 +180,7 @@ void DevicePanelTest::pictures_data() {
 }
 
 void DevicePanelTest::picturesOfTrouble() {
-  Bench bench;
+  DevicePanelBench bench;
   bench.panel.showDevice(falconView());
   bench.panel.showLoop({998.4, 7, RealTimeState::NotPermitted});
   playTouches(bench.panel);
@@ -322,7 +199,7 @@ void DevicePanelTest::pictures() {
   QFETCH(int, page);
   QFETCH(QSize, size);
   for (const DeviceInUse& view : {falconView(), spaceMouseView()}) {
-    Bench bench;
+    DevicePanelBench bench;
     bench.panel.resize(size);
     bench.turnTo(page);
     bench.panel.showDevice(view);

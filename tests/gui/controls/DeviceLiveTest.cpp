@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ControlsTestMain.h"
+#include "DevicePanelBench.h"
+#include "panels/AxisBars.h"
+#include "panels/ForcePlot.h"
+
+#include <QCheckBox>
+#include <QPushButton>
+#include <QSignalSpy>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+// What the panel of a device shows of each moment: axes, forces, and what keeps the hand safe.
+class DeviceLiveTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void forceIsAskedFor();
+  void withoutMotors();
+  void samples();
+  void plotHoldsStillWhileItIsRead();
+  void aHandAtRestPaintsNothing();
+  void hiddenPanelLetsSamplesPass();
+  void safetyInWords();
+};
+
+namespace {
+
+struct PaintCount : QObject {
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::Paint) ++paints;
+    return QObject::eventFilter(watched, event);
+  }
+  int paints = 0;
+};
+
+}  // namespace
+
+void DeviceLiveTest::forceIsAskedFor() {
+  DevicePanelBench bench;
+  QSignalSpy force(&bench.panel, &DevicePanel::forceOnChanged), test(&bench.panel, &DevicePanel::forceTestAsked);
+  auto* on = bench.part<QCheckBox>("forceOn");
+  auto* button = bench.part<QPushButton>("forceTest");
+  QVERIFY(!on->isEnabled());
+  bench.panel.showDevice(falconView());
+  QVERIFY(on->isChecked());
+  QCOMPARE(force.size(), 0);
+  button->click();
+  QCOMPARE(test.size(), 1);
+  on->click();
+  QCOMPARE(force.size(), 1);
+  QCOMPARE(force[0][0].toBool(), false);
+  DeviceInUse off = falconView();
+  off.isForceOn = false;
+  bench.panel.showDevice(off);
+  button->click();  // there is none to be tested
+  QCOMPARE(test.size(), 1);
+}
+
+void DeviceLiveTest::withoutMotors() {
+  DevicePanelBench bench;
+  bench.panel.showDevice(spaceMouseView());
+  QVERIFY(!bench.part<QCheckBox>("forceOn")->isVisible());
+  QVERIFY(!bench.part<QPushButton>("forceTest")->isVisible());
+  QVERIFY(bench.part<QLabel>("noForce")->isVisible());
+  QCOMPARE(bench.part<AxisBars>("axisBars")->axes(), std::size_t(6));
+}
+
+// Force as a length, the scene's with the gain of the mapping, against the time before now.
+void DeviceLiveTest::samples() {
+  DevicePanelBench bench;
+  bench.panel.showDevice(falconView());
+  WorkspaceMapping mapping;
+  mapping.forceGain = 0.5;
+  bench.panel.setMapping(mapping);
+  bench.panel.showSample(sampleAt(1.0, {6, 8, 0}, {0, 3, 4}));
+  bench.panel.showSample(sampleAt(3.0, {0, 0, 0}, {0, 0, 0}));
+  const Plot& plot = bench.part<ForcePlot>("forcePlot")->plot();
+  QCOMPARE(plot.series.size(), std::size_t(2));
+  const auto& asked = plot.series[0].points;
+  const auto& sent = plot.series[1].points;
+  QCOMPARE(asked.size(), std::size_t(2));
+  QCOMPARE(asked[0], QPointF(-2.0, 5.0));
+  QCOMPARE(sent[0], QPointF(-2.0, 5.0));
+  QCOMPARE(sent[1], QPointF(0.0, 0.0));
+  DeviceInUse other = spaceMouseView();
+  bench.panel.showDevice(other);  // what the first did is not the other's
+  QCOMPARE(bench.part<ForcePlot>("forcePlot")->trace().size(), std::size_t(0));
+}
+
+void DeviceLiveTest::plotHoldsStillWhileItIsRead() {
+  DevicePanelBench bench;
+  bench.panel.showDevice(falconView());
+  bench.panel.showSample(sampleAt(1.0, {2, 0, 0}, {1, 0, 0}));
+  auto* plot = bench.part<ForcePlot>("forcePlot");
+  QTest::keyClick(plot, Qt::Key_Right);
+  QCOMPARE(plot->reading(), QString("asked for: 0 s, 2 N"));
+  bench.panel.showSample(sampleAt(2.0, {3, 0, 0}, {1, 0, 0}));
+  QCOMPARE(plot->reading(), QString("asked for: 0 s, 2 N"));
+  QCOMPARE(plot->trace().size(), std::size_t(2));
+  QTest::keyClick(plot, Qt::Key_Escape);
+  bench.panel.showSample(sampleAt(3.0, {3, 0, 0}, {1, 0, 0}));
+  QCOMPARE(plot->plot().series[0].points.size(), std::size_t(3));
+}
+
+// Each picture of a part is one of the whole window where the graphics are software.
+void DeviceLiveTest::aHandAtRestPaintsNothing() {
+  DevicePanelBench bench;
+  bench.panel.showDevice(falconView());
+  const auto rest = [&bench](double from, double to) {
+    for (double time = from; time < to; time += 0.016) bench.panel.showSample(sampleAt(time, {1, 0, 0}, {1, 0, 0}));
+    QTest::qWait(100);  // for pictures that were asked for
+  };
+  rest(1.0, 12.0);
+  PaintCount count;
+  qApp->installEventFilter(&count);
+  rest(12.0, 14.0);
+  QCOMPARE(count.paints, 0);
+  bench.panel.showSample(sampleAt(14.0, {2, 0, 0}, {1, 0, 0}));
+  QTRY_VERIFY(count.paints > 0);
+}
+
+void DeviceLiveTest::hiddenPanelLetsSamplesPass() {
+  DevicePanel panel;
+  panel.showDevice(falconView());
+  playTouches(panel);
+  QCOMPARE(panel.findChild<ForcePlot*>("forcePlot")->trace().size(), std::size_t(0));
+  QCOMPARE(panel.findChild<AxisBars*>("axisBars")->text(0), QString("X 0.0 mm"));
+  panel.show();
+  playTouches(panel);
+  QVERIFY(panel.findChild<ForcePlot*>("forcePlot")->trace().size() > 300);
+  panel.hide();  // what comes later is not joined to it
+  QCOMPARE(panel.findChild<ForcePlot*>("forcePlot")->trace().size(), std::size_t(0));
+}
+
+void DeviceLiveTest::safetyInWords() {
+  DevicePanelBench bench;
+  bench.panel.showDevice(falconView());
+  ServoSample sample = sampleAt(1.0, Vec3::Zero(), Vec3::Zero());
+  sample.actions.add(SafetyAction::Passivity);
+  sample.actions.add(SafetyAction::Slew);
+  bench.panel.showSample(sample);
+  const QString words = bench.text("safetyText");
+  QVERIFY(words.indexOf("more energy") >= 0 && words.indexOf("more energy") < words.indexOf("no faster"));
+  bench.panel.showSample(sampleAt(1.1, Vec3::Zero(), Vec3::Zero()));
+  QCOMPARE(bench.text("safetyText"), words);  // long enough to be read
+  bench.panel.showSample(sampleAt(9.0, Vec3::Zero(), Vec3::Zero()));
+  QCOMPARE(bench.text("safetyText"), QString("Safety: nothing is held back."));
+}
+
+HANDWHEEL_CONTROLS_TEST(DeviceLiveTest)
+#include "DeviceLiveTest.moc"
