@@ -35,7 +35,8 @@ void SceneForces::tick(const TipState& tip, ForceOut& out) noexcept {
     out.proxy = m_pull.proxy;
   }
 
-  const double wanted = out.isContact ? m_feel.surface->damping : 0.0;
+  const double ofSprings = springDamping();
+  const double wanted = ofSprings + (out.isContact ? m_feel.surface->damping : 0.0);
   // Half of what the device can carry leaves as much for the springs.
   const double damping = std::min(wanted, 0.5 * tip.dampingLimit);
   const double room = damping > 0.0 ? 1.0 - damping / tip.dampingLimit : 1.0;
@@ -44,10 +45,11 @@ void SceneForces::tick(const TipState& tip, ForceOut& out) noexcept {
   const double share = stiff > most ? most / stiff : 1.0;
   out.stiffness = share * stiff;
   out.isSoftened = share < 1.0 || damping < wanted;
-  out.force = share * springForce(tip.position);
+  const double kept = wanted > 0.0 ? damping / wanted : 1.0;
+  out.force = share * springForce(tip.position) - kept * ofSprings * tip.velocity;
   if (out.isContact) {
     const double stiffness = share * m_feel.surface->stiffness;
-    out.force += contactForce(contact, tip.position, tip.velocity, stiffness, damping);
+    out.force += contactForce(contact, tip.position, tip.velocity, stiffness, kept * m_feel.surface->damping);
   }
 }
 
@@ -76,6 +78,12 @@ double SceneForces::slope() const {
   double sum = m_feel.surface && m_god.contact().touching ? m_feel.surface->stiffness : 0.0;
   if (m_feel.snap) sum += m_pull.slope;
   for (const SpringFeel& spring : m_feel.springs) sum += spring.stiffness;
+  return sum;
+}
+
+double SceneForces::springDamping() const {
+  double sum = 0.0;
+  for (const SpringFeel& spring : m_feel.springs) sum += spring.damping;
   return sum;
 }
 

@@ -30,10 +30,11 @@ struct SnapFeel {
   std::size_t most = SnapSum::kMost;  // features that pull at once by the sum
 };
 
-// A spring between the tip and a place, as a tool asks for it.
+// A spring and damper between the tip and a place, as a tool asks for it (He 2008, section 4.1.4).
 struct SpringFeel {
   Vec3 target = Vec3::Zero();  // mm
   double stiffness = 0.0;      // N/mm
+  double damping = 0.0;        // N·s/mm
 };
 
 // Everything that can be felt in a scene; what is absent costs nothing.
@@ -65,6 +66,7 @@ class SceneForces : public ForceSource {
   Vec3 entryOf(const Vec3& tip) const;
   void snap(const TipState& tip);
   double slope() const;
+  double springDamping() const;
   Vec3 springForce(const Vec3& tip) const;
 
   SceneFeel m_feel;

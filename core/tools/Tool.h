@@ -73,7 +73,8 @@ struct ToolPreview {
 // and passes the sum through the safety chain.
 struct ForceTerm {
   Vec3 target = Vec3::Zero();  // the tip is drawn there
-  double stiffness = 0.0;      // N/mm
+  double stiffness = 0.0;      // N/mm, at the hand
+  double damping = 0.0;        // N·s/mm, at the hand
 };
 
 // What happens between press and release, without a window: fed with events, a tool shows a preview, and commits one

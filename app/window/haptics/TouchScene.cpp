@@ -20,7 +20,7 @@ Vec3 forceOf(const std::vector<ForceTerm>& terms, const Vec3& tip) {
 }
 
 bool isSame(const ForceTerm& a, const ForceTerm& b) {
-  return a.target == b.target && a.stiffness == b.stiffness;
+  return a.target == b.target && a.stiffness == b.stiffness && a.damping == b.damping;
 }
 
 }  // namespace
@@ -80,7 +80,9 @@ void TouchScene::publish(bool mayLeap) {
     feel.snap = SnapFeel{*m_snap, profile, SnapMethod::Proxy, SnapSum::kMost};
   }
   feel.comesFrom = m_session.camera().towardsViewer();
-  for (const ForceTerm& term : m_terms) feel.springs.push_back({term.target, mapping.sceneStiffness(term.stiffness)});
+  for (const ForceTerm& term : m_terms) {
+    feel.springs.push_back({term.target, mapping.sceneStiffness(term.stiffness), mapping.sceneStiffness(term.damping)});
+  }
   auto scene = std::make_unique<HapticScene>();
   scene->source = std::make_unique<SceneForces>(std::move(feel));
   scene->mayLeap = mayLeap;

@@ -108,13 +108,13 @@ void BoundaryTool::follow(const PointerEvent& event) {
   m_drag->hasMoved |= (*place - start).stableNorm() > m_drag->still;
   if (!m_drag->hasMoved) return;
   m_drag->place = *place;
-  const Deed onto = event.modifiers.shift ? Deed::Bridge : Deed::Weld;
+  const bool isBridge = (m_onto == Onto::Bridge) != event.modifiers.shift;
   const auto snapped = event.modifiers.control ? std::nullopt : m_picking.pointAt(event.sight(), start);
   if (snapped) {
     m_drag->place = mesh().position(mesh().from(snapped->at));
-    return aim(onto, snapped->at);
+    return aim(isBridge ? Deed::Bridge : Deed::Weld, snapped->at);
   }
-  aim(event.modifiers.shift ? Deed::Bridge : Deed::Pull, kNone);
+  aim(isBridge ? Deed::Bridge : Deed::Pull, kNone);
   if (m_drag->deed == Deed::Bridge) return;
   const VertexPull::Place reached = m_drag->pull.towards(m_drag->place);
   m_drag->stop = reached.point;

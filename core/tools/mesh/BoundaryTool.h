@@ -39,6 +39,8 @@ class BoundaryTool : public Tool {
   std::vector<std::string> needs() const override { return {"picking"}; }
 
  private:
+  // What becomes of a point that is dropped onto another; Shift turns it about.
+  enum class Onto { Join, Bridge };
   // What becomes of the point that is held, by what the pointer does.
   enum class Deed { Pull, Weld, Bridge };
   struct Drag {
@@ -90,6 +92,7 @@ class BoundaryTool : public Tool {
   MeshServices m_services;
   BorderPicking m_picking;
   SmoothingOptions m_smoothing;
+  Onto m_onto = Onto::Join;
   std::optional<Vertex> m_key;          // of the chosen loop
   std::optional<Vertex> m_hoveredLoop;  // by key
   std::optional<BorderPoint> m_hovered;

@@ -3,6 +3,7 @@
 #include "document/mesh/MeshDocument.h"
 #include "mesh/Islands.h"
 #include "mesh/Peninsulas.h"
+#include "tools/ToolProperty.h"
 #include "tools/mesh/BoundaryTool.h"
 
 #include <QtGlobal>
@@ -27,9 +28,16 @@ const char* BoundaryTool::dragEffect() const {
 }
 
 std::vector<ToolAction> BoundaryTool::actions() const {
+  const char* pull = QT_TRANSLATE_NOOP("Tool", "pull a point; onto another: join them");
+  const char* bridge = QT_TRANSLATE_NOOP("Tool", "lay a bridge to another point");
+  const char* turned = QT_TRANSLATE_NOOP("Tool", "bridge instead of joining");
+  if (m_onto == Onto::Bridge) {
+    std::swap(pull, bridge);
+    turned = QT_TRANSLATE_NOOP("Tool", "join instead of bridging");
+  }
   if (m_drag && m_drag->hasMoved)
     return {{"", QT_TRANSLATE_NOOP("ToolInput", "Release"), dragEffect()},
-            {"", QT_TRANSLATE_NOOP("ToolInput", "Shift"), QT_TRANSLATE_NOOP("Tool", "bridge instead of joining")},
+            {"", QT_TRANSLATE_NOOP("ToolInput", "Shift"), turned},
             {"", QT_TRANSLATE_NOOP("ToolInput", "Ctrl"), QT_TRANSLATE_NOOP("Tool", "no point attracts")},
             {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "put it back")}};
   const bool isChosen = loop() != nullptr, any = neighbour(true).has_value();
@@ -47,8 +55,8 @@ std::vector<ToolAction> BoundaryTool::actions() const {
     revert = QT_TRANSLATE_NOOP("Tool", "choose none");
   return {
       {"", QT_TRANSLATE_NOOP("ToolInput", "Click"), QT_TRANSLATE_NOOP("Tool", "choose an edge")},
-      {"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), QT_TRANSLATE_NOOP("Tool", "pull a point; onto another: join them")},
-      {"", QT_TRANSLATE_NOOP("ToolInput", "Shift+drag"), QT_TRANSLATE_NOOP("Tool", "lay a bridge to another point")},
+      {"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), pull},
+      {"", QT_TRANSLATE_NOOP("ToolInput", "Shift+drag"), bridge},
       {"smooth", "Shift+S", QT_TRANSLATE_NOOP("Tool", "smooth the edge"), isChosen},
       {"islands", "I", QT_TRANSLATE_NOOP("Tool", "find islands"), isChosen},
       {"peninsulas", "Shift+I", QT_TRANSLATE_NOOP("Tool", "find peninsulas"), isChosen},
@@ -165,15 +173,10 @@ ToolReply BoundaryTool::commitProposal() {
 }
 
 void BoundaryTool::setSetting(std::string_view id, const PropertyValue& value) {
-  const double* number = std::get_if<double>(&value);
-  const bool* flag = std::get_if<bool>(&value);
-  if (id == "wavelength" && number && *number == *number) {
-    m_smoothing.wavelength = std::clamp(*number, 0.0, kLongestWave);
-  } else if (id == "evenly" && flag) {
-    m_smoothing.evenly = *flag;
-  } else {
-    return;
-  }
+  if (id == "onto") takeChoice(m_onto, value, 2);
+  const bool isTaken = (id == "wavelength" && takeNumber(m_smoothing.wavelength, value, {0.0, kLongestWave})) ||
+                       (id == "evenly" && takeSwitch(m_smoothing.evenly, value));
+  if (!isTaken) return;
   if ((m_proposal && m_proposal->kind == Kind::Smooth) || (m_job && *m_job == Kind::Smooth)) propose(Kind::Smooth);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/mesh/MeshDocument.h"
+#include "tools/ToolProperty.h"
 #include "tools/mesh/BoundaryTool.h"
 
 #include <QtGlobal>
@@ -10,8 +11,10 @@
 namespace handwheel {
 namespace {
 
-constexpr double kThread = 0.1;  // N/mm, of the spring between a held point and where it comes from
-constexpr double kSnap = 0.5;    // N/mm, of a point that attracts
+// The thread between a held point and where it comes from: pulls in proportion to its length (He 2008, section 4.1.4).
+constexpr double kThread = 0.1;           // N/mm
+constexpr double kThreadDamping = 0.001;  // N·s/mm
+constexpr double kSnap = 0.5;             // N/mm, of a point that attracts
 
 DisplayPart proposed(std::shared_ptr<const TriangleSoup> soup) {
   DisplayPart part;
@@ -72,7 +75,7 @@ std::vector<ForceTerm> BoundaryTool::forces() const {
   }
   const Vec3& start = m_drag->pull.start();
   const Vec3 grip = m_drag->tip.value_or(start);  // the tip may have taken hold beside the point
-  std::vector<ForceTerm> terms = {{grip, kThread}};
+  std::vector<ForceTerm> terms = {{grip, kThread, kThreadDamping}};
   if (m_drag->target != kNone) terms.push_back({grip + (m_drag->place - start), kSnap});
   return terms;
 }
@@ -90,7 +93,10 @@ std::vector<Property> BoundaryTool::settings() const {
   evenly.group = wave.group;
   evenly.label = QT_TRANSLATE_NOOP("Property", "Spread evenly");
   evenly.value = m_smoothing.evenly;
-  std::vector<Property> all = {wave, evenly};
+  std::vector<Property> all = {
+      choiceSetting("onto", QT_TRANSLATE_NOOP("Property", "Dropped onto a point"), static_cast<int>(m_onto),
+                    {QT_TRANSLATE_NOOP("Property", "Join"), QT_TRANSLATE_NOOP("Property", "Lay a bridge")}),
+      wave, evenly};
   Property shown;
   shown.editable = false;
   if (m_drag) {

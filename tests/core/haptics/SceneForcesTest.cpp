@@ -89,6 +89,20 @@ class SceneForcesTest : public QObject {
     QVERIFY(!out.isSoftened);
   }
 
+  // A thread: k times its length against the pull, and b times the speed against the motion.
+  void pullsLikeAThread() {
+    SceneFeel feel;
+    feel.springs = {{Vec3(1, 0, 0), 0.1, 0.002}};
+    SceneForces scene(std::move(feel));
+    const double open = std::numeric_limits<double>::infinity();
+    const ForceOut out = feltAt(scene, {11, 0, 0}, open, open, {30, 40, 0});
+    QVERIFY(isNear(out.force, {-1.0 - 0.06, -0.08, 0}));
+    // Of a device of 0.002 N·s/mm half is left to it, and half of the stiffness that it carries.
+    const ForceOut soft = feltAt(scene, {11, 0, 0}, 0.1, 0.002, {30, 40, 0});
+    QVERIFY(soft.isSoftened);
+    QVERIFY(isNear(soft.force, {-0.5 - 0.03, -0.04, 0}));
+  }
+
   void snapsToAFeature() {
     SnapFeatures features;
     features.addPoint(7, {0, 0, 0});

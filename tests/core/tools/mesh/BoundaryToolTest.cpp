@@ -21,6 +21,7 @@ class BoundaryToolTest : public QObject, private test::BoundaryBench {
   void joinsPoints();
   void joinsOnlyWhatMay();
   void laysABridge();
+  void bridgesByChoice();
   void controlLetsNothingAttract();
   void escPutsItBack();
   void theMeshChangedMeanwhile();
@@ -141,6 +142,23 @@ void BoundaryToolTest::laysABridge() {
   QVERIFY(m_tool->preview().parts.empty());
   m_tool->pointer(test::above(Kind::Release, -1, 0.5, test::kShift));
   QCOMPARE(m_document->history()->count(), 1);
+}
+
+// With the choice a stylus does what takes Shift else, and Shift the other.
+void BoundaryToolTest::bridgesByChoice() {
+  m_tool->setSetting("onto", 1.0);
+  m_tool->setSetting("onto", 2.0);  // there is no such
+  drag(Vec3(0, -2, 0), Vec3(0, 1.95, 0));
+  QCOMPARE(m_tool->preview().parts.at(0).soup->triangles.size(), std::size_t(2));
+  const std::vector<ForceTerm> forces = m_tool->forces();  // a thread, and the point that attracts
+  QCOMPARE(forces.size(), std::size_t(2));
+  QVERIFY(forces[0].stiffness > 0.0 && forces[0].damping > 0.0);
+  m_tool->pointer(test::above(Kind::Release, 0, 1.95));
+  QCOMPARE(loops(), std::size_t(3));
+  drag(Vec3(-2, 0, 0), Vec3(-1.5, 0, 0), test::kShift);
+  m_tool->pointer(test::above(Kind::Release, -1.5, 0, test::kShift));
+  QVERIFY(hasVertexAt(mesh(), Vec3(-1.5, 0, 0)));
+  QCOMPARE(m_document->history()->count(), 2);
 }
 
 void BoundaryToolTest::controlLetsNothingAttract() {
