@@ -2200,6 +2200,18 @@
         <source>Friction</source>
         <translation>Reibung</translation>
     </message>
+    <message>
+        <source>Dropped onto a point</source>
+        <translation>Auf einen Punkt gelegt</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Lay a bridge</source>
+        <translation>Brücke legen</translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -2940,6 +2952,10 @@
     <message>
         <source>Add a mesh</source>
         <translation>Netz hinzufügen</translation>
+    </message>
+    <message>
+        <source>join instead of bridging</source>
+        <translation>verbinden statt überbrücken</translation>
     </message>
 </context>
 <context>
@@ -4603,6 +4619,69 @@
     <message>
         <source>Why: %1.</source>
         <translation>Grund: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::RepairShow</name>
+    <message>
+        <source>&amp;Watch the hand repair a scan</source>
+        <translation>&amp;Zusehen, wie die Hand einen Scan repariert</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>The simulated hand repairs a hole of the sample, by the tools that you have, too</source>
+        <translation>Die simulierte Hand repariert ein Loch des Beispiels, mit den Werkzeugen, die auch Sie haben</translation>
+    </message>
+    <message>
+        <source>The hand opens the sample</source>
+        <translation>Die Hand öffnet das Beispiel</translation>
+    </message>
+    <message>
+        <source>What it does now you can do with a device, or with the mouse.</source>
+        <translation>Was sie jetzt tut, können Sie mit einem Gerät tun oder mit der Maus.</translation>
+    </message>
+    <message>
+        <source>1 of 5: choose the hole</source>
+        <translation>1 von 5: das Loch wählen</translation>
+    </message>
+    <message>
+        <source>Points of the edge draw the tip to them. The first button chooses the hole.</source>
+        <translation>Punkte des Randes ziehen die Spitze an. Die erste Taste wählt das Loch.</translation>
+    </message>
+    <message>
+        <source>2 of 5: smooth its edge</source>
+        <translation>2 von 5: den Rand glätten</translation>
+    </message>
+    <message>
+        <source>Shift+S shows what would become of it. The second button takes it.</source>
+        <translation>Umschalt+S zeigt, was daraus würde. Die zweite Taste übernimmt es.</translation>
+    </message>
+    <message>
+        <source>3 of 5: stitch</source>
+        <translation>3 von 5: nähen</translation>
+    </message>
+    <message>
+        <source>A point is pulled to the one across, like a thread: the longer, the harder. The hole falls into two.</source>
+        <translation>Ein Punkt wird zum gegenüberliegenden gezogen wie ein Faden: je länger, desto schwerer. Das Loch zerfällt in zwei.</translation>
+    </message>
+    <message>
+        <source>4 of 5: fill both parts</source>
+        <translation>4 von 5: beide Teile füllen</translation>
+    </message>
+    <message>
+        <source>The first button shows the patch of a hole, the second puts it in.</source>
+        <translation>Die erste Taste zeigt den Flicken eines Lochs, die zweite setzt ihn ein.</translation>
+    </message>
+    <message>
+        <source>5 of 5: sculpt the patch</source>
+        <translation>5 von 5: den Flicken formen</translation>
+    </message>
+    <message>
+        <source>It is subdivided, and pulled at its coarse level: the fine one follows, as on a spring.</source>
+        <translation>Er wird unterteilt und auf der groben Stufe gezogen: Die feine folgt, wie an einer Feder.</translation>
     </message>
 </context>
 <context>

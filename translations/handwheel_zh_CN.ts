@@ -2188,6 +2188,18 @@
         <source>Friction</source>
         <translation>摩擦</translation>
     </message>
+    <message>
+        <source>Dropped onto a point</source>
+        <translation>放到另一点上时</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>合并</translation>
+    </message>
+    <message>
+        <source>Lay a bridge</source>
+        <translation>架桥</translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -2920,6 +2932,10 @@
     <message>
         <source>Add a mesh</source>
         <translation>添加网格</translation>
+    </message>
+    <message>
+        <source>join instead of bridging</source>
+        <translation>合并而不架桥</translation>
     </message>
 </context>
 <context>
@@ -4575,6 +4591,69 @@
     <message>
         <source>Why: %1.</source>
         <translation>原因：%1。</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::RepairShow</name>
+    <message>
+        <source>&amp;Watch the hand repair a scan</source>
+        <translation>观看手修复扫描件(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>The simulated hand repairs a hole of the sample, by the tools that you have, too</source>
+        <translation>模拟手用您也有的工具修复示例中的一个孔</translation>
+    </message>
+    <message>
+        <source>The hand opens the sample</source>
+        <translation>手打开示例</translation>
+    </message>
+    <message>
+        <source>What it does now you can do with a device, or with the mouse.</source>
+        <translation>它现在做的，您用设备或鼠标都可以做。</translation>
+    </message>
+    <message>
+        <source>1 of 5: choose the hole</source>
+        <translation>第 1 步，共 5 步：选择孔</translation>
+    </message>
+    <message>
+        <source>Points of the edge draw the tip to them. The first button chooses the hole.</source>
+        <translation>边缘的点会吸引尖端。第一个按钮选择孔。</translation>
+    </message>
+    <message>
+        <source>2 of 5: smooth its edge</source>
+        <translation>第 2 步，共 5 步：平滑边缘</translation>
+    </message>
+    <message>
+        <source>Shift+S shows what would become of it. The second button takes it.</source>
+        <translation>Shift+S 显示结果，第二个按钮采用。</translation>
+    </message>
+    <message>
+        <source>3 of 5: stitch</source>
+        <translation>第 3 步，共 5 步：缝合</translation>
+    </message>
+    <message>
+        <source>A point is pulled to the one across, like a thread: the longer, the harder. The hole falls into two.</source>
+        <translation>像拉线一样把一点拉到对面的点：越长越费力。孔被分成两个。</translation>
+    </message>
+    <message>
+        <source>4 of 5: fill both parts</source>
+        <translation>第 4 步，共 5 步：填补两部分</translation>
+    </message>
+    <message>
+        <source>The first button shows the patch of a hole, the second puts it in.</source>
+        <translation>第一个按钮显示孔的补片，第二个按钮放入补片。</translation>
+    </message>
+    <message>
+        <source>5 of 5: sculpt the patch</source>
+        <translation>第 5 步，共 5 步：雕塑补片</translation>
+    </message>
+    <message>
+        <source>It is subdivided, and pulled at its coarse level: the fine one follows, as on a spring.</source>
+        <translation>补片被细分，在粗糙层上拉动：细层随之而动，像在弹簧上一样。</translation>
     </message>
 </context>
 <context>

@@ -45,6 +45,7 @@ struct WindowParts {
   HapticSession& haptics;
   TouchScene& touch;
   QAction* saveAs;
+  QAction* openSample;  // the scan
   std::function<bool()> isPanelVisible;
   QAction* showPanel;
 };
@@ -84,6 +85,8 @@ class KindUi : public QObject {
   virtual QString menuTitle() const = 0;
   virtual QList<QAction*> menu() = 0;
   virtual QList<QAction*> toolBar() = 0;
+  // What shows how to work on such documents, at any time.
+  virtual QList<QAction*> help() { return {}; }
   // The tools for such documents. Offers with the same id in several kinds are the same tool to the user.
   virtual std::vector<ToolOffer> tools() { return {}; }
 

@@ -78,6 +78,7 @@ void MainWindow::makeKinds(const KindSet& kinds) {
                           .haptics = m_haptics,
                           .touch = m_touch,
                           .saveAs = m_fileActions.saveAs(),
+                          .openSample = m_fileActions.openSample(),
                           .isPanelVisible = [this] { return m_kindDock->isVisible(); },
                           .showPanel = &m_showPanel};
   for (const auto& [id, make] : kinds.windows) {

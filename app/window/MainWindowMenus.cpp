@@ -120,6 +120,7 @@ void MainWindow::placeKinds() {
   m_kindPlace = std::make_unique<KindPlace>(*m_kindDock, *m_kindPanels, *m_kindBar);
   auto* help = findChild<QMenu*>(QStringLiteral("helpMenu"));
   for (const auto& [id, kind] : m_uis) m_kindPlace->add(id, *kind, m_toolChoice->actions(*kind), *menuBar(), *help);
+  for (const auto& [id, kind] : m_uis) help->insertActions(help->actions().first(), kind->help());
 }
 
 // At the end of the menu bar, where it takes no room from the view.

@@ -15,19 +15,18 @@ struct Text {
   Q_DECLARE_TR_FUNCTIONS(HapticSession)
 };
 
-constexpr const char* kSimulated = "simulated";
 constexpr const char* kMouse = "mouse";
 
 }  // namespace
 
 std::vector<DeviceListing> builtInDevices() {
-  return {{kSimulated, "hand", Text::tr("Simulated hand").toStdString()},
+  return {{kSimulatedDriver, kSimulatedAddress, Text::tr("Simulated hand").toStdString()},
           {kMouse, "pointer", Text::tr("Mouse").toStdString()}};
 }
 
 std::unique_ptr<Device> makeBuiltIn(const std::string& driver, ServoClock& clock) {
   if (driver == kMouse) return std::make_unique<MouseDevice>();
-  if (driver == kSimulated) return std::make_unique<SimulatedDevice>(simulatedDevice(), HandPath(), clock);
+  if (driver == kSimulatedDriver) return std::make_unique<SimulatedDevice>(simulatedDevice(), HandPath(), clock);
   return nullptr;
 }
 

@@ -7,6 +7,10 @@
 
 namespace handwheel {
 
+// The simulated hand, as the session knows it.
+inline constexpr const char* kSimulatedDriver = "simulated";
+inline constexpr const char* kSimulatedAddress = "hand";
+
 // The devices that need no hardware: the window makes them itself, as it leads them. Their names are translated.
 std::vector<DeviceListing> builtInDevices();
 

@@ -41,7 +41,8 @@ MeshUi::MeshUi(const WindowParts& parts, MeshKind& kind)
       m_panels(new QStackedWidget(parts.window)),
       m_scene(new DefectScene(parts.viewport, m_selection, *m_panel->model(), this)),
       m_tools(parts.tools, parts.pool, m_selection, m_preview, m_actions, m_jobs),
-      m_touch(parts) {
+      m_touch(parts),
+      m_show(parts, m_jobs, this) {
   m_panels->setMinimumWidth(264);
   m_panels->addWidget(m_panel);
   m_panels->addWidget(m_deviation.panel());
@@ -51,6 +52,7 @@ MeshUi::MeshUi(const WindowParts& parts, MeshKind& kind)
     if (m_panels) m_panels->setCurrentIndex(m_deviation.isShown() ? 1 : 0);
     emit stateChanged();
   });
+  connect(&m_show, &RepairShow::changed, this, &KindUi::stateChanged);
   connect(&m_shells, &ShellActions::message, this, &KindUi::message);
   connectSelection();
   connect(&m_parts.fidelity, &FidelityChoice::changed, this, &MeshUi::followFidelity);
@@ -134,6 +136,7 @@ void MeshUi::setDocument(OpenDocument* document) {
   m_deviation.setDocument(m_document);
   m_section.setDocument(m_document);
   m_touch.setDocument(m_document);
+  m_show.setDocument(m_document);
   m_tools.setDocument(m_document);
   m_search.setDocument(m_document);
   m_actions.setDocument(m_document);
@@ -187,6 +190,7 @@ std::vector<Hint> MeshUi::hints() {
 }
 
 NextStep MeshUi::nextStep() {
+  if (m_document && m_show.isRunning()) return m_show.step();
   if (!m_document || m_selection.loop() >= 0 || m_jobs.isWorking()) return {};
   return nextStepFor(
       *m_document, {m_actions.repairAll(), m_actions.removeDebris(), m_actions.goOneByOne(), m_defectActions.giveBack(),

@@ -10,6 +10,7 @@
 #include "window/mesh/MeshTouch.h"
 #include "window/mesh/RepairActions.h"
 #include "window/mesh/RepairJobs.h"
+#include "window/mesh/RepairShow.h"
 #include "window/mesh/SectionView.h"
 #include "window/mesh/Selection.h"
 #include "window/mesh/SelfIntersectionSearch.h"
@@ -44,6 +45,7 @@ class MeshUi : public KindUi {
   QList<QAction*> menu() override {
     return m_actions.all() + m_defectActions.all() + m_shells.all() << m_deviation.action();
   }
+  QList<QAction*> help() override { return {m_show.action()}; }
   QList<QAction*> toolBar() override;
   std::vector<ToolOffer> tools() override;
   std::vector<Hint> hints() override;
@@ -76,6 +78,7 @@ class MeshUi : public KindUi {
   DefectScene* m_scene;
   MeshTools m_tools;
   MeshTouch m_touch;
+  RepairShow m_show;
   OpenMesh* m_document = nullptr;
 };
 

@@ -1,0 +1,323 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/mesh/RepairShow.h"
+
+#include "mesh/NearFaces.h"
+#include "theme/Theme.h"
+#include "tools/mesh/BoundaryTool.h"
+#include "tools/mesh/FillHoleTool.h"
+#include "tools/mesh/MeshSelection.h"
+#include "tools/mesh/SculptTool.h"
+#include "viewport/Viewport.h"
+#include "window/ActionTip.h"
+#include "window/DocumentTabs.h"
+#include "window/ToolHost.h"
+#include "window/mesh/ClearView.h"
+#include "window/mesh/OpenMesh.h"
+#include "window/mesh/RepairJobs.h"
+
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+constexpr std::uint32_t kFirst = 1u << 0, kSecond = 1u << 1;
+constexpr double kClick = 0.2;               // s that a button is held
+constexpr double kLook = 1.4;                // s to see what was proposed or done
+constexpr double kNarrow = 1.0 / 3;          // of the points of a hole lie on either side of a waist, at least
+constexpr std::size_t kMostTried = 30;       // waists
+constexpr double kNear = 0.6;                // of the hole is what the camera would fly to
+constexpr double kBrush = 0.3, kPull = 0.2;  // of the diagonal of the hole
+
+HandStep click(std::function<std::optional<Vec3>()> place, std::function<bool()> isReady = {}) {
+  HandStep step;
+  step.isReady = std::move(isReady);
+  step.place = std::move(place);
+  step.rest = kClick;
+  return step;
+}
+
+HandStep press(std::uint32_t buttons) {
+  HandStep step;
+  step.buttons = buttons;
+  step.rest = kClick;
+  return step;
+}
+
+HandStep rest(double seconds, std::function<bool()> isReady = {}) {
+  HandStep step;
+  step.isReady = std::move(isReady);
+  step.rest = seconds;
+  return step;
+}
+
+}  // namespace
+
+RepairShow::RepairShow(const WindowParts& parts, const RepairJobs& jobs, QObject* parent)
+    : QObject(parent),
+      m_parts(parts),
+      m_jobs(jobs),
+      m_hand(parts.haptics, parts.viewport, this),
+      m_action(tr("&Watch the hand repair a scan"), this),
+      m_stop(tr("Stop"), this) {
+  m_action.setObjectName(QStringLiteral("watchRepair"));
+  setTip(m_action, tr("The simulated hand repairs a hole of the sample, by the tools that you have, too"));
+  m_action.setEnabled(parts.openSample->isEnabled());
+  m_stop.setObjectName(QStringLiteral("stopShow"));
+  connect(&m_action, &QAction::triggered, this, &RepairShow::start);
+  connect(&m_stop, &QAction::triggered, &m_hand, &HandShow::stop);
+  connect(&m_hand, &HandShow::captionChanged, this, &RepairShow::changed);
+  connect(&m_hand, &HandShow::ended, this, &RepairShow::ended);
+}
+
+void RepairShow::setDocument(OpenMesh* document) {
+  if (m_document && document != m_document && !m_rim.empty()) m_hand.stop();  // the user has gone elsewhere
+  m_document = document;
+}
+
+NextStep RepairShow::step() {
+  if (!m_hand.isRunning()) return {};
+  const QStringList parts = m_hand.caption().split(QLatin1Char('\n'));
+  return {QStringLiteral("device"), themeColours(currentTheme()).accent, parts.first(), parts.last(), {&m_stop}};
+}
+
+void RepairShow::start() {
+  m_hand.stop();
+  m_rim.clear();
+  m_hand.start(steps());
+}
+
+void RepairShow::ended() {
+  m_rim.clear();
+  for (const Setting& setting : m_changed) m_parts.tools.choose(setting.tool, setting.id, setting.value);
+  m_changed.clear();
+  if (m_document) useTool("fillTool");
+}
+
+std::vector<HandStep> RepairShow::steps() {
+  std::vector<HandStep> steps = {opening()};
+  addChoosing(steps);
+  addSmoothing(steps);
+  addStitching(steps);
+  addFilling(steps);
+  addSculpting(steps);
+  return steps;
+}
+
+HandStep RepairShow::opening() {
+  HandStep step;
+  step.caption = tr("The hand opens the sample") + QLatin1Char('\n') +
+                 tr("What it does now you can do with a device, or with the mouse.");
+  step.begin = [this] { m_parts.openSample->trigger(); };
+  step.isReady = [this] { return m_document && isSettled() && takeHole(); };
+  step.rest = 0.5;
+  return step;
+}
+
+void RepairShow::addChoosing(std::vector<HandStep>& steps) {
+  HandStep go = click([this] { return firstPoint(nextPart()); });
+  go.caption = tr("1 of 5: choose the hole") + QLatin1Char('\n') +
+               tr("Points of the edge draw the tip to them. The first button chooses the hole.");
+  go.begin = [this] {
+    useTool("boundaryTool");
+    lookFrom(m_outward);
+  };
+  steps.insert(steps.end(), {go, press(kFirst), rest(kLook)});
+}
+
+void RepairShow::addSmoothing(std::vector<HandStep>& steps) {
+  HandStep propose = rest(kLook, [this] {
+    const auto* tool = dynamic_cast<const BoundaryTool*>(m_parts.tools.runner().tool());
+    return tool && tool->isBusy() && offers("boundary", "held");
+  });
+  propose.caption = tr("2 of 5: smooth its edge") + QLatin1Char('\n') +
+                    tr("Shift+S shows what would become of it. The second button takes it.");
+  propose.begin = [this] { perform("smooth"); };
+  steps.insert(steps.end(), {propose, press(kSecond), rest(kLook, [this] { return isSettled(); })});
+}
+
+void RepairShow::addStitching(std::vector<HandStep>& steps) {
+  const auto end = [this](HalfEdge BorderPair::*which) {
+    return [this, which]() -> std::optional<Vec3> {
+      const auto pair = waist();
+      if (!pair) return std::nullopt;
+      const HalfEdgeMesh& mesh = m_document->document.mesh();
+      return mesh.position(mesh.from((*pair).*which));
+    };
+  };
+  HandStep take = click(end(&BorderPair::a));
+  take.caption =
+      tr("3 of 5: stitch") + QLatin1Char('\n') +
+      tr("A point is pulled to the one across, like a thread: the longer, the harder. The hole falls into two.");
+  take.begin = [this] { choose("boundary", "onto", 1.0); };
+  HandStep pull = click(end(&BorderPair::b));
+  pull.buttons = kFirst;
+  pull.rest = kLook;
+  steps.insert(steps.end(), {take, pull, rest(kLook, [this] { return isSettled(); })});
+}
+
+void RepairShow::addFilling(std::vector<HandStep>& steps) {
+  for (const bool isFirst : {true, false}) {
+    HandStep go = click([this]() -> std::optional<Vec3> {
+      const BoundaryLoop* part = nextPart();
+      return part ? std::optional(part->centre) : std::nullopt;
+    });
+    if (isFirst) {
+      go.caption = tr("4 of 5: fill both parts") + QLatin1Char('\n') +
+                   tr("The first button shows the patch of a hole, the second puts it in.");
+    }
+    go.begin = [this, isFirst] {
+      if (isFirst) useTool("fillTool");
+      lookFrom(m_outward);
+    };
+    HandStep seen = rest(kLook, [this] {
+      const auto* tool = dynamic_cast<const FillHoleTool*>(m_parts.tools.runner().tool());
+      return tool && tool->state() == FillHoleTool::State::Ready && isOfHole(*tool->loop());
+    });
+    steps.insert(steps.end(), {go, press(kFirst), seen, press(kSecond), rest(kLook, [this] { return isSettled(); })});
+  }
+}
+
+void RepairShow::addSculpting(std::vector<HandStep>& steps) {
+  HandStep refine = rest(kLook, [this] {
+    const auto* tool = dynamic_cast<const SculptTool*>(m_parts.tools.runner().tool());
+    return tool && tool->levels().finest() > 0 && isSettled();
+  });
+  refine.caption = tr("5 of 5: sculpt the patch") + QLatin1Char('\n') +
+                   tr("It is subdivided, and pulled at its coarse level: the fine one follows, as on a spring.");
+  refine.begin = [this] {
+    useTool("sculptTool");
+    const double size = m_place.diagonal().norm();
+    choose("sculpt", "brush", 0.0);
+    choose("sculpt", "radius", kBrush * size);
+    lookFrom(m_outward + m_parts.viewport.camera().right());
+    perform("subdivide");
+  };
+  const auto middle = [this](double out) {
+    return [this, out]() -> std::optional<Vec3> {
+      const HalfEdgeMesh& mesh = m_document->document.mesh();
+      std::optional<Vec3> nearest;
+      m_document->newest.forEach([&](Face f) {
+        for (const Vec3& p : mesh.points(f)) {
+          if (!nearest || (p - m_place.center()).norm() < (*nearest - m_place.center()).norm()) nearest = p;
+        }
+      });
+      if (nearest) *nearest += out * m_place.diagonal().norm() * m_outward.normalized();
+      return nearest;
+    };
+  };
+  HandStep touch = click(middle(0.0));
+  touch.begin = [this] { perform("coarser"); };
+  HandStep pull = click(middle(kPull));
+  pull.buttons = kFirst;
+  pull.rest = kLook;
+  steps.insert(steps.end(), {refine, touch, pull, rest(2.0 * kLook, [this] { return isSettled(); })});
+}
+
+bool RepairShow::isSettled() const {
+  return m_parts.jobs.isIdle() && !m_jobs.isWorking() && m_parts.viewport.isPickingReady();
+}
+
+// The one with the longest edge; false when there is none.
+bool RepairShow::takeHole() {
+  m_document->cardDismissed = false;
+  const Inspection& inspection = m_document->inspection;
+  const BoundaryLoop* longest = nullptr;
+  for (const int id : inspection.holes()) {
+    if (!longest || inspection.loop(id).length > longest->length) longest = &inspection.loop(id);
+  }
+  if (!longest) return false;
+  const HalfEdgeMesh& mesh = m_document->document.mesh();
+  m_place = longest->box;
+  m_outward.setZero();
+  for (const HalfEdge h : longest->halfEdges) {
+    m_rim.insert(mesh.from(h));
+    const TrianglePoints p = mesh.points(HalfEdgeMesh::face(h));
+    m_outward += (p[1] - p[0]).cross(p[2] - p[0]);
+  }
+  m_outward = clearView(mesh, m_place, m_outward);
+  return true;
+}
+
+// The shorter of what is left of the hole; null when it is closed.
+const BoundaryLoop* RepairShow::nextPart() const {
+  const Inspection& inspection = m_document->inspection;
+  const BoundaryLoop* shortest = nullptr;
+  for (const int id : inspection.holes()) {
+    const BoundaryLoop& loop = inspection.loop(id);
+    if (isOfHole(loop) && (!shortest || loop.length < shortest->length)) shortest = &loop;
+  }
+  return shortest;
+}
+
+bool RepairShow::isOfHole(const BoundaryLoop& loop) const {
+  const HalfEdgeMesh& mesh = m_document->document.mesh();
+  return std::any_of(loop.halfEdges.begin(), loop.halfEdges.end(),
+                     [&](HalfEdge h) { return m_rim.count(mesh.from(h)) != 0; });
+}
+
+std::optional<Vec3> RepairShow::firstPoint(const BoundaryLoop* loop) const {
+  if (!loop) return std::nullopt;
+  const HalfEdgeMesh& mesh = m_document->document.mesh();
+  const Vec3 towards = m_parts.viewport.camera().towardsViewer();
+  const auto nearest = std::max_element(loop->halfEdges.begin(), loop->halfEdges.end(), [&](HalfEdge a, HalfEdge b) {
+    return mesh.position(mesh.from(a)).dot(towards) < mesh.position(mesh.from(b)).dot(towards);
+  });
+  return mesh.position(mesh.from(*nearest));
+}
+
+// The two points nearest to each other that part the hole into like parts, and between which a bridge can be laid.
+std::optional<BorderPair> RepairShow::waist() const {
+  const BoundaryLoop* hole = nextPart();
+  if (!hole) return std::nullopt;
+  const HalfEdgeMesh& mesh = m_document->document.mesh();
+  const auto& rim = hole->halfEdges;
+  const auto least = static_cast<std::size_t>(kNarrow * static_cast<double>(rim.size()));
+  std::vector<std::pair<double, BorderPair>> pairs;
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    for (std::size_t j = i + least; j < rim.size() && j - i <= rim.size() - least; ++j) {
+      pairs.push_back({(mesh.position(mesh.from(rim[i])) - mesh.position(mesh.from(rim[j]))).norm(), {rim[i], rim[j]}});
+    }
+  }
+  const std::size_t tried = std::min(kMostTried, pairs.size());
+  std::partial_sort(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(tried), pairs.end(),
+                    [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (std::size_t i = 0; i < tried; ++i) {
+    const BorderPair& ends = pairs[i].second;
+    if (findBridge(NearFaces(mesh, reachOf(mesh, ends)), ends).problem == JoinProblem::None) return ends;
+  }
+  return std::nullopt;
+}
+
+void RepairShow::lookFrom(const Vec3& direction) {
+  const Vec3 half = kNear * 0.5 * m_place.sizes();
+  m_parts.viewport.flyTo(Box(m_place.center() - half, m_place.center() + half), direction);
+}
+
+void RepairShow::useTool(const char* action) {
+  if (auto* const found = m_parts.window->findChild<QAction*>(QLatin1String(action))) found->trigger();
+}
+
+void RepairShow::perform(const char* action) {
+  m_parts.tools.runner().perform(action);
+}
+
+void RepairShow::choose(const char* tool, const char* setting, const PropertyValue& value) {
+  if (const Tool* running = m_parts.tools.runner().tool(); running && running->id() == tool) {
+    for (const Property& property : running->settings()) {
+      if (property.id == setting) m_changed.push_back({tool, setting, property.value});
+    }
+  }
+  m_parts.tools.choose(tool, setting, value);
+}
+
+// Whether the tool in use shows this among its settings.
+bool RepairShow::offers(const char* tool, const char* setting) const {
+  const Tool* running = m_parts.tools.runner().tool();
+  if (!running || running->id() != tool) return false;
+  const std::vector<Property> settings = running->settings();
+  return std::any_of(settings.begin(), settings.end(), [&](const Property& each) { return each.id == setting; });
+}
+
+}  // namespace handwheel

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../WindowDriver.h"
+#include "../WindowTestMain.h"
+#include "window/haptics/HandShow.h"
+#include "window/haptics/HapticSession.h"
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+constexpr int kWholeMs = 120000;
+
+struct ShowBench {
+  WindowDriver driver;
+  HandShow& show;
+  HapticSession& session;
+
+  ShowBench() : show(*driver.window().findChild<HandShow*>()), session(*driver.window().findChild<HapticSession*>()) {
+    show.setPace(3.0);
+  }
+  ~ShowBench() { session.close(); }
+
+  bool waitFor(const QString& caption) {
+    return QTest::qWaitFor([&] { return show.caption().startsWith(caption); }, kWholeMs);
+  }
+  // How many steps can be undone; afterwards none can.
+  int undoAll() {
+    auto* undo = driver.find<QAction>("undo");
+    int steps = 0;
+    for (; undo->isEnabled() && steps < 100; ++steps) undo->trigger();
+    return driver.settle() ? steps : -1;
+  }
+};
+
+}  // namespace
+
+// The simulated hand repairs a hole in the window, from the servo loop to the undo step.
+class HandShowTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() { QSettings().clear(); }
+
+  // Smoothed, bridged, two parts filled, subdivided, pulled: six steps, and one hole less.
+  void aHoleIsRepaired() {
+    ShowBench b;
+    QSignalSpy ended(&b.show, &HandShow::ended);
+    b.driver.choose("watchRepair");
+    QVERIFY(b.waitFor("1 of 5"));
+    QVERIFY(b.session.simulatedHand());
+    const int holes = b.driver.count(DefectKind::Hole);
+    QVERIFY(b.waitFor("4 of 5"));
+    QTRY_COMPARE(b.driver.count(DefectKind::Hole), holes + 1);  // the bridge has parted it
+    QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, kWholeMs);
+    QVERIFY(ended.first().first().toBool());
+    QVERIFY(b.driver.settle());
+    QCOMPARE(b.driver.count(DefectKind::Hole), holes - 1);
+    QVERIFY(!b.session.isOpen() && b.session.chosen().driver.empty());
+    QCOMPARE(b.undoAll(), 6);
+    QCOMPARE(b.driver.count(DefectKind::Hole), holes);
+  }
+
+  // Stopped in the midst nothing stays in the air, and the device comes back that was in use.
+  void itCanBeStopped() {
+    ShowBench b;
+    b.session.choose("mouse", "pointer");
+    QTRY_VERIFY(b.session.mouse());
+    QSignalSpy ended(&b.show, &HandShow::ended);
+    b.driver.choose("watchRepair");
+    QVERIFY(b.waitFor("3 of 5"));
+    b.driver.find<QAction>("stopShow")->trigger();
+    QVERIFY(!b.show.isRunning() && b.show.caption().isEmpty());
+    QCOMPARE(ended.count(), 1);
+    QVERIFY(!ended.first().first().toBool());
+    QTRY_VERIFY(b.session.mouse());
+    QVERIFY(b.driver.settle());
+    QCOMPARE(b.undoAll(), 1);  // what was smoothed
+  }
+
+  // Who turns to another device ends it.
+  void anotherDeviceEndsIt() {
+    ShowBench b;
+    b.driver.choose("watchRepair");
+    QVERIFY(b.waitFor("1 of 5"));
+    b.session.choose("mouse", "pointer");
+    QVERIFY(!b.show.isRunning());
+    QTRY_VERIFY(b.session.mouse());
+  }
+};
+
+HANDWHEEL_WINDOW_TEST(HandShowTest)
+#include "HandShowTest.moc"
