@@ -28,7 +28,7 @@ constexpr double kLook = 1.4;                // s to see what was proposed or do
 constexpr double kNarrow = 1.0 / 3;          // of the points of a hole lie on either side of a waist, at least
 constexpr std::size_t kMostTried = 30;       // waists
 constexpr double kNear = 0.6;                // of the hole is what the camera would fly to
-constexpr double kBrush = 0.3, kPull = 0.2;  // of the diagonal of the hole
+constexpr double kBrush = 0.2, kPull = 0.2;  // of the diagonal of the hole
 
 HandStep click(std::function<std::optional<Vec3>()> place, std::function<bool()> isReady = {}) {
   HandStep step;
