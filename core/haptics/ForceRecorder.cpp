@@ -61,6 +61,16 @@ bool ForceRecorder::isFull() const {
   return m_recording.size() >= m_mostTicks;
 }
 
+std::size_t ForceRecorder::ticks() const {
+  const std::lock_guard lock(m_mutex);
+  return m_recording.size();
+}
+
+double ForceRecorder::duration() const {
+  const std::lock_guard lock(m_mutex);
+  return m_recording.duration();
+}
+
 void ForceRecorder::run() {
   for (bool isLast = false; !isLast;) {
     fetch();

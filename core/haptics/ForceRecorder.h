@@ -38,6 +38,9 @@ class ForceRecorder {
   // What there is so far; goes on being recorded.
   Recording recording() const;
   bool isFull() const;
+  // How much that is, without touching the ticks.
+  std::size_t ticks() const;
+  double duration() const;  // s
 
  private:
   void run();

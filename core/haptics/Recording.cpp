@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/Recording.h"
 
+#include <algorithm>
+
 namespace handwheel {
 
 RecordedTick recorded(const ServoSample& sample) {
@@ -15,6 +17,15 @@ void Recording::add(const RecordedTick& tick) {
     if (tick.tick > next) m_missing += tick.tick - next;
   }
   m_ticks.push_back(tick);
+}
+
+void Recording::append(const Recording& later) {
+  for (std::size_t i = 0; i < later.size(); ++i) add(later[i]);
+  m_events.insert(m_events.end(), later.m_events.begin(), later.m_events.end());
+}
+
+double Recording::duration() const {
+  return m_ticks.empty() ? 0.0 : std::max(0.0, m_ticks[size() - 1].tip.time - m_ticks[0].tip.time);
 }
 
 }  // namespace handwheel

@@ -38,12 +38,15 @@ class Recording {
  public:
   void add(const RecordedTick& tick);
   void addEvent(RecordedEvent event) { m_events.push_back(std::move(event)); }
+  void append(const Recording& later);
 
   std::size_t size() const { return m_ticks.size(); }
   const RecordedTick& operator[](std::size_t i) const { return m_ticks[i]; }
   const std::vector<RecordedEvent>& events() const { return m_events; }
   // Ticks between the first and the last that are not here.
   std::uint64_t missing() const { return m_missing; }
+  // s, from the first tick to the last; never negative.
+  double duration() const;
 
   // Gives the recorded tips to a source, in order, and calls visit(const RecordedTick&, const ForceOut&) for each tick
   // in which the scene was asked. A source in the same state as at the first gives the same forces, bit for bit.

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
+#include <cmath>
 #include <cstring>
 
 namespace handwheel {
@@ -109,7 +111,8 @@ RecordedTick takeTick(Reader& reader) {
 }
 
 bool isSomewhere(const TipState& tip) {
-  return tip.position.allFinite() && tip.orientation.coeffs().allFinite() && tip.velocity.allFinite();
+  return tip.position.allFinite() && tip.orientation.coeffs().allFinite() && tip.velocity.allFinite() &&
+         std::isfinite(tip.time);
 }
 
 Status readEvents(Reader& reader, std::uint32_t count, Recording& recording) {
@@ -127,17 +130,29 @@ Status readEvents(Reader& reader, std::uint32_t count, Recording& recording) {
 }  // namespace
 
 std::string recordingBytes(const Recording& recording) {
+  return recordingBytes(recording, 0, recording.size());
+}
+
+std::string recordingBytes(const Recording& recording, std::size_t first, std::size_t last) {
+  assert(first <= last && last <= recording.size());
+  const std::vector<RecordedEvent>& all = recording.events();
+  const auto isBefore = [](const RecordedEvent& event, std::uint64_t tick) { return event.tick <= tick; };
+  const auto endAt = [&](std::size_t tick) {  // of the events up to before this tick
+    if (tick == recording.size()) return all.end();
+    return tick == 0 ? all.begin() : std::lower_bound(all.begin(), all.end(), recording[tick - 1].tick, isBefore);
+  };
+  const auto begin = first == 0 ? all.begin() : endAt(first), end = endAt(last);
   std::string bytes(kMagic);
-  bytes.reserve(recording.size() * kTickBytes + 4096);
+  bytes.reserve((last - first) * kTickBytes + 4096);
   put(bytes, kVersion);
-  put(bytes, static_cast<std::uint32_t>(recording.events().size()));
-  put(bytes, static_cast<std::uint64_t>(recording.size()));
-  for (const RecordedEvent& event : recording.events()) {
-    put(bytes, event.tick);
-    put(bytes, static_cast<std::uint32_t>(event.text.size()));
-    bytes += event.text;
+  put(bytes, static_cast<std::uint32_t>(end - begin));
+  put(bytes, static_cast<std::uint64_t>(last - first));
+  for (auto event = begin; event < end; ++event) {
+    put(bytes, event->tick);
+    put(bytes, static_cast<std::uint32_t>(event->text.size()));
+    bytes += event->text;
   }
-  for (std::size_t i = 0; i < recording.size(); ++i) putTick(bytes, recording[i]);
+  for (std::size_t i = first; i < last; ++i) putTick(bytes, recording[i]);
   return bytes;
 }
 

@@ -40,6 +40,7 @@ void ServoTick::run(std::int64_t now) noexcept {
   const double period = advance(now);
   ServoSample sample;
   sample.tick = m_tick++;
+  sample.tip.time = m_time;  // also where no tip is known
   sample.device = m_device.read();
 
   SafetyInput input;

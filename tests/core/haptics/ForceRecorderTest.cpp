@@ -73,6 +73,28 @@ class ForceRecorderTest : public QObject {
     QCOMPARE(recording[0].tick, std::uint64_t{500});
   }
 
+  // A device that is away for a while leaves no hole in the time that is played back.
+  void timeGoesOnWithoutTheDevice() {
+    auto log = std::make_shared<ScriptedDevice::Log>();
+    VirtualClock clock;
+    Service service("servo");
+    ServoLoop loop(std::make_unique<ScriptedDevice>(log), ServoSettings(), clock, service);
+    ForceRecorder recorder(loop);
+    loop.runTicks(100);
+    log->state.status = DeviceStatus::Absent;
+    loop.runTicks(100);
+    log->state.status = DeviceStatus::Ready;
+    loop.runTicks(100);
+    recorder.fetch();
+    const Recording recording = recorder.recording();
+    QCOMPARE(recording.size(), recorder.ticks());
+    QCOMPARE(recording[150].status, DeviceStatus::Absent);
+    for (std::size_t i = 1; i < recording.size(); ++i)
+      QVERIFY(qAbs(recording[i].tip.time - recording[i - 1].tip.time - 0.001) < 1e-9);
+    QCOMPARE(recorder.duration(), recording.duration());
+    QVERIFY(qAbs(recording.duration() - 0.299) < 1e-6);
+  }
+
   void endsWhenFull() {
     RecordedRun run;
     ForceRecorder small(*run.loop, 700);

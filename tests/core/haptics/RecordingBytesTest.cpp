@@ -7,67 +7,12 @@
 #include <cstring>
 #include <limits>
 
-#include "HapticPoses.h"
+#include "AnyRecording.h"
 
 using namespace handwheel;
 using namespace handwheel::test;
 
 namespace {
-
-RecordedTick anyTick(std::uint64_t number) {
-  RecordedTick tick;
-  tick.tick = number;
-  tick.tip.position = anyVector(1e7);
-  tick.tip.orientation = anyRotation();
-  tick.tip.velocity = anyVector();
-  tick.tip.gripper = anyNumber();
-  tick.tip.time = anyNumber();
-  tick.tip.period = anyNumber();
-  tick.tip.stiffnessLimit = *rc::gen::element(std::numeric_limits<double>::infinity(), 0.3);
-  tick.tip.dampingLimit = anyNumber();
-  tick.tip.buttons = static_cast<std::uint32_t>(*rc::gen::inRange(0, 1 << 30));
-  tick.tip.isRestart = *rc::gen::arbitrary<bool>();
-  tick.felt.force = anyVector();
-  tick.felt.torque = anyVector();
-  tick.felt.gripper = anyNumber();
-  tick.felt.proxy = anyVector();
-  tick.felt.isContact = *rc::gen::arbitrary<bool>();
-  tick.felt.isFresh = *rc::gen::arbitrary<bool>();
-  tick.felt.isSoftened = *rc::gen::arbitrary<bool>();
-  tick.felt.stiffness = anyNumber();
-  tick.sent = {anyVector(), anyVector(), anyNumber()};
-  tick.devicePosition = anyVector();
-  tick.actions = static_cast<std::uint32_t>(*rc::gen::inRange(0, 1 << 9));
-  tick.microseconds = 1.25f;
-  tick.status = *rc::gen::element(DeviceStatus::Absent, DeviceStatus::Ready, DeviceStatus::Failed);
-  tick.hasSource = *rc::gen::arbitrary<bool>();
-  return tick;
-}
-
-Recording anyRecording() {
-  Recording recording;
-  const int ticks = *rc::gen::inRange(0, 6), events = *rc::gen::inRange(0, 3);
-  for (int i = 0; i < ticks; ++i) recording.add(anyTick(static_cast<std::uint64_t>(2 * i + 3)));
-  for (int i = 0; i < events; ++i) recording.addEvent({static_cast<std::uint64_t>(i), std::string(i * 5, 'x')});
-  return recording;
-}
-
-bool isSame(const RecordedTick& a, const RecordedTick& b) {
-  const auto felt = [](const ForceOut& x, const ForceOut& y) {
-    return x.force == y.force && x.torque == y.torque && x.gripper == y.gripper && x.proxy == y.proxy &&
-           x.isContact == y.isContact && x.isFresh == y.isFresh && x.isSoftened == y.isSoftened &&
-           x.stiffness == y.stiffness;
-  };
-  const auto tip = [](const TipState& x, const TipState& y) {
-    return x.position == y.position && x.orientation.coeffs() == y.orientation.coeffs() && x.velocity == y.velocity &&
-           x.gripper == y.gripper && x.time == y.time && x.period == y.period && x.stiffnessLimit == y.stiffnessLimit &&
-           x.dampingLimit == y.dampingLimit && x.buttons == y.buttons && x.isRestart == y.isRestart;
-  };
-  return a.tick == b.tick && tip(a.tip, b.tip) && felt(a.felt, b.felt) && a.sent.force == b.sent.force &&
-         a.sent.torque == b.sent.torque && a.sent.gripper == b.sent.gripper && a.devicePosition == b.devicePosition &&
-         a.actions == b.actions && a.microseconds == b.microseconds && a.status == b.status &&
-         a.hasSource == b.hasSource;
-}
 
 Recording twoTicks() {
   Recording recording;
@@ -87,14 +32,25 @@ class RecordingBytesTest : public QObject {
     QVERIFY(rc::check("the same", [] {
       const Recording recording = anyRecording();
       const auto read = recordingFromBytes(recordingBytes(recording));
-      RC_ASSERT(read.hasValue());
-      RC_ASSERT(read->size() == recording.size() && read->missing() == recording.missing());
-      for (std::size_t i = 0; i < recording.size(); ++i) RC_ASSERT(isSame((*read)[i], recording[i]));
-      RC_ASSERT(read->events().size() == recording.events().size());
-      for (std::size_t i = 0; i < recording.events().size(); ++i) {
-        RC_ASSERT(read->events()[i].tick == recording.events()[i].tick);
-        RC_ASSERT(read->events()[i].text == recording.events()[i].text);
-      }
+      RC_ASSERT(read.hasValue() && isSame(*read, recording));
+    }));
+  }
+
+  // Parts, wherever they are cut, are recordings, and one after the other they are the whole.
+  void partsAreTheWhole() {
+    QVERIFY(rc::check("parts", [] {
+      const Recording recording = anyRecording();
+      Recording together;
+      std::size_t first = 0;
+      do {
+        const std::size_t last = first + static_cast<std::size_t>(*rc::gen::inRange<int>(
+                                             first < recording.size() ? 1 : 0, recording.size() - first + 1));
+        const auto part = recordingFromBytes(recordingBytes(recording, first, last));
+        RC_ASSERT(part.hasValue() && part->size() == last - first);
+        together.append(*part);
+        first = last;
+      } while (first < recording.size());
+      RC_ASSERT(isSame(together, recording));
     }));
   }
 
@@ -144,6 +100,15 @@ class RecordingBytesTest : public QObject {
     const auto read = recordingFromBytes(recordingBytes(recording));
     QVERIFY(!read.hasValue() && read.error().code == ErrorCode::NumberNotFinite);
     QCOMPARE(read.error().place.value, std::uint64_t{20 + 312});
+  }
+
+  // Whoever plays it asks for its time.
+  void timesAreFinite() {
+    RecordedTick tick;
+    tick.tip.time = std::numeric_limits<double>::quiet_NaN();
+    Recording recording;
+    recording.add(tick);
+    QVERIFY(recordingFromBytes(recordingBytes(recording)).error().code == ErrorCode::NumberNotFinite);
   }
 };
 
