@@ -70,6 +70,7 @@ class Document : public QObject {
 
  private:
   friend class DisplayUnitEdit;
+  friend class RecordingsEdit;
   void push(EditCommand* command, Stroke stroke);
 
   const DocumentKind& m_kind;

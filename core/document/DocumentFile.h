@@ -4,6 +4,7 @@
 
 #include "base/Error.h"
 #include "base/Units.h"
+#include "document/KeptRecording.h"
 #include "document/Snapshot.h"
 #include "document/formats/MeshFormat.h"
 
@@ -21,9 +22,10 @@ struct DocumentFile {
   std::string id;    // UUID; made when a document is imported, kept in containers
   std::string path;  // absolute, as bytes; empty for a document that was never saved
   LengthUnit displayUnit = LengthUnit::Millimetre;
-  std::vector<Error> damage;        // what was skipped or mended
-  std::size_t unlistedDamage = 0;   // further damage beyond what is listed
-  std::vector<LostAttribute> lost;  // what the file holds and the document does not
+  std::vector<KeptRecording> recordings;  // of a haptic device in it; in the order in which they were made
+  std::vector<Error> damage;              // what was skipped or mended
+  std::size_t unlistedDamage = 0;         // further damage beyond what is listed
+  std::vector<LostAttribute> lost;        // what the file holds and the document does not
   bool isContainer = false;
   bool isNewer = false;  // written by a newer program
   // Keys and blobs that this program does not know; they go back into the file. And the keys that it knew when it read

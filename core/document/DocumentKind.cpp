@@ -5,6 +5,7 @@
 #include "document/AtomicFile.h"
 #include "document/FileBytes.h"
 #include "document/NewerFile.h"
+#include "document/container/RecordingBlobs.h"
 #include "document/container/UnknownPart.h"
 
 #include <QUuid>
@@ -32,13 +33,14 @@ LengthUnit unitNamed(const std::string& symbol) {
   return LengthUnit::Millimetre;
 }
 
-// What this program writes of a document.
+// What this program writes of a document, but for the ticks of recordings.
 Container ownPart(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content) {
   Container own;
   nlohmann::json& manifest = *own.manifest;
   manifest["id"] = file.id.empty() ? newId() : file.id;
   manifest["kind"] = kind.id();
   manifest["display_unit"] = symbolOf(file.displayUnit);
+  listRecordings(file.recordings, manifest);
   kind.save(content, own);
   return own;
 }
@@ -46,8 +48,8 @@ Container ownPart(const DocumentKind& kind, const DocumentFile& file, const Snap
 // Sets apart what goes back into the file when it is saved.
 void keepUnknown(OpenedFile& opened, const Container& read) {
   Container known = ownPart(*opened.kind, opened.file, *opened.content);
-  const std::string folder = opened.kind->id() + "/";
-  opened.file.unknown = std::make_shared<const Container>(unknownPart(read, known, {&folder, 1}));
+  const std::string folders[] = {opened.kind->id() + "/", kRecordingFolder};
+  opened.file.unknown = std::make_shared<const Container>(unknownPart(read, known, folders));
   known.blobs.clear();
   opened.file.known = std::make_shared<const Container>(std::move(known));
 }
@@ -68,6 +70,7 @@ Result<OpenedFile> load(const DocumentKinds& kinds, std::string_view bytes, Prog
   opened.file.id = stringAt(manifest, "id");
   if (opened.file.id.empty()) opened.file.id = newId();
   opened.file.displayUnit = unitNamed(stringAt(manifest, "display_unit"));
+  opened.file.recordings = readRecordings(read->container, opened.file.damage);
   opened.file.isContainer = true;
   opened.file.isNewer = read->isNewer;
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
@@ -168,6 +171,7 @@ bool isContainerName(const std::filesystem::path& path) {
 Result<std::string> containerBytes(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
                                    Compression compression, Progress progress) {
   Container container = ownPart(kind, file, content);
+  writeRecordings(file.recordings, container);
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   if (file.unknown) container = merged(*file.unknown, std::move(container), file.known ? *file.known : Container());
   return writeContainer(container, compression, progress.part(0.2, 1.0));
@@ -176,7 +180,12 @@ Result<std::string> containerBytes(const DocumentKind& kind, const DocumentFile&
 Result<WrittenFile> saveDocument(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
                                  const std::filesystem::path& path, Progress progress) {
   if (const Status may = mayReplace(path); !may) return may.error();
-  if (!isContainerName(path)) return kind.exportTo(content, path, progress);
+  if (!isContainerName(path)) {
+    Result<WrittenFile> written = kind.exportTo(content, path, progress);
+    if (written && !file.recordings.empty())
+      written->notes.push_back({QT_TRANSLATE_NOOP("Note", "The recordings of the device are not in this file.")});
+    return written;
+  }
   const Result<std::string> bytes = containerBytes(kind, file, content, Compression::Fast, progress.part(0.0, 0.7));
   if (!bytes) return withSubject(bytes.error(), path);
   if (const Status whole = checkReadable(*bytes, progress.part(0.7, 0.8)); !whole) {

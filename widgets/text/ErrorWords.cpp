@@ -25,6 +25,7 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "parts"),
     QT_TRANSLATE_NOOP("ErrorWord", "poles"),
     QT_TRANSLATE_NOOP("ErrorWord", "strips"),
+    QT_TRANSLATE_NOOP("ErrorWord", "ticks of the recording '%1'"),
     QT_TRANSLATE_NOOP("ErrorWord", "triangles"),
     QT_TRANSLATE_NOOP("ErrorWord", "vertices"),
     // … was expected
@@ -53,6 +54,7 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "the handshake of a WebSocket"),
     QT_TRANSLATE_NOOP("ErrorWord", "where it is"),
     QT_TRANSLATE_NOOP("ErrorWord", "unplugged"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the process that guards its motors has ended"),
     QT_TRANSLATE_NOOP("ErrorWord", "it brings no driver"),
     QT_TRANSLATE_NOOP("ErrorWord", "there is already a driver '%1'"),
     // … is not supported

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/RecordingsEdit.h"
+
+#include "document/Document.h"
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+namespace handwheel {
+
+namespace {
+constexpr std::size_t kKeyDigits = 4;
+}
+
+void RecordingsEdit::exchange(Document& document) {
+  document.m_file.recordings.swap(m_recordings);
+  document.wasChanged();
+  emit document.fileChanged();
+}
+
+// The ticks are shared with the document, most of the time.
+std::size_t RecordingsEdit::bytes() const {
+  return sizeof *this + m_recordings.size() * sizeof(KeptRecording);
+}
+
+std::string freeKey(const std::vector<KeptRecording>& recordings) {
+  unsigned long highest = 0;
+  for (const KeptRecording& each : recordings) {
+    unsigned long number = 0;
+    std::from_chars(each.key.data(), each.key.data() + each.key.size(), number);
+    highest = std::max(highest, number);
+  }
+  const std::string digits = std::to_string(highest + 1);
+  return std::string(kKeyDigits - std::min(kKeyDigits, digits.size()), '0') + digits;
+}
+
+}  // namespace handwheel

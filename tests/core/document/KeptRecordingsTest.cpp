@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "AnyRecording.h"
+#include "ContainerChecks.h"
+#include "MeshDocuments.h"
+#include "MeshShapes.h"
+#include "document/AtomicFile.h"
+#include "document/FileBytes.h"
+#include "document/RecordingExport.h"
+#include "document/RecordingsEdit.h"
+#include "document/container/RecordingBlobs.h"
+#include "haptics/RecordingCsv.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+#include <sstream>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+DocumentKinds meshes() {
+  std::vector<std::unique_ptr<DocumentKind>> kinds;
+  kinds.push_back(std::make_unique<MeshKind>());
+  return DocumentKinds(std::move(kinds));
+}
+
+std::vector<KeptRecording> anyRecordings() {
+  std::vector<KeptRecording> all;
+  for (int i = *rc::gen::inRange(0, 4); i > 0; --i) {
+    const std::string name = *rc::gen::container<std::string>(rc::gen::inRange<char>(1, 127));
+    all.push_back({freeKey(all), name, "device", *rc::gen::element(0.0, 3.25), anyRecording()});
+  }
+  return all;
+}
+
+// As long as said, with a tick each millisecond.
+Recording steady(std::size_t ticks) {
+  Recording recording;
+  for (std::size_t i = 0; i < ticks; ++i) {
+    RecordedTick tick;
+    tick.tick = i;
+    tick.tip.time = 0.001 * static_cast<double>(i);
+    recording.add(tick);
+  }
+  return recording;
+}
+
+void checkSame(const std::vector<KeptRecording>& read, const std::vector<KeptRecording>& written) {
+  RC_ASSERT(read.size() == written.size());
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    RC_ASSERT(read[i].key == written[i].key && read[i].name == written[i].name && read[i].device == written[i].device);
+    RC_ASSERT(read[i].forceLimit == written[i].forceLimit);
+    RC_ASSERT(isSame(read[i].ticks, written[i].ticks));
+  }
+}
+
+// A document on the disk, and how it comes back.
+struct Bench {
+  QTemporaryDir folder;
+  std::filesystem::path path = folder.filePath("part.handwheel").toStdString();
+  DocumentKinds kinds = meshes();
+  std::unique_ptr<MeshDocument> document = meshDocument(tetrahedron());
+
+  void give(std::vector<KeptRecording> recordings) {
+    document->commit("recordings", std::make_unique<RecordingsEdit>(std::move(recordings)));
+  }
+  bool save() const { return saveDocument(document->kind(), document->file(), *document->snapshot(), path).hasValue(); }
+  // The container with a change by hand, written again with sums that fit.
+  template <class Change>
+  void change(Change change) const {
+    auto read = readContainer(*readFileBytes(path));
+    QVERIFY(read.hasValue());
+    change(read->container);
+    QVERIFY(writeFileAtomically(path, *writeContainer(read->container, Compression::Fast)).hasValue());
+  }
+};
+
+}  // namespace
+
+// The recordings of a device in a document and its file.
+class KeptRecordingsTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void comeBackTheSame() {
+    QVERIFY(rc::check([] {
+      Bench bench;
+      bench.give(anyRecordings());
+      RC_ASSERT(bench.save());
+      const auto opened = bench.kinds.open(bench.path, {});
+      RC_ASSERT(opened.hasValue() && opened->file.damage.empty());
+      checkSame(opened->file.recordings, bench.document->file().recordings);
+      // And once more, through a document that knows nothing else of the file.
+      RC_ASSERT(saveDocument(*opened->kind, opened->file, *opened->content, bench.path).hasValue());
+      const auto again = bench.kinds.open(bench.path, {});
+      RC_ASSERT(again.hasValue());
+      checkSame(again->file.recordings, bench.document->file().recordings);
+    }));
+  }
+
+  void areAStepOfTheHistory() {
+    Bench bench;
+    QVERIFY(!bench.document->isModified());
+    const std::uint64_t before = bench.document->revision();
+    bench.give({{"0001", "first", "", 0.0, steady(3)}});
+    QVERIFY(bench.document->isModified());
+    QVERIFY(bench.document->revision() > before);
+    QCOMPARE(bench.document->file().recordings.size(), std::size_t{1});
+    bench.document->history()->undo();
+    QVERIFY(bench.document->file().recordings.empty());
+    QVERIFY(!bench.document->isModified());
+    bench.document->history()->redo();
+    QCOMPARE(bench.document->file().recordings[0].ticks.size(), std::size_t{3});
+  }
+
+  void keysAreNotGivenTwice() {
+    QVERIFY(rc::check([] {
+      std::vector<KeptRecording> all;
+      for (int i = *rc::gen::inRange(0, 30); i > 0; --i) all.push_back({freeKey(all), {}, {}, 0.0, {}});
+      if (!all.empty()) all.erase(all.begin() + *rc::gen::inRange<int>(0, static_cast<int>(all.size())));
+      const std::string key = freeKey(all);
+      RC_ASSERT(key.size() == 4);
+      for (const KeptRecording& each : all) RC_ASSERT(each.key != key);
+    }));
+    QCOMPARE(freeKey({{"9999", {}, {}, 0.0, {}}}), std::string("10000"));
+  }
+
+  // What an older program knew nothing of, and what somebody wrote beside it, goes through; what is deleted is gone.
+  void strangersStayAndTheDeletedIsGone() {
+    Bench bench;
+    bench.give({{"0001", "first", "", 0.0, steady(3)}, {"0002", "second", "", 0.0, steady(2)}});
+    QVERIFY(bench.save());
+    bench.change([](Container& container) {
+      (*container.manifest)["recordings"]["0001"]["hand"] = "left";
+      (*container.manifest)["recordings"]["0002"]["hand"] = "right";
+    });
+    auto opened = bench.kinds.open(bench.path, {});
+    QVERIFY(opened.hasValue());
+    opened->file.recordings.erase(opened->file.recordings.begin());
+    QVERIFY(saveDocument(*opened->kind, opened->file, *opened->content, bench.path).hasValue());
+    const auto read = readContainer(*readFileBytes(bench.path));
+    const json& list = (*read->container.manifest)["recordings"];
+    QCOMPARE(list.size(), std::size_t{1});
+    QVERIFY(list["0002"]["hand"] == "right");
+    for (const auto& [name, bytes] : read->container.blobs) QVERIFY(!name.starts_with("recordings/0001"));
+  }
+
+  // A damaged part costs that part; the rest of the document opens, and says what is missing.
+  void damageCostsOnePart() {
+    Bench bench;
+    bench.give({{"0001", "long", "", 0.0, steady(140'000)}, {"0002", "short", "", 0.0, steady(5)}});
+    QVERIFY(bench.save());
+    bench.change([](Container& container) {
+      QCOMPARE(container.blobs.count("recordings/0001/0002"), std::size_t{1});
+      container.blobs["recordings/0001/0001"].resize(1000);
+    });
+    const auto opened = bench.kinds.open(bench.path, {});
+    QVERIFY(opened.hasValue());
+    QCOMPARE(opened->file.damage.size(), std::size_t{1});
+    const Error& damage = opened->file.damage[0];
+    QVERIFY(damage.code == ErrorCode::DataTruncated);
+    QCOMPARE(damage.arguments[0], std::string("ticks of the recording 'long'"));
+    QCOMPARE(damage.arguments[1], std::string("140000"));
+    QCOMPARE(damage.arguments[2], std::to_string(140'000 - 65'536));
+    QCOMPARE(opened->file.recordings[0].ticks.missing(), std::uint64_t{65'536});
+    QCOMPARE(opened->file.recordings[1].ticks.size(), std::size_t{5});
+    QVERIFY(opened->file.isPrecious());
+  }
+
+  void whatIsLostIsTold() {
+    Bench bench;
+    bench.give({{"0001", "gone", "", 0.0, steady(7)}});
+    QVERIFY(bench.save());
+    bench.change([](Container& container) { container.blobs.erase("recordings/0001/0000"); });
+    const auto opened = bench.kinds.open(bench.path, {});
+    QVERIFY(opened.hasValue());
+    QVERIFY(!opened->file.damage.empty());
+    QCOMPARE(opened->file.recordings[0].ticks.size(), std::size_t{0});
+  }
+
+  // Anything may stand in the manifest.
+  void anyManifestIsBorne() {
+    Bench bench;
+    QVERIFY(bench.save());
+    const Container whole = readContainer(*readFileBytes(bench.path))->container;
+    QVERIFY(rc::check([&] {
+      Container container = whole;
+      json& list = (*container.manifest)["recordings"] = anyJson(3);
+      if (list.is_object()) list["0001"] = anyJson(2);
+      if (list.is_object() && list["0001"].is_object()) list["0001"]["ticks"] = anyJson(0);
+      container.blobs["recordings/0001/0000"] = *rc::gen::arbitrary<std::string>();
+      RC_ASSERT(writeFileAtomically(bench.path, *writeContainer(container, Compression::Fast)).hasValue());
+      const auto opened = bench.kinds.open(bench.path, {});
+      RC_ASSERT(opened.hasValue());
+      for (const KeptRecording& each : opened->file.recordings) RC_ASSERT(each.forceLimit >= 0.0);
+    }));
+  }
+
+  // A foreign file has no place for them, and the user is told.
+  void aForeignFileLacksThem() {
+    Bench bench;
+    const std::filesystem::path stl = bench.folder.filePath("part.stl").toStdString();
+    const auto before = saveDocument(bench.document->kind(), bench.document->file(), *bench.document->snapshot(), stl);
+    bench.give({{"0001", "first", "", 0.0, steady(3)}});
+    const auto after = saveDocument(bench.document->kind(), bench.document->file(), *bench.document->snapshot(), stl);
+    QVERIFY(before.hasValue() && after.hasValue());
+    QCOMPARE(after->notes.size(), before->notes.size() + 1);
+  }
+
+  void theTableIsThatOfTheRecording() {
+    const Bench bench;
+    const std::filesystem::path csv = bench.folder.filePath("a.csv").toStdString();
+    QVERIFY(exportRecording(steady(3), csv).hasValue());
+    std::ostringstream expected;
+    QVERIFY(writeCsv(steady(3), expected).hasValue());
+    QCOMPARE(*readFileBytes(csv), expected.str());
+    const auto nowhere = exportRecording(steady(3), bench.folder.filePath("none/a.csv").toStdString());
+    QVERIFY(!nowhere.hasValue() && nowhere.error().code == ErrorCode::WriteFailed);
+  }
+};
+
+QTEST_APPLESS_MAIN(KeptRecordingsTest)
+#include "KeptRecordingsTest.moc"
