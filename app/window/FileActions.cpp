@@ -157,6 +157,7 @@ void FileActions::saveCurrent() {
 bool FileActions::needsNewName(const OpenDocument& open) const {
   const Document& document = open.document;
   if (document.file().path.empty() || !canWrite(document.kind(), document.path())) return true;
+  if (!document.file().recordings.empty() && !isContainerName(document.file().path)) return true;
   if (open.written) return false;
   const QFileInfo file(document.path());
   return document.file().isPrecious() || (file.exists() && !file.isWritable()) || isSample(file);
@@ -174,7 +175,9 @@ void FileActions::askForName(OpenDocument* document, std::function<void()> then)
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setLabelText(QFileDialog::LookIn, tr("Save in:"));
   dialog->setNameFilters(saveFilters(document->document.kind()));
-  QString suggestion = document->ui.suggestedName(*document);
+  const bool hasRecordings = !document->document.file().recordings.empty();  // which no foreign file holds
+  QString suggestion =
+      hasRecordings ? document->ui.KindUi::suggestedName(*document) : document->ui.suggestedName(*document);
   if (needsNewName(*document) && suggestion == document->document.path()) suggestion = freeName(suggestion);
   const bool sample = isSample(QFileInfo(document->document.path()));
   const bool writable = QFileInfo(QFileInfo(suggestion).path()).isWritable();
@@ -202,6 +205,7 @@ void FileActions::requestClose(OpenDocument* document, std::function<void()> the
     m_tabs.close(document);
     if (then) then();
   };
+  emit aboutToClose();
   if (!document->document.isModified()) return closeNow();
   m_tabs.setCurrent(document);
   switch (askBeforeClosing(m_window, document->document.name())) {

@@ -39,6 +39,7 @@ class FileActions : public QObject {
   void requestCloseAll(std::function<void()> then);
 
  signals:
+  void aboutToClose();  // a document, if nothing is to be saved or the user does not mind
   void message(const handwheel::Message& message);
 
  private:

@@ -27,6 +27,7 @@ MainWindow::MainWindow(QThreadPool& pool, const KindSet& kinds, Drivers drivers)
       m_thumbnails(pool),
       m_haptics({m_jobs, pool, m_services, m_servoClock}, std::move(drivers), this),
       m_touch(m_haptics),
+      m_recordings({this, m_haptics, m_jobs, m_log, m_servoClock}, this),
       m_pool(pool),
       m_tabs(new DocumentTabs(this)),
       m_fileActions(this, kinds.documents, m_uis, *m_tabs, m_jobs, m_recent, m_log),
@@ -49,6 +50,7 @@ MainWindow::MainWindow(QThreadPool& pool, const KindSet& kinds, Drivers drivers)
   connectDocumentsPanel();
   connectMessages();
   connectTools();
+  connectRecordings();
   connectJobs();
   connectStartPage();
   m_keys.setActions(findChildren<QAction*>(), menuBar());

@@ -14,6 +14,7 @@
 #include "window/Thumbnails.h"
 #include "window/WindowServices.h"
 #include "window/haptics/HapticSession.h"
+#include "window/haptics/Recordings.h"
 #include "window/haptics/TouchScene.h"
 
 #include <QMainWindow>
@@ -81,6 +82,7 @@ class MainWindow : public QMainWindow {
   void connectDocumentsPanel();
   void connectMessages();
   void connectTools();
+  void connectRecordings();
   void connectJobs();
   void connectStartPage();
 
@@ -108,6 +110,7 @@ class MainWindow : public QMainWindow {
   MonotonicClock m_servoClock;
   HapticSession m_haptics;
   TouchScene m_touch;
+  Recordings m_recordings;
   KindUis m_uis;
   QThreadPool& m_pool;
   ShortcutModel m_keys;

@@ -91,6 +91,19 @@ void MainWindow::connectTools() {
   });
 }
 
+void MainWindow::connectRecordings() {
+  connect(&m_fileActions, &FileActions::aboutToClose, &m_recordings, &Recordings::finish);
+  connect(&m_recordings, &Recordings::message, m_messages, &MessageBar::showMessage);
+  connect(&m_recordings.playback(), &Playback::moved, m_deviceView,
+          [this] { m_deviceView->showInstead(m_recordings.playback().cursor()); });
+  const auto noteTool = [this] {
+    const Tool* const tool = m_tools->runner().tool();
+    m_recordings.noteTool(tool ? tool->id() : std::string());
+  };
+  connect(&m_tools->runner(), &ToolRunner::updated, &m_recordings, noteTool);
+  connect(&m_tools->runner(), &ToolRunner::ended, &m_recordings, noteTool);
+}
+
 void MainWindow::connectJobs() {
   connect(&m_jobs, &JobRunner::started, m_jobBar, &JobBar::showJob);
   connect(&m_jobs, &JobRunner::progressed, m_jobBar, &JobBar::setProgress);
@@ -132,6 +145,7 @@ void MainWindow::showDocument(OpenDocument* document) {
   m_undo.setActiveStack(document ? document->document.history() : nullptr);
   m_documents->setCurrent(document ? &document->document : nullptr);
   m_properties->setDocument(document ? &document->document : nullptr);
+  m_recordings.setDocument(document ? &document->document : nullptr);
   for (const auto& [id, each] : m_uis) {
     if (each.get() != present) each->setDocument(nullptr);
   }

@@ -85,6 +85,12 @@ void MainWindow::buildMenus() {
   view->addSeparator();
   view->addAction(m_viewActions->darkTheme());
 
+  QMenu* device = menuBar()->addMenu(tr("&Device"));
+  device->addAction(m_recordings.recordAction());
+  device->addSeparator();
+  device->addActions({m_recordings.playAction(), m_recordings.leaveAction(), m_recordings.exportAction(),
+                      m_recordings.renameAction(), m_recordings.removeAction()});
+
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   help->setObjectName(QStringLiteral("helpMenu"));
   m_palette = new CommandPalette(this);

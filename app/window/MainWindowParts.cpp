@@ -25,6 +25,7 @@
 #include "window/haptics/DeviceDock.h"
 #include "window/haptics/DevicePointer.h"
 #include "window/haptics/DeviceView.h"
+#include "window/haptics/RecordingsDock.h"
 
 #include <QDockWidget>
 #include <QLabel>
@@ -115,8 +116,9 @@ void MainWindow::buildDocks() {
   tabifyDockWidget(m_toolDock, m_propertiesDock);
   tabifyDockWidget(m_propertiesDock, m_viewDock);
   // Most have no device: who plugs one in finds it in the menu.
-  m_deviceDock =
-      addDock(*this, Qt::RightDockWidgetArea, "deviceDock", tr("Device"), new DeviceDock(m_haptics, this), "device");
+  auto* device = new DeviceDock(m_haptics, this);
+  device->addPage(new RecordingsDock(m_recordings, m_haptics, device), tr("Recordings"));
+  m_deviceDock = addDock(*this, Qt::RightDockWidgetArea, "deviceDock", tr("Device"), device, "device");
   tabifyDockWidget(m_viewDock, m_deviceDock);
   m_deviceDock->hide();
   m_kindDock->raise();

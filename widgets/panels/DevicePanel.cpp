@@ -91,6 +91,10 @@ void DevicePanel::addPages() {
   m_pages->addTab(m_dataSheet, tr("Data"));
 }
 
+void DevicePanel::addPage(QWidget* page, const QString& title) {
+  m_pages->addTab(page, title);
+}
+
 void DevicePanel::connectParts() {
   connect(m_card, &DeviceCard::deviceChosen, this, &DevicePanel::deviceChosen);
   connect(m_card, &DeviceCard::deviceLeft, this, &DevicePanel::deviceLeft);

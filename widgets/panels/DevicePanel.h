@@ -30,6 +30,9 @@ class DevicePanel : public QWidget {
  public:
   explicit DevicePanel(QWidget* parent = nullptr);
 
+  // A page of another subject, behind the others.
+  void addPage(QWidget* page, const QString& title);
+
   void showDevice(const DeviceInUse& view);
   void setMapping(const WorkspaceMapping& mapping);
   void showSample(const ServoSample& sample);  // at the rate of the display

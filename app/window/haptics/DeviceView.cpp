@@ -34,7 +34,13 @@ void DeviceView::followCamera() {
   m_session.setView(camera, model, middle.isNothing() ? std::nullopt : std::optional(middle.point));
 }
 
+void DeviceView::showInstead(const std::optional<DeviceCursor>& cursor) {
+  m_instead = cursor;
+  draw();
+}
+
 void DeviceView::draw() {
+  if (m_instead) return m_viewport.setDeviceCursor(m_instead);
   const ServoSample* const last = m_session.latest();
   if (!last || last->device.status != DeviceStatus::Ready) return m_viewport.setDeviceCursor({});
   DeviceCursor cursor;

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "viewport/DeviceCursor.h"
+
 #include <QObject>
+#include <optional>
 
 namespace handwheel {
 
@@ -18,6 +21,8 @@ class DeviceView : public QObject {
 
   // Another model is in view: the tip comes to where the device is before it.
   void followModel();
+  // A cursor that is shown in the place of the device's, of a recording; none: the device's again.
+  void showInstead(const std::optional<DeviceCursor>& cursor);
 
  private:
   void followCamera();
@@ -25,6 +30,7 @@ class DeviceView : public QObject {
 
   HapticSession& m_session;
   Viewport& m_viewport;
+  std::optional<DeviceCursor> m_instead;
   bool m_isOpen = false;  // the session was, when it last told
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/haptics/HapticSession.h"
 
+#include "haptics/ForceRecorder.h"
 #include "haptics/ForceTest.h"
 #include "haptics/MouseDevice.h"
 #include "window/WindowServices.h"
@@ -43,6 +44,7 @@ struct HapticSession::OpenDevice {
   Need need;
   std::uint64_t ticksBefore = 0;  // that the service had counted
   std::shared_ptr<ServoLoop> loop;
+  std::unique_ptr<ForceRecorder> recorder;  // goes before its loop
   std::optional<ServoSample> sample;
 };
 
@@ -160,6 +162,7 @@ void HapticSession::closeLoop() {
   m_timer.stop();
   m_testEnd.reset();
   m_open->loop->stop();
+  stopRecording();
   Job job;
   job.name = tr("Closing %1").arg(nameOf(m_chosen));
   job.work = [loop = std::exchange(m_open->loop, nullptr)](Progress) mutable -> Job::Finish {
@@ -168,6 +171,28 @@ void HapticSession::closeLoop() {
   };
   m_open.reset();
   m_parts.jobs.start(std::move(job));
+}
+
+void HapticSession::startRecording() {
+  if (!m_open || m_open->recorder) return;
+  m_open->recorder = std::make_unique<ForceRecorder>(*m_open->loop);
+  m_open->recorder->start();
+  emit recordingStarted();
+}
+
+void HapticSession::stopRecording() {
+  if (!m_open || !m_open->recorder) return;
+  const auto recorder = std::move(m_open->recorder);
+  recorder->stop();
+  emit recorded(recorder->recording(), nameOf(m_chosen), m_open->capabilities.maxForce / mappingInScene().forceGain);
+}
+
+const ForceRecorder* HapticSession::recorder() const {
+  return m_open ? m_open->recorder.get() : nullptr;
+}
+
+void HapticSession::mark(const QString& event) {
+  if (m_open && m_open->recorder) m_open->recorder->mark(event.toStdString());
 }
 
 const ServoSample* HapticSession::latest() const {

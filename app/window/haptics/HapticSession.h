@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "haptics/Recording.h"
 #include "haptics/ServoLoop.h"
 #include "haptics/SimulatedDevice.h"
 #include "panels/MessageBar.h"
@@ -15,6 +16,7 @@
 
 namespace handwheel {
 
+class ForceRecorder;
 class MouseDevice;
 class WindowServices;
 
@@ -81,6 +83,14 @@ class HapticSession : public QObject {
   bool isTesting() const { return m_testEnd.has_value(); }
   static constexpr double kTestForce = 0.5;  // N
 
+  // Records every tick from now on, until stopRecording() or the end of the device; then recorded() hands it over.
+  // Nothing when no device is open, or one is recording already.
+  void startRecording();
+  void stopRecording();
+  const ForceRecorder* recorder() const;  // null: nothing is being recorded
+  // Notes in the recording that something happened, if there is one.
+  void mark(const QString& event);
+
   // What is felt from the next tick on; dropped when nothing is open, and while a test goes on. sceneWanted() asks for
   // it again.
   void setScene(std::unique_ptr<HapticScene> scene);
@@ -99,6 +109,9 @@ class HapticSession : public QObject {
   void mappingChanged();  // the user's part
   void viewChanged();     // what mappingInScene() says, and from where the scene is seen; before the loop knows
   void touchChanged();
+  void recordingStarted();
+  // forceLimit: N in the scene, of the device, as the scale was at the end.
+  void recorded(const handwheel::Recording& recording, const QString& device, double forceLimit);
   void message(const handwheel::Message& message);
 
  private:

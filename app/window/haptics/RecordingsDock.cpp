@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/haptics/RecordingsDock.h"
+
+#include "haptics/ForceRecorder.h"
+#include "window/haptics/HapticSession.h"
+#include "window/haptics/Recordings.h"
+
+namespace handwheel {
+
+RecordingsDock::RecordingsDock(Recordings& recordings, HapticSession& session, QWidget* parent)
+    : RecordingsPage({recordings.recordAction(), recordings.playAction(), recordings.leaveAction(),
+                      recordings.exportAction(), recordings.renameAction(), recordings.removeAction()},
+                     parent),
+      m_recordings(recordings),
+      m_session(session) {
+  connect(this, &RecordingsPage::chosen, &recordings,
+          [&recordings](const QString& key) { recordings.choose(key.toStdString()); });
+  connect(this, &RecordingsPage::renamed, &recordings,
+          [&recordings](const QString& key, const QString& name) { recordings.rename(key.toStdString(), name); });
+  connect(this, &RecordingsPage::sought, &recordings.playback(), &Playback::seek);
+  connect(&recordings, &Recordings::nameWanted, this, &RecordingsPage::editName);
+  connect(&recordings, &Recordings::changed, this, &RecordingsDock::showAll);
+  connect(&recordings.playback(), &Playback::moved, this, &RecordingsDock::showPlayed);
+  connect(&session, &HapticSession::sampled, this, &RecordingsDock::showRecorder);
+  connect(&session, &HapticSession::recorded, this, &RecordingsPage::showNotRecording);
+  showAll();
+}
+
+void RecordingsDock::showAll() {
+  std::vector<Row> rows;
+  for (const KeptRecording& each : m_recordings.all()) {
+    rows.push_back({QString::fromStdString(each.key), QString::fromStdString(each.name), each.ticks.duration(),
+                    each.ticks.size(), each.ticks.missing()});
+  }
+  const KeptRecording* const chosen = m_recordings.chosen();
+  showRecordings(rows, chosen ? QString::fromStdString(chosen->key) : QString());
+}
+
+void RecordingsDock::showRecorder() {
+  const ForceRecorder* const recorder = m_session.recorder();
+  if (recorder && isVisible()) showRecorded(recorder->duration(), recorder->ticks());
+}
+
+void RecordingsDock::showPlayed() {
+  showPosition(m_recordings.playback().position(), m_recordings.playback().duration());
+}
+
+}  // namespace handwheel

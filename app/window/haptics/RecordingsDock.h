@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "panels/RecordingsPage.h"
+
+namespace handwheel {
+
+class HapticSession;
+class Recordings;
+
+// The page of the recordings, joined to them.
+class RecordingsDock : public RecordingsPage {
+  Q_OBJECT
+
+ public:
+  // Both outlive it.
+  RecordingsDock(Recordings& recordings, HapticSession& session, QWidget* parent = nullptr);
+
+ private:
+  void showAll();
+  void showRecorder();
+  void showPlayed();
+
+  Recordings& m_recordings;
+  HapticSession& m_session;
+};
+
+}  // namespace handwheel

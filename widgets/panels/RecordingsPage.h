@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <QWidget>
+#include <vector>
+
+class QAction;
+class QLabel;
+class QListWidget;
+class QListWidgetItem;
+class QSlider;
+
+namespace handwheel {
+
+// The recordings of a document: what is being recorded, the list, and the way through one that is played. Shows what it
+// is told and asks for what the user wants.
+class RecordingsPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  struct Actions {
+    QAction* record;
+    QAction* play;
+    QAction* leave;
+    QAction* exportCsv;
+    QAction* rename;
+    QAction* remove;
+  };
+  struct Row {
+    QString key;
+    QString name;
+    double duration = 0.0;  // s
+    std::size_t ticks = 0;
+    std::uint64_t missing = 0;  // ticks within it that are not there
+
+    bool operator==(const Row&) const = default;
+  };
+
+  explicit RecordingsPage(const Actions& actions, QWidget* parent = nullptr);
+
+  // chosen: a key; empty: none.
+  void showRecordings(const std::vector<Row>& rows, const QString& chosen);
+  void showRecorded(double seconds, std::size_t ticks);  // while it goes on
+  void showNotRecording();
+  void showPosition(double seconds, double duration);  // of what is played; duration 0: nothing is
+  void editName(const QString& key);
+
+ signals:
+  void chosen(const QString& key);
+  void renamed(const QString& key, const QString& name);
+  void sought(double seconds);
+
+ private:
+  void fill(QListWidgetItem& item, const Row& row) const;
+  void take(QListWidgetItem* item);
+
+  std::vector<Row> m_rows;
+  QLabel* m_recorded;
+  QListWidget* m_list;
+  QSlider* m_slider;  // milliseconds
+  QLabel* m_position;
+};
+
+}  // namespace handwheel
