@@ -12,6 +12,7 @@
 #include "cli/MeasureCommand.h"
 #include "cli/Messages.h"
 #include "cli/Picture.h"
+#include "cli/RecordingCommand.h"
 #include "cli/RepairCommand.h"
 #include "cli/SectionCommand.h"
 #include "cli/SetCommand.h"
@@ -57,7 +58,7 @@ std::vector<Command> commands() {
       {pictureSpec(), runPicture}, {newSpec(), runNew},         {setSpec(), runSet},
       {measureSpec(), runMeasure}, {compareSpec(), runCompare}, {decimateSpec(), runDecimate},
       {splitSpec(), runSplit},     {mergeSpec(), runMerge},     {devicesSpec(), runOnDevices},
-      {sectionSpec(), runSection}, {feelSpec(), runFeel},
+      {sectionSpec(), runSection}, {feelSpec(), runFeel},       {recordingSpec(), runRecording},
   };
 }
 
@@ -80,7 +81,7 @@ std::string overview() {
       "Commands:\n";
   for (const Command& command : commands()) {
     const std::string name(command.spec.name);
-    page += "  " + name + std::string(10 - name.size(), ' ') + std::string(firstSentence(command.spec.summary)) + "\n";
+    page += "  " + name + std::string(11 - name.size(), ' ') + std::string(firstSentence(command.spec.summary)) + "\n";
   }
   return page +
          "\n'handwheel help COMMAND' says more. --version shows the version.\n"

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/RecordingCommand.h"
+
+#include "base/NumberText.h"
+#include "cli/Input.h"
+#include "cli/Interrupt.h"
+#include "cli/Messages.h"
+#include "document/RecordingExport.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace handwheel {
+
+namespace {
+
+// "Recording 1: 12.5 s, 12501 samples, 3 missing, Novint Falcon"
+std::string lineFor(const KeptRecording& recording) {
+  std::string line = recording.name + ": " + roundedText(recording.ticks.duration()) + " s, " +
+                     std::to_string(recording.ticks.size()) + (recording.ticks.size() == 1 ? " sample" : " samples");
+  if (recording.ticks.missing() > 0) line += ", " + std::to_string(recording.ticks.missing()) + " missing";
+  if (!recording.device.empty()) line += ", " + recording.device;
+  return line + "\n";
+}
+
+int list(const std::vector<KeptRecording>& recordings) {
+  std::string text;
+  for (const KeptRecording& each : recordings) text += lineFor(each);
+  return print(text.empty() ? "There are no recordings.\n" : text);
+}
+
+// The one of that name, or the only one; else why not, as a sentence.
+const KeptRecording* chosen(const std::vector<KeptRecording>& all, const Arguments& arguments, std::string& problem) {
+  if (!arguments.has("name")) {
+    if (all.size() == 1) return &all.front();
+    problem = all.empty() ? "There are no recordings in " + arguments.operands[0] + "."
+                          : "There are several recordings; --name says which.";
+    return nullptr;
+  }
+  const std::string name = arguments.valueOf("name");
+  const auto found = std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.name == name; });
+  if (found != all.end()) return &*found;
+  problem = "There is no recording '" + name + "' in " + arguments.operands[0] + ".";
+  return nullptr;
+}
+
+int write(const KeptRecording& recording, const std::string& output) {
+  std::optional<Status> written;
+  runInterruptible("Writing", [&](Job& job) { written = exportRecording(recording.ticks, output, job.progress()); });
+  return *written ? kExitDone : fail(written->error());
+}
+
+}  // namespace
+
+CommandSpec recordingSpec() {
+  return {
+      "recording",
+      "FILE",
+      "Writes a recording of a haptic device as a table (CSV). Without --out it lists those that the document holds.",
+      {
+          {"out", 'o', "CSV", "The table: time, tip, proxy and force in each tick (s, mm, N)"},
+          {"name", 0, "NAME", "Which recording, where there are several"},
+          {"help", 'h', "", "Show this page"},
+      }};
+}
+
+int runRecording(const Arguments& arguments, const DocumentKinds& kinds) {
+  std::optional<Result<OpenedFile>> opened;
+  runInterruptible("Reading", [&](Job& job) { opened = kinds.open(arguments.operands[0], {}, job.progress()); });
+  if (!*opened) return fail(opened->error());
+  tellLosses(opened->value().file);
+  const std::vector<KeptRecording>& all = opened->value().file.recordings;
+  if (!arguments.has("out")) return list(all);
+  if (isSameFile(arguments.valueOf("out"), arguments.operands[0])) return refuse("OUT is the document itself.");
+  std::string problem;
+  const KeptRecording* const recording = chosen(all, arguments, problem);
+  return recording ? write(*recording, arguments.valueOf("out")) : refuse(problem);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/Arguments.h"
+#include "document/DocumentKind.h"
+
+namespace handwheel {
+
+CommandSpec recordingSpec();
+int runRecording(const Arguments& arguments, const DocumentKinds& kinds);
+
+}  // namespace handwheel

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "MeshDocuments.h"
+#include "MeshShapes.h"
+#include "Program.h"
+#include "document/RecordingsEdit.h"
+#include "haptics/RecordingCsv.h"
+
+#include <QTest>
+#include <sstream>
+
+using namespace handwheel;
+
+namespace {
+
+Recording steps(int count) {
+  Recording recording;
+  for (int i = 0; i < count; ++i) {
+    RecordedTick tick;
+    tick.tick = static_cast<std::uint64_t>(i);
+    tick.tip.time = 0.25 * i;
+    tick.tip.position = Vec3(0.1 * i, 0, 0);
+    recording.add(tick);
+  }
+  return recording;
+}
+
+QByteArray tableOf(const Recording& recording) {
+  std::ostringstream out;
+  return writeCsv(recording, out) ? QByteArray::fromStdString(out.str()) : QByteArray();
+}
+
+// A document with these recordings.
+void save(const Bench& bench, std::vector<KeptRecording> recordings) {
+  const auto document = test::meshDocument(test::tetrahedron());
+  document->commit("recordings", std::make_unique<RecordingsEdit>(std::move(recordings)));
+  const auto path = (bench.path() + "/a.handwheel").toStdString();
+  if (!saveDocument(document->kind(), document->file(), *document->snapshot(), path)) qFatal("cannot save");
+}
+
+}  // namespace
+
+class RecordingTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void listsThem() {
+    const Bench bench;
+    save(bench, {{"0001", "first", "Novint Falcon", 8.0, steps(5)}, {"0002", "second", "", 0.0, steps(1)}});
+    const Ran ran = bench.run({"recording", "a.handwheel"}, "de_DE.UTF-8");
+    QVERIFY2(ran.code == 0 && ran.err.isEmpty(), ran.err);
+    QCOMPARE(ran.out, QByteArray("first: 1 s, 5 samples, Novint Falcon\nsecond: 0 s, 1 sample\n"));
+  }
+
+  void writesTheOnlyOneAndTheOneNamed() {
+    const Bench bench;
+    save(bench, {{"0001", "first", "", 8.0, steps(5)}});
+    QCOMPARE(bench.run({"recording", "a.handwheel", "-o", "one.csv"}, "de_DE.UTF-8").code, 0);
+    QCOMPARE(bench.content("one.csv"), tableOf(steps(5)));
+    save(bench, {{"0001", "first", "", 8.0, steps(5)}, {"0002", "second", "", 0.0, steps(3)}});
+    QCOMPARE(bench.run({"recording", "a.handwheel", "--name", "second", "--out", "two.csv"}).code, 0);
+    QCOMPARE(bench.content("two.csv"), tableOf(steps(3)));
+  }
+
+  void saysWhatIsMissing() {
+    const Bench bench;
+    save(bench, {});
+    QVERIFY(bench.run({"recording", "a.handwheel"}).out.contains("There are no recordings."));
+    const Ran none = bench.run({"recording", "a.handwheel", "-o", "x.csv"});
+    QVERIFY(none.code == 1 && none.err.contains("no recordings"));
+    save(bench, {{"0001", "first", "", 8.0, steps(5)}, {"0002", "second", "", 0.0, steps(3)}});
+    QVERIFY(bench.run({"recording", "a.handwheel", "-o", "x.csv"}).err.contains("--name"));
+    const Ran other = bench.run({"recording", "a.handwheel", "--name", "third", "-o", "x.csv"});
+    QVERIFY(other.code == 1 && other.err.contains("third"));
+    const QByteArray before = bench.content("a.handwheel");
+    QCOMPARE(bench.run({"recording", "a.handwheel", "--name", "first", "-o", "a.handwheel"}).code, 1);
+    QCOMPARE(bench.content("a.handwheel"), before);
+    QVERIFY(!bench.names().contains("x.csv"));
+  }
+};
+
+QTEST_GUILESS_MAIN(RecordingTest)
+#include "RecordingTest.moc"
