@@ -34,6 +34,19 @@ function(handwheel_device_plugin NAME)
   handwheel_warnings(plugin_${NAME})
 endfunction()
 
+# handwheel_device_guard(NAME [SOURCES file...] [LIBS lib...]): the process that holds the device for the program, so that
+# its motors stop when that dies, from Guard.cpp. The plugin finds it in the folder beside its own.
+set(HANDWHEEL_GUARD_FOLDER ${CMAKE_INSTALL_LIBDIR}/handwheel/guards)
+function(handwheel_device_guard NAME)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBS" ${ARGN})
+  add_executable(guard_${NAME} Guard.cpp ${ARG_SOURCES})
+  set_target_properties(guard_${NAME} PROPERTIES OUTPUT_NAME ${NAME}
+    RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/${HANDWHEEL_GUARD_FOLDER})
+  target_link_libraries(guard_${NAME} PRIVATE device_${NAME} ${ARG_LIBS})
+  handwheel_warnings(guard_${NAME})
+  install(TARGETS guard_${NAME} RUNTIME DESTINATION ${HANDWHEEL_GUARD_FOLDER})
+endfunction()
+
 function(handwheel_install_plugin NAME)
   install(TARGETS plugin_${NAME} LIBRARY DESTINATION ${HANDWHEEL_PLUGIN_FOLDER})
 endfunction()

@@ -7,7 +7,8 @@
 
 namespace handwheel::falcon {
 
-// Its firmware belongs to its maker and is not ours to ship: the user puts the file where firmwarePath() says.
+// What its motors do when nobody speaks to it any more is not known: a process of its own holds it (Guard.cpp), and
+// sends zero torque when the program dies.
 class Driver final : public DeviceDriver {
  public:
   std::string id() const override { return "falcon"; }
@@ -17,8 +18,5 @@ class Driver final : public DeviceDriver {
  private:
   Usb m_usb;
 };
-
-// The environment variable HANDWHEEL_FALCON_FIRMWARE, or handwheel/falcon.bin in the user's data folder.
-std::string firmwarePath();
 
 }  // namespace handwheel::falcon

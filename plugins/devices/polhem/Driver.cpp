@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "polhem/Driver.h"
 
-#include "io/FileStream.h"
+#include "io/GuardProcess.h"
 #include "io/ThreadedDevice.h"
 #include "polhem/Session.h"
 
@@ -52,8 +52,8 @@ std::vector<DeviceListing> Driver::find() {
 std::unique_ptr<Device> Driver::make(const std::string& address) {
   const std::vector<DeviceListing> there = find();
   if (std::none_of(there.begin(), there.end(), [&](const auto& one) { return one.address == address; })) return nullptr;
-  const auto connect = [address] { return openSerial(address); };
-  return std::make_unique<ThreadedDevice>(std::make_unique<Session>(connect, std::make_shared<SteadyClock>()));
+  const DeviceCapabilities kind = Session({}, {}).capabilities();
+  return std::make_unique<ThreadedDevice>(guarded(guardPath(id()), address, kind, "Polhem"));
 }
 
 }  // namespace handwheel::polhem

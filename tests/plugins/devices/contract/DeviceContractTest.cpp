@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "example/ExampleEmulator.h"
 #include "falcon/FalconEmulator.h"
+#include "guard/GuardedSubject.h"
 #include "haply/HaplyEmulator.h"
+#include "openhaptics/HdSubject.h"
 #include "polhem/PolhemEmulator.h"
 #include "spacemouse/SpaceMouseEmulator.h"
 
@@ -12,6 +14,18 @@
 #include <thread>
 
 using namespace handwheel;
+
+namespace {
+
+// A Polhem that another process holds, but for the process.
+ContractSubject guardedPolhemSubject() {
+  const auto peer = std::make_shared<PolhemEmulator>();
+  const auto clock = std::make_shared<FakeClock>(FakeClock::Pace::Real);
+  const auto host = std::make_shared<HostedSession>([=] { return polhemSession(peer, clock); });
+  return guardedSubject(host, polhem::Session({}, {}).capabilities(), polhemSubject(peer, clock));
+}
+
+}  // namespace
 
 // What the servo loop may rely on, of every device of every plugin.
 class DeviceContractTest : public QObject {
@@ -54,7 +68,9 @@ class DeviceContractTest : public QObject {
     QTest::newRow("example") << &exampleSubject;
     QTest::newRow("falcon") << &falconSubject;
     QTest::newRow("haply") << &haplySubject;
-    QTest::newRow("polhem") << &polhemSubject;
+    QTest::newRow("openhaptics") << &hdSubject;
+    QTest::newRow("polhem") << +[] { return polhemSubject(); };
+    QTest::newRow("polhem, guarded") << &guardedPolhemSubject;
     QTest::newRow("spacemouse, HID") << &spaceMouseHidSubject;
     QTest::newRow("spacemouse, spacenavd") << &spaceNavSubject;
   }

@@ -64,14 +64,19 @@ struct PolhemEmulator final : Peer {
   std::string m_in;
 };
 
-inline ContractSubject polhemSubject() {
-  const auto peer = std::make_shared<PolhemEmulator>();
-  const auto clock = std::make_shared<FakeClock>(FakeClock::Pace::Real);
+inline std::unique_ptr<polhem::Session> polhemSession(const std::shared_ptr<PolhemEmulator>& peer,
+                                                      const std::shared_ptr<FakeClock>& clock) {
   const auto connect = [=]() -> Result<std::unique_ptr<ByteStream>> {
     return std::unique_ptr<ByteStream>(std::make_unique<FakeStream>(peer, clock));
   };
+  return std::make_unique<polhem::Session>(connect, clock);
+}
+
+inline ContractSubject polhemSubject(
+    const std::shared_ptr<PolhemEmulator>& peer = std::make_shared<PolhemEmulator>(),
+    const std::shared_ptr<FakeClock>& clock = std::make_shared<FakeClock>(FakeClock::Pace::Real)) {
   return {
-      [=] { return std::make_unique<ThreadedDevice>(std::make_unique<polhem::Session>(connect, clock)); },
+      [=] { return std::make_unique<ThreadedDevice>(polhemSession(peer, clock)); },
       [=] {
         const std::lock_guard lock(peer->mutex);
         peer->gone = true;

@@ -175,6 +175,7 @@ class PolhemSessionTest : public QObject {
       }
     });
     qputenv("HANDWHEEL_POLHEM_PORT", ::ptsname(master));
+    qputenv("HANDWHEEL_GUARDS", GUARDS);
     polhem::Driver driver("/nowhere");
     const std::unique_ptr<Device> device = driver.make(::ptsname(master));
     const bool opened = device && device->open({}).hasValue();

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "falcon/Bootloader.h"
+
+#include <string>
+
+namespace handwheel::falcon {
+
+// The environment variable HANDWHEEL_FALCON_FIRMWARE, or handwheel/falcon.bin in the user's data folder. The firmware
+// belongs to the maker of the device and is not ours to ship: the user puts the file there.
+std::string firmwarePath();
+
+// Error: ReferenceMissing.
+Result<Firmware> readFirmware();
+
+}  // namespace handwheel::falcon

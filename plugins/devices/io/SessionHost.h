@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "io/ByteStream.h"
+#include "io/Clock.h"
+#include "io/GuardMessages.h"
+#include "io/Session.h"
+
+#include <atomic>
+
+namespace handwheel::guard {
+
+// Holds a device for a program in another process (GuardedSession), so that its motors do not depend on that: whenever
+// the program is gone, speaks nonsense, or says nothing for kSilence, the device is sent zero force. After a silence
+// the device counts as starting, and forces as zero, for kRest at least and until the program asks for zero: long
+// enough that its servo loop notices, and lets the force come back by its ramp.
+class SessionHost {
+ public:
+  static constexpr double kSilence = 0.04;  // s
+  static constexpr double kRest = 0.05;     // s
+
+  // All three outlive it. Setting `stop` ends it as if the program had gone.
+  SessionHost(Session& session, ByteStream& stream, Clock& clock, const std::atomic<bool>& stop)
+      : m_session(session), m_stream(stream), m_clock(clock), m_stop(stop) {}
+
+  // From the program's request to open the device until it is closed. It is closed in any case.
+  void serve();
+
+ private:
+  bool waitForOpen();
+  bool open();
+  void run();
+  bool listen(double timeout);
+  bool answer(const Force& asked);
+  bool send(const Message& message);
+
+  Session& m_session;
+  ByteStream& m_stream;
+  Clock& m_clock;
+  const std::atomic<bool>& m_stop;
+  Reader m_reader;
+  Buffer m_out{};
+  std::optional<Open> m_open;    // was asked for
+  std::optional<Force> m_force;  // the newest that was not answered yet
+  bool m_isLeft = false;         // the program is gone, or wants no more
+  bool m_hasBeenSilent = false;
+  std::optional<double> m_restEnd;  // s, once words have come again after a silence
+};
+
+}  // namespace handwheel::guard

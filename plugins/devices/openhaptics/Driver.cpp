@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "openhaptics/Driver.h"
+
+#include "io/Capabilities.h"
+#include "io/GuardProcess.h"
+#include "io/ThreadedDevice.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+
+namespace handwheel::openhaptics {
+
+DeviceCapabilities touchCapabilities() {
+  DeviceCapabilities all;
+  all.inputs = 6;
+  all.buttons = 2;
+  all.maxForce = 3.3;
+  all.maxStiffness = 0.4;
+  all.maxDamping = 0.004;
+  all.workspaceRadius = 75.0;
+  all.inherentDamping = dampingBehind(all.maxStiffness, all.nominalRate);
+  all.latency = 0.002;  // a tick of the maker's loop for the reading, and one for the force
+  return all;
+}
+
+Driver::Driver(std::string bridge) : m_bridge(std::move(bridge)) {}
+
+Driver::Driver() : Driver(guardPath("openhaptics")) {}
+
+std::vector<DeviceListing> Driver::find() {
+  std::vector<DeviceListing> all;
+  std::error_code failed;
+  if (!std::filesystem::exists(m_bridge, failed)) return all;
+  const char* const names = std::getenv("HANDWHEEL_OPENHAPTICS_DEVICES");
+  std::istringstream list(names ? names : "");
+  for (std::string name; std::getline(list, name, ':');) {
+    if (!name.empty()) all.push_back({id(), name, name + " (OpenHaptics)"});
+  }
+  if (all.empty()) all.push_back({id(), kDefaultDevice, "Touch or Phantom (OpenHaptics)"});
+  return all;
+}
+
+std::unique_ptr<Device> Driver::make(const std::string& address) {
+  const std::vector<DeviceListing> there = find();
+  const auto found = std::find_if(there.begin(), there.end(), [&](const auto& one) { return one.address == address; });
+  if (found == there.end()) return nullptr;
+  return std::make_unique<ThreadedDevice>(guarded(m_bridge, address, touchCapabilities(), found->name));
+}
+
+}  // namespace handwheel::openhaptics

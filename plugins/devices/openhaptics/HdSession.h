@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "io/Clock.h"
+#include "io/Latest.h"
+#include "io/Session.h"
+
+#include <HD/hd.h>
+#include <atomic>
+#include <memory>
+#include <string>
+
+namespace handwheel::openhaptics {
+
+// A device of 3D Systems by the HD part of OpenHaptics, which calls back a thousand times a second on a thread of its
+// own. The one place that knows the maker's functions. Their frame is ours: x right, y up, z towards the user; mm, N,
+// N·mm. One at a time.
+class HdSession final : public Session {
+ public:
+  // name: as the maker's set-up calls the device; "default": the maker's choice.
+  HdSession(std::string name, std::shared_ptr<Clock> clock) : m_name(std::move(name)), m_clock(std::move(clock)) {}
+  ~HdSession() override { close(); }
+
+  DeviceCapabilities capabilities() const override { return m_capabilities; }
+  Status open(Progress progress) override;
+  DeviceState exchange(const DeviceForce& force) noexcept override;
+  void close() noexcept override;
+
+ private:
+  Error refusal(const HDErrorInfo& error) const;
+  void askCapabilities();
+  static HDCallbackCode HDCALLBACK tick(void* session) noexcept;
+  void serve() noexcept;
+  DeviceState read() noexcept;
+  void write(const DeviceForce& force) noexcept;
+  bool waitForTick(std::uint32_t before) noexcept;
+
+  std::string m_name;
+  std::shared_ptr<Clock> m_clock;
+  DeviceCapabilities m_capabilities;
+  Vec3 m_centre = Vec3::Zero();  // of its workspace, mm in the maker's frame
+  HHD m_device = HD_INVALID_HANDLE;
+  HDSchedulerHandle m_callback = 0;
+  HDint m_calibrationStyle = 0;
+  // Between the maker's thread and ours.
+  struct TimedForce {
+    DeviceForce force;
+    double time = 0.0;  // s
+  };
+  Latest<DeviceState> m_states;
+  Latest<TimedForce> m_forces;
+  std::atomic<std::uint32_t> m_ticks{0};
+  std::atomic<bool> m_canCalibrate{false};  // it stands where it knows its place again, if it is told to
+  // Ours.
+  double m_lastTick = 0.0;
+  DeviceState m_last;
+};
+
+}  // namespace handwheel::openhaptics

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/GuardMessages.h"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+
+// Entry for libFuzzer; StandaloneFuzzer.cpp drives it where that is not at hand. The input is what one process says to
+// the other: whatever it is, no force and no place that is no number comes out of it.
+
+namespace {
+
+using namespace handwheel;
+
+void require(bool condition, const char* what) {
+  if (condition) return;
+  std::fprintf(stderr, "GuardFuzz: %s\n", what);
+  std::abort();
+}
+
+void check(const guard::Message& message) {
+  if (const auto* asked = std::get_if<guard::Force>(&message)) {
+    require(asked->force.force.allFinite() && asked->force.torque.allFinite(), "a force that is no number");
+  }
+  if (const auto* answer = std::get_if<guard::State>(&message)) {
+    require(answer->state.position.allFinite() && answer->state.velocity.allFinite(), "a place that is no number");
+    require(std::abs(answer->state.orientation.norm() - 1.0) < 1e-9, "no rotation");
+    require(answer->state.status <= DeviceStatus::Failed, "no status");
+  }
+  guard::Buffer buffer;
+  guard::Reader again;
+  again.add(guard::bytesOf(message, buffer));
+  require(again.next().has_value(), "a message that does not come back");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  guard::Reader reader;
+  const std::size_t half = size / 2;
+  for (const auto& piece : {std::span(data, half), std::span(data + half, size - half)}) {
+    reader.add(piece);
+    while (const std::optional<guard::Message> message = reader.next()) check(*message);
+  }
+  return 0;
+}

@@ -1,0 +1,262 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "FakeClock.h"
+#include "io/SessionHost.h"
+
+#include <rapidcheck.h>
+#include <QtTest>
+#include <algorithm>
+#include <deque>
+#include <functional>
+
+using namespace handwheel;
+
+namespace {
+
+constexpr double kTick = 0.001;  // s that the device takes for an exchange
+
+// A device that notes what its motors got, and when.
+struct Motors : Session {
+  struct Sent {
+    double time;
+    Vec3 force;
+  };
+  std::shared_ptr<FakeClock> clock;
+  std::vector<Sent> sent;
+  Status result = Done{};
+  bool waitsForCancel = false;
+  bool isClosed = false;
+  bool wasCancelled = false;
+  DeviceStatus status = DeviceStatus::Ready;
+
+  explicit Motors(std::shared_ptr<FakeClock> by) : clock(std::move(by)) {}
+  DeviceCapabilities capabilities() const override {
+    DeviceCapabilities all;
+    all.maxForce = 4.5;
+    all.workspaceRadius = 55.0;
+    return all;
+  }
+  Status open(Progress progress) override {
+    while (waitsForCancel && !progress.cancelled()) std::this_thread::yield();
+    wasCancelled = progress.cancelled();
+    return result;
+  }
+  DeviceState exchange(const DeviceForce& force) noexcept override {
+    clock->sleep(kTick);
+    sent.push_back({clock->now(), force.force});
+    DeviceState state;
+    state.status = status;
+    return state;
+  }
+  void close() noexcept override {
+    isClosed = true;
+    sent.push_back({clock->now(), Vec3::Zero()});
+  }
+};
+
+// The program as the host sees it: asks for the device, waits until it is open, says its words with pauses between
+// them, and is then gone, or silent.
+class ScriptedProgram : public ByteStream {
+ public:
+  struct Word {
+    double pause;  // s after the one before, the first after the device was opened
+    std::string bytes;
+  };
+  explicit ScriptedProgram(std::shared_ptr<FakeClock> clock) : m_clock(std::move(clock)) { say(0.0, guard::Open{}); }
+  void say(double pause, const guard::Message& message) {
+    guard::Buffer buffer;
+    const auto bytes = guard::bytesOf(message, buffer);
+    words.push_back({pause, {bytes.begin(), bytes.end()}});
+  }
+
+  std::ptrdiff_t read(std::span<std::uint8_t> into, double timeout) noexcept override {
+    const bool mayTalk = isOpened || isHasty || !m_hasAsked;
+    if (!mayTalk) {
+      m_clock->sleep(timeout);
+      return 0;
+    }
+    if (words.empty()) {
+      if (atTheEnd) atTheEnd();
+      if (m_clock->now() - m_last >= silenceAtTheEnd) return kGone;
+      m_clock->sleep(timeout);
+      return 0;
+    }
+    const double due = m_last + words.front().pause;
+    if (due > m_clock->now() + timeout) {
+      m_clock->sleep(timeout);
+      return 0;
+    }
+    if (due > m_clock->now()) m_clock->sleep(due - m_clock->now());
+    const std::string bytes = words.front().bytes;
+    words.pop_front();
+    m_last = m_clock->now();
+    m_hasAsked = true;
+    std::copy(bytes.begin(), bytes.end(), into.begin());
+    return static_cast<std::ptrdiff_t>(bytes.size());
+  }
+
+  bool write(std::span<const std::uint8_t> bytes) noexcept override {
+    m_reader.add(bytes);
+    while (auto message = m_reader.next()) {
+      if (std::holds_alternative<guard::Opened>(*message)) {
+        isOpened = true;
+        m_last = m_clock->now();
+      }
+      heard.push_back(std::move(*message));
+    }
+    return true;
+  }
+
+  template <class Kind>
+  const Kind* lastHeard() const {
+    const Kind* last = nullptr;
+    for (const guard::Message& message : heard) {
+      if (const auto* one = std::get_if<Kind>(&message)) last = one;
+    }
+    return last;
+  }
+
+  std::deque<Word> words;
+  std::vector<guard::Message> heard;
+  double silenceAtTheEnd = 0.0;  // s
+  std::function<void()> atTheEnd;
+  bool isOpened = false;
+  bool isHasty = false;  // does not wait until it is open
+
+ private:
+  std::shared_ptr<FakeClock> m_clock;
+  guard::Reader m_reader;
+  double m_last = 0.0;
+  bool m_hasAsked = false;
+};
+
+DeviceForce push(double newtons = 2.0) {
+  return {Vec3(0.0, 0.0, newtons), Vec3::Zero(), 0.0};
+}
+
+struct Bench {
+  std::shared_ptr<FakeClock> clock = std::make_shared<FakeClock>();
+  Motors motors{clock};
+  ScriptedProgram program{clock};
+  std::atomic<bool> stop{false};
+
+  void serve() { guard::SessionHost(motors, program, *clock, stop).serve(); }
+};
+
+}  // namespace
+
+class SessionHostTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void passesForcesAndPlacesOn() {
+    Bench b;
+    for (std::uint32_t i = 1; i <= 5; ++i) b.program.say(0.001, guard::Force{i, push(i)});
+    b.serve();
+    QCOMPARE(b.program.lastHeard<guard::Opened>()->capabilities.maxForce, 4.5);
+    QCOMPARE(b.program.lastHeard<guard::State>()->number, std::uint32_t{5});
+    QCOMPARE(b.program.lastHeard<guard::State>()->state.status, DeviceStatus::Ready);
+    QCOMPARE(b.motors.sent[4].force.z(), 5.0);
+  }
+
+  // However it goes: killed, leaving, speaking nonsense, told to stop.
+  void theEndIsZeroForce() {
+    for (const char* how : {"gone", "close", "nonsense", "stop"}) {
+      Bench b;
+      b.program.say(0.001, guard::Force{1, push()});
+      b.program.say(0.001, guard::Force{2, push()});
+      const std::string way = how;
+      if (way == "close") b.program.say(0.001, guard::Close{});
+      if (way == "nonsense") b.program.words.push_back({0.001, std::string(20, '\xff')});
+      if (way != "gone") b.program.silenceAtTheEnd = 1e9;
+      if (way == "stop") b.program.atTheEnd = [&b] { b.stop = true; };
+      b.serve();
+      QCOMPARE(b.motors.sent[1].force, push().force);
+      QVERIFY2(b.motors.isClosed && b.motors.sent.back().force.isZero(), how);
+      QVERIFY2(b.motors.sent.back().time - b.motors.sent[1].time < 0.05, how);
+    }
+  }
+
+  void silenceIsZeroForceUntilZeroWasAskedFor() {
+    Bench b;
+    b.program.say(0.001, guard::Force{1, push()});
+    b.program.silenceAtTheEnd = 0.2;
+    b.program.say(0.2, guard::Force{2, push()});
+    b.program.say(0.02, guard::Force{3, {}});  // too early for anybody to have noticed
+    b.program.say(0.02, guard::Force{4, push()});
+    b.program.say(0.02, guard::Force{5, push()});
+    b.program.say(0.001, guard::Force{6, {}});
+    b.program.say(0.001, guard::Force{7, push()});
+    b.serve();
+    const auto isPush = [](const Motors::Sent& each) { return !each.force.isZero(); };
+    QCOMPARE(std::count_if(b.motors.sent.begin(), b.motors.sent.end(), isPush), 2);  // those of 1 and 7
+    std::vector<DeviceStatus> statuses;
+    for (const guard::Message& message : b.program.heard) {
+      if (const auto* state = std::get_if<guard::State>(&message)) statuses.push_back(state->state.status);
+    }
+    const std::vector<DeviceStatus> expected{DeviceStatus::Ready,    DeviceStatus::Starting, DeviceStatus::Starting,
+                                             DeviceStatus::Starting, DeviceStatus::Starting, DeviceStatus::Ready,
+                                             DeviceStatus::Ready};
+    QVERIFY(statuses == expected);
+  }
+
+  // Whenever the program says what: 50 ms later nothing is held any more.
+  void noForceIsOlderThanFiftyMilliseconds() {
+    QVERIFY(rc::check([] {
+      Bench b;
+      for (int i = *rc::gen::inRange(1, 30); i > 0; --i) {
+        const double pause = *rc::gen::element(0.0005, 0.001, 0.003, 0.03, 0.045, 0.09, 0.3);
+        b.program.say(pause, guard::Force{1, *rc::gen::arbitrary<bool>() ? push() : DeviceForce()});
+      }
+      b.program.silenceAtTheEnd = 0.3;
+      b.serve();
+      RC_ASSERT(b.motors.isClosed);
+      RC_ASSERT(b.motors.sent.back().force.isZero());
+      // Between two that push, no more than 50 ms pass without a word: the gap was filled with zeros.
+      for (std::size_t i = 1; i < b.motors.sent.size(); ++i) {
+        if (!b.motors.sent[i - 1].force.isZero()) RC_ASSERT(b.motors.sent[i].time - b.motors.sent[i - 1].time < 0.05);
+      }
+    }));
+  }
+
+  void aRefusalIsPassedOn() {
+    Bench b;
+    b.motors.result = Error{ErrorCode::ReferenceMissing, {"the firmware file", "falcon.bin"}, {}, "here"};
+    b.serve();
+    const auto* refused = b.program.lastHeard<guard::Refused>();
+    QVERIFY(refused && refused->error.code == ErrorCode::ReferenceMissing);
+    QCOMPARE(refused->error.arguments[1], std::string("falcon.bin"));
+    QVERIFY(b.motors.isClosed && !b.program.lastHeard<guard::Opened>());
+  }
+
+  void anotherVersionIsRefused() {
+    Bench b;
+    b.program.words.clear();
+    b.program.say(0.0, guard::Open{guard::kVersion + 1});
+    b.serve();
+    QVERIFY(b.program.lastHeard<guard::Refused>()->error.code == ErrorCode::PluginVersion);
+    QCOMPARE(b.motors.sent.size(), std::size_t{1});  // on closing
+  }
+
+  void whoLeavesWhileItOpensCancels() {
+    Bench b;
+    b.motors.waitsForCancel = true;
+    b.motors.result = Error{ErrorCode::Cancelled, {}, {}, {}};
+    b.program.isHasty = true;
+    b.program.say(0.1, guard::Close{});
+    b.serve();
+    QVERIFY(b.motors.wasCancelled && b.motors.isClosed);
+    QVERIFY(b.program.lastHeard<guard::Opening>());
+  }
+
+  void whoNeverAsksIsLeft() {
+    Bench b;
+    b.program.words.clear();
+    b.program.silenceAtTheEnd = 1e9;  // and never a word
+    b.serve();
+    QVERIFY(b.motors.isClosed);
+  }
+};
+
+QTEST_GUILESS_MAIN(SessionHostTest)
+#include "SessionHostTest.moc"

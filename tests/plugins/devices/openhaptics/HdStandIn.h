@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Geometry.h"
+
+#include <mutex>
+#include <optional>
+#include <string>
+
+namespace handwheel {
+
+// A pen on an arm behind the stand-in of OpenHaptics, with a servo thread as the maker's library has one. There is one,
+// as there is one library. Any thread, under its mutex.
+struct HdStandIn {
+  std::mutex mutex;
+  // What it is like.
+  bool isPlugged = true;
+  bool needsInkwell = false;  // it does not know its place until the pen was put in
+  bool isInInkwell = false;
+  Vec3 position{10.0, -20.0, 30.0};  // mm, in its own frame, whose origin is not the middle of its space
+  Vec3 least{-160.0, -70.0, -40.0}, most{160.0, 130.0, 100.0};
+  int buttons = 0;
+  bool saysNonsense = false;
+  bool isStalled = false;  // the servo thread stands still
+  // What has happened to it.
+  std::string name;
+  std::optional<Vec3> force;  // of the last frame
+  bool isForceOn = false;
+  bool isRunning = false;
+  int frames = 0;
+
+  static HdStandIn& only();
+  void reset();  // as it comes from the shop
+};
+
+}  // namespace handwheel

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "HdStandIn.h"
+#include "guard/GuardedSubject.h"
+#include "openhaptics/Driver.h"
+#include "openhaptics/HdSession.h"
+
+namespace handwheel {
+
+// The whole way: the plugin's session, a host, the bridge's session, and the stand-in of the maker's library.
+inline ContractSubject hdSubject() {
+  HdStandIn& device = HdStandIn::only();
+  device.reset();
+  const auto host = std::make_shared<HostedSession>([] {
+    return std::make_unique<openhaptics::HdSession>(openhaptics::kDefaultDevice, std::make_shared<SteadyClock>());
+  });
+  ContractSubject subject;
+  subject.unplug = [host, &device] {
+    {
+      const std::lock_guard lock(device.mutex);
+      device.isPlugged = false;
+    }
+    host->stop();  // the maker's library does not come back from that: the process ends
+  };
+  subject.corrupt = [&device] {
+    const std::lock_guard lock(device.mutex);
+    device.saysNonsense = true;
+  };
+  subject.motorForce = [&device]() -> std::optional<Vec3> {
+    const std::lock_guard lock(device.mutex);
+    return device.force;
+  };
+  return guardedSubject(host, openhaptics::touchCapabilities(), subject);
+}
+
+}  // namespace handwheel
