@@ -927,6 +927,14 @@
         <source>there is already a driver &apos;%1&apos;</source>
         <translation>es gibt schon einen Treiber ‚%1‘</translation>
     </message>
+    <message>
+        <source>ticks of the recording &apos;%1&apos;</source>
+        <translation>Takte der Aufzeichnung „%1“</translation>
+    </message>
+    <message>
+        <source>the process that guards its motors has ended</source>
+        <translation>der Prozess, der seine Motoren bewacht, ist zu Ende</translation>
+    </message>
 </context>
 <context>
     <name>ExpressionText</name>
@@ -1540,6 +1548,10 @@
     <message>
         <source>The file holds one valid solid.</source>
         <translation>Die Datei enthält einen gültigen Volumenkörper.</translation>
+    </message>
+    <message>
+        <source>The recordings of the device are not in this file.</source>
+        <translation>Die Aufzeichnungen des Geräts stehen nicht in dieser Datei.</translation>
     </message>
 </context>
 <context>
@@ -4171,6 +4183,14 @@
         <source>Device</source>
         <translation>Gerät</translation>
     </message>
+    <message>
+        <source>&amp;Device</source>
+        <translation>&amp;Gerät</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>Aufzeichnungen</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::MappingForm</name>
@@ -4485,6 +4505,129 @@
     <message>
         <source>no</source>
         <translation>nein</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::Recordings</name>
+    <message>
+        <source>&amp;Record the device</source>
+        <translation>Gerät &amp;aufzeichnen</translation>
+    </message>
+    <message>
+        <source>&amp;Play the recording</source>
+        <translation>Aufzeichnung ab&amp;spielen</translation>
+    </message>
+    <message>
+        <source>&amp;Leave the recording</source>
+        <translation>Aufzeichnung &amp;verlassen</translation>
+    </message>
+    <message>
+        <source>&amp;Export as CSV…</source>
+        <translation>Als &amp;CSV exportieren…</translation>
+    </message>
+    <message>
+        <source>Re&amp;name the recording</source>
+        <translation>Aufzeichnung &amp;umbenennen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete the recording</source>
+        <translation>Aufzeichnung &amp;löschen</translation>
+    </message>
+    <message>
+        <source>Record where the device is and what it feels, until pressed again</source>
+        <translation>Aufzeichnen, wo das Gerät ist und was es fühlt, bis zum nächsten Druck</translation>
+    </message>
+    <message>
+        <source>Let the cursor follow the recording, or pause it</source>
+        <translation>Den Zeiger der Aufzeichnung folgen lassen, oder anhalten</translation>
+    </message>
+    <message>
+        <source>Show the device again</source>
+        <translation>Wieder das Gerät zeigen</translation>
+    </message>
+    <message>
+        <source>Write the recording as a table</source>
+        <translation>Die Aufzeichnung als Tabelle schreiben</translation>
+    </message>
+    <message>
+        <source>Give the recording another name</source>
+        <translation>Der Aufzeichnung einen anderen Namen geben</translation>
+    </message>
+    <message>
+        <source>Delete the recording from the document</source>
+        <translation>Die Aufzeichnung aus dem Dokument löschen</translation>
+    </message>
+    <message>
+        <source>Rename a recording</source>
+        <translation>Eine Aufzeichnung umbenennen</translation>
+    </message>
+    <message>
+        <source>Recording %1</source>
+        <translation>Aufzeichnung %1</translation>
+    </message>
+    <message>
+        <source>Record the device</source>
+        <translation>Gerät aufzeichnen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %Ln sample(s)</source>
+        <translation>
+            <numerusform>%1: %Ln Messwert</numerusform>
+            <numerusform>%1: %Ln Messwerte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete a recording</source>
+        <translation>Eine Aufzeichnung löschen</translation>
+    </message>
+    <message>
+        <source>Export the recording</source>
+        <translation>Aufzeichnung exportieren</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>%1 could not be saved</source>
+        <translation>%1 konnte nicht gespeichert werden</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>%1 wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::RecordingsPage</name>
+    <message>
+        <source>Recordings</source>
+        <translation>Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>Position in the recording</source>
+        <translation>Stelle in der Aufzeichnung</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %Ln sample(s)</source>
+        <translation>
+            <numerusform>%1, %Ln Messwert</numerusform>
+            <numerusform>%1, %Ln Messwerte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, %Ln missing</source>
+        <translation>
+            <numerusform>, %Ln fehlt</numerusform>
+            <numerusform>, %Ln fehlen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Kept with the document.</source>
+        <translation>Bleibt beim Dokument.</translation>
     </message>
 </context>
 <context>

@@ -927,6 +927,14 @@
         <source>there is already a driver &apos;%1&apos;</source>
         <translation>已有驱动程序“%1”</translation>
     </message>
+    <message>
+        <source>ticks of the recording &apos;%1&apos;</source>
+        <translation>录制“%1”的周期</translation>
+    </message>
+    <message>
+        <source>the process that guards its motors has ended</source>
+        <translation>看护其电机的进程已结束</translation>
+    </message>
 </context>
 <context>
     <name>ExpressionText</name>
@@ -1528,6 +1536,10 @@
     <message>
         <source>The file holds one valid solid.</source>
         <translation>文件包含一个有效实体。</translation>
+    </message>
+    <message>
+        <source>The recordings of the device are not in this file.</source>
+        <translation>设备的录制不在此文件中。</translation>
     </message>
 </context>
 <context>
@@ -4144,6 +4156,14 @@
         <source>Device</source>
         <translation>设备</translation>
     </message>
+    <message>
+        <source>&amp;Device</source>
+        <translation>设备(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>录制</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::MappingForm</name>
@@ -4457,6 +4477,126 @@
     <message>
         <source>no</source>
         <translation>否</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::Recordings</name>
+    <message>
+        <source>&amp;Record the device</source>
+        <translation>录制设备(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Play the recording</source>
+        <translation>播放录制(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Leave the recording</source>
+        <translation>离开录制(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Export as CSV…</source>
+        <translation>导出为 CSV(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Re&amp;name the recording</source>
+        <translation>重命名录制(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Delete the recording</source>
+        <translation>删除录制(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Record where the device is and what it feels, until pressed again</source>
+        <translation>记录设备的位置和所感受到的力，直到再次按下</translation>
+    </message>
+    <message>
+        <source>Let the cursor follow the recording, or pause it</source>
+        <translation>让光标跟随录制，或暂停</translation>
+    </message>
+    <message>
+        <source>Show the device again</source>
+        <translation>重新显示设备</translation>
+    </message>
+    <message>
+        <source>Write the recording as a table</source>
+        <translation>将录制写为表格</translation>
+    </message>
+    <message>
+        <source>Give the recording another name</source>
+        <translation>给录制换一个名称</translation>
+    </message>
+    <message>
+        <source>Delete the recording from the document</source>
+        <translation>从文档中删除该录制</translation>
+    </message>
+    <message>
+        <source>Rename a recording</source>
+        <translation>重命名录制</translation>
+    </message>
+    <message>
+        <source>Recording %1</source>
+        <translation>录制 %1</translation>
+    </message>
+    <message>
+        <source>Record the device</source>
+        <translation>录制设备</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %Ln sample(s)</source>
+        <translation>
+            <numerusform>%1：%Ln 个采样</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Delete a recording</source>
+        <translation>删除录制</translation>
+    </message>
+    <message>
+        <source>Export the recording</source>
+        <translation>导出录制</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>表格 (*.csv)</translation>
+    </message>
+    <message>
+        <source>%1 could not be saved</source>
+        <translation>无法保存 %1</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>正在写入 %1</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>已保存 %1</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::RecordingsPage</name>
+    <message>
+        <source>Recordings</source>
+        <translation>录制</translation>
+    </message>
+    <message>
+        <source>Position in the recording</source>
+        <translation>录制中的位置</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %Ln sample(s)</source>
+        <translation>
+            <numerusform>%1，%Ln 个采样</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, %Ln missing</source>
+        <translation>
+            <numerusform>，缺少 %Ln 个</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Kept with the document.</source>
+        <translation>随文档保存。</translation>
     </message>
 </context>
 <context>
