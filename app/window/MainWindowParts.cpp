@@ -117,7 +117,7 @@ void MainWindow::buildDocks() {
   tabifyDockWidget(m_propertiesDock, m_viewDock);
   // Most have no device: who plugs one in finds it in the menu.
   auto* device = new DeviceDock(m_haptics, this);
-  device->addPage(new RecordingsDock(m_recordings, m_haptics, device), tr("Recordings"));
+  device->addPage(new RecordingsDock(m_recordings, m_haptics, device), tr("Record"));
   m_deviceDock = addDock(*this, Qt::RightDockWidgetArea, "deviceDock", tr("Device"), device, "device");
   tabifyDockWidget(m_viewDock, m_deviceDock);
   m_deviceDock->hide();

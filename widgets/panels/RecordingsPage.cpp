@@ -6,11 +6,12 @@
 
 #include <QAction>
 #include <QHBoxLayout>
+#include <QHeaderView>
 #include <QLabel>
-#include <QListWidget>
 #include <QLocale>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QTableWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -49,7 +50,7 @@ QToolButton* toolButton(QAction* action, QWidget* parent) {
 RecordingsPage::RecordingsPage(const Actions& actions, QWidget* parent)
     : QWidget(parent),
       m_recorded(new QLabel(this)),
-      m_list(new QListWidget(this)),
+      m_list(new QTableWidget(0, 2, this)),
       m_slider(new QSlider(Qt::Horizontal, this)),
       m_position(new QLabel(this)) {
   m_recorded->setObjectName(QStringLiteral("recordedText"));
@@ -58,6 +59,14 @@ RecordingsPage::RecordingsPage(const Actions& actions, QWidget* parent)
   m_list->setObjectName(QStringLiteral("recordingList"));
   m_list->setAccessibleName(tr("Recordings"));
   m_list->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
+  m_list->setSelectionBehavior(QAbstractItemView::SelectRows);
+  m_list->setSelectionMode(QAbstractItemView::SingleSelection);
+  m_list->setShowGrid(false);
+  m_list->setTabKeyNavigation(false);
+  m_list->verticalHeader()->hide();
+  m_list->horizontalHeader()->hide();
+  m_list->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+  m_list->horizontalHeader()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
   m_slider->setObjectName(QStringLiteral("recordingPosition"));
   m_slider->setAccessibleName(tr("Position in the recording"));
   m_slider->setSingleStep(kStep);
@@ -87,10 +96,10 @@ RecordingsPage::RecordingsPage(const Actions& actions, QWidget* parent)
   column->addWidget(m_list, 1);
   column->addLayout(way);
   column->addLayout(row);
-  connect(m_list, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
-    if (item) emit chosen(item->data(kKey).toString());
+  connect(m_list, &QTableWidget::currentCellChanged, this, [this](int at) {
+    if (at >= 0) emit chosen(m_list->item(at, 0)->data(kKey).toString());
   });
-  connect(m_list, &QListWidget::itemChanged, this, &RecordingsPage::take);
+  connect(m_list, &QTableWidget::itemChanged, this, &RecordingsPage::take);
   connect(m_slider, &QSlider::valueChanged, this, [this](int value) { emit sought(value / kMilliseconds); });
   showNotRecording();
   showPosition(0.0, 0.0);
@@ -100,36 +109,44 @@ void RecordingsPage::showRecordings(const std::vector<Row>& rows, const QString&
   const QSignalBlocker quiet(m_list);
   if (rows != m_rows) {
     m_rows = rows;
-    m_list->clear();
-    for (const Row& row : rows) fill(*new QListWidgetItem(m_list), row);
+    m_list->setRowCount(0);
+    m_list->setRowCount(static_cast<int>(rows.size()));
+    for (int i = 0; i < m_list->rowCount(); ++i) fill(i, rows[static_cast<std::size_t>(i)]);
   }
-  int at = -1;
-  for (int i = 0; i < m_list->count(); ++i) {
-    if (m_list->item(i)->data(kKey).toString() == chosen) at = i;
-  }
-  m_list->setCurrentRow(at);
+  m_list->setCurrentCell(rowOf(chosen), 0);
 }
 
-// The name alone is what is edited; the rest is told beside it, in the tip and to who does not see.
-void RecordingsPage::fill(QListWidgetItem& item, const Row& row) const {
+void RecordingsPage::fill(int at, const Row& row) {
   QString about = tr("%1, %Ln sample(s)", nullptr, static_cast<int>(row.ticks)).arg(clockText(row.duration, locale()));
   if (row.missing > 0) about += tr(", %Ln missing", nullptr, static_cast<int>(row.missing));
-  item.setData(kKey, row.key);
-  item.setFlags(item.flags() | Qt::ItemIsEditable);
-  item.setText(row.name);
-  item.setToolTip(about);
-  item.setData(Qt::AccessibleDescriptionRole, about);
+  auto* name = new QTableWidgetItem(row.name);
+  auto* duration = new QTableWidgetItem(clockText(row.duration, locale()));
+  name->setData(kKey, row.key);
+  duration->setFlags(duration->flags() & ~Qt::ItemIsEditable);
+  duration->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  for (QTableWidgetItem* item : {name, duration}) {
+    item->setToolTip(about);
+    item->setData(Qt::AccessibleDescriptionRole, about);
+  }
+  m_list->setItem(at, 0, name);
+  m_list->setItem(at, 1, duration);
+}
+
+int RecordingsPage::rowOf(const QString& key) const {
+  const auto row = std::find_if(m_rows.begin(), m_rows.end(), [&](const Row& each) { return each.key == key; });
+  return row == m_rows.end() ? -1 : static_cast<int>(row - m_rows.begin());
 }
 
 // A name that is empty is none.
-void RecordingsPage::take(QListWidgetItem* item) {
+void RecordingsPage::take(QTableWidgetItem* item) {
   const QString key = item->data(kKey).toString();
-  const auto row = std::find_if(m_rows.begin(), m_rows.end(), [&](const Row& each) { return each.key == key; });
-  if (row == m_rows.end() || item->text() == row->name) return;
-  const QString name = item->text().trimmed();
-  if (name.isEmpty() || name == row->name) {
+  const int at = item->column() == 0 ? rowOf(key) : -1;
+  if (at < 0) return;
+  const QString before = m_rows[static_cast<std::size_t>(at)].name, name = item->text().trimmed();
+  if (item->text() == before) return;
+  if (name.isEmpty() || name == before) {
     const QSignalBlocker quiet(m_list);
-    item->setText(row->name);
+    item->setText(before);
   } else {
     emit renamed(key, name);
   }
@@ -155,9 +172,7 @@ void RecordingsPage::showPosition(double seconds, double duration) {
 }
 
 void RecordingsPage::editName(const QString& key) {
-  for (int i = 0; i < m_list->count(); ++i) {
-    if (m_list->item(i)->data(kKey).toString() == key) m_list->editItem(m_list->item(i));
-  }
+  if (const int at = rowOf(key); at >= 0) m_list->editItem(m_list->item(at, 0));
 }
 
 }  // namespace handwheel

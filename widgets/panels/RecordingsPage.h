@@ -8,9 +8,9 @@
 
 class QAction;
 class QLabel;
-class QListWidget;
-class QListWidgetItem;
 class QSlider;
+class QTableWidget;
+class QTableWidgetItem;
 
 namespace handwheel {
 
@@ -53,13 +53,14 @@ class RecordingsPage : public QWidget {
   void sought(double seconds);
 
  private:
-  void fill(QListWidgetItem& item, const Row& row) const;
-  void take(QListWidgetItem* item);
+  void fill(int at, const Row& row);
+  int rowOf(const QString& key) const;  // -1: none
+  void take(QTableWidgetItem* item);
 
   std::vector<Row> m_rows;
   QLabel* m_recorded;
-  QListWidget* m_list;
-  QSlider* m_slider;  // milliseconds
+  QTableWidget* m_list;  // name and duration
+  QSlider* m_slider;     // milliseconds
   QLabel* m_position;
 };
 

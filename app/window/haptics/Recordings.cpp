@@ -16,6 +16,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <algorithm>
+#include <utility>
 
 namespace handwheel {
 
@@ -78,7 +79,7 @@ void Recordings::prepareActions() {
   m_play.setCheckable(true);
   m_play.setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P));
   prepare(m_play, "playRecording", "play", tr("Let the cursor follow the recording, or pause it"));
-  prepare(m_leave, "leaveRecording", "stop", tr("Show the device again"));
+  prepare(m_leave, "leaveRecording", "close", tr("Show the device again"));
   prepare(m_export, "exportRecording", "save-as", tr("Write the recording as a table"));
   prepare(m_rename, "renameRecording", "rename", tr("Give the recording another name"));
   prepare(m_remove, "removeRecording", "clear", tr("Delete the recording from the document"));
@@ -230,8 +231,21 @@ void Recordings::enableActions() {
   m_record.setChecked(isRecording);
   m_play.setEnabled(isChosen && !isRecording);
   m_play.setChecked(m_playback.isPlaying());
+  nameActions(isRecording, m_playback.isPlaying());
   m_leave.setEnabled(m_playback.isTakenUp());
   for (QAction* action : {&m_export, &m_rename, &m_remove}) action->setEnabled(isChosen);
+}
+
+// Called with each frame that is played: a new icon is drawn only when it is another.
+void Recordings::nameActions(bool isRecording, bool isPlaying) {
+  if (isRecording != std::exchange(m_isNamedStop, isRecording)) {
+    m_record.setText(isRecording ? tr("Stop &recording") : tr("&Record the device"));
+    m_record.setIcon(icon(isRecording ? QStringLiteral("stop") : QStringLiteral("record")));
+  }
+  if (isPlaying != std::exchange(m_isNamedPause, isPlaying)) {
+    m_play.setText(isPlaying ? tr("&Pause the recording") : tr("&Play the recording"));
+    m_play.setIcon(icon(isPlaying ? QStringLiteral("pause") : QStringLiteral("play")));
+  }
 }
 
 }  // namespace handwheel

@@ -69,6 +69,7 @@ class Recordings : public QObject {
   void writeCsv(const KeptRecording& recording, const QString& path);
   void follow();
   void enableActions();
+  void nameActions(bool isRecording, bool isPlaying);
 
   Parts m_parts;
   Playback m_playback;
@@ -76,6 +77,8 @@ class Recordings : public QObject {
   QPointer<Document> m_recorded;  // in which the recording began
   std::string m_chosen;           // key
   std::string m_tool;             // id
+  bool m_isNamedStop = false;     // what the actions say
+  bool m_isNamedPause = false;
   QAction m_record, m_play, m_leave, m_export, m_rename, m_remove;
 };
 

@@ -11,8 +11,8 @@
 #include "window/haptics/HapticSession.h"
 #include "window/haptics/Recordings.h"
 
-#include <QListWidget>
 #include <QSlider>
+#include <QTableWidget>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -59,7 +59,7 @@ struct RecordBench {
     return isLong;
   }
   Document& document() { return driver.find<DocumentTabs>("tabRow")->current()->document; }
-  QListWidget* list() { return driver.find<QListWidget>("recordingList"); }
+  QTableWidget* list() { return driver.find<QTableWidget>("recordingList"); }
   QAction* action(const char* name) { return driver.find<QAction>(name); }
 };
 
@@ -88,10 +88,11 @@ class RecordingWindowTest : public QObject {
     QVERIFY(!b.document().isModified());
     QVERIFY(b.record());
     QVERIFY(b.document().isModified());
-    QCOMPARE(b.list()->count(), 1);
-    QCOMPARE(b.list()->item(0)->text(), QString("Recording 1"));
+    QCOMPARE(b.list()->rowCount(), 1);
+    QCOMPARE(b.list()->item(0, 0)->text(), QString("Recording 1"));
     const KeptRecording kept = b.recordings.all().front();
     QVERIFY(kept.ticks.size() > 200);
+    QVERIFY(b.list()->item(0, 1)->text().startsWith(QLatin1String("0:0")));
     QCOMPARE(kept.ticks.missing(), std::uint64_t{0});
     QCOMPARE(kept.device, std::string("Simulated hand"));
     QVERIFY(kept.forceLimit > 0.0);
@@ -102,7 +103,7 @@ class RecordingWindowTest : public QObject {
     QVERIFY(!b.document().isModified());
     b.driver.choose("closeDocument");
     QVERIFY(b.driver.open(path));
-    QCOMPARE(b.list()->count(), 1);
+    QCOMPARE(b.list()->rowCount(), 1);
     QCOMPARE(b.recordings.all().front().ticks.size(), kept.ticks.size());
   }
 
@@ -121,20 +122,20 @@ class RecordingWindowTest : public QObject {
     RecordBench b;
     QVERIFY(b.begin());
     QVERIFY(b.record() && b.record());
-    QCOMPARE(b.list()->count(), 2);
+    QCOMPARE(b.list()->rowCount(), 2);
     QCOMPARE(b.list()->currentRow(), 1);
-    b.list()->item(1)->setText(QStringLiteral("  slow slide "));
+    b.list()->item(1, 0)->setText(QStringLiteral("  slow slide "));
     QCOMPARE(b.recordings.all()[1].name, std::string("slow slide"));
-    b.list()->item(1)->setText(QStringLiteral(" "));  // none
-    QCOMPARE(b.list()->item(1)->text(), QString("slow slide"));
+    b.list()->item(1, 0)->setText(QStringLiteral(" "));  // none
+    QCOMPARE(b.list()->item(1, 0)->text(), QString("slow slide"));
     b.driver.choose("removeRecording");
-    QCOMPARE(b.list()->count(), 1);
+    QCOMPARE(b.list()->rowCount(), 1);
     QCOMPARE(b.recordings.chosen()->name, std::string("Recording 1"));
     b.action("undo")->trigger();
-    QCOMPARE(b.list()->count(), 2);
-    QCOMPARE(b.list()->item(1)->text(), QString("slow slide"));
+    QCOMPARE(b.list()->rowCount(), 2);
+    QCOMPARE(b.list()->item(1, 0)->text(), QString("slow slide"));
     for (int i = 0; i < 3; ++i) b.action("undo")->trigger();
-    QCOMPARE(b.list()->count(), 0);
+    QCOMPARE(b.list()->rowCount(), 0);
     QVERIFY(!b.document().isModified());
   }
 
@@ -170,7 +171,7 @@ class RecordingWindowTest : public QObject {
     b.driver.choose("recordDevice");
     QTRY_VERIFY(b.session.recorder() && b.session.recorder()->ticks() > 50);
     b.session.close();
-    QCOMPARE(b.list()->count(), 1);
+    QCOMPARE(b.list()->rowCount(), 1);
     QVERIFY(!b.action("recordDevice")->isChecked());
   }
 
@@ -187,7 +188,7 @@ class RecordingWindowTest : public QObject {
     QVERIFY(!b.session.recorder());
     QCOMPARE(first.file().recordings.size(), std::size_t{1});
     QVERIFY(b.recordings.all().empty());
-    QCOMPARE(b.list()->count(), 0);
+    QCOMPARE(b.list()->rowCount(), 0);
   }
 
   void isWrittenAsATable() {
