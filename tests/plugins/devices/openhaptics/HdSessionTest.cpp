@@ -41,7 +41,7 @@ class HdSessionTest : public QObject {
 
   void readsTheDevice() {
     QVERIFY(m_session->open({}).hasValue());
-    m_device.buttons = 2;
+    look([](HdStandIn& device) { return device.buttons = 2; });
     const DeviceState state = exchangeUntil(DeviceStatus::Ready);
     QVERIFY((state.position - Vec3(10.0, -50.0, 0.0)).norm() < 1e-12);  // from the middle of its space
     QVERIFY(state.hasVelocity && state.velocity == Vec3(1.0, 2.0, 3.0));
