@@ -4188,8 +4188,8 @@
         <translation>&amp;Gerät</translation>
     </message>
     <message>
-        <source>Recordings</source>
-        <translation>Aufzeichnungen</translation>
+        <source>Record</source>
+        <translation>Aufnahme</translation>
     </message>
 </context>
 <context>
@@ -4599,6 +4599,14 @@
     <message>
         <source>Saved %1</source>
         <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>Stop &amp;recording</source>
+        <translation>Aufzeichnung &amp;beenden</translation>
+    </message>
+    <message>
+        <source>&amp;Pause the recording</source>
+        <translation>Aufzeichnung &amp;anhalten</translation>
     </message>
 </context>
 <context>

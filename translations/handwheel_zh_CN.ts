@@ -4161,7 +4161,7 @@
         <translation>设备(&amp;D)</translation>
     </message>
     <message>
-        <source>Recordings</source>
+        <source>Record</source>
         <translation>录制</translation>
     </message>
 </context>
@@ -4570,6 +4570,14 @@
     <message>
         <source>Saved %1</source>
         <translation>已保存 %1</translation>
+    </message>
+    <message>
+        <source>Stop &amp;recording</source>
+        <translation>停止录制(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Pause the recording</source>
+        <translation>暂停录制(&amp;P)</translation>
     </message>
 </context>
 <context>
