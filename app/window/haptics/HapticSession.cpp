@@ -293,6 +293,7 @@ void HapticSession::sample() {
   m_open->sample = m_open->loop->latest();
   measureRate();
   if (m_open->sample->device.status != before) tellStatus(m_open->sample->device.status);
+  if (m_open->recorder && m_open->recorder->isFull()) stopRecording();
   if (m_testEnd && m_open->sample->tip.time > *m_testEnd) endForceTest();
   emit sampled();
 }

@@ -83,8 +83,8 @@ class HapticSession : public QObject {
   bool isTesting() const { return m_testEnd.has_value(); }
   static constexpr double kTestForce = 0.5;  // N
 
-  // Records every tick from now on, until stopRecording() or the end of the device; then recorded() hands it over.
-  // Nothing when no device is open, or one is recording already.
+  // Records every tick from now on, until stopRecording(), the end of the device, or ForceRecorder::kMostTicks; then
+  // recorded() hands it over. Nothing when no device is open, or one is recording already.
   void startRecording();
   void stopRecording();
   const ForceRecorder* recorder() const;  // null: nothing is being recorded

@@ -110,6 +110,19 @@ class HdSessionTest : public QObject {
     QCOMPARE(opened.error().arguments[0], std::string("no device"));
   }
 
+  // The process itself, as the plugin starts it.
+  void theBridgeIsAProcess() {
+    openhaptics::Driver driver(BRIDGE);
+    const auto device = driver.make(openhaptics::kDefaultDevice);
+    QVERIFY(device && device->capabilities().maxStiffness == 0.4);  // of its kind
+    QVERIFY(device->open({}).hasValue());
+    QCOMPARE(device->capabilities().maxStiffness, 0.5);  // of itself
+    QTRY_COMPARE(device->read().status, DeviceStatus::Ready);
+    QVERIFY((device->read().position - Vec3(10.0, -50.0, 0.0)).norm() < 1e-12);
+    device->close();
+    QCOMPARE(device->read().status, DeviceStatus::Absent);
+  }
+
   // Nothing is offered where nobody has built the bridge.
   void theDriverNeedsTheBridge() {
     const QTemporaryDir folder;
