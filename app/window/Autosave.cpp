@@ -42,7 +42,8 @@ void Autosave::follow(OpenDocument* document) {
   document->autosaved = document->document.revision();
   connect(&document->document, &Document::changed, this, &Autosave::changed);
   connect(&document->document, &Document::fileChanged, this, [this, document] {
-    if (!document->document.isModified()) m_session->remove(m_keys[document]);
+    if (!document->document.isModified()) return m_session->remove(m_keys[document]);
+    if (document->autosaved != document->document.revision()) changed();
   });
 }
 

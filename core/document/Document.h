@@ -58,7 +58,7 @@ class Document : public QObject {
 
  signals:
   void changed();      // the value; also by undo and redo
-  void fileChanged();  // path, format, clean state or display unit
+  void fileChanged();  // path, format, clean state, display unit or recordings
 
  protected:
   // By every edit. Who has signals of its own emits them between counting and changed().

@@ -14,9 +14,10 @@ namespace {
 constexpr std::size_t kKeyDigits = 4;
 }
 
+// The model stays as it is: a tool in the middle of its work is not to hear of a change.
 void RecordingsEdit::exchange(Document& document) {
   document.m_file.recordings.swap(m_recordings);
-  document.wasChanged();
+  document.countChange();
   emit document.fileChanged();
 }
 

@@ -39,7 +39,9 @@ double RecordingPlayer::position() const {
 // A recording that somebody wrote by hand may have times that go back: then it is some tick, always the same.
 const RecordedTick* RecordingPlayer::tick() const {
   if (m_recording.size() == 0) return nullptr;
-  const double time = m_recording[0].tip.time + position();
+  const double at = position();
+  if (at >= m_duration) return &m_recording[m_recording.size() - 1];  // the sum below may be rounded to before it
+  const double time = m_recording[0].tip.time + at;
   std::size_t low = 0, high = m_recording.size();
   while (high - low > 1) {
     const std::size_t middle = low + (high - low) / 2;

@@ -94,7 +94,7 @@ void Recordings::setDocument(Document* document) {
   m_chosen.clear();
   if (document) {
     if (!document->file().recordings.empty()) m_chosen = document->file().recordings.back().key;
-    connect(document, &Document::changed, this, &Recordings::follow);
+    connect(document, &Document::fileChanged, this, &Recordings::follow);
   }
   follow();
 }

@@ -11,6 +11,7 @@
 #include "document/container/RecordingBlobs.h"
 #include "haptics/RecordingCsv.h"
 
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <sstream>
@@ -104,6 +105,7 @@ class KeptRecordingsTest : public QObject {
     Bench bench;
     QVERIFY(!bench.document->isModified());
     const std::uint64_t before = bench.document->revision();
+    QSignalSpy changed(bench.document.get(), &Document::changed);  // of the model: a tool would begin anew
     bench.give({{"0001", "first", "", 0.0, steady(3)}});
     QVERIFY(bench.document->isModified());
     QVERIFY(bench.document->revision() > before);
@@ -113,6 +115,7 @@ class KeptRecordingsTest : public QObject {
     QVERIFY(!bench.document->isModified());
     bench.document->history()->redo();
     QCOMPARE(bench.document->file().recordings[0].ticks.size(), std::size_t{3});
+    QCOMPARE(changed.count(), 0);
   }
 
   void keysAreNotGivenTwice() {

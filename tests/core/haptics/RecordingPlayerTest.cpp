@@ -105,6 +105,17 @@ class RecordingPlayerTest : public QObject {
     }));
   }
 
+  // Whatever the difference of two times is rounded to.
+  void endsWithTheLastTick() {
+    QVERIFY(rc::check([] {
+      const double first = *rc::gen::inRange(0, 1000000) * 0.001, step = *rc::gen::inRange(1, 1000000) * 1e-5;
+      VirtualClock clock;
+      RecordingPlayer player(at({first, first + 0.5 * step, first + step}), clock);
+      player.seek(player.duration());
+      RC_ASSERT(player.tick()->tick == 2u);
+    }));
+  }
+
   // Written by hand, with times that go back: some tick, and the same each time.
   void timesThatGoBackDoNoHarm() {
     VirtualClock clock;

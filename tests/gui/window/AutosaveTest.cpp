@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
+#include "document/RecordingsEdit.h"
 #include "document/RecoveryLeftovers.h"
+#include "window/DocumentTabs.h"
 #include "window/FileActions.h"
+#include "window/OpenDocument.h"
 
 #include <QPushButton>
 #include <QStandardPaths>
@@ -15,12 +18,22 @@ using namespace handwheel::test;
 class AutosaveTest : public QObject {
   Q_OBJECT
 
+ private:
+  static bool isStored() {
+    const QString root = QString::fromStdString(recoveryFolder().string());
+    for (const QString& session : QDir(root).entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
+      if (!QDir(root + "/" + session).entryList({"*.handwheel"}).isEmpty()) return true;
+    }
+    return false;
+  }
+
  private slots:
   void initTestCase() {
     QStandardPaths::setTestModeEnabled(true);
-    QDir(QString::fromStdString(recoveryFolder().string())).removeRecursively();
     QSettings().setValue("autosaveSeconds", 5);
   }
+
+  void init() { QDir(QString::fromStdString(recoveryFolder().string())).removeRecursively(); }
 
   void anUnsavedWorkpieceIsOfferedAndRecovered() {
     QString wanted;
@@ -30,14 +43,7 @@ class AutosaveTest : public QObject {
       QVERIFY(driver.settle());
       driver.edit("diameter", "33");
       wanted = driver.text("figures");
-      const auto stored = [] {
-        const QString root = QString::fromStdString(recoveryFolder().string());
-        for (const QString& session : QDir(root).entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
-          if (!QDir(root + "/" + session).entryList({"*.handwheel"}).isEmpty()) return true;
-        }
-        return false;
-      };
-      QVERIFY(QTest::qWaitFor(stored, 30000));
+      QVERIFY(QTest::qWaitFor(isStored, 30000));
     }  // the window goes without asking, as in a crash: nothing was saved
     WindowDriver second;
     QCOMPARE(second.tabs(), 0);
@@ -47,6 +53,18 @@ class AutosaveTest : public QObject {
     QVERIFY(second.settle());
     QCOMPARE(second.text("figures"), wanted);
     QVERIFY(second.window().isWindowModified());
+  }
+
+  // Nothing of the model has changed.
+  void aRecordingAloneIsStored() {
+    WindowDriver driver;
+    driver.choose("newWorkpiece");
+    QVERIFY(driver.settle());
+    Document& document = driver.find<DocumentTabs>("tabRow")->current()->document;
+    document.commit("recorded",
+                    std::make_unique<RecordingsEdit>(std::vector<KeptRecording>{{"0001", "a", "", 0.0, {}}}));
+    QVERIFY(driver.window().isWindowModified());
+    QVERIFY(QTest::qWaitFor(isStored, 30000));
   }
 };
 
