@@ -25,6 +25,7 @@
 #include "window/haptics/DeviceDock.h"
 #include "window/haptics/DevicePointer.h"
 #include "window/haptics/DeviceView.h"
+#include "window/haptics/HapticFidelity.h"
 #include "window/haptics/RecordingsDock.h"
 
 #include <QDockWidget>
@@ -75,6 +76,7 @@ void MainWindow::buildCentre() {
   m_deviceView = new DeviceView(m_haptics, *m_viewport, this);
   m_toolPanel = new ToolPanel(this);
   m_tools = new ToolHost(*m_viewport, *m_toolPanel, m_services.needs(), this);
+  new HapticFidelity(m_fidelity, m_haptics, m_touch, this);
   new DevicePointer(m_haptics, *m_viewport, *m_tools, m_touch, m_tools);
   m_toolChoice = new ToolChoice(*m_tools, this);
   m_card = new NextStepCard(m_viewport);

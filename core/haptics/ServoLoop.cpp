@@ -12,9 +12,9 @@ ServoLoop::ServoLoop(std::unique_ptr<Device> device, const ServoSettings& settin
       m_clock(clock),
       m_service(service),
       m_channel(std::make_unique<ServoChannel>(settings.samples)),
-      m_tick(*m_device, settings, clock, *m_channel),
+      m_tick(std::make_unique<ServoTick>(*m_device, settings, clock, *m_channel)),
       m_priority(settings.priority),
-      m_period(std::llround(m_tick.nominalPeriod() * kNanoseconds)),
+      m_period(std::llround(m_tick->nominalPeriod() * kNanoseconds)),
       m_due(clock.now()) {}
 
 ServoLoop::~ServoLoop() {
@@ -35,6 +35,15 @@ void ServoLoop::stop() {
   m_realTime.store(RealTimeState::NotRunning, std::memory_order_relaxed);
 }
 
+void ServoLoop::setSettings(const ServoSettings& settings) {
+  assert(!isRunning());
+  auto tick = std::make_unique<ServoTick>(*m_device, settings, m_clock, *m_channel);
+  tick->goOnFrom(*m_tick);
+  m_tick = std::move(tick);
+  m_priority = settings.priority;
+  m_period = std::llround(m_tick->nominalPeriod() * kNanoseconds);
+}
+
 void ServoLoop::runTicks(std::uint64_t count) {
   assert(!isRunning());
   for (std::uint64_t i = 0; i < count; ++i) cycle();
@@ -50,8 +59,8 @@ void ServoLoop::run() {
 void ServoLoop::cycle() noexcept {
   m_clock.waitUntil(m_due);
   const std::int64_t now = m_clock.now();
-  m_tick.measure().addLateness(static_cast<double>(now - m_due) / kNanoseconds);
-  m_tick.run(now);
+  m_tick->measure().addLateness(static_cast<double>(now - m_due) / kNanoseconds);
+  m_tick->run(now);
   const std::int64_t end = m_clock.now();
   m_service.countTick(end > now ? static_cast<std::uint64_t>(end - now) : 0);
   m_due = dueAfter(m_due, end);
@@ -68,7 +77,7 @@ std::int64_t ServoLoop::dueAfter(std::int64_t due, std::int64_t now) {
 
 void ServoLoop::rest() noexcept {
   m_device->write({});
-  m_tick.pause();
+  m_tick->pause();
 }
 
 }  // namespace handwheel

@@ -28,6 +28,10 @@ class ServoLoop {
   void start();
   void stop();  // the last thing sent is zero force
   bool isRunning() const { return m_thread.joinable(); }
+  // Another rate and window, while it is stopped: ticks are counted on, scene and mapping stay, and the force comes
+  // back by the ramp. What measure() has said is of the past, its reference too. How many samples may wait does not
+  // change.
+  void setSettings(const ServoSettings& settings);
   // Instead of a thread, on the calling one: for tests and the command line, by a virtual clock.
   void runTicks(std::uint64_t count);
 
@@ -51,7 +55,7 @@ class ServoLoop {
   // Any thread.
   RealTimeState realTime() const { return m_realTime.load(std::memory_order_relaxed); }
   std::uint64_t missedTicks() const { return m_missed.load(std::memory_order_relaxed); }
-  const LoopMeasure& measure() const { return m_tick.measure(); }
+  const LoopMeasure& measure() const { return m_tick->measure(); }
   const Device& device() const { return *m_device; }
 
  private:
@@ -64,9 +68,9 @@ class ServoLoop {
   ServoClock& m_clock;
   Service& m_service;
   const std::unique_ptr<ServoChannel> m_channel;
-  ServoTick m_tick;
-  const int m_priority;
-  const std::int64_t m_period;  // ns
+  std::unique_ptr<ServoTick> m_tick;
+  int m_priority;
+  std::int64_t m_period;  // ns
   std::uint64_t m_mappingNumber = 0;
   std::int64_t m_due = 0;  // ns: when the next tick is to come
   std::thread m_thread;

@@ -78,6 +78,14 @@ void ServoTick::pause() noexcept {
   m_chain.process(gone);
 }
 
+void ServoTick::goOnFrom(const ServoTick& before) {
+  m_mapper = before.m_mapper;
+  m_mappingNumber = before.m_mappingNumber;
+  m_source = before.m_source;
+  m_tick = before.m_tick;
+  m_time = before.m_time;
+}
+
 // The seconds since the last tick by the clock. A clock that stands or goes back counts as a tick in time.
 double ServoTick::advance(std::int64_t now) {
   const double nominal = nominalPeriod();

@@ -17,6 +17,8 @@ struct ServoSettings {
   double velocityWindow = VelocityEstimator::kStandardWindow;  // s, where the device gives no velocity
   int priority = 80;                                           // of SCHED_FIFO
   std::size_t samples = 16384;                                 // that may wait to be fetched: 16 s at 1 kHz
+
+  bool operator==(const ServoSettings&) const = default;
 };
 
 inline constexpr double kLeastServoRate = 500.0;
@@ -33,6 +35,10 @@ class ServoTick {
   void run(std::int64_t now) noexcept;
   // After a pause: time, velocity and energy start anew, the force comes back by the ramp.
   void pause() noexcept;
+
+  // Goes on where another one on the same device and channel has ended: its scene, its mapping, its count and its time.
+  // The force comes back by the ramp. Before the first tick, on the thread that owns both.
+  void goOnFrom(const ServoTick& before);
 
   LoopMeasure& measure() { return m_measure; }
   const LoopMeasure& measure() const { return m_measure; }

@@ -32,7 +32,8 @@ class ScriptedDevice : public Device {
     int reads = 0;
     int writes = 0;
     int closes = 0;
-    std::function<void(Log&)> onRead;  // before a reading
+    std::function<void(Log&)> onRead;                             // before a reading
+    std::function<void(const Log&, const DeviceForce&)> onWrite;  // before it is the last
   };
 
   explicit ScriptedDevice(std::shared_ptr<Log> log, const DeviceCapabilities& capabilities = forceDevice())
@@ -49,6 +50,7 @@ class ScriptedDevice : public Device {
     return m_log->state;
   }
   void write(const DeviceForce& force) noexcept override {
+    if (m_log->onWrite) m_log->onWrite(*m_log, force);
     ++m_log->writes;
     m_log->last = force;
   }

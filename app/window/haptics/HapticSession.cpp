@@ -17,9 +17,11 @@ namespace handwheel {
 
 namespace {
 
-constexpr int kSampleMs = 16;      // 60 a second
-constexpr int kRateMs = 500;       // over which the rate is measured
-constexpr double kTestTail = 0.2;  // s after the last pull, for what the safety chain has delayed
+constexpr int kSampleMs = 16;          // 60 a second
+constexpr int kRateMs = 500;           // over which the rate is measured
+constexpr double kTestTail = 0.2;      // s after the last pull, for what the safety chain has delayed
+constexpr double kLetGo = 0.02;        // N: a force that may break off unnoticed
+constexpr double kLongestWait = 0.25;  // s for it: what damps a moving hand may stay
 const auto kDriverKey = QStringLiteral("haptics/driver");
 const auto kAddressKey = QStringLiteral("haptics/address");
 
@@ -46,6 +48,7 @@ struct HapticSession::OpenDevice {
   std::shared_ptr<ServoLoop> loop;
   std::unique_ptr<ForceRecorder> recorder;  // goes before its loop
   std::optional<ServoSample> sample;
+  std::optional<double> isChangingSince;  // s by the clock of the loop: its settings
 };
 
 HapticSession::HapticSession(const Parts& parts, std::vector<std::unique_ptr<DeviceDriver>> drivers, QObject* parent)
@@ -132,8 +135,7 @@ void HapticSession::opened(std::unique_ptr<Device> device) {
   m_open->hand = dynamic_cast<SimulatedDevice*>(device.get());
   m_open->ticksBefore = m_parts.services.haptics().counters().ticks;
   m_open->need = m_parts.services.needs().need(m_parts.services.haptics().id());
-  m_open->loop =
-      std::make_shared<ServoLoop>(std::move(device), ServoSettings{}, m_parts.clock, m_parts.services.haptics());
+  m_open->loop = std::make_shared<ServoLoop>(std::move(device), m_servo, m_parts.clock, m_parts.services.haptics());
   m_open->loop->setForceOn(m_isForceOn);
   m_mapping = keptMapping(m_chosen.driver, standardMapping(m_open->capabilities));
   applyMapping(false);
@@ -257,8 +259,27 @@ void HapticSession::setTouch(const TouchSettings& touch) {
 void HapticSession::setForceOn(bool isOn) {
   if (isOn == m_isForceOn) return;
   m_isForceOn = isOn;
-  if (m_open) m_open->loop->setForceOn(isOn);
+  if (m_open && !m_open->isChangingSince) m_open->loop->setForceOn(isOn);
   emit forceOnChanged(isOn);
+}
+
+// A force that broke off in contact would be felt as a blow: it goes first.
+void HapticSession::setServo(const ServoSettings& servo) {
+  if (servo == m_servo) return;
+  m_servo = servo;
+  if (!m_open || m_open->isChangingSince) return;
+  m_open->isChangingSince = latest() ? latest()->tip.time : 0.0;
+  m_open->loop->setForceOn(false);
+}
+
+void HapticSession::changeServo() {
+  const ServoSample& last = *m_open->sample;
+  if (last.sent.force.norm() > kLetGo && last.tip.time < *m_open->isChangingSince + kLongestWait) return;
+  m_open->isChangingSince.reset();
+  m_open->loop->stop();
+  m_open->loop->setSettings(m_servo);
+  m_open->loop->setForceOn(m_isForceOn);
+  m_open->loop->start();
 }
 
 void HapticSession::startForceTest() {
@@ -295,6 +316,7 @@ void HapticSession::sample() {
   if (m_open->sample->device.status != before) tellStatus(m_open->sample->device.status);
   if (m_open->recorder && m_open->recorder->isFull()) stopRecording();
   if (m_testEnd && m_open->sample->tip.time > *m_testEnd) endForceTest();
+  if (m_open->isChangingSince) changeServo();
   emit sampled();
 }
 

@@ -71,6 +71,11 @@ class HapticSession : public QObject {
   // How the device lies in the scene now.
   WorkspaceMapping mappingInScene() const;
 
+  // Rate and window of the loop. One that runs lets the force go, and takes them up within some 50 ms; the force comes
+  // back by the ramp.
+  const ServoSettings& servo() const { return m_servo; }
+  void setServo(const ServoSettings& servo);
+
   // How what is touched feels.
   const TouchSettings& touch() const { return m_touch; }
   void setTouch(const TouchSettings& touch);
@@ -122,6 +127,7 @@ class HapticSession : public QObject {
   void closeLoop();
   void applyMapping(bool keepsTip);
   void sample();
+  void changeServo();
   void endForceTest();
   void measureRate();
   void tellStatus(DeviceStatus status);
@@ -131,6 +137,7 @@ class HapticSession : public QObject {
   DeviceFinder m_finder;
   DeviceListing m_chosen;
   std::unique_ptr<OpenDevice> m_open;
+  ServoSettings m_servo;
   WorkspaceMapping m_mapping;
   TouchSettings m_touch = keptTouch();
   CameraState m_camera;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/haptics/TouchScene.h"
 
+#include "haptics/SnapFidelity.h"
+#include "haptics/TouchFidelity.h"
 #include "window/haptics/HapticSession.h"
 
 #include <algorithm>
@@ -56,6 +58,15 @@ void TouchScene::setSprings(const std::vector<ForceTerm>& terms) {
   publish(mayLeap);
 }
 
+void TouchScene::setFidelity(const FidelityValues& values) {
+  const double tolerance = contactOptions(values).tolerance;
+  const auto most = static_cast<std::size_t>(values.of(snapFeaturesSetting()));
+  if (tolerance == m_contact.tolerance && most == m_mostFeatures) return;
+  m_contact.tolerance = tolerance;
+  m_mostFeatures = most;
+  if (m_surface || m_snap) publish(true);
+}
+
 // N at the device where the tip is now.
 double TouchScene::leapOf(const std::vector<ForceTerm>& terms) const {
   const ServoSample* const last = m_session.latest();
@@ -71,13 +82,13 @@ void TouchScene::publish(bool mayLeap) {
   const TouchSettings& touch = m_session.touch();
   SceneFeel feel;
   if (m_surface) {
-    feel.surface =
-        SurfaceFeel{*m_surface, mapping.sceneStiffness(touch.stiffness), mapping.sceneStiffness(touch.damping), {}};
+    feel.surface = SurfaceFeel{*m_surface, mapping.sceneStiffness(touch.stiffness),
+                               mapping.sceneStiffness(touch.damping), m_contact};
     feel.surface->contact.friction = touch.friction;
   }
   if (m_snap && !m_isHolding) {
     const SnapProfile profile(SnapShape::Quadratic, mapping.sceneStiffness(kSnapStiffness), m_snapDistance);
-    feel.snap = SnapFeel{*m_snap, profile, SnapMethod::Proxy, SnapSum::kMost};
+    feel.snap = SnapFeel{*m_snap, profile, SnapMethod::Proxy, m_mostFeatures};
   }
   feel.comesFrom = m_session.camera().towardsViewer();
   for (const ForceTerm& term : m_terms) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/Fidelity.h"
 #include "haptics/SceneForces.h"
 #include "haptics/SnapScene.h"
 #include "tools/Tool.h"
@@ -29,6 +30,9 @@ class TouchScene : public QObject {
   // Springs of the tool; stiffnesses as they are felt at the device.
   void setSprings(const std::vector<ForceTerm>& terms);
 
+  // Tolerance of the contact and number of features that pull at once: proxy.tolerance and snap.features.
+  void setFidelity(const FidelityValues& values);
+
   bool hasSurface() const { return m_surface.has_value(); }
   bool hasSnap() const { return m_snap.has_value(); }
 
@@ -41,6 +45,8 @@ class TouchScene : public QObject {
   std::optional<SnapField> m_snap;
   double m_snapDistance = 0.0;
   bool m_isHolding = false;
+  ContactOptions m_contact;
+  std::size_t m_mostFeatures = SnapSum::kMost;
   std::vector<ForceTerm> m_terms;
 };
 

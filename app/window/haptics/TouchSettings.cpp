@@ -20,12 +20,17 @@ struct Field {
 
 constexpr const char* kGroup = QT_TRANSLATE_NOOP("Property", "Touch");
 
-// The most that a device states (4 N/mm of an Omega.3) and a good deal more; the loop softens what it cannot carry.
+// Stiffness: the range of contact.stiffness. 10 N/mm are more than any device states (4 N/mm of an Omega.3); the loop
+// softens what it cannot carry.
 const Field kFields[] = {
-    {"touch_stiffness", QT_TRANSLATE_NOOP("Property", "Stiffness (N/mm)"), &TouchSettings::stiffness, {0.0, 10.0}},
+    {"touch_stiffness", QT_TRANSLATE_NOOP("Property", "Stiffness (N/mm)"), &TouchSettings::stiffness, {0.1, 10.0}},
     {"touch_damping", QT_TRANSLATE_NOOP("Property", "Damping (N·s/mm)"), &TouchSettings::damping, {0.0, 0.1}},
     {"touch_friction", QT_TRANSLATE_NOOP("Property", "Friction"), &TouchSettings::friction, {0.0, 2.0}},
 };
+
+bool isKept(const Field& field) {
+  return field.value != &TouchSettings::stiffness;
+}
 
 QString keyOf(const Field& field) {
   return QStringLiteral("haptics/") + QString::fromLatin1(field.id);
@@ -36,6 +41,7 @@ QString keyOf(const Field& field) {
 TouchSettings keptTouch() {
   TouchSettings touch;
   for (const Field& field : kFields) {
+    if (!isKept(field)) continue;
     bool isNumber = false;
     const double kept = QSettings().value(keyOf(field)).toDouble(&isNumber);
     if (isNumber && kept >= field.limits.least && kept <= field.limits.largest) touch.*field.value = kept;
@@ -44,7 +50,9 @@ TouchSettings keptTouch() {
 }
 
 void keepTouch(const TouchSettings& touch) {
-  for (const Field& field : kFields) QSettings().setValue(keyOf(field), touch.*field.value);
+  for (const Field& field : kFields) {
+    if (isKept(field)) QSettings().setValue(keyOf(field), touch.*field.value);
+  }
 }
 
 std::vector<Property> propertiesOf(const TouchSettings& touch) {

@@ -7,16 +7,16 @@
 namespace handwheel {
 
 // How surfaces feel to the hand, whatever document is open and however it is seen: lengths and forces are those at the
-// device. Kept in the settings.
+// device. Kept in the settings, but for the stiffness.
 struct TouchSettings {
-  double stiffness = 0.5;  // N/mm
+  double stiffness = 0.5;  // N/mm: the fidelity setting contact.stiffness, which keeps it (HapticFidelity)
   double damping = 0.0;    // N·s/mm, along the normal
   double friction = 0.0;   // Coulomb's µ
 
   bool operator==(const TouchSettings&) const = default;
 };
 
-// Those that were kept; what is missing there or makes no sense is as above.
+// Those that are kept here; what is missing there or makes no sense is as above.
 TouchSettings keptTouch();
 void keepTouch(const TouchSettings& touch);
 

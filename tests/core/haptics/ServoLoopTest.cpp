@@ -52,6 +52,35 @@ class ServoLoopTest : public QObject {
     }
   }
 
+  // 1 kHz, then 4 kHz: by the new period, with the same scene, count and time; and the force rises from none again.
+  void settingsChangeBetweenTicks() {
+    Rig rig;
+    double most = 0.0;  // N in a tick
+    rig.log->onWrite = [&](const ScriptedDevice::Log& log, const DeviceForce& force) {
+      most = std::max(most, (force.force - log.last.force).norm());
+    };
+    rig.loop->setScene(sceneOf([](const TipState&, ForceOut& out) { out.force = Vec3(1.0, 0.0, 0.0); }));
+    rig.loop->runTicks(3000);
+    QCOMPARE(rig.loop->latest().sent.force.x(), 1.0);
+    QCOMPARE(rig.loop->measure().periods().binSeconds(), 0.001 / 64.0);
+    const ServoSample before = rig.loop->latest();
+    const std::int64_t start = rig.clock.now();
+    ServoSettings settings;
+    settings.rate = 4000.0;
+    rig.loop->setSettings(settings);
+    rig.log->last = {};  // a loop with a thread sends none when it stops
+    most = 0.0;
+    rig.loop->runTicks(12001);
+    QVERIFY(rig.clock.now() - start <= 3'001 * kMillisecond);
+    QVERIFY(rig.clock.now() - start >= 3'000 * kMillisecond);
+    const ServoSample& after = rig.loop->latest();
+    QCOMPARE(after.tick, before.tick + 12001);
+    QVERIFY(std::abs(after.tip.time - before.tip.time - 3.0) < 0.0015);
+    QCOMPARE(after.sent.force.x(), 1.0);
+    QVERIFY(most < 0.01);
+    QCOMPARE(rig.loop->measure().periods().binSeconds(), 0.00025 / 64.0);
+  }
+
   // Woken 0.3 ms late again and again, the ticks do not drift off.
   void latenessDoesNotAddUp() {
     Rig rig;

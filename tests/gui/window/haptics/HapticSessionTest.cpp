@@ -150,6 +150,52 @@ class HapticSessionTest : public QObject {
     QCOMPARE(b.plugged.log->closes, 1);
   }
 
+  // The force goes before the loop stops, and comes back; ticks are counted on.
+  void anotherRateIsTakenUpWithoutABlow() {
+    Bench b;
+    struct Seen {
+      int reads = 0;
+      std::vector<double> rests;  // N that went when a loop stopped: a write without a reading
+    };
+    const auto seen = std::make_shared<Seen>();
+    b.plugged.log->onWrite = [seen](const ScriptedDevice::Log& log, const DeviceForce&) {
+      if (log.reads == seen->reads) seen->rests.push_back(log.last.force.norm());
+      seen->reads = log.reads;
+    };
+    b.session->choose("fake", "well");
+    QVERIFY(b.waitForOpen());
+    QCOMPARE(b.session->measure()->periods().binSeconds(), 0.001 / 64.0);
+    b.session->setScene(sceneOf([](const TipState&, ForceOut& out) { out.force = Vec3(6.0, 0.0, 0.0); }));
+    QTRY_VERIFY(b.session->latest()->sent.force.x() > 5.5);
+    const std::uint64_t tick = b.session->latest()->tick;
+    ServoSettings servo;
+    servo.rate = 2000.0;
+    servo.velocityWindow = 0.005;
+    b.session->setServo(servo);
+    b.session->setServo(ServoSettings{});  // of more than one, the last counts
+    b.session->setServo(servo);
+    QTRY_COMPARE(b.session->measure()->periods().binSeconds(), 0.0005 / 64.0);
+    QTRY_VERIFY(b.session->latest()->sent.force.x() > 5.5);
+    QVERIFY(b.session->latest()->tick > tick);
+    b.session->close();
+    QCOMPARE(seen->rests.size(), std::size_t(2));
+    QVERIFY(seen->rests[0] <= 0.02);
+  }
+
+  void aForceThatIsOffStaysOff() {
+    Bench b;
+    b.session->choose("fake", "well");
+    QVERIFY(b.waitForOpen());
+    b.session->setScene(sceneOf([](const TipState&, ForceOut& out) { out.force = Vec3(1.0, 0.0, 0.0); }));
+    ServoSettings servo;
+    servo.rate = 2000.0;
+    b.session->setServo(servo);
+    b.session->setForceOn(false);
+    QTRY_COMPARE(b.session->measure()->periods().binSeconds(), 0.0005 / 64.0);
+    QTest::qWait(300);  // three seconds of the loop
+    QVERIFY(b.session->latest()->sent.isZero());
+  }
+
   void whatCannotBeOpenedIsTold() {
     for (const char* address : {"deaf", "nowhere"}) {
       Bench b;
@@ -268,7 +314,7 @@ class HapticSessionTest : public QObject {
 
   void touchIsRemembered() {
     QVERIFY(keptTouch() == TouchSettings());
-    const TouchSettings touch{1.25, 0.002, 0.7};
+    const TouchSettings touch{TouchSettings().stiffness, 0.002, 0.7};  // which is kept elsewhere
     keepTouch(touch);
     QVERIFY(keptTouch() == touch);
   }
@@ -276,9 +322,9 @@ class HapticSessionTest : public QObject {
   // A file that somebody has written by hand must not push: what makes no sense is not taken, the rest is.
   void touchThatMakesNoSenseIsNotTaken() {
     for (const char* text : {"nan", "inf", "-1", "1e300", "much", ""}) {
-      QSettings().setValue("haptics/touch_stiffness", text);
+      QSettings().setValue("haptics/touch_damping", text);
       QSettings().setValue("haptics/touch_friction", 0.25);
-      QCOMPARE(keptTouch().stiffness, TouchSettings().stiffness);
+      QCOMPARE(keptTouch().damping, TouchSettings().damping);
       QCOMPARE(keptTouch().friction, 0.25);
     }
   }

@@ -4,7 +4,10 @@
 #include "../WindowDriver.h"
 #include "../WindowTestMain.h"
 #include "MeshShapes.h"
+#include "window/FidelityChoice.h"
 #include "window/haptics/HapticSession.h"
+
+#include <QDockWidget>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -201,6 +204,29 @@ class HapticWindowTest : public QObject {
       QTRY_VERIFY_WITH_TIMEOUT(std::abs(stiffnessAtHand() - 0.05) < 1e-6, kPatienceMs);
     }
     b.session.setTouch({});
+  }
+
+  // What is chosen in the Fidelity panel holds for the open device: its loop and what it feels. The stiffness that is
+  // set beside the device is the same.
+  void fidelityHoldsForTheOpenDevice() {
+    QSettings().remove("fidelity");
+    HandBench b;
+    auto& choice = *b.driver.window().findChild<FidelityChoice*>();
+    choice.set("servo.rate", 500.0);
+    QVERIFY(b.begin(ball()));
+    QCOMPARE(b.session.measure()->periods().binSeconds(), 0.002 / 64.0);
+    b.driver.find<QDockWidget>("fidelityDock")->show();
+    b.driver.edit("servo.rate", "2000");
+    QTRY_COMPARE_WITH_TIMEOUT(b.session.measure()->periods().binSeconds(), 0.0005 / 64.0, kPatienceMs);
+    b.driver.edit("servo.velocity_window", "0.005");
+    QCOMPARE(b.session.servo().velocityWindow, 0.005);
+    b.driver.edit("contact.stiffness", "2");
+    QCOMPARE(b.session.touch().stiffness, 2.0);
+    b.session.setTouch({0.25, 0.0, 0.0});
+    QCOMPARE(choice.of("contact.stiffness"), 0.25);
+    choice.use(FidelityValues());
+    QCOMPARE(b.session.touch().stiffness, 0.5);
+    QTRY_COMPARE_WITH_TIMEOUT(b.session.measure()->periods().binSeconds(), 0.001 / 64.0, kPatienceMs);
   }
 
   // A point of an open edge draws the tip while a tool for such points is in use, and no other.

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+namespace handwheel {
+
+class FidelityChoice;
+class HapticSession;
+class TouchScene;
+
+// What was chosen between speed and accuracy holds for the device: rate and velocity window of its loop, stiffness and
+// tolerance of what is touched. The stiffness that is set beside the device is that of the choice, both ways. Window
+// thread.
+class HapticFidelity : public QObject {
+  Q_OBJECT
+
+ public:
+  HapticFidelity(FidelityChoice& choice, HapticSession& session, TouchScene& touch, QObject* parent = nullptr);
+
+ private:
+  void follow();
+
+  FidelityChoice& m_choice;
+  HapticSession& m_session;
+  TouchScene& m_touch;
+};
+
+}  // namespace handwheel
