@@ -67,6 +67,7 @@ FidelitySetting blockFacesSetting() {
   s.presets = {5800.0, 46000.0, 262144.0};
   s.error = {translatable("Fidelity", "draw calls of a frame"), translatable("Fidelity", "calls")};
   s.cost = {translatable("Fidelity", "CPU time to rebuild what an edit of one face touches"), "ms"};
+  s.budget = FidelityBudget::Frame;
   return s;
 }
 

@@ -38,6 +38,7 @@ FidelitySetting chordSetting() {
   s.presets = {0.1, 0.022, 1e-4};
   s.error = {translatable("Fidelity", "largest distance of the triangles from the surface"), "mm"};
   s.cost = {translatable("Fidelity", "CPU time of a tessellation"), "ms"};
+  s.budget = FidelityBudget::Frame;
   return s;
 }
 

@@ -20,6 +20,17 @@ enum class FidelityPreset { Draft, Balanced, Exact };
 inline constexpr std::array kFidelityPresets{FidelityPreset::Draft, FidelityPreset::Balanced, FidelityPreset::Exact};
 std::string_view wordFor(FidelityPreset preset);  // "Draft"; lower-case where people type it
 
+// What the cost of a setting is taken from, where that can run out.
+enum class FidelityBudget {
+  None,
+  Core,   // µs of CPU time in a second: of one core, which the servo loop may keep busy
+  Tick,   // µs of a tick of the servo loop, between which and the next there is only the period
+  Rate,   // ticks a second of the servo loop
+  Frame,  // ms of a frame, as what is done between two pictures delays the second
+  Wait,   // ms until something is there that the user waits for
+  Fill,   // the same, of holes that are filled: settings of one piece of work, each of which makes all of it longer
+};
+
 // What is measured, in words, and its unit: "ms", "us", "MB", "mm", or what is counted ("vertices").
 struct FidelityMeasure {
   std::string name;
@@ -41,6 +52,7 @@ struct FidelitySetting {
   std::array<double, 3> presets = {};     // by FidelityPreset; follow from resources/fidelity/ID.json
   FidelityMeasure error;
   FidelityMeasure cost;
+  FidelityBudget budget = FidelityBudget::None;
 
   double presetValue(FidelityPreset preset) const { return presets[static_cast<std::size_t>(preset)]; }
 };

@@ -7,21 +7,6 @@
 #include <map>
 
 namespace handwheel {
-namespace {
-
-// Of the points that are as good as this one as far as can be told, the one nearest to the default.
-double settledValue(const FidelitySetting& setting, std::span<const CurvePoint> curve, const CurvePoint& goal) {
-  const double standard = placeOf(setting, setting.standard);
-  const auto distance = [&](double value) { return std::abs(placeOf(setting, value) - standard); };
-  double best = goal.value;
-  for (const CurvePoint& p : curve) {
-    const bool isAsGood = p.error <= goal.error && p.cost <= (1.0 + kCostNoise) * goal.cost;
-    if (isAsGood && distance(p.value) < distance(best)) best = p.value;
-  }
-  return best;
-}
-
-}  // namespace
 
 std::vector<CurvePoint> curveOf(std::span<const FidelityRow> rows) {
   std::map<double, CurvePoint> byValue;
@@ -88,6 +73,17 @@ std::optional<std::size_t> kneeOf(std::span<const CurvePoint> front) {
     knee = i;
   }
   return knee;
+}
+
+double settledValue(const FidelitySetting& setting, std::span<const CurvePoint> curve, const CurvePoint& goal) {
+  const double standard = placeOf(setting, setting.standard);
+  const auto distance = [&](double value) { return std::abs(placeOf(setting, value) - standard); };
+  double best = goal.value;
+  for (const CurvePoint& p : curve) {
+    const bool isAsGood = p.error <= goal.error && p.cost <= (1.0 + kCostNoise) * goal.cost;
+    if (isAsGood && distance(p.value) < distance(best)) best = p.value;
+  }
+  return best;
 }
 
 std::optional<std::array<double, 3>> derivedPresets(const FidelitySetting& setting, std::span<const CurvePoint> curve) {

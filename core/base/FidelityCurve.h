@@ -47,6 +47,10 @@ inline constexpr double kExactCost = 100.0;
 inline constexpr double kDraftError = 10.0;
 inline constexpr double kCostNoise = 0.05;
 
+// Of the points that err no more than `goal` and cost no more than kCostNoise above it, the value nearest to the
+// default.
+double settledValue(const FidelitySetting& setting, std::span<const CurvePoint> curve, const CurvePoint& goal);
+
 // The most accurate value whose cost keeps the budget with a third to spare; none where all cost more.
 std::optional<CurvePoint> fitToBudget(std::span<const CurvePoint> curve, double budget);
 inline constexpr double kBudgetShare = 2.0 / 3.0;

@@ -19,6 +19,7 @@ FidelitySetting snapRadiusSetting() {
   s.presets = {0.4, 0.4, 0.4};
   s.error = {translatable("Fidelity", "features that a trembling hand missed"), "%"};
   s.cost = {translatable("Fidelity", "CPU time of a tick"), "us"};
+  s.budget = FidelityBudget::Tick;
   return s;
 }
 
@@ -34,6 +35,7 @@ FidelitySetting snapFeaturesSetting() {
   s.presets = {64.0, 64.0, 1024.0};
   s.error = {translatable("Fidelity", "RMS difference from the sum of all forces"), "%"};
   s.cost = {translatable("Fidelity", "CPU time of a tick"), "us"};
+  s.budget = FidelityBudget::Tick;
   return s;
 }
 

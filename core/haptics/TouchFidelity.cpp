@@ -18,6 +18,7 @@ FidelitySetting proxyToleranceSetting() {
   s.presets = {s.standard, s.standard, s.standard};
   s.error = {translatable("Fidelity", "RMS distance from where it comes to rest"), "mm"};
   s.cost = {translatable("Fidelity", "CPU time of a tick"), "us"};
+  s.budget = FidelityBudget::Tick;
   return s;
 }
 
@@ -34,6 +35,7 @@ FidelitySetting servoRateSetting() {
   s.presets = {500.0, 1000.0, 1000.0};
   s.error = {translatable("Fidelity", "how far 2 N push into a wall as stiff as the rate allows"), "mm"};
   s.cost = {translatable("Fidelity", "CPU time of a second of touch"), "us/s"};
+  s.budget = FidelityBudget::Core;
   return s;
 }
 
@@ -49,6 +51,7 @@ FidelitySetting contactStiffnessSetting() {
   s.presets = {0.5, 1.0, 2.2};
   s.error = {translatable("Fidelity", "how far 2 N push into the surface"), "mm"};
   s.cost = {translatable("Fidelity", "rate of the servo loop that keeps it stable"), "Hz"};
+  s.budget = FidelityBudget::Rate;
   return s;
 }
 

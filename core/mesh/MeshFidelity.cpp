@@ -29,6 +29,7 @@ FidelitySetting nearWeldSetting() {
   s.presets = {1e-5, 1e-5, 1e-5};
   s.error = {translatable("Fidelity", "border vertices left torn or merged wrongly"), "%"};
   s.cost = {translatable("Fidelity", "CPU time to stitch the borders"), "ms"};
+  s.budget = FidelityBudget::Wait;
   return s;
 }
 
@@ -45,6 +46,7 @@ FidelitySetting fillMethodSetting() {
   s.error = {translatable("Fidelity", "RMS distance of the patch from the surface"),
              translatable("Fidelity", "% of the hole")};
   s.cost = {translatable("Fidelity", "CPU time of a fill"), "ms"};
+  s.budget = FidelityBudget::Fill;
   return s;
 }
 
@@ -59,6 +61,7 @@ FidelitySetting fillContinuitySetting() {
   s.error = {translatable("Fidelity", "RMS distance of the patch from the surface"),
              translatable("Fidelity", "% of the hole")};
   s.cost = {translatable("Fidelity", "CPU time of a fill"), "ms"};
+  s.budget = FidelityBudget::Fill;
   return s;
 }
 
@@ -74,6 +77,7 @@ FidelitySetting patchDensitySetting() {
   s.error = {translatable("Fidelity", "RMS distance of the patch from the surface"),
              translatable("Fidelity", "% of the hole")};
   s.cost = {translatable("Fidelity", "CPU time of a fill"), "ms"};
+  s.budget = FidelityBudget::Fill;
   return s;
 }
 
@@ -90,6 +94,7 @@ FidelitySetting pieceEdgesSetting() {
   s.error = {translatable("Fidelity", "RMS distance of the patch from the surface"),
              translatable("Fidelity", "% of the hole")};
   s.cost = {translatable("Fidelity", "CPU time of a fill"), "ms"};
+  s.budget = FidelityBudget::Fill;
   return s;
 }
 
@@ -120,6 +125,7 @@ FidelitySetting undoGranularitySetting() {
   s.presets = {4.0, 2.0, 1.0};
   s.error = {translatable("Fidelity", "memory of an undo step"), "MB"};
   s.cost = {translatable("Fidelity", "CPU time to take, undo and redo a step"), "ms"};
+  s.budget = FidelityBudget::Frame;
   return s;
 }
 
