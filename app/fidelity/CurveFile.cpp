@@ -42,6 +42,7 @@ FidelityRow rowOf(const FidelitySetting& setting, const Json& j) {
   r.repeats = j.at("repeats").get<int>();
   r.seed = j.at("seed").get<std::uint64_t>();
   r.truth = j.at("truth").get<std::string>();
+  if (!(r.error >= 0.0) || !(r.cost >= 0.0)) throw std::invalid_argument("an error or a cost is below zero");
   return r;
 }
 

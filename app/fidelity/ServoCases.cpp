@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/ThreadClock.h"
-#include "fidelity/BallTouch.h"
 #include "fidelity/Cases.h"
 #include "fidelity/PressedWall.h"
 #include "fidelity/SeededInput.h"
+#include "fidelity/TouchLoop.h"
 #include "haptics/ServoLoop.h"
 #include "haptics/TouchFidelity.h"
 
@@ -13,10 +13,8 @@
 namespace handwheel {
 namespace {
 
-constexpr double kSpeed = 100.0;    // mm/s along it
 constexpr double kStiffest = 1e3;   // N/mm: more than any loop allows
-constexpr double kTouchTime = 0.5;  // s that the cost is taken over,
-constexpr double kArrival = 0.002;  // after those in which the tip comes in from outside
+constexpr double kTouchTime = 0.5;  // s that the cost is taken over
 
 DeviceCapabilities promptDevice() {
   return simulatedDevice().capabilities;
@@ -53,43 +51,18 @@ FidelityCase stiffnessCase(const std::string& name, const DeviceCapabilities& de
           }};
 }
 
-// A ball, and a way along it.
-struct Slide {
-  BallTouch ball;
-  HandPath path;
-};
-
-Slide slideOf(std::uint64_t seed) {
-  BallTouch ball(seed);
-  std::vector<HandPose> poses{{0.0, ball.above()}};
-  for (int i = 0; i <= 1000; ++i) {
-    const double time = kTouchTime * i / 1000.0;
-    poses.push_back({kArrival + time, ball.tipAt(kSpeed * time)});
-  }
-  return {std::move(ball), HandPath(std::move(poses))};
-}
-
 // us a second: all that the loop does in its ticks, of a device that itself does nothing.
-double costOfTouch(const Slide& slide, const ServoSettings& servo) {
-  SimulatedDeviceSettings settings = simulatedDevice();
-  settings.isCommanded = true;
+double costOfTouch(const BallSlide& slide, const ServoSettings& servo) {
   VirtualClock clock;
-  auto device = std::make_unique<SimulatedDevice>(settings, slide.path, clock);
-  if (!device->open({})) return 0.0;  // which needs no hardware
   Service service("servo");
-  ServoLoop loop(std::move(device), servo, clock, service);
-  auto scene = std::make_unique<HapticScene>();
-  SceneFeel feel;
-  feel.surface = surfaceFeel(slide.ball.surface(), {});
-  scene->source = std::make_unique<SceneForces>(std::move(feel));
-  loop.setScene(std::move(scene));
+  const auto loop = touchLoop(slide, servo, clock, service);
   const auto ticksIn = [&](double seconds) { return static_cast<std::uint64_t>(std::ceil(seconds * servo.rate)); };
-  loop.runTicks(ticksIn(kArrival) + 1);
-  return 1e3 * cpuMilliseconds([&] { loop.runTicks(ticksIn(kTouchTime)); }) / kTouchTime;
+  loop->runTicks(ticksIn(BallSlide::kArrival) + 1);
+  return 1e3 * cpuMilliseconds([&] { loop->runTicks(ticksIn(kTouchTime)); }) / kTouchTime;
 }
 
 FidelityCase rateCase(const std::string& name, const DeviceCapabilities& device, double packets = 0.0) {
-  const SeededInput<Slide> input(slideOf);
+  const SeededInput<BallSlide> input([](std::uint64_t seed) { return ballSlide(seed, kTouchTime); });
   return {
       name, "a wall that does not yield", [input, device, packets](double rate, std::uint64_t seed, Progress) {
         FidelityValues values;

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "fidelity/CurveFile.h"
+
+#include <filesystem>
+#include <map>
+
+namespace handwheel {
+
+// What was measured on the machine that the program runs on, kept from session to session.
+struct Calibration {
+  std::string machine;                      // as by machineClass()
+  double tickInUse = 0.0;                   // us of a tick in touch when the loop sleeps between ticks; 0: not measured
+  std::map<std::string, CurveFile> curves;  // by the id of the setting
+};
+
+// The settings whose cost is time, and thus another one on another machine; those of the servo loop first.
+std::vector<const FidelityRegistry::Entry*> machineDependent(const FidelityRegistry& registry);
+
+// Measures one of them, coarser than the curves that come with the program. The first also finds tickInUse. All take
+// about half a minute. Errors: Cancelled; then nothing has changed.
+Status calibrate(const FidelityRegistry::Entry& entry, Calibration& calibration, Progress progress);
+
+// JSON with a version. Unknown settings, and curves of other cases than are built in, are left out when it is read.
+// Errors: VersionNewer, ElementMalformed.
+std::string jsonOf(const FidelityRegistry& registry, const Calibration& calibration);
+Result<Calibration> readCalibration(const FidelityRegistry& registry, std::string_view json);
+inline constexpr int kCalibrationVersion = 1;
+
+// The same as a file. Errors: FileMissing, FileUnreadable, WriteFailed.
+Status storeCalibration(const FidelityRegistry& registry, const Calibration& calibration,
+                        const std::filesystem::path& path);
+Result<Calibration> loadCalibration(const FidelityRegistry& registry, const std::filesystem::path& path);
+
+}  // namespace handwheel
