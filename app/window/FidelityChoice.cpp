@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/FidelityChoice.h"
 
-#include "fidelity/CurveFile.h"
 #include "fidelity/MeasuredSettings.h"
+#include "haptics/TouchFidelity.h"
 
 #include <QFile>
 #include <QSettings>
@@ -16,11 +16,12 @@ namespace {
 
 const auto kKey = QStringLiteral("fidelity");
 
-std::vector<CurvePoint> readCurve(const FidelitySetting& setting) {
+// As it comes with the program.
+CurveFile shippedCurve(const FidelitySetting& setting) {
   QFile file(QStringLiteral(":/fidelity/") + QString::fromStdString(setting.id) + QStringLiteral(".json"));
   if (!file.open(QIODevice::ReadOnly)) return {};
   const auto read = readCurveFile(setting, file.readAll().toStdString());
-  return read ? curveOf(read->rows) : std::vector<CurvePoint>();
+  return read ? *read : CurveFile();
 }
 
 // Linear where one of them is zero; infinite where one of them is.
@@ -52,10 +53,48 @@ void FidelityChoice::set(const std::string& id, double value) {
   if (entry && values.set(entry->setting, value)) use(values);
 }
 
-const std::vector<CurvePoint>& FidelityChoice::curve(const std::string& id) const {
-  const auto [at, isNew] = m_curves.try_emplace(id);
-  if (isNew) at->second = readCurve(m_registry.find(id)->setting);
+FidelityChoice::Known FidelityChoice::read(const FidelitySetting& setting) const {
+  const auto own = m_calibration.curves.find(setting.id);
+  Known known{own != m_calibration.curves.end() ? own->second : shippedCurve(setting), {}};
+  known.curve = curveOf(known.file.rows);
+  return known;
+}
+
+const FidelityChoice::Known& FidelityChoice::known(const std::string& id) const {
+  const auto [at, isNew] = m_known.try_emplace(id);
+  if (isNew) at->second = read(m_registry.find(id)->setting);
   return at->second;
+}
+
+void FidelityChoice::setCalibration(const Calibration& calibration) {
+  m_calibration = calibration;
+  m_known.clear();
+  m_fit.reset();
+  emit curvesChanged();
+}
+
+const FidelityFit& FidelityChoice::fit() const {
+  if (m_fit) return *m_fit;
+  std::vector<FitCandidate> candidates;
+  for (const FidelityRegistry::Entry& entry : m_registry.entries())
+    candidates.push_back(fitCandidate(entry.setting, known(entry.setting.id).file.rows));
+  return m_fit.emplace(fitToScene(candidates));
+}
+
+// Curves are read only for values that could be those.
+bool FidelityChoice::isFit() const {
+  return m_values.preset() == FidelityPreset::Balanced && !m_values.overrides().empty() && m_values == fit().values;
+}
+
+// The curve was measured with one tick upon the other; how much longer one takes when the loop sleeps in between was
+// measured at one rate.
+std::optional<double> FidelityChoice::predictedTick() const {
+  const FidelitySetting rate = servoRateSetting();
+  const auto atRate = predicted(rate.id, m_values.of(rate)), atStandard = predicted(rate.id, rate.standard);
+  if (!atRate || !(atStandard->cost > 0.0)) return std::nullopt;
+  const double longer =
+      m_calibration.tickInUse > 0.0 ? m_calibration.tickInUse * rate.standard / atStandard->cost : 1.0;
+  return longer * atRate->cost / m_values.of(rate);
 }
 
 std::optional<CurvePoint> FidelityChoice::predicted(const std::string& id, double value) const {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "base/FidelityCurve.h"
-#include "base/FidelityRegistry.h"
+#include "base/FidelityFit.h"
+#include "fidelity/Calibration.h"
 
 #include <QObject>
 
@@ -25,18 +25,41 @@ class FidelityChoice : public QObject {
   // Values out of range change nothing.
   void set(const std::string& id, double value);
 
-  // As measured when the presets were derived; empty when it is not there.
-  const std::vector<CurvePoint>& curve(const std::string& id) const;
+  // As measured on this machine, else as when the presets were derived; empty when it is not there.
+  const std::vector<CurvePoint>& curve(const std::string& id) const { return known(id).curve; }
+  // Where and when that was.
+  const CurveFile& measurement(const std::string& id) const { return known(id).file; }
   // What a value of a registered setting will err and cost by that curve: between two measured ones on the line that
   // joins them where the scales are logarithmic. None without a curve.
   std::optional<CurvePoint> predicted(const std::string& id, double value) const;
 
+  // us: what a tick of the loop takes at the chosen rate while a surface is touched. None without curves.
+  std::optional<double> predictedTick() const;
+
+  // What was measured on this machine takes the place of the curves that come with the program.
+  const Calibration& calibration() const { return m_calibration; }
+  void setCalibration(const Calibration& calibration);
+
+  // The preset Fit, by the curves as they are now. Cheap but for the first time.
+  const FidelityFit& fit() const;
+  bool isFit() const;  // these are the values
+
  signals:
   void changed();
+  void curvesChanged();
 
  private:
+  struct Known {
+    CurveFile file;
+    std::vector<CurvePoint> curve;
+  };
+  const Known& known(const std::string& id) const;
+  Known read(const FidelitySetting& setting) const;
+
   FidelityRegistry m_registry;
-  mutable std::map<std::string, std::vector<CurvePoint>> m_curves;  // as far as they were asked for
+  Calibration m_calibration;
+  mutable std::map<std::string, Known> m_known;  // as far as it was asked for
+  mutable std::optional<FidelityFit> m_fit;
   FidelityValues m_values;
 };
 

@@ -5,6 +5,7 @@
 #include "controls/PropertyList.h"
 #include "plot/PlotWidget.h"
 #include "window/FidelityChoice.h"
+#include "window/FitText.h"
 
 #include <QApplication>
 #include <QLabel>
@@ -28,8 +29,12 @@ QString translated(const std::string& text) {
   return QCoreApplication::translate("Fidelity", text.c_str());
 }
 
-// The presets in the order of the list; the first is the defaults.
-int presetOf(const FidelityRegistry& registry, const FidelityValues& values) {
+// The presets in the order of the list: the defaults, those with a name, and Fit.
+constexpr std::size_t kFit = kFidelityPresets.size() + 1;
+
+int presetOf(const FidelityChoice& choice) {
+  const FidelityRegistry& registry = choice.registry();
+  const FidelityValues& values = choice.values();
   const auto same = [&](const FidelityValues& preset) {
     return std::all_of(registry.entries().begin(), registry.entries().end(),
                        [&](const auto& entry) { return preset.of(entry.setting) == values.of(entry.setting); });
@@ -38,7 +43,7 @@ int presetOf(const FidelityRegistry& registry, const FidelityValues& values) {
   for (std::size_t i = 0; i < kFidelityPresets.size(); ++i) {
     if (same(FidelityValues(kFidelityPresets[i]))) return static_cast<int>(i) + 1;
   }
-  return static_cast<int>(kFidelityPresets.size()) + 1;
+  return static_cast<int>(choice.isFit() ? kFit : kFit + 1);
 }
 
 int stepsOf(const FidelitySetting& setting) {
@@ -90,13 +95,17 @@ FidelityPanel::FidelityPanel(FidelityChoice& choice, QWidget* parent)
     : QWidget(parent),
       m_choice(choice),
       m_list(new PropertyList(this)),
+      m_fit(new QLabel(this)),
       m_title(new QLabel(this)),
       m_slider(new QSlider(Qt::Horizontal, this)),
       m_prediction(new QLabel(this)),
       m_curve(new PlotWidget(this)),
+      m_below(new QVBoxLayout),
       m_shown(choice.registry().entries().front().setting.id) {
   setObjectName(QStringLiteral("fidelityPanel"));
   setMinimumWidth(kLeastWidth);
+  m_fit->setObjectName(QStringLiteral("fidelityFit"));
+  m_fit->setWordWrap(true);
   m_title->setWordWrap(true);
   m_title->setProperty("strong", true);
   m_slider->setObjectName(QStringLiteral("fidelitySlider"));
@@ -107,12 +116,14 @@ FidelityPanel::FidelityPanel(FidelityChoice& choice, QWidget* parent)
   m_curve->setFixedHeight(kCurveHeight);
   auto* detail = new QVBoxLayout;
   detail->setContentsMargins(12, 0, 12, 0);
-  for (QWidget* part : std::initializer_list<QWidget*>{m_title, m_slider, m_prediction}) detail->addWidget(part);
+  for (QWidget* part : std::initializer_list<QWidget*>{m_fit, m_title, m_slider, m_prediction}) detail->addWidget(part);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(m_list, 1);
   column->addLayout(detail);
   column->addWidget(m_curve);
+  m_below->setContentsMargins(12, 8, 12, 12);
+  column->addLayout(m_below);
   connect(m_list, &PropertyList::edited, this, [this](const std::string& id, const PropertyValue& value, bool) {
     if (const auto* number = std::get_if<double>(&value)) edit(id, *number);
   });
@@ -125,7 +136,12 @@ FidelityPanel::FidelityPanel(FidelityChoice& choice, QWidget* parent)
       m_slider, &QSlider::sliderReleased, this, [this] { showSetting(m_shown); }, Qt::QueuedConnection);
   connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { follow(now); });
   connect(&m_choice, &FidelityChoice::changed, this, &FidelityPanel::refresh);
+  connect(&m_choice, &FidelityChoice::curvesChanged, this, &FidelityPanel::refresh);
   refresh();
+}
+
+void FidelityPanel::addBelow(QWidget* widget) {
+  m_below->addWidget(widget);
 }
 
 // The setting of the row that has the focus is shown below.
@@ -147,6 +163,7 @@ void FidelityPanel::edit(const std::string& id, double value) {
   const auto index = static_cast<std::size_t>(value);
   if (index == 0) return m_choice.use(FidelityValues());
   if (index <= kFidelityPresets.size()) return m_choice.use(FidelityValues(kFidelityPresets[index - 1]));
+  if (index == kFit) return m_choice.use(m_choice.fit().values);
   refresh();
 }
 
@@ -155,17 +172,19 @@ void FidelityPanel::refresh() {
   preset.id = kPreset;
   preset.group = QT_TRANSLATE_NOOP("Property", "Speed against accuracy");
   preset.label = QT_TRANSLATE_NOOP("Property", "Preset");
-  preset.choices = {QT_TRANSLATE_NOOP("Property", "Default"), QT_TRANSLATE_NOOP("Property", "Draft"),
+  preset.choices = {QT_TRANSLATE_NOOP("Property", "Default"),  QT_TRANSLATE_NOOP("Property", "Draft"),
                     QT_TRANSLATE_NOOP("Property", "Balanced"), QT_TRANSLATE_NOOP("Property", "Exact"),
-                    QT_TRANSLATE_NOOP("Property", "Own values")};
+                    QT_TRANSLATE_NOOP("Property", "Fit"),      QT_TRANSLATE_NOOP("Property", "Own values")};
   preset.least = 0;
   preset.largest = static_cast<double>(preset.choices.size()) - 1;
-  preset.value = static_cast<double>(presetOf(m_choice.registry(), m_choice.values()));
+  preset.value = static_cast<double>(presetOf(m_choice));
   std::vector<Property> all{preset};
   for (const auto& entry : m_choice.registry().entries()) {
     all.push_back(propertyFor(entry.setting, m_choice.values().of(entry.setting)));
   }
   m_list->setProperties(all);
+  m_fit->setVisible(m_choice.isFit());
+  if (m_choice.isFit()) m_fit->setText(fitText(m_choice.fit(), locale()));
   showSetting(m_shown);
 }
 

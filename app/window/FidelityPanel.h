@@ -8,6 +8,7 @@
 
 class QLabel;
 class QSlider;
+class QVBoxLayout;
 
 namespace handwheel {
 
@@ -24,6 +25,9 @@ class FidelityPanel : public QWidget {
  public:
   explicit FidelityPanel(FidelityChoice& choice, QWidget* parent = nullptr);
 
+  // Below everything else.
+  void addBelow(QWidget* widget);
+
  private:
   void follow(QWidget* focused);
   void showSetting(const std::string& id);
@@ -34,10 +38,12 @@ class FidelityPanel : public QWidget {
 
   FidelityChoice& m_choice;
   PropertyList* m_list;
+  QLabel* m_fit;    // what Fit keeps to
   QLabel* m_title;  // of what is below
   QSlider* m_slider;
   QLabel* m_prediction;
   PlotWidget* m_curve;
+  QVBoxLayout* m_below;
   std::string m_shown;  // id of the setting
 };
 

@@ -26,6 +26,7 @@ MainWindow::MainWindow(QThreadPool& pool, const KindSet& kinds, Drivers drivers)
     : m_jobs(JobRunner::Policy::Queue, pool),
       m_thumbnails(pool),
       m_fidelity(this),
+      m_calibrator(m_fidelity, pool, Calibrator::usualFile(), this),
       m_haptics({m_jobs, pool, m_services, m_servoClock}, std::move(drivers), this),
       m_touch(m_haptics),
       m_recordings({this, m_haptics, m_jobs, m_log, m_servoClock}, this),
@@ -109,6 +110,11 @@ KindUi* MainWindow::ui() const {
 bool MainWindow::isSettled() const {
   return m_jobs.isIdle() &&
          std::all_of(m_uis.begin(), m_uis.end(), [](const auto& each) { return each.second->isSettled(); });
+}
+
+// Who works in another program is not idle either.
+void MainWindow::calibrateWhenIdle() {
+  m_calibrator.beginWhenIdle([this] { return !isSettled() || m_haptics.isOpen() || !isActiveWindow(); });
 }
 
 void MainWindow::showPanel() {

@@ -5,6 +5,7 @@
 #include "controls/ShortcutModel.h"
 #include "panels/LogModel.h"
 #include "window/Autosave.h"
+#include "window/Calibrator.h"
 #include "window/FidelityChoice.h"
 #include "window/FileActions.h"
 #include "window/JobRunner.h"
@@ -61,6 +62,8 @@ class MainWindow : public QMainWindow {
   void offerLeftovers() { m_autosave.offerLeftovers(); }
   // Opens the haptic device that was in use last; at the start of the program.
   void takeUpDevice() { m_haptics.takeUp(); }
+  // Measures this machine, where that was not done, as soon as nobody does anything; at the start of the program.
+  void calibrateWhenIdle();
   // Nothing is running that will still change what the window shows.
   bool isSettled() const;
 
@@ -107,6 +110,7 @@ class MainWindow : public QMainWindow {
   QUndoGroup m_undo;
   WindowServices m_services;
   FidelityChoice m_fidelity;
+  Calibrator m_calibrator;
   MonotonicClock m_servoClock;
   HapticSession m_haptics;
   TouchScene m_touch;

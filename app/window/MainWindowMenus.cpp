@@ -67,6 +67,9 @@ void MainWindow::buildMenus() {
   edit->addSeparator();
   QAction* preferences = edit->addAction(tr("&Preferences…"), this, &MainWindow::showPreferences);
   preferences->setObjectName(QStringLiteral("preferences"));
+  QAction* calibrate = edit->addAction(tr("&Measure this machine"), &m_calibrator, &Calibrator::start);
+  calibrate->setObjectName(QStringLiteral("calibrate"));
+  setTip(*calibrate, tr("How fast each setting of the panel “Fidelity” is here: about half a minute"));
   preferences->setMenuRole(QAction::PreferencesRole);
   setTip(*preferences, tr("Keys, mouse, units, language, autosave"));
 

@@ -12,6 +12,7 @@
 #include "panels/NextStepCard.h"
 #include "panels/StartPage.h"
 #include "viewport/Viewport.h"
+#include "window/CalibrationRow.h"
 #include "window/DocumentProperties.h"
 #include "window/DocumentTabs.h"
 #include "window/FidelityPanel.h"
@@ -27,6 +28,7 @@
 #include "window/haptics/DeviceView.h"
 #include "window/haptics/HapticFidelity.h"
 #include "window/haptics/RecordingsDock.h"
+#include "window/haptics/TickUse.h"
 
 #include <QDockWidget>
 #include <QLabel>
@@ -110,8 +112,10 @@ void MainWindow::buildDocks() {
   auto* view = new PropertyList(this);
   m_viewSettings = new ViewSettings(*view, *m_viewport, this);
   m_viewDock = addDock(*this, Qt::RightDockWidgetArea, "viewDock", tr("View"), view, "view-iso");
-  m_fidelityDock = addDock(*this, Qt::LeftDockWidgetArea, "fidelityDock", tr("Fidelity"),
-                           new FidelityPanel(m_fidelity, this), "fidelity");
+  auto* fidelity = new FidelityPanel(m_fidelity, this);
+  fidelity->addBelow(new TickUse(m_haptics, m_fidelity, fidelity));
+  fidelity->addBelow(new CalibrationRow(m_fidelity, m_calibrator, fidelity));
+  m_fidelityDock = addDock(*this, Qt::LeftDockWidgetArea, "fidelityDock", tr("Fidelity"), fidelity, "fidelity");
   tabifyDockWidget(m_historyDock, m_fidelityDock);
   m_historyDock->raise();
   tabifyDockWidget(m_kindDock, m_toolDock);

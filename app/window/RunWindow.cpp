@@ -82,6 +82,7 @@ int runWindow(int argc, char** argv, const KindSet& kinds, std::vector<std::uniq
     window.show();
     if (wishes.screenshot.isEmpty()) window.offerLeftovers();
     if (wishes.screenshot.isEmpty()) window.takeUpDevice();
+    if (wishes.screenshot.isEmpty()) window.calibrateWhenIdle();
     if (!wishes.screenshot.isEmpty()) takeScreenshot(window, wishes.screenshot);
     code = QApplication::exec();
   }

@@ -23,6 +23,7 @@ class LoopMeasure {
   // felt. Never more than its maker states; without a limit for a device that has no motors.
   double stiffnessLimit() const { return m_limit; }
 
+  double nominalPeriod() const { return m_nominalPeriod; }  // s
   const TimingHistogram& periods() const { return m_periods; }
   const TimingHistogram& delays() const { return m_delays; }
   const TimingHistogram& lateness() const { return m_lateness; }

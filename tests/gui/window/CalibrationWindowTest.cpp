@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "WindowDriver.h"
+#include "WindowTestMain.h"
+#include "document/AtomicFile.h"
+#include "haptics/TouchFidelity.h"
+#include "window/Calibrator.h"
+#include "window/FidelityChoice.h"
+
+#include <QComboBox>
+#include <QDockWidget>
+#include <QProgressBar>
+#include <QPushButton>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+// As if this machine took twice as long as the one where the presets were derived.
+Calibration slowMachine() {
+  const FidelityChoice shipped;
+  Calibration calibration;
+  calibration.machine = machineClass();
+  for (const auto* entry : machineDependent(shipped.registry())) {
+    CurveFile curve = shipped.measurement(entry->setting.id);
+    for (FidelityRow& row : curve.rows) row.cost *= 2.0;
+    calibration.curves[entry->setting.id] = curve;
+  }
+  return calibration;
+}
+
+// What the calibrator works with, without a window.
+struct Bench {
+  QThreadPool pool;
+  FidelityChoice choice;
+  Calibrator calibrator;
+
+  Bench() : calibrator(choice, pool, Calibrator::usualFile()) {}
+  ~Bench() {
+    calibrator.cancel();
+    pool.waitForDone();
+  }
+};
+
+}  // namespace
+
+// The curves of this machine: measured, kept, and what follows from them.
+class CalibrationWindowTest : public QObject {
+  Q_OBJECT
+
+ private:
+  QTemporaryDir m_cache;
+
+  static void keep(const std::string& bytes) {
+    std::filesystem::create_directories(Calibrator::usualFile().parent_path());
+    QVERIFY(writeFileAtomically(Calibrator::usualFile(), bytes));
+  }
+  static void raisePanel(WindowDriver& driver) {
+    auto* dock = driver.find<QDockWidget>("fidelityDock");
+    dock->show();
+    dock->raise();
+    QTRY_VERIFY(!dock->visibleRegion().isEmpty());
+  }
+
+ private slots:
+  void initTestCase() { qputenv("XDG_CACHE_HOME", m_cache.path().toLocal8Bit()); }
+  void init() {
+    QSettings().remove("fidelity");
+    std::filesystem::remove(Calibrator::usualFile());
+  }
+
+  // As soon as one setting is measured, its curve holds and is kept; cancelled, the others stay as they were.
+  void measuredUntilItIsCancelled() {
+    {
+      WindowDriver driver;
+      raisePanel(driver);
+      auto& choice = *driver.window().findChild<FidelityChoice*>();
+      QVERIFY(driver.text("calibrationText").contains("came with the program"));
+      driver.click("calibrateButton");
+      QVERIFY(driver.find<QProgressBar>("calibrationProgress")->isVisible());
+      QVERIFY(driver.text("calibrationText").contains("Rate of the servo loop"));
+      QTRY_VERIFY_WITH_TIMEOUT(choice.calibration().curves.contains("servo.rate"), 60'000);
+      QVERIFY(choice.calibration().tickInUse > 0.0);
+      driver.click("calibrateButton");
+      QVERIFY(!driver.find<QProgressBar>("calibrationProgress")->isVisible());
+      QCOMPARE(driver.find<QPushButton>("calibrateButton")->text(), QString("Measure this machine"));
+      QVERIFY(driver.text("calibrationText").contains("are of this machine"));
+    }
+    Bench b;
+    QVERIFY(b.choice.calibration().curves.contains("servo.rate"));
+    QVERIFY(!b.choice.calibration().curves.contains("mesh.piece_edges"));
+  }
+
+  void itIsACommandToo() {
+    WindowDriver driver;
+    driver.choose("calibrate");
+    auto& calibrator = *driver.window().findChild<Calibrator*>();
+    QVERIFY(calibrator.isRunning());
+    calibrator.cancel();
+    QVERIFY(!calibrator.isRunning());
+  }
+
+  void whatWasKeptHolds() {
+    keep(jsonOf(FidelityChoice().registry(), slowMachine()));
+    const FidelityChoice shipped;
+    Bench b;
+    QVERIFY(b.calibrator.problem().isEmpty());
+    for (const auto* entry : machineDependent(shipped.registry())) {
+      const double value = entry->setting.standard;
+      const auto here = b.choice.predicted(entry->setting.id, value),
+                 there = shipped.predicted(entry->setting.id, value);
+      QCOMPARE(here->cost, 2.0 * there->cost);
+      QCOMPARE(here->error, there->error);
+    }
+    QCOMPARE(*b.choice.predictedTick(), 2.0 * *shipped.predictedTick());
+  }
+
+  void whatCannotBeUsedIsIgnoredWithASentence() {
+    Calibration other = slowMachine();
+    other.machine = "Abacus, 1 cores";
+    const std::string good = jsonOf(FidelityChoice().registry(), slowMachine());
+    for (const auto& [bytes, words] :
+         {std::pair(std::string("{"), "cannot be used"), std::pair(good.substr(0, good.size() / 2), "cannot be used"),
+          std::pair(std::string("{\"version\": 7}"), "version 7"),
+          std::pair(jsonOf(FidelityChoice().registry(), other), "another machine (Abacus, 1 cores)")}) {
+      keep(bytes);
+      Bench b;
+      QVERIFY2(b.calibrator.problem().contains(QLatin1String(words)), qPrintable(b.calibrator.problem()));
+      QVERIFY(b.choice.calibration().curves.empty());
+    }
+    WindowDriver driver;
+    QVERIFY(driver.text("calibrationText").contains("another machine"));
+  }
+
+  // What begins by itself stops when the user does something, and waits anew; it does not begin where all is known.
+  void itBeginsByItselfAndStops() {
+    Bench b;
+    bool isBusy = true;
+    b.calibrator.beginWhenIdle([&] { return isBusy; }, 20);
+    QTest::qWait(100);
+    QVERIFY(!b.calibrator.isRunning());
+    isBusy = false;
+    QTRY_VERIFY(b.calibrator.isRunning());
+    QWidget widget;
+    QTest::keyClick(&widget, Qt::Key_A);
+    QVERIFY(!b.calibrator.isRunning());
+    QTRY_VERIFY(b.calibrator.isRunning());
+    isBusy = true;
+    QTRY_VERIFY(!b.calibrator.isRunning());
+    b.calibrator.start();
+    QVERIFY(b.calibrator.isRunning());
+    QTest::keyClick(&widget, Qt::Key_A);
+    QVERIFY(b.calibrator.isRunning());  // as the user has asked for it
+  }
+
+  void itDoesNotBeginWhereAllIsKnown() {
+    keep(jsonOf(FidelityChoice().registry(), slowMachine()));
+    Bench b;
+    b.calibrator.beginWhenIdle([] { return false; }, 1);
+    QVERIFY(!b.calibrator.isWaiting());
+    QTest::qWait(50);
+    QVERIFY(!b.calibrator.isRunning());
+  }
+
+  void fitIsChosenAndSaysWhy() {
+    {
+      WindowDriver driver;
+      raisePanel(driver);
+      auto& choice = *driver.window().findChild<FidelityChoice*>();
+      auto* box = driver.find<QWidget>("property/preset")->findChild<QComboBox*>();
+      auto* words = driver.find<QLabel>("fidelityFit");
+      QVERIFY(!words->isVisible());
+      box->setCurrentIndex(box->findText("Fit"));
+      emit box->activated(box->currentIndex());
+      QCOMPARE(box->currentText(), QString("Fit"));
+      QVERIFY(choice.values() == choice.fit().values);
+      QVERIFY(words->isVisible() && words->text().contains("a third to spare"));
+      for (const FitShare& share : choice.fit().shares) {
+        const bool isOver = std::any_of(choice.fit().settings.begin(), choice.fit().settings.end(),
+                                        [&](const auto& s) { return s.isOver && s.setting.budget == share.budget; });
+        QVERIFY(isOver || share.used <= kBudgetShare * share.limit * (1.0 + 1e-12));
+      }
+      driver.edit("nurbs.chord_mm", "0.125");
+      QCOMPARE(box->currentText(), QString("Own values"));
+      QVERIFY(!words->isVisible());
+      choice.use(choice.fit().values);
+    }
+    WindowDriver next;  // and in the next session
+    QCOMPARE(next.find<QWidget>("property/preset")->findChild<QComboBox*>()->currentText(), QString("Fit"));
+  }
+};
+
+HANDWHEEL_WINDOW_TEST(CalibrationWindowTest)
+#include "CalibrationWindowTest.moc"
