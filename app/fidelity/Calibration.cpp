@@ -25,6 +25,18 @@ bool isOfBuiltInCases(const FidelityRegistry::Entry& entry, const CurveFile& cur
   return measured == builtIn;
 }
 
+// An octave apart: between them the time hardly changes otherwise than evenly.
+std::map<double, double> ticksInUse(Progress progress) {
+  std::map<double, double> ticks;
+  const double octaves = std::log2(kLargestServoRate / kLeastServoRate);
+  for (int i = 0; i <= octaves; ++i) {
+    const double rate = std::ldexp(kLeastServoRate, i);
+    const double tick = tickInUse(rate, progress.part(i / (octaves + 1.0), (i + 1.0) / (octaves + 1.0)));
+    if (tick > 0.0) ticks[rate] = tick;
+  }
+  return ticks;
+}
+
 Error malformed(const std::string& element, const std::string& problem) {
   return {ErrorCode::ElementMalformed, {element, problem}, {}, {}};
 }
@@ -44,11 +56,11 @@ std::vector<const FidelityRegistry::Entry*> machineDependent(const FidelityRegis
 
 Status calibrate(const FidelityRegistry::Entry& entry, Calibration& calibration, Progress progress) {
   const bool isFirst = entry.setting.budget == FidelityBudget::Core;
-  const double used = isFirst ? tickInUse(progress.part(0.0, 0.5)) : calibration.tickInUse;
+  const std::map<double, double> used = isFirst ? ticksInUse(progress.part(0.0, 0.5)) : calibration.ticksInUse;
   auto rows = sweep(entry.setting, entry.cases, kCoarse, progress.part(isFirst ? 0.5 : 0.0, 1.0));
   if (!rows) return rows.error();
   calibration.machine = machineClass();
-  calibration.tickInUse = used;
+  calibration.ticksInUse = used;
   calibration.curves[entry.setting.id] = {today(), calibration.machine, std::move(*rows)};
   return Done{};
 }
@@ -56,8 +68,10 @@ Status calibrate(const FidelityRegistry::Entry& entry, Calibration& calibration,
 std::string jsonOf(const FidelityRegistry& registry, const Calibration& calibration) {
   Json json{{"version", kCalibrationVersion},
             {"machine", calibration.machine},
-            {"tick_in_use", calibration.tickInUse},
+            {"ticks_in_use", Json::array()},
             {"curves", Json::array()}};
+  for (const auto& [rate, tick] : calibration.ticksInUse)
+    json["ticks_in_use"].push_back({{"rate", rate}, {"us", tick}});
   for (const auto& [id, curve] : calibration.curves)
     json["curves"].push_back(Json::parse(jsonOf(registry.find(id)->setting, curve)));
   return json.dump(1) + "\n";
@@ -71,8 +85,11 @@ Result<Calibration> readCalibration(const FidelityRegistry& registry, std::strin
       return Error{ErrorCode::VersionNewer, {std::to_string(version), std::to_string(kCalibrationVersion)}, {}, {}};
     Calibration calibration;
     calibration.machine = json.at("machine").get<std::string>();
-    calibration.tickInUse = json.at("tick_in_use").get<double>();
-    if (!(calibration.tickInUse >= 0.0)) return malformed("tick_in_use", "it is below zero");
+    for (const Json& each : json.at("ticks_in_use")) {
+      const double rate = each.at("rate").get<double>(), tick = each.at("us").get<double>();
+      if (!(rate > 0.0 && tick > 0.0)) return malformed("ticks_in_use", "a rate or a time is not above zero");
+      calibration.ticksInUse[rate] = tick;
+    }
     for (const Json& each : json.at("curves")) {
       const std::string id = each.at("setting").get<std::string>();
       const FidelityRegistry::Entry* entry = registry.find(id);

@@ -11,15 +11,16 @@ namespace handwheel {
 
 // What was measured on the machine that the program runs on, kept from session to session.
 struct Calibration {
-  std::string machine;                      // as by machineClass()
-  double tickInUse = 0.0;                   // us of a tick in touch when the loop sleeps between ticks; 0: not measured
+  std::string machine;  // as by machineClass()
+  // By the rate of the servo loop (Hz): us of a tick in touch when the loop sleeps between ticks. Empty: not measured.
+  std::map<double, double> ticksInUse;
   std::map<std::string, CurveFile> curves;  // by the id of the setting
 };
 
 // The settings whose cost is time, and thus another one on another machine; those of the servo loop first.
 std::vector<const FidelityRegistry::Entry*> machineDependent(const FidelityRegistry& registry);
 
-// Measures one of them, coarser than the curves that come with the program. The first also finds tickInUse. All take
+// Measures one of them, coarser than the curves that come with the program. The first also finds ticksInUse. All take
 // about half a minute. Errors: Cancelled; then nothing has changed.
 Status calibrate(const FidelityRegistry::Entry& entry, Calibration& calibration, Progress progress);
 

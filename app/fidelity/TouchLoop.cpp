@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kSpeed = 100.0;   // mm/s
 constexpr double kPoses = 2000.0;  // a second
-constexpr double kUseTime = 2.0;   // s
-constexpr int kNaps = 100;         // in that time: so often the cancel flag is looked at
+constexpr double kUseTime = 0.6;   // s
+constexpr int kNaps = 30;          // in that time: so often the cancel flag is looked at
 
 }  // namespace
 
@@ -43,11 +43,11 @@ std::unique_ptr<ServoLoop> touchLoop(const BallSlide& slide, const ServoSettings
   return loop;
 }
 
-double tickInUse(Progress progress) {
+double tickInUse(double rate, Progress progress) {
   MonotonicClock clock;
   Service service("servo");
   ServoSettings servo;
-  servo.rate = servoRateSetting().standard;
+  servo.rate = rate;
   const auto loop = touchLoop(ballSlide(1, kUseTime), servo, clock, service);
   loop->start();
   for (int i = 0; i < kNaps && !progress.cancelled(); ++i) {

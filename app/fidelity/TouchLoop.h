@@ -22,9 +22,10 @@ BallSlide ballSlide(std::uint64_t seed, double seconds);
 std::unique_ptr<ServoLoop> touchLoop(const BallSlide& slide, const ServoSettings& servo, ServoClock& clock,
                                      Service& service);
 
-// us: the median of a tick of that loop, touching, when it runs on a thread of its own at 1 kHz and sleeps in between.
-// Longer than what ticks take one upon the other, as other work has meanwhile filled the caches and the processor has
-// slowed down. Takes two seconds; 0 once cancelled, which it notices within 20 ms.
-double tickInUse(Progress progress);
+// us: the median of a tick of that loop, touching, when it runs on a thread of its own at so many Hz and sleeps in
+// between. Longer than what ticks take one upon the other, as other work has meanwhile filled the caches and the
+// processor has slowed down: the more, the longer it slept. Takes 0.6 s; 0 once cancelled, which it notices within 20
+// ms.
+double tickInUse(double rate, Progress progress);
 
 }  // namespace handwheel

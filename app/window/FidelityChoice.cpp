@@ -76,8 +76,13 @@ void FidelityChoice::setCalibration(const Calibration& calibration) {
 const FidelityFit& FidelityChoice::fit() const {
   if (m_fit) return *m_fit;
   std::vector<FitCandidate> candidates;
-  for (const FidelityRegistry::Entry& entry : m_registry.entries())
-    candidates.push_back(fitCandidate(entry.setting, known(entry.setting.id).file.rows));
+  const double longer = longerInUse(servoRateSetting().standard);
+  for (const FidelityRegistry::Entry& entry : m_registry.entries()) {
+    FitCandidate candidate = fitCandidate(entry.setting, known(entry.setting.id).file.rows);
+    const bool isOfLoop = entry.setting.budget == FidelityBudget::Core || entry.setting.budget == FidelityBudget::Tick;
+    for (CurvePoint& p : candidate.curve) p.cost *= isOfLoop ? longer : 1.0;
+    candidates.push_back(std::move(candidate));
+  }
   return m_fit.emplace(fitToScene(candidates));
 }
 
@@ -86,15 +91,27 @@ bool FidelityChoice::isFit() const {
   return m_values.preset() == FidelityPreset::Balanced && !m_values.overrides().empty() && m_values == fit().values;
 }
 
-// The curve was measured with one tick upon the other; how much longer one takes when the loop sleeps in between was
-// measured at one rate.
+// Curves are measured with one tick upon the other: how much longer one takes when the loop sleeps in between. 1 where
+// that was not measured.
+double FidelityChoice::longerInUse(double rate) const {
+  const auto& ticks = m_calibration.ticksInUse;
+  const auto curve = predicted(servoRateSetting().id, rate);
+  if (ticks.empty() || !curve || !(curve->cost > 0.0)) return 1.0;
+  const auto above = ticks.lower_bound(rate);
+  double tick = above == ticks.end() ? ticks.rbegin()->second : above->second;
+  if (above != ticks.end() && above != ticks.begin()) {
+    const auto below = std::prev(above);
+    tick = between(below->second, above->second, std::log(rate / below->first) / std::log(above->first / below->first));
+  }
+  return tick * rate / curve->cost;
+}
+
 std::optional<double> FidelityChoice::predictedTick() const {
-  const FidelitySetting rate = servoRateSetting();
-  const auto atRate = predicted(rate.id, m_values.of(rate)), atStandard = predicted(rate.id, rate.standard);
-  if (!atRate || !(atStandard->cost > 0.0)) return std::nullopt;
-  const double longer =
-      m_calibration.tickInUse > 0.0 ? m_calibration.tickInUse * rate.standard / atStandard->cost : 1.0;
-  return longer * atRate->cost / m_values.of(rate);
+  const FidelitySetting setting = servoRateSetting();
+  const double rate = m_values.of(setting);
+  const auto atRate = predicted(setting.id, rate);
+  if (!atRate) return std::nullopt;
+  return longerInUse(rate) * atRate->cost / rate;
 }
 
 std::optional<CurvePoint> FidelityChoice::predicted(const std::string& id, double value) const {

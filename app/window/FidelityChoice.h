@@ -55,6 +55,7 @@ class FidelityChoice : public QObject {
   };
   const Known& known(const std::string& id) const;
   Known read(const FidelitySetting& setting) const;
+  double longerInUse(double rate) const;
 
   FidelityRegistry m_registry;
   Calibration m_calibration;

@@ -106,6 +106,7 @@ FidelityPanel::FidelityPanel(FidelityChoice& choice, QWidget* parent)
   setMinimumWidth(kLeastWidth);
   m_fit->setObjectName(QStringLiteral("fidelityFit"));
   m_fit->setWordWrap(true);
+  m_fit->setProperty("muted", true);
   m_title->setWordWrap(true);
   m_title->setProperty("strong", true);
   m_slider->setObjectName(QStringLiteral("fidelitySlider"));

@@ -12,22 +12,21 @@ struct Text {
   Q_DECLARE_TR_FUNCTIONS(FidelityPanel)
 };
 
-// Of what, with how much there is of it.
-QString nameOf(const FitShare& share, const QLocale& locale) {
-  const QString limit = locale.toString(share.limit, 'g', 3);
+QString shareText(const FitShare& share, const QLocale& locale) {
+  const QString used = locale.toString(100.0 * share.used / share.limit, 'g', 2);
   switch (share.budget) {
     case FidelityBudget::Core:
-      return Text::tr("processor core of the servo loop");
+      return Text::tr("%1 % of a processor core for the servo loop").arg(used);
     case FidelityBudget::Tick:
-      return Text::tr("servo tick of %1 µs").arg(limit);
+      return Text::tr("%1 % of a servo tick (%2 µs)").arg(used, locale.toString(share.limit, 'f', 0));
     case FidelityBudget::Rate:
-      return Text::tr("%1 ticks a second for stiffness").arg(locale.toString(share.limit, 'f', 0));
+      return Text::tr("%1 % of the servo rate for stiffness").arg(used);
     case FidelityBudget::Frame:
-      return Text::tr("frame of %1 ms").arg(limit);
+      return Text::tr("%1 % of a frame (%2 ms)").arg(used, locale.toString(share.limit, 'f', 1));
     case FidelityBudget::Wait:
-      return Text::tr("wait of a second for a repair");
+      return Text::tr("%1 % of a second for a repair").arg(used);
     default:
-      return Text::tr("wait of a second for a fill");
+      return Text::tr("%1 % of a second for a fill").arg(used);
   }
 }
 
@@ -35,11 +34,8 @@ QString nameOf(const FitShare& share, const QLocale& locale) {
 
 QString fitText(const FidelityFit& fit, const QLocale& locale) {
   QStringList shares;
-  for (const FitShare& share : fit.shares)
-    shares << Text::tr("%1 % of a %2")
-                  .arg(locale.toString(100.0 * share.used / share.limit, 'g', 2), nameOf(share, locale));
-  QString text = Text::tr("Fit takes the most accurate values that leave a third to spare. It uses %1.")
-                     .arg(shares.join(QStringLiteral(", ")));
+  for (const FitShare& share : fit.shares) shares << shareText(share, locale);
+  QString text = Text::tr("As accurate as leaves a third to spare. Takes %1.").arg(shares.join(QStringLiteral(", ")));
   for (const FittedSetting& s : fit.settings) {
     if (!s.isOver) continue;
     const QString label = QCoreApplication::translate("Fidelity", s.setting.label.c_str());

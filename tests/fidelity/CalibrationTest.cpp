@@ -36,7 +36,7 @@ FidelityRegistry madeUp(const char* testCase = "case") {
 
 Calibration measured(const FidelityRegistry& registry) {
   Calibration calibration;
-  calibration.tickInUse = 4.5;
+  calibration.ticksInUse = {{500.0, 4.5}, {1000.0, 3.25}};
   if (!calibrate(registry.entries()[0], calibration, {})) qFatal("nothing cancels it");
   return calibration;
 }
@@ -67,7 +67,7 @@ class CalibrationTest : public QObject {
     const Result<Calibration> read = loadCalibration(registry, path);
     QVERIFY(read);
     QCOMPARE(read->machine, calibration.machine);
-    QCOMPARE(read->tickInUse, 4.5);
+    QVERIFY(read->ticksInUse == calibration.ticksInUse);
     QCOMPARE(csvOf(registry.entries()[0].setting, read->curves.at("made.up").rows),
              csvOf(registry.entries()[0].setting, calibration.curves.at("made.up").rows));
     QCOMPARE(jsonOf(registry, *read), jsonOf(registry, calibration));

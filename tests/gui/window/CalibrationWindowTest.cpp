@@ -81,7 +81,7 @@ class CalibrationWindowTest : public QObject {
       QVERIFY(driver.find<QProgressBar>("calibrationProgress")->isVisible());
       QVERIFY(driver.text("calibrationText").contains("Rate of the servo loop"));
       QTRY_VERIFY_WITH_TIMEOUT(choice.calibration().curves.contains("servo.rate"), 60'000);
-      QVERIFY(choice.calibration().tickInUse > 0.0);
+      QCOMPARE(choice.calibration().ticksInUse.size(), std::size_t(5));  // 500 Hz to 8 kHz
       driver.click("calibrateButton");
       QVERIFY(!driver.find<QProgressBar>("calibrationProgress")->isVisible());
       QCOMPARE(driver.find<QPushButton>("calibrateButton")->text(), QString("Measure this machine"));
@@ -114,6 +114,19 @@ class CalibrationWindowTest : public QObject {
       QCOMPARE(here->error, there->error);
     }
     QCOMPARE(*b.choice.predictedTick(), 2.0 * *shipped.predictedTick());
+  }
+
+  // Between two rates on the line through both, where the scales are logarithmic; beyond, as at the end.
+  void aTickInUse() {
+    Bench b;
+    Calibration calibration = slowMachine();
+    calibration.ticksInUse = {{1000.0, 8.0}, {4000.0, 2.0}};
+    b.choice.setCalibration(calibration);
+    for (const auto& [rate, tick] :
+         {std::pair(500.0, 8.0), {1000.0, 8.0}, {2000.0, 4.0}, {4000.0, 2.0}, {8000.0, 2.0}}) {
+      b.choice.set("servo.rate", rate);
+      QVERIFY(std::abs(*b.choice.predictedTick() - tick) < 1e-9);
+    }
   }
 
   void whatCannotBeUsedIsIgnoredWithASentence() {
