@@ -29,7 +29,7 @@ bool isOfBuiltInCases(const FidelityRegistry::Entry& entry, const CurveFile& cur
 std::map<double, double> ticksInUse(Progress progress) {
   std::map<double, double> ticks;
   const double octaves = std::log2(kLargestServoRate / kLeastServoRate);
-  for (int i = 0; i <= octaves; ++i) {
+  for (int i = 0; i <= octaves && !progress.cancelled(); ++i) {
     const double rate = std::ldexp(kLeastServoRate, i);
     const double tick = tickInUse(rate, progress.part(i / (octaves + 1.0), (i + 1.0) / (octaves + 1.0)));
     if (tick > 0.0) ticks[rate] = tick;
@@ -57,6 +57,7 @@ std::vector<const FidelityRegistry::Entry*> machineDependent(const FidelityRegis
 Status calibrate(const FidelityRegistry::Entry& entry, Calibration& calibration, Progress progress) {
   const bool isFirst = entry.setting.budget == FidelityBudget::Core;
   const std::map<double, double> used = isFirst ? ticksInUse(progress.part(0.0, 0.5)) : calibration.ticksInUse;
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   auto rows = sweep(entry.setting, entry.cases, kCoarse, progress.part(isFirst ? 0.5 : 0.0, 1.0));
   if (!rows) return rows.error();
   calibration.machine = machineClass();

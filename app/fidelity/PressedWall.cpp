@@ -5,14 +5,16 @@
 #include "haptics/SceneForces.h"
 #include "haptics/ServoLoop.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace handwheel {
 namespace {
 
 constexpr double kFreeTime = 5.0, kPressTime = 3.0, kMeanTime = 1.0;  // s
-constexpr double kSettled = 1e-3;     // mm: what is left of the settling by then is less, and tells nothing
-constexpr double kWallSize = 1000.0;  // mm
+constexpr double kSettled = 1e-3;      // mm: what is left of the settling by then is less, and tells nothing
+constexpr double kWallSize = 1000.0;   // mm
+constexpr std::uint64_t kLook = 1000;  // ticks between two looks at the cancel flag
 
 // The plane x = 0, to be touched from below.
 std::unique_ptr<HapticScene> wallOf(double stiffness) {
@@ -58,7 +60,8 @@ class WiredDevice : public Device {
 
 }  // namespace
 
-double pressedDepth(const DeviceCapabilities& device, double rate, double stiffness, double packets) {
+double pressedDepth(const DeviceCapabilities& device, double rate, double stiffness, double packets,
+                    Progress progress) {
   SimulatedDeviceSettings settings = simulatedDevice();
   settings.capabilities = device;
   settings.grip.maxForce = kPressingForce;
@@ -72,14 +75,21 @@ double pressedDepth(const DeviceCapabilities& device, double rate, double stiffn
   ServoLoop loop(std::move(made), servo, clock, service);
   loop.setScene(wallOf(stiffness));
   const auto ticksIn = [rate](double seconds) { return static_cast<std::uint64_t>(std::ceil(seconds * rate)); };
+  const auto runFor = [&](double seconds) {
+    for (std::uint64_t left = ticksIn(seconds); left > 0 && !progress.cancelled();) {
+      const std::uint64_t part = std::min<std::uint64_t>(left, kLook);
+      loop.runTicks(part);
+      left -= part;
+    }
+  };
   hand.setTarget({-0.5, 0, 0});
-  loop.runTicks(ticksIn(kFreeTime));
+  runFor(kFreeTime);
   // So far away that the hand gives all of its force wherever the wall lets it be.
   hand.setTarget({kWallSize, 0, 0});
-  loop.runTicks(ticksIn(kPressTime - kMeanTime));
+  runFor(kPressTime - kMeanTime);
   double sum = 0.0;
   const std::uint64_t ticks = ticksIn(kMeanTime);
-  for (std::uint64_t i = 0; i < ticks; ++i) {
+  for (std::uint64_t i = 0; i < ticks && !progress.cancelled(); ++i) {
     loop.runTicks(1);
     sum += loop.latest().device.position.x();
   }

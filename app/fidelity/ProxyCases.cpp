@@ -10,6 +10,7 @@ namespace handwheel {
 namespace {
 
 constexpr std::size_t kTicks = 2000;
+constexpr std::size_t kLook = 64;  // so many ticks pass between two looks at the cancel flag
 // A millionth of the smallest that is measured: the proxy goes on until it cannot be told where it would move.
 constexpr double kFinest = 1e-18;
 constexpr int kManySteps = 4096;
@@ -18,18 +19,19 @@ constexpr int kManySteps = 4096;
 // all steps of the proxy are used up.
 constexpr double kNothing = 1e-4;
 
-// A tip on its way, tick by tick, and where the proxy comes to rest for each.
+// A tip on its way, tick by tick, and where the proxy comes to rest for each: empty until somebody has waited for it.
 struct Slide {
   BallTouch ball;
   std::vector<Vec3> tips;
   std::vector<Vec3> rests;
 };
 
-std::vector<Vec3> followed(const Slide& slide, const ContactOptions& options) {
+// Not to the end once cancelled.
+std::vector<Vec3> followed(const Slide& slide, const ContactOptions& options, Progress progress) {
   std::vector<Vec3> proxies(slide.tips.size());
   GodObject god;
   god.place(slide.ball.above());
-  for (std::size_t i = 0; i < proxies.size(); ++i)
+  for (std::size_t i = 0; i < proxies.size() && (i % kLook != 0 || !progress.cancelled()); ++i)
     proxies[i] = god.follow(slide.ball.surface(), slide.tips[i], options).proxy;
   return proxies;
 }
@@ -38,20 +40,26 @@ std::vector<Vec3> followed(const Slide& slide, const ContactOptions& options) {
 Slide slideAt(double step, std::uint64_t seed) {
   Slide slide{BallTouch(seed), {}, {}};
   for (std::size_t i = 0; i < kTicks; ++i) slide.tips.push_back(slide.ball.tipAt(step * static_cast<double>(i)));
-  ContactOptions finest;
-  finest.tolerance = kFinest;
-  finest.maxSteps = kManySteps;
-  slide.rests = followed(slide, finest);
   return slide;
 }
 
-FidelitySample off(const Slide& slide, double tolerance) {
+void findRests(Slide& slide, Progress progress) {
+  if (!slide.rests.empty()) return;
+  ContactOptions finest;
+  finest.tolerance = kFinest;
+  finest.maxSteps = kManySteps;
+  std::vector<Vec3> rests = followed(slide, finest, progress);
+  if (!progress.cancelled()) slide.rests = std::move(rests);
+}
+
+FidelitySample off(const Slide& slide, double tolerance, Progress progress) {
   FidelityValues values;
   [[maybe_unused]] const Status inRange = values.set(proxyToleranceSetting(), tolerance);
   const ContactOptions options = contactOptions(values);
   FidelitySample sample;
   std::vector<Vec3> proxies;
-  sample.cost = 1e3 * cpuMilliseconds([&] { proxies = followed(slide, options); }) / static_cast<double>(kTicks);
+  sample.cost =
+      1e3 * cpuMilliseconds([&] { proxies = followed(slide, options, progress); }) / static_cast<double>(kTicks);
   double sum = 0.0;
   for (std::size_t i = 0; i < kTicks; ++i) {
     const double distance = (proxies[i] - slide.rests[i]).norm();
@@ -63,8 +71,11 @@ FidelitySample off(const Slide& slide, double tolerance) {
 
 FidelityCase slideCase(const std::string& name, double step) {
   const SeededInput<Slide> input([step](std::uint64_t seed) { return slideAt(step, seed); });
-  return {name, "a tolerance of 1e-18",
-          [input](double value, std::uint64_t seed, Progress) { return off(input(seed), value); }};
+  return {name, "a tolerance of 1e-18", [input](double value, std::uint64_t seed, Progress progress) {
+            Slide& slide = input(seed);
+            findRests(slide, progress);
+            return progress.cancelled() ? FidelitySample{} : off(slide, value, progress);
+          }};
 }
 
 }  // namespace

@@ -63,13 +63,14 @@ double costOfTouch(const BallSlide& slide, const ServoSettings& servo) {
 
 FidelityCase rateCase(const std::string& name, const DeviceCapabilities& device, double packets = 0.0) {
   const SeededInput<BallSlide> input([](std::uint64_t seed) { return ballSlide(seed, kTouchTime); });
-  return {
-      name, "a wall that does not yield", [input, device, packets](double rate, std::uint64_t seed, Progress) {
-        FidelityValues values;
-        [[maybe_unused]] const Status inRange = values.set(servoRateSetting(), rate);
-        const ServoSettings servo = servoSettings(values);
-        return FidelitySample{pressedDepth(device, servo.rate, kStiffest, packets), costOfTouch(input(seed), servo)};
-      }};
+  return {name, "a wall that does not yield",
+          [input, device, packets](double rate, std::uint64_t seed, Progress progress) {
+            FidelityValues values;
+            [[maybe_unused]] const Status inRange = values.set(servoRateSetting(), rate);
+            const ServoSettings servo = servoSettings(values);
+            return FidelitySample{pressedDepth(device, servo.rate, kStiffest, packets, progress),
+                                  costOfTouch(input(seed), servo)};
+          }};
 }
 
 }  // namespace
