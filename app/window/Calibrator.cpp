@@ -59,7 +59,9 @@ void Calibrator::load(const std::filesystem::path& file) {
   const Result<Calibration> kept = loadCalibration(m_choice.registry(), file);
   if (!kept) {
     if (kept.error().code == ErrorCode::FileMissing) return;  // never measured
-    m_problem = tr("What was measured on this machine cannot be used: %1").arg(errorSentence(kept.error()));
+    const bool isDamaged = kept.error().code == ErrorCode::ElementMalformed;
+    m_problem = tr("What was measured on this machine cannot be used: %1")
+                    .arg(isDamaged ? tr("the file is damaged.") : errorSentence(kept.error()));
   } else if (kept->machine != machineClass()) {
     m_problem = tr("What was measured before is of another machine (%1).").arg(QString::fromStdString(kept->machine));
   } else {

@@ -106,10 +106,8 @@ double FidelityChoice::longerInUse(double rate) const {
   return tick * rate / curve->cost;
 }
 
-std::optional<double> FidelityChoice::predictedTick() const {
-  const FidelitySetting setting = servoRateSetting();
-  const double rate = m_values.of(setting);
-  const auto atRate = predicted(setting.id, rate);
+std::optional<double> FidelityChoice::predictedTick(double rate) const {
+  const auto atRate = predicted(servoRateSetting().id, rate);
   if (!atRate) return std::nullopt;
   return longerInUse(rate) * atRate->cost / rate;
 }

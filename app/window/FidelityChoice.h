@@ -33,8 +33,8 @@ class FidelityChoice : public QObject {
   // joins them where the scales are logarithmic. None without a curve.
   std::optional<CurvePoint> predicted(const std::string& id, double value) const;
 
-  // us: what a tick of the loop takes at the chosen rate while a surface is touched. None without curves.
-  std::optional<double> predictedTick() const;
+  // us: what a tick of a loop takes at so many Hz while a surface is touched. None without curves.
+  std::optional<double> predictedTick(double rate) const;
 
   // What was measured on this machine takes the place of the curves that come with the program.
   const Calibration& calibration() const { return m_calibration; }

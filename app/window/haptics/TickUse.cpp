@@ -51,7 +51,7 @@ QString TickUse::text() const {
   const QString use = tr("Servo tick in use: %1 of %2 µs (%3 %)")
                           .arg(locale().toString(usual, 'f', 1), locale().toString(period, 'f', 0),
                                locale().toString(100.0 * usual / period, 'f', 1));
-  const std::optional<double> predicted = m_choice.predictedTick();
+  const std::optional<double> predicted = m_choice.predictedTick(1.0 / measure->nominalPeriod());
   if (!predicted) return use;
   const QString expected = locale().toString(*predicted, 'f', 1);
   if (touching.size() < kEnough) return use + QLatin1Char('\n') + tr("Predicted while touching: %1 µs").arg(expected);

@@ -113,7 +113,7 @@ class CalibrationWindowTest : public QObject {
       QCOMPARE(here->cost, 2.0 * there->cost);
       QCOMPARE(here->error, there->error);
     }
-    QCOMPARE(*b.choice.predictedTick(), 2.0 * *shipped.predictedTick());
+    QCOMPARE(*b.choice.predictedTick(1000.0), 2.0 * *shipped.predictedTick(1000.0));
   }
 
   // Between two rates on the line through both, where the scales are logarithmic; beyond, as at the end.
@@ -124,8 +124,7 @@ class CalibrationWindowTest : public QObject {
     b.choice.setCalibration(calibration);
     for (const auto& [rate, tick] :
          {std::pair(500.0, 8.0), {1000.0, 8.0}, {2000.0, 4.0}, {4000.0, 2.0}, {8000.0, 2.0}}) {
-      b.choice.set("servo.rate", rate);
-      QVERIFY(std::abs(*b.choice.predictedTick() - tick) < 1e-9);
+      QVERIFY(std::abs(*b.choice.predictedTick(rate) - tick) < 1e-9);
     }
   }
 
