@@ -103,6 +103,11 @@ void HalfEdgeMesh::setCorner(HalfEdge h, Vertex v) {
   m_faces.set(face(h), slot);
 }
 
+void HalfEdgeMesh::truncate(std::size_t vertexSlots, std::size_t faceSlots) {
+  m_positions.truncate(vertexSlots);
+  m_faces.truncate(faceSlots);
+}
+
 void HalfEdgeMesh::setTriangle(Face f, const Triangle& corners) {
   for (std::uint32_t k = 0; k < 3; ++k) setCorner(3 * f + k, corners[k]);
 }

@@ -75,6 +75,8 @@ class HalfEdgeMesh {
   // A face with its neighbours, or a dead slot: as a file holds them.
   Face addSlot(const Triangle& corners, const std::array<HalfEdge, 3>& opposites);
   void removeFace(Face f);  // neighbours become border
+  // Forgets the slots from these numbers on, of which there must be so many.
+  void truncate(std::size_t vertexSlots, std::size_t faceSlots);
   void setCorner(HalfEdge h, Vertex v);
   void setTriangle(Face f, const Triangle& corners);
   void setOpposite(HalfEdge h, HalfEdge value);

@@ -3,6 +3,7 @@
 #include "mesh/LoopSubdivision.h"
 #include "mesh/FaceGrowing.h"
 #include "mesh/FaceNormal.h"
+#include "mesh/MeshDelta.h"
 #include "mesh/Steps.h"
 #include "mesh/VertexGoals.h"
 
@@ -38,6 +39,9 @@ class PatchSplitter {
       if (f < mesh.faceSlots() && mesh.isProper(f)) m_faces.push_back(f);
     });
   }
+
+  // With the diagonals that were chosen in the finer mesh, and its positions.
+  void repeat(const HalfEdgeMesh& fine) { m_fine = &fine; }
 
   SubdivisionStep run() {
     m_step.firstAdded = static_cast<Face>(m_before.faceSlots());
@@ -77,7 +81,10 @@ class PatchSplitter {
     if (inside == 0) return SubdivisionFailure::NoEdgeInside;
     const std::size_t parts = m_faces.size() + inside;  // each edge with a point adds one part to either face
     constexpr std::size_t kMostSlots = 0xffffffff / 3 - 1;
-    const bool isTooMany = parts > m_limits.mostFaces || m_before.faceSlots() + inside > kMostSlots;
+    bool isTooMany = parts > m_limits.mostFaces || m_before.faceSlots() + inside > kMostSlots;
+    if (m_fine)
+      isTooMany = m_fine->faceSlots() != m_before.faceSlots() + inside ||
+                  m_fine->vertexSlots() != m_before.vertexSlots() + inside / 2;
     return isTooMany ? SubdivisionFailure::TooManyFaces : SubdivisionFailure::None;
   }
 
@@ -92,7 +99,8 @@ class PatchSplitter {
         const HalfEdge o = m_before.opposite(h);
         const Vec3& a = at(m_before.from(h));
         const Vec3 middle = a + 0.5 * (at(m_before.to(h)) - a);
-        const Vertex v = m_mesh.addVertex(rounded(middle, m_limits.numbers));
+        const auto next = static_cast<Vertex>(m_mesh.vertexSlots());
+        const Vertex v = m_mesh.addVertex(m_fine ? m_fine->position(next) : rounded(middle, m_limits.numbers));
         m_sides[i].point[k] = m_sides[indexOf(HalfEdgeMesh::face(o))].point[o % 3] = v;
         m_edgeOf.push_back(h);
       }
@@ -139,7 +147,7 @@ class PatchSplitter {
     }
     const auto length = [&](std::size_t p, std::size_t q) { return (places[p] - places[q]).squaredNorm(); };
     const Parts parts = partsOf(hasPoint, [&](std::size_t p, std::size_t q, std::size_t r, std::size_t s) {
-      return length(p, q) <= length(r, s);
+      return m_fine ? m_fine->triangle(f)[2] == points[q] : length(p, q) <= length(r, s);
     });
     std::array<std::array<HalfEdge, 6>, 6> along;  // the half-edge of a part that runs from one point to another
     for (auto& row : along) row.fill(kNone);
@@ -182,7 +190,7 @@ class PatchSplitter {
   }
 
   void finish() {
-    if (hasFlattened()) {
+    if (!m_fine && hasFlattened()) {
       m_step.failure = SubdivisionFailure::TooFine;
       return;
     }
@@ -192,7 +200,12 @@ class PatchSplitter {
       const Sides& sides = m_sides[indexOf(HalfEdgeMesh::face(old))];
       // At a corner the part along the beginning of an edge leaves it; at a point, the part along the end.
       m_places.setLeaving(s, s < m_corners ? sides.first[old % 3] : sides.second[old % 3]);
-      if (!m_places.isFixed(s)) moves.push_back({m_places.leaving(s), m_places.place(m_before, s)});
+      const Vertex v = m_mesh.from(m_places.leaving(s));
+      if (m_fine) {
+        m_mesh.setPosition(v, m_fine->position(v));
+      } else if (!m_places.isFixed(s)) {
+        moves.push_back({m_places.leaving(s), m_places.place(m_before, s)});
+      }
     }
     m_step.stencils = std::move(m_places);
     m_step.heldBack = moveTowards(m_mesh, moves, m_limits.numbers).heldBack;
@@ -213,7 +226,8 @@ class PatchSplitter {
   HalfEdgeMesh& m_mesh;
   const HalfEdgeMesh m_before;
   const SubdivisionLimits m_limits;
-  std::vector<Face> m_faces;  // of the patch, in rising order
+  const HalfEdgeMesh* m_fine = nullptr;  // to be arrived at
+  std::vector<Face> m_faces;             // of the patch, in rising order
   std::vector<Sides> m_sides;
   std::vector<HalfEdge> m_edgeOf;  // of each new point: the edge before
   std::vector<Vec3> m_edgePlace;   // and Loop's place
@@ -245,6 +259,16 @@ bool isBetween(const HalfEdgeMesh& mesh, const FaceSelection& patch, HalfEdge h)
 
 SubdivisionStep subdivide(HalfEdgeMesh& mesh, const FaceSelection& patch, const SubdivisionLimits& limits) {
   return PatchSplitter(mesh, patch, limits).run();
+}
+
+std::optional<SubdivisionStep> subdivisionBetween(const HalfEdgeMesh& coarse, const FaceSelection& patch,
+                                                  const HalfEdgeMesh& fine) {
+  HalfEdgeMesh made = coarse;
+  PatchSplitter splitter(made, patch, {});
+  splitter.repeat(fine);
+  SubdivisionStep step = splitter.run();
+  if (step.failure != SubdivisionFailure::None || !MeshDelta::between(made, fine).isEmpty()) return std::nullopt;
+  return step;
 }
 
 int levelsToDensity(const HalfEdgeMesh& mesh, const FaceSelection& patch) {

@@ -5,6 +5,7 @@
 #include "base/Progress.h"
 #include "mesh/FaceSelection.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -73,6 +74,11 @@ struct SubdivisionStep {
 // over, the vertex stays nearer to where linear subdivision has it. Faces of the patch keep their number for one of
 // their parts. A failure leaves the mesh as it was. O(patch).
 SubdivisionStep subdivide(HalfEdgeMesh& mesh, const FaceSelection& patch, const SubdivisionLimits& limits = {});
+
+// The step that subdivided a patch of one mesh to another, whose vertices may have been moved since; none where there
+// was no such step: slot for slot, the faces must be those that subdivide() can make. O(patch + pages of the mesh).
+std::optional<SubdivisionStep> subdivisionBetween(const HalfEdgeMesh& coarse, const FaceSelection& patch,
+                                                  const HalfEdgeMesh& fine);
 
 // How often a patch must be subdivided until its edges are about as long as those of the faces around it: until they
 // are no more than √2 times as long. 0 where nothing is around it.

@@ -33,6 +33,17 @@ PatchLevels::PatchLevels(HalfEdgeMesh mesh, FaceSelection patch) {
   m_levels.push_back({std::move(mesh), std::move(patch), nullptr});
 }
 
+bool PatchLevels::addBelow(HalfEdgeMesh mesh, FaceSelection patch) {
+  Level& first = m_levels.front();
+  std::optional<SubdivisionStep> step = subdivisionBetween(mesh, patch, first.mesh);
+  const bool isFree = finest() == 0 && first.patch.empty();
+  if (!step || (!isFree && first.patch != step->faces)) return false;
+  first.patch = step->faces;
+  first.step = std::make_shared<const SubdivisionStep>(std::move(*step));
+  m_levels.insert(m_levels.begin(), {std::move(mesh), std::move(patch), nullptr});
+  return true;
+}
+
 SubdivisionFailure PatchLevels::refine(const SubdivisionLimits& limits) {
   HalfEdgeMesh fine = mesh();
   auto step = std::make_shared<const SubdivisionStep>(subdivide(fine, patch(), limits));

@@ -18,6 +18,11 @@ class PatchLevels {
  public:
   PatchLevels(HalfEdgeMesh mesh, FaceSelection patch);
 
+  // Puts a level before the first, as when levels come from a file, from fine to coarse; the patch of an only level may
+  // be empty, and is set. False, and nothing changed, where subdividing the patch does not make the first level, but
+  // for what was moved since. Both meshes must be valid.
+  bool addBelow(HalfEdgeMesh mesh, FaceSelection patch);
+
   std::size_t finest() const { return m_levels.size() - 1; }
   const HalfEdgeMesh& mesh() const { return m_levels.back().mesh; }  // at the finest level
   const HalfEdgeMesh& mesh(std::size_t level) const { return m_levels[level].mesh; }

@@ -84,7 +84,7 @@ std::unique_ptr<Tool> MeshTools::sculptTool() {
   faces();
   const auto* select = dynamic_cast<const SelectTool*>(m_host.runner().tool());
   const bool isSelected = select && !select->selection().faces.empty();
-  return std::make_unique<SculptTool>(m_document->document, services(), m_document->levels,
+  return std::make_unique<SculptTool>(m_document->document, services(),
                                       isSelected ? select->selection().faces : m_document->newest);
 }
 

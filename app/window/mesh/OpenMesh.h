@@ -5,7 +5,6 @@
 #include "document/mesh/MeshDocument.h"
 #include "mesh/Repair.h"
 #include "panels/Inspection.h"
-#include "tools/mesh/LevelMemory.h"
 #include "window/OpenDocument.h"
 
 namespace handwheel {
@@ -29,7 +28,6 @@ struct OpenMesh : OpenDocument {
 
   std::size_t faceSlots = document.mesh().faceSlots();  // when it was last changed
   FaceSelection newest;  // the faces that the last change added: those of a patch, most often
-  std::shared_ptr<LevelMemory> levels = std::make_shared<LevelMemory>();
 
   // Of the mesh, undo and redo included; as many as when it was last as in its file.
   std::uint64_t changes = 0;

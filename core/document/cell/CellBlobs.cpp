@@ -5,6 +5,7 @@
 #include "document/cell/CellImport.h"
 #include "document/cell/SurfaceBudget.h"
 #include "document/container/Blobs.h"
+#include "document/container/JsonText.h"
 #include "robot/UrdfReader.h"
 
 #include <algorithm>
@@ -36,12 +37,6 @@ nlohmann::json writeSurface(const TriangleSoup& soup, const std::string& name, C
   for (const Triangle& t : soup.triangles) corners.insert(corners.end(), t.begin(), t.end());
   writeArray<std::uint32_t>(container, name + "/triangles", corners, 3);
   return {{"points", soup.points.size()}, {"triangles", soup.triangles.size()}};
-}
-
-std::uint64_t countAt(const nlohmann::json& object, const char* key) {
-  if (!object.is_object()) return 0;
-  const auto found = object.find(key);
-  return found != object.end() && found->is_number_unsigned() ? found->get<std::uint64_t>() : 0;
 }
 
 std::vector<bool> isThere(const std::vector<IndexRange>& lost, std::size_t count) {

@@ -46,4 +46,10 @@ Result<nlohmann::json> parseJson(std::string_view text, std::string_view element
   }
 }
 
+std::uint64_t countAt(const nlohmann::json& object, const char* key) {
+  if (!object.is_object()) return 0;
+  const auto found = object.find(key);
+  return found != object.end() && found->is_number_unsigned() ? found->get<std::uint64_t>() : 0;
+}
+
 }  // namespace handwheel

@@ -3,6 +3,7 @@
 #include "document/mesh/MeshBlobs.h"
 
 #include "document/container/Blobs.h"
+#include "document/container/JsonText.h"
 #include "mesh/MeshValidator.h"
 #include "mesh/Steps.h"
 
@@ -23,9 +24,7 @@ constexpr std::size_t kFaceNumbers = 6;
 template <class T>
 ReadArray<T> readSlots(const nlohmann::json& document, const char* countKey, const std::string& name,
                        std::size_t perSlot, T filler, const Container& container) {
-  const auto count = document.find(countKey);
-  const bool isCount = count != document.end() && count->is_number_unsigned();
-  ReadArray<T> read = readArray<T>(container, name, isCount ? count->get<std::uint64_t>() : 0, perSlot);
+  ReadArray<T> read = readArray<T>(container, name, countAt(document, countKey), perSlot);
   for (const IndexRange& range : read.lost) {
     const std::size_t end = std::min(range.end * perSlot, read.values.size());
     for (std::size_t i = range.begin * perSlot; i < end; ++i) read.values[i] = filler;

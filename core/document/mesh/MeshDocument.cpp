@@ -19,6 +19,7 @@ MeshDocument::MeshDocument(OpenedFile opened, QObject* parent)
   m_defects = content.mesh.defects;
   m_keptOpen = content.keptOpen;
   m_turnedFaces = m_build->turnedFaces;
+  if (content.levels) keepLevels(*content.levels);
 }
 
 NumberType MeshDocument::fileNumbers() const {
@@ -32,6 +33,7 @@ SnapshotPointer MeshDocument::snapshot() const {
   snapshot->build = m_build;
   snapshot->keptOpen = m_keptOpen;
   snapshot->numbers = m_numbers;
+  if (const PatchLevels* found = levels()) snapshot->levels = std::make_shared<const PatchLevels>(*found);
   return snapshot;
 }
 

@@ -4,6 +4,7 @@
 
 #include "base/Fidelity.h"
 #include "document/Document.h"
+#include "document/mesh/LevelMemory.h"
 #include "document/mesh/MeshSnapshot.h"
 
 namespace handwheel {
@@ -23,6 +24,11 @@ class MeshDocument : public Document {
   const std::vector<Face>& turnedFaces() const { return m_turnedFaces; }
   // In which its present file, or the container, holds its coordinates.
   NumberType fileNumbers() const;
+
+  // Of the patch that was subdivided last on the way to the present mesh; null for none. Saved with it; no part of the
+  // history, which finds them again by the mesh.
+  const PatchLevels* levels() const { return m_levels.of(m_mesh); }
+  void keepLevels(const PatchLevels& levels) { m_levels.keep(levels); }
 
   SnapshotPointer snapshot() const override;
   std::vector<Property> properties() const override;
@@ -56,6 +62,7 @@ class MeshDocument : public Document {
   HalfEdgeMesh m_mesh;
   std::shared_ptr<const Defects> m_defects;
   std::set<Vertex> m_keptOpen;
+  LevelMemory m_levels;
   FidelityValues m_fidelity;
 };
 

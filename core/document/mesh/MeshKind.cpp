@@ -3,6 +3,8 @@
 #include "document/mesh/MeshKind.h"
 
 #include "document/container/Blobs.h"
+#include "document/mesh/LevelBlobs.h"
+#include "document/mesh/LevelMemory.h"
 #include "document/mesh/MeshBlobs.h"
 #include "document/mesh/MeshDocument.h"
 #include "document/mesh/MeshExport.h"
@@ -91,6 +93,8 @@ void MeshKind::save(const Snapshot& content, Container& container) const {
   document["turned_faces"] = turned.size();
   writeArray<std::uint32_t>(container, kTurnedFaces, turned);
   writeMeshBlobs(mesh.mesh.mesh, container);
+  const bool hasLevels = mesh.levels && isSameVersion(mesh.levels->mesh(), mesh.mesh.mesh);
+  writeLevelBlobs(hasLevels ? mesh.levels.get() : nullptr, container);
 }
 
 namespace {
@@ -123,7 +127,7 @@ Result<SnapshotPointer> MeshKind::load(const Container& container, std::vector<E
   if (found == container.manifest->end() || !found->is_object()) {
     return Error{ErrorCode::ElementMalformed, {"document", "it is missing"}, {}, {}};
   }
-  Result<LoadedMesh> loaded = readMeshBlobs(*found, container, damage, progress.part(0.0, 0.5));
+  Result<LoadedMesh> loaded = readMeshBlobs(*found, container, damage, progress.part(0.0, 0.4));
   if (!loaded) return loaded.error();
   auto snapshot = std::make_shared<MeshSnapshot>();
   BuildReport report = std::move(loaded->report);
@@ -133,6 +137,8 @@ Result<SnapshotPointer> MeshKind::load(const Container& container, std::vector<E
   } else if (!keptOpenOf(*found, kNone).empty()) {
     damage.push_back({ErrorCode::ElementMalformed, {"kept_open", "its loops cannot be told any more"}, {}, {}});
   }
+  snapshot->levels =
+      readLevelBlobs(*found, container, loaded->isWhole ? &loaded->mesh : nullptr, damage, progress.part(0.4, 0.5));
   snapshot->build = std::make_shared<const BuildReport>(std::move(report));
   snapshot->mesh = inspected(std::move(loaded->mesh), m_nearWeld, progress.part(0.5, 1.0));
   snapshot->numbers =

@@ -5,6 +5,7 @@
 #include "document/Snapshot.h"
 #include "mesh/Defects.h"
 #include "mesh/MeshBuilder.h"
+#include "mesh/PatchLevels.h"
 
 #include <set>
 
@@ -13,9 +14,10 @@ namespace handwheel {
 // The value of a mesh document.
 struct MeshSnapshot : Snapshot {
   InspectedMesh mesh;
-  std::shared_ptr<const BuildReport> build;  // what building the mesh from its file reported; never null
-  std::set<Vertex> keptOpen;                 // keyOf() the loops that the user wants open
-  NumberType numbers = NumberType::Float64;  // of the coordinates in the file that it came from
+  std::shared_ptr<const BuildReport> build;   // what building the mesh from its file reported; never null
+  std::set<Vertex> keptOpen;                  // keyOf() the loops that the user wants open
+  NumberType numbers = NumberType::Float64;   // of the coordinates in the file that it came from
+  std::shared_ptr<const PatchLevels> levels;  // whose finest mesh this is; null for none
 };
 
 }  // namespace handwheel

@@ -35,17 +35,12 @@ const char* textOf(SculptSettings::Brush brush) {
 
 }  // namespace
 
-SculptTool::SculptTool(MeshDocument& document, MeshServices services, std::shared_ptr<LevelMemory> memory,
-                       FaceSelection patch)
-    : m_document(document),
-      m_services(std::move(services)),
-      m_memory(std::move(memory)),
-      m_levels(document.mesh(), {}),
-      m_known(document.mesh()) {
+SculptTool::SculptTool(MeshDocument& document, MeshServices services, FaceSelection patch)
+    : m_document(document), m_services(std::move(services)), m_levels(document.mesh(), {}), m_known(document.mesh()) {
   const Box& box = document.defects().box;
   if (!box.isEmpty()) m_settings.set("radius", kFirstRadius * box.diagonal().norm());
   patch.dropDead(m_known);
-  const PatchLevels* remembered = m_memory->of(m_known);
+  const PatchLevels* remembered = m_document.levels();
   const bool isSame = remembered && (patch.empty() || patch == remembered->patch());
   setLevels(isSame ? *remembered : PatchLevels(m_known, std::move(patch)));
 }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "tools/Tool.h"
-#include "tools/mesh/LevelMemory.h"
 #include "tools/mesh/MeshServices.h"
 #include "tools/mesh/SculptStroke.h"
 
@@ -18,10 +17,8 @@ class MeshDocument;
 // window need not wait for one to get into the document: the next begins on what is shown.
 class SculptTool : public Tool {
  public:
-  // patch: the faces to work on; empty for the whole surface. memory: the levels of patches in this document. The
-  // document must outlive all calls but the destructor's.
-  SculptTool(MeshDocument& document, MeshServices services, std::shared_ptr<LevelMemory> memory,
-             FaceSelection patch = {});
+  // patch: the faces to work on; empty for the whole surface. The document must outlive all calls but the destructor's.
+  SculptTool(MeshDocument& document, MeshServices services, FaceSelection patch = {});
   ~SculptTool() override;
 
   // With what is still on its way into the document, and the present stroke.
@@ -74,7 +71,6 @@ class SculptTool : public Tool {
 
   MeshDocument& m_document;
   MeshServices m_services;
-  std::shared_ptr<LevelMemory> m_memory;
   SculptSettings m_settings;
   PatchLevels m_levels;  // with the steps that wait
   std::size_t m_level = 0;

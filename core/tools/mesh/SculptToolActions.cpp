@@ -87,7 +87,7 @@ void SculptTool::documentChanged() {
 // The first step is in the document.
 void SculptTool::landed() {
   m_known = m_document.mesh();
-  m_memory->keep(m_waiting.front().levels);
+  m_document.keepLevels(m_waiting.front().levels);
   m_waiting.pop_front();
   if (m_waiting.empty()) m_touched = {};
   showLive();
@@ -112,7 +112,7 @@ void SculptTool::restart() {
   m_waiting.clear();
   m_touched = {};
   m_known = m_document.mesh();
-  const PatchLevels* remembered = m_memory->of(m_known);
+  const PatchLevels* remembered = m_document.levels();
   FaceSelection patch = m_levels.patch();
   patch.dropDead(m_known);
   setLevels(remembered ? *remembered : PatchLevels(m_known, std::move(patch)));

@@ -35,7 +35,6 @@ inline FaceSelection middle() {
 
 struct SculptBench {
   std::unique_ptr<MeshDocument> document;
-  std::shared_ptr<LevelMemory> memory = std::make_shared<LevelMemory>();
   ToolRunner runner;
   const SculptTool* tool = nullptr;
 
@@ -44,7 +43,7 @@ struct SculptBench {
     runner.setSetting("radius", 3.0);
   }
   void start(FaceSelection patch = {}) {
-    auto made = std::make_unique<SculptTool>(*document, immediateServices(*document), memory, std::move(patch));
+    auto made = std::make_unique<SculptTool>(*document, immediateServices(*document), std::move(patch));
     tool = made.get();
     runner.start(std::move(made), *document);
   }

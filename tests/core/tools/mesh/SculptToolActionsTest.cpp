@@ -16,6 +16,7 @@ class SculptToolActionsTest : public QObject {
   void aCoarseLevelTakesTheDetailAlong();
   void undoFindsTheLevels();
   void rememberedForTheNextTime();
+  void rememberedInTheFile();
   void refinesToTheSurroundings();
   void warnsOfSlimTriangles();
   void smoothsNoise();
@@ -108,6 +109,29 @@ void SculptToolActionsTest::rememberedForTheNextTime() {
 }
 
 // A quadrilateral of two triangles of 8 mm in a plate of 1 mm.
+void SculptToolActionsTest::rememberedInTheFile() {
+  SculptBench b(middle());
+  b.runner.key("L");
+  b.runner.key("L");
+  b.lift(0.3);
+  Container file;
+  b.document->kind().save(*b.document->snapshot(), file);
+  std::vector<Error> damage;
+  OpenedFile opened;
+  opened.kind = &b.document->kind();
+  opened.content = *opened.kind->load(file, damage, {});
+  b.runner.stop();
+  b.document = std::make_unique<MeshDocument>(std::move(opened));
+  b.start();
+  QCOMPARE(b.tool->levels().finest(), std::size_t(2));
+  QCOMPARE(b.tool->levels().patch(0).count(), middle().count());
+  b.runner.key("Shift+L");
+  b.runner.key("Shift+L");
+  QCOMPARE(b.document->mesh().liveFaceCount(), std::size_t(800));
+  QCOMPARE(b.height(), 0.0);  // as it was before it was subdivided
+  QCOMPARE(b.check(), std::string());
+}
+
 void SculptToolActionsTest::refinesToTheSurroundings() {
   TriangleSoup soup = annulus(24, 8, 4.0, 12.0);
   const auto centre = static_cast<std::uint32_t>(soup.points.size());
@@ -175,8 +199,7 @@ void SculptToolActionsTest::jobsThatComeTooLate() {
   WaitingServices waiting;
   waiting.faces = std::make_shared<FaceHierarchy>(document->mesh());
   ToolRunner runner;
-  runner.start(std::make_unique<SculptTool>(*document, waiting.services(), std::make_shared<LevelMemory>(), middle()),
-               *document);
+  runner.start(std::make_unique<SculptTool>(*document, waiting.services(), middle()), *document);
   runner.key("L");
   QVERIFY(!isEnabled(*runner.tool(), "subdivide"));
   runner.deliver(waiting.work());

@@ -138,7 +138,7 @@ void SculptToolTest::strokesWaitForOneAnother() {
   WaitingServices waiting;
   waiting.faces = std::make_shared<FaceHierarchy>(document->mesh());
   ToolRunner runner;
-  runner.start(std::make_unique<SculptTool>(*document, waiting.services(), std::make_shared<LevelMemory>()), *document);
+  runner.start(std::make_unique<SculptTool>(*document, waiting.services()), *document);
   runner.setSetting("radius", 3.0);
   const auto* tool = static_cast<const SculptTool*>(runner.tool());
   for (const double x : {10.5, 11.0, 11.5}) {
@@ -165,7 +165,7 @@ void SculptToolTest::whatIsGivenUpIsTakenBack() {
   WaitingServices waiting;
   waiting.faces = std::make_shared<FaceHierarchy>(document->mesh());
   ToolRunner runner;
-  runner.start(std::make_unique<SculptTool>(*document, waiting.services(), std::make_shared<LevelMemory>()), *document);
+  runner.start(std::make_unique<SculptTool>(*document, waiting.services()), *document);
   for (int i = 0; i < 2; ++i) {
     runner.pointer(above(Kind::Press, 10, 10));
     runner.pointer(above(Kind::Release, 10.5, 10));
@@ -184,7 +184,7 @@ void SculptToolTest::whoElseChangesTheDocumentWins() {
   WaitingServices waiting;
   waiting.faces = std::make_shared<FaceHierarchy>(document->mesh());
   ToolRunner runner;
-  runner.start(std::make_unique<SculptTool>(*document, waiting.services(), std::make_shared<LevelMemory>()), *document);
+  runner.start(std::make_unique<SculptTool>(*document, waiting.services()), *document);
   runner.pointer(above(Kind::Press, 10, 10));
   runner.pointer(above(Kind::Release, 10.5, 10));
   HalfEdgeMesh other = document->mesh();

@@ -108,7 +108,7 @@ class Session {
       const auto n = static_cast<Face>(m_document->mesh().faceSlots());
       const FaceSelection patch =
           below(3) == 0 || n == 0 ? FaceSelection() : FaceSelection{static_cast<Face>(below(n))};
-      m_runner.start(std::make_unique<SculptTool>(*m_document, immediateServices(*m_document), m_levels,
+      m_runner.start(std::make_unique<SculptTool>(*m_document, immediateServices(*m_document),
                                                   grownByRing(m_document->mesh(), patch)),
                      *m_document);
     } else if (which == 0) {
@@ -203,7 +203,6 @@ class Session {
   FillHoleTool* m_fill = nullptr;
   SelectTool* m_select = nullptr;
   bool m_mayPointerEdit = false;
-  std::shared_ptr<LevelMemory> m_levels = std::make_shared<LevelMemory>();
   ToolRunner m_runner;
   QMetaObject::Connection m_failed;
   QString m_problem;

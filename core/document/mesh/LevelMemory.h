@@ -12,7 +12,7 @@ namespace handwheel {
 bool isSameVersion(const HalfEdgeMesh& a, const HalfEdgeMesh& b);
 
 // The levels of the patches that were subdivided in a document, one entry for each state that it was in, so that undo
-// and redo find theirs again. Lives as long as the document is open.
+// and redo find theirs again.
 class LevelMemory {
  public:
   // Patches at one level only are not worth it.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/mesh/LevelMemory.h"
+#include "document/mesh/LevelMemory.h"
 
 #include "MeshShapes.h"
 #include "mesh/MeshBuilder.h"
