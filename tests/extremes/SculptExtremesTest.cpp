@@ -3,7 +3,9 @@
 #include "Extremes.h"
 
 #include "MeshChecks.h"
+#include "mesh/Defects.h"
 #include "mesh/FaceNormal.h"
+#include "mesh/LocalCrossings.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshValidator.h"
 #include "mesh/NoiseSmoothing.h"
@@ -25,6 +27,8 @@ class SculptExtremesTest : public QObject {
   void subdivides();
   void brushes_data() { everyMesh(); }
   void brushes();
+  void crossingsOfAStroke_data() { everyMesh(); }
+  void crossingsOfAStroke();
   void smoothsNoise_data() { everyMesh(); }
   void smoothsNoise();
 
@@ -88,6 +92,19 @@ void SculptExtremesTest::brushes() {
       QCOMPARE(problemOf(whole, mesh), QString());
     }
   }
+}
+
+// Found near the stroke, as many as in the whole mesh.
+void SculptExtremesTest::crossingsOfAStroke() {
+  QFETCH(TriangleSoup, soup);
+  const HalfEdgeMesh before = buildMesh(soup).mesh;
+  if (before.faceSlots() == 0) return;
+  HalfEdgeMesh after = before;
+  const double size = findDefects(before).box.diagonal().stableNorm();
+  const BrushArea area = brushArea(after, 0, after.points(0)[0], 0.3 * size, {.movesBorder = true});
+  moveTowards(after, dragged(after, area, Vec3::Constant(-0.5 * size)));
+  const auto change = crossingsChange(before, after);
+  QVERIFY(change && crossingsAfter(*change, *findSelfIntersections(before)) == *findSelfIntersections(after));
 }
 
 void SculptExtremesTest::smoothsNoise() {

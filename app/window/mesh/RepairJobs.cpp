@@ -5,6 +5,7 @@
 #include "mesh/Cleaning.h"
 #include "mesh/MeshFidelity.h"
 #include "panels/LogModel.h"
+#include "proximity/SelfIntersection.h"
 #include "text/ErrorText.h"
 #include "text/RepairText.h"
 #include "window/CommandText.h"
@@ -133,12 +134,13 @@ void RepairJobs::startChange(OpenMesh* document, MeshChange wanted, Round round)
               mesh = document->document.mesh()](Progress progress) -> Job::Finish {
     HalfEdgeMesh result = mesh;
     wanted.apply(result, progress.part(0.0, 0.5));
+    const auto crossings = wanted.crossed ? crossingsChange(mesh, result, progress.part(0.4, 0.5)) : std::nullopt;
     if (progress.cancelled()) return {};
-    return [this, document, revision, round, wanted, text,
+    return [this, document, revision, round, wanted, text, crossings,
             after = inspected(std::move(result), nearWeld, progress.part(0.5, 1.0))] {
       if (!m_tabs.contains(document)) return changeEnded();
       if (!isStale(document, revision)) {
-        changed(document, wanted, text, after);
+        changed(document, wanted, text, after, crossings);
         return changeEnded();
       }
       tellStale(*document, round);
@@ -150,13 +152,27 @@ void RepairJobs::startChange(OpenMesh* document, MeshChange wanted, Round round)
   start(document, std::move(job));
 }
 
-void RepairJobs::changed(OpenMesh* document, const MeshChange& wanted, const QString& text,
-                         const InspectedMesh& after) {
+void RepairJobs::changed(OpenMesh* document, const MeshChange& wanted, const QString& text, const InspectedMesh& after,
+                         const std::optional<CrossingsChange>& crossings) {
+  const auto known = document->inspection.selfIntersections();
   if (document->document.commit(text, after)) {
     m_log.add(tr("%1: %2").arg(document->document.name(), text));
+    if (!crossings) return;
+    // So the list of defects need not wait until the whole surface has been searched again.
+    if (known && known->size() < kMaxTrianglePairs)
+      document->inspection.setSelfIntersections(document->document.revision(), crossingsAfter(*crossings, *known));
+    if (crossings->fresh > 0) tellCrossings(*document, *crossings);
+    wanted.crossed(crossings->fresh);
   } else if (wanted.hindrance) {
     emit changedNothing(text, tr("Why: %1.").arg(QCoreApplication::translate("Tool", wanted.hindrance)));
   }
+}
+
+void RepairJobs::tellCrossings(const OpenMesh& document, const CrossingsChange& crossings) {
+  const int pairs = static_cast<int>(std::min(crossings.fresh, kMaxTrianglePairs));
+  m_log.add(
+      tr("%1: %n more pair(s) of triangles cross; undo takes that back", nullptr, pairs).arg(document.document.name()),
+      {}, LogEntry::Weight::Warning);
 }
 
 void RepairJobs::repairAll(OpenMesh* document) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "mesh/Defects.h"
+#include "mesh/LocalCrossings.h"
 #include "mesh/Repair.h"
 #include "tools/mesh/MeshServices.h"
 #include "window/mesh/FillBench.h"
@@ -10,6 +11,7 @@
 
 #include <QObject>
 #include <deque>
+#include <optional>
 
 namespace handwheel {
 
@@ -51,7 +53,8 @@ class RepairJobs : public QObject {
   void changeEnded();
   void dropChanges(const OpenDocument* document);
   void startRepair(OpenMesh* document, Round round);
-  void changed(OpenMesh* document, const MeshChange& wanted, const QString& text, const InspectedMesh& after);
+  void changed(OpenMesh* document, const MeshChange& wanted, const QString& text, const InspectedMesh& after,
+               const std::optional<CrossingsChange>& crossings);
   double nearWeld() const;  // for the defects of what a job made
   bool isStale(OpenMesh* document, std::uint64_t revision) const;
   void filledOne(OpenMesh* document, Vertex key, const std::shared_ptr<FillBench>& bench, FillFailure failure,
@@ -59,6 +62,7 @@ class RepairJobs : public QObject {
   void repairedAll(OpenMesh* document, const InspectedMesh& after, const RepairReport& report,
                    const RepairOptions& options);
   void logRepair(const OpenMesh& document, const RepairReport& report, const RepairOptions& options);
+  void tellCrossings(const OpenMesh& document, const CrossingsChange& crossings);
   void tellStale(const OpenMesh& document, Round round);
   void start(const OpenDocument* document, Job job);
   void ended();

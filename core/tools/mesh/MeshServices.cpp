@@ -3,6 +3,7 @@
 #include "tools/mesh/MeshServices.h"
 
 #include "document/mesh/MeshDocument.h"
+#include "mesh/LocalCrossings.h"
 #include "mesh/MeshFidelity.h"
 
 #include <QCoreApplication>
@@ -25,8 +26,10 @@ MeshServices immediateServices(MeshDocument& document) {
   services.commit = [&document](const MeshChange& change) {
     HalfEdgeMesh mesh = document.mesh();
     change.apply(mesh, {});
+    const auto crossings = change.crossed ? crossingsChange(document.mesh(), mesh) : std::nullopt;
     const double nearWeld = document.fidelity().of(nearWeldSetting());
     document.commit(QCoreApplication::translate("Tool", change.text), inspected(std::move(mesh), nearWeld));
+    if (crossings) change.crossed(crossings->fresh);
     change.ended();
   };
   return services;

@@ -21,6 +21,9 @@ struct MeshChange {
   const char* hindrance = nullptr;
   // Hears on the window thread that nothing more will come of it, whether it was committed or not.
   std::function<void()> ended = [] {};
+  // Hears on the window thread, before that and once it is committed, how many pairs of faces cross because of it. Null
+  // where it can make none: then nobody looks.
+  std::function<void(std::size_t)> crossed = nullptr;
 };
 
 // Thinking that takes too long for the window. It sees only what it captured by value, and returns what is to be done

@@ -102,6 +102,7 @@ ToolReply SculptTool::press(const PointerEvent& event) {
   if (!place) return ToolReply::Ignored;  // the camera may have it
   cancelJob();
   m_problem = nullptr;
+  m_crossings = 0;
   m_stroke.emplace(m_levels, strokeSettings(event.modifiers), *place, event.ray);
   m_last = event.ray;
   if (event.device) m_tip = event.device->translation();

@@ -62,6 +62,7 @@ class SculptTool : public Tool {
   void goBackALevel();
   void landed();
   void stepEnded(std::uint64_t ticket);
+  void stepCrossed(std::size_t pairs);
   void restart();
   void setLevels(PatchLevels levels);
   void showLive();
@@ -77,6 +78,7 @@ class SculptTool : public Tool {
   std::vector<std::vector<Vec3>> m_outline;  // of the patch
   double m_aspect = 0.0;                     // and how slim the triangles along it are
   const char* m_problem = nullptr;           // of the last action
+  std::size_t m_crossings = 0;               // pairs of faces that cross since the last press
 
   std::optional<SculptStroke> m_stroke;
   Ray m_last;                 // where the last dab was

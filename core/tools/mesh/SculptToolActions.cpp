@@ -70,6 +70,9 @@ void SculptTool::take(const char* text, PatchLevels levels, FaceSelection touche
   change.ended = [this, alive = std::weak_ptr(m_alive), ticket = ++m_ticket] {
     if (!alive.expired()) stepEnded(ticket);
   };
+  change.crossed = [this, alive = std::weak_ptr(m_alive)](std::size_t pairs) {
+    if (!alive.expired()) stepCrossed(pairs);
+  };
   setLevels(levels);
   if (isSameDepth) m_level = level;
   m_touched.add(touched);
@@ -103,9 +106,17 @@ void SculptTool::stepEnded(std::uint64_t ticket) {
   tellUpdated();
 }
 
+// A brush may go where it pleases; but whoever holds it must know.
+void SculptTool::stepCrossed(std::size_t pairs) {
+  if (pairs == 0) return;
+  m_crossings += pairs;
+  tellUpdated();
+}
+
 // From what the document is now.
 void SculptTool::restart() {
   cancelJob();
+  m_crossings = 0;
   m_stroke.reset();
   m_tip.reset();
   m_hovered.reset();
@@ -198,7 +209,7 @@ ToolReply SculptTool::revert() {
 std::vector<ToolAction> SculptTool::actions() const {
   const bool hasPatch = !m_levels.patch().empty(), isIdle = !m_job;
   const std::size_t finest = m_levels.finest();
-  return {
+  std::vector<ToolAction> all = {
       {"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), QT_TRANSLATE_NOOP("Tool", "sculpt")},
       {"", QT_TRANSLATE_NOOP("ToolInput", "Shift+drag"), QT_TRANSLATE_NOOP("Tool", "smooth")},
       {"", QT_TRANSLATE_NOOP("ToolInput", "Ctrl+drag"), QT_TRANSLATE_NOOP("Tool", "the other way")},
@@ -217,10 +228,22 @@ std::vector<ToolAction> SculptTool::actions() const {
       {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "done")},
       {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "done")},  // whatever goes on, so that no button comes and goes
   };
+  if (m_crossings > 0)
+    all.insert(all.begin(), {"", "Ctrl+Z", QT_TRANSLATE_NOOP("Tool", "undo: the surface crosses itself now")});
+  return all;
 }
 
 std::vector<Property> SculptTool::settings() const {
   std::vector<Property> all = m_settings.properties();
+  if (m_crossings > 0) {
+    Property crossings;
+    crossings.id = "crossings";
+    crossings.label = QT_TRANSLATE_NOOP("Property", "New crossings");
+    crossings.value = static_cast<double>(m_crossings);
+    crossings.editable = false;
+    crossings.problem = QT_TRANSLATE_NOOP("Property", "The surface crosses itself here now: undo, or smooth it apart.");
+    all.push_back(std::move(crossings));
+  }
   if (m_levels.patch().empty()) return all;
   Property faces;
   faces.id = "patch";

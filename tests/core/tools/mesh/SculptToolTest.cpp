@@ -20,6 +20,7 @@ class SculptToolTest : public QObject {
   void escapeGivesTheStrokeUp();
   void besideTheModel();
   void onlyThePatch();
+  void saysThatTheSurfaceCrossesItself();
   void strokesWaitForOneAnother();
   void whatIsGivenUpIsTakenBack();
   void whoElseChangesTheDocumentWins();
@@ -130,6 +131,31 @@ void SculptToolTest::onlyThePatch() {
   QVERIFY(b.tool->preview().lines.empty());
   b.lift(2.0, 4.0);
   QVERIFY(b.height(4, 10) > 1.9);
+}
+
+// A plate above the sheet, pulled down through it.
+void SculptToolTest::saysThatTheSurfaceCrossesItself() {
+  TriangleSoup soup = sheet();
+  TriangleSoup lower = sheet();
+  for (Vec3& p : lower.points) p.z() -= 1.0;
+  append(soup, lower);
+  SculptBench b({}, soup);
+  b.lift(-0.7);
+  QVERIFY(!propertyNamed(b.tool->settings(), "crossings"));
+  const std::size_t offered = b.tool->actions().size();
+  b.lift(-0.7);
+  QVERIFY(!findSelfIntersections(b.document->mesh())->empty());
+  const auto pairs = findSelfIntersections(b.document->mesh())->size();
+  QVERIFY(std::get<double>(propertyNamed(b.tool->settings(), "crossings")->value) == static_cast<double>(pairs));
+  QVERIFY(!propertyNamed(b.tool->settings(), "crossings")->problem.empty());
+  QCOMPARE(b.tool->actions().size(), offered + 1);
+  QCOMPARE(b.tool->actions()[0].input, std::string("Ctrl+Z"));
+  b.document->history()->undo();
+  QVERIFY(!propertyNamed(b.tool->settings(), "crossings"));
+  b.lift(-0.7);
+  QVERIFY(propertyNamed(b.tool->settings(), "crossings"));
+  b.lift(0.1, 4.0);  // elsewhere
+  QVERIFY(!propertyNamed(b.tool->settings(), "crossings"));
 }
 
 // A change takes its time; the next stroke begins on what is shown, and each becomes a step of its own.
