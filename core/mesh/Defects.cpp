@@ -8,6 +8,7 @@
 #include "mesh/FaceComponents.h"
 #include "mesh/NonManifoldVertices.h"
 #include "mesh/PositionTriangles.h"
+#include "mesh/ReversingLoop.h"
 #include "mesh/Steps.h"
 #include "proximity/SelfIntersection.h"
 
@@ -17,7 +18,7 @@
 namespace handwheel {
 namespace {
 
-// Non-manifold edges and vertices, and duplicates.
+// Non-manifold edges and vertices, one-sided edges, and duplicates.
 void findCrowded(const PositionTriangles& byPosition, Defects& defects, Progress progress) {
   const std::vector<Vertex>& first = byPosition.classes.representative;
   const EdgeTable edges(byPosition.triangles, first.size(), progress.part(0.0, 0.4));
@@ -25,6 +26,8 @@ void findCrowded(const PositionTriangles& byPosition, Defects& defects, Progress
     if (run.size() > 2) defects.nonManifoldEdges.emplace_back(first[low], first[high]);
   };
   edges.forEachEdge(findEdge, progress.part(0.4, 0.5));
+  for (const auto& [low, high] : oneSidedEdges(edges, byPosition.triangles, progress.part(0.5, 0.5)))
+    defects.oneSidedEdges.emplace_back(first[low], first[high]);
   for (const FaceGroup& group : equalFaces(byPosition.triangles, edges, progress.part(0.5, 0.6))) {
     defects.duplicateFaces.insert(defects.duplicateFaces.end(), group.faces.begin() + 1, group.faces.end());
   }

@@ -27,11 +27,13 @@ struct Defects {
   std::vector<BoundaryLoop> loops;
   std::vector<std::pair<Vertex, Vertex>> nonManifoldEdges;  // end points; one entry per edge, by position
   std::vector<Vertex> nonManifoldVertices;                  // one of the vertices at each such position
-  std::vector<Face> degenerateFaces;                        // zero area
-  std::vector<Face> duplicateFaces;                         // same three positions as an earlier face
-  std::vector<std::pair<Vertex, Vertex>> nearVertices;      // on open borders, apart but within the near weld
-  std::vector<Component> components;                        // largest area first
-  Box box;                                                  // of all live faces
+  // At which the two faces disagree, however faces are turned: the surface has one side only.
+  std::vector<std::pair<Vertex, Vertex>> oneSidedEdges;
+  std::vector<Face> degenerateFaces;                    // zero area
+  std::vector<Face> duplicateFaces;                     // same three positions as an earlier face
+  std::vector<std::pair<Vertex, Vertex>> nearVertices;  // on open borders, apart but within the near weld
+  std::vector<Component> components;                    // largest area first
+  Box box;                                              // of all live faces
 };
 
 // The parts of the mesh, largest area first. Once cancelled, none.

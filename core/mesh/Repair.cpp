@@ -9,6 +9,7 @@
 #include "mesh/LoopResults.h"
 #include "mesh/MeshBounds.h"
 #include "mesh/MeshBuilder.h"
+#include "mesh/OneSided.h"
 #include "mesh/PartDuplicates.h"
 #include "mesh/Steps.h"
 #include "mesh/Stitching.h"
@@ -29,6 +30,8 @@ double millisecondsSince(Clock::time_point start) {
 }
 
 constexpr int kHardRounds = 4;
+// What has one side only is given two by cuts of this share of the diagonal. Longer ones change the shape: on demand.
+constexpr double kOneSidedCut = 0.01;
 
 class Repairer {
  public:
@@ -38,7 +41,11 @@ class Repairer {
 
   RepairReport run(Progress progress) {
     clean(progress.part(0.0, 0.3));
-    if (!progress.cancelled()) fill(progress.part(0.3, 0.6));
+    if (!progress.cancelled()) {
+      const double longest = kOneSidedCut * diagonalOf(m_mesh);
+      m_report.oneSidedCuts = closeOneSided(m_mesh, m_options.fill, longest, BorderCuts::No, progress.part(0.3, 0.35));
+    }
+    if (!progress.cancelled()) fill(progress.part(0.35, 0.6));
     if (!progress.cancelled()) closeHard(progress.part(0.6, 0.95));
     if (!progress.cancelled()) turnOut(m_mesh, progress.part(0.95, 0.96));
     if (!progress.cancelled()) finish(progress.part(0.96, 1.0));

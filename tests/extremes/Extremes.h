@@ -161,6 +161,7 @@ inline std::vector<ExtremeMesh> topologicalMeshes() {
        .filled = 2,  // cut at the twist, it has two
        .oriented = false},
       {.name = "Klein bottle", .soup = [] { return kleinBottle(60, 30); }, .oriented = false, .sound = false},
+      {.name = "sphere with a cross cap", .soup = [] { return sphereWithCrossCap(5); }, .oriented = false},
       {.name = "100,000 components",
        .soup = [] { return scattered(100'000); },
        .components = 100'000,

@@ -186,6 +186,40 @@ inline TriangleSoup kleinBottle(std::uint32_t n, std::uint32_t m) {
   return s;
 }
 
+// A sphere with one side only: in the place of six triangles around a point, a Möbius strip with the same outline,
+// whose way around has three edges. Its Euler characteristic is 1.
+inline TriangleSoup sphereWithCrossCap(int levels) {
+  TriangleSoup s = icosphere(levels);
+  std::vector<std::uint32_t> count(s.points.size(), 0);
+  for (const Triangle& t : s.triangles)
+    for (const std::uint32_t v : t) ++count[v];
+  const auto centre = static_cast<std::uint32_t>(std::find(count.begin(), count.end(), 6u) - count.begin());
+  std::map<std::uint32_t, std::uint32_t> next;  // around the point
+  std::vector<Triangle> rest;
+  for (const Triangle& t : s.triangles) {
+    const auto k = static_cast<std::size_t>(std::find(t.begin(), t.end(), centre) - t.begin());
+    if (k == 3) {
+      rest.push_back(t);
+    } else {
+      next[t[(k + 1) % 3]] = t[(k + 2) % 3];
+    }
+  }
+  s.triangles = rest;
+  std::vector<std::uint32_t> ring = {next.begin()->first};
+  while (ring.size() < 6) ring.push_back(next[ring.back()]);
+  std::vector<std::uint32_t> way;
+  for (std::size_t i = 0; i < 3; ++i) {
+    way.push_back(static_cast<std::uint32_t>(s.points.size()));
+    s.points.push_back(0.9 * s.points[centre] + 0.1 * s.points[ring[i]]);
+  }
+  for (std::size_t i = 0; i < 6; ++i) {
+    const std::uint32_t a = ring[i], b = ring[(i + 1) % 6], p = way[i % 3], q = way[(i + 1) % 3];
+    s.triangles.push_back({a, b, p});
+    s.triangles.push_back({b, q, p});
+  }
+  return s;
+}
+
 // Radius between 0.8 and 1.2 over the sphere: embedded, since each ray from the middle meets it once.
 inline TriangleSoup bumpySphere(int levels) {
   TriangleSoup s = icosphere(levels);

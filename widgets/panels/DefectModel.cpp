@@ -147,6 +147,7 @@ QString DefectModel::rowName(DefectKind kind, int row) const {
     case DefectKind::KeptOpen:
       return m_inspection->loopName(loopOf(kind, row));
     case DefectKind::NonManifoldEdge:
+    case DefectKind::OneSided:
       return tr("Edge %1").arg(row + 1);
     case DefectKind::NonManifoldVertex:
       return tr("Vertex %1").arg(defects.nonManifoldVertices[i]);
@@ -169,7 +170,7 @@ QString DefectModel::rowName(DefectKind kind, int row) const {
 QString DefectModel::rowDetail(DefectKind kind, int row) const {
   if (const int loop = loopOf(kind, row); loop >= 0) return m_inspection->loopDetail(loop);
   const HalfEdgeMesh& mesh = m_inspection->document().mesh();
-  if (kind == DefectKind::NonManifoldEdge) {
+  if (kind == DefectKind::NonManifoldEdge || kind == DefectKind::OneSided) {
     const std::vector<Vertex> ends = verticesOf(kind, row);
     return lengthText((mesh.position(ends[0]) - mesh.position(ends[1])).norm(), m_inspection->document().displayUnit());
   }
@@ -206,9 +207,11 @@ std::vector<Vertex> DefectModel::verticesOf(DefectKind kind, int row) const {
   const auto i = static_cast<std::size_t>(row);
   const Defects& defects = m_inspection->document().defects();
   if (kind == DefectKind::NonManifoldVertex) return {defects.nonManifoldVertices[i]};
-  if (kind != DefectKind::NonManifoldEdge && kind != DefectKind::NearVertex) return {};
-  const auto& pair = kind == DefectKind::NearVertex ? defects.nearVertices[i] : defects.nonManifoldEdges[i];
-  return {pair.first, pair.second};
+  const auto ends = [](const auto& pair) { return std::vector<Vertex>{pair.first, pair.second}; };
+  if (kind == DefectKind::NearVertex) return ends(defects.nearVertices[i]);
+  if (kind == DefectKind::OneSided) return ends(defects.oneSidedEdges[i]);
+  if (kind == DefectKind::NonManifoldEdge) return ends(defects.nonManifoldEdges[i]);
+  return {};
 }
 
 std::pair<Box, Vec3> DefectModel::placeOf(const QModelIndex& index) const {
@@ -239,6 +242,8 @@ QString defectKindName(DefectKind kind) {
       return DefectModel::tr("Non-manifold edges");
     case DefectKind::NonManifoldVertex:
       return DefectModel::tr("Non-manifold vertices");
+    case DefectKind::OneSided:
+      return DefectModel::tr("Edges with one side");
     case DefectKind::NearVertex:
       return DefectModel::tr("Near vertices");
     case DefectKind::Flipped:
@@ -266,6 +271,9 @@ QString defectKindHint(DefectKind kind) {
       return DefectModel::tr("Edges at which more than two triangles meet.");
     case DefectKind::NonManifoldVertex:
       return DefectModel::tr("Points at which parts of the surface touch only with a tip.");
+    case DefectKind::OneSided:
+      return DefectModel::tr(
+          "Edges at which inside becomes outside: as a Möbius strip, the surface has one side only.");
     case DefectKind::NearVertex:
       return DefectModel::tr("Vertices on open borders that the file has rounded apart. A repair merges them.");
     case DefectKind::Flipped:

@@ -57,7 +57,7 @@ class DefectModel : public QAbstractItemModel {
   std::vector<Vertex> verticesOf(DefectKind kind, int row) const;
 
   QPointer<const Inspection> m_inspection;
-  std::array<bool, kDefectKinds> m_shown = {true, true, true, true, true, true, true, true, true, true};
+  std::array<bool, kDefectKinds> m_shown = {true, true, true, true, true, true, true, true, true, true, true};
 };
 
 // "Holes", "Non-manifold edges", …

@@ -70,6 +70,8 @@ std::size_t Inspection::count(DefectKind kind) const {
       return defects.nonManifoldEdges.size();
     case DefectKind::NonManifoldVertex:
       return defects.nonManifoldVertices.size();
+    case DefectKind::OneSided:
+      return defects.oneSidedEdges.size();
     case DefectKind::NearVertex:
       return defects.nearVertices.size();
     case DefectKind::Flipped:
@@ -87,7 +89,8 @@ std::size_t Inspection::count(DefectKind kind) const {
 }
 
 bool Inspection::isWatertight() const {
-  return loopCount() == 0 && count(DefectKind::NonManifoldEdge) == 0 && count(DefectKind::NonManifoldVertex) == 0;
+  return loopCount() == 0 && count(DefectKind::NonManifoldEdge) == 0 && count(DefectKind::NonManifoldVertex) == 0 &&
+         count(DefectKind::OneSided) == 0;
 }
 
 bool Inspection::isClean() const {

@@ -43,6 +43,7 @@ QString detailsOf(const Inspection& inspection) {
   const std::size_t tangled =
       inspection.count(DefectKind::NonManifoldEdge) + inspection.count(DefectKind::NonManifoldVertex);
   if (tangled > 0) parts << StateCard::tr("%1 non-manifold").arg(tangled);
+  add(DefectKind::OneSided, [](int n) { return StateCard::tr("%Ln edge(s) with one side", nullptr, n); });
   add(DefectKind::KeptOpen, [](int n) { return StateCard::tr("%Ln kept open", nullptr, n); });
   add(DefectKind::Flipped, [](int n) { return StateCard::tr("%Ln turned over", nullptr, n); });
   add(DefectKind::SelfIntersection, [](int n) { return StateCard::tr("%Ln self-intersection(s)", nullptr, n); });

@@ -18,6 +18,7 @@ constexpr std::array<Look, kDefectKinds> kLooks = {{
     {0xff10a37f, "kept-open"},
     {0xffd246a0, "nonmanifold-edge"},
     {0xffd246a0, "nonmanifold-vertex"},
+    {0xffe8850c, "one-sided"},
     {0xff9b6be0, "near-vertices"},
     {0xffe8850c, "flipped"},
     {0xffd9b400, "degenerate"},

@@ -13,6 +13,7 @@ enum class DefectKind {
   KeptOpen,
   NonManifoldEdge,
   NonManifoldVertex,
+  OneSided,
   NearVertex,
   Flipped,
   Degenerate,
@@ -20,7 +21,7 @@ enum class DefectKind {
   SelfIntersection,
   Debris,
 };
-inline constexpr int kDefectKinds = 10;
+inline constexpr int kDefectKinds = 11;
 
 // The colour of a defect, the same in lists and in the viewport, in both themes. Hues after Okabe and Ito's set, which
 // people with colour blindness tell apart; every use is doubled by the icon.

@@ -120,6 +120,8 @@ std::optional<MeshChange> DefectActions::change() const {
     case DefectKind::NonManifoldEdge:
     case DefectKind::NonManifoldVertex:
       return nonManifoldFix(numbers);
+    case DefectKind::OneSided:
+      return oneSidedFix(options());
     case DefectKind::NearVertex:
       return nearVertexFix(m_fidelity.values().of(nearWeldSetting()), chosen(defects.nearVertices, m_row));
     case DefectKind::Degenerate:

@@ -169,10 +169,12 @@ void DefectScene::drawDefects() {
   m_viewport.setPointMarks(std::move(points));
 
   std::vector<LineMark> lines;
-  if (m_defects.isShown(DefectKind::NonManifoldEdge)) {
+  const Defects& defects = m_document->document.defects();
+  for (DefectKind kind : {DefectKind::NonManifoldEdge, DefectKind::OneSided}) {
+    if (!m_defects.isShown(kind)) continue;
     const HalfEdgeMesh& mesh = m_document->document.mesh();
-    LineMark mark{{}, defectColour(DefectKind::NonManifoldEdge)};
-    for (const auto& [a, b] : m_document->document.defects().nonManifoldEdges) {
+    LineMark mark{{}, defectColour(kind)};
+    for (const auto& [a, b] : kind == DefectKind::OneSided ? defects.oneSidedEdges : defects.nonManifoldEdges) {
       mark.segments.emplace_back(mesh.position(a), mesh.position(b));
     }
     lines.push_back(std::move(mark));

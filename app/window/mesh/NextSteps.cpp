@@ -29,6 +29,7 @@ QString otherFindings(const Inspection& inspection) {
   add(DefectKind::Flipped, [](int n) { return Text::tr("%Ln triangle(s) turned over", nullptr, n); });
   add(DefectKind::NonManifoldEdge, [](int n) { return Text::tr("%Ln non-manifold edge(s)", nullptr, n); });
   add(DefectKind::NonManifoldVertex, [](int n) { return Text::tr("%Ln non-manifold point(s)", nullptr, n); });
+  add(DefectKind::OneSided, [](int n) { return Text::tr("%Ln edge(s) with one side", nullptr, n); });
   add(DefectKind::NearVertex, [](int n) { return Text::tr("%Ln pair(s) of near vertices", nullptr, n); });
   add(DefectKind::Degenerate, [](int n) { return Text::tr("%Ln triangle(s) without area", nullptr, n); });
   add(DefectKind::Duplicate, [](int n) { return Text::tr("%Ln duplicate triangle(s)", nullptr, n); });

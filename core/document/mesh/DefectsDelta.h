@@ -34,6 +34,7 @@ class DefectsDelta {
   Stretch<BoundaryLoop> m_loops;
   Stretch<std::pair<Vertex, Vertex>> m_nonManifoldEdges;
   Stretch<Vertex> m_nonManifoldVertices;
+  Stretch<std::pair<Vertex, Vertex>> m_oneSidedEdges;
   Stretch<Face> m_degenerateFaces;
   Stretch<Face> m_duplicateFaces;
   Stretch<std::pair<Vertex, Vertex>> m_nearVertices;

@@ -10,12 +10,14 @@
 #include "mesh/HardHoles.h"
 #include "mesh/MeshBounds.h"
 #include "mesh/MeshBuilder.h"
+#include "mesh/OneSided.h"
 #include "mesh/PartDuplicates.h"
 #include "mesh/SheetBacking.h"
 #include "mesh/Stitching.h"
 
 #include <QtGlobal>
 #include <algorithm>
+#include <limits>
 
 namespace handwheel {
 namespace {
@@ -60,6 +62,14 @@ MeshChange nonManifoldFix(NumberType numbers) {
   return {QT_TRANSLATE_NOOP("Tool", "Part what only touches"),
           [numbers](HalfEdgeMesh& mesh, Progress progress) { partNonManifold(mesh, numbers, progress); },
           QT_TRANSLATE_NOOP("Tool", "every step apart would make the surface cross itself")};
+}
+
+MeshChange oneSidedFix(const FillOptions& options) {
+  return {QT_TRANSLATE_NOOP("Tool", "Cut and give two sides"),
+          [options](HalfEdgeMesh& mesh, Progress progress) {
+            closeOneSided(mesh, options, std::numeric_limits<double>::infinity(), BorderCuts::Yes, progress);
+          },
+          QT_TRANSLATE_NOOP("Tool", "the cut could not be closed without crossing the part")};
 }
 
 MeshChange crossingFix(NumberType numbers, std::vector<std::pair<Face, Face>> pairs) {

@@ -18,6 +18,8 @@ MeshChange duplicateFix();
 MeshChange nearVertexFix(double nearWeld, std::vector<std::pair<Vertex, Vertex>> pairs = {});
 // Moves what only touches apart by the last digits: edges with more than two faces and parts that hang at a tip.
 MeshChange nonManifoldFix(NumberType numbers);
+// Cuts parts with one side only along short ways until they have two, and closes the cuts.
+MeshChange oneSidedFix(const FillOptions& options);
 // Cuts what crosses, and joins it so that it does not. Pairs: as findSelfIntersections() gives them.
 MeshChange crossingFix(NumberType numbers, std::vector<std::pair<Face, Face>> pairs);
 // Loose pieces: those that contain one of these faces.

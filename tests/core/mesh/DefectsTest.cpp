@@ -77,8 +77,11 @@ void DefectsTest::oneSided() {
   for (const TriangleSoup& s : {test::moebiusStrip(24, 3), test::kleinBottle(20, 8)}) {
     const Defects d = defectsOf(s);
     QVERIFY(d.nonManifoldEdges.empty());
+    QVERIFY(!d.oneSidedEdges.empty());
     QCOMPARE(d.nonManifoldVertices.size(), std::size_t{0});
   }
+  for (const TriangleSoup& s : {test::cube(), test::disc(7, 2), test::boxWithInnerWall()})
+    QVERIFY(defectsOf(s).oneSidedEdges.empty());
 }
 
 void DefectsTest::threeFacesAtAnEdge() {

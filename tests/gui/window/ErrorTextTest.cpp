@@ -47,9 +47,9 @@ class ErrorTextTest : public QObject {
     RepairReport report;
     QVERIFY(repairSummary(report).isEmpty());
     report.turnedFaces = report.removedDegenerate = report.removedDuplicates = report.removedFlaps = 1;
-    report.removedDebris = report.mergedVertices = report.partedVertices = 2;
+    report.removedDebris = report.mergedVertices = report.partedVertices = report.oneSidedCuts = 2;
     const QStringList summary = repairSummary(report);
-    QCOMPARE(summary.size(), 7);
+    QCOMPARE(summary.size(), 8);
     QVERIFY(summary.contains("1 loosely hanging triangle removed"));
     QVERIFY(summary.contains("2 near points merged"));
   }

@@ -51,6 +51,7 @@ class DefectFixesTest : public QObject {
   void nearVertices();
   void onlyOnePair();
   void touchingCubes();
+  void oneSide();
   void crossings();
   void debris();
   void backOfASheet();
@@ -66,6 +67,18 @@ void DefectFixesTest::withoutArea() {
   make(*document, degenerateFix());
   QVERIFY(document->defects().degenerateFaces.empty());
   QVERIFY(test::countEdges(document->mesh()).sound());
+}
+
+void DefectFixesTest::oneSide() {
+  for (const TriangleSoup& soup : {test::sphereWithCrossCap(2), test::kleinBottle(20, 8)}) {
+    const auto document = open(soup);
+    QVERIFY(!document->defects().oneSidedEdges.empty());
+    make(*document, oneSidedFix({}));
+    QVERIFY(document->defects().oneSidedEdges.empty());
+    QVERIFY(test::countEdges(document->mesh()).sound());
+    document->history()->undo();
+    QVERIFY(!document->defects().oneSidedEdges.empty());
+  }
 }
 
 void DefectFixesTest::duplicates() {
