@@ -4,6 +4,7 @@
 
 #include "mesh/CrowdedEdges.h"
 #include "mesh/EdgeOperations.h"
+#include "mesh/GrowingHierarchy.h"
 #include "mesh/PositionTriangles.h"
 #include "mesh/Steps.h"
 #include "proximity/TriangleHierarchy.h"
@@ -103,7 +104,7 @@ class Parter {
         m_mesh.setPosition(v, p);
         m_reach = std::max(m_reach, (p - home).norm());
         if (hasFlatFace(faces)) continue;
-        const std::size_t n = intersections(faces);
+        const std::size_t n = intersections(faces, fewest);
         if (n >= fewest) continue;
         fewest = n;
         best = p;
@@ -148,21 +149,21 @@ class Parter {
     return std::any_of(faces.begin(), faces.end(), [&](Face f) { return isDegenerate(m_mesh.points(f)); });
   }
 
-  // Pairs in which one of these faces takes part.
-  std::size_t intersections(const std::vector<Face>& faces) const {
+  // Pairs in which one of these faces takes part, counted up to so many.
+  std::size_t intersections(const std::vector<Face>& faces, std::size_t most = ~std::size_t{0}) const {
     std::size_t n = 0;
     for (Face f : faces) {
+      if (n >= most) return most;
       const TrianglePoints t = m_mesh.points(f);
       if (isDegenerate(t)) continue;
+      const Box box = boxOf(t);
       const auto meets = [&](Face other) {
         if (other == f) return false;
         const bool isOurs = std::find(faces.begin(), faces.end(), other) != faces.end();
         if (isOurs && other < f) return false;  // counted once
         const TrianglePoints o = m_mesh.points(other);
-        return !isDegenerate(o) && trianglesMeet(t, o);
+        return boxOf(o).intersects(box) && !isDegenerate(o) && trianglesMeet(t, o);
       };
-      Box box(t[0]);
-      box.extend(t[1]).extend(t[2]);
       // The hierarchy holds the places before anything was moved, and split faces whole.
       const Vec3 slack = Vec3::Constant(m_reach);
       m_hierarchy.forEachInBox(Box(box.min() - slack, box.max() + slack), [&](std::uint32_t i) {
@@ -170,10 +171,10 @@ class Parter {
         const auto halves = m_halves.find(m_faces[i]);
         if (halves != m_halves.end())
           n += static_cast<std::size_t>(std::count_if(halves->second.begin(), halves->second.end(), meets));
-        return true;
+        return n < most;
       });
     }
-    return n;
+    return std::min(n, most);
   }
 
   HalfEdgeMesh& m_mesh;
