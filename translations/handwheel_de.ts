@@ -1239,6 +1239,41 @@
     </message>
 </context>
 <context>
+    <name>FidelityPanel</name>
+    <message>
+        <source>%1 % of a processor core for the servo loop</source>
+        <translation>%1 % eines Prozessorkerns für die Servoschleife</translation>
+    </message>
+    <message>
+        <source>%1 % of a servo tick (%2 µs)</source>
+        <translation>%1 % eines Regeltakts (%2 µs)</translation>
+    </message>
+    <message>
+        <source>%1 % of the servo rate for stiffness</source>
+        <translation>%1 % der Takte für die Steifigkeit</translation>
+    </message>
+    <message>
+        <source>%1 % of a frame (%2 ms)</source>
+        <translation>%1 % eines Bildes (%2 ms)</translation>
+    </message>
+    <message>
+        <source>%1 % of a second for a repair</source>
+        <translation>%1 % einer Sekunde für eine Reparatur</translation>
+    </message>
+    <message>
+        <source>%1 % of a second for a fill</source>
+        <translation>%1 % einer Sekunde für eine Füllung</translation>
+    </message>
+    <message>
+        <source>As accurate as leaves a third to spare. Takes %1.</source>
+        <translation>So genau, dass ein Drittel frei bleibt. Braucht %1.</translation>
+    </message>
+    <message>
+        <source>%1: no value is fast enough, the fastest is taken.</source>
+        <translation>%1: Kein Wert ist schnell genug, es gilt der schnellste.</translation>
+    </message>
+</context>
+<context>
     <name>FileFilters</name>
     <message>
         <source>All that Handwheel opens</source>
@@ -1524,6 +1559,13 @@
         <translation>
             <numerusform>%Ln Paar Dreiecke durchdringt sich. Die Liste der Fehler schneidet sie auseinander.</numerusform>
             <numerusform>%Ln Paare von Dreiecken durchdringen sich. Die Liste der Fehler schneidet sie auseinander.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln edge(s) with one side</source>
+        <translation>
+            <numerusform>%Ln Kante mit nur einer Seite</numerusform>
+            <numerusform>%Ln Kanten mit nur einer Seite</numerusform>
         </translation>
     </message>
 </context>
@@ -2224,6 +2266,18 @@
         <source>Lay a bridge</source>
         <translation>Brücke legen</translation>
     </message>
+    <message>
+        <source>New crossings</source>
+        <translation>Neue Durchdringungen</translation>
+    </message>
+    <message>
+        <source>The surface crosses itself here now: undo, or smooth it apart.</source>
+        <translation>Die Oberfläche durchdringt sich hier jetzt: rückgängig machen oder auseinander glätten.</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Angepasst</translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -2434,6 +2488,13 @@
     <message>
         <source>Area and bend</source>
         <translation>Fläche und Knick</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cut(s) where the surface had one side only</source>
+        <translation>
+            <numerusform>%n Schnitt, wo die Oberfläche nur eine Seite hatte</numerusform>
+            <numerusform>%n Schnitte, wo die Oberfläche nur eine Seite hatte</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2969,6 +3030,18 @@
         <source>join instead of bridging</source>
         <translation>verbinden statt überbrücken</translation>
     </message>
+    <message>
+        <source>Cut and give two sides</source>
+        <translation>Aufschneiden und zwei Seiten geben</translation>
+    </message>
+    <message>
+        <source>the cut could not be closed without crossing the part</source>
+        <translation>der Schnitt ließe sich nicht schließen, ohne das Teil zu durchdringen</translation>
+    </message>
+    <message>
+        <source>undo: the surface crosses itself now</source>
+        <translation>rückgängig: die Oberfläche durchdringt sich jetzt</translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
@@ -3086,6 +3159,60 @@
     <message>
         <source>Held: %1</source>
         <translation>Gehalten: %1</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::CalibrationRow</name>
+    <message>
+        <source>Measuring this machine</source>
+        <translation>Dieser Rechner wird gemessen</translation>
+    </message>
+    <message>
+        <source>Measuring this machine: %1</source>
+        <translation>Dieser Rechner wird gemessen: %1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Measure this machine</source>
+        <translation>Diesen Rechner messen</translation>
+    </message>
+    <message>
+        <source>Takes about half a minute. You can go on working.</source>
+        <translation>Dauert etwa eine halbe Minute. Sie können weiterarbeiten.</translation>
+    </message>
+    <message>
+        <source>The curves came with the program: %1, %2.</source>
+        <translation>Die Kurven kamen mit dem Programm: %1, %2.</translation>
+    </message>
+    <message>
+        <source>The curves are of this machine, %1.</source>
+        <translation>Die Kurven sind von diesem Rechner, %1.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 curves are of this machine.</source>
+        <translation>%1 von %2 Kurven sind von diesem Rechner.</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::Calibrator</name>
+    <message>
+        <source>What was measured on this machine cannot be used: %1</source>
+        <translation>Was auf diesem Rechner gemessen wurde, ist nicht zu gebrauchen: %1</translation>
+    </message>
+    <message>
+        <source>the file is damaged.</source>
+        <translation>Die Datei ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>What was measured before is of another machine (%1).</source>
+        <translation>Was früher gemessen wurde, ist von einem anderen Rechner (%1).</translation>
+    </message>
+    <message>
+        <source>It could not be kept for the next time: %1</source>
+        <translation>Es konnte nicht für das nächste Mal aufgehoben werden: %1</translation>
     </message>
 </context>
 <context>
@@ -3322,6 +3449,14 @@
     <message>
         <source>Pairs of triangles that pass through each other. “Repair all” leaves them as they are.</source>
         <translation>Paare von Dreiecken, die einander durchdringen. „Alles reparieren“ lässt sie, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>Edges with one side</source>
+        <translation>Kanten mit nur einer Seite</translation>
+    </message>
+    <message>
+        <source>Edges at which inside becomes outside: as a Möbius strip, the surface has one side only.</source>
+        <translation>Kanten, an denen innen zu außen wird: Wie ein Möbiusband hat die Oberfläche nur eine Seite.</translation>
     </message>
 </context>
 <context>
@@ -4191,6 +4326,14 @@
         <source>Record</source>
         <translation>Aufnahme</translation>
     </message>
+    <message>
+        <source>&amp;Measure this machine</source>
+        <translation>Diesen Rechner &amp;messen</translation>
+    </message>
+    <message>
+        <source>How fast each setting of the panel “Fidelity” is here: about half a minute</source>
+        <translation>Wie schnell jede Einstellung des Bereichs „Genauigkeit“ hier ist: etwa eine halbe Minute</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::MappingForm</name>
@@ -4771,6 +4914,13 @@
         <source>Why: %1.</source>
         <translation>Grund: %1.</translation>
     </message>
+    <message numerus="yes">
+        <source>%1: %n more pair(s) of triangles cross; undo takes that back</source>
+        <translation>
+            <numerusform>%1: %n Paar Dreiecke mehr durchdringt sich; Rückgängig nimmt das zurück</numerusform>
+            <numerusform>%1: %n Paare von Dreiecken mehr durchdringen sich; Rückgängig nimmt das zurück</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>handwheel::RepairShow</name>
@@ -5176,12 +5326,34 @@
         <source>Manifold</source>
         <translation>Mannigfaltig</translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln edge(s) with one side</source>
+        <translation>
+            <numerusform>%Ln Kante mit nur einer Seite</numerusform>
+            <numerusform>%Ln Kanten mit nur einer Seite</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>handwheel::StatusPanel</name>
     <message>
         <source>Services</source>
         <translation>Dienste</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::TickUse</name>
+    <message>
+        <source>Servo tick in use: %1 of %2 µs (%3 %)</source>
+        <translation>Vom Regeltakt belegt: %1 von %2 µs (%3 %)</translation>
+    </message>
+    <message>
+        <source>Predicted while touching: %1 µs</source>
+        <translation>Vorhersage beim Berühren: %1 µs</translation>
+    </message>
+    <message>
+        <source>While touching: %1 µs, predicted %2 µs (%3 %)</source>
+        <translation>Beim Berühren: %1 µs, vorhergesagt %2 µs (%3 %)</translation>
     </message>
 </context>
 <context>

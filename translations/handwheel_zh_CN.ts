@@ -1239,6 +1239,41 @@
     </message>
 </context>
 <context>
+    <name>FidelityPanel</name>
+    <message>
+        <source>%1 % of a processor core for the servo loop</source>
+        <translation>伺服循环占用一个处理器核心的 %1 %</translation>
+    </message>
+    <message>
+        <source>%1 % of a servo tick (%2 µs)</source>
+        <translation>伺服节拍（%2 µs）的 %1 %</translation>
+    </message>
+    <message>
+        <source>%1 % of the servo rate for stiffness</source>
+        <translation>刚度占用伺服频率的 %1 %</translation>
+    </message>
+    <message>
+        <source>%1 % of a frame (%2 ms)</source>
+        <translation>一帧（%2 ms）的 %1 %</translation>
+    </message>
+    <message>
+        <source>%1 % of a second for a repair</source>
+        <translation>一次修复占用一秒的 %1 %</translation>
+    </message>
+    <message>
+        <source>%1 % of a second for a fill</source>
+        <translation>一次填补占用一秒的 %1 %</translation>
+    </message>
+    <message>
+        <source>As accurate as leaves a third to spare. Takes %1.</source>
+        <translation>在留出三分之一余量的前提下尽可能精确。占用：%1。</translation>
+    </message>
+    <message>
+        <source>%1: no value is fast enough, the fastest is taken.</source>
+        <translation>%1：没有足够快的值，采用最快的值。</translation>
+    </message>
+</context>
+<context>
     <name>FileFilters</name>
     <message>
         <source>All that Handwheel opens</source>
@@ -1512,6 +1547,12 @@
         <source>%Ln pair(s) of triangles cross. The list of defects cuts them apart.</source>
         <translation>
             <numerusform>有 %Ln 对三角形相交。可在缺陷列表中将其切开。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln edge(s) with one side</source>
+        <translation>
+            <numerusform>%Ln 条单侧面的边</numerusform>
         </translation>
     </message>
 </context>
@@ -2212,6 +2253,18 @@
         <source>Lay a bridge</source>
         <translation>架桥</translation>
     </message>
+    <message>
+        <source>New crossings</source>
+        <translation>新的相交</translation>
+    </message>
+    <message>
+        <source>The surface crosses itself here now: undo, or smooth it apart.</source>
+        <translation>表面在此处自相交：请撤销，或将其平滑分开。</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>适配</translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -2414,6 +2467,12 @@
     <message>
         <source>Area and bend</source>
         <translation>面积与弯折</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cut(s) where the surface had one side only</source>
+        <translation>
+            <numerusform>在仅有一侧的表面上切开 %n 处</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2949,6 +3008,18 @@
         <source>join instead of bridging</source>
         <translation>合并而不架桥</translation>
     </message>
+    <message>
+        <source>Cut and give two sides</source>
+        <translation>切开并赋予两侧</translation>
+    </message>
+    <message>
+        <source>the cut could not be closed without crossing the part</source>
+        <translation>无法在不穿过零件的情况下封闭切口</translation>
+    </message>
+    <message>
+        <source>undo: the surface crosses itself now</source>
+        <translation>撤销：表面现已自相交</translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
@@ -3065,6 +3136,60 @@
     <message>
         <source>Held: %1</source>
         <translation>按住：%1</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::CalibrationRow</name>
+    <message>
+        <source>Measuring this machine</source>
+        <translation>正在测量本机</translation>
+    </message>
+    <message>
+        <source>Measuring this machine: %1</source>
+        <translation>正在测量本机：%1</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Measure this machine</source>
+        <translation>测量本机</translation>
+    </message>
+    <message>
+        <source>Takes about half a minute. You can go on working.</source>
+        <translation>大约需要半分钟。您可以继续工作。</translation>
+    </message>
+    <message>
+        <source>The curves came with the program: %1, %2.</source>
+        <translation>曲线随程序提供：%1，%2。</translation>
+    </message>
+    <message>
+        <source>The curves are of this machine, %1.</source>
+        <translation>曲线在本机测得，%1。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 curves are of this machine.</source>
+        <translation>%2 条曲线中有 %1 条在本机测得。</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::Calibrator</name>
+    <message>
+        <source>What was measured on this machine cannot be used: %1</source>
+        <translation>本机的测量结果无法使用：%1</translation>
+    </message>
+    <message>
+        <source>the file is damaged.</source>
+        <translation>文件已损坏。</translation>
+    </message>
+    <message>
+        <source>What was measured before is of another machine (%1).</source>
+        <translation>以前的测量结果来自另一台机器（%1）。</translation>
+    </message>
+    <message>
+        <source>It could not be kept for the next time: %1</source>
+        <translation>无法保存以供下次使用：%1</translation>
     </message>
 </context>
 <context>
@@ -3298,6 +3423,14 @@
     <message>
         <source>Pairs of triangles that pass through each other. “Repair all” leaves them as they are.</source>
         <translation>相互穿过的三角形对。“全部修复”会保持其原样。</translation>
+    </message>
+    <message>
+        <source>Edges with one side</source>
+        <translation>单侧面的边</translation>
+    </message>
+    <message>
+        <source>Edges at which inside becomes outside: as a Möbius strip, the surface has one side only.</source>
+        <translation>内侧在这些边处变为外侧：表面如莫比乌斯带，只有一侧。</translation>
     </message>
 </context>
 <context>
@@ -4164,6 +4297,14 @@
         <source>Record</source>
         <translation>录制</translation>
     </message>
+    <message>
+        <source>&amp;Measure this machine</source>
+        <translation>测量本机(&amp;M)</translation>
+    </message>
+    <message>
+        <source>How fast each setting of the panel “Fidelity” is here: about half a minute</source>
+        <translation>“保真度”面板的每项设置在本机有多快：大约半分钟</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::MappingForm</name>
@@ -4740,6 +4881,12 @@
         <source>Why: %1.</source>
         <translation>原因：%1。</translation>
     </message>
+    <message numerus="yes">
+        <source>%1: %n more pair(s) of triangles cross; undo takes that back</source>
+        <translation>
+            <numerusform>%1：新增 %n 对相交的三角形；撤销可恢复</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>handwheel::RepairShow</name>
@@ -5139,12 +5286,33 @@
         <source>Manifold</source>
         <translation>流形</translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln edge(s) with one side</source>
+        <translation>
+            <numerusform>%Ln 条单侧面的边</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>handwheel::StatusPanel</name>
     <message>
         <source>Services</source>
         <translation>服务</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::TickUse</name>
+    <message>
+        <source>Servo tick in use: %1 of %2 µs (%3 %)</source>
+        <translation>伺服节拍占用：%2 µs 中的 %1 µs（%3 %）</translation>
+    </message>
+    <message>
+        <source>Predicted while touching: %1 µs</source>
+        <translation>触碰时的预测：%1 µs</translation>
+    </message>
+    <message>
+        <source>While touching: %1 µs, predicted %2 µs (%3 %)</source>
+        <translation>触碰时：%1 µs，预测 %2 µs（%3 %）</translation>
     </message>
 </context>
 <context>
