@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/ActionTip.h"
 
+#include "theme/Icons.h"
+
 #include <QAction>
 
 namespace handwheel {
@@ -13,6 +15,12 @@ void setTip(QAction& action, const QString& tip) {
   };
   QObject::connect(&action, &QAction::changed, &action, show);
   show();
+}
+
+void prepare(QAction& action, const char* name, const char* iconName, const QString& tip) {
+  action.setObjectName(QString::fromLatin1(name));
+  if (iconName) action.setIcon(icon(QString::fromLatin1(iconName)));
+  setTip(action, tip);
 }
 
 }  // namespace handwheel

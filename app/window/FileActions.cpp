@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/FileActions.h"
 
-#include "theme/Icons.h"
 #include "window/ActionTip.h"
 #include "window/ClosePrompt.h"
 #include "window/DocumentTabs.h"
@@ -35,12 +34,6 @@ void rememberFolder(const QString& path) {
 
 bool isSample(const QFileInfo& file) {
   return file == QFileInfo(samplePath(kScanSample)) || file == QFileInfo(samplePath(kRobotSample));
-}
-
-void prepare(QAction& action, const char* name, const char* iconName, const QString& tip) {
-  action.setObjectName(QString::fromLatin1(name));
-  action.setIcon(icon(QString::fromLatin1(iconName)));
-  setTip(action, tip);
 }
 
 // "part-2.handwheel", or what number is free.

@@ -22,12 +22,6 @@ namespace handwheel {
 
 namespace {
 
-void prepare(QAction& action, const char* name, const char* iconName, const QString& tip) {
-  action.setObjectName(QString::fromLatin1(name));
-  action.setIcon(icon(QString::fromLatin1(iconName)));
-  setTip(action, tip);
-}
-
 const KeptRecording* withKey(const std::vector<KeptRecording>& all, const std::string& key) {
   const auto found = std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.key == key; });
   return found == all.end() ? nullptr : &*found;

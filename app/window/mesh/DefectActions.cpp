@@ -3,7 +3,6 @@
 #include "window/mesh/DefectActions.h"
 
 #include "mesh/MeshFidelity.h"
-#include "theme/Icons.h"
 #include "tools/mesh/DefectFixes.h"
 #include "window/ActionTip.h"
 #include "window/FidelityChoice.h"
@@ -17,12 +16,6 @@
 namespace handwheel {
 
 namespace {
-
-void prepare(QAction& action, const char* name, const char* iconName, const QString& tip) {
-  action.setObjectName(QString::fromLatin1(name));
-  action.setIcon(icon(QString::fromLatin1(iconName)));
-  setTip(action, tip);
-}
 
 // One of them, or all for -1. (lupdate would take the name in a template's head for the class of all tr() below.)
 auto chosen(const auto& values, int row) {

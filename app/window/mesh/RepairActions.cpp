@@ -3,7 +3,6 @@
 #include "window/mesh/RepairActions.h"
 
 #include "mesh/MeshFidelity.h"
-#include "theme/Icons.h"
 #include "window/ActionTip.h"
 #include "window/FidelityChoice.h"
 #include "window/mesh/OpenMesh.h"
@@ -23,10 +22,8 @@ constexpr int kLookMs = 450;
 
 void prepare(QAction& action, const char* name, const char* iconName, const QList<QKeySequence>& keys,
              const QString& tip) {
-  action.setObjectName(QString::fromLatin1(name));
-  if (iconName) action.setIcon(icon(QString::fromLatin1(iconName)));
   action.setShortcuts(keys);
-  setTip(action, tip);
+  prepare(action, name, iconName, tip);
 }
 
 }  // namespace

@@ -61,8 +61,8 @@ RepairShow::RepairShow(const WindowParts& parts, const RepairJobs& jobs, QObject
       m_hand(parts.haptics, parts.viewport, this),
       m_action(tr("&Watch the hand repair a scan"), this),
       m_stop(tr("Stop"), this) {
-  m_action.setObjectName(QStringLiteral("watchRepair"));
-  setTip(m_action, tr("The simulated hand repairs a hole of the sample, by the tools that you have, too"));
+  prepare(m_action, "watchRepair", "hand",
+          tr("The simulated hand repairs a hole of the sample, by the tools that you have, too"));
   m_action.setEnabled(parts.openSample->isEnabled());
   m_stop.setObjectName(QStringLiteral("stopShow"));
   connect(&m_action, &QAction::triggered, this, &RepairShow::start);

@@ -311,47 +311,6 @@ class HapticSessionTest : public QObject {
     QVERIFY(most.maxCoeff() > 0.0);
     QTRY_VERIFY(b.session->latest()->sent.isZero());
   }
-
-  void touchIsRemembered() {
-    QVERIFY(keptTouch() == TouchSettings());
-    const TouchSettings touch{TouchSettings().stiffness, 0.002, 0.7};  // which is kept elsewhere
-    keepTouch(touch);
-    QVERIFY(keptTouch() == touch);
-  }
-
-  // A file that somebody has written by hand must not push: what makes no sense is not taken, the rest is.
-  void touchThatMakesNoSenseIsNotTaken() {
-    for (const char* text : {"nan", "inf", "-1", "1e300", "much", ""}) {
-      QSettings().setValue("haptics/touch_damping", text);
-      QSettings().setValue("haptics/touch_friction", 0.25);
-      QCOMPARE(keptTouch().damping, TouchSettings().damping);
-      QCOMPARE(keptTouch().friction, 0.25);
-    }
-  }
-
-  // Each property sets what it shows, and nothing else.
-  void touchAsAForm() {
-    for (const Property& property : propertiesOf({})) {
-      TouchSettings touch;
-      const double value = 0.5 * property.largest;
-      handwheel::setProperty(touch, property.id, value);
-      for (const Property& shown : propertiesOf(touch)) {
-        if (shown.id == property.id) {
-          QCOMPARE(std::get<double>(shown.value), value);
-        } else {
-          for (const Property& before : propertiesOf({}))
-            if (before.id == shown.id) QVERIFY(before.value == shown.value);
-        }
-      }
-      handwheel::setProperty(touch, property.id, 1e9);
-      for (const Property& shown : propertiesOf(touch))
-        if (shown.id == property.id) QCOMPARE(std::get<double>(shown.value), property.largest);
-    }
-    TouchSettings touch;
-    handwheel::setProperty(touch, "colour", 1.0);
-    handwheel::setProperty(touch, "touch_stiffness", std::numeric_limits<double>::quiet_NaN());
-    QVERIFY(touch == TouchSettings());
-  }
 };
 
 QTEST_GUILESS_MAIN(HapticSessionTest)

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../StlFiles.h"
 #include "../WindowDriver.h"
 #include "../WindowTestMain.h"
 #include "MeshShapes.h"
+#include "SoupCorners.h"
 #include "window/FidelityChoice.h"
 #include "window/haptics/HapticSession.h"
 
@@ -22,17 +22,7 @@ bool isSame(double a, double b) {
 constexpr double kRadius = 50.0;
 
 std::vector<Corners> ballOf(int levels, const Vec3& centre, double radius) {
-  const TriangleSoup soup = moved(icosphere(levels), centre, radius);
-  std::vector<Corners> all;
-  for (const Triangle& t : soup.triangles) {
-    Corners corners;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3& p = soup.points[t[k]];
-      corners[k] = {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
-    }
-    all.push_back(corners);
-  }
-  return all;
+  return cornersOf(moved(icosphere(levels), centre, radius));
 }
 
 // A window with a ball in it and the simulated hand open.

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../StlFiles.h"
 #include "../WindowDriver.h"
 #include "../WindowTestMain.h"
 #include "MeshShapes.h"
+#include "SoupCorners.h"
 #include "document/Document.h"
 #include "haptics/ForceRecorder.h"
 #include "window/DocumentTabs.h"
@@ -33,18 +33,6 @@ struct RecordBench {
   }
   ~RecordBench() { session.close(); }
 
-  static std::vector<Corners> cornersOf(const TriangleSoup& soup) {
-    std::vector<Corners> all;
-    for (const Triangle& t : soup.triangles) {
-      Corners corners;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Vec3& p = soup.points[t[k]];
-        corners[k] = {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
-      }
-      all.push_back(corners);
-    }
-    return all;
-  }
   bool begin() {
     if (!driver.open(stl)) return false;
     session.choose("simulated", "hand");

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/ForceTest.h"
+#include "haptics/MouseDevice.h"
+#include "window/haptics/DeviceMapping.h"
+#include "window/haptics/DeviceMessages.h"
+#include "window/haptics/OpenDevice.h"
+
+#include <algorithm>
+
+// What HapticSession does with a device that is open: recording, mapping, forces, and what a sample says.
+namespace handwheel {
+
+namespace {
+
+constexpr int kRateMs = 500;           // over which the rate is measured
+constexpr double kTestTail = 0.2;      // s after the last pull, for what the safety chain has delayed
+constexpr double kLetGo = 0.02;        // N: a force that may break off unnoticed
+constexpr double kLongestWait = 0.25;  // s for it: what damps a moving hand may stay
+
+}  // namespace
+
+void HapticSession::startRecording() {
+  if (!m_open || m_open->recorder) return;
+  m_open->recorder = std::make_unique<ForceRecorder>(*m_open->loop);
+  m_open->recorder->start();
+  emit recordingStarted();
+}
+
+void HapticSession::stopRecording() {
+  if (!m_open || !m_open->recorder) return;
+  const auto recorder = std::move(m_open->recorder);
+  recorder->stop();
+  emit recorded(recorder->recording(), nameOf(m_chosen), m_open->capabilities.maxForce / mappingInScene().forceGain);
+}
+
+const ForceRecorder* HapticSession::recorder() const {
+  return m_open ? m_open->recorder.get() : nullptr;
+}
+
+void HapticSession::mark(const QString& event) {
+  if (m_open && m_open->recorder) m_open->recorder->mark(event.toStdString());
+}
+
+const ServoSample* HapticSession::latest() const {
+  return m_open && m_open->sample ? &*m_open->sample : nullptr;
+}
+
+const LoopMeasure* HapticSession::measure() const {
+  return m_open ? &m_open->loop->measure() : nullptr;
+}
+
+RealTimeState HapticSession::realTime() const {
+  return m_open ? m_open->loop->realTime() : RealTimeState::NotRunning;
+}
+
+std::uint64_t HapticSession::missedTicks() const {
+  return m_open ? m_open->loop->missedTicks() : 0;
+}
+
+void HapticSession::setMapping(const WorkspaceMapping& mapping) {
+  m_mapping = mapping;
+  if (!m_open) return;
+  keepMapping(m_chosen.driver, mapping);
+  applyMapping(true);
+  announceLeap();  // with other axes or another scale the force turns about
+  emit mappingChanged();
+}
+
+void HapticSession::setView(const CameraState& camera, const Box& model, const std::optional<Vec3>& seen) {
+  m_camera = camera;
+  m_model = model;
+  m_seen = seen;
+  if (!m_open) return;
+  const ServoSample* const last = latest();
+  applyMapping(last && isInView(camera, last->tip.position));
+}
+
+void HapticSession::recentre() {
+  applyMapping(false);
+}
+
+// The mouse points in the scene itself.
+WorkspaceMapping HapticSession::mappingInScene() const {
+  if (!m_open || m_open->mouse) return {};
+  return mappingInView(m_mapping, m_open->capabilities, m_camera, m_model, m_seen);
+}
+
+void HapticSession::applyMapping(bool keepsTip) {
+  if (!m_open) return;
+  WorkspaceMapping mapping = mappingInScene();
+  mapping.keepsTip = keepsTip && !m_open->mouse;
+  emit viewChanged();
+  m_open->loop->setMapping(mapping);
+}
+
+void HapticSession::setTouch(const TouchSettings& touch) {
+  if (touch == m_touch) return;
+  m_touch = touch;
+  keepTouch(touch);
+  emit touchChanged();
+}
+
+void HapticSession::setForceOn(bool isOn) {
+  if (isOn == m_isForceOn) return;
+  m_isForceOn = isOn;
+  if (m_open && !m_open->isChangingSince) m_open->loop->setForceOn(isOn);
+  emit forceOnChanged(isOn);
+}
+
+// A force that broke off in contact would be felt as a blow: it goes first.
+void HapticSession::setServo(const ServoSettings& servo) {
+  if (servo == m_servo) return;
+  m_servo = servo;
+  if (!m_open || m_open->isChangingSince) return;
+  m_open->isChangingSince = latest() ? latest()->tip.time : 0.0;
+  m_open->loop->setForceOn(false);
+}
+
+void HapticSession::changeServo() {
+  const ServoSample& last = *m_open->sample;
+  if (last.sent.force.norm() > kLetGo && last.tip.time < *m_open->isChangingSince + kLongestWait) return;
+  m_open->isChangingSince.reset();
+  m_open->loop->stop();
+  m_open->loop->setSettings(m_servo);
+  m_open->loop->setForceOn(m_isForceOn);
+  m_open->loop->start();
+}
+
+void HapticSession::startForceTest() {
+  if (!latest()) return;
+  auto scene = std::make_unique<HapticScene>();
+  scene->source = std::make_unique<ForceTest>(kTestForce, mappingInScene());
+  m_open->loop->setScene(std::move(scene));
+  m_testEnd = latest()->tip.time + ForceTest::kDuration + kTestTail;
+}
+
+void HapticSession::setScene(std::unique_ptr<HapticScene> scene) {
+  if (m_open && !m_testEnd) m_open->loop->setScene(std::move(scene));
+}
+
+void HapticSession::announceLeap() {
+  if (m_open) m_open->loop->announceLeap();
+}
+
+MouseDevice* HapticSession::mouse() const {
+  return m_open ? m_open->mouse : nullptr;
+}
+
+SimulatedDevice* HapticSession::simulatedHand() const {
+  return m_open ? m_open->hand : nullptr;
+}
+
+void HapticSession::sample() {
+  m_open->loop->collect();
+  // Before the first tick the channel holds a sample that nobody has made.
+  if (m_parts.services.haptics().counters().ticks == m_open->ticksBefore) return;
+  const DeviceStatus before = m_open->sample ? m_open->sample->device.status : DeviceStatus::Starting;
+  m_open->sample = m_open->loop->latest();
+  measureRate();
+  if (m_open->sample->device.status != before) tellStatus(m_open->sample->device.status);
+  if (m_open->recorder && m_open->recorder->isFull()) stopRecording();
+  if (m_testEnd && m_open->sample->tip.time > *m_testEnd) endForceTest();
+  if (m_open->isChangingSince) changeServo();
+  emit sampled();
+}
+
+void HapticSession::endForceTest() {
+  m_testEnd.reset();
+  setScene(std::make_unique<HapticScene>());
+  emit sceneWanted();
+}
+
+void HapticSession::measureRate() {
+  if (m_rateClock.elapsed() < kRateMs) return;
+  const std::uint64_t tick = m_open->sample->tick;
+  m_rate = 1e3 * static_cast<double>(tick - m_rateTick) / static_cast<double>(m_rateClock.restart());
+  m_rateTick = tick;
+}
+
+void HapticSession::tellStatus(DeviceStatus status) {
+  if (m_open->mouse || (status != DeviceStatus::Absent && status != DeviceStatus::Failed)) return;
+  emit message(lostMessage(nameOf(m_chosen), status));
+}
+
+}  // namespace handwheel

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "../StlFiles.h"
+#include "mesh/TriangleSoup.h"
+
+namespace handwheel::test {
+
+// As writeStl() takes them.
+inline std::vector<Corners> cornersOf(const TriangleSoup& soup) {
+  std::vector<Corners> all;
+  for (const Triangle& t : soup.triangles) {
+    Corners corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& p = soup.points[t[k]];
+      corners[k] = {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
+    }
+    all.push_back(corners);
+  }
+  return all;
+}
+
+}  // namespace handwheel::test
