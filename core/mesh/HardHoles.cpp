@@ -3,8 +3,10 @@
 #include "mesh/HardHoles.h"
 
 #include "base/Tolerance.h"
+#include "mesh/GrowingHierarchy.h"
 #include "mesh/LoopOwners.h"
 #include "mesh/MeshBuilder.h"
+#include "mesh/MeshPart.h"
 #include "mesh/PositionTriangles.h"
 #include "mesh/SheetBacking.h"
 #include "mesh/Uncrossing.h"
@@ -29,6 +31,10 @@ constexpr Way kWays[] = {{FillMethod::Fair},        {FillMethod::Refined},    {F
 constexpr std::size_t kConeEdges = 16;
 // Backed is only a sheet that is hardly more than its edge.
 constexpr std::size_t kBackedFacesPerEdge = 4;
+// How often the box of a trial is made larger, where what crosses reaches out of it, before all of the mesh is taken;
+constexpr int kNearbyRounds = 4;
+// and how many faces are looked at for it in the time that one takes in a trial.
+constexpr std::size_t kScanWork = 20;
 
 std::vector<BoundaryLoop> numbered(std::span<const HardHole> holes) {
   std::vector<BoundaryLoop> loops;
@@ -88,6 +94,7 @@ class Closer {
   // True when there is nothing more to try with these.
   bool tryTogether(std::span<const std::size_t> some) {
     if (m_proposals.empty()) propose();
+    if (const auto done = tryNearby(some)) return *done;
     HalfEdgeMesh changed = m_mesh;
     std::vector<HardClosing> closings(m_holes.size());
     std::vector<Face> newFaces, sheets;
@@ -105,6 +112,86 @@ class Closer {
     }
     giveBacks(changed, sheets, newFaces);
     return newFaces.empty() || keepIfSound(std::move(changed), newFaces, closings);
+  }
+
+  // The same, with the faces near the holes only; nothing where that is not much less work, or no patches are tried.
+  std::optional<bool> tryNearby(std::span<const std::size_t> some) {
+    std::vector<const Proposal*> chosen;
+    Box box;
+    for (const Proposal& p : m_proposals) {
+      if (std::find(some.begin(), some.end(), p.hole) == some.end()) continue;
+      if (!p.patch) return std::nullopt;
+      chosen.push_back(&p);
+      for (const Vec3& point : p.patch->points) box.extend(point);
+    }
+    if (chosen.empty()) return true;
+    for (int round = 0; round < kNearbyRounds && !m_progress.cancelled(); ++round) {
+      const MeshPart part(m_mesh, box);
+      m_result.work += m_mesh.faceSlots() / kScanWork;
+      if (part.faceCount() > m_mesh.faceSlots() / 2) return std::nullopt;
+      const NearbyTrial trial = tryIn(part, chosen);
+      if (trial.isOutside) return std::nullopt;
+      if (box.contains(trial.reach)) {
+        if (trial.isSound) keep(part, trial, chosen);
+        return trial.isSound;
+      }
+      box.extend(trial.reach);
+    }
+    return std::nullopt;
+  }
+
+  struct NearbyTrial {
+    bool isOutside = false;  // the part does not hold the holes as they are
+    bool isSound = false;
+    Box reach;  // of what crosses the patches, and of what was changed
+    HalfEdgeMesh changed;
+    std::size_t cutFaces = 0;
+    std::size_t fewerCrossings = 0;
+    std::size_t fewerBadEdges = 0;
+  };
+
+  NearbyTrial tryIn(const MeshPart& part, const std::vector<const Proposal*>& chosen) {
+    NearbyTrial trial;
+    trial.changed = part.mesh();
+    std::vector<Face> newFaces;
+    for (const Proposal* p : chosen) {
+      BoundaryLoop loop = p->loop;
+      for (HalfEdge& h : loop.halfEdges) {
+        h = part.halfEdgeOf(m_mesh, h);
+        if (h == kNone || part.mesh().hasOpposite(h)) trial.isOutside = true;
+      }
+      if (trial.isOutside) return trial;
+      for (std::size_t i = 0; i < p->patch->triangles.size(); ++i)
+        newFaces.push_back(static_cast<Face>(trial.changed.faceSlots() + i));
+      putPatch(trial.changed, loop, *p->patch);
+    }
+    for (const Face f : crossingCluster(trial.changed, newFaces, m_options.numbers, now()))
+      trial.reach.extend(boxOf(trial.changed.points(f)));
+    const std::size_t crossings = countCrossings(part.mesh(), m_options.numbers, now());
+    const UncrossReport report = uncross(trial.changed, newFaces, m_options.numbers, crossings, now());
+    m_result.work += part.faceCount() + tolerance::kCutWork * report.cutFaces;
+    if (report.crossingsAfter > crossings) return trial;
+    const std::size_t before = countBadEdges(part.mesh(), now()), after = countBadEdges(trial.changed, now());
+    if (m_progress.cancelled() || after >= before) return trial;
+    trial.reach.extend(part.changesIn(trial.changed));
+    trial.cutFaces = report.changed ? report.cutFaces : 0;
+    trial.fewerCrossings = crossings - report.crossingsAfter;
+    trial.fewerBadEdges = before - after;
+    trial.isSound = true;
+    return trial;
+  }
+
+  void keep(const MeshPart& part, const NearbyTrial& trial, const std::vector<const Proposal*>& chosen) {
+    m_crossings -= trial.fewerCrossings;
+    m_badEdges -= trial.fewerBadEdges;
+    m_result.cutFaces += trial.cutFaces;
+    for (const Proposal* p : chosen) {
+      HardClosing& hole = m_result.holes[p->hole];
+      hole = {true, p->patch->method, hole.newFaces + p->patch->triangles.size()};
+    }
+    part.putBack(m_mesh, trial.changed);
+    relink(m_mesh, now());
+    m_proposals.clear();
   }
 
   // For all that is left, with the mesh as it is and the method.

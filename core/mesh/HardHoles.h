@@ -29,8 +29,9 @@ struct HardClosings {
 // Closes loops of the mesh by patches that may cross the part, which is then cut and uncrossed there (uncross()), or
 // by giving their sheet a back (backSheet()). Takes only what leaves no more crossings than there were, and fewer edges
 // without two faces. All are tried together, then by halves, so that a bad one costs its own closing only.
-// thickness: of backs, mm. No trial begins once the work is over mostWork. O(n) for the mesh in each trial; one trial
-// where all goes well.
+// thickness: of backs, mm. No trial begins once the work is over mostWork. A trial takes the faces near its holes
+// (MeshPart), and O(n) to find them; all of the mesh where these are half of it, or with backs. O(n) for each that is
+// kept.
 HardClosings closeHardHoles(HalfEdgeMesh& mesh, std::span<const HardHole> holes, const FillOptions& options,
                             double thickness, std::size_t mostWork, Progress progress = {});
 

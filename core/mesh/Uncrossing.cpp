@@ -112,6 +112,15 @@ std::size_t countCrossings(const HalfEdgeMesh& mesh, NumberType numbers, Progres
   return pairs ? pairs->size() : 0;
 }
 
+std::vector<Face> crossingCluster(const HalfEdgeMesh& mesh, const std::vector<Face>& faces, NumberType numbers,
+                                  Progress progress) {
+  std::vector<Face> found;
+  const auto pairs = crossings(mesh, numbers, progress);
+  if (!pairs) return found;
+  for (const auto& [f, g] : cluster(*pairs, faces, mesh.faceSlots())) found.insert(found.end(), {f, g});
+  return found;
+}
+
 UncrossReport uncross(HalfEdgeMesh& mesh, const std::vector<Face>& faces, NumberType numbers, std::size_t allowed,
                       Progress progress) {
   return uncrossWithin(mesh, faces, numbers, allowed, progress);

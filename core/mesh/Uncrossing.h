@@ -12,6 +12,10 @@ namespace handwheel {
 // Pairs of faces that meet, as a file of these numbers shows the mesh. 0 once cancelled.
 std::size_t countCrossings(const HalfEdgeMesh& mesh, NumberType numbers, Progress progress = {});
 
+// The faces that meet these, as such a file shows the mesh, those that meet them, and so on. None once cancelled.
+std::vector<Face> crossingCluster(const HalfEdgeMesh& mesh, const std::vector<Face>& faces, NumberType numbers,
+                                  Progress progress = {});
+
 struct UncrossReport {
   bool changed = false;             // else the mesh is as it was
   std::size_t cutFaces = 0;         // of the mesh before; tried, when not changed
