@@ -23,7 +23,7 @@ constexpr int kLookMs = 450;
 void prepare(QAction& action, const char* name, const char* iconName, const QList<QKeySequence>& keys,
              const QString& tip) {
   action.setShortcuts(keys);
-  prepare(action, name, iconName, tip);
+  handwheel::prepare(action, name, iconName, tip);
 }
 
 }  // namespace

@@ -171,7 +171,7 @@ class RecordingWindowTest : public QObject {
     QTRY_VERIFY(b.session.recorder() && b.session.recorder()->ticks() > 50);
     Document& first = b.document();
     const QString other = b.folder.filePath(QStringLiteral("other.stl"));
-    writeStl(other, RecordBench::cornersOf(tetrahedron()));
+    writeStl(other, cornersOf(tetrahedron()));
     QVERIFY(b.driver.open(other));
     QVERIFY(!b.session.recorder());
     QCOMPARE(first.file().recordings.size(), std::size_t{1});

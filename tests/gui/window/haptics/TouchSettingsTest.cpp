@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstddef>  // before <numbers> of Units.h, which moc cannot read alone
+
 #include "window/haptics/TouchSettings.h"
 
 #include <QSettings>
