@@ -174,7 +174,7 @@ void closeSlits(HalfEdgeMesh& mesh, const std::vector<Vertex>& cut, const FillOp
   if (left.empty() || progress.cancelled()) return;
   closeHardHoles(mesh, left, options, tolerance::kBackThickness * diagonalOf(mesh), tolerance::kHardHoleWork,
                  progress.part(0.5, 0.9));
-  if (!partDuplicates(mesh, options.numbers, progress.part(0.9, 1.0)).empty()) relink(mesh, progress);
+  if (!partDuplicates(mesh, options.numbers, progress.part(0.9, 0.95)).empty()) relink(mesh, progress.part(0.95, 1.0));
 }
 
 }  // namespace
@@ -184,11 +184,12 @@ OneSidedCut cutOneSided(HalfEdgeMesh& mesh, double longest, NumberType numbers, 
   while (cut.loops < kMostLoops) {
     const double share = static_cast<double>(cut.loops) / static_cast<double>(kMostLoops);
     const Progress now = progress.part(share, share + 1.0 / static_cast<double>(kMostLoops));
-    const Welded welded(mesh, now);
+    const Welded welded(mesh, now.part(0.0, 0.4));
     if (now.cancelled()) break;
-    cut.isTwoSided = !welded.hasOneSide(now);
+    cut.isTwoSided = !welded.hasOneSide(now.part(0.4, 0.6));
     if (cut.isTwoSided) break;
-    const auto loop = shortestReversingLoop(welded.edges, welded.byPosition.triangles, welded.points, longest, now);
+    const auto loop =
+        shortestReversingLoop(welded.edges, welded.byPosition.triangles, welded.points, longest, now.part(0.6, 1.0));
     if (!loop || !LoopCutter(mesh, welded, *loop, numbers).cut(cut.vertices)) break;
     ++cut.loops;
     if (loop->isOnBorder) cut.opened += loop->halfEdges.size();
@@ -208,8 +209,8 @@ std::size_t closeOneSided(HalfEdgeMesh& mesh, const FillOptions& options, double
   if (borderCuts == BorderCuts::Yes) allowed += 2 * cut.opened;
   closeSlits(result, cut.vertices, options, progress.part(0.4, 0.9));
   const bool isSound = !progress.cancelled() && countBadEdges(result, progress.part(0.9, 0.92)) <= allowed &&
-                       !Welded(result, progress).hasOneSide(progress) &&
-                       countCrossings(result, options.numbers, progress.part(0.92, 1.0)) <= crossings;
+                       !Welded(result, progress.part(0.92, 0.94)).hasOneSide(progress.part(0.94, 0.95)) &&
+                       countCrossings(result, options.numbers, progress.part(0.95, 1.0)) <= crossings;
   if (!isSound || progress.cancelled()) return 0;
   mesh = std::move(result);
   return cut.loops;

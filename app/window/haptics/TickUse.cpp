@@ -31,8 +31,9 @@ TickUse::TickUse(HapticSession& session, FidelityChoice& choice, QWidget* parent
 }
 
 void TickUse::sample() {
-  const ServoSample& last = *m_session.latest();
-  m_ticks.push_back({static_cast<double>(last.microseconds), last.felt.isContact});
+  const ServoSample* const last = m_session.latest();
+  if (!last) return;  // closed by who heard of the sample before
+  m_ticks.push_back({static_cast<double>(last->microseconds), last->felt.isContact});
   if (m_ticks.size() > kKept) m_ticks.pop_front();
   if (++m_untold < kEvery) return;
   m_untold = 0;
