@@ -110,7 +110,8 @@ FaceSelection SelectTool::regionOf(Face seed) const {
 }
 
 ToolReply SelectTool::press(const PointerEvent& event) {
-  if (event.device && event.button == PointerButton::Second) return perform("commit");
+  if (event.device && event.button == PointerButton::Second)  // poked and deleted, by the hand alone
+    return perform(m_steps.present().faces.empty() ? "commit" : "delete");
   const bool wasBusy = m_gesture.index() != 0;
   dropGesture();
   if (event.button != PointerButton::First) return wasBusy ? ToolReply::Used : ToolReply::Ignored;

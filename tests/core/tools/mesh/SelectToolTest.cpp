@@ -211,6 +211,14 @@ void SelectToolTest::secondButton() {
   QCOMPARE(b.tool.pointer(event), ToolReply::Ignored);  // of the mouse: the camera's, or a menu's
   event.device = Pose::Identity();
   QCOMPARE(b.tool.pointer(event), ToolReply::Finished);
+  // Poked with the first, deleted with the second.
+  QObject::connect(b.document.get(), &Document::changed, [&] { b.tool.documentChanged(); });
+  const std::size_t before = b.document->mesh().liveFaceCount();
+  b.click(5.3, 5.7);
+  QCOMPARE(b.tool.pointer(event), ToolReply::Used);
+  QCOMPARE(b.document->mesh().liveFaceCount(), before - 1);
+  QCOMPARE(b.document->history()->count(), 1);
+  QCOMPARE(b.tool.pointer(event), ToolReply::Finished);
 }
 
 QTEST_GUILESS_MAIN(SelectToolTest)
