@@ -1330,6 +1330,10 @@
         <source>A device plugin is not used</source>
         <translation>Ein Gerätemodul wird nicht verwendet</translation>
     </message>
+    <message>
+        <source>Plug it in again: it is opened by itself.</source>
+        <translation>Stecken Sie es wieder ein: Es wird von selbst geöffnet.</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

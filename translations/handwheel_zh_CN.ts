@@ -1330,6 +1330,10 @@
         <source>A device plugin is not used</source>
         <translation>有一个设备插件未被使用</translation>
     </message>
+    <message>
+        <source>Plug it in again: it is opened by itself.</source>
+        <translation>请重新插上，它会自动打开。</translation>
+    </message>
 </context>
 <context>
     <name>HelpPages</name>

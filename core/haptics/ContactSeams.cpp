@@ -172,8 +172,9 @@ class Strips {
   }
 
   Across across(std::uint32_t v) {
-    const auto [entry, fresh] = m_across.try_emplace(v);
-    if (!fresh) return entry->second;
+    const auto [entry, isFresh] = m_across.try_emplace(v);
+    Across& known = entry->second;
+    if (!isFresh) return known;
     const Vec3 p = m_points[v], reach = Vec3::Constant(m_seam);
     Vec3 nearest = p;
     double least = m_seam;
@@ -184,14 +185,14 @@ class Strips {
       if (const double d = (q - p).norm(); d < least) {
         least = d;
         nearest = q;
-        entry->second.edge = i;
+        known.edge = i;
       }
       return true;
     });
-    if (entry->second.edge == kNone) return {};
-    entry->second.point = static_cast<std::uint32_t>(m_points.size());
+    if (known.edge == kNone) return {};
+    known.point = static_cast<std::uint32_t>(m_points.size());
     m_points.push_back(nearest);
-    return entry->second;
+    return known;
   }
 
   // The corners that the border passes from one open edge to another, the shorter way around; none where they do not

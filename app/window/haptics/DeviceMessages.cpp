@@ -30,7 +30,8 @@ Message lostMessage(const QString& name, DeviceStatus status) {
   return {Message::Weight::Warning,
           isGone ? Text::tr("%1 is not there").arg(name) : Text::tr("%1 has failed").arg(name),
           isGone ? Text::tr("It was unplugged, or is without power.") : Text::tr("It does not answer as it should."),
-          Text::tr("Plug it in again, and choose it once more in the panel “Device”."),
+          isGone ? Text::tr("Plug it in again: it is opened by itself.")
+                 : Text::tr("Plug it in again, and choose it once more in the panel “Device”."),
           {},
           {}};
 }

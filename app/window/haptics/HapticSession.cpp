@@ -38,6 +38,7 @@ HapticSession::HapticSession(const Parts& parts, std::vector<std::unique_ptr<Dev
   connect(&m_timer, &QTimer::timeout, this, &HapticSession::sample);
   connect(&m_finder, &DeviceFinder::changed, this, &HapticSession::foundChanged);
   connect(&m_finder, &DeviceFinder::looked, this, &HapticSession::tellPlugins);
+  connect(&m_finder, &DeviceFinder::looked, this, &HapticSession::takeUpReturned);
 }
 
 HapticSession::~HapticSession() {
@@ -50,6 +51,32 @@ QList<DeviceListing> HapticSession::found() const {
   for (const DeviceListing& listing : builtInDevices()) all << listing;
   for (const DeviceListing& listing : m_finder.found()) all << listing;
   return all;
+}
+
+void HapticSession::setWatching(bool isOn) {
+  m_isWatched = isOn;
+  m_finder.setWatching(m_isWatched || m_isLost);
+}
+
+void HapticSession::setLost(bool isLost) {
+  m_isLost = isLost;
+  m_isMissed = false;
+  m_finder.setWatching(m_isWatched || m_isLost);
+}
+
+// A device that was unplugged comes back under the same name, at another address perhaps.
+void HapticSession::takeUpReturned() {
+  if (!m_isLost) return;
+  const auto& all = m_finder.found();
+  const auto back = std::find_if(all.begin(), all.end(), [this](const DeviceListing& each) {
+    return each.driver == m_chosen.driver && (each.address == m_chosen.address || each.name == m_chosen.name);
+  });
+  if (back == all.end()) {
+    m_isMissed = true;
+  } else if (m_isMissed) {
+    const DeviceListing listing = *back;
+    choose(listing.driver, listing.address);
+  }
 }
 
 void HapticSession::choose(const std::string& driver, const std::string& address) {
@@ -67,6 +94,7 @@ void HapticSession::choose(const std::string& driver, const std::string& address
 void HapticSession::close() {
   if (m_chosen.driver.empty()) return;
   m_parts.jobs.cancelOf(this);
+  setLost(false);
   closeLoop();
   m_chosen = {};
   QSettings().remove(kDriverKey);

@@ -40,7 +40,7 @@ class HapticSession : public QObject {
   // The simulated hand and the mouse, then what was found when somebody looked.
   QList<DeviceListing> found() const;
   // Looks for devices every two seconds, as long as a list of them is seen.
-  void setWatching(bool isOn) { m_finder.setWatching(isOn); }
+  void setWatching(bool isOn);
   const std::vector<PluginListing>& plugins() const { return m_finder.plugins(); }
 
   // Opens it in a job, in the place of the one before.
@@ -132,6 +132,8 @@ class HapticSession : public QObject {
   void measureRate();
   void tellStatus(DeviceStatus status);
   void tellPlugins();
+  void setLost(bool isLost);
+  void takeUpReturned();
 
   Parts m_parts;
   DeviceFinder m_finder;
@@ -150,6 +152,9 @@ class HapticSession : public QObject {
   bool m_isForceOn = true;
   std::optional<double> m_testEnd;  // s, by the clock of the loop
   std::size_t m_pluginsTold = 0;
+  bool m_isWatched = false;  // by somebody who sees the list
+  bool m_isLost = false;     // the open device was unplugged, and is waited for
+  bool m_isMissed = false;   // and since then was not in the list
 };
 
 }  // namespace handwheel

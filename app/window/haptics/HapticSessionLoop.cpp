@@ -179,7 +179,9 @@ void HapticSession::measureRate() {
 }
 
 void HapticSession::tellStatus(DeviceStatus status) {
-  if (m_open->mouse || (status != DeviceStatus::Absent && status != DeviceStatus::Failed)) return;
+  if (m_open->mouse) return;
+  if (status == DeviceStatus::Ready || status == DeviceStatus::Absent) setLost(status == DeviceStatus::Absent);
+  if (status != DeviceStatus::Absent && status != DeviceStatus::Failed) return;
   emit message(lostMessage(nameOf(m_chosen), status));
 }
 

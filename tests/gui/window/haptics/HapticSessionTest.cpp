@@ -54,7 +54,7 @@ class FakeDriver : public DeviceDriver {
   }
   std::unique_ptr<Device> make(const std::string& address) override {
     if (address == "deaf") return std::make_unique<DeafDevice>(m_plugged.log);
-    return address == "well" ? std::make_unique<ScriptedDevice>(m_plugged.log) : nullptr;
+    return address.starts_with("well") ? std::make_unique<ScriptedDevice>(m_plugged.log) : nullptr;
   }
 
  private:
@@ -257,6 +257,32 @@ class HapticSessionTest : public QObject {
     QVERIFY(b.session->mapping().viewFromDevice() == Eigen::Matrix3d::Identity());
     QCOMPARE(b.session->mapping().scale, 1.0);
     QCOMPARE(b.session->mapping().forceGain, 1.0);
+  }
+
+  // Nobody looks at the list: the session looks itself until the device is back, at another port.
+  void pluggedInAgainItIsOpenedAgain() {
+    Bench b;
+    auto isGone = std::make_shared<std::atomic<bool>>(false);
+    b.plugged.log->onRead = [isGone](ScriptedDevice::Log& log) {
+      const bool isAway = isGone->load() && log.closes == 0;  // the one that comes back is another
+      log.state.status = isAway ? DeviceStatus::Absent : DeviceStatus::Ready;
+    };
+    b.plugged.set({{"fake", "well", "Well"}});
+    b.session->setWatching(true);
+    QTRY_COMPARE(b.session->found().size(), 3);
+    b.session->setWatching(false);
+    b.session->choose("fake", "well");
+    QVERIFY(b.waitForOpen());
+    b.plugged.set({});
+    isGone->store(true);
+    QTRY_COMPARE(b.session->latest()->device.status, DeviceStatus::Absent);
+    QTRY_COMPARE(b.session->found().size(), 2);
+    QCOMPARE(b.session->chosen().address, std::string("well"));
+    b.plugged.set({{"fake", "well/2", "Well"}});
+    QTRY_COMPARE_WITH_TIMEOUT(b.session->chosen().address, std::string("well/2"), 20000);
+    QVERIFY(b.waitForOpen());
+    QCOMPARE(b.session->latest()->device.status, DeviceStatus::Ready);
+    QCOMPARE(b.messages.size(), std::size_t(1));  // that it was gone
   }
 
   void whatIsPluggedInIsFound() {
