@@ -17,11 +17,12 @@ namespace {
 constexpr double kLongestWait = 60.0;  // s for what a step waits for
 constexpr double kSpeed = 0.45;        // of the height of the view in a second
 constexpr double kShortest = 0.25;     // s of a movement
-constexpr double kPatience = 1.5;      // s for the tip to arrive, which may be held back
 constexpr double kArrived = 2.0;       // pixels
 constexpr double kLift = 0.15;         // of a way through the air
 constexpr double kEffort = 4.0;        // 1/s: how fast the hand makes up for what holds the tip
 constexpr double kMostEffort = 0.2;    // of the height of the view
+constexpr int kMostSamples = 100;      // for the tip to arrive, which may be held back
+constexpr int kLeastSamples = 3;       // at rest: tools have seen the buttons, however slow the machine
 constexpr double kFrame = 0.016;       // s, from one sample to the next
 
 // Position, velocity and acceleration begin and end at rest (minimum jerk: Flash and Hogan 1985, eq. 3).
@@ -62,6 +63,7 @@ void HandShow::finish(bool isWhole) {
   if (!std::exchange(m_isRunning, false)) return;
   m_steps.clear();
   m_caption.clear();
+  m_detail.clear();
   if (m_session.chosen().driver == kSimulatedDriver) {
     press(0);
     if (m_driver.empty()) {
@@ -78,6 +80,7 @@ void HandShow::beginStep() {
   const HandStep& step = m_steps[m_step];
   if (!step.caption.isEmpty()) {
     m_caption = step.caption;
+    m_detail = step.detail;
     emit captionChanged();
   }
   m_phase = Phase::Waiting;
@@ -105,7 +108,7 @@ void HandShow::follow() {
       return move(*now);
     case Phase::Resting:
       lead(*now, m_to);
-      if (seconds() < step.rest) return;
+      if (++m_samples < kLeastSamples || seconds() < step.rest) return;
       if (++m_step < m_steps.size()) return beginStep();
       finish(true);
   }
@@ -123,6 +126,7 @@ void HandShow::startMoving(const ServoSample& now) {
   m_duration = way > 0.0 ? std::max(kShortest, way / (kSpeed * height)) : 0.0;
   m_lift = step.buttons == 0 ? kLift * way : 0.0;
   m_phase = Phase::Moving;
+  m_samples = 0;
   m_clock.start();
   move(now);
 }
@@ -138,8 +142,9 @@ void HandShow::move(const ServoSample& now) {
   if (passed < m_duration) return;
   const double pixel = m_viewport.camera().height / std::max(1, m_viewport.height());
   const bool isThere = (now.tip.position - m_to).norm() < kArrived * pixel;
-  if (!isThere && passed < m_duration + kPatience) return;
+  if (!isThere && ++m_samples < kMostSamples) return;
   m_phase = Phase::Resting;
+  m_samples = 0;
   m_clock.start();
 }
 

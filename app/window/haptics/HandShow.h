@@ -20,7 +20,8 @@ struct ServoSample;
 
 // One thing that the simulated hand does: something happens, it is waited for, the tip goes somewhere, and rests.
 struct HandStep {
-  QString caption;  // empty: that of the step before
+  QString caption;  // what is done; empty: as in the step before
+  QString detail;   // how one does it oneself; with a caption
   std::function<void()> begin;
   std::function<bool()> isReady;               // waited for before the hand moves; none: at once
   std::function<std::optional<Vec3>()> place;  // mm, of the tip, asked for when ready; none: it stays
@@ -43,6 +44,7 @@ class HandShow : public QObject {
   void stop();
   bool isRunning() const { return m_isRunning; }
   const QString& caption() const { return m_caption; }
+  const QString& detail() const { return m_detail; }
   // How many times as fast; for tests.
   void setPace(double pace) { m_pace = pace; }
 
@@ -67,11 +69,12 @@ class HandShow : public QObject {
   std::vector<HandStep> m_steps;
   std::size_t m_step = 0;
   bool m_isRunning = false;
-  QString m_caption;
+  QString m_caption, m_detail;
   double m_pace = 1.0;
   std::string m_driver, m_address;  // of the device that was in use
 
   Phase m_phase = Phase::Waiting;
+  int m_samples = 0;             // since the way is over, or at rest
   QElapsedTimer m_clock;         // of the phase
   Vec3 m_from, m_to;             // of the tip, in the scene; mm
   double m_duration = 0.0;       // s

@@ -4,7 +4,6 @@
 
 #include "mesh/NearFaces.h"
 #include "theme/Theme.h"
-#include "tools/mesh/BoundaryTool.h"
 #include "tools/mesh/FillHoleTool.h"
 #include "tools/mesh/MeshSelection.h"
 #include "tools/mesh/SculptTool.h"
@@ -78,8 +77,8 @@ void RepairShow::setDocument(OpenMesh* document) {
 
 NextStep RepairShow::step() {
   if (!m_hand.isRunning()) return {};
-  const QStringList parts = m_hand.caption().split(QLatin1Char('\n'));
-  return {QStringLiteral("device"), themeColours(currentTheme()).accent, parts.first(), parts.last(), {&m_stop}};
+  const QColor& accent = themeColours(currentTheme()).accent;
+  return {QStringLiteral("device"), accent, m_hand.caption(), m_hand.detail(), {&m_stop}};
 }
 
 void RepairShow::start() {
@@ -107,8 +106,8 @@ std::vector<HandStep> RepairShow::steps() {
 
 HandStep RepairShow::opening() {
   HandStep step;
-  step.caption = tr("The hand opens the sample") + QLatin1Char('\n') +
-                 tr("What it does now you can do with a device, or with the mouse.");
+  step.caption = tr("The hand opens the sample");
+  step.detail = tr("What it does now you can do with a device, or with the mouse.");
   step.begin = [this] { m_parts.openSample->trigger(); };
   step.isReady = [this] { return m_document && isSettled() && takeHole(); };
   step.rest = 0.5;
@@ -117,8 +116,8 @@ HandStep RepairShow::opening() {
 
 void RepairShow::addChoosing(std::vector<HandStep>& steps) {
   HandStep go = click([this] { return firstPoint(nextPart()); });
-  go.caption = tr("1 of 5: choose the hole") + QLatin1Char('\n') +
-               tr("Points of the edge draw the tip to them. The first button chooses the hole.");
+  go.caption = tr("1 of 5: choose the hole");
+  go.detail = tr("Points of the edge draw the tip to them. The first button chooses the hole.");
   go.begin = [this] {
     useTool("boundaryTool");
     lookFrom(m_outward);
@@ -127,12 +126,9 @@ void RepairShow::addChoosing(std::vector<HandStep>& steps) {
 }
 
 void RepairShow::addSmoothing(std::vector<HandStep>& steps) {
-  HandStep propose = rest(kLook, [this] {
-    const auto* tool = dynamic_cast<const BoundaryTool*>(m_parts.tools.runner().tool());
-    return tool && tool->isBusy() && offers("boundary", "held");
-  });
-  propose.caption = tr("2 of 5: smooth its edge") + QLatin1Char('\n') +
-                    tr("Shift+S shows what would become of it. The second button takes it.");
+  HandStep propose = rest(kLook, [this] { return shows("boundary", "held"); });
+  propose.caption = tr("2 of 5: smooth its edge");
+  propose.detail = tr("Shift+S shows what would become of it. The second button takes it.");
   propose.begin = [this] { perform("smooth"); };
   steps.insert(steps.end(), {propose, press(kSecond), rest(kLook, [this] { return isSettled(); })});
 }
@@ -147,14 +143,14 @@ void RepairShow::addStitching(std::vector<HandStep>& steps) {
     };
   };
   HandStep take = click(end(&BorderPair::a));
-  take.caption =
-      tr("3 of 5: stitch") + QLatin1Char('\n') +
+  take.caption = tr("3 of 5: stitch");
+  take.detail =
       tr("A point is pulled to the one across, like a thread: the longer, the harder. The hole falls into two.");
   take.begin = [this] { choose("boundary", "onto", 1.0); };
   HandStep pull = click(end(&BorderPair::b));
   pull.buttons = kFirst;
   pull.rest = kLook;
-  steps.insert(steps.end(), {take, pull, rest(kLook, [this] { return isSettled(); })});
+  steps.insert(steps.end(), {take, press(kFirst), pull, rest(kLook, [this] { return isSettled(); })});
 }
 
 void RepairShow::addFilling(std::vector<HandStep>& steps) {
@@ -164,8 +160,8 @@ void RepairShow::addFilling(std::vector<HandStep>& steps) {
       return part ? std::optional(part->centre) : std::nullopt;
     });
     if (isFirst) {
-      go.caption = tr("4 of 5: fill both parts") + QLatin1Char('\n') +
-                   tr("The first button shows the patch of a hole, the second puts it in.");
+      go.caption = tr("4 of 5: fill both parts");
+      go.detail = tr("The first button shows the patch of a hole, the second puts it in.");
     }
     go.begin = [this, isFirst] {
       if (isFirst) useTool("fillTool");
@@ -184,8 +180,8 @@ void RepairShow::addSculpting(std::vector<HandStep>& steps) {
     const auto* tool = dynamic_cast<const SculptTool*>(m_parts.tools.runner().tool());
     return tool && tool->levels().finest() > 0 && isSettled();
   });
-  refine.caption = tr("5 of 5: sculpt the patch") + QLatin1Char('\n') +
-                   tr("It is subdivided, and pulled at its coarse level: the fine one follows, as on a spring.");
+  refine.caption = tr("5 of 5: sculpt the patch");
+  refine.detail = tr("It is subdivided, and pulled at its coarse level: the fine one follows, as on a spring.");
   refine.begin = [this] {
     useTool("sculptTool");
     const double size = m_place.diagonal().norm();
@@ -212,7 +208,7 @@ void RepairShow::addSculpting(std::vector<HandStep>& steps) {
   HandStep pull = click(middle(kPull));
   pull.buttons = kFirst;
   pull.rest = kLook;
-  steps.insert(steps.end(), {refine, touch, pull, rest(2.0 * kLook, [this] { return isSettled(); })});
+  steps.insert(steps.end(), {refine, touch, press(kFirst), pull, rest(2.0 * kLook, [this] { return isSettled(); })});
 }
 
 bool RepairShow::isSettled() const {
@@ -313,7 +309,7 @@ void RepairShow::choose(const char* tool, const char* setting, const PropertyVal
 }
 
 // Whether the tool in use shows this among its settings.
-bool RepairShow::offers(const char* tool, const char* setting) const {
+bool RepairShow::shows(const char* tool, const char* setting) const {
   const Tool* running = m_parts.tools.runner().tool();
   if (!running || running->id() != tool) return false;
   const std::vector<Property> settings = running->settings();

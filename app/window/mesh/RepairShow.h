@@ -56,7 +56,7 @@ class RepairShow : public QObject {
   void useTool(const char* action);
   void perform(const char* action);
   void choose(const char* tool, const char* setting, const PropertyValue& value);
-  bool offers(const char* tool, const char* setting) const;
+  bool shows(const char* tool, const char* setting) const;
 
   WindowParts m_parts;
   const RepairJobs& m_jobs;

@@ -12,8 +12,9 @@
 namespace handwheel {
 namespace {
 
-constexpr double kStill = 3.0;  // pixels of a click's tremor
-constexpr double kMark = 6.0;   // pixels, radius of the mark on a point
+constexpr double kStill = 3.0;       // pixels of a click's tremor
+constexpr double kStillHand = 12.0;  // of a stylus in the air: a millimetre, by which its button moves it
+constexpr double kMark = 6.0;        // pixels, radius of the mark on a point
 
 }  // namespace
 
@@ -91,7 +92,8 @@ ToolReply BoundaryTool::press(const PointerEvent& event) {
   if (!near) return ToolReply::Used;
   dropProposal();
   const Vertex v = mesh().from(m_hovered->at);
-  Drag drag{near, *m_hovered, VertexPull(near, v), event.ray, {}, kStill * event.sight().pixelAt(mesh().position(v))};
+  const double still = (event.device ? kStillHand : kStill) * event.sight().pixelAt(mesh().position(v));
+  Drag drag{near, *m_hovered, VertexPull(near, v), event.ray, {}, still};
   if (event.device) drag.tip = event.device->translation();
   drag.place = drag.stop = drag.pull.start();
   m_drag = std::move(drag);

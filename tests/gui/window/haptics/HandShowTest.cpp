@@ -25,12 +25,13 @@ struct ShowBench {
   bool waitFor(const QString& caption) {
     return QTest::qWaitFor([&] { return show.caption().startsWith(caption); }, kWholeMs);
   }
-  // How many steps can be undone; afterwards none can.
-  int undoAll() {
+  // The steps that can be undone, the last first; afterwards none can.
+  QStringList undoAll() {
     auto* undo = driver.find<QAction>("undo");
-    int steps = 0;
-    for (; undo->isEnabled() && steps < 100; ++steps) undo->trigger();
-    return driver.settle() ? steps : -1;
+    QStringList steps;
+    for (; undo->isEnabled() && steps.size() < 100; undo->trigger()) steps << undo->text();
+    driver.settle();
+    return steps;
   }
 };
 
@@ -58,7 +59,9 @@ class HandShowTest : public QObject {
     QVERIFY(b.driver.settle());
     QCOMPARE(b.driver.count(DefectKind::Hole), holes - 1);
     QVERIFY(!b.session.isOpen() && b.session.chosen().driver.empty());
-    QCOMPARE(b.undoAll(), 6);
+    QStringList steps = b.undoAll();
+    for (QString& step : steps) step = step.section(QLatin1Char(' '), 1, 1);  // "Fill", of "&Undo Fill hole 8"
+    QCOMPARE(steps, QStringList({"Drag", "Subdivide", "Fill", "Fill", "Lay", "Smooth"}));
     QCOMPARE(b.driver.count(DefectKind::Hole), holes);
   }
 
@@ -76,7 +79,7 @@ class HandShowTest : public QObject {
     QVERIFY(!ended.first().first().toBool());
     QTRY_VERIFY(b.session.mouse());
     QVERIFY(b.driver.settle());
-    QCOMPARE(b.undoAll(), 1);  // what was smoothed
+    QCOMPARE(b.undoAll(), QStringList("&Undo Smooth the edge"));
   }
 
   // Who turns to another device ends it.
