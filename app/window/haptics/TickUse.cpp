@@ -32,7 +32,8 @@ TickUse::TickUse(HapticSession& session, FidelityChoice& choice, QWidget* parent
 
 void TickUse::sample() {
   const ServoSample* const last = m_session.latest();
-  if (!last) return;  // closed by who heard of the sample before
+  // None: closed by who heard of the sample before. And what nobody sees is not worked out.
+  if (!last || !parentWidget()->isVisible()) return;
   m_ticks.push_back({static_cast<double>(last->microseconds), last->felt.isContact});
   if (m_ticks.size() > kKept) m_ticks.pop_front();
   if (++m_untold < kEvery) return;
