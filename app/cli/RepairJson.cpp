@@ -47,6 +47,7 @@ Json toJson(const RepairRun& run, const RepairRequest& request, const std::strin
       {"turned_faces", run.repair.turnedFaces},
       {"merged_vertices", run.repair.mergedVertices},
       {"cut_faces", run.repair.cutFaces},
+      {"replaced_faces", run.repair.replacedFaces},
       {"one_sided_cuts", run.repair.oneSidedCuts},
       {"parted_vertices", run.repair.partedVertices},
       {"touched_vertices", run.touched.size()},

@@ -62,6 +62,16 @@ inline constexpr std::size_t kCutsPerFace = 200;
 // Closing what no patch closes is given up after trials over so many faces, some 20 s; a face to cut counts for many.
 inline constexpr std::size_t kHardHoleWork = 20'000'000;
 inline constexpr std::size_t kCutWork = 2'000;
+// The same for taking out what is tangled.
+inline constexpr std::size_t kTangleWork = 10'000'000;
+// What is tangled around a hole is taken out and filled anew where that moves the surface by no more than this share of
+// the part: more would change what the part is.
+inline constexpr double kTangleMove = 0.01;
+// A body that is taken out whole lay on the surface so closely.
+inline constexpr double kTangleBodyMove = 1e-3;
+// A surface that has one side only is given two by cuts no longer than this share of the part. Longer ones change the
+// shape: on demand.
+inline constexpr double kOneSidedCut = 0.01;
 // A polygon of a file is planar when no corner is further from its plane than this share of its size: beyond, which cut
 // is right depends on more than the outline, and everybody expects a fan.
 inline constexpr double kPlanarPolygon = 1e-3;

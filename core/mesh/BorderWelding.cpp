@@ -4,6 +4,7 @@
 
 #include "mesh/EdgeCollapse.h"
 #include "mesh/MovedFaces.h"
+#include "mesh/PlaceKey.h"
 
 #include <algorithm>
 #include <map>
@@ -79,19 +80,11 @@ class Welding {
     return all;
   }
 
-  // Half-edges along one line, whichever way they run, stand together once sorted by this.
-  using Line = std::array<std::array<double, 3>, 2>;
-  Line lineOf(HalfEdge h) const {
-    const Vec3 &p = m_mesh.position(m_mesh.from(h)), &q = m_mesh.position(m_mesh.to(h));
-    const std::array<double, 3> from = {p.x(), p.y(), p.z()}, to = {q.x(), q.y(), q.z()};
-    return from < to ? Line{from, to} : Line{to, from};
-  }
-
   // An edge that was full before is none of ours.
   JoinProblem pair() {
     const std::vector<HalfEdge> all = around();
-    std::map<Line, std::vector<HalfEdge>> edges;
-    for (const HalfEdge h : all) edges[lineOf(h)].push_back(h);
+    std::map<EdgeKey, std::vector<HalfEdge>> edges;
+    for (const HalfEdge h : all) edges[placeKey(m_mesh, h)].push_back(h);
     for (const auto& [line, run] : edges) {
       const bool isNew =
           std::any_of(run.begin(), run.end(), [&](HalfEdge h) { return isMoved(HalfEdgeMesh::face(h)); });

@@ -4,6 +4,7 @@
 
 #include "base/Tolerance.h"
 #include "mesh/EdgeTable.h"
+#include "mesh/PlaceKey.h"
 #include "mesh/QuietCgal.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -202,8 +203,7 @@ class Cutter {
     if (!isNew) return at->second;
     const Point3& p = m_points[point];
     const Vec3 place = rounded(Vec3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())), m_numbers);
-    const auto [same, isNewPlace] =
-        m_indexAt.emplace(std::array{place.x(), place.y(), place.z()}, static_cast<std::uint32_t>(points.size()));
+    const auto [same, isNewPlace] = m_indexAt.emplace(placeKey(place), static_cast<std::uint32_t>(points.size()));
     if (isNewPlace) points.push_back(place);
     return at->second = same->second;
   }
@@ -212,9 +212,9 @@ class Cutter {
   NumberType m_numbers;
   std::vector<Point3> m_points;
   std::map<Point3, std::uint32_t> m_numberOf;
-  std::map<std::uint32_t, Marks> m_marks;                    // by triangle
-  std::map<std::uint32_t, std::uint32_t> m_indexOf;          // by number
-  std::map<std::array<double, 3>, std::uint32_t> m_indexAt;  // of new points
+  std::map<std::uint32_t, Marks> m_marks;            // by triangle
+  std::map<std::uint32_t, std::uint32_t> m_indexOf;  // by number
+  std::map<PointKey, std::uint32_t> m_indexAt;       // of new points
 };
 
 }  // namespace

@@ -2,21 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/LoopOwners.h"
 
-#include <algorithm>
-
 namespace handwheel {
 namespace {
 
 std::pair<Face, Vertex> faceKey(const HalfEdgeMesh& mesh, HalfEdge h) {
   return {HalfEdgeMesh::face(h), mesh.from(HalfEdgeMesh::previous(h))};
-}
-
-// The same for both directions of the edge.
-std::array<double, 6> placeKey(const HalfEdgeMesh& mesh, HalfEdge h) {
-  const Vec3 &p = mesh.position(mesh.from(h)), &q = mesh.position(mesh.to(h));
-  const std::array<double, 3> a{p.x(), p.y(), p.z()}, b{q.x(), q.y(), q.z()};
-  const auto& [low, high] = std::minmax(a, b);
-  return {low[0], low[1], low[2], high[0], high[1], high[2]};
 }
 
 }  // namespace

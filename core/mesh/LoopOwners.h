@@ -3,8 +3,8 @@
 #pragma once
 
 #include "mesh/BoundaryLoops.h"
+#include "mesh/PlaceKey.h"
 
-#include <array>
 #include <map>
 #include <set>
 #include <vector>
@@ -23,7 +23,7 @@ class LoopOwners {
 
  private:
   std::map<std::pair<Face, Vertex>, int> m_byFace;
-  std::map<std::array<double, 6>, int> m_byPlace;
+  std::map<EdgeKey, int> m_byPlace;
 };
 
 }  // namespace handwheel

@@ -13,6 +13,7 @@
 #include "mesh/PartDuplicates.h"
 #include "mesh/Steps.h"
 #include "mesh/Stitching.h"
+#include "mesh/TangleRemoval.h"
 #include "mesh/TurningOut.h"
 #include "mesh/Uncrossing.h"
 #include "mesh/Weld.h"
@@ -30,8 +31,6 @@ double millisecondsSince(Clock::time_point start) {
 }
 
 constexpr int kHardRounds = 4;
-// What has one side only is given two by cuts of this share of the diagonal. Longer ones change the shape: on demand.
-constexpr double kOneSidedCut = 0.01;
 
 class Repairer {
  public:
@@ -42,11 +41,12 @@ class Repairer {
   RepairReport run(Progress progress) {
     clean(progress.part(0.0, 0.3));
     if (!progress.cancelled()) {
-      const double longest = kOneSidedCut * diagonalOf(m_mesh);
+      const double longest = tolerance::kOneSidedCut * diagonalOf(m_mesh);
       m_report.oneSidedCuts = closeOneSided(m_mesh, m_options.fill, longest, BorderCuts::No, progress.part(0.3, 0.35));
     }
     if (!progress.cancelled()) fill(progress.part(0.35, 0.6));
-    if (!progress.cancelled()) closeHard(progress.part(0.6, 0.95));
+    if (!progress.cancelled()) closeHard(progress.part(0.6, 0.85));
+    if (!progress.cancelled()) replaceTangled(progress.part(0.85, 0.95));
     if (!progress.cancelled()) turnOut(m_mesh, progress.part(0.95, 0.96));
     if (!progress.cancelled()) finish(progress.part(0.96, 1.0));
     m_report.cancelled = progress.cancelled();
@@ -162,6 +162,19 @@ class Repairer {
       m_results.replace(result, owners[i]);
     }
     return any;
+  }
+
+  // Loose leftovers of cuts too.
+  void replaceTangled(Progress progress) {
+    std::vector<BoundaryLoop> loops = findBoundaryLoops(m_mesh, progress.part(0.0, 0.05));
+    std::erase_if(loops, [&](const BoundaryLoop& loop) {
+      const std::set<int> owners = m_results.ownersOf(m_mesh, loop);
+      const FillFailure reason = reasonToLeave(loop, owners);
+      return reason != FillFailure::None && (reason != FillFailure::Rim || !owners.empty());
+    });
+    m_report.replacedFaces =
+        replaceTangles(m_mesh, loops, m_options.fill, tolerance::kTangleWork, progress.part(0.05, 0.8));
+    if (m_report.replacedFaces > 0 && !progress.cancelled()) part(progress.part(0.8, 1.0));
   }
 
   FillFailure reasonToLeave(const BoundaryLoop& loop, const std::set<int>& owners) const {

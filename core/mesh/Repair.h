@@ -46,6 +46,7 @@ struct RepairReport {
   std::size_t mergedVertices = 0;
   std::size_t oneSidedCuts = 0;         // along short ways, where the surface had one side only
   std::size_t cutFaces = 0;             // where a patch crosses the part
+  std::size_t replacedFaces = 0;        // taken out where they were tangled around a hole, and filled anew
   std::size_t partedVertices = 0;       // moved, or put into the middle of an edge, so that nothing welds that must not
   std::vector<Vertex> touchedVertices;  // of the input: moved, merged or parted
   bool cancelled = false;

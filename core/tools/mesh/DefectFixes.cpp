@@ -14,6 +14,7 @@
 #include "mesh/PartDuplicates.h"
 #include "mesh/SheetBacking.h"
 #include "mesh/Stitching.h"
+#include "mesh/TangleRemoval.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -30,6 +31,12 @@ void closeHard(HalfEdgeMesh& mesh, const std::vector<Vertex>& keys, bool back, c
   }
   closeHardHoles(mesh, holes, options, tolerance::kBackThickness * diagonalOf(mesh), tolerance::kHardHoleWork,
                  progress.part(0.1, 1.0));
+}
+
+void replaceTangled(HalfEdgeMesh& mesh, Vertex key, const FillOptions& options, Progress progress) {
+  std::vector<BoundaryLoop> loops = findBoundaryLoops(mesh, progress.part(0.0, 0.1));
+  std::erase_if(loops, [&](const BoundaryLoop& loop) { return keyOf(mesh, loop) != key; });
+  replaceTangles(mesh, loops, options, tolerance::kTangleWork, progress.part(0.1, 1.0));
 }
 
 void partNonManifold(HalfEdgeMesh& mesh, NumberType numbers, Progress progress) {
@@ -105,8 +112,9 @@ MeshChange backFix(std::vector<Vertex> loops, const FillOptions& options) {
 MeshChange cutAndCloseFix(Vertex loop, const FillOptions& options) {
   return {QT_TRANSLATE_NOOP("Tool", "Cut and close"),
           [loop, options](HalfEdgeMesh& mesh, Progress progress) {
-            closeHard(mesh, {loop}, false, options, progress);
-            partNonManifold(mesh, options.numbers, progress);
+            closeHard(mesh, {loop}, false, options, progress.part(0.0, 0.6));
+            if (!progress.cancelled()) replaceTangled(mesh, loop, options, progress.part(0.6, 0.95));
+            if (!progress.cancelled()) partNonManifold(mesh, options.numbers, progress.part(0.95, 1.0));
           },
           QT_TRANSLATE_NOOP("Tool", "what would be cut is tangled too much")};
 }

@@ -48,10 +48,12 @@ class ErrorTextTest : public QObject {
     QVERIFY(repairSummary(report).isEmpty());
     report.turnedFaces = report.removedDegenerate = report.removedDuplicates = report.removedFlaps = 1;
     report.removedDebris = report.mergedVertices = report.partedVertices = report.oneSidedCuts = 2;
+    report.replacedFaces = 2;
     const QStringList summary = repairSummary(report);
-    QCOMPARE(summary.size(), 8);
+    QCOMPARE(summary.size(), 9);
     QVERIFY(summary.contains("1 loosely hanging triangle removed"));
     QVERIFY(summary.contains("2 near points merged"));
+    QVERIFY(summary.contains("2 tangled triangles replaced around holes"));
   }
 
   void numbersInEnglish() {

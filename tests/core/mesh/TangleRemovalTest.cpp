@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/TangleRemoval.h"
+
+#include "MeshChecks.h"
+#include "MeshShapes.h"
+#include "base/Tolerance.h"
+#include "mesh/MeshBounds.h"
+#include "mesh/MeshBuilder.h"
+#include "mesh/MeshValidator.h"
+#include "mesh/Shells.h"
+#include "mesh/Uncrossing.h"
+
+#include <QTest>
+#include <cmath>
+
+using namespace handwheel;
+
+namespace {
+
+constexpr double kUpper = 0.9;  // above it, faces are near the tangled hole
+
+// A ball with a hole above and one below. Around the upper one the border is pulled to and fro along itself, so that
+// faces there fold over each other and cross.
+HalfEdgeMesh tangledBall(const Vec3& shift = Vec3::Zero(), double scale = 1.0) {
+  TriangleSoup s = test::withHole(test::sphereWithoutCap(4, 0.12), -Vec3::UnitZ(), 0.3);
+  const HalfEdgeMesh clean = buildMesh(s).mesh;
+  for (const BoundaryLoop& loop : findBoundaryLoops(clean)) {
+    if (loop.centre.z() < 0) continue;
+    const std::vector<Vec3> points = loopPoints(clean, loop);
+    const auto n = static_cast<int>(points.size());
+    for (int i = 0; i < n; ++i) {
+      Vec3& p = s.points[clean.from(loop.halfEdges[static_cast<std::size_t>(i)])];
+      p = points[static_cast<std::size_t>((i + (i % 2 == 0 ? 2 : n - 2)) % n)];
+      p *= 1.0 + 0.002 * (i % 3);
+    }
+  }
+  return buildMesh(test::moved(s, shift, scale)).mesh;
+}
+
+std::vector<BoundaryLoop> upperLoops(const HalfEdgeMesh& mesh, const Vec3& middle = Vec3::Zero()) {
+  std::vector<BoundaryLoop> loops = findBoundaryLoops(mesh);
+  std::erase_if(loops, [&](const BoundaryLoop& loop) { return loop.centre.z() < middle.z(); });
+  return loops;
+}
+
+}  // namespace
+
+class TangleRemovalTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void tangleGoes();
+  void anywhereAndOfAnySize_data();
+  void anywhereAndOfAnySize();
+  void bodyStays();
+  void farFromTheSurfaceNothingGoes();
+  void noWorkAllowed();
+  void cancelled();
+};
+
+// The ball is a ball again above; below it is open as before, and what is not near the tangle is bit for bit the same.
+void TangleRemovalTest::tangleGoes() {
+  const HalfEdgeMesh before = tangledBall();
+  QVERIFY(countCrossings(before, NumberType::Float64) > 0);
+  for (const NumberType numbers : {NumberType::Float64, NumberType::Float32}) {
+    HalfEdgeMesh mesh = before;
+    FillOptions options;
+    options.numbers = numbers;
+    const std::size_t gone = replaceTangles(mesh, upperLoops(mesh), options, tolerance::kTangleWork);
+    QVERIFY(gone > 0);
+    QVERIFY(gone < before.faceSlots() / 10);
+    QCOMPARE(validate(mesh), std::string());
+    QCOMPARE(countCrossings(mesh, numbers), std::size_t{0});
+    const std::vector<BoundaryLoop> left = findBoundaryLoops(mesh);
+    QCOMPARE(left.size(), std::size_t{1});
+    QVERIFY(left[0].centre.z() < 0);
+    for (Face f = 0; f < before.faceSlots(); ++f) {
+      const TrianglePoints was = before.points(f);
+      const bool isFar = std::all_of(was.begin(), was.end(), [](const Vec3& p) { return p.z() < kUpper; });
+      if (isFar) QVERIFY(mesh.isLive(f) && mesh.points(f) == was);
+    }
+    // As far from the sphere as its own flat triangles are, and twice that for the patch.
+    for (Face f = 0; f < mesh.faceSlots(); ++f) {
+      if (!mesh.isLive(f)) continue;
+      for (const Vec3& p : mesh.points(f)) QVERIFY(std::abs(p.norm() - 1.0) < 0.01);
+    }
+  }
+}
+
+void TangleRemovalTest::anywhereAndOfAnySize_data() {
+  QTest::addColumn<double>("shift");
+  QTest::addColumn<double>("scale");
+  QTest::newRow("tiny") << 0.0 << 1e-6;
+  QTest::newRow("huge") << 0.0 << 1e6;
+  QTest::newRow("far off") << 1e7 << 10.0;
+}
+
+void TangleRemovalTest::anywhereAndOfAnySize() {
+  QFETCH(double, shift);
+  QFETCH(double, scale);
+  const Vec3 middle = Vec3::Constant(shift);
+  HalfEdgeMesh mesh = tangledBall(middle, scale);
+  QVERIFY(replaceTangles(mesh, upperLoops(mesh, middle), {}, tolerance::kTangleWork) > 0);
+  QCOMPARE(validate(mesh), std::string());
+  QVERIFY(upperLoops(mesh, middle).empty());
+  QCOMPARE(countCrossings(mesh, NumberType::Float64), std::size_t{0});
+}
+
+// A nail through the border is part of the tangle, but no part of the ball: it is not to be lost.
+void TangleRemovalTest::bodyStays() {
+  TriangleSoup s = test::sphereWithoutCap(4, 0.12);
+  const HalfEdgeMesh ball = buildMesh(s).mesh;
+  const Vec3 border = ball.position(ball.from(findBoundaryLoops(ball)[0].halfEdges[0]));
+  test::append(s, test::moved(test::cylinder(8, 1, 0.02, 0.4, true), border - Vec3(0.005, 0.003, 0.2)));
+  HalfEdgeMesh mesh = buildMesh(s).mesh;
+  replaceTangles(mesh, findBoundaryLoops(mesh), {}, tolerance::kTangleWork);
+  QCOMPARE(validate(mesh), std::string());
+  QCOMPARE(findShells(mesh).size(), std::size_t{2});
+}
+
+// Where the surface would move by more than is allowed, it stays with its hole.
+void TangleRemovalTest::farFromTheSurfaceNothingGoes() {
+  HalfEdgeMesh mesh = tangledBall();
+  const BoundaryLoop loop = upperLoops(mesh).at(0);
+  mesh.setPosition(mesh.from(loop.halfEdges[0]), Vec3(0.3, 0.2, 2.5));
+  const HalfEdgeMesh before = mesh;
+  QCOMPARE(replaceTangles(mesh, upperLoops(mesh), {}, tolerance::kTangleWork), std::size_t{0});
+  QVERIFY(test::sameMesh(mesh, before));
+}
+
+void TangleRemovalTest::noWorkAllowed() {
+  HalfEdgeMesh mesh = tangledBall();
+  const HalfEdgeMesh before = mesh;
+  QCOMPARE(replaceTangles(mesh, {}, {}, tolerance::kTangleWork), std::size_t{0});
+  QCOMPARE(replaceTangles(mesh, upperLoops(mesh), {}, 0), std::size_t{0});
+  QVERIFY(test::sameMesh(mesh, before));
+}
+
+void TangleRemovalTest::cancelled() {
+  HalfEdgeMesh mesh = tangledBall();
+  JobState state;
+  state.cancelled = true;
+  QCOMPARE(replaceTangles(mesh, upperLoops(mesh), {}, tolerance::kTangleWork, Progress(state)), std::size_t{0});
+}
+
+QTEST_APPLESS_MAIN(TangleRemovalTest)
+#include "TangleRemovalTest.moc"
