@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Handwheel developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Plugins are found here, relative to the program: the same in the build folder and where it is installed.
-set(HANDWHEEL_PLUGIN_FOLDER ${CMAKE_INSTALL_LIBDIR}/handwheel/plugins)
+set(HANDWHEEL_PLUGIN_FOLDER ${HANDWHEEL_LIBRARY_FOLDER}/plugins)
 
 # handwheel_device_library(NAME SOURCES file...): the protocol of a device, without its transport: what tests drive. Its
 # headers are reachable as "NAME/Header.h", as those of a room are.
@@ -36,17 +36,21 @@ endfunction()
 
 # handwheel_device_guard(NAME [SOURCES file...] [LIBS lib...]): the process that holds the device for the program, so that
 # its motors stop when that dies, from Guard.cpp. The plugin finds it in the folder beside its own.
-set(HANDWHEEL_GUARD_FOLDER ${CMAKE_INSTALL_LIBDIR}/handwheel/guards)
+set(HANDWHEEL_GUARD_FOLDER ${HANDWHEEL_LIBRARY_FOLDER}/guards)
 function(handwheel_device_guard NAME)
   cmake_parse_arguments(ARG "" "" "SOURCES;LIBS" ${ARGN})
   add_executable(guard_${NAME} Guard.cpp ${ARG_SOURCES})
-  set_target_properties(guard_${NAME} PROPERTIES OUTPUT_NAME ${NAME}
+  set_target_properties(guard_${NAME} PROPERTIES OUTPUT_NAME ${NAME} INSTALL_RPATH $ORIGIN/..
     RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/${HANDWHEEL_GUARD_FOLDER})
   target_link_libraries(guard_${NAME} PRIVATE device_${NAME} ${ARG_LIBS})
   handwheel_warnings(guard_${NAME})
+  add_dependencies(handwheel guard_${NAME})
   install(TARGETS guard_${NAME} RUNTIME DESTINATION ${HANDWHEEL_GUARD_FOLDER})
 endfunction()
 
+# handwheel_install_plugin(NAME): for users, who get it wherever they get the program.
 function(handwheel_install_plugin NAME)
+  set_target_properties(plugin_${NAME} PROPERTIES INSTALL_RPATH $ORIGIN/..)
+  add_dependencies(handwheel plugin_${NAME})
   install(TARGETS plugin_${NAME} LIBRARY DESTINATION ${HANDWHEEL_PLUGIN_FOLDER})
 endfunction()

@@ -1,6 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The Handwheel developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 
+# Where the program looks for what belongs to it, from its own folder up: an installation may be moved as a whole.
+set(HANDWHEEL_LIBRARY_FOLDER ${CMAKE_INSTALL_LIBDIR}/handwheel)
+
 # handwheel_room(NAME SOURCES file... [ROOMS room...] [PUBLIC lib...] [PRIVATE lib...])
 #
 # One shared library per room. Its headers are reachable as "NAME/Header.h" only by targets that link it: the include
@@ -19,7 +22,8 @@ function(handwheel_room NAME)
   list(TRANSFORM ARG_ROOMS PREPEND hw_)
   target_link_libraries(hw_${NAME} PUBLIC ${ARG_ROOMS} ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
   handwheel_warnings(hw_${NAME})
-  install(TARGETS hw_${NAME} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/handwheel)
+  set_target_properties(hw_${NAME} PROPERTIES INSTALL_RPATH $ORIGIN)
+  install(TARGETS hw_${NAME} LIBRARY DESTINATION ${HANDWHEEL_LIBRARY_FOLDER})
 endfunction()
 
 function(handwheel_warnings TARGET)

@@ -68,6 +68,7 @@ int runWindow(int argc, char** argv, const KindSet& kinds, std::vector<std::uniq
   QCoreApplication::setOrganizationName(QStringLiteral("Handwheel"));
   QCoreApplication::setApplicationName(QStringLiteral("Handwheel"));
   QCoreApplication::setApplicationVersion(QStringLiteral(HANDWHEEL_VERSION));
+  QGuiApplication::setDesktopFileName(QStringLiteral("handwheel"));  // so that the window has the entry's icon
   const Translations translations(loadPreferences().language);
   const Wishes wishes = readArguments(application);
   applyTheme(application, startTheme(wishes));

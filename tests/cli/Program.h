@@ -24,14 +24,20 @@ inline QProcessEnvironment environmentWith(const QString& locale) {
   return environment;
 }
 
-// Runs the built program in a folder and waits for its end.
-inline Ran runIn(const QString& folder, const QStringList& words, const QString& locale = "C") {
+// Runs a program in a folder and waits for its end.
+inline Ran runProgram(const QString& program, const QString& folder, const QStringList& words,
+                      const QString& locale = "C") {
   QProcess process;
   process.setWorkingDirectory(folder);
   process.setProcessEnvironment(environmentWith(locale));
-  process.start(HANDWHEEL_PROGRAM, words);
+  process.start(program, words);
   if (!process.waitForFinished(120000) || process.exitStatus() != QProcess::NormalExit) return {};
   return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+// The program as it was built.
+inline Ran runIn(const QString& folder, const QStringList& words, const QString& locale = "C") {
+  return runProgram(HANDWHEEL_PROGRAM, folder, words, locale);
 }
 
 // A folder of its own for each test, and the program run in it.
