@@ -59,7 +59,7 @@ TriangleHierarchy hierarchyOf(const HalfEdgeMesh& mesh, const std::vector<Face>&
     }
     triangles.push_back(t);
   }
-  return {points, triangles, progress.part(0.2, 1.0)};
+  return {points, triangles, progress.part(0.2, 1.0), Slivers::Cut};
 }
 
 }  // namespace

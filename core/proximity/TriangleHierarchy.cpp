@@ -5,6 +5,7 @@
 #include "proximity/BoxQueries.h"
 #include "proximity/ClosestPoint.h"
 #include "proximity/RayTriangle.h"
+#include "proximity/SliverPieces.h"
 
 #include <cmath>
 #include <limits>
@@ -12,11 +13,12 @@
 namespace handwheel {
 
 TriangleHierarchy::TriangleHierarchy(std::span<const Vec3> points, std::span<const Triangle> triangles,
-                                     Progress progress)
+                                     Progress progress, Slivers slivers)
     : m_points(points.begin(), points.end()), m_triangles(triangles.begin(), triangles.end()), m_frame(points) {
   std::vector<BoxedItem> items = boxedTriangles(points, triangles, m_frame, FlatTriangles::Keep, progress);
   for (const BoxedItem& item : items)
     for (const std::uint32_t v : m_triangles[item.id()]) m_bounds.extend(m_points[v]);
+  if (slivers == Slivers::Cut) cutSlivers(items, m_points, m_triangles, m_frame);
   if (!m_tree.build(items, progress)) return;
   m_order.reserve(items.size());
   for (const BoxedItem& item : items) m_order.push_back(item.id());

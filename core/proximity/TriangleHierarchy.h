@@ -25,6 +25,10 @@ struct NearestPoint {
   double squaredDistance = 0.0;
 };
 
+// Whether each triangle has one box, or long, slanted ones several, where they would crowd each other (cutSlivers()):
+// slower to build, and around a vertex with thousands of faces the only way to find anything soon.
+enum class Slivers { Whole, Cut };
+
 // A bounding volume hierarchy over triangles, for picking, nearest points and intersection tests. Keeps its own copy of
 // the corner positions, so the mesh may change or go while the hierarchy is used on another thread. Reading is
 // thread-safe. Triangles with a coordinate that is not finite never enter; triangles without area do, as the segments
@@ -34,7 +38,8 @@ class TriangleHierarchy {
  public:
   TriangleHierarchy() = default;
   // Empty once cancelled.
-  TriangleHierarchy(std::span<const Vec3> points, std::span<const Triangle> triangles, Progress progress = {});
+  TriangleHierarchy(std::span<const Vec3> points, std::span<const Triangle> triangles, Progress progress = {},
+                    Slivers slivers = Slivers::Whole);
 
   bool empty() const { return m_order.empty(); }
   const Box& bounds() const { return m_bounds; }
@@ -50,7 +55,8 @@ class TriangleHierarchy {
   std::optional<NearestPoint> nearest(const Vec3& p, double limit = 1e300) const;
 
   // Calls visit(triangle) for each triangle whose box meets the box (boundaries included) until it returns false.
-  // Returns false when a visit did.
+  // Returns false when a visit did. Slivers that were cut may come more than once, or not at all where no piece's box
+  // meets it.
   bool forEachInBox(const Box& box, const std::function<bool(std::uint32_t)>& visit) const;
 
   std::array<Vec3, 3> corners(std::uint32_t triangle) const;

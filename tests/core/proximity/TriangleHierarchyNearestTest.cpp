@@ -33,6 +33,7 @@ class TriangleHierarchyNearestTest : public QObject {
  private slots:
   void initTestCase() { qputenv("RC_PARAMS", qgetenv("RC_PARAMS") + " max_success=300"); }
   void nearestAgainstBruteForce();
+  void cutSliversAnswerAlike();
   void nearestOnASphere();
   void closestKnown_data();
   void closestKnown();
@@ -53,6 +54,34 @@ void TriangleHierarchyNearestTest::nearestAgainstBruteForce() {
       RC_ASSERT(found->squaredDistance == expected->squaredDistance);
       RC_ASSERT(found->triangle == expected->triangle);
       RC_ASSERT(found->point == expected->point);
+    }
+  }));
+}
+
+// Fans and needles in all directions, some without area: the pieces of a triangle are the triangle.
+void TriangleHierarchyNearestTest::cutSliversAnswerAlike() {
+  QVERIFY(rc::check([] {
+    const double scale = *rc::gen::element(1.0, 1e-6, 1e7), width = *rc::gen::element(0.0, 1e-12, 1e-3, 0.05);
+    const Vec3 shift = scale * *rc::gen::element(Vec3(0, 0, 0), Vec3(1e7, -1e7, 1e7)), hub = anyPoint(-1, 1);
+    Surface s;
+    for (int i = 0; i < 60; ++i) {
+      const Vec3 from = i % 2 == 0 ? hub : anyPoint(-1, 1), to = anyPoint(-1, 1);
+      const Vec3 apex = from + *within(-0.2, 1.2) * (to - from) + width * anyPoint(-1, 1);
+      const auto n = static_cast<std::uint32_t>(s.points.size());
+      for (const Vec3& p : {from, to, apex}) s.points.push_back(p * scale + shift);
+      s.triangles.push_back({n, n + 1, n + 2});
+    }
+    const TriangleHierarchy cut(s.points, s.triangles, {}, Slivers::Cut);
+    for (int i = 0; i < 20; ++i) {
+      const Vec3 p = anyPoint(-2, 2) * scale + shift;
+      const auto expected = bruteNearest(s, p), found = cut.nearest(p);
+      RC_ASSERT(found.has_value());
+      RC_ASSERT(found->squaredDistance == expected->squaredDistance);
+      RC_ASSERT(found->triangle == expected->triangle);
+      const Vec3 direction = anyPoint(-1, 1);
+      const auto hit = cut.firstHit(p, direction), expectedHit = hierarchyOf(s).firstHit(p, direction);
+      RC_ASSERT(hit.has_value() == expectedHit.has_value());
+      if (hit) RC_ASSERT(hit->triangle == expectedHit->triangle && hit->distance == expectedHit->distance);
     }
   }));
 }
