@@ -5,6 +5,7 @@
 #include "mesh/FaceNormal.h"
 #include "mesh/MeshDelta.h"
 #include "mesh/Steps.h"
+#include "mesh/TriangleParts.h"
 #include "mesh/VertexGoals.h"
 
 #include <algorithm>
@@ -13,23 +14,6 @@
 
 namespace handwheel {
 namespace {
-
-// The points of a triangle that is split: its corners are 0, 1, 2; the middle of the edge from corner k is 3 + k.
-using Parts = std::vector<std::array<std::size_t, 3>>;
-
-// hasPoint: of the edge from each corner. shorter(p, q, r, s): whether the diagonal p q is not longer than r s.
-template <class Shorter>
-Parts partsOf(const std::array<bool, 3>& hasPoint, Shorter shorter) {
-  const auto count = std::count(hasPoint.begin(), hasPoint.end(), true);
-  if (count == 3) return {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
-  if (count == 0) return {{0, 1, 2}};
-  std::size_t a = 0;  // from here runs the only edge with a point, or the only one without
-  while (hasPoint[a] != (count == 1)) ++a;
-  const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
-  if (count == 1) return {{a, 3 + a, c}, {3 + a, b, c}};
-  if (shorter(a, 3 + b, b, 3 + c)) return {{a, b, 3 + b}, {a, 3 + b, 3 + c}, {3 + b, c, 3 + c}};
-  return {{a, b, 3 + c}, {b, 3 + b, 3 + c}, {3 + b, c, 3 + c}};
-}
 
 class PatchSplitter {
  public:
@@ -146,7 +130,7 @@ class PatchSplitter {
       if (hasPoint[k]) places[3 + k] = m_edgePlace[points[3 + k] - m_before.vertexSlots()];
     }
     const auto length = [&](std::size_t p, std::size_t q) { return (places[p] - places[q]).squaredNorm(); };
-    const Parts parts = partsOf(hasPoint, [&](std::size_t p, std::size_t q, std::size_t r, std::size_t s) {
+    const TriangleParts parts = partsOf(hasPoint, [&](std::size_t p, std::size_t q, std::size_t r, std::size_t s) {
       return m_fine ? m_fine->triangle(f)[2] == points[q] : length(p, q) <= length(r, s);
     });
     std::array<std::array<HalfEdge, 6>, 6> along;  // the half-edge of a part that runs from one point to another
