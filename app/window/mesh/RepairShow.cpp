@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/RepairShow.h"
 
-#include "mesh/NearFaces.h"
 #include "theme/Theme.h"
 #include "tools/mesh/FillHoleTool.h"
 #include "tools/mesh/MeshSelection.h"
@@ -11,7 +10,6 @@
 #include "window/ActionTip.h"
 #include "window/DocumentTabs.h"
 #include "window/ToolHost.h"
-#include "window/mesh/ClearView.h"
 #include "window/mesh/OpenMesh.h"
 #include "window/mesh/RepairJobs.h"
 
@@ -24,8 +22,6 @@ namespace {
 constexpr std::uint32_t kFirst = 1u << 0, kSecond = 1u << 1;
 constexpr double kClick = 0.2;               // s that a button is held
 constexpr double kLook = 1.4;                // s to see what was proposed or done
-constexpr double kNarrow = 1.0 / 3;          // of the points of a hole lie on either side of a waist, at least
-constexpr std::size_t kMostTried = 30;       // waists
 constexpr double kNear = 0.6;                // of the hole is what the camera would fly to
 constexpr double kBrush = 0.2, kPull = 0.2;  // of the diagonal of the hole
 
@@ -71,7 +67,7 @@ RepairShow::RepairShow(const WindowParts& parts, const RepairJobs& jobs, QObject
 }
 
 void RepairShow::setDocument(OpenMesh* document) {
-  if (m_document && document != m_document && !m_rim.empty()) m_hand.stop();  // the user has gone elsewhere
+  if (m_document && document != m_document && m_hole.isTaken()) m_hand.stop();  // the user has gone elsewhere
   m_document = document;
 }
 
@@ -83,12 +79,12 @@ NextStep RepairShow::step() {
 
 void RepairShow::start() {
   m_hand.stop();
-  m_rim.clear();
+  m_hole.forget();
   m_hand.start(steps());
 }
 
 void RepairShow::ended() {
-  m_rim.clear();
+  m_hole.forget();
   for (const Setting& setting : m_changed) m_parts.tools.choose(setting.tool, setting.id, setting.value);
   m_changed.clear();
   if (m_document) useTool("fillTool");
@@ -120,7 +116,7 @@ void RepairShow::addChoosing(std::vector<HandStep>& steps) {
   go.detail = tr("Points of the edge draw the tip to them. The first button chooses the hole.");
   go.begin = [this] {
     useTool("boundaryTool");
-    lookFrom(m_outward);
+    lookFrom(m_hole.outward());
   };
   steps.insert(steps.end(), {go, press(kFirst), rest(kLook)});
 }
@@ -136,9 +132,10 @@ void RepairShow::addSmoothing(std::vector<HandStep>& steps) {
 void RepairShow::addStitching(std::vector<HandStep>& steps) {
   const auto end = [this](HalfEdge BorderPair::*which) {
     return [this, which]() -> std::optional<Vec3> {
-      const auto pair = waist();
-      if (!pair) return std::nullopt;
       const HalfEdgeMesh& mesh = m_document->document.mesh();
+      const BoundaryLoop* part = nextPart();
+      const auto pair = part ? ShownHole::waist(mesh, *part) : std::nullopt;
+      if (!pair) return std::nullopt;
       return mesh.position(mesh.from((*pair).*which));
     };
   };
@@ -165,11 +162,12 @@ void RepairShow::addFilling(std::vector<HandStep>& steps) {
     }
     go.begin = [this, isFirst] {
       if (isFirst) useTool("fillTool");
-      lookFrom(m_outward);
+      lookFrom(m_hole.outward());
     };
     HandStep seen = rest(kLook, [this] {
       const auto* tool = dynamic_cast<const FillHoleTool*>(m_parts.tools.runner().tool());
-      return tool && tool->state() == FillHoleTool::State::Ready && isOfHole(*tool->loop());
+      return tool && tool->state() == FillHoleTool::State::Ready &&
+             m_hole.holds(m_document->document.mesh(), *tool->loop());
     });
     steps.insert(steps.end(), {go, press(kFirst), seen, press(kSecond), rest(kLook, [this] { return isSettled(); })});
   }
@@ -184,22 +182,16 @@ void RepairShow::addSculpting(std::vector<HandStep>& steps) {
   refine.detail = tr("It is subdivided, and pulled at its coarse level: the fine one follows, as on a spring.");
   refine.begin = [this] {
     useTool("sculptTool");
-    const double size = m_place.diagonal().norm();
+    const double size = m_hole.place().diagonal().norm();
     choose("sculpt", "brush", 0.0);
     choose("sculpt", "radius", kBrush * size);
-    lookFrom(m_outward + m_parts.viewport.camera().right());
+    lookFrom(m_hole.outward() + m_parts.viewport.camera().right());
     perform("subdivide");
   };
   const auto middle = [this](double out) {
     return [this, out]() -> std::optional<Vec3> {
-      const HalfEdgeMesh& mesh = m_document->document.mesh();
-      std::optional<Vec3> nearest;
-      m_document->newest.forEach([&](Face f) {
-        for (const Vec3& p : mesh.points(f)) {
-          if (!nearest || (p - m_place.center()).norm() < (*nearest - m_place.center()).norm()) nearest = p;
-        }
-      });
-      if (nearest) *nearest += out * m_place.diagonal().norm() * m_outward.normalized();
+      std::optional<Vec3> nearest = m_hole.middleOf(m_document->document.mesh(), m_document->newest);
+      if (nearest) *nearest += out * m_hole.place().diagonal().norm() * m_hole.outward().normalized();
       return nearest;
     };
   };
@@ -215,42 +207,13 @@ bool RepairShow::isSettled() const {
   return m_parts.jobs.isIdle() && !m_jobs.isWorking() && m_parts.viewport.isPickingReady();
 }
 
-// The one with the longest edge; false when there is none.
 bool RepairShow::takeHole() {
   m_document->cardDismissed = false;
-  const Inspection& inspection = m_document->inspection;
-  const BoundaryLoop* longest = nullptr;
-  for (const int id : inspection.holes()) {
-    if (!longest || inspection.loop(id).length > longest->length) longest = &inspection.loop(id);
-  }
-  if (!longest) return false;
-  const HalfEdgeMesh& mesh = m_document->document.mesh();
-  m_place = longest->box;
-  m_outward.setZero();
-  for (const HalfEdge h : longest->halfEdges) {
-    m_rim.insert(mesh.from(h));
-    const TrianglePoints p = mesh.points(HalfEdgeMesh::face(h));
-    m_outward += (p[1] - p[0]).cross(p[2] - p[0]);
-  }
-  m_outward = clearView(mesh, m_place, m_outward);
-  return true;
+  return m_hole.take(m_document->document.mesh(), m_document->inspection);
 }
 
-// The shorter of what is left of the hole; null when it is closed.
 const BoundaryLoop* RepairShow::nextPart() const {
-  const Inspection& inspection = m_document->inspection;
-  const BoundaryLoop* shortest = nullptr;
-  for (const int id : inspection.holes()) {
-    const BoundaryLoop& loop = inspection.loop(id);
-    if (isOfHole(loop) && (!shortest || loop.length < shortest->length)) shortest = &loop;
-  }
-  return shortest;
-}
-
-bool RepairShow::isOfHole(const BoundaryLoop& loop) const {
-  const HalfEdgeMesh& mesh = m_document->document.mesh();
-  return std::any_of(loop.halfEdges.begin(), loop.halfEdges.end(),
-                     [&](HalfEdge h) { return m_rim.count(mesh.from(h)) != 0; });
+  return m_hole.nextPart(m_document->document.mesh(), m_document->inspection);
 }
 
 std::optional<Vec3> RepairShow::firstPoint(const BoundaryLoop* loop) const {
@@ -263,32 +226,9 @@ std::optional<Vec3> RepairShow::firstPoint(const BoundaryLoop* loop) const {
   return mesh.position(mesh.from(*nearest));
 }
 
-// The two points nearest to each other that part the hole into like parts, and between which a bridge can be laid.
-std::optional<BorderPair> RepairShow::waist() const {
-  const BoundaryLoop* hole = nextPart();
-  if (!hole) return std::nullopt;
-  const HalfEdgeMesh& mesh = m_document->document.mesh();
-  const auto& rim = hole->halfEdges;
-  const auto least = static_cast<std::size_t>(kNarrow * static_cast<double>(rim.size()));
-  std::vector<std::pair<double, BorderPair>> pairs;
-  for (std::size_t i = 0; i < rim.size(); ++i) {
-    for (std::size_t j = i + least; j < rim.size() && j - i <= rim.size() - least; ++j) {
-      pairs.push_back({(mesh.position(mesh.from(rim[i])) - mesh.position(mesh.from(rim[j]))).norm(), {rim[i], rim[j]}});
-    }
-  }
-  const std::size_t tried = std::min(kMostTried, pairs.size());
-  std::partial_sort(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(tried), pairs.end(),
-                    [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (std::size_t i = 0; i < tried; ++i) {
-    const BorderPair& ends = pairs[i].second;
-    if (findBridge(NearFaces(mesh, reachOf(mesh, ends)), ends).problem == JoinProblem::None) return ends;
-  }
-  return std::nullopt;
-}
-
 void RepairShow::lookFrom(const Vec3& direction) {
-  const Vec3 half = kNear * 0.5 * m_place.sizes();
-  m_parts.viewport.flyTo(Box(m_place.center() - half, m_place.center() + half), direction);
+  const Vec3 half = kNear * 0.5 * m_hole.place().sizes();
+  m_parts.viewport.flyTo(Box(m_hole.place().center() - half, m_hole.place().center() + half), direction);
 }
 
 void RepairShow::useTool(const char* action) {

@@ -2,19 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/Bridging.h"
 #include "panels/NextStepCard.h"
 #include "window/KindUi.h"
 #include "window/haptics/HandShow.h"
+#include "window/mesh/ShownHole.h"
 
 #include <optional>
-#include <set>
 
 namespace handwheel {
 
 class MeshTools;
 class RepairJobs;
-struct BoundaryLoop;
 struct OpenMesh;
 
 // The simulated hand repairs a hole of the sample scan before the user's eyes, by the tools and in the order in which a
@@ -50,8 +48,6 @@ class RepairShow : public QObject {
   bool takeHole();
   const BoundaryLoop* nextPart() const;
   std::optional<Vec3> firstPoint(const BoundaryLoop* loop) const;
-  std::optional<BorderPair> waist() const;
-  bool isOfHole(const BoundaryLoop& loop) const;
   void lookFrom(const Vec3& direction);
   void useTool(const char* action);
   void perform(const char* action);
@@ -64,9 +60,7 @@ class RepairShow : public QObject {
   HandShow m_hand;
   QAction m_action;
   QAction m_stop;
-  std::set<Vertex> m_rim;  // of the hole, before anything was done
-  Box m_place;             // of it
-  Vec3 m_outward = Vec3::Zero();
+  ShownHole m_hole;
   // Settings of tools that were changed, as they were.
   struct Setting {
     std::string tool, id;
