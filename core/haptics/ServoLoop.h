@@ -35,8 +35,12 @@ class ServoLoop {
   // Instead of a thread, on the calling one: for tests and the command line, by a virtual clock.
   void runTicks(std::uint64_t count);
 
-  // The next tick feels this scene. Frees what the loop has left.
-  void setScene(std::unique_ptr<HapticScene> scene) { m_channel->scenes.publish(std::move(scene)); }
+  // The next tick feels this scene. Frees what the loop has left. A leap that was announced with one that no tick has
+  // felt still starts the ramp.
+  void setScene(std::unique_ptr<HapticScene> scene) {
+    if (scene->mayLeap) announceLeap();
+    m_channel->scenes.publish(std::move(scene));
+  }
   // Where the device lies in the scene from the next tick on. A mapping that does not keep the tip starts the ramp; of
   // a change of scale or axes, which turns the force about, announceLeap() tells.
   void setMapping(const WorkspaceMapping& mapping) { m_channel->mapping.write({++m_mappingNumber, mapping}); }

@@ -52,6 +52,23 @@ class ServoLoopTest : public QObject {
     }
   }
 
+  // Two scenes between two ticks: the first may leap, the second is felt.
+  void aLeapThatWasAnnouncedStartsTheRamp() {
+    Rig rig;
+    rig.loop->setScene(sceneOf(wall(0.1)));
+    rig.loop->runTicks(3000);
+    rig.log->state.position = {1, 0, 0};
+    rig.loop->runTicks(2000);
+    QVERIFY(!rig.loop->latest().actions.has(SafetyAction::Ramp));
+    rig.loop->setScene(sceneOf(wall(0.1), false));
+    rig.loop->runTicks(1);
+    QVERIFY(!rig.loop->latest().actions.has(SafetyAction::Ramp));
+    rig.loop->setScene(sceneOf(wall(0.1), true));
+    rig.loop->setScene(sceneOf(wall(0.1), false));
+    rig.loop->runTicks(1);
+    QVERIFY(rig.loop->latest().actions.has(SafetyAction::Ramp));
+  }
+
   // 1 kHz, then 4 kHz: by the new period, with the same scene, count and time; and the force rises from none again.
   void settingsChangeBetweenTicks() {
     Rig rig;
