@@ -76,6 +76,10 @@ inline constexpr double kOneSidedCut = 0.01;
 // is right depends on more than the outline, and everybody expects a fan.
 inline constexpr double kPlanarPolygon = 1e-3;
 
+// Faces that meet at no more than this angle (radian; 1°) lie in one plane for who looks for edges: files in single
+// precision turn them by less, and the sides of a finely drawn cylinder meet at more.
+inline constexpr double kFlatEdge = 0.0175;
+
 // How far a proxy stays off the surface that it touches: far above what rounding moves it, far below what a person
 // sees.
 inline constexpr double kContactSkin = 0x1p-27;

@@ -34,9 +34,11 @@ struct ForceOut {
   double gripper = 0.0;        // N
   Vec3 proxy = Vec3::Zero();   // mm: where the tip is shown
   bool isContact = false;
-  bool isFresh = true;      // false: nothing new is known since the last tick; the watchdog counts
-  double stiffness = 0.0;   // N/mm: largest |dF/dx| of all that acted, after the limit
-  bool isSoftened = false;  // it was more before the limit
+  bool isFresh = true;       // false: nothing new is known since the last tick; the watchdog counts
+  double stiffness = 0.0;    // N/mm: largest |dF/dx| of all that acted, after the limit
+  bool isSoftened = false;   // it was more before the limit
+  bool isHeld = false;       // a point or an edge draws the tip,
+  Vec3 held = Vec3::Zero();  // to here; mm
 };
 
 // Makes the force of a scene: contact, snapping, a tool. Built on the window thread with everything it needs; from then

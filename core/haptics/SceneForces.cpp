@@ -34,6 +34,10 @@ void SceneForces::tick(const TipState& tip, ForceOut& out) noexcept {
   } else if (m_feel.snap) {
     out.proxy = m_pull.proxy;
   }
+  if (m_feel.snap && m_feel.snap->method == SnapMethod::Proxy) {
+    out.isHeld = isHeldBy(SnapKind::Point) || isHeldBy(SnapKind::Segment);
+    out.held = m_pull.proxy;
+  }
 
   const double ofSprings = springDamping();
   const double wanted = ofSprings + (out.isContact ? m_feel.surface->damping : 0.0);
@@ -71,6 +75,17 @@ void SceneForces::snap(const TipState& tip) {
   const SnapFeel& feel = *m_feel.snap;
   m_pull = feel.method == SnapMethod::Proxy ? m_snapProxy.step(feel.field, feel.profile, tip.position)
                                             : m_snapSum.step(feel.field, feel.profile, tip.position);
+  // On the surface that is felt by itself; a magnet would make it harder than it is meant to be. Nothing leaps: where
+  // the tip meets it, the force of the magnet is none.
+  const bool isOnFacet = feel.method == SnapMethod::Proxy && isHeldBy(SnapKind::Facet);
+  if (isOnFacet && m_feel.surface && m_god.contact().touching) {
+    m_pull.force.setZero();
+    m_pull.slope = 0.0;
+  }
+}
+
+bool SceneForces::isHeldBy(SnapKind kind) const {
+  return m_pull.featureCount > 0 && m_pull.features[0].kind == kind;
 }
 
 // N/mm: a bound of |dF/dx| of all that acts.

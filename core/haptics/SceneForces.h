@@ -22,7 +22,7 @@ struct SurfaceFeel {
 
 enum class SnapMethod { Proxy, Sum };
 
-// Features that draw the tip to them.
+// Features that draw the tip to them; by the proxy method, facets only as long as the surface is not touched.
 struct SnapFeel {
   SnapField field;
   SnapProfile profile;
@@ -65,6 +65,7 @@ class SceneForces : public ForceSource {
   void touch(const TipState& tip);
   Vec3 entryOf(const Vec3& tip) const;
   void snap(const TipState& tip);
+  bool isHeldBy(SnapKind kind) const;
   double slope() const;
   double springDamping() const;
   Vec3 springForce(const Vec3& tip) const;

@@ -79,6 +79,16 @@ std::optional<WallThickness> MeasureTool::thickness() const {
   return m_mode == Mode::Thickness && !p.empty() ? m_services.thickness(p[0]) : std::nullopt;
 }
 
+Magnets MeasureTool::magnets() const {
+  return isOfPoints() ? Magnets{.corners = true, .edges = true} : Magnets{.faces = true};
+}
+
+// What draws the tip is measured as it is: a ray through the outermost edge may pass the surface by.
+std::optional<SurfacePoint> MeasureTool::pointAt(const PointerEvent& event) const {
+  if (event.held && isOfPoints()) return SurfacePoint{*event.held, Vec3::Zero(), kNone};
+  return m_services.pick(event.ray);
+}
+
 void MeasureTool::start() {
   m_clicked.clear();
   m_hovered.reset();
@@ -87,11 +97,11 @@ void MeasureTool::start() {
 ToolReply MeasureTool::pointer(const PointerEvent& event) {
   m_pixel = event.pixel;
   if (event.kind == PointerEvent::Kind::Hover || event.kind == PointerEvent::Kind::Leave) {
-    m_hovered = event.kind == PointerEvent::Kind::Hover ? m_services.pick(event.ray) : std::nullopt;
+    m_hovered = event.kind == PointerEvent::Kind::Hover ? pointAt(event) : std::nullopt;
     return ToolReply::Used;
   }
   if (event.kind != PointerEvent::Kind::Press || event.button != PointerButton::First) return ToolReply::Ignored;
-  const auto point = m_services.pick(event.ray);
+  const auto point = pointAt(event);
   if (!point) return ToolReply::Ignored;  // the camera's
   if (m_clicked.size() == wanted()) m_clicked.clear();
   m_clicked.push_back(*point);

@@ -45,6 +45,8 @@ class MeasureTool : public Tool {
   ToolPreview preview() const override;
   std::vector<Property> settings() const override;
   void setSetting(std::string_view id, const PropertyValue& value) override;
+  // Points are measured at corners and edges, which are hard to hit by hand; directions and walls, of faces.
+  Magnets magnets() const override;
   void documentChanged() override { start(); }
   std::vector<std::string> needs() const override { return {"picking"}; }
 
@@ -52,6 +54,8 @@ class MeasureTool : public Tool {
   std::size_t wanted() const;                // points
   std::vector<SurfacePoint> points() const;  // clicked, and under the pointer
   void start();
+  bool isOfPoints() const { return m_mode == Mode::Distance || m_mode == Mode::PointAngle; }
+  std::optional<SurfacePoint> pointAt(const PointerEvent& event) const;
   void addAngle(ToolPreview& preview, const std::vector<SurfacePoint>& points) const;
 
   MeasureServices m_services;

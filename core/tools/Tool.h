@@ -40,6 +40,7 @@ struct PointerEvent {
   double pixel = 0.0;          // mm to a logical pixel: at the focus of the view
   std::optional<Pose> device;  // mm; of the tip of a haptic device, when that is the source
   double focus = 0.0;          // mm from the eye to the focus of the view; 0: not known
+  std::optional<Vec3> held;    // mm; the place on a corner or an edge that draws the tip of the device
 
   Sight sight() const { return {ray, eye, pixel, focus}; }
 };
@@ -77,6 +78,19 @@ struct ForceTerm {
   double damping = 0.0;        // N·s/mm, at the hand
 };
 
+// What draws the tip of a device while nothing is held, so that what a click takes is easily hit.
+struct Magnets {
+  bool borderPoints = false;  // points of open edges
+  bool borderEdges = false;   // open edges
+  bool corners = false;       // ends of the edges where the surface bends or ends,
+  bool edges = false;         // and these edges
+  bool faces = false;         // the surface, from above
+
+  // Of what is everywhere on a surface only what is near the tip can be looked at.
+  bool areEverywhere() const { return corners || edges || faces; }
+  bool operator==(const Magnets&) const = default;
+};
+
 // What happens between press and release, without a window: fed with events, a tool shows a preview, and commits one
 // edit to its document or reverts. Window thread. Tests feed it the same events.
 class Tool {
@@ -96,8 +110,7 @@ class Tool {
     (void)value;
   }
   virtual std::vector<ForceTerm> forces() const { return {}; }
-  // Whether the tip of a device is to be drawn to the points of open edges, as long as nothing is held.
-  virtual bool wantsBoundaryPoints() const { return false; }
+  virtual Magnets magnets() const { return {}; }
 
   // The document has changed under the tool: what it had begun is dropped.
   virtual void documentChanged() {}

@@ -95,6 +95,7 @@ PointerEvent DevicePointer::eventAt(const ServoSample& sample) const {
   event.modifiers = {keys.testFlag(Qt::ShiftModifier), keys.testFlag(Qt::ControlModifier),
                      keys.testFlag(Qt::AltModifier)};
   event.device = Eigen::Translation3d(sample.tip.position) * sample.tip.orientation;
+  if (sample.felt.isHeld) event.held = sample.felt.held;
   if (camera.projection == Projection::Perspective) {
     event.eye = camera.eye();
     event.focus = camera.eyeDistance();

@@ -13,7 +13,9 @@ namespace handwheel {
 namespace {
 
 constexpr double kSnapStiffness = 0.3;  // N/mm at the device
-constexpr double kFeltAtOnce = 0.2;     // N: a smaller leap of the springs needs no ramp
+// mm at the device: what draws from further, as the edges of a large cube would, is in the way.
+constexpr double kFarthestSnap = 5.0;
+constexpr double kFeltAtOnce = 0.2;  // N: a smaller leap of the springs needs no ramp
 
 Vec3 forceOf(const std::vector<ForceTerm>& terms, const Vec3& tip) {
   Vec3 sum = Vec3::Zero();
@@ -87,7 +89,8 @@ void TouchScene::publish(bool mayLeap) {
     feel.surface->contact.friction = touch.friction;
   }
   if (m_snap && !m_isHolding) {
-    const SnapProfile profile(SnapShape::Quadratic, mapping.sceneStiffness(kSnapStiffness), m_snapDistance);
+    const SnapProfile profile(SnapShape::Quadratic, mapping.sceneStiffness(kSnapStiffness),
+                              std::min(m_snapDistance, kFarthestSnap * mapping.scale));
     feel.snap = SnapFeel{*m_snap, profile, SnapMethod::Proxy, m_mostFeatures};
   }
   feel.comesFrom = m_session.camera().towardsViewer();

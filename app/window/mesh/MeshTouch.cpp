@@ -2,14 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/MeshTouch.h"
 
+#include "haptics/SnapFidelity.h"
 #include "haptics/SnapScene.h"
 #include "haptics/TouchableSurface.h"
+#include "tools/mesh/NearFeatures.h"
 #include "window/FidelityChoice.h"
 #include "window/KindUi.h"
 #include "window/ToolHost.h"
 #include "window/haptics/HapticSession.h"
 #include "window/haptics/TouchScene.h"
 #include "window/mesh/OpenMesh.h"
+
+#include <algorithm>
+#include <limits>
 
 namespace handwheel {
 
@@ -18,8 +23,13 @@ namespace {
 // More are not brought up to date on the window thread, where they would take longer than a frame.
 constexpr std::size_t kMostAtOnce = 10'000;
 
-// The points of the edges around holes, and of the outer ones.
-SnapScene boundaryPoints(const HalfEdgeMesh& mesh, const std::vector<BoundaryLoop>& loops, Progress progress) {
+// Of what draws the tip so many snap distances are looked at around it: seldom anew, and never much.
+constexpr double kReach = 16.0;
+constexpr double kNeverAgain = std::numeric_limits<double>::infinity();  // mm
+
+// The edges around holes, the outer ones, and their points.
+SnapScene borderFeatures(const HalfEdgeMesh& mesh, const std::vector<BoundaryLoop>& loops, const Magnets& magnets,
+                         Progress progress) {
   struct Rim {
     std::vector<Vec3> points;
     std::vector<std::uint32_t> vertices;
@@ -33,7 +43,7 @@ SnapScene boundaryPoints(const HalfEdgeMesh& mesh, const std::vector<BoundaryLoo
     }
     rims.push_back({static_cast<std::uint32_t>(i), kept[i].points, kept[i].vertices, loops[i].halfEdges});
   }
-  return snapSceneOf(rims, {.vertices = true, .edges = false, .rims = false}, progress);
+  return snapSceneOf(rims, {.vertices = magnets.borderPoints, .edges = magnets.borderEdges, .rims = false}, progress);
 }
 
 }  // namespace
@@ -49,8 +59,9 @@ MeshTouch::MeshTouch(const WindowParts& parts, QObject* parent)
   connect(&m_session, &HapticSession::chosenChanged, this, &MeshTouch::followSession);
   connect(&m_tools, &ToolHost::updated, this, &MeshTouch::followTool);
   connect(&m_fidelity, &FidelityChoice::changed, this, [this] {
-    if (m_isSnapping) gather(false);
+    if (m_magnets != Magnets()) gather(false);
   });
+  connect(&m_session, &HapticSession::sampled, this, &MeshTouch::followTip);
 }
 
 void MeshTouch::setDocument(OpenMesh* document) {
@@ -73,9 +84,7 @@ void MeshTouch::rebuild(bool isEdit) {
   m_surface.reset();
   if (!isEdit) {
     m_scene.setSurface({}, false);
-    m_isSnapping = false;
-    m_gathering.cancel();
-    m_scene.setSnap({}, 0.0, false);
+    dropMagnets();
   }
   if (!isFelt()) return;
   followTool();
@@ -85,9 +94,11 @@ void MeshTouch::rebuild(bool isEdit) {
     HalfEdgeMesh::Compact all = mesh.compact();
     auto surface = std::make_shared<ContactSurface>(
         touchableSurface(std::move(all.soup.points), std::move(all.soup.triangles), all.faceOf, progress));
-    return [this, surface] {
+    return [this, surface, side = meanSide(mesh)] {
       m_surface = *surface;
+      m_side = side;
       m_scene.setSurface(*surface, false);
+      if (m_magnets.areEverywhere()) gatherNear(false);
     };
   };
   m_making.start(std::move(job));
@@ -99,35 +110,75 @@ bool MeshTouch::isFelt() const {
 
 void MeshTouch::followTool() {
   const Tool* const tool = m_tools.runner().tool();
-  const bool isWanted = isFelt() && tool && tool->wantsBoundaryPoints();
-  if (isWanted == m_isSnapping) return;
-  m_isSnapping = isWanted;
-  if (isWanted) return gather(false);
+  const Magnets wanted = isFelt() && tool ? tool->magnets() : Magnets();
+  if (wanted == m_magnets) return;
+  dropMagnets();
+  m_magnets = wanted;
+  if (wanted != Magnets()) gather(false);
+}
+
+void MeshTouch::dropMagnets() {
+  m_magnets = {};
+  m_near.reset();
   m_gathering.cancel();
   m_scene.setSnap({}, 0.0, false);
 }
 
 // Until the new ones are there, the old draw the tip.
 void MeshTouch::gather(bool isEdit) {
+  if (m_magnets.areEverywhere()) return gatherNear(isEdit);
   Job job;
   job.name = tr("Preparing to snap");
-  job.work = [this, isEdit, mesh = m_document->document.mesh(),
+  job.work = [this, isEdit, magnets = m_magnets, mesh = m_document->document.mesh(),
               loops = m_document->document.defects().loops](Progress progress) -> Job::Finish {
-    auto points = std::make_shared<SnapScene>(boundaryPoints(mesh, loops, progress));
-    return [this, isEdit, points] {
-      const double distance = points->distance(m_fidelity.values());
-      m_scene.setSnap(std::move(points->field), distance, isEdit);
+    auto border = std::make_shared<SnapScene>(borderFeatures(mesh, loops, magnets, progress));
+    return [this, isEdit, border] {
+      const double distance = border->distance(m_fidelity.values());
+      m_scene.setSnap(std::move(border->field), distance, isEdit);
     };
   };
   m_gathering.start(std::move(job));
 }
 
+// The snap distance is the same all over the mesh: what has hold of the tip is in the next ones as it was in the last.
+void MeshTouch::gatherNear(bool isEdit) {
+  const ServoSample* const last = m_session.latest();
+  m_near.reset();
+  if (!m_surface || !last) return;  // comes with the surface, or with the tip
+  const Vec3 place = last->tip.position;
+  const double distance = m_fidelity.values().of(snapRadiusSetting()) * m_side;
+  Job job;
+  job.name = tr("Preparing to snap");
+  job.work = [this, isEdit, place, distance, magnets = m_magnets, surface = *m_surface,
+              mesh = m_document->document.mesh()](Progress progress) -> Job::Finish {
+    const NearFeatures near = nearFeatures(mesh, surface, magnets, place, kReach * distance);
+    std::optional<SnapField> field;
+    if (!near.features.items().empty()) field.emplace(near.features, progress);
+    const bool isSomewhere = near.reach > 0.0;
+    const double mayMove = isSomewhere ? std::max(0.5 * (near.reach - distance), 0.25 * near.reach) : kNeverAgain;
+    return [this, isEdit, place, distance, mayMove, field = std::move(field)]() mutable {
+      m_near = Near{place, mayMove};
+      m_scene.setSnap(std::move(field), distance, isEdit);
+    };
+  };
+  m_gathering.start(std::move(job));
+}
+
+void MeshTouch::followTip() {
+  const ServoSample* const last = m_session.latest();
+  if (!m_magnets.areEverywhere() || !last || !m_gathering.isIdle()) return;
+  if (!m_near || !((last->tip.position - m_near->place).norm() <= m_near->mayMove)) gatherNear(m_near.has_value());
+}
+
 // While it is being made, it is made of a mesh that is no longer there.
 void MeshTouch::edited(const std::vector<Face>& touched) {
   if (!isFelt()) return;
-  if (m_isSnapping) gather(true);
-  if (m_surface && touched.size() <= kMostAtOnce) return update(touched);
-  rebuild(true);
+  if (m_surface && touched.size() <= kMostAtOnce) {
+    update(touched);
+  } else {
+    rebuild(true);
+  }
+  if (m_magnets != Magnets()) gather(true);
 }
 
 void MeshTouch::update(const std::vector<Face>& touched) {

@@ -4,6 +4,7 @@
 
 #include "haptics/ContactSurface.h"
 #include "mesh/HalfEdgeMesh.h"
+#include "tools/Tool.h"
 #include "window/JobRunner.h"
 
 #include <optional>
@@ -18,7 +19,8 @@ struct OpenMesh;
 struct WindowParts;
 
 // What the device feels of the mesh in view: its surface, made on a worker when a device is opened or another mesh
-// comes into view, and brought up to date with each edit in time proportional to that. Without a device there is none.
+// comes into view, and brought up to date with each edit in time proportional to that; and what draws the tip for the
+// tool in use, of which only that near the tip is looked at. Without a device there is nothing of it.
 class MeshTouch : public QObject {
   Q_OBJECT
 
@@ -34,7 +36,10 @@ class MeshTouch : public QObject {
   void followSession();
   void rebuild(bool isEdit);
   void followTool();
+  void followTip();
+  void dropMagnets();
   void gather(bool isEdit);
+  void gatherNear(bool isEdit);
   bool isFelt() const;
   void edited(const std::vector<Face>& touched);
   void update(const std::vector<Face>& touched);
@@ -44,11 +49,19 @@ class MeshTouch : public QObject {
   ToolHost& m_tools;
   FidelityChoice& m_fidelity;
   JobRunner m_making;     // the surface
-  JobRunner m_gathering;  // points of open edges
+  JobRunner m_gathering;  // what draws the tip
   OpenMesh* m_document = nullptr;
   std::optional<ContactSurface> m_surface;  // of the present mesh; none while it is made
   bool m_isOpen = false;                    // the session was, when it last told
-  bool m_isSnapping = false;                // the points are in the scene, or on their way
+  double m_side = 0.0;                      // mm, the mean length of an edge of the mesh
+  Magnets m_magnets;                        // that are in the scene, or on their way
+
+  // Around where what draws the tip was gathered, and how far it may go from there (mm).
+  struct Near {
+    Vec3 place;
+    double mayMove;
+  };
+  std::optional<Near> m_near;
 };
 
 }  // namespace handwheel

@@ -34,7 +34,7 @@ class BoundaryTool : public Tool {
   std::vector<Property> settings() const override;
   void setSetting(std::string_view id, const PropertyValue& value) override;
   std::vector<ForceTerm> forces() const override;
-  bool wantsBoundaryPoints() const override { return true; }
+  Magnets magnets() const override { return {.borderPoints = true, .borderEdges = true}; }
   void documentChanged() override;
   std::vector<std::string> needs() const override { return {"picking"}; }
 

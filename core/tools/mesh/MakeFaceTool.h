@@ -26,7 +26,7 @@ class MakeFaceTool : public Tool {
   ToolPreview preview() const override;
   std::vector<Property> settings() const override;
   std::vector<ForceTerm> forces() const override;
-  bool wantsBoundaryPoints() const override { return true; }
+  Magnets magnets() const override { return {.borderPoints = true}; }
   void documentChanged() override;
   std::vector<std::string> needs() const override { return {"picking"}; }
 

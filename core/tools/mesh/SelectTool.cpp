@@ -32,6 +32,12 @@ SelectTool::~SelectTool() {
   if (m_job) m_services.cancel();
 }
 
+// A lasso is drawn in the air.
+Magnets SelectTool::magnets() const {
+  if (m_settings.mode == Mode::Lasso) return {};
+  return {.borderEdges = m_settings.mode == Mode::Click, .faces = true};
+}
+
 const HalfEdgeMesh& SelectTool::mesh() const {
   return m_document.mesh();
 }

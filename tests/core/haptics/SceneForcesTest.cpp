@@ -113,6 +113,33 @@ class SceneForcesTest : public QObject {
     QCOMPARE(scene.pull().featureCount, 1u);
   }
 
+  // A face draws a tip above it by the quadratic profile, and leaves one that touches it to the surface. Through the
+  // surface the force changes by no more than the stiffer of the two allows. What holds is told of points and edges.
+  void aFaceDrawsOnlyFromAbove() {
+    SnapFeatures features;
+    features.addTriangle(1, {0, 0, 10}, {10, 0, 10}, {10, 10, 10});
+    features.addPoint(2, {0, 0, 10});
+    SceneFeel feel;
+    feel.surface = cubeFeel(0.5);
+    feel.snap = SnapFeel{SnapField(features), SnapProfile(SnapShape::Quadratic, 0.3, 2.0), SnapMethod::Proxy};
+    SceneForces scene(std::move(feel));
+    const ForceOut above = feltAt(scene, {7, 3, 10.5});
+    QVERIFY(isNear(above.force, {0, 0, -2.0 * 0.3 * 0.5 * 1.5 / 2.0}) && isNear(above.proxy, {7, 3, 10}));
+    QVERIFY(!above.isContact && !above.isHeld);
+    QCOMPARE(above.stiffness, 0.6);
+    Vec3 last = above.force;
+    for (double z = 10.5; z > 9.0; z -= 1e-3) {
+      const ForceOut out = feltAt(scene, {7, 3, z});
+      QVERIFY((out.force - last).norm() <= 0.6 * 1e-3 + 1e-6);
+      if (z < 10.0 - 1e-3) QVERIFY(out.isContact && isNear(out.force, {0, 0, 0.5 * (10.0 - z)}));
+      last = out.force;
+    }
+    feltAt(scene, {7, 3, 14});
+    const ForceOut corner = feltAt(scene, {0.5, 0.25, 10.5});
+    QVERIFY(corner.isHeld && isNear(corner.held, {0, 0, 10}));
+    QVERIFY(!feltAt(scene, {7, 3, 14}).isHeld);
+  }
+
   // What the loop cannot carry is softened alike, damping and springs: K <= limit (1 - B / dampingLimit).
   void isSoftenedAsAWhole() {
     SceneFeel feel;

@@ -20,6 +20,7 @@ class MeasureToolTest : public QObject {
   void modes();
   void escStartsAgain();
   void oddPlaces();
+  void whatHoldsTheTipIsMeasured();
 };
 
 namespace {
@@ -178,6 +179,19 @@ void MeasureToolTest::oddPlaces() {
   tool.pointer(test::above(Kind::Press, 1e-300, 0));
   tool.pointer(test::above(Kind::Press, 0, 0));
   QCOMPARE(*tool.distance(), 1e-300);
+}
+
+// A corner that draws the tip is a point even where the ray passes the surface by; of faces the ray is asked.
+void MeasureToolTest::whatHoldsTheTipIsMeasured() {
+  MeasureTool tool({onPlane, slab});
+  PointerEvent event = test::above(Kind::Press, 11, 0);
+  event.held = Vec3(11, 0, 3);
+  QCOMPARE(tool.pointer(event), ToolReply::Used);
+  event.held = Vec3(11, 4, 0);
+  tool.pointer(event);
+  QCOMPARE(*tool.distance(), 5.0);
+  tool.setSetting("mode", static_cast<double>(MeasureTool::Mode::FaceAngle));
+  QCOMPARE(tool.pointer(event), ToolReply::Ignored);
 }
 
 QTEST_GUILESS_MAIN(MeasureToolTest)

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "HapticDevices.h"
+#include "SelectBench.h"
+#include "haptics/SceneForces.h"
+#include "haptics/ServoLoop.h"
+#include "haptics/SimulatedDevice.h"
+#include "haptics/TouchableSurface.h"
+#include "tools/MeasureTool.h"
+#include "tools/mesh/BoundaryTool.h"
+#include "tools/mesh/MakeFaceTool.h"
+#include "tools/mesh/NearFeatures.h"
+
+#include <QtTest>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+constexpr double kStiffness = 0.3, kDistance = 4.0;  // N/mm and mm: k and ls of the magnets
+constexpr double kGrip = 0.3;                        // N/mm, of the hand
+constexpr int kTicks = 8000;                         // the loop has measured itself, the ramp is over, the hand rests
+
+// Two plates as the bench has them, with squares of 10 mm: the upper one is at z = 50. A simulated hand holds a device
+// over them, whose servo loop and safety chain are those of the program.
+struct HandBench {
+  SelectBench bench{moved(plates(), Vec3::Zero(), 10.0)};
+  HalfEdgeMesh mesh = bench.document->mesh();
+  ContactSurface surface;
+  VirtualClock clock;
+  Service service{"servo"};
+  SimulatedDevice* device = nullptr;
+  std::unique_ptr<ServoLoop> loop;
+
+  explicit HandBench(const Vec3& hand) {
+    HalfEdgeMesh::Compact all = mesh.compact();
+    surface = touchableSurface(std::move(all.soup.points), std::move(all.soup.triangles), all.faceOf);
+    SimulatedDeviceSettings settings = simulatedDevice();
+    settings.grip = {kGrip, 0.003, 0.0, 20.0};
+    auto made = std::make_unique<SimulatedDevice>(settings, HandPath(), clock);
+    device = made.get();
+    device->setTarget({0.0, hand});
+    if (!device->open(Progress())) qFatal("the simulated device does not open");
+    loop = std::make_unique<ServoLoop>(std::move(made), ServoSettings(), clock, service);
+  }
+  void feel(const Tool& tool, bool mayLeap) {
+    const Vec3 tip = loop->latest().tip.position;
+    SceneFeel feel;
+    feel.surface = SurfaceFeel{surface, 0.5, 0.0, {}};
+    feel.snap = SnapFeel{SnapField(nearFeatures(mesh, surface, tool.magnets(), tip, 16.0 * kDistance).features),
+                         SnapProfile(SnapShape::Quadratic, kStiffness, kDistance), SnapMethod::Proxy};
+    feel.comesFrom = Vec3::UnitZ();
+    auto scene = std::make_unique<HapticScene>();
+    scene->source = std::make_unique<SceneForces>(std::move(feel));
+    scene->mayLeap = mayLeap;
+    loop->setScene(std::move(scene));
+  }
+  const ServoSample& run(int ticks) {
+    loop->runTicks(static_cast<std::uint64_t>(ticks));
+    return loop->latest();
+  }
+};
+
+// Where a hand that wants to be d from what draws it comes to rest: g (d - x) = 2 k x (ls - x) / ls.
+double restingDistance(double d) {
+  const double a = 2.0 * kStiffness / kDistance, b = kGrip + 2.0 * kStiffness, c = kGrip * d;
+  return (b - std::sqrt(b * b - 4.0 * a * c)) / (2.0 * a);
+}
+
+}  // namespace
+
+class MagnetsTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void whatToolsWant() {
+    const auto document = meshDocument(plates());
+    const MeshServices services = immediateServices(*document);
+    QVERIFY((BoundaryTool(*document, services).magnets() == Magnets{.borderPoints = true, .borderEdges = true}));
+    QVERIFY((MakeFaceTool(*document, services).magnets() == Magnets{.borderPoints = true}));
+    SelectTool select(*document, services);
+    for (const auto& [mode, wanted] :
+         {std::pair(kClick, Magnets{.borderEdges = true, .faces = true}), std::pair(kBrush, Magnets{.faces = true}),
+          std::pair(kLasso, Magnets{}), std::pair(kConnected, Magnets{.faces = true}),
+          std::pair(kAngle, Magnets{.faces = true})}) {
+      select.setSetting("mode", mode);
+      QVERIFY(select.magnets() == wanted);
+    }
+    MeasureTool measure({[](const Ray&) { return std::nullopt; }, [](const SurfacePoint&) { return std::nullopt; }});
+    for (const double mode : {0.0, 1.0, 2.0, 3.0}) {
+      measure.setSetting("mode", mode);
+      QVERIFY(measure.magnets() == (mode < 2.0 ? Magnets{.corners = true, .edges = true} : Magnets{.faces = true}));
+    }
+  }
+
+  // A hand beside an open edge is drawn to it by the profile's force, and its button selects that edge's loop.
+  void anEdgeDrawsTheHand() {
+    const Vec3 hand(35, -1, 52), onEdge(35, 0, 50);
+    HandBench b(hand);
+    b.run(1);
+    b.feel(b.bench.tool, true);
+    const ServoSample rest = b.run(kTicks);
+    const double x = restingDistance((hand - onEdge).norm());
+    QVERIFY(rest.felt.isHeld && (rest.felt.held - onEdge).norm() < 1e-3);
+    QVERIFY(std::abs((rest.tip.position - onEdge).norm() - x) < 1e-3);
+    const Vec3 force = 2.0 * kStiffness * x * (kDistance - x) / kDistance * (onEdge - hand).normalized();
+    QVERIFY((rest.sent.force - force).norm() < 1e-3 * force.norm());
+    b.bench.click(rest.felt.proxy.x(), rest.felt.proxy.y());
+    QVERIFY(b.bench.faces().empty());
+    QCOMPARE(b.bench.tool.selection().loops.size(), 1u);
+    QCOMPARE(b.mesh.position(*b.bench.tool.selection().loops.begin()).z(), 50.0);
+  }
+
+  // Above a face the nearest point of the face draws it, and its button selects that face.
+  void aFaceDrawsTheHand() {
+    const Vec3 hand(37, 43, 52.5), onFace(37, 43, 50);
+    HandBench b(hand);
+    b.run(1);
+    b.feel(b.bench.tool, true);
+    const ServoSample rest = b.run(kTicks);
+    const double x = restingDistance(2.5);  // 1 mm
+    QVERIFY(!rest.felt.isHeld && !rest.felt.isContact && (rest.felt.proxy - onFace).norm() < 1e-3);
+    QVERIFY(std::abs(rest.tip.position.z() - 50.0 - x) < 1e-3);
+    QVERIFY((rest.sent.force - Vec3(0, 0, -kGrip * (2.5 - x))).norm() < 1e-3);
+    b.bench.click(rest.felt.proxy.x(), rest.felt.proxy.y());
+    QVERIFY(b.bench.tool.selection().loops.empty());
+    QCOMPARE(b.bench.faces(), std::vector<Face>{upper(3, 4)});
+  }
+
+  // What is gathered anew where the tip is now draws it as before, from the first tick on.
+  void gatheredAnewNothingLeaps() {
+    HandBench b({35, -1, 52});
+    b.run(1);
+    b.feel(b.bench.tool, true);
+    const Vec3 before = b.run(kTicks).sent.force;
+    Vec3 last = before;
+    for (int i = 0; i < 500; ++i) {
+      b.device->setTarget({0.0, {35 + 0.002 * i, -1, 52}});
+      if (i % 16 == 0) b.feel(b.bench.tool, false);
+      const Vec3 sent = b.run(1).sent.force;
+      QVERIFY((sent - last).norm() < 0.005 && sent.norm() > 0.8 * before.norm());
+      last = sent;
+    }
+  }
+
+  // A tool that is taken up where its magnet is strong: 0.59 N at 2.24 mm come by the ramp.
+  void aToolThatIsTakenUpLetsNothingLeap() {
+    HandBench b({35, -1, 52});
+    b.run(kTicks);
+    b.feel(b.bench.tool, true);
+    Vec3 last = Vec3::Zero();
+    double largest = 0.0;
+    for (int i = 0; i < 3000; ++i) {
+      const Vec3 sent = b.run(1).sent.force;
+      largest = std::max(largest, (sent - last).norm());
+      last = sent;
+    }
+    QVERIFY(last.norm() > 0.3);
+    QVERIFY(largest < 0.005);
+  }
+};
+
+QTEST_GUILESS_MAIN(MagnetsTest)
+#include "MagnetsTest.moc"
