@@ -171,6 +171,8 @@ int runCommand(int argc, char** argv, const Registered& registered) {
   occupyClosedStreams();
   watchSignals();
   const std::unique_ptr<QCoreApplication> application = makeApplication(argc, argv);
+  QCoreApplication::setOrganizationName(QStringLiteral("Handwheel"));  // what the window keeps is found by these
+  QCoreApplication::setApplicationName(QStringLiteral("Handwheel"));
   EnglishPlurals plurals;
   QCoreApplication::installTranslator(&plurals);
   // Its constructor takes over the user's locale. The command line speaks English and writes numbers as in C.

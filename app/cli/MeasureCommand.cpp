@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/MeasureCommand.h"
 
+#include "cli/CalibrationRun.h"
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
 #include "cli/MeasureReport.h"
@@ -54,12 +55,29 @@ bool readCount(const Arguments& arguments, std::string_view name, int& count) {
   return !arguments.has(name) || (readNumber(arguments.valueOf(name), count) && count >= 1 && count <= 1000);
 }
 
+// Measures as the window does: there is nothing to choose but the settings. Returns what is wrong, or nothing.
+std::string readCalibration(const Arguments& arguments, MeasureRequest& request) {
+  for (const char* other : {"input", "budget", "steps", "repeats", "write-curves", "list"}) {
+    if (arguments.has(other)) return std::string("--calibrate does not go with --") + other + ".";
+  }
+  const std::vector<const FidelityRegistry::Entry*> dependent = machineDependent(request.registry);
+  for (const FidelityRegistry::Entry* entry : request.entries) {
+    if (std::find(dependent.begin(), dependent.end(), entry) == dependent.end())
+      return "What " + entry->setting.id + " costs is no time of this machine.";
+  }
+  if (arguments.operands.empty()) request.entries = dependent;
+  return {};
+}
+
 // Turns the words into a request. Returns what is wrong with them, or nothing.
 std::string readRequest(const Arguments& arguments, const DocumentKinds& kinds, MeasureRequest& request) {
   for (const std::string& id : arguments.operands) {
     const FidelityRegistry::Entry* entry = request.registry.find(id);
     if (!entry) return "There is no setting " + id + "; 'handwheel measure --list' names them.";
     request.entries.push_back(entry);
+  }
+  if (arguments.has("calibrate")) {
+    if (const std::string problem = readCalibration(arguments, request); !problem.empty()) return problem;
   }
   if (request.entries.empty()) {
     for (const FidelityRegistry::Entry& entry : request.registry.entries()) request.entries.push_back(&entry);
@@ -171,6 +189,22 @@ std::string text(const std::vector<MeasuredSetting>& measured, const MeasureRequ
   return all;
 }
 
+int runCalibration(const MeasureRequest& request, const Arguments& arguments) {
+  std::optional<Result<CalibrationRun>> result;
+  runInterruptible("Measuring this machine",
+                   [&](Job& job) { result = calibrateMachine(request.registry, request.entries, job.progress()); });
+  if (!*result) return fail(result->error());
+  const CalibrationRun& run = result->value();
+  const Status written = writeFiles(run.measured, arguments);
+  if (!written) return fail(written.error());
+  if (const int code = print(arguments.has("json") ? textOf(toJson(run)) : readableText(run)); code != kExitDone)
+    return code;
+  if (!run.kept) return fail(run.kept.error());
+  if (run.measured.size() == run.wanted) return kExitDone;
+  complain("The time is up; the last " + std::to_string(run.wanted - run.measured.size()) + " are as they were.");
+  return kExitSomethingLeft;
+}
+
 }  // namespace
 
 CommandSpec measureSpec() {
@@ -181,6 +215,7 @@ CommandSpec measureSpec() {
       "shapes and prints error and cost, the front of values that no other beats, its knee, and where the presets\n"
       "fall. Cost is CPU time. Exit code 0: done; 2: no value of a setting keeps the budget; 1: error.",
       {
+          {"calibrate", 0, "", "Measure what costs time on this machine, and keep it where the window finds it"},
           {"input", 0, "FILE", "Measure on this mesh too; may be given several times"},
           {"budget", 0, "LIST", "Show the most accurate value within us=...,ms=...,mb=... per step, a third to spare"},
           {"csv", 0, "FILE", "Write the measurements as comma-separated values"},
@@ -201,6 +236,7 @@ int runMeasure(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!problem.empty()) return failUsage(problem, "measure");
   if (arguments.has("list")) return print(list(request.registry));
 
+  if (arguments.has("calibrate")) return runCalibration(request, arguments);
   std::optional<Result<std::vector<MeasuredSetting>>> result;
   runInterruptible("Measuring", [&](Job& job) { result = measure(request, kinds, job.progress()); });
   if (!*result) return fail(result->error());

@@ -14,27 +14,9 @@ namespace handwheel {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Row = std::vector<std::string>;
 
 std::string number(double value) {
   return std::isinf(value) ? "no result" : roundedText(value, 3);
-}
-
-// Columns as wide as their widest cell; the first two to the left, numbers to the right.
-std::string table(const std::vector<Row>& rows) {
-  std::vector<std::size_t> widths(rows.front().size(), 0);
-  for (const Row& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
-  }
-  std::string text;
-  for (const Row& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const std::string blanks(widths[i] - row[i].size(), ' ');
-      text += "  " + (i < 2 ? row[i] + blanks : blanks + row[i]);
-    }
-    text += "\n";
-  }
-  return text;
 }
 
 // The row of the same case at the default.
@@ -60,13 +42,13 @@ std::string withFigures(const MeasuredSetting& m, double value) {
 }
 
 std::string measurements(const MeasuredSetting& m) {
-  std::vector<Row> rows{{"value", "case", "error", "/ default", "cost", "/ default", "spread", "truth"}};
+  std::vector<TextRow> rows{{"value", "case", "error", "/ default", "cost", "/ default", "spread", "truth"}};
   for (const FidelityRow& r : m.rows) {
     const FidelityRow& standard = standardRow(m, r);
     rows.push_back({textOf(m.setting, r.value), r.testCase, number(r.error), ratio(r.error, standard.error),
                     number(r.cost), ratio(r.cost, standard.cost), number(r.spread), r.truth});
   }
-  return table(rows);
+  return alignedTable(rows);
 }
 
 std::optional<double> budgetOf(const MeasuredSetting& m, const FidelityBudgets& budgets) {
@@ -105,6 +87,22 @@ const CurvePoint& MeasuredSetting::at(double value) const {
   const auto found = std::find_if(curve.begin(), curve.end(), [&](const CurvePoint& p) { return p.value == value; });
   assert(found != curve.end());
   return *found;
+}
+
+std::string alignedTable(const std::vector<TextRow>& rows) {
+  std::vector<std::size_t> widths(rows.front().size(), 0);
+  for (const TextRow& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  }
+  std::string text;
+  for (const TextRow& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string blanks(widths[i] - row[i].size(), ' ');
+      text += "  " + (i < 2 ? row[i] + blanks : blanks + row[i]);
+    }
+    text += "\n";
+  }
+  return text;
 }
 
 std::string readableText(const MeasuredSetting& m, const FidelityBudgets& budgets) {

@@ -28,6 +28,10 @@ struct MeasuredSetting {
 // How much a scene can afford, by the unit of the cost: {"ms", 16}.
 using FidelityBudgets = std::map<std::string, double>;
 
+// Columns as wide as their widest cell; the first two to the left, numbers to the right.
+using TextRow = std::vector<std::string>;
+std::string alignedTable(const std::vector<TextRow>& rows);
+
 // The table and what follows from it, for people. Numbers have three digits.
 std::string readableText(const MeasuredSetting& measured, const FidelityBudgets& budgets);
 nlohmann::ordered_json toJson(const MeasuredSetting& measured, const FidelityBudgets& budgets);

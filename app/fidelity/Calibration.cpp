@@ -6,6 +6,7 @@
 #include "document/FileBytes.h"
 #include "fidelity/TouchLoop.h"
 
+#include <QStandardPaths>
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -103,6 +104,11 @@ Result<Calibration> readCalibration(const FidelityRegistry& registry, std::strin
   } catch (const std::exception& problem) {
     return malformed("calibration", problem.what());
   }
+}
+
+std::filesystem::path usualCalibrationFile() {
+  const QString folder = QStandardPaths::writableLocation(QStandardPaths::CacheLocation);
+  return std::filesystem::path(folder.toStdString()) / "calibration.json";
 }
 
 Status storeCalibration(const FidelityRegistry& registry, const Calibration& calibration,

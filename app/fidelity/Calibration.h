@@ -4,6 +4,7 @@
 
 #include "fidelity/CurveFile.h"
 
+#include <chrono>
 #include <filesystem>
 #include <map>
 
@@ -20,6 +21,9 @@ struct Calibration {
 // The settings whose cost is time, and thus another one on another machine; those of the servo loop first.
 std::vector<const FidelityRegistry::Entry*> machineDependent(const FidelityRegistry& registry);
 
+// Measuring all of them begins with none any more after so long.
+inline constexpr std::chrono::seconds kLongestCalibration{60};
+
 // Measures one of them, coarser than the curves that come with the program. The first also finds ticksInUse. All take
 // about half a minute. Errors: Cancelled; then nothing has changed.
 Status calibrate(const FidelityRegistry::Entry& entry, Calibration& calibration, Progress progress);
@@ -29,6 +33,9 @@ Status calibrate(const FidelityRegistry::Entry& entry, Calibration& calibration,
 std::string jsonOf(const FidelityRegistry& registry, const Calibration& calibration);
 Result<Calibration> readCalibration(const FidelityRegistry& registry, std::string_view json);
 inline constexpr int kCalibrationVersion = 1;
+
+// Where the window keeps it, in the user's cache folder. The application must have its names by then.
+std::filesystem::path usualCalibrationFile();
 
 // The same as a file. Errors: FileMissing, FileUnreadable, WriteFailed.
 Status storeCalibration(const FidelityRegistry& registry, const Calibration& calibration,

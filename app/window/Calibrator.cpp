@@ -8,13 +8,10 @@
 
 #include <QApplication>
 #include <QEvent>
-#include <QStandardPaths>
 
 namespace handwheel {
 
 namespace {
-
-constexpr qint64 kLongestMs = 60'000;  // then none begins any more
 
 bool isInput(QEvent::Type type) {
   switch (type) {
@@ -37,11 +34,6 @@ bool isInput(QEvent::Type type) {
 }
 
 }  // namespace
-
-std::filesystem::path Calibrator::usualFile() {
-  const QString folder = QStandardPaths::writableLocation(QStandardPaths::CacheLocation);
-  return std::filesystem::path(folder.toStdString()) / "calibration.json";
-}
 
 Calibrator::Calibrator(FidelityChoice& choice, QThreadPool& pool, const std::filesystem::path& file, QObject* parent)
     : QObject(parent), m_choice(choice), m_file(file), m_runner(JobRunner::Policy::Queue, pool) {
@@ -88,7 +80,8 @@ void Calibrator::begin(std::vector<const FidelityRegistry::Entry*> entries) {
 
 // What was measured is kept setting by setting, by the worker: a write to the disk may take its time.
 void Calibrator::next() {
-  if (m_done == m_entries.size() || m_elapsed.elapsed() > kLongestMs) return end();
+  if (m_done == m_entries.size() || m_elapsed.elapsed() > std::chrono::milliseconds(kLongestCalibration).count())
+    return end();
   m_part = 0.0;
   Job job;
   job.name = present();

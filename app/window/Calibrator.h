@@ -23,9 +23,6 @@ class Calibrator : public QObject {
   // file: where curves are kept. What was kept there holds from now on.
   Calibrator(FidelityChoice& choice, QThreadPool& pool, const std::filesystem::path& file, QObject* parent = nullptr);
 
-  // In the user's cache folder.
-  static std::filesystem::path usualFile();
-
   // All of them anew, for about half a minute and at most one. Does nothing while it runs.
   void start();
   // At once: what the worker still does is thrown away.

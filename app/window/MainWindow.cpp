@@ -26,7 +26,7 @@ MainWindow::MainWindow(QThreadPool& pool, const KindSet& kinds, Drivers drivers)
     : m_jobs(JobRunner::Policy::Queue, pool),
       m_thumbnails(pool),
       m_fidelity(this),
-      m_calibrator(m_fidelity, pool, Calibrator::usualFile(), this),
+      m_calibrator(m_fidelity, pool, usualCalibrationFile(), this),
       m_haptics({m_jobs, pool, m_services, m_servoClock}, std::move(drivers), this),
       m_touch(m_haptics),
       m_recordings({this, m_haptics, m_jobs, m_log, m_servoClock}, this),
