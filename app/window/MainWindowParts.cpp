@@ -16,6 +16,7 @@
 #include "window/DocumentProperties.h"
 #include "window/DocumentTabs.h"
 #include "window/FidelityPanel.h"
+#include "window/FrameUse.h"
 #include "window/MainWindow.h"
 #include "window/PanelToggle.h"
 #include "window/ToolChoice.h"
@@ -114,6 +115,7 @@ void MainWindow::buildDocks() {
   m_viewDock = addDock(*this, Qt::RightDockWidgetArea, "viewDock", tr("View"), view, "view-iso");
   auto* fidelity = new FidelityPanel(m_fidelity, this);
   fidelity->addBelow(new TickUse(m_haptics, m_fidelity, fidelity));
+  fidelity->addBelow(new FrameUse(*m_viewport, m_fidelity, fidelity));
   fidelity->addBelow(new CalibrationRow(m_fidelity, m_calibrator, fidelity));
   m_fidelityDock = addDock(*this, Qt::LeftDockWidgetArea, "fidelityDock", tr("Fidelity"), fidelity, "fidelity");
   tabifyDockWidget(m_historyDock, m_fidelityDock);

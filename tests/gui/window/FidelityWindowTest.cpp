@@ -203,6 +203,44 @@ class FidelityWindowTest : public QObject {
     }
   }
 
+  // What drawing takes, by the frames that were drawn; beside it the sum of what the curves say of the settings that
+  // have a part of a frame, at their present values.
+  void thePanelShowsTheUseOfAFrame() {
+    WindowDriver driver;
+    raisePanel(driver);
+    QVERIFY(driver.open(file("seen.stl", torus(24, 12, {{3, 5}}))));
+    auto* view = driver.find<Viewport>("viewport");
+    std::vector<double> frames;
+    double spent = view->timeDrawing().clock;
+    connect(view, &Viewport::frameSwapped, &driver.window(), [&] {
+      if (view->timeDrawing().clock > spent) frames.push_back(view->timeDrawing().clock - spent);
+      spent = view->timeDrawing().clock;
+    });
+    for (int i = 0; i < 130; ++i) {  // more than are kept: those from before are gone
+      const std::size_t before = frames.size();
+      CameraState camera = view->camera();
+      camera.height *= 1.01;
+      view->setCamera(camera);
+      QTRY_VERIFY_WITH_TIMEOUT(frames.size() > before, kPatienceMs);
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(driver.text("frameUse").contains("of 16.7 ms"), kPatienceMs);
+    QTest::qWait(1000);  // the text is made twice a second
+    const auto [least, most] = std::minmax_element(frames.begin(), frames.end());
+    const double told = driver.text("frameUse").section(": ", 1).section(' ', 0, 0).toDouble();
+    QVERIFY(told >= *least - 0.05 && told <= *most + 0.05 && told > 0.0);
+    const auto& choice = *driver.window().findChild<FidelityChoice*>();
+    const auto tellsPrediction = [&] {
+      double sum = 0.0;
+      for (const char* id : {"nurbs.chord_mm", "document.undo_granularity", "view.block_faces"})
+        sum += choice.predicted(id, choice.of(id))->cost;
+      return driver.text("frameUse").section('\n', 1).contains(": " + QString::number(sum, 'f', 1) + " ms (");
+    };
+    QVERIFY(tellsPrediction());
+    const QString before = driver.text("frameUse");
+    driver.edit("view.block_faces", "262144");
+    QVERIFY(tellsPrediction() && driver.text("frameUse") != before);
+  }
+
   // While it is held it only tells; the choice is made when it is let go.
   void theSliderFollowsTheScale() {
     WindowDriver driver;
