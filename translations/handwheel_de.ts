@@ -2500,6 +2500,13 @@
             <numerusform>%n Schnitte, wo die Oberfläche nur eine Seite hatte</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n tangled triangle(s) replaced around holes</source>
+        <translation>
+            <numerusform>%n verschlungenes Dreieck um Löcher ersetzt</numerusform>
+            <numerusform>%n verschlungene Dreiecke um Löcher ersetzt</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>TimingPlot</name>
@@ -3986,6 +3993,17 @@
     <message>
         <source>sent</source>
         <translation>gesendet</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::FrameUse</name>
+    <message>
+        <source>Display frame in use: %1 of %2 ms (%3 %)</source>
+        <translation>Bildzeit benutzt: %1 von %2 ms (%3 %)</translation>
+    </message>
+    <message>
+        <source>Predicted besides, after an edit: %1 ms (%2 %)</source>
+        <translation>Vorhergesagt dazu, nach einer Bearbeitung: %1 ms (%2 %)</translation>
     </message>
 </context>
 <context>

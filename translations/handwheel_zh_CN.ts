@@ -2478,6 +2478,12 @@
             <numerusform>在仅有一侧的表面上切开 %n 处</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n tangled triangle(s) replaced around holes</source>
+        <translation>
+            <numerusform>替换了孔洞周围 %n 个缠结的三角形</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>TimingPlot</name>
@@ -3960,6 +3966,17 @@
     <message>
         <source>sent</source>
         <translation>发送的</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::FrameUse</name>
+    <message>
+        <source>Display frame in use: %1 of %2 ms (%3 %)</source>
+        <translation>显示帧用时：%2 毫秒中的 %1 毫秒（%3 %）</translation>
+    </message>
+    <message>
+        <source>Predicted besides, after an edit: %1 ms (%2 %)</source>
+        <translation>另外预测编辑之后：%1 毫秒（%2 %）</translation>
     </message>
 </context>
 <context>
