@@ -13,6 +13,7 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <memory>
+#include <numbers>
 
 using namespace handwheel;
 using namespace handwheel::bench;
@@ -25,10 +26,10 @@ constexpr double kDepth = 1.0;  // mm, of the tip below the surface
 constexpr int kTicks = 20'000;  // 20 s at 1 kHz
 
 // So fast over the bumpy ball, along a line that comes by nearly everything.
-Vec3 tipAt(int tick, double speed, double scale) {
+Vec3 tipAt(int tick, double speed, double scale, double depth) {
   const double way = 1e-3 * speed * tick / kBallRadius, z = 0.6 * std::sin(0.13 * way);
   const Vec3 d(std::cos(way) * std::sqrt(1 - z * z), std::sin(way) * std::sqrt(1 - z * z), z);
-  return scale * (bumpyRadius(d) - kDepth) * d;
+  return scale * (bumpyRadius(d) - depth) * d;
 }
 
 struct Slide {
@@ -38,22 +39,22 @@ struct Slide {
   double leap = 0.0;               // largest change of force in a tick, as a share of the usual one
 };
 
-Slide slideOver(const ContactSurface& surface, double speed, double scale = 1.0) {
+Slide slideOver(const ContactSurface& surface, double speed, double scale = 1.0, double depth = kDepth) {
   GodObject god;
-  god.place(1.5 * tipAt(0, speed, scale));
-  god.follow(surface, tipAt(0, speed, scale), {});
+  god.place(1.5 * tipAt(0, speed, scale, depth));
+  god.follow(surface, tipAt(0, speed, scale, depth), {});
   std::vector<double> times;
   Slide slide;
-  Vec3 last = god.contact().proxy, lastForce = last - tipAt(0, speed, scale);
+  Vec3 last = god.contact().proxy, lastForce = last - tipAt(0, speed, scale, depth);
   for (int i = 1; i < kTicks; ++i) {
-    const Vec3 tip = tipAt(i, speed, scale);
+    const Vec3 tip = tipAt(i, speed, scale, depth);
     const std::uint64_t start = threadCpuNanoseconds();
     const Contact& contact = god.follow(surface, tip, {});
     times.push_back(1e-3 * static_cast<double>(threadCpuNanoseconds() - start));
     const Vec3 force = contact.proxy - tip;
     slide.stalls += (contact.proxy - last).norm() < 1e-4 * 1e-3 * speed * scale ? 1 : 0;
-    slide.worst = std::max(slide.worst, std::abs(contact.depth / (kDepth * scale) - 1.0));
-    slide.leap = std::max(slide.leap, (force - lastForce).norm() / (kDepth * scale));
+    slide.worst = std::max(slide.worst, std::abs(contact.depth / (depth * scale) - 1.0));
+    slide.leap = std::max(slide.leap, (force - lastForce).norm() / (depth * scale));
     last = contact.proxy;
     lastForce = force;
   }
@@ -95,6 +96,20 @@ void sliding(benchmark::State& state) {
   bars.atMost(what + "median to the finger proxy's", 1.0, slide.middle / (fast ? 11.0 : kFingerProxy[state.range(0)]));
   bars.atMost(what + "stalls", 0, slide.stalls);
   bars.atMost(what + "force off the ideal by (share)", side == 29 ? 0.15 : 0.1, slide.worst);
+}
+
+// What the number of triangles costs by itself: the same motion counted in triangles, a twentieth of a side in a tick
+// and half a side deep. At the same motion in mm a finer mesh also has more triangles under the tip and in its way.
+void growth(benchmark::State& state) {
+  std::vector<double> middles;
+  for (auto _ : state)
+    for (const int side : kSides) {
+      const double length =
+          0.5 * std::numbers::pi * kBallRadius / side;  // of an edge: a side of the cube is a quarter turn
+      middles.push_back(slideOver(surfaceOf(ball(side, bumpyRadius)), 1e3 * length / 20, 1.0, 0.5 * length).middle);
+    }
+  const double logarithmic = std::log(12.0 * kSides[3] * kSides[3]) / std::log(12.0 * kSides[0] * kSides[0]);
+  bars.atMost("growth from 10 k to 5 M, to that of the logarithm", 1.0, middles.back() / middles.front() / logarithmic);
 }
 
 // What is wrong with scans, at three scales; the same mesh without it is the control.
@@ -202,7 +217,7 @@ void segmentByCgal(benchmark::State& state) {
   std::vector<double> times;
   for (auto _ : state)
     for (int i = 0; i < kTicks; ++i) {
-      const Vec3 tip = tipAt(i, 100.0, 1.0);
+      const Vec3 tip = tipAt(i, 100.0, 1.0, kDepth);
       const Kernel::Segment_3 segment(point(1.05 * tip), point(tip));
       const std::uint64_t start = threadCpuNanoseconds();
       benchmark::DoNotOptimize(tree.do_intersect(segment));
@@ -223,6 +238,7 @@ BENCHMARK(sliding)
     ->Args({2, 1000})
     ->Iterations(1)
     ->Unit(benchmark::kMillisecond);
+BENCHMARK(growth)->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(defects)->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(edits)->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(popThroughs)->Iterations(1)->Unit(benchmark::kMillisecond);

@@ -61,6 +61,7 @@ class RepairTest : public QObject {
                                             "turned_faces",
                                             "merged_vertices",
                                             "cut_faces",
+                                            "replaced_faces",
                                             "one_sided_cuts",
                                             "parted_vertices",
                                             "touched_vertices",

@@ -3,9 +3,11 @@
 #pragma once
 
 #include "MeshShapes.h"
+#include "TangledBall.h"
 
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <string>
 
@@ -155,6 +157,12 @@ inline std::vector<ExtremeMesh> topologicalMeshes() {
        .loops = 2,
        .filled = 1,
        .sound = false},
+      {.name = "ball whose hole has a folded border",
+       .soup = [] { return withFoldedBorder(withHole(icosphere(4), Vec3(1, 2, 3).normalized(), 0.15)); },
+       .loops = 1,
+       .filled = 1,
+       .volume = 4.0 / 3.0 * std::numbers::pi,
+       .volumeError = 0.01},  // flat triangles, a patch, and the folds
       {.name = "Möbius strip",
        .soup = [] { return moebiusStrip(60, 4); },
        .loops = 1,

@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TangledBall.h"
 #include "base/Tolerance.h"
 #include "mesh/MeshBounds.h"
 #include "mesh/MeshBuilder.h"
@@ -20,22 +21,10 @@ namespace {
 
 constexpr double kUpper = 0.9;  // above it, faces are near the tangled hole
 
-// A ball with a hole above and one below. Around the upper one the border is pulled to and fro along itself, so that
-// faces there fold over each other and cross.
+// A ball with a tangled hole above and a clean one below.
 HalfEdgeMesh tangledBall(const Vec3& shift = Vec3::Zero(), double scale = 1.0) {
-  TriangleSoup s = test::withHole(test::sphereWithoutCap(4, 0.12), -Vec3::UnitZ(), 0.3);
-  const HalfEdgeMesh clean = buildMesh(s).mesh;
-  for (const BoundaryLoop& loop : findBoundaryLoops(clean)) {
-    if (loop.centre.z() < 0) continue;
-    const std::vector<Vec3> points = loopPoints(clean, loop);
-    const auto n = static_cast<int>(points.size());
-    for (int i = 0; i < n; ++i) {
-      Vec3& p = s.points[clean.from(loop.halfEdges[static_cast<std::size_t>(i)])];
-      p = points[static_cast<std::size_t>((i + (i % 2 == 0 ? 2 : n - 2)) % n)];
-      p *= 1.0 + 0.002 * (i % 3);
-    }
-  }
-  return buildMesh(test::moved(s, shift, scale)).mesh;
+  const TriangleSoup holed = test::withHole(test::sphereWithoutCap(4, 0.12), -Vec3::UnitZ(), 0.3);
+  return buildMesh(test::moved(test::withFoldedBorder(holed), shift, scale)).mesh;
 }
 
 std::vector<BoundaryLoop> upperLoops(const HalfEdgeMesh& mesh, const Vec3& middle = Vec3::Zero()) {

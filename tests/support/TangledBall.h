@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "MeshShapes.h"
+#include "mesh/BoundaryLoops.h"
+#include "mesh/MeshBuilder.h"
+
+#include <array>
+#include <map>
+
+namespace handwheel::test {
+
+// The border around the hole on top of a ball is pulled to and fro along itself, so that the faces there fold over each
+// other and cross.
+inline TriangleSoup withFoldedBorder(TriangleSoup ball) {
+  const HalfEdgeMesh clean = buildMesh(ball).mesh;
+  std::map<std::array<double, 3>, Vec3> moved;
+  for (const BoundaryLoop& loop : findBoundaryLoops(clean)) {
+    if (loop.centre.z() < 0.0) continue;
+    const std::vector<Vec3> points = loopPoints(clean, loop);
+    const std::size_t n = points.size() / 2 * 2;  // so that no two meet
+    for (std::size_t i = 0; i < n; ++i) {
+      const Vec3& other = points[(i + (i % 2 == 0 ? 2 : n - 2)) % n];
+      moved[{points[i].x(), points[i].y(), points[i].z()}] = (1.0 + 0.002 * static_cast<double>(1 + i % 3)) * other;
+    }
+  }
+  for (Vec3& p : ball.points) {
+    if (const auto at = moved.find({p.x(), p.y(), p.z()}); at != moved.end()) p = at->second;
+  }
+  return ball;
+}
+
+}  // namespace handwheel::test
