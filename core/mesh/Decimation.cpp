@@ -63,7 +63,7 @@ void addVerticesNear(const SurfaceDistance& surface, const std::vector<Vec3>& pl
 }
 
 // Where a try is found to be too far between the points that each collapse was checked at, the next one leaves the
-// surface as it was. Of no use once cancelled.
+// surface as it was, and looks at more points elsewhere. Of no use once cancelled.
 void decimateWithin(HalfEdgeMesh& mesh, const DecimationOptions& options, DecimationReport& report,
                     const Progress& progress) {
   const HalfEdgeMesh original = mesh;
@@ -75,7 +75,7 @@ void decimateWithin(HalfEdgeMesh& mesh, const DecimationOptions& options, Decima
     const Progress whole = progress.part(from, to);
     from = to;
     mesh = original;
-    ErrorCheck check(original, error, whole.part(0.0, 0.05));
+    ErrorCheck check(original, error, i + 1, whole.part(0.0, 0.05));
     report.cancelled = !Decimator(mesh, options, {&check, fixed}, whole.part(0.05, 0.1)).run(whole.part(0.1, 0.6));
     if (report.cancelled) return;
     std::vector<Vec3> beyond;

@@ -20,7 +20,7 @@ double longestEdge(const TrianglePoints& t) {
 
 }  // namespace
 
-ErrorCheck::ErrorCheck(const HalfEdgeMesh& original, double error, Progress progress)
+ErrorCheck::ErrorCheck(const HalfEdgeMesh& original, double error, int density, Progress progress)
     : m_original(original, progress.part(0.0, 0.8)), m_error(error), m_head(original.faceSlots(), kNone) {
   const std::vector<Face>& faces = m_original.faces();
   double length = 0.0;
@@ -28,7 +28,7 @@ ErrorCheck::ErrorCheck(const HalfEdgeMesh& original, double error, Progress prog
     const TrianglePoints t = original.points(f);
     length += (t[1] - t[0]).norm() + (t[2] - t[1]).norm() + (t[0] - t[2]).norm();
   }
-  m_spacing = length / (3.0 * static_cast<double>(std::max<std::size_t>(faces.size(), 1)));
+  m_spacing = length / (3.0 * density * static_cast<double>(std::max<std::size_t>(faces.size(), 1)));
   std::vector<bool> hangs(original.vertexSlots(), false);
   for (std::size_t i = 0; i < faces.size(); ++i) {
     if (!mayGoOn(i, faces.size(), progress.part(0.8, 1.0))) return;

@@ -16,12 +16,13 @@ namespace handwheel {
 // among those that replaced their last.
 class ErrorCheck {
  public:
-  // Of no use once cancelled. error: mm.
-  ErrorCheck(const HalfEdgeMesh& original, double error, Progress progress);
+  // Of no use once cancelled. error: mm. density: so many times as dense as the original's vertices are the points at
+  // which is looked; above 0.
+  ErrorCheck(const HalfEdgeMesh& original, double error, int density, Progress progress);
 
-  // Whether the faces "old" may be replaced by "replacements": the latter lie, at points about as dense as the
-  // original's vertices, within the error of the original, and whatever hangs on the former within it of the latter.
-  // The first corner of a replacement is the new one; the edge opposite to it was there before.
+  // Whether the faces "old" may be replaced by "replacements": the latter lie, at points on them, within the error of
+  // the original, and whatever hangs on the former within it of the latter. The first corner of a replacement is the
+  // new one; the edge opposite to it was there before.
   bool allows(std::span<const Face> old, std::span<const TrianglePoints> replacements);
 
   // After the same call of allows(): replacement i has become the face named.
@@ -35,7 +36,7 @@ class ErrorCheck {
 
   SurfaceDistance m_original;
   double m_error;
-  double m_spacing = 0.0;             // mean length of the original's edges
+  double m_spacing = 0.0;             // of points, mm
   std::vector<Vec3> m_points;         // of the original's surface
   std::vector<std::uint32_t> m_head;  // per face: the first point that hangs on it
   std::vector<std::uint32_t> m_next;  // per point

@@ -94,15 +94,15 @@ void cutSlivers(std::vector<BoxedItem>& items, std::span<const Vec3> points, std
   double most = kMostPieces;
   while (total(most) > allowed) most *= 0.5;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
-    const double pieces = std::floor(std::min(wanted[i], most));
-    if (pieces < 2.0) continue;
+    const int pieces = static_cast<int>(std::min(wanted[i], most));
+    if (pieces < 2) continue;
     const std::uint32_t id = items[i].id();
     const Triangle& t = triangles[id];
     const Sliver sliver({points[t[0]], points[t[1]], points[t[2]]}, frame);
-    for (double k = 0.0; k < pieces; ++k) {
-      BoxedItem piece{sliver.boxOf(k / pieces, (k + 1.0) / pieces)};
+    for (int k = 0; k < pieces; ++k) {
+      BoxedItem piece{sliver.boxOf(static_cast<double>(k) / pieces, (k + 1.0) / pieces)};
       piece.setId(id);
-      if (k == 0.0) {
+      if (k == 0) {
         items[i] = piece;
       } else {
         items.push_back(piece);
