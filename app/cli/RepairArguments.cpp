@@ -59,6 +59,7 @@ std::string readRepairOptions(const Arguments& arguments, RepairRequest& request
     request.options.rims = *rims;
   }
   request.options.removeDebris = arguments.has("remove-debris");
+  request.options.takeOutTangles = !arguments.has("keep-tangles");
   if (arguments.has("fidelity")) {
     const Result<FidelityValues> values = readValues(measuredSettings(), arguments.valueOf("fidelity"));
     if (!values) return sentenceFor(values.error());

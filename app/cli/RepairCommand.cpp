@@ -83,6 +83,7 @@ CommandSpec repairSpec() {
           {"rims", 0, "HOW", "Outer edges of open sheets: give the sheet a back (default), keep or fill"},
           {"max-hole", 0, "N", "Leave loops with more than N edges open"},
           {"remove-debris", 0, "", "Remove parts far smaller than the largest"},
+          {"keep-tangles", 0, "", "Leave open what closes only if tangled triangles around it are taken out"},
           {"unit", 0, "UNIT", "mm (default), cm, m or in: noted in the report, nothing is scaled"},
           {"partial", 0, "", "Read what is readable of a damaged file"},
           {"report", 0, "FILE",

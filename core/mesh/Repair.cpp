@@ -46,7 +46,7 @@ class Repairer {
     }
     if (!progress.cancelled()) fill(progress.part(0.35, 0.6));
     if (!progress.cancelled()) closeHard(progress.part(0.6, 0.85));
-    if (!progress.cancelled()) replaceTangled(progress.part(0.85, 0.95));
+    if (m_options.takeOutTangles && !progress.cancelled()) replaceTangled(progress.part(0.85, 0.95));
     if (!progress.cancelled()) turnOut(m_mesh, progress.part(0.95, 0.96));
     if (!progress.cancelled()) finish(progress.part(0.96, 1.0));
     m_report.cancelled = progress.cancelled();

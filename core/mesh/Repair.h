@@ -22,6 +22,7 @@ struct RepairOptions {
   RimHandling rims = RimHandling::Back;
   std::size_t maxEdges = 0;  // loops with more edges stay open; 0: no limit
   bool removeDebris = false;
+  bool takeOutTangles = true;  // where nothing else closes a hole (replaceTangles())
 };
 
 enum class LoopOutcome { Filled, KeptOpen, Failed };  // from best to worst

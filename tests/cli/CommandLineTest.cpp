@@ -29,7 +29,7 @@ class CommandLineTest : public QObject {
     const QRegularExpression line("^  [a-z]+ +[A-Z][A-Za-z ,;-]+\\.$", QRegularExpression::MultilineOption);
     QCOMPARE(QString(overview.out).count(line), 14);
     for (const char* option : {"-o", "--fill", "--continuity", "--keep-open", "--rims", "--max-hole", "--remove-debris",
-                               "--unit", "--partial", "--report", "--screenshot"}) {
+                               "--keep-tangles", "--unit", "--partial", "--report", "--screenshot"}) {
       QVERIFY2(bench.run({"help", "repair"}).out.contains(option), option);
     }
   }
