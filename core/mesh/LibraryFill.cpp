@@ -10,6 +10,7 @@
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Surface_mesh.h>
 #include <algorithm>
+#include <cmath>
 
 namespace handwheel {
 namespace {
@@ -55,8 +56,7 @@ std::vector<Corners> triangulate(const HoleContext& hole) {
   return triangles;
 }
 
-// How many triangles refining would make, from the areas and the edge lengths at the corners; an estimate that keeps a
-// tiny edge beside a huge hole from filling the memory.
+// How many triangles refining would make, from the areas and the edge lengths at the corners: an estimate.
 double expectedTriangles(const HoleContext& hole, const Patch& patch, double density) {
   double n = 0.0;
   for (const Triangle& t : patch.triangles) {
@@ -66,6 +66,15 @@ double expectedTriangles(const HoleContext& hole, const Patch& patch, double den
     n += 0.5 * u.cross(v).norm() / (0.43 * edge * edge);  // 0.43: area of the equilateral triangle of side 1
   }
   return n * (density / tolerance::kPatchDensity) * (density / tolerance::kPatchDensity);
+}
+
+// The density, or less: a hole in a dense scan, or one beside a tiny edge, must not take minutes or fill the memory.
+// The number of triangles goes with the square of the density, and a patch has twice as many as new vertices.
+double affordableDensity(const HoleContext& hole, const Patch& patch, double density) {
+  const double vertices = std::min<double>(tolerance::kPatchVertices,
+                                           tolerance::kPatchVerticesPerEdge * static_cast<double>(hole.loopSize));
+  const double expected = expectedTriangles(hole, patch, density);
+  return expected > 2.0 * vertices ? density * std::sqrt(2.0 * vertices / expected) : density;
 }
 
 // True when a vertex has so many faces that the library would take minutes to build it.
@@ -171,10 +180,6 @@ std::optional<Patch> triangulateMinimal(const HoleContext& hole) {
 
 std::optional<Patch> refinePatch(const HoleContext& hole, const Patch& start, std::optional<Continuity> bent,
                                  double density) {
-  if (expectedTriangles(hole, start, density) >
-      2.0 * tolerance::kPatchVerticesPerEdge * static_cast<double>(hole.loopSize)) {
-    return std::nullopt;
-  }
   if (hasHugeFan(hole)) return std::nullopt;
   const QuietCgal quiet;
   const Vec3 origin = hole.points.front();
@@ -186,7 +191,7 @@ std::optional<Patch> refinePatch(const HoleContext& hole, const Patch& start, st
     std::vector<Surface::Face_index> newFaces;
     std::vector<Surface::Vertex_index> newVertices;
     pmp::refine(surface, faces, std::back_inserter(newFaces), std::back_inserter(newVertices),
-                CGAL::parameters::density_control_factor(density));
+                CGAL::parameters::density_control_factor(affordableDensity(hole, start, density)));
     faces.insert(faces.end(), newFaces.begin(), newFaces.end());
     std::optional<Patch> patch = toPatch(hole, surface, faces, origin);
     if (!patch || (bent && !bend(hole, *patch, *bent))) return std::nullopt;

@@ -16,9 +16,9 @@ namespace handwheel {
 // tolerance::kCubicFillEdges edges. No new vertices. None beyond tolerance::kLibraryFillEdges.
 std::optional<Patch> triangulateMinimal(const HoleContext& hole);
 
-// Refines a patch to the density around the hole (Liepa 2003; density is its factor alpha) and, with a continuity,
-// bends it so that it continues the ring (fair()). None when it would need too many vertices, a vertex of the ring has
-// more than tolerance::kLibraryFanFaces faces or the library refuses.
+// Refines a patch to the density around the hole (Liepa 2003; density is its factor alpha), or as far as
+// tolerance::kPatchVertices go, and, with a continuity, bends it so that it continues the ring (fair()). None when a
+// vertex of the ring has more than tolerance::kLibraryFanFaces faces or the library refuses.
 std::optional<Patch> refinePatch(const HoleContext& hole, const Patch& start, std::optional<Continuity> bent,
                                  double density = tolerance::kPatchDensity);
 

@@ -71,7 +71,7 @@ FidelitySetting patchDensitySetting() {
   s.label = translatable("Fidelity", "Density of patches, in that of their surroundings");
   s.scale = FidelityScale::Logarithmic;
   s.least = 0.35;
-  s.largest = 2.0;  // beyond, the limit on a patch's vertices refuses large holes
+  s.largest = 2.0;  // beyond, larger patches are at the limit of their vertices
   s.standard = FillOptions().density;
   s.presets = {0.35, 0.72, s.standard};
   s.error = {translatable("Fidelity", "RMS distance of the patch from the surface"),
@@ -107,7 +107,7 @@ FidelitySetting decimationErrorSetting() {
   s.least = 1e-4;
   s.largest = 1e-2;
   s.standard = 1e-3;  // hardly seen
-  s.presets = {0.01, 0.0015, 1e-4};
+  s.presets = {0.01, 0.0022, 1e-4};
   s.error = {translatable("Fidelity", "largest distance from the mesh, in diagonals"), "%"};
   s.cost = {translatable("Fidelity", "triangles that are left"), "%"};
   return s;

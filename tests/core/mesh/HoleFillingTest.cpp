@@ -89,6 +89,7 @@ class HoleFillingTest : public QObject {
   void anySizeAndPlace_data();
   void anySizeAndPlace();
   void largeRing();
+  void largeHoleInDenseSphere();
   void tooShortAndCancelled();
 };
 
@@ -273,11 +274,22 @@ void HoleFillingTest::largeRing() {
   for (const BoundaryLoop& loop : findBoundaryLoops(mesh)) {
     const FillAttempt attempt = filler.propose(loop, {});
     QVERIFY(attempt.failure == FillFailure::None);
-    QVERIFY(attempt.patch.points.size() <= n * (1 + tolerance::kPatchVerticesPerEdge));
+    QVERIFY(attempt.patch.points.size() <= n + 2 * tolerance::kPatchVertices);
     filler.accept(loop, attempt.patch);
   }
   QCOMPARE(validate(filler.mesh()), std::string());
   QVERIFY(test::countEdges(filler.mesh()).sound());
+}
+
+// At the density of the surroundings the patch would have more vertices than are allowed. It is coarser then, not flat:
+// a lid would be up to 0.6² / 2 = 0.18 below the sphere.
+void HoleFillingTest::largeHoleInDenseSphere() {
+  const HalfEdgeMesh mesh = buildMesh(test::sphereWithoutCap(7, 0.6)).mesh;
+  const BoundaryLoop loop = findBoundaryLoops(mesh).at(0);
+  QVERIFY(loop.halfEdges.size() > 300);
+  const FillAttempt attempt = HoleFiller(mesh).propose(loop, only(FillMethod::Fair));
+  QVERIFY(attempt.failure == FillFailure::None);
+  for (const Vec3& p : attempt.patch.points) QVERIFY(std::abs(p.norm() - 1.0) < 0.02);
 }
 
 void HoleFillingTest::tooShortAndCancelled() {
