@@ -2507,6 +2507,20 @@
             <numerusform>%n verschlungene Dreiecke um Löcher ersetzt</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>crossings cut apart at %n place(s)</source>
+        <translation>
+            <numerusform>Durchdringungen an %n Stelle aufgeschnitten</numerusform>
+            <numerusform>Durchdringungen an %n Stellen aufgeschnitten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hole(s) to be kept open gone with triangles that were removed</source>
+        <translation>
+            <numerusform>%n Loch, das offen bleiben sollte, mit entfernten Dreiecken verschwunden</numerusform>
+            <numerusform>%n Löcher, die offen bleiben sollten, mit entfernten Dreiecken verschwunden</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>TimingPlot</name>
@@ -2854,8 +2868,8 @@
         <translation>Rückseite geben</translation>
     </message>
     <message>
-        <source>a back would cross the part</source>
-        <translation>eine Rückseite würde das Teil durchdringen</translation>
+        <source>a back would cross the part, or close a hole that is kept open</source>
+        <translation>eine Rückseite würde das Teil durchdringen oder ein Loch schließen, das offen bleibt</translation>
     </message>
     <message>
         <source>Cut and close</source>

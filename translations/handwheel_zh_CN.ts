@@ -2484,6 +2484,18 @@
             <numerusform>替换了孔洞周围 %n 个缠结的三角形</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>crossings cut apart at %n place(s)</source>
+        <translation>
+            <numerusform>在 %n 处切开了相交</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hole(s) to be kept open gone with triangles that were removed</source>
+        <translation>
+            <numerusform>%n 个应保持开放的孔洞随被删除的三角形消失</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>TimingPlot</name>
@@ -2831,8 +2843,8 @@
         <translation>加背面</translation>
     </message>
     <message>
-        <source>a back would cross the part</source>
-        <translation>背面会穿过零件</translation>
+        <source>a back would cross the part, or close a hole that is kept open</source>
+        <translation>背面会穿过零件，或会封闭要保持开放的孔洞</translation>
     </message>
     <message>
         <source>Cut and close</source>

@@ -108,6 +108,8 @@ class Planner {
         if (!isLeftOut) folders.push_back(folder / name);
       } else if (hasEnding(name, m_endings) && entry->is_regular_file(ignored)) {
         found.emplace_back(folder / name, std::string());
+      } else if (hasEnding(name, m_endings) && entry->is_symlink(ignored) && !entry->exists(ignored)) {
+        found.emplace_back(folder / name, "The link leads nowhere.");
       }
     }
     if (error) found.emplace_back(folder, "The folder cannot be read (" + error.message() + ").");

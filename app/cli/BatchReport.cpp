@@ -181,7 +181,7 @@ std::string sentenceFor(const BatchEntry& entry) {
   }
   sentence += std::to_string(entry.filled) + " of " + std::to_string(entry.holes) + " holes filled, " +
               oneDecimal(entry.seconds) + " s";
-  if (entry.state == BatchState::LeftOpen) sentence += ". " + entry.reason;
+  if (!entry.reason.empty()) sentence += ". " + entry.reason;
   return sentence;
 }
 

@@ -11,6 +11,7 @@
 #include "document/mesh/MeshExport.h"
 #include "document/mesh/MeshKind.h"
 #include "mesh/Decimation.h"
+#include "mesh/MeshBounds.h"
 #include "mesh/MeshBuilder.h"
 
 #include <cmath>
@@ -56,15 +57,33 @@ std::string readRequest(const Arguments& arguments, DecimateRequest& request) {
   return {};
 }
 
+// How far a file of these numbers may move a point at most, mm: half a unit in the last place of each coordinate.
+// Points are within the margin of the mesh.
+double roundingMove(const HalfEdgeMesh& mesh, double margin, NumberType numbers) {
+  const Box box = boundsOf(mesh);
+  if (numbers == NumberType::Float64 || box.isEmpty()) return 0.0;
+  const Vec3 farthest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()) + Vec3::Constant(margin);
+  return 0.5 * farthest
+                   .unaryExpr([](double v) {
+                     const auto single = static_cast<float>(v);
+                     return static_cast<double>(std::nextafter(single, INFINITY)) - static_cast<double>(single);
+                   })
+                   .norm();
+}
+
 struct Decimated {
   DocumentFile file;  // what reading lost
+  // Its distances have in them how far the numbers of the output move points.
   DecimationReport report;
   std::string refusal;  // why nothing was written
 };
 
 Result<Decimated> decimateFile(const DecimateRequest& request, const DocumentKinds& kinds, Progress progress) {
+  std::optional<MeshFormat> format;
   if (!isContainerName(request.output)) {
-    if (const auto format = formatForOutput(request.output); !format) return format.error();
+    const Result<MeshFormat> named = formatForOutput(request.output);
+    if (!named) return named.error();
+    format = *named;
   }
   const Result<Input> input = readMeshInput(request.input, request.read, kinds, progress.part(0.0, 0.15));
   if (!input) return input.error();
@@ -72,7 +91,19 @@ Result<Decimated> decimateFile(const DecimateRequest& request, const DocumentKin
   if (!done.refusal.empty()) return done;
   const MeshSnapshot* document = input->meshDocument();
   HalfEdgeMesh mesh = document ? document->mesh.mesh : buildMesh(input->mesh->soup, progress.part(0.15, 0.2)).mesh;
-  if (!progress.cancelled()) done.report = decimate(mesh, request.options, progress.part(0.2, 0.9));
+  DecimationOptions options = request.options;
+  double rounding = 0.0;
+  if (format && options.error) {
+    rounding = roundingMove(mesh, *options.error, numberTypeOf(*format, input->mesh->numbers));
+    *options.error -= rounding;
+    if (!(*options.error > 0.0)) {
+      done.refusal = request.output.string() + ": its numbers move points by up to " + roundedText(rounding) +
+                     " mm, more than --error allows. Bring the part near the origin, or name a .handwheel.";
+      return done;
+    }
+  }
+  if (!progress.cancelled()) done.report = decimate(mesh, options, progress.part(0.2, 0.9));
+  if (done.report.largestDistance) *done.report.largestDistance += rounding;
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   const Status written = writeMesh(*input, mesh, request.output, progress.part(0.9, 1.0));
   if (!written) return written.error();

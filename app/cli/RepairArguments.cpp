@@ -39,6 +39,13 @@ std::string problemBeside(const RepairRequest& request, const Arguments& argumen
   if (both && isSameFile(report, picture)) return "The report and the screenshot need a file each.";
   if (isDocumentName(report, kinds)) return "--report takes a name such as part.json, not that of a document.";
   if (!picture.empty() && !isPictureName(picture)) return "--screenshot takes a name that ends in .png.";
+  std::error_code error;
+  for (const std::string& beside : {report, picture}) {
+    const std::filesystem::path folder = std::filesystem::path(beside).parent_path();
+    if (!folder.empty() && !std::filesystem::is_directory(folder, error)) {
+      return "There is no folder " + folder.string() + " for " + beside + ".";
+    }
+  }
   return {};
 }
 
@@ -60,6 +67,7 @@ std::string readRepairOptions(const Arguments& arguments, RepairRequest& request
   }
   request.options.removeDebris = arguments.has("remove-debris");
   request.options.takeOutTangles = !arguments.has("keep-tangles");
+  request.options.cutCrossings = arguments.has("cut-crossings");
   if (arguments.has("fidelity")) {
     const Result<FidelityValues> values = readValues(measuredSettings(), arguments.valueOf("fidelity"));
     if (!values) return sentenceFor(values.error());
@@ -91,7 +99,7 @@ std::string readRequest(const Arguments& arguments, const DocumentKinds& kinds, 
   if (!arguments.has("output")) return "The option -o OUT is missing.";
   request.input = arguments.operands[0];
   request.output = arguments.valueOf("output");
-  request.countSelfIntersections = arguments.has("report");
+  request.inspectInput = arguments.has("report");
   const std::string problem = readRepairOptions(arguments, request);
   return problem.empty() ? problemBeside(request, arguments, kinds) : problem;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/RepairCommand.h"
 
+#include "base/NumberText.h"
 #include "cli/BatchRepair.h"
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
@@ -16,6 +17,9 @@
 namespace handwheel {
 
 namespace {
+
+// Of the diagonal. A part near the origin loses less.
+constexpr double kToldRounding = 1e-6;
 
 // "closed, manifold and oriented", or what of it the file is not.
 std::string verdict(const MeshReport& file) {
@@ -38,6 +42,10 @@ std::string summary(const RepairRun& run, const RepairRequest& request) {
 // Tells what came of it, on stdout and stderr and in the files asked for.
 int deliver(const RepairRun& run, const RepairRequest& request, const Arguments& arguments) {
   tellLosses(run.file);
+  if (run.roundingMove > kToldRounding * run.after.box.diagonal().norm()) {
+    complain("The single precision of the format moved points by up to " + roundedText(run.roundingMove) +
+             " mm. Bring the part near the origin, or write .ply, .obj or .off.");
+  }
   if (arguments.has("report")) {
     const std::string report = textOf(toJson(run, request, unitOf(arguments)));
     const Status written = writeFileAtomically(arguments.valueOf("report"), report);
@@ -84,6 +92,7 @@ CommandSpec repairSpec() {
           {"max-hole", 0, "N", "Leave loops with more than N edges open"},
           {"remove-debris", 0, "", "Remove parts far smaller than the largest"},
           {"keep-tangles", 0, "", "Leave open what closes only if tangled triangles around it are taken out"},
+          {"cut-crossings", 0, "", "Cut triangles apart where the surface passes through itself"},
           {"unit", 0, "UNIT", "mm (default), cm, m or in: noted in the report, nothing is scaled"},
           {"partial", 0, "", "Read what is readable of a damaged file"},
           {"report", 0, "FILE",

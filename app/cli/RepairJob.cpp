@@ -52,26 +52,35 @@ Result<std::optional<MeshFormat>> formatFor(const std::filesystem::path& output)
   return std::optional<MeshFormat>(*format);
 }
 
-// Whether that changed anything.
-bool roundPositions(HalfEdgeMesh& mesh, NumberType numbers) {
-  bool isChanged = false;
+// The largest distance that this moves a vertex by.
+double roundPositions(HalfEdgeMesh& mesh, NumberType numbers) {
+  double most = 0.0;
   for (Vertex v = 0; v < mesh.vertexSlots(); ++v) {
     const Vec3 p = rounded(mesh.position(v), numbers);
     if (p == mesh.position(v)) continue;
+    most = std::max(most, (p - mesh.position(v)).norm());
     mesh.setPosition(v, p);
-    isChanged = true;
   }
-  return isChanged;
+  return most;
+}
+
+double roundSoup(TriangleSoup& soup, NumberType numbers) {
+  const std::vector<Vec3> were = soup.points;
+  roundPoints(soup, numbers);
+  double most = 0.0;
+  for (std::size_t i = 0; i < were.size(); ++i) most = std::max(most, (soup.points[i] - were[i]).norm());
+  return most;
 }
 
 // The mesh of a document keeps its numbers, by which its loops are known.
-BuiltMesh meshToRepair(Input& input, std::optional<NumberType> numbers, Progress progress) {
+BuiltMesh meshToRepair(Input& input, std::optional<NumberType> numbers, double& roundingMove, Progress progress) {
   if (const MeshSnapshot* document = input.meshDocument()) {
     BuiltMesh built{document->mesh.mesh, {}};
-    if (numbers && roundPositions(built.mesh, *numbers)) built.report = relink(built.mesh);
+    if (numbers) roundingMove = roundPositions(built.mesh, *numbers);
+    if (roundingMove > 0.0) built.report = relink(built.mesh);
     return built;
   }
-  if (numbers) roundPoints(input.mesh->soup, *numbers);
+  if (numbers) roundingMove = roundSoup(input.mesh->soup, *numbers);
   return buildMesh(input.mesh->soup, progress);
 }
 
@@ -121,8 +130,7 @@ Status measure(const RepairRequest& request, const DocumentKinds& kinds, const W
   if (!written && written.error().code == ErrorCode::Cancelled) return Done{};
   if (!written) return written.error();
   run.untouchedIdentical = untouchedAreIdentical(work.before.mesh, work.after, run.touched, written->mesh->soup);
-  run.after = reportOn(*written, request.countSelfIntersections ? SelfIntersections::Count : SelfIntersections::Skip,
-                       progress.part(0.3, 1.0));
+  run.after = reportOn(*written, SelfIntersections::Count, progress.part(0.3, 1.0));
   run.isMeasured = !progress.cancelled();
   return Done{};
 }
@@ -141,12 +149,10 @@ Result<RepairRun> repairFile(const RepairRequest& request, const DocumentKinds& 
   run.file = input->opened.file;
   run.refusal = refusalToReplace(request.output, run.file);
   if (!run.refusal.empty()) return run;
-  if (request.countSelfIntersections) {
-    run.before = reportOn(*input, SelfIntersections::Count, progress.part(0.1, 0.2));
-  }
+  if (request.inspectInput) run.before = reportOn(*input, SelfIntersections::Count, progress.part(0.1, 0.2));
   Work work{std::move(input.value()), {}, {}, {}, {}};
   if (*format) work.numbers = numberTypeOf(**format, work.input.mesh->numbers);
-  work.before = meshToRepair(work.input, work.numbers, progress.part(0.2, 0.25));
+  work.before = meshToRepair(work.input, work.numbers, run.roundingMove, progress.part(0.2, 0.25));
   if (progress.cancelled()) return kCancelled;
   work.kept = loopsToKeep(work.input, work.before.mesh, request.options.keepOpen, run.unknownLoops);
   if (!run.unknownLoops.empty()) return run;

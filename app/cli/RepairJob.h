@@ -20,16 +20,17 @@ struct RepairRequest {
   std::filesystem::path output;
   ReadOptions read;
   RepairOptions options;
-  bool countSelfIntersections = false;  // before and after: takes longer than the repair on large files
+  bool inspectInput = false;  // as the report wants it
 };
 
 struct RepairRun {
-  MeshReport before;                // of the input as it was read
+  MeshReport before;                // of the input as it was read, when it is inspected
   MeshReport after;                 // of the written file, read again
   RepairReport repair;              // with the faces turned on building the mesh, and the vertices parted by the export
   std::vector<Vertex> touched;      // vertices of the input that were moved, merged or parted
   bool untouchedIdentical = false;  // measured on the written file
   DocumentFile file;                // what reading the input lost
+  double roundingMove = 0.0;        // mm; how far the numbers of the output moved the points of the input at most
   double seconds = 0.0;
   std::vector<int> unknownLoops;  // asked to be kept open but not there: then nothing was repaired or written
   bool isMeasured = false;        // else that was cancelled, but the output is written

@@ -46,10 +46,13 @@ Json toJson(const RepairRun& run, const RepairRequest& request, const std::strin
       {"removed_debris", run.repair.removedDebris},
       {"turned_faces", run.repair.turnedFaces},
       {"merged_vertices", run.repair.mergedVertices},
+      {"cut_crossings", run.repair.cutClusters},
       {"cut_faces", run.repair.cutFaces},
       {"replaced_faces", run.repair.replacedFaces},
+      {"lost_loops", run.repair.lostLoops},
       {"one_sided_cuts", run.repair.oneSidedCuts},
       {"parted_vertices", run.repair.partedVertices},
+      {"rounding_moved_mm", run.roundingMove},
       {"touched_vertices", run.touched.size()},
       {"untouched_vertices_identical", run.untouchedIdentical},
       {"unit", unit},
@@ -60,8 +63,7 @@ Json toJson(const RepairRun& run, const RepairRequest& request, const std::strin
 }
 
 std::string outcomeLine(const RepairRun& run, const RepairRequest& request) {
-  std::vector<std::string> left = leftovers(run.repair, run.after);
-  if (left.empty() && !run.after.isSound()) left.push_back("Faces meet at single points.");
+  const std::vector<std::string> left = leftovers(run.repair, run.after);
   const Json outcome{
       {"input", request.input.string()},
       {"output", request.output.string()},

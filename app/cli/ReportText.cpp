@@ -54,6 +54,9 @@ std::string readableText(const MeshReport& report) {
   text += line("Volume (mm3)", report.volumeMm3 ? roundedText(*report.volumeMm3) : "none, the surface is open");
   text += line("Bounding box (mm)", point(report.box.min()) + " to " + point(report.box.max()));
   if (!report.loops.empty()) text += loopTable(report.loops);
+  for (const LoopReport& loop : report.loops) {
+    if (loop.rim) text += "Loop " + std::to_string(loop.id) + " is the outer edge of an open sheet.\n";
+  }
   return text;
 }
 

@@ -58,12 +58,15 @@ Result<Outcome> split(const fs::path& path, const fs::path& folder, const std::s
   std::error_code problem;
   fs::create_directories(folder, problem);
   if (problem) return Error{ErrorCode::WriteFailed, {problem.message()}, {}, folder.string()};
+  std::vector<fs::path> outputs;
   for (std::size_t i = 0; i < shells.size(); ++i) {
-    const fs::path output = folder / nameOf(path, extension, i + 1, shells.size());
-    if (fs::exists(output)) {
-      done.refusal = output.string() + " is there already.";
-      return done;
-    }
+    outputs.push_back(folder / nameOf(path, extension, i + 1, shells.size()));
+    if (!fs::exists(outputs.back())) continue;
+    done.refusal = outputs.back().string() + " is there already.";
+    return done;
+  }
+  for (std::size_t i = 0; i < shells.size(); ++i) {
+    const fs::path& output = outputs[i];
     const double from = 0.5 + 0.5 * double(i) / double(shells.size()), each = 0.5 / double(shells.size());
     const Status written = writeMesh(*input, shells[i], output, progress.part(from, from + each));
     if (!written) return written.error();

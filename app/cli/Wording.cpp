@@ -90,6 +90,14 @@ std::vector<std::string> leftovers(const RepairReport& repair, const MeshReport&
     lines.push_back("At " + counted(after.inconsistentEdges, "edge", "edges") +
                     " the faces disagree on which side is outside.");
   }
+  if (after.nonManifoldVertices > 0) {
+    lines.push_back("At " + counted(after.nonManifoldVertices, "point", "points") + " faces touch that share no edge.");
+  }
+  if (const std::size_t pairs = after.selfIntersectingPairs.value_or(0); pairs > 0) {
+    lines.push_back(
+        "The surface passes through itself: " + counted(pairs, "pair", "pairs") +
+        " of triangles cross or lie on each other. --cut-crossings cuts them apart where that can be done.");
+  }
   return lines;
 }
 

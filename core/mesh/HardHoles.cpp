@@ -249,11 +249,14 @@ class Closer {
     return patch;
   }
 
-  // Backs are tried once, and for what is no sheet last.
+  // Backs are tried once, and for what is no sheet last. They close all loops of the sheet.
   bool mayBack(std::size_t hole, const BoundaryLoop& loop) const {
-    if (m_holes[hole].back) return m_options.method == kWays[0].method;
-    return sheetOf(m_mesh, HalfEdgeMesh::face(loop.halfEdges.front())).size() <=
-           kBackedFacesPerEdge * loop.halfEdges.size();
+    const bool isSheet = m_holes[hole].back;
+    if (isSheet && m_options.method != kWays[0].method) return false;
+    const std::vector<Face> faces = sheetOf(m_mesh, HalfEdgeMesh::face(loop.halfEdges.front()));
+    if (!isSheet && faces.size() > kBackedFacesPerEdge * loop.halfEdges.size()) return false;
+    return std::none_of(faces.begin(), faces.end(),
+                        [&](Face f) { return hasCornerAt(m_mesh, f, m_options.keptCorners); });
   }
 
   void giveBacks(HalfEdgeMesh& mesh, const std::vector<Face>& sheets, std::vector<Face>& newFaces) const {

@@ -27,7 +27,8 @@ struct HardClosings {
 };
 
 // Closes loops of the mesh by patches that may cross the part, which is then cut and uncrossed there (uncross()), or
-// by giving their sheet a back (backSheet()). Takes only what leaves no more crossings than there were, and fewer edges
+// by giving their sheet a back (backSheet()), which closes every loop of the sheet, so not where one has
+// FillOptions::keptCorners. Takes only what leaves no more crossings than there were, and fewer edges
 // without two faces. All are tried together, then by halves, so that a bad one costs its own closing only.
 // thickness: of backs, mm. No trial begins once the work is over mostWork. A trial takes the faces near its holes
 // (MeshPart), and O(n) to find them; all of the mesh where these are half of it, or with backs. O(n) for each that is

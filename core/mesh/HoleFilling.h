@@ -9,8 +9,10 @@
 #include "mesh/Fairing.h"
 #include "mesh/HalfEdgeMesh.h"
 #include "mesh/Patch.h"
+#include "mesh/PlaceKey.h"
 
 #include <memory>
+#include <set>
 
 namespace handwheel {
 
@@ -39,6 +41,8 @@ struct FillOptions {
   // Where it is cut, or a shorter one too; the bridges are edges of the patch unless it is refined. Empty: as
   // HoleFiller::proposeStitches() says. Along stitches that are none or cross (cutLoop()) there is no patch.
   std::vector<Stitch> stitches = {};
+  // Corners of loops that are to stay open: no sheet with one gets a back, no tangle with one is taken out.
+  std::set<PointKey> keptCorners = {};
 };
 
 struct FillAttempt {

@@ -63,7 +63,7 @@ double signedVolume(const TriangleSoup& soup, const Vec3& origin) {
 std::vector<LoopReport> reportOn(std::span<const BoundaryLoop> loops) {
   std::vector<LoopReport> reports;
   for (const BoundaryLoop& loop : loops) {
-    reports.push_back({loop.id, loop.borderEdges, loop.length, loop.planarity});
+    reports.push_back({loop.id, loop.borderEdges, loop.length, loop.planarity, loop.rim});
   }
   return reports;
 }

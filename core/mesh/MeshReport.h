@@ -16,6 +16,7 @@ struct LoopReport {
   std::size_t edges = 0;
   double lengthMm = 0.0;
   double planarity = 0.0;
+  bool rim = false;  // the outer edge of an open sheet
 };
 
 // The figures of "handwheel inspect", taken from the triangles after welding exactly equal positions: what any other

@@ -4,7 +4,9 @@
 
 #include "mesh/HalfEdgeMesh.h"
 
+#include <algorithm>
 #include <array>
+#include <set>
 
 namespace handwheel {
 
@@ -14,6 +16,11 @@ using EdgeKey = std::array<PointKey, 2>;
 
 inline PointKey placeKey(const Vec3& p) {
   return {p.x(), p.y(), p.z()};
+}
+
+inline bool hasCornerAt(const HalfEdgeMesh& mesh, Face f, const std::set<PointKey>& places) {
+  const TrianglePoints corners = mesh.points(f);
+  return std::any_of(corners.begin(), corners.end(), [&](const Vec3& p) { return places.contains(placeKey(p)); });
 }
 
 // The same for both directions.

@@ -3,6 +3,8 @@
 #include "mesh/Repair.h"
 
 #include "mesh/Cleaning.h"
+#include "mesh/CrossingClusters.h"
+#include "mesh/Defects.h"
 #include "mesh/DuplicateFaces.h"
 #include "mesh/HardHoles.h"
 #include "mesh/LoopFilling.h"
@@ -36,7 +38,12 @@ class Repairer {
  public:
   // progress: of finding the loops.
   Repairer(const HalfEdgeMesh& input, const RepairOptions& options, Progress progress)
-      : m_input(input), m_mesh(input), m_options(options), m_results(input, progress) {}
+      : m_input(input), m_mesh(input), m_options(options), m_results(input, progress) {
+    for (const BoundaryLoop& loop : m_results.inputLoops()) {
+      if (mayClose(reasonToLeave(loop, {loop.id}))) continue;
+      for (const Vec3& p : loopPoints(m_input, loop)) m_options.fill.keptCorners.insert(placeKey(p));
+    }
+  }
 
   RepairReport run(Progress progress) {
     clean(progress.part(0.0, 0.3));
@@ -46,7 +53,8 @@ class Repairer {
     }
     if (!progress.cancelled()) fill(progress.part(0.35, 0.6));
     if (!progress.cancelled()) closeHard(progress.part(0.6, 0.85));
-    if (m_options.takeOutTangles && !progress.cancelled()) replaceTangled(progress.part(0.85, 0.95));
+    if (m_options.takeOutTangles && !progress.cancelled()) replaceTangled(progress.part(0.85, 0.93));
+    if (m_options.cutCrossings && !progress.cancelled()) cutCrossings(progress.part(0.93, 0.95));
     if (!progress.cancelled()) turnOut(m_mesh, progress.part(0.95, 0.96));
     if (!progress.cancelled()) finish(progress.part(0.96, 1.0));
     m_report.cancelled = progress.cancelled();
@@ -137,8 +145,8 @@ class Repairer {
     for (const BoundaryLoop& loop : findBoundaryLoops(m_mesh, progress.part(0.0, 0.1))) {
       std::set<int> of = m_results.ownersOf(m_mesh, loop);
       const FillFailure reason = reasonToLeave(loop, of);
-      const bool back = reason == FillFailure::Rim && m_options.rims == RimHandling::Back && !loop.picture;
-      if (reason != FillFailure::None && !back) continue;
+      const bool back = reason == FillFailure::Rim;
+      if (!mayClose(reason) || (back && loop.picture)) continue;
       holes.push_back({loop, back});
       owners.push_back(std::move(of));
     }
@@ -177,18 +185,33 @@ class Repairer {
     if (m_report.replacedFaces > 0 && !progress.cancelled()) part(progress.part(0.8, 1.0));
   }
 
+  void cutCrossings(Progress progress) {
+    const auto pairs = findSelfIntersections(m_mesh, progress.part(0.0, 0.3));
+    if (pairs) m_report.cutClusters = uncrossClusters(m_mesh, *pairs, m_options.fill.numbers, progress.part(0.3, 1.0));
+  }
+
   FillFailure reasonToLeave(const BoundaryLoop& loop, const std::set<int>& owners) const {
     const auto kept = [&](int id) { return m_options.keepOpen.contains(id); };
     if (std::any_of(owners.begin(), owners.end(), kept)) return FillFailure::KeptOpen;
-    if (loop.rim && m_options.rims != RimHandling::Fill) return FillFailure::Rim;
+    if (loop.rim && m_options.rims == RimHandling::Keep) return FillFailure::Rim;
     if (m_options.maxEdges > 0 && loop.halfEdges.size() > m_options.maxEdges) return FillFailure::TooLong;
-    return FillFailure::None;
+    return loop.rim && m_options.rims == RimHandling::Back ? FillFailure::Rim : FillFailure::None;
+  }
+
+  // By a patch, or by a back.
+  bool mayClose(FillFailure reasonToLeave) const {
+    return reasonToLeave == FillFailure::None ||
+           (reasonToLeave == FillFailure::Rim && m_options.rims == RimHandling::Back);
   }
 
   void finish(Progress progress) {
     m_report.loops = m_results.conclude(
         m_mesh, [this](const BoundaryLoop& loop, const std::set<int>& owners) { return reasonToLeave(loop, owners); },
         progress.part(0.0, 0.1));
+    for (const LoopResult& loop : m_report.loops) {
+      if (loop.outcome == LoopOutcome::Filled && m_options.keepOpen.contains(loop.id))
+        m_report.lostLoops.push_back(loop.id);
+    }
     compareWithInput(progress);
   }
 
@@ -223,7 +246,7 @@ class Repairer {
 
   const HalfEdgeMesh m_input;
   HalfEdgeMesh m_mesh;
-  const RepairOptions& m_options;
+  RepairOptions m_options;  // with the corners of what stays open
   LoopResults m_results;
   std::vector<Vec3> m_touchedHomes;  // where vertices were before they were moved
   std::size_t m_hardWork = 0;

@@ -23,6 +23,7 @@ struct RepairOptions {
   std::size_t maxEdges = 0;  // loops with more edges stay open; 0: no limit
   bool removeDebris = false;
   bool takeOutTangles = true;  // where nothing else closes a hole (replaceTangles())
+  bool cutCrossings = false;   // apart, where the surface passes through itself (uncrossClusters())
 };
 
 enum class LoopOutcome { Filled, KeptOpen, Failed };  // from best to worst
@@ -39,6 +40,7 @@ struct LoopResult {
 
 struct RepairReport {
   std::vector<LoopResult> loops;      // every loop of the input, by id; then those laid open
+  std::vector<int> lostLoops;         // of keepOpen: gone with faces that were removed or brought together
   std::size_t removedDegenerate = 0;  // faces
   std::size_t removedDuplicates = 0;
   std::size_t removedFlaps = 0;
@@ -47,6 +49,7 @@ struct RepairReport {
   std::size_t mergedVertices = 0;
   std::size_t oneSidedCuts = 0;         // along short ways, where the surface had one side only
   std::size_t cutFaces = 0;             // where a patch crosses the part
+  std::size_t cutClusters = 0;          // places where the surface passed through itself
   std::size_t replacedFaces = 0;        // taken out where they were tangled around a hole, and filled anew
   std::size_t partedVertices = 0;       // moved, or put into the middle of an edge, so that nothing welds that must not
   std::vector<Vertex> touchedVertices;  // of the input: moved, merged or parted

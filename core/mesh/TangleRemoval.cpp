@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <set>
 
 namespace handwheel {
 namespace {
@@ -41,11 +40,12 @@ constexpr std::size_t kScanWork = 20;
 using Places = std::set<PointKey>;
 
 FaceSelection facesAt(const HalfEdgeMesh& mesh, const Places& places) {
-  return FaceSelection::where(mesh.faceSlots(), [&](Face f) {
-    if (!mesh.isLive(f)) return false;
-    const TrianglePoints corners = mesh.points(f);
-    return std::any_of(corners.begin(), corners.end(), [&](const Vec3& p) { return places.contains(placeKey(p)); });
-  });
+  return FaceSelection::where(mesh.faceSlots(), [&](Face f) { return mesh.isLive(f) && hasCornerAt(mesh, f, places); });
+}
+
+bool touches(const HalfEdgeMesh& mesh, const FaceSelection& faces, const Places& places) {
+  const std::vector<Face> all = faces.faces();
+  return std::any_of(all.begin(), all.end(), [&](Face f) { return hasCornerAt(mesh, f, places); });
 }
 
 Box boxAround(const HalfEdgeMesh& mesh, const FaceSelection& faces) {
@@ -135,6 +135,7 @@ class Replacer {
       Trial trial = Trial::Bad;
       while (true) {
         if (progress.cancelled() || m_work > m_mostWork || tangle.count() > kMostFaces) return false;
+        if (touches(part.mesh(), tangle, m_options.keptCorners)) return false;
         trial = tryWithout(tangle, part, box, reach, progress);
         if (trial != Trial::Bad || ++rings > kMostRings) break;
         tangle = withRing(part.mesh(), tangle, progress);

@@ -12,9 +12,9 @@ namespace handwheel {
 // lie on each other: takes those faces out, where that is not enough with rings of faces around them, and fills what is
 // laid open, as one would by hand. Takes only what leaves fewer edges without two faces, no more crossings and no loop,
 // moves no point of the surface by more than tolerance::kTangleMove of the mesh's diagonal, and of a body that goes
-// whole by kTangleBodyMove. Other loops stay as they are. Returns how many faces of the mesh were taken out. No trial
-// begins once the work is over mostWork. O(n) for each trial, the rest in proportion to the faces near the loop. Once
-// cancelled, the mesh is not to be used.
+// whole by kTangleBodyMove. Loops with FillOptions::keptCorners stay as they are. Returns how many faces of the mesh
+// were taken out. No trial begins once the work is over mostWork. O(n) for each trial, the rest in proportion to the
+// faces near the loop. Once cancelled, the mesh is not to be used.
 std::size_t replaceTangles(HalfEdgeMesh& mesh, std::span<const BoundaryLoop> loops, const FillOptions& options,
                            std::size_t mostWork, Progress progress = {});
 

@@ -35,6 +35,15 @@ class BatchRepairTest : public QObject {
     QCOMPARE(repaired.at("volume_mm3").get<double>(), 1.0);
   }
 
+  void deadLink() {
+    const Bench bench;
+    putGoodFiles(bench);
+    QVERIFY(QFile::link(bench.path() + "/gone.off", bench.path() + "/in/dead.off"));
+    const Ran ran = bench.run({"repair", "in", "-o", "out"});
+    QCOMPARE(ran.code, 1);
+    QVERIFY(lineWith(ran, "in/dead.off").contains("failed: The link leads nowhere."));
+  }
+
   void exitCodes() {
     const Bench bench;
     putGoodFiles(bench);

@@ -61,6 +61,21 @@ class DecimateTest : public QObject {
     QVERIFY(bench.json("r.json")["largest_distance_mm"].get<double>() <= 0.1);
   }
 
+  // What the file holds is as near as is said, rounding to its numbers included.
+  void roundingIsCounted() {
+    const Bench bench;
+    bench.put("a.off", Shape().add(wavyRing(120), {1e4, 1e4, 1e4}).off());
+    const Ran ran = bench.run({"decimate", "a.off", "-o", "b.stl", "--error", "0.01"});
+    QCOMPARE(ran.code, 0);
+    QVERIFY(ran.out.endsWith("No point is farther away than --error allows.\n"));
+    QCOMPARE(bench.run({"compare", "b.stl", "a.off", "--report", "r.json"}).code, 0);
+    QVERIFY(bench.json("r.json")["largest_distance_mm"].get<double>() <= 0.01);
+    const Ran refused = bench.run({"decimate", "a.off", "-o", "c.stl", "--error", "0.0005"});
+    QCOMPARE(refused.code, 1);
+    QVERIFY(refused.err.contains("c.stl: its numbers move points by up to 0.00084"));  // half of 2⁻¹⁰, three times
+    QVERIFY(!bench.names().contains("c.stl"));
+  }
+
   void bordersStay() {
     const Bench bench;
     bench.put("a.off", wavyRing(120).off());

@@ -124,6 +124,45 @@ class RepairOptionsTest : public QObject {
     QVERIFY(report.at("untouched_vertices_identical").get<bool>());
   }
 
+  // Two cubes that pass through each other: each is sound, and together they are not what one wants to print.
+  void crossingsAreToldAndCut() {
+    const Bench bench;
+    bench.put("a.off", cube(2).add(cube(2), {1.1, 0.9, 1.3}).off());
+    const Ran told = bench.run({"repair", "a.off", "-o", "b.off"});
+    QCOMPARE(told.code, 0);
+    QVERIFY(told.err.contains("The surface passes through itself: "));
+    const Ran cut = bench.run({"repair", "a.off", "-o", "b.off", "--cut-crossings", "--report", "r.json"});
+    QCOMPARE(cut.code, 0);
+    QCOMPARE(cut.err, QByteArray());
+    QCOMPARE(bench.json("r.json").at("cut_crossings").get<int>(), 1);
+    QCOMPARE(bench.json("r.json").at("after").at("self_intersecting_pairs").get<int>(), 0);
+    // All of both is still there, what they share twice.
+    QVERIFY(std::abs(bench.json("r.json").at("after").at("volume_mm3").get<double>() - 16.0) < 1e-9);
+  }
+
+  // Single precision is coarse far from the origin.
+  void roundingIsTold() {
+    const Bench bench;
+    bench.put("near.off", cube().off());
+    bench.put("far.off", Shape().add(cube(), {1e6 + 0.01, 0, 0}).off());
+    QCOMPARE(bench.run({"repair", "near.off", "-o", "b.stl"}).err, QByteArray());
+    QCOMPARE(bench.run({"repair", "far.off", "-o", "b.off"}).err, QByteArray());
+    const Ran ran = bench.run({"repair", "far.off", "-o", "b.stl", "--report", "r.json"});
+    QVERIFY(ran.err.contains("moved points by up to 0.01 mm"));
+    QVERIFY(std::abs(bench.json("r.json").at("rounding_moved_mm").get<double>() - 0.01) < 1e-9);
+  }
+
+  void noFolderForTheReport() {
+    const Bench bench;
+    bench.put("a.off", openCube().off());
+    for (const char* beside : {"--report", "--screenshot"}) {
+      const Ran ran = bench.run({"repair", "a.off", "-o", "a.off", beside, "none/r.png"});
+      QCOMPARE(ran.code, 1);
+      QVERIFY(ran.err.contains("There is no folder none for none/r.png."));
+      QCOMPARE(bench.content("a.off"), openCube().off());
+    }
+  }
+
   void partialReadsWhatIsThere() {
     const Bench bench;
     QByteArray damaged = openCube().off();

@@ -36,6 +36,11 @@ class ShellsTest : public QObject {
     for (int i = 0; i < 3; ++i)
       QVERIFY(std::abs(inspected(bench, names[i])["volume_mm3"].get<double>() - volumes[i]) < 1e-6);
     QCOMPARE(bench.run({"split", "a.off", "-o", "parts", "--format", format}).code, 1);  // they are there already
+    QVERIFY(QFile::remove(bench.path() + "/" + names[0]));
+    QCOMPARE(bench.run({"split", "a.off", "-o", "parts", "--format", format}).code, 1);
+    QVERIFY(!QFile::exists(bench.path() + "/" + names[0]));  // all or none
+    bench.run({"split", "a.off", "-o", "again", "--format", format});
+    QVERIFY(QFile::rename(bench.path() + "/again/" + QFileInfo(names[0]).fileName(), bench.path() + "/" + names[0]));
 
     QCOMPARE(bench.run(QStringList{"merge"} + names + QStringList{"-o", "b.handwheel"}).code, 0);
     const auto report = inspected(bench, "b.handwheel");

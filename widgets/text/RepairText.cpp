@@ -162,6 +162,9 @@ QStringList repairSummary(const RepairReport& report) {
   add(report.removedDebris, [](int n) { return Text::tr("%n triangle(s) of debris removed", nullptr, n); });
   add(report.mergedVertices, [](int n) { return Text::tr("%n near point(s) merged", nullptr, n); });
   add(report.cutFaces, [](int n) { return Text::tr("%n triangle(s) cut where patches cross", nullptr, n); });
+  add(report.cutClusters, [](int n) { return Text::tr("crossings cut apart at %n place(s)", nullptr, n); });
+  add(report.lostLoops.size(),
+      [](int n) { return Text::tr("%n hole(s) to be kept open gone with triangles that were removed", nullptr, n); });
   add(report.replacedFaces, [](int n) { return Text::tr("%n tangled triangle(s) replaced around holes", nullptr, n); });
   add(report.oneSidedCuts, [](int n) { return Text::tr("%n cut(s) where the surface had one side only", nullptr, n); });
   add(report.partedVertices, [](int n) { return Text::tr("%n touching point(s) parted", nullptr, n); });

@@ -100,6 +100,12 @@ FillOptions DefectActions::options() const {
   FillOptions options;
   apply(m_fidelity.values(), options);
   options.numbers = m_document->document.fileNumbers();
+  const Inspection& inspection = m_document->inspection;
+  for (const int id : inspection.keptOpen()) {
+    if (inspection.loop(id).rim) continue;
+    for (const Vec3& p : loopPoints(m_document->document.mesh(), inspection.loop(id)))
+      options.keptCorners.insert(placeKey(p));
+  }
   return options;
 }
 

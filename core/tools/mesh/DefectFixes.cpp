@@ -106,7 +106,7 @@ MeshChange backFix(std::vector<Vertex> loops, const FillOptions& options) {
             closeHard(mesh, loops, true, options, progress);
             partNonManifold(mesh, options.numbers, progress);
           },
-          QT_TRANSLATE_NOOP("Tool", "a back would cross the part")};
+          QT_TRANSLATE_NOOP("Tool", "a back would cross the part, or close a hole that is kept open")};
 }
 
 MeshChange cutAndCloseFix(Vertex loop, const FillOptions& options) {

@@ -40,6 +40,7 @@ class RepairTest : public QObject {
   void rimOnRequest();
   void flatSheetIsNotCovered();
   void keepOpen();
+  void keptHoleOfASheet();
   void maxEdges();
   void debris();
   void openDebris();
@@ -141,6 +142,31 @@ void RepairTest::keepOpen() {
   QVERIFY(left[0].halfEdges == loops[1].halfEdges);
   QVERIFY(left[1].halfEdges == loops[3].halfEdges);
   QCOMPARE(test::inconsistent(input, mesh, report), std::string());
+}
+
+// A back would close every loop of the sheet, so a sheet with a loop that is to stay open gets none. By its number, and
+// by its length: the rim is the longer one.
+void RepairTest::keptHoleOfASheet() {
+  const HalfEdgeMesh input = buildMesh(test::withHole(test::disc(24, 8), Vec3::Zero(), 0.3)).mesh;
+  const std::vector<BoundaryLoop> loops = findBoundaryLoops(input);
+  QCOMPARE(loops.size(), std::size_t{2});
+  const int rim = loops[0].rim ? 0 : 1, hole = 1 - rim;
+  QVERIFY(loops[std::size_t(rim)].rim && !loops[std::size_t(hole)].rim);
+  HalfEdgeMesh mesh = input;
+  RepairOptions options;
+  options.keepOpen = {hole};
+  const RepairReport report = repair(mesh, options);
+  QVERIFY(test::sameMesh(mesh, input));
+  QVERIFY(report.loops[std::size_t(hole)].reason == FillFailure::KeptOpen);
+  QVERIFY(report.loops[std::size_t(rim)].reason == FillFailure::Rim);
+  QCOMPARE(test::count(report, LoopOutcome::KeptOpen), std::size_t{2});
+
+  mesh = input;
+  options.keepOpen = {};
+  options.maxEdges = 4;
+  const RepairReport tooLong = repair(mesh, options);
+  QVERIFY(test::sameMesh(mesh, input));
+  for (const LoopResult& loop : tooLong.loops) QVERIFY(loop.reason == FillFailure::TooLong);
 }
 
 void RepairTest::maxEdges() {

@@ -43,6 +43,7 @@ class TangleRemovalTest : public QObject {
   void anywhereAndOfAnySize_data();
   void anywhereAndOfAnySize();
   void bodyStays();
+  void whatIsToStayOpenStays();
   void farFromTheSurfaceNothingGoes();
   void noWorkAllowed();
   void cancelled();
@@ -94,6 +95,16 @@ void TangleRemovalTest::anywhereAndOfAnySize() {
   QCOMPARE(validate(mesh), std::string());
   QVERIFY(upperLoops(mesh, middle).empty());
   QCOMPARE(countCrossings(mesh, NumberType::Float64), std::size_t{0});
+}
+
+// A point of the tangle belongs to a loop that is to stay open.
+void TangleRemovalTest::whatIsToStayOpenStays() {
+  HalfEdgeMesh mesh = tangledBall();
+  const HalfEdgeMesh before = mesh;
+  FillOptions options;
+  options.keptCorners = {placeKey(loopPoints(mesh, upperLoops(mesh).at(0)).front())};
+  QCOMPARE(replaceTangles(mesh, upperLoops(mesh), options, tolerance::kTangleWork), std::size_t{0});
+  QVERIFY(test::sameMesh(mesh, before));
 }
 
 // A nail through the border is part of the tangle, but no part of the ball: it is not to be lost.

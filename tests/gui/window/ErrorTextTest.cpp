@@ -49,11 +49,14 @@ class ErrorTextTest : public QObject {
     report.turnedFaces = report.removedDegenerate = report.removedDuplicates = report.removedFlaps = 1;
     report.removedDebris = report.mergedVertices = report.partedVertices = report.oneSidedCuts = 2;
     report.replacedFaces = 2;
+    report.lostLoops = {4};
+    report.cutClusters = 3;
     const QStringList summary = repairSummary(report);
-    QCOMPARE(summary.size(), 9);
+    QCOMPARE(summary.size(), 11);
     QVERIFY(summary.contains("1 loosely hanging triangle removed"));
     QVERIFY(summary.contains("2 near points merged"));
     QVERIFY(summary.contains("2 tangled triangles replaced around holes"));
+    QVERIFY(summary.contains("1 hole to be kept open gone with triangles that were removed"));
   }
 
   void numbersInEnglish() {
