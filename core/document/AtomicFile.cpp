@@ -50,6 +50,25 @@ bool writeAll(int descriptor, std::string_view bytes) {
   return true;
 }
 
+// In blocks, between which it looks at the cancel flag.
+Status writeBlocks(const std::filesystem::path& path, int descriptor, std::string_view bytes, Progress progress) {
+  for (std::size_t start = 0; start < bytes.size(); start += kBlock) {
+    if (!writeAll(descriptor, bytes.substr(start, kBlock))) return writeFailed(path, systemReason());
+    progress.set(static_cast<double>(start) / static_cast<double>(bytes.size()));
+    if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  }
+  return Done{};
+}
+
+// Nothing can be put in the place of a device, and nothing that is half written stays in one.
+Status writeToDevice(const std::filesystem::path& path, std::string_view bytes, Progress progress) {
+  const int device = ::open(path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC);
+  if (device < 0) return writeFailed(path, systemReason());
+  const Status written = writeBlocks(path, device, bytes, progress);
+  ::close(device);
+  return written;
+}
+
 // EINVAL: the file system has no such thing.
 bool synchronise(int descriptor) {
   return ::fsync(descriptor) == 0 || errno == EINVAL;
@@ -70,7 +89,8 @@ Status writeFileAtomically(const std::filesystem::path& path, std::string_view b
   std::error_code ignored;
   const auto kind = std::filesystem::status(target, ignored).type();
   if (kind == std::filesystem::file_type::directory) return writeFailed(path, std::strerror(EISDIR));
-  // A rename would put a file in the place of the device or pipe.
+  if (kind == std::filesystem::file_type::character) return writeToDevice(path, bytes, progress);
+  // A rename would put a file in the place of the pipe or disk.
   if (kind != std::filesystem::file_type::regular && kind != std::filesystem::file_type::not_found &&
       kind != std::filesystem::file_type::none) {
     return writeFailed(path, "Not a regular file");
@@ -82,11 +102,7 @@ Status writeFileAtomically(const std::filesystem::path& path, std::string_view b
   DraftFile draft(target);
   const int file = draft.descriptor();
   if (file < 0 || !takeOver(target, file)) return writeFailed(path, systemReason());
-  for (std::size_t start = 0; start < bytes.size(); start += kBlock) {
-    if (!writeAll(file, bytes.substr(start, kBlock))) return writeFailed(path, systemReason());
-    progress.set(static_cast<double>(start) / static_cast<double>(bytes.size()));
-    if (progress.cancelled()) return cancelled;
-  }
+  if (const Status written = writeBlocks(path, file, bytes, progress); !written) return written;
   if (!synchronise(file)) return writeFailed(path, systemReason());
   if (progress.cancelled()) return cancelled;
   if (!draft.takePlace() || !syncFolder(folderOf(target))) return writeFailed(path, systemReason());

@@ -13,7 +13,8 @@ namespace handwheel {
 // Replaces a file's content atomically and durably: a temporary file in its folder, without a name where the system
 // knows such files, fsync, rename, fsync of the folder. A symbolic link stays and its target is replaced; permissions
 // stay. Looks at the cancel flag between blocks of 1 MiB; a cancelled or failed write leaves nothing behind, and what a
-// killed one may leave the next one removes (DraftFile.h). Errors: WriteFailed {system's reason}, Cancelled.
+// killed one may leave the next one removes (DraftFile.h). A character device (/dev/null, a terminal) is written to as
+// it stands. Errors: WriteFailed {system's reason}, Cancelled.
 Status writeFileAtomically(const std::filesystem::path& path, std::string_view bytes, Progress progress = {});
 
 // Makes what was created, renamed or removed in a folder last through a power cut. False: errno says why it may not.

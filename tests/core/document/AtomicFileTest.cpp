@@ -182,6 +182,18 @@ class AtomicFileTest : public QObject {
     QVERIFY(std::filesystem::is_fifo(in(folder, "pipe")));
   }
 
+  // The device takes the bytes and stays one; one that is full says so.
+  void writesToACharacterDevice() {
+    QTemporaryDir folder;
+    QVERIFY(writeFileAtomically("/dev/null", std::string(3 << 20, 'x')).hasValue());
+    QVERIFY(std::filesystem::is_character_file("/dev/null"));
+    std::filesystem::create_symlink("/dev/null", in(folder, "link"));
+    QVERIFY(writeFileAtomically(in(folder, "link"), "x").hasValue());
+    QVERIFY(std::filesystem::is_symlink(in(folder, "link")));
+    QCOMPARE(namesIn(folder), QStringList{"link"});
+    QCOMPARE(reasonOf(writeFileAtomically("/dev/full", "x")), std::string(std::strerror(ENOSPC)));
+  }
+
   // What a full disk does, brought about with a limit on the file size.
   void failingWriteLeavesTheOldFile() {
     QTemporaryDir folder;
