@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haply/WebSocket.h"
 
+#include "haply/Handshake.h"
+
 #include <algorithm>
 #include <array>
 
@@ -12,13 +14,6 @@ namespace {
 constexpr double kHandshakeTime = 2.0;      // s
 constexpr std::size_t kLargestHead = 8192;  // bytes of the server's answer
 constexpr std::string_view kEndOfHead = "\r\n\r\n";
-
-// The key has to be 16 bytes in base64, whichever.
-std::string request(const std::string& host) {
-  return "GET / HTTP/1.1\r\nHost: " + host +
-         "\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Key: aGFuZHdoZWVsLmhhcHRpYw==\r\n"
-         "Sec-WebSocket-Version: 13\r\n\r\n";
-}
 
 std::span<const std::uint8_t> bytesOf(std::string_view text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
@@ -36,7 +31,8 @@ Result<std::unique_ptr<WebSocket>> WebSocket::open(std::unique_ptr<ByteStream> s
 
 Status WebSocket::shakeHands(const std::string& host) {
   const Error mute{ErrorCode::DeviceMute, {"the handshake of a WebSocket"}, {}, host};
-  if (!m_stream->write(bytesOf(request(host)))) return mute;
+  const std::string key = handshakeKey();
+  if (!m_stream->write(bytesOf(upgradeRequest(host, key)))) return mute;
   std::string head;
   std::array<std::uint8_t, 1024> bytes{};
   const double end = m_clock->now() + kHandshakeTime;
@@ -45,8 +41,9 @@ Status WebSocket::shakeHands(const std::string& host) {
     if (count == kGone || head.size() > kLargestHead || (count == 0 && m_clock->now() >= end)) return mute;
     head.append(bytes.begin(), bytes.begin() + count);
   }
-  if (!head.starts_with("HTTP/1.1 101")) return mute;
-  m_frames.take(bytesOf(std::string_view(head).substr(head.find(kEndOfHead) + kEndOfHead.size())));
+  const std::size_t length = head.find(kEndOfHead);
+  if (!isConsent(std::string_view(head).substr(0, length), key)) return mute;
+  m_frames.take(bytesOf(std::string_view(head).substr(length + kEndOfHead.size())));
   return Done{};
 }
 

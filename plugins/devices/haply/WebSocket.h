@@ -12,8 +12,7 @@
 
 namespace handwheel::haply {
 
-// A WebSocket client for a server on the same machine (RFC 6455). The server's answer to the handshake's key is not
-// checked: it guards against caches on the way, and there is no way.
+// A WebSocket client for a server on the same machine (RFC 6455).
 class WebSocket {
  public:
   // Shakes hands. Errors: DeviceMute, DeviceUnreachable.

@@ -7,6 +7,8 @@
 #include "haply/Session.h"
 #include "io/ThreadedDevice.h"
 
+#include <QByteArray>
+#include <QCryptographicHash>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -22,7 +24,10 @@ struct HaplyEmulator final : Peer {
   bool pings = false;
   std::size_t fragment = 0;  // the longest frame of its messages; 0: whole
   std::string replyInstead;  // when not empty
+  std::string consent = "HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n";
+  bool answersTheKey = true;
 
+  std::string key;  // of the handshake
   int messages = 0;
   int pongs = 0;
   bool saidGoodbye = false;
@@ -56,10 +61,17 @@ struct HaplyEmulator final : Peer {
     if (end == std::string::npos) return;
     const bool asks = m_in.starts_with("GET / HTTP/1.1\r\n") && m_in.find("Upgrade: websocket") < end &&
                       m_in.find("Sec-WebSocket-Version: 13") < end;
+    const std::string field = "Sec-WebSocket-Key: ";
+    const std::size_t at = std::min(m_in.find(field), end);
+    key = m_in.substr(at, m_in.find("\r\n", at) - at);
+    key.erase(0, field.size());
     m_in.erase(0, end + 4);
-    m_upgraded = asks;
-    put(asks ? "HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n\r\n"
-             : "HTTP/1.1 400 Bad Request\r\n\r\n");
+    m_upgraded = asks && QByteArray::fromBase64(QByteArray::fromStdString(key)).size() == 16;
+    if (!m_upgraded) return put("HTTP/1.1 400 Bad Request\r\n\r\n");
+    // RFC 6455, section 4.2.2
+    const std::string heard = (answersTheKey ? key : std::string()) + "258EAFA5-E914-47DA-95CA-C5AB0DC85B11";
+    const QByteArray hash = QCryptographicHash::hash(QByteArray::fromStdString(heard), QCryptographicHash::Sha1);
+    put(consent + "Sec-WebSocket-Accept: " + hash.toBase64().toStdString() + "\r\n\r\n");
   }
 
   bool takeFrame() {

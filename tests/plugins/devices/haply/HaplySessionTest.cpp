@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haply/Driver.h"
+#include "haply/Handshake.h"
 #include "haply/HaplyEmulator.h"
 #include "io/FileStream.h"
 
@@ -159,6 +160,27 @@ class HaplySessionTest : public QObject {
     QCOMPARE(m_session->open({}).error().code, ErrorCode::DeviceMute);
     m_service->gone = true;
     QCOMPARE(m_session->open({}).error().code, ErrorCode::DeviceMute);
+  }
+
+  // RFC 6455, section 4.1: each connection has a key of its own, and only who answers that key is spoken to.
+  void shakesHandsAsTheStandardWants() {
+    QCOMPARE(haply::acceptFor("dGhlIHNhbXBsZSBub25jZQ=="), std::string("s3pPLMBiTxaQ9kYGzzhZRbK+xOo="));  // section 1.3
+    QVERIFY(m_session->open({}).hasValue());
+    const std::string first = m_service->key;
+    init();
+    m_service->consent = "HTTP/1.1 101 OK\r\nupgrade: WebSocket\r\nCONNECTION: keep-alive, upgrade\r\n";
+    QVERIFY(m_session->open({}).hasValue());
+    QVERIFY(!first.empty() && m_service->key != first);
+    init();
+    m_service->answersTheKey = false;
+    QCOMPARE(m_session->open({}).error().code, ErrorCode::DeviceMute);
+    for (const char* wrong : {"HTTP/1.1 200 OK\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n",
+                              "HTTP/1.1 101 OK\r\nConnection: Upgrade\r\n", "HTTP/1.1 101 OK\r\nUpgrade: websocket\r\n",
+                              "HTTP/1.1 101 OK\r\nUpgrade: h2c\r\nConnection: Upgrade\r\n"}) {
+      init();
+      m_service->consent = wrong;
+      QCOMPARE(m_session->open({}).error().code, ErrorCode::DeviceMute);
+    }
   }
 
   // Every version that is known names things a little differently; nonsense is nothing.
