@@ -36,6 +36,11 @@ class DevicesTest : public QObject {
     QCOMPARE(device["capabilities"]["outputs"].get<int>(), 3);
     QCOMPARE(device["capabilities"]["max_force_n"].get<double>(), 5.0);
 
+    // Every limit of the data sheet, also those that this device has not.
+    for (const char* key : {"max_torque_nmm", "max_gripper_force_n", "max_stiffness_n_per_mm",
+                            "max_angular_stiffness_nmm_per_rad", "max_damping_ns_per_mm"})
+      QVERIFY2(device["capabilities"].contains(key), key);
+
     const Ran readable = bench.run({"devices"});
     QCOMPARE(readable.code, 0);
     QVERIFY2(readable.out.contains("Example device (example, "), readable.out);
