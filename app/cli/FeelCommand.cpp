@@ -4,6 +4,7 @@
 
 #include "base/NumberText.h"
 #include "cli/FeelRun.h"
+#include "cli/FidelityOption.h"
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
@@ -11,7 +12,6 @@
 #include "document/AtomicFile.h"
 #include "document/FileBytes.h"
 #include "document/mesh/MeshSnapshot.h"
-#include "fidelity/MeasuredSettings.h"
 #include "haptics/SimulatedDevice.h"
 #include "haptics/StiffnessLimit.h"
 #include "haptics/TouchFidelity.h"
@@ -32,6 +32,7 @@ struct FeelRequest {
   std::filesystem::path mesh, path, out;
   ReadOptions read;
   SurfaceFeel surface;
+  FidelityValues values;
   FeelRun run;
   bool hasDevice = false;
 };
@@ -44,11 +45,12 @@ std::string readOption(const Arguments& arguments, std::string_view name, double
 }
 
 // What --fidelity chooses, for whatever no option of its own says; what is wrong with it, or nothing.
-std::string readFidelity(const Arguments& arguments, FeelRequest& request) {
-  const Result<FidelityValues> values = readValues(measuredSettings(), arguments.valueOf("fidelity"));
-  if (!values) return sentenceFor(values.error());
-  request.surface = surfaceFeel(ContactSurface(), *values);
-  if (const double rate = servoSettings(*values).rate; rate > 0.0) request.run.rate = rate;
+std::string readSettings(const Arguments& arguments, FeelRequest& request) {
+  const FidelitySetting read[] = {proxyToleranceSetting(), contactStiffnessSetting(), servoRateSetting()};
+  const std::string problem = readFidelity(arguments, "feel", read, request.values);
+  if (!problem.empty()) return problem;
+  request.surface = surfaceFeel(ContactSurface(), request.values);
+  if (const double rate = servoSettings(request.values).rate; rate > 0.0) request.run.rate = rate;
   return {};
 }
 
@@ -65,7 +67,7 @@ std::string readRequest(const Arguments& arguments, FeelRequest& request) {
   const std::string device = arguments.valueOf("device");
   request.hasDevice = arguments.has("device");
   if (request.hasDevice && device != "simulated") return "--device takes simulated: others do not follow a path.";
-  if (const std::string problem = readFidelity(arguments, request); !problem.empty()) return problem;
+  if (const std::string problem = readSettings(arguments, request); !problem.empty()) return problem;
   SurfaceFeel& surface = request.surface;
   for (const std::string& problem : {readOption(arguments, "stiffness", 0.0, 1e6, surface.stiffness),
                                      readOption(arguments, "damping", 0.0, 1e6, surface.damping),
@@ -80,15 +82,17 @@ std::string readRequest(const Arguments& arguments, FeelRequest& request) {
 void limitBy(const DeviceCapabilities& device, FeelRequest& request) {
   FeelRun& run = request.run;
   const LoopTiming timing{1.0 / run.rate, device.latency, device.inherentDamping};
-  run.stiffnessLimit = stiffnessLimit(timing, 0.0);
-  if (device.maxStiffness > 0.0) run.stiffnessLimit = std::min(run.stiffnessLimit, device.maxStiffness);
+  const double stable = stiffnessLimit(timing, 0.0);
+  const bool isByTheDevice = device.maxStiffness > 0.0 && device.maxStiffness < stable;
+  run.stiffnessLimit = isByTheDevice ? device.maxStiffness : stable;
   run.dampingLimit = device.inherentDamping;
   if (device.maxForce > 0.0) run.maxForce = device.maxForce;
   const double damping = std::min(request.surface.damping, 0.5 * run.dampingLimit);
   const double most = run.stiffnessLimit * (damping > 0.0 ? 1.0 - damping / run.dampingLimit : 1.0);
   if (request.surface.stiffness > most)
-    complain("The stiffness is capped at " + roundedText(most, 4) +
-             " N/mm: more would not be stable on this device at " + roundedText(run.rate) + " Hz.");
+    complain("The stiffness is capped at " + roundedText(most, 4) + " N/mm: " +
+             (isByTheDevice ? "the device gives no more at any rate."
+                            : "more would not be stable on this device at " + roundedText(run.rate) + " Hz."));
   if (damping < request.surface.damping)
     complain("The damping is capped at " + roundedText(damping, 4) + " N·s/mm, half of the device's own.");
 }
@@ -180,6 +184,10 @@ int runFeel(const Arguments& arguments, const DocumentKinds& kinds) {
     if (!written) problem = written.error();
   });
   if (problem) return fail(*problem);
+  if (felt.cut > 0)
+    complain("The force is cut at " + roundedText(request.run.maxForce, 4) + " N, the most that the device gives, in " +
+             std::to_string(felt.cut) + " of " + std::to_string(felt.ticks) + " ticks: up to " +
+             roundedText(felt.askedForce, 4) + " N would be felt.");
   for (DocumentFile& file : read) {
     file.lost.clear();  // nothing is written, so nothing is not kept
     tellLosses(file);

@@ -55,7 +55,10 @@ FeltPath feel(const FeelRun& run, SceneFeel scene, Progress progress) {
     const std::uint64_t start = threadCpuNanoseconds();
     forces.tick(tip, out);
     const double cost = 1e-3 * static_cast<double>(threadCpuNanoseconds() - start);
-    if (const double size = out.force.norm(); size > run.maxForce) out.force *= run.maxForce / size;
+    const double asked = out.force.norm();
+    felt.askedForce = std::max(felt.askedForce, asked);
+    felt.cut += asked > run.maxForce ? 1 : 0;
+    if (asked > run.maxForce) out.force *= run.maxForce / asked;
     felt.csv += shortestText(tip.time);
     append(felt.csv, tip.position);
     append(felt.csv, out.proxy);

@@ -27,7 +27,9 @@ struct FeltPath {
   std::string csv;  // a line of names, then one for each tick
   std::size_t ticks = 0;
   std::size_t inContact = 0;
-  double peakForce = 0.0;          // N
+  std::size_t cut = 0;             // in which more was asked than the device gives,
+  double askedForce = 0.0;         // N: the most that was asked,
+  double peakForce = 0.0;          // and that was given
   double usualMicroseconds = 0.0;  // median of the CPU time of a tick,
   double slowMicroseconds = 0.0;   // and what 99 of 100 stay below
 };

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/RepairArguments.h"
 
+#include "cli/FidelityOption.h"
 #include "cli/Input.h"
 #include "cli/Messages.h"
 #include "cli/Picture.h"
 #include "cli/Wording.h"
-#include "fidelity/MeasuredSettings.h"
 #include "mesh/MeshFidelity.h"
 
 #include <optional>
@@ -69,9 +69,13 @@ std::string readRepairOptions(const Arguments& arguments, RepairRequest& request
   request.options.takeOutTangles = !arguments.has("keep-tangles");
   request.options.cutCrossings = arguments.has("cut-crossings");
   if (arguments.has("fidelity")) {
-    const Result<FidelityValues> values = readValues(measuredSettings(), arguments.valueOf("fidelity"));
-    if (!values) return sentenceFor(values.error());
-    apply(*values, request.options);
+    // Those that apply() puts into the options.
+    const FidelitySetting read[] = {nearWeldSetting(), fillMethodSetting(), fillContinuitySetting(),
+                                    patchDensitySetting(), pieceEdgesSetting()};
+    FidelityValues values;
+    const std::string problem = readFidelity(arguments, "repair", read, values);
+    if (!problem.empty()) return problem;
+    apply(values, request.options);
   }
   if (arguments.has("fill")) {
     const auto method = fillMethodFor(arguments.valueOf("fill"));

@@ -53,8 +53,11 @@ class PathReader {
     std::string_view rest = line;
     for (std::size_t column = 0; !rest.empty(); ++column) {
       const std::string_view name = taken(rest, ',');
-      for (std::size_t k = 0; k < kNames.size(); ++k)
-        if (name == kNames[k]) m_columns[k] = column;
+      for (std::size_t k = 0; k < kNames.size(); ++k) {
+        if (name != kNames[k]) continue;
+        if (m_columns[k] != kMissing) return refuse("There are two columns " + std::string(name) + ".");
+        m_columns[k] = column;
+      }
     }
     if (std::find(m_columns.begin(), m_columns.end(), kMissing) != m_columns.end())
       refuse("The first line must name the columns t_s,x_mm,y_mm,z_mm.");

@@ -128,6 +128,59 @@ class FeelTest : public QObject {
     }
   }
 
+  // A setting that the command does not read would be taken for one that did something.
+  void refusesSettingsThatItDoesNotRead() {
+    const Bench bench;
+    bench.put("cube.off", cube(2).off());
+    bench.put("p.csv", kPress);
+    for (const char* unread : {"servo.velocity_window=0.05", "contact.stiffness=2,mesh.near_weld=1e-4"}) {
+      const Ran ran = bench.run({"feel", "cube.off", "--path", "p.csv", "--fidelity", unread});
+      QCOMPARE(ran.code, 1);
+      QVERIFY2(ran.err.contains("does not read the setting"), ran.err);
+      for (const char* id : {"proxy.tolerance", "contact.stiffness", "servo.rate"}) QVERIFY2(ran.err.contains(id), id);
+    }
+    QCOMPARE(bench.run({"feel", "cube.off", "--path", "p.csv", "--fidelity", "exact"}).code, 0);
+  }
+
+  // The rule allows 8 N/mm at 8 kHz; the data sheet of the device says 3.
+  void saysWhatTheCapComesFrom() {
+    const Bench bench;
+    bench.put("cube.off", cube(2).off());
+    bench.put("p.csv", kPress);
+    const QStringList words{"feel", "cube.off", "--path", "p.csv", "--device", "simulated", "--stiffness", "100"};
+    const Ran fast = bench.run(words + QStringList{"--rate", "8000"});
+    QVERIFY2(fast.err.contains("capped at 3 N/mm"), fast.err);
+    QVERIFY2(fast.err.contains("the device gives no more") && !fast.err.contains("stable"), fast.err);
+    const Ran slow = bench.run(words + QStringList{"--rate", "1000"});
+    QVERIFY2(slow.err.contains("would not be stable on this device at 1000 Hz"), slow.err);
+  }
+
+  // 6 mm deep at 3 N/mm: 18 N asked, of a device that gives 8.
+  void saysWhereTheForceIsCut() {
+    const Bench bench;
+    bench.put("cube.off", cube(20).off());
+    bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,9,11,24\n0.5,9,11,14\n1,9,11,24\n");
+    const QStringList words{"feel", "cube.off", "--path", "p.csv", "--stiffness", "3", "--rate", "8000"};
+    const Ran cut = bench.run(words + QStringList{"--device", "simulated"});
+    QCOMPARE(cut.code, 0);
+    QVERIFY(cut.out.contains("Peak force   8 N\n"));
+    QCOMPARE(cut.err.count("cut at 8 N"), 1);
+    QVERIFY2(cut.err.contains("up to 18 N"), cut.err);
+    const Ran whole = bench.run(words);
+    QVERIFY2(whole.err.isEmpty(), whole.err);
+    QVERIFY(whole.out.contains("Peak force   18 N\n"));
+  }
+
+  void writesToADevice() {
+    const Bench bench;
+    bench.put("cube.off", cube(2).off());
+    bench.put("p.csv", kPress);
+    const Ran ran = bench.run({"feel", "cube.off", "--path", "p.csv", "--out", "/dev/null"});
+    QVERIFY2(ran.err.isEmpty(), ran.err);
+    QCOMPARE(ran.code, 0);
+    QVERIFY(ran.out.contains("Ticks        401\n"));
+  }
+
   // The device carries 1 N/mm at 1 kHz, and half of that at 500 Hz.
   void isCappedByADevice() {
     const Bench bench;
@@ -157,6 +210,8 @@ class FeelTest : public QObject {
     QTest::addColumn<QByteArray>("why");
     QTest::newRow("empty") << QByteArray() << QByteArray("no line of numbers");
     QTest::newRow("no names") << QByteArray("0,0,0,0\n") << QByteArray("Line 1: The first line must name");
+    QTest::newRow("twice") << QByteArray("t_s,x_mm,y_mm,z_mm,x_mm\n0,0,0,0,1\n")
+                           << QByteArray("Line 1: There are two columns x_mm");
     QTest::newRow("a word") << QByteArray("t_s,x_mm,y_mm,z_mm\n0,0,0,zero\n") << QByteArray("Line 2: 'zero' is not");
     QTest::newRow("NaN") << QByteArray("t_s,x_mm,y_mm,z_mm\n0,nan,0,0\n") << QByteArray("Line 2: 'nan' is not");
     QTest::newRow("infinity") << QByteArray("t_s,x_mm,y_mm,z_mm\n0,0,1e999,0\n") << QByteArray("Line 2: '1e999'");

@@ -42,6 +42,20 @@ class RepairOptionsTest : public QObject {
   Q_OBJECT
 
  private slots:
+  // Of a setting that no repair reads one would think that it did something.
+  void refusesSettingsThatItDoesNotRead() {
+    const Bench bench;
+    bench.put("a.off", holedBox().off());
+    for (const char* unread : {"servo.rate=500", "mesh.decimation_error=1e-3", "draft,snap.radius=1"}) {
+      const Ran ran = bench.run({"repair", "a.off", "-o", "b.stl", "--fidelity", unread});
+      QCOMPARE(ran.code, 1);
+      QVERIFY2(ran.err.contains("repair does not read the setting"), ran.err);
+      for (const char* id :
+           {"mesh.near_weld", "mesh.fill_method", "mesh.fill_continuity", "mesh.patch_density", "mesh.piece_edges"})
+        QVERIFY2(ran.err.contains(id), id);
+    }
+  }
+
   void keepOpen() {
     const Repaired box = repairedBox({"--keep-open", QString::number(idOf(6))});
     QCOMPARE(box.ran.code, 2);
