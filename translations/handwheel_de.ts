@@ -2282,6 +2282,46 @@
         <source>Fit</source>
         <translation>Angepasst</translation>
     </message>
+    <message>
+        <source>Snapping</source>
+        <translation>Fangen</translation>
+    </message>
+    <message>
+        <source>Spring</source>
+        <translation>Feder</translation>
+    </message>
+    <message>
+        <source>Triangle</source>
+        <translation>Dreieck</translation>
+    </message>
+    <message>
+        <source>Quadratic</source>
+        <translation>Parabel</translation>
+    </message>
+    <message>
+        <source>Gaussian</source>
+        <translation>Gauß</translation>
+    </message>
+    <message>
+        <source>One at a time (proxy)</source>
+        <translation>Eines nach dem anderen (Proxy)</translation>
+    </message>
+    <message>
+        <source>Sum of all (force)</source>
+        <translation>Summe aller (Kraft)</translation>
+    </message>
+    <message>
+        <source>Snap</source>
+        <translation>Fangen</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Rims as curves</source>
+        <translation>Ränder als Kurven</translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -4370,6 +4410,10 @@
         <source>How fast each setting of the panel “Fidelity” is here: about half a minute</source>
         <translation>Wie schnell jede Einstellung des Bereichs „Genauigkeit“ hier ist: etwa eine halbe Minute</translation>
     </message>
+    <message>
+        <source>Touch</source>
+        <translation>Berührung</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::MappingForm</name>
@@ -5448,6 +5492,17 @@
     <message>
         <source>This tool has no settings.</source>
         <translation>Dieses Werkzeug hat keine Einstellungen.</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::TouchPage</name>
+    <message>
+        <source>&amp;Snap the device</source>
+        <translation>Gerät &amp;fangen lassen</translation>
+    </message>
+    <message>
+        <source>Let what the tool in use takes by a click draw the tip of the device</source>
+        <translation>Was das Werkzeug durch einen Klick nimmt, zieht die Spitze des Geräts an</translation>
     </message>
 </context>
 <context>

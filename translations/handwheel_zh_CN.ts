@@ -2269,6 +2269,46 @@
         <source>Fit</source>
         <translation>适配</translation>
     </message>
+    <message>
+        <source>Snapping</source>
+        <translation>捕捉</translation>
+    </message>
+    <message>
+        <source>Spring</source>
+        <translation>弹簧</translation>
+    </message>
+    <message>
+        <source>Triangle</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>Quadratic</source>
+        <translation>二次</translation>
+    </message>
+    <message>
+        <source>Gaussian</source>
+        <translation>高斯</translation>
+    </message>
+    <message>
+        <source>One at a time (proxy)</source>
+        <translation>逐个（代理点）</translation>
+    </message>
+    <message>
+        <source>Sum of all (force)</source>
+        <translation>全部之和（力）</translation>
+    </message>
+    <message>
+        <source>Snap</source>
+        <translation>捕捉</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>Rims as curves</source>
+        <translation>边界作为曲线</translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -4338,6 +4378,10 @@
         <source>How fast each setting of the panel “Fidelity” is here: about half a minute</source>
         <translation>“保真度”面板的每项设置在本机有多快：大约半分钟</translation>
     </message>
+    <message>
+        <source>Touch</source>
+        <translation>触摸</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::MappingForm</name>
@@ -5404,6 +5448,17 @@
     <message>
         <source>This tool has no settings.</source>
         <translation>此工具没有设置。</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::TouchPage</name>
+    <message>
+        <source>&amp;Snap the device</source>
+        <translation>捕捉设备(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Let what the tool in use takes by a click draw the tip of the device</source>
+        <translation>当前工具点击即可选取的对象会吸引设备尖端</translation>
     </message>
 </context>
 <context>

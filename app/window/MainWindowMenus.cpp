@@ -89,6 +89,8 @@ void MainWindow::buildMenus() {
   view->addAction(m_viewActions->darkTheme());
 
   QMenu* device = menuBar()->addMenu(tr("&Device"));
+  device->addAction(findChild<QAction*>(QStringLiteral("snapDevice")));
+  device->addSeparator();
   device->addAction(m_recordings.recordAction());
   device->addSeparator();
   device->addActions({m_recordings.playAction(), m_recordings.leaveAction(), m_recordings.exportAction(),

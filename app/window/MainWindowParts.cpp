@@ -30,6 +30,7 @@
 #include "window/haptics/HapticFidelity.h"
 #include "window/haptics/RecordingsDock.h"
 #include "window/haptics/TickUse.h"
+#include "window/haptics/TouchPage.h"
 
 #include <QDockWidget>
 #include <QLabel>
@@ -125,6 +126,7 @@ void MainWindow::buildDocks() {
   tabifyDockWidget(m_propertiesDock, m_viewDock);
   // Most have no device: who plugs one in finds it in the menu.
   auto* device = new DeviceDock(m_haptics, this);
+  device->addPage(new TouchPage(m_haptics, device), tr("Touch"));
   device->addPage(new RecordingsDock(m_recordings, m_haptics, device), tr("Record"));
   m_deviceDock = addDock(*this, Qt::RightDockWidgetArea, "deviceDock", tr("Device"), device, "device");
   tabifyDockWidget(m_viewDock, m_deviceDock);

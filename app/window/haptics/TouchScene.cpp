@@ -12,7 +12,6 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kSnapStiffness = 0.3;  // N/mm at the device
 // mm at the device: what draws from further, as the edges of a large cube would, is in the way.
 constexpr double kFarthestSnap = 5.0;
 constexpr double kFeltAtOnce = 0.2;  // N: a smaller leap of the springs needs no ramp
@@ -89,9 +88,9 @@ void TouchScene::publish(bool mayLeap) {
     feel.surface->contact.friction = touch.friction;
   }
   if (m_snap && !m_isHolding) {
-    const SnapProfile profile(SnapShape::Quadratic, mapping.sceneStiffness(kSnapStiffness),
+    const SnapProfile profile(touch.snapShape, mapping.sceneStiffness(touch.snapStiffness),
                               std::min(m_snapDistance, kFarthestSnap * mapping.scale));
-    feel.snap = SnapFeel{*m_snap, profile, SnapMethod::Proxy, m_mostFeatures};
+    feel.snap = SnapFeel{*m_snap, profile, touch.snapMethod, m_mostFeatures};
   }
   feel.comesFrom = m_session.camera().towardsViewer();
   for (const ForceTerm& term : m_terms) {

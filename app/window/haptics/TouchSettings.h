@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/Property.h"
+#include "haptics/SceneForces.h"
 
 namespace handwheel {
 
@@ -12,6 +13,13 @@ struct TouchSettings {
   double stiffness = 0.5;  // N/mm: the fidelity setting contact.stiffness, which keeps it (HapticFidelity)
   double damping = 0.0;    // N·s/mm, along the normal
   double friction = 0.0;   // Coulomb's µ
+
+  // What the tool in use takes by a click draws the tip (He 2008, section 3.1).
+  bool isSnapping = true;
+  SnapShape snapShape = SnapShape::Quadratic;
+  SnapMethod snapMethod = SnapMethod::Proxy;
+  double snapStiffness = 0.3;  // N/mm
+  bool hasRimCurves = false;   // the rim of a hole draws as one curve to slide along, not by points and edges
 
   bool operator==(const TouchSettings&) const = default;
 };

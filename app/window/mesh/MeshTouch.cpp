@@ -6,6 +6,7 @@
 #include "haptics/SnapScene.h"
 #include "haptics/TouchableSurface.h"
 #include "tools/mesh/NearFeatures.h"
+#include "tools/mesh/RimFeatures.h"
 #include "window/FidelityChoice.h"
 #include "window/KindUi.h"
 #include "window/ToolHost.h"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace handwheel {
 
@@ -27,23 +29,10 @@ constexpr std::size_t kMostAtOnce = 10'000;
 constexpr double kReach = 16.0;
 constexpr double kNeverAgain = std::numeric_limits<double>::infinity();  // mm
 
-// The edges around holes, the outer ones, and their points.
-SnapScene borderFeatures(const HalfEdgeMesh& mesh, const std::vector<BoundaryLoop>& loops, const Magnets& magnets,
-                         Progress progress) {
-  struct Rim {
-    std::vector<Vec3> points;
-    std::vector<std::uint32_t> vertices;
-  };
-  std::vector<Rim> kept(loops.size());
-  std::vector<SnapRim> rims;
-  for (std::size_t i = 0; i < loops.size(); ++i) {
-    for (const HalfEdge h : loops[i].halfEdges) {
-      kept[i].vertices.push_back(mesh.from(h));
-      kept[i].points.push_back(mesh.position(mesh.from(h)));
-    }
-    rims.push_back({static_cast<std::uint32_t>(i), kept[i].points, kept[i].vertices, loops[i].halfEdges});
-  }
-  return snapSceneOf(rims, {.vertices = magnets.borderPoints, .edges = magnets.borderEdges, .rims = false}, progress);
+// Points and edges one by one, or the whole rim as one curve, on which a point would stop the hand at every step.
+SnapOffer offerOf(const Magnets& magnets, bool asCurves) {
+  const bool isCurve = asCurves && magnets.borderEdges;
+  return {.vertices = magnets.borderPoints && !isCurve, .edges = magnets.borderEdges && !isCurve, .rims = isCurve};
 }
 
 }  // namespace
@@ -55,8 +44,10 @@ MeshTouch::MeshTouch(const WindowParts& parts, QObject* parent)
       m_tools(parts.tools),
       m_fidelity(parts.fidelity),
       m_making(JobRunner::Policy::Latest, parts.pool),
-      m_gathering(JobRunner::Policy::Latest, parts.pool) {
+      m_gathering(JobRunner::Policy::Latest, parts.pool),
+      m_asCurves(parts.haptics.touch().hasRimCurves) {
   connect(&m_session, &HapticSession::chosenChanged, this, &MeshTouch::followSession);
+  connect(&m_session, &HapticSession::touchChanged, this, &MeshTouch::followTouch);
   connect(&m_tools, &ToolHost::updated, this, &MeshTouch::followTool);
   connect(&m_fidelity, &FidelityChoice::changed, this, [this] {
     if (m_magnets != Magnets()) gather(false);
@@ -110,11 +101,20 @@ bool MeshTouch::isFelt() const {
 
 void MeshTouch::followTool() {
   const Tool* const tool = m_tools.runner().tool();
-  const Magnets wanted = isFelt() && tool ? tool->magnets() : Magnets();
+  const bool mayDraw = isFelt() && m_session.touch().isSnapping;
+  const Magnets wanted = mayDraw && tool ? tool->magnets() : Magnets();
   if (wanted == m_magnets) return;
   dropMagnets();
   m_magnets = wanted;
   if (wanted != Magnets()) gather(false);
+}
+
+// Snapping was switched, or rims are to be felt otherwise; the scene follows the rest by itself.
+void MeshTouch::followTouch() {
+  const bool asCurves = m_session.touch().hasRimCurves;
+  const bool changes = std::exchange(m_asCurves, asCurves) != asCurves;
+  followTool();
+  if (changes && m_magnets.borderEdges && !m_magnets.areEverywhere()) gather(false);
 }
 
 void MeshTouch::dropMagnets() {
@@ -129,9 +129,9 @@ void MeshTouch::gather(bool isEdit) {
   if (m_magnets.areEverywhere()) return gatherNear(isEdit);
   Job job;
   job.name = tr("Preparing to snap");
-  job.work = [this, isEdit, magnets = m_magnets, mesh = m_document->document.mesh(),
+  job.work = [this, isEdit, offer = offerOf(m_magnets, m_asCurves), mesh = m_document->document.mesh(),
               loops = m_document->document.defects().loops](Progress progress) -> Job::Finish {
-    auto border = std::make_shared<SnapScene>(borderFeatures(mesh, loops, magnets, progress));
+    auto border = std::make_shared<SnapScene>(rimFeatures(mesh, loops, offer, progress));
     return [this, isEdit, border] {
       const double distance = border->distance(m_fidelity.values());
       m_scene.setSnap(std::move(border->field), distance, isEdit);

@@ -36,6 +36,7 @@ class MeshTouch : public QObject {
   void followSession();
   void rebuild(bool isEdit);
   void followTool();
+  void followTouch();
   void followTip();
   void dropMagnets();
   void gather(bool isEdit);
@@ -55,6 +56,7 @@ class MeshTouch : public QObject {
   bool m_isOpen = false;                    // the session was, when it last told
   double m_side = 0.0;                      // mm, the mean length of an edge of the mesh
   Magnets m_magnets;                        // that are in the scene, or on their way
+  bool m_asCurves;                          // rims draw as curves (TouchSettings)
 
   // Around where what draws the tip was gathered, and how far it may go from there (mm).
   struct Near {

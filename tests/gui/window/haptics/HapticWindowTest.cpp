@@ -262,6 +262,41 @@ class HapticWindowTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(!isDrawn() && b.now().felt.force.isZero(0.0), kPatienceMs);
   }
 
+  // Between two points of an open edge: switched off nothing draws the tip, whatever the tool; with rims as curves it
+  // is the whole rim that does, and no edge that a tool could take.
+  void snappingIsSwitchedAndRimsAreCurves() {
+    HandBench b;
+    const QString path = m_folder.filePath(QStringLiteral("torus.stl"));
+    writeStl(path, torusWithHole());
+    QVERIFY(b.begin(path));
+    const auto at = [](int i) {
+      const double u = 2.0 * M_PI * i / 48, v = 2.0 * M_PI * 5 / 24, r = 30.0 + 10.0 * std::cos(v);
+      return Vec3(r * std::cos(u), r * std::sin(u), 10.0 * std::sin(v));
+    };
+    const Vec3 middle = 0.5 * (at(5) + at(6)), along = (at(6) - at(5)).normalized();
+    const Vec3 hand = middle + 0.4 * Vec3(middle.x(), middle.y(), 0.0).normalized() + Vec3(0, 0, 0.4);
+    const auto isDrawn = [&] {
+      b.bringTo(hand);
+      const Vec3 off = b.now().felt.proxy - middle;
+      return (off - off.dot(along) * along).norm() < 1e-3 && !b.now().felt.force.isZero(0.0);
+    };
+    b.driver.find<QAction>("boundaryTool")->trigger();
+    b.leadTo(hand + 30.0 * towardsViewer(b));
+    QVERIFY(b.arrives(hand + 30.0 * towardsViewer(b), 1.0));
+    QTRY_VERIFY_WITH_TIMEOUT(isDrawn() && b.now().felt.isHeld, kPatienceMs);
+    b.driver.find<QAction>("snapDevice")->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(!isDrawn() && b.now().felt.force.isZero(0.0), kPatienceMs);
+    TouchSettings touch = b.session.touch();
+    touch.hasRimCurves = true;
+    b.session.setTouch(touch);
+    b.driver.choose("snapDevice");
+    QTRY_VERIFY_WITH_TIMEOUT(isDrawn() && !b.now().felt.isHeld, kPatienceMs);
+    touch = b.session.touch();
+    touch.hasRimCurves = false;
+    b.session.setTouch(touch);
+    QTRY_VERIFY_WITH_TIMEOUT(isDrawn() && b.now().felt.isHeld, kPatienceMs);
+  }
+
   // What a tool takes by a click draws the tip: beside a cube its edge and its corner to measure from, above one of its
   // sides the side to select.
   void whatAToolTakesDrawsTheTip() {

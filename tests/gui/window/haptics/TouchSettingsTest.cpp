@@ -11,6 +11,17 @@
 
 using namespace handwheel;
 
+namespace {
+
+// A value that the property may take and has not.
+PropertyValue another(const Property& property) {
+  if (const bool* isOn = std::get_if<bool>(&property.value)) return !*isOn;
+  if (property.choices.empty()) return 0.5 * property.largest;
+  return static_cast<double>(property.choices.size()) - 1.0 - std::get<double>(property.value);
+}
+
+}  // namespace
+
 // How what is touched feels: kept in the settings, and edited by properties.
 class TouchSettingsTest : public QObject {
   Q_OBJECT
@@ -28,7 +39,12 @@ class TouchSettingsTest : public QObject {
 
   void isRemembered() {
     QVERIFY(keptTouch() == TouchSettings());
-    const TouchSettings touch{TouchSettings().stiffness, 0.002, 0.7};  // which is kept elsewhere
+    TouchSettings touch{TouchSettings().stiffness, 0.002, 0.7};  // which is kept elsewhere
+    touch.isSnapping = false;
+    touch.snapShape = SnapShape::Gaussian;
+    touch.snapMethod = SnapMethod::Sum;
+    touch.snapStiffness = 0.75;
+    touch.hasRimCurves = true;
     keepTouch(touch);
     QVERIFY(keptTouch() == touch);
   }
@@ -41,22 +57,29 @@ class TouchSettingsTest : public QObject {
       QCOMPARE(keptTouch().damping, TouchSettings().damping);
       QCOMPARE(keptTouch().friction, 0.25);
     }
+    for (const char* key : {"snap_on", "snap_profile", "snap_method", "snap_stiffness", "snap_rims"})
+      for (const char* text : {"nan", "-1", "17", "much", ""}) {
+        QSettings().clear();
+        QSettings().setValue(QStringLiteral("haptics/%1").arg(key), text);
+        QVERIFY2(keptTouch() == TouchSettings(), key);
+      }
   }
 
   // Each property sets what it shows, and nothing else.
   void asAForm() {
     for (const Property& property : propertiesOf({})) {
       TouchSettings touch;
-      const double value = 0.5 * property.largest;
+      const PropertyValue value = another(property);
       handwheel::setProperty(touch, property.id, value);
       for (const Property& shown : propertiesOf(touch)) {
         if (shown.id == property.id) {
-          QCOMPARE(std::get<double>(shown.value), value);
+          QVERIFY(shown.value == value);
         } else {
           for (const Property& before : propertiesOf({}))
             if (before.id == shown.id) QVERIFY(before.value == shown.value);
         }
       }
+      if (!property.choices.empty() || !std::holds_alternative<double>(property.value)) continue;
       handwheel::setProperty(touch, property.id, 1e9);
       for (const Property& shown : propertiesOf(touch))
         if (shown.id == property.id) QCOMPARE(std::get<double>(shown.value), property.largest);
@@ -64,6 +87,9 @@ class TouchSettingsTest : public QObject {
     TouchSettings touch;
     handwheel::setProperty(touch, "colour", 1.0);
     handwheel::setProperty(touch, "touch_stiffness", std::numeric_limits<double>::quiet_NaN());
+    handwheel::setProperty(touch, "snap_profile", 4.0);
+    handwheel::setProperty(touch, "snap_method", -1.0);
+    handwheel::setProperty(touch, "snap_on", 0.0);
     QVERIFY(touch == TouchSettings());
   }
 };

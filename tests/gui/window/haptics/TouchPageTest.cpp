@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/haptics/TouchPage.h"
+
+#include "window/WindowServices.h"
+#include "window/haptics/HapticSession.h"
+
+#include <QComboBox>
+#include <QLineEdit>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QThreadPool>
+#include <QtTest>
+
+using namespace handwheel;
+
+namespace {
+
+struct Bench {
+  QThreadPool pool;
+  JobRunner jobs{JobRunner::Policy::Queue, pool};
+  WindowServices services;
+  MonotonicClock clock;
+  HapticSession session{HapticSession::Parts{jobs, pool, services, clock}};
+  TouchPage page{session};
+
+  QWidget* row(const char* id) { return page.findChild<QWidget*>(QStringLiteral("property/%1").arg(id)); }
+  QAction* command() { return page.findChild<QAction*>("snapDevice"); }
+  void choose(const char* id, int index) {
+    auto* list = row(id)->findChild<QComboBox*>();
+    list->setCurrentIndex(index);
+    emit list->activated(index);
+  }
+  void type(const char* id, const char* value) {
+    auto* line = row(id)->findChild<QLineEdit*>();
+    line->selectAll();
+    QTest::keyClicks(line, value);
+    QTest::keyClick(line, Qt::Key_Return);
+  }
+};
+
+}  // namespace
+
+// How what is touched feels, in the panel of the device; no device is open.
+class TouchPageTest : public QObject {
+  Q_OBJECT
+
+ private:
+  QTemporaryDir m_settings;
+
+ private slots:
+  void initTestCase() {
+    qputenv("HANDWHEEL_PLUGINS", m_settings.path().toLocal8Bit());  // a folder without any
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_settings.path());
+    QCoreApplication::setOrganizationName(QStringLiteral("Handwheel"));
+    QCoreApplication::setApplicationName(QStringLiteral("HandwheelTest"));
+  }
+  void init() { QSettings().clear(); }
+
+  // The command switches what the page shows, and the next start begins with it.
+  void theCommandSwitchesSnapping() {
+    {
+      Bench b;
+      QVERIFY(b.command()->isCheckable() && b.command()->isChecked());
+      QVERIFY(!b.command()->shortcut().isEmpty());
+      b.command()->trigger();
+      QVERIFY(!b.session.touch().isSnapping);
+      QVERIFY(!b.command()->isChecked());
+    }
+    Bench again;
+    QVERIFY(!again.session.touch().isSnapping && !again.command()->isChecked());
+    again.command()->trigger();
+    QVERIFY(again.session.touch().isSnapping);
+  }
+
+  void whatIsChosenIsFeltAndKept() {
+    {
+      Bench b;
+      b.choose("snap_profile", 3);
+      b.choose("snap_method", 1);
+      b.type("snap_stiffness", "0.8");
+      QVERIFY(b.session.touch().snapShape == SnapShape::Gaussian);
+    }
+    Bench again;
+    QVERIFY(again.session.touch().snapShape == SnapShape::Gaussian);
+    QVERIFY(again.session.touch().snapMethod == SnapMethod::Sum);
+    QCOMPARE(again.session.touch().snapStiffness, 0.8);
+  }
+
+  void tooMuchIsNotTaken() {
+    Bench b;
+    b.type("snap_stiffness", "1000");
+    QCOMPARE(b.session.touch().snapStiffness, TouchSettings().snapStiffness);
+  }
+};
+
+QTEST_MAIN(TouchPageTest)
+#include "TouchPageTest.moc"
