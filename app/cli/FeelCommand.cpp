@@ -4,6 +4,7 @@
 
 #include "base/NumberText.h"
 #include "cli/FeelRun.h"
+#include "cli/FeelSnap.h"
 #include "cli/FidelityOption.h"
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
@@ -13,9 +14,12 @@
 #include "document/FileBytes.h"
 #include "document/mesh/MeshSnapshot.h"
 #include "haptics/SimulatedDevice.h"
+#include "haptics/SnapFidelity.h"
 #include "haptics/StiffnessLimit.h"
 #include "haptics/TouchFidelity.h"
 #include "haptics/TouchableSurface.h"
+#include "mesh/BoundaryLoops.h"
+#include "mesh/MeshBuilder.h"
 #include "mesh/Weld.h"
 
 #include <cmath>
@@ -32,6 +36,7 @@ struct FeelRequest {
   std::filesystem::path mesh, path, out;
   ReadOptions read;
   SurfaceFeel surface;
+  SnapRequest snap;
   FidelityValues values;
   FeelRun run;
   bool hasDevice = false;
@@ -46,7 +51,8 @@ std::string readOption(const Arguments& arguments, std::string_view name, double
 
 // What --fidelity chooses, for whatever no option of its own says; what is wrong with it, or nothing.
 std::string readSettings(const Arguments& arguments, FeelRequest& request) {
-  const FidelitySetting read[] = {proxyToleranceSetting(), contactStiffnessSetting(), servoRateSetting()};
+  std::vector<FidelitySetting> read{proxyToleranceSetting(), contactStiffnessSetting(), servoRateSetting()};
+  if (request.snap.isOn) read.insert(read.end(), {snapRadiusSetting(), snapFeaturesSetting()});
   const std::string problem = readFidelity(arguments, "feel", read, request.values);
   if (!problem.empty()) return problem;
   request.surface = surfaceFeel(ContactSurface(), request.values);
@@ -67,11 +73,13 @@ std::string readRequest(const Arguments& arguments, FeelRequest& request) {
   const std::string device = arguments.valueOf("device");
   request.hasDevice = arguments.has("device");
   if (request.hasDevice && device != "simulated") return "--device takes simulated: others do not follow a path.";
+  if (const std::string problem = readSnap(arguments, request.snap); !problem.empty()) return problem;
   if (const std::string problem = readSettings(arguments, request); !problem.empty()) return problem;
   SurfaceFeel& surface = request.surface;
   for (const std::string& problem : {readOption(arguments, "stiffness", 0.0, 1e6, surface.stiffness),
                                      readOption(arguments, "damping", 0.0, 1e6, surface.damping),
                                      readOption(arguments, "friction", 0.0, 100.0, surface.contact.friction),
+                                     readOption(arguments, "snap-stiffness", 0.0, 1e6, request.snap.stiffness),
                                      readOption(arguments, "rate", 1.0, 1e5, request.run.rate)}) {
     if (!problem.empty()) return problem;
   }
@@ -97,18 +105,33 @@ void limitBy(const DeviceCapabilities& device, FeelRequest& request) {
     complain("The damping is capped at " + roundedText(damping, 4) + " N·s/mm, half of the device's own.");
 }
 
-// As it is read, equal corners made one.
-Result<ContactSurface> touchable(const FeelRequest& request, const DocumentKinds& kinds,
-                                 std::vector<DocumentFile>& read, Progress progress) {
-  const Result<Input> input = readMeshInput(request.mesh, request.read, kinds, progress.part(0.0, 0.4));
+// The rims of what was read; nothing, and said so, where there are none.
+std::optional<SnapFeel> rimsOf(const FeelRequest& request, const Input& input, Progress progress) {
+  if (!request.snap.isOn) return std::nullopt;
+  const MeshSnapshot* document = input.meshDocument();
+  const HalfEdgeMesh mesh = document ? document->mesh.mesh : buildMesh(input.mesh->soup, progress.part(0.0, 0.6)).mesh;
+  const std::vector<BoundaryLoop> loops =
+      document ? document->mesh.defects->loops : findBoundaryLoops(mesh, progress.part(0.6, 0.8));
+  std::optional<SnapFeel> feel = snapFeel(request.snap, mesh, loops, request.values, progress.part(0.8, 1.0));
+  if (!feel && !progress.cancelled()) complain("The mesh has no open edge: nothing draws the tip.");
+  return feel;
+}
+
+// The surface as it is read, equal corners made one; and what draws the tip.
+Result<SceneFeel> sceneOf(const FeelRequest& request, const DocumentKinds& kinds, std::vector<DocumentFile>& read,
+                          Progress progress) {
+  const Result<Input> input = readMeshInput(request.mesh, request.read, kinds, progress.part(0.0, 0.3));
   if (!input) return input.error();
   read.push_back(input->opened.file);
   const MeshSnapshot* document = input->meshDocument();
-  TriangleSoup soup = document ? document->mesh.mesh.compact().soup : weld(input->mesh->soup, progress.part(0.4, 0.6));
-  ContactSurface surface =
+  SceneFeel scene;
+  scene.snap = rimsOf(request, *input, progress.part(0.3, 0.5));
+  TriangleSoup soup = document ? document->mesh.mesh.compact().soup : weld(input->mesh->soup, progress.part(0.5, 0.6));
+  scene.surface = request.surface;
+  scene.surface->surface =
       touchableSurface(std::move(soup.points), std::move(soup.triangles), {}, progress.part(0.6, 1.0));
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-  return surface;
+  return scene;
 }
 
 std::string summary(const FeltPath& felt) {
@@ -135,6 +158,11 @@ CommandSpec feelSpec() {
           {"stiffness", 0, "N/MM", "Of the surface (default 0.5)"},
           {"damping", 0, "N·S/MM", "Of the speed along the normal, in contact (default 0)"},
           {"friction", 0, "MU", "Coulomb's coefficient (default 0)"},
+          {"snap", 0, "PROFILE",
+           "none, spring, triangle, quadratic or gaussian: how open edges and their points draw the tip (default "
+           "none)"},
+          {"snap-method", 0, "METHOD", "proxy: one feature at a time; force: the sum of all (default proxy)"},
+          {"snap-stiffness", 0, "N/MM", "Of the profile (default 0.3)"},
           {"rate", 0, "HZ", "Ticks a second (default 1000)"},
           {"fidelity", 0, "LIST", "draft, balanced or exact, and single values: proxy.tolerance=1e-6,..."},
           {"device", 0, "NAME", "simulated: stiffness, damping and force as that device can carry them"},
@@ -166,15 +194,12 @@ int runFeel(const Arguments& arguments, const DocumentKinds& kinds) {
   std::optional<Error> problem;
   FeltPath felt;
   runInterruptible("Feeling", [&](Job& job) {
-    Result<ContactSurface> surface = touchable(request, kinds, read, job.progress().part(0.0, 0.5));
-    if (!surface) {
-      problem = surface.error();
+    Result<SceneFeel> scene = sceneOf(request, kinds, read, job.progress().part(0.0, 0.5));
+    if (!scene) {
+      problem = scene.error();
       return;
     }
-    SceneFeel scene;
-    scene.surface = request.surface;
-    scene.surface->surface = std::move(*surface);
-    felt = feel(request.run, std::move(scene), job.progress().part(0.5, 1.0));
+    felt = feel(request.run, std::move(*scene), job.progress().part(0.5, 1.0));
     if (job.progress().cancelled()) {
       problem = Error{ErrorCode::Cancelled, {}, {}, {}};
       return;

@@ -171,6 +171,65 @@ class FeelTest : public QObject {
     QVERIFY(whole.out.contains("Peak force   18 N\n"));
   }
 
+  // Past the middle of the long side of an open rectangle, in the profile that was asked for: He 2008, figure 3-2a and
+  // equations 3-1 to 3-3. Its four points are too far to draw.
+  void snapsToOpenEdges_data() {
+    QTest::addColumn<QByteArray>("profile");
+    QTest::addColumn<int>("number");
+    int number = 0;
+    for (const char* profile : {"spring", "triangle", "quadratic", "gaussian"})
+      QTest::newRow(profile) << QByteArray(profile) << number++;
+  }
+  void snapsToOpenEdges() {
+    QFETCH(QByteArray, profile);
+    QFETCH(int, number);
+    const Bench bench;
+    bench.put("sheet.off", "OFF\n4 2 0\n0 0 0\n20 0 0\n20 10 0\n0 10 0\n3 0 1 2\n3 0 2 3\n");
+    bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,10,-9,0\n0.089,10,-0.1,0\n");
+    const double k = 0.4, ls = 0.4 * 15.0;  // snap.radius times the mean of 20, 10, 20 and 10 mm
+    const Ran ran = bench.run({"feel", "sheet.off", "--path", "p.csv", "--out", "-", "--snap", profile,
+                               "--snap-stiffness", "0.4", "--fidelity", "snap.radius=0.4"});
+    QVERIFY2(ran.err.isEmpty(), ran.err);
+    const std::vector<Row> rows = rowsOf(ran.out);
+    QCOMPARE(rows.size(), std::size_t{90});
+    const auto g = [&](double x) { return std::exp(-0.5 * std::pow((x - ls / 2) / (ls / 6), 2)); };
+    for (const Row& row : rows) {
+      const double x = -row.at("hip_y");
+      if (std::abs(x - ls) < 1e-9) continue;
+      const double inside[] = {k * x, x < ls / 2 ? k * x : k * (ls - x), 2 * k * x * (ls - x) / ls,
+                               k * ls / 2 * (g(x) - g(0)) / (1 - g(0))};
+      QVERIFY(std::abs(row.at("force_y") - (x < ls ? inside[number] : 0.0)) < 1e-9);
+      QVERIFY(std::abs(row.at("force_x")) + std::abs(row.at("force_z")) < 1e-9);
+      QVERIFY(std::abs(row.at("proxy_y") - (x < ls ? 0.0 : -x)) < 1e-9);
+    }
+  }
+
+  // Midway between two sides of a slit the proxy method has one of them; the forces of both add up to none.
+  void snapsByTheSum() {
+    const Bench bench;
+    bench.put("slit.off", "OFF\n6 2 0\n-50 -1 0\n50 -1 0\n0 -50 0\n-50 1 0\n50 1 0\n0 50 0\n3 0 2 1\n3 3 4 5\n");
+    bench.put("p.csv", "t_s,x_mm,y_mm,z_mm\n0,0,0,0\n0.01,0,0,0\n");
+    const QStringList words{"feel", "slit.off", "--path", "p.csv", "--out", "-", "--snap", "triangle"};
+    for (const Row& row : rowsOf(bench.run(words + QStringList{"--snap-method", "proxy"}).out))
+      QVERIFY(std::abs(std::abs(row.at("force_y")) - 0.3) < 1e-9);
+    for (const Row& row : rowsOf(bench.run(words + QStringList{"--snap-method", "force"}).out))
+      QVERIFY(std::abs(row.at("force_y")) < 1e-9);
+  }
+
+  void snappingNeedsAProfileAndAnOpenEdge() {
+    const Bench bench;
+    bench.put("cube.off", cube(2).off());
+    bench.put("p.csv", kPress);
+    const QStringList words{"feel", "cube.off", "--path", "p.csv"};
+    QVERIFY(bench.run(words + QStringList{"--snap", "spring"}).err.contains("no open edge"));
+    for (const QStringList& wrong :
+         {QStringList{"--snap", "hook"}, QStringList{"--snap-method", "force"}, QStringList{"--snap-stiffness", "1"},
+          QStringList{"--snap", "none", "--snap-method", "force"}, QStringList{"--fidelity", "snap.radius=1"},
+          QStringList{"--snap", "spring", "--snap-method", "pull"},
+          QStringList{"--snap", "spring", "--snap-stiffness", "-1"}})
+      QCOMPARE(bench.run(words + wrong).code, 1);
+  }
+
   void writesToADevice() {
     const Bench bench;
     bench.put("cube.off", cube(2).off());
