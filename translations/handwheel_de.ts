@@ -2303,14 +2303,6 @@
         <translation>Gauß</translation>
     </message>
     <message>
-        <source>One at a time (proxy)</source>
-        <translation>Eines nach dem anderen (Proxy)</translation>
-    </message>
-    <message>
-        <source>Sum of all (force)</source>
-        <translation>Summe aller (Kraft)</translation>
-    </message>
-    <message>
         <source>Snap</source>
         <translation>Fangen</translation>
     </message>
@@ -2321,6 +2313,14 @@
     <message>
         <source>Rims as curves</source>
         <translation>Ränder als Kurven</translation>
+    </message>
+    <message>
+        <source>One (proxy)</source>
+        <translation>Eines (Proxy)</translation>
+    </message>
+    <message>
+        <source>Sum (force)</source>
+        <translation>Summe (Kraft)</translation>
     </message>
 </context>
 <context>

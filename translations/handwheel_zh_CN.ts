@@ -2290,14 +2290,6 @@
         <translation>高斯</translation>
     </message>
     <message>
-        <source>One at a time (proxy)</source>
-        <translation>逐个（代理点）</translation>
-    </message>
-    <message>
-        <source>Sum of all (force)</source>
-        <translation>全部之和（力）</translation>
-    </message>
-    <message>
         <source>Snap</source>
         <translation>捕捉</translation>
     </message>
@@ -2308,6 +2300,14 @@
     <message>
         <source>Rims as curves</source>
         <translation>边界作为曲线</translation>
+    </message>
+    <message>
+        <source>One (proxy)</source>
+        <translation>单个（代理点）</translation>
+    </message>
+    <message>
+        <source>Sum (force)</source>
+        <translation>总和（力）</translation>
     </message>
 </context>
 <context>

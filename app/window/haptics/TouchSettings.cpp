@@ -37,8 +37,8 @@ constexpr Limits kSnapStiffness{0.02, 2.0};
 const std::vector<std::string> kShapes{
     QT_TRANSLATE_NOOP("Property", "Spring"), QT_TRANSLATE_NOOP("Property", "Triangle"),
     QT_TRANSLATE_NOOP("Property", "Quadratic"), QT_TRANSLATE_NOOP("Property", "Gaussian")};
-const std::vector<std::string> kMethods{QT_TRANSLATE_NOOP("Property", "One at a time (proxy)"),
-                                        QT_TRANSLATE_NOOP("Property", "Sum of all (force)")};
+const std::vector<std::string> kMethods{QT_TRANSLATE_NOOP("Property", "One (proxy)"),
+                                        QT_TRANSLATE_NOOP("Property", "Sum (force)")};
 
 std::vector<Property> snapProperties(const TouchSettings& touch) {
   const auto numberOf = [](auto choice) { return static_cast<int>(choice); };
