@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bench/ContactShapes.h"
+#include "proximity/ClosestPoint.h"
+
+#include <limits>
+
+namespace handwheel::bench {
+
+// Where a god-object without friction is on a mesh whose triangles share their corners, as a control: no hierarchy, no
+// steps, nothing kept off the surface. From where it is it goes straight on, over a triangle that it stands on, to the
+// place there that is nearest to the tip, as long as that is nearer: downhill all the way, never over a ridge. It does
+// not leave the surface, so it says nothing of a tip outside.
+class ExactGodObject {
+ public:
+  explicit ExactGodObject(const TouchMesh& mesh) : m_mesh(mesh), m_first(mesh.points.size() + 1, 0) {
+    for (const Triangle& t : mesh.triangles)
+      for (const std::uint32_t v : t) ++m_first[v + 1];
+    for (std::size_t v = 0; v < mesh.points.size(); ++v) m_first[v + 1] += m_first[v];
+    m_around.resize(3 * mesh.triangles.size());
+    std::vector<std::uint32_t> next(m_first.begin(), m_first.end() - 1);
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+      for (const std::uint32_t v : mesh.triangles[t]) m_around[next[v]++] = t;
+  }
+
+  // On the triangle that is nearest of all.
+  void place(const Vec3& tip) {
+    m_best = std::numeric_limits<double>::infinity();
+    for (std::uint32_t t = 0; t < m_mesh.triangles.size(); ++t) look(t, tip);
+  }
+
+  const Vec3& follow(const Vec3& tip) {
+    m_best = (m_proxy - tip).squaredNorm();
+    double before = std::numeric_limits<double>::infinity();
+    while (m_best < before) {
+      before = m_best;
+      goOn(tip);
+    }
+    return m_proxy;
+  }
+
+  const Vec3& proxy() const { return m_proxy; }
+
+ private:
+  static constexpr double kOn = 1e-9;  // mm, from a triangle that it stands on
+
+  void goOn(const Vec3& tip) {
+    const Vec3 from = m_proxy;
+    const std::uint32_t at = m_triangle;
+    for (const std::uint32_t v : m_mesh.triangles[at])
+      for (std::uint32_t i = m_first[v]; i < m_first[v + 1]; ++i)
+        if ((closestOn(m_around[i], from) - from).norm() < kOn) look(m_around[i], tip);
+  }
+
+  Vec3 closestOn(std::uint32_t t, const Vec3& p) const {
+    const Triangle& c = m_mesh.triangles[t];
+    return closestOnTriangle(p, m_mesh.points[c[0]], m_mesh.points[c[1]], m_mesh.points[c[2]]);
+  }
+
+  void look(std::uint32_t t, const Vec3& tip) {
+    const Vec3 p = closestOn(t, tip);
+    const double distance = (p - tip).squaredNorm();
+    if (!(distance < m_best)) return;
+    m_best = distance;
+    m_proxy = p;
+    m_triangle = t;
+  }
+
+  const TouchMesh& m_mesh;
+  std::vector<std::uint32_t> m_first, m_around;  // the triangles around each point
+  std::uint32_t m_triangle = 0;
+  Vec3 m_proxy = Vec3::Zero();
+  double m_best = 0.0;  // mm²
+};
+
+}  // namespace handwheel::bench

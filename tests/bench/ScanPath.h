@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "bench/ContactShapes.h"
+#include "document/formats/MeshFormat.h"
+#include "mesh/Weld.h"
+#include "proximity/TriangleHierarchy.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+
+// Ways of a tip over scans that are not ours to ship.
+namespace handwheel::bench {
+
+// A scan in the folder HANDWHEEL_DATA, as large as the ball; nothing where the folder is not named or has none such.
+inline std::optional<TouchMesh> scanOf(const char* name) {
+  const char* const folder = std::getenv("HANDWHEEL_DATA");
+  if (!folder) return std::nullopt;
+  const Result<MeshFile> read = readMeshFile(std::filesystem::path(folder) / name, {});
+  if (!read) return std::nullopt;
+  TriangleSoup soup = weld(read->soup);
+  Box box;
+  for (const Vec3& p : soup.points) box.extend(p);
+  const double scale = 2 * kBallRadius / box.sizes().maxCoeff();
+  for (Vec3& p : soup.points) p = scale * (p - box.center());
+  return TouchMesh{std::move(soup.points), std::move(soup.triangles)};
+}
+
+// So many places, each the step (mm) further: around the axis over the surface, so much below it, and without the
+// trembling that the facets would give it.
+inline std::vector<Vec3> pathOver(const TouchMesh& mesh, const Vec3& axis, double step, double depth, int count) {
+  constexpr int kSmooth = 100;     // places on either side
+  constexpr double kRise = 10000;  // places until it has gone up the axis and down again
+  const TriangleHierarchy surface(mesh.points, mesh.triangles);
+  const auto normalOf = [&](std::uint32_t t) {
+    const Triangle& c = mesh.triangles[t];
+    return (mesh.points[c[1]] - mesh.points[c[0]]).cross(mesh.points[c[2]] - mesh.points[c[0]]).normalized();
+  };
+  std::vector<Vec3> below;
+  Vec3 at = surface.nearest(2 * kBallRadius * axis.unitOrthogonal())->point;
+  for (int i = 0; i < count + 2 * kSmooth; ++i) {
+    const auto near = surface.nearest(at);
+    const Vec3 normal = normalOf(near->triangle);
+    below.push_back(near->point - depth * normal);
+    const double drift = 0.05 * std::cos(2 * M_PI * i / kRise);
+    at = near->point + step * (axis.cross(normal) + drift * axis).normalized();
+  }
+  std::vector<Vec3> path;
+  Vec3 sum = Vec3::Zero();
+  for (int i = 0; i < static_cast<int>(below.size()); ++i) {
+    sum += below[static_cast<std::size_t>(i)];
+    if (i < 2 * kSmooth) continue;
+    path.push_back(sum / (2 * kSmooth + 1));
+    sum -= below[static_cast<std::size_t>(i - 2 * kSmooth)];
+  }
+  return path;
+}
+
+}  // namespace handwheel::bench
