@@ -7,6 +7,7 @@
 
 #include <QCoreApplication>
 #include <QMessageBox>
+#include <utility>
 
 namespace handwheel {
 
@@ -16,23 +17,23 @@ struct Text {
 };
 }  // namespace
 
-CloseAnswer askBeforeClosing(QWidget* window, const QString& name) {
-  QMessageBox box(window);
-  box.setObjectName(QStringLiteral("closePrompt"));
-  box.setWindowTitle(Text::tr("Unsaved changes"));
-  box.setIconPixmap(icon(QStringLiteral("save"), themeColours(currentTheme()).accent).pixmap(QSize(40, 40)));
-  box.setText(Text::tr("Save the changes to %1?").arg(name));
-  box.setInformativeText(Text::tr("Without saving they are lost."));
-  box.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
-  box.setDefaultButton(QMessageBox::Save);
-  switch (box.exec()) {
-    case QMessageBox::Save:
-      return CloseAnswer::Save;
-    case QMessageBox::Discard:
-      return CloseAnswer::Discard;
-    default:
-      return CloseAnswer::Cancel;
-  }
+void askBeforeClosing(QWidget* window, const QString& name, std::function<void(CloseAnswer)> then) {
+  auto* box = new QMessageBox(window);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setObjectName(QStringLiteral("closePrompt"));
+  box->setWindowTitle(Text::tr("Unsaved changes"));
+  box->setIconPixmap(icon(QStringLiteral("save"), themeColours(currentTheme()).accent).pixmap(QSize(40, 40)));
+  box->setText(Text::tr("Save the changes to %1?").arg(name));
+  box->setInformativeText(Text::tr("Without saving they are lost."));
+  box->setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+  box->setDefaultButton(QMessageBox::Save);
+  QObject::connect(box, &QMessageBox::finished, window, [box, then = std::move(then)] {
+    const auto button = box->standardButton(box->clickedButton());
+    then(button == QMessageBox::Save      ? CloseAnswer::Save
+         : button == QMessageBox::Discard ? CloseAnswer::Discard
+                                          : CloseAnswer::Cancel);
+  });
+  box->open();
 }
 
 }  // namespace handwheel

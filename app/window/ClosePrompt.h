@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QString>
+#include <functional>
 
 class QWidget;
 
@@ -10,7 +11,8 @@ namespace handwheel {
 
 enum class CloseAnswer { Save, Discard, Cancel };
 
-// The one question that the program asks: what becomes of the changes to this document.
-CloseAnswer askBeforeClosing(QWidget* window, const QString& name);
+// The one question that the program asks: what becomes of the changes to this document. Returns at once; then: called
+// with the answer. Until it is given the window takes no input, but jobs end and documents may go.
+void askBeforeClosing(QWidget* window, const QString& name, std::function<void(CloseAnswer)> then);
 
 }  // namespace handwheel

@@ -156,12 +156,12 @@ bool FileActions::needsNewName(const OpenDocument& open) const {
   return document.file().isPrecious() || (file.exists() && !file.isWritable()) || isSample(file);
 }
 
-void FileActions::saveOrAsk(OpenDocument* document, std::function<void()> then) {
-  if (needsNewName(*document)) return askForName(document, std::move(then));
-  m_saver.save(document, document->document.path(), std::move(then));
+void FileActions::saveOrAsk(OpenDocument* document, std::function<void(bool)> ended) {
+  if (needsNewName(*document)) return askForName(document, std::move(ended));
+  m_saver.save(document, document->document.path(), std::move(ended));
 }
 
-void FileActions::askForName(OpenDocument* document, std::function<void()> then) {
+void FileActions::askForName(OpenDocument* document, std::function<void(bool)> ended) {
   auto* dialog = new QFileDialog(m_window, tr("Save as"));
   dialog->setObjectName(QStringLiteral("saveDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -177,11 +177,12 @@ void FileActions::askForName(OpenDocument* document, std::function<void()> then)
   dialog->setDirectory(writable && !sample ? QFileInfo(suggestion).path() : lastFolder());
   dialog->selectFile(QFileInfo(suggestion).fileName());
   dialog->setDefaultSuffix(QFileInfo(suggestion).suffix());
-  connect(dialog, &QFileDialog::fileSelected, this, [this, document, then](const QString& path) {
+  connect(dialog, &QFileDialog::fileSelected, this, [this, document, ended](const QString& path) {
     if (!m_tabs.contains(document)) return;
     rememberFolder(path);
-    m_saver.save(document, path, then);
+    m_saver.save(document, path, ended);
   });
+  if (ended) connect(dialog, &QFileDialog::rejected, this, [ended] { ended(false); });
   dialog->open();
 }
 
@@ -194,21 +195,25 @@ void FileActions::offerAnotherName(OpenDocument* document, Message message) {
 }
 
 void FileActions::requestClose(OpenDocument* document, std::function<void()> then) {
-  const auto closeNow = [this, document, then] {
-    m_tabs.close(document);
-    if (then) then();
-  };
-  emit aboutToClose();
-  if (!document->document.isModified()) return closeNow();
+  const bool isUnderWay = m_closing.contains(document);
+  if (!isUnderWay) emit aboutToClose();
+  auto& waiting = m_closing[document];
+  if (then) waiting.push_back(std::move(then));
+  if (isUnderWay) return;
+  if (!document->document.isModified()) return endClosing(document, true);
   m_tabs.setCurrent(document);
-  switch (askBeforeClosing(m_window, document->document.name())) {
-    case CloseAnswer::Save:
-      return saveOrAsk(document, closeNow);
-    case CloseAnswer::Discard:
-      return closeNow();
-    case CloseAnswer::Cancel:
-      return;
-  }
+  const auto ended = [this, document](bool isSaved) { endClosing(document, isSaved); };
+  askBeforeClosing(m_window, document->document.name(), [this, document, ended](CloseAnswer answer) {
+    if (answer == CloseAnswer::Save && m_tabs.contains(document)) return saveOrAsk(document, ended);
+    endClosing(document, answer == CloseAnswer::Discard);
+  });
+}
+
+void FileActions::endClosing(OpenDocument* document, bool close) {
+  const auto closing = m_closing.extract(document);
+  if (!close || closing.empty() || !m_tabs.contains(document)) return;
+  m_tabs.close(document);
+  for (const auto& then : closing.mapped()) then();
 }
 
 void FileActions::requestCloseAll(std::function<void()> then) {

@@ -7,6 +7,8 @@
 
 #include <QAction>
 #include <functional>
+#include <map>
+#include <vector>
 
 class QMenu;
 
@@ -33,7 +35,8 @@ class FileActions : public QObject {
   FileLoader& loader() { return m_loader; }
 
   void openPaths(const QStringList& paths);
-  // Closes a document; when it is modified the user is asked first. then: called once it is closed.
+  // Closes a document; when it is modified the user is asked first. then: called once it is closed. While the user is
+  // asked, or it is saved, a second wish to close it waits for the same answer.
   void requestClose(OpenDocument* document, std::function<void()> then = {});
   // Closes all, asking as needed. then: called when none is left.
   void requestCloseAll(std::function<void()> then);
@@ -45,9 +48,11 @@ class FileActions : public QObject {
  private:
   void askForFiles();
   void saveCurrent();
-  void saveOrAsk(OpenDocument* document, std::function<void()> then);
-  void askForName(OpenDocument* document, std::function<void()> then);
+  // ended: as of FileSaver::save(); also when no name was given.
+  void saveOrAsk(OpenDocument* document, std::function<void(bool)> ended);
+  void askForName(OpenDocument* document, std::function<void(bool)> ended);
   void offerAnotherName(OpenDocument* document, Message message);
+  void endClosing(OpenDocument* document, bool close);
   void followDocument();
   void fillRecentMenu();
   bool needsNewName(const OpenDocument& document) const;
@@ -58,6 +63,8 @@ class FileActions : public QObject {
   RecentFiles& m_recent;
   FileLoader m_loader;
   FileSaver m_saver;
+  // Those that are asked about or saved in order to be closed, and what follows when they are.
+  std::map<const OpenDocument*, std::vector<std::function<void()>>> m_closing;
   QAction m_open;
   QAction m_newWorkpiece;
   QAction m_openSample;

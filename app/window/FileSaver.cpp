@@ -20,22 +20,26 @@ namespace handwheel {
 FileSaver::FileSaver(DocumentTabs& tabs, JobRunner& jobs, RecentFiles& recent, LogModel& log, QObject* parent)
     : QObject(parent), m_tabs(tabs), m_jobs(jobs), m_recent(recent), m_log(log) {}
 
-void FileSaver::save(OpenDocument* document, const QString& path, std::function<void()> then) {
+void FileSaver::save(OpenDocument* document, const QString& path, std::function<void(bool)> ended) {
   const Written state{path, document->ui.saveCommand(*document, path), document->document.revision(),
                       document->document.properties()};
   Job job;
   job.name = tr("Saving %1").arg(QFileInfo(path).fileName());
-  job.work = [this, document, state, then, &kind = document->document.kind(), file = document->document.file(),
+  const auto failed = [this, document, path, ended](const Error& error) {
+    tellFailure(document, path, error);
+    if (ended) ended(false);
+  };
+  job.failed = failed;
+  job.work = [this, document, state, ended, failed, &kind = document->document.kind(), file = document->document.file(),
               content = document->document.snapshot()](Progress progress) -> Job::Finish {
     const auto written = saveDocument(kind, file, *content, QFile::encodeName(state.path).toStdString(), progress);
-    if (!written) return [this, document, state, error = written.error()] { tellFailure(document, state.path, error); };
-    return [this, document, state, then, written = written.value()] {
-      if (!m_tabs.contains(document)) return;
-      saved(document, state, written);
-      if (then && !document->document.isModified()) then();
+    if (!written) return [failed, error = written.error()] { failed(error); };
+    return [this, document, state, ended, written = written.value()] {
+      const bool isOpen = m_tabs.contains(document);
+      if (isOpen) saved(document, state, written);
+      if (ended) ended(isOpen && !document->document.isModified());
     };
   };
-  job.failed = [this, document, path](const Error& error) { tellFailure(document, path, error); };
   m_jobs.start(std::move(job));
 }
 

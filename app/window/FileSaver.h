@@ -24,8 +24,8 @@ class FileSaver : public QObject {
  public:
   FileSaver(DocumentTabs& tabs, JobRunner& jobs, RecentFiles& recent, LogModel& log, QObject* parent = nullptr);
 
-  // then: called when the file is written and the document has not been changed meanwhile.
-  void save(OpenDocument* document, const QString& path, std::function<void()> then = {});
+  // ended: called in any case, in the end; true when the file holds the document as it is then.
+  void save(OpenDocument* document, const QString& path, std::function<void(bool)> ended = {});
 
  signals:
   void message(const handwheel::Message& message);

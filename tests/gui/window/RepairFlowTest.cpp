@@ -159,6 +159,8 @@ class RepairFlowTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), 0, kPatienceMs);
     answerPrompt(QMessageBox::Cancel);
     driver.window().close();
+    QTRY_VERIFY(QApplication::activeModalWidget());
+    QTRY_VERIFY(!QApplication::activeModalWidget());
     QVERIFY(driver.window().isVisible());
     QCOMPARE(driver.tabs(), 1);
     answerPrompt(QMessageBox::Save);

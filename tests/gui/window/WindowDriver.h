@@ -13,6 +13,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QSemaphore>
 #include <QSettings>
 #include <QTabBar>
 #include <QTemporaryDir>
@@ -20,6 +21,7 @@
 #include <QToolButton>
 #include <QTreeView>
 #include <QtTest>
+#include <utility>
 
 // A main window with settings of its own, driven through the widgets that a person uses, found by their names.
 namespace handwheel::test {
@@ -33,7 +35,10 @@ class WindowDriver {
     m_window.show();
     if (!QTest::qWaitForWindowExposed(&m_window)) qFatal("the window does not appear");
   }
-  ~WindowDriver() { m_workers.waitForDone(); }
+  ~WindowDriver() {
+    release();
+    m_workers.waitForDone();
+  }
 
   MainWindow& window() { return m_window; }
 
@@ -71,6 +76,14 @@ class WindowDriver {
   }
   QString text(const char* name) { return find<QLabel>(name)->text(); }
 
+  // No job begins between the two.
+  void hold() {
+    m_workers.setMaxThreadCount(1);
+    m_workers.start([this] { m_gate.acquire(); });
+    ++m_held;
+  }
+  void release() { m_gate.release(std::exchange(m_held, 0)); }
+
   bool settle() {
     return QTest::qWaitFor([this] { return m_window.isSettled(); }, kPatienceMs);
   }
@@ -105,6 +118,8 @@ class WindowDriver {
   }
 
  private:
+  QSemaphore m_gate;
+  int m_held = 0;
   QThreadPool m_workers;
   KindSet m_kinds;
   MainWindow m_window;
