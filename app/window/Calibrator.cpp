@@ -39,9 +39,9 @@ Calibrator::Calibrator(FidelityChoice& choice, QThreadPool& pool, const std::fil
     : QObject(parent), m_choice(choice), m_file(file), m_runner(JobRunner::Policy::Queue, pool) {
   m_idle.setSingleShot(true);
   connect(&m_idle, &QTimer::timeout, this, &Calibrator::beginIdle);
-  connect(&m_runner, &JobRunner::progressed, this, [this](double fraction) {
+  connect(&m_runner, &JobRunner::progressed, this, [this] {
     if (m_isByItself && m_isBusy && m_isBusy()) return cancel();
-    m_part = fraction;
+    m_part = m_runner.jobs().front().fraction;
     emit progressed();
   });
   load(file);
@@ -118,7 +118,7 @@ void Calibrator::end() {
 
 void Calibrator::cancel() {
   if (!m_isRunning) return;
-  m_runner.cancel();
+  m_runner.cancelAll();
   end();
   if (m_isByItself && m_isBusy) m_idle.start();
 }

@@ -30,6 +30,7 @@ void FileSaver::save(OpenDocument* document, const QString& path, std::function<
     if (ended) ended(false);
   };
   job.failed = failed;
+  job.lane = Job::Lane::Saving;
   job.work = [this, document, state, ended, failed, &kind = document->document.kind(), file = document->document.file(),
               content = document->document.snapshot()](Progress progress) -> Job::Finish {
     const auto written = saveDocument(kind, file, *content, QFile::encodeName(state.path).toStdString(), progress);
@@ -70,10 +71,23 @@ void FileSaver::tellExport(const OpenDocument& document, const QString& name) {
                 {}});
 }
 
+void FileSaver::tellCancelled(OpenDocument* document, const QString& path) {
+  const QString title = tr("Saving %1 was cancelled").arg(QFileInfo(path).fileName());
+  m_log.add(title, {}, LogEntry::Weight::Warning);
+  Message told{Message::Weight::Warning, title, tr("Nothing was written: the file is as it was before."), {}, {}, {}};
+  if (m_tabs.contains(document)) {
+    told.advice = tr("The document is open, with all its changes.");
+    told.actionText = tr("Save again");
+    told.action = [this, document, path] {
+      if (m_tabs.contains(document)) save(document, path);
+    };
+  }
+  emit message(told);
+}
+
 void FileSaver::tellFailure(OpenDocument* document, const QString& path, const Error& error) {
+  if (error.code == ErrorCode::Cancelled) return tellCancelled(document, path);
   const QString name = QFileInfo(path).fileName();
-  if (error.code == ErrorCode::Cancelled)
-    return m_log.add(tr("Saving %1 was cancelled; the old file is untouched").arg(name));
   const QString title = tr("%1 could not be saved").arg(name);
   m_log.add(title + QStringLiteral(". ") + errorSentence(error), {}, LogEntry::Weight::Error);
   const Message told{Message::Weight::Error, title, errorSentence(error), errorAdvice(error), {}, {}};

@@ -41,6 +41,7 @@ class FileSaver : public QObject {
   };
   void saved(OpenDocument* document, const Written& state, const WrittenFile& written);
   void tellExport(const OpenDocument& document, const QString& name);
+  void tellCancelled(OpenDocument* document, const QString& path);
   void tellFailure(OpenDocument* document, const QString& path, const Error& error);
 
   DocumentTabs& m_tabs;

@@ -3,6 +3,7 @@
 #include "window/JobRunner.h"
 
 #include <QThreadPool>
+#include <algorithm>
 #include <new>
 #include <optional>
 #include <utility>
@@ -15,6 +16,7 @@ const Error kCancelled{ErrorCode::Cancelled, {}, {}, {}};
 }  // namespace
 
 struct JobRunner::Task {
+  quint64 id = 0;
   Job job;
   JobState state;
   Job::Finish finish;  // written by the worker before done
@@ -41,78 +43,105 @@ JobRunner::JobRunner(Policy policy, QThreadPool& pool, QObject* parent)
 }
 
 JobRunner::~JobRunner() {
-  if (m_running) m_running->state.cancelled = true;
+  for (const auto& task : m_running) task->state.cancelled = true;
 }
 
 void JobRunner::start(Job job) {
   if (m_policy == Policy::Latest) {
     m_waiting.clear();
-    if (m_running) m_running->state.cancelled = true;
+    for (const auto& task : m_running) task->state.cancelled = true;
   }
-  m_waiting.push_back(std::move(job));
-  if (!m_running) startNext();
+  m_waiting.push_back({++m_lastId, std::move(job)});
+  startNext();
 }
 
-void JobRunner::cancel() {
-  const std::deque<Job> waiting = std::exchange(m_waiting, {});
-  if (!m_running) return;
-  m_running->state.cancelled = true;
-  if (m_policy == Policy::Latest) return;
-  abandonRunning();
-  for (const Job& job : waiting) job.failed(kCancelled);
-  if (!m_running) startNext();
+void JobRunner::cancel(quint64 id) {
+  cancelThose([id](quint64 each, const Job&) { return each == id; });
 }
 
 void JobRunner::cancelOf(const void* owner) {
-  std::vector<Job> cancelled;
-  for (auto job = m_waiting.begin(); job != m_waiting.end();) {
-    if (job->owner == owner) cancelled.push_back(std::move(*job));
-    job = job->owner == owner ? m_waiting.erase(job) : job + 1;
-  }
-  for (const Job& job : cancelled) job.failed(kCancelled);
-  if (!m_running || m_running->job.owner != owner) return;
-  m_running->state.cancelled = true;
-  if (m_policy == Policy::Latest) return;
-  abandonRunning();
-  if (!m_running) startNext();
+  cancelThose([owner](quint64, const Job& job) { return job.owner == owner; });
 }
 
-// It has been told to stop, and may take its time.
-void JobRunner::abandonRunning() {
-  const std::shared_ptr<Task> abandoned = std::exchange(m_running, nullptr);
-  abandoned->job.failed(kCancelled);
+void JobRunner::cancelAll() {
+  cancelThose([](quint64, const Job&) { return true; });
+}
+
+// What runs has been told to stop, and may take its time: nobody waits for it but the latest of its kind.
+void JobRunner::cancelThose(const std::function<bool(quint64 id, const Job& job)>& isMeant) {
+  std::vector<std::function<void(const Error&)>> failed;
+  std::erase_if(m_waiting, [&](const Waiting& waiting) {
+    const bool isGone = isMeant(waiting.id, waiting.job);
+    if (isGone && m_policy == Policy::Queue) failed.push_back(waiting.job.failed);
+    return isGone;
+  });
+  std::erase_if(m_running, [&](const std::shared_ptr<Task>& task) {
+    if (!isMeant(task->id, task->job)) return false;
+    task->state.cancelled = true;
+    if (m_policy == Policy::Latest) return false;
+    failed.push_back(task->job.failed);
+    return true;
+  });
+  for (const auto& each : failed) each(kCancelled);
+  if (!failed.empty()) startNext();
+}
+
+std::vector<JobStatus> JobRunner::jobs() const {
+  std::vector<JobStatus> all;
+  for (const auto& task : m_running) all.push_back({task->id, task->job.name, task->state.fraction});
+  for (const Waiting& waiting : m_waiting) all.push_back({waiting.id, waiting.job.name, -1.0, true});
+  return all;
+}
+
+bool JobRunner::isFree(Job::Lane lane) const {
+  return std::none_of(m_running.begin(), m_running.end(), [lane](const auto& task) { return task->job.lane == lane; });
 }
 
 void JobRunner::startNext() {
-  if (m_waiting.empty()) {
-    m_poll.stop();
-    emit finished();
-    return;
+  for (auto next = m_waiting.begin(); next != m_waiting.end();) {
+    if (!isFree(next->job.lane)) {
+      ++next;
+      continue;
+    }
+    auto task = std::make_shared<Task>();
+    task->id = next->id;
+    task->job = std::move(next->job);
+    next = m_waiting.erase(next);
+    m_running.push_back(task);
+    m_pool.start([task] { task->run(); });
   }
-  m_running = std::make_shared<Task>();
-  m_running->job = std::move(m_waiting.front());
-  m_waiting.pop_front();
-  emit started(m_running->job.name);
-  m_pool.start([task = m_running] { task->run(); });
-  m_poll.start();
+  m_running.empty() ? m_poll.stop() : m_poll.start();
+  emit changed();
+}
+
+std::shared_ptr<JobRunner::Task> JobRunner::takeDone() {
+  const auto done = std::find_if(m_running.begin(), m_running.end(),
+                                 [](const auto& task) { return task->done.load(std::memory_order_acquire); });
+  if (done == m_running.end()) return nullptr;
+  const std::shared_ptr<Task> task = *done;
+  m_running.erase(done);
+  return task;
+}
+
+// The results of a cancelled job are discarded, whatever it still delivered.
+void JobRunner::end(const Task& task) {
+  if (task.state.cancelled) {
+    task.job.failed(kCancelled);
+  } else if (task.error) {
+    task.job.failed(*task.error);
+  } else if (task.finish) {
+    task.finish();
+  }
 }
 
 void JobRunner::poll() {
-  if (!m_running) return;
-  if (!m_running->done.load(std::memory_order_acquire)) {
-    emit progressed(m_running->state.fraction);
-    return;
+  if (!m_running.empty()) emit progressed();
+  bool isAnyDone = false;
+  while (const std::shared_ptr<Task> task = takeDone()) {
+    isAnyDone = true;
+    end(*task);
   }
-  const std::shared_ptr<Task> task = std::exchange(m_running, nullptr);
-  // The results of a cancelled job are discarded, whatever it still delivered.
-  if (task->state.cancelled) {
-    task->job.failed(kCancelled);
-  } else if (task->error) {
-    task->job.failed(*task->error);
-  } else if (task->finish) {
-    task->finish();
-  }
-  if (!m_running) startNext();
+  if (isAnyDone) startNext();
 }
 
 }  // namespace handwheel

@@ -4,12 +4,14 @@
 
 #include "base/Error.h"
 #include "base/Progress.h"
+#include "panels/JobStatus.h"
 
 #include <QObject>
 #include <QTimer>
 #include <deque>
 #include <functional>
 #include <memory>
+#include <vector>
 
 class QThreadPool;
 
@@ -19,15 +21,18 @@ namespace handwheel {
 // with its result on the window thread.
 struct Job {
   using Finish = std::function<void()>;
+  // What runs beside what: nobody's saving waits for the work on other documents.
+  enum class Lane { Work, Saving };
 
   QString name;
   std::function<Finish(Progress)> work;
   // Instead of the finish, on the window thread: Cancelled, OutOfMemory, or LibraryFailed for what else was thrown.
   std::function<void(const Error&)> failed = [](const Error&) {};
   const void* owner = nullptr;  // with which it is cancelled: a document
+  Lane lane = Lane::Work;
 };
 
-// Runs jobs one after another. Everything here is called and emitted on the window thread.
+// Runs jobs, those of a lane one after another. Everything here is called and emitted on the window thread.
 class JobRunner : public QObject {
   Q_OBJECT
 
@@ -42,25 +47,35 @@ class JobRunner : public QObject {
   ~JobRunner() override;
 
   void start(Job job);
-  void cancel();
+  void cancel(quint64 id);           // that of jobs(); nothing when it has ended
   void cancelOf(const void* owner);  // all that it owns
-  bool isIdle() const { return !m_running && m_waiting.empty(); }
+  void cancelAll();
+  bool isIdle() const { return m_running.empty() && m_waiting.empty(); }
+  // Those that run, then those that wait, each in the order in which they were started.
+  std::vector<JobStatus> jobs() const;
 
  signals:
-  void started(const QString& name);
-  void progressed(double fraction);
-  void finished();  // nothing runs and nothing waits
+  void changed();     // a job came, began or went
+  void progressed();  // one went on
 
  private:
+  struct Waiting {
+    quint64 id;
+    Job job;
+  };
   struct Task;
-  void abandonRunning();
+  void cancelThose(const std::function<bool(quint64 id, const Job& job)>& isMeant);
+  bool isFree(Job::Lane lane) const;
   void startNext();
+  std::shared_ptr<Task> takeDone();
+  static void end(const Task& task);
   void poll();
 
   Policy m_policy;
   QThreadPool& m_pool;
-  std::shared_ptr<Task> m_running;
-  std::deque<Job> m_waiting;
+  std::vector<std::shared_ptr<Task>> m_running;  // one of a lane
+  std::deque<Waiting> m_waiting;
+  quint64 m_lastId = 0;
   QTimer m_poll;
 };
 

@@ -105,10 +105,10 @@ void MainWindow::connectRecordings() {
 }
 
 void MainWindow::connectJobs() {
-  connect(&m_jobs, &JobRunner::started, m_jobBar, &JobBar::showJob);
-  connect(&m_jobs, &JobRunner::progressed, m_jobBar, &JobBar::setProgress);
-  connect(&m_jobs, &JobRunner::finished, m_jobBar, &JobBar::hideJob);
-  connect(m_jobBar, &JobBar::cancelRequested, &m_jobs, &JobRunner::cancel);
+  const auto show = [this] { m_jobBar->setJobs(m_jobs.jobs()); };
+  connect(&m_jobs, &JobRunner::changed, m_jobBar, show);
+  connect(&m_jobs, &JobRunner::progressed, m_jobBar, show);
+  connect(m_jobBar, &JobBar::cancelJobRequested, &m_jobs, &JobRunner::cancel);
 }
 
 void MainWindow::connectStartPage() {

@@ -23,7 +23,7 @@ namespace handwheel {
 namespace {
 
 // Three more than run at once, for work that was cancelled but does not let go.
-constexpr int kWorkers = 5;
+constexpr int kWorkers = 6;
 // A library call that does not return is not waited for longer when the program ends.
 constexpr int kPatienceMs = 1000;
 

@@ -44,14 +44,20 @@ class JobLine : public QWidget {
 
   void showJob(const JobStatus& job) {
     m_id = job.id;
-    m_name->setText(m_name->fontMetrics().elidedText(job.name, Qt::ElideMiddle, kLongest));
-    m_name->setToolTip(job.name);
-    m_progress->setAccessibleName(job.name);
-    m_cancel->setAccessibleName(JobBar::tr("Cancel “%1”").arg(job.name));
+    const QString name = job.isWaiting ? JobBar::tr("%1 (waiting)").arg(job.name) : job.name;
+    if (name != m_name->toolTip()) showName(name);
+    m_progress->setVisible(!job.isWaiting);
     showProgress(job.fraction);
   }
 
  private:
+  void showName(const QString& name) {
+    m_name->setText(m_name->fontMetrics().elidedText(name, Qt::ElideMiddle, kLongest));
+    m_name->setToolTip(name);
+    m_progress->setAccessibleName(name);
+    m_cancel->setAccessibleName(JobBar::tr("Cancel “%1”").arg(name));
+  }
+
   // QProgressBar would draw itself before it returns, and the 3D view with it; this asks for the next frame instead.
   void showProgress(double fraction) {
     const int step = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * kSteps);
@@ -93,15 +99,15 @@ JobBar::JobBar(QWidget* parent)
 JobLine* JobBar::addLine(QWidget* parent) {
   const QString suffix = parent == this ? QString() : QStringLiteral("/%1").arg(m_lines.size());
   auto* line = new JobLine(suffix, parent);
-  connect(line->cancel(), &QToolButton::clicked, this, [this, line] {
-    emit cancelJobRequested(line->id());
-    if (line->id() == 0) emit cancelRequested();
-  });
+  // Between press and release the line may have gone over to another job.
+  connect(line->cancel(), &QToolButton::pressed, this, [this, line] { m_pressed = line->id(); });
+  connect(line->cancel(), &QToolButton::clicked, this, [this] { emit cancelJobRequested(m_pressed); });
   return line;
 }
 
 void JobBar::setJobs(const std::vector<JobStatus>& jobs) {
-  m_jobs = jobs;
+  const bool isOtherSize = jobs.size() != m_count;
+  m_count = jobs.size();
   if (!jobs.empty()) m_first->showJob(jobs.front());
   for (std::size_t i = m_lines.size(); i < jobs.size(); ++i) {
     m_lines.push_back(addLine(m_others));
@@ -116,7 +122,7 @@ void JobBar::setJobs(const std::vector<JobStatus>& jobs) {
   m_more->setText(tr("+%1").arg(others));
   m_more->setAccessibleName(tr("%n more job(s)", nullptr, others));
   if (others <= 0) m_others->hide();
-  if (m_others->isVisible()) showOthers();
+  if (isOtherSize && m_others->isVisible()) showOthers();
   setVisible(!jobs.empty());
 }
 
@@ -126,20 +132,6 @@ void JobBar::showOthers() {
   const QPoint corner = mapToGlobal(QPoint(width(), 0));
   m_others->move(corner.x() - m_others->width(), corner.y() - m_others->height() - 4);
   m_others->show();
-}
-
-void JobBar::showJob(const QString& name) {
-  setJobs({{0, name}});
-}
-
-void JobBar::setProgress(double fraction) {
-  if (m_jobs.empty()) return;
-  m_jobs.front().fraction = fraction;
-  m_first->showJob(m_jobs.front());
-}
-
-void JobBar::hideJob() {
-  setJobs({});
 }
 
 }  // namespace handwheel

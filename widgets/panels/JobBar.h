@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "panels/JobStatus.h"
+
 #include <QWidget>
 #include <vector>
 
@@ -12,13 +14,7 @@ namespace handwheel {
 
 class JobLine;
 
-struct JobStatus {
-  quint64 id = 0;
-  QString name;
-  double fraction = -1.0;  // 0…1; below zero: not known yet
-};
-
-// The running jobs in the status bar: the first with name, progress and cancel, the others behind a button.
+// The jobs in the status bar: the first with name, progress and cancel, the others behind a button.
 class JobBar : public QWidget {
   Q_OBJECT
 
@@ -27,14 +23,8 @@ class JobBar : public QWidget {
 
   void setJobs(const std::vector<JobStatus>& jobs);
 
-  // For a single job; its id is 0.
-  void showJob(const QString& name);
-  void setProgress(double fraction);
-  void hideJob();
-
  signals:
   void cancelJobRequested(quint64 id);
-  void cancelRequested();
 
  private:
   JobLine* addLine(QWidget* parent);
@@ -45,7 +35,8 @@ class JobBar : public QWidget {
   QWidget* m_others;
   QVBoxLayout* m_column;
   std::vector<JobLine*> m_lines;
-  std::vector<JobStatus> m_jobs;
+  std::size_t m_count = 0;
+  quint64 m_pressed = 0;  // the job whose cancel was pressed
 };
 
 }  // namespace handwheel

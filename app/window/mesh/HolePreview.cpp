@@ -77,7 +77,7 @@ void HolePreview::start() {
   m_state = {};
   m_need = m_document ? m_services.needs().need("fill_preview") : Need();
   if (!m_document) {
-    m_runner.cancel();
+    m_runner.cancelAll();
     emit changed();
     return;
   }

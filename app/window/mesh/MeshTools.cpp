@@ -38,8 +38,8 @@ MeshTools::MeshTools(ToolHost& host, QThreadPool& pool, Selection& selection, Ho
 }
 
 void MeshTools::setDocument(OpenMesh* document) {
-  m_thinking.cancel();
-  m_sorting.cancel();
+  m_thinking.cancelAll();
+  m_sorting.cancelAll();
   m_faces.reset();
   m_facesRevision = m_sortingRevision = 0;
   m_document = document;
@@ -132,7 +132,7 @@ std::shared_ptr<const FaceHierarchy> MeshTools::faces() {
 MeshServices MeshTools::services() {
   MeshServices services;
   services.faces = [this] { return faces(); };
-  services.cancel = [this] { m_thinking.cancel(); };
+  services.cancel = [this] { m_thinking.cancelAll(); };
   services.run = [this](ToolJob wanted) {
     Job job;
     job.name = QCoreApplication::translate("Tool", wanted.name);

@@ -71,7 +71,7 @@ void MeshTouch::followSession() {
 
 // After an edit the surface of before is felt until the new one is there: who was outside would else be inside of it.
 void MeshTouch::rebuild(bool isEdit) {
-  m_making.cancel();
+  m_making.cancelAll();
   m_surface.reset();
   if (!isEdit) {
     m_scene.setSurface({}, false);
@@ -120,7 +120,7 @@ void MeshTouch::followTouch() {
 void MeshTouch::dropMagnets() {
   m_magnets = {};
   m_near.reset();
-  m_gathering.cancel();
+  m_gathering.cancelAll();
   m_scene.setSnap({}, 0.0, false);
 }
 

@@ -14,7 +14,7 @@ SectionView::SectionView(Viewport& viewport, QThreadPool& pool, QObject* parent)
 
 void SectionView::setDocument(OpenMesh* document) {
   if (m_document) m_document->document.disconnect(this);
-  m_cutting.cancel();
+  m_cutting.cancelAll();
   m_section.reset();  // the viewport has another model by now
   m_document = document;
   if (!document) return;
@@ -31,7 +31,7 @@ void SectionView::cut() {
   if (!m_document) return;
   const ClipPlane& plane = m_viewport.clipPlane();
   if (!plane.on) {
-    m_cutting.cancel();
+    m_cutting.cancelAll();
     m_section.reset();
     show({});
     return emit changed();

@@ -25,7 +25,7 @@ void SelfIntersectionSearch::setDocument(OpenMesh* document) {
   if (m_document) m_document->inspection.disconnect(this);
   m_document = document;
   m_rest.stop();
-  m_runner.cancel();
+  m_runner.cancelAll();
   m_need = document ? m_services.needs().need("self_intersections") : Need();
   if (!document) return;
   connect(&document->inspection, &Inspection::changed, this, &SelfIntersectionSearch::schedule);

@@ -44,7 +44,7 @@ class JobRunnerTest : public QObject {
                     return [&] { delivered = true; };
                   },
                   [&](const Error& error) { failure = error.code; }});
-    runner.cancel();
+    runner.cancelAll();
     QVERIFY(runner.isIdle());
     QCOMPARE(failure, ErrorCode::Cancelled);
     bool next = false;
@@ -54,6 +54,67 @@ class JobRunnerTest : public QObject {
     pool.waitForDone();
     QTest::qWait(100);
     QVERIFY(!delivered);
+  }
+
+  // One job of several: the others go on. What runs and what waits is told.
+  void jobsAreCancelledOneByOne() {
+    QThreadPool pool;
+    JobRunner runner(JobRunner::Policy::Queue, pool);
+    QSemaphore release;
+    QStringList done, failed;
+    for (const char* name : {"a", "b", "c"}) {
+      runner.start({QString::fromLatin1(name),
+                    [&, name](Progress) -> Job::Finish {
+                      release.acquire();
+                      return [&, name] { done << QString::fromLatin1(name); };
+                    },
+                    [&, name](const Error&) { failed << QString::fromLatin1(name); }});
+    }
+    const std::vector<JobStatus> all = runner.jobs();
+    QCOMPARE(all.size(), std::size_t(3));
+    for (std::size_t i = 0; i < 3; ++i) {
+      QCOMPARE(all[i].name, QStringList({"a", "b", "c"})[int(i)]);
+      QCOMPARE(all[i].isWaiting, i > 0);
+    }
+    runner.cancel(all[1].id);  // waits
+    QCOMPARE(failed, QStringList({"b"}));
+    runner.cancel(all[0].id);  // runs
+    QCOMPARE(failed, QStringList({"b", "a"}));
+    QCOMPARE(runner.jobs().size(), std::size_t(1));
+    QVERIFY(!runner.jobs().front().isWaiting);
+    release.release(3);
+    QTRY_VERIFY(runner.isIdle());
+    QCOMPARE(done, QStringList({"c"}));
+    runner.cancel(all[2].id);  // has ended
+    QCOMPARE(failed.size(), 2);
+  }
+
+  // Lanes do not wait for each other; within one, what came first is done first.
+  void lanesRunBesideEachOther() {
+    QThreadPool pool;
+    pool.setMaxThreadCount(3);
+    JobRunner runner(JobRunner::Policy::Queue, pool);
+    QSemaphore release;
+    QStringList done;
+    const auto add = [&](const char* name, Job::Lane lane) {
+      Job job;
+      job.name = QString::fromLatin1(name);
+      job.lane = lane;
+      job.work = [&release, &done, name = job.name, lane](Progress) -> Job::Finish {
+        if (lane == Job::Lane::Work) release.acquire();
+        return [&done, name] { done << name; };
+      };
+      runner.start(std::move(job));
+    };
+    add("repair", Job::Lane::Work);
+    add("compare", Job::Lane::Work);
+    add("save", Job::Lane::Saving);
+    add("save again", Job::Lane::Saving);
+    QTRY_COMPARE(done, QStringList({"save", "save again"}));
+    QCOMPARE(runner.jobs().size(), std::size_t(2));
+    release.release(2);
+    QTRY_VERIFY(runner.isIdle());
+    QCOMPARE(done, QStringList({"save", "save again", "repair", "compare"}));
   }
 
   // What a document started ends with it; the jobs of others go on.

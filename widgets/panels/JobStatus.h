@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+namespace handwheel {
+
+// A job as it is shown.
+struct JobStatus {
+  quint64 id = 0;
+  QString name;
+  double fraction = -1.0;  // 0…1; below zero: not known yet
+  bool isWaiting = false;  // for the jobs before it
+};
+
+}  // namespace handwheel
