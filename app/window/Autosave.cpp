@@ -30,6 +30,7 @@ Autosave::Autosave(DocumentTabs& tabs, FileLoader& loader, LogModel& log, Window
     document->document.disconnect(this);
     m_session->close(m_keys[document]);
     m_keys.erase(document);
+    m_failing.erase(document);
   });
 }
 
@@ -69,59 +70,89 @@ void Autosave::save(OpenDocument* document) {
   info.name = document->document.name().toStdString();
   info.kind = document->document.kind().id();
   document->autosaved = revision;
+  const auto failed = [this, document, name = document->document.name()](const Error& error) {
+    tellFailure(document, name, error);
+  };
   Job job;
   job.name = tr("Autosaving %1").arg(document->document.name());
-  job.work = [this, document, key, info, session = m_session, &service = m_services.autosave(),
+  job.failed = failed;
+  job.work = [this, document, failed, key, info, session = m_session, &service = m_services.autosave(),
               &kind = document->document.kind(), file = document->document.file(),
               content = document->document.snapshot()](Progress progress) -> Job::Finish {
     const ServiceTick tick(service);
     const Result<std::string> bytes = containerBytes(kind, file, *content, Compression::None, progress);
     const Status stored = bytes ? session->store(key, info, *bytes, progress) : Status(bytes.error());
-    if (stored) return {};
-    return [this, document, name = info.name, error = stored.error()] {
-      m_log.add(tr("%1 could not be autosaved. %2").arg(QString::fromStdString(name), errorSentence(error)), {},
-                LogEntry::Weight::Warning);
-      if (!m_tabs.contains(document)) return;
-      document->autosaved = 0;  // tried again after the next change
-      changed();
-    };
+    if (stored) return [this, document] { m_failing.erase(document); };
+    return [failed, error = stored.error()] { failed(error); };
   };
   m_jobs.start(std::move(job));
 }
 
+// It is tried again within the interval; told is the first of several failures.
+void Autosave::tellFailure(OpenDocument* document, const QString& name, const Error& error) {
+  if (!m_tabs.contains(document)) return;
+  document->autosaved = 0;
+  changed();
+  if (!m_failing.insert(document).second) return;
+  const QString title = tr("%1 could not be autosaved").arg(name);
+  m_log.add(title + QStringLiteral(". ") + errorSentence(error), {}, LogEntry::Weight::Warning);
+  emit message({Message::Weight::Warning,
+                title,
+                errorSentence(error),
+                tr("Save it yourself: if the program ended now, your last changes would be lost."),
+                {},
+                {}});
+}
+
+// The messages keep the leftovers, and so their locks, until they are answered or closed.
 void Autosave::offerLeftovers() {
-  m_leftovers.emplace();
-  for (const Error& error : m_leftovers->skipped()) {
-    m_log.add(errorSentence(error), {}, LogEntry::Weight::Warning);
-  }
-  const auto count = static_cast<int>(m_leftovers->found().size());
-  if (count == 0) return m_leftovers.reset();
+  const auto leftovers = std::make_shared<const Leftovers>();
+  if (!leftovers->skipped().empty()) offerDamaged(leftovers);
+  if (!leftovers->found().empty()) offer(leftovers);
+}
+
+void Autosave::offer(const std::shared_ptr<const Leftovers>& leftovers) {
   QStringList names;
-  for (const Leftover& leftover : m_leftovers->found()) {
+  for (const Leftover& leftover : leftovers->found()) {
     const QString name = QString::fromStdString(leftover.info.name);
     names << (leftover.isOutdated ? tr("%1 (its file was saved since)").arg(name) : name);
   }
   emit message({Message::Weight::Warning,
-                tr("Handwheel ended unexpectedly. %Ln document(s) had changes that were not saved.", nullptr, count),
+                tr("Handwheel ended unexpectedly. %Ln document(s) had changes that were not saved.", nullptr,
+                   static_cast<int>(names.size())),
                 names.join(QStringLiteral(", ")),
-                tr("They can be recovered as they were last autosaved; otherwise they are offered again at the next "
-                   "start."),
-                tr("Recover"), [this] { recoverAll(); }});
+                tr("They can be recovered as they were last autosaved, or discarded for good; otherwise they are "
+                   "offered again at the next start."),
+                tr("Recover"), [this, leftovers] { recover(leftovers); }, tr("Discard"),
+                [this, leftovers] { discard(*leftovers); }});
 }
 
-void Autosave::recoverAll() {
-  if (!m_leftovers) return;
-  const auto leftovers = std::make_shared<Leftovers>(std::move(*m_leftovers));
-  m_leftovers.reset();
-  for (std::size_t i = 0; i < leftovers->found().size(); ++i) {
-    const Leftover& leftover = leftovers->found()[i];
+void Autosave::offerDamaged(const std::shared_ptr<const Leftovers>& leftovers) {
+  for (const Error& error : leftovers->skipped()) m_log.add(errorSentence(error), {}, LogEntry::Weight::Warning);
+  const auto count = static_cast<int>(leftovers->skipped().size());
+  emit message({Message::Weight::Warning,
+                tr("%Ln autosave(s) of a session that ended unexpectedly cannot be read.", nullptr, count),
+                tr("The Log names the files."), tr("What is in them is lost; until they are discarded they stay."),
+                tr("Discard"), [this, leftovers, count] {
+                  leftovers->discardSkipped();
+                  m_log.add(tr("Discarded %Ln autosave(s)", nullptr, count));
+                }});
+}
+
+void Autosave::recover(const std::shared_ptr<const Leftovers>& leftovers) {
+  for (const Leftover& leftover : leftovers->found()) {
     m_loader.recover(QFile::decodeName(leftover.file.c_str()),
                      QFile::decodeName(QByteArray::fromStdString(leftover.info.path)),
-                     [this, leftovers, i](OpenDocument* recovered) {
-                       const Status adopted = m_session->adopt(leftovers->found()[i], m_keys[recovered]);
+                     [this, leftovers, &leftover](OpenDocument* recovered) {
+                       const Status adopted = m_session->adopt(leftover, m_keys[recovered]);
                        if (!adopted) m_log.add(errorSentence(adopted.error()), {}, LogEntry::Weight::Warning);
                      });
   }
+}
+
+void Autosave::discard(const Leftovers& leftovers) {
+  for (const Leftover& leftover : leftovers.found()) leftovers.discard(leftover);
+  m_log.add(tr("Discarded %Ln autosave(s)", nullptr, static_cast<int>(leftovers.found().size())));
 }
 
 }  // namespace handwheel

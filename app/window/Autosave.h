@@ -12,7 +12,8 @@
 #include <QThreadPool>
 #include <QTimer>
 #include <map>
-#include <optional>
+#include <memory>
+#include <set>
 
 namespace handwheel {
 
@@ -23,7 +24,8 @@ class WindowServices;
 struct OpenDocument;
 
 // Keeps what was not saved: a document that was changed is written to the recovery folder within the interval, and
-// leaves it when it is saved or closed. What a session that was killed left there is offered at the next start.
+// leaves it when it is saved or closed. What a session that was killed left there is offered at the next start, until
+// it is recovered or discarded.
 class Autosave : public QObject {
   Q_OBJECT
 
@@ -41,7 +43,11 @@ class Autosave : public QObject {
   void changed();
   void saveAll();
   void save(OpenDocument* document);
-  void recoverAll();
+  void tellFailure(OpenDocument* document, const QString& name, const Error& error);
+  void offer(const std::shared_ptr<const Leftovers>& leftovers);
+  void offerDamaged(const std::shared_ptr<const Leftovers>& leftovers);
+  void recover(const std::shared_ptr<const Leftovers>& leftovers);
+  void discard(const Leftovers& leftovers);
 
   DocumentTabs& m_tabs;
   FileLoader& m_loader;
@@ -52,9 +58,9 @@ class Autosave : public QObject {
   QTimer m_timer;  // runs from the first change that is in no autosave
   Need m_need;     // as long as that is so
   std::shared_ptr<RecoverySession> m_session;
-  std::optional<Leftovers> m_leftovers;
   std::map<const OpenDocument*, std::uint64_t> m_keys;
   std::uint64_t m_lastKey = 0;
+  std::set<const OpenDocument*> m_failing;  // whose last autosave failed
 };
 
 }  // namespace handwheel

@@ -11,6 +11,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QToolButton>
+#include <utility>
 
 namespace handwheel {
 
@@ -46,7 +47,8 @@ MessageBar::MessageBar(QWidget* parent)
       m_icon(new QLabel(this)),
       m_text(new QLabel(this)),
       m_more(new QLabel(this)),
-      m_action(new QPushButton(this)) {
+      m_action(new QPushButton(this)),
+      m_other(new QPushButton(this)) {
   setObjectName(QStringLiteral("messageBar"));
   m_text->setObjectName(QStringLiteral("messageText"));
   m_text->setTextFormat(Qt::RichText);
@@ -55,6 +57,7 @@ MessageBar::MessageBar(QWidget* parent)
   m_more->setObjectName(QStringLiteral("messageMore"));
   m_more->setProperty("muted", true);
   m_action->setObjectName(QStringLiteral("messageAction"));
+  m_other->setObjectName(QStringLiteral("messageOther"));
   auto* close = new QToolButton(this);
   close->setObjectName(QStringLiteral("messageClose"));
   close->setIcon(icon(QStringLiteral("close")));
@@ -62,13 +65,14 @@ MessageBar::MessageBar(QWidget* parent)
   close->setToolTip(tr("Close this message"));
   close->setAccessibleName(close->toolTip());
   const auto take = [this] {
-    const auto action = m_messages.back().action;
+    const Message message = std::move(m_messages.back());
     m_messages.pop_back();
     showLatest();
-    return action;
+    return message;
   };
   connect(close, &QToolButton::clicked, this, take);
-  connect(m_action, &QPushButton::clicked, this, [take] { take()(); });
+  connect(m_action, &QPushButton::clicked, this, [take] { take().action(); });
+  connect(m_other, &QPushButton::clicked, this, [take] { take().other(); });
 
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(16, 8, 8, 8);
@@ -77,6 +81,7 @@ MessageBar::MessageBar(QWidget* parent)
   row->addWidget(m_text, 1);
   row->addWidget(m_more, 0, Qt::AlignVCenter);
   row->addWidget(m_action, 0, Qt::AlignVCenter);
+  row->addWidget(m_other, 0, Qt::AlignVCenter);
   row->addWidget(close, 0, Qt::AlignTop);
   hide();
 }
@@ -99,6 +104,8 @@ void MessageBar::showLatest() {
   setAccessibleName(message.title);
   m_action->setText(message.actionText);
   m_action->setVisible(message.action != nullptr);
+  m_other->setText(message.otherText);
+  m_other->setVisible(message.other != nullptr);
   m_more->setText(tr("%n more", nullptr, static_cast<int>(m_messages.size()) - 1));
   m_more->setVisible(m_messages.size() > 1);
 }

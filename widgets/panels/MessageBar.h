@@ -11,7 +11,7 @@ class QPushButton;
 
 namespace handwheel {
 
-// What happened, why, and what to do; with one thing that can be done at once.
+// What happened, why, and what to do; with one or two things that can be done at once.
 struct Message {
   enum class Weight { Info, Warning, Error };
   Weight weight = Weight::Info;
@@ -20,6 +20,8 @@ struct Message {
   QString advice;  // what to do
   QString actionText;
   std::function<void()> action;
+  QString otherText = {};
+  std::function<void()> other = {};
 };
 
 // Shows messages above the viewport, the latest first; each stays until it is closed. Nothing waits for them.
@@ -43,6 +45,7 @@ class MessageBar : public QFrame {
   QLabel* m_text;
   QLabel* m_more;  // how many others there are
   QPushButton* m_action;
+  QPushButton* m_other;
 };
 
 }  // namespace handwheel

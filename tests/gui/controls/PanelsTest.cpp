@@ -170,16 +170,23 @@ void PanelsTest::messagesWaitForEachOther() {
     QVERIFY(button->isVisible());
     button->click();
   };
-  int recovered = 0;
-  bar.showMessage({Message::Weight::Warning, "recover", {}, {}, "Recover", [&] { ++recovered; }});
+  int recovered = 0, discarded = 0;
+  const auto recover = [&] { ++recovered; };
+  bar.showMessage({Message::Weight::Warning, "recover", {}, {}, "Recover", recover});
+  bar.showMessage({Message::Weight::Warning, "either", {}, {}, "Recover", recover, "Discard", [&] { ++discarded; }});
   for (const char* title : {"first", "second", "first"})
     bar.showMessage({Message::Weight::Error, title, {}, {}, {}, {}});
   QVERIFY(text().contains("first"));
-  QCOMPARE(bar.findChild<QLabel*>("messageMore")->text(), QString("2 more"));
+  QCOMPARE(bar.findChild<QLabel*>("messageMore")->text(), QString("3 more"));
   QVERIFY(!bar.findChild<QWidget*>("messageAction")->isVisible());
+  QVERIFY(!bar.findChild<QWidget*>("messageOther")->isVisible());
   press("messageClose");
   QVERIFY(text().contains("second"));
   press("messageClose");
+  QVERIFY(text().contains("either"));
+  press("messageOther");
+  QCOMPARE(discarded, 1);
+  QCOMPARE(recovered, 0);
   QVERIFY(text().contains("recover"));
   QVERIFY(!bar.findChild<QWidget*>("messageMore")->isVisible());
   press("messageAction");

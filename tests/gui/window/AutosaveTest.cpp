@@ -19,13 +19,16 @@ class AutosaveTest : public QObject {
   Q_OBJECT
 
  private:
-  static bool isStored() {
+  // The names of the autosaves.
+  static QStringList stored() {
     const QString root = QString::fromStdString(recoveryFolder().string());
+    QStringList names;
     for (const QString& session : QDir(root).entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
-      if (!QDir(root + "/" + session).entryList({"*.handwheel"}).isEmpty()) return true;
+      names << QDir(root + "/" + session).entryList({"*.handwheel"}, QDir::Files, QDir::Name);
     }
-    return false;
+    return names;
   }
+  static bool isStored() { return !stored().isEmpty(); }
 
  private slots:
   void initTestCase() {
@@ -53,6 +56,54 @@ class AutosaveTest : public QObject {
     QVERIFY(second.settle());
     QCOMPARE(second.text("figures"), wanted);
     QVERIFY(second.window().isWindowModified());
+  }
+
+  // Who does not want them back is not asked again; nor about those that cannot be read.
+  void leftoversCanBeDiscarded() {
+    const QString session = QString::fromStdString(recoveryFolder().string()) + "/dead";
+    QVERIFY(QDir().mkpath(session));
+    for (const char* name : {"damaged.handwheel", "worse.handwheel"}) {
+      QFile file(session + "/" + name);
+      QVERIFY(file.open(QIODevice::WriteOnly) && file.write("no container") > 0);
+    }
+    {
+      WindowDriver driver;
+      driver.choose("newWorkpiece");
+      QVERIFY(driver.settle());
+      driver.edit("diameter", "33");
+      QVERIFY(QTest::qWaitFor([] { return stored().size() == 3; }, 30000));
+    }
+    WindowDriver second;
+    second.window().offerLeftovers();
+    QVERIFY(second.text("messageText").contains("1 document had changes"));
+    second.click("messageOther");
+    QCOMPARE(stored(), QStringList({"damaged.handwheel", "worse.handwheel"}));
+    QVERIFY2(second.text("messageText").contains("2 autosaves"), qPrintable(second.text("messageText")));
+    second.click("messageAction");
+    QCOMPARE(stored(), QStringList());
+    QVERIFY(!second.find<QWidget>("messageBar")->isVisible());
+    second.window().offerLeftovers();
+    QVERIFY(!second.find<QWidget>("messageBar")->isVisible());
+  }
+
+  // The folder of autosaves cannot be made: somebody has to save by hand.
+  void aFailureIsTold() {
+    const QString folder = QString::fromStdString(recoveryFolder().string());
+    QVERIFY(QDir().mkpath(QFileInfo(folder).path()));
+    QFile inItsPlace(folder);
+    QVERIFY(inItsPlace.open(QIODevice::WriteOnly));
+    {
+      WindowDriver driver;
+      driver.choose("newWorkpiece");
+      QVERIFY(driver.settle());
+      driver.edit("diameter", "33");
+      QTRY_VERIFY_WITH_TIMEOUT(driver.find<QWidget>("messageBar")->isVisible(), 30000);
+      QVERIFY2(driver.text("messageText").contains("autosaved"), qPrintable(driver.text("messageText")));
+      driver.click("messageClose");
+      QTest::qWait(6000);  // it was tried again
+      QVERIFY(!driver.find<QWidget>("messageBar")->isVisible());
+    }
+    QVERIFY(inItsPlace.remove());
   }
 
   // Nothing of the model has changed.
