@@ -33,9 +33,6 @@ class TouchScene : public QObject {
   // Tolerance of the contact and number of features that pull at once: proxy.tolerance and snap.features.
   void setFidelity(const FidelityValues& values);
 
-  bool hasSurface() const { return m_surface.has_value(); }
-  bool hasSnap() const { return m_snap.has_value(); }
-
  private:
   void publish(bool mayLeap);
   double leapOf(const std::vector<ForceTerm>& terms) const;

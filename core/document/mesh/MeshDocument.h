@@ -18,8 +18,7 @@ class MeshDocument : public Document {
   explicit MeshDocument(OpenedFile opened, QObject* parent = nullptr);
 
   const HalfEdgeMesh& mesh() const { return m_mesh; }
-  const Defects& defects() const { return *m_defects; }        // of the present mesh
-  const BuildReport& buildReport() const { return *m_build; }  // of the file as it was opened
+  const Defects& defects() const { return *m_defects; }  // of the present mesh
   // Faces turned over on opening that are still there.
   const std::vector<Face>& turnedFaces() const { return m_turnedFaces; }
   // In which its present file, or the container, holds its coordinates.
