@@ -54,6 +54,7 @@ MeshUi::MeshUi(const WindowParts& parts, MeshKind& kind)
   });
   connect(&m_show, &RepairShow::changed, this, &KindUi::stateChanged);
   connect(&m_shells, &ShellActions::message, this, &KindUi::message);
+  connect(&m_jobs, &RepairJobs::message, this, &KindUi::message);
   connectSelection();
   connect(&m_parts.fidelity, &FidelityChoice::changed, this, &MeshUi::followFidelity);
   followFidelity();

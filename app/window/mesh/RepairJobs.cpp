@@ -5,6 +5,7 @@
 #include "mesh/Cleaning.h"
 #include "mesh/MeshFidelity.h"
 #include "panels/LogModel.h"
+#include "panels/MessageBar.h"
 #include "proximity/SelfIntersection.h"
 #include "text/ErrorText.h"
 #include "text/RepairText.h"
@@ -19,10 +20,6 @@
 namespace handwheel {
 
 namespace {
-
-NumberType numbersOf(const MeshDocument& document) {
-  return document.fileNumbers();
-}
 
 // Why loops stayed open, by their key, because the repair renumbers them.
 std::vector<std::pair<Vertex, FillFailure>> failuresOf(const Inspection& inspection, const RepairReport& report) {
@@ -60,7 +57,7 @@ void RepairJobs::startFill(OpenMesh* document, Vertex key, PreparedFill prepared
   const std::uint64_t revision = document->document.revision();
   FillOptions options;
   apply(m_fidelity.values(), options);
-  options.numbers = numbersOf(document->document);
+  options.numbers = document->document.fileNumbers();
   if (!prepared.bench) prepared = {std::make_shared<FillBench>(document->document.mesh()), std::nullopt};
   Job job;
   job.name = tr("Filling hole %1").arg(document->inspection.loopNumber(loopId));
@@ -184,7 +181,7 @@ void RepairJobs::startRepair(OpenMesh* document, Round round) {
   RepairOptions options;
   options.rims = RimHandling::Keep;  // the list shows them as left open
   apply(m_fidelity.values(), options);
-  options.fill.numbers = numbersOf(document->document);
+  options.fill.numbers = document->document.fileNumbers();
   for (int id : document->inspection.keptOpen()) {
     if (!document->inspection.loop(id).rim) options.keepOpen.insert(id);
   }
@@ -255,11 +252,25 @@ void RepairJobs::start(const OpenDocument* document, Job job) {
     };
   };
   job.failed = [this, name = job.name, failed = std::move(job.failed)](const Error& error) {
-    m_log.add(name + QStringLiteral(": ") + errorSentence(error), {}, LogEntry::Weight::Warning);
+    tellFailure(name, error);
     failed(error);
     ended();
   };
   m_jobs.start(std::move(job));
+}
+
+void RepairJobs::tellFailure(const QString& job, const Error& error) {
+  m_log.add(job + QStringLiteral(": ") + errorSentence(error), {}, LogEntry::Weight::Warning);
+  if (error.code == ErrorCode::Cancelled) return;
+  const QString advice = error.code == ErrorCode::OutOfMemory
+                             ? errorAdvice(error)
+                             : tr("Save your work, and try it on a smaller part or in another way.");
+  emit message({Message::Weight::Error,
+                tr("%1 failed").arg(job),
+                errorSentence(error),
+                tr("The document is as it was before. %1").arg(advice),
+                {},
+                {}});
 }
 
 void RepairJobs::ended() {

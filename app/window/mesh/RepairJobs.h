@@ -18,6 +18,7 @@ namespace handwheel {
 class DocumentTabs;
 class FidelityChoice;
 class LogModel;
+struct Message;
 struct OpenDocument;
 
 // What changes a mesh, as jobs on snapshots. The result becomes one undo step; when the document was changed meanwhile
@@ -45,6 +46,8 @@ class RepairJobs : public QObject {
   void workingChanged();
   // A change was asked for, and nothing differs; why, as a sentence.
   void changedNothing(const QString& what, const QString& why);
+  // A job failed.
+  void message(const handwheel::Message& message);
 
  private:
   enum class Round { First, Second };
@@ -65,6 +68,7 @@ class RepairJobs : public QObject {
   void tellCrossings(const OpenMesh& document, const CrossingsChange& crossings);
   void tellStale(const OpenMesh& document, Round round);
   void start(const OpenDocument* document, Job job);
+  void tellFailure(const QString& job, const Error& error);
   void ended();
 
   DocumentTabs& m_tabs;

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/mesh/RepairJobs.h"
+
+#include "MeshDocuments.h"
+#include "MeshShapes.h"
+#include "WindowTestMain.h"
+#include "panels/LogModel.h"
+#include "panels/MessageBar.h"
+#include "window/DocumentTabs.h"
+#include "window/FidelityChoice.h"
+#include "window/KindUi.h"
+#include "window/mesh/OpenMesh.h"
+
+#include <QThreadPool>
+#include <QtTest>
+#include <new>
+
+using namespace handwheel;
+
+namespace {
+
+// Of which nothing is shown.
+class HiddenUi : public KindUi {
+ public:
+  std::unique_ptr<OpenDocument> open(std::unique_ptr<Document> document) override {
+    return std::make_unique<OpenMesh>(std::move(document), *this);
+  }
+  void setDocument(OpenDocument*) override {}
+  void refreshVisibility() override {}
+  QString panelTitle() const override { return {}; }
+  QString panelIcon() const override { return {}; }
+  QWidget* panel() override { return nullptr; }
+  QString menuTitle() const override { return {}; }
+  QList<QAction*> menu() override { return {}; }
+  QList<QAction*> toolBar() override { return {}; }
+  QString openedText(const OpenDocument&) const override { return {}; }
+};
+
+}  // namespace
+
+// What the jobs on a mesh tell when they fail.
+class RepairJobsTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // What, why, and what to do; the document is as it was. Nobody is told of what he cancelled himself.
+  void aFailureIsTold() {
+    QThreadPool pool;
+    JobRunner runner(JobRunner::Policy::Queue, pool);
+    DocumentTabs tabs;
+    LogModel log;
+    FidelityChoice fidelity;
+    HiddenUi ui;
+    RepairJobs jobs(tabs, runner, log, fidelity);
+    QList<Message> told;
+    connect(&jobs, &RepairJobs::message, this, [&](const Message& message) { told << message; });
+    tabs.add(ui.open(test::meshDocument(test::icosphere(1))));
+    auto* document = static_cast<OpenMesh*>(tabs.current());
+    const auto fail = [&](const char* text, std::function<void()> raise) {
+      jobs.change(document, {text, [raise](HalfEdgeMesh&, Progress) { raise(); }});
+      QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
+    };
+    fail("Swell", [] { throw std::bad_alloc(); });
+    QCOMPARE(told.size(), 1);
+    QCOMPARE(told[0].weight, Message::Weight::Error);
+    QVERIFY2(told[0].title.contains("Swell"), qPrintable(told[0].title));
+    QVERIFY2(told[0].detail.contains("memory"), qPrintable(told[0].detail));
+    QVERIFY2(told[0].advice.contains("as it was before"), qPrintable(told[0].advice));
+    fail("Shrink", [] { throw std::logic_error("a mishap"); });
+    QCOMPARE(told.size(), 2);
+    QVERIFY2(told[1].detail.contains("a mishap"), qPrintable(told[1].detail));
+    QVERIFY(!document->document.isModified());
+
+    jobs.change(document, {"Wait", [](HalfEdgeMesh&, Progress progress) {
+                             while (!progress.cancelled()) QThread::msleep(1);
+                           }});
+    runner.cancelAll();
+    QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());
+    QCOMPARE(told.size(), 2);
+  }
+};
+
+HANDWHEEL_WINDOW_TEST(RepairJobsTest)
+#include "RepairJobsTest.moc"
