@@ -98,6 +98,7 @@ FileActions::FileActions(QWidget* window, const DocumentKinds& kinds, const Kind
   connect(&m_loader, &FileLoader::message, this, &FileActions::message);
   connect(&m_saver, &FileSaver::message, this, &FileActions::message);
   connect(&m_saver, &FileSaver::failed, this, &FileActions::offerAnotherName);
+  connect(&m_saver, &FileSaver::incomplete, this, &FileActions::offerContainer);
   connect(&m_tabs, &DocumentTabs::currentChanged, this, &FileActions::followDocument);
   connect(&m_tabs, &DocumentTabs::closeRequested, this, [this](OpenDocument* document) { requestClose(document); });
   connect(&m_recent, &RecentFiles::changed, this, &FileActions::fillRecentMenu);
@@ -161,7 +162,7 @@ void FileActions::saveOrAsk(OpenDocument* document, std::function<void(bool)> en
   m_saver.save(document, document->document.path(), std::move(ended));
 }
 
-void FileActions::askForName(OpenDocument* document, std::function<void(bool)> ended) {
+void FileActions::askForName(OpenDocument* document, std::function<void(bool)> ended, bool asContainer) {
   auto* dialog = new QFileDialog(m_window, tr("Save as"));
   dialog->setObjectName(QStringLiteral("saveDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -169,8 +170,8 @@ void FileActions::askForName(OpenDocument* document, std::function<void(bool)> e
   dialog->setLabelText(QFileDialog::LookIn, tr("Save in:"));
   dialog->setNameFilters(saveFilters(document->document.kind()));
   const bool hasRecordings = !document->document.file().recordings.empty();  // which no foreign file holds
-  QString suggestion =
-      hasRecordings ? document->ui.KindUi::suggestedName(*document) : document->ui.suggestedName(*document);
+  QString suggestion = hasRecordings || asContainer ? document->ui.KindUi::suggestedName(*document)
+                                                    : document->ui.suggestedName(*document);
   if (needsNewName(*document) && suggestion == document->document.path()) suggestion = freeName(suggestion);
   const bool sample = isSample(QFileInfo(document->document.path()));
   const bool writable = QFileInfo(QFileInfo(suggestion).path()).isWritable();
@@ -190,6 +191,14 @@ void FileActions::offerAnotherName(OpenDocument* document, Message message) {
   message.actionText = tr("Save as…");
   message.action = [this, document] {
     if (m_tabs.contains(document)) askForName(document, {});
+  };
+  emit this->message(message);
+}
+
+void FileActions::offerContainer(OpenDocument* document, Message message) {
+  message.actionText = tr("Save as *%1…").arg(containerEnding());
+  message.action = [this, document] {
+    if (m_tabs.contains(document)) askForName(document, {}, true);
   };
   emit this->message(message);
 }

@@ -50,8 +50,9 @@ class FileActions : public QObject {
   void saveCurrent();
   // ended: as of FileSaver::save(); also when no name was given.
   void saveOrAsk(OpenDocument* document, std::function<void(bool)> ended);
-  void askForName(OpenDocument* document, std::function<void(bool)> ended);
+  void askForName(OpenDocument* document, std::function<void(bool)> ended, bool asContainer = false);
   void offerAnotherName(OpenDocument* document, Message message);
+  void offerContainer(OpenDocument* document, Message message);
   void endClosing(OpenDocument* document, bool close);
   void followDocument();
   void fillRecentMenu();

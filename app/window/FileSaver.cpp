@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/FileSaver.h"
 
+#include "controls/Preferences.h"
 #include "panels/LogModel.h"
 #include "text/ErrorText.h"
 #include "text/NoteText.h"
@@ -14,6 +15,7 @@
 
 #include <QFile>
 #include <QFileInfo>
+#include <utility>
 
 namespace handwheel {
 
@@ -22,7 +24,7 @@ FileSaver::FileSaver(DocumentTabs& tabs, JobRunner& jobs, RecentFiles& recent, L
 
 void FileSaver::save(OpenDocument* document, const QString& path, std::function<void(bool)> ended) {
   const Written state{path, document->ui.saveCommand(*document, path), document->document.revision(),
-                      document->document.properties()};
+                      document->document.properties(), document->document.displayUnit()};
   Job job;
   job.name = tr("Saving %1").arg(QFileInfo(path).fileName());
   const auto failed = [this, document, path, ended](const Error& error) {
@@ -38,7 +40,8 @@ void FileSaver::save(OpenDocument* document, const QString& path, std::function<
     return [this, document, state, ended, written = written.value()] {
       const bool isOpen = m_tabs.contains(document);
       if (isOpen) saved(document, state, written);
-      if (ended) ended(isOpen && !document->document.isModified());
+      const bool isNewLoss = isOpen && tellLosses(document, state, written);
+      if (ended) ended(isOpen && !isNewLoss && !document->document.isModified());
     };
   };
   m_jobs.start(std::move(job));
@@ -59,6 +62,28 @@ void FileSaver::saved(OpenDocument* document, const Written& state, const Writte
   } else {
     m_log.add(tr("%1 holds the state before your last change").arg(name), {}, LogEntry::Weight::Warning);
   }
+}
+
+// Once for each list of them: who saves often has read it. Whether it was told. A foreign file that is opened again has
+// the usual unit.
+bool FileSaver::tellLosses(OpenDocument* document, const Written& state, const WrittenFile& written) {
+  const auto foreign = formatOf(document->document.kind(), state.path);
+  if (foreign && !foreign->reads) return false;  // an export, which was told
+  QStringList losses;
+  for (const Note& note : written.notes) {
+    if (note.isLoss) losses << noteText(note);
+  }
+  if (foreign && state.displayUnit != loadPreferences().lengthUnit)
+    losses << tr("The display unit is not in this file.");
+  const QString all = losses.join(QLatin1Char(' '));
+  if (std::exchange(document->toldLosses, all) == all || losses.isEmpty()) return false;
+  emit incomplete(document, {Message::Weight::Info,
+                             tr("%1 does not hold all of the document").arg(QFileInfo(state.path).fileName()),
+                             all,
+                             tr("It stays open: save it as *%1, too, or do without.").arg(containerEnding()),
+                             {},
+                             {}});
+  return true;
 }
 
 void FileSaver::tellExport(const OpenDocument& document, const QString& name) {

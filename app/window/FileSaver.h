@@ -24,13 +24,16 @@ class FileSaver : public QObject {
  public:
   FileSaver(DocumentTabs& tabs, JobRunner& jobs, RecentFiles& recent, LogModel& log, QObject* parent = nullptr);
 
-  // ended: called in any case, in the end; true when the file holds the document as it is then.
+  // ended: called in any case, in the end; true when the file holds the document as it is then, and what it lacks is
+  // nothing new to the user.
   void save(OpenDocument* document, const QString& path, std::function<void(bool)> ended = {});
 
  signals:
   void message(const handwheel::Message& message);
   // It is still open and unsaved; message: says so, without an action.
   void failed(handwheel::OpenDocument* document, const handwheel::Message& message);
+  // It was written, but the format cannot hold all of it; message: says so, without an action.
+  void incomplete(handwheel::OpenDocument* document, const handwheel::Message& message);
 
  private:
   struct Written {
@@ -38,8 +41,10 @@ class FileSaver : public QObject {
     QString command;  // that does the same without a window
     std::uint64_t revision;
     std::vector<Property> properties;
+    LengthUnit displayUnit;
   };
   void saved(OpenDocument* document, const Written& state, const WrittenFile& written);
+  bool tellLosses(OpenDocument* document, const Written& state, const WrittenFile& written);
   void tellExport(const OpenDocument& document, const QString& name);
   void tellCancelled(OpenDocument* document, const QString& path);
   void tellFailure(OpenDocument* document, const QString& path, const Error& error);

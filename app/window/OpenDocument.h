@@ -27,6 +27,7 @@ struct OpenDocument {
   bool visible = true;
   bool written = false;  // its file was written by us, so it holds nothing that the document does not
   bool cardDismissed = false;
+  QString toldLosses;           // what its file lacks, as its user was told last
   std::uint64_t autosaved = 0;  // the revision that an autosave holds
   // As they stand in its file, or in a blank document. Absent after a recovery, when nobody knows.
   std::optional<std::vector<Property>> inFile;

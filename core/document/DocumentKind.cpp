@@ -183,7 +183,8 @@ Result<WrittenFile> saveDocument(const DocumentKind& kind, const DocumentFile& f
   if (!isContainerName(path)) {
     Result<WrittenFile> written = kind.exportTo(content, path, progress);
     if (written && !file.recordings.empty())
-      written->notes.push_back({QT_TRANSLATE_NOOP("Note", "The recordings of the device are not in this file.")});
+      written->notes.push_back(
+          {QT_TRANSLATE_NOOP("Note", "The recordings of the device are not in this file."), {}, true});
     return written;
   }
   const Result<std::string> bytes = containerBytes(kind, file, content, Compression::Fast, progress.part(0.0, 0.7));

@@ -12,6 +12,7 @@ namespace handwheel {
 struct Note {
   std::string text;
   std::vector<std::string> arguments = {};
+  bool isLoss = false;  // the file lacks something that the document has
 };
 
 }  // namespace handwheel

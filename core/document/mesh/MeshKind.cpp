@@ -32,6 +32,28 @@ Note stateOf(const MeshReport& report) {
            std::to_string(report.inconsistentEdges)}};
 }
 
+bool hasLevels(const MeshSnapshot& mesh) {
+  return mesh.levels && isSameVersion(mesh.levels->mesh(), mesh.mesh.mesh);
+}
+
+// No format of meshes holds these.
+std::vector<Note> lossesOf(const MeshSnapshot& mesh) {
+  std::vector<Note> losses;
+  const auto& loops = mesh.mesh.defects->loops;
+  const auto kept = std::count_if(loops.begin(), loops.end(), [&mesh](const BoundaryLoop& loop) {
+    return mesh.keptOpen.contains(keyOf(mesh.mesh.mesh, loop));
+  });
+  if (kept > 0) {
+    losses.push_back({QT_TRANSLATE_NOOP("Note", "Which holes are to stay open is not in this file (%1 marked)."),
+                      {std::to_string(kept)},
+                      true});
+  }
+  if (hasLevels(mesh))
+    losses.push_back(
+        {QT_TRANSLATE_NOOP("Note", "The coarser levels of the sculpted patch are not in this file."), {}, true});
+  return losses;
+}
+
 }  // namespace
 
 std::string MeshKind::title() const {
@@ -81,6 +103,7 @@ Result<WrittenFile> MeshKind::exportTo(const Snapshot& content, const std::files
                                                "file does not weld them."),
                              {std::to_string(report->parted.size())}});
   }
+  for (Note& loss : lossesOf(mesh)) written.notes.push_back(std::move(loss));
   return written;
 }
 
@@ -93,8 +116,7 @@ void MeshKind::save(const Snapshot& content, Container& container) const {
   document["turned_faces"] = turned.size();
   writeArray<std::uint32_t>(container, kTurnedFaces, turned);
   writeMeshBlobs(mesh.mesh.mesh, container);
-  const bool hasLevels = mesh.levels && isSameVersion(mesh.levels->mesh(), mesh.mesh.mesh);
-  writeLevelBlobs(hasLevels ? mesh.levels.get() : nullptr, container);
+  writeLevelBlobs(hasLevels(mesh) ? mesh.levels.get() : nullptr, container);
 }
 
 namespace {

@@ -116,6 +116,38 @@ class MeshKindTest : public QObject {
     QCOMPARE(QString::fromStdString(validate(meshOf(*back).mesh.mesh)), QString());
   }
 
+  // No more than is lost: neither the mark of a loop that was closed, nor the levels of a mesh that is no more.
+  void whatAForeignFileLacksIsNoted() {
+    QTemporaryDir folder;
+    const auto losses = [&folder](const MeshDocument& document) {
+      const auto written = kKind.exportTo(*document.snapshot(), folder.filePath("part.stl").toStdString(), {});
+      std::vector<Note> all = written.hasValue() ? written->notes : std::vector<Note>(9, {"", {}, true});
+      std::erase_if(all, [](const Note& note) { return !note.isLoss; });
+      return all;
+    };
+    const auto document = test::meshDocument(grid(4));
+    const HalfEdgeMesh whole = document->mesh();
+    HalfEdgeMesh open = whole;
+    open.removeFace(11);  // that touches no edge of the grid
+    relink(open);
+    document->commit("Remove", inspected(open));
+    QCOMPARE(losses(*document).size(), std::size_t(0));
+    for (const BoundaryLoop& loop : document->defects().loops) document->setKeptOpen(loop, loop.halfEdges.size() == 3);
+    QCOMPARE(losses(*document).size(), std::size_t(1));
+    QCOMPARE(losses(*document)[0].arguments, std::vector<std::string>{"1"});
+    document->commit("Fill", inspected(whole));
+    QCOMPARE(losses(*document).size(), std::size_t(0));
+
+    PatchLevels levels(buildMesh(test::icosphere(1)).mesh, FaceSelection::where(40, [](Face) { return true; }));
+    levels.refine();
+    document->commit("Subdivide", inspected(levels.mesh()));
+    QCOMPARE(losses(*document).size(), std::size_t(0));
+    document->keepLevels(levels);
+    QCOMPARE(losses(*document).size(), std::size_t(1));
+    document->commit("Go on", inspected(whole));
+    QCOMPARE(losses(*document).size(), std::size_t(0));
+  }
+
   // A file may turn very many faces: they are no part of the manifest, whose size is bounded.
   void turnedFacesComeBack() {
     TriangleSoup soup = grid(4);

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "StlFiles.h"
+#include "WindowDriver.h"
+#include "WindowTestMain.h"
+
+#include <QComboBox>
+#include <QMessageBox>
+#include <QTimer>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+// What a file of another program cannot hold of a document is told when it is saved.
+class IncompleteSaveTest : public QObject {
+  Q_OBJECT
+
+ private:
+  QTemporaryDir m_folder;
+
+  // Opens a file with two holes, and marks one.
+  QString openMarked(WindowDriver& driver, const char* name) {
+    const QString path = m_folder.filePath(QString::fromLatin1(name));
+    writeStl(path, torus(48, 24, {{3, 5}, {20, 11}}));
+    if (!driver.open(path)) qFatal("the file does not open");
+    driver.clickDefect(DefectKind::Hole, 0);
+    driver.click("keepOpenButton");
+    if (driver.count(DefectKind::KeptOpen) != 1) qFatal("nothing is kept open");
+    return path;
+  }
+  static bool save(WindowDriver& driver) {
+    driver.choose("saveFile");
+    return driver.settle() && !driver.window().isWindowModified();
+  }
+  static bool isTold(WindowDriver& driver) { return driver.find<QWidget>("messageBar")->isVisible(); }
+
+ private slots:
+  // The file is written as it was wished; the container that is offered holds the mark.
+  void marksAreToldAndAContainerIsOffered() {
+    WindowDriver driver;
+    const QString path = openMarked(driver, "marked.stl");
+    QVERIFY(save(driver));
+    QCOMPARE(openEdges(readStl(path)), 8);
+    QVERIFY(isTold(driver));
+    QVERIFY2(driver.text("messageText").contains("stay open"), qPrintable(driver.text("messageText")));
+    driver.click("messageAction");
+    const QString container = m_folder.filePath("marked.handwheel");
+    QTRY_VERIFY(driver.window().findChild<QFileDialog*>("saveDialog"));
+    QCOMPARE(driver.find<QFileDialog>("saveDialog")->selectedFiles(), QStringList(container));
+    QVERIFY(driver.enterFileName("saveDialog", container));
+    QVERIFY(driver.settle());
+    QVERIFY(!isTold(driver));
+    driver.click("closeTab");
+    QVERIFY(driver.open(container));
+    QCOMPARE(driver.count(DefectKind::KeptOpen), 1);
+  }
+
+  // Who has read it need not read it at each save; but when there is something else.
+  void itIsToldOnce() {
+    WindowDriver driver;
+    openMarked(driver, "once.stl");
+    QVERIFY(save(driver));
+    driver.click("messageClose");
+    driver.clickDefect(DefectKind::Hole, 0);
+    driver.click("fillHoleButton");
+    QTRY_VERIFY_WITH_TIMEOUT(driver.window().isWindowModified(), kPatienceMs);
+    QVERIFY(save(driver));
+    QVERIFY(!isTold(driver));
+    auto* unit = driver.find<QWidget>("property/display_unit")->findChild<QComboBox*>();
+    unit->setCurrentIndex(unit->findText("in"));
+    emit unit->activated(unit->currentIndex());
+    QTRY_VERIFY(driver.window().isWindowModified());
+    QVERIFY(save(driver));
+    QVERIFY(isTold(driver));
+    QVERIFY2(driver.text("messageText").contains("display unit"), qPrintable(driver.text("messageText")));
+  }
+
+  // What is closed could not be saved any more: it stays open until its user knows.
+  void closingWaitsUntilItWasTold() {
+    WindowDriver driver;
+    const QString path = openMarked(driver, "closed.stl");
+    QTimer::singleShot(200, qApp, [] {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      if (!box) qFatal("nobody asks");
+      QTest::mouseClick(box->button(QMessageBox::Save), Qt::LeftButton);
+    });
+    driver.click("closeTab");
+    QTRY_VERIFY_WITH_TIMEOUT(isTold(driver), kPatienceMs);
+    QCOMPARE(driver.tabs(), 1);
+    QVERIFY(!driver.window().isWindowModified());
+    driver.click("closeTab");
+    QCOMPARE(driver.tabs(), 0);
+  }
+
+  void whatIsWholeIsNotTold() {
+    WindowDriver driver;
+    openMarked(driver, "whole.stl");
+    driver.click("quickActions/undo");
+    driver.clickDefect(DefectKind::Hole, 0);
+    driver.click("fillHoleButton");
+    QTRY_VERIFY_WITH_TIMEOUT(driver.window().isWindowModified(), kPatienceMs);
+    QVERIFY(save(driver));
+    QVERIFY(!isTold(driver));
+  }
+};
+
+HANDWHEEL_WINDOW_TEST(IncompleteSaveTest)
+#include "IncompleteSaveTest.moc"
