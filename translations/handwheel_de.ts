@@ -1599,6 +1599,14 @@
         <source>The recordings of the device are not in this file.</source>
         <translation>Die Aufzeichnungen des Geräts stehen nicht in dieser Datei.</translation>
     </message>
+    <message>
+        <source>Which holes are to stay open is not in this file (%1 marked).</source>
+        <translation>Welche Löcher offen bleiben sollen, steht nicht in dieser Datei (%1 markiert).</translation>
+    </message>
+    <message>
+        <source>The coarser levels of the sculpted patch are not in this file.</source>
+        <translation>Die gröberen Stufen des modellierten Flickens stehen nicht in dieser Datei.</translation>
+    </message>
 </context>
 <context>
     <name>Property</name>
@@ -3176,10 +3184,6 @@
         <source>Autosaving %1</source>
         <translation>%1 wird automatisch gesichert</translation>
     </message>
-    <message>
-        <source>%1 could not be autosaved. %2</source>
-        <translation>%1 konnte nicht automatisch gesichert werden. %2</translation>
-    </message>
     <message numerus="yes">
         <source>Handwheel ended unexpectedly. %Ln document(s) had changes that were not saved.</source>
         <translation>
@@ -3188,16 +3192,50 @@
         </translation>
     </message>
     <message>
-        <source>They can be recovered as they were last autosaved; otherwise they are offered again at the next start.</source>
-        <translation>Sie lassen sich im zuletzt gesicherten Stand wiederherstellen; sonst werden sie beim nächsten Start wieder angeboten.</translation>
-    </message>
-    <message>
         <source>Recover</source>
         <translation>Wiederherstellen</translation>
     </message>
     <message>
         <source>%1 (its file was saved since)</source>
         <translation>%1 (die Datei wurde seither gespeichert)</translation>
+    </message>
+    <message>
+        <source>%1 could not be autosaved</source>
+        <translation>%1 konnte nicht automatisch gesichert werden</translation>
+    </message>
+    <message>
+        <source>Save it yourself: if the program ended now, your last changes would be lost.</source>
+        <translation>Speichern Sie selbst: Würde das Programm jetzt enden, gingen Ihre letzten Änderungen verloren.</translation>
+    </message>
+    <message>
+        <source>They can be recovered as they were last autosaved, or discarded for good; otherwise they are offered again at the next start.</source>
+        <translation>Sie lassen sich im zuletzt gesicherten Stand wiederherstellen oder endgültig verwerfen; sonst werden sie beim nächsten Start wieder angeboten.</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln autosave(s) of a session that ended unexpectedly cannot be read.</source>
+        <translation>
+            <numerusform>%Ln automatische Sicherung einer unerwartet beendeten Sitzung lässt sich nicht lesen.</numerusform>
+            <numerusform>%Ln automatische Sicherungen einer unerwartet beendeten Sitzung lassen sich nicht lesen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The Log names the files.</source>
+        <translation>Das Protokoll nennt die Dateien.</translation>
+    </message>
+    <message>
+        <source>What is in them is lost; until they are discarded they stay.</source>
+        <translation>Was darin steht, ist verloren; sie bleiben, bis sie verworfen werden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Discarded %Ln autosave(s)</source>
+        <translation>
+            <numerusform>%Ln automatische Sicherung verworfen</numerusform>
+            <numerusform>%Ln automatische Sicherungen verworfen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3931,6 +3969,10 @@
         <source>Save as…</source>
         <translation>Speichern unter…</translation>
     </message>
+    <message>
+        <source>Save as *%1…</source>
+        <translation>Als *%1 speichern…</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::FileLoader</name>
@@ -4006,10 +4048,6 @@
         <translation>%1 enthält den Stand vor Ihrer letzten Änderung</translation>
     </message>
     <message>
-        <source>Saving %1 was cancelled; the old file is untouched</source>
-        <translation>Speichern von %1 abgebrochen; die alte Datei ist unverändert</translation>
-    </message>
-    <message>
         <source>%1 could not be saved</source>
         <translation>%1 konnte nicht gespeichert werden</translation>
     </message>
@@ -4024,6 +4062,34 @@
     <message>
         <source>Save the document as *%1 to go on with it another day.</source>
         <translation>Speichern Sie das Dokument als *%1, um später daran weiterzuarbeiten.</translation>
+    </message>
+    <message>
+        <source>The display unit is not in this file.</source>
+        <translation>Die Anzeigeeinheit steht nicht in dieser Datei.</translation>
+    </message>
+    <message>
+        <source>%1 does not hold all of the document</source>
+        <translation>%1 enthält nicht das ganze Dokument</translation>
+    </message>
+    <message>
+        <source>It stays open: save it as *%1, too, or do without.</source>
+        <translation>Es bleibt offen: Speichern Sie es auch als *%1, oder verzichten Sie darauf.</translation>
+    </message>
+    <message>
+        <source>Saving %1 was cancelled</source>
+        <translation>Speichern von %1 abgebrochen</translation>
+    </message>
+    <message>
+        <source>Nothing was written: the file is as it was before.</source>
+        <translation>Es wurde nichts geschrieben: Die Datei ist, wie sie war.</translation>
+    </message>
+    <message>
+        <source>The document is open, with all its changes.</source>
+        <translation>Das Dokument ist offen, mit all seinen Änderungen.</translation>
+    </message>
+    <message>
+        <source>Save again</source>
+        <translation>Erneut speichern</translation>
     </message>
 </context>
 <context>
@@ -4170,6 +4236,10 @@
             <numerusform>%n weiterer Vorgang</numerusform>
             <numerusform>%n weitere Vorgänge</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 (waiting)</source>
+        <translation>%1 (wartet)</translation>
     </message>
 </context>
 <context>
@@ -5000,6 +5070,18 @@
             <numerusform>%1: %n Paar Dreiecke mehr durchdringt sich; Rückgängig nimmt das zurück</numerusform>
             <numerusform>%1: %n Paare von Dreiecken mehr durchdringen sich; Rückgängig nimmt das zurück</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Save your work, and try it on a smaller part or in another way.</source>
+        <translation>Speichern Sie Ihre Arbeit, und versuchen Sie es an einem kleineren Teil oder auf anderem Weg.</translation>
+    </message>
+    <message>
+        <source>%1 failed</source>
+        <translation>%1: fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>The document is as it was before. %1</source>
+        <translation>Das Dokument ist, wie es vorher war. %1</translation>
     </message>
 </context>
 <context>

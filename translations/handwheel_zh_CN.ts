@@ -1586,6 +1586,14 @@
         <source>The recordings of the device are not in this file.</source>
         <translation>设备的录制不在此文件中。</translation>
     </message>
+    <message>
+        <source>Which holes are to stay open is not in this file (%1 marked).</source>
+        <translation>哪些孔洞要保持开放未写入此文件（已标记 %1 个）。</translation>
+    </message>
+    <message>
+        <source>The coarser levels of the sculpted patch are not in this file.</source>
+        <translation>所雕刻补片的较粗层级未写入此文件。</translation>
+    </message>
 </context>
 <context>
     <name>Property</name>
@@ -3151,19 +3159,11 @@
         <source>Autosaving %1</source>
         <translation>正在自动保存 %1</translation>
     </message>
-    <message>
-        <source>%1 could not be autosaved. %2</source>
-        <translation>无法自动保存 %1。%2</translation>
-    </message>
     <message numerus="yes">
         <source>Handwheel ended unexpectedly. %Ln document(s) had changes that were not saved.</source>
         <translation>
             <numerusform>Handwheel 意外退出。%Ln 个文档有未保存的更改。</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>They can be recovered as they were last autosaved; otherwise they are offered again at the next start.</source>
-        <translation>可恢复到最近一次自动保存的状态；否则下次启动时会再次提示。</translation>
     </message>
     <message>
         <source>Recover</source>
@@ -3172,6 +3172,42 @@
     <message>
         <source>%1 (its file was saved since)</source>
         <translation>%1(其文件此后已保存)</translation>
+    </message>
+    <message>
+        <source>%1 could not be autosaved</source>
+        <translation>无法自动保存 %1</translation>
+    </message>
+    <message>
+        <source>Save it yourself: if the program ended now, your last changes would be lost.</source>
+        <translation>请自行保存：如果程序此时退出，您最近的更改将会丢失。</translation>
+    </message>
+    <message>
+        <source>They can be recovered as they were last autosaved, or discarded for good; otherwise they are offered again at the next start.</source>
+        <translation>可以恢复到最后一次自动保存的状态，也可以永久丢弃；否则下次启动时会再次提示。</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>丢弃</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln autosave(s) of a session that ended unexpectedly cannot be read.</source>
+        <translation>
+            <numerusform>意外结束的会话留下的 %Ln 个自动保存无法读取。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The Log names the files.</source>
+        <translation>日志中列出了这些文件。</translation>
+    </message>
+    <message>
+        <source>What is in them is lost; until they are discarded they stay.</source>
+        <translation>其中的内容已丢失；在丢弃之前它们会一直保留。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Discarded %Ln autosave(s)</source>
+        <translation>
+            <numerusform>已丢弃 %Ln 个自动保存</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3902,6 +3938,10 @@
         <source>Save as…</source>
         <translation>另存为…</translation>
     </message>
+    <message>
+        <source>Save as *%1…</source>
+        <translation>另存为 *%1…</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::FileLoader</name>
@@ -3977,10 +4017,6 @@
         <translation>%1 保存的是您最后一次更改之前的状态</translation>
     </message>
     <message>
-        <source>Saving %1 was cancelled; the old file is untouched</source>
-        <translation>已取消保存 %1；原文件未被改动</translation>
-    </message>
-    <message>
         <source>%1 could not be saved</source>
         <translation>无法保存 %1</translation>
     </message>
@@ -3995,6 +4031,34 @@
     <message>
         <source>Save the document as *%1 to go on with it another day.</source>
         <translation>将文档保存为 *%1,以便日后继续。</translation>
+    </message>
+    <message>
+        <source>The display unit is not in this file.</source>
+        <translation>显示单位未写入此文件。</translation>
+    </message>
+    <message>
+        <source>%1 does not hold all of the document</source>
+        <translation>%1 未包含文档的全部内容</translation>
+    </message>
+    <message>
+        <source>It stays open: save it as *%1, too, or do without.</source>
+        <translation>文档保持打开：请另存为 *%1，或不保留这些内容。</translation>
+    </message>
+    <message>
+        <source>Saving %1 was cancelled</source>
+        <translation>已取消保存 %1</translation>
+    </message>
+    <message>
+        <source>Nothing was written: the file is as it was before.</source>
+        <translation>没有写入任何内容：文件保持原样。</translation>
+    </message>
+    <message>
+        <source>The document is open, with all its changes.</source>
+        <translation>文档仍然打开，所有更改都在。</translation>
+    </message>
+    <message>
+        <source>Save again</source>
+        <translation>重新保存</translation>
     </message>
 </context>
 <context>
@@ -4138,6 +4202,10 @@
         <translation>
             <numerusform>另有 %n 个任务</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 (waiting)</source>
+        <translation>%1（等待中）</translation>
     </message>
 </context>
 <context>
@@ -4963,6 +5031,18 @@
         <translation>
             <numerusform>%1：新增 %n 对相交的三角形；撤销可恢复</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Save your work, and try it on a smaller part or in another way.</source>
+        <translation>请保存您的工作，然后在较小的部分上或用其他方法重试。</translation>
+    </message>
+    <message>
+        <source>%1 failed</source>
+        <translation>%1失败</translation>
+    </message>
+    <message>
+        <source>The document is as it was before. %1</source>
+        <translation>文档保持原样。%1</translation>
     </message>
 </context>
 <context>
