@@ -91,7 +91,8 @@ class RepairTest : public QObject {
 
   void everyMethodClosesTheCube_data() {
     QTest::addColumn<QString>("method");
-    for (const char* method : {"fair", "refined", "ear", "minimal"}) QTest::newRow(method) << method;
+    for (const char* method : {"fair", "refined", "ear", "minimal", "area", "dihedral", "ridge"})
+      QTest::newRow(method) << method;
   }
 
   void everyMethodClosesTheCube() {
