@@ -82,6 +82,16 @@ inline constexpr double kPlanarPolygon = 1e-3;
 // precision turn them by less, and the sides of a finely drawn cylinder meet at more.
 inline constexpr double kFlatEdge = 0.0175;
 
+// What a part can be stood on: points this near to a plane lie in it. A hundred times what single precision rounds, and
+// so little that of a smooth ball, whose cap of this height has at most sqrt(3) times this share of the area, nothing
+// is a flat face:
+inline constexpr double kStandingFlatness = 1e-5;
+// a flat face has at least this share of the part's area. Less is a facet of a curved surface rather than a foot.
+inline constexpr double kStandingShare = 1e-3;
+// Neighbours in one plane have normals with at least this cosine between them (0.08°): single precision turns faces of
+// a thousandth of the part by less.
+inline constexpr double kFlatCosine = 1.0 - 1e-6;
+
 // How far a proxy stays off the surface that it touches: far above what rounding moves it, far below what a person
 // sees.
 inline constexpr double kContactSkin = 0x1p-27;

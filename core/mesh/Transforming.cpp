@@ -17,7 +17,6 @@ namespace {
 
 constexpr double kLargestCoordinate = 1e60;  // fourth powers of lengths stay finite
 constexpr std::size_t kMostRegions = 64;
-constexpr double kFlatCosine = 1.0 - 1e-6;  // between the normals of faces in one plane: some 0.08°
 
 Error outOfRange(const char* what, double value, double least, double largest) {
   return {ErrorCode::ValueOutOfRange, {what, shortestText(value), shortestText(least), shortestText(largest)}, {}, {}};
@@ -109,7 +108,7 @@ std::vector<FlatFace> flatRegions(const HalfEdgeMesh& mesh, const Progress& prog
       for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
         if (!mesh.hasOpposite(h)) continue;
         const Face other = HalfEdgeMesh::face(mesh.opposite(h));
-        if (seen[other] || unitNormal(mesh.points(other)).dot(normal) < kFlatCosine) continue;
+        if (seen[other] || unitNormal(mesh.points(other)).dot(normal) < tolerance::kFlatCosine) continue;
         seen[other] = true;
         open.push_back(other);
       }
@@ -201,11 +200,12 @@ std::optional<Pose> ontoLargestFlatFace(const HalfEdgeMesh& mesh, const Resting&
   double whole = 0.0;
   forEachEdgeMiddle(mesh, [&](const Vec3&, double weight) { whole += weight; });
   const std::vector<FlatFace> regions = flatRegions(mesh, progress.part(0.0, 0.3));
+  const double flatness = resting.flatness * box.diagonal().stableNorm();
   std::optional<FlatFace> best;
   for (std::size_t i = 0; i < regions.size(); ++i) {
     if (!mayGoOn(i, regions.size(), progress.part(0.3, 1.0), 1)) return std::nullopt;
     FlatFace plane = regions[i];
-    plane.area = standingArea(mesh, plane, resting.flatness);
+    plane.area = standingArea(mesh, plane, flatness);
     if (plane.area > 0.0 && plane.area >= resting.leastShare * whole && (!best || plane.area > best->area)) {
       best = plane;
     }

@@ -4,6 +4,7 @@
 
 #include "base/Progress.h"
 #include "base/Result.h"
+#include "base/Tolerance.h"
 #include "base/Units.h"
 #include "mesh/HalfEdgeMesh.h"
 
@@ -33,11 +34,11 @@ std::optional<Pose> ontoPrincipalAxes(const HalfEdgeMesh& mesh);
 
 // Puts the largest flat face that the body can stand on onto the plane z = 0, the body above, its box centred over the
 // origin. A flat face is all faces in one plane, wherever in it; the body can stand on one when nothing is below it.
-// flatness: mm; how far points may be from the plane. None where there is no such face of at least this share of the
-// area. Only the planes of the 64 largest connected flat regions are looked at.
+// flatness: share of the box's diagonal; how far points may be from the plane. None where there is no such face of at
+// least this share of the area. Only the planes of the 64 largest connected flat regions are looked at.
 struct Resting {
-  double flatness = 1e-3;
-  double leastShare = 1e-3;
+  double flatness = tolerance::kStandingFlatness;
+  double leastShare = tolerance::kStandingShare;
 };
 std::optional<Pose> ontoLargestFlatFace(const HalfEdgeMesh& mesh, const Resting& resting = {}, Progress progress = {});
 

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Extremes.h"
+#include "mesh/MeshBuilder.h"
+
+#include <QMetaType>
+#include <QTest>
+
+Q_DECLARE_METATYPE(handwheel::test::ExtremeMesh)
+
+// The extreme meshes as rows of a data-driven test, and what every test of them asks.
+namespace handwheel::test {
+
+// The column "extreme".
+inline void everyMesh(std::size_t mostTriangles = ~std::size_t{0}) {
+  QTest::addColumn<ExtremeMesh>("extreme");
+  for (const ExtremeMesh& mesh : allMeshes()) {
+    if (mesh.soup().triangles.size() <= mostTriangles) QTest::newRow(mesh.name.c_str()) << mesh;
+  }
+}
+
+inline Box boxOf(const TriangleSoup& soup) {
+  Box box;
+  for (const Triangle& t : soup.triangles)
+    for (const std::uint32_t v : t) box.extend(soup.points[v]);
+  return box;
+}
+
+inline Box boxOf(const HalfEdgeMesh& mesh) {
+  return boxOf(mesh.compact().soup);
+}
+
+// The largest coordinate: rounding grows with it (mm).
+inline double reachOf(const Box& box) {
+  return box.isEmpty() ? 0.0 : std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+}
+
+// So many units in the last place of the largest coordinate.
+inline double rounding(const Box& box, double units = 16.0) {
+  using Limits = std::numeric_limits<double>;
+  return units * (reachOf(box) * Limits::epsilon() + Limits::denorm_min());
+}
+
+}  // namespace handwheel::test
