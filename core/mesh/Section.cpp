@@ -95,7 +95,7 @@ class Cut {
     if (m_section.curves.empty()) m_origin = p[0];  // so that curves far away lose no digits
     for (std::size_t i = 0; i < p.size(); ++i) {
       if (i + 1 == p.size() && !curve.closed) break;
-      m_section.length += (p[(i + 1) % p.size()] - p[i]).norm();
+      m_section.length += (p[(i + 1) % p.size()] - p[i]).stableNorm();  // squares may overflow
     }
     if (curve.closed) {
       auto& flat = m_closed.emplace_back();
