@@ -20,7 +20,7 @@ std::vector<FidelityCase> nearWeldCases();
 FidelityCase nearWeldCaseOn(const std::string& name, SoupSource soup);
 
 // mesh.fill_method, mesh.fill_continuity, mesh.patch_density and mesh.piece_edges: pieces cut out of a surface and
-// filled again.
+// filled again; for all but the last also out of parts with sharp edges as a scanner sees them, against the exact part.
 std::vector<FidelityCase> fillMethodCases();
 FidelityCase fillMethodCaseOn(const std::string& name, SoupSource soup);
 std::vector<FidelityCase> fillContinuityCases();

@@ -12,8 +12,7 @@
 namespace handwheel {
 namespace {
 
-constexpr std::size_t kHoles = 4;
-constexpr double kHoleShare = 0.12;  // radius of a hole, in diagonals of the part
+constexpr std::size_t kAttempts = 50;  // for each hole
 
 // The faces that hang together with the first one inside a ball around it.
 std::vector<Face> facesInBall(const HalfEdgeMesh& mesh, Face first, double radius) {
@@ -49,17 +48,21 @@ DistanceToTruth distanceTo(const HalfEdgeMesh& mesh, const std::vector<Face>& fa
 
 }  // namespace
 
-CutSurface cutHoles(const TriangleSoup& soup, std::uint64_t seed, const DistanceToTruth& truth) {
+CutSurface cutHoles(const TriangleSoup& soup, std::uint64_t seed, const DistanceToTruth& truth,
+                    const CutOptions& options) {
   Random random(seed);
   HalfEdgeMesh mesh = buildMesh(soup).mesh;
   Box box;
   for (const Vec3& p : soup.points) box.extend(p);
-  const double radius = kHoleShare * box.diagonal().norm();
+  const double radius = options.radius * box.diagonal().norm();
   std::vector<std::pair<Vec3, DistanceToTruth>> cuts;
-  for (int attempt = 0; attempt < 100 && cuts.size() < kHoles && mesh.faceSlots() > 0; ++attempt) {
+  const std::size_t attempts = mesh.faceSlots() > 0 ? kAttempts * options.holes : 0;
+  for (std::size_t attempt = 0; attempt < attempts && cuts.size() < options.holes; ++attempt) {
     const auto first = static_cast<Face>(random.below(mesh.faceSlots()));
     if (!mesh.isLive(first) || !mesh.isProper(first)) continue;
     const Vec3 centre = mesh.points(first)[0];
+    const bool isAtCrease = options.distanceToCrease && cuts.size() % 2 == 0;
+    if (isAtCrease && options.distanceToCrease(centre) > 0.5 * radius) continue;
     const auto isNear = [&](const auto& c) { return (c.first - centre).norm() < 3.0 * radius; };
     if (std::any_of(cuts.begin(), cuts.end(), isNear)) continue;
     const std::vector<Face> faces = facesInBall(mesh, first, radius);

@@ -23,8 +23,16 @@ struct CutSurface {
   std::vector<Hole> holes;
 };
 
-// Cuts a few round holes where the seed says, an eighth of the part's diagonal in radius and apart from each other.
-// truth: the surface in closed form; without one, what is cut out stands for it. O(n log n).
-CutSurface cutHoles(const TriangleSoup& soup, std::uint64_t seed, const DistanceToTruth& truth);
+struct CutOptions {
+  std::size_t holes = 4;
+  double radius = 0.12;  // share of the part's diagonal
+  // Where given, the first hole and every other one after it is at most half its radius from a sharp edge.
+  DistanceToTruth distanceToCrease = nullptr;
+};
+
+// Cuts round holes where the seed says, apart from each other. truth: the surface in closed form; without one, what is
+// cut out stands for it. O(n log n).
+CutSurface cutHoles(const TriangleSoup& soup, std::uint64_t seed, const DistanceToTruth& truth,
+                    const CutOptions& options = {});
 
 }  // namespace handwheel

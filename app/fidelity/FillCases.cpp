@@ -5,6 +5,7 @@
 #include "fidelity/Cases.h"
 #include "fidelity/CutSurface.h"
 #include "fidelity/SeededInput.h"
+#include "fidelity/VirtualScanner.h"
 #include "mesh/MeshFidelity.h"
 
 #include <cmath>
@@ -59,11 +60,24 @@ struct Surface {
   std::string name;
   SoupSource soup;
   DistanceToTruth distance = nullptr;
+  CutOptions cuts = {};
+  std::string holes = "four holes cut";
 };
+
+// A part as a scanner sees it. Half of the holes are across its sharp edges, all so small that most cross one only.
+Surface scanned(const std::string& name, const ExactPart& part) {
+  Surface surface{name + ", scanned", [part] { return std::make_shared<const TriangleSoup>(scanOf(part, {})); },
+                  [part](const Vec3& p) { return std::abs(part.distance(p)); }};
+  surface.cuts = {.holes = 12, .radius = 0.05, .distanceToCrease = part.distanceToCrease};
+  surface.holes = "twelve holes cut";
+  return surface;
+}
 
 std::vector<Surface> builtIn() {
   return {{"sphere", sphereSource(5, 50.0), [](const Vec3& p) { return std::abs(p.norm() - 50.0); }},
-          {"torus", torusSource(240, 80, 60.0, 30.0), [](const Vec3& p) { return distanceToTorus(p, 60.0, 30.0); }}};
+          {"torus", torusSource(240, 80, 60.0, 30.0), [](const Vec3& p) { return distanceToTorus(p, 60.0, 30.0); }},
+          scanned("milled part", milledPart()),
+          scanned("turned part", turnedPart())};
 }
 
 // With loops of some 300 edges.
@@ -75,8 +89,8 @@ std::vector<Surface> fine() {
 
 FidelityCase caseOn(const Surface& surface, void (*choose)(FillOptions&, double value)) {
   const SeededInput<CutSurface> input(
-      [surface](std::uint64_t seed) { return cutHoles(*surface.soup(), seed, surface.distance); });
-  return {surface.name + ", four holes cut", surface.distance ? "closed form" : "surface cut out",
+      [surface](std::uint64_t seed) { return cutHoles(*surface.soup(), seed, surface.distance, surface.cuts); });
+  return {surface.name + ", " + surface.holes, surface.distance ? "closed form" : "surface cut out",
           [input, choose](double value, std::uint64_t seed, Progress progress) {
             FillOptions options;
             choose(options, value);

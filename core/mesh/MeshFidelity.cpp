@@ -73,7 +73,7 @@ FidelitySetting patchDensitySetting() {
   s.least = 0.35;
   s.largest = 2.0;  // beyond, larger patches are at the limit of their vertices
   s.standard = FillOptions().density;
-  s.presets = {0.35, 0.72, s.standard};
+  s.presets = {0.54, 0.84, s.standard};
   s.error = {translatable("Fidelity", "RMS distance of the patch from the surface"),
              translatable("Fidelity", "% of the hole")};
   s.cost = {translatable("Fidelity", "CPU time of a fill"), "ms"};

@@ -5,11 +5,15 @@
 #include "fidelity/CaseShapes.h"
 #include "fidelity/CutSurface.h"
 #include "fidelity/MeasuredSettings.h"
+#include "fidelity/VirtualScanner.h"
 #include "mesh/MeshBuilder.h"
 #include "viewport/SurfaceGeometry.h"
 
 #include <QTest>
 #include <cmath>
+
+Q_DECLARE_METATYPE(handwheel::ExactPart)
+Q_DECLARE_METATYPE(handwheel::Vec3)
 
 using namespace handwheel;
 
@@ -38,7 +42,13 @@ class CasesTest : public QObject {
   void shapes();
   void everyCaseRuns_data();
   void everyCaseRuns();
+  void exactParts_data();
+  void exactParts();
+  void scansAreOfTheirPart_data() { exactParts_data(); }
+  void scansAreOfTheirPart();
   void holesAreCutAndKnown();
+  void holesAcrossSharpEdges();
+  void ridgesCarryEdgesThroughHoles();
   void tornVerticesOfAMesh();
   void patchesOfAMesh();
   void blocksOfAnySize();
@@ -86,6 +96,76 @@ void CasesTest::everyCaseRuns() {
   QVERIFY(std::isfinite(first.error) && first.error >= 0.0);
   QVERIFY(first.cost > 0.0);
   QCOMPARE(errorAt(c, entry.setting.standard), first.error);
+}
+
+void CasesTest::exactParts_data() {
+  QTest::addColumn<ExactPart>("part");
+  QTest::addColumn<Vec3>("onFace");  // a place in the middle of a flat face, or of the shaft's side
+  QTest::addColumn<Vec3>("normal");  // there
+  QTest::addColumn<Vec3>("onCrease");
+  QTest::newRow("milled") << milledPart() << Vec3(40, 20, 25) << Vec3(0, 0, 1) << Vec3(45, 70, 3);
+  QTest::newRow("milled, chamfer") << milledPart() << Vec3(85, 35, 2) << Vec3(1, 1, 0) << Vec3(85, 35, -25);
+  QTest::newRow("turned") << turnedPart() << Vec3(0, 22, 40) << Vec3(0, 1, 0) << Vec3(-22, 0, 20);
+  QTest::newRow("turned, below") << turnedPart() << Vec3(7, 5, 0) << Vec3(0, 0, -1) << Vec3(0, -36, 0);
+}
+
+// Along the normal of a face the distance is that which one goes, on both sides, and at an edge it is none.
+void CasesTest::exactParts() {
+  QFETCH(ExactPart, part);
+  QFETCH(Vec3, onFace);
+  QFETCH(Vec3, normal);
+  QFETCH(Vec3, onCrease);
+  for (const double step : {-5.0, -0.25, 0.0, 1e-6, 4.0, 15.0}) {
+    const double distance = part.distance(onFace + step * normal.normalized());
+    QVERIFY2(std::abs(distance - step) < 1e-9, qPrintable(QString::number(distance)));
+  }
+  QVERIFY(std::abs(part.distance(onCrease)) < 1e-9);
+  QVERIFY(part.distanceToCrease(onCrease) < 1e-9);
+  QVERIFY(part.distanceToCrease(onFace) > 3.0);
+}
+
+// Closed, facing outwards, its samples off the part by the noise, and its volume that of the part.
+void CasesTest::scansAreOfTheirPart() {
+  QFETCH(ExactPart, part);
+  constexpr double kNoise = 0.02;
+  const TriangleSoup scan = scanOf(part, {.pitch = 2.0, .noise = kNoise});
+  QVERIFY(test::countEdges(scan).sound());
+  QVERIFY(std::abs(test::volume(scan) / part.volume - 1.0) < 0.01);  // the edges are cut off
+  double squares = 0.0;
+  for (const Vec3& p : scan.points) {
+    const double distance = part.distance(p);
+    QVERIFY(std::abs(distance) < 6.0 * kNoise);
+    squares += distance * distance;
+  }
+  const double rms = std::sqrt(squares / static_cast<double>(scan.points.size()));
+  QVERIFY(std::abs(rms / kNoise - 1.0) < 0.05);
+  QVERIFY(scanOf(part, {.pitch = 2.0, .noise = kNoise}).points == scan.points);
+  QVERIFY(scanOf(part, {.pitch = 2.0, .noise = kNoise, .seed = 2}).points != scan.points);
+}
+
+void CasesTest::holesAcrossSharpEdges() {
+  const ExactPart part = milledPart();
+  const TriangleSoup scan = scanOf(part, {.pitch = 2.0});
+  const CutOptions options{.holes = 8, .radius = 0.05, .distanceToCrease = part.distanceToCrease};
+  const CutSurface cut = cutHoles(scan, 1, part.distance, options);
+  QCOMPARE(cut.holes.size(), std::size_t{8});
+  const double radius = 0.05 * part.box.diagonal().norm();
+  for (std::size_t i = 0; i < cut.holes.size(); i += 2)
+    QVERIFY(part.distanceToCrease(cut.holes[i].loop.centre) < radius);
+}
+
+// What the method is for: where a sharp edge goes through a hole, a patch that carries it on is nearer to the part.
+void CasesTest::ridgesCarryEdgesThroughHoles() {
+  const FidelityRegistry::Entry& entry = *registry().find("mesh.fill_method");
+  std::size_t scans = 0;
+  for (const FidelityCase& c : entry.cases) {
+    if (c.name.find("scanned") == std::string::npos) continue;
+    ++scans;
+    const double fair = errorAt(c, *valueOf(entry.setting, "fair")),
+                 ridge = errorAt(c, *valueOf(entry.setting, "ridge"));
+    QVERIFY2(ridge < fair, qPrintable(QString("%1: %2 and %3").arg(c.name.c_str()).arg(ridge).arg(fair)));
+  }
+  QCOMPARE(scans, std::size_t{2});
 }
 
 void CasesTest::holesAreCutAndKnown() {
