@@ -81,9 +81,23 @@ Moments momentsOf(const HalfEdgeMesh& mesh, const Vec3& near) {
   return m;
 }
 
+// As unitNormal(), from the corner opposite the longest side: between the long sides of a sliver few digits are left.
+Vec3 sureNormal(const TrianglePoints& t) {
+  std::size_t first = 0;
+  double longest = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double side = (t[(k + 2) % 3] - t[(k + 1) % 3]).stableNorm();
+    if (side > longest) {
+      longest = side;
+      first = k;
+    }
+  }
+  return unitNormal({t[first], t[(first + 1) % 3], t[(first + 2) % 3]});
+}
+
 // A flat face as it may be stood on: its plane, n · p = offset, the body below.
 struct FlatFace {
-  Vec3 normal;
+  Vec3 normal = Vec3::Zero();
   double offset = 0.0;
   double area = 0.0;
 };
@@ -98,13 +112,22 @@ std::vector<FlatFace> flatRegions(const HalfEdgeMesh& mesh, const Progress& prog
     if (!mesh.isLive(seed) || seen[seed]) continue;
     const Vec3 normal = unitNormal(mesh.points(seed));
     if (normal.isZero()) continue;
-    FlatFace region{normal, normal.dot(mesh.points(seed)[0]), 0.0};
+    FlatFace region;
+    double largest = 0.0;
     seen[seed] = true;
     open.assign(1, seed);
     while (!open.empty()) {
       const Face f = open.back();
       open.pop_back();
-      region.area += areaOf(mesh.points(f));
+      const TrianglePoints points = mesh.points(f);
+      const double area = areaOf(points);
+      region.area += area;
+      // A sliver's own plane would leave the others' far away from it.
+      if (area > largest) {
+        largest = area;
+        region.normal = sureNormal(points);
+        region.offset = region.normal.dot(points[0]);
+      }
       for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
         if (!mesh.hasOpposite(h)) continue;
         const Face other = HalfEdgeMesh::face(mesh.opposite(h));
@@ -113,7 +136,7 @@ std::vector<FlatFace> flatRegions(const HalfEdgeMesh& mesh, const Progress& prog
         open.push_back(other);
       }
     }
-    regions.push_back(region);
+    if (largest > 0.0) regions.push_back(region);
   }
   const std::size_t n = std::min(regions.size(), kMostRegions);
   std::partial_sort(regions.begin(), regions.begin() + static_cast<std::ptrdiff_t>(n), regions.end(),
