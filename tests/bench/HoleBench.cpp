@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/ThreadClock.h"
 #include "bench/Bars.h"
+#include "bench/LibraryHoles.h"
 #include "document/formats/MeshFormat.h"
 #include "mesh/Cleaning.h"
 #include "mesh/DuplicateFaces.h"
@@ -10,13 +11,7 @@
 #include "mesh/Stitching.h"
 #include "proximity/TriangleHierarchy.h"
 #include "support/MeshShapes.h"
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/border.h>
-#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
-#include <CGAL/Surface_mesh.h>
+#include "support/RidgedShapes.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -24,65 +19,13 @@
 #include <random>
 
 using namespace handwheel;
+using bench::fillByLibrary;
+using bench::LibraryFill;
+using bench::toLibrary;
 
 namespace {
 
 bench::Bars bars;
-
-namespace pmp = CGAL::Polygon_mesh_processing;
-using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
-using Surface = CGAL::Surface_mesh<Point>;
-
-Surface toLibrary(const TriangleSoup& soup) {
-  std::vector<Point> points;
-  for (const Vec3& p : soup.points) points.emplace_back(p.x(), p.y(), p.z());
-  std::vector<Triangle> triangles = soup.triangles;
-  if (!pmp::is_polygon_soup_a_polygon_mesh(triangles)) pmp::orient_polygon_soup(points, triangles);  // pinched holes
-  Surface surface;
-  pmp::polygon_soup_to_polygon_mesh(points, triangles, surface);
-  return surface;
-}
-
-struct LibraryFill {
-  double milliseconds = 0.0;
-  std::size_t faces = 0;
-  std::vector<Vec3> places;  // new vertices; where there are none, the middles of the faces
-};
-
-Vec3 toVec3(const Point& p) {
-  return {p.x(), p.y(), p.z()};
-}
-
-// The side of the edge a-b that has no face.
-Surface::Halfedge_index borderEdge(const Surface& surface, const Vec3& a, const Vec3& b) {
-  for (const auto h : surface.halfedges()) {
-    if (!surface.is_border(h)) continue;
-    const Vec3 from = toVec3(surface.point(surface.source(h))), to = toVec3(surface.point(surface.target(h)));
-    if ((from == a && to == b) || (from == b && to == a)) return h;
-  }
-  return Surface::null_halfedge();
-}
-
-// The library alone: no check for intersections, no other method to fall back to. The hole is the one with the edge
-// a-b.
-LibraryFill fillByLibrary(Surface surface, const Vec3& a, const Vec3& b) {
-  LibraryFill result;
-  const Surface::Halfedge_index border = borderEdge(surface, a, b);
-  std::vector<Surface::Face_index> faces;
-  std::vector<Surface::Vertex_index> vertices;
-  result.milliseconds = cpuMilliseconds([&] {
-    pmp::triangulate_refine_and_fair_hole(surface, border, std::back_inserter(faces), std::back_inserter(vertices));
-  });
-  result.faces = faces.size();
-  for (const auto v : vertices) result.places.push_back(toVec3(surface.point(v)));
-  for (const auto f : faces) {
-    if (!vertices.empty()) break;
-    Vec3 sum = Vec3::Zero();
-    for (const auto v : surface.vertices_around_face(surface.halfedge(f))) sum += toVec3(surface.point(v));
-    result.places.push_back(sum / 3.0);
-  }
-  return result;
-}
 
 // A fair patch with its check for intersections against the part, whose hierarchy is there already.
 void fillHole(benchmark::State& state) {
@@ -93,7 +36,7 @@ void fillHole(benchmark::State& state) {
   const BoundaryLoop loop = findBoundaryLoops(mesh).at(0);
   const std::vector<Vec3> rim = loopPoints(mesh, loop);
   const HoleFiller filler(mesh);
-  const Surface surface = toLibrary(soup);
+  const bench::Surface surface = toLibrary(soup);
   double ours = 0.0, theirs = 0.0;
   std::size_t newFaces = 0, theirFaces = 0;
   for (auto _ : state) {
@@ -184,7 +127,7 @@ void cutAndFill(const TriangleSoup& whole, const TriangleHierarchy& truth, const
                 Accuracy& accuracy) {
   const HalfEdgeMesh mesh = buildMesh(test::withHole(whole, centre, radius)).mesh;
   const HoleFiller filler(mesh);
-  const Surface surface = toLibrary(mesh.compact().soup);
+  const bench::Surface surface = toLibrary(mesh.compact().soup);
   for (const BoundaryLoop& loop : findBoundaryLoops(mesh)) {
     const std::vector<Vec3> rim = loopPoints(mesh, loop);
     ++accuracy.holes;
@@ -237,7 +180,110 @@ void accuracy(benchmark::State& state) {
   bars.atMost(balls + "p90, to CGAL's", 1.15, quantile(found.ours, 0.9) / quantile(found.theirs, 0.9));
 }
 
-// Four cuts of 2,554 edges each, ragged, in a scan of a package; CGAL needs 90 s for one of them.
+// The root of the mean square distance of the triangles from the surface, by area, at the middles of 16 parts of each.
+double rmsByArea(const std::vector<TrianglePoints>& triangles, double (*distance)(const Vec3&)) {
+  constexpr int kCuts = 4;
+  double squares = 0.0, area = 0.0;
+  for (const TrianglePoints& t : triangles) {
+    const Vec3 u = (t[1] - t[0]) / kCuts, v = (t[2] - t[0]) / kCuts;
+    const double part = u.cross(v).norm();
+    for (int i = 0; i < kCuts; ++i) {
+      for (int j = 0; j < kCuts - i; ++j) {
+        for (const double third : {1.0 / 3.0, 2.0 / 3.0}) {
+          if (third > 0.5 && i + j + 1 == kCuts) continue;
+          const double d = distance(t[0] + (i + third) * u + (j + third) * v);
+          squares += part * d * d;
+          area += part;
+        }
+      }
+    }
+  }
+  return std::sqrt(squares / area);
+}
+
+std::vector<TrianglePoints> trianglesOf(const Patch& patch) {
+  std::vector<TrianglePoints> triangles;
+  for (const Triangle& t : patch.triangles)
+    triangles.push_back({patch.points[t[0]], patch.points[t[1]], patch.points[t[2]]});
+  return triangles;
+}
+
+// A part with sharp edges, its exact surface, and places on and beside an edge.
+struct Creased {
+  const char* name;
+  TriangleSoup soup;
+  double (*distance)(const Vec3&);
+  Vec3 (*place)(std::mt19937& random);
+};
+
+double unit(std::mt19937& random) {
+  return random() / 4294967296.0;
+}
+
+Creased creased(std::int64_t which) {
+  if (which == 0) {
+    return {"cube", test::roughCube(24, 7), test::distanceToCube, [](std::mt19937& random) {
+              const double x = random() % 2 ? 1.0 : -1.0;
+              return Vec3(x + 0.2 * (unit(random) - 0.5), 1.0 + 0.2 * (unit(random) - 0.5), unit(random) - 0.5);
+            }};
+  }
+  return {"cylinder", test::roughCylinder(120, 7), test::distanceToCylinder, [](std::mt19937& random) {
+            const double turn = 2.0 * M_PI * unit(random), r = 1.0 + 0.2 * (unit(random) - 0.5);
+            return Vec3(r * std::cos(turn), r * std::sin(turn), 1.0 + 0.2 * (unit(random) - 0.5));
+          }};
+}
+
+// Balls cut out across a sharp edge at 25 places; each hole is filled with ridges, without, and by CGAL, and each patch
+// is held against the exact part. What stays open counts as infinitely far off.
+void ridges(benchmark::State& state) {
+  constexpr double kOpen = std::numeric_limits<double>::infinity();
+  const Creased part = creased(state.range(0));
+  const double radius = 0.01 * static_cast<double>(state.range(1));
+  std::vector<double> withRidges, fair, library;
+  std::size_t open = 0, noRidge = 0, fairOpen = 0, libraryOpen = 0;
+  for (auto _ : state) {
+    std::mt19937 random(1);
+    for (int seed = 0; seed < 25; ++seed) {
+      const HalfEdgeMesh mesh = buildMesh(test::withHole(part.soup, part.place(random), radius)).mesh;
+      const HoleFiller filler(mesh);
+      const BoundaryLoop loop = findBoundaryLoops(mesh).at(0);
+      const std::vector<Vec3> rim = loopPoints(mesh, loop);
+      const double size = diameter(rim);
+      const auto errorOf = [&](const FillAttempt& attempt) {
+        return attempt.failure == FillFailure::None ? rmsByArea(trianglesOf(attempt.patch), part.distance) / size
+                                                    : kOpen;
+      };
+      FillOptions options;
+      fair.push_back(errorOf(filler.propose(loop, options)));
+      options.method = FillMethod::Ridge;
+      const FillAttempt attempt = filler.propose(loop, options);
+      withRidges.push_back(errorOf(attempt));
+      noRidge += attempt.failure == FillFailure::None && attempt.patch.method != FillMethod::Ridge;
+      const LibraryFill theirs = fillByLibrary(toLibrary(mesh.compact().soup), rim[0], rim[1]);
+      library.push_back(theirs.faces > 0 ? rmsByArea(theirs.triangles, part.distance) / size : kOpen);
+      open += withRidges.back() == kOpen;
+      fairOpen += fair.back() == kOpen;
+      libraryOpen += library.back() == kOpen;
+    }
+  }
+  state.SetLabel(part.name);
+  for (const auto& [counter, count] :
+       {std::pair{"open", open}, {"noRidge", noRidge}, {"fairOpen", fairOpen}, {"cgalOpen", libraryOpen}}) {
+    state.counters[counter] = static_cast<double>(count);
+  }
+  const double ours = quantile(withRidges, 0.9), plain = quantile(fair, 0.9), theirs = quantile(library, 0.9);
+  state.counters["median%"] = 100.0 * quantile(withRidges, 0.5);
+  state.counters["p90%"] = 100.0 * ours;
+  state.counters["fairP90%"] = 100.0 * plain;
+  state.counters["cgalP90%"] = 100.0 * theirs;
+  const std::string what = std::string(part.name) + ", balls of " + std::to_string(radius).substr(0, 4) +
+                           " across its edge, ridge, RMS: p90, to ";
+  // Were the other's infinite, the ratio would say nothing.
+  bars.atMost(what + "fair", 0.5, std::isfinite(plain) ? ours / plain : std::nan(""));
+  bars.atMost(what + "CGAL's fair", 0.5, std::isfinite(theirs) ? ours / theirs : std::nan(""));
+}
+
+// Four cuts of 2,554 edges each, ragged, in a scan of a package.
 void longLoops(benchmark::State& state) {
   const std::string path = "/usr/share/opencascade/data/stl/head.stl";
   if (!std::filesystem::exists(path)) return state.SkipWithError("head.stl of the package occt-misc is not installed");
@@ -252,17 +298,28 @@ void longLoops(benchmark::State& state) {
   for (BoundaryLoop& loop : findBoundaryLoops(mesh)) {
     if (loop.halfEdges.size() > 2000) cuts.push_back(std::move(loop));
   }
-  double slowest = 0.0;
+  double slowest = 0.0, ours = 0.0, theirs = 0.0;
+  std::size_t givenUp = 0;
   for (auto _ : state) {
     for (const BoundaryLoop& loop : cuts) {
       FillAttempt attempt;
       const double milliseconds = cpuMilliseconds([&] { attempt = filler.propose(loop, {}); });
       if (attempt.failure != FillFailure::None) state.SkipWithError("not filled");
       slowest = std::max(slowest, milliseconds);
+      ours += milliseconds;
+      const bench::LibraryTriangulation library = bench::triangulateByLibrary(loopPoints(mesh, loop));
+      theirs += library.milliseconds;
+      givenUp += library.triangles == 0;
     }
   }
+  const auto fills = static_cast<double>(state.iterations()) * static_cast<double>(cuts.size());
   state.counters["loops"] = static_cast<double>(cuts.size());
+  state.counters["ms"] = ours / fills;
+  state.counters["cgalDelaunayMs"] = theirs / fills;
+  state.counters["cgalGivenUp"] = static_cast<double>(givenUp) / static_cast<double>(state.iterations());
   bars.atMost("fill of a loop of 2,554 edges, slowest of four, ms of CPU", 100.0, slowest);
+  // The library's triangles are neither refined nor bent nor checked, as our patches are.
+  bars.atMost("fair fill of loops of 2,554 edges with its check, to CGAL's Delaunay search alone", 20.0, ours / theirs);
 }
 
 }  // namespace
@@ -270,6 +327,11 @@ void longLoops(benchmark::State& state) {
 BENCHMARK(fillHole)->Arg(20)->Arg(55)->Arg(80)->Unit(benchmark::kMillisecond)->UseManualTime();
 BENCHMARK(accuracy)
     ->ArgsProduct({{0, 1, 2}, {1, 2, 4, 8}})  // kWholes; % of the diagonal
+    ->ArgNames({"on", "percent"})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
+BENCHMARK(ridges)
+    ->ArgsProduct({{0, 1}, {20, 35}})  // cube or cylinder; % of half its width
     ->ArgNames({"on", "percent"})
     ->Unit(benchmark::kMillisecond)
     ->Iterations(1);
