@@ -7,18 +7,10 @@
 #include "haptics/HapticScene.h"
 #include "haptics/ServoSample.h"
 #include "haptics/SnapshotSlot.h"
-#include "haptics/WorkspaceMapping.h"
 
 #include <atomic>
-#include <cstdint>
 
 namespace handwheel {
-
-// Where the device lies in the scene, from the change of this number on.
-struct NumberedMapping {
-  std::uint64_t number = 0;  // 0: none was set, the identity holds
-  WorkspaceMapping mapping;
-};
 
 // Everything that passes between the servo thread and the rest: without locks, and nobody waits.
 struct ServoChannel {

@@ -39,11 +39,17 @@ class ServoLoop {
   // felt still starts the ramp.
   void setScene(std::unique_ptr<HapticScene> scene) {
     if (scene->mayLeap) announceLeap();
+    scene->mapping = m_mapping;
     m_channel->scenes.publish(std::move(scene));
   }
-  // Where the device lies in the scene from the next tick on. A mapping that does not keep the tip starts the ramp; of
-  // a change of scale or axes, which turns the force about, announceLeap() tells.
-  void setMapping(const WorkspaceMapping& mapping) { m_channel->mapping.write({++m_mappingNumber, mapping}); }
+  // Where the device lies in the scene from the next tick on, and a scene that was made for it: a tick feels both or
+  // neither. A mapping that does not keep the tip starts the ramp; of a change of axes, which turns the force about,
+  // announceLeap() tells before.
+  void setMapping(const WorkspaceMapping& mapping, std::unique_ptr<HapticScene> scene = nullptr) {
+    m_mapping = {m_mapping.number + 1, mapping};
+    if (scene) setScene(std::move(scene));
+    m_channel->mapping.write(m_mapping);
+  }
   // To be called now and then, so that memory of a scene that was replaced does not wait for the next.
   bool collect() { return m_channel->scenes.collect(); }
   // Something within the scene may make the force leap, a tool or a snap that was switched: starts the ramp.
@@ -74,9 +80,9 @@ class ServoLoop {
   const std::unique_ptr<ServoChannel> m_channel;
   std::unique_ptr<ServoTick> m_tick;
   int m_priority;
-  std::int64_t m_period;  // ns
-  std::uint64_t m_mappingNumber = 0;
-  std::int64_t m_due = 0;  // ns: when the next tick is to come
+  std::int64_t m_period;      // ns
+  NumberedMapping m_mapping;  // as it was set last
+  std::int64_t m_due = 0;     // ns: when the next tick is to come
   std::thread m_thread;
   std::atomic<bool> m_isStopping{false};
   std::atomic<RealTimeState> m_realTime{RealTimeState::NotRunning};

@@ -45,8 +45,7 @@ void ServoTick::run(std::int64_t now) noexcept {
 
   SafetyInput input;
   input.period = period;
-  input.mayLeap = takeScene();
-  takeMapping();
+  input.mayLeap = takeNews();
   input.isDeviceReady = isReading(sample.device);
   if (input.isDeviceReady) {
     feel(sample, input, period);
@@ -98,21 +97,25 @@ double ServoTick::advance(std::int64_t now) {
   return period;
 }
 
-// Returns whether the force may leap with what has come in.
-bool ServoTick::takeScene() {
-  bool mayLeap = m_channel.mayLeap.exchange(false, std::memory_order_acquire);
+// Returns whether the force may leap with what has come in. The owner announces a leap first, and hands over a scene
+// before the mapping that it was made for; looked for the other way round, a tick that finds the later finds the
+// earlier, too.
+bool ServoTick::takeNews() {
+  const NumberedMapping& told = m_channel.mapping.read();
   const auto taken = m_channel.scenes.take();
+  takeMapping(taken.isNew && taken.current->mapping.number > told.number ? taken.current->mapping : told);
+  const bool mayLeap = m_channel.mayLeap.exchange(false, std::memory_order_acquire);
   if (!taken.isNew) return mayLeap;
   m_source = taken.current->source.get();
   if (m_source && taken.previous && taken.previous->source) m_source->follow(*taken.previous->source);
   return mayLeap || taken.current->mayLeap;
 }
 
-void ServoTick::takeMapping() {
-  const NumberedMapping& newest = m_channel.mapping.read();
-  if (newest.number == m_mappingNumber) return;
+void ServoTick::takeMapping(const NumberedMapping& newest) {
+  if (newest.number <= m_mappingNumber) return;
   m_mappingNumber = newest.number;
-  m_mapper.setMapping(newest.mapping);
+  m_mapper.setMapping(newest.mapping, m_proxy);
+  m_isMoved = true;
 }
 
 void ServoTick::feel(ServoSample& sample, SafetyInput& input, double period) {
@@ -128,11 +131,23 @@ void ServoTick::feel(ServoSample& sample, SafetyInput& input, double period) {
   input.mayLeap = input.mayLeap || placed.hasLeapt || !m_wasReady || placed.isHeld != m_wasHeld;
   m_wasHeld = placed.isHeld;
   if (m_source) ask(sample, input);
+  m_proxy = sample.felt.proxy.allFinite() ? sample.felt.proxy : placed.position;
+  input.mayLeap = input.mayLeap || isMoveFelt(input.asked);
   const bool isForceOn = m_channel.isForceOn.load(std::memory_order_relaxed);
   // While the clutch holds the tip, the force of its place would push the hand about.
   if (!isForceOn || placed.isHeld) input.asked = {};
   if (isForceOn && !m_wasForceOn) input.mayLeap = true;
   m_wasForceOn = isForceOn;
+}
+
+// Whether another view has changed the force by more than may be felt at once. The hand has no part in it: in the tick
+// that takes up a mapping the tip does not follow it, or has leapt.
+bool ServoTick::isMoveFelt(const DeviceForce& asked) {
+  const double change = (asked.force - m_asked).norm();
+  const bool isFelt = m_isMoved && !(change <= m_chain.settings().rampThreshold);
+  m_asked = asked.force;
+  m_isMoved = false;
+  return isFelt;
 }
 
 void ServoTick::ask(ServoSample& sample, SafetyInput& input) {

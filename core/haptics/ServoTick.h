@@ -46,9 +46,10 @@ class ServoTick {
 
  private:
   double advance(std::int64_t now);
-  bool takeScene();
-  void takeMapping();
+  bool takeNews();
+  void takeMapping(const NumberedMapping& newest);
   void feel(ServoSample& sample, SafetyInput& input, double period);
+  bool isMoveFelt(const DeviceForce& asked);
   void ask(ServoSample& sample, SafetyInput& input);
   TipState tipFor(const DeviceState& device, const WorkspaceMapper::Tip& placed, double period) const;
 
@@ -69,7 +70,10 @@ class ServoTick {
   bool m_wasReady = false;
   bool m_wasHeld = false;
   bool m_wasForceOn = true;
-  bool m_isRestart = true;  // the tip does not come from where it was
+  bool m_isRestart = true;      // the tip does not come from where it was
+  bool m_isMoved = false;       // the mapping is another than in the tick before, of which:
+  Vec3 m_proxy = Vec3::Zero();  // mm, in the scene
+  Vec3 m_asked = Vec3::Zero();  // N, at the device
 };
 
 }  // namespace handwheel

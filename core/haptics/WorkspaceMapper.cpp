@@ -19,7 +19,9 @@ Eigen::Quaterniond rotationBy(const Vec3& vector) {
 
 }  // namespace
 
-void WorkspaceMapper::setMapping(const WorkspaceMapping& mapping) {
+void WorkspaceMapper::setMapping(const WorkspaceMapping& mapping, const std::optional<Vec3>& proxy) {
+  if (proxy && m_hasTip && mapping.keepsTip)
+    m_tip.position = *proxy + mapping.scale / m_mapping.scale * (m_tip.position - *proxy);
   m_mapping = mapping;
   m_sceneFromDevice = mapping.sceneFromView.linear() * mapping.viewFromDevice();
   m_handedness = mapping.viewFromDevice().determinant();

@@ -4,6 +4,8 @@
 
 #include "haptics/WorkspaceMapping.h"
 
+#include <optional>
+
 namespace handwheel {
 
 // Carries the device into the scene tick by tick: remembers what clutch, changes of the mapping and rate control have
@@ -18,7 +20,9 @@ class WorkspaceMapper {
     bool hasLeapt = false;         // first reading, or another mapping that does not keep the tip
   };
 
-  void setMapping(const WorkspaceMapping& mapping);
+  // proxy: mm, what the device feels and shows its tip at. A mapping that keeps the tip keeps this place, and the tip
+  // as far from it as the hand has pushed it: at another scale the same depth at the hand is another in the scene.
+  void setMapping(const WorkspaceMapping& mapping, const std::optional<Vec3>& proxy = {});
   const WorkspaceMapping& mapping() const { return m_mapping; }
 
   // The tip for a reading with finite numbers, `velocity` (mm/s, device) and the s since the reading before.

@@ -34,8 +34,8 @@ struct WorkspaceMapping {
   double angularRateGain = 1.0;  // 1/s: rad/s for each rad
 
   std::uint32_t clutchButtons = 0;  // bits: while one is held the device moves and the tip stays
-  // When this mapping takes the place of another the tip stays where it is and goes on from there. Else it goes where
-  // the device is in the new mapping, which is a leap.
+  // When this mapping takes the place of another the tip stays where it is seen, at its proxy, and goes on from there.
+  // Else it goes where the device is in the new mapping, which is a leap.
   bool keepsTip = true;
 
   // The device's vectors in the view: a permutation with signs, so a reflection when an odd number is inverted.

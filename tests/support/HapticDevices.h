@@ -66,9 +66,13 @@ class FunctionSource : public ForceSource {
   using Function = std::function<void(const TipState&, ForceOut&)>;
   explicit FunctionSource(Function function) : m_function(std::move(function)) {}
   void tick(const TipState& tip, ForceOut& out) noexcept override { m_function(tip, out); }
-  void follow(const ForceSource& previous) noexcept override { followed = &previous; }
+  void follow(const ForceSource& previous) noexcept override {
+    followed = &previous;
+    if (onFollow) onFollow();
+  }
 
   const ForceSource* followed = nullptr;
+  std::function<void()> onFollow;
 
  private:
   Function m_function;

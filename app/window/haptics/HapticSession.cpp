@@ -146,7 +146,7 @@ void HapticSession::opened(std::unique_ptr<Device> device) {
   m_open->loop = std::make_shared<ServoLoop>(std::move(device), m_servo, m_parts.clock, m_parts.services.haptics());
   m_open->loop->setForceOn(m_isForceOn);
   m_mapping = keptMapping(m_chosen.driver, standardMapping(m_open->capabilities));
-  applyMapping(false);
+  applyMapping(false, false);
   m_open->loop->start();
   m_rate = 0.0;
   m_rateTick = 0;

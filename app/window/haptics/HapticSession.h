@@ -112,7 +112,9 @@ class HapticSession : public QObject {
   void sceneWanted();
   void forceOnChanged(bool isOn);
   void mappingChanged();  // the user's part
-  void viewChanged();     // what mappingInScene() says, and from where the scene is seen; before the loop knows
+  // What mappingInScene() says, and from where the scene is seen. A scene that is set meanwhile is felt from the same
+  // tick on as the view.
+  void viewChanged();
   void touchChanged();
   void recordingStarted();
   // forceLimit: N in the scene, of the device, as the scale was at the end.
@@ -125,7 +127,7 @@ class HapticSession : public QObject {
   void opened(std::unique_ptr<Device> device);
   void failed(const Error& error, bool isQuiet);
   void closeLoop();
-  void applyMapping(bool keepsTip);
+  void applyMapping(bool keepsTip, bool mayLeap);
   void sample();
   void changeServo();
   void endForceTest();

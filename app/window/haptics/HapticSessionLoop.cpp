@@ -62,8 +62,7 @@ void HapticSession::setMapping(const WorkspaceMapping& mapping) {
   m_mapping = mapping;
   if (!m_open) return;
   keepMapping(m_chosen.driver, mapping);
-  applyMapping(true);
-  announceLeap();  // with other axes or another scale the force turns about
+  applyMapping(true, true);  // with other axes or another scale the force turns about
   emit mappingChanged();
 }
 
@@ -73,11 +72,11 @@ void HapticSession::setView(const CameraState& camera, const Box& model, const s
   m_seen = seen;
   if (!m_open) return;
   const ServoSample* const last = latest();
-  applyMapping(last && isInView(camera, last->tip.position));
+  applyMapping(last && isInView(camera, last->tip.position), false);
 }
 
 void HapticSession::recentre() {
-  applyMapping(false);
+  applyMapping(false, false);
 }
 
 // The mouse points in the scene itself.
@@ -86,12 +85,15 @@ WorkspaceMapping HapticSession::mappingInScene() const {
   return mappingInView(m_mapping, m_open->capabilities, m_camera, m_model, m_seen);
 }
 
-void HapticSession::applyMapping(bool keepsTip) {
+void HapticSession::applyMapping(bool keepsTip, bool mayLeap) {
   if (!m_open) return;
   WorkspaceMapping mapping = mappingInScene();
   mapping.keepsTip = keepsTip && !m_open->mouse;
+  m_open->isMoving = true;
   emit viewChanged();
-  m_open->loop->setMapping(mapping);
+  m_open->isMoving = false;
+  if (mayLeap) announceLeap();
+  m_open->loop->setMapping(mapping, std::move(m_open->movedScene));
 }
 
 void HapticSession::setTouch(const TouchSettings& touch) {
@@ -136,7 +138,12 @@ void HapticSession::startForceTest() {
 }
 
 void HapticSession::setScene(std::unique_ptr<HapticScene> scene) {
-  if (m_open && !m_testEnd) m_open->loop->setScene(std::move(scene));
+  if (!m_open || m_testEnd) return;
+  if (m_open->isMoving) {
+    m_open->movedScene = std::move(scene);
+  } else {
+    m_open->loop->setScene(std::move(scene));
+  }
 }
 
 void HapticSession::announceLeap() {

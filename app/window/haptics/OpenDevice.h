@@ -22,7 +22,9 @@ struct HapticSession::OpenDevice {
   std::shared_ptr<ServoLoop> loop;
   std::unique_ptr<ForceRecorder> recorder;  // goes before its loop
   std::optional<ServoSample> sample;
-  std::optional<double> isChangingSince;  // s by the clock of the loop: its settings
+  bool isMoving = false;                    // the view changes just now, and
+  std::unique_ptr<HapticScene> movedScene;  // this is the scene for the new one
+  std::optional<double> isChangingSince;    // s by the clock of the loop: its settings
 };
 
 }  // namespace handwheel

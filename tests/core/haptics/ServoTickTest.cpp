@@ -138,7 +138,8 @@ class ServoTickTest : public QObject {
     QVERIFY((rig.run().tip.position - Vec3(2.5, 0, 0)).norm() < 1e-9);
   }
 
-  // The view orbits while the tip is in a wall: the tip stays, the force is turned to the device's new axes.
+  // The view orbits while the tip is in a wall: the tip stays, the force is turned to the device's new axes; at once
+  // where that is hardly felt, else by the ramp.
   void anotherViewKeepsTheTipAndTurnsTheForce() {
     Rig rig;
     rig.channel.scenes.publish(sceneOf(wall(1.0)));
@@ -149,14 +150,58 @@ class ServoTickTest : public QObject {
     ServoSample sample = rig.run();
     QVERIFY((sample.tip.position - Vec3(2, 0, 0)).norm() < 1e-12);
     QVERIFY(sample.hasSource && !sample.tip.isRestart);
-    QVERIFY(!sample.actions.has(SafetyAction::Ramp));
-    QVERIFY((rig.run().sent.force - Vec3(0, 0, -2)).norm() < 1e-12);
-    turned.keepsTip = false;
+    QVERIFY(sample.actions.has(SafetyAction::Ramp));  // a change of 2.8 N
+    QVERIFY(sample.sent.force.norm() < 0.01);
+    QVERIFY((rig.runMany(3000).sent.force - Vec3(0, 0, -2)).norm() < 1e-12);
+    // By 3 degrees: of 2·2·sin(1.5°) = 0.105 N.
+    turned.sceneFromView.linear() *= Eigen::AngleAxisd(3.0 * M_PI / 180.0, Vec3::UnitY()).toRotationMatrix();
     rig.channel.mapping.write({2, turned});
     sample = rig.run();
-    QVERIFY((sample.tip.position - Vec3(0, 0, -2)).norm() < 1e-12);
+    QVERIFY(!sample.actions.has(SafetyAction::Ramp));
+    QVERIFY(std::abs((sample.sent.force - Vec3(0, 0, -2)).norm() - 4.0 * std::sin(M_PI / 120.0)) < 1e-9);
+    turned.keepsTip = false;
+    rig.channel.mapping.write({3, turned});
+    sample = rig.run();
+    QVERIFY((sample.tip.position - turned.sceneFromView.linear() * Vec3(2, 0, 0)).norm() < 1e-12);
     QVERIFY(sample.tip.isRestart);
     QVERIFY(sample.actions.has(SafetyAction::Ramp));
+  }
+
+  // A leap that is announced with a mapping in the middle of a tick: whichever tick finds the mapping has the ramp.
+  void aMappingIsNeverFeltBeforeItsLeap() {
+    Rig rig;
+    rig.channel.scenes.publish(sceneOf(wall(1.0)));
+    rig.pressTo(2.0);
+    WorkspaceMapping turned;
+    turned.axes[0].isInverted = true;
+    auto edited = sceneOf(wall(1.0), false);
+    static_cast<FunctionSource*>(edited->source.get())->onFollow = [&] {
+      rig.channel.mayLeap.store(true);
+      rig.channel.mapping.write({1, turned});
+    };
+    rig.channel.scenes.publish(std::move(edited));
+    for (int i = 0; i < 3; ++i) {
+      const ServoSample sample = rig.run();
+      QVERIFY(sample.felt.force == Vec3(-2, 0, 0));
+      QVERIFY2(sample.sent.force.x() < 0.01, "the force turned about without the ramp");
+    }
+  }
+
+  // A scene carries the mapping that its stiffness was made for: neither is felt without the other.
+  void aSceneBringsItsMapping() {
+    Rig rig;
+    WorkspaceMapping wide, narrow;
+    wide.scale = 10.0;
+    narrow.scale = 0.1;
+    rig.channel.mapping.write({1, wide});
+    auto scene = sceneOf(wall(narrow.sceneStiffness(1.0)));
+    scene->mapping = {2, narrow};
+    rig.channel.scenes.publish(std::move(scene));
+    rig.log->state.position = {2, 0, 0};
+    ServoSample sample = rig.run();
+    QVERIFY((sample.felt.force - Vec3(-2, 0, 0)).norm() < 1e-12);
+    sample = rig.run();  // the older one does not come back
+    QVERIFY((sample.felt.force - Vec3(-2, 0, 0)).norm() < 1e-12);
   }
 
   // What only points has no motors that could become unstable: no limit, and the force is still told.

@@ -9,6 +9,7 @@
 #include <QTemporaryDir>
 #include <QThreadPool>
 #include <QtTest>
+#include <atomic>
 #include <mutex>
 
 using namespace handwheel;
@@ -245,6 +246,48 @@ class HapticSessionTest : public QObject {
     b.session->close();
     b.session->takeUp();
     QVERIFY(b.session->chosen().driver.empty());  // closed by hand, it stays closed
+  }
+
+  // In contact the scale is changed; whoever makes the scene for the new one takes his time. No tick feels the one
+  // without the other, and the force comes back by the ramp.
+  void anotherScaleIsFeltWithItsScene() {
+    Bench b;
+    std::atomic<double> sent{0.0}, largest{0.0};
+    std::atomic<int> ticks{0};
+    b.plugged.log->onWrite = [&](const ScriptedDevice::Log&, const DeviceForce& force) {
+      sent = force.force.norm();
+      if (sent > largest) largest = sent.load();
+      ++ticks;
+    };
+    b.plugged.log->state.position = {2, 0, 0};
+    b.session->choose("fake", "well");
+    QVERIFY(b.waitForOpen());
+    const auto publish = [&](bool mayLeap) {
+      const double stiffness = b.session->mappingInScene().sceneStiffness(0.5);
+      b.session->setScene(sceneOf(
+          [=](const TipState& tip, ForceOut& out) {
+            out.stiffness = stiffness;
+            out.proxy.setZero();
+            out.force = -stiffness * tip.position;
+          },
+          mayLeap));
+    };
+    publish(true);
+    QTRY_VERIFY(std::abs(sent - 1.0) < 1e-6);
+    largest = 0.0;
+    QObject::connect(b.session.get(), &HapticSession::viewChanged, b.session.get(), [&] {
+      publish(false);
+      QThread::msleep(20);
+    });
+    WorkspaceMapping mapping = b.session->mapping();
+    mapping.scale /= 10.0;
+    b.session->setMapping(mapping);
+    const int before = ticks;
+    QTRY_VERIFY(ticks > before + 2);
+    QVERIFY2(sent < 0.5, "without the ramp");
+    QTRY_VERIFY(sent > 0.9);
+    QVERIFY2(largest < 1.0 + 1e-6, qPrintable(QString::number(largest)));
+    b.session->close();
   }
 
   void settingsThatMakeNoSenseAreNotTaken() {
