@@ -3,6 +3,7 @@
 #include "haptics/SceneForces.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace handwheel {
 
@@ -13,6 +14,8 @@ void SceneForces::follow(const ForceSource& previous) noexcept {
   const auto* other = dynamic_cast<const SceneForces*>(&previous);
   if (!other || !other->m_isPlaced) return;
   m_snapProxy = other->m_snapProxy;
+  m_pulled = other->m_pulled;
+  m_hasFollowed = true;
   // In front of another surface the proxy begins at the tip.
   const auto &mine = m_feel.surface, &theirs = other->m_feel.surface;
   if (!mine || !theirs || !mine->surface.isVersionOf(theirs->surface)) return;
@@ -22,7 +25,11 @@ void SceneForces::follow(const ForceSource& previous) noexcept {
 }
 
 void SceneForces::tick(const TipState& tip, ForceOut& out) noexcept {
-  if (tip.isRestart) m_snapProxy.release();
+  if (tip.isRestart) {
+    m_snapProxy.release();
+    m_hasFollowed = false;
+    m_gapTime = 0.0;
+  }
   if (tip.isRestart || !m_isPlaced) m_god.place(entryOf(tip.position));
   m_isPlaced = true;
   touch(tip);
@@ -50,11 +57,26 @@ void SceneForces::tick(const TipState& tip, ForceOut& out) noexcept {
   out.stiffness = share * stiff;
   out.isSoftened = share < 1.0 || damping < wanted;
   const double kept = wanted > 0.0 ? damping / wanted : 1.0;
-  out.force = share * springForce(tip.position) - kept * ofSprings * tip.velocity;
+  const Vec3 pulled = share * springForce(tip.position) - kept * ofSprings * tip.velocity;
+  out.force = changedOver(pulled, share * pullSlope(), tip);
   if (out.isContact) {
     const double stiffness = share * m_feel.surface->stiffness;
     out.force += contactForce(contact, tip.position, tip.velocity, stiffness, kept * m_feel.surface->damping);
   }
+}
+
+// What the hand itself has done to the force since the tick before is no gap: it is no more than the slope times its
+// way, taken twice for a velocity that comes late. Else scenes that are exchanged often would let the force lag behind.
+Vec3 SceneForces::changedOver(const Vec3& pulled, double slope, const TipState& tip) {
+  if (std::exchange(m_hasFollowed, false)) {
+    const Vec3 gap = m_pulled - pulled;
+    const double byHand = 2.0 * slope * tip.velocity.norm() * tip.period;
+    m_gap = gap.norm() > byHand ? Vec3(gap * (1.0 - byHand / gap.norm())) : Vec3(Vec3::Zero());
+    m_gapTime = kChangeOver;
+  }
+  m_pulled = pulled + m_gapTime / kChangeOver * m_gap;
+  m_gapTime = std::max(0.0, m_gapTime - tip.period);
+  return m_pulled;
 }
 
 // Outside of the sphere around the surface.
@@ -90,8 +112,12 @@ bool SceneForces::isHeldBy(SnapKind kind) const {
 
 // N/mm: a bound of |dF/dx| of all that acts.
 double SceneForces::slope() const {
-  double sum = m_feel.surface && m_god.contact().touching ? m_feel.surface->stiffness : 0.0;
-  if (m_feel.snap) sum += m_pull.slope;
+  return pullSlope() + (m_feel.surface && m_god.contact().touching ? m_feel.surface->stiffness : 0.0);
+}
+
+// The same of springs and features alone.
+double SceneForces::pullSlope() const {
+  double sum = m_feel.snap ? m_pull.slope : 0.0;
   for (const SpringFeel& spring : m_feel.springs) sum += spring.stiffness;
   return sum;
 }

@@ -50,10 +50,13 @@ struct SceneFeel {
 
 // The sum of the forces of a scene. Where it would be stiffer than the loop can carry, all of its springs are softened
 // alike, so that its direction stays. One that follows another goes on from the feature that was held and, on the same
-// surface, from its proxy, lifted where an edit has buried it.
+// surface, from its proxy, lifted where an edit has buried it. What springs and features then pull otherwise than
+// before comes within kChangeOver, in proportion to time: a target that is caught, a feature that is let go.
 class SceneForces : public ForceSource {
  public:
   explicit SceneForces(SceneFeel feel);
+
+  static constexpr double kChangeOver = 0.1;  // s
 
   void tick(const TipState& tip, ForceOut& out) noexcept override;
   void follow(const ForceSource& previous) noexcept override;
@@ -67,8 +70,10 @@ class SceneForces : public ForceSource {
   void snap(const TipState& tip);
   bool isHeldBy(SnapKind kind) const;
   double slope() const;
+  double pullSlope() const;
   double springDamping() const;
   Vec3 springForce(const Vec3& tip) const;
+  Vec3 changedOver(const Vec3& pulled, double slope, const TipState& tip);
 
   SceneFeel m_feel;
   GodObject m_god;
@@ -76,6 +81,11 @@ class SceneForces : public ForceSource {
   SnapSum m_snapSum;
   SnapPull m_pull;
   bool m_isPlaced = false;
+  // What springs and features pull, N: in the tick before, and how much more that was when this scene followed another.
+  Vec3 m_pulled = Vec3::Zero();
+  Vec3 m_gap = Vec3::Zero();
+  double m_gapTime = 0.0;  // s until it is none
+  bool m_hasFollowed = false;
 };
 
 }  // namespace handwheel

@@ -14,13 +14,6 @@ namespace {
 
 // mm at the device: what draws from further, as the edges of a large cube would, is in the way.
 constexpr double kFarthestSnap = 5.0;
-constexpr double kFeltAtOnce = 0.2;  // N: a smaller leap of the springs needs no ramp
-
-Vec3 forceOf(const std::vector<ForceTerm>& terms, const Vec3& tip) {
-  Vec3 sum = Vec3::Zero();
-  for (const ForceTerm& term : terms) sum += term.stiffness * (term.target - tip);
-  return sum;
-}
 
 bool isSame(const ForceTerm& a, const ForceTerm& b) {
   return a.target == b.target && a.stiffness == b.stiffness && a.damping == b.damping;
@@ -47,16 +40,15 @@ void TouchScene::setSnap(std::optional<SnapField> field, double distance, bool i
   publish(!isEdit);
 }
 
-// What draws the tip is weak near what it draws it to, where a button is pressed: no ramp is needed.
+// Neither needs the ramp, which would take the surface away, too: the scene changes over by itself.
 void TouchScene::setHolding(bool isHolding) {
   if (std::exchange(m_isHolding, isHolding) != isHolding && m_snap) publish(false);
 }
 
 void TouchScene::setSprings(const std::vector<ForceTerm>& terms) {
   if (std::equal(terms.begin(), terms.end(), m_terms.begin(), m_terms.end(), isSame)) return;
-  const bool mayLeap = leapOf(terms) > kFeltAtOnce;
   m_terms = terms;
-  publish(mayLeap);
+  publish(false);
 }
 
 void TouchScene::setFidelity(const FidelityValues& values) {
@@ -66,14 +58,6 @@ void TouchScene::setFidelity(const FidelityValues& values) {
   m_contact.tolerance = tolerance;
   m_mostFeatures = most;
   if (m_surface || m_snap) publish(true);
-}
-
-// N at the device where the tip is now.
-double TouchScene::leapOf(const std::vector<ForceTerm>& terms) const {
-  const ServoSample* const last = m_session.latest();
-  if (!last) return 0.0;
-  const Vec3& tip = last->tip.position;
-  return (forceOf(terms, tip) - forceOf(m_terms, tip)).norm() / m_session.mappingInScene().scale;
 }
 
 // Stiffnesses are those at the hand: what would be soft in a view from afar is as stiff as in one from near.

@@ -35,7 +35,6 @@ class TouchScene : public QObject {
 
  private:
   void publish(bool mayLeap);
-  double leapOf(const std::vector<ForceTerm>& terms) const;
 
   HapticSession& m_session;
   std::optional<ContactSurface> m_surface;

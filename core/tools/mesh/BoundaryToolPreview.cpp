@@ -67,12 +67,10 @@ ToolPreview BoundaryTool::preview() const {
   return preview;
 }
 
-// A held point pulls like a thread, the more the further it is from where it was; a point near by draws the tip.
+// A held point pulls like a thread, the more the further it is from where it was; a point near by draws the tip. Before
+// anything is held, the magnets do.
 std::vector<ForceTerm> BoundaryTool::forces() const {
-  if (!m_drag) {
-    if (!m_hovered) return {};
-    return {{mesh().position(mesh().from(m_hovered->at)), kSnap}};
-  }
+  if (!m_drag) return {};
   const Vec3& start = m_drag->pull.start();
   const Vec3 grip = m_drag->tip.value_or(start);  // the tip may have taken hold beside the point
   std::vector<ForceTerm> terms = {{grip, kThread, kThreadDamping}};

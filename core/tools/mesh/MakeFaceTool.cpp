@@ -12,7 +12,6 @@ namespace handwheel {
 namespace {
 
 constexpr double kMark = 6.0;  // pixels, radius of the mark on a point
-constexpr double kSnap = 0.5;  // N/mm, of a point that attracts
 
 Box boxOf(const HalfEdgeMesh& mesh, const Triangle& t) {
   Box box;
@@ -152,11 +151,6 @@ std::vector<Property> MakeFaceTool::settings() const {
   corners.editable = false;
   if (m_corners.size() == 2 && m_hovered) corners.problem = textOf(m_problem);
   return {corners};
-}
-
-std::vector<ForceTerm> MakeFaceTool::forces() const {
-  if (!m_hovered) return {};
-  return {{mesh().position(*m_hovered), kSnap}};
 }
 
 void MakeFaceTool::documentChanged() {

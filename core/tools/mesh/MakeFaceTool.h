@@ -25,7 +25,6 @@ class MakeFaceTool : public Tool {
   std::vector<ToolAction> actions() const override;
   ToolPreview preview() const override;
   std::vector<Property> settings() const override;
-  std::vector<ForceTerm> forces() const override;
   Magnets magnets() const override { return {.borderPoints = true}; }
   void documentChanged() override;
   std::vector<std::string> needs() const override { return {"picking"}; }

@@ -193,6 +193,83 @@ class SceneForcesTest : public QObject {
     scene.tick(tip, out);
     QVERIFY(!out.isContact && out.force.isZero(0.0));
   }
+
+  // While a thread of 10 mm is pulled along a surface, a target is caught, and let go again: each time 1 N comes and
+  // goes within a tenth of a second, in equal steps, and the surface pushes all the while.
+  void aSpringGrowsInAndFades() {
+    const Vec3 place(5, 5, 9), target(5, 7, 9);
+    const SurfaceFeel surface = cubeFeel(0.5);
+    const auto scene = [&](bool hasTarget) {
+      SceneFeel feel;
+      feel.surface = surface;
+      feel.springs = {{Vec3(-5, 5, 9), 0.1}};
+      if (hasTarget) feel.springs.push_back({target, 0.5});
+      return std::make_unique<SceneForces>(std::move(feel));
+    };
+    auto now = scene(false);
+    feltAt(*now, {5, 5, 12});
+    const Vec3 thread(-1.0, 0, 0.5);
+    QVERIFY(isNear(feltAt(*now, place).force, thread));
+    for (const bool hasTarget : {true, false}) {
+      auto next = scene(hasTarget);
+      next->follow(*now);
+      now = std::move(next);
+      const Vec3 way = hasTarget ? Vec3(0, 1, 0) : Vec3(0, -1, 0);
+      const Vec3 from = hasTarget ? thread : Vec3(thread + Vec3(0, 1, 0));
+      for (int i = 0; i <= 120; ++i) QVERIFY(isNear(feltAt(*now, place).force, from + std::min(1.0, i / 100.0) * way));
+    }
+  }
+
+  // A button is pressed where a feature pulls most, 0.3 N/mm over 5 mm by the quadratic profile: 0.75 N that go in
+  // steps.
+  void aFeatureThatIsLetGoFades() {
+    SnapFeatures features;
+    features.addPoint(7, {0, 0, 0});
+    SceneFeel feel;
+    feel.snap = SnapFeel{SnapField(features), SnapProfile(SnapShape::Quadratic, 0.3, 5.0)};
+    SceneForces drawn(std::move(feel));
+    const Vec3 place(2.5, 0, 0);
+    QVERIFY(isNear(feltAt(drawn, place).force, {-0.75, 0, 0}));
+    SceneForces held({});
+    held.follow(drawn);
+    for (int i = 0; i <= 120; ++i)
+      QVERIFY(isNear(feltAt(held, place).force, {-0.75 * std::max(0.0, 1.0 - i / 100.0), 0, 0}));
+  }
+
+  // Scenes that are exchanged in each tick, with the same spring: the force does not lag behind a hand that moves, to
+  // and fro at 10 Hz and 5 mm.
+  void exchangedScenesDoNotLag() {
+    const auto scene = [] {
+      SceneFeel feel;
+      feel.springs = {{Vec3(0, 0, 0), 0.5}};
+      return std::make_unique<SceneForces>(std::move(feel));
+    };
+    auto now = scene();
+    const double open = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 500; ++i) {
+      const double phase = 2.0 * M_PI * 0.01 * i;
+      const Vec3 place(5.0 * std::sin(phase), 0, 0), velocity(5.0 * 2.0 * M_PI * 10.0 * std::cos(phase), 0, 0);
+      const Vec3 force = feltAt(*now, place, open, open, velocity).force;
+      QVERIFY2((force + 0.5 * place).norm() < 0.005, qPrintable(QString::number(i)));
+      auto next = scene();
+      next->follow(*now);
+      now = std::move(next);
+    }
+  }
+
+  // A tip that comes from elsewhere has no past.
+  void afterARestartNothingFades() {
+    SceneFeel feel;
+    feel.springs = {{Vec3(10, 0, 0), 0.5}};
+    SceneForces before(std::move(feel));
+    feltAt(before, Vec3::Zero());
+    SceneForces after({});
+    after.follow(before);
+    TipState tip;
+    ForceOut out;
+    after.tick(tip, out);
+    QVERIFY(tip.isRestart && out.force.isZero(0.0));
+  }
 };
 
 QTEST_GUILESS_MAIN(SceneForcesTest)
