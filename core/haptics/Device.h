@@ -50,6 +50,9 @@ struct DeviceState {
   std::uint32_t buttons = 0;     // bit n: button n is held
   DeviceStatus status = DeviceStatus::Absent;
   bool hasVelocity = false;  // else the servo loop estimates it from the positions
+  // Counts what the device has said. The same as in the reading before: nothing new, and its force may soon be stale.
+  // 0: not counted, for each reading is measured as it is asked for, or there are no motors and only changes are sent.
+  std::uint32_t reading = 0;
 };
 
 struct DeviceForce {

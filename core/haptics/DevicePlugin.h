@@ -6,7 +6,7 @@
 
 // The version of what a plugin and the program say to each other, in the plugin's metadata. It is compared, to the
 // letter, before any code of the plugin is loaded. Count it up with every change of Device.h or of this file.
-#define HANDWHEEL_DEVICE_PLUGIN "handwheel.device/1"
+#define HANDWHEEL_DEVICE_PLUGIN "handwheel.device/2"
 
 namespace handwheel {
 

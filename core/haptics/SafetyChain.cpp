@@ -5,6 +5,7 @@
 #include "haptics/ForceLimits.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace handwheel {
 
@@ -15,7 +16,7 @@ constexpr double kFarthest = 1e9;
 
 bool isReading(const SafetyInput& input) {
   return input.isDeviceReady && input.position.allFinite() && input.position.stableNorm() < kFarthest &&
-         input.velocity.allFinite() && input.period > 0.0;
+         input.velocity.allFinite() && std::isfinite(input.stepSpeed) && input.period > 0.0;
 }
 
 // Without what the device has no motors for.
@@ -41,7 +42,7 @@ SafetyOutput SafetyChain::process(const SafetyInput& input) noexcept {
     return fault(SafetyAction::DeviceFault);
   }
   m_passivity.observe(input.position, input.period);
-  const bool isCut = m_speed.cuts(input.velocity);
+  const bool isCut = m_speed.cuts(std::max(input.velocity.norm(), input.stepSpeed));
   if (!isFinite(input.asked)) return fault(SafetyAction::NotFinite);
   if (isCut) return fault(SafetyAction::SpeedCut);
   if (input.mayLeap) m_ramp.restart();

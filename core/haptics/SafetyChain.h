@@ -15,6 +15,7 @@ struct SafetyInput {
   DeviceForce asked;
   Vec3 position = Vec3::Zero();  // mm
   Vec3 velocity = Vec3::Zero();  // mm/s
+  double stepSpeed = 0.0;        // mm/s, of the way since the reading before alone: what a velocity evens out
   double period = 0.001;         // s since the tick before, > 0, as it was measured
   bool isDeviceReady = true;     // and what it says are numbers
   bool isFresh = true;           // the scene has given this force just now

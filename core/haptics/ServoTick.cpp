@@ -32,7 +32,8 @@ ServoTick::ServoTick(Device& device, const ServoSettings& settings, ServoClock& 
       m_capabilities(device.capabilities()),
       m_chain(safetySettingsFor(m_capabilities, rateOf(settings, m_capabilities))),
       m_measure(m_capabilities, m_chain.settings().inherentDamping, m_chain.settings().nominalPeriod),
-      m_velocity(settings.velocityWindow) {
+      m_motion(settings.velocityWindow,
+               {nominalPeriod(), 1.0 / std::max(m_capabilities.nominalRate, 1.0), m_chain.settings().staleTime}) {
   m_mapper.setMapping({});
 }
 
@@ -50,7 +51,7 @@ void ServoTick::run(std::int64_t now) noexcept {
   if (input.isDeviceReady) {
     feel(sample, input, period);
   } else {
-    m_velocity.reset();
+    m_motion.reset();
     m_isRestart = true;
   }
   m_wasReady = input.isDeviceReady;
@@ -70,7 +71,7 @@ void ServoTick::run(std::int64_t now) noexcept {
 void ServoTick::pause() noexcept {
   m_hasLast = false;
   m_isRestart = true;
-  m_velocity.reset();
+  m_motion.reset();
   m_wasReady = false;
   SafetyInput gone;
   gone.isDeviceReady = false;
@@ -121,8 +122,9 @@ void ServoTick::takeMapping(const NumberedMapping& newest) {
 void ServoTick::feel(ServoSample& sample, SafetyInput& input, double period) {
   const DeviceState& device = sample.device;
   input.position = device.position;
-  const Vec3 estimated = m_velocity.add(device.position, period);
-  input.velocity = device.hasVelocity ? device.velocity : estimated;
+  const HandMotion::Seen seen = m_motion.add(device, period);
+  input.velocity = seen.velocity;
+  input.stepSpeed = seen.stepSpeed;
   const double told = std::min(period, kLongestPeriods * nominalPeriod());
   const WorkspaceMapper::Tip placed = m_mapper.map(device, input.velocity, told);
   sample.tip = tipFor(device, placed, told);
@@ -131,6 +133,7 @@ void ServoTick::feel(ServoSample& sample, SafetyInput& input, double period) {
   input.mayLeap = input.mayLeap || placed.hasLeapt || !m_wasReady || placed.isHeld != m_wasHeld;
   m_wasHeld = placed.isHeld;
   if (m_source) ask(sample, input);
+  input.isFresh = input.isFresh && seen.isNew;
   m_proxy = sample.felt.proxy.allFinite() ? sample.felt.proxy : placed.position;
   input.mayLeap = input.mayLeap || isMoveFelt(input.asked);
   const bool isForceOn = m_channel.isForceOn.load(std::memory_order_relaxed);

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "haptics/HandMotion.h"
 #include "haptics/LoopMeasure.h"
 #include "haptics/SafetyChain.h"
 #include "haptics/ServoChannel.h"
 #include "haptics/ServoClock.h"
-#include "haptics/VelocityEstimator.h"
 #include "haptics/WorkspaceMapper.h"
 
 namespace handwheel {
@@ -59,7 +59,7 @@ class ServoTick {
   const DeviceCapabilities m_capabilities;
   SafetyChain m_chain;
   LoopMeasure m_measure;
-  VelocityEstimator m_velocity;
+  HandMotion m_motion;
   WorkspaceMapper m_mapper;
   ForceSource* m_source = nullptr;  // of the scene that the channel has handed over
   std::uint64_t m_mappingNumber = 0;

@@ -14,8 +14,7 @@ Vec3 SpeedLimit::damping(const Vec3& velocity) const {
   return -share * m_settings.speedDamping * velocity;
 }
 
-bool SpeedLimit::cuts(const Vec3& velocity) {
-  const double speed = velocity.norm();
+bool SpeedLimit::cuts(double speed) {
   m_isCut = m_isCut ? speed >= m_settings.dampingSpeed : speed >= m_settings.cutSpeed;
   return m_isCut;
 }

@@ -15,8 +15,8 @@ class SpeedLimit {
   // The damping force, N, for a velocity in mm/s: nothing up to dampingSpeed, then a coefficient that grows in
   // proportion to the excess up to speedDamping at cutSpeed.
   Vec3 damping(const Vec3& velocity) const;
-  // Whether no force may be sent: from cutSpeed on until the tip is slower than dampingSpeed again.
-  bool cuts(const Vec3& velocity);
+  // Whether no force may be sent: from cutSpeed (mm/s) on until the tip is slower than dampingSpeed again.
+  bool cuts(double speed);
 
  private:
   SafetySettings m_settings;

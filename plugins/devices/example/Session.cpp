@@ -51,7 +51,10 @@ Status ExampleSession::open(Progress) {
 DeviceState ExampleSession::exchange(const DeviceForce& force) noexcept {
   if (!m_stream) return {};
   if (!send(force.force)) m_stream.reset();
-  if (m_stream && receive()) m_state.status = DeviceStatus::Ready;
+  if (m_stream && receive()) {
+    m_state.status = DeviceStatus::Ready;
+    ++m_state.reading;  // else nothing new was said, and the force fades
+  }
   return m_stream ? m_state : DeviceState();
 }
 

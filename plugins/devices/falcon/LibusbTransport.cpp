@@ -15,7 +15,9 @@ constexpr std::uint16_t kVendor = 0x0403;
 constexpr std::uint16_t kProduct = 0xcb48;
 constexpr std::uint8_t kOut = 0x02, kIn = 0x81;
 constexpr std::uint8_t kVendorRequest = 0x40;
-constexpr unsigned kMilliseconds = 100;  // that a transfer out may take
+constexpr unsigned kMilliseconds = 100;  // that a transfer out may take while firmware is loaded
+constexpr unsigned kPacketTime = 10;     // ms, and that of a packet of the loop: an exchange waits 20 ms at most
+constexpr std::size_t kShort = 64;       // bytes
 constexpr int kMostErrors = 10;
 
 class LibusbTransport final : public UsbTransport {
@@ -38,7 +40,8 @@ class LibusbTransport final : public UsbTransport {
     int sent = 0;
     auto* const data = const_cast<std::uint8_t*>(bytes.data());  // libusb only reads it
     const int size = static_cast<int>(bytes.size());
-    return noted(libusb_bulk_transfer(m_handle, kOut, data, size, &sent, kMilliseconds), kOut) == 0 && sent == size;
+    const unsigned milliseconds = bytes.size() <= kShort ? kPacketTime : kMilliseconds;
+    return noted(libusb_bulk_transfer(m_handle, kOut, data, size, &sent, milliseconds), kOut) == 0 && sent == size;
   }
 
   std::ptrdiff_t read(std::span<std::uint8_t> into, double timeout) noexcept override {

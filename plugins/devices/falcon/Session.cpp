@@ -95,6 +95,7 @@ Counts Session::torquesFor(const Vec3& force) const noexcept {
 // The pose that the last answer tells. Angles that the mechanism cannot take are a fault of the line.
 void Session::understand() noexcept {
   const Reading& reading = m_answers.reading();
+  ++m_state.reading;
   m_state.buttons = reading.buttons;
   m_state.status = reading.isHomed() ? DeviceStatus::Ready : DeviceStatus::NeedsHoming;
   if (!reading.isHomed()) return;

@@ -73,6 +73,7 @@ void Session::close() noexcept {
 
 void Session::understand(const Frame& frame) {
   if (!frame.position) return;
+  ++m_state.reading;
   m_state.position = *frame.position;
   m_state.hasVelocity = frame.velocity.has_value();
   m_state.velocity = frame.velocity.value_or(Vec3::Zero());

@@ -94,6 +94,7 @@ void eachNumberOf(Each& each, State& s) {
   eachOf(each, s.velocity);
   each(s.gripper);
   each(s.buttons);
+  each(s.reading);
   eachAs(each, s.hasVelocity);
 }
 

@@ -15,7 +15,7 @@ namespace handwheel::guard {
 
 // What the program and a process that holds a device for it say to each other. Each message is its kind and the length
 // of the rest (u32 each), then the rest, numbers as the machine has them: both run on it.
-inline constexpr std::uint32_t kVersion = 1;
+inline constexpr std::uint32_t kVersion = 2;
 
 // From the program.
 struct Open {

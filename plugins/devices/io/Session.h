@@ -14,7 +14,8 @@ class Session {
   virtual DeviceCapabilities capabilities() const = 0;
   virtual Status open(Progress progress) = 0;
   // Sends a force and returns the latest reading. Waits for the device 20 ms at most, and as long as it takes for the
-  // next reading when all is well: this is what paces the thread that calls it. Absent: the device is gone for good.
+  // next reading when all is well: this is what paces the thread that calls it. Where none came, the last once more
+  // with the same number: of a device with motors each new one has another. Absent: the device is gone for good.
   virtual DeviceState exchange(const DeviceForce& force) noexcept = 0;
   // Sends zero force, if there is still somebody to send it to, and leaves the device.
   virtual void close() noexcept = 0;

@@ -142,7 +142,9 @@ DeviceState HdSession::exchange(const DeviceForce& force) noexcept {
   if (m_canCalibrate.exchange(false)) hdUpdateCalibration(static_cast<HDenum>(m_calibrationStyle));
   if (waitForTick(before)) {
     m_lastTick = m_clock->now();
+    const std::uint32_t number = m_last.reading + 1;
     m_last = m_states.take();
+    m_last.reading = number;
   } else if (m_clock->now() - m_lastTick > kSilence) {
     m_last.status = DeviceStatus::Failed;
   }

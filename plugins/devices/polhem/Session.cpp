@@ -82,6 +82,7 @@ bool Session::receive(double timeout) noexcept {
     if (m_lines.take(std::span(bytes).first(static_cast<std::size_t>(count))) == 0) continue;
     m_lastAnswer = m_clock->now();
     const Reading& reading = m_lines.reading();
+    ++m_state.reading;
     m_state.status = DeviceStatus::Ready;
     m_state.position = toOurs() * reading.position;
     m_state.orientation = Eigen::Quaterniond(toOurs()) * reading.orientation();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 #include <limits>
+#include <random>
 
 #include "TickRig.h"
 
@@ -144,6 +145,95 @@ class ServoTickFaultsTest : public QObject {
     QVERIFY(sample.sent.isZero());
   }
 
+  // One wrong reading, 40 mm away for a tick at whatever rate: no force for it, though the velocity over ten
+  // milliseconds is below the cut.
+  void oneWrongReading() {
+    for (const std::int64_t period : {kMillisecond / 8, kMillisecond / 4, kMillisecond, 2 * kMillisecond}) {
+      Rig rig;
+      ServoSettings settings;
+      settings.rate = 1e9 / static_cast<double>(period);
+      ServoTick tick(rig.device, settings, rig.clock, rig.channel);
+      rig.channel.scenes.publish(sceneOf(wall(0.05)));
+      std::int64_t time = 0;
+      const auto run = [&](int count) {
+        for (int i = 0; i < count; ++i) tick.run(time += period);
+        return rig.channel.latest.read();
+      };
+      rig.log->state.position = {-1, 0, 0};
+      run(20000);
+      for (; rig.log->state.position.x() < 2.0; rig.log->state.position.x() += 0.01) run(1);
+      QVERIFY(run(100).sent.force.x() < -0.09);
+      rig.log->state.position.x() += 40.0;
+      const ServoSample wrong = run(1);
+      QVERIFY(wrong.actions.has(SafetyAction::SpeedCut));
+      QVERIFY(wrong.sent.isZero());
+    }
+  }
+
+  // A hand of 1 m/s is none that got loose, where a loop of 4 kHz sees a device of 1 kHz, whose packets come up to half
+  // a millisecond early or late, and sometimes two at once.
+  void packetsInABunchAreNoCut() {
+    for (const bool isCounted : {true, false}) {
+      Rig rig;
+      ServoSettings settings;
+      settings.rate = 4000.0;
+      ServoTick tick(rig.device, settings, rig.clock, rig.channel);
+      std::mt19937 random(7);
+      std::uniform_real_distribution<double> early(-0.5e-3, 0.5e-3);
+      std::uint32_t number = 0;
+      double next = early(random);
+      for (int i = 1; i <= 4000; ++i) {
+        const double time = i / 4000.0;
+        for (; next <= time; next = 1e-3 * number + early(random)) {
+          rig.log->state.position.x() = 1000.0 * (0.001 * number);
+          ++number;
+        }
+        rig.log->state.reading = isCounted ? number : 0;
+        tick.run(i * kMillisecond / 4);
+        const ServoSample sample = rig.channel.latest.read();
+        QVERIFY2(!sample.actions.has(SafetyAction::SpeedCut), qPrintable(QString::number(i)));
+        if (isCounted && i > 100) QVERIFY(!sample.actions.has(SafetyAction::Watchdog));
+      }
+    }
+  }
+
+  // The line falls silent in a wall: the device repeats what it said last. The force is held for 5 ms, gone after 10,
+  // and nothing pushes a hand that was moving. With the next word it comes back, without a step.
+  void aSilentLineHoldsNoForce() {
+    Rig rig;
+    rig.log->onRead = [this](ScriptedDevice::Log& log) { log.state.reading += m_isSilent ? 0 : 1; };
+    m_isSilent = false;
+    rig.channel.scenes.publish(sceneOf(wall(1.0)));
+    rig.pressTo(2.0);
+    rig.log->state.hasVelocity = true;
+    rig.log->state.velocity = {100, 0, 0};
+    QVERIFY((rig.run().sent.force - Vec3(-2, 0, 0)).norm() < 1e-9);
+    m_isSilent = true;
+    for (int i = 1; i <= 200; ++i) {
+      const ServoSample sample = rig.run();
+      if (i <= 5) QVERIFY((sample.sent.force - Vec3(-2, 0, 0)).norm() < 1e-9);
+      if (i >= 10) QVERIFY2(sample.sent.isZero(), qPrintable(QString::number(i)));
+      if (i >= 10) QVERIFY(sample.actions.has(SafetyAction::Watchdog));
+    }
+    m_isSilent = false;
+    rig.log->state.velocity.setZero();
+    Vec3 last = Vec3::Zero();
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 sent = rig.run().sent.force;
+      QVERIFY((sent - last).norm() <= 2.0 * 0.01 + 1e-9);  // 2 N within 100 ticks
+      last = sent;
+    }
+    QVERIFY((last - Vec3(-2, 0, 0)).norm() < 1e-9);
+  }
+
+  // One that does not count is asked when it is read: rest is no silence.
+  void restIsNoSilence() {
+    Rig rig;
+    rig.channel.scenes.publish(sceneOf(wall(1.0)));
+    rig.pressTo(2.0);
+    QVERIFY((rig.runMany(500).sent.force - Vec3(-2, 0, 0)).norm() < 1e-9);
+  }
+
   void aPauseStartsAnew() {
     Rig rig;
     rig.channel.scenes.publish(sceneOf(wall(1.0)));
@@ -154,6 +244,9 @@ class ServoTickFaultsTest : public QObject {
     QVERIFY(sample.sent.isZero());
     QVERIFY(!sample.actions.has(SafetyAction::Watchdog));
   }
+
+ private:
+  bool m_isSilent = false;
 };
 
 QTEST_GUILESS_MAIN(ServoTickFaultsTest)

@@ -114,6 +114,17 @@ class DeviceContractTest : public QObject {
     for (int i = 0; i < 100; ++i) QVERIFY(isSane(m_device->read()));
   }
 
+  // What drives says which of its readings are new, so that a force is not held on ones that are old.
+  void motorsComeWithACount() {
+    if (!m_subject.motorForce) QSKIP("it has no motors");
+    QVERIFY(m_device->open({}).hasValue());
+    QVERIFY(becomes(DeviceStatus::Ready));
+    const std::uint32_t first = m_device->read().reading;
+    QVERIFY(first > 0);
+    QVERIFY(tickUntil(
+        [=](const DeviceState& state) { return state.reading - first > 20 && state.reading - first < 5000; }));
+  }
+
   void opensAgain() {
     for (int i = 0; i < 3; ++i) {
       QVERIFY(m_device->open({}).hasValue());

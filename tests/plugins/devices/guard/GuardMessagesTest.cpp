@@ -45,6 +45,7 @@ guard::Message anyMessage() {
       state.velocity = anyVector();
       state.gripper = anyNumber();
       state.buttons = number;
+      state.reading = number / 3;
       state.status = *rc::gen::element(DeviceStatus::Absent, DeviceStatus::Ready, DeviceStatus::Failed);
       state.hasVelocity = *rc::gen::arbitrary<bool>();
       return guard::State{number, state};
