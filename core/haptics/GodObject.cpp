@@ -62,7 +62,7 @@ void GodObject::place(const Vec3& tip) {
 const Contact& GodObject::follow(const ContactSurface& surface, const Vec3& tip, const ContactOptions& options) {
   if (!tip.allFinite() || !((tip - m_proxy).squaredNorm() < 1e300)) return m_contact;
   LocalFaces faces(surface);
-  const double ahead = 1.0 * (tip - m_tip).norm();
+  const double ahead = (tip - m_tip).norm();
   faces.setReach(m_fit > 0.0 ? std::min(m_fit, ahead) : ahead);
   slide(faces, tip, options, options.tolerance * surface.diagonal(), surface.skin());
   m_fit = faces.crowded() ? faces.reach() : std::max(1.25 * m_fit, faces.reach());

@@ -53,8 +53,8 @@ Status ThreadedDevice::open(Progress progress) {
   }
   DeviceState starting;
   starting.status = DeviceStatus::Starting;
-  m_states.publish(starting);
-  m_forces.publish({});
+  m_states.write(starting);
+  m_forces.write({});
   m_stop = false;
   m_open = true;
   m_thread = std::thread([this] { run(); });
@@ -68,16 +68,16 @@ void ThreadedDevice::close() noexcept {
 }
 
 DeviceState ThreadedDevice::read() noexcept {
-  return m_open.load(std::memory_order_relaxed) ? m_states.take() : DeviceState();
+  return m_open.load(std::memory_order_relaxed) ? m_states.read() : DeviceState();
 }
 
 void ThreadedDevice::write(const DeviceForce& force) noexcept {
-  m_forces.publish(isFinite(force) ? force : DeviceForce());
+  m_forces.write(isFinite(force) ? force : DeviceForce());
   m_writtenAt.store(nanoseconds(), std::memory_order_release);
 }
 
 DeviceForce ThreadedDevice::forceNow() noexcept {
-  const DeviceForce& newest = m_forces.take();
+  const DeviceForce& newest = m_forces.read();
   return nanoseconds() - m_writtenAt.load(std::memory_order_acquire) > kForceLife ? DeviceForce() : newest;
 }
 
@@ -91,7 +91,7 @@ void ThreadedDevice::run() noexcept {
       state.velocity.setZero();
       state.status = DeviceStatus::Failed;
     }
-    m_states.publish(state);
+    m_states.write(state);
     if (state.status == DeviceStatus::Absent) break;
     last = state;
   }

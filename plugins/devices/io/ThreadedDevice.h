@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "io/Latest.h"
+#include "base/TripleBuffer.h"
 #include "io/Session.h"
 
 #include <atomic>
@@ -30,8 +30,8 @@ class ThreadedDevice final : public Device {
   DeviceForce forceNow() noexcept;
 
   std::unique_ptr<Session> m_session;
-  Latest<DeviceState> m_states;
-  Latest<DeviceForce> m_forces;
+  TripleBuffer<DeviceState> m_states;
+  TripleBuffer<DeviceForce> m_forces;
   std::atomic<std::int64_t> m_writtenAt{0};  // ns of the steady clock
   std::atomic<bool> m_stop{false};
   std::atomic<bool> m_open{false};

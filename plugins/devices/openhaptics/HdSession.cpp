@@ -45,10 +45,10 @@ Status HdSession::open(Progress progress) {
   }
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   askCapabilities();
-  m_forces.publish({});
+  m_forces.write({});
   m_last = {};
   m_last.status = DeviceStatus::Starting;
-  m_states.publish(m_last);
+  m_states.write(m_last);
   hdEnable(HD_FORCE_OUTPUT);
   m_callback = hdScheduleAsynchronous(&HdSession::tick, this, HD_MAX_SCHEDULER_PRIORITY);
   hdStartScheduler();
@@ -96,12 +96,12 @@ HDCallbackCode HDCALLBACK HdSession::tick(void* session) noexcept {
 void HdSession::serve() noexcept {
   hdBeginFrame(m_device);
   DeviceState state = read();
-  const TimedForce& asked = m_forces.take();
+  const TimedForce& asked = m_forces.read();
   const bool isWanted = state.status == DeviceStatus::Ready && m_clock->now() - asked.time <= kForceLife;
   write(isWanted ? asked.force : DeviceForce());
   hdEndFrame(m_device);
   if (const HDErrorInfo error = hdGetError(); HD_DEVICE_ERROR(error)) state.status = DeviceStatus::Failed;
-  m_states.publish(state);
+  m_states.write(state);
   m_ticks.fetch_add(1, std::memory_order_release);
 }
 
@@ -138,12 +138,12 @@ void HdSession::write(const DeviceForce& force) noexcept {
 DeviceState HdSession::exchange(const DeviceForce& force) noexcept {
   if (m_device == HD_INVALID_HANDLE) return {};
   const std::uint32_t before = m_ticks.load(std::memory_order_acquire);
-  m_forces.publish({force, m_clock->now()});
+  m_forces.write({force, m_clock->now()});
   if (m_canCalibrate.exchange(false)) hdUpdateCalibration(static_cast<HDenum>(m_calibrationStyle));
   if (waitForTick(before)) {
     m_lastTick = m_clock->now();
     const std::uint32_t number = m_last.reading + 1;
-    m_last = m_states.take();
+    m_last = m_states.read();
     m_last.reading = number;
   } else if (m_clock->now() - m_lastTick > kSilence) {
     m_last.status = DeviceStatus::Failed;

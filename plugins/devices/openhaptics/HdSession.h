@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/TripleBuffer.h"
 #include "io/Clock.h"
-#include "io/Latest.h"
 #include "io/Session.h"
 
 #include <HD/hd.h>
@@ -48,8 +48,8 @@ class HdSession final : public Session {
     DeviceForce force;
     double time = 0.0;  // s
   };
-  Latest<DeviceState> m_states;
-  Latest<TimedForce> m_forces;
+  TripleBuffer<DeviceState> m_states;
+  TripleBuffer<TimedForce> m_forces;
   std::atomic<std::uint32_t> m_ticks{0};
   std::atomic<bool> m_canCalibrate{false};  // it stands where it knows its place again, if it is told to
   // Ours.
