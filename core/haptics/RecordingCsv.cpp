@@ -31,14 +31,21 @@ void addTick(std::string& line, const RecordedTick& tick) {
   line += tick.felt.isContact ? ",1," : ",0,";
   line += roundedText(static_cast<double>(tick.microseconds)) + ',' + std::to_string(tick.tip.buttons);
   addNumbers(line, tick.sent.force);
-  line += ',' + std::to_string(tick.actions) + ',' + std::to_string(tick.tick) + ',';
+  line += ',' + std::to_string(tick.actions) + ',' + std::to_string(tick.tick);
+  const Eigen::Quaterniond& turn = tick.tip.orientation;
+  line += ',' + shortestText(turn.w());
+  addNumbers(line, turn.vec());
+  addNumbers(line, tick.felt.torque);
+  addNumbers(line, tick.sent.torque);
+  line += ',';
 }
 
 }  // namespace
 
 Status writeCsv(const Recording& recording, std::ostream& out, Progress progress) {
   out << "t_s,hip_x,hip_y,hip_z,proxy_x,proxy_y,proxy_z,force_x,force_y,force_z,contact,tick_us,buttons,sent_x,sent_y,"
-         "sent_z,safety,tick,event\n";
+         "sent_z,safety,tick,hip_qw,hip_qx,hip_qy,hip_qz,torque_x,torque_y,torque_z,sent_torque_x,sent_torque_y,"
+         "sent_torque_z,event\n";
   auto event = recording.events().begin();
   std::string lines;
   for (std::size_t i = 0; i < recording.size(); ++i) {

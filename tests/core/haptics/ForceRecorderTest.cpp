@@ -9,6 +9,9 @@
 using namespace handwheel;
 using namespace handwheel::test;
 
+// Ten minutes at the largest rate.
+static_assert(ForceRecorder::kMostTicks >= static_cast<std::size_t>(600 * kLargestServoRate));
+
 class ForceRecorderTest : public QObject {
   Q_OBJECT
 

@@ -25,6 +25,9 @@ class RecordingCsvTest : public QObject {
     tick.tip.buttons = 3;
     tick.sent.force = {0, -0.1, 0};
     tick.actions = 256;
+    tick.tip.orientation = Eigen::Quaterniond(0.5, -0.5, 0.5, -0.5);
+    tick.felt.torque = {7, 8, 9};
+    tick.sent.torque = {0, 0, 6};
     recording.add(tick);
     recording.addEvent({41, "Say \"a, b\""});
     recording.addEvent({41, "second"});
@@ -38,9 +41,13 @@ class RecordingCsvTest : public QObject {
     QCOMPARE(lines.size(), 4);
     QVERIFY(
         lines[0].startsWith("t_s,hip_x,hip_y,hip_z,proxy_x,proxy_y,proxy_z,force_x,force_y,force_z,contact,tick_us"));
+    QVERIFY(lines[0].endsWith(
+        "tick,hip_qw,hip_qx,hip_qy,hip_qz,torque_x,torque_y,torque_z,sent_torque_x,sent_torque_y,sent_torque_z,event"));
     QCOMPARE(lines[1],
-             "0.041,1,-2.5,1e+07,0,-2.5,1e+07,-0.1,0,0,1,12.5,3,0,-0.1,0,256,41,\"Say \"\"a, b\"\"; second\"");
-    QCOMPARE(lines[2], "0.041,1,-2.5,1e+07,0,-2.5,1e+07,nan,0,0,0,12.5,3,0,-0.1,0,256,42,");
+             "0.041,1,-2.5,1e+07,0,-2.5,1e+07,-0.1,0,0,1,12.5,3,0,-0.1,0,256,41,0.5,-0.5,0.5,-0.5,7,8,9,0,0,6,\"Say "
+             "\"\"a, b\"\"; second\"");
+    QCOMPARE(lines[2],
+             "0.041,1,-2.5,1e+07,0,-2.5,1e+07,nan,0,0,0,12.5,3,0,-0.1,0,256,42,0.5,-0.5,0.5,-0.5,7,8,9,0,0,6,");
     QCOMPARE(lines[1].section('"', 0, 0).count(','), lines[0].count(','));
   }
 
