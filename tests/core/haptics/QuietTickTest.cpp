@@ -20,9 +20,12 @@
 #include <vector>
 
 #include "HapticDevices.h"
+#include "MeshShapes.h"
 #include "haptics/MouseDevice.h"
+#include "haptics/SceneForces.h"
 #include "haptics/ServoLoop.h"
 #include "haptics/SimulatedDevice.h"
+#include "io/ThreadedDevice.h"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define HANDWHEEL_SANITIZED 1
@@ -149,6 +152,77 @@ class QuietTickTest : public QObject {
     isSilentFor(loop, [&] { loop.setScene(sceneOf(wall(0.5), false)); });
   }
 
+  // What ships: the hand slides over a ball of 20,480 triangles, with points that draw it and a spring that comes and
+  // goes, by either method, while each scene has another edit of the ball, and the view is another.
+  void aMeshSceneIsQuiet() {
+    for (const SnapMethod method : {SnapMethod::Proxy, SnapMethod::Sum}) {
+      MonotonicClock clock;
+      std::vector<HandPose> poses{{0.0, {0, 0, kBall + 1.0}}};
+      for (int i = 5; i <= 100; ++i) poses.push_back({0.01 * i, slideAt(0.01 * i)});
+      auto device = std::make_unique<SimulatedDevice>(simulatedDevice(), HandPath(poses), clock);
+      QVERIFY(device->open(Progress()).hasValue());
+      Service service("servo");
+      ServoLoop loop(std::move(device), {}, clock, service);
+      const TriangleSoup soup = moved(icosphere(5), Vec3::Zero(), kBall);
+      ContactSurface surface(soup.points, soup.triangles);
+      SnapFeatures features;
+      for (std::uint32_t i = 0; i < soup.points.size(); i += 7) features.addPoint(i, soup.points[i]);
+      const SnapField field(features);
+      std::uint32_t round = 0;
+      const auto publish = [&] {
+        const std::uint32_t id = round++ % static_cast<std::uint32_t>(soup.triangles.size());
+        const Triangle& t = soup.triangles[id];
+        const Vec3 out = 0.01 * (round % 7) * soup.points[t[0]].normalized();
+        const ContactTriangle lifted{{soup.points[t[0]] + out, soup.points[t[1]], soup.points[t[2]]}, id};
+        surface.update({&id, 1}, {&lifted, 1});
+        SceneFeel feel;
+        feel.surface = SurfaceFeel{surface, 0.5, 0.0005, {}};
+        feel.snap = SnapFeel{field, SnapProfile(SnapShape::Quadratic, 0.3, 2.0), method};
+        if (round % 2 == 0) feel.springs = {{Vec3(0, 0, kBall), 0.1, 0.0005}};
+        auto scene = std::make_unique<HapticScene>();
+        scene->source = std::make_unique<SceneForces>(std::move(feel));
+        scene->mayLeap = false;
+        WorkspaceMapping mapping;
+        mapping.scale = round % 2 == 0 ? 1.0 : 1.01;
+        loop.setMapping(mapping, std::move(scene));
+      };
+      publish();
+      isSilentFor(loop, publish);
+      QVERIFY(loop.latest().hasSource);
+      QVERIFY(m_contacts > 100);
+    }
+  }
+
+  // A device whose session allocates and sleeps on a thread of its own.
+  void aDeviceWithAThreadIsQuiet() {
+    struct RestlessSession final : Session {
+      DeviceCapabilities capabilities() const override { return forceDevice(); }
+      Status open(Progress) override { return Done{}; }
+      DeviceState exchange(const DeviceForce&) noexcept override {
+        const std::vector<int> rubbish(1000, 1);
+        std::this_thread::sleep_for(std::chrono::microseconds(rubbish.size()));
+        DeviceState state;
+        state.status = DeviceStatus::Ready;
+        state.position.x() = 1.0;
+        state.reading = ++m_reading;
+        return state;
+      }
+      void close() noexcept override {}
+
+     private:
+      std::uint32_t m_reading = 0;
+    };
+    MonotonicClock clock;
+    auto device = std::make_unique<ThreadedDevice>(std::make_unique<RestlessSession>());
+    QVERIFY(device->open(Progress()).hasValue());
+    QTRY_COMPARE(device->read().status, DeviceStatus::Ready);
+    Service service("servo");
+    ServoLoop loop(std::move(device), {}, clock, service);
+    loop.setScene(sceneOf(wall(0.5)));
+    isSilentFor(loop, [&] { loop.setScene(sceneOf(wall(0.5), false)); });
+    QVERIFY(m_contacts > 100);
+  }
+
   // A device that is gone, and one that says NaN.
   void faultsAreQuietToo() {
     auto log = std::make_shared<ScriptedDevice::Log>();
@@ -164,6 +238,11 @@ class QuietTickTest : public QObject {
   }
 
  private:
+  static constexpr double kBall = 30.0;  // mm
+  // Over the ball, a millimetre deep.
+  static Vec3 slideAt(double time) { return (kBall - 1.0) * Vec3(std::sin(2.0 * time), 0, std::cos(2.0 * time)); }
+  int m_contacts = 0;  // ticks
+
   // Runs 500 ticks under the counters, and `meanwhile` on this thread again and again.
   template <class Meanwhile>
   void isSilentFor(ServoLoop& loop, Meanwhile meanwhile) {
@@ -182,6 +261,8 @@ class QuietTickTest : public QObject {
       QThread::msleep(5);
     }
     servo.join();
+    m_contacts = 0;
+    for (ServoSample sample; loop.nextSample(sample);) m_contacts += sample.felt.isContact ? 1 : 0;
     QCOMPARE(allocations.load(), 0);
     QCOMPARE(locks.load(), 0);
     QVERIFY2(systemCalls == 0, qPrintable(QString("system call %1").arg(lastSystemCall.load())));
