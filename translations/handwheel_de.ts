@@ -3863,6 +3863,26 @@
         <source>Show the surface</source>
         <translation>Oberfläche einblenden</translation>
     </message>
+    <message>
+        <source>%1, not saved</source>
+        <translation>%1, nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>%1, hidden</source>
+        <translation>%1, ausgeblendet</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Sichtbar</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>Ausgeblendet</translation>
+    </message>
+    <message>
+        <source>Hide or show the d&amp;ocument</source>
+        <translation>D&amp;okument aus- oder einblenden</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::FidelityPanel</name>

@@ -3832,6 +3832,26 @@
         <source>Show the surface</source>
         <translation>显示表面</translation>
     </message>
+    <message>
+        <source>%1, not saved</source>
+        <translation>%1，未保存</translation>
+    </message>
+    <message>
+        <source>%1, hidden</source>
+        <translation>%1，已隐藏</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>显示</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>隐藏</translation>
+    </message>
+    <message>
+        <source>Hide or show the d&amp;ocument</source>
+        <translation>隐藏或显示文档(&amp;O)</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::FidelityPanel</name>

@@ -22,6 +22,12 @@
 
 namespace handwheel {
 
+namespace {
+
+constexpr int kPictureDelayMs = 1000;
+
+}  // namespace
+
 MainWindow::MainWindow(QThreadPool& pool, const KindSet& kinds, Drivers drivers)
     : m_jobs(JobRunner::Policy::Queue, pool),
       m_thumbnails(pool),
@@ -55,6 +61,9 @@ MainWindow::MainWindow(QThreadPool& pool, const KindSet& kinds, Drivers drivers)
   connectRecordings();
   connectJobs();
   connectStartPage();
+  m_pictureTimer.setSingleShot(true);
+  m_pictureTimer.setInterval(kPictureDelayMs);
+  connect(&m_pictureTimer, &QTimer::timeout, this, &MainWindow::keepPicture);
   m_keys.setActions(findChildren<QAction*>(), menuBar());
   restoreLayout(*this, {m_documentsDock, m_historyDock, m_fidelityDock, m_statusDock, m_logDock});
   prefer(loadPreferences());

@@ -19,6 +19,7 @@
 #include "window/haptics/TouchScene.h"
 
 #include <QMainWindow>
+#include <QTimer>
 #include <QUndoGroup>
 
 class QLabel;
@@ -123,6 +124,7 @@ class MainWindow : public QMainWindow {
   Autosave m_autosave;
   QAction m_showPanel;
   QAction m_quit;
+  QTimer m_pictureTimer;  // until the document in view is drawn and stands still
   OpenDocument* m_shown = nullptr;
 
   Viewport* m_viewport;

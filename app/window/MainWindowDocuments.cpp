@@ -30,6 +30,7 @@ void MainWindow::connectDocuments() {
   connect(m_tabs, &DocumentTabs::added, this, [this](OpenDocument* opened) {
     m_undo.addStack(opened->document.history());
     m_documents->addDocument(&opened->document);
+    m_documents->setPicture(&opened->document, Thumbnails::of(opened->document.path()));
     connect(&opened->document, &Document::fileChanged, this, [this] {
       updateTitle();
       updateFigures();
@@ -55,8 +56,12 @@ void MainWindow::connectDocumentsPanel() {
     }
     return nullptr;
   };
-  connect(m_documents, &DocumentsPanel::activated, this,
+  connect(m_documents, &DocumentsPanel::chosen, this,
           [this, openOf](Document* document) { m_tabs->setCurrent(openOf(document)); });
+  connect(m_documents, &DocumentsPanel::activated, this, [this, openOf](Document* document) {
+    m_tabs->setCurrent(openOf(document));
+    m_viewport->setFocus();
+  });
   connect(m_documents, &DocumentsPanel::visibilityChanged, this, [this, openOf](Document* document, bool visible) {
     OpenDocument* changed = openOf(document);
     changed->visible = visible;
@@ -157,18 +162,24 @@ void MainWindow::showDocument(OpenDocument* document) {
   if (!document) m_viewSettings->setSectionFigures({});
   for (QAction* action : m_viewActions->views() + m_viewActions->shadings()) action->setEnabled(document != nullptr);
   m_viewActions->fit()->setEnabled(document != nullptr);
-  if (document) m_viewport->setFocus();
+  // Who goes through the documents with keys goes on with them.
+  const QWidget* focused = focusWidget();
+  if (document && !m_documents->isAncestorOf(focused) && !m_tabs->isAncestorOf(focused)) m_viewport->setFocus();
+  m_pictureTimer.start();
   updateTitle();
   updateFigures();
   updateHints();
   updateCard();
 }
 
-// Of the document that goes out of view, for the start page; not when it has not been drawn whole.
+// Of the document in view, for the list of documents and the start page; not when it has not been drawn whole.
 void MainWindow::keepPicture() {
-  if (!m_shown || !m_shown->visible || m_shown->document.file().path.empty() || !m_viewport->isPickingReady()) return;
+  if (!m_shown || !m_shown->visible || !m_viewport->isPickingReady()) return;
   const QImage picture = m_viewport->grabFramebuffer();
-  if (!picture.isNull()) m_thumbnails.store(m_shown->document.path(), picture);
+  if (picture.isNull()) return;
+  const QImage small = Thumbnails::pictureOf(picture);
+  m_documents->setPicture(&m_shown->document, QPixmap::fromImage(small));
+  if (!m_shown->document.file().path.empty()) m_thumbnails.store(m_shown->document.path(), small);
 }
 
 void MainWindow::updateTitle() {

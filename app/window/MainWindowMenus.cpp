@@ -4,6 +4,7 @@
 // The menus and tool bars of the main window.
 #include "controls/ActionText.h"
 #include "controls/CommandPalette.h"
+#include "panels/DocumentsPanel.h"
 #include "theme/Icons.h"
 #include "window/ActionTip.h"
 #include "window/HelpPages.h"
@@ -81,6 +82,7 @@ void MainWindow::buildMenus() {
   view->addActions(m_viewActions->shadings());
   view->addSeparator();
   view->addAction(m_viewSettings->clipAction());
+  view->addAction(m_documents->visibilityAction());
   view->addSeparator();
   for (QDockWidget* dock : docks()) view->addAction(dock->findChild<PanelToggle*>());
   view->addSeparator();

@@ -28,14 +28,20 @@ QString fileFor(const QString& path) {
 
 }  // namespace
 
+QImage Thumbnails::pictureOf(const QImage& view) {
+  const QImage filled = view.scaled(kSize, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
+  const QPoint corner((filled.width() - kSize.width()) / 2, (filled.height() - kSize.height()) / 2);
+  QImage picture = filled.copy(QRect(corner, kSize));
+  picture.setDevicePixelRatio(1);
+  return picture;
+}
+
 void Thumbnails::store(const QString& path, const QImage& picture) {
   m_pool.start([file = fileFor(path), picture, self = QPointer<Thumbnails>(this)] {
-    const QImage filled = picture.scaled(kSize, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
     QDir().mkpath(QFileInfo(file).path());
-    const QPoint corner((filled.width() - kSize.width()) / 2, (filled.height() - kSize.height()) / 2);
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
-    filled.copy(QRect(corner, kSize)).save(&buffer, "PNG");
+    picture.save(&buffer, "PNG");
     // As a whole, for it may be read meanwhile. Where it cannot be written, the tile shows the kind's icon.
     (void)writeFileAtomically(file.toStdString(), {buffer.data().constData(), static_cast<std::size_t>(buffer.size())});
     const auto tell = [self] {

@@ -17,7 +17,8 @@ class Thumbnails : public QObject {
  public:
   explicit Thumbnails(QThreadPool& pool, QObject* parent = nullptr) : QObject(parent), m_pool(pool) {}
 
-  void store(const QString& path, const QImage& picture);  // on a worker
+  static QImage pictureOf(const QImage& view);             // the middle of a view, small
+  void store(const QString& path, const QImage& picture);  // a small one, on a worker
   static QPixmap of(const QString& path);                  // a null one where there is none
 
  signals:
