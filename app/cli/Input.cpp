@@ -15,9 +15,13 @@ namespace handwheel {
 namespace {
 
 Result<Input> readMesh(const DocumentKind& kind, const std::filesystem::path& path, const ReadOptions& options,
-                       Progress progress) {
+                       const DocumentKinds& kinds, Progress progress) {
   Result<MeshFile> file = readMeshFile(path, options, progress);
-  if (!file) return file.error();
+  if (!file) {
+    Error error = file.error();
+    if (error.code == ErrorCode::FormatUnknown) error.arguments = kinds.readEndings();
+    return error;
+  }
   Input input;
   input.opened.kind = &kind;
   input.opened.file.path = path.string();
@@ -38,7 +42,7 @@ Result<Input> readInput(const std::filesystem::path& path, const ReadOptions& op
                         Progress progress) {
   const Result<const DocumentKind*> kind = kinds.kindOf(path);
   if (!kind) return kind.error();
-  if (*kind && (*kind)->id() == kMeshKind) return readMesh(**kind, path, options, progress);
+  if (*kind && (*kind)->id() == kMeshKind) return readMesh(**kind, path, options, kinds, progress);
   Result<OpenedFile> opened = kinds.open(path, options, progress);
   if (!opened) return opened.error();
   Input input{std::move(opened.value()), std::nullopt};

@@ -18,8 +18,8 @@ enum class ErrorCode {
   FileUnreadable,  // {system's reason}
   FileEmpty,
   FileTooLarge,       // {what, count, limit}
-  FormatUnknown,      // content and name match no format
-  ExtensionUnknown,   // {extension} no writer for it
+  FormatUnknown,      // {ending...} content and name match no format; these are read
+  ExtensionUnknown,   // {extension, ending...} no writer for it; these are written
   HeaderMalformed,    // {what was expected}
   TextEncoding,       // {encoding} not readable as text
   TokenUnexpected,    // {expected, found}; nothing found: the line or the file ends here

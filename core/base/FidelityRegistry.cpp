@@ -47,7 +47,7 @@ Result<FidelityValues> readValues(const FidelityRegistry& registry, std::string_
     }
     const std::size_t equals = std::min(word.find('='), word.size());
     const FidelityRegistry::Entry* entry = registry.find(word.substr(0, equals));
-    if (!entry) return Error{ErrorCode::ReferenceMissing, {"setting", std::string(word.substr(0, equals))}, {}, {}};
+    if (!entry) return Error{ErrorCode::ReferenceMissing, {"the setting", std::string(word.substr(0, equals))}, {}, {}};
     const Result<double> value = valueOf(entry->setting, word.substr(std::min(equals + 1, word.size())));
     if (!value) return value.error();
     const Status set = values.set(entry->setting, *value);

@@ -44,7 +44,7 @@ class FidelityRegistry {
 
 // What was chosen, as people write it and options files keep it: a preset's word ("draft", "balanced", "exact"), then
 // single values, with commas between: "draft,mesh.fill_method=fair". Empty: the defaults. Errors: ReferenceMissing
-// {"setting", id}, NumberMalformed {text}, ValueOutOfRange.
+// {"the setting", id}, NumberMalformed {text}, ValueOutOfRange.
 Result<FidelityValues> readValues(const FidelityRegistry& registry, std::string_view text);
 std::string textOf(const FidelityRegistry& registry, const FidelityValues& values);
 

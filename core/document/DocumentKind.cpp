@@ -87,7 +87,7 @@ Result<const DocumentKind*> recognised(const DocumentKinds& kinds, const std::fi
   for (const auto& kind : kinds.all()) {
     if (kind->recognises(*head, name)) return static_cast<const DocumentKind*>(kind.get());
   }
-  return Error{ErrorCode::FormatUnknown, {}, {}, {}};
+  return Error{ErrorCode::FormatUnknown, kinds.readEndings(), {}, {}};
 }
 
 Result<OpenedFile> openAny(const DocumentKinds& kinds, const std::filesystem::path& path, const ReadOptions& options,
@@ -112,6 +112,12 @@ Status checkReadable(std::string_view bytes, Progress progress) {
     return back.error();
   }
   return Error{ErrorCode::CheckFailed, {"it cannot be opened"}, {}, {}};
+}
+
+void addEndings(std::vector<std::string>& all, const DocumentKind& kind, bool FileFormat::*wanted) {
+  for (const FileFormat& format : kind.formats()) {
+    if (format.*wanted) all.insert(all.end(), format.endings.begin(), format.endings.end());
+  }
 }
 
 Error withSubject(Error error, const std::filesystem::path& path) {
@@ -145,7 +151,17 @@ Result<OpenedFile> DocumentKinds::open(const std::filesystem::path& path, const 
     opened->file.path = std::filesystem::absolute(path, ignored).string();
     return opened;
   }
-  return withSubject(opened.error(), path);
+  // Of the mesh readers, which know of no other kinds.
+  Error error = withSubject(opened.error(), path);
+  if (error.code == ErrorCode::FormatUnknown) error.arguments = readEndings();
+  return error;
+}
+
+std::vector<std::string> DocumentKinds::readEndings() const {
+  std::vector<std::string> all;
+  for (const auto& kind : m_kinds) addEndings(all, *kind, &FileFormat::reads);
+  all.emplace_back(kContainerEnding);
+  return all;
 }
 
 Result<const DocumentKind*> DocumentKinds::kindOf(const std::filesystem::path& path) const {
@@ -159,6 +175,18 @@ OpenedFile DocumentKinds::blank(const DocumentKind& kind) {
   opened.content = kind.blank();
   opened.file.id = newId();
   return opened;
+}
+
+std::vector<std::string> writtenEndings(const DocumentKind& kind) {
+  std::vector<std::string> all;
+  addEndings(all, kind, &FileFormat::writes);
+  all.emplace_back(kContainerEnding);
+  return all;
+}
+
+Error unknownEnding(const std::filesystem::path& path, std::vector<std::string> written) {
+  written.insert(written.begin(), path.extension().string());
+  return {ErrorCode::ExtensionUnknown, std::move(written), {}, path.string()};
 }
 
 bool isContainerName(const std::filesystem::path& path) {
@@ -182,6 +210,8 @@ Result<WrittenFile> saveDocument(const DocumentKind& kind, const DocumentFile& f
   if (const Status may = mayReplace(path); !may) return may.error();
   if (!isContainerName(path)) {
     Result<WrittenFile> written = kind.exportTo(content, path, progress);
+    if (!written && written.error().code == ErrorCode::ExtensionUnknown)
+      return unknownEnding(path, writtenEndings(kind));
     if (written && !file.recordings.empty())
       written->notes.push_back(
           {QT_TRANSLATE_NOOP("Note", "The recordings of the device are not in this file."), {}, true});

@@ -78,6 +78,8 @@ class DocumentKinds {
   // Reads a container or a foreign file of any kind, recognised by content. Errors: those of the readers,
   // FormatUnknown, KindUnknown.
   Result<OpenedFile> open(const std::filesystem::path& path, const ReadOptions& options, Progress progress = {}) const;
+  // What open() reads: ".stl", …, ".handwheel".
+  std::vector<std::string> readEndings() const;
   // Whose foreign file this is, by its first bytes and its name; null for a container. Errors: those of opening it,
   // FormatUnknown.
   Result<const DocumentKind*> kindOf(const std::filesystem::path& path) const;
@@ -91,9 +93,14 @@ class DocumentKinds {
 inline constexpr std::string_view kContainerEnding = ".handwheel";
 bool isContainerName(const std::filesystem::path& path);
 
+// What saveDocument() writes of this kind: ".step", …, ".handwheel".
+std::vector<std::string> writtenEndings(const DocumentKind& kind);
+// ExtensionUnknown, of a name that ends otherwise.
+Error unknownEnding(const std::filesystem::path& path, std::vector<std::string> written);
+
 // Writes the document's container or a foreign format, by the ending of the path: the whole file or nothing. Errors:
-// VersionNewer (of a document that stands there, which is never replaced); those of the formats; of a container
-// FileTooLarge, CheckFailed, WriteFailed, OutOfMemory, Cancelled.
+// ExtensionUnknown, VersionNewer (of a document that stands there, which is never replaced); those of the formats; of a
+// container FileTooLarge, CheckFailed, WriteFailed, OutOfMemory, Cancelled.
 Result<WrittenFile> saveDocument(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
                                  const std::filesystem::path& path, Progress progress = {});
 

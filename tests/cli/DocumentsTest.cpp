@@ -71,6 +71,28 @@ class DocumentsTest : public QObject {
   }
 
   // The tool of a one-joint arm goes round a circle of 300 mm about (0, 0, 200).
+  // Which endings there are depends on what is to be written; what is read depends on nothing.
+  void errorsNameTheEndingsThatFit() {
+    const Bench bench;
+    bench.put("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    bench.put("env.sh", "export A=1\n");
+    const Ran made = bench.run({"new", "workpiece", "-o", "x.foo"});
+    QVERIFY(made.err.contains("'.foo'"));
+    QVERIFY2(made.err.contains("ends in .step, .stp, .stl, .ply, .obj, .off, .3mf or .handwheel."),
+             made.err.constData());
+    const Ran converted = bench.run({"convert", "a.off", "x.docx"});
+    QVERIFY2(converted.err.contains("ends in .stl, .ply, .obj, .off, .3mf or .handwheel."), converted.err.constData());
+    const Ran split = bench.run({"split", "a.off", "--format", "foo", "-o", "parts"});
+    QVERIFY2(split.err.contains("ends in .stl, .ply, .obj, .off or .3mf."), split.err.constData());
+    for (const QStringList& words :
+         {QStringList{"inspect", "env.sh"}, QStringList{"convert", "env.sh", "x.handwheel"}}) {
+      const Ran read = bench.run(words);
+      QVERIFY2(read.err.contains("no file that Handwheel knows"), read.err.constData());
+      for (const char* ending : {".stl", ".3mf", ".urdf", ".handwheel"}) QVERIFY2(read.err.contains(ending), read.err);
+      QVERIFY(!read.err.contains(".step"));  // which is written only
+    }
+  }
+
   void aRobotMovesAndOpensWithoutItsDescription() {
     const Bench bench;
     bench.put("arm.urdf", kArm);

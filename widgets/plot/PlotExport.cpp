@@ -96,7 +96,10 @@ Status exportPlots(std::span<const Plot> plots, const QString& path, const QSize
   if (ending == QLatin1String("png")) return writeWhole(path, pngOf(plots, size, theme));
   if (ending == QLatin1String("svg")) return writeWhole(path, svgOf(plots, size, theme));
   if (ending == QLatin1String("csv")) return writeWhole(path, plotCsv(plots));
-  return Error{ErrorCode::ExtensionUnknown, {ending.toStdString()}, {}, QFile::encodeName(path).toStdString()};
+  return Error{ErrorCode::ExtensionUnknown,
+               {"." + ending.toStdString(), ".png", ".svg", ".csv"},
+               {},
+               QFile::encodeName(path).toStdString()};
 }
 
 QByteArray plotCsv(std::span<const Plot> plots) {

@@ -34,6 +34,15 @@ QString listed(const QStringList& parts) {
   return list;
 }
 
+// ".stl, .ply or .obj": the arguments from there on.
+QString alternatives(const Error& error, std::size_t from) {
+  QStringList all;
+  for (std::size_t i = from; i < error.arguments.size(); ++i) all << argument(error, i);
+  if (all.size() < 2) return listed(all);
+  const QString last = all.takeLast();
+  return Text::tr("%1 or %2").arg(listed(all), last);
+}
+
 // "the file ends too early: 12 facets expected, 9 found", leaving out what is not known.
 QString counts(const QString& what, const QString& expected, const QString& found) {
   QStringList parts;
@@ -71,9 +80,10 @@ QString whatHappened(const Error& error) {
     case ErrorCode::FileTooLarge:
       return tooLarge(a, b, c);
     case ErrorCode::FormatUnknown:
-      return Text::tr("this is no mesh file that Handwheel knows");
+      return Text::tr("this is no file that Handwheel knows");
     case ErrorCode::ExtensionUnknown:
-      return Text::tr("no mesh format belongs to the ending '%1'").arg(a);
+      return a.isEmpty() ? Text::tr("the name has no ending, which would say the format")
+                         : Text::tr("the ending '%1' stands for no format that this can be written in").arg(a);
     case ErrorCode::HeaderMalformed:
       return Text::tr("the header is malformed: %1 is missing").arg(a);
     case ErrorCode::TextEncoding:
@@ -178,9 +188,10 @@ QString errorAdvice(const Error& error) {
     case ErrorCode::FileTooLarge:
       return Text::tr("Reduce or split the model in the program that made it.");
     case ErrorCode::FormatUnknown:
-      return Text::tr("Export the model as STL, PLY, OBJ or OFF.");
+      return error.arguments.empty() ? Text::tr("Choose another file.")
+                                     : Text::tr("Handwheel reads files that end in %1.").arg(alternatives(error, 0));
     case ErrorCode::ExtensionUnknown:
-      return Text::tr("Use a name that ends in .stl, .ply, .obj or .off.");
+      return Text::tr("Use a name that ends in %1.").arg(alternatives(error, 1));
     case ErrorCode::TextEncoding:
       return Text::tr("Save the file as UTF-8 text or in a binary format.");
     case ErrorCode::HeaderMalformed:

@@ -8,6 +8,7 @@
 #include "document/cell/CellDocument.h"
 #include "document/cell/CellImport.h"
 #include "document/mesh/MeshExport.h"
+#include "document/mesh/MeshKind.h"
 #include "robot/Kinematics.h"
 #include "robot/UrdfReader.h"
 
@@ -88,8 +89,7 @@ std::string CellKind::title() const {
 
 std::vector<FileFormat> CellKind::formats() const {
   std::vector<FileFormat> all{{"URDF", {".urdf"}, true, false}};
-  for (const auto& [name, ending] : {std::pair{"STL", ".stl"}, {"PLY", ".ply"}, {"OBJ", ".obj"}, {"OFF", ".off"}})
-    all.push_back({name, {ending}, false, true});
+  for (const FileFormat& format : MeshKind().formats()) all.push_back({format.name, format.endings, false, true});
   return all;
 }
 

@@ -46,7 +46,7 @@ Result<MeshFormat> detectFormat(std::string_view bytes, std::string_view name) {
   if (isTextStl(bytes)) return MeshFormat::Stl;
   if (looksLikeObj(bytes)) return MeshFormat::Obj;
   if (named) return *named;
-  return Error{ErrorCode::FormatUnknown, {}, {}, {}};
+  return Error{ErrorCode::FormatUnknown, meshEndings(), {}, {}};
 }
 
 }  // namespace handwheel

@@ -20,6 +20,12 @@ namespace handwheel {
 
 namespace {
 
+constexpr std::pair<std::string_view, MeshFormat> kEndings[] = {{".stl", MeshFormat::Stl},
+                                                                {".ply", MeshFormat::Ply},
+                                                                {".obj", MeshFormat::Obj},
+                                                                {".off", MeshFormat::Off},
+                                                                {".3mf", MeshFormat::ThreeMf}};
+
 Result<MeshFile> readAs(MeshFormat format, std::string_view bytes, const ReadOptions& options, Progress progress) {
   switch (format) {
     case MeshFormat::Stl:
@@ -74,15 +80,18 @@ Result<MeshFile> readMeshFile(const std::filesystem::path& path, const ReadOptio
   return error;
 }
 
+std::vector<std::string> meshEndings() {
+  std::vector<std::string> all;
+  for (const auto& [ending, format] : kEndings) all.emplace_back(ending);
+  return all;
+}
+
 std::optional<MeshFormat> formatForName(std::string_view name) {
   const std::size_t dot = name.rfind('.');
   if (dot == std::string_view::npos) return {};
-  const std::string_view extension = name.substr(dot + 1);
-  if (equalsIgnoringCase(extension, "stl")) return MeshFormat::Stl;
-  if (equalsIgnoringCase(extension, "ply")) return MeshFormat::Ply;
-  if (equalsIgnoringCase(extension, "obj")) return MeshFormat::Obj;
-  if (equalsIgnoringCase(extension, "off")) return MeshFormat::Off;
-  if (equalsIgnoringCase(extension, "3mf")) return MeshFormat::ThreeMf;
+  for (const auto& [ending, format] : kEndings) {
+    if (equalsIgnoringCase(name.substr(dot), ending)) return format;
+  }
   return {};
 }
 

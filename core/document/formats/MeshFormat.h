@@ -39,6 +39,8 @@ Result<MeshFile> readMesh(std::string_view bytes, std::string_view nameHint, con
                           Progress progress = {});
 Result<MeshFile> readMeshFile(const std::filesystem::path& path, const ReadOptions& options, Progress progress = {});
 
+// The endings of the formats, each read and written: ".stl", ".ply", …
+std::vector<std::string> meshEndings();
 // The format a file name asks for.
 std::optional<MeshFormat> formatForName(std::string_view name);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/mesh/MeshExport.h"
 
+#include "document/mesh/MeshKind.h"
 #include "document/mesh/RoundingCollisions.h"
 #include "mesh/Steps.h"
 #include "mesh/Weld.h"
@@ -31,7 +32,7 @@ bool sameCorners(const TriangleSoup& meant, NumberType numbers, const TriangleSo
 
 Result<MeshFormat> formatForOutput(const std::filesystem::path& path) {
   if (const auto format = formatForName(path.filename().string())) return *format;
-  return Error{ErrorCode::ExtensionUnknown, {path.extension().string()}, {}, path.string()};
+  return unknownEnding(path, writtenEndings(MeshKind()));
 }
 
 Result<std::string> encodeChecked(const TriangleSoup& soup, MeshFormat format, NumberType numbers, Progress progress) {

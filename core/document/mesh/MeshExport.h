@@ -28,7 +28,7 @@ struct ExportReport {
 Result<ExportReport> exportMesh(const HalfEdgeMesh& mesh, NumberType documentNumbers, const std::filesystem::path& path,
                                 Progress progress = {});
 
-// The format that a file's name asks for, or ExtensionUnknown {extension}.
+// The format that a file's name asks for, or ExtensionUnknown with all that a mesh document can be saved as.
 Result<MeshFormat> formatForOutput(const std::filesystem::path& path);
 
 // The bytes of a file that holds these triangles, checked: the reader gives every corner of every triangle the very

@@ -9,6 +9,7 @@
 #include "document/mesh/MeshDocument.h"
 #include "document/mesh/MeshExport.h"
 
+#include <QString>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -61,7 +62,11 @@ std::string MeshKind::title() const {
 }
 
 std::vector<FileFormat> MeshKind::formats() const {
-  return {{"STL", {".stl"}}, {"PLY", {".ply"}}, {"OBJ", {".obj"}}, {"OFF", {".off"}}, {"3MF", {".3mf"}}};
+  std::vector<FileFormat> all;
+  for (const std::string& ending : meshEndings()) {
+    all.push_back({QString::fromStdString(ending.substr(1)).toUpper().toStdString(), {ending}});
+  }
+  return all;
 }
 
 bool MeshKind::recognises(std::string_view, std::string_view) const {

@@ -28,6 +28,13 @@ class ErrorTextTest : public QObject {
     QCOMPARE(errorSentence({ErrorCode::FileEmpty, {}, {}, {}}), "The file is empty.");
   }
 
+  void endingsAreListed() {
+    QCOMPARE(errorAdvice({ErrorCode::ExtensionUnknown, {".x", ".stl", ".ply", ".step"}, {}, {}}),
+             "Use a name that ends in .stl, .ply or .step.");
+    QCOMPARE(errorAdvice({ErrorCode::ExtensionUnknown, {"", ".csv"}, {}, {}}), "Use a name that ends in .csv.");
+    QCOMPARE(errorAdvice({ErrorCode::FormatUnknown, {}, {}, {}}), "Choose another file.");  // of keys, for example
+  }
+
   void quotesAreShortAndHarmless() {
     const Error error{ErrorCode::NumberMalformed, {"\x1b[31m" + std::string(500, 'x')}, {}, {}};
     const QString sentence = errorSentence(error);

@@ -198,7 +198,7 @@ void CellKindTest::describes() {
 void CellKindTest::exports() {
   const CellSnapshot cell = cellIn(importOrThrow(m_package.urdf()));
   const auto moved = withJoints(cell, values({100, M_PI_2}));
-  for (const char* name : {"out.stl", "out.obj", "out.ply", "out.off"}) {
+  for (const char* name : {"out.stl", "out.obj", "out.ply", "out.off", "out.3mf"}) {
     const std::string path = m_package.path(name).toStdString();
     const auto written = kKind.exportTo(*moved, path, {});
     QVERIFY(written.hasValue());
