@@ -81,6 +81,7 @@ void MainWindow::buildMenus() {
   view->addSeparator();
   view->addActions(m_viewActions->shadings());
   view->addSeparator();
+  view->addActions(m_viewSettings->viewActions());
   view->addAction(m_viewSettings->clipAction());
   view->addAction(m_documents->visibilityAction());
   view->addSeparator();

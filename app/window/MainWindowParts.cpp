@@ -19,6 +19,7 @@
 #include "window/FrameUse.h"
 #include "window/MainWindow.h"
 #include "window/PanelToggle.h"
+#include "window/ServiceFigures.h"
 #include "window/ToolChoice.h"
 #include "window/ToolHost.h"
 #include "window/ToolPanel.h"
@@ -156,9 +157,11 @@ void MainWindow::buildStatusBar() {
   log->setDefaultAction(m_logDock->findChild<PanelToggle*>());
   log->setAccessibleName(tr("Log"));
   log->setIconSize({16, 16});
+  auto* services = new ServiceFigures(m_services, this);
+  connect(services, &QToolButton::clicked, m_statusDock->findChild<PanelToggle*>(), &QAction::trigger);
   statusBar()->setSizeGripEnabled(false);
   statusBar()->addWidget(m_hints, 1);
-  for (QWidget* widget : std::initializer_list<QWidget*>{m_jobBar, m_figures, m_unit, log}) {
+  for (QWidget* widget : std::initializer_list<QWidget*>{m_jobBar, m_figures, services, m_unit, log}) {
     statusBar()->addPermanentWidget(widget);
   }
 }

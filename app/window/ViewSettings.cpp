@@ -5,6 +5,7 @@
 #include "theme/Icons.h"
 #include "window/ActionTip.h"
 
+#include <QSettings>
 #include <algorithm>
 
 namespace handwheel {
@@ -12,6 +13,8 @@ namespace handwheel {
 namespace {
 
 constexpr int kAlongView = 3;
+const auto kPerspectiveKey = QStringLiteral("view/perspective");
+const auto kCubeKey = QStringLiteral("view/cube");
 const char* const kClipGroup = QT_TRANSLATE_NOOP("Property", "Clipping plane");
 
 Property choice(const char* id, const char* label, int value, std::vector<std::string> choices) {
@@ -38,7 +41,21 @@ Property toggle(const char* id, const char* label, bool on) {
 }  // namespace
 
 ViewSettings::ViewSettings(PropertyList& list, Viewport& viewport, QObject* parent)
-    : QObject(parent), m_list(list), m_viewport(viewport), m_clip(tr("&Cut the model open"), this) {
+    : QObject(parent),
+      m_list(list),
+      m_viewport(viewport),
+      m_clip(tr("&Cut the model open"), this),
+      m_perspective(tr("Perspective inste&ad of parallel"), this),
+      m_cube(tr("&View cube"), this) {
+  makeClipAction();
+  makeViewActions();
+  connect(&m_list, &PropertyList::edited, this, [this](const std::string& id, const PropertyValue& value, bool) {
+    set(id, value);
+    refresh();
+  });
+}
+
+void ViewSettings::makeClipAction() {
   m_clip.setObjectName(QStringLiteral("clipModel"));
   m_clip.setIcon(icon(QStringLiteral("clip")));
   m_clip.setIconVisibleInMenu(false);  // the check mark stands there
@@ -49,17 +66,42 @@ ViewSettings::ViewSettings(PropertyList& list, Viewport& viewport, QObject* pare
     clip();
     refresh();
   });
-  connect(&m_list, &PropertyList::edited, this, [this](const std::string& id, const PropertyValue& value, bool) {
-    set(id, value);
+}
+
+void ViewSettings::makeViewActions() {
+  prepare(m_perspective, "perspective", nullptr, tr("What is farther away looks smaller"));
+  prepare(m_cube, "viewCube", nullptr, tr("The cube in the corner that turns the view"));
+  m_perspective.setShortcut(QKeySequence(Qt::Key_O));
+  m_perspective.setCheckable(true);
+  m_cube.setCheckable(true);
+  const QSettings kept;
+  m_perspective.setChecked(kept.value(kPerspectiveKey, m_viewport.projection() == Projection::Perspective).toBool());
+  m_cube.setChecked(kept.value(kCubeKey, true).toBool());
+  m_viewport.setViewCubeVisible(m_cube.isChecked());
+  project();
+  connect(&m_perspective, &QAction::toggled, this, [this](bool on) {
+    QSettings().setValue(kPerspectiveKey, on);
+    project();
+    refresh();
+  });
+  connect(&m_cube, &QAction::toggled, this, [this](bool on) {
+    QSettings().setValue(kCubeKey, on);
+    m_viewport.setViewCubeVisible(on);
     refresh();
   });
 }
 
+// The camera of a document may have been left before the choice was made.
+void ViewSettings::project() {
+  const Projection chosen = m_perspective.isChecked() ? Projection::Perspective : Projection::Parallel;
+  if (m_viewport.projection() != chosen) m_viewport.setProjection(chosen);
+}
+
 void ViewSettings::refresh() {
-  std::vector<Property> all{choice(
-      "projection", QT_TRANSLATE_NOOP("Property", "Projection"), m_viewport.projection() == Projection::Perspective,
-      {QT_TRANSLATE_NOOP("Property", "Parallel"), QT_TRANSLATE_NOOP("Property", "Perspective")})};
-  Property cube = toggle("view_cube", QT_TRANSLATE_NOOP("Property", "View cube"), m_cube);
+  std::vector<Property> all{
+      choice("projection", QT_TRANSLATE_NOOP("Property", "Projection"), m_perspective.isChecked(),
+             {QT_TRANSLATE_NOOP("Property", "Parallel"), QT_TRANSLATE_NOOP("Property", "Perspective")})};
+  Property cube = toggle("view_cube", QT_TRANSLATE_NOOP("Property", "View cube"), m_cube.isChecked());
   cube.group = all[0].group;
   all.push_back(cube);
   all.push_back(toggle("clip", QT_TRANSLATE_NOOP("Property", "Cut the model open"), m_clip.isChecked()));
@@ -97,6 +139,7 @@ void ViewSettings::setSectionFigures(std::vector<Property> figures) {
 }
 
 void ViewSettings::followModel() {
+  project();
   const auto [least, largest] = range();
   m_offset = least + m_place * (largest - least);
   clip();
@@ -113,9 +156,9 @@ std::pair<double, double> ViewSettings::range() const {
 
 void ViewSettings::set(const std::string& id, const PropertyValue& value) {
   if (id == "projection") {
-    m_viewport.setProjection(std::get<double>(value) > 0.5 ? Projection::Perspective : Projection::Parallel);
+    m_perspective.setChecked(std::get<double>(value) > 0.5);
   } else if (id == "view_cube") {
-    m_viewport.setViewCubeVisible(m_cube = std::get<bool>(value));
+    m_cube.setChecked(std::get<bool>(value));
   } else if (id == "clip") {
     m_clip.setChecked(std::get<bool>(value));
   } else if (id == "clip_axis") {

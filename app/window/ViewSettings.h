@@ -25,22 +25,28 @@ class ViewSettings : public QObject {
   // What was measured where the plane cuts the model; refreshes.
   void setSectionFigures(std::vector<Property> figures);
   QAction* clipAction() { return &m_clip; }  // cuts the model open
+  // How everything is seen; kept from one start of the program to the next.
+  QList<QAction*> viewActions() { return {&m_perspective, &m_cube}; }
 
  private:
   Vec3 axis() const;
   std::pair<double, double> range() const;  // of the offset across the model, mm
+  void makeClipAction();
+  void makeViewActions();
+  void project();
   void set(const std::string& id, const PropertyValue& value);
   void clip();
 
   PropertyList& m_list;
   Viewport& m_viewport;
   QAction m_clip;
+  QAction m_perspective;
+  QAction m_cube;
   int m_axis = 0;  // X, Y, Z, or the direction of the view at the time it was chosen
   bool m_isFlipped = false;
   double m_offset = 0.0;  // along the axis, mm
   double m_place = 0.5;   // of the plane across the model, 0…1
   Vec3 m_viewDirection = Vec3::UnitZ();
-  bool m_cube = true;
   std::vector<Property> m_figures;
 };
 

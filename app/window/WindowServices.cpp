@@ -20,6 +20,10 @@ QString nameOf(const std::string& id) {
   return Text::tr("Preview of the patch");
 }
 
+double microsecondsPerTick(const ServiceCounters& counters) {
+  return counters.ticks > 0 ? counters.cpuMicroseconds / static_cast<double>(counters.ticks) : 0.0;
+}
+
 }  // namespace
 
 WindowServices::WindowServices()
@@ -29,6 +33,15 @@ WindowServices::WindowServices()
       m_haptics("haptics"),
       m_asked(std::chrono::steady_clock::now()) {
   for (Service* service : {&m_autosave, &m_selfIntersections, &m_fillPreview, &m_haptics}) m_needs.add(*service);
+}
+
+std::vector<std::pair<QString, double>> WindowServices::costs() const {
+  std::vector<std::pair<QString, double>> all;
+  m_needs.forEach([&](const Service& service) {
+    const ServiceCounters counters = service.counters();
+    if (counters.running) all.emplace_back(nameOf(service.id()), microsecondsPerTick(counters));
+  });
+  return all;
 }
 
 std::vector<ServiceStatus> WindowServices::status() {
@@ -45,8 +58,7 @@ std::vector<ServiceStatus> WindowServices::status() {
     status.name = nameOf(service.id());
     status.running = counters.running;
     status.ticksPerSecond = ticks / seconds;
-    status.microsecondsPerTick =
-        counters.ticks > 0 ? counters.cpuMicroseconds / static_cast<double>(counters.ticks) : 0.0;
+    status.microsecondsPerTick = microsecondsPerTick(counters);
     before = counters;
     all.push_back(status);
   });

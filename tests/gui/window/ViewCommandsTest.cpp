@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "StlFiles.h"
+#include "WindowDriver.h"
+#include "WindowTestMain.h"
+
+#include <QDockWidget>
+#include <QUndoStack>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+// How a document is seen, and what the status bar says about the program.
+class ViewCommandsTest : public QObject {
+  Q_OBJECT
+
+ private:
+  QTemporaryDir m_folder;
+
+  QString file(const char* name) {
+    const QString path = m_folder.filePath(QString::fromLatin1(name));
+    writeStl(path, torus(24, 12, {{3, 5}}));
+    return path;
+  }
+  static Projection other(Projection projection) {
+    return projection == Projection::Perspective ? Projection::Parallel : Projection::Perspective;
+  }
+
+ private slots:
+  void cleanup() { QSettings().clear(); }
+
+  void theProjectionIsACommand() {
+    WindowDriver driver;
+    QVERIFY(driver.open(file("one.stl")));
+    auto* view = driver.find<Viewport>("viewport");
+    const Projection before = view->projection();
+    auto* command = driver.find<QAction>("perspective");
+    QCOMPARE(command->isChecked(), before == Projection::Perspective);
+    QVERIFY(command->text().remove('&').contains("perspective", Qt::CaseInsensitive));
+    QVERIFY(command->text().remove('&').contains("parallel", Qt::CaseInsensitive));
+    QVERIFY(!command->shortcut().isEmpty());
+    driver.choose("perspective");
+    QCOMPARE(view->projection(), other(before));
+    // Of documents that are opened afterwards, and of those that were left before.
+    QVERIFY(driver.open(file("two.stl")));
+    QCOMPARE(view->projection(), other(before));
+    driver.choose("perspective");
+    driver.choose("previousDocument");
+    QCOMPARE(view->projection(), before);
+    QVERIFY(driver.settle());
+  }
+
+  void projectionAndCubeAreKept() {
+    Projection chosen = Projection::Perspective;
+    {
+      WindowDriver driver;
+      auto* view = driver.find<Viewport>("viewport");
+      driver.choose("perspective");
+      driver.choose("viewCube");
+      chosen = view->projection();
+      QVERIFY(driver.find<QWidget>("viewCube")->isHidden());
+    }
+    WindowDriver driver;
+    QVERIFY(driver.find<QWidget>("viewCube")->isHidden());
+    QVERIFY(driver.open(file("kept.stl")));
+    QCOMPARE(driver.find<Viewport>("viewport")->projection(), chosen);
+    QVERIFY(!driver.find<QAction>("viewCube")->isChecked());
+    QVERIFY(driver.settle());
+  }
+
+  void theStatusBarSaysWhatServicesCost() {
+    WindowDriver driver;
+    auto* figures = driver.find<QToolButton>("serviceFigures");
+    QVERIFY(figures->isVisible());
+    QVERIFY(figures->text().endsWith(QStringLiteral("µs")));
+    QVERIFY(!driver.find<QDockWidget>("statusDock")->isVisible());
+    driver.click("serviceFigures");
+    QVERIFY(driver.find<QDockWidget>("statusDock")->isVisible());
+  }
+};
+
+HANDWHEEL_WINDOW_TEST(ViewCommandsTest)
+#include "ViewCommandsTest.moc"
