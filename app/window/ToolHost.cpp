@@ -6,6 +6,7 @@
 #include "theme/Theme.h"
 #include "viewport/Viewport.h"
 #include "window/ToolPanel.h"
+#include "window/ToolReadout.h"
 
 #include <QCoreApplication>
 #include <QKeyEvent>
@@ -66,7 +67,7 @@ QString translated(const char* context, const std::string& text) {
 }  // namespace
 
 ToolHost::ToolHost(Viewport& viewport, ToolPanel& panel, NeedSet& needs, QObject* parent)
-    : QObject(parent), m_viewport(viewport), m_panel(panel), m_needs(needs) {
+    : QObject(parent), m_viewport(viewport), m_panel(panel), m_readout(new ToolReadout(&viewport)), m_needs(needs) {
   m_viewport.installEventFilter(this);
   m_viewport.setPointerSink([this](const PointerInput& input) { return take(input); });
   connect(&m_panel.settings(), &PropertyList::edited, this,
@@ -111,7 +112,15 @@ bool ToolHost::take(const PointerInput& input) {
   if (!event) return false;
   event->device = tip;
   const bool used = m_runner.pointer(*event) != ToolReply::Ignored;
+  showValues(input, used ? event->kind : PointerEvent::Kind::Leave);
   return isDepth || (used && event->kind != PointerEvent::Kind::Hover && event->kind != PointerEvent::Kind::Leave);
+}
+
+// What is dragged has its numbers beside the cursor.
+void ToolHost::showValues(const PointerInput& input, PointerEvent::Kind kind) {
+  const Tool* tool = m_runner.tool();
+  if (!tool || !m_runner.document() || kind != PointerEvent::Kind::Drag) return m_readout->hide();
+  m_readout->show(tool->settings(), m_runner.document()->displayUnit(), input.position.toPoint());
 }
 
 std::vector<Hint> ToolHost::hints() const {
@@ -158,6 +167,7 @@ void ToolHost::show() {
 
 void ToolHost::showNothing() {
   m_needed.clear();
+  m_readout->hide();
   m_viewport.setLiveMesh(nullptr);
   m_viewport.setProposedParts({});
   m_viewport.setHighlightedFaces({});

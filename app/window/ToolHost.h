@@ -11,6 +11,7 @@
 namespace handwheel {
 
 class ToolPanel;
+class ToolReadout;
 class Viewport;
 struct PointerInput;
 struct ViewRay;
@@ -46,11 +47,13 @@ class ToolHost : public QObject {
 
  private:
   bool take(const PointerInput& input);
+  void showValues(const PointerInput& input, PointerEvent::Kind kind);
   void show();
   void showNothing();
 
   Viewport& m_viewport;
   ToolPanel& m_panel;
+  ToolReadout* m_readout;
   NeedSet& m_needs;
   ToolRunner m_runner;
   MouseDevicePlace m_mouseDevice;

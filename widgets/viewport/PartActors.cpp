@@ -18,7 +18,8 @@ namespace {
 
 constexpr std::size_t kScanned = 2'000'000;     // points that set() looks at, whatever the size of the soups: 5 ms
 constexpr std::size_t kOutlinePoints = 20'000;  // of all parts
-constexpr float kTint = 0.35f;                  // of the accent, in a highlighted part
+constexpr double kFadedOpacity = 0.4;
+constexpr float kTint = 0.35f;  // of the accent, in a highlighted part
 
 QColor toColour(const std::array<float, 3>& c) {
   const auto channel = [&](int k) { return std::clamp(c[k], 0.0f, 1.0f); };
@@ -152,7 +153,8 @@ void PartActors::style(const Part& part) const {
   QColor colour = toColour(part.description.colour);
   if (!name.empty() && (name == m_inList || name == m_underCursor))
     colour = mixed(colour, m_style.colours.accent, kTint);
-  for (const auto& actor : part.actors) applyStyle(actor, m_style, {colour, part.description.smooth, m_opacity});
+  const double opacity = m_faded.contains(name) ? kFadedOpacity : m_opacity;
+  for (const auto& actor : part.actors) applyStyle(actor, m_style, {colour, part.description.smooth, opacity});
 }
 
 void PartActors::setStyle(const SurfaceStyle& style) {
@@ -170,6 +172,14 @@ void PartActors::setHighlighted(const std::string& inList, const std::string& un
   if (inList == m_inList && underCursor == m_underCursor) return;
   m_inList = inList;
   m_underCursor = underCursor;
+  for (const Part& part : m_parts) style(part);
+}
+
+void PartActors::setFaded(const std::vector<DisplayPart>& proposed) {
+  std::set<std::string> names;
+  for (const DisplayPart& part : proposed) names.insert(part.name);
+  if (names == m_faded) return;
+  m_faded = std::move(names);
   for (const Part& part : m_parts) style(part);
 }
 

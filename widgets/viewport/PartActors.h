@@ -11,6 +11,7 @@
 #include <vtkSmartPointer.h>
 #include <deque>
 #include <map>
+#include <set>
 
 class vtkRenderer;
 
@@ -38,6 +39,10 @@ class PartActors {
   void setOrigin(const Vec3& origin);
   // The parts to be tinted with the accent; an empty name for none.
   void setHighlighted(const std::string& inList, const std::string& underCursor);
+
+  // The parts that others of the same names are proposed for: seen through, for two opaque surfaces in one place make
+  // stripes.
+  void setFaded(const std::vector<DisplayPart>& proposed);
 
   bool isEmpty() const { return m_parts.empty(); }
   const Box& bounds() const { return m_bounds; }
@@ -83,6 +88,7 @@ class PartActors {
   Box m_bounds;
   SurfaceStyle m_style;
   Vec3 m_origin = Vec3::Zero();
+  std::set<std::string> m_faded;
   std::string m_inList;
   std::string m_underCursor;
   int m_built = 0;

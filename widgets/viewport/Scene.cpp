@@ -38,6 +38,7 @@ void Scene::clear() {
   m_blocks.clear();
   m_parts.set({});
   m_proposed.set({});
+  m_parts.setFaded({});
   m_mesh = {};
   m_meshBounds.setEmpty();
   m_meshOutline.clear();

@@ -48,6 +48,7 @@ void Viewport::setParts(const DisplayModel& model) {
 void Viewport::setProposedParts(const std::vector<DisplayPart>& parts) {
   if (parts.empty() && d->scene.proposedParts().isEmpty()) return;
   d->scene.proposedParts().set(parts);
+  d->scene.parts().setFaded(parts);
   d->requestShapes();
   update();
 }

@@ -176,19 +176,31 @@ ToolPreview JointDragTool::preview() const {
   return preview;
 }
 
+// The joints that move, each with its limits.
 std::vector<Property> JointDragTool::settings() const {
   const auto& hold = m_drag ? std::optional(m_drag->hold) : m_hovered;
-  if (!hold || (m_drag && m_drag->isWholeArm)) return {};
+  if (!hold) return {};
   const RobotModel& robot = m_document.robot().model;
-  const std::uint32_t dof = robot.joints[hold->joint].dof;
+  if (!m_drag || !m_drag->isWholeArm) return {settingOf(robot.joints[hold->joint].dof, "joint")};
+  std::vector<Property> all;
+  for (std::uint32_t dof = 0; dof < robot.dofs.size(); ++dof) {
+    if (m_drag->values[dof] != m_drag->start[dof]) all.push_back(settingOf(dof, "joint." + robot.jointOfDof(dof).name));
+  }
+  return all;
+}
+
+Property JointDragTool::settingOf(std::uint32_t dof, const std::string& id) const {
+  const Joint& joint = m_document.robot().model.jointOfDof(dof);
   Property property;
-  property.id = "joint";
-  property.label = robot.jointOfDof(dof).name;
+  property.id = id;
+  property.label = joint.name;
   property.translated = false;
   property.value = joints()[dof];
-  property.quantity = robot.jointOfDof(dof).kind == JointKind::Prismatic ? Quantity::Length : Quantity::Angle;
+  property.quantity = joint.kind == JointKind::Prismatic ? Quantity::Length : Quantity::Angle;
+  property.least = joint.limits.lower;
+  property.largest = joint.limits.upper;
   property.editable = false;
-  return {property};
+  return property;
 }
 
 void JointDragTool::documentChanged() {

@@ -53,6 +53,7 @@ class JointDragTool : public Tool {
   };
 
   std::optional<Hold> holdAt(const Ray& ray) const;
+  Property settingOf(std::uint32_t dof, const std::string& id) const;
   bool isItsOwn(std::uint32_t joint) const;
   ToolReply press(const PointerEvent& event);
   ToolReply release();

@@ -59,6 +59,26 @@ class PartActorsTest : public QObject {
   }
 
  private slots:
+  // What something else is proposed for is seen through, so that the two make no stripes where they coincide.
+  void whatIsProposedAnewFades() {
+    PartActors actors(m_renderer);
+    actors.set({partAt("a", Vec3(0, 0, 0)), partAt("b", Vec3(9, 0, 0))});
+    makeAll(actors);
+    actors.setFaded({partAt("b", Vec3(9, 1, 0))});
+    const auto opacities = [this] {
+      std::vector<double> all;
+      for (vtkActor* actor : shown()) all.push_back(actor->GetProperty()->GetOpacity());
+      std::sort(all.begin(), all.end());
+      return all;
+    };
+    QCOMPARE(opacities().size(), std::size_t{2});
+    QVERIFY(opacities()[0] < 1.0 && opacities()[0] > 0.0);
+    QCOMPARE(opacities()[1], 1.0);
+    actors.setFaded({});
+    QCOMPARE(opacities()[0], 1.0);
+    actors.set({});
+  }
+
   void cleanup() { m_renderer->RemoveAllViewProps(); }
 
   void nothingIsShownBeforeTheShapeIsMade() {

@@ -59,6 +59,38 @@ class KindsTest : public QObject {
     driver.click("quickActions/undo");
     QVERIFY(!driver.window().isWindowModified());
   }
+
+  // While a link is dragged its joint, value and limits stand beside the cursor; they go with the release.
+  void aDraggedJointTellsItsValue() {
+    WindowDriver driver;
+    driver.choose("openRobotSample");
+    QVERIFY(driver.settle());
+    auto* view = driver.find<Viewport>("viewport");
+    QTRY_VERIFY(view->isPickingReady());
+    const auto* readout = driver.find<QLabel>("toolReadout");
+    // The hand of the arm is what sees most of its joints below it; anything that is no part of the foot will do.
+    QPoint grip;
+    for (int y = 20; y < view->height() && grip.isNull(); y += 10) {
+      for (int x = 20; x < view->width() && grip.isNull(); x += 10) {
+        const ViewRay ray = view->rayAt(QPointF(x, y));
+        if (!view->pickAlong(ray.origin, ray.direction).part.empty()) grip = {x, y};
+      }
+    }
+    QVERIFY(!grip.isNull());
+    QTest::mousePress(view, Qt::LeftButton, {}, grip);
+    QVERIFY(!readout->isVisible());
+    const QPoint to = grip + QPoint(40, 25);
+    QMouseEvent move(QEvent::MouseMove, to, view->mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(view, &move);
+    QVERIFY(readout->isVisible());
+    QVERIFY2(readout->text().contains("joint_") && readout->text().contains(QStringLiteral("°")),
+             qPrintable(readout->text()));
+    QVERIFY2(readout->text().contains(" to "), qPrintable(readout->text()));
+    QVERIFY(view->rect().contains(readout->geometry()));
+    QTest::mouseRelease(view, Qt::LeftButton, {}, to);
+    QVERIFY(!readout->isVisible());
+    QVERIFY(driver.settle());
+  }
 };
 
 HANDWHEEL_WINDOW_TEST(KindsTest)

@@ -136,6 +136,8 @@ void JointDragMannersTest::previewMovesWhatMoves() {
   QCOMPARE(names, (std::vector<std::string>{"lower/0", "sledge/0", "finger/0"}));
   QVERIFY((tool.preview().parts[0].pose.translation() - Vec3(400, 200, 0)).norm() < 1e-9);
   QVERIFY(std::abs(std::get<double>(tool.settings().at(0).value) - kPi / 2) < 1e-9);
+  QCOMPARE(tool.settings().at(0).least, -2.0);
+  QCOMPARE(tool.settings().at(0).largest, 2.0);
   QVERIFY(isEnabled(tool, "revert") && isEnabled(tool, "commit"));
   QCOMPARE(tool.needs(), std::vector<std::string>{"picking"});
 }
