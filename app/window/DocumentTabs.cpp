@@ -66,7 +66,7 @@ void DocumentTabs::add(std::unique_ptr<OpenDocument> document) {
     close->setIcon(icon(QStringLiteral("close")));
     close->setIconSize({12, 12});
     close->setAccessibleName(tr("Close %1").arg(added->document.name()));
-    close->setToolTip(tr("Close (Ctrl+W)"));
+    close->setToolTip(m_closeTip);
     connect(close, &QToolButton::clicked, this, [this, added] { emit closeRequested(added); });
     m_bar->setTabButton(index, QTabBar::RightSide, close);
     m_bar->setCurrentIndex(index);
@@ -75,6 +75,11 @@ void DocumentTabs::add(std::unique_ptr<OpenDocument> document) {
   refresh(added);
   emit this->added(added);
   emit currentChanged(added);
+}
+
+void DocumentTabs::setCloseTip(const QString& tip) {
+  m_closeTip = tip;
+  for (auto* close : m_bar->findChildren<QToolButton*>(QStringLiteral("closeTab"))) close->setToolTip(tip);
 }
 
 void DocumentTabs::setCurrent(const OpenDocument* document) {

@@ -27,8 +27,9 @@ class DocumentTabs : public QFrame {
 
   void add(std::unique_ptr<OpenDocument> document);  // and makes it current
   void setCurrent(const OpenDocument* document);
-  void step(int places);               // to the right, and round
-  void close(OpenDocument* document);  // without asking
+  void step(int places);                 // to the right, and round
+  void close(OpenDocument* document);    // without asking
+  void setCloseTip(const QString& tip);  // of the button in each tab
 
  signals:
   void added(handwheel::OpenDocument* document);
@@ -41,6 +42,7 @@ class DocumentTabs : public QFrame {
   void refresh(const OpenDocument* document);
 
   QTabBar* m_bar;
+  QString m_closeTip;
   std::vector<std::unique_ptr<OpenDocument>> m_documents;  // in the order of the tabs
 };
 

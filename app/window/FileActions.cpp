@@ -22,6 +22,7 @@ namespace handwheel {
 
 namespace {
 
+const QStringList kSamples{kScanSample, kShaftSample, kRobotSample};
 const auto kFolderKey = QStringLiteral("lastFolder");
 
 QString lastFolder() {
@@ -33,7 +34,8 @@ void rememberFolder(const QString& path) {
 }
 
 bool isSample(const QFileInfo& file) {
-  return file == QFileInfo(samplePath(kScanSample)) || file == QFileInfo(samplePath(kRobotSample));
+  return std::any_of(kSamples.begin(), kSamples.end(),
+                     [&](const QString& s) { return file == QFileInfo(samplePath(s)); });
 }
 
 // "part-2.handwheel", or what number is free.
@@ -60,6 +62,7 @@ FileActions::FileActions(QWidget* window, const DocumentKinds& kinds, const Kind
       m_open(tr("&Open…"), this),
       m_newWorkpiece(tr("&New workpiece"), this),
       m_openSample(tr("Open the &sample scan"), this),
+      m_openShaftSample(tr("Open the sample s&haft"), this),
       m_openRobotSample(tr("Open the sample &robot"), this),
       m_save(tr("&Save"), this),
       m_saveAs(tr("Save &as…"), this),
@@ -78,17 +81,20 @@ FileActions::FileActions(QWidget* window, const DocumentKinds& kinds, const Kind
   prepare(m_save, "saveFile", "save", tr("Save this document"));
   prepare(m_saveAs, "saveFileAs", "save-as", tr("Save this document under another name"));
   prepare(m_close, "closeDocument", "close", tr("Close this document"));
+  const auto tellKey = [this] { m_tabs.setCloseTip(m_close.toolTip()); };
+  connect(&m_close, &QAction::changed, this, tellKey);
+  tellKey();
   prepare(m_nextTab, "nextDocument", "next", tr("Go to the next open document"));
   prepare(m_previousTab, "previousDocument", "previous", tr("Go to the previous open document"));
   m_recentMenu->setObjectName(QStringLiteral("recentMenu"));
   prepare(m_newWorkpiece, "newWorkpiece", "kind-workpiece", tr("Start with a cylinder to be turned"));
   prepare(m_openRobotSample, "openRobotSample", "kind-cell", tr("Open the sample robot arm"));
-  m_openSample.setEnabled(!samplePath(kScanSample).isEmpty());
-  m_openRobotSample.setEnabled(!samplePath(kRobotSample).isEmpty());
+  prepare(m_openShaftSample, "openShaftSample", "kind-workpiece", tr("Open the sample shaft for the lathe"));
+  openBy(m_openSample, kScanSample);
+  openBy(m_openShaftSample, kShaftSample);
+  openBy(m_openRobotSample, kRobotSample);
 
   connect(&m_open, &QAction::triggered, this, &FileActions::askForFiles);
-  connect(&m_openSample, &QAction::triggered, this, [this] { m_loader.load(samplePath(kScanSample)); });
-  connect(&m_openRobotSample, &QAction::triggered, this, [this] { m_loader.load(samplePath(kRobotSample)); });
   connect(&m_newWorkpiece, &QAction::triggered, this, [this] { m_loader.create("workpiece"); });
   connect(&m_save, &QAction::triggered, this, &FileActions::saveCurrent);
   connect(&m_saveAs, &QAction::triggered, this, [this] { askForName(m_tabs.current(), {}); });
@@ -104,6 +110,11 @@ FileActions::FileActions(QWidget* window, const DocumentKinds& kinds, const Kind
   connect(&m_recent, &RecentFiles::changed, this, &FileActions::fillRecentMenu);
   fillRecentMenu();
   followDocument();
+}
+
+void FileActions::openBy(QAction& action, const QString& sample) {
+  action.setEnabled(!samplePath(sample).isEmpty());
+  connect(&action, &QAction::triggered, this, [this, sample] { m_loader.load(samplePath(sample)); });
 }
 
 void FileActions::followDocument() {
@@ -127,6 +138,10 @@ void FileActions::fillRecentMenu() {
 
 void FileActions::openPaths(const QStringList& paths) {
   for (const QString& path : paths) m_loader.load(QFileInfo(path).absoluteFilePath());
+}
+
+QString FileActions::iconNameFor(const QString& path) const {
+  return handwheel::iconNameFor(m_kinds, path);
 }
 
 void FileActions::askForFiles() {

@@ -25,6 +25,7 @@ class FileActions : public QObject {
   QAction* open() { return &m_open; }
   QAction* newWorkpiece() { return &m_newWorkpiece; }
   QAction* openSample() { return &m_openSample; }
+  QAction* openShaftSample() { return &m_openShaftSample; }
   QAction* openRobotSample() { return &m_openRobotSample; }
   QAction* save() { return &m_save; }
   QAction* saveAs() { return &m_saveAs; }
@@ -34,6 +35,7 @@ class FileActions : public QObject {
 
   FileLoader& loader() { return m_loader; }
 
+  QString iconNameFor(const QString& path) const;  // of a drawing
   void openPaths(const QStringList& paths);
   // Closes a document; when it is modified the user is asked first. then: called once it is closed. While the user is
   // asked, or it is saved, a second wish to close it waits for the same answer.
@@ -46,6 +48,7 @@ class FileActions : public QObject {
   void message(const handwheel::Message& message);
 
  private:
+  void openBy(QAction& action, const QString& sample);
   void askForFiles();
   void saveCurrent();
   // ended: as of FileSaver::save(); also when no name was given.
@@ -69,6 +72,7 @@ class FileActions : public QObject {
   QAction m_open;
   QAction m_newWorkpiece;
   QAction m_openSample;
+  QAction m_openShaftSample;
   QAction m_openRobotSample;
   QAction m_save;
   QAction m_saveAs;
@@ -81,6 +85,7 @@ class FileActions : public QObject {
 // A sample that is shipped with the program; empty when it is missing.
 QString samplePath(const QString& name);
 inline const auto kScanSample = QStringLiteral("scan-with-holes.stl");
+inline const auto kShaftSample = QStringLiteral("shaft-stock.handwheel");
 inline const auto kRobotSample = QStringLiteral("robot-arm.urdf");
 
 }  // namespace handwheel

@@ -49,6 +49,17 @@ bool canWrite(const DocumentKind& kind, const QString& path) {
   return format && format->writes;
 }
 
+QString iconNameFor(const DocumentKinds& kinds, const QString& path) {
+  if (isContainerName(QFile::encodeName(path).toStdString())) return QStringLiteral("handwheel");
+  for (bool FileFormat::*does : {&FileFormat::reads, &FileFormat::writes}) {
+    for (const auto& kind : kinds.all()) {
+      const auto format = formatOf(*kind, path);
+      if (format && (*format).*does) return QStringLiteral("kind-") + QString::fromStdString(kind->id());
+    }
+  }
+  return QStringLiteral("file");
+}
+
 QStringList openFilters(const DocumentKinds& kinds) {
   QStringList all{containerPattern()}, lines;
   for (const auto& kind : kinds.all()) {

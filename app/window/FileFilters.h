@@ -16,6 +16,9 @@ std::optional<FileFormat> formatOf(const DocumentKind& kind, const QString& path
 // Whether documents of the kind can be written to such a path.
 bool canWrite(const DocumentKind& kind, const QString& path);
 
+// The drawing for a file, by the kind that reads such an ending, or else writes it.
+QString iconNameFor(const DocumentKinds& kinds, const QString& path);
+
 // What a file dialog offers: all that is opened, then one line for each kind.
 QStringList openFilters(const DocumentKinds& kinds);
 // All formats of the kind, then one line for each.

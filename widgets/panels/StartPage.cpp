@@ -64,17 +64,6 @@ QString lineOf(StartPage::Sample sample) {
   return StartPage::tr("An arm with six joints. Move it by hand within its limits.");
 }
 
-QString iconFor(const QFileInfo& file) {
-  const QString ending = file.suffix().toLower();
-  const auto among = [&](std::initializer_list<const char*> endings) {
-    return std::any_of(endings.begin(), endings.end(), [&](const char* e) { return ending == QLatin1String(e); });
-  };
-  if (among({"stl", "ply", "obj", "off", "3mf"})) return QStringLiteral("kind-mesh");
-  if (among({"urdf", "xacro", "srdf"})) return QStringLiteral("kind-cell");
-  if (among({"step", "stp"})) return QStringLiteral("kind-workpiece");
-  return among({"handwheel"}) ? QStringLiteral("handwheel") : QStringLiteral("file");
-}
-
 // Into rows of so many columns, each as wide as the others.
 template <class Tiles>
 void fill(QGridLayout& grid, const Tiles& tiles, int columns, bool stretched) {
@@ -194,8 +183,9 @@ void StartPage::setSampleAvailable(Sample sample, bool available) {
   tile->setLine(available ? lineOf(sample) : tr("The sample is not installed."));
 }
 
-void StartPage::setPictures(Pictures pictures) {
+void StartPage::setPictures(Pictures pictures, IconNames icons) {
   m_pictures = std::move(pictures);
+  m_icons = std::move(icons);
   setRecentFiles(m_paths);
 }
 
@@ -216,7 +206,7 @@ Tile* StartPage::recentTile(const QString& path) {
   strong.setBold(true);
   const QString name = QFontMetrics(strong).elidedText(file.fileName(), Qt::ElideMiddle, kPicture.width());
   const QString folder = fontMetrics().elidedText(QDir(file.path()).dirName(), Qt::ElideMiddle, kPicture.width());
-  auto* tile = new Tile(iconFor(file), name, folder, m_content);
+  auto* tile = new Tile(m_icons ? m_icons(path) : QStringLiteral("file"), name, folder, m_content);
   tile->setPicture(m_pictures ? m_pictures(path) : QPixmap(), kPicture);
   tile->layout()->setContentsMargins(8, 8, 8, 8);
   tile->layout()->setSpacing(2);

@@ -24,12 +24,14 @@ class StartPage : public QWidget {
   Q_ENUM(Sample)
   // The picture of a file; a null one where there is none.
   using Pictures = std::function<QPixmap(const QString& path)>;
+  // The name of a drawing for a file that has no picture.
+  using IconNames = std::function<QString(const QString& path)>;
 
   explicit StartPage(QWidget* parent = nullptr);
 
   // A sample that is not installed is shown, but cannot be opened.
   void setSampleAvailable(Sample sample, bool available);
-  void setPictures(Pictures pictures);
+  void setPictures(Pictures pictures, IconNames icons);
   void setRecentFiles(const QStringList& paths);
 
  signals:
@@ -60,6 +62,7 @@ class StartPage : public QWidget {
   QList<Tile*> m_recentTiles;
   QStringList m_paths;
   Pictures m_pictures;
+  IconNames m_icons;
 };
 
 }  // namespace handwheel

@@ -136,7 +136,7 @@ inline std::unique_ptr<StartPage> sampleStartPage() {
   auto page = std::make_unique<StartPage>();
   page->setSampleAvailable(StartPage::Sample::Scan, true);
   page->setSampleAvailable(StartPage::Sample::Cell, true);
-  page->setPictures(samplePicture);
+  page->setPictures(samplePicture, [](const QString&) { return QStringLiteral("kind-mesh"); });
   page->setRecentFiles({"/home/a/scans/bunny.stl", "/home/a/a-very-long-name-of-a-scan-from-tuesday-afternoon-2.stl",
                         "/home/a/robots/ur5.urdf", "/home/a/parts/shaft.step", "/home/a/cells/welding.handwheel",
                         "/home/a/readme.txt"});

@@ -74,10 +74,12 @@ void PanelsTest::recentFiles() {
   StartPage page;
   page.show();
   QStringList asked;
-  page.setPictures([&](const QString& path) {
-    asked << path;
-    return samplePicture(path);
-  });
+  page.setPictures(
+      [&](const QString& path) {
+        asked << path;
+        return samplePicture(path);
+      },
+      {});
   QVERIFY(!page.findChild<QWidget*>("clearRecent")->isVisible());
   const QStringList paths = {"/a/one.stl", "/a/two.urdf"};
   page.setRecentFiles(paths);

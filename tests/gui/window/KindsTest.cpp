@@ -4,6 +4,7 @@
 #include "WindowTestMain.h"
 #include "controls/PropertyList.h"
 #include "document/Document.h"
+#include "window/FileFilters.h"
 
 #include <QDockWidget>
 #include <QUndoStack>
@@ -45,6 +46,35 @@ class KindsTest : public QObject {
     QVERIFY(second.open(path));
     QCOMPARE(second.text("figures"), saved);
     QVERIFY(!second.window().isWindowModified());
+  }
+
+  // Files have the drawing of the kind that reads them; what none reads, of the one that writes it.
+  void filesAreDrawnByTheirEndings() {
+    const DocumentKinds kinds = std::move(registeredKinds().documents);
+    for (const auto& [name, drawing] : {std::pair{"a.STL", "kind-mesh"},
+                                        {"a.3mf", "kind-mesh"},
+                                        {"a.urdf", "kind-cell"},
+                                        {"a.step", "kind-workpiece"},
+                                        {"a.handwheel", "handwheel"},
+                                        {"a.txt", "file"}}) {
+      QCOMPARE(iconNameFor(kinds, name), QString::fromLatin1(drawing));
+    }
+  }
+
+  // Each tile of the start page opens a document that was shipped, which is not written over.
+  void everyTileOpensASample() {
+    for (const auto& [tile, name] : {std::pair{"sampleTile", "scan-with-holes.stl"},
+                                     {"latheTile", "shaft-stock.handwheel"},
+                                     {"cellTile", "robot-arm.urdf"}}) {
+      WindowDriver driver;
+      driver.click(tile);
+      QVERIFY(driver.settle());
+      QCOMPARE(driver.tabs(), 1);
+      QCOMPARE(driver.find<QTabBar>("documentTabBar")->tabText(0), QString::fromLatin1(name));
+      driver.click("quickActions/saveFile");
+      QTRY_VERIFY(driver.window().findChild<QFileDialog*>("saveDialog"));
+      driver.window().findChild<QFileDialog*>("saveDialog")->reject();
+    }
   }
 
   void aRobotMovesByItsSliders() {
