@@ -11,6 +11,7 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QSignalBlocker>
+#include <QStyledItemDelegate>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
@@ -21,7 +22,20 @@ namespace {
 enum Column { Name, Eye, Columns };
 constexpr int kDocumentRole = Qt::UserRole;
 constexpr int kVisibleRole = Qt::UserRole + 1;
+constexpr QSize kEye(16, 16);
 constexpr QSize kPicture(48, 30);  // logical pixels, with the sides of a thumbnail
+
+// The eye is smaller than the pictures, whose size is that of the whole tree.
+class EyeDelegate final : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+ protected:
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+    QStyledItemDelegate::initStyleOption(option, index);
+    option->decorationSize = kEye;
+  }
+};
 
 QTreeWidget* documentTree(QWidget* parent) {
   auto* tree = new QTreeWidget(parent);
@@ -30,6 +44,7 @@ QTreeWidget* documentTree(QWidget* parent) {
   tree->setColumnCount(Columns);
   tree->setHeaderHidden(true);
   tree->setIconSize(kPicture);
+  tree->setItemDelegateForColumn(Eye, new EyeDelegate(tree));
   tree->setRootIsDecorated(false);
   tree->header()->setStretchLastSection(false);
   tree->header()->setMinimumSectionSize(28);
