@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/LoopSubdivision.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -17,6 +18,13 @@ Eigen::Matrix3d frameOf(const Vec3& tangent, const Vec3& normal) {
   Eigen::Matrix3d frame;
   frame << t, n.cross(t), n;
   return frame;
+}
+
+// A power of two by which numbers of this size become those around 1.
+double scaleOf(const Vec3& v) {
+  int exponent = 0;
+  std::frexp(v.cwiseAbs().maxCoeff(), &exponent);
+  return std::ldexp(1.0, -std::max(exponent, -1000));
 }
 
 // Equation 4-2; Loop, "Smooth subdivision surfaces based on triangles", 1987.
@@ -51,8 +59,10 @@ Vec3 LoopStencils::place(const HalfEdgeMesh& coarse, std::size_t i) const {
 
 Eigen::Matrix3d LoopStencils::frame(const HalfEdgeMesh& coarse, std::size_t i) const {
   const std::span<const Vertex> s = sources(i);
-  const auto off = [&](std::size_t k) { return Vec3(coarse.position(s[k]) - coarse.position(s[0])); };
   if (m_stencils[i].kind == Kind::Fixed) return Eigen::Matrix3d::Identity();
+  // Only directions matter, and the products of lengths must neither overflow nor vanish.
+  const double scale = scaleOf(coarse.position(s[1]) - coarse.position(s[0]));
+  const auto off = [&](std::size_t k) { return Vec3(scale * (coarse.position(s[k]) - coarse.position(s[0]))); };
   if (m_stencils[i].kind == Kind::Edge) return frameOf(off(1), off(1).cross(off(2)) + off(3).cross(off(1)));
   Vec3 normal = Vec3::Zero();
   for (std::size_t k = 1; k < s.size(); ++k) normal += off(k).cross(off(k + 1 < s.size() ? k + 1 : 1));

@@ -25,8 +25,9 @@ struct FaceShape {
 
 FaceShape shapeOf(const TrianglePoints& t) {
   const Vec3 a = t[1] - t[0], b = t[2] - t[0];
-  const double longest = std::max({a.squaredNorm(), b.squaredNorm(), (t[2] - t[1]).squaredNorm()});
-  return {unitNormal(t), longest > 0.0 ? a.cross(b).norm() / longest : 0.0};
+  const double longest = std::max({a.stableNorm(), b.stableNorm(), (t[2] - t[1]).stableNorm()});
+  // Divided first: squares of huge or tiny lengths are none.
+  return {unitNormal(t), longest > 0.0 ? Vec3(a / longest).cross(b / longest).norm() : 0.0};
 }
 
 class LimitedMove {

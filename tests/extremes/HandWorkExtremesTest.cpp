@@ -21,6 +21,8 @@ class HandWorkExtremesTest : public QObject {
  private slots:
   void neverWorse_data();
   void neverWorse();
+  void sizeChangesNoSmoothing_data();
+  void sizeChangesNoSmoothing();
 };
 
 namespace {
@@ -100,6 +102,33 @@ void HandWorkExtremesTest::neverWorse() {
     const std::size_t now = test::meetingPairs(mesh);
     QVERIFY2(now <= crossings, qPrintable(QString("deed %1: %2 after %3").arg(deed).arg(now).arg(crossings)));
     crossings = now;
+  }
+}
+
+void HandWorkExtremesTest::sizeChangesNoSmoothing_data() {
+  QTest::addColumn<double>("scale");
+  for (int power : {-20, -10, 10, 20}) QTest::addRow("2^%d", power) << std::exp2(power);
+}
+
+// Scaling by a power of two is exact, so it must scale every move of a border to the bit; and none is farther than the
+// border is wide.
+void HandWorkExtremesTest::sizeChangesNoSmoothing() {
+  QFETCH(double, scale);
+  const TriangleSoup soup = test::sphereWithHoles(4, 3, 0.35);
+  const HalfEdgeMesh plain = buildMesh(soup).mesh, scaled = buildMesh(test::moved(soup, Vec3::Zero(), scale)).mesh;
+  const NearFaces near(plain, std::make_shared<FaceHierarchy>(plain)),
+      other(scaled, std::make_shared<FaceHierarchy>(scaled));
+  const auto loops = findBoundaryLoops(plain), others = findBoundaryLoops(scaled);
+  QCOMPARE(loops.size(), others.size());
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    const SmoothedBorder a = smoothBorder(near, loops[i]), b = smoothBorder(other, others[i]);
+    QVERIFY(!a.moves.empty());
+    QCOMPARE(a.moves.size(), b.moves.size());
+    for (std::size_t k = 0; k < a.moves.size(); ++k) {
+      QCOMPARE(a.moves[k].vertex, b.moves[k].vertex);
+      QVERIFY(Vec3(scale * a.moves[k].to) == b.moves[k].to);
+      QVERIFY((a.moves[k].to - a.moves[k].from).norm() < loops[i].box.diagonal().norm());
+    }
   }
 }
 

@@ -25,6 +25,8 @@ class SculptExtremesTest : public QObject {
  private slots:
   void subdivides_data() { everyMesh(); }
   void subdivides();
+  void levelsFollow_data() { everyMesh(10'000); }
+  void levelsFollow();
   void brushes_data() { everyMesh(); }
   void brushes();
   void crossingsOfAStroke_data() { everyMesh(10'000); }
@@ -75,6 +77,33 @@ void SculptExtremesTest::subdivides() {
     QVERIFY(again && again->faces == step.faces);
     patch = step.faces;
   }
+}
+
+// A coarse level that is moved as a whole takes the finer one along; without that, it is what it was made.
+void SculptExtremesTest::levelsFollow() {
+  QFETCH(TriangleSoup, soup);
+  const HalfEdgeMesh mesh = buildMesh(soup).mesh;
+  Box box;
+  for (const Vec3& p : soup.points) box.extend(p);
+  const double size = soup.points.empty() ? 1.0 : box.sizes().maxCoeff();
+  const double reach = soup.points.empty() ? 1.0 : box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
+  PatchLevels levels(mesh, FaceSelection::all(mesh));
+  if (levels.refine() != SubdivisionFailure::None) {
+    QVERIFY(test::sameMesh(levels.mesh(), mesh));
+    return;
+  }
+  QVERIFY(test::sameMesh(levels.mesh(0), mesh));
+  const HalfEdgeMesh fine = levels.mesh();
+  HalfEdgeMesh moved = mesh;
+  const Vec3 shift = size * Vec3(0.5, -0.25, 0.125);
+  for (Vertex v = 0; v < moved.vertexSlots(); ++v) moved.setPosition(v, moved.position(v) + shift);
+  levels.replace(0, moved);
+  QCOMPARE(QString::fromStdString(validate(levels.mesh())), QString());
+  const double error = 1e-9 * size + 1e-14 * reach;
+  for (Vertex v = 0; v < fine.vertexSlots(); ++v)
+    QVERIFY((levels.mesh().position(v) - fine.position(v) - shift).stableNorm() <= error);
+  levels.coarsen();
+  QVERIFY(test::sameMesh(levels.mesh(), moved));
 }
 
 void SculptExtremesTest::brushes() {
