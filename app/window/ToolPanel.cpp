@@ -52,7 +52,11 @@ void ToolPanel::setActions(const std::vector<ToolAction>& actions) {
   const bool same = std::equal(shown.begin(), shown.end(), m_buttons.begin(), m_buttons.end(),
                                [](const ToolAction& action, const auto& button) { return action.id == button.first; });
   if (!same) {
-    for (const auto& [id, button] : m_buttons) button->deleteLater();
+    for (const auto& [id, button] : m_buttons) {  // one of them may be what led here
+      m_column->removeWidget(button);             // old and new ones together may be higher than the window
+      button->hide();
+      button->deleteLater();
+    }
     m_buttons.clear();
     for (const ToolAction& action : shown) {
       auto* button = new QPushButton(this);

@@ -4,6 +4,7 @@
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
 
+#include <QComboBox>
 #include <QDockWidget>
 #include <QUndoStack>
 
@@ -65,6 +66,27 @@ class ViewCommandsTest : public QObject {
     QVERIFY(driver.open(file("kept.stl")));
     QCOMPARE(driver.find<Viewport>("viewport")->projection(), chosen);
     QVERIFY(!driver.find<QAction>("viewCube")->isChecked());
+    QVERIFY(driver.settle());
+  }
+
+  // Buttons that go must take no room beside those that come.
+  void aToolDoesNotGrowTheWindow() {
+    WindowDriver driver;
+    driver.choose("openSample");
+    QVERIFY(driver.settle());
+    driver.window().resize(1280, 760);
+    QTRY_COMPARE(driver.window().height(), 760);
+    for (const char* tool : {"selectTool", "fillTool", "selectTool", "measureTool", "selectTool"}) {
+      driver.choose(tool);
+      QTest::qWait(50);
+    }
+    auto* by = driver.find<QWidget>("property/mode")->findChild<QComboBox*>();
+    by->setCurrentIndex(by->findText("Brush"));
+    emit by->activated(by->currentIndex());
+    QTest::qWait(200);
+    driver.find<QAbstractButton>("toolAction/all")->click();
+    QTest::qWait(200);
+    QCOMPARE(driver.window().height(), 760);
     QVERIFY(driver.settle());
   }
 
