@@ -193,7 +193,7 @@
         <translation>die Datei ist zu groß (%1 %2, höchstens %3 können geöffnet werden)</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; makes no sense here</source>
+        <source>'%1' makes no sense here</source>
         <translation>„%1“ ergibt hier keinen Sinn</translation>
     </message>
     <message>
@@ -201,7 +201,7 @@
         <translation>%1 wurde erwartet, aber es folgt nichts mehr</translation>
     </message>
     <message>
-        <source>%1 was expected, &apos;%2&apos; was found</source>
+        <source>%1 was expected, '%2' was found</source>
         <translation>%1 wurde erwartet, „%2“ gefunden</translation>
     </message>
     <message>
@@ -225,14 +225,6 @@
         <translation>die Datei ist leer</translation>
     </message>
     <message>
-        <source>this is no mesh file that Handwheel knows</source>
-        <translation>das ist keine Netzdatei, die Handwheel kennt</translation>
-    </message>
-    <message>
-        <source>no mesh format belongs to the ending &apos;%1&apos;</source>
-        <translation>zur Endung „%1“ gehört kein Netzformat</translation>
-    </message>
-    <message>
         <source>the header is malformed: %1 is missing</source>
         <translation>der Dateikopf ist fehlerhaft: %1 fehlt</translation>
     </message>
@@ -241,11 +233,11 @@
         <translation>der Text ist in %1 kodiert, was nicht gelesen werden kann</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is not a number</source>
+        <source>'%1' is not a number</source>
         <translation>„%1“ ist keine Zahl</translation>
     </message>
     <message>
-        <source>the coordinate &apos;%1&apos; is not a finite number</source>
+        <source>the coordinate '%1' is not a finite number</source>
         <translation>die Koordinate „%1“ ist keine endliche Zahl</translation>
     </message>
     <message>
@@ -273,7 +265,7 @@
         <translation>die Datei widerspricht sich (%1)</translation>
     </message>
     <message>
-        <source>the data type &apos;%1&apos; is not known</source>
+        <source>the data type '%1' is not known</source>
         <translation>der Datentyp „%1“ ist nicht bekannt</translation>
     </message>
     <message>
@@ -297,11 +289,11 @@
         <translation>das Archiv kann nicht gelesen werden (%1)</translation>
     </message>
     <message>
-        <source>the part &apos;%1&apos; is missing</source>
+        <source>the part '%1' is missing</source>
         <translation>der Teil „%1“ fehlt</translation>
     </message>
     <message>
-        <source>the part &apos;%1&apos; is damaged</source>
+        <source>the part '%1' is damaged</source>
         <translation>der Teil „%1“ ist beschädigt</translation>
     </message>
     <message>
@@ -309,15 +301,15 @@
         <translation>die Datei hat Formatversion %1; dieses Programm kennt Versionen bis %2</translation>
     </message>
     <message>
-        <source>the file holds a &apos;%1&apos;, a kind of document that this program does not know</source>
+        <source>the file holds a '%1', a kind of document that this program does not know</source>
         <translation>die Datei enthält „%1“, eine Dokumentart, die dieses Programm nicht kennt</translation>
     </message>
     <message>
-        <source>the element &apos;%1&apos; is malformed: %2</source>
+        <source>the element '%1' is malformed: %2</source>
         <translation>das Element „%1“ ist fehlerhaft: %2</translation>
     </message>
     <message>
-        <source>%1 &apos;%2&apos; is named, but cannot be found</source>
+        <source>%1 '%2' is named, but cannot be found</source>
         <translation>%1 „%2“ wird genannt, ist aber nicht zu finden</translation>
     </message>
     <message>
@@ -359,14 +351,6 @@
     <message>
         <source>Reduce or split the model in the program that made it.</source>
         <translation>Verkleinern oder teilen Sie das Modell in dem Programm, das es erzeugt hat.</translation>
-    </message>
-    <message>
-        <source>Export the model as STL, PLY, OBJ or OFF.</source>
-        <translation>Exportieren Sie das Modell als STL, PLY, OBJ oder OFF.</translation>
-    </message>
-    <message>
-        <source>Use a name that ends in .stl, .ply, .obj or .off.</source>
-        <translation>Wählen Sie einen Namen, der auf .stl, .ply, .obj oder .off endet.</translation>
     </message>
     <message>
         <source>Save the file as UTF-8 text or in a binary format.</source>
@@ -459,6 +443,34 @@
     <message>
         <source>Switch it off and on again, or try another port.</source>
         <translation>Schalten Sie es aus und wieder ein, oder versuchen Sie einen anderen Anschluss.</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 oder %2</translation>
+    </message>
+    <message>
+        <source>this is no file that Handwheel knows</source>
+        <translation>das ist keine Datei, die Handwheel kennt</translation>
+    </message>
+    <message>
+        <source>the name has no ending, which would say the format</source>
+        <translation>der Name hat keine Endung, die das Format nennt</translation>
+    </message>
+    <message>
+        <source>the ending '%1' stands for no format that this can be written in</source>
+        <translation>die Endung „%1“ steht für kein Format, in dem dies geschrieben werden kann</translation>
+    </message>
+    <message>
+        <source>Choose another file.</source>
+        <translation>Wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>Handwheel reads files that end in %1.</source>
+        <translation>Handwheel liest Dateien mit der Endung %1.</translation>
+    </message>
+    <message>
+        <source>Use a name that ends in %1.</source>
+        <translation>Nehmen Sie einen Namen mit der Endung %1.</translation>
     </message>
 </context>
 <context>
@@ -584,39 +596,39 @@
         <translation>das Lesen von STEP-Dateien</translation>
     </message>
     <message>
-        <source>the 3MF extension &apos;%1&apos;</source>
+        <source>the 3MF extension '%1'</source>
         <translation>die 3MF-Erweiterung „%1“</translation>
     </message>
     <message>
-        <source>the floating joint &apos;%1&apos;, which is held still,</source>
+        <source>the floating joint '%1', which is held still,</source>
         <translation>das freie Gelenk „%1“, das festgehalten wird,</translation>
     </message>
     <message>
-        <source>the planar joint &apos;%1&apos;, which is held still,</source>
+        <source>the planar joint '%1', which is held still,</source>
         <translation>das ebene Gelenk „%1“, das festgehalten wird,</translation>
     </message>
     <message>
-        <source>the mesh name &apos;%1&apos;, which is no file on this machine,</source>
+        <source>the mesh name '%1', which is no file on this machine,</source>
         <translation>der Netzname „%1“, der keine Datei auf diesem Rechner ist,</translation>
     </message>
     <message>
-        <source>the mesh name &apos;%1&apos;, which leads too far away,</source>
+        <source>the mesh name '%1', which leads too far away,</source>
         <translation>der Netzname „%1“, der zu weit wegführt,</translation>
     </message>
     <message>
-        <source>the mesh name &apos;%1&apos;, which leaves its package,</source>
+        <source>the mesh name '%1', which leaves its package,</source>
         <translation>der Netzname „%1“, der sein Paket verlässt,</translation>
     </message>
     <message>
-        <source>the mesh name &apos;%1&apos;, which lies on another machine,</source>
+        <source>the mesh name '%1', which lies on another machine,</source>
         <translation>der Netzname „%1“, der auf einem anderen Rechner liegt,</translation>
     </message>
     <message>
-        <source>the mesh name &apos;%1&apos;, which names no package,</source>
+        <source>the mesh name '%1', which names no package,</source>
         <translation>der Netzname „%1“, der kein Paket nennt,</translation>
     </message>
     <message>
-        <source>the shape &apos;%1&apos;</source>
+        <source>the shape '%1'</source>
         <translation>die Form „%1“</translation>
     </message>
     <message>
@@ -844,7 +856,7 @@
         <translation>seine Nummer %1 ist vergeben</translation>
     </message>
     <message>
-        <source>its object is of the type &apos;other&apos;</source>
+        <source>its object is of the type 'other'</source>
         <translation>sein Objekt ist vom Typ „other“</translation>
     </message>
     <message>
@@ -860,11 +872,11 @@
         <translation>seine Transformation ist unverständlich</translation>
     </message>
     <message>
-        <source>its type &apos;%1&apos; is not known</source>
+        <source>its type '%1' is not known</source>
         <translation>sein Typ „%1“ ist nicht bekannt</translation>
     </message>
     <message>
-        <source>its unit is &apos;%1&apos;</source>
+        <source>its unit is '%1'</source>
         <translation>seine Einheit ist „%1“</translation>
     </message>
     <message>
@@ -896,7 +908,7 @@
         <translation>eine Geräteliste mit einem Inverse3</translation>
     </message>
     <message>
-        <source>the bootloader&apos;s greeting</source>
+        <source>the bootloader's greeting</source>
         <translation>die Begrüßung des Bootloaders</translation>
     </message>
     <message>
@@ -904,7 +916,7 @@
         <translation>das Echo des ersten Bytes</translation>
     </message>
     <message>
-        <source>the firmware&apos;s echo</source>
+        <source>the firmware's echo</source>
         <translation>das Echo der Firmware</translation>
     </message>
     <message>
@@ -924,16 +936,80 @@
         <translation>es bringt keinen Treiber mit</translation>
     </message>
     <message>
-        <source>there is already a driver &apos;%1&apos;</source>
+        <source>there is already a driver '%1'</source>
         <translation>es gibt schon einen Treiber ‚%1‘</translation>
     </message>
     <message>
-        <source>ticks of the recording &apos;%1&apos;</source>
+        <source>ticks of the recording '%1'</source>
         <translation>Takte der Aufzeichnung „%1“</translation>
     </message>
     <message>
         <source>the process that guards its motors has ended</source>
         <translation>der Prozess, der seine Motoren bewacht, ist zu Ende</translation>
+    </message>
+    <message>
+        <source>attributes</source>
+        <translation>Attribute</translation>
+    </message>
+    <message>
+        <source>events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>ticks</source>
+        <translation>Takte</translation>
+    </message>
+    <message>
+        <source>the setting</source>
+        <translation>die Einstellung</translation>
+    </message>
+    <message>
+        <source>it is not there</source>
+        <translation>es ist nicht da</translation>
+    </message>
+    <message>
+        <source>the picture could not be packed</source>
+        <translation>das Bild konnte nicht gepackt werden</translation>
+    </message>
+    <message>
+        <source>the picture has no pixels</source>
+        <translation>das Bild hat keine Pixel</translation>
+    </message>
+    <message>
+        <source>a rate or a time is not above zero</source>
+        <translation>eine Rate oder eine Zeit ist nicht größer als null</translation>
+    </message>
+    <message>
+        <source>a short list of keys is expected</source>
+        <translation>eine kurze Liste von Tasten wird erwartet</translation>
+    </message>
+    <message>
+        <source>a whole number is expected</source>
+        <translation>eine ganze Zahl wird erwartet</translation>
+    </message>
+    <message>
+        <source>an object is expected</source>
+        <translation>ein Objekt wird erwartet</translation>
+    </message>
+    <message>
+        <source>its loops cannot be told any more</source>
+        <translation>seine Ränder sind nicht mehr zu erkennen</translation>
+    </message>
+    <message>
+        <source>its triangles contradict each other</source>
+        <translation>seine Dreiecke widersprechen einander</translation>
+    </message>
+    <message>
+        <source>link %1 hangs on another joint already</source>
+        <translation>Glied %1 hängt schon an einem anderen Gelenk</translation>
+    </message>
+    <message>
+        <source>there is no such key</source>
+        <translation>diese Taste gibt es nicht</translation>
+    </message>
+    <message>
+        <source>they do not fit the mesh</source>
+        <translation>sie passen nicht zum Netz</translation>
     </message>
 </context>
 <context>
@@ -1588,7 +1664,7 @@
         <translation>%1 Eckpunkte wurden um das kleinstmögliche Maß verschoben, damit die Datei sie nicht verschmilzt.</translation>
     </message>
     <message>
-        <source>The file holds the robot&apos;s surfaces as they stand now; it has no joints.</source>
+        <source>The file holds the robot's surfaces as they stand now; it has no joints.</source>
         <translation>Die Datei enthält die Oberflächen des Roboters in der jetzigen Stellung; Gelenke hat sie keine.</translation>
     </message>
     <message>
@@ -3160,6 +3236,25 @@
     </message>
 </context>
 <context>
+    <name>ToolReadout</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 – limit (%2)</source>
+        <translation>%1 – Grenze (%2)</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
     <name>WindowServices</name>
     <message>
         <source>Autosave</source>
@@ -3844,10 +3939,6 @@
         <source>Close %1</source>
         <translation>%1 schließen</translation>
     </message>
-    <message>
-        <source>Close (Ctrl+W)</source>
-        <translation>Schließen (Strg+W)</translation>
-    </message>
 </context>
 <context>
     <name>handwheel::DocumentsPanel</name>
@@ -3992,6 +4083,14 @@
     <message>
         <source>Save as *%1…</source>
         <translation>Als *%1 speichern…</translation>
+    </message>
+    <message>
+        <source>Open the sample s&amp;haft</source>
+        <translation>Beispiel-&amp;Welle öffnen</translation>
+    </message>
+    <message>
+        <source>Open the sample shaft for the lathe</source>
+        <translation>Beispiel-Welle für die Drehmaschine öffnen</translation>
     </message>
 </context>
 <context>
@@ -5186,6 +5285,29 @@
     </message>
 </context>
 <context>
+    <name>handwheel::ServiceFigures</name>
+    <message>
+        <source>%1: %2 µs</source>
+        <translation>%1: %2 µs</translation>
+    </message>
+    <message>
+        <source>%1 µs</source>
+        <translation>%1 µs</translation>
+    </message>
+    <message>
+        <source>Services: %1</source>
+        <translation>Dienste: %1</translation>
+    </message>
+    <message>
+        <source>No service runs</source>
+        <translation>Es läuft kein Dienst</translation>
+    </message>
+    <message>
+        <source>CPU time of one tick of what runs beside the window</source>
+        <translation>CPU-Zeit eines Takts dessen, was neben dem Fenster läuft</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::ServiceModel</name>
     <message>
         <source>%1 % of the frame</source>
@@ -5710,6 +5832,22 @@
     <message>
         <source>Clipping plane: look inside; the panel “View” places it</source>
         <translation>Schnittebene: ins Innere sehen; der Bereich „Ansicht“ legt sie fest</translation>
+    </message>
+    <message>
+        <source>Perspective inste&amp;ad of parallel</source>
+        <translation>Perspektive st&amp;att parallel</translation>
+    </message>
+    <message>
+        <source>&amp;View cube</source>
+        <translation>Ansichts&amp;würfel</translation>
+    </message>
+    <message>
+        <source>What is farther away looks smaller</source>
+        <translation>Was weiter weg ist, sieht kleiner aus</translation>
+    </message>
+    <message>
+        <source>The cube in the corner that turns the view</source>
+        <translation>Der Würfel in der Ecke, der die Ansicht dreht</translation>
     </message>
 </context>
 <context>

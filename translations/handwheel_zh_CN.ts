@@ -193,7 +193,7 @@
         <translation>文件过大（%1 个%2，最多可打开 %3 个）</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; makes no sense here</source>
+        <source>'%1' makes no sense here</source>
         <translation>“%1”在此处没有意义</translation>
     </message>
     <message>
@@ -201,7 +201,7 @@
         <translation>应为 %1，但后面没有内容</translation>
     </message>
     <message>
-        <source>%1 was expected, &apos;%2&apos; was found</source>
+        <source>%1 was expected, '%2' was found</source>
         <translation>应为 %1，却是“%2”</translation>
     </message>
     <message>
@@ -225,14 +225,6 @@
         <translation>文件为空</translation>
     </message>
     <message>
-        <source>this is no mesh file that Handwheel knows</source>
-        <translation>这不是 Handwheel 能识别的网格文件</translation>
-    </message>
-    <message>
-        <source>no mesh format belongs to the ending &apos;%1&apos;</source>
-        <translation>扩展名“%1”不对应任何网格格式</translation>
-    </message>
-    <message>
         <source>the header is malformed: %1 is missing</source>
         <translation>文件头有误：缺少 %1</translation>
     </message>
@@ -241,11 +233,11 @@
         <translation>文本采用 %1 编码，无法读取</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is not a number</source>
+        <source>'%1' is not a number</source>
         <translation>“%1”不是数字</translation>
     </message>
     <message>
-        <source>the coordinate &apos;%1&apos; is not a finite number</source>
+        <source>the coordinate '%1' is not a finite number</source>
         <translation>坐标“%1”不是有限数</translation>
     </message>
     <message>
@@ -273,7 +265,7 @@
         <translation>文件内容自相矛盾（%1）</translation>
     </message>
     <message>
-        <source>the data type &apos;%1&apos; is not known</source>
+        <source>the data type '%1' is not known</source>
         <translation>未知的数据类型“%1”</translation>
     </message>
     <message>
@@ -297,11 +289,11 @@
         <translation>无法读取压缩包（%1）</translation>
     </message>
     <message>
-        <source>the part &apos;%1&apos; is missing</source>
+        <source>the part '%1' is missing</source>
         <translation>缺少部分“%1”</translation>
     </message>
     <message>
-        <source>the part &apos;%1&apos; is damaged</source>
+        <source>the part '%1' is damaged</source>
         <translation>部分“%1”已损坏</translation>
     </message>
     <message>
@@ -309,15 +301,15 @@
         <translation>文件格式版本为 %1；本程序最高支持版本 %2</translation>
     </message>
     <message>
-        <source>the file holds a &apos;%1&apos;, a kind of document that this program does not know</source>
+        <source>the file holds a '%1', a kind of document that this program does not know</source>
         <translation>文件包含“%1”，本程序不认识这种文档类型</translation>
     </message>
     <message>
-        <source>the element &apos;%1&apos; is malformed: %2</source>
+        <source>the element '%1' is malformed: %2</source>
         <translation>元素“%1”有误：%2</translation>
     </message>
     <message>
-        <source>%1 &apos;%2&apos; is named, but cannot be found</source>
+        <source>%1 '%2' is named, but cannot be found</source>
         <translation>引用了%1“%2”，但找不到</translation>
     </message>
     <message>
@@ -359,14 +351,6 @@
     <message>
         <source>Reduce or split the model in the program that made it.</source>
         <translation>请在生成该模型的程序中简化或拆分模型。</translation>
-    </message>
-    <message>
-        <source>Export the model as STL, PLY, OBJ or OFF.</source>
-        <translation>请将模型导出为 STL、PLY、OBJ 或 OFF。</translation>
-    </message>
-    <message>
-        <source>Use a name that ends in .stl, .ply, .obj or .off.</source>
-        <translation>请使用以 .stl、.ply、.obj 或 .off 结尾的文件名。</translation>
     </message>
     <message>
         <source>Save the file as UTF-8 text or in a binary format.</source>
@@ -459,6 +443,34 @@
     <message>
         <source>Switch it off and on again, or try another port.</source>
         <translation>请将其关闭后再打开，或换一个端口。</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 或 %2</translation>
+    </message>
+    <message>
+        <source>this is no file that Handwheel knows</source>
+        <translation>这不是 Handwheel 认识的文件</translation>
+    </message>
+    <message>
+        <source>the name has no ending, which would say the format</source>
+        <translation>名称没有表明格式的扩展名</translation>
+    </message>
+    <message>
+        <source>the ending '%1' stands for no format that this can be written in</source>
+        <translation>扩展名“%1”不是可写入的格式</translation>
+    </message>
+    <message>
+        <source>Choose another file.</source>
+        <translation>请选择其他文件。</translation>
+    </message>
+    <message>
+        <source>Handwheel reads files that end in %1.</source>
+        <translation>Handwheel 可读取扩展名为 %1 的文件。</translation>
+    </message>
+    <message>
+        <source>Use a name that ends in %1.</source>
+        <translation>请使用以 %1 结尾的名称。</translation>
     </message>
 </context>
 <context>
@@ -584,39 +596,39 @@
         <translation>读取 STEP 文件</translation>
     </message>
     <message>
-        <source>the 3MF extension &apos;%1&apos;</source>
+        <source>the 3MF extension '%1'</source>
         <translation>3MF 扩展“%1”</translation>
     </message>
     <message>
-        <source>the floating joint &apos;%1&apos;, which is held still,</source>
+        <source>the floating joint '%1', which is held still,</source>
         <translation>浮动关节“%1”（已固定）</translation>
     </message>
     <message>
-        <source>the planar joint &apos;%1&apos;, which is held still,</source>
+        <source>the planar joint '%1', which is held still,</source>
         <translation>平面关节“%1”（已固定）</translation>
     </message>
     <message>
-        <source>the mesh name &apos;%1&apos;, which is no file on this machine,</source>
+        <source>the mesh name '%1', which is no file on this machine,</source>
         <translation>网格名“%1”（不是本机文件）</translation>
     </message>
     <message>
-        <source>the mesh name &apos;%1&apos;, which leads too far away,</source>
+        <source>the mesh name '%1', which leads too far away,</source>
         <translation>网格名“%1”（路径过远）</translation>
     </message>
     <message>
-        <source>the mesh name &apos;%1&apos;, which leaves its package,</source>
+        <source>the mesh name '%1', which leaves its package,</source>
         <translation>网格名“%1”（超出所属软件包）</translation>
     </message>
     <message>
-        <source>the mesh name &apos;%1&apos;, which lies on another machine,</source>
+        <source>the mesh name '%1', which lies on another machine,</source>
         <translation>网格名“%1”（位于其他机器）</translation>
     </message>
     <message>
-        <source>the mesh name &apos;%1&apos;, which names no package,</source>
+        <source>the mesh name '%1', which names no package,</source>
         <translation>网格名“%1”（未指明软件包）</translation>
     </message>
     <message>
-        <source>the shape &apos;%1&apos;</source>
+        <source>the shape '%1'</source>
         <translation>形状“%1”</translation>
     </message>
     <message>
@@ -844,7 +856,7 @@
         <translation>编号 %1 已被占用</translation>
     </message>
     <message>
-        <source>its object is of the type &apos;other&apos;</source>
+        <source>its object is of the type 'other'</source>
         <translation>其对象类型为“other”</translation>
     </message>
     <message>
@@ -860,11 +872,11 @@
         <translation>无法理解其变换</translation>
     </message>
     <message>
-        <source>its type &apos;%1&apos; is not known</source>
+        <source>its type '%1' is not known</source>
         <translation>类型“%1”未知</translation>
     </message>
     <message>
-        <source>its unit is &apos;%1&apos;</source>
+        <source>its unit is '%1'</source>
         <translation>单位为“%1”</translation>
     </message>
     <message>
@@ -896,7 +908,7 @@
         <translation>包含 Inverse3 的设备清单</translation>
     </message>
     <message>
-        <source>the bootloader&apos;s greeting</source>
+        <source>the bootloader's greeting</source>
         <translation>引导程序的问候</translation>
     </message>
     <message>
@@ -904,7 +916,7 @@
         <translation>第一个字节的回显</translation>
     </message>
     <message>
-        <source>the firmware&apos;s echo</source>
+        <source>the firmware's echo</source>
         <translation>固件的回显</translation>
     </message>
     <message>
@@ -924,16 +936,80 @@
         <translation>其中没有驱动程序</translation>
     </message>
     <message>
-        <source>there is already a driver &apos;%1&apos;</source>
+        <source>there is already a driver '%1'</source>
         <translation>已有驱动程序“%1”</translation>
     </message>
     <message>
-        <source>ticks of the recording &apos;%1&apos;</source>
+        <source>ticks of the recording '%1'</source>
         <translation>录制“%1”的周期</translation>
     </message>
     <message>
         <source>the process that guards its motors has ended</source>
         <translation>看护其电机的进程已结束</translation>
+    </message>
+    <message>
+        <source>attributes</source>
+        <translation>属性</translation>
+    </message>
+    <message>
+        <source>events</source>
+        <translation>事件</translation>
+    </message>
+    <message>
+        <source>ticks</source>
+        <translation>周期</translation>
+    </message>
+    <message>
+        <source>the setting</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>it is not there</source>
+        <translation>设备不存在</translation>
+    </message>
+    <message>
+        <source>the picture could not be packed</source>
+        <translation>图片无法压缩</translation>
+    </message>
+    <message>
+        <source>the picture has no pixels</source>
+        <translation>图片没有像素</translation>
+    </message>
+    <message>
+        <source>a rate or a time is not above zero</source>
+        <translation>速率或时间不大于零</translation>
+    </message>
+    <message>
+        <source>a short list of keys is expected</source>
+        <translation>应为简短的按键列表</translation>
+    </message>
+    <message>
+        <source>a whole number is expected</source>
+        <translation>应为整数</translation>
+    </message>
+    <message>
+        <source>an object is expected</source>
+        <translation>应为对象</translation>
+    </message>
+    <message>
+        <source>its loops cannot be told any more</source>
+        <translation>已无法识别其边界环</translation>
+    </message>
+    <message>
+        <source>its triangles contradict each other</source>
+        <translation>其三角形互相矛盾</translation>
+    </message>
+    <message>
+        <source>link %1 hangs on another joint already</source>
+        <translation>连杆 %1 已连接在另一关节上</translation>
+    </message>
+    <message>
+        <source>there is no such key</source>
+        <translation>没有这样的按键</translation>
+    </message>
+    <message>
+        <source>they do not fit the mesh</source>
+        <translation>与网格不符</translation>
     </message>
 </context>
 <context>
@@ -1575,7 +1651,7 @@
         <translation>%1 个顶点已作最小幅度的移动，以免它们在文件中被焊接。</translation>
     </message>
     <message>
-        <source>The file holds the robot&apos;s surfaces as they stand now; it has no joints.</source>
+        <source>The file holds the robot's surfaces as they stand now; it has no joints.</source>
         <translation>文件只包含机器人当前姿态的表面，没有关节。</translation>
     </message>
     <message>
@@ -3135,6 +3211,25 @@
     </message>
 </context>
 <context>
+    <name>ToolReadout</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>%1 – limit (%2)</source>
+        <translation>%1 – 极限（%2）</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1（%2）</translation>
+    </message>
+</context>
+<context>
     <name>WindowServices</name>
     <message>
         <source>Autosave</source>
@@ -3813,10 +3908,6 @@
         <source>Close %1</source>
         <translation>关闭 %1</translation>
     </message>
-    <message>
-        <source>Close (Ctrl+W)</source>
-        <translation>关闭（Ctrl+W）</translation>
-    </message>
 </context>
 <context>
     <name>handwheel::DocumentsPanel</name>
@@ -3961,6 +4052,14 @@
     <message>
         <source>Save as *%1…</source>
         <translation>另存为 *%1…</translation>
+    </message>
+    <message>
+        <source>Open the sample s&amp;haft</source>
+        <translation>打开示例轴(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Open the sample shaft for the lathe</source>
+        <translation>打开用于车床的示例轴</translation>
     </message>
 </context>
 <context>
@@ -5147,6 +5246,29 @@
     </message>
 </context>
 <context>
+    <name>handwheel::ServiceFigures</name>
+    <message>
+        <source>%1: %2 µs</source>
+        <translation>%1：%2 µs</translation>
+    </message>
+    <message>
+        <source>%1 µs</source>
+        <translation>%1 µs</translation>
+    </message>
+    <message>
+        <source>Services: %1</source>
+        <translation>服务：%1</translation>
+    </message>
+    <message>
+        <source>No service runs</source>
+        <translation>没有服务在运行</translation>
+    </message>
+    <message>
+        <source>CPU time of one tick of what runs beside the window</source>
+        <translation>窗口之外运行的服务每个周期的 CPU 时间</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::ServiceModel</name>
     <message>
         <source>%1 % of the frame</source>
@@ -5664,6 +5786,22 @@
     <message>
         <source>Clipping plane: look inside; the panel “View” places it</source>
         <translation>剖切平面:查看内部;在“视图”面板中定位</translation>
+    </message>
+    <message>
+        <source>Perspective inste&amp;ad of parallel</source>
+        <translation>以透视代替平行投影(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;View cube</source>
+        <translation>视图立方体(&amp;V)</translation>
+    </message>
+    <message>
+        <source>What is farther away looks smaller</source>
+        <translation>较远的物体看起来较小</translation>
+    </message>
+    <message>
+        <source>The cube in the corner that turns the view</source>
+        <translation>角落里用于旋转视图的立方体</translation>
     </message>
 </context>
 <context>
