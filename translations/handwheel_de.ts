@@ -5287,12 +5287,12 @@
 <context>
     <name>handwheel::ServiceFigures</name>
     <message>
-        <source>%1: %2 µs</source>
-        <translation>%1: %2 µs</translation>
+        <source>%1: %2 µs/s</source>
+        <translation>%1: %2 µs/s</translation>
     </message>
     <message>
-        <source>%1 µs</source>
-        <translation>%1 µs</translation>
+        <source>%1 µs/s</source>
+        <translation>%1 µs/s</translation>
     </message>
     <message>
         <source>Services: %1</source>
@@ -5303,8 +5303,8 @@
         <translation>Es läuft kein Dienst</translation>
     </message>
     <message>
-        <source>CPU time of one tick of what runs beside the window</source>
-        <translation>CPU-Zeit eines Takts dessen, was neben dem Fenster läuft</translation>
+        <source>CPU time that what runs beside the window takes in a second</source>
+        <translation>CPU-Zeit, die das in jeder Sekunde braucht, was neben dem Fenster läuft</translation>
     </message>
 </context>
 <context>

@@ -5248,12 +5248,12 @@
 <context>
     <name>handwheel::ServiceFigures</name>
     <message>
-        <source>%1: %2 µs</source>
-        <translation>%1：%2 µs</translation>
+        <source>%1: %2 µs/s</source>
+        <translation>%1：%2 µs/s</translation>
     </message>
     <message>
-        <source>%1 µs</source>
-        <translation>%1 µs</translation>
+        <source>%1 µs/s</source>
+        <translation>%1 µs/s</translation>
     </message>
     <message>
         <source>Services: %1</source>
@@ -5264,8 +5264,8 @@
         <translation>没有服务在运行</translation>
     </message>
     <message>
-        <source>CPU time of one tick of what runs beside the window</source>
-        <translation>窗口之外运行的服务每个周期的 CPU 时间</translation>
+        <source>CPU time that what runs beside the window takes in a second</source>
+        <translation>窗口之外运行的服务每秒占用的 CPU 时间</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 #include "window/WindowServices.h"
 
 #include <QLocale>
+#include <utility>
 
 namespace handwheel {
 
@@ -34,16 +35,24 @@ void ServiceFigures::hideEvent(QHideEvent* event) {
 }
 
 void ServiceFigures::refresh() {
+  const double seconds = m_since.isValid() ? 1e-9 * static_cast<double>(m_since.nsecsElapsed()) : 0.0;
+  m_since.start();
   double sum = 0.0;
   QStringList lines;
+  std::map<QString, double> now;
   for (const auto& [name, microseconds] : m_services.costs()) {
-    sum += microseconds;
-    lines << tr("%1: %2 µs").arg(name, locale().toString(microseconds, 'f', 0));
+    const auto before = m_before.find(name);
+    const bool isKnown = before != m_before.end() && seconds > 0.0;
+    const double rate = isKnown ? (microseconds - before->second) / seconds : 0.0;
+    now[name] = microseconds;
+    sum += rate;
+    lines << tr("%1: %2 µs/s").arg(name, locale().toString(rate, 'f', 0));
   }
-  setText(tr("%1 µs").arg(locale().toString(sum, 'f', 0)));
+  m_before = std::move(now);
+  setText(tr("%1 µs/s").arg(locale().toString(sum, 'f', 0)));
   setAccessibleName(tr("Services: %1").arg(text()));
   if (lines.isEmpty()) lines << tr("No service runs");
-  setToolTip(tr("CPU time of one tick of what runs beside the window") + QLatin1Char('\n') +
+  setToolTip(tr("CPU time that what runs beside the window takes in a second") + QLatin1Char('\n') +
              lines.join(QLatin1Char('\n')));
 }
 

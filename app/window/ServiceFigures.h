@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QElapsedTimer>
 #include <QTimer>
 #include <QToolButton>
+#include <map>
 
 namespace handwheel {
 
 class WindowServices;
 
-// In the status bar: what one tick of all services that run costs together. A click opens the panel with the details.
+// In the status bar: the CPU time that all services that run take together in a second. A click opens the panel with
+// the details.
 class ServiceFigures : public QToolButton {
   Q_OBJECT
 
@@ -25,6 +28,8 @@ class ServiceFigures : public QToolButton {
 
   const WindowServices& m_services;
   QTimer m_timer;
+  QElapsedTimer m_since;               // the last look,
+  std::map<QString, double> m_before;  // and what each had cost by then, µs
 };
 
 }  // namespace handwheel

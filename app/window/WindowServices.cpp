@@ -39,7 +39,7 @@ std::vector<std::pair<QString, double>> WindowServices::costs() const {
   std::vector<std::pair<QString, double>> all;
   m_needs.forEach([&](const Service& service) {
     const ServiceCounters counters = service.counters();
-    if (counters.running) all.emplace_back(nameOf(service.id()), microsecondsPerTick(counters));
+    if (counters.running) all.emplace_back(nameOf(service.id()), counters.cpuMicroseconds);
   });
   return all;
 }

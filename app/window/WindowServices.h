@@ -22,7 +22,7 @@ class WindowServices {
   Service& fillPreview() { return m_fillPreview; }
   Service& haptics() { return m_haptics; }  // the servo loop of the device; its ticks are the loop's
 
-  // What a tick of each costs that runs now, by its translated name: CPU time in µs, the mean of all its ticks.
+  // What each has cost so far that runs now, by its translated name: CPU time in µs.
   std::vector<std::pair<QString, double>> costs() const;
   // The figures since the last call.
   std::vector<ServiceStatus> status();
