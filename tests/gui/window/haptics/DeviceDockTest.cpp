@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/haptics/DeviceDock.h"
 
+#include "OwnSettings.h"
 #include "panels/ForcePlot.h"
 #include "window/WindowServices.h"
 #include "window/haptics/HapticSession.h"
@@ -11,7 +12,6 @@
 #include <QLabel>
 #include <QSettings>
 #include <QSignalSpy>
-#include <QTemporaryDir>
 #include <QThreadPool>
 #include <QtTest>
 
@@ -56,15 +56,10 @@ class DeviceDockTest : public QObject {
   Q_OBJECT
 
  private:
-  QTemporaryDir m_folder;
+  test::OwnSettings m_settings;
 
  private slots:
-  void initTestCase() {
-    qputenv("HANDWHEEL_PLUGINS", m_folder.path().toLocal8Bit());  // a folder without any
-    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder.path());
-    QCoreApplication::setOrganizationName(QStringLiteral("Handwheel"));
-    QCoreApplication::setApplicationName(QStringLiteral("HandwheelTest"));
-  }
+  void initTestCase() { m_settings.use(); }
   void init() { QSettings().clear(); }
 
   void aDeviceIsChosenSeenAndLeft() {

@@ -6,11 +6,11 @@
 
 #include <QSettings>
 #include <QSignalSpy>
-#include <QTemporaryDir>
 #include <QThreadPool>
 #include <QtTest>
 #include <atomic>
 #include <mutex>
+#include "OwnSettings.h"
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -94,15 +94,10 @@ class HapticSessionTest : public QObject {
   Q_OBJECT
 
  private:
-  QTemporaryDir m_settings;
+  test::OwnSettings m_settings;
 
  private slots:
-  void initTestCase() {
-    qputenv("HANDWHEEL_PLUGINS", m_settings.path().toLocal8Bit());  // a folder without any
-    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_settings.path());
-    QCoreApplication::setOrganizationName(QStringLiteral("Handwheel"));
-    QCoreApplication::setApplicationName(QStringLiteral("HandwheelTest"));
-  }
+  void initTestCase() { m_settings.use(); }
   void init() { QSettings().clear(); }
 
   void withoutADeviceNothingRuns() {

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/haptics/TouchPage.h"
 
+#include "OwnSettings.h"
 #include "window/WindowServices.h"
 #include "window/haptics/HapticSession.h"
 
 #include <QComboBox>
 #include <QLineEdit>
 #include <QSettings>
-#include <QTemporaryDir>
 #include <QThreadPool>
 #include <QtTest>
 
@@ -46,15 +46,10 @@ class TouchPageTest : public QObject {
   Q_OBJECT
 
  private:
-  QTemporaryDir m_settings;
+  test::OwnSettings m_settings;
 
  private slots:
-  void initTestCase() {
-    qputenv("HANDWHEEL_PLUGINS", m_settings.path().toLocal8Bit());  // a folder without any
-    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_settings.path());
-    QCoreApplication::setOrganizationName(QStringLiteral("Handwheel"));
-    QCoreApplication::setApplicationName(QStringLiteral("HandwheelTest"));
-  }
+  void initTestCase() { m_settings.use(); }
   void init() { QSettings().clear(); }
 
   // The command switches what the page shows, and the next start begins with it.

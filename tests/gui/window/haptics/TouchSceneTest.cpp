@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/haptics/TouchScene.h"
 
+#include "OwnSettings.h"
 #include "window/WindowServices.h"
 #include "window/haptics/HapticSession.h"
 
 #include <QSettings>
-#include <QTemporaryDir>
 #include <QThreadPool>
 #include <QtTest>
 
@@ -84,15 +84,10 @@ class TouchSceneTest : public QObject {
   Q_OBJECT
 
  private:
-  QTemporaryDir m_settings;
+  test::OwnSettings m_settings;
 
  private slots:
-  void initTestCase() {
-    qputenv("HANDWHEEL_PLUGINS", m_settings.path().toLocal8Bit());  // a folder without any
-    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_settings.path());
-    QCoreApplication::setOrganizationName(QStringLiteral("Handwheel"));
-    QCoreApplication::setApplicationName(QStringLiteral("HandwheelTest"));
-  }
+  void initTestCase() { m_settings.use(); }
   void init() { QSettings().clear(); }
 
   void snapsByTheProfileThatWasChosen_data() {

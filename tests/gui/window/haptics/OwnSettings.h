@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCoreApplication>
+#include <QSettings>
+#include <QTemporaryDir>
+
+namespace handwheel::test {
+
+// A session of devices without plugins, and with settings that no other test has.
+class OwnSettings {
+ public:
+  void use() {
+    qputenv("HANDWHEEL_PLUGINS", m_folder.path().toLocal8Bit());  // a folder without any
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder.path());
+    QCoreApplication::setOrganizationName(QStringLiteral("Handwheel"));
+    QCoreApplication::setApplicationName(QStringLiteral("HandwheelTest"));
+  }
+
+ private:
+  QTemporaryDir m_folder;
+};
+
+}  // namespace handwheel::test
