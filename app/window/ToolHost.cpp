@@ -154,8 +154,8 @@ void ToolHost::show() {
   tint(preview.parts);
   m_viewport.setLiveMesh(preview.live);
   m_viewport.setProposedParts(preview.parts);
-  m_viewport.setHighlightedFaces(std::move(preview.highlighted));
-  m_viewport.setSelectedFaces(preview.selected.faces());
+  m_viewport.setHighlightedFaces(preview.highlighted);
+  m_viewport.setSelectedFaces(preview.selected);
   m_viewport.setPolylines(std::move(preview.lines));
   m_viewport.setBrush(preview.circle ? std::optional(BrushCircle{preview.circle->first, preview.circle->second})
                                      : std::nullopt);

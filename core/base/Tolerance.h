@@ -6,8 +6,9 @@
 
 namespace handwheel::tolerance {
 
-// Every tolerance of the program, so that none hides in a formula. Lengths are shares of the model's bounding-box
-// diagonal unless the name says otherwise.
+// Every tolerance of the program, so that none hides in a formula: what counts as the same, flat, parallel, near. What
+// guards one formula against its own rounding stands beside that formula. Lengths are shares of the model's
+// bounding-box diagonal unless the name says otherwise.
 
 // A part whose thickness (RMS, to its best plane) is below this share of its extent (RMS) is a flat sheet.
 inline constexpr double kFlatSheet = 1e-3;
@@ -102,5 +103,38 @@ inline constexpr double kContactSeam = 0x1p-12;
 inline constexpr double kContactSeamEdge = 0.25;
 // How far an edit is looked for that has buried a proxy.
 inline constexpr double kContactBuried = 0.01;
+// Two planes of contact are one below this sine of their angle, squared;
+inline constexpr double kOnePlane = 1e-14;
+// a third says nothing new when the volume that the three normals span, squared, is below this.
+inline constexpr double kSpannedVolume = 1e-18;
+
+// Height over longest side from which a face counts as a needle, unless it was nearly one before.
+inline constexpr double kNeedle = 1e-4;
+// A triangle with a smaller sine at a corner may be without area, and is looked at exactly.
+inline constexpr double kLeastSine = 1e-12;
+// The sine of the angle to an axis below which a cross product with it has no digits left.
+inline constexpr double kAlongAxis = 1e-9;
+// How far behind a face that does not count the search for a wall's other side goes on.
+inline constexpr double kPastFace = 1e-9;
+
+// Knots nearer than this share of their range are one knot written badly.
+inline constexpr double kKnotSpan = 1e-12;
+// A point is on the axis below this share of the largest radius.
+inline constexpr double kOnAxis = 1e-12;
+// What volumes and areas of NURBS solids are integrated to, relative: the library's default is 1 % off on rational
+// surfaces. A written solid holds the volume that was meant to this share.
+inline constexpr double kQuadrature = 1e-9;
+inline constexpr double kWrittenVolume = 1e-6;
+
+// A direction of a file is of length one to this, once scaled: else it has none.
+inline constexpr double kUnitLength = 1e-9;
+// A robot has reached a point at this share of its reach.
+inline constexpr double kReached = 1e-9;
+// Nearer to a joint's axis a point tells nothing of a turn (mm); a joint stands still below what any pointer resolves
+// (rad, mm).
+inline constexpr double kLeastLever = 0.01;
+inline constexpr double kStillJoint = 1e-7;
+// The sine of the angle below which a pointer's ray runs along an axis.
+inline constexpr double kParallelLines = 1e-3;
 
 }  // namespace handwheel::tolerance

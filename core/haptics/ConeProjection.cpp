@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/ConeProjection.h"
 
+#include "base/Tolerance.h"
+
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -9,10 +11,7 @@
 namespace handwheel {
 namespace {
 
-// The sine of the angle, squared, below which two planes are one.
-constexpr double kParallel = 1e-14;
-// The volume that three normals span, squared, below which the third says nothing new.
-constexpr double kFlat = 1e-18;
+using tolerance::kOnePlane, tolerance::kSpannedVolume;
 
 // Where the goal is pushed by the planes with these multipliers; none when a plane would have to pull.
 std::optional<Vec3> onPlane(const Vec3& goal, const HalfSpace& a) {
@@ -25,7 +24,7 @@ std::optional<Vec3> onLine(const Vec3& goal, const HalfSpace& a, const HalfSpace
   const double cosine = a.normal.dot(b.normal);
   // From the cross product: 1 - cosine² would lose the small angles.
   const double determinant = a.normal.cross(b.normal).squaredNorm();
-  if (determinant < kParallel) return std::nullopt;
+  if (determinant < kOnePlane) return std::nullopt;
   const double pushA = a.least - a.normal.dot(goal);
   const double pushB = b.least - b.normal.dot(goal);
   const double alongA = (pushA - cosine * pushB) / determinant;
@@ -37,7 +36,7 @@ std::optional<Vec3> onLine(const Vec3& goal, const HalfSpace& a, const HalfSpace
 std::optional<Vec3> onCorner(const Vec3& goal, const HalfSpace& a, const HalfSpace& b, const HalfSpace& c) {
   const Vec3 bc = b.normal.cross(c.normal), ca = c.normal.cross(a.normal), ab = a.normal.cross(b.normal);
   const double volume = a.normal.dot(bc);
-  if (volume * volume < kFlat) return std::nullopt;
+  if (volume * volume < kSpannedVolume) return std::nullopt;
   const Vec3 corner = (a.least * bc + b.least * ca + c.least * ab) / volume;
   // The multipliers: goal + Σ λ n = corner.
   const Vec3 push = corner - goal;

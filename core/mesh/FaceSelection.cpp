@@ -44,10 +44,21 @@ std::vector<Face> FaceSelection::faces() const {
   return result;
 }
 
-std::vector<Face> FaceSelection::differences(const FaceSelection& other) const {
+std::vector<Face> FaceSelection::facesIn(Face first, Face count) const {
+  assert(first % kBits == 0 && count % kBits == 0);
   std::vector<Face> result;
-  forEachUnsharedWord(
-      other, [&](std::size_t i) { forEachBit(i, word(i) ^ other.word(i), [&](Face f) { result.push_back(f); }); });
+  const std::size_t end = std::min((std::size_t{first} + count) / kBits, m_words.size());
+  for (std::size_t i = first / kBits; i < end; ++i) forEachBit(i, m_words[i], [&](Face f) { result.push_back(f); });
+  return result;
+}
+
+std::vector<std::size_t> FaceSelection::differingRanges(const FaceSelection& other, Face count) const {
+  assert(count > 0 && count % kBits == 0);
+  std::vector<std::size_t> result;
+  forEachUnsharedWord(other, [&](std::size_t i) {
+    const std::size_t range = i / (count / kBits);
+    if ((result.empty() || result.back() != range) && word(i) != other.word(i)) result.push_back(range);
+  });
   return result;
 }
 

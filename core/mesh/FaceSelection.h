@@ -10,6 +10,7 @@
 #include <bit>
 #include <cstdint>
 #include <initializer_list>
+#include <span>
 #include <vector>
 
 namespace handwheel {
@@ -21,6 +22,9 @@ class FaceSelection {
  public:
   FaceSelection() = default;
   FaceSelection(std::initializer_list<Face> faces) {
+    for (const Face f : faces) add(f);
+  }
+  explicit FaceSelection(std::span<const Face> faces) {
     for (const Face f : faces) add(f);
   }
 
@@ -50,8 +54,11 @@ class FaceSelection {
     for (std::size_t i = 0; i < m_words.size(); ++i) forEachBit(i, m_words[i], visit);
   }
   std::vector<Face> faces() const;
-  // The faces that are in one of the two only, in rising order: what must be drawn anew.
-  std::vector<Face> differences(const FaceSelection& other) const;
+  // Those of the given count of numbers from first on; both multiples of 64.
+  std::vector<Face> facesIn(Face first, Face count) const;
+  // Which ranges of so many numbers (a multiple of 64) have faces that are in one of the two only, in rising order:
+  // what must be drawn anew. Range i begins at the face i · count.
+  std::vector<std::size_t> differingRanges(const FaceSelection& other, Face count) const;
 
   bool operator==(const FaceSelection& other) const;
 

@@ -115,7 +115,7 @@ class Programme {
 
   // Without area; looked at exactly only where it may be.
   bool isFlat(std::size_t i, std::size_t m, std::size_t k, double doubled, const Vec3& u, const Vec3& v) const {
-    if (doubled > 1e-12 * u.norm() * v.norm()) return false;
+    if (doubled > tolerance::kLeastSine * u.norm() * v.norm()) return false;
     return !(doubled > 0.0) || isDegenerate({m_hole.points[i], m_hole.points[m], m_hole.points[k]});
   }
 

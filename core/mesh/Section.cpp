@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/Section.h"
 
+#include "base/Tolerance.h"
 #include "mesh/CoveredArea.h"
 #include "mesh/Steps.h"
 
@@ -121,8 +122,8 @@ class Cut {
 PlaneAxes axesOfPlane(const Vec3& normal) {
   const Vec3 across = Vec3::UnitZ().cross(normal);
   // Along Z within a rounding; there the cross product has no digits left.
-  const Vec3 u =
-      across.norm() > 1e-9 ? Vec3(across.normalized()) : Vec3((Vec3::UnitX() - normal.x() * normal).normalized());
+  const Vec3 u = across.norm() > tolerance::kAlongAxis ? Vec3(across.normalized())
+                                                       : Vec3((Vec3::UnitX() - normal.x() * normal).normalized());
   return {u, normal.cross(u)};
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/VertexGoals.h"
 
+#include "base/Tolerance.h"
 #include "mesh/FaceNormal.h"
 #include "mesh/FaceSelection.h"
 
@@ -14,8 +15,6 @@ namespace {
 
 // The cosine between a face before and after that still counts as the same side.
 constexpr double kSameSide = 0.02;
-// Height over longest side from which a face counts as a needle, unless it was nearly one before.
-constexpr double kNeedle = 1e-4;
 constexpr int kHalvings = 8;
 
 struct FaceShape {
@@ -115,7 +114,8 @@ class LimitedMove {
     if (!isMoved) return true;
     const FaceShape after = shapeOf(points), &before = m_before[f];
     if (before.normal.isZero(0.0)) return true;  // it had no side to begin with
-    return after.normal.dot(before.normal) > kSameSide && after.height >= std::min(kNeedle, 0.5 * before.height);
+    return after.normal.dot(before.normal) > kSameSide &&
+           after.height >= std::min(tolerance::kNeedle, 0.5 * before.height);
   }
 
   const HalfEdgeMesh& m_mesh;

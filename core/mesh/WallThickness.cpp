@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/WallThickness.h"
 
+#include "base/Tolerance.h"
 #include "mesh/FaceNormal.h"
 #include "mesh/SmoothNormal.h"
 
@@ -9,7 +10,6 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kStep = 1e-9;      // share of the model's diagonal: past a face that does not count
 constexpr int kMostSkipped = 1000;  // of those, in one place
 constexpr double kFree = 0.99;      // of the radius
 constexpr int kMostShrinks = 64;
@@ -17,7 +17,7 @@ constexpr int kMostShrinks = 64;
 // Where a ray from a face is out of all bodies again; where it never is, as among pieces that are open, out of the
 // first.
 std::optional<Vec3> wallBehind(const FaceHierarchy& faces, Face own, const Vec3& p, const Vec3& inwards) {
-  const double step = kStep * faces.bounds().diagonal().norm();
+  const double step = tolerance::kPastFace * faces.bounds().diagonal().norm();
   Ray ray{p, inwards};
   std::optional<Vec3> first;
   int depth = 1;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "nurbs/ProfileCurve.h"
 
+#include "base/Tolerance.h"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -9,9 +11,6 @@
 namespace handwheel {
 
 namespace {
-
-// Knots nearer than this share of their range are one knot written badly.
-constexpr double kLeastSpan = 1e-12;
 
 bool arePolesSound(const ProfileNet& net) {
   constexpr double most = ProfileCurve::kLargestCoordinate;
@@ -32,7 +31,7 @@ bool areKnotsSound(const ProfileNet& net) {
   constexpr double most = ProfileCurve::kLargestCoordinate;
   if (knots.size() != count + degree + 1) return false;
   if (!(std::abs(knots.front()) <= most && std::abs(knots.back()) <= most)) return false;
-  const double span = kLeastSpan * (knots.back() - knots.front());
+  const double span = tolerance::kKnotSpan * (knots.back() - knots.front());
   for (std::size_t i = 1; i < knots.size(); ++i) {
     const double gap = knots[i] - knots[i - 1];
     if (!(gap == 0.0 || (span > 0.0 && gap >= span))) return false;

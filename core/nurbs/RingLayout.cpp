@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "nurbs/RingLayout.h"
 
+#include "base/Tolerance.h"
 #include "nurbs/CircleSegments.h"
 
 #include <algorithm>
@@ -13,7 +14,6 @@ namespace handwheel {
 namespace {
 
 constexpr int kDeepest = 30;          // halvings of an arc; beyond, points coincide
-constexpr double kOnAxis = 1e-12;     // share of the largest radius below which a point is on the axis
 constexpr double kHalvingStep = 1.3;  // height of a band that halves the count, in chords of its finer side
 
 struct Outline {
@@ -53,7 +53,7 @@ Result<Outline> flatten(const ProfileCurve& profile, double tolerance, std::uint
   }
   for (const ProfilePoint& p : outline.points) outline.largestRadius = std::max(outline.largestRadius, p.x());
   for (ProfilePoint& p : outline.points) {
-    if (p.x() <= kOnAxis * outline.largestRadius) p.x() = 0.0;
+    if (p.x() <= tolerance::kOnAxis * outline.largestRadius) p.x() = 0.0;
   }
   return outline;
 }

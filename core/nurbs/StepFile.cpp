@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "nurbs/StepFile.h"
 
+#include "base/Tolerance.h"
 #include "nurbs/SurfaceOfRevolution.h"
 #include "nurbs/UnitCircle.h"
 
@@ -222,11 +223,9 @@ StepReport measure(const TopoDS_Shape& shape) {
   StepReport report;
   for (TopExp_Explorer solids(shape, TopAbs_SOLID); solids.More(); solids.Next()) ++report.solids;
   report.isValid = BRepCheck_Analyzer(shape).IsValid();
-  // To a stated precision: the default quadrature is 1 % off on rational surfaces.
-  constexpr double kPrecision = 1e-9;
   GProp_GProps volume, area;
-  BRepGProp::VolumeProperties(shape, volume, kPrecision);
-  BRepGProp::SurfaceProperties(shape, area, kPrecision);
+  BRepGProp::VolumeProperties(shape, volume, tolerance::kQuadrature);
+  BRepGProp::SurfaceProperties(shape, area, tolerance::kQuadrature);
   report.volume = volume.Mass();
   report.area = area.Mass();
   Bnd_Box box;

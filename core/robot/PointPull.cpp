@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robot/PointPull.h"
 
+#include "base/Tolerance.h"
 #include "robot/Kinematics.h"
 
 #include <Eigen/Cholesky>
@@ -18,7 +19,6 @@ constexpr double kLeastDamping = 1e-9;     // of (lengths / reach)²
 constexpr double kErrorDamping = 2e-3;     // the same, for each (error / reach)²
 constexpr double kStrongerDamping = 16.0;  // after a step that led away
 constexpr int kStalls = 6;                 // steps that led away, one after the other: this is as near as it gets
-constexpr double kNear = 1e-9;             // of the reach
 
 // A step along the degrees of freedom that are still free. Lengths are divided by the reach, so that turning by a
 // radian and sliding by the reach weigh alike.
@@ -111,7 +111,7 @@ JointValues pulled(const RobotModel& robot, const JointValues& values, const Poi
   int stalls = 0;
   for (int i = 0; i < steps && stalls < kStalls; ++i) {
     const Step step(robot, best, pull, reach);
-    if (step.distance() < kNear * reach) break;
+    if (step.distance() < tolerance::kReached * reach) break;
     const JointValues next = step.taken(damping);
     if (pullDistance(robot, next, pull) < step.distance()) {
       best = next;

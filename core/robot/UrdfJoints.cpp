@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robot/UrdfJoints.h"
 
+#include "base/Tolerance.h"
 #include "robot/UrdfValues.h"
 #include "robot/XmlNumbers.h"
 
@@ -82,7 +83,8 @@ Status UrdfJoints::readMotion(const XmlElement& element, Joint& joint) {
     const Result<Vec3> direction = readVector(*axis, "xyz", Vec3::UnitX());
     if (!direction) return direction.error();
     joint.axis = direction->stableNormalized();
-    if (!(std::abs(joint.axis.norm() - 1.0) < 1e-9)) return malformed(element, "its axis has no direction");
+    if (!(std::abs(joint.axis.norm() - 1.0) < tolerance::kUnitLength))
+      return malformed(element, "its axis has no direction");
   }
   const Result<JointLimits> limits = readLimits(element, joint);
   if (!limits) return limits.error();

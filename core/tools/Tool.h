@@ -63,7 +63,7 @@ struct ToolAction {
 // What the tool shows over the document while it works; nothing of it is in the document.
 struct ToolPreview {
   std::vector<DisplayPart> parts;                 // proposed geometry, drawn translucent
-  std::vector<std::uint32_t> highlighted;         // faces under the pointer or about to be selected
+  FaceSelection highlighted;                      // faces under the pointer or about to be selected
   std::vector<std::vector<Vec3>> lines;           // polylines over the model: a lasso, a ruler; mm
   std::optional<std::pair<Vec3, double>> circle;  // brush: centre on the surface and radius; mm
   FaceSelection selected;                         // faces that are selected now

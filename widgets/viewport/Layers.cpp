@@ -12,6 +12,12 @@ void setPlane(vtkPlane* plane, const Vec3& normal, const Vec3& point) {
   plane->SetOrigin(point.x(), point.y(), point.z());
 }
 
+void setOverlayMaterial(vtkProperty* property) {
+  property->SetAmbient(0.45);
+  property->SetDiffuse(0.6);
+  property->SetSpecular(0.0);
+}
+
 Layer::Layer(vtkRenderer* renderer, double lift) : m_lift(lift) {
   m_actor->SetMapper(m_mapper);
   m_actor->SetVisibility(false);

@@ -28,6 +28,9 @@ struct LayerFrame {
   ClipPlane clip;
 };
 
+// Of what lies over the model: hardly shaded.
+void setOverlayMaterial(vtkProperty* property);
+
 // One actor over the model, coloured by its points. It is lifted by some pixels' worth of length towards the viewer,
 // which changes nothing but its depth.
 class Layer {

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/Marks.h"
 
-#include <vtkProperty.h>
-
 namespace handwheel {
 
 namespace {
@@ -11,12 +9,6 @@ namespace {
 QColor withAlpha(QColor c, float alpha) {
   c.setAlphaF(alpha);
   return c;
-}
-
-void setOverlayMaterial(vtkProperty* property) {
-  property->SetAmbient(0.45);
-  property->SetDiffuse(0.6);
-  property->SetSpecular(0.0);
 }
 
 void show(Layer& layer, const PolyDataBuilder& triangles) {
@@ -40,30 +32,11 @@ void CasedStrokes::prepare(const LayerFrame& frame) {
   m_core.prepare(frame);
 }
 
-FaceLayer::FaceLayer(vtkRenderer* renderer, double lift) : m_layer(renderer, lift) {
-  setOverlayMaterial(m_layer.property());
-}
-
-bool FaceLayer::set(std::vector<Face> faces) {
-  if (faces == m_faces) return false;
-  m_faces = std::move(faces);
-  return true;
-}
-
-void FaceLayer::setColour(const QColor& colour, double opacity) {
-  m_layer.property()->SetColor(colour.redF(), colour.greenF(), colour.blueF());
-  m_layer.property()->SetOpacity(opacity);
-}
-
-void FaceLayer::rebuild(const HalfEdgeMesh& mesh, const Vec3& origin) {
-  m_faces.empty() ? m_layer.hide() : m_layer.setData(facesOf(mesh, m_faces, origin));
-}
-
 Marks::Marks(vtkRenderer* renderer)
     : m_colours(sceneColours(false)),
       m_faces(renderer, 1.0),
-      m_selected(renderer, 1.2),
-      m_highlighted(renderer, 1.4),
+      m_selected(renderer, 1.2, 0.75),
+      m_highlighted(renderer, 1.4, 0.45),
       m_hovered(renderer, 1.6),
       m_preview(renderer, 1.5),
       m_previewEdges(renderer, 2.0, 1.0),
@@ -94,18 +67,6 @@ void Marks::setLoops(std::vector<LoopMark> loops) {
 void Marks::setFaceMarks(std::vector<FaceMark> marks) {
   m_faceMarks = std::move(marks);
   m_stale.set(Faces);
-}
-
-bool Marks::setSelectedFaces(std::vector<Face> faces) {
-  const bool isNew = m_selected.set(std::move(faces));
-  if (isNew) m_stale.set(Selected);
-  return isNew;
-}
-
-bool Marks::setHighlightedFaces(std::vector<Face> faces) {
-  const bool isNew = m_highlighted.set(std::move(faces));
-  if (isNew) m_stale.set(Highlighted);
-  return isNew;
 }
 
 void Marks::setPointMarks(std::vector<PointMark> marks) {
@@ -139,16 +100,22 @@ void Marks::setHovered(int listLoop, int cursorLoop, Face face) {
 
 void Marks::setColours(const SceneColours& colours) {
   m_colours = colours;
-  m_selected.setColour(colours.selected, 0.75);
-  m_highlighted.setColour(colours.accent, 0.45);
+  m_selected.setColour(colours.selected);
+  m_highlighted.setColour(colours.accent);
   m_stale.set();
 }
 
 void Marks::setMesh(const HalfEdgeMesh& mesh, const Vec3& origin) {
   if (m_origin != origin) m_stale.set();
-  for (const Part part : {Faces, Selected, Highlighted, HoveredFace}) m_stale.set(part);
+  for (const Part part : {Faces, HoveredFace}) m_stale.set(part);
+  for (FaceLayer* layer : {&m_selected, &m_highlighted}) layer->setStale();
   m_mesh = mesh;
   m_origin = origin;
+}
+
+std::size_t Marks::takeFaces() {
+  const std::size_t taken = m_highlighted.takeOne(m_mesh, m_origin);
+  return taken > 0 ? taken : m_selected.takeOne(m_mesh, m_origin);
 }
 
 void Marks::prepare(const LayerFrame& frame) {
@@ -163,8 +130,6 @@ void Marks::prepare(const LayerFrame& frame) {
 void Marks::rebuildStale() {
   if (m_stale[Loops]) rebuildLoops();
   if (m_stale[Faces]) rebuildFaces();
-  if (m_stale[Selected]) m_selected.rebuild(m_mesh, m_origin);
-  if (m_stale[Highlighted]) m_highlighted.rebuild(m_mesh, m_origin);
   if (m_stale[HoveredFace]) rebuildHoveredFace();
   if (m_stale[Points]) rebuildPoints();
   if (m_stale[Lines]) rebuildLines();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "viewport/FaceLayer.h"
 #include "viewport/Layers.h"
 #include "viewport/Lighting.h"
 #include "viewport/ViewportTypes.h"
@@ -23,21 +24,6 @@ class CasedStrokes {
   StrokeLayer m_core;
 };
 
-// Faces of the mesh in one colour. For sets that are large and change often.
-class FaceLayer {
- public:
-  FaceLayer(vtkRenderer* renderer, double lift);
-
-  bool set(std::vector<Face> faces);  // false when they are the same as before
-  void setColour(const QColor& colour, double opacity);
-  void rebuild(const HalfEdgeMesh& mesh, const Vec3& origin);
-  void prepare(const LayerFrame& frame) { m_layer.prepare(frame); }
-
- private:
-  std::vector<Face> m_faces;
-  Layer m_layer;
-};
-
 // All that is drawn over the model.
 class Marks {
  public:
@@ -51,8 +37,8 @@ class Marks {
   void setSection(std::vector<SectionMark> section);
   void setPreview(std::vector<Vec3> points, std::vector<Triangle> triangles);
   // Until they are set anew: selected faces, and those that a tool points out. False when they are the same as before.
-  bool setSelectedFaces(std::vector<Face> faces);
-  bool setHighlightedFaces(std::vector<Face> faces);
+  bool setSelectedFaces(const FaceSelection& faces) { return m_selected.set(faces); }
+  bool setHighlightedFaces(const FaceSelection& faces) { return m_highlighted.set(faces); }
   const std::vector<LoopMark>& loops() const { return m_loops; }
 
   // The loops to be drawn as hovered and the face under the cursor; -1 and kNone for none.
@@ -61,11 +47,14 @@ class Marks {
   // The mesh that face marks refer to, and the point that stands at the origin of the drawing.
   void setMesh(const HalfEdgeMesh& mesh, const Vec3& origin);
 
-  // Builds what has changed since the last frame: however often an edit sets the marks, that is done once.
+  // Builds some of the faces above that are not yet drawn. Returns about what that cost, in triangles; 0: all is drawn.
+  std::size_t takeFaces();
+  bool owesFaces() const { return m_selected.isStale() || m_highlighted.isStale(); }
+  // Builds what else has changed since the last frame: however often an edit sets the marks, that is done once.
   void prepare(const LayerFrame& frame);
 
  private:
-  enum Part { Loops, Faces, Selected, Highlighted, HoveredFace, Points, Lines, Section, Preview, kParts };
+  enum Part { Loops, Faces, HoveredFace, Points, Lines, Section, Preview, kParts };
 
   void rebuildStale();
   void rebuildLoops();

@@ -151,8 +151,7 @@ void PartActors::place(const Part& part) const {
 void PartActors::style(const Part& part) const {
   const std::string& name = part.description.name;
   QColor colour = toColour(part.description.colour);
-  if (!name.empty() && (name == m_inList || name == m_underCursor))
-    colour = mixed(colour, m_style.colours.accent, kTint);
+  if (!name.empty() && name == m_highlighted) colour = mixed(colour, m_style.colours.accent, kTint);
   const double opacity = m_faded.contains(name) ? kFadedOpacity : m_opacity;
   for (const auto& actor : part.actors) applyStyle(actor, m_style, {colour, part.description.smooth, opacity});
 }
@@ -168,10 +167,9 @@ void PartActors::setOrigin(const Vec3& origin) {
   for (const Part& part : m_parts) place(part);
 }
 
-void PartActors::setHighlighted(const std::string& inList, const std::string& underCursor) {
-  if (inList == m_inList && underCursor == m_underCursor) return;
-  m_inList = inList;
-  m_underCursor = underCursor;
+void PartActors::setHighlighted(const std::string& name) {
+  if (name == m_highlighted) return;
+  m_highlighted = name;
   for (const Part& part : m_parts) style(part);
 }
 

@@ -37,8 +37,8 @@ class PartActors {
   void setStyle(const SurfaceStyle& style);
   // The point that stands at the origin of the drawing.
   void setOrigin(const Vec3& origin);
-  // The parts to be tinted with the accent; an empty name for none.
-  void setHighlighted(const std::string& inList, const std::string& underCursor);
+  // The parts of this name are tinted with the accent; empty: none.
+  void setHighlighted(const std::string& name);
 
   // The parts that others of the same names are proposed for: seen through, for two opaque surfaces in one place make
   // stripes.
@@ -89,8 +89,7 @@ class PartActors {
   SurfaceStyle m_style;
   Vec3 m_origin = Vec3::Zero();
   std::set<std::string> m_faded;
-  std::string m_inList;
-  std::string m_underCursor;
+  std::string m_highlighted;  // a name
   int m_built = 0;
 };
 

@@ -139,6 +139,15 @@ bool Scene::takeGeometry() {
   return taken > 0;
 }
 
+bool Scene::takeFaces() {
+  for (std::size_t taken = 0; taken < kFrameTriangles;) {
+    const std::size_t some = m_marks.takeFaces();
+    if (some == 0) return false;
+    taken += some;
+  }
+  return m_marks.owesFaces();
+}
+
 int Scene::builtCount() const {
   return m_blocks.builtCount() + m_parts.builtCount() + m_proposed.builtCount();
 }

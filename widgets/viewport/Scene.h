@@ -53,6 +53,8 @@ class Scene {
   const SceneColours& colours() const { return m_style.colours; }
   // Takes geometry from the queues until the next frame has enough to upload. False when nothing was waiting.
   bool takeGeometry();
+  // The same of the faces that are selected or pointed out, which are drawn in the next frame. True when some are left.
+  bool takeFaces();
   // How often a block of the mesh or of a part has been built.
   int builtCount() const;
   // Sets camera and line widths for the next frame. size in logical pixels.

@@ -4,6 +4,7 @@
 
 #include "base/ThreadClock.h"
 #include "document/DisplayModel.h"
+#include "mesh/FaceSelection.h"
 #include "viewport/CameraState.h"
 #include "viewport/ClipPlane.h"
 #include "viewport/ColourScale.h"
@@ -70,13 +71,12 @@ class Viewport : public QOpenGLWidget {
   void setSection(std::vector<SectionMark> section);
   // A translucent patch over the model, for what an operation would add. Empty removes it.
   void setPreview(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles);
-  // Draws this loop or part as under the cursor, for hovering in a list; -1 and an empty name for none.
+  // Draws this loop as under the cursor, for hovering in a list; -1 for none.
   void setHighlightedLoop(int id);
-  void setHighlightedPart(const std::string& name);
 
   // Faces of the mesh that are selected, and those that a tool points out; until they are set anew.
-  void setSelectedFaces(std::vector<Face> faces);
-  void setHighlightedFaces(std::vector<Face> faces);
+  void setSelectedFaces(const FaceSelection& faces);
+  void setHighlightedFaces(const FaceSelection& faces);
   // Another version in the place of the mesh, as long as a tool works on it; null for none. Nothing else follows it:
   // marks and what is picked are those of the mesh. Takes as long to appear as its blocks take to be built, and is left
   // out when the next comes sooner.

@@ -131,7 +131,8 @@ void Viewport::Private::paintOver() {
 // While the camera moves, a slow display gives up first the smoothing of edges, then the fine triangles.
 void Viewport::Private::draw() {
   const bool uploads = scene.takeGeometry();
-  if (uploads) q->update();  // for the next block, or at last for an undisturbed frame
+  const bool owesFaces = scene.takeFaces();
+  if (uploads || owesFaces) q->update();  // for the next block, or at last for an undisturbed frame
   const bool isReduced = isMoving() && fullFrameMs > kSlowFrameMs;
   scene.blocks().setReduced(isReduced);
   const bool isSmooth = !isMoving() || fullFrameMs <= kUnevenFrameMs;
@@ -147,14 +148,14 @@ void Viewport::Private::draw() {
   ++framesDrawn;
   const Spent spent = Spent::now() - start;
   timeDrawing = timeDrawing + spent;
-  if (isReduced || uploads) return;
+  if (isReduced || uploads || owesFaces) return;
   fullFrameMs = isSmooth ? spent.clock : std::max(fullFrameMs, spent.clock);
 }
 
 QImage Viewport::grabImage() {
   d->preparation.finishBlocks();
   d->partPreparation.finish();
-  while (d->scene.takeGeometry()) {
+  while (d->scene.takeGeometry() || d->scene.takeFaces()) {
   }
   return grabFramebuffer();
 }

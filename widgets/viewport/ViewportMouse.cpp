@@ -145,7 +145,7 @@ void Viewport::Private::hover(const Pick& pick) {
 
 void Viewport::Private::highlight() {
   scene.marks().setHovered(listLoop, hovered.loop, hovered.face);
-  scene.parts().setHighlighted(listPart, hovered.part);
+  scene.parts().setHighlighted(hovered.part);
   q->update();
 }
 

@@ -101,7 +101,6 @@ class Viewport::Private {
   Vec3 pivot = Vec3::Zero();
   Pick hovered;
   int listLoop = -1;
-  std::string listPart;
 
   ViewCube* cube;
   LengthUnit unit = LengthUnit::Millimetre;

@@ -53,18 +53,12 @@ void Viewport::setProposedParts(const std::vector<DisplayPart>& parts) {
   update();
 }
 
-void Viewport::setHighlightedPart(const std::string& name) {
-  if (name == d->listPart) return;
-  d->listPart = name;
-  d->highlight();
+void Viewport::setSelectedFaces(const FaceSelection& faces) {
+  if (d->scene.marks().setSelectedFaces(faces)) update();
 }
 
-void Viewport::setSelectedFaces(std::vector<Face> faces) {
-  if (d->scene.marks().setSelectedFaces(std::move(faces))) update();
-}
-
-void Viewport::setHighlightedFaces(std::vector<Face> faces) {
-  if (d->scene.marks().setHighlightedFaces(std::move(faces))) update();
+void Viewport::setHighlightedFaces(const FaceSelection& faces) {
+  if (d->scene.marks().setHighlightedFaces(faces)) update();
 }
 
 void Viewport::setPolylines(std::vector<std::vector<Vec3>> lines) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/workpiece/WorkpieceKind.h"
 
+#include "base/Tolerance.h"
 #include "document/AtomicFile.h"
 #include "document/mesh/MeshKind.h"
 #include "document/workpiece/WorkpieceDocument.h"
@@ -36,14 +37,14 @@ Error notAsMeant(const char* what) {
 
 // The bytes, after another look at what they hold.
 Result<std::string> checkedStep(const StockCylinder& stock, Progress progress) {
-  constexpr double kVolume = 1e-6;  // relative; the check integrates to 1e-9
   Result<std::string> bytes = writeStep(stock.profile(), progress.part(0.0, 0.5));
   if (!bytes) return bytes;
   const Result<StepReport> back = inspectStep(*bytes, progress.part(0.5, 1.0));
   if (!back && back.error().code != ErrorCode::LibraryFailed) return back.error();
   if (!back) return notAsMeant("it cannot be opened");
   if (back->solids != 1 || !back->isValid) return notAsMeant("it holds no valid solid");
-  if (!(std::abs(back->volume / stock.volume() - 1.0) < kVolume)) return notAsMeant("its volume differs");
+  if (!(std::abs(back->volume / stock.volume() - 1.0) < tolerance::kWrittenVolume))
+    return notAsMeant("its volume differs");
   return bytes;
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/cell/AxisDrag.h"
 
+#include "base/Tolerance.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,7 +13,6 @@ namespace handwheel {
 namespace {
 
 constexpr double kEdgeOn = 0.2;       // sine of the angle below which a circle is seen from the side
-constexpr double kParallel = 1e-3;    // sine of the angle below which two lines are
 constexpr double kLongestStep = 0.3;  // rad
 constexpr double kShortestStep = 1e-9;
 constexpr int kSteps = 30;
@@ -30,7 +31,8 @@ class Circle {
   std::optional<double> angleOf(const Vec3& inPlane) const {
     const Vec3 arm = inPlane - m_middle;
     const double x = arm.dot(m_radial), y = arm.dot(m_across);
-    if (!std::isfinite(x) || !std::isfinite(y) || std::hypot(x, y) < kParallel * m_radial.squaredNorm()) return {};
+    if (!std::isfinite(x) || !std::isfinite(y) || std::hypot(x, y) < tolerance::kParallelLines * m_radial.squaredNorm())
+      return {};
     return std::atan2(y, x);
   }
 
@@ -85,7 +87,7 @@ std::optional<double> turnUnder(const HeldPoint& held, const Sight& sight, doubl
 std::optional<double> slideUnder(const HeldPoint& held, const Ray& ray) {
   const double together = held.axis.dot(ray.direction);
   const double square = 1.0 - together * together;
-  if (square < kParallel * kParallel) return {};
+  if (square < tolerance::kParallelLines * tolerance::kParallelLines) return {};
   const Vec3 between = held.point - ray.origin;
   const double way = (together * ray.direction.dot(between) - held.axis.dot(between)) / square;
   return std::isfinite(way) ? std::optional(way) : std::nullopt;
@@ -93,7 +95,7 @@ std::optional<double> slideUnder(const HeldPoint& held, const Ray& ray) {
 
 std::optional<Vec3> placeUnder(const Vec3& point, const Vec3& facing, const Ray& ray) {
   const double slope = ray.direction.dot(facing);
-  if (std::abs(slope) < kParallel) return {};
+  if (std::abs(slope) < tolerance::kParallelLines) return {};
   const Vec3 place = ray.origin + (point - ray.origin).dot(facing) / slope * ray.direction;
   return place.allFinite() ? std::optional(place) : std::nullopt;
 }

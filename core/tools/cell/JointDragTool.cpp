@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/cell/JointDragTool.h"
 
+#include "base/Tolerance.h"
 #include "document/cell/CellDisplay.h"
 #include "robot/Kinematics.h"
 #include "robot/PointPull.h"
@@ -11,13 +12,6 @@
 #include <utility>
 
 namespace handwheel {
-
-namespace {
-
-constexpr double kShortestLever = 0.01;  // mm; nearer to its axis a point tells nothing of a turn
-constexpr double kStill = 1e-7;          // rad, mm; below the resolution of any pointer
-
-}  // namespace
 
 // Whether the joint is moved for itself: no other joint on the way to the foot goes with it.
 bool JointDragTool::isItsOwn(std::uint32_t joint) const {
@@ -46,7 +40,7 @@ std::optional<JointDragTool::Hold> JointDragTool::holdAt(const Ray& ray) const {
     if (joint.dof == kNone || robot.jointOfDof(joint.dof).limits.areClosed()) continue;
     hold.at.centre = poses[joint.child].translation();
     hold.at.axis = poses[joint.child].linear() * joint.axis;
-    if (joint.kind == JointKind::Prismatic || hold.at.lever() > kShortestLever) return hold;
+    if (joint.kind == JointKind::Prismatic || hold.at.lever() > tolerance::kLeastLever) return hold;
   }
   return {};
 }
@@ -131,7 +125,7 @@ ToolReply JointDragTool::release() {
   const RobotModel& robot = m_document.robot().model;
   // Whoever comes back to where he began gets no step for what rounding left.
   const JointValues way = withinLimits(robot, drag.values) - drag.start;
-  if (way.cwiseAbs().maxCoeff() < kStill) return ToolReply::Used;
+  if (way.cwiseAbs().maxCoeff() < tolerance::kStillJoint) return ToolReply::Used;
   auto edit = m_document.jointEdit(drag.values);
   if (!edit) return ToolReply::Used;
   const Joint& joint = robot.jointOfDof(robot.joints[drag.hold.joint].dof);

@@ -35,7 +35,7 @@ void BoundaryTool::addDragPreview(ToolPreview& preview) const {
     soup = soupOf(m_drag->pull.shapes(m_drag->stop));
   } else if (m_drag->deed == Deed::Weld) {
     soup = m_drag->weld.shapes;
-    if (m_drag->problem == JoinProblem::None) preview.highlighted = m_drag->weld.changed;
+    if (m_drag->problem == JoinProblem::None) preview.highlighted = FaceSelection(m_drag->weld.changed);
   } else {
     std::vector<TrianglePoints> laid;
     for (const Triangle& t : m_drag->bridge.triangles)

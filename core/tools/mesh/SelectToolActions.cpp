@@ -197,7 +197,7 @@ std::vector<ToolAction> SelectTool::actions() const {
 ToolPreview SelectTool::preview() const {
   ToolPreview preview;
   preview.selected = selection().faces;
-  preview.highlighted = m_hovered.faces();
+  preview.highlighted = m_hovered;
   preview.circle = m_circle;
   std::set<Vertex> keys = selection().loops;
   if (m_hoveredLoop) keys.insert(*m_hoveredLoop);

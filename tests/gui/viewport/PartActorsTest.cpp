@@ -211,11 +211,11 @@ class PartActorsTest : public QObject {
       return all;
     };
     const auto plain = colours();
-    actors.setHighlighted("", "b");
+    actors.setHighlighted("b");
     QVERIFY(colours()[0] == plain[0] && colours()[1] != plain[1]);
-    actors.setHighlighted("a", "");
+    actors.setHighlighted("a");
     QVERIFY(colours()[0] != plain[0] && colours()[1] == plain[1]);
-    actors.setHighlighted("", "");
+    actors.setHighlighted("");
     QVERIFY(colours() == plain);
   }
 

@@ -98,14 +98,14 @@ class ViewportLayersTest : public PictureFixture {
         faces.push_back(static_cast<Face>(2 * (j * kCells + i) + 1));
       }
     }
-    m_view->setSelectedFaces(faces);
+    m_view->setSelectedFaces(FaceSelection(faces));
     const Silhouette selected = silhouette(m_view->grabImage(), plain);
     QVERIFY(isNear(selected.area, 50 * 20 * 20, 0.02));
     QVERIFY(
         (selected.centroid - CameraNavigation(fromAbove(Projection::Parallel), kSize).toScreen({7, 6.5, 0})).norm() <
         0.5);
     m_view->setSelectedFaces({});
-    m_view->setHighlightedFaces(faces);
+    m_view->setHighlightedFaces(FaceSelection(faces));
     QVERIFY(isNear(silhouette(m_view->grabImage(), plain).area, 50 * 20 * 20, 0.02));
     m_view->setHighlightedFaces({});
     QCOMPARE(silhouette(m_view->grabImage(), plain).area, 0.0);
@@ -142,7 +142,6 @@ class ViewportLayersTest : public PictureFixture {
       m_view->setPolylines({{{1, 1, 0}, {2, 2, 0}}});
       m_view->setBrush(BrushCircle{Vec3(5, 5, 0), 2});
       m_view->setHighlightedLoop(4);
-      m_view->setHighlightedPart("none");
     };
     showAll(1);
     settle();

@@ -191,17 +191,17 @@ void SelectToolTest::connectedAndAngle() {
 void SelectToolTest::hoverShowsWhatAClickWouldSelect() {
   SelectBench b(plates(), kClick);
   b.tool.pointer(above(Kind::Hover, 3.2, 4.8));
-  QCOMPARE(b.tool.preview().highlighted, std::vector<std::uint32_t>{upper(3, 4) + 1});
+  QVERIFY(b.tool.preview().highlighted == FaceSelection{upper(3, 4) + 1});
   b.tool.setSetting("mode", kConnected);
   QVERIFY(b.tool.preview().highlighted.empty());
   b.tool.pointer(above(Kind::Hover, 3.2, 4.8));
-  QCOMPARE(b.tool.preview().highlighted.size(), std::size_t(200));
+  QCOMPARE(b.tool.preview().highlighted.count(), std::size_t(200));
   b.tool.pointer(above(Kind::Hover, 20, 20));
   QVERIFY(b.tool.preview().highlighted.empty());
   QCOMPARE(b.count(), std::size_t(0));
   SelectBench large(torus(200, 60), kConnected);  // 24 000 faces: too many to show on the way
   large.tool.pointer(above(Kind::Hover, 2.0, 0.1));
-  QCOMPARE(large.tool.preview().highlighted.size(), std::size_t(1));
+  QCOMPARE(large.tool.preview().highlighted.count(), std::size_t(1));
 }
 
 void SelectToolTest::secondButton() {

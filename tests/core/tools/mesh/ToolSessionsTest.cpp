@@ -193,8 +193,9 @@ class Session {
     if (!m_runner.tool()) return {};
     const ToolPreview preview = m_runner.tool()->preview();
     const auto isLive = [&](Face f) { return f < mesh.faceSlots() && mesh.isLive(f); };
-    bool live = std::all_of(preview.highlighted.begin(), preview.highlighted.end(), isLive);
-    preview.selected.forEach([&](Face f) { live = live && isLive(f); });
+    bool live = true;
+    for (const FaceSelection* shown : {&preview.highlighted, &preview.selected})
+      shown->forEach([&](Face f) { live = live && isLive(f); });
     return live ? "" : "a face is shown that is not there";
   }
 
