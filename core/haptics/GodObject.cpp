@@ -61,7 +61,8 @@ void GodObject::place(const Vec3& tip) {
 
 const Contact& GodObject::follow(const ContactSurface& surface, const Vec3& tip, const ContactOptions& options) {
   if (!tip.allFinite() || !((tip - m_proxy).squaredNorm() < 1e300)) return m_contact;
-  LocalFaces faces(surface);
+  // The proxy mostly goes as the tip does.
+  LocalFaces faces(surface, tip - m_tip);
   const double ahead = (tip - m_tip).norm();
   faces.setReach(m_fit > 0.0 ? std::min(m_fit, ahead) : ahead);
   slide(faces, tip, options, options.tolerance * surface.diagonal(), surface.skin());
@@ -105,8 +106,8 @@ void GodObject::slide(LocalFaces& faces, const Vec3& tip, const ContactOptions& 
 
 void GodObject::surfaceChanged(const ContactSurface& surface) {
   if (!m_contact.touching) return;
-  LocalFaces faces(surface);
   const double far = tolerance::kContactBuried * surface.diagonal();
+  LocalFaces faces(surface, far * m_contact.normal);
   faces.setReach(far);
   // Upwards, it must not meet a surface from behind.
   const LocalFaces::Sweep sweep = faces.sweep(m_proxy, far * m_contact.normal);

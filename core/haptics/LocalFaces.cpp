@@ -12,6 +12,12 @@ namespace {
 // corner that triangles share must hit one of them.
 constexpr double kEdgeRounding = 1e-15;
 
+// The box that is looked up stands out around the way by this share of the reach,
+constexpr double kMargin = 0.3;
+// and a step is taken in it as long as so much of the reach is left.
+constexpr double kWanted = 0.25;
+constexpr double kLeastReach = 16.0;  // skins
+
 // Whether the line from p along the step passes through the triangle: it sees the corners turn one way (Segura and
 // Feito 2001). Swapping two corners changes the sign exactly, so that neighbours agree on their edge.
 bool passesThrough(const Vec3& p, const Vec3& step, const TrianglePoints& t) {
@@ -81,16 +87,22 @@ double LocalFaces::inside(const Vec3& p, const Vec3& step) const {
 
 // False where more triangles meet than there is room for.
 bool LocalFaces::lookUp(const Vec3& p, const Vec3& step) {
+  m_reach = std::max(m_reach, kLeastReach * m_skin);
+  if (m_box.isEmpty()) return lookUpAround(p, m_expected);
   const double length = step.norm();
-  const double least = 16.0 * m_skin;
-  m_reach = std::max(m_reach, least);
-  const double wanted = std::min(length, 0.25 * m_reach);
-  if (!m_box.isEmpty() && m_box.contains(p) && inside(p, step) * length >= wanted) return m_count <= kCapacity;
+  const double wanted = std::min(length, kWanted * m_reach);
+  if (m_box.contains(p) && inside(p, step) * length >= wanted) return m_count <= kCapacity;
+  return lookUpAround(p, step);
+}
+
+bool LocalFaces::lookUpAround(const Vec3& p, const Vec3& way) {
+  const double length = way.norm();
+  const double least = kLeastReach * m_skin;
   for (;;) {
-    const Vec3 ahead = length > m_reach ? Vec3(p + step * (m_reach / length)) : Vec3(p + step);
+    const Vec3 ahead = length > m_reach ? Vec3(p + way * (m_reach / length)) : Vec3(p + way);
     Box box(p);
     box.extend(ahead);
-    const Vec3 margin = Vec3::Constant(0.25 * m_reach);
+    const Vec3 margin = Vec3::Constant(kMargin * m_reach);
     m_box = Box(box.min() - margin, box.max() + margin);
     if (gather(m_box)) return true;
     m_crowded = true;

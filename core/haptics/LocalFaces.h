@@ -14,7 +14,10 @@ namespace handwheel {
 // fixed memory.
 class LocalFaces {
  public:
-  explicit LocalFaces(const ContactSurface& surface) : m_surface(surface), m_skin(surface.skin()) {}
+  // expected: where the proxy will go from its first place, as far as that can be told before; what is looked up first
+  // lies around this way, so that one look-up mostly serves a tick.
+  LocalFaces(const ContactSurface& surface, const Vec3& expected)
+      : m_surface(surface), m_skin(surface.skin()), m_expected(expected) {}
 
   // How far ahead to look up, mm.
   void setReach(double reach) { m_reach = reach; }
@@ -40,6 +43,7 @@ class LocalFaces {
   static constexpr std::size_t kCapacity = 32;
 
   bool lookUp(const Vec3& p, const Vec3& step);
+  bool lookUpAround(const Vec3& p, const Vec3& way);
   bool gather(const Box& box);
   // The share of the step that stays in the box looked up.
   double inside(const Vec3& p, const Vec3& step) const;
@@ -47,6 +51,7 @@ class LocalFaces {
 
   const ContactSurface& m_surface;
   double m_skin;
+  Vec3 m_expected;
   double m_reach = 0.0;
   Box m_box;
   std::array<Face, kCapacity> m_faces;
