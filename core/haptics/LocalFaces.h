@@ -47,6 +47,7 @@ class LocalFaces {
   bool gather(const Box& box);
   // The share of the step that stays in the box looked up.
   double inside(const Vec3& p, const Vec3& step) const;
+  std::size_t facesAhead(const Vec3& p, const Vec3& step, std::array<std::uint8_t, kCapacity>& ahead) const;
   void test(const Face& face, const Vec3& p, const Vec3& step, Sweep& best, double& crossing) const;
 
   const ContactSurface& m_surface;
