@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "controls/ActionText.h"
 
+#include "controls/ScopedAction.h"
+
 #include <QAction>
 #include <QMenu>
 #include <QMenuBar>
@@ -39,6 +41,11 @@ QHash<const QAction*, QString> menuPaths(const QMenuBar* bar) {
   std::stable_partition(menus.begin(), menus.end(), [](const QAction* menu) { return menu->isVisible(); });
   collect(menus, {}, paths);
   return paths;
+}
+
+QString pathOf(const QAction& action, const QHash<const QAction*, QString>& menuPaths) {
+  const auto* scoped = qobject_cast<const ScopedAction*>(&action);
+  return scoped ? scoped->path() : menuPaths.value(&action);
 }
 
 bool isCommand(const QAction& action) {

@@ -23,7 +23,7 @@ void CommandModel::setActions(const QList<QAction*>& actions, const QHash<const 
   std::vector<CommandText> texts;
   for (QAction* action : actions) {
     if (!action->isVisible()) continue;
-    const QString path = paths.value(action);
+    const QString path = pathOf(*action, paths);
     const QString keys = action->shortcut().toString(QKeySequence::NativeText);
     texts.push_back({action->objectName(), withoutMnemonic(action->text()), path, hintOf(*action), keys});
     m_commands.push_back({action, path});

@@ -122,15 +122,25 @@ void ShortcutEditor::showRow() {
   }
   const QList<QKeySequence> keys = m_model->keys(chosen);
   m_keys->setKeySequence(keys.isEmpty() ? QKeySequence() : keys.first());
-  m_none->setEnabled(!keys.isEmpty());
+  const bool fixed = m_model->index(chosen, 0).data(ShortcutModel::FixedRole).toBool();
+  m_keys->setEnabled(!fixed);
+  m_none->setEnabled(!fixed && !keys.isEmpty());
   m_reset->setEnabled(m_model->index(chosen, 0).data(ShortcutModel::ChangedRole).toBool());
+  if (fixed) return say(m_model->index(chosen, 0).data(Qt::ToolTipRole).toString(), false);
   if (others.isEmpty()) return say({}, false);
-  say(tr("The same key starts “%1”; so neither works.").arg(others.join(tr("”, “"))), true);
+  const QString names = others.join(tr("”, “"));
+  if (m_model->index(chosen, 0).data(ShortcutModel::AmbiguousRole).toBool())
+    return say(tr("The same key starts “%1”; so neither works.").arg(names), true);
+  say(tr("The same key starts “%1”. In the view the tool in use takes it.").arg(names), true);
 }
 
 void ShortcutEditor::useKey() {
   const QKeySequence key = m_keys->keySequence();
   if (row() < 0 || key.isEmpty() || m_model->keys(row()).startsWith(key)) return;
+  if (const QString why = m_model->objection(row(), key); !why.isEmpty()) {
+    showRow();
+    return say(why, true);
+  }
   m_model->setKeys(row(), {key});
 }
 

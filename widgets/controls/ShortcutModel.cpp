@@ -3,6 +3,7 @@
 #include "controls/ShortcutModel.h"
 
 #include "controls/ActionText.h"
+#include "controls/ScopedAction.h"
 #include "theme/Icons.h"
 #include "theme/Theme.h"
 
@@ -26,8 +27,10 @@ bool collide(const QKeySequence& a, const QKeySequence& b) {
   return common > 0;
 }
 
+// Keys that end what one does are given out once, and stay so.
 bool collides(const QKeySequence& key, const QList<QKeySequence>& others) {
-  return std::any_of(others.begin(), others.end(), [&](const QKeySequence& other) { return collide(key, other); });
+  return !isEndingKey(key) &&
+         std::any_of(others.begin(), others.end(), [&](const QKeySequence& other) { return collide(key, other); });
 }
 
 QStringList portable(const QList<QKeySequence>& keys) {
@@ -38,11 +41,15 @@ QStringList portable(const QList<QKeySequence>& keys) {
 
 QList<QKeySequence> fromPortable(const QStringList& texts) {
   QList<QKeySequence> keys;
-  for (const QString& text : texts) {
-    const QKeySequence key = QKeySequence::fromString(text, QKeySequence::PortableText);
-    if (!key.isEmpty()) keys << key;
-  }
+  for (const QString& text : texts) keys << QKeySequence::fromString(text, QKeySequence::PortableText);
   return keys;
+}
+
+bool isKey(const QKeySequence& keys) {
+  for (int i = 0; i < keys.count(); ++i) {
+    if (keys[static_cast<uint>(i)].key() == Qt::Key_unknown) return false;
+  }
+  return !keys.isEmpty();
 }
 
 }  // namespace
@@ -51,7 +58,7 @@ void ShortcutModel::setActions(const QList<QAction*>& actions, const QMenuBar* m
   const QHash<const QAction*, QString> paths = menuPaths(menus);
   std::vector<Entry> entries;
   for (QAction* action : actions) {
-    if (isCommand(*action)) entries.push_back(entryOf(action, paths.value(action)));
+    if (isCommand(*action)) entries.push_back(entryOf(action, pathOf(*action, paths)));
   }
   std::stable_sort(entries.begin(), entries.end(),
                    [](const Entry& a, const Entry& b) { return a.path.localeAwareCompare(b.path) < 0; });
@@ -62,7 +69,13 @@ void ShortcutModel::setActions(const QList<QAction*>& actions, const QMenuBar* m
 
 // An action that is known already has the user's keys: its defaults are those of its entry.
 ShortcutModel::Entry ShortcutModel::entryOf(QAction* action, const QString& path) const {
-  Entry entry{action, action->objectName(), withoutMnemonic(action->text()), path, action->shortcuts()};
+  const auto* scoped = qobject_cast<const ScopedAction*>(action);
+  Entry entry{action,
+              action->objectName(),
+              withoutMnemonic(action->text()),
+              path,
+              scoped ? scoped->scope() : QString(),
+              action->shortcuts()};
   const auto known =
       std::find_if(m_entries.begin(), m_entries.end(), [&](const Entry& e) { return e.action == action; });
   if (known != m_entries.end()) {
@@ -71,22 +84,48 @@ ShortcutModel::Entry ShortcutModel::entryOf(QAction* action, const QString& path
   }
   const QSettings settings;
   const QString key = kGroup + entry.id;
-  if (settings.contains(key)) action->setShortcuts(fromPortable(settings.value(key).toStringList()));
+  if (!settings.contains(key)) return entry;
+  const QList<QKeySequence> kept = fromPortable(settings.value(key).toStringList());
+  const QList<QKeySequence> possible = possibleOf(entry, kept);
+  if (kept.isEmpty() || !possible.isEmpty()) action->setShortcuts(possible);
   return entry;
 }
 
+bool ShortcutModel::isFixed(const Entry& entry) {
+  return !entry.scope.isEmpty() && std::any_of(entry.defaults.begin(), entry.defaults.end(), isEndingKey);
+}
+
+QString ShortcutModel::objection(const Entry& entry, const QKeySequence& key) {
+  if (entry.defaults.contains(key)) return {};
+  if (isFixed(entry)) return tr("In every tool Return finishes and Esc gives up: these keys stay as they are.");
+  if (isEndingKey(key)) return tr("Return, Enter and Esc end what a tool does. No other command can have them.");
+  if (!isKey(key)) return tr("There is no such key.");
+  if (!entry.scope.isEmpty() && key.count() > 1) return tr("In a tool a single press has to do.");
+  return {};
+}
+
+QString ShortcutModel::objection(int row, const QKeySequence& key) const {
+  return objection(entry(row), key);
+}
+
+// A fixed row has what it has.
+QList<QKeySequence> ShortcutModel::possibleOf(const Entry& entry, QList<QKeySequence> keys) {
+  if (isFixed(entry)) return entry.defaults;
+  keys.removeIf([&](const QKeySequence& key) { return !objection(entry, key).isEmpty(); });
+  return keys;
+}
+
 QList<QKeySequence> ShortcutModel::keys(int row) const {
-  const Entry& entry = m_entries[static_cast<std::size_t>(row)];
-  return entry.action ? entry.action->shortcuts() : QList<QKeySequence>();
+  return entry(row).action ? entry(row).action->shortcuts() : QList<QKeySequence>();
 }
 
 void ShortcutModel::setKeys(int row, const QList<QKeySequence>& keys) {
-  apply(m_entries[static_cast<std::size_t>(row)], keys);
+  apply(entry(row), keys);
   announce();
 }
 
 void ShortcutModel::reset(int row) {
-  setKeys(row, m_entries[static_cast<std::size_t>(row)].defaults);
+  setKeys(row, entry(row).defaults);
 }
 
 void ShortcutModel::resetAll() {
@@ -94,8 +133,9 @@ void ShortcutModel::resetAll() {
   announce();
 }
 
-void ShortcutModel::apply(const Entry& entry, const QList<QKeySequence>& keys) {
+void ShortcutModel::apply(const Entry& entry, const QList<QKeySequence>& wanted) {
   if (!entry.action) return;
+  const QList<QKeySequence> keys = possibleOf(entry, wanted);
   entry.action->setShortcuts(keys);
   QSettings settings;
   if (keys == entry.defaults) {
@@ -105,16 +145,25 @@ void ShortcutModel::apply(const Entry& entry, const QList<QKeySequence>& keys) {
   }
 }
 
+// A command of a tool has its name from both: several tools have a "Smaller brush".
+QString ShortcutModel::nameOf(const Entry& entry) {
+  return entry.scope.isEmpty() ? entry.title : entry.scope + QStringLiteral(" › ") + entry.title;
+}
+
 // A change of one row changes the conflicts of others.
 void ShortcutModel::announce() {
   if (!m_entries.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+}
+
+bool ShortcutModel::areTogether(const Entry& a, const Entry& b) {
+  return a.scope == b.scope || a.scope.isEmpty() || b.scope.isEmpty();
 }
 
 QList<int> ShortcutModel::conflicts(int row) const {
   const QList<QKeySequence> mine = keys(row);
   QList<int> rows;
   for (int other = 0; other < rowCount(); ++other) {
-    if (other == row) continue;
+    if (other == row || !areTogether(entry(row), entry(other))) continue;
     const QList<QKeySequence> theirs = keys(other);
     if (std::any_of(mine.begin(), mine.end(), [&](const QKeySequence& key) { return collides(key, theirs); }))
       rows << other;
@@ -127,7 +176,7 @@ void ShortcutModel::resolveInFavourOf(int row) {
   for (int other : conflicts(row)) {
     QList<QKeySequence> theirs = keys(other);
     theirs.removeIf([&](const QKeySequence& key) { return collides(key, mine); });
-    apply(m_entries[static_cast<std::size_t>(other)], theirs);
+    apply(entry(other), theirs);
   }
   announce();
 }
@@ -159,7 +208,7 @@ int ShortcutModel::columnCount(const QModelIndex& parent) const {
 
 QVariant ShortcutModel::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
-  const Entry& entry = m_entries[static_cast<std::size_t>(index.row())];
+  const Entry& entry = this->entry(index.row());
   const bool changed = keys(index.row()) != entry.defaults;
   switch (role) {
     case Qt::DisplayRole:
@@ -173,13 +222,23 @@ QVariant ShortcutModel::data(const QModelIndex& index, int role) const {
       font.setBold(index.column() == Keys && changed);
       return font;
     }
+    case Qt::ForegroundRole:
+      return isFixed(entry) ? QVariant(themeColours(currentTheme()).muted) : QVariant();
+    case Qt::ToolTipRole:
+      return isFixed(entry) ? objection(entry, {}) : QVariant();
     case ConflictRole: {
       QStringList names;
-      for (int row : conflicts(index.row())) names << m_entries[static_cast<std::size_t>(row)].title;
+      for (int row : conflicts(index.row())) names << nameOf(this->entry(row));
       return names;
+    }
+    case AmbiguousRole: {
+      const QList<int> rows = conflicts(index.row());
+      return std::any_of(rows.begin(), rows.end(), [&](int row) { return this->entry(row).scope == entry.scope; });
     }
     case ChangedRole:
       return changed;
+    case FixedRole:
+      return isFixed(entry);
     case IdRole:
       return entry.id;
     case PathRole:

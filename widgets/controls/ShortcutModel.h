@@ -21,20 +21,31 @@ class ShortcutModel : public QAbstractTableModel {
 
  public:
   enum Column { Command, Keys, ColumnCount };
-  enum Role { ConflictRole = Qt::UserRole, ChangedRole, IdRole, PathRole };
+  enum Role {
+    ConflictRole = Qt::UserRole,  // the names of the rows of conflicts()
+    AmbiguousRole,                // whether one of these is there at the same time, so that neither works
+    ChangedRole,
+    FixedRole,  // its key cannot be changed
+    IdRole,
+    PathRole,
+  };
 
   using QAbstractTableModel::QAbstractTableModel;
 
   // Of these, the commands. The present keys of those that are new here are their defaults; then those of the user are
-  // applied. To be called again when actions have come.
+  // applied, as far as they are keys that the command may have. To be called again when actions have come.
   void setActions(const QList<QAction*>& actions, const QMenuBar* menus);
 
   QList<QKeySequence> keys(int row) const;
+  // Without those that the row may not have.
   void setKeys(int row, const QList<QKeySequence>& keys);
+  // Why the row may not have the key, as a sentence; empty when it may.
+  QString objection(int row, const QKeySequence& key) const;
   void reset(int row);
   void resetAll();
 
-  // The other rows that one of these keys, or its beginning, would start as well.
+  // The other rows that one of these keys, or its beginning, would start as well. Commands of two scopes are never
+  // there at the same time.
   QList<int> conflicts(int row) const;
   // Takes from those what they have in common with this row.
   void resolveInFavourOf(int row);
@@ -54,9 +65,16 @@ class ShortcutModel : public QAbstractTableModel {
     QString id;
     QString title;
     QString path;
+    QString scope;  // empty: there at any time
     QList<QKeySequence> defaults;
   };
   Entry entryOf(QAction* action, const QString& path) const;
+  const Entry& entry(int row) const { return m_entries[static_cast<std::size_t>(row)]; }
+  static bool isFixed(const Entry& entry);
+  static QString objection(const Entry& entry, const QKeySequence& key);
+  static QList<QKeySequence> possibleOf(const Entry& entry, QList<QKeySequence> keys);
+  static bool areTogether(const Entry& a, const Entry& b);
+  static QString nameOf(const Entry& entry);
   void apply(const Entry& entry, const QList<QKeySequence>& keys);
   void announce();
 

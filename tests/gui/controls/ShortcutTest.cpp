@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ControlScenes.h"
 #include "ControlsTestMain.h"
+#include "controls/ScopedAction.h"
 #include "controls/ShortcutEditor.h"
 #include "controls/ShortcutModel.h"
 
@@ -64,6 +65,7 @@ class ShortcutTest : public QObject {
   void actionsMayComeLater();
   void onlyDifferencesAreKept();
   void conflicts();
+  void scopes();
   void taking();
   void fileAndBack();
   void randomChangesSurviveTheFile();
@@ -139,6 +141,43 @@ void ShortcutTest::conflicts() {
   QCOMPARE(bench.conflicts("shaded"), QStringList({"Wireframe"}));
   bench.model.setKeys(bench.row("wireframe"), {});
   QCOMPARE(bench.conflicts("wireframe"), QStringList());  // those without a key do not collide
+}
+
+// What is there in one tool only can have a key that something else has in another.
+void ShortcutTest::scopes() {
+  Bench bench;
+  const auto add = [&](const QString& scope, const char* name, const char* key) {
+    auto* action = new ScopedAction(name, scope, "Tools › " + scope, bench.window.get());
+    action->setObjectName(scope + "/" + name);
+    action->setShortcut(QKeySequence(key));
+  };
+  add("Cut", "small", "[");
+  add("Cut", "large", "]");
+  add("Cut", "done", "Return");
+  add("Glue", "small", "[");
+  add("Glue", "done", "Return");
+  bench.model.setActions(bench.window->findChildren<QAction*>(), bench.window->menuBar());
+  const auto isAmbiguous = [&](const char* name) {
+    return bench.model.index(bench.row(name), 0).data(ShortcutModel::AmbiguousRole).toBool();
+  };
+  for (const char* name : {"Cut/small", "Cut/done", "Glue/small", "Glue/done"})
+    QVERIFY(bench.conflicts(name).isEmpty());
+  bench.model.setKeys(bench.row("undo"), {QKeySequence("[")});
+  const QStringList both = bench.conflicts("undo");
+  QVERIFY(both.size() == 2 && both.contains("Cut › small") && both.contains("Glue › small"));
+  QCOMPARE(bench.conflicts("Cut/small"), QStringList({"Undo"}));
+  QVERIFY(!isAmbiguous("undo") && !isAmbiguous("Cut/small"));
+  bench.model.setKeys(bench.row("Cut/large"), {QKeySequence("[")});
+  QVERIFY(!isAmbiguous("undo") && isAmbiguous("Cut/small") && isAmbiguous("Cut/large") && !isAmbiguous("Glue/small"));
+  // The ends of a tool are fixed, whatever asks.
+  bench.model.setKeys(bench.row("Cut/done"), {});
+  bench.model.setKeys(bench.row("undo"), {QKeySequence("Return"), QKeySequence("F5, Esc"), QKeySequence("F6")});
+  bench.model.setKeys(bench.row("Cut/small"), {QKeySequence("F7, F8"), QKeySequence("Shift+Return")});
+  QCOMPARE(bench.model.keys(bench.row("Cut/done")), Keys({QKeySequence("Return")}));
+  QCOMPARE(bench.model.keys(bench.row("undo")), Keys({QKeySequence("F6")}));
+  QCOMPARE(bench.model.keys(bench.row("Cut/small")), Keys({QKeySequence("Shift+Return")}));
+  QVERIFY(bench.model.index(bench.row("Cut/done"), 0).data(ShortcutModel::FixedRole).toBool());
+  QVERIFY(!bench.model.index(bench.row("undo"), 0).data(ShortcutModel::FixedRole).toBool());
 }
 
 void ShortcutTest::taking() {
