@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/KindUi.h"
 
+#include "tools/MeasureTool.h"
 #include "window/CommandText.h"
 #include "window/FileFilters.h"
 #include "window/OpenDocument.h"
@@ -12,8 +13,14 @@
 namespace handwheel {
 
 ToolOffer measureOffer(std::function<std::unique_ptr<Tool>()> make) {
-  return {QStringLiteral("measureTool"), KindUi::tr("&Measure"),  KindUi::tr("Measure distances, angles and walls"),
-          QStringLiteral("ruler"),       QKeySequence(Qt::Key_M), std::move(make)};
+  return {QStringLiteral("measureTool"),
+          KindUi::tr("&Measure"),
+          KindUi::tr("Measure distances, angles and walls"),
+          QStringLiteral("ruler"),
+          QKeySequence(Qt::Key_M),
+          std::move(make),
+          "measure",
+          MeasureTool::keys()};
 }
 
 // For documents that are edited through their properties alone.

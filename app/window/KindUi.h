@@ -5,7 +5,7 @@
 #include "document/DocumentKind.h"
 #include "panels/HintBar.h"
 #include "panels/NextStepCard.h"
-#include "tools/Tool.h"
+#include "tools/ToolKey.h"
 
 #include <QAction>
 #include <QKeySequence>
@@ -58,6 +58,8 @@ struct ToolOffer {
   QString icon;
   QKeySequence key;
   std::function<std::unique_ptr<Tool>()> make;  // for the document in view
+  std::string tool;                             // Tool::id() of what is made
+  std::span<const ToolKey> keys;                // of it
   bool isUsual = false;                         // in use as long as no other is chosen
 };
 

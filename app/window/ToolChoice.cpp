@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/ToolChoice.h"
 
+#include "controls/ActionText.h"
 #include "theme/Icons.h"
 #include "window/ActionTip.h"
 #include "window/OpenDocument.h"
 #include "window/ToolHost.h"
+#include "window/ToolKeys.h"
 
 #include <algorithm>
 
@@ -20,6 +22,7 @@ ToolChoice::ToolChoice(ToolHost& host, QObject* parent) : QObject(parent), m_hos
 void ToolChoice::add(KindUi& kind) {
   m_offers[&kind] = kind.tools();
   for (const ToolOffer& offer : m_offers[&kind]) {
+    m_host.keys().add(withoutMnemonic(offer.text), offer.tool, offer.keys);
     auto* action = m_group.findChild<QAction*>(offer.id);
     if (!action) {
       action = new QAction(icon(offer.icon), offer.text, &m_group);

@@ -5,6 +5,7 @@
 #include "document/Document.h"
 #include "theme/Theme.h"
 #include "viewport/Viewport.h"
+#include "window/ToolKeys.h"
 #include "window/ToolPanel.h"
 #include "window/ToolReadout.h"
 
@@ -67,7 +68,12 @@ QString translated(const char* context, const std::string& text) {
 }  // namespace
 
 ToolHost::ToolHost(Viewport& viewport, ToolPanel& panel, NeedSet& needs, QObject* parent)
-    : QObject(parent), m_viewport(viewport), m_panel(panel), m_readout(new ToolReadout(&viewport)), m_needs(needs) {
+    : QObject(parent),
+      m_viewport(viewport),
+      m_panel(panel),
+      m_readout(new ToolReadout(&viewport)),
+      m_keys(*new ToolKeys(viewport, this)),
+      m_needs(needs) {
   m_viewport.installEventFilter(this);
   m_viewport.setPointerSink([this](const PointerInput& input) { return take(input); });
   connect(&m_panel.settings(), &PropertyList::edited, this,
@@ -75,6 +81,11 @@ ToolHost::ToolHost(Viewport& viewport, ToolPanel& panel, NeedSet& needs, QObject
             if (const Tool* tool = m_runner.tool()) choose(tool->id(), id, value);
           });
   connect(&m_panel, &ToolPanel::triggered, this, [this](const std::string& action) { m_runner.perform(action); });
+  connect(&m_keys, &ToolKeys::triggered, this, [this](const std::string& action) { m_runner.perform(action); });
+  connect(&m_keys, &ToolKeys::changed, this, [this] {
+    showActions();
+    emit updated();
+  });
   connect(&m_runner, &ToolRunner::updated, this, &ToolHost::show);
   connect(&m_runner, &ToolRunner::ended, this, &ToolHost::showNothing);
 }
@@ -128,9 +139,9 @@ std::vector<Hint> ToolHost::hints() const {
   const Tool* tool = m_runner.tool();
   if (!tool) return hints;
   for (const ToolAction& action : tool->actions()) {
-    if (!action.enabled || action.input.empty()) continue;  // a button in the panel says it
-    const QString key = keyText(action);
-    const QString input = key.isEmpty() ? translated("ToolInput", action.input) : key;
+    const bool isGesture = action.id.empty() && action.command.empty();
+    const QString input = isGesture ? translated("ToolInput", action.input) : m_keys.text(*tool, action);
+    if (!action.enabled || input.isEmpty()) continue;  // a button in the panel says it
     const QString effect = translated("Tool", action.effect);
     if (!hints.empty() && hints.back().effect == effect) {
       hints.back().input += QStringLiteral(" / ") + input;
@@ -142,9 +153,19 @@ std::vector<Hint> ToolHost::hints() const {
 }
 
 bool ToolHost::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() != QEvent::KeyPress) return QObject::eventFilter(watched, event);
-  const QKeySequence key(static_cast<QKeyEvent*>(event)->keyCombination());
-  return m_runner.key(key.toString(QKeySequence::PortableText).toStdString()) != ToolReply::Ignored;
+  if (event->type() != QEvent::KeyPress && event->type() != QEvent::ShortcutOverride)
+    return QObject::eventFilter(watched, event);
+  return takeKey(*static_cast<QKeyEvent*>(event));
+}
+
+// Qt asks before it looks for a command of the window with this key: what is accepted then comes as a press.
+bool ToolHost::takeKey(QKeyEvent& event) {
+  const auto action = m_runner.tool() ? m_keys.actionFor(*m_runner.tool(), event) : std::nullopt;
+  if (!action) return false;
+  if (event.type() == QEvent::KeyPress) return m_runner.perform(action->id) != ToolReply::Ignored;
+  if (!comesFirst(*action, event)) return false;
+  event.accept();
+  return true;
 }
 
 void ToolHost::show() {
@@ -161,8 +182,15 @@ void ToolHost::show() {
                                      : std::nullopt);
   if (m_runner.document()) m_panel.settings().setLengthUnit(m_runner.document()->displayUnit());
   m_panel.settings().setProperties(tool->settings());
-  m_panel.setActions(tool->actions());
+  showActions();
   emit updated();
+}
+
+void ToolHost::showActions() {
+  const Tool* tool = m_runner.tool();
+  m_keys.follow(tool);
+  if (!tool) return m_panel.setActions({}, {});
+  m_panel.setActions(tool->actions(), [this, tool](const ToolAction& action) { return m_keys.text(*tool, action); });
 }
 
 void ToolHost::showNothing() {
@@ -175,7 +203,7 @@ void ToolHost::showNothing() {
   m_viewport.setPolylines({});
   m_viewport.setBrush({});
   m_panel.settings().setProperties({});
-  m_panel.setActions({});
+  showActions();
   emit updated();
 }
 

@@ -10,6 +10,7 @@
 
 namespace handwheel {
 
+class ToolKeys;
 class ToolPanel;
 class ToolReadout;
 class Viewport;
@@ -30,6 +31,7 @@ class ToolHost : public QObject {
   // A setting of a tool: for the one that runs, and for the next time that such a one is started.
   void choose(const std::string& tool, const std::string& setting, const PropertyValue& value);
   ToolRunner& runner() { return m_runner; }
+  ToolKeys& keys() { return m_keys; }
   // What a haptic device does; the mouse comes by itself.
   void point(const PointerEvent& event) { m_runner.pointer(event); }
   // Where the mouse is the device: hears of each input before the tool does, and says where the tip is; none where the
@@ -47,6 +49,8 @@ class ToolHost : public QObject {
 
  private:
   bool take(const PointerInput& input);
+  bool takeKey(QKeyEvent& event);
+  void showActions();
   void showValues(const PointerInput& input, PointerEvent::Kind kind);
   void show();
   void showNothing();
@@ -54,6 +58,7 @@ class ToolHost : public QObject {
   Viewport& m_viewport;
   ToolPanel& m_panel;
   ToolReadout* m_readout;
+  ToolKeys& m_keys;
   NeedSet& m_needs;
   ToolRunner m_runner;
   MouseDevicePlace m_mouseDevice;

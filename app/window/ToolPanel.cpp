@@ -3,7 +3,6 @@
 #include "window/ToolPanel.h"
 
 #include <QCoreApplication>
-#include <QKeySequence>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -11,12 +10,6 @@
 namespace handwheel {
 
 namespace {
-
-// "fill the hole" as a title: "Fill the hole".
-QString titleOf(const ToolAction& action) {
-  const QString effect = QCoreApplication::translate("Tool", action.effect.c_str());
-  return effect.left(1).toUpper() + effect.mid(1);
-}
 
 // Those that can be pressed, each effect once: Return and Esc may both mean "done".
 std::vector<ToolAction> buttonsOf(const std::vector<ToolAction>& actions) {
@@ -30,10 +23,9 @@ std::vector<ToolAction> buttonsOf(const std::vector<ToolAction>& actions) {
 
 }  // namespace
 
-QString keyText(const ToolAction& action) {
-  if (action.id.empty()) return {};
-  const QKeySequence key(QString::fromStdString(action.input), QKeySequence::PortableText);
-  return key.isEmpty() || key[0].key() == Qt::Key_unknown ? QString() : key.toString(QKeySequence::NativeText);
+QString titleOf(const std::string& effect) {
+  const QString text = QCoreApplication::translate("Tool", effect.c_str());
+  return text.left(1).toUpper() + text.mid(1);
 }
 
 ToolPanel::ToolPanel(QWidget* parent) : QWidget(parent), m_settings(new PropertyList(this)), m_column(new QVBoxLayout) {
@@ -47,7 +39,8 @@ ToolPanel::ToolPanel(QWidget* parent) : QWidget(parent), m_settings(new Property
   all->addLayout(m_column);
 }
 
-void ToolPanel::setActions(const std::vector<ToolAction>& actions) {
+void ToolPanel::setActions(const std::vector<ToolAction>& actions,
+                           const std::function<QString(const ToolAction&)>& keyOf) {
   const std::vector<ToolAction> shown = buttonsOf(actions);
   const bool same = std::equal(shown.begin(), shown.end(), m_buttons.begin(), m_buttons.end(),
                                [](const ToolAction& action, const auto& button) { return action.id == button.first; });
@@ -69,7 +62,7 @@ void ToolPanel::setActions(const std::vector<ToolAction>& actions) {
   }
   for (std::size_t i = 0; i < shown.size(); ++i) {
     QPushButton* button = m_buttons[i].second;
-    const QString title = titleOf(shown[i]), key = keyText(shown[i]);
+    const QString title = titleOf(shown[i].effect), key = keyOf(shown[i]);
     button->setText(title);
     button->setAccessibleName(title);
     button->setToolTip(key.isEmpty() ? title : QStringLiteral("%1 (%2)").arg(title, key));

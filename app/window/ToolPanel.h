@@ -6,11 +6,15 @@
 #include "tools/Tool.h"
 
 #include <QWidget>
+#include <functional>
 
 class QPushButton;
 class QVBoxLayout;
 
 namespace handwheel {
+
+// What an action of a tool does, "fill the hole", as a title: "Fill the hole".
+QString titleOf(const std::string& effect);
 
 // The settings of the tool in use, and a button for each action that it declares.
 class ToolPanel : public QWidget {
@@ -20,8 +24,8 @@ class ToolPanel : public QWidget {
   explicit ToolPanel(QWidget* parent = nullptr);
 
   PropertyList& settings() { return *m_settings; }
-  // Those with an id; they stay as long as the ids do.
-  void setActions(const std::vector<ToolAction>& actions);
+  // Those with an id; they stay as long as the ids do. keyOf: the key of one of them as the user knows it, or nothing.
+  void setActions(const std::vector<ToolAction>& actions, const std::function<QString(const ToolAction&)>& keyOf);
 
  signals:
   void triggered(const std::string& action);
@@ -31,8 +35,5 @@ class ToolPanel : public QWidget {
   QVBoxLayout* m_column;
   std::vector<std::pair<std::string, QPushButton*>> m_buttons;
 };
-
-// The key of an action as the user's system writes it; empty when it is none but a gesture of the pointer.
-QString keyText(const ToolAction& action);
 
 }  // namespace handwheel

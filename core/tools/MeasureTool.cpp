@@ -16,6 +16,10 @@ namespace {
 constexpr double kArcPixels = 48.0;     // radius of the arc that marks an angle
 constexpr double kNormalPixels = 64.0;  // length of the lines that stand on faces
 constexpr int kRoundSteps = 24;         // of an arc or a circle
+constexpr ToolKey kKeys[] = {
+    {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "done")},
+    {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "start again")},
+};
 
 Property figure(const char* id, const char* label, double value, Quantity quantity) {
   Property property;
@@ -116,6 +120,10 @@ ToolReply MeasureTool::perform(std::string_view action) {
   return action == "revert" || action == "commit" ? ToolReply::Finished : ToolReply::Ignored;
 }
 
+std::span<const ToolKey> MeasureTool::keys() {
+  return kKeys;
+}
+
 std::vector<ToolAction> MeasureTool::actions() const {
   const std::size_t clicked = m_clicked.size() == wanted() ? 0 : m_clicked.size();
   const char* next = m_mode == Mode::Thickness ? QT_TRANSLATE_NOOP("Tool", "keep this place") : nextPoint(clicked);
@@ -124,9 +132,8 @@ std::vector<ToolAction> MeasureTool::actions() const {
   }
   return {
       {"", QT_TRANSLATE_NOOP("ToolInput", "Click"), next},
-      {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "done")},
-      {"revert", "Esc",
-       m_clicked.empty() ? QT_TRANSLATE_NOOP("Tool", "done") : QT_TRANSLATE_NOOP("Tool", "start again")},
+      actionOf(kKeys, "commit"),
+      actionOf(kKeys, "revert", true, m_clicked.empty() ? QT_TRANSLATE_NOOP("Tool", "done") : nullptr),
   };
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "mesh/WallThickness.h"
-#include "tools/Tool.h"
+#include "tools/ToolKey.h"
 
 #include <functional>
 
@@ -38,6 +38,7 @@ class MeasureTool : public Tool {
   std::optional<double> angle() const;
   std::optional<WallThickness> thickness() const;
 
+  static std::span<const ToolKey> keys();
   std::string id() const override { return "measure"; }
   ToolReply pointer(const PointerEvent& event) override;
   ToolReply perform(std::string_view action) override;

@@ -58,6 +58,7 @@ struct ToolAction {
   std::string input;   // English, context "ToolInput": "Click", "Shift+drag", "Wheel"; or a key: "Return", "Esc", "B"
   std::string effect;  // English, context "Tool": "select a face"
   bool enabled = true;
+  std::string command = {};  // of the window, that does the same and whose key it is: "nextHole"; mostly none
 };
 
 // What the tool shows over the document while it works; nothing of it is in the document.

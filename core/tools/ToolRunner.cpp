@@ -80,14 +80,6 @@ ToolReply ToolRunner::perform(std::string_view action) {
   });
 }
 
-ToolReply ToolRunner::key(std::string_view input) {
-  return guarded([&] {
-    for (const ToolAction& declared : m_tool->actions())
-      if (declared.enabled && !declared.id.empty() && declared.input == input) return m_tool->perform(declared.id);
-    return ToolReply::Ignored;
-  });
-}
-
 void ToolRunner::setSetting(std::string_view id, const PropertyValue& value) {
   guarded([&] {
     m_tool->setSetting(id, value);

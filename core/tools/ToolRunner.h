@@ -34,8 +34,6 @@ class ToolRunner : public QObject {
   ToolReply pointer(const PointerEvent& event);
   // An action that the tool declares and has enabled; others are ignored.
   ToolReply perform(std::string_view action);
-  // The action with this input: "Return", "Ctrl+A".
-  ToolReply key(std::string_view input);
   void setSetting(std::string_view id, const PropertyValue& value);
   // Hands the result of a job to the tool, under the same protection as an event.
   void deliver(const std::function<void()>& result);

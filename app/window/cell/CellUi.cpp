@@ -22,8 +22,14 @@ CellUi::CellUi(const WindowParts& window, CellKind& kind) : PartsUi(window, {"Jo
 }
 
 std::vector<ToolOffer> CellUi::tools() {
-  ToolOffer joints{QStringLiteral("jointTool"), tr("Move &joints by hand"), tr("Drag the links of the robot"),
-                   QStringLiteral("hand"),      QKeySequence(Qt::Key_J),    [this] { return jointTool(); }};
+  ToolOffer joints{QStringLiteral("jointTool"),
+                   tr("Move &joints by hand"),
+                   tr("Drag the links of the robot"),
+                   QStringLiteral("hand"),
+                   QKeySequence(Qt::Key_J),
+                   [this] { return jointTool(); },
+                   "joints",
+                   JointDragTool::keys()};
   joints.isUsual = true;
   return {joints, measureParts()};
 }

@@ -8,6 +8,13 @@
 #include "panels/DefectModel.h"
 #include "panels/DefectsPanel.h"
 #include "panels/MessageBar.h"
+#include "tools/mesh/BoundaryTool.h"
+#include "tools/mesh/DecimateTool.h"
+#include "tools/mesh/FillHoleTool.h"
+#include "tools/mesh/MakeFaceTool.h"
+#include "tools/mesh/SculptTool.h"
+#include "tools/mesh/SelectTool.h"
+#include "tools/mesh/TransformTool.h"
 #include "viewport/Viewport.h"
 #include "window/CommandText.h"
 #include "window/DocumentTabs.h"
@@ -163,26 +170,32 @@ std::vector<ToolOffer> MeshUi::tools() {
                  tr("Choose a hole, look at its patch, fill it"),
                  QStringLiteral("hole"),
                  QKeySequence(Qt::Key_H),
-                 [this] { return m_tools.fillTool(); }};
+                 [this] { return m_tools.fillTool(); },
+                 "fill",
+                 FillHoleTool::keys()};
   fill.isUsual = true;
   return {fill,
           {QStringLiteral("selectTool"), tr("&Select faces"),
            tr("Select faces by click, brush, lasso, connection or angle"), QStringLiteral("select"),
-           QKeySequence(Qt::Key_S), [this] { return m_tools.selectTool(); }},
+           QKeySequence(Qt::Key_S), [this] { return m_tools.selectTool(); }, "select", SelectTool::keys()},
           {QStringLiteral("boundaryTool"), tr("Hole &edges"),
            tr("Pull, join and bridge points of an edge; smooth it; remove islands and peninsulas"),
-           QStringLiteral("boundary"), QKeySequence(Qt::Key_B), [this] { return m_tools.boundaryTool(); }},
+           QStringLiteral("boundary"), QKeySequence(Qt::Key_B), [this] { return m_tools.boundaryTool(); }, "boundary",
+           BoundaryTool::keys()},
           {QStringLiteral("makeFaceTool"), tr("&Make a face"), tr("Make a face from three points of open edges"),
-           QStringLiteral("make-face"), QKeySequence(Qt::Key_T), [this] { return m_tools.makeFaceTool(); }},
+           QStringLiteral("make-face"), QKeySequence(Qt::Key_T), [this] { return m_tools.makeFaceTool(); }, "face",
+           MakeFaceTool::keys()},
           {QStringLiteral("decimateTool"), tr("&Reduce triangles"),
            tr("Make a mesh of fewer triangles that stays near the surface"), QStringLiteral("decimate"),
-           QKeySequence(Qt::Key_R), [this] { return m_tools.decimateTool(); }},
+           QKeySequence(Qt::Key_R), [this] { return m_tools.decimateTool(); }, "decimate", DecimateTool::keys()},
           {QStringLiteral("transformTool"), tr("&Place"),
            tr("Move, turn and scale by numbers, or put onto a flat face, along the axes, to the origin"),
-           QStringLiteral("place"), QKeySequence(Qt::Key_W), [this] { return m_tools.transformTool(); }},
+           QStringLiteral("place"), QKeySequence(Qt::Key_W), [this] { return m_tools.transformTool(); }, "transform",
+           TransformTool::keys()},
           {QStringLiteral("sculptTool"), tr("Sc&ulpt"),
            tr("Pull, smooth, inflate and flatten a surface; subdivide a patch and sculpt it at any of its levels"),
-           QStringLiteral("sculpt"), QKeySequence(Qt::Key_U), [this] { return m_tools.sculptTool(); }},
+           QStringLiteral("sculpt"), QKeySequence(Qt::Key_U), [this] { return m_tools.sculptTool(); }, "sculpt",
+           SculptTool::keys()},
           measureOffer([this] { return m_tools.measureTool(); })};
 }
 

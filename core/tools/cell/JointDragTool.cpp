@@ -13,6 +13,15 @@
 
 namespace handwheel {
 
+namespace {
+
+constexpr ToolKey kKeys[] = {
+    {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "done")},
+    {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "put it back")},
+};
+
+}  // namespace
+
 // Whether the joint is moved for itself: no other joint on the way to the foot goes with it.
 bool JointDragTool::isItsOwn(std::uint32_t joint) const {
   const RobotModel& robot = m_document.robot().model;
@@ -144,12 +153,16 @@ ToolReply JointDragTool::perform(std::string_view action) {
   return ToolReply::Used;
 }
 
+std::span<const ToolKey> JointDragTool::keys() {
+  return kKeys;
+}
+
 std::vector<ToolAction> JointDragTool::actions() const {
   return {
       {"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), QT_TRANSLATE_NOOP("Tool", "move the joint")},
       {"", QT_TRANSLATE_NOOP("ToolInput", "Shift+drag"), QT_TRANSLATE_NOOP("Tool", "pull the whole arm")},
-      {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "done")},
-      {"revert", "Esc", m_drag ? QT_TRANSLATE_NOOP("Tool", "put it back") : QT_TRANSLATE_NOOP("Tool", "done")},
+      actionOf(kKeys, "commit"),
+      actionOf(kKeys, "revert", true, m_drag ? nullptr : QT_TRANSLATE_NOOP("Tool", "done")),
   };
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "document/cell/CellDocument.h"
-#include "tools/Tool.h"
+#include "tools/ToolKey.h"
 #include "tools/cell/AxisDrag.h"
 
 #include <functional>
@@ -27,6 +27,7 @@ class JointDragTool : public Tool {
   const JointValues& joints() const { return m_drag ? m_drag->values : m_document.joints(); }
   bool isDragging() const { return m_drag.has_value(); }
 
+  static std::span<const ToolKey> keys();
   std::string id() const override { return "joints"; }
   ToolReply pointer(const PointerEvent& given) override;
   ToolReply perform(std::string_view action) override;

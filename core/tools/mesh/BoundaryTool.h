@@ -5,7 +5,7 @@
 #include "mesh/BorderSmoothing.h"
 #include "mesh/BorderWelding.h"
 #include "mesh/VertexPull.h"
-#include "tools/Tool.h"
+#include "tools/ToolKey.h"
 #include "tools/mesh/BorderPicking.h"
 #include "tools/mesh/MeshSelection.h"
 
@@ -26,6 +26,7 @@ class BoundaryTool : public Tool {
   bool isBusy() const { return m_drag || m_proposal || m_job; }
   JoinProblem problem() const { return m_drag ? m_drag->problem : JoinProblem::None; }
 
+  static std::span<const ToolKey> keys();
   std::string id() const override { return "boundary"; }
   ToolReply pointer(const PointerEvent& event) override;
   ToolReply perform(std::string_view action) override;

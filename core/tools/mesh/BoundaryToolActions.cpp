@@ -13,6 +13,18 @@
 // What BoundaryTool offers, and what it does to a whole edge.
 namespace handwheel {
 
+namespace {
+constexpr ToolKey kKeys[] = {
+    {"smooth", "Shift+S", QT_TRANSLATE_NOOP("Tool", "smooth the edge")},
+    {"islands", "I", QT_TRANSLATE_NOOP("Tool", "find islands")},
+    {"peninsulas", "Shift+I", QT_TRANSLATE_NOOP("Tool", "find peninsulas")},
+    {"next", "N", QT_TRANSLATE_NOOP("Tool", "next hole"), "nextHole"},
+    {"previous", "Shift+N", QT_TRANSLATE_NOOP("Tool", "previous hole"), "previousHole"},
+    {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "done")},
+    {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "choose none")},
+};
+}  // namespace
+
 const char* BoundaryTool::dragEffect() const {
   switch (m_drag->deed) {
     case Deed::Pull:
@@ -27,6 +39,10 @@ const char* BoundaryTool::dragEffect() const {
   return hintOf(m_drag->problem, QT_TRANSLATE_NOOP("Tool", "lay the bridge"));
 }
 
+std::span<const ToolKey> BoundaryTool::keys() {
+  return kKeys;
+}
+
 std::vector<ToolAction> BoundaryTool::actions() const {
   const char* pull = QT_TRANSLATE_NOOP("Tool", "pull a point; onto another: join them");
   const char* bridge = QT_TRANSLATE_NOOP("Tool", "lay a bridge to another point");
@@ -39,7 +55,7 @@ std::vector<ToolAction> BoundaryTool::actions() const {
     return {{"", QT_TRANSLATE_NOOP("ToolInput", "Release"), dragEffect()},
             {"", QT_TRANSLATE_NOOP("ToolInput", "Shift"), turned},
             {"", QT_TRANSLATE_NOOP("ToolInput", "Ctrl"), QT_TRANSLATE_NOOP("Tool", "no point attracts")},
-            {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "put it back")}};
+            actionOf(kKeys, "revert", true, QT_TRANSLATE_NOOP("Tool", "put it back"))};
   const bool isChosen = loop() != nullptr, any = neighbour(true).has_value();
   const char* commit = QT_TRANSLATE_NOOP("Tool", "done");
   if (m_proposal) {
@@ -57,13 +73,13 @@ std::vector<ToolAction> BoundaryTool::actions() const {
       {"", QT_TRANSLATE_NOOP("ToolInput", "Click"), QT_TRANSLATE_NOOP("Tool", "choose an edge")},
       {"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), pull},
       {"", QT_TRANSLATE_NOOP("ToolInput", "Shift+drag"), bridge},
-      {"smooth", "Shift+S", QT_TRANSLATE_NOOP("Tool", "smooth the edge"), isChosen},
-      {"islands", "I", QT_TRANSLATE_NOOP("Tool", "find islands"), isChosen},
-      {"peninsulas", "Shift+I", QT_TRANSLATE_NOOP("Tool", "find peninsulas"), isChosen},
-      {"next", "N", QT_TRANSLATE_NOOP("Tool", "next hole"), any},
-      {"previous", "Shift+N", QT_TRANSLATE_NOOP("Tool", "previous hole"), any},
-      {"commit", "Return", commit, !m_job && (!m_proposal || isHeld(*m_proposal))},
-      {"revert", "Esc", revert},
+      actionOf(kKeys, "smooth", isChosen),
+      actionOf(kKeys, "islands", isChosen),
+      actionOf(kKeys, "peninsulas", isChosen),
+      actionOf(kKeys, "next", any),
+      actionOf(kKeys, "previous", any),
+      actionOf(kKeys, "commit", !m_job && (!m_proposal || isHeld(*m_proposal)), commit),
+      actionOf(kKeys, "revert", true, revert),
   };
 }
 

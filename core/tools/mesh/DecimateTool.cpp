@@ -16,6 +16,10 @@ namespace {
 constexpr Limits kFaces = {4.0, 1e9};
 constexpr Limits kDistance = {1e-9, 1e9};  // mm
 constexpr Limits kAngle = {0.01, std::numbers::pi};
+constexpr ToolKey kKeys[] = {
+    {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "remove triangles")},
+    {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "done")},
+};
 
 }  // namespace
 
@@ -59,10 +63,13 @@ ToolReply DecimateTool::perform(std::string_view action) {
   return ToolReply::Used;
 }
 
+std::span<const ToolKey> DecimateTool::keys() {
+  return kKeys;
+}
+
 std::vector<ToolAction> DecimateTool::actions() const {
   const bool isPossible = m_goal == Goal::Distance || m_faces < static_cast<double>(m_document.mesh().liveFaceCount());
-  return {{"commit", "Return", QT_TRANSLATE_NOOP("Tool", "remove triangles"), isPossible},
-          {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "done"), true}};
+  return {actionOf(kKeys, "commit", isPossible), actionOf(kKeys, "revert")};
 }
 
 std::vector<Property> DecimateTool::settings() const {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "mesh/Decimation.h"
-#include "tools/Tool.h"
+#include "tools/ToolKey.h"
 #include "tools/mesh/MeshServices.h"
 
 namespace handwheel {
@@ -17,6 +17,7 @@ class DecimateTool : public Tool {
   // The document must outlive all calls but the destructor's.
   DecimateTool(MeshDocument& document, MeshServices services);
 
+  static std::span<const ToolKey> keys();
   std::string id() const override { return "decimate"; }
   ToolReply pointer(const PointerEvent&) override { return ToolReply::Ignored; }
   ToolReply perform(std::string_view action) override;

@@ -17,6 +17,14 @@ constexpr FillMethod kMethods[] = {FillMethod::Fair, FillMethod::Refined,  FillM
                                    FillMethod::Area, FillMethod::Dihedral, FillMethod::Ridge};
 
 constexpr int kContinuities = 3;
+constexpr ToolKey kKeys[] = {
+    {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "fill the hole")},
+    {"next", "N", QT_TRANSLATE_NOOP("Tool", "next hole"), "nextHole"},
+    {"previous", "Shift+N", QT_TRANSLATE_NOOP("Tool", "previous hole"), "previousHole"},
+    {"keep", "K", QT_TRANSLATE_NOOP("Tool", "keep open"), "keepOpen"},
+    {"automatic", "", QT_TRANSLATE_NOOP("Tool", "choose the bridges again")},
+    {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "choose none")},
+};
 struct Weight {  // of ear cutting
   const char* id;
   const char* label;
@@ -215,21 +223,24 @@ void FillHoleTool::documentChanged() {
   choose(loop() ? m_key : holeFrom(m_index));
 }
 
+std::span<const ToolKey> FillHoleTool::keys() {
+  return kKeys;
+}
+
 std::vector<ToolAction> FillHoleTool::actions() const {
   const BoundaryLoop* chosen = loop();
   const bool kept = chosen && m_document.isKeptOpen(*chosen);
   const bool any = neighbour(true).has_value();
   return {
       {"", QT_TRANSLATE_NOOP("ToolInput", "Click"), QT_TRANSLATE_NOOP("Tool", "choose a hole")},
-      {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "fill the hole"), m_state == State::Ready},
-      {"next", "N", QT_TRANSLATE_NOOP("Tool", "next hole"), any},
-      {"previous", "Shift+N", QT_TRANSLATE_NOOP("Tool", "previous hole"), any},
-      {"keep", "K", kept ? QT_TRANSLATE_NOOP("Tool", "no longer keep open") : QT_TRANSLATE_NOOP("Tool", "keep open"),
-       chosen != nullptr},
+      actionOf(kKeys, "commit", m_state == State::Ready),
+      actionOf(kKeys, "next", any),
+      actionOf(kKeys, "previous", any),
+      actionOf(kKeys, "keep", chosen != nullptr, kept ? QT_TRANSLATE_NOOP("Tool", "no longer keep open") : nullptr),
       {"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), QT_TRANSLATE_NOOP("Tool", "bridge the hole from point to point"),
        chosen != nullptr},
-      {"automatic", "", QT_TRANSLATE_NOOP("Tool", "choose the bridges again"), !m_bridges.own().empty()},
-      {"revert", "Esc", chosen ? QT_TRANSLATE_NOOP("Tool", "choose none") : QT_TRANSLATE_NOOP("Tool", "done")},
+      actionOf(kKeys, "automatic", !m_bridges.own().empty()),
+      actionOf(kKeys, "revert", true, chosen ? nullptr : QT_TRANSLATE_NOOP("Tool", "done")),
   };
 }
 

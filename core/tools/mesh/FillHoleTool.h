@@ -4,7 +4,7 @@
 
 #include "mesh/FaceHierarchy.h"
 #include "mesh/HoleFilling.h"
-#include "tools/Tool.h"
+#include "tools/ToolKey.h"
 #include "tools/mesh/BridgeEditing.h"
 #include "tools/mesh/MeshSelection.h"
 
@@ -64,6 +64,7 @@ class FillHoleTool : public Tool {
   // In the states Ready and Impossible.
   const FillAttempt& attempt() const { return m_attempt; }
 
+  static std::span<const ToolKey> keys();
   std::string id() const override { return "fill"; }
   ToolReply pointer(const PointerEvent& event) override;
   ToolReply perform(std::string_view action) override;

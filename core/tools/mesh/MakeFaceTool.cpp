@@ -12,6 +12,11 @@ namespace handwheel {
 namespace {
 
 constexpr double kMark = 6.0;  // pixels, radius of the mark on a point
+constexpr ToolKey kKeys[] = {
+    {"back", "Backspace", QT_TRANSLATE_NOOP("Tool", "take the last corner back")},
+    {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "done")},
+    {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "start again")},
+};
 
 Box boxOf(const HalfEdgeMesh& mesh, const Triangle& t) {
   Box box;
@@ -106,6 +111,10 @@ ToolReply MakeFaceTool::perform(std::string_view action) {
   return ToolReply::Used;
 }
 
+std::span<const ToolKey> MakeFaceTool::keys() {
+  return kKeys;
+}
+
 std::vector<ToolAction> MakeFaceTool::actions() const {
   const char* effect = QT_TRANSLATE_NOOP("Tool", "first corner, on an open edge");
   if (m_corners.size() == 1) effect = QT_TRANSLATE_NOOP("Tool", "second corner, counter-clockwise");
@@ -115,10 +124,9 @@ std::vector<ToolAction> MakeFaceTool::actions() const {
   }
   return {
       {"", QT_TRANSLATE_NOOP("ToolInput", "Click"), effect},
-      {"back", "Backspace", QT_TRANSLATE_NOOP("Tool", "take the last corner back"), !m_corners.empty()},
-      {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "done")},
-      {"revert", "Esc",
-       m_corners.empty() ? QT_TRANSLATE_NOOP("Tool", "done") : QT_TRANSLATE_NOOP("Tool", "start again")},
+      actionOf(kKeys, "back", !m_corners.empty()),
+      actionOf(kKeys, "commit"),
+      actionOf(kKeys, "revert", true, m_corners.empty() ? QT_TRANSLATE_NOOP("Tool", "done") : nullptr),
   };
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tools/Tool.h"
+#include "tools/ToolKey.h"
 #include "tools/mesh/BorderPicking.h"
 
 namespace handwheel {
@@ -19,6 +19,7 @@ class MakeFaceTool : public Tool {
   // Of the face with the point under the pointer as its last corner.
   JoinProblem problem() const { return m_problem; }
 
+  static std::span<const ToolKey> keys();
   std::string id() const override { return "face"; }
   ToolReply pointer(const PointerEvent& event) override;
   ToolReply perform(std::string_view action) override;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tools/Tool.h"
+#include "tools/ToolKey.h"
 #include "tools/mesh/MeshServices.h"
 #include "tools/mesh/SculptStroke.h"
 
@@ -25,6 +25,7 @@ class SculptTool : public Tool {
   const PatchLevels& levels() const { return m_stroke ? m_stroke->levels() : m_levels; }
   std::size_t level() const { return m_level; }  // that is sculpted
 
+  static std::span<const ToolKey> keys();
   std::string id() const override { return "sculpt"; }
   ToolReply pointer(const PointerEvent& event) override;
   ToolReply perform(std::string_view action) override;

@@ -15,6 +15,19 @@ namespace {
 constexpr double kRadiusStep = 1.25;           // from one size to the next by key
 constexpr int kBorderRings = 2;                // of faces around a border that are smoothed without a patch
 constexpr std::size_t kMostFaces = 1'000'000;  // of a patch
+constexpr ToolKey kKeys[] = {
+    {"smaller", "[", QT_TRANSLATE_NOOP("Tool", "smaller brush")},
+    {"larger", "]", QT_TRANSLATE_NOOP("Tool", "larger brush")},
+    {"subdivide", "L", QT_TRANSLATE_NOOP("Tool", "subdivide the patch")},
+    {"back", "Shift+L", QT_TRANSLATE_NOOP("Tool", "one level back")},
+    {"refine", "Ctrl+L", QT_TRANSLATE_NOOP("Tool", "refine to the surroundings")},
+    {"coarser", "PgDown", QT_TRANSLATE_NOOP("Tool", "sculpt a coarser level")},
+    {"finer", "PgUp", QT_TRANSLATE_NOOP("Tool", "sculpt a finer level")},
+    {"noise", "Shift+O", QT_TRANSLATE_NOOP("Tool", "smooth the noise of the patch")},
+    {"whole", "A", QT_TRANSLATE_NOOP("Tool", "sculpt the whole surface")},
+    {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "done")},
+    {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "done")},
+};
 
 const char* problemOf(SubdivisionFailure failure) {
   switch (failure) {
@@ -206,6 +219,10 @@ ToolReply SculptTool::revert() {
   return ToolReply::Used;
 }
 
+std::span<const ToolKey> SculptTool::keys() {
+  return kKeys;
+}
+
 std::vector<ToolAction> SculptTool::actions() const {
   const bool hasPatch = !m_levels.patch().empty(), isIdle = !m_job;
   const std::size_t finest = m_levels.finest();
@@ -213,23 +230,22 @@ std::vector<ToolAction> SculptTool::actions() const {
       {"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), QT_TRANSLATE_NOOP("Tool", "sculpt")},
       {"", QT_TRANSLATE_NOOP("ToolInput", "Shift+drag"), QT_TRANSLATE_NOOP("Tool", "smooth")},
       {"", QT_TRANSLATE_NOOP("ToolInput", "Ctrl+drag"), QT_TRANSLATE_NOOP("Tool", "the other way")},
-      {"smaller", "[", QT_TRANSLATE_NOOP("Tool", "smaller brush")},
-      {"larger", "]", QT_TRANSLATE_NOOP("Tool", "larger brush")},
-      {"subdivide", "L", QT_TRANSLATE_NOOP("Tool", "subdivide the patch"), hasPatch && isIdle},
-      {"back", "Shift+L", QT_TRANSLATE_NOOP("Tool", "one level back"), finest > 0 && isIdle},
-      {"refine", "Ctrl+L", QT_TRANSLATE_NOOP("Tool", "refine to the surroundings"), hasPatch && isIdle},
-      {"coarser", "PgDown", QT_TRANSLATE_NOOP("Tool", "sculpt a coarser level"), m_level > 0},
-      {"finer", "PgUp", QT_TRANSLATE_NOOP("Tool", "sculpt a finer level"), m_level < finest},
-      {"noise", "O",
-       hasPatch ? QT_TRANSLATE_NOOP("Tool", "smooth the noise of the patch")
-                : QT_TRANSLATE_NOOP("Tool", "smooth the noise along the holes"),
-       isIdle},
-      {"whole", "A", QT_TRANSLATE_NOOP("Tool", "sculpt the whole surface"), hasPatch},
-      {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "done")},
-      {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "done")},  // whatever goes on, so that no button comes and goes
+      actionOf(kKeys, "smaller"),
+      actionOf(kKeys, "larger"),
+      actionOf(kKeys, "subdivide", hasPatch && isIdle),
+      actionOf(kKeys, "back", finest > 0 && isIdle),
+      actionOf(kKeys, "refine", hasPatch && isIdle),
+      actionOf(kKeys, "coarser", m_level > 0),
+      actionOf(kKeys, "finer", m_level < finest),
+      actionOf(kKeys, "noise", isIdle,
+               hasPatch ? nullptr : QT_TRANSLATE_NOOP("Tool", "smooth the noise along the holes")),
+      actionOf(kKeys, "whole", hasPatch),
+      actionOf(kKeys, "commit"),
+      actionOf(kKeys, "revert"),  // whatever goes on, so that no button comes and goes
   };
   if (m_crossings > 0)
-    all.insert(all.begin(), {"", "Ctrl+Z", QT_TRANSLATE_NOOP("Tool", "undo: the surface crosses itself now")});
+    all.insert(all.begin(),
+               {"", "Ctrl+Z", QT_TRANSLATE_NOOP("Tool", "undo: the surface crosses itself now"), true, "undo"});
   return all;
 }
 

@@ -4,7 +4,7 @@
 
 #include "mesh/BrushStroke.h"
 #include "mesh/Lasso.h"
-#include "tools/Tool.h"
+#include "tools/ToolKey.h"
 #include "tools/mesh/MeshSelection.h"
 #include "tools/mesh/MeshServices.h"
 #include "tools/mesh/SelectSettings.h"
@@ -28,6 +28,7 @@ class SelectTool : public Tool {
   // From a list, for example.
   void select(MeshSelection selection);
 
+  static std::span<const ToolKey> keys();
   std::string id() const override { return "select"; }
   ToolReply pointer(const PointerEvent& event) override;
   ToolReply perform(std::string_view action) override;

@@ -12,6 +12,19 @@ namespace handwheel {
 namespace {
 
 constexpr double kBrushStep = 1.25;  // from one size to the next by key
+constexpr ToolKey kKeys[] = {
+    {"smaller", "[", QT_TRANSLATE_NOOP("Tool", "smaller brush")},
+    {"larger", "]", QT_TRANSLATE_NOOP("Tool", "larger brush")},
+    {"all", "Ctrl+A", QT_TRANSLATE_NOOP("Tool", "select all")},
+    {"invert", "Ctrl+I", QT_TRANSLATE_NOOP("Tool", "select the rest")},
+    {"grow", "Ctrl++", QT_TRANSLATE_NOOP("Tool", "grow by one ring")},
+    {"shrink", "Ctrl+-", QT_TRANSLATE_NOOP("Tool", "shrink by one ring")},
+    {"previous", "Backspace", QT_TRANSLATE_NOOP("Tool", "previous selection")},
+    {"next", "Shift+Backspace", QT_TRANSLATE_NOOP("Tool", "next selection")},
+    {"delete", "Del", QT_TRANSLATE_NOOP("Tool", "delete the faces")},
+    {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "done")},
+    {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "select nothing")},
+};
 
 struct PointerHints {
   const char *click, *add, *remove, *effect;
@@ -164,6 +177,10 @@ MeshSelection SelectTool::presentAlive() const {
   return present;
 }
 
+std::span<const ToolKey> SelectTool::keys() {
+  return kKeys;
+}
+
 std::vector<ToolAction> SelectTool::actions() const {
   const bool some = !selection().faces.empty();
   const PointerHints hints = hintsOf(m_settings.mode);
@@ -175,20 +192,19 @@ std::vector<ToolAction> SelectTool::actions() const {
   if (m_settings.mode == Mode::Click)
     all.push_back({"", QT_TRANSLATE_NOOP("ToolInput", "Double-click"), hintsOf(Mode::Connected).effect});
   if (m_settings.mode == Mode::Brush) {
-    all.push_back({"smaller", "[", QT_TRANSLATE_NOOP("Tool", "smaller brush")});
-    all.push_back({"larger", "]", QT_TRANSLATE_NOOP("Tool", "larger brush")});
+    all.push_back(actionOf(kKeys, "smaller"));
+    all.push_back(actionOf(kKeys, "larger"));
   }
   const std::vector<ToolAction> common = {
-      {"all", "Ctrl+A", QT_TRANSLATE_NOOP("Tool", "select all")},
-      {"invert", "Ctrl+I", QT_TRANSLATE_NOOP("Tool", "select the rest")},
-      {"grow", "Ctrl++", QT_TRANSLATE_NOOP("Tool", "grow by one ring"), some},
-      {"shrink", "Ctrl+-", QT_TRANSLATE_NOOP("Tool", "shrink by one ring"), some},
-      {"previous", "Backspace", QT_TRANSLATE_NOOP("Tool", "previous selection"), m_steps.canGoBack()},
-      {"next", "Shift+Backspace", QT_TRANSLATE_NOOP("Tool", "next selection"), m_steps.canGoForward()},
-      {"delete", "Del", QT_TRANSLATE_NOOP("Tool", "delete the faces"), some},
-      {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "done")},
-      {"revert", "Esc",
-       selection().empty() ? QT_TRANSLATE_NOOP("Tool", "done") : QT_TRANSLATE_NOOP("Tool", "select nothing")},
+      actionOf(kKeys, "all"),
+      actionOf(kKeys, "invert"),
+      actionOf(kKeys, "grow", some),
+      actionOf(kKeys, "shrink", some),
+      actionOf(kKeys, "previous", m_steps.canGoBack()),
+      actionOf(kKeys, "next", m_steps.canGoForward()),
+      actionOf(kKeys, "delete", some),
+      actionOf(kKeys, "commit"),
+      actionOf(kKeys, "revert", true, selection().empty() ? QT_TRANSLATE_NOOP("Tool", "done") : nullptr),
   };
   all.insert(all.end(), common.begin(), common.end());
   return all;

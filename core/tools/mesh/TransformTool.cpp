@@ -105,11 +105,20 @@ ToolReply TransformTool::perform(std::string_view action) {
   return ToolReply::Ignored;
 }
 
+std::span<const ToolKey> TransformTool::keys() {
+  static const std::vector<ToolKey> all = [] {
+    std::vector<ToolKey> keys = {{"commit", "Return", QT_TRANSLATE_NOOP("Tool", "place so")}};
+    for (const Standard& standard : kStandards) keys.push_back({standard.id, "", standard.effect});
+    keys.push_back({"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "reset")});
+    return keys;
+  }();
+  return all;
+}
+
 std::vector<ToolAction> TransformTool::actions() const {
-  std::vector<ToolAction> all = {{"commit", "Return", QT_TRANSLATE_NOOP("Tool", "place so"), !isIdle()}};
-  for (const Standard& standard : kStandards) all.push_back({standard.id, "", standard.effect, true});
-  all.push_back(
-      {"revert", "Esc", isIdle() ? QT_TRANSLATE_NOOP("Tool", "done") : QT_TRANSLATE_NOOP("Tool", "reset"), true});
+  std::vector<ToolAction> all = {actionOf(keys(), "commit", !isIdle())};
+  for (const Standard& standard : kStandards) all.push_back(actionOf(keys(), standard.id));
+  all.push_back(actionOf(keys(), "revert", true, isIdle() ? QT_TRANSLATE_NOOP("Tool", "done") : nullptr));
   return all;
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tools/Tool.h"
+#include "tools/ToolKey.h"
 #include "tools/mesh/MeshServices.h"
 
 #include <array>
@@ -23,6 +23,7 @@ class TransformTool : public Tool {
   // the centre of the box; then moved.
   Eigen::Affine3d placement() const;
 
+  static std::span<const ToolKey> keys();
   std::string id() const override { return "transform"; }
   ToolReply pointer(const PointerEvent&) override { return ToolReply::Ignored; }
   ToolReply perform(std::string_view action) override;

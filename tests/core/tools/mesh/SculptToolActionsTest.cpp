@@ -29,22 +29,22 @@ class SculptToolActionsTest : public QObject {
 void SculptToolActionsTest::levels() {
   SculptBench b(middle());
   QVERIFY(!isEnabled(*b.tool, "back") && !isEnabled(*b.tool, "coarser"));
-  QCOMPARE(b.runner.key("L"), ToolReply::Used);
+  QCOMPARE(b.runner.perform("subdivide"), ToolReply::Used);
   QCOMPARE(b.tool->levels().finest(), std::size_t(1));
   QCOMPARE(b.tool->level(), std::size_t(1));
   const std::size_t inside = (128 * 3 - 32) / 2;
   QCOMPARE(b.document->mesh().liveFaceCount(), 800 + 2 * inside);
   QCOMPARE(b.tool->levels().patch().count(), 128 + 2 * inside);
-  b.runner.key("L");
+  b.runner.perform("subdivide");
   QCOMPARE(b.steps(), 2);
   QCOMPARE(b.check(), std::string());
   QCOMPARE(propertyNamed(b.tool->settings(), "level")->choices.size(), std::size_t(3));
-  b.runner.key("PgDown");
+  b.runner.perform("coarser");
   QCOMPARE(b.tool->level(), std::size_t(1));
   b.runner.setSetting("level", 0.0);
   QCOMPARE(b.tool->level(), std::size_t(0));
-  b.runner.key("Shift+L");
-  b.runner.key("Shift+L");
+  b.runner.perform("back");
+  b.runner.perform("back");
   QCOMPARE(b.document->mesh().liveFaceCount(), std::size_t(800));
   QCOMPARE(b.steps(), 4);
   QCOMPARE(b.check(), std::string());
@@ -53,8 +53,8 @@ void SculptToolActionsTest::levels() {
 // A small bump at the finest level rides on a hill raised at the coarsest one.
 void SculptToolActionsTest::aCoarseLevelTakesTheDetailAlong() {
   SculptBench b(middle());
-  b.runner.key("L");
-  b.runner.key("L");
+  b.runner.perform("subdivide");
+  b.runner.perform("subdivide");
   b.runner.setSetting("radius", 0.8);
   b.lift(0.3);
   const double bump = b.height();
@@ -65,8 +65,8 @@ void SculptToolActionsTest::aCoarseLevelTakesTheDetailAlong() {
   QVERIFY(b.tool->levels().mesh(0).position(at(10, 10)).z() > 0.99);
   // The hill at the finest level, as it would be without the bump.
   SculptBench plain(middle());
-  plain.runner.key("L");
-  plain.runner.key("L");
+  plain.runner.perform("subdivide");
+  plain.runner.perform("subdivide");
   plain.runner.setSetting("level", 0.0);
   plain.runner.setSetting("radius", 4.0);
   plain.lift(1.0);
@@ -82,7 +82,7 @@ void SculptToolActionsTest::aCoarseLevelTakesTheDetailAlong() {
 
 void SculptToolActionsTest::undoFindsTheLevels() {
   SculptBench b(middle());
-  b.runner.key("L");
+  b.runner.perform("subdivide");
   b.runner.setSetting("level", 0.0);
   b.lift(1.0);
   QVERIFY(b.tool->levels().mesh(0).position(at(10, 10)).z() > 0.9);
@@ -100,7 +100,7 @@ void SculptToolActionsTest::undoFindsTheLevels() {
 
 void SculptToolActionsTest::rememberedForTheNextTime() {
   SculptBench b(middle());
-  b.runner.key("L");
+  b.runner.perform("subdivide");
   b.start();
   QCOMPARE(b.tool->levels().finest(), std::size_t(1));
   b.start({3});
@@ -111,8 +111,8 @@ void SculptToolActionsTest::rememberedForTheNextTime() {
 // A quadrilateral of two triangles of 8 mm in a plate of 1 mm.
 void SculptToolActionsTest::rememberedInTheFile() {
   SculptBench b(middle());
-  b.runner.key("L");
-  b.runner.key("L");
+  b.runner.perform("subdivide");
+  b.runner.perform("subdivide");
   b.lift(0.3);
   Container file;
   b.document->kind().save(*b.document->snapshot(), file);
@@ -125,8 +125,8 @@ void SculptToolActionsTest::rememberedInTheFile() {
   b.start();
   QCOMPARE(b.tool->levels().finest(), std::size_t(2));
   QCOMPARE(b.tool->levels().patch(0).count(), middle().count());
-  b.runner.key("Shift+L");
-  b.runner.key("Shift+L");
+  b.runner.perform("back");
+  b.runner.perform("back");
   QCOMPARE(b.document->mesh().liveFaceCount(), std::size_t(800));
   QCOMPARE(b.height(), 0.0);  // as it was before it was subdivided
   QCOMPARE(b.check(), std::string());
@@ -142,11 +142,11 @@ void SculptToolActionsTest::refinesToTheSurroundings() {
     soup.triangles.push_back({centre, j, (j + 1) % 24});
   }
   SculptBench b(patch, soup);
-  b.runner.key("Ctrl+L");
+  b.runner.perform("refine");
   QCOMPARE(b.tool->levels().finest(), std::size_t(2));
   QCOMPARE(b.steps(), 1);
   QCOMPARE(b.check(), std::string());
-  b.runner.key("Ctrl+L");
+  b.runner.perform("refine");
   QCOMPARE(b.steps(), 1);
   QVERIFY(!propertyNamed(b.tool->settings(), "patch")->problem.empty());
 }
@@ -154,7 +154,7 @@ void SculptToolActionsTest::refinesToTheSurroundings() {
 void SculptToolActionsTest::warnsOfSlimTriangles() {
   SculptBench b({2 * (20 * 10 + 10), 2 * (20 * 10 + 10) + 1});
   for (int level = 1; level <= 4; ++level) {
-    b.runner.key("L");
+    b.runner.perform("subdivide");
     const Property* aspect = propertyNamed(b.tool->settings(), "aspect");
     QVERIFY(aspect);
     QCOMPARE(aspect->problem.empty(), level <= 3);
@@ -175,19 +175,19 @@ void SculptToolActionsTest::smoothsNoise() {
   };
   SculptBench b(middle(), soup);
   const double before = roughness(b.document->mesh());
-  b.runner.key("O");
+  b.runner.perform("noise");
   QCOMPARE(b.steps(), 1);
   QVERIFY(roughness(b.document->mesh()) < 0.5 * before);
   QVERIFY(vertexAt(b.document->mesh(), soup.points[0]) != kNone);
-  b.runner.key("A");
-  b.runner.key("O");  // along the border of the plate
+  b.runner.perform("whole");
+  b.runner.perform("noise");  // along the border of the plate
   QCOMPARE(b.steps(), 2);
   QCOMPARE(b.check(), std::string());
 }
 
 void SculptToolActionsTest::tellsWhyNot() {
   SculptBench b({7});
-  b.runner.key("L");
+  b.runner.perform("subdivide");
   QCOMPARE(b.steps(), 0);
   QVERIFY(!propertyNamed(b.tool->settings(), "patch")->problem.empty());
   SculptBench whole;
@@ -200,11 +200,11 @@ void SculptToolActionsTest::jobsThatComeTooLate() {
   waiting.faces = std::make_shared<FaceHierarchy>(document->mesh());
   ToolRunner runner;
   runner.start(std::make_unique<SculptTool>(*document, waiting.services(), middle()), *document);
-  runner.key("L");
+  runner.perform("subdivide");
   QVERIFY(!isEnabled(*runner.tool(), "subdivide"));
   runner.deliver(waiting.work());
   QCOMPARE(waiting.changes.size(), std::size_t(1));
-  runner.key("L");
+  runner.perform("subdivide");
   runner.pointer(above(Kind::Press, 10, 10));  // a stroke goes before
   QCOMPARE(waiting.cancelled, 1);
   runner.deliver(waiting.work());
@@ -213,9 +213,9 @@ void SculptToolActionsTest::jobsThatComeTooLate() {
 
 void SculptToolActionsTest::radiusByKey() {
   SculptBench b;
-  b.runner.key("]");
+  b.runner.perform("larger");
   QCOMPARE(std::get<double>(propertyNamed(b.tool->settings(), "radius")->value), 3.75);
-  b.runner.key("[");
+  b.runner.perform("smaller");
   QCOMPARE(std::get<double>(propertyNamed(b.tool->settings(), "radius")->value), 3.0);
 }
 

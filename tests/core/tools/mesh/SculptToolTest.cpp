@@ -99,11 +99,11 @@ void SculptToolTest::escapeGivesTheStrokeUp() {
   b.runner.pointer(above(Kind::Press, 10, 10));
   b.runner.pointer(above(Kind::Drag, 12, 10));
   QVERIFY(b.tool->preview().live);
-  QCOMPARE(b.runner.key("Esc"), ToolReply::Used);
+  QCOMPARE(b.runner.perform("revert"), ToolReply::Used);
   QVERIFY(!b.tool->preview().live);
   QCOMPARE(b.runner.pointer(above(Kind::Release, 12, 10)), ToolReply::Ignored);
   QCOMPARE(b.steps(), 0);
-  QCOMPARE(b.runner.key("Esc"), ToolReply::Finished);
+  QCOMPARE(b.runner.perform("revert"), ToolReply::Finished);
 }
 
 void SculptToolTest::besideTheModel() {
@@ -127,7 +127,7 @@ void SculptToolTest::onlyThePatch() {
     const bool isInside = p.x() > 6 && p.x() < 14 && p.y() > 6 && p.y() < 14;
     QVERIFY(isInside || p.z() == 0.0);
   }
-  b.runner.key("A");
+  b.runner.perform("whole");
   QVERIFY(b.tool->preview().lines.empty());
   b.lift(2.0, 4.0);
   QVERIFY(b.height(4, 10) > 1.9);

@@ -158,17 +158,14 @@ class Session {
 
   void perform() {
     const std::vector<ToolAction> actions = m_runner.tool()->actions();
-    ToolAction action = actions[below(actions.size())];
+    const std::string declared = actions[below(actions.size())].id;
+    std::string wanted = declared;
     if (below(2) && !m_mayPointerEdit)
-      action.id = m_select ? "delete" : below(3) ? "commit" : "next";  // what makes edits, more often
+      wanted = m_select ? "delete" : below(3) ? "commit" : "next";  // what makes edits, more often
     // Deleting all would end the fun too soon.
-    if (action.id == "delete" && m_select &&
-        2 * m_select->selection().faces.count() > m_document->mesh().liveFaceCount())
+    if (wanted == "delete" && m_select && 2 * m_select->selection().faces.count() > m_document->mesh().liveFaceCount())
       return;
-    if (below(2))
-      m_runner.perform(action.id);
-    else
-      m_runner.key(action.input);
+    m_runner.perform(below(2) ? wanted : declared);
   }
 
   void set() {

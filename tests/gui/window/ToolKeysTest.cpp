@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ToolKeysBench.h"
+#include "WindowTestMain.h"
+#include "controls/CommandModel.h"
+#include "tools/MeasureTool.h"
+#include "tools/cell/JointDragTool.h"
+#include "tools/mesh/BoundaryTool.h"
+#include "tools/mesh/DecimateTool.h"
+#include "tools/mesh/FillHoleTool.h"
+#include "tools/mesh/MakeFaceTool.h"
+#include "tools/mesh/SculptTool.h"
+#include "tools/mesh/SelectTool.h"
+#include "tools/mesh/TransformTool.h"
+
+#include <QListView>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+struct ToolUnderTest {
+  const char* id;
+  std::span<const ToolKey> keys;
+};
+
+std::vector<ToolUnderTest> allTools() {
+  return {{"measure", MeasureTool::keys()},   {"joints", JointDragTool::keys()}, {"boundary", BoundaryTool::keys()},
+          {"decimate", DecimateTool::keys()}, {"fill", FillHoleTool::keys()},    {"face", MakeFaceTool::keys()},
+          {"sculpt", SculptTool::keys()},     {"select", SelectTool::keys()},    {"transform", TransformTool::keys()}};
+}
+
+}  // namespace
+
+// What keys do in a tool is listed and changed with the keys of the other commands, and then so.
+class ToolKeysTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() { QSettings().clear(); }
+  void everyKeyOfEveryToolHasARow();
+  void aNewKeyActsAndIsTold();
+  void anActionWithoutAKeyGetsOne();
+  void keysThatQtWouldTake();
+  void signsNeedShiftOrNot();
+  void theCommandThatDoesTheSame();
+};
+
+// Either its own, or that of the command that does the same.
+void ToolKeysTest::everyKeyOfEveryToolHasARow() {
+  WindowDriver driver;
+  const KeyPage page(driver);
+  for (const ToolUnderTest& tool : allTools()) {
+    for (const ToolKey& key : tool.keys) {
+      const QString own = QStringLiteral("tool/%1/%2").arg(tool.id, key.action);
+      const QString id = *key.command ? QString::fromLatin1(key.command) : own;
+      QVERIFY2(page.rowOf(id).isValid(), qPrintable(own));
+      QCOMPARE(page.shownKeys(id), QKeySequence(QString::fromLatin1(key.input)).toString(QKeySequence::NativeText));
+    }
+  }
+  QCOMPARE(page.rowOf(kSmaller).data().toString(), QStringLiteral("Tools › Select faces › Smaller brush"));
+  QTest::keyClicks(driver.find<QLineEdit>("shortcutSearch"), "smaller brush");
+  QCOMPARE(page.rows().rowCount(), 2);  // to select, and to sculpt
+}
+
+void ToolKeysTest::aNewKeyActsAndIsTold() {
+  BrushBench bench;
+  WindowDriver& driver = bench.driver;
+  const double before = bench.radius();
+  bench.press(Qt::Key_BracketLeft);
+  const double once = bench.radius();
+  QVERIFY(once < before);
+  {
+    KeyPage page(driver);
+    page.press(kSmaller, Qt::Key_X);
+    QCOMPARE(page.shownKeys(kSmaller), QStringLiteral("X"));
+    QCOMPARE(page.status(), QString());
+  }
+  QVERIFY(bench.hints("X: smaller brush"));
+  QVERIFY(!bench.hints("[: smaller brush"));
+  QCOMPARE(driver.find<QWidget>("toolAction/smaller")->toolTip(), QStringLiteral("Smaller brush (X)"));
+  bench.press(Qt::Key_BracketLeft);
+  QCOMPARE(bench.radius(), once);
+  bench.press(Qt::Key_X);
+  QVERIFY(bench.radius() < once);
+  // In the palette, too, from which it can be run.
+  const double twice = bench.radius();
+  driver.choose("searchCommands");
+  QTest::keyClicks(driver.find<QLineEdit>("commandQuery"), "smaller brush");
+  auto* found = driver.find<QListView>("commandList");
+  QCOMPARE(found->model()->rowCount(), 1);
+  QCOMPARE(found->currentIndex().data(CommandModel::ShortcutRole).toString(), QStringLiteral("X"));
+  QTest::keyClick(driver.find<QLineEdit>("commandQuery"), Qt::Key_Return);
+  QTRY_VERIFY(bench.radius() < twice);
+  // The next window knows it.
+  WindowDriver second;
+  QCOMPARE(KeyPage(second).shownKeys(kSmaller), QStringLiteral("X"));
+  QVERIFY(driver.settle());
+}
+
+void ToolKeysTest::anActionWithoutAKeyGetsOne() {
+  BrushBench bench;
+  WindowDriver& driver = bench.driver;
+  {
+    KeyPage page(driver);
+    page.choose(kSmaller);
+    driver.click("shortcutNone");
+    page.press("tool/select/all", Qt::Key_E);
+    page.press("tool/transform/corner", Qt::Key_E);  // no conflict: there is one tool at a time
+    QCOMPARE(page.status(), QString());
+  }
+  QVERIFY(!bench.hints("smaller brush"));
+  QCOMPARE(driver.find<QWidget>("toolAction/smaller")->toolTip(), QStringLiteral("Smaller brush"));
+  const double before = bench.radius();
+  bench.press(Qt::Key_BracketLeft);
+  QCOMPARE(bench.radius(), before);
+  bench.press(Qt::Key_E);
+  QTRY_VERIFY(driver.find<QAbstractButton>("toolAction/delete")->isEnabled());  // all are selected
+  driver.find<QAction>("transformTool")->trigger();
+  QVERIFY(bench.hints("E: put the low corner into the origin"));
+  auto* undo = driver.find<QAction>("undo");
+  QVERIFY(!undo->isEnabled());
+  bench.press(Qt::Key_E);
+  QVERIFY(driver.settle());
+  QTRY_VERIFY2(undo->text().contains("Put the low corner into the origin"), qPrintable(undo->text()));
+}
+
+// Space goes to the next hole, Ctrl+Z takes back: unless one wants them otherwise.
+void ToolKeysTest::keysThatQtWouldTake() {
+  BrushBench bench;
+  WindowDriver& driver = bench.driver;
+  for (const auto& [key, modifiers] :
+       std::initializer_list<std::pair<Qt::Key, Qt::KeyboardModifier>>{{Qt::Key_Space, Qt::NoModifier},
+                                                                       {Qt::Key_Z, Qt::ControlModifier},
+                                                                       {Qt::Key_Up, Qt::NoModifier},
+                                                                       {Qt::Key_F10, Qt::NoModifier},
+                                                                       {Qt::Key_F, Qt::AltModifier}}) {
+    KeyPage(driver).press(kSmaller, key, modifiers);
+    const double before = bench.radius();
+    bench.press(key, modifiers);
+    QVERIFY2(bench.radius() < before, qPrintable(QKeySequence(modifiers | key).toString()));
+    QVERIFY(driver.find<Viewport>("viewport")->hasFocus());
+    bench.press(Qt::Key_BracketRight);
+  }
+}
+
+// "Ctrl++" is pressed with Shift on one keyboard, without on another, and on the block of digits.
+void ToolKeysTest::signsNeedShiftOrNot() {
+  BrushBench bench;
+  WindowDriver& driver = bench.driver;
+  KeyPage(driver).press(kSmaller, Qt::Key_Plus, Qt::ControlModifier);
+  QVERIFY(bench.hints("Ctrl++: smaller brush"));
+  KeyPage(driver).press("tool/select/grow", Qt::Key_G);
+  for (const Qt::KeyboardModifiers also :
+       {Qt::KeyboardModifiers(Qt::ShiftModifier), Qt::KeyboardModifiers(), Qt::KeyboardModifiers(Qt::KeypadModifier)}) {
+    const double before = bench.radius();
+    bench.press(Qt::Key_Plus, Qt::ControlModifier | also);
+    QVERIFY(bench.radius() < before);
+  }
+  const double before = bench.radius();
+  KeyPage(driver).press(kSmaller, Qt::Key_X);
+  bench.press(Qt::Key_X, Qt::ShiftModifier);  // of a letter it is another key
+  QCOMPARE(bench.radius(), before);
+}
+
+// "Next hole" is a command of the window; the tools tell its key, and have none of their own.
+void ToolKeysTest::theCommandThatDoesTheSame() {
+  BrushBench bench;
+  WindowDriver& driver = bench.driver;
+  KeyPage(driver).press("nextHole", Qt::Key_Y);
+  for (const char* tool : {"fillTool", "boundaryTool"}) {
+    if (!driver.find<QAction>(tool)->isChecked()) driver.find<QAction>(tool)->trigger();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // the buttons of the tool before
+    QVERIFY(bench.hints("Y: next hole"));
+    QCOMPARE(driver.find<QWidget>("toolAction/next")->toolTip(), QStringLiteral("Next hole (Y)"));
+  }
+  bench.press(Qt::Key_Y);
+  QTRY_VERIFY(driver.find<QWidget>("holeSettings")->isVisible());
+  QVERIFY(driver.settle());
+}
+
+HANDWHEEL_WINDOW_TEST(ToolKeysTest)
+#include "ToolKeysTest.moc"
