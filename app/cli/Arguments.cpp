@@ -109,8 +109,9 @@ std::string usageLine(const CommandSpec& command) {
   return line;
 }
 
-std::string helpPage(const CommandSpec& command) {
-  std::string page = "Usage: " + usageLine(command) + "\n\n" + std::string(command.summary) + "\n\nOptions:\n";
+std::string helpPage(const CommandSpec& command, const std::string& details) {
+  std::string page =
+      "Usage: " + usageLine(command) + "\n\n" + std::string(command.summary) + "\n" + details + "\nOptions:\n";
   std::vector<std::string> left;
   std::size_t width = 0;
   for (const OptionSpec& o : command.options) {

@@ -48,6 +48,6 @@ bool readNumber(std::string_view word, Number& value) {
 Arguments parseArguments(const CommandSpec& command, std::span<char* const> words);
 
 std::string usageLine(const CommandSpec& command);
-std::string helpPage(const CommandSpec& command);
+std::string helpPage(const CommandSpec& command, const std::string& details = {});
 
 }  // namespace handwheel

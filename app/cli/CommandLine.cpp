@@ -39,6 +39,7 @@ struct Command {
 
   CommandSpec spec;
   std::variant<OnDocuments, OnAll> run;
+  std::string (*details)(const DocumentKinds&) = nullptr;  // what its help says of the kinds
 };
 
 int runOnDevices(const Arguments& arguments, const Registered& registered) {
@@ -54,11 +55,11 @@ int run(const Command& command, const Arguments& arguments, const Registered& re
 
 std::vector<Command> commands() {
   return {
-      {inspectSpec(), runInspect}, {repairSpec(), runRepair},   {convertSpec(), runConvert},
-      {pictureSpec(), runPicture}, {newSpec(), runNew},         {setSpec(), runSet},
-      {measureSpec(), runMeasure}, {compareSpec(), runCompare}, {decimateSpec(), runDecimate},
-      {splitSpec(), runSplit},     {mergeSpec(), runMerge},     {devicesSpec(), runOnDevices},
-      {sectionSpec(), runSection}, {feelSpec(), runFeel},       {recordingSpec(), runRecording},
+      {inspectSpec(), runInspect}, {repairSpec(), runRepair},       {convertSpec(), runConvert, convertDetails},
+      {pictureSpec(), runPicture}, {newSpec(), runNew, newDetails}, {setSpec(), runSet},
+      {measureSpec(), runMeasure}, {compareSpec(), runCompare},     {decimateSpec(), runDecimate},
+      {splitSpec(), runSplit},     {mergeSpec(), runMerge},         {devicesSpec(), runOnDevices},
+      {sectionSpec(), runSection}, {feelSpec(), runFeel},           {recordingSpec(), runRecording},
   };
 }
 
@@ -88,12 +89,16 @@ std::string overview() {
          "Exit codes: 0 done, 1 error, 2 something is left or over budget (repair, measure), 130 interrupted.\n";
 }
 
-int help(std::span<char* const> words) {
+int helpOn(const Command& command, const Registered& registered) {
+  return print(helpPage(command.spec, command.details ? command.details(registered.kinds) : std::string()));
+}
+
+int help(std::span<char* const> words, const Registered& registered) {
   if (words.empty()) return print(overview());
   const std::vector<Command> all = commands();
   const Command* command = find(all, words[0]);
   if (!command) return failUsage("There is no command " + std::string(words[0]) + ".", {});
-  return print(helpPage(command->spec));
+  return helpOn(*command, registered);
 }
 
 bool isHelpWord(std::string_view word) {
@@ -119,7 +124,7 @@ bool isMistypedCommand(std::string_view word) {
 int dispatch(std::span<char* const> words, const Registered& registered) {
   const std::string_view first = words[0];
   const std::span<char* const> rest = words.subspan(1);
-  if (isHelpWord(first)) return help(rest);
+  if (isHelpWord(first)) return help(rest, registered);
   if (first == "--version") return print("Handwheel " HANDWHEEL_VERSION "\n");
   const std::vector<Command> all = commands();
   const Command* command = find(all, first);
@@ -129,7 +134,7 @@ int dispatch(std::span<char* const> words, const Registered& registered) {
 
   const Arguments arguments = parseArguments(command->spec, rest);
   if (!arguments.problem.empty()) return failUsage(arguments.problem, command->spec.name);
-  if (arguments.has("help")) return print(helpPage(command->spec));
+  if (arguments.has("help")) return helpOn(*command, registered);
   return run(*command, arguments, registered);
 }
 

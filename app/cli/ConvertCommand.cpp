@@ -82,14 +82,24 @@ CommandSpec convertSpec() {
   return {
       "convert",
       "IN OUT",
-      "Writes a document in another format. OUT's ending says in which: .handwheel for all kinds; meshes also .stl,\n"
-      ".ply, .obj, .off and .3mf, workpieces .step. The triangles of a mesh stay the same, in the same order; nothing "
-      "is\n"
-      "repaired, but in a .handwheel equal positions are one vertex, and triangles are turned as their neighbours are.",
+      "Writes a document in another format. OUT's ending says in which. The triangles of a mesh stay the same, in the\n"
+      "same order; nothing is repaired, but in a .handwheel equal positions are one vertex, and triangles are turned "
+      "as\n"
+      "their neighbours are.",
       {
           {"partial", 0, "", "Read what is readable of a damaged file"},
           {"help", 'h', "", "Show this page"},
       }};
+}
+
+std::string convertDetails(const DocumentKinds& kinds) {
+  std::string lines = "Endings:\n";
+  for (const auto& kind : kinds.all()) {
+    lines += "  of a " + kind->id() + ":";
+    for (const std::string& ending : writtenEndings(*kind)) lines += " " + ending;
+    lines += "\n";
+  }
+  return lines;
 }
 
 int runConvert(const Arguments& arguments, const DocumentKinds& kinds) {

@@ -8,6 +8,8 @@
 namespace handwheel {
 
 CommandSpec convertSpec();
+// What can be written of each kind, as lines of the help.
+std::string convertDetails(const DocumentKinds& kinds);
 int runConvert(const Arguments& arguments, const DocumentKinds& kinds);
 
 }  // namespace handwheel

@@ -66,7 +66,11 @@ const std::vector<OptionSpec> kOptions = {
 
 CommandSpec newSpec() {
   return {"new", "KIND [NAME=VALUE...]",
-          "Makes a document of default size. KIND: workpiece. Properties can be given as 'set' takes them.", kOptions};
+          "Makes a document of default size. Properties can be given as 'set' takes them.", kOptions};
+}
+
+std::string newDetails(const DocumentKinds& kinds) {
+  return "KIND is " + kindsToMake(kinds) + ".\n";
 }
 
 CommandSpec setSpec() {
