@@ -7,7 +7,7 @@
 
 // A first argument that names a subcommand runs without a window; anything else is a file to open in it.
 int main(int argc, char** argv) {
-  const handwheel::KindSet kinds = handwheel::registeredKinds();
+  const handwheel::KindSet kinds(handwheel::registeredKinds());
   if (handwheel::isCommand(argc, argv))
     return handwheel::runCommand(argc, argv, {kinds.documents, handwheel::registeredDrivers});
   return handwheel::runWindow(argc, argv, kinds, handwheel::registeredDrivers());

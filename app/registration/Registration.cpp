@@ -13,19 +13,15 @@ namespace handwheel {
 
 namespace {
 
-struct Entry {
-  std::unique_ptr<DocumentKind> kind;
-  KindUiFactory window;
-};
-
 template <class Ui>
 std::unique_ptr<KindUi> make(const WindowParts& parts) {
   return std::make_unique<Ui>(parts);
 }
 
-// Asked in this order whose a file is; meshes take what nobody else does.
-std::vector<Entry> entries() {
-  std::vector<Entry> all;
+}  // namespace
+
+std::vector<KindEntry> registeredKinds() {
+  std::vector<KindEntry> all;
   auto cell = std::make_unique<CellKind>();
   const auto cellWindow = [&kind = *cell](const WindowParts& parts) { return std::make_unique<CellUi>(parts, kind); };
   all.push_back({std::move(cell), cellWindow});
@@ -34,18 +30,6 @@ std::vector<Entry> entries() {
   const auto meshWindow = [&kind = *mesh](const WindowParts& parts) { return std::make_unique<MeshUi>(parts, kind); };
   all.push_back({std::move(mesh), meshWindow});
   return all;
-}
-
-}  // namespace
-
-KindSet registeredKinds() {
-  std::vector<std::unique_ptr<DocumentKind>> kinds;
-  std::map<std::string, KindUiFactory> windows;
-  for (Entry& entry : entries()) {
-    windows[entry.kind->id()] = std::move(entry.window);
-    kinds.push_back(std::move(entry.kind));
-  }
-  return {DocumentKinds(std::move(kinds)), std::move(windows)};
 }
 
 }  // namespace handwheel

@@ -6,7 +6,8 @@
 
 namespace handwheel {
 
-// Every kind of document that the program knows: the one place to add another.
-KindSet registeredKinds();
+// Every kind of document that the program knows: the one place to add another. They are asked in this order whose a
+// file is; meshes take what nobody else does.
+std::vector<KindEntry> registeredKinds();
 
 }  // namespace handwheel

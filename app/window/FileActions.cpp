@@ -6,23 +6,20 @@
 #include "window/ClosePrompt.h"
 #include "window/DocumentTabs.h"
 #include "window/FileFilters.h"
-#include "window/KindUi.h"
 #include "window/OpenDocument.h"
 #include "window/RecentFiles.h"
+#include "window/Samples.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
 #include <QSettings>
-#include <algorithm>
 
 namespace handwheel {
 
 namespace {
 
-const QStringList kSamples{kScanSample, kShaftSample, kRobotSample};
 const auto kFolderKey = QStringLiteral("lastFolder");
 
 QString lastFolder() {
@@ -31,11 +28,6 @@ QString lastFolder() {
 
 void rememberFolder(const QString& path) {
   QSettings().setValue(kFolderKey, QFileInfo(path).absolutePath());
-}
-
-bool isSample(const QFileInfo& file) {
-  return std::any_of(kSamples.begin(), kSamples.end(),
-                     [&](const QString& s) { return file == QFileInfo(samplePath(s)); });
 }
 
 // "part-2.handwheel", or what number is free.
@@ -60,10 +52,6 @@ FileActions::FileActions(QWidget* window, const DocumentKinds& kinds, const Kind
       m_loader(kinds, uis, tabs, jobs, recent, log),
       m_saver(tabs, jobs, recent, log),
       m_open(tr("&Open…"), this),
-      m_newWorkpiece(tr("&New workpiece"), this),
-      m_openSample(tr("Open the &sample scan"), this),
-      m_openShaftSample(tr("Open the sample s&haft"), this),
-      m_openRobotSample(tr("Open the sample &robot"), this),
       m_save(tr("&Save"), this),
       m_saveAs(tr("Save &as…"), this),
       m_close(tr("&Close"), this),
@@ -77,7 +65,6 @@ FileActions::FileActions(QWidget* window, const DocumentKinds& kinds, const Kind
   m_nextTab.setShortcut(QKeySequence(Qt::CTRL | Qt::Key_PageDown));
   m_previousTab.setShortcut(QKeySequence(Qt::CTRL | Qt::Key_PageUp));
   prepare(m_open, "openFile", "open", tr("Open files"));
-  prepare(m_openSample, "openSample", "repair", tr("Open the sample scan"));
   prepare(m_save, "saveFile", "save", tr("Save this document"));
   prepare(m_saveAs, "saveFileAs", "save-as", tr("Save this document under another name"));
   prepare(m_close, "closeDocument", "close", tr("Close this document"));
@@ -87,15 +74,8 @@ FileActions::FileActions(QWidget* window, const DocumentKinds& kinds, const Kind
   prepare(m_nextTab, "nextDocument", "next", tr("Go to the next open document"));
   prepare(m_previousTab, "previousDocument", "previous", tr("Go to the previous open document"));
   m_recentMenu->setObjectName(QStringLiteral("recentMenu"));
-  prepare(m_newWorkpiece, "newWorkpiece", "kind-workpiece", tr("Start with a cylinder to be turned"));
-  prepare(m_openRobotSample, "openRobotSample", "kind-cell", tr("Open the sample robot arm"));
-  prepare(m_openShaftSample, "openShaftSample", "kind-workpiece", tr("Open the sample shaft for the lathe"));
-  openBy(m_openSample, kScanSample);
-  openBy(m_openShaftSample, kShaftSample);
-  openBy(m_openRobotSample, kRobotSample);
 
   connect(&m_open, &QAction::triggered, this, &FileActions::askForFiles);
-  connect(&m_newWorkpiece, &QAction::triggered, this, [this] { m_loader.create("workpiece"); });
   connect(&m_save, &QAction::triggered, this, &FileActions::saveCurrent);
   connect(&m_saveAs, &QAction::triggered, this, [this] { askForName(m_tabs.current(), {}); });
   connect(&m_close, &QAction::triggered, this, [this] { requestClose(m_tabs.current()); });
@@ -112,9 +92,41 @@ FileActions::FileActions(QWidget* window, const DocumentKinds& kinds, const Kind
   followDocument();
 }
 
-void FileActions::openBy(QAction& action, const QString& sample) {
-  action.setEnabled(!samplePath(sample).isEmpty());
-  connect(&action, &QAction::triggered, this, [this, sample] { m_loader.load(samplePath(sample)); });
+void FileActions::add(const std::string& kind, const KindUi& ui) {
+  for (const Beginning& beginning : ui.beginnings()) {
+    auto* action = new QAction(beginning.text, this);
+    prepare(*action, beginning.id.toLatin1().constData(), beginning.icon.toLatin1().constData(), beginning.tip);
+    if (beginning.sample.isEmpty()) {
+      connect(action, &QAction::triggered, this, [this, kind] { m_loader.create(kind); });
+    } else {
+      const QString path = samplePath(beginning.sample);
+      action->setEnabled(!path.isEmpty());
+      connect(action, &QAction::triggered, this, [this, path] { m_loader.load(path); });
+    }
+    m_beginnings.emplace_back(beginning, action);
+  }
+}
+
+QList<QAction*> FileActions::beginnings() const {
+  QList<QAction*> blank, samples;
+  for (const auto& [beginning, action] : m_beginnings) (beginning.sample.isEmpty() ? blank : samples) << action;
+  return blank + samples;
+}
+
+std::vector<StartTile> FileActions::tiles() const {
+  std::vector<StartTile> tiles;
+  for (const auto& [beginning, action] : m_beginnings) {
+    if (!beginning.tile) continue;
+    tiles.push_back(*beginning.tile);
+    tiles.back().isAvailable = action->isEnabled();
+  }
+  return tiles;
+}
+
+void FileActions::begin(const QString& tile) {
+  for (const auto& [beginning, action] : m_beginnings) {
+    if (beginning.tile && beginning.tile->name == tile) return action->trigger();
+  }
 }
 
 void FileActions::followDocument() {
@@ -243,15 +255,6 @@ void FileActions::endClosing(OpenDocument* document, bool close) {
 void FileActions::requestCloseAll(std::function<void()> then) {
   if (m_tabs.all().empty()) return then();
   requestClose(m_tabs.all().back().get(), [this, then] { requestCloseAll(then); });
-}
-
-QString samplePath(const QString& name) {
-  for (const QString& folder : {QCoreApplication::applicationDirPath() + QStringLiteral("/../share/handwheel/samples"),
-                                QStringLiteral(HANDWHEEL_SOURCE_SAMPLES)}) {
-    const QFileInfo file(QDir(folder), name);
-    if (file.exists()) return file.canonicalFilePath();
-  }
-  return {};
 }
 
 }  // namespace handwheel

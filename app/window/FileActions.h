@@ -4,6 +4,7 @@
 
 #include "window/FileLoader.h"
 #include "window/FileSaver.h"
+#include "window/KindUi.h"
 
 #include <QAction>
 #include <functional>
@@ -23,10 +24,8 @@ class FileActions : public QObject {
               RecentFiles& recent, LogModel& log);
 
   QAction* open() { return &m_open; }
-  QAction* newWorkpiece() { return &m_newWorkpiece; }
-  QAction* openSample() { return &m_openSample; }
-  QAction* openShaftSample() { return &m_openShaftSample; }
-  QAction* openRobotSample() { return &m_openRobotSample; }
+  // New documents, then samples.
+  QList<QAction*> beginnings() const;
   QAction* save() { return &m_save; }
   QAction* saveAs() { return &m_saveAs; }
   QAction* closeTab() { return &m_close; }
@@ -34,6 +33,12 @@ class FileActions : public QObject {
   QMenu* recentMenu() { return m_recentMenu; }
 
   FileLoader& loader() { return m_loader; }
+
+  // The ways to begin with a document of this kind; in the order of the calls.
+  void add(const std::string& kind, const KindUi& ui);
+  std::vector<StartTile> tiles() const;
+  // As one of them says.
+  void begin(const QString& tile);
 
   QString iconNameFor(const QString& path) const;  // of a drawing
   void openPaths(const QStringList& paths);
@@ -48,7 +53,6 @@ class FileActions : public QObject {
   void message(const handwheel::Message& message);
 
  private:
-  void openBy(QAction& action, const QString& sample);
   void askForFiles();
   void saveCurrent();
   // ended: as of FileSaver::save(); also when no name was given.
@@ -70,10 +74,7 @@ class FileActions : public QObject {
   // Those that are asked about or saved in order to be closed, and what follows when they are.
   std::map<const OpenDocument*, std::vector<std::function<void()>>> m_closing;
   QAction m_open;
-  QAction m_newWorkpiece;
-  QAction m_openSample;
-  QAction m_openShaftSample;
-  QAction m_openRobotSample;
+  std::vector<std::pair<Beginning, QAction*>> m_beginnings;
   QAction m_save;
   QAction m_saveAs;
   QAction m_close;
@@ -81,11 +82,5 @@ class FileActions : public QObject {
   QAction m_previousTab;
   QMenu* m_recentMenu;
 };
-
-// A sample that is shipped with the program; empty when it is missing.
-QString samplePath(const QString& name);
-inline const auto kScanSample = QStringLiteral("scan-with-holes.stl");
-inline const auto kShaftSample = QStringLiteral("shaft-stock.handwheel");
-inline const auto kRobotSample = QStringLiteral("robot-arm.urdf");
 
 }  // namespace handwheel

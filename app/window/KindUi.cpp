@@ -12,6 +12,16 @@
 
 namespace handwheel {
 
+namespace {
+
+std::vector<std::unique_ptr<DocumentKind>> kindsOf(std::vector<KindEntry>& entries) {
+  std::vector<std::unique_ptr<DocumentKind>> kinds;
+  for (KindEntry& entry : entries) kinds.push_back(std::move(entry.kind));
+  return kinds;
+}
+
+}  // namespace
+
 ToolOffer measureOffer(std::function<std::unique_ptr<Tool>()> make) {
   return {QStringLiteral("measureTool"),
           KindUi::tr("&Measure"),
@@ -21,6 +31,10 @@ ToolOffer measureOffer(std::function<std::unique_ptr<Tool>()> make) {
           std::move(make),
           "measure",
           MeasureTool::keys()};
+}
+
+KindSet::KindSet(std::vector<KindEntry> entries) : documents(kindsOf(entries)) {
+  for (std::size_t i = 0; i < entries.size(); ++i) windows[documents.all()[i]->id()] = std::move(entries[i].window);
 }
 
 // For documents that are edited through their properties alone.

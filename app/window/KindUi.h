@@ -5,6 +5,7 @@
 #include "document/DocumentKind.h"
 #include "panels/HintBar.h"
 #include "panels/NextStepCard.h"
+#include "panels/StartPage.h"
 #include "tools/ToolKey.h"
 
 #include <QAction>
@@ -45,7 +46,7 @@ struct WindowParts {
   HapticSession& haptics;
   TouchScene& touch;
   QAction* saveAs;
-  QAction* openSample;  // the scan
+  std::function<void(const QString& path)> openFile;
   std::function<bool()> isPanelVisible;
   QAction* showPanel;
 };
@@ -66,6 +67,16 @@ struct ToolOffer {
 // The ruler, which several kinds offer.
 ToolOffer measureOffer(std::function<std::unique_ptr<Tool>()> make);
 
+// A way to begin with a document of the kind: a command of the File menu, and a tile of the start page.
+struct Beginning {
+  QString id;  // of the command: "openSample"
+  QString text;
+  QString tip;
+  QString icon;
+  QString sample = {};                 // the file, of those that are shipped; empty: a new document
+  std::optional<StartTile> tile = {};  // none: it is in the menu only
+};
+
 // What the window adds for one kind of document: its scene, panel, menu, tools and advice. One per window and kind.
 class KindUi : public QObject {
   Q_OBJECT
@@ -80,6 +91,8 @@ class KindUi : public QObject {
   virtual void refreshVisibility() = 0;
   // Before a document goes.
   virtual void forget(OpenDocument* document) { (void)document; }
+
+  virtual std::vector<Beginning> beginnings() const { return {}; }
 
   virtual QString panelTitle() const = 0;
   virtual QString panelIcon() const = 0;  // name of a drawing
@@ -113,8 +126,17 @@ class KindUi : public QObject {
 
 using KindUiFactory = std::function<std::unique_ptr<KindUi>(const WindowParts&)>;
 
+// A kind of document and its part of the window.
+struct KindEntry {
+  std::unique_ptr<DocumentKind> kind;
+  KindUiFactory window;
+};
+
 // The kinds of documents as the program registers them, and what the window adds to each, by the id of the kind.
 struct KindSet {
+  // Asked in this order whose a file is.
+  explicit KindSet(std::vector<KindEntry> entries);
+
   DocumentKinds documents;
   std::map<std::string, KindUiFactory> windows;
 };

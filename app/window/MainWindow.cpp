@@ -91,7 +91,7 @@ void MainWindow::makeKinds(const KindSet& kinds) {
                           .haptics = m_haptics,
                           .touch = m_touch,
                           .saveAs = m_fileActions.saveAs(),
-                          .openSample = m_fileActions.openSample(),
+                          .openFile = [this](const QString& path) { openPaths({path}); },
                           .isPanelVisible = [this] { return m_kindDock->isVisible(); },
                           .showPanel = &m_showPanel};
   for (const auto& [id, make] : kinds.windows) {
@@ -109,6 +109,9 @@ void MainWindow::makeKinds(const KindSet& kinds) {
     connect(made.get(), &KindUi::message, m_messages, &MessageBar::showMessage);
     m_uis.emplace(id, std::move(made));
   }
+  // The most general kind, which is asked last whose a file is, comes first.
+  const auto all = kinds.documents.all();
+  for (auto kind = all.rbegin(); kind != all.rend(); ++kind) m_fileActions.add((*kind)->id(), *m_uis.at((*kind)->id()));
 }
 
 KindUi* MainWindow::ui() const {

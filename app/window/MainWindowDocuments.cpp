@@ -117,19 +117,8 @@ void MainWindow::connectJobs() {
 }
 
 void MainWindow::connectStartPage() {
-  m_start->setSampleAvailable(StartPage::Sample::Scan, m_fileActions.openSample()->isEnabled());
-  m_start->setSampleAvailable(StartPage::Sample::Cell, m_fileActions.openRobotSample()->isEnabled());
-  m_start->setSampleAvailable(StartPage::Sample::Lathe, m_fileActions.openShaftSample()->isEnabled());
-  connect(m_start, &StartPage::sampleChosen, this, [this](StartPage::Sample sample) {
-    switch (sample) {
-      case StartPage::Sample::Scan:
-        return m_fileActions.openSample()->trigger();
-      case StartPage::Sample::Lathe:
-        return m_fileActions.openShaftSample()->trigger();
-      case StartPage::Sample::Cell:
-        return m_fileActions.openRobotSample()->trigger();
-    }
-  });
+  m_start->setTiles(m_fileActions.tiles());
+  connect(m_start, &StartPage::tileChosen, &m_fileActions, &FileActions::begin);
   m_start->setPictures(Thumbnails::of, [this](const QString& path) { return m_fileActions.iconNameFor(path); });
   const auto showRecent = [this] { m_start->setRecentFiles(m_recent.paths()); };
   showRecent();

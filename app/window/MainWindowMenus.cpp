@@ -49,8 +49,7 @@ void MainWindow::buildMenus() {
   QMenu* file = menuBar()->addMenu(tr("&File"));
   file->addAction(m_fileActions.open());
   file->addMenu(m_fileActions.recentMenu());
-  file->addActions({m_fileActions.newWorkpiece(), m_fileActions.openSample(), m_fileActions.openShaftSample(),
-                    m_fileActions.openRobotSample()});
+  file->addActions(m_fileActions.beginnings());
   file->addSeparator();
   file->addActions({m_fileActions.save(), m_fileActions.saveAs()});
   file->addSeparator();

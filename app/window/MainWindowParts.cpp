@@ -105,7 +105,7 @@ void MainWindow::buildDocks() {
   for (const auto& [id, each] : m_uis) m_kindPanels->addWidget(each->panel());
   m_documentsDock = addDock(*this, Qt::LeftDockWidgetArea, "documentsDock", tr("Documents"), m_documents, "documents");
   m_historyDock = addDock(*this, Qt::LeftDockWidgetArea, "historyDock", tr("History"), history, "history");
-  m_kindDock = addDock(*this, Qt::RightDockWidgetArea, "kindDock", tr("Defects"), m_kindPanels, "defects");
+  m_kindDock = addDock(*this, Qt::RightDockWidgetArea, "kindDock", {}, m_kindPanels, "file");
   m_toolDock = addDock(*this, Qt::RightDockWidgetArea, "toolDock", tr("Tool"), m_toolPanel, "tool-settings");
   auto* properties = new PropertyList(this);
   properties->setEmptyText(tr("No document is open."));

@@ -23,46 +23,11 @@ namespace {
 constexpr int kWidest = 840;
 constexpr int kMargin = 24;
 constexpr int kGap = 16;
-constexpr int kNarrowestSample = 152;
+constexpr int kNarrowestTile = 152;
+constexpr int kMostColumns = 4;
 constexpr QSize kPicture(134, 86);
 constexpr int kRecentWidth = kPicture.width() + 18;
 constexpr int kRecentShown = 10;
-
-const char* iconOf(StartPage::Sample sample) {
-  switch (sample) {
-    case StartPage::Sample::Scan:
-      return "repair";
-    case StartPage::Sample::Lathe:
-      return "kind-workpiece";
-    case StartPage::Sample::Cell:
-      break;
-  }
-  return "kind-cell";
-}
-
-QString titleOf(StartPage::Sample sample) {
-  switch (sample) {
-    case StartPage::Sample::Scan:
-      return StartPage::tr("Repair a scan");
-    case StartPage::Sample::Lathe:
-      return StartPage::tr("Lathe exercise");
-    case StartPage::Sample::Cell:
-      break;
-  }
-  return StartPage::tr("Robot cell");
-}
-
-QString lineOf(StartPage::Sample sample) {
-  switch (sample) {
-    case StartPage::Sample::Scan:
-      return StartPage::tr("A scanned part with holes. Close the first one with Enter.");
-    case StartPage::Sample::Lathe:
-      return StartPage::tr("A shaft for the lathe. Give it its size, save it as STEP.");
-    case StartPage::Sample::Cell:
-      break;
-  }
-  return StartPage::tr("An arm with six joints. Move it by hand within its limits.");
-}
 
 // Into rows of so many columns, each as wide as the others.
 template <class Tiles>
@@ -82,17 +47,16 @@ StartPage::StartPage(QWidget* parent)
     : QWidget(parent),
       m_sign(new QLabel(this)),
       m_content(new QWidget(this)),
-      m_samples(new QGridLayout),
+      m_tiles(new QGridLayout),
       m_recent(new QGridLayout) {
   setObjectName(QStringLiteral("startPage"));
   setAttribute(Qt::WA_StyledBackground);
-  makeSamples();
-  auto* open = new QPushButton(icon(QStringLiteral("open")), tr("Open a file…"), m_content);
-  open->setObjectName(QStringLiteral("openTile"));
-  open->setToolTip(tr("Or drop files anywhere on this window"));
-  connect(open, &QPushButton::clicked, this, &StartPage::openRequested);
+  m_open = new QPushButton(icon(QStringLiteral("open")), tr("Open a file…"), m_content);
+  m_open->setObjectName(QStringLiteral("openTile"));
+  m_open->setToolTip(tr("Or drop files anywhere on this window"));
+  connect(m_open, &QPushButton::clicked, this, &StartPage::openRequested);
   m_recentHeader = recentHeader();
-  m_samples->setSpacing(kGap);
+  m_tiles->setSpacing(kGap);
   m_recent->setSpacing(8);
   auto* column = new QVBoxLayout(m_content);
   column->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
@@ -100,26 +64,14 @@ StartPage::StartPage(QWidget* parent)
   column->addStretch(2);
   column->addLayout(heading());
   column->addSpacing(8);
-  column->addLayout(m_samples);
-  column->addWidget(open, 0, Qt::AlignLeft);
+  column->addLayout(m_tiles);
+  column->addWidget(m_open, 0, Qt::AlignLeft);
   column->addWidget(m_recentHeader);
   column->addLayout(m_recent);
   column->addStretch(3);
   makeScrollable();
   setRecentFiles({});
   drawSign();
-}
-
-void StartPage::makeSamples() {
-  static constexpr const char* kNames[] = {"sampleTile", "latheTile", "cellTile"};
-  for (Sample sample : {Sample::Scan, Sample::Lathe, Sample::Cell}) {
-    const auto i = static_cast<std::size_t>(sample);
-    auto* tile = new Tile(QString::fromLatin1(iconOf(sample)), titleOf(sample), lineOf(sample), m_content);
-    tile->setObjectName(QString::fromLatin1(kNames[i]));
-    m_sampleTiles[i] = tile;
-    setSampleAvailable(sample, false);
-    connect(tile, &Tile::clicked, this, [this, sample] { emit sampleChosen(sample); });
-  }
 }
 
 // Where the window is small or the letters are large.
@@ -164,23 +116,40 @@ QWidget* StartPage::recentHeader() {
   auto* header = new QWidget(m_content);
   auto* title = new QLabel(tr("Recent files"), header);
   title->setProperty("strong", true);
-  auto* clear = new QPushButton(tr("Clear"), header);
-  clear->setObjectName(QStringLiteral("clearRecent"));
-  clear->setProperty("flat", true);
-  clear->setAccessibleName(tr("Clear the list of recent files"));
-  connect(clear, &QPushButton::clicked, this, &StartPage::clearRecentRequested);
+  m_clear = new QPushButton(tr("Clear"), header);
+  m_clear->setObjectName(QStringLiteral("clearRecent"));
+  m_clear->setProperty("flat", true);
+  m_clear->setAccessibleName(tr("Clear the list of recent files"));
+  connect(m_clear, &QPushButton::clicked, this, &StartPage::clearRecentRequested);
   auto* row = new QHBoxLayout(header);
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(title);
   row->addStretch();
-  row->addWidget(clear);
+  row->addWidget(m_clear);
   return header;
 }
 
-void StartPage::setSampleAvailable(Sample sample, bool available) {
-  Tile* tile = m_sampleTiles[static_cast<std::size_t>(sample)];
-  tile->setEnabled(available);
-  tile->setLine(available ? lineOf(sample) : tr("The sample is not installed."));
+void StartPage::setTiles(const std::vector<StartTile>& tiles) {
+  qDeleteAll(std::exchange(m_startTiles, {}));
+  for (const StartTile& each : tiles) {
+    const QString line = each.isAvailable ? each.line : tr("The sample is not installed.");
+    auto* tile = new Tile(each.icon, each.title, line, m_content);
+    tile->setObjectName(each.name);
+    tile->setEnabled(each.isAvailable);
+    connect(tile, &Tile::clicked, this, [this, name = each.name] { emit tileChosen(name); });
+    m_startTiles << tile;
+  }
+  arrange();
+  orderKeys();
+}
+
+// By keys one goes as one reads.
+void StartPage::orderKeys() {
+  QWidgetList order;
+  for (Tile* tile : m_startTiles) order << tile;
+  order << m_open << m_clear;
+  for (Tile* tile : m_recentTiles) order << tile;
+  for (int i = 1; i < order.size(); ++i) setTabOrder(order[i - 1], order[i]);
 }
 
 void StartPage::setPictures(Pictures pictures, IconNames icons) {
@@ -198,6 +167,7 @@ void StartPage::setRecentFiles(const QStringList& paths) {
   for (const QString& path : paths.mid(0, kRecentShown)) m_recentTiles << recentTile(path);
   m_recentHeader->setVisible(!paths.isEmpty());
   arrange();
+  orderKeys();
 }
 
 Tile* StartPage::recentTile(const QString& path) {
@@ -223,7 +193,7 @@ Tile* StartPage::recentTile(const QString& path) {
 void StartPage::arrange() {
   const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent);
   const int room = std::min(width(), kWidest) - 2 * kMargin - (width() < kWidest + bar ? bar : 0);
-  fill(*m_samples, m_sampleTiles, std::clamp((room + kGap) / (kNarrowestSample + kGap), 1, 3), true);
+  fill(*m_tiles, m_startTiles, std::clamp((room + kGap) / (kNarrowestTile + kGap), 1, kMostColumns), true);
   fill(*m_recent, m_recentTiles, std::max(1, (room + 8) / (kRecentWidth + 8)), false);
 }
 

@@ -5,23 +5,31 @@
 #include <QPixmap>
 #include <QStringList>
 #include <QWidget>
-#include <array>
 #include <functional>
+#include <vector>
 
 class QGridLayout;
 class QLabel;
+class QPushButton;
 
 namespace handwheel {
 
 class Tile;
+
+// A large button that begins with a document.
+struct StartTile {
+  QString name;  // of the widget
+  QString icon;  // name of a drawing
+  QString title;
+  QString line;
+  bool isAvailable = true;  // else the sample is not installed: it is shown, but cannot be opened
+};
 
 // What is shown when no document is open: a sample for each trade, a file to open, and what was open before.
 class StartPage : public QWidget {
   Q_OBJECT
 
  public:
-  enum class Sample { Scan, Lathe, Cell };
-  Q_ENUM(Sample)
   // The picture of a file; a null one where there is none.
   using Pictures = std::function<QPixmap(const QString& path)>;
   // The name of a drawing for a file that has no picture.
@@ -29,13 +37,12 @@ class StartPage : public QWidget {
 
   explicit StartPage(QWidget* parent = nullptr);
 
-  // A sample that is not installed is shown, but cannot be opened.
-  void setSampleAvailable(Sample sample, bool available);
+  void setTiles(const std::vector<StartTile>& tiles);
   void setPictures(Pictures pictures, IconNames icons);
   void setRecentFiles(const QStringList& paths);
 
  signals:
-  void sampleChosen(handwheel::StartPage::Sample sample);
+  void tileChosen(const QString& name);
   void openRequested();
   void recentRequested(const QString& path);
   void clearRecentRequested();
@@ -45,20 +52,22 @@ class StartPage : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
-  void makeSamples();
   void makeScrollable();
   QLayout* heading();
   QWidget* recentHeader();
   void drawSign();
   Tile* recentTile(const QString& path);
   void arrange();
+  void orderKeys();
 
   QLabel* m_sign;
   QWidget* m_content;
   QWidget* m_recentHeader = nullptr;
-  QGridLayout* m_samples;
+  QPushButton* m_open = nullptr;
+  QPushButton* m_clear = nullptr;
+  QGridLayout* m_tiles;
   QGridLayout* m_recent;
-  std::array<Tile*, 3> m_sampleTiles{};
+  QList<Tile*> m_startTiles;
   QList<Tile*> m_recentTiles;
   QStringList m_paths;
   Pictures m_pictures;

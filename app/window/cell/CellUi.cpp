@@ -21,6 +21,13 @@ CellUi::CellUi(const WindowParts& window, CellKind& kind) : PartsUi(window, {"Jo
   follow();
 }
 
+std::vector<Beginning> CellUi::beginnings() const {
+  return {{QStringLiteral("openRobotSample"), tr("Open the sample &robot"), tr("Open the sample robot arm"),
+           panelIcon(), QStringLiteral("robot-arm.urdf"),
+           StartTile{QStringLiteral("cellTile"), panelIcon(), tr("Robot cell"),
+                     tr("An arm with six joints. Move it by hand within its limits.")}}};
+}
+
 std::vector<ToolOffer> CellUi::tools() {
   ToolOffer joints{QStringLiteral("jointTool"),
                    tr("Move &joints by hand"),

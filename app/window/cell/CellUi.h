@@ -18,6 +18,7 @@ class CellUi : public PartsUi {
   QString panelTitle() const override { return tr("Joints"); }
   QString panelIcon() const override { return QStringLiteral("kind-cell"); }
   QString menuTitle() const override { return tr("&Cell"); }
+  std::vector<Beginning> beginnings() const override;
   std::vector<ToolOffer> tools() override;
   NextStep nextStep() override;
   QString figures() const override;

@@ -164,6 +164,13 @@ QList<QAction*> MeshUi::toolBar() {
   return {m_actions.repairAll(), m_actions.previous(), m_actions.next(), m_actions.fill(), m_actions.keepOpen()};
 }
 
+std::vector<Beginning> MeshUi::beginnings() const {
+  return {{QStringLiteral("openSample"), tr("Open the &sample scan"), tr("Open the sample scan"),
+           QStringLiteral("repair"), kScanSample,
+           StartTile{QStringLiteral("sampleTile"), QStringLiteral("repair"), tr("Repair a scan"),
+                     tr("A scanned part with holes. Close the first one with Enter.")}}};
+}
+
 std::vector<ToolOffer> MeshUi::tools() {
   ToolOffer fill{QStringLiteral("fillTool"),
                  tr("&Holes"),

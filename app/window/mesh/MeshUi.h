@@ -47,6 +47,7 @@ class MeshUi : public KindUi {
   }
   QList<QAction*> help() override { return {m_show.action()}; }
   QList<QAction*> toolBar() override;
+  std::vector<Beginning> beginnings() const override;
   std::vector<ToolOffer> tools() override;
   std::vector<Hint> hints() override;
   NextStep nextStep() override;

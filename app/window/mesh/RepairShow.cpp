@@ -9,6 +9,7 @@
 #include "viewport/Viewport.h"
 #include "window/ActionTip.h"
 #include "window/DocumentTabs.h"
+#include "window/Samples.h"
 #include "window/ToolHost.h"
 #include "window/mesh/OpenMesh.h"
 #include "window/mesh/RepairJobs.h"
@@ -58,7 +59,7 @@ RepairShow::RepairShow(const WindowParts& parts, const RepairJobs& jobs, QObject
       m_stop(tr("Stop"), this) {
   prepare(m_action, "watchRepair", "hand",
           tr("The simulated hand repairs a hole of the sample, by the tools that you have, too"));
-  m_action.setEnabled(parts.openSample->isEnabled());
+  m_action.setEnabled(!samplePath(kScanSample).isEmpty());
   m_stop.setObjectName(QStringLiteral("stopShow"));
   connect(&m_action, &QAction::triggered, this, &RepairShow::start);
   connect(&m_stop, &QAction::triggered, &m_hand, &HandShow::stop);
@@ -104,7 +105,7 @@ HandStep RepairShow::opening() {
   HandStep step;
   step.caption = tr("The hand opens the sample");
   step.detail = tr("What it does now you can do with a device, or with the mouse.");
-  step.begin = [this] { m_parts.openSample->trigger(); };
+  step.begin = [this] { m_parts.openFile(samplePath(kScanSample)); };
   step.isReady = [this] { return m_document && isSettled() && takeHole(); };
   step.rest = 0.5;
   return step;

@@ -11,6 +11,8 @@
 
 namespace handwheel {
 
+inline const auto kScanSample = QStringLiteral("scan-with-holes.stl");
+
 class MeshTools;
 class RepairJobs;
 struct OpenMesh;

@@ -39,6 +39,14 @@ std::unique_ptr<OpenDocument> WorkpieceUi::open(std::unique_ptr<Document> docume
   return PartsUi::open(std::move(document));
 }
 
+std::vector<Beginning> WorkpieceUi::beginnings() const {
+  return {{QStringLiteral("newWorkpiece"), tr("&New workpiece"), tr("Start with a cylinder to be turned"), panelIcon()},
+          {QStringLiteral("openShaftSample"), tr("Open the sample s&haft"), tr("Open the sample shaft for the lathe"),
+           panelIcon(), QStringLiteral("shaft-stock.handwheel"),
+           StartTile{QStringLiteral("latheTile"), panelIcon(), tr("Lathe exercise"),
+                     tr("A shaft for the lathe. Give it its size, save it as STEP.")}}};
+}
+
 NextStep WorkpieceUi::nextStep() {
   if (!document() || document()->document.history()->count() > 0) return {};
   return {panelIcon(), themeColours(currentTheme()).accent, tr("Stock of %1.").arg(sizeText(document()->document)),

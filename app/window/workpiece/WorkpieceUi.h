@@ -15,6 +15,7 @@ class WorkpieceUi : public PartsUi {
 
   // A new one starts with the chord tolerance that the user chose; from then on its own property holds.
   std::unique_ptr<OpenDocument> open(std::unique_ptr<Document> document) override;
+  std::vector<Beginning> beginnings() const override;
   QString panelTitle() const override { return tr("Stock"); }
   QString panelIcon() const override { return QStringLiteral("kind-workpiece"); }
   QString menuTitle() const override { return tr("&Workpiece"); }

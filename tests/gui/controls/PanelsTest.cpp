@@ -41,7 +41,7 @@ void PanelsTest::startPageByKeyboard() {
   QVERIFY(QTest::qWaitForWindowActive(page.get()));
   page->findChild<Tile*>("sampleTile")->setFocus();
   QStringList said;
-  connect(page.get(), &StartPage::sampleChosen, this, [&](StartPage::Sample s) { said << QString::number(int(s)); });
+  connect(page.get(), &StartPage::tileChosen, this, [&](const QString& name) { said << name; });
   connect(page.get(), &StartPage::openRequested, this, [&] { said << "open"; });
   connect(page.get(), &StartPage::clearRecentRequested, this, [&] { said << "clear"; });
   connect(page.get(), &StartPage::recentRequested, this, [&](const QString& path) { said << path; });
@@ -52,22 +52,25 @@ void PanelsTest::startPageByKeyboard() {
     QVERIFY(!focused->visibleRegion().isEmpty());  // scrolled to
     QTest::keyClick(focused, i % 2 || !qobject_cast<Tile*>(focused) ? Qt::Key_Space : Qt::Key_Return);
   }
-  QCOMPARE(said, QStringList({"0", "2", "open", "clear", "/home/a/scans/bunny.stl"}));
+  QCOMPARE(said, QStringList({"sampleTile", "cellTile", "open", "clear", "/home/a/scans/bunny.stl"}));
 }
 
 void PanelsTest::startPageSamples() {
   StartPage page;
-  auto* tile = page.findChild<Tile*>("latheTile");
+  const StartTile scan{"sampleTile", "repair", "Repair a scan", "A scanned part", false};
+  const StartTile lathe{"latheTile", "kind-workpiece", "Lathe exercise", "A shaft", true};
+  page.setTiles({scan, lathe});
+  QSignalSpy chosen(&page, &StartPage::tileChosen);
+  auto* tile = page.findChild<Tile*>("sampleTile");
   QVERIFY(!tile->isEnabled());
   QCOMPARE(tile->accessibleDescription(), QString("The sample is not installed."));
-  page.setSampleAvailable(StartPage::Sample::Lathe, true);
-  QVERIFY(tile->isEnabled());
-  QVERIFY(tile->accessibleDescription() != QString("The sample is not installed."));
-  QSignalSpy chosen(&page, &StartPage::sampleChosen);
-  page.findChild<Tile*>("sampleTile")->click();  // it was not said to be there
-  QCOMPARE(chosen.size(), 0);
   tile->click();
-  QCOMPARE(chosen.size(), 1);
+  QCOMPARE(chosen.size(), 0);
+  page.findChild<Tile*>("latheTile")->click();
+  QCOMPARE(chosen, QList<QVariantList>({{"latheTile"}}));
+  page.setTiles({lathe});  // others take their place
+  QVERIFY(!page.findChild<Tile*>("sampleTile"));
+  QCOMPARE(page.findChild<Tile*>("latheTile")->accessibleDescription(), QString("A shaft"));
 }
 
 void PanelsTest::recentFiles() {

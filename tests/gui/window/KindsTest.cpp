@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "GlobeKind.h"
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
+#include "cli/ConvertCommand.h"
+#include "cli/SetCommand.h"
 #include "controls/PropertyList.h"
 #include "document/Document.h"
 #include "window/FileFilters.h"
@@ -50,7 +53,8 @@ class KindsTest : public QObject {
 
   // Files have the drawing of the kind that reads them; what none reads, of the one that writes it.
   void filesAreDrawnByTheirEndings() {
-    const DocumentKinds kinds = std::move(registeredKinds().documents);
+    const KindSet set(registeredKinds());
+    const DocumentKinds& kinds = set.documents;
     for (const auto& [name, drawing] : {std::pair{"a.STL", "kind-mesh"},
                                         {"a.3mf", "kind-mesh"},
                                         {"a.urdf", "kind-cell"},
@@ -75,6 +79,80 @@ class KindsTest : public QObject {
       QTRY_VERIFY(driver.window().findChild<QFileDialog*>("saveDialog"));
       driver.window().findChild<QFileDialog*>("saveDialog")->reject();
     }
+  }
+
+  // One entry in the list of kinds is all it takes.
+  void aKindThatIsRegisteredIsEverywhere() {
+    const QTemporaryDir folder;
+    const QString sample = folder.filePath("sample.globe");
+    QFile file(sample);
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write("globe 25\n") > 0);
+    file.close();
+    const auto kinds = [&] {
+      std::vector<KindEntry> entries = registeredKinds();
+      entries.insert(entries.begin(), globeEntry(sample));
+      return entries;
+    };
+    const QString path = folder.filePath("my.handwheel");
+    WindowDriver driver(kinds());
+    driver.click("globeTile");
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.text("figures"), QStringLiteral("25"));
+    QCOMPARE(driver.find<QDockWidget>("kindDock")->windowTitle(), QStringLiteral("Shape of the globe"));
+    QVERIFY(driver.find<QMenu>("kindMenu/globe")->menuAction()->isVisible());
+    driver.choose("newGlobe");
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.tabs(), 2);
+    QCOMPARE(driver.text("figures"), QStringLiteral("10"));
+    QVERIFY(!driver.find<Viewport>("viewport")->bounds().isEmpty());
+    driver.edit("radius", "12.5*2");
+    QCOMPARE(driver.text("figures"), QStringLiteral("25"));
+    driver.click("quickActions/undo");
+    QCOMPARE(driver.text("figures"), QStringLiteral("10"));
+    driver.click("quickActions/redo");
+    driver.find<QAction>("measureTool")->trigger();
+    QVERIFY(driver.find<QAction>("measureTool")->isChecked());
+    driver.click("quickActions/saveFile");
+    QVERIFY(driver.enterFileName("saveDialog", path));
+    QVERIFY(driver.settle());
+    QVERIFY(!driver.window().isWindowModified());
+
+    WindowDriver second(kinds());
+    QVERIFY(second.open(path));
+    QCOMPARE(second.text("figures"), QStringLiteral("25"));
+    second.choose("saveFileAs");
+    QVERIFY(second.enterFileName("saveDialog", folder.filePath("other.globe")));
+    QVERIFY(second.settle());
+    QFile written(folder.filePath("other.globe"));
+    QVERIFY(written.open(QIODevice::ReadOnly));
+    QCOMPARE(written.readAll(), QByteArray("globe 25\n"));
+
+    WindowDriver without;  // says so, and keeps its hands off
+    QVERIFY(without.open(path));
+    QCOMPARE(without.tabs(), 0);
+  }
+
+  // The same on the command line: 'new', 'convert' and their help know what is registered.
+  void aKindThatIsRegisteredHasCommands() {
+    const QTemporaryDir folder;
+    std::vector<KindEntry> entries = registeredKinds();
+    QVERIFY(!QByteArray(newDetails(KindSet(std::move(entries)).documents).c_str()).contains("globe"));
+    entries = registeredKinds();
+    entries.insert(entries.begin(), globeEntry({}));
+    const KindSet set(std::move(entries));
+    QVERIFY(newDetails(set.documents).find("globe") != std::string::npos);
+    QVERIFY(convertDetails(set.documents).find("of a globe: .globe .handwheel") != std::string::npos);
+    const auto made = folder.filePath("a.handwheel").toStdString(), exported = folder.filePath("a.globe").toStdString();
+    Arguments arguments;
+    arguments.operands = {"globe", "radius=2in"};
+    arguments.options.emplace("output", made);
+    QCOMPARE(runNew(arguments, set.documents), 0);
+    Arguments conversion;
+    conversion.operands = {made, exported};
+    QCOMPARE(runConvert(conversion, set.documents), 0);
+    QFile written(QString::fromStdString(exported));
+    QVERIFY(written.open(QIODevice::ReadOnly));
+    QCOMPARE(written.readAll(), QByteArray("globe 50.8\n"));
   }
 
   void aRobotMovesByItsSliders() {

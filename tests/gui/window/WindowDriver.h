@@ -30,7 +30,8 @@ constexpr int kPatienceMs = 20000;
 
 class WindowDriver {
  public:
-  WindowDriver() : m_kinds(registeredKinds()), m_window(m_workers, m_kinds) {
+  explicit WindowDriver(std::vector<KindEntry> kinds = registeredKinds())
+      : m_kinds(std::move(kinds)), m_window(m_workers, m_kinds) {
     m_window.resize(1280, 800);
     m_window.show();
     if (!QTest::qWaitForWindowExposed(&m_window)) qFatal("the window does not appear");

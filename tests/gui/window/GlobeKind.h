@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/NumberText.h"
+#include "document/AtomicFile.h"
+#include "document/Document.h"
+#include "document/Edit.h"
+#include "window/OpenDocument.h"
+#include "window/PartsUi.h"
+
+#include <charconv>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+// A kind of document that the program does not have: an octahedron of a radius, and all that it takes to be one.
+namespace handwheel::test {
+
+struct GlobeSnapshot : Snapshot {
+  explicit GlobeSnapshot(double r = 10.0) : radius(r) {}
+  double radius;  // mm
+};
+
+inline double radiusOf(const Snapshot& content) {
+  return static_cast<const GlobeSnapshot&>(content).radius;
+}
+
+inline SnapshotPointer globe(double radius) {
+  return std::make_shared<const GlobeSnapshot>(radius);
+}
+
+class GlobeDocument : public Document {
+ public:
+  explicit GlobeDocument(OpenedFile opened)
+      : Document(*opened.kind, std::move(opened.file)), m_content(std::move(opened.content)) {}
+
+  SnapshotPointer snapshot() const override { return m_content; }
+  std::vector<Property> properties() const override {
+    std::vector<Property> all{{.id = "radius",
+                               .group = "Globe",
+                               .label = "Radius",
+                               .value = radiusOf(*m_content),
+                               .quantity = Quantity::Length,
+                               .least = 1.0,
+                               .largest = 1000.0}};
+    for (Property& common : Document::properties()) all.push_back(std::move(common));
+    return all;
+  }
+  Result<std::unique_ptr<Edit>> propertyEdit(const std::string& id, const PropertyValue& value) const override {
+    if (id != "radius") return Document::propertyEdit(id, value);
+    if (std::get<double>(value) == radiusOf(*m_content)) return std::unique_ptr<Edit>();
+    return std::unique_ptr<Edit>(std::make_unique<Change>(globe(std::get<double>(value))));
+  }
+
+ private:
+  struct Change : Edit {
+    explicit Change(SnapshotPointer content) : other(std::move(content)) {}
+    void exchange(Document& document) override {
+      std::swap(static_cast<GlobeDocument&>(document).m_content, other);
+      static_cast<GlobeDocument&>(document).wasChanged();
+    }
+    std::size_t bytes() const override { return sizeof(GlobeSnapshot); }
+    SnapshotPointer other;
+  };
+  SnapshotPointer m_content;
+};
+
+// Its foreign format is a line: "globe 10".
+class GlobeKind : public DocumentKind {
+ public:
+  std::string id() const override { return "globe"; }
+  std::string title() const override { return "Globe"; }
+  std::vector<FileFormat> formats() const override { return {{"Globe", {".globe"}}}; }
+  bool recognises(std::string_view head, std::string_view) const override { return head.starts_with("globe "); }
+  Result<OpenedFile> import(const std::filesystem::path& path, const ReadOptions&, Progress) const override {
+    std::ifstream stream(path);
+    std::string word;
+    double radius = 0.0;
+    stream >> word >> radius;
+    OpenedFile opened;
+    opened.kind = this;
+    opened.content = globe(radius);
+    return opened;
+  }
+  Result<WrittenFile> exportTo(const Snapshot& content, const std::filesystem::path& path, Progress) const override {
+    const std::string line = "globe " + shortestText(radiusOf(content)) + "\n";
+    const Status written = writeFileAtomically(path, line, {});
+    if (!written) return written.error();
+    return WrittenFile{line.size(), {}};
+  }
+  void save(const Snapshot& content, Container& container) const override {
+    (*container.manifest)["document"]["radius"] = radiusOf(content);
+  }
+  Result<SnapshotPointer> load(const Container& container, std::vector<Error>&, Progress) const override {
+    return globe((*container.manifest)["document"].value("radius", 0.0));
+  }
+  SnapshotPointer blank() const override { return globe(10.0); }
+  std::unique_ptr<Document> make(OpenedFile opened) const override {
+    return std::make_unique<GlobeDocument>(std::move(opened));
+  }
+  nlohmann::json describe(const Snapshot& content) const override { return {{"radius", radiusOf(content)}}; }
+  DisplayModel display(const Snapshot& content) const override {
+    TriangleSoup soup;
+    const double r = radiusOf(content);
+    soup.points = {{r, 0, 0}, {-r, 0, 0}, {0, r, 0}, {0, -r, 0}, {0, 0, r}, {0, 0, -r}};
+    soup.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+    DisplayPart part;
+    part.name = "globe";
+    part.soup = std::make_shared<const TriangleSoup>(std::move(soup));
+    return {{std::move(part)}};
+  }
+};
+
+class GlobeUi : public PartsUi {
+ public:
+  GlobeUi(const WindowParts& parts, QString sample) : PartsUi(parts, {"Globe"}), m_sample(std::move(sample)) {}
+
+  std::vector<Beginning> beginnings() const override {
+    return {{"newGlobe", "New &globe", "Start with a globe", panelIcon()},
+            {"openGlobe", "Open the sample g&lobe", "A globe", panelIcon(), m_sample,
+             StartTile{"globeTile", panelIcon(), "Look at a globe", "It is round, nearly."}}};
+  }
+  QString panelTitle() const override { return "Shape of the globe"; }
+  QString panelIcon() const override { return "file"; }
+  QString menuTitle() const override { return "&Globe"; }
+  std::vector<ToolOffer> tools() override { return {measureParts()}; }
+  QString figures() const override {
+    return document() ? QString::number(radiusOf(*document()->document.snapshot())) : QString();
+  }
+  QString openedText(const OpenDocument& opened) const override { return "Opened the globe " + opened.document.name(); }
+
+ private:
+  QString m_sample;
+};
+
+// sample: a file of it.
+inline KindEntry globeEntry(const QString& sample) {
+  return {std::make_unique<GlobeKind>(),
+          [sample](const WindowParts& parts) { return std::make_unique<GlobeUi>(parts, sample); }};
+}
+
+}  // namespace handwheel::test
