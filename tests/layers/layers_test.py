@@ -8,7 +8,7 @@ import tempfile
 import unittest
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
-ROOMS = {"core": ("base", "mesh", "document"), "widgets": ("viewport", "panels"), "app": ("window",)}
+ROOMS = {"core": ("base", "mesh", "document"), "widgets": ("viewport", "panels"), "app": ("cli", "window", "registration")}
 PLUGINS = ("io", "falcon", "haply")
 
 
@@ -20,10 +20,13 @@ class LayersTest(unittest.TestCase):
                     os.makedirs(os.path.join(root, layer, room))
                 with open(os.path.join(root, layer, "CMakeLists.txt"), "w", encoding="utf-8") as stream:
                     stream.writelines(f"add_subdirectory({room})\n" for room in rooms)
+            for folder in ("core/document/cell", "core/document/formats", "app/window/cell", "app/window/haptics"):
+                os.makedirs(os.path.join(root, folder))
             for plugin in PLUGINS:
                 os.makedirs(os.path.join(root, "plugins", "devices", plugin))
             with open(os.path.join(root, "plugins", "devices", "CMakeLists.txt"), "w", encoding="utf-8") as stream:
                 stream.writelines(f"add_subdirectory({plugin})\n" for plugin in PLUGINS)
+            os.makedirs(os.path.dirname(os.path.join(root, path)), exist_ok=True)
             with open(os.path.join(root, path), "w", encoding="utf-8") as stream:
                 stream.write(f"\n#include {include}\n")
             run = subprocess.run([os.path.join(ROOT, "tools", "layers"), root], capture_output=True, text=True)
@@ -46,6 +49,24 @@ class LayersTest(unittest.TestCase):
         self.assert_refused("core/document/A.cpp", '"panels/B.h"')
         self.assert_refused("widgets/viewport/A.cpp", '"panels/B.h"')
         self.assert_refused("widgets/panels/A.cpp", '"window/B.h"')
+
+    def test_kinds(self):
+        self.assert_allowed("app/window/cell/A.cpp", '"document/cell/B.h"')
+        self.assert_allowed("app/window/cell/A.cpp", '"window/cell/B.h"')
+        self.assert_allowed("core/document/cell/A.cpp", '"document/cell/B.h"')
+        self.assert_allowed("app/registration/A.cpp", '"window/cell/B.h"')
+        self.assert_allowed("app/window/A.cpp", '"window/haptics/B.h"')
+        self.assert_allowed("app/window/A.cpp", '"document/formats/B.h"')
+        self.assert_refused("app/window/A.cpp", '"window/cell/B.h"')
+        self.assert_refused("app/window/haptics/A.h", '"document/cell/B.h"')
+        self.assert_refused("core/document/A.cpp", '"document/cell/B.h"')
+        self.assert_refused("widgets/panels/A.h", '"document/cell/B.h"')
+        self.assert_refused("app/cli/A.cpp", '"document/cell/B.h"')
+        # Those that know one all the same are listed, as long as they do.
+        self.assert_allowed("app/cli/Input.cpp", '"document/cell/B.h"')
+        code, output = self.run_on("app/cli/Input.cpp", '"base/B.h"')
+        self.assertEqual(code, 1)
+        self.assertIn("strike it", output)
 
     def test_paths(self):
         self.assert_refused("core/mesh/A.cpp", '"A.h"')
