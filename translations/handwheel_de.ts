@@ -3453,6 +3453,22 @@
         <source>Drag the links of the robot</source>
         <translation>Die Glieder des Roboters ziehen</translation>
     </message>
+    <message>
+        <source>Open the sample &amp;robot</source>
+        <translation>Beispiel-&amp;Roboter öffnen</translation>
+    </message>
+    <message>
+        <source>Open the sample robot arm</source>
+        <translation>Beispiel-Roboterarm öffnen</translation>
+    </message>
+    <message>
+        <source>Robot cell</source>
+        <translation>Roboterzelle</translation>
+    </message>
+    <message>
+        <source>An arm with six joints. Move it by hand within its limits.</source>
+        <translation>Ein Arm mit sechs Gelenken. Von Hand bewegen, in seinen Grenzen.</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::CommandModel</name>
@@ -4013,10 +4029,6 @@
         <translation>Dateien öffnen</translation>
     </message>
     <message>
-        <source>Open the sample scan</source>
-        <translation>Beispiel-Scan öffnen</translation>
-    </message>
-    <message>
         <source>Save this document</source>
         <translation>Dieses Dokument speichern</translation>
     </message>
@@ -4041,26 +4053,6 @@
         <translation>Speichern in:</translation>
     </message>
     <message>
-        <source>&amp;New workpiece</source>
-        <translation>&amp;Neues Werkstück</translation>
-    </message>
-    <message>
-        <source>Open the &amp;sample scan</source>
-        <translation>Beisp&amp;iel-Scan öffnen</translation>
-    </message>
-    <message>
-        <source>Open the sample &amp;robot</source>
-        <translation>Beispiel-&amp;Roboter öffnen</translation>
-    </message>
-    <message>
-        <source>Start with a cylinder to be turned</source>
-        <translation>Mit einem Zylinder zum Drehen beginnen</translation>
-    </message>
-    <message>
-        <source>Open the sample robot arm</source>
-        <translation>Beispiel-Roboterarm öffnen</translation>
-    </message>
-    <message>
         <source>Ne&amp;xt document</source>
         <translation>N&amp;ächstes Dokument</translation>
     </message>
@@ -4083,14 +4075,6 @@
     <message>
         <source>Save as *%1…</source>
         <translation>Als *%1 speichern…</translation>
-    </message>
-    <message>
-        <source>Open the sample s&amp;haft</source>
-        <translation>Beispiel-&amp;Welle öffnen</translation>
-    </message>
-    <message>
-        <source>Open the sample shaft for the lathe</source>
-        <translation>Beispiel-Welle für die Drehmaschine öffnen</translation>
     </message>
 </context>
 <context>
@@ -4476,10 +4460,6 @@
         <translation>Dokumente</translation>
     </message>
     <message>
-        <source>Defects</source>
-        <translation>Fehler</translation>
-    </message>
-    <message>
         <source>Log</source>
         <translation>Protokoll</translation>
     </message>
@@ -4721,6 +4701,22 @@
     <message>
         <source>Deviation</source>
         <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>Open the &amp;sample scan</source>
+        <translation>Beisp&amp;iel-Scan öffnen</translation>
+    </message>
+    <message>
+        <source>Open the sample scan</source>
+        <translation>Beispiel-Scan öffnen</translation>
+    </message>
+    <message>
+        <source>Repair a scan</source>
+        <translation>Scan reparieren</translation>
+    </message>
+    <message>
+        <source>A scanned part with holes. Close the first one with Enter.</source>
+        <translation>Ein gescanntes Teil mit Löchern. Schließen Sie das erste mit der Eingabetaste.</translation>
     </message>
 </context>
 <context>
@@ -5505,6 +5501,10 @@
         <source>The changed keys were written.</source>
         <translation>Die geänderten Tasten wurden geschrieben.</translation>
     </message>
+    <message>
+        <source>The same key starts “%1”. In the view the tool in use takes it.</source>
+        <translation>Dieselbe Taste startet „%1“. In der Ansicht nimmt sie das benutzte Werkzeug.</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::ShortcutModel</name>
@@ -5516,16 +5516,28 @@
         <source>Keys</source>
         <translation>Tasten</translation>
     </message>
+    <message>
+        <source>In every tool Return finishes and Esc gives up: these keys stay as they are.</source>
+        <translation>In jedem Werkzeug schließt die Eingabetaste ab und Esc bricht ab: Diese Tasten bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>Return, Enter and Esc end what a tool does. No other command can have them.</source>
+        <translation>Eingabetaste, Enter und Esc beenden, was ein Werkzeug tut. Kein anderer Befehl kann sie haben.</translation>
+    </message>
+    <message>
+        <source>There is no such key.</source>
+        <translation>Eine solche Taste gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>In a tool a single press has to do.</source>
+        <translation>In einem Werkzeug muss ein einziger Tastendruck genügen.</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::StartPage</name>
     <message>
         <source>Open %1</source>
         <translation>%1 öffnen</translation>
-    </message>
-    <message>
-        <source>A scanned part with holes. Close the first one with Enter.</source>
-        <translation>Ein gescanntes Teil mit Löchern. Schließen Sie das erste mit der Eingabetaste.</translation>
     </message>
     <message>
         <source>Open a file…</source>
@@ -5544,18 +5556,6 @@
         <translation>Liste der zuletzt verwendeten Dateien leeren</translation>
     </message>
     <message>
-        <source>Repair a scan</source>
-        <translation>Scan reparieren</translation>
-    </message>
-    <message>
-        <source>Lathe exercise</source>
-        <translation>Drehübung</translation>
-    </message>
-    <message>
-        <source>Robot cell</source>
-        <translation>Roboterzelle</translation>
-    </message>
-    <message>
         <source>Or drop files anywhere on this window</source>
         <translation>Oder Dateien irgendwo auf dieses Fenster ziehen</translation>
     </message>
@@ -5566,14 +5566,6 @@
     <message>
         <source>The sample is not installed.</source>
         <translation>Das Beispiel ist nicht installiert.</translation>
-    </message>
-    <message>
-        <source>A shaft for the lathe. Give it its size, save it as STEP.</source>
-        <translation>Eine Welle für die Drehbank. Maße eingeben, als STEP speichern.</translation>
-    </message>
-    <message>
-        <source>An arm with six joints. Move it by hand within its limits.</source>
-        <translation>Ein Arm mit sechs Gelenken. Von Hand bewegen, in seinen Grenzen.</translation>
     </message>
 </context>
 <context>
@@ -5709,6 +5701,13 @@
     <message>
         <source>%1 ticks a second, %2 missed so far</source>
         <translation>%1 Takte in der Sekunde, %2 bisher ausgelassen</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ToolKeys</name>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
     </message>
 </context>
 <context>
@@ -5894,6 +5893,30 @@
     <message>
         <source>Its panel takes other sizes, also as “2in” or “50/2”. “Save as” writes STEP, too.</source>
         <translation>Im Bereich daneben lassen sich andere Maße eingeben, auch als „2in“ oder „50/2“. „Speichern unter“ schreibt auch STEP.</translation>
+    </message>
+    <message>
+        <source>&amp;New workpiece</source>
+        <translation>&amp;Neues Werkstück</translation>
+    </message>
+    <message>
+        <source>Start with a cylinder to be turned</source>
+        <translation>Mit einem Zylinder zum Drehen beginnen</translation>
+    </message>
+    <message>
+        <source>Open the sample s&amp;haft</source>
+        <translation>Beispiel-&amp;Welle öffnen</translation>
+    </message>
+    <message>
+        <source>Open the sample shaft for the lathe</source>
+        <translation>Beispiel-Welle für die Drehmaschine öffnen</translation>
+    </message>
+    <message>
+        <source>Lathe exercise</source>
+        <translation>Drehübung</translation>
+    </message>
+    <message>
+        <source>A shaft for the lathe. Give it its size, save it as STEP.</source>
+        <translation>Eine Welle für die Drehbank. Maße eingeben, als STEP speichern.</translation>
     </message>
 </context>
 </TS>

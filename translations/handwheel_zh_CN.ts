@@ -3423,6 +3423,22 @@
         <source>Drag the links of the robot</source>
         <translation>拖动机器人的连杆</translation>
     </message>
+    <message>
+        <source>Open the sample &amp;robot</source>
+        <translation>打开示例机器人(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Open the sample robot arm</source>
+        <translation>打开示例机械臂</translation>
+    </message>
+    <message>
+        <source>Robot cell</source>
+        <translation>机器人单元</translation>
+    </message>
+    <message>
+        <source>An arm with six joints. Move it by hand within its limits.</source>
+        <translation>六关节手臂。在限位内手动移动。</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::CommandModel</name>
@@ -3982,10 +3998,6 @@
         <translation>打开文件</translation>
     </message>
     <message>
-        <source>Open the sample scan</source>
-        <translation>打开示例扫描</translation>
-    </message>
-    <message>
         <source>Save this document</source>
         <translation>保存此文档</translation>
     </message>
@@ -4010,26 +4022,6 @@
         <translation>保存到：</translation>
     </message>
     <message>
-        <source>&amp;New workpiece</source>
-        <translation>新建工件(&amp;N)</translation>
-    </message>
-    <message>
-        <source>Open the &amp;sample scan</source>
-        <translation>打开示例扫描(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Open the sample &amp;robot</source>
-        <translation>打开示例机器人(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Start with a cylinder to be turned</source>
-        <translation>从待车削的圆柱开始</translation>
-    </message>
-    <message>
-        <source>Open the sample robot arm</source>
-        <translation>打开示例机械臂</translation>
-    </message>
-    <message>
         <source>Ne&amp;xt document</source>
         <translation>下一个文档(&amp;X)</translation>
     </message>
@@ -4052,14 +4044,6 @@
     <message>
         <source>Save as *%1…</source>
         <translation>另存为 *%1…</translation>
-    </message>
-    <message>
-        <source>Open the sample s&amp;haft</source>
-        <translation>打开示例轴(&amp;H)</translation>
-    </message>
-    <message>
-        <source>Open the sample shaft for the lathe</source>
-        <translation>打开用于车床的示例轴</translation>
     </message>
 </context>
 <context>
@@ -4442,10 +4426,6 @@
         <translation>文档</translation>
     </message>
     <message>
-        <source>Defects</source>
-        <translation>缺陷</translation>
-    </message>
-    <message>
         <source>Log</source>
         <translation>日志</translation>
     </message>
@@ -4687,6 +4667,22 @@
     <message>
         <source>Deviation</source>
         <translation>偏差</translation>
+    </message>
+    <message>
+        <source>Open the &amp;sample scan</source>
+        <translation>打开示例扫描(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Open the sample scan</source>
+        <translation>打开示例扫描</translation>
+    </message>
+    <message>
+        <source>Repair a scan</source>
+        <translation>修复扫描</translation>
+    </message>
+    <message>
+        <source>A scanned part with holes. Close the first one with Enter.</source>
+        <translation>一个有孔洞的扫描零件。按 Enter 封闭第一个。</translation>
     </message>
 </context>
 <context>
@@ -5464,6 +5460,10 @@
         <source>The changed keys were written.</source>
         <translation>已写入更改的按键。</translation>
     </message>
+    <message>
+        <source>The same key starts “%1”. In the view the tool in use takes it.</source>
+        <translation>同一按键也用于“%1”。在视图中由正在使用的工具响应。</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::ShortcutModel</name>
@@ -5475,16 +5475,28 @@
         <source>Keys</source>
         <translation>按键</translation>
     </message>
+    <message>
+        <source>In every tool Return finishes and Esc gives up: these keys stay as they are.</source>
+        <translation>在每个工具中，Return 表示完成，Esc 表示放弃：这些按键保持不变。</translation>
+    </message>
+    <message>
+        <source>Return, Enter and Esc end what a tool does. No other command can have them.</source>
+        <translation>Return、Enter 和 Esc 用于结束工具的操作，不能分配给其他命令。</translation>
+    </message>
+    <message>
+        <source>There is no such key.</source>
+        <translation>没有这样的按键。</translation>
+    </message>
+    <message>
+        <source>In a tool a single press has to do.</source>
+        <translation>在工具中只能使用单次按键。</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::StartPage</name>
     <message>
         <source>Open %1</source>
         <translation>打开 %1</translation>
-    </message>
-    <message>
-        <source>A scanned part with holes. Close the first one with Enter.</source>
-        <translation>一个有孔洞的扫描零件。按 Enter 封闭第一个。</translation>
     </message>
     <message>
         <source>Open a file…</source>
@@ -5503,18 +5515,6 @@
         <translation>清空最近文件列表</translation>
     </message>
     <message>
-        <source>Repair a scan</source>
-        <translation>修复扫描</translation>
-    </message>
-    <message>
-        <source>Lathe exercise</source>
-        <translation>车削练习</translation>
-    </message>
-    <message>
-        <source>Robot cell</source>
-        <translation>机器人单元</translation>
-    </message>
-    <message>
         <source>Or drop files anywhere on this window</source>
         <translation>或将文件拖放到窗口任意处</translation>
     </message>
@@ -5525,14 +5525,6 @@
     <message>
         <source>The sample is not installed.</source>
         <translation>示例未安装。</translation>
-    </message>
-    <message>
-        <source>A shaft for the lathe. Give it its size, save it as STEP.</source>
-        <translation>一根车床用的轴。设定尺寸,另存为 STEP。</translation>
-    </message>
-    <message>
-        <source>An arm with six joints. Move it by hand within its limits.</source>
-        <translation>六关节手臂。在限位内手动移动。</translation>
     </message>
 </context>
 <context>
@@ -5663,6 +5655,13 @@
     <message>
         <source>%1 ticks a second, %2 missed so far</source>
         <translation>每秒 %1 个节拍，到目前为止漏掉 %2 个</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ToolKeys</name>
+    <message>
+        <source>Tools</source>
+        <translation>工具</translation>
     </message>
 </context>
 <context>
@@ -5848,6 +5847,30 @@
     <message>
         <source>Its panel takes other sizes, also as “2in” or “50/2”. “Save as” writes STEP, too.</source>
         <translation>可在面板中输入其他尺寸,也可写作“2in”或“50/2”。“另存为”也能写 STEP。</translation>
+    </message>
+    <message>
+        <source>&amp;New workpiece</source>
+        <translation>新建工件(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Start with a cylinder to be turned</source>
+        <translation>从待车削的圆柱开始</translation>
+    </message>
+    <message>
+        <source>Open the sample s&amp;haft</source>
+        <translation>打开示例轴(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Open the sample shaft for the lathe</source>
+        <translation>打开用于车床的示例轴</translation>
+    </message>
+    <message>
+        <source>Lathe exercise</source>
+        <translation>车削练习</translation>
+    </message>
+    <message>
+        <source>A shaft for the lathe. Give it its size, save it as STEP.</source>
+        <translation>一根车床用的轴。设定尺寸,另存为 STEP。</translation>
     </message>
 </context>
 </TS>
