@@ -14,24 +14,28 @@ namespace {
 
 // Beyond so many planes at one place the oldest are forgotten; they are met again where they matter.
 constexpr std::size_t kMaxPlanes = 8;
+constexpr std::size_t kCornerPlanes = 3;  // that hold a point in space
 
 // The planes that are met at one place.
 class Planes {
  public:
   void clear() { m_count = 0; }
   bool empty() const { return m_count == 0; }
+  std::size_t size() const { return m_count; }
   std::span<const HalfSpace> all() const { return {m_planes.data(), m_count}; }
 
   void add(const HalfSpace& plane) {
-    if (m_count == kMaxPlanes) {
-      std::move(m_planes.begin() + 1, m_planes.end(), m_planes.begin());
-      --m_count;
-    }
+    if (m_count == kMaxPlanes) release();
     m_planes[m_count++] = plane;
   }
   bool contains(const HalfSpace& plane) const {
     const auto same = [&](const HalfSpace& p) { return p.normal == plane.normal; };
     return std::any_of(m_planes.begin(), m_planes.begin() + static_cast<std::ptrdiff_t>(m_count), same);
+  }
+  // Lets the plane go that was met first.
+  void release() {
+    std::move(m_planes.begin() + 1, m_planes.begin() + static_cast<std::ptrdiff_t>(m_count), m_planes.begin());
+    --m_count;
   }
   // The place has moved by so little that they still stand.
   void shift(const Vec3& step) {
@@ -77,19 +81,28 @@ const Contact& GodObject::follow(const ContactSurface& surface, const Vec3& tip,
 
 void GodObject::slide(LocalFaces& faces, const Vec3& tip, const ContactOptions& options, double rest, double skin) {
   Planes planes;
+  std::size_t released = 0;  // at this place
   m_contact.triangle = kNone;
   // When the steps are used up while it is over an edge, it falls down to the surface.
   for (int i = 0; i < options.maxSteps || (planes.empty() && i < 2 * options.maxSteps); ++i) {
     const Vec3 goal = tip - m_proxy;
     Vec3 step = planes.empty() ? goal : nearestInCone(goal, planes.all(), 0.25 * skin);
     if (options.friction > 0.0 && !planes.empty()) step = heldBack(step, goal, options.friction);
-    if (step.norm() <= rest) break;
+    if (step.norm() <= rest) {
+      // Where triangles rise and fall around a corner, their planes together leave less room than they do themselves:
+      // it is held only if each plane holds it that the others would let go.
+      if (planes.size() < kCornerPlanes || released == planes.size()) break;
+      planes.release();
+      ++released;
+      continue;
+    }
     const LocalFaces::Sweep sweep = faces.sweep(m_proxy, step);
     const Vec3 moved = sweep.fraction * step;
     const bool arrived = sweep.fraction == 1.0 && planes.empty();
     m_proxy = arrived ? tip : Vec3(m_proxy + moved);
     if (moved.norm() > skin) {
       planes.clear();
+      released = 0;
     } else {
       planes.shift(moved);
     }

@@ -148,7 +148,11 @@ const Scan kScans[] = {{"scans/meshlab-samples/bunny10k.ply", Vec3::UnitY()},
                        {"scans/common-3d-test-models/stanford-bunny.obj", Vec3::UnitY()},
                        {"scans/meshlab-samples/Laurana50k.ply", Vec3::UnitY()}};
 
-// Over surfaces that were scanned, compared with the exact control tick by tick: a narrow corner holds back both.
+// Over surfaces that were scanned, compared with the exact control tick by tick: a narrow corner holds back both. Two
+// that are on different sides of a ridge stay so for some ticks, so a force is as it should be when it is either that
+// of a control that has gone the whole way by itself, or that of one which starts each tick from where the proxy is.
+// (On one place a second sheet passes through the surface; a control does not know it, but one of the two is not
+// there.)
 void scans(benchmark::State& state) {
   const Scan& scan = kScans[state.range(0)];
   const std::optional<TouchMesh> mesh = scanOf(scan.file);
@@ -156,12 +160,13 @@ void scans(benchmark::State& state) {
   constexpr double kShallow = 0.3;  // mm of 76
   const std::vector<Vec3> path = pathOver(*mesh, scan.axis, 0.1, kShallow, kTicks);
   const ContactSurface surface = touchableSurface(mesh->points, mesh->triangles, {});
+  const TriangleHierarchy triangles(mesh->points, mesh->triangles);
   std::vector<double> times;
   int stalls = 0, late = 0, compared = 0, off = 0;
   double leap = 0.0, exactest = 0.0;
   for (auto _ : state) {
     GodObject god;
-    ExactGodObject exact(*mesh);
+    ExactGodObject exact(*mesh), oneTick(*mesh);
     exact.place(path.front());
     god.place(path.front() + 2.0 * (exact.proxy() - path.front()));
     Vec3 last = Vec3::Zero(), lastExact = Vec3::Zero();
@@ -176,12 +181,19 @@ void scans(benchmark::State& state) {
       if (contact.touching && wasTouching) {
         ++compared;
         const double moved = (contact.proxy - last).norm(), movedExactly = (control - lastExact).norm();
-        const double step = (tip - path[i - 1]).norm(), wanted = (control - tip).norm();
+        const double step = (tip - path[i - 1]).norm();
+        const auto stood = triangles.nearest(last);
+        oneTick.stand(stood->triangle, stood->point);
+        const Vec3 next = oneTick.follow(tip);
+        const auto isOff = [&](const Vec3& proxy) {
+          const double wanted = (proxy - tip).norm();
+          return std::abs(contact.depth - wanted) > 0.1 * std::max(kShallow, wanted);
+        };
         const bool isLate = moved < 1e-4 * step && movedExactly > 1e-2 * step;
         late += isLate ? 1 : 0;
         stalls += isLate && wasLate ? 1 : 0;
         wasLate = isLate;
-        off += std::abs(contact.depth - wanted) > 0.1 * std::max(kShallow, wanted) ? 1 : 0;
+        off += isOff(control) && isOff(next) ? 1 : 0;
         leap = std::max(leap, ((contact.proxy - last) - (tip - path[i - 1])).norm());
         exactest = std::max(exactest, ((control - lastExact) - (tip - path[i - 1])).norm());
       }
@@ -198,10 +210,7 @@ void scans(benchmark::State& state) {
   bars.atMost(what + "us, p99", 10.0, times[times.size() * 99 / 100]);
   bars.tell(what + "ticks by which it leaves a corner later than the exact control", late);
   bars.atMost(what + "stalls: longer than one such tick", 0, stalls);
-  // Where a scan passes through itself the control goes on behind the other sheet, which it does not know, and from a
-  // ridge there may be two ways down: some ticks of Laurana.
-  bars.atMost(what + "ticks with a force off the exact control's by 10 % (share)", 0.002,
-              static_cast<double>(off) / std::max(1, compared));
+  bars.atMost(what + "ticks with a force off the exact control's by 10 %", 0, off);
   bars.atMost(what + "largest leap to the exact control's", 1.1, leap / exactest);
 }
 

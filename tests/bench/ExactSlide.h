@@ -31,6 +31,12 @@ class ExactGodObject {
     for (std::uint32_t t = 0; t < m_mesh.triangles.size(); ++t) look(t, tip);
   }
 
+  // At a place of a triangle.
+  void stand(std::uint32_t triangle, const Vec3& place) {
+    m_triangle = triangle;
+    m_proxy = place;
+  }
+
   const Vec3& follow(const Vec3& tip) {
     m_best = (m_proxy - tip).squaredNorm();
     double before = std::numeric_limits<double>::infinity();
