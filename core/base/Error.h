@@ -48,6 +48,7 @@ enum class ErrorCode {
   PluginBroken,       // {reason}
   DeviceUnreachable,  // {system's reason}
   DeviceMute,         // {what it should have answered}
+  StepMalformed,      // {what is wrong, as a clause in English} in a step of 'handwheel edit'
   LibraryFailed,      // {library, reason}
 };
 

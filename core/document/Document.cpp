@@ -81,8 +81,10 @@ Status Document::setProperty(const std::string& id, const PropertyValue& value, 
   return Done{};
 }
 
-void Document::commit(const QString& text, std::unique_ptr<Edit> edit, Stroke stroke) {
-  push(new EditCommand(*this, text, std::move(edit)), stroke);
+void Document::commit(const QString& text, std::unique_ptr<Edit> edit, Stroke stroke, std::string step) {
+  auto* command = new EditCommand(*this, text, std::move(edit));
+  command->setStep(std::move(step));
+  push(command, stroke);
 }
 
 void Document::push(EditCommand* command, Stroke stroke) {

@@ -52,7 +52,8 @@ class Document : public QObject {
   Status setProperty(const std::string& id, const PropertyValue& value, Stroke stroke = Stroke::Ends);
 
   // One step in the history, or a part of one: the edits of a stroke become one step as far as they absorb each other.
-  void commit(const QString& text, std::unique_ptr<Edit> edit, Stroke stroke = Stroke::Ends);
+  // step: as EditCommand::step().
+  void commit(const QString& text, std::unique_ptr<Edit> edit, Stroke stroke = Stroke::Ends, std::string step = {});
 
   LengthUnit displayUnit() const { return m_file.displayUnit; }
 

@@ -22,8 +22,13 @@ class EditCommand : public QUndoCommand {
   EditCommand(Document& document, const QString& text, std::unique_ptr<Edit> edit, std::optional<Values> values = {})
       : QUndoCommand(text), m_document(document), m_edit(std::move(edit)), m_values(std::move(values)) {}
 
+  // The edit as a step of "handwheel edit"; empty where it has no such form.
+  const std::string& step() const { return m_step; }
+  void setStep(std::string step) { m_step = std::move(step); }
+
   // Edits of the same stroke may become one step.
   void setStroke(int stroke) { m_stroke = stroke; }
+  int stroke() const { return m_stroke; }
 
   void redo() override { m_edit->exchange(m_document); }
   void undo() override { m_edit->exchange(m_document); }
@@ -36,6 +41,7 @@ class EditCommand : public QUndoCommand {
   Document& m_document;
   std::unique_ptr<Edit> m_edit;
   std::optional<Values> m_values;
+  std::string m_step;
   int m_stroke = 0;
 };
 

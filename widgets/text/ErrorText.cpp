@@ -142,6 +142,8 @@ QString whatHappened(const Error& error) {
       return Text::tr("the device cannot be reached (%1)").arg(a);
     case ErrorCode::DeviceMute:
       return Text::tr("the device does not answer as it should (%1)").arg(a);
+    case ErrorCode::StepMalformed:
+      return Text::tr("the step cannot be done: %1").arg(a);
     case ErrorCode::LibraryFailed:
       return Text::tr("the library %1 gave up (%2)").arg(a, b);
   }
@@ -236,6 +238,8 @@ QString errorAdvice(const Error& error) {
       return Text::tr("Check that it is plugged in, that no other program uses it and that you may use it.");
     case ErrorCode::DeviceMute:
       return Text::tr("Switch it off and on again, or try another port.");
+    case ErrorCode::StepMalformed:
+      return Text::tr("'handwheel help edit' lists the steps; loops are numbered as 'handwheel inspect' does.");
     case ErrorCode::Unsupported:
     case ErrorCode::LibraryFailed:
       return Text::tr("Export the model in another way or another format.");

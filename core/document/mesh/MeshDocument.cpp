@@ -62,11 +62,12 @@ std::vector<Property> MeshDocument::properties() const {
   return all;
 }
 
-bool MeshDocument::commit(const QString& text, const InspectedMesh& after) {
+bool MeshDocument::commit(const QString& text, const InspectedMesh& after, std::string step) {
   const auto runSlots = static_cast<std::size_t>(m_fidelity.of(undoGranularitySetting()));
   MeshDelta delta = MeshDelta::between(m_mesh, after.mesh, runSlots);
   if (delta.isEmpty()) return false;  // not even pushed as obsolete: that would cost the user the steps to redo
-  commit(text, std::make_unique<MeshEdit>(std::move(delta), DefectsDelta::between(*m_defects, *after.defects)));
+  commit(text, std::make_unique<MeshEdit>(std::move(delta), DefectsDelta::between(*m_defects, *after.defects)),
+         Stroke::Ends, std::move(step));
   return true;
 }
 
@@ -76,7 +77,9 @@ bool MeshDocument::isKeptOpen(const BoundaryLoop& loop) const {
 
 void MeshDocument::setKeptOpen(const BoundaryLoop& loop, bool keep) {
   if (isKeptOpen(loop) == keep) return;
-  commit(keep ? tr("Keep open") : tr("No longer keep open"), std::make_unique<KeepOpenEdit>(keyOf(m_mesh, loop), keep));
+  const Vertex key = keyOf(m_mesh, loop);
+  commit(keep ? tr("Keep open") : tr("No longer keep open"), std::make_unique<KeepOpenEdit>(key, keep), Stroke::Ends,
+         (keep ? "keep-open v" : "no-longer-open v") + std::to_string(key));
 }
 
 void MeshDocument::meshWasChanged(const std::vector<Face>& touched) {

@@ -38,8 +38,8 @@ class MeshDocument : public Document {
 
   using Document::commit;
   // Makes "after" the present mesh as one undo step. False, and no step, when nothing differs. Takes time in proportion
-  // to the change. The step is kept as the setting document.undo_granularity says.
-  bool commit(const QString& text, const InspectedMesh& after);
+  // to the change. The step is kept as the setting document.undo_granularity says. step: as EditCommand::step().
+  bool commit(const QString& text, const InspectedMesh& after, std::string step = {});
 
   // Whether the user wants it open. Undoable.
   bool isKeptOpen(const BoundaryLoop& loop) const;

@@ -4,6 +4,7 @@
 
 #include "document/mesh/MeshDocument.h"
 #include "tools/cell/AxisDrag.h"
+#include "tools/mesh/HandChanges.h"
 
 #include <QtGlobal>
 #include <utility>
@@ -154,15 +155,17 @@ ToolReply BoundaryTool::release(const PointerEvent& event) {
 
 // The recipes look again: by the time they are carried out the mesh may be another.
 void BoundaryTool::commitDrag(const Drag& drag) {
+  const HalfEdgeMesh& known = drag.near->mesh();
   if (drag.deed == Deed::Pull) {
-    if (drag.stop == drag.pull.start()) return;
-    m_services.commit({QT_TRANSLATE_NOOP("Tool", "Pull a point of the edge"),
-                       [pull = drag.pull, to = drag.stop](HalfEdgeMesh& mesh, Progress) { pull.apply(mesh, to); },
-                       kEdgeChanged});
-    return;
+    const Vec3 start = drag.pull.start();
+    if (drag.stop == start) return;
+    const Vertex v = known.from(drag.held.at);
+    const auto isThere = [v, start](const HalfEdgeMesh& mesh) {
+      return v < mesh.vertexSlots() && mesh.position(v) == start;
+    };
+    return m_services.commit(onlyWhere(isThere, pullChange(v, drag.stop)));
   }
   if (drag.target == kNone || drag.problem != JoinProblem::None) return;
-  const HalfEdgeMesh& known = drag.near->mesh();
   const BorderPair ends{drag.held.at, drag.target};
   const auto isThere = [known, ends](const HalfEdgeMesh& mesh) {
     for (const HalfEdge h : {ends.a, ends.b}) {
@@ -173,23 +176,7 @@ void BoundaryTool::commitDrag(const Drag& drag) {
     }
     return true;
   };
-  if (drag.deed == Deed::Weld) {
-    m_services.commit({QT_TRANSLATE_NOOP("Tool", "Join points of the edge"),
-                       [=](HalfEdgeMesh& mesh, Progress) {
-                         if (!isThere(mesh)) return;
-                         Weld weld = weldBorder(NearFaces(mesh, reachOf(mesh, ends)), ends);
-                         if (weld.problem == JoinProblem::None) mesh = std::move(weld.mesh);
-                       },
-                       kEdgeChanged});
-  } else {
-    m_services.commit({QT_TRANSLATE_NOOP("Tool", "Lay a bridge"),
-                       [=](HalfEdgeMesh& mesh, Progress) {
-                         if (!isThere(mesh)) return;
-                         const NearFaces near(mesh, reachOf(mesh, ends));
-                         addFaces(mesh, findBridge(near, ends).triangles, near);
-                       },
-                       kEdgeChanged});
-  }
+  m_services.commit(onlyWhere(isThere, drag.deed == Deed::Weld ? joinChange(ends) : bridgeChange(ends)));
 }
 
 }  // namespace handwheel

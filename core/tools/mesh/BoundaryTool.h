@@ -64,6 +64,7 @@ class BoundaryTool : public Tool {
   enum class Kind { Smooth, Islands, Peninsulas };
   struct Proposal {
     Kind kind;
+    SmoothingOptions options;
     SmoothedBorder smoothed;
     FaceSelection faces;  // that change, or go
     std::shared_ptr<const TriangleSoup> shapes;

@@ -5,6 +5,7 @@
 #include "mesh/Peninsulas.h"
 #include "tools/ToolProperty.h"
 #include "tools/mesh/BoundaryTool.h"
+#include "tools/mesh/HandChanges.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -160,6 +161,7 @@ std::function<BoundaryTool::Proposal(Progress)> BoundaryTool::workFor(Kind kind)
     if (kind == Kind::Peninsulas) proposal.faces = findPeninsulas(mesh, loop, progress);
     if (kind != Kind::Smooth) return proposal;
     const NearFaces near(mesh, faces);
+    proposal.options = options;
     proposal.smoothed = smoothBorder(near, loop, options);
     HalfEdgeMesh moved = mesh;
     moveVertices(moved, proposal.smoothed.moves);
@@ -176,15 +178,15 @@ ToolReply BoundaryTool::commitProposal() {
   if (!isHeld(*m_proposal)) return ToolReply::Ignored;
   const Proposal proposal = *std::exchange(m_proposal, std::nullopt);
   if (proposal.kind == Kind::Smooth) {
-    m_services.commit({QT_TRANSLATE_NOOP("Tool", "Smooth the edge"),
-                       [moves = proposal.smoothed.moves](HalfEdgeMesh& mesh, Progress) { moveVertices(mesh, moves); },
-                       kEdgeChanged});
+    // What was shown, and nothing else: by now the edge may be another.
+    MeshChange change = smoothEdgeChange(*m_key, proposal.options);
+    change.apply = [moves = proposal.smoothed.moves](HalfEdgeMesh& mesh, Progress) { moveVertices(mesh, moves); };
+    m_services.commit(std::move(change));
     return ToolReply::Used;
   }
-  m_services.commit({proposal.kind == Kind::Islands ? QT_TRANSLATE_NOOP("Tool", "Remove islands")
-                                                    : QT_TRANSLATE_NOOP("Tool", "Remove peninsulas"),
-                     [faces = proposal.faces](HalfEdgeMesh& mesh, Progress p) { removeFaces(mesh, faces, p); },
-                     kEdgeChanged});
+  m_services.commit(deleteChange(proposal.faces, proposal.kind == Kind::Islands
+                                                     ? QT_TRANSLATE_NOOP("Tool", "Remove islands")
+                                                     : QT_TRANSLATE_NOOP("Tool", "Remove peninsulas")));
   return ToolReply::Used;
 }
 

@@ -5,6 +5,7 @@
 #include "document/mesh/MeshDocument.h"
 #include "mesh/MeshFidelity.h"
 #include "tools/ToolProperty.h"
+#include "tools/mesh/HandChanges.h"
 
 #include <QtGlobal>
 #include <cmath>
@@ -57,9 +58,7 @@ DecimationOptions DecimateTool::options() const {
 ToolReply DecimateTool::perform(std::string_view action) {
   if (action == "revert") return ToolReply::Finished;
   if (action != "commit") return ToolReply::Ignored;
-  m_services.commit({QT_TRANSLATE_NOOP("Tool", "Remove triangles"),
-                     [options = options()](HalfEdgeMesh& mesh, Progress p) { decimate(mesh, options, p); },
-                     QT_TRANSLATE_NOOP("Tool", "no triangle can go within what is to be kept")});
+  m_services.commit(decimateChange(options()));
   return ToolReply::Used;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/mesh/DefectFixes.h"
 
+#include "base/NumberText.h"
 #include "mesh/Cleaning.h"
 #include "mesh/CrossingClusters.h"
 #include "mesh/Defects.h"
@@ -15,6 +16,7 @@
 #include "mesh/SheetBacking.h"
 #include "mesh/Stitching.h"
 #include "mesh/TangleRemoval.h"
+#include "tools/mesh/FillWords.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -46,77 +48,109 @@ void partNonManifold(HalfEdgeMesh& mesh, NumberType numbers, Progress progress) 
 }  // namespace
 
 MeshChange degenerateFix() {
-  return {QT_TRANSLATE_NOOP("Tool", "Remove triangles without area"),
-          [](HalfEdgeMesh& mesh, Progress progress) { removeDegenerateFaces(mesh, progress); }};
+  return withStep({QT_TRANSLATE_NOOP("Tool", "Remove triangles without area"),
+                   [](HalfEdgeMesh& mesh, Progress progress) { removeDegenerateFaces(mesh, progress); }},
+                  "degenerates");
 }
 
 MeshChange duplicateFix() {
-  return {QT_TRANSLATE_NOOP("Tool", "Remove duplicate triangles"),
-          [](HalfEdgeMesh& mesh, Progress progress) { removeDuplicateFaces(mesh, progress); }};
+  return withStep({QT_TRANSLATE_NOOP("Tool", "Remove duplicate triangles"),
+                   [](HalfEdgeMesh& mesh, Progress progress) { removeDuplicateFaces(mesh, progress); }},
+                  "duplicates");
 }
 
 MeshChange nearVertexFix(double nearWeld, std::vector<std::pair<Vertex, Vertex>> pairs) {
-  return {QT_TRANSLATE_NOOP("Tool", "Merge near vertices"),
-          [nearWeld, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
-            std::vector<bool> fixed(mesh.vertexSlots(), !pairs.empty());
-            for (const auto& [a, b] : pairs) fixed[a] = fixed[b] = false;
-            stitchBorders(mesh, fixed, progress, nearWeld);
-          },
-          QT_TRANSLATE_NOOP("Tool", "merging them would close no gap, or leave edges with more than two triangles")};
+  StepWriter step("near-vertices");
+  if (!pairs.empty()) step.word(pairsText(pairs));
+  step.option("near-weld", shortestText(nearWeld));
+  return withStep(
+      {QT_TRANSLATE_NOOP("Tool", "Merge near vertices"),
+       [nearWeld, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
+         std::vector<bool> fixed(mesh.vertexSlots(), !pairs.empty());
+         for (const auto& [a, b] : pairs) fixed[a] = fixed[b] = false;
+         stitchBorders(mesh, fixed, progress, nearWeld);
+       },
+       QT_TRANSLATE_NOOP("Tool", "merging them would close no gap, or leave edges with more than two triangles")},
+      step.text());
 }
 
 MeshChange nonManifoldFix(NumberType numbers) {
-  return {QT_TRANSLATE_NOOP("Tool", "Part what only touches"),
-          [numbers](HalfEdgeMesh& mesh, Progress progress) { partNonManifold(mesh, numbers, progress); },
-          QT_TRANSLATE_NOOP("Tool", "every step apart would make the surface cross itself")};
+  return withStep({QT_TRANSLATE_NOOP("Tool", "Part what only touches"),
+                   [numbers](HalfEdgeMesh& mesh, Progress progress) { partNonManifold(mesh, numbers, progress); },
+                   QT_TRANSLATE_NOOP("Tool", "every step apart would make the surface cross itself")},
+                  StepWriter("part").option("numbers", wordFor(numbers)).text());
 }
 
 MeshChange oneSidedFix(const FillOptions& options) {
-  return {QT_TRANSLATE_NOOP("Tool", "Cut and give two sides"),
-          [options](HalfEdgeMesh& mesh, Progress progress) {
-            closeOneSided(mesh, options, std::numeric_limits<double>::infinity(), BorderCuts::Yes, progress);
-          },
-          QT_TRANSLATE_NOOP("Tool", "the cut could not be closed without crossing the part")};
+  StepWriter step("two-sides");
+  addFillWords(step, options);
+  return withStep({QT_TRANSLATE_NOOP("Tool", "Cut and give two sides"),
+                   [options](HalfEdgeMesh& mesh, Progress progress) {
+                     closeOneSided(mesh, options, std::numeric_limits<double>::infinity(), BorderCuts::Yes, progress);
+                   },
+                   QT_TRANSLATE_NOOP("Tool", "the cut could not be closed without crossing the part")},
+                  step.text());
 }
 
 MeshChange crossingFix(NumberType numbers, std::vector<std::pair<Face, Face>> pairs) {
-  return {QT_TRANSLATE_NOOP("Tool", "Cut crossings apart"),
-          [numbers, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
-            uncrossClusters(mesh, pairs, numbers, progress);
-          },
-          QT_TRANSLATE_NOOP("Tool",
-                            "the triangles lie in one plane, lie on others, or are tangled too much to be cut apart")};
+  StepWriter step("uncross");
+  step.word(pairsText(pairs)).option("numbers", wordFor(numbers));
+  return withStep(
+      {QT_TRANSLATE_NOOP("Tool", "Cut crossings apart"),
+       [numbers, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
+         uncrossClusters(mesh, pairs, numbers, progress);
+       },
+       QT_TRANSLATE_NOOP("Tool",
+                         "the triangles lie in one plane, lie on others, or are tangled too much to be cut apart")},
+      step.text());
 }
 
 MeshChange debrisFix(std::vector<Face> faces) {
-  return {QT_TRANSLATE_NOOP("Tool", "Remove debris"),
-          [faces = std::move(faces)](HalfEdgeMesh& mesh, Progress progress) {
-            FaceSelection pieces;
-            for (const Face f : faces) {
-              if (!mesh.isLive(f) || pieces.contains(f)) continue;
-              for (const Face other : sheetOf(mesh, f)) pieces.add(other);
-            }
-            removeFaces(mesh, pieces, progress);
-          }};
+  StepWriter step("debris");
+  step.word(listText(faces));
+  return withStep({QT_TRANSLATE_NOOP("Tool", "Remove debris"),
+                   [faces = std::move(faces)](HalfEdgeMesh& mesh, Progress progress) {
+                     FaceSelection pieces;
+                     for (const Face f : faces) {
+                       if (!mesh.isLive(f) || pieces.contains(f)) continue;
+                       for (const Face other : sheetOf(mesh, f)) pieces.add(other);
+                     }
+                     removeFaces(mesh, pieces, progress);
+                   }},
+                  step.text());
+}
+
+MeshChange allDebrisFix() {
+  return withStep({QT_TRANSLATE_NOOP("Tool", "Remove debris"),
+                   [](HalfEdgeMesh& mesh, Progress progress) { removeDebris(mesh, progress); }},
+                  "debris");
 }
 
 MeshChange backFix(std::vector<Vertex> loops, const FillOptions& options) {
-  return {QT_TRANSLATE_NOOP("Tool", "Give a back"),
-          [loops = std::move(loops), options](HalfEdgeMesh& mesh, Progress progress) {
-            closeHard(mesh, loops, true, options, progress);
-            partNonManifold(mesh, options.numbers, progress);
-          },
-          QT_TRANSLATE_NOOP("Tool", "a back would cross the part, or close a hole that is kept open")};
+  StepWriter step("back");
+  step.word(loopsText(loops));
+  addFillWords(step, options);
+  return withStep({QT_TRANSLATE_NOOP("Tool", "Give a back"),
+                   [loops = std::move(loops), options](HalfEdgeMesh& mesh, Progress progress) {
+                     closeHard(mesh, loops, true, options, progress);
+                     partNonManifold(mesh, options.numbers, progress);
+                   },
+                   QT_TRANSLATE_NOOP("Tool", "a back would cross the part, or close a hole that is kept open")},
+                  step.text());
 }
 
 MeshChange cutAndCloseFix(Vertex loop, const FillOptions& options) {
-  return {QT_TRANSLATE_NOOP("Tool", "Cut and close"),
-          [loop, options](HalfEdgeMesh& mesh, Progress progress) {
-            closeHard(mesh, {loop}, false, options, progress.part(0.0, 0.6));
-            if (!progress.cancelled()) replaceTangled(mesh, loop, options, progress.part(0.6, 0.95));
-            if (!progress.cancelled()) partNonManifold(mesh, options.numbers, progress.part(0.95, 1.0));
-          },
-          QT_TRANSLATE_NOOP("Tool", "what would be cut is tangled too much")};
+  StepWriter step("cut-and-close");
+  step.word(loopsText({loop}));
+  addFillWords(step, options);
+  return withStep({QT_TRANSLATE_NOOP("Tool", "Cut and close"),
+                   [loop, options](HalfEdgeMesh& mesh, Progress progress) {
+                     closeHard(mesh, {loop}, false, options, progress.part(0.0, 0.6));
+                     if (!progress.cancelled()) replaceTangled(mesh, loop, options, progress.part(0.6, 0.95));
+                     if (!progress.cancelled()) partNonManifold(mesh, options.numbers, progress.part(0.95, 1.0));
+                   },
+                   QT_TRANSLATE_NOOP("Tool", "what would be cut is tangled too much")},
+                  step.text());
 }
 
 }  // namespace handwheel

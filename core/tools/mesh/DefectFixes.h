@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// One change for each kind of defect; each touches what it mends and its surroundings only.
+// One change for each kind of defect, with its step; each touches what it mends and its surroundings only.
 
 MeshChange degenerateFix();
 MeshChange duplicateFix();
@@ -24,6 +24,8 @@ MeshChange oneSidedFix(const FillOptions& options);
 MeshChange crossingFix(NumberType numbers, std::vector<std::pair<Face, Face>> pairs);
 // Loose pieces: those that contain one of these faces.
 MeshChange debrisFix(std::vector<Face> faces);
+// All that findDefects() calls debris.
+MeshChange allDebrisFix();
 // Loops, known by their smallest vertex (keyOf()): each sheet that they are the outer edge of becomes a thin body.
 MeshChange backFix(std::vector<Vertex> loops, const FillOptions& options);
 // A loop that every patch would cross the part to close: closed all the same, and cut apart where it crosses.

@@ -3,6 +3,7 @@
 #include "tools/mesh/MakeFaceTool.h"
 
 #include "document/mesh/MeshDocument.h"
+#include "tools/mesh/HandChanges.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -17,12 +18,6 @@ constexpr ToolKey kKeys[] = {
     {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "done")},
     {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "start again")},
 };
-
-Box boxOf(const HalfEdgeMesh& mesh, const Triangle& t) {
-  Box box;
-  for (const Vertex v : t) box.extend(mesh.position(v));
-  return box;
-}
 
 }  // namespace
 
@@ -88,13 +83,12 @@ ToolReply MakeFaceTool::press(const PointerEvent& event) {
   for (const Vertex v : m_face) places.push_back(mesh().position(v));
   m_corners.clear();
   // Looked at again: by the time it is carried out the mesh may be another.
-  m_services.commit({QT_TRANSLATE_NOOP("Tool", "Make a face"),
-                     [face = m_face, places](HalfEdgeMesh& mesh, Progress) {
-                       for (std::size_t k = 0; k < 3; ++k)
-                         if (face[k] >= mesh.vertexSlots() || mesh.position(face[k]) != places[k]) return;
-                       addFaces(mesh, {&face, 1}, NearFaces(mesh, boxOf(mesh, face)));
-                     },
-                     kEdgeChanged});
+  const auto isAsKnown = [face = m_face, places](const HalfEdgeMesh& mesh) {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (face[k] >= mesh.vertexSlots() || mesh.position(face[k]) != places[k]) return false;
+    return true;
+  };
+  m_services.commit(onlyWhere(isAsKnown, faceChange(m_face)));
   return ToolReply::Used;
 }
 

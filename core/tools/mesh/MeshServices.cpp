@@ -10,6 +10,23 @@
 
 namespace handwheel {
 
+bool commitChange(MeshDocument& document, const MeshChange& change, Progress progress) {
+  HalfEdgeMesh mesh = document.mesh();
+  change.apply(mesh, progress.part(0.0, 0.6));
+  if (progress.cancelled()) return false;
+  const double nearWeld = document.fidelity().of(nearWeldSetting());
+  const InspectedMesh after = inspected(std::move(mesh), nearWeld, progress.part(0.6, 1.0));
+  if (progress.cancelled()) return false;
+  return document.commit(QCoreApplication::translate("Tool", change.text), after, change.step);
+}
+
+MeshChange onlyWhere(std::function<bool(const HalfEdgeMesh&)> isAsKnown, MeshChange change) {
+  change.apply = [isAsKnown = std::move(isAsKnown), apply = std::move(change.apply)](HalfEdgeMesh& mesh, Progress p) {
+    if (isAsKnown(mesh)) apply(mesh, p);
+  };
+  return change;
+}
+
 MeshServices immediateServices(MeshDocument& document) {
   MeshServices services;
   struct Index {
@@ -24,11 +41,9 @@ MeshServices immediateServices(MeshDocument& document) {
   services.run = [](const ToolJob& job) { job.work(Progress())(); };
   services.cancel = [] {};
   services.commit = [&document](const MeshChange& change) {
-    HalfEdgeMesh mesh = document.mesh();
-    change.apply(mesh, {});
-    const auto crossings = change.crossed ? crossingsChange(document.mesh(), mesh) : std::nullopt;
-    const double nearWeld = document.fidelity().of(nearWeldSetting());
-    document.commit(QCoreApplication::translate("Tool", change.text), inspected(std::move(mesh), nearWeld));
+    const HalfEdgeMesh before = document.mesh();
+    commitChange(document, change);
+    const auto crossings = change.crossed ? crossingsChange(before, document.mesh()) : std::nullopt;
     if (crossings) change.crossed(crossings->fresh);
     change.ended();
   };

@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 
 namespace handwheel {
 
@@ -24,6 +25,8 @@ struct MeshChange {
   // Hears on the window thread, before that and once it is committed, how many pairs of faces cross because of it. Null
   // where it can make none: then nobody looks.
   std::function<void(std::size_t)> crossed = nullptr;
+  // The change as a line of text, as MeshSteps.h reads it; empty where it has no such form.
+  std::string step = {};
 };
 
 // Thinking that takes too long for the window. It sees only what it captured by value, and returns what is to be done
@@ -46,6 +49,18 @@ struct MeshServices {
   // that were asked for before. Nothing happens when it changes nothing.
   std::function<void(MeshChange)> commit;
 };
+
+inline MeshChange withStep(MeshChange change, std::string step) {
+  change.step = std::move(step);
+  return change;
+}
+
+// Makes a change, looks for the defects of the result, and commits it as one step, at once. False where nothing
+// differs, or it was cancelled.
+bool commitChange(MeshDocument& document, const MeshChange& change, Progress progress = {});
+
+// The change, where the mesh is still as it was known when the change was asked for; else none.
+MeshChange onlyWhere(std::function<bool(const HalfEdgeMesh&)> isAsKnown, MeshChange change);
 
 // All at once, on the calling thread: for programs without a window. The document must outlive them.
 MeshServices immediateServices(MeshDocument& document);

@@ -85,11 +85,13 @@ void SculptStroke::dragTo(const Ray& ray) {
 }
 
 void SculptStroke::dragBy(const Vec3& way) {
+  m_way = way;
   m_levels = m_before;
   move(dragged(m_levels.mesh(m_settings.level), m_area, way));
 }
 
 void SculptStroke::dab(const SurfacePlace& place) {
+  m_dabs.push_back(place);
   const HalfEdgeMesh& mesh = m_levels.mesh(m_settings.level);
   const BrushArea area = areaAt(place);
   m_facesMet += area.faces.size();

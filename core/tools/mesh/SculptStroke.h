@@ -45,6 +45,9 @@ class SculptStroke {
   const SurfacePlace& start() const { return m_start; }
   const PatchLevels& levels() const { return m_levels; }  // as they are now
   const FaceSelection& touched() const { return m_touched; }
+  // What it was made of, for who makes it once more: the places of the dabs; for Drag, the way in the end.
+  const std::vector<SurfacePlace>& dabs() const { return m_dabs; }
+  const Vec3& way() const { return m_way; }
   bool changedAnything() const { return !m_touched.empty(); }
   // Faces that dabs went over, for who must keep their number low.
   std::size_t facesMet() const { return m_facesMet; }
@@ -59,6 +62,8 @@ class SculptStroke {
   SurfacePlace m_start;
   Vec3 m_forward;
   BrushArea m_area;  // of Drag
+  std::vector<SurfacePlace> m_dabs;
+  Vec3 m_way = Vec3::Zero();
   FaceSelection m_touched;
   std::size_t m_facesMet = 0;
 };

@@ -154,7 +154,7 @@ ToolReply SculptTool::release(const PointerEvent& event) {
   const SculptStroke stroke = *std::exchange(m_stroke, std::nullopt);
   m_tip.reset();
   if (stroke.changedAnything()) {
-    take(textOf(stroke.settings().brush), stroke.levels(), stroke.touched());
+    take(textOf(stroke.settings().brush), sculpted(stroke));
   } else {
     showLive();
   }

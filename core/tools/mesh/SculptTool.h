@@ -4,7 +4,7 @@
 
 #include "tools/ToolKey.h"
 #include "tools/mesh/MeshServices.h"
-#include "tools/mesh/SculptStroke.h"
+#include "tools/mesh/SculptSteps.h"
 
 #include <deque>
 
@@ -43,11 +43,6 @@ class SculptTool : public Tool {
     std::uint64_t ticket;
     PatchLevels levels;  // afterwards
   };
-  struct Made {  // by a job
-    PatchLevels levels;
-    FaceSelection touched;
-    const char* problem = nullptr;  // why nothing was made; English, context "Property"
-  };
 
   ToolReply press(const PointerEvent& event);
   ToolReply drag(const PointerEvent& event);
@@ -56,9 +51,9 @@ class SculptTool : public Tool {
   void dabAlong(const Ray& ray);
   SculptStroke::Settings strokeSettings(const Modifiers& modifiers) const;
 
-  void start(const char* name, const char* text, std::function<Made(PatchLevels, Progress)> make);
-  void take(const char* text, PatchLevels levels, FaceSelection touched);
-  void refine(const char* text, std::function<int(const PatchLevels&)> wanted);
+  void start(const char* name, const char* text, std::function<Sculpted(PatchLevels, Progress)> make);
+  void take(const char* text, Sculpted made);
+  void refine(const char* text, std::optional<int> times);
   void smoothNoiseLater();
   void goBackALevel();
   void landed();

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/mesh/MeshDocument.h"
-#include "mesh/NoiseSmoothing.h"
 #include "tools/mesh/SculptTool.h"
 
 #include <QtGlobal>
@@ -12,9 +11,7 @@
 namespace handwheel {
 namespace {
 
-constexpr double kRadiusStep = 1.25;           // from one size to the next by key
-constexpr int kBorderRings = 2;                // of faces around a border that are smoothed without a patch
-constexpr std::size_t kMostFaces = 1'000'000;  // of a patch
+constexpr double kRadiusStep = 1.25;  // from one size to the next by key
 constexpr ToolKey kKeys[] = {
     {"smaller", "[", QT_TRANSLATE_NOOP("Tool", "smaller brush")},
     {"larger", "]", QT_TRANSLATE_NOOP("Tool", "larger brush")},
@@ -29,37 +26,22 @@ constexpr ToolKey kKeys[] = {
     {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "done")},
 };
 
-const char* problemOf(SubdivisionFailure failure) {
-  switch (failure) {
-    case SubdivisionFailure::NoEdgeInside:
-      return QT_TRANSLATE_NOOP("Property", "It has no edge inside to split.");
-    case SubdivisionFailure::TooManyFaces:
-      return QT_TRANSLATE_NOOP("Property", "It would have too many triangles.");
-    case SubdivisionFailure::TooFine:
-      return QT_TRANSLATE_NOOP("Property", "The numbers of the file show no finer triangles.");
-    case SubdivisionFailure::None:
-    case SubdivisionFailure::Cancelled:
-      break;
-  }
-  return nullptr;
-}
-
 }  // namespace
 
 // Makes something of the levels on another thread.
-void SculptTool::start(const char* name, const char* text, std::function<Made(PatchLevels, Progress)> make) {
+void SculptTool::start(const char* name, const char* text, std::function<Sculpted(PatchLevels, Progress)> make) {
   cancelJob();
   m_problem = nullptr;
   m_job = std::make_shared<const int>();
   m_services.run(
       {name, [this, text, make = std::move(make), levels = m_levels, job = std::weak_ptr(m_job)](Progress progress) {
-         Made made = make(levels, progress);
+         Sculpted made = make(levels, progress);
          if (progress.cancelled()) return std::function<void()>([] {});
          return std::function<void()>([this, text, made = std::move(made), job] {
            if (job.expired()) return;
            m_job.reset();
            m_problem = made.problem;
-           if (!made.touched.empty()) take(text, made.levels, made.touched);
+           if (!made.touched.empty()) take(text, made);
            tellUpdated();
          });
        }});
@@ -72,11 +54,13 @@ void SculptTool::cancelJob() {
 }
 
 // Something has been done: it is shown at once, and gets into the document when what was done before is there.
-void SculptTool::take(const char* text, PatchLevels levels, FaceSelection touched) {
+void SculptTool::take(const char* text, Sculpted made) {
+  PatchLevels& levels = made.levels;
   const std::size_t level = std::min(m_level, levels.finest());
   const bool isSameDepth = levels.finest() == m_levels.finest();
   MeshChange change;
   change.text = text;
+  change.step = std::move(made.step);
   change.apply = [from = m_levels.mesh(), to = levels.mesh()](HalfEdgeMesh& mesh, Progress) {
     if (isSameVersion(mesh, from)) mesh = to;  // else somebody else was faster, and what is there counts
   };
@@ -88,7 +72,7 @@ void SculptTool::take(const char* text, PatchLevels levels, FaceSelection touche
   };
   setLevels(levels);
   if (isSameDepth) m_level = level;
-  m_touched.add(touched);
+  m_touched.add(made.touched);
   m_waiting.push_back({m_ticket, std::move(levels)});
   showLive();
   m_services.commit(std::move(change));
@@ -152,10 +136,9 @@ ToolReply SculptTool::perform(std::string_view action) {
   } else if (action == "coarser" || action == "finer") {
     m_level = action == "finer" ? std::min(m_level + 1, m_levels.finest()) : m_level - (m_level > 0);
   } else if (action == "subdivide") {
-    refine(QT_TRANSLATE_NOOP("Tool", "Subdivide patch"), [](const PatchLevels&) { return 1; });
+    refine(QT_TRANSLATE_NOOP("Tool", "Subdivide patch"), 1);
   } else if (action == "refine") {
-    refine(QT_TRANSLATE_NOOP("Tool", "Refine to the surroundings"),
-           [](const PatchLevels& levels) { return levelsToDensity(levels.mesh(), levels.patch()); });
+    refine(QT_TRANSLATE_NOOP("Tool", "Refine to the surroundings"), std::nullopt);
   } else if (action == "back") {
     goBackALevel();
   } else if (action == "noise") {
@@ -168,17 +151,11 @@ ToolReply SculptTool::perform(std::string_view action) {
   return ToolReply::Used;
 }
 
-// wanted: how many levels more.
-void SculptTool::refine(const char* text, std::function<int(const PatchLevels&)> wanted) {
+// times: how many levels more; none: as many as its surroundings want.
+void SculptTool::refine(const char* text, std::optional<int> times) {
   start(QT_TRANSLATE_NOOP("Tool", "Subdividing"), text,
-        [wanted = std::move(wanted), numbers = m_document.fileNumbers()](PatchLevels levels, Progress progress) {
-          const std::size_t before = levels.finest();
-          const int more = wanted(levels);
-          const char* problem =
-              more == 0 ? QT_TRANSLATE_NOOP("Property", "It is as fine as its surroundings.") : nullptr;
-          for (int i = 0; i < more && !problem; ++i)
-            problem = problemOf(levels.refine({kMostFaces, numbers, progress}));
-          return Made{levels, levels.finest() > before ? levels.patch() : FaceSelection(), problem};
+        [times, numbers = m_document.fileNumbers()](PatchLevels levels, Progress progress) {
+          return subdivided(std::move(levels), times, numbers, progress);
         });
 }
 
@@ -190,21 +167,13 @@ void SculptTool::smoothNoiseLater() {
   start(QT_TRANSLATE_NOOP("Tool", "Smoothing noise"), QT_TRANSLATE_NOOP("Tool", "Smooth noise"),
         [options](PatchLevels levels, Progress progress) mutable {
           options.progress = progress;
-          HalfEdgeMesh mesh = levels.mesh();
-          const FaceSelection part = levels.patch().empty() ? facesAtBorder(mesh, kBorderRings) : levels.patch();
-          FaceSelection touched;
-          if (const auto moved = smoothNoise(mesh, part, options))
-            for (const Face f : moved->faces) touched.add(f);
-          levels.replace(levels.finest(), std::move(mesh));
-          return Made{levels, touched};
+          return withoutNoise(std::move(levels), options);
         });
 }
 
 void SculptTool::goBackALevel() {
   cancelJob();
-  PatchLevels levels = m_levels;
-  levels.coarsen();
-  take(QT_TRANSLATE_NOOP("Tool", "One level back"), levels, m_levels.patch());
+  take(QT_TRANSLATE_NOOP("Tool", "One level back"), levelBack(m_levels));
 }
 
 // Step by step out of what is going on.

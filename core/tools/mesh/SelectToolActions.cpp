@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/mesh/MeshDocument.h"
 #include "mesh/FaceGrowing.h"
+#include "tools/mesh/HandChanges.h"
 #include "tools/mesh/SelectTool.h"
 
 #include <QtGlobal>
@@ -139,9 +140,7 @@ ToolReply SelectTool::perform(std::string_view action) {
   } else if (action == "previous" || action == "next") {
     step(action == "next");
   } else if (action == "delete") {
-    m_services.commit(
-        {QT_TRANSLATE_NOOP("Tool", "Delete faces"),
-         [faces = present.faces](HalfEdgeMesh& mesh, Progress progress) { removeFaces(mesh, faces, progress); }});
+    m_services.commit(deleteChange(present.faces, QT_TRANSLATE_NOOP("Tool", "Delete faces")));
   } else {
     return ToolReply::Ignored;
   }

@@ -3,9 +3,7 @@
 #pragma once
 
 #include "tools/ToolKey.h"
-#include "tools/mesh/MeshServices.h"
-
-#include <array>
+#include "tools/mesh/Placement.h"
 
 namespace handwheel {
 
@@ -19,8 +17,7 @@ class TransformTool : public Tool {
   TransformTool(MeshDocument& document, MeshServices services)
       : m_document(document), m_services(std::move(services)) {}
 
-  // First brought to millimetres, about the origin. Then scaled, and turned about x, y and z, in this order, all about
-  // the centre of the box; then moved.
+  // Of the mesh as it is now.
   Eigen::Affine3d placement() const;
 
   static std::span<const ToolKey> keys();
@@ -33,15 +30,11 @@ class TransformTool : public Tool {
   void setSetting(std::string_view id, const PropertyValue& value) override;
 
  private:
-  bool isIdle() const;
-  void reset();
+  bool isIdle() const { return m_placement == Placement(); }
 
   MeshDocument& m_document;
   MeshServices m_services;
-  std::array<double, 3> m_shift{};  // mm
-  std::array<double, 3> m_turn{};   // radian
-  double m_scale = 1.0;
-  int m_unit = 0;  // that the file was written in, as in kUnits
+  Placement m_placement;
 };
 
 }  // namespace handwheel

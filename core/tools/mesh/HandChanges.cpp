@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/mesh/HandChanges.h"
+
+#include "base/NumberText.h"
+#include "mesh/BorderWelding.h"
+#include "mesh/VertexPull.h"
+#include "tools/mesh/BorderPicking.h"
+#include "tools/mesh/FillWords.h"
+
+#include <QtGlobal>
+#include <algorithm>
+
+namespace handwheel {
+namespace {
+
+bool isOpenBorder(const HalfEdgeMesh& mesh, HalfEdge h) {
+  return h < mesh.halfEdgeSlots() && mesh.isProper(HalfEdgeMesh::face(h)) && !mesh.hasOpposite(h);
+}
+
+bool areOpen(const HalfEdgeMesh& mesh, const BorderPair& ends) {
+  return isOpenBorder(mesh, ends.a) && isOpenBorder(mesh, ends.b);
+}
+
+std::string pairStep(const char* verb, const BorderPair& ends) {
+  return StepWriter(verb).word(listText({ends.a, ends.b})).text();
+}
+
+bool areVertices(const HalfEdgeMesh& mesh, const Triangle& face) {
+  return std::all_of(face.begin(), face.end(), [&](Vertex v) { return v < mesh.vertexSlots(); });
+}
+
+std::string stepOf(const DecimationOptions& options) {
+  StepWriter step("decimate");
+  if (options.faces > 0) step.option("faces", std::to_string(options.faces));
+  if (options.error) step.option("error", shortestText(*options.error));
+  if (options.keepBorders) step.option("keep-borders");
+  if (options.creaseAngle) step.option("keep-creases", angleText(*options.creaseAngle));
+  if (options.avoidIntersections) step.option("no-crossings");
+  return step.text();
+}
+
+}  // namespace
+
+MeshChange deleteChange(FaceSelection faces, const char* text) {
+  StepWriter step("delete");
+  step.word(rangesText(faces));
+  return withStep(
+      {text, [faces = std::move(faces)](HalfEdgeMesh& mesh, Progress progress) { removeFaces(mesh, faces, progress); },
+       kEdgeChanged},
+      step.text());
+}
+
+MeshChange decimateChange(const DecimationOptions& options) {
+  return withStep({QT_TRANSLATE_NOOP("Tool", "Remove triangles"),
+                   [options](HalfEdgeMesh& mesh, Progress p) { decimate(mesh, options, p); },
+                   QT_TRANSLATE_NOOP("Tool", "no triangle can go within what is to be kept")},
+                  stepOf(options));
+}
+
+MeshChange faceChange(const Triangle& face) {
+  return withStep({QT_TRANSLATE_NOOP("Tool", "Make a face"),
+                   [face](HalfEdgeMesh& mesh, Progress) {
+                     if (!areVertices(mesh, face)) return;
+                     Box box;
+                     for (const Vertex v : face) box.extend(mesh.position(v));
+                     addFaces(mesh, {&face, 1}, NearFaces(mesh, box));
+                   },
+                   kEdgeChanged},
+                  StepWriter("face").word(listText({face[0], face[1], face[2]})).text());
+}
+
+MeshChange joinChange(const BorderPair& ends) {
+  return withStep({QT_TRANSLATE_NOOP("Tool", "Join points of the edge"),
+                   [ends](HalfEdgeMesh& mesh, Progress) {
+                     if (!areOpen(mesh, ends)) return;
+                     Weld weld = weldBorder(NearFaces(mesh, reachOf(mesh, ends)), ends);
+                     if (weld.problem == JoinProblem::None) mesh = std::move(weld.mesh);
+                   },
+                   kEdgeChanged},
+                  pairStep("join", ends));
+}
+
+MeshChange bridgeChange(const BorderPair& ends) {
+  return withStep({QT_TRANSLATE_NOOP("Tool", "Lay a bridge"),
+                   [ends](HalfEdgeMesh& mesh, Progress) {
+                     if (!areOpen(mesh, ends)) return;
+                     const NearFaces near(mesh, reachOf(mesh, ends));
+                     addFaces(mesh, findBridge(near, ends).triangles, near);
+                   },
+                   kEdgeChanged},
+                  pairStep("bridge", ends));
+}
+
+MeshChange pullChange(Vertex vertex, const Vec3& place) {
+  return withStep({QT_TRANSLATE_NOOP("Tool", "Pull a point of the edge"),
+                   [vertex, place](HalfEdgeMesh& mesh, Progress) {
+                     if (vertex >= mesh.vertexSlots()) return;
+                     const Vec3& start = mesh.position(vertex);
+                     VertexPull(std::make_shared<const NearFaces>(mesh, Box(start, start)), vertex).apply(mesh, place);
+                   },
+                   kEdgeChanged},
+                  StepWriter("pull").word(std::to_string(vertex)).word(pointText(place)).text());
+}
+
+MeshChange smoothEdgeChange(Vertex key, const SmoothingOptions& options) {
+  StepWriter step("smooth-edge");
+  step.word(loopsText({key})).option("wavelength", shortestText(options.wavelength));
+  if (!options.evenly) step.option("uneven");
+  return withStep({QT_TRANSLATE_NOOP("Tool", "Smooth the edge"),
+                   [key, options](HalfEdgeMesh& mesh, Progress) {
+                     const NearFaces near(mesh, std::make_shared<const FaceHierarchy>(mesh));
+                     for (const BoundaryLoop& loop : findBoundaryLoops(mesh))
+                       if (keyOf(mesh, loop) == key)
+                         return (void)moveVertices(mesh, smoothBorder(near, loop, options).moves);
+                   },
+                   kEdgeChanged},
+                  step.text());
+}
+
+}  // namespace handwheel

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Units.h"
+#include "tools/mesh/MeshServices.h"
+#include "tools/mesh/StepText.h"
+
+#include <array>
+#include <numbers>
+#include <span>
+
+namespace handwheel {
+
+// Where a mesh is to be, by numbers. It is first brought to millimetres, about the origin; then scaled, and turned
+// about x, y and z, in this order, all about the centre of its box; then moved.
+struct Placement {
+  std::array<double, 3> shift{};  // mm
+  std::array<double, 3> turn{};   // radian
+  double scale = 1.0;
+  LengthUnit unit = LengthUnit::Millimetre;  // that the file was written in
+
+  static constexpr Limits kShift = {-1e9, 1e9};  // mm
+  static constexpr Limits kTurn = {-2.0 * std::numbers::pi, 2.0 * std::numbers::pi};
+  static constexpr Limits kScale = {1e-9, 1e9};
+  static constexpr LengthUnit kUnits[] = {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre,
+                                          LengthUnit::Inch};
+
+  bool operator==(const Placement&) const = default;
+  // box: of the mesh.
+  Eigen::Affine3d of(const Box& box) const;
+};
+
+// "place --unit in --scale 2 --turn 0,0,90 --move 0,0,5"
+MeshChange placeChange(const Placement& placement);
+Placement readPlacement(StepReader& reader);
+
+// A placement that depends on the mesh as it is when the change is made: "flat", "axes", "centre", "corner". The id is
+// the step, too.
+struct StandardPlace {
+  const char* id;
+  const char* effect;  // English, context "Tool"
+  const char* text;
+  const char* hindrance;
+  std::optional<Pose> (*find)(const HalfEdgeMesh&, Progress);
+};
+std::span<const StandardPlace> standardPlaces();
+MeshChange placeChange(const StandardPlace& place);
+
+}  // namespace handwheel

@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/mesh/StepText.h"
+
+#include "base/NumberText.h"
+#include "base/Units.h"
+
+#include <charconv>
+#include <cmath>
+#include <initializer_list>
+
+namespace handwheel {
+namespace {
+
+constexpr std::size_t kLongestQuote = 40;  // characters of a word that a sentence repeats
+
+std::string quoted(std::string_view word) {
+  const bool isLong = word.size() > kLongestQuote;
+  return "'" + std::string(word.substr(0, kLongestQuote)) + (isLong ? "…'" : "'");
+}
+
+bool isBlank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\n';
+}
+
+std::vector<std::string_view> wordsOf(std::string_view text) {
+  std::vector<std::string_view> words;
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t end = at;
+    while (end < text.size() && !isBlank(text[end])) ++end;
+    if (end > at) words.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return words;
+}
+
+bool readIndex(std::string_view word, std::uint32_t& index) {
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), index);
+  return !word.empty() && error == std::errc() && end == word.data() + word.size();
+}
+
+bool readNumber(std::string_view word, double& value) {
+  ErrorCode why{};
+  return parseDecimal(word, value, why) && std::isfinite(value);
+}
+
+}  // namespace
+
+StepWriter& StepWriter::word(std::string_view word) {
+  m_text += ' ';
+  m_text += word;
+  return *this;
+}
+
+std::string listText(const std::vector<std::uint32_t>& numbers) {
+  std::string text;
+  for (const std::uint32_t n : numbers) text += (text.empty() ? "" : ",") + std::to_string(n);
+  return text;
+}
+
+std::string pairsText(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs) {
+  std::string text;
+  for (const auto& [a, b] : pairs) text += (text.empty() ? "" : ",") + std::to_string(a) + ":" + std::to_string(b);
+  return text;
+}
+
+std::string rangesText(const FaceSelection& faces) {
+  std::string text;
+  std::optional<std::pair<Face, Face>> run;
+  const auto close = [&] {
+    if (!run) return;
+    text += (text.empty() ? "" : ",") + std::to_string(run->first);
+    if (run->second > run->first) text += "-" + std::to_string(run->second);
+  };
+  faces.forEach([&](Face f) {
+    if (run && run->second + 1 == f) {
+      run->second = f;
+      return;
+    }
+    close();
+    run = {f, f};
+  });
+  close();
+  return text;
+}
+
+std::string pointText(const Vec3& p) {
+  return shortestText(p.x()) + "," + shortestText(p.y()) + "," + shortestText(p.z());
+}
+
+// Of the quotient and its neighbours nearly always one is multiplied back to the angle, and the shortest is what was
+// meant.
+std::string angleText(double radian) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const double degrees = radian / kRadiansPerDegree;
+  std::string best;
+  for (const double candidate : {degrees, std::nextafter(degrees, kInfinity), std::nextafter(degrees, -kInfinity)}) {
+    if (candidate * kRadiansPerDegree != radian) continue;
+    const std::string text = shortestText(candidate);
+    if (best.empty() || text.size() < best.size()) best = text;
+  }
+  return best.empty() ? shortestText(radian) + "rad" : best;
+}
+
+std::vector<std::string_view> parted(std::string_view list, char separator) {
+  std::vector<std::string_view> parts;
+  while (true) {
+    const std::size_t end = list.find(separator);
+    parts.push_back(list.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    list.remove_prefix(end + 1);
+  }
+}
+
+StepReader::StepReader(std::string_view text) {
+  const std::vector<std::string_view> words = wordsOf(text);
+  if (words.empty()) {
+    complain("it is empty");
+    return;
+  }
+  m_verb = words.front();
+  if (words.size() > 1) m_line = text.substr(static_cast<std::size_t>(words[1].data() - text.data()));
+  while (!m_line.empty() && isBlank(m_line.back())) m_line.pop_back();
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    if (!words[i].starts_with("--")) {
+      m_words.emplace_back(words[i]);
+      continue;
+    }
+    const std::string_view name = words[i].substr(2, words[i].find('=') - 2);
+    if (find(name)) complain("--" + std::string(name) + " is given twice");
+    Option option{std::string(name), std::nullopt};
+    if (words[i].size() > 2 + name.size()) {
+      option.value = words[i].substr(3 + name.size());
+    } else if (i + 1 < words.size() && !words[i + 1].starts_with("--")) {
+      option.value = words[++i];
+    }
+    m_options.push_back(std::move(option));
+  }
+}
+
+void StepReader::complain(std::string problem) {
+  if (m_problem.empty()) m_problem = std::move(problem);
+}
+
+Status StepReader::status() const {
+  const auto malformed = [](std::string problem) {
+    return Error{ErrorCode::StepMalformed, {std::move(problem)}, {}, {}};
+  };
+  if (!m_problem.empty()) return malformed(m_problem);
+  if (hasWord()) return malformed(quoted(m_words[m_next]) + " is too much");
+  for (const Option& option : m_options)
+    if (!option.isUsed) return malformed(m_verb + " has no option " + quoted("--" + option.name));
+  return Done{};
+}
+
+std::string StepReader::word(const char* what) {
+  if (hasWord()) return m_words[m_next++];
+  complain(std::string(what) + " is missing");
+  return {};
+}
+
+std::string StepReader::line(const char* what) {
+  m_next = m_words.size();
+  m_options.clear();
+  m_problem.clear();
+  if (m_line.empty()) complain(std::string(what) + " is missing");
+  return m_line;
+}
+
+StepReader::Option* StepReader::find(std::string_view name) {
+  for (Option& option : m_options)
+    if (option.name == name) return &option;
+  return nullptr;
+}
+
+// What follows a flag is an operand after all.
+bool StepReader::flag(std::string_view name) {
+  Option* option = find(name);
+  if (!option) return false;
+  option->isUsed = true;
+  if (option->value) complain("--" + option->name + " takes no value");
+  return true;
+}
+
+std::optional<std::string> StepReader::option(std::string_view name) {
+  Option* option = find(name);
+  if (!option) return std::nullopt;
+  option->isUsed = true;
+  if (!option->value) complain("--" + option->name + " needs a value");
+  return option->value;
+}
+
+double StepReader::number(std::string_view name, double otherwise, const Limits& limits) {
+  const auto given = option(name);
+  return given ? number(*given, limits) : otherwise;
+}
+
+std::uint32_t StepReader::index(std::string_view word, const char* what, std::size_t count) {
+  std::uint32_t index = 0;
+  if (!readIndex(word, index)) {
+    complain(quoted(word) + " is not the number of a " + what);
+  } else if (index >= count) {
+    complain("there is no " + std::string(what) + " " + std::to_string(index) + ": there are " + std::to_string(count) +
+             ", numbered from 0");
+  }
+  return index;
+}
+
+std::vector<std::uint32_t> StepReader::indices(std::string_view list, const char* what, std::size_t count) {
+  std::vector<std::uint32_t> all;
+  for (const std::string_view part : parted(list, ',')) {
+    all.push_back(index(part, what, count));
+    if (!isGood()) return {};
+  }
+  return all;
+}
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>> StepReader::pairs(std::string_view list, const char* what,
+                                                                       std::size_t count) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
+  for (const std::string_view part : parted(list, ',')) {
+    const std::size_t colon = part.find(':');
+    if (colon == std::string_view::npos) complain(quoted(part) + " is no pair such as 3:7");
+    if (!isGood()) return {};
+    all.emplace_back(index(part.substr(0, colon), what, count), index(part.substr(colon + 1), what, count));
+  }
+  return isGood() ? all : std::vector<std::pair<std::uint32_t, std::uint32_t>>();
+}
+
+FaceSelection StepReader::faces(std::string_view ranges, std::size_t slots) {
+  FaceSelection faces;
+  for (const std::string_view part : parted(ranges, ',')) {
+    const std::size_t dash = part.find('-');
+    const std::uint32_t first = index(part.substr(0, dash), "triangle", slots);
+    const std::uint32_t last = dash == std::string_view::npos ? first : index(part.substr(dash + 1), "triangle", slots);
+    if (isGood() && last < first) complain(quoted(part) + " runs backwards");
+    if (!isGood()) return {};
+    for (Face f = first; f <= last; ++f) faces.add(f);
+  }
+  return faces;
+}
+
+double StepReader::number(std::string_view word, const Limits& limits) {
+  double value = 0.0;
+  if (!readNumber(word, value)) {
+    complain(quoted(word) + " is not a number");
+  } else if (value < limits.least || value > limits.largest) {
+    complain(quoted(word) + " is not between " + shortestText(limits.least) + " and " + shortestText(limits.largest));
+  }
+  return value;
+}
+
+Vec3 StepReader::point(std::string_view word, const Limits& limits) {
+  const std::vector<std::string_view> parts = parted(word, ',');
+  if (parts.size() != 3) complain(quoted(word) + " is not X,Y,Z");
+  if (!isGood()) return Vec3::Zero();
+  return {number(parts[0], limits), number(parts[1], limits), number(parts[2], limits)};
+}
+
+double StepReader::angle(std::string_view word, const Limits& limits) {
+  const bool isRadian = word.ends_with("rad");
+  if (isRadian) word.remove_suffix(3);
+  if (word.ends_with("deg")) word.remove_suffix(3);
+  const double value = number(word) * (isRadian ? 1.0 : kRadiansPerDegree);
+  if (isGood() && (value < limits.least || value > limits.largest))
+    complain(quoted(word) + " is not between " + shortestText(limits.least / kRadiansPerDegree) + " and " +
+             shortestText(limits.largest / kRadiansPerDegree) + " degrees");
+  return value;
+}
+
+}  // namespace handwheel

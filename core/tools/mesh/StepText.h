@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Geometry.h"
+#include "base/Result.h"
+#include "mesh/FaceSelection.h"
+#include "tools/ToolProperty.h"
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace handwheel {
+
+// One edit of a document as a line of text: a verb, operands, and options "--name value", with blanks between. Lists
+// have commas and no blanks: "delete 1-20,33", "place --move 0,0,5". Numbers are written with the fewest digits that
+// read back as the same, in any locale.
+class StepWriter {
+ public:
+  explicit StepWriter(std::string_view verb) : m_text(verb) {}
+
+  StepWriter& word(std::string_view word);
+  StepWriter& option(std::string_view name) { return word("--" + std::string(name)); }
+  StepWriter& option(std::string_view name, std::string_view value) { return option(name).word(value); }
+  const std::string& text() const { return m_text; }
+
+ private:
+  std::string m_text;
+};
+
+std::string listText(const std::vector<std::uint32_t>& numbers);                           // "1,5,7"
+std::string rangesText(const FaceSelection& faces);                                        // "1-20,33"
+std::string pairsText(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs);  // "1:5,7:9"
+std::string pointText(const Vec3& p);                                                      // "0,0,5"
+// Degrees, where some number of them is read back as the very angle; else "0.5rad".
+std::string angleText(double radian);
+
+// Reads such a line, which nobody vouches for. What is asked for and not there, or out of bounds, becomes the problem,
+// of which the first counts; what is returned then means nothing.
+class StepReader {
+ public:
+  explicit StepReader(std::string_view text);
+
+  const std::string& verb() const { return m_verb; }
+  bool isGood() const { return m_problem.empty(); }
+  void complain(std::string problem);
+  // StepMalformed {what is wrong}, also for operands and options that nobody asked for.
+  Status status() const;
+
+  bool hasWord() const { return m_next < m_words.size(); }
+  std::string word(const char* what);  // the next operand
+  std::string line(const char* what);  // all that follows the verb, as it stands there
+
+  bool flag(std::string_view name);
+  std::optional<std::string> option(std::string_view name);
+  double number(std::string_view name, double otherwise, const Limits& limits);
+
+  // what: "triangle", for the sentence; least and largest: of what may be named.
+  std::uint32_t index(std::string_view word, const char* what, std::size_t count);
+  std::vector<std::uint32_t> indices(std::string_view list, const char* what, std::size_t count);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs(std::string_view list, const char* what,
+                                                             std::size_t count);
+  // Of a mesh with so many face slots; those that are no more are left out by who uses it.
+  FaceSelection faces(std::string_view ranges, std::size_t slots);
+  double number(std::string_view word, const Limits& limits = kFinite);
+  Vec3 point(std::string_view word, const Limits& limits = kFinite);
+  double angle(std::string_view word, const Limits& limits);  // radian
+
+  static constexpr Limits kFinite = {std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max()};
+
+ private:
+  struct Option {
+    std::string name;
+    std::optional<std::string> value;
+    bool isUsed = false;
+  };
+  Option* find(std::string_view name);
+
+  std::string m_verb;
+  std::string m_line;
+  std::vector<std::string> m_words;
+  std::vector<Option> m_options;
+  std::size_t m_next = 0;
+  std::string m_problem;
+};
+
+// Parts of a list; an empty text has one empty part.
+std::vector<std::string_view> parted(std::string_view list, char separator);
+
+}  // namespace handwheel
