@@ -6,6 +6,7 @@
 #include "cli/ConvertCommand.h"
 #include "cli/DecimateCommand.h"
 #include "cli/DevicesCommand.h"
+#include "cli/EditSteps.h"
 #include "cli/FeelCommand.h"
 #include "cli/InspectCommand.h"
 #include "cli/Interrupt.h"
@@ -60,6 +61,7 @@ std::vector<Command> commands() {
       {measureSpec(), runMeasure}, {compareSpec(), runCompare},     {decimateSpec(), runDecimate},
       {splitSpec(), runSplit},     {mergeSpec(), runMerge},         {devicesSpec(), runOnDevices},
       {sectionSpec(), runSection}, {feelSpec(), runFeel},           {recordingSpec(), runRecording},
+      {editSpec(), runEdit},
   };
 }
 
@@ -86,7 +88,7 @@ std::string overview() {
   }
   return page +
          "\n'handwheel help COMMAND' says more. --version shows the version.\n"
-         "Exit codes: 0 done, 1 error, 2 something is left or over budget (repair, measure), 130 interrupted.\n";
+         "Exit codes: 0 done, 1 error, 2 something is left or over budget (repair, edit, measure), 130 interrupted.\n";
 }
 
 int helpOn(const Command& command, const Registered& registered) {

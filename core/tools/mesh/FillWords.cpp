@@ -111,7 +111,7 @@ FillOptions readFillWords(StepReader& reader, const MeshDocument& document, std:
   }
   if (const auto ears = reader.option("ears"); ears) {
     const std::vector<std::string_view> parts = parted(*ears, ',');
-    if (parts.size() != 4) reader.complain("--ears takes four weights: of length, angles, normal and lid");
+    if (parts.size() != 4) reader.complain("--ears takes four weights: L,A,N,L");
     if (reader.isGood())
       options.ears = {reader.number(parts[0], kWeights), reader.number(parts[1], kWeights),
                       reader.number(parts[2], kWeights), reader.number(parts[3], kWeights)};

@@ -200,8 +200,8 @@ std::uint32_t StepReader::index(std::string_view word, const char* what, std::si
   if (!readIndex(word, index)) {
     complain(quoted(word) + " is not the number of a " + what);
   } else if (index >= count) {
-    complain("there is no " + std::string(what) + " " + std::to_string(index) + ": there are " + std::to_string(count) +
-             ", numbered from 0");
+    complain("there is no " + std::string(what) + " " + std::to_string(index) +
+             (count == 0 ? ", nor any" : ", only 0 to " + std::to_string(count - 1)));
   }
   return index;
 }

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Program.h"
+#include "Shapes.h"
+
+#include <QTest>
+
+using namespace handwheel;
+
+namespace {
+
+nlohmann::json inspected(const Bench& bench, const QString& name) {
+  return nlohmann::json::parse(bench.run({"inspect", name, "--json"}).out.toStdString());
+}
+
+}  // namespace
+
+class EditTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // An open cube moved, turned by a right angle about its middle and closed: its volume and place follow.
+  void stepByStep() {
+    const Bench bench;
+    bench.put("a.off", openCube(2.0).off());
+    const Ran ran = bench.run(
+        {"edit", "a.off", "place --move 1,0,0.5 --turn 0,0,90", "fill 0 --fill minimal", "-o", "b.off"}, "de_DE.UTF-8");
+    QCOMPARE(ran.err, QByteArray("handwheel: The file is closed, manifold and oriented.\n"));
+    QCOMPARE(ran.out, QByteArray("Triangles: 10 before, 12 now.\n"));
+    QCOMPARE(ran.code, 0);
+    QVERIFY(std::abs(inspected(bench, "b.off")["volume_mm3"].get<double>() - 8.0) < 1e-12);
+    QCOMPARE(bench.names(), (QStringList{"a.off", "b.off"}));
+  }
+
+  void aFileOfSteps() {
+    const Bench bench;
+    bench.put("a.off", cube(2.0).add(tetrahedron(), {5, 0, 0}).off());
+    bench.put("s.steps", "# takes the tetrahedron away\n\n  delete 12-15\r\nplace --scale 0.5\n");
+    const Ran ran = bench.run({"edit", "a.off", "corner", "--steps", "s.steps", "-o", "b.off"});
+    QCOMPARE(ran.code, 0);
+    QCOMPARE(bench.run({"edit", "a.off", "delete 12-15", "place --scale 0.5", "corner", "-o", "c.off"}).code, 0);
+    QCOMPARE(bench.content("b.off"), bench.content("c.off"));
+    QVERIFY(std::abs(inspected(bench, "b.off")["volume_mm3"].get<double>() - 1.0) < 1e-12);
+  }
+
+  // A container keeps every number, so that what one run did is gone on with by another.
+  void goesOnFromAContainer() {
+    const Bench bench;
+    bench.put("a.off", openCube(2.0).add(openCube(1.0), {5, 0, 0}).off());
+    QCOMPARE(bench.run({"convert", "a.off", "a.handwheel"}).code, 0);
+    const QString first = "keep-open 1", second = "fill 0", third = "delete 3,20-21", fourth = "unit in";
+    QCOMPARE(bench.run({"edit", "a.handwheel", first, second, third, fourth, "-o", "b.handwheel"}).code, 0);
+    QCOMPARE(bench.run({"edit", "a.handwheel", first, second, "-o", "c.handwheel"}).code, 0);
+    QCOMPARE(bench.run({"edit", "c.handwheel", third, fourth, "-o", "c.handwheel"}).code, 0);
+    QCOMPARE(bench.content("b.handwheel"), bench.content("c.handwheel"));
+    QVERIFY(bench.content("a.handwheel") != bench.content("b.handwheel"));
+  }
+
+  void anotherMesh() {
+    const Bench bench;
+    bench.put("a.off", cube(2.0).off());
+    bench.put("the other.off", Shape().add(tetrahedron(), {5, 0, 0}).off());
+    QCOMPARE(bench.run({"edit", "a.off", "add the other.off", "-o", "b.off"}).code, 0);
+    QCOMPARE(inspected(bench, "b.off")["triangles"].get<int>(), 16);
+    const Ran ran = bench.run({"edit", "a.off", "add none.off", "-o", "c.off"});
+    QCOMPARE(ran.code, 1);
+    QVERIFY(ran.err.contains("none.off"));
+  }
+
+  void whatChangesNothing() {
+    const Bench bench;
+    bench.put("a.off", cube(2.0).off());
+    const Ran ran = bench.run({"edit", "a.off", "debris", "corner", "-o", "b.off"});
+    QCOMPARE(ran.code, 2);
+    QCOMPARE(
+        ran.err,
+        QByteArray("handwheel: The file is closed, manifold and oriented.\n"
+                   "handwheel: Step 1, 'debris' changed nothing.\n"
+                   "handwheel: Step 2, 'corner' changed nothing: it is there already, has no area, or is too large "
+                   "to tell.\n"));
+    QCOMPARE(ran.out, QByteArray("Triangles: 12 before, 12 now.\n"));
+  }
+
+  void mistakes_data() {
+    QTest::addColumn<QStringList>("words");
+    QTest::addColumn<QByteArray>("message");
+    const auto row = [](const QStringList& words, const char* message) {
+      QTest::newRow(qPrintable(words.join(' '))) << words << QByteArray("handwheel: ") + message + "\n";
+    };
+    row({"-o", "b.off"}, "There is no step. Give some, or a file of them with --steps.\nTry 'handwheel help edit'.");
+    row({"flat"}, "The option -o OUT is missing.\nTry 'handwheel help edit'.");
+    const char* advice = "'handwheel help edit' lists the steps; loops are numbered as 'handwheel inspect' does.";
+    const auto wrong = [&](const QStringList& words, const QByteArray& where, const char* what) {
+      row(words + QStringList{"-o", "b.off"},
+          (where + ": the step cannot be done: " + what + ". " + advice).constData());
+    };
+    wrong({"corner", "fly away"}, "Step 2, 'fly away'", "there is no step 'fly'");
+    wrong({"fill 1"}, "Step 1, 'fill 1'", "there is no loop 1, only 0 to 0");
+    wrong({"corner", "--steps", "s.steps"}, "s.steps, line 3", "there is no triangle 99, only 0 to 9");
+  }
+  void mistakes() {
+    QFETCH(QStringList, words);
+    QFETCH(QByteArray, message);
+    const Bench bench;
+    bench.put("a.off", openCube().off());
+    bench.put("s.steps", "# one\ndelete 3\ndelete 99\n");
+    const Ran ran = bench.run(QStringList{"edit", "a.off"} + words);
+    QCOMPARE(ran.err, message);
+    QCOMPARE(ran.out, QByteArray());
+    QCOMPARE(ran.code, 1);
+    QCOMPARE(bench.names(), (QStringList{"a.off", "s.steps"}));
+  }
+
+  void onlyMeshes() {
+    const Bench bench;
+    QCOMPARE(bench.run({"new", "workpiece", "-o", "bar.handwheel"}).code, 0);
+    const Ran ran = bench.run({"edit", "bar.handwheel", "flat", "-o", "b.handwheel"});
+    QCOMPARE(ran.code, 1);
+    QCOMPARE(ran.err, QByteArray("handwheel: bar.handwheel is no mesh: only meshes are edited by steps.\n"));
+    bench.put("a.off", cube().off());
+    QCOMPARE(bench.run({"edit", "a.off", "flat", "-o", "b.docx"}).code, 1);
+    QCOMPARE(bench.names(), (QStringList{"a.off", "bar.handwheel"}));
+  }
+
+  // Every step that the program knows stands on the page.
+  void help() {
+    const QByteArray page = Bench().run({"help", "edit"}).out;
+    for (const char* verb :
+         {"place",       "flat",        "axes",           "centre",     "corner",       "delete",
+          "fill",        "keep-open",   "no-longer-open", "repair",     "back",         "cut-and-close",
+          "debris",      "degenerates", "duplicates",     "part",       "two-sides",    "near-vertices",
+          "uncross",     "decimate",    "bridge",         "join",       "face",         "pull",
+          "smooth-edge", "stroke",      "subdivide",      "level-back", "smooth-noise", "add",
+          "unit"})
+      QVERIFY2(QRegularExpression(QString("\n  (.*[,;|] )?%1\\b").arg(verb)).match(page).hasMatch(), verb);
+  }
+};
+
+QTEST_GUILESS_MAIN(EditTest)
+#include "EditTest.moc"
