@@ -100,12 +100,47 @@ QString newCommand(const std::string& kind, const std::vector<Property>& before,
          QStringLiteral(" -o ") + file(to);
 }
 
-QString repairedName(const QString& path) {
+QString editCommandLine(const QString& from, const std::vector<std::string>& steps, const QString& to) {
+  QString command = QStringLiteral("handwheel edit ") + file(from);
+  for (const std::string& step : steps) command += QLatin1Char(' ') + stepWord(step);
+  return command + QStringLiteral(" -o ") + file(to);
+}
+
+QString editCommandLine(const QString& from, const QString& stepsFile, const QString& to) {
+  return QStringLiteral("handwheel edit %1 --steps %2 -o %3").arg(file(from), file(stepsFile), file(to));
+}
+
+QString ownCommand(const QString& from, const std::string& step, const QString& to) {
+  const QString words = QString::fromStdString(step);
+  const QString verb = words.section(QLatin1Char(' '), 0, 0);
+  return QStringLiteral("handwheel %1 %2 -o %3%4").arg(verb, file(from), file(to), words.mid(verb.size()));
+}
+
+QString stepWord(const std::string& step) {
+  return quoted(QString::fromStdString(step));
+}
+
+QString splitCommand(const QString& from, const QString& folder) {
+  return QStringLiteral("handwheel split %1 -o %2").arg(file(from), file(folder));
+}
+
+namespace {
+
+QString taggedName(const QString& path, const QString& tag) {
   const QFileInfo file(path);
   const QString suffix = file.suffix().isEmpty() ? QStringLiteral("stl") : file.suffix();
   const QString base = file.completeBaseName();
-  const QString tag = QStringLiteral("-repaired");
   return file.dir().filePath((base.endsWith(tag) ? base : base + tag) + QLatin1Char('.') + suffix);
+}
+
+}  // namespace
+
+QString editedName(const QString& path) {
+  return taggedName(path, QStringLiteral("-edited"));
+}
+
+QString repairedName(const QString& path) {
+  return taggedName(path, QStringLiteral("-repaired"));
 }
 
 }  // namespace handwheel

@@ -23,6 +23,18 @@ QString setCommand(const QString& from, const std::vector<Property>& before, con
 QString newCommand(const std::string& kind, const std::vector<Property>& before, const std::vector<Property>& now,
                    const QString& to);
 
+// Steps of "handwheel edit" (tools/mesh/MeshSteps.h), or a file of them.
+QString editCommandLine(const QString& from, const std::vector<std::string>& steps, const QString& to);
+QString editCommandLine(const QString& from, const QString& stepsFile, const QString& to);
+// One whose verb is a command with the same words.
+QString ownCommand(const QString& from, const std::string& step, const QString& to);
+QString stepWord(const std::string& step);  // as one word for a shell
+// "split" takes a folder.
+QString splitCommand(const QString& from, const QString& folder);
+inline constexpr qsizetype kLongestCommand = 2000;  // characters, beyond which nobody reads or pastes one
+
+// "scan.stl" becomes "scan-edited.stl" beside it.
+QString editedName(const QString& path);
 // "scan.stl" becomes "scan-repaired.stl" beside it.
 QString repairedName(const QString& path);
 

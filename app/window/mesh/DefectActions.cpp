@@ -4,6 +4,7 @@
 
 #include "mesh/MeshFidelity.h"
 #include "tools/mesh/DefectFixes.h"
+#include "tools/mesh/FillWords.h"
 #include "window/ActionTip.h"
 #include "window/FidelityChoice.h"
 #include "window/mesh/HolePreview.h"
@@ -100,12 +101,7 @@ FillOptions DefectActions::options() const {
   FillOptions options;
   apply(m_fidelity.values(), options);
   options.numbers = m_document->document.fileNumbers();
-  const Inspection& inspection = m_document->inspection;
-  for (const int id : inspection.keptOpen()) {
-    if (inspection.loop(id).rim) continue;
-    for (const Vec3& p : loopPoints(m_document->document.mesh(), inspection.loop(id)))
-      options.keptCorners.insert(placeKey(p));
-  }
+  options.keptCorners = keptCorners(m_document->document);
   return options;
 }
 

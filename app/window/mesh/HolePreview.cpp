@@ -137,7 +137,7 @@ const FillAttempt* HolePreview::attempt() const {
 PreparedFill HolePreview::take() {
   PreparedFill prepared;
   if (m_state.kind == PreviewState::Kind::Ready || m_state.kind == PreviewState::Kind::Failed) {
-    prepared = {m_bench, std::move(m_attempt)};
+    prepared = {m_bench, std::move(m_attempt), m_options};
   }
   m_bench = nullptr;
   clear();

@@ -15,10 +15,11 @@ class FidelityChoice;
 class WindowServices;
 struct OpenMesh;
 
-// What a fill starts from: the bench, and the attempt that the preview showed when there is one.
+// What a fill starts from: the bench, the attempt that the preview showed when there is one, and what that was made by.
 struct PreparedFill {
   std::shared_ptr<FillBench> bench;
   std::optional<FillAttempt> attempt;
+  std::optional<FillOptions> options = {};
 };
 
 // Computes on a worker what filling a hole would give, as soon as the hole is selected.

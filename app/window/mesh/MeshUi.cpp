@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/MeshUi.h"
 
+#include "document/EditCommand.h"
+#include "document/mesh/KeepOpenEdit.h"
 #include "document/mesh/MeshKind.h"
 #include "fidelity/Cases.h"
 #include "mesh/MeshFidelity.h"
 #include "panels/DefectModel.h"
 #include "panels/DefectsPanel.h"
+#include "panels/LogModel.h"
 #include "panels/MessageBar.h"
 #include "tools/mesh/BoundaryTool.h"
 #include "tools/mesh/DecimateTool.h"
@@ -21,6 +24,7 @@
 #include "window/FidelityChoice.h"
 #include "window/ToolHost.h"
 #include "window/mesh/DefectScene.h"
+#include "window/mesh/EditSteps.h"
 #include "window/mesh/NextSteps.h"
 #include "window/mesh/OpenMesh.h"
 
@@ -39,6 +43,7 @@ MeshUi::MeshUi(const WindowParts& parts, MeshKind& kind)
       m_actions(m_selection, m_jobs, m_preview, parts.fidelity, this),
       m_defectActions(m_selection, m_jobs, m_preview, parts.fidelity, this),
       m_shells(parts, kind, *this, m_jobs),
+      m_stepsFile(parts, this),
       m_panel(new DefectsPanel(
           {m_actions.repairAll(), m_actions.previous(), m_actions.next(), m_actions.fill(), m_actions.keepOpen(),
            m_actions.preview(), m_defectActions.giveBack(), m_defectActions.cutAndClose(), m_defectActions.fix()},
@@ -61,6 +66,7 @@ MeshUi::MeshUi(const WindowParts& parts, MeshKind& kind)
   });
   connect(&m_show, &RepairShow::changed, this, &KindUi::stateChanged);
   connect(&m_shells, &ShellActions::message, this, &KindUi::message);
+  connect(&m_stepsFile, &StepsFile::message, this, &KindUi::message);
   connect(&m_jobs, &RepairJobs::message, this, &KindUi::message);
   connectSelection();
   connect(&m_parts.fidelity, &FidelityChoice::changed, this, &MeshUi::followFidelity);
@@ -132,8 +138,21 @@ std::unique_ptr<OpenDocument> MeshUi::open(std::unique_ptr<Document> document) {
           [mesh = open.get()](const std::vector<Face>& touched) { mesh->meshChanged(touched); });
   connect(&open->document, &Document::fileChanged, this, [mesh = open.get()] {
     if (!mesh->document.isModified()) mesh->changesInFile = mesh->changes;
+    noteFile(*mesh);
   });
+  connect(&open->document, &Document::changed, &m_stepsFile, &StepsFile::follow);
+  connect(open->document.history(), &QUndoStack::indexChanged, this, [this, mesh = open.get()] { logMark(*mesh); });
+  noteFile(*open);
   return open;
+}
+
+// What is kept open is marked at once, without a job that would log it.
+void MeshUi::logMark(const OpenMesh& open) {
+  const QUndoStack& history = *open.document.history();
+  if (history.index() == 0 || history.index() != history.count()) return;  // an undo, most likely
+  const auto& done = static_cast<const EditCommand&>(*history.command(history.index() - 1));
+  if (dynamic_cast<const KeepOpenEdit*>(&done.edit()))
+    m_parts.log.add(tr("%1: %2").arg(open.document.name(), done.text()), stepCommand(open, done.step()));
 }
 
 void MeshUi::setDocument(OpenDocument* document) {
@@ -150,6 +169,7 @@ void MeshUi::setDocument(OpenDocument* document) {
   m_actions.setDocument(m_document);
   m_defectActions.setDocument(m_document);
   m_shells.setDocument(m_document);
+  m_stepsFile.setDocument(m_document);
   m_selection.setDocument(m_document);
 }
 
@@ -233,11 +253,10 @@ QString MeshUi::openedText(const OpenDocument& document) const {
       .arg(mesh.inspection.count(DefectKind::Flipped));
 }
 
-// No command line makes a change of the mesh but "repair", which was logged when it was done.
 QString MeshUi::saveCommand(const OpenDocument& open, const QString& path) const {
   const auto& mesh = static_cast<const OpenMesh&>(open);
   const bool isCopy = mesh.isAsInFile() && !mesh.document.isModified() && mesh.document.path() != path;
-  return isCopy ? convertCommand(mesh.document.path(), path) : QString();
+  return isCopy ? convertCommand(mesh.document.path(), path) : editCommand(mesh, path);
 }
 
 QString MeshUi::suggestedName(const OpenDocument& document) const {

@@ -15,6 +15,7 @@
 #include "window/mesh/Selection.h"
 #include "window/mesh/SelfIntersectionSearch.h"
 #include "window/mesh/ShellActions.h"
+#include "window/mesh/StepsFile.h"
 
 #include <QPointer>
 
@@ -43,7 +44,7 @@ class MeshUi : public KindUi {
   QWidget* panel() override;
   QString menuTitle() const override { return tr("&Repair"); }
   QList<QAction*> menu() override {
-    return m_actions.all() + m_defectActions.all() + m_shells.all() << m_deviation.action();
+    return m_actions.all() + m_defectActions.all() + m_shells.all() << m_deviation.action() << m_stepsFile.action();
   }
   QList<QAction*> help() override { return {m_show.action()}; }
   QList<QAction*> toolBar() override;
@@ -62,6 +63,7 @@ class MeshUi : public KindUi {
   void connectSelection();
   void followFidelity();
   void compareMethods();
+  void logMark(const OpenMesh& open);
 
   WindowParts m_parts;
   MeshKind& m_kind;
@@ -72,6 +74,7 @@ class MeshUi : public KindUi {
   RepairActions m_actions;
   DefectActions m_defectActions;
   ShellActions m_shells;
+  StepsFile m_stepsFile;
   QPointer<DefectsPanel> m_panel;
   DeviationView m_deviation;
   SectionView m_section;

@@ -6,6 +6,7 @@
 #include "mesh/Repair.h"
 #include "panels/Inspection.h"
 #include "window/OpenDocument.h"
+#include "window/mesh/EditBase.h"
 
 namespace handwheel {
 
@@ -32,6 +33,7 @@ struct OpenMesh : OpenDocument {
   // Of the mesh, undo and redo included; as many as when it was last as in its file.
   std::uint64_t changes = 0;
   std::uint64_t changesInFile = 0;
+  std::vector<EditBase> bases;  // the newest last
   // touched: as in MeshDocument::meshChanged.
   void meshChanged(const std::vector<Face>& touched) {
     ++changes;

@@ -2,16 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/RepairJobs.h"
 
-#include "mesh/Cleaning.h"
 #include "mesh/MeshFidelity.h"
 #include "panels/LogModel.h"
 #include "panels/MessageBar.h"
 #include "proximity/SelfIntersection.h"
 #include "text/ErrorText.h"
 #include "text/RepairText.h"
+#include "tools/mesh/DefectFixes.h"
+#include "tools/mesh/MeshSteps.h"
 #include "window/CommandText.h"
 #include "window/DocumentTabs.h"
 #include "window/FidelityChoice.h"
+#include "window/mesh/EditSteps.h"
 #include "window/mesh/OpenMesh.h"
 
 #include <QCoreApplication>
@@ -55,10 +57,10 @@ void RepairJobs::startFill(OpenMesh* document, Vertex key, PreparedFill prepared
   const int loopId = document->inspection.loopWithKey(key);
   if (loopId < 0) return;  // an undo or another fill was faster
   const std::uint64_t revision = document->document.revision();
-  FillOptions options;
-  apply(m_fidelity.values(), options);
+  FillOptions options = prepared.options.value_or(FillOptions());
+  if (!prepared.options) apply(m_fidelity.values(), options);
   options.numbers = document->document.fileNumbers();
-  if (!prepared.bench) prepared = {std::make_shared<FillBench>(document->document.mesh()), std::nullopt};
+  if (!prepared.bench) prepared = {std::make_shared<FillBench>(document->document.mesh()), std::nullopt, options};
   Job job;
   job.name = tr("Filling hole %1").arg(document->inspection.loopNumber(loopId));
   job.work = [this, document, key, revision, round, options, nearWeld = nearWeld(), prepared = std::move(prepared),
@@ -72,34 +74,35 @@ void RepairJobs::startFill(OpenMesh* document, Vertex key, PreparedFill prepared
       filler->accept(loop, attempt.patch);
       after = inspected(filler->mesh(), nearWeld, progress.part(0.6, 1.0));
     }
-    return [this, document, key, revision, round, bench = prepared.bench, failure = attempt.failure, after] {
+    return [this, document, key, revision, round, options, bench = prepared.bench, failure = attempt.failure, after] {
       if (!m_tabs.contains(document)) return;
-      if (!isStale(document, revision)) return filledOne(document, key, bench, failure, after);
+      if (!isStale(document, revision))
+        return filledOne(document, key, bench, {failure, fillStep(key, options)}, after);
       tellStale(*document, round);
-      if (round == Round::First) startFill(document, key, {}, Round::Second);
+      if (round == Round::First) startFill(document, key, {nullptr, std::nullopt, options}, Round::Second);
     };
   };
   start(document, std::move(job));
 }
 
-void RepairJobs::filledOne(OpenMesh* document, Vertex key, const std::shared_ptr<FillBench>& bench, FillFailure failure,
+void RepairJobs::filledOne(OpenMesh* document, Vertex key, const std::shared_ptr<FillBench>& bench, const Filled& done,
                            const InspectedMesh& after) {
   const int loop = document->inspection.loopWithKey(key);
   const QString name = document->inspection.loopName(loop);
   const int number = document->inspection.loopNumber(loop);
-  document->inspection.setFailure(loop, failure);
-  if (failure != FillFailure::None) {
-    m_log.add(tr("%1 stays open: %2").arg(name, fillFailureReason(failure)), {}, LogEntry::Weight::Warning);
+  document->inspection.setFailure(loop, done.failure);
+  if (done.failure != FillFailure::None) {
+    m_log.add(tr("%1 stays open: %2").arg(name, fillFailureReason(done.failure)), {}, LogEntry::Weight::Warning);
     return;
   }
-  document->document.commit(tr("Fill hole %1").arg(number), after);
-  m_log.add(tr("Filled %1 of %2").arg(name, document->document.name()));
+  const QString command = stepCommand(*document, done.step);
+  document->document.commit(tr("Fill hole %1").arg(number), after, done.step);
+  m_log.add(tr("Filled %1 of %2").arg(name, document->document.name()), command);
   emit filled(document, key, bench);
 }
 
 void RepairJobs::removeDebris(OpenMesh* document) {
-  change(document, {QT_TRANSLATE_NOOP("Tool", "Remove debris"),
-                    [](HalfEdgeMesh& mesh, Progress progress) { handwheel::removeDebris(mesh, progress); }});
+  change(document, allDebrisFix());
 }
 
 void RepairJobs::change(OpenMesh* document, MeshChange wanted) {
@@ -152,8 +155,9 @@ void RepairJobs::startChange(OpenMesh* document, MeshChange wanted, Round round)
 void RepairJobs::changed(OpenMesh* document, const MeshChange& wanted, const QString& text, const InspectedMesh& after,
                          const std::optional<CrossingsChange>& crossings) {
   const auto known = document->inspection.selfIntersections();
-  if (document->document.commit(text, after)) {
-    m_log.add(tr("%1: %2").arg(document->document.name(), text));
+  const QString command = stepCommand(*document, wanted.step);
+  if (document->document.commit(text, after, wanted.step)) {
+    m_log.add(tr("%1: %2").arg(document->document.name(), text), command);
     if (!crossings) return;
     // So the list of defects need not wait until the whole surface has been searched again.
     if (known && known->size() < kMaxTrianglePairs)
@@ -209,7 +213,7 @@ void RepairJobs::repairedAll(OpenMesh* document, const InspectedMesh& after, con
   const auto failures = failuresOf(inspection, report);
   logRepair(*document, report, options);
   document->repaired = true;
-  document->document.commit(tr("Repair all"), after);
+  document->document.commit(tr("Repair all"), after, repairStep(options));
   inspection.setFailures(failures);
 }
 
@@ -218,7 +222,8 @@ void RepairJobs::logRepair(const OpenMesh& document, const RepairReport& report,
   if (const std::size_t kept = countOf(report, LoopOutcome::KeptOpen); kept > 0) parts << tr("%1 kept open").arg(kept);
   parts << repairSummary(report);
   m_log.add(tr("Repaired %1: %2").arg(document.document.name(), parts.join(QStringLiteral(", "))),
-            document.isAsInFile() ? repairCommand(document.document.path(), options) : QString());
+            document.isAsInFile() ? repairCommand(document.document.path(), options)
+                                  : stepCommand(document, repairStep(options)));
   for (const LoopResult& loop : report.loops) {
     if (loop.outcome != LoopOutcome::Failed) continue;
     const QString name = loop.id >= 0 ? document.inspection.loopName(loop.id) : tr("A hole that the repair laid open");

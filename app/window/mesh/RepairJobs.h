@@ -60,7 +60,11 @@ class RepairJobs : public QObject {
                const std::optional<CrossingsChange>& crossings);
   double nearWeld() const;  // for the defects of what a job made
   bool isStale(OpenMesh* document, std::uint64_t revision) const;
-  void filledOne(OpenMesh* document, Vertex key, const std::shared_ptr<FillBench>& bench, FillFailure failure,
+  struct Filled {
+    FillFailure failure;
+    std::string step;
+  };
+  void filledOne(OpenMesh* document, Vertex key, const std::shared_ptr<FillBench>& bench, const Filled& done,
                  const InspectedMesh& after);
   void repairedAll(OpenMesh* document, const InspectedMesh& after, const RepairReport& report,
                    const RepairOptions& options);

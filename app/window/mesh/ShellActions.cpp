@@ -8,7 +8,9 @@
 #include "panels/MessageBar.h"
 #include "text/ErrorText.h"
 #include "theme/Icons.h"
+#include "tools/mesh/MeshSteps.h"
 #include "window/ActionTip.h"
+#include "window/CommandText.h"
 #include "window/DocumentTabs.h"
 #include "window/FileFilters.h"
 #include "window/JobRunner.h"
@@ -17,6 +19,8 @@
 #include "window/mesh/OpenMesh.h"
 #include "window/mesh/RepairJobs.h"
 
+#include <QDir>
+#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 
@@ -25,6 +29,12 @@ namespace handwheel {
 namespace {
 
 constexpr std::size_t kMostShells = 20;  // as tabs; more are for the command line
+
+// "scan.stl" falls into "scan-shells" beside it.
+QString shellsFolder(const QString& path) {
+  const QFileInfo file(path);
+  return file.dir().filePath(file.completeBaseName() + QStringLiteral("-shells"));
+}
 
 }  // namespace
 
@@ -54,7 +64,10 @@ void ShellActions::split() {
   Job job;
   job.name = m_split.iconText();
   job.owner = m_document;
-  job.work = [this, mesh = m_document->document.mesh(),
+  const bool isAsInFile = m_document->isAsInFile() && !m_document->document.isModified();
+  const QString path = m_document->document.path();
+  const QString command = isAsInFile ? splitCommand(path, shellsFolder(path)) : QString();
+  job.work = [this, command, mesh = m_document->document.mesh(),
               numbers = m_document->document.fileNumbers()](Progress progress) -> Job::Finish {
     const auto shells = findShells(mesh, progress.part(0.0, 0.2));
     std::vector<std::shared_ptr<MeshSnapshot>> contents;
@@ -65,21 +78,21 @@ void ShellActions::split() {
       file.numbers = numbers;
       contents.push_back(meshSnapshotOf(file, tolerance::kNearWeld, progress.part(from, from + each)));
     }
-    return [this, contents = std::move(contents), count = shells.size()] {
-      contents.empty() ? tellCount(count) : open(contents);
+    return [this, command, contents = std::move(contents), count = shells.size()] {
+      contents.empty() ? tellCount(count) : open(contents, command);
     };
   };
   job.failed = [this](const Error& error) { tellFailed(tr("The shells could not be opened"), error); };
   m_parts.jobs.start(std::move(job));
 }
 
-void ShellActions::open(const std::vector<std::shared_ptr<MeshSnapshot>>& shells) {
+void ShellActions::open(const std::vector<std::shared_ptr<MeshSnapshot>>& shells, const QString& command) {
   for (const auto& shell : shells) {
     OpenedFile opened = DocumentKinds::blank(m_kind);
     opened.content = shell;
     m_parts.tabs.add(m_ui.open(m_kind.make(std::move(opened))));
   }
-  m_parts.log.add(tr("Split into %Ln shell(s)", nullptr, static_cast<int>(shells.size())));
+  m_parts.log.add(tr("Split into %Ln shell(s)", nullptr, static_cast<int>(shells.size())), command);
 }
 
 void ShellActions::tellCount(std::size_t shells) {
@@ -120,10 +133,9 @@ void ShellActions::add(OpenMesh* document, const QString& path) {
     if (!other) {
       return [this, title, error = other.error()] { tellFailed(title, error); };
     }
-    return [this, document, other = *other] {
+    return [this, document, path, other = *other] {
       if (!m_parts.tabs.contains(document)) return;
-      m_jobs.change(document, {QT_TRANSLATE_NOOP("Tool", "Add a mesh"),
-                               [other](HalfEdgeMesh& mesh, Progress) { append(mesh, other); }});
+      m_jobs.change(document, addChange(QFile::encodeName(QFileInfo(path).absoluteFilePath()).toStdString(), other));
     };
   };
   m_parts.jobs.start(std::move(job));

@@ -27,7 +27,7 @@ class ShellActions : public QObject {
 
  private:
   void split();
-  void open(const std::vector<std::shared_ptr<MeshSnapshot>>& shells);
+  void open(const std::vector<std::shared_ptr<MeshSnapshot>>& shells, const QString& command);
   void tellCount(std::size_t shells);
   void tellFailed(const QString& title, const Error& error);
   void askForMesh();

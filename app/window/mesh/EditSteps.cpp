@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/mesh/EditSteps.h"
+
+#include "document/DocumentKind.h"
+#include "window/CommandText.h"
+#include "window/mesh/OpenMesh.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <algorithm>
+
+namespace handwheel {
+
+QString stepCommand(const OpenMesh& document, const std::string& step) {
+  if (step.empty()) return {};
+  const QString path = document.document.path();
+  if (document.isAsInFile() && !document.document.isModified()) {
+    // Those that have a command of their own take the same words.
+    if (step.starts_with("decimate ") && step.find("rad") == std::string::npos)
+      return ownCommand(path, step, editedName(path));
+    return editCommandLine(path, {step}, editedName(path));
+  }
+  const QString word = stepWord(step);
+  return word.size() > kLongestCommand ? QString() : QStringLiteral("… %1 …").arg(word);
+}
+
+std::optional<EditPath> editPath(const OpenMesh& document, bool toContainer) {
+  for (auto base = document.bases.rbegin(); base != document.bases.rend(); ++base) {
+    auto steps = stepsSince(document.document, base->state);
+    if (!steps) continue;
+    const LengthUnit unit = document.document.displayUnit();
+    if (toContainer && unit != base->displayUnit) steps->push_back(std::string("unit ") + symbolOf(unit));
+    return EditPath{&*base, std::move(*steps)};
+  }
+  return std::nullopt;
+}
+
+QString editCommand(const OpenMesh& document, const QString& to) {
+  const auto path = editPath(document, isContainerName(QFile::encodeName(to).toStdString()));
+  if (!path) return {};
+  const QString& from = path->base->path;
+  if (path->steps.empty()) return from == to || path->base->isReplaced ? QString() : convertCommand(from, to);
+  QString command = editCommandLine(from, path->steps, to);
+  if (command.size() > kLongestCommand) command = editCommandLine(from, stepsName(to), to);
+  if (path->base->isReplaced)
+    command += QStringLiteral("  # with %1 as it was when it was opened").arg(QFileInfo(from).fileName());
+  return command;
+}
+
+QString stepsName(const QString& path) {
+  const QFileInfo file(path);
+  return file.dir().filePath(file.completeBaseName() + QStringLiteral(".steps"));
+}
+
+QByteArray stepsText(const EditPath& path) {
+  QByteArray text = "# handwheel edit " + QFileInfo(path.base->path).fileName().toUtf8() + " --steps THIS -o OUT\n";
+  for (const std::string& step : path.steps) text += QByteArray::fromStdString(step) + '\n';
+  return text;
+}
+
+void noteFile(OpenMesh& open) {
+  const MeshDocument& document = open.document;
+  const DocumentFile& file = document.file();
+  const bool isUntouched = document.history()->count() == 0;
+  if (document.isModified()) {
+    if (isUntouched) open.bases.clear();  // recovered: nobody knows what its file holds
+    return;
+  }
+  if (file.path.empty() || !file.damage.empty()) return;
+  // The command line opens other formats in millimetres.
+  const LengthUnit unit = file.isContainer ? document.displayUnit() : LengthUnit::Millimetre;
+  const EditBase now{document.path(), presentPoint(document), unit};
+  const auto same = std::find_if(open.bases.begin(), open.bases.end(),
+                                 [&now](const EditBase& base) { return base.path == now.path; });
+  const bool isFirst = open.bases.empty() && isUntouched;
+  if (same != open.bases.end() && file.isContainer) open.bases.erase(same);
+  if (file.isContainer || isFirst) {
+    open.bases.push_back(now);
+  } else if (same != open.bases.end() && same->state != now.state) {
+    same->isReplaced = true;
+  }
+}
+
+}  // namespace handwheel

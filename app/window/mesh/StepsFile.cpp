@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/mesh/StepsFile.h"
+
+#include "document/AtomicFile.h"
+#include "panels/LogModel.h"
+#include "panels/MessageBar.h"
+#include "text/ErrorText.h"
+#include "window/ActionTip.h"
+#include "window/CommandText.h"
+#include "window/DocumentTabs.h"
+#include "window/mesh/EditSteps.h"
+#include "window/mesh/OpenMesh.h"
+
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+
+namespace handwheel {
+
+StepsFile::StepsFile(const WindowParts& parts, QObject* parent)
+    : QObject(parent), m_parts(parts), m_save(tr("Save s&teps…"), this) {
+  m_save.setObjectName(QStringLiteral("saveSteps"));
+  setTip(m_save, tr("Write what was done to the mesh as a file that “handwheel edit --steps” reads"));
+  connect(&m_save, &QAction::triggered, this, &StepsFile::ask);
+  follow();
+}
+
+void StepsFile::setDocument(OpenMesh* document) {
+  m_document = document;
+  follow();
+}
+
+void StepsFile::follow() {
+  m_save.setEnabled(m_document && m_document->document.history()->index() > 0);
+}
+
+void StepsFile::ask() {
+  auto* dialog = new QFileDialog(m_parts.window, tr("Save steps"), stepsName(m_document->document.path()),
+                                 tr("Steps (%1)").arg(QStringLiteral("*.steps")));
+  dialog->setObjectName(QStringLiteral("saveStepsDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(QStringLiteral("steps"));
+  connect(dialog, &QFileDialog::fileSelected, this, [this, document = m_document](const QString& path) {
+    if (m_parts.tabs.contains(document)) write(*document, path);
+  });
+  dialog->open();
+}
+
+void StepsFile::write(const OpenMesh& document, const QString& path) {
+  const QString name = QFileInfo(path).fileName();
+  const auto way = editPath(document);
+  if (!way) {
+    emit message({Message::Weight::Warning,
+                  tr("%1 was not written").arg(name),
+                  tr("There is no file from which the steps lead to the present state."),
+                  tr("Save the document as *.handwheel, and go on from there."),
+                  {},
+                  {}});
+    return;
+  }
+  const Status written = writeFileAtomically(QFile::encodeName(path).toStdString(), stepsText(*way).toStdString());
+  if (!written) {
+    emit message({Message::Weight::Error,
+                  tr("%1 could not be saved").arg(name),
+                  errorSentence(written.error()),
+                  errorAdvice(written.error()),
+                  {},
+                  {}});
+    return;
+  }
+  m_parts.log.add(tr("Saved the steps as %1").arg(name),
+                  editCommandLine(way->base->path, path, editedName(document.document.path())));
+}
+
+}  // namespace handwheel

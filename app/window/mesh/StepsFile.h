@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "window/KindUi.h"
+
+namespace handwheel {
+
+struct OpenMesh;
+
+// "Save steps": writes what was done to a mesh as a file that "handwheel edit" reads.
+class StepsFile : public QObject {
+  Q_OBJECT
+
+ public:
+  StepsFile(const WindowParts& parts, QObject* parent);
+
+  QAction* action() { return &m_save; }
+  void setDocument(OpenMesh* document);  // null: no mesh is in view
+  void follow();                         // it has changed
+
+ signals:
+  void message(const handwheel::Message& message);
+
+ private:
+  void ask();
+  void write(const OpenMesh& document, const QString& path);
+
+  WindowParts m_parts;
+  OpenMesh* m_document = nullptr;
+  QAction m_save;
+};
+
+}  // namespace handwheel
