@@ -45,6 +45,14 @@ class LogCommandTest : public QObject {
     process.start("/bin/sh", {"-c", command});
     return process.waitForFinished(120000) ? process.exitCode() : -1;
   }
+  // By the button of the tool for placing, as one step.
+  static bool place(WindowDriver& driver, const QByteArray& where) {
+    const auto before = driver.find<QTreeView>("logView")->model()->rowCount();
+    driver.find<QAbstractButton>("toolAction/" + where)->click();
+    return QTest::qWaitFor([&] { return driver.find<QTreeView>("logView")->model()->rowCount() > before; },
+                           kPatienceMs) &&
+           driver.settle();
+  }
   bool saveAs(WindowDriver& driver, const QString& path) {
     driver.choose("saveFileAs");
     return driver.enterFileName("saveDialog", path) && driver.settle();
@@ -77,6 +85,67 @@ class LogCommandTest : public QObject {
     QVERIFY(!copy.empty() && QFile::remove(m_folder.filePath("copy.stl")));
     QCOMPARE(paste(lastCommand(driver)), 0);
     QVERIFY(readStl(m_folder.filePath("copy.stl")) == copy);
+  }
+
+  // Whatever was done by hand, and taken back, leads to the same bytes again.
+  void handWork() {
+    const QString path = m_folder.filePath("by hand.stl"), saved = m_folder.filePath("made.ply");
+    writeStl(path, torus(48, 24, {{3, 5}, {20, 11}, {33, 2}}));
+    WindowDriver driver;
+    QVERIFY(driver.open(path));
+    driver.clickDefect(DefectKind::Hole, 1);
+    QVERIFY(driver.settle());
+    driver.find<QAction>("fillHole")->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), 2, kPatienceMs);
+    QVERIFY(driver.settle());
+    const QString fill = lastCommand(driver);
+    QVERIFY2(fill.contains("edit") && fill.contains("'fill v"), qPrintable(fill));
+    driver.clickDefect(DefectKind::Hole, 0);
+    QVERIFY(driver.settle());
+    driver.find<QAction>("keepOpen")->trigger();
+    QVERIFY2(lastCommand(driver).startsWith("… 'keep-open v"), qPrintable(lastCommand(driver)));
+    driver.find<QAction>("transformTool")->trigger();
+    QVERIFY(driver.settle());
+    QVERIFY(place(driver, "corner") && place(driver, "axes"));
+    driver.find<QAction>("undo")->trigger();
+    QVERIFY(driver.settle());
+    QVERIFY(saveAs(driver, saved));
+    const QString command = lastCommand(driver);
+    QVERIFY2(command.contains(" corner -o ") && !command.contains("axes"), qPrintable(command));
+    const QByteArray made = content(saved);
+    QVERIFY(QFile::remove(saved) && !made.isEmpty());
+    QCOMPARE(paste(command), 0);
+    QVERIFY(content(saved) == made);
+  }
+
+  // From a container on, what it holds is where the steps begin, and the very same file comes out.
+  void onFromAContainer() {
+    const QString path = m_folder.filePath("scan 2.stl"), first = m_folder.filePath("first.handwheel"),
+                  second = m_folder.filePath("second.handwheel");
+    writeStl(path, torus(48, 24, {{3, 5}, {20, 11}, {33, 2}}));
+    WindowDriver driver;
+    QVERIFY(driver.open(path));
+    driver.clickDefect(DefectKind::Hole, 0);
+    QVERIFY(driver.settle());
+    driver.find<QAction>("fillHole")->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), 2, kPatienceMs);
+    QVERIFY(driver.settle() && saveAs(driver, first));
+    driver.click("repairAllButton");
+    QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::Hole), 0, kPatienceMs);
+    QVERIFY(driver.settle() && saveAs(driver, second));
+    const QString command = lastCommand(driver);
+    QVERIFY2(command.contains("first.handwheel") && command.count("fill v") == 0, qPrintable(command));
+    const QByteArray made = content(second);
+    QVERIFY(QFile::remove(second) && !made.isEmpty());
+    QCOMPARE(paste(command), 0);
+    QVERIFY(content(second) == made);
+    // The steps as a file.
+    const QString steps = m_folder.filePath("second.steps");
+    driver.find<QAction>("undo")->trigger();
+    QVERIFY(driver.settle());
+    driver.choose("saveSteps");
+    QVERIFY(driver.enterFileName("saveStepsDialog", steps) && driver.settle());
+    QVERIFY(content(steps).startsWith("# handwheel edit "));
   }
 
   // The values are those of the moment, not those of whoever pastes the command.
