@@ -79,6 +79,10 @@ class EditTest : public QObject {
                    "handwheel: Step 2, 'corner' changed nothing: it is there already, has no area, or is too large "
                    "to tell.\n"));
     QCOMPARE(ran.out, QByteArray("Triangles: 12 before, 12 now.\n"));
+    QCOMPARE(
+        bench.run({"edit", "a.off", "bridge 3,9", "-o", "b.off"}).err.split('\n').at(1),
+        QByteArray("handwheel: Step 1, 'bridge 3,9' changed nothing: nothing is open there, or a triangle would turn "
+                   "over, cross another or double an edge."));
   }
 
   void mistakes_data() {

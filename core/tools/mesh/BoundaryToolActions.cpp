@@ -184,9 +184,9 @@ ToolReply BoundaryTool::commitProposal() {
     m_services.commit(std::move(change));
     return ToolReply::Used;
   }
-  m_services.commit(deleteChange(proposal.faces, proposal.kind == Kind::Islands
-                                                     ? QT_TRANSLATE_NOOP("Tool", "Remove islands")
-                                                     : QT_TRANSLATE_NOOP("Tool", "Remove peninsulas")));
+  const char* text = proposal.kind == Kind::Islands ? QT_TRANSLATE_NOOP("Tool", "Remove islands")
+                                                    : QT_TRANSLATE_NOOP("Tool", "Remove peninsulas");
+  m_services.commit(deleteChange(proposal.faces, text, kEdgeChanged));
   return ToolReply::Used;
 }
 

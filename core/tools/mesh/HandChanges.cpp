@@ -42,12 +42,12 @@ std::string stepOf(const DecimationOptions& options) {
 
 }  // namespace
 
-MeshChange deleteChange(FaceSelection faces, const char* text) {
+MeshChange deleteChange(FaceSelection faces, const char* text, const char* hindrance) {
   StepWriter step("delete");
   step.word(rangesText(faces));
   return withStep(
       {text, [faces = std::move(faces)](HalfEdgeMesh& mesh, Progress progress) { removeFaces(mesh, faces, progress); },
-       kEdgeChanged},
+       hindrance},
       step.text());
 }
 

@@ -13,7 +13,8 @@ namespace handwheel {
 // What is done by hand with faces and open edges, each with its step. Numbers that mean nothing in the mesh that it is
 // applied to change nothing.
 
-MeshChange deleteChange(FaceSelection faces, const char* text);
+// text, hindrance: as in MeshChange.
+MeshChange deleteChange(FaceSelection faces, const char* text, const char* hindrance = nullptr);
 MeshChange decimateChange(const DecimationOptions& options);
 // Over three points of open edges, counter-clockwise as seen from outside.
 MeshChange faceChange(const Triangle& face);

@@ -9,6 +9,7 @@
 #include "document/mesh/MeshEdit.h"
 #include "mesh/MeshFidelity.h"
 #include "mesh/Shells.h"
+#include "tools/mesh/BorderPicking.h"
 #include "tools/mesh/DefectFixes.h"
 #include "tools/mesh/FillWords.h"
 #include "tools/mesh/HandChanges.h"
@@ -265,9 +266,14 @@ constexpr StepForm kForms[] = {
     {"unit U", "In which lengths are shown: mm, cm, m, in"},
 };
 
+// In a window the edge has changed while the change was on its way; here it never was so.
+constexpr const char* kImpossible =
+    "nothing is open there, or a triangle would turn over, cross another or double an edge";
+
 Result<StepOutcome> applyChange(MeshDocument& document, const MeshChange& change, Progress progress) {
   const bool changed = commitChange(document, change, progress);
-  return StepOutcome{changed, changed ? nullptr : change.hindrance, FillFailure::None};
+  const char* why = change.hindrance == kEdgeChanged ? kImpossible : change.hindrance;
+  return StepOutcome{changed, changed ? nullptr : why, FillFailure::None};
 }
 
 }  // namespace
