@@ -472,6 +472,14 @@
         <source>Use a name that ends in %1.</source>
         <translation>Nehmen Sie einen Namen mit der Endung %1.</translation>
     </message>
+    <message>
+        <source>the step cannot be done: %1</source>
+        <translation>der Schritt lässt sich nicht ausführen: %1</translation>
+    </message>
+    <message>
+        <source>'handwheel help edit' lists the steps; loops are numbered as 'handwheel inspect' does.</source>
+        <translation>„handwheel help edit“ führt die Schritte auf; Randschleifen sind nummeriert wie von „handwheel inspect“.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -4718,6 +4726,10 @@
         <source>A scanned part with holes. Close the first one with Enter.</source>
         <translation>Ein gescanntes Teil mit Löchern. Schließen Sie das erste mit der Eingabetaste.</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::MessageBar</name>
@@ -5635,6 +5647,45 @@
     <message>
         <source>Services</source>
         <translation>Dienste</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::StepsFile</name>
+    <message>
+        <source>Save s&amp;teps…</source>
+        <translation>Sch&amp;ritte speichern…</translation>
+    </message>
+    <message>
+        <source>Write what was done to the mesh as a file that “handwheel edit --steps” reads</source>
+        <translation>Schreibt, was mit dem Netz getan wurde, als Datei, die „handwheel edit --steps“ liest</translation>
+    </message>
+    <message>
+        <source>Save steps</source>
+        <translation>Schritte speichern</translation>
+    </message>
+    <message>
+        <source>Steps (%1)</source>
+        <translation>Schritte (%1)</translation>
+    </message>
+    <message>
+        <source>%1 was not written</source>
+        <translation>%1 wurde nicht geschrieben</translation>
+    </message>
+    <message>
+        <source>There is no file from which the steps lead to the present state.</source>
+        <translation>Es gibt keine Datei, von der die Schritte zum jetzigen Stand führen.</translation>
+    </message>
+    <message>
+        <source>Save the document as *.handwheel, and go on from there.</source>
+        <translation>Speichern Sie das Dokument als *.handwheel, und arbeiten Sie von dort aus weiter.</translation>
+    </message>
+    <message>
+        <source>%1 could not be saved</source>
+        <translation>%1 konnte nicht gespeichert werden</translation>
+    </message>
+    <message>
+        <source>Saved the steps as %1</source>
+        <translation>Schritte als %1 gespeichert</translation>
     </message>
 </context>
 <context>

@@ -472,6 +472,14 @@
         <source>Use a name that ends in %1.</source>
         <translation>请使用以 %1 结尾的名称。</translation>
     </message>
+    <message>
+        <source>the step cannot be done: %1</source>
+        <translation>无法执行该步骤：%1</translation>
+    </message>
+    <message>
+        <source>'handwheel help edit' lists the steps; loops are numbered as 'handwheel inspect' does.</source>
+        <translation>“handwheel help edit”列出所有步骤；边界环的编号与“handwheel inspect”相同。</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -4684,6 +4692,10 @@
         <source>A scanned part with holes. Close the first one with Enter.</source>
         <translation>一个有孔洞的扫描零件。按 Enter 封闭第一个。</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::MessageBar</name>
@@ -5589,6 +5601,45 @@
     <message>
         <source>Services</source>
         <translation>服务</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::StepsFile</name>
+    <message>
+        <source>Save s&amp;teps…</source>
+        <translation>保存步骤(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Write what was done to the mesh as a file that “handwheel edit --steps” reads</source>
+        <translation>将对网格所做的操作写成“handwheel edit --steps”可读取的文件</translation>
+    </message>
+    <message>
+        <source>Save steps</source>
+        <translation>保存步骤</translation>
+    </message>
+    <message>
+        <source>Steps (%1)</source>
+        <translation>步骤 (%1)</translation>
+    </message>
+    <message>
+        <source>%1 was not written</source>
+        <translation>未写入 %1</translation>
+    </message>
+    <message>
+        <source>There is no file from which the steps lead to the present state.</source>
+        <translation>没有可由这些步骤得到当前状态的文件。</translation>
+    </message>
+    <message>
+        <source>Save the document as *.handwheel, and go on from there.</source>
+        <translation>请将文档另存为 *.handwheel，再从那里继续。</translation>
+    </message>
+    <message>
+        <source>%1 could not be saved</source>
+        <translation>无法保存 %1</translation>
+    </message>
+    <message>
+        <source>Saved the steps as %1</source>
+        <translation>步骤已保存为 %1</translation>
     </message>
 </context>
 <context>
