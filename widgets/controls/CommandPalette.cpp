@@ -32,6 +32,12 @@ constexpr int kLongestQuery = 64;
 constexpr int kRemembered = 12;
 const auto kRecentKey = QStringLiteral("palette/recent");
 
+bool isUsed(int key) {
+  constexpr int kKeys[] = {Qt::Key_Escape, Qt::Key_Return,   Qt::Key_Enter, Qt::Key_Up,     Qt::Key_Down,
+                           Qt::Key_PageUp, Qt::Key_PageDown, Qt::Key_Tab,   Qt::Key_Backtab};
+  return std::find(std::begin(kKeys), std::end(kKeys), key) != std::end(kKeys);
+}
+
 }  // namespace
 
 CommandPalette::CommandPalette(QMainWindow* window)
@@ -55,7 +61,7 @@ CommandPalette::CommandPalette(QMainWindow* window)
   m_query->setAccessibleName(tr("Search commands"));
   m_query->setMaxLength(kLongestQuery);
   m_query->addAction(icon(QStringLiteral("search")), QLineEdit::LeadingPosition);
-  m_query->installEventFilter(this);
+  for (QWidget* part : {static_cast<QWidget*>(m_query), static_cast<QWidget*>(m_list)}) part->installEventFilter(this);
   m_nothing->setObjectName(QStringLiteral("noCommand"));
   m_nothing->setProperty("muted", true);
   m_nothing->setContentsMargins(8, 0, 8, 4);
@@ -100,14 +106,16 @@ void CommandPalette::hideEvent(QHideEvent* event) {
 
 bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
   if (watched == m_window && event->type() == QEvent::Resize) place();
+  // Its keys are not those of the window's commands meanwhile: Return would fill a hole that is selected.
+  if (watched != m_window && event->type() == QEvent::ShortcutOverride &&
+      isUsed(static_cast<QKeyEvent*>(event)->key())) {
+    event->accept();
+    return true;
+  }
   if (watched != m_query) return QFrame::eventFilter(watched, event);
   if (event->type() == QEvent::FocusOut && static_cast<QFocusEvent*>(event)->reason() != Qt::PopupFocusReason &&
       static_cast<QFocusEvent*>(event)->reason() != Qt::ActiveWindowFocusReason) {
     hide();
-  }
-  if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-    event->accept();  // not the Esc of the window
-    return true;
   }
   return event->type() == QEvent::KeyPress && useKey(static_cast<QKeyEvent*>(event));
 }

@@ -227,6 +227,20 @@ void CommandPaletteTest::goesAway() {
   QVERIFY(!bench.palette.isVisible());
   QCOMPARE(escaped.size(), 0);
   QCOMPARE(QApplication::focusWidget(), bench.before);
+  // The same of its other keys: in the window Return fills the hole that is selected.
+  for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter, Qt::Key_Up, Qt::Key_PageDown, Qt::Key_Tab}) {
+    QAction command("Fill", bench.window.get());
+    command.setShortcut(key);
+    bench.window->addAction(&command);
+    QSignalSpy triggered(&command, &QAction::triggered);
+    bench.palette.popUp();
+    QTest::keyClicks(bench.query, "no command has this name");
+    QTest::keyClick(bench.query, key);
+    QVERIFY2(triggered.empty(), qPrintable(QKeySequence(key).toString()));
+    bench.palette.hide();
+    QTest::keyClick(bench.before, key);
+    QCOMPARE(triggered.size(), 1);
+  }
   bench.palette.popUp();
   QTest::mouseClick(bench.before, Qt::LeftButton);
   bench.before->setFocus(Qt::MouseFocusReason);
