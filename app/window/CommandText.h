@@ -31,7 +31,7 @@ QString ownCommand(const QString& from, const std::string& step, const QString& 
 QString stepWord(const std::string& step);  // as one word for a shell
 // "split" takes a folder.
 QString splitCommand(const QString& from, const QString& folder);
-inline constexpr qsizetype kLongestCommand = 2000;  // characters, beyond which nobody reads or pastes one
+inline constexpr int kLongestCommand = 2000;  // characters, beyond which nobody reads or pastes one
 
 // "scan.stl" becomes "scan-edited.stl" beside it.
 QString editedName(const QString& path);

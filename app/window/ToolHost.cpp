@@ -188,9 +188,9 @@ void ToolHost::show() {
 
 void ToolHost::showActions() {
   const Tool* tool = m_runner.tool();
-  m_keys.follow(tool);
-  if (!tool) return m_panel.setActions({}, {});
-  m_panel.setActions(tool->actions(), [this, tool](const ToolAction& action) { return m_keys.text(*tool, action); });
+  const std::vector<ToolAction> actions = tool ? tool->actions() : std::vector<ToolAction>();
+  m_keys.follow(tool, actions);
+  m_panel.setActions(actions, [this, tool](const ToolAction& action) { return m_keys.text(*tool, action); });
 }
 
 void ToolHost::showNothing() {

@@ -51,8 +51,7 @@ void ToolKeys::add(const QString& title, const std::string& tool, std::span<cons
   }
 }
 
-void ToolKeys::follow(const Tool* tool) {
-  const std::vector<ToolAction> declared = tool ? tool->actions() : std::vector<ToolAction>();
+void ToolKeys::follow(const Tool* tool, const std::vector<ToolAction>& declared) {
   for (const auto& [id, actions] : m_actions) {
     for (const auto& [name, action] : actions) {
       const auto now =

@@ -29,8 +29,8 @@ class ToolKeys : public QObject {
 
   // Of a tool of this title and Tool::id(). Once more does no harm.
   void add(const QString& title, const std::string& tool, std::span<const ToolKey> keys);
-  // Which of them can be used now. Null: no tool is running.
-  void follow(const Tool* tool);
+  // Which of them can be used now: what the tool declares. Null: no tool is running.
+  void follow(const Tool* tool, const std::vector<ToolAction>& declared);
 
   // The key of an action as the user's system writes it; empty when it has none.
   QString text(const Tool& tool, const ToolAction& action);

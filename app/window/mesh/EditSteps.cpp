@@ -13,6 +13,24 @@
 
 namespace handwheel {
 
+namespace {
+
+// A deletion of scattered triangles has millions of characters: such steps are not even put together.
+bool isLong(const std::vector<std::string>& steps) {
+  std::size_t length = 0;
+  for (const std::string& step : steps) length += step.size();
+  return length > kLongestCommand;
+}
+
+// With a file of the steps where they would be too long: the one that "Save steps" offers for a document of this path.
+QString lineOf(const QString& from, const std::vector<std::string>& steps, const QString& to, const QString& path) {
+  const QString command = isLong(steps) ? QString() : editCommandLine(from, steps, to);
+  const bool isShort = !command.isEmpty() && command.size() <= kLongestCommand;
+  return isShort ? command : editCommandLine(from, stepsName(path), to);
+}
+
+}  // namespace
+
 QString stepCommand(const OpenMesh& document, const std::string& step) {
   if (step.empty()) return {};
   const QString path = document.document.path();
@@ -20,10 +38,9 @@ QString stepCommand(const OpenMesh& document, const std::string& step) {
     // Those that have a command of their own take the same words.
     if (step.starts_with("decimate ") && step.find("rad") == std::string::npos)
       return ownCommand(path, step, editedName(path));
-    return editCommandLine(path, {step}, editedName(path));
+    return lineOf(path, {step}, editedName(path), path);
   }
-  const QString word = stepWord(step);
-  return word.size() > kLongestCommand ? QString() : QStringLiteral("… %1 …").arg(word);
+  return step.size() > kLongestCommand ? QString() : QStringLiteral("… %1 …").arg(stepWord(step));
 }
 
 std::optional<EditPath> editPath(const OpenMesh& document, bool toContainer) {
@@ -42,8 +59,7 @@ QString editCommand(const OpenMesh& document, const QString& to) {
   if (!path) return {};
   const QString& from = path->base->path;
   if (path->steps.empty()) return from == to || path->base->isReplaced ? QString() : convertCommand(from, to);
-  QString command = editCommandLine(from, path->steps, to);
-  if (command.size() > kLongestCommand) command = editCommandLine(from, stepsName(to), to);
+  QString command = lineOf(from, path->steps, to, to);
   if (path->base->isReplaced)
     command += QStringLiteral("  # with %1 as it was when it was opened").arg(QFileInfo(from).fileName());
   return command;

@@ -140,7 +140,7 @@ std::unique_ptr<OpenDocument> MeshUi::open(std::unique_ptr<Document> document) {
     if (!mesh->document.isModified()) mesh->changesInFile = mesh->changes;
     noteFile(*mesh);
   });
-  connect(&open->document, &Document::changed, &m_stepsFile, &StepsFile::follow);
+  connect(open->document.history(), &QUndoStack::indexChanged, &m_stepsFile, &StepsFile::follow);
   connect(open->document.history(), &QUndoStack::indexChanged, this, [this, mesh = open.get()] { logMark(*mesh); });
   noteFile(*open);
   return open;

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "MeshShapes.h"
 #include "StlFiles.h"
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
 
+#include <QComboBox>
 #include <QProcess>
 
 using namespace handwheel;
@@ -146,6 +148,46 @@ class LogCommandTest : public QObject {
     driver.choose("saveSteps");
     QVERIFY(driver.enterFileName("saveStepsDialog", steps) && driver.settle());
     QVERIFY(content(steps).startsWith("# handwheel edit "));
+  }
+
+  // Nobody reads a line of a thousand numbers, and a list that lays one out stands still: it names the file of steps.
+  void aLongStep() {
+    const QString path = m_folder.filePath("two balls.stl");
+    const TriangleSoup ball = icosphere(3);
+    std::vector<Corners> mesh;
+    for (const Triangle& t : ball.triangles) {
+      for (const float size : {10.0f, 5.0f}) {
+        Corners& corners = mesh.emplace_back();
+        for (std::size_t k = 0; k < 3; ++k)
+          for (std::size_t i = 0; i < 3; ++i)
+            corners[k][i] = size * static_cast<float>(ball.points[t[k]][static_cast<int>(i)]);
+      }
+    }
+    writeStl(path, mesh);
+    WindowDriver driver;
+    QVERIFY(driver.open(path));
+    driver.find<QAction>("selectTool")->trigger();
+    QVERIFY(driver.settle());
+    auto* by = driver.find<QWidget>("property/mode")->findChild<QComboBox*>();
+    by->setCurrentIndex(3);  // what hangs together
+    emit by->activated(3);
+    auto* view = driver.find<Viewport>("viewport");
+    QTRY_VERIFY_WITH_TIMEOUT(view->isPickingReady(), kPatienceMs);
+    QTest::mouseClick(view, Qt::LeftButton, {}, view->rect().center());
+    QVERIFY(driver.settle());
+    QTRY_VERIFY_WITH_TIMEOUT(driver.find<QAbstractButton>("toolAction/delete")->isEnabled(), kPatienceMs);
+    const auto before = driver.find<QTreeView>("logView")->model()->rowCount();
+    driver.find<QAbstractButton>("toolAction/delete")->click();
+    QTRY_VERIFY_WITH_TIMEOUT(driver.find<QTreeView>("logView")->model()->rowCount() > before, kPatienceMs);
+    QVERIFY2(lastCommand(driver).contains("--steps") && lastCommand(driver).contains("two balls.steps"),
+             qPrintable(lastCommand(driver).left(200)));
+    QVERIFY(driver.settle());
+    driver.choose("saveSteps");
+    QVERIFY(driver.enterFileName("saveStepsDialog", m_folder.filePath("two balls.steps")) && driver.settle());
+    const QString command = lastCommand(driver);
+    QVERIFY(saveAs(driver, m_folder.filePath("two balls-edited.ply")));
+    QCOMPARE(paste(command), 0);
+    QCOMPARE(readStl(m_folder.filePath("two balls-edited.stl")).size(), ball.triangles.size());
   }
 
   // The values are those of the moment, not those of whoever pastes the command.
