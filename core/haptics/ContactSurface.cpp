@@ -5,8 +5,17 @@
 #include "base/Tolerance.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace handwheel {
+namespace {
+
+std::uint64_t nextVersion() {
+  static std::atomic<std::uint64_t> last = 0;
+  return ++last;
+}
+
+}  // namespace
 
 ContactSurface::ContactSurface(std::span<const Vec3> points, std::span<const Triangle> triangles, Progress progress) {
   std::vector<ContactTriangle> all;
@@ -29,6 +38,7 @@ double ContactSurface::skin() const {
 }
 
 void ContactSurface::update(std::span<const std::uint32_t> removed, std::span<const ContactTriangle> added) {
+  m_version = nextVersion();
   for (const std::uint32_t id : removed) remove(id);
   for (const ContactTriangle& t : added) remove(t.id);
   if (added.empty()) return;
@@ -47,6 +57,7 @@ void ContactSurface::update(std::span<const std::uint32_t> removed, std::span<co
 void ContactSurface::add(std::vector<ContactTriangle> triangles, Progress progress) {
   const auto part = std::make_shared<const ContactPart>(std::move(triangles), progress);
   if (part->size() == 0) return;
+  m_version = nextVersion();
   const std::uint32_t serial = m_nextSerial++;
   for (std::uint32_t slot = 0; slot < part->size(); ++slot) {
     const ContactTriangle& t = part->triangle(slot);

@@ -36,6 +36,8 @@ class ContactSurface {
   // How far a proxy stays off the surface, mm. Far from the origin coordinates are coarser than the model's size says.
   double skin() const;
   bool empty() const { return m_layers.empty(); }
+  // Changes with each edit; the same for copies, and for them alone.
+  std::uint64_t version() const { return m_version; }
   // Whether both came from one by edits, and not from different models.
   bool isVersionOf(const ContactSurface& other) const {
     return empty() == other.empty() && (empty() || m_layers.front().part == other.m_layers.front().part);
@@ -75,6 +77,7 @@ class ContactSurface {
   PagedArray<Place> m_places;   // by number of triangle
   Box m_bounds;
   std::uint32_t m_nextSerial = 0;
+  std::uint64_t m_version = 0;
 };
 
 }  // namespace handwheel

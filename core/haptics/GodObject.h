@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/ContactSurface.h"
+#include "haptics/LocalFaces.h"
 
 namespace handwheel {
 
@@ -26,9 +26,10 @@ struct Contact {
 
 // The point that a tip pushes over a surface and that never goes through it (Zilles and Salisbury, "A constraint-based
 // god-object method for haptic display", IROS 1995): each tick it moves to where it is nearest to the tip, on a way
-// that crosses no triangle from either side. Planes met are kept only as long as the proxy stays where it met them,
-// and released together otherwise, so that it slides out of concave corners. It has no radius; it keeps off the surface
-// by ContactSurface::skin(). Servo thread: neither allocates nor locks; a few microseconds.
+// that crosses no triangle from either side. Planes met are kept while the proxy stays where it met them or right over
+// their triangles, and let go otherwise, so that it slides out of concave corners. It has no radius; it keeps off the
+// surface by ContactSurface::skin(). What it has looked up and met serves the next tick as long as the surface is the
+// same. Servo thread: neither allocates nor locks; about a microsecond.
 class GodObject {
  public:
   // Puts the proxy at the tip, as in free space.
@@ -43,12 +44,14 @@ class GodObject {
   const Contact& contact() const { return m_contact; }
 
  private:
-  void slide(class LocalFaces& faces, const Vec3& tip, const ContactOptions& options, double rest, double skin);
+  void slide(const Vec3& tip, const ContactOptions& options, double rest, double skin);
+  bool stepOut(const Vec3& tip, double friction, double skin);
 
   Contact m_contact;
   Vec3 m_proxy = Vec3::Zero();  // off the surface, where a tip that rests within the skin is not
   Vec3 m_tip = Vec3::Zero();
-  double m_fit = 0.0;   // how far ahead triangles can be looked up here, mm; 0: not known
+  LocalFaces m_faces;
+  ContactPlanes m_planes;  // at the proxy
   bool m_wound = true;  // it touches the side that the winding calls outside
 };
 

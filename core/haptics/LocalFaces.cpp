@@ -2,42 +2,50 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/LocalFaces.h"
 
+#include "haptics/LineThroughTriangle.h"
+
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace handwheel {
 namespace {
 
-// What rounding can add to a triple product, as a share of the product of the lengths: a line that passes an edge or a
-// corner that triangles share must hit one of them.
-constexpr double kEdgeRounding = 1e-15;
-
 // The box that is looked up stands out around the way by this share of the reach,
-constexpr double kMargin = 0.3;
+constexpr double kMargin = 0.2;
 // and a step is taken in it as long as so much of the reach is left.
-constexpr double kWanted = 0.25;
+constexpr double kWanted = 0.05;
 constexpr double kLeastReach = 16.0;  // skins
-
-// Whether the line from p along the step passes through the triangle: it sees the corners turn one way (Segura and
-// Feito 2001). Swapping two corners changes the sign exactly, so that neighbours agree on their edge.
-bool passesThrough(const Vec3& p, const Vec3& step, const TrianglePoints& t) {
-  const Vec3 a = t[0] - p, b = t[1] - p, c = t[2] - p;
-  const double far = std::max({a.squaredNorm(), b.squaredNorm(), c.squaredNorm()});
-  const double error = kEdgeRounding * step.norm() * far;
-  const double u = step.dot(b.cross(c)), v = step.dot(c.cross(a)), w = step.dot(a.cross(b));
-  return static_cast<bool>(((u >= -error) & (v >= -error) & (w >= -error)) |
-                           ((u <= error) & (v <= error) & (w <= error)));  // in one branch, as facesAhead()
-}
+// The reach is such that a look-up finds about so many triangles: fewer, and there is one in each tick; more, and each
+// sweep passes over all of them.
+constexpr double kUsualFaces = 8.0;
 
 }  // namespace
 
+bool LocalFaces::begin(const ContactSurface& surface, const Vec3& expected) {
+  const bool isSame = m_version == surface.version();
+  if (!isSame) m_box.setEmpty();
+  m_surface = &surface;
+  m_version = surface.version();
+  m_skin = surface.skin();
+  m_expected = expected;
+  m_hasLooked = false;
+  m_reach = m_usualReach > 0.0 ? m_usualReach : expected.norm();
+  return isSame;
+}
+
 LocalFaces::Sweep LocalFaces::sweep(const Vec3& p, const Vec3& step) {
   Sweep best;
-  const bool local = lookUp(p, step);
-  const double share = inside(p, step);
+  m_reach = std::max(m_reach, kLeastReach * m_skin);
+  const double length = step.norm();
+  double share = inside(p, step);
+  if (share * length < std::min(length, kWanted * m_reach)) {
+    lookUpAround(p, m_hasLooked ? step : m_expected);
+    share = inside(p, step);
+  }
   const Vec3 way = share * step;
   double crossing = std::numeric_limits<double>::infinity();
-  if (local) {
+  if (m_count <= kCapacity) {
     std::array<std::uint8_t, kCapacity> ahead;
     const std::size_t count = facesAhead(p, way, ahead);
     for (std::size_t i = 0; i < count; ++i) test(m_faces[ahead[i]], p, way, best, crossing);
@@ -46,7 +54,7 @@ LocalFaces::Sweep LocalFaces::sweep(const Vec3& p, const Vec3& step) {
     Box box(p);
     box.extend(p + way);
     const Vec3 margin = Vec3::Constant(2.0 * m_skin);
-    m_surface.forEachInBox(Box(box.min() - margin, box.max() + margin), [&](const ContactTriangle& t) {
+    m_surface->forEachInBox(Box(box.min() - margin, box.max() + margin), [&](const ContactTriangle& t) {
       const Vec3 normal = (t.corners[1] - t.corners[0]).cross(t.corners[2] - t.corners[0]).normalized();
       test({t.corners, normal, t.id}, p, way, best, crossing);
       return true;
@@ -56,12 +64,12 @@ LocalFaces::Sweep LocalFaces::sweep(const Vec3& p, const Vec3& step) {
   return best;
 }
 
-// Those whose planes the step reaches. Without a branch: which they are changes from sweep to sweep, and to guess it
-// wrong costs a processor more than the sums.
+// Those whose planes the step reaches. Without a branch, as in FaceBoxes.
 std::size_t LocalFaces::facesAhead(const Vec3& p, const Vec3& step, std::array<std::uint8_t, kCapacity>& ahead) const {
   std::size_t count = 0;
-  for (std::size_t i = 0; i < m_count; ++i) {
-    const Face& face = m_faces[i];
+  for (std::uint64_t near = m_boxes.meeting(p, step, m_skin, m_count); near != 0; near &= near - 1) {
+    const int i = std::countr_zero(near);
+    const Face& face = m_faces[static_cast<std::size_t>(i)];
     const double from = face.normal.dot(p - face.corners[0]);
     const double change = (from < 0.0 ? -1.0 : 1.0) * face.normal.dot(step);
     ahead[count] = static_cast<std::uint8_t>(i);
@@ -89,48 +97,42 @@ void LocalFaces::test(const Face& face, const Vec3& p, const Vec3& step, Sweep& 
   best.fraction = std::clamp((from - m_skin) / -change, 0.0, at);
   const double height = from + best.fraction * change;
   best.hit = HalfSpace{wound ? face.normal : Vec3(-face.normal), m_skin - height};
-  best.triangle = face.id;
-  best.wound = wound;
+  best.face = {face.corners, face.id, wound};
 }
 
 double LocalFaces::inside(const Vec3& p, const Vec3& step) const {
+  if (!m_box.contains(p)) return 0.0;
   double share = 1.0;
   for (int k = 0; k < 3; ++k) {
-    if (step[k] > 0.0) share = std::min(share, (m_box.max()[k] - p[k]) / step[k]);
-    if (step[k] < 0.0) share = std::min(share, (m_box.min()[k] - p[k]) / step[k]);
+    const double room = step[k] > 0.0 ? m_box.max()[k] - p[k] : p[k] - m_box.min()[k];
+    const double length = std::abs(step[k]);
+    share = room < share * length ? room / length : share;
   }
-  return std::max(share, 0.0);
+  return share;
 }
 
-// False where more triangles meet than there is room for.
-bool LocalFaces::lookUp(const Vec3& p, const Vec3& step) {
-  m_reach = std::max(m_reach, kLeastReach * m_skin);
-  if (m_box.isEmpty()) return lookUpAround(p, m_expected);
-  const double length = step.norm();
-  const double wanted = std::min(length, kWanted * m_reach);
-  if (m_box.contains(p) && inside(p, step) * length >= wanted) return m_count <= kCapacity;
-  return lookUpAround(p, step);
-}
-
-bool LocalFaces::lookUpAround(const Vec3& p, const Vec3& way) {
+void LocalFaces::lookUpAround(const Vec3& p, const Vec3& way) {
+  m_hasLooked = true;
   const double length = way.norm();
   const double least = kLeastReach * m_skin;
   for (;;) {
-    const Vec3 ahead = length > m_reach ? Vec3(p + way * (m_reach / length)) : Vec3(p + way);
-    Box box(p);
-    box.extend(ahead);
+    m_box = Box(p);
+    if (length > 0.0) m_box.extend(p + way * (m_reach / length));
     const Vec3 margin = Vec3::Constant(kMargin * m_reach);
-    m_box = Box(box.min() - margin, box.max() + margin);
-    if (gather(m_box)) return true;
-    m_crowded = true;
-    if (m_reach <= least) return false;
+    m_box = Box(m_box.min() - margin, m_box.max() + margin);
+    if (gather()) break;
+    if (m_reach <= least) return;
     m_reach = std::max(0.5 * m_reach, least);
   }
+  // Where there is nothing, no further than the tip goes in a tick: what comes may be small.
+  m_usualReach = m_count == 0 ? std::min(2.0 * m_reach, m_expected.norm())
+                              : m_reach * std::clamp(std::sqrt(kUsualFaces / static_cast<double>(m_count)), 0.5, 2.0);
 }
 
-bool LocalFaces::gather(const Box& box) {
+bool LocalFaces::gather() {
   m_count = 0;
-  return m_surface.forEachInBox(box, [&](const ContactTriangle& t) {
+  m_boxes.clear(m_box);
+  return m_surface->forEachInBox(m_box, [&](const ContactTriangle& t) {
     const Vec3 normal = (t.corners[1] - t.corners[0]).cross(t.corners[2] - t.corners[0]);
     const double length = normal.norm();
     if (!(length > 0.0)) return true;  // no area: its neighbours cover it
@@ -138,6 +140,7 @@ bool LocalFaces::gather(const Box& box) {
       ++m_count;
       return false;
     }
+    m_boxes.set(m_count, t.corners);
     m_faces[m_count++] = {t.corners, normal / length, t.id};
     return true;
   });

@@ -2,37 +2,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/ConeProjection.h"
+#include "haptics/ContactPlanes.h"
 #include "haptics/ContactSurface.h"
+#include "haptics/FaceBoxes.h"
 
 #include <array>
+#include <bit>
 #include <optional>
 
 namespace handwheel {
 
-// The triangles around a proxy, looked up once and then swept against many times within a tick. On the servo thread:
-// fixed memory.
+// The triangles around a proxy, looked up once and then swept against many times, over several ticks. On the servo
+// thread: fixed memory.
 class LocalFaces {
  public:
-  // expected: where the proxy will go from its first place, as far as that can be told before; what is looked up first
-  // lies around this way, so that one look-up mostly serves a tick.
-  LocalFaces(const ContactSurface& surface, const Vec3& expected)
-      : m_surface(surface), m_skin(surface.skin()), m_expected(expected) {}
+  static constexpr std::size_t kCapacity = FaceBoxes::kCapacity;
 
-  // How far ahead to look up, mm.
-  void setReach(double reach) { m_reach = reach; }
-  double reach() const { return m_reach; }
-  // More triangles were there than it holds, so that the reach was shortened.
-  bool crowded() const { return m_crowded; }
+  // A tick begins. expected: where the proxy will go from its first place, as far as that can be told before; what is
+  // looked up next lies around this way, so that one look-up mostly serves. False when the surface is not that of the
+  // tick before: then what was known of it counts no more. The surface must outlive the tick.
+  bool begin(const ContactSurface& surface, const Vec3& expected);
 
   struct Sweep {
     double fraction = 1.0;  // of the way gone: up to the skin over what is hit, or to the end of what is looked up
     std::optional<HalfSpace> hit;  // the plane that was hit, as what a further step y from the new place must keep
-    std::uint32_t triangle = kNone;
-    bool wound = false;  // the side touched is the one that the winding calls outside
+    TouchedFace face;              // its triangle
   };
   // Moves from p by the step, as far as nothing is in the way.
   Sweep sweep(const Vec3& p, const Vec3& step);
+
+  // Calls visit(corners) for the triangles looked up whose boxes come near a place in the last step, at times for more.
+  template <class Visit>
+  void forEachNear(const Vec3& p, double near, Visit visit) const {
+    if (m_count > kCapacity) return;
+    for (std::uint64_t bits = m_boxes.meeting(p, Vec3::Zero(), near, m_count); bits != 0; bits &= bits - 1)
+      visit(m_faces[static_cast<std::size_t>(std::countr_zero(bits))].corners);
+  }
+
+  // To look so far ahead in what is left of the tick, mm.
+  void setReach(double reach) { m_reach = reach; }
+  double reach() const { return m_reach; }
 
  private:
   struct Face {
@@ -40,24 +49,25 @@ class LocalFaces {
     Vec3 normal;
     std::uint32_t id;
   };
-  static constexpr std::size_t kCapacity = 32;
-
-  bool lookUp(const Vec3& p, const Vec3& step);
-  bool lookUpAround(const Vec3& p, const Vec3& way);
-  bool gather(const Box& box);
-  // The share of the step that stays in the box looked up.
+  void lookUpAround(const Vec3& p, const Vec3& way);
+  // False where more triangles meet than there is room for.
+  bool gather();
+  // The share of the step that stays in the box looked up; 0 when it does not begin there.
   double inside(const Vec3& p, const Vec3& step) const;
   std::size_t facesAhead(const Vec3& p, const Vec3& step, std::array<std::uint8_t, kCapacity>& ahead) const;
   void test(const Face& face, const Vec3& p, const Vec3& step, Sweep& best, double& crossing) const;
 
-  const ContactSurface& m_surface;
-  double m_skin;
-  Vec3 m_expected;
+  const ContactSurface* m_surface = nullptr;
+  std::uint64_t m_version = 0;  // of the surface that was looked up
+  double m_skin = 0.0;
+  Vec3 m_expected = Vec3::Zero();
+  bool m_hasLooked = false;  // in this tick
   double m_reach = 0.0;
-  Box m_box;
+  double m_usualReach = 0.0;  // with which some few triangles are found; 0: not known
+  Box m_box;                  // that was looked up, and holds these
   std::array<Face, kCapacity> m_faces;
-  std::size_t m_count = 0;
-  bool m_crowded = false;
+  FaceBoxes m_boxes;
+  std::size_t m_count = 0;  // one more than there is room for: each sweep finds its triangles itself
 };
 
 }  // namespace handwheel

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Progress.h"
+#include "proximity/FourFloats.h"
 
 #include <Eigen/Core>
 #include <bit>
@@ -18,8 +19,7 @@ struct FloatBox {
   Eigen::Array4f high;
 
   bool meets(const FloatBox& other) const {
-    return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] && other.low[1] <= high[1] &&
-           low[2] <= other.high[2] && other.low[2] <= high[2];
+    return (atMost(low, other.high) & atMost(other.low, high) & 0b111) == 0b111;
   }
 };
 

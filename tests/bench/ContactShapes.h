@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "base/Geometry.h"
+#include "mesh/TriangleSoup.h"
 
 #include <cmath>
 #include <functional>
@@ -13,11 +13,6 @@
 // Surfaces for the benchmarks of touch, and what is wrong with scans of them.
 namespace handwheel::bench {
 
-struct TouchMesh {
-  std::vector<Vec3> points;
-  std::vector<Triangle> triangles;
-};
-
 constexpr double kBallRadius = 38.0;  // mm
 
 // Distance from the middle along a direction of length 1.
@@ -26,8 +21,8 @@ inline double bumpyRadius(const Vec3& d) {
 }
 
 // A ball from a cube with n by n squares to a face: 12 n² triangles.
-inline TouchMesh ball(int n, const std::function<double(const Vec3&)>& radius) {
-  TouchMesh mesh;
+inline TriangleSoup ball(int n, const std::function<double(const Vec3&)>& radius) {
+  TriangleSoup mesh;
   std::map<std::array<int, 3>, std::uint32_t> numbers;
   const auto corner = [&](int face, int i, int j) {
     const int a = 2 * i - n, b = 2 * j - n;
@@ -56,15 +51,15 @@ inline TouchMesh ball(int n, const std::function<double(const Vec3&)>& radius) {
 }
 
 // Every third triangle the wrong way round.
-inline void turnSome(TouchMesh& mesh) {
+inline void turnSome(TriangleSoup& mesh) {
   for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) std::swap(mesh.triangles[i][1], mesh.triangles[i][2]);
 }
 
 // Each triangle with corners of its own, up to so much away.
-inline void shatter(TouchMesh& mesh, double by) {
+inline void shatter(TriangleSoup& mesh, double by) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> off(-by, by);
-  TouchMesh soup;
+  TriangleSoup soup;
   for (const Triangle& t : mesh.triangles) {
     const auto first = static_cast<std::uint32_t>(soup.points.size());
     for (const std::uint32_t v : t) soup.points.push_back(mesh.points[v] + Vec3(off(random), off(random), off(random)));
@@ -74,9 +69,9 @@ inline void shatter(TouchMesh& mesh, double by) {
 }
 
 // Cut into sectors about the z axis, each drawn in by half the width at both of its sides.
-inline void cutSeams(TouchMesh& mesh, double width) {
+inline void cutSeams(TriangleSoup& mesh, double width) {
   constexpr double kSector = 2 * M_PI / 20;
-  TouchMesh cut;
+  TriangleSoup cut;
   std::map<std::pair<std::uint32_t, int>, std::uint32_t> numbers;
   for (const Triangle& t : mesh.triangles) {
     const Vec3 middle = (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]]) / 3.0;
@@ -98,7 +93,7 @@ inline void cutSeams(TouchMesh& mesh, double width) {
 }
 
 // A third of the triangles split so near to a corner that needles of a millionth of their length arise.
-inline void addNeedles(TouchMesh& mesh) {
+inline void addNeedles(TriangleSoup& mesh) {
   const std::size_t count = mesh.triangles.size();
   for (std::size_t i = 0; i < count; i += 3) {
     const Triangle t = mesh.triangles[i];

@@ -15,7 +15,7 @@
 namespace handwheel::bench {
 
 // A scan in the folder HANDWHEEL_DATA, as large as the ball; nothing where the folder is not named or has none such.
-inline std::optional<TouchMesh> scanOf(const char* name) {
+inline std::optional<TriangleSoup> scanOf(const char* name) {
   const char* const folder = std::getenv("HANDWHEEL_DATA");
   if (!folder) return std::nullopt;
   const Result<MeshFile> read = readMeshFile(std::filesystem::path(folder) / name, {});
@@ -25,12 +25,12 @@ inline std::optional<TouchMesh> scanOf(const char* name) {
   for (const Vec3& p : soup.points) box.extend(p);
   const double scale = 2 * kBallRadius / box.sizes().maxCoeff();
   for (Vec3& p : soup.points) p = scale * (p - box.center());
-  return TouchMesh{std::move(soup.points), std::move(soup.triangles)};
+  return soup;
 }
 
 // So many places, each the step (mm) further: around the axis over the surface, so much below it, and without the
 // trembling that the facets would give it.
-inline std::vector<Vec3> pathOver(const TouchMesh& mesh, const Vec3& axis, double step, double depth, int count) {
+inline std::vector<Vec3> pathOver(const TriangleSoup& mesh, const Vec3& axis, double step, double depth, int count) {
   constexpr int kSmooth = 100;     // places on either side
   constexpr double kRise = 10000;  // places until it has gone up the axis and down again
   const TriangleHierarchy surface(mesh.points, mesh.triangles);

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "bench/ContactShapes.h"
+#include "mesh/TriangleSoup.h"
 #include "proximity/ClosestPoint.h"
 
 #include <limits>
 
-namespace handwheel::bench {
+namespace handwheel::test {
 
 // Where a god-object without friction is on a mesh whose triangles share their corners, as a control: no hierarchy, no
 // steps, nothing kept off the surface. From where it is it goes straight on, over a triangle that it stands on, to the
@@ -15,7 +15,7 @@ namespace handwheel::bench {
 // not leave the surface, so it says nothing of a tip outside.
 class ExactGodObject {
  public:
-  explicit ExactGodObject(const TouchMesh& mesh) : m_mesh(mesh), m_first(mesh.points.size() + 1, 0) {
+  explicit ExactGodObject(const TriangleSoup& mesh) : m_mesh(mesh), m_first(mesh.points.size() + 1, 0) {
     for (const Triangle& t : mesh.triangles)
       for (const std::uint32_t v : t) ++m_first[v + 1];
     for (std::size_t v = 0; v < mesh.points.size(); ++v) m_first[v + 1] += m_first[v];
@@ -74,11 +74,11 @@ class ExactGodObject {
     m_triangle = t;
   }
 
-  const TouchMesh& m_mesh;
+  const TriangleSoup& m_mesh;
   std::vector<std::uint32_t> m_first, m_around;  // the triangles around each point
   std::uint32_t m_triangle = 0;
   Vec3 m_proxy = Vec3::Zero();
   double m_best = 0.0;  // mm²
 };
 
-}  // namespace handwheel::bench
+}  // namespace handwheel::test
