@@ -15,7 +15,7 @@ void ContactPlanes::beginAt(const Vec3& place) {
 }
 
 void ContactPlanes::add(const HalfSpace& plane, const TouchedFace& face) {
-  if (m_count == kCapacity) release();
+  if (m_count == kCapacity) letFirstGo();
   m_planes[m_count] = plane;
   m_faces[m_count++] = face;
 }
@@ -24,17 +24,17 @@ bool ContactPlanes::contains(const HalfSpace& plane) const {
   return std::ranges::any_of(all(), [&](const HalfSpace& p) { return p.normal == plane.normal; });
 }
 
-void ContactPlanes::release() {
+void ContactPlanes::letFirstGo() {
   std::shift_left(m_planes.begin(), m_planes.begin() + static_cast<std::ptrdiff_t>(m_count), 1);
   std::shift_left(m_faces.begin(), m_faces.begin() + static_cast<std::ptrdiff_t>(m_count), 1);
   --m_count;
 }
 
-bool ContactPlanes::moveTo(const Vec3& place, double skin) {
+void ContactPlanes::moveTo(const Vec3& place, double skin) {
   const Vec3 step = place - std::exchange(m_place, place);
   if ((place - m_met).norm() <= skin) {
     for (std::size_t i = 0; i < m_count; ++i) m_planes[i].least -= m_planes[i].normal.dot(step);
-    return false;
+    return;
   }
   m_met = place;
   std::size_t kept = 0;
@@ -47,7 +47,6 @@ bool ContactPlanes::moveTo(const Vec3& place, double skin) {
     ++kept;
   }
   m_count = kept;
-  return true;
 }
 
 }  // namespace handwheel

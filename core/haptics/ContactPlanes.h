@@ -6,7 +6,6 @@
 #include "proximity/TriangleIntersection.h"
 
 #include <array>
-#include <cstdint>
 #include <span>
 
 namespace handwheel {
@@ -14,7 +13,6 @@ namespace handwheel {
 // A triangle that a proxy was stopped by.
 struct TouchedFace {
   TrianglePoints corners;
-  std::uint32_t id = kNone;
   bool wound = false;  // the side touched is the one that the winding calls outside
 };
 
@@ -32,15 +30,14 @@ class ContactPlanes {
   // Where there are too many, the first is let go; it is met again where it matters.
   void add(const HalfSpace& plane, const TouchedFace& face);
   bool contains(const HalfSpace& plane) const;
-  // Lets the one go that was met first.
-  void release();
   // The proxy goes on to this place. Within the skin of where they were met they all stand; farther on those alone that
-  // it is still right over, about the skin above the triangle itself, so that a sweep would meet them at once. True
-  // when it is so far on.
-  bool moveTo(const Vec3& place, double skin);
+  // it is still right over, about the skin above the triangle itself, so that a sweep would meet them at once.
+  void moveTo(const Vec3& place, double skin);
 
  private:
   static constexpr std::size_t kCapacity = 8;
+
+  void letFirstGo();
 
   std::array<HalfSpace, kCapacity> m_planes;
   std::array<TouchedFace, kCapacity> m_faces;

@@ -36,7 +36,7 @@ class ContactSurface {
   // How far a proxy stays off the surface, mm. Far from the origin coordinates are coarser than the model's size says.
   double skin() const;
   bool empty() const { return m_layers.empty(); }
-  // Changes with each edit; the same for copies, and for them alone.
+  // Changes with each edit; the same for copies, and for them alone. (One that was moved from is not to be touched.)
   std::uint64_t version() const { return m_version; }
   // Whether both came from one by edits, and not from different models.
   bool isVersionOf(const ContactSurface& other) const {

@@ -20,7 +20,6 @@ struct Contact {
   Vec3 proxy = Vec3::Zero();   // mm; on the surface while touching, else at the tip
   Vec3 normal = Vec3::Zero();  // from the tip to the proxy, of length 1; zero while not touching
   double depth = 0.0;          // mm; how far the tip is from the proxy
-  std::uint32_t triangle = kNone;
   bool touching = false;
 };
 
@@ -44,15 +43,15 @@ class GodObject {
   const Contact& contact() const { return m_contact; }
 
  private:
-  void slide(const Vec3& tip, const ContactOptions& options, double rest, double skin);
-  bool stepOut(const Vec3& tip, double friction, double skin);
+  void slide(const ContactSurface& surface, const Vec3& tip, const ContactOptions& options);
+  bool stepOut(const ContactSurface& surface, const Vec3& tip, double friction);
 
   Contact m_contact;
   Vec3 m_proxy = Vec3::Zero();  // off the surface, where a tip that rests within the skin is not
   Vec3 m_tip = Vec3::Zero();
   LocalFaces m_faces;
   ContactPlanes m_planes;  // at the proxy
-  bool m_wound = true;  // it touches the side that the winding calls outside
+  bool m_wound = true;     // it touches the side that the winding calls outside
 };
 
 // F = k (Pp - Ph) - ζ V (eq. 3-4), N: k in N/mm, ζ in N·s/mm, V the velocity of the tip in mm/s, of which the part

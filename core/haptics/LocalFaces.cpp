@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace handwheel {
 namespace {
@@ -19,6 +20,18 @@ constexpr double kLeastReach = 16.0;  // skins
 // The reach is such that a look-up finds about so many triangles: fewer, and there is one in each tick; more, and each
 // sweep passes over all of them.
 constexpr double kUsualFaces = 8.0;
+
+// Whether all of a triangle, and of the space right above and below it, is farther than a skin from the box. The boxes
+// of slivers that lie aslant, as in a round end of a turned part, meet where they themselves do not.
+bool isApart(const TrianglePoints& t, const Vec3& normal, const Box& box, double skin) {
+  const Vec3 middle = box.center(), half = 0.5 * box.sizes();
+  if (std::abs(normal.dot(middle - t[0])) > normal.cwiseAbs().dot(half) + skin) return true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 out = (t[(k + 1) % 3] - t[k]).cross(normal);
+    if (out.dot(middle - t[k]) > out.cwiseAbs().dot(half) + skin * out.norm()) return true;
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -50,13 +63,13 @@ LocalFaces::Sweep LocalFaces::sweep(const Vec3& p, const Vec3& step) {
     const std::size_t count = facesAhead(p, way, ahead);
     for (std::size_t i = 0; i < count; ++i) test(m_faces[ahead[i]], p, way, best, crossing);
   } else {
-    // Thousands of triangles at one place, such as the tip of a fan: each is looked at where it stands.
+    // The tip of a fan of many: each is looked at where it stands.
     Box box(p);
     box.extend(p + way);
     const Vec3 margin = Vec3::Constant(2.0 * m_skin);
     m_surface->forEachInBox(Box(box.min() - margin, box.max() + margin), [&](const ContactTriangle& t) {
       const Vec3 normal = (t.corners[1] - t.corners[0]).cross(t.corners[2] - t.corners[0]).normalized();
-      test({t.corners, normal, t.id}, p, way, best, crossing);
+      test({t.corners, normal}, p, way, best, crossing);
       return true;
     });
   }
@@ -97,7 +110,7 @@ void LocalFaces::test(const Face& face, const Vec3& p, const Vec3& step, Sweep& 
   best.fraction = std::clamp((from - m_skin) / -change, 0.0, at);
   const double height = from + best.fraction * change;
   best.hit = HalfSpace{wound ? face.normal : Vec3(-face.normal), m_skin - height};
-  best.face = {face.corners, face.id, wound};
+  best.face = {face.corners, wound};
 }
 
 double LocalFaces::inside(const Vec3& p, const Vec3& step) const {
@@ -120,8 +133,11 @@ void LocalFaces::lookUpAround(const Vec3& p, const Vec3& way) {
     if (length > 0.0) m_box.extend(p + way * (m_reach / length));
     const Vec3 margin = Vec3::Constant(kMargin * m_reach);
     m_box = Box(m_box.min() - margin, m_box.max() + margin);
-    if (gather()) break;
-    if (m_reach <= least) return;
+    if (gather(Test::Boxes) || gather(Test::Triangles)) break;
+    if (m_reach <= least) {
+      m_usualReach = m_reach;
+      return;
+    }
     m_reach = std::max(0.5 * m_reach, least);
   }
   // Where there is nothing, no further than the tip goes in a tick: what comes may be small.
@@ -129,19 +145,20 @@ void LocalFaces::lookUpAround(const Vec3& p, const Vec3& way) {
                               : m_reach * std::clamp(std::sqrt(kUsualFaces / static_cast<double>(m_count)), 0.5, 2.0);
 }
 
-bool LocalFaces::gather() {
+bool LocalFaces::gather(Test test) {
   m_count = 0;
   m_boxes.clear(m_box);
   return m_surface->forEachInBox(m_box, [&](const ContactTriangle& t) {
     const Vec3 normal = (t.corners[1] - t.corners[0]).cross(t.corners[2] - t.corners[0]);
     const double length = normal.norm();
     if (!(length > 0.0)) return true;  // no area: its neighbours cover it
+    if (test == Test::Triangles && isApart(t.corners, normal / length, m_box, m_skin)) return true;
     if (m_count == kCapacity) {
       ++m_count;
       return false;
     }
     m_boxes.set(m_count, t.corners);
-    m_faces[m_count++] = {t.corners, normal / length, t.id};
+    m_faces[m_count++] = {t.corners, normal / length};
     return true;
   });
 }

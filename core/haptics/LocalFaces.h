@@ -7,7 +7,6 @@
 #include "haptics/FaceBoxes.h"
 
 #include <array>
-#include <bit>
 #include <optional>
 
 namespace handwheel {
@@ -16,8 +15,6 @@ namespace handwheel {
 // thread: fixed memory.
 class LocalFaces {
  public:
-  static constexpr std::size_t kCapacity = FaceBoxes::kCapacity;
-
   // A tick begins. expected: where the proxy will go from its first place, as far as that can be told before; what is
   // looked up next lies around this way, so that one look-up mostly serves. False when the surface is not that of the
   // tick before: then what was known of it counts no more. The surface must outlive the tick.
@@ -31,14 +28,6 @@ class LocalFaces {
   // Moves from p by the step, as far as nothing is in the way.
   Sweep sweep(const Vec3& p, const Vec3& step);
 
-  // Calls visit(corners) for the triangles looked up whose boxes come near a place in the last step, at times for more.
-  template <class Visit>
-  void forEachNear(const Vec3& p, double near, Visit visit) const {
-    if (m_count > kCapacity) return;
-    for (std::uint64_t bits = m_boxes.meeting(p, Vec3::Zero(), near, m_count); bits != 0; bits &= bits - 1)
-      visit(m_faces[static_cast<std::size_t>(std::countr_zero(bits))].corners);
-  }
-
   // To look so far ahead in what is left of the tick, mm.
   void setReach(double reach) { m_reach = reach; }
   double reach() const { return m_reach; }
@@ -47,11 +36,13 @@ class LocalFaces {
   struct Face {
     TrianglePoints corners;
     Vec3 normal;
-    std::uint32_t id;
   };
+  static constexpr std::size_t kCapacity = FaceBoxes::kCapacity;
+
   void lookUpAround(const Vec3& p, const Vec3& way);
+  enum class Test { Boxes, Triangles };  // boxes are told sooner, but those of slivers are large
   // False where more triangles meet than there is room for.
-  bool gather();
+  bool gather(Test test);
   // The share of the step that stays in the box looked up; 0 when it does not begin there.
   double inside(const Vec3& p, const Vec3& step) const;
   std::size_t facesAhead(const Vec3& p, const Vec3& step, std::array<std::uint8_t, kCapacity>& ahead) const;

@@ -87,28 +87,67 @@ class GodObjectCornerTest : public QObject {
     QVERIFY(held <= mostHeld * compared);
   }
 
-  // What was looked up and touched in the ticks before is only used where it is what would be found again: a surface
-  // that calls itself changed is looked up anew in each tick.
+  // The round ends of turned parts: hundreds of slivers around one point, whose boxes all meet.
+  void slidesOverFansOfSlivers_data() {
+    QTest::addColumn<double>("slope");
+    QTest::newRow("a flat cap") << 0.0;
+    QTest::newRow("a countersink of 90 degrees") << 1.0;
+    QTest::newRow("a cone") << -1.0;
+  }
+  void slidesOverFansOfSlivers() {
+    QFETCH(double, slope);
+    constexpr int kSlivers = 1000;
+    constexpr double kRadius = 10.0;  // mm
+    TriangleSoup fan;
+    fan.points.push_back(Vec3::Zero());
+    for (std::uint32_t i = 0; i < kSlivers; ++i) {
+      const double angle = 2 * std::numbers::pi * i / kSlivers;
+      fan.points.push_back(kRadius * Vec3(std::cos(angle), std::sin(angle), slope));
+      fan.triangles.push_back({0, 1 + i, 1 + (i + 1) % kSlivers});
+    }
+    const ContactSurface surface(fan.points, fan.triangles);
+    GodObject god;
+    god.place({-6, 0.3, 20});
+    int late = 0;
+    for (int i = 0; i <= 600; ++i) {
+      const double x = -6 + 0.02 * i, depth = 0.2;
+      const Vec3 tip(x, 0.3, slope * std::hypot(x, 0.3) - depth);
+      const Contact& contact = god.follow(surface, tip, {});
+      // It is never farther than the point of the surface above the tip.
+      late += !contact.touching || contact.depth > 1.01 * depth ? 1 : 0;
+    }
+    QVERIFY2(late == 0, qPrintable(QString::number(late)));
+  }
+
+  // What was looked up and touched in the ticks before is used only where it would be found again: a surface that calls
+  // itself changed is looked up anew in each tick. Where a step ends at the side of what was looked up, it may go on
+  // another way from there.
   void findsWhatItRemembers() {
     const TriangleSoup ball = bumpySphere(5);
     const ContactSurface surface(ball.points, ball.triangles);
     ContactSurface restless = surface;
     std::mt19937 random(9);
-    std::normal_distribution<double> number;
+    std::uniform_real_distribution<double> number(-1.0, 1.0);
     GodObject remembers, forgets;
     remembers.place({2, 0, 0});
     forgets.place({2, 0, 0});
     Vec3 tip(2, 0, 0), way(0, 0, 0);
-    for (int i = 0; i < 50'000; ++i) {
-      way = 0.9 * way + 3e-4 * std::pow(10.0, (i / 500) % 3 - 1) * Vec3(number(random), number(random), number(random));
+    int touched = 0, apart = 0;
+    for (int i = 0; i < 100'000; ++i) {
+      way = 0.9 * way + 5e-4 * std::pow(10.0, (i / 500) % 3 - 1) * Vec3(number(random), number(random), number(random));
       tip += way;
       if (tip.norm() > 1.3 || tip.norm() < 0.6) tip = 0.95 * tip.normalized();
       restless.update({}, {});
       const Contact& a = remembers.follow(surface, tip, {});
       const Contact& b = forgets.follow(restless, tip, {});
       QCOMPARE(a.touching, b.touching);
-      QVERIFY2((a.proxy - b.proxy).norm() < 1e-5, qPrintable(QString("tick %1: %2 apart").arg(i).arg((a.proxy - b.proxy).norm())));
+      touched += a.touching ? 1 : 0;
+      if ((a.proxy - b.proxy).norm() < 1e-5) continue;
+      ++apart;
+      forgets = remembers;
     }
+    qInfo("%d of %d ticks apart", apart, touched);
+    QVERIFY(touched > 10'000 && apart <= 1e-3 * touched);
   }
 };
 

@@ -239,6 +239,35 @@ class GodObjectTest : public QObject {
     QVERIFY(!god.follow({}, {1, 2, 3}, {}).touching);  // an empty surface
   }
 
+  // Also where more triangles are on the way up than are looked at at once.
+  void isLiftedThroughFineTriangles() {
+    const auto fine = [](double height) {
+      TriangleSoup soup = grid(201, 201, false, false, [&](std::uint32_t i, std::uint32_t j) {
+        const double x = 0.02 * i - 2.0, y = 0.02 * j - 2.0;
+        return Vec3(x, y, std::max(0.0, height * (1.0 - std::hypot(x, y))));
+      });
+      const auto n = static_cast<std::uint32_t>(soup.points.size());
+      for (const Vec3& p : {Vec3(100, 0, 0), Vec3(101, 0, 0), Vec3(100, 1, 0)}) soup.points.push_back(p);
+      soup.triangles.push_back({n, n + 1, n + 2});  // far away: the model is large
+      return soup;
+    };
+    const TriangleSoup flat = fine(0.0), bump = fine(0.8);
+    ContactSurface surface = surfaceOf(flat);
+    GodObject god;
+    god.place({0.05, 0.03, 1});
+    lead(god, surface, {0.05, 0.03, 1}, {0.05, 0.03, -1}, 0.1);
+    std::vector<ContactTriangle> changed;
+    for (std::uint32_t i = 0; i < bump.triangles.size(); ++i) {
+      const Triangle& t = bump.triangles[i];
+      changed.push_back({{bump.points[t[0]], bump.points[t[1]], bump.points[t[2]]}, i});
+    }
+    surface.update({}, changed);
+    god.surfaceChanged(surface);
+    const Contact& contact = god.follow(surface, {0.05, 0.03, -1}, {});
+    const double height = 0.8 * (1.0 - std::hypot(contact.proxy.x(), contact.proxy.y()));  // of the bump there
+    QVERIFY(contact.touching && contact.proxy.z() > std::max(0.0, height) - 1e-4);
+  }
+
   // A bump that an edit raises under the tip lifts the proxy onto it.
   void isLiftedByAnEdit() {
     const TriangleSoup flat = floorOf();
