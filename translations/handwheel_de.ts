@@ -4564,8 +4564,8 @@
         <translation>Genauigkeit</translation>
     </message>
     <message>
-        <source>Keys, mouse, units, language, autosave</source>
-        <translation>Tasten, Maus, Einheiten, Sprache, automatisches Sichern</translation>
+        <source>Keyboard shortcuts, mouse, units, language, autosave</source>
+        <translation>Tastenkürzel, Maus, Einheiten, Sprache, automatisches Sichern</translation>
     </message>
     <message>
         <source>Device</source>
@@ -5272,6 +5272,10 @@
     <message>
         <source>It is subdivided, and pulled at its coarse level: the fine one follows, as on a spring.</source>
         <translation>Er wird unterteilt und auf der groben Stufe gezogen: Die feine folgt, wie an einer Feder.</translation>
+    </message>
+    <message>
+        <source>The seam of both patches is smoothed as a part of the whole surface.</source>
+        <translation>Die Naht zwischen beiden Flicken wird als Teil der ganzen Oberfläche geglättet.</translation>
     </message>
 </context>
 <context>

@@ -4530,8 +4530,8 @@
         <translation>保真度</translation>
     </message>
     <message>
-        <source>Keys, mouse, units, language, autosave</source>
-        <translation>按键、鼠标、单位、语言、自动保存</translation>
+        <source>Keyboard shortcuts, mouse, units, language, autosave</source>
+        <translation>键盘快捷键、鼠标、单位、语言、自动保存</translation>
     </message>
     <message>
         <source>Device</source>
@@ -5233,6 +5233,10 @@
     <message>
         <source>It is subdivided, and pulled at its coarse level: the fine one follows, as on a spring.</source>
         <translation>补片被细分，在粗糙层上拉动：细层随之而动，像在弹簧上一样。</translation>
+    </message>
+    <message>
+        <source>The seam of both patches is smoothed as a part of the whole surface.</source>
+        <translation>两块补片之间的接缝作为整个表面的一部分被平滑。</translation>
     </message>
 </context>
 <context>

@@ -72,7 +72,7 @@ void MainWindow::buildMenus() {
   calibrate->setObjectName(QStringLiteral("calibrate"));
   setTip(*calibrate, tr("How fast each setting of the panel “Fidelity” is here: about half a minute"));
   preferences->setMenuRole(QAction::PreferencesRole);
-  setTip(*preferences, tr("Keys, mouse, units, language, autosave"));
+  setTip(*preferences, tr("Keyboard shortcuts, mouse, units, language, autosave"));
 
   QMenu* view = menuBar()->addMenu(tr("&View"));
   view->addAction(m_viewActions->fit());

@@ -21,10 +21,11 @@ namespace handwheel {
 namespace {
 
 constexpr std::uint32_t kFirst = 1u << 0, kSecond = 1u << 1;
-constexpr double kClick = 0.2;               // s that a button is held
-constexpr double kLook = 1.4;                // s to see what was proposed or done
-constexpr double kNear = 0.6;                // of the hole is what the camera would fly to
-constexpr double kBrush = 0.2, kPull = 0.2;  // of the diagonal of the hole
+constexpr double kClick = 0.2;                 // s that a button is held
+constexpr double kLook = 1.4;                  // s to see what was proposed or done
+constexpr double kNear = 0.6;                  // of the hole is what the camera would fly to
+constexpr double kBrush = 0.25, kPull = 0.06;  // of the diagonal of the hole
+constexpr int kStrokes = 5;                    // over the seam
 
 HandStep click(std::function<std::optional<Vec3>()> place, std::function<bool()> isReady = {}) {
   HandStep step;
@@ -189,19 +190,63 @@ void RepairShow::addSculpting(std::vector<HandStep>& steps) {
     lookFrom(m_hole.outward() + m_parts.viewport.camera().right());
     perform("subdivide");
   };
-  const auto middle = [this](double out) {
+  HandStep level = rest(kLook);
+  level.begin = [this] { perform("coarser"); };
+  steps.insert(steps.end(), {refine, level});
+  const auto pulled = [this](double out) {
     return [this, out]() -> std::optional<Vec3> {
-      std::optional<Vec3> nearest = m_hole.middleOf(m_document->document.mesh(), m_document->newest);
-      if (nearest) *nearest += out * m_hole.place().diagonal().norm() * m_hole.outward().normalized();
-      return nearest;
+      std::optional<Vec3> corner = cornerNear(middleOf(m_document->newest));
+      if (corner) *corner += out * m_hole.place().diagonal().norm() * m_hole.outward().normalized();
+      return corner;
     };
   };
-  HandStep touch = click(middle(0.0));
-  touch.begin = [this] { perform("coarser"); };
-  HandStep pull = click(middle(kPull));
+  HandStep pull = click(pulled(kPull));
   pull.buttons = kFirst;
   pull.rest = kLook;
-  steps.insert(steps.end(), {refine, touch, press(kFirst), pull, rest(2.0 * kLook, [this] { return isSettled(); })});
+  steps.insert(steps.end(), {click(pulled(0.0)), press(kFirst), pull, rest(kLook, [this] { return isSettled(); })});
+
+  HandStep whole = rest(kLook);
+  whole.caption = refine.caption;
+  whole.detail = tr("The seam of both patches is smoothed as a part of the whole surface.");
+  whole.begin = [this] {
+    perform("whole");
+    choose("sculpt", "brush", 1.0);
+  };
+  // To and fro over the seam, from the middle of one patch to as far on the other side.
+  const auto side = [this](bool isFar) {
+    return [this, isFar]() -> std::optional<Vec3> {
+      const Vec3 middle = middleOf(m_document->newest);
+      return cornerNear(isFar ? Vec3(2.0 * m_hole.place().center() - middle) : middle);
+    };
+  };
+  steps.insert(steps.end(), {whole, click(side(false)), press(kFirst)});
+  for (int i = 0; i < kStrokes; ++i) {
+    HandStep stroke = click(side(i % 2 == 0));
+    stroke.buttons = kFirst;
+    steps.push_back(stroke);
+  }
+  steps.push_back(rest(2.0 * kLook, [this] { return isSettled(); }));
+}
+
+// Of the surface, the corner nearest to a place.
+std::optional<Vec3> RepairShow::cornerNear(const Vec3& place) const {
+  const HalfEdgeMesh& mesh = m_document->document.mesh();
+  std::optional<Vec3> nearest;
+  for (Face f = 0; f < mesh.faceSlots(); ++f) {
+    if (!mesh.isLive(f)) continue;
+    for (const Vec3& p : mesh.points(f)) {
+      if (!nearest || (p - place).norm() < (*nearest - place).norm()) nearest = p;
+    }
+  }
+  return nearest;
+}
+
+Vec3 RepairShow::middleOf(const FaceSelection& faces) const {
+  Box box;
+  faces.forEach([&](Face f) {
+    for (const Vec3& p : m_document->document.mesh().points(f)) box.extend(p);
+  });
+  return box.center();
 }
 
 bool RepairShow::isSettled() const {

@@ -47,6 +47,8 @@ class RepairShow : public QObject {
   void addSculpting(std::vector<HandStep>& steps);
 
   bool isSettled() const;
+  Vec3 middleOf(const FaceSelection& faces) const;
+  std::optional<Vec3> cornerNear(const Vec3& place) const;
   bool takeHole();
   const BoundaryLoop* nextPart() const;
   std::optional<Vec3> firstPoint(const BoundaryLoop* loop) const;

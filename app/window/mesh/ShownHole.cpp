@@ -68,15 +68,4 @@ std::optional<BorderPair> ShownHole::waist(const HalfEdgeMesh& mesh, const Bound
   return std::nullopt;
 }
 
-std::optional<Vec3> ShownHole::middleOf(const HalfEdgeMesh& mesh, const FaceSelection& faces) const {
-  const Vec3 centre = m_place.center();
-  std::optional<Vec3> nearest;
-  faces.forEach([&](Face f) {
-    for (const Vec3& p : mesh.points(f)) {
-      if (!nearest || (p - centre).norm() < (*nearest - centre).norm()) nearest = p;
-    }
-  });
-  return nearest;
-}
-
 }  // namespace handwheel

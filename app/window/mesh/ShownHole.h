@@ -32,8 +32,6 @@ class ShownHole {
   // The two points of a part nearest to each other that divide it into like parts, and between which a bridge can be
   // laid.
   static std::optional<BorderPair> waist(const HalfEdgeMesh& mesh, const BoundaryLoop& part);
-  // Of the corners of these faces, the one nearest to its middle.
-  std::optional<Vec3> middleOf(const HalfEdgeMesh& mesh, const FaceSelection& faces) const;
 
  private:
   std::set<Vertex> m_rim;  // of the hole, before anything was done
