@@ -10,6 +10,7 @@ namespace handwheel {
 namespace {
 
 constexpr int kPoints = 64;
+constexpr double kLeap = 0.5;  // of the radius, from a point to the next: not along one surface
 
 }  // namespace
 
@@ -18,14 +19,17 @@ std::vector<Vec3> brushOutline(const Pickable& pickable, const BrushCircle& brus
   const bool isOnSurface = normal.squaredNorm() > 0;
   if (!isOnSurface) normal = towards;
   const Vec3 right = normal.unitOrthogonal(), up = normal.cross(right);
-  std::vector<Vec3> points;
+  std::vector<Vec3> flat, laid;
+  bool leaps = false;
   for (int i = 0; i <= kPoints; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / kPoints;
     const Vec3 p = brush.centre + brush.radius * (std::cos(angle) * right + std::sin(angle) * up);
     const auto hit = isOnSurface ? firstSurface(pickable, p + brush.radius * normal, -normal) : std::nullopt;
-    points.push_back(hit && hit->distance <= 2.0 * brush.radius ? hit->point : p);
+    flat.push_back(p);
+    laid.push_back(hit && hit->distance <= 2.0 * brush.radius ? hit->point : p);
+    leaps = leaps || (i > 0 && (laid[laid.size() - 2] - laid.back()).norm() > kLeap * brush.radius);
   }
-  return points;
+  return leaps ? flat : laid;
 }
 
 }  // namespace handwheel

@@ -162,6 +162,14 @@ class PickingTest : public QObject {
     for (const Vec3& p : brushOutline({.mesh = index.get()}, {Vec3(0.01, 0, 0), 2.0}, Vec3::UnitZ())) {
       QVERIFY(std::abs(p.z() + std::abs(p.x()) * std::tan(15 * kRadiansPerDegree)) < 1e-9);
     }
+    // Wider than the rod that it is on: neither torn between the rod and the floor beneath it nor zigzag.
+    TriangleSoup rod;
+    rod.points = {{-1, -20, 0}, {1, -20, 0}, {1, 20, 0}, {-1, 20, 0}, {-20, -20, -2.5}, {20, -20, -2.5}, {0, 40, -2.5}};
+    rod.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}};
+    const auto rodIndex = indexOf(rod);
+    for (const Vec3& p : brushOutline({.mesh = rodIndex.get()}, {Vec3::Zero(), 3.0}, Vec3::UnitZ())) {
+      QVERIFY(std::abs(p.z()) < 1e-9 && std::abs(p.norm() - 3) < 1e-9);
+    }
     const std::vector<Vec3> free = brushOutline({}, brush, Vec3::UnitX());
     for (const Vec3& p : free) QVERIFY(std::abs(p.x() - 10) < 1e-12);
     QVERIFY((free.front() - free.back()).norm() < 1e-12);
