@@ -36,12 +36,16 @@ void ContactPlanes::moveTo(const Vec3& place, double skin) {
     for (std::size_t i = 0; i < m_count; ++i) m_planes[i].least -= m_planes[i].normal.dot(step);
     return;
   }
-  m_met = place;
+  keepBelow(skin);
+}
+
+void ContactPlanes::keepBelow(double skin) {
+  m_met = m_place;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < m_count; ++i) {
     const Vec3 normal = m_planes[i].normal;
-    const double height = normal.dot(place - m_faces[i].corners[0]);
-    if (!(height > 0.0 && height < 2.0 * skin) || !passesThrough(place, normal, m_faces[i].corners)) continue;
+    const double height = normal.dot(m_place - m_faces[i].corners[0]);
+    if (!(height > 0.0 && height < 2.0 * skin) || !passesThrough(m_place, normal, m_faces[i].corners)) continue;
     m_planes[kept] = {normal, skin - height};
     if (kept != i) m_faces[kept] = m_faces[i];
     ++kept;

@@ -31,8 +31,11 @@ class ContactPlanes {
   void add(const HalfSpace& plane, const TouchedFace& face);
   bool contains(const HalfSpace& plane) const;
   // The proxy goes on to this place. Within the skin of where they were met they all stand; farther on those alone that
-  // it is still right over, about the skin above the triangle itself, so that a sweep would meet them at once.
+  // keepBelow() keeps: about the skin above the triangle itself, so that a sweep would meet them at once.
   void moveTo(const Vec3& place, double skin);
+  // Only those stand that it is right over. Where it came aslant, it may stand beside a triangle, at the edge of a
+  // hole, and another way down is free.
+  void keepBelow(double skin);
 
  private:
   static constexpr std::size_t kCapacity = 8;

@@ -37,7 +37,11 @@ const Contact& GodObject::follow(const ContactSurface& surface, const Vec3& tip,
   if (!tip.allFinite() || !((tip - m_proxy).squaredNorm() < 1e300)) return m_contact;
   const double skin = surface.skin();
   // The proxy mostly goes as the tip does.
-  if (!m_faces.begin(surface, tip - m_tip)) m_planes.beginAt(m_proxy);
+  if (m_faces.begin(surface, tip - m_tip)) {
+    m_planes.keepBelow(skin);
+  } else {
+    m_planes.beginAt(m_proxy);
+  }
   slide(surface, tip, options);
   m_tip = tip;
   m_contact.depth = (m_proxy - tip).norm();

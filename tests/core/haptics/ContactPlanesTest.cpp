@@ -44,6 +44,12 @@ class ContactPlanesTest : public QObject {
       QVERIFY(planes.empty());
     }
   }
+  // Met aslant, beside the triangle: for the next tick it does not stand, though nothing has moved.
+  void goWhereItStandsBesideTheTriangle() {
+    ContactPlanes planes = onFloor({0.2, -0.5 * kSkin, kSkin});
+    planes.keepBelow(kSkin);
+    QVERIFY(planes.empty());
+  }
   // However slowly it creeps out.
   void goWhereItCreepsOut() {
     ContactPlanes planes = onFloor({0.2, 10.5 * kSkin, kSkin});

@@ -87,6 +87,21 @@ class GodObjectCornerTest : public QObject {
     QVERIFY(held <= mostHeld * compared);
   }
 
+  // Met aslant at the edge of a hole, it stands beside the triangle; pulled straight down, it falls.
+  void fallsBesideAnEdge() {
+    TriangleSoup floor;  // where x <= 0
+    floor.points = {{0, -50, 0}, {0, 50, 0}, {-100, -50, 0}, {-100, 50, 0}};
+    floor.triangles = {{0, 1, 2}, {3, 2, 1}};
+    const ContactSurface surface(floor.points, floor.triangles);
+    const ContactOptions rough{.friction = 10.0};
+    GodObject god;
+    god.place({1, 0, 0.5});
+    god.follow(surface, Vec3(-1e-9, 0, 0) - 0.5 * Vec3(1, 0, 0.5), rough);  // held where it came
+    const Vec3 held = god.contact().proxy;
+    QVERIFY(god.contact().touching && held.x() > 0.0);
+    QVERIFY(!god.follow(surface, held - Vec3(0, 0, 1), rough).touching);
+  }
+
   // The round ends of turned parts: hundreds of slivers around one point, whose boxes all meet.
   void slidesOverFansOfSlivers_data() {
     QTest::addColumn<double>("slope");
