@@ -28,6 +28,10 @@ endfunction()
 
 function(handwheel_warnings TARGET)
   target_compile_options(${TARGET} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+  if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    # GCC takes the sources of a unit for headers, where a class must not hold what only one source knows.
+    target_compile_options(${TARGET} PRIVATE -Wno-subobject-linkage)
+  endif()
   if(HANDWHEEL_WERROR)
     target_compile_options(${TARGET} PRIVATE -Werror)
   endif()

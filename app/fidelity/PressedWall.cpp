@@ -12,9 +12,9 @@ namespace handwheel {
 namespace {
 
 constexpr double kFreeTime = 5.0, kPressTime = 3.0, kMeanTime = 1.0;  // s
-constexpr double kSettled = 1e-3;      // mm: what is left of the settling by then is less, and tells nothing
-constexpr double kWallSize = 1000.0;   // mm
-constexpr std::uint64_t kLook = 1000;  // ticks between two looks at the cancel flag
+constexpr double kSettled = 1e-3;          // mm: what is left of the settling by then is less, and tells nothing
+constexpr double kWallSize = 1000.0;       // mm
+constexpr std::uint64_t kWallLook = 1000;  // ticks between two looks at the cancel flag
 
 // The plane x = 0, to be touched from below.
 std::unique_ptr<HapticScene> wallOf(double stiffness) {
@@ -77,7 +77,7 @@ double pressedDepth(const DeviceCapabilities& device, double rate, double stiffn
   const auto ticksIn = [rate](double seconds) { return static_cast<std::uint64_t>(std::ceil(seconds * rate)); };
   const auto runFor = [&](double seconds) {
     for (std::uint64_t left = ticksIn(seconds); left > 0 && !progress.cancelled();) {
-      const std::uint64_t part = std::min<std::uint64_t>(left, kLook);
+      const std::uint64_t part = std::min<std::uint64_t>(left, kWallLook);
       loop.runTicks(part);
       left -= part;
     }

@@ -10,14 +10,14 @@
 namespace handwheel {
 namespace {
 
-constexpr double kRadius = 100.0, kLength = 300.0;  // mm
+constexpr double kShapeRadius = 100.0, kLength = 300.0;  // mm
 
 // Of a point inside.
 double depthInBall(const Vec3& p) {
-  return kRadius - p.norm();
+  return kShapeRadius - p.norm();
 }
 double depthInCylinder(const Vec3& p) {
-  return std::min(kRadius - std::hypot(p.x(), p.y()), 0.5 * kLength - std::abs(p.z()));
+  return std::min(kShapeRadius - std::hypot(p.x(), p.y()), 0.5 * kLength - std::abs(p.z()));
 }
 
 // Corners lie on the shape, so that the triangles are deepest in the middle of an edge or of a face.
@@ -28,7 +28,7 @@ FidelitySample sampleOf(const TriangleSoup& soup, double (*depth)(const Vec3&)) 
     for (const Vec3& p : {Vec3(0.5 * (a + b)), Vec3(0.5 * (b + c)), Vec3(0.5 * (c + a)), Vec3((a + b + c) / 3.0)})
       deepest = std::max(deepest, depth(p));
   }
-  return {100.0 * deepest / kRadius, static_cast<double>(soup.triangles.size())};
+  return {100.0 * deepest / kShapeRadius, static_cast<double>(soup.triangles.size())};
 }
 
 FidelityCase caseOn(const std::string& name, const Shape& shape, double (*depth)(const Vec3&)) {
@@ -55,8 +55,8 @@ FidelitySetting shapeSidesSetting() {
 }
 
 std::vector<FidelityCase> shapeSidesCases() {
-  return {caseOn("ball", SphereShape{kRadius}, depthInBall),
-          caseOn("cylinder 200 x 300 mm", CylinderShape{kRadius, kLength}, depthInCylinder)};
+  return {caseOn("ball", SphereShape{kShapeRadius}, depthInBall),
+          caseOn("cylinder 200 x 300 mm", CylinderShape{kShapeRadius, kLength}, depthInCylinder)};
 }
 
 }  // namespace handwheel

@@ -14,11 +14,11 @@ namespace {
 struct Hands {
   SnapField field;
   double spacing = 0.0;     // mm, mean distance between neighbours
-  std::vector<Vec3> hands;  // kTicks for each target
+  std::vector<Vec3> hands;  // kSnapTicks for each target
   std::vector<std::uint32_t> targets;
 };
 
-constexpr std::size_t kTicks = 300;  // for each target, the last third of them at it
+constexpr std::size_t kSnapTicks = 300;  // for each target, the last third of them at it
 constexpr std::size_t kTargets = 200;
 constexpr double kFar = 10.0;                 // spacings from where the hand sets out,
 constexpr double kAim = 0.2, kTremor = 0.03;  // how far it misses the target and how much it trembles there
@@ -42,8 +42,8 @@ void addWays(Hands& scene, const std::vector<Vec3>& points, std::uint64_t seed) 
     const Vec3 from = points[target] + kFar * scene.spacing * random.direction();
     const Vec3 to = points[target] + scatter(random, kAim * scene.spacing);
     scene.targets.push_back(target);
-    for (std::size_t tick = 0; tick < kTicks; ++tick) {
-      const double t = std::min(1.0, 1.5 * static_cast<double>(tick) / static_cast<double>(kTicks));
+    for (std::size_t tick = 0; tick < kSnapTicks; ++tick) {
+      const double t = std::min(1.0, 1.5 * static_cast<double>(tick) / static_cast<double>(kSnapTicks));
       scene.hands.push_back(from + (to - from) * progressOf(t) + scatter(random, kTremor * scene.spacing));
     }
   }
@@ -75,8 +75,8 @@ FidelitySample missed(const Hands& scene, double radius) {
   sample.cost = cpuMilliseconds([&] {
     for (std::size_t i = 0; i < scene.targets.size(); ++i) {
       SnapProxy proxy;
-      for (std::size_t tick = 0; tick < kTicks; ++tick)
-        proxy.step(scene.field, profile, scene.hands[i * kTicks + tick]);
+      for (std::size_t tick = 0; tick < kSnapTicks; ++tick)
+        proxy.step(scene.field, profile, scene.hands[i * kSnapTicks + tick]);
       misses += !proxy.isHeld() || proxy.held().id != scene.targets[i];
     }
   });

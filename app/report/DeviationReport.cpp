@@ -23,7 +23,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kWidth = 640, kHeight = 200;  // of a histogram, in pixels at 96 a inch
+constexpr int kReportWidth = 640, kHeight = 200;  // of a histogram, in pixels at 96 a inch
 constexpr char kBarColour[] = "#3465a4";
 constexpr char kPicture[] = "sides";
 constexpr int kSideWidth = 800, kSideHeight = 600;  // of the picture from one side, in pixels
@@ -75,9 +75,9 @@ double tallest(const SurfaceDeviation& s) {
 
 std::string svgOf(const SurfaceDeviation& s) {
   const auto size = [](double value) { return number(value); };
-  std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + std::to_string(kWidth) + "\" height=\"" +
-                    std::to_string(kHeight + 20) + "\" role=\"img\">\n";
-  const double bar = static_cast<double>(kWidth) / static_cast<double>(s.histogram.size());
+  std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + std::to_string(kReportWidth) +
+                    "\" height=\"" + std::to_string(kHeight + 20) + "\" role=\"img\">\n";
+  const double bar = static_cast<double>(kReportWidth) / static_cast<double>(s.histogram.size());
   for (std::size_t i = 0; i < s.histogram.size(); ++i) {
     const double height = kHeight * s.histogram[i] / tallest(s);
     svg += "<rect x=\"" + size(bar * static_cast<double>(i)) + "\" y=\"" + size(kHeight - height) + "\" width=\"" +
@@ -87,25 +87,25 @@ std::string svgOf(const SurfaceDeviation& s) {
     svg += "<text x=\"" + std::to_string(x) + "\" y=\"" + std::to_string(kHeight + 15) + "\" text-anchor=\"" + anchor +
            "\" font-size=\"12\">" + number(value) + " mm</text>\n";
   };
-  svg += "<line x1=\"0\" y1=\"" + std::to_string(kHeight) + "\" x2=\"" + std::to_string(kWidth) + "\" y2=\"" +
+  svg += "<line x1=\"0\" y1=\"" + std::to_string(kHeight) + "\" x2=\"" + std::to_string(kReportWidth) + "\" y2=\"" +
          std::to_string(kHeight) + "\" stroke=\"black\"/>\n";
   label("start", 0, s.lowest.distance);
-  label("end", kWidth, s.highest.distance);
+  label("end", kReportWidth, s.highest.distance);
   return svg + "</svg>\n";
 }
 
 QImage pictureOf(const SurfaceDeviation& s) {
   constexpr int kRatio = 3;  // sharp on paper
-  QImage image(kWidth * kRatio, kHeight * kRatio, QImage::Format_RGB32);
+  QImage image(kReportWidth * kRatio, kHeight * kRatio, QImage::Format_RGB32);
   image.fill(Qt::white);
   QPainter painter(&image);
   painter.scale(kRatio, kRatio);
-  const double bar = static_cast<double>(kWidth) / static_cast<double>(s.histogram.size());
+  const double bar = static_cast<double>(kReportWidth) / static_cast<double>(s.histogram.size());
   for (std::size_t i = 0; i < s.histogram.size(); ++i) {
     const double height = kHeight * s.histogram[i] / tallest(s);
     painter.fillRect(QRectF(bar * static_cast<double>(i), kHeight - height, bar, height), QColor(kBarColour));
   }
-  painter.drawLine(0, kHeight - 1, kWidth, kHeight - 1);
+  painter.drawLine(0, kHeight - 1, kReportWidth, kHeight - 1);
   return image;
 }
 
@@ -217,13 +217,13 @@ std::string pdfOf(const Comparison& c) {
   QTextDocument document;
   const auto histogram = [&](const SurfaceDeviation& s, const char* name) {
     document.addResource(QTextDocument::ImageResource, QUrl(name), pictureOf(s));
-    return "<p><img src=\"" + std::string(name) + "\" width=\"" + std::to_string(kWidth * 3 / 4) + "\"/><br/>from " +
-           number(s.lowest.distance) + " to " + number(s.highest.distance) + " mm</p>\n";
+    return "<p><img src=\"" + std::string(name) + "\" width=\"" + std::to_string(kReportWidth * 3 / 4) +
+           "\"/><br/>from " + number(s.lowest.distance) + " to " + number(s.highest.distance) + " mm</p>\n";
   };
   std::string picture;
   if (!c.picture.isNull()) {
     document.addResource(QTextDocument::ImageResource, QUrl(kPicture), c.picture);
-    picture = "<img src=\"" + std::string(kPicture) + "\" width=\"" + std::to_string(kWidth) + "\"/>";
+    picture = "<img src=\"" + std::string(kPicture) + "\" width=\"" + std::to_string(kReportWidth) + "\"/>";
   }
   document.setHtml(QString::fromStdString(bodyOf(c, histogram, picture)));
   QBuffer buffer;

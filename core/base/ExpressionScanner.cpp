@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/ExpressionScanner.h"
 
+#include "base/NumberText.h"
+
 #include <algorithm>
 
 namespace handwheel {
@@ -15,10 +17,6 @@ struct Sign {
 
 constexpr Sign kSigns[] = {{"\u00d7", '*'}, {"\u00b7", '*'}, {"\u00f7", '/'}, {"\u2212", '-'},
                            {"\u00a0", ' '}, {"\u2009", ' '}, {"\u202f", ' '}};
-
-bool isDigit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 bool isAscii(char c) {
   return static_cast<unsigned char>(c) < 0x80u;

@@ -10,10 +10,6 @@ namespace handwheel {
 
 namespace {
 
-bool isDigit(char c) {
-  return c >= '0' && c <= '9';
-}
-
 // Whether a well-formed number that is not within the range of double is too large rather than too small: the sign of
 // the exponent of its first digit other than zero.
 bool isHuge(std::string_view word) {

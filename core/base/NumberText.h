@@ -19,6 +19,11 @@ std::string shortestText(double value);
 // With so many digits at most, for people; without a sign for zero. In the C locale.
 std::string roundedText(double value, int digits = 6);
 
+// Of ASCII, whatever the locale.
+inline bool isDigit(char c) {
+  return c >= '0' && c <= '9';
+}
+
 inline std::string_view withoutPlus(std::string_view word) {
   return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
 }

@@ -5,10 +5,10 @@
 namespace handwheel {
 namespace {
 
-constexpr double kFarthest = 1e100;  // so that nothing overflows when it is squared
+constexpr double kFarthestFeature = 1e100;  // so that nothing overflows when it is squared
 
 bool isUsable(const Vec3& p) {
-  return (p.array().abs() <= kFarthest).all();  // not so for NaN
+  return (p.array().abs() <= kFarthestFeature).all();  // not so for NaN
 }
 
 }  // namespace

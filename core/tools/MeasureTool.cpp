@@ -16,7 +16,7 @@ namespace {
 constexpr double kArcPixels = 48.0;     // radius of the arc that marks an angle
 constexpr double kNormalPixels = 64.0;  // length of the lines that stand on faces
 constexpr int kRoundSteps = 24;         // of an arc or a circle
-constexpr ToolKey kKeys[] = {
+constexpr ToolKey kMeasureKeys[] = {
     {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "done")},
     {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "start again")},
 };
@@ -121,7 +121,7 @@ ToolReply MeasureTool::perform(std::string_view action) {
 }
 
 std::span<const ToolKey> MeasureTool::keys() {
-  return kKeys;
+  return kMeasureKeys;
 }
 
 std::vector<ToolAction> MeasureTool::actions() const {
@@ -132,8 +132,8 @@ std::vector<ToolAction> MeasureTool::actions() const {
   }
   return {
       {"", QT_TRANSLATE_NOOP("ToolInput", "Click"), next},
-      actionOf(kKeys, "commit"),
-      actionOf(kKeys, "revert", true, m_clicked.empty() ? QT_TRANSLATE_NOOP("Tool", "done") : nullptr),
+      actionOf(kMeasureKeys, "commit"),
+      actionOf(kMeasureKeys, "revert", true, m_clicked.empty() ? QT_TRANSLATE_NOOP("Tool", "done") : nullptr),
   };
 }
 

@@ -20,7 +20,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr int kGap = 8;
+constexpr int kKeyGap = 8;
 
 QPushButton* button(const char* name, const QString& text, const QString& toolTip, QWidget* parent) {
   auto* result = new QPushButton(text, parent);
@@ -61,7 +61,7 @@ ShortcutEditor::ShortcutEditor(ShortcutModel* model, QWidget* parent)
   m_list->header()->setStretchLastSection(false);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(kGap);
+  column->setSpacing(kKeyGap);
   column->addWidget(search);
   column->addWidget(m_list, 1);
   buildKeyLine(*column);
@@ -80,7 +80,7 @@ void ShortcutEditor::buildKeyLine(QLayout& column) {
   m_keys->setAccessibleName(tr("New key of the chosen command"));
   m_keys->setToolTip(tr("Press the new key here"));
   auto* line = new QHBoxLayout;
-  line->setSpacing(kGap);
+  line->setSpacing(kKeyGap);
   line->addWidget(m_keys, 1);
   for (QPushButton* part : {m_take, m_none, m_reset}) line->addWidget(part);
   column.addItem(line);
@@ -95,7 +95,7 @@ void ShortcutEditor::buildFileLine(QLayout& column) {
   auto* read = button("shortcutImport", tr("Import…"), tr("Take the keys from a file"), this);
   auto* write = button("shortcutExport", tr("Export…"), tr("Write the changed keys to a file"), this);
   auto* line = new QHBoxLayout;
-  line->setSpacing(kGap);
+  line->setSpacing(kKeyGap);
   line->addWidget(all);
   line->addStretch();
   line->addWidget(read);

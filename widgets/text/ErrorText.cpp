@@ -10,7 +10,7 @@ namespace handwheel {
 
 namespace {
 
-struct Text {
+struct ErrorWords {
   Q_DECLARE_TR_FUNCTIONS(ErrorText)
 };
 
@@ -30,7 +30,7 @@ QString argument(const Error& error, std::size_t i) {
 // The parts that there are, as a list: "scan.stl, line 7".
 QString listed(const QStringList& parts) {
   QString list = parts.value(0);
-  for (const QString& part : parts.mid(1)) list = Text::tr("%1, %2").arg(list, part);
+  for (const QString& part : parts.mid(1)) list = ErrorWords::tr("%1, %2").arg(list, part);
   return list;
 }
 
@@ -40,26 +40,26 @@ QString alternatives(const Error& error, std::size_t from) {
   for (std::size_t i = from; i < error.arguments.size(); ++i) all << argument(error, i);
   if (all.size() < 2) return listed(all);
   const QString last = all.takeLast();
-  return Text::tr("%1 or %2").arg(listed(all), last);
+  return ErrorWords::tr("%1 or %2").arg(listed(all), last);
 }
 
 // "the file ends too early: 12 facets expected, 9 found", leaving out what is not known.
 QString counts(const QString& what, const QString& expected, const QString& found) {
   QStringList parts;
-  if (!expected.isEmpty()) parts << Text::tr("%1 expected").arg(expected);
-  if (!found.isEmpty()) parts << Text::tr("%1 found").arg(found);
-  return Text::tr("%1: %2").arg(what, listed(parts));
+  if (!expected.isEmpty()) parts << ErrorWords::tr("%1 expected").arg(expected);
+  if (!found.isEmpty()) parts << ErrorWords::tr("%1 found").arg(found);
+  return ErrorWords::tr("%1: %2").arg(what, listed(parts));
 }
 
 QString tooLarge(const QString& what, const QString& count, const QString& limit) {
-  if (count.isEmpty()) return Text::tr("the file is too large (more than %1 %2)").arg(limit, what);
-  return Text::tr("the file is too large (%1 %2, at most %3 can be opened)").arg(count, what, limit);
+  if (count.isEmpty()) return ErrorWords::tr("the file is too large (more than %1 %2)").arg(limit, what);
+  return ErrorWords::tr("the file is too large (%1 %2, at most %3 can be opened)").arg(count, what, limit);
 }
 
 QString unexpected(const QString& expected, const QString& found) {
-  if (expected.isEmpty()) return Text::tr("'%1' makes no sense here").arg(found);
-  if (found.isEmpty()) return Text::tr("%1 was expected, but nothing follows").arg(expected);
-  return Text::tr("%1 was expected, '%2' was found").arg(expected, found);
+  if (expected.isEmpty()) return ErrorWords::tr("'%1' makes no sense here").arg(found);
+  if (found.isEmpty()) return ErrorWords::tr("%1 was expected, but nothing follows").arg(expected);
+  return ErrorWords::tr("%1 was expected, '%2' was found").arg(expected, found);
 }
 
 QString whatHappened(const Error& error) {
@@ -68,84 +68,84 @@ QString whatHappened(const Error& error) {
   const QString c = argument(error, 2);
   switch (error.code) {
     case ErrorCode::Cancelled:
-      return Text::tr("cancelled");
+      return ErrorWords::tr("cancelled");
     case ErrorCode::OutOfMemory:
-      return Text::tr("there is not enough memory");
+      return ErrorWords::tr("there is not enough memory");
     case ErrorCode::FileMissing:
-      return Text::tr("there is no such file");
+      return ErrorWords::tr("there is no such file");
     case ErrorCode::FileUnreadable:
-      return Text::tr("the file cannot be read (%1)").arg(a);
+      return ErrorWords::tr("the file cannot be read (%1)").arg(a);
     case ErrorCode::FileEmpty:
-      return Text::tr("the file is empty");
+      return ErrorWords::tr("the file is empty");
     case ErrorCode::FileTooLarge:
       return tooLarge(a, b, c);
     case ErrorCode::FormatUnknown:
-      return Text::tr("this is no file that Handwheel knows");
+      return ErrorWords::tr("this is no file that Handwheel knows");
     case ErrorCode::ExtensionUnknown:
-      return a.isEmpty() ? Text::tr("the name has no ending, which would say the format")
-                         : Text::tr("the ending '%1' stands for no format that this can be written in").arg(a);
+      return a.isEmpty() ? ErrorWords::tr("the name has no ending, which would say the format")
+                         : ErrorWords::tr("the ending '%1' stands for no format that this can be written in").arg(a);
     case ErrorCode::HeaderMalformed:
-      return Text::tr("the header is malformed: %1 is missing").arg(a);
+      return ErrorWords::tr("the header is malformed: %1 is missing").arg(a);
     case ErrorCode::TextEncoding:
-      return Text::tr("the text is in %1, which cannot be read").arg(a);
+      return ErrorWords::tr("the text is in %1, which cannot be read").arg(a);
     case ErrorCode::TokenUnexpected:
       return unexpected(a, b);
     case ErrorCode::NumberMalformed:
-      return Text::tr("'%1' is not a number").arg(a);
+      return ErrorWords::tr("'%1' is not a number").arg(a);
     case ErrorCode::NumberNotFinite:
-      return Text::tr("the coordinate '%1' is not a finite number").arg(a);
+      return ErrorWords::tr("the coordinate '%1' is not a finite number").arg(a);
     case ErrorCode::IndexOutOfRange:
-      return Text::tr("a face uses vertex %1, but the file has %2 vertices").arg(a, b);
+      return ErrorWords::tr("a face uses vertex %1, but the file has %2 vertices").arg(a, b);
     case ErrorCode::VertexUnreadable:
-      return Text::tr("a face uses vertex %1, which could not be read").arg(a);
+      return ErrorWords::tr("a face uses vertex %1, which could not be read").arg(a);
     case ErrorCode::PolygonTooComplex:
-      return Text::tr("a face with %1 corners was cut into triangles as if it were convex").arg(a);
+      return ErrorWords::tr("a face with %1 corners was cut into triangles as if it were convex").arg(a);
     case ErrorCode::PolygonTooSmall:
-      return Text::tr("a face has fewer than three corners (%1)").arg(a);
+      return ErrorWords::tr("a face has fewer than three corners (%1)").arg(a);
     case ErrorCode::DataTruncated:
-      return Text::tr("the file ends too early (%1)").arg(counts(a, b, c));
+      return ErrorWords::tr("the file ends too early (%1)").arg(counts(a, b, c));
     case ErrorCode::CountMismatch:
-      return Text::tr("the file contradicts itself (%1)").arg(counts(a, b, c));
+      return ErrorWords::tr("the file contradicts itself (%1)").arg(counts(a, b, c));
     case ErrorCode::TypeUnknown:
-      return Text::tr("the data type '%1' is not known").arg(a);
+      return ErrorWords::tr("the data type '%1' is not known").arg(a);
     case ErrorCode::NoTriangles:
       return error.place.kind == Place::Kind::None
-                 ? Text::tr("the file holds no triangle")
-                 : Text::tr("the file is damaged here, and none of its triangles can be read");
+                 ? ErrorWords::tr("the file holds no triangle")
+                 : ErrorWords::tr("the file is damaged here, and none of its triangles can be read");
     case ErrorCode::WriteFailed:
-      return Text::tr("the file could not be written (%1)").arg(a);
+      return ErrorWords::tr("the file could not be written (%1)").arg(a);
     case ErrorCode::CheckFailed:
-      return Text::tr("the written file does not read back as it should (%1), so it was not kept").arg(a);
+      return ErrorWords::tr("the written file does not read back as it should (%1), so it was not kept").arg(a);
     case ErrorCode::ArchiveMalformed:
-      return Text::tr("the archive cannot be read (%1)").arg(a);
+      return ErrorWords::tr("the archive cannot be read (%1)").arg(a);
     case ErrorCode::EntryMissing:
-      return Text::tr("the part '%1' is missing").arg(a);
+      return ErrorWords::tr("the part '%1' is missing").arg(a);
     case ErrorCode::EntryDamaged:
-      return Text::tr("the part '%1' is damaged").arg(a);
+      return ErrorWords::tr("the part '%1' is damaged").arg(a);
     case ErrorCode::VersionNewer:
-      return Text::tr("the file has version %1 of the format; this program knows up to version %2").arg(a, b);
+      return ErrorWords::tr("the file has version %1 of the format; this program knows up to version %2").arg(a, b);
     case ErrorCode::KindUnknown:
-      return Text::tr("the file holds a '%1', a kind of document that this program does not know").arg(a);
+      return ErrorWords::tr("the file holds a '%1', a kind of document that this program does not know").arg(a);
     case ErrorCode::ElementMalformed:
-      return Text::tr("the element '%1' is malformed: %2").arg(a, b);
+      return ErrorWords::tr("the element '%1' is malformed: %2").arg(a, b);
     case ErrorCode::ReferenceMissing:
-      return Text::tr("%1 '%2' is named, but cannot be found").arg(a, b);
+      return ErrorWords::tr("%1 '%2' is named, but cannot be found").arg(a, b);
     case ErrorCode::ValueOutOfRange:
-      return Text::tr("%1 cannot be %2; it must lie between %3 and %4").arg(a, b, c, argument(error, 3));
+      return ErrorWords::tr("%1 cannot be %2; it must lie between %3 and %4").arg(a, b, c, argument(error, 3));
     case ErrorCode::Unsupported:
-      return Text::tr("%1 is not supported").arg(a);
+      return ErrorWords::tr("%1 is not supported").arg(a);
     case ErrorCode::PluginVersion:
-      return Text::tr("the plugin was made for another version of Handwheel (%1, here %2)").arg(a, b);
+      return ErrorWords::tr("the plugin was made for another version of Handwheel (%1, here %2)").arg(a, b);
     case ErrorCode::PluginBroken:
-      return Text::tr("the plugin cannot be used (%1)").arg(a);
+      return ErrorWords::tr("the plugin cannot be used (%1)").arg(a);
     case ErrorCode::DeviceUnreachable:
-      return Text::tr("the device cannot be reached (%1)").arg(a);
+      return ErrorWords::tr("the device cannot be reached (%1)").arg(a);
     case ErrorCode::DeviceMute:
-      return Text::tr("the device does not answer as it should (%1)").arg(a);
+      return ErrorWords::tr("the device does not answer as it should (%1)").arg(a);
     case ErrorCode::StepMalformed:
-      return Text::tr("the step cannot be done: %1").arg(a);
+      return ErrorWords::tr("the step cannot be done: %1").arg(a);
     case ErrorCode::LibraryFailed:
-      return Text::tr("the library %1 gave up (%2)").arg(a, b);
+      return ErrorWords::tr("the library %1 gave up (%2)").arg(a, b);
   }
   return {};
 }
@@ -156,9 +156,9 @@ QString where(const Error& error) {
     case Place::Kind::None:
       return {};
     case Place::Kind::Byte:
-      return Text::tr("byte %1").arg(number);
+      return ErrorWords::tr("byte %1").arg(number);
     case Place::Kind::Line:
-      return Text::tr("line %1").arg(number);
+      return ErrorWords::tr("line %1").arg(number);
   }
   return {};
 }
@@ -169,8 +169,8 @@ QString errorSentence(const Error& error) {
   QStringList origin;
   if (!error.subject.empty()) origin << harmless(error.subject);
   if (const QString place = where(error); !place.isEmpty()) origin << place;
-  QString sentence = Text::tr("%1.").arg(whatHappened(error));
-  if (!origin.isEmpty()) sentence = Text::tr("%1: %2").arg(listed(origin), sentence);
+  QString sentence = ErrorWords::tr("%1.").arg(whatHappened(error));
+  if (!origin.isEmpty()) sentence = ErrorWords::tr("%1: %2").arg(listed(origin), sentence);
   // File names are left as they are.
   return error.subject.empty() ? sentence.left(1).toUpper() + sentence.mid(1) : sentence;
 }
@@ -180,25 +180,26 @@ QString errorAdvice(const Error& error) {
     case ErrorCode::Cancelled:
       return {};
     case ErrorCode::OutOfMemory:
-      return Text::tr("Close other documents or programs, or try a model with fewer triangles.");
+      return ErrorWords::tr("Close other documents or programs, or try a model with fewer triangles.");
     case ErrorCode::FileMissing:
-      return Text::tr("Check the name, or whether the file was moved.");
+      return ErrorWords::tr("Check the name, or whether the file was moved.");
     case ErrorCode::FileUnreadable:
-      return Text::tr("Name a file that you may read, and check that its disk is connected.");
+      return ErrorWords::tr("Name a file that you may read, and check that its disk is connected.");
     case ErrorCode::FileEmpty:
-      return Text::tr("Export or copy the file again.");
+      return ErrorWords::tr("Export or copy the file again.");
     case ErrorCode::FileTooLarge:
-      return Text::tr("Reduce or split the model in the program that made it.");
+      return ErrorWords::tr("Reduce or split the model in the program that made it.");
     case ErrorCode::FormatUnknown:
-      return error.arguments.empty() ? Text::tr("Choose another file.")
-                                     : Text::tr("Handwheel reads files that end in %1.").arg(alternatives(error, 0));
+      return error.arguments.empty()
+                 ? ErrorWords::tr("Choose another file.")
+                 : ErrorWords::tr("Handwheel reads files that end in %1.").arg(alternatives(error, 0));
     case ErrorCode::ExtensionUnknown:
-      return Text::tr("Use a name that ends in %1.").arg(alternatives(error, 1));
+      return ErrorWords::tr("Use a name that ends in %1.").arg(alternatives(error, 1));
     case ErrorCode::TextEncoding:
-      return Text::tr("Save the file as UTF-8 text or in a binary format.");
+      return ErrorWords::tr("Save the file as UTF-8 text or in a binary format.");
     case ErrorCode::HeaderMalformed:
     case ErrorCode::TypeUnknown:
-      return Text::tr("Export the file again; its beginning is damaged or of a variant that is not supported.");
+      return ErrorWords::tr("Export the file again; its beginning is damaged or of a variant that is not supported.");
     case ErrorCode::TokenUnexpected:
     case ErrorCode::NumberMalformed:
     case ErrorCode::NumberNotFinite:
@@ -207,42 +208,44 @@ QString errorAdvice(const Error& error) {
     case ErrorCode::PolygonTooSmall:
     case ErrorCode::DataTruncated:
     case ErrorCode::CountMismatch:
-      return Text::tr("Export or copy the file again, or open only what is readable (on the command line: --partial).");
+      return ErrorWords::tr(
+          "Export or copy the file again, or open only what is readable (on the command line: --partial).");
     case ErrorCode::PolygonTooComplex:
-      return Text::tr("Check the shape of that face, or export the model as triangles.");
+      return ErrorWords::tr("Check the shape of that face, or export the model as triangles.");
     case ErrorCode::NoTriangles:
       return error.place.kind == Place::Kind::None
-                 ? Text::tr("Export the model as a surface of triangles; points and curves alone cannot be repaired.")
-                 : Text::tr("Export or copy the file again.");
+                 ? ErrorWords::tr(
+                       "Export the model as a surface of triangles; points and curves alone cannot be repaired.")
+                 : ErrorWords::tr("Export or copy the file again.");
     case ErrorCode::WriteFailed:
-      return Text::tr("Check the free space and that you may write there, or choose another place.");
+      return ErrorWords::tr("Check the free space and that you may write there, or choose another place.");
     case ErrorCode::CheckFailed:
-      return Text::tr("An earlier file of that name is untouched. Save in another format, for example PLY.");
+      return ErrorWords::tr("An earlier file of that name is untouched. Save in another format, for example PLY.");
     case ErrorCode::ArchiveMalformed:
     case ErrorCode::EntryMissing:
     case ErrorCode::EntryDamaged:
-      return Text::tr("Copy the file again, or go back to an earlier copy of it.");
+      return ErrorWords::tr("Copy the file again, or go back to an earlier copy of it.");
     case ErrorCode::VersionNewer:
     case ErrorCode::KindUnknown:
-      return Text::tr("Open it with a newer version of Handwheel.");
+      return ErrorWords::tr("Open it with a newer version of Handwheel.");
     case ErrorCode::ElementMalformed:
-      return Text::tr("Mend the file at this place, or export it again.");
+      return ErrorWords::tr("Mend the file at this place, or export it again.");
     case ErrorCode::ReferenceMissing:
-      return Text::tr("Put the missing file where the other one expects it.");
+      return ErrorWords::tr("Put the missing file where the other one expects it.");
     case ErrorCode::ValueOutOfRange:
-      return Text::tr("Enter a value within these limits.");
+      return ErrorWords::tr("Enter a value within these limits.");
     case ErrorCode::PluginVersion:
     case ErrorCode::PluginBroken:
-      return Text::tr("Install a plugin that was made for this version, or remove the file.");
+      return ErrorWords::tr("Install a plugin that was made for this version, or remove the file.");
     case ErrorCode::DeviceUnreachable:
-      return Text::tr("Check that it is plugged in, that no other program uses it and that you may use it.");
+      return ErrorWords::tr("Check that it is plugged in, that no other program uses it and that you may use it.");
     case ErrorCode::DeviceMute:
-      return Text::tr("Switch it off and on again, or try another port.");
+      return ErrorWords::tr("Switch it off and on again, or try another port.");
     case ErrorCode::StepMalformed:
-      return Text::tr("'handwheel help edit' lists the steps; loops are numbered as 'handwheel inspect' does.");
+      return ErrorWords::tr("'handwheel help edit' lists the steps; loops are numbered as 'handwheel inspect' does.");
     case ErrorCode::Unsupported:
     case ErrorCode::LibraryFailed:
-      return Text::tr("Export the model in another way or another format.");
+      return ErrorWords::tr("Export the model in another way or another format.");
   }
   return {};
 }

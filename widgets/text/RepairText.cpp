@@ -13,7 +13,7 @@ namespace handwheel {
 
 namespace {
 
-struct Text {
+struct RepairWords {
   Q_DECLARE_TR_FUNCTIONS(RepairText)
 };
 
@@ -26,27 +26,27 @@ int asInt(std::size_t n) {
 QString fillMethodName(FillMethod method) {
   switch (method) {
     case FillMethod::Fair:
-      return Text::tr("Fair");
+      return RepairWords::tr("Fair");
     case FillMethod::Refined:
-      return Text::tr("Refined");
+      return RepairWords::tr("Refined");
     case FillMethod::Ear:
-      return Text::tr("Ear cutting");
+      return RepairWords::tr("Ear cutting");
     case FillMethod::Minimal:
-      return Text::tr("Area and bend");
+      return RepairWords::tr("Area and bend");
     case FillMethod::Area:
-      return Text::tr("Least area");
+      return RepairWords::tr("Least area");
     case FillMethod::Dihedral:
-      return Text::tr("Least bend");
+      return RepairWords::tr("Least bend");
     case FillMethod::Ridge:
-      return Text::tr("Ridges");
+      return RepairWords::tr("Ridges");
     case FillMethod::Cone:
-      return Text::tr("Cone");
+      return RepairWords::tr("Cone");
     case FillMethod::Backed:
-      return Text::tr("Given a back");
+      return RepairWords::tr("Given a back");
     case FillMethod::Stitched:
-      return Text::tr("Stitched");
+      return RepairWords::tr("Stitched");
     case FillMethod::Removed:
-      return Text::tr("Removed");
+      return RepairWords::tr("Removed");
   }
   return {};
 }
@@ -54,27 +54,28 @@ QString fillMethodName(FillMethod method) {
 QString fillMethodHint(FillMethod method) {
   switch (method) {
     case FillMethod::Fair:
-      return Text::tr("Triangles as fine as the surroundings, bent to continue them. For scans.");
+      return RepairWords::tr("Triangles as fine as the surroundings, bent to continue them. For scans.");
     case FillMethod::Refined:
-      return Text::tr("Triangles as fine as the surroundings, not bent. For flat places.");
+      return RepairWords::tr("Triangles as fine as the surroundings, not bent. For flat places.");
     case FillMethod::Ear:
-      return Text::tr("Cuts one corner after the other; adds no vertices.");
+      return RepairWords::tr("Cuts one corner after the other; adds no vertices.");
     case FillMethod::Minimal:
-      return Text::tr("The smallest possible area; adds no vertices.");
+      return RepairWords::tr("The smallest possible area; adds no vertices.");
     case FillMethod::Area:
-      return Text::tr("The least area of all triangulations; adds no vertices.");
+      return RepairWords::tr("The least area of all triangulations; adds no vertices.");
     case FillMethod::Dihedral:
-      return Text::tr("The least bend between neighbours, then the least area; adds no vertices.");
+      return RepairWords::tr("The least bend between neighbours, then the least area; adds no vertices.");
     case FillMethod::Ridge:
-      return Text::tr("As fair, with the sharp edges that end at the hole carried through it. For designed parts.");
+      return RepairWords::tr(
+          "As fair, with the sharp edges that end at the hole carried through it. For designed parts.");
     case FillMethod::Cone:
-      return Text::tr("Triangles to one point behind or before the hole.");
+      return RepairWords::tr("Triangles to one point behind or before the hole.");
     case FillMethod::Backed:
-      return Text::tr("The sheet became a thin body.");
+      return RepairWords::tr("The sheet became a thin body.");
     case FillMethod::Stitched:
-      return Text::tr("The borders were brought together.");
+      return RepairWords::tr("The borders were brought together.");
     case FillMethod::Removed:
-      return Text::tr("The faces around it were removed.");
+      return RepairWords::tr("The faces around it were removed.");
   }
   return {};
 }
@@ -109,19 +110,21 @@ QString fillFailureReason(FillFailure failure) {
     case FillFailure::None:
       return {};
     case FillFailure::Cancelled:
-      return Text::tr("cancelled");
+      return RepairWords::tr("cancelled");
     case FillFailure::Rim:
-      return Text::tr("it is the outer edge of an open sheet");
+      return RepairWords::tr("it is the outer edge of an open sheet");
     case FillFailure::KeptOpen:
-      return Text::tr("you asked for it");
+      return RepairWords::tr("you asked for it");
     case FillFailure::TooLong:
-      return Text::tr("it has more edges than allowed");
+      return RepairWords::tr("it has more edges than allowed");
     case FillFailure::NoPatch:
-      return Text::tr("no surface fits its edge");
+      return RepairWords::tr("no surface fits its edge");
     case FillFailure::SelfIntersecting:
-      return Text::tr("every patch would cross the part");
+      return RepairWords::tr("every patch would cross the part");
     case FillFailure::Swelling:
-      return Text::tr("every patch would bulge far out");
+      return RepairWords::tr("every patch would bulge far out");
+    case FillFailure::TooMuchEffort:
+      return RepairWords::tr("it would take too long for a mesh of this size");
   }
   return {};
 }
@@ -129,23 +132,23 @@ QString fillFailureReason(FillFailure failure) {
 QString lostAttributeName(LostAttribute attribute) {
   switch (attribute) {
     case LostAttribute::Colour:
-      return Text::tr("colours");
+      return RepairWords::tr("colours");
     case LostAttribute::Normals:
-      return Text::tr("normals");
+      return RepairWords::tr("normals");
     case LostAttribute::TextureCoordinates:
-      return Text::tr("texture coordinates");
+      return RepairWords::tr("texture coordinates");
     case LostAttribute::Materials:
-      return Text::tr("materials");
+      return RepairWords::tr("materials");
     case LostAttribute::Groups:
-      return Text::tr("groups");
+      return RepairWords::tr("groups");
     case LostAttribute::Lines:
-      return Text::tr("lines");
+      return RepairWords::tr("lines");
     case LostAttribute::Points:
-      return Text::tr("single points");
+      return RepairWords::tr("single points");
     case LostAttribute::Curves:
-      return Text::tr("curves");
+      return RepairWords::tr("curves");
     case LostAttribute::Other:
-      return Text::tr("further attributes");
+      return RepairWords::tr("further attributes");
   }
   return {};
 }
@@ -155,19 +158,23 @@ QStringList repairSummary(const RepairReport& report) {
   const auto add = [&parts](std::size_t count, const auto& phrase) {
     if (count > 0) parts << phrase(asInt(count));
   };
-  add(report.turnedFaces, [](int n) { return Text::tr("%n triangle(s) turned over", nullptr, n); });
-  add(report.removedDegenerate, [](int n) { return Text::tr("%n triangle(s) without area removed", nullptr, n); });
-  add(report.removedDuplicates, [](int n) { return Text::tr("%n duplicate triangle(s) removed", nullptr, n); });
-  add(report.removedFlaps, [](int n) { return Text::tr("%n loosely hanging triangle(s) removed", nullptr, n); });
-  add(report.removedDebris, [](int n) { return Text::tr("%n triangle(s) of debris removed", nullptr, n); });
-  add(report.mergedVertices, [](int n) { return Text::tr("%n near point(s) merged", nullptr, n); });
-  add(report.cutFaces, [](int n) { return Text::tr("%n triangle(s) cut where patches cross", nullptr, n); });
-  add(report.cutClusters, [](int n) { return Text::tr("crossings cut apart at %n place(s)", nullptr, n); });
-  add(report.lostLoops.size(),
-      [](int n) { return Text::tr("%n hole(s) to be kept open gone with triangles that were removed", nullptr, n); });
-  add(report.replacedFaces, [](int n) { return Text::tr("%n tangled triangle(s) replaced around holes", nullptr, n); });
-  add(report.oneSidedCuts, [](int n) { return Text::tr("%n cut(s) where the surface had one side only", nullptr, n); });
-  add(report.partedVertices, [](int n) { return Text::tr("%n touching point(s) parted", nullptr, n); });
+  add(report.turnedFaces, [](int n) { return RepairWords::tr("%n triangle(s) turned over", nullptr, n); });
+  add(report.removedDegenerate,
+      [](int n) { return RepairWords::tr("%n triangle(s) without area removed", nullptr, n); });
+  add(report.removedDuplicates, [](int n) { return RepairWords::tr("%n duplicate triangle(s) removed", nullptr, n); });
+  add(report.removedFlaps, [](int n) { return RepairWords::tr("%n loosely hanging triangle(s) removed", nullptr, n); });
+  add(report.removedDebris, [](int n) { return RepairWords::tr("%n triangle(s) of debris removed", nullptr, n); });
+  add(report.mergedVertices, [](int n) { return RepairWords::tr("%n near point(s) merged", nullptr, n); });
+  add(report.cutFaces, [](int n) { return RepairWords::tr("%n triangle(s) cut where patches cross", nullptr, n); });
+  add(report.cutClusters, [](int n) { return RepairWords::tr("crossings cut apart at %n place(s)", nullptr, n); });
+  add(report.lostLoops.size(), [](int n) {
+    return RepairWords::tr("%n hole(s) to be kept open gone with triangles that were removed", nullptr, n);
+  });
+  add(report.replacedFaces,
+      [](int n) { return RepairWords::tr("%n tangled triangle(s) replaced around holes", nullptr, n); });
+  add(report.oneSidedCuts,
+      [](int n) { return RepairWords::tr("%n cut(s) where the surface had one side only", nullptr, n); });
+  add(report.partedVertices, [](int n) { return RepairWords::tr("%n touching point(s) parted", nullptr, n); });
   return parts;
 }
 

@@ -43,7 +43,7 @@ Result<TriangleSoup> readMetres(const std::filesystem::path& path, std::vector<E
   return std::move(mesh->soup);
 }
 
-Error withSubject(Error error, const std::filesystem::path& path) {
+Error withPath(Error error, const std::filesystem::path& path) {
   if (error.subject.empty()) error.subject = path.string();
   return error;
 }
@@ -140,8 +140,8 @@ Result<TriangleSoup> readSurface(const Shape& shape, const std::filesystem::path
   const Result<std::filesystem::path> path = locateMesh(mesh->file, folder);
   if (!path) return path.error();
   Result<TriangleSoup> soup = readMeshSurface(*mesh, *path, damage, progress);
-  for (Error& error : damage) error = withSubject(std::move(error), *path);
-  if (!soup) return withSubject(soup.error(), *path);
+  for (Error& error : damage) error = withPath(std::move(error), *path);
+  if (!soup) return withPath(soup.error(), *path);
   return soup;
 }
 

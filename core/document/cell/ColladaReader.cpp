@@ -14,7 +14,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr XmlLimits kLimits{std::size_t{256} << 20, 500'000, 64};
+constexpr XmlLimits kColladaLimits{std::size_t{256} << 20, 500'000, 64};
 constexpr std::size_t kMostTriangles = 20'000'000;
 constexpr std::size_t kMostPoints = 20'000'000;
 constexpr int kMostNodes = 100'000;    // instances counted as often as they are placed
@@ -146,7 +146,7 @@ class Scene {
 
 Result<ColladaMesh> readCollada(std::string_view bytes, Progress progress) {
   try {
-    const Result<XmlElement> root = readXml(bytes, kLimits, progress.part(0.0, 0.7));
+    const Result<XmlElement> root = readXml(bytes, kColladaLimits, progress.part(0.0, 0.7));
     if (!root) return root.error();
     if (root->name != "COLLADA") return malformed(*root, "a COLLADA document was expected");
     ColladaMesh mesh;

@@ -16,7 +16,7 @@ constexpr std::size_t kHeaderSize = 30;
 constexpr std::size_t kLongestName = 1000;
 constexpr std::uint16_t kStored = 0, kDeflated = 8;
 constexpr std::uint16_t kEncryptedFlag = 1, kStreamedFlag = 8;
-constexpr std::size_t kBlock = 256 * 1024;
+constexpr std::size_t kSearchBlock = 256 * 1024;
 constexpr std::string_view kLocalHeader("PK\3\4", 4), kDirectoryHeader("PK\1\2", 4), kDescriptor("PK\7\10", 4);
 
 std::uint16_t number16(std::string_view bytes, std::size_t at) {
@@ -80,8 +80,8 @@ class Inflation {
   // Appends at most one block; false when nothing more can be had.
   bool next(std::string& to, std::uint64_t most) {
     const std::size_t before = to.size();
-    const auto room = static_cast<std::size_t>(std::min<std::uint64_t>(kBlock, most));
-    const std::size_t offered = std::min(kBlock, m_input.size() - m_consumed);
+    const auto room = static_cast<std::size_t>(std::min<std::uint64_t>(kSearchBlock, most));
+    const std::size_t offered = std::min(kSearchBlock, m_input.size() - m_consumed);
     if (m_atEnd || room == 0) return false;
     to.resize(before + room);
     m_stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(m_input.data() + m_consumed));

@@ -12,7 +12,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::size_t kBlock = 1 << 20;        // bytes between two looks at the cancel flag
+constexpr std::size_t kUnpackBlock = 1 << 20;  // bytes between two looks at the cancel flag
 constexpr std::uint64_t kDeflateRatio = 1032;  // the most that deflate can pack
 
 struct DropArchive {
@@ -151,7 +151,8 @@ class ZipReader::Archive {
       if (m_progress.cancelled()) return cancelledError();
       const std::size_t before = bytes.size();
       // At the announced end, one byte more: reading to the very end is what has the checksum compared.
-      const std::size_t room = before < announced.size ? std::min<std::size_t>(kBlock, announced.size - before) : 1;
+      const std::size_t room =
+          before < announced.size ? std::min<std::size_t>(kUnpackBlock, announced.size - before) : 1;
       bytes.resize(before + room);
       const zip_int64_t got = zip_fread(entry, bytes.data() + before, room);
       if (got < 0) return damagedError(announced.name);

@@ -16,11 +16,11 @@ constexpr zip_flags_t kNewEntry = ZIP_FL_ENC_UTF_8;
 struct FreeSource {
   void operator()(zip_source_t* source) const { zip_source_free(source); }
 };
-struct DropArchive {
+struct DiscardArchive {
   void operator()(zip_t* archive) const { zip_discard(archive); }
 };
 using Source = std::unique_ptr<zip_source_t, FreeSource>;
-using Archive = std::unique_ptr<zip_t, DropArchive>;
+using Archive = std::unique_ptr<zip_t, DiscardArchive>;
 
 Error libraryError(zip_error_t* error) {
   const int code = zip_error_code_zip(error);

@@ -53,9 +53,9 @@ bool isFace(std::string_view keyword) {
   return keyword == "f" || keyword == "fo";
 }  // fo: as written before 1990
 
-class Reader {
+class ObjParser {
  public:
-  Reader(std::string_view bytes, const ReadOptions& options, Progress progress)
+  ObjParser(std::string_view bytes, const ReadOptions& options, Progress progress)
       : m_assembly(MeshFormat::Obj, options, progress, bytes.size(), 1), m_scanner(bytes, kSyntax) {}
 
   Result<MeshFile> read() {
@@ -121,7 +121,7 @@ class Reader {
 }  // namespace
 
 Result<MeshFile> readObj(std::string_view bytes, const ReadOptions& options, Progress progress) {
-  return Reader(bytes, options, progress).read();
+  return ObjParser(bytes, options, progress).read();
 }
 
 bool looksLikeObj(std::string_view bytes) {

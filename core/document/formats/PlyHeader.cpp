@@ -24,9 +24,9 @@ constexpr TypeName kTypeNames[] = {
     {"float64", PlyType::Float64},
 };
 
-class Reader {
+class HeaderParser {
  public:
-  explicit Reader(std::string_view bytes) : m_bytes(bytes), m_scanner(bytes) {}
+  explicit HeaderParser(std::string_view bytes) : m_bytes(bytes), m_scanner(bytes) {}
 
   Result<PlyHeader> read() {
     if (m_scanner.wordOnAnyLine() != "ply") return malformed("ply");
@@ -135,7 +135,7 @@ std::size_t sizeOf(PlyType type) {
 }
 
 Result<PlyHeader> readPlyHeader(std::string_view bytes) {
-  return Reader(bytes).read();
+  return HeaderParser(bytes).read();
 }
 
 }  // namespace handwheel

@@ -36,9 +36,9 @@ const double* firstNotFinite(const std::array<double, 9>& v) {
   return found == v.end() ? nullptr : found;
 }
 
-class Reader {
+class BinaryStlParser {
  public:
-  Reader(std::string_view bytes, const ReadOptions& options, Progress progress)
+  BinaryStlParser(std::string_view bytes, const ReadOptions& options, Progress progress)
       : m_bytes(bytes), m_assembly(MeshFormat::Stl, options, progress, bytes.size()) {}
 
   Result<MeshFile> read() {
@@ -134,7 +134,7 @@ bool isWholeBinaryStl(std::string_view bytes) {
 }
 
 Result<MeshFile> readBinaryStl(std::string_view bytes, const ReadOptions& options, Progress progress) {
-  return Reader(bytes, options, progress).read();
+  return BinaryStlParser(bytes, options, progress).read();
 }
 
 }  // namespace handwheel

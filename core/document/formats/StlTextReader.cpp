@@ -9,9 +9,9 @@ namespace handwheel {
 
 namespace {
 
-class Reader {
+class TextStlParser {
  public:
-  Reader(std::string_view bytes, const ReadOptions& options, Progress progress)
+  TextStlParser(std::string_view bytes, const ReadOptions& options, Progress progress)
       : m_assembly(MeshFormat::Stl, options, progress, bytes.size()), m_scanner(bytes) {}
 
   Result<MeshFile> read() {
@@ -125,7 +125,7 @@ class Reader {
 }  // namespace
 
 Result<MeshFile> readTextStl(std::string_view bytes, const ReadOptions& options, Progress progress) {
-  return Reader(bytes, options, progress).read();
+  return TextStlParser(bytes, options, progress).read();
 }
 
 }  // namespace handwheel

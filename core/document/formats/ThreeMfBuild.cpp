@@ -9,7 +9,7 @@ namespace handwheel {
 namespace {
 
 constexpr std::uint64_t kMost = std::uint64_t{1} << 25;  // triangles, and points
-constexpr int kDeepest = 100;
+constexpr int kDeepestComponent = 100;
 
 Error malformed(const ThreeMfReference& reference, const char* what) {
   return {ErrorCode::ElementMalformed, {"component", what}, reference.place, {}};
@@ -59,7 +59,7 @@ bool ThreeMfBuild::count(const ThreeMfPart& part, const ThreeMfReference& refere
   if (size.isCounting) return giveUp(malformed(reference, "it contains itself"));
   if (isNew) {
     const TriangleSoup& mesh = found.object->mesh;
-    if (depth > kDeepest) return m_assembly.fail(malformed(reference, "it is nested too deeply"));
+    if (depth > kDeepestComponent) return m_assembly.fail(malformed(reference, "it is nested too deeply"));
     size = {mesh.points.size(), mesh.triangles.size(), 0, true};
     for (const ThreeMfReference& component : found.object->components) {
       if (!m_assembly.step() || !count(*found.part, component, depth + 1, size)) return false;
@@ -70,7 +70,7 @@ bool ThreeMfBuild::count(const ThreeMfPart& part, const ThreeMfReference& refere
   outer.triangles += size.triangles;
   outer.height = std::max(outer.height, size.height + 1);
   // An object that was counted before may be deep without this walk having been.
-  if (outer.height > kDeepest) return m_assembly.fail(malformed(reference, "it is nested too deeply"));
+  if (outer.height > kDeepestComponent) return m_assembly.fail(malformed(reference, "it is nested too deeply"));
   if (outer.triangles > kMost) return m_assembly.fail(tooLarge("triangles"));
   return outer.points <= kMost || m_assembly.fail(tooLarge("vertices"));
 }

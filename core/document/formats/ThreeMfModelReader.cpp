@@ -18,7 +18,7 @@ namespace {
 
 using namespace threemf;
 
-constexpr std::size_t kDeepest = 32;  // elements within each other; the format needs seven
+constexpr std::size_t kDeepestElement = 32;  // elements within each other; the format needs seven
 
 enum class In { File, Model, Resources, Object, Mesh, Vertices, Triangles, Components, Build, Leaf, Foreign };
 
@@ -83,7 +83,7 @@ class ModelReader {
   }
 
   bool enter() {
-    if (m_within.size() >= kDeepest) return m_assembly.fail(malformed("XML", "it is nested too deeply"));
+    if (m_within.size() >= kDeepestElement) return m_assembly.fail(malformed("XML", "it is nested too deeply"));
     const In parent = m_within.empty() ? In::File : m_within.back();
     const bool isCore = m_xml.namespaceUri() == kCore;
     const auto step = std::find_if(std::begin(kSteps), std::end(kSteps), [&](const Step& s) {

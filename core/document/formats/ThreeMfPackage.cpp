@@ -10,10 +10,10 @@ namespace handwheel {
 
 namespace {
 
-constexpr UnpackLimits kLimits{.largest = std::uint64_t{3} << 30, .allowance = std::uint64_t{256} << 20};
+constexpr UnpackLimits kPackageLimits{.largest = std::uint64_t{3} << 30, .allowance = std::uint64_t{256} << 20};
 constexpr std::size_t kLongestRelationships = 16 << 20;
 
-constexpr const char* kRelationships = "_rels/.rels";
+constexpr const char* kRelationshipsEntry = "_rels/.rels";
 constexpr const char* kUsualModel = "3D/3dmodel.model";
 const QString kModelType = QStringLiteral("http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel");
 
@@ -44,7 +44,7 @@ std::string modelTarget(std::string_view text) {
 }  // namespace
 
 ThreeMfPackage::ThreeMfPackage(std::string_view archive, MeshAssembly& assembly, Progress progress)
-    : m_zip(archive, kLimits, progress), m_assembly(assembly), m_progress(progress) {
+    : m_zip(archive, kPackageLimits, progress), m_assembly(assembly), m_progress(progress) {
   for (const std::string& name : m_zip.names()) m_names.emplace(lowerCase(name), name);
 }
 
@@ -87,11 +87,11 @@ bool ThreeMfPackage::findModel(std::string& name) {
       !m_assembly.tolerate({ErrorCode::ArchiveMalformed, {m_zip.directoryProblem()}, {}, {}}))
     return false;
   std::string relationships;
-  const std::string entry = entryFor(kRelationships);
-  if (!read(entry.empty() ? kRelationships : entry, relationships)) return false;
+  const std::string entry = entryFor(kRelationshipsEntry);
+  if (!read(entry.empty() ? kRelationshipsEntry : entry, relationships)) return false;
   if (relationships.size() <= kLongestRelationships) name = entryFor(modelTarget(relationships));
   if (!name.empty()) return true;
-  if (!m_assembly.tolerate({ErrorCode::ReferenceMissing, {"the 3D model", kRelationships}, {}, {}})) return false;
+  if (!m_assembly.tolerate({ErrorCode::ReferenceMissing, {"the 3D model", kRelationshipsEntry}, {}, {}})) return false;
   name = entryFor(kUsualModel);
   const auto model = std::find_if(m_zip.names().begin(), m_zip.names().end(), isModel);
   if (name.empty() && model != m_zip.names().end()) name = *model;

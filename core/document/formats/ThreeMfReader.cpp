@@ -13,9 +13,9 @@ namespace {
 
 constexpr std::size_t kMostParts = 10'000;
 
-class Reader {
+class ThreeMfParser {
  public:
-  Reader(std::string_view bytes, const ReadOptions& options, Progress progress)
+  ThreeMfParser(std::string_view bytes, const ReadOptions& options, Progress progress)
       : m_assembly(MeshFormat::ThreeMf, options, progress, 0),
         m_package(bytes, m_assembly, progress),
         m_isPartial(options.partial) {}
@@ -71,7 +71,7 @@ class Reader {
 }  // namespace
 
 Result<MeshFile> readThreeMf(std::string_view bytes, const ReadOptions& options, Progress progress) {
-  return Reader(bytes, options, progress).read();
+  return ThreeMfParser(bytes, options, progress).read();
 }
 
 bool looksLikeThreeMf(std::string_view bytes) {

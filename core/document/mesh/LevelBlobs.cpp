@@ -15,7 +15,7 @@ namespace handwheel {
 namespace {
 
 const std::string kFolder = "mesh/levels/";
-constexpr std::size_t kFaceNumbers = 7;
+constexpr std::size_t kLevelFaceNumbers = 7;
 constexpr std::size_t kPointNumbers = 3;
 
 std::string levelName(std::size_t level) {
@@ -39,13 +39,13 @@ nlohmann::json writeLevel(const HalfEdgeMesh& mesh, FaceSelection patch, const s
   patch.dropDead(mesh);
   const std::vector<Face> faces = patch.faces();
   std::vector<std::uint32_t> rows;
-  rows.reserve(kFaceNumbers * faces.size());
+  rows.reserve(kLevelFaceNumbers * faces.size());
   for (const Face f : faces) {
     const Triangle& t = mesh.triangle(f);
     rows.insert(rows.end(), {f, t[0], t[1], t[2]});
     for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) rows.push_back(mesh.opposite(h));
   }
-  writeArray<std::uint32_t>(container, name + "/faces", rows, kFaceNumbers);
+  writeArray<std::uint32_t>(container, name + "/faces", rows, kLevelFaceNumbers);
   const std::vector<Vertex> vertices = verticesOf(mesh, faces);
   std::vector<double> points;
   points.reserve(kPointNumbers * vertices.size());
@@ -66,7 +66,7 @@ class LevelReading {
   LevelReading(const nlohmann::json& level, const std::string& name, const Container& container)
       : m_vertexSlots(countAt(level, "vertices")),
         m_faceSlots(countAt(level, "faces")),
-        m_faces(readArray<std::uint32_t>(container, name + "/faces", countAt(level, "patch"), kFaceNumbers)),
+        m_faces(readArray<std::uint32_t>(container, name + "/faces", countAt(level, "patch"), kLevelFaceNumbers)),
         m_points(readArray<double>(container, name + "/points", countAt(level, "points"), kPointNumbers)) {}
 
   // False where the numbers make no mesh. A mesh it may be and yet no level: PatchLevels::addBelow() knows.
@@ -83,7 +83,7 @@ class LevelReading {
 
  private:
   bool setFaces() {
-    for (std::size_t i = 0; i < m_faces.values.size(); i += kFaceNumbers) {
+    for (std::size_t i = 0; i < m_faces.values.size(); i += kLevelFaceNumbers) {
       const std::uint32_t* row = &m_faces.values[i];
       const Face f = row[0];
       if (f >= mesh.faceSlots() || (!m_order.empty() && f <= m_order.back())) return false;
@@ -94,7 +94,7 @@ class LevelReading {
     }
     for (std::size_t i = 0; i < m_order.size(); ++i) {
       for (std::uint32_t k = 0; k < 3; ++k) {
-        const HalfEdge h = 3 * m_order[i] + k, o = m_faces.values[kFaceNumbers * i + 4 + k];
+        const HalfEdge h = 3 * m_order[i] + k, o = m_faces.values[kLevelFaceNumbers * i + 4 + k];
         mesh.setOpposite(h, o);
         if (!mesh.hasOpposite(h)) continue;
         if (o >= mesh.halfEdgeSlots()) return false;

@@ -15,7 +15,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr ToolKey kKeys[] = {
+constexpr ToolKey kJointDragKeys[] = {
     {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "done")},
     {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "put it back")},
 };
@@ -154,15 +154,15 @@ ToolReply JointDragTool::perform(std::string_view action) {
 }
 
 std::span<const ToolKey> JointDragTool::keys() {
-  return kKeys;
+  return kJointDragKeys;
 }
 
 std::vector<ToolAction> JointDragTool::actions() const {
   return {
       {"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), QT_TRANSLATE_NOOP("Tool", "move the joint")},
       {"", QT_TRANSLATE_NOOP("ToolInput", "Shift+drag"), QT_TRANSLATE_NOOP("Tool", "pull the whole arm")},
-      actionOf(kKeys, "commit"),
-      actionOf(kKeys, "revert", true, m_drag ? nullptr : QT_TRANSLATE_NOOP("Tool", "done")),
+      actionOf(kJointDragKeys, "commit"),
+      actionOf(kJointDragKeys, "revert", true, m_drag ? nullptr : QT_TRANSLATE_NOOP("Tool", "done")),
   };
 }
 

@@ -15,7 +15,7 @@
 namespace handwheel {
 
 namespace {
-constexpr ToolKey kKeys[] = {
+constexpr ToolKey kBoundaryKeys[] = {
     {"smooth", "Shift+S", QT_TRANSLATE_NOOP("Tool", "smooth the edge")},
     {"islands", "I", QT_TRANSLATE_NOOP("Tool", "find islands")},
     {"peninsulas", "Shift+I", QT_TRANSLATE_NOOP("Tool", "find peninsulas")},
@@ -41,7 +41,7 @@ const char* BoundaryTool::dragEffect() const {
 }
 
 std::span<const ToolKey> BoundaryTool::keys() {
-  return kKeys;
+  return kBoundaryKeys;
 }
 
 std::vector<ToolAction> BoundaryTool::actions() const {
@@ -56,7 +56,7 @@ std::vector<ToolAction> BoundaryTool::actions() const {
     return {{"", QT_TRANSLATE_NOOP("ToolInput", "Release"), dragEffect()},
             {"", QT_TRANSLATE_NOOP("ToolInput", "Shift"), turned},
             {"", QT_TRANSLATE_NOOP("ToolInput", "Ctrl"), QT_TRANSLATE_NOOP("Tool", "no point attracts")},
-            actionOf(kKeys, "revert", true, QT_TRANSLATE_NOOP("Tool", "put it back"))};
+            actionOf(kBoundaryKeys, "revert", true, QT_TRANSLATE_NOOP("Tool", "put it back"))};
   const bool isChosen = loop() != nullptr, any = neighbour(true).has_value();
   const char* commit = QT_TRANSLATE_NOOP("Tool", "done");
   if (m_proposal) {
@@ -74,13 +74,13 @@ std::vector<ToolAction> BoundaryTool::actions() const {
       {"", QT_TRANSLATE_NOOP("ToolInput", "Click"), QT_TRANSLATE_NOOP("Tool", "choose an edge")},
       {"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), pull},
       {"", QT_TRANSLATE_NOOP("ToolInput", "Shift+drag"), bridge},
-      actionOf(kKeys, "smooth", isChosen),
-      actionOf(kKeys, "islands", isChosen),
-      actionOf(kKeys, "peninsulas", isChosen),
-      actionOf(kKeys, "next", any),
-      actionOf(kKeys, "previous", any),
-      actionOf(kKeys, "commit", !m_job && (!m_proposal || isHeld(*m_proposal)), commit),
-      actionOf(kKeys, "revert", true, revert),
+      actionOf(kBoundaryKeys, "smooth", isChosen),
+      actionOf(kBoundaryKeys, "islands", isChosen),
+      actionOf(kBoundaryKeys, "peninsulas", isChosen),
+      actionOf(kBoundaryKeys, "next", any),
+      actionOf(kBoundaryKeys, "previous", any),
+      actionOf(kBoundaryKeys, "commit", !m_job && (!m_proposal || isHeld(*m_proposal)), commit),
+      actionOf(kBoundaryKeys, "revert", true, revert),
   };
 }
 

@@ -16,8 +16,8 @@ namespace {
 
 constexpr Limits kFaces = {4.0, 1e9};
 constexpr Limits kDistance = {1e-9, 1e9};  // mm
-constexpr Limits kAngle = {0.01, std::numbers::pi};
-constexpr ToolKey kKeys[] = {
+constexpr Limits kFeatureAngle = {0.01, std::numbers::pi};
+constexpr ToolKey kDecimateKeys[] = {
     {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "remove triangles")},
     {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "done")},
 };
@@ -63,12 +63,12 @@ ToolReply DecimateTool::perform(std::string_view action) {
 }
 
 std::span<const ToolKey> DecimateTool::keys() {
-  return kKeys;
+  return kDecimateKeys;
 }
 
 std::vector<ToolAction> DecimateTool::actions() const {
   const bool isPossible = m_goal == Goal::Distance || m_faces < static_cast<double>(m_document.mesh().liveFaceCount());
-  return {actionOf(kKeys, "commit", isPossible), actionOf(kKeys, "revert")};
+  return {actionOf(kDecimateKeys, "commit", isPossible), actionOf(kDecimateKeys, "revert")};
 }
 
 std::vector<Property> DecimateTool::settings() const {
@@ -88,7 +88,7 @@ std::vector<Property> DecimateTool::settings() const {
   all.push_back(switchSetting("keeps_creases", QT_TRANSLATE_NOOP("Property", "Keep sharp edges"), m_keepsCreases));
   if (m_keepsCreases) {
     all.push_back(numberSetting("crease_angle", QT_TRANSLATE_NOOP("Property", "Sharp from"), m_creaseAngle,
-                                Quantity::Angle, kAngle));
+                                Quantity::Angle, kFeatureAngle));
   }
   all.push_back(
       switchSetting("avoids_crossings", QT_TRANSLATE_NOOP("Property", "Let nothing cross"), m_avoidsCrossings));
@@ -101,7 +101,7 @@ void DecimateTool::setSetting(std::string_view id, const PropertyValue& value) {
   if (id == "distance") takeNumber(m_distance, value, kDistance);
   if (id == "keeps_borders") takeSwitch(m_keepsBorders, value);
   if (id == "keeps_creases") takeSwitch(m_keepsCreases, value);
-  if (id == "crease_angle") takeNumber(m_creaseAngle, value, kAngle);
+  if (id == "crease_angle") takeNumber(m_creaseAngle, value, kFeatureAngle);
   if (id == "avoids_crossings") takeSwitch(m_avoidsCrossings, value);
 }
 

@@ -17,7 +17,7 @@ constexpr FillMethod kMethods[] = {FillMethod::Fair, FillMethod::Refined,  FillM
                                    FillMethod::Area, FillMethod::Dihedral, FillMethod::Ridge};
 
 constexpr int kContinuities = 3;
-constexpr ToolKey kKeys[] = {
+constexpr ToolKey kFillHoleKeys[] = {
     {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "fill the hole")},
     {"next", "N", QT_TRANSLATE_NOOP("Tool", "next hole"), "nextHole"},
     {"previous", "Shift+N", QT_TRANSLATE_NOOP("Tool", "previous hole"), "previousHole"},
@@ -53,6 +53,8 @@ const char* problemOf(FillFailure failure) {
       return QT_TRANSLATE_NOOP("Property", "Every patch would cross the part.");
     case FillFailure::Swelling:
       return QT_TRANSLATE_NOOP("Property", "Every patch would bulge far out.");
+    case FillFailure::TooMuchEffort:
+      return QT_TRANSLATE_NOOP("Property", "It would take too long for a mesh of this size.");
   }
   return "";
 }
@@ -224,7 +226,7 @@ void FillHoleTool::documentChanged() {
 }
 
 std::span<const ToolKey> FillHoleTool::keys() {
-  return kKeys;
+  return kFillHoleKeys;
 }
 
 std::vector<ToolAction> FillHoleTool::actions() const {
@@ -233,14 +235,15 @@ std::vector<ToolAction> FillHoleTool::actions() const {
   const bool any = neighbour(true).has_value();
   return {
       {"", QT_TRANSLATE_NOOP("ToolInput", "Click"), QT_TRANSLATE_NOOP("Tool", "choose a hole")},
-      actionOf(kKeys, "commit", m_state == State::Ready),
-      actionOf(kKeys, "next", any),
-      actionOf(kKeys, "previous", any),
-      actionOf(kKeys, "keep", chosen != nullptr, kept ? QT_TRANSLATE_NOOP("Tool", "no longer keep open") : nullptr),
+      actionOf(kFillHoleKeys, "commit", m_state == State::Ready),
+      actionOf(kFillHoleKeys, "next", any),
+      actionOf(kFillHoleKeys, "previous", any),
+      actionOf(kFillHoleKeys, "keep", chosen != nullptr,
+               kept ? QT_TRANSLATE_NOOP("Tool", "no longer keep open") : nullptr),
       {"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), QT_TRANSLATE_NOOP("Tool", "bridge the hole from point to point"),
        chosen != nullptr},
-      actionOf(kKeys, "automatic", !m_bridges.own().empty()),
-      actionOf(kKeys, "revert", true, chosen ? nullptr : QT_TRANSLATE_NOOP("Tool", "done")),
+      actionOf(kFillHoleKeys, "automatic", !m_bridges.own().empty()),
+      actionOf(kFillHoleKeys, "revert", true, chosen ? nullptr : QT_TRANSLATE_NOOP("Tool", "done")),
   };
 }
 

@@ -11,7 +11,7 @@
 namespace handwheel {
 namespace {
 
-constexpr Limits kWeights = {0.0, 1e6};
+constexpr Limits kEarWeights = {0.0, 1e6};
 
 // A measured setting under its own short name.
 struct FillWord {
@@ -113,8 +113,8 @@ FillOptions readFillWords(StepReader& reader, const MeshDocument& document, std:
     const std::vector<std::string_view> parts = parted(*ears, ',');
     if (parts.size() != 4) reader.complain("--ears takes four weights: L,A,N,L");
     if (reader.isGood())
-      options.ears = {reader.number(parts[0], kWeights), reader.number(parts[1], kWeights),
-                      reader.number(parts[2], kWeights), reader.number(parts[3], kWeights)};
+      options.ears = {reader.number(parts[0], kEarWeights), reader.number(parts[1], kEarWeights),
+                      reader.number(parts[2], kEarWeights), reader.number(parts[3], kEarWeights)};
   }
   options.numbers = readNumbers(reader, document);
   options.keptCorners = keptCorners(document);

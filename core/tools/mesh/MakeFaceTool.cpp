@@ -12,8 +12,8 @@
 namespace handwheel {
 namespace {
 
-constexpr double kMark = 6.0;  // pixels, radius of the mark on a point
-constexpr ToolKey kKeys[] = {
+constexpr double kCornerMark = 6.0;  // pixels, radius of the mark on a point
+constexpr ToolKey kMakeFaceKeys[] = {
     {"back", "Backspace", QT_TRANSLATE_NOOP("Tool", "take the last corner back")},
     {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "done")},
     {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "start again")},
@@ -47,7 +47,7 @@ ToolReply MakeFaceTool::pointer(const PointerEvent& event) {
 void MakeFaceTool::hover(const PointerEvent& event) {
   const auto point = m_picking.pointAt(event.sight());
   const auto vertex = point ? std::optional(mesh().from(point->at)) : std::nullopt;
-  if (vertex) m_mark = kMark * event.sight().pixelAt(mesh().position(*vertex));
+  if (vertex) m_mark = kCornerMark * event.sight().pixelAt(mesh().position(*vertex));
   if (vertex == m_hovered) return;
   m_hovered = vertex;
   judge();
@@ -106,7 +106,7 @@ ToolReply MakeFaceTool::perform(std::string_view action) {
 }
 
 std::span<const ToolKey> MakeFaceTool::keys() {
-  return kKeys;
+  return kMakeFaceKeys;
 }
 
 std::vector<ToolAction> MakeFaceTool::actions() const {
@@ -118,9 +118,9 @@ std::vector<ToolAction> MakeFaceTool::actions() const {
   }
   return {
       {"", QT_TRANSLATE_NOOP("ToolInput", "Click"), effect},
-      actionOf(kKeys, "back", !m_corners.empty()),
-      actionOf(kKeys, "commit"),
-      actionOf(kKeys, "revert", true, m_corners.empty() ? QT_TRANSLATE_NOOP("Tool", "done") : nullptr),
+      actionOf(kMakeFaceKeys, "back", !m_corners.empty()),
+      actionOf(kMakeFaceKeys, "commit"),
+      actionOf(kMakeFaceKeys, "revert", true, m_corners.empty() ? QT_TRANSLATE_NOOP("Tool", "done") : nullptr),
   };
 }
 

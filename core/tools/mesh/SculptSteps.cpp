@@ -16,8 +16,8 @@ namespace {
 constexpr int kBorderRings = 2;                // of faces around a border that are smoothed without a patch
 constexpr std::size_t kMostFaces = 1'000'000;  // of a patch
 constexpr int kMostLevels = 20;                // of which each has about four times the faces
-constexpr Limits kRadius = {1e-9, 1e9};        // mm
-constexpr Limits kStrength = {-1.0, 1.0};
+constexpr Limits kStepRadius = {1e-9, 1e9};    // mm
+constexpr Limits kStepStrength = {-1.0, 1.0};
 constexpr Limits kSpread = {0.02, 1.5};                                       // radian
 constexpr const char* kBrushes[] = {"drag", "smooth", "inflate", "flatten"};  // as SculptSettings::Brush
 
@@ -77,8 +77,8 @@ SculptStroke::Settings readStrokeSettings(StepReader& reader, const MeshDocument
   settings.brush = static_cast<SculptSettings::Brush>(known - std::begin(kBrushes));
   const auto radius = reader.option("radius");
   if (!radius) reader.complain("--radius MM is missing");
-  if (reader.isGood()) settings.radius = reader.number(*radius, kRadius);
-  settings.strength = reader.number("strength", 0.5, kStrength);
+  if (reader.isGood()) settings.radius = reader.number(*radius, kStepRadius);
+  settings.strength = reader.number("strength", 0.5, kStepStrength);
   settings.movesBorder = reader.flag("borders");
   const auto level = reader.option("level");
   settings.level = level ? reader.index(*level, "level", levels.finest() + 1) : levels.finest();

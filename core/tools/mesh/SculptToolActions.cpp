@@ -12,7 +12,7 @@ namespace handwheel {
 namespace {
 
 constexpr double kRadiusStep = 1.25;  // from one size to the next by key
-constexpr ToolKey kKeys[] = {
+constexpr ToolKey kSculptKeys[] = {
     {"smaller", "[", QT_TRANSLATE_NOOP("Tool", "smaller brush")},
     {"larger", "]", QT_TRANSLATE_NOOP("Tool", "larger brush")},
     {"subdivide", "L", QT_TRANSLATE_NOOP("Tool", "subdivide the patch")},
@@ -189,7 +189,7 @@ ToolReply SculptTool::revert() {
 }
 
 std::span<const ToolKey> SculptTool::keys() {
-  return kKeys;
+  return kSculptKeys;
 }
 
 std::vector<ToolAction> SculptTool::actions() const {
@@ -199,18 +199,18 @@ std::vector<ToolAction> SculptTool::actions() const {
       {"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), QT_TRANSLATE_NOOP("Tool", "sculpt")},
       {"", QT_TRANSLATE_NOOP("ToolInput", "Shift+drag"), QT_TRANSLATE_NOOP("Tool", "smooth")},
       {"", QT_TRANSLATE_NOOP("ToolInput", "Ctrl+drag"), QT_TRANSLATE_NOOP("Tool", "the other way")},
-      actionOf(kKeys, "smaller"),
-      actionOf(kKeys, "larger"),
-      actionOf(kKeys, "subdivide", hasPatch && isIdle),
-      actionOf(kKeys, "back", finest > 0 && isIdle),
-      actionOf(kKeys, "refine", hasPatch && isIdle),
-      actionOf(kKeys, "coarser", m_level > 0),
-      actionOf(kKeys, "finer", m_level < finest),
-      actionOf(kKeys, "noise", isIdle,
+      actionOf(kSculptKeys, "smaller"),
+      actionOf(kSculptKeys, "larger"),
+      actionOf(kSculptKeys, "subdivide", hasPatch && isIdle),
+      actionOf(kSculptKeys, "back", finest > 0 && isIdle),
+      actionOf(kSculptKeys, "refine", hasPatch && isIdle),
+      actionOf(kSculptKeys, "coarser", m_level > 0),
+      actionOf(kSculptKeys, "finer", m_level < finest),
+      actionOf(kSculptKeys, "noise", isIdle,
                hasPatch ? nullptr : QT_TRANSLATE_NOOP("Tool", "smooth the noise along the holes")),
-      actionOf(kKeys, "whole", hasPatch),
-      actionOf(kKeys, "commit"),
-      actionOf(kKeys, "revert"),  // whatever goes on, so that no button comes and goes
+      actionOf(kSculptKeys, "whole", hasPatch),
+      actionOf(kSculptKeys, "commit"),
+      actionOf(kSculptKeys, "revert"),  // whatever goes on, so that no button comes and goes
   };
   if (m_crossings > 0)
     all.insert(all.begin(),

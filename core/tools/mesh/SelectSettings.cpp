@@ -11,8 +11,8 @@
 namespace handwheel {
 namespace {
 
-constexpr Limits kLength = {1e-6, 1e6};    // mm
-constexpr Limits kPixels = {1.0, 1000.0};  // logical pixels
+constexpr Limits kBrushLength = {1e-6, 1e6};  // mm
+constexpr Limits kPixels = {1.0, 1000.0};     // logical pixels
 constexpr Limits kAngle = {0.0, std::numbers::pi};
 
 }  // namespace
@@ -21,7 +21,7 @@ void SelectSettings::scaleBrush(double factor) {
   if (brushUnit == Unit::Pixels) {
     brushPixels = kPixels.bring(factor * brushPixels);
   } else {
-    brushLength = kLength.bring(factor * brushLength);
+    brushLength = kBrushLength.bring(factor * brushLength);
   }
 }
 
@@ -39,7 +39,7 @@ std::vector<Property> SelectSettings::properties() const {
                       ? numberSetting("brush_pixels", QT_TRANSLATE_NOOP("Property", "Brush radius"), brushPixels,
                                       Quantity::Number, kPixels)
                       : numberSetting("brush_length", QT_TRANSLATE_NOOP("Property", "Brush radius"), brushLength,
-                                      Quantity::Length, kLength));
+                                      Quantity::Length, kBrushLength));
   }
   if (mode == Mode::Lasso) {
     all.push_back(switchSetting("through", QT_TRANSLATE_NOOP("Property", "Select through the model"), through));
@@ -55,7 +55,7 @@ std::vector<Property> SelectSettings::properties() const {
 bool SelectSettings::set(std::string_view id, const PropertyValue& value) {
   if (id == "mode") return takeChoice(mode, value, 5);
   if (id == "brush_unit") return takeChoice(brushUnit, value, 2);
-  if (id == "brush_length") return takeNumber(brushLength, value, kLength);
+  if (id == "brush_length") return takeNumber(brushLength, value, kBrushLength);
   if (id == "brush_pixels") return takeNumber(brushPixels, value, kPixels);
   if (id == "angle") return takeNumber(angle, value, kAngle);
   return id == "through" && takeSwitch(through, value);

@@ -13,7 +13,7 @@ namespace handwheel {
 namespace {
 
 constexpr double kBrushStep = 1.25;  // from one size to the next by key
-constexpr ToolKey kKeys[] = {
+constexpr ToolKey kSelectKeys[] = {
     {"smaller", "[", QT_TRANSLATE_NOOP("Tool", "smaller brush")},
     {"larger", "]", QT_TRANSLATE_NOOP("Tool", "larger brush")},
     {"all", "Ctrl+A", QT_TRANSLATE_NOOP("Tool", "select all")},
@@ -177,7 +177,7 @@ MeshSelection SelectTool::presentAlive() const {
 }
 
 std::span<const ToolKey> SelectTool::keys() {
-  return kKeys;
+  return kSelectKeys;
 }
 
 std::vector<ToolAction> SelectTool::actions() const {
@@ -191,19 +191,19 @@ std::vector<ToolAction> SelectTool::actions() const {
   if (m_settings.mode == Mode::Click)
     all.push_back({"", QT_TRANSLATE_NOOP("ToolInput", "Double-click"), hintsOf(Mode::Connected).effect});
   if (m_settings.mode == Mode::Brush) {
-    all.push_back(actionOf(kKeys, "smaller"));
-    all.push_back(actionOf(kKeys, "larger"));
+    all.push_back(actionOf(kSelectKeys, "smaller"));
+    all.push_back(actionOf(kSelectKeys, "larger"));
   }
   const std::vector<ToolAction> common = {
-      actionOf(kKeys, "all"),
-      actionOf(kKeys, "invert"),
-      actionOf(kKeys, "grow", some),
-      actionOf(kKeys, "shrink", some),
-      actionOf(kKeys, "previous", m_steps.canGoBack()),
-      actionOf(kKeys, "next", m_steps.canGoForward()),
-      actionOf(kKeys, "delete", some),
-      actionOf(kKeys, "commit"),
-      actionOf(kKeys, "revert", true, selection().empty() ? QT_TRANSLATE_NOOP("Tool", "done") : nullptr),
+      actionOf(kSelectKeys, "all"),
+      actionOf(kSelectKeys, "invert"),
+      actionOf(kSelectKeys, "grow", some),
+      actionOf(kSelectKeys, "shrink", some),
+      actionOf(kSelectKeys, "previous", m_steps.canGoBack()),
+      actionOf(kSelectKeys, "next", m_steps.canGoForward()),
+      actionOf(kSelectKeys, "delete", some),
+      actionOf(kSelectKeys, "commit"),
+      actionOf(kSelectKeys, "revert", true, selection().empty() ? QT_TRANSLATE_NOOP("Tool", "done") : nullptr),
   };
   all.insert(all.end(), common.begin(), common.end());
   return all;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kLongestQuote = 40;  // characters of a word that a sentence repeats
 
-std::string quoted(std::string_view word) {
+std::string inQuotes(std::string_view word) {
   const bool isLong = word.size() > kLongestQuote;
   return "'" + std::string(word.substr(0, kLongestQuote)) + (isLong ? "…'" : "'");
 }
@@ -147,9 +147,9 @@ Status StepReader::status() const {
     return Error{ErrorCode::StepMalformed, {std::move(problem)}, {}, {}};
   };
   if (!m_problem.empty()) return malformed(m_problem);
-  if (hasWord()) return malformed(quoted(m_words[m_next]) + " is too much");
+  if (hasWord()) return malformed(inQuotes(m_words[m_next]) + " is too much");
   for (const Option& option : m_options)
-    if (!option.isUsed) return malformed(m_verb + " has no option " + quoted("--" + option.name));
+    if (!option.isUsed) return malformed(m_verb + " has no option " + inQuotes("--" + option.name));
   return Done{};
 }
 
@@ -198,7 +198,7 @@ double StepReader::number(std::string_view name, double otherwise, const Limits&
 std::uint32_t StepReader::index(std::string_view word, const char* what, std::size_t count) {
   std::uint32_t index = 0;
   if (!readIndex(word, index)) {
-    complain(quoted(word) + " is not the number of a " + what);
+    complain(inQuotes(word) + " is not the number of a " + what);
   } else if (index >= count) {
     complain("there is no " + std::string(what) + " " + std::to_string(index) +
              (count == 0 ? ", nor any" : ", only 0 to " + std::to_string(count - 1)));
@@ -220,20 +220,21 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> StepReader::pairs(std::stri
   std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
   for (const std::string_view part : parted(list, ',')) {
     const std::size_t colon = part.find(':');
-    if (colon == std::string_view::npos) complain(quoted(part) + " is no pair such as 3:7");
+    if (colon == std::string_view::npos) complain(inQuotes(part) + " is no pair such as 3:7");
     if (!isGood()) return {};
     all.emplace_back(index(part.substr(0, colon), what, count), index(part.substr(colon + 1), what, count));
   }
   return isGood() ? all : std::vector<std::pair<std::uint32_t, std::uint32_t>>();
 }
 
-FaceSelection StepReader::faces(std::string_view ranges, std::size_t slots) {
+FaceSelection StepReader::faces(std::string_view ranges, std::size_t slotCount) {
   FaceSelection faces;
   for (const std::string_view part : parted(ranges, ',')) {
     const std::size_t dash = part.find('-');
-    const std::uint32_t first = index(part.substr(0, dash), "triangle", slots);
-    const std::uint32_t last = dash == std::string_view::npos ? first : index(part.substr(dash + 1), "triangle", slots);
-    if (isGood() && last < first) complain(quoted(part) + " runs backwards");
+    const std::uint32_t first = index(part.substr(0, dash), "triangle", slotCount);
+    const std::uint32_t last =
+        dash == std::string_view::npos ? first : index(part.substr(dash + 1), "triangle", slotCount);
+    if (isGood() && last < first) complain(inQuotes(part) + " runs backwards");
     if (!isGood()) return {};
     for (Face f = first; f <= last; ++f) faces.add(f);
   }
@@ -243,16 +244,16 @@ FaceSelection StepReader::faces(std::string_view ranges, std::size_t slots) {
 double StepReader::number(std::string_view word, const Limits& limits) {
   double value = 0.0;
   if (!readNumber(word, value)) {
-    complain(quoted(word) + " is not a number");
+    complain(inQuotes(word) + " is not a number");
   } else if (value < limits.least || value > limits.largest) {
-    complain(quoted(word) + " is not between " + shortestText(limits.least) + " and " + shortestText(limits.largest));
+    complain(inQuotes(word) + " is not between " + shortestText(limits.least) + " and " + shortestText(limits.largest));
   }
   return value;
 }
 
 Vec3 StepReader::point(std::string_view word, const Limits& limits) {
   const std::vector<std::string_view> parts = parted(word, ',');
-  if (parts.size() != 3) complain(quoted(word) + " is not X,Y,Z");
+  if (parts.size() != 3) complain(inQuotes(word) + " is not X,Y,Z");
   if (!isGood()) return Vec3::Zero();
   return {number(parts[0], limits), number(parts[1], limits), number(parts[2], limits)};
 }
@@ -263,7 +264,7 @@ double StepReader::angle(std::string_view word, const Limits& limits) {
   if (word.ends_with("deg")) word.remove_suffix(3);
   const double value = number(word) * (isRadian ? 1.0 : kRadiansPerDegree);
   if (isGood() && (value < limits.least || value > limits.largest))
-    complain(quoted(word) + " is not between " + shortestText(limits.least / kRadiansPerDegree) + " and " +
+    complain(inQuotes(word) + " is not between " + shortestText(limits.least / kRadiansPerDegree) + " and " +
              shortestText(limits.largest / kRadiansPerDegree) + " degrees");
   return value;
 }

@@ -11,12 +11,12 @@ namespace handwheel::falcon {
 
 namespace {
 
-constexpr int kLoads = 10;            // the whole load
-constexpr int kGreetings = 100;       // within each
-constexpr int kProbes = 10;           // for firmware that runs
-constexpr double kAnswerTime = 0.02;  // s
-constexpr double kPause = 0.1;        // s between two loads
-constexpr std::size_t kChunk = 62;    // bytes; more are not echoed
+constexpr int kLoads = 10;                // the whole load
+constexpr int kGreetings = 100;           // within each
+constexpr int kProbes = 10;               // for firmware that runs
+constexpr double kBootAnswerTime = 0.02;  // s
+constexpr double kPause = 0.1;            // s between two loads
+constexpr std::size_t kChunk = 62;        // bytes; more are not echoed
 constexpr std::array<std::uint8_t, 3> kGreeting = {0x0a, 0x43, 0x0d};
 constexpr std::array<std::uint8_t, 4> kGreeted = {0x0a, 0x44, 0x2c, 0x0d};
 constexpr std::array<std::uint8_t, 1> kBegin = {0x41};
@@ -26,7 +26,7 @@ using Buffer = std::array<std::uint8_t, 256>;
 // So many bytes, or fewer when no more come in time.
 std::span<const std::uint8_t> readUpTo(FtdiPort& port, Clock& clock, Buffer& buffer, std::size_t wanted) {
   std::size_t filled = 0;
-  const double end = clock.now() + kAnswerTime;
+  const double end = clock.now() + kBootAnswerTime;
   while (filled < wanted && clock.now() < end) {
     const std::ptrdiff_t count = port.read(std::span(buffer).subspan(filled), end - clock.now());
     if (count == kGone) break;

@@ -24,8 +24,8 @@ namespace handwheel {
 
 namespace {
 
-constexpr int kGuardEnd = 3;   // the descriptor of its end of the socket
-constexpr int kPriority = 10;  // of SCHED_FIFO, low among real-time threads
+constexpr int kGuardEnd = 3;        // the descriptor of its end of the socket
+constexpr int kGuardPriority = 10;  // of SCHED_FIFO, low among real-time threads
 constexpr double kWait = 0.001;
 constexpr int kWaits = 1000;  // and then it is ended
 
@@ -140,7 +140,7 @@ int runGuard(int argc, char** argv, const std::function<std::unique_ptr<Session>
   stopOnSignals();
   ::fcntl(kGuardEnd, F_SETFL, O_NONBLOCK);
   ::fcntl(kGuardEnd, F_SETFD, FD_CLOEXEC);
-  (void)makeThreadRealTime(kPriority);
+  (void)makeThreadRealTime(kGuardPriority);
   FileStream stream(kGuardEnd);
   SteadyClock clock;
   const std::unique_ptr<Session> session = make(argv[1]);

@@ -12,7 +12,7 @@ namespace handwheel {
 namespace {
 
 constexpr std::int64_t kForceLife = 50'000'000;  // ns after the last write; a servo loop that is well writes each ms
-constexpr int kPriority = 10;                    // of SCHED_FIFO, low among real-time threads
+constexpr int kDevicePriority = 10;              // of SCHED_FIFO, low among real-time threads
 
 std::int64_t nanoseconds() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch())
@@ -32,7 +32,7 @@ bool isFinite(const DeviceForce& force) {
 // costs.
 void askForPriority() {
   sched_param parameters{};
-  parameters.sched_priority = kPriority;
+  parameters.sched_priority = kDevicePriority;
   (void)::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &parameters);
 }
 

@@ -11,9 +11,9 @@ namespace handwheel::spacemouse {
 
 namespace {
 
-constexpr std::int32_t kMotion = 0;
-constexpr std::int32_t kPress = 1;
-constexpr std::int32_t kRelease = 2;
+constexpr std::int32_t kMotionRecord = 0;
+constexpr std::int32_t kPressRecord = 1;
+constexpr std::int32_t kReleaseRecord = 2;
 
 // Far beyond full scale, and safe to negate.
 int limited(std::int32_t value) {
@@ -37,15 +37,15 @@ void SocketRecords::take(std::span<const std::uint8_t> bytes) {
 }
 
 void SocketRecords::takeRecord(const Record& record) {
-  if (record[0] == kMotion) {
+  if (record[0] == kMotionRecord) {
     m_counts.translation = asReported(record[1], record[2], record[3]);
     m_counts.rotation = asReported(record[4], record[5], record[6]);
-  } else if (record[0] == kPress || record[0] == kRelease) {
+  } else if (record[0] == kPressRecord || record[0] == kReleaseRecord) {
     if (record[1] < 0 || record[1] > 0xffff) return;
     const int bit = bitOf(static_cast<std::uint16_t>(record[1]));
     if (bit == kNoBit) return;
     const std::uint32_t mask = std::uint32_t{1} << bit;
-    m_buttons = record[0] == kPress ? m_buttons | mask : m_buttons & ~mask;
+    m_buttons = record[0] == kPressRecord ? m_buttons | mask : m_buttons & ~mask;
   }
 }
 
