@@ -101,7 +101,10 @@ void Autosave::tellFailure(OpenDocument* document, const QString& name, const Er
                 errorSentence(error),
                 tr("Save it yourself: if the program ended now, your last changes would be lost."),
                 {},
-                {}});
+                {},
+                {},
+                {},
+                &document->document});
 }
 
 // The messages keep the leftovers, and so their locks, until they are answered or closed.

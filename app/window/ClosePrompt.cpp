@@ -12,7 +12,7 @@
 namespace handwheel {
 
 namespace {
-struct Text {
+struct ClosePromptWords {
   Q_DECLARE_TR_FUNCTIONS(ClosePrompt)
 };
 }  // namespace
@@ -21,10 +21,10 @@ void askBeforeClosing(QWidget* window, const QString& name, std::function<void(C
   auto* box = new QMessageBox(window);
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->setObjectName(QStringLiteral("closePrompt"));
-  box->setWindowTitle(Text::tr("Unsaved changes"));
+  box->setWindowTitle(ClosePromptWords::tr("Unsaved changes"));
   box->setIconPixmap(icon(QStringLiteral("save"), themeColours(currentTheme()).accent).pixmap(QSize(40, 40)));
-  box->setText(Text::tr("Save the changes to %1?").arg(name));
-  box->setInformativeText(Text::tr("Without saving they are lost."));
+  box->setText(ClosePromptWords::tr("Save the changes to %1?").arg(name));
+  box->setInformativeText(ClosePromptWords::tr("Without saving they are lost."));
   box->setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
   box->setDefaultButton(QMessageBox::Save);
   QObject::connect(box, &QMessageBox::finished, window, [box, then = std::move(then)] {

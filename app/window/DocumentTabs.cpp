@@ -65,6 +65,7 @@ void DocumentTabs::add(std::unique_ptr<OpenDocument> document) {
     close->setObjectName(QStringLiteral("closeTab"));
     close->setIcon(icon(QStringLiteral("close")));
     close->setIconSize({12, 12});
+    close->setFocusPolicy(Qt::NoFocus);  // the keyboard closes by its own command: Space must not, by accident
     close->setAccessibleName(tr("Close %1").arg(added->document.name()));
     close->setToolTip(m_closeTip);
     connect(close, &QToolButton::clicked, this, [this, added] { emit closeRequested(added); });

@@ -14,7 +14,7 @@ namespace handwheel {
 
 namespace {
 
-const auto kKey = QStringLiteral("fidelity");
+const auto kFidelityKey = QStringLiteral("fidelity");
 
 // As it comes with the program.
 CurveFile shippedCurve(const FidelitySetting& setting) {
@@ -33,7 +33,7 @@ double between(double a, double b, double share) {
 }  // namespace
 
 FidelityChoice::FidelityChoice(QObject* parent) : QObject(parent), m_registry(measuredSettings()) {
-  const auto kept = readValues(m_registry, QSettings().value(kKey).toString().toStdString());
+  const auto kept = readValues(m_registry, QSettings().value(kFidelityKey).toString().toStdString());
   if (kept) m_values = *kept;
 }
 
@@ -43,7 +43,7 @@ double FidelityChoice::of(std::string_view id) const {
 
 void FidelityChoice::use(const FidelityValues& values) {
   m_values = values;
-  QSettings().setValue(kKey, QString::fromStdString(textOf(m_registry, m_values)));
+  QSettings().setValue(kFidelityKey, QString::fromStdString(textOf(m_registry, m_values)));
   emit changed();
 }
 

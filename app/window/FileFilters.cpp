@@ -11,7 +11,7 @@ namespace handwheel {
 
 namespace {
 
-struct Text {
+struct FileFiltersWords {
   Q_DECLARE_TR_FUNCTIONS(FileFilters)
 };
 
@@ -70,19 +70,19 @@ QStringList openFilters(const DocumentKinds& kinds) {
     all << own;
     if (!own.isEmpty()) lines << titled(QCoreApplication::translate("DocumentKind", kind->title().c_str()), own);
   }
-  lines.prepend(titled(Text::tr("All that Handwheel opens"), all));
-  return lines << titled(Text::tr("All files"), {QStringLiteral("*")});
+  lines.prepend(titled(FileFiltersWords::tr("All that Handwheel opens"), all));
+  return lines << titled(FileFiltersWords::tr("All files"), {QStringLiteral("*")});
 }
 
 QStringList saveFilters(const DocumentKind& kind) {
-  QStringList all{containerPattern()}, lines{titled(Text::tr("Handwheel documents"), all)};
+  QStringList all{containerPattern()}, lines{titled(FileFiltersWords::tr("Handwheel documents"), all)};
   for (const FileFormat& format : kind.formats()) {
     if (!format.writes) continue;
     all << patterns(format);
     lines << titled(QString::fromStdString(format.name), {patterns(format)});
   }
-  lines.prepend(titled(Text::tr("All formats"), all));
-  return lines << titled(Text::tr("All files"), {QStringLiteral("*")});
+  lines.prepend(titled(FileFiltersWords::tr("All formats"), all));
+  return lines << titled(FileFiltersWords::tr("All files"), {QStringLiteral("*")});
 }
 
 }  // namespace handwheel

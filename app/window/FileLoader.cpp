@@ -149,7 +149,10 @@ void FileLoader::tellLosses(const Document& document) {
                 lines.join(QLatin1Char(' ')),
                 tr("“Save” will ask for a new name, so the original stays as it is."),
                 {},
-                {}});
+                {},
+                {},
+                {},
+                &document});
 }
 
 }  // namespace handwheel

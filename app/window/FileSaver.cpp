@@ -82,7 +82,10 @@ bool FileSaver::tellLosses(OpenDocument* document, const Written& state, const W
                              all,
                              tr("It stays open: save it as *%1, too, or do without.").arg(containerEnding()),
                              {},
-                             {}});
+                             {},
+                             {},
+                             {},
+                             &document->document});
   return true;
 }
 
@@ -93,7 +96,10 @@ void FileSaver::tellExport(const OpenDocument& document, const QString& name) {
                 tr("It holds the shape, but not all of the document, which is not saved yet."),
                 tr("Save the document as *%1 to go on with it another day.").arg(containerEnding()),
                 {},
-                {}});
+                {},
+                {},
+                {},
+                &document.document});
 }
 
 void FileSaver::tellCancelled(OpenDocument* document, const QString& path) {
@@ -101,6 +107,7 @@ void FileSaver::tellCancelled(OpenDocument* document, const QString& path) {
   m_log.add(title, {}, LogEntry::Weight::Warning);
   Message told{Message::Weight::Warning, title, tr("Nothing was written: the file is as it was before."), {}, {}, {}};
   if (m_tabs.contains(document)) {
+    told.about = &document->document;
     told.advice = tr("The document is open, with all its changes.");
     told.actionText = tr("Save again");
     told.action = [this, document, path] {
@@ -115,8 +122,9 @@ void FileSaver::tellFailure(OpenDocument* document, const QString& path, const E
   const QString name = QFileInfo(path).fileName();
   const QString title = tr("%1 could not be saved").arg(name);
   m_log.add(title + QStringLiteral(". ") + errorSentence(error), {}, LogEntry::Weight::Error);
-  const Message told{Message::Weight::Error, title, errorSentence(error), errorAdvice(error), {}, {}};
+  Message told{Message::Weight::Error, title, errorSentence(error), errorAdvice(error), {}, {}};
   if (m_tabs.contains(document)) {
+    told.about = &document->document;
     emit failed(document, told);
   } else {
     emit message(told);

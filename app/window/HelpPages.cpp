@@ -21,7 +21,7 @@ namespace handwheel {
 
 namespace {
 
-struct Text {
+struct HelpPagesWords {
   Q_DECLARE_TR_FUNCTIONS(HelpPages)
 };
 
@@ -44,7 +44,7 @@ void collect(const QList<QAction*>& actions, Section& section) {
 }
 
 std::vector<Section> sectionsOf(const QMenuBar& menus, const std::vector<Hint>& now) {
-  std::vector<Section> all{{Text::tr("Now"), {}}};
+  std::vector<Section> all{{HelpPagesWords::tr("Now"), {}}};
   for (const Hint& hint : now) all[0].lines.emplace_back(hint.input, hint.effect);
   for (const QAction* menu : menus.actions()) {
     if (!menu->menu() || !menu->isVisible()) continue;
@@ -113,16 +113,18 @@ void showPage(QWidget& parent, const char* name, const QString& title, const QSt
 }  // namespace
 
 void showKeys(QMainWindow& window, const std::vector<Hint>& now) {
-  showPage(window, "keysPage", Text::tr("Keys and mouse"), tableOf(sectionsOf(*window.menuBar(), now)), false);
+  showPage(window, "keysPage", HelpPagesWords::tr("Keys and mouse"), tableOf(sectionsOf(*window.menuBar(), now)),
+           false);
 }
 
 void showAbout(QMainWindow& window) {
-  const QString html = QStringLiteral("<h2>Handwheel %1</h2><p>%2</p><p>%3</p>")
-                           .arg(QCoreApplication::applicationVersion(),
-                                Text::tr("Repairs scanned meshes, prepares workpieces and robot cells."),
-                                Text::tr("Free software under the GNU General Public Licence, version 3 or later.<br>"
-                                         "Built with Qt, VTK, CGAL, Open CASCADE, Eigen, libzip and expat."));
-  showPage(window, "aboutPage", Text::tr("About Handwheel"), html, true);
+  const QString html =
+      QStringLiteral("<h2>Handwheel %1</h2><p>%2</p><p>%3</p>")
+          .arg(QCoreApplication::applicationVersion(),
+               HelpPagesWords::tr("Repairs scanned meshes, prepares workpieces and robot cells."),
+               HelpPagesWords::tr("Free software under the GNU General Public Licence, version 3 or later.<br>"
+                                  "Built with Qt, VTK, CGAL, Open CASCADE, Eigen, libzip and expat."));
+  showPage(window, "aboutPage", HelpPagesWords::tr("About Handwheel"), html, true);
 }
 
 }  // namespace handwheel

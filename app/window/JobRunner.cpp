@@ -12,7 +12,7 @@ namespace handwheel {
 
 namespace {
 constexpr int kPollMs = 20;
-const Error kCancelled{ErrorCode::Cancelled, {}, {}, {}};
+const Error kJobCancelled{ErrorCode::Cancelled, {}, {}, {}};
 }  // namespace
 
 struct JobRunner::Task {
@@ -82,7 +82,7 @@ void JobRunner::cancelThose(const std::function<bool(quint64 id, const Job& job)
     failed.push_back(task->job.failed);
     return true;
   });
-  for (const auto& each : failed) each(kCancelled);
+  for (const auto& each : failed) each(kJobCancelled);
   if (!failed.empty()) startNext();
 }
 
@@ -126,7 +126,7 @@ std::shared_ptr<JobRunner::Task> JobRunner::takeDone() {
 // The results of a cancelled job are discarded, whatever it still delivered.
 void JobRunner::end(const Task& task) {
   if (task.state.cancelled) {
-    task.job.failed(kCancelled);
+    task.job.failed(kJobCancelled);
   } else if (task.error) {
     task.job.failed(*task.error);
   } else if (task.finish) {

@@ -20,7 +20,7 @@ namespace handwheel {
 
 namespace {
 
-struct Text {
+struct KindPlaceWords {
   Q_DECLARE_TR_FUNCTIONS(KindPlace)
 };
 
@@ -35,7 +35,10 @@ void fill(Place& place, const QList<QAction*>& tools, const QList<QAction*>& oth
 }  // namespace
 
 KindPlace::KindPlace(QDockWidget& dock, QStackedWidget& panels, QToolBar& bar)
-    : m_dock(dock), m_panels(panels), m_bar(bar), m_empty(new QLabel(Text::tr("No document is open."), &panels)) {
+    : m_dock(dock),
+      m_panels(panels),
+      m_bar(bar),
+      m_empty(new QLabel(KindPlaceWords::tr("No document is open."), &panels)) {
   m_empty->setProperty("muted", true);
   m_empty->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   m_empty->setContentsMargins(12, 12, 12, 12);
@@ -52,7 +55,7 @@ void KindPlace::add(const std::string& id, KindUi& kind, const QList<QAction*>& 
 }
 
 void KindPlace::show(KindUi* kind) {
-  const QString title = kind ? kind->panelTitle() : Text::tr("Document");
+  const QString title = kind ? kind->panelTitle() : KindPlaceWords::tr("Document");
   m_dock.setWindowTitle(title);
   m_dock.setAccessibleName(title);
   m_dock.findChild<PanelToggle*>()->setIcon(icon(kind ? kind->panelIcon() : QStringLiteral("file")));

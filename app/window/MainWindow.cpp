@@ -179,7 +179,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     return event->accept();
   }
   event->ignore();
-  m_fileActions.requestCloseAll([this] { close(); });
+  // Later, as the last document may close while this event is dealt with, and a window that is closing ignores close().
+  m_fileActions.requestCloseAll([this] { QMetaObject::invokeMethod(this, &QWidget::close, Qt::QueuedConnection); });
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

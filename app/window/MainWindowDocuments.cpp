@@ -40,6 +40,7 @@ void MainWindow::connectDocuments() {
   connect(m_tabs, &DocumentTabs::closing, this, [this](OpenDocument* closed) {
     if (closed == m_shown) showDocument(nullptr);  // whoever points at it lets go
     closed->ui.forget(closed);
+    m_messages->forget(&closed->document);
     m_undo.removeStack(closed->document.history());
     m_documents->removeDocument(&closed->document);
     closed->document.disconnect(this);
@@ -79,7 +80,10 @@ void MainWindow::connectMessages() {
                              reason,
                              tr("The document is as it was before."),
                              {},
-                             {}});
+                             {},
+                             {},
+                             {},
+                             m_shown ? &m_shown->document : nullptr});
   });
   connect(m_card, &NextStepCard::dismissed, this, [this] {
     m_tabs->current()->cardDismissed = true;
@@ -138,6 +142,7 @@ void MainWindow::showDocument(OpenDocument* document) {
   m_stack->setCurrentWidget(document ? static_cast<QWidget*>(m_viewport) : m_start);
   m_undo.setActiveStack(document ? document->document.history() : nullptr);
   m_documents->setCurrent(document ? &document->document : nullptr);
+  m_messages->setDocument(document ? &document->document : nullptr);
   m_properties->setDocument(document ? &document->document : nullptr);
   m_recordings.setDocument(document ? &document->document : nullptr);
   for (const auto& [id, each] : m_uis) {

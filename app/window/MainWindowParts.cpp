@@ -24,6 +24,7 @@
 #include "window/ToolHost.h"
 #include "window/ToolPanel.h"
 #include "window/ViewActions.h"
+#include "window/ViewFocus.h"
 #include "window/ViewSettings.h"
 #include "window/haptics/DeviceDock.h"
 #include "window/haptics/DevicePointer.h"
@@ -78,6 +79,7 @@ void MainWindow::buildCentre() {
   column->addWidget(m_stack, 1);
   setCentralWidget(centre);
   m_viewActions = new ViewActions(*m_viewport, this);
+  new ViewFocus(*this, *m_viewport, this);
   m_deviceView = new DeviceView(m_haptics, *m_viewport, this);
   m_toolPanel = new ToolPanel(this);
   m_tools = new ToolHost(*m_viewport, *m_toolPanel, m_services.needs(), this);

@@ -8,11 +8,11 @@
 namespace handwheel {
 
 namespace {
-const auto kKey = QStringLiteral("recentFiles");
+const auto kRecentKey = QStringLiteral("recentFiles");
 constexpr int kMost = 10;
 }  // namespace
 
-RecentFiles::RecentFiles(QObject* parent) : QObject(parent), m_paths(QSettings().value(kKey).toStringList()) {}
+RecentFiles::RecentFiles(QObject* parent) : QObject(parent), m_paths(QSettings().value(kRecentKey).toStringList()) {}
 
 void RecentFiles::add(const QString& path) {
   const QString absolute = QFileInfo(path).absoluteFilePath();
@@ -32,7 +32,7 @@ void RecentFiles::clear() {
 }
 
 void RecentFiles::store() {
-  QSettings().setValue(kKey, m_paths);
+  QSettings().setValue(kRecentKey, m_paths);
   emit changed();
 }
 

@@ -44,7 +44,7 @@ Wishes readArguments(const QApplication& application) {
   return {parser.positionalArguments(), parser.value(screenshot), parser.isSet(dark)};
 }
 
-bool hasDisplay() {
+bool isDisplayThere() {
   if (!qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")) return true;
   std::fputs(
       "handwheel: There is no display (neither DISPLAY nor WAYLAND_DISPLAY is set); 'handwheel help' lists what "
@@ -61,7 +61,7 @@ ThemeKind startTheme(const Wishes& wishes) {
 }  // namespace
 
 int runWindow(int argc, char** argv, const KindSet& kinds, std::vector<std::unique_ptr<DeviceDriver>> drivers) {
-  if (!hasDisplay()) return 1;
+  if (!isDisplayThere()) return 1;
   Viewport::prepareApplication();
   QApplication application(argc, argv);
   std::setlocale(LC_NUMERIC, "C");  // Qt takes over the user's locale; readers and libraries expect points

@@ -12,7 +12,7 @@
 namespace handwheel {
 
 namespace {
-constexpr int kLookMs = 100;
+constexpr int kSettleMs = 100;
 constexpr int kCalmLooks = 8;  // camera flights and uploads are over by then
 constexpr QSize kSize(1280, 800);
 }  // namespace
@@ -28,7 +28,7 @@ void takeScreenshot(MainWindow& window, const QString& path) {
     if (auto* viewport = window.findChild<Viewport*>(); viewport && viewport->isVisible()) viewport->grabImage();
     QApplication::exit(window.grab().save(path) ? 0 : 1);
   });
-  timer->start(kLookMs);
+  timer->start(kSettleMs);
 }
 
 }  // namespace handwheel

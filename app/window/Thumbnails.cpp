@@ -18,7 +18,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr QSize kSize(320, 200);  // pixels
+constexpr QSize kPictureSize(320, 200);  // pixels
 
 QString fileFor(const QString& path) {
   const QByteArray name = QCryptographicHash::hash(path.toUtf8(), QCryptographicHash::Sha1).toHex();
@@ -29,9 +29,9 @@ QString fileFor(const QString& path) {
 }  // namespace
 
 QImage Thumbnails::pictureOf(const QImage& view) {
-  const QImage filled = view.scaled(kSize, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
-  const QPoint corner((filled.width() - kSize.width()) / 2, (filled.height() - kSize.height()) / 2);
-  QImage picture = filled.copy(QRect(corner, kSize));
+  const QImage filled = view.scaled(kPictureSize, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
+  const QPoint corner((filled.width() - kPictureSize.width()) / 2, (filled.height() - kPictureSize.height()) / 2);
+  QImage picture = filled.copy(QRect(corner, kPictureSize));
   picture.setDevicePixelRatio(1);
   return picture;
 }

@@ -11,6 +11,8 @@
 
 #include <QCoreApplication>
 #include <QKeyEvent>
+#include <QScopedValueRollback>
+#include <utility>
 
 namespace handwheel {
 
@@ -86,7 +88,7 @@ ToolHost::ToolHost(Viewport& viewport, ToolPanel& panel, NeedSet& needs, QObject
     showActions();
     emit updated();
   });
-  connect(&m_runner, &ToolRunner::updated, this, &ToolHost::show);
+  connect(&m_runner, &ToolRunner::updated, this, [this] { m_isMoving ? showSoon() : show(); });
   connect(&m_runner, &ToolRunner::ended, this, &ToolHost::showNothing);
 }
 
@@ -122,6 +124,7 @@ bool ToolHost::take(const PointerInput& input) {
   auto event = eventOf(read, ray, m_viewport.camera());
   if (!event) return false;
   event->device = tip;
+  const QScopedValueRollback moving(m_isMoving, read.kind == PointerInput::Kind::Move);
   const bool used = m_runner.pointer(*event) != ToolReply::Ignored;
   showValues(input, used ? event->kind : PointerEvent::Kind::Leave);
   return isDepth || (used && event->kind != PointerEvent::Kind::Hover && event->kind != PointerEvent::Kind::Leave);
@@ -168,7 +171,19 @@ bool ToolHost::takeKey(QKeyEvent& event) {
   return true;
 }
 
+// A tool hears of every place where the mouse was; what it shows is drawn once for all that wait.
+void ToolHost::showSoon() {
+  if (std::exchange(m_isShowDue, true)) return;
+  QMetaObject::invokeMethod(
+      this,
+      [this] {
+        if (m_isShowDue) show();
+      },
+      Qt::QueuedConnection);
+}
+
 void ToolHost::show() {
+  m_isShowDue = false;
   const Tool* tool = m_runner.tool();
   if (!tool) return showNothing();
   ToolPreview preview = tool->preview();
@@ -194,6 +209,7 @@ void ToolHost::showActions() {
 }
 
 void ToolHost::showNothing() {
+  m_isShowDue = false;
   m_needed.clear();
   m_readout->hide();
   m_viewport.setLiveMesh(nullptr);

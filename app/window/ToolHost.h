@@ -53,6 +53,7 @@ class ToolHost : public QObject {
   void showActions();
   void showValues(const PointerInput& input, PointerEvent::Kind kind);
   void show();
+  void showSoon();
   void showNothing();
 
   Viewport& m_viewport;
@@ -63,6 +64,8 @@ class ToolHost : public QObject {
   ToolRunner m_runner;
   MouseDevicePlace m_mouseDevice;
   std::vector<Need> m_needed;
+  bool m_isMoving = false;                                               // the tool is hearing of a move of the mouse
+  bool m_isShowDue = false;                                              // showSoon() was called
   std::map<std::string, std::map<std::string, PropertyValue>> m_chosen;  // by tool
 };
 

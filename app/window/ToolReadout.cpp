@@ -12,7 +12,7 @@ namespace handwheel {
 
 namespace {
 
-struct Text {
+struct ToolReadoutWords {
   Q_DECLARE_TR_FUNCTIONS(ToolReadout)
 };
 
@@ -29,12 +29,13 @@ QString lineOf(const Property& property, LengthUnit unit) {
   const double value = std::get<double>(property.value);
   const QString name = property.translated ? QCoreApplication::translate("Property", property.label.c_str())
                                            : QString::fromStdString(property.label);
-  const QString text = Text::tr("%1: %2").arg(name, shown(value, property, unit));
+  const QString text = ToolReadoutWords::tr("%1: %2").arg(name, shown(value, property, unit));
   if (!std::isfinite(property.least) || !std::isfinite(property.largest)) return text;
   const bool isAtLimit = value <= property.least || value >= property.largest;
-  const QString limits =
-      Text::tr("%1 to %2").arg(shown(property.least, property, unit), shown(property.largest, property, unit));
-  return isAtLimit ? Text::tr("%1 – limit (%2)").arg(text, limits) : Text::tr("%1 (%2)").arg(text, limits);
+  const QString limits = ToolReadoutWords::tr("%1 to %2")
+                             .arg(shown(property.least, property, unit), shown(property.largest, property, unit));
+  return isAtLimit ? ToolReadoutWords::tr("%1 – limit (%2)").arg(text, limits)
+                   : ToolReadoutWords::tr("%1 (%2)").arg(text, limits);
 }
 
 }  // namespace

@@ -9,15 +9,15 @@ namespace handwheel {
 
 namespace {
 
-struct Text {
+struct WindowServicesWords {
   Q_DECLARE_TR_FUNCTIONS(WindowServices)
 };
 
 QString nameOf(const std::string& id) {
-  if (id == "autosave") return Text::tr("Autosave");
-  if (id == "self_intersections") return Text::tr("Search for self-intersections");
-  if (id == "haptics") return Text::tr("Servo loop of the device");
-  return Text::tr("Preview of the patch");
+  if (id == "autosave") return WindowServicesWords::tr("Autosave");
+  if (id == "self_intersections") return WindowServicesWords::tr("Search for self-intersections");
+  if (id == "haptics") return WindowServicesWords::tr("Servo loop of the device");
+  return WindowServicesWords::tr("Preview of the patch");
 }
 
 double microsecondsPerTick(const ServiceCounters& counters) {

@@ -12,7 +12,7 @@
 namespace handwheel {
 
 namespace {
-constexpr int kGap = 4;
+constexpr int kLampGap = 4;
 }
 
 ButtonLamps::ButtonLamps(QWidget* parent) : QWidget(parent) {
@@ -49,16 +49,16 @@ int ButtonLamps::lampSize() const {
 }
 
 int ButtonLamps::perRow(int width) const {
-  return std::max(1, (width + kGap) / (lampSize() + kGap));
+  return std::max(1, (width + kLampGap) / (lampSize() + kLampGap));
 }
 
 int ButtonLamps::heightForWidth(int width) const {
   const int rows = (m_count + perRow(width) - 1) / perRow(width);
-  return std::max(0, rows * (lampSize() + kGap) - kGap);
+  return std::max(0, rows * (lampSize() + kLampGap) - kLampGap);
 }
 
 QSize ButtonLamps::sizeHint() const {
-  const int width = std::min(m_count, 8) * (lampSize() + kGap);
+  const int width = std::min(m_count, 8) * (lampSize() + kLampGap);
   return {width, heightForWidth(width)};
 }
 
@@ -73,7 +73,7 @@ void ButtonLamps::paintEvent(QPaintEvent*) {
   const int size = lampSize(), columns = perRow(width());
   for (int i = 0; i < m_count; ++i) {
     const bool isHeld = (m_held >> i & 1u) != 0;
-    const QRectF lamp(i % columns * (size + kGap), i / columns * (size + kGap), size, size);
+    const QRectF lamp(i % columns * (size + kLampGap), i / columns * (size + kLampGap), size, size);
     painter.setPen(isHeld ? colours.accent : colours.border);
     painter.setBrush(isHeld ? colours.accent : colours.raised);
     painter.drawEllipse(lamp.adjusted(0.5, 0.5, -0.5, -0.5));

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kRowHeight = 26;
 constexpr int kIcon = 16;
-constexpr int kGap = 8;
+constexpr int kDefectGap = 8;
 
 bool isGroup(const QModelIndex& index) {
   return !index.parent().isValid();
@@ -28,7 +28,7 @@ QRect wholeRow(const QRect& item) {
 }
 
 QRect eyeRect(const QRect& row) {
-  return {row.right() - kGap - kIcon, row.center().y() - kIcon / 2 + 1, kIcon, kIcon};
+  return {row.right() - kDefectGap - kIcon, row.center().y() - kIcon / 2 + 1, kIcon, kIcon};
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ void DefectDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
 void DefectDelegate::paintGroup(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
   const ThemeColours& colours = themeColours(currentTheme());
   const int count = index.data(DefectModel::CountRole).toInt();
-  QRect left = option.rect.adjusted(4, 0, -kGap, 0);
+  QRect left = option.rect.adjusted(4, 0, -kDefectGap, 0);
   const QRect iconRect(left.left(), left.center().y() - kIcon / 2 + 1, kIcon, kIcon);
   const QIcon sign = index.data(Qt::DecorationRole).value<QIcon>();
   painter->setOpacity(count == 0 ? 0.45 : 1.0);
@@ -67,7 +67,7 @@ void DefectDelegate::paintGroup(QPainter* painter, const QStyleOptionViewItem& o
   painter->setOpacity(1.0);
 
   const QRect eye = eyeRect(option.rect);
-  QRect right(left.left(), left.top(), eye.left() - kGap - left.left(), left.height());
+  QRect right(left.left(), left.top(), eye.left() - kDefectGap - left.left(), left.height());
   QString number;
   if (count < 0) {
     number = DefectModel::tr("searching…");
@@ -86,7 +86,8 @@ void DefectDelegate::paintGroup(QPainter* painter, const QStyleOptionViewItem& o
   painter->setFont(font);
   painter->setPen(count > 0 ? colours.text : colours.muted);
   painter->drawText(right, Qt::AlignRight | Qt::AlignVCenter, number);
-  const QRect name = right.adjusted(kIcon + kGap, 0, -painter->fontMetrics().horizontalAdvance(number) - kGap, 0);
+  const QRect name =
+      right.adjusted(kIcon + kDefectGap, 0, -painter->fontMetrics().horizontalAdvance(number) - kDefectGap, 0);
   painter->drawText(name, Qt::AlignLeft | Qt::AlignVCenter,
                     painter->fontMetrics().elidedText(index.data().toString(), Qt::ElideRight, name.width()));
 }
@@ -94,14 +95,14 @@ void DefectDelegate::paintGroup(QPainter* painter, const QStyleOptionViewItem& o
 void DefectDelegate::paintDefect(QPainter* painter, const QStyleOptionViewItem& option,
                                  const QModelIndex& index) const {
   const ThemeColours& colours = themeColours(currentTheme());
-  QRect rect = option.rect.adjusted(kGap, 0, -kGap, 0);
+  QRect rect = option.rect.adjusted(kDefectGap, 0, -kDefectGap, 0);
   if (!index.data(DefectModel::NoteRole).toString().isEmpty()) {
     const QRect sign(rect.right() - kIcon + 1, rect.center().y() - kIcon / 2 + 1, kIcon, kIcon);
     icon(QStringLiteral("warning"), colours.warning).paint(painter, sign);
     rect.setRight(sign.left() - 4);
   }
   const QString name = index.data().toString();
-  const int nameWidth = option.fontMetrics.horizontalAdvance(name) + kGap;
+  const int nameWidth = option.fontMetrics.horizontalAdvance(name) + kDefectGap;
   painter->setPen(colours.text);
   painter->drawText(rect, Qt::AlignLeft | Qt::AlignVCenter,
                     option.fontMetrics.elidedText(name, Qt::ElideRight, rect.width()));

@@ -19,11 +19,11 @@ namespace handwheel {
 
 namespace {
 
-enum Column { Name, Eye, Columns };
+enum RowColumn { Name, Eye, RowColumns };
 constexpr int kDocumentRole = Qt::UserRole;
 constexpr int kVisibleRole = Qt::UserRole + 1;
 constexpr QSize kEye(16, 16);
-constexpr QSize kPicture(48, 30);  // logical pixels, with the sides of a thumbnail
+constexpr QSize kRowPicture(48, 30);  // logical pixels, with the sides of a thumbnail
 
 // The eye is smaller than the pictures, whose size is that of the whole tree.
 class EyeDelegate final : public QStyledItemDelegate {
@@ -41,9 +41,9 @@ QTreeWidget* documentTree(QWidget* parent) {
   auto* tree = new QTreeWidget(parent);
   tree->setObjectName(QStringLiteral("documentTree"));
   tree->setAccessibleName(DocumentsPanel::tr("Open documents"));
-  tree->setColumnCount(Columns);
+  tree->setColumnCount(RowColumns);
   tree->setHeaderHidden(true);
-  tree->setIconSize(kPicture);
+  tree->setIconSize(kRowPicture);
   tree->setItemDelegateForColumn(Eye, new EyeDelegate(tree));
   tree->setRootIsDecorated(false);
   tree->header()->setStretchLastSection(false);

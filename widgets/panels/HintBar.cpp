@@ -10,7 +10,7 @@ namespace handwheel {
 
 namespace {
 constexpr int kPad = 5;
-constexpr int kGap = 6;
+constexpr int kHintGap = 6;
 constexpr int kBetween = 14;
 const auto kMore = QStringLiteral("…");
 }  // namespace
@@ -37,14 +37,15 @@ QSize HintBar::sizeHint() const {
 }
 
 int HintBar::widthOf(const Hint& hint) const {
-  return fontMetrics().horizontalAdvance(hint.input) + 2 * kPad + kGap + fontMetrics().horizontalAdvance(hint.effect);
+  return fontMetrics().horizontalAdvance(hint.input) + 2 * kPad + kHintGap +
+         fontMetrics().horizontalAdvance(hint.effect);
 }
 
 void HintBar::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const int more = fontMetrics().horizontalAdvance(kMore);
-  int x = kGap;
+  int x = kHintGap;
   for (const Hint& hint : m_hints) {
     const int room = width() - x - (&hint == &m_hints.back() ? 0 : kBetween + more);
     if (widthOf(hint) > room) {
@@ -67,7 +68,7 @@ void HintBar::draw(QPainter& painter, const Hint& hint, int x) const {
   painter.setPen(colours.text);
   painter.drawText(key, Qt::AlignCenter, hint.input);
   painter.setPen(colours.muted);
-  const QRect effect(key.right() + 1 + kGap, 0, fontMetrics().horizontalAdvance(hint.effect) + 2, height());
+  const QRect effect(key.right() + 1 + kHintGap, 0, fontMetrics().horizontalAdvance(hint.effect) + 2, height());
   painter.drawText(effect, Qt::AlignVCenter | Qt::AlignLeft, hint.effect);
   painter.setOpacity(1.0);
 }

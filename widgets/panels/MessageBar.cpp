@@ -11,6 +11,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QToolButton>
+#include <algorithm>
 #include <utility>
 
 namespace handwheel {
@@ -64,15 +65,9 @@ MessageBar::MessageBar(QWidget* parent)
   close->setIconSize({14, 14});
   close->setToolTip(tr("Close this message"));
   close->setAccessibleName(close->toolTip());
-  const auto take = [this] {
-    const Message message = std::move(m_messages.back());
-    m_messages.pop_back();
-    showLatest();
-    return message;
-  };
-  connect(close, &QToolButton::clicked, this, take);
-  connect(m_action, &QPushButton::clicked, this, [take] { take().action(); });
-  connect(m_other, &QPushButton::clicked, this, [take] { take().other(); });
+  connect(close, &QToolButton::clicked, this, &MessageBar::takeLatest);
+  connect(m_action, &QPushButton::clicked, this, [this] { takeLatest().action(); });
+  connect(m_other, &QPushButton::clicked, this, [this] { takeLatest().other(); });
 
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(16, 8, 8, 8);
@@ -87,18 +82,58 @@ MessageBar::MessageBar(QWidget* parent)
 }
 
 void MessageBar::showMessage(const Message& message) {
-  std::erase_if(m_messages, [text = textOf(message)](const Message& earlier) { return textOf(earlier) == text; });
+  std::erase_if(m_messages, [&message, text = textOf(message)](const Entry& earlier) {
+    return earlier.message.about == message.about && textOf(earlier.message) == text;
+  });
   if (m_messages.size() == kMostMessages) m_messages.erase(m_messages.begin());
-  m_messages.push_back(message);
+  m_messages.push_back({message, m_document});
   showLatest();
   QAccessibleEvent alert(this, QAccessible::Alert);
   QAccessible::updateAccessibility(&alert);
 }
 
+void MessageBar::setDocument(const Document* document) {
+  m_document = document;
+  for (Entry& entry : m_messages) {
+    if (entry.arrivedOver != document) entry.arrivedOver = nullptr;
+  }
+  showLatest();
+}
+
+void MessageBar::forget(const Document* document) {
+  std::erase_if(m_messages, [document](const Entry& entry) { return entry.message.about == document; });
+  showLatest();
+}
+
+bool MessageBar::isSeen(const Entry& entry) const {
+  const Document* about = entry.message.about;
+  return !about || about == m_document || entry.arrivedOver == m_document;
+}
+
+const MessageBar::Entry* MessageBar::latest() const {
+  const auto found =
+      std::find_if(m_messages.rbegin(), m_messages.rend(), [this](const Entry& entry) { return isSeen(entry); });
+  return found == m_messages.rend() ? nullptr : &*found;
+}
+
+std::size_t MessageBar::seenCount() const {
+  return static_cast<std::size_t>(
+      std::count_if(m_messages.begin(), m_messages.end(), [this](const Entry& entry) { return isSeen(entry); }));
+}
+
+Message MessageBar::takeLatest() {
+  const auto place = m_messages.begin() + (latest() - m_messages.data());
+  Message message = std::move(place->message);
+  m_messages.erase(place);
+  showLatest();
+  return message;
+}
+
 void MessageBar::showLatest() {
-  setVisible(!m_messages.empty());
-  if (m_messages.empty()) return;
-  const Message& message = m_messages.back();
+  const Entry* entry = latest();
+  setVisible(entry != nullptr);
+  if (!entry) return;
+  const Message& message = entry->message;
   drawIcon();
   m_text->setText(textOf(message));
   setAccessibleName(message.title);
@@ -106,13 +141,14 @@ void MessageBar::showLatest() {
   m_action->setVisible(message.action != nullptr);
   m_other->setText(message.otherText);
   m_other->setVisible(message.other != nullptr);
-  m_more->setText(tr("%n more", nullptr, static_cast<int>(m_messages.size()) - 1));
-  m_more->setVisible(m_messages.size() > 1);
+  const auto others = static_cast<int>(seenCount()) - 1;
+  m_more->setText(tr("%n more", nullptr, others));
+  m_more->setVisible(others > 0);
 }
 
 void MessageBar::drawIcon() {
-  if (m_messages.empty()) return;
-  m_icon->setPixmap(iconOf(m_messages.back().weight).pixmap(QSize(20, 20), devicePixelRatioF()));
+  if (const Entry* entry = latest())
+    m_icon->setPixmap(iconOf(entry->message.weight).pixmap(QSize(20, 20), devicePixelRatioF()));
 }
 
 void MessageBar::changeEvent(QEvent* event) {

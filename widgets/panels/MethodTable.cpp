@@ -12,7 +12,7 @@ namespace handwheel {
 
 namespace {
 
-enum Column { kMethod, kTriangles, kArea, kLargestBend, kColumns };
+enum MethodColumn { kMethod, kTriangles, kArea, kLargestBend, kColumns };
 
 QString degrees(double radian) {
   return QLocale().toString(radian / kRadiansPerDegree, 'f', 0) + QChar(0x00b0);

@@ -21,8 +21,8 @@ namespace handwheel {
 namespace {
 
 constexpr int kWidest = 840;
-constexpr int kMargin = 24;
-constexpr int kGap = 16;
+constexpr int kPageMargin = 24;
+constexpr int kTileGap = 16;
 constexpr int kNarrowestTile = 152;
 constexpr int kMostColumns = 4;
 constexpr QSize kPicture(134, 86);
@@ -56,11 +56,11 @@ StartPage::StartPage(QWidget* parent)
   m_open->setToolTip(tr("Or drop files anywhere on this window"));
   connect(m_open, &QPushButton::clicked, this, &StartPage::openRequested);
   m_recentHeader = recentHeader();
-  m_tiles->setSpacing(kGap);
+  m_tiles->setSpacing(kTileGap);
   m_recent->setSpacing(8);
   auto* column = new QVBoxLayout(m_content);
-  column->setContentsMargins(kMargin, kMargin, kMargin, kMargin);
-  column->setSpacing(kGap);
+  column->setContentsMargins(kPageMargin, kPageMargin, kPageMargin, kPageMargin);
+  column->setSpacing(kTileGap);
   column->addStretch(2);
   column->addLayout(heading());
   column->addSpacing(8);
@@ -106,7 +106,7 @@ QLayout* StartPage::heading() {
   text->addWidget(name);
   text->addWidget(line);
   auto* row = new QHBoxLayout;
-  row->setSpacing(kGap);
+  row->setSpacing(kTileGap);
   row->addWidget(m_sign);
   row->addLayout(text, 1);
   return row;
@@ -192,8 +192,8 @@ Tile* StartPage::recentTile(const QString& path) {
 // In as many columns as fit.
 void StartPage::arrange() {
   const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent);
-  const int room = std::min(width(), kWidest) - 2 * kMargin - (width() < kWidest + bar ? bar : 0);
-  fill(*m_tiles, m_startTiles, std::clamp((room + kGap) / (kNarrowestTile + kGap), 1, kMostColumns), true);
+  const int room = std::min(width(), kWidest) - 2 * kPageMargin - (width() < kWidest + bar ? bar : 0);
+  fill(*m_tiles, m_startTiles, std::clamp((room + kTileGap) / (kNarrowestTile + kTileGap), 1, kMostColumns), true);
   fill(*m_recent, m_recentTiles, std::max(1, (room + 8) / (kRecentWidth + 8)), false);
 }
 

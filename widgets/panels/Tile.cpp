@@ -16,7 +16,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr QSize kIcon(36, 36);
+constexpr QSize kTileIcon(36, 36);
 
 // The middle of the picture, scaled to fill the size.
 QPixmap cut(const QPixmap& picture, const QSize& size, qreal ratio) {
@@ -71,7 +71,7 @@ void Tile::drawIcon() {
   if (m_hasPicture) return;
   const ThemeColours& colours = themeColours(currentTheme());
   const QColor colour = isEnabled() ? colours.accent : colours.muted;
-  m_picture->setPixmap(handwheel::icon(m_iconName, colour).pixmap(kIcon, devicePixelRatioF()));
+  m_picture->setPixmap(handwheel::icon(m_iconName, colour).pixmap(kTileIcon, devicePixelRatioF()));
 }
 
 void Tile::keyPressEvent(QKeyEvent* event) {

@@ -20,7 +20,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr int kPlotHeight = 220;  // logical pixels
+constexpr int kTimingPlotHeight = 220;  // logical pixels
 
 QString microseconds(const QLocale& locale, double seconds) {
   return TimingPage::tr("%1 µs").arg(locale.toString(seconds * 1e6, 'f', 0));
@@ -49,7 +49,7 @@ TimingPage::TimingPage(QWidget* parent)
   m_kind->setAccessibleName(tr("What is shown"));
   m_kind->addItems({tr("From tick to tick"), tr("How late a tick comes"), tr("Time spent in a tick")});
   m_plot->setObjectName(QStringLiteral("timingPlot"));
-  m_plot->setMinimumHeight(kPlotHeight);
+  m_plot->setMinimumHeight(kTimingPlotHeight);
   m_summary->setObjectName(QStringLiteral("timingSummary"));
   m_summary->setProperty("muted", true);
   m_summary->setWordWrap(true);

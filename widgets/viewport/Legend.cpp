@@ -12,7 +12,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kMargin = 16.0;
+constexpr double kLegendMargin = 16.0;
 constexpr double kWidth = 14.0;
 constexpr double kHeight = 220.0;
 constexpr double kLeastHeight = 60.0;
@@ -32,7 +32,8 @@ void paintLegend(QPainter& painter, const QSizeF& size, const ColourScale& scale
   const double height = std::min(kHeight, size.height() - 2.0 * kRoom);
   if (height < kLeastHeight) return;
   painter.setRenderHint(QPainter::Antialiasing, false);
-  const double left = std::round(size.width() - kMargin - kWidth), top = std::round((size.height() - height) / 2.0);
+  const double left = std::round(size.width() - kLegendMargin - kWidth),
+               top = std::round((size.height() - height) / 2.0);
   const int rows = static_cast<int>(height);
   for (int row = 0; row < rows; ++row) {
     const double value = scale.range * (1.0 - 2.0 * (row + 0.5) / rows);

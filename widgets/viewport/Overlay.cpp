@@ -19,7 +19,7 @@ namespace {
 constexpr double kMargin = 16;
 constexpr double kTriadRadius = 30;
 constexpr double kScaleBarMax = 160;
-constexpr double kCapital = 9;  // height of stroked capitals
+constexpr double kOverlayCapital = 9;  // height of stroked capitals
 
 struct Axis {
   QPointF tip;   // from the middle of the triad
@@ -63,7 +63,8 @@ void paintText(QPainter& painter, const QPointF& middle, const QString& text, bo
                QColor rim) {
   if (!hasFonts()) {
     const QPainterPath path =
-        strokeText(text, kCapital).translated(middle + QPointF(-strokeTextWidth(text, kCapital) / 2, kCapital / 2));
+        strokeText(text, kOverlayCapital)
+            .translated(middle + QPointF(-strokeTextWidth(text, kOverlayCapital) / 2, kOverlayCapital / 2));
     return strokeWithRim(painter, path, QPen(colour, bold ? 1.8 : 1.3, Qt::SolidLine, Qt::RoundCap), rim);
   }
   const QFont font = overlayFont(painter, bold);
@@ -109,7 +110,7 @@ void paintText(QPainter& painter, const QPointF& middle, const QString& text, bo
 
 double textWidth(const QPainter& painter, const QString& text) {
   return hasFonts() ? QFontMetricsF(overlayFont(painter, false)).horizontalAdvance(text)
-                    : strokeTextWidth(text, kCapital);
+                    : strokeTextWidth(text, kOverlayCapital);
 }
 
 ScaleBar scaleBar(double unitsPerPixel, double maxPixels, LengthUnit unit) {

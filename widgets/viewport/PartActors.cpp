@@ -16,8 +16,8 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::size_t kScanned = 2'000'000;     // points that set() looks at, whatever the size of the soups: 5 ms
-constexpr std::size_t kOutlinePoints = 20'000;  // of all parts
+constexpr std::size_t kScanned = 2'000'000;          // points that set() looks at, whatever the size of the soups: 5 ms
+constexpr std::size_t kHoverOutlinePoints = 20'000;  // of all parts
 constexpr double kFadedOpacity = 0.4;
 constexpr float kTint = 0.35f;  // of the accent, in a highlighted part
 
@@ -196,7 +196,7 @@ void PartActors::updateSummary() {
 std::vector<Vec3> PartActors::outline() const {
   std::size_t all = 0;
   for (const Part& part : m_parts) all += part.wanted->outline.points.size();
-  const std::size_t step = all / kOutlinePoints + 1;
+  const std::size_t step = all / kHoverOutlinePoints + 1;
   std::vector<Vec3> points;
   for (const Part& part : m_parts) {
     const std::vector<Vec3>& own = part.wanted->outline.points;

@@ -8,14 +8,14 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::size_t kOutlinePoints = 5000;
+constexpr std::size_t kBrushOutlinePoints = 5000;
 constexpr std::size_t kFrameTriangles = 65536;  // that a frame uploads: 10 ms in software
 constexpr double kProposedOpacity = 0.5;
 
 // Corners of faces at even intervals.
 std::vector<Vec3> sample(const HalfEdgeMesh& mesh) {
   std::vector<Vec3> points;
-  const std::size_t step = mesh.faceSlots() / kOutlinePoints + 1;
+  const std::size_t step = mesh.faceSlots() / kBrushOutlinePoints + 1;
   for (std::size_t f = 0; f < mesh.faceSlots(); f += step) {
     const auto face = static_cast<Face>(f);
     if (!mesh.isLive(face)) continue;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kSize = 112;      // logical pixels
 constexpr double kHalf = 32.0;  // of the cube's edge; its corners reach √3 times as far
-constexpr double kDragThreshold = 4.0;
+constexpr double kCubeDragThreshold = 4.0;
 constexpr double kTextHeight = 0.42;  // of the capitals, in halves of the cube's edge
 constexpr double kTextWidth = 1.2;    // at most
 
@@ -148,7 +148,7 @@ void ViewCube::mouseMoveEvent(QMouseEvent* event) {
     return event->setAccepted(region.has_value());
   }
   const QPointF delta = event->position() - m_last;
-  if (!m_isDragged && std::hypot(delta.x(), delta.y()) < kDragThreshold) return;
+  if (!m_isDragged && std::hypot(delta.x(), delta.y()) < kCubeDragThreshold) return;
   if (!m_isDragged) {
     hover({});
     setCursor(Qt::ClosedHandCursor);

@@ -11,7 +11,7 @@ namespace handwheel {
 
 namespace {
 
-struct Text {
+struct BuiltInDevicesWords {
   Q_DECLARE_TR_FUNCTIONS(HapticSession)
 };
 
@@ -20,8 +20,8 @@ constexpr const char* kMouse = "mouse";
 }  // namespace
 
 std::vector<DeviceListing> builtInDevices() {
-  return {{kSimulatedDriver, kSimulatedAddress, Text::tr("Simulated hand").toStdString()},
-          {kMouse, "pointer", Text::tr("Mouse").toStdString()}};
+  return {{kSimulatedDriver, kSimulatedAddress, BuiltInDevicesWords::tr("Simulated hand").toStdString()},
+          {kMouse, "pointer", BuiltInDevicesWords::tr("Mouse").toStdString()}};
 }
 
 std::unique_ptr<Device> makeBuiltIn(const std::string& driver, ServoClock& clock) {

@@ -9,7 +9,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr int kLookMs = 2000;
+constexpr int kFindLookMs = 2000;
 
 bool isSame(const DeviceListing& a, const DeviceListing& b) {
   return a.driver == b.driver && a.address == b.address && a.name == b.name;
@@ -32,7 +32,7 @@ struct DeviceFinder::Catalogue {
 DeviceFinder::DeviceFinder(QThreadPool& pool, std::vector<std::unique_ptr<DeviceDriver>> drivers, QObject* parent)
     : QObject(parent), m_catalogue(std::make_shared<Catalogue>()), m_jobs(JobRunner::Policy::Latest, pool) {
   for (std::unique_ptr<DeviceDriver>& driver : drivers) m_catalogue->devices.add(std::move(driver));
-  m_timer.setInterval(kLookMs);
+  m_timer.setInterval(kFindLookMs);
   connect(&m_timer, &QTimer::timeout, this, [this] {
     if (m_jobs.isIdle()) look();
   });

@@ -14,16 +14,16 @@ namespace handwheel {
 
 namespace {
 
-constexpr double kLongestWait = 60.0;  // s for what a step waits for
-constexpr double kSpeed = 0.45;        // of the height of the view in a second
-constexpr double kShortest = 0.25;     // s of a movement
-constexpr double kArrived = 2.0;       // pixels
-constexpr double kLift = 0.15;         // of a way through the air
-constexpr double kEffort = 4.0;        // 1/s: how fast the hand makes up for what holds the tip
-constexpr double kMostEffort = 0.2;    // of the height of the view
-constexpr int kMostSamples = 100;      // for the tip to arrive, which may be held back
-constexpr int kLeastSamples = 3;       // at rest: tools have seen the buttons, however slow the machine
-constexpr double kFrame = 0.016;       // s, from one sample to the next
+constexpr double kLongestShowWait = 60.0;  // s for what a step waits for
+constexpr double kHandSpeed = 0.45;        // of the height of the view in a second
+constexpr double kShortest = 0.25;         // s of a movement
+constexpr double kArrived = 2.0;           // pixels
+constexpr double kLift = 0.15;             // of a way through the air
+constexpr double kEffort = 4.0;            // 1/s: how fast the hand makes up for what holds the tip
+constexpr double kMostEffort = 0.2;        // of the height of the view
+constexpr int kMostSamples = 100;          // for the tip to arrive, which may be held back
+constexpr int kLeastSamples = 3;           // at rest: tools have seen the buttons, however slow the machine
+constexpr double kFrame = 0.016;           // s, from one sample to the next
 
 // Position, velocity and acceleration begin and end at rest (minimum jerk: Flash and Hogan 1985, eq. 3).
 double smooth(double s) {
@@ -99,7 +99,7 @@ void HandShow::follow() {
   switch (m_phase) {
     case Phase::Waiting:
       if (step.isReady && !step.isReady()) {
-        if (seconds() > m_pace * kLongestWait) stop();
+        if (seconds() > m_pace * kLongestShowWait) stop();
         return;
       }
       startMoving(*now);
@@ -123,7 +123,7 @@ void HandShow::startMoving(const ServoSample& now) {
     m_to = *place;
   }
   const double way = (m_to - m_from).norm(), height = m_viewport.camera().height;
-  m_duration = way > 0.0 ? std::max(kShortest, way / (kSpeed * height)) : 0.0;
+  m_duration = way > 0.0 ? std::max(kShortest, way / (kHandSpeed * height)) : 0.0;
   m_lift = step.buttons == 0 ? kLift * way : 0.0;
   m_phase = Phase::Moving;
   m_samples = 0;

@@ -11,8 +11,8 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::size_t kKept = 120;  // two seconds of samples
-constexpr int kEvery = 30;          // samples: half a second
+constexpr std::size_t kKeptSamples = 120;  // two seconds of samples
+constexpr int kEvery = 30;                 // samples: half a second
 constexpr std::size_t kEnough = 30;
 
 }  // namespace
@@ -35,7 +35,7 @@ void TickUse::sample() {
   // None: closed by who heard of the sample before. And what nobody sees is not worked out.
   if (!last || !parentWidget()->isVisible()) return;
   m_ticks.push_back({static_cast<double>(last->microseconds), last->felt.isContact});
-  if (m_ticks.size() > kKept) m_ticks.pop_front();
+  if (m_ticks.size() > kKeptSamples) m_ticks.pop_front();
   if (++m_untold < kEvery) return;
   m_untold = 0;
   setText(text());

@@ -34,20 +34,20 @@ const Field kFields[] = {
 constexpr Limits kSnapStiffness{0.02, 2.0};
 
 // In the order of SnapShape and SnapMethod.
-const std::vector<std::string> kShapes{
+const std::vector<std::string> kSnapShapes{
     QT_TRANSLATE_NOOP("Property", "Spring"), QT_TRANSLATE_NOOP("Property", "Triangle"),
     QT_TRANSLATE_NOOP("Property", "Quadratic"), QT_TRANSLATE_NOOP("Property", "Gaussian")};
-const std::vector<std::string> kMethods{QT_TRANSLATE_NOOP("Property", "One (proxy)"),
-                                        QT_TRANSLATE_NOOP("Property", "Sum (force)")};
+const std::vector<std::string> kSnapMethods{QT_TRANSLATE_NOOP("Property", "One (proxy)"),
+                                            QT_TRANSLATE_NOOP("Property", "Sum (force)")};
 
 std::vector<Property> snapProperties(const TouchSettings& touch) {
   const auto numberOf = [](auto choice) { return static_cast<int>(choice); };
   std::vector<Property> all;
   all.push_back(switchSetting("snap_on", QT_TRANSLATE_NOOP("Property", "Snap"), touch.isSnapping));
   all.push_back(
-      choiceSetting("snap_profile", QT_TRANSLATE_NOOP("Property", "Profile"), numberOf(touch.snapShape), kShapes));
+      choiceSetting("snap_profile", QT_TRANSLATE_NOOP("Property", "Profile"), numberOf(touch.snapShape), kSnapShapes));
   all.push_back(
-      choiceSetting("snap_method", QT_TRANSLATE_NOOP("Property", "Method"), numberOf(touch.snapMethod), kMethods));
+      choiceSetting("snap_method", QT_TRANSLATE_NOOP("Property", "Method"), numberOf(touch.snapMethod), kSnapMethods));
   all.push_back(numberSetting("snap_stiffness", kStiffness, touch.snapStiffness, Quantity::Number, kSnapStiffness));
   all.push_back(switchSetting("snap_rims", QT_TRANSLATE_NOOP("Property", "Rims as curves"), touch.hasRimCurves));
   for (Property& property : all) property.group = kSnapping;
@@ -106,8 +106,8 @@ void setProperty(TouchSettings& touch, std::string_view id, const PropertyValue&
     if (id == field.id) takeNumber(touch.*field.value, value, field.limits);
   }
   if (id == "snap_on") takeSwitch(touch.isSnapping, value);
-  if (id == "snap_profile") takeChoice(touch.snapShape, value, static_cast<int>(kShapes.size()));
-  if (id == "snap_method") takeChoice(touch.snapMethod, value, static_cast<int>(kMethods.size()));
+  if (id == "snap_profile") takeChoice(touch.snapShape, value, static_cast<int>(kSnapShapes.size()));
+  if (id == "snap_method") takeChoice(touch.snapMethod, value, static_cast<int>(kSnapMethods.size()));
   if (id == "snap_stiffness") takeNumber(touch.snapStiffness, value, kSnapStiffness);
   if (id == "snap_rims") takeSwitch(touch.hasRimCurves, value);
 }

@@ -152,7 +152,10 @@ void DeviationView::fail(OpenMesh* document, const Error& error) {
                 errorSentence(error),
                 errorAdvice(error),
                 {},
-                {}});
+                {},
+                {},
+                {},
+                &document->document});
 }
 
 void DeviationView::close() {

@@ -93,9 +93,11 @@ void MeshUi::connectSelection() {
     m_defectActions.choose(index.isValid() ? std::optional(kind) : std::nullopt,
                            index.parent().isValid() ? index.row() : -1);
   });
-  connect(&m_jobs, &RepairJobs::changedNothing, this, [this](const QString& what, const QString& why) {
-    emit message({Message::Weight::Warning, tr("%1: nothing was changed").arg(what), why, {}, {}, {}});
-  });
+  connect(&m_jobs, &RepairJobs::changedNothing, this,
+          [this](const OpenMesh* document, const QString& what, const QString& why) {
+            const QString title = tr("%1: nothing was changed").arg(what);
+            emit message({Message::Weight::Warning, title, why, {}, {}, {}, {}, {}, &document->document});
+          });
   connect(m_panel, &DefectsPanel::defectActivated, m_scene, &DefectScene::showPlace);
   connect(m_panel->settings(), &HoleSettings::methodChanged, &m_actions, &RepairActions::setMethod);
   connect(&m_preview, &HolePreview::changed, this, [this] {
@@ -156,6 +158,7 @@ void MeshUi::logMark(const OpenMesh& open) {
 }
 
 void MeshUi::setDocument(OpenDocument* document) {
+  m_selection.setDocument(nullptr);  // the parts below read it: its loop is one of the document before
   m_document = static_cast<OpenMesh*>(document);
   m_preview.forget();
   if (m_panel) m_panel->setInspection(m_document ? &m_document->inspection : nullptr);

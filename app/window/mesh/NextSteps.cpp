@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kReasonsNamed = 3;
 
-struct Text {
+struct NextStepsWords {
   Q_DECLARE_TR_FUNCTIONS(NextSteps)
 };
 
@@ -26,20 +26,21 @@ QString otherFindings(const Inspection& inspection) {
   const auto add = [&](DefectKind kind, const auto& phrase) {
     if (const auto n = static_cast<int>(inspection.count(kind)); n > 0) parts << phrase(n);
   };
-  add(DefectKind::Flipped, [](int n) { return Text::tr("%Ln triangle(s) turned over", nullptr, n); });
-  add(DefectKind::NonManifoldEdge, [](int n) { return Text::tr("%Ln non-manifold edge(s)", nullptr, n); });
-  add(DefectKind::NonManifoldVertex, [](int n) { return Text::tr("%Ln non-manifold point(s)", nullptr, n); });
-  add(DefectKind::OneSided, [](int n) { return Text::tr("%Ln edge(s) with one side", nullptr, n); });
-  add(DefectKind::NearVertex, [](int n) { return Text::tr("%Ln pair(s) of near vertices", nullptr, n); });
-  add(DefectKind::Degenerate, [](int n) { return Text::tr("%Ln triangle(s) without area", nullptr, n); });
-  add(DefectKind::Duplicate, [](int n) { return Text::tr("%Ln duplicate triangle(s)", nullptr, n); });
-  add(DefectKind::Debris, [](int n) { return Text::tr("%Ln loose piece(s)", nullptr, n); });
+  add(DefectKind::Flipped, [](int n) { return NextStepsWords::tr("%Ln triangle(s) turned over", nullptr, n); });
+  add(DefectKind::NonManifoldEdge, [](int n) { return NextStepsWords::tr("%Ln non-manifold edge(s)", nullptr, n); });
+  add(DefectKind::NonManifoldVertex, [](int n) { return NextStepsWords::tr("%Ln non-manifold point(s)", nullptr, n); });
+  add(DefectKind::OneSided, [](int n) { return NextStepsWords::tr("%Ln edge(s) with one side", nullptr, n); });
+  add(DefectKind::NearVertex, [](int n) { return NextStepsWords::tr("%Ln pair(s) of near vertices", nullptr, n); });
+  add(DefectKind::Degenerate, [](int n) { return NextStepsWords::tr("%Ln triangle(s) without area", nullptr, n); });
+  add(DefectKind::Duplicate, [](int n) { return NextStepsWords::tr("%Ln duplicate triangle(s)", nullptr, n); });
+  add(DefectKind::Debris, [](int n) { return NextStepsWords::tr("%Ln loose piece(s)", nullptr, n); });
   return parts.isEmpty() ? QString() : parts.join(QStringLiteral(", ")) + QLatin1Char('.');
 }
 
 QString headline(const Inspection& inspection) {
   const auto holes = static_cast<int>(inspection.count(DefectKind::Hole));
-  return holes > 0 ? Text::tr("%Ln hole(s) found.", nullptr, holes) : Text::tr("No holes, but other defects.");
+  return holes > 0 ? NextStepsWords::tr("%Ln hole(s) found.", nullptr, holes)
+                   : NextStepsWords::tr("No holes, but other defects.");
 }
 
 // "Hole 3 stays open: every patch would cross the part." for the first few.
@@ -52,17 +53,18 @@ QString reasons(const Inspection& inspection) {
     if (lines.size() == kReasonsNamed) {
       ++more;
     } else {
-      lines << Text::tr("%1 stays open: %2.").arg(inspection.loopName(id), fillFailureReason(failure));
+      lines << NextStepsWords::tr("%1 stays open: %2.").arg(inspection.loopName(id), fillFailureReason(failure));
     }
   }
-  if (more > 0) lines << Text::tr("…and %Ln more, see the list.", nullptr, more);
+  if (more > 0) lines << NextStepsWords::tr("…and %Ln more, see the list.", nullptr, more);
   return lines.join(QLatin1Char(' '));
 }
 
 QString openTitle(const Inspection& inspection) {
   const auto& open = inspection.keptOpen();
   const bool sheet = std::all_of(open.begin(), open.end(), [&](int id) { return inspection.loop(id).rim; });
-  return sheet ? Text::tr("No holes. This is an open sheet.") : Text::tr("No holes are left except those kept open.");
+  return sheet ? NextStepsWords::tr("No holes. This is an open sheet.")
+               : NextStepsWords::tr("No holes are left except those kept open.");
 }
 
 // False again once a repair is undone.
@@ -85,24 +87,24 @@ NextStep nextStepFor(const OpenMesh& document, const NextStepActions& actions) {
     const bool tight = inspection.isWatertight();
     NextStep step{tight ? QStringLiteral("watertight") : defectIconName(DefectKind::KeptOpen),
                   tight ? colours.success : defectColour(DefectKind::KeptOpen),
-                  tight ? Text::tr("Watertight.") : openTitle(inspection),
+                  tight ? NextStepsWords::tr("Watertight.") : openTitle(inspection),
                   {},
                   {}};
     if (const auto crossings = static_cast<int>(inspection.count(DefectKind::SelfIntersection)); crossings > 0) {
       step.icon = QStringLiteral("warning");
       step.colour = colours.warning;
-      if (tight) step.title = Text::tr("Watertight, but it passes through itself.");
-      step.detail =
-          Text::tr("%Ln pair(s) of triangles cross. The list of defects cuts them apart.", nullptr, crossings);
+      if (tight) step.title = NextStepsWords::tr("Watertight, but it passes through itself.");
+      step.detail = NextStepsWords::tr("%Ln pair(s) of triangles cross. The list of defects cuts them apart.", nullptr,
+                                       crossings);
       if (isWorthSaving(document)) step.actions = {actions.saveAs};
     } else if (isWorthSaving(document)) {
       step.actions = {actions.saveAs};
       if (const auto turned = static_cast<int>(document.document.turnedFaces().size()); turned > 0) {
-        step.detail = Text::tr("%Ln triangle(s) faced the wrong way and were turned over.", nullptr, turned);
+        step.detail = NextStepsWords::tr("%Ln triangle(s) faced the wrong way and were turned over.", nullptr, turned);
       }
     } else {
-      step.detail = document.written ? Text::tr("Saved as %1.").arg(document.document.name())
-                                     : Text::tr("There is nothing to repair.");
+      step.detail = document.written ? NextStepsWords::tr("Saved as %1.").arg(document.document.name())
+                                     : NextStepsWords::tr("There is nothing to repair.");
     }
     if (!tight && actions.giveBack->isEnabled()) step.actions.push_back(actions.giveBack);
     if (!inspection.debris().empty()) step.actions.push_back(actions.removeDebris);
@@ -110,12 +112,12 @@ NextStep nextStepFor(const OpenMesh& document, const NextStepActions& actions) {
   }
   if (document.repaired && wasTriedOnAll(inspection)) {
     const auto holes = static_cast<int>(inspection.count(DefectKind::Hole));
-    NextStep left{
-        QStringLiteral("warning"),
-        colours.warning,
-        holes > 0 ? Text::tr("%Ln hole(s) could not be filled.", nullptr, holes) : Text::tr("Some defects are left."),
-        holes > 0 ? reasons(inspection) : otherFindings(inspection),
-        {}};
+    NextStep left{QStringLiteral("warning"),
+                  colours.warning,
+                  holes > 0 ? NextStepsWords::tr("%Ln hole(s) could not be filled.", nullptr, holes)
+                            : NextStepsWords::tr("Some defects are left."),
+                  holes > 0 ? reasons(inspection) : otherFindings(inspection),
+                  {}};
     if (holes > 0) left.actions.push_back(actions.oneByOne);
     left.actions.push_back(actions.saveAs);
     return left;

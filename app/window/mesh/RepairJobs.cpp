@@ -165,7 +165,7 @@ void RepairJobs::changed(OpenMesh* document, const MeshChange& wanted, const QSt
     if (crossings->fresh > 0) tellCrossings(*document, *crossings);
     wanted.crossed(crossings->fresh);
   } else if (wanted.hindrance) {
-    emit changedNothing(text, tr("Why: %1.").arg(QCoreApplication::translate("Tool", wanted.hindrance)));
+    emit changedNothing(document, text, tr("Why: %1.").arg(QCoreApplication::translate("Tool", wanted.hindrance)));
   }
 }
 
@@ -256,17 +256,17 @@ void RepairJobs::start(const OpenDocument* document, Job job) {
       ended();
     };
   };
-  job.failed = [this, name = job.name, failed = std::move(job.failed)](const Error& error) {
-    tellFailure(name, error);
+  job.failed = [this, document, name = job.name, failed = std::move(job.failed)](const Error& error) {
+    tellFailure(document, name, error);
     failed(error);
     ended();
   };
   m_jobs.start(std::move(job));
 }
 
-void RepairJobs::tellFailure(const QString& job, const Error& error) {
+void RepairJobs::tellFailure(const OpenDocument* document, const QString& job, const Error& error) {
   m_log.add(job + QStringLiteral(": ") + errorSentence(error), {}, LogEntry::Weight::Warning);
-  if (error.code == ErrorCode::Cancelled) return;
+  if (error.code == ErrorCode::Cancelled || !m_tabs.contains(document)) return;
   const QString advice = error.code == ErrorCode::OutOfMemory
                              ? errorAdvice(error)
                              : tr("Save your work, and try it on a smaller part or in another way.");
@@ -275,7 +275,10 @@ void RepairJobs::tellFailure(const QString& job, const Error& error) {
                 errorSentence(error),
                 tr("The document is as it was before. %1").arg(advice),
                 {},
-                {}});
+                {},
+                {},
+                {},
+                &document->document});
 }
 
 void RepairJobs::ended() {

@@ -45,7 +45,7 @@ class RepairJobs : public QObject {
   void filled(handwheel::OpenMesh* document, handwheel::Vertex key, std::shared_ptr<handwheel::FillBench> bench);
   void workingChanged();
   // A change was asked for, and nothing differs; why, as a sentence.
-  void changedNothing(const QString& what, const QString& why);
+  void changedNothing(const handwheel::OpenMesh* document, const QString& what, const QString& why);
   // A job failed.
   void message(const handwheel::Message& message);
 
@@ -72,7 +72,7 @@ class RepairJobs : public QObject {
   void tellCrossings(const OpenMesh& document, const CrossingsChange& crossings);
   void tellStale(const OpenMesh& document, Round round);
   void start(const OpenDocument* document, Job job);
-  void tellFailure(const QString& job, const Error& error);
+  void tellFailure(const OpenDocument* document, const QString& job, const Error& error);
   void ended();
 
   DocumentTabs& m_tabs;

@@ -20,9 +20,9 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::uint32_t kFirst = 1u << 0, kSecond = 1u << 1;
+constexpr std::uint32_t kFirstLook = 1u << 0, kSecond = 1u << 1;
 constexpr double kClick = 0.2;                 // s that a button is held
-constexpr double kLook = 1.4;                  // s to see what was proposed or done
+constexpr double kLookTime = 1.4;              // s to see what was proposed or done
 constexpr double kNear = 0.6;                  // of the hole is what the camera would fly to
 constexpr double kBrush = 0.25, kPull = 0.06;  // of the diagonal of the hole
 constexpr int kStrokes = 5;                    // over the seam
@@ -120,15 +120,15 @@ void RepairShow::addChoosing(std::vector<HandStep>& steps) {
     useTool("boundaryTool");
     lookFrom(m_hole.outward());
   };
-  steps.insert(steps.end(), {go, press(kFirst), rest(kLook)});
+  steps.insert(steps.end(), {go, press(kFirstLook), rest(kLookTime)});
 }
 
 void RepairShow::addSmoothing(std::vector<HandStep>& steps) {
-  HandStep propose = rest(kLook, [this] { return shows("boundary", "held"); });
+  HandStep propose = rest(kLookTime, [this] { return shows("boundary", "held"); });
   propose.caption = tr("2 of 5: smooth its edge");
   propose.detail = tr("Shift+S shows what would become of it. The second button takes it.");
   propose.begin = [this] { perform("smooth"); };
-  steps.insert(steps.end(), {propose, press(kSecond), rest(kLook, [this] { return isSettled(); })});
+  steps.insert(steps.end(), {propose, press(kSecond), rest(kLookTime, [this] { return isSettled(); })});
 }
 
 void RepairShow::addStitching(std::vector<HandStep>& steps) {
@@ -147,9 +147,9 @@ void RepairShow::addStitching(std::vector<HandStep>& steps) {
       tr("A point is pulled to the one across, like a thread: the longer, the harder. The hole falls into two.");
   take.begin = [this] { choose("boundary", "onto", 1.0); };
   HandStep pull = click(end(&BorderPair::b));
-  pull.buttons = kFirst;
-  pull.rest = kLook;
-  steps.insert(steps.end(), {take, press(kFirst), pull, rest(kLook, [this] { return isSettled(); })});
+  pull.buttons = kFirstLook;
+  pull.rest = kLookTime;
+  steps.insert(steps.end(), {take, press(kFirstLook), pull, rest(kLookTime, [this] { return isSettled(); })});
 }
 
 void RepairShow::addFilling(std::vector<HandStep>& steps) {
@@ -166,17 +166,18 @@ void RepairShow::addFilling(std::vector<HandStep>& steps) {
       if (isFirst) useTool("fillTool");
       lookFrom(m_hole.outward());
     };
-    HandStep seen = rest(kLook, [this] {
+    HandStep seen = rest(kLookTime, [this] {
       const auto* tool = dynamic_cast<const FillHoleTool*>(m_parts.tools.runner().tool());
       return tool && tool->state() == FillHoleTool::State::Ready &&
              m_hole.holds(m_document->document.mesh(), *tool->loop());
     });
-    steps.insert(steps.end(), {go, press(kFirst), seen, press(kSecond), rest(kLook, [this] { return isSettled(); })});
+    steps.insert(steps.end(),
+                 {go, press(kFirstLook), seen, press(kSecond), rest(kLookTime, [this] { return isSettled(); })});
   }
 }
 
 void RepairShow::addSculpting(std::vector<HandStep>& steps) {
-  HandStep refine = rest(kLook, [this] {
+  HandStep refine = rest(kLookTime, [this] {
     const auto* tool = dynamic_cast<const SculptTool*>(m_parts.tools.runner().tool());
     return tool && tool->levels().finest() > 0 && isSettled();
   });
@@ -190,7 +191,7 @@ void RepairShow::addSculpting(std::vector<HandStep>& steps) {
     lookFrom(m_hole.outward() + m_parts.viewport.camera().right());
     perform("subdivide");
   };
-  HandStep level = rest(kLook);
+  HandStep level = rest(kLookTime);
   level.begin = [this] { perform("coarser"); };
   steps.insert(steps.end(), {refine, level});
   const auto pulled = [this](double out) {
@@ -201,11 +202,12 @@ void RepairShow::addSculpting(std::vector<HandStep>& steps) {
     };
   };
   HandStep pull = click(pulled(kPull));
-  pull.buttons = kFirst;
-  pull.rest = kLook;
-  steps.insert(steps.end(), {click(pulled(0.0)), press(kFirst), pull, rest(kLook, [this] { return isSettled(); })});
+  pull.buttons = kFirstLook;
+  pull.rest = kLookTime;
+  steps.insert(steps.end(),
+               {click(pulled(0.0)), press(kFirstLook), pull, rest(kLookTime, [this] { return isSettled(); })});
 
-  HandStep whole = rest(kLook);
+  HandStep whole = rest(kLookTime);
   whole.caption = refine.caption;
   whole.detail = tr("The seam of both patches is smoothed as a part of the whole surface.");
   whole.begin = [this] {
@@ -219,13 +221,13 @@ void RepairShow::addSculpting(std::vector<HandStep>& steps) {
       return cornerNear(isFar ? Vec3(2.0 * m_hole.place().center() - middle) : middle);
     };
   };
-  steps.insert(steps.end(), {whole, click(side(false)), press(kFirst)});
+  steps.insert(steps.end(), {whole, click(side(false)), press(kFirstLook)});
   for (int i = 0; i < kStrokes; ++i) {
     HandStep stroke = click(side(i % 2 == 0));
-    stroke.buttons = kFirst;
+    stroke.buttons = kFirstLook;
     steps.push_back(stroke);
   }
-  steps.push_back(rest(2.0 * kLook, [this] { return isSettled(); }));
+  steps.push_back(rest(2.0 * kLookTime, [this] { return isSettled(); }));
 }
 
 // Of the surface, the corner nearest to a place.

@@ -28,7 +28,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::size_t kMostShells = 20;  // as tabs; more are for the command line
+constexpr std::size_t kMostFilesOfShells = 20;  // as tabs; more are for the command line
 
 // "scan.stl" falls into "scan-shells" beside it.
 QString shellsFolder(const QString& path) {
@@ -67,22 +67,24 @@ void ShellActions::split() {
   const bool isAsInFile = m_document->isAsInFile() && !m_document->document.isModified();
   const QString path = m_document->document.path();
   const QString command = isAsInFile ? splitCommand(path, shellsFolder(path)) : QString();
-  job.work = [this, command, mesh = m_document->document.mesh(),
+  job.work = [this, document = m_document, command, mesh = m_document->document.mesh(),
               numbers = m_document->document.fileNumbers()](Progress progress) -> Job::Finish {
     const auto shells = findShells(mesh, progress.part(0.0, 0.2));
     std::vector<std::shared_ptr<MeshSnapshot>> contents;
-    for (std::size_t i = 0; i < shells.size() && shells.size() <= kMostShells && shells.size() > 1; ++i) {
+    for (std::size_t i = 0; i < shells.size() && shells.size() <= kMostFilesOfShells && shells.size() > 1; ++i) {
       const double from = 0.2 + 0.8 * double(i) / double(shells.size()), each = 0.8 / double(shells.size());
       MeshFile file;
       file.soup = extracted(mesh, shells[i]).compact().soup;
       file.numbers = numbers;
       contents.push_back(meshSnapshotOf(file, tolerance::kNearWeld, progress.part(from, from + each)));
     }
-    return [this, command, contents = std::move(contents), count = shells.size()] {
-      contents.empty() ? tellCount(count) : open(contents, command);
+    return [this, document, command, contents = std::move(contents), count = shells.size()] {
+      contents.empty() ? tellCount(document, count) : open(contents, command);
     };
   };
-  job.failed = [this](const Error& error) { tellFailed(tr("The shells could not be opened"), error); };
+  job.failed = [this, document = m_document](const Error& error) {
+    tellFailed(document, tr("The shells could not be opened"), error);
+  };
   m_parts.jobs.start(std::move(job));
 }
 
@@ -95,19 +97,24 @@ void ShellActions::open(const std::vector<std::shared_ptr<MeshSnapshot>>& shells
   m_parts.log.add(tr("Split into %Ln shell(s)", nullptr, static_cast<int>(shells.size())), command);
 }
 
-void ShellActions::tellCount(std::size_t shells) {
+void ShellActions::tellCount(const OpenMesh* document, std::size_t shells) {
+  if (!m_parts.tabs.contains(document)) return;
   const bool isOne = shells < 2;
   emit message({Message::Weight::Info,
                 isOne ? tr("The mesh is one shell") : tr("There are %Ln shell(s)", nullptr, static_cast<int>(shells)),
                 {},
                 isOne ? QString() : tr("“handwheel split” writes so many into a folder. Debris can be removed before."),
                 {},
-                {}});
+                {},
+                {},
+                {},
+                &document->document});
 }
 
-void ShellActions::tellFailed(const QString& title, const Error& error) {
-  if (error.code == ErrorCode::Cancelled) return;
-  emit message({Message::Weight::Error, title, errorSentence(error), errorAdvice(error), {}, {}});
+void ShellActions::tellFailed(const OpenMesh* document, const QString& title, const Error& error) {
+  if (error.code == ErrorCode::Cancelled || !m_parts.tabs.contains(document)) return;
+  emit message(
+      {Message::Weight::Error, title, errorSentence(error), errorAdvice(error), {}, {}, {}, {}, &document->document});
 }
 
 void ShellActions::askForMesh() {
@@ -127,11 +134,11 @@ void ShellActions::add(OpenMesh* document, const QString& path) {
   job.name = tr("Reading %1").arg(QFileInfo(path).fileName());
   job.owner = document;
   const QString title = tr("%1 could not be added").arg(QFileInfo(path).fileName());
-  job.failed = [this, title](const Error& error) { tellFailed(title, error); };
+  job.failed = [this, document, title](const Error& error) { tellFailed(document, title, error); };
   job.work = [this, document, path, title](Progress progress) -> Job::Finish {
     const Result<HalfEdgeMesh> other = readMesh(m_parts.kinds, path, progress);
     if (!other) {
-      return [this, title, error = other.error()] { tellFailed(title, error); };
+      return [this, document, title, error = other.error()] { tellFailed(document, title, error); };
     }
     return [this, document, path, other = *other] {
       if (!m_parts.tabs.contains(document)) return;

@@ -28,8 +28,8 @@ class ShellActions : public QObject {
  private:
   void split();
   void open(const std::vector<std::shared_ptr<MeshSnapshot>>& shells, const QString& command);
-  void tellCount(std::size_t shells);
-  void tellFailed(const QString& title, const Error& error);
+  void tellCount(const OpenMesh* document, std::size_t shells);
+  void tellFailed(const OpenMesh* document, const QString& title, const Error& error);
   void askForMesh();
   void add(OpenMesh* document, const QString& path);
 

@@ -57,7 +57,10 @@ void StepsFile::write(const OpenMesh& document, const QString& path) {
                   tr("There is no file from which the steps lead to the present state."),
                   tr("Save the document as *.handwheel, and go on from there."),
                   {},
-                  {}});
+                  {},
+                  {},
+                  {},
+                  &document.document});
     return;
   }
   const Status written = writeFileAtomically(QFile::encodeName(path).toStdString(), stepsText(*way).toStdString());
@@ -67,7 +70,10 @@ void StepsFile::write(const OpenMesh& document, const QString& path) {
                   errorSentence(written.error()),
                   errorAdvice(written.error()),
                   {},
-                  {}});
+                  {},
+                  {},
+                  {},
+                  &document.document});
     return;
   }
   m_parts.log.add(tr("Saved the steps as %1").arg(name),

@@ -27,6 +27,7 @@ class PanelsTest : public QObject {
   void docksFollowTheirTitle();
   void hintsThatFit();
   void messagesWaitForEachOther();
+  void messagesGoWithTheirDocument();
   void severalJobs();
   void jobsThatWaitAndGo();
   void servicesKeepTheirRows();
@@ -196,6 +197,42 @@ void PanelsTest::messagesWaitForEachOther() {
   QVERIFY(!bar.findChild<QWidget*>("messageMore")->isVisible());
   press("messageAction");
   QCOMPARE(recovered, 1);
+  QVERIFY(bar.isHidden());
+}
+
+// Pointers to documents are only compared.
+void PanelsTest::messagesGoWithTheirDocument() {
+  QWidget window;
+  MessageBar bar(&window);
+  window.show();
+  const auto text = [&bar] { return bar.findChild<QLabel*>("messageText")->text(); };
+  const auto about = [](const char* title, const char* document) {
+    return Message{Message::Weight::Error, title, {}, {}, {}, {}, {}, {}, reinterpret_cast<const Document*>(document)};
+  };
+  const char bench[] = "ab";
+  const auto* a = reinterpret_cast<const Document*>(bench);
+  const auto* b = reinterpret_cast<const Document*>(bench + 1);
+  bar.setDocument(a);
+  bar.showMessage(about("of a", bench));
+  QVERIFY(bar.isVisible());
+  bar.setDocument(b);
+  QVERIFY(bar.isHidden());
+  bar.showMessage(about("of a, later", bench));  // noticed, although another is in view
+  QVERIFY(text().contains("of a, later"));
+  QVERIFY(!bar.findChild<QWidget*>("messageMore")->isVisible());
+  bar.showMessage({Message::Weight::Info, "of the program", {}, {}, {}, {}});
+  bar.setDocument(a);
+  QVERIFY(text().contains("of the program"));
+  QCOMPARE(bar.findChild<QLabel*>("messageMore")->text(), QString("2 more"));
+  bar.setDocument(b);
+  QVERIFY(text().contains("of the program"));
+  QVERIFY(!bar.findChild<QWidget*>("messageMore")->isVisible());
+  bar.forget(a);
+  bar.setDocument(nullptr);
+  QVERIFY(text().contains("of the program"));
+  QTest::mouseClick(bar.findChild<QAbstractButton*>("messageClose"), Qt::LeftButton);
+  QVERIFY(bar.isHidden());
+  bar.setDocument(a);
   QVERIFY(bar.isHidden());
 }
 

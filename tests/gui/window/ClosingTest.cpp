@@ -80,6 +80,18 @@ class ClosingTest : public QObject {
     QCOMPARE(openEdges(readStl(path)), 0);
   }
 
+  // What has not changed closes at once, and so does the window.
+  void quittingWithoutChanges() {
+    WindowDriver driver;
+    for (const char* name : {"one.stl", "two.stl"}) {
+      writeStl(m_folder.filePath(name), torus(12, 8, {}));
+      QVERIFY(driver.open(m_folder.filePath(name)));
+    }
+    driver.find<QAction>("quit")->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(!driver.window().isVisible(), kPatienceMs);
+    QCOMPARE(driver.tabs(), 0);
+  }
+
   void whoCancelsIsAskedAgain() {
     WindowDriver driver;
     openChanged(driver, m_folder.filePath("again.stl"));

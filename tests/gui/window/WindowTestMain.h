@@ -9,21 +9,31 @@
 #include <QApplication>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <QtTest>
 #include <clocale>
 
-// main() of a test of the window: as the program starts, but with settings in a temporary folder.
-#define HANDWHEEL_WINDOW_TEST(Test)                                                     \
-  int main(int argc, char** argv) {                                                     \
-    handwheel::Viewport::prepareApplication();                                          \
-    QApplication application(argc, argv);                                               \
-    std::setlocale(LC_NUMERIC, "C");                                                    \
-    const QTemporaryDir settings;                                                       \
-    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path()); \
-    QCoreApplication::setOrganizationName("Handwheel");                                 \
-    QCoreApplication::setApplicationName("HandwheelTest");                              \
-    handwheel::EnglishPlurals plurals;                                                  \
-    QCoreApplication::installTranslator(&plurals);                                      \
-    handwheel::applyTheme(application, handwheel::ThemeKind::Light);                    \
-    Test test;                                                                          \
-    return QTest::qExec(&test, argc, argv);                                             \
+namespace handwheel::test {
+
+// Runs a test of the window: as the program starts, but with settings in a temporary folder.
+template <class Test>
+int runWindowTest(int argc, char** argv) {
+  Viewport::prepareApplication();
+  QApplication application(argc, argv);
+  std::setlocale(LC_NUMERIC, "C");
+  const QTemporaryDir settings;
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+  QCoreApplication::setOrganizationName("Handwheel");
+  QCoreApplication::setApplicationName("HandwheelTest");
+  EnglishPlurals plurals;
+  QCoreApplication::installTranslator(&plurals);
+  applyTheme(application, ThemeKind::Light);
+  Test test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+}  // namespace handwheel::test
+
+#define HANDWHEEL_WINDOW_TEST(Test)                          \
+  int main(int argc, char** argv) {                          \
+    return handwheel::test::runWindowTest<Test>(argc, argv); \
   }

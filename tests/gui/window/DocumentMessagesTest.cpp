@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "StlFiles.h"
+#include "WindowDriver.h"
+#include "WindowTestMain.h"
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+// What is said about a document is said while that document is in view.
+class DocumentMessagesTest : public QObject {
+  Q_OBJECT
+
+ private:
+  QTemporaryDir m_folder;
+
+  // A triangle with a texture coordinate, which is not kept.
+  QString texturedFile() {
+    const QString path = m_folder.filePath("textured.obj");
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly)) qFatal("no room for test files");
+    file.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n");
+    return path;
+  }
+  static bool isSeen(WindowDriver& driver) { return driver.find<QWidget>("messageBar")->isVisible(); }
+
+ private slots:
+  void endWithTheirDocument() {
+    WindowDriver driver;
+    QVERIFY(driver.open(texturedFile()));
+    QTRY_VERIFY(isSeen(driver));
+    writeStl(m_folder.filePath("plain.stl"), torus(12, 8, {}));
+    QVERIFY(driver.open(m_folder.filePath("plain.stl")));
+    QVERIFY(!isSeen(driver));
+    auto* tabs = driver.find<QTabBar>("documentTabBar");
+    tabs->setCurrentIndex(0);
+    QVERIFY(isSeen(driver));
+    QVERIFY(driver.text("messageText").contains("textured.obj"));
+    driver.find<QAction>("closeDocument")->trigger();
+    QTRY_COMPARE(driver.tabs(), 1);
+    QVERIFY(!isSeen(driver));
+    driver.find<QAction>("closeDocument")->trigger();
+    QTRY_COMPARE(driver.tabs(), 0);
+    QVERIFY(!isSeen(driver));
+  }
+
+  // A file that could not be opened has no document: its message stays until it is closed.
+  void ofFilesThatDidNotOpen() {
+    WindowDriver driver;
+    driver.window().openPaths({m_folder.filePath("missing.stl")});
+    QTRY_VERIFY(isSeen(driver));
+    driver.choose("openShaftSample");
+    QVERIFY(driver.settle());
+    QVERIFY(isSeen(driver));
+    QVERIFY(driver.text("messageText").contains("missing.stl"));
+  }
+};
+
+HANDWHEEL_WINDOW_TEST(DocumentMessagesTest)
+#include "DocumentMessagesTest.moc"

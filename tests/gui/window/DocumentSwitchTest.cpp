@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "StlFiles.h"
+#include "WindowDriver.h"
+#include "WindowTestMain.h"
+
+#include <rapidcheck.h>
+#include <QTreeView>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+// What is selected in one document is never looked up in another, which may have fewer holes.
+class DocumentSwitchTest : public QObject {
+  Q_OBJECT
+
+ private:
+  QTemporaryDir m_folder;
+
+  // As many holes as asked for, each a quad.
+  QString fileWithHoles(int holes) {
+    const QString path = m_folder.filePath(QStringLiteral("%1-holes.stl").arg(holes));
+    std::set<std::pair<int, int>> missing;
+    for (int i = 0; i < holes; ++i) missing.emplace(4 * i, 3);
+    writeStl(path, torus(48, 24, missing));
+    return path;
+  }
+  static void press(WindowDriver& driver, const char* action) {
+    if (auto* wanted = driver.find<QAction>(action); wanted->isEnabled()) wanted->trigger();
+  }
+  // The row that the list shows as selected names a hole of the document in view.
+  static bool isSelectionOfDocument(WindowDriver& driver) {
+    const auto rows = driver.find<QTreeView>("defectList")->selectionModel()->selectedRows();
+    return std::all_of(rows.begin(), rows.end(), [&](const QModelIndex& row) { return row.isValid(); }) &&
+           driver.find<QAction>("deselect")->isEnabled() == !rows.isEmpty();
+  }
+
+ private slots:
+  void initTestCase() { qputenv("RC_PARAMS", qgetenv("RC_PARAMS") + " max_success=8"); }
+
+  void toOneWithFewerHoles() {
+    WindowDriver driver;
+    QVERIFY(driver.open(fileWithHoles(1)));
+    QVERIFY(driver.open(fileWithHoles(4)));
+    for (int i = 0; i < 4; ++i) press(driver, "nextHole");
+    QVERIFY(driver.settle());
+    driver.find<QTabBar>("documentTabBar")->setCurrentIndex(0);
+    QVERIFY(driver.settle());
+    QVERIFY(isSelectionOfDocument(driver));
+    QVERIFY(!driver.find<QAction>("deselect")->isEnabled());
+    // The other still has its own.
+    driver.find<QTabBar>("documentTabBar")->setCurrentIndex(1);
+    QVERIFY(driver.settle());
+    QVERIFY(driver.find<QAction>("deselect")->isEnabled());
+    // Opening a file is a switch, too.
+    QVERIFY(driver.open(fileWithHoles(0)));
+    QVERIFY(!driver.find<QAction>("nextHole")->isEnabled());
+    QVERIFY(isSelectionOfDocument(driver));
+  }
+
+  // Whatever is selected, kept open, previewed or worked on by a tool; also while jobs run.
+  void inEveryState() {
+    const bool holds = rc::check([this] {
+      WindowDriver driver;
+      for (const int holes : {0, 5, 2}) RC_ASSERT(driver.open(fileWithHoles(holes)));
+      driver.choose("openShaftSample");
+      RC_ASSERT(driver.settle());
+      const auto steps = *rc::gen::container<std::vector<int>>(30, rc::gen::inRange(0, 15));
+      const char* const tools[] = {"fillTool", "selectTool", "boundaryTool", "sculptTool", "measureTool"};
+      const char* const actions[] = {"nextHole", "previousHole", "keepOpen", "deselect", "fillHole", "undo"};
+      for (const int step : steps) {
+        auto* tabs = driver.find<QTabBar>("documentTabBar");
+        if (step < 4) tabs->setCurrentIndex(step);
+        if (step >= 4 && step < 10) press(driver, actions[step - 4]);
+        if (step >= 10) press(driver, tools[step - 10]);
+        if (step % 3 == 0) RC_ASSERT(driver.settle());
+        RC_ASSERT(tabs->currentIndex() == 3 || isSelectionOfDocument(driver));
+      }
+      RC_ASSERT(driver.settle());
+      RC_ASSERT(driver.tabs() == 4);
+    });
+    QVERIFY(holds);
+  }
+};
+
+HANDWHEEL_WINDOW_TEST(DocumentSwitchTest)
+#include "DocumentSwitchTest.moc"
