@@ -13,6 +13,7 @@
 #include "window/WindowLayout.h"
 
 #include <QCloseEvent>
+#include <QDialog>
 #include <QDockWidget>
 #include <QMenuBar>
 #include <QMimeData>
@@ -74,6 +75,7 @@ MainWindow::MainWindow(QThreadPool& pool, const KindSet& kinds, Drivers drivers)
 MainWindow::~MainWindow() {
   m_kindDock->disconnect(this);  // it hides last of all
   m_toolChoice->putAway();
+  qDeleteAll(findChildren<QDialog*>(Qt::FindDirectChildrenOnly));  // preferences show the keys, which are a member
   for (const auto& [id, ui] : m_uis) ui->setDocument(nullptr);
 }
 

@@ -5,6 +5,7 @@
 #include "mesh/MeshBounds.h"
 #include "viewport/ViewportPrivate.h"
 
+#include <QCoreApplication>
 #include <algorithm>
 #include <set>
 
@@ -95,6 +96,9 @@ Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), d(std::make_unique<
   setMinimumSize(200, 150);
   setObjectName(QStringLiteral("viewport"));
   setAccessibleName(tr("3D view"));
+  // The mouse goes on while a frame is drawn: a line drawn with it is made of all places where it was. (Qt's X11 plugin
+  // asks for compression when the application starts.)
+  QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
 }
 
 void Viewport::setBlockFaces(Face faces) {

@@ -26,8 +26,8 @@ struct LiveMesh;
 class Viewport : public QOpenGLWidget {
   Q_OBJECT
  public:
-  // To be called once before QApplication is constructed: sets the surface format, asks for GLX, the only window system
-  // interface that the renderer speaks, and for every move of the mouse.
+  // To be called once before QApplication is constructed: sets the surface format and asks for GLX, the only window
+  // system interface that the renderer speaks.
   static void prepareApplication();
 
   // Why this application cannot show a viewport at all, as a translated sentence; empty when it may. To be asked before

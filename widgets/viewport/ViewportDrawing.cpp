@@ -33,8 +33,6 @@ void Viewport::prepareApplication() {
   // Under Wayland the X server that comes with it serves; without one, graphicsFailed() tells.
   const bool hasX = !qEnvironmentVariableIsEmpty("DISPLAY");
   if (hasX && !qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "xcb");
-  // While a frame is drawn the mouse goes on: a line drawn with it is made of all places where it was.
-  QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
   QSurfaceFormat format;
   format.setVersion(3, 2);
   format.setProfile(QSurfaceFormat::CoreProfile);

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../window/WindowTestMain.h"
+#include "RandomUser.h"
+#include "registration/Registration.h"
+#include "window/MainWindow.h"
+
+#include <QDeadlineTimer>
+#include <QThreadPool>
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <thread>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+constexpr int kUsualSeconds = 15;
+constexpr int kRoundSeconds = 60;    // after that everything is undone, and a new window begins
+constexpr int kLongestSilence = 90;  // s without an action: the window hangs (sanitizers make it slow)
+
+int number(const char* name, int otherwise) {
+  bool isNumber = false;
+  const int value = qEnvironmentVariableIntValue(name, &isNumber);
+  return isNumber ? value : otherwise;
+}
+
+// Ends the program with a stack for the debugger when the window thread has done nothing for too long.
+class HangWatch {
+ public:
+  HangWatch() : m_thread([this] { watch(); }) {}
+  ~HangWatch() {
+    m_isOver = true;
+    m_thread.join();
+  }
+  void alive() { ++m_beats; }
+
+ private:
+  void watch() {
+    std::uint64_t last = 0;
+    for (int silent = 0; !m_isOver; ++silent) {
+      if (std::exchange(last, m_beats.load()) != m_beats.load()) silent = 0;
+      if (silent > 10 * kLongestSilence) {
+        std::fputs("RandomUseTest: the window hangs\n", stderr);
+        std::abort();
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+  }
+
+  std::atomic<bool> m_isOver{false};
+  std::atomic<std::uint64_t> m_beats{0};
+  std::thread m_thread;
+};
+
+}  // namespace
+
+// Somebody who does anything at all with the window. HANDWHEEL_RANDOM_SECONDS says for how long, HANDWHEEL_RANDOM_SEED
+// where to begin.
+class RandomUseTest : public QObject {
+  Q_OBJECT
+
+ private:
+  void round(std::uint32_t seed, int seconds, HangWatch& watch) {
+    QThreadPool workers;
+    const KindSet kinds(registeredKinds());
+    MainWindow window(workers, kinds);
+    window.resize(1280, 800);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    RandomUser user(window, seed);
+    const QDeadlineTimer end(1000LL * seconds);
+    while (!end.hasExpired() && user.problems().isEmpty()) {
+      user.act();
+      watch.alive();
+    }
+    user.undoEverything();
+    watch.alive();
+    QVERIFY2(user.problems().isEmpty(),
+             qPrintable(QStringLiteral("seed %1: %2").arg(seed).arg(user.problems().join("; "))));
+    workers.waitForDone();
+  }
+
+ private slots:
+  void neitherCrashesNorHangsNorLosesDocuments() {
+    HangWatch watch;
+    const QDeadlineTimer end(1000LL * number("HANDWHEEL_RANDOM_SECONDS", kUsualSeconds));
+    for (auto seed = static_cast<std::uint32_t>(number("HANDWHEEL_RANDOM_SEED", 1)); !end.hasExpired(); ++seed) {
+      std::printf("seed %u\n", seed);
+      std::fflush(stdout);
+      round(seed, std::min<int>(kRoundSeconds, static_cast<int>(end.remainingTime() / 1000) + 1), watch);
+      if (QTest::currentTestFailed()) return;
+    }
+  }
+};
+
+int main(int argc, char** argv) {
+  const QTemporaryDir home;  // pictures, recent files and autosaves of this run alone
+  for (const char* name : {"HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME"})
+    qputenv(name, QFile::encodeName(home.path()));
+  QDir::setCurrent(home.path());
+  return runWindowTest<RandomUseTest>(argc, argv);
+}
+#include "RandomUseTest.moc"

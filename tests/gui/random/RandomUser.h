@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "window/OpenDocument.h"
+
+#include <QObject>
+#include <QPointer>
+#include <QStringList>
+#include <QTemporaryDir>
+#include <map>
+#include <random>
+
+class QAbstractButton;
+class QFileDialog;
+class QMessageBox;
+
+namespace handwheel {
+class DocumentTabs;
+class MainWindow;
+}  // namespace handwheel
+
+namespace handwheel::test {
+
+// Uses the window at random, the same way for the same seed as far as jobs end in the same order: keys, clicks,
+// strokes, commands, documents that are opened, switched, saved and closed, jobs that are cancelled. Watches that no
+// document is lost: one that has changes closes only after its prompt was answered so, and any other only by a command
+// that closes.
+class RandomUser : public QObject {
+  Q_OBJECT
+
+ public:
+  // Files to open are made in a folder of its own, where the user also saves.
+  RandomUser(MainWindow& window, std::uint32_t seed);
+
+  // One thing, and what follows from it for some milliseconds. It is written to the standard output before it is done,
+  // so that the last lines show what led to a crash.
+  void act();
+  // What should not have happened, as a sentence each.
+  const QStringList& problems() const { return m_problems; }
+  // Undoes all there is in every document and compares it with what it was when it was opened.
+  void undoEverything();
+
+ private:
+  int upTo(int count) { return std::uniform_int_distribution<int>(0, count - 1)(m_random); }
+  bool oneIn(int count) { return upTo(count) == 0; }
+  static void note(const QString& what);
+  void makeFiles();
+  QWidget* target() const;  // where keys go
+
+  bool answerDialogs();
+  void answer(QMessageBox& prompt);
+  void answer(QFileDialog& dialog);
+  void openFile();
+  void pressKey();
+  void strokeInView();
+  void clickButton();
+  void clickRow();
+  void runCommand();
+  void editField();
+  void switchDocument();
+  void cancelJob();
+  void searchCommand();
+  void watchClosing(OpenDocument* document);
+
+  MainWindow& m_window;
+  DocumentTabs& m_tabs;
+  std::mt19937 m_random;
+  QTemporaryDir m_folder;
+  QStringList m_files;
+  QStringList m_problems;
+  std::map<const OpenDocument*, std::string> m_opened;  // the container of each document as it was opened
+  bool m_mayClose = false;                              // the present action is a command that closes
+  bool m_mayDiscard = false;  // a prompt was answered with "discard" and its document has not closed yet
+};
+
+}  // namespace handwheel::test
