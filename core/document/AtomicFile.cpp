@@ -10,12 +10,16 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <memory>
+#include <optional>
+#include <vector>
 
 namespace handwheel {
 
 namespace {
 
 constexpr std::size_t kBlock = 1 << 20;
+constexpr int kFolder = O_RDONLY | O_DIRECTORY | O_CLOEXEC;
 
 std::atomic<int> filesBeingWritten{0};
 
@@ -82,35 +86,79 @@ bool takeOver(const std::filesystem::path& target, int descriptor) {
   return ::access(target.c_str(), W_OK) == 0;
 }
 
-}  // namespace
+// What is to stand at a path, from the first byte until it stands there.
+class Replacement {
+ public:
+  explicit Replacement(const std::filesystem::path& path) : m_path(path), m_target(linkTarget(path)) {}
+  ~Replacement() {
+    if (m_folder >= 0) ::close(m_folder);
+  }
+  Replacement(const Replacement&) = delete;
+  Replacement& operator=(const Replacement&) = delete;
 
-Status writeFileAtomically(const std::filesystem::path& path, std::string_view bytes, Progress progress) {
-  const std::filesystem::path target = linkTarget(path);
+  // Brings it to the disk. A device has no place to take and has it all then.
+  Status prepare(std::string_view bytes, Progress progress);
+  // Whatever could be made ready is: here nothing needs memory or descriptors any more that could be lacking after it.
+  Status takePlace();
+
+ private:
+  std::filesystem::path m_path, m_target;
+  std::optional<DraftFile> m_draft;
+  int m_folder = -1;  // of the target; negative also where one may write but not list, and so not synchronise
+};
+
+Status Replacement::prepare(std::string_view bytes, Progress progress) {
   std::error_code ignored;
-  const auto kind = std::filesystem::status(target, ignored).type();
-  if (kind == std::filesystem::file_type::directory) return writeFailed(path, std::strerror(EISDIR));
-  if (kind == std::filesystem::file_type::character) return writeToDevice(path, bytes, progress);
+  const auto kind = std::filesystem::status(m_target, ignored).type();
+  if (kind == std::filesystem::file_type::directory) return writeFailed(m_path, std::strerror(EISDIR));
+  if (kind == std::filesystem::file_type::character) return writeToDevice(m_path, bytes, progress);
   // A rename would put a file in the place of the pipe or disk.
   if (kind != std::filesystem::file_type::regular && kind != std::filesystem::file_type::not_found &&
       kind != std::filesystem::file_type::none) {
-    return writeFailed(path, "Not a regular file");
+    return writeFailed(m_path, "Not a regular file");
   }
+  m_draft.emplace(m_target);
+  const int file = m_draft->descriptor();
+  if (file < 0 || !takeOver(m_target, file)) return writeFailed(m_path, systemReason());
+  if (const Status written = writeBlocks(m_path, file, bytes, progress); !written) return written;
+  if (!synchronise(file)) return writeFailed(m_path, systemReason());
+  m_folder = ::open(folderOf(m_target).c_str(), kFolder);
+  return m_folder >= 0 || errno == EACCES ? Status(Done{}) : Status(writeFailed(m_path, systemReason()));
+}
 
+Status Replacement::takePlace() {
+  if (!m_draft) return Done{};
+  if (!m_draft->takePlace()) return writeFailed(m_path, systemReason());
+  return m_folder < 0 || synchronise(m_folder) ? Status(Done{}) : Status(writeFailed(m_path, systemReason()));
+}
+
+}  // namespace
+
+Status writeFileAtomically(const std::filesystem::path& path, std::string_view bytes, Progress progress) {
+  const FileContent file{path, bytes};
+  return writeFilesAtomically({&file, 1}, progress);
+}
+
+Status writeFilesAtomically(std::span<const FileContent> files, Progress progress) {
   const BeingWritten counted;
   const Error cancelled{ErrorCode::Cancelled, {}, {}, {}};
   if (progress.cancelled()) return cancelled;
-  DraftFile draft(target);
-  const int file = draft.descriptor();
-  if (file < 0 || !takeOver(target, file)) return writeFailed(path, systemReason());
-  if (const Status written = writeBlocks(path, file, bytes, progress); !written) return written;
-  if (!synchronise(file)) return writeFailed(path, systemReason());
+  std::vector<std::unique_ptr<Replacement>> replacements;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const auto at = static_cast<double>(i), count = static_cast<double>(files.size());
+    replacements.push_back(std::make_unique<Replacement>(files[i].path));
+    const Status prepared = replacements.back()->prepare(files[i].bytes, progress.part(at / count, (at + 1.0) / count));
+    if (!prepared) return prepared;
+  }
   if (progress.cancelled()) return cancelled;
-  if (!draft.takePlace() || !syncFolder(folderOf(target))) return writeFailed(path, systemReason());
+  for (const auto& replacement : replacements) {
+    if (const Status placed = replacement->takePlace(); !placed) return placed;
+  }
   return Done{};
 }
 
 bool syncFolder(const std::filesystem::path& folder) {
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  const int descriptor = ::open(folder.c_str(), kFolder);
   if (descriptor < 0) return errno == EACCES;  // a folder one may write to but not list cannot be synchronised
   const bool synced = synchronise(descriptor);
   ::close(descriptor);

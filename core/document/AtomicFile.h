@@ -6,6 +6,7 @@
 #include "base/Result.h"
 
 #include <filesystem>
+#include <span>
 #include <string_view>
 
 namespace handwheel {
@@ -16,6 +17,16 @@ namespace handwheel {
 // killed one may leave the next one removes (DraftFile.h). A character device (/dev/null, a terminal) is written to as
 // it stands. Errors: WriteFailed {system's reason}, Cancelled.
 Status writeFileAtomically(const std::filesystem::path& path, std::string_view bytes, Progress progress = {});
+
+struct FileContent {
+  std::filesystem::path path;
+  std::string_view bytes;
+};
+
+// Replaces several files. All of them are on the disk before the first takes its place, and the last is the one that
+// counts: with an error it is the old one, unless only its folder could not be synchronised. No two may be the same.
+// Errors: as above.
+Status writeFilesAtomically(std::span<const FileContent> files, Progress progress = {});
 
 // Makes what was created, renamed or removed in a folder last through a power cut. False: errno says why it may not.
 bool syncFolder(const std::filesystem::path& folder);

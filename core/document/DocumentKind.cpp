@@ -125,6 +125,17 @@ Error withSubject(Error error, const std::filesystem::path& path) {
   return error;
 }
 
+template <class Open>
+Result<OpenedFile> withinMemory(const Open& open) {
+  try {
+    return open();
+  } catch (const std::bad_alloc&) {
+    return Error{ErrorCode::OutOfMemory, {}, {}, {}};
+  } catch (const std::length_error&) {
+    return Error{ErrorCode::OutOfMemory, {}, {}, {}};
+  }
+}
+
 }  // namespace
 
 DocumentKinds::DocumentKinds(std::vector<std::unique_ptr<DocumentKind>> kinds) : m_kinds(std::move(kinds)) {}
@@ -136,16 +147,7 @@ const DocumentKind* DocumentKinds::withId(std::string_view id) const {
 
 Result<OpenedFile> DocumentKinds::open(const std::filesystem::path& path, const ReadOptions& options,
                                        Progress progress) const {
-  const auto open = [&]() -> Result<OpenedFile> {
-    try {
-      return openAny(*this, path, options, progress);
-    } catch (const std::bad_alloc&) {
-      return Error{ErrorCode::OutOfMemory, {}, {}, {}};
-    } catch (const std::length_error&) {
-      return Error{ErrorCode::OutOfMemory, {}, {}, {}};
-    }
-  };
-  Result<OpenedFile> opened = open();
+  Result<OpenedFile> opened = withinMemory([&] { return openAny(*this, path, options, progress); });
   if (opened) {
     std::error_code ignored;
     opened->file.path = std::filesystem::absolute(path, ignored).string();
@@ -155,6 +157,10 @@ Result<OpenedFile> DocumentKinds::open(const std::filesystem::path& path, const 
   Error error = withSubject(opened.error(), path);
   if (error.code == ErrorCode::FormatUnknown) error.arguments = readEndings();
   return error;
+}
+
+Result<OpenedFile> DocumentKinds::openContainer(std::string_view bytes, Progress progress) const {
+  return withinMemory([&] { return load(*this, bytes, progress); });
 }
 
 std::vector<std::string> DocumentKinds::readEndings() const {
@@ -205,10 +211,20 @@ Result<std::string> containerBytes(const DocumentKind& kind, const DocumentFile&
   return writeContainer(container, compression, progress.part(0.2, 1.0));
 }
 
+Result<std::string> checkedContainer(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
+                                     const std::filesystem::path& path, Progress progress) {
+  if (const Status may = mayReplace(path); !may) return may.error();
+  Result<std::string> bytes = containerBytes(kind, file, content, Compression::Fast, progress.part(0.0, 0.875));
+  if (!bytes) return withSubject(bytes.error(), path);
+  if (const Status whole = checkReadable(*bytes, progress.part(0.875, 1.0)); !whole)
+    return withSubject(whole.error(), path);
+  return bytes;
+}
+
 Result<WrittenFile> saveDocument(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
                                  const std::filesystem::path& path, Progress progress) {
-  if (const Status may = mayReplace(path); !may) return may.error();
   if (!isContainerName(path)) {
+    if (const Status may = mayReplace(path); !may) return may.error();
     Result<WrittenFile> written = kind.exportTo(content, path, progress);
     if (!written && written.error().code == ErrorCode::ExtensionUnknown)
       return unknownEnding(path, writtenEndings(kind));
@@ -217,11 +233,8 @@ Result<WrittenFile> saveDocument(const DocumentKind& kind, const DocumentFile& f
           {QT_TRANSLATE_NOOP("Note", "The recordings of the device are not in this file."), {}, true});
     return written;
   }
-  const Result<std::string> bytes = containerBytes(kind, file, content, Compression::Fast, progress.part(0.0, 0.7));
-  if (!bytes) return withSubject(bytes.error(), path);
-  if (const Status whole = checkReadable(*bytes, progress.part(0.7, 0.8)); !whole) {
-    return withSubject(whole.error(), path);
-  }
+  const Result<std::string> bytes = checkedContainer(kind, file, content, path, progress.part(0.0, 0.8));
+  if (!bytes) return bytes.error();
   const Status written = writeFileAtomically(path, *bytes, progress.part(0.8, 1.0));
   if (!written) return written.error();
   return WrittenFile{bytes->size(), {}};

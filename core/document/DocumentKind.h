@@ -78,6 +78,8 @@ class DocumentKinds {
   // Reads a container or a foreign file of any kind, recognised by content. Errors: those of the readers,
   // FormatUnknown, KindUnknown.
   Result<OpenedFile> open(const std::filesystem::path& path, const ReadOptions& options, Progress progress = {}) const;
+  // The same of the bytes of a container. The errors have no subject; OutOfMemory too.
+  Result<OpenedFile> openContainer(std::string_view bytes, Progress progress = {}) const;
   // What open() reads: ".stl", …, ".handwheel".
   std::vector<std::string> readEndings() const;
   // Whose foreign file this is, by its first bytes and its name; null for a container. Errors: those of opening it,
@@ -103,6 +105,10 @@ Error unknownEnding(const std::filesystem::path& path, std::vector<std::string> 
 // container FileTooLarge, CheckFailed, WriteFailed, OutOfMemory, Cancelled.
 Result<WrittenFile> saveDocument(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
                                  const std::filesystem::path& path, Progress progress = {});
+
+// What it writes of a container, once it is sure that it can be read. Errors: the same.
+Result<std::string> checkedContainer(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
+                                     const std::filesystem::path& path, Progress progress = {});
 
 // The bytes of the document's container.
 Result<std::string> containerBytes(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,

@@ -11,6 +11,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 namespace handwheel {
 namespace {
@@ -50,6 +51,8 @@ std::vector<Corners> triangulate(const HoleContext& hole) {
   try {
     triangles = triangulate(hole, false);
     if (triangles.empty() && hole.loopSize <= tolerance::kCubicFillEdges) triangles = triangulate(hole, true);
+  } catch (const std::bad_alloc&) {
+    throw;  // for lack of memory no hole is filled in another way
   } catch (const std::exception&) {
     triangles.clear();
   }
@@ -198,6 +201,8 @@ std::optional<Patch> refinePatch(const HoleContext& hole, const Patch& start, st
     patch->method = bent ? FillMethod::Fair : FillMethod::Refined;
     patch->stitches = start.stitches;
     return patch;
+  } catch (const std::bad_alloc&) {
+    throw;  // for lack of memory no hole is filled in another way
   } catch (const std::exception&) {
     return std::nullopt;
   }

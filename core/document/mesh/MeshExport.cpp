@@ -11,7 +11,7 @@ namespace handwheel {
 
 namespace {
 
-Error cancelledError() {
+Error cancelledExport() {
   return {ErrorCode::Cancelled, {}, {}, {}};
 }
 
@@ -37,47 +37,56 @@ Result<MeshFormat> formatForOutput(const std::filesystem::path& path) {
 
 Result<std::string> encodeChecked(const TriangleSoup& soup, MeshFormat format, NumberType numbers, Progress progress) {
   std::string bytes = writeMesh(soup, format, numbers, progress.part(0.0, 0.4));
-  if (progress.cancelled()) return cancelledError();
+  if (progress.cancelled()) return cancelledExport();
   const Result<MeshFile> back = readMesh(bytes, {}, {}, progress.part(0.4, 0.9));
-  if (progress.cancelled()) return cancelledError();
+  if (progress.cancelled()) return cancelledExport();
+  if (!back && back.error().code == ErrorCode::OutOfMemory) return back.error();
   if (!back) return Error{ErrorCode::CheckFailed, {"it cannot be opened"}, back.error().place, {}};
   const bool isSame = sameCorners(soup, numbers, back->soup, progress.part(0.9, 1.0));
-  if (progress.cancelled()) return cancelledError();
+  if (progress.cancelled()) return cancelledExport();
   if (!isSame) return Error{ErrorCode::CheckFailed, {"its triangles differ"}, {}, {}};
   progress.set(1.0);
   return bytes;
 }
 
-Result<ExportReport> exportMesh(const HalfEdgeMesh& mesh, NumberType documentNumbers, const std::filesystem::path& path,
-                                Progress progress) {
+Result<EncodedMesh> encodeMesh(const HalfEdgeMesh& mesh, NumberType documentNumbers, const std::filesystem::path& path,
+                               Progress progress) {
   const Result<MeshFormat> format = formatForOutput(path);
   if (!format) return format.error();
   const NumberType numbers = numberTypeOf(*format, documentNumbers);
 
   HalfEdgeMesh::Compact compact = mesh.compact();
-  if (progress.cancelled()) return cancelledError();
-  ExportReport report;
+  if (progress.cancelled()) return cancelledExport();
+  EncodedMesh encoded;
   TriangleSoup forFile = compact.soup;
   roundPoints(forFile, numbers);
   progress.set(0.1);
-  if (progress.cancelled()) return cancelledError();
+  if (progress.cancelled()) return cancelledExport();
   for (std::uint32_t v : partCollisions(compact.soup, forFile, progress.part(0.1, 0.2)))
-    report.parted.push_back(compact.vertexOf[v]);
+    encoded.report.parted.push_back(compact.vertexOf[v]);
   progress.set(0.2);
-  if (progress.cancelled()) return cancelledError();
+  if (progress.cancelled()) return cancelledExport();
 
-  const Result<std::string> bytes = encodeChecked(forFile, *format, numbers, progress.part(0.2, 0.7));
+  Result<std::string> bytes = encodeChecked(forFile, *format, numbers, progress.part(0.2, 0.8));
   if (!bytes) {
     Error error = bytes.error();
     error.subject = path.string();
     return error;
   }
-  report.inFile = reportOn(forFile, SelfIntersections::Skip, progress.part(0.7, 0.9));
-  if (progress.cancelled()) return cancelledError();
-  const Status written = writeFileAtomically(path, *bytes, progress.part(0.9, 1.0));
+  encoded.report.inFile = reportOn(forFile, SelfIntersections::Skip, progress.part(0.8, 1.0));
+  if (progress.cancelled()) return cancelledExport();
+  encoded.report.bytes = bytes->size();
+  encoded.bytes = std::move(bytes.value());
+  return encoded;
+}
+
+Result<ExportReport> exportMesh(const HalfEdgeMesh& mesh, NumberType documentNumbers, const std::filesystem::path& path,
+                                Progress progress) {
+  Result<EncodedMesh> encoded = encodeMesh(mesh, documentNumbers, path, progress.part(0.0, 0.9));
+  if (!encoded) return encoded.error();
+  const Status written = writeFileAtomically(path, encoded->bytes, progress.part(0.9, 1.0));
   if (!written) return written.error();
-  report.bytes = bytes->size();
-  return report;
+  return std::move(encoded->report);
 }
 
 }  // namespace handwheel

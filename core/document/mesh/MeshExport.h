@@ -21,8 +21,17 @@ struct ExportReport {
   MeshReport inFile;
 };
 
-// Writes the live faces of a mesh: the whole file or nothing. The bytes are read back, compared with the mesh, welded
-// and measured before they replace the file. Vertices that only rounding to the file's number type puts in one place
+struct EncodedMesh {
+  std::string bytes;
+  ExportReport report;
+};
+
+// The bytes of a file of this name that holds the live faces of a mesh, read back, compared with it, welded and
+// measured. Errors: as below, and OutOfMemory.
+Result<EncodedMesh> encodeMesh(const HalfEdgeMesh& mesh, NumberType documentNumbers, const std::filesystem::path& path,
+                               Progress progress = {});
+
+// Writes them: the whole file or nothing. Vertices that only rounding to the file's number type puts in one place
 // are parted where an edge would else get more than two faces, or two the same way. Errors: ExtensionUnknown,
 // WriteFailed, CheckFailed, Cancelled.
 Result<ExportReport> exportMesh(const HalfEdgeMesh& mesh, NumberType documentNumbers, const std::filesystem::path& path,
@@ -33,7 +42,7 @@ Result<MeshFormat> formatForOutput(const std::filesystem::path& path);
 
 // The bytes of a file that holds these triangles, checked: the reader gives every corner of every triangle the very
 // number it had, rounded to the number type. So the file welds as the rounded triangles do. Errors: CheckFailed,
-// Cancelled.
+// OutOfMemory, Cancelled.
 Result<std::string> encodeChecked(const TriangleSoup& soup, MeshFormat format, NumberType numbers,
                                   Progress progress = {});
 

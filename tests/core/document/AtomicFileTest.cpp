@@ -54,6 +54,25 @@ class AtomicFileTest : public QObject {
     QCOMPARE(namesIn(folder), QStringList{"a"});
   }
 
+  void replacesSeveral() {
+    QTemporaryDir folder;
+    QVERIFY(writeFileAtomically(in(folder, "a"), "old").hasValue());
+    const FileContent both[] = {{in(folder, "a"), "new"}, {in(folder, "b"), "also new"}};
+    QVERIFY(writeFilesAtomically(both).hasValue());
+    QCOMPARE(contentOf(in(folder, "a")), QByteArray("new"));
+    QCOMPARE(contentOf(in(folder, "b")), QByteArray("also new"));
+  }
+
+  // What one of them lacks is found before any takes its place.
+  void replacesAllOrNone() {
+    QTemporaryDir folder;
+    QVERIFY(writeFileAtomically(in(folder, "a"), "old").hasValue());
+    const FileContent both[] = {{in(folder, "a"), "new"}, {in(folder, "no/such/b"), "new"}};
+    QCOMPARE(reasonOf(writeFilesAtomically(both)), std::string(std::strerror(ENOENT)));
+    QCOMPARE(contentOf(in(folder, "a")), QByteArray("old"));
+    QCOMPARE(namesIn(folder), QStringList{"a"});
+  }
+
   // Who is about to end the program looks at the one after setting the other.
   void cancelledBeforeItBegins() {
     QTemporaryDir folder;
