@@ -166,11 +166,7 @@ void BatchRun::conclude(const Running& running, const ChildProcess& child) {
 // Why it failed.
 std::string BatchRun::reasonOf(const Running& running, const ChildProcess& child) const {
   const std::vector<std::string> sentences = complaints(child.errors());
-  if (running.told) {
-    const bool isWritten = !sentences.empty() && sentences.back() == kCancelledTooLate;
-    return "It took longer than " + shortestText(*m_request.timeLimit) + " s" +
-           (isWritten ? "; the result is written, but not checked." : ".");
-  }
+  if (running.told) return "It took longer than " + shortestText(*m_request.timeLimit) + " s.";
   if (child.code() == 128 + SIGKILL) return "The system ended its process; memory may have run out.";
   if (child.code() > 128 && child.code() != kExitInterrupted) {
     return std::string("Its process crashed (") + strsignal(child.code() - 128) + ").";

@@ -15,9 +15,15 @@ namespace handwheel {
 // The program that is running, for starting it again.
 std::string ownProgram();
 
-// Runs a program found along PATH, with our output and our stderr, and waits for it. A signal to us ends it and all it
-// started. Returns its exit code, 127 when there is no such program, 128 + n when signal n ended it.
+// Runs a program found along PATH, with our output and our stderr, and waits for it. It holds the end of a pipe that
+// closes when a signal comes or we end, however that comes; this program ends then, also below others such as xvfb-run,
+// which so tidy up behind it. Those that do not are ended. Returns its exit code, 127 when there is no such program,
+// 128 + n when signal n ended it.
 int runChild(const std::vector<std::string>& words);
+
+// In a program that runChild() of another started, even by way of others: its end comes as SIGTERM from now on. To be
+// called after watchSignals(). Does nothing in others.
+void endWithParent();
 
 // A program that runs beside us and whose words we keep. It belongs to our process group, so that the terminal's keys
 // reach it too; it is told to end when we end, however that comes. Where memory runs out the system ends it before us.

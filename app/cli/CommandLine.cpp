@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/CommandLine.h"
 
+#include "cli/ChildProcess.h"
 #include "cli/CompareCommand.h"
 #include "cli/ConvertCommand.h"
 #include "cli/DecimateCommand.h"
@@ -25,9 +26,13 @@
 #include <QGuiApplication>
 #include <algorithm>
 #include <clocale>
+#include <cstdlib>
+#include <exception>
 #include <filesystem>
 #include <memory>
 #include <new>
+#include <stdexcept>
+#include <system_error>
 #include <variant>
 
 namespace handwheel {
@@ -52,6 +57,43 @@ int run(const Command& command, const Arguments& arguments, const Registered& re
     return (*onDocuments)(arguments, registered.kinds);
   }
   return std::get<Command::OnAll>(command.run)(arguments, registered);
+}
+
+// Made before: at the end of memory there may be none for it.
+std::string memorySentence;
+
+// Where a library lets the want of memory out of a thread of its own, or does not expect it, there is nobody to catch
+// it.
+[[noreturn]] void endForMemory() {
+  try {
+    if (std::current_exception()) throw;
+    std::abort();
+  } catch (const std::bad_alloc&) {
+  } catch (const std::runtime_error& error) {
+    if (!std::string_view(error.what()).starts_with("pthread_create")) std::abort();  // as TBB says it
+  } catch (...) {
+    std::abort();
+  }
+  [[maybe_unused]] const auto told = ::write(STDERR_FILENO, memorySentence.data(), memorySentence.size());
+  std::_Exit(kExitError);
+}
+
+// The subject is what the command was to read.
+int runWithinMemory(const Command& command, const Arguments& arguments, const Registered& registered) {
+  const std::string subject = arguments.operands.empty() ? std::string() : arguments.operands[0];
+  memorySentence = "handwheel: " + fullSentenceFor({ErrorCode::OutOfMemory, {}, {}, subject}) + "\n";
+  std::set_terminate(endForMemory);
+  try {
+    return run(command, arguments, registered);
+  } catch (const std::bad_alloc&) {
+    return failForMemory(subject);
+  } catch (const std::length_error&) {
+    return failForMemory(subject);
+  } catch (const std::system_error& error) {
+    // There is no room for another thread.
+    if (error.code() != std::errc::resource_unavailable_try_again) throw;
+    return failForMemory(subject);
+  }
 }
 
 std::vector<Command> commands() {
@@ -137,7 +179,7 @@ int dispatch(std::span<char* const> words, const Registered& registered) {
   const Arguments arguments = parseArguments(command->spec, rest);
   if (!arguments.problem.empty()) return failUsage(arguments.problem, command->spec.name);
   if (arguments.has("help")) return helpOn(*command, registered);
-  return run(*command, arguments, registered);
+  return runWithinMemory(*command, arguments, registered);
 }
 
 bool needsFonts(std::span<char* const> words) {
@@ -177,17 +219,18 @@ bool isCommand(int argc, char** argv) {
 int runCommand(int argc, char** argv, const Registered& registered) {
   occupyClosedStreams();
   watchSignals();
-  const std::unique_ptr<QCoreApplication> application = makeApplication(argc, argv);
-  QCoreApplication::setOrganizationName(QStringLiteral("Handwheel"));  // what the window keeps is found by these
-  QCoreApplication::setApplicationName(QStringLiteral("Handwheel"));
-  EnglishPlurals plurals;
-  QCoreApplication::installTranslator(&plurals);
-  // Its constructor takes over the user's locale. The command line speaks English and writes numbers as in C.
-  std::setlocale(LC_ALL, "C");
+  endWithParent();
   try {
+    const std::unique_ptr<QCoreApplication> application = makeApplication(argc, argv);
+    QCoreApplication::setOrganizationName(QStringLiteral("Handwheel"));  // what the window keeps is found by these
+    QCoreApplication::setApplicationName(QStringLiteral("Handwheel"));
+    EnglishPlurals plurals;
+    QCoreApplication::installTranslator(&plurals);
+    // Its constructor takes over the user's locale. The command line speaks English and writes numbers as in C.
+    std::setlocale(LC_ALL, "C");
     return dispatch(std::span<char* const>(argv, static_cast<std::size_t>(argc)).subspan(1), registered);
   } catch (const std::bad_alloc&) {
-    return fail({ErrorCode::OutOfMemory, {}, {}, {}});
+    return failForMemory({});
   }
 }
 

@@ -66,7 +66,7 @@ nlohmann::ordered_json toJson(const DeviceCatalogue& catalogue, const std::vecto
 }
 
 // "6 axes in, 3 driven, up to 8 N, 4 buttons"
-std::string textOf(const DeviceCapabilities& all) {
+std::string capabilitiesText(const DeviceCapabilities& all) {
   std::string text = std::to_string(all.inputs) + " axes in, ";
   if (all.outputs > 0) {
     text += std::to_string(all.outputs) + " driven, up to " + roundedText(all.maxForce) + " N, ";
@@ -82,7 +82,8 @@ std::string readableText(const DeviceCatalogue& catalogue, const std::vector<Fou
   text += catalogue.drivers().empty() ? " none\n" : "\n";
   text += "Devices:\n";
   for (const auto& [listing, capabilities] : devices) {
-    text += "  " + listing.name + " (" + listing.driver + ", " + listing.address + "): " + textOf(capabilities) + "\n";
+    text += "  " + listing.name + " (" + listing.driver + ", " + listing.address +
+            "): " + capabilitiesText(capabilities) + "\n";
   }
   return text;
 }

@@ -66,10 +66,17 @@ MeshReport reportOn(const Input& mesh, SelfIntersections choice, Progress progre
   return report;
 }
 
+std::vector<std::string> lossSentences(const DocumentFile& file) {
+  std::vector<std::string> all;
+  if (file.isNewer)
+    all.emplace_back("A newer version of Handwheel wrote the file; it is read as far as it is understood.");
+  for (std::string& note : damageSentences(file)) all.push_back(std::move(note));
+  if (!file.lost.empty()) all.push_back("Not kept: " + listOf(file.lost) + ".");
+  return all;
+}
+
 void tellLosses(const DocumentFile& file) {
-  if (file.isNewer) complain("A newer version of Handwheel wrote the file; it is read as far as it is understood.");
-  for (const std::string& note : damageSentences(file)) complain(note);
-  if (!file.lost.empty()) complain("Not kept: " + listOf(file.lost) + ".");
+  for (const std::string& sentence : lossSentences(file)) complain(sentence);
 }
 
 bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b) {

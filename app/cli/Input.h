@@ -37,7 +37,8 @@ Result<Input> readMeshInput(const std::filesystem::path& path, const ReadOptions
 // the triangles alone would. Incomplete once cancelled.
 MeshReport reportOn(const Input& mesh, SelfIntersections choice, Progress progress);
 
-// Says what could not be read, is not understood, or is not kept.
+// What could not be read, is not understood, or is not kept, a sentence each; and says it.
+std::vector<std::string> lossSentences(const DocumentFile& file);
 void tellLosses(const DocumentFile& file);
 
 // A link, symbolic or hard, and what it leads to are the same. They need not exist.

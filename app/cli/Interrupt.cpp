@@ -6,10 +6,12 @@
 #include "cli/ProgressBar.h"
 #include "document/AtomicFile.h"
 
+#include <sys/mman.h>
 #include <unistd.h>
 #include <chrono>
 #include <condition_variable>
 #include <csignal>
+#include <cstddef>
 #include <cstdlib>
 #include <exception>
 #include <mutex>
@@ -30,6 +32,21 @@ static_assert(std::atomic<bool>::is_always_lock_free, "written by a signal handl
 void noteSignal(int) {
   signalled = true;
 }
+
+// Addresses set aside while a job runs, so that whatever it leaves there is room for the words on what came of it.
+class Reserve {
+ public:
+  Reserve() : m_begin(mmap(nullptr, kSize, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0)) {}
+  ~Reserve() {
+    if (m_begin != MAP_FAILED) munmap(m_begin, kSize);
+  }
+  Reserve(const Reserve&) = delete;
+  Reserve& operator=(const Reserve&) = delete;
+
+ private:
+  static constexpr std::size_t kSize = 4 << 20;  // bytes; more than malloc() takes at once for small pieces
+  void* m_begin;
+};
 
 // Calls only what a signal handler may.
 void endAtOnce(int) {
@@ -61,7 +78,6 @@ class JobRun {
     return m_changed.wait_for(lock, time, [this] { return m_done; });
   }
   void cancel() { m_job.m_state.cancelled = true; }
-  bool hasWritten() const { return m_job.m_hasWritten; }
   double fraction() const { return m_job.m_state.fraction; }
   std::exception_ptr failure() const { return m_failure; }
 
@@ -86,7 +102,7 @@ class JobRun {
 };
 
 void watchSignals() {
-  for (int signal : {SIGINT, SIGTERM}) watch(signal, noteSignal);
+  for (int signal : kEndingSignals) watch(signal, noteSignal);
 }
 
 bool wasInterrupted() {
@@ -94,12 +110,13 @@ bool wasInterrupted() {
 }
 
 void endWhenInterrupted() {
-  for (int signal : {SIGINT, SIGTERM}) watch(signal, endAtOnce);
+  for (int signal : kEndingSignals) watch(signal, endAtOnce);
   if (signalled) endAtOnce(0);
 }
 
 void runInterruptible(std::string_view label, const std::function<void(Job&)>& work) {
   std::exception_ptr failure;
+  const Reserve reserve;
   {
     ProgressBar bar(label);
     JobRun run(work);
@@ -109,7 +126,7 @@ void runInterruptible(std::string_view label, const std::function<void(Job&)>& w
       run.cancel();
       if (run.waitFor(kGrace) || isWritingFile()) continue;
       bar.clear();
-      complain(run.hasWritten() ? kCancelledTooLate : "Cancelled.");
+      complain("Cancelled.");
       std::_Exit(kExitInterrupted);
     }
     failure = run.failure();

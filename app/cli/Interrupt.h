@@ -4,6 +4,8 @@
 
 #include "base/Progress.h"
 
+#include <array>
+#include <csignal>
 #include <functional>
 #include <string_view>
 
@@ -13,13 +15,10 @@ namespace handwheel {
 class Job {
  public:
   Progress progress() { return Progress(m_state); }
-  // The file asked for is written, and what follows only looks at it: whoever interrupts that is told.
-  void hasWritten() { m_hasWritten = true; }
 
  private:
   friend class JobRun;
   JobState m_state;
-  std::atomic<bool> m_hasWritten{false};
 };
 
 // Runs work on a thread of its own; this one shows its progress when stderr is a terminal and looks for signals. A job
@@ -27,9 +26,10 @@ class Job {
 // library calls cannot be interrupted, but never while it writes a file. Passes on what work throws.
 void runInterruptible(std::string_view label, const std::function<void(Job&)>& work);
 
-inline constexpr std::string_view kCancelledTooLate = "Cancelled. The result is written already.";
+// What asks the program to end: a key, the system, a terminal that is gone.
+inline constexpr std::array kEndingSignals{SIGINT, SIGTERM, SIGHUP};
 
-// Takes SIGINT and SIGTERM from now on. To be called first.
+// Takes these signals from now on. To be called first.
 void watchSignals();
 
 // One of them came.

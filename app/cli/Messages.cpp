@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <new>
 
 namespace handwheel {
 
@@ -18,14 +19,26 @@ std::string sentenceFor(const Error& error) {
   return errorSentence(error).toStdString();
 }
 
+std::string fullSentenceFor(const Error& error) {
+  const std::string advice = errorAdvice(error).toStdString();
+  return sentenceFor(error) + (advice.empty() ? "" : " " + advice);
+}
+
 int fail(const Error& error) {
   if (error.code == ErrorCode::Cancelled) {
     complain("Cancelled.");
     return kExitInterrupted;
   }
-  const std::string advice = errorAdvice(error).toStdString();
-  complain(sentenceFor(error) + (advice.empty() ? "" : " " + advice));
+  complain(fullSentenceFor(error));
   return kExitError;
+}
+
+int failForMemory(const std::string& subject) {
+  try {
+    return fail({ErrorCode::OutOfMemory, {}, {}, subject});
+  } catch (const std::bad_alloc&) {
+    return refuse("There is not enough memory.");
+  }
 }
 
 int refuse(std::string_view sentence) {

@@ -21,6 +21,9 @@ void complain(std::string_view sentence);
 // Says what went wrong and what to do about it, on one line. Returns the exit code for it.
 int fail(const Error& error);
 
+// Says that there is not enough memory for a file, however little is left. Returns kExitError.
+int failForMemory(const std::string& subject);
+
 // Says why something is not done. Returns kExitError.
 int refuse(std::string_view sentence);
 
@@ -29,6 +32,9 @@ int failUsage(std::string_view sentence, std::string_view command);
 
 // What went wrong, as one sentence.
 std::string sentenceFor(const Error& error);
+
+// The same and what to do about it.
+std::string fullSentenceFor(const Error& error);
 
 // Writes to stdout; kExitError when it does not take all (a full disk, say).
 int print(std::string_view text);

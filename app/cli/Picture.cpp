@@ -4,6 +4,7 @@
 
 #include "base/NumberText.h"
 #include "cli/ChildProcess.h"
+#include "cli/DrawingMemory.h"
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
@@ -13,7 +14,9 @@
 #include "theme/DefectColours.h"
 #include "viewport/Snapshot.h"
 
+#include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <optional>
 
 namespace handwheel {
@@ -55,6 +58,7 @@ int drawDocument(const PictureRequest& request, const DocumentKinds& kinds) {
     }
   });
   if (!*input) return fail(input->error());
+  if (!isEnoughToDraw(mesh.liveFaceCount())) return failForMemory(request.mesh.string());
   endWhenInterrupted();
   const Status drawn = input->value().mesh ? renderToFile(mesh, marksOf(mesh), request.png, kWidth, kHeight)
                                            : renderToFile(model, request.png, kWidth, kHeight);
@@ -117,7 +121,12 @@ int makePictureApart(const PictureRequest& request) {
   const int code = runChild(words);
   if (wasInterrupted()) return kExitInterrupted;
   if (code == 127) complain("No picture was made: there is no display, and xvfb-run is not installed.");
-  if (code > 127) complain("No picture was made: the graphics failed.");
+  if (code == 128 + SIGKILL) {
+    complain("No picture was made: the system ended the process that draws it; memory may have run out.");
+  } else if (code > 128) {
+    complain(std::string("No picture was made: the process that draws it ended unexpectedly (") +
+             strsignal(code - 128) + "). The graphics failed, or memory ran out.");
+  }
   return code == kExitDone ? kExitDone : kExitError;
 }
 
@@ -131,7 +140,9 @@ int runPicture(const Arguments& arguments, const DocumentKinds& kinds) {
       return failUsage("--range takes a length in mm above zero.", "picture");
     }
   }
+  if (!isEnoughToDraw(0)) return failForMemory(request.mesh.string());
   if (!hasDisplay()) return makePictureApart(request);
+  tellCrashes(request.mesh);
   return request.scan.empty() ? drawDocument(request, kinds) : drawDeviation(request, kinds);
 }
 

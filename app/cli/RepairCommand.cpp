@@ -39,31 +39,82 @@ std::string summary(const RepairRun& run, const RepairRequest& request) {
          " holes filled. " + request.output.string() + verdict(run.after) + changesLine(run.repair);
 }
 
-// Tells what came of it, on stdout and stderr and in the files asked for.
-int deliver(const RepairRun& run, const RepairRequest& request, const Arguments& arguments) {
-  tellLosses(run.file);
+// What is to be said of a repair, in full before anything is written: then even the end of memory finds nothing undone.
+struct Delivery {
+  std::vector<std::string> complaints;
+  std::string report;  // the bytes of the file
+  std::string text;    // for stdout
+};
+
+Delivery deliveryOf(const RepairRun& run, const RepairRequest& request, const Arguments& arguments) {
+  Delivery delivery{lossSentences(run.file), {}, {}};
   if (run.roundingMove > kToldRounding * run.after.box.diagonal().norm()) {
-    complain("The single precision of the format moved points by up to " + roundedText(run.roundingMove) +
-             " mm. Bring the part near the origin, or write .ply, .obj or .off.");
+    delivery.complaints.push_back("The single precision of the format moved points by up to " +
+                                  roundedText(run.roundingMove) +
+                                  " mm. Bring the part near the origin, or write .ply, .obj or .off.");
   }
-  if (arguments.has("report")) {
-    const std::string report = textOf(toJson(run, request, unitOf(arguments)));
-    const Status written = writeFileAtomically(arguments.valueOf("report"), report);
-    if (!written) return fail(written.error());
-  }
-  if (arguments.has("screenshot")) {
-    // No picture is no failure: the repair is done.
-    if (makePictureApart({request.output, arguments.valueOf("screenshot")}) == kExitInterrupted) {
-      return kExitInterrupted;
-    }
-  }
+  if (arguments.has("report")) delivery.report = textOf(toJson(run, request, unitOf(arguments)));
   const bool asJson = arguments.has("json");
   if (!asJson) {
-    for (const std::string& sentence : leftovers(run.repair, run.after)) complain(sentence);
+    for (std::string& sentence : leftovers(run.repair, run.after)) delivery.complaints.push_back(std::move(sentence));
   }
-  const int printed = print(asJson ? outcomeLine(run, request) : summary(run, request));
+  delivery.text = asJson ? outcomeLine(run, request) : summary(run, request);
+  return delivery;
+}
+
+// The report first: whenever there is an error the output is the old one.
+Status writeFiles(const RepairRun& run, const RepairRequest& request, const Arguments& arguments,
+                  const Delivery& delivery, Progress progress) {
+  std::vector<FileContent> files;
+  if (arguments.has("report")) files.push_back({arguments.valueOf("report"), delivery.report});
+  files.push_back({request.output, run.output});
+  return writeFilesAtomically(files, progress);
+}
+
+struct Repaired {
+  RepairRun run;
+  Delivery delivery;
+};
+
+// Repairs and writes. Where there is nothing to write the run says why.
+Result<Repaired> repairAndWrite(const RepairRequest& request, const Arguments& arguments, const DocumentKinds& kinds,
+                                Progress progress) {
+  Result<RepairRun> run = repairFile(request, kinds, progress.part(0.0, 0.95));
+  if (!run) return run.error();
+  Repaired done{std::move(run.value()), {}};
+  if (done.run.output.empty()) return done;
+  done.delivery = deliveryOf(done.run, request, arguments);
+  const Status written = writeFiles(done.run, request, arguments, done.delivery, progress.part(0.95, 1.0));
+  if (!written) return written.error();
+  done.run.output = {};
+  return done;
+}
+
+// Why nothing was written.
+int tellWhy(const RepairRun& run, const RepairRequest& request) {
+  if (!run.refusal.empty()) {
+    tellLosses(run.file);
+    return refuse(run.refusal);
+  }
+  if (!run.unknownLoops.empty()) {
+    return failUsage("There is no loop " + std::to_string(run.unknownLoops.front()) +
+                         " to keep open; 'handwheel inspect' lists them.",
+                     "repair");
+  }
+  return refuse(request.input.string() + ": no triangle has an area, so there is nothing to repair.");
+}
+
+// Tells what came of it, on stdout and stderr, and draws it. No picture is no failure: the repair is done.
+int deliver(const Repaired& done, const RepairRequest& request, const Arguments& arguments) {
+  for (const std::string& sentence : done.delivery.complaints) complain(sentence);
+  if (arguments.has("screenshot") &&
+      makePictureApart({request.output, arguments.valueOf("screenshot")}) == kExitInterrupted) {
+    complain("Cancelled. The result is written already.");
+    return kExitInterrupted;
+  }
+  const int printed = print(done.delivery.text);
   if (printed != kExitDone) return printed;
-  return run.after.isSound() ? kExitDone : kExitSomethingLeft;
+  return done.run.after.isSound() ? kExitDone : kExitSomethingLeft;
 }
 
 }  // namespace
@@ -113,27 +164,12 @@ int runRepair(const Arguments& arguments, const DocumentKinds& kinds) {
   const std::string problem = readRequest(arguments, kinds, request);
   if (!problem.empty()) return failUsage(problem, "repair");
 
-  std::optional<Result<RepairRun>> run;
-  runInterruptible("Repairing", [&](Job& job) { run = repairFile(request, kinds, job); });
-  if (!*run) return fail(run->error());
-  const RepairRun& result = run->value();
-  if (!result.refusal.empty()) {
-    tellLosses(result.file);
-    return refuse(result.refusal);
-  }
-  if (!result.unknownLoops.empty()) {
-    return failUsage("There is no loop " + std::to_string(result.unknownLoops.front()) +
-                         " to keep open; 'handwheel inspect' lists them.",
-                     "repair");
-  }
-  if (result.nothingLeft) {
-    return refuse(request.input.string() + ": no triangle has an area, so there is nothing to repair.");
-  }
-  if (!result.isMeasured) {
-    complain(kCancelledTooLate);
-    return kExitInterrupted;
-  }
-  return deliver(result, request, arguments);
+  std::optional<Result<Repaired>> done;
+  runInterruptible("Repairing", [&](Job& job) { done = repairAndWrite(request, arguments, kinds, job.progress()); });
+  if (!*done) return fail(done->error());
+  const Repaired& repaired = done->value();
+  if (repaired.delivery.text.empty()) return tellWhy(repaired.run, request);
+  return deliver(repaired, request, arguments);
 }
 
 }  // namespace handwheel

@@ -3,7 +3,6 @@
 #include "cli/RepairJob.h"
 
 #include "cli/Input.h"
-#include "cli/Interrupt.h"
 #include "cli/UntouchedCheck.h"
 #include "document/mesh/MeshExport.h"
 #include "document/mesh/MeshKind.h"
@@ -113,33 +112,52 @@ MeshSnapshot repairedDocument(const Work& work, Progress progress) {
   return repaired;
 }
 
-Result<ExportReport> write(const Work& work, const std::filesystem::path& output, Progress progress) {
-  if (work.numbers) return exportMesh(work.after, *work.numbers, output, progress);
+Result<EncodedMesh> encode(const Work& work, const std::filesystem::path& output, Progress progress) {
+  if (work.numbers) return encodeMesh(work.after, *work.numbers, output, progress);
   const OpenedFile& opened = work.input.opened;
   const MeshSnapshot repaired = repairedDocument(work, progress.part(0.0, 0.5));
-  const Result<WrittenFile> written =
-      saveDocument(*opened.kind, opened.file, repaired, output, progress.part(0.5, 1.0));
-  if (!written) return written.error();
-  return ExportReport{{}, written->bytes, {}};
+  Result<std::string> bytes = checkedContainer(*opened.kind, opened.file, repaired, output, progress.part(0.5, 1.0));
+  if (!bytes) return bytes.error();
+  EncodedMesh encoded;
+  encoded.bytes = std::move(bytes.value());
+  return encoded;
 }
 
-// Measures what was written: its figures, and whether every untouched vertex is in it. Not when that is cancelled.
+// What a file of these bytes holds, as readMeshInput() gives it.
+Result<Input> decode(std::string_view bytes, bool isContainer, const DocumentKinds& kinds, Progress progress) {
+  Input input;
+  if (isContainer) {
+    Result<OpenedFile> opened = kinds.openContainer(bytes, progress);
+    if (!opened) return opened.error();
+    input.opened = std::move(opened.value());
+    const auto& content = static_cast<const MeshSnapshot&>(*input.opened.content);
+    input.mesh = MeshInput{content.numbers, content.mesh.mesh.compact().soup};
+    return input;
+  }
+  Result<MeshFile> file = readMesh(bytes, {}, {}, progress);
+  if (!file) return file.error();
+  input.mesh = MeshInput{file->numbers, std::move(file->soup)};
+  return input;
+}
+
+// Of what is to be written: its figures, and whether every untouched vertex is in it.
 Status measure(const RepairRequest& request, const DocumentKinds& kinds, const Work& work, RepairRun& run,
                Progress progress) {
-  const Result<Input> written = readMeshInput(request.output, {}, kinds, progress.part(0.0, 0.3));
-  if (!written && written.error().code == ErrorCode::Cancelled) return Done{};
-  if (!written) return written.error();
+  const Result<Input> written = decode(run.output, !work.numbers, kinds, progress.part(0.0, 0.3));
+  if (!written) {
+    Error error = written.error();
+    error.subject = request.output.string();
+    return error;
+  }
   run.untouchedIdentical = untouchedAreIdentical(work.before.mesh, work.after, run.touched, written->mesh->soup);
   run.after = reportOn(*written, SelfIntersections::Count, progress.part(0.3, 1.0));
-  run.isMeasured = !progress.cancelled();
-  return Done{};
+  return progress.cancelled() ? Status(kCancelled) : Status(Done{});
 }
 
 }  // namespace
 
-Result<RepairRun> repairFile(const RepairRequest& request, const DocumentKinds& kinds, Job& job) {
+Result<RepairRun> repairFile(const RepairRequest& request, const DocumentKinds& kinds, Progress progress) {
   const auto start = std::chrono::steady_clock::now();
-  const Progress progress = job.progress();
   const Result<std::optional<MeshFormat>> format = formatFor(request.output);
   if (!format) return format.error();
   Result<Input> input = readMeshInput(request.input, request.read, kinds, progress.part(0.0, 0.1));
@@ -166,12 +184,12 @@ Result<RepairRun> repairFile(const RepairRequest& request, const DocumentKinds& 
   run.nothingLeft = work.after.liveFaceCount() == 0;
   if (run.nothingLeft) return run;
 
-  const Result<ExportReport> exported = write(work, request.output, progress.part(0.75, 0.85));
-  if (!exported) return exported.error();
-  job.hasWritten();
+  Result<EncodedMesh> encoded = encode(work, request.output, progress.part(0.75, 0.85));
+  if (!encoded) return encoded.error();
+  run.output = std::move(encoded->bytes);
   run.repair.turnedFaces += work.before.report.turnedFaces.size();
-  run.repair.partedVertices += exported->parted.size();
-  run.touched = touchedInputs(run.repair.touchedVertices, exported->parted, work.before.mesh.vertexSlots());
+  run.repair.partedVertices += encoded->report.parted.size();
+  run.touched = touchedInputs(run.repair.touchedVertices, encoded->report.parted, work.before.mesh.vertexSlots());
   const Status measured = measure(request, kinds, work, run, progress.part(0.85, 1.0));
   if (!measured) return measured.error();
   run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

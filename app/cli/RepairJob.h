@@ -13,7 +13,6 @@
 namespace handwheel {
 
 class DocumentKinds;
-class Job;
 
 struct RepairRequest {
   std::filesystem::path input;
@@ -25,22 +24,23 @@ struct RepairRequest {
 
 struct RepairRun {
   MeshReport before;                // of the input as it was read, when it is inspected
-  MeshReport after;                 // of the written file, read again
+  MeshReport after;                 // of the bytes of the output, read again
   RepairReport repair;              // with the faces turned on building the mesh, and the vertices parted by the export
   std::vector<Vertex> touched;      // vertices of the input that were moved, merged or parted
-  bool untouchedIdentical = false;  // measured on the written file
+  bool untouchedIdentical = false;  // measured on these bytes
   DocumentFile file;                // what reading the input lost
   double roundingMove = 0.0;        // mm; how far the numbers of the output moved the points of the input at most
   double seconds = 0.0;
-  std::vector<int> unknownLoops;  // asked to be kept open but not there: then nothing was repaired or written
-  bool isMeasured = false;        // else that was cancelled, but the output is written
-  std::string refusal;            // why the output must not be replaced: then nothing was repaired or written
-  bool nothingLeft = false;       // every face was removed: then nothing was written
+  std::string output;             // the bytes to write
+  std::vector<int> unknownLoops;  // asked to be kept open but not there: then nothing was repaired
+  std::string refusal;            // why the output must not be replaced: then nothing was repaired
+  bool nothingLeft = false;       // every face was removed: then there is nothing to write
 };
 
-// Reads, repairs, writes, and reads the written file again to measure it. The input's coordinates are rounded to the
+// Reads, repairs, and makes the bytes of the output, which it reads again to measure them. It writes nothing: whatever
+// can fail has failed before the output replaces anything. The input's coordinates are rounded to the
 // numbers of the output first, so that what is repaired is what the file will hold. Loops that a container marks to be
 // kept open are; a container made from one keeps its marks, its id, its unit and what only others know of it.
-Result<RepairRun> repairFile(const RepairRequest& request, const DocumentKinds& kinds, Job& job);
+Result<RepairRun> repairFile(const RepairRequest& request, const DocumentKinds& kinds, Progress progress);
 
 }  // namespace handwheel

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "BatchBench.h"
 
+#include <cstring>
+
 using namespace handwheel;
 
 // Every file has a process of its own, which may end as it likes.
@@ -52,6 +54,7 @@ class BatchProcessesTest : public QObject {
     QTest::addColumn<bool>("isDeaf");
     QTest::newRow("SIGINT") << SIGINT << false;
     QTest::newRow("SIGTERM") << SIGTERM << false;
+    QTest::newRow("SIGHUP") << SIGHUP << false;
     QTest::newRow("a child does not listen") << SIGINT << true;
   }
   void interrupt() {
@@ -77,6 +80,27 @@ class BatchProcessesTest : public QObject {
     const Ran next = bench.run({"repair", "in", "-o", "out", "-j", "2", "--resume"});
     QVERIFY(next.code == 0 || next.code == 2);
     QCOMPARE(next.out.count("done before"), 1);
+  }
+
+  // A program that is ended without a word takes its processes with it.
+  void endedBatchLeavesNoProcess_data() {
+    QTest::addColumn<int>("signal");
+    for (int signal : {SIGKILL, SIGQUIT, SIGPIPE, SIGSEGV}) QTest::newRow(strsignal(signal)) << signal;
+  }
+  void endedBatchLeavesNoProcess() {
+    QFETCH(int, signal);
+    const Bench bench;
+    for (const char* name : {"in/large1.off", "in/large2.off"}) putInto(bench, name, largeTube());
+    putInto(bench, "out/large1.off", "what was there before");
+    Batch batch(bench, {"in", "-o", "out", "-j", "2"});
+    QTRY_VERIFY_WITH_TIMEOUT(batch.childFor("in/large1.off") != 0 && batch.childFor("in/large2.off") != 0, 30000);
+    const QList<pid_t> children = batch.children();
+    batch.send(signal);
+    QCOMPARE(batch.finish().code, -1);
+    for (pid_t child : children) QTRY_VERIFY(isGone(child));
+    QCOMPARE(QDir(bench.path() + "/out").entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
+             QStringList{"large1.off"});
+    QCOMPARE(bench.content("out/large1.off"), QByteArray("what was there before"));
   }
 };
 

@@ -6,6 +6,7 @@
 #include <QStandardPaths>
 #include <QTest>
 #include <csignal>
+#include <cstring>
 
 using namespace handwheel;
 
@@ -31,6 +32,17 @@ bool catches(qint64 process, int signal) {
   return false;
 }
 
+// Those whose environment has this in it.
+QList<int> processesWith(const QString& words) {
+  QList<int> found;
+  for (const QString& name : QDir("/proc").entryList(QDir::Dirs)) {
+    if (name.toInt() == 0) continue;
+    QFile environment("/proc/" + name + "/environ");
+    if (environment.open(QIODevice::ReadOnly) && environment.readAll().contains(words.toUtf8())) found << name.toInt();
+  }
+  return found;
+}
+
 }  // namespace
 
 class InterruptTest : public QObject {
@@ -42,6 +54,7 @@ class InterruptTest : public QObject {
     QTest::addColumn<int>("times");
     QTest::newRow("SIGINT") << SIGINT << 1;
     QTest::newRow("SIGTERM") << SIGTERM << 1;
+    QTest::newRow("SIGHUP") << SIGHUP << 1;
     QTest::newRow("impatient") << SIGINT << 3;
   }
   void endsAndLeavesNothing() {
@@ -97,6 +110,41 @@ class InterruptTest : public QObject {
     QCOMPARE(bench.names(), QStringList{"a.off"});
     const QByteArray told = process.readAllStandardError();
     QVERIFY2(told.isEmpty() || told == "handwheel: Cancelled.\n", told);
+  }
+
+  // Neither processes nor files, also when the program has no time to end them.
+  void drawingLeavesNothing_data() {
+    QTest::addColumn<int>("signal");
+    QTest::addColumn<bool>("isDrawing");
+    for (int signal : {SIGTERM, SIGHUP, SIGKILL}) {
+      QTest::addRow("%s, display starts", strsignal(signal)) << signal << false;
+      QTest::addRow("%s, picture begun", strsignal(signal)) << signal << true;
+    }
+  }
+  void drawingLeavesNothing() {
+    if (QStandardPaths::findExecutable("xvfb-run").isEmpty()) QSKIP("xvfb-run is not installed");
+    QFETCH(int, signal);
+    QFETCH(bool, isDrawing);
+    const Bench bench;
+    bench.put("a.off", largeTorus(600));
+    QVERIFY(QDir(bench.path()).mkdir("tmp"));
+    const QString mark = bench.path() + "/tmp";
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.remove("DISPLAY");
+    environment.insert("TMPDIR", mark);
+    process.setProcessEnvironment(environment);
+    process.setWorkingDirectory(bench.path());
+    process.start(HANDWHEEL_PROGRAM, {"picture", "a.off", "p.png"});
+    QVERIFY(process.waitForStarted());
+    const int count = isDrawing ? 4 : 2;  // with the shell; with the display and the one that draws
+    QTRY_VERIFY_WITH_TIMEOUT(processesWith(mark).size() >= count, 30000);
+    ::kill(static_cast<pid_t>(process.processId()), signal);
+    QVERIFY(process.waitForFinished());
+    if (signal != SIGKILL) QCOMPARE(process.exitCode(), 130);
+    QTRY_COMPARE_WITH_TIMEOUT(processesWith(mark), QList<int>(), 30000);
+    QCOMPARE(bench.names(), (QStringList{"a.off", "tmp"}));
+    QCOMPARE(QDir(mark).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot), QStringList());
   }
 
   // Progress is for people at a terminal.
