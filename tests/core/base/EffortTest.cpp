@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "base/Effort.h"
+
+#include <QTest>
+#include <thread>
+#include <vector>
+
+using namespace handwheel;
+
+class EffortTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void isSpent();
+  void none();
+  void wholePaysForItsShares();
+  void shareEndsWithTheWhole();
+  void threadsGoNoFurther();
+};
+
+void EffortTest::isSpent() {
+  Effort effort(10);
+  effort.spend(9);
+  QVERIFY(!effort.isSpent());
+  QCOMPARE(effort.left(), std::size_t{1});
+  QCOMPARE(effort.shareSpent(), 0.9);
+  effort.spend(5);
+  QVERIFY(effort.isSpent());
+  QCOMPARE(effort.spent(), std::size_t{10});
+  QCOMPARE(effort.left(), std::size_t{0});
+}
+
+void EffortTest::none() {
+  const Effort none(0);
+  QVERIFY(none.isSpent());
+  QCOMPARE(none.shareSpent(), 1.0);
+}
+
+// For what a share may take, not for what it took beyond that.
+void EffortTest::wholePaysForItsShares() {
+  Effort whole(100);
+  {
+    Effort share(30, whole);
+    share.spend(20);
+    QCOMPARE(whole.spent(), std::size_t{20});
+    share.spend(20);
+    QVERIFY(share.isSpent());
+    share.spend(20);
+  }
+  QCOMPARE(whole.spent(), std::size_t{30});
+  QCOMPARE(Effort(90, whole).left(), std::size_t{70});
+}
+
+void EffortTest::shareEndsWithTheWhole() {
+  Effort whole(100);
+  Effort one(60, whole), other(60, whole);
+  one.spend(60);
+  QCOMPARE(other.left(), std::size_t{40});
+  whole.spend(40);
+  QVERIFY(other.isSpent());
+}
+
+void EffortTest::threadsGoNoFurther() {
+  Effort whole(100'000);
+  Effort share(5'000, whole);
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 4; ++i) {
+    threads.emplace_back([&] {
+      for (int k = 0; k < 3'000; ++k) share.spend(3);
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  QCOMPARE(share.spent(), std::size_t{5'000});
+  QCOMPARE(whole.spent(), std::size_t{5'000});
+}
+
+QTEST_GUILESS_MAIN(EffortTest)
+#include "EffortTest.moc"
