@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <limits>
 
 namespace handwheel {
@@ -116,11 +117,12 @@ class Slices {
 
 class Builder {
  public:
-  Builder(std::span<BoxedItem> items, Progress progress) : m_items(items), m_progress(progress) {}
+  Builder(std::span<BoxedItem> items, Progress progress, std::optional<Progress> told)
+      : m_items(items), m_progress(progress), m_told(told) {}
 
   // Appends the subtree of the range. Every range is cut without a look at the others: the tree does not depend on
   // which thread takes which.
-  void append(std::vector<BoxNode>& out, const Range& range, int depth) const {
+  void append(std::vector<BoxNode>& out, const Range& range, int depth) {
     const std::size_t self = out.size();
     out.push_back({kNothing});
     if (range.count() <= BoxTree::kLeafSize) {
@@ -138,7 +140,8 @@ class Builder {
       append(out, right, depth + 1);
     } else {
       std::vector<BoxNode> rightNodes;
-      tbb::parallel_invoke([&] { append(out, left, depth + 1); }, [&] { append(rightNodes, right, depth + 1); });
+      tbb::parallel_invoke([&] { appendAndTell(out, left, depth + 1); },
+                           [&] { appendAndTell(rightNodes, right, depth + 1); });
       second = out.size();
       out.insert(out.end(), rightNodes.begin(), rightNodes.end());
     }
@@ -148,6 +151,13 @@ class Builder {
   }
 
  private:
+  void appendAndTell(std::vector<BoxNode>& out, const Range& range, int depth) {
+    append(out, range, depth);
+    if (range.count() >= kParallelItems) return;  // its parts have told
+    m_done += range.count();
+    if (m_told) m_told->set(static_cast<double>(m_done) / static_cast<double>(m_items.size()));
+  }
+
   // After the box, whose making spoils the numbers beside it.
   static void finish(std::vector<BoxNode>& out, std::size_t self, const Range& range) {
     out[self].setSize(out.size() - self);
@@ -179,17 +189,20 @@ class Builder {
 
   std::span<BoxedItem> m_items;
   Progress m_progress;
+  std::optional<Progress> m_told;
+  std::atomic<std::size_t> m_done{0};  // items in the leaves
 };
 
 }  // namespace
 
-bool BoxTree::build(std::span<BoxedItem> items, Progress progress) {
+bool BoxTree::build(std::span<BoxedItem> items, Progress progress, std::optional<Progress> told) {
   m_nodes.clear();
   if (items.empty()) return true;
   Range all{0, items.size(), kNothing};
   for (const BoxedItem& item : items) extendByCentre(all.centres, item.box);
   m_nodes.reserve(items.size());
-  Builder(items, progress).append(m_nodes, all, 1);
+  Builder builder(items, progress, told);
+  builder.append(m_nodes, all, 1);
   if (progress.cancelled()) {
     m_nodes.clear();
     return false;

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 #include <bit>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -54,8 +55,8 @@ class BoxTree {
   static constexpr int kMaxDepth = 80;
 
   // Sorts the items into the order of the leaves. O(n log n), on all threads of the arena; the same tree for any number
-  // of threads. False when cancelled: then the tree is empty.
-  bool build(std::span<BoxedItem> items, Progress progress = {});
+  // of threads. False when cancelled: then the tree is empty. told: the span of which this is all.
+  bool build(std::span<BoxedItem> items, Progress progress = {}, std::optional<Progress> told = std::nullopt);
 
   bool empty() const { return m_nodes.empty(); }
   std::uint32_t nodeCount() const { return m_nodes.empty() ? 0 : static_cast<std::uint32_t>(m_nodes.size() - 1); }

@@ -3,6 +3,8 @@
 #include "proximity/SelfIntersection.h"
 
 #include "proximity/BoxTree.h"
+#include "proximity/CrowdedFans.h"
+#include "proximity/SliverPieces.h"
 #include "proximity/TriangleBoxes.h"
 #include "proximity/TriangleIntersection.h"
 
@@ -11,10 +13,16 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
+#include <cstddef>
 
 namespace handwheel {
 namespace {
 
+// What takes as long as one step of Effort.
+constexpr std::size_t kNodesPerStep = 256;
+constexpr std::size_t kTestsPerStep = 8;    // of two triangles
+constexpr double kPrepared = 0.3;           // the share of the time until the search begins
 constexpr std::uint32_t kBlockNodes = 256;  // nodes of the tree that one worker takes at a time
 
 TrianglePoints cornersOf(std::span<const Vec3> points, const Triangle& t) {
@@ -28,23 +36,35 @@ class Search {
 
   // False when cancelled.
   bool prepare() {
-    m_items = boxedTriangles(m_points, m_triangles, BoxFrame(m_points), FlatTriangles::LeaveOut, m_progress);
-    return m_tree.build(m_items, m_progress);
+    const BoxFrame frame(m_points);
+    m_items = boxedTriangles(m_points, m_triangles, frame, FlatTriangles::LeaveOut, m_progress);
+    m_progress.set(0.05);
+    m_fans = CrowdedFans(m_points, m_triangles, m_items);
+    const std::size_t whole = m_items.size();
+    cutSlivers(m_items, m_points, m_triangles, frame);
+    if (m_items.size() > whole) rememberPieces();
+    m_progress.set(kPrepared / 2);
+    if (!m_tree.build(m_items, m_progress, m_progress.part(kPrepared / 2, kPrepared))) return false;
+    if (!m_fans.empty()) tellFansOfNodes();
+    return true;
   }
 
   // Workers take blocks in their order and finish those that they took. So the finished blocks are always the first
   // ones, and what is cut off at maxPairs does not depend on the threads. False when cancelled.
   bool run() {
-    m_found.resize((m_tree.nodeCount() + kBlockNodes - 1) / kBlockNodes);
+    const std::size_t blocks = (m_tree.nodeCount() + kBlockNodes - 1) / kBlockNodes;
+    m_found.resize(blocks + 1);  // the last: of fans
     tbb::parallel_for(0, tbb::this_task_arena::max_concurrency(), [&](int) {
       while (m_total < m_maxPairs && !m_progress.cancelled()) {
         const std::size_t block = m_nextBlock++;
-        if (block >= m_found.size()) return;
+        if (block >= blocks) return;
         searchBlock(block);
         m_total += m_found[block].size();
-        m_progress.set(static_cast<double>(++m_blocksDone) / static_cast<double>(m_found.size()));
+        m_progress.part(kPrepared, 1.0).set(static_cast<double>(++m_blocksDone) / static_cast<double>(blocks));
       }
     });
+    if (m_total < m_maxPairs && !m_progress.cancelled()) searchFans(m_found.back());
+    m_total += m_found.back().size();
     return !m_progress.cancelled();
   }
 
@@ -63,32 +83,38 @@ class Search {
   // Pairs within the leaf, and with everything behind it in preorder: so each pair is looked at once.
   bool searchFrom(std::uint32_t leaf, std::vector<TrianglePair>& out) {
     if (m_progress.cancelled()) return false;
+    std::size_t tests = 0, nodes = 0;
     const std::uint32_t begin = m_tree.node(leaf).first();
     const std::uint32_t end = m_tree.leafEnd(leaf);
     for (std::uint32_t i = begin; i < end; ++i)
-      if (!testAgainst(i, i + 1, end, out)) return false;
-    for (std::uint32_t node = leaf + 1; node < m_tree.nodeCount();) {
+      if (!testAgainst(i, i + 1, end, out, tests)) return false;
+    for (std::uint32_t node = leaf + 1; node < m_tree.nodeCount(); ++nodes) {
       const BoxNode& other = m_tree.node(node);
-      if (!other.box.meets(m_tree.node(leaf).box)) {
+      const bool sameFan = !m_fanOfNode.empty() && m_fanOfNode[leaf] != kNone && m_fanOfNode[leaf] == m_fanOfNode[node];
+      if (sameFan || !other.box.meets(m_tree.node(leaf).box)) {
         node += other.size();
         continue;
       }
       if (other.isLeaf())
         for (std::uint32_t i = begin; i < end; ++i)
-          if (m_items[i].box.meets(other.box) && !testAgainst(i, other.first(), m_tree.leafEnd(node), out))
+          if (m_items[i].box.meets(other.box) && !testAgainst(i, other.first(), m_tree.leafEnd(node), out, tests))
             return false;
       ++node;
     }
+    m_progress.spend(tests / kTestsPerStep + nodes / kNodesPerStep);
     return true;
   }
 
-  // Returns false to stop: cancelled, or enough found.
-  bool testAgainst(std::uint32_t i, std::uint32_t begin, std::uint32_t end, std::vector<TrianglePair>& out) {
+  // Counts the tests. Returns false to stop: cancelled, or enough found.
+  bool testAgainst(std::uint32_t i, std::uint32_t begin, std::uint32_t end, std::vector<TrianglePair>& out,
+                   std::size_t& tests) {
     const BoxedItem& item = m_items[i];
     for (std::uint32_t j = begin; j < end; ++j) {
       const BoxedItem& other = m_items[j];
       if (!item.box.meets(other.box)) continue;
       if (m_progress.cancelled()) return false;
+      if (isForFans(item.id(), other.id()) || !isFirstOf(item, other)) continue;
+      ++tests;
       if (!trianglesMeet(cornersOf(m_points, m_triangles[item.id()]), cornersOf(m_points, m_triangles[other.id()])))
         continue;
       out.push_back(std::minmax({item.id(), other.id()}));
@@ -97,11 +123,81 @@ class Search {
     return true;
   }
 
+  bool isForFans(std::uint32_t i, std::uint32_t j) const {
+    return m_fans.of(i) != kNone && m_fans.of(i) == m_fans.of(j);
+  }
+
+  void searchFans(std::vector<TrianglePair>& out) {
+    const auto visit = [&](std::uint32_t i, std::uint32_t j) {
+      m_progress.spend(1);
+      if (m_progress.cancelled()) return false;
+      if (trianglesMeet(cornersOf(m_points, m_triangles[i]), cornersOf(m_points, m_triangles[j])))
+        out.push_back(std::minmax({i, j}));
+      return out.size() < m_maxPairs;
+    };
+    m_fans.forEachPair(visit, m_progress);
+  }
+
+  // A node's fan is that of all its items.
+  void tellFansOfNodes() {
+    m_fanOfNode.assign(m_tree.nodeCount(), kNone);
+    for (std::uint32_t node = m_tree.nodeCount(); node-- > 0;) {
+      if (!m_tree.node(node).isLeaf()) {
+        const std::uint32_t left = node + 1, right = left + m_tree.node(left).size();
+        if (m_fanOfNode[left] == m_fanOfNode[right]) m_fanOfNode[node] = m_fanOfNode[left];
+        continue;
+      }
+      const std::uint32_t begin = m_tree.node(node).first(), fan = m_fans.of(m_items[begin].id());
+      const auto inFan = [&](const BoxedItem& item) { return m_fans.of(item.id()) == fan; };
+      const auto first = m_items.begin() + static_cast<std::ptrdiff_t>(begin);
+      const auto last = m_items.begin() + static_cast<std::ptrdiff_t>(m_tree.leafEnd(node));
+      if (std::all_of(first, last, inFan)) m_fanOfNode[node] = fan;
+    }
+  }
+
+  // The pieces of each triangle, one after the other, and numbered.
+  void rememberPieces() {
+    for (std::uint32_t i = 0; i < m_items.size(); ++i) m_items[i].box.high[3] = std::bit_cast<float>(i);
+    m_pieces = m_items;
+    std::stable_sort(m_pieces.begin(), m_pieces.end(),
+                     [](const BoxedItem& a, const BoxedItem& b) { return a.id() < b.id(); });
+    m_firstPiece.assign(m_triangles.size() + 1, 0);
+    for (const BoxedItem& piece : m_pieces) ++m_firstPiece[piece.id() + 1];
+    for (std::size_t i = 1; i < m_firstPiece.size(); ++i) m_firstPiece[i] += m_firstPiece[i - 1];
+  }
+
+  std::span<const BoxedItem> piecesOf(std::uint32_t triangle) const {
+    return std::span(m_pieces).subspan(m_firstPiece[triangle], m_firstPiece[triangle + 1] - m_firstPiece[triangle]);
+  }
+
+  // Pieces of two triangles may meet in several places: the pair is looked at in the first. Never for two pieces of
+  // one.
+  bool isFirstOf(const BoxedItem& a, const BoxedItem& b) const {
+    if (a.id() == b.id()) return false;
+    if (m_pieces.empty()) return true;
+    const bool isTurned = b.id() < a.id();
+    const BoxedItem &low = isTurned ? b : a, &high = isTurned ? a : b;
+    for (const BoxedItem& p : piecesOf(low.id())) {
+      for (const BoxedItem& q : piecesOf(high.id())) {
+        if (p.box.meets(q.box)) return isSame(p, low) && isSame(q, high);
+      }
+    }
+    return false;
+  }
+
+  static bool isSame(const BoxedItem& a, const BoxedItem& b) {
+    return std::bit_cast<std::uint32_t>(a.box.high[3]) == std::bit_cast<std::uint32_t>(b.box.high[3]);
+  }
+
   std::span<const Vec3> m_points;
   std::span<const Triangle> m_triangles;
   Progress m_progress;
   std::size_t m_maxPairs;
 
+  CrowdedFans m_fans;
+  std::vector<std::uint32_t> m_fanOfNode;  // none where no fan is crowded
+  std::vector<BoxedItem> m_pieces;         // by triangle; none where nothing was cut
+  std::vector<std::size_t> m_firstPiece;
   std::vector<BoxedItem> m_items;  // in the order of the leaves
   BoxTree m_tree;
   std::vector<std::vector<TrianglePair>> m_found;  // by block

@@ -8,7 +8,9 @@
 #include <tbb/task_arena.h>
 
 #include <QTest>
+#include <cmath>
 #include <limits>
+#include <random>
 #include <thread>
 
 using namespace handwheel;
@@ -32,6 +34,18 @@ std::vector<TrianglePair> found(const Surface& s) {
   return selfIntersections(s.points, s.triangles).value();
 }
 
+// Its tip is the first point, at the origin, and its rim as high above it as said.
+Surface cone(std::uint32_t n, double height) {
+  Surface s;
+  s.points.push_back(Vec3::Zero());
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double angle = 2.0 * M_PI * i / n;
+    s.points.push_back(Vec3(std::cos(angle), std::sin(angle), height));
+    s.triangles.push_back({0, 1 + i, 1 + (i + 1) % n});
+  }
+  return s;
+}
+
 }  // namespace
 
 class SelfIntersectionTest : public QObject {
@@ -48,6 +62,9 @@ class SelfIntersectionTest : public QObject {
   void strayAndUnusableTriangles();
   void sameForAnyNumberOfThreads();
   void keepsToTheLimit();
+  void fansCostNoMoreThanTheirTriangles();
+  void crossingFans();
+  void sliversAgainstBruteForce();
   void cancels();
   void reportsProgress();
 };
@@ -143,6 +160,50 @@ void SelfIntersectionTest::keepsToTheLimit() {
   alone.execute([&] { QCOMPARE(selfIntersections(s.points, s.triangles, {}, limit).value(), some); });
   QCOMPARE(selfIntersections(s.points, s.triangles, {}, all.size()).value(), all);
   QVERIFY(selfIntersections(s.points, s.triangles, {}, 0).value().empty());
+}
+
+// A cone of n triangles, whose boxes all meet at its tip: 200 times as many cost no more than that many times the
+// effort, with the logarithm, where each pair would be 40,000 times as much.
+void SelfIntersectionTest::fansCostNoMoreThanTheirTriangles() {
+  const auto effortFor = [](std::uint32_t n) {
+    Effort effort(1'000'000'000);
+    const Surface s = cone(n, 1.0);
+    const auto pairs = selfIntersections(s.points, s.triangles, Progress().within(effort));
+    return pairs && pairs->empty() ? static_cast<double>(effort.spent()) : -1.0;
+  };
+  const double few = effortFor(250), many = effortFor(50'000);
+  QVERIFY(few > 0.0 && many > 0.0);
+  QVERIFY2(many < 400.0 * few, qPrintable(QString("%1 steps, and %2").arg(few).arg(many)));
+}
+
+// Two cones with one tip, the second slanted: it crosses the first along two lines.
+void SelfIntersectionTest::crossingFans() {
+  Surface s = cone(150, 1.0);
+  const Surface slanted = cone(170, 0.5);
+  const auto n = static_cast<std::uint32_t>(s.points.size());
+  for (std::size_t i = 1; i < slanted.points.size(); ++i) s.points.push_back(slanted.points[i] + Vec3(0.5, 0.07, 0.3));
+  for (const Triangle& t : slanted.triangles) s.triangles.push_back({0, t[1] + n - 1, t[2] + n - 1});
+  const auto pairs = found(s);
+  QVERIFY(!pairs.empty());
+  QCOMPARE(pairs, bruteForce(s));
+}
+
+void SelfIntersectionTest::sliversAgainstBruteForce() {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> anywhere(-1.0, 1.0), near(-1e-3, 1e-3);
+  Surface s;
+  for (std::uint32_t i = 0; i < 400; ++i) {
+    const Vec3 from(anywhere(random), anywhere(random), anywhere(random));
+    const Vec3 to(anywhere(random), anywhere(random), anywhere(random));
+    s.points.insert(s.points.end(), {from, to, to + Vec3(near(random), near(random), near(random))});
+    s.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  // Neighbours along a long edge, and others across them.
+  for (std::uint32_t i = 0; i < 100; ++i) s.triangles.push_back({3 * i, 3 * i + 2, 3 * i + 4});
+  const auto pairs = found(s);
+  QVERIFY(!pairs.empty());
+  QCOMPARE(pairs, bruteForce(s));
+  QCOMPARE(selfIntersections(s.points, s.triangles, {}, pairs.size() / 2)->size(), pairs.size() / 2);
 }
 
 void SelfIntersectionTest::cancels() {
