@@ -12,6 +12,10 @@
 namespace handwheel {
 namespace {
 
+// Steps of Effort that it takes to make a patch, for each edge of its loop, and to judge it, for each triangle.
+constexpr std::size_t kCandidateEffort = 10;
+constexpr std::size_t kJudgeEffort = 4;
+
 using Edges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;  // sorted
 
 // True when the triangles make a surface whose only border is the loop, run the other way.
@@ -122,11 +126,16 @@ FillAttempt HoleFiller::propose(const BoundaryLoop& loop, const FillOptions& opt
   if (loop.halfEdges.size() < 3) return attempt;
   const HoleContext hole = holeContext(m_state->mesh, loop);
   const Edges existing = m_state->obstacles.edgesAmong(hole.loop());
-  FillCandidates candidates(hole, m_state->obstacles, options, progress);
+  // The first that are made are the slowest: they cut the loop into pieces.
+  FillCandidates candidates(hole, m_state->obstacles, options, progress.part(0.0, 0.3));
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (progress.cancelled()) return {FillFailure::Cancelled, {}};
+    if (i > 0) progress.set(0.3 + 0.7 * static_cast<double>(i) / static_cast<double>(candidates.size()));
     std::optional<Patch> patch = candidates.make(i);
+    progress.spend(kCandidateEffort * loop.halfEdges.size());
+    if (progress.cancelled()) return {FillFailure::Cancelled, {}};
     if (!patch) continue;
+    progress.spend(kJudgeEffort * patch->triangles.size());
     const FillFailure failure = m_state->judge(hole, existing, *patch, options);
     if (failure == FillFailure::None) return {failure, std::move(*patch)};
     attempt.failure = std::max(attempt.failure, failure);
