@@ -3,6 +3,7 @@
 #include "mesh/CrossingCuts.h"
 
 #include "base/Tolerance.h"
+#include "mesh/BitRange.h"
 #include "mesh/EdgeTable.h"
 #include "mesh/PlaceKey.h"
 #include "mesh/QuietCgal.h"
@@ -13,6 +14,8 @@
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/intersections.h>
 #include <algorithm>
+#include <cmath>
+#include <new>
 
 namespace handwheel {
 namespace {
@@ -69,16 +72,41 @@ class Projection {
   bool m_faces = true;
 };
 
+// Steps of Effort that it takes to intersect two triangles, or to put a point into a triangulation, with coordinates
+// that have so many bits; the time goes with the square of the bits.
+constexpr double kExactSteps = 50.0;
+constexpr double kExactBits = 64.0;
+
+// That it takes to write the coordinates of these triangles as integers of one scale.
+int bitsOf(const TriangleSoup& soup, std::span<const TrianglePair> pairs) {
+  BitRange range;
+  for (const TrianglePair& pair : pairs) {
+    for (const std::uint32_t t : {pair.first, pair.second}) {
+      for (const std::uint32_t corner : soup.triangles[t]) {
+        for (const double x : soup.points[corner]) range.extend(x);
+      }
+    }
+  }
+  return range.bits();
+}
+
 class Cutter {
  public:
-  Cutter(const TriangleSoup& soup, NumberType numbers) : m_soup(soup), m_numbers(numbers) {}
+  Cutter(const TriangleSoup& soup, NumberType numbers, Progress progress)
+      : m_soup(soup), m_numbers(numbers), m_progress(progress) {}
 
-  CrossingCuts run(std::span<const TrianglePair> pairs, Progress progress) {
+  // Without pieces once cancelled.
+  CrossingCuts run(std::span<const TrianglePair> pairs) {
     CrossingCuts cuts;
     cuts.points = m_soup.points;
+    const int bits = bitsOf(m_soup, pairs);
+    if (bits > tolerance::kCutBits) return cuts;
+    m_exactSteps = static_cast<std::size_t>(kExactSteps * std::max(1.0, std::pow(bits / kExactBits, 2)));
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      if (!mayGoOn(i, pairs.size(), progress.part(0.0, 0.5), kCutsPerLook)) return cuts;
+      if (m_progress.cancelled()) return cuts;
+      m_progress.part(0.0, 0.5).set(static_cast<double>(i) / static_cast<double>(pairs.size()));
       mark(pairs[i]);
+      m_progress.spend(m_exactSteps);
     }
     for (const auto& [t, marks] : m_marks) {
       if (marks.segments.size() > tolerance::kCutsPerFace) return cuts;
@@ -87,15 +115,16 @@ class Cutter {
     keepCorners();
     std::size_t done = 0;
     for (const auto& [t, marks] : m_marks) {
-      if (!mayGoOn(done++, m_marks.size(), progress.part(0.5, 1.0), kCutsPerLook)) return cuts;
+      m_progress.part(0.5, 1.0).set(static_cast<double>(done++) / static_cast<double>(m_marks.size()));
       cuts.piecesOf[t] = piecesOf(t, marks, cuts.points);
+      if (!m_progress.cancelled()) continue;
+      cuts.piecesOf.clear();
+      break;
     }
     return cuts;
   }
 
  private:
-  static constexpr std::size_t kCutsPerLook = 64;  // each takes up to a millisecond
-
   Triangle3 triangle(std::uint32_t t) const {
     const Triangle& c = m_soup.triangles[t];
     return {exact(m_soup.points[c[0]]), exact(m_soup.points[c[1]]), exact(m_soup.points[c[2]])};
@@ -179,8 +208,14 @@ class Cutter {
     std::array<Triangulation::Vertex_handle, 3> corner;
     for (int k = 0; k < 3; ++k) corner[k] = put(numberOf(whole[k]));
     for (std::uint32_t p : marks.points) put(p);
+    m_progress.spend(m_exactSteps * marks.points.size());
     for (int k = 0; k < 3; ++k) pieces.insert_constraint(corner[k], corner[(k + 1) % 3]);
-    for (const auto& [a, b] : marks.segments) pieces.insert_constraint(put(a), put(b));
+    for (const auto& [a, b] : marks.segments) {
+      if (m_progress.cancelled()) return {};
+      const std::size_t before = pieces.number_of_vertices();
+      pieces.insert_constraint(put(a), put(b));
+      m_progress.spend(m_exactSteps * (1 + pieces.number_of_vertices() - before));
+    }
 
     std::vector<Triangle> result;
     for (const auto f : pieces.finite_face_handles()) {
@@ -210,6 +245,8 @@ class Cutter {
 
   const TriangleSoup& m_soup;
   NumberType m_numbers;
+  Progress m_progress;
+  std::size_t m_exactSteps = 0;  // of Effort, for each point
   std::vector<Point3> m_points;
   std::map<Point3, std::uint32_t> m_numberOf;
   std::map<std::uint32_t, Marks> m_marks;            // by triangle
@@ -223,8 +260,10 @@ CrossingCuts cutAtCrossings(const TriangleSoup& soup, std::span<const TrianglePa
                             Progress progress) {
   const QuietCgal quiet;
   try {
-    return Cutter(soup, numbers).run(pairs, progress);
-  } catch (const std::exception&) {  // a precondition of the library, or no memory
+    return Cutter(soup, numbers, progress).run(pairs);
+  } catch (const std::bad_alloc&) {
+    throw;                           // for lack of memory nothing is done in another way
+  } catch (const std::exception&) {  // a precondition of the library
     return {soup.points, {}};
   }
 }

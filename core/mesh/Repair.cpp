@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/Repair.h"
 
+#include "mesh/BitRange.h"
 #include "mesh/Cleaning.h"
 #include "mesh/CrossingClusters.h"
 #include "mesh/Defects.h"
@@ -13,6 +14,7 @@
 #include "mesh/MeshBuilder.h"
 #include "mesh/OneSided.h"
 #include "mesh/PartDuplicates.h"
+#include "mesh/RepairEffort.h"
 #include "mesh/Steps.h"
 #include "mesh/Stitching.h"
 #include "mesh/TangleRemoval.h"
@@ -38,7 +40,15 @@ class Repairer {
  public:
   // progress: of finding the loops.
   Repairer(const HalfEdgeMesh& input, const RepairOptions& options, Progress progress)
-      : m_input(input), m_mesh(input), m_options(options), m_results(input, progress) {
+      : m_input(input),
+        m_mesh(input),
+        m_options(options),
+        m_results(input, progress),
+        m_fillEffort(repairEffort(input.liveFaceCount())),
+        m_closeEffort(bitsOf(input) > tolerance::kCutBits ? 0 : m_fillEffort.left()),  // nothing can be cut
+        m_hardEffort(shareOf(m_closeEffort, tolerance::kHardHoleShare, tolerance::kHardHoleEffort), m_closeEffort),
+        m_partEffort(shareOf(m_closeEffort, tolerance::kPartShare, tolerance::kHardHoleEffort), m_closeEffort),
+        m_tangleEffort(shareOf(m_closeEffort, tolerance::kTangleShare, tolerance::kTangleEffort), m_closeEffort) {
     for (const BoundaryLoop& loop : m_results.inputLoops()) {
       if (mayClose(reasonToLeave(loop, {loop.id}))) continue;
       for (const Vec3& p : loopPoints(m_input, loop)) m_options.fill.keptCorners.insert(placeKey(p));
@@ -49,7 +59,8 @@ class Repairer {
     clean(progress.part(0.0, 0.3));
     if (!progress.cancelled()) {
       const double longest = tolerance::kOneSidedCut * diagonalOf(m_mesh);
-      m_report.oneSidedCuts = closeOneSided(m_mesh, m_options.fill, longest, BorderCuts::No, progress.part(0.3, 0.35));
+      m_report.oneSidedCuts =
+          closeOneSided(m_mesh, m_options.fill, longest, BorderCuts::No, progress.part(0.3, 0.35).within(m_hardEffort));
     }
     if (!progress.cancelled()) fill(progress.part(0.35, 0.6));
     if (!progress.cancelled()) closeHard(progress.part(0.6, 0.85));
@@ -57,6 +68,7 @@ class Repairer {
     if (m_options.cutCrossings && !progress.cancelled()) cutCrossings(progress.part(0.93, 0.95));
     if (!progress.cancelled()) turnOut(m_mesh, progress.part(0.95, 0.96));
     if (!progress.cancelled()) finish(progress.part(0.96, 1.0));
+    m_report.effort = m_fillEffort.spent() + m_closeEffort.spent();
     m_report.cancelled = progress.cancelled();
     return std::move(m_report);
   }
@@ -77,6 +89,10 @@ class Repairer {
     if (!progress.cancelled()) m_report.removedDegenerate += removeDegenerateFaces(m_mesh, progress.part(0.9, 1.0));
   }
 
+  static std::size_t shareOf(const Effort& whole, double share, std::size_t most) {
+    return std::min(most, static_cast<std::size_t>(share * static_cast<double>(whole.left())));
+  }
+
   // False when there was nothing to part.
   bool part(Progress progress) {
     const HalfEdgeMesh before = m_mesh;
@@ -90,7 +106,7 @@ class Repairer {
       if (v < before.vertexSlots()) m_touchedHomes.push_back(before.position(v));
     }
     m_report.partedVertices += parted.size();
-    if (!parted.empty()) relink(m_mesh, progress);
+    if (!parted.empty()) relink(m_mesh, progress.unlimited());
     return !parted.empty();
   }
 
@@ -113,7 +129,8 @@ class Repairer {
       loops.push_back(std::move(loop));
       owners.push_back(std::move(of));
     }
-    const std::vector<LoopFill> fills = fillLoops(m_mesh, loops, m_options.fill, progress.part(0.1, 1.0));
+    const std::vector<LoopFill> fills =
+        fillLoops(m_mesh, loops, m_options.fill, progress.part(0.1, 1.0).within(m_fillEffort));
     for (std::size_t i = 0; i < fills.size(); ++i) {
       LoopResult result;
       result.edges = loops[i].borderEdges;
@@ -130,10 +147,10 @@ class Repairer {
 
   // What is cut and parted may leave slits, which the next round closes.
   void closeHard(Progress progress) {
-    for (int round = 0; round < kHardRounds && !progress.cancelled(); ++round) {
-      const Progress now = progress.part(double(round) / kHardRounds, double(round + 1) / kHardRounds);
-      const bool closed = closeHardOnce(now.part(0.0, 0.8));
-      const bool parted = !now.cancelled() && part(now.part(0.8, 1.0));
+    const Progress all = progress.measuredBy(m_closeEffort), now = all.within(m_hardEffort);
+    for (int round = 0; round < kHardRounds && !now.cancelled(); ++round) {
+      const bool closed = closeHardOnce(now);
+      const bool parted = !progress.cancelled() && part(all.within(m_partEffort));
       if (!closed && !parted) return;
     }
   }
@@ -142,7 +159,7 @@ class Repairer {
   bool closeHardOnce(Progress progress) {
     std::vector<HardHole> holes;
     std::vector<std::set<int>> owners;
-    for (const BoundaryLoop& loop : findBoundaryLoops(m_mesh, progress.part(0.0, 0.1))) {
+    for (const BoundaryLoop& loop : findBoundaryLoops(m_mesh, progress)) {
       std::set<int> of = m_results.ownersOf(m_mesh, loop);
       const FillFailure reason = reasonToLeave(loop, of);
       const bool back = reason == FillFailure::Rim;
@@ -151,10 +168,9 @@ class Repairer {
       owners.push_back(std::move(of));
     }
     const auto start = Clock::now();
-    const HardClosings closings = closeHardHoles(
-        m_mesh, holes, m_options.fill, tolerance::kBackThickness * diagonalOf(m_mesh),
-        tolerance::kHardHoleWork - std::min(m_hardWork, tolerance::kHardHoleWork), progress.part(0.1, 1.0));
-    m_hardWork += closings.work;
+    const HardClosings closings =
+        closeHardHoles(m_mesh, holes, m_options.fill, tolerance::kBackThickness * diagonalOf(m_mesh), progress);
+    m_isCutShort = m_isCutShort || closings.isCutShort;
     m_report.cutFaces += closings.cutFaces;
     const double each = millisecondsSince(start) / std::max(1.0, static_cast<double>(holes.size()));
     bool any = false;
@@ -181,13 +197,14 @@ class Repairer {
       return reason != FillFailure::None && (reason != FillFailure::Rim || !owners.empty());
     });
     m_report.replacedFaces =
-        replaceTangles(m_mesh, loops, m_options.fill, tolerance::kTangleWork, progress.part(0.05, 0.8));
-    if (m_report.replacedFaces > 0 && !progress.cancelled()) part(progress.part(0.8, 1.0));
+        replaceTangles(m_mesh, loops, m_options.fill, progress.part(0.05, 0.8).within(m_tangleEffort));
+    if (m_report.replacedFaces > 0 && !progress.cancelled()) part(progress.part(0.8, 1.0).within(m_partEffort));
   }
 
   void cutCrossings(Progress progress) {
-    const auto pairs = findSelfIntersections(m_mesh, progress.part(0.0, 0.3));
-    if (pairs) m_report.cutClusters = uncrossClusters(m_mesh, *pairs, m_options.fill.numbers, progress.part(0.3, 1.0));
+    const Progress now = progress.within(m_fillEffort);
+    const auto pairs = findSelfIntersections(m_mesh, now.part(0.0, 0.3));
+    if (pairs) m_report.cutClusters = uncrossClusters(m_mesh, *pairs, m_options.fill.numbers, now.part(0.3, 1.0));
   }
 
   FillFailure reasonToLeave(const BoundaryLoop& loop, const std::set<int>& owners) const {
@@ -205,10 +222,15 @@ class Repairer {
   }
 
   void finish(Progress progress) {
-    m_report.loops = m_results.conclude(
-        m_mesh, [this](const BoundaryLoop& loop, const std::set<int>& owners) { return reasonToLeave(loop, owners); },
-        progress.part(0.0, 0.1));
-    for (const LoopResult& loop : m_report.loops) {
+    const bool isCutShort = m_isCutShort || m_hardEffort.isSpent() || m_tangleEffort.isSpent();
+    const auto reason = [&](const BoundaryLoop& loop, const std::set<int>& owners) {
+      const FillFailure known = reasonToLeave(loop, owners);
+      const bool isSheet = known == FillFailure::Rim && m_options.rims == RimHandling::Back && !loop.picture;
+      return isSheet && isCutShort ? FillFailure::None : known;  // its back was given up
+    };
+    m_report.loops = m_results.conclude(m_mesh, reason, progress.part(0.0, 0.1));
+    for (LoopResult& loop : m_report.loops) {
+      if (loop.outcome == LoopOutcome::Failed && isCutShort) loop.reason = FillFailure::TooMuchEffort;
       if (loop.outcome == LoopOutcome::Filled && m_options.keepOpen.contains(loop.id))
         m_report.lostLoops.push_back(loop.id);
     }
@@ -249,7 +271,9 @@ class Repairer {
   RepairOptions m_options;  // with the corners of what stays open
   LoopResults m_results;
   std::vector<Vec3> m_touchedHomes;  // where vertices were before they were moved
-  std::size_t m_hardWork = 0;
+  Effort m_fillEffort, m_closeEffort;
+  Effort m_hardEffort, m_partEffort, m_tangleEffort;  // shares of that for closing, each its own
+  bool m_isCutShort = false;                          // a trial that might have closed something
   RepairReport m_report;
 };
 

@@ -22,6 +22,7 @@ namespace {
 // What takes as long as one step of Effort.
 constexpr std::size_t kNodesPerStep = 256;
 constexpr std::size_t kTestsPerStep = 8;    // of two triangles
+constexpr std::size_t kFewItems = 2048;     // cost less as they are than in pieces
 constexpr double kPrepared = 0.3;           // the share of the time until the search begins
 constexpr std::uint32_t kBlockNodes = 256;  // nodes of the tree that one worker takes at a time
 
@@ -41,7 +42,7 @@ class Search {
     m_progress.set(0.05);
     m_fans = CrowdedFans(m_points, m_triangles, m_items);
     const std::size_t whole = m_items.size();
-    cutSlivers(m_items, m_points, m_triangles, frame);
+    if (whole > kFewItems) cutSlivers(m_items, m_points, m_triangles, frame);
     if (m_items.size() > whole) rememberPieces();
     m_progress.set(kPrepared / 2);
     if (!m_tree.build(m_items, m_progress, m_progress.part(kPrepared / 2, kPrepared))) return false;
