@@ -1803,6 +1803,10 @@
         <translation>Jede Füllfläche würde sich weit vorwölben.</translation>
     </message>
     <message>
+        <source>It would take too long for a mesh of this size.</source>
+        <translation>Das würde für ein Netz dieser Größe zu lange dauern.</translation>
+    </message>
+    <message>
         <source>Method</source>
         <translation>Methode</translation>
     </message>
@@ -2488,6 +2492,10 @@
     <message>
         <source>every patch would bulge far out</source>
         <translation>jede Füllfläche würde sich weit vorwölben</translation>
+    </message>
+    <message>
+        <source>it would take too long for a mesh of this size</source>
+        <translation>das würde für ein Netz dieser Größe zu lange dauern</translation>
     </message>
     <message>
         <source>colours</source>

@@ -1790,6 +1790,10 @@
         <translation>任何补片都会明显鼓出。</translation>
     </message>
     <message>
+        <source>It would take too long for a mesh of this size.</source>
+        <translation>对于这样大小的网格，这会花费太长时间。</translation>
+    </message>
+    <message>
         <source>Method</source>
         <translation>方法</translation>
     </message>
@@ -2475,6 +2479,10 @@
     <message>
         <source>every patch would bulge far out</source>
         <translation>任何补片都会明显鼓出</translation>
+    </message>
+    <message>
+        <source>it would take too long for a mesh of this size</source>
+        <translation>对于这样大小的网格，这会花费太长时间</translation>
     </message>
     <message>
         <source>colours</source>

@@ -62,11 +62,20 @@ inline constexpr double kBackEdge = 0.25;
 // More crossings that hang together than this are not cut apart: it would take minutes.
 inline constexpr std::size_t kUncrossPairs = 50'000;
 inline constexpr std::size_t kCutsPerFace = 200;
-// Closing what no patch closes is given up after trials over so many faces, some 20 s; a face to cut counts for many.
-inline constexpr std::size_t kHardHoleWork = 20'000'000;
-inline constexpr std::size_t kCutWork = 2'000;
-// The same for taking out what is tangled.
-inline constexpr std::size_t kTangleWork = 10'000'000;
+// Coordinates that are exact only with more bits than this, from the largest number to the last digit of the smallest,
+// are none of a part: a double has 53, metres with noise of 1e-17 in the zeros some 120. Exact arithmetic takes the
+// square.
+inline constexpr int kCutBits = 512;
+// To fill the holes of n faces takes no more steps (Effort) than this times n log2 n, of a microsecond each, and to
+// close by cutting what no patch closes no more again:
+inline constexpr double kRepairEffort = 1'000.0;
+// of that, trials take no more than this share, nor than some 20 s;
+inline constexpr double kHardHoleShare = 0.5;
+inline constexpr std::size_t kHardHoleEffort = 20'000'000;
+// taking out what is tangled no more than this share, nor than some 10 s; and parting what only touches the rest.
+inline constexpr double kTangleShare = 0.25;
+inline constexpr std::size_t kTangleEffort = 10'000'000;
+inline constexpr double kPartShare = 0.25;
 // What is tangled around a hole is taken out and filled anew where that moves the surface by no more than this share of
 // the part: more would change what the part is.
 inline constexpr double kTangleMove = 0.01;

@@ -14,16 +14,20 @@ namespace {
 
 using Cluster = std::vector<Face>;
 
+// The share of the effort that one trial may take.
+constexpr std::size_t kTrialShare = 4;
+
 class ClusterUncrosser {
  public:
   ClusterUncrosser(HalfEdgeMesh& mesh, NumberType numbers, Progress progress)
       : m_mesh(mesh),
         m_numbers(numbers),
-        m_progress(progress),
-        m_badEdges(countBadEdges(mesh, progress.part(0.0, 0.0))) {}
+        m_effort(progress.share(tolerance::kHardHoleEffort)),
+        m_progress(progress.measuredBy(m_effort)),
+        m_badEdges(countBadEdges(mesh, m_progress)) {}
 
   void take(std::span<const Cluster> some) {
-    if (some.empty() || m_progress.cancelled() || m_work > tolerance::kHardHoleWork) return;
+    if (some.empty() || m_progress.cancelled()) return;
     if (tryTogether(some)) {
       m_done += some.size();
       return;
@@ -40,27 +44,22 @@ class ClusterUncrosser {
     Cluster faces;
     for (const Cluster& cluster : some) faces.insert(faces.end(), cluster.begin(), cluster.end());
     HalfEdgeMesh changed = m_mesh;
-    const UncrossReport report = uncrossAll(changed, faces, m_numbers, now());
-    m_work += m_mesh.faceSlots() + tolerance::kCutWork * report.cutFaces;
-    if (!report.changed) return false;
-    const std::size_t badEdges = countBadEdges(changed, now());
-    if (badEdges > m_badEdges || m_progress.cancelled()) return false;
+    Effort effort = m_progress.share(m_trialEffort);
+    const Progress now = m_progress.within(effort);
+    if (!uncrossAll(changed, faces, m_numbers, now).changed) return false;
+    const std::size_t badEdges = countBadEdges(changed, now);
+    if (badEdges > m_badEdges || now.cancelled()) return false;
     m_badEdges = badEdges;
     m_mesh = std::move(changed);
     return true;
   }
 
-  // Trials take turns, so the share of the work that is allowed is all that can be told.
-  Progress now() const {
-    const double share = std::min(1.0, static_cast<double>(m_work) / static_cast<double>(tolerance::kHardHoleWork));
-    return m_progress.part(share, share);
-  }
-
   HalfEdgeMesh& m_mesh;
   NumberType m_numbers;
+  Effort m_effort;
+  const std::size_t m_trialEffort = m_effort.left() / kTrialShare;
   Progress m_progress;
   std::size_t m_badEdges;  // of the mesh, as the file will show it
-  std::size_t m_work = 0;
   std::size_t m_done = 0;
 };
 

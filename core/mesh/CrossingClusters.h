@@ -18,8 +18,9 @@ std::vector<std::vector<Face>> crossingClusters(const std::vector<std::pair<Face
 
 // Uncrosses (uncross()) each of these pairs of crossing faces and whatever crosses them, if that leaves none of a
 // cluster's crossings, makes no new one and opens no edge; other clusters stay as they are. All are tried together,
-// then by halves. Returns how many clusters are uncrossed; no trial begins once the work is over kHardHoleWork. O(n)
-// for the mesh in each trial; one where all goes well. Once cancelled, the mesh is not to be used.
+// then by halves. Returns how many clusters are uncrossed. Takes no more than tolerance::kHardHoleEffort, nor than the
+// effort of the progress: the other clusters stay as they are. O(n) for the mesh in each trial; one where all goes
+// well. Once somebody cancelled it, the mesh is not to be used.
 std::size_t uncrossClusters(HalfEdgeMesh& mesh, const std::vector<std::pair<Face, Face>>& pairs, NumberType numbers,
                             Progress progress = {});
 

@@ -24,8 +24,8 @@ struct CrossingCuts {
 // points rounded to numbers: pieces that lose a corner by it are left out, so what was closed stays closed, and a piece
 // may come to lie across another by the last digit. Indices of points of the soup that share a position must be equal;
 // triangles must have area. O(m log m) for m crossings beside one pass over the soup. Nothing is cut when a triangle
-// would be cut more than tolerance::kCutsPerFace times (that is no crossing but a tangle, and would take minutes), or
-// where the library gives up. Once cancelled, of no use.
+// would be cut more than tolerance::kCutsPerFace times (that is no crossing but a tangle, and would take minutes),
+// where coordinates range over more than tolerance::kCutBits, or where the library gives up. Once cancelled, of no use.
 CrossingCuts cutAtCrossings(const TriangleSoup& soup, std::span<const TrianglePair> pairs, NumberType numbers,
                             Progress progress = {});
 

@@ -35,6 +35,8 @@ constexpr std::size_t kBackedFacesPerEdge = 4;
 constexpr int kNearbyRounds = 4;
 // and how many faces are looked at for it in the time that one takes in a trial.
 constexpr std::size_t kScanWork = 20;
+// The share of the effort that one trial may take.
+constexpr std::size_t kTrialShare = 2;
 
 std::vector<BoundaryLoop> numbered(std::span<const HardHole> holes) {
   std::vector<BoundaryLoop> loops;
@@ -45,19 +47,27 @@ std::vector<BoundaryLoop> numbered(std::span<const HardHole> holes) {
   return loops;
 }
 
+// Not so where numbers at the end of their range overflow.
+bool areFinite(const HalfEdgeMesh& mesh, const std::vector<Face>& faces) {
+  return std::all_of(faces.begin(), faces.end(), [&](Face f) {
+    const TrianglePoints p = mesh.points(f);
+    return p[0].allFinite() && p[1].allFinite() && p[2].allFinite();
+  });
+}
+
 class Closer {
  public:
   Closer(HalfEdgeMesh& mesh, std::span<const HardHole> holes, const FillOptions& options, double thickness,
-         std::size_t mostWork, Progress progress)
+         Progress progress)
       : m_mesh(mesh),
         m_holes(holes),
         m_owners(mesh, numbered(holes)),
         m_options(options),
         m_thickness(thickness),
-        m_mostWork(mostWork),
-        m_progress(progress),
-        m_crossings(countCrossings(mesh, options.numbers, now())),
-        m_badEdges(countBadEdges(mesh, now())) {
+        m_effort(progress.share(tolerance::kHardHoleEffort)),
+        m_progress(progress.measuredBy(m_effort)),
+        m_crossings(countCrossings(mesh, options.numbers, m_progress)),
+        m_badEdges(countBadEdges(mesh, m_progress)) {
     m_options.mayCross = true;
     m_options.tryOthers = false;
     m_result.holes.resize(holes.size());
@@ -85,7 +95,8 @@ class Closer {
   };
 
   void close(std::span<const std::size_t> some) {
-    if (some.empty() || m_progress.cancelled() || m_result.work > m_mostWork) return;
+    m_result.isCutShort = m_result.isCutShort || m_effort.isSpent();
+    if (some.empty() || m_progress.cancelled()) return;
     if (tryTogether(some) || some.size() == 1) return;
     close(some.first(some.size() / 2));
     close(some.subspan(some.size() / 2));
@@ -127,7 +138,7 @@ class Closer {
     if (chosen.empty()) return true;
     for (int round = 0; round < kNearbyRounds && !m_progress.cancelled(); ++round) {
       const MeshPart part(m_mesh, box);
-      m_result.work += m_mesh.faceSlots() / kScanWork;
+      m_progress.spend(m_mesh.faceSlots() / kScanWork);
       if (part.faceCount() > m_mesh.faceSlots() / 2) return std::nullopt;
       const NearbyTrial trial = tryIn(part, chosen);
       if (trial.isOutside) return std::nullopt;
@@ -152,6 +163,8 @@ class Closer {
 
   NearbyTrial tryIn(const MeshPart& part, const std::vector<const Proposal*>& chosen) {
     NearbyTrial trial;
+    Effort effort = m_progress.share(m_trialEffort);
+    const Progress now = m_progress.within(effort);
     trial.changed = part.mesh();
     std::vector<Face> newFaces;
     for (const Proposal* p : chosen) {
@@ -165,14 +178,16 @@ class Closer {
         newFaces.push_back(static_cast<Face>(trial.changed.faceSlots() + i));
       putPatch(trial.changed, loop, *p->patch);
     }
-    for (const Face f : crossingCluster(trial.changed, newFaces, m_options.numbers, now()))
+    if (!areFinite(trial.changed, newFaces)) return trial;
+    for (const Face f : crossingCluster(trial.changed, newFaces, m_options.numbers, now))
       trial.reach.extend(boxOf(trial.changed.points(f)));
-    const std::size_t crossings = countCrossings(part.mesh(), m_options.numbers, now());
-    const UncrossReport report = uncross(trial.changed, newFaces, m_options.numbers, crossings, now());
-    m_result.work += part.faceCount() + tolerance::kCutWork * report.cutFaces;
+    const std::size_t crossings = countCrossings(part.mesh(), m_options.numbers, now);
+    const UncrossReport report = uncross(trial.changed, newFaces, m_options.numbers, crossings, now);
+    now.spend(part.faceCount());
     if (report.crossingsAfter > crossings) return trial;
-    const std::size_t before = countBadEdges(part.mesh(), now()), after = countBadEdges(trial.changed, now());
-    if (m_progress.cancelled() || after >= before) return trial;
+    const std::size_t before = countBadEdges(part.mesh(), now), after = countBadEdges(trial.changed, now);
+    m_result.isCutShort = m_result.isCutShort || effort.isSpent();
+    if (now.cancelled() || after >= before) return trial;
     trial.reach.extend(part.changesIn(trial.changed));
     trial.cutFaces = report.changed ? report.cutFaces : 0;
     trial.fewerCrossings = crossings - report.crossingsAfter;
@@ -190,14 +205,14 @@ class Closer {
       hole = {true, p->patch->method, hole.newFaces + p->patch->triangles.size()};
     }
     part.putBack(m_mesh, trial.changed);
-    relink(m_mesh, now());
+    relink(m_mesh, m_progress.unlimited());
     m_proposals.clear();
   }
 
   // For all that is left, with the mesh as it is and the method.
   void propose() {
-    const HoleFiller filler(m_mesh, now());
-    for (const BoundaryLoop& loop : findBoundaryLoops(m_mesh, now())) {
+    const HoleFiller filler(m_mesh, m_progress);
+    for (const BoundaryLoop& loop : findBoundaryLoops(m_mesh, m_progress)) {
       if (m_progress.cancelled()) return;
       const std::size_t hole = ownerOf(loop);
       if (hole == kNobody) continue;
@@ -209,15 +224,9 @@ class Closer {
         if (loop.halfEdges.size() <= kConeEdges) m_proposals.push_back({hole, loop, cone(loop)});
         continue;
       }
-      FillAttempt attempt = filler.propose(loop, m_options, now());
+      FillAttempt attempt = filler.propose(loop, m_options, m_progress);
       if (attempt.failure == FillFailure::None) m_proposals.push_back({hole, loop, std::move(attempt.patch)});
     }
-  }
-
-  // Trials take turns, so the share of the work that is allowed is all that can be told.
-  Progress now() const {
-    const double share = std::min(1.0, static_cast<double>(m_result.work) / static_cast<double>(m_mostWork + 1));
-    return m_progress.part(share, share);
   }
 
   static constexpr std::size_t kNobody = ~std::size_t{0};
@@ -270,15 +279,19 @@ class Closer {
       const std::vector<Face> faces = backSheet(mesh, sheet, m_thickness, m_options.numbers);
       newFaces.insert(newFaces.end(), faces.begin(), faces.end());
     }
-    if (!sheets.empty()) relink(mesh, now());
+    if (!sheets.empty()) relink(mesh, m_progress);
   }
 
   bool keepIfSound(HalfEdgeMesh changed, const std::vector<Face>& newFaces, const std::vector<HardClosing>& closings) {
-    const UncrossReport report = uncross(changed, newFaces, m_options.numbers, m_crossings, now());
-    m_result.work += m_mesh.faceSlots() + tolerance::kCutWork * report.cutFaces;
+    if (!areFinite(changed, newFaces)) return false;
+    Effort effort = m_progress.share(m_trialEffort);
+    const Progress now = m_progress.within(effort);
+    const UncrossReport report = uncross(changed, newFaces, m_options.numbers, m_crossings, now);
+    now.spend(m_mesh.faceSlots());
     if (report.crossingsAfter > m_crossings) return false;
-    const std::size_t bad = countBadEdges(changed, now());
-    if (m_progress.cancelled() || bad >= m_badEdges) return false;
+    const std::size_t bad = countBadEdges(changed, now);
+    m_result.isCutShort = m_result.isCutShort || effort.isSpent();
+    if (now.cancelled() || bad >= m_badEdges) return false;
     m_badEdges = bad;
     m_crossings = report.crossingsAfter;
     m_mesh = std::move(changed);
@@ -295,7 +308,8 @@ class Closer {
   LoopOwners m_owners;
   FillOptions m_options;
   double m_thickness;
-  std::size_t m_mostWork;
+  Effort m_effort;
+  const std::size_t m_trialEffort = m_effort.left() / kTrialShare;
   Progress m_progress;
   HardClosings m_result;
   std::size_t m_crossings;  // of the mesh, as the file will show it
@@ -307,9 +321,9 @@ class Closer {
 }  // namespace
 
 HardClosings closeHardHoles(HalfEdgeMesh& mesh, std::span<const HardHole> holes, const FillOptions& options,
-                            double thickness, std::size_t mostWork, Progress progress) {
+                            double thickness, Progress progress) {
   if (holes.empty()) return {};
-  return Closer(mesh, holes, options, thickness, mostWork, progress).run();
+  return Closer(mesh, holes, options, thickness, progress).run();
 }
 
 }  // namespace handwheel

@@ -23,17 +23,18 @@ struct HardClosing {
 struct HardClosings {
   std::vector<HardClosing> holes;  // one for each
   std::size_t cutFaces = 0;        // of the part, where patches cross it
-  std::size_t work = 0;            // faces gone through in trials; a face to cut counts for many
+  bool isCutShort = false;         // a trial took too much effort, or there was none left for one
 };
 
 // Closes loops of the mesh by patches that may cross the part, which is then cut and uncrossed there (uncross()), or
 // by giving their sheet a back (backSheet()), which closes every loop of the sheet, so not where one has
 // FillOptions::keptCorners. Takes only what leaves no more crossings than there were, and fewer edges
 // without two faces. All are tried together, then by halves, so that a bad one costs its own closing only.
-// thickness: of backs, mm. No trial begins once the work is over mostWork. A trial takes the faces near its holes
+// thickness: of backs, mm. Takes no more than tolerance::kHardHoleEffort, nor than the effort of the progress: what is
+// still open then stays so, and the mesh is as the last closing left it. A trial takes the faces near its holes
 // (MeshPart), and O(n) to find them; all of the mesh where these are half of it, or with backs. O(n) for each that is
 // kept.
 HardClosings closeHardHoles(HalfEdgeMesh& mesh, std::span<const HardHole> holes, const FillOptions& options,
-                            double thickness, std::size_t mostWork, Progress progress = {});
+                            double thickness, Progress progress = {});
 
 }  // namespace handwheel

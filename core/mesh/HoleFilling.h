@@ -25,6 +25,7 @@ enum class FillFailure {
   NoPatch,           // no method found a triangulation
   SelfIntersecting,  // every patch would cross or touch the part
   Swelling,          // every patch would bulge far out of the hole
+  TooMuchEffort,     // given up: closing it takes more than a repair of such a mesh may (Effort)
 };
 
 struct FillOptions {

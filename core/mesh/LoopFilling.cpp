@@ -25,9 +25,9 @@ class LoopFilling {
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
       return std::pair(tasks[a], m_loops[a].halfEdges.size()) < std::pair(tasks[b], m_loops[b].halfEdges.size());
     });
-    HoleFiller filler(m_input, progress.part(0.0, 0.1));
+    HoleFiller filler(m_input, progress.part(0.0, 0.1).unlimited());
     const Progress filling = progress.part(0.1, 1.0);
-    for (std::size_t k = 0; k < order.size() && !filling.cancelled(); ++k) {
+    for (std::size_t k = 0; k < order.size() && !filling.unlimited().cancelled(); ++k) {
       const std::size_t i = order[k];
       fill(filler, i, tasks[i], filling.part(double(k) / double(order.size()), double(k + 1) / double(order.size())));
     }
@@ -67,6 +67,8 @@ class LoopFilling {
       FillOptions options = m_options;
       if (task == Task::Flatten) options.method = FillMethod::Refined;
       fill.attempt = filler.propose(m_loops[i], options, progress);
+      const bool isSpent = fill.attempt.failure == FillFailure::Cancelled && !progress.unlimited().cancelled();
+      if (isSpent) fill.attempt.failure = FillFailure::TooMuchEffort;
     }
     if (fill.attempt.failure == FillFailure::None) filler.accept(m_loops[i], fill.attempt.patch);
     fill.milliseconds += std::chrono::duration<double, std::milli>(Clock::now() - start).count();

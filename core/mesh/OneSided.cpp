@@ -172,8 +172,7 @@ void closeSlits(HalfEdgeMesh& mesh, const std::vector<Vertex>& cut, const FillOp
   std::vector<HardHole> left;
   for (BoundaryLoop& loop : slitsOf(mesh, cut, progress.part(0.4, 0.5))) left.push_back({std::move(loop), false});
   if (left.empty() || progress.cancelled()) return;
-  closeHardHoles(mesh, left, options, tolerance::kBackThickness * diagonalOf(mesh), tolerance::kHardHoleWork,
-                 progress.part(0.5, 0.9));
+  closeHardHoles(mesh, left, options, tolerance::kBackThickness * diagonalOf(mesh), progress.part(0.5, 0.9));
   if (!partDuplicates(mesh, options.numbers, progress.part(0.9, 0.95)).empty()) relink(mesh, progress.part(0.95, 1.0));
 }
 

@@ -39,10 +39,15 @@ struct PositionHash {
   }
 };
 
+// What takes as long as one step of Effort.
+constexpr std::size_t kBoxesPerStep = 256;
+constexpr std::size_t kTestsPerStep = 8;  // of two triangles
+
 class Parter {
  public:
-  // Of no use once cancelled.
-  Parter(HalfEdgeMesh& mesh, NumberType numbers, Progress progress) : m_mesh(mesh), m_numbers(numbers) {
+  // Of no use once cancelled. watched: while vertices are moved.
+  Parter(HalfEdgeMesh& mesh, NumberType numbers, Progress progress, Progress watched)
+      : m_mesh(mesh), m_numbers(numbers), m_watched(watched) {
     for (Face f = 0; f < mesh.faceSlots(); ++f) {
       if (!mayGoOn(f, mesh.faceSlots(), progress, kSearchesPerLook)) return;
       if (!mesh.isLive(f)) continue;
@@ -57,7 +62,10 @@ class Parter {
   }
 
   // Moves the fan's vertex off its position; false when every step would harm.
-  bool part(const std::vector<HalfEdge>& fan) { return part(fan, intersections(facesOf(fan))); }
+  bool part(const std::vector<HalfEdge>& fan) {
+    const Surroundings around = surroundings(facesOf(fan), longestMove(fan));
+    return part(fan, around, intersections(around));
+  }
 
   // So many crossings may now be made in all.
   void mayCross(std::size_t n) { m_spare = n; }
@@ -67,14 +75,15 @@ class Parter {
   Vertex partEdge(HalfEdge h) {
     const HalfEdgeMesh before = m_mesh;
     const Face f = HalfEdgeMesh::face(h), g = HalfEdgeMesh::face(m_mesh.opposite(h));
-    const std::size_t allowed = intersections({f, g});
+    const std::size_t allowed = intersections(surroundings({f, g}, 0.0));
     const Vec3 middle =
         rounded(Vec3(0.5 * (m_mesh.position(m_mesh.from(h)) + m_mesh.position(m_mesh.to(h)))), m_numbers);
     const auto firstNew = static_cast<Face>(m_mesh.faceSlots());
     const HalfEdge spoke = splitEdge(m_mesh, h, middle);
     addHalf(f, firstNew);
     addHalf(g, firstNew + 1);
-    if (part(m_mesh.fan(spoke), allowed)) return m_mesh.from(spoke);
+    const std::vector<HalfEdge> fan = m_mesh.fan(spoke);
+    if (part(fan, surroundings(facesOf(fan), longestMove(fan)), allowed)) return m_mesh.from(spoke);
     m_halves[m_whole.at(firstNew)].pop_back();
     m_halves[m_whole.at(firstNew + 1)].pop_back();
     m_mesh = before;
@@ -82,6 +91,48 @@ class Parter {
   }
 
  private:
+  struct Near {
+    Face face;
+    bool isOurs;  // one of the faces that have them around
+    Box box;      // of a face that is not ours
+  };
+  // Faces, and per face what may meet it.
+  struct Surroundings {
+    std::vector<Face> faces;
+    std::vector<std::vector<Near>> near;
+  };
+
+  // What may meet these faces while a corner of them moves by so much, mm, along each axis.
+  Surroundings surroundings(std::vector<Face> faces, double move) const {
+    Surroundings around{std::move(faces), {}};
+    for (const Face f : around.faces) {
+      std::vector<Near>& near = around.near.emplace_back();
+      const auto add = [&](Face other) {
+        if (other == f) return;
+        const bool isOurs = std::find(around.faces.begin(), around.faces.end(), other) != around.faces.end();
+        if (isOurs && other < f) return;  // counted once
+        const TrianglePoints points = m_mesh.points(other);
+        if (isOurs || !isDegenerate(points)) near.push_back({other, isOurs, boxOf(points)});
+      };
+      // The hierarchy holds the places before anything was moved, and split faces whole.
+      const Box box = boxOf(m_mesh.points(f));
+      const Vec3 slack = Vec3::Constant(m_reach + move);
+      m_hierarchy.forEachInBox(Box(box.min() - slack, box.max() + slack), [&](std::uint32_t i) {
+        add(m_faces[i]);
+        const auto halves = m_halves.find(m_faces[i]);
+        if (halves != m_halves.end()) std::for_each(halves->second.begin(), halves->second.end(), add);
+        return true;
+      });
+      m_watched.spend(near.size() / kTestsPerStep);
+    }
+    return around;
+  }
+
+  // At least, along each axis.
+  double longestMove(const std::vector<HalfEdge>& fan) const {
+    return 2.0 * kLargestStep * unitInTheLastPlace(m_mesh.position(m_mesh.from(fan.front())), m_numbers);
+  }
+
   void addHalf(Face of, Face half) {
     const auto at = m_whole.find(of);
     const Face whole = at == m_whole.end() ? of : at->second;
@@ -89,22 +140,22 @@ class Parter {
     m_halves[whole].push_back(half);
   }
 
-  bool part(const std::vector<HalfEdge>& fan, std::size_t allowed) {
+  bool part(const std::vector<HalfEdge>& fan, const Surroundings& around, std::size_t allowed) {
     const Vertex v = m_mesh.from(fan.front());
     const Vec3 home = m_mesh.position(v);
     const double unit = unitInTheLastPlace(home, m_numbers);
     const std::vector<Vec3> directions = waysOut(fan);
-    const std::vector<Face> faces = facesOf(fan);
     std::size_t fewest = allowed + m_spare + 1;
     Vec3 best = home;
     for (int step = kSmallestStep; step <= kLargestStep && fewest > allowed; step *= 2) {
       for (const Vec3& d : directions) {
+        if (m_watched.cancelled()) break;
         const Vec3 p = rounded(Vec3(home + step * unit * d), m_numbers);
         if (p == home || m_positions.contains(key(p))) continue;
         m_mesh.setPosition(v, p);
         m_reach = std::max(m_reach, (p - home).norm());
-        if (hasFlatFace(faces)) continue;
-        const std::size_t n = intersections(faces, fewest);
+        if (hasFlatFace(around.faces)) continue;
+        const std::size_t n = intersections(around, fewest);
         if (n >= fewest) continue;
         fewest = n;
         best = p;
@@ -149,36 +200,30 @@ class Parter {
     return std::any_of(faces.begin(), faces.end(), [&](Face f) { return isDegenerate(m_mesh.points(f)); });
   }
 
-  // Pairs in which one of these faces takes part, counted up to so many.
-  std::size_t intersections(const std::vector<Face>& faces, std::size_t most = ~std::size_t{0}) const {
-    std::size_t n = 0;
-    for (Face f : faces) {
-      if (n >= most) return most;
-      const TrianglePoints t = m_mesh.points(f);
+  // Pairs in which one of the faces takes part, counted up to so many.
+  std::size_t intersections(const Surroundings& around, std::size_t most = ~std::size_t{0}) const {
+    std::size_t n = 0, boxes = 0, tests = 0;
+    for (std::size_t i = 0; i < around.faces.size() && n < most; ++i) {
+      const TrianglePoints t = m_mesh.points(around.faces[i]);
       if (isDegenerate(t)) continue;
       const Box box = boxOf(t);
-      const auto meets = [&](Face other) {
-        if (other == f) return false;
-        const bool isOurs = std::find(faces.begin(), faces.end(), other) != faces.end();
-        if (isOurs && other < f) return false;  // counted once
-        const TrianglePoints o = m_mesh.points(other);
-        return boxOf(o).intersects(box) && !isDegenerate(o) && trianglesMeet(t, o);
-      };
-      // The hierarchy holds the places before anything was moved, and split faces whole.
-      const Vec3 slack = Vec3::Constant(m_reach);
-      m_hierarchy.forEachInBox(Box(box.min() - slack, box.max() + slack), [&](std::uint32_t i) {
-        n += meets(m_faces[i]);
-        const auto halves = m_halves.find(m_faces[i]);
-        if (halves != m_halves.end())
-          n += static_cast<std::size_t>(std::count_if(halves->second.begin(), halves->second.end(), meets));
-        return n < most;
-      });
+      for (const Near& other : around.near[i]) {
+        ++boxes;
+        if (!other.isOurs && !other.box.intersects(box)) continue;
+        const TrianglePoints o = m_mesh.points(other.face);
+        if (other.isOurs && (!boxOf(o).intersects(box) || isDegenerate(o))) continue;
+        ++tests;
+        n += trianglesMeet(t, o);
+        if (n >= most) break;
+      }
     }
+    m_watched.spend(tests / kTestsPerStep + boxes / kBoxesPerStep);
     return std::min(n, most);
   }
 
   HalfEdgeMesh& m_mesh;
   NumberType m_numbers;
+  Progress m_watched;
   std::vector<Face> m_faces;  // of the hierarchy's triangles
   TriangleHierarchy m_hierarchy;
   std::unordered_map<Face, std::vector<Face>> m_halves;                 // what was split off a face of the hierarchy
@@ -239,7 +284,7 @@ std::vector<Vertex> partDuplicates(HalfEdgeMesh& mesh, NumberType numbers, Progr
                                    const std::function<std::size_t()>& spareCrossings) {
   std::map<std::uint32_t, Fans> fansAt = crowdedFans(mesh, progress.part(0.0, 0.5));
   if (fansAt.empty()) return {};
-  Parter parter(mesh, numbers, progress.part(0.5, 0.8));
+  Parter parter(mesh, numbers, progress.part(0.5, 0.8), progress.part(0.8, 0.8));
   std::vector<Vertex> moved;
   partAll(parter, mesh, fansAt, moved, progress.part(0.8, 0.9));
   if (!spareCrossings || progress.cancelled()) return moved;

@@ -53,11 +53,13 @@ struct RepairReport {
   std::size_t replacedFaces = 0;        // taken out where they were tangled around a hole, and filled anew
   std::size_t partedVertices = 0;       // moved, or put into the middle of an edge, so that nothing welds that must not
   std::vector<Vertex> touchedVertices;  // of the input: moved, merged or parted
+  std::size_t effort = 0;               // steps of Effort; at most twice repairEffort() of the input's faces
   bool cancelled = false;
 };
 
-// Makes the mesh closed, manifold and free of new self-intersections as far as that can be done without harm; what
-// stays open is in the report with its reason. On cancel the mesh is left as it was.
+// Makes the mesh closed, manifold and free of new self-intersections as far as that can be done without harm and with
+// an effort in proportion to n log n; what stays open is in the report with its reason. On cancel the mesh is left as
+// it was.
 RepairReport repair(HalfEdgeMesh& mesh, const RepairOptions& options, Progress progress = {});
 
 }  // namespace handwheel

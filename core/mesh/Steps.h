@@ -4,6 +4,7 @@
 
 #include "base/Progress.h"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace handwheel {
@@ -13,10 +14,15 @@ inline constexpr std::size_t kStepsPerLook = std::size_t{1} << 16;
 // The same where each step searches, which takes up to a few microseconds.
 inline constexpr std::size_t kSearchesPerLook = std::size_t{1} << 12;
 
-// Called before step i of n: now and then reports how far the loop is, and looks. False when cancelled.
+// What all steps between two looks count as, of Effort.
+inline constexpr std::size_t kEffortPerLook = 1024;
+
+// Called before step i of n: now and then reports how far the loop is, counts the steps that follow, and looks. False
+// when cancelled.
 inline bool mayGoOn(std::size_t i, std::size_t n, const Progress& progress, std::size_t stepsPerLook = kStepsPerLook) {
   if (i % stepsPerLook != 0) return true;
   progress.set(static_cast<double>(i) / static_cast<double>(n));
+  progress.spend(kEffortPerLook * std::min(n - std::min(i, n), stepsPerLook) / stepsPerLook);
   return !progress.cancelled();
 }
 

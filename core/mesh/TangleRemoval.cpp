@@ -32,8 +32,8 @@ constexpr int kMostBoxes = 16;
 constexpr std::size_t kMostFaces = 5'000;
 // Fewer faces enclose nothing.
 constexpr std::size_t kLeastBody = 4;
-// The share of the work that one trial may take to cut.
-constexpr std::size_t kTrialShare = 10;
+// The share of the effort that one trial may take to cut.
+constexpr std::size_t kTrialShare = 2;
 // How many faces are looked at for a box in the time that one takes in a trial.
 constexpr std::size_t kScanWork = 20;
 
@@ -82,11 +82,12 @@ double distanceOf(const HalfEdgeMesh& mesh, const FaceSelection& faces, const Ha
 
 class Replacer {
  public:
-  Replacer(HalfEdgeMesh& mesh, std::span<const BoundaryLoop> loops, const FillOptions& options, std::size_t mostWork)
+  Replacer(HalfEdgeMesh& mesh, std::span<const BoundaryLoop> loops, const FillOptions& options, Progress progress)
       : m_mesh(mesh),
         m_loops(numbered(loops)),
         m_options(options),
-        m_mostWork(mostWork),
+        m_effort(progress.share(tolerance::kTangleEffort)),
+        m_progress(progress.measuredBy(m_effort)),
         m_move(tolerance::kTangleMove * diagonalOf(mesh)),
         m_bodyMove(tolerance::kTangleBodyMove * diagonalOf(mesh)) {
     m_options.mayCross = false;
@@ -94,18 +95,17 @@ class Replacer {
     m_options.stitches.clear();
   }
 
-  std::size_t run(Progress progress) {
+  std::size_t run() {
     const LoopOwners owners(m_mesh, m_loops);
     std::set<int> tried;
-    for (bool isNew = true; isNew && !progress.cancelled();) {
+    for (bool isNew = true; isNew && !m_progress.cancelled();) {
       isNew = false;
-      for (const BoundaryLoop& loop : findBoundaryLoops(m_mesh, progress)) {
+      for (const BoundaryLoop& loop : findBoundaryLoops(m_mesh, m_progress)) {
         const std::set<int> ids = owners.of(m_mesh, loop);
         if (std::includes(tried.begin(), tried.end(), ids.begin(), ids.end())) continue;
-        const double share = static_cast<double>(tried.size()) / static_cast<double>(m_loops.size());
         tried.insert(ids.begin(), ids.end());
-        isNew = replaceAround(loop, progress.part(share, share));
-        if (isNew || progress.cancelled()) break;  // loops found before are no longer those of the mesh
+        isNew = replaceAround(loop, m_progress);
+        if (isNew || m_progress.cancelled()) break;  // loops found before are no longer those of the mesh
       }
     }
     return m_takenOut;
@@ -129,12 +129,12 @@ class Replacer {
       const Vec3 margin = Vec3::Constant(kMargin * reach.diagonal().norm());
       const Box box(reach.min() - margin, reach.max() + margin);
       const MeshPart part(m_mesh, box);
-      m_work += m_mesh.faceSlots() / kScanWork;
+      progress.spend(m_mesh.faceSlots() / kScanWork);
       FaceSelection tangle = withCrossing(part.mesh(), facesAt(part.mesh(), corners), progress);
       for (int r = 0; r < rings; ++r) tangle = withRing(part.mesh(), tangle, progress);
       Trial trial = Trial::Bad;
       while (true) {
-        if (progress.cancelled() || m_work > m_mostWork || tangle.count() > kMostFaces) return false;
+        if (progress.cancelled() || tangle.count() > kMostFaces) return false;
         if (touches(part.mesh(), tangle, m_options.keptCorners)) return false;
         trial = tryWithout(tangle, part, box, reach, progress);
         if (trial != Trial::Bad || ++rings > kMostRings) break;
@@ -161,7 +161,7 @@ class Replacer {
   // Extends reach by what has to be inside the box.
   Trial tryWithout(const FaceSelection& tangle, const MeshPart& part, const Box& box, Box& reach, Progress progress) {
     const HalfEdgeMesh& before = part.mesh();
-    m_work += part.faceCount();
+    progress.spend(part.faceCount());
     reach.extend(boxAround(before, tangle));
     if (!box.contains(reach)) return Trial::Outside;
     HalfEdgeMesh after = before;
@@ -175,7 +175,7 @@ class Replacer {
     if (!box.contains(reach)) return Trial::Outside;
     if (!isBetter(before, tangle, after, progress) || progress.cancelled()) return Trial::Bad;
     part.putBack(m_mesh, after);
-    relink(m_mesh, progress);
+    relink(m_mesh, progress.unlimited());
     m_takenOut += tangle.count();
     return Trial::Kept;
   }
@@ -184,7 +184,8 @@ class Replacer {
                        Progress progress) {
     std::vector<HardHole> left;
     for (BoundaryLoop& loop : openedBy(before, tangle, after, progress)) left.push_back({std::move(loop), false});
-    m_work += closeHardHoles(after, left, m_options, 0.0, m_mostWork / kTrialShare, progress).work;
+    Effort effort = progress.share(tolerance::kTangleEffort / kTrialShare);
+    closeHardHoles(after, left, m_options, 0.0, progress.within(effort));
   }
 
   bool isBetter(const HalfEdgeMesh& before, const FaceSelection& tangle, const HalfEdgeMesh& after,
@@ -213,18 +214,18 @@ class Replacer {
   HalfEdgeMesh& m_mesh;
   const std::vector<BoundaryLoop> m_loops;
   FillOptions m_options;
-  const std::size_t m_mostWork;
+  Effort m_effort;
+  const Progress m_progress;
   const double m_move, m_bodyMove;  // at most, mm
-  std::size_t m_work = 0;
   std::size_t m_takenOut = 0;
 };
 
 }  // namespace
 
 std::size_t replaceTangles(HalfEdgeMesh& mesh, std::span<const BoundaryLoop> loops, const FillOptions& options,
-                           std::size_t mostWork, Progress progress) {
+                           Progress progress) {
   if (loops.empty()) return 0;
-  return Replacer(mesh, loops, options, mostWork).run(progress);
+  return Replacer(mesh, loops, options, progress).run();
 }
 
 }  // namespace handwheel

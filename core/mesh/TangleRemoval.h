@@ -13,9 +13,9 @@ namespace handwheel {
 // laid open, as one would by hand. Takes only what leaves fewer edges without two faces, no more crossings and no loop,
 // moves no point of the surface by more than tolerance::kTangleMove of the mesh's diagonal, and of a body that goes
 // whole by kTangleBodyMove. Loops with FillOptions::keptCorners stay as they are. Returns how many faces of the mesh
-// were taken out. No trial begins once the work is over mostWork. O(n) for each trial, the rest in proportion to the
-// faces near the loop. Once cancelled, the mesh is not to be used.
+// were taken out. Takes no more than tolerance::kTangleEffort, nor than the effort of the progress. O(n) for each
+// trial, the rest in proportion to the faces near the loop. Once somebody cancelled it, the mesh is not to be used.
 std::size_t replaceTangles(HalfEdgeMesh& mesh, std::span<const BoundaryLoop> loops, const FillOptions& options,
-                           std::size_t mostWork, Progress progress = {});
+                           Progress progress = {});
 
 }  // namespace handwheel

@@ -106,7 +106,7 @@ void CrossingExtremesTest::takesOutTangles() {
   const TriangleSoup folded = test::withFoldedBorder(test::sphereWithoutCap(4, 0.12));
   HalfEdgeMesh mesh = buildMesh(test::moved(folded, middle, scale)).mesh;
   QVERIFY(countCrossings(mesh, NumberType::Float64) > 0);
-  QVERIFY(replaceTangles(mesh, findBoundaryLoops(mesh), {}, tolerance::kTangleWork) > 0);
+  QVERIFY(replaceTangles(mesh, findBoundaryLoops(mesh), {}) > 0);
   QCOMPARE(validate(mesh), std::string());
   QVERIFY(test::countEdges(mesh).sound());
   QCOMPARE(countCrossings(mesh, NumberType::Float64), std::size_t{0});
@@ -119,7 +119,7 @@ void CrossingExtremesTest::tanglesOfEveryMesh() {
   const HalfEdgeMesh before = buildMesh(extreme.soup()).mesh;
   HalfEdgeMesh mesh = before;
   const std::size_t crossings = countCrossings(mesh, NumberType::Float64);
-  const std::size_t gone = replaceTangles(mesh, findBoundaryLoops(mesh), {}, tolerance::kTangleWork);
+  const std::size_t gone = replaceTangles(mesh, findBoundaryLoops(mesh), {});
   QCOMPARE(QString::fromStdString(validate(mesh)), QString());
   if (gone == 0 && findBoundaryLoops(before).empty()) QVERIFY(test::sameMesh(mesh, before));
   const test::Edges was = test::countEdges(before), is = test::countEdges(mesh);

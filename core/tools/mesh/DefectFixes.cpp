@@ -13,6 +13,7 @@
 #include "mesh/MeshBuilder.h"
 #include "mesh/OneSided.h"
 #include "mesh/PartDuplicates.h"
+#include "mesh/RepairEffort.h"
 #include "mesh/SheetBacking.h"
 #include "mesh/Stitching.h"
 #include "mesh/TangleRemoval.h"
@@ -31,14 +32,16 @@ void closeHard(HalfEdgeMesh& mesh, const std::vector<Vertex>& keys, bool back, c
   for (BoundaryLoop& loop : findBoundaryLoops(mesh, progress.part(0.0, 0.1))) {
     if (std::find(keys.begin(), keys.end(), keyOf(mesh, loop)) != keys.end()) holes.push_back({std::move(loop), back});
   }
-  closeHardHoles(mesh, holes, options, tolerance::kBackThickness * diagonalOf(mesh), tolerance::kHardHoleWork,
-                 progress.part(0.1, 1.0));
+  Effort effort(repairEffort(mesh.liveFaceCount()));
+  closeHardHoles(mesh, holes, options, tolerance::kBackThickness * diagonalOf(mesh),
+                 progress.part(0.1, 1.0).within(effort));
 }
 
 void replaceTangled(HalfEdgeMesh& mesh, Vertex key, const FillOptions& options, Progress progress) {
   std::vector<BoundaryLoop> loops = findBoundaryLoops(mesh, progress.part(0.0, 0.1));
   std::erase_if(loops, [&](const BoundaryLoop& loop) { return keyOf(mesh, loop) != key; });
-  replaceTangles(mesh, loops, options, tolerance::kTangleWork, progress.part(0.1, 1.0));
+  Effort effort(repairEffort(mesh.liveFaceCount()));
+  replaceTangles(mesh, loops, options, progress.part(0.1, 1.0).within(effort));
 }
 
 void partNonManifold(HalfEdgeMesh& mesh, NumberType numbers, Progress progress) {
@@ -86,7 +89,9 @@ MeshChange oneSidedFix(const FillOptions& options) {
   addFillWords(step, options);
   return withStep({QT_TRANSLATE_NOOP("Tool", "Cut and give two sides"),
                    [options](HalfEdgeMesh& mesh, Progress progress) {
-                     closeOneSided(mesh, options, std::numeric_limits<double>::infinity(), BorderCuts::Yes, progress);
+                     Effort effort(repairEffort(mesh.liveFaceCount()));
+                     closeOneSided(mesh, options, std::numeric_limits<double>::infinity(), BorderCuts::Yes,
+                                   progress.within(effort));
                    },
                    QT_TRANSLATE_NOOP("Tool", "the cut could not be closed without crossing the part")},
                   step.text());
@@ -98,7 +103,8 @@ MeshChange crossingFix(NumberType numbers, std::vector<std::pair<Face, Face>> pa
   return withStep(
       {QT_TRANSLATE_NOOP("Tool", "Cut crossings apart"),
        [numbers, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
-         uncrossClusters(mesh, pairs, numbers, progress);
+         Effort effort(repairEffort(mesh.liveFaceCount()));
+         uncrossClusters(mesh, pairs, numbers, progress.within(effort));
        },
        QT_TRANSLATE_NOOP("Tool",
                          "the triangles lie in one plane, lie on others, or are tangled too much to be cut apart")},

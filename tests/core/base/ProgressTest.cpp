@@ -13,6 +13,9 @@ class ProgressTest : public QObject {
   void unwatched();
   void partsOfParts();
   void cancelReachesEveryPart();
+  void givenUpWhenTheEffortIsSpent();
+  void measuredByTheEffort();
+  void sharesOfTheEffort();
 };
 
 void ProgressTest::unwatched() {
@@ -41,6 +44,39 @@ void ProgressTest::cancelReachesEveryPart() {
   QVERIFY(!part.cancelled());
   job.cancelled = true;
   QVERIFY(part.cancelled());
+}
+
+void ProgressTest::givenUpWhenTheEffortIsSpent() {
+  JobState job;
+  Effort effort(5);
+  const Progress whole(job), limited = whole.part(0.5, 1.0).within(effort);
+  limited.spend(4);
+  QVERIFY(!limited.cancelled());
+  limited.spend(1);
+  QVERIFY(limited.cancelled() && limited.part(0.0, 0.5).cancelled());
+  QVERIFY(!whole.cancelled());
+  QVERIFY(!limited.unlimited().cancelled());
+  job.cancelled = true;
+  QVERIFY(limited.unlimited().cancelled());
+}
+
+void ProgressTest::measuredByTheEffort() {
+  JobState job;
+  Effort effort(8), share(4, effort);
+  const Progress measured = Progress(job).part(0.5, 1.0).measuredBy(effort);
+  measured.spend(4);
+  QCOMPARE(job.fraction.load(), 0.75);
+  measured.set(1.0);
+  measured.part(0.0, 0.1).set(0.0);
+  QCOMPARE(job.fraction.load(), 0.75);
+  measured.within(share).spend(2);
+  QCOMPARE(job.fraction.load(), 0.875);
+}
+
+void ProgressTest::sharesOfTheEffort() {
+  Effort effort(8);
+  QCOMPARE(Progress().share(20).left(), std::size_t{20});
+  QCOMPARE(Progress().within(effort).share(20).left(), std::size_t{8});
 }
 
 QTEST_GUILESS_MAIN(ProgressTest)

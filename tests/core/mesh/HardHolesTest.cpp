@@ -51,7 +51,7 @@ void HardHolesTest::somethingStandsInTheHole() {
       QVERIFY(HoleFiller(before).propose(loop, options).failure == FillFailure::SelfIntersecting);
     }
     HalfEdgeMesh mesh = before;
-    const HardClosings closings = closeHardHoles(mesh, holesOf(mesh, false), options, 0.01, tolerance::kHardHoleWork);
+    const HardClosings closings = closeHardHoles(mesh, holesOf(mesh, false), options, 0.01);
     QCOMPARE(closings.holes.size(), std::size_t{1});
     QVERIFY(closings.holes[0].closed);
     QVERIFY(closings.holes[0].newFaces > 0);
@@ -67,7 +67,7 @@ void HardHolesTest::manyAtOnce() {
   TriangleSoup s = ballWithRod();
   test::append(s, test::moved(ballWithRod(), {5, 0, 0}));
   HalfEdgeMesh mesh = buildMesh(s).mesh;
-  const HardClosings closings = closeHardHoles(mesh, holesOf(mesh, false), {}, 0.01, tolerance::kHardHoleWork);
+  const HardClosings closings = closeHardHoles(mesh, holesOf(mesh, false), {}, 0.01);
   QCOMPARE(std::count_if(closings.holes.begin(), closings.holes.end(), [](const HardClosing& c) { return c.closed; }),
            2);
   QVERIFY(test::countEdges(mesh).sound());
@@ -78,7 +78,7 @@ void HardHolesTest::backs() {
   test::append(s, test::moved(test::disc(12, 3), {0, 0, 3}));
   test::append(s, TriangleSoup{{{9, 0, 0}, {9, 1, 0}, {9, 0, 1}}, {{0, 1, 2}}});
   HalfEdgeMesh mesh = buildMesh(s).mesh;
-  const HardClosings closings = closeHardHoles(mesh, holesOf(mesh, true), {}, 0.01, tolerance::kHardHoleWork);
+  const HardClosings closings = closeHardHoles(mesh, holesOf(mesh, true), {}, 0.01);
   for (const HardClosing& c : closings.holes) {
     QVERIFY(c.closed);
     QVERIFY(c.method == FillMethod::Backed);
@@ -92,13 +92,13 @@ void HardHolesTest::cancelled() {
   HalfEdgeMesh mesh = before;
   JobState state;
   state.cancelled = true;
-  closeHardHoles(mesh, holesOf(before, false), {}, 0.01, tolerance::kHardHoleWork, Progress(state));
+  closeHardHoles(mesh, holesOf(before, false), {}, 0.01, Progress(state));
   QVERIFY(test::sameMesh(mesh, before));
 }
 
 void HardHolesTest::nothingToDo() {
   HalfEdgeMesh mesh = buildMesh(test::icosphere(2)).mesh;
-  QVERIFY(closeHardHoles(mesh, {}, {}, 0.01, tolerance::kHardHoleWork).holes.empty());
+  QVERIFY(closeHardHoles(mesh, {}, {}, 0.01).holes.empty());
 }
 
 QTEST_APPLESS_MAIN(HardHolesTest)

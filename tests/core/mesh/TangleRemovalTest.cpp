@@ -57,7 +57,7 @@ void TangleRemovalTest::tangleGoes() {
     HalfEdgeMesh mesh = before;
     FillOptions options;
     options.numbers = numbers;
-    const std::size_t gone = replaceTangles(mesh, upperLoops(mesh), options, tolerance::kTangleWork);
+    const std::size_t gone = replaceTangles(mesh, upperLoops(mesh), options);
     QVERIFY(gone > 0);
     QVERIFY(gone < before.faceSlots() / 10);
     QCOMPARE(validate(mesh), std::string());
@@ -91,7 +91,7 @@ void TangleRemovalTest::anywhereAndOfAnySize() {
   QFETCH(double, scale);
   const Vec3 middle = Vec3::Constant(shift);
   HalfEdgeMesh mesh = tangledBall(middle, scale);
-  QVERIFY(replaceTangles(mesh, upperLoops(mesh, middle), {}, tolerance::kTangleWork) > 0);
+  QVERIFY(replaceTangles(mesh, upperLoops(mesh, middle), {}) > 0);
   QCOMPARE(validate(mesh), std::string());
   QVERIFY(upperLoops(mesh, middle).empty());
   QCOMPARE(countCrossings(mesh, NumberType::Float64), std::size_t{0});
@@ -103,7 +103,7 @@ void TangleRemovalTest::whatIsToStayOpenStays() {
   const HalfEdgeMesh before = mesh;
   FillOptions options;
   options.keptCorners = {placeKey(loopPoints(mesh, upperLoops(mesh).at(0)).front())};
-  QCOMPARE(replaceTangles(mesh, upperLoops(mesh), options, tolerance::kTangleWork), std::size_t{0});
+  QCOMPARE(replaceTangles(mesh, upperLoops(mesh), options), std::size_t{0});
   QVERIFY(test::sameMesh(mesh, before));
 }
 
@@ -114,7 +114,7 @@ void TangleRemovalTest::bodyStays() {
   const Vec3 border = ball.position(ball.from(findBoundaryLoops(ball)[0].halfEdges[0]));
   test::append(s, test::moved(test::cylinder(8, 1, 0.02, 0.4, true), border - Vec3(0.005, 0.003, 0.2)));
   HalfEdgeMesh mesh = buildMesh(s).mesh;
-  replaceTangles(mesh, findBoundaryLoops(mesh), {}, tolerance::kTangleWork);
+  replaceTangles(mesh, findBoundaryLoops(mesh), {});
   QCOMPARE(validate(mesh), std::string());
   QCOMPARE(findShells(mesh).size(), std::size_t{2});
 }
@@ -125,15 +125,16 @@ void TangleRemovalTest::farFromTheSurfaceNothingGoes() {
   const BoundaryLoop loop = upperLoops(mesh).at(0);
   mesh.setPosition(mesh.from(loop.halfEdges[0]), Vec3(0.3, 0.2, 2.5));
   const HalfEdgeMesh before = mesh;
-  QCOMPARE(replaceTangles(mesh, upperLoops(mesh), {}, tolerance::kTangleWork), std::size_t{0});
+  QCOMPARE(replaceTangles(mesh, upperLoops(mesh), {}), std::size_t{0});
   QVERIFY(test::sameMesh(mesh, before));
 }
 
 void TangleRemovalTest::noWorkAllowed() {
+  Effort none(0);
   HalfEdgeMesh mesh = tangledBall();
   const HalfEdgeMesh before = mesh;
-  QCOMPARE(replaceTangles(mesh, {}, {}, tolerance::kTangleWork), std::size_t{0});
-  QCOMPARE(replaceTangles(mesh, upperLoops(mesh), {}, 0), std::size_t{0});
+  QCOMPARE(replaceTangles(mesh, {}, {}), std::size_t{0});
+  QCOMPARE(replaceTangles(mesh, upperLoops(mesh), {}, Progress().within(none)), std::size_t{0});
   QVERIFY(test::sameMesh(mesh, before));
 }
 
@@ -141,7 +142,7 @@ void TangleRemovalTest::cancelled() {
   HalfEdgeMesh mesh = tangledBall();
   JobState state;
   state.cancelled = true;
-  QCOMPARE(replaceTangles(mesh, upperLoops(mesh), {}, tolerance::kTangleWork, Progress(state)), std::size_t{0});
+  QCOMPARE(replaceTangles(mesh, upperLoops(mesh), {}, Progress(state)), std::size_t{0});
 }
 
 QTEST_APPLESS_MAIN(TangleRemovalTest)
