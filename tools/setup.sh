@@ -50,6 +50,16 @@ install_packages() {
     apt-get install -q -y --no-install-recommends "${missing[@]}"
 }
 
+# What took how long, for the table at the end.
+times=()
+note_time() {
+  times+=("$(printf '%-36.36s %6d s' "$1" "$2")")
+}
+time_table() {
+  echo "Where the time went"
+  printf '  %s\n' "${times[@]}"
+}
+
 # step TITLE LOG COMMAND...: runs a command with its output in build/LOG.log, then prints the seconds it took, and the
 # errors if it failed.
 step() {
@@ -58,6 +68,7 @@ step() {
   mkdir -p "$root/build"
   printf '%s (%s) … ' "$title" "${log#"$root"/}"
   "$@" > "$log" 2>&1 < /dev/null || status=$?
+  note_time "$title" $((SECONDS - start))
   if ((status == 0)); then
     echo "$((SECONDS - start)) s"
     return 0
@@ -77,5 +88,5 @@ build() {
     [[ ! -f $root/build/$preset/build.ninja ]]; then
     step "Configure $preset" "configure-$preset" cmake --fresh -S "$root" --preset "$preset" || return
   fi
-  step "Build $preset" "build-$preset" cmake --build --preset "$preset" ${1:+--target "$@"}
+  step "Build $preset${1:+ ($*)}" "build-$preset" cmake --build --preset "$preset" ${1:+--target "$@"}
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "BatchBench.h"
+#include "TestClass.h"
 
 #include <cstring>
 
@@ -104,5 +105,5 @@ class BatchProcessesTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(BatchProcessesTest)
+HANDWHEEL_TEST(BatchProcessesTest)
 #include "BatchProcessesTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "BatchBench.h"
+#include "TestClass.h"
 
 using namespace handwheel;
 using Json = nlohmann::json;
@@ -185,5 +186,5 @@ class BatchRepairTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(BatchRepairTest)
+HANDWHEEL_TEST(BatchRepairTest)
 #include "BatchRepairTest.moc"

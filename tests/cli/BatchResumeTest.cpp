@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "BatchBench.h"
+#include "TestClass.h"
 
 #include <utime.h>
 
@@ -100,5 +101,5 @@ class BatchResumeTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(BatchResumeTest)
+HANDWHEEL_TEST(BatchResumeTest)
 #include "BatchResumeTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Program.h"
+#include "TestClass.h"
 
 #include <QTest>
 #include <csignal>
@@ -119,5 +120,5 @@ class CalibrateTest : public QObject {
   std::optional<Bench> m_cache;
 };
 
-QTEST_GUILESS_MAIN(CalibrateTest)
+HANDWHEEL_TEST(CalibrateTest)
 #include "CalibrateTest.moc"

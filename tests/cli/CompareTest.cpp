@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Program.h"
 #include "Shapes.h"
+#include "TestClass.h"
 
 #include <QImage>
 #include <QTest>
@@ -153,5 +154,5 @@ class CompareTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(CompareTest)
+HANDWHEEL_TEST(CompareTest)
 #include "CompareTest.moc"

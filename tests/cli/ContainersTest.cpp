@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Program.h"
 #include "Shapes.h"
+#include "TestClass.h"
 #include "document/Container.h"
 
 #include <QTest>
@@ -241,5 +242,5 @@ class ContainersTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ContainersTest)
+HANDWHEEL_TEST(ContainersTest)
 #include "ContainersTest.moc"

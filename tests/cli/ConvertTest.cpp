@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Program.h"
 #include "Shapes.h"
+#include "TestClass.h"
 
 #include <QTest>
 #include <QtEndian>
@@ -106,5 +107,5 @@ class ConvertTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ConvertTest)
+HANDWHEEL_TEST(ConvertTest)
 #include "ConvertTest.moc"

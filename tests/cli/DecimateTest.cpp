@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Program.h"
 #include "Shapes.h"
+#include "TestClass.h"
 
 #include <QTest>
 
@@ -20,7 +21,7 @@ Shape wavyRing(int around) {
       [](int, int) { return false; });
 }
 
-nlohmann::json inspected(const Bench& bench, const QString& name) {
+nlohmann::json decimateInspected(const Bench& bench, const QString& name) {
   return nlohmann::json::parse(bench.run({"inspect", name, "--json"}).out.toStdString());
 }
 
@@ -42,7 +43,7 @@ class DecimateTest : public QObject {
     QCOMPARE(ran.err, QByteArray());
     QCOMPARE(ran.code, 0);
     QVERIFY(ran.out.startsWith("Triangles: 2880 before, "));
-    const auto figures = inspected(bench, output);
+    const auto figures = decimateInspected(bench, output);
     const int triangles = figures["triangles"];
     QVERIFY(triangles == 400 || triangles == 399);
     QVERIFY(figures["manifold"].get<bool>() && figures["oriented"].get<bool>());
@@ -56,7 +57,7 @@ class DecimateTest : public QObject {
     QCOMPARE(ran.code, 0);
     QVERIFY(ran.out.contains("Largest distance found between before and now: 0.0"));
     QVERIFY(ran.out.endsWith("No point is farther away than --error allows.\n"));
-    QVERIFY(inspected(bench, "b.off")["triangles"].get<int>() < 1000);
+    QVERIFY(decimateInspected(bench, "b.off")["triangles"].get<int>() < 1000);
     QCOMPARE(bench.run({"compare", "b.off", "a.off", "--report", "r.json"}).code, 0);
     QVERIFY(bench.json("r.json")["largest_distance_mm"].get<double>() <= 0.1);
   }
@@ -83,7 +84,7 @@ class DecimateTest : public QObject {
     QCOMPARE(ran.code, 0);
     const auto length = [&](const QString& name) {
       double sum = 0.0;
-      for (const auto& loop : inspected(bench, name)["loops"]) sum += loop["length_mm"].get<double>();
+      for (const auto& loop : decimateInspected(bench, name)["loops"]) sum += loop["length_mm"].get<double>();
       return sum;
     };
     QVERIFY(std::abs(length("b.off") - length("a.off")) < 1e-9);
@@ -103,7 +104,7 @@ class DecimateTest : public QObject {
     QCOMPARE(alone.code, 2);
     QVERIFY(alone.err.contains("Nothing was taken away"));
     QCOMPARE(bench.run({"decimate", "a.off", "-o", "b.off", "--faces", "6", "--keep-creases", "30"}).code, 2);
-    QCOMPARE(inspected(bench, "b.off")["triangles"].get<int>(), 12);
+    QCOMPARE(decimateInspected(bench, "b.off")["triangles"].get<int>(), 12);
   }
 
   void mistakes() {
@@ -125,5 +126,5 @@ class DecimateTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(DecimateTest)
+HANDWHEEL_TEST(DecimateTest)
 #include "DecimateTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Program.h"
+#include "TestClass.h"
 
 #include <QTest>
 
@@ -76,5 +77,5 @@ class DevicesTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(DevicesTest)
+HANDWHEEL_TEST(DevicesTest)
 #include "DevicesTest.moc"

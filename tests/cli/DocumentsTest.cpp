@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Program.h"
 #include "Shapes.h"
+#include "TestClass.h"
 
 #include <QTest>
 #include <cmath>
@@ -142,5 +143,5 @@ class DocumentsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(DocumentsTest)
+HANDWHEEL_TEST(DocumentsTest)
 #include "DocumentsTest.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Program.h"
 #include "Shapes.h"
+#include "TestClass.h"
 
 #include <QTest>
 
@@ -9,7 +10,7 @@ using namespace handwheel;
 
 namespace {
 
-nlohmann::json inspected(const Bench& bench, const QString& name) {
+nlohmann::json editInspected(const Bench& bench, const QString& name) {
   return nlohmann::json::parse(bench.run({"inspect", name, "--json"}).out.toStdString());
 }
 
@@ -28,7 +29,7 @@ class EditTest : public QObject {
     QCOMPARE(ran.err, QByteArray("handwheel: The file is closed, manifold and oriented.\n"));
     QCOMPARE(ran.out, QByteArray("Triangles: 10 before, 12 now.\n"));
     QCOMPARE(ran.code, 0);
-    QVERIFY(std::abs(inspected(bench, "b.off")["volume_mm3"].get<double>() - 8.0) < 1e-12);
+    QVERIFY(std::abs(editInspected(bench, "b.off")["volume_mm3"].get<double>() - 8.0) < 1e-12);
     QCOMPARE(bench.names(), (QStringList{"a.off", "b.off"}));
   }
 
@@ -40,7 +41,7 @@ class EditTest : public QObject {
     QCOMPARE(ran.code, 0);
     QCOMPARE(bench.run({"edit", "a.off", "delete 12-15", "place --scale 0.5", "corner", "-o", "c.off"}).code, 0);
     QCOMPARE(bench.content("b.off"), bench.content("c.off"));
-    QVERIFY(std::abs(inspected(bench, "b.off")["volume_mm3"].get<double>() - 1.0) < 1e-12);
+    QVERIFY(std::abs(editInspected(bench, "b.off")["volume_mm3"].get<double>() - 1.0) < 1e-12);
   }
 
   // A container keeps every number, so that what one run did is gone on with by another.
@@ -61,7 +62,7 @@ class EditTest : public QObject {
     bench.put("a.off", cube(2.0).off());
     bench.put("the other.off", Shape().add(tetrahedron(), {5, 0, 0}).off());
     QCOMPARE(bench.run({"edit", "a.off", "add the other.off", "-o", "b.off"}).code, 0);
-    QCOMPARE(inspected(bench, "b.off")["triangles"].get<int>(), 16);
+    QCOMPARE(editInspected(bench, "b.off")["triangles"].get<int>(), 16);
     const Ran ran = bench.run({"edit", "a.off", "add none.off", "-o", "c.off"});
     QCOMPARE(ran.code, 1);
     QVERIFY(ran.err.contains("none.off"));
@@ -140,5 +141,5 @@ class EditTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(EditTest)
+HANDWHEEL_TEST(EditTest)
 #include "EditTest.moc"

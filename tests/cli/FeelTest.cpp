@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Program.h"
 #include "Shapes.h"
+#include "TestClass.h"
 
 #include <QTest>
 
@@ -308,5 +309,5 @@ class FeelTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(FeelTest)
+HANDWHEEL_TEST(FeelTest)
 #include "FeelTest.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Program.h"
 #include "Shapes.h"
+#include "TestClass.h"
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -275,5 +276,5 @@ class InspectTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(InspectTest)
+HANDWHEEL_TEST(InspectTest)
 #include "InspectTest.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Program.h"
 #include "Shapes.h"
+#include "TestClass.h"
 
 #include <QDirIterator>
 #include <QTest>
@@ -112,5 +113,5 @@ class InstalledTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(InstalledTest)
+HANDWHEEL_TEST(InstalledTest)
 #include "InstalledTest.moc"

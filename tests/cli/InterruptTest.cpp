@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Program.h"
 #include "Shapes.h"
+#include "TestClass.h"
 
 #include <QStandardPaths>
 #include <QTest>
@@ -155,5 +156,5 @@ class InterruptTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(InterruptTest)
+HANDWHEEL_TEST(InterruptTest)
 #include "InterruptTest.moc"

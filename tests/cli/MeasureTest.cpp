@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Program.h"
 #include "Shapes.h"
+#include "TestClass.h"
 
 #include <QImage>
 #include <QTest>
@@ -294,5 +295,5 @@ void MeasureTest::interrupted() {
   QVERIFY(bench.names().isEmpty());
 }
 
-QTEST_GUILESS_MAIN(MeasureTest)
+HANDWHEEL_TEST(MeasureTest)
 #include "MeasureTest.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Program.h"
 #include "Shapes.h"
+#include "TestClass.h"
 
 #include <sys/resource.h>
 #include <QStandardPaths>
@@ -127,5 +128,5 @@ class MemoryTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(MemoryTest)
+HANDWHEEL_TEST(MemoryTest)
 #include "MemoryTest.moc"

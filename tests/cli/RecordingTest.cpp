@@ -3,6 +3,7 @@
 #include "MeshDocuments.h"
 #include "MeshShapes.h"
 #include "Program.h"
+#include "TestClass.h"
 #include "document/RecordingsEdit.h"
 #include "haptics/RecordingCsv.h"
 
@@ -79,5 +80,5 @@ class RecordingTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(RecordingTest)
+HANDWHEEL_TEST(RecordingTest)
 #include "RecordingTest.moc"

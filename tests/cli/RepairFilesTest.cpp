@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Program.h"
 #include "Shapes.h"
+#include "TestClass.h"
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -92,5 +93,5 @@ class RepairFilesTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(RepairFilesTest)
+HANDWHEEL_TEST(RepairFilesTest)
 #include "RepairFilesTest.moc"

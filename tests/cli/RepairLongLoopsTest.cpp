@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Program.h"
 #include "Shapes.h"
+#include "TestClass.h"
 
 #include <QTest>
 #include <random>
@@ -119,5 +120,5 @@ class RepairLongLoopsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(RepairLongLoopsTest)
+HANDWHEEL_TEST(RepairLongLoopsTest)
 #include "RepairLongLoopsTest.moc"

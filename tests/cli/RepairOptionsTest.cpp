@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Program.h"
 #include "Shapes.h"
+#include "TestClass.h"
 
 #include <QTest>
 
@@ -205,5 +206,5 @@ class RepairOptionsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(RepairOptionsTest)
+HANDWHEEL_TEST(RepairOptionsTest)
 #include "RepairOptionsTest.moc"

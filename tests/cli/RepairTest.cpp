@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Program.h"
 #include "Shapes.h"
+#include "TestClass.h"
 
 #include <QTest>
 
@@ -194,5 +195,5 @@ class RepairTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(RepairTest)
+HANDWHEEL_TEST(RepairTest)
 #include "RepairTest.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Program.h"
 #include "Shapes.h"
+#include "TestClass.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -128,5 +129,5 @@ class SectionTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SectionTest)
+HANDWHEEL_TEST(SectionTest)
 #include "SectionTest.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Program.h"
 #include "Shapes.h"
+#include "TestClass.h"
 
 #include <QTest>
 
@@ -9,7 +10,7 @@ using namespace handwheel;
 
 namespace {
 
-nlohmann::json inspected(const Bench& bench, const QString& name) {
+nlohmann::json shellsInspected(const Bench& bench, const QString& name) {
   return nlohmann::json::parse(bench.run({"inspect", name, "--json"}).out.toStdString());
 }
 
@@ -34,7 +35,7 @@ class ShellsTest : public QObject {
     for (int i = 1; i <= 3; ++i) names << QString("parts/a-%1.%2").arg(i).arg(format);
     const double volumes[] = {8.0, 1.0 / 6.0, 1.0};
     for (int i = 0; i < 3; ++i)
-      QVERIFY(std::abs(inspected(bench, names[i])["volume_mm3"].get<double>() - volumes[i]) < 1e-6);
+      QVERIFY(std::abs(shellsInspected(bench, names[i])["volume_mm3"].get<double>() - volumes[i]) < 1e-6);
     QCOMPARE(bench.run({"split", "a.off", "-o", "parts", "--format", format}).code, 1);  // they are there already
     QVERIFY(QFile::remove(bench.path() + "/" + names[0]));
     QCOMPARE(bench.run({"split", "a.off", "-o", "parts", "--format", format}).code, 1);
@@ -43,7 +44,7 @@ class ShellsTest : public QObject {
     QVERIFY(QFile::rename(bench.path() + "/again/" + QFileInfo(names[0]).fileName(), bench.path() + "/" + names[0]));
 
     QCOMPARE(bench.run(QStringList{"merge"} + names + QStringList{"-o", "b.handwheel"}).code, 0);
-    const auto report = inspected(bench, "b.handwheel");
+    const auto report = shellsInspected(bench, "b.handwheel");
     QCOMPARE(report["triangles"].get<int>(), 28);
     QVERIFY(std::abs(report["volume_mm3"].get<double>() - (9.0 + 1.0 / 6.0)) < 1e-6);
   }
@@ -56,7 +57,7 @@ class ShellsTest : public QObject {
     QCOMPARE(bench.run({"convert", "a.off", "a.stl"}).code, 0);
     QCOMPARE(bench.run({"merge", "a.stl", "b.off", "-o", "c.ply"}).code, 0);
     QCOMPARE(bench.run({"split", "c.ply", "-o", "parts"}).code, 0);
-    QVERIFY(std::abs(inspected(bench, "parts/c-2.ply")["volume_mm3"].get<double>() - 1.0 / 27.0) < 1e-12);
+    QVERIFY(std::abs(shellsInspected(bench, "parts/c-2.ply")["volume_mm3"].get<double>() - 1.0 / 27.0) < 1e-12);
   }
 
   void mistakes() {
@@ -73,5 +74,5 @@ class ShellsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ShellsTest)
+HANDWHEEL_TEST(ShellsTest)
 #include "ShellsTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "cli/UntouchedCheck.h"
 #include "mesh/MeshBuilder.h"
 
@@ -10,7 +11,7 @@ using namespace handwheel;
 
 namespace {
 
-TriangleSoup tetrahedron() {
+TriangleSoup fourFaces() {
   TriangleSoup soup;
   soup.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   soup.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
@@ -32,8 +33,8 @@ class UntouchedCheckTest : public QObject {
 
  private slots:
   void oneStepIsSeen() {
-    const HalfEdgeMesh mesh = buildMesh(tetrahedron()).mesh;
-    TriangleSoup file = tetrahedron();
+    const HalfEdgeMesh mesh = buildMesh(fourFaces()).mesh;
+    TriangleSoup file = fourFaces();
     QVERIFY(untouchedAreIdentical(mesh, mesh, {}, file));
     file.points[1].x() = std::nextafter(1.0, 2.0);
     QVERIFY(!untouchedAreIdentical(mesh, mesh, {}, file));
@@ -43,12 +44,12 @@ class UntouchedCheckTest : public QObject {
 
   // A point of the file that no triangle uses does not stand for a vertex.
   void missingFacesAreSeen() {
-    const HalfEdgeMesh mesh = buildMesh(tetrahedron()).mesh;
-    TriangleSoup file = tetrahedron();
+    const HalfEdgeMesh mesh = buildMesh(fourFaces()).mesh;
+    TriangleSoup file = fourFaces();
     file.triangles = {{0, 2, 1}};
     QVERIFY(!untouchedAreIdentical(mesh, mesh, {}, file));
   }
 };
 
-QTEST_GUILESS_MAIN(UntouchedCheckTest)
+HANDWHEEL_TEST(UntouchedCheckTest)
 #include "UntouchedCheckTest.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ExtremeRows.h"
 #include "MeshChecks.h"
+#include "TestClass.h"
 #include "base/Tolerance.h"
 #include "mesh/MeshValidator.h"
 #include "mesh/TangleRemoval.h"
@@ -127,5 +128,5 @@ void CrossingExtremesTest::tanglesOfEveryMesh() {
   QVERIFY(countCrossings(mesh, NumberType::Float64) <= crossings);
 }
 
-QTEST_GUILESS_MAIN(CrossingExtremesTest)
+HANDWHEEL_TEST(CrossingExtremesTest)
 #include "CrossingExtremesTest.moc"

@@ -3,14 +3,13 @@
 #include "Extremes.h"
 
 #include "MeshChecks.h"
+#include "TestClass.h"
 #include "mesh/Decimation.h"
 #include "mesh/Deviation.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshValidator.h"
 
 #include <QTest>
-
-Q_DECLARE_METATYPE(handwheel::TriangleSoup)
 
 using namespace handwheel;
 
@@ -142,5 +141,5 @@ void DecimationExtremesTest::compares() {
   }
 }
 
-QTEST_GUILESS_MAIN(DecimationExtremesTest)
+HANDWHEEL_TEST(DecimationExtremesTest)
 #include "DecimationExtremesTest.moc"

@@ -8,8 +8,6 @@
 #include <QMetaType>
 #include <QTest>
 
-Q_DECLARE_METATYPE(handwheel::test::ExtremeMesh)
-
 // The extreme meshes as rows of a data-driven test, and what every test of them asks.
 namespace handwheel::test {
 

@@ -3,6 +3,7 @@
 #include "ExtremeRows.h"
 #include "MeshChecks.h"
 #include "RidgedShapes.h"
+#include "TestClass.h"
 #include "mesh/HoleFilling.h"
 #include "mesh/LoopDecomposition.h"
 #include "mesh/MeshValidator.h"
@@ -257,5 +258,5 @@ void FillingExtremesTest::longLoops() {
   QVERIFY(std::abs(test::volume(closed) / prism - 1.0) < error);
 }
 
-QTEST_GUILESS_MAIN(FillingExtremesTest)
+HANDWHEEL_TEST(FillingExtremesTest)
 #include "FillingExtremesTest.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Extremes.h"
 #include "MeshChecks.h"
+#include "TestClass.h"
 #include "mesh/BorderSmoothing.h"
 #include "mesh/BorderWelding.h"
 #include "mesh/Islands.h"
@@ -132,5 +133,5 @@ void HandWorkExtremesTest::sizeChangesNoSmoothing() {
   }
 }
 
-QTEST_GUILESS_MAIN(HandWorkExtremesTest)
+HANDWHEEL_TEST(HandWorkExtremesTest)
 #include "HandWorkExtremesTest.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Extremes.h"
 
+#include "TestClass.h"
 #include "document/mesh/MeshExport.h"
 #include "mesh/Defects.h"
 #include "mesh/MeshBuilder.h"
@@ -116,5 +117,5 @@ void LargeMeshTest::tenMillionTriangles() {
   QVERIFY(std::abs(*report.volumeMm3 / kVolume - 1.0) < 1e-5);
 }
 
-QTEST_GUILESS_MAIN(LargeMeshTest)
+HANDWHEEL_TEST(LargeMeshTest)
 #include "LargeMeshTest.moc"

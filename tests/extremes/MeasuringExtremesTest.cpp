@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ExtremeRows.h"
+#include "TestClass.h"
 #include "mesh/Deviation.h"
 #include "mesh/FaceHierarchy.h"
 #include "mesh/Section.h"
 #include "mesh/WallThickness.h"
-
-Q_DECLARE_METATYPE(handwheel::Vec3)
 
 using namespace handwheel;
 
@@ -284,5 +283,5 @@ void MeasuringExtremesTest::deviationOfShells() {
   QVERIFY(std::abs(found->ofScan.mean / radius - 0.1) < 0.003);
 }
 
-QTEST_GUILESS_MAIN(MeasuringExtremesTest)
+HANDWHEEL_TEST(MeasuringExtremesTest)
 #include "MeasuringExtremesTest.moc"

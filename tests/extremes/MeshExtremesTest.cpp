@@ -3,6 +3,7 @@
 #include "Extremes.h"
 
 #include "MeshChecks.h"
+#include "TestClass.h"
 #include "document/mesh/MeshExport.h"
 #include "mesh/Defects.h"
 #include "mesh/MeshBuilder.h"
@@ -19,7 +20,7 @@ using namespace handwheel;
 
 namespace {
 
-std::vector<test::ExtremeMesh> allMeshes() {
+std::vector<test::ExtremeMesh> meshExtremesAllMeshes() {
   std::vector<test::ExtremeMesh> all = test::scaledMeshes();
   for (const auto& more : {test::oddMeshes(), test::topologicalMeshes()})
     all.insert(all.end(), more.begin(), more.end());
@@ -27,28 +28,29 @@ std::vector<test::ExtremeMesh> allMeshes() {
 }
 
 const test::ExtremeMesh& meshNamed(const QString& name) {
-  static const std::vector<test::ExtremeMesh> all = allMeshes();
+  static const std::vector<test::ExtremeMesh> all = meshExtremesAllMeshes();
   const auto at = std::find_if(all.begin(), all.end(), [&](const auto& m) { return name == m.name.c_str(); });
   return *at;
 }
 
 void everyMesh() {
   QTest::addColumn<QString>("name");
-  for (const test::ExtremeMesh& mesh : allMeshes()) QTest::newRow(mesh.name.c_str()) << QString(mesh.name.c_str());
+  for (const test::ExtremeMesh& mesh : meshExtremesAllMeshes())
+    QTest::newRow(mesh.name.c_str()) << QString(mesh.name.c_str());
 }
 
 // Chains of open edges by position, counted over the vertices at which they pass: where each vertex of the border has
 // two open edges, chains are what hangs together.
 std::size_t chainsOfOpenEdges(const TriangleSoup& soup) {
-  std::map<std::pair<test::Place, test::Place>, int> uses;
+  std::map<std::pair<test::Coordinates, test::Coordinates>, int> uses;
   for (const Triangle& t : soup.triangles) {
     for (int k = 0; k < 3; ++k) {
-      const test::Place a = test::place(soup.points[t[k]]), b = test::place(soup.points[t[(k + 1) % 3]]);
+      const test::Coordinates a = test::place(soup.points[t[k]]), b = test::place(soup.points[t[(k + 1) % 3]]);
       if (a != b) ++uses[std::minmax(a, b)];
     }
   }
-  std::map<test::Place, test::Place> parent;
-  const std::function<test::Place(test::Place)> root = [&](test::Place p) {
+  std::map<test::Coordinates, test::Coordinates> parent;
+  const std::function<test::Coordinates(test::Coordinates)> root = [&](test::Coordinates p) {
     while (parent.at(p) != p) p = parent.at(p);
     return p;
   };
@@ -290,11 +292,11 @@ void MeshExtremesTest::tableNamesEveryRow() {
   QFile file(QStringLiteral(HANDWHEEL_EXTREMES_TABLE));
   QVERIFY(file.open(QIODevice::ReadOnly));
   const QString table = QString::fromUtf8(file.readAll());
-  for (const test::ExtremeMesh& mesh : allMeshes()) {
+  for (const test::ExtremeMesh& mesh : meshExtremesAllMeshes()) {
     if (mesh.name.starts_with("holed sphere")) continue;  // one row of the table for all of them
     QVERIFY2(table.contains("| " + QString::fromStdString(mesh.name) + " |"), mesh.name.c_str());
   }
 }
 
-QTEST_GUILESS_MAIN(MeshExtremesTest)
+HANDWHEEL_TEST(MeshExtremesTest)
 #include "MeshExtremesTest.moc"

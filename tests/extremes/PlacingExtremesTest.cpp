@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ExtremeRows.h"
 #include "MeshChecks.h"
+#include "TestClass.h"
 #include "base/Tolerance.h"
 #include "mesh/MeshValidator.h"
 #include "mesh/Shells.h"
@@ -257,10 +258,10 @@ void PlacingExtremesTest::splitsAndJoins() {
   const bool isOnePoint = test::boxOf(mesh).sizes().isZero(0.0);
   QCOMPARE(shells.size(), isOnePoint ? mesh.faceSlots() : extreme.components);
   HalfEdgeMesh joined;
-  std::multiset<std::array<test::Place, 3>> left;
+  std::multiset<std::array<test::Coordinates, 3>> left;
   const auto placesOf = [](const HalfEdgeMesh& m, Face f) {
     const TrianglePoints p = m.points(f);
-    return std::array<test::Place, 3>{test::place(p[0]), test::place(p[1]), test::place(p[2])};
+    return std::array<test::Coordinates, 3>{test::place(p[0]), test::place(p[1]), test::place(p[2])};
   };
   for (Face f = 0; f < mesh.faceSlots(); ++f) left.insert(placesOf(mesh, f));
   std::size_t border = 0, seams = 0;
@@ -281,5 +282,5 @@ void PlacingExtremesTest::splitsAndJoins() {
   }
 }
 
-QTEST_GUILESS_MAIN(PlacingExtremesTest)
+HANDWHEEL_TEST(PlacingExtremesTest)
 #include "PlacingExtremesTest.moc"

@@ -3,6 +3,7 @@
 #include "Extremes.h"
 
 #include "MeshChecks.h"
+#include "TestClass.h"
 #include "mesh/Defects.h"
 #include "mesh/FaceNormal.h"
 #include "mesh/LocalCrossings.h"
@@ -13,8 +14,6 @@
 #include "mesh/SculptBrush.h"
 
 #include <QTest>
-
-Q_DECLARE_METATYPE(handwheel::TriangleSoup)
 
 using namespace handwheel;
 
@@ -47,7 +46,7 @@ class SculptExtremesTest : public QObject {
 namespace {
 
 // What is wrong with a mesh that was moved from another with the same faces; empty for nothing.
-QString problemOf(const HalfEdgeMesh& before, const HalfEdgeMesh& after) {
+QString sculptExtremesProblemOf(const HalfEdgeMesh& before, const HalfEdgeMesh& after) {
   if (const std::string broken = validate(after); !broken.empty()) return QString::fromStdString(broken);
   for (Face f = 0; f < before.faceSlots(); ++f) {
     const Vec3 normal = unitNormal(before.points(f));
@@ -121,7 +120,7 @@ void SculptExtremesTest::brushes() {
                                             : brush == 2 ? flattened(mesh, area, 1.0)
                                                          : smoothed(mesh, area, 1.0);
       moveTowards(mesh, moves);
-      QCOMPARE(problemOf(whole, mesh), QString());
+      QCOMPARE(sculptExtremesProblemOf(whole, mesh), QString());
     }
   }
 }
@@ -144,8 +143,8 @@ void SculptExtremesTest::smoothsNoise() {
   const HalfEdgeMesh before = buildMesh(soup).mesh;
   HalfEdgeMesh mesh = before;
   QVERIFY(smoothNoise(mesh, FaceSelection::all(mesh), {.movesBorder = true}));
-  QCOMPARE(problemOf(before, mesh), QString());
+  QCOMPARE(sculptExtremesProblemOf(before, mesh), QString());
 }
 
-QTEST_GUILESS_MAIN(SculptExtremesTest)
+HANDWHEEL_TEST(SculptExtremesTest)
 #include "SculptExtremesTest.moc"

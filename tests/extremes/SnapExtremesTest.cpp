@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Extremes.h"
+#include "TestClass.h"
 #include "core/haptics/SnapShapes.h"
 #include "haptics/SnapProxy.h"
 #include "haptics/SnapSum.h"
@@ -140,5 +141,5 @@ void SnapExtremesTest::onlyOne() {
   }
 }
 
-QTEST_GUILESS_MAIN(SnapExtremesTest)
+HANDWHEEL_TEST(SnapExtremesTest)
 #include "SnapExtremesTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "fidelity/Calibration.h"
 #include "fidelity/MeasuredSettings.h"
 
@@ -142,5 +143,5 @@ class CalibrationTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(CalibrationTest)
+HANDWHEEL_TEST(CalibrationTest)
 #include "CalibrationTest.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "fidelity/CaseShapes.h"
 #include "fidelity/CutSurface.h"
 #include "fidelity/MeasuredSettings.h"
@@ -11,9 +12,6 @@
 
 #include <QTest>
 #include <cmath>
-
-Q_DECLARE_METATYPE(handwheel::ExactPart)
-Q_DECLARE_METATYPE(handwheel::Vec3)
 
 using namespace handwheel;
 
@@ -283,5 +281,5 @@ void CasesTest::smallAndDegenerateMeshes() {
   }
 }
 
-QTEST_GUILESS_MAIN(CasesTest)
+HANDWHEEL_TEST(CasesTest)
 #include "CasesTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "base/FidelityCurve.h"
 #include "fidelity/CurveFile.h"
 #include "fidelity/MeasuredSettings.h"
@@ -102,5 +103,5 @@ void PresetsTest::damagedCurveFilesAreRefused() {
   QVERIFY(QDate::fromString(QString::fromStdString(today()), Qt::ISODate).isValid());
 }
 
-QTEST_GUILESS_MAIN(PresetsTest)
+HANDWHEEL_TEST(PresetsTest)
 #include "PresetsTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "fidelity/MeasuredSettings.h"
 #include "fidelity/PressedWall.h"
 
@@ -116,5 +117,5 @@ void TouchCasesTest::aProxyThatRestsTooSoon() {
   }
 }
 
-QTEST_GUILESS_MAIN(TouchCasesTest)
+HANDWHEEL_TEST(TouchCasesTest)
 #include "TouchCasesTest.moc"

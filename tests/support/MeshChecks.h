@@ -12,8 +12,8 @@
 // Figures of triangle lists by the plainest means there are, to judge the mesh room by.
 namespace handwheel::test {
 
-using Place = std::array<double, 3>;
-inline Place place(const Vec3& p) {
+using Coordinates = std::array<double, 3>;
+inline Coordinates place(const Vec3& p) {
   return {p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};
 }  // + 0.0: no negative zero
 
@@ -25,12 +25,12 @@ struct Edges {
 
 // Edges by position. Triangles with two equal corners are left out.
 inline Edges countEdges(const TriangleSoup& s) {
-  std::map<std::pair<Place, Place>, std::array<int, 2>> uses;
+  std::map<std::pair<Coordinates, Coordinates>, std::array<int, 2>> uses;
   for (const Triangle& t : s.triangles) {
-    const std::array<Place, 3> p = {place(s.points[t[0]]), place(s.points[t[1]]), place(s.points[t[2]])};
+    const std::array<Coordinates, 3> p = {place(s.points[t[0]]), place(s.points[t[1]]), place(s.points[t[2]])};
     if (p[0] == p[1] || p[1] == p[2] || p[2] == p[0]) continue;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Place &a = p[k], &b = p[(k + 1) % 3];
+      const Coordinates &a = p[k], &b = p[(k + 1) % 3];
       ++uses[std::minmax(a, b)][a < b];
     }
   }
@@ -49,8 +49,8 @@ inline Edges countEdges(const HalfEdgeMesh& mesh) {
 }
 
 // The places that triangles use.
-inline std::set<Place> places(const TriangleSoup& s) {
-  std::set<Place> result;
+inline std::set<Coordinates> places(const TriangleSoup& s) {
+  std::set<Coordinates> result;
   for (const Triangle& t : s.triangles)
     for (std::uint32_t v : t) result.insert(place(s.points[v]));
   return result;

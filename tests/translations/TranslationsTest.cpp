@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "text/ErrorText.h"
 #include "text/RepairText.h"
 #include "text/Translations.h"
@@ -88,5 +89,5 @@ class TranslationsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TranslationsTest)
+HANDWHEEL_TEST(TranslationsTest)
 #include "TranslationsTest.moc"

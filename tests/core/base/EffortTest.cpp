@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "base/Effort.h"
 
 #include <QTest>
@@ -75,5 +76,5 @@ void EffortTest::threadsGoNoFurther() {
   QCOMPARE(whole.spent(), std::size_t{5'000});
 }
 
-QTEST_GUILESS_MAIN(EffortTest)
+HANDWHEEL_TEST(EffortTest)
 #include "EffortTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ExpressionResults.h"
+#include "TestClass.h"
 
 #include <rapidcheck.h>
 
@@ -197,5 +198,5 @@ void ExpressionPropertiesTest::survivesAnything() {
   }));
 }
 
-QTEST_GUILESS_MAIN(ExpressionPropertiesTest)
+HANDWHEEL_TEST(ExpressionPropertiesTest)
 #include "ExpressionPropertiesTest.moc"

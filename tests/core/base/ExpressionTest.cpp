@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ExpressionResults.h"
+#include "TestClass.h"
 
 #include <QTest>
 #include <clocale>
@@ -15,9 +16,6 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 
 }  // namespace
-
-Q_DECLARE_METATYPE(handwheel::ExpressionField)
-Q_DECLARE_METATYPE(handwheel::ExpressionError::Kind)
 
 class ExpressionTest : public QObject {
   Q_OBJECT
@@ -172,5 +170,5 @@ void ExpressionTest::noLocaleMatters() {
   std::setlocale(LC_NUMERIC, "C");
 }
 
-QTEST_GUILESS_MAIN(ExpressionTest)
+HANDWHEEL_TEST(ExpressionTest)
 #include "ExpressionTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "base/FidelityCurve.h"
 
 #include <rapidcheck.h>
@@ -176,5 +177,5 @@ void FidelityCurveTest::fit() {
   QVERIFY(!fitToBudget(curve, 1.0));
 }
 
-QTEST_APPLESS_MAIN(FidelityCurveTest)
+HANDWHEEL_TEST(FidelityCurveTest)
 #include "FidelityCurveTest.moc"

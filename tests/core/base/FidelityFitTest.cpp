@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "base/FidelityFit.h"
 
 #include <rapidcheck.h>
@@ -11,7 +12,7 @@ using namespace handwheel;
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kFidelityFitInfinity = std::numeric_limits<double>::infinity();
 
 // A setting from 1 to 1e6 whose default is 1.
 FidelitySetting settingOf(const std::string& id, FidelityBudget budget) {
@@ -123,10 +124,11 @@ class FidelityFitTest : public QObject {
     for (const FidelityBudget budget : {FidelityBudget::Core, FidelityBudget::Tick, FidelityBudget::Fill}) {
       const FidelitySetting s = settingOf("a", budget);
       QVERIFY(fitToScene(std::vector{FitCandidate{s, {}}}).settings.empty());
-      QVERIFY(fitToScene(std::vector{FitCandidate{s, {{1.0, kInfinity, 1.0}, {2.0, 1.0, nan}}}}).settings.empty());
-      const std::vector free{FitCandidate{s, {{1.0, 1.0, 0.0}, {2.0, 0.5, 0.0}, {4.0, kInfinity, 0.0}}}};
+      QVERIFY(fitToScene(std::vector{FitCandidate{s, {{1.0, kFidelityFitInfinity, 1.0}, {2.0, 1.0, nan}}}})
+                  .settings.empty());
+      const std::vector free{FitCandidate{s, {{1.0, 1.0, 0.0}, {2.0, 0.5, 0.0}, {4.0, kFidelityFitInfinity, 0.0}}}};
       QCOMPARE(valueOf(fitToScene(free), free[0]), 2.0);
-      const std::vector endless{FitCandidate{s, {{1.0, 1.0, kInfinity}, {2.0, 2.0, 1e300}}}};
+      const std::vector endless{FitCandidate{s, {{1.0, 1.0, kFidelityFitInfinity}, {2.0, 2.0, 1e300}}}};
       const FidelityFit fit = fitToScene(endless);
       QCOMPARE(valueOf(fit, endless[0]), 2.0);
       QVERIFY(fit.settings[0].isOver);
@@ -181,5 +183,5 @@ class FidelityFitTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(FidelityFitTest)
+HANDWHEEL_TEST(FidelityFitTest)
 #include "FidelityFitTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "base/FidelityRegistry.h"
 
 #include <rapidcheck.h>
@@ -100,5 +101,5 @@ void FidelityRegistryTest::wrongChoices() {
   QCOMPARE(int(read.error().code), code);
 }
 
-QTEST_APPLESS_MAIN(FidelityRegistryTest)
+HANDWHEEL_TEST(FidelityRegistryTest)
 #include "FidelityRegistryTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "base/FidelitySweep.h"
 
 #include <rapidcheck.h>
@@ -12,7 +13,7 @@ using namespace handwheel;
 
 namespace {
 
-FidelitySetting chord() {
+FidelitySetting fidelitySweepChord() {
   FidelitySetting s;
   s.id = "nurbs.chord_mm";
   s.label = "Chord";
@@ -51,13 +52,13 @@ class FidelitySweepTest : public QObject {
 
 void FidelitySweepTest::valuesCoverTheRange() {
   // The default and the preset Draft lie on the grid of decades or off it, and are there exactly once either way.
-  const std::vector<double> values = sweepValues(chord(), 5);
+  const std::vector<double> values = sweepValues(fidelitySweepChord(), 5);
   QCOMPARE(values.size(), std::size_t{6});
   const double expected[] = {1e-4, 1e-3, 1e-2, 0.03, 0.1, 1.0};
   for (std::size_t i = 0; i < 6; ++i) QVERIFY(std::abs(values[i] / expected[i] - 1.0) < 1e-12);
   for (double exact : {0.001, 0.03, 0.1}) QVERIFY(std::binary_search(values.begin(), values.end(), exact));
   QVERIFY(rc::check("ascending, each once, from end to end", [](int steps) {
-    const std::vector<double> v = sweepValues(chord(), std::abs(steps) % 40);
+    const std::vector<double> v = sweepValues(fidelitySweepChord(), std::abs(steps) % 40);
     RC_ASSERT(std::is_sorted(v.begin(), v.end()));
     RC_ASSERT(std::set<double>(v.begin(), v.end()).size() == v.size());
     RC_ASSERT(v.front() == 1e-4 && v.back() == 1.0);
@@ -79,10 +80,10 @@ void FidelitySweepTest::medianAndDeviation() {
 }
 
 void FidelitySweepTest::rows() {
-  const auto swept = sweep(chord(), std::vector{withCosts({2.0, 9.0, 4.0})}, {2, 3, 77});
+  const auto swept = sweep(fidelitySweepChord(), std::vector{withCosts({2.0, 9.0, 4.0})}, {2, 3, 77});
   QVERIFY(swept);
   const std::vector<FidelityRow>& r = *swept;
-  QCOMPARE(r.size(), sweepValues(chord(), 2).size());
+  QCOMPARE(r.size(), sweepValues(fidelitySweepChord(), 2).size());
   for (const FidelityRow& row : r) {
     QCOMPARE(row.setting, std::string("nurbs.chord_mm"));
     QCOMPARE(row.error, row.value);
@@ -96,7 +97,8 @@ void FidelitySweepTest::rows() {
 
 // Five values, two repeats: the list's entries 0…4 are the first round, 5…9 the second.
 void FidelitySweepTest::repeatsGoRound() {
-  const auto swept = sweep(chord(), std::vector{withCosts({1, 2, 3, 4, 5, 11, 12, 13, 14, 15})}, {2, 2, 1});
+  const auto swept =
+      sweep(fidelitySweepChord(), std::vector{withCosts({1, 2, 3, 4, 5, 11, 12, 13, 14, 15})}, {2, 2, 1});
   QCOMPARE(swept.value().size(), std::size_t{5});
   for (std::size_t i = 0; i < 5; ++i) {
     QCOMPARE(swept.value()[i].cost, 6.0 + static_cast<double>(i));
@@ -111,11 +113,11 @@ void FidelitySweepTest::cancelled() {
                                 if (++runs == 3) state.cancelled = true;
                                 return FidelitySample{};
                               }};
-  const auto swept = sweep(chord(), std::vector{stopping}, {}, Progress(state));
+  const auto swept = sweep(fidelitySweepChord(), std::vector{stopping}, {}, Progress(state));
   QVERIFY(!swept && swept.error().code == ErrorCode::Cancelled);
   QCOMPARE(runs, 3);
   JobState whole;
-  QVERIFY(sweep(chord(), std::vector{withCosts({1.0})}, {}, Progress(whole)));
+  QVERIFY(sweep(fidelitySweepChord(), std::vector{withCosts({1.0})}, {}, Progress(whole)));
   QCOMPARE(whole.fraction.load(), 1.0);
 }
 
@@ -132,7 +134,7 @@ void FidelitySweepTest::csv() {
   row.repeats = 5;
   row.seed = 1;
   row.truth = "closed form";
-  QCOMPARE(csvOf(chord(), std::vector{row}),
+  QCOMPARE(csvOf(fidelitySweepChord(), std::vector{row}),
            std::string("a.b,0.5,\"torn, \"\"badly\"\"\",inf,vertices,1.25,ms,0,5,1,closed form\n"));
   FidelitySetting method;
   setChoices(method, {"ear", "fair"});
@@ -141,5 +143,5 @@ void FidelitySweepTest::csv() {
   QCOMPARE(std::count(kFidelityCsvHeader.begin(), kFidelityCsvHeader.end(), ','), 10);
 }
 
-QTEST_APPLESS_MAIN(FidelitySweepTest)
+HANDWHEEL_TEST(FidelitySweepTest)
 #include "FidelitySweepTest.moc"

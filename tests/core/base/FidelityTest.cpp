@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "base/Fidelity.h"
 
 #include <rapidcheck.h>
@@ -11,7 +12,7 @@ using namespace handwheel;
 
 namespace {
 
-FidelitySetting chord() {
+FidelitySetting fidelityChord() {
   FidelitySetting s;
   s.id = "nurbs.chord_mm";
   s.label = "Chord";
@@ -59,10 +60,10 @@ class FidelityTest : public QObject {
 };
 
 void FidelityTest::valuesOutsideAreRefused() {
-  QVERIFY(checkValue(chord(), 1e-4));
-  QVERIFY(checkValue(chord(), 1.0));
+  QVERIFY(checkValue(fidelityChord(), 1e-4));
+  QVERIFY(checkValue(fidelityChord(), 1.0));
   for (double bad : {0.0, -1.0, 1.0001, std::nan(""), std::numeric_limits<double>::infinity()}) {
-    const Status status = checkValue(chord(), bad);
+    const Status status = checkValue(fidelityChord(), bad);
     QVERIFY(!status);
     QVERIFY(status.error().code == ErrorCode::ValueOutOfRange);
     QCOMPARE(status.error().arguments[0], std::string("nurbs.chord_mm"));
@@ -77,28 +78,28 @@ void FidelityTest::valuesOutsideAreRefused() {
 
 void FidelityTest::texts() {
   QCOMPARE(textOf(method(), 1), std::string("minimal"));
-  QCOMPARE(textOf(chord(), 0.1), std::string("0.1"));
+  QCOMPARE(textOf(fidelityChord(), 0.1), std::string("0.1"));
   QCOMPARE(*valueOf(method(), "fair"), 2.0);
-  QCOMPARE(*valueOf(chord(), "1e-3"), 1e-3);
+  QCOMPARE(*valueOf(fidelityChord(), "1e-3"), 1e-3);
   for (const char* bad : {"", "0.1mm", "fair", "0,1", " 0.1"}) {
-    QVERIFY(valueOf(chord(), bad).error().code == ErrorCode::NumberMalformed);
+    QVERIFY(valueOf(fidelityChord(), bad).error().code == ErrorCode::NumberMalformed);
   }
   QVERIFY(valueOf(method(), "1").error().code == ErrorCode::NumberMalformed);  // a word is asked for
-  QVERIFY(valueOf(chord(), "2").error().code == ErrorCode::ValueOutOfRange);
-  QVERIFY(valueOf(chord(), "nan").error().code == ErrorCode::ValueOutOfRange);
+  QVERIFY(valueOf(fidelityChord(), "2").error().code == ErrorCode::ValueOutOfRange);
+  QVERIFY(valueOf(fidelityChord(), "nan").error().code == ErrorCode::ValueOutOfRange);
   QVERIFY(rc::check("text reads back to the same value", [] {
-    const double value = valueAt(chord(), *rc::gen::inRange(0, 1'000'001) * 1e-6);
-    RC_ASSERT(*valueOf(chord(), textOf(chord(), value)) == value);
+    const double value = valueAt(fidelityChord(), *rc::gen::inRange(0, 1'000'001) * 1e-6);
+    RC_ASSERT(*valueOf(fidelityChord(), textOf(fidelityChord(), value)) == value);
   }));
 }
 
 void FidelityTest::placesAndValues() {
-  QCOMPARE(placeOf(chord(), 0.01), 0.5);
-  QCOMPARE(valueAt(chord(), 0.75), 0.1);
+  QCOMPARE(placeOf(fidelityChord(), 0.01), 0.5);
+  QCOMPARE(valueAt(fidelityChord(), 0.75), 0.1);
   QCOMPARE(placeOf(faces(), 6), 0.5);
   QCOMPARE(valueAt(faces(), 0.26), 4.0);  // 3.6
   QCOMPARE(valueAt(method(), 0.5), 1.0);
-  for (const FidelitySetting& s : {chord(), method(), faces()}) {
+  for (const FidelitySetting& s : {fidelityChord(), method(), faces()}) {
     QCOMPARE(valueAt(s, -1.0), s.least);
     QCOMPARE(valueAt(s, 2.0), s.largest);
   }
@@ -107,9 +108,9 @@ void FidelityTest::placesAndValues() {
 void FidelityTest::placeAndValueAreInverse() {
   QVERIFY(rc::check("place and value are inverse, values are valid", [] {
     const double place = *rc::gen::inRange(0, 1'000'001) * 1e-6;
-    RC_ASSERT(std::abs(placeOf(chord(), valueAt(chord(), place)) - place) < 1e-12);
-    const double value = valueAt(chord(), place);
-    RC_ASSERT(bool(checkValue(chord(), value)));
+    RC_ASSERT(std::abs(placeOf(fidelityChord(), valueAt(fidelityChord(), place)) - place) < 1e-12);
+    const double value = valueAt(fidelityChord(), place);
+    RC_ASSERT(bool(checkValue(fidelityChord(), value)));
     RC_ASSERT(bool(checkValue(faces(), valueAt(faces(), place))));
     RC_ASSERT(bool(checkValue(method(), valueAt(method(), place))));
   }));
@@ -117,18 +118,18 @@ void FidelityTest::placeAndValueAreInverse() {
 
 void FidelityTest::choosing() {
   FidelityValues values;
-  QCOMPARE(values.of(chord()), 0.01);
+  QCOMPARE(values.of(fidelityChord()), 0.01);
   values = FidelityValues(FidelityPreset::Draft);
-  QCOMPARE(values.of(chord()), 0.1);
+  QCOMPARE(values.of(fidelityChord()), 0.1);
   QCOMPARE(values.of(method()), 0.0);
-  QVERIFY(values.set(chord(), 0.5));
-  QCOMPARE(values.of(chord()), 0.5);
+  QVERIFY(values.set(fidelityChord(), 0.5));
+  QCOMPARE(values.of(fidelityChord()), 0.5);
   QCOMPARE(values.of(method()), 0.0);  // the rest stays with the preset
-  QVERIFY(!values.set(chord(), 5.0));
-  QCOMPARE(values.of(chord()), 0.5);  // a refused value changes nothing
+  QVERIFY(!values.set(fidelityChord(), 5.0));
+  QCOMPARE(values.of(fidelityChord()), 0.5);  // a refused value changes nothing
   QCOMPARE(values.overrides().size(), std::size_t{1});
   QCOMPARE(wordFor(FidelityPreset::Balanced), std::string_view("Balanced"));
 }
 
-QTEST_APPLESS_MAIN(FidelityTest)
+HANDWHEEL_TEST(FidelityTest)
 #include "FidelityTest.moc"

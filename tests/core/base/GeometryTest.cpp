@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "base/Geometry.h"
 
 #include <rapidcheck.h>
@@ -56,5 +57,5 @@ void GeometryTest::vectors() {
   QVERIFY(!std::signbit(p.y()));
 }
 
-QTEST_GUILESS_MAIN(GeometryTest)
+HANDWHEEL_TEST(GeometryTest)
 #include "GeometryTest.moc"

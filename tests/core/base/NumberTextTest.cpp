@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "base/NumberText.h"
 
 #include <QTest>
@@ -57,5 +58,5 @@ void NumberTextTest::rounded() {
   QCOMPARE(roundedText(2.5), std::string("2.5"));
 }
 
-QTEST_APPLESS_MAIN(NumberTextTest)
+HANDWHEEL_TEST(NumberTextTest)
 #include "NumberTextTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "base/PagedArray.h"
 
 #include <rapidcheck.h>
@@ -131,5 +132,5 @@ void PagedArrayTest::behavesLikeVectors() {
   }));
 }
 
-QTEST_GUILESS_MAIN(PagedArrayTest)
+HANDWHEEL_TEST(PagedArrayTest)
 #include "PagedArrayTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "base/Progress.h"
 
 #include <QTest>
@@ -79,5 +80,6 @@ void ProgressTest::sharesOfTheEffort() {
   QCOMPARE(Progress().within(effort).share(20).left(), std::size_t{8});
 }
 
-QTEST_GUILESS_MAIN(ProgressTest)
+HANDWHEEL_TEST(ProgressTest)
+
 #include "ProgressTest.moc"

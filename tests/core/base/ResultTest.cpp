@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "base/Result.h"
 
 #include <QTest>
@@ -58,5 +59,5 @@ void ResultTest::done() {
   QVERIFY(!failed.hasValue());
 }
 
-QTEST_GUILESS_MAIN(ResultTest)
+HANDWHEEL_TEST(ResultTest)
 #include "ResultTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "base/Service.h"
 #include "base/ThreadClock.h"
 
@@ -183,5 +184,5 @@ void ServiceTest::runsExactlyWhileNeeded() {
   }));
 }
 
-QTEST_APPLESS_MAIN(ServiceTest)
+HANDWHEEL_TEST(ServiceTest)
 #include "ServiceTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "base/SpscRing.h"
 
 #include <rapidcheck.h>
@@ -71,5 +72,5 @@ class SpscRingTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SpscRingTest)
+HANDWHEEL_TEST(SpscRingTest)
 #include "SpscRingTest.moc"

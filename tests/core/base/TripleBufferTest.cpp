@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "base/TripleBuffer.h"
 
 #include <QtTest>
@@ -44,5 +45,5 @@ class TripleBufferTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TripleBufferTest)
+HANDWHEEL_TEST(TripleBufferTest)
 #include "TripleBufferTest.moc"

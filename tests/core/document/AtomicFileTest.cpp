@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/AtomicFile.h"
 
+#include "TestClass.h"
 #include "document/DraftFile.h"
 
 #include <fcntl.h>
@@ -242,5 +243,5 @@ class AtomicFileTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(AtomicFileTest)
+HANDWHEEL_TEST(AtomicFileTest)
 #include "AtomicFileTest.moc"

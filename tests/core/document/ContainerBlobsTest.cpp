@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "document/container/Blobs.h"
 
 #include <rapidcheck.h>
@@ -101,5 +102,5 @@ class ContainerBlobsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ContainerBlobsTest)
+HANDWHEEL_TEST(ContainerBlobsTest)
 #include "ContainerBlobsTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ContainerChecks.h"
+#include "TestClass.h"
 
 #include <QTest>
 #include <random>
@@ -193,5 +194,5 @@ class ContainerDamageTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ContainerDamageTest)
+HANDWHEEL_TEST(ContainerDamageTest)
 #include "ContainerDamageTest.moc"

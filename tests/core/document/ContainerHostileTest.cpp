@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ContainerChecks.h"
+#include "TestClass.h"
 #include "document/container/JsonText.h"
 #include "document/container/LocalEntries.h"
 #include "document/container/ZipReader.h"
@@ -237,5 +238,5 @@ class ContainerHostileTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ContainerHostileTest)
+HANDWHEEL_TEST(ContainerHostileTest)
 #include "ContainerHostileTest.moc"

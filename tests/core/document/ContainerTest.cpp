@@ -3,6 +3,7 @@
 #include "document/Container.h"
 
 #include "ContainerChecks.h"
+#include "TestClass.h"
 
 #include <QTest>
 #include <cstdlib>
@@ -13,7 +14,7 @@ using namespace handwheel::test;
 
 namespace {
 
-Container sample() {
+Container containerSample() {
   Container container;
   *container.manifest = {{"id", "17"}, {"kind", "mesh"}, {"document", {{"vertices", 3}}}};
   container.blobs["mesh/positions/0000"] = toBlob<double>({0.0, 1.5, -2.0});
@@ -48,10 +49,10 @@ class ContainerTest : public QObject {
   }
 
   void writesTheSameBytes() {
-    const std::string before = written(sample());
+    const std::string before = written(containerSample());
     setenv("TZ", "Pacific/Auckland", 1);
     tzset();
-    const std::string after = written(sample());
+    const std::string after = written(containerSample());
     unsetenv("TZ");
     tzset();
     QVERIFY(!before.empty());
@@ -74,7 +75,7 @@ class ContainerTest : public QObject {
         "  assert len(b) == entry['bytes'] and '%08x' % zlib.crc32(b) == entry['crc32'], name\n"
         "print(z.namelist(), m['handwheel']['format'], m['kind'], len(m['blobs']))\n";
     for (Compression compression : {Compression::None, Compression::Fast})
-      QCOMPARE(python(program, written(sample(), compression)),
+      QCOMPARE(python(program, written(containerSample(), compression)),
                QString("['manifest.json', 'mesh/faces/0000', 'mesh/positions/0000', 'manifest.copy.json'] 1 mesh 2"));
   }
 
@@ -90,19 +91,19 @@ class ContainerTest : public QObject {
         "    if name != 'manifest.copy.json': n.writestr(name, z.read(name))\n"
         "  n.writestr('notes.txt', 'mine')\n"
         "print(o.getvalue().hex())\n";
-    const std::string bytes = QByteArray::fromHex(python(program, written(sample())).toLatin1()).toStdString();
+    const std::string bytes = QByteArray::fromHex(python(program, written(containerSample())).toLatin1()).toStdString();
     QVERIFY(looksLikeContainer(bytes));
     const auto read = readContainer(bytes);
     QVERIFY(read);
     QVERIFY(read->damage.empty());
-    Container expected = sample();
+    Container expected = containerSample();
     expected.blobs["notes.txt"] = "mine";
     QVERIFY(read->container.blobs == expected.blobs);
     QVERIFY(ownPart(*read->container.manifest) == *expected.manifest);
   }
 
   void keepsOtherKeysOfTheHeading() {
-    Container container = sample();
+    Container container = containerSample();
     (*container.manifest)["handwheel"] = {{"format", 1}, {"theme", "dark"}};
     const auto read = readContainer(written(container));
     QVERIFY(read);
@@ -119,7 +120,7 @@ class ContainerTest : public QObject {
   }
 
   void namesThatAreNotUtf8() {
-    Container container = sample();
+    Container container = containerSample();
     (*container.manifest)["name"] = "caf\xe9";
     const auto read = readContainer(written(container));
     QVERIFY(read);
@@ -143,15 +144,15 @@ class ContainerTest : public QObject {
   void cancelled() {
     JobState state;
     state.cancelled = true;
-    const auto bytes = writeContainer(sample(), Compression::Fast, Progress(state));
+    const auto bytes = writeContainer(containerSample(), Compression::Fast, Progress(state));
     QVERIFY(!bytes && bytes.error().code == ErrorCode::Cancelled);
-    const auto read = readContainer(written(sample()), Progress(state));
+    const auto read = readContainer(written(containerSample()), Progress(state));
     QVERIFY(!read && read.error().code == ErrorCode::Cancelled);
   }
 
   void progressGoesToTheEnd() {
     JobState state;
-    const auto bytes = writeContainer(sample(), Compression::Fast, Progress(state));
+    const auto bytes = writeContainer(containerSample(), Compression::Fast, Progress(state));
     QVERIFY(bytes);
     QCOMPARE(state.fraction.load(), 1.0);
     state.fraction = 0.0;
@@ -160,5 +161,5 @@ class ContainerTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ContainerTest)
+HANDWHEEL_TEST(ContainerTest)
 #include "ContainerTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ContainerChecks.h"
+#include "TestClass.h"
 #include "document/container/UnknownPart.h"
 
 #include <QTest>
@@ -94,5 +95,5 @@ class ContainerUnknownTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ContainerUnknownTest)
+HANDWHEEL_TEST(ContainerUnknownTest)
 #include "ContainerUnknownTest.moc"

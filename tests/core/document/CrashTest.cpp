@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CrashModel.h"
+#include "TestClass.h"
 #include "document/FileBytes.h"
 #include "document/RecoveryLeftovers.h"
 
@@ -204,5 +205,5 @@ class CrashTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(CrashTest)
+HANDWHEEL_TEST(CrashTest)
 #include "CrashTest.moc"

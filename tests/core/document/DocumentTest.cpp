@@ -4,6 +4,7 @@
 
 #include "MeshDocuments.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "document/workpiece/WorkpieceKind.h"
 #include "mesh/MeshBuilder.h"
 
@@ -241,5 +242,5 @@ class DocumentTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(DocumentTest)
+HANDWHEEL_TEST(DocumentTest)
 #include "DocumentTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ContainerChecks.h"
+#include "TestClass.h"
 #include "document/AtomicFile.h"
 #include "document/Document.h"
 #include "document/DocumentKind.h"
@@ -152,5 +153,5 @@ class KeptKeysTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(KeptKeysTest)
+HANDWHEEL_TEST(KeptKeysTest)
 #include "KeptKeysTest.moc"

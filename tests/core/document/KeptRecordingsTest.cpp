@@ -4,6 +4,7 @@
 #include "ContainerChecks.h"
 #include "MeshDocuments.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "document/AtomicFile.h"
 #include "document/FileBytes.h"
 #include "document/RecordingExport.h"
@@ -224,5 +225,5 @@ class KeptRecordingsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(KeptRecordingsTest)
+HANDWHEEL_TEST(KeptRecordingsTest)
 #include "KeptRecordingsTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ContainerChecks.h"
+#include "TestClass.h"
 #include "document/container/Migrations.h"
 
 #include <QFile>
@@ -96,5 +97,5 @@ class MigrationTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MigrationTest)
+HANDWHEEL_TEST(MigrationTest)
 #include "MigrationTest.moc"

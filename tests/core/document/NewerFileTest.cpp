@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/NewerFile.h"
 
+#include "TestClass.h"
 #include "document/AtomicFile.h"
 #include "document/FileBytes.h"
 #include "document/container/ZipWriter.h"
@@ -15,7 +16,7 @@ using namespace handwheel;
 namespace {
 
 // An archive as a program of that version would write it.
-std::string containerOf(const std::string& format) {
+std::string containerOfFormat(const std::string& format) {
   const std::string manifest = R"({"handwheel": {"format": )" + format + R"(}, "kind": "workpiece", "document": {}})";
   const std::vector<ZipEntry> entries{{"manifest.json", manifest}, {"manifest.copy.json", manifest}};
   return *writeZip(entries, Compression::Fast);
@@ -35,13 +36,13 @@ class NewerFileTest : public QObject {
     };
     row("nothing in it", "", true);
     row("no container", "solid", true);
-    row("this version", containerOf("1"), true);
-    row("the next", containerOf("2"), false);
-    row("a far one", containerOf("18446744073709551615"), false);
-    row("no number", containerOf("\"two\""), true);
-    row("no version", containerOf("null"), true);
-    row("cut short", containerOf("2").substr(0, 30), true);
-    std::string damaged = containerOf("2");
+    row("this version", containerOfFormat("1"), true);
+    row("the next", containerOfFormat("2"), false);
+    row("a far one", containerOfFormat("18446744073709551615"), false);
+    row("no number", containerOfFormat("\"two\""), true);
+    row("no version", containerOfFormat("null"), true);
+    row("cut short", containerOfFormat("2").substr(0, 30), true);
+    std::string damaged = containerOfFormat("2");
     damaged[50] ^= 0x55;  // within the first manifest; the copy still tells
     row("damaged", damaged, false);
   }
@@ -73,7 +74,7 @@ class NewerFileTest : public QObject {
     QFETCH(QString, name);
     const QTemporaryDir folder;
     const std::filesystem::path path = folder.filePath(name).toStdString();
-    const std::string newer = containerOf("2");
+    const std::string newer = containerOfFormat("2");
     QVERIFY(writeFileAtomically(path, newer).hasValue());
     const WorkpieceKind kind;
     const OpenedFile blank = DocumentKinds::blank(kind);
@@ -84,5 +85,5 @@ class NewerFileTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(NewerFileTest)
+HANDWHEEL_TEST(NewerFileTest)
 #include "NewerFileTest.moc"

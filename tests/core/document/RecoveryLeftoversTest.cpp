@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "RecoveryChecks.h"
+#include "TestClass.h"
 
 #include <rapidcheck.h>
 #include <chrono>
@@ -117,5 +118,5 @@ class RecoveryLeftoversTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(RecoveryLeftoversTest)
+HANDWHEEL_TEST(RecoveryLeftoversTest)
 #include "RecoveryLeftoversTest.moc"

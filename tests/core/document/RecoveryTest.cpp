@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "RecoveryChecks.h"
+#include "TestClass.h"
 
 #include <sys/resource.h>
 #include <QDir>
@@ -193,5 +194,5 @@ class RecoveryTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(RecoveryTest)
+HANDWHEEL_TEST(RecoveryTest)
 #include "RecoveryTest.moc"

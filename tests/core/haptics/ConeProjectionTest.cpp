@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "haptics/ConeProjection.h"
 
 #include <rapidcheck.h>
@@ -89,5 +90,5 @@ class ConeProjectionTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ConeProjectionTest)
+HANDWHEEL_TEST(ConeProjectionTest)
 #include "ConeProjectionTest.moc"

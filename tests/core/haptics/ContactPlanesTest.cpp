@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "haptics/ContactPlanes.h"
 
 #include <QtTest>
@@ -75,5 +76,5 @@ class ContactPlanesTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ContactPlanesTest)
+HANDWHEEL_TEST(ContactPlanesTest)
 #include "ContactPlanesTest.moc"

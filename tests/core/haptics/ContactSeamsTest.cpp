@@ -3,6 +3,7 @@
 #include "haptics/ContactSeams.h"
 
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "haptics/GodObject.h"
 
 #include <QtTest>
@@ -122,5 +123,5 @@ class ContactSeamsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ContactSeamsTest)
+HANDWHEEL_TEST(ContactSeamsTest)
 #include "ContactSeamsTest.moc"

@@ -3,6 +3,7 @@
 #include "haptics/ContactSurface.h"
 
 #include "MeshShapes.h"
+#include "TestClass.h"
 
 #include <rapidcheck.h>
 #include <QtTest>
@@ -102,5 +103,5 @@ class ContactSurfaceTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ContactSurfaceTest)
+HANDWHEEL_TEST(ContactSurfaceTest)
 #include "ContactSurfaceTest.moc"

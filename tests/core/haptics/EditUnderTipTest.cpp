@@ -8,6 +8,7 @@
 
 #include "HapticDevices.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "haptics/SceneForces.h"
 #include "haptics/ServoLoop.h"
 
@@ -126,5 +127,5 @@ class EditUnderTipTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(EditUnderTipTest)
+HANDWHEEL_TEST(EditUnderTipTest)
 #include "EditUnderTipTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "haptics/FaceBoxes.h"
 
 #include <QtTest>
@@ -74,5 +75,5 @@ class FaceBoxesTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(FaceBoxesTest)
+HANDWHEEL_TEST(FaceBoxesTest)
 #include "FaceBoxesTest.moc"

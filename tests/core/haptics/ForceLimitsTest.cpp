@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "haptics/ForceLimits.h"
 
 #include <rapidcheck.h>
@@ -76,5 +77,5 @@ class ForceLimitsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ForceLimitsTest)
+HANDWHEEL_TEST(ForceLimitsTest)
 #include "ForceLimitsTest.moc"

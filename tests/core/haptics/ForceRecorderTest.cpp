@@ -5,6 +5,7 @@
 #include <QtTest>
 
 #include "HapticRecordings.h"
+#include "TestClass.h"
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -120,5 +121,5 @@ class ForceRecorderTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ForceRecorderTest)
+HANDWHEEL_TEST(ForceRecorderTest)
 #include "ForceRecorderTest.moc"

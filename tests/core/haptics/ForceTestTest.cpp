@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "haptics/ForceTest.h"
 
 #include <QtTest>
@@ -50,5 +51,5 @@ class ForceTestTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ForceTestTest)
+HANDWHEEL_TEST(ForceTestTest)
 #include "ForceTestTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "haptics/GodObject.h"
 
 #include <QtTest>
@@ -118,5 +119,5 @@ class GodObjectAccuracyTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(GodObjectAccuracyTest)
+HANDWHEEL_TEST(GodObjectAccuracyTest)
 #include "GodObjectAccuracyTest.moc"

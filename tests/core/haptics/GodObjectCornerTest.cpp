@@ -6,6 +6,7 @@
 
 #include "ExactGodObject.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 
 #include <QtTest>
 #include <numbers>
@@ -166,5 +167,5 @@ class GodObjectCornerTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(GodObjectCornerTest)
+HANDWHEEL_TEST(GodObjectCornerTest)
 #include "GodObjectCornerTest.moc"

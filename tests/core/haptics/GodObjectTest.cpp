@@ -3,6 +3,7 @@
 #include "haptics/GodObject.h"
 
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "proximity/ClosestPoint.h"
 
 #include <rapidcheck.h>
@@ -296,5 +297,5 @@ class GodObjectTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(GodObjectTest)
+HANDWHEEL_TEST(GodObjectTest)
 #include "GodObjectTest.moc"

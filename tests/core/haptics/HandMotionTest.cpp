@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "haptics/HandMotion.h"
 
 #include <QtTest>
@@ -75,5 +76,5 @@ class HandMotionTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(HandMotionTest)
+HANDWHEEL_TEST(HandMotionTest)
 #include "HandMotionTest.moc"

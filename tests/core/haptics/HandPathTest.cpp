@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "haptics/HandPath.h"
 
 #include <QtTest>
@@ -44,5 +45,5 @@ class HandPathTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(HandPathTest)
+HANDWHEEL_TEST(HandPathTest)
 #include "HandPathTest.moc"

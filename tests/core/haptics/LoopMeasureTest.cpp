@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "HapticDevices.h"
+#include "TestClass.h"
 
 using namespace handwheel;
 
@@ -50,5 +51,5 @@ class LoopMeasureTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(LoopMeasureTest)
+HANDWHEEL_TEST(LoopMeasureTest)
 #include "LoopMeasureTest.moc"

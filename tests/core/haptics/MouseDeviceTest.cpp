@@ -6,6 +6,7 @@
 #include <atomic>
 
 #include "HapticDevices.h"
+#include "TestClass.h"
 #include "haptics/ServoLoop.h"
 
 using namespace handwheel;
@@ -73,5 +74,5 @@ class MouseDeviceTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(MouseDeviceTest)
+HANDWHEEL_TEST(MouseDeviceTest)
 #include "MouseDeviceTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "haptics/PassivityControl.h"
 
 #include <rapidcheck.h>
@@ -194,5 +195,5 @@ class PassivityControlTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(PassivityControlTest)
+HANDWHEEL_TEST(PassivityControlTest)
 #include "PassivityControlTest.moc"

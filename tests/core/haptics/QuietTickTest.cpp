@@ -21,6 +21,7 @@
 
 #include "HapticDevices.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "haptics/MouseDevice.h"
 #include "haptics/SceneForces.h"
 #include "haptics/ServoLoop.h"
@@ -270,5 +271,5 @@ class QuietTickTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(QuietTickTest)
+HANDWHEEL_TEST(QuietTickTest)
 #include "QuietTickTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "haptics/RealTimeThread.h"
 
 #include <pthread.h>
@@ -33,5 +34,5 @@ class RealTimeThreadTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(RealTimeThreadTest)
+HANDWHEEL_TEST(RealTimeThreadTest)
 #include "RealTimeThreadTest.moc"

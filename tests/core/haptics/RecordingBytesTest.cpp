@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "AnyRecording.h"
+#include "TestClass.h"
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -112,5 +113,5 @@ class RecordingBytesTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(RecordingBytesTest)
+HANDWHEEL_TEST(RecordingBytesTest)
 #include "RecordingBytesTest.moc"

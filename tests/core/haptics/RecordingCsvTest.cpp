@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "haptics/RecordingCsv.h"
 
 #include <QtTest>
@@ -80,5 +81,5 @@ class RecordingCsvTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(RecordingCsvTest)
+HANDWHEEL_TEST(RecordingCsvTest)
 #include "RecordingCsvTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "haptics/RecordingPlayer.h"
 
 #include <rapidcheck.h>
@@ -11,7 +12,7 @@ using namespace handwheel;
 
 namespace {
 
-constexpr std::int64_t kMillisecond = 1'000'000;
+constexpr std::int64_t kMs = 1'000'000;  // ns
 
 // Ticks at the times given, s.
 Recording at(const std::vector<double>& times) {
@@ -45,15 +46,15 @@ class RecordingPlayerTest : public QObject {
     VirtualClock clock;
     RecordingPlayer player(at({5.0, 5.001, 5.002, 5.010}), clock);
     QCOMPARE(player.tick()->tick, std::uint64_t{0});
-    clock.set(700 * kMillisecond);  // it is paused
+    clock.set(700 * kMs);  // it is paused
     QCOMPARE(player.tick()->tick, std::uint64_t{0});
     player.play();
     QVERIFY(player.isPlaying());
-    clock.set(701 * kMillisecond + 1);
+    clock.set(701 * kMs + 1);
     QCOMPARE(player.tick()->tick, std::uint64_t{1});
-    clock.set(709 * kMillisecond);  // ticks are missing: the last one stays
+    clock.set(709 * kMs);  // ticks are missing: the last one stays
     QCOMPARE(player.tick()->tick, std::uint64_t{2});
-    clock.set(900 * kMillisecond);
+    clock.set(900 * kMs);
     QCOMPARE(player.tick()->tick, std::uint64_t{3});
     QVERIFY(!player.isPlaying());
     player.play();  // once more
@@ -65,13 +66,13 @@ class RecordingPlayerTest : public QObject {
     VirtualClock clock;
     RecordingPlayer player(at({0.0, 1.0, 2.0, 3.0}), clock);
     player.play();
-    clock.set(1500 * kMillisecond);
+    clock.set(1500 * kMs);
     player.pause();
-    clock.set(9000 * kMillisecond);
+    clock.set(9000 * kMs);
     QVERIFY(!player.isPlaying());
     QCOMPARE(player.position(), 1.5);
     player.play();
-    clock.set(9600 * kMillisecond);
+    clock.set(9600 * kMs);
     QCOMPARE(player.tick()->tick, std::uint64_t{2});
     QVERIFY(player.isPlaying());
   }
@@ -127,5 +128,5 @@ class RecordingPlayerTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(RecordingPlayerTest)
+HANDWHEEL_TEST(RecordingPlayerTest)
 #include "RecordingPlayerTest.moc"

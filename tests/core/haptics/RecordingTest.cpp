@@ -6,6 +6,7 @@
 #include <bit>
 
 #include "HapticRecordings.h"
+#include "TestClass.h"
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -84,5 +85,5 @@ class RecordingTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(RecordingTest)
+HANDWHEEL_TEST(RecordingTest)
 #include "RecordingTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "haptics/SafetyChain.h"
 
 #include <rapidcheck.h>
@@ -13,7 +14,7 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
-SafetySettings settings() {
+SafetySettings safetyChainSettings() {
   SafetySettings s;
   s.inherentDamping = 0.005;
   s.controlDamping = 0.02;
@@ -34,7 +35,7 @@ SafetyInput asking(const Vec3& force) {
 
 // A chain whose ramp is over.
 SafetyChain running() {
-  SafetyChain chain(settings());
+  SafetyChain chain(safetyChainSettings());
   for (int i = 0; i < 200; ++i) chain.process(asking(Vec3::Zero()));
   return chain;
 }
@@ -50,7 +51,7 @@ double anyNumber() {
                          rc::gen::map(rc::gen::inRange(-100000, 100000), [](int i) { return i * 1e-3; }));
 }
 
-Vec3 anyVector() {
+Vec3 safetyChainAnyVector() {
   const double x = anyNumber(), y = anyNumber(), z = anyNumber();
   return {x, y, z};
 }
@@ -70,7 +71,7 @@ class SafetyChainTest : public QObject {
   }
 
   void startsWithTheRamp() {
-    SafetyChain chain(settings());
+    SafetyChain chain(safetyChainSettings());
     const SafetyOutput first = chain.process(asking({5, 0, 0}));
     QVERIFY(first.sent.isZero());
     QVERIFY(first.actions.has(SafetyAction::Ramp));
@@ -168,7 +169,7 @@ class SafetyChainTest : public QObject {
 
   // The observer counts what was sent and held, not what was asked: clamped 8 N over 1 mm, not 100.
   void theObserverCountsWhatWasSent() {
-    SafetySettings s = settings();
+    SafetySettings s = safetyChainSettings();
     s.inherentDamping = 0.0;
     s.slewRate = 1e9;
     SafetyChain chain(s);
@@ -212,14 +213,14 @@ class SafetyChainTest : public QObject {
   // Whatever comes in: finite, within the device's limits, and never further from the last but for a fall to zero.
   void alwaysFiniteAndLimited() {
     QVERIFY(rc::check("any input", [] {
-      SafetyChain chain(settings());
+      SafetyChain chain(safetyChainSettings());
       Vec3 last = Vec3::Zero();
       for (int i = 0; i < 100; ++i) {
         SafetyInput input;
-        input.asked = {anyVector(), anyVector(), anyNumber()};
+        input.asked = {safetyChainAnyVector(), safetyChainAnyVector(), anyNumber()};
         if (*rc::gen::inRange(0, 2)) input.asked.force = Vec3(*rc::gen::inRange(-20, 20), 1, 2);
-        input.position = anyVector();
-        input.velocity = anyVector();
+        input.position = safetyChainAnyVector();
+        input.velocity = safetyChainAnyVector();
         if (*rc::gen::inRange(0, 4)) input.velocity = {10, 0, 0};
         if (*rc::gen::inRange(0, 4)) input.position = {0.1 * i, 0, 0};
         input.period = *rc::gen::element(0.001, 0.001, 0.0011, 0.05, 1e-9, 3600.0, kInf, kNan, -1.0, 0.0);
@@ -238,5 +239,5 @@ class SafetyChainTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SafetyChainTest)
+HANDWHEEL_TEST(SafetyChainTest)
 #include "SafetyChainTest.moc"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "HapticDevices.h"
+#include "TestClass.h"
 
 using namespace handwheel;
 
@@ -87,5 +88,5 @@ class SafetySettingsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SafetySettingsTest)
+HANDWHEEL_TEST(SafetySettingsTest)
 #include "SafetySettingsTest.moc"

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "HapticDevices.h"
+#include "TestClass.h"
 #include "haptics/SimulatedDevice.h"
 #include "haptics/StiffnessLimit.h"
 
@@ -102,5 +103,5 @@ class SampledWallTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SampledWallTest)
+HANDWHEEL_TEST(SampledWallTest)
 #include "SampledWallTest.moc"

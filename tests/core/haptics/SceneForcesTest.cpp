@@ -3,6 +3,7 @@
 #include "haptics/SceneForces.h"
 
 #include "MeshShapes.h"
+#include "TestClass.h"
 
 #include <QtTest>
 #include <limits>
@@ -272,5 +273,5 @@ class SceneForcesTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SceneForcesTest)
+HANDWHEEL_TEST(SceneForcesTest)
 #include "SceneForcesTest.moc"

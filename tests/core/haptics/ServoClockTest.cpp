@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "haptics/ServoClock.h"
 
 #include <QtTest>
@@ -38,5 +39,5 @@ class ServoClockTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ServoClockTest)
+HANDWHEEL_TEST(ServoClockTest)
 #include "ServoClockTest.moc"

@@ -6,19 +6,20 @@
 #include <vector>
 
 #include "HapticDevices.h"
+#include "TestClass.h"
 
 using namespace handwheel;
 using namespace handwheel::test;
 
 namespace {
 
-struct Rig {
+struct LoopRig {
   std::shared_ptr<ScriptedDevice::Log> log = std::make_shared<ScriptedDevice::Log>();
   LateClock clock;
   Service service{"servo"};
   std::unique_ptr<ServoLoop> loop;
 
-  explicit Rig(const ServoSettings& settings = {}) {
+  explicit LoopRig(const ServoSettings& settings = {}) {
     loop = std::make_unique<ServoLoop>(std::make_unique<ScriptedDevice>(log), settings, clock, service);
   }
 };
@@ -32,7 +33,7 @@ class ServoLoopTest : public QObject {
   void ticksLieOnAGrid() {
     ServoSettings settings;
     settings.rate = 4000.0;
-    Rig rig(settings);
+    LoopRig rig(settings);
     std::vector<std::int64_t> times;
     rig.log->onRead = [&](ScriptedDevice::Log&) { times.push_back(rig.clock.now()); };
     rig.loop->runTicks(100);
@@ -46,7 +47,7 @@ class ServoLoopTest : public QObject {
     for (const auto& [rate, period] : {std::pair{1.0, 2'000'000}, std::pair{1e9, 125'000}, std::pair{0.0, 1'000'000}}) {
       ServoSettings settings;
       settings.rate = rate;
-      Rig rig(settings);
+      LoopRig rig(settings);
       rig.loop->runTicks(11);
       QCOMPARE(rig.clock.now(), std::int64_t{10} * period);
     }
@@ -54,7 +55,7 @@ class ServoLoopTest : public QObject {
 
   // Two scenes between two ticks: the first may leap, the second is felt.
   void aLeapThatWasAnnouncedStartsTheRamp() {
-    Rig rig;
+    LoopRig rig;
     rig.loop->setScene(sceneOf(wall(0.1)));
     rig.loop->runTicks(3000);
     rig.log->state.position = {1, 0, 0};
@@ -71,7 +72,7 @@ class ServoLoopTest : public QObject {
 
   // 1 kHz, then 4 kHz: by the new period, with the same scene, count and time; and the force rises from none again.
   void settingsChangeBetweenTicks() {
-    Rig rig;
+    LoopRig rig;
     double most = 0.0;  // N in a tick
     rig.log->onWrite = [&](const ScriptedDevice::Log& log, const DeviceForce& force) {
       most = std::max(most, (force.force - log.last.force).norm());
@@ -100,7 +101,7 @@ class ServoLoopTest : public QObject {
 
   // Woken 0.3 ms late again and again, the ticks do not drift off.
   void latenessDoesNotAddUp() {
-    Rig rig;
+    LoopRig rig;
     rig.clock.late = [] { return 300'000; };
     rig.loop->runTicks(1001);
     QCOMPARE(rig.clock.now(), 1000 * kMillisecond + 300'000);
@@ -109,7 +110,7 @@ class ServoLoopTest : public QObject {
 
   // One that takes 50 ms: those it covers are left out and counted, and the next lies on the grid, alone.
   void anOverrunIsNotMadeUpForInABurst() {
-    Rig rig;
+    LoopRig rig;
     std::vector<std::int64_t> times;
     int n = 0;
     rig.log->onRead = [&](ScriptedDevice::Log&) {
@@ -125,7 +126,7 @@ class ServoLoopTest : public QObject {
 
   // The clock set back by an hour does not stop the loop for an hour.
   void aClockThatGoesBackDoesNotStopTheLoop() {
-    Rig rig;
+    LoopRig rig;
     rig.clock.set(4'000'000 * kMillisecond);
     rig.loop->runTicks(10);
     int n = 0;
@@ -190,5 +191,5 @@ class ServoLoopTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ServoLoopTest)
+HANDWHEEL_TEST(ServoLoopTest)
 #include "ServoLoopTest.moc"

@@ -4,6 +4,7 @@
 #include <limits>
 #include <random>
 
+#include "TestClass.h"
 #include "TickRig.h"
 
 using namespace handwheel;
@@ -11,7 +12,7 @@ using namespace handwheel::test;
 
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kServoTickFaultsNan = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
@@ -42,10 +43,10 @@ class ServoTickFaultsTest : public QObject {
     const DeviceState good = rig.log->state;
     DeviceState& state = rig.log->state;
     state.hasVelocity = where == 2;
-    if (where == 0) state.position.y() = kNan;
-    if (where == 1) state.orientation.x() = kNan;
+    if (where == 0) state.position.y() = kServoTickFaultsNan;
+    if (where == 1) state.orientation.x() = kServoTickFaultsNan;
     if (where == 2) state.velocity.z() = -std::numeric_limits<double>::infinity();
-    if (where == 3) state.gripper = kNan;
+    if (where == 3) state.gripper = kServoTickFaultsNan;
     if (where == 4) state.orientation.coeffs().setZero();
     ServoSample sample = rig.run();
     QVERIFY(sample.sent.isZero());
@@ -91,7 +92,7 @@ class ServoTickFaultsTest : public QObject {
   // A scene of NaN: nothing is sent, and the rest of the program sees why.
   void aSceneOfNaNSendsNothing() {
     Rig rig;
-    rig.channel.scenes.publish(sceneOf([](const TipState&, ForceOut& out) { out.force.x() = kNan; }));
+    rig.channel.scenes.publish(sceneOf([](const TipState&, ForceOut& out) { out.force.x() = kServoTickFaultsNan; }));
     const ServoSample sample = rig.runMany(100);
     QVERIFY(sample.sent.isZero());
     QVERIFY(sample.actions.has(SafetyAction::NotFinite));
@@ -249,5 +250,5 @@ class ServoTickFaultsTest : public QObject {
   bool m_isSilent = false;
 };
 
-QTEST_GUILESS_MAIN(ServoTickFaultsTest)
+HANDWHEEL_TEST(ServoTickFaultsTest)
 #include "ServoTickFaultsTest.moc"

@@ -3,6 +3,7 @@
 #include <QtTest>
 #include <cmath>
 
+#include "TestClass.h"
 #include "TickRig.h"
 
 using namespace handwheel;
@@ -232,5 +233,5 @@ class ServoTickTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ServoTickTest)
+HANDWHEEL_TEST(ServoTickTest)
 #include "ServoTickTest.moc"

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "HapticDevices.h"
+#include "TestClass.h"
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -190,5 +191,5 @@ class SimulatedDeviceTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SimulatedDeviceTest)
+HANDWHEEL_TEST(SimulatedDeviceTest)
 #include "SimulatedDeviceTest.moc"

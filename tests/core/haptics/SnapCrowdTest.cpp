@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SnapShapes.h"
+#include "TestClass.h"
 #include "haptics/SnapProxy.h"
 #include "haptics/SnapSum.h"
 
@@ -159,5 +160,5 @@ void SnapCrowdTest::longOnesAcrossEachOther() {
   QVERIFY(!proxy.step(field, profile, Vec3(200, 0, 0)).isCutShort);
 }
 
-QTEST_GUILESS_MAIN(SnapCrowdTest)
+HANDWHEEL_TEST(SnapCrowdTest)
 #include "SnapCrowdTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SnapShapes.h"
+#include "TestClass.h"
 #include "haptics/SnapProxy.h"
 #include "haptics/SnapSum.h"
 
@@ -13,7 +14,7 @@ using namespace handwheel::test;
 
 namespace {
 
-constexpr double kStiffness = 0.7;  // N/mm
+constexpr double kSnapCurveStiffness = 0.7;  // N/mm
 
 SnapField curveField(const std::vector<Vec3>& points, bool isClosed) {
   SnapFeatures features;
@@ -54,10 +55,10 @@ void SnapCurveTest::straightCurveIsOneSegment() {
   const std::vector<Simplex> whole{segment(from, to)};
   SnapSum sum;
   for (const SnapShape shape : kSnapShapes) {
-    const SnapProfile profile(shape, kStiffness, 2.0);
+    const SnapProfile profile(shape, kSnapCurveStiffness, 2.0);
     for (int i = 0; i < 300; ++i) {
       const Vec3 hand = from + (to - from) * (0.005 * (i - 50)) + randomIn(random, 1.2);
-      const Vec3 expected = sumOf(whole, shape, kStiffness, 2.0, hand);
+      const Vec3 expected = sumOf(whole, shape, kSnapCurveStiffness, 2.0, hand);
       // At the border of the spring's reach rounding decides.
       if (std::abs(static_cast<double>(distanceTo(whole[0], hand)) - 2.0) < 1e-9) continue;
       const SnapPull pull = sum.step(field, profile, hand);
@@ -71,10 +72,10 @@ void SnapCurveTest::straightCurveIsOneSegment() {
 void SnapCurveTest::outsideOfACornerIsOnePoint() {
   const SnapField field = curveField({Vec3(0, 5, 0), Vec3(0, 0, 0), Vec3(5, 0, 0)}, false);
   SnapSum sum;
-  const SnapProfile profile(SnapShape::Quadratic, kStiffness, 2.0);
+  const SnapProfile profile(SnapShape::Quadratic, kSnapCurveStiffness, 2.0);
   for (const Vec3& hand : {Vec3(-0.5, -0.4, 0.2), Vec3(-0.1, -1.2, 0.0), Vec3(-1.0, -1.0, 1.0)}) {
     const SnapPull pull = sum.step(field, profile, hand);
-    const Vec3 expected = sumOf({point(Vec3::Zero())}, profile.shape(), kStiffness, 2.0, hand);
+    const Vec3 expected = sumOf({point(Vec3::Zero())}, profile.shape(), kSnapCurveStiffness, 2.0, hand);
     QVERIFY((pull.force - expected).norm() <= 1e-14);
     QCOMPARE(pull.slope, profile.largestSlope());
     QCOMPARE(pull.featureCount, 1u);
@@ -89,13 +90,13 @@ void SnapCurveTest::circleDrawsToItself() {
   std::mt19937 random(4);
   SnapSum sum;
   for (const SnapShape shape : kSmoothShapes) {
-    const SnapProfile profile(shape, kStiffness, ls);
+    const SnapProfile profile(shape, kSnapCurveStiffness, ls);
     for (int i = 0; i < 300; ++i) {
       const double angle = 0.021 * i;
       const Vec3 on(radius * std::cos(angle), radius * std::sin(angle), 0.0);
       const Vec3 offset = randomIn(random, 1.0);
       const Vec3 hand = on * (1.0 + offset.x() / radius) + Vec3(0, 0, offset.y());
-      const Vec3 expected = sumOf({point(on)}, shape, kStiffness, ls, hand);
+      const Vec3 expected = sumOf({point(on)}, shape, kSnapCurveStiffness, ls, hand);
       const SnapPull pull = sum.step(field, profile, hand);
       QVERIFY((pull.force - expected).norm() <= 0.02 * profile.peak());
       QCOMPARE(pull.distance, ls);
@@ -113,11 +114,12 @@ void SnapCurveTest::continuousInEveryBend() {
     const Vec3 from = randomIn(random, 3.0), to = points[random() % points.size()] * 2.0 - from;
     const double items = 2.0 * static_cast<double>(points.size());
     for (const SnapShape shape : kSmoothShapes) {
-      const SnapProfile profile(shape, kStiffness, 1.5);
+      const SnapProfile profile(shape, kSnapCurveStiffness, 1.5);
       Vec3 before = sum.step(field, profile, from).force;
       for (int i = 1; i <= 1000; ++i) {
         const Vec3 now = sum.step(field, profile, from + (to - from) * (0.001 * i)).force;
-        RC_ASSERT((now - before).norm() <= slopeByEquation(shape) * kStiffness * items * 0.001 * (to - from).norm());
+        RC_ASSERT((now - before).norm() <=
+                  slopeByEquation(shape) * kSnapCurveStiffness * items * 0.001 * (to - from).norm());
         before = now;
       }
     }
@@ -128,7 +130,7 @@ void SnapCurveTest::continuousInEveryBend() {
 void SnapCurveTest::proxySlidesAlong() {
   const double radius = 10.0;
   const SnapField field = curveField(circle(radius, 720), true);
-  const SnapProfile profile(SnapShape::Triangular, kStiffness, 1.5);
+  const SnapProfile profile(SnapShape::Triangular, kSnapCurveStiffness, 1.5);
   SnapProxy proxy;
   for (int i = 0; i <= 4000; ++i) {
     const double angle = 4.0 * M_PI * std::sin(0.001 * i);
@@ -136,7 +138,7 @@ void SnapCurveTest::proxySlidesAlong() {
     const SnapPull pull = proxy.step(field, profile, 0.96 * on + Vec3(0, 0, 0.3));
     QVERIFY(proxy.isHeld());
     QVERIFY((pull.proxy - on).norm() <= 0.01);
-    QVERIFY(std::abs(pull.force.norm() - kStiffness * 0.5) <= 0.005);
+    QVERIFY(std::abs(pull.force.norm() - kSnapCurveStiffness * 0.5) <= 0.005);
   }
 }
 
@@ -148,7 +150,7 @@ void SnapCurveTest::proxyKeepsUpWithAQuickHand() {
   features.addCurve(0, circle(radius, 20'000), true);
   features.addTriangle(1, Vec3(-90, -90, -1.6), Vec3(90, -90, -1.6), Vec3(0, 90, -1.6));
   const SnapField field(features);
-  const SnapProfile profile(SnapShape::Triangular, kStiffness, 1.5);
+  const SnapProfile profile(SnapShape::Triangular, kSnapCurveStiffness, 1.5);
   SnapProxy proxy;
   proxy.step(field, profile, Vec3(radius, 0, 0.5));
   for (int i = 0; i <= 500; ++i) {
@@ -164,5 +166,5 @@ void SnapCurveTest::proxyKeepsUpWithAQuickHand() {
   QCOMPARE(proxy.held(), (SnapFeature{SnapKind::Facet, 1}));
 }
 
-QTEST_GUILESS_MAIN(SnapCurveTest)
+HANDWHEEL_TEST(SnapCurveTest)
 #include "SnapCurveTest.moc"

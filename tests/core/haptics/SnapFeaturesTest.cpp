@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SnapShapes.h"
+#include "TestClass.h"
 
 #include <QtTest>
 
@@ -101,5 +102,5 @@ void SnapFeaturesTest::nothingFromNothing() {
   QVERIFY(!SnapField(features).empty());
 }
 
-QTEST_GUILESS_MAIN(SnapFeaturesTest)
+HANDWHEEL_TEST(SnapFeaturesTest)
 #include "SnapFeaturesTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SnapShapes.h"
+#include "TestClass.h"
 
 #include <rapidcheck.h>
 
@@ -130,5 +131,5 @@ void SnapLayerTest::endsWhenItIsTooMuch() {
   QVERIFY(visits < SnapLayer::kMostItems + BoxTree::kLeafSize);
 }
 
-QTEST_GUILESS_MAIN(SnapLayerTest)
+HANDWHEEL_TEST(SnapLayerTest)
 #include "SnapLayerTest.moc"

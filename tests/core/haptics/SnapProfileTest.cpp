@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SnapShapes.h"
+#include "TestClass.h"
 
 #include <rapidcheck.h>
 
@@ -142,5 +143,5 @@ void SnapProfileTest::strangeNumbersGiveNoForce() {
         }
 }
 
-QTEST_GUILESS_MAIN(SnapProfileTest)
+HANDWHEEL_TEST(SnapProfileTest)
 #include "SnapProfileTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SnapShapes.h"
+#include "TestClass.h"
 #include "haptics/SnapProxy.h"
 
 #include <rapidcheck.h>
@@ -13,8 +14,8 @@ using namespace handwheel::test;
 
 namespace {
 
-constexpr double kStiffness = 0.7;  // N/mm
-const SnapProfile kProfile(SnapShape::Triangular, kStiffness, 1.0);
+constexpr double kSnapProxyStiffness = 0.7;  // N/mm
+const SnapProfile kProfile(SnapShape::Triangular, kSnapProxyStiffness, 1.0);
 
 // A hand and what it holds.
 struct Play {
@@ -57,10 +58,10 @@ void SnapProxyTest::forceByTheEquations() {
     const SnapField field = fieldOf(simplices);
     const Vec3 hand = randomIn(random, 2.0);
     for (const SnapShape shape : kSnapShapes) {
-      const SnapProfile profile(shape, kStiffness, 2.0);
+      const SnapProfile profile(shape, kSnapProxyStiffness, 2.0);
       SnapProxy proxy;
       const SnapPull pull = proxy.step(field, profile, hand);
-      RC_ASSERT((pull.force - sumOf(simplices, shape, kStiffness, 2.0, hand)).norm() <= 1e-8 * profile.peak());
+      RC_ASSERT((pull.force - sumOf(simplices, shape, kSnapProxyStiffness, 2.0, hand)).norm() <= 1e-8 * profile.peak());
       const auto x = static_cast<double>(distanceTo(simplices[0], hand));
       RC_ASSERT(proxy.isHeld() == (x <= 2.0));
       RC_ASSERT(std::abs((pull.proxy - hand).norm() - (x <= 2.0 ? x : 0.0)) <= 1e-12);
@@ -73,7 +74,7 @@ void SnapProxyTest::continuousAcrossOneFeature() {
   const Vec3 a(0, 0, 0), b(3, 1, 0), c(0, 2, 1);
   for (const Simplex& s : {point(a), segment(a, b), face(a, b, c)})
     for (const SnapShape shape : kSnapShapes) {
-      const SnapProfile profile(shape, kStiffness, 1.5);
+      const SnapProfile profile(shape, kSnapProxyStiffness, 1.5);
       const SnapField field = fieldOf({s});
       SnapProxy proxy;
       const Vec3 from(-2, -1.9, -2.1), to(2.2, 2.0, 2.3);
@@ -87,9 +88,9 @@ void SnapProxyTest::continuousAcrossOneFeature() {
       }
       const double step = (to - from).norm() / steps;
       if (shape == SnapShape::Spring)
-        QVERIFY(std::abs(largest - kStiffness * 1.5) <= kStiffness * step);  // the leap
+        QVERIFY(std::abs(largest - kSnapProxyStiffness * 1.5) <= kSnapProxyStiffness * step);  // the leap
       else
-        QVERIFY(largest <= slopeByEquation(shape) * kStiffness * step * (1.0 + 1e-9));
+        QVERIFY(largest <= slopeByEquation(shape) * kSnapProxyStiffness * step * (1.0 + 1e-9));
     }
 }
 
@@ -164,7 +165,7 @@ void SnapProxyTest::slidesOverAFan() {
     const Vec3 foot(radius * std::cos(angle), radius * std::sin(angle), 0.0);
     const SnapPull pull = play.proxy.step(play.field, kProfile, foot + Vec3(0, 0, 0.4));
     QVERIFY((pull.proxy - foot).norm() <= 1e-9);
-    QVERIFY((pull.force - Vec3(0, 0, -0.4 * kStiffness)).norm() <= 1e-9);
+    QVERIFY((pull.force - Vec3(0, 0, -0.4 * kSnapProxyStiffness)).norm() <= 1e-9);
     held.insert(pull.features[0].id);
   }
   QCOMPARE(held.size(), fan.size());
@@ -246,7 +247,7 @@ void SnapProxyTest::sameFarFromTheOrigin() {
     for (const double offset : {0.0, 1e7}) {
       const auto at = [&](double x, double y) { return Vec3(offset + scale * x, scale * y - offset, offset); };
       const SnapField field = fieldOf({segment(at(0, 0), at(10, 0)), segment(at(10, 0), at(10, 10)), point(at(0, 0))});
-      const SnapProfile profile(SnapShape::Triangular, kStiffness, scale);
+      const SnapProfile profile(SnapShape::Triangular, kSnapProxyStiffness, scale);
       SnapProxy proxy;
       const auto heldAt = [&](double x, double y) {
         proxy.step(field, profile, at(x, y));
@@ -262,5 +263,5 @@ void SnapProxyTest::sameFarFromTheOrigin() {
     }
 }
 
-QTEST_GUILESS_MAIN(SnapProxyTest)
+HANDWHEEL_TEST(SnapProxyTest)
 #include "SnapProxyTest.moc"

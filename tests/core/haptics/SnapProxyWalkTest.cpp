@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SnapShapes.h"
+#include "TestClass.h"
 #include "haptics/SnapProxy.h"
 
 #include <rapidcheck.h>
@@ -13,7 +14,7 @@ using namespace handwheel::test;
 
 namespace {
 
-constexpr double kStiffness = 0.7, kDistance = 1.0;
+constexpr double kSnapProxyWalkStiffness = 0.7, kDistance = 1.0;
 
 // The rules for several constraints, feature by feature. For features that do not touch each other.
 class Rules {
@@ -87,7 +88,7 @@ void SnapProxyWalkTest::holdsWhatTheRulesSay() {
     std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
     const auto simplices = randomSimplices(random, 1 + random() % 25, 2.5, 1.0);
     const SnapField field = fieldOf(simplices);
-    const SnapProfile profile(SnapShape::Quadratic, kStiffness, kDistance);
+    const SnapProfile profile(SnapShape::Quadratic, kSnapProxyWalkStiffness, kDistance);
     SnapProxy proxy;
     Rules rules(simplices);
     Wanderer wanderer(random, 3.0);
@@ -115,7 +116,7 @@ void SnapProxyWalkTest::alwaysOnAFeatureInReach() {
       simplices.push_back(i % 3 == 0 ? point(a) : i % 3 == 1 ? segment(a, b) : face(a, b, c));
     }
     const SnapField field = fieldOf(simplices);
-    const SnapProfile profile(SnapShape::Gaussian, kStiffness, kDistance);
+    const SnapProfile profile(SnapShape::Gaussian, kSnapProxyWalkStiffness, kDistance);
     SnapProxy proxy;
     Wanderer wanderer(random, 3.0);
     for (int i = 0; i < 200; ++i) {
@@ -140,7 +141,7 @@ void SnapProxyWalkTest::followsOverAClosedSurface() {
   for (int i = 0; i < 8; ++i)
     faces.push_back(face(Vec3(i & 1 ? 5 : -5, 0, 0), Vec3(0, i & 2 ? 5 : -5, 0), Vec3(0, 0, i & 4 ? 5 : -5)));
   const SnapField field = fieldOf(faces);
-  const SnapProfile profile(SnapShape::Triangular, kStiffness, kDistance);
+  const SnapProfile profile(SnapShape::Triangular, kSnapProxyWalkStiffness, kDistance);
   SnapProxy proxy;
   for (int i = 0; i < 20'000; ++i) {
     const double t = 0.002 * i;
@@ -153,5 +154,5 @@ void SnapProxyWalkTest::followsOverAClosedSurface() {
   }
 }
 
-QTEST_GUILESS_MAIN(SnapProxyWalkTest)
+HANDWHEEL_TEST(SnapProxyWalkTest)
 #include "SnapProxyWalkTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "haptics/SnapProxy.h"
 #include "haptics/SnapScene.h"
 #include "haptics/SnapSum.h"
@@ -18,7 +19,7 @@ struct Rectangle {
   SnapRim rim() const { return {9, points, vertices, edges}; }
 };
 
-SnapScene sceneOf(const Rectangle& hole, SnapOffer offer) {
+SnapScene rectangleScene(const Rectangle& hole, SnapOffer offer) {
   const SnapRim rim = hole.rim();
   return snapSceneOf({&rim, 1}, offer);
 }
@@ -43,20 +44,20 @@ class SnapSceneTest : public QObject {
 
 void SnapSceneTest::givesTheNumbersBack() {
   const Rectangle hole;
-  const SnapScene scene = sceneOf(hole, {});
+  const SnapScene scene = rectangleScene(hole, {});
   for (std::size_t i = 0; i < 4; ++i) {
     const Vec3 &from = hole.points[i], &to = hole.points[(i + 1) % 4];
     QCOMPARE(heldAt(scene, from + Vec3(0.1, 0.1, 0.1)), (SnapFeature{SnapKind::Point, hole.vertices[i]}));
     QCOMPARE(heldAt(scene, 0.5 * (from + to) + Vec3(0.1, 0.1, 0.1)), (SnapFeature{SnapKind::Segment, hole.edges[i]}));
   }
   QCOMPARE(heldAt(scene, Vec3(2, 1, 0)), SnapFeature());
-  QCOMPARE(heldAt(sceneOf(hole, {true, false, false}), Vec3(2, 0.1, 0)), SnapFeature());
-  QCOMPARE(heldAt(sceneOf(hole, {false, true, false}), Vec3(0.1, 0.05, 0)), (SnapFeature{SnapKind::Segment, 500}));
+  QCOMPARE(heldAt(rectangleScene(hole, {true, false, false}), Vec3(2, 0.1, 0)), SnapFeature());
+  QCOMPARE(heldAt(rectangleScene(hole, {false, true, false}), Vec3(0.1, 0.05, 0)), (SnapFeature{SnapKind::Segment, 500}));
 }
 
 // In the sum too: at an edge next to a corner the force is that of the edge alone.
 void SnapSceneTest::rimIsOneFeature() {
-  const SnapScene scene = sceneOf(Rectangle(), {false, false, true});
+  const SnapScene scene = rectangleScene(Rectangle(), {false, false, true});
   const SnapProfile profile(SnapShape::Triangular, 0.5, 0.5);
   for (const Vec3& hand : {Vec3(2, -0.1, 0), Vec3(0.05, -0.1, 0), Vec3(-0.06, -0.08, 0)}) {
     QCOMPARE(heldAt(scene, hand), (SnapFeature{SnapKind::Curve, 9}));
@@ -69,17 +70,17 @@ void SnapSceneTest::rimIsOneFeature() {
 void SnapSceneTest::distanceFollowsTheEdges() {
   Rectangle hole;
   FidelityValues values;
-  QCOMPARE(sceneOf(hole, {}).spacing, 3.0);
-  QCOMPARE(sceneOf(hole, {}).distance(values), 1.2);
+  QCOMPARE(rectangleScene(hole, {}).spacing, 3.0);
+  QCOMPARE(rectangleScene(hole, {}).distance(values), 1.2);
   for (Vec3& p : hole.points) p = 1e-3 * p + Vec3(1e4, 0, 0);
-  QVERIFY(std::abs(sceneOf(hole, {}).distance(values) - 1.2e-3) <= 1e-11);
+  QVERIFY(std::abs(rectangleScene(hole, {}).distance(values) - 1.2e-3) <= 1e-11);
 }
 
 void SnapSceneTest::empty() {
   const SnapScene scene = snapSceneOf({}, {});
   QVERIFY(scene.field.empty());
   QCOMPARE(scene.distance({}), 0.0);
-  QVERIFY(sceneOf(Rectangle(), {false, false, false}).field.empty());
+  QVERIFY(rectangleScene(Rectangle(), {false, false, false}).field.empty());
   JobState job;
   job.cancelled = true;
   const Rectangle hole;
@@ -89,5 +90,5 @@ void SnapSceneTest::empty() {
   QCOMPARE(cancelled.spacing, 0.0);
 }
 
-QTEST_GUILESS_MAIN(SnapSceneTest)
+HANDWHEEL_TEST(SnapSceneTest)
 #include "SnapSceneTest.moc"

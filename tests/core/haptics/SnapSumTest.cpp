@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SnapShapes.h"
+#include "TestClass.h"
 #include "haptics/SnapSum.h"
 
 #include <rapidcheck.h>
@@ -12,7 +13,7 @@ using namespace handwheel::test;
 
 namespace {
 
-constexpr double kStiffness = 0.7;  // N/mm
+constexpr double kSnapSumStiffness = 0.7;  // N/mm
 
 struct Jump {
   double largest = 0.0;  // N, from one place of the hand to the next
@@ -66,14 +67,14 @@ void SnapSumTest::isTheSum() {
     const SnapField field = fieldOf(simplices);
     SnapSum sum;
     for (const SnapShape shape : kSnapShapes) {
-      const SnapProfile profile(shape, kStiffness, 0.8 * scale);
+      const SnapProfile profile(shape, kSnapSumStiffness, 0.8 * scale);
       const Vec3 hand = middle + randomIn(random, scale);
-      const Vec3 expected = sumOf(simplices, shape, kStiffness, profile.distance(), hand);
+      const Vec3 expected = sumOf(simplices, shape, kSnapSumStiffness, profile.distance(), hand);
       const SnapPull pull = sum.step(field, profile, hand);
       // Of a needle the nearest point is off by a share of its width, and far from the origin by what the coordinates
       // are rounded to.
       const double rounded = static_cast<double>(simplices.size()) * 0x1p-50 * hand.norm();
-      RC_ASSERT((pull.force - expected).norm() <= 1e-8 * profile.peak() + kStiffness * rounded);
+      RC_ASSERT((pull.force - expected).norm() <= 1e-8 * profile.peak() + kSnapSumStiffness * rounded);
       RC_ASSERT(pull.distance == profile.distance());
       RC_ASSERT(pull.proxy == hand);
       RC_ASSERT(!pull.isCutShort);
@@ -93,10 +94,10 @@ void SnapSumTest::continuousAcrossOneFeature() {
       // At 1 kHz: a careful hand at 2 mm/s, a quick one at 100.
       const int steps = static_cast<int>((to - from).norm() / (line % 2 ? 0.1 : 0.002)) + 1;
       for (const SnapShape shape : kSmoothShapes) {
-        const SnapProfile profile(shape, kStiffness, ls);
+        const SnapProfile profile(shape, kSnapSumStiffness, ls);
         const Jump jump = sweep(from, to, steps, [&](const Vec3& p) { return sum.step(field, profile, p).force; });
         QVERIFY(jump.peak > 0.1 * profile.peak());  // it did go through
-        QVERIFY(jump.largest <= slopeByEquation(shape) * kStiffness * (to - from).norm() / steps * (1.0 + 1e-9));
+        QVERIFY(jump.largest <= slopeByEquation(shape) * kSnapSumStiffness * (to - from).norm() / steps * (1.0 + 1e-9));
       }
     }
   }
@@ -107,13 +108,13 @@ void SnapSumTest::springLeapsAtItsBorder() {
   const SnapField field = fieldOf({point(Vec3::Zero())});
   SnapSum sum;
   const auto jumpOf = [&](SnapShape shape) {
-    const SnapProfile profile(shape, kStiffness, ls);
+    const SnapProfile profile(shape, kSnapSumStiffness, ls);
     return sweep(Vec3(2, 0, 0), Vec3(1, 0, 0), static_cast<int>(1.0 / step),
                  [&](const Vec3& p) { return sum.step(field, profile, p).force; })
         .largest;
   };
-  QVERIFY(std::abs(jumpOf(SnapShape::Spring) - kStiffness * ls) <= kStiffness * step);
-  for (const SnapShape shape : kSmoothShapes) QVERIFY(jumpOf(shape) <= 2.0 * kStiffness * step);
+  QVERIFY(std::abs(jumpOf(SnapShape::Spring) - kSnapSumStiffness * ls) <= kSnapSumStiffness * step);
+  for (const SnapShape shape : kSmoothShapes) QVERIFY(jumpOf(shape) <= 2.0 * kSnapSumStiffness * step);
 }
 
 void SnapSumTest::continuousAcrossMany() {
@@ -124,9 +125,9 @@ void SnapSumTest::continuousAcrossMany() {
     SnapSum sum;
     const Vec3 from = randomIn(random, 4.0), to = randomIn(random, 4.0);
     for (const SnapShape shape : kSmoothShapes) {
-      const SnapProfile profile(shape, kStiffness, 1.5);
+      const SnapProfile profile(shape, kSnapSumStiffness, 1.5);
       const Jump jump = sweep(from, to, 500, [&](const Vec3& p) { return sum.step(field, profile, p).force; });
-      const double bound = slopeByEquation(shape) * kStiffness * static_cast<double>(simplices.size());
+      const double bound = slopeByEquation(shape) * kSnapSumStiffness * static_cast<double>(simplices.size());
       RC_ASSERT(jump.largest <= bound * (to - from).norm() / 500.0 * (1.0 + 1e-9));
     }
   }));
@@ -141,7 +142,7 @@ void SnapSumTest::slopeIsABound() {
     SnapSum sum;
     const Vec3 a = randomIn(random, 3.0), b = a + randomIn(random, 1e-4);
     for (const SnapShape shape : kSmoothShapes) {
-      const SnapProfile profile(shape, kStiffness, 1.5);
+      const SnapProfile profile(shape, kSnapSumStiffness, 1.5);
       const SnapPull at = sum.step(field, profile, a), then = sum.step(field, profile, b);
       RC_ASSERT((then.force - at.force).norm() <=
                 std::max(at.slope, then.slope) * (b - a).norm() * (1.0 + 1e-6) + 1e-15);
@@ -160,9 +161,9 @@ void SnapSumTest::equalFeaturesCount() {
   const SnapField field = fieldOf(simplices);
   SnapSum sum;
   for (const SnapShape shape : kSnapShapes) {
-    const SnapProfile profile(shape, kStiffness, 1.5);
+    const SnapProfile profile(shape, kSnapSumStiffness, 1.5);
     const SnapPull pull = sum.step(field, profile, hand);
-    const Vec3 expected = sumOf(simplices, shape, kStiffness, 1.5, hand);
+    const Vec3 expected = sumOf(simplices, shape, kSnapSumStiffness, 1.5, hand);
     QVERIFY((pull.force - expected).norm() <= 1e-12 * expected.norm());
     QCOMPARE(pull.slope, 900.0 * profile.largestSlope());
     QCOMPARE(pull.distance, 1.5);
@@ -174,18 +175,18 @@ void SnapSumTest::tellsWhatActs() {
     std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
     const auto simplices = randomSimplices(random, 1 + random() % 30, 2.0, 1.0);
     const Vec3 hand = randomIn(random, 2.0);
-    const SnapProfile profile(SnapShape::Quadratic, kStiffness, 1.5);
+    const SnapProfile profile(SnapShape::Quadratic, kSnapSumStiffness, 1.5);
     SnapSum sum;
     const SnapPull pull = sum.step(fieldOf(simplices), profile, hand);
     std::vector<std::pair<double, std::uint32_t>> strongest;
     for (std::uint32_t i = 0; i < simplices.size(); ++i) {
       const Real x = distanceTo(simplices[i], hand);
-      if (const Real force = forceByEquation(profile.shape(), kStiffness, 1.5, x); force > 0)
+      if (const Real force = forceByEquation(profile.shape(), kSnapSumStiffness, 1.5, x); force > 0)
         strongest.emplace_back(-static_cast<double>(force), i);
     }
     std::sort(strongest.begin(), strongest.end());
     RC_ASSERT(pull.featureCount == std::min(strongest.size(), SnapPull::kShown));
-    RC_ASSERT(std::abs(pull.slope - 2.0 * kStiffness * static_cast<double>(strongest.size())) <= 1e-9);
+    RC_ASSERT(std::abs(pull.slope - 2.0 * kSnapSumStiffness * static_cast<double>(strongest.size())) <= 1e-9);
     for (std::uint32_t i = 0; i < pull.featureCount; ++i) {
       RC_ASSERT(pull.features[i].id == strongest[i].second);
       RC_ASSERT(pull.features[i].kind == simplices[strongest[i].second].kind);
@@ -196,7 +197,7 @@ void SnapSumTest::tellsWhatActs() {
 void SnapSumTest::nothingForNothing() {
   using Limits = std::numeric_limits<double>;
   SnapSum sum;
-  const SnapProfile profile(SnapShape::Triangular, kStiffness, 1.5);
+  const SnapProfile profile(SnapShape::Triangular, kSnapSumStiffness, 1.5);
   const SnapField field = fieldOf({point(Vec3(1, 1, 1))});
   QCOMPARE(sum.step(SnapField(), profile, Vec3(1, 2, 3)).force, Vec3(0, 0, 0));
   QCOMPARE(sum.step(field, SnapProfile(), Vec3(1, 1, 1.5)).force, Vec3(0, 0, 0));
@@ -210,5 +211,5 @@ void SnapSumTest::nothingForNothing() {
   }
 }
 
-QTEST_GUILESS_MAIN(SnapSumTest)
+HANDWHEEL_TEST(SnapSumTest)
 #include "SnapSumTest.moc"

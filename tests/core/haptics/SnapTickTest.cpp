@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SnapShapes.h"
+#include "TestClass.h"
 #include "haptics/SnapProxy.h"
 #include "haptics/SnapSum.h"
 
@@ -74,5 +75,5 @@ void SnapTickTest::allocatesNothing() {
   QVERIFY(total.norm() > 0.0);
 }
 
-QTEST_GUILESS_MAIN(SnapTickTest)
+HANDWHEEL_TEST(SnapTickTest)
 #include "SnapTickTest.moc"

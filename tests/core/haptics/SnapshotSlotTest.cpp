@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "haptics/SnapshotSlot.h"
 
 #include <QtTest>
@@ -116,5 +117,5 @@ class SnapshotSlotTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SnapshotSlotTest)
+HANDWHEEL_TEST(SnapshotSlotTest)
 #include "SnapshotSlotTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "haptics/SpeedLimit.h"
 
 #include <QtTest>
@@ -9,7 +10,7 @@ using namespace handwheel;
 
 namespace {
 
-SafetySettings settings() {
+SafetySettings speedLimitSettings() {
   SafetySettings s;
   s.dampingSpeed = 100.0;
   s.cutSpeed = 300.0;
@@ -24,7 +25,7 @@ class SpeedLimitTest : public QObject {
 
  private slots:
   void dampingGrowsFromNothing() {
-    const SpeedLimit limit(settings());
+    const SpeedLimit limit(speedLimitSettings());
     QVERIFY(limit.damping({100, 0, 0}).isZero(0.0));
     QVERIFY(limit.damping(Vec3::Zero()).isZero(0.0));
     QVERIFY(limit.damping({100.001, 0, 0}).norm() < 1e-4);  // continuous
@@ -35,7 +36,7 @@ class SpeedLimitTest : public QObject {
 
   // Cut at 300 mm/s, and not given back at 299.
   void theCutStaysUntilTheTipIsSlow() {
-    SpeedLimit limit(settings());
+    SpeedLimit limit(speedLimitSettings());
     QVERIFY(!limit.cuts(299.0));
     QVERIFY(limit.cuts(300.0));
     QVERIFY(limit.cuts(150.0));
@@ -45,11 +46,11 @@ class SpeedLimitTest : public QObject {
   }
 
   void hugeSpeedsAreCut() {
-    SpeedLimit limit(settings());
+    SpeedLimit limit(speedLimitSettings());
     QVERIFY(limit.cuts(1e300));
     QVERIFY(limit.cuts(std::numeric_limits<double>::infinity()));
   }
 };
 
-QTEST_GUILESS_MAIN(SpeedLimitTest)
+HANDWHEEL_TEST(SpeedLimitTest)
 #include "SpeedLimitTest.moc"

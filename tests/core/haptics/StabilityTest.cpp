@@ -5,6 +5,7 @@
 #include <random>
 
 #include "HapticDevices.h"
+#include "TestClass.h"
 #include "haptics/ServoLoop.h"
 #include "haptics/SimulatedDevice.h"
 
@@ -13,7 +14,7 @@ using namespace handwheel::test;
 
 namespace {
 
-constexpr double kPeriod = 0.001;  // s
+constexpr double kStabilityPeriod = 0.001;  // s
 // Of a run of the whole loop: in free space, and in contact.
 constexpr int kSettling = 8000, kTicks = 20000;
 
@@ -42,7 +43,7 @@ struct Outcome {
   bool hasTouched = false;
 };
 
-Outcome press(const Run& run) {
+Outcome pressWall(const Run& run) {
   SimulatedDeviceSettings settings = simulatedDevice();
   settings.capabilities.latency = run.latency;
   settings.capabilities.maxStiffness = 1000.0;
@@ -121,14 +122,14 @@ class StabilityTest : public QObject {
     QFETCH(double, latency);
     QFETCH(double, jitter);
     QFETCH(double, damping);
-    const Outcome outcome = press({.latency = latency, .jitter = jitter, .wallDamping = damping});
+    const Outcome outcome = pressWall({.latency = latency, .jitter = jitter, .wallDamping = damping});
     QVERIFY(outcome.hasTouched);
     QVERIFY2(outcome.largestOffset <= 5.0 + 1e-6, qPrintable(QString::number(outcome.largestOffset, 'g', 10)));
     QVERIFY2(outcome.leastEnergy >= -1e-3, qPrintable(QString::number(outcome.leastEnergy)));
-    const Outcome calm = press({.latency = latency, .jitter = jitter, .wallDamping = damping, .handDamping = 0.003});
+    const Outcome calm = pressWall({.latency = latency, .jitter = jitter, .wallDamping = damping, .handDamping = 0.003});
     QVERIFY2(calm.lastSwing < 0.01, qPrintable(QString::number(calm.lastSwing)));
     // The cap is no excuse: it is the rule's for the period, jitter and delay of this run.
-    const double longest = kPeriod + jitter * 1e-9;
+    const double longest = kStabilityPeriod + jitter * 1e-9;
     QVERIFY(outcome.largestStiffness >= 0.99 * 0.0005 * (1 - damping) / (0.5 * longest + latency));
   }
 
@@ -147,7 +148,7 @@ class StabilityTest : public QObject {
       run.latency = i % 4 == 0 ? 0.0 : any(1e-4, 0.05);
       run.jitter = i % 3 == 0 ? 0.0 : any(1e3, 0.9e9 / run.rate);
       run.wallDamping = i % 2 == 0 ? 0.0 : any(0.01, 0.9);
-      const Outcome outcome = press(run);
+      const Outcome outcome = pressWall(run);
       const QString what = QString("m %1 b %2 rate %3 grip %4 latency %5 jitter %6 B %7: offset %8, energy %9")
                                .arg(run.mass)
                                .arg(run.friction)
@@ -199,7 +200,7 @@ class StabilityTest : public QObject {
     Run run;
     run.isStolen = true;
     run.handDamping = 0.003;
-    const Outcome outcome = press(run);
+    const Outcome outcome = pressWall(run);
     QVERIFY(outcome.hasTouched);
     QVERIFY(outcome.largestForce <= 8.0);
     QVERIFY2(outcome.largestOffset < 20.0, qPrintable(QString::number(outcome.largestOffset)));
@@ -208,14 +209,14 @@ class StabilityTest : public QObject {
 
   // So that the tests at the cap are known to see it: three times the cap swings for ever, and the controller calms it.
   void beyondTheCapTheControllerIsNeeded() {
-    const Outcome bare = press({.beyond = 3.0, .isControlled = false});
+    const Outcome bare = pressWall({.beyond = 3.0, .isControlled = false});
     QVERIFY(bare.leastEnergy < -0.1);
     QVERIFY(bare.lastSwing > 1.0);
-    const Outcome controlled = press({.beyond = 3.0});
+    const Outcome controlled = pressWall({.beyond = 3.0});
     QVERIFY(controlled.leastEnergy > bare.leastEnergy);
     QVERIFY(controlled.lastSwing < 0.2 * bare.lastSwing);
   }
 };
 
-QTEST_GUILESS_MAIN(StabilityTest)
+HANDWHEEL_TEST(StabilityTest)
 #include "StabilityTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "haptics/StiffnessLimit.h"
 
 #include <QtTest>
@@ -27,5 +28,5 @@ class StiffnessLimitTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(StiffnessLimitTest)
+HANDWHEEL_TEST(StiffnessLimitTest)
 #include "StiffnessLimitTest.moc"

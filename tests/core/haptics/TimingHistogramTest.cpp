@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "haptics/TimingHistogram.h"
 
 #include <rapidcheck.h>
@@ -45,5 +46,5 @@ class TimingHistogramTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TimingHistogramTest)
+HANDWHEEL_TEST(TimingHistogramTest)
 #include "TimingHistogramTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "haptics/TouchFidelity.h"
 
 #include <QTest>
@@ -65,5 +66,5 @@ void TouchFidelityTest::defaultsAreWhatHoldsWithoutASetting() {
   }
 }
 
-QTEST_GUILESS_MAIN(TouchFidelityTest)
+HANDWHEEL_TEST(TouchFidelityTest)
 #include "TouchFidelityTest.moc"

@@ -3,6 +3,7 @@
 #include "haptics/TouchableSurface.h"
 
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "haptics/GodObject.h"
 
 #include <QtTest>
@@ -93,5 +94,5 @@ class TouchableSurfaceTest : public QObject {
   void nothingIsTouchedInNothing() { QVERIFY(touchableSurface({}, {}, {}).empty()); }
 };
 
-QTEST_GUILESS_MAIN(TouchableSurfaceTest)
+HANDWHEEL_TEST(TouchableSurfaceTest)
 #include "TouchableSurfaceTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "haptics/UsualTime.h"
 
 #include <QtTest>
@@ -53,5 +54,5 @@ class UsualTimeTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(UsualTimeTest)
+HANDWHEEL_TEST(UsualTimeTest)
 #include "UsualTimeTest.moc"

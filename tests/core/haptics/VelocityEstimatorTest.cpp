@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "haptics/VelocityEstimator.h"
 
 #include <rapidcheck.h>
@@ -72,5 +73,5 @@ class VelocityEstimatorTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(VelocityEstimatorTest)
+HANDWHEEL_TEST(VelocityEstimatorTest)
 #include "VelocityEstimatorTest.moc"

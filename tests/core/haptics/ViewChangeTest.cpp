@@ -7,6 +7,7 @@
 
 #include "HapticDevices.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "haptics/SceneForces.h"
 #include "haptics/ServoLoop.h"
 
@@ -15,11 +16,11 @@ using namespace handwheel::test;
 
 namespace {
 
-constexpr double kStiffness = 0.5;       // N/mm at the device
-constexpr double kNotch = 1.1892071150;  // 2^(1/4), of the wheel
+constexpr double kViewChangeStiffness = 0.5;  // N/mm at the device
+constexpr double kNotch = 1.1892071150;       // 2^(1/4), of the wheel
 
 // A hand of which the test says where it is, on the top of a cube of 100 mm at z = 100.
-struct Bench {
+struct ViewChangeBench {
   std::shared_ptr<ScriptedDevice::Log> log = std::make_shared<ScriptedDevice::Log>();
   VirtualClock clock;
   Service service{"servo"};
@@ -28,14 +29,14 @@ struct Bench {
   WorkspaceMapping mapping;
   double leastScale = 1.0;
 
-  Bench() {
+  ViewChangeBench() {
     const TriangleSoup soup = cube(100.0);
     surface = ContactSurface(soup.points, soup.triangles);
     mapping.sceneFromView.translation() = Vec3(50, 50, 100);
   }
   std::unique_ptr<HapticScene> scene(bool mayLeap) const {
     SceneFeel feel;
-    feel.surface = SurfaceFeel{surface, mapping.sceneStiffness(kStiffness), 0.0, {}};
+    feel.surface = SurfaceFeel{surface, mapping.sceneStiffness(kViewChangeStiffness), 0.0, {}};
     auto scene = std::make_unique<HapticScene>();
     scene->source = std::make_unique<SceneForces>(std::move(feel));
     scene->mayLeap = mayLeap;
@@ -44,7 +45,7 @@ struct Bench {
   // The proxy lies within the skin of the surface, where a millimetre at the device is least in the scene.
   bool isPushedBy(double newtons) const {
     const double skin = 2.0 * surface.skin() / leastScale;
-    return (log->last.force - Vec3(0, 0, newtons)).norm() < kStiffness * skin + 1e-9;
+    return (log->last.force - Vec3(0, 0, newtons)).norm() < kViewChangeStiffness * skin + 1e-9;
   }
   // So deep below the top, mm at the device, and past the ramp.
   void pressTo(double depth) {
@@ -67,7 +68,7 @@ class ViewChangeTest : public QObject {
   // the proxy, which is what is seen, stays.
   void zoomingInContactIsNotFelt() {
     for (const double scale : {0.1, 1.0, 3.0}) {
-      Bench b;
+      ViewChangeBench b;
       b.mapping.scale = scale;
       b.leastScale = scale / 4.0;
       b.pressTo(4.0);
@@ -93,7 +94,7 @@ class ViewChangeTest : public QObject {
 
   // Another gain with a scene that was made for it: the same force, too.
   void anotherGainIsNotFelt() {
-    Bench b;
+    ViewChangeBench b;
     b.pressTo(4.0);
     b.mapping.forceGain = 3.0;
     b.loop.setMapping(b.mapping, b.scene(false));
@@ -104,7 +105,7 @@ class ViewChangeTest : public QObject {
   // A view that turns the force of 2 N by so many degrees changes it by 4·sin(half of it): above 0.2 N by the ramp.
   void turningTheForceFarIsByTheRamp() {
     for (const double degrees : {1.0, 5.0, 6.0, 90.0, 180.0}) {
-      Bench b;
+      ViewChangeBench b;
       b.pressTo(4.0);
       b.mapping.sceneFromView.linear() = Eigen::AngleAxisd(degrees * M_PI / 180.0, Vec3::UnitX()).toRotationMatrix();
       b.loop.setMapping(b.mapping, b.scene(false));
@@ -116,5 +117,5 @@ class ViewChangeTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ViewChangeTest)
+HANDWHEEL_TEST(ViewChangeTest)
 #include "ViewChangeTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "haptics/Watchdog.h"
 
 #include <QtTest>
@@ -8,7 +9,7 @@ using namespace handwheel;
 
 namespace {
 
-SafetySettings settings() {
+SafetySettings watchdogSettings() {
   SafetySettings s;
   s.nominalPeriod = 0.001;
   s.staleTime = 0.005;
@@ -25,7 +26,7 @@ class WatchdogTest : public QObject {
 
  private slots:
   void newsInTimeChangeNothing() {
-    Watchdog watchdog(settings());
+    Watchdog watchdog(watchdogSettings());
     for (int i = 0; i < 100; ++i) {
       const auto gains = watchdog.tick(i % 2 ? 0.0005 : 0.0015, true);
       QCOMPARE(gains.force, 1.0);
@@ -35,7 +36,7 @@ class WatchdogTest : public QObject {
 
   // Held for 5 ms, faded within 5 more to damping alone, and 100 ms later to nothing.
   void silenceFadesToDampingAndThenToNothing() {
-    Watchdog watchdog(settings());
+    Watchdog watchdog(watchdogSettings());
     for (int i = 1; i <= 5; ++i) QVERIFY(qAbs(watchdog.tick(0.001, false).force - 1.0) < 1e-9);
     for (int i = 1; i <= 5; ++i) {
       const auto gains = watchdog.tick(0.001, false);
@@ -53,7 +54,7 @@ class WatchdogTest : public QObject {
 
   // Back within the time of recovery, without a step.
   void newsBringTheForceBackSlowly() {
-    Watchdog watchdog(settings());
+    Watchdog watchdog(watchdogSettings());
     for (int i = 0; i < 50; ++i) watchdog.tick(0.001, false);
     for (int i = 1; i <= 100; ++i) QVERIFY(qAbs(watchdog.tick(0.001, true).force - i * 0.01) < 1e-9);
     QCOMPARE(watchdog.tick(0.001, true).force, 1.0);
@@ -61,7 +62,7 @@ class WatchdogTest : public QObject {
 
   // A tick 50 ms late has held its force for all that time: it starts from nothing. One 4 ms late is in its right.
   void aVeryLateTickFadesToo() {
-    Watchdog watchdog(settings());
+    Watchdog watchdog(watchdogSettings());
     QCOMPARE(watchdog.tick(0.005, true).force, 1.0);
     QCOMPARE(watchdog.tick(0.05, true).force, 0.0);
     QVERIFY(qAbs(watchdog.tick(0.001, true).force - 0.01) < 1e-9);
@@ -71,5 +72,5 @@ class WatchdogTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(WatchdogTest)
+HANDWHEEL_TEST(WatchdogTest)
 #include "WatchdogTest.moc"

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "HapticPoses.h"
+#include "TestClass.h"
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -182,5 +183,5 @@ class WorkspaceMapperTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(WorkspaceMapperTest)
+HANDWHEEL_TEST(WorkspaceMapperTest)
 #include "WorkspaceMapperTest.moc"

@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "HapticPoses.h"
+#include "TestClass.h"
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -62,5 +63,5 @@ class WorkspaceMappingTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(WorkspaceMappingTest)
+HANDWHEEL_TEST(WorkspaceMappingTest)
 #include "WorkspaceMappingTest.moc"

@@ -3,6 +3,7 @@
 #include "mesh/BorderPick.h"
 
 #include "HoleShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 
 #include <QTest>
@@ -86,5 +87,5 @@ void BorderPickTest::unusable() {
   QVERIFY(!Scene({}).pick(above(0, 0, 1)));
 }
 
-QTEST_GUILESS_MAIN(BorderPickTest)
+HANDWHEEL_TEST(BorderPickTest)
 #include "BorderPickTest.moc"

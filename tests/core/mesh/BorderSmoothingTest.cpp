@@ -4,6 +4,7 @@
 
 #include "HoleShapes.h"
 #include "MeshChecks.h"
+#include "TestClass.h"
 #include "mesh/FaceNormal.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshValidator.h"
@@ -176,5 +177,5 @@ void BorderSmoothingTest::staleMoves() {
   QVERIFY(!moveVertices(s.after, {{static_cast<Vertex>(s.after.vertexSlots()), Vec3::Zero(), Vec3::Zero()}}));
 }
 
-QTEST_GUILESS_MAIN(BorderSmoothingTest)
+HANDWHEEL_TEST(BorderSmoothingTest)
 #include "BorderSmoothingTest.moc"

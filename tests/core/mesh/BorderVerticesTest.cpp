@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "base/Tolerance.h"
 #include "mesh/MeshBuilder.h"
 
@@ -118,5 +119,5 @@ void BorderVerticesTest::detailOfALargeModel() {
   QCOMPARE(nearWeldReach(buildMesh(soup).mesh), 0.0);
 }
 
-QTEST_GUILESS_MAIN(BorderVerticesTest)
+HANDWHEEL_TEST(BorderVerticesTest)
 #include "BorderVerticesTest.moc"

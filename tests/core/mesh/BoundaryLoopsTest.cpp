@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 
 #include <rapidcheck.h>
@@ -56,7 +57,7 @@ std::string broken(const HalfEdgeMesh& mesh, const std::vector<BoundaryLoop>& lo
   for (std::size_t i = 0; i < loops.size(); ++i) {
     const BoundaryLoop& loop = loops[i];
     if (loop.id != static_cast<int>(i)) return "ids are not 0, 1, 2, ...";
-    std::set<test::Place> passed;
+    std::set<test::Coordinates> passed;
     std::size_t border = 0;
     for (std::size_t k = 0; k < loop.halfEdges.size(); ++k) {
       const HalfEdge h = loop.halfEdges[k], after = loop.halfEdges[(k + 1) % loop.halfEdges.size()];
@@ -77,7 +78,7 @@ std::string broken(const HalfEdgeMesh& mesh, const std::vector<BoundaryLoop>& lo
 // The smallest number that a loop's positions have after exact welding: those of first appearance.
 std::vector<std::uint32_t> smallestWeldedNumbers(const TriangleSoup& soup, const HalfEdgeMesh& mesh,
                                                  const std::vector<BoundaryLoop>& loops) {
-  std::map<test::Place, std::uint32_t> number;
+  std::map<test::Coordinates, std::uint32_t> number;
   for (const Triangle& t : soup.triangles)
     for (std::uint32_t v : t)
       number.try_emplace(test::place(soup.points[v]), static_cast<std::uint32_t>(number.size()));
@@ -239,5 +240,5 @@ void BoundaryLoopsTest::promisesOnCutSpheres() {
   }));
 }
 
-QTEST_GUILESS_MAIN(BoundaryLoopsTest)
+HANDWHEEL_TEST(BoundaryLoopsTest)
 #include "BoundaryLoopsTest.moc"

@@ -4,6 +4,7 @@
 
 #include "HandWorkChecks.h"
 #include "HoleShapes.h"
+#include "TestClass.h"
 #include "mesh/BorderWelding.h"
 #include "mesh/BoundaryLoops.h"
 #include "mesh/MeshBuilder.h"
@@ -248,5 +249,5 @@ void BridgingTest::withinABox() {
   }));
 }
 
-QTEST_GUILESS_MAIN(BridgingTest)
+HANDWHEEL_TEST(BridgingTest)
 #include "BridgingTest.moc"

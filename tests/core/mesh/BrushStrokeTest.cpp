@@ -3,6 +3,7 @@
 #include "mesh/BrushStroke.h"
 
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/FaceGrowing.h"
 #include "mesh/MeshBuilder.h"
 #include "proximity/ClosestPoint.h"
@@ -199,5 +200,5 @@ void BrushStrokeTest::extremes() {
   QCOMPARE(painted(needles, {{downAt(2.2, 1.7), 50.0}}).count(), std::size_t(34));
 }
 
-QTEST_GUILESS_MAIN(BrushStrokeTest)
+HANDWHEEL_TEST(BrushStrokeTest)
 #include "BrushStrokeTest.moc"

@@ -3,6 +3,7 @@
 #include "CancelPoints.h"
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/Defects.h"
 #include "mesh/EdgeTable.h"
 #include "mesh/MeshBuilder.h"
@@ -189,5 +190,5 @@ void CancellingTest::stitching() {
       kFansPerLook);
 }
 
-QTEST_GUILESS_MAIN(CancellingTest)
+HANDWHEEL_TEST(CancellingTest)
 #include "CancellingTest.moc"

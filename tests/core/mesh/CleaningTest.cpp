@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/Defects.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshValidator.h"
@@ -176,5 +177,5 @@ void CleaningTest::bookOfLeavesStays() {
   QCOMPARE(mesh.liveFaceCount(), soup.triangles.size());
 }
 
-QTEST_GUILESS_MAIN(CleaningTest)
+HANDWHEEL_TEST(CleaningTest)
 #include "CleaningTest.moc"

@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/Defects.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshValidator.h"
@@ -91,5 +92,5 @@ void CrossingClustersTest::cancelled() {
   QCOMPARE(uncrossClusters(mesh, *findSelfIntersections(mesh), NumberType::Float64, Progress(job)), std::size_t(0));
 }
 
-QTEST_GUILESS_MAIN(CrossingClustersTest)
+HANDWHEEL_TEST(CrossingClustersTest)
 #include "CrossingClustersTest.moc"

@@ -3,6 +3,7 @@
 #include "mesh/CrossingCuts.h"
 
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/EdgeTable.h"
 #include "mesh/Weld.h"
 
@@ -177,5 +178,5 @@ void CrossingCutsTest::closedStaysClosed() {
   }
 }
 
-QTEST_APPLESS_MAIN(CrossingCutsTest)
+HANDWHEEL_TEST(CrossingCutsTest)
 #include "CrossingCutsTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/Decimation.h"
 #include "mesh/Deviation.h"
 #include "mesh/MeshBuilder.h"
@@ -160,5 +161,5 @@ void DecimationQualityTest::scanWithinAnError() {
   QVERIFY(report.facesAfter < report.facesBefore / 4);
 }
 
-QTEST_GUILESS_MAIN(DecimationQualityTest)
+HANDWHEEL_TEST(DecimationQualityTest)
 #include "DecimationQualityTest.moc"

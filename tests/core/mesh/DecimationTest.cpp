@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/Deviation.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshValidator.h"
@@ -64,8 +65,8 @@ double hausdorff(const HalfEdgeMesh& a, const HalfEdgeMesh& b) {
   return d->hausdorff();
 }
 
-std::set<test::Place> borderPlaces(const HalfEdgeMesh& mesh) {
-  std::set<test::Place> places;
+std::set<test::Coordinates> borderPlaces(const HalfEdgeMesh& mesh) {
+  std::set<test::Coordinates> places;
   for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h)
     if (mesh.isBorder(h)) places.insert(test::place(mesh.position(mesh.from(h))));
   return places;
@@ -157,7 +158,7 @@ void DecimationTest::bordersMayShrink() {
 // A cylinder's rims: all vertices there stay on them, and they stay closed.
 void DecimationTest::creasesStay() {
   const TriangleSoup soup = test::cylinder(48, 24, 1.0, 2.0, true);
-  const std::set<test::Place> before = test::places(soup);
+  const std::set<test::Coordinates> before = test::places(soup);
   HalfEdgeMesh mesh = meshOf(soup);
   decimate(mesh, {.faces = 100, .creaseAngle = std::numbers::pi / 4.0});
   QCOMPARE(validate(mesh), std::string());
@@ -198,8 +199,8 @@ void DecimationTest::sharedPlacesAndSeamsStay() {
                                    test::boxWithInnerWall(), test::moebiusStrip(30, 6), test::kleinBottle(30, 20)}) {
     HalfEdgeMesh mesh = meshOf(soup);
     const auto seams = test::countSeams(mesh);
-    std::map<test::Place, int> before, after;
-    const auto count = [](const HalfEdgeMesh& m, std::map<test::Place, int>& places) {
+    std::map<test::Coordinates, int> before, after;
+    const auto count = [](const HalfEdgeMesh& m, std::map<test::Coordinates, int>& places) {
       std::set<Vertex> used;
       for (Face f = 0; f < m.faceSlots(); ++f)
         if (m.isProper(f)) used.insert(m.triangle(f).begin(), m.triangle(f).end());
@@ -289,5 +290,5 @@ void DecimationTest::anyShape() {
   }));
 }
 
-QTEST_APPLESS_MAIN(DecimationTest)
+HANDWHEEL_TEST(DecimationTest)
 #include "DecimationTest.moc"

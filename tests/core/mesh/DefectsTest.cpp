@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 
 #include <QTest>
@@ -61,8 +62,8 @@ void DefectsTest::touchingCubes() {
   const Defects edge = findDefects(mesh);
   QCOMPARE(edge.nonManifoldEdges.size(), std::size_t{1});
   const auto [a, b] = edge.nonManifoldEdges[0];
-  const std::set<test::Place> ends = {test::place(mesh.position(a)), test::place(mesh.position(b))};
-  QVERIFY(ends == (std::set<test::Place>{{1, 1, 0}, {1, 1, 1}}));
+  const std::set<test::Coordinates> ends = {test::place(mesh.position(a)), test::place(mesh.position(b))};
+  QVERIFY(ends == (std::set<test::Coordinates>{{1, 1, 0}, {1, 1, 1}}));
   QVERIFY(edge.nonManifoldVertices.empty());  // the edge accounts for them
 
   const HalfEdgeMesh corner = buildMesh(test::twoCubesSharingAVertex()).mesh;
@@ -161,5 +162,5 @@ void DefectsTest::selfIntersections() {
   QVERIFY(!findSelfIntersections(mesh, Progress(job)));
 }
 
-QTEST_GUILESS_MAIN(DefectsTest)
+HANDWHEEL_TEST(DefectsTest)
 #include "DefectsTest.moc"

@@ -3,6 +3,7 @@
 #include "mesh/Deviation.h"
 
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/SurfaceDistance.h"
 
@@ -35,12 +36,12 @@ class DeviationTest : public QObject {
 
 namespace {
 
-HalfEdgeMesh meshOf(const TriangleSoup& soup) {
+HalfEdgeMesh deviationMeshOf(const TriangleSoup& soup) {
   return buildMesh(soup).mesh;
 }
 
 Deviation measured(const TriangleSoup& a, const TriangleSoup& b, const DeviationOptions& options = {}) {
-  const auto result = deviation(meshOf(a), meshOf(b), options);
+  const auto result = deviation(deviationMeshOf(a), deviationMeshOf(b), options);
   if (!result) qFatal("no deviation");
   return *result;
 }
@@ -176,8 +177,8 @@ void DeviationTest::againstAllTriangles() {
     std::erase_if(solid.triangles, [&](const Triangle& t) {
       return isDegenerate({b.points[t[0]], b.points[t[1]], b.points[t[2]]});
     });
-    const HalfEdgeMesh mesh = meshOf(a);
-    const auto result = deviation(mesh, meshOf(b), {.samples = 50, .bins = 3});
+    const HalfEdgeMesh mesh = deviationMeshOf(a);
+    const auto result = deviation(mesh, deviationMeshOf(b), {.samples = 50, .bins = 3});
     RC_ASSERT(bool(result));
     double largest = 0.0;
     for (Vertex v = 0; v < mesh.vertexSlots(); ++v) {
@@ -194,7 +195,7 @@ void DeviationTest::againstAllTriangles() {
 void DeviationTest::signAgainstSolidAngle() {
   const TriangleSoup shapes[] = {test::bumpySphere(2), test::torus(20, 10), test::cube(), test::tetrahedron()};
   for (const TriangleSoup& shape : shapes) {
-    const SurfaceDistance surface(meshOf(shape));
+    const SurfaceDistance surface(deviationMeshOf(shape));
     QVERIFY(rc::check("below zero where the surface winds around the point", [&] {
       const Vec3 p = randomPoint(1.5);
       const auto nearest = surface.from(p);
@@ -209,7 +210,7 @@ void DeviationTest::signAgainstSolidAngle() {
 void DeviationTest::signAtSharpEdges() {
   TriangleSoup spike = test::tetrahedron();
   spike.points[3] = Vec3(0.01, 0.02, 10.0);
-  const SurfaceDistance surface(meshOf(spike));
+  const SurfaceDistance surface(deviationMeshOf(spike));
   for (const Vec3& d : test::directions(200)) {
     const Vec3 p = spike.points[3] + 0.5 * d;
     QCOMPARE(surface.from(p)->distance<0.0, windingNumber(p, spike)> 0.5);
@@ -227,7 +228,7 @@ void DeviationTest::oneTriangle() {
 }
 
 void DeviationTest::nothingToMeasure() {
-  const HalfEdgeMesh none, one = meshOf(test::cube());
+  const HalfEdgeMesh none, one = deviationMeshOf(test::cube());
   for (const auto& result : {deviation(none, one), deviation(one, none), deviation(none, none)}) {
     QVERIFY(!result);
     QCOMPARE(result.error().code, ErrorCode::NoTriangles);
@@ -242,7 +243,8 @@ void DeviationTest::facesWithoutArea() {
   needles.triangles.push_back({0, 0, static_cast<std::uint32_t>(needles.points.size() - 1)});
   const Deviation d = measured(needles, plain);
   QVERIFY(d.hausdorff() < 1e-12);
-  QVERIFY(std::isnan(d.ofMesh.atVertex[meshOf(needles).triangle(14)[2]]) || d.ofMesh.vertices < needles.points.size());
+  QVERIFY(std::isnan(d.ofMesh.atVertex[deviationMeshOf(needles).triangle(14)[2]]) ||
+          d.ofMesh.vertices < needles.points.size());
   // Where there is nothing else they are what is measured: a segment and a point.
   const TriangleSoup segment{{Vec3(0, 0, 0), Vec3(4, 0, 0)}, {{0, 1, 1}}}, point{{Vec3(1, 2, 0)}, {{0, 0, 0}}};
   const Deviation flat = measured(segment, point);
@@ -265,16 +267,17 @@ void DeviationTest::farFromTheOrigin() {
 }
 
 void DeviationTest::tooLarge() {
-  const HalfEdgeMesh large = meshOf(test::moved(test::cube(), Vec3::Zero(), 1e70)), small = meshOf(test::cube());
+  const HalfEdgeMesh large = deviationMeshOf(test::moved(test::cube(), Vec3::Zero(), 1e70)),
+                     small = deviationMeshOf(test::cube());
   QCOMPARE(deviation(large, small).error().code, ErrorCode::ValueOutOfRange);
   QCOMPARE(deviation(small, large).error().code, ErrorCode::ValueOutOfRange);
-  QVERIFY(bool(deviation(meshOf(test::moved(test::cube(), Vec3::Zero(), 1e59)), small)));
+  QVERIFY(bool(deviation(deviationMeshOf(test::moved(test::cube(), Vec3::Zero(), 1e59)), small)));
 }
 
 void DeviationTest::cancelled() {
   JobState job;
   job.cancelled = true;
-  const HalfEdgeMesh mesh = meshOf(test::cube());
+  const HalfEdgeMesh mesh = deviationMeshOf(test::cube());
   QCOMPARE(deviation(mesh, mesh, {}, Progress(job)).error().code, ErrorCode::Cancelled);
   job.cancelled = false;
   QVERIFY(bool(deviation(mesh, mesh, {}, Progress(job))));
@@ -290,5 +293,5 @@ void DeviationTest::theSameEveryTime() {
   QVERIFY(first.ofMesh.highest.place == second.ofMesh.highest.place);
 }
 
-QTEST_APPLESS_MAIN(DeviationTest)
+HANDWHEEL_TEST(DeviationTest)
 #include "DeviationTest.moc"

@@ -3,6 +3,7 @@
 #include "mesh/DistanceBound.h"
 
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 
 #include <rapidcheck.h>
@@ -104,5 +105,5 @@ void DistanceBoundTest::cancelled() {
   QCOMPARE(liesWithin(cube, cube, 1.0, Progress(job)), Within::Unknown);
 }
 
-QTEST_APPLESS_MAIN(DistanceBoundTest)
+HANDWHEEL_TEST(DistanceBoundTest)
 #include "DistanceBoundTest.moc"

@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshValidator.h"
 
@@ -108,5 +109,5 @@ void DuplicateFacesTest::sheetWrittenTwice() {
   QCOMPARE(test::countBorder(mesh), std::size_t{12});
 }
 
-QTEST_GUILESS_MAIN(DuplicateFacesTest)
+HANDWHEEL_TEST(DuplicateFacesTest)
 #include "DuplicateFacesTest.moc"

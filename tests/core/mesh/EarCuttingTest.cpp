@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 
 #include <rapidcheck.h>
@@ -15,8 +16,8 @@ using namespace handwheel;
 namespace {
 
 // What is needed to fill the first hole of a mesh.
-struct Case {
-  explicit Case(const TriangleSoup& soup)
+struct EarCuttingCase {
+  explicit EarCuttingCase(const TriangleSoup& soup)
       : mesh(buildMesh(soup).mesh), hole(holeContext(mesh, findBoundaryLoops(mesh).at(0))), obstacles(mesh) {}
   HalfEdgeMesh mesh;
   HoleContext hole;
@@ -62,7 +63,7 @@ void EarCuttingTest::convexPolygons() {
     for (std::size_t i = 0; i < angles.size(); ++i)
       area += 0.5 * std::sin((i + 1 < angles.size() ? angles[i + 1] : angles[0] + 2.0 * M_PI) - angles[i]);
     RC_PRE(area > 1e-3);
-    const Case c(tube(angles));
+    const EarCuttingCase c(tube(angles));
     const auto patch = cutEars(c.hole, c.obstacles, {});
     RC_ASSERT(patch.has_value());
     RC_ASSERT(patch->triangles.size() == angles.size() - 2);
@@ -73,7 +74,7 @@ void EarCuttingTest::convexPolygons() {
 }
 
 void EarCuttingTest::everyWeight() {
-  const Case c(test::withHole(test::icosphere(3), Vec3::UnitZ(), 0.5));
+  const EarCuttingCase c(test::withHole(test::icosphere(3), Vec3::UnitZ(), 0.5));
   for (const EarWeights& w : {EarWeights{1, 1, 1}, EarWeights{1, 0, 0}, EarWeights{0, 1, 0}, EarWeights{0, 0, 1}}) {
     const auto patch = cutEars(c.hole, c.obstacles, w);
     QVERIFY(patch.has_value());
@@ -86,7 +87,7 @@ void EarCuttingTest::everyWeight() {
 
 // The patch of a convex lid looks away from the part.
 void EarCuttingTest::facesOutward() {
-  const Case c(test::withHole(test::icosphere(3), Vec3::UnitZ(), 0.5));
+  const EarCuttingCase c(test::withHole(test::icosphere(3), Vec3::UnitZ(), 0.5));
   const auto patch = cutEars(c.hole, c.obstacles, {});
   QVERIFY(patch.has_value());
   for (const Triangle& t : patch->triangles) {
@@ -101,7 +102,7 @@ void EarCuttingTest::prefersShortEdges() {
     constexpr double x[] = {2.0, 0.0, -2.0, 0.0}, y[] = {0.0, 0.5, 0.0, -0.5};
     return Vec3(x[i], y[i], j);
   });
-  const Case c(wall);
+  const EarCuttingCase c(wall);
   const auto patch = cutEars(c.hole, c.obstacles, {1, 0, 0});
   QVERIFY(patch.has_value());
   for (const Triangle& t : patch->triangles) {
@@ -115,7 +116,7 @@ void EarCuttingTest::prefersShortEdges() {
 void EarCuttingTest::passesOverTakenEdges() {
   TriangleSoup soup = test::tetrahedron();
   soup.triangles.resize(2);  // their common edge is a diagonal of the hole
-  const Case c(soup);
+  const EarCuttingCase c(soup);
   const auto patch = cutEars(c.hole, c.obstacles, {});
   QVERIFY(patch.has_value());
   TriangleSoup closed = soup;
@@ -126,14 +127,14 @@ void EarCuttingTest::passesOverTakenEdges() {
 void EarCuttingTest::stuckOnAnObstacle() {
   TriangleSoup soup = test::annulus(12, 2, 1.0, 2.0);
   test::append(soup, test::moved(test::cylinder(6, 1, 0.1, 2.0, true), Vec3(0.03, 0.02, -1.0)));
-  const Case c(soup);  // its first loop is the inner circle
+  const EarCuttingCase c(soup);  // its first loop is the inner circle
   QCOMPARE(c.hole.loopSize, std::size_t{12});
   QVERIFY(c.hole.points[0].norm() < 1.5);
   QVERIFY(!cutEars(c.hole, c.obstacles, {}));
 }
 
 void EarCuttingTest::cancels() {
-  const Case c(test::withHole(test::icosphere(3), Vec3::UnitZ(), 0.5));
+  const EarCuttingCase c(test::withHole(test::icosphere(3), Vec3::UnitZ(), 0.5));
   JobState job;
   job.cancelled = true;
   QVERIFY(!cutEars(c.hole, c.obstacles, {}, Progress(job)));
@@ -166,5 +167,5 @@ void EarCuttingTest::cutThroughLobedPrism() {
   }
 }
 
-QTEST_GUILESS_MAIN(EarCuttingTest)
+HANDWHEEL_TEST(EarCuttingTest)
 #include "EarCuttingTest.moc"

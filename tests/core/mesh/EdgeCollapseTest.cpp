@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshValidator.h"
 #include "mesh/Shells.h"
@@ -141,5 +142,5 @@ void EdgeCollapseTest::topologyStays() {
   }));
 }
 
-QTEST_APPLESS_MAIN(EdgeCollapseTest)
+HANDWHEEL_TEST(EdgeCollapseTest)
 #include "EdgeCollapseTest.moc"

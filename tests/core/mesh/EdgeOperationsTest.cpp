@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshValidator.h"
 
@@ -118,5 +119,5 @@ void EdgeOperationsTest::manyAtRandom() {
   }));
 }
 
-QTEST_GUILESS_MAIN(EdgeOperationsTest)
+HANDWHEEL_TEST(EdgeOperationsTest)
 #include "EdgeOperationsTest.moc"

@@ -3,6 +3,7 @@
 #include "mesh/EdgePairing.h"
 
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/HalfEdgeMesh.h"
 
 #include <rapidcheck.h>
@@ -122,5 +123,5 @@ void EdgePairingTest::isSymmetric() {
   }));
 }
 
-QTEST_GUILESS_MAIN(EdgePairingTest)
+HANDWHEEL_TEST(EdgePairingTest)
 #include "EdgePairingTest.moc"

@@ -3,6 +3,7 @@
 #include "mesh/EdgeTable.h"
 
 #include "MeshShapes.h"
+#include "TestClass.h"
 
 #include <rapidcheck.h>
 
@@ -55,5 +56,5 @@ void EdgeTableTest::againstAMap() {
   }));
 }
 
-QTEST_GUILESS_MAIN(EdgeTableTest)
+HANDWHEEL_TEST(EdgeTableTest)
 #include "EdgeTableTest.moc"

@@ -3,6 +3,7 @@
 #include "mesh/FaceComponents.h"
 
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 
 #include <rapidcheck.h>
@@ -70,5 +71,5 @@ void FaceComponentsTest::shuffledParts() {
   }));
 }
 
-QTEST_GUILESS_MAIN(FaceComponentsTest)
+HANDWHEEL_TEST(FaceComponentsTest)
 #include "FaceComponentsTest.moc"

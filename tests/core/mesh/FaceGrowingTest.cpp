@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 
 #include <rapidcheck.h>
@@ -225,5 +226,5 @@ void FaceGrowingTest::endsEarly() {
   QVERIFY(!facesWithinAngle(mesh, std::array<Face, 1>{0}, 1.0, limit));
 }
 
-QTEST_GUILESS_MAIN(FaceGrowingTest)
+HANDWHEEL_TEST(FaceGrowingTest)
 #include "FaceGrowingTest.moc"

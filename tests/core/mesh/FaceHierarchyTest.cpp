@@ -3,6 +3,7 @@
 #include "mesh/FaceHierarchy.h"
 
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 
 #include <QTest>
@@ -109,5 +110,5 @@ void FaceHierarchyTest::pixels() {
   QCOMPARE(sight.pixelAt(Vec3(3, 4, 200)), 0.5);
 }
 
-QTEST_GUILESS_MAIN(FaceHierarchyTest)
+HANDWHEEL_TEST(FaceHierarchyTest)
 #include "FaceHierarchyTest.moc"

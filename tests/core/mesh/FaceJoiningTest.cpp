@@ -4,6 +4,7 @@
 
 #include "HandWorkChecks.h"
 #include "HoleShapes.h"
+#include "TestClass.h"
 #include "mesh/BoundaryLoops.h"
 #include "mesh/MeshBuilder.h"
 
@@ -12,9 +13,6 @@
 #include <QTest>
 
 using Corners = std::array<handwheel::Vec3, 3>;
-Q_DECLARE_METATYPE(Corners)
-Q_DECLARE_METATYPE(handwheel::JoinProblem)
-
 using namespace handwheel;
 
 class FaceJoiningTest : public QObject {
@@ -165,5 +163,5 @@ void FaceJoiningTest::anyThreePoints() {
   }));
 }
 
-QTEST_GUILESS_MAIN(FaceJoiningTest)
+HANDWHEEL_TEST(FaceJoiningTest)
 #include "FaceJoiningTest.moc"

@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshDelta.h"
 #include "mesh/MeshValidator.h"
@@ -172,5 +173,5 @@ void FaceSelectionTest::removingAFlapMendsItsEdge() {
   QCOMPARE(test::countBorder(mesh), std::size_t(4));
 }
 
-QTEST_GUILESS_MAIN(FaceSelectionTest)
+HANDWHEEL_TEST(FaceSelectionTest)
 #include "FaceSelectionTest.moc"

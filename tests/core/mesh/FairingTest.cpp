@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 
 #include <rapidcheck.h>
 
@@ -186,5 +187,5 @@ void FairingTest::refusesWhatHasNoSurface() {
   }
 }
 
-QTEST_GUILESS_MAIN(FairingTest)
+HANDWHEEL_TEST(FairingTest)
 #include "FairingTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "mesh/GrowingHierarchy.h"
 
 #include <QTest>
@@ -53,5 +54,5 @@ void GrowingHierarchyTest::stopsWhenTold() {
   QCOMPARE(visits, 200);
 }
 
-QTEST_GUILESS_MAIN(GrowingHierarchyTest)
+HANDWHEEL_TEST(GrowingHierarchyTest)
 #include "GrowingHierarchyTest.moc"

@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshValidator.h"
 
@@ -135,5 +136,5 @@ void HalfEdgeMeshTest::copiesAreIndependent() {
   QVERIFY(mesh.position(3) != copy.position(3));
 }
 
-QTEST_GUILESS_MAIN(HalfEdgeMeshTest)
+HANDWHEEL_TEST(HalfEdgeMeshTest)
 #include "HalfEdgeMeshTest.moc"

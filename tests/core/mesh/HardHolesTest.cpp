@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "base/Tolerance.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshValidator.h"
@@ -101,5 +102,5 @@ void HardHolesTest::nothingToDo() {
   QVERIFY(closeHardHoles(mesh, {}, {}, 0.01).holes.empty());
 }
 
-QTEST_APPLESS_MAIN(HardHolesTest)
+HANDWHEEL_TEST(HardHolesTest)
 #include "HardHolesTest.moc"

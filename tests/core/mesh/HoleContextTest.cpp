@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 
 #include <QTest>
@@ -60,7 +61,7 @@ void HoleContextTest::aroundAHoleInASphere() {
       QVERIFY(hole.apexes[i] == p[(h + 2) % 3]);
     }
     // The ring's faces are those of three rings, with the same corners in the same turn.
-    std::multiset<std::array<test::Place, 3>> is, wanted;
+    std::multiset<std::array<test::Coordinates, 3>> is, wanted;
     for (const Triangle& t : hole.ring)
       is.insert({test::place(hole.points[t[0]]), test::place(hole.points[t[1]]), test::place(hole.points[t[2]])});
     for (Face f : threeRings(mesh, loop)) {
@@ -68,7 +69,7 @@ void HoleContextTest::aroundAHoleInASphere() {
       wanted.insert({test::place(p[0]), test::place(p[1]), test::place(p[2])});
     }
     QVERIFY(is == wanted);
-    std::set<test::Place> different;
+    std::set<test::Coordinates> different;
     for (const Vec3& p : hole.points) different.insert(test::place(p));
     QCOMPARE(different.size(), hole.points.size());
   }
@@ -97,5 +98,5 @@ void HoleContextTest::outwardOfALid() {
   QVERIFY(sum.norm() < 1e-12);
 }
 
-QTEST_GUILESS_MAIN(HoleContextTest)
+HANDWHEEL_TEST(HoleContextTest)
 #include "HoleContextTest.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/HoleFilling.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshValidator.h"
@@ -133,7 +134,7 @@ void HoleFillingSurroundingsTest::touchesNoVertex() {
     const HalfEdgeMesh mesh = buildMesh(soup).mesh;
     const FillAttempt attempt = HoleFiller(mesh).propose(findBoundaryLoops(mesh).at(0), {});
     QVERIFY(attempt.failure == FillFailure::None);
-    const std::set<test::Place> taken = test::places(soup);
+    const std::set<test::Coordinates> taken = test::places(soup);
     for (std::size_t k = attempt.patch.loopSize; k < attempt.patch.points.size(); ++k)
       QVERIFY2(!taken.contains(test::place(attempt.patch.points[k])), "a new vertex lies on one of the part");
   }
@@ -172,5 +173,5 @@ void HoleFillingSurroundingsTest::pinchedLoops() {
   QVERIFY(test::countEdges(filler.mesh()).sound());
 }
 
-QTEST_GUILESS_MAIN(HoleFillingSurroundingsTest)
+HANDWHEEL_TEST(HoleFillingSurroundingsTest)
 #include "HoleFillingSurroundingsTest.moc"

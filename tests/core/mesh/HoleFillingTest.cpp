@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "base/Tolerance.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshValidator.h"
@@ -14,17 +15,17 @@ using namespace handwheel;
 
 namespace {
 
-constexpr FillMethod kMethods[] = {FillMethod::Fair,    FillMethod::Refined, FillMethod::Ear,
-                                   FillMethod::Minimal, FillMethod::Area,    FillMethod::Dihedral};
+constexpr FillMethod kHoleFillingMethods[] = {FillMethod::Fair,    FillMethod::Refined, FillMethod::Ear,
+                                              FillMethod::Minimal, FillMethod::Area,    FillMethod::Dihedral};
 
-FillOptions only(FillMethod method) {
+FillOptions holeFillingOnly(FillMethod method) {
   FillOptions options;
   options.method = method;
   options.tryOthers = false;
   return options;
 }
 
-TriangleSoup soupOf(const Patch& patch) {
+TriangleSoup holeFillingSoupOf(const Patch& patch) {
   return {patch.points, patch.triangles};
 }
 
@@ -114,14 +115,15 @@ void HoleFillingTest::planarPolygons() {
          {FillMethod::Ear, FillMethod::Minimal, FillMethod::Refined, FillMethod::Area, FillMethod::Dihedral}) {
       HoleFiller filler(mesh);
       for (const BoundaryLoop& loop : findBoundaryLoops(mesh)) {
-        FillAttempt attempt = filler.propose(loop, only(method));
+        FillAttempt attempt = filler.propose(loop, holeFillingOnly(method));
         // Best-first ear cutting may get stuck; then another method has to do.
         if (method == FillMethod::Ear && attempt.failure == FillFailure::NoPatch)
           attempt = filler.propose(loop, {method});
         QVERIFY2(attempt.failure == FillFailure::None, qPrintable(QString("method %1").arg(int(method))));
         QVERIFY(attempt.patch.method == method || method == FillMethod::Ear);
         if (attempt.patch.method != FillMethod::Fair)
-          QVERIFY(std::abs(test::area(soupOf(attempt.patch)) - shoelace(polygon)) < 1e-12 * shoelace(polygon));
+          QVERIFY(std::abs(test::area(holeFillingSoupOf(attempt.patch)) - shoelace(polygon)) <
+                  1e-12 * shoelace(polygon));
         if (attempt.patch.points.size() == polygon.size()) QCOMPARE(attempt.patch.triangles.size(), polygon.size() - 2);
         filler.accept(loop, attempt.patch);
       }
@@ -140,23 +142,23 @@ void HoleFillingTest::flatSheets() {
     const HalfEdgeMesh mesh = buildMesh(collar(polygon)).mesh;
     HoleFiller filler(mesh);
     const BoundaryLoop hole = findBoundaryLoops(mesh)[0];
-    for (FillMethod method : kMethods) {
-      const FillAttempt attempt = filler.propose(hole, only(method));
+    for (FillMethod method : kHoleFillingMethods) {
+      const FillAttempt attempt = filler.propose(hole, holeFillingOnly(method));
       QVERIFY(attempt.failure == FillFailure::None);
-      QVERIFY(std::abs(test::area(soupOf(attempt.patch)) - shoelace(polygon)) < 1e-9);
+      QVERIFY(std::abs(test::area(holeFillingSoupOf(attempt.patch)) - shoelace(polygon)) < 1e-9);
       for (const Vec3& p : attempt.patch.points) QVERIFY(std::abs(p.z()) < 1e-9);
     }
   }
 }
 
 void HoleFillingTest::missingTriangle() {
-  for (FillMethod method : kMethods) {
+  for (FillMethod method : kHoleFillingMethods) {
     TriangleSoup soup = test::icosphere(1);
     soup.triangles.erase(soup.triangles.begin() + 7);
     const HalfEdgeMesh mesh = buildMesh(soup).mesh;
     HoleFiller filler(mesh);
     const BoundaryLoop loop = findBoundaryLoops(mesh).at(0);
-    const FillAttempt attempt = filler.propose(loop, only(method));
+    const FillAttempt attempt = filler.propose(loop, holeFillingOnly(method));
     QVERIFY(attempt.failure == FillFailure::None);
     filler.accept(loop, attempt.patch);
     QVERIFY(test::countEdges(filler.mesh()).sound());
@@ -170,7 +172,7 @@ void HoleFillingTest::usesTheDiagonalThatIsFree() {
   soup.triangles.resize(2);
   const HalfEdgeMesh mesh = buildMesh(soup).mesh;
   const BoundaryLoop loop = findBoundaryLoops(mesh).at(0);
-  for (FillMethod method : kMethods) {
+  for (FillMethod method : kHoleFillingMethods) {
     HoleFiller filler(mesh);
     FillOptions options;
     options.method = method;
@@ -195,7 +197,7 @@ void HoleFillingTest::fairContinuesTheSphere() {
   const double allowed = 2.0 * std::pow(a, 4) / 8.0 + 2.0 * h * h / 8.0;
   QVERIFY(allowed < 0.3 * (1.0 - std::cos(a)));  // far better than a flat lid
 
-  const FillAttempt attempt = filler.propose(loop, only(FillMethod::Fair));
+  const FillAttempt attempt = filler.propose(loop, holeFillingOnly(FillMethod::Fair));
   QVERIFY(attempt.failure == FillFailure::None);
   QVERIFY(attempt.patch.points.size() > attempt.patch.loopSize);
   for (const Vec3& p : attempt.patch.points) QVERIFY(std::abs(p.norm() - 1.0) < allowed);
@@ -213,7 +215,7 @@ void HoleFillingTest::fairFillsLargeHoles() {
   for (double radius : {0.2, 0.55, 0.7}) {
     const HalfEdgeMesh mesh = buildMesh(test::sphereWithoutCap(5, radius)).mesh;
     const BoundaryLoop loop = findBoundaryLoops(mesh).at(0);
-    const FillAttempt attempt = HoleFiller(mesh).propose(loop, only(FillMethod::Fair));
+    const FillAttempt attempt = HoleFiller(mesh).propose(loop, holeFillingOnly(FillMethod::Fair));
     QVERIFY2(attempt.failure == FillFailure::None,
              qPrintable(QString("failure %1 at %2 edges").arg(int(attempt.failure)).arg(loop.halfEdges.size())));
     for (const Vec3& p : attempt.patch.points) QVERIFY(p.norm() > 0.95 && p.norm() < 1.07);
@@ -225,7 +227,7 @@ void HoleFillingTest::refinedKeepsToTheOpening() {
   HoleFiller filler(mesh);
   const BoundaryLoop loop = findBoundaryLoops(mesh).at(0);
   for (FillMethod method : {FillMethod::Refined, FillMethod::Ear, FillMethod::Minimal}) {
-    const FillAttempt attempt = filler.propose(loop, only(method));
+    const FillAttempt attempt = filler.propose(loop, holeFillingOnly(method));
     QVERIFY(attempt.failure == FillFailure::None);
     // New points are means of old ones, so they stay in the loop's box.
     for (const Vec3& p : attempt.patch.points) QVERIFY(loop.box.contains(p));
@@ -250,9 +252,9 @@ void HoleFillingTest::anySizeAndPlace() {
   for (Vec3& p : soup.points) p = tilt() * p;
   const HalfEdgeMesh mesh = buildMesh(test::moved(soup, centre, scale)).mesh;
   const BoundaryLoop loop = findBoundaryLoops(mesh).at(0);
-  for (FillMethod method : kMethods) {
+  for (FillMethod method : kHoleFillingMethods) {
     HoleFiller filler(mesh);
-    const FillAttempt attempt = filler.propose(loop, only(method));
+    const FillAttempt attempt = filler.propose(loop, holeFillingOnly(method));
     QVERIFY2(attempt.failure == FillFailure::None, qPrintable(QString("method %1").arg(int(method))));
     filler.accept(loop, attempt.patch);
     QCOMPARE(validate(filler.mesh()), std::string());
@@ -287,7 +289,7 @@ void HoleFillingTest::largeHoleInDenseSphere() {
   const HalfEdgeMesh mesh = buildMesh(test::sphereWithoutCap(7, 0.6)).mesh;
   const BoundaryLoop loop = findBoundaryLoops(mesh).at(0);
   QVERIFY(loop.halfEdges.size() > 300);
-  const FillAttempt attempt = HoleFiller(mesh).propose(loop, only(FillMethod::Fair));
+  const FillAttempt attempt = HoleFiller(mesh).propose(loop, holeFillingOnly(FillMethod::Fair));
   QVERIFY(attempt.failure == FillFailure::None);
   for (const Vec3& p : attempt.patch.points) QVERIFY(std::abs(p.norm() - 1.0) < 0.02);
 }
@@ -304,5 +306,5 @@ void HoleFillingTest::tooShortAndCancelled() {
   QVERIFY(test::sameMesh(filler.mesh(), mesh));
 }
 
-QTEST_GUILESS_MAIN(HoleFillingTest)
+HANDWHEEL_TEST(HoleFillingTest)
 #include "HoleFillingTest.moc"

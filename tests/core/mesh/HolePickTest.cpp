@@ -3,6 +3,7 @@
 #include "mesh/HolePick.h"
 
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 
 #include <QTest>
@@ -25,12 +26,12 @@ class HolePickTest : public QObject {
 
 namespace {
 
-struct Model {
+struct HoledModel {
   HalfEdgeMesh mesh;
   std::vector<BoundaryLoop> loops;
   FaceHierarchy faces;
 
-  explicit Model(const TriangleSoup& soup) : mesh(buildMesh(soup).mesh), loops(findBoundaryLoops(mesh)), faces(mesh) {}
+  explicit HoledModel(const TriangleSoup& soup) : mesh(buildMesh(soup).mesh), loops(findBoundaryLoops(mesh)), faces(mesh) {}
   std::optional<std::size_t> pick(const Sight& sight) const { return pickHole(mesh, loops, faces, sight); }
   std::optional<std::size_t> loopAt(const Vec3& p) const {
     for (std::size_t i = 0; i < loops.size(); ++i)
@@ -61,7 +62,7 @@ void HolePickTest::throughTheMiddleOfAHole_data() {
 // Through a hole one sees the inside of the far wall, or another hole; it is the near one that is meant.
 void HolePickTest::throughTheMiddleOfAHole() {
   QFETCH(bool, perspective);
-  const Model model(test::sphereWithHoles(4, 6, 0.3));
+  const HoledModel model(test::sphereWithHoles(4, 6, 0.3));
   QCOMPARE(model.loops.size(), std::size_t(6));
   for (const Vec3& d : test::directions(6)) {
     Sight sight = lookingAt(d, 5.0 * d, perspective);
@@ -73,7 +74,7 @@ void HolePickTest::throughTheMiddleOfAHole() {
 
 void HolePickTest::nearTheEdgeOfAHole() {
   QFETCH(bool, perspective);
-  const Model model(test::sphereWithHoles(4, 6, 0.3));
+  const HoledModel model(test::sphereWithHoles(4, 6, 0.3));
   for (const BoundaryLoop& loop : model.loops) {
     const Vec3 out = loop.centre.normalized();
     const auto pick = [&](const Vec3& p, double aside) {
@@ -93,7 +94,7 @@ void HolePickTest::nearTheEdgeOfAHole() {
 
 // The hole, seen from behind through the closed side.
 void HolePickTest::notThroughTheSurface() {
-  const Model model(test::sphereWithHoles(4, 1, 0.3));
+  const HoledModel model(test::sphereWithHoles(4, 1, 0.3));
   const Vec3 d = test::directions(1)[0];
   const Vec3 behind = -5.0 * d + 4.0 * d.unitOrthogonal();
   for (const bool perspective : {false, true}) {
@@ -109,7 +110,7 @@ void HolePickTest::notThroughTheSurface() {
 void HolePickTest::theSmallestOfThoseInSight() {
   TriangleSoup soup = test::annulus(24, 3, 0.5, 3.0);
   test::append(soup, test::moved(test::annulus(24, 3, 1.0, 3.0), Vec3(0, 0, 1)));
-  Model model(soup);
+  HoledModel model(soup);
   for (BoundaryLoop& loop : model.loops) loop.rim = loop.length > 10.0;
   const auto pick = [&](double x) { return model.pick(lookingAt(Vec3(x, 0.01, 0), Vec3(x, 0.01, 9), false)); };
   const auto depthOf = [&](const std::optional<std::size_t>& i) { return i ? model.loops[*i].centre.z() : -1.0; };
@@ -119,7 +120,7 @@ void HolePickTest::theSmallestOfThoseInSight() {
 }
 
 void HolePickTest::rims() {
-  Model model(test::disc(24, 4));
+  HoledModel model(test::disc(24, 4));
   QCOMPARE(model.loops.size(), std::size_t(1));
   model.loops[0].rim = true;
   QVERIFY(!model.pick(lookingAt(Vec3(0.1, 0.1, 0), Vec3(0.1, 0.1, 9), false)));
@@ -129,7 +130,7 @@ void HolePickTest::rims() {
 
 void HolePickTest::extremes() {
   const double nan = std::nan("");
-  const Model model(test::sphereWithHoles(3, 2, 0.4));
+  const HoledModel model(test::sphereWithHoles(3, 2, 0.4));
   const Vec3 d = test::directions(2)[0];
   for (const bool perspective : {false, true}) {
     const Sight good = lookingAt(d, 5.0 * d, perspective);
@@ -144,19 +145,19 @@ void HolePickTest::extremes() {
       sight.focus = 0.0;
       model.pick(sight);  // whatever it finds without a size to go by
     }
-    QVERIFY(!Model(TriangleSoup()).pick(good));
-    QVERIFY(!Model(test::icosphere(2)).pick(good));
+    QVERIFY(!HoledModel(TriangleSoup()).pick(good));
+    QVERIFY(!HoledModel(test::icosphere(2)).pick(good));
   }
   Sight sight = lookingAt(d, 5.0 * d, true);
   sight.eye = Vec3(nan, nan, nan);
   QVERIFY(!model.pick(sight));
   const Vec3 far(1e7, -1e7, 1e7);
-  const Model distant(test::moved(test::sphereWithHoles(3, 2, 0.4), far));
+  const HoledModel distant(test::moved(test::sphereWithHoles(3, 2, 0.4), far));
   for (const bool perspective : {false, true}) {
     const auto loop = distant.pick(lookingAt(far + d, far + 5.0 * d, perspective));
     QVERIFY(loop && loop == distant.loopAt(far + d));
   }
 }
 
-QTEST_GUILESS_MAIN(HolePickTest)
+HANDWHEEL_TEST(HolePickTest)
 #include "HolePickTest.moc"

@@ -4,12 +4,11 @@
 
 #include "HandWorkChecks.h"
 #include "HoleShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/Peninsulas.h"
 
 #include <QTest>
-
-Q_DECLARE_METATYPE(handwheel::TriangleSoup)
 
 using namespace handwheel;
 
@@ -169,5 +168,5 @@ void IslandsTest::cancelled() {
   QVERIFY(findPeninsulas(mesh, holeOf(mesh), Progress(state)).empty());
 }
 
-QTEST_GUILESS_MAIN(IslandsTest)
+HANDWHEEL_TEST(IslandsTest)
 #include "IslandsTest.moc"

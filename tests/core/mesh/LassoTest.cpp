@@ -3,6 +3,7 @@
 #include "mesh/Lasso.h"
 
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 
 #include <rapidcheck.h>
@@ -221,5 +222,5 @@ void LassoTest::endsEarly() {
   QVERIFY(!facesInLasso(faces, lassoOf(above, square(10.0), false), Progress(state)));
 }
 
-QTEST_GUILESS_MAIN(LassoTest)
+HANDWHEEL_TEST(LassoTest)
 #include "LassoTest.moc"

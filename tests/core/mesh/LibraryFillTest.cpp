@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "base/Tolerance.h"
 #include "mesh/MeshBuilder.h"
 
@@ -68,7 +69,7 @@ void LibraryFillTest::minimalOfTheSmallestHole() {
   QVERIFY(patch.has_value());
   QCOMPARE(patch->triangles.size(), std::size_t{1});
   QVERIFY(closes(soup, *patch));
-  std::set<test::Place> wanted, is;
+  std::set<test::Coordinates> wanted, is;
   for (std::uint32_t v : lost) wanted.insert(test::place(soup.points[v]));
   for (std::uint32_t v : patch->triangles[0]) is.insert(test::place(patch->points[v]));
   QVERIFY(is == wanted);
@@ -162,5 +163,5 @@ void LibraryFillTest::hostileSizesAreRefused() {
   QVERIFY(!refinePatch(hole, patch, std::nullopt));
 }
 
-QTEST_GUILESS_MAIN(LibraryFillTest)
+HANDWHEEL_TEST(LibraryFillTest)
 #include "LibraryFillTest.moc"

@@ -3,6 +3,7 @@
 #include "mesh/LocalCrossings.h"
 
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/Defects.h"
 #include "mesh/LoopSubdivision.h"
 #include "mesh/MeshBuilder.h"
@@ -94,5 +95,5 @@ void LocalCrossingsTest::cancelled() {
   QVERIFY(!crossingsChange(cubes(Vec3(1.5, 1.5, 1.5)), cubes(Vec3(3.5, 1.6, 1.7)), Progress(state)));
 }
 
-QTEST_GUILESS_MAIN(LocalCrossingsTest)
+HANDWHEEL_TEST(LocalCrossingsTest)
 #include "LocalCrossingsTest.moc"

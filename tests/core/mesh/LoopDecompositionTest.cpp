@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/HoleFilling.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshValidator.h"
@@ -17,8 +18,9 @@ using namespace handwheel;
 
 namespace {
 
-struct Case {
-  explicit Case(const TriangleSoup& soup, std::size_t atLeast = 3) : mesh(buildMesh(soup).mesh), obstacles(mesh) {
+struct LoopDecompositionCase {
+  explicit LoopDecompositionCase(const TriangleSoup& soup, std::size_t atLeast = 3)
+      : mesh(buildMesh(soup).mesh), obstacles(mesh) {
     for (const BoundaryLoop& l : findBoundaryLoops(mesh)) {
       if (l.halfEdges.size() < atLeast) continue;
       loop = l;
@@ -116,14 +118,14 @@ void LoopDecompositionTest::refusesWhatIsNoCut() {
 }
 
 void LoopDecompositionTest::shortLoopsStayWhole() {
-  const Case c(test::cylinder(300, 2, 1, 1, false));
+  const LoopDecompositionCase c(test::cylinder(300, 2, 1, 1, false));
   QVERIFY(proposeStitches(c.hole, c.obstacles, 300).empty());
   QVERIFY(!proposeStitches(c.hole, c.obstacles, 299).empty());
 }
 
 void LoopDecompositionTest::roundHolesFallIntoEvenPieces() {
   for (std::size_t most : {300, 100, 5, 0}) {
-    const Case c(test::cylinder(2554, 2, 10.0, 1.0, false));
+    const LoopDecompositionCase c(test::cylinder(2554, 2, 10.0, 1.0, false));
     const std::vector<Stitch> stitches = proposeStitches(c.hole, c.obstacles, most);
     const std::vector<LoopPiece> pieces = cutLoop(c.hole.loopSize, stitches).value();
     QVERIFY(longest(pieces) <= std::max<std::size_t>(most, 4));
@@ -143,15 +145,15 @@ void LoopDecompositionTest::slotsAreZipped() {
   QFETCH(bool, isRing);
   const std::uint32_t n = 2000;
   const double width = 0.02;
-  const Case c(sheetAround(n, isRing ? 0.003 : 0.01,
-                           [&](std::uint32_t j) {
-                             const bool isBack = j >= n / 2;
-                             const double along = (isBack ? n - 1 - j : j) / (n / 2 - 1.0);
-                             if (!isRing) return Eigen::Vector2d(along, isBack ? width : 0.0);
-                             const double r = isBack ? 1.0 : 1.0 + width, u = 6.0 * along;
-                             return Eigen::Vector2d(r * std::cos(u), r * std::sin(u));
-                           }),
-               n);
+  const LoopDecompositionCase c(sheetAround(n, isRing ? 0.003 : 0.01,
+                                            [&](std::uint32_t j) {
+                                              const bool isBack = j >= n / 2;
+                                              const double along = (isBack ? n - 1 - j : j) / (n / 2 - 1.0);
+                                              if (!isRing) return Eigen::Vector2d(along, isBack ? width : 0.0);
+                                              const double r = isBack ? 1.0 : 1.0 + width, u = 6.0 * along;
+                                              return Eigen::Vector2d(r * std::cos(u), r * std::sin(u));
+                                            }),
+                                n);
   QVERIFY(c.loop.halfEdges.size() == n);
   const std::vector<Stitch> stitches = proposeStitches(c.hole, c.obstacles, 200);
   QVERIFY(longest(cutLoop(n, stitches).value()) <= 200);
@@ -161,7 +163,7 @@ void LoopDecompositionTest::slotsAreZipped() {
 // The end of a tube with a star's outline, where nothing but the outline itself says where the hole is.
 void LoopDecompositionTest::bridgesStayInTheHole() {
   const std::uint32_t n = 900;
-  const Case c(test::grid(n, 2, true, false, [&](std::uint32_t i, std::uint32_t j) {
+  const LoopDecompositionCase c(test::grid(n, 2, true, false, [&](std::uint32_t i, std::uint32_t j) {
     const double u = 2.0 * M_PI * i / n, r = 1.0 + 0.6 * std::cos(9.0 * u);
     return Vec3(r * std::cos(u), r * std::sin(u), j);
   }));
@@ -178,7 +180,7 @@ void LoopDecompositionTest::bridgesStayInTheHole() {
 void LoopDecompositionTest::bridgesGoRoundThePart() {
   TriangleSoup soup = test::annulus(800, 2, 1.0, 2.0);
   test::append(soup, test::moved(test::cylinder(24, 4, 0.2, 4.0, true), Vec3(0, 0, -2.0)));
-  const Case c(soup);
+  const LoopDecompositionCase c(soup);
   QCOMPARE(c.hole.loopSize, std::size_t{800});
   const std::vector<Stitch> stitches = proposeStitches(c.hole, c.obstacles, 150);
   QVERIFY(!stitches.empty());
@@ -193,7 +195,7 @@ void LoopDecompositionTest::bridgesGoRoundThePart() {
 void LoopDecompositionTest::noBridgeAlongAnEdge() {
   TriangleSoup soup = test::tetrahedron();
   soup.triangles.resize(2);
-  const Case c(soup);
+  const LoopDecompositionCase c(soup);
   for (const Stitch& s : proposeStitches(c.hole, c.obstacles, 3)) {
     const std::pair<std::uint32_t, std::uint32_t> edge = std::minmax(s.a, s.b);
     for (const auto& known : c.obstacles.edgesAmong(c.hole.loop())) QVERIFY(known != edge);
@@ -201,9 +203,9 @@ void LoopDecompositionTest::noBridgeAlongAnEdge() {
 }
 
 void LoopDecompositionTest::piecesMakeOnePatch() {
-  const Case tube(test::cylinder(1000, 2, 1.0, 1.0, false)), sphere(test::sphereWithoutCap(6));
+  const LoopDecompositionCase tube(test::cylinder(1000, 2, 1.0, 1.0, false)), sphere(test::sphereWithoutCap(6));
   for (FillMethod method : {FillMethod::Fair, FillMethod::Refined, FillMethod::Minimal}) {
-    const Case& c = method == FillMethod::Fair ? sphere : tube;
+    const LoopDecompositionCase& c = method == FillMethod::Fair ? sphere : tube;
     HoleFiller filler(c.mesh);
     FillOptions options;
     options.method = method;
@@ -223,7 +225,7 @@ void LoopDecompositionTest::piecesMakeOnePatch() {
 }
 
 void LoopDecompositionTest::stitchesOfTheUserHold() {
-  const Case c(test::cylinder(40, 2, 1.0, 1.0, false));
+  const LoopDecompositionCase c(test::cylinder(40, 2, 1.0, 1.0, false));
   const HoleFiller filler(c.mesh);
   FillOptions options;
   options.tryOthers = false;
@@ -243,11 +245,11 @@ void LoopDecompositionTest::stitchesOfTheUserHold() {
 }
 
 void LoopDecompositionTest::cancels() {
-  const Case c(test::cylinder(2000, 2, 1.0, 1.0, false));
+  const LoopDecompositionCase c(test::cylinder(2000, 2, 1.0, 1.0, false));
   JobState job;
   job.cancelled = true;
   QVERIFY(proposeStitches(c.hole, c.obstacles, 50, Progress(job)).empty());
 }
 
-QTEST_GUILESS_MAIN(LoopDecompositionTest)
+HANDWHEEL_TEST(LoopDecompositionTest)
 #include "LoopDecompositionTest.moc"

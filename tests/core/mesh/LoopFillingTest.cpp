@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshValidator.h"
 #include "mesh/Uncrossing.h"
@@ -19,7 +20,7 @@ HalfEdgeMesh balls(double gap) {
   const TriangleSoup lower = test::sphereWithoutCap(4, 0.9);
   TriangleSoup upper = test::turnedOver(lower);
   double mouth = -1.0;
-  for (const test::Place& p : test::places(lower)) mouth = std::max(mouth, p[2]);
+  for (const test::Coordinates& p : test::places(lower)) mouth = std::max(mouth, p[2]);
   for (Vec3& p : upper.points) p.z() = 2.0 * mouth + gap - p.z();
   TriangleSoup both = lower;
   test::append(both, upper);
@@ -80,5 +81,5 @@ void LoopFillingTest::cancelled() {
   QVERIFY(test::sameMesh(mesh, balls(0.02)));
 }
 
-QTEST_GUILESS_MAIN(LoopFillingTest)
+HANDWHEEL_TEST(LoopFillingTest)
 #include "LoopFillingTest.moc"

@@ -3,6 +3,7 @@
 #include "mesh/LoopOwners.h"
 
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/HoleFilling.h"
 #include "mesh/MeshBuilder.h"
 
@@ -83,5 +84,5 @@ void LoopOwnersTest::holesGrownTogether() {
   for (const BoundaryLoop& loop : grown) QCOMPARE(owners.of(mesh, loop).size(), loop.halfEdges.size() == 24 ? 1u : 2u);
 }
 
-QTEST_GUILESS_MAIN(LoopOwnersTest)
+HANDWHEEL_TEST(LoopOwnersTest)
 #include "LoopOwnersTest.moc"

@@ -5,14 +5,13 @@
 #include "MeshChecks.h"
 #include "MeshShapes.h"
 #include "SubdivisionShapes.h"
+#include "TestClass.h"
 #include "mesh/FaceGrowing.h"
 #include "mesh/MeshValidator.h"
 
 #include <rapidcheck.h>
 
 #include <QTest>
-
-Q_DECLARE_METATYPE(handwheel::TriangleSoup)
 
 using namespace handwheel;
 using test::built;
@@ -128,5 +127,5 @@ void LoopSubdivisionQualityTest::inEverySizeAndPlace() {
     QVERIFY((scale * plain.position(v) + far - mapped.position(v)).norm() <= 1e-14 * scale + 4e-16 * 4 * shift);
 }
 
-QTEST_GUILESS_MAIN(LoopSubdivisionQualityTest)
+HANDWHEEL_TEST(LoopSubdivisionQualityTest)
 #include "LoopSubdivisionQualityTest.moc"

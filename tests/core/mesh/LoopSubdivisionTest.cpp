@@ -5,14 +5,13 @@
 #include "MeshChecks.h"
 #include "MeshShapes.h"
 #include "SubdivisionShapes.h"
+#include "TestClass.h"
 #include "mesh/FaceGrowing.h"
 #include "mesh/MeshValidator.h"
 
 #include <rapidcheck.h>
 
 #include <QTest>
-
-Q_DECLARE_METATYPE(handwheel::TriangleSoup)
 
 using namespace handwheel;
 using test::built;
@@ -210,5 +209,5 @@ void LoopSubdivisionTest::nonManifoldNeighbours() {
   }
 }
 
-QTEST_GUILESS_MAIN(LoopSubdivisionTest)
+HANDWHEEL_TEST(LoopSubdivisionTest)
 #include "LoopSubdivisionTest.moc"

@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshValidator.h"
 
 #include <rapidcheck.h>
@@ -20,7 +21,7 @@ bool everyTriangleIsThere(const TriangleSoup& soup, const BuiltMesh& built) {
   const std::set<Face> turned(built.report.turnedFaces.begin(), built.report.turnedFaces.end());
   for (Face f = 0; f < built.mesh.faceSlots(); ++f) {
     if (!built.mesh.isLive(f)) return false;
-    std::array<test::Place, 3> wanted, is;
+    std::array<test::Coordinates, 3> wanted, is;
     for (std::size_t k = 0; k < 3; ++k) {
       wanted[k] = test::place(soup.points[soup.triangles[f][k]]);
       is[k] = test::place(built.mesh.points(f)[k]);
@@ -121,7 +122,7 @@ void MeshBuilderTest::oneSided() {
   QVERIFY(test::countSeams(mesh) > 0);
   QCOMPARE(test::countSeams(mesh), built.report.unpairedHalfEdges);
 
-  std::map<test::Place, int> seamsAt, bordersAt;
+  std::map<test::Coordinates, int> seamsAt, bordersAt;
   for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h) {
     for (Vertex v : {mesh.from(h), mesh.to(h)}) {
       seamsAt[test::place(mesh.position(v))] += mesh.isSeam(h);
@@ -287,5 +288,5 @@ void MeshBuilderTest::relinkNeedsNoNewVertices() {
     for (Vertex v : mesh.triangle(f)) QVERIFY(mesh.position(v) != Vec3(1, 1, 1) || v == theirs);
 }
 
-QTEST_GUILESS_MAIN(MeshBuilderTest)
+HANDWHEEL_TEST(MeshBuilderTest)
 #include "MeshBuilderTest.moc"

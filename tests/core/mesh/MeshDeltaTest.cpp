@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 
 #include <rapidcheck.h>
@@ -182,5 +183,5 @@ void MeshDeltaTest::snapshotsStayAsTheyWere() {
   QVERIFY(!test::sameMesh(snapshot, mesh));
 }
 
-QTEST_GUILESS_MAIN(MeshDeltaTest)
+HANDWHEEL_TEST(MeshDeltaTest)
 #include "MeshDeltaTest.moc"

@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/BorderVertices.h"
 #include "mesh/Defects.h"
 #include "mesh/MeshBuilder.h"
@@ -114,5 +115,5 @@ void MeshFidelityTest::densityIsRead() {
   }
 }
 
-QTEST_GUILESS_MAIN(MeshFidelityTest)
+HANDWHEEL_TEST(MeshFidelityTest)
 #include "MeshFidelityTest.moc"

@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/BoundaryLoops.h"
 #include "mesh/Defects.h"
 #include "mesh/MeshBuilder.h"
@@ -34,12 +35,12 @@ Box ballBox(double from) {
 }
 
 // Of the live faces, each by its corners in order of position.
-std::multiset<std::array<test::Place, 3>> shapes(const HalfEdgeMesh& mesh) {
-  std::multiset<std::array<test::Place, 3>> result;
+std::multiset<std::array<test::Coordinates, 3>> shapes(const HalfEdgeMesh& mesh) {
+  std::multiset<std::array<test::Coordinates, 3>> result;
   for (Face f = 0; f < mesh.faceSlots(); ++f) {
     if (!mesh.isLive(f)) continue;
     const auto [p, q, r] = mesh.points(f);
-    std::array<test::Place, 3> corners = {test::place(p), test::place(q), test::place(r)};
+    std::array<test::Coordinates, 3> corners = {test::place(p), test::place(q), test::place(r)};
     std::sort(corners.begin(), corners.end());
     result.insert(corners);
   }
@@ -47,7 +48,7 @@ std::multiset<std::array<test::Place, 3>> shapes(const HalfEdgeMesh& mesh) {
 }
 
 // What the whole must hold after a part of it was put back.
-std::multiset<std::array<test::Place, 3>> expected(const HalfEdgeMesh& before, const MeshPart& part,
+std::multiset<std::array<test::Coordinates, 3>> expected(const HalfEdgeMesh& before, const MeshPart& part,
                                                    const HalfEdgeMesh& changed) {
   auto result = shapes(before);
   for (const auto& gone : shapes(part.mesh())) result.erase(result.find(gone));
@@ -164,5 +165,5 @@ void MeshPartTest::halfEdges() {
   }
 }
 
-QTEST_GUILESS_MAIN(MeshPartTest)
+HANDWHEEL_TEST(MeshPartTest)
 #include "MeshPartTest.moc"

@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 
 #include <rapidcheck.h>
 
@@ -222,5 +223,5 @@ void MeshReportTest::soups() {
   }));
 }
 
-QTEST_GUILESS_MAIN(MeshReportTest)
+HANDWHEEL_TEST(MeshReportTest)
 #include "MeshReportTest.moc"

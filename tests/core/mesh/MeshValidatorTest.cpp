@@ -3,6 +3,7 @@
 #include "mesh/MeshValidator.h"
 
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 
 #include <QTest>
@@ -143,5 +144,5 @@ void MeshValidatorTest::twoVerticesInAFan() {
   QVERIFY(!validate(mesh).empty());
 }
 
-QTEST_GUILESS_MAIN(MeshValidatorTest)
+HANDWHEEL_TEST(MeshValidatorTest)
 #include "MeshValidatorTest.moc"

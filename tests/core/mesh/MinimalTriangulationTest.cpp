@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "base/Tolerance.h"
 #include "mesh/HoleFilling.h"
 #include "mesh/MeshBuilder.h"
@@ -246,5 +247,5 @@ void MinimalTriangulationTest::refusesTheEndless() {
   }
 }
 
-QTEST_GUILESS_MAIN(MinimalTriangulationTest)
+HANDWHEEL_TEST(MinimalTriangulationTest)
 #include "MinimalTriangulationTest.moc"

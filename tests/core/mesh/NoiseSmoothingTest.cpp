@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/FaceNormal.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshValidator.h"
@@ -30,7 +31,7 @@ class NoiseSmoothingTest : public QObject {
 namespace {
 
 // Surface of the cube from 0 to 1, each side n × n squares.
-TriangleSoup cubeOfCells(std::uint32_t n) {
+TriangleSoup noiseSmoothingCubeOfCells(std::uint32_t n) {
   TriangleSoup soup;
   for (int axis = 0; axis < 3; ++axis) {
     for (const double side : {0.0, 1.0}) {
@@ -94,7 +95,7 @@ void NoiseSmoothingTest::sphere() {
 }
 
 void NoiseSmoothingTest::cubeKeepsItsEdges() {
-  const HalfEdgeMesh clean = buildMesh(cubeOfCells(20)).mesh, rough = noisy(clean, 0.007);
+  const HalfEdgeMesh clean = buildMesh(noiseSmoothingCubeOfCells(20)).mesh, rough = noisy(clean, 0.007);
   HalfEdgeMesh mesh = rough;
   QVERIFY(smoothNoise(mesh, FaceSelection::all(mesh)));
   QCOMPARE(validate(mesh), std::string());
@@ -189,5 +190,5 @@ void NoiseSmoothingTest::ringsAroundABorder() {
   QVERIFY(facesAtBorder(closed, 3).empty() && facesAtBorder(HalfEdgeMesh(), 2).empty());
 }
 
-QTEST_GUILESS_MAIN(NoiseSmoothingTest)
+HANDWHEEL_TEST(NoiseSmoothingTest)
 #include "NoiseSmoothingTest.moc"

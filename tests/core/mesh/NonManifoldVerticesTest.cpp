@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/Weld.h"
 
 #include <rapidcheck.h>
@@ -78,5 +79,5 @@ void NonManifoldVerticesTest::soups() {
   }));
 }
 
-QTEST_GUILESS_MAIN(NonManifoldVerticesTest)
+HANDWHEEL_TEST(NonManifoldVerticesTest)
 #include "NonManifoldVerticesTest.moc"

@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 
 #include <rapidcheck.h>
@@ -118,5 +119,5 @@ void ObstaclesTest::edgesAmong() {
   }));
 }
 
-QTEST_GUILESS_MAIN(ObstaclesTest)
+HANDWHEEL_TEST(ObstaclesTest)
 #include "ObstaclesTest.moc"

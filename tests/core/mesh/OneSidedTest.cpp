@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/Defects.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshValidator.h"
@@ -11,8 +12,6 @@
 #include "mesh/ReversingLoop.h"
 
 #include <QTest>
-
-Q_DECLARE_METATYPE(handwheel::TriangleSoup)
 
 using namespace handwheel;
 
@@ -184,7 +183,7 @@ void OneSidedTest::closesACrossCap() {
       QVERIFY(test::countEdges(mesh).sound());
       QCOMPARE(test::eulerCharacteristic(mesh.compact().soup) % 2, 0L);
       QVERIFY(crossings(mesh) <= crossings(before));
-      const std::set<test::Place> now = test::places(mesh.compact().soup);
+      const std::set<test::Coordinates> now = test::places(mesh.compact().soup);
       for (std::size_t i = 0; i + 3 < soup.points.size(); ++i) {
         bool isUsed = false;
         for (const Triangle& t : soup.triangles) isUsed = isUsed || std::find(t.begin(), t.end(), i) != t.end();
@@ -223,5 +222,5 @@ void OneSidedTest::cancelled() {
   QVERIFY(test::sameMesh(mesh, before));
 }
 
-QTEST_GUILESS_MAIN(OneSidedTest)
+HANDWHEEL_TEST(OneSidedTest)
 #include "OneSidedTest.moc"

@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 
 #include <rapidcheck.h>
 
@@ -102,5 +103,5 @@ void OrientationTest::turnedHalfEdges() {
   }
 }
 
-QTEST_GUILESS_MAIN(OrientationTest)
+HANDWHEEL_TEST(OrientationTest)
 #include "OrientationTest.moc"

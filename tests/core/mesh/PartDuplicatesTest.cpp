@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/Defects.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshReport.h"
@@ -123,5 +124,5 @@ void PartDuplicatesTest::randomCells() {
   }));
 }
 
-QTEST_GUILESS_MAIN(PartDuplicatesTest)
+HANDWHEEL_TEST(PartDuplicatesTest)
 #include "PartDuplicatesTest.moc"

@@ -3,6 +3,7 @@
 #include "mesh/PatchFigures.h"
 
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/HoleFilling.h"
 #include "mesh/MeshBuilder.h"
 
@@ -85,5 +86,5 @@ void PatchFiguresTest::withoutArea() {
   QCOMPARE(figures.meanBend, 0.0);
 }
 
-QTEST_GUILESS_MAIN(PatchFiguresTest)
+HANDWHEEL_TEST(PatchFiguresTest)
 #include "PatchFiguresTest.moc"

@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/FaceGrowing.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshValidator.h"
@@ -228,5 +229,5 @@ void PatchLevelsTest::patchesWithoutAnInside() {
   }
 }
 
-QTEST_GUILESS_MAIN(PatchLevelsTest)
+HANDWHEEL_TEST(PatchLevelsTest)
 #include "PatchLevelsTest.moc"

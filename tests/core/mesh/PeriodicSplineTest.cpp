@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "mesh/PeriodicSpline.h"
 
 #include <QTest>
@@ -134,5 +135,5 @@ void PeriodicSplineTest::extremes() {
   for (std::size_t i = 0; i < 12; ++i) QVERIFY(flat.knot(i).norm() < 1e-6);
 }
 
-QTEST_GUILESS_MAIN(PeriodicSplineTest)
+HANDWHEEL_TEST(PeriodicSplineTest)
 #include "PeriodicSplineTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "mesh/PolygonRows.h"
 
 #include <rapidcheck.h>
@@ -73,5 +74,5 @@ void PolygonRowsTest::extremes() {
   QVERIFY(PolygonRows(std::vector<Vec2>{{-1, 0}, {1, 0}, {1, least}, {-1, least}}).contains(Vec2(0, 0)));
 }
 
-QTEST_GUILESS_MAIN(PolygonRowsTest)
+HANDWHEEL_TEST(PolygonRowsTest)
 #include "PolygonRowsTest.moc"

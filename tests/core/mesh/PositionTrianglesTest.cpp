@@ -3,6 +3,7 @@
 #include "mesh/PositionTriangles.h"
 
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/EdgeTable.h"
 #include "mesh/MeshBuilder.h"
 
@@ -38,5 +39,5 @@ void PositionTrianglesTest::deadFaces() {
   for (Face f = 0; f < 12; ++f) QCOMPARE(hasRepeatedVertex(byPosition.triangles[f]), f == 5);
 }
 
-QTEST_GUILESS_MAIN(PositionTrianglesTest)
+HANDWHEEL_TEST(PositionTrianglesTest)
 #include "PositionTrianglesTest.moc"

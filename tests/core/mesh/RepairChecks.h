@@ -16,7 +16,7 @@ inline std::size_t intersections(const HalfEdgeMesh& mesh) {
 
 // Input vertices whose position changed, or that no face uses any more though one did.
 inline std::set<Vertex> reallyTouched(const HalfEdgeMesh& before, const HalfEdgeMesh& after) {
-  const std::set<Place> left = places(after.compact().soup);
+  const std::set<Coordinates> left = places(after.compact().soup);
   std::set<Vertex> touched;
   for (Face f = 0; f < before.faceSlots(); ++f)
     for (Vertex v : before.triangle(f))

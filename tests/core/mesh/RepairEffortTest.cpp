@@ -4,6 +4,7 @@
 
 #include "GarbageMeshes.h"
 #include "RepairChecks.h"
+#include "TestClass.h"
 #include "document/formats/MeshFormat.h"
 #include "mesh/LoopFilling.h"
 #include "mesh/MeshBuilder.h"
@@ -104,5 +105,5 @@ void RepairEffortTest::fillsNothingWithoutEffort() {
   QVERIFY(test::sameMesh(mesh, before));
 }
 
-QTEST_GUILESS_MAIN(RepairEffortTest)
+HANDWHEEL_TEST(RepairEffortTest)
 #include "RepairEffortTest.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "MeshShapes.h"
 #include "RepairChecks.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshValidator.h"
 
@@ -137,5 +138,5 @@ void RepairPropertiesTest::anySoup() {
   }));
 }
 
-QTEST_GUILESS_MAIN(RepairPropertiesTest)
+HANDWHEEL_TEST(RepairPropertiesTest)
 #include "RepairPropertiesTest.moc"

@@ -4,6 +4,7 @@
 
 #include "MeshShapes.h"
 #include "RepairChecks.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshDelta.h"
 #include "mesh/MeshValidator.h"
@@ -308,5 +309,5 @@ void RepairTest::singlePrecision() {
   QVERIFY(test::countEdges(written).sound());
 }
 
-QTEST_GUILESS_MAIN(RepairTest)
+HANDWHEEL_TEST(RepairTest)
 #include "RepairTest.moc"

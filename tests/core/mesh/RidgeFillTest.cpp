@@ -5,6 +5,7 @@
 #include "MeshChecks.h"
 #include "MeshShapes.h"
 #include "RidgedShapes.h"
+#include "TestClass.h"
 #include "mesh/HoleFilling.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshValidator.h"
@@ -18,7 +19,7 @@ namespace {
 
 using Distance = std::function<double(const Vec3&)>;
 
-FillOptions only(FillMethod method) {
+FillOptions ridgeFillOnly(FillMethod method) {
   FillOptions options;
   options.method = method;
   options.tryOthers = false;
@@ -42,7 +43,7 @@ double rms(const Patch& patch, const Distance& distance) {
   return std::sqrt(squares / area);
 }
 
-struct Errors {
+struct RidgeFillErrors {
   std::vector<double> fair, ridge;  // RMS / diameter of the hole
   double p90(std::vector<double> values) const {
     std::sort(values.begin(), values.end());
@@ -51,13 +52,14 @@ struct Errors {
 };
 
 // Cuts a ball out of the part around each place and fills it both ways.
-Errors cutAndFill(const TriangleSoup& part, const std::vector<Vec3>& places, double radius, const Distance& distance) {
-  Errors errors;
+RidgeFillErrors cutAndFill(const TriangleSoup& part, const std::vector<Vec3>& places, double radius,
+                           const Distance& distance) {
+  RidgeFillErrors errors;
   for (const Vec3& place : places) {
     const HalfEdgeMesh mesh = buildMesh(test::withHole(part, place, radius)).mesh;
     const BoundaryLoop loop = findBoundaryLoops(mesh).at(0);
     const HoleFiller filler(mesh);
-    const FillAttempt fair = filler.propose(loop, {}), ridge = filler.propose(loop, only(FillMethod::Ridge));
+    const FillAttempt fair = filler.propose(loop, {}), ridge = filler.propose(loop, ridgeFillOnly(FillMethod::Ridge));
     if (fair.failure != FillFailure::None || ridge.failure != FillFailure::None) continue;
     errors.fair.push_back(rms(fair.patch, distance) / loop.box.diagonal().norm());
     errors.ridge.push_back(rms(ridge.patch, distance) / loop.box.diagonal().norm());
@@ -97,7 +99,7 @@ void RidgeFillTest::halvesTheErrorOnCubes() {
     places.emplace_back((i % 2 ? 1.0 : -1.0) + 0.2 * (unit() - 0.5), 1.0 + 0.2 * (unit() - 0.5), unit() - 0.5);
   }
   for (double radius : {0.2, 0.35}) {
-    const Errors errors = cutAndFill(cube, places, radius, test::distanceToCube);
+    const RidgeFillErrors errors = cutAndFill(cube, places, radius, test::distanceToCube);
     QCOMPARE(errors.ridge.size(), places.size());
     QVERIFY2(errors.p90(errors.ridge) <= 0.5 * errors.p90(errors.fair),
              qPrintable(QString("%1 %2").arg(errors.p90(errors.ridge)).arg(errors.p90(errors.fair))));
@@ -114,7 +116,7 @@ void RidgeFillTest::halvesTheErrorOnRims() {
     places.emplace_back(r * std::cos(u), r * std::sin(u), 1.0 + 0.1 * (unit() - 0.5));
   }
   for (double radius : {0.2, 0.4}) {
-    const Errors errors = cutAndFill(part, places, radius, test::distanceToCylinder);
+    const RidgeFillErrors errors = cutAndFill(part, places, radius, test::distanceToCylinder);
     QCOMPARE(errors.ridge.size(), places.size());
     QVERIFY2(errors.p90(errors.ridge) <= 0.5 * errors.p90(errors.fair),
              qPrintable(QString("%1 %2").arg(errors.p90(errors.ridge)).arg(errors.p90(errors.fair))));
@@ -126,7 +128,7 @@ void RidgeFillTest::flatSidesStayFlat() {
   const TriangleSoup cube = test::roughCube(24, 0);
   const HalfEdgeMesh mesh = buildMesh(test::withHole(cube, Vec3(1.02, 1.01, 0.1), 0.3)).mesh;
   const BoundaryLoop loop = findBoundaryLoops(mesh).at(0);
-  const FillAttempt attempt = HoleFiller(mesh).propose(loop, only(FillMethod::Ridge));
+  const FillAttempt attempt = HoleFiller(mesh).propose(loop, ridgeFillOnly(FillMethod::Ridge));
   QVERIFY(attempt.failure == FillFailure::None);
   QVERIFY(attempt.patch.method == FillMethod::Ridge);
   QCOMPARE(attempt.patch.stitches.size(), std::size_t{1});
@@ -139,7 +141,7 @@ void RidgeFillTest::flatSidesStayFlat() {
 void RidgeFillTest::valleysToo() {
   const TriangleSoup room = test::turnedOver(test::roughCube(24, 0));
   const HalfEdgeMesh mesh = buildMesh(test::withHole(room, Vec3(0.98, 1.01, 0.1), 0.3)).mesh;
-  const FillAttempt attempt = HoleFiller(mesh).propose(findBoundaryLoops(mesh).at(0), only(FillMethod::Ridge));
+  const FillAttempt attempt = HoleFiller(mesh).propose(findBoundaryLoops(mesh).at(0), ridgeFillOnly(FillMethod::Ridge));
   QVERIFY(attempt.failure == FillFailure::None);
   QVERIFY(attempt.patch.method == FillMethod::Ridge);
   QVERIFY(rms(attempt.patch, test::distanceToCube) < 1e-9);
@@ -149,7 +151,8 @@ void RidgeFillTest::cornersComeBack() {
   const TriangleSoup cube = test::roughCube(24, 7);
   for (double radius : {0.1, 0.3, 0.5}) {
     const HalfEdgeMesh mesh = buildMesh(test::withHole(cube, Vec3(1.01, 1.02, 0.99), radius)).mesh;
-    const FillAttempt attempt = HoleFiller(mesh).propose(findBoundaryLoops(mesh).at(0), only(FillMethod::Ridge));
+    const FillAttempt attempt =
+        HoleFiller(mesh).propose(findBoundaryLoops(mesh).at(0), ridgeFillOnly(FillMethod::Ridge));
     QVERIFY(attempt.failure == FillFailure::None);
     QVERIFY(attempt.patch.method == FillMethod::Ridge);
     QVERIFY(rms(attempt.patch, test::distanceToCube) < 1e-9);
@@ -163,8 +166,8 @@ void RidgeFillTest::withoutRidgesAsFair() {
     const HalfEdgeMesh mesh = buildMesh(part).mesh;
     const BoundaryLoop loop = findBoundaryLoops(mesh).at(0);
     const HoleFiller filler(mesh);
-    const FillAttempt fair = filler.propose(loop, only(FillMethod::Fair));
-    const FillAttempt ridge = filler.propose(loop, only(FillMethod::Ridge));
+    const FillAttempt fair = filler.propose(loop, ridgeFillOnly(FillMethod::Fair));
+    const FillAttempt ridge = filler.propose(loop, ridgeFillOnly(FillMethod::Ridge));
     QVERIFY(fair.failure == FillFailure::None);
     QVERIFY(ridge.failure == FillFailure::None);
     QVERIFY(ridge.patch.method == FillMethod::Fair);
@@ -201,7 +204,8 @@ void RidgeFillTest::anySizeAndPlace() {
     TriangleSoup part = cut;
     for (Vec3& p : part.points) p = scale * (turn * p) + Vec3::Constant(shift);
     const HalfEdgeMesh mesh = buildMesh(part).mesh;
-    const FillAttempt attempt = HoleFiller(mesh).propose(findBoundaryLoops(mesh).at(0), only(FillMethod::Ridge));
+    const FillAttempt attempt =
+        HoleFiller(mesh).propose(findBoundaryLoops(mesh).at(0), ridgeFillOnly(FillMethod::Ridge));
     QVERIFY(attempt.failure == FillFailure::None);
     QVERIFY(attempt.patch.method == FillMethod::Ridge);
     const auto distance = [&, s = scale, o = shift](const Vec3& p) {
@@ -221,5 +225,5 @@ void RidgeFillTest::cancels() {
   QVERIFY(!fillAlongRidges(hole, obstacles, tolerance::kPatchDensity, Continuity::Tangent, Progress(job)));
 }
 
-QTEST_GUILESS_MAIN(RidgeFillTest)
+HANDWHEEL_TEST(RidgeFillTest)
 #include "RidgeFillTest.moc"

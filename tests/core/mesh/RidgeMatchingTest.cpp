@@ -4,6 +4,7 @@
 
 #include "MeshShapes.h"
 #include "RidgedShapes.h"
+#include "TestClass.h"
 #include "base/Tolerance.h"
 #include "mesh/MeshBuilder.h"
 
@@ -119,5 +120,5 @@ void RidgeMatchingTest::roughSurfacesHaveNone() {
   QVERIFY(!matchRidges(hole, ends, tolerance::kPatchDensity).pairs.empty());
 }
 
-QTEST_GUILESS_MAIN(RidgeMatchingTest)
+HANDWHEEL_TEST(RidgeMatchingTest)
 #include "RidgeMatchingTest.moc"

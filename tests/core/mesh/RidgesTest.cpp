@@ -4,6 +4,7 @@
 
 #include "MeshShapes.h"
 #include "RidgedShapes.h"
+#include "TestClass.h"
 #include "base/Tolerance.h"
 #include "mesh/MeshBuilder.h"
 
@@ -13,7 +14,7 @@ using namespace handwheel;
 
 namespace {
 
-HoleContext holeIn(const TriangleSoup& part, const Vec3& place, double radius) {
+HoleContext ridgesHoleIn(const TriangleSoup& part, const Vec3& place, double radius) {
   const HalfEdgeMesh mesh = buildMesh(test::withHole(part, place, radius)).mesh;
   return holeContext(mesh, findBoundaryLoops(mesh).at(0));
 }
@@ -31,7 +32,7 @@ class RidgesTest : public QObject {
 };
 
 void RidgesTest::findsTheEndsOnACube() {
-  const HoleContext hole = holeIn(test::roughCube(20, 5), Vec3(1, 1, 0), 0.3);
+  const HoleContext hole = ridgesHoleIn(test::roughCube(20, 5), Vec3(1, 1, 0), 0.3);
   const std::vector<RidgeEnd> ends = findRidgeEnds(hole, tolerance::kRidgeAngle);
   QCOMPARE(ends.size(), std::size_t{2});
   for (const RidgeEnd& end : ends) {
@@ -41,17 +42,17 @@ void RidgesTest::findsTheEndsOnACube() {
     QVERIFY((end.direction - Vec3(0, 0, p.z() > 0.0 ? -1 : 1)).norm() < 1e-9);
     QVERIFY(std::abs(end.angle - M_PI / 2.0) < 1e-9);
   }
-  QVERIFY(findRidgeEnds(holeIn(test::roughCube(20, 5), Vec3(1, 0, 0), 0.3), tolerance::kRidgeAngle).empty());
+  QVERIFY(findRidgeEnds(ridgesHoleIn(test::roughCube(20, 5), Vec3(1, 0, 0), 0.3), tolerance::kRidgeAngle).empty());
 }
 
 void RidgesTest::tellsRidgesFromValleys() {
-  const HoleContext hole = holeIn(test::turnedOver(test::roughCube(20, 5)), Vec3(1, 1, 0), 0.3);
+  const HoleContext hole = ridgesHoleIn(test::turnedOver(test::roughCube(20, 5)), Vec3(1, 1, 0), 0.3);
   for (const RidgeEnd& end : findRidgeEnds(hole, tolerance::kRidgeAngle))
     QVERIFY(std::abs(end.angle + M_PI / 2.0) < 1e-9);
 }
 
 void RidgesTest::anglesBelowAreSmooth() {
-  const HoleContext hole = holeIn(test::roughCube(20, 5), Vec3(1, 1, 0), 0.3);
+  const HoleContext hole = ridgesHoleIn(test::roughCube(20, 5), Vec3(1, 1, 0), 0.3);
   QCOMPARE(findRidgeEnds(hole, 1.57).size(), std::size_t{2});
   QVERIFY(findRidgeEnds(hole, 1.58).empty());
 }
@@ -75,5 +76,5 @@ void RidgesTest::followsTheLoopAlongTheCrease() {
   }
 }
 
-QTEST_GUILESS_MAIN(RidgesTest)
+HANDWHEEL_TEST(RidgesTest)
 #include "RidgesTest.moc"

@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/FaceNormal.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshValidator.h"
@@ -276,5 +277,5 @@ void SculptBrushTest::sameInEverySizeAndPlace() {
   }
 }
 
-QTEST_GUILESS_MAIN(SculptBrushTest)
+HANDWHEEL_TEST(SculptBrushTest)
 #include "SculptBrushTest.moc"

@@ -3,6 +3,7 @@
 #include "mesh/Section.h"
 
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 
 #include <rapidcheck.h>
@@ -38,12 +39,12 @@ class SectionTest : public QObject {
 
 namespace {
 
-HalfEdgeMesh meshOf(const TriangleSoup& soup) {
+HalfEdgeMesh sectionMeshOf(const TriangleSoup& soup) {
   return buildMesh(soup).mesh;
 }
 
 Section cut(const TriangleSoup& soup, const Vec3& normal, double offset) {
-  return sectionOf(meshOf(soup), normal, offset);
+  return sectionOf(sectionMeshOf(soup), normal, offset);
 }
 
 bool isNear(double a, double b, double tolerance = 1e-12) {
@@ -190,7 +191,7 @@ void SectionTest::blocksInLayers() {
     std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
     constexpr std::uint32_t kSide = 4;
     const TriangleSoup soup = test::randomBlocks(random, *rc::gen::inRange<std::size_t>(1, 50), kSide);
-    const HalfEdgeMesh mesh = meshOf(soup);
+    const HalfEdgeMesh mesh = sectionMeshOf(soup);
     double volume = 0.0;
     for (std::uint32_t layer = 0; layer < kSide; ++layer) {
       const Section between = sectionOf(mesh, Vec3::UnitZ(), layer),
@@ -209,7 +210,7 @@ void SectionTest::slicesAddUpToTheVolume() {
   QVERIFY(rc::check("the areas of all slices add up to the volume", [] {
     const TriangleSoup shape = *rc::gen::element(test::bumpySphere(1), test::torus(7, 5), test::tetrahedron());
     const Vec3 normal = test::directions(97)[*rc::gen::inRange<std::size_t>(0, 97)];
-    const HalfEdgeMesh mesh = meshOf(shape);
+    const HalfEdgeMesh mesh = sectionMeshOf(shape);
     std::vector<double> heights;
     for (const Vec3& p : shape.points) heights.push_back(normal.dot(p));
     std::sort(heights.begin(), heights.end());
@@ -278,8 +279,8 @@ void SectionTest::oddNumbers() {
 void SectionTest::cancelled() {
   JobState job;
   job.cancelled = true;
-  QVERIFY(sectionOf(meshOf(test::cube()), Vec3::UnitZ(), 0.5, Progress(job)).curves.empty());
+  QVERIFY(sectionOf(sectionMeshOf(test::cube()), Vec3::UnitZ(), 0.5, Progress(job)).curves.empty());
 }
 
-QTEST_APPLESS_MAIN(SectionTest)
+HANDWHEEL_TEST(SectionTest)
 #include "SectionTest.moc"

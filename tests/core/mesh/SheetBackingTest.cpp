@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshValidator.h"
 
@@ -90,5 +91,5 @@ void SheetBackingTest::onlyThisSheet() {
   QCOMPARE(test::countBorder(mesh), std::size_t{12});
 }
 
-QTEST_APPLESS_MAIN(SheetBackingTest)
+HANDWHEEL_TEST(SheetBackingTest)
 #include "SheetBackingTest.moc"

@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 
 #include <QTest>
@@ -138,5 +139,5 @@ void SheetRimsTest::eachPartOnItsOwn() {
   QCOMPARE(rims.lengths.size(), std::size_t{1});
 }
 
-QTEST_GUILESS_MAIN(SheetRimsTest)
+HANDWHEEL_TEST(SheetRimsTest)
 #include "SheetRimsTest.moc"

@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshValidator.h"
 
@@ -28,12 +29,12 @@ class ShellsTest : public QObject {
 namespace {
 
 // The triangles by their positions, each beginning with its least corner.
-std::multiset<std::array<test::Place, 3>> trianglesOf(const HalfEdgeMesh& mesh) {
-  std::multiset<std::array<test::Place, 3>> result;
+std::multiset<std::array<test::Coordinates, 3>> trianglesOf(const HalfEdgeMesh& mesh) {
+  std::multiset<std::array<test::Coordinates, 3>> result;
   for (Face f = 0; f < mesh.faceSlots(); ++f) {
     if (!mesh.isLive(f)) continue;
     const TrianglePoints t = mesh.points(f);
-    std::array<test::Place, 3> p{test::place(t[0]), test::place(t[1]), test::place(t[2])};
+    std::array<test::Coordinates, 3> p{test::place(t[0]), test::place(t[1]), test::place(t[2])};
     std::rotate(p.begin(), std::min_element(p.begin(), p.end()), p.end());
     result.insert(p);
   }
@@ -130,5 +131,5 @@ void ShellsTest::nothing() {
   QVERIFY(splitIntoShells(buildMesh(test::cube()).mesh, Progress(job)).empty());
 }
 
-QTEST_APPLESS_MAIN(ShellsTest)
+HANDWHEEL_TEST(ShellsTest)
 #include "ShellsTest.moc"

@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "base/Tolerance.h"
 #include "mesh/Defects.h"
 #include "mesh/MeshBuilder.h"
@@ -234,5 +235,5 @@ void StitchingTest::verticesBeyondTheFixedOnes() {
   QVERIFY(test::countEdges(mesh).sound());
 }
 
-QTEST_GUILESS_MAIN(StitchingTest)
+HANDWHEEL_TEST(StitchingTest)
 #include "StitchingTest.moc"

@@ -5,6 +5,7 @@
 #include "MeshChecks.h"
 #include "MeshShapes.h"
 #include "TangledBall.h"
+#include "TestClass.h"
 #include "base/Tolerance.h"
 #include "mesh/MeshBounds.h"
 #include "mesh/MeshBuilder.h"
@@ -145,5 +146,5 @@ void TangleRemovalTest::cancelled() {
   QCOMPARE(replaceTangles(mesh, upperLoops(mesh), {}, Progress(state)), std::size_t{0});
 }
 
-QTEST_APPLESS_MAIN(TangleRemovalTest)
+HANDWHEEL_TEST(TangleRemovalTest)
 #include "TangleRemovalTest.moc"

@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshValidator.h"
 
@@ -283,5 +284,5 @@ void TransformingTest::nothing() {
   QVERIFY(!ontoPrincipalAxes(segment) && !ontoLargestFlatFace(segment));
 }
 
-QTEST_APPLESS_MAIN(TransformingTest)
+HANDWHEEL_TEST(TransformingTest)
 #include "TransformingTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "mesh/TriangleParts.h"
 
 #include <QTest>
@@ -66,5 +67,5 @@ class TrianglePartsTest : public QObject {
   using Edges = std::array<std::size_t, 4>;
 };
 
-QTEST_GUILESS_MAIN(TrianglePartsTest)
+HANDWHEEL_TEST(TrianglePartsTest)
 #include "TrianglePartsTest.moc"

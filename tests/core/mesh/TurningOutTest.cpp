@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshValidator.h"
 
@@ -72,5 +73,5 @@ void TurningOutTest::cancelled() {
   QVERIFY(test::sameMesh(mesh, before));
 }
 
-QTEST_APPLESS_MAIN(TurningOutTest)
+HANDWHEEL_TEST(TurningOutTest)
 #include "TurningOutTest.moc"

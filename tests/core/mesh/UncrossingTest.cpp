@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "base/Tolerance.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshValidator.h"
@@ -144,5 +145,5 @@ void UncrossingTest::tangleIsLeft() {
   QVERIFY(test::sameMesh(mesh, before));
 }
 
-QTEST_APPLESS_MAIN(UncrossingTest)
+HANDWHEEL_TEST(UncrossingTest)
 #include "UncrossingTest.moc"

@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/FaceNormal.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshValidator.h"
@@ -30,7 +31,7 @@ class VertexGoalsTest : public QObject {
 
 namespace {
 
-HalfEdgeMesh plate() {
+HalfEdgeMesh vertexGoalsPlate() {
   return buildMesh(test::grid(5, 5, false, false, [](auto i, auto j) { return Vec3(i, j, 0); })).mesh;
 }
 
@@ -40,28 +41,30 @@ HalfEdge leavingOf(const HalfEdgeMesh& mesh, Vertex v) {
   return kNone;
 }
 
-const Vertex kMiddle = test::vertexAt(plate(), Vec3(2, 2, 0));
+const Vertex kVertexGoalsMiddle = test::vertexAt(vertexGoalsPlate(), Vec3(2, 2, 0));
 
 }  // namespace
 
 void VertexGoalsTest::goesAllTheWay() {
-  HalfEdgeMesh mesh = plate();
+  HalfEdgeMesh mesh = vertexGoalsPlate();
   const HalfEdgeMesh before = mesh;
-  const MovedVertices moved = moveTowards(mesh, std::array{VertexGoal{leavingOf(mesh, kMiddle), Vec3(2.2, 1.9, 1.5)}});
+  const MovedVertices moved =
+      moveTowards(mesh, std::array{VertexGoal{leavingOf(mesh, kVertexGoalsMiddle), Vec3(2.2, 1.9, 1.5)}});
   QCOMPARE(moved.heldBack, std::size_t(0));
   QCOMPARE(moved.faces.size(), std::size_t(6));
-  QCOMPARE(mesh.position(kMiddle), Vec3(2.2, 1.9, 1.5));
+  QCOMPARE(mesh.position(kVertexGoalsMiddle), Vec3(2.2, 1.9, 1.5));
   QCOMPARE(validate(mesh), std::string());
-  moveTowards(mesh, std::array{VertexGoal{leavingOf(mesh, kMiddle), before.position(kMiddle)}});
+  moveTowards(mesh, std::array{VertexGoal{leavingOf(mesh, kVertexGoalsMiddle), before.position(kVertexGoalsMiddle)}});
   QVERIFY(test::sameMesh(mesh, before));
 }
 
 // The ring of the middle reaches from 1 to 3: what would leave it goes a part of the way.
 void VertexGoalsTest::stopsBeforeAFaceTurnsOver() {
-  HalfEdgeMesh mesh = plate();
-  const MovedVertices moved = moveTowards(mesh, std::array{VertexGoal{leavingOf(mesh, kMiddle), Vec3(2, 6, 0)}});
+  HalfEdgeMesh mesh = vertexGoalsPlate();
+  const MovedVertices moved =
+      moveTowards(mesh, std::array{VertexGoal{leavingOf(mesh, kVertexGoalsMiddle), Vec3(2, 6, 0)}});
   QCOMPARE(moved.heldBack, std::size_t(1));
-  QVERIFY(mesh.position(kMiddle).y() > 2.0 && mesh.position(kMiddle).y() < 3.0);
+  QVERIFY(mesh.position(kVertexGoalsMiddle).y() > 2.0 && mesh.position(kVertexGoalsMiddle).y() < 3.0);
   for (Face f = 0; f < mesh.faceSlots(); ++f) QVERIFY(unitNormal(mesh.points(f)).z() > 0.99);
 }
 
@@ -86,21 +89,22 @@ void VertexGoalsTest::noFaceTurnsOver() {
 }
 
 void VertexGoalsTest::roundsToTheFile() {
-  HalfEdgeMesh mesh = plate();
-  moveTowards(mesh, std::array{VertexGoal{leavingOf(mesh, kMiddle), Vec3(2.1, 2.1, 0.1)}}, NumberType::Float32);
-  QCOMPARE(mesh.position(kMiddle), Vec3(double(2.1f), double(2.1f), double(0.1f)));
+  HalfEdgeMesh mesh = vertexGoalsPlate();
+  moveTowards(mesh, std::array{VertexGoal{leavingOf(mesh, kVertexGoalsMiddle), Vec3(2.1, 2.1, 0.1)}},
+              NumberType::Float32);
+  QCOMPARE(mesh.position(kVertexGoalsMiddle), Vec3(double(2.1f), double(2.1f), double(0.1f)));
 }
 
 void VertexGoalsTest::oddGoals() {
-  const HalfEdgeMesh before = plate();
+  const HalfEdgeMesh before = vertexGoalsPlate();
   HalfEdgeMesh mesh = before;
   constexpr double kInfinity = std::numeric_limits<double>::infinity(), kNan = std::numeric_limits<double>::quiet_NaN();
-  const HalfEdge h = leavingOf(mesh, kMiddle);
+  const HalfEdge h = leavingOf(mesh, kVertexGoalsMiddle);
   moveTowards(mesh, {});
   moveTowards(mesh, std::array{VertexGoal{h, Vec3(kNan, 0, 0)}});
   moveTowards(mesh, std::array{VertexGoal{h, Vec3(0, kInfinity, 0)}});
   moveTowards(mesh, std::array{VertexGoal{h, Vec3(0, 0, 1e300)}}, NumberType::Float32);
-  moveTowards(mesh, std::array{VertexGoal{h, mesh.position(kMiddle)}}, NumberType::Float32);
+  moveTowards(mesh, std::array{VertexGoal{h, mesh.position(kVertexGoalsMiddle)}}, NumberType::Float32);
   QVERIFY(test::sameMesh(mesh, before));
 }
 
@@ -117,16 +121,18 @@ void VertexGoalsTest::facesWithoutAreaHoldNobodyBack() {
 
 void VertexGoalsTest::sameInEverySizeAndPlace() {
   for (const auto& [scale, shift] : {std::pair(1e-6, 0.0), std::pair(1e6, 0.0), std::pair(1.0, 1e7)}) {
-    HalfEdgeMesh mesh = plate();
+    HalfEdgeMesh mesh = vertexGoalsPlate();
     const Vec3 far(shift, shift, shift);
     for (Vertex v = 0; v < mesh.vertexSlots(); ++v) mesh.setPosition(v, scale * mesh.position(v) + far);
     const Vec3 to = scale * Vec3(2.5, 6, 0.25) + far;
-    QCOMPARE(moveTowards(mesh, std::array{VertexGoal{leavingOf(mesh, kMiddle), to}}).heldBack, std::size_t(1));
-    HalfEdgeMesh plain = plate();
-    moveTowards(plain, std::array{VertexGoal{leavingOf(plain, kMiddle), Vec3(2.5, 6, 0.25)}});
-    QVERIFY((mesh.position(kMiddle) - scale * plain.position(kMiddle) - far).norm() <= 1e-8 * scale);
+    QCOMPARE(moveTowards(mesh, std::array{VertexGoal{leavingOf(mesh, kVertexGoalsMiddle), to}}).heldBack,
+             std::size_t(1));
+    HalfEdgeMesh plain = vertexGoalsPlate();
+    moveTowards(plain, std::array{VertexGoal{leavingOf(plain, kVertexGoalsMiddle), Vec3(2.5, 6, 0.25)}});
+    QVERIFY((mesh.position(kVertexGoalsMiddle) - scale * plain.position(kVertexGoalsMiddle) - far).norm() <=
+            1e-8 * scale);
   }
 }
 
-QTEST_GUILESS_MAIN(VertexGoalsTest)
+HANDWHEEL_TEST(VertexGoalsTest)
 #include "VertexGoalsTest.moc"

@@ -4,6 +4,7 @@
 
 #include "HoleShapes.h"
 #include "MeshChecks.h"
+#include "TestClass.h"
 #include "mesh/BoundaryLoops.h"
 #include "mesh/FaceNormal.h"
 #include "mesh/MeshBuilder.h"
@@ -154,5 +155,5 @@ void VertexPullTest::neverTurnsAFace() {
   }));
 }
 
-QTEST_GUILESS_MAIN(VertexPullTest)
+HANDWHEEL_TEST(VertexPullTest)
 #include "VertexPullTest.moc"

@@ -3,6 +3,7 @@
 #include "mesh/WallThickness.h"
 
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/SmoothNormal.h"
 
@@ -176,5 +177,5 @@ void WallThicknessTest::smoothNormals() {
   }
 }
 
-QTEST_APPLESS_MAIN(WallThicknessTest)
+HANDWHEEL_TEST(WallThicknessTest)
 #include "WallThicknessTest.moc"

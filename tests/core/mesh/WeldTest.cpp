@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 
 #include <rapidcheck.h>
 
@@ -65,7 +66,7 @@ void WeldTest::classesOfRandomPoints() {
     std::vector<Vec3> points(*rc::gen::inRange<std::size_t>(0, 200));
     for (Vec3& p : points) p = Vec3(random() % steps, random() % steps, random() % 2 ? 0.0 : -0.0);
     const PointClasses classes = classifyPoints(points);
-    std::map<test::Place, std::uint32_t> expected;
+    std::map<test::Coordinates, std::uint32_t> expected;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const auto [at, isNew] =
           expected.try_emplace(test::place(points[i]), static_cast<std::uint32_t>(expected.size()));
@@ -96,5 +97,5 @@ void WeldTest::roundsPoints() {
     for (int k = 0; k < 3; ++k) QVERIFY(std::abs(soup.points[i][k] - before.points[i][k]) <= std::ldexp(1.0, -25));
 }
 
-QTEST_GUILESS_MAIN(WeldTest)
+HANDWHEEL_TEST(WeldTest)
 #include "WeldTest.moc"

@@ -3,6 +3,7 @@
 #include "nurbs/BezierArc.h"
 
 #include "Profiles.h"
+#include "TestClass.h"
 
 #include <QTest>
 
@@ -59,5 +60,5 @@ void BezierArcTest::halvesAreTheSameCurve() {
   }));
 }
 
-QTEST_APPLESS_MAIN(BezierArcTest)
+HANDWHEEL_TEST(BezierArcTest)
 #include "BezierArcTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "nurbs/CircleSegments.h"
 
 #include <rapidcheck.h>
@@ -83,5 +84,5 @@ void CircleSegmentsTest::refusesTooMany() {
   QVERIFY(CircleSegments::make(1e6, 1e-9));
 }
 
-QTEST_APPLESS_MAIN(CircleSegmentsTest)
+HANDWHEEL_TEST(CircleSegmentsTest)
 #include "CircleSegmentsTest.moc"

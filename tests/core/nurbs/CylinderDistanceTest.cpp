@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "nurbs/CylinderDistance.h"
 
 #include <MeshShapes.h>
@@ -47,5 +48,5 @@ void CylinderDistanceTest::outside() {
   QCOMPARE(distanceToCylinder({}, c), 0.0);
 }
 
-QTEST_APPLESS_MAIN(CylinderDistanceTest)
+HANDWHEEL_TEST(CylinderDistanceTest)
 #include "CylinderDistanceTest.moc"

@@ -3,6 +3,7 @@
 #include "nurbs/ProfileCurve.h"
 
 #include "Profiles.h"
+#include "TestClass.h"
 
 #include <QTest>
 #include <limits>
@@ -27,7 +28,7 @@ class ProfileCurveTest : public QObject {
 
 namespace {
 
-ProfileCurve curve(ProfileNet net) {
+ProfileCurve profileCurveCurve(ProfileNet net) {
   auto made = ProfileCurve::make(std::move(net));
   if (!made) qFatal("%s", made.error().arguments.back().c_str());
   return std::move(made.value());
@@ -38,7 +39,7 @@ ProfileCurve curve(ProfileNet net) {
 void ProfileCurveTest::isTheTextbooksCurve() {
   QVERIFY(rc::check("de Boor's recursion gives the same point", [] {
     const ProfileNet net = test::randomNet();
-    const ProfileCurve c = curve(net);
+    const ProfileCurve c = profileCurveCurve(net);
     const double u = *rc::gen::arbitrary<bool>() ? test::between(c.from(), c.to()) : *rc::gen::elementOf(net.knots);
     RC_ASSERT((c.point(u) - test::pointByDefinition(net, u)).norm() < 1e-12);
   }));
@@ -47,7 +48,7 @@ void ProfileCurveTest::isTheTextbooksCurve() {
 void ProfileCurveTest::derivativeIsTheLimitOfDifferences() {
   QVERIFY(rc::check("inside an arc", [] {
     const ProfileNet net = test::randomNet();
-    const ProfileCurve c = curve(net);
+    const ProfileCurve c = profileCurveCurve(net);
     const double u = test::between(c.from(), c.to()), h = 1e-5;
     for (double knot : net.knots) RC_PRE(std::abs(u - knot) > 2.0 * h);
     const ProfilePoint slope = (c.point(u + h) - c.point(u - h)) / (2.0 * h);
@@ -61,7 +62,7 @@ void ProfileCurveTest::derivativeIsTheLimitOfDifferences() {
 
 void ProfileCurveTest::passesThroughItsEndsAndCorners() {
   const ProfileCurve c =
-      curve({2, {0, 0, 0, 1, 1, 3, 3, 3}, {{0, 0}, {4, 0}, {4, 3}, {4, 9}, {1, 9}}, {1, 2, 1, 1, 3}});
+      profileCurveCurve({2, {0, 0, 0, 1, 1, 3, 3, 3}, {{0, 0}, {4, 0}, {4, 3}, {4, 9}, {1, 9}}, {1, 2, 1, 1, 3}});
   QCOMPARE(c.arcs().size(), std::size_t{2});
   QVERIFY(c.point(0) == ProfilePoint(0, 0));
   QVERIFY(c.point(1) == ProfilePoint(4, 3));
@@ -84,7 +85,7 @@ void ProfileCurveTest::polylineRunsAlongItsPoints() {
 
 void ProfileCurveTest::halfCircleIsExact() {
   for (double radius : {1e-6, 1.0, 1e6}) {
-    const ProfileCurve c = curve(test::sphere(radius, 0.0));
+    const ProfileCurve c = profileCurveCurve(test::sphere(radius, 0.0));
     for (int i = 0; i <= 1000; ++i) {
       const ProfilePoint p = c.point(2.0 * i / 1000);
       QVERIFY(std::abs(p.norm() / radius - 1.0) < 1e-14);
@@ -98,9 +99,9 @@ void ProfileCurveTest::halfCircleIsExact() {
 void ProfileCurveTest::keepsItsShapeFarFromTheOrigin() {
   QVERIFY(rc::check("at 1e7 mm only the last digits of the place are lost", [] {
     ProfileNet net = test::randomNet();
-    const ProfileCurve near = curve(net);
+    const ProfileCurve near = profileCurveCurve(net);
     for (ProfilePoint& p : net.poles) p.y() += 1e7;
-    const ProfileCurve far = curve(net);
+    const ProfileCurve far = profileCurveCurve(net);
     const double u = test::between(near.from(), near.to());
     RC_ASSERT((far.point(u) - near.point(u) - ProfilePoint(0, 1e7)).norm() < 2e-8);
     // Poles are rounded to 2e-9 there, and a derivative multiplies that by degree · weights / span.
@@ -109,19 +110,21 @@ void ProfileCurveTest::keepsItsShapeFarFromTheOrigin() {
 }
 
 void ProfileCurveTest::directionAtDoublePoles() {
-  const ProfileCurve two = curve({2, {0, 0, 0, 1, 1, 1}, {{1, 0}, {1, 0}, {1, 5}}, {1, 1, 1}});
+  const ProfileCurve two = profileCurveCurve({2, {0, 0, 0, 1, 1, 1}, {{1, 0}, {1, 0}, {1, 5}}, {1, 1, 1}});
   QCOMPARE(two.derivative(0), ProfilePoint(0, 0));
   QVERIFY((two.direction(0) - ProfilePoint(0, 1)).norm() < 1e-15);
-  const ProfileCurve end = curve({2, {0, 0, 0, 1, 1, 1}, {{1, 0}, {1, 5}, {1, 5}}, {1, 2, 3}});
+  const ProfileCurve end = profileCurveCurve({2, {0, 0, 0, 1, 1, 1}, {{1, 0}, {1, 5}, {1, 5}}, {1, 2, 3}});
   QVERIFY((end.direction(1) - ProfilePoint(0, 1)).norm() < 1e-15);
-  const ProfileCurve three = curve({3, {0, 0, 0, 0, 1, 1, 1, 1}, {{1, 0}, {1, 0}, {1, 0}, {4, 4}}, {1, 2, 3, 4}});
+  const ProfileCurve three =
+      profileCurveCurve({3, {0, 0, 0, 0, 1, 1, 1, 1}, {{1, 0}, {1, 0}, {1, 0}, {4, 4}}, {1, 2, 3, 4}});
   QVERIFY((three.direction(0) - ProfilePoint(0.6, 0.8)).norm() < 1e-15);
-  const ProfileCurve back = curve({3, {0, 0, 0, 0, 1, 1, 1, 1}, {{1, 0}, {4, 4}, {4, 4}, {4, 4}}, {1, 1, 1, 1}});
+  const ProfileCurve back =
+      profileCurveCurve({3, {0, 0, 0, 0, 1, 1, 1, 1}, {{1, 0}, {4, 4}, {4, 4}, {4, 4}}, {1, 1, 1, 1}});
   QVERIFY((back.direction(1) - ProfilePoint(0.6, 0.8)).norm() < 1e-15);
 }
 
 void ProfileCurveTest::directionOfAPointIsZero() {
-  const ProfileCurve c = curve({2, {0, 0, 0, 1, 1, 1}, {{1, 7}, {1, 7}, {1, 7}}, {1, 1, 1}});
+  const ProfileCurve c = profileCurveCurve({2, {0, 0, 0, 1, 1, 1}, {{1, 7}, {1, 7}, {1, 7}}, {1, 1, 1}});
   QCOMPARE(c.direction(0.5), ProfilePoint(0, 0));
   QCOMPARE(c.arcs()[0].chordError(), 0.0);
 }
@@ -165,5 +168,5 @@ void ProfileCurveTest::refusesNetsThatAreNone() {
   QCOMPARE(made.error().code, ErrorCode::ElementMalformed);
 }
 
-QTEST_APPLESS_MAIN(ProfileCurveTest)
+HANDWHEEL_TEST(ProfileCurveTest)
 #include "ProfileCurveTest.moc"

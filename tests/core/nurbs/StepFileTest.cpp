@@ -3,6 +3,7 @@
 #include "nurbs/StepFile.h"
 
 #include "Profiles.h"
+#include "TestClass.h"
 #include "nurbs/StockCylinder.h"
 
 #include <unistd.h>
@@ -199,5 +200,5 @@ void StepFileTest::onTwoThreads() {
   QVERIFY(near(volumes[1], M_PI * 1000));
 }
 
-QTEST_APPLESS_MAIN(StepFileTest)
+HANDWHEEL_TEST(StepFileTest)
 #include "StepFileTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "nurbs/StockCylinder.h"
 
 #include <QTest>
@@ -37,5 +38,5 @@ void StockCylinderTest::limits() {
   for (double bad : {1.1e7, -1.1e7, nan, inf}) QVERIFY(!(StockCylinder{1, 1, bad}).isSound());
 }
 
-QTEST_APPLESS_MAIN(StockCylinderTest)
+HANDWHEEL_TEST(StockCylinderTest)
 #include "StockCylinderTest.moc"

@@ -3,6 +3,7 @@
 #include "nurbs/SurfaceOfRevolution.h"
 
 #include "Profiles.h"
+#include "TestClass.h"
 #include "nurbs/StockCylinder.h"
 #include "nurbs/UnitCircle.h"
 
@@ -121,5 +122,5 @@ void SurfaceOfRevolutionTest::cylinderPointsOutwards() {
   QVERIFY((p.byProfile - Vec3(0, 0, 100)).norm() < 1e-12);
 }
 
-QTEST_APPLESS_MAIN(SurfaceOfRevolutionTest)
+HANDWHEEL_TEST(SurfaceOfRevolutionTest)
 #include "SurfaceOfRevolutionTest.moc"

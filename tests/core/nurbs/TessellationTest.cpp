@@ -3,6 +3,7 @@
 #include "nurbs/Tessellation.h"
 
 #include "Profiles.h"
+#include "TestClass.h"
 #include "Triangles.h"
 #include "nurbs/CylinderDistance.h"
 #include "nurbs/StockCylinder.h"
@@ -43,7 +44,7 @@ TriangleSoup tessellated(const ProfileCurve& profile, double chord) {
   return std::move(soup.value());
 }
 
-ProfileCurve curve(ProfileNet net) {
+ProfileCurve tessellationCurve(ProfileNet net) {
   return ProfileCurve::make(std::move(net)).value();
 }
 
@@ -163,7 +164,7 @@ void TessellationTest::coneToItsTip() {
 
 void TessellationTest::sphereKeepsTheTolerance() {
   for (double chord : {3.0, 0.3, 0.01, 1e-4}) {
-    const TriangleSoup soup = tessellated(curve(test::sphere(10.0, 3.0)), chord);
+    const TriangleSoup soup = tessellated(tessellationCurve(test::sphere(10.0, 3.0)), chord);
     QVERIFY(test::countEdges(soup).sound());
     QCOMPARE(test::eulerCharacteristic(soup), 2L);
     double error = 0.0;
@@ -195,7 +196,7 @@ void TessellationTest::flatShoulder() {
 
 void TessellationTest::anyProfileIsClosedAndNear() {
   QVERIFY(rc::check("random splines", [] {
-    const ProfileCurve profile = curve(test::randomNet());
+    const ProfileCurve profile = tessellationCurve(test::randomNet());
     const double chord = std::pow(10.0, test::between(-2, 1));
     TessellationOptions options;
     options.chord = chord;
@@ -240,7 +241,8 @@ void TessellationTest::refusesTolerancesThatAreNone() {
 }
 
 void TessellationTest::refusesTooManyTriangles() {
-  for (const ProfileCurve& profile : {StockCylinder{1e6, 1e6, 0}.profile(), curve(test::sphere(1e6, 0.0))}) {
+  for (const ProfileCurve& profile :
+       {StockCylinder{1e6, 1e6, 0}.profile(), tessellationCurve(test::sphere(1e6, 0.0))}) {
     for (double chord : {1e-7, 1e-300}) {
       TessellationOptions options;
       options.chord = chord;
@@ -280,5 +282,5 @@ void TessellationTest::stopsWhenCancelled() {
   QCOMPARE(soup.error().code, ErrorCode::Cancelled);
 }
 
-QTEST_APPLESS_MAIN(TessellationTest)
+HANDWHEEL_TEST(TessellationTest)
 #include "TessellationTest.moc"

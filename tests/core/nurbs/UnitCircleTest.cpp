@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "nurbs/UnitCircle.h"
 
 #include <QTest>
@@ -37,5 +38,5 @@ void UnitCircleTest::speedIsItsDerivative() {
   }
 }
 
-QTEST_APPLESS_MAIN(UnitCircleTest)
+HANDWHEEL_TEST(UnitCircleTest)
 #include "UnitCircleTest.moc"

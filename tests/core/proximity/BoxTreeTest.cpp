@@ -9,6 +9,8 @@
 #include <cmath>
 #include <random>
 
+#include "TestClass.h"  // after TBB
+
 using namespace handwheel;
 
 namespace {
@@ -148,5 +150,5 @@ void BoxTreeTest::cancelled() {
   QCOMPARE(tree.nodeCount(), 0u);
 }
 
-QTEST_APPLESS_MAIN(BoxTreeTest)
+HANDWHEEL_TEST(BoxTreeTest)
 #include "BoxTreeTest.moc"

@@ -13,6 +13,8 @@
 #include <random>
 #include <thread>
 
+#include "TestClass.h"  // after TBB
+
 using namespace handwheel;
 using test::Surface;
 
@@ -231,5 +233,5 @@ void SelfIntersectionTest::reportsProgress() {
   QCOMPARE(job.fraction.load(), 0.75);
 }
 
-QTEST_APPLESS_MAIN(SelfIntersectionTest)
+HANDWHEEL_TEST(SelfIntersectionTest)
 #include "SelfIntersectionTest.moc"

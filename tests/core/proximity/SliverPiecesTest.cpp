@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Surfaces.h"
+#include "TestClass.h"
 #include "proximity/SliverPieces.h"
 
 #include <QTest>
@@ -130,5 +131,5 @@ void SliverPiecesTest::oddTriangles() {
   QVERIFY(none.empty());
 }
 
-QTEST_GUILESS_MAIN(SliverPiecesTest)
+HANDWHEEL_TEST(SliverPiecesTest)
 #include "SliverPiecesTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "HierarchyQueries.h"
+#include "TestClass.h"
 #include "proximity/ClosestPoint.h"
 
 #include <QTest>
@@ -154,5 +155,5 @@ void TriangleHierarchyNearestTest::nearestKeepsToTheLimit() {
   QVERIFY(h.nearest(p, std::numeric_limits<double>::infinity()));
 }
 
-QTEST_APPLESS_MAIN(TriangleHierarchyNearestTest)
+HANDWHEEL_TEST(TriangleHierarchyNearestTest)
 #include "TriangleHierarchyNearestTest.moc"

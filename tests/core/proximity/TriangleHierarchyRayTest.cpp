@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "HierarchyQueries.h"
+#include "TestClass.h"
 #include "proximity/ClosestPoint.h"
 
 #include <QTest>
@@ -199,5 +200,5 @@ void TriangleHierarchyRayTest::distanceIsInLengthsOfTheDirection() {
   QCOMPARE(h.firstHit(Vec3(0, 0, 0), Vec3(0, 0.125, 0))->distance, 8.0);
 }
 
-QTEST_APPLESS_MAIN(TriangleHierarchyRayTest)
+HANDWHEEL_TEST(TriangleHierarchyRayTest)
 #include "TriangleHierarchyRayTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "HierarchyQueries.h"
+#include "TestClass.h"
 
 #include <QTest>
 #include <limits>
@@ -10,7 +11,7 @@ using namespace handwheel::test;
 
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kTriangleHierarchyNaN = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<std::uint32_t> bruteInBox(const Surface& s, const Box& box) {
   std::vector<std::uint32_t> inside;
@@ -62,14 +63,14 @@ void TriangleHierarchyTest::empty() {
 void TriangleHierarchyTest::unusableNeverEnter() {
   Surface s = soup(50, 0.3, 0, 1);
   const double infinity = std::numeric_limits<double>::infinity();
-  s.points[0] = Vec3(kNaN, 0.5, 0.5);
+  s.points[0] = Vec3(kTriangleHierarchyNaN, 0.5, 0.5);
   s.points[31].y() = infinity;
   s.points[62].z() = -infinity;
   const TriangleHierarchy h = hierarchyOf(s);
   const Box everything(Vec3::Constant(-infinity), Vec3::Constant(infinity));
   QCOMPARE(inBox(h, everything).size(), std::size_t{47});
   QVERIFY(h.bounds().min().allFinite() && h.bounds().max().allFinite());
-  for (const Vec3& bad : {Vec3(kNaN, 0, 0), Vec3(0, infinity, 0)}) {
+  for (const Vec3& bad : {Vec3(kTriangleHierarchyNaN, 0, 0), Vec3(0, infinity, 0)}) {
     QVERIFY(!h.nearest(bad));
     QVERIFY(!h.firstHit(bad, Vec3(1, 0, 0)));
     QVERIFY(!h.firstHit(Vec3(0, 0, 0), bad));
@@ -138,5 +139,5 @@ void TriangleHierarchyTest::keepsItsOwnCopy() {
   QVERIFY(h.firstHit(Vec3(0, 0, 5), Vec3(0, 0, -1)));
 }
 
-QTEST_APPLESS_MAIN(TriangleHierarchyTest)
+HANDWHEEL_TEST(TriangleHierarchyTest)
 #include "TriangleHierarchyTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "proximity/TriangleIntersection.h"
 
 #include <CGAL/Gmpq.h>
@@ -293,5 +294,5 @@ void TriangleIntersectionTest::degenerateAgreesWithRationals() {
   }));
 }
 
-QTEST_APPLESS_MAIN(TriangleIntersectionTest)
+HANDWHEEL_TEST(TriangleIntersectionTest)
 #include "TriangleIntersectionTest.moc"

@@ -3,6 +3,7 @@
 #include "robot/Kinematics.h"
 
 #include "Robots.h"
+#include "TestClass.h"
 
 #include <QTest>
 #include <cmath>
@@ -146,5 +147,5 @@ void KinematicsTest::jacobianOfWhatStandsStill() {
   QVERIFY(jacobian(robot, poses, linkNamed(robot, "l1"), Vec3(1, 2, 3)).col(1).isZero(0.0));
 }
 
-QTEST_GUILESS_MAIN(KinematicsTest)
+HANDWHEEL_TEST(KinematicsTest)
 #include "KinematicsTest.moc"

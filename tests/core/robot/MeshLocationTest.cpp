@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "robot/MeshLocation.h"
 
 #include <sys/stat.h>
@@ -110,5 +111,5 @@ void MeshLocationTest::onlyFiles() {
   QCOMPARE(codeOf("pipe.stl"), ErrorCode::ReferenceMissing);
 }
 
-QTEST_GUILESS_MAIN(MeshLocationTest)
+HANDWHEEL_TEST(MeshLocationTest)
 #include "MeshLocationTest.moc"

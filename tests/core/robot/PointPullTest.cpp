@@ -5,6 +5,7 @@
 #include "robot/Kinematics.h"
 
 #include "Robots.h"
+#include "TestClass.h"
 
 #include <QTest>
 #include <cmath>
@@ -155,5 +156,5 @@ void PointPullTest::extremes() {
   }
 }
 
-QTEST_GUILESS_MAIN(PointPullTest)
+HANDWHEEL_TEST(PointPullTest)
 #include "PointPullTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "RobotFiles.h"
+#include "TestClass.h"
 #include "robot/MeshLocation.h"
 
 #include <urdf_parser/urdf_parser.h>
@@ -151,5 +152,5 @@ void RobotFilesTest::unknownEffort() {
   QVERIFY(!robotIn(kPuma).jointOfDof(0).limits.velocity);
 }
 
-QTEST_GUILESS_MAIN(RobotFilesTest)
+HANDWHEEL_TEST(RobotFilesTest)
 #include "RobotFilesTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "RobotFiles.h"
+#include "TestClass.h"
 #include "robot/Kinematics.h"
 #include "robot/PointPull.h"
 
@@ -164,5 +165,5 @@ void RobotKinematicsTest::reach() {
   }
 }
 
-QTEST_GUILESS_MAIN(RobotKinematicsTest)
+HANDWHEEL_TEST(RobotKinematicsTest)
 #include "RobotKinematicsTest.moc"

@@ -3,6 +3,7 @@
 #include "robot/ShapeSurfaces.h"
 
 #include "MeshChecks.h"
+#include "TestClass.h"
 
 #include <QTest>
 #include <cmath>
@@ -96,5 +97,5 @@ void ShapeSurfacesTest::meshes() {
   QVERIFY(std::abs(volumeOf(mirrored) - 2e9) < 1);
 }
 
-QTEST_GUILESS_MAIN(ShapeSurfacesTest)
+HANDWHEEL_TEST(ShapeSurfacesTest)
 #include "ShapeSurfacesTest.moc"

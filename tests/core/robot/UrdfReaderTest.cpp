@@ -3,6 +3,7 @@
 #include "robot/UrdfReader.h"
 
 #include "Robots.h"
+#include "TestClass.h"
 
 #include <QTest>
 #include <clocale>
@@ -209,5 +210,5 @@ void UrdfReaderTest::numbersDoNotFollowTheLocale() {
   QCOMPARE(onlyJoint(read).origin.translation().x(), 1500.0);
 }
 
-QTEST_GUILESS_MAIN(UrdfReaderTest)
+HANDWHEEL_TEST(UrdfReaderTest)
 #include "UrdfReaderTest.moc"

@@ -3,6 +3,7 @@
 #include "robot/UrdfReader.h"
 
 #include "Robots.h"
+#include "TestClass.h"
 
 #include <QTest>
 
@@ -11,15 +12,13 @@ using namespace handwheel::test;
 
 namespace {
 
-const std::string kAB = link("a") + link("b");
+const std::string kUrdfRefusalAB = link("a") + link("b");
 
-std::string jointAB(const std::string& type, const std::string& inside = {}) {
-  return robotOf(kAB + joint("j", type, "a", "b", inside));
+std::string urdfRefusalJointAB(const std::string& type, const std::string& inside = {}) {
+  return robotOf(kUrdfRefusalAB + joint("j", type, "a", "b", inside));
 }
 
 }  // namespace
-
-Q_DECLARE_METATYPE(handwheel::ErrorCode)
 
 class UrdfRefusalTest : public QObject {
   Q_OBJECT
@@ -42,42 +41,46 @@ void UrdfRefusalTest::refused_data() {
   row("empty", robotOf(""), kMalformed);
   row("link without name", robotOf("<link/>"), kMalformed);
   row("two links of a name", robotOf(link("a") + link("a")), kMalformed);
-  row("two joints of a name", robotOf(kAB + link("c") + joint("j", "fixed", "a", "b") + joint("j", "fixed", "b", "c")),
-      kMalformed);
-  row("joint without name", robotOf(kAB + "<joint type='fixed'/>"), kMalformed);
-  row("joint without type", robotOf(kAB + "<joint name='j'/>"), kMalformed);
-  row("unknown type", jointAB("hinge"), kMalformed);
-  row("no parent", robotOf(kAB + "<joint name='j' type='fixed'><child link='b'/></joint>"), kMalformed);
+  row("two joints of a name",
+      robotOf(kUrdfRefusalAB + link("c") + joint("j", "fixed", "a", "b") + joint("j", "fixed", "b", "c")), kMalformed);
+  row("joint without name", robotOf(kUrdfRefusalAB + "<joint type='fixed'/>"), kMalformed);
+  row("joint without type", robotOf(kUrdfRefusalAB + "<joint name='j'/>"), kMalformed);
+  row("unknown type", urdfRefusalJointAB("hinge"), kMalformed);
+  row("no parent", robotOf(kUrdfRefusalAB + "<joint name='j' type='fixed'><child link='b'/></joint>"), kMalformed);
   row("missing parent", robotOf(link("b") + joint("j", "fixed", "a", "b")), ErrorCode::ReferenceMissing);
   row("missing child", robotOf(link("a") + joint("j", "fixed", "a", "b")), ErrorCode::ReferenceMissing);
-  row("two roots", robotOf(kAB), kMalformed);
-  row("no root", robotOf(kAB + joint("j", "fixed", "a", "b") + joint("k", "fixed", "b", "a")), kMalformed);
+  row("two roots", robotOf(kUrdfRefusalAB), kMalformed);
+  row("no root", robotOf(kUrdfRefusalAB + joint("j", "fixed", "a", "b") + joint("k", "fixed", "b", "a")), kMalformed);
   row("own parent", robotOf(link("a") + joint("j", "fixed", "a", "a")), kMalformed);
   row("two parents",
-      robotOf(kAB + link("c") + joint("j", "fixed", "a", "b") + joint("k", "fixed", "a", "c") +
+      robotOf(kUrdfRefusalAB + link("c") + joint("j", "fixed", "a", "b") + joint("k", "fixed", "a", "c") +
               joint("l", "fixed", "c", "b")),
       kMalformed);
   row("ring apart",
-      robotOf(kAB + link("c") + link("d") + joint("j", "fixed", "a", "b") + joint("k", "fixed", "c", "d") +
+      robotOf(kUrdfRefusalAB + link("c") + link("d") + joint("j", "fixed", "a", "b") + joint("k", "fixed", "c", "d") +
               joint("l", "fixed", "d", "c")),
       kMalformed);
-  row("no axis", jointAB("revolute", "<axis xyz='0 0 0'/>" + limit(-1, 1)), kMalformed);
-  row("axis of two numbers", jointAB("revolute", "<axis xyz='0 1'/>" + limit(-1, 1)), ErrorCode::CountMismatch);
-  row("axis not finite", jointAB("revolute", "<axis xyz='0 nan 0'/>" + limit(-1, 1)), ErrorCode::NumberNotFinite);
-  row("origin not finite", jointAB("fixed", "<origin xyz='inf 0 0'/>"), ErrorCode::NumberNotFinite);
-  row("turn not finite", jointAB("fixed", "<origin rpy='0 0 1e999'/>"), ErrorCode::NumberNotFinite);
-  row("origin no number", jointAB("fixed", "<origin xyz='${x} 0 0'/>"), ErrorCode::NumberMalformed);
-  row("origin too far", jointAB("fixed", "<origin xyz='1e7 0 0'/>"), ErrorCode::ValueOutOfRange);
-  row("limits turned round", jointAB("revolute", limit(1, -1)), kMalformed);
-  row("limits at infinity", jointAB("revolute", "<limit lower='inf' upper='inf'/>"), kMalformed);
-  row("limits at its other end", jointAB("prismatic", "<limit lower='-inf' upper='-inf'/>"), kMalformed);
-  row("limits too far", jointAB("prismatic", "<limit lower='1e300' upper='1e301'/>"), kMalformed);
-  row("limit not a number", jointAB("revolute", "<limit lower='nan' upper='1'/>"), ErrorCode::NumberNotFinite);
-  row("limit malformed", jointAB("revolute", "<limit lower='a' upper='1'/>"), ErrorCode::NumberMalformed);
-  row("limit of two numbers", jointAB("revolute", "<limit lower='0 1' upper='1'/>"), ErrorCode::NumberMalformed);
-  row("follows nobody", jointAB("revolute", limit(-1, 1) + "<mimic/>"), kMalformed);
+  row("no axis", urdfRefusalJointAB("revolute", "<axis xyz='0 0 0'/>" + limit(-1, 1)), kMalformed);
+  row("axis of two numbers", urdfRefusalJointAB("revolute", "<axis xyz='0 1'/>" + limit(-1, 1)),
+      ErrorCode::CountMismatch);
+  row("axis not finite", urdfRefusalJointAB("revolute", "<axis xyz='0 nan 0'/>" + limit(-1, 1)),
+      ErrorCode::NumberNotFinite);
+  row("origin not finite", urdfRefusalJointAB("fixed", "<origin xyz='inf 0 0'/>"), ErrorCode::NumberNotFinite);
+  row("turn not finite", urdfRefusalJointAB("fixed", "<origin rpy='0 0 1e999'/>"), ErrorCode::NumberNotFinite);
+  row("origin no number", urdfRefusalJointAB("fixed", "<origin xyz='${x} 0 0'/>"), ErrorCode::NumberMalformed);
+  row("origin too far", urdfRefusalJointAB("fixed", "<origin xyz='1e7 0 0'/>"), ErrorCode::ValueOutOfRange);
+  row("limits turned round", urdfRefusalJointAB("revolute", limit(1, -1)), kMalformed);
+  row("limits at infinity", urdfRefusalJointAB("revolute", "<limit lower='inf' upper='inf'/>"), kMalformed);
+  row("limits at its other end", urdfRefusalJointAB("prismatic", "<limit lower='-inf' upper='-inf'/>"), kMalformed);
+  row("limits too far", urdfRefusalJointAB("prismatic", "<limit lower='1e300' upper='1e301'/>"), kMalformed);
+  row("limit not a number", urdfRefusalJointAB("revolute", "<limit lower='nan' upper='1'/>"),
+      ErrorCode::NumberNotFinite);
+  row("limit malformed", urdfRefusalJointAB("revolute", "<limit lower='a' upper='1'/>"), ErrorCode::NumberMalformed);
+  row("limit of two numbers", urdfRefusalJointAB("revolute", "<limit lower='0 1' upper='1'/>"),
+      ErrorCode::NumberMalformed);
+  row("follows nobody", urdfRefusalJointAB("revolute", limit(-1, 1) + "<mimic/>"), kMalformed);
   row("follows too far",
-      robotOf(kAB + link("c") + joint("j", "revolute", "a", "b", limit(-1, 1)) +
+      robotOf(kUrdfRefusalAB + link("c") + joint("j", "revolute", "a", "b", limit(-1, 1)) +
               joint("k", "revolute", "b", "c", limit(-1, 1) + "<mimic joint='j' multiplier='1e300'/>")),
       kMalformed);
   row("xacro", robotOf(link("a") + "<xacro:include filename='x'/>"), ErrorCode::Unsupported);
@@ -99,11 +102,11 @@ void UrdfRefusalTest::linesOfErrors() {
   QCOMPARE(read.error().arguments, std::vector<std::string>{"oops"});
   const auto roots = readUrdf("<robot>\n<link name='a'/>\n<link name='b'/>\n</robot>");
   QCOMPARE(roots.error().place.value, std::uint64_t{3});
-  const auto ring = readUrdf("<robot>\n" + kAB + link("c") + joint("i", "fixed", "b", "c") +
+  const auto ring = readUrdf("<robot>\n" + kUrdfRefusalAB + link("c") + joint("i", "fixed", "b", "c") +
                              joint("j", "fixed", "a", "b") + joint("k", "fixed", "b", "a") + "</robot>");
   QCOMPARE(ring.error().code, ErrorCode::ElementMalformed);
   QVERIFY(ring.error().place.value == 3 || ring.error().place.value == 4);  // i only hangs on it
 }
 
-QTEST_GUILESS_MAIN(UrdfRefusalTest)
+HANDWHEEL_TEST(UrdfRefusalTest)
 #include "UrdfRefusalTest.moc"

@@ -3,6 +3,7 @@
 #include "robot/UrdfReader.h"
 
 #include "Robots.h"
+#include "TestClass.h"
 
 #include <QTest>
 
@@ -83,5 +84,5 @@ void UrdfShapesTest::damagedShapesAreLeftOut() {
   QVERIFY(read.damage[0].place.kind == Place::Kind::Line);
 }
 
-QTEST_GUILESS_MAIN(UrdfShapesTest)
+HANDWHEEL_TEST(UrdfShapesTest)
 #include "UrdfShapesTest.moc"

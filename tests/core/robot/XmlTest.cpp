@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "robot/Xml.h"
 #include "robot/XmlNumbers.h"
 
@@ -141,5 +142,5 @@ void XmlTest::numbersDoNotFollowTheLocale() {
   QCOMPARE(*number, 1.5);
 }
 
-QTEST_GUILESS_MAIN(XmlTest)
+HANDWHEEL_TEST(XmlTest)
 #include "XmlTest.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/MeasureTool.h"
 
+#include "TestClass.h"
 #include "ToolEvents.h"
 
 #include <QTest>
@@ -194,5 +195,5 @@ void MeasureToolTest::whatHoldsTheTipIsMeasured() {
   QCOMPARE(tool.pointer(event), ToolReply::Ignored);
 }
 
-QTEST_GUILESS_MAIN(MeasureToolTest)
+HANDWHEEL_TEST(MeasureToolTest)
 #include "MeasureToolTest.moc"

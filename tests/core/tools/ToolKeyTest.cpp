@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/ToolKey.h"
 
+#include "TestClass.h"
 #include "tools/MeasureTool.h"
 #include "tools/cell/JointDragTool.h"
 #include "tools/mesh/BoundaryTool.h"
@@ -74,5 +75,5 @@ void ToolKeyTest::theKeysOfATool() {
   QVERIFY(actions.count("commit") == 1 && actions.count("revert") == 1);
 }
 
-QTEST_GUILESS_MAIN(ToolKeyTest)
+HANDWHEEL_TEST(ToolKeyTest)
 #include "ToolKeyTest.moc"

@@ -5,6 +5,7 @@
 #include "MeshChecks.h"
 #include "MeshDocuments.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "ToolEvents.h"
 
 #include <QSignalSpy>
@@ -268,5 +269,5 @@ void ToolRunnerTest::jobsAreProtected() {
   QVERIFY(!delivered);  // there is nobody to whom it could be
 }
 
-QTEST_GUILESS_MAIN(ToolRunnerTest)
+HANDWHEEL_TEST(ToolRunnerTest)
 #include "ToolRunnerTest.moc"

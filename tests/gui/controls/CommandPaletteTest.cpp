@@ -41,8 +41,8 @@ QStringList found(const QString& query, const QStringList& recent = {}) {
 }
 
 // A palette on a window with menus; the titles of what it lists.
-struct Bench {
-  Bench() : window(sampleWindow()), palette(window.get()) {
+struct PaletteBench {
+  PaletteBench() : window(sampleWindow()), palette(window.get()) {
     QSettings().clear();
     before = new QLineEdit(window->centralWidget());
     before->show();
@@ -146,7 +146,7 @@ void CommandPaletteTest::findsWhatItShould() {
 }
 
 void CommandPaletteTest::listsNamedActionsOnly() {
-  Bench bench;
+  PaletteBench bench;
   bench.window->menuBar()->addAction("nameless");
   auto* hidden = new QAction("Hidden", bench.window.get());
   hidden->setObjectName("hidden");
@@ -163,7 +163,7 @@ void CommandPaletteTest::listsNamedActionsOnly() {
 }
 
 void CommandPaletteTest::saysWhenThereIsNone() {
-  Bench bench;
+  PaletteBench bench;
   bench.palette.popUp();
   const auto* nothing = bench.palette.findChild<QWidget*>("noCommand");
   QVERIFY(bench.list->isVisible() && !nothing->isVisible());
@@ -172,7 +172,7 @@ void CommandPaletteTest::saysWhenThereIsNone() {
 }
 
 void CommandPaletteTest::keyboardOnly() {
-  Bench bench;
+  PaletteBench bench;
   QSignalSpy undone(bench.action("undo"), &QAction::triggered);
   QSignalSpy redone(bench.action("redo"), &QAction::triggered);
   QTest::keyClick(bench.before, Qt::Key_K, Qt::ControlModifier);
@@ -193,7 +193,7 @@ void CommandPaletteTest::keyboardOnly() {
 }
 
 void CommandPaletteTest::mouse() {
-  Bench bench;
+  PaletteBench bench;
   QSignalSpy triggered(bench.action("saveAs"), &QAction::triggered);
   bench.palette.popUp();
   const QModelIndex row = bench.list->model()->index(2, 0);
@@ -204,7 +204,7 @@ void CommandPaletteTest::mouse() {
 }
 
 void CommandPaletteTest::disabledActionsSayWhy() {
-  Bench bench;
+  PaletteBench bench;
   QSignalSpy triggered(bench.action("save"), &QAction::triggered);
   bench.palette.popUp();
   QTest::keyClicks(bench.query, "save");
@@ -217,7 +217,7 @@ void CommandPaletteTest::disabledActionsSayWhy() {
 }
 
 void CommandPaletteTest::goesAway() {
-  Bench bench;
+  PaletteBench bench;
   QAction esc("Esc", bench.window.get());
   esc.setShortcut(Qt::Key_Escape);
   bench.window->addAction(&esc);
@@ -248,7 +248,7 @@ void CommandPaletteTest::goesAway() {
 }
 
 void CommandPaletteTest::remembers() {
-  Bench bench;
+  PaletteBench bench;
   for (const char* name : {"redo", "shaded"}) {
     bench.palette.popUp();
     QTest::keyClicks(bench.query, name);
@@ -272,7 +272,7 @@ void CommandPaletteTest::actionMayCloseTheWindow() {
 }
 
 void CommandPaletteTest::staysWithinTheWindow() {
-  Bench bench;
+  PaletteBench bench;
   for (int i = 0; i < 40; ++i) {
     auto* action = new QAction(QString("Extra %1").arg(i), bench.window.get());
     action->setObjectName(QString("extra%1").arg(i));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "TestClass.h"
 #include "text/EnglishPlurals.h"
 #include "theme/Theme.h"
 
@@ -10,19 +11,25 @@
 #include <QTemporaryDir>
 #include <clocale>
 
-// main() of a test of widgets: as the program starts, but with settings in a temporary folder.
-#define HANDWHEEL_CONTROLS_TEST(Test)                                                   \
-  int main(int argc, char** argv) {                                                     \
-    QApplication application(argc, argv);                                               \
-    std::setlocale(LC_NUMERIC, "C");                                                    \
-    const QTemporaryDir settings;                                                       \
-    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path()); \
-    QCoreApplication::setOrganizationName("Handwheel");                                 \
-    QCoreApplication::setApplicationName("HandwheelTest");                              \
-    QLocale::setDefault(QLocale::c());                                                  \
-    handwheel::EnglishPlurals plurals;                                                  \
-    QCoreApplication::installTranslator(&plurals);                                      \
-    handwheel::applyTheme(application, handwheel::ThemeKind::Light);                    \
-    Test test;                                                                          \
-    return QTest::qExec(&test, argc, argv);                                             \
-  }
+namespace handwheel::test {
+
+// Runs a test of widgets: as the program starts, but with settings in a temporary folder.
+template <class Test>
+int runControlsTest(int argc, char** argv) {
+  QApplication application(argc, argv);
+  std::setlocale(LC_NUMERIC, "C");
+  const QTemporaryDir settings;
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+  QCoreApplication::setOrganizationName("Handwheel");
+  QCoreApplication::setApplicationName("HandwheelTest");
+  QLocale::setDefault(QLocale::c());
+  EnglishPlurals plurals;
+  QCoreApplication::installTranslator(&plurals);
+  applyTheme(application, ThemeKind::Light);
+  Test test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+}  // namespace handwheel::test
+
+#define HANDWHEEL_CONTROLS_TEST(Test) HANDWHEEL_TEST_RUN(Test, handwheel::test::runControlsTest<Test>)

@@ -26,8 +26,8 @@ struct Edit {
 };
 
 // A list in a window that writes down what it is told.
-struct Bench {
-  Bench() {
+struct PropertyListBench {
+  PropertyListBench() {
     list.setProperties(sampleProperties());
     QObject::connect(&list, &PropertyList::edited, &list,
                      [this](const std::string& id, const PropertyValue& value, bool stillDragging) {
@@ -74,7 +74,7 @@ class PropertyListTest : public QObject {
 };
 
 void PropertyListTest::editsOfEachKind() {
-  Bench bench;
+  PropertyListBench bench;
   auto* diameter = bench.find<QLineEdit>("diameter", "numberLine");
   diameter->setFocus();
   diameter->selectAll();
@@ -93,7 +93,7 @@ void PropertyListTest::editsOfEachKind() {
 }
 
 void PropertyListTest::sliderDrags() {
-  Bench bench;
+  PropertyListBench bench;
   auto* slider = bench.find<QSlider>("joint1", "propertySlider");
   auto* line = bench.find<QLineEdit>("joint1", "numberLine");
   QVERIFY(slider->isVisible());
@@ -124,7 +124,7 @@ void PropertyListTest::sliderDrags() {
 }
 
 void PropertyListTest::valuesChangeInPlace() {
-  Bench bench;
+  PropertyListBench bench;
   auto* diameter = bench.find<QLineEdit>("diameter", "numberLine");
   auto* length = bench.find<QLineEdit>("length", "numberLine");
   diameter->setFocus();
@@ -149,7 +149,7 @@ void PropertyListTest::valuesChangeInPlace() {
 }
 
 void PropertyListTest::rowsSurviveAChangeOfTheSet() {
-  Bench bench;
+  PropertyListBench bench;
   auto* slider = bench.find<QSlider>("joint2", "propertySlider");
   slider->setFocus();
   slider->setSliderDown(true);
@@ -174,7 +174,7 @@ void PropertyListTest::rowsSurviveAChangeOfTheSet() {
 }
 
 void PropertyListTest::aRowMayGoWhileItSpeaks() {
-  Bench bench;
+  PropertyListBench bench;
   bench.onEdit = [&] { bench.list.setProperties({}); };
   QTest::mouseClick(bench.find<QCheckBox>("coolant", "propertySwitch"), Qt::LeftButton, {}, QPoint(8, 10));
   QTest::qWait(1);
@@ -183,7 +183,7 @@ void PropertyListTest::aRowMayGoWhileItSpeaks() {
 }
 
 void PropertyListTest::followsTheLengthUnit() {
-  Bench bench;
+  PropertyListBench bench;
   bench.list.setLengthUnit(LengthUnit::Inch);
   QCOMPARE(bench.find<QLineEdit>("diameter", "numberLine")->text(), QString("1.968504"));  // 50 / 25.4
   QCOMPARE(bench.find<QLineEdit>("joint1", "numberLine")->text(), QString("30"));
@@ -193,7 +193,7 @@ void PropertyListTest::followsTheLengthUnit() {
 }
 
 void PropertyListTest::readOnlyValuesAndProblems() {
-  Bench bench;
+  PropertyListBench bench;
   QCOMPARE(bench.find<QLabel>("volume", "propertyValue")->text(), QString("1170000"));
   QCOMPARE(bench.find<QLabel>("closed", "propertyValue")->text(), QString("no"));
   auto* problem = bench.find<QLabel>("joint2", "propertyProblem");
@@ -205,7 +205,7 @@ void PropertyListTest::readOnlyValuesAndProblems() {
 }
 
 void PropertyListTest::tabFollowsTheOrder() {
-  Bench bench;
+  PropertyListBench bench;
   auto properties = sampleProperties();
   std::swap(properties[0], properties[5]);  // the note comes first
   properties.insert(properties.begin() + 6, {.id = "new", .group = "Joints", .label = "New", .value = 1.0});

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "controls/QuantityText.h"
 
 #include <rapidcheck.h>
@@ -12,7 +13,7 @@
 using namespace handwheel;
 
 namespace {
-const QLocale kGerman(QLocale::German, QLocale::Germany);
+const QLocale kQuantityTextGerman(QLocale::German, QLocale::Germany);
 }
 
 class QuantityTextTest : public QObject {
@@ -68,16 +69,16 @@ void QuantityTextTest::numbersAreNearEnoughAndNoLonger() {
       const double shorter = QString::number(value, exponent ? 'e' : 'f', digits - 1).toDouble();
       RC_ASSERT(std::abs(shorter - value) > 1e-6 * std::abs(value));
     }
-    RC_ASSERT(numberText(value, kGerman) == QString(text).replace('.', ','));
+    RC_ASSERT(numberText(value, kQuantityTextGerman) == QString(text).replace('.', ','));
   }));
 }
 
 void QuantityTextTest::quantities() {
   QCOMPARE(quantityText(12.7, Quantity::Length, LengthUnit::Inch, QLocale::c()), QString("0.5\u00a0in"));
-  QCOMPARE(quantityText(12.7, Quantity::Length, LengthUnit::Millimetre, kGerman), QString("12,7\u00a0mm"));
+  QCOMPARE(quantityText(12.7, Quantity::Length, LengthUnit::Millimetre, kQuantityTextGerman), QString("12,7\u00a0mm"));
   QCOMPARE(quantityText(std::numbers::pi / 2, Quantity::Angle, LengthUnit::Metre, QLocale::c()), QString("90°"));
   QCOMPARE(quantityText(-2.5, Quantity::Number, LengthUnit::Metre, QLocale::c()), QString("-2.5"));
 }
 
-QTEST_GUILESS_MAIN(QuantityTextTest)
+HANDWHEEL_TEST(QuantityTextTest)
 #include "QuantityTextTest.moc"

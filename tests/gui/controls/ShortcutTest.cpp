@@ -25,8 +25,8 @@ namespace {
 using Keys = QList<QKeySequence>;
 
 // A window's actions and their keys.
-struct Bench {
-  Bench() : window(sampleWindow()) { model.setActions(window->findChildren<QAction*>(), window->menuBar()); }
+struct ShortcutBench {
+  ShortcutBench() : window(sampleWindow()) { model.setActions(window->findChildren<QAction*>(), window->menuBar()); }
 
   QAction* action(const char* name) const { return window->findChild<QAction*>(name); }
   int row(const char* name) const {
@@ -75,7 +75,7 @@ class ShortcutTest : public QObject {
 };
 
 void ShortcutTest::isASoundModel() {
-  Bench bench;
+  ShortcutBench bench;
   const QAbstractItemModelTester tester(&bench.model, QAbstractItemModelTester::FailureReportingMode::QtTest);
   QCOMPARE(bench.model.rowCount(), 8);
   const QModelIndex redo = bench.model.index(bench.row("redo"), ShortcutModel::Command);
@@ -88,12 +88,12 @@ void ShortcutTest::isASoundModel() {
 
 void ShortcutTest::changesHoldAtOnceAndLater() {
   {
-    Bench bench;
+    ShortcutBench bench;
     bench.model.setKeys(bench.row("undo"), {QKeySequence("F5")});
     bench.model.setKeys(bench.row("openFile"), {});
     QCOMPARE(bench.action("undo")->shortcuts(), Keys({QKeySequence("F5")}));
   }
-  Bench next;  // the program starts again
+  ShortcutBench next;  // the program starts again
   QCOMPARE(next.action("undo")->shortcuts(), Keys({QKeySequence("F5")}));
   QVERIFY(next.action("openFile")->shortcuts().isEmpty());
   QVERIFY(next.model.index(next.row("undo"), 0).data(ShortcutModel::ChangedRole).toBool());
@@ -106,7 +106,7 @@ void ShortcutTest::changesHoldAtOnceAndLater() {
 
 void ShortcutTest::actionsMayComeLater() {
   QSettings().setValue("shortcuts/late", QStringList({"F7"}));
-  Bench bench;
+  ShortcutBench bench;
   bench.model.setKeys(bench.row("undo"), {QKeySequence("F5")});
   QAction* late = addAction(bench.window->menuBar()->addMenu("&Tool"), "late", "&Late", QKeySequence("L"));
   for (int i = 0; i < 2; ++i) {  // once more does no harm
@@ -121,7 +121,7 @@ void ShortcutTest::actionsMayComeLater() {
 }
 
 void ShortcutTest::onlyDifferencesAreKept() {
-  Bench bench;
+  ShortcutBench bench;
   QVERIFY(QSettings().allKeys().isEmpty());
   bench.model.setKeys(bench.row("redo"), {QKeySequence("Ctrl+Y")});
   QCOMPARE(QSettings().allKeys(), QStringList({"shortcuts/redo"}));
@@ -131,7 +131,7 @@ void ShortcutTest::onlyDifferencesAreKept() {
 }
 
 void ShortcutTest::conflicts() {
-  Bench bench;
+  ShortcutBench bench;
   QCOMPARE(bench.conflicts("save"), QStringList());
   bench.model.setKeys(bench.row("wireframe"), {QKeySequence("F9"), QKeySequence("Ctrl+Y")});
   QCOMPARE(bench.conflicts("wireframe"), QStringList({"Redo"}));
@@ -145,7 +145,7 @@ void ShortcutTest::conflicts() {
 
 // What is there in one tool only can have a key that something else has in another.
 void ShortcutTest::scopes() {
-  Bench bench;
+  ShortcutBench bench;
   const auto add = [&](const QString& scope, const char* name, const char* key) {
     auto* action = new ScopedAction(name, scope, "Tools › " + scope, bench.window.get());
     action->setObjectName(scope + "/" + name);
@@ -181,7 +181,7 @@ void ShortcutTest::scopes() {
 }
 
 void ShortcutTest::taking() {
-  Bench bench;
+  ShortcutBench bench;
   bench.model.setKeys(bench.row("wireframe"), {QKeySequence("Ctrl+Y")});
   bench.model.resolveInFavourOf(bench.row("wireframe"));
   QCOMPARE(bench.action("redo")->shortcuts(), Keys({QKeySequence("Ctrl+Shift+Z")}));
@@ -190,7 +190,7 @@ void ShortcutTest::taking() {
 }
 
 void ShortcutTest::fileAndBack() {
-  Bench bench;
+  ShortcutBench bench;
   bench.model.setKeys(bench.row("undo"), {QKeySequence("Ctrl+Shift+U"), QKeySequence("Ctrl+X, Ctrl+U")});
   bench.model.setKeys(bench.row("save"), {});
   const QByteArray json = toJson(bench.model.changes());
@@ -242,7 +242,7 @@ void ShortcutTest::hostileFiles() {
 }
 
 void ShortcutTest::editor() {
-  Bench bench;
+  ShortcutBench bench;
   ShortcutEditor editor(&bench.model);
   editor.show();
   auto* list = editor.findChild<QTreeView*>("shortcutList");
@@ -273,7 +273,7 @@ void ShortcutTest::editor() {
 
 void ShortcutTest::importAndExport() {
   const QTemporaryDir folder;
-  Bench bench;
+  ShortcutBench bench;
   ShortcutEditor editor(&bench.model);
   editor.show();
   const auto choose = [&](const char* button, const char* dialogName, const QString& path) {

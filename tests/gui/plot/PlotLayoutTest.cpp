@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "plot/PlotLayout.h"
 
 #include <QTest>
@@ -101,5 +102,5 @@ void PlotLayoutTest::titles() {
   QCOMPARE(axisTitle({"Cost", "", false}), QString("Cost"));
 }
 
-QTEST_MAIN(PlotLayoutTest)
+HANDWHEEL_WIDGET_TEST(PlotLayoutTest)
 #include "PlotLayoutTest.moc"

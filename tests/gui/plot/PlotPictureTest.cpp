@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "plot/PlotExport.h"
 #include "plot/PlotLayout.h"
 
@@ -225,5 +226,5 @@ void PlotPictureTest::csv() {
                                                      "mesh.fill_method,\"torus \"\"thin\"\"\",200,0.02\n"));
 }
 
-QTEST_MAIN(PlotPictureTest)
+HANDWHEEL_WIDGET_TEST(PlotPictureTest)
 #include "PlotPictureTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "plot/PlotScale.h"
 
 #include <rapidcheck.h>
@@ -98,5 +99,5 @@ void PlotScaleTest::labels() {
   QCOMPARE(tickLabel(0.5, scaleFor(std::vector{0.0, 1.0}, false), QLocale(QLocale::German)), QString("0,5"));
 }
 
-QTEST_APPLESS_MAIN(PlotScaleTest)
+HANDWHEEL_TEST(PlotScaleTest)
 #include "PlotScaleTest.moc"

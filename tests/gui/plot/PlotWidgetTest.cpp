@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "plot/PlotWidget.h"
 
 #include <QMouseEvent>
@@ -11,7 +12,7 @@ using namespace handwheel;
 
 namespace {
 
-Plot trade() {
+Plot plotWidgetTrade() {
   Plot plot;
   plot.title = "Trade";
   plot.x = {"Cost", "ms", true};
@@ -46,7 +47,7 @@ class PlotWidgetTest : public QObject {
 void PlotWidgetTest::cursorReadsTheNearestPoint() {
   PlotWidget widget;
   widget.resize(480, 320);
-  widget.setPlot(trade());
+  widget.setPlot(plotWidgetTrade());
   const QImage plain = widget.grab().toImage();
   const QSignalSpy spy(&widget, &PlotWidget::readingChanged);
   moveTo(widget, placeOf(widget, 1, 1) + QPoint(5, 5));
@@ -64,7 +65,7 @@ void PlotWidgetTest::cursorReadsTheNearestPoint() {
 void PlotWidgetTest::keysWalkAlongThePoints() {
   PlotWidget widget;
   widget.resize(480, 320);
-  widget.setPlot(trade());
+  widget.setPlot(plotWidgetTrade());
   const auto after = [&](Qt::Key key) {
     QTest::keyClick(&widget, key);
     return widget.reading();
@@ -83,9 +84,9 @@ void PlotWidgetTest::keysWalkAlongThePoints() {
 void PlotWidgetTest::anotherPlot() {
   PlotWidget widget;
   widget.resize(480, 320);
-  widget.setPlot(trade());
+  widget.setPlot(plotWidgetTrade());
   QTest::keyClick(&widget, Qt::Key_Down);
-  Plot other = trade();
+  Plot other = plotWidgetTrade();
   other.series.clear();
   other.title = "Other";
   widget.setPlot(other);  // the point that was read out is no more
@@ -100,9 +101,9 @@ void PlotWidgetTest::nothingToRead() {
   for (Qt::Key key : {Qt::Key_Right, Qt::Key_Up, Qt::Key_Escape}) QTest::keyClick(&widget, key);
   moveTo(widget, QPoint(1, 1));
   QCOMPARE(widget.reading(), QString());
-  widget.setPlot(trade());
+  widget.setPlot(plotWidgetTrade());
   widget.grab();
 }
 
-QTEST_MAIN(PlotWidgetTest)
+HANDWHEEL_WIDGET_TEST(PlotWidgetTest)
 #include "PlotWidgetTest.moc"

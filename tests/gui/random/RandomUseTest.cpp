@@ -97,11 +97,11 @@ class RandomUseTest : public QObject {
   }
 };
 
-int main(int argc, char** argv) {
+HANDWHEEL_TEST_RUN(RandomUseTest, [](int argc, char** argv) {
   const QTemporaryDir home;  // pictures, recent files and autosaves of this run alone
   for (const char* name : {"HOME", "XDG_CACHE_HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME"})
     qputenv(name, QFile::encodeName(home.path()));
   QDir::setCurrent(home.path());
   return runWindowTest<RandomUseTest>(argc, argv);
-}
+})
 #include "RandomUseTest.moc"

@@ -27,8 +27,8 @@ constexpr int kMostDocuments = 7;
 
 // Two tori that pass through each other, holes, a flap that is open, and a piece of debris.
 std::vector<Corners> damagedPart() {
-  std::vector<Corners> part = torus(24, 12, {{0, 3}, {6, 3}, {6, 4}, {12, 9}});
-  for (Corners t : torus(12, 8, {{2, 2}})) {
+  std::vector<Corners> part = quadTorus(24, 12, {{0, 3}, {6, 3}, {6, 4}, {12, 9}});
+  for (Corners t : quadTorus(12, 8, {{2, 2}})) {
     for (Corner& c : t) c[0] += 25.0f;
     part.push_back(t);
   }
@@ -84,8 +84,8 @@ void RandomUser::makeFiles() {
     m_files << m_folder.filePath(QString::fromLatin1(name));
     writeStl(m_files.last(), triangles);
   };
-  add("whole.stl", torus(12, 8, {}));
-  add("holes.stl", torus(48, 24, {{0, 3}, {8, 3}, {9, 3}, {16, 3}, {24, 20}, {30, 20}}));
+  add("whole.stl", quadTorus(12, 8, {}));
+  add("holes.stl", quadTorus(48, 24, {{0, 3}, {8, 3}, {9, 3}, {16, 3}, {24, 20}, {30, 20}}));
   add("damaged.stl", damagedPart());
   add("sheet.stl", sheet(12));
   add("empty.stl", {});

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "viewport/CameraNavigation.h"
 
 #include <rapidcheck.h>
@@ -9,7 +10,7 @@ using namespace handwheel;
 
 namespace {
 
-const Vec2 kSize(800, 600);
+const Vec2 kFitSize(800, 600);
 
 double number(double limit) {
   return *rc::gen::inRange(-1000, 1001) * limit / 1000.0;
@@ -40,10 +41,10 @@ class CameraFitTest : public QObject {
       points.push_back(points[0] + Vec3::Ones());  // never all the same
       CameraState c = anyCamera();
       c.projection = Projection::Perspective;
-      const double covered = *rc::gen::element(0.0, kSize.y() / 4);
-      const CameraNavigation view(CameraNavigation(c, kSize).fitted(points, 0.5, covered), kSize);
-      const Vec2 free = kSize - Vec2(0, covered);
-      Vec2 low = kSize, high = Vec2::Zero();
+      const double covered = *rc::gen::element(0.0, kFitSize.y() / 4);
+      const CameraNavigation view(CameraNavigation(c, kFitSize).fitted(points, 0.5, covered), kFitSize);
+      const Vec2 free = kFitSize - Vec2(0, covered);
+      Vec2 low = kFitSize, high = Vec2::Zero();
       for (const Vec3& p : points) {
         RC_ASSERT(view.isBeforeEye(p));
         low = low.cwiseMin(view.toScreen(p));
@@ -60,14 +61,14 @@ class CameraFitTest : public QObject {
     CameraState c;
     c.projection = Projection::Perspective;
     const Vec3 p(3, 4, 5);
-    const CameraNavigation one(CameraNavigation(c, kSize).fitted(std::array{p, p}, 0.5), kSize);
-    QVERIFY((one.toScreen(p) - kSize / 2).norm() < 1e-9);
+    const CameraNavigation one(CameraNavigation(c, kFitSize).fitted(std::array{p, p}, 0.5), kFitSize);
+    QVERIFY((one.toScreen(p) - kFitSize / 2).norm() < 1e-9);
     QVERIFY(one.camera().height > 0);
     const std::array along{p, Vec3(3, 4, 9)};  // one behind the other
-    const CameraNavigation line(CameraNavigation(c, kSize).fitted(along, 0.5), kSize);
+    const CameraNavigation line(CameraNavigation(c, kFitSize).fitted(along, 0.5), kFitSize);
     for (const Vec3& q : along) {
       QVERIFY(line.isBeforeEye(q));
-      QVERIFY((line.toScreen(q) - kSize / 2).norm() < 1e-9);
+      QVERIFY((line.toScreen(q) - kFitSize / 2).norm() < 1e-9);
     }
   }
 
@@ -76,14 +77,14 @@ class CameraFitTest : public QObject {
       std::vector<Vec3> points;
       for (int i = 0; i < 20; ++i) points.push_back(anyPoint());
       points.push_back(points[0] + Vec3::Ones());  // never all the same
-      const CameraNavigation view(CameraNavigation(anyCamera(), kSize).fitted(points, 0.5), kSize);
-      Vec2 low = kSize, high = Vec2::Zero();
+      const CameraNavigation view(CameraNavigation(anyCamera(), kFitSize).fitted(points, 0.5), kFitSize);
+      Vec2 low = kFitSize, high = Vec2::Zero();
       for (const Vec3& p : points) {
         low = low.cwiseMin(view.toScreen(p));
         high = high.cwiseMax(view.toScreen(p));
       }
-      RC_ASSERT(((low + high) / 2 - kSize / 2).norm() < 1e-6);
-      const Vec2 share = (high - low).cwiseQuotient(kSize);
+      RC_ASSERT(((low + high) / 2 - kFitSize / 2).norm() < 1e-6);
+      const Vec2 share = (high - low).cwiseQuotient(kFitSize);
       RC_ASSERT(std::abs(share.maxCoeff() - 0.5) < 1e-9);
     }));
   }
@@ -93,10 +94,10 @@ class CameraFitTest : public QObject {
       std::vector<Vec3> points;
       for (int i = 0; i < 20; ++i) points.push_back(anyPoint());
       points.push_back(points[0] + Vec3::Ones());  // never all the same
-      const double covered = kSize.y() / 4;
-      const CameraNavigation view(CameraNavigation(anyCamera(), kSize).fitted(points, 0.5, covered), kSize);
-      const Vec2 free = kSize - Vec2(0, covered);
-      Vec2 low = kSize, high = Vec2::Zero();
+      const double covered = kFitSize.y() / 4;
+      const CameraNavigation view(CameraNavigation(anyCamera(), kFitSize).fitted(points, 0.5, covered), kFitSize);
+      const Vec2 free = kFitSize - Vec2(0, covered);
+      Vec2 low = kFitSize, high = Vec2::Zero();
       for (const Vec3& p : points) {
         low = low.cwiseMin(view.toScreen(p));
         high = high.cwiseMax(view.toScreen(p));
@@ -107,5 +108,5 @@ class CameraFitTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(CameraFitTest)
+HANDWHEEL_TEST(CameraFitTest)
 #include "CameraFitTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "viewport/CameraNavigation.h"
 
 #include <rapidcheck.h>
@@ -9,34 +10,38 @@ using namespace handwheel;
 
 namespace {
 
-const Vec2 kSize(800, 600);
+const Vec2 kCameraNavigationSize(800, 600);
 
-double number(double limit) {
+double cameraNavigationNumber(double limit) {
   return *rc::gen::inRange(-1000, 1001) * limit / 1000.0;
 }
 
-Vec3 anyPoint() {
-  return {number(50), number(50), number(50)};
+Vec3 cameraNavigationAnyPoint() {
+  return {cameraNavigationNumber(50), cameraNavigationNumber(50), cameraNavigationNumber(50)};
 }
 
-CameraState anyCamera() {
+CameraState cameraNavigationAnyCamera() {
   CameraState c;
-  c.centre = anyPoint();
-  c.orientation = Eigen::Quaterniond(2 + number(1), number(1), number(1), number(1)).normalized();
-  c.height = 10 + std::abs(number(90));
+  c.centre = cameraNavigationAnyPoint();
+  c.orientation = Eigen::Quaterniond(2 + cameraNavigationNumber(1), cameraNavigationNumber(1),
+                                     cameraNavigationNumber(1), cameraNavigationNumber(1))
+                      .normalized();
+  c.height = 10 + std::abs(cameraNavigationNumber(90));
   return c;
 }
 
 // Both projections, one after the other.
 CameraState anyCameraOfBoth() {
-  CameraState c = anyCamera();
+  CameraState c = cameraNavigationAnyCamera();
   c.projection = *rc::gen::element(Projection::Parallel, Projection::Perspective);
   return c;
 }
 
 // A point that the camera sees: about the focus, and before the eye.
 Vec3 anyPointBefore(const CameraState& c) {
-  return c.centre + c.orientation * Vec3(number(1), number(1), number(1)) * c.height;
+  return c.centre + c.orientation *
+                        Vec3(cameraNavigationNumber(1), cameraNavigationNumber(1), cameraNavigationNumber(1)) *
+                        c.height;
 }
 
 }  // namespace
@@ -47,7 +52,7 @@ class CameraNavigationTest : public QObject {
   void screenAxes() {
     CameraState c;  // x right, y up, looks down z
     c.height = 60;  // a tenth of a unit to the pixel
-    const CameraNavigation view(c, kSize);
+    const CameraNavigation view(c, kCameraNavigationSize);
     QVERIFY((view.toScreen({0, 0, 7}) - Vec2(400, 300)).norm() < 1e-12);
     QVERIFY((view.toScreen({1, 0, 0}) - Vec2(410, 300)).norm() < 1e-12);
     QVERIFY((view.toScreen({0, 1, 0}) - Vec2(400, 290)).norm() < 1e-12);
@@ -70,8 +75,8 @@ class CameraNavigationTest : public QObject {
 
   void fromScreenInvertsToScreen() {
     QVERIFY(rc::check([] {
-      const CameraNavigation view(anyCameraOfBoth(), kSize);
-      const Vec2 s(number(1000), number(1000));
+      const CameraNavigation view(anyCameraOfBoth(), kCameraNavigationSize);
+      const Vec2 s(cameraNavigationNumber(1000), cameraNavigationNumber(1000));
       RC_ASSERT((view.toScreen(view.fromScreen(s)) - s).norm() < 1e-6);
     }));
   }
@@ -80,8 +85,8 @@ class CameraNavigationTest : public QObject {
   void rayRunsThroughWhatAppearsThere() {
     QVERIFY(rc::check([] {
       const CameraState c = anyCameraOfBoth();
-      const CameraNavigation view(c, kSize);
-      const Box box(anyPoint().cwiseMin(c.centre), anyPoint().cwiseMax(c.centre));
+      const CameraNavigation view(c, kCameraNavigationSize);
+      const Box box(cameraNavigationAnyPoint().cwiseMin(c.centre), cameraNavigationAnyPoint().cwiseMax(c.centre));
       const Vec3 p = anyPointBefore(c);
       const ViewRay ray = view.rayAt(view.toScreen(p), Box(box).extend(p));
       const double along = (p - ray.origin).dot(ray.direction);
@@ -90,7 +95,7 @@ class CameraNavigationTest : public QObject {
       RC_ASSERT(std::abs(ray.direction.norm() - 1) < 1e-12);
       RC_ASSERT(ray.eye.has_value() == view.isPerspective());
       if (ray.eye) RC_ASSERT((*ray.eye - c.eye()).norm() == 0.0);
-      RC_ASSERT(ray.pixel == c.height / kSize.y());
+      RC_ASSERT(ray.pixel == c.height / kCameraNavigationSize.y());
     }));
   }
 
@@ -99,7 +104,7 @@ class CameraNavigationTest : public QObject {
     CameraState c;
     c.height = 60;
     c.projection = Projection::Perspective;
-    const CameraNavigation view(c, kSize);
+    const CameraNavigation view(c, kCameraNavigationSize);
     const double distance = 30 / std::tan(15 * kRadiansPerDegree);
     QVERIFY((c.eye() - Vec3(0, 0, distance)).norm() < 1e-12);
     QVERIFY((view.toScreen({1, 0, 0}) - Vec2(410, 300)).norm() < 1e-9);
@@ -112,11 +117,12 @@ class CameraNavigationTest : public QObject {
 
   void switchingTheProjectionKeepsTheFocalPlane() {
     QVERIFY(rc::check([] {
-      CameraState c = anyCamera();
-      const Vec3 p = c.centre + c.orientation * Vec3(number(1), number(1), 0) * c.height;
-      const Vec2 parallel = CameraNavigation(c, kSize).toScreen(p);
+      CameraState c = cameraNavigationAnyCamera();
+      const Vec3 p =
+          c.centre + c.orientation * Vec3(cameraNavigationNumber(1), cameraNavigationNumber(1), 0) * c.height;
+      const Vec2 parallel = CameraNavigation(c, kCameraNavigationSize).toScreen(p);
       c.projection = Projection::Perspective;
-      RC_ASSERT((CameraNavigation(c, kSize).toScreen(p) - parallel).norm() < 1e-6);
+      RC_ASSERT((CameraNavigation(c, kCameraNavigationSize).toScreen(p) - parallel).norm() < 1e-6);
     }));
   }
 
@@ -137,9 +143,9 @@ class CameraNavigationTest : public QObject {
     QVERIFY(rc::check([&] {
       const Box box(Vec3(offset, -offset, offset), Vec3(offset, -offset, offset) + Vec3(size, size / 3, size / 7));
       CameraState c = anyCameraOfBoth();
-      c.centre = box.center() + anyPoint() / 100 * size;
-      c.height = size * std::pow(10.0, number(4) - 2);
-      const CameraNavigation view(c, kSize);
+      c.centre = box.center() + cameraNavigationAnyPoint() / 100 * size;
+      c.height = size * std::pow(10.0, cameraNavigationNumber(4) - 2);
+      const CameraNavigation view(c, kCameraNavigationSize);
       const Viewpoint v = view.viewpoint(box);
       RC_ASSERT(v.nearest > 0);
       RC_ASSERT(v.farthest > v.nearest);
@@ -160,41 +166,44 @@ class CameraNavigationTest : public QObject {
     QVERIFY(rc::check([] {
       const CameraState c = anyCameraOfBoth();
       const Vec3 pivot = anyPointBefore(c);
-      const CameraState turned = CameraNavigation(c, kSize).orbited(pivot, {number(300), number(300)});
-      const Vec2 before = CameraNavigation(c, kSize).toScreen(pivot),
-                 after = CameraNavigation(turned, kSize).toScreen(pivot);
+      const CameraState turned = CameraNavigation(c, kCameraNavigationSize)
+                                     .orbited(pivot, {cameraNavigationNumber(300), cameraNavigationNumber(300)});
+      const Vec2 before = CameraNavigation(c, kCameraNavigationSize).toScreen(pivot),
+                 after = CameraNavigation(turned, kCameraNavigationSize).toScreen(pivot);
       RC_ASSERT((before - after).norm() < 1e-6);
       RC_ASSERT(std::abs(turned.orientation.norm() - 1) < 1e-12);
     }));
   }
 
   void orbitFollowsTheCursor() {
-    const CameraNavigation view(CameraState{}, kSize);
+    const CameraNavigation view(CameraState{}, kCameraNavigationSize);
     const Vec3 front(0, 0, 0.3);  // before the pivot
     const CameraState turned = view.orbited(Vec3::Zero(), {20, 0});
-    QVERIFY(CameraNavigation(turned, kSize).toScreen(front).x() > view.toScreen(front).x());
+    QVERIFY(CameraNavigation(turned, kCameraNavigationSize).toScreen(front).x() > view.toScreen(front).x());
     const CameraState tilted = view.orbited(Vec3::Zero(), {0, 20});
-    QVERIFY(CameraNavigation(tilted, kSize).toScreen(front).y() > view.toScreen(front).y());
+    QVERIFY(CameraNavigation(tilted, kCameraNavigationSize).toScreen(front).y() > view.toScreen(front).y());
   }
 
   void panTakesTheGrabbedPointAlong() {
     QVERIFY(rc::check([] {
       const CameraState c = anyCameraOfBoth();
-      const Vec2 delta(number(300), number(300));
+      const Vec2 delta(cameraNavigationNumber(300), cameraNavigationNumber(300));
       const Vec3 p = anyPointBefore(c);
-      const CameraState panned = CameraNavigation(c, kSize).panned(delta, p);
-      const Vec2 moved = CameraNavigation(panned, kSize).toScreen(p) - CameraNavigation(c, kSize).toScreen(p);
+      const CameraState panned = CameraNavigation(c, kCameraNavigationSize).panned(delta, p);
+      const Vec2 moved = CameraNavigation(panned, kCameraNavigationSize).toScreen(p) -
+                         CameraNavigation(c, kCameraNavigationSize).toScreen(p);
       RC_ASSERT((moved - delta).norm() < 1e-6);
     }));
   }
 
   void panMovesEverythingWithTheCursor() {
     QVERIFY(rc::check([] {
-      const CameraState c = anyCamera();
-      const Vec2 delta(number(300), number(300));
-      const Vec3 p = anyPoint();
-      const CameraState panned = CameraNavigation(c, kSize).panned(delta);
-      const Vec2 moved = CameraNavigation(panned, kSize).toScreen(p) - CameraNavigation(c, kSize).toScreen(p);
+      const CameraState c = cameraNavigationAnyCamera();
+      const Vec2 delta(cameraNavigationNumber(300), cameraNavigationNumber(300));
+      const Vec3 p = cameraNavigationAnyPoint();
+      const CameraState panned = CameraNavigation(c, kCameraNavigationSize).panned(delta);
+      const Vec2 moved = CameraNavigation(panned, kCameraNavigationSize).toScreen(p) -
+                         CameraNavigation(c, kCameraNavigationSize).toScreen(p);
       RC_ASSERT((moved - delta).norm() < 1e-6);
     }));
   }
@@ -202,10 +211,10 @@ class CameraNavigationTest : public QObject {
   void zoomKeepsWhatIsUnderTheCursor() {
     QVERIFY(rc::check([] {
       const CameraState c = anyCameraOfBoth();
-      const Vec2 cursor(number(400) + 400, number(300) + 300);
-      const Vec3 p = CameraNavigation(c, kSize).fromScreen(cursor);
-      const CameraState zoomed = CameraNavigation(c, kSize).zoomedAt(cursor, 2.5);
-      RC_ASSERT((CameraNavigation(zoomed, kSize).toScreen(p) - cursor).norm() < 1e-6);
+      const Vec2 cursor(cameraNavigationNumber(400) + 400, cameraNavigationNumber(300) + 300);
+      const Vec3 p = CameraNavigation(c, kCameraNavigationSize).fromScreen(cursor);
+      const CameraState zoomed = CameraNavigation(c, kCameraNavigationSize).zoomedAt(cursor, 2.5);
+      RC_ASSERT((CameraNavigation(zoomed, kCameraNavigationSize).toScreen(p) - cursor).norm() < 1e-6);
       RC_ASSERT(std::abs(zoomed.height * 2.5 - c.height) < 1e-9);
     }));
   }
@@ -214,8 +223,8 @@ class CameraNavigationTest : public QObject {
     QVERIFY(rc::check([] {
       const CameraState c = anyCameraOfBoth();
       const Vec3 p = anyPointBefore(c);
-      const CameraState zoomed = CameraNavigation(c, kSize).zoomedAbout(p, 2.5);
-      const CameraNavigation before(c, kSize), after(zoomed, kSize);
+      const CameraState zoomed = CameraNavigation(c, kCameraNavigationSize).zoomedAbout(p, 2.5);
+      const CameraNavigation before(c, kCameraNavigationSize), after(zoomed, kCameraNavigationSize);
       RC_ASSERT((after.toScreen(p) - before.toScreen(p)).norm() < 1e-6);
       RC_ASSERT(std::abs(after.unitsPerPixelAt(p) * 2.5 - before.unitsPerPixelAt(p)) < 1e-9);
     }));
@@ -223,7 +232,7 @@ class CameraNavigationTest : public QObject {
 
   void uprightViewsLookAlongTheirDirection() {
     QVERIFY(rc::check([] {
-      const Vec3 outward = anyPoint() + Vec3(0.01, 0.02, 0.03);
+      const Vec3 outward = cameraNavigationAnyPoint() + Vec3(0.01, 0.02, 0.03);
       const Eigen::Quaterniond q = uprightTowards(outward);
       RC_ASSERT((q * Vec3::UnitZ() - outward.normalized()).norm() < 1e-9);
       RC_ASSERT(std::abs((q * Vec3::UnitX()).z()) < 1e-9);  // the horizon is level
@@ -239,8 +248,8 @@ class CameraNavigationTest : public QObject {
 
   void turnedTowardsLooksAgainstTheDirection() {
     QVERIFY(rc::check([] {
-      const CameraState c = anyCamera();
-      const Vec3 outward = anyPoint() + Vec3(0.01, 0.02, 0.03);
+      const CameraState c = cameraNavigationAnyCamera();
+      const Vec3 outward = cameraNavigationAnyPoint() + Vec3(0.01, 0.02, 0.03);
       const Vec3 z = turnedTowards(c.orientation, outward) * Vec3::UnitZ();
       RC_ASSERT((z - outward.normalized()).norm() < 1e-6);
     }));
@@ -251,7 +260,7 @@ class CameraNavigationTest : public QObject {
 
   void flightBeginsAndEndsWhereItShould() {
     QVERIFY(rc::check([] {
-      const CameraState a = anyCamera(), b = anyCamera();
+      const CameraState a = cameraNavigationAnyCamera(), b = cameraNavigationAnyCamera();
       RC_ASSERT(between(a, b, 1.0) == b);
       const CameraState start = between(a, b, 0.0);
       RC_ASSERT((start.centre - a.centre).norm() < 1e-9);
@@ -261,5 +270,5 @@ class CameraNavigationTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(CameraNavigationTest)
+HANDWHEEL_TEST(CameraNavigationTest)
 #include "CameraNavigationTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "viewport/ColourScale.h"
 
 #include <Eigen/Dense>
@@ -85,5 +86,5 @@ class ColourScaleTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ColourScaleTest)
+HANDWHEEL_TEST(ColourScaleTest)
 #include "ColourScaleTest.moc"

@@ -146,9 +146,6 @@ class DeviceCursorTest : public PictureFixture {
   }
 };
 
-int main(int argc, char** argv) {
-  return runOnDisplay<DeviceCursorTest>(argc, argv);
-}
+HANDWHEEL_DISPLAY_TEST(DeviceCursorTest)
 
 #include "DeviceCursorTest.moc"
-#include "moc_DisplayTestMain.cpp"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "TestClass.h"
 #include "viewport/Viewport.h"
 
 #include <QApplication>
@@ -69,3 +70,5 @@ int runOnDisplay(int argc, char** argv) {
 }
 
 }  // namespace handwheel
+
+#define HANDWHEEL_DISPLAY_TEST(Test) HANDWHEEL_TEST_RUN(Test, handwheel::runOnDisplay<Test>)

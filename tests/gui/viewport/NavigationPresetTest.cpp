@@ -1,13 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "viewport/NavigationPreset.h"
 
 #include <QtTest>
 
 using namespace handwheel;
-
-Q_DECLARE_METATYPE(handwheel::NavigationPreset)
-Q_DECLARE_METATYPE(handwheel::NavigationGesture)
 
 namespace {
 
@@ -98,5 +96,5 @@ class NavigationPresetTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(NavigationPresetTest)
+HANDWHEEL_TEST(NavigationPresetTest)
 #include "NavigationPresetTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ShapeModels.h"
+#include "TestClass.h"
 #include "viewport/Overlay.h"
 #include "viewport/StrokeText.h"
 
@@ -130,5 +131,5 @@ class OverlayTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(OverlayTest)
+HANDWHEEL_TEST(OverlayTest)
 #include "OverlayTest.moc"

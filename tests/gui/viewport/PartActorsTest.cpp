@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ShapeModels.h"
+#include "TestClass.h"
 #include "viewport/PartActors.h"
 #include "viewport/PartPreparation.h"
 
@@ -244,5 +245,5 @@ class PartActorsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(PartActorsTest)
+HANDWHEEL_TEST(PartActorsTest)
 #include "PartActorsTest.moc"

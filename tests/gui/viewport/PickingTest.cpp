@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SheetModel.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 #include "viewport/BrushOutline.h"
 #include "viewport/Picking.h"
@@ -12,9 +13,9 @@ using namespace handwheel;
 
 namespace {
 
-const Vec2 kSize(600, 500);
+const Vec2 kPickingSize(600, 500);
 
-double number(double limit) {
+double pickingNumber(double limit) {
   return *rc::gen::inRange(-1000, 1001) * limit / 1000.0;
 }
 
@@ -22,7 +23,7 @@ std::shared_ptr<const PickIndex> indexOf(const TriangleSoup& soup) {
   return std::make_shared<const PickIndex>(buildMesh(soup).mesh);
 }
 
-CameraState fromAbove(Projection projection) {
+CameraState cameraAbove(Projection projection) {
   CameraState c;
   c.centre = Vec3(10, 10, 0);
   c.height = 25;
@@ -47,10 +48,11 @@ class PickingTest : public QObject {
   // Project a point of the sheet, pick there: the same point comes back.
   void pickInvertsProjection() {
     QVERIFY(rc::check([&] {
-      CameraState c = fromAbove(*rc::gen::element(Projection::Parallel, Projection::Perspective));
-      c.orientation = Eigen::Quaterniond(2 + number(1), number(0.5), number(0.5), number(1)).normalized();
-      const CameraNavigation view(c, kSize);
-      const Vec3 p(10 + number(9.9), 10 + number(9.9), 0);
+      CameraState c = cameraAbove(*rc::gen::element(Projection::Parallel, Projection::Perspective));
+      c.orientation = Eigen::Quaterniond(2 + pickingNumber(1), pickingNumber(0.5), pickingNumber(0.5), pickingNumber(1))
+                          .normalized();
+      const CameraNavigation view(c, kPickingSize);
+      const Vec3 p(10 + pickingNumber(9.9), 10 + pickingNumber(9.9), 0);
       if (!view.isBeforeEye(p)) return;
       const Pick pick = pickAt({.mesh = m_sheet.get()}, view, view.toScreen(p));
       RC_ASSERT(pick.face != kNone);
@@ -63,7 +65,7 @@ class PickingTest : public QObject {
     const std::vector<PickPart> parts{
         {"low", raisedBy(1), m_sheet}, {"high", raisedBy(3), m_sheet}, {"below", raisedBy(-3), m_sheet}};
     for (const Projection projection : {Projection::Parallel, Projection::Perspective}) {
-      const CameraNavigation view(fromAbove(projection), kSize);
+      const CameraNavigation view(cameraAbove(projection), kPickingSize);
       const Vec3 p(7.3, 8.4, 3);
       const Pick pick = pickAt({.mesh = m_sheet.get(), .parts = parts}, view, view.toScreen(p));
       QCOMPARE(pick.part, "high");
@@ -81,15 +83,16 @@ class PickingTest : public QObject {
   void partsArePickedInTheirPose() {
     QVERIFY(rc::check([&] {
       Pose pose = Pose::Identity();
-      pose.linear() =
-          Eigen::Quaterniond(1 + number(0.9), number(1), number(1), number(1)).normalized().toRotationMatrix();
+      pose.linear() = Eigen::Quaterniond(1 + pickingNumber(0.9), pickingNumber(1), pickingNumber(1), pickingNumber(1))
+                          .normalized()
+                          .toRotationMatrix();
       pose.translation() = Vec3(1e7, -1e7, 5e6);
-      const Vec3 p = pose * Vec3(10 + number(9.9), 10 + number(9.9), 0);
-      CameraState c = fromAbove(Projection::Perspective);
+      const Vec3 p = pose * Vec3(10 + pickingNumber(9.9), 10 + pickingNumber(9.9), 0);
+      CameraState c = cameraAbove(Projection::Perspective);
       c.orientation = Eigen::Quaterniond(pose.linear());
       c.centre = p;
       const std::vector<PickPart> parts{{"sheet", pose, m_sheet}};
-      const Pick pick = pickAt({.parts = parts}, CameraNavigation(c, kSize), kSize / 2);
+      const Pick pick = pickAt({.parts = parts}, CameraNavigation(c, kPickingSize), kPickingSize / 2);
       RC_ASSERT(pick.part == "sheet");
       RC_ASSERT((pick.point - p).norm() < 1e-6);
     }));
@@ -99,7 +102,7 @@ class PickingTest : public QObject {
   void whatIsClippedAwayIsNotPicked() {
     const std::vector<PickPart> parts{{"low", raisedBy(0), m_sheet}, {"high", raisedBy(3), m_sheet}};
     for (const Projection projection : {Projection::Parallel, Projection::Perspective}) {
-      const CameraNavigation view(fromAbove(projection), kSize);
+      const CameraNavigation view(cameraAbove(projection), kPickingSize);
       const auto pickedAt = [&](const Vec3& p, const ClipPlane& clip) {
         return pickAt({.parts = parts, .clip = clip}, view, view.toScreen(p)).part;
       };
@@ -118,7 +121,7 @@ class PickingTest : public QObject {
 
   void clippedLoopIsNotPicked() {
     const std::vector<LoopMark> loops{squareLoop(0, Qt::blue)};
-    const CameraNavigation view(fromAbove(Projection::Perspective), kSize);
+    const CameraNavigation view(cameraAbove(Projection::Perspective), kPickingSize);
     const Vec2 at = view.toScreen({5, 10, 0});
     QCOMPARE(pickAt({.mesh = m_sheet.get(), .loops = loops}, view, at).loop, 7);
     const Pick clipped = pickAt({.mesh = m_sheet.get(), .loops = loops, .clip = {-Vec3::UnitX(), -8, true}}, view, at);
@@ -128,9 +131,9 @@ class PickingTest : public QObject {
 
   // On a slanted line under perspective the middle of the picture is not the middle of the line.
   void loopPointIsWhereTheCursorIs() {
-    CameraState c = fromAbove(Projection::Perspective);
+    CameraState c = cameraAbove(Projection::Perspective);
     c.orientation = Eigen::Quaterniond(Eigen::AngleAxisd(1.2, Vec3::UnitX()));
-    const CameraNavigation view(c, kSize);
+    const CameraNavigation view(c, kPickingSize);
     const std::vector<LoopMark> loops{{4, {{10, 2, 0}, {10, 18, 0}}, Qt::blue, false}};
     for (const double y : {2.5, 7.0, 10.0, 17.0}) {
       const Pick pick = pickAt({.loops = loops}, view, view.toScreen({10, y, 0}));
@@ -140,11 +143,11 @@ class PickingTest : public QObject {
   }
 
   void loopBehindTheEyeIsNotPicked() {
-    const CameraState c = fromAbove(Projection::Perspective);
-    const CameraNavigation view(c, kSize);
+    const CameraState c = cameraAbove(Projection::Perspective);
+    const CameraNavigation view(c, kPickingSize);
     const double behind = 2 * c.eyeDistance();
     const std::vector<LoopMark> loops{{4, {{9, 9, behind}, {11, 11, behind}}, Qt::blue, false}};
-    QCOMPARE(pickAt({.loops = loops}, view, kSize / 2).loop, -1);
+    QCOMPARE(pickAt({.loops = loops}, view, kPickingSize / 2).loop, -1);
   }
 
   // A circle on a plane is that circle; on a roof it follows both slopes; beyond the surface it is flat.
@@ -176,5 +179,5 @@ class PickingTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(PickingTest)
+HANDWHEEL_TEST(PickingTest)
 #include "PickingTest.moc"

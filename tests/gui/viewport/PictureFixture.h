@@ -6,8 +6,6 @@
 #include "ShapeModels.h"
 #include "viewport/CameraNavigation.h"
 
-Q_DECLARE_METATYPE(handwheel::Projection)
-
 namespace handwheel {
 
 inline const Vec2 kSize(600, 500);  // of the view

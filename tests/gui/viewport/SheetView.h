@@ -9,7 +9,7 @@
 namespace handwheel {
 
 // Looks down on the sheet, 20 pixels to the unit in a view of 600 × 500: (10, 10) is in the middle.
-inline CameraState fromAbove() {
+inline CameraState sheetFromAbove() {
   CameraState c;
   c.centre = Vec3(10, 10, 0);
   c.height = 25;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ShapeModels.h"
 #include "SheetModel.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 #include "viewport/Snapshot.h"
 
@@ -134,5 +135,5 @@ class SnapshotTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SnapshotTest)
+HANDWHEEL_TEST(SnapshotTest)
 #include "SnapshotTest.moc"

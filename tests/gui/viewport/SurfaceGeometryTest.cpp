@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "mesh/MeshBounds.h"
 #include "mesh/MeshBuilder.h"
 #include "viewport/SurfaceGeometry.h"
@@ -155,5 +156,5 @@ class SurfaceGeometryTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(SurfaceGeometryTest)
+HANDWHEEL_TEST(SurfaceGeometryTest)
 #include "SurfaceGeometryTest.moc"

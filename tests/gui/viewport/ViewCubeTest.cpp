@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "viewport/ViewCube.h"
 
 #include <rapidcheck.h>
@@ -158,5 +159,5 @@ class ViewCubeTest : public QObject {
   }
 };
 
-QTEST_MAIN(ViewCubeTest)
+HANDWHEEL_WIDGET_TEST(ViewCubeTest)
 #include "ViewCubeTest.moc"

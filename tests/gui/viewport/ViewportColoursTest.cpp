@@ -147,9 +147,6 @@ class ViewportColoursTest : public PictureFixture {
   }
 };
 
-int main(int argc, char** argv) {
-  return runOnDisplay<ViewportColoursTest>(argc, argv);
-}
+HANDWHEEL_DISPLAY_TEST(ViewportColoursTest)
 
 #include "ViewportColoursTest.moc"
-#include "moc_DisplayTestMain.cpp"

@@ -154,9 +154,6 @@ class ViewportLayersTest : public PictureFixture {
   }
 };
 
-int main(int argc, char** argv) {
-  return runOnDisplay<ViewportLayersTest>(argc, argv);
-}
+HANDWHEEL_DISPLAY_TEST(ViewportLayersTest)
 
 #include "ViewportLayersTest.moc"
-#include "moc_DisplayTestMain.cpp"

@@ -12,9 +12,9 @@ using namespace handwheel;
 
 namespace {
 
-const Vec2 kSize(600, 500);
+const Vec2 kViewportMouseSize(600, 500);
 
-CameraState fromAbove(Projection projection = Projection::Parallel) {
+CameraState mouseCamera(Projection projection = Projection::Parallel) {
   CameraState c;
   c.centre = Vec3(10, 10, 0);
   c.height = 25;
@@ -32,7 +32,7 @@ class ViewportMouseTest : public ViewportFixture {
 
   void showSheet() {
     m_view->setMesh(buildMesh(sheet(kCells)).mesh);
-    m_view->setCamera(fromAbove());
+    m_view->setCamera(mouseCamera());
     QTRY_VERIFY_WITH_TIMEOUT(m_view->isPickingReady(), 20000);
   }
 
@@ -90,7 +90,7 @@ class ViewportMouseTest : public ViewportFixture {
     QCOMPARE(m_heard[1].held, Qt::MouseButtons(Qt::LeftButton));
     QCOMPARE(m_heard[3].button, Qt::LeftButton);
     QCOMPARE(m_heard[3].held, Qt::MouseButtons());
-    QCOMPARE(m_view->camera(), fromAbove());
+    QCOMPARE(m_view->camera(), mouseCamera());
     QVERIFY(clicked.isEmpty());
   }
 
@@ -99,9 +99,9 @@ class ViewportMouseTest : public ViewportFixture {
     listen([](const PointerInput& input) { return input.button == Qt::LeftButton; });
     dragWith(Qt::MiddleButton, {}, {300, 250}, {360, 250});
     QCOMPARE(kinds(), std::vector{PointerInput::Kind::Press});
-    QVERIFY(!(m_view->camera() == fromAbove()));
+    QVERIFY(!(m_view->camera() == mouseCamera()));
     m_view->setPointerSink({});
-    m_view->setCamera(fromAbove());
+    m_view->setCamera(mouseCamera());
     dragWith(Qt::MiddleButton, Qt::ShiftModifier, {300, 250}, {340, 230});
     QVERIFY((m_view->camera().centre - Vec3(8, 9, 0)).norm() < 1e-9);
   }
@@ -129,7 +129,7 @@ class ViewportMouseTest : public ViewportFixture {
     wheel({300, 250}, 120);
     QCOMPARE(m_heard.back().kind, PointerInput::Kind::Wheel);
     QCOMPARE(m_heard.back().wheel, 15.0);
-    QCOMPARE(m_view->camera(), fromAbove());
+    QCOMPARE(m_view->camera(), mouseCamera());
     send(QEvent::MouseMove, {200, 200}, Qt::NoButton, {});
     QCOMPARE(m_heard.back().kind, PointerInput::Kind::Move);
     QVERIFY(hovered.isEmpty());
@@ -147,14 +147,14 @@ class ViewportMouseTest : public ViewportFixture {
   void wheelZoomsToWhatIsUnderTheCursor() {
     QFETCH(int, projection);
     showSheet();
-    CameraState camera = fromAbove(static_cast<Projection>(projection));
+    CameraState camera = mouseCamera(static_cast<Projection>(projection));
     camera.orientation = Eigen::Quaterniond(Eigen::AngleAxisd(0.9, Vec3::UnitX()));
     m_view->setCamera(camera);
     const QPoint cursor(420, 180);
     const Vec3 under = m_view->pickAt(cursor).point;
     wheel(cursor, 360);
     QVERIFY(m_view->camera().height < 0.7 * camera.height);
-    QVERIFY((CameraNavigation(m_view->camera(), kSize).toScreen(under) - Vec2(420, 180)).norm() < 1e-6);
+    QVERIFY((CameraNavigation(m_view->camera(), kViewportMouseSize).toScreen(under) - Vec2(420, 180)).norm() < 1e-6);
     m_view->setNavigationPreset(NavigationPreset::SolidWorks);
     wheel(cursor, 360);
     QVERIFY(std::abs(m_view->camera().height - camera.height) < 1e-9);
@@ -166,15 +166,16 @@ class ViewportMouseTest : public ViewportFixture {
     QCOMPARE(m_view->navigationHints()[0].first, "Left+middle");
     dragWith(Qt::MiddleButton, {}, {300, 250}, {340, 250});
     QVERIFY((m_view->camera().centre - Vec3(8, 10, 0)).norm() < 1e-9);  // pans
-    m_view->setCamera(fromAbove());
+    m_view->setCamera(mouseCamera());
     QSignalSpy clicked(m_view.get(), &Viewport::clicked);
     dragWith(Qt::MiddleButton | Qt::LeftButton, {}, {300, 250}, {340, 250});
-    QVERIFY(m_view->camera().orientation.angularDistance(fromAbove().orientation) > 0.1);
+    QVERIFY(m_view->camera().orientation.angularDistance(mouseCamera().orientation) > 0.1);
     QVERIFY(clicked.isEmpty());
-    m_view->setCamera(fromAbove());
+    m_view->setCamera(mouseCamera());
     dragWith(Qt::RightButton, Qt::ControlModifier | Qt::ShiftModifier, {300, 250}, {300, 150});
-    QVERIFY(m_view->camera().height < 0.7 * fromAbove().height);  // upwards enlarges
-    QVERIFY((CameraNavigation(m_view->camera(), kSize).toScreen({10, 10, 0}) - Vec2(300, 250)).norm() < 1e-6);
+    QVERIFY(m_view->camera().height < 0.7 * mouseCamera().height);  // upwards enlarges
+    QVERIFY((CameraNavigation(m_view->camera(), kViewportMouseSize).toScreen({10, 10, 0}) - Vec2(300, 250)).norm() <
+            1e-6);
   }
 
   // Two drags in quick succession: the second press arrives as a double click.
@@ -183,7 +184,7 @@ class ViewportMouseTest : public ViewportFixture {
     send(QEvent::MouseButtonDblClick, {300, 250}, Qt::MiddleButton, Qt::MiddleButton);
     send(QEvent::MouseMove, {360, 250}, Qt::NoButton, Qt::MiddleButton);
     send(QEvent::MouseButtonRelease, {360, 250}, Qt::MiddleButton, {});
-    QVERIFY(!(m_view->camera() == fromAbove()));
+    QVERIFY(!(m_view->camera() == mouseCamera()));
   }
 
   void raysMeetWhatIsPicked() {
@@ -207,8 +208,8 @@ class ViewportMouseTest : public ViewportFixture {
     m_view->setProjection(Projection::Perspective);
     QCOMPARE(changed.size(), 1);
     QCOMPARE(m_view->projection(), Projection::Perspective);
-    QVERIFY((m_view->camera().centre - fromAbove().centre).norm() == 0.0);
-    m_view->setCamera(fromAbove(Projection::Parallel));
+    QVERIFY((m_view->camera().centre - mouseCamera().centre).norm() == 0.0);
+    m_view->setCamera(mouseCamera(Projection::Parallel));
     QCOMPARE(m_view->projection(), Projection::Parallel);
   }
 
@@ -251,13 +252,10 @@ class ViewportMouseTest : public ViewportFixture {
                      Qt::MiddleButton, Qt::NoModifier);
     QApplication::sendEvent(cube, &move);
     QTest::mouseRelease(cube, Qt::MiddleButton, {}, corner - QPoint(60, 0));
-    QVERIFY(!(m_view->camera() == fromAbove()));
+    QVERIFY(!(m_view->camera() == mouseCamera()));
   }
 };
 
-int main(int argc, char** argv) {
-  return runOnDisplay<ViewportMouseTest>(argc, argv);
-}
+HANDWHEEL_DISPLAY_TEST(ViewportMouseTest)
 
 #include "ViewportMouseTest.moc"
-#include "moc_DisplayTestMain.cpp"

@@ -17,7 +17,7 @@ class ViewportPartsTest : public ViewportFixture {
     DisplayModel model{{{"left", box}, {"right", box}}};
     model.parts[1].pose.translation() = Vec3(10, 10, 0);
     m_view->setParts(model);
-    m_view->setCamera(fromAbove());
+    m_view->setCamera(sheetFromAbove());
     QTRY_VERIFY(m_view->isPickingReady());
     QCOMPARE(m_view->pickAt(onScreen(1, 1)).part, "left");
     QCOMPARE(m_view->pickAt(onScreen(11, 11)).part, "right");
@@ -43,7 +43,7 @@ class ViewportPartsTest : public ViewportFixture {
 
   void meshAndPartsAreShownTogether() {
     m_view->setMesh(buildMesh(sheet(kCells)).mesh);
-    m_view->setCamera(fromAbove());
+    m_view->setCamera(sheetFromAbove());
     DisplayModel model{{{"box", shared(boxSoup({2, 2, 2}))}}};
     model.parts[0].pose.translation() = Vec3(10, 10, 0);
     m_view->setParts(model);
@@ -65,9 +65,6 @@ class ViewportPartsTest : public ViewportFixture {
   }
 };
 
-int main(int argc, char** argv) {
-  return runOnDisplay<ViewportPartsTest>(argc, argv);
-}
+HANDWHEEL_DISPLAY_TEST(ViewportPartsTest)
 
 #include "ViewportPartsTest.moc"
-#include "moc_DisplayTestMain.cpp"

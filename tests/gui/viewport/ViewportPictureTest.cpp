@@ -163,9 +163,6 @@ class ViewportPictureTest : public PictureFixture {
   }
 };
 
-int main(int argc, char** argv) {
-  return runOnDisplay<ViewportPictureTest>(argc, argv);
-}
+HANDWHEEL_DISPLAY_TEST(ViewportPictureTest)
 
 #include "ViewportPictureTest.moc"
-#include "moc_DisplayTestMain.cpp"

@@ -15,7 +15,7 @@ class ViewportTest : public ViewportFixture {
 
   void showSheet(int cells = kCells) {
     m_view->setMesh(buildMesh(sheet(cells)).mesh);
-    m_view->setCamera(fromAbove());
+    m_view->setCamera(sheetFromAbove());
     QTRY_VERIFY_WITH_TIMEOUT(m_view->isPickingReady(), 20000);
   }
 
@@ -80,7 +80,7 @@ class ViewportTest : public ViewportFixture {
     QApplication::sendEvent(m_view.get(), &move);
     QTest::mouseRelease(m_view.get(), Qt::MiddleButton, {}, to);
     const CameraState turned = m_view->camera();
-    QVERIFY(turned.orientation.angularDistance(fromAbove().orientation) > 0.1);
+    QVERIFY(turned.orientation.angularDistance(sheetFromAbove().orientation) > 0.1);
     // What was grabbed stays where it was.
     const Vec2 after = CameraNavigation(turned, {600, 500}).toScreen(pivot);
     QVERIFY((after - Vec2(300, 250)).norm() < 1e-6);
@@ -94,7 +94,7 @@ class ViewportTest : public ViewportFixture {
     QMouseEvent move(QEvent::MouseMove, to, m_view->mapToGlobal(to), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(m_view.get(), &move);
     QTest::mouseRelease(m_view.get(), Qt::LeftButton, {}, to);
-    QCOMPARE(m_view->camera(), fromAbove());
+    QCOMPARE(m_view->camera(), sheetFromAbove());
   }
 
   void cameraRoundTrip() {
@@ -130,9 +130,9 @@ class ViewportTest : public ViewportFixture {
     QVERIFY(CameraNavigation(aside, {600, 500}).toScreen(Vec3(10, 0, 0)).y() < 300);  // its lower edge
     m_view->setCovered(0);
     QCOMPARE(m_view->camera(), aside);  // what comes free is used at the next fit
-    m_view->setCamera(fromAbove());
+    m_view->setCamera(sheetFromAbove());
     m_view->setCovered(200);
-    QCOMPARE(m_view->camera(), fromAbove());  // chosen by the user
+    QCOMPARE(m_view->camera(), sheetFromAbove());  // chosen by the user
   }
 
   void drawsModelLoopAndMarks() {
@@ -168,7 +168,7 @@ class ViewportTest : public ViewportFixture {
     const int cells = 300;  // 180 000 faces: three blocks
     HalfEdgeMesh mesh = buildMesh(sheet(cells)).mesh;
     m_view->setMesh(mesh);
-    m_view->setCamera(fromAbove());
+    m_view->setCamera(sheetFromAbove());
     m_view->grabImage();
     QCOMPARE(m_view->blocksBuilt(), 3);
     const Face inSecond = 100000;  // its neighbours are within a few rows of 600 faces
@@ -231,9 +231,6 @@ class ViewportTest : public ViewportFixture {
   }
 };
 
-int main(int argc, char** argv) {
-  return runOnDisplay<ViewportTest>(argc, argv);
-}
+HANDWHEEL_DISPLAY_TEST(ViewportTest)
 
 #include "ViewportTest.moc"
-#include "moc_DisplayTestMain.cpp"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "viewport/Worker.h"
 
 #include <QtTest>
@@ -30,5 +31,5 @@ class WorkerTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(WorkerTest)
+HANDWHEEL_TEST(WorkerTest)
 #include "WorkerTest.moc"

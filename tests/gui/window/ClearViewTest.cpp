@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/ClearView.h"
 
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 
 #include <QtTest>
@@ -55,5 +56,5 @@ class ClearViewTest : public QObject {
   void withoutADirectionThereIsNone() { QCOMPARE(clearView(HalfEdgeMesh(), kPlace, Vec3::Zero()).norm(), 0.0); }
 };
 
-QTEST_GUILESS_MAIN(ClearViewTest)
+HANDWHEEL_TEST(ClearViewTest)
 #include "ClearViewTest.moc"

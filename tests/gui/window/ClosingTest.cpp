@@ -19,7 +19,7 @@ class ClosingTest : public QObject {
 
   // Opens a file with one hole and fills it.
   void openChanged(WindowDriver& driver, const QString& path) {
-    writeStl(path, torus(48, 24, {{3, 5}}));
+    writeStl(path, quadTorus(48, 24, {{3, 5}}));
     QVERIFY(driver.open(path));
     driver.clickDefect(DefectKind::Hole, 0);
     QTRY_VERIFY_WITH_TIMEOUT(driver.find<QAction>("fillHole")->isEnabled(), kPatienceMs);
@@ -84,7 +84,7 @@ class ClosingTest : public QObject {
   void quittingWithoutChanges() {
     WindowDriver driver;
     for (const char* name : {"one.stl", "two.stl"}) {
-      writeStl(m_folder.filePath(name), torus(12, 8, {}));
+      writeStl(m_folder.filePath(name), quadTorus(12, 8, {}));
       QVERIFY(driver.open(m_folder.filePath(name)));
     }
     driver.find<QAction>("quit")->trigger();

@@ -4,6 +4,7 @@
 
 #include <QAbstractItemModelTester>
 #include "MeshDocuments.h"
+#include "TestClass.h"
 
 #include <QtTest>
 
@@ -60,5 +61,5 @@ class DefectModelTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(DefectModelTest)
+HANDWHEEL_TEST(DefectModelTest)
 #include "DefectModelTest.moc"

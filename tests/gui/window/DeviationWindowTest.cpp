@@ -129,7 +129,7 @@ class DeviationWindowTest : public QObject {
   void againstAFile() {
     WindowDriver driver;
     const QString whole = m_folder.filePath(QStringLiteral("whole.stl"));
-    writeStl(whole, torus(48, 24, {}));
+    writeStl(whole, quadTorus(48, 24, {}));
     QVERIFY(driver.open(fileWithHole()));
     driver.choose("deviation");
     QVERIFY(driver.settle());
@@ -151,7 +151,7 @@ class DeviationWindowTest : public QObject {
   void eachDocumentHasItsOwn() {
     WindowDriver driver;
     const QString whole = m_folder.filePath(QStringLiteral("other.stl"));
-    writeStl(whole, torus(40, 20, {}));
+    writeStl(whole, quadTorus(40, 20, {}));
     QVERIFY(driver.open(fileWithHole()));
     driver.choose("deviation");
     QVERIFY(driver.settle());

@@ -18,7 +18,7 @@ class DocumentListTest : public QObject {
 
   QString file(const char* name) {
     const QString path = m_folder.filePath(QString::fromLatin1(name));
-    writeStl(path, torus(24, 12, {{3, 5}}));
+    writeStl(path, quadTorus(24, 12, {{3, 5}}));
     return path;
   }
   // With the focus in the list, on the document that is shown.

@@ -29,7 +29,7 @@ class DocumentMessagesTest : public QObject {
     WindowDriver driver;
     QVERIFY(driver.open(texturedFile()));
     QTRY_VERIFY(isSeen(driver));
-    writeStl(m_folder.filePath("plain.stl"), torus(12, 8, {}));
+    writeStl(m_folder.filePath("plain.stl"), quadTorus(12, 8, {}));
     QVERIFY(driver.open(m_folder.filePath("plain.stl")));
     QVERIFY(!isSeen(driver));
     auto* tabs = driver.find<QTabBar>("documentTabBar");

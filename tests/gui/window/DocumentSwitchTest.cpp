@@ -22,7 +22,7 @@ class DocumentSwitchTest : public QObject {
     const QString path = m_folder.filePath(QStringLiteral("%1-holes.stl").arg(holes));
     std::set<std::pair<int, int>> missing;
     for (int i = 0; i < holes; ++i) missing.emplace(4 * i, 3);
-    writeStl(path, torus(48, 24, missing));
+    writeStl(path, quadTorus(48, 24, missing));
     return path;
   }
   static void press(WindowDriver& driver, const char* action) {

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "text/EnglishPlurals.h"
 #include "text/ErrorText.h"
 #include "text/RepairText.h"
@@ -74,5 +75,5 @@ class ErrorTextTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ErrorTextTest)
+HANDWHEEL_TEST(ErrorTextTest)
 #include "ErrorTextTest.moc"

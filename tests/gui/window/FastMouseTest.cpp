@@ -64,7 +64,7 @@ class FastMouseTest : public QObject {
     constexpr int kPlaces = 60;
     QTemporaryDir folder;
     WindowDriver driver;
-    writeStl(folder.filePath("part.stl"), torus(48, 24, {}));
+    writeStl(folder.filePath("part.stl"), quadTorus(48, 24, {}));
     QVERIFY(driver.open(folder.filePath("part.stl")));
     driver.find<QAction>("selectTool")->trigger();
     auto* mode = driver.find<QWidget>("toolDock")->findChild<QWidget*>("property/mode")->findChild<QComboBox*>();
@@ -103,8 +103,8 @@ class FastMouseTest : public QObject {
 };
 
 // XInput 2 has no events that one client can send to another.
-int main(int argc, char** argv) {
+HANDWHEEL_TEST_RUN(FastMouseTest, [](int argc, char** argv) {
   qputenv("QT_XCB_NO_XI2", "1");
   return runWindowTest<FastMouseTest>(argc, argv);
-}
+})
 #include "FastMouseTest.moc"

@@ -129,11 +129,11 @@ class FidelityWindowTest : public QObject {
 
   void documentsHoldWhatIsChosenWhetherOpenBeforeOrAfter() {
     WindowDriver driver;
-    QVERIFY(driver.open(file("before.stl", torus(24, 12, {{3, 5}}))));
+    QVERIFY(driver.open(file("before.stl", quadTorus(24, 12, {{3, 5}}))));
     raisePanel(driver);
     driver.edit("document.undo_granularity", "64");
     QCOMPARE(document<MeshDocument>(driver).fidelity().of(undoGranularitySetting()), 64.0);
-    QVERIFY(driver.open(file("after.stl", torus(24, 12, {{3, 5}}))));
+    QVERIFY(driver.open(file("after.stl", quadTorus(24, 12, {{3, 5}}))));
     QCOMPARE(document<MeshDocument>(driver).fidelity().of(undoGranularitySetting()), 64.0);
   }
 
@@ -142,7 +142,7 @@ class FidelityWindowTest : public QObject {
     const auto built = [this](WindowDriver& driver, const char* name) {
       auto* view = driver.find<Viewport>("viewport");
       const int before = view->blocksBuilt();
-      if (!driver.open(file(name, torus(200, 50, {})))) return -1;
+      if (!driver.open(file(name, quadTorus(200, 50, {})))) return -1;
       view->grabImage();  // waits for them
       return view->blocksBuilt() - before;
     };
@@ -208,7 +208,7 @@ class FidelityWindowTest : public QObject {
   void thePanelShowsTheUseOfAFrame() {
     WindowDriver driver;
     raisePanel(driver);
-    QVERIFY(driver.open(file("seen.stl", torus(24, 12, {{3, 5}}))));
+    QVERIFY(driver.open(file("seen.stl", quadTorus(24, 12, {{3, 5}}))));
     auto* view = driver.find<Viewport>("viewport");
     std::vector<double> frames;
     double spent = view->timeDrawing().clock;

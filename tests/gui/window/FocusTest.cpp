@@ -18,8 +18,8 @@ class FocusTest : public QObject {
 
   // Four holes of four edges each, and a torus beside it that is whole.
   void open(WindowDriver& driver) {
-    writeStl(m_folder.filePath("other.stl"), torus(12, 8, {}));
-    writeStl(m_folder.filePath("holes.stl"), torus(48, 24, {{0, 3}, {6, 3}, {12, 3}, {18, 3}}));
+    writeStl(m_folder.filePath("other.stl"), quadTorus(12, 8, {}));
+    writeStl(m_folder.filePath("holes.stl"), quadTorus(48, 24, {{0, 3}, {6, 3}, {12, 3}, {18, 3}}));
     QVERIFY(driver.open(m_folder.filePath("other.stl")));
     QVERIFY(driver.open(m_folder.filePath("holes.stl")));
     driver.window().activateWindow();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "MeshDocuments.h"
 #include "StlFiles.h"
+#include "TestClass.h"
 #include "window/mesh/HolePicking.h"
 
 #include <QtTest>
@@ -21,7 +22,7 @@ class HolePickingTest : public QObject {
  private slots:
   void initTestCase() {
     TriangleSoup soup;
-    for (const Corners& t : torus(48, 24, {{0, 6}, {24, 18}})) {  // one on top, one below
+    for (const Corners& t : quadTorus(48, 24, {{0, 6}, {24, 18}})) {  // one on top, one below
       const auto first = std::uint32_t(soup.points.size());
       for (const Corner& c : t) soup.points.emplace_back(c[0], c[1], c[2]);
       soup.triangles.push_back({first, first + 1, first + 2});
@@ -55,5 +56,5 @@ class HolePickingTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(HolePickingTest)
+HANDWHEEL_TEST(HolePickingTest)
 #include "HolePickingTest.moc"

@@ -21,7 +21,7 @@ class IncompleteSaveTest : public QObject {
   // Opens a file with two holes, and marks one.
   QString openMarked(WindowDriver& driver, const char* name) {
     const QString path = m_folder.filePath(QString::fromLatin1(name));
-    writeStl(path, torus(48, 24, {{3, 5}, {20, 11}}));
+    writeStl(path, quadTorus(48, 24, {{3, 5}, {20, 11}}));
     if (!driver.open(path)) qFatal("the file does not open");
     driver.clickDefect(DefectKind::Hole, 0);
     driver.click("keepOpenButton");

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "window/JobRunner.h"
 
 #include <QSemaphore>
@@ -180,5 +181,5 @@ class JobRunnerTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(JobRunnerTest)
+HANDWHEEL_TEST(JobRunnerTest)
 #include "JobRunnerTest.moc"

@@ -17,7 +17,7 @@ class JobsWindowTest : public QObject {
   // With two holes, of which one is filled: so there is something to save and something to repair.
   QString openHalfRepaired(WindowDriver& driver, const char* name) {
     const QString path = m_folder.filePath(QString::fromLatin1(name));
-    writeStl(path, torus(48, 24, {{3, 5}, {20, 11}}));
+    writeStl(path, quadTorus(48, 24, {{3, 5}, {20, 11}}));
     if (!driver.open(path)) qFatal("the file does not open");
     driver.clickDefect(DefectKind::Hole, 0);
     driver.click("fillHoleButton");

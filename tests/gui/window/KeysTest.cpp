@@ -20,7 +20,7 @@ class KeysTest : public QObject {
 
   QString fileWithHoles(const char* name) {
     const QString path = m_folder.filePath(QString::fromLatin1(name));
-    writeStl(path, torus(48, 24, {{3, 5}, {20, 11}, {35, 17}}));
+    writeStl(path, quadTorus(48, 24, {{3, 5}, {20, 11}, {35, 17}}));
     return path;
   }
   // Keys of menus need an active window.

@@ -67,7 +67,7 @@ class LogCommandTest : public QObject {
 
   void aRepair() {
     const QString path = m_folder.filePath("it's a scan.stl");
-    writeStl(path, torus(48, 24, {{3, 5}, {20, 11}}));
+    writeStl(path, quadTorus(48, 24, {{3, 5}, {20, 11}}));
     WindowDriver driver;
     QVERIFY(driver.open(path));
     QCOMPARE(paste(lastCommand(driver)), 0);
@@ -92,7 +92,7 @@ class LogCommandTest : public QObject {
   // Whatever was done by hand, and taken back, leads to the same bytes again.
   void handWork() {
     const QString path = m_folder.filePath("by hand.stl"), saved = m_folder.filePath("made.ply");
-    writeStl(path, torus(48, 24, {{3, 5}, {20, 11}, {33, 2}}));
+    writeStl(path, quadTorus(48, 24, {{3, 5}, {20, 11}, {33, 2}}));
     WindowDriver driver;
     QVERIFY(driver.open(path));
     driver.clickDefect(DefectKind::Hole, 1);
@@ -124,7 +124,7 @@ class LogCommandTest : public QObject {
   void onFromAContainer() {
     const QString path = m_folder.filePath("scan 2.stl"), first = m_folder.filePath("first.handwheel"),
                   second = m_folder.filePath("second.handwheel");
-    writeStl(path, torus(48, 24, {{3, 5}, {20, 11}, {33, 2}}));
+    writeStl(path, quadTorus(48, 24, {{3, 5}, {20, 11}, {33, 2}}));
     WindowDriver driver;
     QVERIFY(driver.open(path));
     driver.clickDefect(DefectKind::Hole, 0);
@@ -193,7 +193,8 @@ class LogCommandTest : public QObject {
   // The values are those of the moment, not those of whoever pastes the command.
   void aRepairWithOtherValuesThanTheDefaults() {
     const QString path = m_folder.filePath("torn.stl");
-    std::vector<Corners> mesh = torus(48, 24, {{3, 5}, {3, 6}, {3, 7}, {4, 5}, {4, 6}, {4, 7}, {5, 5}, {5, 6}, {5, 7}});
+    std::vector<Corners> mesh =
+        quadTorus(48, 24, {{3, 5}, {3, 6}, {3, 7}, {4, 5}, {4, 6}, {4, 7}, {5, 5}, {5, 6}, {5, 7}});
     for (Corner& corner : mesh.back()) corner[2] += 0.02f;  // 2e-4 of the diagonal
     writeStl(path, mesh);
     std::vector<std::vector<Corners>> results;

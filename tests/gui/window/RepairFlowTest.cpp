@@ -21,7 +21,7 @@ class RepairFlowTest : public QObject {
 
   QString fileWithHoles(const char* name) {
     const QString path = m_folder.filePath(QString::fromLatin1(name));
-    const auto triangles = torus(48, 24, {{3, 5}, {20, 11}, {35, 17}});
+    const auto triangles = quadTorus(48, 24, {{3, 5}, {20, 11}, {35, 17}});
     Q_ASSERT(openEdges(triangles) == 12);
     writeStl(path, triangles);
     return path;
@@ -171,7 +171,7 @@ class RepairFlowTest : public QObject {
 
   void aDamagedFileIsExplainedAndOpenedInPart() {
     const QString path = m_folder.filePath("damaged.stl");
-    writeStl(path, torus(48, 24, {}));
+    writeStl(path, quadTorus(48, 24, {}));
     QFile file(path);
     QVERIFY(file.open(QIODevice::ReadWrite));
     QVERIFY(file.resize(84 + 50 * 1000 + 7));  // cut off in the middle of a facet

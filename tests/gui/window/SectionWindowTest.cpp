@@ -20,7 +20,7 @@ class SectionWindowTest : public QObject {
 
   QString file() {
     const QString path = m_folder.filePath(QStringLiteral("torus.stl"));
-    writeStl(path, torus(48, 24, {}));
+    writeStl(path, quadTorus(48, 24, {}));
     return path;
   }
 

@@ -18,7 +18,7 @@ using Corner = std::array<float, 3>;
 using Corners = std::array<Corner, 3>;
 
 // A torus of rings x sides quads; the listed quads are missing, each of them one hole of four edges.
-inline std::vector<Corners> torus(int rings, int sides, const std::set<std::pair<int, int>>& missing) {
+inline std::vector<Corners> quadTorus(int rings, int sides, const std::set<std::pair<int, int>>& missing) {
   const auto at = [&](int i, int j) -> Corner {
     const double u = 2.0 * M_PI * (i % rings) / rings;
     const double v = 2.0 * M_PI * (j % sides) / sides;
@@ -42,7 +42,7 @@ inline std::vector<Corners> torusWithHole() {
   for (int i = 3; i < 9; ++i) {
     for (int j = 5; j < 9; ++j) missing.emplace(i, j);
   }
-  return torus(48, 24, missing);
+  return quadTorus(48, 24, missing);
 }
 
 inline void writeStl(const QString& path, const std::vector<Corners>& triangles) {

@@ -20,7 +20,7 @@ class ViewCommandsTest : public QObject {
 
   QString file(const char* name) {
     const QString path = m_folder.filePath(QString::fromLatin1(name));
-    writeStl(path, torus(24, 12, {{3, 5}}));
+    writeStl(path, quadTorus(24, 12, {{3, 5}}));
     return path;
   }
   static Projection other(Projection projection) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "TestClass.h"
 #include "text/EnglishPlurals.h"
 #include "theme/Theme.h"
 #include "viewport/Viewport.h"
@@ -33,7 +34,4 @@ int runWindowTest(int argc, char** argv) {
 
 }  // namespace handwheel::test
 
-#define HANDWHEEL_WINDOW_TEST(Test)                          \
-  int main(int argc, char** argv) {                          \
-    return handwheel::test::runWindowTest<Test>(argc, argv); \
-  }
+#define HANDWHEEL_WINDOW_TEST(Test) HANDWHEEL_TEST_RUN(Test, handwheel::test::runWindowTest<Test>)

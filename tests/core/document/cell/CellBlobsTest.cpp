@@ -3,6 +3,7 @@
 #include "document/cell/CellBlobs.h"
 
 #include "Cells.h"
+#include "TestClass.h"
 
 #include <rapidcheck.h>
 #include <QTest>
@@ -158,5 +159,5 @@ void CellBlobsTest::pointsWithoutTriangles() {
   QCOMPARE(damage[0].code, ErrorCode::FileTooLarge);
 }
 
-QTEST_GUILESS_MAIN(CellBlobsTest)
+HANDWHEEL_TEST(CellBlobsTest)
 #include "CellBlobsTest.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Cells.h"
 
+#include "TestClass.h"
 #include "document/EditCommand.h"
 #include "document/cell/CellDisplay.h"
 #include "document/cell/JointEdit.h"
@@ -202,5 +203,5 @@ void CellDocumentTest::undoIsTheInverse() {
   }));
 }
 
-QTEST_GUILESS_MAIN(CellDocumentTest)
+HANDWHEEL_TEST(CellDocumentTest)
 #include "CellDocumentTest.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Cells.h"
 
+#include "TestClass.h"
 #include "document/cell/CellDisplay.h"
 
 #include <QDirIterator>
@@ -86,5 +87,5 @@ void CellFilesTest::partsTouch() {
   QCOMPARE(reached.size(), boxes.size());
 }
 
-QTEST_GUILESS_MAIN(CellFilesTest)
+HANDWHEEL_TEST(CellFilesTest)
 #include "CellFilesTest.moc"

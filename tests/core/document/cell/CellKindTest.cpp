@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Cells.h"
 
+#include "TestClass.h"
 #include "document/cell/CellDisplay.h"
 
 #include <QTest>
@@ -217,5 +218,5 @@ void CellKindTest::exports() {
   QVERIFY(!QFile::exists(path));
 }
 
-QTEST_GUILESS_MAIN(CellKindTest)
+HANDWHEEL_TEST(CellKindTest)
 #include "CellKindTest.moc"

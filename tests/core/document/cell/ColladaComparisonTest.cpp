@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ColladaDocuments.h"
+#include "TestClass.h"
 
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -121,5 +122,5 @@ void ColladaComparisonTest::filesAsAnotherReaderSeesThem() {
   QVERIFY((areaVector(mesh.soup) - areaVector(expected)).norm() < 1e-6);
 }
 
-QTEST_GUILESS_MAIN(ColladaComparisonTest)
+HANDWHEEL_TEST(ColladaComparisonTest)
 #include "ColladaComparisonTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ColladaDocuments.h"
+#include "TestClass.h"
 
 #include <QTest>
 #include <clocale>
@@ -223,5 +224,5 @@ void ColladaReaderTest::numbersDoNotFollowTheLocale() {
   QCOMPARE(mesh->soup.points[1], Vec3(0.5, 0, 0.05));
 }
 
-QTEST_GUILESS_MAIN(ColladaReaderTest)
+HANDWHEEL_TEST(ColladaReaderTest)
 #include "ColladaReaderTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ReadDescription.h"
+#include "TestClass.h"
 
 #include <QTest>
 #include <cmath>
@@ -200,5 +201,5 @@ class DamagedMeshTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(DamagedMeshTest)
+HANDWHEEL_TEST(DamagedMeshTest)
 #include "DamagedMeshTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ReadDescription.h"
+#include "TestClass.h"
 
 #include <unistd.h>
 #include <QFile>
@@ -192,5 +193,5 @@ class MeshFormatTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MeshFormatTest)
+HANDWHEEL_TEST(MeshFormatTest)
 #include "MeshFormatTest.moc"

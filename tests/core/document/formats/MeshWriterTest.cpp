@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ReadDescription.h"
+#include "TestClass.h"
 
 #include <rapidcheck.h>
 #include <QTest>
@@ -132,5 +133,5 @@ class MeshWriterTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MeshWriterTest)
+HANDWHEEL_TEST(MeshWriterTest)
 #include "MeshWriterTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ReadDescription.h"
+#include "TestClass.h"
 
 #include <QTest>
 
@@ -111,5 +112,5 @@ class ObjReaderTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ObjReaderTest)
+HANDWHEEL_TEST(ObjReaderTest)
 #include "ObjReaderTest.moc"

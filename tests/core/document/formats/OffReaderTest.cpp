@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ReadDescription.h"
+#include "TestClass.h"
 
 #include <QTest>
 
@@ -151,5 +152,5 @@ class OffReaderTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(OffReaderTest)
+HANDWHEEL_TEST(OffReaderTest)
 #include "OffReaderTest.moc"

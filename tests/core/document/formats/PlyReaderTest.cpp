@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ReadDescription.h"
+#include "TestClass.h"
 
 #include <QTest>
 #include <limits>
@@ -264,5 +265,5 @@ class PlyReaderTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(PlyReaderTest)
+HANDWHEEL_TEST(PlyReaderTest)
 #include "PlyReaderTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "document/formats/PolygonTriangulation.h"
 
 #include <rapidcheck.h>
@@ -166,5 +167,5 @@ class PolygonTriangulationTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(PolygonTriangulationTest)
+HANDWHEEL_TEST(PolygonTriangulationTest)
 #include "PolygonTriangulationTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ReadDescription.h"
+#include "TestClass.h"
 
 #include <QDirIterator>
 #include <QTest>
@@ -249,5 +250,5 @@ class ScanFilesTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ScanFilesTest)
+HANDWHEEL_TEST(ScanFilesTest)
 #include "ScanFilesTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ReadDescription.h"
+#include "TestClass.h"
 
 #include <QTest>
 #include <limits>
@@ -142,5 +143,5 @@ class StlReaderTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(StlReaderTest)
+HANDWHEEL_TEST(StlReaderTest)
 #include "StlReaderTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "document/formats/TextNumber.h"
 
 #include <rapidcheck.h>
@@ -140,5 +141,5 @@ class TextNumberTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TextNumberTest)
+HANDWHEEL_TEST(TextNumberTest)
 #include "TextNumberTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../ContainerChecks.h"
+#include "TestClass.h"
 #include "ThreeMfText.h"
 
 #include <QTest>
@@ -81,5 +82,5 @@ class ThreeMfHostileTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ThreeMfHostileTest)
+HANDWHEEL_TEST(ThreeMfHostileTest)
 #include "ThreeMfHostileTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "ThreeMfText.h"
 #include "document/Container.h"
 
@@ -287,5 +288,5 @@ class ThreeMfReaderTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ThreeMfReaderTest)
+HANDWHEEL_TEST(ThreeMfReaderTest)
 #include "ThreeMfReaderTest.moc"

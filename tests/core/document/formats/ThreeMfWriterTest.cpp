@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "ThreeMfText.h"
 #include "document/container/ZipReader.h"
 
@@ -100,5 +101,5 @@ class ThreeMfWriterTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ThreeMfWriterTest)
+HANDWHEEL_TEST(ThreeMfWriterTest)
 #include "ThreeMfWriterTest.moc"

@@ -4,6 +4,7 @@
 
 #include "MeshDocuments.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "document/EditCommand.h"
 #include "mesh/MeshBuilder.h"
 
@@ -99,5 +100,5 @@ class DefectsDeltaTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(DefectsDeltaTest)
+HANDWHEEL_TEST(DefectsDeltaTest)
 #include "DefectsDeltaTest.moc"

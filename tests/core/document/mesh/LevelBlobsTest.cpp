@@ -5,6 +5,7 @@
 #include "MeshChecks.h"
 #include "MeshDocuments.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshValidator.h"
 
 #include <rapidcheck.h>
@@ -32,7 +33,7 @@ class LevelBlobsTest : public QObject {
 
 namespace {
 
-const MeshKind kKind;
+const MeshKind kLevelKind;
 
 // Moves the vertices of a level by up to so much, but those outside its patch.
 void shake(PatchLevels& levels, std::size_t level, double most) {
@@ -73,7 +74,7 @@ std::unique_ptr<MeshDocument> documentWith(const PatchLevels& levels) {
 
 Container saved(const PatchLevels& levels) {
   Container container;
-  kKind.save(*documentWith(levels)->snapshot(), container);
+  kLevelKind.save(*documentWith(levels)->snapshot(), container);
   return container;
 }
 
@@ -83,7 +84,7 @@ struct Loaded {
 };
 Loaded loaded(const Container& container) {
   Loaded result;
-  const auto content = kKind.load(container, result.damage, {});
+  const auto content = kLevelKind.load(container, result.damage, {});
   if (content) result.content = std::static_pointer_cast<const MeshSnapshot>(*content);
   return result;
 }
@@ -137,15 +138,15 @@ void LevelBlobsTest::onlyThoseOfThePresentMesh() {
   mesh.setPosition(3, mesh.position(3) * 1.01);
   document->commit("Move", inspected(mesh));
   Container without, with;
-  kKind.save(*document->snapshot(), without);
+  kLevelKind.save(*document->snapshot(), without);
   QVERIFY(!loaded(without).content->levels);
   document->history()->undo();
-  kKind.save(*document->snapshot(), with);
+  kLevelKind.save(*document->snapshot(), with);
   QVERIFY(loaded(with).content->levels);
   MeshSnapshot mixed = static_cast<const MeshSnapshot&>(*document->snapshot());
   mixed.mesh.mesh = mesh;
   Container neither;
-  kKind.save(mixed, neither);
+  kLevelKind.save(mixed, neither);
   QVERIFY(neither.blobs == without.blobs && *neither.manifest == *without.manifest);
 }
 
@@ -263,5 +264,5 @@ void LevelBlobsTest::theFixtureIsRead() {
   for (Vertex v = 1; v < 6; ++v) QCOMPARE(levels.mesh(0).position(v).norm(), 1.0);
 }
 
-QTEST_GUILESS_MAIN(LevelBlobsTest)
+HANDWHEEL_TEST(LevelBlobsTest)
 #include "LevelBlobsTest.moc"

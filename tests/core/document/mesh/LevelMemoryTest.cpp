@@ -3,6 +3,7 @@
 #include "document/mesh/LevelMemory.h"
 
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 
 #include <QTest>
@@ -61,5 +62,5 @@ void LevelMemoryTest::forgetsTheOldest() {
   QVERIFY(memory.of(subdivided(0.29).mesh()));
 }
 
-QTEST_GUILESS_MAIN(LevelMemoryTest)
+HANDWHEEL_TEST(LevelMemoryTest)
 #include "LevelMemoryTest.moc"

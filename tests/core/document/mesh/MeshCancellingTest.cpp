@@ -3,6 +3,7 @@
 #include "CancelPoints.h"
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "document/mesh/MeshBlobs.h"
 #include "document/mesh/MeshExport.h"
 
@@ -124,5 +125,5 @@ class MeshCancellingTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MeshCancellingTest)
+HANDWHEEL_TEST(MeshCancellingTest)
 #include "MeshCancellingTest.moc"

@@ -3,6 +3,7 @@
 #include "document/mesh/MeshDocument.h"
 
 #include "MeshDocuments.h"
+#include "TestClass.h"
 #include "document/EditCommand.h"
 #include "mesh/MeshFidelity.h"
 
@@ -273,5 +274,5 @@ class MeshDocumentTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MeshDocumentTest)
+HANDWHEEL_TEST(MeshDocumentTest)
 #include "MeshDocumentTest.moc"

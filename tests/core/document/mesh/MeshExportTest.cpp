@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/mesh/MeshExport.h"
 
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 #include "mesh/MeshReport.h"
 
@@ -164,5 +165,5 @@ class MeshExportTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MeshExportTest)
+HANDWHEEL_TEST(MeshExportTest)
 #include "MeshExportTest.moc"

@@ -4,6 +4,7 @@
 
 #include "MeshDocuments.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "document/mesh/MeshBlobs.h"
 #include "mesh/MeshValidator.h"
 #include "mesh/Repair.h"
@@ -25,7 +26,7 @@ DocumentKinds kinds() {
   return DocumentKinds(std::move(all));
 }
 
-bool sameSlots(const HalfEdgeMesh& a, const HalfEdgeMesh& b) {
+bool hasSameSlots(const HalfEdgeMesh& a, const HalfEdgeMesh& b) {
   if (a.vertexSlots() != b.vertexSlots() || a.faceSlots() != b.faceSlots()) return false;
   for (Vertex v = 0; v < a.vertexSlots(); ++v) {
     if (a.position(v) != b.position(v)) return false;
@@ -89,7 +90,7 @@ class MeshKindTest : public QObject {
       if (document->mesh().liveFaceCount() == 0) return;
       RC_ASSERT(back.hasValue());
       RC_ASSERT(damage.empty());
-      RC_ASSERT(sameSlots(meshOf(*back).mesh.mesh, document->mesh()));
+      RC_ASSERT(hasSameSlots(meshOf(*back).mesh.mesh, document->mesh()));
       RC_ASSERT(meshOf(*back).keptOpen == static_cast<const MeshSnapshot&>(*document->snapshot()).keptOpen);
       RC_ASSERT(meshOf(*back).numbers == NumberType::Float32);
     });
@@ -204,7 +205,7 @@ class MeshKindTest : public QObject {
     std::vector<Error> damage;
     const auto back = kKind.load(container, damage, {});
     QVERIFY(back.hasValue());
-    QVERIFY(sameSlots(meshOf(*back).mesh.mesh, document->mesh()));
+    QVERIFY(hasSameSlots(meshOf(*back).mesh.mesh, document->mesh()));
     QVERIFY(meshOf(*back).keptOpen.empty());
     QCOMPARE(damage.size(), std::size_t(2));
     QCOMPARE(damage[0].arguments[0], std::string("mesh"));
@@ -223,7 +224,7 @@ class MeshKindTest : public QObject {
     std::vector<Error> damage;
     const auto back = kKind.load(container, damage, {});
     QVERIFY(back.hasValue());
-    QVERIFY(sameSlots(meshOf(*back).mesh.mesh, document->mesh()));
+    QVERIFY(hasSameSlots(meshOf(*back).mesh.mesh, document->mesh()));
     QCOMPARE(damage.size(), std::size_t(1));
   }
 
@@ -320,5 +321,5 @@ class MeshKindTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MeshKindTest)
+HANDWHEEL_TEST(MeshKindTest)
 #include "MeshKindTest.moc"

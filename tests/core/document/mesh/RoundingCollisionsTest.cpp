@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/mesh/RoundingCollisions.h"
 
+#include "TestClass.h"
 #include "mesh/MeshReport.h"
 #include "mesh/Weld.h"
 
@@ -33,7 +34,7 @@ TriangleSoup tetrahedra(int count) {
   return soup;
 }
 
-MeshReport figures(const TriangleSoup& soup) {
+MeshReport roundingFigures(const TriangleSoup& soup) {
   return reportOn(soup, SelfIntersections::Skip);
 }
 
@@ -52,7 +53,7 @@ class RoundingCollisionsTest : public QObject {
       const auto parted = partCollisions(exact, inFile);
       RC_CLASSIFY(!parted.empty(), "vertices parted");
 
-      const MeshReport before = figures(exact), welded = figures(plain), after = figures(inFile);
+      const MeshReport before = roundingFigures(exact), welded = roundingFigures(plain), after = roundingFigures(inFile);
       RC_ASSERT(after.nonManifoldEdges <= before.nonManifoldEdges);
       RC_ASSERT(after.inconsistentEdges <= before.inconsistentEdges);
       if (welded.nonManifoldEdges == 0 && welded.inconsistentEdges == 0) RC_ASSERT(parted.empty());
@@ -95,5 +96,5 @@ class RoundingCollisionsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(RoundingCollisionsTest)
+HANDWHEEL_TEST(RoundingCollisionsTest)
 #include "RoundingCollisionsTest.moc"

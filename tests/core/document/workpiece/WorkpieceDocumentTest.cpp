@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/workpiece/WorkpieceDocument.h"
 
+#include "TestClass.h"
 #include "document/workpiece/WorkpieceKind.h"
 
 #include <rapidcheck.h>
@@ -222,5 +223,5 @@ void WorkpieceDocumentTest::snapshotsStay() {
   QCOMPARE(static_cast<const WorkpieceSnapshot&>(*before).stock.diameter, 50.0);
 }
 
-QTEST_GUILESS_MAIN(WorkpieceDocumentTest)
+HANDWHEEL_TEST(WorkpieceDocumentTest)
 #include "WorkpieceDocumentTest.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/workpiece/WorkpieceKind.h"
 
+#include "TestClass.h"
 #include "document/formats/MeshFormat.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "mesh/Weld.h"
@@ -266,5 +267,5 @@ void WorkpieceKindTest::trianglesForManyThreads() {
   for (const TriangleSoup* soup : found) QCOMPARE(soup, found[0]);
 }
 
-QTEST_GUILESS_MAIN(WorkpieceKindTest)
+HANDWHEEL_TEST(WorkpieceKindTest)
 #include "WorkpieceKindTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "tools/cell/AxisDrag.h"
 
 #include <rapidcheck.h>
@@ -11,7 +12,7 @@ using namespace handwheel;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kHalfTurn = std::numbers::pi;
 
 Ray rayThrough(const Vec3& eye, const Vec3& point) {
   return {eye, (point - eye).normalized()};
@@ -26,7 +27,7 @@ double anyNumber(double least, double largest) {
 }
 
 Vec3 anyDirection() {
-  const double z = anyNumber(-0.99, 0.99), turn = anyNumber(0, 2 * kPi), r = std::sqrt(1 - z * z);
+  const double z = anyNumber(-0.99, 0.99), turn = anyNumber(0, 2 * kHalfTurn), r = std::sqrt(1 - z * z);
   return {r * std::cos(turn), r * std::sin(turn), z};
 }
 
@@ -84,7 +85,7 @@ void AxisDragTest::pointsOnTheCircle() {
     if (std::abs(ray.direction.dot(held.axis)) >= 0.21) {
       const auto turn = turnUnder(held, {ray, eye}, 0.0);
       RC_ASSERT(turn.has_value());
-      RC_ASSERT(std::abs(std::remainder(*turn - angle, 2 * kPi)) < 1e-6);
+      RC_ASSERT(std::abs(std::remainder(*turn - angle, 2 * kHalfTurn)) < 1e-6);
     }
     // A short way from a start near by, the side view included.
     const auto near = turnUnder(held, {ray, eye}, angle + 0.05);
@@ -97,7 +98,7 @@ void AxisDragTest::wholeTurnsAreCounted() {
   const HeldPoint held{Vec3::Zero(), Vec3::UnitZ(), {100, 0, 0}};
   double soFar = 0.0;
   for (int step = 1; step <= 100; ++step) {  // five times around
-    const double angle = step * kPi / 10;
+    const double angle = step * kHalfTurn / 10;
     soFar = *turnUnder(held, parallel({{100 * std::cos(angle), 100 * std::sin(angle), 9}, -Vec3::UnitZ()}), soFar);
     QVERIFY(std::abs(soFar - angle) < 1e-9);
   }
@@ -115,14 +116,14 @@ void AxisDragTest::fromTheSide() {
   }
   // Out of its reach it goes as far as it can.
   const auto most = turnUnder(held, parallel({{1000, 250, 0}, -Vec3::UnitX()}), 0.5);
-  QVERIFY(most && std::abs(*most - kPi / 2) < 1e-2);
+  QVERIFY(most && std::abs(*most - kHalfTurn / 2) < 1e-2);
 }
 
 // Taken at the outline, where its first motion is along the ray: it comes away from there.
 void AxisDragTest::outmostPoint() {
   const HeldPoint held{Vec3::Zero(), Vec3::UnitZ(), {0, 100, 0}};
   const auto turn = turnUnder(held, parallel({{1000, 50, 0}, -Vec3::UnitX()}), 0.0);
-  QVERIFY(turn && std::abs(std::abs(*turn) - kPi / 3) < 1e-4);
+  QVERIFY(turn && std::abs(std::abs(*turn) - kHalfTurn / 3) < 1e-4);
 }
 
 void AxisDragTest::raysThatDoNotTell() {
@@ -168,5 +169,5 @@ void AxisDragTest::places() {
   QVERIFY(!placeUnder({0, 0, 10}, -Vec3::UnitZ(), {{0, 0, 0}, Vec3::UnitX()}));
 }
 
-QTEST_GUILESS_MAIN(AxisDragTest)
+HANDWHEEL_TEST(AxisDragTest)
 #include "AxisDragTest.moc"

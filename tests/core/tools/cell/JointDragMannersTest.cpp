@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "DragBench.h"
+#include "TestClass.h"
 #include "tools/ToolRunner.h"
 
 #include <QTest>
@@ -191,5 +192,5 @@ void JointDragMannersTest::oddEvents() {
   QVERIFY(std::abs(tool.joints()[0] - kPi / 2) < 1e-9);
 }
 
-QTEST_GUILESS_MAIN(JointDragMannersTest)
+HANDWHEEL_TEST(JointDragMannersTest)
 #include "JointDragMannersTest.moc"

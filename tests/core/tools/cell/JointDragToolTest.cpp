@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "DragBench.h"
+#include "TestClass.h"
 #include "robot/Kinematics.h"
 
 #include <rapidcheck.h>
@@ -136,5 +137,5 @@ void JointDragToolTest::anyDragKeepsTheLimits() {
   }));
 }
 
-QTEST_GUILESS_MAIN(JointDragToolTest)
+HANDWHEEL_TEST(JointDragToolTest)
 #include "JointDragToolTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "BoundaryBench.h"
+#include "TestClass.h"
 
 #include <QTest>
 
@@ -145,5 +146,5 @@ void BoundaryToolActionsTest::followsTheDocument() {
   QCOMPARE(loops(), std::size_t(2));
 }
 
-QTEST_GUILESS_MAIN(BoundaryToolActionsTest)
+HANDWHEEL_TEST(BoundaryToolActionsTest)
 #include "BoundaryToolActionsTest.moc"

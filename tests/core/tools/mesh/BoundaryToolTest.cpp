@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "BoundaryBench.h"
+#include "TestClass.h"
 
 #include <QTest>
 
@@ -236,5 +237,5 @@ void BoundaryToolTest::nothingOpen() {
   }
 }
 
-QTEST_GUILESS_MAIN(BoundaryToolTest)
+HANDWHEEL_TEST(BoundaryToolTest)
 #include "BoundaryToolTest.moc"

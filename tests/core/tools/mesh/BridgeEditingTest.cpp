@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/mesh/BridgeEditing.h"
 
+#include "TestClass.h"
 #include "mesh/LoopDecomposition.h"
 
 #include <rapidcheck.h>
@@ -84,5 +85,5 @@ void BridgeEditingTest::alwaysABridging() {
   }));
 }
 
-QTEST_GUILESS_MAIN(BridgeEditingTest)
+HANDWHEEL_TEST(BridgeEditingTest)
 #include "BridgeEditingTest.moc"

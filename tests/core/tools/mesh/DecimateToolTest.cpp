@@ -5,6 +5,7 @@
 #include "MeshChecks.h"
 #include "MeshDocuments.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshFidelity.h"
 #include "mesh/MeshValidator.h"
 
@@ -63,7 +64,7 @@ void DecimateToolTest::withinADistance() {
   QVERIFY(std::isnan(valueOf(tool, "faces")));  // only what matters is offered
   tool.perform("commit");
   QVERIFY(document->mesh().liveFaceCount() < 2000);
-  for (const test::Place& p : test::places(document->mesh().compact().soup)) {
+  for (const test::Coordinates& p : test::places(document->mesh().compact().soup)) {
     QVERIFY(std::abs(std::hypot(p[0], p[1], p[2]) - 1.0) <= 0.02 + 0.005);  // the ball's own chords take 0.004
   }
 }
@@ -103,5 +104,5 @@ void DecimateToolTest::afterUndo() {
   QVERIFY(valueOf(tool, "faces") < static_cast<double>(document->mesh().liveFaceCount()));
 }
 
-QTEST_GUILESS_MAIN(DecimateToolTest)
+HANDWHEEL_TEST(DecimateToolTest)
 #include "DecimateToolTest.moc"

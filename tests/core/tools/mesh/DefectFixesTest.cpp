@@ -5,6 +5,7 @@
 #include "MeshChecks.h"
 #include "MeshDocuments.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/Defects.h"
 #include "mesh/MeshValidator.h"
 
@@ -190,5 +191,5 @@ void DefectFixesTest::nothingToMend() {
   }
 }
 
-QTEST_GUILESS_MAIN(DefectFixesTest)
+HANDWHEEL_TEST(DefectFixesTest)
 #include "DefectFixesTest.moc"

@@ -4,6 +4,7 @@
 #include "MeshChecks.h"
 #include "MeshDocuments.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "ToolEvents.h"
 
 #include <QTest>
@@ -132,5 +133,5 @@ void FillHoleSettingsTest::continuityOfFairPatches() {
   for (const Property& property : m_tool->settings()) QVERIFY(property.id != "continuity");
 }
 
-QTEST_GUILESS_MAIN(FillHoleSettingsTest)
+HANDWHEEL_TEST(FillHoleSettingsTest)
 #include "FillHoleSettingsTest.moc"

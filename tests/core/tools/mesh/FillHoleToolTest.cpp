@@ -6,6 +6,7 @@
 #include "MeshChecks.h"
 #include "MeshDocuments.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "ToolEvents.h"
 #include "mesh/MeshValidator.h"
 #include "tools/ToolRunner.h"
@@ -250,5 +251,5 @@ void FillHoleToolTest::nothingToFill() {
   QVERIFY(m_tool->loop() && m_tool->loop()->rim);
 }
 
-QTEST_GUILESS_MAIN(FillHoleToolTest)
+HANDWHEEL_TEST(FillHoleToolTest)
 #include "FillHoleToolTest.moc"

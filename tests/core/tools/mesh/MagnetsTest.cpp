@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "HapticDevices.h"
 #include "SelectBench.h"
+#include "TestClass.h"
 #include "haptics/SceneForces.h"
 #include "haptics/ServoLoop.h"
 #include "haptics/SimulatedDevice.h"
@@ -161,5 +162,5 @@ class MagnetsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(MagnetsTest)
+HANDWHEEL_TEST(MagnetsTest)
 #include "MagnetsTest.moc"

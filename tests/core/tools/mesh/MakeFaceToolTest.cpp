@@ -5,6 +5,7 @@
 #include "HoleShapes.h"
 #include "MeshChecks.h"
 #include "MeshDocuments.h"
+#include "TestClass.h"
 #include "ToolEvents.h"
 #include "WaitingServices.h"
 #include "mesh/MeshValidator.h"
@@ -144,5 +145,5 @@ void MakeFaceToolTest::theMeshChangedMeanwhile() {
   QVERIFY(test::sameMesh(once, twice) && !test::sameMesh(once, m_document->mesh()));
 }
 
-QTEST_GUILESS_MAIN(MakeFaceToolTest)
+HANDWHEEL_TEST(MakeFaceToolTest)
 #include "MakeFaceToolTest.moc"

@@ -3,6 +3,7 @@
 #include "tools/mesh/MeshSelection.h"
 
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 #include "tools/mesh/SelectSettings.h"
 
@@ -171,5 +172,5 @@ void MeshSelectionTest::brushInPixels() {
   QCOMPARE(settings.brushPixels, 10.0);
 }
 
-QTEST_GUILESS_MAIN(MeshSelectionTest)
+HANDWHEEL_TEST(MeshSelectionTest)
 #include "MeshSelectionTest.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "MeshShapes.h"
 #include "StepWork.h"
+#include "TestClass.h"
 #include "ToolEvents.h"
 #include "tools/mesh/HandChanges.h"
 #include "tools/mesh/Placement.h"
@@ -168,5 +169,5 @@ void MeshStepSequencesTest::hostile() {
   QVERIFY(done > 300 && refused > 300);
 }
 
-QTEST_GUILESS_MAIN(MeshStepSequencesTest)
+HANDWHEEL_TEST(MeshStepSequencesTest)
 #include "MeshStepSequencesTest.moc"

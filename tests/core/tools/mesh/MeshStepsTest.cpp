@@ -6,6 +6,7 @@
 #include "MeshChecks.h"
 #include "MeshShapes.h"
 #include "StepWork.h"
+#include "TestClass.h"
 #include "ToolEvents.h"
 #include "tools/mesh/BoundaryTool.h"
 #include "tools/mesh/DecimateTool.h"
@@ -359,5 +360,5 @@ void MeshStepsTest::mistakes() {
   QCOMPARE(QString::fromStdString(problemOf(test::icosphere(2), step.toStdString())), problem);
 }
 
-QTEST_GUILESS_MAIN(MeshStepsTest)
+HANDWHEEL_TEST(MeshStepsTest)
 #include "MeshStepsTest.moc"

@@ -3,6 +3,7 @@
 #include "tools/mesh/NearFeatures.h"
 
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "haptics/SnapProxy.h"
 #include "haptics/TouchableSurface.h"
 #include "mesh/MeshBuilder.h"
@@ -163,5 +164,5 @@ class NearFeaturesTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(NearFeaturesTest)
+HANDWHEEL_TEST(NearFeaturesTest)
 #include "NearFeaturesTest.moc"

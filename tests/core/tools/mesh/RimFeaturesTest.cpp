@@ -3,6 +3,7 @@
 #include "tools/mesh/RimFeatures.h"
 
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "haptics/SnapProxy.h"
 #include "mesh/MeshBuilder.h"
 
@@ -65,5 +66,5 @@ class RimFeaturesTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(RimFeaturesTest)
+HANDWHEEL_TEST(RimFeaturesTest)
 #include "RimFeaturesTest.moc"

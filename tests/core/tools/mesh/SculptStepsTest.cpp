@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SculptBench.h"
 #include "StepReplay.h"
+#include "TestClass.h"
 
 #include <QTest>
 
@@ -93,5 +94,5 @@ void SculptStepsTest::levelsThatWereForgotten() {
   QCOMPARE(document->history()->count(), 0);
 }
 
-QTEST_GUILESS_MAIN(SculptStepsTest)
+HANDWHEEL_TEST(SculptStepsTest)
 #include "SculptStepsTest.moc"

@@ -4,6 +4,7 @@
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshBuilder.h"
 
 #include <QTest>
@@ -89,5 +90,5 @@ void SculptStrokeTest::dragsAcrossTheView() {
   QVERIFY(test::sameMesh(stroke.levels().mesh(), mesh));
 }
 
-QTEST_GUILESS_MAIN(SculptStrokeTest)
+HANDWHEEL_TEST(SculptStrokeTest)
 #include "SculptStrokeTest.moc"

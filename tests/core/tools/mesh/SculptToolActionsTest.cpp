@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SculptBench.h"
+#include "TestClass.h"
 #include "WaitingServices.h"
 
 #include <QTest>
@@ -230,5 +231,5 @@ void SculptToolActionsTest::oddSettings() {
   }
 }
 
-QTEST_GUILESS_MAIN(SculptToolActionsTest)
+HANDWHEEL_TEST(SculptToolActionsTest)
 #include "SculptToolActionsTest.moc"

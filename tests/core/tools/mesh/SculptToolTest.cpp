@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SculptBench.h"
+#include "TestClass.h"
 #include "WaitingServices.h"
 
 #include <QTest>
@@ -224,5 +225,5 @@ void SculptToolTest::whoElseChangesTheDocumentWins() {
   QCOMPARE(document->mesh().position(at(10, 10)), Vec3(10, 10, 0));
 }
 
-QTEST_GUILESS_MAIN(SculptToolTest)
+HANDWHEEL_TEST(SculptToolTest)
 #include "SculptToolTest.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "MeshDocuments.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "ToolEvents.h"
 #include "mesh/FaceGrowing.h"
 #include "tools/mesh/SelectTool.h"
@@ -117,5 +118,5 @@ void SelectCostTest::onAMillionFaces() {
   report.tell("document changed", 1, [&](int) { tool.documentChanged(); });
 }
 
-QTEST_GUILESS_MAIN(SelectCostTest)
+HANDWHEEL_TEST(SelectCostTest)
 #include "SelectCostTest.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "MeshChecks.h"
 #include "SelectBench.h"
+#include "TestClass.h"
 #include "WaitingServices.h"
 #include "mesh/MeshValidator.h"
 
@@ -208,5 +209,5 @@ void SelectToolActionsTest::noHierarchy() {
   QCOMPARE(tool.selection().faces.count(), std::size_t(400));
 }
 
-QTEST_GUILESS_MAIN(SelectToolActionsTest)
+HANDWHEEL_TEST(SelectToolActionsTest)
 #include "SelectToolActionsTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SelectBench.h"
+#include "TestClass.h"
 #include "proximity/ClosestPoint.h"
 
 #include <QTest>
@@ -221,5 +222,5 @@ void SelectToolTest::secondButton() {
   QCOMPARE(b.tool.pointer(event), ToolReply::Finished);
 }
 
-QTEST_GUILESS_MAIN(SelectToolTest)
+HANDWHEEL_TEST(SelectToolTest)
 #include "SelectToolTest.moc"

@@ -4,6 +4,7 @@
 #include "MeshChecks.h"
 #include "MeshDocuments.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "ToolEvents.h"
 #include "mesh/FaceGrowing.h"
 #include "mesh/MeshValidator.h"
@@ -16,8 +17,6 @@
 #include <rapidcheck.h>
 
 #include <QTest>
-
-Q_DECLARE_METATYPE(handwheel::TriangleSoup)
 
 using namespace handwheel;
 using test::Kind;
@@ -243,5 +242,5 @@ void ToolSessionsTest::sessionsOnOddModels() {
   for (unsigned seed = 0; seed < 40; ++seed) QCOMPARE(Session(soup, seed).run(150), std::string());
 }
 
-QTEST_GUILESS_MAIN(ToolSessionsTest)
+HANDWHEEL_TEST(ToolSessionsTest)
 #include "ToolSessionsTest.moc"

@@ -5,6 +5,7 @@
 #include "MeshChecks.h"
 #include "MeshDocuments.h"
 #include "MeshShapes.h"
+#include "TestClass.h"
 #include "mesh/MeshValidator.h"
 
 #include <rapidcheck.h>
@@ -17,10 +18,10 @@ using namespace handwheel;
 
 namespace {
 
-constexpr NumberType kNumbers = NumberType::Float64;
+constexpr NumberType kTransformToolNumbers = NumberType::Float64;
 
 std::unique_ptr<MeshDocument> box(const Vec3& corner) {
-  return test::meshDocument(test::cube(2.0, corner), "/scans/part.stl", kNumbers);
+  return test::meshDocument(test::cube(2.0, corner), "/scans/part.stl", kTransformToolNumbers);
 }
 
 bool isNear(const Vec3& a, const Vec3& b, double size = 1.0) {
@@ -127,5 +128,5 @@ void TransformToolTest::mistakes() {
   QCOMPARE(tool.perform("no such thing"), ToolReply::Ignored);
 }
 
-QTEST_GUILESS_MAIN(TransformToolTest)
+HANDWHEEL_TEST(TransformToolTest)
 #include "TransformToolTest.moc"

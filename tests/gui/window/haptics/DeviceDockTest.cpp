@@ -3,6 +3,7 @@
 #include "window/haptics/DeviceDock.h"
 
 #include "OwnSettings.h"
+#include "TestClass.h"
 #include "panels/ForcePlot.h"
 #include "window/WindowServices.h"
 #include "window/haptics/HapticSession.h"
@@ -20,7 +21,7 @@ using namespace handwheel;
 namespace {
 
 // A session with the devices that every machine has, and its panel.
-struct Bench {
+struct DeviceDockBench {
   QThreadPool pool;
   JobRunner jobs{JobRunner::Policy::Queue, pool};
   WindowServices services;
@@ -29,7 +30,7 @@ struct Bench {
       std::make_unique<HapticSession>(HapticSession::Parts{jobs, pool, services, clock});
   std::unique_ptr<DeviceDock> dock = std::make_unique<DeviceDock>(*session);
 
-  ~Bench() {
+  ~DeviceDockBench() {
     dock.reset();
     session.reset();
     pool.waitForDone();
@@ -63,7 +64,7 @@ class DeviceDockTest : public QObject {
   void init() { QSettings().clear(); }
 
   void aDeviceIsChosenSeenAndLeft() {
-    Bench b;
+    DeviceDockBench b;
     b.dock->show();
     b.choose("Simulated hand");
     QCOMPARE(b.session->chosen().driver, std::string("simulated"));
@@ -79,7 +80,7 @@ class DeviceDockTest : public QObject {
   }
 
   void whatTheUserChangesReachesTheSession() {
-    Bench b;
+    DeviceDockBench b;
     b.dock->show();
     b.choose("Simulated hand");
     QVERIFY(b.waitForTick());
@@ -102,7 +103,7 @@ class DeviceDockTest : public QObject {
   }
 
   void theMouseWaitsForThePointer() {
-    Bench b;
+    DeviceDockBench b;
     b.dock->show();
     b.choose("Mouse");
     QVERIFY(b.waitForTick());
@@ -111,7 +112,7 @@ class DeviceDockTest : public QObject {
 
   // Nothing is shown to nobody, though the loop goes on.
   void hiddenItAsksForNothing() {
-    Bench b;
+    DeviceDockBench b;
     b.session->choose("simulated", "hand");
     QVERIFY(b.waitForTick());
     QSignalSpy sampled(b.session.get(), &HapticSession::sampled);
@@ -126,5 +127,5 @@ class DeviceDockTest : public QObject {
   }
 };
 
-QTEST_MAIN(DeviceDockTest)
+HANDWHEEL_WIDGET_TEST(DeviceDockTest)
 #include "DeviceDockTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "window/haptics/DeviceMapping.h"
 
 #include <rapidcheck.h>
@@ -108,5 +109,5 @@ class DeviceMappingTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(DeviceMappingTest)
+HANDWHEEL_TEST(DeviceMappingTest)
 #include "DeviceMappingTest.moc"

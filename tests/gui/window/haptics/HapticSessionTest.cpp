@@ -11,6 +11,7 @@
 #include <atomic>
 #include <mutex>
 #include "OwnSettings.h"
+#include "TestClass.h"
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -63,7 +64,7 @@ class FakeDriver : public DeviceDriver {
 };
 
 // A session with all that it needs.
-struct Bench {
+struct HapticSessionBench {
   Plugged plugged;
   QThreadPool pool;
   JobRunner jobs{JobRunner::Policy::Queue, pool};
@@ -72,14 +73,14 @@ struct Bench {
   std::unique_ptr<HapticSession> session;
   std::vector<Message> messages;
 
-  Bench() {
+  HapticSessionBench() {
     std::vector<std::unique_ptr<DeviceDriver>> drivers;
     drivers.push_back(std::make_unique<FakeDriver>(plugged));
     session = std::make_unique<HapticSession>(HapticSession::Parts{jobs, pool, services, clock}, std::move(drivers));
     QObject::connect(session.get(), &HapticSession::message, session.get(),
                      [this](const Message& message) { messages.push_back(message); });
   }
-  ~Bench() {
+  ~HapticSessionBench() {
     session.reset();
     pool.waitForDone();
   }
@@ -101,7 +102,7 @@ class HapticSessionTest : public QObject {
   void init() { QSettings().clear(); }
 
   void withoutADeviceNothingRuns() {
-    Bench b;
+    HapticSessionBench b;
     QSignalSpy sampled(b.session.get(), &HapticSession::sampled);
     b.session->takeUp();
     b.session->setMapping({});
@@ -116,7 +117,7 @@ class HapticSessionTest : public QObject {
   }
 
   void theLoopRunsAsLongAsTheDeviceIsOpen() {
-    Bench b;
+    HapticSessionBench b;
     b.session->choose("simulated", "hand");
     QVERIFY(b.waitForOpen());
     QVERIFY(b.session->simulatedHand() && !b.session->mouse());
@@ -135,7 +136,7 @@ class HapticSessionTest : public QObject {
 
   // The last thing sent is no force, and the device is closed once.
   void closingIsZeroForce() {
-    Bench b;
+    HapticSessionBench b;
     b.session->choose("fake", "well");
     QVERIFY(b.waitForOpen());
     b.session->setScene(sceneOf([](const TipState&, ForceOut& out) { out.force = Vec3(1.0, 0.0, 0.0); }));
@@ -148,7 +149,7 @@ class HapticSessionTest : public QObject {
 
   // The force goes before the loop stops, and comes back; ticks are counted on.
   void anotherRateIsTakenUpWithoutABlow() {
-    Bench b;
+    HapticSessionBench b;
     struct Seen {
       int reads = 0;
       std::vector<double> rests;  // N that went when a loop stopped: a write without a reading
@@ -179,7 +180,7 @@ class HapticSessionTest : public QObject {
   }
 
   void aForceThatIsOffStaysOff() {
-    Bench b;
+    HapticSessionBench b;
     b.session->choose("fake", "well");
     QVERIFY(b.waitForOpen());
     b.session->setScene(sceneOf([](const TipState&, ForceOut& out) { out.force = Vec3(1.0, 0.0, 0.0); }));
@@ -194,7 +195,7 @@ class HapticSessionTest : public QObject {
 
   void whatCannotBeOpenedIsTold() {
     for (const char* address : {"deaf", "nowhere"}) {
-      Bench b;
+      HapticSessionBench b;
       b.session->choose("fake", address);
       QCOMPARE(b.session->chosen().address, std::string(address));
       QTRY_VERIFY(b.jobs.isIdle());
@@ -209,7 +210,7 @@ class HapticSessionTest : public QObject {
   void whatIsNotThereAnyMoreIsNoNews() {
     QSettings().setValue("haptics/driver", "fake");
     QSettings().setValue("haptics/address", "nowhere");
-    Bench b;
+    HapticSessionBench b;
     b.session->takeUp();
     QTRY_VERIFY(b.jobs.isIdle());
     QVERIFY(!b.session->isOpen() && b.messages.empty());
@@ -223,12 +224,12 @@ class HapticSessionTest : public QObject {
     mapping.deadZone = 1.5;
     mapping.clutchButtons = 5;
     {
-      Bench b;
+      HapticSessionBench b;
       b.session->choose("fake", "well");
       QVERIFY(b.waitForOpen());
       b.session->setMapping(mapping);
     }
-    Bench b;
+    HapticSessionBench b;
     b.session->takeUp();
     QVERIFY(b.waitForOpen());
     QCOMPARE(b.session->chosen().address, std::string("well"));
@@ -246,7 +247,7 @@ class HapticSessionTest : public QObject {
   // In contact the scale is changed; whoever makes the scene for the new one takes his time. No tick feels the one
   // without the other, and the force comes back by the ramp.
   void anotherScaleIsFeltWithItsScene() {
-    Bench b;
+    HapticSessionBench b;
     std::atomic<double> sent{0.0}, largest{0.0};
     std::atomic<int> ticks{0};
     b.plugged.log->onWrite = [&](const ScriptedDevice::Log&, const DeviceForce& force) {
@@ -289,7 +290,7 @@ class HapticSessionTest : public QObject {
     QSettings().setValue("haptics/simulated/axes", "+0+0+2");
     QSettings().setValue("haptics/simulated/scale", "nan");
     QSettings().setValue("haptics/simulated/force_gain", -1);
-    Bench b;
+    HapticSessionBench b;
     b.session->choose("simulated", "hand");
     QVERIFY(b.waitForOpen());
     QVERIFY(b.session->mapping().viewFromDevice() == Eigen::Matrix3d::Identity());
@@ -299,7 +300,7 @@ class HapticSessionTest : public QObject {
 
   // Nobody looks at the list: the session looks itself until the device is back, at another port.
   void pluggedInAgainItIsOpenedAgain() {
-    Bench b;
+    HapticSessionBench b;
     auto isGone = std::make_shared<std::atomic<bool>>(false);
     b.plugged.log->onRead = [isGone](ScriptedDevice::Log& log) {
       const bool isAway = isGone->load() && log.closes == 0;  // the one that comes back is another
@@ -324,7 +325,7 @@ class HapticSessionTest : public QObject {
   }
 
   void whatIsPluggedInIsFound() {
-    Bench b;
+    HapticSessionBench b;
     QCOMPARE(b.session->found().size(), 2);
     QCOMPARE(b.session->found()[0].driver, std::string("simulated"));
     QCOMPARE(b.session->found()[1].driver, std::string("mouse"));
@@ -341,7 +342,7 @@ class HapticSessionTest : public QObject {
 
   // An unplugged device is told once, and its loop goes on without a force.
   void unplugging() {
-    Bench b;
+    HapticSessionBench b;
     auto isGone = std::make_shared<std::atomic<bool>>(false);
     b.plugged.log->onRead = [isGone](ScriptedDevice::Log& log) {
       log.state.status = isGone->load() ? DeviceStatus::Absent : DeviceStatus::Ready;
@@ -356,7 +357,7 @@ class HapticSessionTest : public QObject {
   }
 
   void theForceTestIsGentleAndEnds() {
-    Bench b;
+    HapticSessionBench b;
     b.session->choose("fake", "well");
     QVERIFY(b.waitForOpen());
     Vec3 most = Vec3::Zero();
@@ -377,5 +378,5 @@ class HapticSessionTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(HapticSessionTest)
+HANDWHEEL_TEST(HapticSessionTest)
 #include "HapticSessionTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "window/haptics/Playback.h"
 
 #include <QSignalSpy>
@@ -11,7 +12,7 @@ using namespace handwheel;
 
 namespace {
 
-constexpr std::int64_t kMillisecond = 1'000'000;
+constexpr std::int64_t kMs = 1'000'000;
 constexpr std::int64_t kHalf = 500'000;  // between two ticks, wherever they are rounded to
 
 // Two seconds at 1 kHz along x, 1 mm each tick; for some ticks the device was away.
@@ -55,16 +56,16 @@ class PlaybackTest : public QObject {
     playback.takeUp(walk());
     QCOMPARE(playback.duration(), 2.0);
     playback.play();
-    clock.set(250 * kMillisecond + kHalf);
+    clock.set(250 * kMs + kHalf);
     const std::optional<DeviceCursor> cursor = playback.cursor();
     QVERIFY(cursor.has_value());
     QCOMPARE(cursor->tip, Vec3(250, 0, 0));
     QCOMPARE(cursor->proxy, Vec3(250, 1, 0));
     QCOMPARE(cursor->force, Vec3(0, 0, 0.25));
     QCOMPARE(cursor->limit, 4.0);
-    clock.set(550 * kMillisecond + kHalf);
+    clock.set(550 * kMs + kHalf);
     QVERIFY(!playback.cursor());  // it did not know where it was
-    clock.set(700 * kMillisecond + kHalf);
+    clock.set(700 * kMs + kHalf);
     QCOMPARE(playback.cursor()->tip.x(), 700.0);
   }
 
@@ -77,7 +78,7 @@ class PlaybackTest : public QObject {
       playback.takeUp(walk());
       playback.play();
       for (const int ms : {3, 17, 400, 401, 1999}) {
-        clock.set(ms * kMillisecond + kHalf);
+        clock.set(ms * kMs + kHalf);
         run.push_back(playback.cursor()->tip.x());
       }
       playback.pause();
@@ -102,7 +103,7 @@ class PlaybackTest : public QObject {
     QTest::qWait(60);
     QCOMPARE(moved.count(), 0);
     playback.play();
-    clock.set(10'000 * kMillisecond);
+    clock.set(10'000 * kMs);
     QTRY_VERIFY(!playback.isPlaying());
     QCOMPARE(playback.position(), 2.0);
     QTest::qWait(50);
@@ -129,5 +130,5 @@ class PlaybackTest : public QObject {
   }
 };
 
-QTEST_MAIN(PlaybackTest)
+HANDWHEEL_WIDGET_TEST(PlaybackTest)
 #include "PlaybackTest.moc"

@@ -3,6 +3,7 @@
 #include "window/haptics/TouchPage.h"
 
 #include "OwnSettings.h"
+#include "TestClass.h"
 #include "window/WindowServices.h"
 #include "window/haptics/HapticSession.h"
 
@@ -16,7 +17,7 @@ using namespace handwheel;
 
 namespace {
 
-struct Bench {
+struct TouchPageBench {
   QThreadPool pool;
   JobRunner jobs{JobRunner::Policy::Queue, pool};
   WindowServices services;
@@ -55,14 +56,14 @@ class TouchPageTest : public QObject {
   // The command switches what the page shows, and the next start begins with it.
   void theCommandSwitchesSnapping() {
     {
-      Bench b;
+      TouchPageBench b;
       QVERIFY(b.command()->isCheckable() && b.command()->isChecked());
       QVERIFY(!b.command()->shortcut().isEmpty());
       b.command()->trigger();
       QVERIFY(!b.session.touch().isSnapping);
       QVERIFY(!b.command()->isChecked());
     }
-    Bench again;
+    TouchPageBench again;
     QVERIFY(!again.session.touch().isSnapping && !again.command()->isChecked());
     again.command()->trigger();
     QVERIFY(again.session.touch().isSnapping);
@@ -70,24 +71,24 @@ class TouchPageTest : public QObject {
 
   void whatIsChosenIsFeltAndKept() {
     {
-      Bench b;
+      TouchPageBench b;
       b.choose("snap_profile", 3);
       b.choose("snap_method", 1);
       b.type("snap_stiffness", "0.8");
       QVERIFY(b.session.touch().snapShape == SnapShape::Gaussian);
     }
-    Bench again;
+    TouchPageBench again;
     QVERIFY(again.session.touch().snapShape == SnapShape::Gaussian);
     QVERIFY(again.session.touch().snapMethod == SnapMethod::Sum);
     QCOMPARE(again.session.touch().snapStiffness, 0.8);
   }
 
   void tooMuchIsNotTaken() {
-    Bench b;
+    TouchPageBench b;
     b.type("snap_stiffness", "1000");
     QCOMPARE(b.session.touch().snapStiffness, TouchSettings().snapStiffness);
   }
 };
 
-QTEST_MAIN(TouchPageTest)
+HANDWHEEL_WIDGET_TEST(TouchPageTest)
 #include "TouchPageTest.moc"

@@ -3,6 +3,7 @@
 #include "window/haptics/TouchScene.h"
 
 #include "OwnSettings.h"
+#include "TestClass.h"
 #include "window/WindowServices.h"
 #include "window/haptics/HapticSession.h"
 
@@ -14,10 +15,10 @@ using namespace handwheel;
 
 namespace {
 
-constexpr int kPatienceMs = 20000;
+constexpr int kLongestMs = 20000;
 
 // The simulated hand, and a scene for it. Lengths and forces are those at the device.
-struct Bench {
+struct TouchSceneBench {
   QThreadPool pool;
   JobRunner jobs{JobRunner::Policy::Queue, pool};
   WindowServices services;
@@ -26,14 +27,14 @@ struct Bench {
       std::make_unique<HapticSession>(HapticSession::Parts{jobs, pool, services, clock});
   std::unique_ptr<TouchScene> scene = std::make_unique<TouchScene>(*session);
 
-  ~Bench() {
+  ~TouchSceneBench() {
     scene.reset();
     session.reset();
     pool.waitForDone();
   }
   bool begin() {
     session->choose("simulated", "hand");
-    return QTest::qWaitFor([this] { return session->latest() != nullptr; }, kPatienceMs);
+    return QTest::qWaitFor([this] { return session->latest() != nullptr; }, kLongestMs);
   }
   Vec3 inScene(const Vec3& place) const {
     const WorkspaceMapping mapping = session->mappingInScene();
@@ -101,7 +102,7 @@ class TouchSceneTest : public QObject {
   void snapsByTheProfileThatWasChosen() {
     QFETCH(int, shape);
     QFETCH(double, stiffness);
-    Bench b;
+    TouchSceneBench b;
     QVERIFY(b.begin());
     b.offer({Vec3::Zero()}, 4.0);
     TouchSettings touch = b.session->touch();
@@ -114,7 +115,7 @@ class TouchSceneTest : public QObject {
       const Vec3 wanted = drawn(touch.snapShape, stiffness, 4.0, Vec3::Zero(), b.tip());
       return !b.isSoftened() && wanted.norm() > 0.02 && (b.force() - wanted).norm() < 1e-6;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(isFelt(), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(isFelt(), kLongestMs);
     for (int other = 0; other < 4; ++other) {
       if (other == shape) continue;
       const Vec3 differs = drawn(static_cast<SnapShape>(other), stiffness, 4.0, Vec3::Zero(), b.tip());
@@ -125,7 +126,7 @@ class TouchSceneTest : public QObject {
   // Between two points the proxy has one of them; the forces of both add up to less.
   void snapsByTheMethodThatWasChosen() {
     const Vec3 left(-1.0, 0.0, 0.0), right(1.0, 0.0, 0.0);
-    Bench b;
+    TouchSceneBench b;
     QVERIFY(b.begin());
     b.offer({left, right}, 4.0);
     b.lead({0.5, 1.0, 0.0});
@@ -136,27 +137,27 @@ class TouchSceneTest : public QObject {
       return drawn(touch.snapShape, touch.snapStiffness, 4.0, point, b.tip());
     };
     const auto isNear = [&](const Vec3& wanted) { return wanted.norm() > 0.01 && (b.force() - wanted).norm() < 1e-6; };
-    QTRY_VERIFY_WITH_TIMEOUT(isNear(pull(right)) || isNear(pull(left)), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(isNear(pull(right)) || isNear(pull(left)), kLongestMs);
     touch.snapMethod = SnapMethod::Sum;
     b.session->setTouch(touch);
-    QTRY_VERIFY_WITH_TIMEOUT(!b.isSoftened() && isNear(pull(left) + pull(right)), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!b.isSoftened() && isNear(pull(left) + pull(right)), kLongestMs);
   }
 
   // The stiffness of the feature is another at once; what is sent waits for the ramp.
   void aChangeComesByTheRamp() {
-    Bench b;
+    TouchSceneBench b;
     QVERIFY(b.begin());
     b.offer({Vec3::Zero()}, 4.0);
     b.lead({2.5, 0.0, 0.0});
     const auto isRamped = [&] { return b.session->latest()->actions.has(SafetyAction::Ramp); };
-    QTRY_VERIFY_WITH_TIMEOUT(!isRamped() && b.force().norm() > 0.1, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!isRamped() && b.force().norm() > 0.1, kLongestMs);
     TouchSettings touch = b.session->touch();
     touch.snapShape = SnapShape::Spring;
     b.session->setTouch(touch);
-    QTRY_VERIFY_WITH_TIMEOUT(isRamped(), kPatienceMs);
-    QTRY_VERIFY_WITH_TIMEOUT(!isRamped() && b.force().norm() > 0.1, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(isRamped(), kLongestMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!isRamped() && b.force().norm() > 0.1, kLongestMs);
   }
 };
 
-QTEST_MAIN(TouchSceneTest)
+HANDWHEEL_WIDGET_TEST(TouchSceneTest)
 #include "TouchSceneTest.moc"

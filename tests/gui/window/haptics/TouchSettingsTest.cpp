@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cstddef>  // before <numbers> of Units.h, which moc cannot read alone
 
+#include "TestClass.h"
 #include "window/haptics/TouchSettings.h"
 
 #include <QSettings>
@@ -94,5 +95,5 @@ class TouchSettingsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TouchSettingsTest)
+HANDWHEEL_TEST(TouchSettingsTest)
 #include "TouchSettingsTest.moc"

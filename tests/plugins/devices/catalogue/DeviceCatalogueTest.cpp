@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "devices/DeviceCatalogue.h"
 
 #include <QTemporaryDir>
@@ -125,5 +126,5 @@ class DeviceCatalogueTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(DeviceCatalogueTest)
+HANDWHEEL_TEST(DeviceCatalogueTest)
 #include "DeviceCatalogueTest.moc"

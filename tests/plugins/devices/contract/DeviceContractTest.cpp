@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "example/ExampleEmulator.h"
 #include "falcon/FalconEmulator.h"
 #include "guard/GuardedSubject.h"
@@ -208,5 +209,5 @@ class DeviceContractTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(DeviceContractTest)
+HANDWHEEL_TEST(DeviceContractTest)
 #include "DeviceContractTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "example/ExampleEmulator.h"
 
 #include <QtTest>
@@ -47,5 +48,5 @@ class ExampleSessionTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ExampleSessionTest)
+HANDWHEEL_TEST(ExampleSessionTest)
 #include "ExampleSessionTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "falcon/Kinematics.h"
 
 #include <rapidcheck.h>
@@ -156,5 +157,5 @@ class FalconKinematicsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(FalconKinematicsTest)
+HANDWHEEL_TEST(FalconKinematicsTest)
 #include "FalconKinematicsTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "falcon/Packet.h"
 
 #include <rapidcheck.h>
@@ -94,5 +95,5 @@ class FalconPacketTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(FalconPacketTest)
+HANDWHEEL_TEST(FalconPacketTest)
 #include "FalconPacketTest.moc"

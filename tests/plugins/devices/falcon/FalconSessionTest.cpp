@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "falcon/FalconEmulator.h"
 
 #include <QtTest>
@@ -212,5 +213,5 @@ class FalconSessionTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(FalconSessionTest)
+HANDWHEEL_TEST(FalconSessionTest)
 #include "FalconSessionTest.moc"

@@ -4,6 +4,7 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QtTest>
+#include "TestClass.h"
 
 // The plugin's transport with the real libusb, on a Falcon that umockdev pretends is plugged in. It cannot pretend what
 // control requests do, so the way through the bootloader is left to the model of the device.
@@ -56,5 +57,5 @@ class UsbTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(UsbTest)
+HANDWHEEL_TEST(UsbTest)
 #include "UsbTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "polhem/PolhemEmulator.h"
 
 #include <fcntl.h>
@@ -121,5 +122,5 @@ class DeadProgramTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(DeadProgramTest)
+HANDWHEEL_TEST(DeadProgramTest)
 #include "DeadProgramTest.moc"

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "HapticPoses.h"
+#include "TestClass.h"
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -151,5 +152,5 @@ class GuardMessagesTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(GuardMessagesTest)
+HANDWHEEL_TEST(GuardMessagesTest)
 #include "GuardMessagesTest.moc"

@@ -3,6 +3,7 @@
 #include "io/GuardedSession.h"
 
 #include "FakeStream.h"
+#include "TestClass.h"
 #include "io/GuardProcess.h"
 
 #include <QtTest>
@@ -182,5 +183,5 @@ class GuardedSessionTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(GuardedSessionTest)
+HANDWHEEL_TEST(GuardedSessionTest)
 #include "GuardedSessionTest.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "FakeClock.h"
+#include "TestClass.h"
 #include "io/SessionHost.h"
 
 #include <rapidcheck.h>
@@ -134,7 +135,7 @@ DeviceForce push(double newtons = 2.0) {
   return {Vec3(0.0, 0.0, newtons), Vec3::Zero(), 0.0};
 }
 
-struct Bench {
+struct SessionHostBench {
   std::shared_ptr<FakeClock> clock = std::make_shared<FakeClock>();
   Motors motors{clock};
   ScriptedProgram program{clock};
@@ -150,7 +151,7 @@ class SessionHostTest : public QObject {
 
  private slots:
   void passesForcesAndPlacesOn() {
-    Bench b;
+    SessionHostBench b;
     for (std::uint32_t i = 1; i <= 5; ++i) b.program.say(0.001, guard::Force{i, push(i)});
     b.serve();
     QCOMPARE(b.program.lastHeard<guard::Opened>()->capabilities.maxForce, 4.5);
@@ -162,7 +163,7 @@ class SessionHostTest : public QObject {
   // However it goes: killed, leaving, speaking nonsense, told to stop.
   void theEndIsZeroForce() {
     for (const char* how : {"gone", "close", "nonsense", "stop"}) {
-      Bench b;
+      SessionHostBench b;
       b.program.say(0.001, guard::Force{1, push()});
       b.program.say(0.001, guard::Force{2, push()});
       const std::string way = how;
@@ -178,7 +179,7 @@ class SessionHostTest : public QObject {
   }
 
   void silenceIsZeroForceUntilZeroWasAskedFor() {
-    Bench b;
+    SessionHostBench b;
     b.program.say(0.001, guard::Force{1, push()});
     b.program.silenceAtTheEnd = 0.2;
     b.program.say(0.2, guard::Force{2, push()});
@@ -203,7 +204,7 @@ class SessionHostTest : public QObject {
   // Whenever the program says what: 50 ms later nothing is held any more.
   void noForceIsOlderThanFiftyMilliseconds() {
     QVERIFY(rc::check([] {
-      Bench b;
+      SessionHostBench b;
       for (int i = *rc::gen::inRange(1, 30); i > 0; --i) {
         const double pause = *rc::gen::element(0.0005, 0.001, 0.003, 0.03, 0.045, 0.09, 0.3);
         b.program.say(pause, guard::Force{1, *rc::gen::arbitrary<bool>() ? push() : DeviceForce()});
@@ -220,7 +221,7 @@ class SessionHostTest : public QObject {
   }
 
   void aRefusalIsPassedOn() {
-    Bench b;
+    SessionHostBench b;
     b.motors.result = Error{ErrorCode::ReferenceMissing, {"the firmware file", "falcon.bin"}, {}, "here"};
     b.serve();
     const auto* refused = b.program.lastHeard<guard::Refused>();
@@ -230,7 +231,7 @@ class SessionHostTest : public QObject {
   }
 
   void anotherVersionIsRefused() {
-    Bench b;
+    SessionHostBench b;
     b.program.words.clear();
     b.program.say(0.0, guard::Open{guard::kVersion + 1});
     b.serve();
@@ -239,7 +240,7 @@ class SessionHostTest : public QObject {
   }
 
   void whoLeavesWhileItOpensCancels() {
-    Bench b;
+    SessionHostBench b;
     b.motors.waitsForCancel = true;
     b.motors.result = Error{ErrorCode::Cancelled, {}, {}, {}};
     b.program.isHasty = true;
@@ -250,7 +251,7 @@ class SessionHostTest : public QObject {
   }
 
   void whoNeverAsksIsLeft() {
-    Bench b;
+    SessionHostBench b;
     b.program.words.clear();
     b.program.silenceAtTheEnd = 1e9;  // and never a word
     b.serve();
@@ -258,5 +259,5 @@ class SessionHostTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SessionHostTest)
+HANDWHEEL_TEST(SessionHostTest)
 #include "SessionHostTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "haply/Frames.h"
 
 #include <rapidcheck.h>
@@ -9,7 +10,7 @@ using namespace handwheel::haply;
 
 namespace {
 
-std::span<const std::uint8_t> bytesOf(const std::string& text) {
+std::span<const std::uint8_t> haplyFramesBytesOf(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
@@ -21,13 +22,13 @@ std::vector<Message> all(FrameReader& reader) {
 
 std::vector<Message> read(const std::string& stream) {
   FrameReader reader;
-  reader.take(bytesOf(stream));
+  reader.take(haplyFramesBytesOf(stream));
   return all(reader);
 }
 
-bool breaks(const std::string& stream) {
+bool haplyFramesBreaks(const std::string& stream) {
   FrameReader reader;
-  reader.take(bytesOf(stream));
+  reader.take(haplyFramesBytesOf(stream));
   (void)all(reader);
   return reader.isBroken();
 }
@@ -75,18 +76,18 @@ class HaplyFramesTest : public QObject {
   }
 
   void whatIsNoFrameBreaksTheStream() {
-    QVERIFY(breaks("\x81\x85\x00\x00\x00\x00Hello"s));  // a server does not mask
-    QVERIFY(breaks("\xc1\x00"s));                       // reserved bits
-    QVERIFY(breaks("\x83\x00"s));                       // an opcode that is none
-    QVERIFY(breaks("\x80\x00"s));                       // continues nothing
+    QVERIFY(haplyFramesBreaks("\x81\x85\x00\x00\x00\x00Hello"s));  // a server does not mask
+    QVERIFY(haplyFramesBreaks("\xc1\x00"s));                       // reserved bits
+    QVERIFY(haplyFramesBreaks("\x83\x00"s));                       // an opcode that is none
+    QVERIFY(haplyFramesBreaks("\x80\x00"s));                       // continues nothing
     QVERIFY(
-        breaks("\x01\x01"
-               "a"
-               "\x01\x01"
-               "b"s));                                             // two begun
-    QVERIFY(breaks("\x09\x00"s));                                  // a ping in pieces
-    QVERIFY(breaks("\x81\x7f\xff\xff\xff\xff\xff\xff\xff\xff"s));  // huge
-    QVERIFY(!breaks("\x81\x05Hel"s));                              // not whole yet
+        haplyFramesBreaks("\x01\x01"
+                          "a"
+                          "\x01\x01"
+                          "b"s));                                             // two begun
+    QVERIFY(haplyFramesBreaks("\x09\x00"s));                                  // a ping in pieces
+    QVERIFY(haplyFramesBreaks("\x81\x7f\xff\xff\xff\xff\xff\xff\xff\xff"s));  // huge
+    QVERIFY(!haplyFramesBreaks("\x81\x05Hel"s));                              // not whole yet
   }
 
   void piecesOfAnySizeMakeTheSame() {
@@ -98,7 +99,7 @@ class HaplyFramesTest : public QObject {
       std::vector<Message> messages;
       for (std::size_t at = 0; at < stream.size();) {
         const auto length = static_cast<std::size_t>(*rc::gen::inRange(1, 50));
-        reader.take(bytesOf(stream.substr(at, length)));
+        reader.take(haplyFramesBytesOf(stream.substr(at, length)));
         for (Message& message : all(reader)) messages.push_back(std::move(message));
         at += length;
       }
@@ -110,5 +111,5 @@ class HaplyFramesTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(HaplyFramesTest)
+HANDWHEEL_TEST(HaplyFramesTest)
 #include "HaplyFramesTest.moc"

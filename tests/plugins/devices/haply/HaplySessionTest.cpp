@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "haply/Driver.h"
 #include "haply/Handshake.h"
 #include "haply/HaplyEmulator.h"
@@ -235,5 +236,5 @@ class HaplySessionTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(HaplySessionTest)
+HANDWHEEL_TEST(HaplySessionTest)
 #include "HaplySessionTest.moc"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "io/FileStream.h"
 
 #include <fcntl.h>
@@ -62,5 +63,5 @@ class FileStreamTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(FileStreamTest)
+HANDWHEEL_TEST(FileStreamTest)
 #include "FileStreamTest.moc"

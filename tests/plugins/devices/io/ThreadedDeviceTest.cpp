@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "io/ThreadedDevice.h"
 
 #include <QtTest>
@@ -17,8 +18,9 @@ namespace {
 // Counts what this thread allocates with new.
 thread_local std::size_t allocations = 0;
 
-// A session as slow and as careless with memory as a protocol may be; what it is asked and what it says is in Board.
-struct Board {
+// A session as slow and as careless with memory as a protocol may be; what it is asked and what it says is in
+// ThreadedDeviceBoard.
+struct ThreadedDeviceBoard {
   std::atomic<int> exchanges{0};
   std::atomic<double> lastForce{0.0};
   std::atomic<double> place{1.0};
@@ -28,7 +30,7 @@ struct Board {
 
 class SlowSession final : public Session {
  public:
-  explicit SlowSession(Board& board) : m_board(board) {}
+  explicit SlowSession(ThreadedDeviceBoard& board) : m_board(board) {}
   DeviceCapabilities capabilities() const override { return {}; }
   Status open(Progress) override { return Done{}; }
 
@@ -45,7 +47,7 @@ class SlowSession final : public Session {
   void close() noexcept override { m_board.closed = true; }
 
  private:
-  Board& m_board;
+  ThreadedDeviceBoard& m_board;
 };
 
 }  // namespace
@@ -66,12 +68,12 @@ class ThreadedDeviceTest : public QObject {
   Q_OBJECT
 
  private:
-  std::unique_ptr<Board> m_board;
+  std::unique_ptr<ThreadedDeviceBoard> m_board;
   std::unique_ptr<ThreadedDevice> m_device;
 
  private slots:
   void init() {
-    m_board = std::make_unique<Board>();
+    m_board = std::make_unique<ThreadedDeviceBoard>();
     m_device = std::make_unique<ThreadedDevice>(std::make_unique<SlowSession>(*m_board));
     QVERIFY(m_device->open({}).hasValue());
     QTRY_COMPARE(m_device->read().status, DeviceStatus::Ready);
@@ -128,5 +130,5 @@ class ThreadedDeviceTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(ThreadedDeviceTest)
+HANDWHEEL_TEST(ThreadedDeviceTest)
 #include "ThreadedDeviceTest.moc"

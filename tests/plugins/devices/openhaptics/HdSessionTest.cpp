@@ -3,6 +3,7 @@
 #include "openhaptics/HdSession.h"
 
 #include "HdStandIn.h"
+#include "TestClass.h"
 #include "openhaptics/Driver.h"
 
 #include <QTemporaryDir>
@@ -143,5 +144,5 @@ class HdSessionTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(HdSessionTest)
+HANDWHEEL_TEST(HdSessionTest)
 #include "HdSessionTest.moc"

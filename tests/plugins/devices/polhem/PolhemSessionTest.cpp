@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "polhem/Driver.h"
 #include "polhem/PolhemEmulator.h"
 
@@ -18,7 +19,7 @@ using polhem::parseLine;
 
 namespace {
 
-std::span<const std::uint8_t> bytesOf(const std::string& text) {
+std::span<const std::uint8_t> polhemSessionBytesOf(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
@@ -85,10 +86,10 @@ class PolhemSessionTest : public QObject {
       for (std::size_t lost = 1; from + lost <= content; ++lost) {
         polhem::LineReader reader;
         std::string broken = line;
-        (void)reader.take(bytesOf(broken.erase(from, lost)));
+        (void)reader.take(polhemSessionBytesOf(broken.erase(from, lost)));
         const double x = reader.reading().position.x();
         QVERIFY(x == 0.0 || (x == -59.276 && from == content - 1));  // unless only its end was lost
-        QCOMPARE(reader.take(bytesOf(after.line())), 1);
+        QCOMPARE(reader.take(polhemSessionBytesOf(after.line())), 1);
         QCOMPARE(reader.reading().position.x(), 77.0);
       }
     }
@@ -99,12 +100,12 @@ class PolhemSessionTest : public QObject {
       polhem::LineReader reader;
       (void)reader.take(noise);
       RC_ASSERT(reader.reading().position.allFinite());
-      (void)reader.take(bytesOf("\n"));
+      (void)reader.take(polhemSessionBytesOf("\n"));
       const std::string line = m_peer->line();
       int readings = 0;
       for (std::size_t at = 0; at < line.size();) {
         const auto length = static_cast<std::size_t>(*rc::gen::inRange(1, 64));
-        readings += reader.take(bytesOf(line.substr(at, length)));
+        readings += reader.take(polhemSessionBytesOf(line.substr(at, length)));
         at += length;
       }
       RC_ASSERT(readings == 1);
@@ -167,7 +168,7 @@ class PolhemSessionTest : public QObject {
       char bytes[256];
       while (!stop) {
         const ssize_t count = ::read(master, bytes, sizeof(bytes));
-        if (count > 0) peer->receive(bytesOf({bytes, static_cast<std::size_t>(count)}));
+        if (count > 0) peer->receive(polhemSessionBytesOf({bytes, static_cast<std::size_t>(count)}));
         const std::string out(peer->toHost.begin(), peer->toHost.end());
         peer->toHost.clear();
         if (!out.empty() && ::write(master, out.data(), out.size()) < 0) break;
@@ -215,5 +216,5 @@ class PolhemSessionTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(PolhemSessionTest)
+HANDWHEEL_TEST(PolhemSessionTest)
 #include "PolhemSessionTest.moc"

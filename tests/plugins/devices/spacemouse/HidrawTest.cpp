@@ -4,6 +4,7 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QtTest>
+#include "TestClass.h"
 
 // The plugin's transport with the real hidapi, on a SpaceMouse Compact that umockdev pretends is plugged in.
 class HidrawTest : public QObject {
@@ -90,5 +91,5 @@ class HidrawTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(HidrawTest)
+HANDWHEEL_TEST(HidrawTest)
 #include "HidrawTest.moc"

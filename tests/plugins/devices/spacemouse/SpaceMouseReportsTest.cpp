@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
 #include "spacemouse/Buttons.h"
 #include "spacemouse/Models.h"
 #include "spacemouse/Reports.h"
@@ -166,5 +167,5 @@ class SpaceMouseReportsTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SpaceMouseReportsTest)
+HANDWHEEL_TEST(SpaceMouseReportsTest)
 #include "SpaceMouseReportsTest.moc"

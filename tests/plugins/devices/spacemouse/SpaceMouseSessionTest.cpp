@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spacemouse/SpaceMouseEmulator.h"
 
+#include "TestClass.h"
 #include "spacemouse/Driver.h"
 
 #include <sys/socket.h>
@@ -169,5 +170,5 @@ class SpaceMouseSessionTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SpaceMouseSessionTest)
+HANDWHEEL_TEST(SpaceMouseSessionTest)
 #include "SpaceMouseSessionTest.moc"
