@@ -22,8 +22,8 @@ inline constexpr std::size_t kMaxTrianglePairs = std::size_t{1} << 23;
 // same in each run.
 // Empty optional when cancelled; looks at the cancel flag at least every 50 ms (beyond some five million triangles, at
 // least once in each pass over them).
-// O(n log n + c) for c pairs whose boxes overlap, those of pieces of slivers (cutSlivers()), and within a crowded fan of
-// arcs (CrowdedFans); on all threads of the arena; about 100 bytes a triangle, 300 where there are slivers, while it
+// O(n log n + c) for c pairs whose boxes overlap, those of pieces of slivers (cutSlivers()), and within a crowded fan
+// of arcs (CrowdedFans); on all threads of the arena; about 100 bytes a triangle, 300 where there are slivers, while it
 // runs.
 std::optional<std::vector<TrianglePair>> selfIntersections(std::span<const Vec3> points,
                                                            std::span<const Triangle> triangles, Progress progress = {},

@@ -52,7 +52,8 @@ void SnapSceneTest::givesTheNumbersBack() {
   }
   QCOMPARE(heldAt(scene, Vec3(2, 1, 0)), SnapFeature());
   QCOMPARE(heldAt(rectangleScene(hole, {true, false, false}), Vec3(2, 0.1, 0)), SnapFeature());
-  QCOMPARE(heldAt(rectangleScene(hole, {false, true, false}), Vec3(0.1, 0.05, 0)), (SnapFeature{SnapKind::Segment, 500}));
+  QCOMPARE(heldAt(rectangleScene(hole, {false, true, false}), Vec3(0.1, 0.05, 0)),
+           (SnapFeature{SnapKind::Segment, 500}));
 }
 
 // In the sum too: at an edge next to a corner the force is that of the edge alone.

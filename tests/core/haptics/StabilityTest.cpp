@@ -126,7 +126,8 @@ class StabilityTest : public QObject {
     QVERIFY(outcome.hasTouched);
     QVERIFY2(outcome.largestOffset <= 5.0 + 1e-6, qPrintable(QString::number(outcome.largestOffset, 'g', 10)));
     QVERIFY2(outcome.leastEnergy >= -1e-3, qPrintable(QString::number(outcome.leastEnergy)));
-    const Outcome calm = pressWall({.latency = latency, .jitter = jitter, .wallDamping = damping, .handDamping = 0.003});
+    const Outcome calm =
+        pressWall({.latency = latency, .jitter = jitter, .wallDamping = damping, .handDamping = 0.003});
     QVERIFY2(calm.lastSwing < 0.01, qPrintable(QString::number(calm.lastSwing)));
     // The cap is no excuse: it is the rule's for the period, jitter and delay of this run.
     const double longest = kStabilityPeriod + jitter * 1e-9;

@@ -31,7 +31,8 @@ struct HoledModel {
   std::vector<BoundaryLoop> loops;
   FaceHierarchy faces;
 
-  explicit HoledModel(const TriangleSoup& soup) : mesh(buildMesh(soup).mesh), loops(findBoundaryLoops(mesh)), faces(mesh) {}
+  explicit HoledModel(const TriangleSoup& soup)
+      : mesh(buildMesh(soup).mesh), loops(findBoundaryLoops(mesh)), faces(mesh) {}
   std::optional<std::size_t> pick(const Sight& sight) const { return pickHole(mesh, loops, faces, sight); }
   std::optional<std::size_t> loopAt(const Vec3& p) const {
     for (std::size_t i = 0; i < loops.size(); ++i)

@@ -49,7 +49,7 @@ std::multiset<std::array<test::Coordinates, 3>> shapes(const HalfEdgeMesh& mesh)
 
 // What the whole must hold after a part of it was put back.
 std::multiset<std::array<test::Coordinates, 3>> expected(const HalfEdgeMesh& before, const MeshPart& part,
-                                                   const HalfEdgeMesh& changed) {
+                                                         const HalfEdgeMesh& changed) {
   auto result = shapes(before);
   for (const auto& gone : shapes(part.mesh())) result.erase(result.find(gone));
   result.merge(shapes(changed));

@@ -53,7 +53,8 @@ class RoundingCollisionsTest : public QObject {
       const auto parted = partCollisions(exact, inFile);
       RC_CLASSIFY(!parted.empty(), "vertices parted");
 
-      const MeshReport before = roundingFigures(exact), welded = roundingFigures(plain), after = roundingFigures(inFile);
+      const MeshReport before = roundingFigures(exact), welded = roundingFigures(plain),
+                       after = roundingFigures(inFile);
       RC_ASSERT(after.nonManifoldEdges <= before.nonManifoldEdges);
       RC_ASSERT(after.inconsistentEdges <= before.inconsistentEdges);
       if (welded.nonManifoldEdges == 0 && welded.inconsistentEdges == 0) RC_ASSERT(parted.empty());
