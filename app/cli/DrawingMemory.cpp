@@ -18,7 +18,8 @@ namespace handwheel {
 namespace {
 
 // Addresses, in bytes, that Mesa's software renderer takes at once for its code, the compiler included, and the stacks
-// of its threads; measured with Mesa 22.3 it takes twice that in the end. Of this a third becomes memory in use.
+// of its threads: an estimate, judged by where pictures begin to fail under a limit with Debian's Mesa 22.3. So is the
+// share of it that becomes memory in use.
 constexpr std::size_t kGraphics = 256 << 20;
 constexpr std::size_t kGraphicsInUse = kGraphics / 3;
 constexpr std::size_t kFace = 3 * 2 * 12 + 12;  // bytes: three corners with place and normal, three indices
