@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/CommandLine.h"
+#include "registration/Commands.h"
 #include "registration/Drivers.h"
 #include "registration/Registration.h"
 #include "window/RunWindow.h"
@@ -8,7 +9,8 @@
 // A first argument that names a subcommand runs without a window; anything else is a file to open in it.
 int main(int argc, char** argv) {
   const handwheel::KindSet kinds(handwheel::registeredKinds());
-  if (handwheel::isCommand(argc, argv))
-    return handwheel::runCommand(argc, argv, {kinds.documents, handwheel::registeredDrivers});
+  const handwheel::Registered registered{kinds.documents, handwheel::registeredCommands(),
+                                         handwheel::registeredDrivers};
+  if (handwheel::isCommand(argc, argv, registered)) return handwheel::runCommand(argc, argv, registered);
   return handwheel::runWindow(argc, argv, kinds, handwheel::registeredDrivers());
 }

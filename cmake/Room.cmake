@@ -14,16 +14,31 @@ function(handwheel_room NAME)
   file(MAKE_DIRECTORY ${include_root})
   file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${include_root}/${NAME} SYMBOLIC)
 
-  add_library(hw_${NAME} SHARED ${ARG_SOURCES})
+  handwheel_library(hw_${NAME} "${ARG_SOURCES}" "${ARG_ROOMS}" "${ARG_PUBLIC}" "${ARG_PRIVATE}")
   target_include_directories(hw_${NAME} PUBLIC ${include_root})
+endfunction()
+
+# handwheel_kind(ROOM KIND SOURCES file... [ROOMS room...] [PUBLIC lib...] [PRIVATE lib...])
+#
+# What a room has for one kind of document: the folder KIND of the room, whose headers are "ROOM/KIND/Header.h", as a
+# library of its own, hw_ROOM_KIND. It links the room; nothing in the room links it.
+function(handwheel_kind ROOM KIND)
+  cmake_parse_arguments(ARG "" "" "SOURCES;ROOMS;PUBLIC;PRIVATE" ${ARGN})
+  list(TRANSFORM ARG_SOURCES PREPEND ${KIND}/)
+  list(PREPEND ARG_ROOMS ${ROOM})
+  handwheel_library(hw_${ROOM}_${KIND} "${ARG_SOURCES}" "${ARG_ROOMS}" "${ARG_PUBLIC}" "${ARG_PRIVATE}")
+endfunction()
+
+function(handwheel_library TARGET SOURCES ROOMS PUBLIC PRIVATE)
+  add_library(${TARGET} SHARED ${SOURCES})
   if(NOT HANDWHEEL_SANITIZE)  # the runtimes of sanitizers are resolved only when the program links
-    target_link_options(hw_${NAME} PRIVATE -Wl,--no-undefined)
+    target_link_options(${TARGET} PRIVATE -Wl,--no-undefined)
   endif()
-  list(TRANSFORM ARG_ROOMS PREPEND hw_)
-  target_link_libraries(hw_${NAME} PUBLIC ${ARG_ROOMS} ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
-  handwheel_warnings(hw_${NAME})
-  set_target_properties(hw_${NAME} PROPERTIES INSTALL_RPATH $ORIGIN)
-  install(TARGETS hw_${NAME} LIBRARY DESTINATION ${HANDWHEEL_LIBRARY_FOLDER})
+  list(TRANSFORM ROOMS PREPEND hw_)
+  target_link_libraries(${TARGET} PUBLIC ${ROOMS} ${PUBLIC} PRIVATE ${PRIVATE})
+  handwheel_warnings(${TARGET})
+  set_target_properties(${TARGET} PROPERTIES INSTALL_RPATH $ORIGIN)
+  install(TARGETS ${TARGET} LIBRARY DESTINATION ${HANDWHEEL_LIBRARY_FOLDER})
 endfunction()
 
 function(handwheel_warnings TARGET)

@@ -193,7 +193,7 @@
         <translation>die Datei ist zu groß (%1 %2, höchstens %3 können geöffnet werden)</translation>
     </message>
     <message>
-        <source>'%1' makes no sense here</source>
+        <source>&apos;%1&apos; makes no sense here</source>
         <translation>„%1“ ergibt hier keinen Sinn</translation>
     </message>
     <message>
@@ -201,7 +201,7 @@
         <translation>%1 wurde erwartet, aber es folgt nichts mehr</translation>
     </message>
     <message>
-        <source>%1 was expected, '%2' was found</source>
+        <source>%1 was expected, &apos;%2&apos; was found</source>
         <translation>%1 wurde erwartet, „%2“ gefunden</translation>
     </message>
     <message>
@@ -233,11 +233,11 @@
         <translation>der Text ist in %1 kodiert, was nicht gelesen werden kann</translation>
     </message>
     <message>
-        <source>'%1' is not a number</source>
+        <source>&apos;%1&apos; is not a number</source>
         <translation>„%1“ ist keine Zahl</translation>
     </message>
     <message>
-        <source>the coordinate '%1' is not a finite number</source>
+        <source>the coordinate &apos;%1&apos; is not a finite number</source>
         <translation>die Koordinate „%1“ ist keine endliche Zahl</translation>
     </message>
     <message>
@@ -265,7 +265,7 @@
         <translation>die Datei widerspricht sich (%1)</translation>
     </message>
     <message>
-        <source>the data type '%1' is not known</source>
+        <source>the data type &apos;%1&apos; is not known</source>
         <translation>der Datentyp „%1“ ist nicht bekannt</translation>
     </message>
     <message>
@@ -289,11 +289,11 @@
         <translation>das Archiv kann nicht gelesen werden (%1)</translation>
     </message>
     <message>
-        <source>the part '%1' is missing</source>
+        <source>the part &apos;%1&apos; is missing</source>
         <translation>der Teil „%1“ fehlt</translation>
     </message>
     <message>
-        <source>the part '%1' is damaged</source>
+        <source>the part &apos;%1&apos; is damaged</source>
         <translation>der Teil „%1“ ist beschädigt</translation>
     </message>
     <message>
@@ -301,15 +301,15 @@
         <translation>die Datei hat Formatversion %1; dieses Programm kennt Versionen bis %2</translation>
     </message>
     <message>
-        <source>the file holds a '%1', a kind of document that this program does not know</source>
+        <source>the file holds a &apos;%1&apos;, a kind of document that this program does not know</source>
         <translation>die Datei enthält „%1“, eine Dokumentart, die dieses Programm nicht kennt</translation>
     </message>
     <message>
-        <source>the element '%1' is malformed: %2</source>
+        <source>the element &apos;%1&apos; is malformed: %2</source>
         <translation>das Element „%1“ ist fehlerhaft: %2</translation>
     </message>
     <message>
-        <source>%1 '%2' is named, but cannot be found</source>
+        <source>%1 &apos;%2&apos; is named, but cannot be found</source>
         <translation>%1 „%2“ wird genannt, ist aber nicht zu finden</translation>
     </message>
     <message>
@@ -457,7 +457,7 @@
         <translation>der Name hat keine Endung, die das Format nennt</translation>
     </message>
     <message>
-        <source>the ending '%1' stands for no format that this can be written in</source>
+        <source>the ending &apos;%1&apos; stands for no format that this can be written in</source>
         <translation>die Endung „%1“ steht für kein Format, in dem dies geschrieben werden kann</translation>
     </message>
     <message>
@@ -477,7 +477,7 @@
         <translation>der Schritt lässt sich nicht ausführen: %1</translation>
     </message>
     <message>
-        <source>'handwheel help edit' lists the steps; loops are numbered as 'handwheel inspect' does.</source>
+        <source>&apos;handwheel help edit&apos; lists the steps; loops are numbered as &apos;handwheel inspect&apos; does.</source>
         <translation>„handwheel help edit“ führt die Schritte auf; Randschleifen sind nummeriert wie von „handwheel inspect“.</translation>
     </message>
 </context>
@@ -604,39 +604,39 @@
         <translation>das Lesen von STEP-Dateien</translation>
     </message>
     <message>
-        <source>the 3MF extension '%1'</source>
+        <source>the 3MF extension &apos;%1&apos;</source>
         <translation>die 3MF-Erweiterung „%1“</translation>
     </message>
     <message>
-        <source>the floating joint '%1', which is held still,</source>
+        <source>the floating joint &apos;%1&apos;, which is held still,</source>
         <translation>das freie Gelenk „%1“, das festgehalten wird,</translation>
     </message>
     <message>
-        <source>the planar joint '%1', which is held still,</source>
+        <source>the planar joint &apos;%1&apos;, which is held still,</source>
         <translation>das ebene Gelenk „%1“, das festgehalten wird,</translation>
     </message>
     <message>
-        <source>the mesh name '%1', which is no file on this machine,</source>
+        <source>the mesh name &apos;%1&apos;, which is no file on this machine,</source>
         <translation>der Netzname „%1“, der keine Datei auf diesem Rechner ist,</translation>
     </message>
     <message>
-        <source>the mesh name '%1', which leads too far away,</source>
+        <source>the mesh name &apos;%1&apos;, which leads too far away,</source>
         <translation>der Netzname „%1“, der zu weit wegführt,</translation>
     </message>
     <message>
-        <source>the mesh name '%1', which leaves its package,</source>
+        <source>the mesh name &apos;%1&apos;, which leaves its package,</source>
         <translation>der Netzname „%1“, der sein Paket verlässt,</translation>
     </message>
     <message>
-        <source>the mesh name '%1', which lies on another machine,</source>
+        <source>the mesh name &apos;%1&apos;, which lies on another machine,</source>
         <translation>der Netzname „%1“, der auf einem anderen Rechner liegt,</translation>
     </message>
     <message>
-        <source>the mesh name '%1', which names no package,</source>
+        <source>the mesh name &apos;%1&apos;, which names no package,</source>
         <translation>der Netzname „%1“, der kein Paket nennt,</translation>
     </message>
     <message>
-        <source>the shape '%1'</source>
+        <source>the shape &apos;%1&apos;</source>
         <translation>die Form „%1“</translation>
     </message>
     <message>
@@ -864,7 +864,7 @@
         <translation>seine Nummer %1 ist vergeben</translation>
     </message>
     <message>
-        <source>its object is of the type 'other'</source>
+        <source>its object is of the type &apos;other&apos;</source>
         <translation>sein Objekt ist vom Typ „other“</translation>
     </message>
     <message>
@@ -880,11 +880,11 @@
         <translation>seine Transformation ist unverständlich</translation>
     </message>
     <message>
-        <source>its type '%1' is not known</source>
+        <source>its type &apos;%1&apos; is not known</source>
         <translation>sein Typ „%1“ ist nicht bekannt</translation>
     </message>
     <message>
-        <source>its unit is '%1'</source>
+        <source>its unit is &apos;%1&apos;</source>
         <translation>seine Einheit ist „%1“</translation>
     </message>
     <message>
@@ -916,7 +916,7 @@
         <translation>eine Geräteliste mit einem Inverse3</translation>
     </message>
     <message>
-        <source>the bootloader's greeting</source>
+        <source>the bootloader&apos;s greeting</source>
         <translation>die Begrüßung des Bootloaders</translation>
     </message>
     <message>
@@ -924,7 +924,7 @@
         <translation>das Echo des ersten Bytes</translation>
     </message>
     <message>
-        <source>the firmware's echo</source>
+        <source>the firmware&apos;s echo</source>
         <translation>das Echo der Firmware</translation>
     </message>
     <message>
@@ -944,11 +944,11 @@
         <translation>es bringt keinen Treiber mit</translation>
     </message>
     <message>
-        <source>there is already a driver '%1'</source>
+        <source>there is already a driver &apos;%1&apos;</source>
         <translation>es gibt schon einen Treiber ‚%1‘</translation>
     </message>
     <message>
-        <source>ticks of the recording '%1'</source>
+        <source>ticks of the recording &apos;%1&apos;</source>
         <translation>Takte der Aufzeichnung „%1“</translation>
     </message>
     <message>
@@ -1454,7 +1454,7 @@
     </message>
 </context>
 <context>
-    <name>KindPlace</name>
+    <name>KindMenus</name>
     <message>
         <source>No document is open.</source>
         <translation>Es ist kein Dokument geöffnet.</translation>
@@ -1672,7 +1672,7 @@
         <translation>%1 Eckpunkte wurden um das kleinstmögliche Maß verschoben, damit die Datei sie nicht verschmilzt.</translation>
     </message>
     <message>
-        <source>The file holds the robot's surfaces as they stand now; it has no joints.</source>
+        <source>The file holds the robot&apos;s surfaces as they stand now; it has no joints.</source>
         <translation>Die Datei enthält die Oberflächen des Roboters in der jetzigen Stellung; Gelenke hat sie keine.</translation>
     </message>
     <message>
@@ -2992,6 +2992,10 @@
         <translation>Trennen, was sich nur berührt</translation>
     </message>
     <message>
+        <source>it would take too long for a mesh of this size</source>
+        <translation>das würde für ein Netz dieser Größe zu lange dauern</translation>
+    </message>
+    <message>
         <source>every step apart would make the surface cross itself</source>
         <translation>jeder Schritt auseinander würde die Fläche sich selbst durchdringen lassen</translation>
     </message>
@@ -4151,6 +4155,10 @@
         <source>Recovering</source>
         <translation>Wiederherstellen</translation>
     </message>
+    <message>
+        <source>Nothing of %1 can be read</source>
+        <translation>In %1 lässt sich nichts lesen</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::FileSaver</name>
@@ -4235,7 +4243,7 @@
     </message>
 </context>
 <context>
-    <name>handwheel::FrameUse</name>
+    <name>handwheel::FrameTiming</name>
     <message>
         <source>Display frame in use: %1 of %2 ms (%3 %)</source>
         <translation>Bildzeit benutzt: %1 von %2 ms (%3 %)</translation>
@@ -5142,6 +5150,73 @@
     </message>
 </context>
 <context>
+    <name>handwheel::RepairDemo</name>
+    <message>
+        <source>&amp;Watch the hand repair a scan</source>
+        <translation>&amp;Zusehen, wie die Hand einen Scan repariert</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>The simulated hand repairs a hole of the sample, by the tools that you have, too</source>
+        <translation>Die simulierte Hand repariert ein Loch des Beispiels, mit den Werkzeugen, die auch Sie haben</translation>
+    </message>
+    <message>
+        <source>The hand opens the sample</source>
+        <translation>Die Hand öffnet das Beispiel</translation>
+    </message>
+    <message>
+        <source>What it does now you can do with a device, or with the mouse.</source>
+        <translation>Was sie jetzt tut, können Sie mit einem Gerät tun oder mit der Maus.</translation>
+    </message>
+    <message>
+        <source>1 of 5: choose the hole</source>
+        <translation>1 von 5: das Loch wählen</translation>
+    </message>
+    <message>
+        <source>Points of the edge draw the tip to them. The first button chooses the hole.</source>
+        <translation>Punkte des Randes ziehen die Spitze an. Die erste Taste wählt das Loch.</translation>
+    </message>
+    <message>
+        <source>2 of 5: smooth its edge</source>
+        <translation>2 von 5: den Rand glätten</translation>
+    </message>
+    <message>
+        <source>Shift+S shows what would become of it. The second button takes it.</source>
+        <translation>Umschalt+S zeigt, was daraus würde. Die zweite Taste übernimmt es.</translation>
+    </message>
+    <message>
+        <source>3 of 5: stitch</source>
+        <translation>3 von 5: nähen</translation>
+    </message>
+    <message>
+        <source>A point is pulled to the one across, like a thread: the longer, the harder. The hole falls into two.</source>
+        <translation>Ein Punkt wird zum gegenüberliegenden gezogen wie ein Faden: je länger, desto schwerer. Das Loch zerfällt in zwei.</translation>
+    </message>
+    <message>
+        <source>4 of 5: fill both parts</source>
+        <translation>4 von 5: beide Teile füllen</translation>
+    </message>
+    <message>
+        <source>The first button shows the patch of a hole, the second puts it in.</source>
+        <translation>Die erste Taste zeigt den Flicken eines Lochs, die zweite setzt ihn ein.</translation>
+    </message>
+    <message>
+        <source>5 of 5: sculpt the patch</source>
+        <translation>5 von 5: den Flicken formen</translation>
+    </message>
+    <message>
+        <source>It is subdivided, and pulled at its coarse level: the fine one follows, as on a spring.</source>
+        <translation>Er wird unterteilt und auf der groben Stufe gezogen: Die feine folgt, wie an einer Feder.</translation>
+    </message>
+    <message>
+        <source>The seam of both patches is smoothed as a part of the whole surface.</source>
+        <translation>Die Naht zwischen beiden Flicken wird als Teil der ganzen Oberfläche geglättet.</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::RepairJobs</name>
     <message>
         <source>Filling hole %1</source>
@@ -5220,73 +5295,6 @@
     </message>
 </context>
 <context>
-    <name>handwheel::RepairShow</name>
-    <message>
-        <source>&amp;Watch the hand repair a scan</source>
-        <translation>&amp;Zusehen, wie die Hand einen Scan repariert</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>Anhalten</translation>
-    </message>
-    <message>
-        <source>The simulated hand repairs a hole of the sample, by the tools that you have, too</source>
-        <translation>Die simulierte Hand repariert ein Loch des Beispiels, mit den Werkzeugen, die auch Sie haben</translation>
-    </message>
-    <message>
-        <source>The hand opens the sample</source>
-        <translation>Die Hand öffnet das Beispiel</translation>
-    </message>
-    <message>
-        <source>What it does now you can do with a device, or with the mouse.</source>
-        <translation>Was sie jetzt tut, können Sie mit einem Gerät tun oder mit der Maus.</translation>
-    </message>
-    <message>
-        <source>1 of 5: choose the hole</source>
-        <translation>1 von 5: das Loch wählen</translation>
-    </message>
-    <message>
-        <source>Points of the edge draw the tip to them. The first button chooses the hole.</source>
-        <translation>Punkte des Randes ziehen die Spitze an. Die erste Taste wählt das Loch.</translation>
-    </message>
-    <message>
-        <source>2 of 5: smooth its edge</source>
-        <translation>2 von 5: den Rand glätten</translation>
-    </message>
-    <message>
-        <source>Shift+S shows what would become of it. The second button takes it.</source>
-        <translation>Umschalt+S zeigt, was daraus würde. Die zweite Taste übernimmt es.</translation>
-    </message>
-    <message>
-        <source>3 of 5: stitch</source>
-        <translation>3 von 5: nähen</translation>
-    </message>
-    <message>
-        <source>A point is pulled to the one across, like a thread: the longer, the harder. The hole falls into two.</source>
-        <translation>Ein Punkt wird zum gegenüberliegenden gezogen wie ein Faden: je länger, desto schwerer. Das Loch zerfällt in zwei.</translation>
-    </message>
-    <message>
-        <source>4 of 5: fill both parts</source>
-        <translation>4 von 5: beide Teile füllen</translation>
-    </message>
-    <message>
-        <source>The first button shows the patch of a hole, the second puts it in.</source>
-        <translation>Die erste Taste zeigt den Flicken eines Lochs, die zweite setzt ihn ein.</translation>
-    </message>
-    <message>
-        <source>5 of 5: sculpt the patch</source>
-        <translation>5 von 5: den Flicken formen</translation>
-    </message>
-    <message>
-        <source>It is subdivided, and pulled at its coarse level: the fine one follows, as on a spring.</source>
-        <translation>Er wird unterteilt und auf der groben Stufe gezogen: Die feine folgt, wie an einer Feder.</translation>
-    </message>
-    <message>
-        <source>The seam of both patches is smoothed as a part of the whole surface.</source>
-        <translation>Die Naht zwischen beiden Flicken wird als Teil der ganzen Oberfläche geglättet.</translation>
-    </message>
-</context>
-<context>
     <name>handwheel::SectionView</name>
     <message>
         <source>Cutting</source>
@@ -5302,29 +5310,6 @@
     <message>
         <source>Searching self-intersections</source>
         <translation>Selbstdurchdringungen werden gesucht</translation>
-    </message>
-</context>
-<context>
-    <name>handwheel::ServiceFigures</name>
-    <message>
-        <source>%1: %2 µs/s</source>
-        <translation>%1: %2 µs/s</translation>
-    </message>
-    <message>
-        <source>%1 µs/s</source>
-        <translation>%1 µs/s</translation>
-    </message>
-    <message>
-        <source>Services: %1</source>
-        <translation>Dienste: %1</translation>
-    </message>
-    <message>
-        <source>No service runs</source>
-        <translation>Es läuft kein Dienst</translation>
-    </message>
-    <message>
-        <source>CPU time that what runs beside the window takes in a second</source>
-        <translation>CPU-Zeit, die das in jeder Sekunde braucht, was neben dem Fenster läuft</translation>
     </message>
 </context>
 <context>
@@ -5364,6 +5349,29 @@
     <message>
         <source>Share</source>
         <translation>Anteil</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ServiceStatistics</name>
+    <message>
+        <source>%1: %2 µs/s</source>
+        <translation>%1: %2 µs/s</translation>
+    </message>
+    <message>
+        <source>%1 µs/s</source>
+        <translation>%1 µs/s</translation>
+    </message>
+    <message>
+        <source>Services: %1</source>
+        <translation>Dienste: %1</translation>
+    </message>
+    <message>
+        <source>No service runs</source>
+        <translation>Es läuft kein Dienst</translation>
+    </message>
+    <message>
+        <source>CPU time that what runs beside the window takes in a second</source>
+        <translation>CPU-Zeit, die das in jeder Sekunde braucht, was neben dem Fenster läuft</translation>
     </message>
 </context>
 <context>
@@ -5701,7 +5709,7 @@
     </message>
 </context>
 <context>
-    <name>handwheel::TickUse</name>
+    <name>handwheel::TickTiming</name>
     <message>
         <source>Servo tick in use: %1 of %2 µs (%3 %)</source>
         <translation>Vom Regeltakt belegt: %1 von %2 µs (%3 %)</translation>

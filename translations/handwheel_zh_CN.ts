@@ -193,7 +193,7 @@
         <translation>文件过大（%1 个%2，最多可打开 %3 个）</translation>
     </message>
     <message>
-        <source>'%1' makes no sense here</source>
+        <source>&apos;%1&apos; makes no sense here</source>
         <translation>“%1”在此处没有意义</translation>
     </message>
     <message>
@@ -201,7 +201,7 @@
         <translation>应为 %1，但后面没有内容</translation>
     </message>
     <message>
-        <source>%1 was expected, '%2' was found</source>
+        <source>%1 was expected, &apos;%2&apos; was found</source>
         <translation>应为 %1，却是“%2”</translation>
     </message>
     <message>
@@ -233,11 +233,11 @@
         <translation>文本采用 %1 编码，无法读取</translation>
     </message>
     <message>
-        <source>'%1' is not a number</source>
+        <source>&apos;%1&apos; is not a number</source>
         <translation>“%1”不是数字</translation>
     </message>
     <message>
-        <source>the coordinate '%1' is not a finite number</source>
+        <source>the coordinate &apos;%1&apos; is not a finite number</source>
         <translation>坐标“%1”不是有限数</translation>
     </message>
     <message>
@@ -265,7 +265,7 @@
         <translation>文件内容自相矛盾（%1）</translation>
     </message>
     <message>
-        <source>the data type '%1' is not known</source>
+        <source>the data type &apos;%1&apos; is not known</source>
         <translation>未知的数据类型“%1”</translation>
     </message>
     <message>
@@ -289,11 +289,11 @@
         <translation>无法读取压缩包（%1）</translation>
     </message>
     <message>
-        <source>the part '%1' is missing</source>
+        <source>the part &apos;%1&apos; is missing</source>
         <translation>缺少部分“%1”</translation>
     </message>
     <message>
-        <source>the part '%1' is damaged</source>
+        <source>the part &apos;%1&apos; is damaged</source>
         <translation>部分“%1”已损坏</translation>
     </message>
     <message>
@@ -301,15 +301,15 @@
         <translation>文件格式版本为 %1；本程序最高支持版本 %2</translation>
     </message>
     <message>
-        <source>the file holds a '%1', a kind of document that this program does not know</source>
+        <source>the file holds a &apos;%1&apos;, a kind of document that this program does not know</source>
         <translation>文件包含“%1”，本程序不认识这种文档类型</translation>
     </message>
     <message>
-        <source>the element '%1' is malformed: %2</source>
+        <source>the element &apos;%1&apos; is malformed: %2</source>
         <translation>元素“%1”有误：%2</translation>
     </message>
     <message>
-        <source>%1 '%2' is named, but cannot be found</source>
+        <source>%1 &apos;%2&apos; is named, but cannot be found</source>
         <translation>引用了%1“%2”，但找不到</translation>
     </message>
     <message>
@@ -457,7 +457,7 @@
         <translation>名称没有表明格式的扩展名</translation>
     </message>
     <message>
-        <source>the ending '%1' stands for no format that this can be written in</source>
+        <source>the ending &apos;%1&apos; stands for no format that this can be written in</source>
         <translation>扩展名“%1”不是可写入的格式</translation>
     </message>
     <message>
@@ -477,7 +477,7 @@
         <translation>无法执行该步骤：%1</translation>
     </message>
     <message>
-        <source>'handwheel help edit' lists the steps; loops are numbered as 'handwheel inspect' does.</source>
+        <source>&apos;handwheel help edit&apos; lists the steps; loops are numbered as &apos;handwheel inspect&apos; does.</source>
         <translation>“handwheel help edit”列出所有步骤；边界环的编号与“handwheel inspect”相同。</translation>
     </message>
 </context>
@@ -604,39 +604,39 @@
         <translation>读取 STEP 文件</translation>
     </message>
     <message>
-        <source>the 3MF extension '%1'</source>
+        <source>the 3MF extension &apos;%1&apos;</source>
         <translation>3MF 扩展“%1”</translation>
     </message>
     <message>
-        <source>the floating joint '%1', which is held still,</source>
+        <source>the floating joint &apos;%1&apos;, which is held still,</source>
         <translation>浮动关节“%1”（已固定）</translation>
     </message>
     <message>
-        <source>the planar joint '%1', which is held still,</source>
+        <source>the planar joint &apos;%1&apos;, which is held still,</source>
         <translation>平面关节“%1”（已固定）</translation>
     </message>
     <message>
-        <source>the mesh name '%1', which is no file on this machine,</source>
+        <source>the mesh name &apos;%1&apos;, which is no file on this machine,</source>
         <translation>网格名“%1”（不是本机文件）</translation>
     </message>
     <message>
-        <source>the mesh name '%1', which leads too far away,</source>
+        <source>the mesh name &apos;%1&apos;, which leads too far away,</source>
         <translation>网格名“%1”（路径过远）</translation>
     </message>
     <message>
-        <source>the mesh name '%1', which leaves its package,</source>
+        <source>the mesh name &apos;%1&apos;, which leaves its package,</source>
         <translation>网格名“%1”（超出所属软件包）</translation>
     </message>
     <message>
-        <source>the mesh name '%1', which lies on another machine,</source>
+        <source>the mesh name &apos;%1&apos;, which lies on another machine,</source>
         <translation>网格名“%1”（位于其他机器）</translation>
     </message>
     <message>
-        <source>the mesh name '%1', which names no package,</source>
+        <source>the mesh name &apos;%1&apos;, which names no package,</source>
         <translation>网格名“%1”（未指明软件包）</translation>
     </message>
     <message>
-        <source>the shape '%1'</source>
+        <source>the shape &apos;%1&apos;</source>
         <translation>形状“%1”</translation>
     </message>
     <message>
@@ -864,7 +864,7 @@
         <translation>编号 %1 已被占用</translation>
     </message>
     <message>
-        <source>its object is of the type 'other'</source>
+        <source>its object is of the type &apos;other&apos;</source>
         <translation>其对象类型为“other”</translation>
     </message>
     <message>
@@ -880,11 +880,11 @@
         <translation>无法理解其变换</translation>
     </message>
     <message>
-        <source>its type '%1' is not known</source>
+        <source>its type &apos;%1&apos; is not known</source>
         <translation>类型“%1”未知</translation>
     </message>
     <message>
-        <source>its unit is '%1'</source>
+        <source>its unit is &apos;%1&apos;</source>
         <translation>单位为“%1”</translation>
     </message>
     <message>
@@ -916,7 +916,7 @@
         <translation>包含 Inverse3 的设备清单</translation>
     </message>
     <message>
-        <source>the bootloader's greeting</source>
+        <source>the bootloader&apos;s greeting</source>
         <translation>引导程序的问候</translation>
     </message>
     <message>
@@ -924,7 +924,7 @@
         <translation>第一个字节的回显</translation>
     </message>
     <message>
-        <source>the firmware's echo</source>
+        <source>the firmware&apos;s echo</source>
         <translation>固件的回显</translation>
     </message>
     <message>
@@ -944,11 +944,11 @@
         <translation>其中没有驱动程序</translation>
     </message>
     <message>
-        <source>there is already a driver '%1'</source>
+        <source>there is already a driver &apos;%1&apos;</source>
         <translation>已有驱动程序“%1”</translation>
     </message>
     <message>
-        <source>ticks of the recording '%1'</source>
+        <source>ticks of the recording &apos;%1&apos;</source>
         <translation>录制“%1”的周期</translation>
     </message>
     <message>
@@ -1454,7 +1454,7 @@
     </message>
 </context>
 <context>
-    <name>KindPlace</name>
+    <name>KindMenus</name>
     <message>
         <source>No document is open.</source>
         <translation>没有打开的文档。</translation>
@@ -1659,7 +1659,7 @@
         <translation>%1 个顶点已作最小幅度的移动，以免它们在文件中被焊接。</translation>
     </message>
     <message>
-        <source>The file holds the robot's surfaces as they stand now; it has no joints.</source>
+        <source>The file holds the robot&apos;s surfaces as they stand now; it has no joints.</source>
         <translation>文件只包含机器人当前姿态的表面，没有关节。</translation>
     </message>
     <message>
@@ -2967,6 +2967,10 @@
         <translation>分开仅相接触之处</translation>
     </message>
     <message>
+        <source>it would take too long for a mesh of this size</source>
+        <translation>对于这样大小的网格，这会花费太长时间</translation>
+    </message>
+    <message>
         <source>every step apart would make the surface cross itself</source>
         <translation>任何分开的移动都会使曲面自相交</translation>
     </message>
@@ -4120,6 +4124,10 @@
         <source>Recovering</source>
         <translation>恢复</translation>
     </message>
+    <message>
+        <source>Nothing of %1 can be read</source>
+        <translation>无法读取 %1 中的任何内容</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::FileSaver</name>
@@ -4204,7 +4212,7 @@
     </message>
 </context>
 <context>
-    <name>handwheel::FrameUse</name>
+    <name>handwheel::FrameTiming</name>
     <message>
         <source>Display frame in use: %1 of %2 ms (%3 %)</source>
         <translation>显示帧用时：%2 毫秒中的 %1 毫秒（%3 %）</translation>
@@ -5104,6 +5112,73 @@
     </message>
 </context>
 <context>
+    <name>handwheel::RepairDemo</name>
+    <message>
+        <source>&amp;Watch the hand repair a scan</source>
+        <translation>观看手修复扫描件(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>The simulated hand repairs a hole of the sample, by the tools that you have, too</source>
+        <translation>模拟手用您也有的工具修复示例中的一个孔</translation>
+    </message>
+    <message>
+        <source>The hand opens the sample</source>
+        <translation>手打开示例</translation>
+    </message>
+    <message>
+        <source>What it does now you can do with a device, or with the mouse.</source>
+        <translation>它现在做的，您用设备或鼠标都可以做。</translation>
+    </message>
+    <message>
+        <source>1 of 5: choose the hole</source>
+        <translation>第 1 步，共 5 步：选择孔</translation>
+    </message>
+    <message>
+        <source>Points of the edge draw the tip to them. The first button chooses the hole.</source>
+        <translation>边缘的点会吸引尖端。第一个按钮选择孔。</translation>
+    </message>
+    <message>
+        <source>2 of 5: smooth its edge</source>
+        <translation>第 2 步，共 5 步：平滑边缘</translation>
+    </message>
+    <message>
+        <source>Shift+S shows what would become of it. The second button takes it.</source>
+        <translation>Shift+S 显示结果，第二个按钮采用。</translation>
+    </message>
+    <message>
+        <source>3 of 5: stitch</source>
+        <translation>第 3 步，共 5 步：缝合</translation>
+    </message>
+    <message>
+        <source>A point is pulled to the one across, like a thread: the longer, the harder. The hole falls into two.</source>
+        <translation>像拉线一样把一点拉到对面的点：越长越费力。孔被分成两个。</translation>
+    </message>
+    <message>
+        <source>4 of 5: fill both parts</source>
+        <translation>第 4 步，共 5 步：填补两部分</translation>
+    </message>
+    <message>
+        <source>The first button shows the patch of a hole, the second puts it in.</source>
+        <translation>第一个按钮显示孔的补片，第二个按钮放入补片。</translation>
+    </message>
+    <message>
+        <source>5 of 5: sculpt the patch</source>
+        <translation>第 5 步，共 5 步：雕塑补片</translation>
+    </message>
+    <message>
+        <source>It is subdivided, and pulled at its coarse level: the fine one follows, as on a spring.</source>
+        <translation>补片被细分，在粗糙层上拉动：细层随之而动，像在弹簧上一样。</translation>
+    </message>
+    <message>
+        <source>The seam of both patches is smoothed as a part of the whole surface.</source>
+        <translation>两块补片之间的接缝作为整个表面的一部分被平滑。</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::RepairJobs</name>
     <message>
         <source>Filling hole %1</source>
@@ -5181,73 +5256,6 @@
     </message>
 </context>
 <context>
-    <name>handwheel::RepairShow</name>
-    <message>
-        <source>&amp;Watch the hand repair a scan</source>
-        <translation>观看手修复扫描件(&amp;W)</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>停止</translation>
-    </message>
-    <message>
-        <source>The simulated hand repairs a hole of the sample, by the tools that you have, too</source>
-        <translation>模拟手用您也有的工具修复示例中的一个孔</translation>
-    </message>
-    <message>
-        <source>The hand opens the sample</source>
-        <translation>手打开示例</translation>
-    </message>
-    <message>
-        <source>What it does now you can do with a device, or with the mouse.</source>
-        <translation>它现在做的，您用设备或鼠标都可以做。</translation>
-    </message>
-    <message>
-        <source>1 of 5: choose the hole</source>
-        <translation>第 1 步，共 5 步：选择孔</translation>
-    </message>
-    <message>
-        <source>Points of the edge draw the tip to them. The first button chooses the hole.</source>
-        <translation>边缘的点会吸引尖端。第一个按钮选择孔。</translation>
-    </message>
-    <message>
-        <source>2 of 5: smooth its edge</source>
-        <translation>第 2 步，共 5 步：平滑边缘</translation>
-    </message>
-    <message>
-        <source>Shift+S shows what would become of it. The second button takes it.</source>
-        <translation>Shift+S 显示结果，第二个按钮采用。</translation>
-    </message>
-    <message>
-        <source>3 of 5: stitch</source>
-        <translation>第 3 步，共 5 步：缝合</translation>
-    </message>
-    <message>
-        <source>A point is pulled to the one across, like a thread: the longer, the harder. The hole falls into two.</source>
-        <translation>像拉线一样把一点拉到对面的点：越长越费力。孔被分成两个。</translation>
-    </message>
-    <message>
-        <source>4 of 5: fill both parts</source>
-        <translation>第 4 步，共 5 步：填补两部分</translation>
-    </message>
-    <message>
-        <source>The first button shows the patch of a hole, the second puts it in.</source>
-        <translation>第一个按钮显示孔的补片，第二个按钮放入补片。</translation>
-    </message>
-    <message>
-        <source>5 of 5: sculpt the patch</source>
-        <translation>第 5 步，共 5 步：雕塑补片</translation>
-    </message>
-    <message>
-        <source>It is subdivided, and pulled at its coarse level: the fine one follows, as on a spring.</source>
-        <translation>补片被细分，在粗糙层上拉动：细层随之而动，像在弹簧上一样。</translation>
-    </message>
-    <message>
-        <source>The seam of both patches is smoothed as a part of the whole surface.</source>
-        <translation>两块补片之间的接缝作为整个表面的一部分被平滑。</translation>
-    </message>
-</context>
-<context>
     <name>handwheel::SectionView</name>
     <message>
         <source>Cutting</source>
@@ -5263,29 +5271,6 @@
     <message>
         <source>Searching self-intersections</source>
         <translation>正在查找自相交</translation>
-    </message>
-</context>
-<context>
-    <name>handwheel::ServiceFigures</name>
-    <message>
-        <source>%1: %2 µs/s</source>
-        <translation>%1：%2 µs/s</translation>
-    </message>
-    <message>
-        <source>%1 µs/s</source>
-        <translation>%1 µs/s</translation>
-    </message>
-    <message>
-        <source>Services: %1</source>
-        <translation>服务：%1</translation>
-    </message>
-    <message>
-        <source>No service runs</source>
-        <translation>没有服务在运行</translation>
-    </message>
-    <message>
-        <source>CPU time that what runs beside the window takes in a second</source>
-        <translation>窗口之外运行的服务每秒占用的 CPU 时间</translation>
     </message>
 </context>
 <context>
@@ -5325,6 +5310,29 @@
     <message>
         <source>Share</source>
         <translation>占比</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ServiceStatistics</name>
+    <message>
+        <source>%1: %2 µs/s</source>
+        <translation>%1：%2 µs/s</translation>
+    </message>
+    <message>
+        <source>%1 µs/s</source>
+        <translation>%1 µs/s</translation>
+    </message>
+    <message>
+        <source>Services: %1</source>
+        <translation>服务：%1</translation>
+    </message>
+    <message>
+        <source>No service runs</source>
+        <translation>没有服务在运行</translation>
+    </message>
+    <message>
+        <source>CPU time that what runs beside the window takes in a second</source>
+        <translation>窗口之外运行的服务每秒占用的 CPU 时间</translation>
     </message>
 </context>
 <context>
@@ -5655,7 +5663,7 @@
     </message>
 </context>
 <context>
-    <name>handwheel::TickUse</name>
+    <name>handwheel::TickTiming</name>
     <message>
         <source>Servo tick in use: %1 of %2 µs (%3 %)</source>
         <translation>伺服节拍占用：%2 µs 中的 %1 µs（%3 %）</translation>

@@ -11,43 +11,47 @@
 
 namespace handwheel {
 
+// One option of a command.
 struct OptionSpec {
   std::string_view name;   // without the dashes
   char letter = 0;         // short form, 0: none
-  std::string_view value;  // what follows, for the help; empty: nothing follows
+  std::string_view value;  // name of its value in the help; empty: the option takes no value
   std::string_view help;
 };
 
-// What one command takes. The parser and the help page are both made from it.
+// The syntax of one command. The parser and the help page are both made from it.
 struct CommandSpec {
   std::string_view name;
-  std::string_view operands;  // separated by blanks, as the help shows them; all are required but a last "[…...]"
+  std::string_view operands;  // separated by spaces, as the help shows them; all are required but a last "[…...]"
   std::string_view summary;
   std::vector<OptionSpec> options;
 };
 
-// Words of a command line, sorted out. Kept as bytes, so that any file name is possible.
+// The parsed words of a command line. Kept as bytes, so that any file name is possible.
 struct Arguments {
   std::vector<std::string> operands;
   std::multimap<std::string, std::string, std::less<>> options;  // by long name; an empty value for those without one
-  std::string problem;                                           // a sentence when the words do not fit; else empty
+  std::string problem;  // a sentence when the words do not match the syntax; else empty
 
   bool has(std::string_view name) const { return options.contains(name); }
   std::string valueOf(std::string_view name) const;  // the last one given; empty when none was
   std::vector<std::string> valuesOf(std::string_view name) const;
 };
 
-// The whole word as a number, in any locale; for doubles also "inf" and "nan". False when it is none.
+// Parses a whole word as a number, independent of the locale. For doubles also "inf" and "nan". Returns false when it
+// is not one.
 template <class Number>
 bool readNumber(std::string_view word, Number& value) {
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   return error == std::errc() && end == word.data() + word.size();
 }
 
-// "--name value", "--name=value", "-n value", "-nvalue"; "--" ends the options.
+// Parses the words of a command. Accepts "--name value", "--name=value", "-n value", "-nvalue"; "--" ends the options.
 Arguments parseArguments(const CommandSpec& command, std::span<char* const> words);
 
+// One line with the syntax of the command.
 std::string usageLine(const CommandSpec& command);
+// The text that --help prints; details are inserted before the options.
 std::string helpPage(const CommandSpec& command, const std::string& details = {});
 
 }  // namespace handwheel

@@ -47,9 +47,9 @@ std::string readableText(const CalibrationRun& run) {
   std::string text = "Machine: " + run.calibration.machine + "\n";
   if (run.kept) text += "Kept in: " + run.file.string() + "\n";
   text += "\nCost here in the worst case, at the presets and at the default\n";
-  std::vector<TextRow> rows{{"setting", "unit", "draft", "balanced", "exact", "default"}};
+  std::vector<TableRow> rows{{"setting", "unit", "draft", "balanced", "exact", "default"}};
   for (const MeasuredSetting& m : run.measured) {
-    TextRow row{m.setting.id, m.setting.cost.unit};
+    TableRow row{m.setting.id, m.setting.cost.unit};
     for (const FidelityPreset preset : kFidelityPresets) row.push_back(costText(m, m.setting.presetValue(preset)));
     row.push_back(costText(m, m.setting.standard));
     rows.push_back(row);

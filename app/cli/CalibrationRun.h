@@ -7,22 +7,23 @@
 
 namespace handwheel {
 
-// What was measured of this machine, as the button of the window does it.
+// The result of a calibration, the same that the button in the window performs.
 struct CalibrationRun {
-  std::filesystem::path file;  // where the window finds it
-  Calibration calibration;     // with what was there before of settings that were not measured now
+  std::filesystem::path file;  // from which the window loads it
+  Calibration calibration;     // settings that were not measured now keep their earlier measurements
   std::vector<MeasuredSetting> measured;
-  std::size_t wanted = 0;  // settings: more than were measured where the time was up
-  Status kept = Done{};    // why the file was not written, if it was not
+  std::size_t wanted = 0;  // number of settings; more than were measured when the time limit was reached
+  Status kept = Done{};    // whether the file was written, and why not
 };
 
-// Measures these settings, which are machineDependent(), one after another and keeps what it has after each; begins
-// with none any more after kLongestCalibration. Errors: Cancelled; then what was measured by then is kept.
+// Measures these settings one after another and stores the results after each. All must be machineDependent(). After
+// kLongestCalibration no further measurement is started. Errors: Cancelled; what was measured before that is kept.
 Result<CalibrationRun> calibrateMachine(const FidelityRegistry& registry,
                                         const std::vector<const FidelityRegistry::Entry*>& entries, Progress progress);
 
-// What presets cost here; the ticks of the servo loop.
+// The results as text: costs of the presets, and ticks of the servo loop.
 std::string readableText(const CalibrationRun& run);
+// The same as JSON.
 nlohmann::ordered_json toJson(const CalibrationRun& run);
 
 }  // namespace handwheel

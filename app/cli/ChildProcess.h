@@ -12,48 +12,49 @@
 
 namespace handwheel {
 
-// The program that is running, for starting it again.
+// Path of the running executable, for starting it again.
 std::string ownProgram();
 
-// Runs a program found along PATH, with our output and our stderr, and waits for it. It holds the end of a pipe that
-// closes when a signal comes or we end, however that comes; this program ends then, also below others such as xvfb-run,
-// which so tidy up behind it. Those that do not are ended. Returns its exit code, 127 when there is no such program,
-// 128 + n when signal n ended it.
+// Runs a program found along PATH and waits for it. It shares our stdout and stderr. It holds the end of a pipe that
+// closes when a signal arrives or this process ends, for whatever reason; a program that called endWithParent() then
+// ends, also when it runs below others such as xvfb-run, which can thus clean up after it. Those that do not end are
+// killed. Returns its exit code, 127 when there is no such program, 128 + n when signal n ended it.
 int runChild(const std::vector<std::string>& words);
 
-// In a program that runChild() of another started, even by way of others: its end comes as SIGTERM from now on. To be
-// called after watchSignals(). Does nothing in others.
+// Makes the end of the parent process arrive as SIGTERM from now on. For a program that runChild() of another one
+// started, even indirectly; does nothing in others. To be called after watchSignals().
 void endWithParent();
 
-// A program that runs beside us and whose words we keep. It belongs to our process group, so that the terminal's keys
-// reach it too; it is told to end when we end, however that comes. Where memory runs out the system ends it before us.
+// A child process that runs in parallel and whose output is captured. It belongs to our process group, so that the
+// terminal's keys reach it too; it is asked to end when we end, however that comes. When memory runs out the system
+// kills it before us.
 class ChildProcess {
  public:
-  // The program by its path. Null: errno says why.
+  // Starts a program given by its path. Returns null on failure; errno then has the reason.
   static std::unique_ptr<ChildProcess> start(const std::vector<std::string>& words);
-  ~ChildProcess();  // ends it at once
+  ~ChildProcess();  // kills it at once
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  // Takes in what it has said, and says whether it has ended. Never waits.
+  // Reads its pending output and returns whether it has ended. Never blocks.
   bool hasEnded();
   void send(int signal);
 
-  // Once it has ended, as runChild() gives it.
+  // The exit code once it has ended, as runChild() returns it.
   int code() const { return m_code; }
   // The first 64 KiB that it wrote to its output, the last 64 KiB of its stderr.
   const std::string& output() const { return m_output; }
   const std::string& errors() const { return m_errors; }
 
-  // Returns when one of them has something to say, a signal comes, or the time is over.
+  // Waits until one of them has written output, a signal arrives, or the time is over.
   static void wait(std::span<const std::unique_ptr<ChildProcess>> children, std::chrono::milliseconds time);
 
  private:
   ChildProcess(pid_t process, std::array<int, 2> pipes) : m_process(process), m_pipes(pipes) {}
   void listen();
 
-  pid_t m_process;             // 0 once it has been waited for
-  std::array<int, 2> m_pipes;  // from its output and its stderr; -1 where they have ended
+  pid_t m_process;             // 0 once its exit status has been collected
+  std::array<int, 2> m_pipes;  // from its stdout and stderr; -1 once they are closed
   int m_code = 0;
   std::string m_output, m_errors;
 };

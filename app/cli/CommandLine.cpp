@@ -3,22 +3,15 @@
 #include "cli/CommandLine.h"
 
 #include "cli/ChildProcess.h"
-#include "cli/CompareCommand.h"
 #include "cli/ConvertCommand.h"
-#include "cli/DecimateCommand.h"
 #include "cli/DevicesCommand.h"
-#include "cli/EditSteps.h"
-#include "cli/FeelCommand.h"
 #include "cli/InspectCommand.h"
 #include "cli/Interrupt.h"
 #include "cli/MeasureCommand.h"
 #include "cli/Messages.h"
 #include "cli/Picture.h"
 #include "cli/RecordingCommand.h"
-#include "cli/RepairCommand.h"
-#include "cli/SectionCommand.h"
 #include "cli/SetCommand.h"
-#include "cli/ShellCommands.h"
 #include "text/EnglishPlurals.h"
 
 #include <fcntl.h>
@@ -33,20 +26,10 @@
 #include <new>
 #include <stdexcept>
 #include <system_error>
-#include <variant>
 
 namespace handwheel {
 
 namespace {
-
-struct Command {
-  using OnDocuments = int (*)(const Arguments&, const DocumentKinds&);
-  using OnAll = int (*)(const Arguments&, const Registered&);
-
-  CommandSpec spec;
-  std::variant<OnDocuments, OnAll> run;
-  std::string (*details)(const DocumentKinds&) = nullptr;  // what its help says of the kinds
-};
 
 int runOnDevices(const Arguments& arguments, const Registered& registered) {
   return runDevices(arguments, registered.drivers());
@@ -96,15 +79,19 @@ int runWithinMemory(const Command& command, const Arguments& arguments, const Re
   }
 }
 
-std::vector<Command> commands() {
-  return {
-      {inspectSpec(), runInspect}, {repairSpec(), runRepair},       {convertSpec(), runConvert, convertDetails},
-      {pictureSpec(), runPicture}, {newSpec(), runNew, newDetails}, {setSpec(), runSet},
-      {measureSpec(), runMeasure}, {compareSpec(), runCompare},     {decimateSpec(), runDecimate},
-      {splitSpec(), runSplit},     {mergeSpec(), runMerge},         {devicesSpec(), runOnDevices},
-      {sectionSpec(), runSection}, {feelSpec(), runFeel},           {recordingSpec(), runRecording},
-      {editSpec(), runEdit},
+bool plots(std::span<char* const> words) {
+  return std::any_of(words.begin(), words.end(), [](std::string_view word) { return word.starts_with("--plot"); });
+}
+
+std::vector<Command> allCommands(const Registered& registered) {
+  std::vector<Command> all{
+      {inspectSpec(), runInspect},   {convertSpec(), runConvert, convertDetails},
+      {pictureSpec(), runPicture},   {newSpec(), runNew, newDetails},
+      {setSpec(), runSet},           {measureSpec(), runMeasure, nullptr, plots},
+      {devicesSpec(), runOnDevices}, {recordingSpec(), runRecording},
   };
+  all.insert(all.end(), registered.commands.begin(), registered.commands.end());
+  return all;
 }
 
 const Command* find(const std::vector<Command>& all, std::string_view name) {
@@ -118,13 +105,13 @@ std::string_view firstSentence(std::string_view text) {
   return end == std::string_view::npos ? text : text.substr(0, end + 1);
 }
 
-std::string overview() {
+std::string overview(const Registered& registered) {
   std::string page =
       "Handwheel repairs scanned meshes, and prepares workpieces and robot cells.\n\n"
       "Usage: handwheel [--dark] [--screenshot PNG] [FILE...]   opens the window, or draws it and quits\n"
       "       handwheel COMMAND [...]                           works without it\n\n"
       "Commands:\n";
-  for (const Command& command : commands()) {
+  for (const Command& command : allCommands(registered)) {
     const std::string name(command.spec.name);
     page += "  " + name + std::string(11 - name.size(), ' ') + std::string(firstSentence(command.spec.summary)) + "\n";
   }
@@ -138,8 +125,8 @@ int helpOn(const Command& command, const Registered& registered) {
 }
 
 int help(std::span<char* const> words, const Registered& registered) {
-  if (words.empty()) return print(overview());
-  const std::vector<Command> all = commands();
+  if (words.empty()) return print(overview(registered));
+  const std::vector<Command> all = allCommands(registered);
   const Command* command = find(all, words[0]);
   if (!command) return failUsage("There is no command " + std::string(words[0]) + ".", {});
   return helpOn(*command, registered);
@@ -170,7 +157,7 @@ int dispatch(std::span<char* const> words, const Registered& registered) {
   const std::span<char* const> rest = words.subspan(1);
   if (isHelpWord(first)) return help(rest, registered);
   if (first == "--version") return print("Handwheel " HANDWHEEL_VERSION "\n");
-  const std::vector<Command> all = commands();
+  const std::vector<Command> all = allCommands(registered);
   const Command* command = find(all, first);
   if (!command)
     return failUsage(
@@ -182,15 +169,15 @@ int dispatch(std::span<char* const> words, const Registered& registered) {
   return runWithinMemory(*command, arguments, registered);
 }
 
-bool needsFonts(std::span<char* const> words) {
-  const auto any = [&](auto holds) { return std::any_of(words.begin() + 1, words.end(), holds); };
-  if (words[0] == measureSpec().name) return any([](std::string_view word) { return word.starts_with("--plot"); });
-  return words[0] == compareSpec().name && any([](std::string_view word) { return word.ends_with(".pdf"); });
+bool needsFonts(std::span<char* const> words, const Registered& registered) {
+  const std::vector<Command> all = allCommands(registered);
+  const Command* command = find(all, words[0]);
+  return command && command->needsFonts && command->needsFonts(words.subspan(1));
 }
 
 // Plots and printed pages need fonts, and so a QGuiApplication; it needs no display.
-std::unique_ptr<QCoreApplication> makeApplication(int& argc, char** argv) {
-  if (!needsFonts(std::span<char* const>(argv, static_cast<std::size_t>(argc)).subspan(1))) {
+std::unique_ptr<QCoreApplication> makeApplication(int& argc, char** argv, const Registered& registered) {
+  if (!needsFonts(std::span<char* const>(argv, static_cast<std::size_t>(argc)).subspan(1), registered)) {
     return std::make_unique<QCoreApplication>(argc, argv);
   }
   qputenv("QT_QPA_PLATFORM", "offscreen");
@@ -211,9 +198,10 @@ void occupyClosedStreams() {
 
 }  // namespace
 
-bool isCommand(int argc, char** argv) {
+bool isCommand(int argc, char** argv, const Registered& registered) {
   if (argc < 2) return false;
-  return isHelpWord(argv[1]) || find(commands(), argv[1]) || !isForWindow(argv[1]) || isMistypedCommand(argv[1]);
+  return isHelpWord(argv[1]) || find(allCommands(registered), argv[1]) || !isForWindow(argv[1]) ||
+         isMistypedCommand(argv[1]);
 }
 
 int runCommand(int argc, char** argv, const Registered& registered) {
@@ -221,7 +209,7 @@ int runCommand(int argc, char** argv, const Registered& registered) {
   watchSignals();
   endWithParent();
   try {
-    const std::unique_ptr<QCoreApplication> application = makeApplication(argc, argv);
+    const std::unique_ptr<QCoreApplication> application = makeApplication(argc, argv, registered);
     QCoreApplication::setOrganizationName(QStringLiteral("Handwheel"));  // what the window keeps is found by these
     QCoreApplication::setApplicationName(QStringLiteral("Handwheel"));
     EnglishPlurals plurals;

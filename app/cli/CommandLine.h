@@ -2,23 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "document/DocumentKind.h"
-#include "haptics/Device.h"
-
-#include <functional>
+#include "cli/Command.h"
 
 namespace handwheel {
 
-// What the program has registered, as far as the commands need it.
-struct Registered {
-  const DocumentKinds& kinds;
-  std::function<std::vector<std::unique_ptr<DeviceDriver>>()> drivers;  // makes those of the program itself
-};
-
 // True when the first argument is a subcommand or asks for help or the version.
-bool isCommand(int argc, char** argv);
+bool isCommand(int argc, char** argv, const Registered& registered);
 
-// Runs it. Exit code 0: done; 2: repaired, but something is left; 1: error, told on stderr.
+// Runs the command. Exit code 0: success; 2: repaired, but defects remain; 1: error, reported on stderr.
 int runCommand(int argc, char** argv, const Registered& registered);
 
 }  // namespace handwheel

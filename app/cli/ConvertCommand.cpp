@@ -5,7 +5,7 @@
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
-#include "document/mesh/MeshExport.h"
+#include "document/formats/MeshExport.h"
 #include "document/mesh/MeshKind.h"
 #include "text/NoteText.h"
 
@@ -96,7 +96,7 @@ std::string convertDetails(const DocumentKinds& kinds) {
   std::string lines = "Endings:\n";
   for (const auto& kind : kinds.all()) {
     lines += "  of a " + kind->id() + ":";
-    for (const std::string& ending : writtenEndings(*kind)) lines += " " + ending;
+    for (const std::string& ending : writtenEndings(kind->formats())) lines += " " + ending;
     lines += "\n";
   }
   return lines;
@@ -104,7 +104,7 @@ std::string convertDetails(const DocumentKinds& kinds) {
 
 int runConvert(const Arguments& arguments, const DocumentKinds& kinds) {
   std::optional<Result<Conversion>> result;
-  runInterruptible("Converting", [&](Job& job) {
+  runInterruptible("Converting", [&](CommandJob& job) {
     result = convert(arguments.operands[0], arguments.operands[1], arguments.has("partial"), kinds, job.progress());
   });
   if (!*result) return fail(result->error());

@@ -7,8 +7,9 @@
 
 namespace handwheel {
 
+// Syntax of "handwheel convert", which writes a document in another format.
 CommandSpec convertSpec();
-// What can be written of each kind, as lines of the help.
+// The formats that each kind can be written in, as lines of the help page.
 std::string convertDetails(const DocumentKinds& kinds);
 int runConvert(const Arguments& arguments, const DocumentKinds& kinds);
 

@@ -5,8 +5,8 @@
 #include "base/NumberText.h"
 #include "cli/Messages.h"
 #include "cli/ReportJson.h"
-#include "haptics/MouseDevice.h"
-#include "haptics/SimulatedDevice.h"
+#include "haptics/device/MouseDevice.h"
+#include "haptics/device/SimulatedDevice.h"
 
 namespace handwheel {
 

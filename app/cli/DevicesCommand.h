@@ -7,8 +7,9 @@
 
 namespace handwheel {
 
+// Syntax of "handwheel devices", which lists the connected haptic and pointing devices.
 CommandSpec devicesSpec();
-// drivers: those of the program itself.
+// Runs it. drivers: the built-in ones.
 int runDevices(const Arguments& arguments, std::vector<std::unique_ptr<DeviceDriver>> drivers);
 
 }  // namespace handwheel

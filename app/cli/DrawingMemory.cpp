@@ -38,11 +38,11 @@ bool fits(std::size_t bytes) {
 
 // Bytes that the system has left before it must end a program; all when it does not say.
 std::size_t systemMemory() {
-  std::ifstream figures("/proc/meminfo");
+  std::ifstream statistics("/proc/meminfo");
   std::size_t kibibytes = 0, sum = 0;
   std::string name, rest;
   bool isKnown = false;
-  while (figures >> name >> kibibytes && std::getline(figures, rest)) {
+  while (statistics >> name >> kibibytes && std::getline(statistics, rest)) {
     if (name != "MemAvailable:" && name != "SwapFree:") continue;
     isKnown = isKnown || name == "MemAvailable:";
     sum += kibibytes << 10;

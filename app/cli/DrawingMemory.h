@@ -7,13 +7,14 @@
 
 namespace handwheel {
 
-// Whether drawing a mesh of so many faces can be begun at all: the least that the graphics take fits into what the
-// system and the limits of this process leave. It may still turn out to be too little.
+// Whether there is enough memory to start drawing a mesh of this many faces. Compares the least that the graphics need
+// with what the system and the limits of this process leave. It may still turn out to be too little.
 bool isEnoughToDraw(std::size_t faces);
 
-// The graphics do not look whether they get the memory that they ask for. From now on a crash of this program where
-// none is left becomes the sentence that there is not enough to draw the file, and the exit code of an error; one for
-// another reason stays a crash. For programs that write nothing before they are done.
+// Reports crashes for lack of memory as an error from now on. The graphics libraries do not check whether an
+// allocation succeeded. A crash of this program when no memory is left becomes the sentence that there is not enough to
+// draw the file, and the exit code of an error; a crash for another reason stays a crash. For programs that write
+// nothing before they are done.
 void tellCrashes(const std::filesystem::path& file);
 
 }  // namespace handwheel

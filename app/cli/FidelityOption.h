@@ -9,8 +9,8 @@
 
 namespace handwheel {
 
-// What --fidelity chooses for a command that reads only these settings: a preset, and single values of them. Returns
-// what is wrong, as a sentence, or nothing: a value that nobody reads would be taken for one that had an effect.
+// Parses the option --fidelity: a preset, and values of single settings. "read" lists the settings that the command
+// uses. Any other is an error, because it would seem to have an effect. Returns the error as a sentence, or nothing.
 std::string readFidelity(const Arguments& arguments, std::string_view command, std::span<const FidelitySetting> read,
                          FidelityValues& values);
 

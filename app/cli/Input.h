@@ -3,7 +3,7 @@
 #pragma once
 
 #include "document/DocumentKind.h"
-#include "mesh/MeshReport.h"
+#include "mesh/defects/MeshReport.h"
 
 #include <optional>
 
@@ -17,38 +17,40 @@ struct MeshInput {
   TriangleSoup soup;
 };
 
-// What a file named on the command line holds.
+// The contents of a file named on the command line.
 struct Input {
-  OpenedFile opened;              // of a mesh file that is no container without its content
-  std::optional<MeshInput> mesh;  // of every mesh
+  OpenedFile opened;              // for a mesh file that is not a container, without its content
+  std::optional<MeshInput> mesh;  // present for every mesh
 
-  const MeshSnapshot* meshDocument() const;  // of a mesh in a container; else null
+  // The mesh of a container; else null.
+  const MeshSnapshot* meshDocument() const;
 };
 
-// Errors: those of the readers.
+// Reads a file. Errors: those of the readers.
 Result<Input> readInput(const std::filesystem::path& path, const ReadOptions& options, const DocumentKinds& kinds,
                         Progress progress);
 
-// The same for commands that work on meshes only: others are Unsupported.
+// Reads a mesh file. Error: Unsupported for other kinds of documents; else those of the readers.
 Result<Input> readMeshInput(const std::filesystem::path& path, const ReadOptions& options, const DocumentKinds& kinds,
                             Progress progress);
 
-// The figures of a mesh. The loops of a document have its own numbers: edits may have put them in another order than
-// the triangles alone would. Incomplete once cancelled.
+// Measures a mesh and finds its defects. The loops of a document keep its own numbering: edits may have put them in
+// another order than the triangles alone would give. Incomplete once cancelled.
 MeshReport reportOn(const Input& mesh, SelfIntersections choice, Progress progress);
 
-// What could not be read, is not understood, or is not kept, a sentence each; and says it.
+// One sentence for each loss on reading. The part is not readable, not understood, or not kept.
 std::vector<std::string> lossSentences(const DocumentFile& file);
+// Prints these sentences on stderr.
 void tellLosses(const DocumentFile& file);
 
-// A link, symbolic or hard, and what it leads to are the same. They need not exist.
+// Whether two paths name the same file. Symbolic and hard links count as their target. The files need not exist.
 bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b);
 
-// Whether a document has such a name, by its ending: what is no document must not be written there.
+// Whether the extension of the path is that of a document. Other data must not be written there.
 bool isDocumentName(const std::filesystem::path& path, const DocumentKinds& kinds);
 
-// Why nothing must be written there, as a sentence: a newer program wrote the document that stands there, or it is the
-// very document that was read, and damaged. Empty when it may.
+// Why the output must not be overwritten, as a sentence; empty when it may. The reason is that a newer program wrote
+// the document there, or that it is the document that was read and is damaged.
 std::string refusalToReplace(const std::filesystem::path& output, const DocumentFile& input);
 
 }  // namespace handwheel

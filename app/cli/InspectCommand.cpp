@@ -94,7 +94,7 @@ Result<Inspected> inspect(const Arguments& arguments, const DocumentKinds& kinds
 
 int runInspect(const Arguments& arguments, const DocumentKinds& kinds) {
   std::optional<Result<Inspected>> result;
-  runInterruptible("Inspecting", [&](Job& job) { result = inspect(arguments, kinds, job.progress()); });
+  runInterruptible("Inspecting", [&](CommandJob& job) { result = inspect(arguments, kinds, job.progress()); });
   if (!*result) return fail(result->error());
   const auto& [input, report] = result->value();
   DocumentFile file = input.opened.file;

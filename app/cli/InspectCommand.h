@@ -7,6 +7,7 @@
 
 namespace handwheel {
 
+// Syntax of "handwheel inspect", which reports the contents and the defects of a file.
 CommandSpec inspectSpec();
 int runInspect(const Arguments& arguments, const DocumentKinds& kinds);
 

@@ -70,7 +70,7 @@ void watch(int signal, void (*handler)(int)) {
 
 class JobRun {
  public:
-  explicit JobRun(const std::function<void(Job&)>& work) : m_thread([this, &work] { run(work); }) {}
+  explicit JobRun(const std::function<void(CommandJob&)>& work) : m_thread([this, &work] { run(work); }) {}
   ~JobRun() { m_thread.join(); }
 
   bool waitFor(std::chrono::milliseconds time) {
@@ -82,7 +82,7 @@ class JobRun {
   std::exception_ptr failure() const { return m_failure; }
 
  private:
-  void run(const std::function<void(Job&)>& work) {
+  void run(const std::function<void(CommandJob&)>& work) {
     try {
       work(m_job);
     } catch (...) {
@@ -93,7 +93,7 @@ class JobRun {
     m_changed.notify_all();
   }
 
-  Job m_job;
+  CommandJob m_job;
   std::mutex m_mutex;
   std::condition_variable m_changed;
   bool m_done = false;
@@ -114,7 +114,7 @@ void endWhenInterrupted() {
   if (signalled) endAtOnce(0);
 }
 
-void runInterruptible(std::string_view label, const std::function<void(Job&)>& work) {
+void runInterruptible(std::string_view label, const std::function<void(CommandJob&)>& work) {
   std::exception_ptr failure;
   const Reserve reserve;
   {

@@ -11,8 +11,8 @@
 
 namespace handwheel {
 
-// The piece of work that a command does on its own thread.
-class Job {
+// The work of a command on its worker thread.
+class CommandJob {
  public:
   Progress progress() { return Progress(m_state); }
 
@@ -21,22 +21,23 @@ class Job {
   JobState m_state;
 };
 
-// Runs work on a thread of its own; this one shows its progress when stderr is a terminal and looks for signals. A job
-// that does not stop at once after a signal is abandoned together with the program (exit code 130), because some
-// library calls cannot be interrupted, but never while it writes a file. Passes on what work throws.
-void runInterruptible(std::string_view label, const std::function<void(Job&)>& work);
+// Runs work on a worker thread and shows its progress. The calling thread draws the progress when stderr is a
+// terminal, and watches for signals. A job that does not stop at once after a signal is abandoned together with the
+// program (exit code 130), because some library calls cannot be interrupted, but never while it writes a file. Rethrows
+// what work throws.
+void runInterruptible(std::string_view label, const std::function<void(CommandJob&)>& work);
 
-// What asks the program to end: a key, the system, a terminal that is gone.
+// The signals that ask the program to end: a key, the system, a closed terminal.
 inline constexpr std::array kEndingSignals{SIGINT, SIGTERM, SIGHUP};
 
-// Takes these signals from now on. To be called first.
+// Installs handlers for these signals. To be called first.
 void watchSignals();
 
-// One of them came.
+// Whether one of these signals has arrived.
 bool wasInterrupted();
 
-// From now on one of them ends the program at once, which says so; also if it came already. For what cannot be
-// cancelled.
+// Makes these signals end the program at once, with a message. Also when one has already arrived. For work that cannot
+// be cancelled.
 void endWhenInterrupted();
 
 }  // namespace handwheel

@@ -191,8 +191,9 @@ std::string text(const std::vector<MeasuredSetting>& measured, const MeasureRequ
 
 int runCalibration(const MeasureRequest& request, const Arguments& arguments) {
   std::optional<Result<CalibrationRun>> result;
-  runInterruptible("Measuring this machine",
-                   [&](Job& job) { result = calibrateMachine(request.registry, request.entries, job.progress()); });
+  runInterruptible("Measuring this machine", [&](CommandJob& job) {
+    result = calibrateMachine(request.registry, request.entries, job.progress());
+  });
   if (!*result) return fail(result->error());
   const CalibrationRun& run = result->value();
   const Status written = writeFiles(run.measured, arguments);
@@ -238,7 +239,7 @@ int runMeasure(const Arguments& arguments, const DocumentKinds& kinds) {
 
   if (arguments.has("calibrate")) return runCalibration(request, arguments);
   std::optional<Result<std::vector<MeasuredSetting>>> result;
-  runInterruptible("Measuring", [&](Job& job) { result = measure(request, kinds, job.progress()); });
+  runInterruptible("Measuring", [&](CommandJob& job) { result = measure(request, kinds, job.progress()); });
   if (!*result) return fail(result->error());
   const std::vector<MeasuredSetting>& measured = result->value();
   const Status written = writeFiles(measured, arguments);

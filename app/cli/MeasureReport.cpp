@@ -42,7 +42,7 @@ std::string withFigures(const MeasuredSetting& m, double value) {
 }
 
 std::string measurements(const MeasuredSetting& m) {
-  std::vector<TextRow> rows{{"value", "case", "error", "/ default", "cost", "/ default", "spread", "truth"}};
+  std::vector<TableRow> rows{{"value", "case", "error", "/ default", "cost", "/ default", "spread", "truth"}};
   for (const FidelityRow& r : m.rows) {
     const FidelityRow& standard = standardRow(m, r);
     rows.push_back({textOf(m.setting, r.value), r.testCase, number(r.error), ratio(r.error, standard.error),
@@ -89,13 +89,13 @@ const CurvePoint& MeasuredSetting::at(double value) const {
   return *found;
 }
 
-std::string alignedTable(const std::vector<TextRow>& rows) {
+std::string alignedTable(const std::vector<TableRow>& rows) {
   std::vector<std::size_t> widths(rows.front().size(), 0);
-  for (const TextRow& row : rows) {
+  for (const TableRow& row : rows) {
     for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
   }
   std::string text;
-  for (const TextRow& row : rows) {
+  for (const TableRow& row : rows) {
     for (std::size_t i = 0; i < row.size(); ++i) {
       const std::string blanks(widths[i] - row[i].size(), ' ');
       text += "  " + (i < 2 ? row[i] + blanks : blanks + row[i]);

@@ -11,32 +11,34 @@
 
 namespace handwheel {
 
-// What was measured of one setting, and what follows from it.
+// The measurements of one setting and what is derived from them.
 struct MeasuredSetting {
   MeasuredSetting(const FidelitySetting& of, std::vector<FidelityRow> measured);
 
-  // The point of the curve at a value that was measured.
+  // The point of the curve at a measured value.
   const CurvePoint& at(double value) const;
 
   FidelitySetting setting;
   std::vector<FidelityRow> rows;
   std::vector<CurvePoint> curve;  // of the worst of the cases
-  std::vector<CurvePoint> front;  // of the relative curve
+  std::vector<CurvePoint> front;  // Pareto front of the relative curve
   std::optional<double> knee;
 };
 
-// How much a scene can afford, by the unit of the cost: {"ms", 16}.
+// The budget of a scene by unit of cost: {"ms", 16}.
 using FidelityBudgets = std::map<std::string, double>;
 
-// Columns as wide as their widest cell; the first two to the left, numbers to the right.
-using TextRow = std::vector<std::string>;
-std::string alignedTable(const std::vector<TextRow>& rows);
+// Formats rows as a table with aligned columns. Columns are as wide as their widest cell; the first two are
+// left-aligned, numbers right-aligned.
+using TableRow = std::vector<std::string>;
+std::string alignedTable(const std::vector<TableRow>& rows);
 
-// The table and what follows from it, for people. Numbers have three digits.
+// Formats the measurements and the derived values for people. Numbers have three digits.
 std::string readableText(const MeasuredSetting& measured, const FidelityBudgets& budgets);
+// The same as JSON.
 nlohmann::ordered_json toJson(const MeasuredSetting& measured, const FidelityBudgets& budgets);
 
-// Error over cost, a series for each case; presets are marked where they cost most.
+// A plot of error over cost with one series per case. Presets are marked where they cost most.
 Plot plotOf(const MeasuredSetting& measured);
 
 }  // namespace handwheel

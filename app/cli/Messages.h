@@ -15,28 +15,28 @@ inline constexpr int kExitError = 1;
 inline constexpr int kExitSomethingLeft = 2;
 inline constexpr int kExitInterrupted = 130;  // as shells report a program that SIGINT ended
 
-// One line on stderr, with the program's name before it.
+// Prints one line on stderr, prefixed with the program's name.
 void complain(std::string_view sentence);
 
-// Says what went wrong and what to do about it, on one line. Returns the exit code for it.
+// Reports an error and its remedy on one line. Returns the exit code for it.
 int fail(const Error& error);
 
-// Says that there is not enough memory for a file, however little is left. Returns kExitError.
+// Reports that there is not enough memory for a file, however little is left. Returns kExitError.
 int failForMemory(const std::string& subject);
 
-// Says why something is not done. Returns kExitError.
+// Reports why a request is refused. Returns kExitError.
 int refuse(std::string_view sentence);
 
-// Says it, and where help is to be had. Returns kExitError.
+// Reports a usage error and how to get help. Returns kExitError.
 int failUsage(std::string_view sentence, std::string_view command);
 
-// What went wrong, as one sentence.
+// Describes an error in one sentence.
 std::string sentenceFor(const Error& error);
 
-// The same and what to do about it.
+// Describes an error and its remedy.
 std::string fullSentenceFor(const Error& error);
 
-// Writes to stdout; kExitError when it does not take all (a full disk, say).
+// Writes text to stdout. Returns kExitError when not all could be written (a full disk, for example).
 int print(std::string_view text);
 
 }  // namespace handwheel

@@ -9,7 +9,7 @@
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
 #include "document/mesh/MeshSnapshot.h"
-#include "mesh/MeshBuilder.h"
+#include "mesh/structure/MeshBuilder.h"
 #include "report/DeviationReport.h"
 #include "theme/DefectColours.h"
 #include "viewport/Snapshot.h"
@@ -48,7 +48,7 @@ int drawDocument(const PictureRequest& request, const DocumentKinds& kinds) {
   std::optional<Result<Input>> input;
   HalfEdgeMesh mesh;
   DisplayModel model;
-  runInterruptible("Reading", [&](Job& job) {
+  runInterruptible("Reading", [&](CommandJob& job) {
     input = readInput(request.mesh, {.partial = request.partial}, kinds, job.progress());
     if (!*input) return;
     if (input->value().mesh) {
@@ -83,7 +83,7 @@ Result<QImage> deviationSides(const PictureRequest& request, const DocumentKinds
 
 int drawDeviation(const PictureRequest& request, const DocumentKinds& kinds) {
   std::optional<Result<QImage>> picture;
-  runInterruptible("Drawing", [&](Job& job) { picture = deviationSides(request, kinds, job.progress()); });
+  runInterruptible("Drawing", [&](CommandJob& job) { picture = deviationSides(request, kinds, job.progress()); });
   if (!*picture) return fail(picture->error());
   endWhenInterrupted();
   const Status saved = savePng(picture->value(), request.png);

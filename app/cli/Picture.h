@@ -10,21 +10,23 @@
 
 namespace handwheel {
 
-// Ends in .png or .PNG.
+// Whether the path ends in .png or .PNG.
 bool isPictureName(const std::filesystem::path& path);
 
+// A mesh to draw and the file to draw it to.
 struct PictureRequest {
   std::filesystem::path mesh, png;
-  bool partial = false;              // read what is readable
-  std::filesystem::path scan = {};   // to colour the mesh by its distance from; empty for none
-  std::optional<double> range = {};  // mm, of the colours
+  bool partial = false;              // read what is readable of a damaged file
+  std::filesystem::path scan = {};   // reference for colouring the mesh by distance; empty for none
+  std::optional<double> range = {};  // mm, of the colour scale
 };
 
+// Syntax of "handwheel picture", which draws a document to a PNG file.
 CommandSpec pictureSpec();
 int runPicture(const Arguments& arguments, const DocumentKinds& kinds);
 
-// Draws a mesh file in a process of its own, under xvfb-run when there is no display: a broken display ends that
-// process only. Says on stderr why there is no picture. Returns an exit code.
+// Draws a mesh file in a child process. Uses xvfb-run when there is no display; a broken display ends only the child.
+// Reports on stderr why there is no picture. Returns an exit code.
 int makePictureApart(const PictureRequest& request);
 
 }  // namespace handwheel

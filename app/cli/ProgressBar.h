@@ -7,7 +7,8 @@
 
 namespace handwheel {
 
-// A line on stderr that grows; nothing when stderr is no terminal. It appears only for work that takes a while.
+// A progress bar on one line of stderr. Shows nothing when stderr is not a terminal, and appears only for work that
+// takes a while.
 class ProgressBar {
  public:
   explicit ProgressBar(std::string_view label);

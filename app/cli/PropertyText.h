@@ -8,11 +8,11 @@
 
 namespace handwheel {
 
-// The value as the command line shows and takes it: "50 mm", "-30 deg", "yes", "cm".
+// Formats a property value for the command line: "50 mm", "-30 deg", "yes", "cm".
 std::string propertyText(const Property& property);
 
-// The value that a word stands for: a number with or without a unit or an expression, yes or no, one of the choices, a
-// text. Or what is wrong with the word, as a sentence.
+// Parses a property value from the command line. Takes a number with or without a unit or an expression, yes or no,
+// one of the choices, or a text. Returns the value, or the error as a sentence.
 std::variant<PropertyValue, std::string> propertyValue(const Property& property, const std::string& word);
 
 }  // namespace handwheel

@@ -47,7 +47,8 @@ const KeptRecording* chosen(const std::vector<KeptRecording>& all, const Argumen
 
 int write(const KeptRecording& recording, const std::string& output) {
   std::optional<Status> written;
-  runInterruptible("Writing", [&](Job& job) { written = exportRecording(recording.ticks, output, job.progress()); });
+  runInterruptible("Writing",
+                   [&](CommandJob& job) { written = exportRecording(recording.ticks, output, job.progress()); });
   return *written ? kExitDone : fail(written->error());
 }
 
@@ -67,7 +68,7 @@ CommandSpec recordingSpec() {
 
 int runRecording(const Arguments& arguments, const DocumentKinds& kinds) {
   std::optional<Result<OpenedFile>> opened;
-  runInterruptible("Reading", [&](Job& job) { opened = kinds.open(arguments.operands[0], {}, job.progress()); });
+  runInterruptible("Reading", [&](CommandJob& job) { opened = kinds.open(arguments.operands[0], {}, job.progress()); });
   if (!*opened) return fail(opened->error());
   tellLosses(opened->value().file);
   const std::vector<KeptRecording>& all = opened->value().file.recordings;

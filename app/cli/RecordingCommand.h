@@ -7,6 +7,7 @@
 
 namespace handwheel {
 
+// Syntax of "handwheel recording", which writes a recording of a haptic device as CSV.
 CommandSpec recordingSpec();
 int runRecording(const Arguments& arguments, const DocumentKinds& kinds);
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/MeshReport.h"
+#include "mesh/defects/MeshReport.h"
 
 #include <string>
 
 namespace handwheel {
 
-// The report as an aligned table for people. Numbers have six digits and a decimal point in every locale.
+// Formats the report as an aligned table for people. Numbers have six digits and a decimal point in every locale.
 std::string readableText(const MeshReport& report);
 
 }  // namespace handwheel

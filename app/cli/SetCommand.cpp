@@ -40,7 +40,7 @@ int assignAndSave(OpenedFile opened, std::span<const std::string> words, const s
     if (const std::string problem = assign(*document, word); !problem.empty()) return refuse(problem);
   }
   std::optional<Result<WrittenFile>> written;
-  runInterruptible("Writing", [&, content = document->snapshot()](Job& job) {
+  runInterruptible("Writing", [&, content = document->snapshot()](CommandJob& job) {
     written = saveDocument(kind, document->file(), *content, output, job.progress());
   });
   if (!*written) return fail(written->error());
@@ -93,7 +93,7 @@ int runNew(const Arguments& arguments, const DocumentKinds& kinds) {
 int runSet(const Arguments& arguments, const DocumentKinds& kinds) {
   if (!arguments.has("output")) return failUsage("The option -o OUT is missing.", "set");
   std::optional<Result<OpenedFile>> opened;
-  runInterruptible("Reading", [&](Job& job) { opened = kinds.open(arguments.operands[0], {}, job.progress()); });
+  runInterruptible("Reading", [&](CommandJob& job) { opened = kinds.open(arguments.operands[0], {}, job.progress()); });
   if (!*opened) return fail(opened->error());
   tellLosses(opened->value().file);
   return assignAndSave(std::move(opened->value()), std::span(arguments.operands).subspan(1),

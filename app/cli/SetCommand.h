@@ -7,11 +7,12 @@
 
 namespace handwheel {
 
-// What the Properties panel does, without a window: "new" makes a document of default size, "set" changes the named
-// properties of one; both write the result.
+// Syntax of "handwheel new", which writes a document of default size. "new" and "set" do without a window what the
+// Properties panel does.
 CommandSpec newSpec();
-// The kinds of which there are new documents, as lines of the help.
+// The kinds that "new" can create, as lines of the help page.
 std::string newDetails(const DocumentKinds& kinds);
+// Syntax of "handwheel set", which changes named properties of a document and writes the result.
 CommandSpec setSpec();
 int runNew(const Arguments& arguments, const DocumentKinds& kinds);
 int runSet(const Arguments& arguments, const DocumentKinds& kinds);

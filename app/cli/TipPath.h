@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/HandPath.h"
+#include "haptics/device/HandPath.h"
 
 #include <string>
 #include <string_view>
@@ -10,13 +10,15 @@
 
 namespace handwheel {
 
+// A path of the device tip over time.
 struct TipPath {
   std::vector<HandPose> poses;
-  std::string problem;  // a sentence when the text is no such path; else empty
+  std::string problem;  // a sentence when the text is not such a path; else empty
 };
 
-// The way of a tip as comma-separated values: a line with the names t_s,x_mm,y_mm,z_mm, in any order and perhaps among
-// others, then a line for each time; times do not fall. Blank lines and those that begin with # are left out.
+// Reads a tip path from comma-separated values. A header line has the column names t_s,x_mm,y_mm,z_mm, in any order
+// and perhaps among others; one line for each time follows, and times do not decrease. Blank lines and those that begin
+// with # are skipped.
 TipPath readTipPath(std::string_view text);
 
 }  // namespace handwheel

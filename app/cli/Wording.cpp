@@ -20,6 +20,12 @@ std::string leftOpen(const LoopResult& loop) {
   return name + size + " stays open: " + fillFailureReason(loop.reason).toStdString() + hint + ".";
 }
 
+// To be said of what was wanted; nothing where all of it was done.
+std::string cutShort(bool isCutShort, const std::string& what) {
+  if (!isCutShort) return {};
+  return " " + what + " was cut short: " + fillFailureReason(FillFailure::TooMuchEffort).toStdString() + ".";
+}
+
 }  // namespace
 
 std::optional<FillMethod> fillMethodFor(std::string_view word) {
@@ -84,7 +90,8 @@ std::vector<std::string> leftovers(const RepairReport& repair, const MeshReport&
     lines.push_back(counted(after.boundaryEdges, "edge has", "edges have") + " only one face.");
   }
   if (after.nonManifoldEdges > 0) {
-    lines.push_back(counted(after.nonManifoldEdges, "edge has", "edges have") + " more than two faces.");
+    lines.push_back(counted(after.nonManifoldEdges, "edge has", "edges have") + " more than two faces." +
+                    cutShort(repair.isPartingCutShort, "Moving apart what touches"));
   }
   if (after.inconsistentEdges > 0) {
     lines.push_back("At " + counted(after.inconsistentEdges, "edge", "edges") +
@@ -96,7 +103,8 @@ std::vector<std::string> leftovers(const RepairReport& repair, const MeshReport&
   if (const std::size_t pairs = after.selfIntersectingPairs.value_or(0); pairs > 0) {
     lines.push_back(
         "The surface passes through itself: " + counted(pairs, "pair", "pairs") +
-        " of triangles cross or lie on each other. --cut-crossings cuts them apart where that can be done.");
+        " of triangles cross or lie on each other. --cut-crossings cuts them apart where that can be done." +
+        cutShort(repair.isCuttingCutShort, "Cutting"));
   }
   return lines;
 }

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "document/DocumentFile.h"
-#include "mesh/MeshReport.h"
-#include "mesh/Repair.h"
+#include "mesh/defects/MeshReport.h"
+#include "mesh/repair/Repair.h"
 
 #include <optional>
 #include <string>
@@ -13,26 +13,27 @@
 
 namespace handwheel {
 
-// The method that --fill asks for by this word.
+// The fill method that this word of --fill selects.
 std::optional<FillMethod> fillMethodFor(std::string_view word);
 
-// The words of the report.
+// The name of the fill method in reports.
 std::string wordFor(FillMethod method);
+// The name of the outcome in reports.
 std::string wordFor(LoopOutcome outcome);
 
 // Why a loop was not filled, as a sentence.
 std::string reasonSentence(FillFailure failure);
 
-// "colours, normals"
+// The lost attributes as a list: "colours, normals".
 std::string listOf(const std::vector<LostAttribute>& attributes);
 
-// What was skipped or mended on reading, a sentence each; the last one counts those that are not listed.
+// One sentence for each damage that was skipped or repaired on reading. The last one counts those that are not listed.
 std::vector<std::string> damageSentences(const DocumentFile& file);
 
-// What a repair did besides filling, as one line; empty when it did nothing.
+// One line on what a repair did besides filling; empty when it did nothing.
 std::string changesLine(const RepairReport& repair);
 
-// One sentence for each thing that keeps the written file from being closed, manifold and oriented.
+// One sentence for each remaining defect. These keep the written file from being closed, manifold and oriented.
 std::vector<std::string> leftovers(const RepairReport& repair, const MeshReport& after);
 
 }  // namespace handwheel

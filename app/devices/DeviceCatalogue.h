@@ -8,28 +8,29 @@
 
 namespace handwheel {
 
-// What was plugged in and pulled out since the last look.
+// The devices connected and disconnected since the last poll.
 struct DeviceChange {
   std::vector<DeviceListing> came;
   std::vector<DeviceListing> gone;
 };
 
-// The drivers that the program has, its own and those of plugins, and the devices that they find. One thread.
+// The device drivers, built in and from plugins, and the devices they find. One thread.
 class DeviceCatalogue {
  public:
-  // A driver of the program itself. Its id must be new.
+  // Adds a built-in driver. Its id must be unique.
   void add(std::unique_ptr<DeviceDriver> driver);
-  // Every plugin of these folders. What is wrong with one is kept with it, and the others are loaded all the same.
+  // Loads every plugin in these folders. An error is kept with its plugin; the others are loaded all the same.
   void load(const std::vector<std::string>& folders);
 
   std::vector<std::string> drivers() const;  // ids, built in first
   const std::vector<PluginListing>& plugins() const { return m_plugins; }
 
-  // Asks every driver what is plugged in.
+  // Asks every driver for the connected devices.
   std::vector<DeviceListing> find();
-  // The same, compared with the last call; the first finds everything new. Called by a timer, it makes hot-plugging.
+  // The same, compared with the last call; the first call reports every device as new. Called by a timer for
+  // hot-plugging.
   DeviceChange poll();
-  // Null when the driver or the address is not known.
+  // Creates a device. Null when the driver or the address is not known.
   std::unique_ptr<Device> make(const std::string& driver, const std::string& address);
 
  private:

@@ -2,36 +2,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/DevicePlugin.h"
+#include "haptics/device/DevicePlugin.h"
 
 #include <optional>
 #include <string>
 
 namespace handwheel {
 
-// A plugin that was found, and why it is not used if it is not.
+// A plugin that was found, with the error if it cannot be used.
 struct PluginListing {
   std::string file;
   std::string name;     // from its metadata; empty where it has none that can be read
   std::string version;  // of the plugin itself
-  std::string driver;   // which it brought; empty when it failed
+  std::string driver;   // id of its driver; empty when loading failed
   std::optional<Error> error;
 };
 
+// The result of loading a plugin.
 struct LoadedPlugin {
   PluginListing listing;
-  std::unique_ptr<DeviceDriver> driver;  // null when it failed
+  std::unique_ptr<DeviceDriver> driver;  // null when loading failed
 };
 
-// Reads the metadata first, and loads no code of a plugin that was made for another interface. Never unloads.
-// Errors: PluginVersion, PluginBroken.
+// Loads a plugin and creates its driver. Reads the metadata first, and loads no code of a plugin that was made for
+// another version of the interface. Never unloads. Errors: PluginVersion, PluginBroken.
 LoadedPlugin loadPlugin(const std::string& file);
 
-// The libraries in a folder, sorted; none when there is no such folder.
+// The shared libraries in a folder, sorted; none when there is no such folder.
 std::vector<std::string> pluginFiles(const std::string& folder);
 
-// Where plugins are looked for: the folders that the environment variable HANDWHEEL_PLUGINS names, separated by colons;
-// without it, the one that belongs to this program. Needs a QCoreApplication.
+// The folders that are searched for plugins. They are those in the environment variable HANDWHEEL_PLUGINS, separated
+// by colons; without it, the one that belongs to this program. Needs a QCoreApplication.
 std::vector<std::string> pluginFolders();
 
 }  // namespace handwheel

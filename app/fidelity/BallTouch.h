@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/ContactSurface.h"
+#include "haptics/contact/ContactSurface.h"
 
 namespace handwheel {
 
-// A bumpy ball around the origin, and a way below its surface on a circle that the seed chooses. The bumps are so
-// smooth that each place on the way has but one nearest point of the surface around it.
+// A bumpy ball around the origin and a circular path below its surface. The seed chooses the circle. The bumps are so
+// smooth that each point of the path has only one nearest point of the surface around it.
 class BallTouch {
  public:
   explicit BallTouch(std::uint64_t seed);
 
   const ContactSurface& surface() const { return m_surface; }
-  Vec3 above() const { return 1.5 * tipAt(0.0); }  // outside, where the way begins
+  Vec3 above() const { return 1.5 * tipAt(0.0); }  // outside, where the path begins
   Vec3 tipAt(double way) const;                    // mm
 
  private:

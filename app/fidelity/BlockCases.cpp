@@ -5,8 +5,8 @@
 #include "fidelity/CaseShapes.h"
 #include "fidelity/Cases.h"
 #include "fidelity/SeededInput.h"
-#include "mesh/MeshBuilder.h"
-#include "viewport/SurfaceGeometry.h"
+#include "mesh/structure/MeshBuilder.h"
+#include "viewport/surface/SurfaceGeometry.h"
 
 #include <set>
 

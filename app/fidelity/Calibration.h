@@ -10,36 +10,40 @@
 
 namespace handwheel {
 
-// What was measured on the machine that the program runs on, kept from session to session.
+// Measured costs of the settings on this machine. Kept from session to session.
 struct Calibration {
   std::string machine;  // as by machineClass()
-  // By the rate of the servo loop (Hz): us of a tick in touch when the loop sleeps between ticks. Empty: not measured.
+  // Duration (us) of a tick in contact by the rate of the servo loop (Hz), when the loop sleeps between ticks. Empty:
+  // not measured.
   std::map<double, double> ticksInUse;
   std::map<std::string, CurveFile> curves;  // by the id of the setting
 };
 
-// The settings whose cost is time, and thus another one on another machine; those of the servo loop first.
+// The settings whose cost is time and thus depends on the machine. Those of the servo loop come first.
 std::vector<const FidelityRegistry::Entry*> machineDependent(const FidelityRegistry& registry);
 
-// Measuring all of them begins with none any more after so long.
+// Time limit of a calibration; after it no further measurement is started.
 inline constexpr std::chrono::seconds kLongestCalibration{60};
 
-// Measures one of them, coarser than the curves that come with the program. The first also finds ticksInUse. All take
-// about half a minute. Errors: Cancelled; then nothing has changed.
+// Measures one setting, coarser than the curves that come with the program. The first also measures ticksInUse. All
+// together take about half a minute. Errors: Cancelled; then nothing has changed.
 Status calibrate(const FidelityRegistry::Entry& entry, Calibration& calibration, Progress progress);
 
-// JSON with a version. Unknown settings, and curves of other cases than are built in, are left out when it is read.
-// Errors: VersionNewer, ElementMalformed.
+// Converts a calibration to JSON with a version.
 std::string jsonOf(const FidelityRegistry& registry, const Calibration& calibration);
+// Reads a calibration from JSON. Unknown settings, and curves of other cases than the built-in ones, are skipped.
+// Errors: VersionNewer, ElementMalformed.
 Result<Calibration> readCalibration(const FidelityRegistry& registry, std::string_view json);
 inline constexpr int kCalibrationVersion = 1;
 
-// Where the window keeps it, in the user's cache folder. The application must have its names by then.
+// Path of the calibration file in the user's cache folder, which the window uses. The names of the application must be
+// set before.
 std::filesystem::path usualCalibrationFile();
 
-// The same as a file. Errors: FileMissing, FileUnreadable, WriteFailed.
+// Writes a calibration to a file. Error: WriteFailed.
 Status storeCalibration(const FidelityRegistry& registry, const Calibration& calibration,
                         const std::filesystem::path& path);
+// Reads a calibration from a file. Errors: FileMissing, FileUnreadable, and those of readCalibration().
 Result<Calibration> loadCalibration(const FidelityRegistry& registry, const std::filesystem::path& path);
 
 }  // namespace handwheel

@@ -3,24 +3,25 @@
 #pragma once
 
 #include "base/FidelitySweep.h"
-#include "mesh/TriangleSoup.h"
+#include "mesh/structure/TriangleSoup.h"
 
 #include <memory>
 
 namespace handwheel {
 
-// What the settings are measured on. Each on built-in shapes, where the truth is known in closed form or by
-// construction, and most on a mesh that the user brings, where the truth is what was there before the case spoilt it.
-// Asked when a case first runs; its mesh must have a face with area.
+// The test cases that the settings are measured on. Each runs on built-in shapes, whose true result is known in closed
+// form or by construction; most also run on a mesh of the user, where the truth is the mesh before the case damaged it.
+// Provides the mesh of a case. Called when the case first runs; the mesh must have a face with area.
 using SoupSource = std::function<std::shared_ptr<const TriangleSoup>()>;
 
-// mesh.near_weld: a surface torn along one plane by rounding (1e-8 to 1e-5 of the diagonal), and slit along another by
-// a real gap (2e-5 to 1e-3). Wrong is a torn vertex that stays torn and a slit one that is merged.
+// mesh.near_weld: a surface torn along one plane and slit along another. The tear is due to rounding (1e-8 to 1e-5 of
+// the diagonal), the slit is a real gap (2e-5 to 1e-3). Errors are torn vertices that stay torn and slit ones that are
+// merged.
 std::vector<FidelityCase> nearWeldCases();
 FidelityCase nearWeldCaseOn(const std::string& name, SoupSource soup);
 
-// mesh.fill_method, mesh.fill_continuity, mesh.patch_density and mesh.piece_edges: pieces cut out of a surface and
-// filled again; for all but the last also out of parts with sharp edges as a scanner sees them, against the exact part.
+// mesh.fill_method, mesh.fill_continuity, mesh.patch_density, mesh.piece_edges: holes cut into a surface and filled
+// again. All but the last also use simulated scans of parts with sharp edges, compared with the exact part.
 std::vector<FidelityCase> fillMethodCases();
 FidelityCase fillMethodCaseOn(const std::string& name, SoupSource soup);
 std::vector<FidelityCase> fillContinuityCases();
@@ -30,11 +31,11 @@ FidelityCase patchDensityCaseOn(const std::string& name, SoupSource soup);
 std::vector<FidelityCase> pieceEdgesCases();
 FidelityCase pieceEdgesCaseOn(const std::string& name, SoupSource soup);
 
-// mesh.decimation_error: how far a mesh of fewer triangles is from what it was.
+// mesh.decimation_error: distance of a decimated mesh from the original.
 std::vector<FidelityCase> decimationErrorCases();
 FidelityCase decimationErrorCaseOn(const std::string& name, SoupSource soup);
 
-// document.undo_granularity: edits of a large mesh, kept and exchanged as an undo step does.
+// document.undo_granularity: edits of a large mesh, stored and exchanged as an undo step does.
 std::vector<FidelityCase> undoGranularityCases();
 FidelityCase undoGranularityCaseOn(const std::string& name, SoupSource soup);
 
@@ -42,12 +43,12 @@ FidelityCase undoGranularityCaseOn(const std::string& name, SoupSource soup);
 FidelitySetting chordSetting();
 std::vector<FidelityCase> chordCases();
 
-// view.block_faces: the blocks of the display that an edit of one face rebuilds.
+// view.block_faces: display blocks that are rebuilt after an edit of one face.
 FidelitySetting blockFacesSetting();
 std::vector<FidelityCase> blockFacesCases();
 FidelityCase blockFacesCaseOn(const std::string& name, SoupSource soup);
 
-// view.coarse_triangles: what a slow display draws of a mesh while the camera moves, against the mesh.
+// view.coarse_triangles: the simplified mesh drawn while the camera moves, against the full mesh.
 FidelitySetting coarseTrianglesSetting();
 std::vector<FidelityCase> coarseTrianglesCases();
 FidelityCase coarseTrianglesCaseOn(const std::string& name, SoupSource soup);
@@ -56,22 +57,24 @@ FidelityCase coarseTrianglesCaseOn(const std::string& name, SoupSource soup);
 FidelitySetting shapeSidesSetting();
 std::vector<FidelityCase> shapeSidesCases();
 
-// snap.radius: a scripted hand that goes to one of many points, misses it a little and trembles.
+// snap.radius: a scripted hand that moves to one of many points. It misses it a little and trembles.
 std::vector<FidelityCase> snapRadiusCases();
 
-// snap.features: the force where more features are in reach than pull.
+// snap.features: the force where more features are in reach than may act at once.
 std::vector<FidelityCase> snapFeaturesCases();
 
-// proxy.tolerance: a tip below the surface of a bumpy ball, led along it.
+// proxy.tolerance: a tip that moves along below the surface of a bumpy ball.
 std::vector<FidelityCase> proxyToleranceCases();
 
-// contact.stiffness: a simulated hand that presses on a surface, at the rate which that stiffness needs.
+// contact.stiffness: a simulated hand that presses on a surface. The servo loop runs at the rate that the stiffness
+// needs.
 std::vector<FidelityCase> contactStiffnessCases();
 
-// servo.rate: the same hand on a wall as stiff as the rate allows; and a tip led along the bumpy ball, for the cost.
+// servo.rate: the simulated hand on a wall as stiff as the rate allows. The cost is measured with a tip moving along
+// the bumpy ball.
 std::vector<FidelityCase> servoRateCases();
 
-// servo.velocity_window: a hand that swings, read in the steps of a device.
+// servo.velocity_window: an oscillating hand, read with the position resolution of a device.
 std::vector<FidelityCase> velocityWindowCases();
 
 }  // namespace handwheel

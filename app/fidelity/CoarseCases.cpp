@@ -4,10 +4,10 @@
 #include "fidelity/CaseShapes.h"
 #include "fidelity/Cases.h"
 #include "fidelity/SeededInput.h"
-#include "mesh/MeshBounds.h"
-#include "mesh/MeshBuilder.h"
+#include "mesh/structure/MeshBounds.h"
+#include "mesh/structure/MeshBuilder.h"
 #include "proximity/TriangleHierarchy.h"
-#include "viewport/MeshPreparation.h"
+#include "viewport/surface/MeshPreparation.h"
 
 #include <algorithm>
 #include <cmath>

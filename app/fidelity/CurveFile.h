@@ -6,21 +6,22 @@
 
 namespace handwheel {
 
-// The measurements of one setting as resources/fidelity/ID.json keeps them. Presets are derived from them, so they are
-// data: with the day and the kind of machine they come from.
+// The stored measurements of one setting, from resources/fidelity/ID.json. Presets are derived from them; they are data
+// with the date and the kind of machine they come from.
 struct CurveFile {
   std::string date;     // "2026-07-01"
   std::string machine;  // processor and number of cores
   std::vector<FidelityRow> rows;
 };
 
-// What the day and the machine are here and now.
+// The present date: "2026-07-01".
 std::string today();
+// The processor and the number of cores of this machine.
 std::string machineClass();
 
-// JSON, one row to a line. Infinite errors (no result) stand as null.
+// Converts a curve to JSON with one row per line. Infinite errors (no result) are written as null.
 std::string jsonOf(const FidelitySetting& setting, const CurveFile& curve);
-// Errors: ElementMalformed {element, what is wrong}.
+// Reads a curve from JSON. Error: ElementMalformed {element, problem}.
 Result<CurveFile> readCurveFile(const FidelitySetting& setting, std::string_view json);
 
 }  // namespace handwheel

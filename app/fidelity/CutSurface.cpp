@@ -3,7 +3,7 @@
 #include "fidelity/CutSurface.h"
 
 #include "fidelity/SeededInput.h"
-#include "mesh/MeshBuilder.h"
+#include "mesh/structure/MeshBuilder.h"
 #include "proximity/TriangleHierarchy.h"
 
 #include <algorithm>

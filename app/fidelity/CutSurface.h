@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/HoleFilling.h"
-#include "mesh/TriangleSoup.h"
+#include "mesh/holes/HoleFilling.h"
+#include "mesh/structure/TriangleSoup.h"
 
 #include <functional>
 #include <memory>
@@ -11,9 +11,9 @@
 
 namespace handwheel {
 
-using DistanceToTruth = std::function<double(const Vec3&)>;  // of a point to the surface that was there (mm)
+using DistanceToTruth = std::function<double(const Vec3&)>;  // of a point to the original surface (mm)
 
-// A surface with pieces cut out, and what was there.
+// A surface with holes cut into it, and the distance to the original.
 struct CutSurface {
   struct Hole {
     BoundaryLoop loop;
@@ -23,15 +23,16 @@ struct CutSurface {
   std::vector<Hole> holes;
 };
 
+// The number, size and place of the holes.
 struct CutOptions {
   std::size_t holes = 4;
-  double radius = 0.12;  // share of the part's diagonal
+  double radius = 0.12;  // as a fraction of the part's diagonal
   // Where given, the first hole and every other one after it is at most half its radius from a sharp edge.
   DistanceToTruth distanceToCrease = nullptr;
 };
 
-// Cuts round holes where the seed says, apart from each other. truth: the surface in closed form; without one, what is
-// cut out stands for it. O(n log n).
+// Cuts round holes at places chosen by the seed, apart from each other. The truth is the surface in closed form;
+// without one, the pieces that are cut out take its place. O(n log n).
 CutSurface cutHoles(const TriangleSoup& soup, std::uint64_t seed, const DistanceToTruth& truth,
                     const CutOptions& options = {});
 

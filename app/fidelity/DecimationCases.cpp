@@ -3,11 +3,11 @@
 #include "fidelity/CaseShapes.h"
 #include "fidelity/Cases.h"
 #include "fidelity/SeededInput.h"
-#include "mesh/Decimation.h"
-#include "mesh/Deviation.h"
-#include "mesh/MeshBounds.h"
-#include "mesh/MeshBuilder.h"
-#include "mesh/MeshFidelity.h"
+#include "mesh/measure/Deviation.h"
+#include "mesh/measure/MeshFidelity.h"
+#include "mesh/simplify/Decimation.h"
+#include "mesh/structure/MeshBounds.h"
+#include "mesh/structure/MeshBuilder.h"
 
 #include <limits>
 

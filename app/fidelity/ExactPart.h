@@ -16,10 +16,10 @@ struct ExactPart {
   double volume = 0.0;                                  // mm³
 };
 
-// A block with a step, a slanted side and a chamfer, all of one height: flat faces, edges between them, corners.
+// A block with a step, a slanted side and a chamfer. All of one height: flat faces, edges between them, corners.
 ExactPart milledPart();
 
-// Around z: a shaft with a shoulder, two chamfers and a flange. Edges are circles, one of them a valley.
+// A shaft around z with a shoulder, two chamfers and a flange. Edges are circles, one of them concave.
 ExactPart turnedPart();
 
 }  // namespace handwheel

@@ -6,7 +6,7 @@
 #include "fidelity/CutSurface.h"
 #include "fidelity/SeededInput.h"
 #include "fidelity/VirtualScanner.h"
-#include "mesh/MeshFidelity.h"
+#include "mesh/measure/MeshFidelity.h"
 
 #include <cmath>
 #include <limits>

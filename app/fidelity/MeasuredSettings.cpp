@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fidelity/MeasuredSettings.h"
 
-#include "haptics/SnapFidelity.h"
-#include "haptics/TouchFidelity.h"
-#include "mesh/MeshFidelity.h"
+#include "haptics/scene/TouchFidelity.h"
+#include "haptics/snap/SnapFidelity.h"
+#include "mesh/measure/MeshFidelity.h"
 
 namespace handwheel {
 

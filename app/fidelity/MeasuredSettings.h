@@ -6,11 +6,11 @@
 
 namespace handwheel {
 
-// Every setting of the program that trades speed for accuracy, with the built-in shapes that it is measured on. Cheap:
-// the shapes are made when a case runs.
+// All settings that trade speed for accuracy, with the built-in cases that measure them. Cheap: the shapes are created
+// when a case runs.
 FidelityRegistry measuredSettings();
 
-// The cases of a setting on a mesh that the user brings; none where the setting has nothing to do with meshes.
+// The cases of a setting on a mesh of the user. None where the setting does not concern meshes.
 std::vector<FidelityCase> casesOnMesh(std::string_view id, const std::string& name, const SoupSource& soup);
 
 }  // namespace handwheel

@@ -4,8 +4,8 @@
 #include "fidelity/CaseShapes.h"
 #include "fidelity/Cases.h"
 #include "fidelity/SeededInput.h"
-#include "mesh/MeshBuilder.h"
-#include "mesh/Stitching.h"
+#include "mesh/boundary/Stitching.h"
+#include "mesh/structure/MeshBuilder.h"
 
 #include <algorithm>
 

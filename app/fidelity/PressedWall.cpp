@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fidelity/PressedWall.h"
 
-#include "haptics/SceneForces.h"
-#include "haptics/ServoLoop.h"
+#include "haptics/scene/SceneForces.h"
+#include "haptics/servo/ServoLoop.h"
 
 #include <algorithm>
 #include <cmath>

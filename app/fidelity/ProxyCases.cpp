@@ -4,7 +4,7 @@
 #include "fidelity/BallTouch.h"
 #include "fidelity/Cases.h"
 #include "fidelity/SeededInput.h"
-#include "haptics/TouchFidelity.h"
+#include "haptics/scene/TouchFidelity.h"
 
 namespace handwheel {
 namespace {

@@ -11,14 +11,14 @@
 
 namespace handwheel {
 
-// Random numbers that are the same on every machine for one seed.
+// A random number generator with the same sequence on every machine.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : m_engine(seed) {}
 
   double between(double a, double b) { return a + (b - a) * static_cast<double>(m_engine() >> 11) * 0x1p-53; }
   std::size_t below(std::size_t n) { return static_cast<std::size_t>(m_engine() % n); }
-  // Of unit length, all directions alike (Archimedes: height and angle are uniform).
+  // A unit vector, uniformly distributed over all directions (Archimedes: height and angle are uniform).
   Vec3 direction() {
     const double z = between(-1.0, 1.0), u = between(0.0, 2.0 * M_PI), r = std::sqrt(1.0 - z * z);
     return {r * std::cos(u), r * std::sin(u), z};
@@ -28,8 +28,7 @@ class Random {
   std::mt19937_64 m_engine;
 };
 
-// What a case works on: made when first asked for and kept as long as the seed stays the same. Copies share it. One
-// thread at a time.
+// The input of a case, created on first use and cached for one seed. Copies share it. One thread at a time.
 template <class Input>
 class SeededInput {
  public:

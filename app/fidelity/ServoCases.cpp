@@ -5,8 +5,8 @@
 #include "fidelity/PressedWall.h"
 #include "fidelity/SeededInput.h"
 #include "fidelity/TouchLoop.h"
-#include "haptics/ServoLoop.h"
-#include "haptics/TouchFidelity.h"
+#include "haptics/scene/TouchFidelity.h"
+#include "haptics/servo/ServoLoop.h"
 
 #include <algorithm>
 

@@ -3,9 +3,9 @@
 #include "base/ThreadClock.h"
 #include "fidelity/CaseShapes.h"
 #include "fidelity/SeededInput.h"
-#include "haptics/SnapFidelity.h"
-#include "haptics/SnapProxy.h"
-#include "haptics/SnapSum.h"
+#include "haptics/snap/SnapFidelity.h"
+#include "haptics/snap/SnapProxy.h"
+#include "haptics/snap/SnapSum.h"
 
 namespace handwheel {
 namespace {

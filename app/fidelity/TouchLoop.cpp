@@ -3,8 +3,8 @@
 #include "fidelity/TouchLoop.h"
 
 #include "base/FidelitySweep.h"
-#include "haptics/SimulatedDevice.h"
-#include "haptics/TouchFidelity.h"
+#include "haptics/device/SimulatedDevice.h"
+#include "haptics/scene/TouchFidelity.h"
 
 #include <chrono>
 

@@ -4,8 +4,8 @@
 #include "fidelity/CaseShapes.h"
 #include "fidelity/Cases.h"
 #include "fidelity/SeededInput.h"
-#include "mesh/MeshBuilder.h"
-#include "mesh/MeshDelta.h"
+#include "mesh/structure/MeshBuilder.h"
+#include "mesh/structure/MeshDelta.h"
 
 namespace handwheel {
 namespace {

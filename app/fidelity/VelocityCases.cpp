@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fidelity/Cases.h"
 #include "fidelity/SeededInput.h"
-#include "haptics/TouchFidelity.h"
+#include "haptics/scene/TouchFidelity.h"
 
 namespace handwheel {
 namespace {

@@ -3,21 +3,22 @@
 #pragma once
 
 #include "fidelity/ExactPart.h"
-#include "mesh/TriangleSoup.h"
+#include "mesh/structure/TriangleSoup.h"
 
 #include <cstdint>
 
 namespace handwheel {
 
+// The parameters of a simulated scan.
 struct ScanOptions {
   double pitch = 1.0;   // mm: between samples
   double noise = 0.02;  // mm: standard deviation along the normal
   std::uint64_t seed = 1;
 };
 
-// What a scanner makes of a part, closed: one sample about every pitch, on the surface but for the noise, none of them
-// on a sharp edge but by chance, so that triangles cut the edges off, as wide as the pitch (surface nets: Gibson,
-// "Constrained elastic surface nets", 1998). O(box / pitch³).
+// Simulates a scan of a part as a closed mesh. Takes one sample about every pitch, on the surface except for the
+// noise. Samples lie on sharp edges only by chance, so that triangles cut the edges off by a width of about the pitch
+// (surface nets: Gibson, "Constrained elastic surface nets", 1998). O(box / pitch³).
 TriangleSoup scanOf(const ExactPart& part, const ScanOptions& options);
 
 }  // namespace handwheel

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/Device.h"
+#include "haptics/device/Device.h"
 
 namespace handwheel {
 
-// The drivers of devices that need no plugin: the one place to add another. Each call makes them anew.
+// Creates the built-in device drivers. The one place to add further ones. Each call creates new objects.
 std::vector<std::unique_ptr<DeviceDriver>> registeredDrivers();
 
 }  // namespace handwheel

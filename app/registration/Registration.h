@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "window/KindUi.h"
+#include "window/kinds/KindUi.h"
 
 namespace handwheel {
 
-// Every kind of document that the program knows: the one place to add another. They are asked in this order whose a
-// file is; meshes take what nobody else does.
+// All kinds of documents of the program. The one place to add further ones. They are asked in this order whether a file
+// is theirs; meshes take what no other kind takes.
 std::vector<KindEntry> registeredKinds();
 
 }  // namespace handwheel

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "base/Progress.h"
-#include "mesh/Deviation.h"
-#include "viewport/ColourScale.h"
+#include "mesh/measure/Deviation.h"
+#include "viewport/overlay/ColourScale.h"
 
 #include <QImage>
 #include <filesystem>
@@ -13,35 +13,36 @@
 
 namespace handwheel {
 
-// What was compared with what, and how far they are apart.
+// A comparison of a mesh with a scan.
 struct Comparison {
   std::string mesh, scan;  // names of the files, as the user gave them
   Deviation deviation;
-  QImage picture;  // of the mesh in colours; null for none
+  QImage picture;  // of the coloured mesh; null for none
 };
 
-// What the colours of a deviation map span: up to the 99th percentile; where so much of the surface is the very scan,
-// as after the repair of a few holes, up to the largest distance. Above zero.
+// The default range of the colour scale of a deviation map. It is the 99th percentile of the distances; where nearly
+// all of the surface is the scan itself, as after the repair of a few holes, the largest distance. Above zero.
 double usualRange(const SurfaceDeviation& deviation);
 
-// The mesh in the colours of the values, from four sides between which all of it is seen, each with the scale; two
-// beside each other. Needs an X display with GLX. Errors: WriteFailed {reason}, Cancelled.
+// Renders the coloured mesh from four sides that together show all of it. Each view has the scale; two are side by
+// side. Needs an X display with GLX. Errors: WriteFailed {reason}, Cancelled.
 Result<QImage> deviationPicture(const HalfEdgeMesh& mesh, const VertexValues& atVertex, const ColourScale& scale,
                                 Progress progress = {});
 
-// The figures as an aligned table for people. Numbers have six digits and a decimal point in every locale.
+// The statistics as an aligned table for people. Numbers have six digits and a decimal point in every locale.
 std::string readableText(const Comparison& comparison);
 
-// All figures, histograms too; the distances at the vertices are left out.
+// All statistics and histograms as JSON, without the distances at the vertices.
 nlohmann::ordered_json toJson(const Comparison& comparison);
 
-// A page that needs no other file, with the histograms (SVG) and the picture in it.
+// The report as a self-contained HTML page. It embeds the histograms (SVG) and the picture.
 std::string htmlOf(const Comparison& comparison);
 
-// The same on paper (A4). Needs fonts, so a QGuiApplication.
+// The report as PDF (A4). Needs fonts, so a QGuiApplication.
 std::string pdfOf(const Comparison& comparison);
 
-// By the ending of the path: .html, .pdf or .json. The whole file or nothing. Error: WriteFailed.
+// Writes the report as .html, .pdf or .json, by the extension of the path. Writes the whole file or nothing. Error:
+// WriteFailed.
 Status writeReport(const Comparison& comparison, const std::filesystem::path& path);
 
 }  // namespace handwheel

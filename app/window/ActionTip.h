@@ -7,10 +7,12 @@ class QString;
 
 namespace handwheel {
 
-// The tooltip of an action with its key, "Open files (Ctrl+O)", also after the user has given it another one.
+// Sets the tooltip of an action and appends its shortcut: "Open files (Ctrl+O)". Follows later changes of the
+// shortcut.
 void setTip(QAction& action, const QString& tip);
 
-// With this tip, the name by which tests and keys know it, and the icon of this name; null: none.
+// Sets the object name, icon and tooltip of an action. Tests and shortcut settings find it by this name; iconName may
+// be null.
 void prepare(QAction& action, const char* name, const char* iconName, const QString& tip);
 
 }  // namespace handwheel

@@ -3,7 +3,7 @@
 #include "window/CommandText.h"
 
 #include "base/NumberText.h"
-#include "mesh/MeshFidelity.h"
+#include "mesh/measure/MeshFidelity.h"
 #include "text/RepairText.h"
 
 #include <QDir>

@@ -4,38 +4,40 @@
 
 #include "document/Property.h"
 #include "document/formats/MeshFormat.h"
-#include "mesh/Repair.h"
+#include "mesh/repair/Repair.h"
 
 #include <QString>
 
 namespace handwheel {
 
-// The command lines that do without a window what the user just did in it. They work in any folder: paths stand whole,
-// and are quoted for a shell.
+// Command lines equivalent to what the user did in the window. They work in any folder: paths are absolute, and are
+// quoted for a shell.
+// The command line that inspects a file.
 QString inspectCommand(const QString& path, const ReadOptions& options);
 QString repairCommand(const QString& path, const RepairOptions& options);
 QString compareCommand(const QString& mesh, const QString& scan);
 QString convertCommand(const QString& from, const QString& to);
-// Gives the properties that differ their present values. Empty when none differs and both paths are the same.
+// The command line that sets the changed properties to their present values. Empty when none differs and both paths are
+// the same.
 QString setCommand(const QString& from, const std::vector<Property>& before, const std::vector<Property>& now,
                    const QString& to);
-// The same for a document that was new. kind: id
+// The same for a new document. kind: its id.
 QString newCommand(const std::string& kind, const std::vector<Property>& before, const std::vector<Property>& now,
                    const QString& to);
 
-// Steps of "handwheel edit" (tools/mesh/MeshSteps.h), or a file of them.
+// The command line that applies editing steps (tools/mesh/MeshSteps.h), or a file of them.
 QString editCommandLine(const QString& from, const std::vector<std::string>& steps, const QString& to);
 QString editCommandLine(const QString& from, const QString& stepsFile, const QString& to);
-// One whose verb is a command with the same words.
+// The command line for a step that is also a command with the same arguments.
 QString ownCommand(const QString& from, const std::string& step, const QString& to);
-QString stepWord(const std::string& step);  // as one word for a shell
-// "split" takes a folder.
+QString stepWord(const std::string& step);  // quoted as one word for a shell
+// The command line that splits a file into shells in a folder.
 QString splitCommand(const QString& from, const QString& folder);
-inline constexpr int kLongestCommand = 2000;  // characters, beyond which nobody reads or pastes one
+inline constexpr int kLongestCommand = 2000;  // characters; longer ones are impractical to read or paste
 
-// "scan.stl" becomes "scan-edited.stl" beside it.
+// The proposed path of an edited file: "scan.stl" becomes "scan-edited.stl" in the same folder.
 QString editedName(const QString& path);
-// "scan.stl" becomes "scan-repaired.stl" beside it.
+// The proposed path of a repaired file: "scan.stl" becomes "scan-repaired.stl" in the same folder.
 QString repairedName(const QString& path);
 
 }  // namespace handwheel

@@ -8,10 +8,11 @@ class QMainWindow;
 
 namespace handwheel {
 
-// Small windows that stay open beside the work.
+// The help windows. They are not modal.
 
-// What the mouse and the keys do now, and the present keys of all commands in the menus.
+// Shows the present mouse and key bindings, and the shortcuts of all menu commands.
 void showKeys(QMainWindow& window, const std::vector<Hint>& now);
+// Shows the version and licence of the program.
 void showAbout(QMainWindow& window);
 
 }  // namespace handwheel

@@ -17,29 +17,31 @@ class QThreadPool;
 
 namespace handwheel {
 
-// Long work for a worker thread. It sees only what it captured by value (snapshots), and returns what is to be done
-// with its result on the window thread.
+// A long task for a worker thread. It uses only what it captured by value (snapshots), and returns a function that
+// applies its result on the window thread.
 struct Job {
   using Finish = std::function<void()>;
-  // What runs beside what: nobody's saving waits for the work on other documents.
+  // Jobs of different lanes run in parallel, so that saving does not wait for the work on other documents.
   enum class Lane { Work, Saving };
 
   QString name;
   std::function<Finish(Progress)> work;
-  // Instead of the finish, on the window thread: Cancelled, OutOfMemory, or LibraryFailed for what else was thrown.
+  // Called instead of the finish function, on the window thread: Cancelled, OutOfMemory, or LibraryFailed for what else
+  // was thrown.
   std::function<void(const Error&)> failed = [](const Error&) {};
-  const void* owner = nullptr;  // with which it is cancelled: a document
+  const void* owner = nullptr;  // with cancelOf() on it the job is cancelled; a document
   Lane lane = Lane::Work;
 };
 
-// Runs jobs, those of a lane one after another. Everything here is called and emitted on the window thread.
+// Runs jobs on worker threads, those of a lane one after another. Everything here is called and emitted on the window
+// thread.
 class JobRunner : public QObject {
   Q_OBJECT
 
  public:
   enum class Policy {
-    Queue,   // each job is done; a cancelled one is abandoned at once, even where its library cannot be interrupted
-    Latest,  // a new job replaces the present one, and starts when that has let go of what both use
+    Queue,   // every job runs; a cancelled one is abandoned at once, even when its library cannot be interrupted
+    Latest,  // a new job replaces the present one, and starts once that has released the data both use
   };
 
   // The pool bounds the number of abandoned workers.
@@ -47,16 +49,16 @@ class JobRunner : public QObject {
   ~JobRunner() override;
 
   void start(Job job);
-  void cancel(quint64 id);           // that of jobs(); nothing when it has ended
-  void cancelOf(const void* owner);  // all that it owns
+  void cancel(quint64 id);           // an id from jobs(); does nothing when the job has ended
+  void cancelOf(const void* owner);  // all jobs of this owner
   void cancelAll();
   bool isIdle() const { return m_running.empty() && m_waiting.empty(); }
-  // Those that run, then those that wait, each in the order in which they were started.
+  // The running jobs, then the waiting ones, each in the order in which they were started.
   std::vector<JobStatus> jobs() const;
 
  signals:
-  void changed();     // a job came, began or went
-  void progressed();  // one went on
+  void changed();     // a job was added, started or ended
+  void progressed();  // the progress of a job changed
 
  private:
   struct Waiting {
@@ -73,7 +75,7 @@ class JobRunner : public QObject {
 
   Policy m_policy;
   QThreadPool& m_pool;
-  std::vector<std::shared_ptr<Task>> m_running;  // one of a lane
+  std::vector<std::shared_ptr<Task>> m_running;  // at most one per lane
   std::deque<Waiting> m_waiting;
   quint64 m_lastId = 0;
   QTimer m_poll;

@@ -5,12 +5,12 @@
 #include "controls/CommandPalette.h"
 #include "controls/PreferencesDialog.h"
 #include "viewport/Viewport.h"
-#include "window/DocumentTabs.h"
-#include "window/OpenDocument.h"
 #include "window/PopupKeys.h"
-#include "window/ToolChoice.h"
 #include "window/ViewSettings.h"
 #include "window/WindowLayout.h"
+#include "window/documents/DocumentTabs.h"
+#include "window/documents/OpenDocument.h"
+#include "window/tools/ToolChoice.h"
 
 #include <QCloseEvent>
 #include <QDialog>
@@ -73,7 +73,10 @@ MainWindow::MainWindow(QThreadPool& pool, const KindSet& kinds, Drivers drivers)
 
 // The parts refer to one another, so they go in the reverse order of their making, before the widgets do.
 MainWindow::~MainWindow() {
-  m_kindDock->disconnect(this);  // it hides last of all
+  m_kindDock->disconnect(this);
+  // What is hidden calls the members: it must not wait for the widgets to go.
+  for (QDockWidget* dock : findChildren<QDockWidget*>()) dock->hide();
+  hide();
   m_toolChoice->putAway();
   qDeleteAll(findChildren<QDialog*>(Qt::FindDirectChildrenOnly));  // preferences show the keys, which are a member
   for (const auto& [id, ui] : m_uis) ui->setDocument(nullptr);

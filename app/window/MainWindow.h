@@ -4,19 +4,19 @@
 
 #include "controls/ShortcutModel.h"
 #include "panels/LogModel.h"
-#include "window/Autosave.h"
-#include "window/Calibrator.h"
-#include "window/FidelityChoice.h"
-#include "window/FileActions.h"
 #include "window/JobRunner.h"
-#include "window/KindPlace.h"
-#include "window/KindUi.h"
-#include "window/RecentFiles.h"
-#include "window/Thumbnails.h"
 #include "window/WindowServices.h"
+#include "window/documents/Autosave.h"
+#include "window/documents/FileActions.h"
+#include "window/documents/RecentFiles.h"
+#include "window/documents/Thumbnails.h"
+#include "window/fidelity/Calibrator.h"
+#include "window/fidelity/FidelityChoice.h"
 #include "window/haptics/HapticSession.h"
 #include "window/haptics/Recordings.h"
 #include "window/haptics/TouchScene.h"
+#include "window/kinds/KindMenus.h"
+#include "window/kinds/KindUi.h"
 
 #include <QMainWindow>
 #include <QTimer>
@@ -48,24 +48,26 @@ class ViewSettings;
 class Viewport;
 struct Preferences;
 
-// Puts the parts of the window together and connects them. Decisions are made in the parts.
+// The main window, which creates its parts and connects them. The logic is in the parts.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
  public:
   using Drivers = std::vector<std::unique_ptr<DeviceDriver>>;
-  // The pool runs all jobs; it outlives the window. drivers: of devices, besides those of plugins.
+  // The pool runs all jobs; it outlives the window. drivers: the built-in device drivers, in addition to those of
+  // plugins.
   MainWindow(QThreadPool& pool, const KindSet& kinds, Drivers drivers = {});
   ~MainWindow() override;
 
   void openPaths(const QStringList& paths) { m_fileActions.openPaths(paths); }
-  // What a session that was killed left behind; at the start of the program.
+  // Offers to recover documents of a session that was killed; at the start of the program.
   void offerLeftovers() { m_autosave.offerLeftovers(); }
   // Opens the haptic device that was in use last; at the start of the program.
   void takeUpDevice() { m_haptics.takeUp(); }
-  // Measures this machine, where that was not done, as soon as nobody does anything; at the start of the program.
+  // Calibrates the accuracy settings on this machine when the user is idle, if that was not done; at the start of the
+  // program.
   void calibrateWhenIdle();
-  // Nothing is running that will still change what the window shows.
+  // True when nothing is running that will still change what the window shows.
   bool isSettled() const;
 
  protected:
@@ -98,7 +100,7 @@ class MainWindow : public QMainWindow {
   void updateFigures();
   void updateCard();
   void updateHints();
-  std::vector<Hint> hints();  // what the mouse and the keys do now
+  std::vector<Hint> hints();  // the present mouse and key bindings
   void showPanel();
   void showPreferences();
   void prefer(const Preferences& preferences);
@@ -124,7 +126,7 @@ class MainWindow : public QMainWindow {
   Autosave m_autosave;
   QAction m_showPanel;
   QAction m_quit;
-  QTimer m_pictureTimer;  // until the document in view is drawn and stands still
+  QTimer m_pictureTimer;  // waits until the current document is drawn and the camera rests
   OpenDocument* m_shown = nullptr;
 
   Viewport* m_viewport;
@@ -146,7 +148,7 @@ class MainWindow : public QMainWindow {
   ToolHost* m_tools;
   DeviceView* m_deviceView;
   ToolChoice* m_toolChoice;
-  std::unique_ptr<KindPlace> m_kindPlace;
+  std::unique_ptr<KindMenus> m_kindPlace;
   CommandPalette* m_palette;
   QDockWidget* m_documentsDock;
   QDockWidget* m_historyDock;

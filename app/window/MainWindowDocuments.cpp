@@ -9,16 +9,16 @@
 #include "panels/NextStepCard.h"
 #include "panels/StartPage.h"
 #include "viewport/Viewport.h"
-#include "window/DocumentProperties.h"
-#include "window/DocumentTabs.h"
 #include "window/MainWindow.h"
-#include "window/OpenDocument.h"
-#include "window/ToolChoice.h"
-#include "window/ToolHost.h"
-#include "window/ToolPanel.h"
 #include "window/ViewActions.h"
 #include "window/ViewSettings.h"
+#include "window/documents/DocumentProperties.h"
+#include "window/documents/DocumentTabs.h"
+#include "window/documents/OpenDocument.h"
 #include "window/haptics/DeviceView.h"
+#include "window/tools/ToolChoice.h"
+#include "window/tools/ToolHost.h"
+#include "window/tools/ToolPanel.h"
 
 #include <QDockWidget>
 #include <QLabel>
@@ -189,7 +189,7 @@ void MainWindow::updateFigures() {
   if (!document) return;
   const LengthUnit unit = document->document.displayUnit();
   const QString symbol = QString::fromLatin1(symbolOf(unit));
-  m_figures->setText(document->ui.figures());
+  m_figures->setText(document->ui.statistics());
   m_unit->setText(symbol);
   m_unit->setToolTip(tr("Lengths are shown in %1: the display unit of the document, among its properties").arg(symbol));
   m_viewport->setDisplayUnit(unit);

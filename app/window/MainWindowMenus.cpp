@@ -10,9 +10,9 @@
 #include "window/HelpPages.h"
 #include "window/MainWindow.h"
 #include "window/PanelToggle.h"
-#include "window/ToolChoice.h"
 #include "window/ViewActions.h"
 #include "window/ViewSettings.h"
+#include "window/tools/ToolChoice.h"
 
 #include <QDockWidget>
 #include <QMenuBar>
@@ -49,7 +49,7 @@ void MainWindow::buildMenus() {
   QMenu* file = menuBar()->addMenu(tr("&File"));
   file->addAction(m_fileActions.open());
   file->addMenu(m_fileActions.recentMenu());
-  file->addActions(m_fileActions.beginnings());
+  file->addActions(m_fileActions.startActions());
   file->addSeparator();
   file->addActions({m_fileActions.save(), m_fileActions.saveAs()});
   file->addSeparator();
@@ -131,7 +131,7 @@ void MainWindow::buildToolBars() {
 }
 
 void MainWindow::placeKinds() {
-  m_kindPlace = std::make_unique<KindPlace>(*m_kindDock, *m_kindPanels, *m_kindBar);
+  m_kindPlace = std::make_unique<KindMenus>(*m_kindDock, *m_kindPanels, *m_kindBar);
   auto* help = findChild<QMenu*>(QStringLiteral("helpMenu"));
   for (const auto& [id, kind] : m_uis) m_kindPlace->add(id, *kind, m_toolChoice->actions(*kind), *menuBar(), *help);
   for (const auto& [id, kind] : m_uis) help->insertActions(help->actions().first(), kind->help());

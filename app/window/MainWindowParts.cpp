@@ -12,27 +12,27 @@
 #include "panels/NextStepCard.h"
 #include "panels/StartPage.h"
 #include "viewport/Viewport.h"
-#include "window/CalibrationRow.h"
-#include "window/DocumentProperties.h"
-#include "window/DocumentTabs.h"
-#include "window/FidelityPanel.h"
-#include "window/FrameUse.h"
 #include "window/MainWindow.h"
 #include "window/PanelToggle.h"
-#include "window/ServiceFigures.h"
-#include "window/ToolChoice.h"
-#include "window/ToolHost.h"
-#include "window/ToolPanel.h"
+#include "window/ServiceStatistics.h"
 #include "window/ViewActions.h"
 #include "window/ViewFocus.h"
 #include "window/ViewSettings.h"
+#include "window/documents/DocumentProperties.h"
+#include "window/documents/DocumentTabs.h"
+#include "window/fidelity/CalibrationRow.h"
+#include "window/fidelity/FidelityPanel.h"
+#include "window/fidelity/FrameTiming.h"
 #include "window/haptics/DeviceDock.h"
 #include "window/haptics/DevicePointer.h"
 #include "window/haptics/DeviceView.h"
 #include "window/haptics/HapticFidelity.h"
 #include "window/haptics/RecordingsDock.h"
-#include "window/haptics/TickUse.h"
+#include "window/haptics/TickTiming.h"
 #include "window/haptics/TouchPage.h"
+#include "window/tools/ToolChoice.h"
+#include "window/tools/ToolHost.h"
+#include "window/tools/ToolPanel.h"
 
 #include <QDockWidget>
 #include <QLabel>
@@ -84,7 +84,7 @@ void MainWindow::buildCentre() {
   m_toolPanel = new ToolPanel(this);
   m_tools = new ToolHost(*m_viewport, *m_toolPanel, m_services.needs(), this);
   new HapticFidelity(m_fidelity, m_haptics, m_touch, this);
-  new DevicePointer(m_haptics, *m_viewport, *m_tools, m_touch, m_tools);
+  new DevicePointer(m_haptics, *m_viewport, *m_tools, m_touch);
   m_toolChoice = new ToolChoice(*m_tools, this);
   m_card = new NextStepCard(m_viewport);
   connect(m_viewport, &Viewport::graphicsFailed, m_messages, [this](const QString& problem) {
@@ -118,8 +118,8 @@ void MainWindow::buildDocks() {
   m_viewSettings = new ViewSettings(*view, *m_viewport, this);
   m_viewDock = addDock(*this, Qt::RightDockWidgetArea, "viewDock", tr("View"), view, "view-iso");
   auto* fidelity = new FidelityPanel(m_fidelity, this);
-  fidelity->addBelow(new TickUse(m_haptics, m_fidelity, fidelity));
-  fidelity->addBelow(new FrameUse(*m_viewport, m_fidelity, fidelity));
+  fidelity->addBelow(new TickTiming(m_haptics, m_fidelity, fidelity));
+  fidelity->addBelow(new FrameTiming(*m_viewport, m_fidelity, fidelity));
   fidelity->addBelow(new CalibrationRow(m_fidelity, m_calibrator, fidelity));
   m_fidelityDock = addDock(*this, Qt::LeftDockWidgetArea, "fidelityDock", tr("Fidelity"), fidelity, "fidelity");
   tabifyDockWidget(m_historyDock, m_fidelityDock);
@@ -159,7 +159,7 @@ void MainWindow::buildStatusBar() {
   log->setDefaultAction(m_logDock->findChild<PanelToggle*>());
   log->setAccessibleName(tr("Log"));
   log->setIconSize({16, 16});
-  auto* services = new ServiceFigures(m_services, this);
+  auto* services = new ServiceStatistics(m_services, this);
   connect(services, &QToolButton::clicked, m_statusDock->findChild<PanelToggle*>(), &QAction::trigger);
   statusBar()->setSizeGripEnabled(false);
   statusBar()->addWidget(m_hints, 1);

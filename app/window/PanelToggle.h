@@ -8,13 +8,14 @@ class QDockWidget;
 
 namespace handwheel {
 
-// Shows a panel, in front of those that it shares its place with, or folds it away when it is seen already. Checked
-// while it is seen. Qt's own action of a dock would fold away a panel that lies behind another.
+// An action that shows or hides a dock panel. It raises the dock above those tabbed with it, and hides it when it is
+// already visible. Checked while it is visible. Qt's QDockWidget::toggleViewAction() would hide a dock that lies behind
+// another.
 class PanelToggle : public QAction {
   Q_OBJECT
 
  public:
-  // A child of the dock, named after it.
+  // The action is a child of the dock and named after it.
   PanelToggle(QDockWidget* dock, const QString& iconName);
 };
 

@@ -6,13 +6,14 @@
 
 namespace handwheel {
 
-// While a menu or a list of choices is open, the keys belong to it alone. Qt would ask the shortcuts of the window
-// first: Return would take the choice and fill the selected hole as well.
+// An event filter that disables window shortcuts while a popup is open. Keys then go to the menu or list of choices
+// only. Qt would handle the shortcuts of the window first: Return would accept the choice and also fill the selected
+// hole.
 class PopupKeys : public QObject {
   Q_OBJECT
 
  public:
-  // As long as this lives, for the whole application.
+  // Installs the filter on the application for the lifetime of this object.
   explicit PopupKeys(QObject* parent);
 
  protected:

@@ -8,7 +8,7 @@ namespace handwheel {
 
 class MainWindow;
 
-// Waits until everything asked for is open and drawn, saves a picture of the window and ends the program: exit code 1
+// Saves a picture of the window and ends the program. Waits until all requested files are open and drawn. Exit code 1
 // when the picture could not be written.
 void takeScreenshot(MainWindow& window, const QString& path);
 

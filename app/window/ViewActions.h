@@ -14,7 +14,7 @@ namespace handwheel {
 
 class Viewport;
 
-// The View menu: from where and how the model is seen, and the look of the program.
+// The actions of the View menu: standard views, shading and theme.
 class ViewActions : public QObject {
   Q_OBJECT
 

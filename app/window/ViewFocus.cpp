@@ -4,8 +4,8 @@
 
 #include <QAbstractButton>
 #include <QApplication>
-#include <QFocusEvent>
 #include <QMainWindow>
+#include <QPointer>
 
 namespace handwheel {
 
@@ -18,26 +18,25 @@ ViewFocus::ViewFocus(QMainWindow& window, QWidget& view, QObject* parent)
 void ViewFocus::follow(QWidget* old, QWidget* now) {
   if (!m_window.isActiveWindow() || (now && now->window() != &m_window)) return;
   const bool isTakenAway = old && old->window() == &m_window && !(old->isEnabled() && old->isVisible());
-  if (isTakenAway || (!now && !m_window.focusWidget())) takeBack();
+  if (isTakenAway || (!now && !m_window.focusWidget())) takeBackFrom(nullptr);
 }
 
-// A button that is clicked gets the focus first, so that a field that is being edited hears that it has lost it.
+// A button that is pressed gets the focus, so that a field that is being edited hears that it has lost it; and must
+// keep it until it is released, or it takes the press for abandoned. A click that opens a field gives that the focus.
 bool ViewFocus::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::FocusIn && static_cast<QFocusEvent*>(event)->reason() == Qt::MouseFocusReason) {
+  if (event->type() == QEvent::MouseButtonRelease) {
     const auto* button = qobject_cast<QAbstractButton*>(watched);
-    if (button && button->window() == &m_window) takeBack();
+    if (button && button->window() == &m_window && button->hasFocus()) takeBackFrom(button);
   }
   return QObject::eventFilter(watched, event);
 }
 
-// Later: Qt is not done with moving the focus.
-void ViewFocus::takeBack() {
-  QMetaObject::invokeMethod(
-      &m_view,
-      [this] {
-        if (m_view.isVisible()) m_view.setFocus(Qt::OtherFocusReason);
-      },
-      Qt::QueuedConnection);
+// Later: Qt is not done with the event. Unless something else has the focus by then.
+void ViewFocus::takeBackFrom(const QWidget* holder) {
+  const auto take = [this, holder = QPointer<const QWidget>(holder)] {
+    if (m_view.isVisible() && (!holder || holder->hasFocus())) m_view.setFocus(Qt::OtherFocusReason);
+  };
+  QMetaObject::invokeMethod(this, take, Qt::QueuedConnection);
 }
 
 }  // namespace handwheel

@@ -9,14 +9,14 @@ class QWidget;
 
 namespace handwheel {
 
-// Keeps the keyboard focus in the 3D view while the mouse gives commands. Qt hands the focus of a widget that is hidden
-// or disabled to the next in the tab order, where the space bar would press a button that nobody chose. Who goes
-// through the window by Tab keeps the focus wherever that leads.
+// Keeps the keyboard focus in the 3D view while commands are given by mouse. Qt passes the focus of a widget that is
+// hidden or disabled to the next in the tab order, where the space bar would press a button that the user did not
+// choose. Focus changes by Tab are left alone.
 class ViewFocus : public QObject {
   Q_OBJECT
 
  public:
-  // Both outlive this.
+  // Window and view must outlive this object.
   ViewFocus(QMainWindow& window, QWidget& view, QObject* parent);
 
  protected:
@@ -24,7 +24,7 @@ class ViewFocus : public QObject {
 
  private:
   void follow(QWidget* old, QWidget* now);
-  void takeBack();
+  void takeBackFrom(const QWidget* holder);
 
   QMainWindow& m_window;
   QWidget& m_view;

@@ -133,8 +133,8 @@ void ViewSettings::setLengthUnit(LengthUnit unit) {
   m_list.setLengthUnit(unit);
 }
 
-void ViewSettings::setSectionFigures(std::vector<Property> figures) {
-  m_figures = std::move(figures);
+void ViewSettings::setSectionFigures(std::vector<Property> statistics) {
+  m_figures = std::move(statistics);
   refresh();
 }
 

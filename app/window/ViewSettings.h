@@ -9,28 +9,27 @@
 
 namespace handwheel {
 
-// How the view shows the model: projection, clipping plane, view cube. Shown as a form, kept with nothing: a view is
-// not a part of a document.
+// The settings of the view: projection, clipping plane, view cube. Shown as a form; not stored with a document.
 class ViewSettings : public QObject {
   Q_OBJECT
 
  public:
   ViewSettings(PropertyList& list, Viewport& viewport, QObject* parent = nullptr);
 
-  // Another model is in view: the plane lies across it as it did across the last one.
+  // To be called when another model is shown. The plane gets the same relative position as in the last one.
   void followModel();
-  // The model has changed its size, or the camera its projection.
+  // To be called when the size of the model or the projection of the camera has changed.
   void refresh();
   void setLengthUnit(LengthUnit unit);
-  // What was measured where the plane cuts the model; refreshes.
-  void setSectionFigures(std::vector<Property> figures);
-  QAction* clipAction() { return &m_clip; }  // cuts the model open
-  // How everything is seen; kept from one start of the program to the next.
+  // Sets the measurements of the section; refreshes.
+  void setSectionFigures(std::vector<Property> statistics);
+  QAction* clipAction() { return &m_clip; }  // switches the clipping plane
+  // Projection and view cube. Both are remembered over restarts.
   QList<QAction*> viewActions() { return {&m_perspective, &m_cube}; }
 
  private:
   Vec3 axis() const;
-  std::pair<double, double> range() const;  // of the offset across the model, mm
+  std::pair<double, double> range() const;  // of the plane's offset within the model, mm
   void makeClipAction();
   void makeViewActions();
   void project();
@@ -45,7 +44,7 @@ class ViewSettings : public QObject {
   int m_axis = 0;  // X, Y, Z, or the direction of the view at the time it was chosen
   bool m_isFlipped = false;
   double m_offset = 0.0;  // along the axis, mm
-  double m_place = 0.5;   // of the plane across the model, 0…1
+  double m_place = 0.5;   // relative position of the plane within the model, 0…1
   Vec3 m_viewDirection = Vec3::UnitZ();
   std::vector<Property> m_figures;
 };

@@ -9,10 +9,11 @@ class QMainWindow;
 
 namespace handwheel {
 
-// Size, place and panels of the window, remembered over restarts. At the first start the window fills a screen that is
-// too small for its usual size; the given docks are folded away where the window is small, so that the viewport keeps
-// most of the window; the Log always is.
+// Restores size, position and panels of the window from the settings. At the first start the window is maximised on a
+// screen too small for its default size. The given docks are then hidden where the window is small, so that the
+// viewport keeps most of it; the last of them, the Log, always is.
 void restoreLayout(QMainWindow& window, const QList<QDockWidget*>& foldable);
+// Stores size, position and panels of the window in the settings.
 void saveLayout(const QMainWindow& window);
 
 }  // namespace handwheel

@@ -10,8 +10,8 @@
 
 namespace handwheel {
 
-// What runs beside the window, and only while a document or a tool needs it. Everything that works in the background
-// measures its ticks here, so the Status panel can say what it costs.
+// The background services of the window, which run only while they are needed. A document or a tool needs them.
+// Everything that works in the background measures its ticks here, for the Status panel.
 class WindowServices {
  public:
   WindowServices();
@@ -22,9 +22,9 @@ class WindowServices {
   Service& fillPreview() { return m_fillPreview; }
   Service& haptics() { return m_haptics; }  // the servo loop of the device; its ticks are the loop's
 
-  // What each has cost so far that runs now, by its translated name: CPU time in µs.
+  // The CPU time of each running service so far, in µs, by its translated name.
   std::vector<std::pair<QString, double>> costs() const;
-  // The figures since the last call.
+  // The statistics since the last call.
   std::vector<ServiceStatus> status();
 
  private:

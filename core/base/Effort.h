@@ -8,22 +8,21 @@
 
 namespace handwheel {
 
-// How much a piece of work may do, in steps that it counts itself, each worth about a microsecond. Unlike a limit of
-// time it is the same on every machine and in every run. Any thread.
+// A work budget that limits a computation by counted steps. The computation counts them itself; each is worth about a
+// microsecond. Unlike a time limit, the budget is the same on every machine and in every run. Thread-safe.
 class Effort {
  public:
   explicit Effort(std::size_t most) : m_most(most) {}
-  // A share of another, which pays for it and must outlive it.
+  // A share of another budget, to which its steps are charged, too. The other must outlive it.
   Effort(std::size_t most, Effort& whole) : m_most(std::min(most, whole.left())), m_whole(&whole) {}
   Effort(const Effort&) = delete;
   Effort& operator=(const Effort&) = delete;
 
-  // The whole pays for no more than the share: how far threads go beyond it does not matter to what follows.
-  void spend(std::size_t steps) {
-    const std::size_t before = m_spent.fetch_add(steps, std::memory_order_relaxed);
-    if (m_whole) m_whole->spend(std::min(before + steps, m_most) - std::min(before, m_most));
-  }
+  void spend(std::size_t steps) { spend(steps, steps); }
 
+  // All steps that were done, those of shares and those beyond the limit included. May differ between runs with
+  // threads.
+  std::size_t counted() const { return m_counted.load(std::memory_order_relaxed); }
   std::size_t spent() const { return std::min(m_spent.load(std::memory_order_relaxed), m_most); }
   std::size_t left() const { return m_whole ? std::min(m_most - spent(), m_whole->left()) : m_most - spent(); }
   bool isSpent() const { return left() == 0; }
@@ -31,9 +30,16 @@ class Effort {
   double shareSpent() const { return m_most > 0 ? static_cast<double>(spent()) / static_cast<double>(m_most) : 1.0; }
 
  private:
+  // At most the share is charged to the whole, so that it does not matter later how far threads overrun the share.
+  void spend(std::size_t steps, std::size_t counted) {
+    m_counted.fetch_add(counted, std::memory_order_relaxed);
+    const std::size_t before = m_spent.fetch_add(steps, std::memory_order_relaxed);
+    if (m_whole) m_whole->spend(std::min(before + steps, m_most) - std::min(before, m_most), counted);
+  }
+
   std::size_t m_most;
   Effort* m_whole = nullptr;
-  std::atomic<std::size_t> m_spent{0};
+  std::atomic<std::size_t> m_spent{0}, m_counted{0};
 };
 
 }  // namespace handwheel

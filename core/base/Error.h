@@ -8,9 +8,9 @@
 
 namespace handwheel {
 
-// What went wrong. The sentence for each lives in widgets/text/ErrorText.cpp, with the arguments named below. An
-// argument is empty where it is not known. {what} is an English plural noun ("facets", "vertices", "faces", "bytes",
-// "lines", ...).
+// The kinds of errors that the library reports. The sentence for each is in widgets/text/ErrorText.cpp, with the
+// arguments named below. An argument is empty where it is not known. {what} is an English plural noun ("facets",
+// "vertices", "faces", "bytes", "lines", ...).
 enum class ErrorCode {
   Cancelled,
   OutOfMemory,
@@ -52,7 +52,7 @@ enum class ErrorCode {
   LibraryFailed,      // {library, reason}
 };
 
-// Where in the input: the byte offset in binary files, the line (from 1) in text files.
+// A position in the input. The byte offset in binary files, the line (from 1) in text files.
 struct Place {
   enum class Kind { None, Byte, Line };
   Kind kind = Kind::None;
@@ -62,6 +62,7 @@ struct Place {
   static Place line(std::uint64_t number) { return {Kind::Line, number}; }
 };
 
+// An error with its code, arguments and position in the input.
 struct Error {
   ErrorCode code = ErrorCode::Cancelled;
   std::vector<std::string> arguments;

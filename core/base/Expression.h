@@ -11,26 +11,28 @@
 
 namespace handwheel {
 
-// What a number without a unit means where an expression is entered, and what the result has to be.
+// How an expression is interpreted in an input field. Gives the meaning of numbers without a unit, and the quantity
+// that the result must have.
 struct ExpressionField {
   Quantity quantity = Quantity::Number;
   LengthUnit lengthUnit = LengthUnit::Millimetre;  // of bare lengths; bare angles are degrees
   bool decimalComma = false;                       // the language writes 1,5; then "1,234" is below two as well
 };
 
+// The reason why an expression cannot be evaluated, with its position.
 struct ExpressionError {
   enum class Kind {
     Empty,
     TooLong,
     TooDeep,
-    NumberMissing,    // found stands in its place; empty: the text ends there
+    NumberMissing,    // found is in its place; empty: the text ends there
     OperatorMissing,  // before found
     BracketMissing,   // a closing one, before found; empty: at the end
     NumberMalformed,  // {found}
     CommaAmbiguous,   // {found} "1,234" may be 1.234 or 1234
     NameUnknown,      // {found} no such unit or constant
     UnlikeTerms,      // a length, an angle and a number cannot be added
-    WrongQuantity,    // the result is not what the field wants
+    WrongQuantity,    // the result is not the quantity that the field requires
     DivisionByZero,
     TooLarge,  // beyond the range of a double
   };
@@ -42,14 +44,13 @@ struct ExpressionError {
 using ExpressionResult = std::variant<double, ExpressionError>;
 
 inline constexpr std::size_t kLongestExpression = 256;  // bytes
-inline constexpr int kDeepestExpression = 32;           // brackets in brackets
+inline constexpr int kDeepestExpression = 32;           // nested brackets
 
-// Evaluates "25.4/2", "1 in + 2mm", "2*(3+4)", "90deg", "pi/2 rad" (UTF-8): a finite number in mm, radian or of no
-// unit, as the field's quantity says. Bare numbers take the field's unit when they are added to one that has it, or at
-// the end. A unit belongs to the product before it while that has none ("1/2 in" is half an inch), else to the last
-// factor
-// ("2mm/4mm" is 0.5). Takes both decimal signs, of any locale; a comma that might separate thousands is refused.
-// Linear in the text's length.
+// Evaluates an arithmetic expression with units. Examples are "25.4/2", "1 in + 2mm", "2*(3+4)", "90deg", "pi/2 rad"
+// (UTF-8). The result is a finite number in mm, radian or of no unit, by the field's quantity. Bare numbers take the
+// field's unit when they are added to one that has it, or at the end. A unit belongs to the product before it while
+// that has none ("1/2 in" is half an inch), else to the last factor ("2mm/4mm" is 0.5). Both decimal signs are
+// accepted, in any locale; a comma that might separate thousands is refused. Linear in the text's length.
 ExpressionResult evaluateExpression(std::string_view text, const ExpressionField& field);
 
 }  // namespace handwheel

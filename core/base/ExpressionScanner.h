@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// Walks through the text of an expression; part of Expression.cpp. Operators and blanks that are not ASCII, as copied
-// from a text, count as their ASCII ones.
+// A scanner for the text of arithmetic expressions; part of Expression.cpp. Operators and blanks that are not ASCII, as
+// copied from a text, are treated as their ASCII equivalents.
 class ExpressionScanner {
  public:
   explicit ExpressionScanner(std::string_view text) : m_text(text) {}
@@ -22,11 +22,11 @@ class ExpressionScanner {
   void skipSign();
   void skipBlanks();
 
-  // Letters, and whatever is neither ASCII nor an operator; or a quotation mark, which stands for inches. May be empty.
+  // Letters, and whatever is neither ASCII nor an operator; or a quotation mark, which means inches. May be empty.
   std::string_view peekWord();
   void skip(std::size_t bytes) { m_at += bytes; }
 
-  // What stands here, to be quoted: a word or a character.
+  // The token at the current position, for error messages: a word or a character.
   std::string_view peekToken();
 
   // A number with either decimal sign; not well formed when it has two of them or no digit.

@@ -13,32 +13,33 @@
 
 namespace handwheel {
 
-// How the values of a setting are spread over its range.
+// How the values of a setting are distributed over its range.
 enum class FidelityScale { Linear, Logarithmic, Choices };
 
+// Predefined trade-offs between speed and accuracy.
 enum class FidelityPreset { Draft, Balanced, Exact };
 inline constexpr std::array kFidelityPresets{FidelityPreset::Draft, FidelityPreset::Balanced, FidelityPreset::Exact};
 std::string_view wordFor(FidelityPreset preset);  // "Draft"; lower-case where people type it
 
-// What the cost of a setting is taken from, where that can run out.
+// The limited resource that a setting consumes.
 enum class FidelityBudget {
   None,
-  Core,   // µs of CPU time in a second: of one core, which the servo loop may keep busy
-  Tick,   // µs of a tick of the servo loop, between which and the next there is only the period
-  Rate,   // ticks a second of the servo loop
-  Frame,  // ms of a frame, as what is done between two pictures delays the second
-  Wait,   // ms until something is there that the user waits for
-  Fill,   // the same, of holes that are filled: settings of one piece of work, each of which makes all of it longer
+  Core,   // µs of CPU time per second, of one core, which the servo loop may keep busy
+  Tick,   // µs per tick of the servo loop; a tick has only the period of the loop
+  Rate,   // ticks of the servo loop per second
+  Frame,  // ms per frame: work done between two frames delays the second
+  Wait,   // ms until a result is available that the user waits for
+  Fill,   // the same for hole filling: the settings affect one computation, and each makes all of it longer
 };
 
-// What is measured, in words, and its unit: "ms", "us", "MB", "mm", or what is counted ("vertices").
+// The name and unit of a measured quantity. The unit is "ms", "us", "MB", "mm", or what is counted ("vertices").
 struct FidelityMeasure {
   std::string name;
   std::string unit;
 };
 
-// A place where speed trades with accuracy, described so that it can be chosen, measured and shown. Described by the
-// room whose code reads the value.
+// A parameter that trades speed for accuracy. The description allows to choose, measure and show it; it is written in
+// the module whose code reads the value.
 struct FidelitySetting {
   std::string id;     // stable, for files and the command line: "mesh.near_weld"
   std::string label;  // English, translated where it is shown (context "Fidelity")
@@ -48,7 +49,7 @@ struct FidelitySetting {
   double largest = 0.0;
   bool whole = false;                     // takes whole numbers only
   std::vector<std::string> choices = {};  // words; the value is the index of one
-  double standard = 0.0;                  // the default: what holds where nobody chose
+  double standard = 0.0;                  // the default value
   std::array<double, 3> presets = {};     // by FidelityPreset; follow from resources/fidelity/ID.json
   FidelityMeasure error;
   FidelityMeasure cost;
@@ -57,23 +58,25 @@ struct FidelitySetting {
   double presetValue(FidelityPreset preset) const { return presets[static_cast<std::size_t>(preset)]; }
 };
 
-// A setting of choices: range and scale follow from the words.
+// Sets the choices of a setting. Range and scale follow from the words.
 void setChoices(FidelitySetting& setting, std::vector<std::string> words);
 
-// Whether the setting can take the value. Error: ValueOutOfRange {id, value, least, largest}.
+// Checks whether a setting can take a value. Error: ValueOutOfRange {id, value, least, largest}.
 Status checkValue(const FidelitySetting& setting, double value);
 
-// The value as it is written and read everywhere: a choice's word, or the shortest digits that read back the same.
+// Formats a value of a setting as text, as in all input and output. A choice's word, or the shortest digits that read
+// back the same.
 std::string textOf(const FidelitySetting& setting, double value);
-// Errors: NumberMalformed {text}, ValueOutOfRange.
+// Parses the text of a value. Errors: NumberMalformed {text}, ValueOutOfRange.
 Result<double> valueOf(const FidelitySetting& setting, std::string_view text);
 
-// Where a value lies on its scale: 0 at least, 1 at largest. And back, rounded where only whole numbers are taken.
+// Converts a value to its position on the scale, and back. The position is 0 at least and 1 at largest; values are
+// rounded where only whole numbers are allowed.
 double placeOf(const FidelitySetting& setting, double value);
 double valueAt(const FidelitySetting& setting, double place);
 
-// What somebody chose: a preset or the defaults, and single values that override it. A value; documents and the
-// program's options hold one.
+// The values chosen for settings. A preset or the defaults, and single values that override it. A value type; documents
+// and the program's options hold one.
 class FidelityValues {
  public:
   FidelityValues() = default;  // the defaults

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// What there is of each budget.
+// The available amount of each budget.
 struct FitLimits {
   double core = 1e6;             // us in a second
   double standardRate = 1000.0;  // Hz, where no setting chooses the rate of the servo loop
@@ -15,39 +15,41 @@ struct FitLimits {
                                  // conversational transactions", 1968)
 };
 
-// A setting with its curve, values ascending: what each value errs in multiples of the default in the worst case, and
-// what it costs in its own unit where it costs most.
+// A setting with its error and cost curve. Values ascend; the error is that of the worst case in multiples of the
+// default's, the cost that of the costliest case in its own unit.
 struct FitCandidate {
   FidelitySetting setting;
   std::vector<CurvePoint> curve;
 };
 FitCandidate fitCandidate(const FidelitySetting& setting, std::span<const FidelityRow> rows);
 
+// A setting with the value chosen for it.
 struct FittedSetting {
   FidelitySetting setting;
   CurvePoint point;
   double standardCost = 0.0;
-  bool isOver = false;  // no value keeps its part of the budget; this one costs least
+  bool isOver = false;  // no value stays within its part of the budget; this one costs least
 };
 
-// What is left of a budget: so much of it is used, in its unit, as the curves predict.
+// The predicted use of a budget and its limit, in its unit.
 struct FitShare {
   FidelityBudget budget = FidelityBudget::None;
   double used = 0.0;
   double limit = 0.0;
 };
 
+// The result of fitToScene().
 struct FidelityFit {
   FidelityValues values{FidelityPreset::Balanced};  // for what has no budget or no curve
   std::vector<FittedSetting> settings;
   std::vector<FitShare> shares;  // in the order of FidelityBudget
 };
 
-// The most accurate values that leave a third of each budget to spare (kBudgetShare):
-//  - the rate of the servo loop first: its period is the budget of a tick, and stiffness has to be paid for in ticks;
-//  - n settings that share a budget have an n-th of it each;
-//  - those of Fill, where costs multiply, may each make the costliest fill longer by the n-th root of what there is.
-// Of values that err no more and cost hardly more, the one nearest to the default is taken, as by derivedPresets().
+// Chooses the most accurate values that leave a third of each budget unused (kBudgetShare):
+//  - the rate of the servo loop is chosen first: its period is the budget of a tick, and stiffness costs time per tick;
+//  - n settings that share a budget get an n-th of it each;
+//  - those of Fill, where costs multiply, may each lengthen the costliest fill by the n-th root of what is available.
+// Of values with no larger error and hardly more cost, the one nearest to the default is taken, as by derivedPresets().
 FidelityFit fitToScene(std::span<const FitCandidate> candidates, const FitLimits& limits = {});
 
 }  // namespace handwheel

@@ -10,21 +10,22 @@
 
 namespace handwheel {
 
+// The error and the cost measured in one run.
 struct FidelitySample {
   double error = 0.0;  // infinite: no result at all with this value
   double cost = 0.0;
 };
 
-// One thing that a setting is measured on. run() works with the value on input that the seed fixes, so that the error
-// is the same every time, and measures the cost itself (cpuMilliseconds(), bytes, counts). When cancelled it may return
-// anything.
+// A test case on which a setting is measured. run() works with the value on input that the seed determines, so that the
+// error is reproducible, and measures the cost itself (cpuMilliseconds(), bytes, counts). The result is invalid if
+// cancelled.
 struct FidelityCase {
   std::string name;   // short, English: "sphere, torn along a meridian"
-  std::string truth;  // against what the error is taken: "closed form", "run ten times finer", ...
+  std::string truth;  // the reference for the error: "closed form", "run ten times finer", ...
   std::function<FidelitySample(double value, std::uint64_t seed, Progress progress)> run;
 };
 
-// The settings of a program with what each is measured on. Made by app, passed on by reference.
+// The settings of a program with their test cases. Created by app, passed on by reference.
 class FidelityRegistry {
  public:
   struct Entry {
@@ -32,7 +33,7 @@ class FidelityRegistry {
     std::vector<FidelityCase> cases;
   };
 
-  // The setting must be sound: named, its range in order (above zero where it is logarithmic), default and presets
+  // The setting must be valid: named, its range in order (above zero where it is logarithmic), default and presets
   // inside. Its id must be new.
   void add(FidelitySetting setting, std::vector<FidelityCase> cases);
   const std::vector<Entry>& entries() const { return m_entries; }
@@ -42,9 +43,9 @@ class FidelityRegistry {
   std::vector<Entry> m_entries;
 };
 
-// What was chosen, as people write it and options files keep it: a preset's word ("draft", "balanced", "exact"), then
-// single values, with commas between: "draft,mesh.fill_method=fair". Empty: the defaults. Errors: ReferenceMissing
-// {"the setting", id}, NumberMalformed {text}, ValueOutOfRange.
+// Parses the values chosen for settings, as users and options files write them. A preset's word ("draft", "balanced",
+// "exact"), then single values, separated by commas: "draft,mesh.fill_method=fair". Empty: the defaults. Errors:
+// ReferenceMissing {"the setting", id}, NumberMalformed {text}, ValueOutOfRange.
 Result<FidelityValues> readValues(const FidelityRegistry& registry, std::string_view text);
 std::string textOf(const FidelityRegistry& registry, const FidelityValues& values);
 

@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// One measurement: a line of the table, of the CSV file and of the curves kept as data.
+// One measurement of a setting. A row of the table, of the CSV file and of the curves kept as data.
 struct FidelityRow {
   std::string setting;
   double value = 0.0;
@@ -23,25 +23,27 @@ struct FidelityRow {
   std::string truth;
 };
 
+// Options of sweep().
 struct SweepOptions {
   int steps = 9;  // values over the range, spread by its scale; default and presets come on top
   int repeats = 5;
   std::uint64_t seed = 1;
 };
 
-// The values that a sweep takes, ascending, each once: all choices; else steps over the range (in two digits where the
-// scale is logarithmic), default and presets.
+// Computes the values at which a sweep measures a setting. They ascend, each occurring once: all choices; else steps
+// over the range (in two digits where the scale is logarithmic), default and presets.
 std::vector<double> sweepValues(const FidelitySetting& setting, int steps);
 
-// Measures every case at every value. Repeats go round all values in turn, so that a machine that grows slow hits all
-// alike. Rows: case by case, values ascending. Errors: Cancelled.
+// Measures every test case at every value of a setting. Repeats cycle through all values, so that a machine that
+// becomes slow affects all alike. Rows: case by case, values ascending. Errors: Cancelled.
 Result<std::vector<FidelityRow>> sweep(const FidelitySetting& setting, std::span<const FidelityCase> cases,
                                        const SweepOptions& options, Progress progress = {});
 
 double median(std::vector<double> values);  // of at least one; the mean of the middle two where their number is even
 double medianDeviation(const std::vector<double>& values);  // median absolute deviation from the median
 
-// The rows as comma-separated values (RFC 4180), numbers as in C; and the line that stands above them.
+// Formats measurements as comma-separated values (RFC 4180). Numbers are written as in C; kFidelityCsvHeader is the
+// header line.
 std::string csvOf(const FidelitySetting& setting, std::span<const FidelityRow> rows);
 inline constexpr std::string_view kFidelityCsvHeader =
     "setting,value,case,error,error_unit,cost,cost_unit,spread,repeats,seed,truth\n";

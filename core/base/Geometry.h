@@ -16,13 +16,13 @@ using Pose = Eigen::Isometry3d;  // rotation and translation (mm)
 // Three vertex numbers, counter-clockwise seen from outside.
 using Triangle = std::array<std::uint32_t, 3>;
 
-// "No such vertex, face or half-edge."
+// The invalid index: no such vertex, face or half-edge.
 inline constexpr std::uint32_t kNone = 0xffffffffu;
 
-// The number type in which a file, or the file that will be written, holds its coordinates.
+// The floating-point type in which a file stores coordinates. That is the file read, or the one that will be written.
 enum class NumberType { Float32, Float64 };
 
-// v as a file of this number type holds it. Negative zero becomes zero, so that equal positions have equal bits.
+// Rounds v to the number type of a file. Negative zero becomes zero, so that equal positions have equal bits.
 inline double rounded(double v, NumberType type) {
   // volatile: GCC 12 at -O2 was seen to drop the rounding otherwise.
   volatile float single = static_cast<float>(v);

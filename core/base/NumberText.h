@@ -9,17 +9,17 @@
 
 namespace handwheel {
 
-// A decimal number in the C locale, whatever locale the process has; a leading plus is allowed. Numbers too small for a
-// double are zero. "inf" and "nan" are read, too: who calls decides. False, with the reason, for anything else:
-// NumberMalformed, NumberNotFinite (too large for a double).
+// Parses a decimal number in the C locale, whatever locale the process has. A leading plus is allowed. Numbers too
+// small for a double are zero. "inf" and "nan" are accepted, too; the caller decides. False, with the reason, for
+// anything else: NumberMalformed, NumberNotFinite (too large for a double).
 bool parseDecimal(std::string_view word, double& value, ErrorCode& why);
 
-// The fewest digits that read back as the same number, in the C locale.
+// Formats a number with the fewest digits that read back the same. In the C locale.
 std::string shortestText(double value);
-// With so many digits at most, for people; without a sign for zero. In the C locale.
+// Formats a number with at most the given number of digits, for display. Zero has no sign. In the C locale.
 std::string roundedText(double value, int digits = 6);
 
-// Of ASCII, whatever the locale.
+// Whether c is an ASCII digit, whatever the locale.
 inline bool isDigit(char c) {
   return c >= '0' && c <= '9';
 }

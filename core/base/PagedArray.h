@@ -10,9 +10,9 @@
 
 namespace handwheel {
 
-// An array in pages that copies share until one of them writes. Copying costs one pointer per 4096 elements; a write to
-// a shared page copies that page only. So a snapshot of a mesh is cheap, and two versions are compared page by page.
-// Reading different copies on different threads is safe; one copy is written by one thread at a time.
+// A copy-on-write array in pages that copies share. Copying costs one pointer per 4096 elements; a write to a shared
+// page copies that page only. So a snapshot of a mesh is cheap, and two versions are compared page by page. Reading
+// different copies on different threads is safe; one copy is written by one thread at a time.
 template <class T>
 class PagedArray {
  public:

@@ -5,27 +5,29 @@
 #include "base/Effort.h"
 
 #include <atomic>
+#include <cmath>
 
 namespace handwheel {
 
-// Shared by a job and who watches it. Any thread.
+// The progress and the cancel flag of a job. Shared by the job and its observers; any thread.
 struct JobState {
   std::atomic<bool> cancelled{false};
   std::atomic<double> fraction{0.0};  // 0…1
 };
 
-// A span of a job's progress, handed down by value to the function that does that part of the work.
+// Reports progress within a range of a job, and checks for cancellation. Passed by value to the function that does that
+// part of the work.
 class Progress {
  public:
-  Progress() = default;  // nobody watches
+  Progress() = default;  // not observed
   explicit Progress(JobState& state) : m_state(&state) {}
 
-  // The work is to be given up: somebody cancelled it, or the effort is spent that it may take (within()).
+  // True when the work is to be abandoned: it was cancelled, or the effort that limits it (within()) is spent.
   bool cancelled() const {
     return (m_state && m_state->cancelled.load(std::memory_order_relaxed)) || (m_isLimited && m_effort->isSpent());
   }
 
-  // The same span of work, given up once this effort is spent, which must outlive it. Where there was a limit before,
+  // The same range, abandoned once this effort is spent; the effort must outlive it. Where there was a limit before,
   // the effort is to be a share() of it.
   Progress within(Effort& effort) const {
     Progress p = *this;
@@ -34,15 +36,16 @@ class Progress {
     return p;
   }
 
-  // For what must come to its end: it is counted, but only who cancels stops it.
+  // The same range without the limit, for work that must be completed: steps are counted, but only cancelling stops it.
   Progress unlimited() const {
     Progress p = *this;
     p.m_isLimited = false;
     return p;
   }
 
-  // within(), and the fraction is how much of the effort is spent, also of its shares, whatever set() says: of work
-  // that is tried again and again nobody knows more.
+  // As within(), but the reported fraction is the root of the share of the effort that is spent, its shares included,
+  // and set() is ignored. For repeated trials there is no better estimate; most end early, and the root is seen to move
+  // then.
   Progress measuredBy(Effort& effort) const {
     Progress p = within(effort);
     if (!p.m_measure) p.m_measure = &effort;
@@ -55,14 +58,14 @@ class Progress {
   void spend(std::size_t steps) const {
     if (!m_effort) return;
     m_effort->spend(steps);
-    if (m_measure) store(m_measure->shareSpent());
+    if (m_measure) store(std::sqrt(m_measure->shareSpent()));
   }
 
   void set(double fraction) const {
     if (!m_measure) store(fraction);
   }
 
-  // The part of this span from a to b, both in 0…1.
+  // The sub-range from a to b, both in 0…1.
   Progress part(double a, double b) const {
     Progress p = *this;
     if (m_measure) return p;

@@ -10,8 +10,8 @@
 
 namespace handwheel {
 
-// A value, or why there is none. For what the world can do wrong (files, devices, input); a bug asserts instead.
-// Shaped like std::expected, which clang 14 does not have.
+// Either a value or an error. For failures of files, devices and input; a bug asserts instead. Modelled on
+// std::expected, which clang 14 does not have.
 template <class T>
 class [[nodiscard]] Result {
  public:
@@ -35,6 +35,7 @@ class [[nodiscard]] Result {
   std::variant<T, Error> m_content;
 };
 
+// The empty value of a successful Status.
 struct Done {};
 using Status = Result<Done>;
 

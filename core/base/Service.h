@@ -13,6 +13,7 @@
 
 namespace handwheel {
 
+// The usage counters of a service.
 struct ServiceCounters {
   std::uint64_t ticks = 0;
   double cpuMicroseconds = 0.0;  // of all ticks together, on the threads that ran them
@@ -20,9 +21,9 @@ struct ServiceCounters {
   bool running = false;
 };
 
-// Something that runs only while a document or the active tool needs it: surface contact, snap, rigid bodies, sound…
-// What it does between start and stop is given as functions; they are called on the thread that owns the NeedSet.
-// Counters are read and ticks measured on any thread, without locks.
+// A background activity that runs only while a document or tool needs it. For example surface contact, snap, rigid
+// bodies, sound… What it does on start and stop is given as functions; they are called on the thread that owns the
+// NeedSet. Counters are read and ticks measured on any thread, without locks.
 class Service {
  public:
   explicit Service(std::string id, std::function<void()> start = {}, std::function<void()> stop = {});
@@ -32,7 +33,7 @@ class Service {
   const std::string& id() const { return m_id; }
   ServiceCounters counters() const;
   bool isRunning() const { return m_running.load(std::memory_order_relaxed); }
-  // Counts one tick whose cost was measured by who calls: where asking for CPU time, a system call, must not be.
+  // Counts one tick whose cost the caller measured, for use where querying the CPU time, a system call, is not allowed.
   void countTick(std::uint64_t nanoseconds) noexcept {
     m_ticks.fetch_add(1, std::memory_order_relaxed);
     m_nanoseconds.fetch_add(nanoseconds, std::memory_order_relaxed);
@@ -69,7 +70,7 @@ class ServiceTick {
 
 class NeedSet;
 
-// Needs a service as long as it lives. Outlived by its NeedSet.
+// A handle that keeps a service running during its lifetime. Its NeedSet must outlive it.
 class Need {
  public:
   Need() = default;  // of nothing
@@ -88,8 +89,8 @@ class Need {
   std::string m_id;
 };
 
-// Who needs which service. A service starts with the first need of its id and stops with the last; a need may come
-// before its service is known. One thread.
+// A reference-counted set of services. A service starts with the first need of its id and stops with the last; a need
+// may be created before its service is added. One thread.
 class NeedSet {
  public:
   NeedSet() = default;

@@ -10,12 +10,12 @@
 
 namespace handwheel {
 
-// A bounded queue from one thread to one other, first in, first out; neither waits, locks or allocates. When it is full
-// the newest value is dropped and counted: the writer is a real-time thread that must not wait.
+// A bounded lock-free FIFO queue from one thread to another. Neither waits, locks or allocates. When it is full the
+// newest value is dropped and counted: the writer is a real-time thread that must not wait.
 template <class T>
 class SpscRing {
  public:
-  // Holds as many values, rounded up to a power of two.
+  // The capacity is rounded up to a power of two.
   explicit SpscRing(std::size_t capacity) : m_values(std::bit_ceil(capacity)), m_mask(m_values.size() - 1) {}
   SpscRing(const SpscRing&) = delete;
   SpscRing& operator=(const SpscRing&) = delete;
@@ -45,7 +45,7 @@ class SpscRing {
   std::uint64_t dropped() const { return m_dropped.load(std::memory_order_relaxed); }  // any thread
 
  private:
-  static constexpr std::size_t kCacheLine = 64;  // apart, so that the two threads do not pass one line to and fro
+  static constexpr std::size_t kCacheLine = 64;  // separate cache lines, against false sharing between the threads
   alignas(kCacheLine) std::atomic<std::uint64_t> m_written{0};
   std::atomic<std::uint64_t> m_dropped{0};
   std::vector<T> m_values;

@@ -6,11 +6,11 @@
 
 namespace handwheel {
 
-// CPU time that the calling thread has used so far, in nanoseconds: waiting and other programs do not count. One call
+// The CPU time used so far by the calling thread, in nanoseconds. Waiting and other programs do not count. One call
 // costs a fraction of a microsecond (a system call).
 std::uint64_t threadCpuNanoseconds();
 
-// A time in ms: by the clock, and of the calling thread's CPU.
+// A pair of elapsed time and CPU time of the calling thread, in ms.
 struct Spent {
   double clock = 0.0;
   double cpu = 0.0;
@@ -20,7 +20,7 @@ struct Spent {
   Spent operator-(const Spent& other) const { return {clock - other.clock, cpu - other.cpu}; }
 };
 
-// CPU time, in ms, that a piece of work takes on the calling thread. What it hands to other threads is not counted.
+// Measures the CPU time of a function on the calling thread, in ms. What it passes to other threads is not counted.
 template <class Work>
 double cpuMilliseconds(Work&& work) {
   const std::uint64_t start = threadCpuNanoseconds();

@@ -6,26 +6,28 @@
 
 namespace handwheel::tolerance {
 
-// Every tolerance of the program, so that none hides in a formula: what counts as the same, flat, parallel, near. What
-// guards one formula against its own rounding stands beside that formula. Lengths are shares of the model's
-// bounding-box diagonal unless the name says otherwise.
+// The tolerances of the program: what counts as equal, flat, parallel or near. A bound that guards a single formula
+// against its own rounding is defined beside that formula. Lengths are shares of the model's bounding-box diagonal
+// unless the name indicates otherwise.
 
 // A part whose thickness (RMS, to its best plane) is below this share of its extent (RMS) is a flat sheet.
 inline constexpr double kFlatSheet = 1e-3;
-// A part that holds less than this share of its area to the power 3/2 is thin (a sphere holds 0.094, a half one 0.13).
+// A part whose volume is less than this share of its area to the power 3/2 is thin (a sphere has 0.094, a half one
+// 0.13).
 inline constexpr double kSheetVolume = 0.06;
-// A part whose longest loop, squared, is over this many of its areas is an open sheet: eight times a flat disc's
-// outline, as the frayed edge of a view from one side has. (A toothed hole in a box has 81; such a view 125.)
+// A part whose longest boundary loop, squared, exceeds this many times its area is an open sheet: eight times the
+// outline of a flat disc, as for the frayed edge of a single-view scan. (A toothed hole in a box has 81; such a scan
+// 125.)
 inline constexpr double kRaggedOutline = 100.0;
 // A part with less than these shares of the largest part's area and faces is debris.
 inline constexpr double kDebrisArea = 0.01;
 inline constexpr double kDebrisFaces = 0.01;
-// A face that hangs on a surplus edge is removed as a flap when no edge of it is longer than this.
+// A face attached to a non-manifold edge is removed as a flap when no edge of it is longer than this.
 inline constexpr double kFlap = 0.01;
-// Vertices on open borders nearer than this are one vertex that the file rounded apart; a repair merges them. The
-// default of the fidelity setting mesh.near_weld.
+// Vertices on open borders nearer than this count as one vertex, separated by the rounding of the file; a repair merges
+// them. The default of the fidelity setting mesh.near_weld.
 inline constexpr double kNearWeld = 1e-5;
-// But not across more than this share of the longer border edge at either: that would be detail.
+// They are not merged across more than this share of the longer border edge at either: that would be detail.
 inline constexpr double kNearWeldEdge = 0.25;
 // A patch may leave the box of its loop by this share of that box's diagonal,
 inline constexpr double kPatchSwelling = 0.5;
@@ -39,8 +41,8 @@ inline constexpr int kCubicFillEdges = 300;
 // A loop of more edges is cut into pieces of no more before it is triangulated: 2,554 edges then take 60 ms, and what
 // is filled in one piece is better shaped. The default of the fidelity setting mesh.piece_edges.
 inline constexpr int kPieceEdges = 1000;
-// The best of all triangulations by an own criterion, O(n³), is looked for up to this many edges; pieces of longer
-// loops have half as many, which keeps 2,554 edges below 0.1 s.
+// The optimal triangulation by a criterion of this program, O(n³), is computed for up to this many edges; pieces of
+// longer loops have half as many, which keeps 2,554 edges below 0.1 s.
 inline constexpr int kOptimalFillEdges = 300;
 // CGAL's hole triangulation recurses once per edge at worst: 40,000 overflow a stack of 2 MB, 100,000 one of 8 MB.
 inline constexpr int kLibraryFillEdges = 20'000;
@@ -49,101 +51,106 @@ inline constexpr int kLibraryFanFaces = 5'000;
 // How densely a patch is refined: where its edges are longer than 1 / this of those around the hole, they are split.
 // √2 splits to about their length. The default of the fidelity setting mesh.patch_density.
 inline constexpr double kPatchDensity = 1.4142135623730951;
-// A crease whose sides meet at more than this angle (radian; 30°) and that ends at a hole is carried on through it.
+// A crease whose sides meet at more than this angle (radian; 30°) and that ends at a hole is continued through it.
 inline constexpr double kRidgeAngle = 0.52;
 // New vertices of a patch per boundary edge, and in all: where the density of the surroundings asks for more, the patch
-// is coarser. 10,000 take 0.15 s to refine and bend, which nothing can interrupt.
+// is coarser. 10,000 take 0.15 s to refine and fair, which cannot be interrupted.
 inline constexpr int kPatchVerticesPerEdge = 20;
 inline constexpr int kPatchVertices = 10'000;
-// The thickness of a sheet that is given a back.
+// The thickness of a sheet after thickenSheet().
 inline constexpr double kBackThickness = 1e-3;
-// A back is set behind a vertex by at most this share of its shortest edge.
+// The offset of thickenSheet() at a vertex is at most this share of its shortest edge.
 inline constexpr double kBackEdge = 0.25;
-// More crossings that hang together than this are not cut apart: it would take minutes.
+// Clusters of more connected self-intersections than this are not removed: it would take minutes.
 inline constexpr std::size_t kUncrossPairs = 50'000;
 inline constexpr std::size_t kCutsPerFace = 200;
-// Coordinates that are exact only with more bits than this, from the largest number to the last digit of the smallest,
-// are none of a part: a double has 53, metres with noise of 1e-17 in the zeros some 120. Exact arithmetic takes the
-// square.
+// Coordinates that need more bits than this, from the largest number to the last digit of the smallest, are not those
+// of a part: a double has 53, metres with noise of 1e-17 in the zeros some 120. The time of exact arithmetic grows with
+// the square.
 inline constexpr int kCutBits = 512;
-// To fill the holes of n faces takes no more steps (Effort) than this times n log2 n, of a microsecond each, and to
-// close by cutting what no patch closes no more again:
+// Filling the holes of a mesh of n faces takes at most this times n log2 n steps (Effort), of a microsecond each, or
+// the least below, which small folded meshes may need; and closing obstructed holes by cutting at most as many again:
 inline constexpr double kRepairEffort = 1'000.0;
-// of that, trials take no more than this share, nor than some 20 s;
+inline constexpr std::size_t kLeastRepairEffort = 2'000'000;
+// of that, trials take at most this share, and at most some 20 s beside the passes over the mesh;
 inline constexpr double kHardHoleShare = 0.5;
-inline constexpr std::size_t kHardHoleEffort = 20'000'000;
-// taking out what is tangled no more than this share, nor than some 10 s; and parting what only touches the rest.
+inline constexpr std::size_t kObstructedHoleEffort = 20'000'000;
+// replacing folded regions at most this share, and at most some 10 s beside the passes; and separating coincident
+// vertices the rest.
 inline constexpr double kTangleShare = 0.25;
-inline constexpr std::size_t kTangleEffort = 10'000'000;
+inline constexpr std::size_t kFoldedRegionEffort = 10'000'000;
 inline constexpr double kPartShare = 0.25;
-// What is tangled around a hole is taken out and filled anew where that moves the surface by no more than this share of
-// the part: more would change what the part is.
+// Steps for each face that passes over the whole mesh may take beside the fixed numbers above. A pass takes about one,
+// thickening a sound sheet some five, and a trial may take a quarter of what is left.
+inline constexpr std::size_t kPassEffort = 40;
+// A folded region around a hole is removed and refilled where that moves the surface by at most this share of the
+// diagonal: more would change the shape of the part.
 inline constexpr double kTangleMove = 0.01;
-// A body that is taken out whole lay on the surface so closely.
+// The same limit for a body that is removed as a whole.
 inline constexpr double kTangleBodyMove = 1e-3;
-// A surface that has one side only is given two by cuts no longer than this share of the part. Longer ones change the
+// A non-orientable surface is made orientable by cuts no longer than this share of the diagonal. Longer ones change the
 // shape: on demand.
 inline constexpr double kOneSidedCut = 0.01;
-// A polygon of a file is planar when no corner is further from its plane than this share of its size: beyond, which cut
-// is right depends on more than the outline, and everybody expects a fan.
+// A polygon of a file is planar when no corner is further from its plane than this share of its size: beyond, the right
+// triangulation depends on more than the outline, and a fan is expected.
 inline constexpr double kPlanarPolygon = 1e-3;
 
-// Faces that meet at no more than this angle (radian; 1°) lie in one plane for who looks for edges: files in single
-// precision turn them by less, and the sides of a finely drawn cylinder meet at more.
+// Faces that meet at no more than this angle (radian; 1°) count as coplanar in edge detection: files in single
+// precision rotate them by less, and the sides of a finely tessellated cylinder meet at more.
 inline constexpr double kFlatEdge = 0.0175;
 
-// What a part can be stood on: points this near to a plane lie in it. A hundred times what single precision rounds, and
-// so little that of a smooth ball, whose cap of this height has at most sqrt(3) times this share of the area, nothing
-// is a flat face:
+// Points this near to a plane lie in it when a face is searched on which a part can rest. A hundred times the rounding
+// of single precision, and so little that a smooth ball, whose cap of this height has at most sqrt(3) times this share
+// of the area, has no flat face:
 inline constexpr double kStandingFlatness = 1e-5;
-// a flat face has at least this share of the part's area. Less is a facet of a curved surface rather than a foot.
+// a flat face has at least this share of the part's area. Less is a facet of a curved surface rather than a base.
 inline constexpr double kStandingShare = 1e-3;
-// Neighbours in one plane have normals with at least this cosine between them (0.08°): single precision turns faces of
-// a thousandth of the part by less.
+// Neighbours in one plane have normals with at least this cosine between them (0.08°): single precision rotates faces
+// of a thousandth of the part by less.
 inline constexpr double kFlatCosine = 1.0 - 1e-6;
 
-// How far a proxy stays off the surface that it touches: far above what rounding moves it, far below what a person
-// sees.
+// The distance of a haptic proxy from the surface that it touches: far above the effect of rounding, far below what is
+// visible.
 inline constexpr double kContactSkin = 0x1p-27;
-// What is wider than this is no seam that has to be closed before a scan is touched.
+// The width up to which gaps are closed as seams before a scan is used for haptic contact.
 inline constexpr double kContactSeam = 0x1p-12;
-// Corners across a seam become one when it is narrower than this share of the open edges at them. A strip would be a
+// Corners across a seam are merged when it is narrower than this share of the open edges at them. A strip would form a
 // step there: the borders are seldom equally high, and a proxy stops at a step of a micrometre.
 inline constexpr double kContactSeamEdge = 0.25;
-// How far an edit is looked for that has buried a proxy.
+// The distance within which the surface is searched after an edit that may have buried a haptic proxy.
 inline constexpr double kContactBuried = 0.01;
-// Two planes of contact are one below this sine of their angle, squared;
+// Two contact planes count as one below this sine of their angle, squared;
 inline constexpr double kOnePlane = 1e-14;
-// a third says nothing new when the volume that the three normals span, squared, is below this.
+// a third is redundant when the volume that the three normals span, squared, is below this.
 inline constexpr double kSpannedVolume = 1e-18;
 
 // Height over longest side from which a face counts as a needle, unless it was nearly one before.
 inline constexpr double kNeedle = 1e-4;
-// A triangle with a smaller sine at a corner may be without area, and is looked at exactly.
+// A triangle with a smaller sine at a corner may be degenerate, and is tested exactly.
 inline constexpr double kLeastSine = 1e-12;
-// The sine of the angle to an axis below which a cross product with it has no digits left.
+// The sine of the angle to an axis below which a cross product with it has no significant digits.
 inline constexpr double kAlongAxis = 1e-9;
-// How far behind a face that does not count the search for a wall's other side goes on.
+// The step behind an ignored face at which the search for the opposite wall continues.
 inline constexpr double kPastFace = 1e-9;
 
-// Knots nearer than this share of their range are one knot written badly.
+// Knots nearer than this share of their range count as one, written inexactly.
 inline constexpr double kKnotSpan = 1e-12;
 // A point is on the axis below this share of the largest radius.
 inline constexpr double kOnAxis = 1e-12;
-// What volumes and areas of NURBS solids are integrated to, relative: the library's default is 1 % off on rational
-// surfaces. A written solid holds the volume that was meant to this share.
+// The relative accuracy of integrated volumes and areas of NURBS solids: the library's default is 1 % off on rational
+// surfaces. The volume of a written solid agrees with the intended one to the second of these shares.
 inline constexpr double kQuadrature = 1e-9;
 inline constexpr double kWrittenVolume = 1e-6;
 
-// A direction of a file is of length one to this, once scaled: else it has none.
+// A direction read from a file is valid if its length is one to this accuracy, once scaled.
 inline constexpr double kUnitLength = 1e-9;
 // A robot has reached a point at this share of its reach.
 inline constexpr double kReached = 1e-9;
-// Nearer to a joint's axis a point tells nothing of a turn (mm); a joint stands still below what any pointer resolves
-// (rad, mm).
+// A point nearer to a joint's axis than this does not determine a rotation (mm); a joint is at rest below what any
+// pointer resolves (rad, mm).
 inline constexpr double kLeastLever = 0.01;
 inline constexpr double kStillJoint = 1e-7;
-// The sine of the angle below which a pointer's ray runs along an axis.
+// The sine of the angle below which a pointer's ray is parallel to an axis.
 inline constexpr double kParallelLines = 1e-3;
 
 }  // namespace handwheel::tolerance

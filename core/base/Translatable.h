@@ -4,8 +4,8 @@
 
 namespace handwheel {
 
-// Marks a text that users read: tools/translations gathers it, and who shows it translates it in this context. What
-// QT_TRANSLATE_NOOP is where there is no Qt.
+// Marks a text for translation, as QT_TRANSLATE_NOOP does in Qt. tools/translations collects it, and the code that
+// shows it translates it in this context.
 constexpr const char* translatable(const char* context, const char* text) {
   (void)context;
   return text;

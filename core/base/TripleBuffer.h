@@ -8,8 +8,8 @@
 
 namespace handwheel {
 
-// The newest value, from one thread to one other; older ones are overwritten unread. Neither waits, locks or allocates,
-// and a value is never seen half written.
+// A lock-free triple buffer that passes the newest value between two threads. From one writer to one reader; older
+// values are overwritten unread. Neither waits, locks or allocates, and a value is never seen half written.
 template <class T>
 class TripleBuffer {
  public:

@@ -6,10 +6,10 @@
 
 namespace handwheel {
 
-// What a number measures. Inside the program: millimetre, radian, second.
+// The physical quantity that a number measures. Inside the program: millimetre, radian, second.
 enum class Quantity { Number, Length, Angle };
 
-// In which lengths are shown.
+// The units in which lengths are shown.
 enum class LengthUnit { Millimetre, Centimetre, Metre, Inch };
 
 constexpr double millimetresPer(LengthUnit unit) {
@@ -26,7 +26,7 @@ constexpr double millimetresPer(LengthUnit unit) {
   return 1.0;
 }
 
-// "mm", "cm", "m", "in": in files, on the command line and on the screen.
+// The symbol of a length unit: "mm", "cm", "m", "in". In files, on the command line and on the screen.
 constexpr const char* symbolOf(LengthUnit unit) {
   switch (unit) {
     case LengthUnit::Centimetre:

@@ -16,7 +16,7 @@
 
 namespace handwheel {
 
-// What a file "*.handwheel" holds, in memory: a manifest and blobs. On disk it is one ZIP archive with the entry
+// In-memory content of a file "*.handwheel": a manifest and blobs. On disk it is one ZIP archive with the entry
 // manifest.json and one entry per blob; docs/format.md describes both.
 struct Container {
   Container();
@@ -30,38 +30,39 @@ struct Container {
   std::map<std::string, std::string> blobs;  // by entry name, "mesh/positions/0000"
 };
 
+// Result of reading a container.
 struct ReadContainer {
   Container container;        // migrated to the present version of the format
   std::vector<Error> damage;  // entries that are missing or damaged; empty when the file is whole
   bool isNewer = false;       // written by a newer version: read as far as it is understood
 };
 
-// Of the format; see container/Migrations.h.
+// Version of the format; see container/Migrations.h.
 inline constexpr int kContainerVersion = 1;
-// Bytes of all entries together, unpacked; larger ones are neither written nor read. So that no size needs more than 32
-// bits.
+// Largest unpacked size of all entries together, bytes; larger containers are neither written nor read. So that no size
+// needs more than 32 bits.
 inline constexpr std::uint64_t kLargestContainer = std::uint64_t{3} << 30;
 
-// The bytes of the archive. The manifest's "handwheel" (version) and "blobs" (sizes and checksums) are filled in; other
-// keys of "handwheel" stay. The same container gives the same bytes. Errors: Cancelled, OutOfMemory, FileTooLarge,
-// LibraryFailed.
+// Serialises a container to the bytes of its archive. The manifest's "handwheel" (version) and "blobs" (sizes and
+// checksums) are filled in; other keys of "handwheel" stay. The same container gives the same bytes. Errors: Cancelled,
+// OutOfMemory, FileTooLarge, LibraryFailed.
 Result<std::string> writeContainer(const Container& container, Compression compression, Progress progress = {});
 
-// Reads an archive from bytes that nobody vouches for: bounded memory (at most kLargestContainer unpacked), bounded
-// recursion, no crash. Where the archive's directory is lost or wrong, entries are looked for one by one. The manifest
-// comes back without "blobs", which belongs to the file. Fails only when no manifest can be read or too much is in it.
-// Errors: FileEmpty, ArchiveMalformed {library's reason}, EntryMissing and EntryDamaged {manifest.json},
-// ElementMalformed, FileTooLarge, OutOfMemory, Cancelled.
+// Reads a container from untrusted bytes. Bounded memory (at most kLargestContainer unpacked), bounded recursion, no
+// crash. If the archive's directory is lost or wrong, entries are searched for one by one. The manifest is returned
+// without "blobs", which belongs to the file. Fails only when no manifest can be read or it contains too much. Errors:
+// FileEmpty, ArchiveMalformed {library's reason}, EntryMissing and EntryDamaged {manifest.json}, ElementMalformed,
+// FileTooLarge, OutOfMemory, Cancelled.
 Result<ReadContainer> readContainer(std::string_view bytes, Progress progress = {});
 
-// Whether bytes look like such a file, by what they begin with; the first 64 KiB are enough.
+// Whether bytes look like the beginning of a container. The first 64 KiB are enough.
 bool looksLikeContainer(std::string_view bytes);
 
-// Numbers as little-endian bytes, the form of all blobs. T: double, float, whole numbers of 8 to 64 bits. For long
-// arrays see container/Blobs.h.
+// Converts numbers to little-endian bytes, the form of all blobs. T: double, float, whole numbers of 8 to 64 bits. For
+// long arrays see container/Blobs.h.
 template <class T>
 std::string toBlob(const std::vector<T>& values);
-// Whole elements only; a remainder is dropped.
+// Converts a blob to numbers. Whole elements only; a remainder is dropped.
 template <class T>
 std::vector<T> fromBlob(std::string_view blob);
 

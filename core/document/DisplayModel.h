@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/TriangleSoup.h"
+#include "mesh/structure/TriangleSoup.h"
 
 #include <array>
 #include <memory>
@@ -11,16 +11,17 @@
 
 namespace handwheel {
 
-// A rigid piece of what a document looks like. The viewport compares soup pointers: a piece whose pose alone changed is
-// moved, not built anew.
+// A rigid part of the displayed geometry of a document. The viewport compares soup pointers: a part whose pose alone
+// changed is moved, not rebuilt.
 struct DisplayPart {
-  std::string name;                          // unique in its model; what a pick answers
+  std::string name;                          // unique in its model; the result of picking
   std::shared_ptr<const TriangleSoup> soup;  // mm, in the part's own frame
   Pose pose = Pose::Identity();
   std::array<float, 3> colour{0.72f, 0.74f, 0.78f};  // sRGB, 0…1
   bool smooth = true;                                // shade across edges that are not sharp
 };
 
+// The displayed geometry of a document.
 struct DisplayModel {
   std::vector<DisplayPart> parts;
   Box bounds() const;  // of all parts in their poses; O(points)

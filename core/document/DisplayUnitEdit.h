@@ -11,7 +11,7 @@ namespace handwheel {
 
 inline constexpr const char* kDisplayUnitId = "display_unit";
 
-// In which unit the lengths of a document are shown: a property that all kinds have.
+// Changes the unit in which the lengths of a document are displayed. All kinds of document have this property.
 class DisplayUnitEdit : public Edit {
  public:
   explicit DisplayUnitEdit(LengthUnit unit) : m_unit(unit) {}
@@ -23,9 +23,10 @@ class DisplayUnitEdit : public Edit {
   LengthUnit m_unit;
 };
 
+// The property for the display unit.
 Property displayUnitProperty(LengthUnit present);
-// value: an index into the choices of that property. Null when nothing changes. Errors: ValueOutOfRange,
-// ElementMalformed.
+// Creates the edit for a new display unit. value: an index into the choices of the property. Null when nothing changes.
+// Errors: ValueOutOfRange, ElementMalformed.
 Result<std::unique_ptr<Edit>> displayUnitEdit(LengthUnit present, const PropertyValue& value);
 
 }  // namespace handwheel

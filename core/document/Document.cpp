@@ -68,9 +68,9 @@ Result<std::unique_ptr<Edit>> Document::propertyEdit(const std::string& id, cons
   return displayUnitEdit(m_file.displayUnit, value);
 }
 
-Status Document::setProperty(const std::string& id, const PropertyValue& value, Stroke stroke) {
+Status Document::setProperty(const std::string& id, const PropertyValue& value, DragPhase stroke) {
   auto edit = propertyEdit(id, value);
-  if ((!edit || !*edit) && stroke == Stroke::Ends) m_isStroking = false;
+  if ((!edit || !*edit) && stroke == DragPhase::Ends) m_isStroking = false;
   if (!edit) return edit.error();
   if (!*edit) return Done{};
   const std::vector<Property> all = properties();
@@ -81,15 +81,15 @@ Status Document::setProperty(const std::string& id, const PropertyValue& value, 
   return Done{};
 }
 
-void Document::commit(const QString& text, std::unique_ptr<Edit> edit, Stroke stroke, std::string step) {
+void Document::commit(const QString& text, std::unique_ptr<Edit> edit, DragPhase stroke, std::string step) {
   auto* command = new EditCommand(*this, text, std::move(edit));
   command->setStep(std::move(step));
   push(command, stroke);
 }
 
-void Document::push(EditCommand* command, Stroke stroke) {
+void Document::push(EditCommand* command, DragPhase stroke) {
   if (!m_isStroking) ++m_stroke;
-  m_isStroking = stroke == Stroke::Continues;
+  m_isStroking = stroke == DragPhase::Continues;
   command->setStroke(m_stroke);
   m_history.push(command);
 }

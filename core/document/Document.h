@@ -15,11 +15,11 @@ namespace handwheel {
 
 class EditCommand;
 
-// Whether more edits of the same gesture follow, such as those of a slider that is still held.
-enum class Stroke { Continues, Ends };
+// Whether more edits of the same gesture follow. For example those of a slider that is still held.
+enum class DragPhase { Continues, Ends };
 
-// A value with a file and a history. Window thread; work on other threads takes a snapshot(), which is cheap. Each kind
-// of document derives from it (mesh/MeshDocument.h, …).
+// Base class of documents: a value with a file and an undo history. Window thread; work on other threads takes a
+// snapshot(), which is cheap. Each kind of document derives from it (mesh/MeshDocument.h, …).
 class Document : public QObject {
   Q_OBJECT
 
@@ -36,24 +36,25 @@ class Document : public QObject {
   QUndoStack* history() { return &m_history; }
   const QUndoStack* history() const { return &m_history; }
   bool isModified() const { return m_recovered || !m_history.isClean(); }
-  // After its present state was written there; a container keeps id and unknown keys.
+  // To be called after its present state was written to this path; a container keeps id and unknown keys.
   void markSaved(const QString& path, bool isContainer);
-  // It comes from an autosave: it belongs to this path, but differs from what stands there.
+  // Marks it as restored from an autosave: it belongs to this path, but differs from the file there.
   void markRecovered(const QString& path);
 
   virtual SnapshotPointer snapshot() const = 0;
 
-  // What can be read, and set, of the document by name. Kinds add theirs before those that all have.
+  // The properties that can be read, and set, by name. Kinds add theirs before those common to all.
   virtual std::vector<Property> properties() const;
   // An edit that gives a property a new value; null when it has that value already. Errors: ReferenceMissing
   // {property}, ValueOutOfRange, ElementMalformed.
   virtual Result<std::unique_ptr<Edit>> propertyEdit(const std::string& id, const PropertyValue& value) const;
-  // A stroke that leads back to where it began leaves no step. The same errors.
-  Status setProperty(const std::string& id, const PropertyValue& value, Stroke stroke = Stroke::Ends);
+  // Sets a property. A gesture that returns to the initial value leaves no undo step. The same errors.
+  Status setProperty(const std::string& id, const PropertyValue& value, DragPhase stroke = DragPhase::Ends);
 
-  // One step in the history, or a part of one: the edits of a stroke become one step as far as they absorb each other.
-  // step: as EditCommand::step().
-  void commit(const QString& text, std::unique_ptr<Edit> edit, Stroke stroke = Stroke::Ends, std::string step = {});
+  // Applies an edit as one undo step, or as part of one: the edits of a gesture become one step as far as they absorb
+  // each other. step: as EditCommand::step().
+  void commit(const QString& text, std::unique_ptr<Edit> edit, DragPhase stroke = DragPhase::Ends,
+              std::string step = {});
 
   LengthUnit displayUnit() const { return m_file.displayUnit; }
 
@@ -62,7 +63,7 @@ class Document : public QObject {
   void fileChanged();  // path, format, clean state, display unit or recordings
 
  protected:
-  // By every edit. Who has signals of its own emits them between counting and changed().
+  // To be called by every edit. Classes with signals of their own emit them between countChange() and changed().
   void countChange() { ++m_revision; }
   void wasChanged() {
     countChange();
@@ -72,7 +73,7 @@ class Document : public QObject {
  private:
   friend class DisplayUnitEdit;
   friend class RecordingsEdit;
-  void push(EditCommand* command, Stroke stroke);
+  void push(EditCommand* command, DragPhase stroke);
 
   const DocumentKind& m_kind;
   DocumentFile m_file;

@@ -17,27 +17,28 @@ namespace handwheel {
 struct Container;
 class DocumentKind;
 
-// What a document knows of the file that it came from.
+// What a document stores about the file that it was read from.
 struct DocumentFile {
   std::string id;    // UUID; made when a document is imported, kept in containers
   std::string path;  // absolute, as bytes; empty for a document that was never saved
   LengthUnit displayUnit = LengthUnit::Millimetre;
-  std::vector<KeptRecording> recordings;  // of a haptic device in it; in the order in which they were made
-  std::vector<Error> damage;              // what was skipped or mended
+  std::vector<KeptRecording> recordings;  // of haptic devices; in the order in which they were made
+  std::vector<Error> damage;              // what was skipped or repaired
   std::size_t unlistedDamage = 0;         // further damage beyond what is listed
   std::vector<LostAttribute> lost;        // what the file holds and the document does not
   bool isContainer = false;
   bool isNewer = false;  // written by a newer program
-  // Keys and blobs that this program does not know; they go back into the file. And the keys that it knew when it read
-  // the file: what was unknown in one of these goes when that is deleted. Both null for what came from no container.
+  // Keys and blobs that this program does not know; they are written back into the file. And the keys that it knew when
+  // it read the file: what was unknown within one of these is removed when that is deleted. Both null if it was not
+  // read from a container.
   std::shared_ptr<const Container> unknown;
   std::shared_ptr<const Container> known;
 
-  // Writing over the file would lose something.
+  // Whether overwriting the file would lose something.
   bool isPrecious() const { return !damage.empty() || !lost.empty() || isNewer; }
 };
 
-// What a worker read: a document in all but name.
+// Result of reading a file on a worker, from which a document is made.
 struct OpenedFile {
   const DocumentKind* kind = nullptr;
   DocumentFile file;

@@ -114,8 +114,8 @@ Status checkReadable(std::string_view bytes, Progress progress) {
   return Error{ErrorCode::CheckFailed, {"it cannot be opened"}, {}, {}};
 }
 
-void addEndings(std::vector<std::string>& all, const DocumentKind& kind, bool FileFormat::*wanted) {
-  for (const FileFormat& format : kind.formats()) {
+void addEndings(std::vector<std::string>& all, const std::vector<FileFormat>& formats, bool FileFormat::*wanted) {
+  for (const FileFormat& format : formats) {
     if (format.*wanted) all.insert(all.end(), format.endings.begin(), format.endings.end());
   }
 }
@@ -165,7 +165,7 @@ Result<OpenedFile> DocumentKinds::openContainer(std::string_view bytes, Progress
 
 std::vector<std::string> DocumentKinds::readEndings() const {
   std::vector<std::string> all;
-  for (const auto& kind : m_kinds) addEndings(all, *kind, &FileFormat::reads);
+  for (const auto& kind : m_kinds) addEndings(all, kind->formats(), &FileFormat::reads);
   all.emplace_back(kContainerEnding);
   return all;
 }
@@ -183,9 +183,9 @@ OpenedFile DocumentKinds::blank(const DocumentKind& kind) {
   return opened;
 }
 
-std::vector<std::string> writtenEndings(const DocumentKind& kind) {
+std::vector<std::string> writtenEndings(const std::vector<FileFormat>& formats) {
   std::vector<std::string> all;
-  addEndings(all, kind, &FileFormat::writes);
+  addEndings(all, formats, &FileFormat::writes);
   all.emplace_back(kContainerEnding);
   return all;
 }
@@ -227,7 +227,7 @@ Result<WrittenFile> saveDocument(const DocumentKind& kind, const DocumentFile& f
     if (const Status may = mayReplace(path); !may) return may.error();
     Result<WrittenFile> written = kind.exportTo(content, path, progress);
     if (!written && written.error().code == ErrorCode::ExtensionUnknown)
-      return unknownEnding(path, writtenEndings(kind));
+      return unknownEnding(path, writtenEndings(kind.formats()));
     if (written && !file.recordings.empty())
       written->notes.push_back(
           {QT_TRANSLATE_NOOP("Note", "The recordings of the device are not in this file."), {}, true});

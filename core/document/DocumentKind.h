@@ -19,7 +19,7 @@ namespace handwheel {
 
 class Document;
 
-// A foreign file format of one kind of document.
+// A foreign file format (not the container) of one kind of document.
 struct FileFormat {
   std::string name;                  // "STL"
   std::vector<std::string> endings;  // lower case with the dot: ".stl"
@@ -27,13 +27,15 @@ struct FileFormat {
   bool writes = true;
 };
 
+// Result of writing a file.
 struct WrittenFile {
   std::size_t bytes = 0;
-  std::vector<Note> notes;  // what the file holds otherwise than the document, and in which state it is
+  std::vector<Note> notes;  // how the file differs from the document, and its state
 };
 
-// All that the program needs to know of a kind of document: how it is read, saved, exported, described and drawn. No
-// state but settings; any thread, but make(). To add a kind, derive this and add it to the list in app/registration.
+// Interface of a document type: reading, saving, exporting, describing and displaying its documents. No state but
+// settings; any thread, except make(). To add a kind, derive from this class and add it to the list in
+// app/registration.
 class DocumentKind {
  public:
   virtual ~DocumentKind() = default;
@@ -50,24 +52,24 @@ class DocumentKind {
   virtual Result<WrittenFile> exportTo(const Snapshot& content, const std::filesystem::path& path,
                                        Progress progress) const = 0;
 
-  // To and from the part of a container that belongs to this kind: the object manifest["document"], in which save()
-  // writes every key it knows, and the blobs in a folder named after the kind. load() must expect anything, and give
-  // what can be had of a damaged file.
+  // Write and read the part of a container that belongs to this kind: the object manifest["document"], in which save()
+  // writes every key it knows, and the blobs in a folder named after the kind. load() must accept any input, and return
+  // what can be recovered from a damaged file.
   virtual void save(const Snapshot& content, Container& container) const = 0;
   virtual Result<SnapshotPointer> load(const Container& container, std::vector<Error>& damage,
                                        Progress progress) const = 0;
 
-  // A new document of default size; null where there is no such thing as an empty one.
+  // The content of a new document of default size; null for a kind without empty documents.
   virtual SnapshotPointer blank() const { return nullptr; }
 
   virtual std::unique_ptr<Document> make(OpenedFile opened) const = 0;
 
-  // What 'handwheel inspect --json' says about it.
+  // The output of 'handwheel inspect --json'.
   virtual nlohmann::json describe(const Snapshot& content) const = 0;
   virtual DisplayModel display(const Snapshot& content) const = 0;
 };
 
-// The kinds that this program knows, and what can be done with any file.
+// The list of document kinds, with operations on files of any kind.
 class DocumentKinds {
  public:
   explicit DocumentKinds(std::vector<std::unique_ptr<DocumentKind>> kinds);
@@ -78,11 +80,11 @@ class DocumentKinds {
   // Reads a container or a foreign file of any kind, recognised by content. Errors: those of the readers,
   // FormatUnknown, KindUnknown.
   Result<OpenedFile> open(const std::filesystem::path& path, const ReadOptions& options, Progress progress = {}) const;
-  // The same of the bytes of a container. The errors have no subject; OutOfMemory too.
+  // Reads a container from its bytes. Errors: those of open(), without subject; OutOfMemory.
   Result<OpenedFile> openContainer(std::string_view bytes, Progress progress = {}) const;
-  // What open() reads: ".stl", …, ".handwheel".
+  // The file extensions that open() reads: ".stl", …, ".handwheel".
   std::vector<std::string> readEndings() const;
-  // Whose foreign file this is, by its first bytes and its name; null for a container. Errors: those of opening it,
+  // The kind of a foreign file, by its first bytes and its name; null for a container. Errors: those of opening it,
   // FormatUnknown.
   Result<const DocumentKind*> kindOf(const std::filesystem::path& path) const;
   // A new, unsaved document of a kind that has blank ones.
@@ -93,20 +95,21 @@ class DocumentKinds {
 };
 
 inline constexpr std::string_view kContainerEnding = ".handwheel";
+// Whether a file name has the extension of containers.
 bool isContainerName(const std::filesystem::path& path);
 
-// What saveDocument() writes of this kind: ".step", …, ".handwheel".
-std::vector<std::string> writtenEndings(const DocumentKind& kind);
-// ExtensionUnknown, of a name that ends otherwise.
+// The file extensions of the formats that are written, and the container: ".step", …, ".handwheel".
+std::vector<std::string> writtenEndings(const std::vector<FileFormat>& formats);
+// The error ExtensionUnknown for a path with another extension.
 Error unknownEnding(const std::filesystem::path& path, std::vector<std::string> written);
 
-// Writes the document's container or a foreign format, by the ending of the path: the whole file or nothing. Errors:
-// ExtensionUnknown, VersionNewer (of a document that stands there, which is never replaced); those of the formats; of a
+// Saves a document, as a container or in a foreign format, by the path's extension. Writes the whole file or nothing.
+// Errors: ExtensionUnknown, VersionNewer (of an existing document, which is never replaced); those of the formats; of a
 // container FileTooLarge, CheckFailed, WriteFailed, OutOfMemory, Cancelled.
 Result<WrittenFile> saveDocument(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
                                  const std::filesystem::path& path, Progress progress = {});
 
-// What it writes of a container, once it is sure that it can be read. Errors: the same.
+// The container that saveDocument() writes, after checking that it can be read. Errors: the same.
 Result<std::string> checkedContainer(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
                                      const std::filesystem::path& path, Progress progress = {});
 

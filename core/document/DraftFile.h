@@ -6,13 +6,14 @@
 
 namespace handwheel {
 
-// "." for a bare name.
+// The folder of a file; "." for a bare name.
 std::filesystem::path folderOf(const std::filesystem::path& file);
 
-// A file that is written to take the place of another. Where the system can, it has no name until it is complete, so
-// that a program killed while it writes leaves nothing; elsewhere (network and foreign file systems) it is hidden
-// beside the other. Gone with this object unless it took its place. A draft that a killed program did leave is removed
-// by the next one for the same file: whoever lives holds a lock on his. One thread at a time.
+// Temporary file that replaces another file when it is complete. If the system supports it, it has no name until it is
+// complete, so that a program killed while writing leaves nothing; elsewhere (network and foreign file systems) it is a
+// hidden file next to the other. Removed with this object unless it replaced the target. A file that a killed program
+// did leave is removed by the next one for the same target: running programs hold a lock on theirs. One thread at a
+// time.
 class DraftFile {
  public:
   explicit DraftFile(const std::filesystem::path& target);
@@ -20,9 +21,10 @@ class DraftFile {
   DraftFile(const DraftFile&) = delete;
   DraftFile& operator=(const DraftFile&) = delete;
 
-  int descriptor() const { return m_descriptor; }  // for writing; negative: errno says why there is none
+  int descriptor() const { return m_descriptor; }  // for writing; negative: none, errno is the reason
 
-  // At every moment the target is the old file or this one, whole. False: errno says why, and it is the old one.
+  // Replaces the target, which at every moment is completely the old file or this one. False: errno is the reason, and
+  // it is the old one.
   bool takePlace();
 
   // ".handwheel-", eight hexadecimal digits made of the target's name, which may be as long as names can be, and a

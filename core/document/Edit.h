@@ -9,13 +9,13 @@ namespace handwheel {
 
 class Document;
 
-// A change of a document as a value. Applying it turns it into its own inverse, so undo and redo are the same exchange.
-// It costs memory and time in proportion to what it changes.
+// Base class of reversible changes of a document. Applying a change turns it into its own inverse, so undo and redo are
+// the same exchange. It costs memory and time in proportion to what it changes.
 class Edit {
  public:
   virtual ~Edit() = default;
 
-  // Never fails: who made the edit has checked that it can be applied.
+  // Applies the edit, which becomes its inverse. Never fails: whoever created it has checked that it can be applied.
   virtual void exchange(Document& document) = 0;
 
   // For edits of one property, such as those of a slider: takes in a later edit that was applied to the same property

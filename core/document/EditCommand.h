@@ -10,10 +10,10 @@
 
 namespace handwheel {
 
-// One step in a document's history.
+// An undo step of a document, which applies an edit.
 class EditCommand : public QUndoCommand {
  public:
-  // Of the one property that the edit changes.
+  // Values of the one property that the edit changes.
   struct Values {
     PropertyValue before;
     PropertyValue after;
@@ -32,7 +32,7 @@ class EditCommand : public QUndoCommand {
 
   void redo() override { m_edit->exchange(m_document); }
   void undo() override { m_edit->exchange(m_document); }
-  int id() const override { return 1; }  // all of them: whether two merge is for strokes and edits to say
+  int id() const override { return 1; }  // of all commands: gestures and edits decide whether two merge
   bool mergeWith(const QUndoCommand* later) override;
 
   const Edit& edit() const { return *m_edit; }

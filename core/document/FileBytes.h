@@ -10,11 +10,12 @@
 
 namespace handwheel {
 
-// All bytes of a regular file. Errors, without subject: FileMissing, FileUnreadable, Cancelled. May throw bad_alloc.
+// Reads all bytes of a regular file. Errors, without subject: FileMissing, FileUnreadable, Cancelled. May throw
+// bad_alloc.
 Result<std::string> readFileBytes(const std::filesystem::path& path, Progress progress = {});
-// Bytes by which files are recognised.
+// Number of leading bytes by which files are recognised.
 inline constexpr std::size_t kFileHead = 64 << 10;
-// The first bytes of it, at most so many. The same errors.
+// Reads at most the first `most` bytes of a file. The same errors.
 Result<std::string> readFileHead(const std::filesystem::path& path, std::size_t most = kFileHead);
 
 }  // namespace handwheel

@@ -8,9 +8,9 @@
 
 namespace handwheel {
 
-// VersionNewer when a container stands there that a newer program wrote: to write over it would lose what only that one
-// knows. Anything else may be replaced, or fails to be for reasons of its own. Reads the file, but unpacks its manifest
-// only.
+// Checks that a file was not written by a newer program. Error: VersionNewer for such a container: overwriting it would
+// lose what only that program knows. Anything else may be replaced, or cannot be for other reasons. Reads the file, but
+// unpacks its manifest only.
 Status mayReplace(const std::filesystem::path& path);
 
 }  // namespace handwheel

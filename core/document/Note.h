@@ -7,8 +7,8 @@
 
 namespace handwheel {
 
-// Something worth knowing about what was done: an English sentence with %1, %2… for its arguments, translated where it
-// is shown (context "Note"; widgets/text/NoteText.h).
+// A message to the user about the result of an operation. An English sentence with %1, %2… for its arguments,
+// translated where it is shown (context "Note"; widgets/text/NoteText.h).
 struct Note {
   std::string text;
   std::vector<std::string> arguments = {};

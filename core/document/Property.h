@@ -11,10 +11,10 @@
 
 namespace handwheel {
 
-// A number, a switch, or a text; of a choice, the index of the chosen one as a number.
+// Value of a property: number, switch, or text. Of a choice, the index of the chosen one as a number.
 using PropertyValue = std::variant<double, bool, std::string>;
 
-// One named value of a document or a tool, as the Properties panel, the tool settings and the command line show it.
+// A named value of a document or a tool. The Properties panel, the tool settings and the command line show it.
 struct Property {
   std::string id;     // stable, for files, tests and the command line: "diameter"
   std::string group;  // English heading, translated where it is shown (context "Property"): "Stock"
@@ -27,7 +27,7 @@ struct Property {
   bool editable = true;
   bool translated = true;    // false: the label is a name from the file
   std::string prefix = {};   // shown before the number: "⌀", "R"
-  std::string problem = {};  // English, context "Property": what the reader must know of it ("effort is not known")
+  std::string problem = {};  // English, context "Property": a remark on the value ("effort is not known")
   bool continuous = false;   // best changed by a slider between its limits
 };
 

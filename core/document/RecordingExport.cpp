@@ -3,7 +3,7 @@
 #include "document/RecordingExport.h"
 
 #include "document/AtomicFile.h"
-#include "haptics/RecordingCsv.h"
+#include "haptics/recording/RecordingCsv.h"
 
 #include <new>
 #include <sstream>

@@ -4,14 +4,14 @@
 
 #include "base/Progress.h"
 #include "base/Result.h"
-#include "haptics/Recording.h"
+#include "haptics/recording/Recording.h"
 
 #include <filesystem>
 
 namespace handwheel {
 
-// Writes a recording as a table (haptics/RecordingCsv.h): the whole file or nothing. Errors: WriteFailed, OutOfMemory,
-// Cancelled.
+// Writes a recording to a CSV file (haptics/RecordingCsv.h): the whole file or nothing. Errors: WriteFailed,
+// OutOfMemory, Cancelled.
 Status exportRecording(const Recording& recording, const std::filesystem::path& path, Progress progress = {});
 
 }  // namespace handwheel

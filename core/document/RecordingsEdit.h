@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// Gives a document other recordings: one more, one less, or one under another name.
+// Changes the recordings of a document: adds, removes or renames one.
 class RecordingsEdit : public Edit {
  public:
   explicit RecordingsEdit(std::vector<KeptRecording> recordings) : m_recordings(std::move(recordings)) {}
@@ -21,7 +21,7 @@ class RecordingsEdit : public Edit {
   std::vector<KeptRecording> m_recordings;
 };
 
-// A key that none of them has.
+// A key that none of the recordings has.
 std::string freeKey(const std::vector<KeptRecording>& recordings);
 
 }  // namespace handwheel

@@ -15,9 +15,10 @@ namespace handwheel {
 
 struct Leftover;
 
-// The autosaves of a running program: a folder of its own below the root, made when it is first needed and locked as
-// long as the session lives. Autosaves that are left at its end stay, and can be found as those of a dead one
-// (RecoveryLeftovers.h). Any thread; the autosaves of one key are stored one after the other.
+// Stores and removes the autosaves of a running program. They are in a folder of its own below the root, created when
+// it is first needed and locked as long as the session exists. Autosaves that remain at its end stay, and can be found
+// as those of a dead session (RecoveryLeftovers.h). Any thread; the autosaves of one key are stored one after the
+// other.
 class RecoverySession {
  public:
   explicit RecoverySession(std::filesystem::path root = recoveryFolder());
@@ -25,18 +26,19 @@ class RecoverySession {
   RecoverySession(const RecoverySession&) = delete;
   RecoverySession& operator=(const RecoverySession&) = delete;
 
-  // Puts a container in the place of the key's older autosave, atomically and durably; a failure, such as a full disk,
-  // leaves the older one. The key names the open document in this session: two copies of a file have the same document
+  // Replaces the key's autosave by a container, atomically and durably; after a failure, such as a full disk, the older
+  // one is still there. The key names the open document in this session: two copies of a file have the same document
   // id. Errors: WriteFailed, Cancelled.
   Status store(std::uint64_t key, const AutosaveInfo& info, std::string_view container, Progress progress = {});
 
-  // The document no longer differs from its file. Not when it was changed again while it was saved: a store() that is
-  // under way may hold that change, and is undone.
+  // Removes the autosave, because the document no longer differs from its file. Not to be called when it was changed
+  // again while it was saved: a store() that is under way may hold that change, and is undone.
   void remove(std::uint64_t key);
-  // The document is closed. Also a store() that begins only now, because its job had to wait, leaves nothing.
+  // Removes the autosave, because the document is closed. A store() that begins only now, because its job had to wait,
+  // leaves nothing either.
   void close(std::uint64_t key);
 
-  // Takes over what a dead session left, by renaming: at every moment one of the two has it. Errors: WriteFailed.
+  // Takes over an autosave of a dead session, by renaming: at every moment one of the two has it. Errors: WriteFailed.
   Status adopt(const Leftover& leftover, std::uint64_t key);
 
  private:

@@ -7,11 +7,11 @@
 #include <string>
 #include <string_view>
 
-// What lies in a recovery folder: <root>/<session>/ holds the file "lock", and for each autosave <number>.handwheel, a
-// container like any other, and <number>.json, which says what it is of.
+// Layout of a recovery folder: <root>/<session>/ holds the file "lock", and for each autosave <number>.handwheel, a
+// container like any other, and <number>.json, which describes its document.
 namespace handwheel {
 
-// What an autosave is of.
+// Describes the document that an autosave belongs to.
 struct AutosaveInfo {
   std::string documentId;
   std::string path;  // of the file that the document belongs to, as bytes; empty when it was never saved
@@ -20,19 +20,21 @@ struct AutosaveInfo {
   bool operator==(const AutosaveInfo&) const = default;
 };
 
-// Where autosaves are kept, unless another place is named: in the application's local data.
+// The default folder of autosaves, in the application's local data.
 std::filesystem::path recoveryFolder();
 
 namespace recovery {
 
 inline constexpr const char* kAutosaveEnding = ".handwheel";
 
+// The path of an autosave.
 std::filesystem::path autosaveFile(const std::filesystem::path& session, std::uint64_t key);
-// Beside the autosave.
+// The path of an autosave's description, next to it.
 std::filesystem::path infoFile(std::filesystem::path autosave);
 
+// The content of a description file.
 std::string infoText(const AutosaveInfo& info);
-// Whatever can be understood; the rest stays empty.
+// Parses a description file; what cannot be understood stays empty.
 AutosaveInfo parseInfo(std::string_view text);
 
 }  // namespace recovery

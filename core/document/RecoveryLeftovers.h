@@ -19,9 +19,9 @@ struct Leftover {
   bool isOutdated = false;   // the file it belongs to was written later
 };
 
-// What dead sessions left below a root. While this lives it holds their locks, so that no other window offers the same.
-// Nothing is deleted until discard() says so; what is neither discarded nor adopted (Recovery.h) is there the next
-// time.
+// The autosaves that dead sessions left below a root folder. This object holds their locks, so that no other window
+// offers the same. Nothing is deleted until it is discarded; what is neither discarded nor adopted (Recovery.h) is
+// found again the next time.
 class Leftovers {
  public:
   explicit Leftovers(const std::filesystem::path& root = recoveryFolder());
@@ -30,7 +30,7 @@ class Leftovers {
   Leftovers& operator=(Leftovers&&) = delete;
 
   const std::vector<Leftover>& found() const { return m_found; }  // the newest first
-  // What cannot be an autosave any more: EntryDamaged {name}; subject: its path.
+  // Files too damaged to be autosaves: EntryDamaged {name}; subject: its path.
   const std::vector<Error>& skipped() const { return m_skipped; }
 
   void discard(const Leftover& leftover) const;

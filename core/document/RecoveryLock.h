@@ -7,11 +7,11 @@
 
 namespace handwheel {
 
-// Tells a folder whose owner lives from one whose owner is dead: the owner holds a lock on a file in it, and the system
-// takes that back when the process ends, however it ends. Two in one process exclude each other as well.
+// Lock file that marks a folder as used by a running process. The owner holds a lock on a file in the folder, and the
+// system releases it when the process ends, however it ends. Two locks in one process exclude each other as well.
 class RecoveryLock {
  public:
-  // None when somebody holds it, or the file system knows no locks, or the folder is gone.
+  // None if the lock is held already, or the file system does not support locks, or the folder does not exist.
   static std::optional<RecoveryLock> tryLock(const std::filesystem::path& folder);
 
   RecoveryLock(RecoveryLock&& other) noexcept;

@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// The value of a document at one moment. Immutable, so any thread may read it: saves, autosaves and jobs work on one.
-// Each kind of document derives its own.
+// Immutable value of a document at one moment. Any thread may read it: saves, autosaves and jobs work on one. Each kind
+// of document derives its own.
 class Snapshot {
  public:
   virtual ~Snapshot() = default;

@@ -13,8 +13,8 @@ using ProfilePoint = Eigen::Vector2d;
 
 inline constexpr int kHighestDegree = 3;
 
-// One smooth piece of a profile: a rational Bézier curve of degree 1 to 3 over t in 0…1. Its poles are kept relative to
-// the first one, so that a place far from the origin costs no digits of shape.
+// A rational Bézier curve of degree 1 to 3, one smooth piece of a profile. The parameter t is in 0…1. Poles are
+// relative to the first one, so that a position far from the origin loses no precision.
 struct BezierArc {
   int degree = 1;
   ProfilePoint origin{0, 0};
@@ -24,12 +24,11 @@ struct BezierArc {
   // The point and the derivatives by t of order 1 to 3; those beyond the degree are zero only where no weight varies.
   std::array<ProfilePoint, kHighestDegree + 1> derivatives(double t) const;
 
-  // Unit direction in which the arc runs on from t (into t, at t = 1). Where the derivative vanishes, as it does at
-  // double poles, the limit; zero for an arc that is one point.
+  // The unit tangent at t, towards the rest of the arc (at t = 1, from the arc before). Where the derivative vanishes,
+  // as it does at double poles, the limit; zero for an arc that is one point.
   ProfilePoint direction(double t) const;
 
-  // No point of the arc is further from its chord, and no point of the chord further from the arc, than this. Exact for
-  // polynomials of degree 2; else a bound.
+  // The Hausdorff distance of the arc from its chord. Exact for polynomials of degree 2; else an upper bound.
   double chordError() const;
 
   std::pair<BezierArc, BezierArc> halves() const;

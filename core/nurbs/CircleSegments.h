@@ -7,14 +7,14 @@
 
 namespace handwheel {
 
-// Into how many equal chords the circles of one part are cut: some power of two times 8 to 15 for its largest, and
+// The numbers of chords that approximate the circles of one part. Some power of two times 8 to 15 for its largest, and
 // halves, quarters, ... of that for smaller ones, so that chords of neighbouring circles meet in a regular pattern.
 class CircleSegments {
  public:
   static constexpr std::uint32_t kLeast = 8;
 
-  // For circles up to this radius, none to be left by a chord by more than the tolerance (mm). nullopt where that asks
-  // for more than 2³⁰ chords.
+  // For circles up to this radius; no chord is further from its circle than the tolerance (mm). nullopt where that
+  // needs more than 2³⁰ chords.
   static std::optional<CircleSegments> make(double largestRadius, double tolerance);
 
   int levels() const { return m_levels; }  // how often the count can be halved

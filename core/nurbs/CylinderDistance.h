@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/TriangleSoup.h"
+#include "mesh/structure/TriangleSoup.h"
 #include "nurbs/StockCylinder.h"
 
 namespace handwheel {
 
-// How far triangles are at most from the surface of a cylinder, ends included (mm): in closed form, measured on the
-// triangles and not derived from how they were made. Exact where every triangle belongs to the mantle or to one end,
-// else an upper bound. O(triangles).
+// The largest distance of triangles from the surface of a cylinder, ends included (mm). In closed form, measured on the
+// triangles and not derived from how they were made. Exact where every triangle belongs to the lateral surface or to
+// one end, else an upper bound. O(triangles).
 double distanceToCylinder(const TriangleSoup& soup, const StockCylinder& cylinder);
 
 }  // namespace handwheel

@@ -10,9 +10,10 @@
 
 namespace handwheel {
 
-// What defines a rational B-spline: n poles of the (r, z) half plane with their weights, and n + degree + 1 knots in
-// rising order. The first and the last knot stand degree + 1 times, so the curve begins and ends in a pole; an inner
-// knot at most degree times, where the curve then has a corner in a pole.
+// The definition of a rational B-spline curve by poles, weights and knots. There are n poles of the (r, z) half plane
+// with their weights, and n + degree + 1 knots in rising order. The first and the last knot have multiplicity degree +
+// 1, so the curve begins and ends in a pole; an inner knot has at most degree, where the curve then has a corner in a
+// pole.
 struct ProfileNet {
   int degree = 1;
   std::vector<double> knots;
@@ -20,8 +21,8 @@ struct ProfileNet {
   std::vector<double> weights;
 };
 
-// The outline of a turned part: a curve in the half plane r ≥ 0 beside the axis z. It runs from the lower end of the
-// part to the upper one and has the material on the side of the axis.
+// The profile of a turned part: a curve in the half plane r ≥ 0. The half plane lies beside the axis z. The curve runs
+// from the lower end of the part to the upper one and has the material on the side of the axis.
 class ProfileCurve {
  public:
   static constexpr std::size_t kMostPoles = 100'000;
@@ -40,7 +41,7 @@ class ProfileCurve {
   // The smooth pieces in order, one for each pair of different neighbours among the knots.
   std::span<const BezierArc> arcs() const { return m_arcs; }
 
-  // At u, which is taken into the range of the parameter; at a knot, the piece that begins there. O(log poles).
+  // At u, clamped to the range of the parameter; at a knot, the piece that begins there. O(log poles).
   ProfilePoint point(double u) const;
   ProfilePoint derivative(double u) const;
   ProfilePoint direction(double u) const;  // BezierArc::direction

@@ -11,19 +11,19 @@
 
 namespace handwheel {
 
-// Vertices on a circle round the axis, evenly spread from +x on; a single one where it is a point of the axis. Next to
-// it in a layout stand only such a point and rings of as many segments, twice or half as many.
+// A ring of vertices on a circle around the axis, evenly spaced from +x. A single vertex where it is a point of the
+// axis. Its neighbours in a layout are such points or rings of as many segments, twice or half as many.
 struct Ring {
   double radius, z;  // mm
   std::uint32_t segments;
 };
 
-// The triangles of the band between two neighbouring rings.
+// The number of triangles of the band between two neighbouring rings.
 std::uint64_t bandTriangles(const Ring& a, const Ring& b);
 
-// The rings of a closed part: its lower end from the axis outwards, its mantle, its upper end back to the axis.
-// O(rings). Errors: FileTooLarge {triangles, "", limit} where the tolerance asks for more than the limit,
-// ElementMalformed {profile}, Cancelled.
+// Computes the rings of a turned part for tessellation. In order: the lower end from the axis outwards, the lateral
+// surface, the upper end back to the axis. O(rings). Errors: FileTooLarge {triangles, "", limit} where the tolerance
+// needs more than the limit, ElementMalformed {profile}, Cancelled.
 Result<std::vector<Ring>> layRings(const ProfileCurve& profile, const TessellationOptions& options, Progress progress);
 
 }  // namespace handwheel

@@ -12,12 +12,13 @@
 
 namespace handwheel {
 
-// A STEP file (AP214, millimetres) that holds the part between a profile, the flat ends through its first and last
-// point, and the axis, as one solid. Between two corners of the profile the mantle is one exact rational B-spline
-// surface of nine columns. Numbers are written with all their digits. Any thread; Open CASCADE's STEP works on one at a
-// time, so others wait. Errors: ElementMalformed {profile}, LibraryFailed, Cancelled.
+// Writes a turned part as one solid in a STEP file (AP214, millimetres). The part lies between the profile, the flat
+// ends through its first and last point, and the axis. Between two corners of the profile the lateral surface is one
+// exact rational B-spline surface of nine columns. Numbers are written with all their digits. Any thread; Open
+// CASCADE's STEP works on one at a time, so others wait. Errors: ElementMalformed {profile}, LibraryFailed, Cancelled.
 Result<std::string> writeStep(const ProfileCurve& profile, Progress progress = {});
 
+// The properties of the solids in a STEP file.
 struct StepReport {
   std::size_t solids = 0;
   bool isValid = false;  // topology and geometry fit together, as Open CASCADE's analyser sees it
@@ -26,7 +27,7 @@ struct StepReport {
   Box bounds;            // mm; may be larger than the solids by their tolerance
 };
 
-// Reads a STEP file back and measures it. For files that this program made: the library's parser is not proof against
+// Reads a STEP file and measures its solids. For files that this program made: the library's parser is not safe with
 // hostile ones. Errors: LibraryFailed, Cancelled.
 Result<StepReport> inspectStep(std::string_view bytes, Progress progress = {});
 

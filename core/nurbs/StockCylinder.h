@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// The bar that a turned part is made of: a cylinder around the axis z, from z = position to z = position + length.
+// The cylindrical bar stock of a turned part. Its axis is z, from z = position to z = position + length.
 struct StockCylinder {
   double diameter = 50.0;  // mm
   double length = 100.0;   // mm
@@ -20,10 +20,11 @@ struct StockCylinder {
   bool isSound() const;
 
   double volume() const;  // mm³
-  double area() const;    // mm², mantle and both ends
+  double area() const;    // mm², lateral surface and both ends
   Box bounds() const;
 
-  // Its outline: the mantle's straight line. The two flat ends are where this begins and ends. The stock must be sound.
+  // Its profile: the straight line of the lateral surface. The two flat ends are where this begins and ends. The stock
+  // must be sound (isSound()).
   ProfileCurve profile() const;
 
   bool operator==(const StockCylinder&) const = default;

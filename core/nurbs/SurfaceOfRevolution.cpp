@@ -6,11 +6,11 @@
 
 namespace handwheel {
 
-SurfacePoint SurfaceOfRevolution::at(double u, double v) const {
+RevolutionPoint SurfaceOfRevolution::at(double u, double v) const {
   const unit_circle::Point circle = unit_circle::at(u);
   const double cosine = circle.direction.x(), sine = circle.direction.y();
   const ProfilePoint p = m_profile.point(v), along = m_profile.derivative(v), direction = m_profile.direction(v);
-  SurfacePoint result;
+  RevolutionPoint result;
   result.position = {p.x() * cosine, p.x() * sine, p.y()};
   result.byCircle = p.x() * circle.speed * Vec3(-sine, cosine, 0.0);
   result.byProfile = {along.x() * cosine, along.x() * sine, along.y()};

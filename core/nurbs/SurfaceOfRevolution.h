@@ -7,15 +7,16 @@
 
 namespace handwheel {
 
-struct SurfacePoint {
+// A point of a surface of revolution, with its derivatives and normal.
+struct RevolutionPoint {
   Vec3 position;   // mm
   Vec3 byCircle;   // ∂S/∂u; zero on the axis
   Vec3 byProfile;  // ∂S/∂v
   Vec3 normal;     // unit, away from the material; zero only where the profile is a single point
 };
 
-// A tensor-product surface: degree 2 along the circle with nine columns, the profile's degree along it. poles[i][j] and
-// weights[i][j]: i along the circle, j along the profile.
+// The control net of a tensor-product surface of revolution. Its degree is 2 along the circle with nine columns, the
+// profile's degree along the profile. poles[i][j] and weights[i][j]: i along the circle, j along the profile.
 struct SurfaceNet {
   int profileDegree = 1;
   std::vector<double> circleKnots, profileKnots;
@@ -23,7 +24,7 @@ struct SurfaceNet {
   std::array<std::vector<double>, 9> weights;
 };
 
-// The mantle that a profile sweeps round the axis z: the exact surface S(u, v) = (r(v) cos θ(u), r(v) sin θ(u), z(v)).
+// The exact surface that a profile sweeps around the axis z. S(u, v) = (r(v) cos θ(u), r(v) sin θ(u), z(v)).
 class SurfaceOfRevolution {
  public:
   explicit SurfaceOfRevolution(ProfileCurve profile) : m_profile(std::move(profile)) {}
@@ -31,7 +32,7 @@ class SurfaceOfRevolution {
   const ProfileCurve& profile() const { return m_profile; }
 
   // u: 0…1 round the axis, from +x over +y; v: the parameter of the profile. O(log poles).
-  SurfacePoint at(double u, double v) const;
+  RevolutionPoint at(double u, double v) const;
 
   SurfaceNet net() const;
 

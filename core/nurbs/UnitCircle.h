@@ -16,7 +16,8 @@ std::array<Eigen::Vector2d, 9> poles();
 std::array<double, 9> weights();
 std::vector<double> knots();  // 12 of them, over 0…1
 
-// At u, which is taken into 0…1: (cos θ, sin θ), and dθ/du, which runs between 2π · 0.90 and 2π · 1.06.
+// A point of the unit circle with its angular speed. For u, clamped to 0…1: (cos θ, sin θ), and dθ/du, which is between
+// 2π · 0.90 and 2π · 1.06.
 struct Point {
   Eigen::Vector2d direction;
   double speed;

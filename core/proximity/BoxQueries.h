@@ -13,14 +13,14 @@
 
 namespace handwheel {
 
-// What the rounding of a query's coordinates may shift, as a share of them: a handful of roundings of 2^-53. What
-// concerns the triangles' own coordinates lies within the margins of their boxes.
+// A bound on the rounding of a query's coordinates, relative to them: a handful of roundings of 2^-53. That of the
+// triangles' own coordinates lies within the margins of their boxes.
 inline constexpr double kQueryRounding = 0x1p-48;
 // The same for a quotient or a sum of squares computed from them.
 inline constexpr double kResultRounding = 1e-15;
 
-// Where a ray enters a box, never too late (Ize, "Robust BVH ray traversal", JCGT 2013; here the origin is widened
-// too).
+// A conservative ray-box intersection test by the slab method. The entry point is never too late (Ize, "Robust BVH ray
+// traversal", JCGT 2013; here the origin is widened too).
 class RaySlabs {
  public:
   RaySlabs(const Vec3& origin, const Vec3& direction) {
@@ -36,7 +36,7 @@ class RaySlabs {
     }
   }
 
-  // In lengths of the direction; infinite when the ray misses.
+  // The entry point, in lengths of the direction; infinite when the ray misses.
   double enter(const FloatBox& box) const {
     double in = 0.0;
     double out = std::numeric_limits<double>::infinity();
@@ -58,7 +58,7 @@ class RaySlabs {
   std::array<Slab, 3> m_slabs;
 };
 
-// Never more than the squared distance of what is in the box.
+// A lower bound of the squared distance from a point to a box. Never more than the squared distance of what is in it.
 class PointToBox {
  public:
   explicit PointToBox(const Vec3& p) {
@@ -81,9 +81,9 @@ class PointToBox {
   Vec3 m_low, m_high;
 };
 
-// Calls leaf(begin, end) with the items of each leaf that may matter, the most promising first. bound(box) is the least
-// value that anything in the box can have, infinite for none; what is above limit(), which may fall on the way, is left
-// out.
+// Traverses a box tree depth-first, the better child first, and prunes by bounds. Calls leaf(begin, end) with the items
+// of each leaf that may matter. bound(box) is the least value that anything in the box can have, infinite for none;
+// boxes above limit(), which may decrease on the way, are left out.
 template <class Bound, class Limit, class Leaf>
 void visitBestFirst(const BoxTree& tree, Bound bound, Limit limit, Leaf leaf) {
   struct Visit {

@@ -14,7 +14,8 @@
 
 namespace handwheel {
 
-// In rows of four, each the work of one instruction. The fourth of a row is no coordinate but free to carry a number.
+// An axis-aligned box in single precision. Its corners are rows of four, each the work of one instruction; the fourth
+// of a row is no coordinate but free to store a number.
 struct FloatBox {
   Eigen::Array4f low;
   Eigen::Array4f high;
@@ -24,7 +25,7 @@ struct FloatBox {
   }
 };
 
-// Something with a box, for example a triangle.
+// An item with a bounding box, for example a triangle.
 struct BoxedItem {
   FloatBox box;
 
@@ -32,15 +33,16 @@ struct BoxedItem {
   void setId(std::uint32_t id) { box.low[3] = std::bit_cast<float>(id); }
 };
 
-// The nodes stand in preorder: a node's left child follows it, the right child follows the left one's subtree.
+// A node of a box tree. Nodes are stored in preorder: a node's left child follows it, the right child follows the left
+// one's subtree.
 struct BoxNode {
   FloatBox box;
 
-  // Nodes in the subtree, this one counted; a leaf has 1.
+  // Nodes in the subtree, this one included; a leaf has 1.
   std::uint32_t size() const { return std::bit_cast<std::uint32_t>(box.low[3]); }
   void setSize(std::size_t size) { box.low[3] = std::bit_cast<float>(static_cast<std::uint32_t>(size)); }
 
-  // Its items begin here, in the order in which build() left them.
+  // The index of its first item, in the order of the items after build().
   std::uint32_t first() const { return std::bit_cast<std::uint32_t>(box.high[3]); }
   void setFirst(std::size_t first) { box.high[3] = std::bit_cast<float>(static_cast<std::uint32_t>(first)); }
 
@@ -55,7 +57,8 @@ class BoxTree {
   static constexpr int kMaxDepth = 80;
 
   // Sorts the items into the order of the leaves. O(n log n), on all threads of the arena; the same tree for any number
-  // of threads. False when cancelled: then the tree is empty. told: the span of which this is all.
+  // of threads. False when cancelled: then the tree is empty. told: a range in which the progress of the whole build is
+  // reported.
   bool build(std::span<BoxedItem> items, Progress progress = {}, std::optional<Progress> told = std::nullopt);
 
   bool empty() const { return m_nodes.empty(); }

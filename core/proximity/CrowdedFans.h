@@ -12,15 +12,15 @@
 
 namespace handwheel {
 
-// The triangles around vertices that have very many: in a fan of n their boxes all meet at the vertex, and so would
-// n² pairs have to be looked at. Triangles that share no more than this corner meet elsewhere exactly when the arcs
-// meet that they cut out of a sphere around it; these are boxed instead.
+// Fans of very many triangles around a vertex, for intersection search. In a fan of n their boxes all meet at the
+// vertex, so n² pairs would have to be tested. Triangles that share no more than this corner meet elsewhere exactly
+// when the arcs meet that they cut out of a sphere around it; the arcs are boxed instead.
 class CrowdedFans {
  public:
-  static constexpr std::uint32_t kCrowd = 64;  // triangles of a fan that is not crowded, at most
+  static constexpr std::uint32_t kCrowd = 64;  // the most triangles of an ordinary fan
 
   CrowdedFans() = default;
-  // Of the triangles of these items, which have area. Each is in one fan at most. O(n).
+  // Finds the fans of the triangles of these items, which have area. Each is in one fan at most. O(n).
   CrowdedFans(std::span<const Vec3> points, std::span<const Triangle> triangles, std::span<const BoxedItem> items);
 
   bool empty() const { return m_fanOf.empty(); }
@@ -28,7 +28,7 @@ class CrowdedFans {
   std::uint32_t of(std::uint32_t triangle) const { return m_fanOf.empty() ? kNone : m_fanOf[triangle]; }
 
   // Visits pairs of triangles of one fan until the visit returns false: all that meet, and some more. O(n log n + c)
-  // for c pairs visited. False when the visit said so, or when cancelled.
+  // for c pairs visited. False when a visit returned false, or when cancelled.
   bool forEachPair(const std::function<bool(std::uint32_t, std::uint32_t)>& visit, Progress progress) const;
 
  private:

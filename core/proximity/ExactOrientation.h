@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-// On which side of a line or a plane a point lies, exactly. First in floating point with a bound on its error; where
-// that leaves it open, by CGAL's exact predicates. All coordinates are finite. Thread-safe.
+// Exact orientation predicates for lines and planes. Computed in floating point with a bound on the error first; where
+// that is inconclusive, by CGAL's exact predicates. All coordinates are finite. Thread-safe.
 namespace handwheel {
 
 using Vec2 = Eigen::Vector2d;
@@ -26,7 +26,7 @@ int side(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s);
 
 }  // namespace exact
 
-// 1 when r lies to the left of the line from p to q, -1 to the right, 0 on it (or when p is q).
+// The side of the line from p to q on which r lies. 1 for the left, -1 for the right, 0 on it (or when p is q).
 inline int sideOfLine(const Vec2& p, const Vec2& q, const Vec2& r) {
   const double left = (q.x() - p.x()) * (r.y() - p.y());
   const double right = (q.y() - p.y()) * (r.x() - p.x());
@@ -36,7 +36,7 @@ inline int sideOfLine(const Vec2& p, const Vec2& q, const Vec2& r) {
   return exact::side(p, q, r);
 }
 
-// The plane through three points, for many looks at it. The points must outlive it.
+// A plane through three points, for repeated exact orientation tests. The points must outlive it.
 class ExactPlane {
  public:
   ExactPlane(const Vec3& p, const Vec3& q, const Vec3& r) : m_p(p), m_q(q), m_r(r), m_a(q - p), m_b(r - p) {

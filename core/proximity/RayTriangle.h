@@ -8,8 +8,9 @@
 
 namespace handwheel {
 
-// A ray prepared for many triangles. The test is watertight (Woop, Benthin and Wald, "Watertight ray/triangle
-// intersection", JCGT 2013): a ray through an edge or corner that triangles share hits at least one of them.
+// A watertight ray-triangle intersection test, prepared for many triangles. A ray through an edge or corner that
+// triangles share hits at least one of them (Woop, Benthin and Wald, "Watertight ray/triangle intersection", JCGT
+// 2013).
 class RayTriangleTest {
  public:
   // The direction is finite and not zero.

@@ -14,17 +14,17 @@ namespace handwheel {
 
 using TrianglePair = std::pair<std::uint32_t, std::uint32_t>;
 
-// Beyond so many pairs a list of them helps nobody, and a hostile file must not fill the memory.
+// The largest number of pairs listed: more are of no use, and a hostile file must not fill the memory.
 inline constexpr std::size_t kMaxTrianglePairs = std::size_t{1} << 23;
 
-// All pairs (i < j) of triangles that meet in the sense of trianglesMeet(). Triangles without area, and those with a
-// coordinate that is not finite, take no part. Sorted. When there are more than maxPairs, exactly maxPairs of them, the
-// same in each run.
-// Empty optional when cancelled; looks at the cancel flag at least every 50 ms (beyond some five million triangles, at
+// Finds all pairs (i < j) of intersecting triangles, as defined by trianglesMeet(). Triangles without area, and those
+// with a coordinate that is not finite, are ignored. Sorted. When there are more than maxPairs, exactly maxPairs of
+// them, the same in each run.
+// Empty optional when cancelled; polls the cancel flag at least every 50 ms (beyond some five million triangles, at
 // least once in each pass over them).
-// O(n log n + c) for c pairs whose boxes overlap, those of pieces of slivers (cutSlivers()), and within a crowded fan
-// of arcs (CrowdedFans); on all threads of the arena; about 100 bytes a triangle, 300 where there are slivers, while it
-// runs.
+// O(n log n + c) for c pairs of overlapping boxes, where slivers count by the boxes of their pieces (cutSlivers()) and
+// fans of very many triangles by those of their arcs (CrowdedFans); on all threads of the arena. About 100 bytes a
+// triangle, 300 where there are slivers, while it runs.
 std::optional<std::vector<TrianglePair>> selfIntersections(std::span<const Vec3> points,
                                                            std::span<const Triangle> triangles, Progress progress = {},
                                                            std::size_t maxPairs = kMaxTrianglePairs);

@@ -11,19 +11,19 @@
 
 namespace handwheel {
 
-// Where the single-precision boxes live: the model shifted to its middle and scaled into [-1, 1] by a power of two. So
-// they keep their resolution far from the origin, in any unit, and where the model is although a stray vertex is far
-// out.
+// The coordinate frame of single-precision boxes. The model is shifted to its middle and scaled into [-1, 1] by a power
+// of two, so that the boxes keep their resolution far from the origin, in any unit, and where the model is although a
+// stray vertex is far out.
 class BoxFrame {
  public:
   BoxFrame() = default;
   explicit BoxFrame(std::span<const Vec3> points);
 
-  // Never decreases when p increases: what overlaps in the model overlaps in the frame.
+  // Monotonic: it never decreases when p increases, so what overlaps in the model overlaps in the frame.
   Vec3 toFrame(const Vec3& p) const { return p * m_scale - m_shift; }
   double scale() const { return m_scale; }
 
-  // Around the triangle, and wider by at least 2^-23 of its coordinates in the frame.
+  // The box of a triangle, wider by at least 2^-23 of its coordinates in the frame.
   FloatBox around(const Vec3& a, const Vec3& b, const Vec3& c) const;
 
  private:
@@ -31,9 +31,10 @@ class BoxFrame {
   Vec3 m_shift = Vec3::Zero();
 };
 
-enum class FlatTriangles { Keep, LeaveOut };  // those without area
+// Whether triangles without area are kept.
+enum class FlatTriangles { Keep, LeaveOut };
 
-// The boxes of all triangles whose coordinates are finite, in their order. Parallel. None when cancelled.
+// Computes the boxes of all triangles with finite coordinates, in their order. Parallel. None when cancelled.
 std::vector<BoxedItem> boxedTriangles(std::span<const Vec3> points, std::span<const Triangle> triangles,
                                       const BoxFrame& frame, FlatTriangles flat, Progress progress = {});
 

@@ -14,26 +14,30 @@
 
 namespace handwheel {
 
+// The intersection of a ray with a triangle.
 struct RayHit {
   std::uint32_t triangle = kNone;
   double distance = 0.0;  // in lengths of the direction
 };
 
+// The point of a surface nearest to a query point.
 struct NearestPoint {
   std::uint32_t triangle = kNone;
   Vec3 point = Vec3::Zero();
   double squaredDistance = 0.0;
 };
 
-// Whether each triangle has one box, or long, slanted ones several, where they would crowd each other (cutSlivers()):
-// slower to build, and around a vertex with thousands of faces the only way to find anything soon.
+// Whether long, slanted triangles get several boxes (cutSlivers()) or one. Several are made where single boxes would
+// overlap each other; this is slower to build, and around a vertex with thousands of faces the only way to fast
+// queries.
 enum class Slivers { Whole, Cut };
 
 // A bounding volume hierarchy over triangles, for picking, nearest points and intersection tests. Keeps its own copy of
-// the corner positions, so the mesh may change or go while the hierarchy is used on another thread. Reading is
-// thread-safe. Triangles with a coordinate that is not finite never enter; triangles without area do, as the segments
-// or points that they are. Build O(n log n) on all threads of the arena; queries O(log n) on ordinary surfaces, O(n)
-// where all boxes overlap. About 60 bytes a triangle. Coordinates below 1e150, so that distances can be squared.
+// the corner positions, so the mesh may change or be deleted while the hierarchy is used on another thread. Reading is
+// thread-safe. Triangles with a coordinate that is not finite are left out; triangles without area are included, as the
+// segments or points that they are. Build O(n log n) on all threads of the arena; queries O(log n) on ordinary
+// surfaces, O(n) where all boxes overlap. About 60 bytes a triangle. Coordinates below 1e150, so that distances can be
+// squared.
 class TriangleHierarchy {
  public:
   TriangleHierarchy() = default;

@@ -8,12 +8,12 @@ namespace handwheel {
 
 using TrianglePoints = std::array<Vec3, 3>;
 
-// True when two triangles meet in more than a shared vertex or edge; touching counts. Corners are shared when their
-// positions are equal. A doubled triangle and a fold lying flat on its neighbour count. Exact (CGAL's exact
-// predicates where floating point leaves it open). Thread-safe. Both triangles must have area and finite coordinates.
+// Whether two triangles intersect in more than a shared vertex or edge. Touching counts. Corners are shared when their
+// positions are equal. A doubled triangle and a fold lying flat on its neighbour count. Exact (CGAL's exact predicates
+// where floating point is inconclusive). Thread-safe. Both triangles must have area and finite coordinates.
 bool trianglesMeet(const TrianglePoints& a, const TrianglePoints& b);
 
-// Exactly zero area: two equal corners or all three on one line. The coordinates must be finite.
+// Whether a triangle has exactly zero area: two equal corners or all three on one line. The coordinates must be finite.
 bool isDegenerate(const TrianglePoints& t);
 
 }  // namespace handwheel

@@ -6,16 +6,17 @@
 
 namespace handwheel {
 
-// Where a joint stands; rad, mm.
+// The position of a joint; rad, mm.
 double jointPosition(const Joint& joint, const JointValues& values);
 
-// The pose of every link in the frame of the root. O(joints).
+// Computes the pose of every link in the frame of the root (forward kinematics). O(joints).
 std::vector<Pose> linkPoses(const RobotModel& robot, const JointValues& values);
 
-// How a point that is fixed to a link moves with the degrees of freedom: rows 0–2 its velocity (mm/rad, mm/mm), rows
-// 3–5 the link's angular velocity (rad/rad, rad/mm), all in the frame of the root (He 2008, equations 6-6 and 6-7).
-// poses: of all links; point: in the frame of the root. O(joints of the chain).
+// Rows 0–2: linear velocity; rows 3–5: angular velocity. One column per degree of freedom.
 using Jacobian = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+// Computes the Jacobian of a point that is fixed to a link. Rows 0–2 are its velocity (mm/rad, mm/mm), rows 3–5 the
+// link's angular velocity (rad/rad, rad/mm), all in the frame of the root (He 2008, equations 6-6 and 6-7). poses: of
+// all links; point: in the frame of the root. O(joints of the chain).
 Jacobian jacobian(const RobotModel& robot, const std::vector<Pose>& poses, std::uint32_t link, const Vec3& point);
 
 }  // namespace handwheel

@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// The file that a robot description in the folder means by the name of a mesh:
+// Resolves a mesh name in a robot description to a file. folder: that of the description. By the form of the name:
 //   package://name/rest, model://name/rest   "rest" in the nearest folder called "name" that lies in the description's
 //                                            folder or in one above it; never outside of that folder
 //   file:///rest                             as it stands, %20 and its like decoded

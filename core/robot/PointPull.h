@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// A point of a link that is drawn to a place.
+// A point of a link with its target position, for inverse kinematics.
 struct PointPull {
   std::uint32_t link = kNone;
   Vec3 point = Vec3::Zero();   // in the link; mm
@@ -14,13 +14,13 @@ struct PointPull {
   std::uint32_t dof = kNone;   // the only one that may move; kNone: all
 };
 
-// How far the point is from its target; mm.
+// The distance of the point from its target; mm.
 double pullDistance(const RobotModel& robot, const JointValues& values, const PointPull& pull);
 
-// Joint values that bring the point nearer to the target, as near as a number of steps gets it; never further away.
-// Damped least squares with the error in the damping (Chan and Lawrence 1988; Sugihara 2011), so it keeps calm where
-// the arm is stretched or folded. Limits are kept: a joint that meets its limit stays there and the others go on.
-// Finite for every finite input. O(steps · joints), times the joints that meet their limits.
+// Solves the inverse kinematics of a point by damped least squares. The result is as near to the target as a number of
+// steps gets it, and never further away. The error enters the damping (Chan and Lawrence 1988; Sugihara 2011), so the
+// motion stays calm where the arm is stretched or folded. Limits are kept: a joint that meets its limit stays there and
+// the others go on. Finite for every finite input. O(steps · joints), times the joints that meet their limits.
 JointValues pulled(const RobotModel& robot, const JointValues& values, const PointPull& pull, int steps = 40);
 
 }  // namespace handwheel

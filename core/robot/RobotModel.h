@@ -15,6 +15,7 @@
 
 namespace handwheel {
 
+// The types of joints.
 enum class JointKind {
   Fixed,
   Revolute,
@@ -22,23 +23,25 @@ enum class JointKind {
   Prismatic,
 };
 
-// No joint goes further than this, whatever its limits say, so that what follows it stays finite; rad, mm.
+// No joint goes further than this, whatever its limits, so that what follows it stays finite; rad, mm.
 inline constexpr double kFarthestTravel = 1e9;
 
+// The limits of a joint's position, velocity and effort.
 struct JointLimits {
   double lower = -std::numeric_limits<double>::infinity();  // rad, mm
   double upper = std::numeric_limits<double>::infinity();
-  std::optional<double> velocity = {};  // rad/s, mm/s; none where the file does not tell, or says 0
+  std::optional<double> velocity = {};  // rad/s, mm/s; none where the file gives none, or 0
   std::optional<double> effort = {};    // N m, N; the same
 
-  // The nearest value that is allowed. At least one within kFarthestTravel must be.
+  // The nearest allowed value. At least one within kFarthestTravel must be allowed.
   double nearest(double value) const {
     return std::clamp(value, std::max(lower, -kFarthestTravel), std::min(upper, kFarthestTravel));
   }
   bool areClosed() const { return lower == upper; }  // the joint cannot move
 };
 
-// Joins two links. Its position is factor · value(dof) + offset: one degree of freedom may move several joints.
+// A joint between two links. Its position is factor · value(dof) + offset: one degree of freedom may move several
+// joints.
 struct Joint {
   std::string name;
   JointKind kind = JointKind::Fixed;
@@ -52,18 +55,22 @@ struct Joint {
   double offset = 0.0;        // rad, mm
 };
 
+// A box as the shape of a link.
 struct BoxShape {
   Vec3 size;  // mm, centred
   bool operator==(const BoxShape&) const = default;
 };
+// A cylinder as the shape of a link.
 struct CylinderShape {
   double radius, length;  // mm, along z, centred
   bool operator==(const CylinderShape&) const = default;
 };
+// A sphere as the shape of a link.
 struct SphereShape {
   double radius;  // mm
   bool operator==(const SphereShape&) const = default;
 };
+// A triangle mesh in a file as the shape of a link.
 struct MeshShape {
   std::string file;  // as the description names it: "package://name/part.stl"
   Vec3 scale;        // of the numbers in the file, which are metres
@@ -73,12 +80,14 @@ using Shape = std::variant<BoxShape, CylinderShape, SphereShape, MeshShape>;
 
 using ShapeColour = std::array<float, 3>;  // sRGB, 0…1
 
+// A shape at a pose in a link.
 struct PlacedShape {
   std::uint32_t shape = kNone;     // in RobotModel::shapes
   Pose origin = Pose::Identity();  // in the link
   std::optional<ShapeColour> colour;
 };
 
+// A link with its visual and collision shapes.
 struct Link {
   std::string name;
   std::uint32_t parentJoint = kNone;  // none for the root
@@ -86,7 +95,8 @@ struct Link {
   std::vector<PlacedShape> collisions;
 };
 
-// Links joined to a tree. Names of links are unique, so are those of joints. Immutable once read; any thread.
+// A robot: a tree of links connected by joints. Names of links are unique, so are those of joints. Immutable once read;
+// any thread.
 struct RobotModel {
   std::string name;
   std::vector<Link> links;
@@ -102,22 +112,22 @@ struct RobotModel {
 // One value per degree of freedom; rad, mm.
 using JointValues = Eigen::VectorXd;
 
-// kNone when there is no such link. O(links).
+// Finds a link by its name. kNone when there is no such link. O(links).
 std::uint32_t linkNamed(const RobotModel& robot, std::string_view name);
 
-// Where a tool is fixed: a leaf, if possible a fixed one without a body ("tool0", "flange") behind at least half of the
-// degrees of freedom, for beside it there may be fingers that move; of these the one that most of them move, then the
-// one at the end of most joints, then the first in the file.
+// Finds the link to which a tool is attached. A leaf, if possible a fixed one without a body ("tool0", "flange") behind
+// at least half of the degrees of freedom, since beside it there may be fingers that move; of these the one that most
+// of them move, then the one at the end of most joints, then the first in the file.
 std::uint32_t toolLink(const RobotModel& robot);
 
-// The degree of freedom that moves the link and no link above it; kNone for what stands still.
+// Finds the degree of freedom nearest to a link in its chain of joints. kNone for links that cannot move.
 std::uint32_t dofMoving(const RobotModel& robot, std::uint32_t link);
 
-// The values with each within its limits; continuous joints that no other follows turned by whole turns into -π…π.
+// Clamps joint values to their limits. Continuous joints that no other follows are moved by whole turns into -π…π.
 // Values must be finite. O(joints).
 JointValues withinLimits(const RobotModel& robot, JointValues values);
 
-// Zero, or the limit nearest to it.
+// The rest values of the joints: zero, or the limit nearest to it.
 JointValues restValues(const RobotModel& robot);
 
 }  // namespace handwheel

@@ -11,7 +11,7 @@
 
 namespace handwheel {
 
-// What a description says of a joint that repeats another one's motion: position = multiplier · position of the leader
+// A mimic joint of a description, which repeats another joint's motion. position = multiplier · position of the leader
 // + offset, in metres and radians.
 struct Following {
   std::uint32_t joint;
@@ -19,14 +19,14 @@ struct Following {
   double multiplier, offset;
 };
 
-// The lines of a description, for errors.
+// The line numbers of links and joints in a description, for errors.
 struct RobotPlaces {
   std::vector<Place> links, joints;
 };
 
-// Ties the joints and links of a model together: who follows whom and which degrees of freedom there are, each link's
-// joint, the root and the order. places: of each link and joint. The links must form one tree.
-// O((links + joints) log joints). Errors: ElementMalformed, ReferenceMissing.
+// Builds the kinematic tree of a robot from its links and joints. Finds which joint follows which and what degrees of
+// freedom there are, each link's joint, the root and the order. places: of each link and joint. The links must form one
+// tree. O((links + joints) log joints). Errors: ElementMalformed, ReferenceMissing.
 Status tieTogether(RobotModel& robot, std::span<const Following> following, const RobotPlaces& places);
 
 }  // namespace handwheel

@@ -2,22 +2,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/TriangleSoup.h"
+#include "mesh/structure/TriangleSoup.h"
 #include "robot/RobotModel.h"
 
 namespace handwheel {
 
-// Into how many sides round shapes are cut: the setting cell.shape_sides, and its default.
+// The default number of sides of round shapes: the setting cell.shape_sides.
 inline constexpr std::uint32_t kShapeSides = 48;
 inline constexpr std::uint32_t kLeastShapeSides = 4;
 
-// The surface of a shape in mm, closed and with the faces turned outwards; empty for a mesh, which is in a file. Round
-// shapes are cut into so many sides around, a ball into half as many belts: with 48 within 0.5 % of the radius.
-// O(sides) triangles for a cylinder, O(sides^2) for a ball.
+// Tessellates a shape into a closed surface that faces outwards, in mm. Empty for a mesh, which is in a file. Round
+// shapes have this many sides, a ball half as many bands: with 48 within 0.5 % of the radius. O(sides) triangles for a
+// cylinder, O(sides^2) for a ball.
 TriangleSoup surfaceOf(const Shape& shape, std::uint32_t sides = kShapeSides);
 
-// The points of a mesh file, in metres, placed as a shape wants them: scaled, in mm; turned over where the scale
-// mirrors.
+// Applies the scale of a mesh shape to the mesh of its file. The points, in metres, become mm; faces are reversed where
+// the scale mirrors.
 void place(const MeshShape& shape, TriangleSoup& soup);
 
 }  // namespace handwheel

@@ -9,10 +9,10 @@
 
 namespace handwheel {
 
-// Reads the joints of a description, one by one.
+// Reads the joints of a URDF description, one by one.
 class UrdfJoints {
  public:
-  // links: all of them, by name. places takes the joints' lines, shapes the notes.
+  // links: all of them, by name. places receives the joints' lines, shapes the notes.
   UrdfJoints(RobotModel& robot, const std::map<std::string, std::uint32_t>& links, RobotPlaces& places,
              UrdfShapes& shapes)
       : m_robot(robot), m_links(links), m_places(places), m_shapes(shapes) {}

@@ -10,17 +10,18 @@
 
 namespace handwheel {
 
+// A robot with the damage found in its description.
 struct ReadRobot {
   RobotModel robot;
-  std::vector<Error> damage;       // shapes and figures that could not be understood and were left out
+  std::vector<Error> damage;       // shapes and numbers that could not be understood and were left out
   std::size_t unlistedDamage = 0;  // further damage beyond the first thousand entries
 };
 
-// Reads a robot description in URDF. Lengths become millimetres. Whatever decides how the robot moves must be right:
+// Reads a robot description in URDF. Lengths become millimetres. Whatever determines how the robot moves must be valid:
 // names unique, links joined to one tree, numbers finite, axes with a direction, limits in order. Damage elsewhere is
-// listed, and the robot opens without that part. Floating and planar joints are held still, and listed. Mesh files
-// are not looked at. O(bytes). Errors: ElementMalformed, ReferenceMissing, NumberMalformed, NumberNotFinite,
-// CountMismatch, ValueOutOfRange, Unsupported (xacro), FileTooLarge, OutOfMemory, Cancelled; with the line.
+// listed, and the robot opens without that part. Floating and planar joints are held still, and listed. Mesh files are
+// not read. O(bytes). Errors: ElementMalformed, ReferenceMissing, NumberMalformed, NumberNotFinite, CountMismatch,
+// ValueOutOfRange, Unsupported (xacro), FileTooLarge, OutOfMemory, Cancelled; with the line.
 Result<ReadRobot> readUrdf(std::string_view bytes, Progress progress = {});
 
 // Whether a file is a robot description, by its first bytes.

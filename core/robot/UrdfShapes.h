@@ -11,7 +11,8 @@
 
 namespace handwheel {
 
-// Reads what links look like. Nothing here stops the reading: what is wrong is noted and left out.
+// Reads the visual and collision shapes of links from URDF. Errors do not stop the reading: an invalid element is noted
+// and left out.
 class UrdfShapes {
  public:
   explicit UrdfShapes(ReadRobot& read) : m_read(read) {}

@@ -10,13 +10,14 @@
 
 namespace handwheel {
 
-// The next word of a text, words being divided by blanks and line ends; removes it from the text. Empty at the end.
+// Removes and returns the next word of a text. Words are separated by blanks and line ends. Empty at the end.
 std::string_view takeWord(std::string_view& text);
 
-// As parseDecimal() reads it. Errors: NumberMalformed, NumberNotFinite (out of the range of a double).
+// Parses a number as parseDecimal() does. Errors: NumberMalformed, NumberNotFinite (out of the range of a double).
 Result<double> parseNumber(std::string_view word);
 
-// Exactly as many finite numbers as there is room. Errors: NumberMalformed, NumberNotFinite, CountMismatch.
+// Parses exactly as many finite numbers as the span has room for. Errors: NumberMalformed, NumberNotFinite,
+// CountMismatch.
 Status parseNumbers(std::string_view text, std::span<double> numbers);
 
 }  // namespace handwheel

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/MeasureTool.h"
 
-#include "mesh/AngleBetween.h"
+#include "mesh/structure/AngleBetween.h"
 
 #include <QtGlobal>
 #include <algorithm>

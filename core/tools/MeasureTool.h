@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/WallThickness.h"
+#include "mesh/measure/WallThickness.h"
 #include "tools/ToolKey.h"
 
 #include <functional>
@@ -16,25 +16,26 @@ struct SurfacePoint {
   Face face = kNone;           // of a mesh
 };
 
+// Services that MeasureTool uses.
 struct MeasureServices {
   // The point that a ray meets first ("picking").
   std::function<std::optional<SurfacePoint>(const Ray&)> pick;
-  // Null where the model is no body of one mesh: then only points are measured.
+  // Null if the model is not a body of one mesh: then only points are measured.
   std::function<std::optional<WallThickness>(const SurfacePoint&)> thickness;
 };
 
-// Measures what one clicks at: the distance of two points, the angle of three, the angle between two faces, or how
-// thick the wall is below a point. It changes nothing.
+// Tool that measures distances, angles and wall thickness at clicked points. The distance of two points, the angle of
+// three, the angle between two faces, or the thickness of the wall below a point. It changes nothing.
 class MeasureTool : public Tool {
  public:
   enum class Mode { Distance, PointAngle, FaceAngle, Thickness };
 
   explicit MeasureTool(MeasureServices services) : m_services(std::move(services)) {}
 
-  // Of the points that were clicked, and as the last one that under the pointer; none while some are missing.
+  // The distance of the clicked points, the one under the pointer being the last; none while some are missing.
   std::optional<double> distance() const;  // mm
-  // Radian, 0…π: at the second point between the others; or that which two faces enclose, on the side where it is below
-  // a half turn: right for the sides of a square bar, none for opposite ones.
+  // The angle in radians, 0…π: at the second point between the others; or that which two faces enclose, on the side
+  // where it is below a half turn: right for the sides of a square bar, none for opposite ones.
   std::optional<double> angle() const;
   std::optional<WallThickness> thickness() const;
 

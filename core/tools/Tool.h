@@ -5,9 +5,9 @@
 #include "base/Geometry.h"
 #include "document/DisplayModel.h"
 #include "document/Property.h"
-#include "mesh/FaceSelection.h"
-#include "mesh/LiveMesh.h"
-#include "mesh/Sight.h"
+#include "mesh/search/PickRay.h"
+#include "mesh/selection/FaceSelection.h"
+#include "mesh/selection/PreviewMesh.h"
 
 #include <cstdint>
 #include <functional>
@@ -19,67 +19,69 @@
 
 namespace handwheel {
 
+// Button of the mouse or of a haptic device.
 enum class PointerButton { None, First, Second };  // left and right of the mouse; the two of a haptic device
 
+// The modifier keys that are pressed.
 struct Modifiers {
   bool shift = false;
   bool control = false;
   bool alt = false;
 };
 
-// What a pointer does in space. The mouse points along a ray; a haptic device has a tip there, too, and its ray runs
-// along its stylus. Tools read the ray and, where they care, the pose.
+// Input event of a 3D pointer: the mouse or a haptic device. The mouse points along a ray; a haptic device also has a
+// tip, and its ray runs along its stylus. Tools read the ray and, if they need it, the pose.
 struct PointerEvent {
   enum class Kind { Hover, Press, Drag, Release, DoubleClick, Leave };
   Kind kind = Kind::Hover;
   Ray ray;
   PointerButton button = PointerButton::None;
   Modifiers modifiers;
-  // Where the viewer stands; none under parallel projection, when all rays run alike.
+  // The position of the viewer; none under parallel projection, when all rays are parallel.
   std::optional<Vec3> eye;
   double pixel = 0.0;          // mm to a logical pixel: at the focus of the view
   std::optional<Pose> device;  // mm; of the tip of a haptic device, when that is the source
   double focus = 0.0;          // mm from the eye to the focus of the view; 0: not known
-  std::optional<Vec3> held;    // mm; the place on a corner or an edge that draws the tip of the device
+  std::optional<Vec3> held;    // mm; the place on a corner or an edge that attracts the device tip
 
-  Sight sight() const { return {ray, eye, pixel, focus}; }
+  PickRay pickRay() const { return {ray, eye, pixel, focus}; }
 };
 
-// What a tool makes of an input.
+// How a tool has responded to an input.
 enum class ToolReply {
-  Ignored,  // not meant for it: the camera may have it
+  Ignored,  // not handled: the camera may use it
   Used,
-  Finished,  // the tool has committed or given up, and can be left
+  Finished,  // the tool has committed or reverted, and can be left
 };
 
-// Something the tool can do now, declared as data: the hint bar, the menus and the keys are made from it.
+// An action that the tool offers now, declared as data. The hint bar, the menus and the keys are generated from it.
 struct ToolAction {
   std::string id;      // "commit", "grow"; what perform() takes. Empty: a hint on the pointer only.
   std::string input;   // English, context "ToolInput": "Click", "Shift+drag", "Wheel"; or a key: "Return", "Esc", "B"
   std::string effect;  // English, context "Tool": "select a face"
   bool enabled = true;
-  std::string command = {};  // of the window, that does the same and whose key it is: "nextHole"; mostly none
+  std::string command = {};  // of the window, that does the same and has the key: "nextHole"; mostly none
 };
 
-// What the tool shows over the document while it works; nothing of it is in the document.
+// Temporary geometry that a tool displays over the document. Nothing of it is in the document.
 struct ToolPreview {
   std::vector<DisplayPart> parts;                 // proposed geometry, drawn translucent
   FaceSelection highlighted;                      // faces under the pointer or about to be selected
   std::vector<std::vector<Vec3>> lines;           // polylines over the model: a lasso, a ruler; mm
   std::optional<std::pair<Vec3, double>> circle;  // brush: centre on the surface and radius; mm
   FaceSelection selected;                         // faces that are selected now
-  std::shared_ptr<const LiveMesh> live;           // null: the document's mesh
+  std::shared_ptr<const PreviewMesh> live;        // null: the document's mesh
 };
 
-// A contribution to the force that the user feels, mm and newtons. The servo loop adds those of all tools and services
-// and passes the sum through the safety chain.
+// A spring and damper that a tool applies to the device tip. mm and newtons. The servo loop adds those of all tools and
+// services and passes the sum through the safety chain.
 struct ForceTerm {
-  Vec3 target = Vec3::Zero();  // the tip is drawn there
-  double stiffness = 0.0;      // N/mm, at the hand
-  double damping = 0.0;        // N·s/mm, at the hand
+  Vec3 target = Vec3::Zero();  // the tip is pulled there
+  double stiffness = 0.0;      // N/mm, at the device
+  double damping = 0.0;        // N·s/mm, at the device
 };
 
-// What draws the tip of a device while nothing is held, so that what a click takes is easily hit.
+// The features that attract the device tip while nothing is grabbed. So what a click selects is easily hit.
 struct Magnets {
   bool borderPoints = false;  // points of open edges
   bool borderEdges = false;   // open edges
@@ -87,20 +89,20 @@ struct Magnets {
   bool edges = false;         // and these edges
   bool faces = false;         // the surface, from above
 
-  // Of what is everywhere on a surface only what is near the tip can be looked at.
+  // Whether features are everywhere on the surface, so that only those near the tip can be considered.
   bool areEverywhere() const { return corners || edges || faces; }
   bool operator==(const Magnets&) const = default;
 };
 
-// What happens between press and release, without a window: fed with events, a tool shows a preview, and commits one
-// edit to its document or reverts. Window thread. Tests feed it the same events.
+// Base class of interactive tools, independent of the window. From press to release it receives events, shows a
+// preview, and commits one edit to its document or reverts. Window thread. Tests send it the same events.
 class Tool {
  public:
   virtual ~Tool() = default;
 
   virtual std::string id() const = 0;  // "select"
   virtual ToolReply pointer(const PointerEvent& event) = 0;
-  // One of the declared actions, by key, button or menu. "commit" and "revert" are common to all tools.
+  // Executes one of the declared actions, by key, button or menu. "commit" and "revert" are common to all tools.
   virtual ToolReply perform(std::string_view action) = 0;
   virtual std::vector<ToolAction> actions() const = 0;
 
@@ -113,13 +115,14 @@ class Tool {
   virtual std::vector<ForceTerm> forces() const { return {}; }
   virtual Magnets magnets() const { return {}; }
 
-  // The document has changed under the tool: what it had begun is dropped.
+  // Called when the document has changed: what the tool had begun is discarded.
   virtual void documentChanged() {}
 
-  // The services without which it cannot work: "picking", "fill preview". Only those run that somebody needs.
+  // The services that the tool requires: "picking", "fill preview". Only services that are required run.
   virtual std::vector<std::string> needs() const { return {}; }
 
-  // Who runs the tool hears when it shows or offers something else although nothing was asked of it: a job has ended.
+  // Sets the listener, which is called when preview or actions change without an input, for example when a job has
+  // ended.
   void whenUpdated(std::function<void()> listener) { m_listener = std::move(listener); }
 
  protected:

@@ -8,16 +8,17 @@
 
 namespace handwheel {
 
-// An action that a tool can have, in whatever state: so that keys are listed and changed before any such tool runs.
+// An action that a tool may offer in some state, with its key. So keys can be listed and changed before any such tool
+// runs.
 struct ToolKey {
   const char* action;  // id of a ToolAction
-  const char* input;   // the key as the program gives it; empty: none
-  const char* effect;  // English, context "Tool"; some states say more exactly
+  const char* input;   // the default key; empty: none
+  const char* effect;  // English, context "Tool"; more specific in some states
   // A command of the window that does the same: then its key is the action's, too.
   const char* command = "";
 };
 
-// The action as the tool declares it in its present state. id: one of the keys'; effect: null for the usual one.
+// Creates the action of a key, for the tool's present state. id: one of the keys'; effect: null for the usual one.
 ToolAction actionOf(std::span<const ToolKey> keys, std::string_view id, bool enabled = true,
                     const char* effect = nullptr);
 

@@ -6,24 +6,26 @@
 
 #include <algorithm>
 
-// What the settings of tools are made of, and how values that were given for them are taken over.
+// Functions to create the properties of tool settings, and to assign values to the settings.
 namespace handwheel {
 
+// A closed range of numbers.
 struct Limits {
   double least, largest;
   double bring(double value) const { return std::clamp(value, least, largest); }
 };
 
-// Labels and choices: English, context "Property".
+// Create the property of a number, a choice or a switch. Labels and choices: English, context "Property".
 Property numberSetting(const char* id, const char* label, double value, Quantity quantity, const Limits& limits);
 Property choiceSetting(const char* id, const char* label, int chosen, std::vector<std::string> choices);
 Property switchSetting(const char* id, const char* label, bool value);
 
-// False, and nothing changed, where the value is of another kind or no number; numbers are brought between the limits.
+// Assign a property value to a number or a switch. False, and nothing changed, if the value is of another type or NaN;
+// numbers are clamped to the limits.
 bool takeNumber(double& number, const PropertyValue& value, const Limits& limits);
 bool takeSwitch(bool& on, const PropertyValue& value);
 
-// The number of a choice among so many.
+// Assigns a property value to a choice. count: number of choices. False, and nothing changed, for other values.
 template <class Choice>
 bool takeChoice(Choice& choice, const PropertyValue& value, int count) {
   const double* index = std::get_if<double>(&value);

@@ -23,19 +23,20 @@ class ToolRunner : public QObject {
   explicit ToolRunner(QObject* parent = nullptr) : QObject(parent) {}
   ~ToolRunner() override { stop(); }
 
-  // Takes the place of the tool before. The destructor of a tool must not touch its document, which may be gone.
+  // Starts a tool in place of the previous one. The destructor of a tool must not touch its document, which may be
+  // gone.
   void start(std::unique_ptr<Tool> tool, Document& document);
   void stop();
 
   const Tool* tool() const { return m_tool.get(); }
   Document* document() const { return m_document; }
 
-  // All of these: Ignored when there is no tool.
+  // These return Ignored when there is no tool.
   ToolReply pointer(const PointerEvent& event);
   // An action that the tool declares and has enabled; others are ignored.
   ToolReply perform(std::string_view action);
   void setSetting(std::string_view id, const PropertyValue& value);
-  // Hands the result of a job to the tool, under the same protection as an event.
+  // Passes the result of a job to the tool, with the same handling of exceptions as an event.
   void deliver(const std::function<void()>& result);
 
  signals:

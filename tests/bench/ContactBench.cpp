@@ -5,9 +5,9 @@
 #include "bench/Bars.h"
 #include "bench/ContactShapes.h"
 #include "bench/ScanPath.h"
-#include "haptics/ContactSeams.h"
-#include "haptics/GodObject.h"
-#include "haptics/TouchableSurface.h"
+#include "haptics/contact/ContactSeams.h"
+#include "haptics/contact/GodObject.h"
+#include "haptics/contact/TouchableSurface.h"
 #include "proximity/TriangleHierarchy.h"
 
 #include <CGAL/AABB_traits.h>

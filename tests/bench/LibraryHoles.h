@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/ThreadClock.h"
-#include "mesh/TriangleSoup.h"
+#include "mesh/structure/TriangleSoup.h"
 #include "proximity/TriangleIntersection.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

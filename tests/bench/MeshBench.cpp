@@ -3,11 +3,11 @@
 #include "bench/Bars.h"
 #include "core/proximity/Surfaces.h"
 #include "document/formats/MeshFormat.h"
-#include "mesh/Defects.h"
-#include "mesh/FaceHierarchy.h"
-#include "mesh/HoleFilling.h"
-#include "mesh/MeshBuilder.h"
-#include "mesh/Weld.h"
+#include "mesh/defects/Defects.h"
+#include "mesh/holes/HoleFilling.h"
+#include "mesh/search/FaceHierarchy.h"
+#include "mesh/structure/MeshBuilder.h"
+#include "mesh/structure/Weld.h"
 #include "support/MeshShapes.h"
 
 #include <vtkNew.h>

@@ -4,7 +4,7 @@
 
 #include "bench/ContactShapes.h"
 #include "document/formats/MeshFormat.h"
-#include "mesh/Weld.h"
+#include "mesh/structure/Weld.h"
 #include "proximity/TriangleHierarchy.h"
 
 #include <cstdlib>

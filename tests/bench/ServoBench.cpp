@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/ThreadClock.h"
 #include "bench/Bars.h"
-#include "haptics/ServoLoop.h"
-#include "haptics/SimulatedDevice.h"
+#include "haptics/device/SimulatedDevice.h"
+#include "haptics/servo/ServoLoop.h"
 
 #include <array>
 #include <thread>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/Bars.h"
-#include "haptics/SnapProxy.h"
-#include "haptics/SnapSum.h"
+#include "haptics/snap/SnapProxy.h"
+#include "haptics/snap/SnapSum.h"
 
 #include <CGAL/Orthogonal_k_neighbor_search.h>
 #include <CGAL/Search_traits_3.h>

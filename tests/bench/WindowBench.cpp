@@ -6,7 +6,7 @@
 #include "bench/WindowPerson.h"
 #include "gui/window/StlFiles.h"
 #include "theme/Theme.h"
-#include "window/mesh/DeviationPanel.h"
+#include "window/mesh/deviation/DeviationPanel.h"
 
 #include <clocale>
 

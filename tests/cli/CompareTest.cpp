@@ -23,7 +23,7 @@ class CompareTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void figures() {
+  void statistics() {
     const Bench bench;
     bench.put("high.off", sheetAt(0.5).off());
     bench.put("low.off", sheetAt(0).off());

@@ -43,10 +43,10 @@ class DecimateTest : public QObject {
     QCOMPARE(ran.err, QByteArray());
     QCOMPARE(ran.code, 0);
     QVERIFY(ran.out.startsWith("Triangles: 2880 before, "));
-    const auto figures = decimateInspected(bench, output);
-    const int triangles = figures["triangles"];
+    const auto statistics = decimateInspected(bench, output);
+    const int triangles = statistics["triangles"];
     QVERIFY(triangles == 400 || triangles == 399);
-    QVERIFY(figures["manifold"].get<bool>() && figures["oriented"].get<bool>());
+    QVERIFY(statistics["manifold"].get<bool>() && statistics["oriented"].get<bool>());
   }
 
   // The program's own comparison agrees.

@@ -106,7 +106,7 @@ class InspectTest : public QObject {
   Q_OBJECT
 
  private:
-  nlohmann::json figures(const QByteArray& off) {
+  nlohmann::json statistics(const QByteArray& off) {
     const Bench bench;
     bench.put("a.off", off);
     const Ran ran = bench.run({"inspect", "a.off", "--json"});
@@ -155,7 +155,7 @@ class InspectTest : public QObject {
   }
 
   void tetrahedronFigures() {
-    const auto json = figures(tetrahedron().off());
+    const auto json = statistics(tetrahedron().off());
     QVERIFY(json.at("closed"));
     QCOMPARE(json.at("triangles").get<int>(), 4);
     QVERIFY(std::abs(json.at("volume_mm3").get<double>() - 1.0 / 6.0) < 1e-15);
@@ -164,7 +164,7 @@ class InspectTest : public QObject {
   void twoCubes() {
     Shape both = cube();
     both.add(cube(2.0), {5, 0, 0});
-    const auto json = figures(both.off());
+    const auto json = statistics(both.off());
     QCOMPARE(json.at("components").get<int>(), 2);
     QCOMPARE(json.at("vertices").get<int>(), 16);
     QVERIFY(std::abs(json.at("volume_mm3").get<double>() - 9.0) < 1e-12);
@@ -174,13 +174,13 @@ class InspectTest : public QObject {
   void insideOutCubeHasNegativeVolume() {
     Shape shape = cube();
     for (auto& f : shape.faces) std::swap(f[0], f[1]);
-    const auto json = figures(shape.off());
+    const auto json = statistics(shape.off());
     QVERIFY(json.at("oriented"));
     QVERIFY(std::abs(json.at("volume_mm3").get<double>() + 1.0) < 1e-15);
   }
 
   void moebiusStripIsOneSided() {
-    const auto json = figures(moebiusStrip(12).off());
+    const auto json = statistics(moebiusStrip(12).off());
     QCOMPARE(json.at("triangles").get<int>(), 24);
     QVERIFY(!json.at("closed"));
     QVERIFY(json.at("manifold"));
@@ -196,7 +196,7 @@ class InspectTest : public QObject {
   void duplicateFace() {
     Shape shape = cube();
     shape.faces.push_back(shape.faces.front());
-    const auto json = figures(shape.off());
+    const auto json = statistics(shape.off());
     QCOMPARE(json.at("duplicate_faces").get<int>(), 1);
     QCOMPARE(json.at("non_manifold_edges").get<int>(), 3);
     QVERIFY(!json.at("manifold"));
@@ -208,7 +208,7 @@ class InspectTest : public QObject {
   void degenerateFace() {
     Shape shape = cube();
     shape.faces.push_back({0, 1, 1});
-    const auto json = figures(shape.off());
+    const auto json = statistics(shape.off());
     QCOMPARE(json.at("triangles").get<int>(), 13);
     QCOMPARE(json.at("degenerate_faces").get<int>(), 1);
     QVERIFY(json.at("closed"));
@@ -219,7 +219,7 @@ class InspectTest : public QObject {
   void cubesAtACorner() {
     Shape both = cube();
     both.add(cube(), {1, 1, 1});
-    const auto json = figures(both.off());
+    const auto json = statistics(both.off());
     QCOMPARE(json.at("components").get<int>(), 1);
     QCOMPARE(json.at("vertices").get<int>(), 15);
     QCOMPARE(json.at("non_manifold_vertices").get<int>(), 1);
@@ -230,7 +230,7 @@ class InspectTest : public QObject {
   void cubesAtAnEdge() {
     Shape both = cube();
     both.add(cube(), {1, 1, 0});
-    const auto json = figures(both.off());
+    const auto json = statistics(both.off());
     QCOMPARE(json.at("non_manifold_edges").get<int>(), 1);
     QVERIFY(!json.at("manifold"));
     QVERIFY(json.at("closed"));

@@ -5,7 +5,7 @@
 #include "Program.h"
 #include "TestClass.h"
 #include "document/RecordingsEdit.h"
-#include "haptics/RecordingCsv.h"
+#include "haptics/recording/RecordingCsv.h"
 
 #include <QTest>
 #include <sstream>

@@ -67,6 +67,8 @@ class RepairTest : public QObject {
                                             "lost_loops",
                                             "one_sided_cuts",
                                             "parted_vertices",
+                                            "parting_cut_short",
+                                            "cutting_cut_short",
                                             "rounding_moved_mm",
                                             "touched_vertices",
                                             "untouched_vertices_identical",

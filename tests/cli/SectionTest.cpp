@@ -46,7 +46,7 @@ class SectionTest : public QObject {
 
  private slots:
   // The cube of 1 mm half way up.
-  void figures_data() {
+  void statistics_data() {
     QTest::addColumn<QString>("plane");
     QTest::addColumn<QByteArray>("length");
     QTest::addColumn<QByteArray>("area");
@@ -54,7 +54,7 @@ class SectionTest : public QObject {
     QTest::newRow("z") << "z=0.25" << QByteArray("4") << QByteArray("1");
     QTest::newRow("a diagonal") << "2,2,0=0.70710678118654757" << QByteArray("4.82843") << QByteArray("1.41421");
   }
-  void figures() {
+  void statistics() {
     QFETCH(QString, plane);
     QFETCH(QByteArray, length);
     QFETCH(QByteArray, area);

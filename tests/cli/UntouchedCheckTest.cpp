@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TestClass.h"
-#include "cli/UntouchedCheck.h"
-#include "mesh/MeshBuilder.h"
+#include "cli/mesh/UntouchedCheck.h"
+#include "mesh/structure/MeshBuilder.h"
 
 #include <QTest>
 #include <cmath>

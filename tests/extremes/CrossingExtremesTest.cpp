@@ -4,9 +4,9 @@
 #include "MeshChecks.h"
 #include "TestClass.h"
 #include "base/Tolerance.h"
-#include "mesh/MeshValidator.h"
-#include "mesh/TangleRemoval.h"
-#include "mesh/Uncrossing.h"
+#include "mesh/repair/FoldedRegionRemoval.h"
+#include "mesh/repair/SelfIntersectionRemoval.h"
+#include "mesh/structure/MeshValidator.h"
 
 #include <numeric>
 
@@ -65,14 +65,14 @@ void CrossingExtremesTest::uncrossesEveryMesh() {
   QFETCH(test::ExtremeMesh, extreme);
   const HalfEdgeMesh before = buildMesh(extreme.soup()).mesh;
   HalfEdgeMesh mesh = before;
-  const UncrossReport report = uncross(mesh, allFaces(mesh), NumberType::Float64, 0);
+  const IntersectionRemoval report = removeSelfIntersections(mesh, allFaces(mesh), NumberType::Float64, 0);
   QCOMPARE(QString::fromStdString(validate(mesh)), QString());
   if (!report.changed) {
     QVERIFY(test::sameMesh(mesh, before));
     return;
   }
-  QCOMPARE(report.crossingsAfter, std::size_t{0});
-  QCOMPARE(countCrossings(mesh, NumberType::Float64), std::size_t{0});
+  QCOMPARE(report.intersectionsAfter, std::size_t{0});
+  QCOMPARE(countSelfIntersections(mesh, NumberType::Float64), std::size_t{0});
   QVERIFY(borderLength(mesh) <= (1.0 + 1e-9) * borderLength(before));  // edges that cross are split
   QVERIFY(std::abs(areaOf(mesh) / areaOf(before) - 1.0) < 1e-6);
 }
@@ -85,7 +85,7 @@ void CrossingExtremesTest::uncrossesCubes() {
   TriangleSoup soup = test::cube();
   test::append(soup, test::cube(1.0, shift));
   HalfEdgeMesh mesh = buildMesh(test::moved(soup, middle, scale)).mesh;
-  QVERIFY(uncross(mesh, allFaces(mesh), NumberType::Float64, 0).changed);
+  QVERIFY(removeSelfIntersections(mesh, allFaces(mesh), NumberType::Float64, 0).changed);
   QCOMPARE(test::meetingPairs(mesh), std::size_t{0});
   QVERIFY(test::countEdges(mesh).sound());
   std::vector<double> volumes;
@@ -106,11 +106,11 @@ void CrossingExtremesTest::takesOutTangles() {
   const Vec3 middle(offset, -offset, offset);
   const TriangleSoup folded = test::withFoldedBorder(test::sphereWithoutCap(4, 0.12));
   HalfEdgeMesh mesh = buildMesh(test::moved(folded, middle, scale)).mesh;
-  QVERIFY(countCrossings(mesh, NumberType::Float64) > 0);
-  QVERIFY(replaceTangles(mesh, findBoundaryLoops(mesh), {}) > 0);
+  QVERIFY(countSelfIntersections(mesh, NumberType::Float64) > 0);
+  QVERIFY(replaceFoldedRegions(mesh, findBoundaryLoops(mesh), {}) > 0);
   QCOMPARE(validate(mesh), std::string());
   QVERIFY(test::countEdges(mesh).sound());
-  QCOMPARE(countCrossings(mesh, NumberType::Float64), std::size_t{0});
+  QCOMPARE(countSelfIntersections(mesh, NumberType::Float64), std::size_t{0});
   for (const Vec3& p : mesh.compact().soup.points) QVERIFY(std::abs((p - middle).norm() / scale - 1.0) < 0.01);
 }
 
@@ -119,13 +119,13 @@ void CrossingExtremesTest::tanglesOfEveryMesh() {
   QFETCH(test::ExtremeMesh, extreme);
   const HalfEdgeMesh before = buildMesh(extreme.soup()).mesh;
   HalfEdgeMesh mesh = before;
-  const std::size_t crossings = countCrossings(mesh, NumberType::Float64);
-  const std::size_t gone = replaceTangles(mesh, findBoundaryLoops(mesh), {});
+  const std::size_t crossings = countSelfIntersections(mesh, NumberType::Float64);
+  const std::size_t gone = replaceFoldedRegions(mesh, findBoundaryLoops(mesh), {});
   QCOMPARE(QString::fromStdString(validate(mesh)), QString());
   if (gone == 0 && findBoundaryLoops(before).empty()) QVERIFY(test::sameMesh(mesh, before));
   const test::Edges was = test::countEdges(before), is = test::countEdges(mesh);
   QVERIFY(is.border + is.nonManifold <= was.border + was.nonManifold);
-  QVERIFY(countCrossings(mesh, NumberType::Float64) <= crossings);
+  QVERIFY(countSelfIntersections(mesh, NumberType::Float64) <= crossings);
 }
 
 HANDWHEEL_TEST(CrossingExtremesTest)

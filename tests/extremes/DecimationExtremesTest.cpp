@@ -4,10 +4,10 @@
 
 #include "MeshChecks.h"
 #include "TestClass.h"
-#include "mesh/Decimation.h"
-#include "mesh/Deviation.h"
-#include "mesh/MeshBuilder.h"
-#include "mesh/MeshValidator.h"
+#include "mesh/measure/Deviation.h"
+#include "mesh/simplify/Decimation.h"
+#include "mesh/structure/MeshBuilder.h"
+#include "mesh/structure/MeshValidator.h"
 
 #include <QTest>
 

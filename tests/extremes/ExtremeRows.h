@@ -3,7 +3,7 @@
 #pragma once
 
 #include "Extremes.h"
-#include "mesh/MeshBuilder.h"
+#include "mesh/structure/MeshBuilder.h"
 
 #include <QMetaType>
 #include <QTest>

@@ -4,10 +4,10 @@
 #include "MeshChecks.h"
 #include "RidgedShapes.h"
 #include "TestClass.h"
-#include "mesh/HoleFilling.h"
-#include "mesh/LoopDecomposition.h"
-#include "mesh/MeshValidator.h"
-#include "mesh/PatchFigures.h"
+#include "mesh/holes/HoleDecomposition.h"
+#include "mesh/holes/HoleFilling.h"
+#include "mesh/holes/PatchStatistics.h"
+#include "mesh/structure/MeshValidator.h"
 
 using namespace handwheel;
 
@@ -122,14 +122,15 @@ void FillingExtremesTest::leastOfAll() {
   const HalfEdgeMesh mesh = holedBall(scale, offset);
   const HoleFiller filler(mesh);
   for (const BoundaryLoop& loop : findBoundaryLoops(mesh)) {
-    const auto figures = [&](FillMethod method) {
+    const auto statistics = [&](FillMethod method) {
       const FillAttempt attempt = filler.propose(loop, only(method));
       if (attempt.failure != FillFailure::None) qFatal("not filled");
-      return figuresOf(mesh, loop, attempt.patch);
+      return statisticsOf(mesh, loop, attempt.patch);
     };
-    const PatchFigures area = figures(FillMethod::Area), dihedral = figures(FillMethod::Dihedral);
+    const PatchStatistics area = statistics(FillMethod::Area), dihedral = statistics(FillMethod::Dihedral);
     const double rounding = test::rounding(test::boxOf(mesh), 256.0) / scale;
-    for (const PatchFigures& other : {area, dihedral, figures(FillMethod::Ear), figures(FillMethod::Minimal)}) {
+    for (const PatchStatistics& other :
+         {area, dihedral, statistics(FillMethod::Ear), statistics(FillMethod::Minimal)}) {
       QVERIFY(area.area <= other.area * (1.0 + 1e-9) + rounding * scale * scale);
       QVERIFY(dihedral.largestBend <= other.largestBend + 1e-7 + 100.0 * rounding);
     }
@@ -214,15 +215,15 @@ void FillingExtremesTest::stitches() {
     const std::size_t n = loops[i].halfEdges.size();
     const std::vector<Stitch> stitches = filler.proposeStitches(loops[i], kPieceEdges);
     if (n <= kPieceEdges) QVERIFY(stitches.empty());
-    const auto pieces = cutLoop(n, stitches);
+    const auto pieces = splitHole(n, stitches);
     QVERIFY(pieces);
     QCOMPARE(pieces->size(), stitches.size() + 1);
     std::size_t edges = 0;
-    for (const LoopPiece& piece : *pieces) edges += piece.size();
+    for (const HolePiece& piece : *pieces) edges += piece.size();
     QCOMPARE(edges, n + 2 * stitches.size());
     if (extreme.name.starts_with("holed sphere")) {
       QVERIFY(!stitches.empty());
-      for (const LoopPiece& piece : *pieces) QVERIFY(piece.size() <= kPieceEdges);
+      for (const HolePiece& piece : *pieces) QVERIFY(piece.size() <= kPieceEdges);
       FillOptions options = only(FillMethod::Minimal);
       options.pieceEdges = kPieceEdges;
       const FillAttempt attempt = filler.propose(loops[i], options);

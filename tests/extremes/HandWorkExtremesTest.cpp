@@ -3,13 +3,13 @@
 #include "Extremes.h"
 #include "MeshChecks.h"
 #include "TestClass.h"
-#include "mesh/BorderSmoothing.h"
-#include "mesh/BorderWelding.h"
-#include "mesh/Islands.h"
-#include "mesh/MeshBuilder.h"
-#include "mesh/MeshValidator.h"
-#include "mesh/Peninsulas.h"
-#include "mesh/VertexPull.h"
+#include "mesh/boundary/BorderSmoothing.h"
+#include "mesh/boundary/BorderWelding.h"
+#include "mesh/boundary/Islands.h"
+#include "mesh/boundary/Peninsulas.h"
+#include "mesh/boundary/VertexPull.h"
+#include "mesh/structure/MeshBuilder.h"
+#include "mesh/structure/MeshValidator.h"
 
 #include <QTest>
 

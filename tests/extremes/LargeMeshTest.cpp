@@ -3,11 +3,11 @@
 #include "Extremes.h"
 
 #include "TestClass.h"
-#include "document/mesh/MeshExport.h"
-#include "mesh/Defects.h"
-#include "mesh/MeshBuilder.h"
-#include "mesh/MeshReport.h"
-#include "mesh/Repair.h"
+#include "document/formats/MeshExport.h"
+#include "mesh/defects/Defects.h"
+#include "mesh/defects/MeshReport.h"
+#include "mesh/repair/Repair.h"
+#include "mesh/structure/MeshBuilder.h"
 
 #include <QFile>
 #include <QTemporaryDir>

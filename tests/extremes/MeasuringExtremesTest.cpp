@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ExtremeRows.h"
 #include "TestClass.h"
-#include "mesh/Deviation.h"
-#include "mesh/FaceHierarchy.h"
-#include "mesh/Section.h"
-#include "mesh/WallThickness.h"
+#include "mesh/measure/Deviation.h"
+#include "mesh/measure/Section.h"
+#include "mesh/measure/WallThickness.h"
+#include "mesh/search/FaceHierarchy.h"
 
 using namespace handwheel;
 

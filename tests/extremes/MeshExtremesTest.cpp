@@ -4,12 +4,12 @@
 
 #include "MeshChecks.h"
 #include "TestClass.h"
-#include "document/mesh/MeshExport.h"
-#include "mesh/Defects.h"
-#include "mesh/MeshBuilder.h"
-#include "mesh/MeshReport.h"
-#include "mesh/MeshValidator.h"
-#include "mesh/Repair.h"
+#include "document/formats/MeshExport.h"
+#include "mesh/defects/Defects.h"
+#include "mesh/defects/MeshReport.h"
+#include "mesh/repair/Repair.h"
+#include "mesh/structure/MeshBuilder.h"
+#include "mesh/structure/MeshValidator.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -159,10 +159,10 @@ void MeshExtremesTest::repairs() {
                                     [](const LoopResult& loop) { return loop.outcome == LoopOutcome::Filled; });
   QCOMPARE(static_cast<std::size_t>(filled), extreme.filled);
   if (!extreme.volume) return;
-  const MeshReport figures = reportOn(result, SelfIntersections::Skip);
-  QVERIFY(figures.volumeMm3);
-  QVERIFY2(std::abs(*figures.volumeMm3 / *extreme.volume - 1.0) <= extreme.volumeError,
-           qPrintable(QString::number(*figures.volumeMm3 / *extreme.volume - 1.0)));
+  const MeshReport statistics = reportOn(result, SelfIntersections::Skip);
+  QVERIFY(statistics.volumeMm3);
+  QVERIFY2(std::abs(*statistics.volumeMm3 / *extreme.volume - 1.0) <= extreme.volumeError,
+           qPrintable(QString::number(*statistics.volumeMm3 / *extreme.volume - 1.0)));
 }
 
 void MeshExtremesTest::sizeChangesNothing_data() {

@@ -4,9 +4,9 @@
 #include "MeshChecks.h"
 #include "TestClass.h"
 #include "base/Tolerance.h"
-#include "mesh/MeshValidator.h"
-#include "mesh/Shells.h"
-#include "mesh/Transforming.h"
+#include "mesh/structure/MeshValidator.h"
+#include "mesh/structure/Shells.h"
+#include "mesh/structure/Transforming.h"
 
 using namespace handwheel;
 

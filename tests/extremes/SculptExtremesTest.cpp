@@ -4,14 +4,14 @@
 
 #include "MeshChecks.h"
 #include "TestClass.h"
-#include "mesh/Defects.h"
-#include "mesh/FaceNormal.h"
-#include "mesh/LocalCrossings.h"
-#include "mesh/MeshBuilder.h"
-#include "mesh/MeshValidator.h"
-#include "mesh/NoiseSmoothing.h"
-#include "mesh/PatchLevels.h"
-#include "mesh/SculptBrush.h"
+#include "mesh/defects/Defects.h"
+#include "mesh/sculpt/NoiseSmoothing.h"
+#include "mesh/sculpt/PatchLevels.h"
+#include "mesh/sculpt/SculptBrush.h"
+#include "mesh/search/LocalIntersections.h"
+#include "mesh/structure/FaceNormal.h"
+#include "mesh/structure/MeshBuilder.h"
+#include "mesh/structure/MeshValidator.h"
 
 #include <QTest>
 
@@ -134,8 +134,8 @@ void SculptExtremesTest::crossingsOfAStroke() {
   const double size = findDefects(before).box.diagonal().stableNorm();
   const BrushArea area = brushArea(after, 0, after.points(0)[0], 0.3 * size, {.movesBorder = true});
   moveTowards(after, dragged(after, area, Vec3::Constant(-0.5 * size)));
-  const auto change = crossingsChange(before, after);
-  QVERIFY(change && crossingsAfter(*change, *findSelfIntersections(before)) == *findSelfIntersections(after));
+  const auto change = intersectionsChange(before, after);
+  QVERIFY(change && intersectionsAfter(*change, *findSelfIntersections(before)) == *findSelfIntersections(after));
 }
 
 void SculptExtremesTest::smoothsNoise() {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Extremes.h"
 #include "TestClass.h"
-#include "core/haptics/SnapShapes.h"
-#include "haptics/SnapProxy.h"
-#include "haptics/SnapSum.h"
+#include "core/haptics/snap/SnapShapes.h"
+#include "haptics/snap/SnapProxy.h"
+#include "haptics/snap/SnapSum.h"
 
 #include <QtTest>
 

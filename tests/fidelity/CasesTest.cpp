@@ -7,8 +7,8 @@
 #include "fidelity/CutSurface.h"
 #include "fidelity/MeasuredSettings.h"
 #include "fidelity/VirtualScanner.h"
-#include "mesh/MeshBuilder.h"
-#include "viewport/SurfaceGeometry.h"
+#include "mesh/structure/MeshBuilder.h"
+#include "viewport/surface/SurfaceGeometry.h"
 
 #include <QTest>
 #include <cmath>

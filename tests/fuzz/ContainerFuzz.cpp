@@ -5,7 +5,7 @@
 #include "document/container/ZipWriter.h"
 #include "document/mesh/LevelMemory.h"
 #include "document/mesh/MeshKind.h"
-#include "mesh/MeshValidator.h"
+#include "mesh/structure/MeshValidator.h"
 
 #include <cstddef>
 #include <cstdint>

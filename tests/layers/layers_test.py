@@ -20,7 +20,8 @@ class LayersTest(unittest.TestCase):
                     os.makedirs(os.path.join(root, layer, room))
                 with open(os.path.join(root, layer, "CMakeLists.txt"), "w", encoding="utf-8") as stream:
                     stream.writelines(f"add_subdirectory({room})\n" for room in rooms)
-            for folder in ("core/document/cell", "core/document/formats", "app/window/cell", "app/window/haptics"):
+            for folder in ("core/document/cell", "core/document/workpiece", "core/document/formats", "app/window/cell", "app/window/workpiece",
+                           "app/window/haptics"):
                 os.makedirs(os.path.join(root, folder))
             for plugin in PLUGINS:
                 os.makedirs(os.path.join(root, "plugins", "devices", plugin))
@@ -46,6 +47,8 @@ class LayersTest(unittest.TestCase):
         self.assert_allowed("core/mesh/A.h", '"mesh/B.h"')
         self.assert_allowed("app/window/A.cpp", '"A.moc"')
         self.assert_refused("core/base/A.h", '"mesh/B.h"')
+        self.assert_allowed("core/mesh/holes/A.h", '"mesh/structure/B.h"')
+        self.assert_refused("core/mesh/structure/A.h", '"mesh/holes/B.h"')
         self.assert_refused("core/document/A.cpp", '"panels/B.h"')
         self.assert_refused("widgets/viewport/A.cpp", '"panels/B.h"')
         self.assert_refused("widgets/panels/A.cpp", '"window/B.h"')
@@ -62,6 +65,8 @@ class LayersTest(unittest.TestCase):
         self.assert_refused("core/document/A.cpp", '"document/cell/B.h"')
         self.assert_refused("widgets/panels/A.h", '"document/cell/B.h"')
         self.assert_refused("app/cli/A.cpp", '"document/cell/B.h"')
+        self.assert_refused("app/window/cell/A.cpp", '"document/workpiece/B.h"')
+        self.assert_allowed("app/cli/cell/A.cpp", '"document/cell/B.h"')
         # Those that know one all the same are listed, as long as they do.
         self.assert_allowed("app/cli/Input.cpp", '"document/cell/B.h"')
         code, output = self.run_on("app/cli/Input.cpp", '"base/B.h"')

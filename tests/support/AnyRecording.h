@@ -7,7 +7,7 @@
 #include <string>
 
 #include "HapticPoses.h"
-#include "haptics/Recording.h"
+#include "haptics/recording/Recording.h"
 
 // Random recordings, and what makes two of them the same, for properties.
 namespace handwheel::test {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/Device.h"
-#include "haptics/ForceSource.h"
-#include "haptics/HapticScene.h"
-#include "haptics/ServoClock.h"
+#include "haptics/device/Device.h"
+#include "haptics/device/ServoClock.h"
+#include "haptics/servo/ForceSource.h"
+#include "haptics/servo/HapticScene.h"
 
 #include <functional>
 #include <memory>
@@ -91,10 +91,10 @@ inline FunctionSource::Function wall(double stiffness, double damping = 0.0) {
   };
 }
 
-inline std::unique_ptr<HapticScene> sceneOf(FunctionSource::Function function, bool mayLeap = true) {
+inline std::unique_ptr<HapticScene> sceneOf(FunctionSource::Function function, bool isDiscontinuous = true) {
   auto scene = std::make_unique<HapticScene>();
   scene->source = std::make_unique<FunctionSource>(std::move(function));
-  scene->mayLeap = mayLeap;
+  scene->isDiscontinuous = isDiscontinuous;
   return scene;
 }
 

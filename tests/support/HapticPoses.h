@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/WorkspaceMapping.h"
+#include "haptics/mapping/WorkspaceMapping.h"
 
 #include <rapidcheck.h>
 #include <numbers>

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "HapticDevices.h"
-#include "haptics/ForceRecorder.h"
-#include "haptics/SimulatedDevice.h"
+#include "haptics/device/SimulatedDevice.h"
+#include "haptics/recording/ForceRecorder.h"
 
 namespace handwheel::test {
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/HalfEdgeMesh.h"
-#include "mesh/TriangleSoup.h"
+#include "mesh/structure/HalfEdgeMesh.h"
+#include "mesh/structure/TriangleSoup.h"
 
 #include <cstring>
 #include <map>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/TriangleSoup.h"
+#include "mesh/structure/TriangleSoup.h"
 
 #include <algorithm>
 #include <cmath>
@@ -238,6 +238,23 @@ inline TriangleSoup twoCubesSharingAnEdge() {
 inline TriangleSoup twoCubesSharingAVertex() {
   TriangleSoup s = cube();
   append(s, cube(1.0, Vec3(1, 1, 1)));
+  return s;
+}
+
+// Each a closed cone with n triangles around its tip and a corner in its outline. They touch along the edge from the
+// tip to that corner.
+inline TriangleSoup twoConesSharingAnEdge(std::uint32_t n) {
+  TriangleSoup s;
+  for (const double side : {1.0, -1.0}) {
+    TriangleSoup cone{{Vec3::Zero(), Vec3(side, 0, 1)}, {}};
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const double u = 2.0 * M_PI * i / n;
+      cone.points.emplace_back(side * (1.0 - std::cos(u)), std::sin(u) * std::sin(u / 2), 1.0);
+      const std::uint32_t a = 2 + i, b = 2 + (i + 1) % n;
+      cone.triangles.insert(cone.triangles.end(), {{0, b, a}, {1, a, b}});
+    }
+    append(s, side > 0 ? turnedOver(cone) : cone);
+  }
   return s;
 }
 

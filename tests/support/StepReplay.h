@@ -4,7 +4,7 @@
 
 #include "MeshDocuments.h"
 #include "document/Container.h"
-#include "mesh/MeshValidator.h"
+#include "mesh/structure/MeshValidator.h"
 #include "tools/mesh/MeshSteps.h"
 
 #include <optional>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "MeshShapes.h"
-#include "mesh/BoundaryLoops.h"
-#include "mesh/MeshBuilder.h"
+#include "mesh/boundary/BoundaryLoops.h"
+#include "mesh/structure/MeshBuilder.h"
 
 #include <array>
 #include <map>

@@ -15,16 +15,17 @@ namespace handwheel {
 // The text of an action or a menu without its mnemonic.
 QString withoutMnemonic(const QString& text);
 
-// The menus that lead to each action: "View › Shading". Of several, that which is seen.
+// The menu path of each action: "View › Shading". Of several menus, the visible one.
 QHash<const QAction*, QString> menuPaths(const QMenuBar* bar);
 
-// That of one action among these paths; one that is there only in a scope has its own.
+// The menu path of one action. An action that exists only in a scope has its own path.
 QString pathOf(const QAction& action, const QHash<const QAction*, QString>& menuPaths);
 
-// Whether it is a command of the program: with a name and a text, and not one of Qt's own, a menu or a separator.
+// Whether the action is a command of the program. It has a name and a text, and is not an action of Qt itself, a menu
+// or a separator.
 bool isCommand(const QAction& action);
 
-// Those below this object.
+// The commands among the children of an object.
 QList<QAction*> commandsOf(const QObject& root);
 
 }  // namespace handwheel

@@ -6,7 +6,8 @@
 
 namespace handwheel {
 
-// Draws a row of the command palette: picture, title, menus, keys; below, why it cannot be run.
+// Draws a row of the command palette. It has icon, title, menu path and keys, and below them why the command is
+// disabled.
 class CommandDelegate : public QStyledItemDelegate {
   Q_OBJECT
 

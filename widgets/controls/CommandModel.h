@@ -14,15 +14,15 @@ class QAction;
 
 namespace handwheel {
 
-// The actions that match what is typed, best first.
+// The list of actions that match the search text, best first.
 class CommandModel : public QAbstractListModel {
   Q_OBJECT
 
  public:
   enum Role {
-    PathRole = Qt::UserRole,  // the menus that lead to it
+    PathRole = Qt::UserRole,  // its menu path
     ShortcutRole,
-    ReasonRole,  // why it cannot be run now; empty when it can
+    ReasonRole,  // why it is disabled; empty when it is enabled
   };
 
   using QAbstractListModel::QAbstractListModel;
@@ -31,7 +31,7 @@ class CommandModel : public QAbstractListModel {
   void setActions(const QList<QAction*>& actions, const QHash<const QAction*, QString>& paths);
   void setRecent(const QStringList& ids) { m_recent = ids; }
   void setQuery(const QString& query);
-  QAction* action(const QModelIndex& index) const;  // null: gone
+  QAction* action(const QModelIndex& index) const;  // null: the action was deleted
 
   int rowCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;

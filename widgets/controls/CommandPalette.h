@@ -14,15 +14,15 @@ namespace handwheel {
 
 class CommandModel;
 
-// Finds and runs any action of the window by a few letters of its name. Lies over the top of the window while it is in
-// use; Esc or a click elsewhere puts it away. The last used are remembered in the settings.
+// A popup that finds and runs any action of the window by name. A few letters suffice. It is shown over the top of the
+// window; Esc or a click elsewhere closes it. The last used actions are stored in the settings.
 class CommandPalette : public QFrame {
   Q_OBJECT
 
  public:
   explicit CommandPalette(QMainWindow* window);
 
-  // "Search commands…", Ctrl+K: for menu and tool bar.
+  // The action "Search commands…" (Ctrl+K) for menu and tool bar.
   QAction* action() const { return m_action; }
   void popUp();
 

@@ -37,7 +37,7 @@ QString spacedOut(const QString& id) {
   return folded(words);
 }
 
-// Whether the letters can be taken from the beginnings of words, in order: "se" or "shed" of "shaded with edges".
+// Whether the letters can be taken from the startActions of words, in order: "se" or "shed" of "shaded with edges".
 bool beginWords(QStringView letters, const QStringList& words, qsizetype from = 0) {
   if (letters.isEmpty()) return true;
   for (qsizetype i = from; i < words.size(); ++i) {

@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// A command as it can be found.
+// The searchable texts of a command.
 struct CommandText {
   QString id;        // English, in camel case: "saveAs"
   QString title;     // as shown
@@ -17,22 +17,22 @@ struct CommandText {
   QString shortcut;  // as shown
 };
 
-// Finds commands by what is typed. Case and accents do not matter.
+// Finds commands by a search text. Case and accents are ignored.
 class CommandSearch {
  public:
   void setCommands(const std::vector<CommandText>& commands);
 
-  // Numbers of the commands that match, best first: those whose title begins with the query, then those where the
-  // query's letters begin words of the title ("sa" for "Save as"), then those that hold it, then those that hold its
-  // letters in order; last, those where all its words begin words of id, menus, shortcut or tooltip. Among equals the
-  // recently used (ids, last first) come first, then shorter titles. Without a query: the recent ones, then all in
-  // order.
+  // Returns the indices of the commands that match, best first: those whose title begins with the query, then those
+  // where the query's letters begin words of the title ("sa" for "Save as"), then those that contain it, then those
+  // that contain its letters in order; last, those where all its words begin words of id, menus, shortcut or tooltip.
+  // Equal matches are sorted by recent use (ids, last first), then by length of the title. Without a query: the recent
+  // ones, then all in order.
   std::vector<int> find(const QString& query, const QStringList& recent) const;
 
  private:
   struct Entry {
     QString id;
-    QString title;         // folded, as the others
+    QString title;         // case-folded and without accents, as the others
     QString englishTitle;  // the id as words
     QStringList words;     // of all texts
   };

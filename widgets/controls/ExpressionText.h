@@ -8,7 +8,8 @@
 
 namespace handwheel {
 
-// Why an expression has no value, and where, as one sentence: "There is no unit “foo” (character 4)."
+// Describes the error of an expression with its position, in one sentence. Example: "There is no unit “foo” (character
+// 4)."
 QString expressionProblem(const ExpressionError& error);
 
 }  // namespace handwheel

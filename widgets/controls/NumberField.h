@@ -13,9 +13,9 @@ namespace handwheel {
 
 class NumberLine;
 
-// A number with its unit. Takes expressions ("25.4/2", "1 in + 2mm"); the arrow keys and, with the focus, the wheel
-// step it (Shift: ten steps, Ctrl: a tenth). What cannot be taken stays in the line with the reason below, until it is
-// mended or Esc brings the value back. Values are in mm and radian whatever is shown.
+// An input field for a number with a unit. Accepts expressions ("25.4/2", "1 in + 2mm"); the arrow keys and, with the
+// focus, the wheel step it (Shift: ten steps, Ctrl: a tenth). Invalid input stays in the line with the reason below,
+// until it is corrected or Esc restores the value. Values are in mm and radian, whatever unit is shown.
 class NumberField : public QWidget {
   Q_OBJECT
 
@@ -23,11 +23,11 @@ class NumberField : public QWidget {
   explicit NumberField(QWidget* parent = nullptr);
 
   void setQuantity(Quantity quantity, LengthUnit unit);
-  void setRange(double least, double largest);  // none when they are the wrong way round
+  void setRange(double least, double largest);  // no range when least > largest
   void setPrefix(const QString& prefix);        // "⌀", "R"
   void setLabel(const QString& label);          // for screen readers
   void setStep(double step) { m_step = step; }  // 0: chosen by the size of the value
-  // A text that is being edited stays.
+  // Does not replace a text that is being edited.
   void setValue(double value);
 
   double value() const { return m_value; }

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// The line of a NumberField (which see): prefix and unit stand in its margins, so that only the number is edited.
+// The line edit of a NumberField. Prefix and unit are shown in its margins, so that only the number is edited.
 class NumberLine : public QLineEdit {
   Q_OBJECT
 

@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// What the user has chosen for all documents.
+// The user's preferences, which apply to all documents.
 struct Preferences {
   QString navigation;                              // id of a preset of mouse navigation; empty: the program's own
   LengthUnit lengthUnit = LengthUnit::Millimetre;  // of new documents
@@ -21,8 +21,9 @@ struct Preferences {
 inline constexpr int kShortestAutosave = 5;  // seconds
 inline constexpr int kLongestAutosave = 600;
 
-// From and to the program's settings. What makes no sense there counts as not set.
+// Loads the preferences from the program's settings. Invalid values count as not set.
 Preferences loadPreferences();
+// Stores the preferences in the program's settings.
 void storePreferences(const Preferences& preferences);
 
 }  // namespace handwheel

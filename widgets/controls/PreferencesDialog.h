@@ -14,14 +14,15 @@ namespace handwheel {
 
 class ShortcutModel;
 
-// A choice of mouse navigation: who knows the viewport supplies them.
+// A preset of mouse navigation that the user can choose. The caller supplies them, because this dialog does not know
+// the viewport.
 struct NavigationChoice {
   QString id;
   QString name;
   QString description;  // "Middle: orbit, Shift+middle: pan"
 };
 
-// Keys, mouse, units, language, autosave. Not modal; every change is stored and in force at once.
+// The dialog for keys, mouse, units, language and autosave. Not modal; every change is stored and applied at once.
 class PreferencesDialog : public QDialog {
   Q_OBJECT
 

@@ -14,8 +14,8 @@ namespace handwheel {
 
 class PropertyRow;
 
-// A form for the properties of a document or the settings of a tool. Showing the same ids again changes the values
-// only: a row keeps the focus, a text half typed and a slider being dragged.
+// A form for the properties of a document or the settings of a tool. Showing the same ids again only updates the
+// values: a row keeps the focus, an unfinished text and a slider being dragged.
 class PropertyList : public QScrollArea {
   Q_OBJECT
 
@@ -23,10 +23,10 @@ class PropertyList : public QScrollArea {
   explicit PropertyList(QWidget* parent = nullptr);
   ~PropertyList() override;
 
-  // In groups as they come; with ids that are all different.
+  // Shows the properties, grouped in the given order. Ids must be unique.
   void setProperties(const std::vector<Property>& properties);
   void setLengthUnit(LengthUnit unit);
-  void setEmptyText(const QString& text);  // what stands there without properties
+  void setEmptyText(const QString& text);  // shown when there are no properties
 
   QSize sizeHint() const override;
 

@@ -10,16 +10,16 @@ class QLabel;
 
 namespace handwheel {
 
-// One line of a PropertyList: the label, what edits the value, and what the reader must know of it.
+// One row of a PropertyList: label, editor, and notes on the value.
 class PropertyRow : public QWidget {
   Q_OBJECT
 
  public:
-  // The row for this kind of property; it shows it already.
+  // Creates the row for this kind of property, showing its value.
   static PropertyRow* make(const Property& property, LengthUnit unit, QWidget* parent);
 
   const std::string& id() const { return m_id; }
-  // Whether this row can show that property: of the same id and kind.
+  // Whether this row can show the property: same id and kind.
   bool fits(const Property& property) const;
   void showProperty(const Property& property, LengthUnit unit);
 
@@ -32,7 +32,7 @@ class PropertyRow : public QWidget {
   static QString translated(const std::string& english);
 
   explicit PropertyRow(QWidget* parent);
-  // The parts, once: the label beside the editor, or the editor alone.
+  // Lays out the parts; to be called once. The label is beside the editor, or the editor is alone.
   void arrange(QWidget* editor, bool besideLabel = true, QWidget* below = nullptr);
 
   virtual void showValue(const Property& property, LengthUnit unit) = 0;

@@ -13,7 +13,8 @@ namespace handwheel {
 
 class NumberField;
 
-// A number; with a slider below when it is best changed between its limits.
+// A row for a number, with an optional slider below. The slider is shown when the property asks to be changed between
+// its limits.
 class NumberRow : public PropertyRow {
   Q_OBJECT
 
@@ -34,6 +35,7 @@ class NumberRow : public PropertyRow {
   double m_largest = 0.0;
 };
 
+// A row for a yes-or-no property: a check box.
 class SwitchRow : public PropertyRow {
   Q_OBJECT
 
@@ -48,6 +50,7 @@ class SwitchRow : public PropertyRow {
   QCheckBox* m_box;
 };
 
+// A row for a text property: a line edit.
 class TextRow : public PropertyRow {
   Q_OBJECT
 
@@ -62,6 +65,7 @@ class TextRow : public PropertyRow {
   QLineEdit* m_line;
 };
 
+// A row for one of several choices: a combo box.
 class ChoiceRow : public PropertyRow {
   Q_OBJECT
 
@@ -76,6 +80,7 @@ class ChoiceRow : public PropertyRow {
   QComboBox* m_box;
 };
 
+// A row for a property that cannot be edited: a label.
 class ReadOnlyRow : public PropertyRow {
   Q_OBJECT
 

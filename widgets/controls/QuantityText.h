@@ -9,17 +9,18 @@
 
 namespace handwheel {
 
-// What one unit shown on the screen is inside: mm, radian.
+// The factor from the displayed unit to the internal one (mm, radian).
 double perShownUnit(Quantity quantity, LengthUnit unit);
 
-// "mm", "°"; nothing for numbers.
+// The symbol of the displayed unit: "mm", "°"; empty for plain numbers.
 QString unitSymbol(Quantity quantity, LengthUnit unit);
 
-// The shortest decimal number, in the language's digits and without separators of thousands, that is within one
-// millionth of the value. Very large and very small ones have an exponent. "∞" and "—" for what is not finite.
+// Formats a number with the fewest digits. The result is within one millionth of the value, in the locale's digits and
+// without thousands separators. Very large and very small values have an exponent; "∞" and "—" stand for values that
+// are not finite.
 QString numberText(double value, const QLocale& locale);
 
-// A value in mm or radian as it is read: "12.7 mm", "90°".
+// Formats a value in mm or radian with its unit: "12.7 mm", "90°".
 QString quantityText(double value, Quantity quantity, LengthUnit unit, const QLocale& locale);
 
 }  // namespace handwheel

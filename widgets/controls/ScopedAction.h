@@ -6,13 +6,13 @@
 
 namespace handwheel {
 
-// A command that is there only while something is in use, its scope: a tool. As long as it is in no widget its keys are
-// none of Qt's; whoever gets the keys in that scope looks them up here.
+// An action that is available only within a scope, such as a tool. While it is added to no widget, Qt does not handle
+// its shortcut; the code that receives the key events of the scope looks them up here.
 class ScopedAction : public QAction {
   Q_OBJECT
 
  public:
-  // scope: as the user knows it, "Select faces"; path: what stands before the text in lists, "Tools › Select faces".
+  // scope: its displayed name, "Select faces"; path: shown before the text in lists, "Tools › Select faces".
   ScopedAction(const QString& text, QString scope, QString path, QObject* parent);
 
   const QString& scope() const { return m_scope; }
@@ -23,8 +23,8 @@ class ScopedAction : public QAction {
   QString m_path;
 };
 
-// Whether Return, Enter or Esc is pressed for it. These end whatever one does: they stay with the commands that have
-// them from the beginning, and no other can have them.
+// Whether the sequence uses Return, Enter or Esc. These end the present operation: they are reserved for the commands
+// that have them by default.
 bool isEndingKey(const QKeySequence& keys);
 
 }  // namespace handwheel

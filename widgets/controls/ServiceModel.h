@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// What a service does at present.
+// The present state and cost of a background service.
 struct ServiceStatus {
   enum class Budget { None, Frame, ServoTick };
   QString id;
@@ -17,10 +17,10 @@ struct ServiceStatus {
   double ticksPerSecond = 0.0;
   double microsecondsPerTick = 0.0;
   Budget budget = Budget::None;
-  double share = 0.0;  // of the budget; 1 uses it up
+  double share = 0.0;  // fraction of the budget; 1: all of it
 };
 
-// The services as a table. New figures of the same services keep rows and selection.
+// A table model of the background services. New statistics of the same services keep rows and selection.
 class ServiceModel : public QAbstractTableModel {
   Q_OBJECT
 

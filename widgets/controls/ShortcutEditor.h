@@ -15,7 +15,7 @@ namespace handwheel {
 
 class ShortcutModel;
 
-// Lists all commands with their keys and changes them. Every change is in force at once.
+// A widget that lists all commands and edits their shortcuts. Every change is applied at once.
 class ShortcutEditor : public QWidget {
   Q_OBJECT
 
@@ -25,7 +25,7 @@ class ShortcutEditor : public QWidget {
  private:
   void buildKeyLine(QLayout& column);
   void buildFileLine(QLayout& column);
-  int row() const;  // of the model; -1: none is chosen
+  int row() const;  // of the model; -1: none is selected
   void showRow();
   void useKey();
   void importFile();

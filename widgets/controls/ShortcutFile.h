@@ -11,14 +11,16 @@
 
 namespace handwheel {
 
-// Keys that differ from the defaults, by the id of the action, in Qt's portable form ("Ctrl+Shift+Z"). None: no key.
+// Shortcuts that differ from the defaults, by the id of the action. They are in Qt's portable form ("Ctrl+Shift+Z").
+// Empty list: no key.
 using ShortcutChanges = QMap<QString, QStringList>;
 
 inline constexpr qint64 kLargestShortcutFile = 1 << 20;  // bytes
 
+// Converts the changes to JSON.
 QByteArray toJson(const ShortcutChanges& changes);
 
-// Errors: FileTooLarge, FormatUnknown, VersionNewer, ElementMalformed.
+// Reads the changes from JSON. Errors: FileTooLarge, FormatUnknown, VersionNewer, ElementMalformed.
 Result<ShortcutChanges> shortcutsFromJson(const QByteArray& json);
 
 }  // namespace handwheel

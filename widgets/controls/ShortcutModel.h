@@ -14,8 +14,8 @@ class QMenuBar;
 
 namespace handwheel {
 
-// The keys of all named actions of the program. What the user changes takes effect at once and is kept in the settings,
-// as far as it differs from the defaults.
+// A table model of the shortcuts of all named actions. Changes take effect at once; those that differ from the defaults
+// are stored in the settings.
 class ShortcutModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class ShortcutModel : public QAbstractTableModel {
   enum Column { Command, Keys, ColumnCount };
   enum Role {
     ConflictRole = Qt::UserRole,  // the names of the rows of conflicts()
-    AmbiguousRole,                // whether one of these is there at the same time, so that neither works
+    AmbiguousRole,                // whether one of these is active at the same time, so that neither works
     ChangedRole,
     FixedRole,  // its key cannot be changed
     IdRole,
@@ -32,26 +32,26 @@ class ShortcutModel : public QAbstractTableModel {
 
   using QAbstractTableModel::QAbstractTableModel;
 
-  // Of these, the commands. The present keys of those that are new here are their defaults; then those of the user are
-  // applied, as far as they are keys that the command may have. To be called again when actions have come.
+  // Sets the actions; only commands are listed. The present keys of new actions become their defaults; then the user's
+  // keys are applied, as far as the command may have them. To be called again when actions were added.
   void setActions(const QList<QAction*>& actions, const QMenuBar* menus);
 
   QList<QKeySequence> keys(int row) const;
-  // Without those that the row may not have.
+  // Sets the keys, without those that the row may not have.
   void setKeys(int row, const QList<QKeySequence>& keys);
   // Why the row may not have the key, as a sentence; empty when it may.
   QString objection(int row, const QKeySequence& key) const;
   void reset(int row);
   void resetAll();
 
-  // The other rows that one of these keys, or its beginning, would start as well. Commands of two scopes are never
-  // there at the same time.
+  // The other rows that a key of this row, or a prefix of it, also triggers. Commands of two scopes are never active at
+  // the same time.
   QList<int> conflicts(int row) const;
-  // Takes from those what they have in common with this row.
+  // Removes from the conflicting rows the keys they share with this row.
   void resolveInFavourOf(int row);
 
   ShortcutChanges changes() const;
-  // Replaces all changes; ids that are not known here are left out.
+  // Replaces all changes; unknown ids are skipped.
   void setChanges(const ShortcutChanges& changes);
 
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -65,7 +65,7 @@ class ShortcutModel : public QAbstractTableModel {
     QString id;
     QString title;
     QString path;
-    QString scope;  // empty: there at any time
+    QString scope;  // empty: always active
     QList<QKeySequence> defaults;
   };
   Entry entryOf(QAction* action, const QString& path) const;

@@ -10,7 +10,8 @@
 
 namespace handwheel {
 
-// What runs and what it costs. Asks for the figures twice a second, and only while somebody can see them.
+// A panel with the running services and their costs. Queries the statistics twice a second, and only while it is
+// visible.
 class StatusPanel : public QWidget {
   Q_OBJECT
 

@@ -8,7 +8,7 @@ class QAction;
 
 namespace handwheel {
 
-// A push button that stands for an action: text, tooltip, enabled and checked state are the action's.
+// A push button for an action. Text, tooltip, enabled and checked state are those of the action.
 class ActionButton : public QPushButton {
   Q_OBJECT
 

@@ -9,8 +9,8 @@ class QToolButton;
 
 namespace handwheel {
 
-// The title of a dock: its name and two buttons, which take it out of the window and fold it away. The dock is dragged
-// by it; a double click takes it out or puts it back. A dock that floats keeps it.
+// The title bar of a dock widget. It has its name and two buttons, which float and hide the dock. The dock is dragged
+// by it; a double click floats it or docks it again. A floating dock keeps it.
 class DockTitle : public QFrame {
   Q_OBJECT
 

@@ -13,8 +13,8 @@ namespace handwheel {
 
 class Document;
 
-// The open documents with their state, each with a small picture. Who goes through the rows with the arrow keys sees
-// each; a click or Return goes on to its view. The eye, or Space, shows or hides the surface.
+// A list of the open documents with state and thumbnail. The arrow keys show the document of each row; a click or
+// Return also moves the focus to the view. The eye icon, or Space, shows or hides the surface.
 class DocumentsPanel : public QWidget {
   Q_OBJECT
 
@@ -24,15 +24,15 @@ class DocumentsPanel : public QWidget {
   void addDocument(Document* document);
   void removeDocument(Document* document);
   void setCurrent(Document* document);
-  // Instead of the icon of its kind; a null one changes nothing.
+  // Sets a picture instead of the icon of its kind; a null one changes nothing.
   void setPicture(const Document* document, const QPixmap& picture);
 
-  // Hides the surface of the present document, or shows it again.
+  // The action that hides or shows the surface of the current document.
   QAction* visibilityAction() { return &m_visibility; }
 
  signals:
-  void chosen(handwheel::Document* document);     // among the rows, where the keys stay
-  void activated(handwheel::Document* document);  // to work on it
+  void chosen(handwheel::Document* document);     // in the list, which keeps the focus
+  void activated(handwheel::Document* document);  // by click or Return
   void visibilityChanged(handwheel::Document* document, bool visible);
 
  protected:

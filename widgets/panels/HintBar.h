@@ -7,17 +7,17 @@
 
 namespace handwheel {
 
-// What a mouse button or key does now.
+// The present effect of a mouse button or key.
 struct Hint {
   QString input;        // "Middle drag"
   QString effect;       // "orbit"
-  bool enabled = true;  // false: not in the present state
+  bool enabled = true;  // false: not available in the present state
 
   bool operator==(const Hint&) const = default;
 };
 
-// The line at the bottom that says what each input does. Shows as many hints as fit, in order; the tooltip has them
-// all.
+// The bar at the bottom that shows the effect of each input. Shows as many hints as fit, in order; the tooltip has all
+// of them.
 class HintBar : public QWidget {
   Q_OBJECT
 

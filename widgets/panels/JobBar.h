@@ -14,7 +14,8 @@ namespace handwheel {
 
 class JobLine;
 
-// The jobs in the status bar: the first with name, progress and cancel, the others behind a button.
+// Shows the running jobs in the status bar. The first has name, progress and a cancel button; the others are behind a
+// button.
 class JobBar : public QWidget {
   Q_OBJECT
 
@@ -36,7 +37,7 @@ class JobBar : public QWidget {
   QVBoxLayout* m_column;
   std::vector<JobLine*> m_lines;
   std::size_t m_count = 0;
-  quint64 m_pressed = 0;  // the job whose cancel was pressed
+  quint64 m_pressed = 0;  // the job whose cancel button was pressed
 };
 
 }  // namespace handwheel

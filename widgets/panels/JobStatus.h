@@ -6,12 +6,12 @@
 
 namespace handwheel {
 
-// A job as it is shown.
+// The displayed state of a job.
 struct JobStatus {
   quint64 id = 0;
   QString name;
   double fraction = -1.0;  // 0…1; below zero: not known yet
-  bool isWaiting = false;  // for the jobs before it
+  bool isWaiting = false;  // for earlier jobs
 };
 
 }  // namespace handwheel

@@ -8,6 +8,7 @@
 
 namespace handwheel {
 
+// One entry of the log.
 struct LogEntry {
   enum class Weight { Info, Warning, Error };
   QTime time;
@@ -16,7 +17,8 @@ struct LogEntry {
   QString command;  // the equivalent command line; empty when there is none
 };
 
-// What the program did since it was started, newest last: time, event, and how to do the same without a window.
+// A table model of the events since the program was started. Newest last; with time, event, and the equivalent command
+// line.
 class LogModel : public QAbstractTableModel {
   Q_OBJECT
 

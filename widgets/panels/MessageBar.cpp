@@ -86,13 +86,18 @@ void MessageBar::showMessage(const Message& message) {
     return earlier.message.about == message.about && textOf(earlier.message) == text;
   });
   if (m_messages.size() == kMostMessages) m_messages.erase(m_messages.begin());
-  m_messages.push_back({message, m_document});
+  m_messages.push_back({message, m_document, {}});
+  m_messages.back().since.start();
   showLatest();
   QAccessibleEvent alert(this, QAccessible::Alert);
   QAccessible::updateAccessibility(&alert);
 }
 
 void MessageBar::setDocument(const Document* document) {
+  if (m_document != document) {
+    std::erase_if(m_messages,
+                  [this](const Entry& entry) { return !entry.message.about && entry.since.hasExpired(m_readingTime); });
+  }
   m_document = document;
   for (Entry& entry : m_messages) {
     if (entry.arrivedOver != document) entry.arrivedOver = nullptr;

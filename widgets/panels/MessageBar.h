@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QElapsedTimer>
 #include <QFrame>
 #include <functional>
 #include <vector>
@@ -13,7 +14,7 @@ namespace handwheel {
 
 class Document;
 
-// What happened, why, and what to do; with one or two things that can be done at once.
+// A message to the user with up to two actions. It says what happened, why, and what to do.
 struct Message {
   enum class Weight { Info, Warning, Error };
   Weight weight = Weight::Info;
@@ -24,12 +25,13 @@ struct Message {
   std::function<void()> action;
   QString otherText = {};
   std::function<void()> other = {};
-  const Document* about = nullptr;  // the message goes with it; null: it concerns the program
+  const Document* about = nullptr;  // removed with this document; null: about no open document
 };
 
-// Shows messages above the viewport, the latest first; each stays until it is closed. Nothing waits for them. A message
-// about a document is seen while that document is in view, and also over the one that was in view when it arrived, so
-// that what went wrong in the background is noticed; it ends with its document.
+// Shows messages above the viewport, the latest first; they are not modal. Each stays until it is closed. A message
+// about a document is visible while that document is current, and also over the one that was current when it arrived,
+// so that errors in the background are noticed; it is removed with its document. A message about no document is removed
+// when another document becomes current and there was time to read it.
 class MessageBar : public QFrame {
   Q_OBJECT
 
@@ -37,10 +39,11 @@ class MessageBar : public QFrame {
   explicit MessageBar(QWidget* parent = nullptr);
 
   void showMessage(const Message& message);
-  // The one in view; null: none.
+  // Sets the current document; null: none.
   void setDocument(const Document* document);
-  // It is about to close: its messages go.
+  // Removes the messages of a document that is about to close.
   void forget(const Document* document);
+  void setReadingTime(int ms) { m_readingTime = ms; }
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -48,10 +51,11 @@ class MessageBar : public QFrame {
  private:
   struct Entry {
     Message message;
-    const Document* arrivedOver;  // in view then
+    const Document* arrivedOver;  // the current document then
+    QElapsedTimer since;
   };
 
-  const Entry* latest() const;  // of those to be seen now; null: none
+  const Entry* latest() const;  // of the visible messages; null: none
   std::size_t seenCount() const;
   bool isSeen(const Entry& entry) const;
   Message takeLatest();
@@ -59,10 +63,11 @@ class MessageBar : public QFrame {
   void drawIcon();
 
   std::vector<Entry> m_messages;         // the latest is the last
-  const Document* m_document = nullptr;  // in view
+  const Document* m_document = nullptr;  // the current one
+  int m_readingTime = 5000;              // ms
   QLabel* m_icon;
   QLabel* m_text;
-  QLabel* m_more;  // how many others there are
+  QLabel* m_more;  // the number of further messages
   QPushButton* m_action;
   QPushButton* m_other;
 };

@@ -11,7 +11,7 @@ class QLabel;
 
 namespace handwheel {
 
-// What a document needs next, and the actions that do it; the first is the obvious one.
+// A suggested next step with its actions. The first action is the most obvious one.
 struct NextStep {
   QString icon;
   QColor colour;
@@ -22,7 +22,7 @@ struct NextStep {
   bool isEmpty() const { return title.isEmpty(); }
 };
 
-// Floats over the lower edge of the viewport and offers the obvious next action.
+// A card over the lower edge of the viewport with the suggested next step.
 class NextStepCard : public QFrame {
   Q_OBJECT
 
@@ -33,7 +33,7 @@ class NextStepCard : public QFrame {
 
  signals:
   void dismissed();
-  // So many pixels at the lower edge are not to be seen behind the card; 0 when it is hidden.
+  // The number of pixels at the lower edge that the card covers; 0 when it is hidden.
   void covers(int pixels);
 
  protected:

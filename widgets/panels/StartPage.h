@@ -16,23 +16,24 @@ namespace handwheel {
 
 class Tile;
 
-// A large button that begins with a document.
+// The contents of a tile that creates or opens a document.
 struct StartTile {
   QString name;  // of the widget
-  QString icon;  // name of a drawing
+  QString icon;  // name of an icon
   QString title;
   QString line;
   bool isAvailable = true;  // else the sample is not installed: it is shown, but cannot be opened
 };
 
-// What is shown when no document is open: a sample for each trade, a file to open, and what was open before.
+// The page that is shown when no document is open. It has a sample for each field of work, a button to open a file, and
+// the recent files.
 class StartPage : public QWidget {
   Q_OBJECT
 
  public:
-  // The picture of a file; a null one where there is none.
+  // Returns the thumbnail of a file; null when there is none.
   using Pictures = std::function<QPixmap(const QString& path)>;
-  // The name of a drawing for a file that has no picture.
+  // Returns the icon name for a file without a thumbnail.
   using IconNames = std::function<QString(const QString& path)>;
 
   explicit StartPage(QWidget* parent = nullptr);

@@ -8,7 +8,7 @@ class QLabel;
 
 namespace handwheel {
 
-// A large button: a picture, a heading, and a line more.
+// A large button with a picture, a title and a line of text.
 class Tile : public QAbstractButton {
   Q_OBJECT
 
@@ -16,7 +16,8 @@ class Tile : public QAbstractButton {
   Tile(const QString& iconName, const QString& title, const QString& text, QWidget* parent = nullptr);
 
   void setLine(const QString& text);
-  // Instead of the icon, cut to this size (logical pixels). Without a picture the icon stands in the middle of it.
+  // Sets a picture instead of the icon, cropped to this size (logical pixels). Without a picture the icon is centred in
+  // it.
   void setPicture(const QPixmap& picture, const QSize& size);
 
  protected:

@@ -10,35 +10,38 @@
 
 namespace handwheel {
 
-// What a plot shows: a value, as every part of the window that draws curves makes one. All texts come from the caller.
+// An axis of a plot. The structs of a plot are plain values, created by every part of the window that draws curves. All
+// texts come from the caller.
 struct PlotAxis {
   QString title;                   // "CPU time of a fill"
-  QString unit;                    // "ms"; shown in brackets behind the title
-  bool logarithmic = false;        // where all values are above zero; else it is linear all the same
-  std::vector<double> shown = {};  // values that lie on it whatever the series have
+  QString unit;                    // "ms"; shown in parentheses after the title
+  bool logarithmic = false;        // only if all values are above zero; else it is linear
+  std::vector<double> shown = {};  // values that the axis includes in any case
 };
 
+// A series of points, drawn as a line or as bars.
 struct PlotSeries {
   QString name;
   std::vector<QPointF> points;    // in units of the axes; those that are not finite are left out
-  bool joined = true;             // by lines, in order
-  double barWidth = 0.0;          // above zero: drawn as bars so wide, in units of x, instead
-  std::vector<QColor> bars = {};  // their colours; none: that of the series
-  bool dotted = true;             // each point has its shape; false for a line of too many to be told apart
+  bool joined = true;             // connected by lines, in order
+  double barWidth = 0.0;          // above zero: drawn as bars of this width, in units of x, instead
+  std::vector<QColor> bars = {};  // colours of the bars; empty: that of the series
+  bool dotted = true;             // each point has a marker; false for lines with too many points
 };
 
-// A point with words beside it.
+// An annotated point of a plot.
 struct PlotMark {
   QPointF place;
   QString label;
 };
 
+// The complete description of a plot.
 struct Plot {
   QString title;
   PlotAxis x, y;
   std::vector<PlotSeries> series;
   std::vector<PlotMark> marks;
-  QLocale locale = QLocale::c();  // of the numbers at the axes
+  QLocale locale = QLocale::c();  // of the axis labels
 };
 
 }  // namespace handwheel

@@ -11,8 +11,7 @@
 
 namespace handwheel {
 
-// Where the parts of a plot lie in a rectangle of the screen or the page; shared by painting and by the cursor
-// read-out.
+// The layout of a plot in a rectangle of the screen or page. Shared by painting and by the cursor read-out.
 class PlotLayout {
  public:
   PlotLayout(const Plot& plot, const QRectF& area, const QFontMetricsF& metrics);
@@ -21,8 +20,8 @@ class PlotLayout {
   const PlotScale& x() const { return m_x; }
   const PlotScale& y() const { return m_y; }
 
-  // Those of the ticks of x, by their numbers, whose labels have room beside each other below the frame: each second or
-  // third where need be, that at zero among them.
+  // The indices of the x ticks whose labels fit side by side below the frame: each second or third if necessary,
+  // including the one at zero.
   std::vector<std::size_t> labelledTicks(const QLocale& locale, const QFontMetricsF& metrics) const;
 
   QPointF toScreen(const QPointF& value) const;

@@ -11,8 +11,8 @@ class QPainter;
 
 namespace handwheel {
 
-// Draws a plot into a rectangle with the painter's font: title, legend, two axes with titles and units, series told
-// apart by colour and by the shape of their points, marks with their words. Nothing where there is no room for it.
+// Draws a plot into a rectangle. Uses the painter's font. Draws title, legend, two axes with titles and units, series
+// distinguished by colour and by marker shape, and annotated points. Draws nothing when there is not enough room.
 void paintPlot(QPainter& painter, const QRectF& area, const Plot& plot, ThemeKind theme);
 
 }  // namespace handwheel

@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// The range of an axis and the values that it names.
+// The range and the ticks of an axis.
 struct PlotScale {
   double least = 0.0;
   double largest = 1.0;
@@ -19,12 +19,12 @@ struct PlotScale {
   double placeOf(double value) const;  // 0 at least, 1 at largest
 };
 
-// A scale that shows all these values with some room and about "count" ticks at 1, 2 or 5 times a power of ten
-// (Heckbert, "Nice numbers for graph labels", 1990). Values that are not finite, or beyond 1e300, count for nothing;
-// without any, the scale is 0…1. Logarithmic only where all are above zero (1e-300).
+// Computes a scale that contains all values with a margin. It has about "count" ticks at 1, 2 or 5 times a power of ten
+// (Heckbert, "Nice numbers for graph labels", 1990). Values that are not finite, or beyond 1e300, are ignored; without
+// any, the scale is 0…1. Logarithmic only when all are above zero (1e-300).
 PlotScale scaleFor(std::span<const double> values, bool logarithmic, int count = 6);
 
-// As it stands at the axis: plain digits, or a power of ten.
+// The label of a tick: plain digits, or a power of ten.
 QString tickLabel(double tick, const PlotScale& scale, const QLocale& locale);
 
 }  // namespace handwheel

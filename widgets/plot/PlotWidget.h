@@ -10,8 +10,8 @@
 
 namespace handwheel {
 
-// A plot with a read-out: the point nearest to the cursor is marked and its values are shown. The arrow keys walk along
-// the points, up and down from series to series; Escape takes the read-out away.
+// A widget that shows a plot with a read-out. The point nearest to the cursor is marked and its values are shown. The
+// arrow keys move along the points, up and down between the series; Escape hides the read-out.
 class PlotWidget : public QWidget {
   Q_OBJECT
 
@@ -21,7 +21,7 @@ class PlotWidget : public QWidget {
   void setPlot(Plot plot);
   const Plot& plot() const { return m_plot; }
 
-  // What is read out, as it is shown: "sphere: 10 ms, 0.05 mm"; empty when nothing is.
+  // The displayed read-out: "sphere: 10 ms, 0.05 mm"; empty when there is none.
   QString reading() const;
 
   QSize sizeHint() const override;
@@ -38,7 +38,7 @@ class PlotWidget : public QWidget {
  private:
   PlotLayout layoutNow() const;
   void read(std::optional<PlotLayout::Reading> reading);
-  // The next point that can be shown, from this one on.
+  // The next displayable point from this one on.
   std::optional<PlotLayout::Reading> neighbour(PlotLayout::Reading from, int alongSeries, int alongPoints) const;
 
   Plot m_plot;

@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// Writes the "(s)" of source texts with a number ("%n hole(s)") as English wants it. Installed before any other
-// translator, so that it only speaks where no translation is at hand.
+// A translator that forms English plurals of source texts ("%n hole(s)"). Installed before any other translator, so
+// that it is used only when there is no translation.
 class EnglishPlurals : public QTranslator {
  public:
   using QTranslator::QTranslator;

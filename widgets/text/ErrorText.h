@@ -8,11 +8,11 @@
 
 namespace handwheel {
 
-// What went wrong and where, as one sentence: "scan.stl, line 12: 'abc' is not a number." The window and the command
-// line both use it, so numbers are written as in C and the text is English unless a translator is installed.
+// Describes an error and its place in one sentence: "scan.stl, line 12: 'abc' is not a number." The window and the
+// command line both use it, so numbers are written as in C and the text is English unless a translator is installed.
 QString errorSentence(const Error& error);
 
-// What the user can do about it, as one sentence. Empty for a cancelled job, where there is nothing to do.
+// Suggests a remedy for an error in one sentence. Empty for a cancelled job.
 QString errorAdvice(const Error& error);
 
 }  // namespace handwheel

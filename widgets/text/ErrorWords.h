@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// An argument of an error as a sentence shows it: the phrases of the core in the language of the window, anything else,
-// which may quote a damaged file, as it is but shortened.
+// Translates an argument of an error for use in a sentence. Phrases of the core are translated; anything else, which
+// may quote a damaged file, is only shortened.
 QString errorArgument(const QString& english);
 
 }  // namespace handwheel

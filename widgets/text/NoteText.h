@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// The note as a sentence in the language of the program.
+// Converts a note to a sentence in the language of the program.
 QString noteText(const Note& note);
 
 }  // namespace handwheel

@@ -4,31 +4,32 @@
 
 #include "base/Units.h"
 #include "document/formats/MeshFormat.h"
-#include "mesh/HoleFilling.h"
-#include "mesh/Repair.h"
+#include "mesh/holes/HoleFilling.h"
+#include "mesh/repair/Repair.h"
 
 #include <QStringList>
 
 namespace handwheel {
 
-// How the user knows a fill method ("Fair"), and one sentence on when to choose it.
+// The display name of a fill method ("Fair").
 QString fillMethodName(FillMethod method);
+// One sentence on when to choose a fill method.
 QString fillMethodHint(FillMethod method);
 
-// The word for the command line: --fill fair.
+// The name of a fill method on the command line: --fill fair.
 QString fillMethodWord(FillMethod method);
 
-// Why a hole stayed open, as the end of a sentence: "every patch would cross the part".
+// Why a hole stayed open, as the end of a sentence. Example: "every patch would cross the part".
 QString fillFailureReason(FillFailure failure);
 
-// "colours", "texture coordinates", …
+// The name of a lost attribute: "colours", "texture coordinates", …
 QString lostAttributeName(LostAttribute attribute);
 
-// What a repair did besides filling, one phrase per kind of change; empty when it did nothing.
+// The changes of a repair besides filling, one phrase for each kind. Empty when there were none.
 QStringList repairSummary(const RepairReport& report);
 
-// A length as the user reads it, with three significant digits: "31.2 mm", and at most two decimals, or four in units
-// other than mm.
+// Formats a length with three significant digits: "31.2 mm". It has at most two decimals, or four in units other than
+// mm.
 QString lengthText(double millimetres, LengthUnit unit);
 
 }  // namespace handwheel

@@ -11,20 +11,21 @@
 
 namespace handwheel {
 
+// A language of the user interface.
 struct Language {
   QString code;  // "de", "zh_CN"
   QString name;  // in the language itself
 };
 
-// The languages of the window; English, in which the sources are written, is the first.
+// The languages of the user interface; English, the language of the source texts, is first.
 QList<Language> windowLanguages();
 
-// The code of the language that a setting means: its own, or with "system" the first of the wanted ones that there is,
-// else English. The wanted ones are written as in QLocale::uiLanguages.
+// The language code for a setting. A setting of "system" gives the first available one of the wanted languages, else
+// English. The wanted ones are written as in QLocale::uiLanguages.
 QString languageFor(const QString& setting, const QStringList& wanted);
 
-// Makes the window speak a language, and write numbers as is usual in it, for as long as this lives. Made before the
-// first widget, so a change of the setting shows at the next start. The command line speaks English and makes none.
+// Installs the translators and the locale of a language for its lifetime. To be created before the first widget, so a
+// change of the setting takes effect at the next start. The command line is always English and creates none.
 class Translations {
  public:
   explicit Translations(const QString& setting);
@@ -38,7 +39,7 @@ class Translations {
   QString m_language;
   QLocale m_localeBefore;
   EnglishPlurals m_plurals;
-  QTranslator m_qt;  // the texts of Qt's own dialogs, where the system has them
+  QTranslator m_qt;  // the texts of Qt's own dialogs, if installed
   QTranslator m_own;
 };
 

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// The kinds of defect as the user sees them, in the order in which the panel lists them.
+// The kinds of mesh defects, in the order of the panel.
 enum class DefectKind {
   Hole,
   KeptOpen,
@@ -23,8 +23,8 @@ enum class DefectKind {
 };
 inline constexpr int kDefectKinds = 11;
 
-// The colour of a defect, the same in lists and in the viewport, in both themes. Hues after Okabe and Ito's set, which
-// people with colour blindness tell apart; every use is doubled by the icon.
+// The colour of a kind of defect. It is the same in lists and in the viewport, in both themes. Hues are from the
+// palette of Okabe and Ito, which people with colour blindness can distinguish; every use is accompanied by the icon.
 QColor defectColour(DefectKind kind);
 
 // The name for icon() in Icons.h.

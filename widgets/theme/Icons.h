@@ -7,11 +7,11 @@
 
 namespace handwheel {
 
-// One of the drawings in resources/icons, by file name without ending. It is drawn with the text colour of the present
-// palette (the accent when checked), so it follows a change of theme by itself.
+// An icon from resources/icons, by file name without extension. It is drawn with the text colour of the present palette
+// (the accent when checked), so it follows a change of theme by itself.
 QIcon icon(const QString& name);
 
-// The same in a colour of its own, for defects and states.
+// The same icon in a given colour, for defects and states.
 QIcon icon(const QString& name, const QColor& colour);
 
 }  // namespace handwheel

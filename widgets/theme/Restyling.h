@@ -12,16 +12,16 @@ class QWidget;
 
 namespace handwheel {
 
-// Gives the application's widgets the colours of a new palette under a style sheet that names roles of the palette. Qt
-// resolves a role once for each widget and keeps the result, and setting the sheet anew costs three times as much: it
-// goes through hidden panels, menus and closed cards too, and lays everything out again. Here the visible widgets
-// follow at once, so that no picture shows half of a theme; the hidden ones when they are shown, or when nothing else
-// is to be done. Window thread.
+// Updates the widgets after a change of the application's palette. The style sheet refers to roles of the palette. Qt
+// resolves a role once for each widget and caches the result, and setting the style sheet again costs three times as
+// much: it also processes hidden panels, menus and closed cards, and lays everything out again. Here the visible
+// widgets are updated at once, so that no frame shows a mixture of themes; the hidden ones when they are shown, or when
+// the application is idle. Window thread.
 class Restyling : public QObject {
   Q_OBJECT
 
  public:
-  // Belongs to the application. Starts over if it is not done with an earlier palette.
+  // Starts the update. The object is owned by the application. Starts over if an earlier update is not finished.
   static void restyle(QApplication& application);
 
  protected:
@@ -33,7 +33,7 @@ class Restyling : public QObject {
   void start();
 
   QApplication& m_application;
-  std::deque<QPointer<QWidget>> m_hidden;  // that still have the colours of the palette before
+  std::deque<QPointer<QWidget>> m_hidden;  // widgets that still have the colours of the previous palette
   QBasicTimer m_idle;
 };
 

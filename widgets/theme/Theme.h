@@ -8,6 +8,7 @@ class QApplication;
 
 namespace handwheel {
 
+// The colour themes of the program.
 enum class ThemeKind { Light, Dark };
 
 // The colours of one theme. Everything the program draws itself takes its colours from here.
@@ -18,23 +19,24 @@ struct ThemeColours {
   QColor hover;   // what is under the cursor
   QColor border;
   QColor text;
-  QColor muted;       // second-rank text, at least 4.5:1 on window
-  QColor accent;      // the one accent: selection, the main button, progress
+  QColor muted;       // secondary text, contrast at least 4.5:1 on window
+  QColor accent;      // selection, the main button, progress
   QColor accentText;  // on accent
   QColor success;
   QColor warning;
   QColor error;
 };
 
+// The colours of a theme.
 const ThemeColours& themeColours(ThemeKind kind);
 
-// The theme nearest to the desktop's palette. To be asked before applyTheme(), which replaces that palette.
+// The theme nearest to the desktop's palette. To be called before applyTheme(), which replaces that palette.
 ThemeKind systemTheme();
 
 // The theme of the application's present palette.
 ThemeKind currentTheme();
 
-// Style, palette and style sheet. May be called again at any time to switch.
+// Applies style, palette and style sheet of a theme. May be called again at any time to switch.
 void applyTheme(QApplication& application, ThemeKind kind);
 
 }  // namespace handwheel

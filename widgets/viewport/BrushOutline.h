@@ -6,10 +6,10 @@
 
 namespace handwheel {
 
-// The brush's circle, laid on the surface around its centre as a closed line of points, at most radius above or below
-// the surface's tangent plane. Where it would leap from one part to another, it is a plain circle in that plane; where
-// there is no surface, and before the mesh is searchable, one that faces towards. At most a millisecond: a ray for each
-// point.
+// Projects the circle of a brush onto the surface. Returns a closed line of points, at most radius above or below the
+// tangent plane of the surface at the centre. When the line would jump from one part to another, it is a plain circle
+// in that plane; when there is no surface, or the mesh is not yet searchable, a circle with the normal `towards`. At
+// most a millisecond: one ray for each point.
 std::vector<Vec3> brushOutline(const Pickable& pickable, const BrushCircle& brush, const Vec3& towards);
 
 }  // namespace handwheel

@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// Cuts the picture open: what lies beyond the plane, in the direction of its normal, is neither drawn nor picked.
+// A clipping plane of the view. What lies on the side of its normal is neither drawn nor picked.
 struct ClipPlane {
   Vec3 normal = Vec3::UnitZ();  // of unit length
   double offset = 0.0;          // of the plane from the origin of the model along the normal; mm

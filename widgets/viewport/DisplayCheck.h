@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// A connection to the X display, to find out whether VTK can use it: VTK itself would end the program. To be kept until
-// VTK has rendered: an X server without any client left may reset itself, and refuses connections meanwhile.
+// An X display connection that checks whether VTK can render. VTK itself would end the program. Keep it until VTK has
+// rendered: an X server without any client may reset itself, and refuses connections meanwhile.
 class DisplayCheck {
  public:
   DisplayCheck();

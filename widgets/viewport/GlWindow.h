@@ -11,21 +11,21 @@ class vtkRenderer;
 
 namespace handwheel {
 
-// Lets VTK draw inside a QOpenGLWidget. VTK renders to framebuffers of its own, which are then copied to the widget's.
-// All calls need the widget's context current, but for the constructor.
+// Lets VTK render into a QOpenGLWidget. VTK renders to its own framebuffers, which are then copied to that of the
+// widget. All calls except the constructor need the widget's context to be current.
 class GlWindow {
  public:
   explicit GlWindow(vtkRenderer* renderer);
   ~GlWindow();
 
-  // For each new context of the widget; it gets another when it moves to another window.
+  // To be called for each new context of the widget; it gets another when it moves to another window.
   void attach(QOpenGLWidget* widget);
-  // Frees what belongs to the context, before that goes.
+  // Frees the resources of the context; to be called before it is destroyed.
   void detach();
   bool isAttached() const { return m_widget != nullptr; }
-  // size in device pixels.
+  // Renders a frame. size: in device pixels.
   void draw(const QSize& size);
-  // What was drawn last once more: at the cost of a copy.
+  // Shows the last frame again; costs only a copy.
   void drawAgain();
 
  private:

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "viewport/ClipPlane.h"
-#include "viewport/PolyData.h"
+#include "viewport/surface/PolyData.h"
 
 #include <vtkActor.h>
 #include <vtkNew.h>
@@ -14,25 +14,25 @@
 
 namespace handwheel {
 
-// The plane as VTK has it, which keeps what lies on the side of its normal.
+// Sets a VTK clipping plane. VTK keeps what lies on the side of its normal.
 void setPlane(vtkPlane* plane, const Vec3& normal, const Vec3& point);
 
-// What the layers over the model need to know of a frame. Positions are about the origin of the drawing.
+// The frame parameters for the layers drawn over the model. Positions are relative to the origin of the drawing.
 struct LayerFrame {
   double pixelRatio = 1.0;  // device pixels to a logical pixel
-  // What lifts a layer by a logical pixel towards the viewer and leaves it where it appears: under parallel projection
-  // a shift along the view; under perspective, where a pixel is worth more the farther one looks, a shrinking towards
-  // the eye.
+  // The depth offset of a layer by a logical pixel towards the viewer, without changing its position on the screen.
+  // Under parallel projection it is a shift along the view; under perspective, where a pixel is longer at larger
+  // distances, a scaling towards the eye.
   Vec3 shiftPerPixel = Vec3::Zero();
   double shrinkPerPixel = 0.0;
   ClipPlane clip;
 };
 
-// Of what lies over the model: hardly shaded.
+// Sets the material of layers over the model: hardly shaded.
 void setOverlayMaterial(vtkProperty* property);
 
-// One actor over the model, coloured by its points. It is lifted by some pixels' worth of length towards the viewer,
-// which changes nothing but its depth.
+// An actor over the model, coloured by point data. It is offset towards the viewer by the length of some pixels, which
+// changes only its depth.
 class Layer {
  public:
   // lift: logical pixels towards the viewer; a higher layer hides a lower one.
@@ -53,14 +53,14 @@ class Layer {
   double m_lift;
 };
 
-// A line through points, or a dot where there is but one.
+// A line through points, or a dot for a single point.
 struct Stroke {
   std::span<const Vec3> points;
   bool closed = false;
   QColor colour;
 };
 
-// Strokes of constant width on the screen with round joints and ends, unlit.
+// Unlit lines of constant screen width with round joints and ends.
 class StrokeLayer {
  public:
   // width: logical pixels.

@@ -8,28 +8,29 @@ class vtkRenderer;
 
 namespace handwheel {
 
-// The colours of the scene outside the marks.
+// The colours of the scene, except those of the marks.
 struct SceneColours {
   QColor backgroundTop;
   QColor backgroundBottom;
-  QColor front;     // the material
-  QColor back;      // the inner side, seen through holes
-  QColor cut;       // the inner side, when a clipping plane opens the model
-  QColor edge;      // over the material
-  QColor wire;      // before the background
-  QColor casing;    // thin rim around lines and dots that sets them off the surface
+  QColor front;     // front side of the surface
+  QColor back;      // back side of the surface, visible through holes
+  QColor cut;       // back side, when a clipping plane cuts the model
+  QColor edge;      // on the surface
+  QColor wire;      // in wireframe, on the background
+  QColor casing;    // thin outline around lines and dots, for contrast with the surface
   QColor text;      // scale bar and axis letters
   QColor accent;    // preview and hover
   QColor cubeSide;  // of the view cube
   QColor selected;  // faces that are selected
 };
+// The colours for the light or dark theme.
 SceneColours sceneColours(bool dark);
 
-// share: of b, 0…1.
+// Mixes two colours. share: of b, 0…1.
 QColor mixed(const QColor& a, const QColor& b, float share);
 
-// Three lights that turn with the camera, as in a photographer's studio: key from the upper left, fill from the right,
-// head light from the viewer. Scans read by their relief, wherever one looks from.
+// Adds three lights that turn with the camera, as in photography. Key from the upper left, fill from the right, head
+// light from the viewer. They show the relief of scans from any view direction.
 void addStudioLights(vtkRenderer* renderer);
 
 }  // namespace handwheel

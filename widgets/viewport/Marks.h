@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "viewport/FaceLayer.h"
 #include "viewport/Layers.h"
 #include "viewport/Lighting.h"
 #include "viewport/ViewportTypes.h"
+#include "viewport/surface/FaceLayer.h"
 
 #include <bitset>
 
 namespace handwheel {
 
-// A stroke with a rim of another colour around it, so that it reads on every surface and background.
+// Strokes with an outline of another colour. They are visible on every surface and background.
 class CasedStrokes {
  public:
   CasedStrokes(vtkRenderer* renderer, double lift, double width, double rim);
@@ -24,7 +24,7 @@ class CasedStrokes {
   StrokeLayer m_core;
 };
 
-// All that is drawn over the model.
+// All marks that are drawn over the model.
 class Marks {
  public:
   explicit Marks(vtkRenderer* renderer);
@@ -36,7 +36,8 @@ class Marks {
   void setLineMarks(std::vector<LineMark> marks);
   void setSection(std::vector<SectionMark> section);
   void setPreview(std::vector<Vec3> points, std::vector<Triangle> triangles);
-  // Until they are set anew: selected faces, and those that a tool points out. False when they are the same as before.
+  // Sets the selected faces, and those that a tool highlights, until the next call. Returns false when they are
+  // unchanged.
   bool setSelectedFaces(const FaceSelection& faces) { return m_selected.set(faces); }
   bool setHighlightedFaces(const FaceSelection& faces) { return m_highlighted.set(faces); }
   const std::vector<LoopMark>& loops() const { return m_loops; }
@@ -44,13 +45,13 @@ class Marks {
   // The loops to be drawn as hovered and the face under the cursor; -1 and kNone for none.
   void setHovered(int listLoop, int cursorLoop, Face face);
   void setColours(const SceneColours& colours);
-  // The mesh that face marks refer to, and the point that stands at the origin of the drawing.
+  // The mesh that face marks refer to, and the model point at the origin of the drawing.
   void setMesh(const HalfEdgeMesh& mesh, const Vec3& origin);
 
-  // Builds some of the faces above that are not yet drawn. Returns about what that cost, in triangles; 0: all is drawn.
+  // Builds some of these faces that are not yet drawn. Returns the approximate cost in triangles; 0: all are drawn.
   std::size_t takeFaces();
   bool owesFaces() const { return m_selected.isStale() || m_highlighted.isStale(); }
-  // Builds what else has changed since the last frame: however often an edit sets the marks, that is done once.
+  // Rebuilds the other marks that have changed since the last frame: once, however often they were set.
   void prepare(const LayerFrame& frame);
 
  private:
@@ -66,7 +67,7 @@ class Marks {
   void rebuildPreview();
   void addFace(PolyDataBuilder& builder, Face face, const QColor& colour) const;
 
-  HalfEdgeMesh m_mesh;  // shares its pages with the viewport's copy
+  HalfEdgeMesh m_mesh;  // shares pages with the viewport's copy
   Vec3 m_origin = Vec3::Zero();
   SceneColours m_colours;
   std::vector<LoopMark> m_loops;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/Picking.h"
 
+#include "mesh/boundary/HolePick.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -40,7 +42,7 @@ void collectNearSegments(const LoopMark& loop, const CameraNavigation& view, con
     const Vec2 a = view.toScreen(p), b = view.toScreen(q);
     const double t = nearestOnSegment(a, b, cursor);
     const double distance = (a + t * (b - a) - cursor).norm();
-    if (distance <= kLoopPickRadius) found.push_back({loop.id, distance, pointAt(view, p, q, t)});
+    if (distance <= kHolePickRadius) found.push_back({loop.id, distance, pointAt(view, p, q, t)});
   }
 }
 

@@ -3,14 +3,15 @@
 #pragma once
 
 #include "proximity/TriangleHierarchy.h"
-#include "viewport/CameraNavigation.h"
 #include "viewport/ClipPlane.h"
+#include "viewport/camera/CameraNavigation.h"
 
 #include <memory>
 
 namespace handwheel {
 
-// A mesh's faces, searchable. Immutable once built; built on a worker, read on the window thread.
+// A search structure over the faces of a mesh, for picking. Immutable once built; built on a worker, read on the window
+// thread.
 class PickIndex {
  public:
   explicit PickIndex(const HalfEdgeMesh& mesh);
@@ -20,7 +21,7 @@ class PickIndex {
     double distance;  // in lengths of the direction
   };
   std::optional<Hit> firstHit(const Vec3& origin, const Vec3& direction) const;
-  // Of unit length, of the face nearest to p; zero where there is none or it has no area.
+  // The unit normal of the face nearest to p; zero when there is none or it has no area.
   Vec3 normalNear(const Vec3& p) const;
   const Box& bounds() const { return m_hierarchy.bounds(); }
 
@@ -29,7 +30,7 @@ class PickIndex {
   TriangleHierarchy m_hierarchy;
 };
 
-// A rigid part where it stands.
+// A rigid part with its pose.
 struct PickPart {
   std::string name;
   Pose pose;
@@ -46,6 +47,7 @@ struct Pickable {
   Box bounds() const;  // of mesh and parts
 };
 
+// The intersection of a ray with a surface.
 struct SurfaceHit {
   Face face = kNone;               // of the mesh
   const PickPart* part = nullptr;  // or this
@@ -56,13 +58,11 @@ struct SurfaceHit {
 // The first surface along the ray that is not clipped away. The direction is of unit length.
 std::optional<SurfaceHit> firstSurface(const Pickable& pickable, const Vec3& origin, const Vec3& direction);
 
-// The same as a pick; no loops.
+// The same as a pick, without loops.
 Pick pickAlong(const Pickable& pickable, const Vec3& origin, const Vec3& direction);
 
-// A loop nearer to the cursor than this wins over the face below it; logical pixels.
-inline constexpr double kLoopPickRadius = 8.0;
-
-// What appears at the cursor: the nearest loop that the surface does not hide, else the first surface.
+// Picks the object at the cursor. That is the nearest loop within kHolePickRadius that the surface does not hide, else
+// the first surface.
 Pick pickAt(const Pickable& pickable, const CameraNavigation& view, const Vec2& cursor);
 
 }  // namespace handwheel

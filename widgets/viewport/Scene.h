@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "viewport/CameraNavigation.h"
 #include "viewport/ClipPlane.h"
 #include "viewport/Marks.h"
-#include "viewport/MeshBlocks.h"
-#include "viewport/PartActors.h"
+#include "viewport/camera/CameraNavigation.h"
+#include "viewport/surface/MeshBlocks.h"
+#include "viewport/surface/PartActors.h"
 
 #include <vtkNew.h>
 #include <vtkRenderer.h>
 
 namespace handwheel {
 
-// One renderer with a mesh and rigid parts, the marks on them, lights and background; used by the widget and for
-// pictures without one.
+// A renderer with a mesh, rigid parts, marks, lights and background. Used by the viewport widget, and for pictures
+// without a widget.
 class Scene {
  public:
   Scene();
@@ -24,15 +24,16 @@ class Scene {
   Marks& marks() { return m_marks; }
   const std::vector<LoopMark>& loops() const { return m_marks.loops(); }
 
-  // No mesh, no parts, no marks.
+  // Removes mesh, parts and marks.
   void clear();
-  // Another mesh with the bounds of its live faces; its blocks are to be enqueued about origin(). Keeps the marks.
+  // Sets another mesh with the bounds of its live faces; its blocks must be enqueued relative to origin(). Keeps the
+  // marks.
   void setMesh(const HalfEdgeMesh& mesh, const Box& bounds);
   // The same mesh after an edit; the origin stays.
   void updateMesh(const HalfEdgeMesh& mesh, const std::vector<Face>& touched);
   const HalfEdgeMesh& mesh() const { return m_mesh; }
   const Box& meshBounds() const { return m_meshBounds; }
-  // Of what is shown in the place of the mesh, so that it is not cut off before or behind.
+  // Sets the bounds of a mesh shown in place of the mesh, so that the near and far planes do not clip it.
   void setLiveBounds(const Box& bounds) { m_liveBounds = bounds; }
 
   // The parts of the model, and those that a tool proposes, which are translucent.
@@ -43,7 +44,7 @@ class Scene {
 
   Box bounds() const;  // of mesh and parts
   const Vec3& origin() const { return m_origin; }
-  // Some thousand points of mesh and parts, enough to tell how far they reach in any direction.
+  // Some thousand points of mesh and parts, enough to estimate their extent in any direction.
   std::vector<Vec3> outline() const;
 
   void setShading(Shading shading);
@@ -51,9 +52,9 @@ class Scene {
   void setClipPlane(const ClipPlane& plane);
   const ClipPlane& clipPlane() const { return m_clip; }
   const SceneColours& colours() const { return m_style.colours; }
-  // Takes geometry from the queues until the next frame has enough to upload. False when nothing was waiting.
+  // Takes geometry from the queues, as much as the next frame may upload. Returns false when nothing was waiting.
   bool takeGeometry();
-  // The same of the faces that are selected or pointed out, which are drawn in the next frame. True when some are left.
+  // The same for the selected or highlighted faces, which are drawn in the next frame. Returns true when some are left.
   bool takeFaces();
   // How often a block of the mesh or of a part has been built.
   int builtCount() const;

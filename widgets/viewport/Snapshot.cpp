@@ -3,11 +3,11 @@
 #include "viewport/Snapshot.h"
 
 #include "document/AtomicFile.h"
-#include "mesh/MeshBounds.h"
+#include "mesh/structure/MeshBounds.h"
 #include "viewport/DisplayCheck.h"
-#include "viewport/Legend.h"
-#include "viewport/Overlay.h"
 #include "viewport/Scene.h"
+#include "viewport/overlay/Legend.h"
+#include "viewport/overlay/Overlay.h"
 
 #include <vtkRenderWindow.h>
 #include <vtkUnsignedCharArray.h>

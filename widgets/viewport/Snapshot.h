@@ -5,8 +5,8 @@
 #include "base/Progress.h"
 #include "base/Result.h"
 #include "document/DisplayModel.h"
-#include "viewport/ColourScale.h"
 #include "viewport/ViewportTypes.h"
+#include "viewport/overlay/ColourScale.h"
 
 #include <QImage>
 #include <filesystem>
@@ -14,25 +14,26 @@
 
 namespace handwheel {
 
-// From the front right above, so that pictures of a part before and after a repair can be compared.
+// The default view direction of pictures: from the front right above. It is fixed, so that pictures of a part before
+// and after a repair can be compared.
 inline const Vec3 kPictureSide{1.0, -1.0, 1.0};
 
-// Renders the mesh with its loops, or the parts, with axes and scale bar to a PNG of width × height pixels: without a
-// widget and without an application object. outward: on which side of the model the viewer stands; it need not be of
-// unit length, z is up. Needs an X display with GLX; WriteFailed {reason} when there is none or the file cannot be
-// written.
+// Renders a mesh with its loops, or parts, to a PNG file. The picture has width × height pixels and includes axes and
+// scale bar. Needs neither a widget nor an application object. outward: the direction from the model to the viewer; it
+// need not be of unit length, z is up. Needs an X display with GLX; WriteFailed {reason} when there is none or the file
+// cannot be written.
 Status renderToFile(const HalfEdgeMesh& mesh, const std::vector<LoopMark>& loops, const std::filesystem::path& png,
                     int width, int height, const Vec3& outward = kPictureSide);
 Status renderToFile(const DisplayModel& model, const std::filesystem::path& png, int width, int height,
                     const Vec3& outward = kPictureSide);
 
-// Pictures of the mesh from several sides, coloured by the values, with the scale. Errors: WriteFailed {reason} as
-// above, Cancelled.
+// Renders a mesh from several sides, coloured by values, with the colour scale. Errors: WriteFailed {reason} as above,
+// Cancelled.
 Result<std::vector<QImage>> renderSides(const HalfEdgeMesh& mesh, const VertexValues& atVertex,
                                         const ColourScale& scale, std::span<const Vec3> outward, const QSize& size,
                                         Progress progress = {});
 
-// Error: WriteFailed {reason}.
+// Writes an image to a PNG file. Error: WriteFailed {reason}.
 Status savePng(const QImage& picture, const std::filesystem::path& png);
 
 }  // namespace handwheel

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/Viewport.h"
 
-#include "mesh/MeshBounds.h"
+#include "mesh/structure/MeshBounds.h"
 #include "viewport/ViewportPrivate.h"
 
 #include <QCoreApplication>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "viewport/Legend.h"
-#include "viewport/Overlay.h"
 #include "viewport/ViewportPrivate.h"
+#include "viewport/overlay/Legend.h"
+#include "viewport/overlay/Overlay.h"
 
 #include <qopenglcontext_platform.h>
 #include <QGuiApplication>

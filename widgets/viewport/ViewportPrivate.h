@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "viewport/CameraFlight.h"
 #include "viewport/GlWindow.h"
-#include "viewport/MeshPreparation.h"
-#include "viewport/PartPreparation.h"
 #include "viewport/Scene.h"
-#include "viewport/ViewCube.h"
 #include "viewport/Viewport.h"
+#include "viewport/camera/CameraFlight.h"
+#include "viewport/overlay/ViewCube.h"
+#include "viewport/surface/MeshPreparation.h"
+#include "viewport/surface/PartPreparation.h"
 
 #include <QTimer>
 #include <optional>
@@ -18,7 +18,7 @@ class QSinglePointEvent;
 
 namespace handwheel {
 
-// What the widget is made of; shared by the files that draw and that listen to the mouse.
+// The private data of Viewport, shared by its source files. Some draw, others handle the mouse.
 class Viewport::Private {
  public:
   explicit Private(Viewport* widget);
@@ -63,7 +63,7 @@ class Viewport::Private {
 
   // Tools
   void layBrush();
-  void cast(DeviceCursor& shown) const;  // its shadow, and whether the model hides it
+  void cast(DeviceCursor& shown) const;  // computes its shadow, and whether the model hides it
   std::set<std::size_t> liveBlocks() const;
 
   Viewport* q;
@@ -76,25 +76,25 @@ class Viewport::Private {
   bool isIndexAwaited = false;
   MeshPreparation preparation;
   PartPreparation partPreparation;
-  VertexValues values;  // that colour the mesh; null for none
+  VertexValues values;  // values that colour the mesh; null for none
   ColourScale colourScale;
   Shading shading = Shading::Shaded;
   QString problem;
-  bool isSeen = false;       // a frame of this model was drawn; before, the camera leaps instead of flying
+  bool isSeen = false;       // a frame of this model was drawn; before, camera moves are not animated
   int covered = 0;           // pixels at the lower edge
-  double fullFrameMs = 0.0;  // what a frame in full detail took last
-  bool isStale = true;       // what was drawn last is no longer what is to be seen
+  double fullFrameMs = 0.0;  // duration of the last frame in full detail
+  bool isStale = true;       // the last frame is outdated
   int framesDrawn = 0;
   Spent timeDrawing;
-  QTimer rest;  // runs while the wheel turns
+  QTimer rest;  // runs shortly after each turn of the wheel
 
   NavigationPreset preset = NavigationPreset::Handwheel;
   std::function<bool(const PointerInput&)> sink;
-  Qt::MouseButtons taken;     // held, of those whose press the sink took
-  Qt::MouseButtons followed;  // held, of the others
-  bool isClick = false;       // what the mouse does may still become a click
+  Qt::MouseButtons taken;     // held buttons whose press the sink accepted
+  Qt::MouseButtons followed;  // held buttons whose press the camera got
+  bool isClick = false;       // the press may still become a click
   bool isOnBackground = false;
-  NavigationGesture intended = NavigationGesture::None;  // once the mouse has moved far enough
+  NavigationGesture intended = NavigationGesture::None;  // starts once the mouse has moved far enough
   NavigationGesture gesture = NavigationGesture::None;
   Vec2 pressed = Vec2::Zero();
   Vec2 last = Vec2::Zero();
@@ -106,7 +106,7 @@ class Viewport::Private {
   LengthUnit unit = LengthUnit::Millimetre;
   std::vector<std::vector<Vec3>> polylines;
   std::optional<BrushCircle> brush;
-  std::shared_ptr<const LiveMesh> live;
+  std::shared_ptr<const PreviewMesh> live;
   std::vector<Vec3> brushLine;
   std::optional<DeviceCursor> deviceCursor;
 };

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/LiveMesh.h"
+#include "mesh/selection/PreviewMesh.h"
 #include "viewport/BrushOutline.h"
 #include "viewport/ViewportPrivate.h"
 
@@ -74,7 +74,7 @@ std::set<std::size_t> Viewport::Private::liveBlocks() const {
   return blocks;
 }
 
-void Viewport::setLiveMesh(const std::shared_ptr<const LiveMesh>& live) {
+void Viewport::setLiveMesh(const std::shared_ptr<const PreviewMesh>& live) {
   if (live == d->live) return;
   std::set<std::size_t> blocks = d->liveBlocks();
   d->live = live;
@@ -121,10 +121,10 @@ void Viewport::Private::cast(DeviceCursor& shown) const {
   const Pick below = q->pickAlong(shown.proxy - kLifted * navigation().unitsPerPixelAt(shown.proxy) * light, light);
   if (!below.isNothing()) shown.shadow = below.point;
   if (!navigation().isBeforeEye(shown.proxy)) return;
-  const ViewRay sight = navigation().rayAt(navigation().toScreen(shown.proxy), scene.bounds());
-  const Pick before = q->pickAlong(sight.origin, sight.direction);
+  const ViewRay pickRay = navigation().rayAt(navigation().toScreen(shown.proxy), scene.bounds());
+  const Pick before = q->pickAlong(pickRay.origin, pickRay.direction);
   const double slack = kHidden * navigation().unitsPerPixelAt(shown.proxy);
-  shown.isHidden = !before.isNothing() && (shown.proxy - before.point).dot(sight.direction) > slack;
+  shown.isHidden = !before.isNothing() && (shown.proxy - before.point).dot(pickRay.direction) > slack;
 }
 
 ViewRay Viewport::rayAt(const QPointF& position) const {

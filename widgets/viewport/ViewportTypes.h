@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/HalfEdgeMesh.h"
+#include "mesh/structure/HalfEdgeMesh.h"
 
 #include <QColor>
 #include <QPointF>
@@ -13,12 +13,13 @@
 
 namespace handwheel {
 
+// The ways to draw surfaces.
 enum class Shading { Shaded, ShadedWithEdges, Wireframe };
 
-// Axis convention: x to the right and z up when seen from the front.
+// The standard view directions. x is to the right and z up when seen from the front.
 enum class StandardView { Front, Back, Left, Right, Top, Bottom, Isometric };
 
-// One closed line on the model, and how it looks. The last point joins the first.
+// A boundary loop drawn on the model. The last point is connected to the first.
 struct LoopMark {
   int id = -1;
   std::vector<Vec3> points;
@@ -44,7 +45,7 @@ struct LineMark {
   QColor colour;
 };
 
-// A line along which the model is cut. Closed: the last point joins the first.
+// A line of a section through the model. When closed, the last point is connected to the first.
 struct SectionMark {
   std::vector<Vec3> points;
   bool closed = true;
@@ -58,39 +59,40 @@ struct BrushCircle {
   bool operator==(const BrushCircle&) const = default;
 };
 
-// What is under the cursor: a loop, a face of the mesh or a part. A loop within 8 pixels wins over what it lies on.
+// The object under the cursor: a loop, a face or a part. A loop within 8 pixels takes precedence over the surface it
+// lies on.
 struct Pick {
   int loop = -1;
   Face face = kNone;
-  Vec3 point = Vec3::Zero();  // on what was hit; meaningless when nothing was
+  Vec3 point = Vec3::Zero();  // on the object; undefined when nothing was hit
   std::string part;           // its name, when one of the parts was hit
 
   bool isNothing() const { return loop < 0 && face == kNone && part.empty(); }
 };
 
-// The line of sight through a position of the view.
+// The pick ray through a position of the view.
 struct ViewRay {
-  Vec3 origin = Vec3::Zero();  // the eye; under parallel projection a point before the whole model
+  Vec3 origin = Vec3::Zero();  // the eye; under parallel projection a point in front of the whole model
   Vec3 direction = -Vec3::UnitZ();
   std::optional<Vec3> eye;  // none under parallel projection
-  double pixel = 0.0;       // mm to a logical pixel, at the focus of the view
+  double pixel = 0.0;       // mm per logical pixel, at the focus of the view
 };
 
-// What the mouse does over the view, as a tool may want it.
+// A mouse event of the view, for tools.
 struct PointerInput {
   enum class Kind {
     Move,
     Press,
     Release,
-    Click,  // pressed and released on one spot, the press having been left to the camera
+    Click,  // pressed and released in one place, after the press was not accepted
     DoubleClick,
     Wheel,
     Leave,
   };
   Kind kind = Kind::Move;
   QPointF position;                       // logical pixels from the upper left corner
-  Qt::MouseButton button = Qt::NoButton;  // the one that is pressed, released or clicked
-  Qt::MouseButtons held;                  // those that are down afterwards
+  Qt::MouseButton button = Qt::NoButton;  // that was pressed, released or clicked
+  Qt::MouseButtons held;                  // held after the event
   Qt::KeyboardModifiers modifiers;
   double wheel = 0.0;  // degrees; positive away from the user
 };

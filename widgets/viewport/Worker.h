@@ -10,8 +10,8 @@
 
 namespace handwheel {
 
-// Runs work(promise) on a worker and returns the watcher of its future. Destroying the watcher drops the results that
-// are on their way. When there is not enough memory for the work it ends with fewer results, and is not cancelled.
+// Runs work(promise) on a worker thread and returns a watcher of its future. Destroying the watcher drops pending
+// results. When memory runs out, the work ends with fewer results and is not marked as cancelled.
 template <class T, class Work>
 std::unique_ptr<QFutureWatcher<T>> runOnWorker(Work work) {
   auto promise = std::make_shared<QPromise<T>>();

@@ -8,8 +8,8 @@
 #include "theme/Theme.h"
 #include "tools/cell/JointDragTool.h"
 #include "viewport/Viewport.h"
-#include "window/FidelityChoice.h"
-#include "window/OpenDocument.h"
+#include "window/documents/OpenDocument.h"
+#include "window/fidelity/FidelityChoice.h"
 
 namespace handwheel {
 
@@ -21,22 +21,22 @@ CellUi::CellUi(const WindowParts& window, CellKind& kind) : PartsUi(window, {"Jo
   follow();
 }
 
-std::vector<Beginning> CellUi::beginnings() const {
+std::vector<StartAction> CellUi::startActions() const {
   return {{QStringLiteral("openRobotSample"), tr("Open the sample &robot"), tr("Open the sample robot arm"),
            panelIcon(), QStringLiteral("robot-arm.urdf"),
            StartTile{QStringLiteral("cellTile"), panelIcon(), tr("Robot cell"),
                      tr("An arm with six joints. Move it by hand within its limits.")}}};
 }
 
-std::vector<ToolOffer> CellUi::tools() {
-  ToolOffer joints{QStringLiteral("jointTool"),
-                   tr("Move &joints by hand"),
-                   tr("Drag the links of the robot"),
-                   QStringLiteral("hand"),
-                   QKeySequence(Qt::Key_J),
-                   [this] { return jointTool(); },
-                   "joints",
-                   JointDragTool::keys()};
+std::vector<ToolDescriptor> CellUi::tools() {
+  ToolDescriptor joints{QStringLiteral("jointTool"),
+                        tr("Move &joints by hand"),
+                        tr("Drag the links of the robot"),
+                        QStringLiteral("hand"),
+                        QKeySequence(Qt::Key_J),
+                        [this] { return jointTool(); },
+                        "joints",
+                        JointDragTool::keys()};
   joints.isUsual = true;
   return {joints, measureParts()};
 }
@@ -59,7 +59,7 @@ NextStep CellUi::nextStep() {
           panelActions()};
 }
 
-QString CellUi::figures() const {
+QString CellUi::statistics() const {
   if (!document()) return {};
   const RobotModel& robot = static_cast<const CellDocument&>(document()->document).robot().model;
   return tr("%Ln joint(s)", nullptr, static_cast<int>(robot.dofs.size()));

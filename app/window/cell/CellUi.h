@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "window/PartsUi.h"
+#include "window/kinds/PartsUi.h"
 
 namespace handwheel {
 
 class CellKind;
 
-// Robot cells in the window: the joints as sliders, and the robot to be dragged.
+// The user interface of robot cells: joint sliders and dragging the robot.
 class CellUi : public PartsUi {
   Q_OBJECT
 
@@ -18,10 +18,10 @@ class CellUi : public PartsUi {
   QString panelTitle() const override { return tr("Joints"); }
   QString panelIcon() const override { return QStringLiteral("kind-cell"); }
   QString menuTitle() const override { return tr("&Cell"); }
-  std::vector<Beginning> beginnings() const override;
-  std::vector<ToolOffer> tools() override;
+  std::vector<StartAction> startActions() const override;
+  std::vector<ToolDescriptor> tools() override;
   NextStep nextStep() override;
-  QString figures() const override;
+  QString statistics() const override;
   QString openedText(const OpenDocument& document) const override;
 
  private:

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/haptics/BuiltInDevices.h"
 
-#include "haptics/MouseDevice.h"
-#include "haptics/SimulatedDevice.h"
+#include "haptics/device/MouseDevice.h"
+#include "haptics/device/SimulatedDevice.h"
 
 #include <QCoreApplication>
 

@@ -2,19 +2,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/Device.h"
-#include "haptics/ServoClock.h"
+#include "haptics/device/Device.h"
+#include "haptics/device/ServoClock.h"
 
 namespace handwheel {
 
-// The simulated hand, as the session knows it.
+// Driver id and address of the simulated device, which is moved by scripts.
 inline constexpr const char* kSimulatedDriver = "simulated";
 inline constexpr const char* kSimulatedAddress = "hand";
 
-// The devices that need no hardware: the window makes them itself, as it leads them. Their names are translated.
+// The devices that need no hardware. The window creates them itself, because it controls their motion. Their names are
+// translated.
 std::vector<DeviceListing> builtInDevices();
 
-// Null for any other. The clock outlives the device. Any thread.
+// Creates a built-in device; null for any other driver. The clock must outlive the device. Any thread.
 std::unique_ptr<Device> makeBuiltIn(const std::string& driver, ServoClock& clock);
 
 }  // namespace handwheel

@@ -64,7 +64,7 @@ void DeviceDock::showTick() {
 void DeviceDock::showRun() {
   m_sinceRun.start();
   showLoop({m_session.rate(), m_session.missedTicks(), m_session.realTime()});
-  if (const LoopMeasure* const measure = m_session.measure()) showTiming(*measure);
+  if (const ServoStatistics* const measure = m_session.measure()) showTiming(*measure);
 }
 
 }  // namespace handwheel

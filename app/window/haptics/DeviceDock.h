@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "panels/DevicePanel.h"
+#include "panels/device/DevicePanel.h"
 
 #include <QElapsedTimer>
 
@@ -10,8 +10,8 @@ namespace handwheel {
 
 class HapticSession;
 
-// The panel of the devices, joined to the session. While nobody can see it, it asks for nothing and no devices are
-// looked for.
+// The device panel connected to the haptic session. While it is hidden, it requests no data and no devices are searched
+// for.
 class DeviceDock : public DevicePanel {
   Q_OBJECT
 
@@ -28,7 +28,7 @@ class DeviceDock : public DevicePanel {
   void showRun();
 
   HapticSession& m_session;
-  QElapsedTimer m_sinceRun;  // since timings were shown
+  QElapsedTimer m_sinceRun;  // since timings were last shown
 };
 
 }  // namespace handwheel

@@ -9,28 +9,28 @@
 
 namespace handwheel {
 
-// Looks on a worker for the devices that are plugged in, for asking them may take its time. Plugins are loaded with the
-// first look, so a program that never uses a device never loads one. Window thread.
+// Searches for connected devices on a worker thread, because querying them may be slow. Plugins are loaded by the first
+// search, so a program that never uses a device never loads one. Window thread.
 class DeviceFinder : public QObject {
   Q_OBJECT
 
  public:
-  // drivers: of the program itself, besides those of plugins.
+  // drivers: the built-in ones, in addition to those of plugins.
   DeviceFinder(QThreadPool& pool, std::vector<std::unique_ptr<DeviceDriver>> drivers, QObject* parent = nullptr);
 
   const std::vector<DeviceListing>& found() const { return m_found; }
-  // What became of each plugin; empty before the first look.
+  // The result of loading each plugin; empty before the first search.
   const std::vector<PluginListing>& plugins() const { return m_plugins; }
-  // Looks again every two seconds.
+  // Switches a repeated search every two seconds.
   void setWatching(bool isOn);
   void look();
-  // Makes a device, on any thread; null where it is not there. Outlives the finder.
+  // Creates a device, on any thread; null when it is not there. May outlive the finder.
   using Maker = std::function<std::unique_ptr<Device>()>;
   Maker maker(const std::string& driver, const std::string& address) const;
 
  signals:
-  void looked();   // after each look
-  void changed();  // and this before it, when another set was found
+  void looked();   // after each search
+  void changed();  // emitted before looked(), when the set of devices has changed
 
  private:
   struct Catalogue;

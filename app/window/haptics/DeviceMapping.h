@@ -2,30 +2,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/Device.h"
-#include "haptics/WorkspaceMapping.h"
-#include "viewport/CameraState.h"
+#include "haptics/device/Device.h"
+#include "haptics/mapping/WorkspaceMapping.h"
+#include "viewport/camera/CameraState.h"
 
 #include <optional>
 
 namespace handwheel {
 
-// How a device of this kind lies in the view before anybody has changed it. Its scale of 1 means that the workspace
-// fills the view.
+// The default mapping of a device into the view. A scale of 1 means that the workspace fills the view.
 WorkspaceMapping standardMapping(const DeviceCapabilities& device);
 
-// The user's part of a mapping, as it is kept in the settings for each driver: axes, scale, gain, dead zones, clutch.
-// What is missing there or makes no sense is as in `standard`.
+// The user's settings of a mapping, stored for each driver. These are axes, scale, gain, dead zones, clutch. Missing
+// or invalid values are taken from `standard`.
 WorkspaceMapping keptMapping(const std::string& driver, const WorkspaceMapping& standard);
+// Stores the user's settings of a mapping.
 void keepMapping(const std::string& driver, const WorkspaceMapping& mapping);
 
-// The user's mapping in a view of the model: the centre of the workspace lies before the model in the middle of the
-// view, so that the tip does not begin inside it, and its radius spans half of the height. seen: the surface in the
-// middle of the view, where that is known; it lies a little before it.
+// Places the user's mapping in a view of the model. The centre of the workspace lies in front of the model in the
+// middle of the view, so that the tip does not start inside it, and its radius spans half of the height. seen: the
+// surface point in the middle of the view, where it is known; the centre lies a little in front of it.
 WorkspaceMapping mappingInView(const WorkspaceMapping& user, const DeviceCapabilities& device,
                                const CameraState& camera, const Box& model, const std::optional<Vec3>& seen = {});
 
-// Whether a place, mm, can be seen, roughly: what the tip needs to stay where it is when the camera moves.
+// Whether a point (mm) is roughly within the view. Decides whether the tip may stay where it is when the camera moves.
 bool isInView(const CameraState& camera, const Vec3& place);
 
 }  // namespace handwheel

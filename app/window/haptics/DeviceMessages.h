@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// What the user is told of devices, translated.
+// Messages to the user about devices, translated.
 Message notOpenedMessage(const QString& name, const Error& error);
 Message lostMessage(const QString& name, DeviceStatus status);  // Absent or Failed, after it was there
 Message unusedPluginMessage(const PluginListing& plugin);       // with its error

@@ -3,9 +3,9 @@
 #include "window/haptics/DevicePointer.h"
 
 #include "viewport/Viewport.h"
-#include "window/ToolHost.h"
 #include "window/haptics/HapticSession.h"
 #include "window/haptics/TouchScene.h"
+#include "window/tools/ToolHost.h"
 
 #include <QGuiApplication>
 
@@ -26,17 +26,12 @@ double pixelOf(const Viewport& viewport) {
 
 }  // namespace
 
-DevicePointer::DevicePointer(HapticSession& session, Viewport& viewport, ToolHost& tools, TouchScene& scene,
-                             QObject* parent)
-    : QObject(parent), m_session(session), m_viewport(viewport), m_tools(tools), m_scene(scene) {
+DevicePointer::DevicePointer(HapticSession& session, Viewport& viewport, ToolHost& tools, TouchScene& scene)
+    : QObject(&tools), m_session(session), m_viewport(viewport), m_tools(tools), m_scene(scene) {
   connect(&session, &HapticSession::sampled, this, &DevicePointer::follow);
   connect(&session, &HapticSession::chosenChanged, this, &DevicePointer::follow);
   connect(&tools, &ToolHost::updated, this, &DevicePointer::pull);
   tools.setMouseDevice([this](const PointerInput& input, const ViewRay& ray) { return placeMouse(input, ray); });
-}
-
-DevicePointer::~DevicePointer() {
-  m_tools.setMouseDevice({});
 }
 
 void DevicePointer::follow() {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/MouseDevice.h"
+#include "haptics/device/MouseDevice.h"
 #include "viewport/ViewportTypes.h"
 
 #include <QObject>
@@ -16,17 +16,16 @@ class Viewport;
 struct PointerEvent;
 struct ServoSample;
 
-// Lets the hand use the tools: sixty times a second the pose of the device and its first two buttons become pointer
-// events as the mouse makes them, and the springs of the tool are felt while the first button is held. Where the mouse
-// itself is the device, it keeps pointing, its tip lies on the surface under it, and the wheel pushes it on along the
-// line of sight; with Ctrl the wheel is the camera's.
+// Converts the motion of a haptic device to pointer events for the tools. It does so sixty times a second, from the
+// pose of the device and its first two buttons; the springs of the tool are felt while the first button is held. When
+// the mouse is the device, it keeps its normal pointing, the tip lies on the surface under the mouse, and the wheel
+// moves the tip along the pick ray; with Ctrl the wheel moves the camera.
 class DevicePointer : public QObject {
   Q_OBJECT
 
  public:
-  DevicePointer(HapticSession& session, Viewport& viewport, ToolHost& tools, TouchScene& scene,
-                QObject* parent = nullptr);
-  ~DevicePointer() override;
+  // This object is a child of `tools` and installs a callback there.
+  DevicePointer(HapticSession& session, Viewport& viewport, ToolHost& tools, TouchScene& scene);
 
  private:
   void follow();
@@ -42,7 +41,7 @@ class DevicePointer : public QObject {
   TouchScene& m_scene;
   PointerDepth m_depth;        // of the mouse
   Vec3 m_last = Vec3::Zero();  // where the last event was, mm
-  bool m_isPointing = false;   // the tool has heard of the device, and not that it left
+  bool m_isPointing = false;   // the tool has got events of the device, and no leave event yet
   bool m_isHeld = false;       // the first button
   bool m_isSecondHeld = false;
 };

@@ -12,16 +12,16 @@ namespace handwheel {
 class HapticSession;
 class Viewport;
 
-// The device in the 3D view: moves its workspace with the camera and draws its cursor as long as it is open.
+// Draws the cursor of the open device and moves its workspace with the camera.
 class DeviceView : public QObject {
   Q_OBJECT
 
  public:
   DeviceView(HapticSession& session, Viewport& viewport, QObject* parent = nullptr);
 
-  // Another model is in view: the tip comes to where the device is before it.
+  // To be called when another model is shown: the tip moves to the place of the device in front of it.
   void followModel();
-  // A cursor that is shown in the place of the device's, of a recording; none: the device's again.
+  // Shows another cursor, of a recording, instead of the device's; none: the device's again.
   void showInstead(const std::optional<DeviceCursor>& cursor);
 
  private:
@@ -31,7 +31,7 @@ class DeviceView : public QObject {
   HapticSession& m_session;
   Viewport& m_viewport;
   std::optional<DeviceCursor> m_instead;
-  bool m_isOpen = false;  // the session was, when it last told
+  bool m_isOpen = false;  // state of the session at its last signal
 };
 
 }  // namespace handwheel

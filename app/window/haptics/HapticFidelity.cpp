@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/haptics/HapticFidelity.h"
 
-#include "haptics/TouchFidelity.h"
-#include "window/FidelityChoice.h"
+#include "haptics/scene/TouchFidelity.h"
+#include "window/fidelity/FidelityChoice.h"
 #include "window/haptics/HapticSession.h"
 #include "window/haptics/TouchScene.h"
 

@@ -10,8 +10,8 @@ class FidelityChoice;
 class HapticSession;
 class TouchScene;
 
-// What was chosen between speed and accuracy holds for the device: rate and velocity window of its loop, stiffness and
-// tolerance of what is touched. The stiffness that is set beside the device is that of the choice, both ways. Window
+// Applies the chosen accuracy settings to the haptic device. These are rate and velocity window of its loop, stiffness
+// and tolerance of the contact. The stiffness in the device panel and the setting are kept equal, both ways. Window
 // thread.
 class HapticFidelity : public QObject {
   Q_OBJECT

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/haptics/HapticSession.h"
 
-#include "haptics/MouseDevice.h"
+#include "haptics/device/MouseDevice.h"
 #include "window/WindowServices.h"
 #include "window/haptics/BuiltInDevices.h"
 #include "window/haptics/DeviceMapping.h"

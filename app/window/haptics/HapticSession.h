@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/Recording.h"
-#include "haptics/ServoLoop.h"
-#include "haptics/SimulatedDevice.h"
+#include "haptics/device/SimulatedDevice.h"
+#include "haptics/recording/Recording.h"
+#include "haptics/servo/ServoLoop.h"
 #include "panels/MessageBar.h"
-#include "viewport/CameraState.h"
+#include "viewport/camera/CameraState.h"
 #include "window/haptics/DeviceFinder.h"
 #include "window/haptics/TouchSettings.h"
 
@@ -20,13 +20,13 @@ class ForceRecorder;
 class MouseDevice;
 class WindowServices;
 
-// The haptic device that the user has chosen, and the servo loop that runs as long as it is open: without one there is
-// no thread, no timer and no scene. The choice and its mapping are kept in the settings. Window thread.
+// The chosen haptic device with the servo loop that drives it. The loop runs while the device is open: without one
+// there is no thread, no timer and no scene. The choice and its mapping are stored in the settings. Window thread.
 class HapticSession : public QObject {
   Q_OBJECT
 
  public:
-  // What a session needs of the program. The clock outlives the session.
+  // The objects of the program that a session uses. The clock must outlive the session.
   struct Parts {
     JobRunner& jobs;  // opening and closing; shown to the user
     QThreadPool& pool;
@@ -37,68 +37,71 @@ class HapticSession : public QObject {
                          QObject* parent = nullptr);
   ~HapticSession() override;
 
-  // The simulated hand and the mouse, then what was found when somebody looked.
+  // The simulated device and the mouse, then the devices of the last search.
   QList<DeviceListing> found() const;
-  // Looks for devices every two seconds, as long as a list of them is seen.
+  // Searches for devices every two seconds while a list of them is visible.
   void setWatching(bool isOn);
   const std::vector<PluginListing>& plugins() const { return m_finder.plugins(); }
 
-  // Opens it in a job, in the place of the one before.
+  // Opens a device in a job, in place of the previous one.
   void choose(const std::string& driver, const std::string& address);
   void close();
-  // The device that was in use when the program ended, if it is there: without a word if not.
+  // Opens the device that was in use when the program ended. No message when it is not connected.
   void takeUp();
   bool isOpen() const { return m_open != nullptr; }
   DeviceListing chosen() const { return m_chosen; }  // being opened or open; all empty: none
   DeviceCapabilities capabilities() const;           // of the open one
 
-  // The last tick as of sampled(); null: none is open, or no tick has passed. Valid until the next sampled().
+  // The latest tick at the last sampled(); null: no device is open, or no tick has passed. Valid until the next
+  // sampled().
   const ServoSample* latest() const;
-  const LoopMeasure* measure() const;  // null: none is open
+  const ServoStatistics* measure() const;  // null: none is open
   RealTimeState realTime() const;
   std::uint64_t missedTicks() const;
-  double rate() const { return m_rate; }  // ticks a second, as measured over the last half second
+  double rate() const { return m_rate; }  // measured ticks per second over the last half second
 
-  // The user's part: axes, inversion, scale, gain, dead zones, clutch. A scale of 1 lets the workspace fill the view.
+  // The user's settings of the mapping: axes, inversion, scale, gain, dead zones, clutch. A scale of 1 means that the
+  // workspace fills the view.
   WorkspaceMapping mapping() const { return m_mapping; }
   void setMapping(const WorkspaceMapping& mapping);
-  // The view part. The tip stays where it is as long as it can be seen, else it comes into the view. seen: what is seen
-  // in the middle of it.
+  // Sets the view of the mapping. The tip stays where it is as long as it is within the view, else it moves into the
+  // view. seen: the surface point in the middle of the view.
   void setView(const CameraState& camera, const Box& model, const std::optional<Vec3>& seen = {});
   const CameraState& camera() const { return m_camera; }
-  // Brings the tip to where the device is in the present view.
+  // Moves the tip to the position of the device in the present view.
   void recentre();
-  // How the device lies in the scene now.
+  // The present mapping from the device to the scene.
   WorkspaceMapping mappingInScene() const;
 
-  // Rate and window of the loop. One that runs lets the force go, and takes them up within some 50 ms; the force comes
-  // back by the ramp.
+  // Rate and velocity window of the loop. A running loop releases the force and applies them within about 50 ms; the
+  // force then ramps up again.
   const ServoSettings& servo() const { return m_servo; }
   void setServo(const ServoSettings& servo);
 
-  // How what is touched feels.
+  // The haptic properties of touched surfaces.
   const TouchSettings& touch() const { return m_touch; }
   void setTouch(const TouchSettings& touch);
 
   bool isForceOn() const { return m_isForceOn; }
   void setForceOn(bool isOn);
-  // Pulls gently along each axis of the device, up to kTestForce, through the safety chain; the scene is not felt
-  // meanwhile.
+  // Starts a test that pulls gently along each axis of the device. Up to kTestForce, through the safety chain; the
+  // forces of the scene are off meanwhile.
   void startForceTest();
   bool isTesting() const { return m_testEnd.has_value(); }
   static constexpr double kTestForce = 0.5;  // N
 
-  // Records every tick from now on, until stopRecording(), the end of the device, or ForceRecorder::kMostTicks; then
-  // recorded() hands it over. Nothing when no device is open, or one is recording already.
+  // Starts recording every tick. Ends with stopRecording(), when the device is closed, or at ForceRecorder::kMostTicks;
+  // recorded() is then emitted. Does nothing when no device is open, or a recording is running already.
   void startRecording();
   void stopRecording();
   const ForceRecorder* recorder() const;  // null: nothing is being recorded
-  // Notes in the recording that something happened, if there is one.
+  // Adds an event to the running recording, if there is one.
   void mark(const QString& event);
 
-  // What is felt from the next tick on; dropped when nothing is open, and while a test goes on. sceneWanted() asks for
-  // it again.
+  // Sets the scene whose forces are felt from the next tick on. Dropped when no device is open, and during a force
+  // test; sceneWanted() then requests it again.
   void setScene(std::unique_ptr<HapticScene> scene);
+  // Tells the servo loop that the force may change abruptly; starts the force ramp.
   void announceLeap();
 
   // Null unless that is the open device.
@@ -107,17 +110,17 @@ class HapticSession : public QObject {
 
  signals:
   void foundChanged();
-  void chosenChanged();  // another, opened, or closed
+  void chosenChanged();  // another device was chosen, opened, or closed
   void sampled();        // 60 times a second while one is open
   void sceneWanted();
   void forceOnChanged(bool isOn);
-  void mappingChanged();  // the user's part
-  // What mappingInScene() says, and from where the scene is seen. A scene that is set meanwhile is felt from the same
-  // tick on as the view.
+  void mappingChanged();  // the user's settings
+  // mappingInScene() and the camera have changed. A scene that is set during this signal takes effect in the same tick
+  // as the view.
   void viewChanged();
   void touchChanged();
   void recordingStarted();
-  // forceLimit: N in the scene, of the device, as the scale was at the end.
+  // forceLimit: of the device, N in the scene by the scale at the end.
   void recorded(const handwheel::Recording& recording, const QString& device, double forceLimit);
   void message(const handwheel::Message& message);
 
@@ -127,7 +130,7 @@ class HapticSession : public QObject {
   void opened(std::unique_ptr<Device> device);
   void failed(const Error& error, bool isQuiet);
   void closeLoop();
-  void applyMapping(bool keepsTip, bool mayLeap);
+  void applyMapping(bool keepsTip, bool isDiscontinuous);
   void sample();
   void changeServo();
   void endForceTest();
@@ -154,9 +157,9 @@ class HapticSession : public QObject {
   bool m_isForceOn = true;
   std::optional<double> m_testEnd;  // s, by the clock of the loop
   std::size_t m_pluginsTold = 0;
-  bool m_isWatched = false;  // by somebody who sees the list
-  bool m_isLost = false;     // the open device was unplugged, and is waited for
-  bool m_isMissed = false;   // and since then was not in the list
+  bool m_isWatched = false;  // a list of devices is visible
+  bool m_isLost = false;     // the open device was unplugged; waiting for its return
+  bool m_isMissed = false;   // and has been absent from the list since
 };
 
 }  // namespace handwheel

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/ForceTest.h"
-#include "haptics/MouseDevice.h"
+#include "haptics/device/MouseDevice.h"
+#include "haptics/servo/ForceTest.h"
 #include "window/haptics/DeviceMapping.h"
 #include "window/haptics/DeviceMessages.h"
 #include "window/haptics/OpenDevice.h"
@@ -46,7 +46,7 @@ const ServoSample* HapticSession::latest() const {
   return m_open && m_open->sample ? &*m_open->sample : nullptr;
 }
 
-const LoopMeasure* HapticSession::measure() const {
+const ServoStatistics* HapticSession::measure() const {
   return m_open ? &m_open->loop->measure() : nullptr;
 }
 
@@ -85,14 +85,14 @@ WorkspaceMapping HapticSession::mappingInScene() const {
   return mappingInView(m_mapping, m_open->capabilities, m_camera, m_model, m_seen);
 }
 
-void HapticSession::applyMapping(bool keepsTip, bool mayLeap) {
+void HapticSession::applyMapping(bool keepsTip, bool isDiscontinuous) {
   if (!m_open) return;
   WorkspaceMapping mapping = mappingInScene();
   mapping.keepsTip = keepsTip && !m_open->mouse;
   m_open->isMoving = true;
   emit viewChanged();
   m_open->isMoving = false;
-  if (mayLeap) announceLeap();
+  if (isDiscontinuous) announceLeap();
   m_open->loop->setMapping(mapping, std::move(m_open->movedScene));
 }
 

@@ -2,29 +2,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/ForceRecorder.h"
+#include "haptics/recording/ForceRecorder.h"
 #include "window/WindowServices.h"
 #include "window/haptics/HapticSession.h"
 
 namespace handwheel {
 
+// The name of the device, or of its driver when it has none.
 inline QString nameOf(const DeviceListing& listing) {
   return QString::fromStdString(listing.name.empty() ? listing.driver : listing.name);
 }
 
-// What there is of a session only while a device is open.
+// The part of a session that exists only while a device is open.
 struct HapticSession::OpenDevice {
   DeviceCapabilities capabilities;
-  MouseDevice* mouse = nullptr;  // of the loop, when it is that
+  MouseDevice* mouse = nullptr;  // the device of the loop, when it is a mouse
   SimulatedDevice* hand = nullptr;
   Need need;
-  std::uint64_t ticksBefore = 0;  // that the service had counted
+  std::uint64_t ticksBefore = 0;  // ticks of the service before this device was opened
   std::shared_ptr<ServoLoop> loop;
-  std::unique_ptr<ForceRecorder> recorder;  // goes before its loop
+  std::unique_ptr<ForceRecorder> recorder;  // destroyed before its loop
   std::optional<ServoSample> sample;
-  bool isMoving = false;                    // the view changes just now, and
+  bool isMoving = false;                    // the view is being changed, and
   std::unique_ptr<HapticScene> movedScene;  // this is the scene for the new one
-  std::optional<double> isChangingSince;    // s by the clock of the loop: its settings
+  std::optional<double> isChangingSince;    // s by the clock of the loop: start of a change of its settings
 };
 
 }  // namespace handwheel

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "document/KeptRecording.h"
-#include "haptics/RecordingPlayer.h"
+#include "haptics/recording/RecordingPlayer.h"
 #include "viewport/DeviceCursor.h"
 
 #include <QObject>
@@ -12,18 +12,18 @@
 
 namespace handwheel {
 
-// A recording that is looked at: the cursor follows it as fast as the hand went. Nothing runs while none is taken up,
-// or it stands still. Window thread.
+// Plays back a recording by moving the device cursor at the recorded speed. Nothing runs while no recording is loaded,
+// or it is paused. Window thread.
 class Playback : public QObject {
   Q_OBJECT
 
  public:
-  explicit Playback(ServoClock& clock, QObject* parent = nullptr);  // the clock outlives it
+  explicit Playback(ServoClock& clock, QObject* parent = nullptr);  // the clock must outlive it
 
-  void takeUp(const KeptRecording& recording);  // paused at its beginning
+  void takeUp(const KeptRecording& recording);  // loads a recording, paused at its beginning
   void leave();
   bool isTakenUp() const { return m_player.has_value(); }
-  const std::string& key() const { return m_key; }  // of the recording taken up
+  const std::string& key() const { return m_key; }  // of the loaded recording
 
   void play();
   void pause();
@@ -32,11 +32,11 @@ class Playback : public QObject {
   double position() const { return m_player ? m_player->position() : 0.0; }  // s
   double duration() const { return m_player ? m_player->duration() : 0.0; }
 
-  // As it was then. None: nothing is taken up, or the device did not know where it was.
+  // The cursor at the present position. None: no recording is loaded, or the device had no valid position.
   std::optional<DeviceCursor> cursor() const;
 
  signals:
-  void moved();  // another moment is to be seen, or none any more, or it has begun or ended to play
+  void moved();  // the position has changed, or playing started or stopped, or the recording was unloaded
 
  private:
   void follow();

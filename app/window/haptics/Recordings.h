@@ -17,14 +17,14 @@ class HapticSession;
 class JobRunner;
 class LogModel;
 
-// The recordings of the document in view, and the commands for them: recording, playing, writing as CSV, renaming,
-// deleting. What is recorded goes into the document in which it began, as a step of its history. Window thread.
+// Manages the haptic recordings of the current document. Has the commands: recording, playing, writing as CSV,
+// renaming, deleting. A recording is added to the document in which it was started, as an undo step. Window thread.
 class Recordings : public QObject {
   Q_OBJECT
 
  public:
   struct Parts {
-    QWidget* window;  // of the dialogs
+    QWidget* window;  // parent of the dialogs
     HapticSession& session;
     JobRunner& jobs;
     LogModel& log;
@@ -32,15 +32,15 @@ class Recordings : public QObject {
   };
   explicit Recordings(const Parts& parts, QObject* parent = nullptr);
 
-  // The one in view from now on; null: none. What is being recorded in another ends.
+  // Sets the current document; null: none. A recording for another document ends.
   void setDocument(Document* document);
-  // What is being recorded ends, and its document has it.
+  // Ends a running recording and adds it to its document.
   void finish();
 
-  // Which tool is in use, by its id; empty: none. A change of it stands in the recording.
+  // Notes the active tool by its id; empty: none. A change is stored in the recording.
   void noteTool(const std::string& id);
 
-  std::vector<KeptRecording> all() const;  // of the document in view
+  std::vector<KeptRecording> all() const;  // of the current document
   const KeptRecording* chosen() const;     // null: none
   void choose(const std::string& key);
   void rename(const std::string& key, const QString& name);
@@ -54,8 +54,8 @@ class Recordings : public QObject {
   QAction* removeAction() { return &m_remove; }
 
  signals:
-  void changed();                       // the list, or which is chosen
-  void nameWanted(const QString& key);  // the user is to be asked for another
+  void changed();                       // the list, or the chosen recording
+  void nameWanted(const QString& key);  // the user is to edit the name
   void message(const handwheel::Message& message);
 
  private:
@@ -74,10 +74,10 @@ class Recordings : public QObject {
   Parts m_parts;
   Playback m_playback;
   QPointer<Document> m_document;
-  QPointer<Document> m_recorded;  // in which the recording began
+  QPointer<Document> m_recorded;  // in which the recording was started
   std::string m_chosen;           // key
   std::string m_tool;             // id
-  bool m_isNamedStop = false;     // what the actions say
+  bool m_isNamedStop = false;     // present texts of the actions
   bool m_isNamedPause = false;
   QAction m_record, m_play, m_leave, m_export, m_rename, m_remove;
 };

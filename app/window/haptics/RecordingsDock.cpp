@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/haptics/RecordingsDock.h"
 
-#include "haptics/ForceRecorder.h"
+#include "haptics/recording/ForceRecorder.h"
 #include "window/haptics/HapticSession.h"
 #include "window/haptics/Recordings.h"
 

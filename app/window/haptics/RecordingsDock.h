@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "panels/RecordingsPage.h"
+#include "panels/device/RecordingsPage.h"
 
 namespace handwheel {
 
 class HapticSession;
 class Recordings;
 
-// The page of the recordings, joined to them.
+// The recordings page connected to the recordings and the session.
 class RecordingsDock : public RecordingsPage {
   Q_OBJECT
 
  public:
-  // Both outlive it.
+  // Both must outlive it.
   RecordingsDock(Recordings& recordings, HapticSession& session, QWidget* parent = nullptr);
 
  private:

@@ -10,13 +10,13 @@ namespace handwheel {
 
 class HapticSession;
 
-// The page of the device's panel that says how what is touched feels, and the command that switches snapping. Joined to
-// the session, which keeps it; there with or without a device.
+// The page of the device panel with the haptic surface properties. Includes the command that switches snapping.
+// Connected to the session, which stores the settings; available with or without a device.
 class TouchPage : public PropertyList {
   Q_OBJECT
 
  public:
-  explicit TouchPage(HapticSession& session, QWidget* parent = nullptr);  // the session outlives it
+  explicit TouchPage(HapticSession& session, QWidget* parent = nullptr);  // the session must outlive it
 
  private:
   void showTouch();

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/haptics/TouchScene.h"
 
-#include "haptics/SnapFidelity.h"
-#include "haptics/TouchFidelity.h"
+#include "haptics/scene/TouchFidelity.h"
+#include "haptics/snap/SnapFidelity.h"
 #include "window/haptics/HapticSession.h"
 
 #include <algorithm>
@@ -61,7 +61,7 @@ void TouchScene::setFidelity(const FidelityValues& values) {
 }
 
 // Stiffnesses are those at the hand: what would be soft in a view from afar is as stiff as in one from near.
-void TouchScene::publish(bool mayLeap) {
+void TouchScene::publish(bool isDiscontinuous) {
   if (!m_session.isOpen()) return;
   const WorkspaceMapping mapping = m_session.mappingInScene();
   const TouchSettings& touch = m_session.touch();
@@ -82,7 +82,7 @@ void TouchScene::publish(bool mayLeap) {
   }
   auto scene = std::make_unique<HapticScene>();
   scene->source = std::make_unique<SceneForces>(std::move(feel));
-  scene->mayLeap = mayLeap;
+  scene->isDiscontinuous = isDiscontinuous;
   m_session.setScene(std::move(scene));
 }
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "base/Fidelity.h"
-#include "haptics/SceneForces.h"
-#include "haptics/SnapScene.h"
+#include "haptics/scene/SceneForces.h"
+#include "haptics/snap/SnapScene.h"
 #include "tools/Tool.h"
 
 #include <QObject>
@@ -13,8 +13,8 @@ namespace handwheel {
 
 class HapticSession;
 
-// What the device of a session feels: the surface of the model in view, what draws the tip, and what the tool in use
-// pulls with. Handed to the servo loop whole with each change; nothing is kept or handed over while no device is open.
+// The haptic scene: the contact surface, the snap forces, and the tool's springs. The surface is that of the model in
+// view. Passed to the servo loop as a whole with each change; nothing is stored or passed while no device is open.
 // Window thread.
 class TouchScene : public QObject {
   Q_OBJECT
@@ -22,19 +22,21 @@ class TouchScene : public QObject {
  public:
   explicit TouchScene(HapticSession& session, QObject* parent = nullptr);
 
-  // isEdit: the same surface after an edit, which may be felt at once. Else the force comes back by the ramp.
+  // Sets the contact surface. isEdit: the same surface after an edit, which takes effect at once. Otherwise the force
+  // ramps up.
   void setSurface(std::optional<ContactSurface> surface, bool isEdit);
-  // What draws the tip within `distance` (mm in the scene), as long as nothing is held. isEdit: as above.
+  // Sets the snap field, which attracts the tip within `distance` (mm in the scene) unless something is held. isEdit:
+  // as above.
   void setSnap(std::optional<SnapField> field, double distance, bool isEdit);
   void setHolding(bool isHolding);
-  // Springs of the tool; stiffnesses as they are felt at the device.
+  // Sets the springs of the tool; stiffnesses are those at the device.
   void setSprings(const std::vector<ForceTerm>& terms);
 
-  // Tolerance of the contact and number of features that pull at once: proxy.tolerance and snap.features.
+  // Sets the contact tolerance and the number of features that attract at once: proxy.tolerance and snap.features.
   void setFidelity(const FidelityValues& values);
 
  private:
-  void publish(bool mayLeap);
+  void publish(bool isDiscontinuous);
 
   HapticSession& m_session;
   std::optional<ContactSurface> m_surface;

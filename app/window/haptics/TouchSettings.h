@@ -3,34 +3,36 @@
 #pragma once
 
 #include "document/Property.h"
-#include "haptics/SceneForces.h"
+#include "haptics/scene/SceneForces.h"
 
 namespace handwheel {
 
-// How surfaces feel to the hand, whatever document is open and however it is seen: lengths and forces are those at the
-// device. Kept in the settings, but for the stiffness.
+// The haptic properties of surfaces. They are independent of the document and the view: lengths and forces are those
+// at the device. Stored in the settings, except for the stiffness.
 struct TouchSettings {
-  double stiffness = 0.5;  // N/mm: the fidelity setting contact.stiffness, which keeps it (HapticFidelity)
+  double stiffness = 0.5;  // N/mm: the fidelity setting contact.stiffness, which stores it (HapticFidelity)
   double damping = 0.0;    // N·s/mm, along the normal
   double friction = 0.0;   // Coulomb's µ
 
-  // What the tool in use takes by a click draws the tip (He 2008, section 3.1).
+  // The features that the active tool can pick attract the tip (He 2008, section 3.1).
   bool isSnapping = true;
   SnapShape snapShape = SnapShape::Quadratic;
   SnapMethod snapMethod = SnapMethod::Proxy;
   double snapStiffness = 0.3;  // N/mm
-  bool hasRimCurves = false;   // the rim of a hole draws as one curve to slide along, not by points and edges
+  bool hasRimCurves = false;   // the rim of a hole attracts as one curve to slide along, not by points and edges
 
   bool operator==(const TouchSettings&) const = default;
 };
 
-// Those that are kept here; what is missing there or makes no sense is as above.
+// Loads the stored touch settings. Missing or invalid values get the defaults above.
 TouchSettings keptTouch();
+// Stores the touch settings.
 void keepTouch(const TouchSettings& touch);
 
-// As a form, and one value of it. Unknown names and values that are no numbers change nothing; others are brought
-// between the limits.
+// The touch settings as properties for a form.
 std::vector<Property> propertiesOf(const TouchSettings& touch);
+// Changes one touch setting by its property id. Unknown ids and values that are not numbers change nothing; others are
+// clamped to the limits.
 void setProperty(TouchSettings& touch, std::string_view id, const PropertyValue& value);
 
 }  // namespace handwheel

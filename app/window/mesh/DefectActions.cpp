@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/DefectActions.h"
 
-#include "mesh/MeshFidelity.h"
+#include "mesh/measure/MeshFidelity.h"
 #include "tools/mesh/DefectFixes.h"
 #include "tools/mesh/FillWords.h"
 #include "window/ActionTip.h"
-#include "window/FidelityChoice.h"
+#include "window/fidelity/FidelityChoice.h"
 #include "window/mesh/HolePreview.h"
 #include "window/mesh/OpenMesh.h"
 #include "window/mesh/RepairJobs.h"

@@ -17,7 +17,8 @@ class Selection;
 struct FillOptions;
 struct OpenMesh;
 
-// What mends one defect, or all of a kind, besides the filling of holes: chosen in the list, done by a button.
+// The actions that repair selected defects other than holes. They apply to one defect or all of a kind, as selected in
+// the list.
 class DefectActions : public QObject {
   Q_OBJECT
 
@@ -26,12 +27,12 @@ class DefectActions : public QObject {
                 QObject* parent = nullptr);
 
   void setDocument(OpenMesh* document);  // null: no mesh is in view
-  // In the list: one row of a kind, or -1 for all of it.
+  // Sets the selection in the list: one row of a kind, or -1 for all of it.
   void choose(std::optional<DefectKind> kind, int row);
 
-  QAction* fix() { return &m_fix; }                  // hidden where there is nothing to press
-  QAction* giveBack() { return &m_giveBack; }        // of the selected sheet, or of all
-  QAction* cutAndClose() { return &m_cutAndClose; }  // hidden unless a patch would cross the part
+  QAction* fix() { return &m_fix; }                  // hidden when there is nothing to fix
+  QAction* giveBack() { return &m_giveBack; }        // makes a thin body of the selected sheet, or of all
+  QAction* cutAndClose() { return &m_cutAndClose; }  // hidden unless a patch would intersect the part
   QList<QAction*> all() { return {&m_fix, &m_giveBack, &m_cutAndClose}; }
 
  private:

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/DefectScene.h"
 
-#include "panels/DefectModel.h"
+#include "panels/defects/DefectModel.h"
 #include "viewport/Viewport.h"
-#include "window/mesh/ClearView.h"
 #include "window/mesh/HolePicking.h"
 #include "window/mesh/OpenMesh.h"
 #include "window/mesh/Selection.h"
+#include "window/mesh/UnobstructedView.h"
 
 #include <QCursor>
 #include <algorithm>
@@ -174,7 +174,7 @@ void DefectScene::drawDefects() {
     if (!m_defects.isShown(kind)) continue;
     const HalfEdgeMesh& mesh = m_document->document.mesh();
     LineMark mark{{}, defectColour(kind)};
-    for (const auto& [a, b] : kind == DefectKind::OneSided ? defects.oneSidedEdges : defects.nonManifoldEdges) {
+    for (const auto& [a, b] : kind == DefectKind::OneSided ? defects.nonOrientableEdges : defects.nonManifoldEdges) {
       mark.segments.emplace_back(mesh.position(a), mesh.position(b));
     }
     lines.push_back(std::move(mark));

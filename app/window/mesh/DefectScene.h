@@ -13,20 +13,21 @@ class Viewport;
 struct OpenMesh;
 struct Pick;
 
-// Keeps the viewport in step with the present document: surface, defect marks and selection.
+// Shows the mesh of the current document with its defects in the viewport. Keeps surface, defect marks and selection up
+// to date.
 class DefectScene : public QObject {
   Q_OBJECT
 
  public:
   DefectScene(Viewport& viewport, Selection& selection, DefectModel& defects, QObject* parent = nullptr);
 
-  void setDocument(OpenMesh* document);  // the camera of the one before is kept with it
-  void showLoop(int loop);               // flies there
+  void setDocument(OpenMesh* document);  // the camera is stored with the previous document
+  void showLoop(int loop);               // moves the camera there
   void showPlace(const QModelIndex& defect);
   void refreshVisibility();  // after OpenMesh::visible was changed
 
  private:
-  int loopAt(const Pick& pick) const;  // also where the hole itself is pointed at, not its rim
+  int loopAt(const Pick& pick) const;  // also when the cursor is inside the hole, not on its rim
   void showSurface();
   void drawLoops();
   void drawDefects();

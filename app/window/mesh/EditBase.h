@@ -9,13 +9,13 @@
 
 namespace handwheel {
 
-// A file that holds a state of a mesh with all its numbers, from which steps lead to later ones: the one that was
-// opened, and each container that was saved. Other formats renumber what they hold.
+// A file from which editing steps lead to later states of a mesh. It holds a state with its numbering: the file that
+// was opened, or a container that was saved. Other formats renumber vertices and faces.
 struct EditBase {
   QString path;
   HistoryPoint state;
   LengthUnit displayUnit = LengthUnit::Millimetre;
-  bool isReplaced = false;  // by a later state: only who has kept it can begin with it
+  bool isReplaced = false;  // overwritten by a later state: usable only by those who kept a copy
 };
 
 }  // namespace handwheel

@@ -12,27 +12,29 @@ namespace handwheel {
 struct EditBase;
 struct OpenMesh;
 
-// How what was done to a mesh is done without a window.
+// Command lines equivalent to the edits of a mesh.
 
-// Of one step that is about to be done: a whole command where the mesh is that of its file, else what there is to add
-// to the command before.
+// The command line for a step that is about to be applied. A whole command when the mesh equals its file, else only
+// the part to add to the previous command.
 QString stepCommand(const OpenMesh& document, const std::string& step);
 
-// What leads from a file to the present state. None where an edit has no step, or there is no such file.
+// The steps from a file to the present state.
 struct EditPath {
   const EditBase* base;
   std::vector<std::string> steps;
 };
+// Finds the steps from the newest usable file to the present state. None when an edit has no step, or there is no such
+// file.
 std::optional<EditPath> editPath(const OpenMesh& document, bool toContainer = true);
 
-// The command that writes the present state to a file. Where it would be too long, one that reads the steps from a file
-// beside that, which "Save steps" writes. Empty where there is none.
+// The command line that writes the present state to a file. When it would be too long, it reads the steps from a
+// separate file, which "Save steps" writes. Empty when there is none.
 QString editCommand(const OpenMesh& document, const QString& to);
 QString stepsName(const QString& path);  // "part.stl" becomes "part.steps"
-// The text of such a file, with a line that says what it is for.
+// The text of a steps file, with a comment line on its purpose.
 QByteArray stepsText(const EditPath& path);
 
-// The document was opened, or saved as it is now; or it is again as it was then.
+// Notes that the document equals its file. To be called when it was opened or saved, or is again in that state.
 void noteFile(OpenMesh& document);
 
 }  // namespace handwheel

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/HolePreview.h"
 
-#include "mesh/MeshFidelity.h"
-#include "window/FidelityChoice.h"
+#include "mesh/measure/MeshFidelity.h"
 #include "window/WindowServices.h"
+#include "window/fidelity/FidelityChoice.h"
 #include "window/mesh/OpenMesh.h"
 
 #include <QElapsedTimer>
@@ -30,7 +30,7 @@ std::vector<MethodTrial> tryMethods(const HoleFiller& filler, const BoundaryLoop
     clock.start();
     const FillAttempt attempt = filler.propose(loop, options, progress);
     MethodTrial trial{method, attempt.failure, {}, 1e-6 * static_cast<double>(clock.nsecsElapsed())};
-    if (attempt.failure == FillFailure::None) trial.figures = figuresOf(filler.mesh(), loop, attempt.patch);
+    if (attempt.failure == FillFailure::None) trial.statistics = statisticsOf(filler.mesh(), loop, attempt.patch);
     trials.push_back(trial);
   }
   return trials;
@@ -81,7 +81,7 @@ void HolePreview::start() {
     emit changed();
     return;
   }
-  if (!m_bench) giveBack(m_document, std::make_shared<FillBench>(m_document->document.mesh()));
+  if (!m_bench) giveBack(m_document, std::make_shared<HoleFillerCache>(m_document->document.mesh()));
   m_state.kind = PreviewState::Kind::Working;
   emit changed();
   const MeshDocument& document = m_document->document;
@@ -149,7 +149,7 @@ void HolePreview::forget() {
   clear();
 }
 
-void HolePreview::giveBack(OpenMesh* document, std::shared_ptr<FillBench> bench) {
+void HolePreview::giveBack(OpenMesh* document, std::shared_ptr<HoleFillerCache> bench) {
   m_bench = std::move(bench);
   m_benchDocument = document;
   m_benchRevision = document->document.revision();

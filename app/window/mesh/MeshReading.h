@@ -3,13 +3,13 @@
 #pragma once
 
 #include "document/DocumentKind.h"
-#include "mesh/HalfEdgeMesh.h"
+#include "mesh/structure/HalfEdgeMesh.h"
 
 #include <QString>
 
 namespace handwheel {
 
-// The mesh that a file holds. Errors: those of the readers; NoTriangles where it holds no mesh. Any thread.
+// Reads the mesh in a file. Errors: those of the readers; NoTriangles where it holds no mesh. Any thread.
 Result<HalfEdgeMesh> readMesh(const DocumentKinds& kinds, const QString& path, Progress progress);
 
 }  // namespace handwheel

@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/MeshTools.h"
 
-#include "mesh/SmoothNormal.h"
+#include "mesh/search/SmoothNormal.h"
 #include "tools/MeasureTool.h"
-#include "tools/mesh/BoundaryTool.h"
 #include "tools/mesh/DecimateTool.h"
 #include "tools/mesh/MakeFaceTool.h"
-#include "tools/mesh/SculptTool.h"
 #include "tools/mesh/SelectTool.h"
 #include "tools/mesh/TransformTool.h"
-#include "window/ToolHost.h"
+#include "tools/mesh/boundary/BoundaryTool.h"
+#include "tools/mesh/sculpt/SculptTool.h"
 #include "window/mesh/HolePreview.h"
 #include "window/mesh/OpenMesh.h"
 #include "window/mesh/RepairActions.h"
 #include "window/mesh/Selection.h"
+#include "window/tools/ToolHost.h"
 
 #include <QCoreApplication>
 #include <QScopedValueRollback>

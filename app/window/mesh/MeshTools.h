@@ -16,8 +16,8 @@ class Selection;
 class ToolHost;
 struct OpenMesh;
 
-// The tools for meshes in the window: gives them the document's jobs and picking, and keeps the hole that the tool
-// works on and the one selected in the list the same.
+// Creates the mesh tools and connects them to the window. Provides them with jobs and picking on the document, and
+// synchronises the hole of the tool with the one selected in the list.
 class MeshTools : public QObject {
   Q_OBJECT
 
@@ -32,12 +32,12 @@ class MeshTools : public QObject {
   std::unique_ptr<Tool> selectTool();
   std::unique_ptr<Tool> boundaryTool();
   std::unique_ptr<Tool> makeFaceTool();
-  // Works on what the select tool has selected, else on what the last edit added.
+  // Works on the selected faces, else on those that the last edit added.
   std::unique_ptr<Tool> sculptTool();
   std::unique_ptr<Tool> measureTool();
   std::unique_ptr<Tool> decimateTool();
   std::unique_ptr<Tool> transformTool();
-  // The faces of the present mesh, to be found by rays; of an older version while the present one is being sorted.
+  // The face hierarchy of the present mesh for ray queries; of an older version while the present one is being built.
   std::shared_ptr<const FaceHierarchy> faces();
 
  private:
@@ -54,14 +54,14 @@ class MeshTools : public QObject {
   HolePreview& m_preview;
   RepairActions& m_actions;
   RepairJobs& m_jobs;
-  JobRunner m_sorting;   // faces into their hierarchy
+  JobRunner m_sorting;   // builds the face hierarchy
   JobRunner m_thinking;  // the jobs of the select tool
   OpenMesh* m_document = nullptr;
   std::shared_ptr<const FaceHierarchy> m_faces;
   std::uint64_t m_facesRevision = 0;
   std::uint64_t m_sortingRevision = 0;
   std::uint64_t m_ticket = 0;
-  bool m_isTold = false;  // what to fill with, which is not to be told back
+  bool m_isTold = false;  // the fill settings are being set by us, and not to be reported back
 };
 
 }  // namespace handwheel

@@ -2,17 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/MeshTouch.h"
 
-#include "haptics/SnapFidelity.h"
-#include "haptics/SnapScene.h"
-#include "haptics/TouchableSurface.h"
+#include "haptics/contact/TouchableSurface.h"
+#include "haptics/snap/SnapFidelity.h"
+#include "haptics/snap/SnapScene.h"
 #include "tools/mesh/NearFeatures.h"
 #include "tools/mesh/RimFeatures.h"
-#include "window/FidelityChoice.h"
-#include "window/KindUi.h"
-#include "window/ToolHost.h"
+#include "window/fidelity/FidelityChoice.h"
 #include "window/haptics/HapticSession.h"
 #include "window/haptics/TouchScene.h"
+#include "window/kinds/KindUi.h"
 #include "window/mesh/OpenMesh.h"
+#include "window/tools/ToolHost.h"
 
 #include <algorithm>
 #include <limits>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/ContactSurface.h"
-#include "mesh/HalfEdgeMesh.h"
+#include "haptics/contact/ContactSurface.h"
+#include "mesh/structure/HalfEdgeMesh.h"
 #include "tools/Tool.h"
 #include "window/JobRunner.h"
 
@@ -18,9 +18,9 @@ class TouchScene;
 struct OpenMesh;
 struct WindowParts;
 
-// What the device feels of the mesh in view: its surface, made on a worker when a device is opened or another mesh
-// comes into view, and brought up to date with each edit in time proportional to that; and what draws the tip for the
-// tool in use, of which only that near the tip is looked at. Without a device there is nothing of it.
+// Provides the contact surface and the snap features of the current mesh. The surface is built on a worker when a
+// device is opened or another mesh is shown, and updated after each edit in time proportional to the edit. The snap
+// features are those of the active tool, and only those near the tip are considered. Nothing is kept without a device.
 class MeshTouch : public QObject {
   Q_OBJECT
 
@@ -28,7 +28,7 @@ class MeshTouch : public QObject {
   explicit MeshTouch(const WindowParts& parts, QObject* parent = nullptr);
 
   void setDocument(OpenMesh* document);
-  // A mesh that is hidden is not felt.
+  // A hidden mesh cannot be felt.
   void refreshVisibility() { rebuild(false); }
   bool isSettled() const { return m_making.isIdle() && m_gathering.isIdle(); }
 
@@ -50,15 +50,15 @@ class MeshTouch : public QObject {
   ToolHost& m_tools;
   FidelityChoice& m_fidelity;
   JobRunner m_making;     // the surface
-  JobRunner m_gathering;  // what draws the tip
+  JobRunner m_gathering;  // snap features
   OpenMesh* m_document = nullptr;
-  std::optional<ContactSurface> m_surface;  // of the present mesh; none while it is made
-  bool m_isOpen = false;                    // the session was, when it last told
+  std::optional<ContactSurface> m_surface;  // of the present mesh; none while it is being built
+  bool m_isOpen = false;                    // state of the session at its last signal
   double m_side = 0.0;                      // mm, the mean length of an edge of the mesh
-  Magnets m_magnets;                        // that are in the scene, or on their way
-  bool m_asCurves;                          // rims draw as curves (TouchSettings)
+  Magnets m_magnets;                        // snap features in the scene, or being gathered
+  bool m_asCurves;                          // rims attract as curves (TouchSettings)
 
-  // Around where what draws the tip was gathered, and how far it may go from there (mm).
+  // Where the snap features were gathered, and how far the tip may move from there (mm).
   struct Near {
     Vec3 place;
     double mayMove;

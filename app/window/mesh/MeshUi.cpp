@@ -6,27 +6,27 @@
 #include "document/mesh/KeepOpenEdit.h"
 #include "document/mesh/MeshKind.h"
 #include "fidelity/Cases.h"
-#include "mesh/MeshFidelity.h"
-#include "panels/DefectModel.h"
-#include "panels/DefectsPanel.h"
+#include "mesh/measure/MeshFidelity.h"
 #include "panels/LogModel.h"
 #include "panels/MessageBar.h"
-#include "tools/mesh/BoundaryTool.h"
+#include "panels/defects/DefectModel.h"
+#include "panels/defects/DefectsPanel.h"
 #include "tools/mesh/DecimateTool.h"
 #include "tools/mesh/FillHoleTool.h"
 #include "tools/mesh/MakeFaceTool.h"
-#include "tools/mesh/SculptTool.h"
 #include "tools/mesh/SelectTool.h"
 #include "tools/mesh/TransformTool.h"
+#include "tools/mesh/boundary/BoundaryTool.h"
+#include "tools/mesh/sculpt/SculptTool.h"
 #include "viewport/Viewport.h"
 #include "window/CommandText.h"
-#include "window/DocumentTabs.h"
-#include "window/FidelityChoice.h"
-#include "window/ToolHost.h"
+#include "window/documents/DocumentTabs.h"
+#include "window/fidelity/FidelityChoice.h"
 #include "window/mesh/DefectScene.h"
 #include "window/mesh/EditSteps.h"
 #include "window/mesh/NextSteps.h"
 #include "window/mesh/OpenMesh.h"
+#include "window/tools/ToolHost.h"
 
 #include <QLocale>
 #include <QShortcut>
@@ -64,7 +64,7 @@ MeshUi::MeshUi(const WindowParts& parts, MeshKind& kind)
     if (m_panels) m_panels->setCurrentIndex(m_deviation.isShown() ? 1 : 0);
     emit stateChanged();
   });
-  connect(&m_show, &RepairShow::changed, this, &KindUi::stateChanged);
+  connect(&m_show, &RepairDemo::changed, this, &KindUi::stateChanged);
   connect(&m_shells, &ShellActions::message, this, &KindUi::message);
   connect(&m_stepsFile, &StepsFile::message, this, &KindUi::message);
   connect(&m_jobs, &RepairJobs::message, this, &KindUi::message);
@@ -187,22 +187,22 @@ QList<QAction*> MeshUi::toolBar() {
   return {m_actions.repairAll(), m_actions.previous(), m_actions.next(), m_actions.fill(), m_actions.keepOpen()};
 }
 
-std::vector<Beginning> MeshUi::beginnings() const {
+std::vector<StartAction> MeshUi::startActions() const {
   return {{QStringLiteral("openSample"), tr("Open the &sample scan"), tr("Open the sample scan"),
            QStringLiteral("repair"), kScanSample,
            StartTile{QStringLiteral("sampleTile"), QStringLiteral("repair"), tr("Repair a scan"),
                      tr("A scanned part with holes. Close the first one with Enter.")}}};
 }
 
-std::vector<ToolOffer> MeshUi::tools() {
-  ToolOffer fill{QStringLiteral("fillTool"),
-                 tr("&Holes"),
-                 tr("Choose a hole, look at its patch, fill it"),
-                 QStringLiteral("hole"),
-                 QKeySequence(Qt::Key_H),
-                 [this] { return m_tools.fillTool(); },
-                 "fill",
-                 FillHoleTool::keys()};
+std::vector<ToolDescriptor> MeshUi::tools() {
+  ToolDescriptor fill{QStringLiteral("fillTool"),
+                      tr("&Holes"),
+                      tr("Choose a hole, look at its patch, fill it"),
+                      QStringLiteral("hole"),
+                      QKeySequence(Qt::Key_H),
+                      [this] { return m_tools.fillTool(); },
+                      "fill",
+                      FillHoleTool::keys()};
   fill.isUsual = true;
   return {fill,
           {QStringLiteral("selectTool"), tr("&Select faces"),
@@ -241,7 +241,7 @@ NextStep MeshUi::nextStep() {
                     m_parts.isPanelVisible() ? nullptr : m_parts.showPanel, m_parts.saveAs});
 }
 
-QString MeshUi::figures() const {
+QString MeshUi::statistics() const {
   if (!m_document) return {};
   const std::size_t faces = m_document->document.mesh().liveFaceCount();
   return tr("%1 triangles").arg(QLocale().toString(static_cast<qulonglong>(faces)));

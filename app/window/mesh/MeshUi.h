@@ -2,20 +2,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "window/KindUi.h"
+#include "window/kinds/KindUi.h"
 #include "window/mesh/DefectActions.h"
-#include "window/mesh/DeviationView.h"
 #include "window/mesh/HolePreview.h"
 #include "window/mesh/MeshTools.h"
 #include "window/mesh/MeshTouch.h"
 #include "window/mesh/RepairActions.h"
 #include "window/mesh/RepairJobs.h"
-#include "window/mesh/RepairShow.h"
 #include "window/mesh/SectionView.h"
 #include "window/mesh/Selection.h"
 #include "window/mesh/SelfIntersectionSearch.h"
 #include "window/mesh/ShellActions.h"
 #include "window/mesh/StepsFile.h"
+#include "window/mesh/demo/RepairDemo.h"
+#include "window/mesh/deviation/DeviationView.h"
 
 #include <QPointer>
 
@@ -27,12 +27,12 @@ class DefectsPanel;
 class DefectScene;
 class MeshKind;
 
-// Meshes in the window: their defects in panel and viewport, and what repairs them.
+// The user interface of meshes: defects in panel and viewport, and repair actions.
 class MeshUi : public KindUi {
   Q_OBJECT
 
  public:
-  // kind: of the meshes; outlives this.
+  // kind: must outlive this object.
   MeshUi(const WindowParts& parts, MeshKind& kind);
   ~MeshUi() override;
 
@@ -48,12 +48,12 @@ class MeshUi : public KindUi {
   }
   QList<QAction*> help() override { return {m_show.action()}; }
   QList<QAction*> toolBar() override;
-  std::vector<Beginning> beginnings() const override;
-  std::vector<ToolOffer> tools() override;
+  std::vector<StartAction> startActions() const override;
+  std::vector<ToolDescriptor> tools() override;
   std::vector<Hint> hints() override;
   NextStep nextStep() override;
-  std::vector<Property> sectionFigures() const override { return m_section.figures(); }
-  QString figures() const override;
+  std::vector<Property> sectionFigures() const override { return m_section.statistics(); }
+  QString statistics() const override;
   QString openedText(const OpenDocument& document) const override;
   QString saveCommand(const OpenDocument& document, const QString& path) const override;
   QString suggestedName(const OpenDocument& document) const override;
@@ -78,11 +78,11 @@ class MeshUi : public KindUi {
   QPointer<DefectsPanel> m_panel;
   DeviationView m_deviation;
   SectionView m_section;
-  QPointer<QStackedWidget> m_panels;  // the one of the two that is shown
+  QPointer<QStackedWidget> m_panels;  // shows one of the two panels
   DefectScene* m_scene;
   MeshTools m_tools;
   MeshTouch m_touch;
-  RepairShow m_show;
+  RepairDemo m_show;
   OpenMesh* m_document = nullptr;
 };
 

@@ -10,16 +10,17 @@ namespace handwheel {
 
 struct OpenMesh;
 
+// The actions that a next step may offer.
 struct NextStepActions {
   QAction* repairAll;
   QAction* removeDebris;
   QAction* oneByOne;
   QAction* giveBack;
-  QAction* showDefects;  // null: they are in view
+  QAction* showDefects;  // null: the defects are visible
   QAction* saveAs;
 };
 
-// What the user of this document most likely wants next.
+// Determines the most likely next step for the document.
 NextStep nextStepFor(const OpenMesh& document, const NextStepActions& actions);
 
 }  // namespace handwheel

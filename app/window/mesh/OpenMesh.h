@@ -3,16 +3,17 @@
 #pragma once
 
 #include "document/mesh/MeshDocument.h"
-#include "mesh/Repair.h"
-#include "panels/Inspection.h"
-#include "window/OpenDocument.h"
+#include "mesh/repair/Repair.h"
+#include "panels/defects/Inspection.h"
+#include "window/documents/OpenDocument.h"
 #include "window/mesh/EditBase.h"
 
 namespace handwheel {
 
 struct MeshDeviation;
 
-// An open mesh. Its document hides the one of the base: it is the same, known as what it is.
+// An open mesh document with its window state. `document` hides that of the base class: it is the same object with its
+// own type.
 struct OpenMesh : OpenDocument {
   OpenMesh(std::unique_ptr<Document> made, KindUi& of)
       : OpenDocument(std::move(made), of),
@@ -22,15 +23,15 @@ struct OpenMesh : OpenDocument {
 
   MeshDocument& document;
   Inspection inspection;
-  const HalfEdgeMesh asOpened;               // shares what has not changed since
-  std::shared_ptr<MeshDeviation> deviation;  // that is shown; null for none
-  Vertex selected = kNone;                   // Inspection::keyOf the selected loop
+  const HalfEdgeMesh asOpened;               // shares unchanged pages with the present mesh
+  std::shared_ptr<MeshDeviation> deviation;  // the comparison that is shown; null for none
+  Vertex selected = kNone;                   // Inspection::keyOf() of the selected loop
   bool repaired = false;                     // "Repair all" ran at least once
 
-  std::size_t faceSlots = document.mesh().faceSlots();  // when it was last changed
-  FaceSelection newest;  // the faces that the last change added: those of a patch, most often
+  std::size_t faceSlots = document.mesh().faceSlots();  // at the last change
+  FaceSelection newest;                                 // the faces added by the last change, usually those of a patch
 
-  // Of the mesh, undo and redo included; as many as when it was last as in its file.
+  // Number of changes of the mesh, including undo and redo; and that number when the mesh last equalled its file.
   std::uint64_t changes = 0;
   std::uint64_t changesInFile = 0;
   std::vector<EditBase> bases;  // the newest last
@@ -44,7 +45,7 @@ struct OpenMesh : OpenDocument {
     newest.dropDead(document.mesh());
     if (!added.empty()) newest = added;
   }
-  // Whether the mesh is that of the file, read without loss. What is kept open may differ.
+  // Whether the mesh equals that of the file, which was read without loss. The loops marked to be kept open may differ.
   bool isAsInFile() const { return inFile && document.file().damage.empty() && changes == changesInFile; }
 };
 

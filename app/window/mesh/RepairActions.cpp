@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/RepairActions.h"
 
-#include "mesh/MeshFidelity.h"
+#include "mesh/measure/MeshFidelity.h"
 #include "window/ActionTip.h"
-#include "window/FidelityChoice.h"
+#include "window/fidelity/FidelityChoice.h"
 #include "window/mesh/OpenMesh.h"
 #include "window/mesh/Selection.h"
 
@@ -89,7 +89,7 @@ void RepairActions::connectActions() {
   connect(&m_preview, &HolePreview::changed, this, &RepairActions::followPreview);
   connect(&m_selection, &Selection::changed, this, &RepairActions::follow);
   connect(&m_jobs, &RepairJobs::filled, this,
-          [this](OpenMesh* document, Vertex key, const std::shared_ptr<FillBench>& bench) {
+          [this](OpenMesh* document, Vertex key, const std::shared_ptr<HoleFillerCache>& bench) {
             if (document != m_document) return;
             m_preview.giveBack(document, bench);
             goOnAfter(document, key);

@@ -11,7 +11,7 @@ namespace handwheel {
 class FidelityChoice;
 class Selection;
 
-// The Repair menu: what can be done about defects, by menu, key, button or card.
+// The actions of the Repair menu. They are also used by keys, buttons and cards.
 class RepairActions : public QObject {
   Q_OBJECT
 
@@ -32,13 +32,13 @@ class RepairActions : public QObject {
   QAction* deselect() { return &m_deselect; }
   QList<QAction*> all();
 
-  // Of the choice between speed and accuracy.
+  // The fill method in the accuracy settings.
   FillMethod method() const;
   void setMethod(FillMethod method);
   void setFill(FillMethod method, Continuity continuity);
 
  signals:
-  void showLoopRequested(int loop);  // fly there
+  void showLoopRequested(int loop);  // move the camera there
 
  private:
   void connectActions();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/RepairJobs.h"
 
-#include "mesh/MeshFidelity.h"
+#include "mesh/measure/MeshFidelity.h"
 #include "panels/LogModel.h"
 #include "panels/MessageBar.h"
 #include "proximity/SelfIntersection.h"
@@ -11,8 +11,8 @@
 #include "tools/mesh/DefectFixes.h"
 #include "tools/mesh/MeshSteps.h"
 #include "window/CommandText.h"
-#include "window/DocumentTabs.h"
-#include "window/FidelityChoice.h"
+#include "window/documents/DocumentTabs.h"
+#include "window/fidelity/FidelityChoice.h"
 #include "window/mesh/EditSteps.h"
 #include "window/mesh/OpenMesh.h"
 
@@ -60,7 +60,7 @@ void RepairJobs::startFill(OpenMesh* document, Vertex key, PreparedFill prepared
   FillOptions options = prepared.options.value_or(FillOptions());
   if (!prepared.options) apply(m_fidelity.values(), options);
   options.numbers = document->document.fileNumbers();
-  if (!prepared.bench) prepared = {std::make_shared<FillBench>(document->document.mesh()), std::nullopt, options};
+  if (!prepared.bench) prepared = {std::make_shared<HoleFillerCache>(document->document.mesh()), std::nullopt, options};
   Job job;
   job.name = tr("Filling hole %1").arg(document->inspection.loopNumber(loopId));
   job.work = [this, document, key, revision, round, options, nearWeld = nearWeld(), prepared = std::move(prepared),
@@ -85,8 +85,8 @@ void RepairJobs::startFill(OpenMesh* document, Vertex key, PreparedFill prepared
   start(document, std::move(job));
 }
 
-void RepairJobs::filledOne(OpenMesh* document, Vertex key, const std::shared_ptr<FillBench>& bench, const Filled& done,
-                           const InspectedMesh& after) {
+void RepairJobs::filledOne(OpenMesh* document, Vertex key, const std::shared_ptr<HoleFillerCache>& bench,
+                           const Filled& done, const InspectedMesh& after) {
   const int loop = document->inspection.loopWithKey(key);
   const QString name = document->inspection.loopName(loop);
   const int number = document->inspection.loopNumber(loop);
@@ -134,7 +134,7 @@ void RepairJobs::startChange(OpenMesh* document, MeshChange wanted, Round round)
               mesh = document->document.mesh()](Progress progress) -> Job::Finish {
     HalfEdgeMesh result = mesh;
     wanted.apply(result, progress.part(0.0, 0.5));
-    const auto crossings = wanted.crossed ? crossingsChange(mesh, result, progress.part(0.4, 0.5)) : std::nullopt;
+    const auto crossings = wanted.crossed ? intersectionsChange(mesh, result, progress.part(0.4, 0.5)) : std::nullopt;
     if (progress.cancelled()) return {};
     return [this, document, revision, round, wanted, text, crossings,
             after = inspected(std::move(result), nearWeld, progress.part(0.5, 1.0))] {
@@ -153,7 +153,7 @@ void RepairJobs::startChange(OpenMesh* document, MeshChange wanted, Round round)
 }
 
 void RepairJobs::changed(OpenMesh* document, const MeshChange& wanted, const QString& text, const InspectedMesh& after,
-                         const std::optional<CrossingsChange>& crossings) {
+                         const std::optional<IntersectionsChange>& crossings) {
   const auto known = document->inspection.selfIntersections();
   const QString command = stepCommand(*document, wanted.step);
   if (document->document.commit(text, after, wanted.step)) {
@@ -161,15 +161,15 @@ void RepairJobs::changed(OpenMesh* document, const MeshChange& wanted, const QSt
     if (!crossings) return;
     // So the list of defects need not wait until the whole surface has been searched again.
     if (known && known->size() < kMaxTrianglePairs)
-      document->inspection.setSelfIntersections(document->document.revision(), crossingsAfter(*crossings, *known));
+      document->inspection.setSelfIntersections(document->document.revision(), intersectionsAfter(*crossings, *known));
     if (crossings->fresh > 0) tellCrossings(*document, *crossings);
     wanted.crossed(crossings->fresh);
-  } else if (wanted.hindrance) {
-    emit changedNothing(document, text, tr("Why: %1.").arg(QCoreApplication::translate("Tool", wanted.hindrance)));
+  } else if (const char* reason = reasonOf(wanted)) {
+    emit changedNothing(document, text, tr("Why: %1.").arg(QCoreApplication::translate("Tool", reason)));
   }
 }
 
-void RepairJobs::tellCrossings(const OpenMesh& document, const CrossingsChange& crossings) {
+void RepairJobs::tellCrossings(const OpenMesh& document, const IntersectionsChange& crossings) {
   const int pairs = static_cast<int>(std::min(crossings.fresh, kMaxTrianglePairs));
   m_log.add(
       tr("%1: %n more pair(s) of triangles cross; undo takes that back", nullptr, pairs).arg(document.document.name()),

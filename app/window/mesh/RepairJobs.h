@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/Defects.h"
-#include "mesh/LocalCrossings.h"
-#include "mesh/Repair.h"
+#include "mesh/defects/Defects.h"
+#include "mesh/repair/Repair.h"
+#include "mesh/search/LocalIntersections.h"
 #include "tools/mesh/MeshServices.h"
-#include "window/mesh/FillBench.h"
+#include "window/mesh/HoleFillerCache.h"
 #include "window/mesh/HolePreview.h"
 
 #include <QObject>
@@ -21,8 +21,8 @@ class LogModel;
 struct Message;
 struct OpenDocument;
 
-// What changes a mesh, as jobs on snapshots. The result becomes one undo step; when the document was changed meanwhile
-// the result is thrown away and the job runs once more.
+// Runs changes of a mesh as jobs on snapshots. The result becomes one undo step; when the document was changed
+// meanwhile, the result is discarded and the job runs once more.
 class RepairJobs : public QObject {
   Q_OBJECT
 
@@ -30,21 +30,21 @@ class RepairJobs : public QObject {
   RepairJobs(DocumentTabs& tabs, JobRunner& jobs, LogModel& log, const FidelityChoice& fidelity,
              QObject* parent = nullptr);
 
-  // prepared: what the preview already did for this hole; may be empty.
+  // prepared: results of the preview for this hole; may be empty.
   void fill(OpenMesh* document, int loop, PreparedFill prepared);
   void repairAll(OpenMesh* document);
   void removeDebris(OpenMesh* document);
-  // Any change that a tool wants; one after the other.
+  // Applies a change requested by a tool. Changes run one after the other.
   void change(OpenMesh* document, MeshChange wanted);
 
-  // A fill or repair was asked for and has not ended.
+  // Whether a fill or repair is waiting or running.
   bool isWorking() const { return m_working > 0; }
 
  signals:
-  // key: of the loop that is no more. bench: fit for the document as it is now.
-  void filled(handwheel::OpenMesh* document, handwheel::Vertex key, std::shared_ptr<handwheel::FillBench> bench);
+  // key: of the loop that was filled. bench: the filler cache, valid for the present document.
+  void filled(handwheel::OpenMesh* document, handwheel::Vertex key, std::shared_ptr<handwheel::HoleFillerCache> bench);
   void workingChanged();
-  // A change was asked for, and nothing differs; why, as a sentence.
+  // A change had no effect. why: a sentence.
   void changedNothing(const handwheel::OpenMesh* document, const QString& what, const QString& why);
   // A job failed.
   void message(const handwheel::Message& message);
@@ -57,19 +57,19 @@ class RepairJobs : public QObject {
   void dropChanges(const OpenDocument* document);
   void startRepair(OpenMesh* document, Round round);
   void changed(OpenMesh* document, const MeshChange& wanted, const QString& text, const InspectedMesh& after,
-               const std::optional<CrossingsChange>& crossings);
-  double nearWeld() const;  // for the defects of what a job made
+               const std::optional<IntersectionsChange>& crossings);
+  double nearWeld() const;  // tolerance for the defects of a job's result
   bool isStale(OpenMesh* document, std::uint64_t revision) const;
   struct Filled {
     FillFailure failure;
     std::string step;
   };
-  void filledOne(OpenMesh* document, Vertex key, const std::shared_ptr<FillBench>& bench, const Filled& done,
+  void filledOne(OpenMesh* document, Vertex key, const std::shared_ptr<HoleFillerCache>& bench, const Filled& done,
                  const InspectedMesh& after);
   void repairedAll(OpenMesh* document, const InspectedMesh& after, const RepairReport& report,
                    const RepairOptions& options);
   void logRepair(const OpenMesh& document, const RepairReport& report, const RepairOptions& options);
-  void tellCrossings(const OpenMesh& document, const CrossingsChange& crossings);
+  void tellCrossings(const OpenMesh& document, const IntersectionsChange& crossings);
   void tellStale(const OpenMesh& document, Round round);
   void start(const OpenDocument* document, Job job);
   void tellFailure(const OpenDocument* document, const QString& job, const Error& error);
@@ -80,7 +80,7 @@ class RepairJobs : public QObject {
   LogModel& m_log;
   const FidelityChoice& m_fidelity;
   int m_working = 0;
-  std::deque<std::pair<OpenMesh*, MeshChange>> m_changes;  // the first is under way
+  std::deque<std::pair<OpenMesh*, MeshChange>> m_changes;  // the first is running
 };
 
 }  // namespace handwheel

@@ -58,7 +58,7 @@ void SectionView::show(const std::optional<Section>& section) {
   m_viewport.setSection(std::move(marks));
 }
 
-std::vector<Property> SectionView::figures() const {
+std::vector<Property> SectionView::statistics() const {
   if (!m_section || !m_document) return {};
   Property length;
   length.id = "section_length";

@@ -5,7 +5,7 @@
 #include <cstddef>  // before <numbers> of Units.h, which moc cannot read alone
 
 #include "document/Property.h"
-#include "mesh/Section.h"
+#include "mesh/measure/Section.h"
 #include "window/JobRunner.h"
 
 namespace handwheel {
@@ -13,8 +13,8 @@ namespace handwheel {
 class Viewport;
 struct OpenMesh;
 
-// Where the clipping plane cuts the mesh in view: the outline in the viewport, and its length and area. Follows plane
-// and mesh; both wait for nothing, as the mesh is cut on a worker.
+// Shows the section of the mesh by the clipping plane. The outline is shown in the viewport, its length and area in a
+// panel. Follows plane and mesh; the mesh is cut on a worker, so neither has to wait.
 class SectionView : public QObject {
   Q_OBJECT
 
@@ -22,13 +22,13 @@ class SectionView : public QObject {
   SectionView(Viewport& viewport, QThreadPool& pool, QObject* parent = nullptr);
 
   void setDocument(OpenMesh* document);
-  // After the viewport was given the mesh anew.
+  // To be called after the mesh was set in the viewport again.
   void redraw();
   // Length, and of a closed outline the area; none without a plane.
-  std::vector<Property> figures() const;
+  std::vector<Property> statistics() const;
 
  signals:
-  void changed();  // the figures
+  void changed();  // the statistics
 
  private:
   void cut();

@@ -8,7 +8,7 @@ namespace handwheel {
 
 struct OpenMesh;
 
-// Which loop of the present document is selected and which is under the cursor, for list and viewport alike.
+// The selected loop and the hovered loop of the current document. Shared by list and viewport.
 class Selection : public QObject {
   Q_OBJECT
 
@@ -18,7 +18,7 @@ class Selection : public QObject {
   int loop() const { return m_loop; }        // -1 for none
   int hovered() const { return m_hovered; }  // -1 for none
 
-  // Takes up the selection that the document had when it was last shown. Null: none is open.
+  // Restores the selection that the document had when it was last shown. Null: none is open.
   void setDocument(OpenMesh* document);
   void select(int loop);
   void hover(int loop);

@@ -12,7 +12,7 @@ namespace handwheel {
 class WindowServices;
 struct OpenMesh;
 
-// Looks for self-intersections of the document in view on a worker, once the document has come to rest.
+// Searches for self-intersections of the current mesh on a worker. Starts when the mesh has not changed for a while.
 class SelfIntersectionSearch : public QObject {
   Q_OBJECT
 
@@ -27,7 +27,7 @@ class SelfIntersectionSearch : public QObject {
   void start();
 
   WindowServices& m_services;
-  Need m_need;  // as long as a mesh is in view
+  Need m_need;  // held while a mesh is shown
   JobRunner m_runner;
   QTimer m_rest;
   OpenMesh* m_document = nullptr;

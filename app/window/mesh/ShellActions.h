@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "window/KindUi.h"
+#include "window/kinds/KindUi.h"
 
 namespace handwheel {
 
@@ -12,7 +12,7 @@ class RepairJobs;
 struct MeshSnapshot;
 struct OpenMesh;
 
-// The shells of a mesh as documents of their own, and other meshes added to it.
+// The actions that split a mesh into shells or add other meshes. Each shell becomes a document of its own.
 class ShellActions : public QObject {
   Q_OBJECT
 

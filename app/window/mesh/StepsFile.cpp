@@ -8,7 +8,7 @@
 #include "text/ErrorText.h"
 #include "window/ActionTip.h"
 #include "window/CommandText.h"
-#include "window/DocumentTabs.h"
+#include "window/documents/DocumentTabs.h"
 #include "window/mesh/EditSteps.h"
 #include "window/mesh/OpenMesh.h"
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "window/KindUi.h"
+#include "window/kinds/KindUi.h"
 
 namespace handwheel {
 
 struct OpenMesh;
 
-// "Save steps": writes what was done to a mesh as a file that "handwheel edit" reads.
+// The action "Save steps", which writes the editing steps of a mesh. "handwheel edit" reads the file.
 class StepsFile : public QObject {
   Q_OBJECT
 
@@ -17,7 +17,7 @@ class StepsFile : public QObject {
 
   QAction* action() { return &m_save; }
   void setDocument(OpenMesh* document);  // null: no mesh is in view
-  void follow();                         // it has changed
+  void follow();                         // to be called when the document has changed
 
  signals:
   void message(const handwheel::Message& message);

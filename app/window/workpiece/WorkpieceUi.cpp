@@ -7,8 +7,8 @@
 #include "document/workpiece/WorkpieceProperties.h"
 #include "fidelity/Cases.h"
 #include "theme/Theme.h"
-#include "window/FidelityChoice.h"
-#include "window/OpenDocument.h"
+#include "window/documents/OpenDocument.h"
+#include "window/fidelity/FidelityChoice.h"
 
 #include <QLocale>
 
@@ -39,7 +39,7 @@ std::unique_ptr<OpenDocument> WorkpieceUi::open(std::unique_ptr<Document> docume
   return PartsUi::open(std::move(document));
 }
 
-std::vector<Beginning> WorkpieceUi::beginnings() const {
+std::vector<StartAction> WorkpieceUi::startActions() const {
   return {{QStringLiteral("newWorkpiece"), tr("&New workpiece"), tr("Start with a cylinder to be turned"), panelIcon()},
           {QStringLiteral("openShaftSample"), tr("Open the sample s&haft"), tr("Open the sample shaft for the lathe"),
            panelIcon(), QStringLiteral("shaft-stock.handwheel"),
@@ -53,7 +53,7 @@ NextStep WorkpieceUi::nextStep() {
           tr("Its panel takes other sizes, also as “2in” or “50/2”. “Save as” writes STEP, too."), panelActions()};
 }
 
-QString WorkpieceUi::figures() const {
+QString WorkpieceUi::statistics() const {
   return document() ? sizeText(document()->document) : QString();
 }
 

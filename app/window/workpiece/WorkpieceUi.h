@@ -2,26 +2,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "window/PartsUi.h"
+#include "window/kinds/PartsUi.h"
 
 namespace handwheel {
 
-// Workpieces in the window: the stock and its sizes.
+// The user interface of workpieces: the stock and its dimensions.
 class WorkpieceUi : public PartsUi {
   Q_OBJECT
 
  public:
   explicit WorkpieceUi(const WindowParts& parts);
 
-  // A new one starts with the chord tolerance that the user chose; from then on its own property holds.
+  // A new document starts with the chord tolerance that the user chose; later changes are made by its own property.
   std::unique_ptr<OpenDocument> open(std::unique_ptr<Document> document) override;
-  std::vector<Beginning> beginnings() const override;
+  std::vector<StartAction> startActions() const override;
   QString panelTitle() const override { return tr("Stock"); }
   QString panelIcon() const override { return QStringLiteral("kind-workpiece"); }
   QString menuTitle() const override { return tr("&Workpiece"); }
-  std::vector<ToolOffer> tools() override { return {measureParts()}; }
+  std::vector<ToolDescriptor> tools() override { return {measureParts()}; }
   NextStep nextStep() override;
-  QString figures() const override;
+  QString statistics() const override;
   QString openedText(const OpenDocument& document) const override;
 };
 

@@ -9,14 +9,14 @@
 
 namespace handwheel {
 
-// A cell in a container holds all that it needs: the description in the blob "cell/robot.urdf", and of each mesh the
-// points (three floats each, mm) and triangles (three indices each) in "cell/surfaces/NNNN/…". The manifest has
-// the value of each joint by its name; rad, mm.
+// Writes a robot cell to a container. It holds all that the cell needs: the description in the blob "cell/robot.urdf",
+// and of each mesh the points (three floats each, mm) and triangles (three indices each) in "cell/surfaces/NNNN/…". The
+// manifest has the value of each joint by its name; rad, mm.
 void writeCell(const CellSnapshot& cell, Container& container);
 
-// Gives the robot without what is lost or makes no sense, and the joints within their limits. Round shapes have so many
-// sides, as in surfaceOf(). Errors: EntryMissing
-// {cell/robot.urdf}, those of readUrdf(), Cancelled.
+// Reads a robot cell from a container. Lost and invalid parts are left out, and the joints are brought within their
+// limits. shapeSides: of round shapes, as in surfaceOf(). Errors: EntryMissing {cell/robot.urdf}, those of readUrdf(),
+// Cancelled.
 Result<SnapshotPointer> readCell(const Container& container, std::uint32_t shapeSides, std::vector<Error>& damage,
                                  Progress progress);
 

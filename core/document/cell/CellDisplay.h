@@ -9,11 +9,11 @@
 
 namespace handwheel {
 
-// The robot with its joints like this: one part for each visual shape, or each collision shape of a robot that has no
-// visual ones. Parts keep their names and surfaces while the joints move.
+// Creates the display model of a robot for given joint values. It has one part for each visual shape, or each collision
+// shape of a robot that has no visual ones. Parts keep their names and surfaces while the joints move.
 DisplayModel displayOf(const CellRobot& robot, const JointValues& joints);
 
-// The link that a part shows; kNone for a name that is none of its parts.
+// The link that a part belongs to; kNone for an unknown part.
 std::uint32_t linkOfPart(const CellRobot& robot, std::string_view part);
 
 }  // namespace handwheel

@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// A robot and how its joints stand.
+// Document of a robot cell: a robot and its joint values.
 class CellDocument : public Document {
   Q_OBJECT
 

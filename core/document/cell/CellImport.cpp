@@ -6,7 +6,7 @@
 #include "document/cell/ColladaReader.h"
 #include "document/cell/SurfaceBudget.h"
 #include "document/formats/MeshFormat.h"
-#include "mesh/Weld.h"
+#include "mesh/structure/Weld.h"
 #include "robot/MeshLocation.h"
 #include "robot/UrdfReader.h"
 

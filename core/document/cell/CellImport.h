@@ -11,9 +11,10 @@
 
 namespace handwheel {
 
-// Of the points of a surface, either way; mm.
+// Largest absolute coordinate of a point of a surface, mm.
 inline constexpr double kLargestCoordinate = 1e9;
 
+// Result of importing a robot description.
 struct ImportedCell {
   std::shared_ptr<const CellSnapshot> cell;
   std::vector<Error> damage;  // of the description and the meshes; the robot opens without what is damaged
@@ -25,12 +26,12 @@ struct ImportedCell {
 Result<ImportedCell> importCell(const std::filesystem::path& path, std::uint32_t shapeSides = kShapeSides,
                                 Progress progress = {});
 
-// The surface of a shape that is no mesh, in mm and single precision, round ones with so many sides.
+// The surface of a shape that is not a mesh, in mm and single precision. sides: of round shapes.
 std::shared_ptr<const TriangleSoup> roundedSurface(const Shape& shape, std::uint32_t sides);
 
 // The surface of a shape, placed, in mm. Mesh files are STL, OBJ, PLY, OFF or COLLADA, recognised by content, of at
-// most 256 MiB; they lie where locateMesh() says. damage takes what could not be read of them. Errors: those of the
-// readers, ReferenceMissing, FileTooLarge, Unsupported, ValueOutOfRange; with the file as subject.
+// most 256 MiB; their paths are those of locateMesh(). damage takes what could not be read of them. Errors: those of
+// the readers, ReferenceMissing, FileTooLarge, Unsupported, ValueOutOfRange; with the file as subject.
 Result<TriangleSoup> readSurface(const Shape& shape, const std::filesystem::path& folder, std::vector<Error>& damage,
                                  Progress progress = {});
 

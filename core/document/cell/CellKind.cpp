@@ -7,8 +7,7 @@
 #include "document/cell/CellDisplay.h"
 #include "document/cell/CellDocument.h"
 #include "document/cell/CellImport.h"
-#include "document/mesh/MeshExport.h"
-#include "document/mesh/MeshKind.h"
+#include "document/formats/MeshExport.h"
 #include "robot/Kinematics.h"
 #include "robot/UrdfReader.h"
 
@@ -89,7 +88,7 @@ std::string CellKind::title() const {
 
 std::vector<FileFormat> CellKind::formats() const {
   std::vector<FileFormat> all{{"URDF", {".urdf"}, true, false}};
-  for (const FileFormat& format : MeshKind().formats()) all.push_back({format.name, format.endings, false, true});
+  for (const FileFormat& format : meshFileFormats()) all.push_back({format.name, format.endings, false, true});
   return all;
 }
 

@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// Robots: a URDF description with its meshes, and joints that stand somewhere.
+// Document kind of robot cells: a URDF description, its meshes and joint values.
 class CellKind : public DocumentKind {
  public:
   // The setting cell.shape_sides for the robots that are opened from now on. Any thread.
@@ -19,7 +19,7 @@ class CellKind : public DocumentKind {
   std::string title() const override;
   std::vector<FileFormat> formats() const override;
   bool recognises(std::string_view head, std::string_view name) const override;
-  // A robot always opens without those of its meshes that are missing or damaged.
+  // A robot always opens; its meshes that are missing or damaged are left out.
   Result<OpenedFile> import(const std::filesystem::path& path, const ReadOptions& options,
                             Progress progress) const override;
   // The surfaces as they are shown, as one mesh.

@@ -8,15 +8,16 @@
 
 namespace handwheel {
 
-// One property for each degree of freedom ("joint.<name>", labelled with the joint's name), with its limits and what is
-// not known of it; then, to read only, the robot's name and where its tool stands ("tool.x", …; mm, in the frame of the
-// robot's foot).
+// The properties of a robot cell. One for each degree of freedom ("joint.<name>", labelled with the joint's name), with
+// its limits and what is not known of it; then, read-only, the robot's name and the position of its tool ("tool.x", …;
+// mm, in the frame of the robot's base).
 std::vector<Property> cellProperties(const RobotModel& robot, const JointValues& joints);
 
-// kNone when the property is no joint's.
+// The degree of freedom of a joint property; kNone for other properties.
 std::uint32_t dofOfProperty(const RobotModel& robot, std::string_view id);
 
-// A value for a joint. Errors: ElementMalformed, ValueOutOfRange {name, value, least, largest; degrees or mm}.
+// Converts a property value to a joint value. Errors: ElementMalformed, ValueOutOfRange {name, value, least, largest;
+// degrees or mm}.
 Result<double> jointValueFrom(const RobotModel& robot, std::uint32_t dof, const PropertyValue& value);
 
 }  // namespace handwheel

@@ -3,12 +3,13 @@
 #pragma once
 
 #include "document/Snapshot.h"
-#include "mesh/TriangleSoup.h"
+#include "mesh/structure/TriangleSoup.h"
 #include "robot/RobotModel.h"
 
 namespace handwheel {
 
-// A robot with what it looks like. Never changes while its joints move, so snapshots and display share it.
+// A robot model with the surfaces for its display. It does not change when the joints move, so snapshots and display
+// share it.
 struct CellRobot {
   RobotModel model;
   std::string description;  // the URDF file as it was read

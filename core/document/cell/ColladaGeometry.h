@@ -4,7 +4,7 @@
 
 #include "base/Progress.h"
 #include "document/formats/PolygonTriangulation.h"
-#include "mesh/TriangleSoup.h"
+#include "mesh/structure/TriangleSoup.h"
 #include "robot/Xml.h"
 
 #include <map>
@@ -15,7 +15,7 @@
 
 namespace handwheel {
 
-// The elements of a document that others can refer to.
+// Index of the elements of a COLLADA document by id.
 class ColladaIds {
  public:
   explicit ColladaIds(const XmlElement& root) { collect(root); }
@@ -29,14 +29,15 @@ class ColladaIds {
   std::map<std::string_view, const XmlElement*> m_elements;
 };
 
-// Reads single geometries. What is wrong with a primitive is noted, and the rest of it left out.
+// Reads the geometry elements of a COLLADA document. Damage in a primitive is recorded, and the rest of the primitive
+// left out.
 class ColladaGeometry {
  public:
   ColladaGeometry(const ColladaIds& ids, std::vector<Error>& damage, Progress progress);
 
   // In the geometry's own frame and unit.
   TriangleSoup read(const XmlElement& geometry);
-  // Lists damage, up to a hundred pieces.
+  // Adds damage to the list, up to a hundred entries.
   void note(Error error);
 
  private:

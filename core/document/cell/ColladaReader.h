@@ -4,22 +4,24 @@
 
 #include "base/Progress.h"
 #include "base/Result.h"
-#include "mesh/TriangleSoup.h"
+#include "mesh/structure/TriangleSoup.h"
 
 #include <string_view>
 
 namespace handwheel {
 
+// Mesh read from a COLLADA document.
 struct ColladaMesh {
   TriangleSoup soup;          // in metres; nothing welded
   std::vector<Error> damage;  // what could not be understood and was left out
 };
 
-// Reads the triangles and polygons of a COLLADA 1.4 or 1.5 document, instances placed as its scene has them. The
+// Reads the triangles and polygons of a COLLADA 1.4 or 1.5 document. Instances are placed as in its scene. The
 // document's unit is applied, once; its up axis is not, as in robot descriptions everywhere. Materials, skins and
 // animations are left out. O(bytes + triangles), both bounded. Errors: those of readXml(), NoTriangles.
 Result<ColladaMesh> readCollada(std::string_view bytes, Progress progress = {});
 
+// Whether the first bytes of a file look like COLLADA.
 bool looksLikeCollada(std::string_view head);
 
 }  // namespace handwheel

@@ -3,15 +3,14 @@
 #pragma once
 
 #include "base/Error.h"
-#include "mesh/TriangleSoup.h"
+#include "mesh/structure/TriangleSoup.h"
 #include "robot/RobotModel.h"
 
 #include <algorithm>
 
 namespace handwheel {
 
-// How many triangles, and how many points, a robot may show. A short description can place a large mesh a thousand
-// times.
+// Limit on the number of triangles and points of a robot. A short description can place a large mesh a thousand times.
 class SurfaceBudget {
  public:
   explicit SurfaceBudget(const RobotModel& robot) : m_placements(robot.shapes.size()) {
@@ -21,7 +20,8 @@ class SurfaceBudget {
     }
   }
 
-  // False, and nothing taken, when the surface of a shape, placed as often as it is, is too much.
+  // Reserves the surface of a shape for all of its placements. False, and nothing reserved, when that exceeds the
+  // limit.
   bool take(std::size_t shape, const TriangleSoup& surface) {
     const std::size_t wanted = m_placements[shape] * std::max(surface.triangles.size(), surface.points.size());
     if (wanted > kMost - m_taken) return false;

@@ -8,28 +8,30 @@
 
 namespace handwheel {
 
-// Long arrays lie in a container as chunks of so many elements: one damaged byte loses no more.
+// Elements per chunk of a long array in a container: one damaged byte loses no more.
 inline constexpr std::size_t kChunkElements = 65'536;
 
+// A half-open range of indices.
 struct IndexRange {
   std::size_t begin = 0;
   std::size_t end = 0;
   bool operator==(const IndexRange&) const = default;
 };
 
+// Result of reading an array, with the ranges that are lost.
 template <class T>
 struct ReadArray {
   std::vector<T> values;         // up to the last element that is there; zeros where elements before it are lost
   std::vector<IndexRange> lost;  // elements, in order, neighbours joined
 };
 
-// Writes the blobs "name/0000", "name/0001", … An element is so many numbers (3 for a point); values holds whole
-// elements. T as for toBlob().
+// Writes an array as the blobs "name/0000", "name/0001" and so on. numbers: per element (3 for a point); values holds
+// whole elements. T as for toBlob().
 template <class T>
 void writeArray(Container& container, const std::string& name, std::span<const T> values, std::size_t numbers = 1);
 
-// Reads so many elements. Never fails: a chunk that is missing or has the wrong size is lost. Memory is bounded by 64
-// times what the container holds of the array, whatever count says.
+// Reads an array of `count` elements. Never fails: a chunk that is missing or has the wrong size is lost. Memory is
+// bounded by 64 times what the container holds of the array, whatever count is.
 template <class T>
 ReadArray<T> readArray(const Container& container, const std::string& name, std::uint64_t count,
                        std::size_t numbers = 1);

@@ -8,13 +8,13 @@
 #include <new>
 #include <stdexcept>
 
-// What writing and reading a container agree upon; docs/format.md is the description.
+// Constants and functions for both writing and reading containers; docs/format.md describes the format.
 namespace handwheel::layout {
 
 // First in the archive, so that a file cut short still has it, and once more at the end.
 inline const std::string kManifest = "manifest.json";
 inline const std::string kManifestCopy = "manifest.copy.json";
-// Bytes; a parsed manifest takes up to some thirty times as much memory.
+// Largest manifest, bytes; a parsed manifest takes up to some thirty times as much memory.
 inline constexpr std::size_t kLargestManifest = 16 << 20;
 inline constexpr UnpackLimits kLimits{.largest = kLargestContainer, .allowance = std::uint64_t{1} << 30};
 
@@ -22,18 +22,19 @@ inline bool isManifestName(std::string_view name) {
   return name == kManifest || name == kManifestCopy;
 }
 
-// Printable ASCII, relative, with slashes, no part empty, "." or "..": whoever unpacks the archive writes below his own
-// folder, on any system.
+// Whether a name is valid for a blob. Printable ASCII, relative, with slashes, no part empty, "." or "..": so that
+// unpacking the archive writes only below the target folder, on any system.
 bool isBlobName(std::string_view name);
 
-// CRC-32 as in ZIP, in eight hexadecimal digits.
+// The CRC-32 (as in ZIP) of bytes, as eight hexadecimal digits.
 std::string checksumText(std::string_view bytes);
 
+// Creates the error FileTooLarge.
 inline Error tooLarge(const char* what, std::uint64_t count, std::uint64_t limit) {
   return {ErrorCode::FileTooLarge, {what, std::to_string(count), std::to_string(limit)}, {}, {}};
 }
 
-// Does work during which libraries may run out of memory.
+// Runs work and converts running out of memory to an OutOfMemory error.
 template <class Work>
 auto withinMemory(const Work& work) -> decltype(work()) {
   try {

@@ -10,12 +10,12 @@
 
 namespace handwheel {
 
-// Parses JSON that nobody vouches for. What is nested deeper than kDeepestJson is refused, so that nothing that
-// recurses over the result can overflow the stack. Errors: ElementMalformed {element, what is wrong}.
+// Parses untrusted JSON. Nesting deeper than kDeepestJson is rejected, so that no recursion over the result can
+// overflow the stack. Errors: ElementMalformed {element, what is wrong}.
 inline constexpr int kDeepestJson = 100;
 Result<nlohmann::json> parseJson(std::string_view text, std::string_view element);
 
-// The whole number that an object has under a key; 0 where it has none, or is no object.
+// The unsigned integer under a key of an object. 0 if missing, or not an object.
 std::uint64_t countAt(const nlohmann::json& object, const char* key);
 
 }  // namespace handwheel

@@ -11,7 +11,7 @@
 
 namespace handwheel {
 
-// An entry of a ZIP archive as its local header tells, without the archive's directory (APPNOTE.TXT 4.3.7).
+// An entry of a ZIP archive as described by its local header (APPNOTE.TXT 4.3.7). The archive's directory is not used.
 struct LocalEntry {
   std::string name;
   std::size_t data = 0;          // where its bytes begin
@@ -22,17 +22,18 @@ struct LocalEntry {
   bool isStreamed = false;  // sizes and checksum follow the data
 };
 
-// Looks for local headers, jumping over the data of those whose end is followed by another header. Entries that are
-// encrypted, or packed by other means than deflate, are left out. O(bytes).
+// Finds the entries of a ZIP archive by their local headers. Skips the data of those whose end is followed by another
+// header. Entries that are encrypted, or compressed by other methods than deflate, are left out. O(bytes).
 std::vector<LocalEntry> findLocalEntries(std::string_view archive, std::size_t most);
 
+// Result of unpacking an entry.
 struct UnpackedEntry {
   std::string bytes;     // as far as they can be unpacked
   bool isWhole = false;  // size and checksum are right
 };
 
-// Unpacks at most `most` bytes; work counts bytes read and written down, and unpacking stops when it is spent: headers
-// may overlap, so that their number does not bound the work.
+// Unpacks at most `most` bytes of an entry. `work` is reduced by the bytes read and written, and unpacking stops when
+// it is used up: headers may overlap, so that their number does not bound the work.
 UnpackedEntry unpackLocalEntry(std::string_view archive, const LocalEntry& entry, std::uint64_t most,
                                std::uint64_t& work, const Progress& progress);
 

@@ -11,13 +11,13 @@ namespace handwheel {
 
 struct Container;
 
-// Turns a container of one version of the format into one of the next. Errors: ElementMalformed.
+// Converts a container from one version of the format to the next. Errors: ElementMalformed.
 using Migration = std::function<Status(Container&)>;
 
-// The program's own: number i leads from version i + 1 to i + 2; there are kContainerVersion - 1 of them.
+// The migrations of this program. Number i converts version i + 1 to i + 2; there are kContainerVersion - 1 of them.
 std::span<const Migration> migrations();
 
-// Runs those that lead from this version to the chain's end, which is one more than its length.
+// Converts a container from `version` to the last version of the chain. That is one more than the chain's length.
 Status migrate(Container& container, std::uint64_t version, std::span<const Migration> chain);
 
 }  // namespace handwheel

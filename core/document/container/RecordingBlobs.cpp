@@ -3,7 +3,7 @@
 #include "document/container/RecordingBlobs.h"
 
 #include "document/container/Blobs.h"
-#include "haptics/RecordingBytes.h"
+#include "haptics/recording/RecordingBytes.h"
 
 #include <algorithm>
 #include <cmath>

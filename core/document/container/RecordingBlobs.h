@@ -9,14 +9,17 @@
 
 namespace handwheel {
 
-// Recordings in a container: what is said of them in the manifest's object "recordings", by key, and their ticks in the
-// blobs "recordings/KEY/0000", …, each a recording of its own (haptics/RecordingBytes.h): a damaged byte costs one.
+// Recordings in a container: their metadata is in the manifest's object "recordings", by key, and their ticks are in
+// the blobs "recordings/KEY/0000", …, each a recording of its own (haptics/RecordingBytes.h): a damaged byte costs one.
 inline constexpr const char* kRecordingFolder = "recordings/";
 
+// Writes the metadata of recordings to the manifest.
 void listRecordings(const std::vector<KeptRecording>& recordings, nlohmann::json& manifest);
+// Writes the ticks of recordings to blobs.
 void writeRecordings(const std::vector<KeptRecording>& recordings, Container& container);
 
-// Expects anything, and gives what can be had. Of each that lacks ticks it is said how many: DataTruncated.
+// Reads the recordings of a container. Accepts any input, and returns what can be recovered. For each with missing
+// ticks, damage has their number: DataTruncated.
 std::vector<KeptRecording> readRecordings(const Container& container, std::vector<Error>& damage);
 
 }  // namespace handwheel

@@ -8,7 +8,7 @@
 
 namespace handwheel {
 
-// How much an archive may unpack to. A ZIP of a few kilobytes can announce, and deliver, gigabytes.
+// Limits on the unpacked size of an archive. A ZIP of a few kilobytes can announce, and deliver, gigabytes.
 struct UnpackLimits {
   std::uint64_t largest = 0;    // bytes of all entries together, whatever the archive's size
   std::uint64_t allowance = 0;  // bytes that any archive may unpack to, however small it is,

@@ -13,18 +13,19 @@
 
 namespace handwheel {
 
-// Reads a ZIP archive that nobody vouches for, from memory. Where its directory is lost or wrong, entries are found by
-// their own headers. The bytes must outlive it; one thread at a time. May throw bad_alloc.
+// Reads an untrusted ZIP archive from memory. If its directory is lost or wrong, entries are found by their local
+// headers. The bytes must outlive it; one thread at a time. May throw bad_alloc.
 class ZipReader {
  public:
   // progress: for cancelling only.
   ZipReader(std::string_view archive, const UnpackLimits& limits, Progress progress = {});
   ~ZipReader();
 
-  // Of the directory, else of the headers; each once, in their order. Nobody has checked them.
+  // The names of the entries, from the directory or else from the headers; each once, in their order. They are not
+  // validated.
   const std::vector<std::string>& names() const;
 
-  // Bytes of the entry as the directory or its header announces them, true or not; 0 when it is not there.
+  // Bytes of the entry as declared in the directory or its header, true or not; 0 when it does not exist.
   std::uint64_t announcedSize(const std::string& name) const;
 
   // The entry, whole and with the right checksum. Errors: EntryMissing {name}, EntryDamaged {name}, FileTooLarge

@@ -11,15 +11,17 @@
 
 namespace handwheel {
 
+// Compression level of a ZIP archive.
 enum class Compression { None, Fast };
 
+// An entry to be written to a ZIP archive.
 struct ZipEntry {
   std::string_view name;  // UTF-8, relative, with slashes
   std::string_view bytes;
 };
 
-// The bytes of a ZIP archive with these entries in this order. Equal input gives equal bytes: no clock, no time zone.
-// Works in memory only. Errors: Cancelled, OutOfMemory, LibraryFailed.
+// Creates a ZIP archive with these entries in this order. Equal input gives equal bytes: no clock, no time zone. Works
+// in memory only. Errors: Cancelled, OutOfMemory, LibraryFailed.
 Result<std::string> writeZip(std::span<const ZipEntry> entries, Compression compression, Progress progress = {});
 
 }  // namespace handwheel

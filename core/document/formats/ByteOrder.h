@@ -11,7 +11,7 @@
 
 namespace handwheel {
 
-// Precondition: sizeof(T) bytes are readable at `at`.
+// Reads a number in the given byte order. Precondition: sizeof(T) bytes are readable at `at`.
 template <class T>
 T loadNumber(const char* at, std::endian order) {
   std::array<char, sizeof(T)> bytes;
@@ -20,6 +20,7 @@ T loadNumber(const char* at, std::endian order) {
   return std::bit_cast<T>(bytes);
 }
 
+// Appends a number in the given byte order.
 template <class T>
 void appendNumber(std::string& to, T value, std::endian order) {
   auto bytes = std::bit_cast<std::array<char, sizeof(T)>>(value);

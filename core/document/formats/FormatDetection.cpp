@@ -3,10 +3,10 @@
 #include "document/formats/FormatDetection.h"
 
 #include "document/formats/ObjReader.h"
-#include "document/formats/OffHeader.h"
-#include "document/formats/StlReader.h"
 #include "document/formats/TextScanner.h"
-#include "document/formats/ThreeMfReader.h"
+#include "document/formats/off/OffHeader.h"
+#include "document/formats/stl/StlReader.h"
+#include "document/formats/threemf/ThreeMfReader.h"
 
 namespace handwheel {
 

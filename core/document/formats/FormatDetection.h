@@ -6,8 +6,8 @@
 
 namespace handwheel {
 
-// The format of a file, by its content; by its name where the content does not tell.
-// Errors: FileEmpty, TextEncoding, FormatUnknown.
+// Detects the format of a mesh file by its content. By its name where the content is ambiguous. Errors: FileEmpty,
+// TextEncoding, FormatUnknown.
 Result<MeshFormat> detectFormat(std::string_view bytes, std::string_view name);
 
 }  // namespace handwheel

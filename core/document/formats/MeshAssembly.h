@@ -13,19 +13,20 @@
 
 namespace handwheel {
 
-// What the readers put a file's content into. It cuts polygons, judges indices and unreadable points, keeps the list of
-// damage, and says when to stop: every function that returns bool says false when reading must end, be it because
-// somebody cancelled or because damage was met and the file is not to be opened in part. finish() knows why.
+// Builds a mesh from the points and polygons that a file reader delivers. It triangulates polygons, checks indices and
+// unreadable points, keeps the list of damage, and decides when to stop: every function that returns bool returns false
+// when reading must end, either because it was cancelled or because damage was found and the file is not to be opened
+// in part. finish() returns the reason.
 class MeshAssembly {
  public:
-  // firstIndex: what the file calls the first vertex; for messages only.
+  // firstIndex: the file's index of the first vertex; for messages only.
   MeshAssembly(MeshFormat format, const ReadOptions& options, Progress progress, std::uint64_t bytes,
                int firstIndex = 0);
 
   MeshAssembly(const MeshAssembly&) = delete;
   MeshAssembly& operator=(const MeshAssembly&) = delete;
 
-  // How many bytes there will be, where that is known only later.
+  // Sets the number of bytes, if it is known only later.
   void expect(std::uint64_t bytes) { m_bytes = bytes; }
 
   TriangleSoup& soup() { return m_file.soup; }
@@ -35,15 +36,15 @@ class MeshAssembly {
   bool advance(std::uint64_t byte) { return byte < m_nextLook || look(byte); }
 
   // To be called in loops that do not advance: looks for cancellation now and then.
-  bool step() { return ++m_steps % kStepsPerLook != 0 || !cancelled(); }
+  bool step() { return ++m_steps % kIterationsPerPoll != 0 || !cancelled(); }
 
-  // Something is lost. True: note it and go on without.
+  // Reports damage by which something is lost. True: it was listed, and reading goes on without.
   bool tolerate(Error error);
-  // Something is not as it should be, but nothing is lost. Listed in either mode.
+  // Reports damage by which nothing is lost. Listed in either mode.
   void mend(Error error);
-  // Data behind everything that was announced; `end` is where that ends.
+  // Reports data after everything that was declared; `end` is where that ends.
   void noteExcess(std::uint64_t end, Place place);
-  // The file cannot be opened, not even in part.
+  // Reports that the file cannot be opened, not even in part.
   bool fail(Error error);
   void lose(LostAttribute attribute) { m_lost.insert(attribute); }
 
@@ -65,7 +66,7 @@ class MeshAssembly {
     Place place;
   };
 
-  static constexpr std::uint64_t kStepsPerLook = 1 << 16;
+  static constexpr std::uint64_t kIterationsPerPoll = 1 << 16;
 
   bool look(std::uint64_t byte);
   bool cancelled();

@@ -6,12 +6,12 @@
 #include "document/formats/FormatDetection.h"
 #include "document/formats/MeshWriter.h"
 #include "document/formats/ObjReader.h"
-#include "document/formats/OffReader.h"
-#include "document/formats/PlyReader.h"
-#include "document/formats/StlReader.h"
 #include "document/formats/TextNumber.h"
-#include "document/formats/ThreeMfReader.h"
-#include "document/formats/ThreeMfWriter.h"
+#include "document/formats/off/OffReader.h"
+#include "document/formats/ply/PlyReader.h"
+#include "document/formats/stl/StlReader.h"
+#include "document/formats/threemf/ThreeMfReader.h"
+#include "document/formats/threemf/ThreeMfWriter.h"
 
 #include <new>
 #include <stdexcept>

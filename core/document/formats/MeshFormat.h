@@ -4,7 +4,7 @@
 
 #include "base/Progress.h"
 #include "base/Result.h"
-#include "mesh/TriangleSoup.h"
+#include "mesh/structure/TriangleSoup.h"
 
 #include <filesystem>
 #include <optional>
@@ -15,20 +15,23 @@
 
 namespace handwheel {
 
+// Mesh file format.
 enum class MeshFormat { Stl, Ply, Obj, Off, ThreeMf };
 
-// What a file holds that the mesh does not keep; named for the user ("vertex colour", "texture coordinates").
+// Content of a file that the mesh does not keep. Named for the user ("vertex colour", "texture coordinates").
 enum class LostAttribute { Colour, Normals, TextureCoordinates, Materials, Groups, Lines, Points, Curves, Other };
 
+// Options for reading a file.
 struct ReadOptions {
   bool partial = false;  // open what is readable and list the damage instead of failing
 };
 
+// Result of reading a mesh file.
 struct MeshFile {
   MeshFormat format = MeshFormat::Stl;
   NumberType numbers = NumberType::Float32;  // of the coordinates in the file
   TriangleSoup soup;
-  std::vector<Error> damage;       // what was skipped or mended; empty when the file is as its format wants
+  std::vector<Error> damage;       // what was skipped or repaired; empty when the file conforms to its format
   std::size_t unlistedDamage = 0;  // further damage beyond the first thousand entries
   std::vector<LostAttribute> lost;
 };
@@ -37,18 +40,19 @@ struct MeshFile {
 // O(file size); memory for the bytes and the soup. nameHint: the file name, used only where content is ambiguous.
 Result<MeshFile> readMesh(std::string_view bytes, std::string_view nameHint, const ReadOptions& options,
                           Progress progress = {});
+// Reads a mesh from a file, as readMesh().
 Result<MeshFile> readMeshFile(const std::filesystem::path& path, const ReadOptions& options, Progress progress = {});
 
-// The endings of the formats, each read and written: ".stl", ".ply", …
+// The file extensions of the formats, each read and written: ".stl", ".ply", …
 std::vector<std::string> meshEndings();
-// The format a file name asks for.
+// The format for the extension of a file name.
 std::optional<MeshFormat> formatForName(std::string_view name);
 
-// The number type in which a format holds coordinates: STL single precision; the others keep the document's.
+// The number type in which a format holds coordinates. STL has single precision; the others keep the document's.
 NumberType numberTypeOf(MeshFormat format, NumberType documentNumbers);
 
-// The bytes of a file of this format. STL and PLY are binary little-endian; text holds the shortest digits that read
-// back to the same number. 3MF is in millimetres. Empty once cancelled.
+// Encodes triangles as the bytes of a file of this format. STL and PLY are binary little-endian; text holds the
+// shortest digits that read back to the same number. 3MF is in millimetres. Empty if cancelled.
 std::string writeMesh(const TriangleSoup& soup, MeshFormat format, NumberType numbers, Progress progress = {});
 
 }  // namespace handwheel

@@ -3,7 +3,7 @@
 #include "document/formats/MeshWriter.h"
 
 #include "document/formats/ByteOrder.h"
-#include "mesh/Steps.h"
+#include "mesh/structure/CancelPolling.h"
 
 #include <charconv>
 #include <cmath>
@@ -54,7 +54,7 @@ template <class WritePoint, class WriteTriangle>
 bool writeEach(const TriangleSoup& soup, Progress progress, WritePoint writePoint, WriteTriangle writeTriangle) {
   const std::size_t points = soup.points.size(), count = points + soup.triangles.size();
   for (std::size_t i = 0; i < count; ++i) {
-    if (!mayGoOn(i, count, progress)) return false;
+    if (!pollProgress(i, count, progress)) return false;
     if (i < points) {
       writePoint(soup.points[i]);
     } else {

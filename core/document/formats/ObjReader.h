@@ -6,7 +6,8 @@
 
 namespace handwheel {
 
-// Polygons are read; everything else that a statement says is listed as lost. A face may use vertices that come later.
+// Reads an OBJ file. Polygons are read; all other content of statements is listed as lost. A face may use vertices that
+// come later.
 Result<MeshFile> readObj(std::string_view bytes, const ReadOptions& options, Progress progress);
 
 // Whether the first statement is one that OBJ files begin with.

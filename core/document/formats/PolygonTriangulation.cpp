@@ -35,7 +35,7 @@ void appendFan(std::span<const std::uint32_t> corners, std::vector<Triangle>& tr
 PolygonTriangulation::Outcome PolygonTriangulation::cut(const std::vector<Vec3>& points,
                                                         std::span<const std::uint32_t> corners,
                                                         std::vector<Triangle>& triangles) {
-  if (corners.size() > 3 && flatten(points, corners) && !isStrictlyConvex()) return cutEars(corners, triangles);
+  if (corners.size() > 3 && flatten(points, corners) && !isStrictlyConvex()) return clipEars(corners, triangles);
   appendFan(corners, triangles);
   return Outcome::Done;
 }
@@ -74,8 +74,8 @@ bool PolygonTriangulation::isStrictlyConvex() const {
   return true;
 }
 
-PolygonTriangulation::Outcome PolygonTriangulation::cutEars(std::span<const std::uint32_t> corners,
-                                                            std::vector<Triangle>& triangles) {
+PolygonTriangulation::Outcome PolygonTriangulation::clipEars(std::span<const std::uint32_t> corners,
+                                                             std::vector<Triangle>& triangles) {
   linkRing();
   m_allowedTests += kTestsPerCorner * corners.size();
   std::uint32_t at = 0;

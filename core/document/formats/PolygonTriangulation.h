@@ -11,23 +11,24 @@
 
 namespace handwheel {
 
-// Cuts the polygons of one file into triangles: as fans; but by ear cutting those that are planar and not strictly
-// convex, for which a fan may have triangles outside the polygon or without area. Keeps its buffers from one polygon to
-// the next.
+// Triangulates the polygons of a file by fans or ear clipping. Ear clipping is for those that are planar and not
+// strictly convex, for which a fan may have triangles outside the polygon or without area. Keeps its buffers from one
+// polygon to the next.
 class PolygonTriangulation {
  public:
+  // Result of cut().
   enum class Outcome {
     Done,
-    TooComplex,  // too many corners for ear cutting; some triangles may lie outside the polygon
-    Stopped,     // keepGoing said no
+    TooComplex,  // too many corners for ear clipping; some triangles may lie outside the polygon
+    Stopped,     // keepGoing returned false
   };
 
-  // keepGoing is asked every few milliseconds of ear cutting.
+  // keepGoing is called every few milliseconds of ear clipping.
   explicit PolygonTriangulation(std::function<bool()> keepGoing) : m_keepGoing(std::move(keepGoing)) {}
 
-  // Appends corners.size() - 2 triangles that use the polygon's corners only, with its orientation.
-  // Precondition: at least three corners, each an index into points. O(corners); ear cutting is O(corners²), but all
-  // calls together make no more than 100 tests a corner and 150 million.
+  // Appends corners.size() - 2 triangles that use the polygon's corners only, with its orientation. Precondition: at
+  // least three corners, each an index into points. O(corners); ear clipping is O(corners²), but all calls together
+  // make no more than 100 tests a corner and 150 million.
   Outcome cut(const std::vector<Vec3>& points, std::span<const std::uint32_t> corners,
               std::vector<Triangle>& triangles);
 
@@ -36,7 +37,7 @@ class PolygonTriangulation {
 
   bool flatten(const std::vector<Vec3>& points, std::span<const std::uint32_t> corners);
   bool isStrictlyConvex() const;
-  Outcome cutEars(std::span<const std::uint32_t> corners, std::vector<Triangle>& triangles);
+  Outcome clipEars(std::span<const std::uint32_t> corners, std::vector<Triangle>& triangles);
   void linkRing();
   void unlink(std::uint32_t corner);
   bool isEar(std::uint32_t corner);

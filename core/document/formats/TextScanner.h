@@ -9,8 +9,8 @@
 
 namespace handwheel {
 
-// Words and lines of a text held in memory. Lines end with LF, CR LF or CR and are counted from 1. A byte order mark of
-// UTF-8 is skipped.
+// Splits a text in memory into words and lines. Lines end with LF, CR LF or CR and are counted from 1. A byte order
+// mark of UTF-8 is skipped.
 class TextScanner {
  public:
   struct Syntax {
@@ -29,7 +29,7 @@ class TextScanner {
   std::string_view wordOnAnyLine();
   // Goes to the start of the next line. False at the end of the text.
   bool nextLine();
-  // Stays, or goes on to the first line that has a word. False at the end of the text.
+  // Stays, or moves to the first line that has a word. False at the end of the text.
   bool findWord();
 
   // The word that word() would give.

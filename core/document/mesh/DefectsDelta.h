@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/Defects.h"
+#include "mesh/defects/Defects.h"
 
 namespace handwheel {
 
-// What differs between the defects of two versions of a mesh, so that a history does not hold them once more for each
-// step. An edit in one place changes one stretch of each list.
+// Difference between the defect lists of two versions of a mesh. So the undo history does not hold a copy for each
+// step. A local edit changes one contiguous range of each list.
 class DefectsDelta {
  public:
   // O(defects), in time.
@@ -19,7 +19,7 @@ class DefectsDelta {
   std::size_t bytes() const;
 
  private:
-  // Of a list: what stands in the other version between what both begin and end with.
+  // Of a list: the elements of the other version between the common beginning and end.
   template <class T>
   struct Stretch {
     std::size_t begin = 0;

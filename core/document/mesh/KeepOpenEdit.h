@@ -3,11 +3,11 @@
 #pragma once
 
 #include "document/Edit.h"
-#include "mesh/HalfEdgeMesh.h"
+#include "mesh/structure/HalfEdgeMesh.h"
 
 namespace handwheel {
 
-// Marks a boundary loop as wanted open, or takes the mark back. Only made when that changes something.
+// Marks a boundary loop to be kept open, or removes the mark. Only created when that changes something.
 class KeepOpenEdit : public Edit {
  public:
   KeepOpenEdit(Vertex loopKey, bool keep) : m_loopKey(loopKey), m_keep(keep) {}

@@ -4,7 +4,7 @@
 
 #include "document/container/Blobs.h"
 #include "document/container/JsonText.h"
-#include "mesh/MeshValidator.h"
+#include "mesh/structure/MeshValidator.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/mesh/LevelMemory.h"
 
-#include "mesh/MeshDelta.h"
+#include "mesh/structure/MeshDelta.h"
 
 #include <algorithm>
 

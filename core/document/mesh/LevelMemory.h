@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/PatchLevels.h"
+#include "mesh/sculpt/PatchLevels.h"
 
 #include <deque>
 
@@ -11,11 +11,11 @@ namespace handwheel {
 // Whether two versions of a mesh are the same, slot for slot. O(pages + what differs).
 bool isSameVersion(const HalfEdgeMesh& a, const HalfEdgeMesh& b);
 
-// The levels of the patches that were subdivided in a document, one entry for each state that it was in, so that undo
+// Stores the subdivision levels of patches for states of a document. There is one entry for each state, so that undo
 // and redo find theirs again.
 class LevelMemory {
  public:
-  // Patches at one level only are not worth it.
+  // Adds levels. Patches with a single level are not stored.
   void keep(const PatchLevels& levels);
   // Those whose finest level is this mesh; null when there are none.
   const PatchLevels* of(const HalfEdgeMesh& mesh) const;

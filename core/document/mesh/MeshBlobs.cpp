@@ -4,8 +4,8 @@
 
 #include "document/container/Blobs.h"
 #include "document/container/JsonText.h"
-#include "mesh/MeshValidator.h"
-#include "mesh/Steps.h"
+#include "mesh/structure/CancelPolling.h"
+#include "mesh/structure/MeshValidator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,13 +47,13 @@ bool assemble(const std::vector<double>& positions, const std::vector<std::uint3
               Progress progress) {
   const std::size_t vertices = positions.size() / kPositionNumbers, count = faces.size() / kFaceNumbers;
   for (std::size_t v = 0; v < vertices; ++v) {
-    if (!mayGoOn(v, vertices, progress.part(0.0, 0.2))) return false;
+    if (!pollProgress(v, vertices, progress.part(0.0, 0.2))) return false;
     const double* p = &positions[v * kPositionNumbers];
     if (!isFinite(p)) return false;  // even where no face uses it: it would differ from itself
     mesh.addVertex({p[0], p[1], p[2]});
   }
   for (std::size_t f = 0; f < count; ++f) {
-    if (!mayGoOn(f, count, progress.part(0.2, 0.5))) return false;
+    if (!pollProgress(f, count, progress.part(0.2, 0.5))) return false;
     const std::uint32_t* slot = &faces[f * kFaceNumbers];
     const bool isDead = slot[0] == kNone;
     for (std::size_t k = 0; k < 3 && !isDead; ++k) {
@@ -76,7 +76,7 @@ TriangleSoup readableTriangles(const std::vector<double>& positions, const std::
     soup.points.push_back(isFinite(p) ? Vec3(p[0], p[1], p[2]) : Vec3(Vec3::Zero()));
   }
   for (std::size_t f = 0; f * kFaceNumbers < faces.size(); ++f) {
-    if (!mayGoOn(f, faces.size() / kFaceNumbers, progress)) break;
+    if (!pollProgress(f, faces.size() / kFaceNumbers, progress)) break;
     const std::uint32_t* corner = &faces[f * kFaceNumbers];
     if (corner[0] == kNone) continue;
     const bool isReadable = std::all_of(corner, corner + 3, [&](std::uint32_t v) {

@@ -4,7 +4,7 @@
 
 #include "document/mesh/KeepOpenEdit.h"
 #include "document/mesh/MeshEdit.h"
-#include "mesh/MeshFidelity.h"
+#include "mesh/measure/MeshFidelity.h"
 
 #include <algorithm>
 
@@ -67,7 +67,7 @@ bool MeshDocument::commit(const QString& text, const InspectedMesh& after, std::
   MeshDelta delta = MeshDelta::between(m_mesh, after.mesh, runSlots);
   if (delta.isEmpty()) return false;  // not even pushed as obsolete: that would cost the user the steps to redo
   commit(text, std::make_unique<MeshEdit>(std::move(delta), DefectsDelta::between(*m_defects, *after.defects)),
-         Stroke::Ends, std::move(step));
+         DragPhase::Ends, std::move(step));
   return true;
 }
 
@@ -78,7 +78,7 @@ bool MeshDocument::isKeptOpen(const BoundaryLoop& loop) const {
 void MeshDocument::setKeptOpen(const BoundaryLoop& loop, bool keep) {
   if (isKeptOpen(loop) == keep) return;
   const Vertex key = keyOf(m_mesh, loop);
-  commit(keep ? tr("Keep open") : tr("No longer keep open"), std::make_unique<KeepOpenEdit>(key, keep), Stroke::Ends,
+  commit(keep ? tr("Keep open") : tr("No longer keep open"), std::make_unique<KeepOpenEdit>(key, keep), DragPhase::Ends,
          (keep ? "keep-open v" : "no-longer-open v") + std::to_string(key));
 }
 

@@ -9,7 +9,8 @@
 
 namespace handwheel {
 
-// A mesh. Jobs take a copy of mesh(), which is cheap, and bring their result back through commit().
+// Document of a triangle mesh. Jobs take a copy of mesh(), which is cheap, and bring their result back through
+// commit().
 class MeshDocument : public Document {
   Q_OBJECT
 
@@ -21,27 +22,27 @@ class MeshDocument : public Document {
   const Defects& defects() const { return *m_defects; }  // of the present mesh
   // Faces turned over on opening that are still there.
   const std::vector<Face>& turnedFaces() const { return m_turnedFaces; }
-  // In which its present file, or the container, holds its coordinates.
+  // The number type of the coordinates in its present file, or in the container.
   NumberType fileNumbers() const;
 
-  // Of the patch that was subdivided last on the way to the present mesh; null for none. Saved with it; no part of the
-  // history, which finds them again by the mesh.
+  // The levels of the patch that was subdivided last before the present mesh; null for none. Saved with the document;
+  // not part of the history, which finds them again by the mesh.
   const PatchLevels* levels() const { return m_levels.of(m_mesh); }
   void keepLevels(const PatchLevels& levels) { m_levels.keep(levels); }
 
   SnapshotPointer snapshot() const override;
   std::vector<Property> properties() const override;
 
-  // What its user chose between speed and accuracy; holds for what is done from now on. No part of its value.
+  // The user's choices between speed and accuracy; they apply to later operations. Not part of the document's value.
   const FidelityValues& fidelity() const { return m_fidelity; }
   void setFidelity(FidelityValues values) { m_fidelity = std::move(values); }
 
   using Document::commit;
-  // Makes "after" the present mesh as one undo step. False, and no step, when nothing differs. Takes time in proportion
-  // to the change. The step is kept as the setting document.undo_granularity says. step: as EditCommand::step().
+  // Sets the mesh to `after` as one undo step. False, and no step, when nothing differs. Takes time proportional to the
+  // change. The step is stored according to the setting document.undo_granularity. step: as EditCommand::step().
   bool commit(const QString& text, const InspectedMesh& after, std::string step = {});
 
-  // Whether the user wants it open. Undoable.
+  // Whether the user wants the loop to stay open. Setting it is undoable.
   bool isKeptOpen(const BoundaryLoop& loop) const;
   void setKeptOpen(const BoundaryLoop& loop, bool keep);
 

@@ -4,11 +4,11 @@
 
 #include "document/Edit.h"
 #include "document/mesh/DefectsDelta.h"
-#include "mesh/MeshDelta.h"
+#include "mesh/structure/MeshDelta.h"
 
 namespace handwheel {
 
-// Any change of a document's mesh, held as what differs: slots and defects.
+// Edit of a mesh, stored as the differences of slots and defects.
 class MeshEdit : public Edit {
  public:
   MeshEdit(MeshDelta delta, DefectsDelta defects) : m_delta(std::move(delta)), m_defects(std::move(defects)) {}

@@ -3,11 +3,11 @@
 #include "document/mesh/MeshKind.h"
 
 #include "document/container/Blobs.h"
+#include "document/formats/MeshExport.h"
 #include "document/mesh/LevelBlobs.h"
 #include "document/mesh/LevelMemory.h"
 #include "document/mesh/MeshBlobs.h"
 #include "document/mesh/MeshDocument.h"
-#include "document/mesh/MeshExport.h"
 
 #include <QString>
 #include <algorithm>
@@ -21,16 +21,6 @@ const std::string kTurnedFaces = "mesh/turned_faces";
 
 const MeshSnapshot& meshOf(const Snapshot& content) {
   return static_cast<const MeshSnapshot&>(content);
-}
-
-// What another program will find in the file.
-Note stateOf(const MeshReport& report) {
-  if (report.isSound()) return {QT_TRANSLATE_NOOP("Note", "The file is closed, manifold and oriented.")};
-  return {QT_TRANSLATE_NOOP("Note",
-                            "The file has %1 open edges, %2 edges with more than two faces and %3 edges at which faces "
-                            "disagree."),
-          {std::to_string(report.boundaryEdges), std::to_string(report.nonManifoldEdges),
-           std::to_string(report.inconsistentEdges)}};
 }
 
 bool hasLevels(const MeshSnapshot& mesh) {
@@ -62,11 +52,7 @@ std::string MeshKind::title() const {
 }
 
 std::vector<FileFormat> MeshKind::formats() const {
-  std::vector<FileFormat> all;
-  for (const std::string& ending : meshEndings()) {
-    all.push_back({QString::fromStdString(ending.substr(1)).toUpper().toStdString(), {ending}});
-  }
-  return all;
+  return meshFileFormats();
 }
 
 bool MeshKind::recognises(std::string_view, std::string_view) const {
@@ -101,13 +87,7 @@ Result<WrittenFile> MeshKind::exportTo(const Snapshot& content, const std::files
   const MeshSnapshot& mesh = meshOf(content);
   const Result<ExportReport> report = exportMesh(mesh.mesh.mesh, mesh.numbers, path, progress);
   if (!report) return report.error();
-  WrittenFile written{report->bytes, {stateOf(report->inFile)}};
-  if (!report->parted.empty()) {
-    written.notes.push_back({QT_TRANSLATE_NOOP("Note",
-                                               "%1 vertices were moved by the smallest possible amount, so that the "
-                                               "file does not weld them."),
-                             {std::to_string(report->parted.size())}});
-  }
+  WrittenFile written{report->bytes, notesOn(*report)};
   for (Note& loss : lossesOf(mesh)) written.notes.push_back(std::move(loss));
   return written;
 }

@@ -12,16 +12,16 @@ namespace handwheel {
 
 inline constexpr std::string_view kMeshKind = "mesh";
 
-// Triangle meshes: scans and what becomes of them.
+// Document kind of triangle meshes, such as scans.
 class MeshKind : public DocumentKind {
  public:
-  // The setting mesh.near_weld for the defects of files that are opened from now on. Any thread.
+  // Sets mesh.near_weld for the defects of files that are opened from now on. Any thread.
   void setNearWeld(double share) { m_nearWeld = share; }
 
   std::string id() const override { return std::string(kMeshKind); }
   std::string title() const override;
   std::vector<FileFormat> formats() const override;
-  // Whatever no other kind claims: its readers say best what is wrong with a file.
+  // True for whatever no other kind claims: its readers give the best error messages.
   bool recognises(std::string_view head, std::string_view name) const override;
   Result<OpenedFile> import(const std::filesystem::path& path, const ReadOptions& options,
                             Progress progress) const override;
@@ -38,7 +38,8 @@ class MeshKind : public DocumentKind {
   std::atomic<double> m_nearWeld = tolerance::kNearWeld;  // share of the diagonal
 };
 
-// A mesh file as it was read, as the value of a document. nearWeld: as in findDefects(). Of no use once cancelled.
+// Creates the snapshot of a mesh document from a mesh file. nearWeld: as in findDefects(). The result is invalid if
+// cancelled.
 std::shared_ptr<MeshSnapshot> meshSnapshotOf(const MeshFile& file, double nearWeld = tolerance::kNearWeld,
                                              Progress progress = {});
 

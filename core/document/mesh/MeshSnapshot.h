@@ -3,9 +3,9 @@
 #pragma once
 
 #include "document/Snapshot.h"
-#include "mesh/Defects.h"
-#include "mesh/MeshBuilder.h"
-#include "mesh/PatchLevels.h"
+#include "mesh/defects/Defects.h"
+#include "mesh/sculpt/PatchLevels.h"
+#include "mesh/structure/MeshBuilder.h"
 
 #include <set>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/TriangleSoup.h"
+#include "mesh/structure/TriangleSoup.h"
 #include "nurbs/StockCylinder.h"
 
 #include <memory>
@@ -10,14 +10,14 @@
 
 namespace handwheel {
 
-// The triangles of a bar that begins at z = 0, made when somebody first asks: versions of a document that differ in
-// other things share them. Any thread.
+// The triangles of a cylindrical bar, computed on first use. The bar begins at z = 0. Versions of a document that
+// differ in other properties share them. Any thread.
 class StockMesh {
  public:
-  // The stock is sound, the chord tolerance (mm) within the limits of WorkpieceSnapshot.
+  // The stock must be valid, and the chord tolerance (mm) within the limits of WorkpieceSnapshot.
   StockMesh(const StockCylinder& stock, double chord);
 
-  bool isOf(const StockCylinder& stock, double chord) const;  // wherever they stand along the axis
+  bool isOf(const StockCylinder& stock, double chord) const;  // at any position along the axis
   std::shared_ptr<const TriangleSoup> soup() const;
 
  private:

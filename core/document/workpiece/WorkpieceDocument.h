@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-// A bar to be turned.
+// Document of a workpiece: a bar for turning on a lathe.
 class WorkpieceDocument : public Document {
   Q_OBJECT
 

@@ -7,10 +7,10 @@
 
 namespace handwheel {
 
-// Gives one field of a workpiece another value.
+// Changes the value of one field of a workpiece.
 class WorkpieceEdit : public Edit {
  public:
-  // The value has been checked.
+  // The value must have been checked.
   WorkpieceEdit(WorkpieceField field, PropertyValue value) : m_field(field), m_value(std::move(value)) {}
 
   void exchange(Document& document) override;

@@ -4,9 +4,10 @@
 
 #include "base/Tolerance.h"
 #include "document/AtomicFile.h"
-#include "document/mesh/MeshKind.h"
+#include "document/formats/MeshExport.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "document/workpiece/WorkpieceProperties.h"
+#include "mesh/structure/MeshBuilder.h"
 #include "nurbs/CylinderDistance.h"
 #include "nurbs/StepFile.h"
 
@@ -74,8 +75,7 @@ std::string WorkpieceKind::title() const {
 
 std::vector<FileFormat> WorkpieceKind::formats() const {
   std::vector<FileFormat> all{{"STEP", {".step", ".stp"}, false, true}};
-  for (FileFormat& format : MeshKind().formats()) {
-    if (!format.writes) continue;
+  for (FileFormat& format : meshFileFormats()) {
     format.reads = false;
     all.push_back(std::move(format));
   }
@@ -94,11 +94,11 @@ Result<WrittenFile> WorkpieceKind::exportTo(const Snapshot& content, const std::
                                             Progress progress) const {
   const WorkpieceSnapshot& workpiece = workpieceOf(content);
   if (isStepName(path)) return exportStep(workpiece.stock, path, progress);
-  MeshFile file;
-  file.numbers = NumberType::Float64;
-  file.soup = placedTriangles(workpiece);
+  const HalfEdgeMesh mesh = buildMesh(placedTriangles(workpiece), progress.part(0.0, 0.3)).mesh;
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-  return MeshKind().exportTo(*meshSnapshotOf(file), path, progress.part(0.3, 1.0));
+  const Result<ExportReport> report = exportMesh(mesh, NumberType::Float64, path, progress.part(0.3, 1.0));
+  if (!report) return report.error();
+  return WrittenFile{report->bytes, notesOn(*report)};
 }
 
 void WorkpieceKind::save(const Snapshot& content, Container& container) const {

@@ -6,13 +6,13 @@
 
 namespace handwheel {
 
-// Workpieces for the lathe.
+// Document kind of workpieces for turning on a lathe.
 class WorkpieceKind : public DocumentKind {
  public:
   std::string id() const override { return "workpiece"; }
   std::string title() const override;
   std::vector<FileFormat> formats() const override;
-  // STEP files, to say that they are only written.
+  // True for STEP files, to report that they can only be written.
   bool recognises(std::string_view head, std::string_view name) const override;
   Result<OpenedFile> import(const std::filesystem::path& path, const ReadOptions& options,
                             Progress progress) const override;

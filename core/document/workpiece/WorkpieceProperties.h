@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// What can be changed of a workpiece.
+// An editable field of a workpiece.
 enum class WorkpieceField { Diameter, Length, Position, Chord, Material };
 inline constexpr WorkpieceField kWorkpieceFields[] = {WorkpieceField::Diameter, WorkpieceField::Length,
                                                       WorkpieceField::Position, WorkpieceField::Chord,
@@ -18,15 +18,16 @@ inline constexpr WorkpieceField kWorkpieceFields[] = {WorkpieceField::Diameter, 
 
 // The property that shows a field, with its present value.
 Property propertyOf(const WorkpieceSnapshot& workpiece, WorkpieceField field);
+// The field with a property id; none for unknown ids.
 std::optional<WorkpieceField> fieldNamed(std::string_view id);
 
-// Whether a field can have a value. Errors: ElementMalformed {id, what was expected}, ValueOutOfRange.
+// Checks whether a value is valid for a field. Errors: ElementMalformed {id, what was expected}, ValueOutOfRange.
 Status checkValue(WorkpieceField field, const PropertyValue& value);
 
-// The same workpiece with another value, which has been checked.
+// Returns the workpiece with another value of a field, which must have been checked.
 WorkpieceSnapshot withValue(WorkpieceSnapshot workpiece, WorkpieceField field, const PropertyValue& value);
 
-// Those of all fields, and what follows from them.
+// The properties of all fields, and those derived from them.
 std::vector<Property> workpieceProperties(const WorkpieceSnapshot& workpiece);
 
 }  // namespace handwheel

@@ -3,27 +3,27 @@
 #pragma once
 
 #include "document/cell/CellDocument.h"
+#include "tools/AxisDrag.h"
 #include "tools/ToolKey.h"
-#include "tools/cell/AxisDrag.h"
 
 #include <functional>
 
 namespace handwheel {
 
-// What a ray meets first of a cell.
+// The first hit of a ray on a robot cell.
 struct CellPick {
   std::string part;  // as displayOf() names it
   Vec3 point;        // mm
 };
 
-// Moves a robot by dragging its links. The joint nearest to the link follows the pointer, or, with Shift, the whole arm
-// does. Limits are kept. Releasing makes one edit of it.
+// Tool that moves a robot by dragging its links. The joint nearest to the link follows the pointer, or, with Shift, the
+// whole arm does. Joint limits are kept. Releasing commits one edit.
 class JointDragTool : public Tool {
  public:
   using Pick = std::function<std::optional<CellPick>(const Ray&)>;
   JointDragTool(CellDocument& document, Pick pick) : m_document(document), m_pick(std::move(pick)) {}
 
-  // How the joints stand: while one drags as they would be, otherwise as they are.
+  // The joint values: the preview while dragging, otherwise those of the document.
   const JointValues& joints() const { return m_drag ? m_drag->values : m_document.joints(); }
   bool isDragging() const { return m_drag.has_value(); }
 
@@ -38,7 +38,7 @@ class JointDragTool : public Tool {
   std::vector<std::string> needs() const override { return {"picking"}; }
 
  private:
-  // A joint that one can take hold of.
+  // A joint that can be dragged.
   struct Hold {
     std::uint32_t link = kNone;   // the one that was picked
     std::uint32_t joint = kNone;  // the nearest that moves its point

@@ -3,7 +3,7 @@
 #include "tools/mesh/DecimateTool.h"
 
 #include "document/mesh/MeshDocument.h"
-#include "mesh/MeshFidelity.h"
+#include "mesh/measure/MeshFidelity.h"
 #include "tools/ToolProperty.h"
 #include "tools/mesh/HandChanges.h"
 

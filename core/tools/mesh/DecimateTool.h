@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/Decimation.h"
+#include "mesh/simplify/Decimation.h"
 #include "tools/ToolKey.h"
 #include "tools/mesh/MeshServices.h"
 
@@ -10,8 +10,8 @@ namespace handwheel {
 
 class MeshDocument;
 
-// Makes a mesh of fewer triangles (decimate()): down to a number, or as few as stay within a distance of the present
-// surface.
+// Tool that reduces the number of triangles of a mesh (decimate()). Down to a number, or to as few as stay within a
+// distance of the present surface.
 class DecimateTool : public Tool {
  public:
   // The document must outlive all calls but the destructor's.

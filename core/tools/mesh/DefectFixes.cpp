@@ -3,20 +3,20 @@
 #include "tools/mesh/DefectFixes.h"
 
 #include "base/NumberText.h"
-#include "mesh/Cleaning.h"
-#include "mesh/CrossingClusters.h"
-#include "mesh/Defects.h"
-#include "mesh/DuplicateFaces.h"
-#include "mesh/FaceSelection.h"
-#include "mesh/HardHoles.h"
-#include "mesh/MeshBounds.h"
-#include "mesh/MeshBuilder.h"
-#include "mesh/OneSided.h"
-#include "mesh/PartDuplicates.h"
-#include "mesh/RepairEffort.h"
-#include "mesh/SheetBacking.h"
-#include "mesh/Stitching.h"
-#include "mesh/TangleRemoval.h"
+#include "mesh/boundary/Stitching.h"
+#include "mesh/defects/Defects.h"
+#include "mesh/defects/DuplicateFaces.h"
+#include "mesh/repair/Cleaning.h"
+#include "mesh/repair/CoincidentVertexSeparation.h"
+#include "mesh/repair/FoldedRegionRemoval.h"
+#include "mesh/repair/IntersectionClusters.h"
+#include "mesh/repair/NonOrientableSurfaces.h"
+#include "mesh/repair/ObstructedHoles.h"
+#include "mesh/repair/RepairEffort.h"
+#include "mesh/repair/SheetThickening.h"
+#include "mesh/selection/FaceSelection.h"
+#include "mesh/structure/MeshBounds.h"
+#include "mesh/structure/MeshBuilder.h"
 #include "tools/mesh/FillWords.h"
 
 #include <QtGlobal>
@@ -26,26 +26,49 @@
 namespace handwheel {
 namespace {
 
-void closeHard(HalfEdgeMesh& mesh, const std::vector<Vertex>& keys, bool back, const FillOptions& options,
+// A change that counts what it does. work: false where it was given up because that was too much.
+MeshChange counted(const char* text, std::function<bool(HalfEdgeMesh&, Progress)> work, const char* reason) {
+  auto isCutShort = std::make_shared<std::atomic<bool>>(false);
+  MeshChange change{text,
+                    [work = std::move(work), isCutShort](HalfEdgeMesh& mesh, Progress progress) {
+                      *isCutShort = !work(mesh, progress);
+                    },
+                    reason};
+  change.isCutShort = std::move(isCutShort);
+  return change;
+}
+
+// Of trials.
+std::size_t mostEffort(const HalfEdgeMesh& mesh, std::size_t fixed = tolerance::kObstructedHoleEffort) {
+  return repairEffort(mesh.liveFaceCount(), 1.0, fixed);
+}
+
+bool closeHard(HalfEdgeMesh& mesh, const std::vector<Vertex>& keys, bool back, const FillOptions& options,
                Progress progress) {
-  std::vector<HardHole> holes;
+  std::vector<ObstructedHole> holes;
   for (BoundaryLoop& loop : findBoundaryLoops(mesh, progress.part(0.0, 0.1))) {
     if (std::find(keys.begin(), keys.end(), keyOf(mesh, loop)) != keys.end()) holes.push_back({std::move(loop), back});
   }
-  Effort effort(repairEffort(mesh.liveFaceCount()));
-  closeHardHoles(mesh, holes, options, tolerance::kBackThickness * diagonalOf(mesh),
-                 progress.part(0.1, 1.0).within(effort));
+  Effort effort = progress.share(mostEffort(mesh));
+  const ObstructedClosings closings = closeObstructedHoles(
+      mesh, holes, options, tolerance::kBackThickness * diagonalOf(mesh), progress.part(0.1, 1.0).within(effort));
+  return std::none_of(closings.holes.begin(), closings.holes.end(),
+                      [](const ObstructedClosing& hole) { return hole.isCutShort; });
 }
 
-void replaceTangled(HalfEdgeMesh& mesh, Vertex key, const FillOptions& options, Progress progress) {
+bool replaceTangled(HalfEdgeMesh& mesh, Vertex key, const FillOptions& options, Progress progress) {
   std::vector<BoundaryLoop> loops = findBoundaryLoops(mesh, progress.part(0.0, 0.1));
   std::erase_if(loops, [&](const BoundaryLoop& loop) { return keyOf(mesh, loop) != key; });
-  Effort effort(repairEffort(mesh.liveFaceCount()));
-  replaceTangles(mesh, loops, options, progress.part(0.1, 1.0).within(effort));
+  Effort effort = progress.share(mostEffort(mesh, tolerance::kFoldedRegionEffort));
+  replaceFoldedRegions(mesh, loops, options, progress.part(0.1, 1.0).within(effort));
+  return !effort.isSpent();
 }
 
-void partNonManifold(HalfEdgeMesh& mesh, NumberType numbers, Progress progress) {
-  if (!partDuplicates(mesh, numbers, progress.part(0.0, 0.8)).empty()) relink(mesh, progress.part(0.8, 1.0));
+bool partNonManifold(HalfEdgeMesh& mesh, NumberType numbers, Progress progress) {
+  Effort effort = progress.share(mostEffort(mesh));
+  if (!separateCoincidentVertices(mesh, numbers, progress.part(0.0, 0.8).within(effort)).empty())
+    relink(mesh, progress.part(0.8, 1.0));
+  return !effort.isSpent();
 }
 
 }  // namespace
@@ -78,22 +101,26 @@ MeshChange nearVertexFix(double nearWeld, std::vector<std::pair<Vertex, Vertex>>
 }
 
 MeshChange nonManifoldFix(NumberType numbers) {
-  return withStep({QT_TRANSLATE_NOOP("Tool", "Part what only touches"),
-                   [numbers](HalfEdgeMesh& mesh, Progress progress) { partNonManifold(mesh, numbers, progress); },
-                   QT_TRANSLATE_NOOP("Tool", "every step apart would make the surface cross itself")},
-                  StepWriter("part").option("numbers", wordFor(numbers)).text());
+  return withStep(
+      counted(
+          QT_TRANSLATE_NOOP("Tool", "Part what only touches"),
+          [numbers](HalfEdgeMesh& mesh, Progress progress) { return partNonManifold(mesh, numbers, progress); },
+          QT_TRANSLATE_NOOP("Tool", "every step apart would make the surface cross itself")),
+      StepWriter("part").option("numbers", wordFor(numbers)).text());
 }
 
 MeshChange oneSidedFix(const FillOptions& options) {
   StepWriter step("two-sides");
   addFillWords(step, options);
-  return withStep({QT_TRANSLATE_NOOP("Tool", "Cut and give two sides"),
-                   [options](HalfEdgeMesh& mesh, Progress progress) {
-                     Effort effort(repairEffort(mesh.liveFaceCount()));
-                     closeOneSided(mesh, options, std::numeric_limits<double>::infinity(), BorderCuts::Yes,
-                                   progress.within(effort));
-                   },
-                   QT_TRANSLATE_NOOP("Tool", "the cut could not be closed without crossing the part")},
+  return withStep(counted(
+                      QT_TRANSLATE_NOOP("Tool", "Cut and give two sides"),
+                      [options](HalfEdgeMesh& mesh, Progress progress) {
+                        Effort effort = progress.share(mostEffort(mesh));
+                        closeNonOrientable(mesh, options, std::numeric_limits<double>::infinity(), BorderCuts::Yes,
+                                           progress.within(effort));
+                        return !effort.isSpent();
+                      },
+                      QT_TRANSLATE_NOOP("Tool", "the cut could not be closed without crossing the part")),
                   step.text());
 }
 
@@ -101,13 +128,14 @@ MeshChange crossingFix(NumberType numbers, std::vector<std::pair<Face, Face>> pa
   StepWriter step("uncross");
   step.word(pairsText(pairs)).option("numbers", wordFor(numbers));
   return withStep(
-      {QT_TRANSLATE_NOOP("Tool", "Cut crossings apart"),
-       [numbers, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
-         Effort effort(repairEffort(mesh.liveFaceCount()));
-         uncrossClusters(mesh, pairs, numbers, progress.within(effort));
-       },
-       QT_TRANSLATE_NOOP("Tool",
-                         "the triangles lie in one plane, lie on others, or are tangled too much to be cut apart")},
+      counted(
+          QT_TRANSLATE_NOOP("Tool", "Cut crossings apart"),
+          [numbers, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
+            Effort effort = progress.share(mostEffort(mesh));
+            return !removeClusterIntersections(mesh, pairs, numbers, progress.within(effort)).isCutShort;
+          },
+          QT_TRANSLATE_NOOP("Tool",
+                            "the triangles lie in one plane, lie on others, or are tangled too much to be cut apart")),
       step.text());
 }
 
@@ -136,12 +164,14 @@ MeshChange backFix(std::vector<Vertex> loops, const FillOptions& options) {
   StepWriter step("back");
   step.word(loopsText(loops));
   addFillWords(step, options);
-  return withStep({QT_TRANSLATE_NOOP("Tool", "Give a back"),
-                   [loops = std::move(loops), options](HalfEdgeMesh& mesh, Progress progress) {
-                     closeHard(mesh, loops, true, options, progress);
-                     partNonManifold(mesh, options.numbers, progress);
-                   },
-                   QT_TRANSLATE_NOOP("Tool", "a back would cross the part, or close a hole that is kept open")},
+  return withStep(counted(
+                      QT_TRANSLATE_NOOP("Tool", "Give a back"),
+                      [loops = std::move(loops), options](HalfEdgeMesh& mesh, Progress progress) {
+                        const bool closed = closeHard(mesh, loops, true, options, progress);
+                        const bool parted = progress.cancelled() || partNonManifold(mesh, options.numbers, progress);
+                        return closed && parted;
+                      },
+                      QT_TRANSLATE_NOOP("Tool", "a back would cross the part, or close a hole that is kept open")),
                   step.text());
 }
 
@@ -149,13 +179,17 @@ MeshChange cutAndCloseFix(Vertex loop, const FillOptions& options) {
   StepWriter step("cut-and-close");
   step.word(loopsText({loop}));
   addFillWords(step, options);
-  return withStep({QT_TRANSLATE_NOOP("Tool", "Cut and close"),
-                   [loop, options](HalfEdgeMesh& mesh, Progress progress) {
-                     closeHard(mesh, {loop}, false, options, progress.part(0.0, 0.6));
-                     if (!progress.cancelled()) replaceTangled(mesh, loop, options, progress.part(0.6, 0.95));
-                     if (!progress.cancelled()) partNonManifold(mesh, options.numbers, progress.part(0.95, 1.0));
-                   },
-                   QT_TRANSLATE_NOOP("Tool", "what would be cut is tangled too much")},
+  return withStep(counted(
+                      QT_TRANSLATE_NOOP("Tool", "Cut and close"),
+                      [loop, options](HalfEdgeMesh& mesh, Progress progress) {
+                        bool done = closeHard(mesh, {loop}, false, options, progress.part(0.0, 0.6));
+                        if (!progress.cancelled())
+                          done = replaceTangled(mesh, loop, options, progress.part(0.6, 0.95)) && done;
+                        if (!progress.cancelled())
+                          done = partNonManifold(mesh, options.numbers, progress.part(0.95, 1.0)) && done;
+                        return done;
+                      },
+                      QT_TRANSLATE_NOOP("Tool", "what would be cut is tangled too much")),
                   step.text());
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/HoleFilling.h"
+#include "mesh/holes/HoleFilling.h"
 #include "tools/mesh/MeshServices.h"
 
 #include <utility>
@@ -10,25 +10,30 @@
 
 namespace handwheel {
 
-// One change for each kind of defect, with its step; each touches what it mends and its surroundings only.
+// Each of these functions creates the change that repairs one kind of defect, with its step. It changes only the defect
+// and its surroundings.
 
+// Removes degenerate faces.
 MeshChange degenerateFix();
+// Removes duplicate faces.
 MeshChange duplicateFix();
-// Merges the pairs that are still near each other; all there are, when none is given.
+// Merges pairs of vertices that are still near each other. All such pairs, when none is given.
 MeshChange nearVertexFix(double nearWeld, std::vector<std::pair<Vertex, Vertex>> pairs = {});
-// Moves what only touches apart by the last digits: edges with more than two faces and parts that hang at a tip.
+// Separates edges with more than two faces, and parts connected at a vertex only. They are moved apart by the last
+// digits.
 MeshChange nonManifoldFix(NumberType numbers);
-// Cuts parts with one side only along short ways until they have two, and closes the cuts.
+// Makes non-orientable (one-sided) parts orientable. Cuts them along short paths until they have two sides, and closes
+// the cuts.
 MeshChange oneSidedFix(const FillOptions& options);
-// Cuts what crosses, and joins it so that it does not. Pairs: as findSelfIntersections() gives them.
+// Resolves self-intersections by cutting and rejoining the faces. pairs: as findSelfIntersections() returns them.
 MeshChange crossingFix(NumberType numbers, std::vector<std::pair<Face, Face>> pairs);
-// Loose pieces: those that contain one of these faces.
+// Removes the loose pieces that contain one of these faces.
 MeshChange debrisFix(std::vector<Face> faces);
-// All that findDefects() calls debris.
+// Removes all that findDefects() reports as debris.
 MeshChange allDebrisFix();
-// Loops, known by their smallest vertex (keyOf()): each sheet that they are the outer edge of becomes a thin body.
+// Turns open sheets into thin bodies. loops: outer edges of the sheets, by their smallest vertex (keyOf()).
 MeshChange backFix(std::vector<Vertex> loops, const FillOptions& options);
-// A loop that every patch would cross the part to close: closed all the same, and cut apart where it crosses.
+// Closes a loop although every patch would intersect the part. The patch is cut apart where it crosses.
 MeshChange cutAndCloseFix(Vertex loop, const FillOptions& options);
 
 }  // namespace handwheel

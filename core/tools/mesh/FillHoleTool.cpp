@@ -3,8 +3,8 @@
 #include "tools/mesh/FillHoleTool.h"
 
 #include "document/mesh/MeshDocument.h"
-#include "mesh/BorderPick.h"
-#include "mesh/HolePick.h"
+#include "mesh/boundary/BorderPick.h"
+#include "mesh/boundary/HolePick.h"
 #include "tools/ToolProperty.h"
 
 #include <QtGlobal>
@@ -123,7 +123,7 @@ std::optional<Vertex> FillHoleTool::holeAt(const PointerEvent& event) const {
   const auto faces = m_services.faces();
   if (!faces) return std::nullopt;
   const auto& loops = m_document.defects().loops;
-  const auto loop = pickHole(m_document.mesh(), loops, *faces, event.sight());
+  const auto loop = pickHole(m_document.mesh(), loops, *faces, event.pickRay());
   return loop ? std::optional(keyOf(m_document.mesh(), loops[*loop])) : std::nullopt;
 }
 
@@ -168,7 +168,7 @@ std::optional<std::uint32_t> FillHoleTool::pointAt(const PointerEvent& event) co
   const BoundaryLoop* chosen = loop();
   const auto faces = m_services.faces();
   if (!chosen || !faces) return std::nullopt;
-  const auto found = pickBorderPoint(m_document.mesh(), {chosen, 1}, *faces, event.sight());
+  const auto found = pickBorderPoint(m_document.mesh(), {chosen, 1}, *faces, event.pickRay());
   if (!found) return std::nullopt;
   const auto at = std::find(chosen->halfEdges.begin(), chosen->halfEdges.end(), found->at);
   return static_cast<std::uint32_t>(at - chosen->halfEdges.begin());

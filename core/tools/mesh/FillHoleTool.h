@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/FaceHierarchy.h"
-#include "mesh/HoleFilling.h"
+#include "mesh/holes/HoleFilling.h"
+#include "mesh/search/FaceHierarchy.h"
 #include "tools/ToolKey.h"
-#include "tools/mesh/BridgeEditing.h"
 #include "tools/mesh/MeshSelection.h"
+#include "tools/mesh/boundary/BridgeEditing.h"
 
 #include <functional>
 #include <memory>
@@ -15,9 +15,9 @@ namespace handwheel {
 
 class MeshDocument;
 
-// A patch that the tool wants proposed.
+// Request to propose a patch for a hole.
 struct FillRequest {
-  std::uint64_t ticket = 0;  // comes back with the answer
+  std::uint64_t ticket = 0;  // returned with the answer
   BoundaryLoop loop;
   FillMethod method = FillMethod::Fair;
   Continuity continuity = Continuity::Tangent;
@@ -25,11 +25,10 @@ struct FillRequest {
   EarWeights ears = {};               // the same
 };
 
-// What FillHoleTool is given by who owns the document's jobs. All of it is called on the window thread.
+// Services for FillHoleTool, provided by the owner of the document's jobs. All of them are called on the window thread.
 struct FillServices {
   std::function<std::shared_ptr<const FaceHierarchy>()> faces;  // "picking", as in MeshServices
-  // "fill preview": proposes a patch, and answers by previewReady(), now or later. A request takes the place of the one
-  // before.
+  // "fill preview": proposes a patch, and answers by previewReady(), now or later. A request replaces the previous one.
   std::function<void(const FillRequest&)> request;
   // Puts a proposed patch into the document as one step, now or later.
   std::function<void(const BoundaryLoop&, const FillAttempt&)> commit;
@@ -37,15 +36,15 @@ struct FillServices {
   std::function<bool()> showsPatch = [] { return true; };
 };
 
-// Fills holes one by one: choose one, see the patch, take it or not, go on to the next. A line drawn from point to
-// point of the chosen hole's edge is a bridge that cuts the hole in two there (He 2008, section 4.2); those that the
-// program chose for a long edge are shown and changed in the same way.
+// Tool that fills holes one by one, with a preview of the patch. Choose a hole, see the patch, accept it or not, go on
+// to the next. A line drawn from point to point of the chosen hole's edge is a bridge that divides the hole there (He
+// 2008, section 4.2); those that the program chose for a long edge are shown and changed in the same way.
 class FillHoleTool : public Tool {
  public:
   // The document must outlive all calls but the destructor's. first: the key of the hole to begin with.
   FillHoleTool(MeshDocument& document, FillServices services, std::optional<Vertex> first = std::nullopt);
 
-  // The value of the setting "method" that stands for one.
+  // The value of the setting "method" for a fill method.
   static double settingOf(FillMethod method);
 
   // The answer to a request; one that came too late is not shown.

@@ -4,7 +4,7 @@
 
 #include "base/NumberText.h"
 #include "document/mesh/MeshDocument.h"
-#include "mesh/MeshFidelity.h"
+#include "mesh/measure/MeshFidelity.h"
 
 #include <algorithm>
 
@@ -132,7 +132,7 @@ std::set<PointKey> keptCorners(const MeshDocument& document) {
   std::set<PointKey> corners;
   for (const BoundaryLoop& loop : document.defects().loops) {
     if (loop.rim || !document.isKeptOpen(loop)) continue;
-    for (const Vec3& p : loopPoints(document.mesh(), loop)) corners.insert(placeKey(p));
+    for (const Vec3& p : loopPoints(document.mesh(), loop)) corners.insert(positionKey(p));
   }
   return corners;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/HoleFilling.h"
+#include "mesh/holes/HoleFilling.h"
 #include "tools/mesh/StepText.h"
 
 #include <set>
@@ -11,23 +11,25 @@ namespace handwheel {
 
 class MeshDocument;
 
-// How steps name loops: by the smallest vertex, "v12", which outlives edits elsewhere. People may write the number that
-// "handwheel inspect" shows, too, which is that of the present state.
+// Writes loops as text for a step. A loop is named by its smallest vertex, "v12", which stays valid after edits
+// elsewhere. Users may also write the number that "handwheel inspect" shows, which is that of the present state.
 std::string loopsText(const std::vector<Vertex>& keys);  // "v1,v12"
-// The loops of a document, by their keys. Complains where there is none.
+// Reads the loops of a document; returns their keys. A loop that does not exist is a problem of the reader.
 std::vector<Vertex> readLoops(StepReader& reader, const std::string& words, const MeshDocument& document);
 
+// The word for a number type in a step.
 std::string_view wordFor(NumberType numbers);  // "single"
-// The option --numbers, or else what the document's file holds.
+// Reads the option --numbers; default: the number type of the document's file.
 NumberType readNumbers(StepReader& reader, const MeshDocument& document);
 
-// How holes are filled: --fill, --numbers, and what is not the default.
+// Writes fill options to a step: --fill, --numbers, and what is not the default.
 void addFillWords(StepWriter& step, const FillOptions& options);
-// loopSize: of the loop that is filled, between whose points bridges may run; 0: none may.
+// Reads fill options from a step. loopSize: of the loop that is filled, between whose points bridges may run; 0: no
+// bridges.
 FillOptions readFillWords(StepReader& reader, const MeshDocument& document, std::size_t loopSize = 0);
 
-// What filling and mending leave alone, because the user wants it open: the corners of the loops, and their ids. Rims
-// are not among them.
+// The loops that are not filled or repaired, because the user wants them open. Returned as the corners of the loops, or
+// as their ids. Rims are not among them.
 std::set<PointKey> keptCorners(const MeshDocument& document);
 std::set<int> keptLoops(const MeshDocument& document);
 

@@ -3,10 +3,10 @@
 #include "tools/mesh/HandChanges.h"
 
 #include "base/NumberText.h"
-#include "mesh/BorderWelding.h"
-#include "mesh/VertexPull.h"
-#include "tools/mesh/BorderPicking.h"
+#include "mesh/boundary/BorderWelding.h"
+#include "mesh/boundary/VertexPull.h"
 #include "tools/mesh/FillWords.h"
+#include "tools/mesh/boundary/BorderPicking.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -42,12 +42,12 @@ std::string stepOf(const DecimationOptions& options) {
 
 }  // namespace
 
-MeshChange deleteChange(FaceSelection faces, const char* text, const char* hindrance) {
+MeshChange deleteChange(FaceSelection faces, const char* text, const char* reason) {
   StepWriter step("delete");
   step.word(rangesText(faces));
   return withStep(
       {text, [faces = std::move(faces)](HalfEdgeMesh& mesh, Progress progress) { removeFaces(mesh, faces, progress); },
-       hindrance},
+       reason},
       step.text());
 }
 

@@ -2,28 +2,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/BorderSmoothing.h"
-#include "mesh/Bridging.h"
-#include "mesh/Decimation.h"
-#include "mesh/FaceSelection.h"
+#include "mesh/boundary/BorderSmoothing.h"
+#include "mesh/boundary/Bridging.h"
+#include "mesh/selection/FaceSelection.h"
+#include "mesh/simplify/Decimation.h"
 #include "tools/mesh/MeshServices.h"
 
 namespace handwheel {
 
-// What is done by hand with faces and open edges, each with its step. Numbers that mean nothing in the mesh that it is
-// applied to change nothing.
+// Each of these functions creates a manual change of faces or open edges, with its step. Indices that are invalid in
+// the mesh that it is applied to change nothing.
 
-// text, hindrance: as in MeshChange.
-MeshChange deleteChange(FaceSelection faces, const char* text, const char* hindrance = nullptr);
+// Removes faces. text, reason: as in MeshChange.
+MeshChange deleteChange(FaceSelection faces, const char* text, const char* reason = nullptr);
+// Reduces the number of triangles by decimate().
 MeshChange decimateChange(const DecimationOptions& options);
-// Over three points of open edges, counter-clockwise as seen from outside.
+// Adds a face over three points of open edges, counter-clockwise as seen from outside.
 MeshChange faceChange(const Triangle& face);
-// Draws the point at ends.a onto that at ends.b, and joins them.
+// Moves the point at ends.a to that at ends.b, and joins them.
 MeshChange joinChange(const BorderPair& ends);
+// Adds a bridge of faces between two points of open edges.
 MeshChange bridgeChange(const BorderPair& ends);
-// Moves a point of an open edge, with all that lies there, where no face turns over or crosses another.
+// Moves a point of an open edge, with all vertices at its place. As far as no face flips or crosses another.
 MeshChange pullChange(Vertex vertex, const Vec3& place);
-// loop: by its key. The moves are what smoothBorder() makes of it.
+// Smooths a boundary loop by smoothBorder(). loop: its key.
 MeshChange smoothEdgeChange(Vertex loop, const SmoothingOptions& options);
 
 }  // namespace handwheel

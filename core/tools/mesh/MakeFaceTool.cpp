@@ -45,9 +45,9 @@ ToolReply MakeFaceTool::pointer(const PointerEvent& event) {
 }
 
 void MakeFaceTool::hover(const PointerEvent& event) {
-  const auto point = m_picking.pointAt(event.sight());
+  const auto point = m_picking.pointAt(event.pickRay());
   const auto vertex = point ? std::optional(mesh().from(point->at)) : std::nullopt;
-  if (vertex) m_mark = kCornerMark * event.sight().pixelAt(mesh().position(*vertex));
+  if (vertex) m_mark = kCornerMark * event.pickRay().pixelAt(mesh().position(*vertex));
   if (vertex == m_hovered) return;
   m_hovered = vertex;
   judge();

@@ -3,20 +3,20 @@
 #pragma once
 
 #include "tools/ToolKey.h"
-#include "tools/mesh/BorderPicking.h"
+#include "tools/mesh/boundary/BorderPicking.h"
 
 namespace handwheel {
 
-// Makes single faces: three points of open edges are clicked one after the other, counter-clockwise as seen from
-// outside, and the third click makes the face. It must share an edge with the surface, whose way round it takes, and
-// touch it in no other point.
+// Tool that creates single faces from three clicked points of open edges. The points are clicked one after the other,
+// counter-clockwise as seen from outside, and the third click creates the face. It must share an edge with the surface,
+// whose orientation it takes, and touch it in no other point.
 class MakeFaceTool : public Tool {
  public:
   // The document must outlive all calls but the destructor's.
   MakeFaceTool(MeshDocument& document, MeshServices services);
 
   std::size_t cornerCount() const { return m_corners.size(); }
-  // Of the face with the point under the pointer as its last corner.
+  // The problem of the face with the point under the pointer as its last corner.
   JoinProblem problem() const { return m_problem; }
 
   static std::span<const ToolKey> keys();

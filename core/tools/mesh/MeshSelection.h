@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/BoundaryLoops.h"
-#include "mesh/FaceSelection.h"
+#include "mesh/boundary/BoundaryLoops.h"
+#include "mesh/selection/FaceSelection.h"
 
 #include <set>
 #include <span>
@@ -11,16 +11,16 @@
 
 namespace handwheel {
 
-// The loop whose keyOf() this is; null when there is none. O(all loops).
+// Finds a loop by its keyOf(); null when there is none. O(all loops).
 const BoundaryLoop* loopWithKey(const HalfEdgeMesh& mesh, std::span<const BoundaryLoop> loops, Vertex key);
 
-// The line of a loop, closed.
+// The closed polyline of a boundary loop.
 std::vector<Vec3> outlineOf(const HalfEdgeMesh& mesh, const BoundaryLoop& loop);
 
-// The lines that part the faces from the others and from nothing, closed. O(faces).
+// The closed polylines around a set of faces. They separate the faces from others and run along open edges. O(faces).
 std::vector<std::vector<Vec3>> outlinesOf(const HalfEdgeMesh& mesh, const FaceSelection& faces);
 
-// What is selected of a mesh: faces, and loops by their keys.
+// Selected faces and boundary loops of a mesh. Loops by their keys.
 struct MeshSelection {
   FaceSelection faces;
   std::set<Vertex> loops;
@@ -28,22 +28,22 @@ struct MeshSelection {
   bool empty() const { return faces.empty() && loops.empty(); }
   void add(const MeshSelection& other);
   void remove(const MeshSelection& other);
-  // Takes out what is no longer there.
+  // Removes faces and loops that no longer exist.
   void dropDead(const HalfEdgeMesh& mesh, std::span<const BoundaryLoop> present);
 
   bool operator==(const MeshSelection&) const = default;
 };
 
-// The selections of one session, to go back to. Selecting is no edit of the document, so it has a small history of its
-// own.
+// Undo history of the selection during a session. Selecting is not an edit of the document, so it has a small history
+// of its own.
 class SelectionSteps {
  public:
   explicit SelectionSteps(MeshSelection first) { m_steps.push_back(std::move(first)); }
 
   const MeshSelection& present() const { return m_steps[m_at]; }
-  // A new step, unless it selects the same.
+  // Adds a step, unless it selects the same.
   void change(MeshSelection selection);
-  // Not a step: part of it is no longer there.
+  // Replaces the present selection without a step: part of it no longer exists.
   void replacePresent(MeshSelection selection) { m_steps[m_at] = std::move(selection); }
 
   bool canGoBack() const { return m_at > 0; }

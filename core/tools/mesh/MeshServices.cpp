@@ -3,12 +3,17 @@
 #include "tools/mesh/MeshServices.h"
 
 #include "document/mesh/MeshDocument.h"
-#include "mesh/LocalCrossings.h"
-#include "mesh/MeshFidelity.h"
+#include "mesh/measure/MeshFidelity.h"
+#include "mesh/search/LocalIntersections.h"
 
 #include <QCoreApplication>
 
 namespace handwheel {
+
+const char* reasonOf(const MeshChange& change) {
+  const bool isCutShort = change.isCutShort && *change.isCutShort;
+  return isCutShort ? QT_TRANSLATE_NOOP("Tool", "it would take too long for a mesh of this size") : change.reason;
+}
 
 bool commitChange(MeshDocument& document, const MeshChange& change, Progress progress) {
   HalfEdgeMesh mesh = document.mesh();
@@ -43,7 +48,7 @@ MeshServices immediateServices(MeshDocument& document) {
   services.commit = [&document](const MeshChange& change) {
     const HalfEdgeMesh before = document.mesh();
     commitChange(document, change);
-    const auto crossings = change.crossed ? crossingsChange(before, document.mesh()) : std::nullopt;
+    const auto crossings = change.crossed ? intersectionsChange(before, document.mesh()) : std::nullopt;
     if (crossings) change.crossed(crossings->fresh);
     change.ended();
   };

@@ -3,8 +3,9 @@
 #pragma once
 
 #include "base/Progress.h"
-#include "mesh/FaceHierarchy.h"
+#include "mesh/search/FaceHierarchy.h"
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <string>
@@ -13,56 +14,63 @@ namespace handwheel {
 
 class MeshDocument;
 
-// A change that a tool wants made to a mesh, as a recipe: it can be carried out on another thread, and once more when
-// the mesh has changed meanwhile. Faces keep their numbers.
+// A change of a mesh as a repeatable function. It can run on another thread, and once more when the mesh has changed
+// meanwhile. Faces keep their indices.
 struct MeshChange {
   const char* text;  // of the undo step; English, context "Tool"
   std::function<void(HalfEdgeMesh&, Progress)> apply;
   // Why it may have changed nothing; English, context "Tool". Null where that needs no reason.
-  const char* hindrance = nullptr;
-  // Hears on the window thread that nothing more will come of it, whether it was committed or not.
+  const char* reason = nullptr;
+  // Called on the window thread when the change is finished, whether it was committed or not.
   std::function<void()> ended = [] {};
-  // Hears on the window thread, before that and once it is committed, how many pairs of faces cross because of it. Null
-  // where it can make none: then nobody looks.
+  // Called on the window thread, before that and once it is committed, with the number of pairs of faces that cross
+  // because of it. Null if it cannot cause any: then they are not searched for.
   std::function<void(std::size_t)> crossed = nullptr;
   // The change as a line of text, as MeshSteps.h reads it; empty where it has no such form.
   std::string step = {};
+  // Set by apply: it ended because it took too much effort. Null where that cannot be.
+  std::shared_ptr<std::atomic<bool>> isCutShort = nullptr;
 };
 
-// Thinking that takes too long for the window. It sees only what it captured by value, and returns what is to be done
-// with the result on the window thread.
+// Why a change has changed nothing, once it was applied; as MeshChange::reason.
+const char* reasonOf(const MeshChange& change);
+
+// A computation that takes too long for the window thread. It uses only what it captured by value, and returns a
+// function that processes the result on the window thread.
 struct ToolJob {
   const char* name;  // English, context "Tool"
   std::function<std::function<void()>(Progress)> work;
 };
 
-// What the tools for meshes are given by who owns the document's jobs. All of it is called on the window thread. The
-// result of a job reaches the tool by way of ToolRunner::deliver().
+// Services for mesh tools, provided by the owner of the document's jobs. All of them are called on the window thread.
+// The result of a job reaches the tool by way of ToolRunner::deliver().
 struct MeshServices {
   // "picking": the faces of the present mesh, or of an older version until their hierarchy is built; null until the
   // first one is.
   std::function<std::shared_ptr<const FaceHierarchy>()> faces;
-  // Starts a job in the place of the one before. Nothing comes of a job that is cancelled.
+  // Starts a job in place of the previous one. A job that is cancelled has no effect.
   std::function<void(ToolJob)> run;
   std::function<void()> cancel;
-  // Makes a change, looks for the defects of the result, and commits it as one step, now or later, but after those
-  // that were asked for before. Nothing happens when it changes nothing.
+  // Applies a change, finds the defects of the result, and commits it as one step, now or later, but after those
+  // requested before. Nothing happens when it changes nothing.
   std::function<void(MeshChange)> commit;
 };
 
+// Returns the change with another step.
 inline MeshChange withStep(MeshChange change, std::string step) {
   change.step = std::move(step);
   return change;
 }
 
-// Makes a change, looks for the defects of the result, and commits it as one step, at once. False where nothing
-// differs, or it was cancelled.
+// Applies a change to a document and commits it as one step, at once. The defects of the result are found, too. False
+// if nothing differs, or it was cancelled.
 bool commitChange(MeshDocument& document, const MeshChange& change, Progress progress = {});
 
-// The change, where the mesh is still as it was known when the change was asked for; else none.
+// Restricts a change to meshes that are still as known when it was requested. For others it does nothing.
 MeshChange onlyWhere(std::function<bool(const HalfEdgeMesh&)> isAsKnown, MeshChange change);
 
-// All at once, on the calling thread: for programs without a window. The document must outlive them.
+// Services that run everything at once, on the calling thread. For programs without a window. The document must outlive
+// them.
 MeshServices immediateServices(MeshDocument& document);
 
 }  // namespace handwheel

@@ -7,14 +7,14 @@
 #include "document/EditCommand.h"
 #include "document/mesh/MeshDocument.h"
 #include "document/mesh/MeshEdit.h"
-#include "mesh/MeshFidelity.h"
-#include "mesh/Shells.h"
-#include "tools/mesh/BorderPicking.h"
+#include "mesh/measure/MeshFidelity.h"
+#include "mesh/structure/Shells.h"
 #include "tools/mesh/DefectFixes.h"
 #include "tools/mesh/FillWords.h"
 #include "tools/mesh/HandChanges.h"
 #include "tools/mesh/Placement.h"
-#include "tools/mesh/SculptSteps.h"
+#include "tools/mesh/boundary/BorderPicking.h"
+#include "tools/mesh/sculpt/SculptSteps.h"
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -272,7 +272,8 @@ constexpr const char* kImpossible =
 
 Result<StepOutcome> applyChange(MeshDocument& document, const MeshChange& change, Progress progress) {
   const bool changed = commitChange(document, change, progress);
-  const char* why = change.hindrance == kEdgeChanged ? kImpossible : change.hindrance;
+  const char* reason = reasonOf(change);
+  const char* why = reason == kEdgeChanged ? kImpossible : reason;
   return StepOutcome{changed, changed ? nullptr : why, FillFailure::None};
 }
 

@@ -3,9 +3,9 @@
 #include "tools/mesh/NearFeatures.h"
 
 #include "base/Tolerance.h"
-#include "haptics/TouchableSurface.h"
-#include "mesh/AngleBetween.h"
-#include "mesh/FaceNormal.h"
+#include "haptics/contact/TouchableSurface.h"
+#include "mesh/structure/AngleBetween.h"
+#include "mesh/structure/FaceNormal.h"
 
 #include <cmath>
 #include <unordered_set>

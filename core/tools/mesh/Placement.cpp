@@ -3,8 +3,8 @@
 #include "tools/mesh/Placement.h"
 
 #include "base/NumberText.h"
-#include "mesh/MeshBounds.h"
-#include "mesh/Transforming.h"
+#include "mesh/structure/MeshBounds.h"
+#include "mesh/structure/Transforming.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -93,7 +93,7 @@ MeshChange placeChange(const StandardPlace& standard) {
                    [find = standard.find](HalfEdgeMesh& mesh, Progress progress) {
                      if (const auto pose = find(mesh, progress)) place(mesh, *pose);
                    },
-                   standard.hindrance},
+                   standard.reason},
                   standard.id);
 }
 

@@ -12,8 +12,8 @@
 
 namespace handwheel {
 
-// Where a mesh is to be, by numbers. It is first brought to millimetres, about the origin; then scaled, and turned
-// about x, y and z, in this order, all about the centre of its box; then moved.
+// Placement of a mesh by unit, scale, rotation and translation. The mesh is first brought to millimetres, about the
+// origin; then scaled, and turned about x, y and z, in this order, all about the centre of its box; then moved.
 struct Placement {
   std::array<double, 3> shift{};  // mm
   std::array<double, 3> turn{};   // radian
@@ -27,21 +27,21 @@ struct Placement {
                                           LengthUnit::Inch};
 
   bool operator==(const Placement&) const = default;
-  // box: of the mesh.
+  // The transformation. box: bounding box of the mesh.
   Eigen::Affine3d of(const Box& box) const;
 };
 
-// "place --unit in --scale 2 --turn 0,0,90 --move 0,0,5"
+// Creates the change for a placement. Step: "place --unit in --scale 2 --turn 0,0,90 --move 0,0,5"
 MeshChange placeChange(const Placement& placement);
 Placement readPlacement(StepReader& reader);
 
-// A placement that depends on the mesh as it is when the change is made: "flat", "axes", "centre", "corner". The id is
-// the step, too.
+// A predefined placement that is computed from the mesh. From its state when the change is made: "flat", "axes",
+// "centre", "corner". The id is the step, too.
 struct StandardPlace {
   const char* id;
   const char* effect;  // English, context "Tool"
   const char* text;
-  const char* hindrance;
+  const char* reason;
   std::optional<Pose> (*find)(const HalfEdgeMesh&, Progress);
 };
 std::span<const StandardPlace> standardPlaces();

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/SnapScene.h"
-#include "mesh/BoundaryLoops.h"
+#include "haptics/snap/SnapScene.h"
+#include "mesh/boundary/BoundaryLoops.h"
 
 namespace handwheel {
 
-// What the hand is offered around the holes of a mesh, and at its outer edges: by the numbers of their vertices,
-// half-edges, and loops in the list. On a worker. Empty once cancelled.
+// Creates the snap features around the holes of a mesh and at its outer edges. Their ids are those of the vertices,
+// half-edges, and loops in the list. On a worker. Empty if cancelled.
 SnapScene rimFeatures(const HalfEdgeMesh& mesh, std::span<const BoundaryLoop> loops, SnapOffer offer,
                       Progress progress = {});
 

@@ -3,13 +3,13 @@
 #pragma once
 
 #include "document/Property.h"
-#include "mesh/Sight.h"
+#include "mesh/search/PickRay.h"
 
 #include <string_view>
 
 namespace handwheel {
 
-// How faces are selected.
+// Settings of SelectTool: mode, brush and angle.
 struct SelectSettings {
   enum class Mode { Click, Brush, Lasso, Connected, Angle };
   enum class Unit { Millimetres, Pixels };
@@ -19,18 +19,18 @@ struct SelectSettings {
   double brushLength = 5.0;   // mm; radius
   double brushPixels = 24.0;  // logical pixels; radius
   double angle = 0.35;        // radian: between the normals of neighbours
-  bool through = false;       // the lasso also takes what is turned away or hidden
+  bool through = false;       // the lasso also selects what is back-facing or hidden
 
-  // mm, of a brush at a point.
-  double brushRadius(const Sight& sight, const Vec3& at) const {
-    return brushUnit == Unit::Pixels ? brushPixels * sight.pixelAt(at) : brushLength;
+  // The radius of the brush at a point, mm.
+  double brushRadius(const PickRay& pickRay, const Vec3& at) const {
+    return brushUnit == Unit::Pixels ? brushPixels * pickRay.pixelAt(at) : brushLength;
   }
-  // By a factor, in its unit.
+  // Scales the brush by a factor, in its unit.
   void scaleBrush(double factor);
 
-  // Those that matter in the present mode.
+  // The settings that apply in the present mode.
   std::vector<Property> properties() const;
-  // Numbers are brought between their limits. False, and nothing changed, for what is unknown or of another kind.
+  // Numbers are clamped to their limits. False, and nothing changed, for an unknown id or a value of another type.
   bool set(std::string_view id, const PropertyValue& value);
 };
 

@@ -3,8 +3,8 @@
 #include "tools/mesh/SelectTool.h"
 
 #include "document/mesh/MeshDocument.h"
-#include "mesh/FaceGrowing.h"
-#include "mesh/HolePick.h"
+#include "mesh/boundary/HolePick.h"
+#include "mesh/selection/RegionGrowing.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -80,7 +80,7 @@ SelectTool::Target SelectTool::targetOf(const PointerEvent& event) const {
   if (!faces || !event.ray.isUsable()) return target;
   if (m_settings.mode == Mode::Click) {
     const auto& loops = m_document.defects().loops;
-    if (const auto loop = pickHole(mesh(), loops, *faces, event.sight())) {
+    if (const auto loop = pickHole(mesh(), loops, *faces, event.pickRay())) {
       target.loop = keyOf(mesh(), loops[*loop]);
       return target;
     }
@@ -102,7 +102,7 @@ ToolReply SelectTool::hover(const PointerEvent& event) {
     m_hovered = regionOf(target.hit->face);
   }
   if (target.hit && m_settings.mode == Mode::Brush)
-    m_circle = {target.hit->point, m_settings.brushRadius(event.sight(), target.hit->point)};
+    m_circle = {target.hit->point, m_settings.brushRadius(event.pickRay(), target.hit->point)};
   return ToolReply::Used;
 }
 
@@ -154,7 +154,7 @@ void SelectTool::extend(const PointerEvent& event) {
 void SelectTool::paint(Stroke& stroke, const PointerEvent& event) {
   const auto hit = stroke.brush.faces().firstHit(event.ray);
   const Vec3 place = hit ? hit->point : m_circle ? m_circle->first : event.ray.origin;
-  const double radius = m_settings.brushRadius(event.sight(), place);
+  const double radius = m_settings.brushRadius(event.pickRay(), place);
   m_circle.reset();
   if (hit) m_circle = {hit->point, radius};
   for (const Face f : stroke.brush.moveTo({event.ray, radius})) {

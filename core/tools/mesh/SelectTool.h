@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/BrushStroke.h"
-#include "mesh/Lasso.h"
+#include "mesh/selection/BrushStroke.h"
+#include "mesh/selection/Lasso.h"
 #include "tools/ToolKey.h"
 #include "tools/mesh/MeshSelection.h"
 #include "tools/mesh/MeshServices.h"
@@ -15,17 +15,17 @@ namespace handwheel {
 
 class MeshDocument;
 
-// Selects faces and holes: by click, brush, lasso, what hangs together, or what is smooth up to an angle. Shift adds,
-// Control removes. Selecting is no edit of the document; deleting what is selected is one.
+// Tool that selects faces and holes. By click, brush, lasso, connected component, or smooth region up to an angle.
+// Shift adds, Control removes. Selecting is not an edit of the document; deleting what is selected is one.
 class SelectTool : public Tool {
  public:
   // The document must outlive all calls but the destructor's.
   SelectTool(MeshDocument& document, MeshServices services, MeshSelection selection = {});
   ~SelectTool() override;
 
-  // With what the present stroke has painted so far.
+  // The selection, including what the present stroke has painted so far.
   const MeshSelection& selection() const { return m_live ? *m_live : m_steps.present(); }
-  // From a list, for example.
+  // Sets the selection, for example from a list.
   void select(MeshSelection selection);
 
   static std::span<const ToolKey> keys();

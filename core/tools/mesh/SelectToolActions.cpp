@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/mesh/MeshDocument.h"
-#include "mesh/FaceGrowing.h"
+#include "mesh/selection/RegionGrowing.h"
 #include "tools/mesh/HandChanges.h"
 #include "tools/mesh/SelectTool.h"
 

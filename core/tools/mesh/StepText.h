@@ -4,7 +4,7 @@
 
 #include "base/Geometry.h"
 #include "base/Result.h"
-#include "mesh/FaceSelection.h"
+#include "mesh/selection/FaceSelection.h"
 #include "tools/ToolProperty.h"
 
 #include <cstdint>
@@ -17,9 +17,9 @@
 
 namespace handwheel {
 
-// One edit of a document as a line of text: a verb, operands, and options "--name value", with blanks between. Lists
-// have commas and no blanks: "delete 1-20,33", "place --move 0,0,5". Numbers are written with the fewest digits that
-// read back as the same, in any locale.
+// Writes an edit of a document as a line of text (a step). A verb, operands, and options "--name value", with blanks
+// between. Lists have commas and no blanks: "delete 1-20,33", "place --move 0,0,5". Numbers are written with the fewest
+// digits that read back as the same, in any locale.
 class StepWriter {
  public:
   explicit StepWriter(std::string_view verb) : m_text(verb) {}
@@ -37,11 +37,11 @@ std::string listText(const std::vector<std::uint32_t>& numbers);                
 std::string rangesText(const FaceSelection& faces);                                        // "1-20,33"
 std::string pairsText(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs);  // "1:5,7:9"
 std::string pointText(const Vec3& p);                                                      // "0,0,5"
-// Degrees, where some number of them is read back as the very angle; else "0.5rad".
+// Writes an angle in degrees if that is read back exactly, else as "0.5rad".
 std::string angleText(double radian);
 
-// Reads such a line, which nobody vouches for. What is asked for and not there, or out of bounds, becomes the problem,
-// of which the first counts; what is returned then means nothing.
+// Parses an untrusted line of text as a step. A value that is requested but missing, or out of bounds, becomes the
+// problem, of which the first counts; what is returned then is meaningless.
 class StepReader {
  public:
   explicit StepReader(std::string_view text);
@@ -49,23 +49,24 @@ class StepReader {
   const std::string& verb() const { return m_verb; }
   bool isGood() const { return m_problem.empty(); }
   void complain(std::string problem);
-  // StepMalformed {what is wrong}, also for operands and options that nobody asked for.
+  // The error StepMalformed {what is wrong} if there is a problem, also for operands and options that were not
+  // requested.
   Status status() const;
 
   bool hasWord() const { return m_next < m_words.size(); }
   std::string word(const char* what);  // the next operand
-  std::string line(const char* what);  // all that follows the verb, as it stands there
+  std::string line(const char* what);  // all that follows the verb, verbatim
 
   bool flag(std::string_view name);
   std::optional<std::string> option(std::string_view name);
   double number(std::string_view name, double otherwise, const Limits& limits);
 
-  // what: "triangle", for the sentence; least and largest: of what may be named.
+  // what: "triangle", for the message; count: the index must be below.
   std::uint32_t index(std::string_view word, const char* what, std::size_t count);
   std::vector<std::uint32_t> indices(std::string_view list, const char* what, std::size_t count);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs(std::string_view list, const char* what,
                                                              std::size_t count);
-  // Of a mesh with so many face slots; those that are no more are left out by who uses it.
+  // slots: number of face slots of the mesh; the caller leaves out faces that no longer exist.
   FaceSelection faces(std::string_view ranges, std::size_t slots);
   double number(std::string_view word, const Limits& limits = kFinite);
   Vec3 point(std::string_view word, const Limits& limits = kFinite);
@@ -89,7 +90,7 @@ class StepReader {
   std::string m_problem;
 };
 
-// Parts of a list; an empty text has one empty part.
+// Splits a list at a separator; an empty text has one empty part.
 std::vector<std::string_view> parted(std::string_view list, char separator);
 
 }  // namespace handwheel

@@ -9,15 +9,15 @@ namespace handwheel {
 
 class MeshDocument;
 
-// Moves, turns and scales a whole mesh by numbers, or puts it where it is usually wanted: onto its largest flat face,
-// along its main axes, to the origin. The box that it will have is shown.
+// Tool that moves, rotates and scales a whole mesh by numbers. It also has standard placements: onto its largest flat
+// face, along its main axes, to the origin. The resulting bounding box is shown.
 class TransformTool : public Tool {
  public:
   // The document must outlive all calls but the destructor's.
   TransformTool(MeshDocument& document, MeshServices services)
       : m_document(document), m_services(std::move(services)) {}
 
-  // Of the mesh as it is now.
+  // The transformation of the present mesh.
   Eigen::Affine3d placement() const;
 
   static std::span<const ToolKey> keys();

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/Device.h"
+#include "haptics/device/Device.h"
 
 namespace handwheel {
 
-// Finds the example device where the environment variable HANDWHEEL_EXAMPLE_DEVICE says that its socket is.
+// Driver of the example device. The environment variable HANDWHEEL_EXAMPLE_DEVICE is the path of its socket.
 class ExampleDriver final : public DeviceDriver {
  public:
   std::string id() const override { return "example"; }

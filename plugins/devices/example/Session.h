@@ -10,8 +10,8 @@
 
 namespace handwheel {
 
-// A made-up device. For every force that it is sent it answers where it is. Both are three signed 16-bit numbers, low
-// byte first: mN along x, y, z; and hundredths of a mm.
+// Session of a fictitious example device. It answers every force with its position. Both are three signed 16-bit
+// numbers, low byte first: mN along x, y, z; and hundredths of a mm.
 class ExampleSession final : public Session {
  public:
   using Connect = std::function<Result<std::unique_ptr<ByteStream>>()>;

@@ -3,12 +3,12 @@
 #pragma once
 
 #include "falcon/LibusbTransport.h"
-#include "haptics/Device.h"
+#include "haptics/device/Device.h"
 
 namespace handwheel::falcon {
 
-// What its motors do when nobody speaks to it any more is not known: a process of its own holds it (Guard.cpp), and
-// sends zero torque when the program dies.
+// Driver of the Novint Falcon. It is not known what its motors do when communication stops: so a separate process holds
+// the device (Guard.cpp), and sends zero torque when the program dies.
 class Driver final : public DeviceDriver {
  public:
   std::string id() const override { return "falcon"; }

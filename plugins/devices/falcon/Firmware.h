@@ -8,11 +8,12 @@
 
 namespace handwheel::falcon {
 
-// The environment variable HANDWHEEL_FALCON_FIRMWARE, or handwheel/falcon.bin in the user's data folder. The firmware
-// belongs to the maker of the device and is not ours to ship: the user puts the file there.
+// The path of the firmware file. The environment variable HANDWHEEL_FALCON_FIRMWARE, or handwheel/falcon.bin in the
+// user's data folder. The firmware belongs to the manufacturer of the device and cannot be distributed with this
+// program: the user puts the file there.
 std::string firmwarePath();
 
-// Error: ReferenceMissing.
+// Reads the firmware file. Error: ReferenceMissing.
 Result<Firmware> readFirmware();
 
 }  // namespace handwheel::falcon

@@ -8,18 +8,19 @@
 
 namespace handwheel::falcon {
 
-// The serial line behind the Falcon's FTDI chip.
+// The serial port of the Falcon's FTDI chip.
 class FtdiPort {
  public:
   explicit FtdiPort(std::unique_ptr<UsbTransport> usb) : m_usb(std::move(usb)) {}
 
-  // 9600 baud, 8N1, no flow control, RTS low, DTR pulsed: the bootloader listens.
+  // Bootloader mode: 9600 baud, 8N1, no flow control, RTS low, DTR pulsed.
   bool toBootloader() noexcept;
   bool toFirmwareLoad() noexcept;  // 142,857 baud, DTR low
   bool toRunning() noexcept;       // 1.5 Mbaud, answers within 1 ms
 
   bool write(std::span<const std::uint8_t> bytes) noexcept { return m_usb->write(bytes); }
-  // What came, without the chip's two status bytes at the head of each 64-byte packet. 0: nothing in time; kGone.
+  // Reads received bytes, without the chip's two status bytes at the head of each 64-byte packet. 0: nothing in time;
+  // kGone.
   std::ptrdiff_t read(std::span<std::uint8_t> into, double timeout) noexcept;
   bool isGone() const noexcept { return m_usb->isGone(); }
 

@@ -13,13 +13,12 @@ struct libusb_context;
 
 namespace handwheel::falcon {
 
-// libusb with the Falcons that it finds. An address is "bus-port.port": the same for as long as the plug stays where it
-// is.
+// Finds and opens Falcons by libusb. An address is "bus-port.port": the same for as long as the plug stays where it is.
 class Usb {
  public:
   Usb();
   std::vector<std::string> find() const;
-  // Takes the interface, from the kernel's serial driver if need be. Error: DeviceUnreachable with libusb's reason.
+  // Claims the interface, from the kernel's serial driver if necessary. Error: DeviceUnreachable with libusb's reason.
   Result<std::unique_ptr<UsbTransport>> open(const std::string& address) const;
 
  private:

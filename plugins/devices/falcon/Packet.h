@@ -12,12 +12,14 @@ namespace handwheel::falcon {
 inline constexpr std::size_t kPacketSize = 16;
 using PacketBytes = std::array<std::uint8_t, kPacketSize>;
 
-// Bits of the byte that the host sends beside the torques.
+// Bits of the byte that the host sends with the torques: lights and homing.
 enum Light : std::uint8_t { kHoming = 1, kGreen = 2, kBlue = 4, kRed = 8 };
 
-// "<", three signed 16-bit torques by nibbles, lowest first, the lights, "A", ">"; each nibble is 'A' plus its value.
+// Encodes a packet to the device. "<", three signed 16-bit torques by nibbles, lowest first, the lights, "A", ">"; each
+// nibble is 'A' plus its value.
 PacketBytes encode(const Counts& torques, std::uint8_t lights);
 
+// One reading from the device.
 struct Reading {
   Counts encoders{};
   std::uint8_t buttons = 0;  // bits: plus, forward, centre, minus
@@ -26,11 +28,11 @@ struct Reading {
   bool isHomed() const { return homed == 7; }
 };
 
-// Finds the answers in what comes in, whatever was lost: an answer begins with "<", ends with ">" 15 bytes later, and
-// has nothing but nibbles where the encoders are. Bytes that belong to none are passed over.
+// Parses the device's answers from a byte stream that may have lost bytes. An answer begins with "<", ends with ">" 15
+// bytes later, and has nothing but nibbles where the encoders are. Bytes that belong to none are skipped.
 class AnswerReader {
  public:
-  // How many answers these bytes completed; reading() is the last.
+  // Adds bytes; returns how many answers they completed. reading() is the last.
   int take(std::span<const std::uint8_t> bytes);
   void clear() { m_filled = 0; }
   const Reading& reading() const { return m_reading; }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "falcon/Driver.h"
-#include "haptics/DevicePlugin.h"
+#include "haptics/device/DevicePlugin.h"
 
 #include <QObject>
 

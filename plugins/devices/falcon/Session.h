@@ -10,9 +10,9 @@
 
 namespace handwheel::falcon {
 
-// A Falcon from its port to the servo loop. No torque is sent before all three arms are homed: until then it does not
-// know where it is, and its position leaps when it does. The user pulls the grip out and pushes it in; the light is red
-// till then.
+// Session of a Novint Falcon, from its port to the servo loop. No torque is sent before all three arms are homed: until
+// then its position is unknown, and it jumps when it becomes known. The user pulls the grip out and pushes it in; the
+// light is red until then.
 class Session final : public handwheel::Session {
  public:
   using Connect = std::function<Result<std::unique_ptr<UsbTransport>>()>;

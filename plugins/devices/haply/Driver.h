@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/Device.h"
+#include "haptics/device/Device.h"
 
 #include <string_view>
 
 namespace handwheel::haply {
 
-// The maker's service on this machine, on port 10001 or the one that the environment variable HANDWHEEL_HAPLY_PORT
-// names.
+// Driver of Haply devices by the manufacturer's service on this machine. On port 10001 or the one in the environment
+// variable HANDWHEEL_HAPLY_PORT.
 class Driver final : public DeviceDriver {
  public:
   std::string id() const override { return "haply"; }
@@ -17,7 +17,7 @@ class Driver final : public DeviceDriver {
   std::unique_ptr<Device> make(const std::string& address) override;
 };
 
-// Whether the kernel's table of TCP sockets (/proc/net/tcp or tcp6) has one that listens on a port.
+// Whether a TCP socket listens on a port. table: the kernel's table of sockets (/proc/net/tcp or tcp6).
 bool listens(std::string_view table, std::uint16_t port);
 
 }  // namespace handwheel::haply

@@ -10,24 +10,25 @@
 
 namespace handwheel::haply {
 
-// Frames of a WebSocket (RFC 6455, section 5), as a client sends and reads them.
+// Type of a WebSocket frame (RFC 6455, section 5).
 enum class Opcode : std::uint8_t { Continuation = 0, Text = 1, Binary = 2, Close = 8, Ping = 9, Pong = 10 };
 
-// One frame, masked as a client must.
+// Encodes one frame, masked as required for clients.
 std::string maskedFrame(Opcode opcode, std::string_view payload, std::uint32_t mask);
 
+// A complete WebSocket message.
 struct Message {
   Opcode opcode = Opcode::Text;  // never Continuation
   std::string payload;
 };
 
-// Puts messages together from what a server sends, in pieces of any size.
+// Assembles messages from a server's byte stream, in pieces of any size.
 class FrameReader {
  public:
   void take(std::span<const std::uint8_t> bytes);
   // The next whole message; nothing when more bytes are needed, or when the stream is broken.
   std::optional<Message> next();
-  // The server does not speak the protocol, or a message is larger than any that is expected. Nothing more will come.
+  // Whether the server violates the protocol, or a message is larger than any that is expected. Nothing more will come.
   bool isBroken() const { return m_broken; }
 
  private:

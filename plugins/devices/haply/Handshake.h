@@ -7,15 +7,18 @@
 
 namespace handwheel::haply {
 
-// How a WebSocket is opened (RFC 6455, sections 1.3 and 4.1).
+// The opening handshake of a WebSocket (RFC 6455, sections 1.3 and 4.1).
 
-// 16 random bytes in base64, new for each connection.
+// Creates a handshake key: 16 random bytes in base64, new for each connection.
 std::string handshakeKey();
-// What a server answers to a key: who does that speaks the protocol, and has read this very request.
+// The answer that a server must give to a key. It proves that the server supports the protocol, and has read this very
+// request.
 std::string acceptFor(std::string_view key);
 
+// The HTTP request that opens a WebSocket.
 std::string upgradeRequest(std::string_view host, std::string_view key);
-// Whether this is a server's consent, from "HTTP/1.1" up to the empty line; names of fields in any case.
+// Whether the head of a server's response accepts the upgrade. From "HTTP/1.1" up to the empty line; names of fields in
+// any case.
 bool isConsent(std::string_view head, std::string_view key);
 
 }  // namespace handwheel::haply

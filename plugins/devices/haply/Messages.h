@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/Device.h"
+#include "haptics/device/Device.h"
 
 #include <optional>
 #include <string>
@@ -10,7 +10,8 @@
 
 namespace handwheel::haply {
 
-// What one state frame of the service says of the first Inverse3 and the first VerseGrip. In the frame of Device.h, mm.
+// State of the first Inverse3 and the first VerseGrip. From one state frame of the service; in the frame of Device.h,
+// mm.
 struct Frame {
   std::string deviceId;  // never empty
   std::optional<Vec3> position;
@@ -20,15 +21,15 @@ struct Frame {
   bool isCalibrated = true;
 };
 
-// Field names of versions 3.0 to 3.5; what is not known is passed over. Nothing when the text is no JSON or names no
-// Inverse3.
+// Parses a state frame of the service. Field names of versions 3.0 to 3.5; what is not known is skipped. Nothing when
+// the text is not JSON or has no Inverse3.
 std::optional<Frame> readFrame(std::string_view text);
 
 // The first message of a client: it names itself and asks for the inventory.
 std::string greeting();
-// Sends the arm's origin to the middle of its workspace, once.
+// The message that moves the arm's origin to the middle of its workspace. Sent once.
 std::string centring(const std::string& deviceId);
-// A force in the frame of Device.h, N, which holds until the next message.
+// The message for a force. In the frame of Device.h, N; it holds until the next message.
 std::string forceCommand(const std::string& deviceId, const Vec3& force);
 
 }  // namespace handwheel::haply

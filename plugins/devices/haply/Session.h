@@ -10,9 +10,9 @@
 
 namespace handwheel::haply {
 
-// The service answers each message with one frame, and sends none by itself: so each exchange is one message and one
-// frame. An answer that is late is waited for before the next question, or answers and questions would stay out of step
-// for good.
+// Session of a Haply device by the manufacturer's service. The service answers each message with one frame, and sends
+// none by itself: so each exchange is one message and one frame. A late answer is waited for before the next message is
+// sent, or answers and messages would stay out of step permanently.
 class Session final : public handwheel::Session {
  public:
   using Connect = std::function<Result<std::unique_ptr<ByteStream>>()>;

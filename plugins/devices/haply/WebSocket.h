@@ -15,12 +15,12 @@ namespace handwheel::haply {
 // A WebSocket client for a server on the same machine (RFC 6455).
 class WebSocket {
  public:
-  // Shakes hands. Errors: DeviceMute, DeviceUnreachable.
+  // Opens the connection by a handshake. Errors: DeviceMute, DeviceUnreachable.
   static Result<std::unique_ptr<WebSocket>> open(std::unique_ptr<ByteStream> stream, std::shared_ptr<Clock> clock,
                                                  const std::string& host);
 
   bool send(std::string_view text);
-  // The newest text that has come, waiting so long (s) for one. Answers pings on the way.
+  // The newest text received, waiting up to `timeout` (s) for one. Answers pings.
   std::optional<std::string> receive(double timeout);
   bool isGone() const { return m_gone; }
   void sayGoodbye();

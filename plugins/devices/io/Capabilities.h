@@ -4,8 +4,9 @@
 
 namespace handwheel {
 
-// Makers do not publish the inherent damping of their devices, N·s/mm. But a wall of the stiffness (N/mm) that they
-// state, at their rate (Hz), can only be passive with at least this much (eq. 2-1): b = K·T/2.
+// Estimates the inherent damping of a device, N·s/mm, from its stated stiffness. Manufacturers do not publish it. But a
+// wall of the stiffness (N/mm) that they state, at their rate (Hz), can only be passive with at least this much (eq.
+// 2-1): b = K·T/2.
 constexpr double dampingBehind(double stiffness, double rate) {
   return 0.5 * stiffness / rate;
 }

@@ -4,7 +4,7 @@
 
 namespace handwheel {
 
-// Time as the protocols see it, so that a test can make it pass as it likes. Seconds from any origin, never backwards.
+// Clock of the device protocols; tests use their own. Seconds from any origin, never backwards.
 class Clock {
  public:
   virtual ~Clock() = default;
@@ -12,6 +12,7 @@ class Clock {
   virtual void sleep(double seconds) noexcept = 0;
 };
 
+// Clock that uses the steady clock of the system.
 class SteadyClock final : public Clock {
  public:
   double now() noexcept override;

@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// A stream on a file descriptor. Allocates nothing after it was made.
+// A byte stream on a file descriptor. Does not allocate after it was made.
 class FileStream final : public ByteStream {
  public:
   explicit FileStream(int descriptor) : m_descriptor(descriptor) {}  // which it owns from here
@@ -25,10 +25,10 @@ class FileStream final : public ByteStream {
   int m_descriptor;
 };
 
-// Error: DeviceUnreachable with the system's reason.
+// Connect to a Unix socket, or to a TCP port. Error: DeviceUnreachable with the system's reason.
 Result<std::unique_ptr<ByteStream>> connectUnix(const std::string& path);
 Result<std::unique_ptr<ByteStream>> connectLoopback(std::uint16_t port);  // TCP to 127.0.0.1
-// Raw: no echo, no line editing, at 115,200 baud where that means anything.
+// Opens a serial port in raw mode. No echo, no line editing, at 115,200 baud where that applies.
 Result<std::unique_ptr<ByteStream>> openSerial(const std::string& path);
 
 }  // namespace handwheel

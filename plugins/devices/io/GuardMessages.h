@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/Error.h"
-#include "haptics/Device.h"
+#include "haptics/device/Device.h"
 
 #include <array>
 #include <optional>
@@ -13,30 +13,35 @@
 
 namespace handwheel::guard {
 
-// What the program and a process that holds a device for it say to each other. Each message is its kind and the length
-// of the rest (u32 each), then the rest, numbers as the machine has them: both run on it.
+// Messages between the program and the process that holds a device for it. Each message is its kind and the length of
+// the rest (u32 each), then the rest, numbers in the machine's byte order: both run on it.
 inline constexpr std::uint32_t kVersion = 2;
 
-// From the program.
+// From the program: open the device.
 struct Open {
   std::uint32_t version = kVersion;
 };
+// From the program: the force to send to the device.
 struct Force {
   std::uint32_t number = 0;
   DeviceForce force;
 };
+// From the program: close the device.
 struct Close {};
 
-// From the other process.
+// From the other process: progress of opening the device.
 struct Opening {
   double fraction = 0.0;  // 0…1
 };
+// From the other process: the device is open.
 struct Opened {
   DeviceCapabilities capabilities;
 };
+// From the other process: the device could not be opened.
 struct Refused {
   Error error;
 };
+// From the other process: the latest reading of the device.
 struct State {
   std::uint32_t number = 0;  // of the force that it answers
   DeviceState state;
@@ -47,15 +52,14 @@ using Message = std::variant<Open, Force, Close, Opening, Opened, Refused, State
 inline constexpr std::size_t kLargestMessage = 1024;  // bytes
 using Buffer = std::array<std::uint8_t, kLargestMessage>;
 
-// The message as bytes, in this buffer. Texts that are too long are cut. Allocates nothing.
+// Serialises a message to a buffer. Texts that are too long are truncated. Does not allocate.
 std::span<const std::uint8_t> bytesOf(const Message& message, Buffer& buffer);
 
-// Takes bytes in pieces of any size, and gives the messages in them. Bytes that are none, a force or a place that is no
-// number among them, break it for good: who speaks like that is not listened to any more. Allocates nothing but the
-// texts of a refusal.
+// Parses messages from a byte stream, in pieces of any size. Invalid bytes, also a force or a position that is not a
+// number, break it permanently: it ignores everything after them. Does not allocate but the texts of a refusal.
 class Reader {
  public:
-  // Gives the bytes to next(), which uses up all of them before it returns nothing.
+  // Passes the bytes to next(), which uses up all of them before it returns nothing.
   void add(std::span<const std::uint8_t> bytes) { m_rest = bytes; }
   std::optional<Message> next();
   bool isBroken() const { return m_isBroken; }

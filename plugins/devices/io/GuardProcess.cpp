@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/GuardProcess.h"
 
-#include "haptics/RealTimeThread.h"
+#include "haptics/servo/RealTimeThread.h"
 #include "io/FileStream.h"
 #include "io/SessionHost.h"
 

@@ -10,20 +10,22 @@
 
 namespace handwheel {
 
-// The program of that name in the folder "guards" beside the folder of the plugin that asks; another folder, where
-// HANDWHEEL_GUARDS says so.
+// The path of a guard program. It is in the folder "guards" next to the folder of the calling plugin, or in the folder
+// in HANDWHEEL_GUARDS.
 std::string guardPath(const std::string& name);
 
-// Starts it, with a socket to it that has no name, so that nobody else can take part. It is a session of its own: what
-// the terminal sends to the program does not reach it. Error: DeviceUnreachable with the system's reason.
+// Starts a guard process, and connects to it by an unnamed socket. So no other process can connect. It is in a session
+// of its own: signals of the terminal to the program do not reach it. Error: DeviceUnreachable with the system's
+// reason.
 Result<std::unique_ptr<ByteStream>> startGuard(const std::string& path, const std::string& address);
 
-// A session with the device at this address in a process that path names. kind, name: as GuardedSession has them.
+// Creates a session with a device that a guard process holds. path: of its program; address: of the device; kind, name:
+// as in GuardedSession.
 std::unique_ptr<Session> guarded(const std::string& path, const std::string& address, const DeviceCapabilities& kind,
                                  const std::string& name);
 
-// The whole of such a process but for its session: serves the one that make() gives for the address, until the program
-// is gone. The exit code.
+// The main function of a guard process. Serves the session that make() creates for the address, until the program is
+// gone. Returns the exit code.
 int runGuard(int argc, char** argv, const std::function<std::unique_ptr<Session>(const std::string& address)>& make);
 
 }  // namespace handwheel

@@ -12,12 +12,12 @@
 
 namespace handwheel {
 
-// A device that another process holds (guard::SessionHost), so that its motors stop when this program dies. The two
-// talk over a stream; each exchange costs the way there and back, about 0.1 ms.
+// Session with a device that another process holds (guard::SessionHost). So its motors stop when this program dies. The
+// two communicate over a stream; each exchange costs a round trip, about 0.1 ms.
 class GuardedSession final : public Session {
  public:
   using Connect = std::function<Result<std::unique_ptr<ByteStream>>()>;  // starts the process
-  // kind: the capabilities as long as the device itself was not asked; name: of the device, for errors.
+  // kind: the capabilities until the device itself was queried; name: of the device, for errors.
   GuardedSession(Connect connect, std::shared_ptr<Clock> clock, const DeviceCapabilities& kind, std::string name)
       : m_connect(std::move(connect)), m_clock(std::move(clock)), m_capabilities(kind), m_name(std::move(name)) {}
 

@@ -2,22 +2,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/Device.h"
+#include "haptics/device/Device.h"
 
 namespace handwheel {
 
-// The protocol of one device, from connecting to leaving it. One thread at a time; it knows no threads itself, so that
-// a test can drive it step by step on a transport and a clock of its own.
+// Interface of the protocol of one device, from connecting to disconnecting. One thread at a time; it has no threads
+// itself, so that a test can run it step by step on a transport and a clock of its own.
 class Session {
  public:
   virtual ~Session() = default;
   virtual DeviceCapabilities capabilities() const = 0;
   virtual Status open(Progress progress) = 0;
-  // Sends a force and returns the latest reading. Waits for the device 20 ms at most, and as long as it takes for the
-  // next reading when all is well: this is what paces the thread that calls it. Where none came, the last once more
-  // with the same number: of a device with motors each new one has another. Absent: the device is gone for good.
+  // Sends a force and returns the latest reading. Waits up to 20 ms for the device, normally until its next reading:
+  // this paces the thread that calls it. If none came, returns the last once more with the same number: of a device
+  // with motors each new reading has another. Absent: the device is gone permanently.
   virtual DeviceState exchange(const DeviceForce& force) noexcept = 0;
-  // Sends zero force, if there is still somebody to send it to, and leaves the device.
+  // Sends zero force, if the device is still there, and disconnects.
   virtual void close() noexcept = 0;
 };
 

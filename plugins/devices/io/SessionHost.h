@@ -11,10 +11,10 @@
 
 namespace handwheel::guard {
 
-// Holds a device for a program in another process (GuardedSession), so that its motors do not depend on that: whenever
-// the program is gone, speaks nonsense, or says nothing for kSilence, the device is sent zero force. After a silence
-// the device counts as starting, and forces as zero, for kRest at least and until the program asks for zero: long
-// enough that its servo loop notices, and lets the force come back by its ramp.
+// Holds a device for a program in another process (GuardedSession). So its motors do not depend on that program: if it
+// is gone, sends invalid messages, or sends nothing for kSilence, the device is sent zero force. After a silence the
+// device is reported as starting, and forces are treated as zero, for kRest at least and until the program asks for
+// zero: long enough that its servo loop notices, and lets the force return by its ramp.
 class SessionHost {
  public:
   static constexpr double kSilence = 0.04;  // s
@@ -24,7 +24,7 @@ class SessionHost {
   SessionHost(Session& session, ByteStream& stream, Clock& clock, const std::atomic<bool>& stop)
       : m_session(session), m_stream(stream), m_clock(clock), m_stop(stop) {}
 
-  // From the program's request to open the device until it is closed. It is closed in any case.
+  // Serves the program, from its request to open the device until it is closed. The device is closed in any case.
   void serve();
 
  private:
@@ -45,7 +45,7 @@ class SessionHost {
   std::optional<Force> m_force;  // the newest that was not answered yet
   bool m_isLeft = false;         // the program is gone, or wants no more
   bool m_hasBeenSilent = false;
-  std::optional<double> m_restEnd;  // s, once words have come again after a silence
+  std::optional<double> m_restEnd;  // s, once messages have come again after a silence
 };
 
 }  // namespace handwheel::guard

@@ -11,9 +11,10 @@
 
 namespace handwheel {
 
-// A device whose line may wait, allocate and parse: its session runs on a thread of its own, and the servo thread only
-// exchanges the newest reading and force with it, without locks. Costs a delay of about one exchange, which the session
-// states in its capabilities. What comes from a device is finite, and no force outlives a servo loop that has stopped.
+// Device that runs its session on a thread of its own. So the session may wait, allocate and parse; the servo thread
+// only exchanges the newest reading and force with it, without locks. Costs a delay of about one exchange, which the
+// session states in its capabilities. What comes from a device is finite, and no force outlives a servo loop that has
+// stopped.
 class ThreadedDevice final : public Device {
  public:
   explicit ThreadedDevice(std::unique_ptr<Session> session);

@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/Device.h"
+#include "haptics/device/Device.h"
 
 namespace handwheel::openhaptics {
 
-// The devices of 3D Systems, Touch and Phantom. Only the maker's library speaks with them, and it brings files into a
-// process that do not go with ours: a process of its own loads it (Guard.cpp), where somebody has built that. Whether a
-// device is plugged in is known when it is opened; the maker's set-up gives it a name. HANDWHEEL_OPENHAPTICS_DEVICES
-// has names, separated by colons; without it there is the one that the maker calls the default.
+// Driver of the Touch and Phantom devices of 3D Systems, by OpenHaptics. Only the manufacturer's library communicates
+// with them, and it brings files into a process that are not compatible with ours: a separate process loads it
+// (Guard.cpp), if that was built. Whether a device is connected is known when it is opened; the manufacturer's set-up
+// gives it a name. HANDWHEEL_OPENHAPTICS_DEVICES has names, separated by colons; without it there is the one that the
+// manufacturer calls the default.
 class Driver final : public DeviceDriver {
  public:
   explicit Driver(std::string bridge);  // the program
@@ -25,7 +26,7 @@ class Driver final : public DeviceDriver {
 
 inline constexpr const char* kDefaultDevice = "default";
 
-// Of a Touch, until the device itself was asked.
+// The capabilities of a Touch, until the device itself was queried.
 DeviceCapabilities touchCapabilities();
 
 }  // namespace handwheel::openhaptics

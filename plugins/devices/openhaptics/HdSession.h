@@ -13,12 +13,12 @@
 
 namespace handwheel::openhaptics {
 
-// A device of 3D Systems by the HD part of OpenHaptics, which calls back a thousand times a second on a thread of its
-// own. The one place that knows the maker's functions. Their frame is ours: x right, y up, z towards the user; mm, N,
-// N·mm. One at a time.
+// Session with a 3D Systems device by the HD API of OpenHaptics. This calls back a thousand times a second on a thread
+// of its own. The only class that uses the manufacturer's functions. Their frame is ours: x right, y up, z towards the
+// user; mm, N, N·mm. One at a time.
 class HdSession final : public Session {
  public:
-  // name: as the maker's set-up calls the device; "default": the maker's choice.
+  // name: as the manufacturer's set-up calls the device; "default": the manufacturer's choice.
   HdSession(std::string name, std::shared_ptr<Clock> clock) : m_name(std::move(name)), m_clock(std::move(clock)) {}
   ~HdSession() override { close(); }
 
@@ -39,11 +39,11 @@ class HdSession final : public Session {
   std::string m_name;
   std::shared_ptr<Clock> m_clock;
   DeviceCapabilities m_capabilities;
-  Vec3 m_centre = Vec3::Zero();  // of its workspace, mm in the maker's frame
+  Vec3 m_centre = Vec3::Zero();  // of its workspace, mm in the manufacturer's frame
   HHD m_device = HD_INVALID_HANDLE;
   HDSchedulerHandle m_callback = 0;
   HDint m_calibrationStyle = 0;
-  // Between the maker's thread and ours.
+  // Between the manufacturer's thread and ours.
   struct TimedForce {
     DeviceForce force;
     double time = 0.0;  // s
@@ -51,7 +51,7 @@ class HdSession final : public Session {
   TripleBuffer<DeviceState> m_states;
   TripleBuffer<TimedForce> m_forces;
   std::atomic<std::uint32_t> m_ticks{0};
-  std::atomic<bool> m_canCalibrate{false};  // it stands where it knows its place again, if it is told to
+  std::atomic<bool> m_canCalibrate{false};  // it is at a place where its calibration can be updated
   // Ours.
   double m_lastTick = 0.0;
   DeviceState m_last;

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/Device.h"
+#include "haptics/device/Device.h"
 
 namespace handwheel::polhem {
 
-// Serial lines of the board that the Polhem is built on, a Teensy (USB 16c0:0483). Other things are built on it, too: a
-// line is opened only when the user chooses it. HANDWHEEL_POLHEM_PORT names one that is none of these. What its motors
-// do when nobody speaks to it any more is not known: a process of its own holds it (Guard.cpp).
+// Driver of the Polhem on a serial port. It finds the serial ports of the board that the Polhem is built on, a Teensy
+// (USB 16c0:0483). Other things are built on it, too: a port is opened only when the user chooses it.
+// HANDWHEEL_POLHEM_PORT is a port that is none of these. It is not known what its motors do when communication stops:
+// so a separate process holds it (Guard.cpp).
 class Driver final : public DeviceDriver {
  public:
   explicit Driver(std::string sysfs = "/sys/class/tty", std::string dev = "/dev")

@@ -12,11 +12,11 @@
 
 namespace handwheel::polhem {
 
-// Both directions speak ASCII: numbers between blanks, filled up with blanks, ended by a line feed.
+// Lines in both directions are ASCII: numbers between blanks, padded with blanks, ended by a line feed.
 inline constexpr std::size_t kLineSize = 63;  // bytes of a line to the device, its end included
 using Line = std::array<std::uint8_t, kLineSize>;
 
-// What the device says in each line, in its own frame.
+// A reading from one line of the device, in its own frame.
 struct Reading {
   Vec3 position = Vec3::Zero();    // mm
   std::array<double, 4> angles{};  // tA, lambda, tD, tE, rad: of the mechanism that holds the pen
@@ -25,18 +25,18 @@ struct Reading {
   Eigen::Quaterniond orientation() const;
 };
 
-// A force in the device's own frame, N: sent as mN, as command 2 takes them.
+// The line for a force in the device's own frame, N. Sent as mN by command 2.
 Line forceLine(const Vec3& force);
 
-// Nothing when it is not eight numbers in the columns that the device writes, or when it cannot be a place of this
-// device.
+// Parses a line from the device. Nothing when it is not eight numbers in the columns that the device writes, or when it
+// cannot be a position of this device.
 std::optional<Reading> parseLine(std::string_view line);
 
-// Puts lines together from pieces of any size. A line that lost some of its bytes is shorter than any whole one, and
-// passed over.
+// Assembles lines from a byte stream in pieces of any size. A line that lost some of its bytes is shorter than any
+// whole one, and skipped.
 class LineReader {
  public:
-  // How many readings these bytes completed; reading() is the last.
+  // Adds bytes; returns how many readings they completed. reading() is the last.
   int take(std::span<const std::uint8_t> bytes);
   const Reading& reading() const { return m_reading; }
 

@@ -12,7 +12,8 @@
 
 namespace handwheel::polhem {
 
-// A Polhem on a serial line: a force out, a reading in. Its frame is x towards the user, y right, z up.
+// Session with a Polhem on a serial port. Each exchange sends a force and receives a reading. Its frame is x towards
+// the user, y right, z up.
 class Session final : public handwheel::Session {
  public:
   using Connect = std::function<Result<std::unique_ptr<ByteStream>>()>;

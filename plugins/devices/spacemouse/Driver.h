@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/Device.h"
+#include "haptics/device/Device.h"
 #include "spacemouse/HidSession.h"
 
 #include <map>
@@ -10,7 +10,7 @@
 
 namespace handwheel::spacemouse {
 
-// What the driver needs of a HID library.
+// Functions of a HID library that the driver needs.
 struct Hid {
   struct Entry {
     std::string path;
@@ -21,8 +21,9 @@ struct Hid {
   std::function<Result<std::unique_ptr<HidTransport>>(const std::string& path)> open;
 };
 
-// One device by spacenavd's socket where the daemon runs, else each by its HID reports. Never both: the daemon reads
-// the same devices, and every movement would count twice.
+// Driver of SpaceMouse devices by spacenavd or by HID reports. One device by spacenavd's socket if the daemon runs,
+// else each device by its HID reports. Never both: the daemon reads the same devices, and every movement would count
+// twice.
 class Driver final : public DeviceDriver {
  public:
   explicit Driver(Hid hid, std::vector<std::string> sockets = {"/run/spnav.sock", "/var/run/spnav.sock"})
@@ -36,7 +37,7 @@ class Driver final : public DeviceDriver {
   std::optional<std::string> daemon();  // the socket that somebody listens on
   bool answers(const std::string& path);
 
-  // A socket file, and whether somebody listened there. Asking anew would switch the lamp of the device on and off.
+  // A socket file, and whether a daemon listened there. Trying again would switch the lamp of the device on and off.
   struct Asked {
     std::string identity;
     double at = 0.0;

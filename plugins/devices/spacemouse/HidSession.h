@@ -13,10 +13,10 @@
 namespace handwheel::spacemouse {
 
 // Without a report for so long (s), a displaced cap counts as released: reports come every 16 ms while it is held, so
-// the one that told of its release got lost. Shorter gaps are radio trouble, and the cap stays where it was.
+// the report of its release was lost. Shorter gaps are radio trouble, and the cap stays where it was.
 inline constexpr double kHeld = 1.0;
 
-// A SpaceMouse by its HID reports. Its lamp is on while it is open.
+// Session with a SpaceMouse by its HID reports. Its lamp is on while it is open.
 class HidSession final : public Session {
  public:
   using Connect = std::function<Result<std::unique_ptr<HidTransport>>()>;

@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-// Reports of a HID device, whole: each read gives one, each write takes one.
+// Interface to send and receive the reports of a HID device. Each read gives one whole report, each write takes one.
 class HidTransport {
  public:
   virtual ~HidTransport() = default;

@@ -10,6 +10,7 @@ namespace handwheel::spacemouse {
 inline constexpr std::uint16_t kLogitech = 0x046d;
 inline constexpr std::uint16_t k3Dconnexion = 0x256f;
 
+// A known product.
 struct Model {
   const char* name;
   int buttons;
@@ -17,11 +18,12 @@ struct Model {
   std::uint16_t product;
 };
 
-// What is known of a product; null for one that is not known, or that has no six axes.
+// Finds a known product; null if it is unknown, or does not have six axes.
 const Model* modelOf(std::uint16_t vendor, std::uint16_t product);
 
-// Whether such a device is ours: one of the two makers, a multi-axis controller (usage page 1, usage 8), and none of
-// the mice and keypads that say so, too. Products that came later than this list are taken.
+// Whether a HID device is a supported controller with six axes. That is one of the two manufacturers, a multi-axis
+// controller (usage page 1, usage 8), and none of the mice and keypads that report the same. Products newer than this
+// list are accepted.
 bool isSixAxis(std::uint16_t vendor, std::uint16_t product, std::uint16_t usagePage, std::uint16_t usage);
 
 }  // namespace handwheel::spacemouse

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/Device.h"
+#include "haptics/device/Device.h"
 
 #include <array>
 
 namespace handwheel::spacemouse {
 
-// The cap's displacement from rest as HID reports count it: X right, Y towards the user, Z down (right-handed), and the
-// rotation vector about the same axes. Full scale is 350; devices are seen to go beyond.
+// The cap's displacement from rest, in the units of HID reports. X right, Y towards the user, Z down (right-handed),
+// and the rotation vector about the same axes. Full scale is 350; devices are known to exceed it.
 struct Counts {
   std::array<int, 3> translation{};
   std::array<int, 3> rotation{};
@@ -19,14 +19,14 @@ struct Counts {
 };
 
 inline constexpr int kFullScale = 350;
-inline constexpr double kTravel = 1.4;    // mm at full scale, as the report descriptors say (1400 times 1e-4 cm)
+inline constexpr double kTravel = 1.4;    // mm at full scale, by the report descriptors (1400 times 1e-4 cm)
 inline constexpr double kFullTilt = 1.0;  // rad at full scale; by convention, the descriptors give no angle
 
-// Position and orientation in the frame of Device.h: x right, y up, z towards the user. Each axis is clamped to full
-// scale.
+// Converts counts to position and orientation. In the frame of Device.h: x right, y up, z towards the user. Each axis
+// is clamped to full scale.
 void place(const Counts& counts, DeviceState& state);
 
-// The data sheet that all share.
+// The capabilities that all models share.
 DeviceCapabilities capabilitiesWith(int buttons);
 
 }  // namespace handwheel::spacemouse

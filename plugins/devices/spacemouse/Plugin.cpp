@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/DevicePlugin.h"
+#include "haptics/device/DevicePlugin.h"
 #include "spacemouse/HidapiTransport.h"
 
 #include <QObject>

@@ -9,10 +9,11 @@
 
 namespace handwheel::spacemouse {
 
-// What HID reports have said so far. Any bytes may come; what is no report of these devices changes nothing.
+// Axes, buttons and battery according to the HID reports received. Any bytes are accepted; what is not a report of
+// these devices changes nothing.
 class Reports {
  public:
-  // One report, its number first. True when it moved the axes, even to where they were.
+  // Processes one report, its number first. True when it has values of the axes, even the same as before.
   bool take(std::span<const std::uint8_t> report);
   void rest() { m_counts = {}; }
 

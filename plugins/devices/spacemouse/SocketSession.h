@@ -11,8 +11,8 @@
 
 namespace handwheel::spacemouse {
 
-// A SpaceMouse by way of spacenavd. The kernel passes it only changes, so a cap that is held still says nothing: it
-// stays where it was until the daemon tells otherwise or goes.
+// Session with a SpaceMouse by the daemon spacenavd. The kernel passes only changes to the daemon, so a cap that is
+// held still sends nothing: it stays where it was until the daemon reports otherwise or ends.
 class SocketSession final : public Session {
  public:
   using Connect = std::function<Result<std::unique_ptr<ByteStream>>()>;

@@ -18,6 +18,7 @@ class EffortTest : public QObject {
   void wholePaysForItsShares();
   void shareEndsWithTheWhole();
   void threadsGoNoFurther();
+  void countsWhatGoesBeyond();
 };
 
 void EffortTest::isSpent() {
@@ -74,6 +75,19 @@ void EffortTest::threadsGoNoFurther() {
   for (std::thread& thread : threads) thread.join();
   QCOMPARE(share.spent(), std::size_t{5'000});
   QCOMPARE(whole.spent(), std::size_t{5'000});
+}
+
+// By a share, or once all is spent.
+void EffortTest::countsWhatGoesBeyond() {
+  Effort whole(100);
+  {
+    Effort share(30, whole);
+    share.spend(45);
+    QCOMPARE(share.counted(), std::size_t{45});
+  }
+  whole.spend(90);
+  QCOMPARE(whole.counted(), std::size_t{135});
+  QCOMPARE(whole.spent(), std::size_t{100});
 }
 
 HANDWHEEL_TEST(EffortTest)

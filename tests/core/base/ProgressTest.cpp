@@ -63,14 +63,14 @@ void ProgressTest::givenUpWhenTheEffortIsSpent() {
 
 void ProgressTest::measuredByTheEffort() {
   JobState job;
-  Effort effort(8), share(4, effort);
+  Effort effort(16), share(8, effort);
   const Progress measured = Progress(job).part(0.5, 1.0).measuredBy(effort);
   measured.spend(4);
   QCOMPARE(job.fraction.load(), 0.75);
   measured.set(1.0);
   measured.part(0.0, 0.1).set(0.0);
   QCOMPARE(job.fraction.load(), 0.75);
-  measured.within(share).spend(2);
+  measured.within(share).spend(5);
   QCOMPARE(job.fraction.load(), 0.875);
 }
 

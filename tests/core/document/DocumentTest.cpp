@@ -6,7 +6,7 @@
 #include "MeshShapes.h"
 #include "TestClass.h"
 #include "document/workpiece/WorkpieceKind.h"
-#include "mesh/MeshBuilder.h"
+#include "mesh/structure/MeshBuilder.h"
 
 #include <rapidcheck.h>
 
@@ -30,14 +30,14 @@ class ExpectedHistory {
   explicit ExpectedHistory(std::string first) : m_present(std::move(first)) {}
 
   // property: of those whose changes merge; empty for anything else.
-  void change(std::string after, const std::string& property, Stroke stroke) {
+  void change(std::string after, const std::string& property, DragPhase stroke) {
     const bool isChange = after != m_present;
     if (isChange) {
       if (!m_isStroking) ++m_stroke;
       put({m_present, after, m_stroke, property});
       m_present = std::move(after);
     }
-    if (isChange || stroke == Stroke::Ends) m_isStroking = stroke == Stroke::Continues;
+    if (isChange || stroke == DragPhase::Ends) m_isStroking = stroke == DragPhase::Continues;
   }
   void save() {
     m_clean = m_at;
@@ -110,7 +110,7 @@ bool walk(Document& document, ExpectedHistory& expected) {
 
 void setProperty(Document& document, ExpectedHistory& expected, const std::string& id, const PropertyValue& value,
                  bool merges) {
-  const Stroke stroke = *rc::gen::arbitrary<bool>() ? Stroke::Continues : Stroke::Ends;
+  const DragPhase stroke = *rc::gen::arbitrary<bool>() ? DragPhase::Continues : DragPhase::Ends;
   const std::string before = stateOf(document);
   const bool isTaken = document.setProperty(id, value, stroke).hasValue();
   std::string after = stateOf(document);
@@ -154,7 +154,7 @@ void changeMesh(MeshDocument& document, ExpectedHistory& expected) {
     default:
       return setProperty(document, expected, "display_unit", 1.0 * *rc::gen::inRange(-1, 4), false);
   }
-  expected.change(stateOf(document), {}, Stroke::Ends);
+  expected.change(stateOf(document), {}, DragPhase::Ends);
 }
 
 template <class Change>
@@ -211,10 +211,10 @@ class DocumentTest : public QObject {
   // The slider goes on after the save: what was saved can still be gone back to.
   void aStrokeThatOutlastsASave() {
     const auto document = workpiece();
-    QVERIFY(document->setProperty("diameter", 60.0, Stroke::Continues));
+    QVERIFY(document->setProperty("diameter", 60.0, DragPhase::Continues));
     document->markSaved("/a.handwheel", true);
-    QVERIFY(document->setProperty("diameter", 70.0, Stroke::Continues));
-    QVERIFY(document->setProperty("diameter", 50.0, Stroke::Ends));
+    QVERIFY(document->setProperty("diameter", 70.0, DragPhase::Continues));
+    QVERIFY(document->setProperty("diameter", 50.0, DragPhase::Ends));
     QVERIFY(document->isModified());  // 50 is where the first part began, not the second
     QCOMPARE(document->history()->count(), 2);
     document->history()->undo();
@@ -226,8 +226,8 @@ class DocumentTest : public QObject {
   void aStrokeBackToItsBeginningLeavesNothing() {
     const auto document = workpiece();
     document->markSaved("/a.handwheel", true);
-    for (double d : {60.0, 70.0}) QVERIFY(document->setProperty("diameter", d, Stroke::Continues));
-    QVERIFY(document->setProperty("diameter", 50.0, Stroke::Ends));
+    for (double d : {60.0, 70.0}) QVERIFY(document->setProperty("diameter", d, DragPhase::Continues));
+    QVERIFY(document->setProperty("diameter", 50.0, DragPhase::Ends));
     QCOMPARE(document->history()->count(), 0);
     QVERIFY(!document->isModified());
   }
@@ -235,9 +235,9 @@ class DocumentTest : public QObject {
   // A refused value ends the stroke like any other.
   void aStrokeThatEndsWithARefusal() {
     const auto document = workpiece();
-    QVERIFY(document->setProperty("diameter", 60.0, Stroke::Continues));
-    QVERIFY(!document->setProperty("diameter", -1.0, Stroke::Ends));
-    QVERIFY(document->setProperty("diameter", 70.0, Stroke::Ends));
+    QVERIFY(document->setProperty("diameter", 60.0, DragPhase::Continues));
+    QVERIFY(!document->setProperty("diameter", -1.0, DragPhase::Ends));
+    QVERIFY(document->setProperty("diameter", 70.0, DragPhase::Ends));
     QCOMPARE(document->history()->count(), 2);
   }
 };

@@ -10,7 +10,7 @@
 #include "document/RecordingExport.h"
 #include "document/RecordingsEdit.h"
 #include "document/container/RecordingBlobs.h"
-#include "haptics/RecordingCsv.h"
+#include "haptics/recording/RecordingCsv.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>

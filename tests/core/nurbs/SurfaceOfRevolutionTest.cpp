@@ -83,7 +83,7 @@ void SurfaceOfRevolutionTest::normalOfASphere() {
     const SurfaceOfRevolution s(ProfileCurve::make(test::sphere(3.0, centre)).value());
     for (int i = 0; i <= 20; ++i) {
       for (int j = 0; j <= 20; ++j) {
-        const SurfacePoint p = s.at(i / 20.0, j / 10.0);
+        const RevolutionPoint p = s.at(i / 20.0, j / 10.0);
         const Vec3 outward = (p.position - Vec3(0, 0, centre)) / 3.0;
         QVERIFY((p.normal - outward).norm() < (centre == 0.0 ? 1e-13 : 1e-8));
       }
@@ -94,7 +94,7 @@ void SurfaceOfRevolutionTest::normalOfASphere() {
 void SurfaceOfRevolutionTest::normalStandsOnBothDerivatives() {
   QVERIFY(rc::check("unit and perpendicular", [] {
     const SurfaceOfRevolution s = randomSurface();
-    const SurfacePoint p = s.at(test::between(0, 1), test::between(s.profile().from(), s.profile().to()));
+    const RevolutionPoint p = s.at(test::between(0, 1), test::between(s.profile().from(), s.profile().to()));
     RC_PRE(p.byProfile.norm() > 1e-3);
     RC_ASSERT(std::abs(p.normal.norm() - 1.0) < 1e-13);
     RC_ASSERT(std::abs(p.normal.dot(p.byCircle)) < 1e-12 * (1 + p.byCircle.norm()));
@@ -106,7 +106,7 @@ void SurfaceOfRevolutionTest::normalStandsOnBothDerivatives() {
 void SurfaceOfRevolutionTest::isStableOnTheAxis() {
   const SurfaceOfRevolution cone(ProfileCurve::polyline({{3, 0}, {0, 4}}).value());
   for (double u : {0.0, 0.1, 0.6, 1.0}) {
-    const SurfacePoint tip = cone.at(u, 1.0), side = cone.at(u, 0.25);
+    const RevolutionPoint tip = cone.at(u, 1.0), side = cone.at(u, 0.25);
     QCOMPARE(tip.position, Vec3(0, 0, 4));
     QCOMPARE(tip.byCircle.norm(), 0.0);
     QVERIFY((tip.normal - side.normal).norm() < 1e-15);
@@ -116,7 +116,7 @@ void SurfaceOfRevolutionTest::isStableOnTheAxis() {
 
 void SurfaceOfRevolutionTest::cylinderPointsOutwards() {
   const SurfaceOfRevolution mantle(StockCylinder{50, 100, -20}.profile());
-  const SurfacePoint p = mantle.at(0.25, 0.5);
+  const RevolutionPoint p = mantle.at(0.25, 0.5);
   QVERIFY((p.position - Vec3(0, 25, 30)).norm() < 1e-13);
   QVERIFY((p.normal - Vec3(0, 1, 0)).norm() < 1e-15);
   QVERIFY((p.byProfile - Vec3(0, 0, 100)).norm() < 1e-12);

@@ -100,7 +100,7 @@ void CommandPaletteTest::mnemonics() {
 
 void CommandPaletteTest::bestFirst() {
   QCOMPARE(found("sa").mid(0, 3), QStringList({"save", "saveAs", "shaded"}));  // beginning, beginning, in order
-  QCOMPARE(found("swe").first(), QString("shadedWithEdges"));                  // beginnings of words
+  QCOMPARE(found("swe").first(), QString("shadedWithEdges"));                  // startActions of words
   QCOMPARE(found("edges").first(), QString("shadedWithEdges"));                // holds it
   QCOMPARE(found("save as"), QStringList({"saveAs"}));
   QCOMPARE(found("svs"), QStringList({"saveAs"}));

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ControlsTestMain.h"
 #include "DevicePanelBench.h"
-#include "panels/AxisBars.h"
-#include "panels/ForcePlot.h"
+#include "panels/device/AxisBars.h"
+#include "panels/device/ForcePlot.h"
 
 #include <QCheckBox>
 #include <QPushButton>

@@ -158,7 +158,7 @@ void DevicePanelTest::timings() {
   DevicePanelBench bench;
   const DeviceInUse view = falconView();
   bench.panel.showDevice(view);
-  LoopMeasure measure(view.capabilities, 0.002, 1e-3);
+  ServoStatistics measure(view.capabilities, 0.002, 1e-3);
   fill(measure);
   auto* plot = bench.part<PlotWidget>("timingPlot");
   bench.panel.showTiming(measure);  // nobody sees it
@@ -205,7 +205,7 @@ void DevicePanelTest::pictures() {
     bench.panel.showDevice(view);
     bench.panel.showLoop({998.4, 7, page == 1 ? RealTimeState::RealTime : RealTimeState::NotPermitted});
     playTouches(bench.panel);
-    LoopMeasure measure(view.capabilities, 0.002, 1e-3);
+    ServoStatistics measure(view.capabilities, 0.002, 1e-3);
     fill(measure);
     bench.panel.showTiming(measure);
     look(bench.panel,

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ControlsTestMain.h"
 #include "DeviceScenes.h"
-#include "panels/AxisBars.h"
-#include "panels/ButtonLamps.h"
-#include "panels/DeviceText.h"
-#include "panels/ForceTrace.h"
-#include "panels/MappingForm.h"
-#include "panels/SafetyMemory.h"
-#include "panels/TimingPlot.h"
+#include "panels/device/AxisBars.h"
+#include "panels/device/ButtonLamps.h"
+#include "panels/device/DeviceText.h"
+#include "panels/device/ForceTrace.h"
+#include "panels/device/MappingForm.h"
+#include "panels/device/SafetyMemory.h"
+#include "panels/device/TimingPlot.h"
 
 #include <rapidcheck.h>
 #include <QTest>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/LoopMeasure.h"
-#include "haptics/ServoSample.h"
-#include "panels/DevicePanel.h"
+#include "haptics/servo/ServoSample.h"
+#include "haptics/servo/ServoStatistics.h"
+#include "panels/device/DevicePanel.h"
 
 #include <cmath>
 #include <numbers>
@@ -73,7 +73,7 @@ inline void playTouches(DevicePanel& panel) {
 }
 
 // A loop of 1 kHz: most ticks nearly in time, some late.
-inline void fill(LoopMeasure& measure) {
+inline void fill(ServoStatistics& measure) {
   for (int i = 0; i < 1000; ++i) {
     const double late = 1e-6 * (20 + i % 37) + (i % 100 == 0 ? 4e-4 : 0.0);
     measure.addLateness(late);

@@ -234,6 +234,19 @@ void PanelsTest::messagesGoWithTheirDocument() {
   QVERIFY(bar.isHidden());
   bar.setDocument(a);
   QVERIFY(bar.isHidden());
+  // What there was time to read does not stand over other documents.
+  bar.setReadingTime(0);
+  bar.showMessage({Message::Weight::Error, "of a file that is not open", {}, {}, {}, {}});
+  bar.showMessage(about("of a", bench));
+  bar.setDocument(a);
+  QCOMPARE(bar.findChild<QLabel*>("messageMore")->text(), QString("1 more"));
+  QTest::qWait(5);
+  bar.setDocument(b);
+  QVERIFY(bar.isHidden());
+  bar.setDocument(a);
+  QVERIFY(text().contains("of a"));
+  QVERIFY(!bar.findChild<QWidget*>("messageMore")->isVisible());
+  bar.forget(a);
 }
 
 void PanelsTest::severalJobs() {

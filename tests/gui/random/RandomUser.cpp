@@ -6,8 +6,8 @@
 #include "controls/CommandPalette.h"
 #include "document/DocumentKind.h"
 #include "viewport/Viewport.h"
-#include "window/DocumentTabs.h"
 #include "window/MainWindow.h"
+#include "window/documents/DocumentTabs.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -126,6 +126,8 @@ void RandomUser::act() {
       &RandomUser::strokeInView,   &RandomUser::clickButton,    &RandomUser::clickButton,  &RandomUser::clickRow,
       &RandomUser::clickRow,       &RandomUser::runCommand,     &RandomUser::runCommand,   &RandomUser::editField,
       &RandomUser::switchDocument, &RandomUser::switchDocument, &RandomUser::cancelJob,    &RandomUser::searchCommand};
+  // What is chosen there may be the command that closes.
+  if (const auto* palette = m_window.findChild<CommandPalette*>(); palette && palette->isVisible()) m_mayClose = true;
   if (!answerDialogs()) (this->*kActions[upTo(static_cast<int>(std::size(kActions)))])();
   QTest::qWait(upTo(30));
   if (oneIn(40)) {
@@ -170,6 +172,12 @@ void RandomUser::answer(QFileDialog& dialog) {
   note(QStringLiteral("%1: %2").arg(dialog.objectName(), file));
   dialog.findChild<QAbstractItemView*>(QStringLiteral("listView"))->clearSelection();
   dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(file);
+  // A file that is missing or stands already is asked about before accept() returns.
+  QTimer asked;
+  QObject::connect(&asked, &QTimer::timeout, &dialog, [this] {
+    if (auto* prompt = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) answer(*prompt);
+  });
+  asked.start(20);
   QMetaObject::invokeMethod(&dialog, "accept");
 }
 
@@ -268,7 +276,11 @@ void RandomUser::clickButton() {
   const QString name = button->objectName();
   note(QStringLiteral("clicks %1 “%2”").arg(name, button->text()));
   if (name == QLatin1String("closeTab")) m_mayClose = true;
-  QTest::mouseClick(button, Qt::LeftButton);
+  // As a hand does it: what the press leads to is done before the release.
+  const QPointer<QAbstractButton> pressed(button);
+  QTest::mousePress(button, Qt::LeftButton);
+  QTest::qWait(upTo(20));
+  if (pressed && !QApplication::activeModalWidget()) QTest::mouseRelease(button, Qt::LeftButton);
 }
 
 void RandomUser::clickRow() {
@@ -281,7 +293,6 @@ void RandomUser::clickRow() {
   if (model->rowCount(index) > 0 && !oneIn(4)) index = model->index(upTo(model->rowCount(index)), 0, index);
   note(QStringLiteral("row %1 of %2").arg(index.data().toString(), view->objectName()));
   view->scrollTo(index);
-  if (view->objectName() == QLatin1String("commandList")) m_mayClose = true;
   const QPoint place = view->visualRect(index).center();
   oneIn(4) ? QTest::mouseDClick(view->viewport(), Qt::LeftButton, {}, place)
            : QTest::mouseClick(view->viewport(), Qt::LeftButton, {}, place);
@@ -347,10 +358,14 @@ void RandomUser::searchCommand() {
   QTest::keyClick(query, oneIn(2) ? Qt::Key_Return : Qt::Key_Escape);
 }
 
-void RandomUser::undoEverything() {
+void RandomUser::undoEverything(const std::function<void()>& alive) {
   for (int round = 0; round < 100 && answerDialogs(); ++round) QTest::qWait(20);
   while (QWidget* popup = QApplication::activePopupWidget()) popup->close();
-  (void)QTest::qWaitFor([this] { return m_window.isSettled(); }, 120'000);
+  const auto isSettled = [&] {
+    alive();
+    return m_window.isSettled();
+  };
+  (void)QTest::qWaitFor(isSettled, 120'000);
   for (const auto& open : m_tabs.all()) {
     m_tabs.setCurrent(open.get());
     open->document.history()->setIndex(0);

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "window/OpenDocument.h"
+#include "window/documents/OpenDocument.h"
 
 #include <QObject>
 #include <QPointer>
 #include <QStringList>
 #include <QTemporaryDir>
+#include <functional>
 #include <map>
 #include <random>
 
@@ -39,7 +40,7 @@ class RandomUser : public QObject {
   // What should not have happened, as a sentence each.
   const QStringList& problems() const { return m_problems; }
   // Undoes all there is in every document and compares it with what it was when it was opened.
-  void undoEverything();
+  void undoEverything(const std::function<void()>& alive);
 
  private:
   int upTo(int count) { return std::uniform_int_distribution<int>(0, count - 1)(m_random); }

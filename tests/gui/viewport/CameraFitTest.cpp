@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TestClass.h"
-#include "viewport/CameraNavigation.h"
+#include "viewport/camera/CameraNavigation.h"
 
 #include <rapidcheck.h>
 #include <QtTest>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TestClass.h"
-#include "viewport/ColourScale.h"
+#include "viewport/overlay/ColourScale.h"
 
 #include <Eigen/Dense>
 

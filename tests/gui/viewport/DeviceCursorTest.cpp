@@ -4,7 +4,7 @@
 
 #include "PictureFixture.h"
 #include "SheetModel.h"
-#include "mesh/MeshBuilder.h"
+#include "mesh/structure/MeshBuilder.h"
 
 using namespace handwheel;
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ShapeModels.h"
 #include "TestClass.h"
-#include "viewport/Overlay.h"
-#include "viewport/StrokeText.h"
+#include "viewport/overlay/Overlay.h"
+#include "viewport/overlay/StrokeText.h"
 
 #include <rapidcheck.h>
 #include <QtTest>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ShapeModels.h"
 #include "TestClass.h"
-#include "viewport/PartActors.h"
-#include "viewport/PartPreparation.h"
+#include "viewport/surface/PartActors.h"
+#include "viewport/surface/PartPreparation.h"
 
 #include <vtkActorCollection.h>
 #include <vtkMatrix4x4.h>

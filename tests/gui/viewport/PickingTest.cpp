@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SheetModel.h"
 #include "TestClass.h"
-#include "mesh/MeshBuilder.h"
+#include "mesh/structure/MeshBuilder.h"
 #include "viewport/BrushOutline.h"
 #include "viewport/Picking.h"
 

@@ -4,7 +4,7 @@
 
 #include "DisplayTestMain.h"
 #include "ShapeModels.h"
-#include "viewport/CameraNavigation.h"
+#include "viewport/camera/CameraNavigation.h"
 
 namespace handwheel {
 

@@ -4,7 +4,7 @@
 
 #include "DisplayTestMain.h"
 #include "SheetModel.h"
-#include "mesh/MeshBuilder.h"
+#include "mesh/structure/MeshBuilder.h"
 
 namespace handwheel {
 

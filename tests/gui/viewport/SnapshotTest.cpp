@@ -3,7 +3,7 @@
 #include "ShapeModels.h"
 #include "SheetModel.h"
 #include "TestClass.h"
-#include "mesh/MeshBuilder.h"
+#include "mesh/structure/MeshBuilder.h"
 #include "viewport/Snapshot.h"
 
 #include <sys/stat.h>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TestClass.h"
-#include "mesh/MeshBounds.h"
-#include "mesh/MeshBuilder.h"
-#include "viewport/SurfaceGeometry.h"
+#include "mesh/structure/MeshBounds.h"
+#include "mesh/structure/MeshBuilder.h"
+#include "viewport/surface/SurfaceGeometry.h"
 
 #include <QtTest>
 #include <cmath>

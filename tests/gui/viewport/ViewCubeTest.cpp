@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TestClass.h"
-#include "viewport/ViewCube.h"
+#include "viewport/overlay/ViewCube.h"
 
 #include <rapidcheck.h>
 #include <QApplication>

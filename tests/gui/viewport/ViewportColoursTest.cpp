@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "PictureFixture.h"
 #include "SheetModel.h"
-#include "mesh/MeshBuilder.h"
+#include "mesh/structure/MeshBuilder.h"
 #include "viewport/Lighting.h"
 
 using namespace handwheel;

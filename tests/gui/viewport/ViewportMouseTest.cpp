@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "DisplayTestMain.h"
 #include "SheetModel.h"
-#include "mesh/MeshBuilder.h"
-#include "viewport/CameraNavigation.h"
+#include "mesh/structure/MeshBuilder.h"
+#include "viewport/camera/CameraNavigation.h"
 
 #include <QSignalSpy>
 #include <QWheelEvent>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "PictureFixture.h"
-#include "mesh/MeshBuilder.h"
+#include "mesh/structure/MeshBuilder.h"
 
 using namespace handwheel;
 

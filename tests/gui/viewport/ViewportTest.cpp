@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ShapeModels.h"
 #include "SheetView.h"
-#include "mesh/LiveMesh.h"
-#include "viewport/CameraNavigation.h"
+#include "mesh/selection/PreviewMesh.h"
+#include "viewport/camera/CameraNavigation.h"
 
 #include <QSignalSpy>
 #include <QVBoxLayout>
@@ -189,11 +189,11 @@ class ViewportTest : public ViewportFixture {
     const HalfEdgeMesh mesh = buildMesh(sheet(kCells)).mesh;
     const QPoint middle = onScreen(10.5, 10.5).toPoint();
     const QColor before = m_view->grabImage().pixelColor(middle);
-    auto live = std::make_shared<LiveMesh>(LiveMesh{mesh, {}});
+    auto live = std::make_shared<PreviewMesh>(PreviewMesh{mesh, {}});
     for (Face f = 0; f < mesh.faceSlots(); ++f) {
       live->touched.add(f);
       live->mesh.removeFace(f);
-      if (f % 50 == 0) m_view->setLiveMesh(std::make_shared<LiveMesh>(*live));
+      if (f % 50 == 0) m_view->setLiveMesh(std::make_shared<PreviewMesh>(*live));
     }
     m_view->setLiveMesh(live);
     const QImage empty = m_view->grabImage();

@@ -4,9 +4,9 @@
 #include "WindowTestMain.h"
 #include "document/RecordingsEdit.h"
 #include "document/RecoveryLeftovers.h"
-#include "window/DocumentTabs.h"
-#include "window/FileActions.h"
-#include "window/OpenDocument.h"
+#include "window/documents/DocumentTabs.h"
+#include "window/documents/FileActions.h"
+#include "window/documents/OpenDocument.h"
 
 #include <QPushButton>
 #include <QStandardPaths>

@@ -3,9 +3,9 @@
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
 #include "document/AtomicFile.h"
-#include "haptics/TouchFidelity.h"
-#include "window/Calibrator.h"
-#include "window/FidelityChoice.h"
+#include "haptics/scene/TouchFidelity.h"
+#include "window/fidelity/Calibrator.h"
+#include "window/fidelity/FidelityChoice.h"
 
 #include <QComboBox>
 #include <QDockWidget>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "window/mesh/ClearView.h"
+#include "window/mesh/UnobstructedView.h"
 
 #include "TestClass.h"
-#include "mesh/MeshBuilder.h"
+#include "mesh/structure/MeshBuilder.h"
 
 #include <QtTest>
 

@@ -4,6 +4,7 @@
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
 
+#include <QDockWidget>
 #include <QMessageBox>
 #include <QTimer>
 
@@ -90,6 +91,62 @@ class ClosingTest : public QObject {
     driver.find<QAction>("quit")->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(!driver.window().isVisible(), kPatienceMs);
     QCOMPARE(driver.tabs(), 0);
+  }
+
+  // Who cancels at the last question keeps all documents, with what was to be discarded and what had no changes.
+  void cancellingTheQuitKeepsEverything() {
+    WindowDriver driver;
+    writeStl(m_folder.filePath("whole.stl"), quadTorus(12, 8, {}));
+    QVERIFY(driver.open(m_folder.filePath("whole.stl")));
+    openChanged(driver, m_folder.filePath("first.stl"));
+    openChanged(driver, m_folder.filePath("second.stl"));
+    QStringList asked;
+    QTimer answers;
+    connect(&answers, &QTimer::timeout, qApp, [&asked] {
+      if (!prompt()) return;
+      asked << prompt()->text();
+      press(asked.size() == 1 ? QMessageBox::Discard : QMessageBox::Cancel);
+    });
+    answers.start(50);
+    driver.find<QAction>("quit")->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(asked.size(), 2, kPatienceMs);
+    QTest::qWait(200);
+    QVERIFY(asked[0].contains("first.stl") && asked[1].contains("second.stl"));
+    QCOMPARE(driver.tabs(), 3);
+    QVERIFY(driver.window().isVisible());
+    // Asked anew, and this time all goes.
+    answers.disconnect();
+    connect(&answers, &QTimer::timeout, qApp, [] { press(QMessageBox::Discard); });
+    driver.find<QAction>("quit")->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(!driver.window().isVisible(), kPatienceMs);
+  }
+
+  // Panels call parts of the window when they hide: those are gone once its own destructor has run.
+  void panelsHideBeforeTheWindowIsGone() {
+    class HideWatch : public QObject {
+     public:
+      int hidden = 0, late = 0;
+      bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() != QEvent::Hide) return false;
+        const QObject* window = watched;
+        while (window->parent()) window = window->parent();
+        ++hidden;
+        late += qobject_cast<const MainWindow*>(window) ? 0 : 1;
+        return false;
+      }
+    } watch;
+    {
+      WindowDriver driver;
+      bool isFloating = false;
+      for (QDockWidget* dock : driver.window().findChildren<QDockWidget*>()) {
+        dock->setFloating(isFloating = !isFloating);
+        dock->show();
+        if (dock->widget()) dock->widget()->installEventFilter(&watch);
+      }
+      QTest::qWait(100);
+    }
+    QVERIFY(watch.hidden >= 4);
+    QCOMPARE(watch.late, 0);
   }
 
   void whoCancelsIsAskedAgain() {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "panels/DefectModel.h"
+#include "panels/defects/DefectModel.h"
 
 #include <QAbstractItemModelTester>
 #include "MeshDocuments.h"

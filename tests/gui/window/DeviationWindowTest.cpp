@@ -4,7 +4,7 @@
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
 #include "plot/PlotWidget.h"
-#include "window/mesh/MeshDeviation.h"
+#include "window/mesh/deviation/MeshDeviation.h"
 
 #include <QDockWidget>
 #include <QPushButton>

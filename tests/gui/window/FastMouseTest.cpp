@@ -4,7 +4,7 @@
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
 #include "tools/ToolRunner.h"
-#include "window/ToolHost.h"
+#include "window/tools/ToolHost.h"
 
 #include <QComboBox>
 #include <QThread>

@@ -7,12 +7,12 @@
 #include "document/mesh/MeshDocument.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "fidelity/Cases.h"
-#include "mesh/MeshFidelity.h"
+#include "mesh/measure/MeshFidelity.h"
 #include "plot/PlotWidget.h"
 #include "tools/mesh/MeshServices.h"
-#include "window/DocumentTabs.h"
-#include "window/FidelityChoice.h"
-#include "window/OpenDocument.h"
+#include "window/documents/DocumentTabs.h"
+#include "window/documents/OpenDocument.h"
+#include "window/fidelity/FidelityChoice.h"
 
 #include <QComboBox>
 #include <QDockWidget>

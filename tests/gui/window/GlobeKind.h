@@ -6,8 +6,8 @@
 #include "document/AtomicFile.h"
 #include "document/Document.h"
 #include "document/Edit.h"
-#include "window/OpenDocument.h"
-#include "window/PartsUi.h"
+#include "window/documents/OpenDocument.h"
+#include "window/kinds/PartsUi.h"
 
 #include <charconv>
 #include <fstream>
@@ -115,7 +115,7 @@ class GlobeUi : public PartsUi {
  public:
   GlobeUi(const WindowParts& parts, QString sample) : PartsUi(parts, {"Globe"}), m_sample(std::move(sample)) {}
 
-  std::vector<Beginning> beginnings() const override {
+  std::vector<StartAction> startActions() const override {
     return {{"newGlobe", "New &globe", "Start with a globe", panelIcon()},
             {"openGlobe", "Open the sample g&lobe", "A globe", panelIcon(), m_sample,
              StartTile{"globeTile", panelIcon(), "Look at a globe", "It is round, nearly."}}};
@@ -123,8 +123,8 @@ class GlobeUi : public PartsUi {
   QString panelTitle() const override { return "Shape of the globe"; }
   QString panelIcon() const override { return "file"; }
   QString menuTitle() const override { return "&Globe"; }
-  std::vector<ToolOffer> tools() override { return {measureParts()}; }
-  QString figures() const override {
+  std::vector<ToolDescriptor> tools() override { return {measureParts()}; }
+  QString statistics() const override {
     return document() ? QString::number(radiusOf(*document()->document.snapshot())) : QString();
   }
   QString openedText(const OpenDocument& opened) const override { return "Opened the globe " + opened.document.name(); }

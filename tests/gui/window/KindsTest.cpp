@@ -7,7 +7,7 @@
 #include "cli/SetCommand.h"
 #include "controls/PropertyList.h"
 #include "document/Document.h"
-#include "window/FileFilters.h"
+#include "window/documents/FileFilters.h"
 
 #include <QDockWidget>
 #include <QUndoStack>

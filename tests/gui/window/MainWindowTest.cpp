@@ -4,7 +4,7 @@
 #include "StlFiles.h"
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
-#include "window/Thumbnails.h"
+#include "window/documents/Thumbnails.h"
 
 #include <QDockWidget>
 #include <QDropEvent>

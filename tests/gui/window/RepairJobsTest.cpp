@@ -7,9 +7,9 @@
 #include "WindowTestMain.h"
 #include "panels/LogModel.h"
 #include "panels/MessageBar.h"
-#include "window/DocumentTabs.h"
-#include "window/FidelityChoice.h"
-#include "window/KindUi.h"
+#include "window/documents/DocumentTabs.h"
+#include "window/fidelity/FidelityChoice.h"
+#include "window/kinds/KindUi.h"
 #include "window/mesh/OpenMesh.h"
 
 #include <QThreadPool>

@@ -5,13 +5,13 @@
 #include "controls/CommandModel.h"
 #include "tools/MeasureTool.h"
 #include "tools/cell/JointDragTool.h"
-#include "tools/mesh/BoundaryTool.h"
 #include "tools/mesh/DecimateTool.h"
 #include "tools/mesh/FillHoleTool.h"
 #include "tools/mesh/MakeFaceTool.h"
-#include "tools/mesh/SculptTool.h"
 #include "tools/mesh/SelectTool.h"
 #include "tools/mesh/TransformTool.h"
+#include "tools/mesh/boundary/BoundaryTool.h"
+#include "tools/mesh/sculpt/SculptTool.h"
 
 #include <QListView>
 

@@ -92,11 +92,11 @@ class ViewCommandsTest : public QObject {
 
   void theStatusBarSaysWhatServicesCost() {
     WindowDriver driver;
-    auto* figures = driver.find<QToolButton>("serviceFigures");
-    QVERIFY(figures->isVisible());
-    QCOMPARE(figures->text(), QStringLiteral("0 µs/s"));  // nothing runs without a document
+    auto* statistics = driver.find<QToolButton>("serviceStatistics");
+    QVERIFY(statistics->isVisible());
+    QCOMPARE(statistics->text(), QStringLiteral("0 µs/s"));  // nothing runs without a document
     QVERIFY(!driver.find<QDockWidget>("statusDock")->isVisible());
-    driver.click("serviceFigures");
+    driver.click("serviceStatistics");
     QVERIFY(driver.find<QDockWidget>("statusDock")->isVisible());
   }
 };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "panels/DefectModel.h"
+#include "panels/defects/DefectModel.h"
 #include "registration/Registration.h"
 #include "viewport/Viewport.h"
 #include "window/MainWindow.h"

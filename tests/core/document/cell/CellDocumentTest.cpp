@@ -129,10 +129,10 @@ void CellDocumentTest::settingWithoutLimits() {
 }
 
 void CellDocumentTest::dragsAreOneStep() {
-  for (double v : {0.1, 0.2, 0.3}) QVERIFY(m_document->setProperty("joint.turn", v, Stroke::Continues).hasValue());
-  QVERIFY(m_document->setProperty("joint.turn", 0.4, Stroke::Ends).hasValue());
+  for (double v : {0.1, 0.2, 0.3}) QVERIFY(m_document->setProperty("joint.turn", v, DragPhase::Continues).hasValue());
+  QVERIFY(m_document->setProperty("joint.turn", 0.4, DragPhase::Ends).hasValue());
   QCOMPARE(m_document->history()->count(), 1);
-  QVERIFY(m_document->setProperty("joint.turn", 0.5, Stroke::Ends).hasValue());  // another drag
+  QVERIFY(m_document->setProperty("joint.turn", 0.5, DragPhase::Ends).hasValue());  // another drag
   QCOMPARE(m_document->history()->count(), 2);
   m_document->history()->undo();
   QCOMPARE(m_document->joints()[1], 0.4);
@@ -141,8 +141,8 @@ void CellDocumentTest::dragsAreOneStep() {
   m_document->history()->redo();
   QCOMPARE(m_document->joints()[1], 0.4);
   // Different joints do not merge, even in one stroke.
-  QVERIFY(m_document->setProperty("joint.turn", 0.6, Stroke::Continues).hasValue());
-  QVERIFY(m_document->setProperty("joint.slide", 100.0, Stroke::Continues).hasValue());
+  QVERIFY(m_document->setProperty("joint.turn", 0.6, DragPhase::Continues).hasValue());
+  QVERIFY(m_document->setProperty("joint.slide", 100.0, DragPhase::Continues).hasValue());
   QCOMPARE(m_document->history()->count(), 3);
 }
 
@@ -180,7 +180,7 @@ void CellDocumentTest::undoIsTheInverse() {
     const int steps = *rc::gen::inRange(1, 12);
     for (int i = 0; i < steps; ++i) {
       const int before = m_document->history()->count();
-      const Stroke stroke = *rc::gen::arbitrary<bool>() ? Stroke::Continues : Stroke::Ends;
+      const DragPhase stroke = *rc::gen::arbitrary<bool>() ? DragPhase::Continues : DragPhase::Ends;
       if (*rc::gen::arbitrary<bool>())
         RC_ASSERT(m_document->setProperty("joint.turn", *rc::gen::inRange(-20, 21) / 10.0, stroke).hasValue());
       else if (auto edit = m_document->jointEdit(values({*rc::gen::inRange(0, 11) * 100.0, 1.0})))

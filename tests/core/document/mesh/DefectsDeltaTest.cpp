@@ -6,7 +6,7 @@
 #include "MeshShapes.h"
 #include "TestClass.h"
 #include "document/EditCommand.h"
-#include "mesh/MeshBuilder.h"
+#include "mesh/structure/MeshBuilder.h"
 
 #include <rapidcheck.h>
 #include <QTest>

@@ -4,7 +4,7 @@
 
 #include "MeshShapes.h"
 #include "TestClass.h"
-#include "mesh/MeshBuilder.h"
+#include "mesh/structure/MeshBuilder.h"
 
 #include <QTest>
 

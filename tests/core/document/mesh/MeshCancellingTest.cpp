@@ -4,8 +4,8 @@
 #include "MeshChecks.h"
 #include "MeshShapes.h"
 #include "TestClass.h"
+#include "document/formats/MeshExport.h"
 #include "document/mesh/MeshBlobs.h"
-#include "document/mesh/MeshExport.h"
 
 #include <QFile>
 #include <QTemporaryDir>

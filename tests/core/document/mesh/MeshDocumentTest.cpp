@@ -5,7 +5,7 @@
 #include "MeshDocuments.h"
 #include "TestClass.h"
 #include "document/EditCommand.h"
-#include "mesh/MeshFidelity.h"
+#include "mesh/measure/MeshFidelity.h"
 
 #include <rapidcheck.h>
 #include <QSignalSpy>

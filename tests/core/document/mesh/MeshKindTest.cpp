@@ -6,8 +6,8 @@
 #include "MeshShapes.h"
 #include "TestClass.h"
 #include "document/mesh/MeshBlobs.h"
-#include "mesh/MeshValidator.h"
-#include "mesh/Repair.h"
+#include "mesh/repair/Repair.h"
+#include "mesh/structure/MeshValidator.h"
 
 #include <rapidcheck.h>
 #include <QTemporaryDir>

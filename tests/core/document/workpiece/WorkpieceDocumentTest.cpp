@@ -67,7 +67,7 @@ State stateOf(const Document& document) {
 // Any property with a value that it can have, now and then the one that it has.
 void changeSomething(Document& document) {
   static const std::vector<std::string> ids = {"diameter", "length", "position", "chord"};
-  const Stroke stroke = *rc::gen::arbitrary<bool>() ? Stroke::Continues : Stroke::Ends;
+  const DragPhase stroke = *rc::gen::arbitrary<bool>() ? DragPhase::Continues : DragPhase::Ends;
   const auto which = *rc::gen::inRange<std::size_t>(0, ids.size() + 1);
   if (which == ids.size()) {
     const auto name = *rc::gen::elementOf(std::vector<std::string>{"", "C45", "Messing ⌀", "铝", "C45"});
@@ -131,13 +131,13 @@ void WorkpieceDocumentTest::sameValueIsNoStep() {
 
 void WorkpieceDocumentTest::stepsOfOnePropertyMerge() {
   const auto document = blankDocument();
-  for (double d : {60.0, 70.0}) QVERIFY(document->setProperty("diameter", d, Stroke::Continues));
-  QVERIFY(document->setProperty("diameter", 80.0, Stroke::Ends));
+  for (double d : {60.0, 70.0}) QVERIFY(document->setProperty("diameter", d, DragPhase::Continues));
+  QVERIFY(document->setProperty("diameter", 80.0, DragPhase::Ends));
   QCOMPARE(document->history()->count(), 1);
   QVERIFY(document->setProperty("diameter", 90.0));  // another stroke
   QCOMPARE(document->history()->count(), 2);
-  QVERIFY(document->setProperty("length", 10.0, Stroke::Continues));
-  QVERIFY(document->setProperty("position", 10.0, Stroke::Ends));  // the same one, but another property
+  QVERIFY(document->setProperty("length", 10.0, DragPhase::Continues));
+  QVERIFY(document->setProperty("position", 10.0, DragPhase::Ends));  // the same one, but another property
   QCOMPARE(document->history()->count(), 4);
   document->history()->setIndex(1);
   QCOMPARE(stateOf(*document).stock, (StockCylinder{80, 100, 0}));

@@ -5,7 +5,7 @@
 #include "TestClass.h"
 #include "document/formats/MeshFormat.h"
 #include "document/workpiece/WorkpieceDocument.h"
-#include "mesh/Weld.h"
+#include "mesh/structure/Weld.h"
 #include "nurbs/StepFile.h"
 
 #include <MeshChecks.h>

@@ -7,8 +7,8 @@
 #include "MeshDocuments.h"
 #include "ToolEvents.h"
 #include "WaitingServices.h"
-#include "mesh/MeshValidator.h"
-#include "tools/mesh/BoundaryTool.h"
+#include "mesh/structure/MeshValidator.h"
+#include "tools/mesh/boundary/BoundaryTool.h"
 
 namespace handwheel::test {
 

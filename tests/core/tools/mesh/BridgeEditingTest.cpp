@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/mesh/BridgeEditing.h"
+#include "tools/mesh/boundary/BridgeEditing.h"
 
 #include "TestClass.h"
-#include "mesh/LoopDecomposition.h"
+#include "mesh/holes/HoleDecomposition.h"
 
 #include <rapidcheck.h>
 
@@ -80,7 +80,7 @@ void BridgeEditingTest::alwaysABridging() {
     for (int i = 0; i < 30; ++i) {
       draw(editing, *rc::gen::inRange<std::uint32_t>(0, kSize), *rc::gen::inRange<std::uint32_t>(0, kSize),
            editing.own());
-      RC_ASSERT(editing.own().empty() || cutLoop(kSize, editing.own()).has_value());
+      RC_ASSERT(editing.own().empty() || splitHole(kSize, editing.own()).has_value());
     }
   }));
 }

@@ -6,8 +6,8 @@
 #include "MeshDocuments.h"
 #include "MeshShapes.h"
 #include "TestClass.h"
-#include "mesh/MeshFidelity.h"
-#include "mesh/MeshValidator.h"
+#include "mesh/measure/MeshFidelity.h"
+#include "mesh/structure/MeshValidator.h"
 
 #include <QTest>
 #include <cmath>

@@ -6,8 +6,9 @@
 #include "MeshDocuments.h"
 #include "MeshShapes.h"
 #include "TestClass.h"
-#include "mesh/Defects.h"
-#include "mesh/MeshValidator.h"
+#include "mesh/defects/Defects.h"
+#include "mesh/structure/MeshBuilder.h"
+#include "mesh/structure/MeshValidator.h"
 
 #include <QTest>
 
@@ -58,6 +59,7 @@ class DefectFixesTest : public QObject {
   void backOfASheet();
   void aRodInTheHole();
   void nothingToMend();
+  void saysWhatIsTooMuch();
 };
 
 void DefectFixesTest::withoutArea() {
@@ -73,12 +75,12 @@ void DefectFixesTest::withoutArea() {
 void DefectFixesTest::oneSide() {
   for (const TriangleSoup& soup : {test::sphereWithCrossCap(2), test::kleinBottle(20, 8)}) {
     const auto document = open(soup);
-    QVERIFY(!document->defects().oneSidedEdges.empty());
+    QVERIFY(!document->defects().nonOrientableEdges.empty());
     make(*document, oneSidedFix({}));
-    QVERIFY(document->defects().oneSidedEdges.empty());
+    QVERIFY(document->defects().nonOrientableEdges.empty());
     QVERIFY(test::countEdges(document->mesh()).sound());
     document->history()->undo();
-    QVERIFY(!document->defects().oneSidedEdges.empty());
+    QVERIFY(!document->defects().nonOrientableEdges.empty());
   }
 }
 
@@ -188,6 +190,25 @@ void DefectFixesTest::nothingToMend() {
         crossingFix(kNumbers, {}), debrisFix({}), backFix({}, {}), cutAndCloseFix(0, {})}) {
     make(*document, change);
     QCOMPARE(document->revision(), revision);
+  }
+}
+
+void DefectFixesTest::saysWhatIsTooMuch() {
+  TriangleSoup soup = test::twoConesSharingAnEdge(200);
+  test::append(soup, test::moved(test::sphereWithCrossCap(3), {9, 0, 0}));
+  test::append(soup, test::moved(test::icosphere(3), {9.5, 0, 0}));
+  const HalfEdgeMesh before = buildMesh(soup).mesh;
+  const auto crossings = *findSelfIntersections(before);
+  QVERIFY(!crossings.empty());
+  for (const MeshChange& change : {nonManifoldFix(kNumbers), oneSidedFix({}), crossingFix(kNumbers, crossings)}) {
+    QCOMPARE(reasonOf(change), change.reason);
+    HalfEdgeMesh mesh = before;
+    Effort little(1'000);
+    change.apply(mesh, Progress().within(little));
+    QVERIFY(little.counted() < 10'000);
+    QCOMPARE(reasonOf(change), "it would take too long for a mesh of this size");
+    change.apply(mesh, Progress());
+    QCOMPARE(reasonOf(change), change.reason);
   }
 }
 

@@ -8,7 +8,7 @@
 #include "MeshShapes.h"
 #include "TestClass.h"
 #include "ToolEvents.h"
-#include "mesh/MeshValidator.h"
+#include "mesh/structure/MeshValidator.h"
 #include "tools/ToolRunner.h"
 
 #include <QTest>

@@ -3,14 +3,14 @@
 #include "HapticDevices.h"
 #include "SelectBench.h"
 #include "TestClass.h"
-#include "haptics/SceneForces.h"
-#include "haptics/ServoLoop.h"
-#include "haptics/SimulatedDevice.h"
-#include "haptics/TouchableSurface.h"
+#include "haptics/contact/TouchableSurface.h"
+#include "haptics/device/SimulatedDevice.h"
+#include "haptics/scene/SceneForces.h"
+#include "haptics/servo/ServoLoop.h"
 #include "tools/MeasureTool.h"
-#include "tools/mesh/BoundaryTool.h"
 #include "tools/mesh/MakeFaceTool.h"
 #include "tools/mesh/NearFeatures.h"
+#include "tools/mesh/boundary/BoundaryTool.h"
 
 #include <QtTest>
 
@@ -45,7 +45,7 @@ struct HandBench {
     if (!device->open(Progress())) qFatal("the simulated device does not open");
     loop = std::make_unique<ServoLoop>(std::move(made), ServoSettings(), clock, service);
   }
-  void feel(const Tool& tool, bool mayLeap) {
+  void feel(const Tool& tool, bool isDiscontinuous) {
     const Vec3 tip = loop->latest().tip.position;
     SceneFeel feel;
     feel.surface = SurfaceFeel{surface, 0.5, 0.0, {}};
@@ -54,7 +54,7 @@ struct HandBench {
     feel.comesFrom = Vec3::UnitZ();
     auto scene = std::make_unique<HapticScene>();
     scene->source = std::make_unique<SceneForces>(std::move(feel));
-    scene->mayLeap = mayLeap;
+    scene->isDiscontinuous = isDiscontinuous;
     loop->setScene(std::move(scene));
   }
   const ServoSample& run(int ticks) {

@@ -8,7 +8,7 @@
 #include "TestClass.h"
 #include "ToolEvents.h"
 #include "WaitingServices.h"
-#include "mesh/MeshValidator.h"
+#include "mesh/structure/MeshValidator.h"
 
 #include <QTest>
 

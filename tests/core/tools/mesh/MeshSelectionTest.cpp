@@ -4,7 +4,7 @@
 
 #include "MeshShapes.h"
 #include "TestClass.h"
-#include "mesh/MeshBuilder.h"
+#include "mesh/structure/MeshBuilder.h"
 #include "tools/mesh/SelectSettings.h"
 
 #include <QTest>
@@ -160,13 +160,13 @@ void MeshSelectionTest::brushInPixels() {
   SelectSettings settings;
   settings.brushUnit = SelectSettings::Unit::Pixels;
   settings.brushPixels = 10.0;
-  Sight sight{{Vec3::Zero(), Vec3::UnitZ()}, std::nullopt, 0.5, 100.0};
-  QCOMPARE(settings.brushRadius(sight, Vec3(0, 0, 300)), 5.0);
-  sight.eye = Vec3::Zero();
-  QCOMPARE(settings.brushRadius(sight, Vec3(0, 0, 300)), 15.0);
+  PickRay pickRay{{Vec3::Zero(), Vec3::UnitZ()}, std::nullopt, 0.5, 100.0};
+  QCOMPARE(settings.brushRadius(pickRay, Vec3(0, 0, 300)), 5.0);
+  pickRay.eye = Vec3::Zero();
+  QCOMPARE(settings.brushRadius(pickRay, Vec3(0, 0, 300)), 15.0);
   settings.brushUnit = SelectSettings::Unit::Millimetres;
   settings.brushLength = 2.0;
-  QCOMPARE(settings.brushRadius(sight, Vec3(0, 0, 300)), 2.0);
+  QCOMPARE(settings.brushRadius(pickRay, Vec3(0, 0, 300)), 2.0);
   settings.scaleBrush(1.5);
   QCOMPARE(settings.brushLength, 3.0);
   QCOMPARE(settings.brushPixels, 10.0);

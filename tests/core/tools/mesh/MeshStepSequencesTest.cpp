@@ -6,7 +6,7 @@
 #include "ToolEvents.h"
 #include "tools/mesh/HandChanges.h"
 #include "tools/mesh/Placement.h"
-#include "tools/mesh/SculptTool.h"
+#include "tools/mesh/sculpt/SculptTool.h"
 
 #include <rapidcheck.h>
 

@@ -8,16 +8,16 @@
 #include "StepWork.h"
 #include "TestClass.h"
 #include "ToolEvents.h"
-#include "tools/mesh/BoundaryTool.h"
 #include "tools/mesh/DecimateTool.h"
 #include "tools/mesh/DefectFixes.h"
 #include "tools/mesh/FillWords.h"
 #include "tools/mesh/HandChanges.h"
 #include "tools/mesh/MakeFaceTool.h"
 #include "tools/mesh/Placement.h"
-#include "tools/mesh/SculptTool.h"
 #include "tools/mesh/SelectTool.h"
 #include "tools/mesh/TransformTool.h"
+#include "tools/mesh/boundary/BoundaryTool.h"
+#include "tools/mesh/sculpt/SculptTool.h"
 
 #include <rapidcheck.h>
 

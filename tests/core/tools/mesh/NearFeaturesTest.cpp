@@ -4,9 +4,9 @@
 
 #include "MeshShapes.h"
 #include "TestClass.h"
-#include "haptics/SnapProxy.h"
-#include "haptics/TouchableSurface.h"
-#include "mesh/MeshBuilder.h"
+#include "haptics/contact/TouchableSurface.h"
+#include "haptics/snap/SnapProxy.h"
+#include "mesh/structure/MeshBuilder.h"
 #include "proximity/ClosestPoint.h"
 
 #include <QtTest>

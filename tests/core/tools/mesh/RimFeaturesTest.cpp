@@ -4,8 +4,8 @@
 
 #include "MeshShapes.h"
 #include "TestClass.h"
-#include "haptics/SnapProxy.h"
-#include "mesh/MeshBuilder.h"
+#include "haptics/snap/SnapProxy.h"
+#include "mesh/structure/MeshBuilder.h"
 
 #include <QtTest>
 

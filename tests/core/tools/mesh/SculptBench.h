@@ -6,9 +6,9 @@
 #include "MeshDocuments.h"
 #include "MeshShapes.h"
 #include "ToolEvents.h"
-#include "mesh/MeshValidator.h"
+#include "mesh/structure/MeshValidator.h"
 #include "tools/ToolRunner.h"
-#include "tools/mesh/SculptTool.h"
+#include "tools/mesh/sculpt/SculptTool.h"
 
 namespace handwheel::test {
 

@@ -4,7 +4,7 @@
 #include "MeshShapes.h"
 #include "TestClass.h"
 #include "ToolEvents.h"
-#include "mesh/FaceGrowing.h"
+#include "mesh/selection/RegionGrowing.h"
 #include "tools/mesh/SelectTool.h"
 
 #include <QElapsedTimer>

@@ -4,7 +4,7 @@
 #include "SelectBench.h"
 #include "TestClass.h"
 #include "WaitingServices.h"
-#include "mesh/MeshValidator.h"
+#include "mesh/structure/MeshValidator.h"
 
 #include <QTest>
 

@@ -6,13 +6,13 @@
 #include "MeshShapes.h"
 #include "TestClass.h"
 #include "ToolEvents.h"
-#include "mesh/FaceGrowing.h"
-#include "mesh/MeshValidator.h"
+#include "mesh/selection/RegionGrowing.h"
+#include "mesh/structure/MeshValidator.h"
 #include "tools/ToolRunner.h"
-#include "tools/mesh/BoundaryTool.h"
 #include "tools/mesh/MakeFaceTool.h"
-#include "tools/mesh/SculptTool.h"
 #include "tools/mesh/SelectTool.h"
+#include "tools/mesh/boundary/BoundaryTool.h"
+#include "tools/mesh/sculpt/SculptTool.h"
 
 #include <rapidcheck.h>
 

@@ -6,7 +6,7 @@
 #include "MeshDocuments.h"
 #include "MeshShapes.h"
 #include "TestClass.h"
-#include "mesh/MeshValidator.h"
+#include "mesh/structure/MeshValidator.h"
 
 #include <rapidcheck.h>
 

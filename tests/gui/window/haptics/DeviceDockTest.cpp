@@ -4,7 +4,7 @@
 
 #include "OwnSettings.h"
 #include "TestClass.h"
-#include "panels/ForcePlot.h"
+#include "panels/device/ForcePlot.h"
 #include "window/WindowServices.h"
 #include "window/haptics/HapticSession.h"
 

@@ -258,7 +258,7 @@ class HapticSessionTest : public QObject {
     b.plugged.log->state.position = {2, 0, 0};
     b.session->choose("fake", "well");
     QVERIFY(b.waitForOpen());
-    const auto publish = [&](bool mayLeap) {
+    const auto publish = [&](bool isDiscontinuous) {
       const double stiffness = b.session->mappingInScene().sceneStiffness(0.5);
       b.session->setScene(sceneOf(
           [=](const TipState& tip, ForceOut& out) {
@@ -266,7 +266,7 @@ class HapticSessionTest : public QObject {
             out.proxy.setZero();
             out.force = -stiffness * tip.position;
           },
-          mayLeap));
+          isDiscontinuous));
     };
     publish(true);
     QTRY_VERIFY(std::abs(sent - 1.0) < 1e-6);

@@ -4,7 +4,7 @@
 #include "../WindowTestMain.h"
 #include "MeshShapes.h"
 #include "SoupCorners.h"
-#include "window/FidelityChoice.h"
+#include "window/fidelity/FidelityChoice.h"
 #include "window/haptics/HapticSession.h"
 
 #include <QDockWidget>

@@ -5,9 +5,9 @@
 #include "MeshShapes.h"
 #include "SoupCorners.h"
 #include "document/Document.h"
-#include "haptics/ForceRecorder.h"
-#include "window/DocumentTabs.h"
-#include "window/OpenDocument.h"
+#include "haptics/recording/ForceRecorder.h"
+#include "window/documents/DocumentTabs.h"
+#include "window/documents/OpenDocument.h"
 #include "window/haptics/HapticSession.h"
 #include "window/haptics/Recordings.h"
 

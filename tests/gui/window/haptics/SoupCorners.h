@@ -3,7 +3,7 @@
 #pragma once
 
 #include "../StlFiles.h"
-#include "mesh/TriangleSoup.h"
+#include "mesh/structure/TriangleSoup.h"
 
 namespace handwheel::test {
 

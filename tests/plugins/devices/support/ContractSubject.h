@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/Device.h"
+#include "haptics/device/Device.h"
 
 #include <functional>
 #include <memory>

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/Arguments.h"
+#include "document/DocumentKind.h"
+#include "haptics/device/Device.h"
+
+#include <functional>
+#include <variant>
+
+namespace handwheel {
+
+struct Registered;
+
+// A command of the command line: its syntax and the function that runs it. The function returns the exit code.
+struct Command {
+  using OnDocuments = int (*)(const Arguments&, const DocumentKinds&);
+  using OnAll = int (*)(const Arguments&, const Registered&);
+
+  CommandSpec spec;
+  std::variant<OnDocuments, OnAll> run;
+  std::string (*details)(const DocumentKinds&) = nullptr;         // the part of its help page about the kinds
+  bool (*needsFonts)(std::span<char* const> operands) = nullptr;  // true for plots and printed pages
+};
+
+// The registered kinds, commands and drivers, as far as the commands need them.
+struct Registered {
+  const DocumentKinds& kinds;
+  std::vector<Command> commands;                                        // those for one kind of document only
+  std::function<std::vector<std::unique_ptr<DeviceDriver>>()> drivers;  // creates the built-in ones
+};
+
+}  // namespace handwheel

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Result.h"
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace handwheel {
+
+// The outcome for one file of a batch, from best to worst. Closed: closed, manifold and oriented; LeftOpen: written,
+// but defects remain; Failed: not written.
+enum class BatchState { Closed, LeftOpen, Failed };
+inline constexpr std::array kBatchStates{BatchState::Closed, BatchState::LeftOpen, BatchState::Failed};
+
+// The size and modification time of a file, to detect changes.
+struct FileStamp {
+  std::uintmax_t bytes = 0;
+  std::int64_t modifiedNs = 0;  // since 1970
+  bool operator==(const FileStamp&) const = default;
+};
+std::optional<FileStamp> stampOf(const std::filesystem::path& file);  // none where there is no regular file
+
+// The result for one file of a batch.
+struct BatchEntry {
+  std::string input, output;
+  FileStamp inputStamp;  // before the repair
+  std::uintmax_t outputBytes = 0;
+  BatchState state = BatchState::Failed;
+  std::size_t holes = 0, filled = 0;
+  std::size_t left = 0;            // remaining defects that keep the written file from being closed
+  std::string reason;              // of the first of them, or why it failed, as a sentence
+  std::vector<std::string> notes;  // losses and damage
+  double seconds = 0.0;
+};
+
+// The results of a batch repair, including the options it ran with.
+struct BatchReport {
+  std::string program;               // its version
+  std::vector<std::string> options;  // repair options, as command line words
+  std::string unit;
+  std::size_t fileCount = 0;  // including those without an entry yet
+  std::vector<BatchEntry> entries;
+};
+
+// The report as the text of its file.
+std::string textOf(const BatchReport& report);
+
+// Reads a report from a file. None where there is no file. Errors: those of reading it; ElementMalformed where it is
+// not such a report.
+Result<std::optional<BatchReport>> readBatchReport(const std::filesystem::path& path);
+
+// Parses the --json output of the child process that repaired one file. Returns false when it is not valid.
+bool readOutcome(std::string_view line, BatchEntry& entry);
+
+// The result in words: "closed, 4 holes filled", "failed: ..."
+std::string sentenceFor(const BatchEntry& entry);
+// The same as a line of JSON.
+std::string lineOf(const BatchEntry& entry);
+
+// A table of files, filled holes and seconds by state, for people.
+std::string summaryTable(const BatchReport& report);
+
+}  // namespace handwheel

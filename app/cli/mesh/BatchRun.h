@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/ChildProcess.h"
+#include "cli/ProgressBar.h"
+#include "cli/mesh/BatchFiles.h"
+#include "cli/mesh/BatchReport.h"
+
+#include <chrono>
+#include <map>
+
+namespace handwheel {
+
+// The parameters of a batch repair.
+struct BatchRequest {
+  BatchPlan plan;
+  std::vector<std::string> repairOptions;  // as command line words, for the child process that repairs a file
+  std::string unit;
+  std::filesystem::path report;
+  std::size_t jobs = 1;
+  std::optional<double> timeLimit;     // seconds
+  std::optional<BatchReport> earlier;  // of the run that this one resumes
+  bool asJson = false;
+};
+
+// Repairs many files, each in a child process. Some run in parallel; when one fails, the others continue. Prints the
+// result of each and keeps the report up to date: a killed run loses only its last moments.
+class BatchRun {
+ public:
+  explicit BatchRun(BatchRequest request);
+
+  // Repairs all files. Returns the exit code.
+  int run();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  struct Running {
+    std::size_t file;  // in the plan
+    FileStamp stamp;
+    Clock::time_point start;
+    std::optional<Clock::time_point> told;  // when it was asked to end
+  };
+
+  const BatchFile& planned(std::size_t file) const { return m_request.plan.files[file]; }
+  BatchEntry blankEntry(std::size_t file) const;
+  bool takeEarlier(std::size_t file);
+  void start(std::size_t file);
+  void fail(std::size_t file, std::string reason);
+  void watchTimes();
+  void collect();
+  void conclude(const Running& running, const ChildProcess& child);
+  std::string reasonOf(const Running& running, const ChildProcess& child) const;
+  void finish(std::size_t file, BatchEntry entry, std::string_view mark = {});
+  void stop();
+  void say(const std::string& line);
+  bool saveReport();
+  BatchReport report() const;
+  int exitCode() const;
+
+  BatchRequest m_request;
+  std::map<std::string, const BatchEntry*> m_earlier;  // by output; of an earlier run with the same options
+  std::vector<std::optional<BatchEntry>> m_entries;    // by file
+  std::size_t m_finished = 0;
+  std::vector<Running> m_running;
+  std::vector<std::unique_ptr<ChildProcess>> m_children;  // of m_running, in the same order
+  ProgressBar m_bar{"Repairing"};
+  Clock::time_point m_nextReport = Clock::time_point::max();
+  bool m_isMute = false;           // stdout cannot be written any more
+  bool m_isReported = false;       // the report on disk has all finished files
+  bool m_hasToldOfReport = false;  // the failure to write the report was reported
+};
+
+}  // namespace handwheel

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/Arguments.h"
+#include "document/DocumentKind.h"
+
+namespace handwheel {
+
+// Syntax of "handwheel compare", which measures the distances between a mesh and a scan.
+CommandSpec compareSpec();
+int runCompare(const Arguments& arguments, const DocumentKinds& kinds);
+
+}  // namespace handwheel

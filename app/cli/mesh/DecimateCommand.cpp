@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/mesh/DecimateCommand.h"
+
+#include "base/NumberText.h"
+#include "base/Units.h"
+#include "cli/Input.h"
+#include "cli/Interrupt.h"
+#include "cli/Messages.h"
+#include "cli/mesh/MeshOutput.h"
+#include "document/formats/MeshExport.h"
+#include "document/mesh/MeshKind.h"
+#include "mesh/simplify/Decimation.h"
+#include "mesh/structure/MeshBounds.h"
+#include "mesh/structure/MeshBuilder.h"
+
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+struct DecimateRequest {
+  std::filesystem::path input, output;
+  ReadOptions read;
+  DecimationOptions options;
+};
+
+bool readAboveZero(const std::string& word, double& value) {
+  return readNumber(word, value) && std::isfinite(value) && value > 0.0;
+}
+
+// Turns the words into a request. Returns what is wrong with them, or nothing.
+std::string readRequest(const Arguments& arguments, DecimateRequest& request) {
+  if (!arguments.has("output")) return "The option -o OUT is missing.";
+  if (!arguments.has("faces") && !arguments.has("error")) return "Say how far to go: --faces N, --error MM or both.";
+  request.input = arguments.operands[0];
+  request.output = arguments.valueOf("output");
+  request.read.partial = arguments.has("partial");
+  DecimationOptions& options = request.options;
+  options.keepBorders = arguments.has("keep-borders");
+  options.avoidIntersections = arguments.has("no-crossings");
+  if (arguments.has("faces") && (!readNumber(arguments.valueOf("faces"), options.faces) || options.faces == 0)) {
+    return "--faces takes a number above zero.";
+  }
+  double value = 0.0;
+  if (arguments.has("error")) {
+    if (!readAboveZero(arguments.valueOf("error"), value)) return "--error takes a length in mm above zero.";
+    options.error = value;
+  }
+  if (arguments.has("keep-creases")) {
+    if (!readAboveZero(arguments.valueOf("keep-creases"), value) || value >= 180.0) {
+      return "--keep-creases takes an angle in degrees between 0 and 180.";
+    }
+    options.creaseAngle = value * kRadiansPerDegree;
+  }
+  return {};
+}
+
+// How far a file of these numbers may move a point at most, mm: half a unit in the last place of each coordinate.
+// Points are within the margin of the mesh.
+double roundingMove(const HalfEdgeMesh& mesh, double margin, NumberType numbers) {
+  const Box box = boundsOf(mesh);
+  if (numbers == NumberType::Float64 || box.isEmpty()) return 0.0;
+  const Vec3 farthest = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()) + Vec3::Constant(margin);
+  return 0.5 * farthest
+                   .unaryExpr([](double v) {
+                     const auto single = static_cast<float>(v);
+                     return static_cast<double>(std::nextafter(single, INFINITY)) - static_cast<double>(single);
+                   })
+                   .norm();
+}
+
+struct Decimated {
+  DocumentFile file;  // what reading lost
+  // Its distances have in them how far the numbers of the output move points.
+  DecimationReport report;
+  std::string refusal;  // why nothing was written
+};
+
+Result<Decimated> decimateFile(const DecimateRequest& request, const DocumentKinds& kinds, Progress progress) {
+  std::optional<MeshFormat> format;
+  if (!isContainerName(request.output)) {
+    const Result<MeshFormat> named = formatForOutput(request.output);
+    if (!named) return named.error();
+    format = *named;
+  }
+  const Result<Input> input = readMeshInput(request.input, request.read, kinds, progress.part(0.0, 0.15));
+  if (!input) return input.error();
+  Decimated done{input->opened.file, {}, refusalToReplace(request.output, input->opened.file)};
+  if (!done.refusal.empty()) return done;
+  const MeshSnapshot* document = input->meshDocument();
+  HalfEdgeMesh mesh = document ? document->mesh.mesh : buildMesh(input->mesh->soup, progress.part(0.15, 0.2)).mesh;
+  DecimationOptions options = request.options;
+  double rounding = 0.0;
+  if (format && options.error) {
+    rounding = roundingMove(mesh, *options.error, numberTypeOf(*format, input->mesh->numbers));
+    *options.error -= rounding;
+    if (!(*options.error > 0.0)) {
+      done.refusal = request.output.string() + ": its numbers move points by up to " + roundedText(rounding) +
+                     " mm, more than --error allows. Bring the part near the origin, or name a .handwheel.";
+      return done;
+    }
+  }
+  if (!progress.cancelled()) done.report = decimate(mesh, options, progress.part(0.2, 0.9));
+  if (done.report.largestDistance) *done.report.largestDistance += rounding;
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  const Status written = writeMesh(*input, mesh, request.output, progress.part(0.9, 1.0));
+  if (!written) return written.error();
+  return done;
+}
+
+std::string readableText(const DecimationReport& report) {
+  std::string text =
+      "Triangles: " + std::to_string(report.facesBefore) + " before, " + std::to_string(report.facesAfter) + " now.\n";
+  if (report.largestDistance) {
+    text += "Largest distance found between before and now: " + roundedText(*report.largestDistance) + " mm.\n" +
+            (report.isProven ? "No point is farther away than --error allows.\n"
+                             : "Between the points looked at it is not proven that --error is kept.\n");
+  }
+  return text;
+}
+
+}  // namespace
+
+CommandSpec decimateSpec() {
+  return {
+      "decimate",
+      "FILE",
+      "Makes a mesh of fewer triangles that stays as near to the original as it can. Holes, handles and parts stay,\n"
+      "and no triangle turns over. Exit code 0: done; 2: --faces was not reached, or nothing could go, told on stderr; "
+      "1: error.",
+      {
+          {"output", 'o', "OUT", "The result: .stl, .ply, .obj, .off, .3mf or .handwheel; may be the input"},
+          {"faces", 0, "N", "Stop at so many triangles"},
+          {"error", 0, "MM", "Stay within this distance of the original, measured both ways"},
+          {"keep-borders", 0, "", "Leave the vertices of open edges where they are"},
+          {"keep-creases", 0, "DEGREES", "Leave the vertices of edges at least that sharp on them"},
+          {"no-crossings", 0, "", "Let no triangles meet that did not meet before"},
+          {"partial", 0, "", "Read what is readable of a damaged file"},
+          {"help", 'h', "", "Show this page"},
+      }};
+}
+
+int runDecimate(const Arguments& arguments, const DocumentKinds& kinds) {
+  DecimateRequest request;
+  const std::string problem = readRequest(arguments, request);
+  if (!problem.empty()) return failUsage(problem, "decimate");
+
+  std::optional<Result<Decimated>> result;
+  runInterruptible("Decimating", [&](CommandJob& job) { result = decimateFile(request, kinds, job.progress()); });
+  if (!*result) return fail(result->error());
+  const Decimated& done = result->value();
+  tellLosses(done.file);
+  if (!done.refusal.empty()) return refuse(done.refusal);
+  if (const int code = print(readableText(done.report)); code != kExitDone) return code;
+  if (request.options.error && done.report.facesAfter + done.report.removedDegenerate == done.report.facesBefore) {
+    complain("Nothing was taken away: nothing can go within --error. A larger one may do.");
+    return kExitSomethingLeft;
+  }
+  if (request.options.faces == 0 || done.report.facesAfter <= request.options.faces) return kExitDone;
+  complain("More than " + std::to_string(request.options.faces) +
+           " triangles are left: further ones cannot go within what is to be kept.");
+  return kExitSomethingLeft;
+}
+
+}  // namespace handwheel

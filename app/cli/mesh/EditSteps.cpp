@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/mesh/EditSteps.h"
+
+#include "cli/Input.h"
+#include "cli/Interrupt.h"
+#include "cli/Messages.h"
+#include "document/FileBytes.h"
+#include "document/formats/MeshExport.h"
+#include "document/mesh/MeshDocument.h"
+#include "document/mesh/MeshKind.h"
+#include "text/NoteText.h"
+#include "text/RepairText.h"
+#include "tools/mesh/MeshSteps.h"
+
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+constexpr std::size_t kLongestQuote = 60;  // characters of a step that a message repeats
+
+// With where it stands, for messages.
+struct Step {
+  std::string text;
+  std::string subject;
+  Place place;
+};
+
+struct Edited {
+  DocumentFile file;  // what reading lost
+  std::size_t facesBefore = 0;
+  std::size_t facesAfter = 0;
+  std::vector<std::string> idle;  // sentences on steps that changed nothing
+  std::vector<Note> notes;
+  std::string refusal;  // why nothing was written
+};
+
+std::string quoted(const std::string& step) {
+  return "'" + (step.size() > kLongestQuote ? step.substr(0, kLongestQuote) + "..." : step) + "'";
+}
+
+// One step a line; blank ones and those that begin with # say nothing.
+void addSteps(std::string_view text, const std::string& path, std::vector<Step>& steps) {
+  for (std::uint64_t line = 1; !text.empty(); ++line) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view step = text.substr(0, end);
+    const std::size_t first = step.find_first_not_of(" \t\r");
+    if (first != std::string_view::npos && step[first] != '#')
+      steps.push_back({std::string(step), path, Place::line(line)});
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+}
+
+Result<std::vector<Step>> readSteps(const Arguments& arguments) {
+  std::vector<Step> steps;
+  for (const std::string& path : arguments.valuesOf("steps")) {
+    const Result<std::string> text = readFileBytes(path);
+    if (!text) return text.error();
+    addSteps(*text, path, steps);
+  }
+  for (std::size_t i = 1; i < arguments.operands.size(); ++i) {
+    const std::string& text = arguments.operands[i];
+    steps.push_back({text, "Step " + std::to_string(i) + ", " + quoted(text), {}});
+  }
+  return steps;
+}
+
+std::string idleSentence(const Step& step, const StepOutcome& outcome) {
+  std::string sentence = step.subject;
+  if (step.place.kind == Place::Kind::Line) sentence += ", line " + std::to_string(step.place.value);
+  sentence += " changed nothing";
+  if (outcome.failure != FillFailure::None) {
+    sentence += ": " + fillFailureReason(outcome.failure).toStdString();
+  } else if (outcome.reason) {
+    sentence += std::string(": ") + outcome.reason;
+  }
+  return sentence.ends_with('.') ? sentence : sentence + ".";
+}
+
+// Error: of the step concerned.
+Status applySteps(MeshDocument& document, const std::vector<Step>& steps, const DocumentKinds& kinds, Edited& done,
+                  Progress progress) {
+  const MeshFileReader readMesh = [&kinds](const std::string& path, Progress reading) -> Result<HalfEdgeMesh> {
+    const Result<OpenedFile> opened = kinds.open(path, {}, reading);
+    if (!opened) return opened.error();
+    if (const auto* mesh = dynamic_cast<const MeshSnapshot*>(opened->content.get())) return mesh->mesh.mesh;
+    return Error{ErrorCode::NoTriangles, {}, {}, path};
+  };
+  const auto count = static_cast<double>(steps.size());
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const auto at = static_cast<double>(i);
+    const Result<StepOutcome> outcome =
+        applyStep(document, steps[i].text, progress.part(at / count, (at + 1.0) / count), readMesh);
+    if (!outcome) {
+      Error error = outcome.error();
+      if (error.code != ErrorCode::StepMalformed) return error;
+      error.subject = steps[i].subject;
+      error.place = steps[i].place;
+      return error;
+    }
+    if (!outcome->changed) done.idle.push_back(idleSentence(steps[i], *outcome));
+  }
+  return Done{};
+}
+
+// All on the calling thread, the document included.
+Result<Edited> editFile(const Arguments& arguments, const DocumentKinds& kinds, Progress progress) {
+  const std::filesystem::path input = arguments.operands[0], output = arguments.valueOf("output");
+  if (!isContainerName(output)) {
+    if (const Result<MeshFormat> format = formatForOutput(output); !format) return format.error();
+  }
+  const Result<std::vector<Step>> steps = readSteps(arguments);
+  if (!steps) return steps.error();
+  const ReadOptions read{.partial = arguments.has("partial")};
+  Result<OpenedFile> opened = kinds.open(input, read, progress.part(0.0, 0.2));
+  if (!opened) return opened.error();
+  Edited done;
+  done.file = opened->file;
+  if (opened->kind->id() != kMeshKind) done.refusal = input.string() + " is no mesh: only meshes are edited by steps.";
+  if (done.refusal.empty()) done.refusal = refusalToReplace(output, opened->file);
+  if (!done.refusal.empty()) return done;
+
+  const DocumentKind& kind = *opened->kind;
+  MeshDocument document(std::move(*opened));
+  document.history()->setUndoLimit(1);  // nobody takes a step back here
+  done.facesBefore = document.mesh().liveFaceCount();
+  const Status applied = applySteps(document, *steps, kinds, done, progress.part(0.2, 0.8));
+  if (!applied) return applied.error();
+  done.facesAfter = document.mesh().liveFaceCount();
+  const auto written = saveDocument(kind, document.file(), *document.snapshot(), output, progress.part(0.8, 1.0));
+  if (!written) return written.error();
+  done.notes = written->notes;
+  return done;
+}
+
+const std::string& summary() {
+  static const std::string text = [] {
+    std::string all =
+        "Does to a mesh what the window does, step by step. The window's Log and \"Save steps\" write such steps; "
+        "with\n"
+        "them the same file comes out, byte for byte. Exit code 0: done; 2: a step changed nothing, told on stderr;\n"
+        "1: error, and nothing is written.\n\nSteps, each one word for the shell:\n";
+    for (const StepForm& step : stepForms())
+      all += "  " + std::string(step.form) + "\n      " + std::string(step.help) + "\n";
+    return all +
+           "LOOP is numbered as 'handwheel inspect' does, anew after each step, or v and its smallest vertex: v12.\n"
+           "FILL is [--fill METHOD] [--continuity HOW] [--density N] [--piece-edges N] [--ears L,A,N,L], as for "
+           "'repair'.\n"
+           "PATCH is --patch TRIANGLES, and --finest N of one that was subdivided N times. Steps that round take\n"
+           "--numbers single or double; else they round as the numbers of IN.";
+  }();
+  return text;
+}
+
+}  // namespace
+
+CommandSpec editSpec() {
+  return {"edit",
+          "IN [STEP...]",
+          summary(),
+          {
+              {"output", 'o', "OUT", "The result: .stl, .ply, .obj, .off, .3mf or .handwheel; may be the input"},
+              {"steps", 0, "FILE", "Steps, one a line, done before those of the command line; # begins a comment"},
+              {"partial", 0, "", "Read what is readable of a damaged file"},
+              {"help", 'h', "", "Show this page"},
+          }};
+}
+
+int runEdit(const Arguments& arguments, const DocumentKinds& kinds) {
+  if (!arguments.has("output")) return failUsage("The option -o OUT is missing.", "edit");
+  if (arguments.operands.size() < 2 && !arguments.has("steps"))
+    return failUsage("There is no step. Give some, or a file of them with --steps.", "edit");
+  std::optional<Result<Edited>> result;
+  runInterruptible("Editing", [&](CommandJob& job) { result = editFile(arguments, kinds, job.progress()); });
+  if (!*result) return fail(result->error());
+  const Edited& done = result->value();
+  tellLosses(done.file);
+  if (!done.refusal.empty()) return refuse(done.refusal);
+  for (const Note& note : done.notes) complain(noteText(note).toStdString());
+  for (const std::string& sentence : done.idle) complain(sentence);
+  const int code = print("Triangles: " + std::to_string(done.facesBefore) + " before, " +
+                         std::to_string(done.facesAfter) + " now.\n");
+  if (code != kExitDone) return code;
+  return done.idle.empty() ? kExitDone : kExitSomethingLeft;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/Arguments.h"
+
+namespace handwheel {
+
+class DocumentKinds;
+
+// Syntax of "handwheel edit", which applies editing steps to a mesh (tools/mesh/MeshSteps.h).
+CommandSpec editSpec();
+int runEdit(const Arguments& arguments, const DocumentKinds& kinds);
+
+}  // namespace handwheel

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/Input.h"
+#include "mesh/structure/HalfEdgeMesh.h"
+
+namespace handwheel {
+
+// Writes a mesh that was computed from an input file. The format is a mesh format, or a container with its own
+// numbering, since vertices and loops differ from those of the input. Errors: those of exportMesh() and saveDocument().
+Status writeMesh(const Input& input, const HalfEdgeMesh& mesh, const std::filesystem::path& output,
+                 Progress progress = {});
+
+}  // namespace handwheel

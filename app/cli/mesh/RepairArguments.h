@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/Arguments.h"
+#include "cli/mesh/RepairJob.h"
+
+namespace handwheel {
+
+// Parses the options of the repair and of reading a file. Returns the error as a sentence, or nothing.
+std::string readRepairOptions(const Arguments& arguments, RepairRequest& request);
+
+// Parses the arguments for a single file, including IN and OUT. Returns the error as a sentence, or nothing.
+std::string readRequest(const Arguments& arguments, const DocumentKinds& kinds, RepairRequest& request);
+
+// The unit that the user gave for the files. Nothing is scaled by it.
+std::string unitOf(const Arguments& arguments);
+
+}  // namespace handwheel

@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/mesh/RepairCommand.h"
+
+#include "base/NumberText.h"
+#include "cli/Input.h"
+#include "cli/Interrupt.h"
+#include "cli/Messages.h"
+#include "cli/Picture.h"
+#include "cli/ReportJson.h"
+#include "cli/Wording.h"
+#include "cli/mesh/BatchRepair.h"
+#include "cli/mesh/RepairArguments.h"
+#include "cli/mesh/RepairJson.h"
+#include "document/AtomicFile.h"
+
+namespace handwheel {
+
+namespace {
+
+// Of the diagonal. A part near the origin loses less.
+constexpr double kToldRounding = 1e-6;
+
+// "closed, manifold and oriented", or what of it the file is not.
+std::string verdict(const MeshReport& file) {
+  if (file.isSound()) return " is closed, manifold and oriented.\n";
+  std::string missing;
+  const auto add = [&missing](bool holds, const char* property) {
+    if (!holds) missing += (missing.empty() ? " is not " : ", not ") + std::string(property);
+  };
+  add(file.closed, "closed");
+  add(file.manifold, "manifold");
+  add(file.oriented, "oriented");
+  return missing + ".\n";
+}
+
+std::string summary(const RepairRun& run, const RepairRequest& request) {
+  return std::to_string(filledLoops(run.repair)) + " of " + std::to_string(run.repair.loops.size()) +
+         " holes filled. " + request.output.string() + verdict(run.after) + changesLine(run.repair);
+}
+
+// What is to be said of a repair, in full before anything is written: then even the end of memory finds nothing undone.
+struct Delivery {
+  std::vector<std::string> complaints;
+  std::string report;  // the bytes of the file
+  std::string text;    // for stdout
+};
+
+Delivery deliveryOf(const RepairRun& run, const RepairRequest& request, const Arguments& arguments) {
+  Delivery delivery{lossSentences(run.file), {}, {}};
+  if (run.roundingMove > kToldRounding * run.after.box.diagonal().norm()) {
+    delivery.complaints.push_back("The single precision of the format moved points by up to " +
+                                  roundedText(run.roundingMove) +
+                                  " mm. Bring the part near the origin, or write .ply, .obj or .off.");
+  }
+  if (arguments.has("report")) delivery.report = textOf(toJson(run, request, unitOf(arguments)));
+  const bool asJson = arguments.has("json");
+  if (!asJson) {
+    for (std::string& sentence : leftovers(run.repair, run.after)) delivery.complaints.push_back(std::move(sentence));
+  }
+  delivery.text = asJson ? outcomeLine(run, request) : summary(run, request);
+  return delivery;
+}
+
+// The report first: whenever there is an error the output is the old one.
+Status writeFiles(const RepairRun& run, const RepairRequest& request, const Arguments& arguments,
+                  const Delivery& delivery, Progress progress) {
+  std::vector<FileContent> files;
+  if (arguments.has("report")) files.push_back({arguments.valueOf("report"), delivery.report});
+  files.push_back({request.output, run.output});
+  return writeFilesAtomically(files, progress);
+}
+
+struct Repaired {
+  RepairRun run;
+  Delivery delivery;
+};
+
+// Repairs and writes. Where there is nothing to write the run says why.
+Result<Repaired> repairAndWrite(const RepairRequest& request, const Arguments& arguments, const DocumentKinds& kinds,
+                                Progress progress) {
+  Result<RepairRun> run = repairFile(request, kinds, progress.part(0.0, 0.95));
+  if (!run) return run.error();
+  Repaired done{std::move(run.value()), {}};
+  if (done.run.output.empty()) return done;
+  done.delivery = deliveryOf(done.run, request, arguments);
+  const Status written = writeFiles(done.run, request, arguments, done.delivery, progress.part(0.95, 1.0));
+  if (!written) return written.error();
+  done.run.output = {};
+  return done;
+}
+
+// Why nothing was written.
+int tellWhy(const RepairRun& run, const RepairRequest& request) {
+  if (!run.refusal.empty()) {
+    tellLosses(run.file);
+    return refuse(run.refusal);
+  }
+  if (!run.unknownLoops.empty()) {
+    return failUsage("There is no loop " + std::to_string(run.unknownLoops.front()) +
+                         " to keep open; 'handwheel inspect' lists them.",
+                     "repair");
+  }
+  return refuse(request.input.string() + ": no triangle has an area, so there is nothing to repair.");
+}
+
+// Tells what came of it, on stdout and stderr, and draws it. No picture is no failure: the repair is done.
+int deliver(const Repaired& done, const RepairRequest& request, const Arguments& arguments) {
+  for (const std::string& sentence : done.delivery.complaints) complain(sentence);
+  if (arguments.has("screenshot") &&
+      makePictureApart({request.output, arguments.valueOf("screenshot")}) == kExitInterrupted) {
+    complain("Cancelled. The result is written already.");
+    return kExitInterrupted;
+  }
+  const int printed = print(done.delivery.text);
+  if (printed != kExitDone) return printed;
+  return done.run.after.isSound() ? kExitDone : kExitSomethingLeft;
+}
+
+}  // namespace
+
+CommandSpec repairSpec() {
+  return {
+      "repair",
+      "IN [IN...]",
+      "Fills the holes of a mesh, removes degenerate and duplicate faces and mends non-manifold places. Everything\n"
+      "else stays as it is, bit for bit. Exit code 0: the written file is closed, manifold and oriented;\n"
+      "2: something is left and told on stderr; 1: error. The format is that of OUT's ending.\n\n"
+      "With several files, a folder, or one of -j, --format, --resume and --time-limit it repairs many, each in a "
+      "process\n"
+      "of its own, so that none stops the others. OUT is then a folder, in which the files lie as they do in the "
+      "folders\n"
+      "named: STL, PLY, OBJ, OFF and 3MF, below the first level too, hidden ones and linked folders left out. A line "
+      "for\n"
+      "each, a table at the end; exit code 2: something was left open; 1: a file failed. No input is ever replaced.",
+      {
+          {"output", 'o', "OUT", "The repaired mesh: .stl, .ply, .obj, .off, .3mf or .handwheel; may be the input"},
+          {"fidelity", 0, "LIST", "draft, balanced or exact, and single values: mesh.near_weld=1e-4,..."},
+          {"fill", 0, "METHOD", "fair (default), ridge, refined, ear, minimal, area or dihedral"},
+          {"continuity", 0, "HOW", "What fair patches continue: position, tangent (default) or curvature"},
+          {"keep-open", 0, "ID,...", "Loops to leave open, numbered as 'handwheel inspect' does"},
+          {"rims", 0, "HOW", "Outer edges of open sheets: give the sheet a back (default), keep or fill"},
+          {"max-hole", 0, "N", "Leave loops with more than N edges open"},
+          {"remove-debris", 0, "", "Remove parts far smaller than the largest"},
+          {"keep-tangles", 0, "", "Leave open what closes only if tangled triangles around it are taken out"},
+          {"cut-crossings", 0, "", "Cut triangles apart where the surface passes through itself"},
+          {"unit", 0, "UNIT", "mm (default), cm, m or in: noted in the report, nothing is scaled"},
+          {"partial", 0, "", "Read what is readable of a damaged file"},
+          {"report", 0, "FILE",
+           "Write figures before and after, and what became of each loop, as JSON; of many, of each file"},
+          {"screenshot", 0, "PNG", "Draw the result; where that fails the repair is done all the same"},
+          {"json", 0, "", "Say what came of each file as one line of JSON"},
+          {"jobs", 'j', "N", "Repair many: N files at a time, 1 (default) to 64"},
+          {"format", 0, "ENDING", "Repair many: write all as stl, ply, obj, off, 3mf or handwheel"},
+          {"resume", 0, "", "Repair many: leave out what an earlier run with the same options has done"},
+          {"time-limit", 0, "S", "Repair many: give up on a file after S seconds"},
+          {"help", 'h', "", "Show this page"},
+      }};
+}
+
+int runRepair(const Arguments& arguments, const DocumentKinds& kinds) {
+  if (isBatch(arguments)) return runBatchRepair(arguments, kinds);
+  RepairRequest request;
+  const std::string problem = readRequest(arguments, kinds, request);
+  if (!problem.empty()) return failUsage(problem, "repair");
+
+  std::optional<Result<Repaired>> done;
+  runInterruptible("Repairing",
+                   [&](CommandJob& job) { done = repairAndWrite(request, arguments, kinds, job.progress()); });
+  if (!*done) return fail(done->error());
+  const Repaired& repaired = done->value();
+  if (repaired.delivery.text.empty()) return tellWhy(repaired.run, request);
+  return deliver(repaired, request, arguments);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Result.h"
+#include "document/DocumentFile.h"
+#include "mesh/defects/MeshReport.h"
+#include "mesh/repair/Repair.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace handwheel {
+
+class DocumentKinds;
+
+// The parameters of the repair of one file.
+struct RepairRequest {
+  std::filesystem::path input;
+  std::filesystem::path output;
+  ReadOptions read;
+  RepairOptions options;
+  bool inspectInput = false;  // required for the report
+};
+
+// The result of the repair of one file.
+struct RepairRun {
+  MeshReport before;    // of the input as it was read, when it is inspected
+  MeshReport after;     // of the bytes of the output, read again
+  RepairReport repair;  // including the faces flipped while building the mesh, and the vertices split by the export
+  std::vector<Vertex> touched;      // vertices of the input that were moved, merged or split
+  bool untouchedIdentical = false;  // measured on the output bytes
+  DocumentFile file;                // with what was lost on reading the input
+  double roundingMove = 0.0;        // mm; the largest move of an input point by rounding to the output's number type
+  double seconds = 0.0;
+  std::string output;             // the bytes to write
+  std::vector<int> unknownLoops;  // to be kept open, but not found: then nothing was repaired
+  std::string refusal;            // why the output must not be replaced: then nothing was repaired
+  bool nothingLeft = false;       // every face was removed: then there is nothing to write
+};
+
+// Reads and repairs a mesh file and produces the bytes of the output. Reads these bytes again to measure them. Writes
+// nothing: whatever can fail has failed before the output is replaced. The input's coordinates are first rounded to the
+// number type of the output, so that the repair works on what the file will hold. Loops that a container marks to be
+// kept open are kept; a container made from one keeps its marks, its id, its unit and the data that only other programs
+// understand.
+Result<RepairRun> repairFile(const RepairRequest& request, const DocumentKinds& kinds, Progress progress);
+
+}  // namespace handwheel

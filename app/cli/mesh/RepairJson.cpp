@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/mesh/RepairJson.h"
+
+#include "cli/ReportJson.h"
+#include "cli/Wording.h"
+#include "text/RepairText.h"
+
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json toJson(const LoopResult& loop) {
+  const bool filled = loop.outcome == LoopOutcome::Filled;
+  return {
+      {"id", loop.id},
+      {"edges", loop.edges},
+      {"outcome", wordFor(loop.outcome)},
+      {"method", filled ? Json(wordFor(loop.method)) : Json(nullptr)},
+      {"reason", filled ? Json(nullptr) : Json(reasonSentence(loop.reason))},
+      {"new_faces", loop.newFaces},
+      {"ms", loop.milliseconds},
+  };
+}
+
+}  // namespace
+
+Json toJson(const RepairRun& run, const RepairRequest& request, const std::string& unit) {
+  Json loops = Json::array();
+  for (const LoopResult& loop : run.repair.loops) loops.push_back(toJson(loop));
+  Json lost = Json::array();
+  for (LostAttribute attribute : run.file.lost) lost.push_back(lostAttributeName(attribute).toStdString());
+  return {
+      {"input", request.input.string()},
+      {"output", request.output.string()},
+      {"before", toJson(run.before)},
+      {"after", toJson(run.after)},
+      {"loops", loops},
+      {"removed_degenerate", run.repair.removedDegenerate},
+      {"removed_duplicates", run.repair.removedDuplicates},
+      {"removed_flaps", run.repair.removedFlaps},
+      {"removed_debris", run.repair.removedDebris},
+      {"turned_faces", run.repair.turnedFaces},
+      {"merged_vertices", run.repair.mergedVertices},
+      {"cut_crossings", run.repair.cutClusters},
+      {"cut_faces", run.repair.cutFaces},
+      {"replaced_faces", run.repair.replacedFaces},
+      {"lost_loops", run.repair.lostLoops},
+      {"one_sided_cuts", run.repair.oneSidedCuts},
+      {"parted_vertices", run.repair.partedVertices},
+      {"parting_cut_short", run.repair.isPartingCutShort},
+      {"cutting_cut_short", run.repair.isCuttingCutShort},
+      {"rounding_moved_mm", run.roundingMove},
+      {"touched_vertices", run.touched.size()},
+      {"untouched_vertices_identical", run.untouchedIdentical},
+      {"unit", unit},
+      {"lost_attributes", lost},
+      {"damage", damageSentences(run.file)},
+      {"seconds", run.seconds},
+  };
+}
+
+std::string outcomeLine(const RepairRun& run, const RepairRequest& request) {
+  const std::vector<std::string> left = leftovers(run.repair, run.after);
+  const Json outcome{
+      {"input", request.input.string()},
+      {"output", request.output.string()},
+      {"state", run.after.isSound() ? "closed" : "left-open"},
+      {"holes", run.repair.loops.size()},
+      {"filled", filledLoops(run.repair)},
+      {"left", left.size()},
+      {"reason", left.empty() ? Json(nullptr) : Json(left.front())},
+      {"seconds", run.seconds},
+  };
+  return outcome.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::size_t filledLoops(const RepairReport& repair) {
+  return static_cast<std::size_t>(std::count_if(repair.loops.begin(), repair.loops.end(), [](const LoopResult& loop) {
+    return loop.outcome == LoopOutcome::Filled;
+  }));
+}
+
+}  // namespace handwheel

@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/documents/Autosave.h"
+
+#include "document/DocumentKind.h"
+#include "panels/LogModel.h"
+#include "text/ErrorText.h"
+#include "window/WindowServices.h"
+#include "window/documents/DocumentTabs.h"
+#include "window/documents/FileLoader.h"
+#include "window/documents/OpenDocument.h"
+
+#include <QFile>
+
+namespace handwheel {
+
+Autosave::Autosave(DocumentTabs& tabs, FileLoader& loader, LogModel& log, WindowServices& services, QObject* parent)
+    : QObject(parent),
+      m_tabs(tabs),
+      m_loader(loader),
+      m_log(log),
+      m_services(services),
+      m_jobs(JobRunner::Policy::Queue, m_pool),
+      m_session(std::make_shared<RecoverySession>()) {
+  m_pool.setMaxThreadCount(1);
+  m_timer.setSingleShot(true);
+  connect(&m_timer, &QTimer::timeout, this, &Autosave::saveAll);
+  connect(&m_tabs, &DocumentTabs::added, this, &Autosave::follow);
+  connect(&m_tabs, &DocumentTabs::closing, this, [this](OpenDocument* document) {
+    document->document.disconnect(this);
+    m_session->close(m_keys[document]);
+    m_keys.erase(document);
+    m_failing.erase(document);
+  });
+}
+
+void Autosave::setInterval(int seconds) {
+  m_timer.setInterval(1000 * seconds);
+}
+
+void Autosave::follow(OpenDocument* document) {
+  m_keys[document] = ++m_lastKey;
+  document->autosaved = document->document.revision();
+  connect(&document->document, &Document::changed, this, &Autosave::changed);
+  connect(&document->document, &Document::fileChanged, this, [this, document] {
+    if (!document->document.isModified()) return m_session->remove(m_keys[document]);
+    if (document->autosaved != document->document.revision()) changed();
+  });
+}
+
+// Whether that made it differ from its file is not known before the edit is in the history.
+void Autosave::changed() {
+  if (m_timer.interval() == 0) return;
+  if (!m_need.isNeeded()) m_need = m_services.needs().need("autosave");
+  if (!m_timer.isActive()) m_timer.start();
+}
+
+void Autosave::saveAll() {
+  m_need = Need();
+  for (const auto& each : m_tabs.all()) {
+    if (each->document.isModified() && each->autosaved != each->document.revision()) save(each.get());
+  }
+}
+
+void Autosave::save(OpenDocument* document) {
+  const std::uint64_t revision = document->document.revision(), key = m_keys[document];
+  AutosaveInfo info;
+  info.documentId = document->document.file().id;
+  info.path = document->document.file().path;
+  info.name = document->document.name().toStdString();
+  info.kind = document->document.kind().id();
+  document->autosaved = revision;
+  const auto failed = [this, document, name = document->document.name()](const Error& error) {
+    tellFailure(document, name, error);
+  };
+  Job job;
+  job.name = tr("Autosaving %1").arg(document->document.name());
+  job.failed = failed;
+  job.work = [this, document, failed, key, info, session = m_session, &service = m_services.autosave(),
+              &kind = document->document.kind(), file = document->document.file(),
+              content = document->document.snapshot()](Progress progress) -> Job::Finish {
+    const ServiceTick tick(service);
+    const Result<std::string> bytes = containerBytes(kind, file, *content, Compression::None, progress);
+    const Status stored = bytes ? session->store(key, info, *bytes, progress) : Status(bytes.error());
+    if (stored) return [this, document] { m_failing.erase(document); };
+    return [failed, error = stored.error()] { failed(error); };
+  };
+  m_jobs.start(std::move(job));
+}
+
+// It is tried again within the interval; told is the first of several failures.
+void Autosave::tellFailure(OpenDocument* document, const QString& name, const Error& error) {
+  if (!m_tabs.contains(document)) return;
+  document->autosaved = 0;
+  changed();
+  if (!m_failing.insert(document).second) return;
+  const QString title = tr("%1 could not be autosaved").arg(name);
+  m_log.add(title + QStringLiteral(". ") + errorSentence(error), {}, LogEntry::Weight::Warning);
+  emit message({Message::Weight::Warning,
+                title,
+                errorSentence(error),
+                tr("Save it yourself: if the program ended now, your last changes would be lost."),
+                {},
+                {},
+                {},
+                {},
+                &document->document});
+}
+
+// The messages keep the leftovers, and so their locks, until they are answered or closed.
+void Autosave::offerLeftovers() {
+  const auto leftovers = std::make_shared<const Leftovers>();
+  if (!leftovers->skipped().empty()) offerDamaged(leftovers);
+  if (!leftovers->found().empty()) offer(leftovers);
+}
+
+void Autosave::offer(const std::shared_ptr<const Leftovers>& leftovers) {
+  QStringList names;
+  for (const Leftover& leftover : leftovers->found()) {
+    const QString name = QString::fromStdString(leftover.info.name);
+    names << (leftover.isOutdated ? tr("%1 (its file was saved since)").arg(name) : name);
+  }
+  emit message({Message::Weight::Warning,
+                tr("Handwheel ended unexpectedly. %Ln document(s) had changes that were not saved.", nullptr,
+                   static_cast<int>(names.size())),
+                names.join(QStringLiteral(", ")),
+                tr("They can be recovered as they were last autosaved, or discarded for good; otherwise they are "
+                   "offered again at the next start."),
+                tr("Recover"), [this, leftovers] { recover(leftovers); }, tr("Discard"),
+                [this, leftovers] { discard(*leftovers); }});
+}
+
+void Autosave::offerDamaged(const std::shared_ptr<const Leftovers>& leftovers) {
+  for (const Error& error : leftovers->skipped()) m_log.add(errorSentence(error), {}, LogEntry::Weight::Warning);
+  const auto count = static_cast<int>(leftovers->skipped().size());
+  emit message({Message::Weight::Warning,
+                tr("%Ln autosave(s) of a session that ended unexpectedly cannot be read.", nullptr, count),
+                tr("The Log names the files."), tr("What is in them is lost; until they are discarded they stay."),
+                tr("Discard"), [this, leftovers, count] {
+                  leftovers->discardSkipped();
+                  m_log.add(tr("Discarded %Ln autosave(s)", nullptr, count));
+                }});
+}
+
+void Autosave::recover(const std::shared_ptr<const Leftovers>& leftovers) {
+  for (const Leftover& leftover : leftovers->found()) {
+    m_loader.recover(QFile::decodeName(leftover.file.c_str()),
+                     QFile::decodeName(QByteArray::fromStdString(leftover.info.path)),
+                     [this, leftovers, &leftover](OpenDocument* recovered) {
+                       const Status adopted = m_session->adopt(leftover, m_keys[recovered]);
+                       if (!adopted) m_log.add(errorSentence(adopted.error()), {}, LogEntry::Weight::Warning);
+                     });
+  }
+}
+
+void Autosave::discard(const Leftovers& leftovers) {
+  for (const Leftover& leftover : leftovers.found()) leftovers.discard(leftover);
+  m_log.add(tr("Discarded %Ln autosave(s)", nullptr, static_cast<int>(leftovers.found().size())));
+}
+
+}  // namespace handwheel

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Service.h"
+#include "document/Recovery.h"
+#include "document/RecoveryLeftovers.h"
+#include "panels/MessageBar.h"
+#include "window/JobRunner.h"
+
+#include <QObject>
+#include <QThreadPool>
+#include <QTimer>
+#include <map>
+#include <memory>
+#include <set>
+
+namespace handwheel {
+
+class DocumentTabs;
+class FileLoader;
+class LogModel;
+class WindowServices;
+struct OpenDocument;
+
+// Saves modified documents to the recovery folder at intervals. The file is removed when its document is saved or
+// closed. The files of a session that was killed are offered at the next start, until they are recovered or discarded.
+class Autosave : public QObject {
+  Q_OBJECT
+
+ public:
+  Autosave(DocumentTabs& tabs, FileLoader& loader, LogModel& log, WindowServices& services, QObject* parent = nullptr);
+
+  void setInterval(int seconds);  // 0: never
+  void offerLeftovers();
+
+ signals:
+  void message(const handwheel::Message& message);
+
+ private:
+  void follow(OpenDocument* document);
+  void changed();
+  void saveAll();
+  void save(OpenDocument* document);
+  void tellFailure(OpenDocument* document, const QString& name, const Error& error);
+  void offer(const std::shared_ptr<const Leftovers>& leftovers);
+  void offerDamaged(const std::shared_ptr<const Leftovers>& leftovers);
+  void recover(const std::shared_ptr<const Leftovers>& leftovers);
+  void discard(const Leftovers& leftovers);
+
+  DocumentTabs& m_tabs;
+  FileLoader& m_loader;
+  LogModel& m_log;
+  WindowServices& m_services;
+  QThreadPool m_pool;  // its own, so that long jobs do not delay it
+  JobRunner m_jobs;
+  QTimer m_timer;  // started by the first change after an autosave
+  Need m_need;     // held while such changes exist
+  std::shared_ptr<RecoverySession> m_session;
+  std::map<const OpenDocument*, std::uint64_t> m_keys;
+  std::uint64_t m_lastKey = 0;
+  std::set<const OpenDocument*> m_failing;  // whose last autosave failed
+};
+
+}  // namespace handwheel

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/documents/DocumentProperties.h"
+
+#include "document/Document.h"
+
+namespace handwheel {
+
+void connectEdits(PropertyList& list, std::function<Document*()> present, QObject* owner) {
+  QObject::connect(&list, &PropertyList::edited, owner,
+                   [present](const std::string& id, const PropertyValue& value, bool stillDragging) {
+                     Document* document = present();
+                     if (!document) return;
+                     const DragPhase stroke = stillDragging ? DragPhase::Continues : DragPhase::Ends;
+                     if (!document->setProperty(id, value, stroke)) emit document->changed();
+                   });
+}
+
+DocumentProperties::DocumentProperties(PropertyList& list, QObject* parent) : QObject(parent), m_list(list) {
+  connectEdits(
+      m_list, [this] { return m_document; }, this);
+}
+
+void DocumentProperties::setDocument(Document* document) {
+  if (m_document) m_document->disconnect(this);
+  m_document = document;
+  if (document) connect(document, &Document::changed, this, &DocumentProperties::show);
+  show();
+}
+
+void DocumentProperties::show() {
+  if (m_document) m_list.setLengthUnit(m_document->displayUnit());
+  m_list.setProperties(m_document ? m_document->properties() : std::vector<Property>());
+}
+
+}  // namespace handwheel

@@ -1,0 +1,290 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/documents/FileActions.h"
+
+#include "window/ActionTip.h"
+#include "window/documents/ClosePrompt.h"
+#include "window/documents/DocumentTabs.h"
+#include "window/documents/FileFilters.h"
+#include "window/documents/OpenDocument.h"
+#include "window/documents/RecentFiles.h"
+#include "window/documents/Samples.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QSettings>
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+const auto kFolderKey = QStringLiteral("lastFolder");
+
+QString lastFolder() {
+  return QSettings().value(kFolderKey, QDir::homePath()).toString();
+}
+
+void rememberFolder(const QString& path) {
+  QSettings().setValue(kFolderKey, QFileInfo(path).absolutePath());
+}
+
+// "part-2.handwheel", or what number is free.
+QString freeName(const QString& path) {
+  const QFileInfo file(path);
+  for (int number = 2;; ++number) {
+    const QString name =
+        QStringLiteral("%1-%2.%3").arg(file.completeBaseName(), QString::number(number), file.suffix());
+    if (!file.dir().exists(name)) return file.dir().filePath(name);
+  }
+}
+
+}  // namespace
+
+FileActions::FileActions(QWidget* window, const DocumentKinds& kinds, const KindUis& uis, DocumentTabs& tabs,
+                         JobRunner& jobs, RecentFiles& recent, LogModel& log)
+    : QObject(window),
+      m_window(window),
+      m_kinds(kinds),
+      m_tabs(tabs),
+      m_recent(recent),
+      m_loader(kinds, uis, tabs, jobs, recent, log),
+      m_saver(tabs, jobs, recent, log),
+      m_open(tr("&Open…"), this),
+      m_save(tr("&Save"), this),
+      m_saveAs(tr("Save &as…"), this),
+      m_close(tr("&Close"), this),
+      m_nextTab(tr("Ne&xt document"), this),
+      m_previousTab(tr("&Previous document"), this),
+      m_recentMenu(new QMenu(tr("Open &recent"), window)) {
+  m_open.setShortcut(QKeySequence::Open);
+  m_save.setShortcut(QKeySequence::Save);
+  m_saveAs.setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));
+  m_close.setShortcut(QKeySequence(Qt::CTRL | Qt::Key_W));
+  m_nextTab.setShortcut(QKeySequence(Qt::CTRL | Qt::Key_PageDown));
+  m_previousTab.setShortcut(QKeySequence(Qt::CTRL | Qt::Key_PageUp));
+  prepare(m_open, "openFile", "open", tr("Open files"));
+  prepare(m_save, "saveFile", "save", tr("Save this document"));
+  prepare(m_saveAs, "saveFileAs", "save-as", tr("Save this document under another name"));
+  prepare(m_close, "closeDocument", "close", tr("Close this document"));
+  const auto tellKey = [this] { m_tabs.setCloseTip(m_close.toolTip()); };
+  connect(&m_close, &QAction::changed, this, tellKey);
+  tellKey();
+  prepare(m_nextTab, "nextDocument", "next", tr("Go to the next open document"));
+  prepare(m_previousTab, "previousDocument", "previous", tr("Go to the previous open document"));
+  m_recentMenu->setObjectName(QStringLiteral("recentMenu"));
+
+  connect(&m_open, &QAction::triggered, this, &FileActions::askForFiles);
+  connect(&m_save, &QAction::triggered, this, &FileActions::saveCurrent);
+  connect(&m_saveAs, &QAction::triggered, this, [this] { askForName(m_tabs.current(), {}); });
+  connect(&m_close, &QAction::triggered, this, [this] { requestClose(m_tabs.current()); });
+  connect(&m_nextTab, &QAction::triggered, this, [this] { m_tabs.step(+1); });
+  connect(&m_previousTab, &QAction::triggered, this, [this] { m_tabs.step(-1); });
+  connect(&m_loader, &FileLoader::message, this, &FileActions::message);
+  connect(&m_saver, &FileSaver::message, this, &FileActions::message);
+  connect(&m_saver, &FileSaver::failed, this, &FileActions::offerAnotherName);
+  connect(&m_saver, &FileSaver::incomplete, this, &FileActions::offerContainer);
+  connect(&m_tabs, &DocumentTabs::currentChanged, this, &FileActions::followDocument);
+  connect(&m_tabs, &DocumentTabs::closeRequested, this, [this](OpenDocument* document) { requestClose(document); });
+  connect(&m_recent, &RecentFiles::changed, this, &FileActions::fillRecentMenu);
+  fillRecentMenu();
+  followDocument();
+}
+
+void FileActions::add(const std::string& kind, const KindUi& ui) {
+  for (const StartAction& beginning : ui.startActions()) {
+    auto* action = new QAction(beginning.text, this);
+    prepare(*action, beginning.id.toLatin1().constData(), beginning.icon.toLatin1().constData(), beginning.tip);
+    if (beginning.sample.isEmpty()) {
+      connect(action, &QAction::triggered, this, [this, kind] { m_loader.create(kind); });
+    } else {
+      const QString path = samplePath(beginning.sample);
+      action->setEnabled(!path.isEmpty());
+      connect(action, &QAction::triggered, this, [this, path] { m_loader.load(path); });
+    }
+    m_beginnings.emplace_back(beginning, action);
+  }
+}
+
+QList<QAction*> FileActions::startActions() const {
+  QList<QAction*> blank, samples;
+  for (const auto& [beginning, action] : m_beginnings) (beginning.sample.isEmpty() ? blank : samples) << action;
+  return blank + samples;
+}
+
+std::vector<StartTile> FileActions::tiles() const {
+  std::vector<StartTile> tiles;
+  for (const auto& [beginning, action] : m_beginnings) {
+    if (!beginning.tile) continue;
+    tiles.push_back(*beginning.tile);
+    tiles.back().isAvailable = action->isEnabled();
+  }
+  return tiles;
+}
+
+void FileActions::begin(const QString& tile) {
+  for (const auto& [beginning, action] : m_beginnings) {
+    if (beginning.tile && beginning.tile->name == tile) return action->trigger();
+  }
+}
+
+void FileActions::followDocument() {
+  const bool open = m_tabs.current() != nullptr;
+  for (QAction* action : {&m_save, &m_saveAs, &m_close}) action->setEnabled(open);
+  for (QAction* action : tabSteps()) action->setEnabled(m_tabs.all().size() > 1);
+}
+
+void FileActions::fillRecentMenu() {
+  m_recentMenu->clear();
+  for (const QString& path : m_recent.paths()) {
+    QAction* entry = m_recentMenu->addAction(QDir::toNativeSeparators(path));
+    connect(entry, &QAction::triggered, this, [this, path] { m_loader.load(path); });
+  }
+  m_recentMenu->addSeparator();
+  QAction* clear = m_recentMenu->addAction(tr("&Clear this list"));
+  clear->setObjectName(QStringLiteral("clearRecentFiles"));
+  connect(clear, &QAction::triggered, &m_recent, &RecentFiles::clear);
+  m_recentMenu->setEnabled(!m_recent.paths().isEmpty());
+}
+
+void FileActions::openPaths(const QStringList& paths) {
+  for (const QString& path : paths) m_loader.load(QFileInfo(path).absoluteFilePath());
+}
+
+QString FileActions::iconNameFor(const QString& path) const {
+  return handwheel::iconNameFor(m_kinds, path);
+}
+
+void FileActions::askForFiles() {
+  auto* dialog =
+      new QFileDialog(m_window, tr("Open files"), lastFolder(), openFilters(m_kinds).join(QStringLiteral(";;")));
+  dialog->setObjectName(QStringLiteral("openDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFiles);
+  connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& paths) {
+    rememberFolder(paths.first());
+    openPaths(paths);
+  });
+  dialog->open();
+}
+
+void FileActions::saveCurrent() {
+  saveOrAsk(m_tabs.current(), {});
+}
+
+// The file itself must not be overwritten without asking: it holds what the document does not, is not the user's, or
+// cannot be written by us.
+bool FileActions::needsNewName(const OpenDocument& open) const {
+  const Document& document = open.document;
+  if (document.file().path.empty() || !canWrite(document.kind(), document.path())) return true;
+  if (!document.file().recordings.empty() && !isContainerName(document.file().path)) return true;
+  if (open.written) return false;
+  const QFileInfo file(document.path());
+  return document.file().isPrecious() || (file.exists() && !file.isWritable()) || isSample(file);
+}
+
+void FileActions::saveOrAsk(OpenDocument* document, std::function<void(bool)> ended) {
+  if (needsNewName(*document)) return askForName(document, std::move(ended));
+  m_saver.save(document, document->document.path(), std::move(ended));
+}
+
+void FileActions::askForName(OpenDocument* document, std::function<void(bool)> ended, bool asContainer) {
+  auto* dialog = new QFileDialog(m_window, tr("Save as"));
+  dialog->setObjectName(QStringLiteral("saveDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setLabelText(QFileDialog::LookIn, tr("Save in:"));
+  dialog->setNameFilters(saveFilters(document->document.kind()));
+  const bool hasRecordings = !document->document.file().recordings.empty();  // which no foreign file holds
+  QString suggestion = hasRecordings || asContainer ? document->ui.KindUi::suggestedName(*document)
+                                                    : document->ui.suggestedName(*document);
+  if (needsNewName(*document) && suggestion == document->document.path()) suggestion = freeName(suggestion);
+  const bool sample = isSample(QFileInfo(document->document.path()));
+  const bool writable = QFileInfo(QFileInfo(suggestion).path()).isWritable();
+  dialog->setDirectory(writable && !sample ? QFileInfo(suggestion).path() : lastFolder());
+  dialog->selectFile(QFileInfo(suggestion).fileName());
+  dialog->setDefaultSuffix(QFileInfo(suggestion).suffix());
+  connect(dialog, &QFileDialog::fileSelected, this, [this, document, ended](const QString& path) {
+    if (!m_tabs.contains(document)) return;
+    rememberFolder(path);
+    m_saver.save(document, path, ended);
+  });
+  if (ended) connect(dialog, &QFileDialog::rejected, this, [ended] { ended(false); });
+  dialog->open();
+}
+
+void FileActions::offerAnotherName(OpenDocument* document, Message message) {
+  message.actionText = tr("Save as…");
+  message.action = [this, document] {
+    if (m_tabs.contains(document)) askForName(document, {});
+  };
+  emit this->message(message);
+}
+
+void FileActions::offerContainer(OpenDocument* document, Message message) {
+  message.actionText = tr("Save as *%1…").arg(containerEnding());
+  message.action = [this, document] {
+    if (m_tabs.contains(document)) askForName(document, {}, true);
+  };
+  emit this->message(message);
+}
+
+void FileActions::requestClose(OpenDocument* document, std::function<void()> then) {
+  const bool isUnderWay = m_closing.contains(document);
+  if (!isUnderWay) emit aboutToClose();
+  auto& waiting = m_closing[document];
+  if (then) waiting.push_back(std::move(then));
+  if (isUnderWay) return;
+  if (!document->document.isModified()) return endClosing(document, true);
+  m_tabs.setCurrent(document);
+  const auto ended = [this, document](bool isSaved) { endClosing(document, isSaved); };
+  askBeforeClosing(m_window, document->document.name(), [this, document, ended](CloseAnswer answer) {
+    if (answer == CloseAnswer::Save && m_tabs.contains(document)) return saveOrAsk(document, ended);
+    endClosing(document, answer == CloseAnswer::Discard);
+  });
+}
+
+void FileActions::endClosing(OpenDocument* document, bool close) {
+  const auto closing = m_closing.extract(document);
+  if (!close || closing.empty() || !m_tabs.contains(document)) return;
+  m_tabs.close(document);
+  for (const auto& then : closing.mapped()) then();
+}
+
+void FileActions::requestCloseAll(std::function<void()> then) {
+  emit aboutToClose();
+  decideNext({}, std::move(then));
+}
+
+// Nothing is closed before the last answer: who cancels then keeps everything.
+void FileActions::decideNext(std::set<const OpenDocument*> discarded, std::function<void()> then) {
+  const auto isUndecided = [&](const auto& open) {
+    return m_closing.contains(open.get()) || (open->document.isModified() && !discarded.contains(open.get()));
+  };
+  const auto& all = m_tabs.all();
+  const auto next = std::find_if(all.begin(), all.end(), isUndecided);
+  if (next == all.end()) {
+    while (!all.empty()) m_tabs.close(all.back().get());
+    return then();
+  }
+  OpenDocument* const document = next->get();
+  if (const auto closing = m_closing.find(document); closing != m_closing.end()) {
+    closing->second.push_back([this, discarded, then] { decideNext(discarded, then); });
+    return;
+  }
+  m_closing[document];  // a second wish to close it waits
+  m_tabs.setCurrent(document);
+  askBeforeClosing(m_window, document->document.name(), [=, this](CloseAnswer answer) mutable {
+    if (answer == CloseAnswer::Discard) discarded.insert(document);
+    const auto goOn = [=, this](bool isDecided) {
+      m_closing.erase(document);
+      if (isDecided) decideNext(discarded, then);
+    };
+    if (answer == CloseAnswer::Save && m_tabs.contains(document)) return saveOrAsk(document, goOn);
+    goOn(answer == CloseAnswer::Discard);
+  });
+}
+
+}  // namespace handwheel

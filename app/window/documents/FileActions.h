@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "window/documents/FileLoader.h"
+#include "window/documents/FileSaver.h"
+#include "window/kinds/KindUi.h"
+
+#include <QAction>
+#include <functional>
+#include <map>
+#include <set>
+#include <vector>
+
+class QMenu;
+
+namespace handwheel {
+
+// The actions of the File menu and their dialogs.
+class FileActions : public QObject {
+  Q_OBJECT
+
+ public:
+  FileActions(QWidget* window, const DocumentKinds& kinds, const KindUis& uis, DocumentTabs& tabs, JobRunner& jobs,
+              RecentFiles& recent, LogModel& log);
+
+  QAction* open() { return &m_open; }
+  // New documents, then samples.
+  QList<QAction*> startActions() const;
+  QAction* save() { return &m_save; }
+  QAction* saveAs() { return &m_saveAs; }
+  QAction* closeTab() { return &m_close; }
+  QList<QAction*> tabSteps() { return {&m_nextTab, &m_previousTab}; }
+  QMenu* recentMenu() { return m_recentMenu; }
+
+  FileLoader& loader() { return m_loader; }
+
+  // Adds the start actions of a kind of document, in the order of the calls.
+  void add(const std::string& kind, const KindUi& ui);
+  std::vector<StartTile> tiles() const;
+  // Runs the start action of a tile, by its name.
+  void begin(const QString& tile);
+
+  QString iconNameFor(const QString& path) const;  // the icon for a file
+  void openPaths(const QStringList& paths);
+  // Closes a document; when it is modified the user is asked first. then: called once it is closed. A second request
+  // while the user is asked, or the document is saved, waits for the same answer.
+  void requestClose(OpenDocument* document, std::function<void()> then = {});
+  // Asks about each modified document, and closes all unless the user cancels or saving fails. then: called when none
+  // is left.
+  void requestCloseAll(std::function<void()> then);
+
+ signals:
+  void aboutToClose();  // a document is going to be closed, unless the user cancels
+  void message(const handwheel::Message& message);
+
+ private:
+  void askForFiles();
+  void saveCurrent();
+  // ended: as for FileSaver::save(); also called when no name was chosen.
+  void saveOrAsk(OpenDocument* document, std::function<void(bool)> ended);
+  void askForName(OpenDocument* document, std::function<void(bool)> ended, bool asContainer = false);
+  void offerAnotherName(OpenDocument* document, Message message);
+  void offerContainer(OpenDocument* document, Message message);
+  void endClosing(OpenDocument* document, bool close);
+  // discarded: documents whose changes the user discards.
+  void decideNext(std::set<const OpenDocument*> discarded, std::function<void()> then);
+  void followDocument();
+  void fillRecentMenu();
+  bool needsNewName(const OpenDocument& document) const;
+
+  QWidget* m_window;
+  const DocumentKinds& m_kinds;
+  DocumentTabs& m_tabs;
+  RecentFiles& m_recent;
+  FileLoader m_loader;
+  FileSaver m_saver;
+  // Documents being asked about or saved before closing, with the callbacks for when they are closed.
+  std::map<const OpenDocument*, std::vector<std::function<void()>>> m_closing;
+  QAction m_open;
+  std::vector<std::pair<StartAction, QAction*>> m_beginnings;
+  QAction m_save;
+  QAction m_saveAs;
+  QAction m_close;
+  QAction m_nextTab;
+  QAction m_previousTab;
+  QMenu* m_recentMenu;
+};
+
+}  // namespace handwheel

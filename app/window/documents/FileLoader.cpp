@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/documents/FileLoader.h"
+
+#include "controls/Preferences.h"
+#include "document/DocumentKind.h"
+#include "panels/LogModel.h"
+#include "text/ErrorText.h"
+#include "text/RepairText.h"
+#include "window/CommandText.h"
+#include "window/JobRunner.h"
+#include "window/documents/DocumentTabs.h"
+#include "window/documents/OpenDocument.h"
+#include "window/documents/RecentFiles.h"
+#include "window/kinds/KindUi.h"
+
+#include <QFile>
+#include <QFileInfo>
+
+namespace handwheel {
+
+namespace {
+
+constexpr std::size_t kDamageShown = 2;
+
+// A second, forgiving attempt only helps against damage in the content.
+bool mayBePartlyReadable(ErrorCode code) {
+  switch (code) {
+    case ErrorCode::HeaderMalformed:
+    case ErrorCode::TokenUnexpected:
+    case ErrorCode::NumberMalformed:
+    case ErrorCode::NumberNotFinite:
+    case ErrorCode::IndexOutOfRange:
+    case ErrorCode::PolygonTooSmall:
+    case ErrorCode::DataTruncated:
+    case ErrorCode::CountMismatch:
+      return true;
+    default:
+      return false;
+  }
+}
+
+// The title of the message names the file already.
+Error withoutFile(Error error) {
+  error.subject.clear();
+  return error;
+}
+
+}  // namespace
+
+FileLoader::FileLoader(const DocumentKinds& kinds, const KindUis& uis, DocumentTabs& tabs, JobRunner& jobs,
+                       RecentFiles& recent, LogModel& log, QObject* parent)
+    : QObject(parent), m_kinds(kinds), m_uis(uis), m_tabs(tabs), m_jobs(jobs), m_recent(recent), m_log(log) {}
+
+void FileLoader::load(const QString& path, const ReadOptions& options) {
+  if (const OpenDocument* open = m_tabs.withPath(path)) return m_tabs.setCurrent(open);
+  Job job;
+  job.name = tr("Opening %1").arg(QFileInfo(path).fileName());
+  job.work = [this, path, options](Progress progress) -> Job::Finish {
+    Result<OpenedFile> opened = m_kinds.open(QFile::encodeName(path).toStdString(), options, progress);
+    if (!opened) return [this, path, options, error = opened.error()] { failed(path, error, options); };
+    return [this, path, options, opened = std::move(opened.value())] { loaded(path, options, opened); };
+  };
+  job.failed = [this, path, options](const Error& error) { failed(path, error, options); };
+  m_jobs.start(std::move(job));
+}
+
+void FileLoader::create(const std::string& kind) {
+  const DocumentKind& of = *m_kinds.withId(kind);
+  OpenDocument* added = add(DocumentKinds::blank(of));
+  added->inFile = of.make(DocumentKinds::blank(of))->properties();  // from which the command line starts
+}
+
+void FileLoader::recover(const QString& autosave, const QString& path, std::function<void(OpenDocument*)> then) {
+  Job job;
+  job.name = path.isEmpty() ? tr("Recovering") : tr("Recovering %1").arg(QFileInfo(path).fileName());
+  job.work = [this, autosave, path, then](Progress progress) -> Job::Finish {
+    Result<OpenedFile> opened = m_kinds.open(QFile::encodeName(autosave).toStdString(), {}, progress);
+    if (!opened) return [this, path, error = opened.error()] { failed(path, error, ReadOptions{.partial = true}); };
+    return [this, path, then, opened = std::move(opened.value())] {
+      OpenDocument* recovered = add(opened);
+      recovered->document.markRecovered(path);
+      m_log.add(tr("Recovered %1 as it was last autosaved").arg(recovered->document.name()));
+      then(recovered);
+    };
+  };
+  job.failed = [this, path](const Error& error) { failed(path, error, ReadOptions{.partial = true}); };
+  m_jobs.start(std::move(job));
+}
+
+OpenDocument* FileLoader::add(OpenedFile opened) {
+  const DocumentKind& kind = *opened.kind;
+  if (!opened.file.isContainer) opened.file.displayUnit = loadPreferences().lengthUnit;
+  auto open = m_uis.at(kind.id())->open(kind.make(std::move(opened)));
+  OpenDocument* added = open.get();
+  m_tabs.add(std::move(open));
+  return added;
+}
+
+void FileLoader::loaded(const QString& path, const ReadOptions& options, OpenedFile opened) {
+  if (const OpenDocument* open = m_tabs.withPath(path)) return m_tabs.setCurrent(open);
+  OpenDocument* added = add(std::move(opened));
+  added->inFile = added->document.properties();
+  m_log.add(added->ui.openedText(*added), inspectCommand(path, options));
+  m_recent.add(path);
+  tellLosses(added->document);
+}
+
+void FileLoader::failed(const QString& path, const Error& error, const ReadOptions& options) {
+  const QString name = QFileInfo(path).fileName();
+  const QString sentence = errorSentence(withoutFile(error));
+  if (error.code == ErrorCode::Cancelled) return m_log.add(tr("Opening %1 was cancelled").arg(name));
+  if (error.code == ErrorCode::FileMissing) m_recent.remove(path);
+  const QString title = options.partial ? tr("Nothing of %1 can be read") : tr("%1 could not be opened");
+  Message message{Message::Weight::Error, title.arg(name), sentence, errorAdvice(error), {}, {}};
+  if (!options.partial && mayBePartlyReadable(error.code)) {
+    message.actionText = tr("Open what is readable");
+    message.action = [this, path] { load(path, ReadOptions{.partial = true}); };
+  }
+  m_log.add(message.title + QStringLiteral(". ") + message.detail, {}, LogEntry::Weight::Error);
+  emit this->message(message);
+}
+
+void FileLoader::tellLosses(const Document& document) {
+  const DocumentFile& file = document.file();
+  if (!file.isPrecious()) return;
+  const QString name = document.name();
+  QStringList lines;
+  if (file.isNewer)
+    lines << tr("It was written by a newer version of Handwheel; what only that one knows is not shown.");
+  for (std::size_t i = 0; i < file.damage.size(); ++i) {
+    const QString sentence = errorSentence(withoutFile(file.damage[i]));
+    m_log.add(name + QStringLiteral(": ") + sentence, {}, LogEntry::Weight::Warning);
+    if (i < kDamageShown) lines << sentence;
+  }
+  if (file.damage.size() > kDamageShown) {
+    lines << tr("…and %1 more, listed in the Log.").arg(file.damage.size() - kDamageShown);
+  }
+  if (!file.lost.empty()) {
+    QStringList names;
+    for (LostAttribute attribute : file.lost) names << lostAttributeName(attribute);
+    lines << tr("Not kept by Handwheel: %1.").arg(names.join(QStringLiteral(", ")));
+    m_log.add(lines.last(), {}, LogEntry::Weight::Warning);
+  }
+  const bool damaged = !file.damage.empty();
+  emit message({damaged ? Message::Weight::Warning : Message::Weight::Info,
+                damaged        ? tr("%1 is damaged").arg(name)
+                : file.isNewer ? tr("%1 is opened for reading only").arg(name)
+                               : tr("%1 holds more than its surface").arg(name),
+                lines.join(QLatin1Char(' ')),
+                tr("“Save” will ask for a new name, so the original stays as it is."),
+                {},
+                {},
+                {},
+                {},
+                &document});
+}
+
+}  // namespace handwheel

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/DocumentFile.h"
+#include "panels/MessageBar.h"
+
+#include <QObject>
+#include <functional>
+#include <map>
+#include <memory>
+
+namespace handwheel {
+
+class Document;
+class DocumentTabs;
+class JobRunner;
+class LogModel;
+class DocumentKinds;
+class KindUi;
+class RecentFiles;
+struct OpenDocument;
+
+using KindUis = std::map<std::string, std::unique_ptr<KindUi>>;  // by the id of the kind
+
+// Opens files on a worker thread and reports losses and damage.
+class FileLoader : public QObject {
+  Q_OBJECT
+
+ public:
+  FileLoader(const DocumentKinds& kinds, const KindUis& uis, DocumentTabs& tabs, JobRunner& jobs, RecentFiles& recent,
+             LogModel& log, QObject* parent = nullptr);
+
+  // Opens a file, or shows its document when it is already open.
+  void load(const QString& path, const ReadOptions& options = {});
+  // Creates a document of default size, of a kind that supports it.
+  void create(const std::string& kind);
+  // Opens the autosave of a document. path: that of the document, may be empty. then: called with the document when it
+  // is open.
+  void recover(const QString& autosave, const QString& path, std::function<void(OpenDocument*)> then);
+
+ signals:
+  void message(const handwheel::Message& message);
+
+ private:
+  OpenDocument* add(OpenedFile opened);
+  void loaded(const QString& path, const ReadOptions& options, OpenedFile opened);
+  void failed(const QString& path, const Error& error, const ReadOptions& options);
+  void tellLosses(const Document& document);
+
+  const DocumentKinds& m_kinds;
+  const KindUis& m_uis;
+  DocumentTabs& m_tabs;
+  JobRunner& m_jobs;
+  RecentFiles& m_recent;
+  LogModel& m_log;
+};
+
+}  // namespace handwheel

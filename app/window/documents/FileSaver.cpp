@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/documents/FileSaver.h"
+
+#include "controls/Preferences.h"
+#include "panels/LogModel.h"
+#include "text/ErrorText.h"
+#include "text/NoteText.h"
+#include "window/JobRunner.h"
+#include "window/documents/DocumentTabs.h"
+#include "window/documents/FileFilters.h"
+#include "window/documents/OpenDocument.h"
+#include "window/documents/RecentFiles.h"
+#include "window/kinds/KindUi.h"
+
+#include <QFile>
+#include <QFileInfo>
+#include <utility>
+
+namespace handwheel {
+
+FileSaver::FileSaver(DocumentTabs& tabs, JobRunner& jobs, RecentFiles& recent, LogModel& log, QObject* parent)
+    : QObject(parent), m_tabs(tabs), m_jobs(jobs), m_recent(recent), m_log(log) {}
+
+void FileSaver::save(OpenDocument* document, const QString& path, std::function<void(bool)> ended) {
+  const Written state{path, document->ui.saveCommand(*document, path), document->document.revision(),
+                      document->document.properties(), document->document.displayUnit()};
+  Job job;
+  job.name = tr("Saving %1").arg(QFileInfo(path).fileName());
+  const auto failed = [this, document, path, ended](const Error& error) {
+    tellFailure(document, path, error);
+    if (ended) ended(false);
+  };
+  job.failed = failed;
+  job.lane = Job::Lane::Saving;
+  job.work = [this, document, state, ended, failed, &kind = document->document.kind(), file = document->document.file(),
+              content = document->document.snapshot()](Progress progress) -> Job::Finish {
+    const auto written = saveDocument(kind, file, *content, QFile::encodeName(state.path).toStdString(), progress);
+    if (!written) return [failed, error = written.error()] { failed(error); };
+    return [this, document, state, ended, written = written.value()] {
+      const bool isOpen = m_tabs.contains(document);
+      if (isOpen) saved(document, state, written);
+      const bool isNewLoss = isOpen && tellLosses(document, state, written);
+      if (ended) ended(isOpen && !isNewLoss && !document->document.isModified());
+    };
+  };
+  m_jobs.start(std::move(job));
+}
+
+void FileSaver::saved(OpenDocument* document, const Written& state, const WrittenFile& written) {
+  Document& saved = document->document;
+  const QString name = QFileInfo(state.path).fileName();
+  m_log.add(tr("Saved %1: %2 bytes, read back and compared").arg(name).arg(written.bytes), state.command);
+  for (const Note& note : written.notes) m_log.add(name + QStringLiteral(": ") + noteText(note));
+  const auto foreign = formatOf(saved.kind(), state.path);
+  if (foreign && !foreign->reads) return tellExport(*document, name);
+  m_recent.add(state.path);
+  if (saved.revision() == state.revision) {
+    document->written = true;
+    document->inFile = state.properties;
+    saved.markSaved(state.path, !foreign);
+  } else {
+    m_log.add(tr("%1 holds the state before your last change").arg(name), {}, LogEntry::Weight::Warning);
+  }
+}
+
+// Once for each list of them: who saves often has read it. Whether it was told. A foreign file that is opened again has
+// the usual unit.
+bool FileSaver::tellLosses(OpenDocument* document, const Written& state, const WrittenFile& written) {
+  const auto foreign = formatOf(document->document.kind(), state.path);
+  if (foreign && !foreign->reads) return false;  // an export, which was told
+  QStringList losses;
+  for (const Note& note : written.notes) {
+    if (note.isLoss) losses << noteText(note);
+  }
+  if (foreign && state.displayUnit != loadPreferences().lengthUnit)
+    losses << tr("The display unit is not in this file.");
+  const QString all = losses.join(QLatin1Char(' '));
+  if (std::exchange(document->toldLosses, all) == all || losses.isEmpty()) return false;
+  emit incomplete(document, {Message::Weight::Info,
+                             tr("%1 does not hold all of the document").arg(QFileInfo(state.path).fileName()),
+                             all,
+                             tr("It stays open: save it as *%1, too, or do without.").arg(containerEnding()),
+                             {},
+                             {},
+                             {},
+                             {},
+                             &document->document});
+  return true;
+}
+
+void FileSaver::tellExport(const OpenDocument& document, const QString& name) {
+  if (!document.document.isModified()) return;
+  emit message({Message::Weight::Info,
+                tr("%1 was written").arg(name),
+                tr("It holds the shape, but not all of the document, which is not saved yet."),
+                tr("Save the document as *%1 to go on with it another day.").arg(containerEnding()),
+                {},
+                {},
+                {},
+                {},
+                &document.document});
+}
+
+void FileSaver::tellCancelled(OpenDocument* document, const QString& path) {
+  const QString title = tr("Saving %1 was cancelled").arg(QFileInfo(path).fileName());
+  m_log.add(title, {}, LogEntry::Weight::Warning);
+  Message told{Message::Weight::Warning, title, tr("Nothing was written: the file is as it was before."), {}, {}, {}};
+  if (m_tabs.contains(document)) {
+    told.about = &document->document;
+    told.advice = tr("The document is open, with all its changes.");
+    told.actionText = tr("Save again");
+    told.action = [this, document, path] {
+      if (m_tabs.contains(document)) save(document, path);
+    };
+  }
+  emit message(told);
+}
+
+void FileSaver::tellFailure(OpenDocument* document, const QString& path, const Error& error) {
+  if (error.code == ErrorCode::Cancelled) return tellCancelled(document, path);
+  const QString name = QFileInfo(path).fileName();
+  const QString title = tr("%1 could not be saved").arg(name);
+  m_log.add(title + QStringLiteral(". ") + errorSentence(error), {}, LogEntry::Weight::Error);
+  Message told{Message::Weight::Error, title, errorSentence(error), errorAdvice(error), {}, {}};
+  if (m_tabs.contains(document)) {
+    told.about = &document->document;
+    emit failed(document, told);
+  } else {
+    emit message(told);
+  }
+}
+
+}  // namespace handwheel

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/DocumentKind.h"
+#include "panels/MessageBar.h"
+
+#include <QObject>
+#include <functional>
+
+namespace handwheel {
+
+class DocumentTabs;
+class JobRunner;
+class LogModel;
+class RecentFiles;
+struct OpenDocument;
+
+// Writes documents to files on a worker thread. The new file is complete and checked, or the old one is unchanged.
+// Writing a format from which the document cannot be read back is an export: the document stays unsaved.
+class FileSaver : public QObject {
+  Q_OBJECT
+
+ public:
+  FileSaver(DocumentTabs& tabs, JobRunner& jobs, RecentFiles& recent, LogModel& log, QObject* parent = nullptr);
+
+  // ended: always called at the end; true when the file holds the present state of the document, and the user already
+  // knows what the file lacks.
+  void save(OpenDocument* document, const QString& path, std::function<void(bool)> ended = {});
+
+ signals:
+  void message(const handwheel::Message& message);
+  // Saving failed; the document is still open and unsaved. message: describes it, without an action.
+  void failed(handwheel::OpenDocument* document, const handwheel::Message& message);
+  // The file was written, but its format cannot hold all of the document. message: describes it, without an action.
+  void incomplete(handwheel::OpenDocument* document, const handwheel::Message& message);
+
+ private:
+  struct Written {
+    QString path;
+    QString command;  // the equivalent command line
+    std::uint64_t revision;
+    std::vector<Property> properties;
+    LengthUnit displayUnit;
+  };
+  void saved(OpenDocument* document, const Written& state, const WrittenFile& written);
+  bool tellLosses(OpenDocument* document, const Written& state, const WrittenFile& written);
+  void tellExport(const OpenDocument& document, const QString& name);
+  void tellCancelled(OpenDocument* document, const QString& path);
+  void tellFailure(OpenDocument* document, const QString& path, const Error& error);
+
+  DocumentTabs& m_tabs;
+  JobRunner& m_jobs;
+  RecentFiles& m_recent;
+  LogModel& m_log;
+};
+
+}  // namespace handwheel

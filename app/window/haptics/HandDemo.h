@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Geometry.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QString>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace handwheel {
+
+class HapticSession;
+class Viewport;
+struct HandPose;
+struct ServoSample;
+
+// One step of a scripted demonstration. Runs begin, waits until isReady, moves the tip to place, and rests.
+struct HandStep {
+  QString caption;  // description of the step; empty: as in the step before
+  QString detail;   // how the user can do it; only with a caption
+  std::function<void()> begin;
+  std::function<bool()> isReady;               // waited for before the tip moves; none: at once
+  std::function<std::optional<Vec3>()> place;  // goal of the tip, mm, called when ready; none: it stays
+  std::uint32_t buttons = 0;                   // held during the motion
+  double rest = 0.0;                           // s, pause at the goal
+};
+
+// Plays a scripted demonstration with the simulated haptic device. Its tip is moved through space and its buttons are
+// pressed, so that everything between the servo loop and the tools works as with a real device. Window thread.
+class HandDemo : public QObject {
+  Q_OBJECT
+
+ public:
+  HandDemo(HapticSession& session, Viewport& viewport, QObject* parent = nullptr);
+  ~HandDemo() override;
+
+  // Starts the demonstration with the simulated device. The device in use before is opened again at the end.
+  void start(std::vector<HandStep> steps);
+  // Ends the demonstration early; does nothing when none is running.
+  void stop();
+  bool isRunning() const { return m_isRunning; }
+  const QString& caption() const { return m_caption; }
+  const QString& detail() const { return m_detail; }
+  // Speed factor; for tests.
+  void setPace(double pace) { m_pace = pace; }
+
+ signals:
+  void captionChanged();
+  void ended(bool isWhole);
+
+ private:
+  enum class Phase { Waiting, Moving, Resting };
+  void beginStep();
+  void follow();
+  void startMoving(const ServoSample& now);
+  void move(const ServoSample& now);
+  Vec3 wayAt(double share) const;
+  void lead(const ServoSample& now, const Vec3& place);
+  void press(std::uint32_t buttons);
+  double seconds() const;
+  void finish(bool isWhole);
+
+  HapticSession& m_session;
+  Viewport& m_viewport;
+  std::vector<HandStep> m_steps;
+  std::size_t m_step = 0;
+  bool m_isRunning = false;
+  QString m_caption, m_detail;
+  double m_pace = 1.0;
+  std::string m_driver, m_address;  // of the device that was in use
+
+  Phase m_phase = Phase::Waiting;
+  int m_samples = 0;             // samples since the end of the motion, or at rest
+  QElapsedTimer m_clock;         // of the phase
+  Vec3 m_from, m_to;             // of the tip, in the scene; mm
+  double m_duration = 0.0;       // s
+  double m_lift = 0.0;           // mm towards the viewer at half of the motion
+  Vec3 m_effort = Vec3::Zero();  // mm, offset of the target that compensates forces on the tip
+};
+
+}  // namespace handwheel

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/kinds/KindUi.h"
+
+#include "tools/MeasureTool.h"
+#include "window/CommandText.h"
+#include "window/documents/FileFilters.h"
+#include "window/documents/OpenDocument.h"
+
+#include <QFileInfo>
+#include <utility>
+
+namespace handwheel {
+
+namespace {
+
+std::vector<std::unique_ptr<DocumentKind>> kindsOf(std::vector<KindEntry>& entries) {
+  std::vector<std::unique_ptr<DocumentKind>> kinds;
+  for (KindEntry& entry : entries) kinds.push_back(std::move(entry.kind));
+  return kinds;
+}
+
+}  // namespace
+
+ToolDescriptor measureOffer(std::function<std::unique_ptr<Tool>()> make) {
+  return {QStringLiteral("measureTool"),
+          KindUi::tr("&Measure"),
+          KindUi::tr("Measure distances, angles and walls"),
+          QStringLiteral("ruler"),
+          QKeySequence(Qt::Key_M),
+          std::move(make),
+          "measure",
+          MeasureTool::keys()};
+}
+
+KindSet::KindSet(std::vector<KindEntry> entries) : documents(kindsOf(entries)) {
+  for (std::size_t i = 0; i < entries.size(); ++i) windows[documents.all()[i]->id()] = std::move(entries[i].window);
+}
+
+// For documents that are edited through their properties alone.
+QString KindUi::saveCommand(const OpenDocument& open, const QString& path) const {
+  if (!open.inFile) return {};
+  const Document& document = open.document;
+  if (document.file().path.empty()) return newCommand(document.kind().id(), *open.inFile, document.properties(), path);
+  return setCommand(document.path(), *open.inFile, document.properties(), path);
+}
+
+// The container beside the file that it came from.
+QString KindUi::suggestedName(const OpenDocument& document) const {
+  const QString ending = containerEnding();
+  if (document.document.file().path.empty()) return document.document.name() + ending;
+  const QFileInfo file(document.document.path());
+  return file.path() + QLatin1Char('/') + file.completeBaseName() + ending;
+}
+
+}  // namespace handwheel

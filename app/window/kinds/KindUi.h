@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/DocumentKind.h"
+#include "panels/HintBar.h"
+#include "panels/NextStepCard.h"
+#include "panels/StartPage.h"
+#include "tools/ToolKey.h"
+
+#include <QAction>
+#include <QKeySequence>
+#include <QObject>
+#include <functional>
+#include <map>
+#include <memory>
+
+class QThreadPool;
+
+namespace handwheel {
+
+class DocumentTabs;
+class FidelityChoice;
+class HapticSession;
+class JobRunner;
+class LogModel;
+class ToolHost;
+class TouchScene;
+class Viewport;
+class WindowServices;
+struct Message;
+struct OpenDocument;
+
+// The parts of the window that kinds of documents may use.
+struct WindowParts {
+  QWidget* window;
+  const DocumentKinds& kinds;
+  DocumentTabs& tabs;
+  JobRunner& jobs;
+  QThreadPool& pool;
+  LogModel& log;
+  Viewport& viewport;
+  WindowServices& services;
+  ToolHost& tools;
+  FidelityChoice& fidelity;
+  HapticSession& haptics;
+  TouchScene& touch;
+  QAction* saveAs;
+  std::function<void(const QString& path)> openFile;
+  std::function<bool()> isPanelVisible;
+  QAction* showPanel;
+};
+
+// The description of a tool that the user can choose.
+struct ToolDescriptor {
+  QString id;    // "select"
+  QString text;  // "Select faces"
+  QString tip;
+  QString icon;
+  QKeySequence key;
+  std::function<std::unique_ptr<Tool>()> make;  // creates it for the current document
+  std::string tool;                             // Tool::id() of the created tool
+  std::span<const ToolKey> keys;                // of it
+  bool isUsual = false;                         // the default tool, active while no other is chosen
+};
+
+// The descriptor of the measuring tool, which several kinds offer.
+ToolDescriptor measureOffer(std::function<std::unique_ptr<Tool>()> make);
+
+// A command that creates or opens a first document of a kind. Shown in the File menu and as a tile of the start page.
+struct StartAction {
+  QString id;  // of the command: "openSample"
+  QString text;
+  QString tip;
+  QString icon;
+  QString sample = {};                 // file name of a shipped sample; empty: a new document
+  std::optional<StartTile> tile = {};  // none: only in the menu
+};
+
+// The user interface of one kind of document: scene, panel, menu, tools, hints. One per window and kind.
+class KindUi : public QObject {
+  Q_OBJECT
+
+ public:
+  using QObject::QObject;
+
+  virtual std::unique_ptr<OpenDocument> open(std::unique_ptr<Document> document) = 0;
+  // Sets the current document; null when it is of another kind, or none is open. Fills the viewport or leaves it empty.
+  virtual void setDocument(OpenDocument* document) = 0;
+  // To be called after OpenDocument::visible was changed.
+  virtual void refreshVisibility() = 0;
+  // To be called before a document is destroyed.
+  virtual void forget(OpenDocument* document) { (void)document; }
+
+  virtual std::vector<StartAction> startActions() const { return {}; }
+
+  virtual QString panelTitle() const = 0;
+  virtual QString panelIcon() const = 0;  // name of an icon
+  virtual QWidget* panel() = 0;           // content of the kind's dock; owned by the window
+  virtual QString menuTitle() const = 0;
+  virtual QList<QAction*> menu() = 0;
+  virtual QList<QAction*> toolBar() = 0;
+  // Actions of the help menu for such documents, available at any time.
+  virtual QList<QAction*> help() { return {}; }
+  // The tools for such documents. Descriptors with the same id in several kinds are the same tool to the user.
+  virtual std::vector<ToolDescriptor> tools() { return {}; }
+
+  virtual std::vector<Hint> hints() { return {}; }
+  virtual NextStep nextStep() { return {}; }
+  // Measurements of the section by the clipping plane; shown below its settings.
+  virtual std::vector<Property> sectionFigures() const { return {}; }
+  virtual QString statistics() const { return {}; }  // "1 234 triangles"
+  // One line for the log when a document was opened.
+  virtual QString openedText(const OpenDocument& document) const = 0;
+  // The command line that produces the file from the one the document was opened from; empty when there is none.
+  virtual QString saveCommand(const OpenDocument& document, const QString& path) const;
+  // The file name that "Save as" proposes.
+  virtual QString suggestedName(const OpenDocument& document) const;
+  // True when nothing is running that will still change what is shown.
+  virtual bool isSettled() const { return true; }
+
+ signals:
+  void stateChanged();  // hints, next step or statistics
+  void message(const handwheel::Message& message);
+};
+
+using KindUiFactory = std::function<std::unique_ptr<KindUi>(const WindowParts&)>;
+
+// A kind of document and the factory of its user interface.
+struct KindEntry {
+  std::unique_ptr<DocumentKind> kind;
+  KindUiFactory window;
+};
+
+// The registered kinds of documents and the factories of their user interfaces. Factories are found by the id of the
+// kind.
+struct KindSet {
+  // Kinds are asked in this order whether a file is theirs.
+  explicit KindSet(std::vector<KindEntry> entries);
+
+  DocumentKinds documents;
+  std::map<std::string, KindUiFactory> windows;
+};
+
+}  // namespace handwheel

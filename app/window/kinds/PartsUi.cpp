@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/kinds/PartsUi.h"
+
+#include "tools/MeasureTool.h"
+#include "viewport/Viewport.h"
+#include "window/documents/DocumentProperties.h"
+#include "window/documents/OpenDocument.h"
+#include "window/tools/ToolHost.h"
+
+#include <algorithm>
+
+namespace handwheel {
+
+PartsUi::PartsUi(const WindowParts& parts, std::vector<std::string> groups)
+    : m_parts(parts), m_groups(std::move(groups)), m_panel(new PropertyList(parts.window)) {
+  connectEdits(
+      *m_panel, [this] { return m_document ? &m_document->document : nullptr; }, this);
+}
+
+PartsUi::~PartsUi() {
+  setDocument(nullptr);
+}
+
+std::unique_ptr<OpenDocument> PartsUi::open(std::unique_ptr<Document> document) {
+  return std::make_unique<OpenDocument>(std::move(document), *this);
+}
+
+void PartsUi::setDocument(OpenDocument* document) {
+  if (m_document) {
+    m_document->camera = m_parts.viewport.camera();
+    m_document->document.disconnect(this);
+    m_parts.viewport.clear();
+  }
+  m_document = document;
+  if (!document) return;
+  connect(&document->document, &Document::changed, this, &PartsUi::show);
+  show();
+  if (document->camera) {
+    m_parts.viewport.setCamera(*document->camera);
+  } else {
+    m_parts.viewport.setStandardView(StandardView::Isometric);
+  }
+}
+
+void PartsUi::refreshVisibility() {
+  if (m_document) show();
+}
+
+QWidget* PartsUi::panel() {
+  return m_panel;
+}
+
+std::vector<Hint> PartsUi::hints() {
+  return m_parts.tools.hints();
+}
+
+ToolDescriptor PartsUi::measureParts() const {
+  const auto pick = [&viewport = m_parts.viewport](const Ray& ray) -> std::optional<SurfacePoint> {
+    const Pick hit = viewport.pickAlong(ray.origin, ray.direction);
+    return hit.isNothing() ? std::nullopt : std::optional(SurfacePoint{hit.point});
+  };
+  return measureOffer([pick] { return std::make_unique<MeasureTool>(MeasureServices{pick, {}}); });
+}
+
+std::vector<QAction*> PartsUi::panelActions() const {
+  if (m_parts.isPanelVisible()) return {};
+  return {m_parts.showPanel};
+}
+
+void PartsUi::show() {
+  const Document& document = m_document->document;
+  if (m_document->visible) {
+    m_parts.viewport.setParts(document.kind().display(*document.snapshot()));
+  } else {
+    m_parts.viewport.clear();
+  }
+  std::vector<Property> shown = document.properties();
+  std::erase_if(shown, [this](const Property& property) {
+    return std::find(m_groups.begin(), m_groups.end(), property.group) == m_groups.end();
+  });
+  m_panel->setLengthUnit(document.displayUnit());
+  m_panel->setProperties(shown);
+  emit stateChanged();
+}
+
+}  // namespace handwheel

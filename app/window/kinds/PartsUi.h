@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "window/kinds/KindUi.h"
+
+#include <QPointer>
+
+namespace handwheel {
+
+class PropertyList;
+
+// Base class for documents shown as rigid parts and edited through properties. Used by robot cells and workpieces.
+class PartsUi : public KindUi {
+  Q_OBJECT
+
+ public:
+  // groups: of the properties that the panel of the kind shows.
+  PartsUi(const WindowParts& parts, std::vector<std::string> groups);
+  ~PartsUi() override;
+
+  std::unique_ptr<OpenDocument> open(std::unique_ptr<Document> document) override;
+  void setDocument(OpenDocument* document) override;
+  void refreshVisibility() override;
+  QWidget* panel() override;
+  QList<QAction*> menu() override { return {}; }
+  QList<QAction*> toolBar() override { return {}; }
+  std::vector<Hint> hints() override;
+
+ protected:
+  OpenDocument* document() const { return m_document; }
+  const WindowParts& parts() const { return m_parts; }
+  ToolDescriptor measureParts() const;
+  std::vector<QAction*> panelActions() const;  // offered by the next step when the panel is hidden
+
+ private:
+  void show();
+
+  WindowParts m_parts;
+  std::vector<std::string> m_groups;
+  QPointer<PropertyList> m_panel;
+  OpenDocument* m_document = nullptr;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/mesh/UnobstructedView.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kTilts[] = {30.0, 50.0, 70.0};  // degrees from outward
+constexpr int kTurns = 8;                        // directions at each tilt
+// What a tilt costs against being hidden: at 70 degrees as much as a tenth of the place.
+constexpr double kTiltCost = 0.15;
+constexpr std::size_t kFacesLookedAt = 100000;  // roughly
+
+std::vector<Vec3> candidates(const Vec3& outward) {
+  const Vec3 side = outward.unitOrthogonal();
+  const Vec3 other = outward.cross(side);
+  std::vector<Vec3> directions{outward};
+  for (double tilt : kTilts) {
+    const double t = tilt * std::numbers::pi / 180.0;
+    for (int i = 0; i < kTurns; ++i) {
+      const double turn = 2.0 * std::numbers::pi * i / kTurns;
+      directions.push_back(std::cos(t) * outward + std::sin(t) * (std::cos(turn) * side + std::sin(turn) * other));
+    }
+  }
+  return directions;
+}
+
+}  // namespace
+
+Vec3 clearView(const HalfEdgeMesh& mesh, const Box& place, const Vec3& outward) {
+  if (outward.norm() == 0.0 || place.isEmpty()) return outward;
+  const std::vector<Vec3> directions = candidates(outward.normalized());
+  const Vec3 centre = place.center();
+  const double radius = std::max(place.diagonal().norm() / 2.0, 1e-12);
+  // Area of the mesh in front of the disc of this radius, seen from each direction. What is nearer than a quarter of
+  // the radius belongs to the surroundings of the place itself.
+  std::vector<double> hidden(directions.size(), 0.0);
+  // Of a large mesh a part of the faces tells as much.
+  const auto step = static_cast<Face>(mesh.faceSlots() / kFacesLookedAt + 1);
+  for (std::size_t slot = 0; slot < mesh.faceSlots(); slot += step) {
+    const auto f = static_cast<Face>(slot);
+    if (!mesh.isLive(f)) continue;
+    const Triangle& t = mesh.triangle(f);
+    const Vec3 &a = mesh.position(t[0]), &b = mesh.position(t[1]), &c = mesh.position(t[2]);
+    const Vec3 from = (a + b + c) / 3.0 - centre;
+    const double distance = from.squaredNorm();
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      const double ahead = from.dot(directions[i]);
+      if (ahead < radius / 4.0 || distance - ahead * ahead > radius * radius) continue;
+      hidden[i] += step * std::abs((b - a).cross(c - a).dot(directions[i])) / 2.0;
+    }
+  }
+  const double disc = std::numbers::pi * radius * radius;
+  std::size_t best = 0;
+  double least = 2.0;
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const double tilted = 1.0 - directions[i].dot(directions.front());
+    const double cost = std::min(hidden[i] / disc, 1.0) + kTiltCost * tilted;
+    if (cost >= least) continue;
+    best = i;
+    least = cost;
+  }
+  return directions[best];
+}
+
+}  // namespace handwheel

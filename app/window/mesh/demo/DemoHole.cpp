@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/mesh/demo/DemoHole.h"
+
+#include "mesh/search/NearFaces.h"
+#include "panels/defects/Inspection.h"
+#include "window/mesh/UnobstructedView.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kNarrow = 1.0 / 3;     // of the points of a hole lie on either side of a waist, at least
+constexpr std::size_t kMostTried = 30;  // waists
+
+}  // namespace
+
+bool DemoHole::take(const HalfEdgeMesh& mesh, const Inspection& inspection) {
+  const BoundaryLoop* longest = nullptr;
+  for (const int id : inspection.holes()) {
+    if (!longest || inspection.loop(id).length > longest->length) longest = &inspection.loop(id);
+  }
+  if (!longest) return false;
+  m_place = longest->box;
+  m_outward.setZero();
+  for (const HalfEdge h : longest->halfEdges) {
+    m_rim.insert(mesh.from(h));
+    const TrianglePoints p = mesh.points(HalfEdgeMesh::face(h));
+    m_outward += (p[1] - p[0]).cross(p[2] - p[0]);
+  }
+  m_outward = clearView(mesh, m_place, m_outward);
+  return true;
+}
+
+bool DemoHole::holds(const HalfEdgeMesh& mesh, const BoundaryLoop& loop) const {
+  return std::any_of(loop.halfEdges.begin(), loop.halfEdges.end(),
+                     [&](HalfEdge h) { return m_rim.count(mesh.from(h)) != 0; });
+}
+
+const BoundaryLoop* DemoHole::nextPart(const HalfEdgeMesh& mesh, const Inspection& inspection) const {
+  const BoundaryLoop* shortest = nullptr;
+  for (const int id : inspection.holes()) {
+    const BoundaryLoop& loop = inspection.loop(id);
+    if (holds(mesh, loop) && (!shortest || loop.length < shortest->length)) shortest = &loop;
+  }
+  return shortest;
+}
+
+std::optional<BorderPair> DemoHole::waist(const HalfEdgeMesh& mesh, const BoundaryLoop& part) {
+  const auto& rim = part.halfEdges;
+  const auto least = static_cast<std::size_t>(kNarrow * static_cast<double>(rim.size()));
+  std::vector<std::pair<double, BorderPair>> pairs;
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    for (std::size_t j = i + least; j < rim.size() && j - i <= rim.size() - least; ++j) {
+      pairs.push_back({(mesh.position(mesh.from(rim[i])) - mesh.position(mesh.from(rim[j]))).norm(), {rim[i], rim[j]}});
+    }
+  }
+  const std::size_t tried = std::min(kMostTried, pairs.size());
+  std::partial_sort(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(tried), pairs.end(),
+                    [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (std::size_t i = 0; i < tried; ++i) {
+    const BorderPair& ends = pairs[i].second;
+    if (findBridge(NearFaces(mesh, reachOf(mesh, ends)), ends).problem == JoinProblem::None) return ends;
+  }
+  return std::nullopt;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Geometry.h"
+#include "mesh/boundary/Bridging.h"
+#include "mesh/selection/FaceSelection.h"
+
+#include <optional>
+#include <set>
+
+namespace handwheel {
+
+class Inspection;
+struct BoundaryLoop;
+
+// The hole that RepairDemo repairs, with the loops that remain of it. They are recognised by the vertices of its
+// original boundary.
+class DemoHole {
+ public:
+  // Chooses the hole with the longest boundary; false when there is none.
+  bool take(const HalfEdgeMesh& mesh, const Inspection& inspection);
+  void forget() { m_rim.clear(); }
+  bool isTaken() const { return !m_rim.empty(); }
+
+  // The original place of the hole, and the direction from which it is seen best.
+  const Box& place() const { return m_place; }
+  const Vec3& outward() const { return m_outward; }
+
+  bool holds(const HalfEdgeMesh& mesh, const BoundaryLoop& loop) const;
+  // The shortest loop that remains of it; null when it is closed.
+  const BoundaryLoop* nextPart(const HalfEdgeMesh& mesh, const Inspection& inspection) const;
+  // The nearest two points of a loop that divide it into similar parts and can be bridged.
+  static std::optional<BorderPair> waist(const HalfEdgeMesh& mesh, const BoundaryLoop& part);
+
+ private:
+  std::set<Vertex> m_rim;  // of the original hole
+  Box m_place;             // of it
+  Vec3 m_outward = Vec3::Zero();
+};
+
+}  // namespace handwheel

@@ -1,0 +1,307 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/mesh/demo/RepairDemo.h"
+
+#include "theme/Theme.h"
+#include "tools/mesh/FillHoleTool.h"
+#include "tools/mesh/MeshSelection.h"
+#include "tools/mesh/sculpt/SculptTool.h"
+#include "viewport/Viewport.h"
+#include "window/ActionTip.h"
+#include "window/documents/DocumentTabs.h"
+#include "window/documents/Samples.h"
+#include "window/mesh/OpenMesh.h"
+#include "window/mesh/RepairJobs.h"
+#include "window/tools/ToolHost.h"
+
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+constexpr std::uint32_t kFirstLook = 1u << 0, kSecond = 1u << 1;
+constexpr double kClick = 0.2;                 // s that a button is held
+constexpr double kLookTime = 1.4;              // s to see what was proposed or done
+constexpr double kNear = 0.6;                  // of the hole is what the camera would fly to
+constexpr double kBrush = 0.25, kPull = 0.06;  // of the diagonal of the hole
+constexpr int kStrokes = 5;                    // over the seam
+
+HandStep click(std::function<std::optional<Vec3>()> place, std::function<bool()> isReady = {}) {
+  HandStep step;
+  step.isReady = std::move(isReady);
+  step.place = std::move(place);
+  step.rest = kClick;
+  return step;
+}
+
+HandStep press(std::uint32_t buttons) {
+  HandStep step;
+  step.buttons = buttons;
+  step.rest = kClick;
+  return step;
+}
+
+HandStep rest(double seconds, std::function<bool()> isReady = {}) {
+  HandStep step;
+  step.isReady = std::move(isReady);
+  step.rest = seconds;
+  return step;
+}
+
+}  // namespace
+
+RepairDemo::RepairDemo(const WindowParts& parts, const RepairJobs& jobs, QObject* parent)
+    : QObject(parent),
+      m_parts(parts),
+      m_jobs(jobs),
+      m_hand(parts.haptics, parts.viewport, this),
+      m_action(tr("&Watch the hand repair a scan"), this),
+      m_stop(tr("Stop"), this) {
+  prepare(m_action, "watchRepair", "hand",
+          tr("The simulated hand repairs a hole of the sample, by the tools that you have, too"));
+  m_action.setEnabled(!samplePath(kScanSample).isEmpty());
+  m_stop.setObjectName(QStringLiteral("stopShow"));
+  connect(&m_action, &QAction::triggered, this, &RepairDemo::start);
+  connect(&m_stop, &QAction::triggered, &m_hand, &HandDemo::stop);
+  connect(&m_hand, &HandDemo::captionChanged, this, &RepairDemo::changed);
+  connect(&m_hand, &HandDemo::ended, this, &RepairDemo::ended);
+}
+
+void RepairDemo::setDocument(OpenMesh* document) {
+  if (m_document && document != m_document && m_hole.isTaken()) m_hand.stop();  // the user has gone elsewhere
+  m_document = document;
+}
+
+NextStep RepairDemo::step() {
+  if (!m_hand.isRunning()) return {};
+  const QColor& accent = themeColours(currentTheme()).accent;
+  return {QStringLiteral("device"), accent, m_hand.caption(), m_hand.detail(), {&m_stop}};
+}
+
+void RepairDemo::start() {
+  m_hand.stop();
+  m_hole.forget();
+  m_hand.start(steps());
+}
+
+void RepairDemo::ended() {
+  m_hole.forget();
+  for (const Setting& setting : m_changed) m_parts.tools.choose(setting.tool, setting.id, setting.value);
+  m_changed.clear();
+  if (m_document) useTool("fillTool");
+}
+
+std::vector<HandStep> RepairDemo::steps() {
+  std::vector<HandStep> steps = {opening()};
+  addChoosing(steps);
+  addSmoothing(steps);
+  addStitching(steps);
+  addFilling(steps);
+  addSculpting(steps);
+  return steps;
+}
+
+HandStep RepairDemo::opening() {
+  HandStep step;
+  step.caption = tr("The hand opens the sample");
+  step.detail = tr("What it does now you can do with a device, or with the mouse.");
+  step.begin = [this] { m_parts.openFile(samplePath(kScanSample)); };
+  step.isReady = [this] { return m_document && isSettled() && takeHole(); };
+  step.rest = 0.5;
+  return step;
+}
+
+void RepairDemo::addChoosing(std::vector<HandStep>& steps) {
+  HandStep go = click([this] { return firstPoint(nextPart()); });
+  go.caption = tr("1 of 5: choose the hole");
+  go.detail = tr("Points of the edge draw the tip to them. The first button chooses the hole.");
+  go.begin = [this] {
+    useTool("boundaryTool");
+    lookFrom(m_hole.outward());
+  };
+  steps.insert(steps.end(), {go, press(kFirstLook), rest(kLookTime)});
+}
+
+void RepairDemo::addSmoothing(std::vector<HandStep>& steps) {
+  HandStep propose = rest(kLookTime, [this] { return shows("boundary", "held"); });
+  propose.caption = tr("2 of 5: smooth its edge");
+  propose.detail = tr("Shift+S shows what would become of it. The second button takes it.");
+  propose.begin = [this] { perform("smooth"); };
+  steps.insert(steps.end(), {propose, press(kSecond), rest(kLookTime, [this] { return isSettled(); })});
+}
+
+void RepairDemo::addStitching(std::vector<HandStep>& steps) {
+  const auto end = [this](HalfEdge BorderPair::*which) {
+    return [this, which]() -> std::optional<Vec3> {
+      const HalfEdgeMesh& mesh = m_document->document.mesh();
+      const BoundaryLoop* part = nextPart();
+      const auto pair = part ? DemoHole::waist(mesh, *part) : std::nullopt;
+      if (!pair) return std::nullopt;
+      return mesh.position(mesh.from((*pair).*which));
+    };
+  };
+  HandStep take = click(end(&BorderPair::a));
+  take.caption = tr("3 of 5: stitch");
+  take.detail =
+      tr("A point is pulled to the one across, like a thread: the longer, the harder. The hole falls into two.");
+  take.begin = [this] { choose("boundary", "onto", 1.0); };
+  HandStep pull = click(end(&BorderPair::b));
+  pull.buttons = kFirstLook;
+  pull.rest = kLookTime;
+  steps.insert(steps.end(), {take, press(kFirstLook), pull, rest(kLookTime, [this] { return isSettled(); })});
+}
+
+void RepairDemo::addFilling(std::vector<HandStep>& steps) {
+  for (const bool isFirst : {true, false}) {
+    HandStep go = click([this]() -> std::optional<Vec3> {
+      const BoundaryLoop* part = nextPart();
+      return part ? std::optional(part->centre) : std::nullopt;
+    });
+    if (isFirst) {
+      go.caption = tr("4 of 5: fill both parts");
+      go.detail = tr("The first button shows the patch of a hole, the second puts it in.");
+    }
+    go.begin = [this, isFirst] {
+      if (isFirst) useTool("fillTool");
+      lookFrom(m_hole.outward());
+    };
+    HandStep seen = rest(kLookTime, [this] {
+      const auto* tool = dynamic_cast<const FillHoleTool*>(m_parts.tools.runner().tool());
+      return tool && tool->state() == FillHoleTool::State::Ready &&
+             m_hole.holds(m_document->document.mesh(), *tool->loop());
+    });
+    steps.insert(steps.end(),
+                 {go, press(kFirstLook), seen, press(kSecond), rest(kLookTime, [this] { return isSettled(); })});
+  }
+}
+
+void RepairDemo::addSculpting(std::vector<HandStep>& steps) {
+  HandStep refine = rest(kLookTime, [this] {
+    const auto* tool = dynamic_cast<const SculptTool*>(m_parts.tools.runner().tool());
+    return tool && tool->levels().finest() > 0 && isSettled();
+  });
+  refine.caption = tr("5 of 5: sculpt the patch");
+  refine.detail = tr("It is subdivided, and pulled at its coarse level: the fine one follows, as on a spring.");
+  refine.begin = [this] {
+    useTool("sculptTool");
+    const double size = m_hole.place().diagonal().norm();
+    choose("sculpt", "brush", 0.0);
+    choose("sculpt", "radius", kBrush * size);
+    lookFrom(m_hole.outward() + m_parts.viewport.camera().right());
+    perform("subdivide");
+  };
+  HandStep level = rest(kLookTime);
+  level.begin = [this] { perform("coarser"); };
+  steps.insert(steps.end(), {refine, level});
+  const auto pulled = [this](double out) {
+    return [this, out]() -> std::optional<Vec3> {
+      std::optional<Vec3> corner = cornerNear(middleOf(m_document->newest));
+      if (corner) *corner += out * m_hole.place().diagonal().norm() * m_hole.outward().normalized();
+      return corner;
+    };
+  };
+  HandStep pull = click(pulled(kPull));
+  pull.buttons = kFirstLook;
+  pull.rest = kLookTime;
+  steps.insert(steps.end(),
+               {click(pulled(0.0)), press(kFirstLook), pull, rest(kLookTime, [this] { return isSettled(); })});
+
+  HandStep whole = rest(kLookTime);
+  whole.caption = refine.caption;
+  whole.detail = tr("The seam of both patches is smoothed as a part of the whole surface.");
+  whole.begin = [this] {
+    perform("whole");
+    choose("sculpt", "brush", 1.0);
+  };
+  // To and fro over the seam, from the middle of one patch to as far on the other side.
+  const auto side = [this](bool isFar) {
+    return [this, isFar]() -> std::optional<Vec3> {
+      const Vec3 middle = middleOf(m_document->newest);
+      return cornerNear(isFar ? Vec3(2.0 * m_hole.place().center() - middle) : middle);
+    };
+  };
+  steps.insert(steps.end(), {whole, click(side(false)), press(kFirstLook)});
+  for (int i = 0; i < kStrokes; ++i) {
+    HandStep stroke = click(side(i % 2 == 0));
+    stroke.buttons = kFirstLook;
+    steps.push_back(stroke);
+  }
+  steps.push_back(rest(2.0 * kLookTime, [this] { return isSettled(); }));
+}
+
+// Of the surface, the corner nearest to a place.
+std::optional<Vec3> RepairDemo::cornerNear(const Vec3& place) const {
+  const HalfEdgeMesh& mesh = m_document->document.mesh();
+  std::optional<Vec3> nearest;
+  for (Face f = 0; f < mesh.faceSlots(); ++f) {
+    if (!mesh.isLive(f)) continue;
+    for (const Vec3& p : mesh.points(f)) {
+      if (!nearest || (p - place).norm() < (*nearest - place).norm()) nearest = p;
+    }
+  }
+  return nearest;
+}
+
+Vec3 RepairDemo::middleOf(const FaceSelection& faces) const {
+  Box box;
+  faces.forEach([&](Face f) {
+    for (const Vec3& p : m_document->document.mesh().points(f)) box.extend(p);
+  });
+  return box.center();
+}
+
+bool RepairDemo::isSettled() const {
+  return m_parts.jobs.isIdle() && !m_jobs.isWorking() && m_parts.viewport.isPickingReady();
+}
+
+bool RepairDemo::takeHole() {
+  m_document->cardDismissed = false;
+  return m_hole.take(m_document->document.mesh(), m_document->inspection);
+}
+
+const BoundaryLoop* RepairDemo::nextPart() const {
+  return m_hole.nextPart(m_document->document.mesh(), m_document->inspection);
+}
+
+std::optional<Vec3> RepairDemo::firstPoint(const BoundaryLoop* loop) const {
+  if (!loop) return std::nullopt;
+  const HalfEdgeMesh& mesh = m_document->document.mesh();
+  const Vec3 towards = m_parts.viewport.camera().towardsViewer();
+  const auto nearest = std::max_element(loop->halfEdges.begin(), loop->halfEdges.end(), [&](HalfEdge a, HalfEdge b) {
+    return mesh.position(mesh.from(a)).dot(towards) < mesh.position(mesh.from(b)).dot(towards);
+  });
+  return mesh.position(mesh.from(*nearest));
+}
+
+void RepairDemo::lookFrom(const Vec3& direction) {
+  const Vec3 half = kNear * 0.5 * m_hole.place().sizes();
+  m_parts.viewport.flyTo(Box(m_hole.place().center() - half, m_hole.place().center() + half), direction);
+}
+
+void RepairDemo::useTool(const char* action) {
+  if (auto* const found = m_parts.window->findChild<QAction*>(QLatin1String(action))) found->trigger();
+}
+
+void RepairDemo::perform(const char* action) {
+  m_parts.tools.runner().perform(action);
+}
+
+void RepairDemo::choose(const char* tool, const char* setting, const PropertyValue& value) {
+  if (const Tool* running = m_parts.tools.runner().tool(); running && running->id() == tool) {
+    for (const Property& property : running->settings()) {
+      if (property.id == setting) m_changed.push_back({tool, setting, property.value});
+    }
+  }
+  m_parts.tools.choose(tool, setting, value);
+}
+
+// Whether the tool in use shows this among its settings.
+bool RepairDemo::shows(const char* tool, const char* setting) const {
+  const Tool* running = m_parts.tools.runner().tool();
+  if (!running || running->id() != tool) return false;
+  const std::vector<Property> settings = running->settings();
+  return std::any_of(settings.begin(), settings.end(), [&](const Property& each) { return each.id == setting; });
+}
+
+}  // namespace handwheel

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "panels/NextStepCard.h"
+#include "window/haptics/HandDemo.h"
+#include "window/kinds/KindUi.h"
+#include "window/mesh/demo/DemoHole.h"
+
+#include <optional>
+
+namespace handwheel {
+
+inline const auto kScanSample = QStringLiteral("scan-with-holes.stl");
+
+class MeshTools;
+class RepairJobs;
+struct OpenMesh;
+
+// A demonstration in which the simulated device repairs a hole of the sample scan. It uses the tools in the order in
+// which a designer with a haptic device does it: choose, smooth, stitch, fill, sculpt (He 2008, section 4.1). Its edits
+// can be undone like those of the user.
+class RepairDemo : public QObject {
+  Q_OBJECT
+
+ public:
+  RepairDemo(const WindowParts& parts, const RepairJobs& jobs, QObject* parent = nullptr);
+
+  void setDocument(OpenMesh* document);
+  QAction* action() { return &m_action; }
+  bool isRunning() const { return m_hand.isRunning(); }
+  // The present step and how to do it; empty when no demonstration runs.
+  NextStep step();
+
+ signals:
+  void changed();  // the result of step()
+
+ private:
+  void start();
+  void ended();
+  std::vector<HandStep> steps();
+  HandStep opening();
+  void addChoosing(std::vector<HandStep>& steps);
+  void addSmoothing(std::vector<HandStep>& steps);
+  void addStitching(std::vector<HandStep>& steps);
+  void addFilling(std::vector<HandStep>& steps);
+  void addSculpting(std::vector<HandStep>& steps);
+
+  bool isSettled() const;
+  Vec3 middleOf(const FaceSelection& faces) const;
+  std::optional<Vec3> cornerNear(const Vec3& place) const;
+  bool takeHole();
+  const BoundaryLoop* nextPart() const;
+  std::optional<Vec3> firstPoint(const BoundaryLoop* loop) const;
+  void lookFrom(const Vec3& direction);
+  void useTool(const char* action);
+  void perform(const char* action);
+  void choose(const char* tool, const char* setting, const PropertyValue& value);
+  bool shows(const char* tool, const char* setting) const;
+
+  WindowParts m_parts;
+  const RepairJobs& m_jobs;
+  OpenMesh* m_document = nullptr;
+  HandDemo m_hand;
+  QAction m_action;
+  QAction m_stop;
+  DemoHole m_hole;
+  // A tool setting that was changed, with its former value.
+  struct Setting {
+    std::string tool, id;
+    PropertyValue value;
+  };
+  std::vector<Setting> m_changed;
+};
+
+}  // namespace handwheel

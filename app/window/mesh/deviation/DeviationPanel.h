@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>  // before <numbers> of Units.h, which moc cannot read alone
+
+#include "base/Units.h"
+#include "mesh/measure/Deviation.h"
+
+#include <QWidget>
+#include <optional>
+
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace handwheel {
+
+class NumberField;
+class PlotWidget;
+struct MeshDeviation;
+
+// The panel with statistics, histogram and actions of a deviation comparison.
+class DeviationPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit DeviationPanel(QWidget* parent = nullptr);
+
+  // Shows a comparison. Null while it is running or after it was cancelled; status then describes this.
+  void show(const MeshDeviation* deviation, LengthUnit unit, const QString& status = {});
+  // The displayed reading.
+  QString reading() const;
+  // Shows the distance of the surface point under the pointer from the scan; none: the pointer is not on the surface.
+  void setReading(const std::optional<double>& distance);
+
+ signals:
+  void placeChosen(const handwheel::DeviationPlace& place);
+  void rangeChosen(double range);  // mm
+  void otherFileWanted();
+  void reportWanted();
+  void closed();
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void buildFigures(QVBoxLayout* column);
+  void showFigures(const MeshDeviation& deviation);
+  void showHistogram();
+  QString lengthText(double mm) const;
+
+  const MeshDeviation* m_deviation = nullptr;
+  LengthUnit m_unit = LengthUnit::Millimetre;
+  QLabel* m_title;
+  QLabel* m_status;
+  QWidget* m_content;  // the widgets that need a result
+  QPushButton* m_highest;
+  QPushButton* m_lowest;
+  std::vector<QLabel*> m_values;  // of the other statistics
+  NumberField* m_range;
+  PlotWidget* m_histogram;
+  QLabel* m_reading;
+};
+
+}  // namespace handwheel

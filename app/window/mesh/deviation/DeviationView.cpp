@@ -1,0 +1,247 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/mesh/deviation/DeviationView.h"
+
+#include "document/mesh/MeshKind.h"
+#include "panels/LogModel.h"
+#include "panels/MessageBar.h"
+#include "report/DeviationReport.h"
+#include "text/ErrorText.h"
+#include "theme/Icons.h"
+#include "viewport/Viewport.h"
+#include "window/ActionTip.h"
+#include "window/CommandText.h"
+#include "window/JobRunner.h"
+#include "window/documents/DocumentTabs.h"
+#include "window/documents/FileFilters.h"
+#include "window/mesh/MeshReading.h"
+#include "window/mesh/OpenMesh.h"
+#include "window/mesh/UnobstructedView.h"
+#include "window/mesh/deviation/MeshDeviation.h"
+
+#include <QCursor>
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QToolTip>
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kPlace = 0.08;          // share of the model's diagonal that the camera shows around a place
+constexpr std::size_t kFineBins = 4000;  // from which the histogram of any range is made
+
+Result<std::shared_ptr<MeshDeviation>> compared(const HalfEdgeMesh& mesh, const HalfEdgeMesh& scan, Progress progress) {
+  auto found = std::make_shared<MeshDeviation>();
+  found->scan = std::make_shared<const SurfaceDistance>(scan, progress.part(0.0, 0.1));
+  const SurfaceDistance surface(mesh, progress.part(0.1, 0.2));
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  Result<Deviation> statistics = deviation(surface, *found->scan, {.bins = kFineBins}, progress.part(0.2, 1.0));
+  if (!statistics) return statistics.error();
+  found->statistics = std::move(statistics.value());
+  found->atVertex = std::make_shared<const std::vector<double>>(std::move(found->statistics.ofMesh.atVertex));
+  found->diagonal = found->scan->hierarchy().bounds().diagonal().norm();
+  found->scale.range = QString::number(usualRange(found->ofMesh()), 'g', 3).toDouble();  // to be read at a glance
+  return found;
+}
+
+}  // namespace
+
+DeviationView::DeviationView(const WindowParts& parts, QObject* parent)
+    : QObject(parent),
+      m_parts(parts),
+      m_action(icon(QStringLiteral("deviation")), tr("De&viation…"), this),
+      m_panel(new DeviationPanel(parts.window)) {
+  m_action.setObjectName(QStringLiteral("deviation"));
+  m_action.setShortcut(QKeySequence(Qt::Key_D));
+  setTip(m_action, tr("Show in colours how far the mesh is from what was opened"));
+  connect(&m_action, &QAction::triggered, this, [this] {
+    if (m_document->deviation) return close();
+    if (!m_parts.isPanelVisible()) m_parts.showPanel->trigger();
+    compare(m_document, {}, Round::First);
+  });
+  connect(m_panel, &DeviationPanel::closed, this, &DeviationView::close);
+  connect(m_panel, &DeviationPanel::otherFileWanted, this, &DeviationView::askForFile);
+  connect(m_panel, &DeviationPanel::reportWanted, this, &DeviationView::askForReport);
+  connect(m_panel, &DeviationPanel::placeChosen, this, &DeviationView::flyTo);
+  connect(m_panel, &DeviationPanel::rangeChosen, this, [this](double range) {
+    m_document->deviation->scale.range = range;
+    m_parts.viewport.setColourScale(m_document->deviation->scale);
+  });
+  connect(&m_parts.viewport, &Viewport::hovered, this, &DeviationView::read);
+}
+
+void DeviationView::setDocument(OpenMesh* document) {
+  if (m_document) m_document->document.disconnect(this);
+  m_document = document;
+  m_action.setEnabled(document != nullptr);
+  if (!document) {
+    if (m_panel) m_panel->show(nullptr, LengthUnit::Millimetre);
+    return emit shownChanged();
+  }
+  connect(&document->document, &MeshDocument::meshChanged, this, &DeviationView::refresh);
+  connect(&document->document, &Document::fileChanged, this, &DeviationView::refresh);  // its unit
+  refresh();
+}
+
+bool DeviationView::isShown() const {
+  return m_document && (m_document->deviation || m_running == m_document);
+}
+
+void DeviationView::redraw() {
+  if (!m_document || !m_document->visible || !m_document->deviation) return;
+  m_parts.viewport.setSurfaceValues(m_document->deviation->atVertex, m_document->deviation->scale);
+}
+
+void DeviationView::refresh() {
+  std::shared_ptr<MeshDeviation>& found = m_document->deviation;
+  if (found && found->changes != m_document->changes) found.reset();
+  const bool isRunning = m_running == m_document;
+  if (!found) m_parts.viewport.setSurfaceValues(nullptr, {});
+  redraw();
+  if (m_panel) m_panel->show(found.get(), m_document->document.displayUnit(), isRunning ? tr("Comparing…") : QString());
+  emit shownChanged();
+}
+
+void DeviationView::compare(OpenMesh* document, const QString& path, Round round) {
+  m_running = document;
+  Job job;
+  job.name = tr("Comparing %1").arg(document->document.name());
+  job.owner = document;
+  job.work = [this, document, path, round, changes = document->changes, mesh = document->document.mesh(),
+              opened = document->asOpened](Progress progress) -> Job::Finish {
+    const Result<HalfEdgeMesh> scan =
+        path.isEmpty() ? Result<HalfEdgeMesh>(opened) : readMesh(m_parts.kinds, path, progress.part(0.0, 0.2));
+    Result<std::shared_ptr<MeshDeviation>> found =
+        scan ? compared(mesh, *scan, progress.part(0.2, 1.0)) : Result<std::shared_ptr<MeshDeviation>>(scan.error());
+    if (!found) return [this, document, error = found.error()] { fail(document, error); };
+    (*found)->file = path;
+    (*found)->changes = changes;
+    return [this, document, round, made = *found] { take(document, made, round); };
+  };
+  job.failed = [this, document](const Error& error) { fail(document, error); };
+  m_parts.jobs.start(std::move(job));
+  refresh();
+}
+
+void DeviationView::take(OpenMesh* document, std::shared_ptr<MeshDeviation> found, Round round) {
+  if (m_running != document || !m_parts.tabs.contains(document)) return;  // given up
+  const bool isStale = found->changes != document->changes;
+  if (isStale && round == Round::First) return compare(document, found->file, Round::Second);
+  m_running = nullptr;
+  if (!isStale) {
+    const QString largest = QLocale().toString(found->ofMesh().farthest().distance, 'g', 4);
+    const QString command = !found->file.isEmpty() && document->isAsInFile() && !document->document.isModified()
+                                ? compareCommand(document->document.path(), found->file)
+                                : QString();
+    m_parts.log.add(tr("Compared %1: largest distance %2 mm").arg(document->document.name(), largest), command);
+    document->deviation = std::move(found);
+  }
+  if (document == m_document) refresh();
+}
+
+void DeviationView::fail(OpenMesh* document, const Error& error) {
+  if (m_running != document) return;
+  m_running = nullptr;
+  if (document == m_document) refresh();
+  if (error.code == ErrorCode::Cancelled) return;
+  emit message({Message::Weight::Error,
+                tr("The meshes could not be compared"),
+                errorSentence(error),
+                errorAdvice(error),
+                {},
+                {},
+                {},
+                {},
+                &document->document});
+}
+
+void DeviationView::close() {
+  if (m_running == m_document) m_running = nullptr;
+  m_document->deviation.reset();
+  refresh();
+}
+
+void DeviationView::askForFile() {
+  auto* dialog = new QFileDialog(m_parts.window, tr("Compare with"), QFileInfo(m_document->document.path()).path(),
+                                 openFilters(m_parts.kinds).join(QStringLiteral(";;")));
+  dialog->setObjectName(QStringLiteral("compareDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, [this, document = m_document](const QString& path) {
+    if (m_parts.tabs.contains(document) && document == m_document) compare(document, path, Round::First);
+  });
+  dialog->open();
+}
+
+void DeviationView::askForReport() {
+  auto* dialog = new QFileDialog(m_parts.window, tr("Save report"));
+  dialog->setObjectName(QStringLiteral("reportDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setNameFilters({tr("Report (*.pdf *.html *.json)")});
+  const QFileInfo file(m_document->document.path());
+  dialog->setDirectory(file.path());
+  dialog->setDefaultSuffix(QStringLiteral("pdf"));
+  dialog->selectFile(file.completeBaseName() + QStringLiteral("-deviation.pdf"));
+  connect(dialog, &QFileDialog::fileSelected, this, [this, document = m_document](const QString& path) {
+    if (m_parts.tabs.contains(document) && document == m_document && document->deviation) saveReport(path);
+  });
+  dialog->open();
+}
+
+// As a job: the pictures are drawn beside the window, which goes on working.
+void DeviationView::saveReport(const QString& path) {
+  const std::shared_ptr<const MeshDeviation> found = m_document->deviation;
+  Comparison comparison;
+  comparison.mesh = m_document->document.path().toStdString();
+  comparison.scan = found->file.isEmpty() ? tr("as it was opened").toStdString() : found->file.toStdString();
+  comparison.deviation = found->statistics;
+  Job job;
+  job.name = tr("Saving %1").arg(QFileInfo(path).fileName());
+  job.owner = m_document;
+  job.work = [this, path, found, comparison = std::move(comparison),
+              mesh = m_document->document.mesh()](Progress progress) mutable -> Job::Finish {
+    const Result<QImage> picture = deviationPicture(mesh, found->atVertex, found->scale, progress);
+    if (picture) comparison.picture = *picture;
+    const Status written = progress.cancelled() ? Status(Error{ErrorCode::Cancelled, {}, {}, {}})
+                                                : writeReport(comparison, QFile::encodeName(path).toStdString());
+    std::optional<Error> problem;
+    if (!picture) problem = picture.error();
+    if (!written) problem = written.error();
+    return [this, path, problem] { reportSaved(path, problem); };
+  };
+  job.failed = [this, path](const Error& error) { reportSaved(path, error); };
+  m_parts.jobs.start(std::move(job));
+}
+
+// A report without pictures is better than none; but one hears of it.
+void DeviationView::reportSaved(const QString& path, const std::optional<Error>& problem) {
+  if (problem && problem->code == ErrorCode::Cancelled) return;
+  const QString name = QFileInfo(path).fileName();
+  if (!problem) return m_parts.log.add(tr("Saved the report %1").arg(name));
+  emit message({Message::Weight::Warning,
+                QFileInfo::exists(path) ? tr("%1 has no pictures").arg(name) : tr("%1 could not be saved").arg(name),
+                errorSentence(*problem),
+                errorAdvice(*problem),
+                {},
+                {}});
+}
+
+void DeviationView::flyTo(const DeviationPlace& place) {
+  const Vec3 around = Vec3::Constant(0.5 * kPlace / std::sqrt(3.0) * m_document->deviation->diagonal);
+  const Vec3 outward = (place.distance < 0.0 ? -1.0 : 1.0) * (place.place - place.nearest);
+  const Box box(place.place - around, place.place + around);
+  m_parts.viewport.flyTo(box, clearView(m_document->document.mesh(), box, outward));
+}
+
+void DeviationView::read(const Pick& pick) {
+  if (!m_panel || !m_document || !m_document->deviation) return;
+  const auto nearest = pick.face == kNone ? std::nullopt : m_document->deviation->scan->from(pick.point);
+  m_panel->setReading(nearest ? std::optional(nearest->distance) : std::nullopt);
+  nearest ? QToolTip::showText(QCursor::pos(), m_panel->reading(), &m_parts.viewport) : QToolTip::hideText();
+}
+
+}  // namespace handwheel

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Error.h"
+#include "window/kinds/KindUi.h"
+#include "window/mesh/deviation/DeviationPanel.h"
+
+#include <QAction>
+#include <QPointer>
+
+namespace handwheel {
+
+struct MeshDeviation;
+struct OpenMesh;
+struct Pick;
+
+// Compares the current mesh with its original state or with another file. Shows the distances as colours on the
+// surface, as statistics in a panel, and under the pointer. They are removed when the mesh changes.
+class DeviationView : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit DeviationView(const WindowParts& parts, QObject* parent = nullptr);
+
+  QAction* action() { return &m_action; }
+  DeviationPanel* panel() { return m_panel; }
+
+  void setDocument(OpenMesh* document);
+  // To be called after the mesh was set in the viewport again.
+  void redraw();
+  // Whether a comparison of the current document is shown or running.
+  bool isShown() const;
+
+ signals:
+  void shownChanged();
+  void message(const handwheel::Message& message);
+
+ private:
+  enum class Round { First, Second };
+  // path: of the file to compare with; empty for the mesh as it was opened.
+  void compare(OpenMesh* document, const QString& path, Round round);
+  void take(OpenMesh* document, std::shared_ptr<MeshDeviation> found, Round round);
+  void fail(OpenMesh* document, const Error& error);
+  void close();
+  void refresh();
+  void askForFile();
+  void askForReport();
+  void saveReport(const QString& path);
+  void reportSaved(const QString& path, const std::optional<Error>& problem);
+  void flyTo(const DeviationPlace& place);
+  void read(const Pick& pick);
+
+  WindowParts m_parts;
+  QAction m_action;
+  QPointer<DeviationPanel> m_panel;
+  OpenMesh* m_document = nullptr;
+  const OpenMesh* m_running = nullptr;  // whose comparison is running
+};
+
+}  // namespace handwheel

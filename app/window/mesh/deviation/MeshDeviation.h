@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/measure/Deviation.h"
+#include "viewport/overlay/ColourScale.h"
+
+#include <QString>
+
+namespace handwheel {
+
+// The result of comparing an open mesh with another. Valid for one revision of the document.
+struct MeshDeviation {
+  QString file;               // the file it was compared with; empty: the mesh as it was opened
+  std::uint64_t changes = 0;  // OpenMesh::changes of the mesh that was compared
+  Deviation statistics;
+  VertexValues atVertex;  // of statistics.ofMesh, which has none itself
+  std::shared_ptr<const SurfaceDistance> scan;
+  double diagonal = 0.0;  // mm, of the scan
+  ColourScale scale;
+
+  const SurfaceDeviation& ofMesh() const { return statistics.ofMesh; }
+};
+
+// The area fractions in equally wide bins from -range to range. Values beyond are counted in the bins at the ends.
+std::vector<double> sharesWithin(const SurfaceDeviation& deviation, double range, std::size_t bins);
+
+}  // namespace handwheel

@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/tools/ToolHost.h"
+
+#include "document/Document.h"
+#include "theme/Theme.h"
+#include "viewport/Viewport.h"
+#include "window/tools/ToolKeys.h"
+#include "window/tools/ToolPanel.h"
+#include "window/tools/ToolReadout.h"
+
+#include <QCoreApplication>
+#include <QKeyEvent>
+#include <QScopedValueRollback>
+#include <utility>
+
+namespace handwheel {
+
+namespace {
+
+PointerButton buttonOf(Qt::MouseButton button) {
+  if (button == Qt::LeftButton) return PointerButton::First;
+  return button == Qt::RightButton ? PointerButton::Second : PointerButton::None;
+}
+
+// None for what is the camera's in any case.
+std::optional<PointerEvent> eventOf(const PointerInput& input, const ViewRay& ray, const CameraState& camera) {
+  PointerEvent event;
+  event.focus = ray.eye ? camera.eyeDistance() : 0.0;
+  event.ray = {ray.origin, ray.direction};
+  event.eye = ray.eye;
+  event.pixel = ray.pixel;
+  event.button = buttonOf(input.button);
+  event.modifiers = {input.modifiers.testFlag(Qt::ShiftModifier), input.modifiers.testFlag(Qt::ControlModifier),
+                     input.modifiers.testFlag(Qt::AltModifier)};
+  switch (input.kind) {
+    case PointerInput::Kind::Move:
+      event.kind = input.held & Qt::LeftButton ? PointerEvent::Kind::Drag : PointerEvent::Kind::Hover;
+      if (event.kind == PointerEvent::Kind::Drag) event.button = PointerButton::First;
+      return event;
+    case PointerInput::Kind::Press:
+      event.kind = PointerEvent::Kind::Press;
+      break;
+    case PointerInput::Kind::Release:
+      event.kind = PointerEvent::Kind::Release;
+      break;
+    case PointerInput::Kind::DoubleClick:
+      event.kind = PointerEvent::Kind::DoubleClick;
+      break;
+    case PointerInput::Kind::Leave:
+      event.kind = PointerEvent::Kind::Leave;
+      return event;
+    case PointerInput::Kind::Click:
+    case PointerInput::Kind::Wheel:
+      return {};
+  }
+  return event.button == PointerButton::First ? std::optional(event) : std::nullopt;
+}
+
+// What a tool proposes is told from what is there by its colour.
+void tint(std::vector<DisplayPart>& parts) {
+  const QColor accent = themeColours(currentTheme()).accent;
+  for (DisplayPart& part : parts) part.colour = {accent.redF(), accent.greenF(), accent.blueF()};
+}
+
+QString translated(const char* context, const std::string& text) {
+  return QCoreApplication::translate(context, text.c_str());
+}
+
+}  // namespace
+
+ToolHost::ToolHost(Viewport& viewport, ToolPanel& panel, NeedSet& needs, QObject* parent)
+    : QObject(parent),
+      m_viewport(viewport),
+      m_panel(panel),
+      m_readout(new ToolReadout(&viewport)),
+      m_keys(*new ToolKeys(viewport, this)),
+      m_needs(needs) {
+  m_viewport.installEventFilter(this);
+  m_viewport.setPointerSink([this](const PointerInput& input) { return take(input); });
+  connect(&m_panel.settings(), &PropertyList::edited, this,
+          [this](const std::string& id, const PropertyValue& value, bool) {
+            if (const Tool* tool = m_runner.tool()) choose(tool->id(), id, value);
+          });
+  connect(&m_panel, &ToolPanel::triggered, this, [this](const std::string& action) { m_runner.perform(action); });
+  connect(&m_keys, &ToolKeys::triggered, this, [this](const std::string& action) { m_runner.perform(action); });
+  connect(&m_keys, &ToolKeys::changed, this, [this] {
+    showActions();
+    emit updated();
+  });
+  connect(&m_runner, &ToolRunner::updated, this, [this] { m_isMoving ? showSoon() : show(); });
+  connect(&m_runner, &ToolRunner::ended, this, &ToolHost::showNothing);
+}
+
+ToolHost::~ToolHost() {
+  m_runner.disconnect(this);
+  m_viewport.setPointerSink({});
+}
+
+void ToolHost::start(std::unique_ptr<Tool> tool, Document& document) {
+  m_needed.clear();
+  for (const std::string& service : tool->needs()) m_needed.push_back(m_needs.need(service));
+  for (const auto& [id, value] : m_chosen[tool->id()]) tool->setSetting(id, value);
+  m_runner.start(std::move(tool), document);
+  show();
+}
+
+void ToolHost::choose(const std::string& tool, const std::string& setting, const PropertyValue& value) {
+  m_chosen[tool][setting] = value;
+  if (m_runner.tool() && m_runner.tool()->id() == tool) m_runner.setSetting(setting, value);
+}
+
+// A hover is never kept from the view, which tells the lists what is under the cursor.
+bool ToolHost::take(const PointerInput& input) {
+  const ViewRay ray = m_viewport.rayAt(input.position);
+  const auto tip = m_mouseDevice ? m_mouseDevice(input, ray) : std::nullopt;
+  const bool isDepth = tip && input.kind == PointerInput::Kind::Wheel && !input.modifiers.testFlag(Qt::ControlModifier);
+  if (!m_runner.tool()) return isDepth;
+  if (input.kind == PointerInput::Kind::Click && input.button == Qt::RightButton) {
+    return m_runner.perform("revert") != ToolReply::Ignored;
+  }
+  PointerInput read = input;
+  if (isDepth) read.kind = PointerInput::Kind::Move;
+  auto event = eventOf(read, ray, m_viewport.camera());
+  if (!event) return false;
+  event->device = tip;
+  const QScopedValueRollback moving(m_isMoving, read.kind == PointerInput::Kind::Move);
+  const bool used = m_runner.pointer(*event) != ToolReply::Ignored;
+  showValues(input, used ? event->kind : PointerEvent::Kind::Leave);
+  return isDepth || (used && event->kind != PointerEvent::Kind::Hover && event->kind != PointerEvent::Kind::Leave);
+}
+
+// What is dragged has its numbers beside the cursor.
+void ToolHost::showValues(const PointerInput& input, PointerEvent::Kind kind) {
+  const Tool* tool = m_runner.tool();
+  if (!tool || !m_runner.document() || kind != PointerEvent::Kind::Drag) return m_readout->hide();
+  m_readout->show(tool->settings(), m_runner.document()->displayUnit(), input.position.toPoint());
+}
+
+std::vector<Hint> ToolHost::hints() const {
+  std::vector<Hint> hints;
+  const Tool* tool = m_runner.tool();
+  if (!tool) return hints;
+  for (const ToolAction& action : tool->actions()) {
+    const bool isGesture = action.id.empty() && action.command.empty();
+    const QString input = isGesture ? translated("ToolInput", action.input) : m_keys.text(*tool, action);
+    if (!action.enabled || input.isEmpty()) continue;  // a button in the panel says it
+    const QString effect = translated("Tool", action.effect);
+    if (!hints.empty() && hints.back().effect == effect) {
+      hints.back().input += QStringLiteral(" / ") + input;
+    } else {
+      hints.push_back({input, effect});
+    }
+  }
+  return hints;
+}
+
+bool ToolHost::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::KeyPress && event->type() != QEvent::ShortcutOverride)
+    return QObject::eventFilter(watched, event);
+  return takeKey(*static_cast<QKeyEvent*>(event));
+}
+
+// Qt asks before it looks for a command of the window with this key: what is accepted then comes as a press.
+bool ToolHost::takeKey(QKeyEvent& event) {
+  const auto action = m_runner.tool() ? m_keys.actionFor(*m_runner.tool(), event) : std::nullopt;
+  if (!action) return false;
+  if (event.type() == QEvent::KeyPress) return m_runner.perform(action->id) != ToolReply::Ignored;
+  if (!comesFirst(*action, event)) return false;
+  event.accept();
+  return true;
+}
+
+// A tool hears of every place where the mouse was; what it shows is drawn once for all that wait.
+void ToolHost::showSoon() {
+  if (std::exchange(m_isShowDue, true)) return;
+  QMetaObject::invokeMethod(
+      this,
+      [this] {
+        if (m_isShowDue) show();
+      },
+      Qt::QueuedConnection);
+}
+
+void ToolHost::show() {
+  m_isShowDue = false;
+  const Tool* tool = m_runner.tool();
+  if (!tool) return showNothing();
+  ToolPreview preview = tool->preview();
+  tint(preview.parts);
+  m_viewport.setLiveMesh(preview.live);
+  m_viewport.setProposedParts(preview.parts);
+  m_viewport.setHighlightedFaces(preview.highlighted);
+  m_viewport.setSelectedFaces(preview.selected);
+  m_viewport.setPolylines(std::move(preview.lines));
+  m_viewport.setBrush(preview.circle ? std::optional(BrushCircle{preview.circle->first, preview.circle->second})
+                                     : std::nullopt);
+  if (m_runner.document()) m_panel.settings().setLengthUnit(m_runner.document()->displayUnit());
+  m_panel.settings().setProperties(tool->settings());
+  showActions();
+  emit updated();
+}
+
+void ToolHost::showActions() {
+  const Tool* tool = m_runner.tool();
+  const std::vector<ToolAction> actions = tool ? tool->actions() : std::vector<ToolAction>();
+  m_keys.follow(tool, actions);
+  m_panel.setActions(actions, [this, tool](const ToolAction& action) { return m_keys.text(*tool, action); });
+}
+
+void ToolHost::showNothing() {
+  m_isShowDue = false;
+  m_needed.clear();
+  m_readout->hide();
+  m_viewport.setLiveMesh(nullptr);
+  m_viewport.setProposedParts({});
+  m_viewport.setHighlightedFaces({});
+  m_viewport.setSelectedFaces({});
+  m_viewport.setPolylines({});
+  m_viewport.setBrush({});
+  m_panel.settings().setProperties({});
+  showActions();
+  emit updated();
+}
+
+}  // namespace handwheel

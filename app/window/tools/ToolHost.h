@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Service.h"
+#include "panels/HintBar.h"
+#include "tools/ToolRunner.h"
+
+#include <map>
+
+namespace handwheel {
+
+class ToolKeys;
+class ToolPanel;
+class ToolReadout;
+class Viewport;
+struct PointerInput;
+struct ViewRay;
+
+// Connects the active tool to the viewport, the keyboard and its settings panel. Mouse input becomes pointer events,
+// the previews of the tool are drawn, and its declared actions become hints.
+class ToolHost : public QObject {
+  Q_OBJECT
+
+ public:
+  ToolHost(Viewport& viewport, ToolPanel& panel, NeedSet& needs, QObject* parent = nullptr);
+  ~ToolHost() override;
+
+  void start(std::unique_ptr<Tool> tool, Document& document);
+  void stop() { m_runner.stop(); }
+  // Changes a setting of a tool, for the running one and for later starts of it.
+  void choose(const std::string& tool, const std::string& setting, const PropertyValue& value);
+  ToolRunner& runner() { return m_runner; }
+  ToolKeys& keys() { return m_keys; }
+  // Passes a pointer event of a haptic device; those of the mouse arrive by themselves.
+  void point(const PointerEvent& event) { m_runner.pointer(event); }
+  // Called when the mouse is the haptic device, with each input before the tool gets it. Returns the pose of the tip;
+  // none when the mouse is only a mouse. The wheel then moves the tip; with Ctrl it moves the camera.
+  using MouseDevicePlace = std::function<std::optional<Pose>(const PointerInput&, const ViewRay&)>;
+  void setMouseDevice(MouseDevicePlace place) { m_mouseDevice = std::move(place); }
+
+  // The present bindings of pointer and keys, translated.
+  std::vector<Hint> hints() const;
+ signals:
+  void updated();  // the hints or the display of the tool
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;  // handles keys of the tool pressed in the view
+
+ private:
+  bool take(const PointerInput& input);
+  bool takeKey(QKeyEvent& event);
+  void showActions();
+  void showValues(const PointerInput& input, PointerEvent::Kind kind);
+  void show();
+  void showSoon();
+  void showNothing();
+
+  Viewport& m_viewport;
+  ToolPanel& m_panel;
+  ToolReadout* m_readout;
+  ToolKeys& m_keys;
+  NeedSet& m_needs;
+  ToolRunner m_runner;
+  MouseDevicePlace m_mouseDevice;
+  std::vector<Need> m_needed;
+  bool m_isMoving = false;                                               // the tool is handling a mouse move
+  bool m_isShowDue = false;                                              // showSoon() was called
+  std::map<std::string, std::map<std::string, PropertyValue>> m_chosen;  // by tool
+};
+
+}  // namespace handwheel

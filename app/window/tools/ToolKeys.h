@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tools/ToolKey.h"
+
+#include <QKeySequence>
+#include <QObject>
+#include <QPointer>
+#include <map>
+#include <string>
+
+class QAction;
+class QKeyEvent;
+class QWidget;
+
+namespace handwheel {
+
+class ScopedAction;
+
+// The keys of all tools as actions of the window. So they can be listed, searched and changed like its other commands.
+// They are visible while their tool declares them.
+class ToolKeys : public QObject {
+  Q_OBJECT
+
+ public:
+  // view: the widget that receives the keys of the tools.
+  ToolKeys(QWidget& view, QObject* parent);
+
+  // Adds the keys of a tool with this title and Tool::id(). Repeated calls have no effect.
+  void add(const QString& title, const std::string& tool, std::span<const ToolKey> keys);
+  // Enables the keys of the actions that the tool declares. Null: no tool is running.
+  void follow(const Tool* tool, const std::vector<ToolAction>& declared);
+
+  // The key of an action in native text; empty when it has none.
+  QString text(const Tool& tool, const ToolAction& action);
+  // The action of a key; none when there is no action, or more than one.
+  std::optional<ToolAction> actionFor(const Tool& tool, const QKeyEvent& event);
+
+ signals:
+  void triggered(const std::string& action);  // not from the keyboard
+  void changed();                             // a key was changed
+
+ private:
+  QList<QKeySequence> keysOf(const Tool& tool, const ToolAction& action);
+  QAction* command(const std::string& name);  // a command of the window; null when there is none
+  void watch(QAction& action);
+
+  QWidget& m_view;
+  std::map<std::string, std::map<std::string, ScopedAction*>> m_actions;  // by tool and action
+  std::map<std::string, QPointer<QAction>> m_commands;
+};
+
+// Whether the tool gets the key before the commands of the window. The window comes first where both do the same, and
+// where a key ends something: a selection in a list is ended before an operation of the tool.
+bool comesFirst(const ToolAction& action, const QKeyEvent& event);
+
+}  // namespace handwheel

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/tools/ToolReadout.h"
+
+#include "controls/QuantityText.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+struct ToolReadoutWords {
+  Q_DECLARE_TR_FUNCTIONS(ToolReadout)
+};
+
+constexpr QPoint kBesideCursor(18, 18);
+constexpr double kShownSteps = 100.0;  // to a millimetre or a degree: digits that jitter help nobody
+
+QString shown(double value, const Property& property, LengthUnit unit) {
+  const double step = perShownUnit(property.quantity, unit) / kShownSteps;
+  return quantityText(std::isfinite(value) ? std::round(value / step) * step : value, property.quantity, unit,
+                      QLocale());
+}
+
+QString lineOf(const Property& property, LengthUnit unit) {
+  const double value = std::get<double>(property.value);
+  const QString name = property.translated ? QCoreApplication::translate("Property", property.label.c_str())
+                                           : QString::fromStdString(property.label);
+  const QString text = ToolReadoutWords::tr("%1: %2").arg(name, shown(value, property, unit));
+  if (!std::isfinite(property.least) || !std::isfinite(property.largest)) return text;
+  const bool isAtLimit = value <= property.least || value >= property.largest;
+  const QString limits = ToolReadoutWords::tr("%1 to %2")
+                             .arg(shown(property.least, property, unit), shown(property.largest, property, unit));
+  return isAtLimit ? ToolReadoutWords::tr("%1 – limit (%2)").arg(text, limits)
+                   : ToolReadoutWords::tr("%1 (%2)").arg(text, limits);
+}
+
+}  // namespace
+
+ToolReadout::ToolReadout(QWidget* view) : QLabel(view) {
+  setObjectName(QStringLiteral("toolReadout"));
+  setTextFormat(Qt::PlainText);
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  setAutoFillBackground(true);
+  setBackgroundRole(QPalette::ToolTipBase);
+  setForegroundRole(QPalette::ToolTipText);
+  setMargin(4);
+  hide();
+}
+
+void ToolReadout::show(const std::vector<Property>& settings, LengthUnit unit, const QPoint& cursor) {
+  QStringList lines;
+  for (const Property& property : settings) {
+    if (!property.editable && property.quantity != Quantity::Number && std::holds_alternative<double>(property.value))
+      lines << lineOf(property, unit);
+  }
+  if (lines.isEmpty()) return hide();
+  setText(lines.join(QLatin1Char('\n')));
+  adjustSize();
+  const QPoint corner = cursor + kBesideCursor;
+  const QSize room = parentWidget()->size() - size();
+  move(std::clamp(corner.x(), 0, std::max(0, room.width())), std::clamp(corner.y(), 0, std::max(0, room.height())));
+  QLabel::show();
+  raise();
+}
+
+}  // namespace handwheel

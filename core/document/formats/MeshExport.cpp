@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/formats/MeshExport.h"
+
+#include "document/formats/RoundingCollisions.h"
+#include "mesh/structure/CancelPolling.h"
+#include "mesh/structure/Weld.h"
+
+#include <QString>
+
+namespace handwheel {
+
+namespace {
+
+Error cancelledExport() {
+  return {ErrorCode::Cancelled, {}, {}, {}};
+}
+
+// True also when cancelled.
+bool sameCorners(const TriangleSoup& meant, NumberType numbers, const TriangleSoup& found, Progress progress) {
+  if (meant.triangles.size() != found.triangles.size()) return false;
+  for (std::size_t i = 0; i < meant.triangles.size(); ++i) {
+    if (!pollProgress(i, meant.triangles.size(), progress)) break;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 expected = rounded(meant.points[meant.triangles[i][k]], numbers);
+      if (found.points[found.triangles[i][k]] != expected) return false;
+    }
+  }
+  return true;
+}
+
+// What another program will find in the file.
+Note stateOf(const MeshReport& report) {
+  if (report.isSound()) return {QT_TRANSLATE_NOOP("Note", "The file is closed, manifold and oriented.")};
+  return {QT_TRANSLATE_NOOP("Note",
+                            "The file has %1 open edges, %2 edges with more than two faces and %3 edges at which faces "
+                            "disagree."),
+          {std::to_string(report.boundaryEdges), std::to_string(report.nonManifoldEdges),
+           std::to_string(report.inconsistentEdges)}};
+}
+
+}  // namespace
+
+std::vector<FileFormat> meshFileFormats() {
+  std::vector<FileFormat> all;
+  for (const std::string& ending : meshEndings())
+    all.push_back({QString::fromStdString(ending.substr(1)).toUpper().toStdString(), {ending}});
+  return all;
+}
+
+std::vector<Note> notesOn(const ExportReport& report) {
+  std::vector<Note> notes{stateOf(report.inFile)};
+  if (!report.parted.empty()) {
+    notes.push_back({QT_TRANSLATE_NOOP("Note",
+                                       "%1 vertices were moved by the smallest possible amount, so that the file does "
+                                       "not weld them."),
+                     {std::to_string(report.parted.size())}});
+  }
+  return notes;
+}
+
+Result<MeshFormat> formatForOutput(const std::filesystem::path& path) {
+  if (const auto format = formatForName(path.filename().string())) return *format;
+  return unknownEnding(path, writtenEndings(meshFileFormats()));
+}
+
+Result<std::string> encodeChecked(const TriangleSoup& soup, MeshFormat format, NumberType numbers, Progress progress) {
+  std::string bytes = writeMesh(soup, format, numbers, progress.part(0.0, 0.4));
+  if (progress.cancelled()) return cancelledExport();
+  const Result<MeshFile> back = readMesh(bytes, {}, {}, progress.part(0.4, 0.9));
+  if (progress.cancelled()) return cancelledExport();
+  if (!back && back.error().code == ErrorCode::OutOfMemory) return back.error();
+  if (!back) return Error{ErrorCode::CheckFailed, {"it cannot be opened"}, back.error().place, {}};
+  const bool isSame = sameCorners(soup, numbers, back->soup, progress.part(0.9, 1.0));
+  if (progress.cancelled()) return cancelledExport();
+  if (!isSame) return Error{ErrorCode::CheckFailed, {"its triangles differ"}, {}, {}};
+  progress.set(1.0);
+  return bytes;
+}
+
+Result<EncodedMesh> encodeMesh(const HalfEdgeMesh& mesh, NumberType documentNumbers, const std::filesystem::path& path,
+                               Progress progress) {
+  const Result<MeshFormat> format = formatForOutput(path);
+  if (!format) return format.error();
+  const NumberType numbers = numberTypeOf(*format, documentNumbers);
+
+  HalfEdgeMesh::Compact compact = mesh.compact();
+  if (progress.cancelled()) return cancelledExport();
+  EncodedMesh encoded;
+  TriangleSoup forFile = compact.soup;
+  roundPoints(forFile, numbers);
+  progress.set(0.1);
+  if (progress.cancelled()) return cancelledExport();
+  for (std::uint32_t v : partCollisions(compact.soup, forFile, progress.part(0.1, 0.2)))
+    encoded.report.parted.push_back(compact.vertexOf[v]);
+  progress.set(0.2);
+  if (progress.cancelled()) return cancelledExport();
+
+  Result<std::string> bytes = encodeChecked(forFile, *format, numbers, progress.part(0.2, 0.8));
+  if (!bytes) {
+    Error error = bytes.error();
+    error.subject = path.string();
+    return error;
+  }
+  encoded.report.inFile = reportOn(forFile, SelfIntersections::Skip, progress.part(0.8, 1.0));
+  if (progress.cancelled()) return cancelledExport();
+  encoded.report.bytes = bytes->size();
+  encoded.bytes = std::move(bytes.value());
+  return encoded;
+}
+
+Result<ExportReport> exportMesh(const HalfEdgeMesh& mesh, NumberType documentNumbers, const std::filesystem::path& path,
+                                Progress progress) {
+  Result<EncodedMesh> encoded = encodeMesh(mesh, documentNumbers, path, progress.part(0.0, 0.9));
+  if (!encoded) return encoded.error();
+  const Status written = writeFileAtomically(path, encoded->bytes, progress.part(0.9, 1.0));
+  if (!written) return written.error();
+  return std::move(encoded->report);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "base/Result.h"
+#include "document/AtomicFile.h"
+#include "document/DocumentKind.h"
+#include "document/Note.h"
+#include "document/formats/MeshFormat.h"
+#include "mesh/defects/MeshReport.h"
+#include "mesh/structure/HalfEdgeMesh.h"
+
+#include <filesystem>
+
+namespace handwheel {
+
+// Result of exporting a mesh.
+struct ExportReport {
+  // Vertices moved by the smallest visible amount because in the file they would have welded with another one.
+  std::vector<Vertex> parted;
+  std::size_t bytes = 0;
+  // The file's triangles after welding equal positions, as another program will see them; self-intersections left out.
+  MeshReport inFile;
+};
+
+// The messages about a file that was written.
+std::vector<Note> notesOn(const ExportReport& report);
+
+// A mesh as the bytes of a file, with its report.
+struct EncodedMesh {
+  std::string bytes;
+  ExportReport report;
+};
+
+// Encodes a mesh in the format of a file name, and checks the result. The bytes hold the live faces of the mesh; they
+// are read back, compared with it, welded and measured. Errors: as below, and OutOfMemory.
+Result<EncodedMesh> encodeMesh(const HalfEdgeMesh& mesh, NumberType documentNumbers, const std::filesystem::path& path,
+                               Progress progress = {});
+
+// Writes a mesh to a file: the whole file or nothing. Vertices that only rounding to the file's number type puts in one
+// place are separated where an edge would otherwise get more than two faces, or two in the same direction. Errors:
+// ExtensionUnknown, WriteFailed, CheckFailed, Cancelled.
+Result<ExportReport> exportMesh(const HalfEdgeMesh& mesh, NumberType documentNumbers, const std::filesystem::path& path,
+                                Progress progress = {});
+
+// The formats that meshes are read from and written to.
+std::vector<FileFormat> meshFileFormats();
+
+// The format for the extension of a file name. Error: ExtensionUnknown with all that a mesh can be written as.
+Result<MeshFormat> formatForOutput(const std::filesystem::path& path);
+
+// Encodes triangles as the bytes of a file, and checks them. The reader must give every corner of every triangle
+// exactly the number it had, rounded to the number type. So the file welds as the rounded triangles do. Errors:
+// CheckFailed, OutOfMemory, Cancelled.
+Result<std::string> encodeChecked(const TriangleSoup& soup, MeshFormat format, NumberType numbers,
+                                  Progress progress = {});
+
+}  // namespace handwheel

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Geometry.h"
+#include "document/formats/MeshFormat.h"
+#include "document/formats/ply/PlyHeader.h"
+
+namespace handwheel {
+
+// How a mesh uses one property of a row.
+struct PlyField {
+  enum class Role { X, Y, Z, Corners, Skipped };
+  Role role = Role::Skipped;
+  PlyType type = PlyType::Float32;
+  std::optional<PlyType> countType;
+};
+
+// How a mesh uses the rows of an element.
+struct PlyLayout {
+  enum class Kind { Vertices, Faces, Strips, Other };
+  Kind kind = Kind::Other;
+  const char* rowsName = "rows";  // for messages
+  std::vector<PlyField> fields;
+  std::vector<LostAttribute> lost;
+  std::string missing;  // a property without which the rows cannot be understood
+};
+
+// The layout of the rows of an element.
+PlyLayout layoutOf(const PlyElement& element);
+
+// The number type of the vertices' coordinates: single precision only when all are.
+NumberType coordinateType(const PlyHeader& header);
+
+}  // namespace handwheel

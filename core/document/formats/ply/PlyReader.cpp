@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/formats/ply/PlyReader.h"
+
+#include "document/formats/MeshAssembly.h"
+#include "document/formats/ply/PlyLayout.h"
+#include "document/formats/ply/PlyRows.h"
+
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+template <class Rows>
+class BodyReader {
+ public:
+  BodyReader(std::string_view bytes, const PlyHeader& header, const ReadOptions& options, Progress progress)
+      : m_header(header), m_assembly(MeshFormat::Ply, options, progress, bytes.size()), m_rows(bytes, header) {}
+
+  Result<MeshFile> read() {
+    bool whole = true;
+    std::size_t vertexElements = static_cast<std::size_t>(std::count_if(
+        m_header.elements.begin(), m_header.elements.end(), [](const PlyElement& e) { return e.name == "vertex"; }));
+    for (const PlyElement& element : m_header.elements) {
+      if (vertexElements == 0) m_assembly.allPointsAdded();
+      if (element.name == "vertex") --vertexElements;
+      whole = readElement(element);
+      if (!whole) break;
+    }
+    m_assembly.allPointsAdded();
+    if (whole && m_rows.hasExcess()) m_assembly.noteExcess(m_rows.position(), m_rows.place());
+    return m_assembly.finish(coordinateType(m_header));
+  }
+
+ private:
+  bool readElement(const PlyElement& element) {
+    if (element.count == 0 || element.properties.empty()) return true;
+    const PlyLayout layout = layoutOf(element);
+    if (!layout.missing.empty())
+      return m_assembly.fail(
+          {ErrorCode::HeaderMalformed, {"property " + layout.missing}, Place::line(m_header.bodyLine - 1), {}});
+    for (LostAttribute lost : layout.lost) m_assembly.lose(lost);
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      if (!m_assembly.advance(m_rows.position())) return false;
+      const Place place = m_rows.place();
+      const bool isThere = m_rows.begin();
+      const RowState state = isThere ? readRow(layout) : RowState::Ended;
+      if (state == RowState::Ended) {
+        const bool isRefused = isThere && m_rows.error().code == ErrorCode::TokenUnexpected;
+        m_assembly.tolerate(isRefused ? m_rows.error()
+                                      : Error{ErrorCode::DataTruncated,
+                                              {layout.rowsName, std::to_string(element.count), std::to_string(i)},
+                                              place,
+                                              {}});
+        return false;
+      }
+      if (state == RowState::Bad) m_rows.abandon();
+      if (!(state == RowState::Good ? store(layout, place) : storeBad(layout))) return false;
+    }
+    return true;
+  }
+
+  RowState readRow(const PlyLayout& layout) {
+    m_corners.clear();
+    for (const PlyField& field : layout.fields) {
+      const RowState state = field.countType ? readList(field) : readScalar(field);
+      if (state != RowState::Good) return state;
+    }
+    return m_rows.end();
+  }
+
+  RowState readScalar(const PlyField& field) {
+    if (field.role == PlyField::Role::Skipped) return m_rows.skip(field.type, 1);
+    return m_rows.number(field.type, m_point[static_cast<Eigen::Index>(field.role)]);
+  }
+
+  RowState readList(const PlyField& field) {
+    const Place place = m_rows.place();
+    std::int64_t count = 0;
+    if (const RowState state = m_rows.integer(*field.countType, count); state != RowState::Good) return state;
+    if (count < 0) return m_rows.refuse({ErrorCode::TokenUnexpected, {"a count", std::to_string(count)}, place, {}});
+    if (field.role == PlyField::Role::Skipped) return m_rows.skip(field.type, static_cast<std::uint64_t>(count));
+    for (std::int64_t i = 0; i < count; ++i) {
+      std::int64_t corner = 0;
+      if (!m_assembly.step()) return RowState::Ended;
+      if (const RowState state = m_rows.integer(field.type, corner); state != RowState::Good) return state;
+      m_corners.push_back(corner);
+    }
+    return RowState::Good;
+  }
+
+  bool store(const PlyLayout& layout, Place place) {
+    switch (layout.kind) {
+      case PlyLayout::Kind::Vertices:
+        if (m_point.allFinite()) return m_assembly.addPoint(m_point);
+        return m_assembly.addUnreadablePoint(
+            {ErrorCode::NumberNotFinite, {m_point.hasNaN() ? "nan" : "inf"}, place, {}});
+      case PlyLayout::Kind::Faces:
+        return m_assembly.addPolygon(m_corners, place);
+      case PlyLayout::Kind::Strips:
+        return addStrips(place);
+      case PlyLayout::Kind::Other:
+        break;
+    }
+    return true;
+  }
+
+  bool storeBad(const PlyLayout& layout) {
+    if (layout.kind == PlyLayout::Kind::Vertices) return m_assembly.addUnreadablePoint(m_rows.error());
+    return m_assembly.tolerate(m_rows.error());
+  }
+
+  // Strips of one row are parted by -1; every second triangle is turned.
+  bool addStrips(Place place) {
+    std::size_t start = 0;
+    for (std::size_t i = 0; i <= m_corners.size(); ++i) {
+      const bool ends = i == m_corners.size() || m_corners[i] == -1;
+      if (ends) {
+        const std::size_t length = i - start;
+        if (length > 0 && length < 3 && !m_assembly.addPolygon(std::span(m_corners).subspan(start, length), place))
+          return false;
+        start = i + 1;
+        continue;
+      }
+      if (i < start + 2) continue;
+      std::array<std::int64_t, 3> triangle = {m_corners[i - 2], m_corners[i - 1], m_corners[i]};
+      if ((i - start) % 2 == 1) std::swap(triangle[0], triangle[1]);
+      if (!m_assembly.advance(m_rows.position()) || !m_assembly.addPolygon(triangle, place)) return false;
+    }
+    return true;
+  }
+
+  const PlyHeader& m_header;
+  MeshAssembly m_assembly;
+  Rows m_rows;
+  Vec3 m_point = Vec3::Zero();
+  std::vector<std::int64_t> m_corners;
+};
+
+}  // namespace
+
+Result<MeshFile> readPly(std::string_view bytes, const ReadOptions& options, Progress progress) {
+  const Result<PlyHeader> header = readPlyHeader(bytes);
+  if (!header) return header.error();
+  if (header->encoding == PlyEncoding::Text) return BodyReader<PlyTextRows>(bytes, *header, options, progress).read();
+  return BodyReader<PlyBinaryRows>(bytes, *header, options, progress).read();
+}
+
+}  // namespace handwheel

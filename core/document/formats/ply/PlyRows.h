@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/formats/TextScanner.h"
+#include "document/formats/ply/PlyHeader.h"
+
+#include <bit>
+#include <cstdint>
+#include <string_view>
+
+namespace handwheel {
+
+// Result of reading part of a row. After Bad the rest of the row is unusable, but the next one can be read; after Ended
+// nothing can be read any more. error() is the reason.
+enum class RowState { Good, Bad, Ended };
+
+// Reads the rows of a PLY body as text: one line each. Same functions as PlyBinaryRows.
+class PlyTextRows {
+ public:
+  PlyTextRows(std::string_view bytes, const PlyHeader& header) : m_scanner(bytes, header.bodyAt, header.bodyLine) {}
+
+  // False when there is no further row.
+  bool begin() { return m_scanner.findWord(); }
+  // The number as a file of this type holds it.
+  RowState number(PlyType type, double& value);
+  RowState integer(PlyType type, std::int64_t& value);
+  RowState skip(PlyType type, std::uint64_t numbers);
+  RowState end();
+  // Reports that the row has an impossible value.
+  RowState refuse(Error error);
+  // Leaves a bad row.
+  void abandon() { m_scanner.nextLine(); }
+
+  const Error& error() const { return m_error; }
+  Place place() const { return m_scanner.place(); }
+  std::size_t position() const { return m_scanner.position(); }
+  // Something other than white space is left.
+  bool hasExcess() { return m_scanner.findWord(); }
+
+ private:
+  RowState bad(ErrorCode why, std::string_view word);
+
+  TextScanner m_scanner;
+  Error m_error;
+};
+
+// Reads the rows of a binary PLY body: no gaps, no separators.
+class PlyBinaryRows {
+ public:
+  PlyBinaryRows(std::string_view bytes, const PlyHeader& header);
+
+  bool begin() const { return m_at < m_bytes.size(); }
+  RowState number(PlyType type, double& value);
+  RowState integer(PlyType type, std::int64_t& value);
+  RowState skip(PlyType type, std::uint64_t numbers);
+  RowState end() { return RowState::Good; }
+  RowState refuse(Error error);
+  void abandon() {}
+
+  const Error& error() const { return m_error; }
+  Place place() const { return Place::byte(m_at); }
+  std::size_t position() const { return m_at; }
+  bool hasExcess() const;
+
+ private:
+  RowState ended();
+
+  std::string_view m_bytes;
+  std::size_t m_at;
+  std::endian m_order;
+  Error m_error;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/formats/MeshAssembly.h"
+#include "document/formats/threemf/ThreeMfModel.h"
+
+#include <functional>
+#include <set>
+
+namespace handwheel {
+
+// Assembles the objects of a 3MF file according to its build section. What a small file builds may be huge, or endless:
+// it is counted first, and rejected beyond 2^25 triangles or points, 100 nested components, or for a cycle.
+class ThreeMfBuild {
+ public:
+  // A part by the path that a reference holds, or null.
+  using FindPart = std::function<const ThreeMfPart*(const std::string& path)>;
+
+  ThreeMfBuild(FindPart findPart, MeshAssembly& assembly) : m_findPart(std::move(findPart)), m_assembly(assembly) {}
+
+  // Adds the triangles of the root part's items to the assembly. If the build section is lost (withoutBuild), every
+  // object is built that is not a component of another. False: reading must end; the assembly has the reason.
+  bool build(const ThreeMfPart& root, bool withoutBuild);
+
+ private:
+  struct Size {
+    std::uint64_t points = 0, triangles = 0;
+    int height = 0;  // components within each other
+    bool isCounting = false;
+  };
+  struct Target {
+    const ThreeMfPart* part = nullptr;
+    const ThreeMfObject* object = nullptr;
+  };
+
+  Target target(const ThreeMfPart& part, const ThreeMfReference& reference) const;
+  bool count(const ThreeMfPart& part, const ThreeMfReference& reference, int depth, Size& outer);
+  bool add(const ThreeMfPart& part, const ThreeMfReference& reference, const ThreeMfTransform& outer);
+  bool addMesh(const TriangleSoup& mesh, const ThreeMfTransform& transform);
+
+  FindPart m_findPart;
+  MeshAssembly& m_assembly;
+  std::map<const ThreeMfObject*, Size> m_sizes;
+  std::set<const ThreeMfReference*> m_broken;  // damage that was tolerated
+};
+
+}  // namespace handwheel

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Error.h"
+#include "mesh/structure/TriangleSoup.h"
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+// Content of the model parts of a 3MF file, before it is assembled. 3MF Core Specification 1.3, production extension
+// 1.1. Lengths are in millimetres whatever the part's unit.
+namespace handwheel {
+
+using ThreeMfTransform = Eigen::Transform<double, 3, Eigen::AffineCompact>;
+
+// A build item, or a component of an object.
+struct ThreeMfReference {
+  std::string part;  // as the file writes it; empty: the same part
+  std::uint32_t object = 0;
+  ThreeMfTransform transform = ThreeMfTransform::Identity();
+  Place place;
+};
+
+// An object of a 3MF file: a mesh and components.
+struct ThreeMfObject {
+  TriangleSoup mesh;  // every point finite, every index in range
+  std::vector<ThreeMfReference> components;
+  bool isOther = false;  // of a type that must not be built
+};
+
+// A model part of a 3MF file.
+struct ThreeMfPart {
+  std::map<std::uint32_t, ThreeMfObject> objects;
+  std::vector<ThreeMfReference> items;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/formats/MeshAssembly.h"
+#include "document/formats/threemf/ThreeMfModel.h"
+
+#include <string_view>
+
+namespace handwheel {
+
+// Reads the text of one model part. Damage, and attributes that are lost, go to the assembly; its progress runs from
+// byte `begin` on. A text that ends too early gives what is before, if the assembly tolerates that. False: reading must
+// end; the assembly has the reason.
+bool readThreeMfModel(std::string_view text, const std::string& partName, std::uint64_t begin, MeshAssembly& assembly,
+                      ThreeMfPart& part);
+
+}  // namespace handwheel

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/container/ZipReader.h"
+#include "document/formats/MeshAssembly.h"
+
+#include <map>
+
+namespace handwheel {
+
+// The archive of a 3MF file as an Open Packaging Conventions package. ECMA-376 part 2. Names of parts are
+// case-insensitive. If a function returns false, reading must end; the assembly has the reason.
+class ThreeMfPackage {
+ public:
+  ThreeMfPackage(std::string_view archive, MeshAssembly& assembly, Progress progress);
+
+  // Bytes of all model parts, unpacked, as announced.
+  std::uint64_t modelBytes() const;
+
+  // The part that the package's relationships name as the model; in damaged files the one it is likely to be.
+  bool findModel(std::string& name);
+
+  // The text of a part. A damaged one is an error, or what is left of it. Safe for Qt's XML reader.
+  bool read(const std::string& name, std::string& text);
+
+  // The name of the entry for a reference like "/3D/Objects/a.model"; empty when there is none.
+  std::string entryFor(std::string_view reference) const;
+
+ private:
+  bool readBytes(const std::string& name, std::string& bytes);
+
+  ZipReader m_zip;
+  MeshAssembly& m_assembly;
+  Progress m_progress;                         // for cancelling only
+  std::map<std::string, std::string> m_names;  // in lower case: the entry
+};
+
+}  // namespace handwheel

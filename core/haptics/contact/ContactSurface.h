@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/PagedArray.h"
+#include "haptics/contact/ContactHierarchy.h"
+#include "haptics/contact/PagedIndexSet.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace handwheel {
+
+// The triangles that the device tip can touch, with box queries. The queries are for the servo thread. A value type: a
+// copy is a snapshot, is cheap and may be read on another thread while this one is edited. Edits take time proportional
+// to what they change: the initial hierarchy stays as it is, removed triangles are marked in it, and added ones are
+// stored in smaller hierarchies, which are merged as they grow (Bentley and Saxe, "Decomposable searching problems I",
+// 1980).
+class ContactSurface {
+ public:
+  ContactSurface() = default;
+  // The id of a triangle is its index in the span. O(n log n). Empty if cancelled.
+  ContactSurface(std::span<const Vec3> points, std::span<const Triangle> triangles, Progress progress = {});
+
+  // The triangles have ids of their own. These need not be consecutive but should be: memory is proportional to the
+  // largest.
+  explicit ContactSurface(std::vector<ContactTriangle> triangles, Progress progress = {});
+
+  // Removes triangles by id (unknown ids are ignored), then adds or replaces some. O(k log² n) for k triangles,
+  // amortised over many edits.
+  void update(std::span<const std::uint32_t> removed, std::span<const ContactTriangle> added);
+
+  // The diagonal (mm) of the bounding box of all triangles ever added: the scale of its tolerances.
+  double diagonal() const { return m_bounds.isEmpty() ? 0.0 : m_bounds.diagonal().norm(); }
+  const Box& bounds() const { return m_bounds; }  // of all triangles ever added
+  // The distance that a proxy keeps from the surface, mm. It is larger far from the origin, where coordinates are
+  // coarser.
+  double skin() const;
+  bool empty() const { return m_layers.empty(); }
+  // A version number that changes with each edit; only copies have the same. (A moved-from surface must not be used.)
+  std::uint64_t version() const { return m_version; }
+  // Whether both were derived from the same surface by edits, and not from different models.
+  bool isVersionOf(const ContactSurface& other) const {
+    return empty() == other.empty() && (empty() || m_layers.front().part == other.m_layers.front().part);
+  }
+
+  // Calls visit(const ContactTriangle&) for each triangle whose box meets the box, until it returns false. Returns
+  // false when a visit did. Neither allocates nor locks.
+  template <class Visit>
+  bool forEachInBox(const Box& box, Visit visit) const {
+    for (const Layer& layer : m_layers) {
+      const ContactHierarchy& part = *layer.part;
+      const bool all = part.forEachInBox(
+          box, [&](std::size_t slot) { return layer.dead.contains(slot) || visit(part.triangle(slot)); });
+      if (!all) return false;
+    }
+    return true;
+  }
+
+ private:
+  // Removed triangles are marked, so that the part can be shared.
+  struct Layer {
+    std::shared_ptr<const ContactHierarchy> part;
+    PagedIndexSet dead;
+    std::uint32_t serial = 0;
+  };
+  // Where a triangle is stored. Layers are identified by serial number because they move when others are merged.
+  struct Place {
+    std::uint32_t serial = kNone;
+    std::uint32_t slot = 0;
+  };
+
+  void add(std::vector<ContactTriangle> triangles, Progress progress = {});
+  void remove(std::uint32_t id);
+  Layer* layerOf(std::uint32_t serial);
+
+  std::vector<Layer> m_layers;  // the first is the largest
+  PagedArray<Place> m_places;   // by triangle id
+  Box m_bounds;
+  std::uint32_t m_nextSerial = 0;
+  std::uint64_t m_version = 0;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Geometry.h"
+#include "proximity/TriangleIntersection.h"
+
+#include <array>
+#include <cstdint>
+
+namespace handwheel {
+
+// Bounding boxes of a few triangles, tested against a segment four at a time. Without branches: the result changes from
+// sweep to sweep, and a misprediction costs more than the arithmetic. Servo thread; fixed memory.
+class FaceBoxes {
+ public:
+  static constexpr std::size_t kCapacity = 64;  // as bits in meeting()
+
+  FaceBoxes();
+
+  // Sets the region: boxes set from now on are clipped to it.
+  void clear(const Box& region);
+  // Sets box i, which must be below kCapacity.
+  void set(std::size_t i, const TrianglePoints& corners);
+
+  // Returns a bit mask: bit i is set if box i, of the first `count`, is within `near` (mm) of the bounding box of the
+  // segment from p along `step`, inside the region. Bits of boxes slightly farther away may be set, too.
+  std::uint64_t meeting(const Vec3& p, const Vec3& step, double near, std::size_t count) const;
+
+ private:
+  using Four = Eigen::Array4f;
+  struct FourBoxes {
+    std::array<Four, 3> low, high;  // along each axis, from the region's centre in units of its side
+  };
+
+  Vec3 inRegion(const Vec3& p) const { return m_scale * (p - m_middle); }
+
+  Vec3 m_middle = Vec3::Zero();
+  double m_scale = 0.0;  // 1/mm
+  std::array<FourBoxes, kCapacity / 4> m_boxes;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/contact/ContactPlanes.h"
+#include "haptics/contact/ContactSurface.h"
+#include "haptics/contact/FaceBoxes.h"
+
+#include <array>
+#include <optional>
+
+namespace handwheel {
+
+// Cache of the triangles near the proxy, for repeated sweep tests. They are looked up once and then tested many times,
+// over several ticks. Servo thread; fixed memory.
+class LocalFaces {
+ public:
+  // Begins a tick. expected: the predicted path of the proxy from its first position; the next look-up covers it, so
+  // that one look-up is usually enough. Returns false if the surface is not that of the previous tick: then what was
+  // cached is discarded. The surface must outlive the tick.
+  bool begin(const ContactSurface& surface, const Vec3& expected);
+
+  // Result of a sweep.
+  struct Sweep {
+    double fraction = 1.0;  // of the step moved: up to the skin above the hit, or to the end of the cached region
+    std::optional<HalfSpace> hit;  // the plane hit, as the constraint on a further step y from the new position
+    TouchedFace face;              // its triangle
+  };
+  // Moves from p along the step until a triangle is in the way.
+  Sweep sweep(const Vec3& p, const Vec3& step);
+
+  // Sets the look-ahead distance for the rest of the tick, mm.
+  void setReach(double reach) { m_reach = reach; }
+  double reach() const { return m_reach; }
+
+ private:
+  struct Face {
+    TrianglePoints corners;
+    Vec3 normal;
+  };
+  static constexpr std::size_t kCapacity = FaceBoxes::kCapacity;
+
+  void lookUpAround(const Vec3& p, const Vec3& way);
+  enum class Test { Boxes, Triangles };  // boxes are tested faster, but those of slivers are large
+  // False where more triangles meet than there is room for.
+  bool gather(Test test);
+  // The share of the step that stays in the box looked up; 0 when it does not begin there.
+  double inside(const Vec3& p, const Vec3& step) const;
+  std::size_t facesAhead(const Vec3& p, const Vec3& step, std::array<std::uint8_t, kCapacity>& ahead) const;
+  void test(const Face& face, const Vec3& p, const Vec3& step, Sweep& best, double& crossing) const;
+
+  const ContactSurface* m_surface = nullptr;
+  std::uint64_t m_version = 0;  // of the surface that was looked up
+  double m_skin = 0.0;
+  Vec3 m_expected = Vec3::Zero();
+  bool m_hasLooked = false;  // in this tick
+  double m_reach = 0.0;
+  double m_usualReach = 0.0;  // with which some few triangles are found; 0: not known
+  Box m_box;                  // that was looked up, and holds these
+  std::array<Face, kCapacity> m_faces;
+  FaceBoxes m_boxes;
+  std::size_t m_count = 0;  // one more than there is room for: each sweep finds its triangles itself
+};
+
+}  // namespace handwheel

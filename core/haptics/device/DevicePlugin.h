@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/device/Device.h"
+
+// Version of the plugin interface, in the plugin's metadata. It must match exactly, and is compared before any code of
+// the plugin is loaded. Increment it with every change of Device.h or of this file.
+#define HANDWHEEL_DEVICE_PLUGIN "handwheel.device/2"
+
+namespace handwheel {
+
+// Interface of the root object of a device plugin. A plugin is never unloaded; its driver may live to the end of the
+// program.
+class DevicePlugin {
+ public:
+  virtual ~DevicePlugin() = default;
+  virtual std::unique_ptr<DeviceDriver> driver() = 0;
+};
+
+}  // namespace handwheel

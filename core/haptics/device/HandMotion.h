@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/device/Device.h"
+#include "haptics/device/VelocityEstimator.h"
+
+namespace handwheel {
+
+// Computes the velocity and speed of a device from its readings. The loop may poll more often than the device delivers
+// readings. Servo thread; does not allocate.
+class HandMotion {
+ public:
+  struct Periods {  // s
+    double loop = 0.001;
+    double device = 0.001;  // from one of its readings to the next
+    double stale = 0.005;   // how long the last one is valid
+  };
+  HandMotion(double velocityWindow, const Periods& periods) : m_estimator(velocityWindow), m_periods(periods) {}
+
+  // Result for one reading.
+  struct Seen {
+    Vec3 velocity = Vec3::Zero();  // mm/s, from the device or estimated from new readings; zero when they are stale
+    // mm/s: the distance from the last reading to this one divided by the time between them. That is the loop's time,
+    // but never less than the device needs for that many readings: packets that arrive in a burst are not a faster
+    // motion. 0: nothing new.
+    double stepSpeed = 0.0;
+    bool isNew = true;
+  };
+  // Adds a reading with finite numbers, `period` seconds (> 0) after the previous one.
+  Seen add(const DeviceState& state, double period);
+  void reset();
+
+ private:
+  double stepSpeed(const DeviceState& state) const;
+
+  VelocityEstimator m_estimator;
+  Periods m_periods;
+  Vec3 m_position = Vec3::Zero();  // of the last new one,
+  Vec3 m_velocity = Vec3::Zero();
+  std::uint32_t m_number = 0;
+  double m_time = 0.0;  // s since then
+  bool m_hasReading = false;
+};
+
+}  // namespace handwheel

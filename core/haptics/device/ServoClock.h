@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace handwheel {
+
+// Interface of the clock of a servo loop. So tests and the command line can run the loop in simulated time.
+class ServoClock {
+ public:
+  virtual ~ServoClock() = default;
+  // The time in ns since an arbitrary origin.
+  virtual std::int64_t now() noexcept = 0;
+  // Returns at or after that time; at once when it has passed.
+  virtual void waitUntil(std::int64_t time) noexcept = 0;
+};
+
+// Clock that uses CLOCK_MONOTONIC and absolute clock_nanosleep. This is the only system call of a tick.
+class MonotonicClock : public ServoClock {
+ public:
+  std::int64_t now() noexcept override;
+  void waitUntil(std::int64_t time) noexcept override;
+};
+
+// Simulated clock: time passes only by waiting for it. One thread.
+class VirtualClock : public ServoClock {
+ public:
+  std::int64_t now() noexcept override { return m_now; }
+  void waitUntil(std::int64_t time) noexcept override {
+    if (time > m_now) m_now = time;
+  }
+  void set(std::int64_t time) { m_now = time; }
+
+ private:
+  std::int64_t m_now = 0;
+};
+
+inline constexpr double kNanoseconds = 1e9;  // in a second
+
+}  // namespace handwheel

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Geometry.h"
+
+#include <array>
+#include <cstddef>
+
+namespace handwheel {
+
+// Estimates velocity from positions by least-squares line fitting. The line is fitted to the readings of the last
+// `window` seconds. Exact for motion at constant velocity at any sampling times; lags by half the window; from n
+// readings at period T with noise of standard deviation s it has a standard deviation of s/T·√(12/(n(n²-1))). Does not
+// allocate.
+class VelocityEstimator {
+ public:
+  // window: s. If it holds more readings than the buffer, the newest are used.
+  explicit VelocityEstimator(double window = kStandardWindow) : m_window(window) {}
+
+  // Adds a reading, mm, `period` seconds (> 0) after the previous one. Returns mm/s; zero for the first.
+  Vec3 add(const Vec3& position, double period);
+  void reset() { m_count = 0; }
+
+  static constexpr double kStandardWindow = 0.01;
+  static constexpr std::size_t kCapacity = 128;  // 15 ms at 8 kHz
+
+ private:
+  struct Reading {
+    double time = 0.0;
+    Vec3 position = Vec3::Zero();
+  };
+  const Reading& back(std::size_t i) const { return m_readings[(m_newest + kCapacity - i) % kCapacity]; }
+  Vec3 slope(std::size_t count) const;
+
+  double m_window;
+  std::array<Reading, kCapacity> m_readings;
+  std::size_t m_newest = 0;
+  std::size_t m_count = 0;
+};
+
+}  // namespace handwheel

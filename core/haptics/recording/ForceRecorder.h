@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/recording/Recording.h"
+#include "haptics/servo/ServoLoop.h"
+
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+namespace handwheel {
+
+// Records every tick of a servo loop. A thread of its own fetches them from the loop's ring buffer a hundred times a
+// second, so that none is lost even if the window thread is busy. It must be the only consumer of the loop's samples.
+class ForceRecorder {
+ public:
+  // Recording ends by itself after ten minutes at 8 kHz, 1.8 GB. Memory is used as needed: 220 MB for ten minutes at 1
+  // kHz.
+  static constexpr std::size_t kMostTicks = 4'800'000;
+
+  // The loop outlives it.
+  explicit ForceRecorder(ServoLoop& loop, std::size_t mostTicks = kMostTicks) : m_loop(loop), m_mostTicks(mostTicks) {}
+  ~ForceRecorder() { stop(); }
+  ForceRecorder(const ForceRecorder&) = delete;
+  ForceRecorder& operator=(const ForceRecorder&) = delete;
+
+  // Discards what was recorded and starts recording the ticks from now on.
+  void start();
+  void stop();  // after fetching the last tick
+  bool isRecording() const { return m_thread.joinable(); }
+  // For use without a thread, when the caller runs the loop and calls fetch(): discards everything, including pending
+  // samples.
+  void clear();
+  void fetch();  // fetches the pending samples
+
+  // Adds an event at the last recorded tick.
+  void mark(std::string text);
+
+  // What has been recorded so far; recording continues.
+  Recording recording() const;
+  bool isFull() const;
+  // Its length, without access to the ticks.
+  std::size_t ticks() const;
+  double duration() const;  // s
+
+ private:
+  void run();
+
+  ServoLoop& m_loop;
+  const std::size_t m_mostTicks;
+  mutable std::mutex m_mutex;  // never the servo thread's
+  std::condition_variable m_wake;
+  Recording m_recording;
+  bool m_isStopping = false;
+  std::thread m_thread;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/PagedArray.h"
+#include "haptics/servo/ForceSource.h"
+#include "haptics/servo/ServoSample.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace handwheel {
+
+// One recorded tick of the servo loop, sufficient to plot and replay it.
+struct RecordedTick {
+  std::uint64_t tick = 0;
+  TipState tip;
+  ForceOut felt;
+  DeviceForce sent;
+  Vec3 devicePosition = Vec3::Zero();  // mm, as read from the device: may not be finite when it failed
+  std::uint32_t actions = 0;           // bits of SafetyAction
+  float microseconds = 0.0;            // from reading the device to writing it
+  DeviceStatus status = DeviceStatus::Absent;
+  bool hasSource = false;  // the scene's force was computed
+};
+
+// Converts a sample of the servo loop to a recorded tick.
+RecordedTick recorded(const ServoSample& sample);
+
+// An event during a recording: a tool was chosen, the user set a mark. Its tick is the one before it.
+struct RecordedEvent {
+  std::uint64_t tick = 0;
+  std::string text;
+};
+
+// A sequence of recorded ticks with events. 368 bytes per tick. A copy shares them and is cheap.
+class Recording {
+ public:
+  void add(const RecordedTick& tick);
+  void addEvent(RecordedEvent event) { m_events.push_back(std::move(event)); }
+  void append(const Recording& later);
+
+  std::size_t size() const { return m_ticks.size(); }
+  const RecordedTick& operator[](std::size_t i) const { return m_ticks[i]; }
+  const std::vector<RecordedEvent>& events() const { return m_events; }
+  // The number of ticks missing between the first and the last.
+  std::uint64_t missing() const { return m_missing; }
+  // s, from the first tick to the last; never negative.
+  double duration() const;
+
+  // Replays the recorded tips on a force source, in order, and calls visit(const RecordedTick&, const ForceOut&) for
+  // each tick in which the scene's force was computed. A source in the same state as at the first tick gives the same
+  // forces, bit for bit.
+  template <class Visit>
+  void replay(ForceSource& source, Visit visit) const {
+    for (std::size_t i = 0; i < size(); ++i) {
+      const RecordedTick& tick = m_ticks[i];
+      if (!tick.hasSource) continue;
+      ForceOut felt;
+      felt.proxy = tick.tip.position;
+      source.tick(tick.tip, felt);
+      visit(tick, static_cast<const ForceOut&>(felt));
+    }
+  }
+
+ private:
+  PagedArray<RecordedTick> m_ticks;
+  std::vector<RecordedEvent> m_events;
+  std::uint64_t m_missing = 0;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/device/ServoClock.h"
+#include "haptics/recording/Recording.h"
+
+namespace handwheel {
+
+// Plays a recording in real time, with pause and seek. It determines the current tick. The same clock gives the same
+// ticks. One thread.
+class RecordingPlayer {
+ public:
+  // The clock outlives it. Paused at the beginning.
+  RecordingPlayer(Recording recording, ServoClock& clock);
+
+  void play();  // from the beginning if it was at the end
+  void pause();
+  bool isPlaying() const;     // false once the end is reached
+  void seek(double seconds);  // kept within the recording; goes on playing if it was
+  double position() const;    // s from the beginning
+  double duration() const { return m_duration; }
+
+  // The current tick: the last whose time has been reached. Null if the recording is empty.
+  const RecordedTick* tick() const;
+
+ private:
+  Recording m_recording;
+  ServoClock& m_clock;
+  double m_duration;        // s
+  double m_position = 0.0;  // s, when it was set last
+  bool m_isPlaying = false;
+  std::int64_t m_setAt = 0;  // ns
+};
+
+}  // namespace handwheel

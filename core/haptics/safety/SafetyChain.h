@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/safety/ForceRamp.h"
+#include "haptics/safety/PassivityControl.h"
+#include "haptics/safety/SafetySettings.h"
+#include "haptics/safety/SpeedLimit.h"
+#include "haptics/safety/Watchdog.h"
+
+namespace handwheel {
+
+// Input of the safety chain for one tick, in device coordinates.
+struct SafetyInput {
+  DeviceForce asked;
+  Vec3 position = Vec3::Zero();  // mm
+  Vec3 velocity = Vec3::Zero();  // mm/s
+  double stepSpeed = 0.0;        // mm/s, of the last step alone, without smoothing
+  double period = 0.001;         // s since the tick before, > 0, as it was measured
+  bool isDeviceReady = true;     // and its readings are finite
+  bool isFresh = true;           // the scene has computed this force in this tick
+  bool isDiscontinuous = false;  // the scene, the tool, or the mapping has changed
+};
+
+// Output of the safety chain for one tick.
+struct SafetyOutput {
+  DeviceForce sent;
+  SafetyActions actions;
+  double energy = 0.0;  // N·mm, of the passivity observer
+};
+
+// Limits every force before it is sent to the device. Stages in this order: non-finite forces to zero; passivity
+// controller; damping of speed; ramp; watchdog; slew limit; clamp. A fault sends zero at once, bypassing the slew
+// limit, and the force returns by the ramp. Servo thread; does not allocate.
+class SafetyChain {
+ public:
+  explicit SafetyChain(const SafetySettings& settings);
+
+  // Computes the force to send. Finite and within the limits whatever the input is.
+  SafetyOutput process(const SafetyInput& input) noexcept;
+
+  const SafetySettings& settings() const { return m_settings; }
+
+ private:
+  SafetyOutput fault(SafetyAction why);
+  void damp(const SafetyInput& input, DeviceForce& force, SafetyActions& actions);
+  void scale(const SafetyInput& input, DeviceForce& force, SafetyActions& actions);
+
+  SafetySettings m_settings;
+  PassivityControl m_passivity;
+  SpeedLimit m_speed;
+  ForceRamp m_ramp;
+  Watchdog m_watchdog;
+  DeviceForce m_last;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Fidelity.h"
+#include "haptics/scene/SceneForces.h"
+#include "haptics/servo/ServoTick.h"
+
+namespace handwheel {
+
+// The setting proxy.tolerance: rest tolerance of a proxy (ContactOptions::tolerance). It is a share of the surface's
+// diagonal.
+FidelitySetting proxyToleranceSetting();
+
+// The setting servo.rate: ticks per second (ServoSettings::rate). It limits the stiffness of walls (eq. 2-1).
+FidelitySetting servoRateSetting();
+
+// The setting contact.stiffness: stiffness of a touched surface, N/mm. It is reduced to the stiffness limit of the
+// loop.
+FidelitySetting contactStiffnessSetting();
+
+// The setting servo.velocity_window: window of the velocity estimate, s (VelocityEstimator). A short one is noisy, a
+// long one lags.
+FidelitySetting velocityWindowSetting();
+
+// Convert the chosen values to settings of loop and scene. Both keep them from their creation on. If no rate was
+// chosen, it is 0, the nominal one of each device.
+ServoSettings servoSettings(const FidelityValues& values);
+ContactOptions contactOptions(const FidelityValues& values);
+SurfaceFeel surfaceFeel(ContactSurface surface, const FidelityValues& values);
+
+}  // namespace handwheel

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/mapping/WorkspaceMapping.h"
+#include "haptics/servo/ForceSource.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace handwheel {
+
+// A workspace mapping with its sequence number.
+struct NumberedMapping {
+  std::uint64_t number = 0;  // 0: none was set, the identity holds
+  WorkspaceMapping mapping;
+};
+
+// The scene that the servo loop renders. Created on the window thread, and handed over as a whole.
+struct HapticScene {
+  std::unique_ptr<ForceSource> source;  // null: no forces, only a tip
+  // Another model, tool or snap: the force returns by the ramp. False for an edit under the tip.
+  bool isDiscontinuous = true;
+  // The mapping that its stiffnesses were computed for: the loop applies it in the same tick, if it has not yet. Set by
+  // ServoLoop.
+  NumberedMapping mapping = {};
+};
+
+}  // namespace handwheel

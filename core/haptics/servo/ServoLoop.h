@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Service.h"
+#include "haptics/servo/RealTimeThread.h"
+#include "haptics/servo/ServoTick.h"
+
+#include <atomic>
+#include <memory>
+#include <thread>
+
+namespace handwheel {
+
+// Runs the servo loop of a device at a fixed rate on its own thread. The ticks are on a fixed time grid: a late tick
+// does not delay the next, and missed ticks are skipped and counted, never made up for in a burst.
+//
+// Unless stated otherwise, functions are called on the thread that owns it, the window's.
+class ServoLoop {
+ public:
+  // The device is open and belongs to the loop from now on. The clock and the service outlive it; the service counts
+  // ticks and the time from waking to the end of each.
+  ServoLoop(std::unique_ptr<Device> device, const ServoSettings& settings, ServoClock& clock, Service& service);
+  // Stops, and closes the device, which may take its time: on a worker, when nothing else uses the loop any more.
+  ~ServoLoop();
+  ServoLoop(const ServoLoop&) = delete;
+  ServoLoop& operator=(const ServoLoop&) = delete;
+
+  void start();
+  void stop();  // the last thing sent is zero force
+  bool isRunning() const { return m_thread.joinable(); }
+  // Sets rate and velocity window while it is stopped: the tick count continues, scene and mapping stay, and the force
+  // returns by the ramp. References returned by measure() become invalid. The sample capacity does not change.
+  void setSettings(const ServoSettings& settings);
+  // Runs ticks on the calling thread instead: for tests and the command line, with a virtual clock.
+  void runTicks(std::uint64_t count);
+
+  // Sets the scene for the next tick. Frees scenes that the loop no longer uses. A discontinuity that was announced
+  // with a scene that no tick has used still starts the ramp.
+  void setScene(std::unique_ptr<HapticScene> scene) {
+    if (scene->isDiscontinuous) announceLeap();
+    scene->mapping = m_mapping;
+    m_channel->scenes.publish(std::move(scene));
+  }
+  // Sets the mapping from the next tick on, and a scene that was made for it: a tick uses both or neither. A mapping
+  // that does not keep the tip starts the ramp; before a change of axes, which turns the force, announceLeap() must be
+  // called.
+  void setMapping(const WorkspaceMapping& mapping, std::unique_ptr<HapticScene> scene = nullptr) {
+    m_mapping = {m_mapping.number + 1, mapping};
+    if (scene) setScene(std::move(scene));
+    m_channel->mapping.write(m_mapping);
+  }
+  // Frees scenes that were replaced. To be called now and then, so that their memory is not held until the next
+  // setScene().
+  bool collect() { return m_channel->scenes.collect(); }
+  // Starts the ramp before a possible discontinuity within the scene: a tool or a snap that was switched.
+  void announceLeap() { m_channel->isDiscontinuous.store(true, std::memory_order_release); }
+  void setForceOn(bool isOn) { m_channel->isForceOn.store(isOn, std::memory_order_relaxed); }
+
+  // Fetches the next sample; by one thread, the recorder's. False: none.
+  bool nextSample(ServoSample& sample) { return m_channel->samples.pop(sample); }
+  std::uint64_t droppedSamples() const { return m_channel->samples.dropped(); }
+  // The last tick; by one thread, the window's.
+  const ServoSample& latest() { return m_channel->latest.read(); }
+
+  // Any thread.
+  RealTimeState realTime() const { return m_realTime.load(std::memory_order_relaxed); }
+  std::uint64_t missedTicks() const { return m_missed.load(std::memory_order_relaxed); }
+  const ServoStatistics& measure() const { return m_tick->measure(); }
+  const Device& device() const { return *m_device; }
+
+ private:
+  void run();
+  void cycle() noexcept;
+  std::int64_t dueAfter(std::int64_t due, std::int64_t now);
+  void rest() noexcept;
+
+  const std::unique_ptr<Device> m_device;
+  ServoClock& m_clock;
+  Service& m_service;
+  const std::unique_ptr<ServoChannel> m_channel;
+  std::unique_ptr<ServoTick> m_tick;
+  int m_priority;
+  std::int64_t m_period;      // ns
+  NumberedMapping m_mapping;  // as it was set last
+  std::int64_t m_due = 0;     // ns: when the next tick is to come
+  std::thread m_thread;
+  std::atomic<bool> m_isStopping{false};
+  std::atomic<RealTimeState> m_realTime{RealTimeState::NotRunning};
+  std::atomic<std::uint64_t> m_missed{0};
+};
+
+}  // namespace handwheel

@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/servo/ServoTick.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kLongestGap = 1.0;      // s: a longer one is the clock that jumped, or a machine that slept
+constexpr double kLongestPeriods = 4.0;  // nominal ones, that a scene is told of
+
+double rateOf(const ServoSettings& settings, const DeviceCapabilities& device) {
+  const double rate = settings.rate == 0.0 ? device.nominalRate : settings.rate;
+  return rate > kLeastServoRate ? std::min(rate, kLargestServoRate) : kLeastServoRate;  // NaN, too
+}
+
+bool isReading(const DeviceState& state) {
+  return state.status == DeviceStatus::Ready && state.position.allFinite() && state.orientation.coeffs().allFinite() &&
+         state.orientation.norm() > 0.5 && std::isfinite(state.gripper) &&
+         (!state.hasVelocity || state.velocity.allFinite());
+}
+
+}  // namespace
+
+ServoTick::ServoTick(Device& device, const ServoSettings& settings, ServoClock& clock, ServoChannel& channel)
+    : m_device(device),
+      m_clock(clock),
+      m_channel(channel),
+      m_capabilities(device.capabilities()),
+      m_chain(safetySettingsFor(m_capabilities, rateOf(settings, m_capabilities))),
+      m_measure(m_capabilities, m_chain.settings().inherentDamping, m_chain.settings().nominalPeriod),
+      m_motion(settings.velocityWindow,
+               {nominalPeriod(), 1.0 / std::max(m_capabilities.nominalRate, 1.0), m_chain.settings().staleTime}) {
+  m_mapper.setMapping({});
+}
+
+void ServoTick::run(std::int64_t now) noexcept {
+  const double period = advance(now);
+  ServoSample sample;
+  sample.tick = m_tick++;
+  sample.tip.time = m_time;  // also where no tip is known
+  sample.device = m_device.read();
+
+  SafetyInput input;
+  input.period = period;
+  input.isDiscontinuous = takeNews();
+  input.isDeviceReady = isReading(sample.device);
+  if (input.isDeviceReady) {
+    feel(sample, input, period);
+  } else {
+    m_motion.reset();
+    m_isRestart = true;
+  }
+  m_wasReady = input.isDeviceReady;
+
+  const SafetyOutput output = m_chain.process(input);
+  m_device.write(output.sent);
+  const double spent = static_cast<double>(m_clock.now() - now) / kNanoseconds;
+  m_measure.addDelay(spent);
+  sample.sent = output.sent;
+  sample.actions = output.actions;
+  sample.energy = output.energy;
+  sample.microseconds = static_cast<float>(spent * 1e6);
+  m_channel.samples.push(sample);
+  m_channel.latest.write(sample);
+}
+
+void ServoTick::pause() noexcept {
+  m_hasLast = false;
+  m_isRestart = true;
+  m_motion.reset();
+  m_wasReady = false;
+  SafetyInput gone;
+  gone.isDeviceReady = false;
+  m_chain.process(gone);
+}
+
+void ServoTick::goOnFrom(const ServoTick& before) {
+  m_mapper = before.m_mapper;
+  m_mappingNumber = before.m_mappingNumber;
+  m_source = before.m_source;
+  m_tick = before.m_tick;
+  m_time = before.m_time;
+}
+
+// The seconds since the last tick by the clock. A clock that stands or goes back counts as a tick in time.
+double ServoTick::advance(std::int64_t now) {
+  const double nominal = nominalPeriod();
+  const double gap = m_hasLast ? static_cast<double>(now - m_last) / kNanoseconds : nominal;
+  m_last = now;
+  if (m_hasLast) m_measure.addPeriod(gap);
+  m_hasLast = true;
+  const double period = gap > 0.0 ? gap : nominal;
+  m_time += period < kLongestGap ? period : nominal;
+  return period;
+}
+
+// Returns whether the force may leap with what has come in. The owner announces a leap first, and hands over a scene
+// before the mapping that it was made for; looked for the other way round, a tick that finds the later finds the
+// earlier, too.
+bool ServoTick::takeNews() {
+  const NumberedMapping& told = m_channel.mapping.read();
+  const auto taken = m_channel.scenes.take();
+  takeMapping(taken.isNew && taken.current->mapping.number > told.number ? taken.current->mapping : told);
+  const bool isDiscontinuous = m_channel.isDiscontinuous.exchange(false, std::memory_order_acquire);
+  if (!taken.isNew) return isDiscontinuous;
+  m_source = taken.current->source.get();
+  if (m_source && taken.previous && taken.previous->source) m_source->follow(*taken.previous->source);
+  return isDiscontinuous || taken.current->isDiscontinuous;
+}
+
+void ServoTick::takeMapping(const NumberedMapping& newest) {
+  if (newest.number <= m_mappingNumber) return;
+  m_mappingNumber = newest.number;
+  m_mapper.setMapping(newest.mapping, m_proxy);
+  m_isMoved = true;
+}
+
+void ServoTick::feel(ServoSample& sample, SafetyInput& input, double period) {
+  const DeviceState& device = sample.device;
+  input.position = device.position;
+  const HandMotion::Seen seen = m_motion.add(device, period);
+  input.velocity = seen.velocity;
+  input.stepSpeed = seen.stepSpeed;
+  const double told = std::min(period, kLongestPeriods * nominalPeriod());
+  const WorkspaceMapper::Tip placed = m_mapper.map(device, input.velocity, told);
+  sample.tip = tipFor(device, placed, told);
+  m_isRestart = false;
+  sample.felt.proxy = placed.position;
+  input.isDiscontinuous = input.isDiscontinuous || placed.hasLeapt || !m_wasReady || placed.isHeld != m_wasHeld;
+  m_wasHeld = placed.isHeld;
+  if (m_source) ask(sample, input);
+  input.isFresh = input.isFresh && seen.isNew;
+  m_proxy = sample.felt.proxy.allFinite() ? sample.felt.proxy : placed.position;
+  input.isDiscontinuous = input.isDiscontinuous || isMoveFelt(input.asked);
+  const bool isForceOn = m_channel.isForceOn.load(std::memory_order_relaxed);
+  // While the clutch holds the tip, the force of its place would push the hand about.
+  if (!isForceOn || placed.isHeld) input.asked = {};
+  if (isForceOn && !m_wasForceOn) input.isDiscontinuous = true;
+  m_wasForceOn = isForceOn;
+}
+
+// Whether another view has changed the force by more than may be felt at once. The hand has no part in it: in the tick
+// that takes up a mapping the tip does not follow it, or has leapt.
+bool ServoTick::isMoveFelt(const DeviceForce& asked) {
+  const double change = (asked.force - m_asked).norm();
+  const bool isFelt = m_isMoved && !(change <= m_chain.settings().rampThreshold);
+  m_asked = asked.force;
+  m_isMoved = false;
+  return isFelt;
+}
+
+void ServoTick::ask(ServoSample& sample, SafetyInput& input) {
+  m_source->tick(sample.tip, sample.felt);
+  sample.hasSource = true;
+  const WorkspaceMapping& mapping = m_mapper.mapping();
+  input.asked = {mapping.deviceForce(sample.felt.force), mapping.deviceTorque(sample.felt.torque), sample.felt.gripper};
+  input.isFresh = sample.felt.isFresh;
+}
+
+TipState ServoTick::tipFor(const DeviceState& device, const WorkspaceMapper::Tip& placed, double period) const {
+  TipState tip;
+  tip.position = placed.position;
+  tip.orientation = placed.orientation;
+  tip.velocity = placed.velocity;
+  tip.gripper = device.gripper;
+  tip.time = m_time;
+  tip.period = period;
+  const WorkspaceMapping& mapping = m_mapper.mapping();
+  tip.stiffnessLimit = mapping.sceneStiffness(m_measure.stiffnessLimit());
+  if (m_capabilities.outputs > 0) tip.dampingLimit = mapping.sceneStiffness(m_chain.settings().inherentDamping);
+  tip.buttons = device.buttons;
+  tip.isRestart = m_isRestart || placed.hasLeapt;
+  return tip;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/device/HandMotion.h"
+#include "haptics/device/ServoClock.h"
+#include "haptics/mapping/WorkspaceMapper.h"
+#include "haptics/safety/SafetyChain.h"
+#include "haptics/servo/ServoChannel.h"
+#include "haptics/servo/ServoStatistics.h"
+
+namespace handwheel {
+
+// Settings of the servo loop. Rate and window are fidelity settings: servoSettings() in TouchFidelity.h sets them.
+struct ServoSettings {
+  double rate = 0.0;  // ticks a second, kept within kLeastServoRate and kLargestServoRate; 0: the device's nominal rate
+  double velocityWindow = VelocityEstimator::kStandardWindow;  // s, where the device gives no velocity
+  int priority = 80;                                           // of SCHED_FIFO
+  std::size_t samples = 16384;                                 // that may wait to be fetched: 16 s at 1 kHz
+
+  bool operator==(const ServoSettings&) const = default;
+};
+
+inline constexpr double kLeastServoRate = 500.0;
+inline constexpr double kLargestServoRate = 8000.0;
+
+// Executes one tick of the servo loop. It reads the device, maps the reading to the scene, computes the scene's force,
+// applies the safety chain, writes to the device and publishes a sample. No lock, no allocation, no system call but the
+// device's own. One thread at a time.
+class ServoTick {
+ public:
+  // All three outlive it; the device is open.
+  ServoTick(Device& device, const ServoSettings& settings, ServoClock& clock, ServoChannel& channel);
+
+  // Executes a tick that was woken at `now` (ns).
+  void run(std::int64_t now) noexcept;
+  // To be called for a pause: period, velocity and energy start anew, the force returns by the ramp.
+  void pause() noexcept;
+
+  // Continues from another object on the same device and channel: its scene, its mapping, its count and its time. The
+  // force returns by the ramp. Before the first tick, on the thread that owns both.
+  void goOnFrom(const ServoTick& before);
+
+  ServoStatistics& measure() { return m_measure; }
+  const ServoStatistics& measure() const { return m_measure; }
+  double nominalPeriod() const { return m_chain.settings().nominalPeriod; }
+
+ private:
+  double advance(std::int64_t now);
+  bool takeNews();
+  void takeMapping(const NumberedMapping& newest);
+  void feel(ServoSample& sample, SafetyInput& input, double period);
+  bool isMoveFelt(const DeviceForce& asked);
+  void ask(ServoSample& sample, SafetyInput& input);
+  TipState tipFor(const DeviceState& device, const WorkspaceMapper::Tip& placed, double period) const;
+
+  Device& m_device;
+  ServoClock& m_clock;
+  ServoChannel& m_channel;
+  const DeviceCapabilities m_capabilities;
+  SafetyChain m_chain;
+  ServoStatistics m_measure;
+  HandMotion m_motion;
+  WorkspaceMapper m_mapper;
+  ForceSource* m_source = nullptr;  // of the scene that the channel has handed over
+  std::uint64_t m_mappingNumber = 0;
+  std::uint64_t m_tick = 0;
+  std::int64_t m_last = 0;  // ns: when the tick before was woken
+  double m_time = 0.0;      // s
+  bool m_hasLast = false;
+  bool m_wasReady = false;
+  bool m_wasHeld = false;
+  bool m_wasForceOn = true;
+  bool m_isRestart = true;      // the tip does not come from where it was
+  bool m_isMoved = false;       // the mapping is another than in the tick before, of which:
+  Vec3 m_proxy = Vec3::Zero();  // mm, in the scene
+  Vec3 m_asked = Vec3::Zero();  // N, at the device
+};
+
+}  // namespace handwheel

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <memory>
+
+namespace handwheel {
+
+// Lock-free slot that passes snapshots to a real-time thread, and back. They return to the producer thread to be freed:
+// std::atomic<shared_ptr> locks in libstdc++, and the last owner would free. Ownership is passed by two atomic
+// pointers, so at any moment each snapshot belongs to one thread and nothing needs to be marked as in use. Neither side
+// waits.
+template <class T>
+class SnapshotSlot {
+ public:
+  SnapshotSlot() = default;
+  ~SnapshotSlot() {  // when neither thread uses it any more
+    delete m_incoming.load(std::memory_order_relaxed);
+    delete m_retired.load(std::memory_order_relaxed);
+    delete m_leaving;
+    delete m_current;
+  }
+  SnapshotSlot(const SnapshotSlot&) = delete;
+  SnapshotSlot& operator=(const SnapshotSlot&) = delete;
+
+  // Producer thread: makes this snapshot available to the next take(); one that was never taken is freed.
+  void publish(std::unique_ptr<T> snapshot) {
+    delete m_incoming.exchange(snapshot.release(), std::memory_order_acq_rel);
+    collect();
+  }
+
+  // Producer thread, now and then: frees the snapshot that the real-time thread no longer uses. Returns whether there
+  // was one.
+  bool collect() {
+    const std::unique_ptr<T> retired(m_retired.exchange(nullptr, std::memory_order_acq_rel));
+    return retired != nullptr;
+  }
+
+  // Result of take(), which the real-time thread calls.
+  struct Taken {
+    T* current = nullptr;         // in use until the next take(); null before the first
+    const T* previous = nullptr;  // the one before, when current is new now; readable until the next take()
+    bool isNew = false;
+  };
+  Taken take() noexcept {
+    // The one before the last one that was taken leaves first, so that `previous` lives through a tick.
+    if (m_leaving) {
+      T* none = nullptr;
+      if (!m_retired.compare_exchange_strong(none, m_leaving, std::memory_order_acq_rel))
+        return {m_current, nullptr, false};
+      m_leaving = nullptr;
+    }
+    if (!m_incoming.load(std::memory_order_relaxed)) return {m_current, nullptr, false};
+    m_leaving = m_current;
+    m_current = m_incoming.exchange(nullptr, std::memory_order_acq_rel);
+    return {m_current, m_leaving, true};
+  }
+
+ private:
+  std::atomic<T*> m_incoming{nullptr};
+  std::atomic<T*> m_retired{nullptr};
+  T* m_current = nullptr;  // the real-time thread's
+  T* m_leaving = nullptr;
+};
+
+}  // namespace handwheel

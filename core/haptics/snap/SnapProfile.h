@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace handwheel {
+
+// Shape of a snap force as a function of distance. x is the distance from the tip to the constraint; the force is given
+// for 0 < x < ls, and 0 elsewhere.
+enum class SnapShape : std::uint8_t {
+  Spring,      // k x: jumps to 0 at ls, the "force leap"
+  Triangular,  // k x up to ls/2, then k (ls - x)                                                       (eq. 3-1)
+  Quadratic,   // 2 k x (ls - x) / ls                                                                   (eq. 3-2)
+  Gaussian,    // k ls/2 (g(x) - g(0)) / (1 - g(0)), g(x) = exp(-((x - ls/2) / (ls/6))^2 / 2)           (eq. 3-3)
+};
+
+// Snap force profile: a shape with stiffness k and snap distance ls. The three smooth shapes peak at k ls/2, at x =
+// ls/2. A value, any thread.
+class SnapProfile {
+ public:
+  SnapProfile() = default;  // no force
+  // Stiffness in N/mm, distance in mm. No force unless both are positive and at most 1e100.
+  SnapProfile(SnapShape shape, double stiffness, double distance);
+
+  SnapShape shape() const { return m_shape; }
+  double stiffness() const { return m_stiffness; }
+  double distance() const { return m_distance; }
+  // The same with another snap distance.
+  SnapProfile within(double distance) const { return {m_shape, m_stiffness, distance}; }
+
+  // N, towards the constraint. 0 outside 0 < x < ls and for NaN.
+  double force(double x) const;
+  // The largest |dF/dx| in 0 < x < ls, N/mm, for the stiffness limit. The spring's discontinuity at ls comes on top.
+  double largestSlope() const;
+  double peak() const;  // N; the spring's is just before its discontinuity
+  double leap() const;  // N, the discontinuity at x = ls
+
+ private:
+  SnapShape m_shape = SnapShape::Triangular;
+  double m_stiffness = 0.0;
+  double m_distance = 0.0;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/snap/SnapField.h"
+#include "haptics/snap/SnapProfile.h"
+#include "haptics/snap/SnapPull.h"
+
+namespace handwheel {
+
+// Snap force by the proxy method, with one feature at a time. That feature holds the proxy, and the force pulls the tip
+// to it.
+// - Of features of one dimension the one closest to the proxy; of those equally close, as at the edge that two
+//   triangles share, the one closest to the tip. So what is held stays held until the tip is further than the snap
+//   distance from it, and the proxy slides over a fan of triangles and along a curve.
+// - Of different dimensions first the highest; when the proxy comes within the snap distance of a lower one that is in
+//   reach of the tip, that: slide along a line, snap to its end.
+// The held feature is identified by its position, so it survives a new field after an edit; when it is gone, the servo
+// loop ramps the discontinuity. The force may be discontinuous when the feature changes.
+//
+// Servo thread only; no allocation.
+class SnapProxy {
+ public:
+  // The pull on the device tip at `hand` (mm) in this tick. If it is not finite, nothing, and what is held stays held.
+  SnapPull step(const SnapField& field, const SnapProfile& profile, const Vec3& hand);
+
+  // Releases the held feature: when snapping begins, or after the clutch was used.
+  void release() { m_isHeld = false; }
+  bool isHeld() const { return m_isHeld; }
+  SnapFeature held() const { return m_held; }
+
+ private:
+  using Hold = SnapLayer::Hold;
+
+  Hold capture(const SnapField& field, const SnapLayer::Reach& reach);
+  Hold slide(const SnapLayer& layer, SnapLayer::Reach reach, Hold hold) const;
+  Hold descend(const SnapField& field, SnapLayer::Reach reach, Hold hold);
+
+  bool m_isHeld = false;
+  std::size_t m_dimension = 0;
+  SnapFeature m_held;
+  Vec3 m_proxy = Vec3::Zero();  // mm, in the scene
+};
+
+}  // namespace handwheel

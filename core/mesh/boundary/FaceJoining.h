@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/search/NearFaces.h"
+
+#include <span>
+
+namespace handwheel {
+
+// Reasons why faces cannot be added to a mesh, or moved.
+enum class JoinProblem {
+  None,
+  SamePoint,   // two corners are the same
+  NoArea,      // a face would be degenerate
+  EdgeFull,    // an edge would have more than two faces
+  WrongWay,    // a neighbour has the opposite orientation
+  CornerOnly,  // it would touch the surface in a point only
+  Crosses,     // it would intersect or touch another face
+  TurnsOver,   // a face would be flipped
+  NoBorder,    // there is no open border
+};
+
+// Adds triangles over existing vertices to a mesh and joins their edges. Edges are paired with each other and with the
+// border half-edges at the same positions; where a border was pinched there, the fans that they join become one vertex.
+// The new faces are the last. Nothing changes unless the result is JoinProblem::None: what results is manifold where it
+// was, no edge has a third face, no new vertex is pinched, and no new face meets another in more than what they share.
+// near: of this very mesh. O(faces near by) with a hierarchy.
+JoinProblem addFaces(HalfEdgeMesh& mesh, std::span<const Triangle> triangles, const NearFaces& near);
+
+}  // namespace handwheel

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "mesh/structure/EdgeTable.h"
+#include "mesh/structure/HalfEdgeMesh.h"
+
+namespace handwheel {
+
+// A group of faces with the same three positions.
+struct FaceGroup {
+  Triangle positions;       // ascending
+  std::vector<Face> faces;  // ascending
+};
+
+// Finds groups of faces with the same three positions, in order of the positions. edges: of these triangles. O(n). The
+// result is invalid if cancelled.
+std::vector<FaceGroup> equalFaces(std::span<const Triangle> triangles, const EdgeTable& edges, Progress progress = {});
+
+// Removes faces that have the same three positions as another face. Connected duplicates are treated alike: one of each
+// stays, or none where the surface is closed without them (a wall inside a solid, a flap), or both where they are the
+// two sides of a plate, which is closed as it is. Returns the number removed. Relinks when any was. The mesh is invalid
+// if cancelled.
+std::size_t removeDuplicateFaces(HalfEdgeMesh& mesh, Progress progress = {});
+
+}  // namespace handwheel

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/defects/MeshReport.h"
+
+#include "mesh/boundary/BoundaryLoops.h"
+#include "mesh/defects/DuplicateFaces.h"
+#include "mesh/defects/NonManifoldVertices.h"
+#include "mesh/structure/DisjointSets.h"
+#include "mesh/structure/EdgeTable.h"
+#include "mesh/structure/MeshBuilder.h"
+#include "mesh/structure/Weld.h"
+#include "proximity/SelfIntersection.h"
+#include "proximity/TriangleIntersection.h"
+
+#include <algorithm>
+
+namespace handwheel {
+namespace {
+
+// Edges and duplicates.
+void countEdges(const TriangleSoup& soup, MeshReport& report, Progress progress) {
+  const EdgeTable edges(soup.triangles, soup.points.size(), progress.part(0.0, 0.7));
+  const auto count = [&](std::uint32_t low, std::uint32_t, std::span<const EdgeTable::Entry> run) {
+    const auto forward = std::count_if(run.begin(), run.end(), [&](const EdgeTable::Entry& e) {
+      return soup.triangles[e.halfEdge / 3][e.halfEdge % 3] == low;
+    });
+    const auto backward = static_cast<std::ptrdiff_t>(run.size()) - forward;
+    report.boundaryEdges += run.size() == 1;
+    report.nonManifoldEdges += run.size() > 2;
+    report.inconsistentEdges += (forward > 1) + (backward > 1);
+  };
+  edges.forEachEdge(count, progress.part(0.7, 0.9));
+  for (const FaceGroup& group : equalFaces(soup.triangles, edges, progress.part(0.9, 1.0))) {
+    report.duplicateFaces += group.faces.size() - 1;
+  }
+}
+
+std::size_t countComponents(const TriangleSoup& soup) {
+  DisjointSets sets(soup.points.size());
+  for (const Triangle& t : soup.triangles) {
+    if (hasRepeatedVertex(t)) continue;
+    sets.join(t[0], t[1]);
+    sets.join(t[1], t[2]);
+  }
+  std::size_t roots = 0;
+  for (std::uint32_t v = 0; v < soup.points.size(); ++v) roots += sets.root(v) == v;
+  return roots;
+}
+
+double signedVolume(const TriangleSoup& soup, const Vec3& origin) {
+  double volume = 0.0;
+  for (const Triangle& t : soup.triangles) {
+    const Vec3 a = soup.points[t[0]] - origin;
+    const Vec3 b = soup.points[t[1]] - origin;
+    const Vec3 c = soup.points[t[2]] - origin;
+    volume += a.dot(b.cross(c)) / 6.0;
+  }
+  return volume;
+}
+
+}  // namespace
+
+std::vector<LoopReport> reportOn(std::span<const BoundaryLoop> loops) {
+  std::vector<LoopReport> reports;
+  for (const BoundaryLoop& loop : loops) {
+    reports.push_back({loop.id, loop.borderEdges, loop.length, loop.planarity, loop.rim});
+  }
+  return reports;
+}
+
+MeshReport reportOn(const TriangleSoup& soup, SelfIntersections choice, Progress progress) {
+  MeshReport report;
+  const TriangleSoup welded = weld(soup, progress.part(0.0, 0.03));
+  if (progress.cancelled()) return report;
+  report.triangles = welded.triangles.size();
+  report.vertices = welded.points.size();
+  for (const Vec3& p : welded.points) report.box.extend(p);
+  for (const Triangle& t : welded.triangles) {
+    report.degenerateFaces += isDegenerate({welded.points[t[0]], welded.points[t[1]], welded.points[t[2]]});
+  }
+  countEdges(welded, report, progress.part(0.03, 0.06));
+  if (progress.cancelled()) return report;
+  report.components = countComponents(welded);
+  report.nonManifoldVertices =
+      findNonManifoldVertices(welded.triangles, welded.points.size(), progress.part(0.06, 0.1)).size();
+  if (progress.cancelled()) return report;
+  report.closed = report.triangles > 0 && report.boundaryEdges == 0;
+  report.manifold = report.nonManifoldEdges == 0;
+  report.oriented = report.inconsistentEdges == 0;
+  if (report.boundaryEdges > 0) {
+    report.loops =
+        reportOn(findBoundaryLoops(buildMesh(welded, progress.part(0.1, 0.2)).mesh, progress.part(0.2, 0.3)));
+    if (progress.cancelled()) return report;
+  }
+  if (report.closed) report.volumeMm3 = signedVolume(welded, report.box.center());
+  progress.set(0.3);
+  if (choice == SelfIntersections::Count) {
+    const auto pairs = selfIntersections(welded.points, welded.triangles, progress.part(0.3, 1.0));
+    if (pairs) report.selfIntersectingPairs = pairs->size();
+  }
+  progress.set(1.0);
+  return report;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "mesh/boundary/BoundaryLoops.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace handwheel {
+
+// The properties of one boundary loop.
+struct LoopReport {
+  int id = 0;
+  std::size_t edges = 0;
+  double lengthMm = 0.0;
+  double planarity = 0.0;
+  bool rim = false;  // the outer edge of an open sheet
+};
+
+// The statistics of a mesh as shown by "handwheel inspect". Computed from the triangles after welding exactly equal
+// positions: what any other program would see in a file that holds them.
+struct MeshReport {
+  std::size_t triangles = 0;
+  std::size_t vertices = 0;
+  std::size_t components = 0;
+  bool closed = false;
+  bool manifold = false;  // no edge with more than two faces
+  bool oriented = false;
+  std::vector<LoopReport> loops;
+  std::size_t boundaryEdges = 0;
+  std::size_t nonManifoldEdges = 0;
+  std::size_t nonManifoldVertices = 0;
+  std::size_t inconsistentEdges = 0;
+  std::size_t degenerateFaces = 0;
+  std::size_t duplicateFaces = 0;
+  std::optional<std::size_t> selfIntersectingPairs;  // absent when not looked for
+  std::optional<double> volumeMm3;                   // only when closed
+  Box box;
+
+  bool isSound() const { return closed && manifold && oriented; }
+};
+
+std::vector<LoopReport> reportOn(std::span<const BoundaryLoop> loops);
+
+// Whether self-intersections are counted.
+enum class SelfIntersections { Skip, Count };
+
+// Computes the statistics of a triangle soup. O(n log n); self-intersections cost most of it. Incomplete if cancelled.
+MeshReport reportOn(const TriangleSoup& soup, SelfIntersections choice, Progress progress = {});
+
+}  // namespace handwheel

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/defects/NonManifoldEdges.h"
+
+#include "mesh/structure/CancelPolling.h"
+#include "mesh/structure/EdgeTable.h"
+#include "mesh/structure/PositionTriangles.h"
+
+namespace handwheel {
+namespace {
+
+// Calls visit(classes, low, high, half-edges) for each edge that has more than two faces in the file.
+template <class Visit>
+void forEachCrowdedEdge(const HalfEdgeMesh& mesh, Progress progress, Visit visit) {
+  const PositionTriangles byPosition(mesh, progress.part(0.0, 0.4));
+  const EdgeTable edges(byPosition.triangles, byPosition.classes.representative.size(), progress.part(0.4, 0.8));
+  const auto visitCrowded = [&](std::uint32_t low, std::uint32_t high, std::span<const EdgeTable::Entry> run) {
+    if (run.size() > 2) visit(byPosition.classes, low, high, run);
+  };
+  edges.forEachEdge(visitCrowded, progress.part(0.8, 1.0));
+}
+
+}  // namespace
+
+std::map<std::uint32_t, Fans> nonManifoldFans(const HalfEdgeMesh& mesh, Progress progress) {
+  std::vector<std::uint32_t> classOf;
+  std::vector<bool> crowded;
+  const auto mark = [&](const PointClasses& classes, std::uint32_t low, std::uint32_t high, auto) {
+    if (classOf.empty()) classOf = classes.classOf;
+    crowded.resize(classes.representative.size());
+    crowded[low] = crowded[high] = true;
+  };
+  forEachCrowdedEdge(mesh, progress.part(0.0, 0.8), mark);
+  std::map<std::uint32_t, Fans> fansAt;
+  if (crowded.empty()) return fansAt;
+  for (HalfEdge h = 0; h < mesh.halfEdgeSlots(); ++h) {
+    if (!pollProgress(h, mesh.halfEdgeSlots(), progress.part(0.8, 1.0))) break;
+    if (!mesh.isProper(HalfEdgeMesh::face(h))) continue;
+    const Vertex v = mesh.from(h);
+    if (!crowded[classOf[v]]) continue;
+    std::vector<HalfEdge>& fan = fansAt[classOf[v]][v];
+    if (fan.empty()) fan = mesh.fan(h);
+  }
+  return fansAt;
+}
+
+std::vector<HalfEdge> surplusEdges(const HalfEdgeMesh& mesh, Progress progress) {
+  std::vector<HalfEdge> surplus;
+  forEachCrowdedEdge(mesh, progress,
+                     [&](const PointClasses&, std::uint32_t, std::uint32_t, std::span<const EdgeTable::Entry> run) {
+                       bool first = true;
+                       for (const EdgeTable::Entry& e : run) {
+                         if (!mesh.hasOpposite(e.halfEdge) || mesh.opposite(e.halfEdge) < e.halfEdge) continue;
+                         if (!first) surplus.push_back(e.halfEdge);
+                         first = false;
+                       }
+                     });
+  return surplus;
+}
+
+}  // namespace handwheel

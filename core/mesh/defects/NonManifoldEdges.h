@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "mesh/structure/HalfEdgeMesh.h"
+
+#include <map>
+#include <vector>
+
+namespace handwheel {
+
+// A file holds positions, not vertices: an edge is non-manifold when more than two faces have its two ends by position.
+
+// The fans of faces at one position, by vertex, each as the half-edges that leave it.
+using Fans = std::map<Vertex, std::vector<HalfEdge>>;
+// Finds the fans at the end positions of non-manifold edges, by class of position. Incomplete if cancelled.
+std::map<std::uint32_t, Fans> nonManifoldFans(const HalfEdgeMesh& mesh, Progress progress = {});
+
+// Finds one half-edge of each surplus face pair at non-manifold edges. All pairs at an edge but the first are surplus.
+std::vector<HalfEdge> surplusEdges(const HalfEdgeMesh& mesh, Progress progress = {});
+
+}  // namespace handwheel

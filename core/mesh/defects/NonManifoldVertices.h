@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Geometry.h"
+#include "base/Progress.h"
+
+#include <span>
+#include <vector>
+
+namespace handwheel {
+
+// Finds the vertices whose triangles are not connected through their common edges. Ascending. Triangles with a repeated
+// vertex are ignored. O(n). The result is invalid if cancelled.
+std::vector<std::uint32_t> findNonManifoldVertices(std::span<const Triangle> triangles, std::size_t vertexCount,
+                                                   Progress progress = {});
+
+}  // namespace handwheel

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Geometry.h"
+
+#include <vector>
+
+namespace handwheel {
+
+// How smoothly a faired surface continues its fixed neighbours.
+enum class Continuity {
+  Position,   // it meets them: a membrane, of least area as far as its initial shape allows
+  Tangent,    // and has their tangents: a thin plate that bends least
+  Curvature,  // and their curvature: its bending varies least
+};
+
+// Fairs a surface by moving its free points to the least energy. Of order 1 it is Σ |∇x|² over the triangles; of order
+// 2, Σ |Δx|² · area over the vertices; of order 3, Σ |∇Δx|² over the triangles, for position, tangent and curvature
+// (Botsch and Kobbelt, "An intuitive framework for real-time freeform modeling", 2004, section 4; Botsch et al. 2008).
+// Δ is the cotangent Laplacian of the given shape over its Voronoi areas, known where the fan of triangles is closed;
+// so the surface has no prescribed tangent at a border of the triangles. As many rings of triangles around the free
+// points are used as the order. The triangles must be manifold. False, and nothing moved, when a shape has no such
+// surface (a fan without area, an unconnected free vertex) or the numerical precision does not suffice. One sparse
+// Cholesky factor: about O(n^1.5) for n free points, of a matrix with some 7, 19 and 37 entries in a row.
+bool fair(std::vector<Vec3>& points, const std::vector<Triangle>& triangles, const std::vector<bool>& isFree,
+          Continuity continuity = Continuity::Tangent);
+
+}  // namespace handwheel

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/holes/FillCandidates.h"
+
+#include "mesh/holes/MinimalTriangulation.h"
+#include "mesh/holes/RidgeFill.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace handwheel {
+namespace {
+
+// One ear cutting may get stuck where another does not: a spread of tastes for flat loops and for loops that wind
+// through space, after the user's own, with and without a lid.
+constexpr EarWeights kTastes[] = {{1, 0, 0}, {0.2, 0, 2}, {0, 2, 1}, {3, 1, 0}, {0, 0, 1}, {0.5, 3, 0}};
+
+bool isOptimal(FillMethod method) {
+  return method == FillMethod::Area || method == FillMethod::Dihedral;
+}
+
+std::size_t optimalPiece(std::size_t loopSize) {
+  return loopSize > tolerance::kOptimalFillEdges ? tolerance::kOptimalFillEdges / 2 : tolerance::kOptimalFillEdges;
+}
+
+}  // namespace
+
+const std::optional<Patch>& FillCandidates::Start::get() {
+  if (!m_isMade) m_made = m_maker();
+  m_isMade = true;
+  return m_made;
+}
+
+FillCandidates::FillCandidates(const HoleContext& hole, const Obstacles& obstacles, const FillOptions& options)
+    : m_hole(hole),
+      m_obstacles(obstacles),
+      m_options(options),
+      m_pieceEdges(isOptimal(options.method) ? std::min(options.pieceEdges, optimalPiece(hole.loopSize))
+                                             : options.pieceEdges),
+      m_isCut(!options.stitches.empty() || hole.loopSize > m_pieceEdges) {
+  if (m_isCut) m_starts.emplace_back([this] { return inPieces(FillMethod::Minimal); });
+  m_starts.emplace_back([this] { return triangulateMinimal(m_hole, m_progress); });
+  for (std::size_t i = 0; i < kBalanced; ++i) m_starts.emplace_back([this, i] { return ears(m_hole, i); });
+
+  add(options.method);
+  if (!options.tryOthers) return;
+  for (FillMethod m : {FillMethod::Fair, FillMethod::Refined, FillMethod::Ear, FillMethod::Minimal}) {
+    const bool isAdded = m == options.method || (m == FillMethod::Fair && options.method == FillMethod::Ridge);
+    if (!isAdded) add(m);
+  }
+  if (hole.loopSize == 3) return;  // whatever the taste, there is one ear
+  for (std::size_t i = 0; i < std::size(kTastes); ++i) {
+    m_makers.push_back([this, i] { return ears(m_hole, kBalanced + i); });
+  }
+}
+
+void FillCandidates::add(FillMethod method) {
+  switch (method) {
+    case FillMethod::Fair:
+      for (Continuity continuity : continuities()) addRefined(continuity);
+      break;
+    case FillMethod::Refined:
+      addRefined(std::nullopt);
+      break;
+    case FillMethod::Ear:
+      if (!m_options.stitches.empty()) m_makers.push_back([this] { return inPieces(FillMethod::Ear); });
+      for (std::size_t i = kBalanced; i > 0; --i) {
+        m_makers.push_back([&start = m_starts[m_starts.size() - i]] { return start.get(); });
+      }
+      break;
+    case FillMethod::Minimal:
+      for (std::size_t i = 0; i + kBalanced < m_starts.size(); ++i) {
+        m_makers.push_back([&start = m_starts[i]] { return start.get(); });
+      }
+      break;
+    case FillMethod::Area:
+    case FillMethod::Dihedral:
+      m_makers.push_back([this, method] { return m_isCut ? inPieces(method) : piece(m_hole, method); });
+      break;
+    case FillMethod::Ridge:
+      for (Continuity continuity : continuities()) {
+        m_makers.push_back([this, continuity] {
+          return fillAlongRidges(m_hole, m_obstacles, m_options.density, continuity, m_progress);
+        });
+      }
+      add(FillMethod::Fair);
+      break;
+    case FillMethod::Cone:
+    case FillMethod::Backed:
+    case FillMethod::Stitched:
+    case FillMethod::Removed:
+      break;
+  }
+}
+
+// The wanted one, and what takes its place where it swells too far or cannot be computed.
+std::vector<Continuity> FillCandidates::continuities() const {
+  if (m_options.continuity != Continuity::Curvature) return {m_options.continuity};
+  return {Continuity::Curvature, Continuity::Tangent};
+}
+
+void FillCandidates::addRefined(std::optional<Continuity> bent) {
+  for (Start& start : m_starts) {
+    m_makers.push_back([this, &start, bent]() -> Made {
+      return start.get() ? refinePatch(m_hole, *start.get(), bent, m_options.density, m_progress) : std::nullopt;
+    });
+  }
+}
+
+FillCandidates::Made FillCandidates::inPieces(FillMethod method) {
+  if (!m_stitches) {
+    m_stitches = m_options.stitches;
+    if (m_stitches->empty()) *m_stitches = proposeStitches(m_hole, m_obstacles, m_pieceEdges, m_progress);
+  }
+  const std::optional<std::vector<HolePiece>> pieces = splitHole(m_hole.loopSize, *m_stitches);
+  if (!pieces || pieces->size() < 2) return std::nullopt;
+  std::vector<Patch> patches;
+  for (const HolePiece& numbers : *pieces) {
+    if (m_progress.cancelled()) return std::nullopt;
+    Made made = piece(contextOf(m_hole, numbers), method);
+    if (!made) return std::nullopt;
+    patches.push_back(std::move(*made));
+  }
+  Patch whole = joined(m_hole, *pieces, patches);
+  whole.method = method;
+  whole.stitches = *m_stitches;
+  return whole;
+}
+
+FillCandidates::Made FillCandidates::piece(const HoleContext& hole, FillMethod method) const {
+  if (isOptimal(method)) {
+    const Criterion criterion = method == FillMethod::Area ? Criterion::Area : Criterion::Dihedral;
+    return triangulateOptimal(hole, criterion, m_obstacles.edgesAmong(hole.loop()), m_progress);
+  }
+  if (method == FillMethod::Minimal) {
+    if (Made minimal = triangulateMinimal(hole, m_progress)) return minimal;
+  }
+  for (std::size_t i = 0; i < kBalanced; ++i) {
+    if (Made cut = ears(hole, i)) return cut;
+  }
+  return std::nullopt;
+}
+
+FillCandidates::Made FillCandidates::ears(const HoleContext& hole, std::size_t taste) const {
+  EarWeights weights = taste < kBalanced ? m_options.ears : kTastes[taste - kBalanced];
+  if (taste == 1) weights.lid = 0.0;
+  return clipEars(hole, m_obstacles, weights, m_progress);
+}
+
+}  // namespace handwheel

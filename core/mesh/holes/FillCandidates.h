@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/holes/CgalHoleFilling.h"
+#include "mesh/holes/HoleDecomposition.h"
+#include "mesh/holes/HoleFilling.h"
+
+#include <functional>
+#include <optional>
+
+namespace handwheel {
+
+// The candidate patches for a hole, in order of preference. Each is made only on demand.
+class FillCandidates {
+ public:
+  // All must outlive it.
+  FillCandidates(const HoleContext& hole, const Obstacles& obstacles, const FillOptions& options);
+  FillCandidates(const FillCandidates&) = delete;
+  FillCandidates& operator=(const FillCandidates&) = delete;
+
+  std::size_t size() const { return m_makers.size(); }
+  std::optional<Patch> make(std::size_t i, Progress progress) {
+    m_progress = progress;
+    return m_makers[i]();
+  }
+
+ private:
+  static constexpr std::size_t kBalanced = 2;  // ways of ear clipping that are tried first
+  using Made = std::optional<Patch>;
+
+  // A triangulation of the loop's points alone; each is made once.
+  class Start {
+   public:
+    explicit Start(std::function<Made()> maker) : m_maker(std::move(maker)) {}
+    const Made& get();
+
+   private:
+    std::function<Made()> m_maker;
+    Made m_made;
+    bool m_isMade = false;
+  };
+
+  void add(FillMethod method);
+  std::vector<Continuity> continuities() const;
+  void addRefined(std::optional<Continuity> bent);
+  Made inPieces(FillMethod method);
+  Made piece(const HoleContext& hole, FillMethod method) const;
+  Made ears(const HoleContext& hole, std::size_t taste) const;
+
+  const HoleContext& m_hole;
+  const Obstacles& m_obstacles;
+  const FillOptions& m_options;
+  Progress m_progress;  // of the one that is being made
+  std::size_t m_pieceEdges;
+  bool m_isCut;                                   // into pieces
+  std::optional<std::vector<Stitch>> m_stitches;  // once needed
+  std::vector<Start> m_starts;                    // for refining, the best first
+  std::vector<std::function<Made()>> m_makers;
+};
+
+}  // namespace handwheel

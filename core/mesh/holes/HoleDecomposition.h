@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "mesh/holes/HoleContext.h"
+#include "mesh/holes/Obstacles.h"
+#include "mesh/holes/Patch.h"
+
+#include <optional>
+#include <vector>
+
+namespace handwheel {
+
+// Finds bridges that divide a boundary loop into pieces of at most pieceEdges edges. They are short relative to the
+// border that they separate (He 2008, section 4.2), never leave fewer than a quarter of the edges on one side, and run
+// neither along an edge of the surface nor through it. Across a slot they connect its two sides. A piece that no bridge
+// can divide stays long. At least 4 edges a piece. O(n) memory; time about n per bridge beside the obstacle queries. If
+// cancelled, those found so far.
+std::vector<Stitch> proposeStitches(const HoleContext& hole, const Obstacles& obstacles, std::size_t pieceEdges,
+                                    Progress progress = {});
+
+// The indices of a piece's points, in the loop's order: a step to the next index follows the loop, any other a bridge.
+using HolePiece = std::vector<std::uint32_t>;
+
+// Splits a loop into pieces along bridges. None when a bridge is not between two different points that are no
+// neighbours, occurs twice, or crosses another. O(n + s²) for s stitches.
+std::optional<std::vector<HolePiece>> splitHole(std::size_t loopSize, const std::vector<Stitch>& stitches);
+
+// The context of a piece as a hole by itself. The apex behind a bridge is the middle point of the loop on the other
+// side.
+HoleContext contextOf(const HoleContext& hole, const HolePiece& piece);
+
+// Joins the patches of the pieces into the patch of the whole loop. The triangulations have no new points.
+Patch joined(const HoleContext& hole, const std::vector<HolePiece>& pieces, const std::vector<Patch>& patches);
+
+}  // namespace handwheel

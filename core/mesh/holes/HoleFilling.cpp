@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/holes/HoleFilling.h"
+
+#include "mesh/holes/FillCandidates.h"
+#include "mesh/structure/EdgeTable.h"
+#include "mesh/structure/Weld.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handwheel {
+namespace {
+
+// Steps of Effort that it takes to make a patch, for each edge of its loop, and to judge it, for each triangle.
+constexpr std::size_t kCandidateEffort = 10;
+constexpr std::size_t kJudgeEffort = 4;
+
+using Edges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;  // sorted
+
+// True when the triangles make a surface whose only border is the loop, run the other way.
+bool closesLoop(const Patch& patch) {
+  if (patch.triangles.empty()) return false;
+  const auto n = static_cast<std::uint32_t>(patch.loopSize);
+  const EdgeTable edges(patch.triangles, patch.points.size());
+  std::size_t border = 0;
+  bool ok = std::none_of(patch.triangles.begin(), patch.triangles.end(), hasRepeatedVertex);
+  edges.forEachEdge([&](std::uint32_t, std::uint32_t, std::span<const EdgeTable::Entry> run) {
+    const auto from = [&](std::size_t i) { return patch.triangles[run[i].halfEdge / 3][run[i].halfEdge % 3]; };
+    const auto to = [&](std::size_t i) { return patch.triangles[run[i].halfEdge / 3][(run[i].halfEdge + 1) % 3]; };
+    if (run.size() == 1) {
+      ++border;
+      ok = ok && from(0) < n && to(0) < n && from(0) == (to(0) + 1) % n;
+    } else {
+      ok = ok && run.size() == 2 && from(0) != from(1);
+    }
+  });
+  return ok && border == n;
+}
+
+bool hasDegenerateTriangle(const Patch& patch) {
+  return std::any_of(patch.triangles.begin(), patch.triangles.end(),
+                     [&](const Triangle& t) { return isDegenerate(corners(patch, t)); });
+}
+
+Box grown(const Box& box, double by) {
+  return {box.min() - Vec3::Constant(by), box.max() + Vec3::Constant(by)};
+}
+
+// How far a patch may rise over its loop, in diagonals of the loop's box, when it continues the faces around: over a
+// round flat loop a spherical cap of half-angle a, whose border leans by a, rises by sin a · tan(a / 2), and the
+// diagonal is 2√2 sin a. None where the faces stand too steep to tell a cap from a cut: there a flat lid is as likely
+// to be right.
+double capHeight(const HoleContext& hole) {
+  const std::size_t n = hole.loopSize;
+  const Vec3 outward = hole.outward().stableNormalized();
+  double cosine = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec3 edge = hole.points[(i + 1) % n] - hole.points[i];
+    cosine += edge.cross(hole.apexes[i] - hole.points[i]).stableNormalized().dot(outward) / static_cast<double>(n);
+  }
+  if (cosine < tolerance::kCapCosine) return 0.0;
+  return std::tan(0.5 * std::acos(std::min(1.0, cosine))) / (2.0 * M_SQRT2);
+}
+
+// A patch may bulge, but not out of all proportion to its hole; and out of the model only as far as a cap would that
+// continues the surroundings.
+bool swells(const HoleContext& hole, const Patch& patch, const Box& model) {
+  Box loop;
+  for (const Vec3& p : hole.loop()) loop.extend(p);
+  const double size = loop.diagonal().norm();
+  const Box largest = grown(loop, tolerance::kPatchSwelling * size);
+  const Box cap = grown(loop, tolerance::kCapSlack * capHeight(hole) * size);
+  const Box part = grown(model, tolerance::kModelSwelling * model.diagonal().norm());
+  return std::any_of(patch.points.begin(), patch.points.end(),
+                     [&](const Vec3& p) { return !largest.contains(p) || (!part.contains(p) && !cap.contains(p)); });
+}
+
+// True when a diagonal of the patch joins two loop points that the surface joins already.
+bool doublesAnEdge(const Patch& patch, const Edges& existing) {
+  const auto n = static_cast<std::uint32_t>(patch.loopSize);
+  for (const Triangle& t : patch.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+      if (a >= n || b >= n || a == (b + 1) % n || b == (a + 1) % n) continue;
+      const std::pair<std::uint32_t, std::uint32_t> edge = std::minmax(a, b);
+      if (std::binary_search(existing.begin(), existing.end(), edge)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+struct HoleFiller::State {
+  State(const HalfEdgeMesh& m, Progress progress) : mesh(m), obstacles(m, progress) {}
+
+  FillFailure judge(const HoleContext& hole, const Edges& existing, Patch& patch, const FillOptions& options,
+                    Progress progress) const {
+    for (std::size_t i = patch.loopSize; i < patch.points.size(); ++i) {
+      if (!patch.points[i].allFinite()) return FillFailure::NoPatch;
+      patch.points[i] = rounded(patch.points[i], options.numbers);
+      // Equal positions would be one vertex in the file; the intersection test takes them for shared corners.
+      if (obstacles.hasVertexAt(patch.points[i])) return FillFailure::SelfIntersecting;
+    }
+    if (classifyPoints(patch.points).representative.size() < patch.points.size()) return FillFailure::NoPatch;
+    if (!closesLoop(patch) || hasDegenerateTriangle(patch)) return FillFailure::NoPatch;
+    if (!options.mayCross && doublesAnEdge(patch, existing)) return FillFailure::NoPatch;
+    if (swells(hole, patch, obstacles.bounds())) return FillFailure::Swelling;
+    return !options.mayCross && obstacles.hits(patch, progress) ? FillFailure::SelfIntersecting : FillFailure::None;
+  }
+
+  HalfEdgeMesh mesh;
+  Obstacles obstacles;
+};
+
+HoleFiller::HoleFiller(const HalfEdgeMesh& mesh, Progress progress)
+    : m_state(std::make_unique<State>(mesh, progress)) {}
+HoleFiller::~HoleFiller() = default;
+
+const HalfEdgeMesh& HoleFiller::mesh() const {
+  return m_state->mesh;
+}
+
+FillAttempt HoleFiller::propose(const BoundaryLoop& loop, const FillOptions& options, Progress progress) const {
+  FillAttempt attempt{FillFailure::NoPatch, {}};
+  if (loop.halfEdges.size() < 3) return attempt;
+  const HoleContext hole = holeContext(m_state->mesh, loop);
+  const Edges existing = m_state->obstacles.edgesAmong(hole.loop());
+  FillCandidates candidates(hole, m_state->obstacles, options);
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (progress.cancelled()) return {FillFailure::Cancelled, {}};
+    // The first that are made are the slowest: they cut the loop into pieces.
+    const double begin = i > 0 ? 0.5 + 0.5 * double(i) / double(candidates.size()) : 0.0;
+    const Progress span = progress.part(begin, 0.5 + 0.5 * double(i + 1) / double(candidates.size()));
+    std::optional<Patch> patch = candidates.make(i, span.part(0.0, 0.7));
+    progress.spend(kCandidateEffort * loop.halfEdges.size());
+    if (progress.cancelled()) return {FillFailure::Cancelled, {}};
+    if (!patch) continue;
+    progress.spend(kJudgeEffort * patch->triangles.size());
+    const FillFailure failure = m_state->judge(hole, existing, *patch, options, span.part(0.7, 1.0));
+    if (progress.cancelled()) return {FillFailure::Cancelled, {}};
+    if (failure == FillFailure::None) return {failure, std::move(*patch)};
+    attempt.failure = std::max(attempt.failure, failure);
+  }
+  return attempt;
+}
+
+std::vector<Stitch> HoleFiller::proposeStitches(const BoundaryLoop& loop, std::size_t pieceEdges,
+                                                Progress progress) const {
+  return handwheel::proposeStitches(holeContext(m_state->mesh, loop), m_state->obstacles, pieceEdges, progress);
+}
+
+void HoleFiller::accept(const BoundaryLoop& loop, const Patch& patch) {
+  putPatch(m_state->mesh, loop, patch);
+  m_state->obstacles.add(patch);
+}
+
+void putPatch(HalfEdgeMesh& mesh, const BoundaryLoop& loop, const Patch& patch) {
+  const std::size_t n = loop.halfEdges.size();
+  std::vector<Vertex> vertex(patch.points.size());
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vertex v = mesh.from(loop.halfEdges[i]);
+    const HalfEdge before = loop.halfEdges[(i + n - 1) % n];
+    if (mesh.to(before) != v) {  // pinched: the two fans become one vertex's
+      for (HalfEdge g : mesh.fan(HalfEdgeMesh::next(before))) mesh.setCorner(g, v);
+    }
+    vertex[i] = v;
+  }
+  for (std::size_t i = n; i < patch.points.size(); ++i) vertex[i] = mesh.addVertex(patch.points[i]);
+
+  const auto firstFace = static_cast<Face>(mesh.faceSlots());
+  for (const Triangle& t : patch.triangles) mesh.addFace({vertex[t[0]], vertex[t[1]], vertex[t[2]]});
+  const EdgeTable edges(patch.triangles, patch.points.size());
+  edges.forEachEdge([&](std::uint32_t low, std::uint32_t high, std::span<const EdgeTable::Entry> run) {
+    const HalfEdge h = 3 * firstFace + run[0].halfEdge;
+    if (run.size() == 2) {
+      mesh.pair(h, 3 * firstFace + run[1].halfEdge);
+    } else {
+      mesh.pair(h, loop.halfEdges[high == low + 1 ? low : high]);
+    }
+  });
+}
+
+}  // namespace handwheel

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "mesh/holes/Patch.h"
+#include "mesh/search/IncrementalHierarchy.h"
+#include "mesh/structure/HalfEdgeMesh.h"
+#include "proximity/TriangleHierarchy.h"
+
+#include <vector>
+
+namespace handwheel {
+
+// The surface that a patch must not intersect or touch. A mesh, and the patches added since its hierarchy was built.
+class Obstacles {
+ public:
+  // The result is invalid if cancelled.
+  explicit Obstacles(const HalfEdgeMesh& mesh, Progress progress = {});
+
+  Box bounds() const { return m_hierarchy.bounds(); }  // of the mesh
+  bool hits(const TrianglePoints& t) const;
+  // True when one triangle of the patch hits the surface, or two triangles of it each other. The result is invalid if
+  // cancelled.
+  bool hits(const Patch& patch, Progress progress = {}) const;
+  // True when the surface has a vertex at exactly this position.
+  bool hasVertexAt(const Vec3& p) const;
+  void add(const Patch& patch);
+
+  // Edges of the surface that join two of these points, as pairs of their indices (smaller first), sorted.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edgesAmong(const std::vector<Vec3>& points) const;
+
+ private:
+  template <class Visit>
+  bool forEachNear(const Box& box, Visit visit) const;
+
+  TriangleHierarchy m_hierarchy;
+  IncrementalHierarchy m_patches;
+};
+
+// The positions of a patch's triangle.
+inline TrianglePoints corners(const Patch& patch, const Triangle& t) {
+  return {patch.points[t[0]], patch.points[t[1]], patch.points[t[2]]};
+}
+
+}  // namespace handwheel

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Geometry.h"
+#include "base/Progress.h"
+
+#include <vector>
+
+namespace handwheel {
+
+// Computes the plane area that closed curves enclose, by nonzero winding number. What several of them cover counts
+// once, and a hollow, which has the opposite orientation, not at all. Curves may cross, touch and coincide, each other
+// and themselves. Exact but for rounding: strips between the heights of all corners and crossings are cut into
+// trapezoids. O(n · (log n + m)) for n edges of which m cross one height. The result is invalid if cancelled.
+double coveredArea(const std::vector<std::vector<Eigen::Vector2d>>& curves, Progress progress = {});
+
+}  // namespace handwheel

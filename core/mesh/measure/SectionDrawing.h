@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/measure/Section.h"
+
+#include <string>
+
+namespace handwheel {
+
+// Drawings of the curves of a section at 1 : 1 in mm. They use the axes of axesOfPlane(): seen from the side to which
+// the normal points. Coordinates are those along these axes from the origin of the mesh, with all digits.
+
+// Writes a section as an SVG 1.1 drawing. One path, hollows as hollows; the page is as large as the section.
+std::string svgOf(const Section& section, const Vec3& normal);
+// Writes a section as a DXF R12 drawing. A widely readable version; a polyline for each curve on layer 0, the unit in
+// $INSUNITS.
+std::string dxfOf(const Section& section, const Vec3& normal);
+
+}  // namespace handwheel

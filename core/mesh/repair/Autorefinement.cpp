@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/repair/Autorefinement.h"
+
+#include "base/Tolerance.h"
+#include "mesh/structure/BitRange.h"
+#include "mesh/structure/EdgeTable.h"
+#include "mesh/structure/PositionKey.h"
+#include "mesh/structure/QuietCgal.h"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Constrained_triangulation_plus_2.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/intersections.h>
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+namespace handwheel {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using Point2 = Kernel::Point_2;
+using Point3 = Kernel::Point_3;
+using Triangle3 = Kernel::Triangle_3;
+struct Index {
+  std::uint32_t value = kNone;  // where two constraints cross, the triangulation makes a vertex itself
+};
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
+using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel>;
+using Triangulation = CGAL::Constrained_triangulation_plus_2<CGAL::Constrained_Delaunay_triangulation_2<
+    Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>, CGAL::Exact_intersections_tag>>;
+using Edge = std::pair<std::uint32_t, std::uint32_t>;  // smaller index first
+
+Point3 exact(const Vec3& p) {
+  return {p.x(), p.y(), p.z()};
+}
+
+// What lies in a triangle: numbers of exact points.
+struct Marks {
+  std::vector<std::uint32_t> points;
+  std::vector<Edge> segments;
+};
+
+// The plane of a triangle seen along the axis in which it is widest: exact both ways.
+class Projection {
+ public:
+  explicit Projection(const Triangle3& t) : m_plane(t.supporting_plane()) {
+    const double n[3] = {std::abs(CGAL::to_double(m_plane.a())), std::abs(CGAL::to_double(m_plane.b())),
+                         std::abs(CGAL::to_double(m_plane.c()))};
+    m_axis = static_cast<int>(std::max_element(n, n + 3) - n);
+    m_faces = CGAL::sign(normal(m_axis)) == CGAL::POSITIVE;
+  }
+
+  bool facesAxis() const { return m_faces; }
+  Point2 flat(const Point3& p) const { return {p[(m_axis + 1) % 3], p[(m_axis + 2) % 3]}; }
+  Point3 lifted(const Point2& p) const {
+    const int u = (m_axis + 1) % 3, v = (m_axis + 2) % 3;
+    Kernel::FT c[3];
+    c[u] = p.x();
+    c[v] = p.y();
+    c[m_axis] = -(normal(u) * p.x() + normal(v) * p.y() + m_plane.d()) / normal(m_axis);
+    return {c[0], c[1], c[2]};
+  }
+
+ private:
+  Kernel::FT normal(int axis) const { return axis == 0 ? m_plane.a() : axis == 1 ? m_plane.b() : m_plane.c(); }
+
+  Kernel::Plane_3 m_plane;
+  int m_axis = 0;
+  bool m_faces = true;
+};
+
+// Steps of Effort that it takes to intersect two triangles, or to put a point into a triangulation, with coordinates
+// that have so many bits; the time goes with the square of the bits.
+constexpr double kExactSteps = 50.0;
+constexpr double kExactBits = 64.0;
+
+// That it takes to write the coordinates of these triangles as integers of one scale.
+int bitsOf(const TriangleSoup& soup, std::span<const TrianglePair> pairs) {
+  BitRange range;
+  for (const TrianglePair& pair : pairs) {
+    for (const std::uint32_t t : {pair.first, pair.second}) {
+      for (const std::uint32_t corner : soup.triangles[t]) {
+        for (const double x : soup.points[corner]) range.extend(x);
+      }
+    }
+  }
+  return range.bits();
+}
+
+class Cutter {
+ public:
+  Cutter(const TriangleSoup& soup, NumberType numbers, Progress progress)
+      : m_soup(soup), m_numbers(numbers), m_progress(progress) {}
+
+  // Without pieces once cancelled.
+  Autorefinement run(std::span<const TrianglePair> pairs) {
+    Autorefinement cuts;
+    cuts.points = m_soup.points;
+    const int bits = bitsOf(m_soup, pairs);
+    if (bits > tolerance::kCutBits) return cuts;
+    m_exactSteps = static_cast<std::size_t>(kExactSteps * std::max(1.0, std::pow(bits / kExactBits, 2)));
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      if (m_progress.cancelled()) return cuts;
+      m_progress.part(0.0, 0.5).set(static_cast<double>(i) / static_cast<double>(pairs.size()));
+      mark(pairs[i]);
+      m_progress.spend(m_exactSteps);
+    }
+    for (const auto& [t, marks] : m_marks) {
+      if (marks.segments.size() > tolerance::kCutsPerFace) return cuts;
+    }
+    spreadOverEdges();
+    keepCorners();
+    std::size_t done = 0;
+    for (const auto& [t, marks] : m_marks) {
+      m_progress.part(0.5, 1.0).set(static_cast<double>(done++) / static_cast<double>(m_marks.size()));
+      cuts.piecesOf[t] = piecesOf(t, marks, cuts.points);
+      if (!m_progress.cancelled()) continue;
+      cuts.piecesOf.clear();
+      break;
+    }
+    return cuts;
+  }
+
+ private:
+  Triangle3 triangle(std::uint32_t t) const {
+    const Triangle& c = m_soup.triangles[t];
+    return {exact(m_soup.points[c[0]]), exact(m_soup.points[c[1]]), exact(m_soup.points[c[2]])};
+  }
+
+  std::uint32_t numberOf(const Point3& p) {
+    const auto [at, isNew] = m_numberOf.emplace(p, static_cast<std::uint32_t>(m_points.size()));
+    if (isNew) m_points.push_back(p);
+    return at->second;
+  }
+
+  void mark(const TrianglePair& pair) {
+    const auto common = CGAL::intersection(triangle(pair.first), triangle(pair.second));
+    if (!common) return;
+    std::vector<std::uint32_t> corners;
+    if (const auto* p = boost::get<Point3>(&*common)) {
+      corners = {numberOf(*p)};
+    } else if (const auto* s = boost::get<Kernel::Segment_3>(&*common)) {
+      corners = {numberOf(s->source()), numberOf(s->target())};
+    } else if (const auto* t = boost::get<Triangle3>(&*common)) {
+      corners = {numberOf((*t)[0]), numberOf((*t)[1]), numberOf((*t)[2])};
+    } else {
+      for (const Point3& corner : boost::get<std::vector<Point3>>(*common)) corners.push_back(numberOf(corner));
+    }
+    for (std::uint32_t t : {pair.first, pair.second}) {
+      Marks& marks = m_marks[t];
+      marks.points.insert(marks.points.end(), corners.begin(), corners.end());
+      if (corners.size() < 2) continue;
+      const std::size_t sides = corners.size() == 2 ? 1 : corners.size();
+      for (std::size_t i = 0; i < sides; ++i)
+        marks.segments.push_back(std::minmax(corners[i], corners[(i + 1) % corners.size()]));
+    }
+  }
+
+  // A point on an edge is on it for every triangle there.
+  void spreadOverEdges() {
+    std::map<Edge, std::vector<std::uint32_t>> onEdge;
+    for (const auto& [t, marks] : m_marks) {
+      const Triangle& c = m_soup.triangles[t];
+      for (int k = 0; k < 3; ++k) {
+        const Point3 a = exact(m_soup.points[c[k]]), b = exact(m_soup.points[c[(k + 1) % 3]]);
+        for (std::uint32_t i : marks.points) {
+          const Point3& p = m_points[i];
+          if (CGAL::are_strictly_ordered_along_line(a, p, b)) onEdge[std::minmax(c[k], c[(k + 1) % 3])].push_back(i);
+        }
+      }
+    }
+    if (onEdge.empty()) return;
+    for (std::uint32_t t = 0; t < m_soup.triangles.size(); ++t) {
+      const Triangle& c = m_soup.triangles[t];
+      if (hasRepeatedVertex(c)) continue;
+      for (int k = 0; k < 3; ++k) {
+        const auto at = onEdge.find(std::minmax(c[k], c[(k + 1) % 3]));
+        if (at == onEdge.end()) continue;
+        Marks& marks = m_marks[t];
+        marks.points.insert(marks.points.end(), at->second.begin(), at->second.end());
+      }
+    }
+  }
+
+  // A crossing in a corner is the corner, whatever it would be rounded to.
+  void keepCorners() {
+    for (const auto& [t, marks] : m_marks) {
+      for (std::uint32_t corner : m_soup.triangles[t]) m_indexOf[numberOf(exact(m_soup.points[corner]))] = corner;
+    }
+  }
+
+  std::vector<Triangle> piecesOf(std::uint32_t t, const Marks& marks, std::vector<Vec3>& points) {
+    const Triangle3 whole = triangle(t);
+    if (whole.is_degenerate()) return {m_soup.triangles[t]};
+    const Projection plane(whole);
+    Triangulation pieces;
+    std::map<std::uint32_t, Triangulation::Vertex_handle> vertexOf;
+    const auto put = [&](std::uint32_t point) {
+      const auto [at, isNew] = vertexOf.try_emplace(point);
+      if (!isNew) return at->second;
+      at->second = pieces.insert(plane.flat(m_points[point]));
+      at->second->info().value = indexOf(point, points);
+      return at->second;
+    };
+    std::array<Triangulation::Vertex_handle, 3> corner;
+    for (int k = 0; k < 3; ++k) corner[k] = put(numberOf(whole[k]));
+    for (std::uint32_t p : marks.points) put(p);
+    m_progress.spend(m_exactSteps * marks.points.size());
+    for (int k = 0; k < 3; ++k) pieces.insert_constraint(corner[k], corner[(k + 1) % 3]);
+    for (const auto& [a, b] : marks.segments) {
+      if (m_progress.cancelled()) return {};
+      const std::size_t before = pieces.number_of_vertices();
+      pieces.insert_constraint(put(a), put(b));
+      m_progress.spend(m_exactSteps * (1 + pieces.number_of_vertices() - before));
+    }
+
+    std::vector<Triangle> result;
+    for (const auto f : pieces.finite_face_handles()) {
+      Triangle piece{};
+      for (int k = 0; k < 3; ++k) {
+        std::uint32_t& index = f->vertex(k)->info().value;
+        // Two other triangles cross this one there: all three have the point.
+        if (index == kNone) index = indexOf(numberOf(plane.lifted(f->vertex(k)->point())), points);
+        piece[k] = index;
+      }
+      if (!plane.facesAxis()) std::swap(piece[1], piece[2]);
+      if (!hasRepeatedVertex(piece)) result.push_back(piece);
+    }
+    return result;
+  }
+
+  // In the result; new points that are rounded to the same place are one.
+  std::uint32_t indexOf(std::uint32_t point, std::vector<Vec3>& points) {
+    const auto [at, isNew] = m_indexOf.emplace(point, 0u);
+    if (!isNew) return at->second;
+    const Point3& p = m_points[point];
+    const Vec3 place = rounded(Vec3(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())), m_numbers);
+    const auto [same, isNewPlace] = m_indexAt.emplace(positionKey(place), static_cast<std::uint32_t>(points.size()));
+    if (isNewPlace) points.push_back(place);
+    return at->second = same->second;
+  }
+
+  const TriangleSoup& m_soup;
+  NumberType m_numbers;
+  Progress m_progress;
+  std::size_t m_exactSteps = 0;  // of Effort, for each point
+  std::vector<Point3> m_points;
+  std::map<Point3, std::uint32_t> m_numberOf;
+  std::map<std::uint32_t, Marks> m_marks;            // by triangle
+  std::map<std::uint32_t, std::uint32_t> m_indexOf;  // by number
+  std::map<PointKey, std::uint32_t> m_indexAt;       // of new points
+};
+
+}  // namespace
+
+Autorefinement autorefine(const TriangleSoup& soup, std::span<const TrianglePair> pairs, NumberType numbers,
+                          Progress progress) {
+  const QuietCgal quiet;
+  try {
+    return Cutter(soup, numbers, progress).run(pairs);
+  } catch (const std::bad_alloc&) {
+    throw;                           // for lack of memory nothing is done in another way
+  } catch (const std::exception&) {  // a precondition of the library
+    return {soup.points, {}};
+  }
+}
+
+}  // namespace handwheel

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "mesh/structure/HalfEdgeMesh.h"
+
+namespace handwheel {
+
+// The functions below stop halfway when cancelled: the mesh is invalid then.
+
+// Removes faces of exactly zero area. A needle between two neighbours is flipped away (the long edge's other face is
+// split at the middle vertex, which changes no geometry); others are simply removed. Returns the number of removed
+// faces. Leaves the mesh linked.
+std::size_t removeDegenerateFaces(HalfEdgeMesh& mesh, Progress progress = {});
+
+// Removes flaps: small faces (tolerance::kFlap) attached to the surface at non-manifold edges only. They share no edge
+// with exactly one other face, and at least one edge with faces that do. Nothing opens without them, and closing them
+// would double them. Returns the number of removed faces. Relinks.
+std::size_t removeFlaps(HalfEdgeMesh& mesh, Progress progress = {});
+
+// Removes the components that findDefects() classifies as debris. Returns the number of removed faces.
+std::size_t removeDebris(HalfEdgeMesh& mesh, Progress progress = {});
+
+}  // namespace handwheel

@@ -1,0 +1,338 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/repair/ObstructedHoles.h"
+
+#include "mesh/boundary/BoundaryOwners.h"
+#include "mesh/repair/SelfIntersectionRemoval.h"
+#include "mesh/repair/SheetThickening.h"
+#include "mesh/repair/Submesh.h"
+#include "mesh/search/IncrementalHierarchy.h"
+#include "mesh/structure/MeshBuilder.h"
+#include "mesh/structure/PositionTriangles.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+namespace handwheel {
+namespace {
+
+struct Way {
+  FillMethod method;
+  double height = 0.0;  // of a cone, in the loop's shortest edges; towards the outside
+};
+// From the best shape to the least that may do.
+constexpr Way kWays[] = {{FillMethod::Fair},        {FillMethod::Refined},    {FillMethod::Minimal},
+                         {FillMethod::Ear},         {FillMethod::Cone, -0.1}, {FillMethod::Cone, 0.1},
+                         {FillMethod::Cone, -0.01}, {FillMethod::Cone, 0.01}, {FillMethod::Backed}};
+// A cone over a longer loop would be a spike.
+constexpr std::size_t kConeEdges = 16;
+// Backed is only a sheet that is hardly more than its edge.
+constexpr std::size_t kBackedFacesPerEdge = 4;
+// How often the box of a trial is made larger, where what crosses reaches out of it, before all of the mesh is taken;
+constexpr int kNearbyRounds = 4;
+// and how many faces are looked at for it in the time that one takes in a trial.
+constexpr std::size_t kScanWork = 20;
+// The share that one trial may take of the effort that is left: however many go wrong, there is some for the others.
+constexpr std::size_t kTrialShare = 4;
+
+std::vector<BoundaryLoop> numbered(std::span<const ObstructedHole> holes) {
+  std::vector<BoundaryLoop> loops;
+  for (const ObstructedHole& hole : holes) {
+    loops.push_back(hole.loop);
+    loops.back().id = static_cast<int>(loops.size()) - 1;
+  }
+  return loops;
+}
+
+// Not so where numbers at the end of their range overflow.
+bool areFinite(const HalfEdgeMesh& mesh, const std::vector<Face>& faces) {
+  return std::all_of(faces.begin(), faces.end(), [&](Face f) {
+    const TrianglePoints p = mesh.points(f);
+    return p[0].allFinite() && p[1].allFinite() && p[2].allFinite();
+  });
+}
+
+class Closer {
+ public:
+  Closer(HalfEdgeMesh& mesh, std::span<const ObstructedHole> holes, const FillOptions& options, double thickness,
+         Progress progress)
+      : m_mesh(mesh),
+        m_holes(holes),
+        m_owners(mesh, numbered(holes)),
+        m_options(options),
+        m_thickness(thickness),
+        m_effort(progress.share(std::numeric_limits<std::size_t>::max())),
+        m_progress(progress.measuredBy(m_effort)),
+        m_crossings(countSelfIntersections(mesh, options.numbers, m_progress)),
+        m_badEdges(countBadEdges(mesh, m_progress)) {
+    m_options.mayCross = true;
+    m_options.tryOthers = false;
+    m_result.holes.resize(holes.size());
+  }
+
+  ObstructedClosings run() {
+    std::vector<std::size_t> left(m_holes.size());
+    std::iota(left.begin(), left.end(), std::size_t{0});
+    for (const Way& way : kWays) {
+      m_way = way;
+      m_options.method = way.method;
+      m_proposals.clear();
+      close(left);
+      std::erase_if(left, [&](std::size_t i) { return m_result.holes[i].closed; });
+    }
+    for (const std::size_t i : left) m_result.holes[i].isCutShort = m_result.holes[i].isCutShort || m_effort.isSpent();
+    return std::move(m_result);
+  }
+
+ private:
+  // What would close a loop of the mesh as it is: a patch, or a back to its sheet.
+  struct Proposal {
+    std::size_t hole;
+    BoundaryLoop loop;
+    std::optional<Patch> patch;
+  };
+
+  void close(std::span<const std::size_t> some) {
+    if (some.empty() || m_progress.cancelled()) return;
+    m_isTrialCutShort = false;
+    if (tryTogether(some)) return;
+    if (some.size() == 1) {
+      ObstructedClosing& hole = m_result.holes[some.front()];
+      hole.isCutShort = hole.isCutShort || m_isTrialCutShort;
+      return;
+    }
+    close(some.first(some.size() / 2));
+    close(some.subspan(some.size() / 2));
+  }
+
+  // True when there is nothing more to try with these.
+  bool tryTogether(std::span<const std::size_t> some) {
+    if (m_proposals.empty()) propose();
+    if (const auto done = tryNearby(some)) return *done;
+    HalfEdgeMesh changed = m_mesh;
+    std::vector<ObstructedClosing> closings(m_holes.size());
+    std::vector<Face> newFaces, sheets;
+    for (const Proposal& p : m_proposals) {
+      if (std::find(some.begin(), some.end(), p.hole) == some.end()) continue;
+      if (!p.patch) {
+        sheets.push_back(HalfEdgeMesh::face(p.loop.halfEdges.front()));
+        closings[p.hole] = {true, FillMethod::Backed, 0};
+        continue;
+      }
+      for (std::size_t i = 0; i < p.patch->triangles.size(); ++i)
+        newFaces.push_back(static_cast<Face>(changed.faceSlots() + i));
+      putPatch(changed, p.loop, *p.patch);
+      closings[p.hole] = {true, p.patch->method, closings[p.hole].newFaces + p.patch->triangles.size()};
+    }
+    giveBacks(changed, sheets, newFaces);
+    return newFaces.empty() || keepIfSound(std::move(changed), newFaces, closings);
+  }
+
+  // The same, with the faces near the holes only; nothing where that is not much less work, or no patches are tried.
+  std::optional<bool> tryNearby(std::span<const std::size_t> some) {
+    std::vector<const Proposal*> chosen;
+    Box box;
+    for (const Proposal& p : m_proposals) {
+      if (std::find(some.begin(), some.end(), p.hole) == some.end()) continue;
+      if (!p.patch) return std::nullopt;
+      chosen.push_back(&p);
+      for (const Vec3& point : p.patch->points) box.extend(point);
+    }
+    if (chosen.empty()) return true;
+    for (int round = 0; round < kNearbyRounds && !m_progress.cancelled(); ++round) {
+      const Submesh part(m_mesh, box);
+      m_progress.spend(m_mesh.faceSlots() / kScanWork);
+      if (part.faceCount() > m_mesh.faceSlots() / 2) return std::nullopt;
+      const NearbyTrial trial = tryIn(part, chosen);
+      if (trial.isOutside) return std::nullopt;
+      if (box.contains(trial.reach)) {
+        if (trial.isSound) keep(part, trial, chosen);
+        return trial.isSound;
+      }
+      box.extend(trial.reach);
+    }
+    return std::nullopt;
+  }
+
+  struct NearbyTrial {
+    bool isOutside = false;  // the part does not hold the holes as they are
+    bool isSound = false;
+    Box reach;  // of what crosses the patches, and of what was changed
+    HalfEdgeMesh changed;
+    std::size_t cutFaces = 0;
+    std::size_t fewerCrossings = 0;
+    std::size_t fewerBadEdges = 0;
+  };
+
+  NearbyTrial tryIn(const Submesh& part, const std::vector<const Proposal*>& chosen) {
+    NearbyTrial trial;
+    Effort effort = m_progress.share(m_effort.left() / kTrialShare);
+    const Progress now = m_progress.within(effort);
+    trial.changed = part.mesh();
+    std::vector<Face> newFaces;
+    for (const Proposal* p : chosen) {
+      BoundaryLoop loop = p->loop;
+      for (HalfEdge& h : loop.halfEdges) {
+        h = part.halfEdgeOf(m_mesh, h);
+        if (h == kNone || part.mesh().hasOpposite(h)) trial.isOutside = true;
+      }
+      if (trial.isOutside) return trial;
+      for (std::size_t i = 0; i < p->patch->triangles.size(); ++i)
+        newFaces.push_back(static_cast<Face>(trial.changed.faceSlots() + i));
+      putPatch(trial.changed, loop, *p->patch);
+    }
+    if (!areFinite(trial.changed, newFaces)) return trial;
+    for (const Face f : intersectionCluster(trial.changed, newFaces, m_options.numbers, now))
+      trial.reach.extend(boxOf(trial.changed.points(f)));
+    const std::size_t crossings = countSelfIntersections(part.mesh(), m_options.numbers, now);
+    const IntersectionRemoval report =
+        removeSelfIntersections(trial.changed, newFaces, m_options.numbers, crossings, now);
+    now.spend(part.faceCount());
+    m_isTrialCutShort = effort.isSpent();
+    if (report.intersectionsAfter > crossings) return trial;
+    const std::size_t before = countBadEdges(part.mesh(), now), after = countBadEdges(trial.changed, now);
+    m_isTrialCutShort = effort.isSpent();
+    if (now.cancelled() || after >= before) return trial;
+    trial.reach.extend(part.changesIn(trial.changed));
+    trial.cutFaces = report.changed ? report.cutFaces : 0;
+    trial.fewerCrossings = crossings - report.intersectionsAfter;
+    trial.fewerBadEdges = before - after;
+    trial.isSound = true;
+    return trial;
+  }
+
+  void keep(const Submesh& part, const NearbyTrial& trial, const std::vector<const Proposal*>& chosen) {
+    m_crossings -= trial.fewerCrossings;
+    m_badEdges -= trial.fewerBadEdges;
+    m_result.cutFaces += trial.cutFaces;
+    for (const Proposal* p : chosen) {
+      ObstructedClosing& hole = m_result.holes[p->hole];
+      hole = {true, p->patch->method, hole.newFaces + p->patch->triangles.size()};
+    }
+    part.putBack(m_mesh, trial.changed);
+    relink(m_mesh, m_progress.unlimited());
+    m_proposals.clear();
+  }
+
+  // For all that is left, with the mesh as it is and the method.
+  void propose() {
+    const HoleFiller filler(m_mesh, m_progress);
+    for (const BoundaryLoop& loop : findBoundaryLoops(m_mesh, m_progress)) {
+      if (m_progress.cancelled()) return;
+      const std::size_t hole = ownerOf(loop);
+      if (hole == kNobody) continue;
+      if (m_holes[hole].back || m_options.method == FillMethod::Backed) {
+        if (mayBack(hole, loop)) m_proposals.push_back({hole, loop, {}});
+        continue;
+      }
+      if (m_way.method == FillMethod::Cone) {
+        if (loop.halfEdges.size() <= kConeEdges) m_proposals.push_back({hole, loop, cone(loop)});
+        continue;
+      }
+      FillAttempt attempt = filler.propose(loop, m_options, m_progress);
+      if (attempt.failure == FillFailure::None) m_proposals.push_back({hole, loop, std::move(attempt.patch)});
+    }
+  }
+
+  static constexpr std::size_t kNobody = ~std::size_t{0};
+
+  std::size_t ownerOf(const BoundaryLoop& loop) const {
+    for (int id : m_owners.of(m_mesh, loop)) {
+      if (!m_result.holes[static_cast<std::size_t>(id)].closed) return static_cast<std::size_t>(id);
+    }
+    return kNobody;
+  }
+
+  Patch cone(const BoundaryLoop& loop) const {
+    Patch patch;
+    patch.method = FillMethod::Cone;
+    patch.points = loopPoints(m_mesh, loop);
+    const auto n = static_cast<std::uint32_t>(patch.points.size());
+    patch.loopSize = n;
+    Vec3 middle = Vec3::Zero(), area = Vec3::Zero();
+    double shortest = std::numeric_limits<double>::infinity();
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const Vec3 &a = patch.points[i], &b = patch.points[(i + 1) % n];
+      middle += a / n;
+      area += (b - loop.centre).cross(a - loop.centre);  // the patch runs against the loop
+      shortest = std::min(shortest, (b - a).norm());
+      patch.triangles.push_back({(i + 1) % n, i, n});
+    }
+    patch.points.push_back(
+        rounded(Vec3(middle + m_way.height * shortest * area.stableNormalized()), m_options.numbers));
+    return patch;
+  }
+
+  // Backs are tried once, and for what is no sheet last. They close all loops of the sheet.
+  bool mayBack(std::size_t hole, const BoundaryLoop& loop) const {
+    const bool isSheet = m_holes[hole].back;
+    if (isSheet && m_options.method != kWays[0].method) return false;
+    const std::vector<Face> faces = sheetOf(m_mesh, HalfEdgeMesh::face(loop.halfEdges.front()));
+    if (!isSheet && faces.size() > kBackedFacesPerEdge * loop.halfEdges.size()) return false;
+    return std::none_of(faces.begin(), faces.end(),
+                        [&](Face f) { return hasCornerAt(m_mesh, f, m_options.keptCorners); });
+  }
+
+  void giveBacks(HalfEdgeMesh& mesh, const std::vector<Face>& sheets, std::vector<Face>& newFaces) const {
+    std::vector<bool> backed(m_mesh.faceSlots(), false);
+    for (Face seed : sheets) {
+      if (backed[seed]) continue;  // another loop of the same sheet
+      std::vector<Face> sheet = sheetOf(mesh, seed);
+      for (Face f : sheet) {
+        if (f < backed.size()) backed[f] = true;
+      }
+      const std::vector<Face> faces = thickenSheet(mesh, sheet, m_thickness, m_options.numbers);
+      newFaces.insert(newFaces.end(), faces.begin(), faces.end());
+    }
+    if (!sheets.empty()) relink(mesh, m_progress);
+  }
+
+  bool keepIfSound(HalfEdgeMesh changed, const std::vector<Face>& newFaces,
+                   const std::vector<ObstructedClosing>& closings) {
+    if (!areFinite(changed, newFaces)) return false;
+    Effort effort = m_progress.share(m_effort.left() / kTrialShare);
+    const Progress now = m_progress.within(effort);
+    const IntersectionRemoval report = removeSelfIntersections(changed, newFaces, m_options.numbers, m_crossings, now);
+    now.spend(m_mesh.faceSlots());
+    m_isTrialCutShort = effort.isSpent();
+    if (report.intersectionsAfter > m_crossings) return false;
+    const std::size_t bad = countBadEdges(changed, now);
+    m_isTrialCutShort = effort.isSpent();
+    if (now.cancelled() || bad >= m_badEdges) return false;
+    m_badEdges = bad;
+    m_crossings = report.intersectionsAfter;
+    m_mesh = std::move(changed);
+    m_proposals.clear();  // their loops are no longer those of the mesh
+    if (report.changed) m_result.cutFaces += report.cutFaces;
+    for (std::size_t i = 0; i < closings.size(); ++i) {
+      if (closings[i].closed) m_result.holes[i] = closings[i];
+    }
+    return true;
+  }
+
+  HalfEdgeMesh& m_mesh;
+  std::span<const ObstructedHole> m_holes;
+  BoundaryOwners m_owners;
+  FillOptions m_options;
+  double m_thickness;
+  Effort m_effort;
+  Progress m_progress;
+  ObstructedClosings m_result;
+  std::size_t m_crossings;  // of the mesh, as the file will show it
+  std::size_t m_badEdges;
+  Way m_way = kWays[0];
+  std::vector<Proposal> m_proposals;
+  bool m_isTrialCutShort = false;  // the last one did not come to its end
+};
+
+}  // namespace
+
+ObstructedClosings closeObstructedHoles(HalfEdgeMesh& mesh, std::span<const ObstructedHole> holes,
+                                        const FillOptions& options, double thickness, Progress progress) {
+  if (holes.empty()) return {};
+  return Closer(mesh, holes, options, thickness, progress).run();
+}
+
+}  // namespace handwheel

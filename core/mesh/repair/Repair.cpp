@@ -1,0 +1,317 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/repair/Repair.h"
+
+#include "mesh/boundary/Stitching.h"
+#include "mesh/defects/Defects.h"
+#include "mesh/defects/DuplicateFaces.h"
+#include "mesh/holes/HoleSequence.h"
+#include "mesh/repair/Cleaning.h"
+#include "mesh/repair/CoincidentVertexSeparation.h"
+#include "mesh/repair/FoldedRegionRemoval.h"
+#include "mesh/repair/HoleOutcomes.h"
+#include "mesh/repair/IntersectionClusters.h"
+#include "mesh/repair/NonOrientableSurfaces.h"
+#include "mesh/repair/ObstructedHoles.h"
+#include "mesh/repair/OutwardOrientation.h"
+#include "mesh/repair/RepairEffort.h"
+#include "mesh/repair/SelfIntersectionRemoval.h"
+#include "mesh/structure/BitRange.h"
+#include "mesh/structure/CancelPolling.h"
+#include "mesh/structure/MeshBounds.h"
+#include "mesh/structure/MeshBuilder.h"
+#include "mesh/structure/Weld.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace handwheel {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+constexpr int kHardRounds = 4;
+
+class Repairer {
+ public:
+  // progress: of finding the loops.
+  Repairer(const HalfEdgeMesh& input, const RepairOptions& options, Progress progress)
+      : m_input(input),
+        m_mesh(input),
+        m_options(options),
+        m_results(input, progress),
+        m_fillEffort(repairEffort(input.liveFaceCount())),
+        m_slowness(std::max(1.0, std::pow(static_cast<double>(bitsOf(input)) / tolerance::kCutBits, 2))),
+        m_closeEffort(most(1.0, m_fillEffort.left())),
+        m_hardEffort(most(tolerance::kHardHoleShare, tolerance::kObstructedHoleEffort), m_closeEffort),
+        m_partEffort(most(tolerance::kPartShare, tolerance::kObstructedHoleEffort), m_closeEffort),
+        m_tangleEffort(most(tolerance::kTangleShare, tolerance::kFoldedRegionEffort), m_closeEffort) {
+    for (const BoundaryLoop& loop : m_results.inputLoops()) {
+      if (mayClose(reasonToLeave(loop, {loop.id}))) continue;
+      for (const Vec3& p : loopPoints(m_input, loop)) m_options.fill.keptCorners.insert(positionKey(p));
+    }
+  }
+
+  RepairReport run(Progress progress) {
+    clean(progress.part(0.0, 0.3));
+    if (!progress.cancelled()) {
+      const double longest = tolerance::kOneSidedCut * diagonalOf(m_mesh);
+      Effort effort(m_hardEffort.left() / 2, m_hardEffort);  // the rest is for holes
+      m_report.oneSidedCuts =
+          closeNonOrientable(m_mesh, m_options.fill, longest, BorderCuts::No, progress.part(0.3, 0.35).within(effort));
+    }
+    if (!progress.cancelled()) fill(progress.part(0.35, 0.6));
+    if (!progress.cancelled()) closeHard(progress.part(0.6, 0.85));
+    if (m_options.takeOutTangles && !progress.cancelled()) replaceTangled(progress.part(0.85, 0.93));
+    if (m_options.cutCrossings && !progress.cancelled()) cutCrossings(progress.part(0.93, 0.95));
+    if (!progress.cancelled()) orientOutward(m_mesh, progress.part(0.95, 0.96));
+    if (!progress.cancelled()) finish(progress.part(0.96, 1.0));
+    m_report.isPartingCutShort = m_partEffort.isSpent();
+    m_report.effort = m_fillEffort.spent() + m_closeEffort.spent();
+    m_report.countedEffort = m_fillEffort.counted() + m_closeEffort.counted();
+    m_report.cancelled = progress.cancelled();
+    return std::move(m_report);
+  }
+
+  const HalfEdgeMesh& mesh() const { return m_mesh; }
+
+ private:
+  void clean(Progress progress) {
+    if (!progress.cancelled()) m_report.removedDegenerate = removeDegenerateFaces(m_mesh, progress.part(0.0, 0.15));
+    if (!progress.cancelled()) m_report.removedDuplicates = removeDuplicateFaces(m_mesh, progress.part(0.15, 0.35));
+    if (!progress.cancelled()) m_report.removedFlaps = removeFlaps(m_mesh, progress.part(0.35, 0.6));
+    if (m_options.removeDebris && !progress.cancelled())
+      m_report.removedDebris = removeDebris(m_mesh, progress.part(0.6, 0.7));
+    if (!progress.cancelled()) {
+      m_report.mergedVertices =
+          stitchBorders(m_mesh, keptVertices(), progress.part(0.7, 0.9), m_options.nearWeld).size();
+    }
+    if (!progress.cancelled()) m_report.removedDegenerate += removeDegenerateFaces(m_mesh, progress.part(0.9, 1.0));
+  }
+
+  std::size_t most(double share, std::size_t fixed) const {
+    return repairEffort(m_input.liveFaceCount(), share / m_slowness, fixed);
+  }
+
+  // False when there was nothing to part.
+  bool part(Progress progress) {
+    const HalfEdgeMesh before = m_mesh;
+    const auto spareCrossings = [&] {
+      const std::size_t were = countSelfIntersections(m_input, m_options.fill.numbers, progress);
+      const std::size_t are = countSelfIntersections(m_mesh, m_options.fill.numbers, progress);
+      return are < were ? were - are : 0;
+    };
+    const std::vector<Vertex> parted =
+        separateCoincidentVertices(m_mesh, m_options.fill.numbers, progress, spareCrossings);
+    for (Vertex v : parted) {
+      if (v < before.vertexSlots()) m_touchedHomes.push_back(before.position(v));
+    }
+    m_report.partedVertices += parted.size();
+    if (!parted.empty()) relink(m_mesh, progress.unlimited());
+    return !parted.empty();
+  }
+
+  // The vertices of loops that the user wants open.
+  std::vector<bool> keptVertices() const {
+    std::vector<bool> kept(m_input.vertexSlots(), false);
+    for (const BoundaryLoop& loop : m_results.inputLoops()) {
+      if (!m_options.keepOpen.contains(loop.id)) continue;
+      for (HalfEdge h : loop.halfEdges) kept[m_input.from(h)] = kept[m_input.to(h)] = true;
+    }
+    return kept;
+  }
+
+  void fill(Progress progress) {
+    std::vector<BoundaryLoop> loops;
+    std::vector<std::set<int>> owners;
+    for (BoundaryLoop& loop : findBoundaryLoops(m_mesh, progress.part(0.0, 0.1))) {
+      std::set<int> of = m_results.ownersOf(m_mesh, loop);
+      if (reasonToLeave(loop, of) != FillFailure::None) continue;
+      loops.push_back(std::move(loop));
+      owners.push_back(std::move(of));
+    }
+    const std::vector<HoleFill> fills =
+        fillHoles(m_mesh, loops, m_options.fill, progress.part(0.1, 1.0).within(m_fillEffort));
+    for (std::size_t i = 0; i < fills.size(); ++i) {
+      LoopResult result;
+      result.edges = loops[i].borderEdges;
+      result.reason = fills[i].attempt.failure;
+      if (result.reason == FillFailure::None) {
+        result.outcome = LoopOutcome::Filled;
+        result.method = fills[i].attempt.patch.method;
+        result.newFaces = fills[i].attempt.patch.triangles.size();
+      }
+      result.milliseconds = fills[i].milliseconds;
+      m_results.record(result, owners[i]);
+    }
+  }
+
+  // What is cut and parted may leave slits, which the next round closes. What touches is parted, whatever else may be.
+  void closeHard(Progress progress) {
+    const Progress all = progress.measuredBy(m_closeEffort), now = all.within(m_hardEffort);
+    for (int round = 0; round < kHardRounds; ++round) {
+      const bool closed = !now.cancelled() && closeHardOnce(now);
+      const bool parted = !progress.cancelled() && part(all.within(m_partEffort));
+      if (!closed && !parted) return;
+    }
+  }
+
+  // False when nothing was closed.
+  bool closeHardOnce(Progress progress) {
+    std::vector<ObstructedHole> holes;
+    std::vector<std::set<int>> owners;
+    for (const BoundaryLoop& loop : findBoundaryLoops(m_mesh, progress)) {
+      std::set<int> of = m_results.ownersOf(m_mesh, loop);
+      const FillFailure reason = reasonToLeave(loop, of);
+      const bool back = reason == FillFailure::Rim;
+      if (!mayClose(reason) || (back && loop.picture)) continue;
+      holes.push_back({loop, back});
+      owners.push_back(std::move(of));
+    }
+    const auto start = Clock::now();
+    const ObstructedClosings closings =
+        closeObstructedHoles(m_mesh, holes, m_options.fill, tolerance::kBackThickness * diagonalOf(m_mesh), progress);
+    m_report.cutFaces += closings.cutFaces;
+    const double each = millisecondsSince(start) / std::max(1.0, static_cast<double>(holes.size()));
+    bool any = false;
+    m_cutShort.clear();
+    for (std::size_t i = 0; i < closings.holes.size(); ++i) {
+      if (closings.holes[i].isCutShort) noteCutShort(owners[i]);
+      if (!closings.holes[i].closed) continue;
+      any = true;
+      LoopResult result;
+      result.edges = holes[i].loop.borderEdges;
+      result.outcome = LoopOutcome::Filled;
+      result.method = closings.holes[i].method;
+      result.newFaces = closings.holes[i].newFaces;
+      result.milliseconds = each;
+      m_results.replace(result, owners[i]);
+    }
+    return any;
+  }
+
+  static constexpr int kLaidOpen = LoopResult().id;
+
+  void noteCutShort(const std::set<int>& owners) {
+    m_cutShort.insert(owners.begin(), owners.end());
+    if (owners.empty()) m_cutShort.insert(kLaidOpen);
+  }
+
+  // Loose leftovers of cuts too.
+  void replaceTangled(Progress progress) {
+    std::vector<BoundaryLoop> loops = findBoundaryLoops(m_mesh, progress.part(0.0, 0.05));
+    std::erase_if(loops, [&](const BoundaryLoop& loop) {
+      const std::set<int> owners = m_results.ownersOf(m_mesh, loop);
+      const FillFailure reason = reasonToLeave(loop, owners);
+      return reason != FillFailure::None && (reason != FillFailure::Rim || !owners.empty());
+    });
+    m_report.replacedFaces =
+        replaceFoldedRegions(m_mesh, loops, m_options.fill, progress.part(0.05, 0.8).within(m_tangleEffort));
+    if (m_report.replacedFaces > 0 && !progress.cancelled()) part(progress.part(0.8, 1.0).within(m_partEffort));
+  }
+
+  void cutCrossings(Progress progress) {
+    Effort effort(most(1.0, tolerance::kObstructedHoleEffort), m_fillEffort);
+    const Progress now = progress.within(effort);
+    m_report.isCuttingCutShort = true;
+    const auto pairs = findSelfIntersections(m_mesh, now.part(0.0, 0.3));
+    if (!pairs) return;
+    const ClusterRemoval cut = removeClusterIntersections(m_mesh, *pairs, m_options.fill.numbers, now.part(0.3, 1.0));
+    m_report.cutClusters = cut.clusters;
+    m_report.isCuttingCutShort = cut.isCutShort;
+  }
+
+  FillFailure reasonToLeave(const BoundaryLoop& loop, const std::set<int>& owners) const {
+    const auto kept = [&](int id) { return m_options.keepOpen.contains(id); };
+    if (std::any_of(owners.begin(), owners.end(), kept)) return FillFailure::KeptOpen;
+    if (loop.rim && m_options.rims == RimHandling::Keep) return FillFailure::Rim;
+    if (m_options.maxEdges > 0 && loop.halfEdges.size() > m_options.maxEdges) return FillFailure::TooLong;
+    return loop.rim && m_options.rims == RimHandling::Back ? FillFailure::Rim : FillFailure::None;
+  }
+
+  // By a patch, or by a back.
+  bool mayClose(FillFailure reasonToLeave) const {
+    return reasonToLeave == FillFailure::None ||
+           (reasonToLeave == FillFailure::Rim && m_options.rims == RimHandling::Back);
+  }
+
+  // For want of effort the loop was not tried in every way.
+  bool isCutShort(int id) const {
+    return m_cutShort.contains(id) || m_hardEffort.isSpent() || m_tangleEffort.isSpent();
+  }
+
+  void finish(Progress progress) {
+    const auto reason = [&](const BoundaryLoop& loop, const std::set<int>& owners) {
+      const FillFailure known = reasonToLeave(loop, owners);
+      const bool isSheet = known == FillFailure::Rim && m_options.rims == RimHandling::Back && !loop.picture;
+      const bool isGivenUp = std::any_of(owners.begin(), owners.end(), [&](int id) { return isCutShort(id); });
+      return isSheet && (isGivenUp || (owners.empty() && isCutShort(kLaidOpen))) ? FillFailure::None
+                                                                                 : known;  // its back was given up
+    };
+    m_report.loops = m_results.conclude(m_mesh, reason, progress.part(0.0, 0.1));
+    for (LoopResult& loop : m_report.loops) {
+      if (loop.outcome == LoopOutcome::Failed && isCutShort(loop.id)) loop.reason = FillFailure::TooMuchEffort;
+      if (loop.outcome == LoopOutcome::Filled && m_options.keepOpen.contains(loop.id))
+        m_report.lostLoops.push_back(loop.id);
+    }
+    compareWithInput(progress);
+  }
+
+  void compareWithInput(Progress progress) {
+    for (Face f = 0; f < m_input.faceSlots(); ++f) {
+      if (!pollProgress(f, m_input.faceSlots(), progress.part(0.0, 0.4))) return;
+      if (m_input.isLive(f) && m_mesh.isLive(f)) m_report.turnedFaces += isTurned(m_input.points(f), m_mesh.points(f));
+    }
+    for (Vertex v = 0; v < m_input.vertexSlots(); ++v) {
+      if (m_mesh.position(v) != m_input.position(v)) m_touchedHomes.push_back(m_input.position(v));
+    }
+    m_report.touchedVertices = verticesAt(m_touchedHomes, progress.part(0.4, 1.0));
+  }
+
+  // The vertices of the input at these positions, sorted. Once cancelled, none.
+  std::vector<Vertex> verticesAt(const std::vector<Vec3>& places, Progress progress) const {
+    if (places.empty()) return {};
+    std::vector<Vec3> points = places;
+    for (Vertex v = 0; v < m_input.vertexSlots(); ++v) points.push_back(m_input.position(v));
+    const PointClasses classes = classifyPoints(points, progress);
+    if (progress.cancelled()) return {};
+    std::vector<Vertex> vertices;
+    for (Vertex v = 0; v < m_input.vertexSlots(); ++v) {
+      if (classes.representative[classes.classOf[places.size() + v]] < places.size()) vertices.push_back(v);
+    }
+    return vertices;
+  }
+
+  static bool isTurned(const TrianglePoints& was, const TrianglePoints& is) {
+    return was[0] == is[0] && was[1] == is[2] && was[2] == is[1] && was != is;
+  }
+
+  const HalfEdgeMesh m_input;
+  HalfEdgeMesh m_mesh;
+  RepairOptions m_options;  // with the corners of what stays open
+  HoleOutcomes m_results;
+  std::vector<Vec3> m_touchedHomes;  // where vertices were before they were moved
+  Effort m_fillEffort;
+  // Exact tests take the square of what coordinates have more bits than those of parts have: fewer are made then.
+  double m_slowness;
+  Effort m_closeEffort;
+  Effort m_hardEffort, m_partEffort, m_tangleEffort;  // shares of that for closing, each its own
+  std::set<int> m_cutShort;  // loops of the input, or kLaidOpen for any other, of which a trial was cut short at last
+  RepairReport m_report;
+};
+
+}  // namespace
+
+RepairReport repair(HalfEdgeMesh& mesh, const RepairOptions& options, Progress progress) {
+  Repairer repairer(mesh, options, progress.part(0.0, 0.1));
+  RepairReport report = repairer.run(progress.part(0.1, 1.0));
+  if (!report.cancelled) mesh = repairer.mesh();
+  return report;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,285 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/sculpt/LoopSubdivision.h"
+#include "mesh/sculpt/TriangleSplit.h"
+#include "mesh/sculpt/VertexGoals.h"
+#include "mesh/selection/RegionGrowing.h"
+#include "mesh/structure/CancelPolling.h"
+#include "mesh/structure/FaceNormal.h"
+#include "mesh/structure/MeshDelta.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace handwheel {
+namespace {
+
+class PatchSplitter {
+ public:
+  PatchSplitter(HalfEdgeMesh& mesh, const FaceSelection& patch, const SubdivisionLimits& limits)
+      : m_mesh(mesh), m_before(mesh), m_limits(limits) {
+    patch.forEach([&](Face f) {
+      if (f < mesh.faceSlots() && mesh.isProper(f)) m_faces.push_back(f);
+    });
+  }
+
+  // With the diagonals that were chosen in the finer mesh, and its positions.
+  void repeat(const HalfEdgeMesh& fine) { m_fine = &fine; }
+
+  SubdivisionStep run() {
+    m_step.firstAdded = static_cast<Face>(m_before.faceSlots());
+    m_step.failure = countParts();
+    if (m_step.failure != SubdivisionFailure::None) return std::move(m_step);
+    addPoints();
+    placePoints();
+    for (std::size_t i = 0; i < m_faces.size() && pollProgress(i, m_faces.size(), m_limits.progress); ++i) split(i);
+    for (std::size_t i = 0; i < m_faces.size() && !m_limits.progress.cancelled(); ++i) join(i);
+    if (!m_limits.progress.cancelled()) finish();
+    if (m_limits.progress.cancelled()) m_step.failure = SubdivisionFailure::Cancelled;
+    if (m_step.failure != SubdivisionFailure::None) m_mesh = m_before;
+    return std::move(m_step);
+  }
+
+ private:
+  // By face of the patch and corner from which the edge runs.
+  struct Sides {
+    std::array<HalfEdge, 3> first{kNone, kNone, kNone};   // the half-edge of a part along the beginning of the edge,
+    std::array<HalfEdge, 3> second{kNone, kNone, kNone};  // along its end; where it has no point, first is all of it
+    std::array<Vertex, 3> point{kNone, kNone, kNone};
+  };
+
+  std::size_t indexOf(Face f) const {
+    const auto it = std::lower_bound(m_faces.begin(), m_faces.end(), f);
+    return it != m_faces.end() && *it == f ? static_cast<std::size_t>(it - m_faces.begin()) : m_faces.size();
+  }
+  bool isInside(HalfEdge h) const {
+    return m_before.hasOpposite(h) && indexOf(HalfEdgeMesh::face(m_before.opposite(h))) < m_faces.size();
+  }
+
+  SubdivisionFailure countParts() {
+    std::size_t inside = 0;
+    for (const Face f : m_faces) {
+      for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) inside += isInside(h);
+    }
+    if (inside == 0) return SubdivisionFailure::NoEdgeInside;
+    const std::size_t parts = m_faces.size() + inside;  // each edge with a point adds one part to either face
+    constexpr std::size_t kMostSlots = 0xffffffff / 3 - 1;
+    bool isTooMany = parts > m_limits.mostFaces || m_before.faceSlots() + inside > kMostSlots;
+    if (m_fine)
+      isTooMany = m_fine->faceSlots() != m_before.faceSlots() + inside ||
+                  m_fine->vertexSlots() != m_before.vertexSlots() + inside / 2;
+    return isTooMany ? SubdivisionFailure::TooManyFaces : SubdivisionFailure::None;
+  }
+
+  // In the middle of each edge inside, and where Loop wants them.
+  void addPoints() {
+    m_sides.resize(m_faces.size());
+    const auto at = [&](Vertex v) -> const Vec3& { return m_before.position(v); };
+    for (std::size_t i = 0; i < m_faces.size(); ++i) {
+      for (std::uint32_t k = 0; k < 3; ++k) {
+        const HalfEdge h = 3 * m_faces[i] + k;
+        if (m_sides[i].point[k] != kNone || !isInside(h)) continue;
+        const HalfEdge o = m_before.opposite(h);
+        const Vec3& a = at(m_before.from(h));
+        const Vec3 middle = a + 0.5 * (at(m_before.to(h)) - a);
+        const auto next = static_cast<Vertex>(m_mesh.vertexSlots());
+        const Vertex v = m_mesh.addVertex(m_fine ? m_fine->position(next) : rounded(middle, m_limits.numbers));
+        m_sides[i].point[k] = m_sides[indexOf(HalfEdgeMesh::face(o))].point[o % 3] = v;
+        m_edgeOf.push_back(h);
+      }
+    }
+  }
+
+  // All stencils, with half-edges of the mesh as it was; they become those of the finer one when it is there.
+  void placePoints() {
+    std::vector<std::pair<Vertex, HalfEdge>> corners;
+    for (const Face f : m_faces) {
+      for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) corners.emplace_back(m_before.from(h), h);
+    }
+    std::sort(corners.begin(), corners.end());
+    std::vector<Vertex> sources;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      if (i > 0 && corners[i].first == corners[i - 1].first) continue;
+      const std::vector<HalfEdge> fan = m_before.fan(corners[i].second);
+      const bool isFree = std::all_of(fan.begin(), fan.end(), [&](HalfEdge h) { return isInside(h); });
+      sources.assign(1, corners[i].first);
+      if (isFree)
+        for (const HalfEdge h : fan) sources.push_back(m_before.to(h));
+      m_places.add(isFree ? LoopStencils::Kind::Inner : LoopStencils::Kind::Fixed, corners[i].second, sources);
+    }
+    m_corners = m_places.size();
+    for (const HalfEdge h : m_edgeOf) {
+      const auto apex = [&](HalfEdge g) { return m_before.from(HalfEdgeMesh::previous(g)); };
+      const std::array<Vertex, 4> ends = {m_before.from(h), m_before.to(h), apex(h), apex(m_before.opposite(h))};
+      m_places.add(LoopStencils::Kind::Edge, h, ends);
+    }
+    for (std::size_t e = 0; e < m_edgeOf.size(); ++e) m_edgePlace.push_back(m_places.place(m_before, m_corners + e));
+  }
+
+  void split(std::size_t i) {
+    const Face f = m_faces[i];
+    std::array<Vertex, 6> points{};
+    std::array<Vec3, 6> places;
+    std::array<bool, 3> hasPoint{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      points[k] = m_before.triangle(f)[k];
+      points[3 + k] = m_sides[i].point[k];
+      hasPoint[k] = points[3 + k] != kNone;
+      places[k] = m_before.position(points[k]);
+      if (hasPoint[k]) places[3 + k] = m_edgePlace[points[3 + k] - m_before.vertexSlots()];
+    }
+    const auto length = [&](std::size_t p, std::size_t q) { return (places[p] - places[q]).squaredNorm(); };
+    const TriangleSplit parts = splitOf(hasPoint, [&](std::size_t p, std::size_t q, std::size_t r, std::size_t s) {
+      return m_fine ? m_fine->triangle(f)[2] == points[q] : length(p, q) <= length(r, s);
+    });
+    std::array<std::array<HalfEdge, 6>, 6> along;  // the half-edge of a part that runs from one point to another
+    for (auto& row : along) row.fill(kNone);
+    for (std::size_t n = 0; n < parts.size(); ++n) {
+      const auto& [p, q, r] = parts[n];
+      const Triangle corners = {points[p], points[q], points[r]};
+      const Face part = n == 0 ? f : m_mesh.addFace(corners);
+      if (n == 0) {
+        m_mesh.setTriangle(f, corners);
+      } else {
+        m_step.parent.push_back(f);
+      }
+      m_step.faces.add(part);
+      along[p][q] = 3 * part;
+      along[q][r] = 3 * part + 1;
+      along[r][p] = 3 * part + 2;
+    }
+    for (std::size_t p = 0; p < 6; ++p) {
+      for (std::size_t q = 0; q < p; ++q)
+        if (along[p][q] != kNone && along[q][p] != kNone) m_mesh.pair(along[p][q], along[q][p]);
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      m_sides[i].first[k] = hasPoint[k] ? along[k][3 + k] : along[k][(k + 1) % 3];
+      m_sides[i].second[k] = hasPoint[k] ? along[3 + k][(k + 1) % 3] : kNone;
+    }
+  }
+
+  void join(std::size_t i) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const HalfEdge h = 3 * m_faces[i] + k, o = m_before.opposite(h);
+      const HalfEdge first = m_sides[i].first[k], second = m_sides[i].second[k];
+      if (second != kNone) {
+        m_mesh.pair(first, m_sides[indexOf(HalfEdgeMesh::face(o))].second[o % 3]);
+      } else if (m_before.hasOpposite(h)) {
+        m_mesh.pair(first, o);
+      } else {
+        m_mesh.setOpposite(first, o);
+      }
+    }
+  }
+
+  void finish() {
+    if (!m_fine && hasFlattened()) {
+      m_step.failure = SubdivisionFailure::TooFine;
+      return;
+    }
+    std::vector<VertexGoal> moves;
+    for (std::size_t s = 0; s < m_places.size(); ++s) {
+      const HalfEdge old = m_places.leaving(s);
+      const Sides& sides = m_sides[indexOf(HalfEdgeMesh::face(old))];
+      // At a corner the part along the beginning of an edge leaves it; at a point, the part along the end.
+      m_places.setLeaving(s, s < m_corners ? sides.first[old % 3] : sides.second[old % 3]);
+      const Vertex v = m_mesh.from(m_places.leaving(s));
+      if (m_fine) {
+        m_mesh.setPosition(v, m_fine->position(v));
+      } else if (!m_places.isFixed(s)) {
+        moves.push_back({m_places.leaving(s), m_places.place(m_before, s)});
+      }
+    }
+    m_step.stencils = std::move(m_places);
+    m_step.heldBack = moveTowards(m_mesh, moves, m_limits.numbers).heldBack;
+  }
+
+  // Whether a part has no area though its parent has: the middles of its edges were rounded onto one another.
+  bool hasFlattened() const {
+    const auto isFlat = [&](Face part, Face parent) {
+      return unitNormal(m_mesh.points(part)).isZero(0.0) && !unitNormal(m_before.points(parent)).isZero(0.0);
+    };
+    for (const Face f : m_faces)
+      if (isFlat(f, f)) return true;
+    for (std::size_t n = 0; n < m_step.parent.size(); ++n)
+      if (isFlat(m_step.firstAdded + static_cast<Face>(n), m_step.parent[n])) return true;
+    return false;
+  }
+
+  HalfEdgeMesh& m_mesh;
+  const HalfEdgeMesh m_before;
+  const SubdivisionLimits m_limits;
+  const HalfEdgeMesh* m_fine = nullptr;  // to be arrived at
+  std::vector<Face> m_faces;             // of the patch, in rising order
+  std::vector<Sides> m_sides;
+  std::vector<HalfEdge> m_edgeOf;  // of each new point: the edge before
+  std::vector<Vec3> m_edgePlace;   // and Loop's place
+  LoopStencils m_places;
+  std::size_t m_corners = 0;  // stencils of old vertices; those of new points follow
+  SubdivisionStep m_step;
+};
+
+// The mean length of the edges of the faces for which the edge counts; 0 where there is none.
+template <class Counts>
+double meanEdge(const HalfEdgeMesh& mesh, const FaceSelection& faces, Counts counts) {
+  double sum = 0.0;
+  std::size_t n = 0;
+  faces.forEach([&](Face f) {
+    for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
+      if (!counts(h)) continue;
+      sum += (mesh.position(mesh.to(h)) - mesh.position(mesh.from(h))).norm();
+      ++n;
+    }
+  });
+  return n > 0 ? sum / static_cast<double>(n) : 0.0;
+}
+
+bool isBetween(const HalfEdgeMesh& mesh, const FaceSelection& patch, HalfEdge h) {
+  return mesh.hasOpposite(h) && patch.contains(HalfEdgeMesh::face(mesh.opposite(h)));
+}
+
+}  // namespace
+
+SubdivisionStep subdivide(HalfEdgeMesh& mesh, const FaceSelection& patch, const SubdivisionLimits& limits) {
+  return PatchSplitter(mesh, patch, limits).run();
+}
+
+std::optional<SubdivisionStep> subdivisionBetween(const HalfEdgeMesh& coarse, const FaceSelection& patch,
+                                                  const HalfEdgeMesh& fine) {
+  HalfEdgeMesh made = coarse;
+  PatchSplitter splitter(made, patch, {});
+  splitter.repeat(fine);
+  SubdivisionStep step = splitter.run();
+  if (step.failure != SubdivisionFailure::None || !MeshDelta::between(made, fine).isEmpty()) return std::nullopt;
+  return step;
+}
+
+int levelsToDensity(const HalfEdgeMesh& mesh, const FaceSelection& patch) {
+  FaceSelection around = grownByRing(mesh, patch);
+  around.remove(patch);
+  const double outside = meanEdge(mesh, around, [](HalfEdge) { return true; });
+  const double inside = meanEdge(mesh, patch, [&](HalfEdge h) { return isBetween(mesh, patch, h); });
+  if (!(outside > 0.0) || !(inside > 0.0)) return 0;
+  constexpr double kMostLevels = 12.0;
+  return static_cast<int>(std::clamp(std::ceil(std::log2(inside / outside) - 0.5), 0.0, kMostLevels));
+}
+
+double outlineAspect(const HalfEdgeMesh& mesh, const FaceSelection& patch) {
+  double sum = 0.0;
+  std::size_t n = 0;
+  patch.forEach([&](Face f) {
+    for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
+      if (isBetween(mesh, patch, h)) continue;
+      const Vec3& p = mesh.position(mesh.from(h));
+      const Vec3 edge = mesh.position(mesh.to(h)) - p;
+      const double area = edge.cross(mesh.position(mesh.from(HalfEdgeMesh::previous(h))) - p).norm();
+      if (!(area > 0.0)) continue;
+      sum += edge.squaredNorm() / area;
+      ++n;
+    }
+  });
+  return n > 0 ? sum / static_cast<double>(n) : 0.0;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "mesh/sculpt/SculptBrush.h"
+#include "mesh/selection/FaceSelection.h"
+
+#include <optional>
+
+namespace handwheel {
+
+// Options of smoothNoise().
+struct NoiseSmoothing {
+  // How much normals may differ to be noise of one smooth surface: the width of the filter over |n - n'|. 0.35 takes
+  // 20° for noise, and keeps an edge of 60°.
+  double normalSpread = 0.35;
+  int normalPasses = 12;
+  int vertexPasses = 15;
+  bool movesBorder = false;
+  NumberType numbers = NumberType::Float64;
+  Progress progress = {};
+};
+
+// Removes noise from a part of a surface and preserves its creases. The normals of the faces are filtered, each towards
+// those of the faces around it that are near and alike, then the vertices follow them (Zheng, Fu, Au, Tai, "Bilateral
+// normal filtering for mesh denoising", 2011, the local scheme; vertices by Sun, Rosin, Martin, Langbein, "Fast and
+// effective feature-preserving mesh denoising", 2007). Only vertices all of whose faces are in the part move. Returns
+// the faces around them; none when cancelled, and then nothing has moved. O(faces of the part).
+std::optional<MovedVertices> smoothNoise(HalfEdgeMesh& mesh, const FaceSelection& part,
+                                         const NoiseSmoothing& options = {});
+
+// Selects the faces at the border, and rings of faces around them. A face is at the border when a vertex of it is.
+// O(n).
+FaceSelection facesAtBorder(const HalfEdgeMesh& mesh, int rings);
+
+}  // namespace handwheel

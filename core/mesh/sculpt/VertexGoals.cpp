@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/sculpt/VertexGoals.h"
+
+#include "base/Tolerance.h"
+#include "mesh/selection/FaceSelection.h"
+#include "mesh/structure/FaceNormal.h"
+
+#include <algorithm>
+#include <array>
+#include <unordered_map>
+
+namespace handwheel {
+namespace {
+
+// The cosine between a face before and after that still counts as the same side.
+constexpr double kSameSide = 0.02;
+constexpr int kMoveHalvings = 8;
+
+struct FaceShape {
+  Vec3 normal;
+  double height;  // over the longest side, as a share of it
+};
+
+FaceShape faceShape(const TrianglePoints& t) {
+  const Vec3 a = t[1] - t[0], b = t[2] - t[0];
+  const double longest = std::max({a.stableNorm(), b.stableNorm(), (t[2] - t[1]).stableNorm()});
+  // Divided first: squares of huge or tiny lengths are none.
+  return {unitNormal(t), longest > 0.0 ? Vec3(a / longest).cross(b / longest).norm() : 0.0};
+}
+
+class LimitedMove {
+ public:
+  LimitedMove(const HalfEdgeMesh& mesh, std::span<const VertexGoal> moves, NumberType numbers)
+      : m_mesh(mesh), m_numbers(numbers), m_moving(moves.begin(), moves.end()), m_share(moves.size(), 1.0) {
+    FaceSelection around;
+    std::unordered_map<Vertex, std::uint32_t> moveOf;
+    moveOf.reserve(moves.size());
+    for (std::uint32_t i = 0; i < moves.size(); ++i) {
+      moveOf.emplace(mesh.from(moves[i].leaving), i);
+      for (const HalfEdge h : mesh.fan(moves[i].leaving)) around.add(HalfEdgeMesh::face(h));
+    }
+    m_faces = around.faces();
+    for (const Face f : m_faces) {
+      std::array<std::uint32_t, 3> corners{};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto it = moveOf.find(mesh.triangle(f)[k]);
+        corners[k] = it == moveOf.end() ? kNone : it->second;
+      }
+      m_corners.push_back(corners);
+      m_before.push_back(faceShape(mesh.points(f)));
+    }
+  }
+
+  void limit() {
+    std::vector<std::uint32_t> suspects(m_faces.size());
+    for (std::uint32_t f = 0; f < suspects.size(); ++f) suspects[f] = f;
+    for (int round = 0; !suspects.empty(); ++round) {
+      std::vector<std::uint32_t> slowed;
+      for (const std::uint32_t f : suspects) {
+        if (isGood(f)) continue;
+        for (const std::uint32_t i : m_corners[f])
+          if (i != kNone && m_share[i] > 0.0) slowed.push_back(i);
+      }
+      unique(slowed);
+      suspects.clear();
+      for (const std::uint32_t i : slowed) {
+        m_share[i] = round < kMoveHalvings ? 0.5 * m_share[i] : 0.0;
+        for (const HalfEdge h : m_mesh.fan(m_moving[i].leaving)) suspects.push_back(indexOf(HalfEdgeMesh::face(h)));
+      }
+      unique(suspects);
+    }
+  }
+
+  MovedVertices write(HalfEdgeMesh& mesh) {
+    MovedVertices result{std::move(m_faces), 0};
+    std::vector<Vec3> places;
+    for (std::uint32_t i = 0; i < m_moving.size(); ++i) places.push_back(place(i));
+    for (std::uint32_t i = 0; i < m_moving.size(); ++i) {
+      const Vertex v = mesh.from(m_moving[i].leaving);
+      result.heldBack += m_share[i] < 1.0;
+      if (places[i] != mesh.position(v)) mesh.setPosition(v, places[i]);
+    }
+    return result;
+  }
+
+ private:
+  static void unique(std::vector<std::uint32_t>& list) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+
+  std::uint32_t indexOf(Face f) const {
+    return static_cast<std::uint32_t>(std::lower_bound(m_faces.begin(), m_faces.end(), f) - m_faces.begin());
+  }
+
+  Vec3 place(std::uint32_t i) const {
+    const Vec3 from = m_mesh.position(m_mesh.from(m_moving[i].leaving));
+    const Vec3& to = m_moving[i].to;
+    if (m_share[i] == 0.0 || !to.allFinite() || to == from) return from;
+    const Vec3 place = rounded(m_share[i] == 1.0 ? to : Vec3(from + m_share[i] * (to - from)), m_numbers);
+    return place.allFinite() ? place : from;
+  }
+
+  bool isGood(std::uint32_t f) const {
+    TrianglePoints points = m_mesh.points(m_faces[f]);
+    bool isMoved = false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (m_corners[f][k] == kNone) continue;
+      const Vec3 to = place(m_corners[f][k]);
+      isMoved = isMoved || to != points[k];
+      points[k] = to;
+    }
+    if (!isMoved) return true;
+    const FaceShape after = faceShape(points), &before = m_before[f];
+    if (before.normal.isZero(0.0)) return true;  // it had no side to begin with
+    return after.normal.dot(before.normal) > kSameSide &&
+           after.height >= std::min(tolerance::kNeedle, 0.5 * before.height);
+  }
+
+  const HalfEdgeMesh& m_mesh;
+  const NumberType m_numbers;
+  const std::vector<VertexGoal> m_moving;
+  std::vector<double> m_share;  // of the way, for each move
+  std::vector<Face> m_faces;
+  std::vector<std::array<std::uint32_t, 3>> m_corners;  // of each face: which move; kNone: it stands still
+  std::vector<FaceShape> m_before;
+};
+
+}  // namespace
+
+MovedVertices moveTowards(HalfEdgeMesh& mesh, std::span<const VertexGoal> moves, NumberType numbers) {
+  LimitedMove move(mesh, moves, numbers);
+  move.limit();
+  return move.write(mesh);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/search/PickRay.h"
+#include "mesh/structure/HalfEdgeMesh.h"
+#include "proximity/TriangleHierarchy.h"
+
+#include <functional>
+
+namespace handwheel {
+
+// A bounding volume hierarchy over the faces of a mesh version. Immutable once built; built on a worker, read on any
+// thread.
+class FaceHierarchy {
+ public:
+  explicit FaceHierarchy(const HalfEdgeMesh& mesh);
+
+  const HalfEdgeMesh& mesh() const { return m_mesh; }
+  const Box& bounds() const { return m_hierarchy.bounds(); }  // of all live faces with finite corners
+
+  struct Hit {
+    Face face;
+    Vec3 point;
+    double distance;  // in lengths of the direction
+  };
+  // The first face that the ray meets, from either side; none for a ray that is not usable.
+  std::optional<Hit> firstHit(const Ray& ray) const;
+
+  // Calls visit(face) for each face whose box meets the box (boundaries included), and perhaps for some just outside,
+  // until it returns false. Returns false when a visit did.
+  bool forEachInBox(const Box& box, const std::function<bool(Face)>& visit) const;
+
+  // The point of the surface nearest to p; none without faces.
+  std::optional<Vec3> nearest(const Vec3& p) const;
+
+  // Whether something lies before p, by more than this (mm), as seen from the eye or, without one, from outside the
+  // model along the direction. A face that p is known to lie on does not count.
+  bool isHidden(const Vec3& p, const std::optional<Vec3>& eye, const Vec3& direction, double by = 0.0,
+                Face own = kNone) const;
+
+ private:
+  HalfEdgeMesh m_mesh;
+  std::vector<Face> m_faceOf;  // of each triangle in the hierarchy
+  TriangleHierarchy m_hierarchy;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/search/FaceHierarchy.h"
+
+#include <memory>
+#include <span>
+
+namespace handwheel {
+
+// A brush stroke: a ball moved over the surface that paints faces. Only what is connected with the place under the
+// pointer inside the ball is painted, so the far side of a thin wall is not. Between two events the ball follows the
+// surface along the path of the pointer, without gaps.
+class BrushStroke {
+ public:
+  explicit BrushStroke(std::shared_ptr<const FaceHierarchy> faces);
+
+  struct Touch {
+    Ray ray;
+    double radius = 0.0;  // mm, of the ball
+  };
+  // Paints at the next place of the pointer and on the way there. Returns the newly painted faces, in a list that the
+  // next call overwrites. O(faces met), plus O(log n) for each half radius of the way.
+  std::span<const Face> moveTo(const Touch& touch);
+
+  const FaceHierarchy& faces() const { return *m_faces; }
+  // Where the pointer met the surface last.
+  const std::optional<FaceHierarchy::Hit>& place() const { return m_place; }
+
+ private:
+  using Met = std::optional<FaceHierarchy::Hit>;
+  void paintBetween(const Touch& from, const Met& a, const Touch& to, const Met& b, int depth);
+  void paintAlong(std::span<const FaceHierarchy::Hit> ends, double radius);
+  int halvings(const Touch& from, const Touch& to) const;
+
+  std::shared_ptr<const FaceHierarchy> m_faces;
+  std::optional<Touch> m_touch;
+  Met m_place;
+  // By face: kPainted, and the number of the last capsule that met it.
+  std::vector<std::uint32_t> m_marks;
+  std::uint32_t m_capsule = 0;
+  std::vector<Face> m_new;
+  std::vector<Face> m_waiting;
+};
+
+}  // namespace handwheel

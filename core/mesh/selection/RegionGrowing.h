@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "mesh/selection/FaceSelection.h"
+
+#include <limits>
+#include <optional>
+#include <span>
+
+namespace handwheel {
+
+// Selection of faces by region growing. Faces are neighbours where their half-edges are paired: a face without extent,
+// a seam and another part that only touches stay outside. Dead seeds are ignored. O(result).
+
+// Limits of region growing.
+struct GrowthLimit {
+  std::size_t faces = std::numeric_limits<std::size_t>::max();  // this many are enough
+  Progress progress = {};                                       // cancelled: no result
+};
+
+// Selects all faces connected with the seeds.
+std::optional<FaceSelection> connectedFaces(const HalfEdgeMesh& mesh, std::span<const Face> seeds,
+                                            const GrowthLimit& limit = {});
+
+// Selects the faces reached from the seeds without crossing sharp edges. At the edges crossed the normals differ by at
+// most this angle (radian). A face without area has no normal; it takes that of the face from which it was reached, so
+// that a needle neither stops growing over a flat place nor carries it around a corner.
+std::optional<FaceSelection> facesWithinAngle(const HalfEdgeMesh& mesh, std::span<const Face> seeds, double angle,
+                                              const GrowthLimit& limit = {});
+
+// Grows a selection by all faces that share a vertex with one of its faces.
+FaceSelection grownByRing(const HalfEdgeMesh& mesh, const FaceSelection& faces);
+// Shrinks a selection by the faces that share a vertex with a face outside it. The border of the mesh removes nothing.
+FaceSelection shrunkByRing(const HalfEdgeMesh& mesh, const FaceSelection& faces);
+
+}  // namespace handwheel

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/simplify/CollapsePlacement.h"
+
+#include "mesh/simplify/Quadric.h"
+#include "mesh/structure/EdgeCollapse.h"
+#include "mesh/structure/FaceNormal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace handwheel {
+namespace {
+
+constexpr double kPull = 1e-6;        // towards the middle of the edge, where the planes leave the place open
+constexpr double kShortFirst = 1e-8;  // where nothing changes the surface, the shortest edge goes first
+
+// The sum of the planes around an edge, relative to its middle.
+class PlaneSum {
+ public:
+  PlaneSum(const HalfEdgeMesh& mesh, const VertexConstraints& holds, const Vec3& origin)
+      : m_mesh(mesh), m_holds(holds), m_origin(origin) {}
+
+  Quadric around(HalfEdge h) {
+    const HalfEdge one = HalfEdgeMesh::next(h);
+    addFan(h, kNone, kNone);
+    if (!m_mesh.hasOpposite(h)) {
+      addFan(one, HalfEdgeMesh::face(h), kNone);
+    } else {
+      const HalfEdge o = m_mesh.opposite(h);
+      addFan(one, HalfEdgeMesh::face(h), HalfEdgeMesh::face(o));
+      addSharpEdge(HalfEdgeMesh::previous(o));
+    }
+    addSharpEdge(one);
+    return m_sum;
+  }
+
+ private:
+  // Where there are too many faces, of the first: such an edge does not shrink anyway.
+  void addFan(HalfEdge h, Face except, Face exceptToo) {
+    std::size_t n = 0;
+    forEachInFan(m_mesh, h, [&](HalfEdge g) {
+      if (HalfEdgeMesh::face(g) != except && HalfEdgeMesh::face(g) != exceptToo) addFace(g);
+      return ++n <= kLargestFan;
+    });
+  }
+
+  // With the planes of its open or sharp edges at the corner from which g leaves.
+  void addFace(HalfEdge g) {
+    const TrianglePoints t = m_mesh.points(HalfEdgeMesh::face(g));
+    const Vec3 n = 0.5 * (t[1] - t[0]).cross(t[2] - t[0]);
+    const double area = n.norm();
+    if (!(area > 0.0)) return;
+    m_sum += Quadric::ofPlane(t[0] - m_origin, n / area, area);
+    addSharpEdge(g);
+    addSharpEdge(HalfEdgeMesh::previous(g));
+  }
+
+  // Only where it is open or a crease. It weighs as much as a square face on it.
+  void addSharpEdge(HalfEdge h) {
+    if (m_mesh.hasOpposite(h) && !m_holds.isCrease(h)) return;
+    const Vec3 normal = unitNormal(m_mesh.points(HalfEdgeMesh::face(h)));
+    const Vec3& from = m_mesh.position(m_mesh.from(h));
+    const Vec3 along = m_mesh.position(m_mesh.to(h)) - from, across = along.cross(normal);
+    const double length = across.norm();
+    if (length > 0.0) m_sum += Quadric::ofPlane(from - m_origin, across / length, along.squaredNorm());
+  }
+
+  const HalfEdgeMesh& m_mesh;
+  const VertexConstraints& m_holds;
+  Vec3 m_origin;
+  Quadric m_sum;
+};
+
+}  // namespace
+
+std::optional<CollapsePlacement> collapsePlacement(const HalfEdgeMesh& mesh, const VertexConstraints& holds,
+                                                   HalfEdge h) {
+  const VertexConstraint a = holds.of(mesh.from(h)), b = holds.of(mesh.to(h));
+  if (a == VertexConstraint::Fixed && b == VertexConstraint::Fixed) return std::nullopt;
+  if (a != VertexConstraint::Free && b != VertexConstraint::Free && !holds.isCrease(h)) return std::nullopt;
+  const Vec3 &from = mesh.position(mesh.from(h)), &to = mesh.position(mesh.to(h)), middle = 0.5 * (from + to);
+  const Quadric q = PlaneSum(mesh, holds, middle).around(h);
+  const double length2 = (to - from).squaredNorm();
+  CollapsePlacement best{middle, std::numeric_limits<double>::infinity()};
+  const auto take = [&](const Vec3& p) {
+    const double cost = std::max(q.at(p - middle), 0.0);
+    if (cost < best.cost) best = {p, cost};
+  };
+  if (a == VertexConstraint::Free && b == VertexConstraint::Free) {
+    const Vec3 least = q.leastNear(Vec3::Zero(), kPull);
+    if (least.squaredNorm() <= length2) take(middle + least);
+    take(middle);
+  }
+  if (a >= b) take(from);
+  if (b >= a) take(to);
+  best.cost += kShortFirst * q.a.trace() * length2;
+  return std::isfinite(best.cost) ? std::optional(best) : std::nullopt;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/simplify/Decimation.h"
+
+#include "mesh/measure/Deviation.h"
+#include "mesh/search/DistanceBound.h"
+#include "mesh/simplify/Decimator.h"
+
+#include <algorithm>
+
+namespace handwheel {
+namespace {
+
+// Of the error asked for: with how much the first try is made, and each further one as a share of the one before.
+constexpr double kFirstShare = 0.95, kNextShare = 0.95;
+constexpr int kTries = 6;
+
+std::size_t removeDegenerate(HalfEdgeMesh& mesh) {
+  std::size_t removed = 0;
+  for (Face f = 0; f < mesh.faceSlots(); ++f) {
+    if (!mesh.isLive(f) || mesh.isProper(f)) continue;
+    mesh.removeFace(f);
+    ++removed;
+  }
+  return removed;
+}
+
+// Twice as dense as the original's faces.
+DeviationOptions measuring(const HalfEdgeMesh& original) {
+  return {.samples = std::clamp<std::size_t>(2 * original.faceSlots(), 20'000, kMaxDeviationSamples), .bins = 1};
+}
+
+// Empty once cancelled, and where there is nothing to measure.
+std::optional<double> largestDistance(const HalfEdgeMesh& mesh, const HalfEdgeMesh& original,
+                                      const Progress& progress) {
+  const auto measured = deviation(mesh, original, measuring(original), progress);
+  return measured ? std::optional(measured->hausdorff()) : std::nullopt;
+}
+
+// Whether each is within the error of the other, and where not.
+Within isWithin(const SurfaceDistance& a, const SurfaceDistance& b, double error, std::vector<Vec3>& beyond,
+                const Progress& progress) {
+  std::vector<Vec3> beyondOther;
+  const Within one = liesWithin(a, b, error, progress.part(0.0, 0.6), &beyond);
+  const Within other = liesWithin(b, a, error, progress.part(0.6, 1.0), &beyondOther);
+  beyond.insert(beyond.end(), beyondOther.begin(), beyondOther.end());
+  if (one == Within::No || other == Within::No) return Within::No;
+  return other == Within::Yes ? one : other;
+}
+
+// The vertices of the faces of the surface that come as near to these places.
+void addVerticesNear(const SurfaceDistance& surface, const std::vector<Vec3>& places, double reach,
+                     std::vector<Vertex>& vertices) {
+  for (const Vec3& p : places) {
+    const Box box(p - Vec3::Constant(reach), p + Vec3::Constant(reach));
+    surface.hierarchy().forEachInBox(box, [&](std::uint32_t triangle) {
+      for (const Vertex v : surface.mesh().triangle(surface.faces()[triangle])) vertices.push_back(v);
+      return true;
+    });
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+}
+
+// Where a try is found to be too far between the points that each collapse was checked at, the next one leaves the
+// surface as it was, and looks at more points elsewhere. Of no use once cancelled.
+void decimateWithin(HalfEdgeMesh& mesh, const DecimationOptions& options, DecimationReport& report,
+                    const Progress& progress) {
+  const HalfEdgeMesh original = mesh;
+  const SurfaceDistance surface(original);
+  double error = kFirstShare * *options.error, reach = 2.0 * *options.error, from = 0.0;
+  std::vector<Vertex> fixed;
+  for (int i = 0; i < kTries; ++i, error *= kNextShare, reach *= 2.0) {
+    const double to = 0.5 * (from + 1.0);
+    const Progress whole = progress.part(from, to);
+    from = to;
+    mesh = original;
+    ErrorTracker check(original, error, i + 1, whole.part(0.0, 0.05));
+    report.cancelled = !Decimator(mesh, options, {&check, fixed}, whole.part(0.05, 0.1)).run(whole.part(0.1, 0.6));
+    if (report.cancelled) return;
+    std::vector<Vec3> beyond;
+    const Within within = isWithin(SurfaceDistance(mesh), surface, *options.error, beyond, whole.part(0.6, 0.8));
+    if (within == Within::No) {
+      addVerticesNear(surface, beyond, reach, fixed);
+      continue;
+    }
+    report.largestDistance = largestDistance(mesh, original, whole.part(0.8, 1.0));
+    report.isProven = within == Within::Yes;
+    report.cancelled = progress.cancelled();
+    if (report.cancelled || report.largestDistance.value_or(0.0) <= *options.error) return;
+  }
+  mesh = original;
+  report.largestDistance = 0.0;
+  report.isProven = true;
+}
+
+}  // namespace
+
+DecimationReport decimate(HalfEdgeMesh& mesh, const DecimationOptions& options, Progress progress) {
+  const HalfEdgeMesh original = mesh;
+  DecimationReport report;
+  report.facesBefore = mesh.liveFaceCount();
+  report.removedDegenerate = removeDegenerate(mesh);
+  if (options.error) {
+    decimateWithin(mesh, options, report, progress);
+  } else {
+    report.cancelled = !Decimator(mesh, options, {}, progress.part(0.0, 0.05)).run(progress.part(0.05, 1.0));
+  }
+  if (report.cancelled) mesh = original;
+  report.facesAfter = mesh.liveFaceCount();
+  return report;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/simplify/Decimator.h"
+
+#include "mesh/search/IncrementalHierarchy.h"
+#include "mesh/simplify/CollapsePlacement.h"
+#include "mesh/structure/CancelPolling.h"
+#include "mesh/structure/EdgeCollapse.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handwheel {
+namespace {
+
+constexpr double kFlipCosine = 0.2;  // between a face's normals before and after
+constexpr double kNeedle = 0.01;     // area as a share of an equilateral triangle's with the same sum of squares
+constexpr double kThinner = 0.9;     // as a share of the thinnest before: where all are needles they may shear a little
+constexpr std::size_t kCollapsesPerLook = 256;
+
+Vec3 areaNormal(const TrianglePoints& t) {
+  return 0.5 * (t[1] - t[0]).cross(t[2] - t[0]);
+}
+
+// 1 for an equilateral triangle, 0 for one without area.
+double roundnessOf(const TrianglePoints& t) {
+  const double squares = (t[1] - t[0]).squaredNorm() + (t[2] - t[1]).squaredNorm() + (t[0] - t[2]).squaredNorm();
+  return squares > 0.0 ? 4.0 * std::sqrt(3.0) * areaNormal(t).norm() / squares : 0.0;
+}
+
+}  // namespace
+
+bool Decimator::prepare(const Progress& progress) {
+  m_stamp.assign(m_mesh.vertexSlots(), 0);
+  m_inStar.assign(m_mesh.faceSlots(), 0);
+  for (Face f = 0; m_options.avoidIntersections && f < m_mesh.faceSlots(); ++f) {
+    if (!pollProgress(f, m_mesh.faceSlots(), progress)) return false;
+    if (m_mesh.isLive(f)) m_grid.add(f, boxOf(m_mesh.points(f)));
+  }
+  return !progress.cancelled();
+}
+
+void Decimator::offer(HalfEdge h) {
+  if (m_mesh.hasOpposite(h)) h = std::min(h, m_mesh.opposite(h));
+  const auto placing = collapsePlacement(m_mesh, m_holds, h);
+  if (placing) m_queue.push({placing->cost, h, m_stamp[m_mesh.from(h)], m_stamp[m_mesh.to(h)]});
+}
+
+bool Decimator::seed(const Progress& progress) {
+  for (HalfEdge h = 0; h < m_mesh.halfEdgeSlots(); ++h) {
+    if (!pollProgress(h, m_mesh.halfEdgeSlots(), progress, kSearchesPerPoll)) return false;
+    if (!m_mesh.isProper(HalfEdgeMesh::face(h))) continue;
+    if (!m_mesh.hasOpposite(h) || h < m_mesh.opposite(h)) offer(h);
+  }
+  return true;
+}
+
+void Decimator::takeStar(HalfEdge h, const Vec3& p) {
+  m_star = {};
+  const Face f = HalfEdgeMesh::face(h), o = m_mesh.hasOpposite(h) ? HalfEdgeMesh::face(m_mesh.opposite(h)) : kNone;
+  for (const HalfEdge end : {h, HalfEdgeMesh::next(h)}) {
+    forEachInFan(m_mesh, end, [&](HalfEdge g) {
+      if (HalfEdgeMesh::face(g) == f || HalfEdgeMesh::face(g) == o) return true;
+      const Vec3 &to = m_mesh.position(m_mesh.to(g)), &last = m_mesh.position(m_mesh.to(HalfEdgeMesh::next(g)));
+      m_star.faces.push_back(HalfEdgeMesh::face(g));
+      m_star.before.push_back({m_mesh.position(m_mesh.from(g)), to, last});
+      m_star.after.push_back({p, to, last});
+      return true;
+    });
+  }
+  m_star.faces.push_back(f);
+  if (o != kNone) m_star.faces.push_back(o);
+}
+
+// No face turns over, loses its area, or becomes a needle much thinner than those that were there.
+bool Decimator::keepsShape() const {
+  double thinnest = 1.0, thinnestBefore = 1.0;
+  for (std::size_t i = 0; i < m_star.after.size(); ++i) {
+    const Vec3 before = areaNormal(m_star.before[i]), after = areaNormal(m_star.after[i]);
+    if (isDegenerate(m_star.after[i])) return false;
+    if (!before.isZero() && before.dot(after) <= kFlipCosine * before.norm() * after.norm()) return false;
+    thinnest = std::min(thinnest, roundnessOf(m_star.after[i]));
+    thinnestBefore = std::min(thinnestBefore, roundnessOf(m_star.before[i]));
+  }
+  return thinnest >= std::min(kNeedle, kThinner * thinnestBefore);
+}
+
+bool Decimator::meetsNothing() {
+  ++m_stars;
+  for (const Face f : m_star.faces) m_inStar[f] = m_stars;
+  for (std::size_t i = 0; i < m_star.after.size(); ++i) {
+    const TrianglePoints& t = m_star.after[i];
+    for (std::size_t j = 0; j < i; ++j) {
+      if (trianglesMeet(t, m_star.after[j])) return false;
+    }
+    const Box box = boxOf(t);
+    const bool isClear = m_grid.forEachNear(box, [&](Face other) {
+      if (m_inStar[other] == m_stars) return true;
+      const TrianglePoints points = m_mesh.points(other);
+      return !boxOf(points).intersects(box) || isDegenerate(points) || !trianglesMeet(t, points);
+    });
+    if (!isClear) return false;
+  }
+  return true;
+}
+
+bool Decimator::isAllowed(HalfEdge h, const Vec3& p) {
+  if (m_holds.mergesCreases(m_mesh, h) || !canCollapse(m_mesh, h)) return false;
+  takeStar(h, p);
+  if (!keepsShape()) return false;
+  if (m_options.avoidIntersections && !meetsNothing()) return false;
+  return !m_error || m_error->allows(m_star.faces, m_star.after);
+}
+
+void Decimator::collapse(HalfEdge h, const Vec3& p) {
+  const Vertex a = m_mesh.from(h);
+  const bool isInner = m_mesh.hasOpposite(h);
+  m_holds.beforeCollapse(m_mesh, h);
+  if (m_options.avoidIntersections) {
+    for (const Face f : m_star.faces) m_grid.remove(f, boxOf(m_mesh.points(f)));
+  }
+  const HalfEdge leaving = collapseEdge(m_mesh, h, p);
+  const std::span<const Face> stay = std::span<const Face>(m_star.faces).first(m_star.after.size());
+  if (m_options.avoidIntersections) {
+    for (const Face f : stay) m_grid.add(f, boxOf(m_mesh.points(f)));
+  }
+  if (m_error) m_error->replace(m_star.faces, stay);
+  m_faces -= isInner ? 2 : 1;
+  ++m_stamp[a];
+  forEachInFan(m_mesh, leaving, [&](HalfEdge g) {
+    offer(g);
+    const HalfEdge back = HalfEdgeMesh::previous(g);
+    if (!m_mesh.hasOpposite(back)) offer(back);
+    return true;
+  });
+}
+
+bool Decimator::drain(const Progress& progress) {
+  const double toGo = static_cast<double>(m_faces - std::min(m_faces, m_options.faces)), start = double(m_faces);
+  for (std::size_t i = 0; !m_queue.empty() && m_faces > m_options.faces; ++i) {
+    if (i % kCollapsesPerLook == 0) {
+      if (progress.cancelled()) return false;
+      progress.set((start - static_cast<double>(m_faces)) / toGo);
+    }
+    const Candidate c = m_queue.top();
+    m_queue.pop();
+    if (!m_mesh.isLive(HalfEdgeMesh::face(c.edge))) continue;
+    if (m_stamp[m_mesh.from(c.edge)] != c.fromStamp || m_stamp[m_mesh.to(c.edge)] != c.toStamp) continue;
+    // The faces around its ends may have changed since: then it queues again.
+    const auto placing = collapsePlacement(m_mesh, m_holds, c.edge);
+    if (placing && placing->cost > c.cost) {
+      m_queue.push({placing->cost, c.edge, c.fromStamp, c.toStamp});
+    } else if (placing && isAllowed(c.edge, placing->place)) {
+      collapse(c.edge, placing->place);
+    }
+  }
+  return true;
+}
+
+bool Decimator::run(const Progress& progress) {
+  if (!prepare(progress.part(0.0, 0.05))) return false;
+  // Edges that were refused are tried again once their surroundings have changed, as long as that brings something.
+  double from = 0.05;
+  std::size_t before = 0;
+  do {
+    before = m_faces;
+    const Progress round = progress.part(from, 0.5 * (from + 1.0));
+    from = 0.5 * (from + 1.0);
+    m_queue = {};
+    if (!seed(round.part(0.0, 0.3)) || !drain(round.part(0.3, 1.0))) return false;
+  } while (m_faces > m_options.faces && before - m_faces > before / 100);
+  return true;
+}
+
+}  // namespace handwheel

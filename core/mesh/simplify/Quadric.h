@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Geometry.h"
+
+namespace handwheel {
+
+// A quadric error metric: a weighted sum of squared distances from planes. It is a function of the place relative to an
+// origin that its owner keeps near: far from it, differences of large numbers would lose the result (Garland and
+// Heckbert, "Surface simplification using quadric error metrics", 1997).
+struct Quadric {
+  Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
+  Vec3 b = Vec3::Zero();
+  double c = 0.0;
+
+  // The plane through a point relative to the origin; unit normal.
+  static Quadric ofPlane(const Vec3& point, const Vec3& normal, double weight) {
+    const double offset = -normal.dot(point);
+    return {weight * normal * normal.transpose(), weight * offset * normal, weight * offset * offset};
+  }
+
+  Quadric& operator+=(const Quadric& other) {
+    a += other.a;
+    b += other.b;
+    c += other.c;
+    return *this;
+  }
+
+  // The same function about another origin, which lies at "by" from this one.
+  Quadric movedTo(const Vec3& by) const { return {a, b + a * by, c + 2.0 * b.dot(by) + by.dot(a * by)}; }
+
+  double at(const Vec3& p) const { return p.dot(a * p) + 2.0 * b.dot(p) + c; }
+
+  // Where it is least; where that is a line or a plane, near "wanted". pull: the weight of the distance from "wanted",
+  // as a share of the trace.
+  Vec3 leastNear(const Vec3& wanted, double pull) const {
+    const double weight = pull * a.trace();
+    if (!(weight > 0.0)) return wanted;
+    const Eigen::Matrix3d m = a + weight * Eigen::Matrix3d::Identity();
+    return m.llt().solve(Vec3(weight * wanted - b));
+  }
+};
+
+}  // namespace handwheel

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "mesh/structure/HalfEdgeMesh.h"
+
+#include <optional>
+#include <vector>
+
+namespace handwheel {
+
+// The constraints on a vertex during simplification, in order of strength.
+enum class VertexConstraint : std::uint8_t {
+  Free,
+  Crease,  // stays on the two sharp edges that it is on
+  Fixed,
+};
+
+// The vertices that must stay in place while edges of a mesh collapse. These are vertices at seams, at positions that
+// several vertices share, and, as asked for, at borders and creases.
+class VertexConstraints {
+ public:
+  // creaseAngle: between the normals of two faces, from which on their edge is a crease (radian). Invalid if cancelled.
+  VertexConstraints(const HalfEdgeMesh& mesh, bool keepBorders, std::optional<double> creaseAngle, Progress progress);
+
+  void fix(Vertex v) { m_hold[v] = VertexConstraint::Fixed; }
+  VertexConstraint of(Vertex v) const { return m_hold[v]; }
+  bool isCrease(HalfEdge h) const { return !m_crease.empty() && m_crease[h]; }
+
+  // Whether two creases would become one if the edge collapsed.
+  bool mergesCreases(const HalfEdgeMesh& mesh, HalfEdge h) const;
+  // To be called before collapseEdge().
+  void beforeCollapse(const HalfEdgeMesh& mesh, HalfEdge h);
+
+ private:
+  bool holdOpenEdges(const HalfEdgeMesh& mesh, bool keepBorders, const Progress& progress);
+  void holdSharedPlaces(const HalfEdgeMesh& mesh, const Progress& progress);
+  void holdCreases(const HalfEdgeMesh& mesh, double angle, const Progress& progress);
+
+  std::vector<VertexConstraint> m_hold;  // per vertex
+  std::vector<bool> m_isUsed;            // per vertex; while it is made
+  std::vector<std::uint8_t> m_crease;    // per half-edge; empty where creases do not matter
+};
+
+}  // namespace handwheel

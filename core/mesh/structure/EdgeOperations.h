@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/structure/HalfEdgeMesh.h"
+
+namespace handwheel {
+
+// Flips an edge: replaces it by the other diagonal of its two faces. False, and nothing changed, when there is no
+// second face, a new face would have no area, or the diagonal exists already.
+bool flipEdge(HalfEdgeMesh& mesh, HalfEdge h);
+
+// Splits an edge with two faces by a new vertex; each face becomes two. The second halves are the two last faces, that
+// of h first. Returns a half-edge that leaves the new vertex.
+HalfEdge splitEdge(HalfEdgeMesh& mesh, HalfEdge h, const Vec3& p);
+
+}  // namespace handwheel

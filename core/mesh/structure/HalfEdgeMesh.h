@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Geometry.h"
+#include "base/PagedArray.h"
+#include "mesh/structure/TriangleSoup.h"
+#include "proximity/TriangleIntersection.h"
+
+namespace handwheel {
+
+using Vertex = std::uint32_t;
+using Face = std::uint32_t;
+using HalfEdge = std::uint32_t;
+
+// The kinds of half-edges without an opposite.
+enum class Open : std::uint32_t {
+  Border = kNone,    // nothing: the surface ends here
+  Seam = kNone - 1,  // further faces that could not be paired: the edge has more than two faces in the file, or the
+                     // surface is non-orientable (Möbius strip). No hole by itself, but the loop of one may run along
+                     // it.
+};
+
+// An oriented manifold triangle mesh as a half-edge structure. Every vertex has one fan of faces and every edge at most
+// two. It is the directed edge structure of Campagna, Kobbelt, Seidel, "Directed Edges" (1998): half-edge h belongs to
+// face h / 3, runs from corner h % 3 to the next, and stores its opposite. All three arrays are paged and shared
+// between copies, so a copy is a cheap snapshot and two versions are compared page by page (MeshDelta).
+//
+// Faces and vertices keep their numbers for life: removed ones leave a dead slot. A face with a repeated vertex is kept
+// but joins nothing: its half-edges have no opposite and are not border.
+class HalfEdgeMesh {
+ public:
+  std::size_t vertexSlots() const { return m_positions.size(); }
+  std::size_t faceSlots() const { return m_faces.size(); }
+  std::size_t halfEdgeSlots() const { return 3 * m_faces.size(); }
+
+  const Vec3& position(Vertex v) const { return m_positions[v]; }
+  const Triangle& triangle(Face f) const { return m_faces[f].corners; }
+  bool isLive(Face f) const { return m_faces[f].corners[0] != kNone; }
+  // True when all three corners differ: the face takes part in the surface.
+  bool isProper(Face f) const;
+
+  static Face face(HalfEdge h) { return h / 3; }
+  static HalfEdge next(HalfEdge h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static HalfEdge previous(HalfEdge h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  Vertex from(HalfEdge h) const { return m_faces[h / 3].corners[h % 3]; }
+  Vertex to(HalfEdge h) const { return from(next(h)); }
+  // The half-edge of the neighbour, or a value of Open.
+  HalfEdge opposite(HalfEdge h) const { return m_faces[h / 3].opposites[h % 3]; }
+  bool hasOpposite(HalfEdge h) const { return opposite(h) < static_cast<std::uint32_t>(Open::Seam); }
+  bool isBorder(HalfEdge h) const;
+  bool isSeam(HalfEdge h) const;
+
+  // The next open half-edge along the rim, walking around the end vertex of h. h must be open and proper.
+  HalfEdge nextOpen(HalfEdge h) const;
+
+  // The half-edges that leave the same fan of faces as h, counter-clockwise, from the open one where there is one.
+  // h must be proper.
+  std::vector<HalfEdge> fan(HalfEdge h) const;
+  TrianglePoints points(Face f) const;
+
+  std::size_t liveFaceCount() const;
+  // The live faces and the vertices they use, renumbered without gaps; faceOf[i] is the face of triangle i.
+  struct Compact {
+    TriangleSoup soup;
+    std::vector<Face> faceOf;
+    std::vector<Vertex> vertexOf;
+  };
+  Compact compact() const;
+
+  // Low-level changes. They keep nothing consistent: the caller does, or relink() (MeshBuilder.h). Each run of changes
+  // ends with a mesh that validate() (MeshValidator.h) accepts.
+  Vertex addVertex(const Vec3& p);
+  void setPosition(Vertex v, const Vec3& p) { m_positions.set(v, p); }
+  Face addFace(const Triangle& corners);
+  // A face with its neighbours, or a dead slot: as a file holds them.
+  Face addSlot(const Triangle& corners, const std::array<HalfEdge, 3>& opposites);
+  void removeFace(Face f);  // neighbours become border
+  // Removes the slots from these numbers on; there must be at least so many.
+  void truncate(std::size_t vertexSlots, std::size_t faceSlots);
+  void setCorner(HalfEdge h, Vertex v);
+  void setTriangle(Face f, const Triangle& corners);
+  void setOpposite(HalfEdge h, HalfEdge value);
+  void pair(HalfEdge a, HalfEdge b);
+  void setOpen(HalfEdge h, Open kind);
+
+ private:
+  friend class MeshDelta;
+
+  struct FaceSlot {
+    Triangle corners{kNone, kNone, kNone};
+    std::array<HalfEdge, 3> opposites{kNone, kNone, kNone};
+    bool operator==(const FaceSlot&) const = default;
+  };
+
+  PagedArray<Vec3> m_positions;
+  PagedArray<FaceSlot> m_faces;
+};
+
+}  // namespace handwheel

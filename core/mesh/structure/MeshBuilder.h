@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "base/Result.h"
+#include "mesh/structure/HalfEdgeMesh.h"
+
+namespace handwheel {
+
+// The decisions made in building a half-edge mesh. Numbers are those of the built mesh.
+struct BuildReport {
+  std::size_t weldedPoints = 0;       // points of the file that shared an exact position with an earlier one
+  std::vector<Face> turnedFaces;      // reversed so that neighbours agree
+  std::vector<Vertex> splitVertices;  // vertices made because one position had several fans of faces
+  std::size_t nonManifoldEdges = 0;   // edges with more than two faces in the file
+  std::size_t unpairedHalfEdges = 0;  // half-edges left as Open::Seam
+};
+
+// A mesh with the report of its building.
+struct BuiltMesh {
+  HalfEdgeMesh mesh;
+  BuildReport report;
+};
+
+// Builds a half-edge mesh from a triangle soup. Welds exactly equal positions, reverses faces so that neighbours agree
+// (the fewest in each part), pairs the faces at edges with more than two by the solid wedge between them, and gives
+// every fan of faces a vertex of its own. Face i of the mesh is triangle i of the soup: none is dropped, none is added.
+// Empty if cancelled.
+BuiltMesh buildMesh(const TriangleSoup& soup, Progress progress = {});
+
+// Rebuilds the connectivity of a mesh in place after its faces changed. As buildMesh(), pairs everything anew by
+// position. Face and vertex numbers stay; where a position has more fans than vertices, vertices are added. If
+// cancelled, the mesh is unchanged.
+BuildReport relink(HalfEdgeMesh& mesh, Progress progress = {});
+
+}  // namespace handwheel

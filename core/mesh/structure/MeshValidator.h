@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "mesh/structure/HalfEdgeMesh.h"
+
+#include <string>
+
+namespace handwheel {
+
+// Checks every invariant of the half-edge mesh. Returns the first that is broken, or an empty string. For meshes from
+// files, and for tests. If cancelled, it says so. O(n).
+//  - corners of live faces are vertices in range with finite positions; dead faces have no neighbours;
+//  - opposites are mutual, run the other way along the same two vertices, and join proper live faces;
+//  - a vertex has exactly one fan of proper faces.
+std::string validate(const HalfEdgeMesh& mesh, Progress progress = {});
+
+}  // namespace handwheel

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/structure/HalfEdgeMesh.h"
+#include "mesh/structure/Weld.h"
+
+namespace handwheel {
+
+// The faces of a mesh as a file stores them: over positions instead of vertices. Index i is face i; a dead face is a
+// degenerate triangle that joins nothing.
+struct PositionTriangles {
+  // The result is invalid if cancelled.
+  explicit PositionTriangles(const HalfEdgeMesh& mesh, Progress progress = {});
+
+  PointClasses classes;             // of the mesh's vertices
+  std::vector<Triangle> triangles;  // over classes
+};
+
+// Counts the edges that do not have exactly two faces in the file. These are open edges, and those where more meet.
+// O(n log n).
+std::size_t countBadEdges(const HalfEdgeMesh& mesh, Progress progress = {});
+
+}  // namespace handwheel

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace handwheel {
+
+// Suppresses CGAL's error messages on stderr during its lifetime. CGAL reports broken preconditions there unless told
+// not to; here they are ordinary refusals, thrown and caught.
+class QuietCgal {
+ public:
+  QuietCgal();
+  ~QuietCgal();
+  QuietCgal(const QuietCgal&) = delete;
+  QuietCgal& operator=(const QuietCgal&) = delete;
+
+ private:
+  using Handler = void (*)(const char*, const char*, const char*, int, const char*);
+  Handler m_error;
+  Handler m_warning;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "mesh/structure/HalfEdgeMesh.h"
+
+#include <span>
+#include <vector>
+
+namespace handwheel {
+
+// Finds the shells of a mesh: live faces that are connected across edges. Shells are in order of their first face,
+// faces in order. Two bodies that touch in a vertex, or along an edge with four faces, are two shells. The result is
+// invalid if cancelled. O(n).
+std::vector<std::vector<Face>> findShells(const HalfEdgeMesh& mesh, Progress progress = {});
+
+// Extracts faces as a mesh of their own. Face i is faces[i], vertices are in order of their first use. Edges to faces
+// left out are border; those to others stay as they were. Each face is live and named once.
+HalfEdgeMesh extracted(const HalfEdgeMesh& mesh, std::span<const Face> faces);
+
+// Splits a mesh into its shells, in the order of findShells(). Empty if cancelled. O(n).
+std::vector<HalfEdgeMesh> splitIntoShells(const HalfEdgeMesh& mesh, Progress progress = {});
+
+// Appends the live faces of another mesh. They get vertices of their own: nothing is joined, even where borders
+// coincide (relink() does that). Returns the number of the first.
+Face append(HalfEdgeMesh& mesh, const HalfEdgeMesh& other);
+
+}  // namespace handwheel

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/mesh/boundary/BorderPicking.h"
+
+#include "document/mesh/MeshDocument.h"
+#include "mesh/boundary/HolePick.h"
+
+#include <QtGlobal>
+
+namespace handwheel {
+
+const char* const kEdgeChanged = QT_TRANSLATE_NOOP("Tool", "the edge has changed meanwhile");
+
+const char* textOf(JoinProblem problem) {
+  switch (problem) {
+    case JoinProblem::None:
+      break;
+    case JoinProblem::SamePoint:
+      return QT_TRANSLATE_NOOP("Property", "Two of the points are one.");
+    case JoinProblem::NoArea:
+      return QT_TRANSLATE_NOOP("Property", "A triangle would have no area.");
+    case JoinProblem::EdgeFull:
+      return QT_TRANSLATE_NOOP("Property", "An edge would have more than two triangles.");
+    case JoinProblem::WrongWay:
+      return QT_TRANSLATE_NOOP("Property", "The triangle beside it faces the other way.");
+    case JoinProblem::CornerOnly:
+      return QT_TRANSLATE_NOOP("Property", "It would touch the surface in a point only.");
+    case JoinProblem::Crosses:
+      return QT_TRANSLATE_NOOP("Property", "It would cross or touch the part.");
+    case JoinProblem::TurnsOver:
+      return QT_TRANSLATE_NOOP("Property", "A triangle would turn over or lose its area.");
+    case JoinProblem::NoBorder:
+      return QT_TRANSLATE_NOOP("Property", "There is no open edge.");
+  }
+  return "";
+}
+
+const char* hintOf(JoinProblem problem, const char* otherwise) {
+  switch (problem) {
+    case JoinProblem::None:
+      break;
+    case JoinProblem::SamePoint:
+      return QT_TRANSLATE_NOOP("Tool", "nothing: two of the points are one");
+    case JoinProblem::NoArea:
+    case JoinProblem::TurnsOver:
+      return QT_TRANSLATE_NOOP("Tool", "nothing: a triangle would turn over or have no area");
+    case JoinProblem::EdgeFull:
+      return QT_TRANSLATE_NOOP("Tool", "nothing: an edge would have more than two triangles");
+    case JoinProblem::WrongWay:
+      return QT_TRANSLATE_NOOP("Tool", "nothing: the triangle beside it faces the other way");
+    case JoinProblem::CornerOnly:
+      return QT_TRANSLATE_NOOP("Tool", "nothing: it would touch the surface in a point only");
+    case JoinProblem::Crosses:
+      return QT_TRANSLATE_NOOP("Tool", "nothing: it would cross or touch the part");
+    case JoinProblem::NoBorder:
+      return QT_TRANSLATE_NOOP("Tool", "nothing: there is no open edge");
+  }
+  return otherwise;
+}
+
+std::optional<BorderPoint> BorderPicking::pointAt(const PickRay& pickRay, const std::optional<Vec3>& without) const {
+  const auto faces = m_faces();
+  if (!faces) return std::nullopt;
+  return pickBorderPoint(m_document.mesh(), m_document.defects().loops, *faces, pickRay, without);
+}
+
+std::optional<Vertex> BorderPicking::loopAt(const PickRay& pickRay) const {
+  const auto faces = m_faces();
+  if (!faces) return std::nullopt;
+  const auto& loops = m_document.defects().loops;
+  const auto loop = pickHole(m_document.mesh(), loops, *faces, pickRay);
+  return loop ? std::optional(keyOf(m_document.mesh(), loops[*loop])) : std::nullopt;
+}
+
+std::shared_ptr<const NearFaces> BorderPicking::near() {
+  const auto faces = m_faces();
+  if (!faces) return nullptr;
+  if (!m_near || m_older != faces || m_revision != m_document.revision()) {
+    m_near = std::make_shared<const NearFaces>(m_document.mesh(), faces);
+    m_older = faces;
+    m_revision = m_document.revision();
+  }
+  return m_near;
+}
+
+}  // namespace handwheel

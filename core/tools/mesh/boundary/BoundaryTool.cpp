@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/mesh/boundary/BoundaryTool.h"
+
+#include "document/mesh/MeshDocument.h"
+#include "tools/AxisDrag.h"
+#include "tools/mesh/HandChanges.h"
+
+#include <QtGlobal>
+#include <utility>
+
+// How BoundaryTool follows the pointer; BoundaryToolActions.cpp has the rest.
+namespace handwheel {
+namespace {
+
+constexpr double kStill = 3.0;       // pixels of a click's tremor
+constexpr double kStillHand = 12.0;  // of a stylus in the air: a millimetre, by which its button moves it
+constexpr double kMark = 6.0;        // pixels, radius of the mark on a point
+
+}  // namespace
+
+BoundaryTool::BoundaryTool(MeshDocument& document, MeshServices services, std::optional<Vertex> first)
+    : m_document(document), m_services(std::move(services)), m_picking(document, m_services) {
+  choose(first);
+}
+
+BoundaryTool::~BoundaryTool() {
+  if (m_job) m_services.cancel();
+}
+
+const HalfEdgeMesh& BoundaryTool::mesh() const {
+  return m_document.mesh();
+}
+
+const BoundaryLoop* BoundaryTool::loop() const {
+  return m_key ? loopWithKey(mesh(), m_document.defects().loops, *m_key) : nullptr;
+}
+
+void BoundaryTool::choose(std::optional<Vertex> key) {
+  if (key != m_key) dropProposal();
+  m_key = key;
+  if (!loop()) m_key.reset();
+}
+
+ToolReply BoundaryTool::pointer(const PointerEvent& given) {
+  PointerEvent event = given;
+  event.ray.direction.stableNormalize();
+  switch (event.kind) {
+    case PointerEvent::Kind::Hover:
+      return hover(event);
+    case PointerEvent::Kind::Press:
+    case PointerEvent::Kind::DoubleClick:
+      return press(event);
+    case PointerEvent::Kind::Drag:
+      if (!m_drag) return ToolReply::Ignored;
+      follow(event);
+      return ToolReply::Used;
+    case PointerEvent::Kind::Release:
+      return release(event);
+    case PointerEvent::Kind::Leave:
+      break;
+  }
+  m_hovered.reset();
+  m_hoveredLoop.reset();
+  return ToolReply::Used;
+}
+
+ToolReply BoundaryTool::hover(const PointerEvent& event) {
+  m_hovered.reset();
+  m_hoveredLoop.reset();
+  if (!event.ray.isUsable()) return ToolReply::Used;
+  m_hovered = m_picking.pointAt(event.pickRay());
+  if (m_hovered) {
+    m_mark = kMark * event.pickRay().pixelAt(mesh().position(mesh().from(m_hovered->at)));
+    m_hoveredLoop = keyOf(mesh(), m_document.defects().loops[m_hovered->loop]);
+  } else {
+    m_hoveredLoop = m_picking.loopAt(event.pickRay());
+  }
+  return ToolReply::Used;
+}
+
+ToolReply BoundaryTool::press(const PointerEvent& event) {
+  if (m_drag) {
+    if (event.button == PointerButton::Second) m_drag.reset();
+    return ToolReply::Used;
+  }
+  if (event.device && event.button == PointerButton::Second) return perform("commit");
+  if (event.button != PointerButton::First || !event.ray.isUsable()) return ToolReply::Ignored;
+  hover(event);
+  if (!m_hoveredLoop) return ToolReply::Ignored;  // the camera's
+  choose(m_hoveredLoop);
+  const auto near = m_hovered ? m_picking.near() : nullptr;
+  if (!near) return ToolReply::Used;
+  dropProposal();
+  const Vertex v = mesh().from(m_hovered->at);
+  const double still = (event.device ? kStillHand : kStill) * event.pickRay().pixelAt(mesh().position(v));
+  Drag drag{near, *m_hovered, VertexPull(near, v), event.ray, {}, still};
+  if (event.device) drag.tip = event.device->translation();
+  drag.place = drag.stop = drag.pull.start();
+  m_drag = std::move(drag);
+  return ToolReply::Used;
+}
+
+void BoundaryTool::follow(const PointerEvent& event) {
+  if (!event.ray.isUsable()) return;
+  const Vec3 start = m_drag->pull.start();
+  const auto place = event.device && m_drag->tip
+                         ? std::optional<Vec3>(start + event.device->translation() - *m_drag->tip)
+                         : placeUnder(start, m_drag->grip.direction, event.ray);
+  if (!place || !place->allFinite()) return;
+  m_drag->hasMoved |= (*place - start).stableNorm() > m_drag->still;
+  if (!m_drag->hasMoved) return;
+  m_drag->place = *place;
+  const bool isBridge = (m_onto == Onto::Bridge) != event.modifiers.shift;
+  const auto snapped = event.modifiers.control ? std::nullopt : m_picking.pointAt(event.pickRay(), start);
+  if (snapped) {
+    m_drag->place = mesh().position(mesh().from(snapped->at));
+    return aim(isBridge ? Deed::Bridge : Deed::Weld, snapped->at);
+  }
+  aim(isBridge ? Deed::Bridge : Deed::Pull, kNone);
+  if (m_drag->deed == Deed::Bridge) return;
+  const VertexPull::Place reached = m_drag->pull.towards(m_drag->place);
+  m_drag->stop = reached.point;
+  m_drag->problem = reached.problem;
+}
+
+// What would come of joining the held point with another; none: of letting go here.
+void BoundaryTool::aim(Deed deed, HalfEdge target) {
+  if (m_drag->deed == deed && m_drag->target == target && target != kNone) return;
+  m_drag->deed = deed;
+  m_drag->target = target;
+  m_drag->stop = m_drag->pull.start();
+  m_drag->problem = JoinProblem::None;
+  m_drag->weld = {};
+  m_drag->bridge = {};
+  if (target == kNone) return;
+  const BorderPair ends{m_drag->held.at, target};
+  if (deed == Deed::Weld) {
+    m_drag->weld = weldBorder(*m_drag->near, ends);
+    m_drag->problem = m_drag->weld.problem;
+  } else {
+    m_drag->bridge = findBridge(*m_drag->near, ends);
+    m_drag->problem = m_drag->bridge.problem;
+  }
+}
+
+ToolReply BoundaryTool::release(const PointerEvent& event) {
+  if (event.button != PointerButton::First || !m_drag) return ToolReply::Ignored;
+  follow(event);
+  const Drag drag = *std::exchange(m_drag, std::nullopt);
+  m_hovered.reset();
+  if (drag.hasMoved) commitDrag(drag);
+  return ToolReply::Used;
+}
+
+// The recipes look again: by the time they are carried out the mesh may be another.
+void BoundaryTool::commitDrag(const Drag& drag) {
+  const HalfEdgeMesh& known = drag.near->mesh();
+  if (drag.deed == Deed::Pull) {
+    const Vec3 start = drag.pull.start();
+    if (drag.stop == start) return;
+    const Vertex v = known.from(drag.held.at);
+    const auto isThere = [v, start](const HalfEdgeMesh& mesh) {
+      return v < mesh.vertexSlots() && mesh.position(v) == start;
+    };
+    return m_services.commit(onlyWhere(isThere, pullChange(v, drag.stop)));
+  }
+  if (drag.target == kNone || drag.problem != JoinProblem::None) return;
+  const BorderPair ends{drag.held.at, drag.target};
+  const auto isThere = [known, ends](const HalfEdgeMesh& mesh) {
+    for (const HalfEdge h : {ends.a, ends.b}) {
+      const Face f = HalfEdgeMesh::face(h);
+      if (f >= mesh.faceSlots() || mesh.triangle(f) != known.triangle(f) || mesh.points(f) != known.points(f) ||
+          mesh.hasOpposite(h))
+        return false;
+    }
+    return true;
+  };
+  m_services.commit(onlyWhere(isThere, drag.deed == Deed::Weld ? joinChange(ends) : bridgeChange(ends)));
+}
+
+}  // namespace handwheel

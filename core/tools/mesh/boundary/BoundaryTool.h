@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/boundary/BorderSmoothing.h"
+#include "mesh/boundary/BorderWelding.h"
+#include "mesh/boundary/VertexPull.h"
+#include "tools/ToolKey.h"
+#include "tools/mesh/MeshSelection.h"
+#include "tools/mesh/boundary/BorderPicking.h"
+
+namespace handwheel {
+
+// Tool for editing the edges of holes by hand (He 2008, section 4.2). A point of an edge is pulled with the pointer,
+// moved to another and joined with it, or a bridge is added between the two; a chosen edge is smoothed, its islands and
+// peninsulas are removed. A change of a whole edge is previewed first and applied with Return.
+class BoundaryTool : public Tool {
+ public:
+  // The document must outlive all calls but the destructor's. first: the key of the loop to begin with.
+  BoundaryTool(MeshDocument& document, MeshServices services, std::optional<Vertex> first = std::nullopt);
+  ~BoundaryTool() override;
+
+  // Chooses a loop by its key; none when there is no such loop.
+  void choose(std::optional<Vertex> key);
+  const BoundaryLoop* loop() const;  // the chosen one, or null
+  bool isBusy() const { return m_drag || m_proposal || m_job; }
+  JoinProblem problem() const { return m_drag ? m_drag->problem : JoinProblem::None; }
+
+  static std::span<const ToolKey> keys();
+  std::string id() const override { return "boundary"; }
+  ToolReply pointer(const PointerEvent& event) override;
+  ToolReply perform(std::string_view action) override;
+  std::vector<ToolAction> actions() const override;
+  ToolPreview preview() const override;
+  std::vector<Property> settings() const override;
+  void setSetting(std::string_view id, const PropertyValue& value) override;
+  std::vector<ForceTerm> forces() const override;
+  Magnets magnets() const override { return {.borderPoints = true, .borderEdges = true}; }
+  void documentChanged() override;
+  std::vector<std::string> needs() const override { return {"picking"}; }
+
+ private:
+  // What happens to a point that is dropped onto another; Shift exchanges the two.
+  enum class Onto { Join, Bridge };
+  // What happens to the dragged point.
+  enum class Deed { Pull, Weld, Bridge };
+  struct Drag {
+    std::shared_ptr<const NearFaces> near;
+    BorderPoint held;
+    VertexPull pull;
+    Ray grip;                      // at the press
+    std::optional<Vec3> tip = {};  // of the device then; mm
+    double still = 0.0;            // mm; a shorter motion is a click
+    bool hasMoved = false;
+    Deed deed = Deed::Pull;
+    Vec3 place = Vec3::Zero();  // where the pointer, or the point that attracts it, is
+    Vec3 stop = Vec3::Zero();   // where the pulled point gets
+    HalfEdge target = kNone;    // the point that attracts
+    JoinProblem problem = JoinProblem::None;
+    Weld weld = {};
+    Bridge bridge = {};
+  };
+  // What an action would make of the chosen loop.
+  enum class Kind { Smooth, Islands, Peninsulas };
+  struct Proposal {
+    Kind kind;
+    SmoothingOptions options;
+    SmoothedBorder smoothed;
+    FaceSelection faces;  // that change, or go
+    std::shared_ptr<const TriangleSoup> shapes;
+  };
+
+  ToolReply hover(const PointerEvent& event);
+  ToolReply press(const PointerEvent& event);
+  ToolReply release(const PointerEvent& event);
+  void follow(const PointerEvent& event);
+  void aim(Deed deed, HalfEdge target);
+  void commitDrag(const Drag& drag);
+
+  ToolReply propose(Kind kind);
+  std::function<Proposal(Progress)> workFor(Kind kind) const;
+  ToolReply commitProposal();
+  ToolReply revert();
+  void dropProposal();
+  std::optional<Vertex> neighbour(bool forward) const;
+  bool isHeld(const Proposal& proposal) const;
+  void addDragPreview(ToolPreview& preview) const;
+  const char* dragEffect() const;
+  const HalfEdgeMesh& mesh() const;
+
+  static constexpr double kLongestWave = 100.0;  // edges
+
+  MeshDocument& m_document;
+  MeshServices m_services;
+  BorderPicking m_picking;
+  SmoothingOptions m_smoothing;
+  Onto m_onto = Onto::Join;
+  std::optional<Vertex> m_key;          // of the chosen loop
+  std::optional<Vertex> m_hoveredLoop;  // by key
+  std::optional<BorderPoint> m_hovered;
+  double m_mark = 0.0;  // radius of the mark on a point, mm
+  std::optional<Drag> m_drag;
+  std::optional<Proposal> m_proposal;
+  std::shared_ptr<const Kind> m_job;  // under way; results of others come too late
+};
+
+}  // namespace handwheel

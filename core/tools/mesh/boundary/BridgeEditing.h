@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/boundary/BoundaryLoops.h"
+#include "mesh/holes/Patch.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace handwheel {
+
+// User-edited bridges that divide a boundary loop into pieces. The user draws from point to point of the loop: this
+// adds a bridge, and removes those that it would cross; where there is a bridge already, this removes it. Points are
+// indices in the loop.
+class BridgeEditing {
+ public:
+  // The bridges of the user; empty as long as the program chooses them.
+  const std::vector<Stitch>& own() const { return m_own; }
+  void reset();
+
+  void press(std::uint32_t point) { m_from = point; }
+  void drag(std::optional<std::uint32_t> point) { m_to = point; }
+  bool isDrawing() const { return m_from.has_value(); }
+  // Ends the drawing. shown: the bridges as they are. True when the bridges have changed.
+  bool release(std::size_t loopSize, const std::vector<Stitch>& shown);
+  void cancel() { m_from = m_to = std::nullopt; }
+
+  // The bridge that is being drawn.
+  std::optional<Stitch> drawn() const;
+
+ private:
+  std::vector<Stitch> m_own;
+  std::optional<std::uint32_t> m_from, m_to;
+};
+
+}  // namespace handwheel

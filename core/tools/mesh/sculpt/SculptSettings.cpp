@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/mesh/sculpt/SculptSettings.h"
+
+#include "tools/ToolProperty.h"
+
+#include <QtGlobal>
+
+namespace handwheel {
+namespace {
+
+constexpr Limits kRadius = {1e-9, 1e9};  // mm
+constexpr Limits kStrength = {0.0, 1.0};
+constexpr Limits kNoiseAngle = {0.02, 1.5};  // radian
+
+}  // namespace
+
+void SculptSettings::scaleBrush(double factor) {
+  radius = kRadius.bring(factor * radius);
+}
+
+std::vector<Property> SculptSettings::properties() const {
+  std::vector<Property> all;
+  all.push_back(choiceSetting("brush", QT_TRANSLATE_NOOP("Property", "Brush"), static_cast<int>(brush),
+                              {QT_TRANSLATE_NOOP("Property", "Drag"), QT_TRANSLATE_NOOP("Property", "Smooth"),
+                               QT_TRANSLATE_NOOP("Property", "Inflate"), QT_TRANSLATE_NOOP("Property", "Flatten")}));
+  all.push_back(
+      numberSetting("radius", QT_TRANSLATE_NOOP("Property", "Brush radius"), radius, Quantity::Length, kRadius));
+  if (brush != Brush::Drag) {
+    all.push_back(
+        numberSetting("strength", QT_TRANSLATE_NOOP("Property", "Strength"), strength, Quantity::Number, kStrength));
+    all.back().continuous = true;
+  }
+  all.push_back(
+      switchSetting("moves_border", QT_TRANSLATE_NOOP("Property", "Move the edges of holes, too"), movesBorder));
+  all.push_back(numberSetting("noise_angle", QT_TRANSLATE_NOOP("Property", "Noise up to"), noiseAngle, Quantity::Angle,
+                              kNoiseAngle));
+  return all;
+}
+
+bool SculptSettings::set(std::string_view id, const PropertyValue& value) {
+  if (id == "radius") return takeNumber(radius, value, kRadius);
+  if (id == "strength") return takeNumber(strength, value, kStrength);
+  if (id == "noise_angle") return takeNumber(noiseAngle, value, kNoiseAngle);
+  if (id == "brush") return takeChoice(brush, value, 4);
+  return id == "moves_border" && takeSwitch(movesBorder, value);
+}
+
+}  // namespace handwheel

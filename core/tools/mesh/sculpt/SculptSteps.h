@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/sculpt/NoiseSmoothing.h"
+#include "tools/mesh/StepText.h"
+#include "tools/mesh/sculpt/SculptStroke.h"
+
+#include <functional>
+#include <optional>
+
+namespace handwheel {
+
+class MeshDocument;
+
+// Result of a sculpting step on the levels of a patch.
+struct Sculpted {
+  PatchLevels levels;
+  FaceSelection touched;          // empty: nothing was changed
+  const char* problem = nullptr;  // why; English, context "Property"
+  std::string step = {};
+};
+
+// Subdivides a patch. times: number of levels to add; none: until it is as fine as its surroundings.
+Sculpted subdivided(PatchLevels levels, std::optional<int> times, NumberType numbers, Progress progress);
+// Smooths noise on the patch, or along the border without one.
+Sculpted withoutNoise(PatchLevels levels, const NoiseSmoothing& options);
+// Removes the finest level of a patch.
+Sculpted levelBack(PatchLevels levels);
+// The result of a finished stroke.
+Sculpted sculpted(const SculptStroke& stroke);
+
+// The subdivision levels of a patch on which a step works. Those that the document stores for this patch, if their
+// number fits `finest`, or the patch alone.
+std::optional<PatchLevels> levelsOf(const MeshDocument& document, const FaceSelection& patch, std::size_t finest);
+
+// Reads a step "stroke", "subdivide", "smooth-noise" or "level-back" after its verb. Null for other steps.
+using SculptWork = std::function<Sculpted(Progress)>;
+SculptWork readSculptStep(StepReader& reader, const MeshDocument& document);
+
+}  // namespace handwheel

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/sculpt/PatchLevels.h"
+#include "mesh/sculpt/SculptBrush.h"
+#include "mesh/search/FaceHierarchy.h"
+#include "tools/mesh/sculpt/SculptSettings.h"
+
+#include <memory>
+
+namespace handwheel {
+
+// A point on a face of a surface. The surface may have moved since its face hierarchy was built.
+struct SurfacePlace {
+  Face face;
+  Vec3 point;
+};
+// Intersects a ray with a mesh, by the face hierarchy of an earlier version. The hit is searched within this radius
+// (mm) of the present position of the point hit in the earlier version. None if nothing is hit.
+std::optional<SurfacePlace> placeOn(const HalfEdgeMesh& mesh, const FaceHierarchy& sorted, const Ray& ray,
+                                    double radius);
+
+// One stroke of a brush over a surface, from press to release.
+class SculptStroke {
+ public:
+  struct Settings {
+    SculptSettings::Brush brush = SculptSettings::Brush::Drag;
+    double radius = 0.0;    // mm
+    double strength = 0.0;  // below 0: inwards, away from the plane
+    bool movesBorder = false;
+    std::size_t level = 0;
+    NumberType numbers = NumberType::Float64;
+  };
+  // Begins at a place of the finest level. Vertices outside the patch stay, unless the patch is empty.
+  SculptStroke(PatchLevels levels, const Settings& settings, const SurfacePlace& place, const Ray& ray);
+
+  // Moves the pointer: to a ray, or by a displacement of the tip of a haptic device, mm.
+  void dragTo(const Ray& ray);
+  void dragBy(const Vec3& way);
+  // One dab; the brushes other than Drag.
+  void dab(const SurfacePlace& place);
+
+  const Settings& settings() const { return m_settings; }
+  const SurfacePlace& start() const { return m_start; }
+  const PatchLevels& levels() const { return m_levels; }  // as they are now
+  const FaceSelection& touched() const { return m_touched; }
+  // The data for repeating the stroke: the places of the dabs; for Drag, the final displacement.
+  const std::vector<SurfacePlace>& dabs() const { return m_dabs; }
+  const Vec3& way() const { return m_way; }
+  bool changedAnything() const { return !m_touched.empty(); }
+  // Number of faces that dabs covered, for callers that must limit it.
+  std::size_t facesMet() const { return m_facesMet; }
+
+ private:
+  BrushArea areaAt(const SurfacePlace& place) const;
+  void move(const std::vector<VertexGoal>& moves);
+
+  const Settings m_settings;
+  const PatchLevels m_before;
+  PatchLevels m_levels;
+  SurfacePlace m_start;
+  Vec3 m_forward;
+  BrushArea m_area;  // of Drag
+  std::vector<SurfacePlace> m_dabs;
+  Vec3 m_way = Vec3::Zero();
+  FaceSelection m_touched;
+  std::size_t m_facesMet = 0;
+};
+
+}  // namespace handwheel

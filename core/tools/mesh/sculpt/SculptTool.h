@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tools/ToolKey.h"
+#include "tools/mesh/MeshServices.h"
+#include "tools/mesh/sculpt/SculptSteps.h"
+
+#include <deque>
+
+namespace handwheel {
+
+class MeshDocument;
+
+// Tool that sculpts a surface with brushes: drag, smooth, inflate and flatten. A patch, if one is given, can be
+// subdivided, and sculpted at each of its levels; nothing outside of it moves then. Each stroke is one undo step. The
+// window need not wait until a stroke is in the document: the next begins on the displayed surface.
+class SculptTool : public Tool {
+ public:
+  // patch: the faces to work on; empty for the whole surface. The document must outlive all calls but the destructor's.
+  SculptTool(MeshDocument& document, MeshServices services, FaceSelection patch = {});
+  ~SculptTool() override;
+
+  // The levels, including steps not yet in the document, and the present stroke.
+  const PatchLevels& levels() const { return m_stroke ? m_stroke->levels() : m_levels; }
+  std::size_t level() const { return m_level; }  // that is sculpted
+
+  static std::span<const ToolKey> keys();
+  std::string id() const override { return "sculpt"; }
+  ToolReply pointer(const PointerEvent& event) override;
+  ToolReply perform(std::string_view action) override;
+  std::vector<ToolAction> actions() const override;
+  ToolPreview preview() const override;
+  std::vector<Property> settings() const override;
+  void setSetting(std::string_view id, const PropertyValue& value) override;
+  std::vector<ForceTerm> forces() const override;
+  void documentChanged() override;
+  std::vector<std::string> needs() const override { return {"picking"}; }
+
+ private:
+  // A step that is done but not yet in the document.
+  struct Step {
+    std::uint64_t ticket;
+    PatchLevels levels;  // afterwards
+  };
+
+  ToolReply press(const PointerEvent& event);
+  ToolReply drag(const PointerEvent& event);
+  ToolReply release(const PointerEvent& event);
+  std::optional<SurfacePlace> placeAt(const Ray& ray) const;
+  void dabAlong(const Ray& ray);
+  SculptStroke::Settings strokeSettings(const Modifiers& modifiers) const;
+
+  void start(const char* name, const char* text, std::function<Sculpted(PatchLevels, Progress)> make);
+  void take(const char* text, Sculpted made);
+  void refine(const char* text, std::optional<int> times);
+  void smoothNoiseLater();
+  void goBackALevel();
+  void landed();
+  void stepEnded(std::uint64_t ticket);
+  void stepCrossed(std::size_t pairs);
+  void restart();
+  void setLevels(PatchLevels levels);
+  void showLive();
+  ToolReply revert();
+  void cancelJob();
+  void dropStroke();
+
+  MeshDocument& m_document;
+  MeshServices m_services;
+  SculptSettings m_settings;
+  PatchLevels m_levels;  // with the steps that wait
+  std::size_t m_level = 0;
+  std::vector<std::vector<Vec3>> m_outline;  // of the patch
+  double m_aspect = 0.0;                     // and how slim the triangles along it are
+  const char* m_problem = nullptr;           // of the last action
+  std::size_t m_crossings = 0;               // pairs of faces that cross since the last press
+
+  std::optional<SculptStroke> m_stroke;
+  Ray m_last;                 // where the last dab was
+  std::optional<Vec3> m_tip;  // of a haptic device, at the beginning of the stroke
+  std::optional<SurfacePlace> m_hovered;
+
+  HalfEdgeMesh m_known;  // the document's mesh when it was last looked at
+  std::deque<Step> m_waiting;
+  std::uint64_t m_ticket = 0;  // of the last step
+  FaceSelection m_touched;     // by those that wait
+  std::shared_ptr<const PreviewMesh> m_live;
+
+  std::shared_ptr<const int> m_job;                                    // as in SelectTool
+  std::shared_ptr<const int> m_alive = std::make_shared<const int>();  // gone with the tool
+};
+
+}  // namespace handwheel

@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// A tick allocates nothing, takes no lock, and makes no system call but the wait: counted by functions of this program
+// that stand before those of the C library, and by the kernel's filter of system calls on the ticking thread.
+#include <dlfcn.h>
+#include <linux/audit.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <pthread.h>
+#include <signal.h>
+#include <stddef.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <ucontext.h>
+#include <QtTest>
+#include <atomic>
+#include <cerrno>
+#include <thread>
+#include <vector>
+
+#include "HapticDevices.h"
+#include "MeshShapes.h"
+#include "TestClass.h"
+#include "haptics/device/MouseDevice.h"
+#include "haptics/device/SimulatedDevice.h"
+#include "haptics/scene/SceneForces.h"
+#include "haptics/servo/ServoLoop.h"
+#include "io/ThreadedDevice.h"
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define HANDWHEEL_SANITIZED 1
+#else
+#define HANDWHEEL_SANITIZED 0
+#endif
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+thread_local bool isCounting = false;
+std::atomic<int> allocations{0};
+std::atomic<int> locks{0};
+std::atomic<int> systemCalls{0};
+std::atomic<long> lastSystemCall{-1};
+
+}  // namespace
+
+#if !HANDWHEEL_SANITIZED
+extern "C" {
+void* __libc_malloc(size_t);
+void* __libc_calloc(size_t, size_t);
+void* __libc_realloc(void*, size_t);
+void __libc_free(void*);
+
+void* malloc(size_t size) {
+  if (isCounting) ++allocations;
+  return __libc_malloc(size);
+}
+void* calloc(size_t count, size_t size) {
+  if (isCounting) ++allocations;
+  return __libc_calloc(count, size);
+}
+void* realloc(void* block, size_t size) {
+  if (isCounting) ++allocations;
+  return __libc_realloc(block, size);
+}
+void free(void* block) {
+  if (isCounting && block) ++allocations;
+  __libc_free(block);
+}
+
+int pthread_mutex_lock(pthread_mutex_t* mutex) noexcept {
+  using Lock = int (*)(pthread_mutex_t*);
+  static const std::atomic<Lock> lock{reinterpret_cast<Lock>(dlsym(RTLD_NEXT, "pthread_mutex_lock"))};
+  if (isCounting) ++locks;
+  return lock.load(std::memory_order_relaxed)(mutex);
+}
+}
+#endif
+
+namespace {
+
+void onSystemCall(int, siginfo_t* info, void* context) {
+  ++systemCalls;
+  lastSystemCall = info->si_syscall;
+#if defined(__x86_64__)
+  static_cast<ucontext_t*>(context)->uc_mcontext.gregs[REG_RAX] = -ENOSYS;
+#else
+  (void)context;  // the call returns its own number
+#endif
+}
+
+// From here on, on this thread, any system call but waiting, and what a thread needs to end, is counted and refused.
+// False where the kernel does not have it.
+bool forbidSystemCalls() {
+  struct sigaction action {};
+  action.sa_sigaction = onSystemCall;
+  action.sa_flags = SA_SIGINFO;
+  sigaction(SIGSYS, &action, nullptr);
+  const std::vector<int> allowed{SYS_clock_nanosleep, SYS_rt_sigreturn, SYS_rt_sigprocmask,
+                                 SYS_madvise,         SYS_munmap,       SYS_exit};
+  std::vector<sock_filter> filter;
+  filter.push_back(BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)));
+  for (const int number : allowed) {
+    filter.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<unsigned>(number), 0, 1));
+    filter.push_back(BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW));
+  }
+  filter.push_back(BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_TRAP));
+  const sock_fprog program{static_cast<unsigned short>(filter.size()), filter.data()};
+  return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
+}
+
+}  // namespace
+
+class QuietTickTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void initTestCase() {
+    if (HANDWHEEL_SANITIZED) QSKIP("a sanitizer stands in the same place");
+  }
+
+  // So that the counters are known to count.
+  void theCountersCount() {
+    isCounting = true;
+    std::vector<int> some(1000);
+    static pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
+    pthread_mutex_lock(&mutex);
+    pthread_mutex_unlock(&mutex);
+    isCounting = false;
+    QVERIFY(some.size() == 1000 && allocations > 0);
+    QVERIFY(locks > 0);
+    bool isForbidden = false;
+    std::thread([&] {
+      isForbidden = forbidSystemCalls();
+      if (isForbidden) syscall(SYS_getppid);
+    }).join();
+    if (!isForbidden) QSKIP("this kernel filters no system calls");
+    QVERIFY(systemCalls > 0);
+  }
+
+  // In contact, through the ramp, with the hand's dynamics, while scenes are exchanged by another thread.
+  void aTickIsQuiet() {
+    MonotonicClock clock;
+    auto device = std::make_unique<SimulatedDevice>(
+        simulatedDevice(), HandPath({{0.0, {-1, 0, 0}}, {0.2, {2, 0, 0}}, {0.6, {2, 0, 0}}}), clock);
+    QVERIFY(device->open(Progress()).hasValue());
+    Service service("servo");
+    ServoLoop loop(std::move(device), {}, clock, service);
+    loop.setScene(sceneOf(wall(0.5)));
+    isSilentFor(loop, [&] { loop.setScene(sceneOf(wall(0.5), false)); });
+  }
+
+  // What ships: the hand slides over a ball of 20,480 triangles, with points that draw it and a spring that comes and
+  // goes, by either method, while each scene has another edit of the ball, and the view is another.
+  void aMeshSceneIsQuiet() {
+    for (const SnapMethod method : {SnapMethod::Proxy, SnapMethod::Sum}) {
+      MonotonicClock clock;
+      std::vector<HandPose> poses{{0.0, {0, 0, kBall + 1.0}}};
+      for (int i = 5; i <= 100; ++i) poses.push_back({0.01 * i, slideAt(0.01 * i)});
+      auto device = std::make_unique<SimulatedDevice>(simulatedDevice(), HandPath(poses), clock);
+      QVERIFY(device->open(Progress()).hasValue());
+      Service service("servo");
+      ServoLoop loop(std::move(device), {}, clock, service);
+      const TriangleSoup soup = moved(icosphere(5), Vec3::Zero(), kBall);
+      ContactSurface surface(soup.points, soup.triangles);
+      SnapFeatures features;
+      for (std::uint32_t i = 0; i < soup.points.size(); i += 7) features.addPoint(i, soup.points[i]);
+      const SnapField field(features);
+      std::uint32_t round = 0;
+      const auto publish = [&] {
+        const std::uint32_t id = round++ % static_cast<std::uint32_t>(soup.triangles.size());
+        const Triangle& t = soup.triangles[id];
+        const Vec3 out = 0.01 * (round % 7) * soup.points[t[0]].normalized();
+        const ContactTriangle lifted{{soup.points[t[0]] + out, soup.points[t[1]], soup.points[t[2]]}, id};
+        surface.update({&id, 1}, {&lifted, 1});
+        SceneFeel feel;
+        feel.surface = SurfaceFeel{surface, 0.5, 0.0005, {}};
+        feel.snap = SnapFeel{field, SnapProfile(SnapShape::Quadratic, 0.3, 2.0), method};
+        if (round % 2 == 0) feel.springs = {{Vec3(0, 0, kBall), 0.1, 0.0005}};
+        auto scene = std::make_unique<HapticScene>();
+        scene->source = std::make_unique<SceneForces>(std::move(feel));
+        scene->isDiscontinuous = false;
+        WorkspaceMapping mapping;
+        mapping.scale = round % 2 == 0 ? 1.0 : 1.01;
+        loop.setMapping(mapping, std::move(scene));
+      };
+      publish();
+      isSilentFor(loop, publish);
+      QVERIFY(loop.latest().hasSource);
+      QVERIFY(m_contacts > 100);
+    }
+  }
+
+  // A device whose session allocates and sleeps on a thread of its own.
+  void aDeviceWithAThreadIsQuiet() {
+    struct RestlessSession final : Session {
+      DeviceCapabilities capabilities() const override { return forceDevice(); }
+      Status open(Progress) override { return Done{}; }
+      DeviceState exchange(const DeviceForce&) noexcept override {
+        const std::vector<int> rubbish(1000, 1);
+        std::this_thread::sleep_for(std::chrono::microseconds(rubbish.size()));
+        DeviceState state;
+        state.status = DeviceStatus::Ready;
+        state.position.x() = 1.0;
+        state.reading = ++m_reading;
+        return state;
+      }
+      void close() noexcept override {}
+
+     private:
+      std::uint32_t m_reading = 0;
+    };
+    MonotonicClock clock;
+    auto device = std::make_unique<ThreadedDevice>(std::make_unique<RestlessSession>());
+    QVERIFY(device->open(Progress()).hasValue());
+    QTRY_COMPARE(device->read().status, DeviceStatus::Ready);
+    Service service("servo");
+    ServoLoop loop(std::move(device), {}, clock, service);
+    loop.setScene(sceneOf(wall(0.5)));
+    isSilentFor(loop, [&] { loop.setScene(sceneOf(wall(0.5), false)); });
+    QVERIFY(m_contacts > 100);
+  }
+
+  // A device that is gone, and one that says NaN.
+  void faultsAreQuietToo() {
+    auto log = std::make_shared<ScriptedDevice::Log>();
+    log->onRead = [](ScriptedDevice::Log& l) {
+      l.state.status = l.reads % 7 == 0 ? DeviceStatus::Absent : DeviceStatus::Ready;
+      l.state.position.x() = l.reads % 11 == 0 ? std::numeric_limits<double>::quiet_NaN() : 1.0;
+    };
+    MonotonicClock clock;
+    Service service("servo");
+    ServoLoop loop(std::make_unique<ScriptedDevice>(log), {}, clock, service);
+    loop.setScene(sceneOf(wall(0.5)));
+    isSilentFor(loop, [&] { loop.announceLeap(); });
+  }
+
+ private:
+  static constexpr double kBall = 30.0;  // mm
+  // Over the ball, a millimetre deep.
+  static Vec3 slideAt(double time) { return (kBall - 1.0) * Vec3(std::sin(2.0 * time), 0, std::cos(2.0 * time)); }
+  int m_contacts = 0;  // ticks
+
+  // Runs 500 ticks under the counters, and `meanwhile` on this thread again and again.
+  template <class Meanwhile>
+  void isSilentFor(ServoLoop& loop, Meanwhile meanwhile) {
+    allocations = locks = systemCalls = 0;
+    std::atomic<bool> isDone{false};
+    std::thread servo([&] {
+      loop.runTicks(10);  // what is looked up when first called is
+      forbidSystemCalls();
+      isCounting = true;
+      loop.runTicks(500);
+      isCounting = false;
+      isDone = true;
+    });
+    while (!isDone) {
+      meanwhile();
+      QThread::msleep(5);
+    }
+    servo.join();
+    m_contacts = 0;
+    for (ServoSample sample; loop.nextSample(sample);) m_contacts += sample.felt.isContact ? 1 : 0;
+    QCOMPARE(allocations.load(), 0);
+    QCOMPARE(locks.load(), 0);
+    QVERIFY2(systemCalls == 0, qPrintable(QString("system call %1").arg(lastSystemCall.load())));
+    QCOMPARE(loop.latest().tick, std::uint64_t{509});
+  }
+};
+
+HANDWHEEL_TEST(QuietTickTest)
+#include "QuietTickTest.moc"

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/boundary/SheetRims.h"
+
+#include "MeshChecks.h"
+#include "MeshShapes.h"
+#include "TestClass.h"
+#include "mesh/structure/MeshBuilder.h"
+
+#include <QTest>
+
+using namespace handwheel;
+
+namespace {
+
+// The lengths of the loops that are rims, and how many are not.
+struct Rims {
+  std::vector<double> lengths;
+  std::size_t holes = 0;
+};
+
+Rims rimsOf(const TriangleSoup& soup) {
+  Rims rims;
+  for (const BoundaryLoop& loop : findBoundaryLoops(buildMesh(soup).mesh)) {
+    if (loop.rim)
+      rims.lengths.push_back(loop.length);
+    else
+      ++rims.holes;
+  }
+  return rims;
+}
+
+TriangleSoup tilted(TriangleSoup s) {
+  const Eigen::Matrix3d turn =
+      (Eigen::AngleAxisd(0.9, Vec3::UnitX()) * Eigen::AngleAxisd(0.4, Vec3::UnitZ())).toRotationMatrix();
+  for (Vec3& p : s.points) p = turn * p;
+  return s;
+}
+
+// The part of a sphere above a height.
+TriangleSoup cap(double height) {
+  TriangleSoup s = test::uvSphere(48, 48);
+  std::erase_if(s.triangles, [&](const Triangle& t) {
+    return s.points[t[0]].z() + s.points[t[1]].z() + s.points[t[2]].z() < 3.0 * height;
+  });
+  return s;
+}
+
+}  // namespace
+
+class SheetRimsTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void flatDisc();
+  void annulusOuterOnly();
+  void closedShapesWithHoles();
+  void platesWithAHole();
+  void cylinders();
+  void raggedOutline();
+  void eachPartOnItsOwn();
+};
+
+void SheetRimsTest::flatDisc() {
+  for (double scale : {1e-6, 1.0, 1e6}) {
+    for (const Vec3& shift : {Vec3(0, 0, 0), Vec3(1000 * scale, 500 * scale, -2000 * scale)}) {
+      const Rims rims = rimsOf(test::moved(tilted(test::disc(24, 4)), shift, scale));
+      QCOMPARE(rims.lengths.size(), std::size_t{1});
+      QCOMPARE(rims.holes, std::size_t{0});
+    }
+  }
+}
+
+void SheetRimsTest::annulusOuterOnly() {
+  const Rims rims = rimsOf(tilted(test::annulus(24, 4, 1.0, 1.5)));
+  QCOMPARE(rims.holes, std::size_t{1});
+  QCOMPARE(rims.lengths.size(), std::size_t{1});
+  QVERIFY(std::abs(rims.lengths[0] - 24 * 2 * 1.5 * std::sin(M_PI / 24)) < 1e-9);
+}
+
+// Whatever is left of a sphere above a plane, the square of its rim's length is at most 4π times its area.
+void SheetRimsTest::closedShapesWithHoles() {
+  for (double height : {-0.9, -0.3, 0.0, 0.5}) {
+    const Rims rims = rimsOf(cap(height));
+    QVERIFY(rims.lengths.empty());
+    QCOMPARE(rims.holes, std::size_t{1});
+  }
+  QCOMPARE(rimsOf(test::sphereWithHoles(4, 5, 0.3)).holes, std::size_t{5});
+  QVERIFY(rimsOf(test::sphereWithHoles(4, 5, 0.3)).lengths.empty());
+}
+
+// A plate, as flat as a sheet, whose only open edge is a small triangle in its lid: no sheet has so short an outline.
+void SheetRimsTest::platesWithAHole() {
+  const TriangleSoup lid =
+      test::grid(9, 9, false, false, [](std::uint32_t i, std::uint32_t j) { return Vec3(i, j, 0.01); });
+  TriangleSoup plate = lid;
+  test::append(plate, test::turnedOver(test::moved(lid, {0, 0, -0.01})));
+  const TriangleSoup wall = test::grid(33, 2, false, false, [](std::uint32_t i, std::uint32_t j) {
+    const std::uint32_t side = i % 32 / 8, k = i % 8;
+    const Vec3 corners[] = {{double(k), 0, 0}, {8, double(k), 0}, {8.0 - k, 8, 0}, {0, 8.0 - k, 0}};
+    return Vec3(corners[side] + 0.01 * j * Vec3::UnitZ());
+  });
+  test::append(plate, wall);
+  QVERIFY(rimsOf(plate).lengths.empty() && rimsOf(plate).holes == 0);
+  plate.triangles.erase(plate.triangles.begin() + 40);
+  const Rims rims = rimsOf(plate);
+  QVERIFY(rims.lengths.empty());
+  QCOMPARE(rims.holes, std::size_t{1});
+}
+
+void SheetRimsTest::cylinders() {
+  for (double height : {0.5, 1.0, 10.0}) {
+    const Rims rims = rimsOf(test::cylinder(24, 4, 1.0, height, false));
+    QVERIFY(rims.lengths.empty());
+    QCOMPARE(rims.holes, std::size_t{2});
+  }
+}
+
+// A curved sheet whose outline has teeth: the square of its length is far over 60 times its area.
+void SheetRimsTest::raggedOutline() {
+  TriangleSoup s = test::grid(41, 41, false, false, [](std::uint32_t i, std::uint32_t j) {
+    const double x = i / 40.0, y = j / 40.0;
+    return Vec3(x, y, 0.3 * std::sin(3 * x) * std::cos(2 * y));
+  });
+  std::erase_if(s.triangles, [&](const Triangle& t) {  // every other line of cells, but for a spine in the middle
+    const Vec3 middle = (s.points[t[0]] + s.points[t[1]] + s.points[t[2]]) / 3.0;
+    return int(middle.y() * 40) % 2 == 1 && std::abs(middle.x() - 0.5) > 0.1;
+  });
+  const Rims rims = rimsOf(s);
+  QCOMPARE(rims.lengths.size(), std::size_t{1});
+  QVERIFY(rims.lengths[0] * rims.lengths[0] > 60.0 * test::area(s));
+}
+
+void SheetRimsTest::eachPartOnItsOwn() {
+  TriangleSoup s = test::sphereWithHoles(3, 2, 0.4);
+  test::append(s, test::moved(test::annulus(24, 3, 1, 2), Vec3(10, 0, 0)));
+  const Rims rims = rimsOf(s);
+  QCOMPARE(rims.holes, std::size_t{3});
+  QCOMPARE(rims.lengths.size(), std::size_t{1});
+}
+
+HANDWHEEL_TEST(SheetRimsTest)
+#include "SheetRimsTest.moc"

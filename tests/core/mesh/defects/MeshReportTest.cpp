@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/defects/MeshReport.h"
+
+#include "MeshChecks.h"
+#include "MeshShapes.h"
+#include "TestClass.h"
+
+#include <rapidcheck.h>
+
+#include <QTest>
+
+using namespace handwheel;
+
+namespace {
+
+MeshReport reportOn(const TriangleSoup& soup) {
+  return handwheel::reportOn(soup, SelfIntersections::Count);
+}
+
+// The rings of the sphere with poles are regular n-gons, so it is a pile of frusta.
+double volumeOfUvSphere(std::uint32_t n, std::uint32_t m) {
+  const auto area = [&](std::uint32_t j) {
+    const double r = std::cos(M_PI * j / m - M_PI / 2.0);
+    return 0.5 * n * std::sin(2.0 * M_PI / n) * r * r;
+  };
+  double sum = 0.0;
+  for (std::uint32_t j = 0; j < m; ++j) {
+    const double height = std::sin(M_PI * (j + 1) / m - M_PI / 2.0) - std::sin(M_PI * j / m - M_PI / 2.0);
+    sum += height / 3.0 * (area(j) + area(j + 1) + std::sqrt(area(j) * area(j + 1)));
+  }
+  return sum;
+}
+
+bool near(double a, double b) {
+  return std::abs(a - b) <= 1e-12 * std::max(std::abs(a), std::abs(b));
+}
+
+}  // namespace
+
+class MeshReportTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void cubeHasItAll();
+  void volumes();
+  void volumeFarFromTheOrigin();
+  void openShapes();
+  void loops();
+  void oneSided();
+  void touchingCubes();
+  void innerWall();
+  void degenerateFaces();
+  void duplicates();
+  void turnedFace();
+  void selfIntersections();
+  void cancelled();
+  void empty();
+  void soups();
+};
+
+void MeshReportTest::cubeHasItAll() {
+  for (const TriangleSoup& soup : {test::cube(2.0, Vec3(1, 2, 3)), test::unshared(test::cube(2.0, Vec3(1, 2, 3)))}) {
+    const MeshReport r = reportOn(soup);
+    QCOMPARE(r.triangles, std::size_t{12});
+    QCOMPARE(r.vertices, std::size_t{8});
+    QCOMPARE(r.components, std::size_t{1});
+    QVERIFY(r.closed && r.manifold && r.oriented && r.isSound());
+    QVERIFY(r.loops.empty());
+    QCOMPARE(r.boundaryEdges + r.nonManifoldEdges + r.nonManifoldVertices + r.inconsistentEdges, std::size_t{0});
+    QCOMPARE(r.degenerateFaces + r.duplicateFaces, std::size_t{0});
+    QVERIFY(r.selfIntersectingPairs == std::size_t{0});
+    QVERIFY(r.volumeMm3 && near(*r.volumeMm3, 8.0));
+    QVERIFY(r.box.min() == Vec3(1, 2, 3) && r.box.max() == Vec3(3, 4, 5));
+  }
+}
+
+void MeshReportTest::volumes() {
+  QVERIFY(near(reportOn(test::tetrahedron()).volumeMm3.value(), 1.0 / 6.0));
+  QVERIFY(near(reportOn(test::uvSphere(24, 13)).volumeMm3.value(), volumeOfUvSphere(24, 13)));
+  QVERIFY(near(reportOn(test::turnedOver(test::cube())).volumeMm3.value(), -1.0));
+  QVERIFY(near(reportOn(test::cylinder(12, 3, 2.0, 5.0, true)).volumeMm3.value(), 5.0 * 6 * std::sin(M_PI / 6) * 4.0));
+  TriangleSoup hollow = test::cube(3.0);
+  test::append(hollow, test::turnedOver(test::cube(1.0, Vec3(1, 1, 1))));
+  QVERIFY(near(reportOn(hollow).volumeMm3.value(), 26.0));
+  QCOMPARE(reportOn(hollow).components, std::size_t{2});
+}
+
+// At 10^6 the coordinates of a unit cube are exact, so its volume is.
+void MeshReportTest::volumeFarFromTheOrigin() {
+  QVERIFY(std::abs(reportOn(test::cube(1.0, Vec3(1e6, -1e6, 1e6))).volumeMm3.value() - 1.0) < 1e-9);
+}
+
+void MeshReportTest::openShapes() {
+  for (const auto& [soup, edges] :
+       {std::pair{test::disc(16, 3), 16}, std::pair{test::cylinder(12, 2, 1, 1, false), 24}}) {
+    const MeshReport r = reportOn(soup);
+    QVERIFY(!r.closed && r.manifold && r.oriented && !r.isSound());
+    QVERIFY(!r.volumeMm3);
+    QCOMPARE(r.boundaryEdges, std::size_t(edges));
+  }
+}
+
+void MeshReportTest::loops() {
+  const MeshReport r = reportOn(test::annulus(16, 2, 1.0, 2.0));
+  QCOMPARE(r.loops.size(), std::size_t{2});
+  for (std::size_t i = 0; i < 2; ++i) {  // the inner circle has the smaller vertices
+    QCOMPARE(r.loops[i].id, int(i));
+    QCOMPARE(r.loops[i].edges, std::size_t{16});
+    QVERIFY(std::abs(r.loops[i].lengthMm - 16 * 2 * (i + 1.0) * std::sin(M_PI / 16)) < 1e-12);
+    QVERIFY(r.loops[i].planarity < 1e-12);
+  }
+}
+
+void MeshReportTest::oneSided() {
+  const MeshReport klein = reportOn(test::kleinBottle(20, 8));
+  QVERIFY(klein.closed && klein.manifold && !klein.oriented && !klein.isSound());
+  QVERIFY(klein.loops.empty());
+  QVERIFY(*klein.selfIntersectingPairs > 0);  // no Klein bottle fits in space without
+  QCOMPARE(klein.nonManifoldVertices, std::size_t{0});
+  const MeshReport moebius = reportOn(test::moebiusStrip(24, 3));
+  QVERIFY(!moebius.closed && moebius.manifold && !moebius.oriented);
+  QCOMPARE(moebius.boundaryEdges, std::size_t{48});
+  QCOMPARE(moebius.nonManifoldVertices, std::size_t{0});
+}
+
+void MeshReportTest::touchingCubes() {
+  const MeshReport edge = reportOn(test::twoCubesSharingAnEdge());
+  QCOMPARE(edge.vertices, std::size_t{14});
+  QCOMPARE(edge.components, std::size_t{1});
+  QVERIFY(edge.closed && !edge.manifold);
+  QCOMPARE(edge.nonManifoldEdges, std::size_t{1});
+  QCOMPARE(edge.nonManifoldVertices, std::size_t{0});  // the cubes hang together through the edge
+  QCOMPARE(edge.inconsistentEdges, std::size_t{2});    // used twice in either direction
+  QVERIFY(near(edge.volumeMm3.value(), 2.0));
+  const MeshReport vertex = reportOn(test::twoCubesSharingAVertex());
+  QCOMPARE(vertex.vertices, std::size_t{15});
+  QCOMPARE(vertex.components, std::size_t{1});
+  QVERIFY(vertex.isSound());
+  QCOMPARE(vertex.nonManifoldVertices, std::size_t{1});
+}
+
+void MeshReportTest::innerWall() {
+  const MeshReport r = reportOn(test::boxWithInnerWall());
+  QVERIFY(r.closed && !r.manifold && !r.isSound());
+  QCOMPARE(r.nonManifoldEdges, std::size_t{4});
+  QVERIFY(r.loops.empty());
+}
+
+void MeshReportTest::degenerateFaces() {
+  TriangleSoup s = test::cube();
+  s.points.push_back(Vec3(0.5, 0, 0));
+  s.triangles.push_back({0, 8, 1});  // a needle
+  s.triangles.push_back({2, 2, 3});
+  s.triangles.push_back({5, 5, 5});
+  const MeshReport r = reportOn(s);
+  QCOMPARE(r.triangles, std::size_t{15});
+  QCOMPARE(r.degenerateFaces, std::size_t{3});
+  QCOMPARE(r.boundaryEdges, std::size_t{2});     // the needle's short edges
+  QCOMPARE(r.nonManifoldEdges, std::size_t{1});  // its long one
+}
+
+void MeshReportTest::duplicates() {
+  TriangleSoup s = test::cube();
+  s.triangles.push_back(s.triangles[3]);
+  s.triangles.push_back({s.triangles[3][1], s.triangles[3][0], s.triangles[3][2]});
+  s.triangles.push_back(s.triangles[5]);
+  const MeshReport r = reportOn(s);
+  QCOMPARE(r.duplicateFaces, std::size_t{3});
+  QCOMPARE(r.nonManifoldEdges, test::countEdges(s).nonManifold);
+  QCOMPARE(*r.selfIntersectingPairs, test::meetingPairs(s));
+}
+
+void MeshReportTest::turnedFace() {
+  TriangleSoup s = test::icosphere(1);
+  std::swap(s.triangles[9][0], s.triangles[9][1]);
+  const MeshReport r = reportOn(s);
+  QVERIFY(r.closed && r.manifold && !r.oriented);
+  QCOMPARE(r.inconsistentEdges, std::size_t{3});
+}
+
+void MeshReportTest::selfIntersections() {
+  TriangleSoup s = test::icosphere(1);
+  test::append(s, test::moved(test::icosphere(1), Vec3(0.7, 0.1, 0.2)));
+  QVERIFY(test::meetingPairs(s) > 0);
+  QCOMPARE(reportOn(s).selfIntersectingPairs.value(), test::meetingPairs(s));
+  QVERIFY(!handwheel::reportOn(s, SelfIntersections::Skip).selfIntersectingPairs);
+}
+
+void MeshReportTest::cancelled() {
+  JobState job;
+  job.cancelled = true;
+  const MeshReport r = handwheel::reportOn(test::icosphere(4), SelfIntersections::Count, Progress(job));
+  QVERIFY(!r.selfIntersectingPairs);
+}
+
+void MeshReportTest::empty() {
+  const MeshReport r = reportOn(TriangleSoup{});
+  QCOMPARE(r.triangles + r.vertices + r.components, std::size_t{0});
+  QVERIFY(!r.closed && !r.isSound());
+  QVERIFY(!r.volumeMm3);
+}
+
+void MeshReportTest::soups() {
+  QVERIFY(rc::check("figures of any soup", [] {
+    std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
+    const TriangleSoup s =
+        test::randomSoup(random, *rc::gen::inRange<std::size_t>(1, 40), *rc::gen::inRange<std::uint32_t>(1, 6));
+    const MeshReport r = reportOn(s);
+    const test::Edges edges = test::countEdges(s);
+    RC_ASSERT(r.triangles == s.triangles.size());
+    RC_ASSERT(r.vertices == test::places(s).size());
+    RC_ASSERT(r.boundaryEdges == edges.border);
+    RC_ASSERT(r.nonManifoldEdges == edges.nonManifold);
+    RC_ASSERT(r.inconsistentEdges == edges.inconsistent);
+    RC_ASSERT(r.closed == (edges.border == 0));
+    RC_ASSERT(r.manifold == (edges.nonManifold == 0));
+    RC_ASSERT(r.oriented == (edges.inconsistent == 0));
+    RC_ASSERT(r.selfIntersectingPairs == test::meetingPairs(s));
+    std::size_t inLoops = 0;
+    for (const LoopReport& loop : r.loops) inLoops += loop.edges;
+    RC_ASSERT(inLoops == edges.border);
+  }));
+}
+
+HANDWHEEL_TEST(MeshReportTest)
+#include "MeshReportTest.moc"

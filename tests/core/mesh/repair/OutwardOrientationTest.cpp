@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/repair/OutwardOrientation.h"
+
+#include "MeshChecks.h"
+#include "MeshShapes.h"
+#include "TestClass.h"
+#include "mesh/structure/MeshBuilder.h"
+#include "mesh/structure/MeshValidator.h"
+
+#include <QTest>
+
+using namespace handwheel;
+
+namespace {
+
+TriangleSoup together(std::vector<TriangleSoup> parts) {
+  TriangleSoup all;
+  for (const TriangleSoup& part : parts) test::append(all, part);
+  return all;
+}
+
+}  // namespace
+
+class OutwardOrientationTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void shells_data();
+  void shells();
+  void cancelled();
+};
+
+void OutwardOrientationTest::shells_data() {
+  QTest::addColumn<TriangleSoup>("soup");
+  QTest::addColumn<int>("turned");
+  QTest::addColumn<double>("volume");  // then; not a number: open
+  const TriangleSoup large = test::cube(4.0), inner = test::cube(1.0, {1, 1, 1});
+  const TriangleSoup beside = test::cube(1.0, {9, 0, 0}), innermost = test::cube(0.5, {1.2, 1.2, 1.2});
+  const auto over = test::turnedOver;
+  QTest::newRow("nothing") << TriangleSoup{} << 0 << 0.0;
+  QTest::newRow("right") << large << 0 << 64.0;
+  QTest::newRow("inside out") << over(large) << 12 << 64.0;
+  QTest::newRow("a cavity stays") << together({large, over(inner)}) << 0 << 63.0;
+  QTest::newRow("a cavity turns with its body") << together({over(large), inner}) << 24 << 63.0;
+  QTest::newRow("a body in a body") << together({over(large), over(inner)}) << 24 << 65.0;
+  QTest::newRow("three in each other") << together({over(large), inner, over(innermost)}) << 36 << 63.125;
+  QTest::newRow("one of two") << together({large, over(beside)}) << 12 << 65.0;
+  QTest::newRow("far off") << test::moved(over(test::icosphere(3)), {1e6, -1e6, 1e6}) << 1280 << std::nan("");
+  QTest::newRow("open") << over(test::sphereWithoutCap(2)) << 0 << std::nan("");
+}
+
+void OutwardOrientationTest::shells() {
+  QFETCH(TriangleSoup, soup);
+  const HalfEdgeMesh before = buildMesh(soup).mesh;
+  HalfEdgeMesh mesh = before;
+  QTEST(static_cast<int>(orientOutward(mesh)), "turned");
+  QFETCH(int, turned);
+  QFETCH(double, volume);
+  QCOMPARE(validate(mesh), std::string());
+  QCOMPARE(mesh.liveFaceCount(), before.liveFaceCount());
+  if (!std::isnan(volume)) QCOMPARE(test::volume(mesh.compact().soup), volume);
+  for (Vertex v = 0; v < before.vertexSlots(); ++v) QVERIFY(test::sameBits(mesh.position(v), before.position(v)));
+  if (turned > 0) QCOMPARE(orientOutward(mesh), std::size_t{0});  // once is enough
+}
+
+void OutwardOrientationTest::cancelled() {
+  const HalfEdgeMesh before = buildMesh(test::turnedOver(test::cube())).mesh;
+  HalfEdgeMesh mesh = before;
+  JobState state;
+  state.cancelled = true;
+  QCOMPARE(orientOutward(mesh, Progress(state)), std::size_t{0});
+  QVERIFY(test::sameMesh(mesh, before));
+}
+
+HANDWHEEL_TEST(OutwardOrientationTest)
+#include "OutwardOrientationTest.moc"

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "MeshShapes.h"
+#include "RepairChecks.h"
+#include "TestClass.h"
+#include "mesh/structure/MeshBuilder.h"
+#include "mesh/structure/MeshValidator.h"
+
+#include <rapidcheck.h>
+
+#include <QTest>
+
+using namespace handwheel;
+
+namespace {
+
+// A closed shape, rough or smooth, with holes, islands in holes and single faces missing.
+TriangleSoup cutAtRandom(TriangleSoup soup, std::mt19937& random) {
+  const auto unit = [&] { return random() / 4294967296.0; };
+  if (random() % 2) {
+    const double roughness =
+        0.03 * unit();  // along the ray from the middle, which crosses spheres once: no new crossings
+    for (Vec3& p : soup.points) p *= 1.0 + roughness * unit();
+  }
+  for (std::size_t holes = 1 + random() % 5; holes > 0; --holes) {
+    const Vec3 centre = soup.points[random() % soup.points.size()];
+    const double radius = 0.05 + 0.5 * unit() * unit(), island = random() % 3 ? 0.0 : 0.5 * radius;
+    std::erase_if(soup.triangles, [&](const Triangle& t) {
+      const double distance = (soup.points[t[0]] - centre).norm();
+      return distance < radius && distance >= island;
+    });
+  }
+  for (std::size_t single = random() % 4; single > 0 && soup.triangles.size() > 9; --single)
+    soup.triangles.erase(soup.triangles.begin() + std::ptrdiff_t(random() % soup.triangles.size()));
+  return soup;
+}
+
+}  // namespace
+
+// What holds of every repair, tried on shapes damaged at random.
+class RepairPropertiesTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void manyNeedles();
+  void randomHoles();
+  void brokenBlocks();
+  void anySoup();
+};
+
+// Needles at edges of needles, which cannot all be flipped away, in a closed shape whose coordinates stay exact.
+void RepairPropertiesTest::manyNeedles() {
+  QVERIFY(rc::check("without its needles a closed shape is closed and holds the same", [] {
+    std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
+    TriangleSoup soup = test::cube(1024.0);
+    for (int n = *rc::gen::inRange(1, 8); n > 0; --n)
+      test::addNeedles(soup, random() % soup.triangles.size(), int(random() % 3), {0.25 * (1 + random() % 3)});
+    RC_PRE(test::countEdges(soup).sound());  // two points may have come to lie in one another
+    HalfEdgeMesh mesh = buildMesh(soup).mesh;
+    repair(mesh, {});
+    RC_ASSERT(validate(mesh) == std::string());
+    RC_ASSERT(test::countEdges(mesh).sound());
+    RC_ASSERT(test::intersections(mesh) == std::size_t{0});
+    RC_ASSERT(findDefects(mesh).degenerateFaces.empty());
+    RC_ASSERT(std::abs(test::volume(mesh.compact().soup) - std::ldexp(1.0, 30)) < 1.0);
+  }));
+}
+
+void RepairPropertiesTest::randomHoles() {
+  const std::vector<TriangleSoup> shapes = {test::icosphere(3), test::torus(32, 16), test::bumpySphere(3)};
+  QVERIFY(rc::check("random holes in closed shapes are closed, or left with a reason", [&] {
+    std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
+    const TriangleSoup soup = cutAtRandom(shapes[random() % 3], random);
+    const HalfEdgeMesh input = buildMesh(soup).mesh;
+    RC_PRE(test::intersections(input) == std::size_t{0});  // roughness may fold the torus
+    HalfEdgeMesh mesh = input;
+    RepairOptions options;
+    options.fill.method = *rc::gen::element(FillMethod::Fair, FillMethod::Ear);
+    options.fill.numbers = *rc::gen::element(NumberType::Float32, NumberType::Float64);
+    options.rims = *rc::gen::element(RimHandling::Keep, RimHandling::Back, RimHandling::Fill);
+    const RepairReport report = repair(mesh, options);
+    RC_ASSERT(validate(mesh) == std::string());
+    RC_ASSERT(test::inconsistent(input, mesh, report) == std::string());
+    RC_ASSERT(test::intersections(mesh) == std::size_t{0});
+    const test::Edges edges = test::countEdges(mesh);
+    RC_ASSERT(edges.nonManifold == std::size_t{0});
+    RC_ASSERT(edges.inconsistent == std::size_t{0});
+    RC_ASSERT(edges.closed() == (test::count(report, LoopOutcome::Filled) == report.loops.size()));
+    const std::set<Vertex> said(report.touchedVertices.begin(), report.touchedVertices.end());
+    for (Vertex v : test::reallyTouched(input, mesh)) RC_ASSERT(said.contains(v));
+    RC_CLASSIFY(edges.closed(), "closed");
+  }));
+}
+
+void RepairPropertiesTest::brokenBlocks() {
+  QVERIFY(rc::check("blocks that touch, with faces missing, turned and doubled", [] {
+    std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
+    TriangleSoup soup = test::randomBlocks(random, *rc::gen::inRange<std::size_t>(2, 20), 3);
+    for (std::size_t n = random() % 6; n > 0; --n)
+      soup.triangles.erase(soup.triangles.begin() + std::ptrdiff_t(random() % soup.triangles.size()));
+    for (std::size_t n = random() % 4; n > 0; --n)
+      soup.triangles.push_back(soup.triangles[random() % soup.triangles.size()]);
+    for (std::size_t n = random() % 4; n > 0; --n) {
+      Triangle& t = soup.triangles[random() % soup.triangles.size()];
+      std::swap(t[0], t[1]);
+    }
+    const HalfEdgeMesh input = buildMesh(soup).mesh;
+    HalfEdgeMesh mesh = input;
+    RepairOptions options;
+    options.rims = RimHandling::Fill;
+    options.fill.numbers = NumberType::Float32;
+    const RepairReport report = repair(mesh, options);
+    RC_ASSERT(validate(mesh) == std::string());
+    RC_ASSERT(test::inconsistent(input, mesh, report) == std::string());
+    RC_ASSERT(test::intersections(mesh) <= test::intersections(input));
+    RC_CLASSIFY(test::countEdges(mesh).sound(), "sound");
+  }));
+}
+
+void RepairPropertiesTest::anySoup() {
+  QVERIFY(rc::check("whatever the input, the result is a mesh and the report adds up", [] {
+    std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
+    const auto steps = *rc::gen::inRange<std::uint32_t>(2, 7);
+    const HalfEdgeMesh input = buildMesh(test::randomSoup(random, *rc::gen::inRange<std::size_t>(1, 25), steps)).mesh;
+    HalfEdgeMesh mesh = input;
+    RepairOptions options;
+    options.rims = *rc::gen::element(RimHandling::Keep, RimHandling::Back, RimHandling::Fill);
+    options.removeDebris = *rc::gen::arbitrary<bool>();
+    options.fill.numbers = *rc::gen::element(NumberType::Float32, NumberType::Float64);
+    const RepairReport report = repair(mesh, options);
+    RC_ASSERT(validate(mesh) == std::string());
+    RC_ASSERT(test::inconsistent(input, mesh, report) == std::string());
+    RC_CLASSIFY(report.loops.size() > 0 && test::count(report, LoopOutcome::Filled) == report.loops.size(),
+                "all filled");
+    const std::set<Vertex> said(report.touchedVertices.begin(), report.touchedVertices.end());
+    for (Vertex v = 0; v < input.vertexSlots(); ++v)
+      RC_ASSERT(said.contains(v) || test::sameBits(input.position(v), mesh.position(v)));
+  }));
+}
+
+HANDWHEEL_TEST(RepairPropertiesTest)
+#include "RepairPropertiesTest.moc"

@@ -1,0 +1,394 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/repair/Repair.h"
+
+#include "MeshShapes.h"
+#include "RepairChecks.h"
+#include "TestClass.h"
+#include "mesh/structure/MeshBuilder.h"
+#include "mesh/structure/MeshDelta.h"
+#include "mesh/structure/MeshValidator.h"
+
+#include <QTest>
+#include <random>
+#include <thread>
+
+using namespace handwheel;
+
+namespace {
+
+// Five holes, 40 faces turned over, one doubled and one without extent.
+TriangleSoup woundedSphere() {
+  TriangleSoup soup = test::sphereWithHoles(4, 5, 0.3);
+  std::mt19937 random(3);
+  for (int i = 0; i < 40; ++i) {
+    Triangle& t = soup.triangles[random() % soup.triangles.size()];
+    std::swap(t[1], t[2]);
+  }
+  soup.triangles.push_back(soup.triangles[100]);
+  soup.triangles.push_back({soup.triangles[5][0], soup.triangles[5][0], soup.triangles[5][1]});
+  return soup;
+}
+
+// An open sheet, with this instead of zeros.
+TriangleSoup bowl(int n, double zero) {
+  return test::grid(n + 1, n + 1, false, false, [&](std::uint32_t i, std::uint32_t j) {
+    const double x = double(i) / n - 0.5, y = double(j) / n - 0.5;
+    return Vec3(x, y, x == 0.0 && y == 0.0 ? zero : 0.1 * (x * x + y * y));
+  });
+}
+
+}  // namespace
+
+class RepairTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void woundedSphereHeals();
+  void soundShapesStay();
+  void rimStaysOpen();
+  void rimOnRequest();
+  void flatSheetIsNotCovered();
+  void keepOpen();
+  void keptHoleOfASheet();
+  void maxEdges();
+  void debris();
+  void openDebris();
+  void poleInASheet();
+  void needleMovesNothing();
+  void cancelledBefore();
+  void cancelledAnyTime();
+  void undoAndRedo();
+  void singlePrecision();
+  void coordinatesThatCannotBeCut();
+  void aTangleLeavesEffortForTheRest();
+  void saysWhatWasCutShort();
+};
+
+void RepairTest::woundedSphereHeals() {
+  const TriangleSoup soup = woundedSphere();
+  const HalfEdgeMesh input = buildMesh(soup).mesh;
+  HalfEdgeMesh mesh = input;
+  const RepairReport report = repair(mesh, {});
+  QCOMPARE(validate(mesh), std::string());
+  QVERIFY(test::countEdges(mesh).sound());
+  QCOMPARE(test::eulerCharacteristic(mesh), 2l);
+  QCOMPARE(test::intersections(mesh), std::size_t{0});
+  QCOMPARE(report.loops.size(), std::size_t{5});
+  QCOMPARE(test::count(report, LoopOutcome::Filled), std::size_t{5});
+  QCOMPARE(report.removedDegenerate, std::size_t{1});
+  QCOMPARE(report.removedDuplicates, std::size_t{1});
+  QVERIFY(report.touchedVertices.empty());
+  QCOMPARE(test::inconsistent(input, mesh, report), std::string());
+  for (Vertex v = 0; v < input.vertexSlots(); ++v) QVERIFY(test::sameBits(input.position(v), mesh.position(v)));
+  // The sphere's volume less what its facets cut off, h² / 4 for edges of about 0.08; the patches may be a little off.
+  const double full = 4.0 / 3.0 * M_PI;
+  QVERIFY(std::abs(std::abs(test::volume(mesh.compact().soup)) - full) < 0.01 * full);
+}
+
+void RepairTest::soundShapesStay() {
+  for (const TriangleSoup& soup : {test::cube(), test::icosphere(3), test::torus(16, 10), test::bumpySphere(3)}) {
+    const HalfEdgeMesh input = buildMesh(soup).mesh;
+    HalfEdgeMesh mesh = input;
+    const RepairReport report = repair(mesh, {});
+    QVERIFY(test::sameMesh(mesh, input));
+    QVERIFY(report.loops.empty() && report.touchedVertices.empty());
+    QCOMPARE(report.turnedFaces + report.removedDegenerate + report.removedDuplicates, std::size_t{0});
+  }
+}
+
+void RepairTest::rimStaysOpen() {
+  const HalfEdgeMesh input = buildMesh(test::annulus(24, 4, 1.0, 3.0)).mesh;
+  HalfEdgeMesh mesh = input;
+  const RepairReport report = repair(mesh, {});
+  QCOMPARE(report.loops.size(), std::size_t{2});
+  QCOMPARE(test::count(report, LoopOutcome::Filled), std::size_t{1});
+  for (const LoopResult& loop : report.loops)
+    if (loop.outcome != LoopOutcome::Filled)
+      QVERIFY(loop.outcome == LoopOutcome::KeptOpen && loop.reason == FillFailure::Rim);
+  QCOMPARE(test::countBorder(mesh), std::size_t{24});
+  QCOMPARE(test::inconsistent(input, mesh, report), std::string());
+}
+
+// A shallow bowl: flat enough to be a sheet; a lid over it encloses a volume.
+void RepairTest::rimOnRequest() {
+  TriangleSoup bowl = test::disc(24, 5);
+  for (Vec3& p : bowl.points) p.z() = 1e-3 * (p.x() * p.x() + p.y() * p.y());
+  const HalfEdgeMesh input = buildMesh(bowl).mesh;
+  HalfEdgeMesh mesh = input;
+  QVERIFY(repair(mesh, {}).loops.at(0).reason == FillFailure::Rim);
+  RepairOptions options;
+  options.rims = RimHandling::Fill;
+  options.fill.method = FillMethod::Ear;
+  const RepairReport report = repair(mesh, options);
+  QCOMPARE(test::count(report, LoopOutcome::Filled), std::size_t{1});
+  QVERIFY(test::countEdges(mesh).sound());
+  QCOMPARE(test::intersections(mesh), std::size_t{0});
+  QCOMPARE(validate(mesh), std::string());
+}
+
+// Any patch over a perfectly flat disc either covers it or bulges; if there is one it must not meet the disc.
+void RepairTest::flatSheetIsNotCovered() {
+  const HalfEdgeMesh input = buildMesh(test::disc(24, 5)).mesh;
+  HalfEdgeMesh mesh = input;
+  RepairOptions options;
+  options.rims = RimHandling::Fill;
+  const RepairReport report = repair(mesh, options);
+  QCOMPARE(test::intersections(mesh), std::size_t{0});
+  QCOMPARE(test::inconsistent(input, mesh, report), std::string());
+}
+
+void RepairTest::keepOpen() {
+  const HalfEdgeMesh input = buildMesh(test::sphereWithHoles(4, 5, 0.3)).mesh;
+  const std::vector<BoundaryLoop> loops = findBoundaryLoops(input);
+  HalfEdgeMesh mesh = input;
+  RepairOptions options;
+  options.keepOpen = {1, 3};
+  const RepairReport report = repair(mesh, options);
+  for (const LoopResult& loop : report.loops) {
+    const bool kept = options.keepOpen.contains(loop.id);
+    QVERIFY(loop.outcome == (kept ? LoopOutcome::KeptOpen : LoopOutcome::Filled));
+    QVERIFY(loop.reason == (kept ? FillFailure::KeptOpen : FillFailure::None));
+  }
+  const std::vector<BoundaryLoop> left = findBoundaryLoops(mesh);
+  QCOMPARE(left.size(), std::size_t{2});
+  QVERIFY(left[0].halfEdges == loops[1].halfEdges);
+  QVERIFY(left[1].halfEdges == loops[3].halfEdges);
+  QCOMPARE(test::inconsistent(input, mesh, report), std::string());
+}
+
+// A back would close every loop of the sheet, so a sheet with a loop that is to stay open gets none. By its number, and
+// by its length: the rim is the longer one.
+void RepairTest::keptHoleOfASheet() {
+  const HalfEdgeMesh input = buildMesh(test::withHole(test::disc(24, 8), Vec3::Zero(), 0.3)).mesh;
+  const std::vector<BoundaryLoop> loops = findBoundaryLoops(input);
+  QCOMPARE(loops.size(), std::size_t{2});
+  const int rim = loops[0].rim ? 0 : 1, hole = 1 - rim;
+  QVERIFY(loops[std::size_t(rim)].rim && !loops[std::size_t(hole)].rim);
+  HalfEdgeMesh mesh = input;
+  RepairOptions options;
+  options.keepOpen = {hole};
+  const RepairReport report = repair(mesh, options);
+  QVERIFY(test::sameMesh(mesh, input));
+  QVERIFY(report.loops[std::size_t(hole)].reason == FillFailure::KeptOpen);
+  QVERIFY(report.loops[std::size_t(rim)].reason == FillFailure::Rim);
+  QCOMPARE(test::count(report, LoopOutcome::KeptOpen), std::size_t{2});
+
+  mesh = input;
+  options.keepOpen = {};
+  options.maxEdges = 4;
+  const RepairReport tooLong = repair(mesh, options);
+  QVERIFY(test::sameMesh(mesh, input));
+  for (const LoopResult& loop : tooLong.loops) QVERIFY(loop.reason == FillFailure::TooLong);
+}
+
+void RepairTest::maxEdges() {
+  TriangleSoup soup = test::withHole(test::icosphere(4), Vec3::UnitX(), 0.5);
+  soup = test::withHole(soup, -Vec3::UnitX(), 0.1);
+  const HalfEdgeMesh input = buildMesh(soup).mesh;
+  for (const BoundaryLoop& smaller : findBoundaryLoops(input)) {
+    HalfEdgeMesh mesh = input;
+    RepairOptions options;
+    options.maxEdges = smaller.halfEdges.size();
+    const RepairReport report = repair(mesh, options);
+    for (const LoopResult& loop : report.loops) {
+      const bool tooLong = loop.edges > options.maxEdges;
+      QVERIFY((loop.reason == FillFailure::TooLong) == tooLong);
+      QVERIFY((loop.outcome == LoopOutcome::KeptOpen) == tooLong);
+    }
+    QCOMPARE(test::inconsistent(input, mesh, report), std::string());
+  }
+}
+
+void RepairTest::debris() {
+  TriangleSoup soup = test::icosphere(4);
+  test::append(soup, test::moved(test::tetrahedron(), Vec3(2, 2, 2), 0.01));
+  const HalfEdgeMesh input = buildMesh(soup).mesh;
+  for (bool remove : {false, true}) {
+    HalfEdgeMesh mesh = input;
+    RepairOptions options;
+    options.removeDebris = remove;
+    const RepairReport report = repair(mesh, options);
+    QCOMPARE(report.removedDebris, std::size_t(remove ? 4 : 0));
+    QCOMPARE(mesh.liveFaceCount(), input.liveFaceCount() - report.removedDebris);
+    QCOMPARE(test::eulerCharacteristic(mesh), remove ? 2l : 4l);
+    QCOMPARE(validate(mesh), std::string());
+  }
+}
+
+// A loop whose faces all went with the debris needs no patch, and the report says why.
+void RepairTest::openDebris() {
+  TriangleSoup soup = test::sphereWithoutCap(4);
+  test::append(soup, TriangleSoup{{Vec3(3, 0, 0), Vec3(3, 0.01, 0), Vec3(3, 0, 0.01)}, {{0, 1, 2}}});
+  const HalfEdgeMesh input = buildMesh(soup).mesh;
+  HalfEdgeMesh mesh = input;
+  RepairOptions options;
+  options.removeDebris = true;
+  const RepairReport report = repair(mesh, options);
+  QCOMPARE(report.loops.size(), std::size_t{2});
+  for (const LoopResult& loop : report.loops) {
+    QCOMPARE(loop.method == FillMethod::Removed, loop.edges == 3);
+    QCOMPARE(loop.newFaces > 0, loop.edges != 3);
+  }
+  QCOMPARE(test::inconsistent(input, mesh, report), std::string());
+}
+
+// A rod stands in the hole of a sheet: a patch is cut where it crosses the rod, and the sheet gets a back.
+void RepairTest::poleInASheet() {
+  TriangleSoup soup = test::annulus(24, 3, 1.0, 3.0);
+  test::append(soup, test::moved(test::cylinder(8, 10, 0.1, 20.0, true), Vec3(0.05, 0.02, -10.0)));
+  const HalfEdgeMesh input = buildMesh(soup).mesh;
+  HalfEdgeMesh mesh = input;
+  const RepairReport report = repair(mesh, {});
+  QCOMPARE(test::intersections(mesh), std::size_t{0});
+  QCOMPARE(test::count(report, LoopOutcome::Filled), std::size_t{2});
+  QVERIFY(test::countEdges(mesh).sound());
+  for (Vertex v = 0; v < input.vertexSlots(); ++v) QVERIFY((mesh.position(v) - input.position(v)).norm() < 1e-3);
+  QCOMPARE(test::inconsistent(input, mesh, report), std::string());
+}
+
+// An edge of a cube has a middle point on one side only; a needle without area lies between. Taking it away moves
+// nothing.
+void RepairTest::needleMovesNothing() {
+  TriangleSoup soup = test::cube();
+  soup.points.push_back(Vec3(0.5, 0, 0));
+  soup.triangles[4] = {0, 8, 5};  // was {0, 1, 5}
+  soup.triangles.push_back({8, 1, 5});
+  soup.triangles.push_back({0, 1, 8});
+  QVERIFY(test::countEdges(soup).sound());
+  const HalfEdgeMesh input = buildMesh(soup).mesh;
+  HalfEdgeMesh mesh = input;
+  const RepairReport report = repair(mesh, {});
+  QCOMPARE(report.removedDegenerate, std::size_t{1});
+  QVERIFY(test::countEdges(mesh).sound());
+  QVERIFY(test::reallyTouched(input, mesh).empty());
+  QVERIFY2(report.touchedVertices.empty(), "vertices that stayed where they were are called touched");
+}
+
+void RepairTest::cancelledBefore() {
+  const HalfEdgeMesh input = buildMesh(woundedSphere()).mesh;
+  HalfEdgeMesh mesh = input;
+  JobState job;
+  job.cancelled = true;
+  QVERIFY(repair(mesh, {}, Progress(job)).cancelled);
+  QVERIFY(test::sameMesh(mesh, input));
+}
+
+void RepairTest::cancelledAnyTime() {
+  const HalfEdgeMesh input = buildMesh(test::sphereWithHoles(3, 5, 0.35)).mesh;
+  HalfEdgeMesh repaired = input;
+  repair(repaired, {});
+  for (int wait : {0, 200, 1000, 3000, 6000, 10000, 20000}) {
+    HalfEdgeMesh mesh = input;
+    JobState job;
+    std::thread canceller([&] {
+      std::this_thread::sleep_for(std::chrono::microseconds(wait));
+      job.cancelled = true;
+    });
+    const RepairReport report = repair(mesh, {}, Progress(job));
+    canceller.join();
+    QVERIFY(test::sameMesh(mesh, report.cancelled ? input : repaired));
+  }
+}
+
+void RepairTest::undoAndRedo() {
+  const HalfEdgeMesh input = buildMesh(woundedSphere()).mesh;
+  HalfEdgeMesh mesh = input;
+  repair(mesh, {});
+  const HalfEdgeMesh repaired = mesh;
+  MeshDelta delta = MeshDelta::between(input, repaired);
+  mesh = input;
+  for (int round = 0; round < 2; ++round) {
+    delta.swap(mesh);
+    QVERIFY(test::sameMesh(mesh, repaired));
+    delta.swap(mesh);
+    QVERIFY(test::sameMesh(mesh, input));
+  }
+}
+
+// A file in single precision is repaired to one that is sound in single precision.
+void RepairTest::singlePrecision() {
+  TriangleSoup soup = test::sphereWithHoles(3, 5, 0.35);
+  for (Vec3& p : soup.points) p = rounded(p, NumberType::Float32);
+  HalfEdgeMesh mesh = buildMesh(soup).mesh;
+  RepairOptions options;
+  options.fill.numbers = NumberType::Float32;
+  repair(mesh, options);
+  TriangleSoup written = mesh.compact().soup;
+  for (Vec3& p : written.points) p = rounded(p, NumberType::Float32);
+  for (std::size_t i = 0; i < written.points.size(); ++i)
+    QVERIFY(test::sameBits(written.points[i], mesh.compact().soup.points[i]));
+  QVERIFY(test::countEdges(written).sound());
+}
+
+// Exact numbers of the cubes' coordinates would need more bits than cuts take. What touches is parted all the same, and
+// a sheet gets its back.
+void RepairTest::coordinatesThatCannotBeCut() {
+  for (const double tiny : {1e-170, 5e-324}) {
+    TriangleSoup soup = test::twoCubesSharingAnEdge();
+    for (Vec3& p : soup.points) p = p.unaryExpr([&](double x) { return x == 0.0 ? tiny : x; });
+    HalfEdgeMesh mesh = buildMesh(soup).mesh;
+    QCOMPARE(test::countEdges(mesh).nonManifold, std::size_t{1});
+    QVERIFY(repair(mesh, {}).partedVertices > 0);
+    QVERIFY(test::countEdges(mesh.compact().soup).sound());
+
+    mesh = buildMesh(bowl(60, tiny)).mesh;
+    const RepairReport report = repair(mesh, {});
+    QCOMPARE(report.loops.size(), std::size_t{1});
+    QVERIFY(report.loops[0].method == FillMethod::Backed);
+    QVERIFY(test::countEdges(mesh.compact().soup).sound());
+  }
+}
+
+// To close the cut of a small surface with one side takes more than there is, for triangles cross it; what touches
+// elsewhere is parted all the same, and a hole with something in it is closed.
+void RepairTest::aTangleLeavesEffortForTheRest() {
+  TriangleSoup soup = test::sphereWithCrossCap(1);
+  std::mt19937 random(0);
+  std::uniform_real_distribution<double> anywhere(-1.5, 1.5);
+  for (int i = 0; i < 60; ++i) {
+    const auto n = static_cast<std::uint32_t>(soup.points.size());
+    for (int k = 0; k < 3; ++k) {
+      const double x = anywhere(random), y = anywhere(random), z = anywhere(random);
+      soup.points.emplace_back(x, y, z);
+    }
+    soup.triangles.push_back({n, n + 1, n + 2});
+  }
+  test::append(soup, test::moved(test::twoCubesSharingAnEdge(), {1e4, 0, 0}));
+  HalfEdgeMesh mesh = buildMesh(soup).mesh;
+  QCOMPARE(test::countEdges(mesh).nonManifold, std::size_t{1});
+  const RepairReport report = repair(mesh, {});
+  QVERIFY(report.partedVertices > 0);
+  QVERIFY(!report.isPartingCutShort);
+  QCOMPARE(test::countEdges(mesh.compact().soup).nonManifold, std::size_t{0});
+}
+
+void RepairTest::saysWhatWasCutShort() {
+  TriangleSoup wedges;  // that lie in each other, around one edge
+  for (int i = 0; i < 60; ++i) {
+    const double u = 2 * M_PI * i / 60, v = 2 * M_PI * (i + 15.5) / 60;
+    TriangleSoup wedge = test::tetrahedron();
+    wedge.points = {Vec3(3, 3, 3), Vec3(3 + std::cos(u), 3 + std::sin(u), 3.5),
+                    Vec3(3 + std::cos(v), 3 + std::sin(v), 3.5), Vec3(3, 3, 4)};
+    for (Vec3& p : wedge.points) p = rounded(p, NumberType::Float32);
+    test::append(wedges, wedge);
+  }
+  HalfEdgeMesh mesh = buildMesh(wedges).mesh;
+  QVERIFY(repair(mesh, {}).isPartingCutShort);
+
+  std::mt19937 random(0);
+  mesh = buildMesh(test::randomSoup(random, 100, 5)).mesh;
+  RepairOptions options;
+  options.cutCrossings = true;
+  QVERIFY(repair(mesh, options).isCuttingCutShort);
+
+  TriangleSoup cubes = test::twoCubesSharingAnEdge();
+  test::append(cubes, test::cube(1.0, {0.41, 0.27, 0.33}));
+  mesh = buildMesh(cubes).mesh;
+  const RepairReport report = repair(mesh, options);
+  QVERIFY(report.cutClusters > 0 && report.partedVertices > 0);
+  QVERIFY(!report.isPartingCutShort && !report.isCuttingCutShort);
+}
+
+HANDWHEEL_TEST(RepairTest)
+#include "RepairTest.moc"

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/repair/SheetThickening.h"
+
+#include "MeshChecks.h"
+#include "MeshShapes.h"
+#include "TestClass.h"
+#include "mesh/structure/MeshBuilder.h"
+#include "mesh/structure/MeshValidator.h"
+
+#include <QTest>
+
+using namespace handwheel;
+
+namespace {
+
+double volume(const HalfEdgeMesh& mesh) {
+  return test::volume(mesh.compact().soup);
+}
+
+HalfEdgeMesh backed(const TriangleSoup& soup, double thickness) {
+  HalfEdgeMesh mesh = buildMesh(soup).mesh;
+  thickenSheet(mesh, sheetOf(mesh, 0), thickness, NumberType::Float64);
+  relink(mesh);
+  return mesh;
+}
+
+}  // namespace
+
+class SheetThickeningTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void oneTriangle();
+  void sheets_data();
+  void sheets();
+  void flatDisc();
+  void onlyThisSheet();
+};
+
+// A pyramid under the triangle: a third of area times height.
+void SheetThickeningTest::oneTriangle() {
+  const HalfEdgeMesh mesh = backed({{{0, 0, 5}, {2, 0, 5}, {0, 2, 5}}, {{0, 1, 2}}}, 0.25);
+  QCOMPARE(mesh.liveFaceCount(), std::size_t{4});
+  QVERIFY(test::countEdges(mesh).sound());
+  QVERIFY(std::abs(volume(mesh) - 2.0 * 0.25 / 3.0) < 1e-12);
+}
+
+void SheetThickeningTest::sheets_data() {
+  QTest::addColumn<TriangleSoup>("soup");
+  QTest::newRow("two triangles") << TriangleSoup{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  QTest::newRow("strip") << test::cylinder(12, 1, 1.0, 0.3, false);
+  QTest::newRow("fan of one inner face") << TriangleSoup{
+      {{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, -1, 0}, {1.5, 1, 0}, {-0.5, 1, 0}},
+      {{0, 1, 2}, {1, 0, 3}, {2, 1, 4}, {0, 2, 5}}};
+  QTest::newRow("annulus") << test::annulus(24, 3, 1.0, 2.0);
+  QTest::newRow("ball without a cap") << test::sphereWithoutCap(3);
+  QTest::newRow("ball with holes") << test::sphereWithHoles(4, 5, 0.3);
+}
+
+void SheetThickeningTest::sheets() {
+  QFETCH(TriangleSoup, soup);
+  for (const Vec3& shift : {Vec3(0, 0, 0), Vec3(1e5, -1e5, 1e5)}) {
+    const HalfEdgeMesh before = buildMesh(test::moved(soup, shift)).mesh;
+    const HalfEdgeMesh mesh = backed(test::moved(soup, shift), 0.01);
+    QVERIFY(test::countEdges(mesh).sound());
+    QCOMPARE(test::meetingPairs(mesh), std::size_t{0});
+    QCOMPARE(validate(mesh), std::string());
+    QVERIFY(test::volume(test::moved(mesh.compact().soup, -shift)) > 0.0);
+    for (Face f = 0; f < before.faceSlots(); ++f) QVERIFY(mesh.points(f) == before.points(f));
+  }
+}
+
+// Its inner vertices go down by the thickness: between a prism over the inner rings and one over all of it.
+void SheetThickeningTest::flatDisc() {
+  const double thickness = 1e-3;
+  const double v = volume(backed(test::disc(48, 20), thickness));
+  QVERIFY(v < M_PI * thickness);
+  QVERIFY(v > 0.9 * 0.9 * M_PI * thickness);
+}
+
+void SheetThickeningTest::onlyThisSheet() {
+  TriangleSoup two = test::disc(12, 3);
+  const std::size_t one = two.triangles.size();
+  test::append(two, test::moved(test::disc(12, 3), {0, 0, 9}));
+  HalfEdgeMesh mesh = buildMesh(two).mesh;
+  const std::vector<Face> sheet = sheetOf(mesh, 0);
+  QCOMPARE(sheet.size(), one);
+  thickenSheet(mesh, sheet, 0.01, NumberType::Float64);
+  relink(mesh);
+  QCOMPARE(test::countBorder(mesh), std::size_t{12});
+}
+
+HANDWHEEL_TEST(SheetThickeningTest)
+#include "SheetThickeningTest.moc"

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panels/defects/DefectCard.h"
+
+#include "panels/ActionButton.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace handwheel {
+
+DefectCard::DefectCard(QAction* fix, QWidget* parent)
+    : QFrame(parent), m_name(new QLabel(this)), m_hint(new QLabel(this)) {
+  setObjectName(QStringLiteral("defectCard"));
+  m_name->setProperty("strong", true);
+  m_hint->setProperty("muted", true);
+  m_hint->setWordWrap(true);
+  auto* button = new ActionButton(fix, ActionButton::Rank::Primary, this);
+  const auto follow = [button, fix] { button->setVisible(fix->isVisible()); };
+  connect(fix, &QAction::changed, button, follow);
+  follow();
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 12, 12, 12);
+  column->setSpacing(8);
+  for (QWidget* part : std::initializer_list<QWidget*>{m_name, m_hint, button}) column->addWidget(part);
+}
+
+void DefectCard::showDefect(const QString& name, const QString& hint) {
+  m_name->setText(name);
+  m_hint->setText(hint);
+}
+
+}  // namespace handwheel

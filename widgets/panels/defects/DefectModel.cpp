@@ -1,0 +1,293 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panels/defects/DefectModel.h"
+
+#include "text/RepairText.h"
+#include "theme/Icons.h"
+
+namespace handwheel {
+
+namespace {
+
+DefectKind kindOfRow(const QModelIndex& index) {
+  return static_cast<DefectKind>(index.internalId() - 1);
+}
+
+// The outward normal of a face, not normalised.
+Vec3 normalOf(const HalfEdgeMesh& mesh, Face f) {
+  const Triangle& t = mesh.triangle(f);
+  const Vec3& a = mesh.position(t[0]);
+  return (mesh.position(t[1]) - a).cross(mesh.position(t[2]) - a);
+}
+
+}  // namespace
+
+void DefectModel::setInspection(const Inspection* inspection) {
+  if (m_inspection) m_inspection->disconnect(this);
+  beginResetModel();
+  m_inspection = inspection;
+  endResetModel();
+  if (!m_inspection) return;
+  connect(m_inspection, &Inspection::changed, this, [this] {
+    beginResetModel();
+    endResetModel();
+  });
+}
+
+QModelIndex DefectModel::groupIndex(DefectKind kind) const {
+  return index(static_cast<int>(kind), 0);
+}
+
+QModelIndex DefectModel::loopIndex(int loop) const {
+  if (!m_inspection || loop < 0) return {};
+  for (DefectKind kind : {DefectKind::Hole, DefectKind::KeptOpen}) {
+    const auto& ids = kind == DefectKind::Hole ? m_inspection->holes() : m_inspection->keptOpen();
+    const auto found = std::lower_bound(ids.begin(), ids.end(), loop);  // ids ascend
+    if (found != ids.end() && *found == loop) return index(static_cast<int>(found - ids.begin()), 0, groupIndex(kind));
+  }
+  return {};
+}
+
+void DefectModel::setShown(DefectKind kind, bool shown) {
+  if (isShown(kind) == shown) return;
+  m_shown[static_cast<std::size_t>(kind)] = shown;
+  const QModelIndex group = groupIndex(kind);
+  emit dataChanged(group, group);
+  emit shownChanged();
+}
+
+QModelIndex DefectModel::index(int row, int column, const QModelIndex& parent) const {
+  if (!hasIndex(row, column, parent)) return {};
+  return createIndex(row, column, parent.isValid() ? static_cast<quintptr>(parent.row() + 1) : quintptr{0});
+}
+
+QModelIndex DefectModel::parent(const QModelIndex& child) const {
+  if (!child.isValid() || child.internalId() == 0) return {};
+  return createIndex(static_cast<int>(child.internalId()) - 1, 0, quintptr{0});
+}
+
+int DefectModel::rowCount(const QModelIndex& parent) const {
+  if (!m_inspection) return 0;
+  if (!parent.isValid()) return kDefectKinds;
+  if (parent.internalId() != 0) return 0;
+  return static_cast<int>(m_inspection->count(static_cast<DefectKind>(parent.row())));
+}
+
+int DefectModel::columnCount(const QModelIndex&) const {
+  return 1;
+}
+
+QVariant DefectModel::data(const QModelIndex& index, int role) const {
+  if (!m_inspection || !index.isValid()) return {};
+  if (index.internalId() == 0) return groupData(static_cast<DefectKind>(index.row()), role);
+  return rowData(kindOfRow(index), index.row(), role);
+}
+
+QVariant DefectModel::groupData(DefectKind kind, int role) const {
+  const bool searching = kind == DefectKind::SelfIntersection && !m_inspection->selfIntersections();
+  const int count = searching ? -1 : static_cast<int>(m_inspection->count(kind));
+  switch (role) {
+    case Qt::DisplayRole:
+      return defectKindName(kind);
+    case Qt::ToolTipRole:
+      return defectKindHint(kind);
+    case Qt::AccessibleTextRole:
+      return searching ? tr("%1: searching").arg(defectKindName(kind))
+                       : tr("%1: %2").arg(defectKindName(kind)).arg(count);
+    case Qt::DecorationRole:
+      return icon(defectIconName(kind), defectColour(kind));
+    case KindRole:
+      return static_cast<int>(kind);
+    case LoopRole:
+      return -1;
+    case CountRole:
+      return count;
+    case ShownRole:
+      return isShown(kind);
+    default:
+      return {};
+  }
+}
+
+QVariant DefectModel::rowData(DefectKind kind, int row, int role) const {
+  const int loop = loopOf(kind, row);
+  switch (role) {
+    case Qt::DisplayRole:
+      return rowName(kind, row);
+    case DetailRole:
+      return rowDetail(kind, row);
+    case Qt::AccessibleTextRole:
+      return loop >= 0 ? m_inspection->loopTitle(loop) : rowName(kind, row);
+    case KindRole:
+      return static_cast<int>(kind);
+    case LoopRole:
+      return loop;
+    case NoteRole:
+      return loop >= 0 ? fillFailureReason(m_inspection->failure(loop)) : QString();
+    case Qt::ToolTipRole: {
+      const QString reason = data(createIndex(row, 0, static_cast<quintptr>(kind) + 1), NoteRole).toString();
+      return reason.isEmpty() ? QVariant() : tr("Stayed open: %1.").arg(reason);
+    }
+    default:
+      return {};
+  }
+}
+
+int DefectModel::loopOf(DefectKind kind, int row) const {
+  if (kind == DefectKind::Hole) return m_inspection->holes()[static_cast<std::size_t>(row)];
+  if (kind == DefectKind::KeptOpen) return m_inspection->keptOpen()[static_cast<std::size_t>(row)];
+  return -1;
+}
+
+QString DefectModel::rowName(DefectKind kind, int row) const {
+  const auto i = static_cast<std::size_t>(row);
+  const Defects& defects = m_inspection->document().defects();
+  switch (kind) {
+    case DefectKind::Hole:
+    case DefectKind::KeptOpen:
+      return m_inspection->loopName(loopOf(kind, row));
+    case DefectKind::NonManifoldEdge:
+    case DefectKind::OneSided:
+      return tr("Edge %1").arg(row + 1);
+    case DefectKind::NonManifoldVertex:
+      return tr("Vertex %1").arg(defects.nonManifoldVertices[i]);
+    case DefectKind::NearVertex:
+      return tr("Vertices %1 and %2").arg(defects.nearVertices[i].first).arg(defects.nearVertices[i].second);
+    case DefectKind::Flipped:
+    case DefectKind::Degenerate:
+    case DefectKind::Duplicate:
+      return tr("Triangle %1").arg(facesOf(kind, row).front());
+    case DefectKind::SelfIntersection: {
+      const auto& pair = (*m_inspection->selfIntersections())[i];
+      return tr("Triangles %1 and %2").arg(pair.first).arg(pair.second);
+    }
+    case DefectKind::Debris:
+      return tr("Piece %1").arg(m_inspection->debris()[i] + 1);
+  }
+  return {};
+}
+
+QString DefectModel::rowDetail(DefectKind kind, int row) const {
+  if (const int loop = loopOf(kind, row); loop >= 0) return m_inspection->loopDetail(loop);
+  const HalfEdgeMesh& mesh = m_inspection->document().mesh();
+  if (kind == DefectKind::NonManifoldEdge || kind == DefectKind::OneSided) {
+    const std::vector<Vertex> ends = verticesOf(kind, row);
+    return lengthText((mesh.position(ends[0]) - mesh.position(ends[1])).norm(), m_inspection->document().displayUnit());
+  }
+  if (kind == DefectKind::Debris) {
+    const std::size_t i = m_inspection->debris()[static_cast<std::size_t>(row)];
+    return tr("%Ln triangle(s)", nullptr,
+              static_cast<int>(m_inspection->document().defects().components[i].faces.size()));
+  }
+  return {};
+}
+
+std::vector<Face> DefectModel::facesOf(DefectKind kind, int row) const {
+  const auto i = static_cast<std::size_t>(row);
+  const Defects& defects = m_inspection->document().defects();
+  switch (kind) {
+    case DefectKind::Flipped:
+      return {m_inspection->document().turnedFaces()[i]};
+    case DefectKind::Degenerate:
+      return {defects.degenerateFaces[i]};
+    case DefectKind::Duplicate:
+      return {defects.duplicateFaces[i]};
+    case DefectKind::SelfIntersection: {
+      const auto& pair = (*m_inspection->selfIntersections())[i];
+      return {pair.first, pair.second};
+    }
+    case DefectKind::Debris:
+      return defects.components[m_inspection->debris()[i]].faces;
+    default:
+      return {};
+  }
+}
+
+std::vector<Vertex> DefectModel::verticesOf(DefectKind kind, int row) const {
+  const auto i = static_cast<std::size_t>(row);
+  const Defects& defects = m_inspection->document().defects();
+  if (kind == DefectKind::NonManifoldVertex) return {defects.nonManifoldVertices[i]};
+  const auto ends = [](const auto& pair) { return std::vector<Vertex>{pair.first, pair.second}; };
+  if (kind == DefectKind::NearVertex) return ends(defects.nearVertices[i]);
+  if (kind == DefectKind::OneSided) return ends(defects.nonOrientableEdges[i]);
+  if (kind == DefectKind::NonManifoldEdge) return ends(defects.nonManifoldEdges[i]);
+  return {};
+}
+
+std::pair<Box, Vec3> DefectModel::placeOf(const QModelIndex& index) const {
+  Box box;
+  Vec3 outward = Vec3::Zero();
+  if (!m_inspection || !index.isValid() || index.internalId() == 0) return {box, outward};
+  const HalfEdgeMesh& mesh = m_inspection->document().mesh();
+  const DefectKind kind = kindOfRow(index);
+  if (const int loop = loopOf(kind, index.row()); loop >= 0) {
+    for (HalfEdge h : m_inspection->loop(loop).halfEdges) outward += normalOf(mesh, HalfEdgeMesh::face(h));
+    return {m_inspection->loop(loop).box, outward};
+  }
+  for (Face f : facesOf(kind, index.row())) {
+    for (Vertex v : mesh.triangle(f)) box.extend(mesh.position(v));
+    outward += normalOf(mesh, f);
+  }
+  for (Vertex v : verticesOf(kind, index.row())) box.extend(mesh.position(v));
+  return {box, outward};
+}
+
+QString defectKindName(DefectKind kind) {
+  switch (kind) {
+    case DefectKind::Hole:
+      return DefectModel::tr("Holes");
+    case DefectKind::KeptOpen:
+      return DefectModel::tr("Kept open");
+    case DefectKind::NonManifoldEdge:
+      return DefectModel::tr("Non-manifold edges");
+    case DefectKind::NonManifoldVertex:
+      return DefectModel::tr("Non-manifold vertices");
+    case DefectKind::OneSided:
+      return DefectModel::tr("Edges with one side");
+    case DefectKind::NearVertex:
+      return DefectModel::tr("Near vertices");
+    case DefectKind::Flipped:
+      return DefectModel::tr("Triangles turned over");
+    case DefectKind::Degenerate:
+      return DefectModel::tr("Degenerate triangles");
+    case DefectKind::Duplicate:
+      return DefectModel::tr("Duplicate triangles");
+    case DefectKind::SelfIntersection:
+      return DefectModel::tr("Self-intersections");
+    case DefectKind::Debris:
+      return DefectModel::tr("Debris");
+  }
+  return {};
+}
+
+QString defectKindHint(DefectKind kind) {
+  switch (kind) {
+    case DefectKind::Hole:
+      return DefectModel::tr("Places where the surface is missing. (A tunnel through the part is not a hole.)");
+    case DefectKind::KeptOpen:
+      return DefectModel::tr(
+          "Openings that are meant to be there, and outer edges of open sheets. “Repair all” leaves them.");
+    case DefectKind::NonManifoldEdge:
+      return DefectModel::tr("Edges at which more than two triangles meet.");
+    case DefectKind::NonManifoldVertex:
+      return DefectModel::tr("Points at which parts of the surface touch only with a tip.");
+    case DefectKind::OneSided:
+      return DefectModel::tr(
+          "Edges at which inside becomes outside: as a Möbius strip, the surface has one side only.");
+    case DefectKind::NearVertex:
+      return DefectModel::tr("Vertices on open borders that the file has rounded apart. A repair merges them.");
+    case DefectKind::Flipped:
+      return DefectModel::tr("Triangles that faced the wrong way in the file. They were turned over on opening.");
+    case DefectKind::Degenerate:
+      return DefectModel::tr("Triangles without area.");
+    case DefectKind::Duplicate:
+      return DefectModel::tr("Triangles that lie exactly on another one.");
+    case DefectKind::SelfIntersection:
+      return DefectModel::tr("Pairs of triangles that pass through each other. “Repair all” leaves them as they are.");
+    case DefectKind::Debris:
+      return DefectModel::tr("Small pieces that are not connected with the model.");
+  }
+  return {};
+}
+
+}  // namespace handwheel

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "panels/defects/Inspection.h"
+
+#include <QAbstractItemModel>
+#include <QPointer>
+#include <array>
+
+namespace handwheel {
+
+// A tree model of the defects of a document. It has one group for each kind and one row for each defect. Rows are
+// created when they are shown, so hundreds of thousands cost nothing.
+class DefectModel : public QAbstractItemModel {
+  Q_OBJECT
+
+ public:
+  enum Role {
+    KindRole = Qt::UserRole,  // int of DefectKind
+    LoopRole,                 // loop id of a hole or kept-open row, else -1
+    DetailRole,               // secondary text at the right
+    CountRole,                // of a group; -1 while still searching
+    NoteRole,                 // why a hole could not be filled
+    ShownRole,                // of a group: its marks are drawn in the viewport
+  };
+
+  using QAbstractItemModel::QAbstractItemModel;
+
+  void setInspection(const Inspection* inspection);
+  const Inspection* inspection() const { return m_inspection; }
+
+  QModelIndex groupIndex(DefectKind kind) const;
+  QModelIndex loopIndex(int loop) const;  // invalid when there is none
+  bool isShown(DefectKind kind) const { return m_shown[static_cast<std::size_t>(kind)]; }
+  void setShown(DefectKind kind, bool shown);
+
+  // The bounding box of a row's defect and a direction from which it is visible, for moving the camera there.
+  std::pair<Box, Vec3> placeOf(const QModelIndex& index) const;
+
+  QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
+  QModelIndex parent(const QModelIndex& child) const override;
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+
+ signals:
+  void shownChanged();
+
+ private:
+  QVariant groupData(DefectKind kind, int role) const;
+  QVariant rowData(DefectKind kind, int row, int role) const;
+  QString rowName(DefectKind kind, int row) const;
+  QString rowDetail(DefectKind kind, int row) const;
+  int loopOf(DefectKind kind, int row) const;
+  std::vector<Face> facesOf(DefectKind kind, int row) const;
+  std::vector<Vertex> verticesOf(DefectKind kind, int row) const;
+
+  QPointer<const Inspection> m_inspection;
+  std::array<bool, kDefectKinds> m_shown = {true, true, true, true, true, true, true, true, true, true, true};
+};
+
+// The name of a kind: "Holes", "Non-manifold edges", …
+QString defectKindName(DefectKind kind);
+// A sentence that explains the kind.
+QString defectKindHint(DefectKind kind);
+
+}  // namespace handwheel

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "panels/defects/HoleSettings.h"
+
+#include <QTimer>
+#include <QWidget>
+#include <set>
+
+class QTreeView;
+
+namespace handwheel {
+
+class DefectCard;
+class DefectDelegate;
+class DefectModel;
+class Inspection;
+class StateCard;
+
+// The actions that the panel shows as buttons.
+struct DefectsPanelActions {
+  QAction* fillAll;
+  QAction* previous;
+  QAction* next;
+  QAction* fill;
+  QAction* keepOpen;
+  QAction* preview;
+  QAction* giveBack;
+  QAction* cutAndClose;
+  QAction* fix;  // for the selection in the list
+};
+
+// The panel with the defects of the current document. It has an overall state, a list by kind, and the settings for the
+// selected hole. Selection and hovering are synchronised with the viewport.
+class DefectsPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit DefectsPanel(const DefectsPanelActions& actions, QWidget* parent = nullptr);
+
+  void setInspection(Inspection* inspection);  // null when no document is open
+  DefectModel* model() const { return m_model; }
+  HoleSettings* settings() const { return m_settings; }
+
+  void setSelectedLoop(int loop);     // -1 for none
+  void setHighlightedLoop(int loop);  // under the cursor in the viewport
+
+ signals:
+  void loopSelected(int loop);
+  void loopHovered(int loop);
+  void defectActivated(const QModelIndex& index);  // a click: move the camera there
+  void defectChosen(const QModelIndex& index);     // a row or a group; invalid for none
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void inspectionChanged();
+  void clicked(const QModelIndex& index);
+  void currentChanged(const QModelIndex& index);
+  void updateSettings();
+
+  DefectModel* m_model;
+  DefectDelegate* m_delegate;
+  StateCard* m_state;
+  QTreeView* m_list;
+  HoleSettings* m_settings;
+  DefectCard* m_card;
+  QWidget* m_content;
+  QWidget* m_empty;
+  Inspection* m_inspection = nullptr;
+  int m_selectedLoop = -1;
+  bool m_following = false;  // the selection is being set from outside
+  std::set<int> m_expanded;  // expanded kinds; lost at each model reset
+  QTimer m_spinner;
+};
+
+}  // namespace handwheel

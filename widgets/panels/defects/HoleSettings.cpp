@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panels/defects/HoleSettings.h"
+
+#include "panels/ActionButton.h"
+#include "text/RepairText.h"
+
+#include <QAbstractItemView>
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QStyle>
+#include <QToolButton>
+
+namespace handwheel {
+
+namespace {
+
+constexpr FillMethod kMethods[] = {FillMethod::Fair, FillMethod::Refined,  FillMethod::Ear,  FillMethod::Minimal,
+                                   FillMethod::Area, FillMethod::Dihedral, FillMethod::Ridge};
+
+QComboBox* methodBox(QWidget* parent) {
+  auto* box = new QComboBox(parent);
+  box->setObjectName(QStringLiteral("fillMethod"));
+  box->setAccessibleName(HoleSettings::tr("Fill method"));
+  for (FillMethod method : kMethods) {
+    box->addItem(fillMethodName(method), static_cast<int>(method));
+    box->setItemData(box->count() - 1, fillMethodHint(method), Qt::ToolTipRole);
+  }
+  constexpr int kPadding = 24;  // of the items, by the style sheet
+  box->view()->setMinimumWidth(box->view()->sizeHintForColumn(0) + kPadding);
+  return box;
+}
+
+// A check box that stands for a checkable action.
+QCheckBox* checkBoxFor(QAction* action, QWidget* parent) {
+  auto* box = new QCheckBox(action->iconText(), parent);
+  box->setObjectName(action->objectName() + QStringLiteral("Check"));
+  box->setToolTip(action->toolTip());
+  box->setChecked(action->isChecked());
+  QObject::connect(box, &QCheckBox::clicked, action, &QAction::trigger);
+  QObject::connect(action, &QAction::toggled, box, &QCheckBox::setChecked);
+  return box;
+}
+
+}  // namespace
+
+HoleSettings::HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, const QList<QAction*>& others,
+                           QWidget* parent)
+    : QFrame(parent),
+      m_name(new QLabel(this)),
+      m_detail(new QLabel(this)),
+      m_method(methodBox(this)),
+      m_status(new QLabel(this)),
+      m_trials(new MethodTable(this)) {
+  setObjectName(QStringLiteral("holeSettings"));
+  m_name->setProperty("strong", true);
+  m_detail->setProperty("muted", true);
+  m_status->setProperty("muted", true);
+  m_status->setObjectName(QStringLiteral("previewStatus"));
+  m_status->setWordWrap(true);
+  m_status->setMinimumHeight(m_status->fontMetrics().lineSpacing());
+  auto* methodLabel = new QLabel(tr("Method"), this);
+  methodLabel->setBuddy(m_method);
+
+  auto* title = new QHBoxLayout;
+  title->addWidget(m_name);
+  title->addStretch();
+  title->addWidget(m_detail);
+  auto* method = new QHBoxLayout;
+  method->setSpacing(8);
+  method->addWidget(methodLabel);
+  method->addWidget(m_method, 1);
+  method->addWidget(compareButton());
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(8);
+  buttons->addWidget(new ActionButton(keepOpen, ActionButton::Rank::Ordinary, this), 1);
+  buttons->addWidget(new ActionButton(fill, ActionButton::Rank::Primary, this), 1);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(12, 12, 12, 12);
+  column->setSpacing(8);
+  column->addLayout(title);
+  column->addLayout(method);
+  column->addWidget(m_trials);
+  column->addWidget(checkBoxFor(preview, this));
+  column->addWidget(m_status);
+  column->addLayout(buttons);
+  for (QAction* other : others) {
+    auto* button = new ActionButton(other, ActionButton::Rank::Ordinary, this);
+    const auto follow = [button, other] { button->setVisible(other->isVisible() && other->isEnabled()); };
+    connect(other, &QAction::changed, button, follow);
+    follow();
+    column->addWidget(button);
+  }
+
+  connect(m_method, &QComboBox::currentIndexChanged, this, [this] {
+    m_method->setToolTip(fillMethodHint(this->method()));
+    m_trials->showChosen(this->method());
+    emit methodChanged(this->method());
+  });
+  m_method->setToolTip(fillMethodHint(FillMethod::Fair));
+  connect(m_trials, &MethodTable::methodChosen, this, &HoleSettings::setMethod);
+}
+
+QToolButton* HoleSettings::compareButton() {
+  auto* button = new QToolButton(this);
+  button->setObjectName(QStringLiteral("compareMethods"));
+  button->setText(tr("Compare"));
+  button->setToolTip(tr("Show what each method makes of this hole"));
+  button->setCheckable(true);
+  m_trials->hide();
+  connect(button, &QToolButton::toggled, this, [this](bool on) {
+    m_trials->setVisible(on);
+    if (on) emit compareWanted();
+  });
+  return button;
+}
+
+bool HoleSettings::isComparing() const {
+  return m_trials->isVisibleTo(this);
+}
+
+void HoleSettings::showTrials(const std::vector<MethodTrial>& trials) {
+  m_trials->showTrials(trials);
+  m_trials->showChosen(method());
+}
+
+std::span<const FillMethod> HoleSettings::methods() {
+  return kMethods;
+}
+
+FillMethod HoleSettings::method() const {
+  return static_cast<FillMethod>(m_method->currentData().toInt());
+}
+
+void HoleSettings::setMethod(FillMethod method) {
+  m_method->setCurrentIndex(m_method->findData(static_cast<int>(method)));
+}
+
+void HoleSettings::showLoop(const QString& name, const QString& detail) {
+  m_name->setText(name);
+  m_detail->setText(detail);
+}
+
+void HoleSettings::showPreview(const PreviewState& state) {
+  m_status->setProperty("bad", state.kind == PreviewState::Kind::Failed);
+  m_status->style()->polish(m_status);  // the style sheet colours what is bad
+  switch (state.kind) {
+    case PreviewState::Kind::Off:
+      return m_status->clear();
+    case PreviewState::Kind::Working:
+      return m_status->setText(tr("Computing the patch…"));
+    case PreviewState::Kind::Failed:
+      return m_status->setText(tr("Cannot be filled: %1.").arg(fillFailureReason(state.failure)));
+    case PreviewState::Kind::Ready:
+      break;
+  }
+  const QString size = tr("%Ln new triangle(s)", nullptr, static_cast<int>(state.triangles));
+  m_status->setText(
+      state.method == method()
+          ? size
+          : tr("%1, by “%2” because the chosen method fits none").arg(size, fillMethodName(state.method)));
+}
+
+}  // namespace handwheel

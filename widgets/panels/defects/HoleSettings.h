@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "panels/defects/MethodTable.h"
+
+#include <QFrame>
+#include <span>
+
+class QAction;
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QToolButton;
+
+namespace handwheel {
+
+// The state of the fill preview.
+struct PreviewState {
+  enum class Kind { Off, Working, Ready, Failed };
+  Kind kind = Kind::Off;
+  std::size_t triangles = 0;                // when ready
+  FillMethod method = FillMethod::Fair;     // the method of the patch; differs from the chosen one when that failed
+  FillFailure failure = FillFailure::None;  // when failed
+};
+
+// The settings and buttons for filling the selected hole. Changes apply to the preview at once.
+class HoleSettings : public QFrame {
+  Q_OBJECT
+
+ public:
+  // The actions are those of the menus and keys. others: further ways to close the hole, shown when they are possible.
+  HoleSettings(QAction* fill, QAction* keepOpen, QAction* preview, const QList<QAction*>& others,
+               QWidget* parent = nullptr);
+
+  // The available methods, in order.
+  static std::span<const FillMethod> methods();
+  FillMethod method() const;
+  void setMethod(FillMethod method);
+  void showLoop(const QString& name, const QString& detail);
+  void showPreview(const PreviewState& state);
+  // Whether the comparison of the methods is open, and their statistics are needed.
+  bool isComparing() const;
+  void showTrials(const std::vector<MethodTrial>& trials);
+
+ signals:
+  void methodChanged(handwheel::FillMethod method);
+  void compareWanted();
+
+ private:
+  QToolButton* compareButton();
+
+  QLabel* m_name;
+  QLabel* m_detail;
+  QComboBox* m_method;
+  QLabel* m_status;
+  MethodTable* m_trials;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panels/defects/Inspection.h"
+
+#include "text/RepairText.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace handwheel {
+
+Inspection::Inspection(MeshDocument& document, QObject* parent) : QObject(parent), m_document(document) {
+  connect(&document, &MeshDocument::meshChanged, this, [this] { documentChanged(); });
+  connect(&document, &MeshDocument::keptOpenChanged, this, [this] {
+    sortLoops();
+    emit changed();
+  });
+  connect(&document, &Document::fileChanged, this, [this, unit = document.displayUnit()]() mutable {
+    const LengthUnit before = std::exchange(unit, m_document.displayUnit());
+    if (unit != before) emit changed();
+  });
+  nameLoops();
+  sortLoops();
+}
+
+void Inspection::documentChanged() {
+  m_selfIntersections.reset();
+  nameLoops();
+  sortLoops();
+  emit changed();
+}
+
+void Inspection::nameLoops() {
+  m_keys.clear();
+  for (const BoundaryLoop& each : m_document.defects().loops) {
+    m_keys.push_back(handwheel::keyOf(m_document.mesh(), each));
+    int& given = each.rim ? m_rimsNamed : m_holesNamed;
+    if (m_numbers.emplace(m_keys.back(), given + 1).second) ++given;
+  }
+}
+
+void Inspection::sortLoops() {
+  m_holes.clear();
+  m_keptOpen.clear();
+  m_debris.clear();
+  for (int id = 0; id < loopCount(); ++id) {
+    const bool open = loop(id).rim || m_document.isKeptOpen(loop(id));
+    (open ? m_keptOpen : m_holes).push_back(id);
+  }
+  const auto& components = m_document.defects().components;
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    if (components[i].debris) m_debris.push_back(i);
+  }
+}
+
+void Inspection::setSelfIntersections(std::uint64_t revision, FacePairs pairs) {
+  if (revision != m_document.revision()) return;
+  m_selfIntersections = std::move(pairs);
+  emit changed();
+}
+
+std::size_t Inspection::count(DefectKind kind) const {
+  const Defects& defects = m_document.defects();
+  switch (kind) {
+    case DefectKind::Hole:
+      return m_holes.size();
+    case DefectKind::KeptOpen:
+      return m_keptOpen.size();
+    case DefectKind::NonManifoldEdge:
+      return defects.nonManifoldEdges.size();
+    case DefectKind::NonManifoldVertex:
+      return defects.nonManifoldVertices.size();
+    case DefectKind::OneSided:
+      return defects.nonOrientableEdges.size();
+    case DefectKind::NearVertex:
+      return defects.nearVertices.size();
+    case DefectKind::Flipped:
+      return m_document.turnedFaces().size();
+    case DefectKind::Degenerate:
+      return defects.degenerateFaces.size();
+    case DefectKind::Duplicate:
+      return defects.duplicateFaces.size();
+    case DefectKind::SelfIntersection:
+      return m_selfIntersections ? m_selfIntersections->size() : 0;
+    case DefectKind::Debris:
+      return m_debris.size();
+  }
+  return 0;
+}
+
+bool Inspection::isWatertight() const {
+  return loopCount() == 0 && count(DefectKind::NonManifoldEdge) == 0 && count(DefectKind::NonManifoldVertex) == 0 &&
+         count(DefectKind::OneSided) == 0;
+}
+
+bool Inspection::isClean() const {
+  return m_holes.empty() && count(DefectKind::NonManifoldEdge) == 0 && count(DefectKind::NonManifoldVertex) == 0 &&
+         count(DefectKind::NearVertex) == 0 && count(DefectKind::Degenerate) == 0 && count(DefectKind::Duplicate) == 0;
+}
+
+int Inspection::loopNumber(int id) const {
+  return m_numbers.at(keyOf(id));
+}
+
+QString Inspection::loopName(int id) const {
+  const int n = loopNumber(id);
+  return loop(id).rim ? tr("Outer edge %1").arg(n) : tr("Hole %1").arg(n);
+}
+
+QString Inspection::loopDetail(int id) const {
+  const BoundaryLoop& l = loop(id);
+  return tr("%Ln edge(s), %1", nullptr, static_cast<int>(l.halfEdges.size()))
+      .arg(lengthText(l.length, m_document.displayUnit()));
+}
+
+QString Inspection::loopTitle(int id) const {
+  return tr("%1 — %2").arg(loopName(id), loopDetail(id));
+}
+
+FillFailure Inspection::failure(int id) const {
+  const auto found = m_failures.find(keyOf(id));
+  return found == m_failures.end() ? FillFailure::None : found->second;
+}
+
+void Inspection::setFailure(int id, FillFailure failure) {
+  if (this->failure(id) == failure) return;
+  m_failures[keyOf(id)] = failure;
+  emit changed();
+}
+
+void Inspection::setFailures(const std::vector<std::pair<Vertex, FillFailure>>& failures) {
+  for (const auto& [key, failure] : failures) m_failures[key] = failure;
+  if (!failures.empty()) emit changed();
+}
+
+Vertex Inspection::keyOf(int id) const {
+  return m_keys[static_cast<std::size_t>(id)];
+}
+
+int Inspection::loopWithKey(Vertex key) const {
+  const auto found = std::find(m_keys.begin(), m_keys.end(), key);
+  return found == m_keys.end() ? -1 : static_cast<int>(found - m_keys.begin());
+}
+
+}  // namespace handwheel

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/mesh/MeshDocument.h"
+#include "mesh/holes/HoleFilling.h"
+#include "theme/DefectColours.h"
+
+#include <QObject>
+#include <map>
+#include <optional>
+
+namespace handwheel {
+
+using FacePairs = std::vector<std::pair<Face, Face>>;
+
+// The defects of a mesh document as the window shows them. Adds to the document which loops count as holes, the loop
+// names, the self-intersections (found later, by a job) and why a hole could not be filled. Follows changes of the
+// document; window thread.
+class Inspection : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Inspection(MeshDocument& document, QObject* parent = nullptr);
+
+  const MeshDocument& document() const { return m_document; }
+  const BoundaryLoop& loop(int id) const { return m_document.defects().loops[static_cast<std::size_t>(id)]; }
+  int loopCount() const { return static_cast<int>(m_document.defects().loops.size()); }
+
+  // Loop ids. A loop that the user keeps open, or that is the outer edge of a sheet, is no hole.
+  const std::vector<int>& holes() const { return m_holes; }
+  const std::vector<int>& keptOpen() const { return m_keptOpen; }
+  // Indices into defects().components.
+  const std::vector<std::size_t>& debris() const { return m_debris; }
+
+  // Absent until computed for the present mesh.
+  const std::optional<FacePairs>& selfIntersections() const { return m_selfIntersections; }
+  void setSelfIntersections(std::uint64_t revision, FacePairs pairs);
+
+  // The number of defects of this kind; for self-intersections 0 while unknown.
+  std::size_t count(DefectKind kind) const;
+  // Whether the mesh is closed and manifold, so that it encloses a volume.
+  bool isWatertight() const;
+  // Whether there is nothing that a repair would change.
+  bool isClean() const;
+
+  // The number of a loop, assigned when it first appears, from 1; holes and outer edges are counted separately. It does
+  // not change while other holes are filled.
+  int loopNumber(int id) const;
+  // The name of a loop: "Hole 3"
+  QString loopName(int id) const;
+  // "Hole 3 — 42 edges, 31.2 mm"
+  QString loopTitle(int id) const;
+  QString loopDetail(int id) const;
+
+  FillFailure failure(int id) const;
+  void setFailure(int id, FillFailure failure);
+  // Sets the failures by loop key; keys of removed loops are allowed.
+  void setFailures(const std::vector<std::pair<Vertex, FillFailure>>& failures);
+
+  // A key that identifies a loop across edits: the vertex at which it starts. loopWithKey() returns -1 if the loop is
+  // gone.
+  Vertex keyOf(int id) const;
+  int loopWithKey(Vertex key) const;
+
+ signals:
+  void changed();
+
+ private:
+  void documentChanged();
+  void sortLoops();
+  void nameLoops();
+
+  MeshDocument& m_document;
+  std::vector<int> m_holes;
+  std::vector<int> m_keptOpen;
+  std::vector<std::size_t> m_debris;
+  std::optional<FacePairs> m_selfIntersections;
+  std::vector<Vertex> m_keys;       // by loop id
+  std::map<Vertex, int> m_numbers;  // by key, from 1; never reused
+  int m_holesNamed = 0;
+  int m_rimsNamed = 0;
+  std::map<Vertex, FillFailure> m_failures;
+};
+
+}  // namespace handwheel

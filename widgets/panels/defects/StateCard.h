@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFrame>
+
+class QLabel;
+
+namespace handwheel {
+
+class Inspection;
+
+// Shows the overall state of a document. "Watertight" in green, or its defects, most important first.
+class StateCard : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit StateCard(QWidget* parent = nullptr);
+
+  void showState(const Inspection& inspection);
+
+ private:
+  QLabel* m_icon;
+  QLabel* m_headline;
+  QLabel* m_details;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+namespace handwheel {
+
+// Shows the buttons of a device as lamps, lit while held. They are numbered from 1.
+class ButtonLamps : public QWidget {
+  Q_OBJECT
+
+ public:
+  static constexpr int kMost = 32;
+
+  explicit ButtonLamps(QWidget* parent = nullptr);
+
+  void setCount(int count);
+  void showButtons(std::uint32_t held);  // bit n: button n + 1
+
+  QString text() const;  // "Held: 1, 3", or that none is held
+
+  bool hasHeightForWidth() const override { return true; }
+  int heightForWidth(int width) const override;
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  int lampSize() const;
+  int perRow(int width) const;
+
+  int m_count = 0;
+  std::uint32_t m_held = 0;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/mapping/WorkspaceMapping.h"
+#include "panels/device/DeviceInUse.h"
+#include "panels/device/SafetyMemory.h"
+
+#include <QWidget>
+
+class QLabel;
+class QTabWidget;
+
+namespace handwheel {
+
+class DeviceCard;
+class LivePage;
+class ServoStatistics;
+class MappingForm;
+class PropertyList;
+class TimingPage;
+struct ServoSample;
+
+// The panel for the haptic devices. For the one in use it has pages for live values, mapping, servo timing and data
+// sheet, and the state of the safety chain. It shows what it is given and emits signals for the user's requests; while
+// it is hidden, samples and timings are ignored.
+class DevicePanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit DevicePanel(QWidget* parent = nullptr);
+
+  // Adds a page after the others.
+  void addPage(QWidget* page, const QString& title);
+
+  void showDevice(const DeviceInUse& view);
+  void setMapping(const WorkspaceMapping& mapping);
+  void showSample(const ServoSample& sample);  // at the rate of the display
+  void showLoop(const LoopView& loop);         // at a low rate, as the next
+  void showTiming(const ServoStatistics& measure);
+
+ signals:
+  void deviceChosen(const std::string& driver, const std::string& address);
+  void deviceLeft();
+  void rescanAsked();
+  // Its sceneFromView is the one last set.
+  void mappingChanged(const handwheel::WorkspaceMapping& mapping);
+  void forceOnChanged(bool isOn);
+  void forceTestAsked();
+
+ protected:
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  void addPages();
+  void connectParts();
+  void clearLive();
+  void showSafety(SafetyActions actions);
+
+  DeviceCard* m_card;
+  QTabWidget* m_pages;
+  LivePage* m_live;
+  MappingForm* m_mapping;
+  TimingPage* m_timing;
+  PropertyList* m_dataSheet;
+  QLabel* m_safety;
+  SafetyMemory m_memory;
+  std::optional<DeviceListing> m_chosen;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panels/device/DeviceText.h"
+
+#include <QLocale>
+
+namespace handwheel {
+
+namespace {
+
+QString number(const QLocale& locale, double value) {
+  return locale.toString(value, 'g', 4);
+}
+
+}  // namespace
+
+QString DeviceText::status(DeviceStatus status) {
+  switch (status) {
+    case DeviceStatus::Absent:
+      return tr("Not plugged in");
+    case DeviceStatus::Starting:
+      return tr("Starting…");
+    case DeviceStatus::NeedsHoming:
+      return tr("Needs homing");
+    case DeviceStatus::Ready:
+      return tr("Ready");
+    case DeviceStatus::Failed:
+      return tr("Does not answer as it should");
+  }
+  return {};
+}
+
+QString DeviceText::advice(DeviceStatus status) {
+  switch (status) {
+    case DeviceStatus::Absent:
+      return tr("Plug it in, then choose it again.");
+    case DeviceStatus::Starting:
+      return tr("It is being connected and may be loading its firmware. This can take some seconds.");
+    case DeviceStatus::NeedsHoming:
+      return tr(
+          "It does not know yet where it is. Pull the grip slowly all the way out, push it all the way in, and bring "
+          "it "
+          "back to the middle. There is no force until then.");
+    case DeviceStatus::Failed:
+      return tr("Unplug it, wait for some seconds, plug it in and choose it again.");
+    case DeviceStatus::Ready:
+      break;
+  }
+  return {};
+}
+
+QStringList DeviceText::safety(SafetyActions actions) {
+  QStringList sentences;
+  const auto add = [&](SafetyAction action, const QString& sentence) {
+    if (actions.has(action)) sentences << sentence;
+  };
+  add(SafetyAction::DeviceFault, tr("No force: the device is not ready."));
+  add(SafetyAction::NotFinite, tr("No force: what the scene asked for is not a number."));
+  add(SafetyAction::Passivity, tr("Damped: more energy came out than went in."));
+  add(SafetyAction::SpeedDamping, tr("Damped: it moves faster than a hand at work."));
+  add(SafetyAction::SpeedCut, tr("No force: it moves as if nobody held it."));
+  add(SafetyAction::Ramp, tr("The force rises slowly after a change."));
+  add(SafetyAction::Watchdog, tr("The force fades: nothing new was heard in time."));
+  add(SafetyAction::Slew, tr("The force changes no faster than is safe."));
+  add(SafetyAction::Clamp, tr("The force is as large as the device may give."));
+  return sentences;
+}
+
+QString DeviceText::realTimeAdvice() {
+  return tr(
+      "The system does not let the servo loop run in real time. Ticks come late when the machine is busy, and walls "
+      "are "
+      "made softer for it. To allow it, run this line in a terminal, then log out and in again:");
+}
+
+// The limit is the priority of ServoSettings with some room.
+QString DeviceText::realTimeCommand() {
+  return QStringLiteral("echo \"%1 - rtprio 90\" | sudo tee /etc/security/limits.d/90-handwheel.conf")
+      .arg(qEnvironmentVariable("USER", QStringLiteral("$USER")));
+}
+
+std::vector<DeviceText::Line> DeviceText::dataSheet(const DeviceCapabilities& device, const QLocale& locale) {
+  std::vector<Line> lines;
+  const auto add = [&](const QString& name, double value, const QString& unit) {
+    if (value > 0.0) lines.push_back({name, QStringLiteral("%1 %2").arg(number(locale, value), unit)});
+  };
+  lines.push_back({tr("Axes measured"), locale.toString(device.inputs)});
+  lines.push_back({tr("Axes driven"), device.outputs == 0 ? tr("none") : locale.toString(device.outputs)});
+  lines.push_back({tr("Buttons"), locale.toString(device.buttons)});
+  add(tr("Largest force"), device.maxForce, QStringLiteral("N"));
+  add(tr("Largest torque"), device.maxTorque, QStringLiteral("N·mm"));
+  add(tr("Largest force of the grip"), device.maxGripperForce, QStringLiteral("N"));
+  add(tr("Stiffness"), device.maxStiffness, QStringLiteral("N/mm"));
+  add(tr("Stiffness in rotation"), device.maxAngularStiffness, QStringLiteral("N·mm/rad"));
+  add(tr("Damping"), device.maxDamping, QStringLiteral("N·s/mm"));
+  add(tr("Damping of its own"), device.inherentDamping, QStringLiteral("N·s/mm"));
+  add(tr("Radius of the workspace"), device.workspaceRadius, QStringLiteral("mm"));
+  add(tr("Servo rate"), device.nominalRate, QStringLiteral("Hz"));
+  add(tr("Delay"), device.latency * 1e3, QStringLiteral("ms"));
+  if (device.isRateControl) lines.push_back({tr("Way of working"), tr("springs back; its deflection is a speed")});
+  return lines;
+}
+
+}  // namespace handwheel

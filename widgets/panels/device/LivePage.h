@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "panels/device/DeviceInUse.h"
+
+#include <QWidget>
+
+class QCheckBox;
+class QLabel;
+class QPushButton;
+
+namespace handwheel {
+
+class AxisBars;
+class ButtonLamps;
+class ForcePlot;
+struct ServoSample;
+
+// The page with the live axes, buttons and force of a device.
+class LivePage : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit LivePage(QWidget* parent = nullptr);
+
+  void showDevice(const DeviceInUse& view);
+  void showSample(const ServoSample& sample, double forceGain);
+  void clear();
+
+ signals:
+  void forceOnChanged(bool isOn);
+  void forceTestAsked();
+
+ private:
+  void enableForce(DeviceStatus status);
+
+  DeviceInUse m_view;
+  AxisBars* m_axes;
+  ButtonLamps* m_buttons;
+  QCheckBox* m_forceOn;
+  QPushButton* m_forceTest;
+  QLabel* m_noForce;
+  ForcePlot* m_plot;
+  double m_shown = 0.0;  // s: time of the sample whose axes are shown
+};
+
+}  // namespace handwheel

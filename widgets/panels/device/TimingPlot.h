@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/servo/TimingHistogram.h"
+#include "plot/Plot.h"
+
+#include <QLocale>
+
+namespace handwheel {
+
+// A copy of a timing histogram with its percentiles.
+struct TimingCounts {
+  TimingHistogram::Counts counts{};
+  double binSeconds = 0.0;
+  double median = 0.0;   // s; like all of these the upper end of a bin
+  double most = 0.0;     // 99th percentile
+  double longest = 0.0;  // maximum, unless isOpen
+  bool isOpen = false;   // some are beyond the range of the histogram
+};
+// Copies the counts of a histogram and computes the percentiles.
+TimingCounts countsOf(const TimingHistogram& histogram);
+
+// A bar plot of the number of ticks by duration in microseconds. From the shortest to the longest that occurred, with
+// at most 40 bars: bins are merged where there are more. The number of ticks is on a logarithmic axis, so that rare
+// late ticks are visible.
+Plot timingPlot(const TimingCounts& counts, const QString& title, const QLocale& locale);
+
+}  // namespace handwheel

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "viewport/ViewportTypes.h"
+#include "viewport/camera/CameraState.h"
+
+#include <span>
+
+namespace handwheel {
+
+using Vec2 = Eigen::Vector2d;
+
+// The camera position of a renderer with its near and far distances.
+struct Viewpoint {
+  Vec3 position;
+  double nearest;
+  double farthest;
+};
+
+// Projects points to the view and computes the camera moves of gestures. Plain values, nothing is drawn. Positions on
+// the screen are in logical pixels from the upper left corner, y down.
+class CameraNavigation {
+ public:
+  // size: width and height of the view in logical pixels; less than one pixel counts as one.
+  CameraNavigation(const CameraState& camera, const Vec2& size);
+
+  const CameraState& camera() const { return m_camera; }
+  bool isPerspective() const { return m_camera.projection == Projection::Perspective; }
+  // Model units (mm) per pixel: at the focus, and at p.
+  double unitsPerPixel() const { return m_camera.height / m_size.y(); }
+  double unitsPerPixelAt(const Vec3& p) const;
+
+  // False for points beside or behind the eye, which are not on the screen.
+  bool isBeforeEye(const Vec3& p) const;
+  // p must be in front of the eye.
+  Vec2 toScreen(const Vec3& p) const;
+  // The distance of p from the plane through the focus, positive towards the viewer.
+  double depth(const Vec3& p) const { return (p - m_camera.centre).dot(m_camera.towardsViewer()); }
+  // The point of the plane through the focus that appears at s.
+  Vec3 fromScreen(const Vec2& s) const;
+  // The pick ray at s. Starts at the eye; under parallel projection in front of the box.
+  ViewRay rayAt(const Vec2& s, const Box& box) const;
+  // Chosen so that everything within the bounding sphere of the box is drawn, unless it is very close to the eye.
+  Viewpoint viewpoint(const Box& box) const;
+
+  // Rotates about the screen axes through pivot, which keeps its screen position.
+  CameraState orbited(const Vec3& pivot, const Vec2& delta) const;
+  // Moves the camera so that the grabbed point moves by delta on the screen.
+  CameraState panned(const Vec2& delta, const Vec3& grabbed) const;
+  CameraState panned(const Vec2& delta) const { return panned(delta, m_camera.centre); }
+  // factor > 1 enlarges, and moves the eye nearer; the point keeps its screen position.
+  CameraState zoomedAbout(const Vec3& fixed, double factor) const;
+  CameraState zoomedAt(const Vec2& cursor, double factor) const { return zoomedAbout(fromScreen(cursor), factor); }
+  // Fits all points into the view, as large as possible. share: the fraction of the view that they fill, 0…1. covered:
+  // pixels at the lower edge to keep free, at most half of the view.
+  CameraState fitted(std::span<const Vec3> points, double share, double covered = 0.0) const;
+
+ private:
+  CameraState fittedParallel(std::span<const Vec3> points, double share, double free) const;
+  CameraState fittedPerspective(std::span<const Vec3> points, double share, double free) const;
+
+  CameraState m_camera;
+  Vec2 m_size;
+};
+
+// The corners of a box.
+std::array<Vec3, 8> cornersOf(const Box& box);
+// The orientation of a standard view.
+Eigen::Quaterniond orientationOf(StandardView view);
+// The upright orientation that looks against outward, with z up. From straight above or below it is as in StandardView.
+// outward need not be of unit length; zero, or a vector that is not finite, gives the isometric view.
+Eigen::Quaterniond uprightTowards(const Vec3& outward);
+// The orientation that looks against outward, by the shortest rotation from the present one.
+Eigen::Quaterniond turnedTowards(const Eigen::Quaterniond& present, const Vec3& outward);
+// Rotates the camera to an orientation about pivot, which keeps its screen position.
+CameraState turnedAbout(const CameraState& camera, const Vec3& pivot, const Eigen::Quaterniond& orientation);
+// Interpolates between the cameras a (t = 0) and b (t = 1).
+CameraState between(const CameraState& a, const CameraState& b, double t);
+
+}  // namespace handwheel

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <array>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace handwheel {
+
+// The presets of mouse navigation; some imitate the program they are named after.
+enum class NavigationPreset { Handwheel, Blender, FreeCad, SolidWorks, Laptop };
+inline constexpr std::array kNavigationPresets{NavigationPreset::Handwheel, NavigationPreset::Blender,
+                                               NavigationPreset::FreeCad, NavigationPreset::SolidWorks,
+                                               NavigationPreset::Laptop};
+
+// The camera motions that a mouse drag can control.
+enum class NavigationGesture { None, Orbit, Pan, Zoom };
+
+// The gesture of a drag with exactly these buttons and modifiers. Modifiers are Shift, Ctrl, Alt.
+struct NavigationBinding {
+  Qt::MouseButtons buttons;
+  Qt::KeyboardModifiers modifiers;
+  NavigationGesture gesture;
+  bool onBackground = false;  // only when the drag starts beside the model
+};
+
+// The mouse bindings of a preset.
+std::span<const NavigationBinding> bindingsOf(NavigationPreset preset);
+// The gesture that a preset assigns to buttons and modifiers.
+NavigationGesture gestureFor(NavigationPreset preset, Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers,
+                             bool onBackground);
+// Whether the wheel zooms in when turned away from the user, not towards.
+bool wheelAwayEnlarges(NavigationPreset preset);
+
+// The id of a preset for settings: "handwheel", "blender", "freecad", "solidworks", "laptop". Unknown ids give
+// Handwheel.
+QString idOf(NavigationPreset preset);
+NavigationPreset presetOf(const QString& id);
+// The name of a preset for menus, translated.
+QString nameOf(NavigationPreset preset);
+// The navigation hints: pairs of input and effect, such as "Shift+middle", "pan". Translated.
+std::vector<std::pair<QString, QString>> navigationHints(NavigationPreset preset);
+
+}  // namespace handwheel

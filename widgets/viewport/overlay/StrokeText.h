@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPainterPath>
+#include <QString>
+
+namespace handwheel {
+
+// Converts a text to lines in a built-in stroke font. For pictures without an application object, where Qt has no
+// fonts. Supports digits, point, comma, minus and the letters of the axes and units ("XYZ", "mµcin"); leaves a space
+// for any other character. height: of a capital letter. The path starts at (0, 0) on the base line, y down.
+QPainterPath strokeText(const QString& text, double height);
+// The width of a text in the stroke font.
+double strokeTextWidth(const QString& text, double height);
+
+}  // namespace handwheel

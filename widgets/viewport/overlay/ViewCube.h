@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "viewport/Lighting.h"
+#include "viewport/overlay/ViewCubeGeometry.h"
+
+#include <QWidget>
+
+namespace handwheel {
+
+// A cube in the corner of the view that turns with the camera. A click on a side, an edge or a corner selects the view
+// from there, a drag orbits; with the keyboard focus, the arrow keys turn by 45°. Mouse events beside the cube go to
+// the view.
+class ViewCube : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ViewCube(QWidget* parent);
+
+  void setOrientation(const Eigen::Quaterniond& orientation);
+  void setColours(const SceneColours& colours);
+  QSize sizeHint() const override;
+
+  // "Front", "Front · Right · Top": translated.
+  static QString nameOf(const CubeRegion& region);
+
+ signals:
+  void chosen(const handwheel::CubeRegion& region);
+  void stepped(int around, int up);  // by the keyboard, for steppedFrom()
+  void dragStarted();
+  void dragged(const QPointF& delta);  // logical pixels
+  void dragEnded();
+  void entered();  // the cursor is over the cube, no longer over the model
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  ViewCubeGeometry geometryNow() const;
+  std::optional<CubeRegion> regionAt(const QPointF& position) const;
+  void hover(const std::optional<CubeRegion>& region);
+  void paintCells(QPainter& painter) const;
+  void paintNames(QPainter& painter) const;
+
+  Eigen::Quaterniond m_orientation = Eigen::Quaterniond::Identity();
+  SceneColours m_colours;
+  std::optional<CubeRegion> m_hovered;
+  std::optional<CubeRegion> m_pressed;
+  bool m_isDragged = false;
+  QPointF m_last;
+};
+
+}  // namespace handwheel

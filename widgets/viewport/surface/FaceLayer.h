@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/selection/FaceSelection.h"
+#include "viewport/Layers.h"
+
+#include <map>
+#include <set>
+
+namespace handwheel {
+
+// A layer that draws a set of faces in one colour. It is split into pieces by face number: so a change of a large set
+// costs only the changed pieces, and a large set is built over several frames.
+class FaceLayer {
+ public:
+  static constexpr Face kPieceFaces = 16'384;
+
+  FaceLayer(vtkRenderer* renderer, double lift, double opacity);
+
+  bool set(const FaceSelection& faces);  // false when they are the same as before
+  void setColour(const QColor& colour);
+  // To be called when the mesh was replaced or edited.
+  void setStale();
+  bool isStale() const { return !m_stale.empty(); }
+  // Builds one stale piece. Returns the approximate cost in triangles; 0 when none is stale.
+  std::size_t takeOne(const HalfEdgeMesh& mesh, const Vec3& origin);
+  void prepare(const LayerFrame& frame);
+
+ private:
+  Layer& layer(std::size_t piece);
+  void drop(std::size_t piece);
+
+  vtkRenderer* m_renderer;
+  double m_lift;
+  double m_opacity;
+  QColor m_colour;
+  FaceSelection m_faces;
+  std::set<std::size_t> m_stale;          // pieces
+  std::map<std::size_t, Layer> m_layers;  // of the pieces that have faces
+};
+
+}  // namespace handwheel

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "viewport/overlay/ColourScale.h"
+#include "viewport/surface/SurfaceGeometry.h"
+#include "viewport/surface/SurfaceStyle.h"
+
+#include <vtkActor.h>
+#include <vtkScalarsToColors.h>
+#include <vtkSmartPointer.h>
+#include <deque>
+#include <optional>
+
+namespace handwheel {
+
+// The VTK actors of a mesh, in blocks, and of a simplified version. The blocks are added and updated one by one.
+class MeshBlocks {
+ public:
+  explicit MeshBlocks(vtkRenderer* renderer);
+
+  void clear();
+  // Queues the geometry; the block shows its former state until then.
+  void enqueue(std::size_t block, SurfaceGeometry geometry);
+  // Takes one block from the queue, so that the next frame uploads no more than that. Returns its number of triangles;
+  // 0 when none was waiting.
+  std::size_t takeOne();
+  void setCoarse(std::optional<SurfaceGeometry> geometry);
+  // Shows the simplified version instead of the blocks, if there is one.
+  void setReduced(bool reduced);
+
+  void setStyle(const SurfaceStyle& style);
+  // Sets the colours of geometry with values; none: the values are not shown. Applied block by block by takeOne(),
+  // because each is uploaded again.
+  void setColourScale(const std::optional<ColourScale>& scale);
+  int builtCount() const { return m_built; }
+
+ private:
+  vtkSmartPointer<vtkActor> makeActor(const SurfaceGeometry& geometry);
+  void style(vtkActor* actor) const;
+  void colour(vtkActor* actor) const;
+  std::size_t colourOne();
+  void updateVisibility();
+
+  struct Pending {
+    std::size_t block;
+    SurfaceGeometry geometry;
+  };
+
+  vtkRenderer* m_renderer;
+  std::vector<vtkSmartPointer<vtkActor>> m_blocks;
+  vtkSmartPointer<vtkActor> m_coarse;
+  std::deque<Pending> m_queue;
+  std::deque<std::size_t> m_toColour;               // blocks
+  vtkSmartPointer<vtkScalarsToColors> m_colourMap;  // null: values are not shown
+  SurfaceStyle m_style;
+  bool m_reduced = false;
+  int m_built = 0;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "viewport/Picking.h"
+#include "viewport/overlay/ColourScale.h"
+#include "viewport/surface/SurfaceGeometry.h"
+
+#include <QFutureWatcher>
+#include <functional>
+#include <optional>
+#include <set>
+
+namespace handwheel {
+
+// The default approximate number of triangles of the simplified mesh. A slow display draws it in place of a large mesh
+// while the camera moves: the setting view.coarse_triangles.
+inline constexpr std::size_t kCoarseTriangles = 50000;
+// Whether a mesh gets a simplified version. It must have at most a quarter of the triangles, or the loss of quality is
+// not worth it.
+bool hasStandIn(const HalfEdgeMesh& mesh, std::size_t coarseTriangles);
+
+// Prepares a mesh for drawing and picking on worker threads. Builds the blocks, a simplified version and the search
+// structure. Works on a snapshot; results are delivered on the window thread, except those of a mesh that has been
+// replaced meanwhile.
+class MeshPreparation {
+ public:
+  using Index = std::shared_ptr<const PickIndex>;
+  struct Receivers {
+    std::function<void(std::size_t block, SurfaceGeometry)> block;
+    std::function<void(SurfaceGeometry)> coarse;
+    std::function<void(Index)> index;
+    std::function<void()> outOfMemory;  // some of these results will not be delivered
+  };
+
+  explicit MeshPreparation(Receivers receivers) : m_receivers(std::move(receivers)) {}
+  ~MeshPreparation() { cancel(); }
+
+  // Sets the number of faces per block, from the next startAll() on: the setting view.block_faces.
+  void setBlockFaces(Face faces) { m_nextBlockFaces = faces; }
+  Face blockFaces() const { return m_blockFaces; }  // at present
+
+  // Sets the size of the simplified version, from the next start on.
+  void setCoarseTriangles(std::size_t triangles) { m_coarseTriangles = triangles; }
+
+  // Sets the vertex values, from the next start on; null for none.
+  void setValues(VertexValues values) { m_values = std::move(values); }
+
+  // Builds all blocks of the mesh and the rest. Drops pending work.
+  void startAll(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin);
+  // After an edit: builds the given blocks, those still pending of the former state, and the rest.
+  void startSome(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin,
+                 const std::vector<std::size_t>& blocks);
+  // Builds all blocks of the last started mesh with other values, and the rest.
+  void startAgain(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin);
+  // Builds blocks of a version that is shown only temporarily. One run ends before the next starts, so that something
+  // is visible however fast versions arrive; of those that arrive meanwhile only the last is built.
+  void show(const HalfEdgeMesh& mesh, const Vec3& origin, const std::set<std::size_t>& blocks);
+  void cancel();
+  // Waits for the blocks and delivers them.
+  void finishBlocks();
+
+ private:
+  struct Block {
+    std::size_t number;
+    std::shared_ptr<SurfaceGeometry> geometry;  // shared, as futures hand out copies
+  };
+  struct Rest {
+    std::shared_ptr<SurfaceGeometry> coarse;  // null where there is none
+    Index index;
+  };
+
+  void startBlocks(const HalfEdgeMesh& mesh, const Vec3& origin);
+  bool showNext();
+  void startRest(const HalfEdgeMesh& mesh, const Box& bounds, const Vec3& origin);
+  void deliver(const Block& block);
+
+  Receivers m_receivers;
+  Face m_blockFaces = kBlockFaces;
+  Face m_nextBlockFaces = kBlockFaces;
+  std::size_t m_coarseTriangles = kCoarseTriangles;
+  VertexValues m_values;
+  std::set<std::size_t> m_owed;  // blocks not yet delivered
+  struct Shown {
+    HalfEdgeMesh mesh;
+    Vec3 origin;
+    std::set<std::size_t> blocks;
+  };
+  std::optional<Shown> m_next;  // to be shown when the present run has ended
+  // A watcher is used for one run; destroying it drops pending results.
+  std::unique_ptr<QFutureWatcher<Block>> m_blocks;
+  std::unique_ptr<QFutureWatcher<Rest>> m_rest;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "viewport/surface/PartActors.h"
+
+#include "viewport/surface/PolyData.h"
+
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkRenderer.h>
+#include <algorithm>
+#include <set>
+#include <unordered_map>
+
+namespace handwheel {
+
+namespace {
+
+constexpr std::size_t kScanned = 2'000'000;          // points that set() looks at, whatever the size of the soups: 5 ms
+constexpr std::size_t kHoverOutlinePoints = 20'000;  // of all parts
+constexpr double kFadedOpacity = 0.4;
+constexpr float kTint = 0.35f;  // of the accent, in a highlighted part
+
+QColor toColour(const std::array<float, 3>& c) {
+  const auto channel = [&](int k) { return std::clamp(c[k], 0.0f, 1.0f); };
+  return QColor::fromRgbF(channel(0), channel(1), channel(2));
+}
+
+}  // namespace
+
+PartActors::PartActors(vtkRenderer* renderer, double opacity) : m_renderer(renderer), m_opacity(opacity) {}
+
+void PartActors::set(const std::vector<DisplayPart>& parts) {
+  std::unordered_map<std::string, Part> before;
+  for (Part& part : m_parts) {
+    const auto [it, isNew] = before.try_emplace(part.description.name, std::move(part));
+    if (!isNew) remove(part);
+  }
+  std::set<Soup> unknown;
+  for (const DisplayPart& part : parts) {
+    if (!m_shapes.contains(part.soup)) unknown.insert(part.soup);
+  }
+  const std::size_t scanned = kScanned / std::max<std::size_t>(unknown.size(), 1);
+  m_parts.clear();
+  for (const DisplayPart& description : parts) {
+    Part part;
+    if (const auto it = before.find(description.name); it != before.end()) {
+      part = std::move(it->second);
+      before.erase(it);
+    }
+    part.description = description;
+    want(part, shapeFor(description.soup, scanned));
+    place(part);
+    style(part);
+    m_parts.push_back(std::move(part));
+  }
+  for (auto& [name, part] : before) remove(part);
+  before.clear();
+  std::erase_if(m_shapes, [](const auto& entry) { return entry.second.expired(); });
+  updateSummary();
+}
+
+PartActors::ShapePointer PartActors::shapeFor(const Soup& soup, std::size_t scanned) {
+  std::weak_ptr<Shape>& known = m_shapes[soup];
+  if (const ShapePointer shape = known.lock()) return shape;
+  const auto shape = std::make_shared<Shape>();
+  shape->outline = outlineOf(*soup, scanned);
+  known = shape;
+  return shape;
+}
+
+void PartActors::want(Part& part, ShapePointer shape) {
+  if (part.wanted == shape) return;
+  // The earliest that is not made is the one under way.
+  if (part.wanted && !part.wanted->isMade && !part.awaited) part.awaited = part.wanted;
+  part.wanted = std::move(shape);
+  if (!part.wanted->blocks.empty()) show(part, part.wanted);
+}
+
+void PartActors::show(Part& part, const ShapePointer& shape) {
+  remove(part);
+  part.shown = shape;
+  part.awaited.reset();
+  for (const auto& block : shape->blocks) addActor(part, block);
+}
+
+std::vector<PartActors::Soup> PartActors::missing() const {
+  std::vector<Soup> soups;
+  for (const Part& part : m_parts) {
+    const Soup& soup = part.description.soup;
+    if (!part.wanted->isMade && std::find(soups.begin(), soups.end(), soup) == soups.end()) soups.push_back(soup);
+  }
+  return soups;
+}
+
+bool PartActors::setShape(const Soup& soup, PartShape& made) {
+  const auto it = m_shapes.find(soup);
+  const ShapePointer shape = it == m_shapes.end() ? nullptr : it->second.lock();
+  if (!shape || shape->isMade) return false;
+  shape->isMade = true;
+  shape->origin = made.origin;
+  shape->index = std::move(made.index);
+  for (SurfaceGeometry& block : made.blocks) m_queue.emplace_back(shape, std::move(block));
+  updateSummary();
+  return true;
+}
+
+std::size_t PartActors::takeOne() {
+  if (m_queue.empty()) return 0;
+  const auto [shape, geometry] = std::move(m_queue.front());
+  m_queue.pop_front();
+  shape->blocks.push_back(toPolyData(geometry));
+  for (Part& part : m_parts) {
+    if (part.shown == shape) {
+      addActor(part, shape->blocks.back());
+    } else if (part.wanted == shape || part.awaited == shape) {
+      show(part, shape);
+    }
+  }
+  ++m_built;
+  return std::max<std::size_t>(geometry.indices.size() / 3, 1);
+}
+
+void PartActors::addActor(Part& part, vtkPolyData* block) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(block);
+  const auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->PickableOff();
+  actor->SetUserMatrix(vtkNew<vtkMatrix4x4>());
+  m_renderer->AddActor(actor);
+  part.actors.push_back(actor);
+  place(part);
+  style(part);
+}
+
+void PartActors::remove(Part& part) {
+  for (const auto& actor : part.actors) m_renderer->RemoveActor(actor);
+  part.actors.clear();
+}
+
+// The geometry stands about a point of the part, the drawing about a point near the model: so that far away from their
+// origins, too, only small numbers meet single precision.
+void PartActors::place(const Part& part) const {
+  if (!part.shown) return;
+  Eigen::Matrix<double, 4, 4, Eigen::RowMajor> matrix = part.description.pose.matrix();
+  matrix.topRightCorner<3, 1>() = part.description.pose * part.shown->origin - m_origin;
+  for (const auto& actor : part.actors) actor->GetUserMatrix()->DeepCopy(matrix.data());
+}
+
+void PartActors::style(const Part& part) const {
+  const std::string& name = part.description.name;
+  QColor colour = toColour(part.description.colour);
+  if (!name.empty() && name == m_highlighted) colour = mixed(colour, m_style.colours.accent, kTint);
+  const double opacity = m_faded.contains(name) ? kFadedOpacity : m_opacity;
+  for (const auto& actor : part.actors) applyStyle(actor, m_style, {colour, part.description.smooth, opacity});
+}
+
+void PartActors::setStyle(const SurfaceStyle& style) {
+  m_style = style;
+  for (const Part& part : m_parts) this->style(part);
+}
+
+void PartActors::setOrigin(const Vec3& origin) {
+  if (origin == m_origin) return;
+  m_origin = origin;
+  for (const Part& part : m_parts) place(part);
+}
+
+void PartActors::setHighlighted(const std::string& name) {
+  if (name == m_highlighted) return;
+  m_highlighted = name;
+  for (const Part& part : m_parts) style(part);
+}
+
+void PartActors::setFaded(const std::vector<DisplayPart>& proposed) {
+  std::set<std::string> names;
+  for (const DisplayPart& part : proposed) names.insert(part.name);
+  if (names == m_faded) return;
+  m_faded = std::move(names);
+  for (const Part& part : m_parts) style(part);
+}
+
+void PartActors::updateSummary() {
+  m_bounds.setEmpty();
+  m_pickable.clear();
+  for (const Part& part : m_parts) {
+    const DisplayPart& d = part.description;
+    const Box& box = part.wanted->outline.box;
+    if (box.isEmpty()) continue;
+    for (const Vec3& corner : cornersOf(box)) m_bounds.extend(d.pose * corner);
+    if (part.wanted->index) m_pickable.push_back({d.name, d.pose, part.wanted->index});
+  }
+}
+
+std::vector<Vec3> PartActors::outline() const {
+  std::size_t all = 0;
+  for (const Part& part : m_parts) all += part.wanted->outline.points.size();
+  const std::size_t step = all / kHoverOutlinePoints + 1;
+  std::vector<Vec3> points;
+  for (const Part& part : m_parts) {
+    const std::vector<Vec3>& own = part.wanted->outline.points;
+    for (std::size_t i = 0; i < own.size(); i += step) points.push_back(part.description.pose * own[i]);
+    // However many parts there are: the points that touch the box of the part, which stand last.
+    for (std::size_t i = own.size() < 6 ? 0 : own.size() - 6; step > 1 && i < own.size(); ++i) {
+      points.push_back(part.description.pose * own[i]);
+    }
+  }
+  return points;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/DisplayModel.h"
+#include "viewport/surface/PartShape.h"
+#include "viewport/surface/SurfaceStyle.h"
+
+#include <vtkActor.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <deque>
+#include <map>
+#include <set>
+
+class vtkRenderer;
+
+namespace handwheel {
+
+// The VTK actors of rigid parts. Parts of one soup share their geometry; a part that only moved gets another matrix. A
+// part whose soup changed shows its former shape until the new one has been built.
+class PartActors {
+ public:
+  using Soup = std::shared_ptr<const TriangleSoup>;
+
+  explicit PartActors(vtkRenderer* renderer, double opacity = 1.0);
+
+  // Sets the parts, which are identified by name.
+  void set(const std::vector<DisplayPart>& parts);
+  // The soups whose shape is still to be built.
+  std::vector<Soup> missing() const;
+  // Takes a finished shape; takeOne() then uploads it block by block. Returns false when no part waits for this soup.
+  bool setShape(const Soup& soup, PartShape& made);
+  // Builds one block, so that the next frame uploads no more than that. Returns its number of triangles; 0 when none
+  // was waiting.
+  std::size_t takeOne();
+
+  void setStyle(const SurfaceStyle& style);
+  // Sets the model point at the origin of the drawing.
+  void setOrigin(const Vec3& origin);
+  // Tints the parts of this name with the accent colour; empty: none.
+  void setHighlighted(const std::string& name);
+
+  // Draws the parts with the names of the proposed ones translucently, because two opaque surfaces in one place cause
+  // z-fighting.
+  void setFaded(const std::vector<DisplayPart>& proposed);
+
+  bool isEmpty() const { return m_parts.empty(); }
+  const Box& bounds() const { return m_bounds; }
+  // Some thousand points to estimate the extent of the parts in any direction.
+  std::vector<Vec3> outline() const;
+  // The parts whose search structure is ready.
+  const std::vector<PickPart>& pickable() const { return m_pickable; }
+  int builtCount() const { return m_built; }
+
+ private:
+  struct Shape {
+    PartOutline outline;
+    Vec3 origin = Vec3::Zero();
+    bool isMade = false;
+    std::vector<vtkSmartPointer<vtkPolyData>> blocks;
+    std::shared_ptr<const PickIndex> index;
+  };
+  using ShapePointer = std::shared_ptr<Shape>;
+
+  struct Part {
+    DisplayPart description;
+    ShapePointer wanted;
+    ShapePointer awaited;  // an earlier shape that may be in preparation, and is newer than the shown one; else null
+    ShapePointer shown;    // null while there is nothing to show
+    std::vector<vtkSmartPointer<vtkActor>> actors;
+  };
+
+  ShapePointer shapeFor(const Soup& soup, std::size_t scanned);
+  void want(Part& part, ShapePointer shape);
+  void show(Part& part, const ShapePointer& shape);
+  void addActor(Part& part, vtkPolyData* block);
+  void remove(Part& part);
+  void place(const Part& part) const;
+  void style(const Part& part) const;
+  void updateSummary();
+
+  vtkRenderer* m_renderer;
+  const double m_opacity;
+  std::vector<Part> m_parts;
+  std::map<Soup, std::weak_ptr<Shape>> m_shapes;
+  std::deque<std::pair<ShapePointer, SurfaceGeometry>> m_queue;
+  std::vector<PickPart> m_pickable;
+  Box m_bounds;
+  SurfaceStyle m_style;
+  Vec3 m_origin = Vec3::Zero();
+  std::set<std::string> m_faded;
+  std::string m_highlighted;  // a name
+  int m_built = 0;
+};
+
+}  // namespace handwheel
