@@ -3020,7 +3020,7 @@
         <translation>Schneiden und schließen</translation>
     </message>
     <message>
-        <source>what would be cut is tangled too much</source>
+        <source>what would be cut is folded too much</source>
         <translation>was zu schneiden wäre, ist zu sehr verschlungen</translation>
     </message>
     <message>

@@ -2995,7 +2995,7 @@
         <translation>切开并封闭</translation>
     </message>
     <message>
-        <source>what would be cut is tangled too much</source>
+        <source>what would be cut is folded too much</source>
         <translation>需切开的部分缠结过于严重</translation>
     </message>
     <message>

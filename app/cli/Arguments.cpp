@@ -11,7 +11,8 @@ namespace {
 const OptionSpec* findOption(const CommandSpec& command, std::string_view word) {
   const bool isLong = word.starts_with("--");
   const auto found = std::find_if(command.options.begin(), command.options.end(), [&](const OptionSpec& o) {
-    return isLong ? word.substr(2) == o.name : o.letter != 0 && word[1] == o.letter;
+    return isLong ? word.substr(2) == o.name || (!o.formerName.empty() && word.substr(2) == o.formerName)
+                  : o.letter != 0 && word[1] == o.letter;
   });
   return found == command.options.end() ? nullptr : &*found;
 }

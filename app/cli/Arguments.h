@@ -17,6 +17,7 @@ struct OptionSpec {
   char letter = 0;         // short form, 0: none
   std::string_view value;  // name of its value in the help; empty: the option takes no value
   std::string_view help;
+  std::string_view formerName = {};  // still understood, in no help
 };
 
 // The syntax of one command. The parser and the help page are both made from it.

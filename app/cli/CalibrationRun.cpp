@@ -27,7 +27,7 @@ std::string costText(const MeasuredSetting& m, double value) {
 Result<CalibrationRun> calibrateMachine(const FidelityRegistry& registry,
                                         const std::vector<const FidelityRegistry::Entry*>& entries, Progress progress) {
   CalibrationRun run;
-  run.file = usualCalibrationFile();
+  run.file = defaultCalibrationFile();
   run.calibration = keptBefore(registry, run.file);
   run.wanted = entries.size();
   const auto end = std::chrono::steady_clock::now() + kLongestCalibration;

@@ -71,7 +71,7 @@ Result<Conversion> convert(const std::filesystem::path& input, const std::filesy
   if (!refusal.empty()) return Conversion{opened->file, {}, refusal};
   Result<Conversion> done = convertDocument(*opened, output, writing);
   if (!done || opened->file.isContainer || opened->kind->id() != kMeshKind) return done;
-  const auto turned = static_cast<const MeshSnapshot&>(*opened->content).build->turnedFaces.size();
+  const auto turned = static_cast<const MeshSnapshot&>(*opened->content).build->reversedFaces.size();
   if (turned > 0) done->notes.push_back("Triangles turned as their neighbours are: " + std::to_string(turned) + ".");
   return done;
 }
@@ -109,7 +109,7 @@ int runConvert(const Arguments& arguments, const DocumentKinds& kinds) {
   });
   if (!*result) return fail(result->error());
   const Conversion& done = result->value();
-  tellLosses(done.file);
+  reportLosses(done.file);
   if (!done.refusal.empty()) return refuse(done.refusal);
   for (const std::string& note : done.notes) complain(note);
   return kExitDone;

@@ -66,7 +66,7 @@ bool isEnoughToDraw(std::size_t faces) {
   return fits(kGraphics + faces * kFace) && systemMemory() > kGraphicsInUse + faces * kFace;
 }
 
-void tellCrashes(const std::filesystem::path& file) {
+void reportCrashes(const std::filesystem::path& file) {
   crashSentence = "handwheel: " + fullSentenceFor({ErrorCode::OutOfMemory, {}, {}, file.string()}) + "\n";
   const stack_t own{crashStack.data(), 0, crashStack.size()};
   sigaltstack(&own, nullptr);

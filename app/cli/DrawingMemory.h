@@ -15,6 +15,6 @@ bool isEnoughToDraw(std::size_t faces);
 // allocation succeeded. A crash of this program when no memory is left becomes the sentence that there is not enough to
 // draw the file, and the exit code of an error; a crash for another reason stays a crash. For programs that write
 // nothing before they are done.
-void tellCrashes(const std::filesystem::path& file);
+void reportCrashes(const std::filesystem::path& file);
 
 }  // namespace handwheel

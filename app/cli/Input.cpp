@@ -75,7 +75,7 @@ std::vector<std::string> lossSentences(const DocumentFile& file) {
   return all;
 }
 
-void tellLosses(const DocumentFile& file) {
+void reportLosses(const DocumentFile& file) {
   for (const std::string& sentence : lossSentences(file)) complain(sentence);
 }
 

@@ -41,7 +41,7 @@ MeshReport reportOn(const Input& mesh, SelfIntersections choice, Progress progre
 // One sentence for each loss on reading. The part is not readable, not understood, or not kept.
 std::vector<std::string> lossSentences(const DocumentFile& file);
 // Prints these sentences on stderr.
-void tellLosses(const DocumentFile& file);
+void reportLosses(const DocumentFile& file);
 
 // Whether two paths name the same file. Symbolic and hard links count as their target. The files need not exist.
 bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b);

@@ -99,7 +99,7 @@ int runInspect(const Arguments& arguments, const DocumentKinds& kinds) {
   const auto& [input, report] = result->value();
   DocumentFile file = input.opened.file;
   if (input.mesh) file.lost.clear();  // nothing is written, so nothing is not kept
-  tellLosses(file);
+  reportLosses(file);
   const bool json = arguments.has("json");
   if (input.mesh) return print(json ? textOf(meshJson(input, report)) : meshText(input, report));
   return print(json ? textOf(toJson(input.opened)) : readableText(input.opened));

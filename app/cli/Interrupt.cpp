@@ -114,6 +114,10 @@ void endWhenInterrupted() {
   if (signalled) endAtOnce(0);
 }
 
+void ignoreSignals() {
+  for (int signal : kEndingSignals) watch(signal, SIG_IGN);
+}
+
 void runInterruptible(std::string_view label, const std::function<void(CommandJob&)>& work) {
   std::exception_ptr failure;
   const Reserve reserve;

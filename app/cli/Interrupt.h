@@ -40,4 +40,7 @@ bool wasInterrupted();
 // be cancelled.
 void endWhenInterrupted();
 
+// Ignores these signals from now on. Before a result is written: it is there and the program succeeds, or neither.
+void ignoreSignals();
+
 }  // namespace handwheel

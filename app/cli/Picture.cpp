@@ -23,8 +23,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr int kWidth = 1280;  // pixels
-constexpr int kHeight = 800;
+constexpr QSize kSize{1280, 800};
 
 bool hasDisplay() {
   const char* display = std::getenv("DISPLAY");
@@ -44,6 +43,13 @@ HalfEdgeMesh meshOf(const Input& input, Progress progress) {
   return buildMesh(input.mesh->soup, progress).mesh;
 }
 
+// From here on a signal no longer ends the program: a picture that is there was a success.
+int save(const QImage& picture, const std::filesystem::path& png) {
+  ignoreSignals();
+  const Status saved = savePng(picture, png);
+  return saved ? kExitDone : fail(saved.error());
+}
+
 int drawDocument(const PictureRequest& request, const DocumentKinds& kinds) {
   std::optional<Result<Input>> input;
   HalfEdgeMesh mesh;
@@ -60,9 +66,12 @@ int drawDocument(const PictureRequest& request, const DocumentKinds& kinds) {
   if (!*input) return fail(input->error());
   if (!isEnoughToDraw(mesh.liveFaceCount())) return failForMemory(request.mesh.string());
   endWhenInterrupted();
-  const Status drawn = input->value().mesh ? renderToFile(mesh, marksOf(mesh), request.png, kWidth, kHeight)
-                                           : renderToFile(model, request.png, kWidth, kHeight);
-  return drawn ? kExitDone : fail(drawn.error());
+  Result<QImage> picture =
+      input->value().mesh ? renderPicture(mesh, marksOf(mesh), kSize) : renderPicture(model, kSize);
+  if (picture) return save(*picture, request.png);
+  Error error = picture.error();
+  error.subject = request.png.string();
+  return fail(error);
 }
 
 // Measured at the vertices alone: they are what is coloured.
@@ -76,7 +85,7 @@ Result<QImage> deviationSides(const PictureRequest& request, const DocumentKinds
   Result<Deviation> found =
       deviation(mesh, meshOf(*scan, progress.part(0.25, 0.3)), {.samples = 0}, progress.part(0.3, 0.9));
   if (!found) return found.error();
-  const ColourScale scale{request.range.value_or(usualRange(found->ofMesh))};
+  const ColourScale scale{request.range.value_or(defaultRange(found->ofMesh))};
   const auto values = std::make_shared<const std::vector<double>>(std::move(found->ofMesh.atVertex));
   return deviationPicture(mesh, values, scale, progress.part(0.9, 1.0));
 }
@@ -86,8 +95,7 @@ int drawDeviation(const PictureRequest& request, const DocumentKinds& kinds) {
   runInterruptible("Drawing", [&](CommandJob& job) { picture = deviationSides(request, kinds, job.progress()); });
   if (!*picture) return fail(picture->error());
   endWhenInterrupted();
-  const Status saved = savePng(picture->value(), request.png);
-  return saved ? kExitDone : fail(saved.error());
+  return save(picture->value(), request.png);
 }
 
 }  // namespace
@@ -119,7 +127,7 @@ int makePictureApart(const PictureRequest& request) {
   words.insert(words.end(), {"--", request.mesh.string(), request.png.string()});
   if (!hasDisplay()) words.insert(words.begin(), {"xvfb-run", "-a"});
   const int code = runChild(words);
-  if (wasInterrupted()) return kExitInterrupted;
+  if (code != kExitDone && wasInterrupted()) return kExitInterrupted;
   if (code == 127) complain("No picture was made: there is no display, and xvfb-run is not installed.");
   if (code == 128 + SIGKILL) {
     complain("No picture was made: the system ended the process that draws it; memory may have run out.");
@@ -142,7 +150,7 @@ int runPicture(const Arguments& arguments, const DocumentKinds& kinds) {
   }
   if (!isEnoughToDraw(0)) return failForMemory(request.mesh.string());
   if (!hasDisplay()) return makePictureApart(request);
-  tellCrashes(request.mesh);
+  reportCrashes(request.mesh);
   return request.scan.empty() ? drawDocument(request, kinds) : drawDeviation(request, kinds);
 }
 

@@ -16,7 +16,7 @@ namespace handwheel {
 namespace {
 
 // "Recording 1: 12.5 s, 12501 samples, 3 missing, Novint Falcon"
-std::string lineFor(const KeptRecording& recording) {
+std::string lineFor(const StoredRecording& recording) {
   std::string line = recording.name + ": " + roundedText(recording.ticks.duration()) + " s, " +
                      std::to_string(recording.ticks.size()) + (recording.ticks.size() == 1 ? " sample" : " samples");
   if (recording.ticks.missing() > 0) line += ", " + std::to_string(recording.ticks.missing()) + " missing";
@@ -24,14 +24,15 @@ std::string lineFor(const KeptRecording& recording) {
   return line + "\n";
 }
 
-int list(const std::vector<KeptRecording>& recordings) {
+int list(const std::vector<StoredRecording>& recordings) {
   std::string text;
-  for (const KeptRecording& each : recordings) text += lineFor(each);
+  for (const StoredRecording& each : recordings) text += lineFor(each);
   return print(text.empty() ? "There are no recordings.\n" : text);
 }
 
 // The one of that name, or the only one; else why not, as a sentence.
-const KeptRecording* chosen(const std::vector<KeptRecording>& all, const Arguments& arguments, std::string& problem) {
+const StoredRecording* chosen(const std::vector<StoredRecording>& all, const Arguments& arguments,
+                              std::string& problem) {
   if (!arguments.has("name")) {
     if (all.size() == 1) return &all.front();
     problem = all.empty() ? "There are no recordings in " + arguments.operands[0] + "."
@@ -45,7 +46,7 @@ const KeptRecording* chosen(const std::vector<KeptRecording>& all, const Argumen
   return nullptr;
 }
 
-int write(const KeptRecording& recording, const std::string& output) {
+int write(const StoredRecording& recording, const std::string& output) {
   std::optional<Status> written;
   runInterruptible("Writing",
                    [&](CommandJob& job) { written = exportRecording(recording.ticks, output, job.progress()); });
@@ -70,12 +71,12 @@ int runRecording(const Arguments& arguments, const DocumentKinds& kinds) {
   std::optional<Result<OpenedFile>> opened;
   runInterruptible("Reading", [&](CommandJob& job) { opened = kinds.open(arguments.operands[0], {}, job.progress()); });
   if (!*opened) return fail(opened->error());
-  tellLosses(opened->value().file);
-  const std::vector<KeptRecording>& all = opened->value().file.recordings;
+  reportLosses(opened->value().file);
+  const std::vector<StoredRecording>& all = opened->value().file.recordings;
   if (!arguments.has("out")) return list(all);
   if (isSameFile(arguments.valueOf("out"), arguments.operands[0])) return refuse("OUT is the document itself.");
   std::string problem;
-  const KeptRecording* const recording = chosen(all, arguments, problem);
+  const StoredRecording* const recording = chosen(all, arguments, problem);
   return recording ? write(*recording, arguments.valueOf("out")) : refuse(problem);
 }
 

@@ -95,7 +95,7 @@ int runSet(const Arguments& arguments, const DocumentKinds& kinds) {
   std::optional<Result<OpenedFile>> opened;
   runInterruptible("Reading", [&](CommandJob& job) { opened = kinds.open(arguments.operands[0], {}, job.progress()); });
   if (!*opened) return fail(opened->error());
-  tellLosses(opened->value().file);
+  reportLosses(opened->value().file);
   return assignAndSave(std::move(opened->value()), std::span(arguments.operands).subspan(1),
                        arguments.valueOf("output"));
 }

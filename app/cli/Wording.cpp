@@ -38,7 +38,7 @@ std::optional<FillMethod> fillMethodFor(std::string_view word) {
 
 std::string wordFor(FillMethod method) {
   if (method == FillMethod::Cone) return "cone";
-  if (method == FillMethod::Backed) return "backed";
+  if (method == FillMethod::ThickenedSheet) return "backed";
   if (method == FillMethod::Stitched) return "stitched";
   if (method == FillMethod::Removed) return "removed";
   return fillMethodWord(method).toStdString();

@@ -106,7 +106,7 @@ Result<Calibration> readCalibration(const FidelityRegistry& registry, std::strin
   }
 }
 
-std::filesystem::path usualCalibrationFile() {
+std::filesystem::path defaultCalibrationFile() {
   const QString folder = QStandardPaths::writableLocation(QStandardPaths::CacheLocation);
   return std::filesystem::path(folder.toStdString()) / "calibration.json";
 }

@@ -38,7 +38,7 @@ inline constexpr int kCalibrationVersion = 1;
 
 // Path of the calibration file in the user's cache folder, which the window uses. The names of the application must be
 // set before.
-std::filesystem::path usualCalibrationFile();
+std::filesystem::path defaultCalibrationFile();
 
 // Writes a calibration to a file. Error: WriteFailed.
 Status storeCalibration(const FidelityRegistry& registry, const Calibration& calibration,

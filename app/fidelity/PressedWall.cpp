@@ -21,7 +21,7 @@ std::unique_ptr<HapticScene> wallOf(double stiffness) {
   const double s = kWallSize;
   const std::vector<Vec3> points{{0, -s, -s}, {0, s, -s}, {0, s, s}, {0, -s, s}};
   const std::vector<Triangle> triangles{{0, 2, 1}, {0, 3, 2}};
-  SceneFeel feel;
+  SceneHaptics feel;
   feel.surface.emplace();
   feel.surface->surface = ContactSurface(points, triangles);
   feel.surface->stiffness = stiffness;

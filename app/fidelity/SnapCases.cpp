@@ -137,7 +137,7 @@ FidelitySample against(const Crowd& crowd, double distance, std::size_t most) {
   sample.cost *= 1e3 / static_cast<double>(forces.size());
   double difference = 0.0, whole = 0.0;
   for (std::size_t i = 0; i < forces.size(); ++i) {
-    const SnapPull ideal = all.step(crowd.field, profile, crowd.hands[i]);
+    const SnapResult ideal = all.step(crowd.field, profile, crowd.hands[i]);
     difference += (forces[i] - ideal.force).squaredNorm();
     whole += ideal.force.squaredNorm();
   }

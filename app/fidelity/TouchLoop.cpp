@@ -36,7 +36,7 @@ std::unique_ptr<ServoLoop> touchLoop(const BallSlide& slide, const ServoSettings
   [[maybe_unused]] const Status opened = device->open({});  // which needs no hardware
   auto loop = std::make_unique<ServoLoop>(std::move(device), servo, clock, service);
   auto scene = std::make_unique<HapticScene>();
-  SceneFeel feel;
+  SceneHaptics feel;
   feel.surface = surfaceFeel(slide.ball.surface(), {});
   scene->source = std::make_unique<SceneForces>(std::move(feel));
   loop->setScene(std::move(scene));

@@ -14,7 +14,7 @@ namespace handwheel {
 namespace {
 
 template <class Ui>
-std::unique_ptr<KindUi> make(const WindowParts& parts) {
+std::unique_ptr<KindUi> make(const WindowContext& parts) {
   return std::make_unique<Ui>(parts);
 }
 
@@ -23,11 +23,11 @@ std::unique_ptr<KindUi> make(const WindowParts& parts) {
 std::vector<KindEntry> registeredKinds() {
   std::vector<KindEntry> all;
   auto cell = std::make_unique<CellKind>();
-  const auto cellWindow = [&kind = *cell](const WindowParts& parts) { return std::make_unique<CellUi>(parts, kind); };
+  const auto cellWindow = [&kind = *cell](const WindowContext& parts) { return std::make_unique<CellUi>(parts, kind); };
   all.push_back({std::move(cell), cellWindow});
   all.push_back({std::make_unique<WorkpieceKind>(), make<WorkpieceUi>});
   auto mesh = std::make_unique<MeshKind>();
-  const auto meshWindow = [&kind = *mesh](const WindowParts& parts) { return std::make_unique<MeshUi>(parts, kind); };
+  const auto meshWindow = [&kind = *mesh](const WindowContext& parts) { return std::make_unique<MeshUi>(parts, kind); };
   all.push_back({std::move(mesh), meshWindow});
   return all;
 }

@@ -158,7 +158,7 @@ Json toJson(const SurfaceDeviation& s) {
 
 }  // namespace
 
-double usualRange(const SurfaceDeviation& deviation) {
+double defaultRange(const SurfaceDeviation& deviation) {
   constexpr double kSame = 1e-6;  // share of the surface's size: nearer is the rounding of a file
   const double same = std::max(kSame * std::sqrt(deviation.area), 1e-300);
   const double percentile = deviation.percentiles.back();

@@ -22,7 +22,7 @@ struct Comparison {
 
 // The default range of the colour scale of a deviation map. It is the 99th percentile of the distances; where nearly
 // all of the surface is the scan itself, as after the repair of a few holes, the largest distance. Above zero.
-double usualRange(const SurfaceDeviation& deviation);
+double defaultRange(const SurfaceDeviation& deviation);
 
 // Renders the coloured mesh from four sides that together show all of it. Each view has the scale; two are side by
 // side. Needs an X display with GLX. Errors: WriteFailed {reason}, Cancelled.

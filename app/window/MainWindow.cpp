@@ -33,7 +33,7 @@ MainWindow::MainWindow(QThreadPool& pool, const KindSet& kinds, Drivers drivers)
     : m_jobs(JobRunner::Policy::Queue, pool),
       m_thumbnails(pool),
       m_fidelity(this),
-      m_calibrator(m_fidelity, pool, usualCalibrationFile(), this),
+      m_calibrator(m_fidelity, pool, defaultCalibrationFile(), this),
       m_haptics({m_jobs, pool, m_services, m_servoClock}, std::move(drivers), this),
       m_touch(m_haptics),
       m_recordings({this, m_haptics, m_jobs, m_log, m_servoClock}, this),
@@ -64,7 +64,7 @@ MainWindow::MainWindow(QThreadPool& pool, const KindSet& kinds, Drivers drivers)
   connectStartPage();
   m_pictureTimer.setSingleShot(true);
   m_pictureTimer.setInterval(kPictureDelayMs);
-  connect(&m_pictureTimer, &QTimer::timeout, this, &MainWindow::keepPicture);
+  connect(&m_pictureTimer, &QTimer::timeout, this, &MainWindow::storePicture);
   m_keys.setActions(findChildren<QAction*>(), menuBar());
   restoreLayout(*this, {m_documentsDock, m_historyDock, m_fidelityDock, m_statusDock, m_logDock});
   prefer(loadPreferences());
@@ -83,22 +83,22 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::makeKinds(const KindSet& kinds) {
-  const WindowParts parts{.window = this,
-                          .kinds = kinds.documents,
-                          .tabs = *m_tabs,
-                          .jobs = m_jobs,
-                          .pool = m_pool,
-                          .log = m_log,
-                          .viewport = *m_viewport,
-                          .services = m_services,
-                          .tools = *m_tools,
-                          .fidelity = m_fidelity,
-                          .haptics = m_haptics,
-                          .touch = m_touch,
-                          .saveAs = m_fileActions.saveAs(),
-                          .openFile = [this](const QString& path) { openPaths({path}); },
-                          .isPanelVisible = [this] { return m_kindDock->isVisible(); },
-                          .showPanel = &m_showPanel};
+  const WindowContext parts{.window = this,
+                            .kinds = kinds.documents,
+                            .tabs = *m_tabs,
+                            .jobs = m_jobs,
+                            .pool = m_pool,
+                            .log = m_log,
+                            .viewport = *m_viewport,
+                            .services = m_services,
+                            .tools = *m_tools,
+                            .fidelity = m_fidelity,
+                            .haptics = m_haptics,
+                            .touch = m_touch,
+                            .saveAs = m_fileActions.saveAs(),
+                            .openFile = [this](const QString& path) { openPaths({path}); },
+                            .isPanelVisible = [this] { return m_kindDock->isVisible(); },
+                            .showPanel = &m_showPanel};
   for (const auto& [id, make] : kinds.windows) {
     auto made = make(parts);
     made->setParent(this);  // whose actions are found below the window

@@ -95,7 +95,7 @@ class MainWindow : public QMainWindow {
   KindUi* ui() const;  // of the present document; null when none is open
   void makeKinds(const KindSet& kinds);
   void showDocument(OpenDocument* document);
-  void keepPicture();
+  void storePicture();
   void updateTitle();
   void updateFigures();
   void updateCard();

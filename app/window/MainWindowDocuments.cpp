@@ -135,7 +135,7 @@ void MainWindow::connectStartPage() {
 
 void MainWindow::showDocument(OpenDocument* document) {
   KindUi* present = document ? &document->ui : nullptr;
-  keepPicture();
+  storePicture();
   m_toolChoice->putAway();
   m_shown = document;
   m_tabs->setVisible(document != nullptr);
@@ -167,7 +167,7 @@ void MainWindow::showDocument(OpenDocument* document) {
 }
 
 // Of the document in view, for the list of documents and the start page; not when it has not been drawn whole.
-void MainWindow::keepPicture() {
+void MainWindow::storePicture() {
   if (!m_shown || !m_shown->visible || !m_viewport->isPickingReady()) return;
   const QImage picture = m_viewport->grabFramebuffer();
   if (picture.isNull()) return;

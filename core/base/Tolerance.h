@@ -62,7 +62,7 @@ inline constexpr double kBackThickness = 1e-3;
 // The offset of thickenSheet() at a vertex is at most this share of its shortest edge.
 inline constexpr double kBackEdge = 0.25;
 // Clusters of more connected self-intersections than this are not removed: it would take minutes.
-inline constexpr std::size_t kUncrossPairs = 50'000;
+inline constexpr std::size_t kMaxSelfIntersectionPairs = 50'000;
 inline constexpr std::size_t kCutsPerFace = 200;
 // Coordinates that need more bits than this, from the largest number to the last digit of the smallest, are not those
 // of a part: a double has 53, metres with noise of 1e-17 in the zeros some 120. The time of exact arithmetic grows with
@@ -73,11 +73,11 @@ inline constexpr int kCutBits = 512;
 inline constexpr double kRepairEffort = 1'000.0;
 inline constexpr std::size_t kLeastRepairEffort = 2'000'000;
 // of that, trials take at most this share, and at most some 20 s beside the passes over the mesh;
-inline constexpr double kHardHoleShare = 0.5;
+inline constexpr double kObstructedHoleShare = 0.5;
 inline constexpr std::size_t kObstructedHoleEffort = 20'000'000;
 // replacing folded regions at most this share, and at most some 10 s beside the passes; and separating coincident
 // vertices the rest.
-inline constexpr double kTangleShare = 0.25;
+inline constexpr double kFoldedRegionShare = 0.25;
 inline constexpr std::size_t kFoldedRegionEffort = 10'000'000;
 inline constexpr double kPartShare = 0.25;
 // Steps for each face that passes over the whole mesh may take beside the fixed numbers above. A pass takes about one,
@@ -85,9 +85,9 @@ inline constexpr double kPartShare = 0.25;
 inline constexpr std::size_t kPassEffort = 40;
 // A folded region around a hole is removed and refilled where that moves the surface by at most this share of the
 // diagonal: more would change the shape of the part.
-inline constexpr double kTangleMove = 0.01;
+inline constexpr double kFoldedRegionMove = 0.01;
 // The same limit for a body that is removed as a whole.
-inline constexpr double kTangleBodyMove = 1e-3;
+inline constexpr double kFoldedRegionBodyMove = 1e-3;
 // A non-orientable surface is made orientable by cuts no longer than this share of the diagonal. Longer ones change the
 // shape: on demand.
 inline constexpr double kOneSidedCut = 0.01;

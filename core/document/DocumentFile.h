@@ -4,8 +4,8 @@
 
 #include "base/Error.h"
 #include "base/Units.h"
-#include "document/KeptRecording.h"
 #include "document/Snapshot.h"
+#include "document/StoredRecording.h"
 #include "document/formats/MeshFormat.h"
 
 #include <memory>
@@ -22,10 +22,10 @@ struct DocumentFile {
   std::string id;    // UUID; made when a document is imported, kept in containers
   std::string path;  // absolute, as bytes; empty for a document that was never saved
   LengthUnit displayUnit = LengthUnit::Millimetre;
-  std::vector<KeptRecording> recordings;  // of haptic devices; in the order in which they were made
-  std::vector<Error> damage;              // what was skipped or repaired
-  std::size_t unlistedDamage = 0;         // further damage beyond what is listed
-  std::vector<LostAttribute> lost;        // what the file holds and the document does not
+  std::vector<StoredRecording> recordings;  // of haptic devices; in the order in which they were made
+  std::vector<Error> damage;                // what was skipped or repaired
+  std::size_t unlistedDamage = 0;           // further damage beyond what is listed
+  std::vector<LostAttribute> lost;          // what the file holds and the document does not
   bool isContainer = false;
   bool isNewer = false;  // written by a newer program
   // Keys and blobs that this program does not know; they are written back into the file. And the keys that it knew when
@@ -35,7 +35,7 @@ struct DocumentFile {
   std::shared_ptr<const Container> known;
 
   // Whether overwriting the file would lose something.
-  bool isPrecious() const { return !damage.empty() || !lost.empty() || isNewer; }
+  bool wouldLoseDataOnOverwrite() const { return !damage.empty() || !lost.empty() || isNewer; }
 };
 
 // Result of reading a file on a worker, from which a document is made.

@@ -23,12 +23,12 @@ void RecordingsEdit::exchange(Document& document) {
 
 // The ticks are shared with the document, most of the time.
 std::size_t RecordingsEdit::bytes() const {
-  return sizeof *this + m_recordings.size() * sizeof(KeptRecording);
+  return sizeof *this + m_recordings.size() * sizeof(StoredRecording);
 }
 
-std::string freeKey(const std::vector<KeptRecording>& recordings) {
+std::string freeKey(const std::vector<StoredRecording>& recordings) {
   unsigned long highest = 0;
-  for (const KeptRecording& each : recordings) {
+  for (const StoredRecording& each : recordings) {
     unsigned long number = 0;
     std::from_chars(each.key.data(), each.key.data() + each.key.size(), number);
     highest = std::max(highest, number);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "document/Edit.h"
-#include "document/KeptRecording.h"
+#include "document/StoredRecording.h"
 
 #include <vector>
 
@@ -12,16 +12,16 @@ namespace handwheel {
 // Changes the recordings of a document: adds, removes or renames one.
 class RecordingsEdit : public Edit {
  public:
-  explicit RecordingsEdit(std::vector<KeptRecording> recordings) : m_recordings(std::move(recordings)) {}
+  explicit RecordingsEdit(std::vector<StoredRecording> recordings) : m_recordings(std::move(recordings)) {}
 
   void exchange(Document& document) override;
   std::size_t bytes() const override;
 
  private:
-  std::vector<KeptRecording> m_recordings;
+  std::vector<StoredRecording> m_recordings;
 };
 
 // A key that none of the recordings has.
-std::string freeKey(const std::vector<KeptRecording>& recordings);
+std::string freeKey(const std::vector<StoredRecording>& recordings);
 
 }  // namespace handwheel

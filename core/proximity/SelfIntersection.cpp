@@ -3,7 +3,7 @@
 #include "proximity/SelfIntersection.h"
 
 #include "proximity/BoxTree.h"
-#include "proximity/CrowdedFans.h"
+#include "proximity/HighValenceFans.h"
 #include "proximity/SliverPieces.h"
 #include "proximity/TriangleBoxes.h"
 #include "proximity/TriangleIntersection.h"
@@ -40,7 +40,7 @@ class Search {
     const BoxFrame frame(m_points);
     m_items = boxedTriangles(m_points, m_triangles, frame, FlatTriangles::LeaveOut, m_progress);
     m_progress.set(0.05);
-    m_fans = CrowdedFans(m_points, m_triangles, m_items);
+    m_fans = HighValenceFans(m_points, m_triangles, m_items);
     const std::size_t whole = m_items.size();
     if (whole > kFewItems) cutSlivers(m_items, m_points, m_triangles, frame);
     if (m_items.size() > whole) rememberPieces();
@@ -195,7 +195,7 @@ class Search {
   Progress m_progress;
   std::size_t m_maxPairs;
 
-  CrowdedFans m_fans;
+  HighValenceFans m_fans;
   std::vector<std::uint32_t> m_fanOfNode;  // none where no fan is crowded
   std::vector<BoxedItem> m_pieces;         // by triangle; none where nothing was cut
   std::vector<std::size_t> m_firstPiece;

@@ -159,7 +159,7 @@ void Tree::numberDofs() {
 
 }  // namespace
 
-Status tieTogether(RobotModel& robot, std::span<const Following> following, const RobotPlaces& places) {
+Status buildKinematicTree(RobotModel& robot, std::span<const Following> following, const RobotPlaces& places) {
   Tree tree(robot, places);
   for (const auto step : {&Tree::findParents, &Tree::findRoot, &Tree::findOrder}) {
     if (const Status status = (tree.*step)(); !status) return status;

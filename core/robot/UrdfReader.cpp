@@ -53,7 +53,7 @@ Result<ReadRobot> readRobot(const XmlElement& root) {
     if (element.name != "joint") continue;
     if (const Status status = joints.read(element); !status) return status.error();
   }
-  const Status status = tieTogether(read.robot, joints.following(), places);
+  const Status status = buildKinematicTree(read.robot, joints.following(), places);
   if (!status) return status.error();
   return read;
 }

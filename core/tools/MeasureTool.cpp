@@ -83,8 +83,8 @@ std::optional<WallThickness> MeasureTool::thickness() const {
   return m_mode == Mode::Thickness && !p.empty() ? m_services.thickness(p[0]) : std::nullopt;
 }
 
-Magnets MeasureTool::magnets() const {
-  return isOfPoints() ? Magnets{.corners = true, .edges = true} : Magnets{.faces = true};
+SnapTargets MeasureTool::snapTargets() const {
+  return isOfPoints() ? SnapTargets{.corners = true, .edges = true} : SnapTargets{.faces = true};
 }
 
 // What draws the tip is measured as it is: a ray through the outermost edge may pass the surface by.

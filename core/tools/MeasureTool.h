@@ -48,7 +48,7 @@ class MeasureTool : public Tool {
   std::vector<Property> settings() const override;
   void setSetting(std::string_view id, const PropertyValue& value) override;
   // Points are measured at corners and edges, which are hard to hit by hand; directions and walls, of faces.
-  Magnets magnets() const override;
+  SnapTargets snapTargets() const override;
   void documentChanged() override { start(); }
   std::vector<std::string> needs() const override { return {"picking"}; }
 

@@ -82,7 +82,7 @@ struct ForceTerm {
 };
 
 // The features that attract the device tip while nothing is grabbed. So what a click selects is easily hit.
-struct Magnets {
+struct SnapTargets {
   bool borderPoints = false;  // points of open edges
   bool borderEdges = false;   // open edges
   bool corners = false;       // ends of the edges where the surface bends or ends,
@@ -91,7 +91,7 @@ struct Magnets {
 
   // Whether features are everywhere on the surface, so that only those near the tip can be considered.
   bool areEverywhere() const { return corners || edges || faces; }
-  bool operator==(const Magnets&) const = default;
+  bool operator==(const SnapTargets&) const = default;
 };
 
 // Base class of interactive tools, independent of the window. From press to release it receives events, shows a
@@ -113,7 +113,7 @@ class Tool {
     (void)value;
   }
   virtual std::vector<ForceTerm> forces() const { return {}; }
-  virtual Magnets magnets() const { return {}; }
+  virtual SnapTargets snapTargets() const { return {}; }
 
   // Called when the document has changed: what the tool had begun is discarded.
   virtual void documentChanged() {}
@@ -126,7 +126,7 @@ class Tool {
   void whenUpdated(std::function<void()> listener) { m_listener = std::move(listener); }
 
  protected:
-  void tellUpdated() const {
+  void reportUpdated() const {
     if (m_listener) m_listener();
   }
 

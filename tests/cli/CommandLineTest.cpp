@@ -30,7 +30,7 @@ class CommandLineTest : public QObject {
     const QRegularExpression line("^  [a-z]+ +[A-Z][A-Za-z ,;-]+\\.$", QRegularExpression::MultilineOption);
     QCOMPARE(QString(overview.out).count(line), 15);
     for (const char* option : {"-o", "--fill", "--continuity", "--keep-open", "--rims", "--max-hole", "--remove-debris",
-                               "--keep-tangles", "--unit", "--partial", "--report", "--screenshot"}) {
+                               "--keep-folded-regions", "--unit", "--partial", "--report", "--screenshot"}) {
       QVERIFY2(bench.run({"help", "repair"}).out.contains(option), option);
     }
   }

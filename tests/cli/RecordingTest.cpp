@@ -32,7 +32,7 @@ QByteArray tableOf(const Recording& recording) {
 }
 
 // A document with these recordings.
-void save(const Bench& bench, std::vector<KeptRecording> recordings) {
+void save(const Bench& bench, std::vector<StoredRecording> recordings) {
   const auto document = test::meshDocument(test::tetrahedron());
   document->commit("recordings", std::make_unique<RecordingsEdit>(std::move(recordings)));
   const auto path = (bench.path() + "/a.handwheel").toStdString();

@@ -113,7 +113,8 @@ class RepairLongLoopsTest : public QObject {
     QVERIFY(report.at("replaced_faces").get<int>() > 0);
     QVERIFY(report.at("untouched_vertices_identical").get<bool>());
 
-    QCOMPARE(bench.run({"repair", scan, "-o", "c.stl", "--keep-tangles", "--report", "k.json"}).code, 2);
+    QCOMPARE(bench.run({"repair", scan, "-o", "c.stl", "--keep-tangles", "--report", "k.json"}).code,
+             2);  // the former name
     const Json kept = bench.json("k.json");
     QCOMPARE(kept.at("replaced_faces").get<int>(), 0);
     QVERIFY(filled(kept) < kept.at("loops").size());

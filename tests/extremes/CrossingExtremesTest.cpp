@@ -17,10 +17,10 @@ class CrossingExtremesTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void uncrossesEveryMesh_data() { test::everyMesh(kMostFaces); }
-  void uncrossesEveryMesh();
-  void uncrossesCubes_data() { placeRows(); }
-  void uncrossesCubes();
+  void removesFromEveryMesh_data() { test::everyMesh(kMostFaces); }
+  void removesFromEveryMesh();
+  void removesFromCubes_data() { placeRows(); }
+  void removesFromCubes();
   void takesOutTangles_data() { placeRows(); }
   void takesOutTangles();
   void tanglesOfEveryMesh_data() { test::everyMesh(kMostFaces); }
@@ -61,7 +61,7 @@ void CrossingExtremesTest::placeRows() {
 }
 
 // Either the mesh is as it was, or it crosses itself no more and every piece of its surface is still there.
-void CrossingExtremesTest::uncrossesEveryMesh() {
+void CrossingExtremesTest::removesFromEveryMesh() {
   QFETCH(test::ExtremeMesh, extreme);
   const HalfEdgeMesh before = buildMesh(extreme.soup()).mesh;
   HalfEdgeMesh mesh = before;
@@ -78,7 +78,7 @@ void CrossingExtremesTest::uncrossesEveryMesh() {
 }
 
 // Two cubes, the second shifted: what comes out are their union and, inside it, what they have in common.
-void CrossingExtremesTest::uncrossesCubes() {
+void CrossingExtremesTest::removesFromCubes() {
   QFETCH(double, scale);
   QFETCH(double, offset);
   const Vec3 middle(offset, -offset, offset), shift(0.41, 0.27, 0.33);

@@ -26,8 +26,8 @@ class FillingExtremesTest : public QObject {
   void ridgesOfCubes();
   void sizeChangesNoPatch_data();
   void sizeChangesNoPatch();
-  void stitches_data() { test::everyMesh(50'000); }
-  void stitches();
+  void bridges_data() { test::everyMesh(50'000); }
+  void bridges();
   void longLoops_data() { placeRows(); }
   void longLoops();
 
@@ -205,7 +205,7 @@ void FillingExtremesTest::sizeChangesNoPatch() {
 }
 
 // What is proposed cuts the loop into pieces; each bridge is an edge of two of them.
-void FillingExtremesTest::stitches() {
+void FillingExtremesTest::bridges() {
   constexpr std::size_t kPieceEdges = 8;
   QFETCH(test::ExtremeMesh, extreme);
   const HalfEdgeMesh mesh = buildMesh(extreme.soup()).mesh;
@@ -213,22 +213,22 @@ void FillingExtremesTest::stitches() {
   const std::vector<BoundaryLoop> loops = findBoundaryLoops(mesh);
   for (std::size_t i = 0; i < std::min(loops.size(), kMostLoops); ++i) {
     const std::size_t n = loops[i].halfEdges.size();
-    const std::vector<Stitch> stitches = filler.proposeStitches(loops[i], kPieceEdges);
-    if (n <= kPieceEdges) QVERIFY(stitches.empty());
-    const auto pieces = splitHole(n, stitches);
+    const std::vector<HoleBridge> bridges = filler.proposeHoleBridges(loops[i], kPieceEdges);
+    if (n <= kPieceEdges) QVERIFY(bridges.empty());
+    const auto pieces = splitHole(n, bridges);
     QVERIFY(pieces);
-    QCOMPARE(pieces->size(), stitches.size() + 1);
+    QCOMPARE(pieces->size(), bridges.size() + 1);
     std::size_t edges = 0;
     for (const HolePiece& piece : *pieces) edges += piece.size();
-    QCOMPARE(edges, n + 2 * stitches.size());
+    QCOMPARE(edges, n + 2 * bridges.size());
     if (extreme.name.starts_with("holed sphere")) {
-      QVERIFY(!stitches.empty());
+      QVERIFY(!bridges.empty());
       for (const HolePiece& piece : *pieces) QVERIFY(piece.size() <= kPieceEdges);
       FillOptions options = only(FillMethod::Minimal);
       options.pieceEdges = kPieceEdges;
       const FillAttempt attempt = filler.propose(loops[i], options);
       QVERIFY(attempt.failure == FillFailure::None && isDisc(attempt.patch));
-      QVERIFY(attempt.patch.stitches == stitches);
+      QVERIFY(attempt.patch.bridges == bridges);
     }
   }
 }
@@ -248,7 +248,7 @@ void FillingExtremesTest::longLoops() {
     QCOMPARE(loop.halfEdges.size(), std::size_t{kEdges});
     const FillAttempt attempt = filler.propose(loop, only(FillMethod::Minimal));
     QVERIFY(attempt.failure == FillFailure::None);
-    QVERIFY(!attempt.patch.stitches.empty());
+    QVERIFY(!attempt.patch.bridges.empty());
     filler.accept(loop, attempt.patch);
   }
   QCOMPARE(validate(filler.mesh()), std::string());

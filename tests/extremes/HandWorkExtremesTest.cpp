@@ -43,7 +43,7 @@ bool work(HalfEdgeMesh& mesh, int deed, std::mt19937& random) {
   const auto loops = findBoundaryLoops(mesh);
   if (loops.empty()) return false;
   const BoundaryLoop& loop = loops[random() % loops.size()];
-  const auto near = std::make_shared<const NearFaces>(mesh, std::make_shared<FaceHierarchy>(mesh));
+  const auto near = std::make_shared<const FaceLocator>(mesh, std::make_shared<FaceHierarchy>(mesh));
   const std::size_t n = loop.halfEdges.size(), at = random() % n;
   const BorderPair ends{loop.halfEdges[at], loop.halfEdges[(at + 1 + random() % 4) % n]};
   switch (deed % 5) {
@@ -117,7 +117,7 @@ void HandWorkExtremesTest::sizeChangesNoSmoothing() {
   QFETCH(double, scale);
   const TriangleSoup soup = test::sphereWithHoles(4, 3, 0.35);
   const HalfEdgeMesh plain = buildMesh(soup).mesh, scaled = buildMesh(test::moved(soup, Vec3::Zero(), scale)).mesh;
-  const NearFaces near(plain, std::make_shared<FaceHierarchy>(plain)),
+  const FaceLocator near(plain, std::make_shared<FaceHierarchy>(plain)),
       other(scaled, std::make_shared<FaceHierarchy>(scaled));
   const auto loops = findBoundaryLoops(plain), others = findBoundaryLoops(scaled);
   QCOMPARE(loops.size(), others.size());

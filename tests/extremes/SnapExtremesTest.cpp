@@ -44,7 +44,7 @@ void forcesAt(double scale, double offset) {
       // Needles that are no wider than a rounding of their corners have their nearest point off by as much.
       const double tolerance = 1e-6 * profile.peak() + kStiffness * 1e-15 * offset;
       QVERIFY((sum.step(field, profile, hand).force - expected).norm() <= tolerance);
-      const SnapPull pull = proxy.step(field, profile, hand);
+      const SnapResult pull = proxy.step(field, profile, hand);
       QVERIFY(pull.force.norm() <= profile.peak() * (1.0 + 1e-12));
       if (!proxy.isHeld()) continue;
       const auto off = static_cast<double>(distanceTo(simplices[proxy.held().id], pull.proxy));
@@ -102,7 +102,7 @@ void SnapExtremesTest::strangeNumbersGiveNoStrangeForce() {
     for (int i = 0; i < 50; ++i) {
       const SnapProfile profile(kSnapShapes[i % 4], i % 3 ? 0.5 : number(), i % 5 ? 1.0 : number());
       const Vec3 hand = place();
-      for (const SnapPull& pull : {sum.step(field, profile, hand), proxy.step(field, profile, hand)}) {
+      for (const SnapResult& pull : {sum.step(field, profile, hand), proxy.step(field, profile, hand)}) {
         QVERIFY(pull.force.allFinite());
         QVERIFY(std::isfinite(pull.slope) && pull.slope >= 0.0);
       }
@@ -117,7 +117,7 @@ void SnapExtremesTest::manyAtOnePlace() {
   for (std::uint32_t i = 0; i < 10'000; ++i) features.addPoint(i, place);
   const SnapField field(features);
   const SnapProfile profile(SnapShape::Triangular, kStiffness, 1.0);
-  const SnapPull pull = SnapSum().step(field, profile, hand);
+  const SnapResult pull = SnapSum().step(field, profile, hand);
   QVERIFY((pull.force - Vec3(-0.25 * kStiffness * 1e4, 0, 0)).norm() <= 1e-9);
   QCOMPARE(pull.slope, kStiffness * 1e4);
   QCOMPARE(pull.featureCount, 1u);

@@ -41,7 +41,7 @@ QString fillMethodName(FillMethod method) {
       return RepairWords::tr("Ridges");
     case FillMethod::Cone:
       return RepairWords::tr("Cone");
-    case FillMethod::Backed:
+    case FillMethod::ThickenedSheet:
       return RepairWords::tr("Given a back");
     case FillMethod::Stitched:
       return RepairWords::tr("Stitched");
@@ -70,7 +70,7 @@ QString fillMethodHint(FillMethod method) {
           "As fair, with the sharp edges that end at the hole carried through it. For designed parts.");
     case FillMethod::Cone:
       return RepairWords::tr("Triangles to one point behind or before the hole.");
-    case FillMethod::Backed:
+    case FillMethod::ThickenedSheet:
       return RepairWords::tr("The sheet became a thin body.");
     case FillMethod::Stitched:
       return RepairWords::tr("The borders were brought together.");
@@ -97,7 +97,7 @@ QString fillMethodWord(FillMethod method) {
     case FillMethod::Ridge:
       return QStringLiteral("ridge");
     case FillMethod::Cone:
-    case FillMethod::Backed:
+    case FillMethod::ThickenedSheet:
     case FillMethod::Stitched:
     case FillMethod::Removed:
       break;  // cannot be asked for
@@ -158,7 +158,7 @@ QStringList repairSummary(const RepairReport& report) {
   const auto add = [&parts](std::size_t count, const auto& phrase) {
     if (count > 0) parts << phrase(asInt(count));
   };
-  add(report.turnedFaces, [](int n) { return RepairWords::tr("%n triangle(s) turned over", nullptr, n); });
+  add(report.reversedFaces, [](int n) { return RepairWords::tr("%n triangle(s) turned over", nullptr, n); });
   add(report.removedDegenerate,
       [](int n) { return RepairWords::tr("%n triangle(s) without area removed", nullptr, n); });
   add(report.removedDuplicates, [](int n) { return RepairWords::tr("%n duplicate triangle(s) removed", nullptr, n); });
@@ -172,7 +172,7 @@ QStringList repairSummary(const RepairReport& report) {
   });
   add(report.replacedFaces,
       [](int n) { return RepairWords::tr("%n tangled triangle(s) replaced around holes", nullptr, n); });
-  add(report.oneSidedCuts,
+  add(report.nonOrientableCuts,
       [](int n) { return RepairWords::tr("%n cut(s) where the surface had one side only", nullptr, n); });
   add(report.partedVertices, [](int n) { return RepairWords::tr("%n touching point(s) parted", nullptr, n); });
   return parts;

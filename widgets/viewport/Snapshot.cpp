@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kShare = 0.86;  // of the picture, filled by the model
 
-Error writeFailed(std::string reason, const std::filesystem::path& png) {
+Error writeFailed(std::string reason, const std::filesystem::path& png = {}) {
   return {ErrorCode::WriteFailed, {std::move(reason)}, {}, png.string()};
 }
 
@@ -70,29 +70,29 @@ constexpr char kNotRendered[] = "the picture could not be rendered";
 
 // fill: gives the scene what it is to show.
 template <class Fill>
-Status renderScene(const Fill& fill, const std::filesystem::path& png, int width, int height, const Vec3& outward) {
-  if (width < 1 || height < 1) return writeFailed("the picture has no pixels", png);
+Result<QImage> renderScene(const Fill& fill, const QSize& size, const Vec3& outward) {
+  if (size.isEmpty()) return writeFailed("the picture has no pixels");
   const DisplayCheck display;
-  if (!display.problem().empty()) return writeFailed(display.problem(), png);
+  if (!display.problem().empty()) return writeFailed(display.problem());
   Scene scene;
   fill(scene);
-  const QImage picture = drawn(scene, {width, height}, outward);
-  return picture.isNull() ? writeFailed(kNotRendered, png) : savePng(picture, png);
+  QImage picture = drawn(scene, size, outward);
+  if (picture.isNull()) return writeFailed(kNotRendered);
+  return picture;
 }
 
 }  // namespace
 
-Status renderToFile(const HalfEdgeMesh& mesh, const std::vector<LoopMark>& loops, const std::filesystem::path& png,
-                    int width, int height, const Vec3& outward) {
+Result<QImage> renderPicture(const HalfEdgeMesh& mesh, const std::vector<LoopMark>& loops, const QSize& size,
+                             const Vec3& outward) {
   const auto fill = [&](Scene& scene) {
     addMesh(scene, mesh, nullptr);
     scene.marks().setLoops(loops);
   };
-  return renderScene(fill, png, width, height, outward);
+  return renderScene(fill, size, outward);
 }
 
-Status renderToFile(const DisplayModel& model, const std::filesystem::path& png, int width, int height,
-                    const Vec3& outward) {
+Result<QImage> renderPicture(const DisplayModel& model, const QSize& size, const Vec3& outward) {
   const auto fill = [&](Scene& scene) {
     scene.setParts(model.parts);
     for (const PartActors::Soup& soup : scene.parts().missing()) {
@@ -100,14 +100,14 @@ Status renderToFile(const DisplayModel& model, const std::filesystem::path& png,
       scene.parts().setShape(soup, shape);
     }
   };
-  return renderScene(fill, png, width, height, outward);
+  return renderScene(fill, size, outward);
 }
 
 Result<std::vector<QImage>> renderSides(const HalfEdgeMesh& mesh, const VertexValues& atVertex,
                                         const ColourScale& scale, std::span<const Vec3> outward, const QSize& size,
                                         Progress progress) {
   const DisplayCheck display;
-  if (!display.problem().empty()) return writeFailed(display.problem(), {});
+  if (!display.problem().empty()) return writeFailed(display.problem());
   Scene scene;
   addMesh(scene, mesh, atVertex.get());
   scene.blocks().setColourScale(scale);
@@ -115,7 +115,7 @@ Result<std::vector<QImage>> renderSides(const HalfEdgeMesh& mesh, const VertexVa
   for (const Vec3& side : outward) {
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
     QImage picture = drawn(scene, size, side);
-    if (picture.isNull()) return writeFailed(kNotRendered, {});
+    if (picture.isNull()) return writeFailed(kNotRendered);
     QPainter painter(&picture);
     paintLegend(painter, size, scale, LengthUnit::Millimetre, scene.colours());
     painter.end();

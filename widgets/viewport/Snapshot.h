@@ -18,14 +18,12 @@ namespace handwheel {
 // and after a repair can be compared.
 inline const Vec3 kPictureSide{1.0, -1.0, 1.0};
 
-// Renders a mesh with its loops, or parts, to a PNG file. The picture has width × height pixels and includes axes and
-// scale bar. Needs neither a widget nor an application object. outward: the direction from the model to the viewer; it
-// need not be of unit length, z is up. Needs an X display with GLX; WriteFailed {reason} when there is none or the file
-// cannot be written.
-Status renderToFile(const HalfEdgeMesh& mesh, const std::vector<LoopMark>& loops, const std::filesystem::path& png,
-                    int width, int height, const Vec3& outward = kPictureSide);
-Status renderToFile(const DisplayModel& model, const std::filesystem::path& png, int width, int height,
-                    const Vec3& outward = kPictureSide);
+// Renders a mesh with its loops, or parts. The picture includes axes and scale bar. Needs neither a widget nor an
+// application object. outward: the direction from the model to the viewer; it need not be of unit length, z is up.
+// Needs an X display with GLX; WriteFailed {reason} when there is none.
+Result<QImage> renderPicture(const HalfEdgeMesh& mesh, const std::vector<LoopMark>& loops, const QSize& size,
+                             const Vec3& outward = kPictureSide);
+Result<QImage> renderPicture(const DisplayModel& model, const QSize& size, const Vec3& outward = kPictureSide);
 
 // Renders a mesh from several sides, coloured by values, with the colour scale. Errors: WriteFailed {reason} as above,
 // Cancelled.

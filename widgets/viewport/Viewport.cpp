@@ -34,9 +34,9 @@ Viewport::Private::Private(Viewport* widget)
                      isIndexAwaited = false;
                      layBrush();
                    },
-                   [this] { tellOutOfMemory(); }}),
+                   [this] { reportOutOfMemory(); }}),
       partPreparation([this](const PartPreparation::Soup& soup, PartShape shape) { takeShape(soup, std::move(shape)); },
-                      [this] { tellOutOfMemory(); }),
+                      [this] { reportOutOfMemory(); }),
       cube(new ViewCube(widget)) {
   camera.orientation = orientationOf(StandardView::Isometric);
   cube->setOrientation(camera.orientation);
@@ -46,7 +46,7 @@ Viewport::Private::Private(Viewport* widget)
   QObject::connect(&rest, &QTimer::timeout, q, [this] { q->update(); });
 }
 
-void Viewport::Private::tellOutOfMemory() {
+void Viewport::Private::reportOutOfMemory() {
   emit q->graphicsFailed(Viewport::tr("There is not enough memory to draw all of the model."));
 }
 

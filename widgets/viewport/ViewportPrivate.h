@@ -43,7 +43,7 @@ class Viewport::Private {
 
   // Parts
   void requestShapes();
-  void tellOutOfMemory();
+  void reportOutOfMemory();
   void takeShape(const PartPreparation::Soup& soup, PartShape shape);
 
   // Mouse

@@ -77,7 +77,7 @@ void addPicture(const CompareRequest& request, Comparison& comparison) {
   const QTemporaryDir folder;
   const std::filesystem::path png = folder.filePath(QStringLiteral("sides.png")).toStdString();
   if (makePictureApart({request.mesh, png, request.read.partial, request.scan,
-                        usualRange(comparison.deviation.ofMesh)}) == kExitDone) {
+                        defaultRange(comparison.deviation.ofMesh)}) == kExitDone) {
     comparison.picture.load(QString::fromStdString(png.string()));
   }
 }
@@ -110,7 +110,7 @@ int runCompare(const Arguments& arguments, const DocumentKinds& kinds) {
   Compared& done = result->value();
   for (DocumentFile& file : done.read) {
     file.lost.clear();  // nothing is written, so nothing is not kept
-    tellLosses(file);
+    reportLosses(file);
   }
   if (arguments.has("report")) {
     if (request.report.extension() != ".json") addPicture(request, done.comparison);

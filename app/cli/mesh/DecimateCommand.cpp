@@ -151,7 +151,7 @@ int runDecimate(const Arguments& arguments, const DocumentKinds& kinds) {
   runInterruptible("Decimating", [&](CommandJob& job) { result = decimateFile(request, kinds, job.progress()); });
   if (!*result) return fail(result->error());
   const Decimated& done = result->value();
-  tellLosses(done.file);
+  reportLosses(done.file);
   if (!done.refusal.empty()) return refuse(done.refusal);
   if (const int code = print(readableText(done.report)); code != kExitDone) return code;
   if (request.options.error && done.report.facesAfter + done.report.removedDegenerate == done.report.facesBefore) {

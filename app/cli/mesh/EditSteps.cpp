@@ -176,7 +176,7 @@ int runEdit(const Arguments& arguments, const DocumentKinds& kinds) {
   runInterruptible("Editing", [&](CommandJob& job) { result = editFile(arguments, kinds, job.progress()); });
   if (!*result) return fail(result->error());
   const Edited& done = result->value();
-  tellLosses(done.file);
+  reportLosses(done.file);
   if (!done.refusal.empty()) return refuse(done.refusal);
   for (const Note& note : done.notes) complain(noteText(note).toStdString());
   for (const std::string& sentence : done.idle) complain(sentence);

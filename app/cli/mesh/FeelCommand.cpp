@@ -8,8 +8,8 @@
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
 #include "cli/TipPath.h"
-#include "cli/mesh/FeelRun.h"
 #include "cli/mesh/FeelSnap.h"
+#include "cli/mesh/HapticPathRun.h"
 #include "document/AtomicFile.h"
 #include "document/FileBytes.h"
 #include "document/mesh/MeshSnapshot.h"
@@ -38,7 +38,7 @@ struct FeelRequest {
   SurfaceFeel surface;
   SnapRequest snap;
   FidelityValues values;
-  FeelRun run;
+  HapticPathRun run;
   bool hasDevice = false;
 };
 
@@ -88,7 +88,7 @@ std::string readRequest(const Arguments& arguments, FeelRequest& request) {
 
 // What the device can carry, and a note where that is less than what is asked.
 void limitBy(const DeviceCapabilities& device, FeelRequest& request) {
-  FeelRun& run = request.run;
+  HapticPathRun& run = request.run;
   const LoopTiming timing{1.0 / run.rate, device.latency, device.inherentDamping};
   const double stable = stiffnessLimit(timing, 0.0);
   const bool isByTheDevice = device.maxStiffness > 0.0 && device.maxStiffness < stable;
@@ -118,13 +118,13 @@ std::optional<SnapFeel> rimsOf(const FeelRequest& request, const Input& input, P
 }
 
 // The surface as it is read, equal corners made one; and what draws the tip.
-Result<SceneFeel> sceneOf(const FeelRequest& request, const DocumentKinds& kinds, std::vector<DocumentFile>& read,
-                          Progress progress) {
+Result<SceneHaptics> sceneOf(const FeelRequest& request, const DocumentKinds& kinds, std::vector<DocumentFile>& read,
+                             Progress progress) {
   const Result<Input> input = readMeshInput(request.mesh, request.read, kinds, progress.part(0.0, 0.3));
   if (!input) return input.error();
   read.push_back(input->opened.file);
   const MeshSnapshot* document = input->meshDocument();
-  SceneFeel scene;
+  SceneHaptics scene;
   scene.snap = rimsOf(request, *input, progress.part(0.3, 0.5));
   TriangleSoup soup = document ? document->mesh.mesh.compact().soup : weld(input->mesh->soup, progress.part(0.5, 0.6));
   scene.surface = request.surface;
@@ -194,7 +194,7 @@ int runFeel(const Arguments& arguments, const DocumentKinds& kinds) {
   std::optional<Error> problem;
   FeltPath felt;
   runInterruptible("Feeling", [&](CommandJob& job) {
-    Result<SceneFeel> scene = sceneOf(request, kinds, read, job.progress().part(0.0, 0.5));
+    Result<SceneHaptics> scene = sceneOf(request, kinds, read, job.progress().part(0.0, 0.5));
     if (!scene) {
       problem = scene.error();
       return;
@@ -215,7 +215,7 @@ int runFeel(const Arguments& arguments, const DocumentKinds& kinds) {
              roundedText(felt.askedForce, 4) + " N would be felt.");
   for (DocumentFile& file : read) {
     file.lost.clear();  // nothing is written, so nothing is not kept
-    tellLosses(file);
+    reportLosses(file);
   }
   return print(request.out == "-" ? felt.csv : summary(felt));
 }

@@ -66,7 +66,7 @@ std::string readRepairOptions(const Arguments& arguments, RepairRequest& request
     request.options.rims = *rims;
   }
   request.options.removeDebris = arguments.has("remove-debris");
-  request.options.takeOutTangles = !arguments.has("keep-tangles");
+  request.options.replaceFoldedRegions = !arguments.has("keep-folded-regions");
   request.options.cutCrossings = arguments.has("cut-crossings");
   if (arguments.has("fidelity")) {
     // Those that apply() puts into the options.

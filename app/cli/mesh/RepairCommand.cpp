@@ -91,9 +91,9 @@ Result<Repaired> repairAndWrite(const RepairRequest& request, const Arguments& a
 }
 
 // Why nothing was written.
-int tellWhy(const RepairRun& run, const RepairRequest& request) {
+int reportReason(const RepairRun& run, const RepairRequest& request) {
   if (!run.refusal.empty()) {
-    tellLosses(run.file);
+    reportLosses(run.file);
     return refuse(run.refusal);
   }
   if (!run.unknownLoops.empty()) {
@@ -142,7 +142,8 @@ CommandSpec repairSpec() {
           {"rims", 0, "HOW", "Outer edges of open sheets: give the sheet a back (default), keep or fill"},
           {"max-hole", 0, "N", "Leave loops with more than N edges open"},
           {"remove-debris", 0, "", "Remove parts far smaller than the largest"},
-          {"keep-tangles", 0, "", "Leave open what closes only if tangled triangles around it are taken out"},
+          {"keep-folded-regions", 0, "", "Leave open what closes only if folded triangles around it are replaced",
+           "keep-tangles"},
           {"cut-crossings", 0, "", "Cut triangles apart where the surface passes through itself"},
           {"unit", 0, "UNIT", "mm (default), cm, m or in: noted in the report, nothing is scaled"},
           {"partial", 0, "", "Read what is readable of a damaged file"},
@@ -169,7 +170,7 @@ int runRepair(const Arguments& arguments, const DocumentKinds& kinds) {
                    [&](CommandJob& job) { done = repairAndWrite(request, arguments, kinds, job.progress()); });
   if (!*done) return fail(done->error());
   const Repaired& repaired = done->value();
-  if (repaired.delivery.text.empty()) return tellWhy(repaired.run, request);
+  if (repaired.delivery.text.empty()) return reportReason(repaired.run, request);
   return deliver(repaired, request, arguments);
 }
 

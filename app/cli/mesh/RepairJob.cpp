@@ -187,7 +187,7 @@ Result<RepairRun> repairFile(const RepairRequest& request, const DocumentKinds& 
   Result<EncodedMesh> encoded = encode(work, request.output, progress.part(0.75, 0.85));
   if (!encoded) return encoded.error();
   run.output = std::move(encoded->bytes);
-  run.repair.turnedFaces += work.before.report.turnedFaces.size();
+  run.repair.reversedFaces += work.before.report.reversedFaces.size();
   run.repair.partedVertices += encoded->report.parted.size();
   run.touched = touchedInputs(run.repair.touchedVertices, encoded->report.parted, work.before.mesh.vertexSlots());
   const Status measured = measure(request, kinds, work, run, progress.part(0.85, 1.0));

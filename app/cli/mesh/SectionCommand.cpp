@@ -121,7 +121,7 @@ int runSection(const Arguments& arguments, const DocumentKinds& kinds) {
   runInterruptible("Cutting", [&](CommandJob& job) { result = cutFile(request, kinds, losses, job.progress()); });
   if (!*result) return fail(result->error());
   const Section& section = result->value();
-  tellLosses(losses);
+  reportLosses(losses);
   if (const int code = print(readableText(section)); code != kExitDone) return code;
   if (section.curves.empty()) complain("The plane does not meet the mesh.");
   if (!section.isClosed) complain("An outline is open, so there is no area. 'handwheel repair' closes the mesh.");

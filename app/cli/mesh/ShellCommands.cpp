@@ -106,7 +106,7 @@ Result<Outcome> merge(const std::vector<std::string>& paths, const fs::path& out
 
 int tell(const Result<Outcome>& result) {
   if (!result) return fail(result.error());
-  for (const DocumentFile& file : result->files) tellLosses(file);
+  for (const DocumentFile& file : result->files) reportLosses(file);
   if (const int code = print(result->text); code != kExitDone) return code;
   return result->refusal.empty() ? kExitDone : refuse(result->refusal);
 }

@@ -13,7 +13,7 @@
 
 namespace handwheel {
 
-CellUi::CellUi(const WindowParts& window, CellKind& kind) : PartsUi(window, {"Joints"}) {
+CellUi::CellUi(const WindowContext& window, CellKind& kind) : RigidPartsUi(window, {"Joints"}) {
   const auto follow = [&kind, &choice = window.fidelity] {
     kind.setShapeSides(static_cast<std::uint32_t>(choice.values().of(shapeSidesSetting())));
   };

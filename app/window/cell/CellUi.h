@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "window/kinds/PartsUi.h"
+#include "window/kinds/RigidPartsUi.h"
 
 namespace handwheel {
 
 class CellKind;
 
 // The user interface of robot cells: joint sliders and dragging the robot.
-class CellUi : public PartsUi {
+class CellUi : public RigidPartsUi {
   Q_OBJECT
 
  public:
-  CellUi(const WindowParts& window, CellKind& kind);
+  CellUi(const WindowContext& window, CellKind& kind);
 
   QString panelTitle() const override { return tr("Joints"); }
   QString panelIcon() const override { return QStringLiteral("kind-cell"); }

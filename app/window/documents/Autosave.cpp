@@ -71,7 +71,7 @@ void Autosave::save(OpenDocument* document) {
   info.kind = document->document.kind().id();
   document->autosaved = revision;
   const auto failed = [this, document, name = document->document.name()](const Error& error) {
-    tellFailure(document, name, error);
+    reportFailure(document, name, error);
   };
   Job job;
   job.name = tr("Autosaving %1").arg(document->document.name());
@@ -89,7 +89,7 @@ void Autosave::save(OpenDocument* document) {
 }
 
 // It is tried again within the interval; told is the first of several failures.
-void Autosave::tellFailure(OpenDocument* document, const QString& name, const Error& error) {
+void Autosave::reportFailure(OpenDocument* document, const QString& name, const Error& error) {
   if (!m_tabs.contains(document)) return;
   document->autosaved = 0;
   changed();

@@ -42,7 +42,7 @@ class Autosave : public QObject {
   void changed();
   void saveAll();
   void save(OpenDocument* document);
-  void tellFailure(OpenDocument* document, const QString& name, const Error& error);
+  void reportFailure(OpenDocument* document, const QString& name, const Error& error);
   void offer(const std::shared_ptr<const Leftovers>& leftovers);
   void offerDamaged(const std::shared_ptr<const Leftovers>& leftovers);
   void recover(const std::shared_ptr<const Leftovers>& leftovers);

@@ -104,19 +104,19 @@ void FileActions::add(const std::string& kind, const KindUi& ui) {
       action->setEnabled(!path.isEmpty());
       connect(action, &QAction::triggered, this, [this, path] { m_loader.load(path); });
     }
-    m_beginnings.emplace_back(beginning, action);
+    m_startActions.emplace_back(beginning, action);
   }
 }
 
 QList<QAction*> FileActions::startActions() const {
   QList<QAction*> blank, samples;
-  for (const auto& [beginning, action] : m_beginnings) (beginning.sample.isEmpty() ? blank : samples) << action;
+  for (const auto& [beginning, action] : m_startActions) (beginning.sample.isEmpty() ? blank : samples) << action;
   return blank + samples;
 }
 
 std::vector<StartTile> FileActions::tiles() const {
   std::vector<StartTile> tiles;
-  for (const auto& [beginning, action] : m_beginnings) {
+  for (const auto& [beginning, action] : m_startActions) {
     if (!beginning.tile) continue;
     tiles.push_back(*beginning.tile);
     tiles.back().isAvailable = action->isEnabled();
@@ -125,7 +125,7 @@ std::vector<StartTile> FileActions::tiles() const {
 }
 
 void FileActions::begin(const QString& tile) {
-  for (const auto& [beginning, action] : m_beginnings) {
+  for (const auto& [beginning, action] : m_startActions) {
     if (beginning.tile && beginning.tile->name == tile) return action->trigger();
   }
 }
@@ -182,7 +182,7 @@ bool FileActions::needsNewName(const OpenDocument& open) const {
   if (!document.file().recordings.empty() && !isContainerName(document.file().path)) return true;
   if (open.written) return false;
   const QFileInfo file(document.path());
-  return document.file().isPrecious() || (file.exists() && !file.isWritable()) || isSample(file);
+  return document.file().wouldLoseDataOnOverwrite() || (file.exists() && !file.isWritable()) || isSample(file);
 }
 
 void FileActions::saveOrAsk(OpenDocument* document, std::function<void(bool)> ended) {

@@ -78,7 +78,7 @@ class FileActions : public QObject {
   // Documents being asked about or saved before closing, with the callbacks for when they are closed.
   std::map<const OpenDocument*, std::vector<std::function<void()>>> m_closing;
   QAction m_open;
-  std::vector<std::pair<StartAction, QAction*>> m_beginnings;
+  std::vector<std::pair<StartAction, QAction*>> m_startActions;
   QAction m_save;
   QAction m_saveAs;
   QAction m_close;

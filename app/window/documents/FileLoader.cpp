@@ -103,7 +103,7 @@ void FileLoader::loaded(const QString& path, const ReadOptions& options, OpenedF
   added->inFile = added->document.properties();
   m_log.add(added->ui.openedText(*added), inspectCommand(path, options));
   m_recent.add(path);
-  tellLosses(added->document);
+  reportLosses(added->document);
 }
 
 void FileLoader::failed(const QString& path, const Error& error, const ReadOptions& options) {
@@ -121,9 +121,9 @@ void FileLoader::failed(const QString& path, const Error& error, const ReadOptio
   emit this->message(message);
 }
 
-void FileLoader::tellLosses(const Document& document) {
+void FileLoader::reportLosses(const Document& document) {
   const DocumentFile& file = document.file();
-  if (!file.isPrecious()) return;
+  if (!file.wouldLoseDataOnOverwrite()) return;
   const QString name = document.name();
   QStringList lines;
   if (file.isNewer)

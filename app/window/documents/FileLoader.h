@@ -46,7 +46,7 @@ class FileLoader : public QObject {
   OpenDocument* add(OpenedFile opened);
   void loaded(const QString& path, const ReadOptions& options, OpenedFile opened);
   void failed(const QString& path, const Error& error, const ReadOptions& options);
-  void tellLosses(const Document& document);
+  void reportLosses(const Document& document);
 
   const DocumentKinds& m_kinds;
   const KindUis& m_uis;

@@ -28,7 +28,7 @@ void FileSaver::save(OpenDocument* document, const QString& path, std::function<
   Job job;
   job.name = tr("Saving %1").arg(QFileInfo(path).fileName());
   const auto failed = [this, document, path, ended](const Error& error) {
-    tellFailure(document, path, error);
+    reportFailure(document, path, error);
     if (ended) ended(false);
   };
   job.failed = failed;
@@ -40,7 +40,7 @@ void FileSaver::save(OpenDocument* document, const QString& path, std::function<
     return [this, document, state, ended, written = written.value()] {
       const bool isOpen = m_tabs.contains(document);
       if (isOpen) saved(document, state, written);
-      const bool isNewLoss = isOpen && tellLosses(document, state, written);
+      const bool isNewLoss = isOpen && reportLosses(document, state, written);
       if (ended) ended(isOpen && !isNewLoss && !document->document.isModified());
     };
   };
@@ -53,7 +53,7 @@ void FileSaver::saved(OpenDocument* document, const Written& state, const Writte
   m_log.add(tr("Saved %1: %2 bytes, read back and compared").arg(name).arg(written.bytes), state.command);
   for (const Note& note : written.notes) m_log.add(name + QStringLiteral(": ") + noteText(note));
   const auto foreign = formatOf(saved.kind(), state.path);
-  if (foreign && !foreign->reads) return tellExport(*document, name);
+  if (foreign && !foreign->reads) return reportExport(*document, name);
   m_recent.add(state.path);
   if (saved.revision() == state.revision) {
     document->written = true;
@@ -66,7 +66,7 @@ void FileSaver::saved(OpenDocument* document, const Written& state, const Writte
 
 // Once for each list of them: who saves often has read it. Whether it was told. A foreign file that is opened again has
 // the usual unit.
-bool FileSaver::tellLosses(OpenDocument* document, const Written& state, const WrittenFile& written) {
+bool FileSaver::reportLosses(OpenDocument* document, const Written& state, const WrittenFile& written) {
   const auto foreign = formatOf(document->document.kind(), state.path);
   if (foreign && !foreign->reads) return false;  // an export, which was told
   QStringList losses;
@@ -76,7 +76,7 @@ bool FileSaver::tellLosses(OpenDocument* document, const Written& state, const W
   if (foreign && state.displayUnit != loadPreferences().lengthUnit)
     losses << tr("The display unit is not in this file.");
   const QString all = losses.join(QLatin1Char(' '));
-  if (std::exchange(document->toldLosses, all) == all || losses.isEmpty()) return false;
+  if (std::exchange(document->reportedLosses, all) == all || losses.isEmpty()) return false;
   emit incomplete(document, {Message::Weight::Info,
                              tr("%1 does not hold all of the document").arg(QFileInfo(state.path).fileName()),
                              all,
@@ -89,7 +89,7 @@ bool FileSaver::tellLosses(OpenDocument* document, const Written& state, const W
   return true;
 }
 
-void FileSaver::tellExport(const OpenDocument& document, const QString& name) {
+void FileSaver::reportExport(const OpenDocument& document, const QString& name) {
   if (!document.document.isModified()) return;
   emit message({Message::Weight::Info,
                 tr("%1 was written").arg(name),
@@ -102,7 +102,7 @@ void FileSaver::tellExport(const OpenDocument& document, const QString& name) {
                 &document.document});
 }
 
-void FileSaver::tellCancelled(OpenDocument* document, const QString& path) {
+void FileSaver::reportCancelled(OpenDocument* document, const QString& path) {
   const QString title = tr("Saving %1 was cancelled").arg(QFileInfo(path).fileName());
   m_log.add(title, {}, LogEntry::Weight::Warning);
   Message told{Message::Weight::Warning, title, tr("Nothing was written: the file is as it was before."), {}, {}, {}};
@@ -117,8 +117,8 @@ void FileSaver::tellCancelled(OpenDocument* document, const QString& path) {
   emit message(told);
 }
 
-void FileSaver::tellFailure(OpenDocument* document, const QString& path, const Error& error) {
-  if (error.code == ErrorCode::Cancelled) return tellCancelled(document, path);
+void FileSaver::reportFailure(OpenDocument* document, const QString& path, const Error& error) {
+  if (error.code == ErrorCode::Cancelled) return reportCancelled(document, path);
   const QString name = QFileInfo(path).fileName();
   const QString title = tr("%1 could not be saved").arg(name);
   m_log.add(title + QStringLiteral(". ") + errorSentence(error), {}, LogEntry::Weight::Error);

@@ -44,10 +44,10 @@ class FileSaver : public QObject {
     LengthUnit displayUnit;
   };
   void saved(OpenDocument* document, const Written& state, const WrittenFile& written);
-  bool tellLosses(OpenDocument* document, const Written& state, const WrittenFile& written);
-  void tellExport(const OpenDocument& document, const QString& name);
-  void tellCancelled(OpenDocument* document, const QString& path);
-  void tellFailure(OpenDocument* document, const QString& path, const Error& error);
+  bool reportLosses(OpenDocument* document, const Written& state, const WrittenFile& written);
+  void reportExport(const OpenDocument& document, const QString& name);
+  void reportCancelled(OpenDocument* document, const QString& path);
+  void reportFailure(OpenDocument* document, const QString& path, const Error& error);
 
   DocumentTabs& m_tabs;
   JobRunner& m_jobs;

@@ -27,7 +27,7 @@ struct OpenDocument {
   bool visible = true;
   bool written = false;  // its file was written by this program, so it holds nothing else than the document
   bool cardDismissed = false;
-  QString toldLosses;           // the losses of its file, as last reported to the user
+  QString reportedLosses;       // the losses of its file, as last reported to the user
   std::uint64_t autosaved = 0;  // the revision of its autosave
   // The properties in its file, or of a new document. Absent after a recovery, when they are unknown.
   std::optional<std::vector<Property>> inFile;

@@ -73,7 +73,7 @@ WorkspaceMapping standardMapping(const DeviceCapabilities& device) {
   return mapping;
 }
 
-WorkspaceMapping keptMapping(const std::string& driver, const WorkspaceMapping& standard) {
+WorkspaceMapping loadMapping(const std::string& driver, const WorkspaceMapping& standard) {
   WorkspaceMapping kept = standard;
   kept.axes = axesOf(QSettings().value(keyOf(driver, "axes")).toString(), standard.axes);
   kept.scale = number(driver, "scale", standard.scale, kLeastFactor, kLargestFactor);
@@ -86,7 +86,7 @@ WorkspaceMapping keptMapping(const std::string& driver, const WorkspaceMapping& 
   return kept;
 }
 
-void keepMapping(const std::string& driver, const WorkspaceMapping& mapping) {
+void storeMapping(const std::string& driver, const WorkspaceMapping& mapping) {
   QSettings settings;
   settings.setValue(keyOf(driver, "axes"), textOf(mapping.axes));
   settings.setValue(keyOf(driver, "scale"), mapping.scale);

@@ -15,9 +15,9 @@ WorkspaceMapping standardMapping(const DeviceCapabilities& device);
 
 // The user's settings of a mapping, stored for each driver. These are axes, scale, gain, dead zones, clutch. Missing
 // or invalid values are taken from `standard`.
-WorkspaceMapping keptMapping(const std::string& driver, const WorkspaceMapping& standard);
+WorkspaceMapping loadMapping(const std::string& driver, const WorkspaceMapping& standard);
 // Stores the user's settings of a mapping.
-void keepMapping(const std::string& driver, const WorkspaceMapping& mapping);
+void storeMapping(const std::string& driver, const WorkspaceMapping& mapping);
 
 // Places the user's mapping in a view of the model. The centre of the workspace lies in front of the model in the
 // middle of the view, so that the tip does not start inside it, and its radius spans half of the height. seen: the

@@ -37,7 +37,7 @@ HapticSession::HapticSession(const Parts& parts, std::vector<std::unique_ptr<Dev
   m_timer.setTimerType(Qt::PreciseTimer);
   connect(&m_timer, &QTimer::timeout, this, &HapticSession::sample);
   connect(&m_finder, &DeviceFinder::changed, this, &HapticSession::foundChanged);
-  connect(&m_finder, &DeviceFinder::looked, this, &HapticSession::tellPlugins);
+  connect(&m_finder, &DeviceFinder::looked, this, &HapticSession::reportPlugins);
   connect(&m_finder, &DeviceFinder::looked, this, &HapticSession::takeUpReturned);
 }
 
@@ -145,7 +145,7 @@ void HapticSession::opened(std::unique_ptr<Device> device) {
   m_open->need = m_parts.services.needs().need(m_parts.services.haptics().id());
   m_open->loop = std::make_shared<ServoLoop>(std::move(device), m_servo, m_parts.clock, m_parts.services.haptics());
   m_open->loop->setForceOn(m_isForceOn);
-  m_mapping = keptMapping(m_chosen.driver, standardMapping(m_open->capabilities));
+  m_mapping = loadMapping(m_chosen.driver, standardMapping(m_open->capabilities));
   applyMapping(false, false);
   m_open->loop->start();
   m_rate = 0.0;
@@ -183,7 +183,7 @@ void HapticSession::closeLoop() {
   m_parts.jobs.start(std::move(job));
 }
 
-void HapticSession::tellPlugins() {
+void HapticSession::reportPlugins() {
   const std::vector<PluginListing>& all = m_finder.plugins();
   for (; m_pluginsTold < all.size(); ++m_pluginsTold) {
     if (all[m_pluginsTold].error) emit message(unusedPluginMessage(all[m_pluginsTold]));

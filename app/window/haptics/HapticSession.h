@@ -102,7 +102,7 @@ class HapticSession : public QObject {
   // test; sceneWanted() then requests it again.
   void setScene(std::unique_ptr<HapticScene> scene);
   // Tells the servo loop that the force may change abruptly; starts the force ramp.
-  void announceLeap();
+  void announceDiscontinuity();
 
   // Null unless that is the open device.
   MouseDevice* mouse() const;
@@ -135,8 +135,8 @@ class HapticSession : public QObject {
   void changeServo();
   void endForceTest();
   void measureRate();
-  void tellStatus(DeviceStatus status);
-  void tellPlugins();
+  void reportStatus(DeviceStatus status);
+  void reportPlugins();
   void setLost(bool isLost);
   void takeUpReturned();
 
@@ -146,7 +146,7 @@ class HapticSession : public QObject {
   std::unique_ptr<OpenDevice> m_open;
   ServoSettings m_servo;
   WorkspaceMapping m_mapping;
-  TouchSettings m_touch = keptTouch();
+  TouchSettings m_touch = loadTouch();
   CameraState m_camera;
   Box m_model;
   std::optional<Vec3> m_seen;

@@ -61,7 +61,7 @@ std::uint64_t HapticSession::missedTicks() const {
 void HapticSession::setMapping(const WorkspaceMapping& mapping) {
   m_mapping = mapping;
   if (!m_open) return;
-  keepMapping(m_chosen.driver, mapping);
+  storeMapping(m_chosen.driver, mapping);
   applyMapping(true, true);  // with other axes or another scale the force turns about
   emit mappingChanged();
 }
@@ -92,14 +92,14 @@ void HapticSession::applyMapping(bool keepsTip, bool isDiscontinuous) {
   m_open->isMoving = true;
   emit viewChanged();
   m_open->isMoving = false;
-  if (isDiscontinuous) announceLeap();
+  if (isDiscontinuous) announceDiscontinuity();
   m_open->loop->setMapping(mapping, std::move(m_open->movedScene));
 }
 
 void HapticSession::setTouch(const TouchSettings& touch) {
   if (touch == m_touch) return;
   m_touch = touch;
-  keepTouch(touch);
+  storeTouch(touch);
   emit touchChanged();
 }
 
@@ -146,8 +146,8 @@ void HapticSession::setScene(std::unique_ptr<HapticScene> scene) {
   }
 }
 
-void HapticSession::announceLeap() {
-  if (m_open) m_open->loop->announceLeap();
+void HapticSession::announceDiscontinuity() {
+  if (m_open) m_open->loop->announceDiscontinuity();
 }
 
 MouseDevice* HapticSession::mouse() const {
@@ -165,7 +165,7 @@ void HapticSession::sample() {
   const DeviceStatus before = m_open->sample ? m_open->sample->device.status : DeviceStatus::Starting;
   m_open->sample = m_open->loop->latest();
   measureRate();
-  if (m_open->sample->device.status != before) tellStatus(m_open->sample->device.status);
+  if (m_open->sample->device.status != before) reportStatus(m_open->sample->device.status);
   if (m_open->recorder && m_open->recorder->isFull()) stopRecording();
   if (m_testEnd && m_open->sample->tip.time > *m_testEnd) endForceTest();
   if (m_open->isChangingSince) changeServo();
@@ -185,7 +185,7 @@ void HapticSession::measureRate() {
   m_rateTick = tick;
 }
 
-void HapticSession::tellStatus(DeviceStatus status) {
+void HapticSession::reportStatus(DeviceStatus status) {
   if (m_open->mouse) return;
   if (status == DeviceStatus::Ready || status == DeviceStatus::Absent) setLost(status == DeviceStatus::Absent);
   if (status != DeviceStatus::Absent && status != DeviceStatus::Failed) return;

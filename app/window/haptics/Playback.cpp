@@ -14,7 +14,7 @@ Playback::Playback(ServoClock& clock, QObject* parent) : QObject(parent), m_cloc
   connect(&m_timer, &QTimer::timeout, this, &Playback::follow);
 }
 
-void Playback::takeUp(const KeptRecording& recording) {
+void Playback::takeUp(const StoredRecording& recording) {
   m_player.emplace(recording.ticks, m_clock);
   m_key = recording.key;
   m_limit = recording.forceLimit > 0.0 ? recording.forceLimit : 1.0;

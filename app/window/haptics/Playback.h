@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "document/KeptRecording.h"
+#include "document/StoredRecording.h"
 #include "haptics/recording/RecordingPlayer.h"
 #include "viewport/DeviceCursor.h"
 
@@ -20,7 +20,7 @@ class Playback : public QObject {
  public:
   explicit Playback(ServoClock& clock, QObject* parent = nullptr);  // the clock must outlive it
 
-  void takeUp(const KeptRecording& recording);  // loads a recording, paused at its beginning
+  void takeUp(const StoredRecording& recording);  // loads a recording, paused at its beginning
   void leave();
   bool isTakenUp() const { return m_player.has_value(); }
   const std::string& key() const { return m_key; }  // of the loaded recording

@@ -22,7 +22,7 @@ namespace handwheel {
 
 namespace {
 
-const KeptRecording* withKey(const std::vector<KeptRecording>& all, const std::string& key) {
+const StoredRecording* withKey(const std::vector<StoredRecording>& all, const std::string& key) {
   const auto found = std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.key == key; });
   return found == all.end() ? nullptr : &*found;
 }
@@ -108,11 +108,11 @@ void Recordings::markTool() {
                                       : QStringLiteral("tool %1").arg(QString::fromStdString(m_tool)));
 }
 
-std::vector<KeptRecording> Recordings::all() const {
-  return m_document ? m_document->file().recordings : std::vector<KeptRecording>();
+std::vector<StoredRecording> Recordings::all() const {
+  return m_document ? m_document->file().recordings : std::vector<StoredRecording>();
 }
 
-const KeptRecording* Recordings::chosen() const {
+const StoredRecording* Recordings::chosen() const {
   return m_document ? withKey(m_document->file().recordings, m_chosen) : nullptr;
 }
 
@@ -124,8 +124,8 @@ void Recordings::choose(const std::string& key) {
 }
 
 void Recordings::rename(const std::string& key, const QString& name) {
-  std::vector<KeptRecording> after = all();
-  for (KeptRecording& each : after) {
+  std::vector<StoredRecording> after = all();
+  for (StoredRecording& each : after) {
     if (each.key == key) each.name = name.toStdString();
   }
   commit(tr("Rename a recording"), std::move(after));
@@ -134,7 +134,7 @@ void Recordings::rename(const std::string& key, const QString& name) {
 // A document that was closed meanwhile has taken its leave of this, too.
 void Recordings::keep(const Recording& ticks, const QString& device, double forceLimit) {
   if (m_recorded && ticks.size() > 0) {
-    std::vector<KeptRecording> after = m_recorded->file().recordings;
+    std::vector<StoredRecording> after = m_recorded->file().recordings;
     const std::string key = freeKey(after);
     const QString name = tr("Recording %1").arg(QString::fromStdString(key).toUInt());
     after.push_back({key, name.toStdString(), device.toStdString(), forceLimit, ticks});
@@ -146,12 +146,12 @@ void Recordings::keep(const Recording& ticks, const QString& device, double forc
   enableActions();
 }
 
-void Recordings::commit(const QString& text, std::vector<KeptRecording> recordings) {
+void Recordings::commit(const QString& text, std::vector<StoredRecording> recordings) {
   if (m_document) m_document->commit(text, std::make_unique<RecordingsEdit>(std::move(recordings)));
 }
 
 void Recordings::togglePlaying() {
-  const KeptRecording* const recording = chosen();
+  const StoredRecording* const recording = chosen();
   if (!recording) return enableActions();
   if (m_playback.isPlaying()) return m_playback.pause();
   if (m_playback.key() != recording->key) m_playback.takeUp(*recording);
@@ -159,7 +159,7 @@ void Recordings::togglePlaying() {
 }
 
 void Recordings::removeChosen() {
-  std::vector<KeptRecording> after = all();
+  std::vector<StoredRecording> after = all();
   const auto at = std::find_if(after.begin(), after.end(), [this](const auto& each) { return each.key == m_chosen; });
   if (at == after.end()) return;
   const auto next = after.erase(at);
@@ -169,7 +169,7 @@ void Recordings::removeChosen() {
 }
 
 void Recordings::askForFile() {
-  const KeptRecording* const recording = chosen();
+  const StoredRecording* const recording = chosen();
   if (!recording) return;
   auto* dialog = new QFileDialog(m_parts.window, tr("Export the recording"));
   dialog->setObjectName(QStringLiteral("exportRecordingDialog"));
@@ -186,7 +186,7 @@ void Recordings::askForFile() {
   dialog->open();
 }
 
-void Recordings::writeCsv(const KeptRecording& recording, const QString& path) {
+void Recordings::writeCsv(const StoredRecording& recording, const QString& path) {
   const auto failed = [this, path](const Error& error) {
     if (error.code == ErrorCode::Cancelled) return;
     emit message({Message::Weight::Error,

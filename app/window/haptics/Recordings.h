@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "document/KeptRecording.h"
+#include "document/StoredRecording.h"
 #include "panels/MessageBar.h"
 #include "window/haptics/Playback.h"
 
@@ -40,8 +40,8 @@ class Recordings : public QObject {
   // Notes the active tool by its id; empty: none. A change is stored in the recording.
   void noteTool(const std::string& id);
 
-  std::vector<KeptRecording> all() const;  // of the current document
-  const KeptRecording* chosen() const;     // null: none
+  std::vector<StoredRecording> all() const;  // of the current document
+  const StoredRecording* chosen() const;     // null: none
   void choose(const std::string& key);
   void rename(const std::string& key, const QString& name);
   Playback& playback() { return m_playback; }
@@ -62,11 +62,11 @@ class Recordings : public QObject {
   void prepareActions();
   void markTool();
   void keep(const Recording& ticks, const QString& device, double forceLimit);
-  void commit(const QString& text, std::vector<KeptRecording> recordings);
+  void commit(const QString& text, std::vector<StoredRecording> recordings);
   void togglePlaying();
   void removeChosen();
   void askForFile();
-  void writeCsv(const KeptRecording& recording, const QString& path);
+  void writeCsv(const StoredRecording& recording, const QString& path);
   void follow();
   void enableActions();
   void nameActions(bool isRecording, bool isPlaying);

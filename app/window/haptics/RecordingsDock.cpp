@@ -29,11 +29,11 @@ RecordingsDock::RecordingsDock(Recordings& recordings, HapticSession& session, Q
 
 void RecordingsDock::showAll() {
   std::vector<Row> rows;
-  for (const KeptRecording& each : m_recordings.all()) {
+  for (const StoredRecording& each : m_recordings.all()) {
     rows.push_back({QString::fromStdString(each.key), QString::fromStdString(each.name), each.ticks.duration(),
                     each.ticks.size(), each.ticks.missing()});
   }
-  const KeptRecording* const chosen = m_recordings.chosen();
+  const StoredRecording* const chosen = m_recordings.chosen();
   showRecordings(rows, chosen ? QString::fromStdString(chosen->key) : QString());
 }
 

@@ -65,7 +65,7 @@ void TouchScene::publish(bool isDiscontinuous) {
   if (!m_session.isOpen()) return;
   const WorkspaceMapping mapping = m_session.mappingInScene();
   const TouchSettings& touch = m_session.touch();
-  SceneFeel feel;
+  SceneHaptics feel;
   if (m_surface) {
     feel.surface = SurfaceFeel{*m_surface, mapping.sceneStiffness(touch.stiffness),
                                mapping.sceneStiffness(touch.damping), m_contact};

@@ -76,14 +76,14 @@ PropertyValue keptValue(const Property& property) {
 
 }  // namespace
 
-TouchSettings keptTouch() {
+TouchSettings loadTouch() {
   TouchSettings touch;
   for (const Property& property : propertiesOf(touch))
     if (isKept(property)) setProperty(touch, property.id, keptValue(property));
   return touch;
 }
 
-void keepTouch(const TouchSettings& touch) {
+void storeTouch(const TouchSettings& touch) {
   for (const Property& property : propertiesOf(touch)) {
     if (!isKept(property)) continue;
     if (const bool* isOn = std::get_if<bool>(&property.value)) QSettings().setValue(keyOf(property), *isOn);

@@ -25,9 +25,9 @@ struct TouchSettings {
 };
 
 // Loads the stored touch settings. Missing or invalid values get the defaults above.
-TouchSettings keptTouch();
+TouchSettings loadTouch();
 // Stores the touch settings.
-void keepTouch(const TouchSettings& touch);
+void storeTouch(const TouchSettings& touch);
 
 // The touch settings as properties for a form.
 std::vector<Property> propertiesOf(const TouchSettings& touch);

@@ -32,7 +32,7 @@ struct Message;
 struct OpenDocument;
 
 // The parts of the window that kinds of documents may use.
-struct WindowParts {
+struct WindowContext {
   QWidget* window;
   const DocumentKinds& kinds;
   DocumentTabs& tabs;
@@ -124,7 +124,7 @@ class KindUi : public QObject {
   void message(const handwheel::Message& message);
 };
 
-using KindUiFactory = std::function<std::unique_ptr<KindUi>(const WindowParts&)>;
+using KindUiFactory = std::function<std::unique_ptr<KindUi>(const WindowContext&)>;
 
 // A kind of document and the factory of its user interface.
 struct KindEntry {

@@ -4,7 +4,7 @@
 
 #include "mesh/measure/MeshFidelity.h"
 #include "tools/mesh/DefectFixes.h"
-#include "tools/mesh/FillWords.h"
+#include "tools/mesh/FillOptionsText.h"
 #include "window/ActionTip.h"
 #include "window/fidelity/FidelityChoice.h"
 #include "window/mesh/HolePreview.h"
@@ -33,20 +33,20 @@ DefectActions::DefectActions(Selection& selection, RepairJobs& jobs, const HoleP
       m_preview(preview),
       m_fidelity(fidelity),
       m_fix(tr("Mend"), this),
-      m_giveBack(tr("Give a &back"), this),
+      m_thickenSheet(tr("Give a &back"), this),
       m_cutAndClose(tr("&Cut and close"), this) {
   prepare(m_fix, "fixDefect", "repair", tr("Mend what is chosen in the list of defects"));
-  prepare(m_giveBack, "giveBack", "sheet-back",
+  prepare(m_thickenSheet, "thickenSheet", "sheet-back",
           tr("Make a thin body of an open sheet: of the selected one, or of all"));
   prepare(m_cutAndClose, "cutAndClose", "fill-hole",
           tr("Close the hole across the part, and cut the part where the patch crosses it"));
   connect(&m_fix, &QAction::triggered, this, [this] {
     if (auto wanted = change()) m_jobs.change(m_document, std::move(*wanted));
   });
-  connect(&m_giveBack, &QAction::triggered, this, [this] {
+  connect(&m_thickenSheet, &QAction::triggered, this, [this] {
     std::vector<Vertex> keys;
     for (const int id : sheets()) keys.push_back(m_document->inspection.keyOf(id));
-    m_jobs.change(m_document, backFix(std::move(keys), options()));
+    m_jobs.change(m_document, thickenFix(std::move(keys), options()));
   });
   connect(&m_cutAndClose, &QAction::triggered, this, [this] {
     m_jobs.change(m_document, cutAndCloseFix(m_document->inspection.keyOf(m_selection.loop()), options()));
@@ -74,7 +74,7 @@ void DefectActions::follow() {
   m_fix.setVisible(wanted.has_value());
   m_fix.setEnabled(free && wanted);
   if (wanted) m_fix.setText(QCoreApplication::translate("Tool", wanted->text));
-  m_giveBack.setEnabled(free && !sheets().empty());
+  m_thickenSheet.setEnabled(free && !sheets().empty());
   const int loop = m_document ? m_selection.loop() : -1;
   const bool isBlocked = loop >= 0 && !m_document->inspection.loop(loop).rim &&
                          m_preview.state().kind == PreviewState::Kind::Failed &&
@@ -116,7 +116,7 @@ std::optional<MeshChange> DefectActions::change() const {
     case DefectKind::NonManifoldVertex:
       return nonManifoldFix(numbers);
     case DefectKind::OneSided:
-      return oneSidedFix(options());
+      return nonOrientableFix(options());
     case DefectKind::NearVertex:
       return nearVertexFix(m_fidelity.values().of(nearWeldSetting()), chosen(defects.nearVertices, m_row));
     case DefectKind::Degenerate:

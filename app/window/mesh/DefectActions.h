@@ -30,10 +30,10 @@ class DefectActions : public QObject {
   // Sets the selection in the list: one row of a kind, or -1 for all of it.
   void choose(std::optional<DefectKind> kind, int row);
 
-  QAction* fix() { return &m_fix; }                  // hidden when there is nothing to fix
-  QAction* giveBack() { return &m_giveBack; }        // makes a thin body of the selected sheet, or of all
-  QAction* cutAndClose() { return &m_cutAndClose; }  // hidden unless a patch would intersect the part
-  QList<QAction*> all() { return {&m_fix, &m_giveBack, &m_cutAndClose}; }
+  QAction* fix() { return &m_fix; }                    // hidden when there is nothing to fix
+  QAction* thickenSheet() { return &m_thickenSheet; }  // makes a thin body of the selected sheet, or of all
+  QAction* cutAndClose() { return &m_cutAndClose; }    // hidden unless a patch would intersect the part
+  QList<QAction*> all() { return {&m_fix, &m_thickenSheet, &m_cutAndClose}; }
 
  private:
   void follow();
@@ -49,7 +49,7 @@ class DefectActions : public QObject {
   std::optional<DefectKind> m_kind;
   int m_row = -1;
   QAction m_fix;
-  QAction m_giveBack;
+  QAction m_thickenSheet;
   QAction m_cutAndClose;
 };
 

@@ -31,7 +31,7 @@ std::vector<Face> facesOf(const Inspection& inspection, DefectKind kind) {
   std::vector<Face> faces;
   switch (kind) {
     case DefectKind::Flipped:
-      return inspection.document().turnedFaces();
+      return inspection.document().reversedFaces();
     case DefectKind::Degenerate:
       return defects.degenerateFaces;
     case DefectKind::Duplicate:

@@ -47,15 +47,15 @@ void HolePreview::request(OpenMesh* document, int loop) {
   const Vertex key = document ? document->inspection.keyOf(loop) : kNone;
   FillOptions options;
   apply(m_fidelity.values(), options);
-  if (document && key == m_stitched) options.stitches = m_stitches;
+  if (document && key == m_bridgedLoop) options.bridges = m_bridges;
   options.ears = m_ears;
   const bool sameHole = document == m_document && revision == m_revision && key == m_key &&
                         options.density == m_options.density && options.continuity == m_options.continuity &&
-                        options.stitches == m_options.stitches && isSame(options.ears, m_options.ears);
+                        options.bridges == m_options.bridges && isSame(options.ears, m_options.ears);
   if (!sameHole) m_trials.clear();
   const bool same = sameHole && options.method == m_options.method;
   if (same && (!document || m_state.kind != PreviewState::Kind::Off)) return;
-  if (document && (document != m_benchDocument || revision != m_benchRevision)) m_bench = nullptr;
+  if (document && (document != m_fillerCacheDocument || revision != m_fillerCacheRevision)) m_fillerCache = nullptr;
   m_document = document;
   m_revision = revision;
   m_key = key;
@@ -64,10 +64,10 @@ void HolePreview::request(OpenMesh* document, int loop) {
   start();
 }
 
-void HolePreview::setWishes(Vertex key, std::vector<Stitch> stitches, const EarWeights& ears) {
+void HolePreview::setWishes(Vertex key, std::vector<HoleBridge> bridges, const EarWeights& ears) {
   m_ears = ears;
-  m_stitched = key;
-  m_stitches = std::move(stitches);
+  m_bridgedLoop = key;
+  m_bridges = std::move(bridges);
   if (m_document && m_key == key) request(m_document, m_loop);
 }
 
@@ -81,15 +81,16 @@ void HolePreview::start() {
     emit changed();
     return;
   }
-  if (!m_bench) giveBack(m_document, std::make_shared<HoleFillerCache>(m_document->document.mesh()));
+  if (!m_fillerCache) thickenSheet(m_document, std::make_shared<HoleFillerCache>(m_document->document.mesh()));
   m_state.kind = PreviewState::Kind::Working;
   emit changed();
   const MeshDocument& document = m_document->document;
   m_options.numbers = document.fileNumbers();
   Job job;
   job.name = tr("Preview");
-  job.work = [this, &service = m_services.fillPreview(), bench = m_bench, loop = m_document->inspection.loop(m_loop),
-              options = m_options, request = m_request](Progress progress) -> Job::Finish {
+  job.work = [this, &service = m_services.fillPreview(), bench = m_fillerCache,
+              loop = m_document->inspection.loop(m_loop), options = m_options,
+              request = m_request](Progress progress) -> Job::Finish {
     const ServiceTick tick(service);
     HoleFiller* filler = bench->filler(progress.part(0.0, 0.5));
     if (!filler) return {};
@@ -111,11 +112,12 @@ void HolePreview::finished(std::uint64_t request, FillAttempt attempt) {
 
 void HolePreview::compare() {
   const bool isReady = m_state.kind == PreviewState::Kind::Ready || m_state.kind == PreviewState::Kind::Failed;
-  if (!isReady || !m_trials.empty() || !m_bench) return;
+  if (!isReady || !m_trials.empty() || !m_fillerCache) return;
   Job job;
   job.name = tr("Comparing methods");
-  job.work = [this, &service = m_services.fillPreview(), bench = m_bench, loop = m_document->inspection.loop(m_loop),
-              options = m_options, request = m_request](Progress progress) -> Job::Finish {
+  job.work = [this, &service = m_services.fillPreview(), bench = m_fillerCache,
+              loop = m_document->inspection.loop(m_loop), options = m_options,
+              request = m_request](Progress progress) -> Job::Finish {
     const ServiceTick tick(service);
     HoleFiller* filler = bench->filler(progress.part(0.0, 0.1));
     if (!filler) return {};
@@ -137,22 +139,22 @@ const FillAttempt* HolePreview::attempt() const {
 PreparedFill HolePreview::take() {
   PreparedFill prepared;
   if (m_state.kind == PreviewState::Kind::Ready || m_state.kind == PreviewState::Kind::Failed) {
-    prepared = {m_bench, std::move(m_attempt), m_options};
+    prepared = {m_fillerCache, std::move(m_attempt), m_options};
   }
-  m_bench = nullptr;
+  m_fillerCache = nullptr;
   clear();
   return prepared;
 }
 
 void HolePreview::forget() {
-  m_bench = nullptr;
+  m_fillerCache = nullptr;
   clear();
 }
 
-void HolePreview::giveBack(OpenMesh* document, std::shared_ptr<HoleFillerCache> bench) {
-  m_bench = std::move(bench);
-  m_benchDocument = document;
-  m_benchRevision = document->document.revision();
+void HolePreview::thickenSheet(OpenMesh* document, std::shared_ptr<HoleFillerCache> bench) {
+  m_fillerCache = std::move(bench);
+  m_fillerCacheDocument = document;
+  m_fillerCacheRevision = document->document.revision();
 }
 
 }  // namespace handwheel

@@ -35,7 +35,7 @@ class HolePreview : public QObject {
   void clear() { request(nullptr, -1); }
   // Sets the bridges that the user drew across a loop; none: automatic ones. They apply to this loop only; the weights
   // of ear cutting to all.
-  void setWishes(Vertex key, std::vector<Stitch> stitches, const EarWeights& ears);
+  void setWishes(Vertex key, std::vector<HoleBridge> bridges, const EarWeights& ears);
   // Clears the preview and drops all cached data. For when the document changes.
   void forget();
 
@@ -48,9 +48,9 @@ class HolePreview : public QObject {
   const std::vector<MethodTrial>& trials() const { return m_trials; }
 
   // Hands over the results for this hole; the fill uses the filler cache exclusively. The next request starts over,
-  // unless giveBack() returns the cache, updated to the document with the patch.
+  // unless thickenSheet() returns the cache, updated to the document with the patch.
   PreparedFill take();
-  void giveBack(OpenMesh* document, std::shared_ptr<HoleFillerCache> bench);
+  void thickenSheet(OpenMesh* document, std::shared_ptr<HoleFillerCache> bench);
 
  signals:
   void changed();
@@ -69,13 +69,13 @@ class HolePreview : public QObject {
   Vertex m_key = kNone;
   int m_loop = -1;
   FillOptions m_options;
-  Vertex m_stitched = kNone;  // the key of the loop with the user's bridges
-  std::vector<Stitch> m_stitches;
+  Vertex m_bridgedLoop = kNone;  // the key of the loop with the user's bridges
+  std::vector<HoleBridge> m_bridges;
   EarWeights m_ears;
   std::uint64_t m_request = 0;
-  std::shared_ptr<HoleFillerCache> m_bench;
-  const OpenMesh* m_benchDocument = nullptr;
-  std::uint64_t m_benchRevision = 0;
+  std::shared_ptr<HoleFillerCache> m_fillerCache;
+  const OpenMesh* m_fillerCacheDocument = nullptr;
+  std::uint64_t m_fillerCacheRevision = 0;
   std::optional<FillAttempt> m_attempt;
   std::vector<MethodTrial> m_trials;
   PreviewState m_state;

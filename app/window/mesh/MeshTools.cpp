@@ -158,7 +158,7 @@ void MeshTools::request(const FillRequest& request) {
   m_ticket = request.ticket;
   const Vertex key = keyOf(m_document->document.mesh(), request.loop);
   if (!m_isTold) m_actions.setFill(request.method, request.continuity);
-  m_preview.setWishes(key, request.stitches, request.ears);
+  m_preview.setWishes(key, request.bridges, request.ears);
   m_selection.select(m_document->inspection.loopWithKey(key));
   answer();
 }

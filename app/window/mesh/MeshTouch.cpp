@@ -30,14 +30,15 @@ constexpr double kReach = 16.0;
 constexpr double kNeverAgain = std::numeric_limits<double>::infinity();  // mm
 
 // Points and edges one by one, or the whole rim as one curve, on which a point would stop the hand at every step.
-SnapOffer offerOf(const Magnets& magnets, bool asCurves) {
-  const bool isCurve = asCurves && magnets.borderEdges;
-  return {.vertices = magnets.borderPoints && !isCurve, .edges = magnets.borderEdges && !isCurve, .rims = isCurve};
+SnapOffer offerOf(const SnapTargets& snapTargets, bool asCurves) {
+  const bool isCurve = asCurves && snapTargets.borderEdges;
+  return {
+      .vertices = snapTargets.borderPoints && !isCurve, .edges = snapTargets.borderEdges && !isCurve, .rims = isCurve};
 }
 
 }  // namespace
 
-MeshTouch::MeshTouch(const WindowParts& parts, QObject* parent)
+MeshTouch::MeshTouch(const WindowContext& parts, QObject* parent)
     : QObject(parent),
       m_session(parts.haptics),
       m_scene(parts.touch),
@@ -50,7 +51,7 @@ MeshTouch::MeshTouch(const WindowParts& parts, QObject* parent)
   connect(&m_session, &HapticSession::touchChanged, this, &MeshTouch::followTouch);
   connect(&m_tools, &ToolHost::updated, this, &MeshTouch::followTool);
   connect(&m_fidelity, &FidelityChoice::changed, this, [this] {
-    if (m_magnets != Magnets()) gather(false);
+    if (m_snapTargets != SnapTargets()) gather(false);
   });
   connect(&m_session, &HapticSession::sampled, this, &MeshTouch::followTip);
 }
@@ -75,7 +76,7 @@ void MeshTouch::rebuild(bool isEdit) {
   m_surface.reset();
   if (!isEdit) {
     m_scene.setSurface({}, false);
-    dropMagnets();
+    dropSnapTargets();
   }
   if (!isFelt()) return;
   followTool();
@@ -89,7 +90,7 @@ void MeshTouch::rebuild(bool isEdit) {
       m_surface = *surface;
       m_side = side;
       m_scene.setSurface(*surface, false);
-      if (m_magnets.areEverywhere()) gatherNear(false);
+      if (m_snapTargets.areEverywhere()) gatherNear(false);
     };
   };
   m_making.start(std::move(job));
@@ -102,11 +103,11 @@ bool MeshTouch::isFelt() const {
 void MeshTouch::followTool() {
   const Tool* const tool = m_tools.runner().tool();
   const bool mayDraw = isFelt() && m_session.touch().isSnapping;
-  const Magnets wanted = mayDraw && tool ? tool->magnets() : Magnets();
-  if (wanted == m_magnets) return;
-  dropMagnets();
-  m_magnets = wanted;
-  if (wanted != Magnets()) gather(false);
+  const SnapTargets wanted = mayDraw && tool ? tool->snapTargets() : SnapTargets();
+  if (wanted == m_snapTargets) return;
+  dropSnapTargets();
+  m_snapTargets = wanted;
+  if (wanted != SnapTargets()) gather(false);
 }
 
 // Snapping was switched, or rims are to be felt otherwise; the scene follows the rest by itself.
@@ -114,11 +115,11 @@ void MeshTouch::followTouch() {
   const bool asCurves = m_session.touch().hasRimCurves;
   const bool changes = std::exchange(m_asCurves, asCurves) != asCurves;
   followTool();
-  if (changes && m_magnets.borderEdges && !m_magnets.areEverywhere()) gather(false);
+  if (changes && m_snapTargets.borderEdges && !m_snapTargets.areEverywhere()) gather(false);
 }
 
-void MeshTouch::dropMagnets() {
-  m_magnets = {};
+void MeshTouch::dropSnapTargets() {
+  m_snapTargets = {};
   m_near.reset();
   m_gathering.cancelAll();
   m_scene.setSnap({}, 0.0, false);
@@ -126,10 +127,10 @@ void MeshTouch::dropMagnets() {
 
 // Until the new ones are there, the old draw the tip.
 void MeshTouch::gather(bool isEdit) {
-  if (m_magnets.areEverywhere()) return gatherNear(isEdit);
+  if (m_snapTargets.areEverywhere()) return gatherNear(isEdit);
   Job job;
   job.name = tr("Preparing to snap");
-  job.work = [this, isEdit, offer = offerOf(m_magnets, m_asCurves), mesh = m_document->document.mesh(),
+  job.work = [this, isEdit, offer = offerOf(m_snapTargets, m_asCurves), mesh = m_document->document.mesh(),
               loops = m_document->document.defects().loops](Progress progress) -> Job::Finish {
     auto border = std::make_shared<SnapScene>(rimFeatures(mesh, loops, offer, progress));
     return [this, isEdit, border] {
@@ -149,9 +150,9 @@ void MeshTouch::gatherNear(bool isEdit) {
   const double distance = m_fidelity.values().of(snapRadiusSetting()) * m_side;
   Job job;
   job.name = tr("Preparing to snap");
-  job.work = [this, isEdit, place, distance, magnets = m_magnets, surface = *m_surface,
+  job.work = [this, isEdit, place, distance, snapTargets = m_snapTargets, surface = *m_surface,
               mesh = m_document->document.mesh()](Progress progress) -> Job::Finish {
-    const NearFeatures near = nearFeatures(mesh, surface, magnets, place, kReach * distance);
+    const NearFeatures near = nearFeatures(mesh, surface, snapTargets, place, kReach * distance);
     std::optional<SnapField> field;
     if (!near.features.items().empty()) field.emplace(near.features, progress);
     const bool isSomewhere = near.reach > 0.0;
@@ -166,7 +167,7 @@ void MeshTouch::gatherNear(bool isEdit) {
 
 void MeshTouch::followTip() {
   const ServoSample* const last = m_session.latest();
-  if (!m_magnets.areEverywhere() || !last || !m_gathering.isIdle()) return;
+  if (!m_snapTargets.areEverywhere() || !last || !m_gathering.isIdle()) return;
   if (!m_near || !((last->tip.position - m_near->place).norm() <= m_near->mayMove)) gatherNear(m_near.has_value());
 }
 
@@ -178,7 +179,7 @@ void MeshTouch::edited(const std::vector<Face>& touched) {
   } else {
     rebuild(true);
   }
-  if (m_magnets != Magnets()) gather(true);
+  if (m_snapTargets != SnapTargets()) gather(true);
 }
 
 void MeshTouch::update(const std::vector<Face>& touched) {

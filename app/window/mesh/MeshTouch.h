@@ -16,7 +16,7 @@ class HapticSession;
 class ToolHost;
 class TouchScene;
 struct OpenMesh;
-struct WindowParts;
+struct WindowContext;
 
 // Provides the contact surface and the snap features of the current mesh. The surface is built on a worker when a
 // device is opened or another mesh is shown, and updated after each edit in time proportional to the edit. The snap
@@ -25,7 +25,7 @@ class MeshTouch : public QObject {
   Q_OBJECT
 
  public:
-  explicit MeshTouch(const WindowParts& parts, QObject* parent = nullptr);
+  explicit MeshTouch(const WindowContext& parts, QObject* parent = nullptr);
 
   void setDocument(OpenMesh* document);
   // A hidden mesh cannot be felt.
@@ -38,7 +38,7 @@ class MeshTouch : public QObject {
   void followTool();
   void followTouch();
   void followTip();
-  void dropMagnets();
+  void dropSnapTargets();
   void gather(bool isEdit);
   void gatherNear(bool isEdit);
   bool isFelt() const;
@@ -55,7 +55,7 @@ class MeshTouch : public QObject {
   std::optional<ContactSurface> m_surface;  // of the present mesh; none while it is being built
   bool m_isOpen = false;                    // state of the session at its last signal
   double m_side = 0.0;                      // mm, the mean length of an edge of the mesh
-  Magnets m_magnets;                        // snap features in the scene, or being gathered
+  SnapTargets m_snapTargets;                // snap features in the scene, or being gathered
   bool m_asCurves;                          // rims attract as curves (TouchSettings)
 
   // Where the snap features were gathered, and how far the tip may move from there (mm).

@@ -34,7 +34,7 @@
 
 namespace handwheel {
 
-MeshUi::MeshUi(const WindowParts& parts, MeshKind& kind)
+MeshUi::MeshUi(const WindowContext& parts, MeshKind& kind)
     : m_parts(parts),
       m_kind(kind),
       m_preview(parts.pool, parts.services, parts.fidelity),
@@ -46,7 +46,7 @@ MeshUi::MeshUi(const WindowParts& parts, MeshKind& kind)
       m_stepsFile(parts, this),
       m_panel(new DefectsPanel(
           {m_actions.repairAll(), m_actions.previous(), m_actions.next(), m_actions.fill(), m_actions.keepOpen(),
-           m_actions.preview(), m_defectActions.giveBack(), m_defectActions.cutAndClose(), m_defectActions.fix()},
+           m_actions.preview(), m_defectActions.thickenSheet(), m_defectActions.cutAndClose(), m_defectActions.fix()},
           parts.window)),
       m_deviation(parts, this),
       m_section(parts.viewport, parts.pool),
@@ -236,9 +236,9 @@ std::vector<Hint> MeshUi::hints() {
 NextStep MeshUi::nextStep() {
   if (m_document && m_show.isRunning()) return m_show.step();
   if (!m_document || m_selection.loop() >= 0 || m_jobs.isWorking()) return {};
-  return nextStepFor(
-      *m_document, {m_actions.repairAll(), m_actions.removeDebris(), m_actions.goOneByOne(), m_defectActions.giveBack(),
-                    m_parts.isPanelVisible() ? nullptr : m_parts.showPanel, m_parts.saveAs});
+  return nextStepFor(*m_document, {m_actions.repairAll(), m_actions.removeDebris(), m_actions.goOneByOne(),
+                                   m_defectActions.thickenSheet(),
+                                   m_parts.isPanelVisible() ? nullptr : m_parts.showPanel, m_parts.saveAs});
 }
 
 QString MeshUi::statistics() const {

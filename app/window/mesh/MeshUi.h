@@ -33,7 +33,7 @@ class MeshUi : public KindUi {
 
  public:
   // kind: must outlive this object.
-  MeshUi(const WindowParts& parts, MeshKind& kind);
+  MeshUi(const WindowContext& parts, MeshKind& kind);
   ~MeshUi() override;
 
   std::unique_ptr<OpenDocument> open(std::unique_ptr<Document> document) override;
@@ -65,7 +65,7 @@ class MeshUi : public KindUi {
   void compareMethods();
   void logMark(const OpenMesh& open);
 
-  WindowParts m_parts;
+  WindowContext m_parts;
   MeshKind& m_kind;
   Selection m_selection;
   HolePreview m_preview;

@@ -74,7 +74,7 @@ bool wasTriedOnAll(const Inspection& inspection) {
 }
 
 bool isWorthSaving(const OpenMesh& document) {
-  return document.document.isModified() || (!document.written && !document.document.turnedFaces().empty());
+  return document.document.isModified() || (!document.written && !document.document.reversedFaces().empty());
 }
 
 }  // namespace
@@ -99,14 +99,14 @@ NextStep nextStepFor(const OpenMesh& document, const NextStepActions& actions) {
       if (isWorthSaving(document)) step.actions = {actions.saveAs};
     } else if (isWorthSaving(document)) {
       step.actions = {actions.saveAs};
-      if (const auto turned = static_cast<int>(document.document.turnedFaces().size()); turned > 0) {
+      if (const auto turned = static_cast<int>(document.document.reversedFaces().size()); turned > 0) {
         step.detail = NextStepsWords::tr("%Ln triangle(s) faced the wrong way and were turned over.", nullptr, turned);
       }
     } else {
       step.detail = document.written ? NextStepsWords::tr("Saved as %1.").arg(document.document.name())
                                      : NextStepsWords::tr("There is nothing to repair.");
     }
-    if (!tight && actions.giveBack->isEnabled()) step.actions.push_back(actions.giveBack);
+    if (!tight && actions.thickenSheet->isEnabled()) step.actions.push_back(actions.thickenSheet);
     if (!inspection.debris().empty()) step.actions.push_back(actions.removeDebris);
     return step;
   }

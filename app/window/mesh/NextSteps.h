@@ -15,7 +15,7 @@ struct NextStepActions {
   QAction* repairAll;
   QAction* removeDebris;
   QAction* oneByOne;
-  QAction* giveBack;
+  QAction* thickenSheet;
   QAction* showDefects;  // null: the defects are visible
   QAction* saveAs;
 };

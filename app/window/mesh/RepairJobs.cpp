@@ -78,7 +78,7 @@ void RepairJobs::startFill(OpenMesh* document, Vertex key, PreparedFill prepared
       if (!m_tabs.contains(document)) return;
       if (!isStale(document, revision))
         return filledOne(document, key, bench, {failure, fillStep(key, options)}, after);
-      tellStale(*document, round);
+      reportStale(*document, round);
       if (round == Round::First) startFill(document, key, {nullptr, std::nullopt, options}, Round::Second);
     };
   };
@@ -143,7 +143,7 @@ void RepairJobs::startChange(OpenMesh* document, MeshChange wanted, Round round)
         changed(document, wanted, text, after, crossings);
         return changeEnded();
       }
-      tellStale(*document, round);
+      reportStale(*document, round);
       if (round == Round::First) return startChange(document, wanted, Round::Second);
       changeEnded();
     };
@@ -162,14 +162,14 @@ void RepairJobs::changed(OpenMesh* document, const MeshChange& wanted, const QSt
     // So the list of defects need not wait until the whole surface has been searched again.
     if (known && known->size() < kMaxTrianglePairs)
       document->inspection.setSelfIntersections(document->document.revision(), intersectionsAfter(*crossings, *known));
-    if (crossings->fresh > 0) tellCrossings(*document, *crossings);
+    if (crossings->fresh > 0) reportCrossings(*document, *crossings);
     wanted.crossed(crossings->fresh);
   } else if (const char* reason = reasonOf(wanted)) {
     emit changedNothing(document, text, tr("Why: %1.").arg(QCoreApplication::translate("Tool", reason)));
   }
 }
 
-void RepairJobs::tellCrossings(const OpenMesh& document, const IntersectionsChange& crossings) {
+void RepairJobs::reportCrossings(const OpenMesh& document, const IntersectionsChange& crossings) {
   const int pairs = static_cast<int>(std::min(crossings.fresh, kMaxTrianglePairs));
   m_log.add(
       tr("%1: %n more pair(s) of triangles cross; undo takes that back", nullptr, pairs).arg(document.document.name()),
@@ -200,7 +200,7 @@ void RepairJobs::startRepair(OpenMesh* document, Round round) {
             after = inspected(std::move(result), options.nearWeld, progress.part(0.9, 1.0)), report] {
       if (!m_tabs.contains(document)) return;
       if (!isStale(document, revision)) return repairedAll(document, after, report, options);
-      tellStale(*document, round);
+      reportStale(*document, round);
       if (round == Round::First) startRepair(document, Round::Second);
     };
   };
@@ -239,7 +239,7 @@ bool RepairJobs::isStale(OpenMesh* document, std::uint64_t revision) const {
   return document->document.revision() != revision;
 }
 
-void RepairJobs::tellStale(const OpenMesh& document, Round round) {
+void RepairJobs::reportStale(const OpenMesh& document, Round round) {
   const QString name = document.document.name();
   m_log.add(round == Round::First ? tr("%1 was changed meanwhile; the job runs once more").arg(name)
                                   : tr("%1 was changed again; the result was discarded").arg(name),
@@ -257,14 +257,14 @@ void RepairJobs::start(const OpenDocument* document, Job job) {
     };
   };
   job.failed = [this, document, name = job.name, failed = std::move(job.failed)](const Error& error) {
-    tellFailure(document, name, error);
+    reportFailure(document, name, error);
     failed(error);
     ended();
   };
   m_jobs.start(std::move(job));
 }
 
-void RepairJobs::tellFailure(const OpenDocument* document, const QString& job, const Error& error) {
+void RepairJobs::reportFailure(const OpenDocument* document, const QString& job, const Error& error) {
   m_log.add(job + QStringLiteral(": ") + errorSentence(error), {}, LogEntry::Weight::Warning);
   if (error.code == ErrorCode::Cancelled || !m_tabs.contains(document)) return;
   const QString advice = error.code == ErrorCode::OutOfMemory

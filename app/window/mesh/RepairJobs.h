@@ -69,10 +69,10 @@ class RepairJobs : public QObject {
   void repairedAll(OpenMesh* document, const InspectedMesh& after, const RepairReport& report,
                    const RepairOptions& options);
   void logRepair(const OpenMesh& document, const RepairReport& report, const RepairOptions& options);
-  void tellCrossings(const OpenMesh& document, const IntersectionsChange& crossings);
-  void tellStale(const OpenMesh& document, Round round);
+  void reportCrossings(const OpenMesh& document, const IntersectionsChange& crossings);
+  void reportStale(const OpenMesh& document, Round round);
   void start(const OpenDocument* document, Job job);
-  void tellFailure(const OpenDocument* document, const QString& job, const Error& error);
+  void reportFailure(const OpenDocument* document, const QString& job, const Error& error);
   void ended();
 
   DocumentTabs& m_tabs;

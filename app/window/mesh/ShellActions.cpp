@@ -38,7 +38,7 @@ QString shellsFolder(const QString& path) {
 
 }  // namespace
 
-ShellActions::ShellActions(const WindowParts& parts, MeshKind& kind, MeshUi& ui, RepairJobs& jobs)
+ShellActions::ShellActions(const WindowContext& parts, MeshKind& kind, MeshUi& ui, RepairJobs& jobs)
     : QObject(&ui),
       m_parts(parts),
       m_kind(kind),
@@ -79,11 +79,11 @@ void ShellActions::split() {
       contents.push_back(meshSnapshotOf(file, tolerance::kNearWeld, progress.part(from, from + each)));
     }
     return [this, document, command, contents = std::move(contents), count = shells.size()] {
-      contents.empty() ? tellCount(document, count) : open(contents, command);
+      contents.empty() ? reportCount(document, count) : open(contents, command);
     };
   };
   job.failed = [this, document = m_document](const Error& error) {
-    tellFailed(document, tr("The shells could not be opened"), error);
+    reportFailed(document, tr("The shells could not be opened"), error);
   };
   m_parts.jobs.start(std::move(job));
 }
@@ -97,7 +97,7 @@ void ShellActions::open(const std::vector<std::shared_ptr<MeshSnapshot>>& shells
   m_parts.log.add(tr("Split into %Ln shell(s)", nullptr, static_cast<int>(shells.size())), command);
 }
 
-void ShellActions::tellCount(const OpenMesh* document, std::size_t shells) {
+void ShellActions::reportCount(const OpenMesh* document, std::size_t shells) {
   if (!m_parts.tabs.contains(document)) return;
   const bool isOne = shells < 2;
   emit message({Message::Weight::Info,
@@ -111,7 +111,7 @@ void ShellActions::tellCount(const OpenMesh* document, std::size_t shells) {
                 &document->document});
 }
 
-void ShellActions::tellFailed(const OpenMesh* document, const QString& title, const Error& error) {
+void ShellActions::reportFailed(const OpenMesh* document, const QString& title, const Error& error) {
   if (error.code == ErrorCode::Cancelled || !m_parts.tabs.contains(document)) return;
   emit message(
       {Message::Weight::Error, title, errorSentence(error), errorAdvice(error), {}, {}, {}, {}, &document->document});
@@ -134,11 +134,11 @@ void ShellActions::add(OpenMesh* document, const QString& path) {
   job.name = tr("Reading %1").arg(QFileInfo(path).fileName());
   job.owner = document;
   const QString title = tr("%1 could not be added").arg(QFileInfo(path).fileName());
-  job.failed = [this, document, title](const Error& error) { tellFailed(document, title, error); };
+  job.failed = [this, document, title](const Error& error) { reportFailed(document, title, error); };
   job.work = [this, document, path, title](Progress progress) -> Job::Finish {
     const Result<HalfEdgeMesh> other = readMesh(m_parts.kinds, path, progress);
     if (!other) {
-      return [this, document, title, error = other.error()] { tellFailed(document, title, error); };
+      return [this, document, title, error = other.error()] { reportFailed(document, title, error); };
     }
     return [this, document, path, other = *other] {
       if (!m_parts.tabs.contains(document)) return;

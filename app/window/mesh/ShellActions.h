@@ -17,7 +17,7 @@ class ShellActions : public QObject {
   Q_OBJECT
 
  public:
-  ShellActions(const WindowParts& parts, MeshKind& kind, MeshUi& ui, RepairJobs& jobs);
+  ShellActions(const WindowContext& parts, MeshKind& kind, MeshUi& ui, RepairJobs& jobs);
 
   void setDocument(OpenMesh* document);  // null: no mesh is in view
   QList<QAction*> all() { return {&m_split, &m_add}; }
@@ -28,12 +28,12 @@ class ShellActions : public QObject {
  private:
   void split();
   void open(const std::vector<std::shared_ptr<MeshSnapshot>>& shells, const QString& command);
-  void tellCount(const OpenMesh* document, std::size_t shells);
-  void tellFailed(const OpenMesh* document, const QString& title, const Error& error);
+  void reportCount(const OpenMesh* document, std::size_t shells);
+  void reportFailed(const OpenMesh* document, const QString& title, const Error& error);
   void askForMesh();
   void add(OpenMesh* document, const QString& path);
 
-  WindowParts m_parts;
+  WindowContext m_parts;
   MeshKind& m_kind;
   MeshUi& m_ui;
   RepairJobs& m_jobs;

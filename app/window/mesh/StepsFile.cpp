@@ -18,7 +18,7 @@
 
 namespace handwheel {
 
-StepsFile::StepsFile(const WindowParts& parts, QObject* parent)
+StepsFile::StepsFile(const WindowContext& parts, QObject* parent)
     : QObject(parent), m_parts(parts), m_save(tr("Save s&teps…"), this) {
   m_save.setObjectName(QStringLiteral("saveSteps"));
   setTip(m_save, tr("Write what was done to the mesh as a file that “handwheel edit --steps” reads"));

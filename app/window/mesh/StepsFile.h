@@ -13,7 +13,7 @@ class StepsFile : public QObject {
   Q_OBJECT
 
  public:
-  StepsFile(const WindowParts& parts, QObject* parent);
+  StepsFile(const WindowContext& parts, QObject* parent);
 
   QAction* action() { return &m_save; }
   void setDocument(OpenMesh* document);  // null: no mesh is in view
@@ -26,7 +26,7 @@ class StepsFile : public QObject {
   void ask();
   void write(const OpenMesh& document, const QString& path);
 
-  WindowParts m_parts;
+  WindowContext m_parts;
   OpenMesh* m_document = nullptr;
   QAction m_save;
 };

@@ -27,7 +27,7 @@ QString sizeText(const Document& document) {
 
 }  // namespace
 
-WorkpieceUi::WorkpieceUi(const WindowParts& parts) : PartsUi(parts, {"Stock"}) {}
+WorkpieceUi::WorkpieceUi(const WindowContext& parts) : RigidPartsUi(parts, {"Stock"}) {}
 
 std::unique_ptr<OpenDocument> WorkpieceUi::open(std::unique_ptr<Document> document) {
   if (document->file().path.empty()) {
@@ -36,7 +36,7 @@ std::unique_ptr<OpenDocument> WorkpieceUi::open(std::unique_ptr<Document> docume
     auto begun = std::make_shared<const WorkpieceSnapshot>(withValue(blank, WorkpieceField::Chord, chord));
     document = document->kind().make({&document->kind(), document->file(), std::move(begun)});
   }
-  return PartsUi::open(std::move(document));
+  return RigidPartsUi::open(std::move(document));
 }
 
 std::vector<StartAction> WorkpieceUi::startActions() const {

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "window/kinds/PartsUi.h"
+#include "window/kinds/RigidPartsUi.h"
 
 namespace handwheel {
 
 // The user interface of workpieces: the stock and its dimensions.
-class WorkpieceUi : public PartsUi {
+class WorkpieceUi : public RigidPartsUi {
   Q_OBJECT
 
  public:
-  explicit WorkpieceUi(const WindowParts& parts);
+  explicit WorkpieceUi(const WindowContext& parts);
 
   // A new document starts with the chord tolerance that the user chose; later changes are made by its own property.
   std::unique_ptr<OpenDocument> open(std::unique_ptr<Document> document) override;

@@ -52,15 +52,15 @@ Recording readTicks(const std::string& key, const Container& container) {
 
 }  // namespace
 
-void listRecordings(const std::vector<KeptRecording>& recordings, json& manifest) {
-  for (const KeptRecording& each : recordings) {
+void listRecordings(const std::vector<StoredRecording>& recordings, json& manifest) {
+  for (const StoredRecording& each : recordings) {
     manifest[kList][each.key] = {
         {"name", each.name}, {"device", each.device}, {"force_limit", each.forceLimit}, {"ticks", each.ticks.size()}};
   }
 }
 
-void writeRecordings(const std::vector<KeptRecording>& recordings, Container& container) {
-  for (const KeptRecording& each : recordings) {
+void writeRecordings(const std::vector<StoredRecording>& recordings, Container& container) {
+  for (const StoredRecording& each : recordings) {
     std::size_t first = 0;
     for (std::size_t part = 0; part == 0 || first < each.ticks.size(); ++part) {
       const std::size_t last = std::min(first + kChunkElements, each.ticks.size());
@@ -70,14 +70,14 @@ void writeRecordings(const std::vector<KeptRecording>& recordings, Container& co
   }
 }
 
-std::vector<KeptRecording> readRecordings(const Container& container, std::vector<Error>& damage) {
-  std::vector<KeptRecording> recordings;
+std::vector<StoredRecording> readRecordings(const Container& container, std::vector<Error>& damage) {
+  std::vector<StoredRecording> recordings;
   const auto list = container.manifest->find(kList);
   if (list == container.manifest->end() || !list->is_object()) return recordings;
   for (const auto& [key, entry] : list->items()) {
     if (!isKey(key) || !entry.is_object()) continue;
-    KeptRecording recording{key, textAt(entry, "name", key), textAt(entry, "device", {}), forceAt(entry, "force_limit"),
-                            readTicks(key, container)};
+    StoredRecording recording{key, textAt(entry, "name", key), textAt(entry, "device", {}),
+                              forceAt(entry, "force_limit"), readTicks(key, container)};
     const auto announced = entry.find("ticks");
     const std::size_t found = recording.ticks.size();
     const std::uint64_t all =

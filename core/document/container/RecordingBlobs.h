@@ -3,7 +3,7 @@
 #pragma once
 
 #include "document/Container.h"
-#include "document/KeptRecording.h"
+#include "document/StoredRecording.h"
 
 #include <vector>
 
@@ -14,12 +14,12 @@ namespace handwheel {
 inline constexpr const char* kRecordingFolder = "recordings/";
 
 // Writes the metadata of recordings to the manifest.
-void listRecordings(const std::vector<KeptRecording>& recordings, nlohmann::json& manifest);
+void listRecordings(const std::vector<StoredRecording>& recordings, nlohmann::json& manifest);
 // Writes the ticks of recordings to blobs.
-void writeRecordings(const std::vector<KeptRecording>& recordings, Container& container);
+void writeRecordings(const std::vector<StoredRecording>& recordings, Container& container);
 
 // Reads the recordings of a container. Accepts any input, and returns what can be recovered. For each with missing
 // ticks, damage has their number: DataTruncated.
-std::vector<KeptRecording> readRecordings(const Container& container, std::vector<Error>& damage);
+std::vector<StoredRecording> readRecordings(const Container& container, std::vector<Error>& damage);
 
 }  // namespace handwheel

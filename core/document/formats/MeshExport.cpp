@@ -91,7 +91,7 @@ Result<EncodedMesh> encodeMesh(const HalfEdgeMesh& mesh, NumberType documentNumb
   roundPoints(forFile, numbers);
   progress.set(0.1);
   if (progress.cancelled()) return cancelledExport();
-  for (std::uint32_t v : partCollisions(compact.soup, forFile, progress.part(0.1, 0.2)))
+  for (std::uint32_t v : separateRoundedVertices(compact.soup, forFile, progress.part(0.1, 0.2)))
     encoded.report.parted.push_back(compact.vertexOf[v]);
   progress.set(0.2);
   if (progress.cancelled()) return cancelledExport();

@@ -123,7 +123,7 @@ std::vector<Vec3> inwardDirections(const Positions& positions, const std::vector
 
 }  // namespace
 
-std::vector<std::uint32_t> partCollisions(const TriangleSoup& exact, TriangleSoup& inFile, Progress progress) {
+std::vector<std::uint32_t> separateRoundedVertices(const TriangleSoup& exact, TriangleSoup& inFile, Progress progress) {
   constexpr int kRounds = 4;  // a parted vertex may meet further ones
   Positions positions{classifyPoints(exact.points, progress.part(0.0, 0.2)), {}};
   std::vector<bool> isParted(exact.points.size(), false);

@@ -16,6 +16,7 @@ namespace handwheel {
 //
 // exact and inFile are the same triangles, before and after rounding. Moves points of inFile and returns their indices;
 // a point without a free position next to it stays welded. The result is invalid if cancelled.
-std::vector<std::uint32_t> partCollisions(const TriangleSoup& exact, TriangleSoup& inFile, Progress progress = {});
+std::vector<std::uint32_t> separateRoundedVertices(const TriangleSoup& exact, TriangleSoup& inFile,
+                                                   Progress progress = {});
 
 }  // namespace handwheel

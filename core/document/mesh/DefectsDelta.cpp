@@ -58,7 +58,7 @@ DefectsDelta DefectsDelta::between(const Defects& before, const Defects& after) 
   delta.m_loops = stretch(before.loops, after.loops, sameLoop);
   delta.m_nonManifoldEdges = stretch(before.nonManifoldEdges, after.nonManifoldEdges, std::equal_to<>());
   delta.m_nonManifoldVertices = stretch(before.nonManifoldVertices, after.nonManifoldVertices, std::equal_to<>());
-  delta.m_oneSidedEdges = stretch(before.nonOrientableEdges, after.nonOrientableEdges, std::equal_to<>());
+  delta.m_nonOrientableEdges = stretch(before.nonOrientableEdges, after.nonOrientableEdges, std::equal_to<>());
   delta.m_degenerateFaces = stretch(before.degenerateFaces, after.degenerateFaces, std::equal_to<>());
   delta.m_duplicateFaces = stretch(before.duplicateFaces, after.duplicateFaces, std::equal_to<>());
   delta.m_nearVertices = stretch(before.nearVertices, after.nearVertices, std::equal_to<>());
@@ -72,7 +72,7 @@ void DefectsDelta::swap(Defects& defects) {
   for (std::size_t i = m_loops.begin; i < defects.loops.size(); ++i) defects.loops[i].id = static_cast<int>(i);
   swapStretch(defects.nonManifoldEdges, m_nonManifoldEdges);
   swapStretch(defects.nonManifoldVertices, m_nonManifoldVertices);
-  swapStretch(defects.nonOrientableEdges, m_oneSidedEdges);
+  swapStretch(defects.nonOrientableEdges, m_nonOrientableEdges);
   swapStretch(defects.degenerateFaces, m_degenerateFaces);
   swapStretch(defects.duplicateFaces, m_duplicateFaces);
   swapStretch(defects.nearVertices, m_nearVertices);
@@ -82,7 +82,7 @@ void DefectsDelta::swap(Defects& defects) {
 
 std::size_t DefectsDelta::bytes() const {
   std::size_t bytes = sizeof *this + bytesOf(m_loops.other) + bytesOf(m_nonManifoldEdges.other) +
-                      bytesOf(m_nonManifoldVertices.other) + bytesOf(m_oneSidedEdges.other) +
+                      bytesOf(m_nonManifoldVertices.other) + bytesOf(m_nonOrientableEdges.other) +
                       bytesOf(m_degenerateFaces.other) + bytesOf(m_duplicateFaces.other) +
                       bytesOf(m_nearVertices.other) + bytesOf(m_components.other);
   for (const BoundaryLoop& loop : m_loops.other) bytes += bytesOf(loop.halfEdges);

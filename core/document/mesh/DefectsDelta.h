@@ -34,7 +34,7 @@ class DefectsDelta {
   Stretch<BoundaryLoop> m_loops;
   Stretch<std::pair<Vertex, Vertex>> m_nonManifoldEdges;
   Stretch<Vertex> m_nonManifoldVertices;
-  Stretch<std::pair<Vertex, Vertex>> m_oneSidedEdges;
+  Stretch<std::pair<Vertex, Vertex>> m_nonOrientableEdges;
   Stretch<Face> m_degenerateFaces;
   Stretch<Face> m_duplicateFaces;
   Stretch<std::pair<Vertex, Vertex>> m_nearVertices;

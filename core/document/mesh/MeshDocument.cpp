@@ -18,7 +18,7 @@ MeshDocument::MeshDocument(OpenedFile opened, QObject* parent)
   m_mesh = content.mesh.mesh;
   m_defects = content.mesh.defects;
   m_keptOpen = content.keptOpen;
-  m_turnedFaces = m_build->turnedFaces;
+  m_reversedFaces = m_build->reversedFaces;
   if (content.levels) keepLevels(*content.levels);
 }
 
@@ -83,8 +83,8 @@ void MeshDocument::setKeptOpen(const BoundaryLoop& loop, bool keep) {
 }
 
 void MeshDocument::meshWasChanged(const std::vector<Face>& touched) {
-  m_turnedFaces.clear();
-  std::copy_if(m_build->turnedFaces.begin(), m_build->turnedFaces.end(), std::back_inserter(m_turnedFaces),
+  m_reversedFaces.clear();
+  std::copy_if(m_build->reversedFaces.begin(), m_build->reversedFaces.end(), std::back_inserter(m_reversedFaces),
                [this](Face f) { return m_mesh.isLive(f); });
   countChange();
   emit meshChanged(touched);

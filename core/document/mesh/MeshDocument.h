@@ -21,7 +21,7 @@ class MeshDocument : public Document {
   const HalfEdgeMesh& mesh() const { return m_mesh; }
   const Defects& defects() const { return *m_defects; }  // of the present mesh
   // Faces turned over on opening that are still there.
-  const std::vector<Face>& turnedFaces() const { return m_turnedFaces; }
+  const std::vector<Face>& reversedFaces() const { return m_reversedFaces; }
   // The number type of the coordinates in its present file, or in the container.
   NumberType fileNumbers() const;
 
@@ -58,7 +58,7 @@ class MeshDocument : public Document {
 
   std::shared_ptr<const BuildReport> m_build;
   NumberType m_numbers;
-  std::vector<Face> m_turnedFaces;
+  std::vector<Face> m_reversedFaces;
   HalfEdgeMesh m_mesh;
   std::shared_ptr<const Defects> m_defects;
   std::set<Vertex> m_keptOpen;

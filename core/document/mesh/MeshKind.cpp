@@ -94,7 +94,7 @@ Result<WrittenFile> MeshKind::exportTo(const Snapshot& content, const std::files
 
 void MeshKind::save(const Snapshot& content, Container& container) const {
   const MeshSnapshot& mesh = meshOf(content);
-  const std::vector<Face>& turned = mesh.build->turnedFaces;
+  const std::vector<Face>& turned = mesh.build->reversedFaces;
   nlohmann::json& document = (*container.manifest)["document"];
   document["numbers"] = mesh.numbers == NumberType::Float32 ? "float32" : "float64";
   document["kept_open"] = mesh.keptOpen;
@@ -116,7 +116,8 @@ std::set<Vertex> keptOpenOf(const nlohmann::json& document, std::size_t vertices
   return keys;
 }
 
-std::vector<Face> turnedFacesOf(const nlohmann::json& document, const Container& container, const HalfEdgeMesh& mesh) {
+std::vector<Face> reversedFacesOf(const nlohmann::json& document, const Container& container,
+                                  const HalfEdgeMesh& mesh) {
   const nlohmann::json count = document.value("turned_faces", nlohmann::json());
   if (!count.is_number_unsigned()) return {};
   std::vector<Face> faces = readArray<std::uint32_t>(container, kTurnedFaces, count.get<std::uint64_t>()).values;
@@ -140,7 +141,7 @@ Result<SnapshotPointer> MeshKind::load(const Container& container, std::vector<E
   BuildReport report = std::move(loaded->report);
   if (loaded->isWhole) {
     snapshot->keptOpen = keptOpenOf(*found, loaded->mesh.vertexSlots());
-    report.turnedFaces = turnedFacesOf(*found, container, loaded->mesh);
+    report.reversedFaces = reversedFacesOf(*found, container, loaded->mesh);
   } else if (!keptOpenOf(*found, kNone).empty()) {
     damage.push_back({ErrorCode::ElementMalformed, {"kept_open", "its loops cannot be told any more"}, {}, {}});
   }

@@ -62,7 +62,7 @@ void GodObject::slide(const ContactSurface& surface, const Vec3& tip, const Cont
       if (!stepOut(surface, tip, options.friction)) break;
       continue;
     }
-    const LocalFaces::Sweep sweep = m_faces.sweep(m_proxy, step);
+    const NearbyTriangles::Sweep sweep = m_faces.sweep(m_proxy, step);
     const Vec3 moved = sweep.fraction * step;
     const bool arrived = sweep.fraction == 1.0 && m_planes.empty();
     m_proxy = arrived ? tip : Vec3(m_proxy + moved);
@@ -118,7 +118,7 @@ void GodObject::surfaceChanged(const ContactSurface& surface) {
   double gone = 0.0;
   for (int i = 0; i < kMaxParts && gone < 1.0; ++i) {
     m_faces.setReach(far);
-    const LocalFaces::Sweep sweep = m_faces.sweep(m_proxy + gone * way, (1.0 - gone) * way);
+    const NearbyTriangles::Sweep sweep = m_faces.sweep(m_proxy + gone * way, (1.0 - gone) * way);
     gone += sweep.fraction * (1.0 - gone);
     if (!sweep.hit) continue;
     const double steepness = std::max(-sweep.hit->normal.dot(m_contact.normal), 0.1);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/contact/LocalFaces.h"
+#include "haptics/contact/NearbyTriangles.h"
 
 namespace handwheel {
 
@@ -50,7 +50,7 @@ class GodObject {
   Contact m_contact;
   Vec3 m_proxy = Vec3::Zero();  // off the surface, where a tip that rests within the skin is not
   Vec3 m_tip = Vec3::Zero();
-  LocalFaces m_faces;
+  NearbyTriangles m_faces;
   ContactPlanes m_planes;  // at the proxy
   bool m_wound = true;     // it touches the outside by winding order
 };

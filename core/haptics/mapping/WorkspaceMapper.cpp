@@ -33,7 +33,7 @@ void WorkspaceMapper::setMapping(const WorkspaceMapping& mapping, const std::opt
 }
 
 WorkspaceMapper::Tip WorkspaceMapper::map(const DeviceState& device, const Vec3& velocity, double period) {
-  m_tip.hasLeapt = !m_hasTip;
+  m_tip.hasDiscontinuity = !m_hasTip;
   m_tip.isHeld = m_hasTip && (device.buttons & m_mapping.clutchButtons) != 0;
   if (m_mapping.isRateControl) {
     integrate(device, period);

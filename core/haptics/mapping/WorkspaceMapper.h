@@ -16,9 +16,9 @@ class WorkspaceMapper {
   struct Tip {
     Vec3 position = Vec3::Zero();  // mm
     Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
-    Vec3 velocity = Vec3::Zero();  // mm/s
-    bool isHeld = false;           // by the clutch
-    bool hasLeapt = false;         // first reading, or another mapping that does not keep the tip
+    Vec3 velocity = Vec3::Zero();   // mm/s
+    bool isHeld = false;            // by the clutch
+    bool hasDiscontinuity = false;  // first reading, or another mapping that does not keep the tip
   };
 
   // proxy: mm, where the tip is displayed. A mapping that keeps the tip keeps this position, and the tip's distance

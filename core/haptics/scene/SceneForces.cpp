@@ -7,7 +7,7 @@
 
 namespace handwheel {
 
-SceneForces::SceneForces(SceneFeel feel)
+SceneForces::SceneForces(SceneHaptics feel)
     : m_feel(std::move(feel)), m_snapSum(m_feel.snap ? m_feel.snap->most : SnapSum::kMost) {}
 
 void SceneForces::follow(const ForceSource& previous) noexcept {

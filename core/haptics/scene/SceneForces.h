@@ -40,7 +40,7 @@ struct SpringFeel {
 };
 
 // All haptic content of a scene: surface, snap features and springs. What is absent costs nothing.
-struct SceneFeel {
+struct SceneHaptics {
   std::optional<SurfaceFeel> surface;
   std::optional<SnapFeel> snap;
   std::vector<SpringFeel> springs;
@@ -57,7 +57,7 @@ struct SceneFeel {
 // feature that is released.
 class SceneForces : public ForceSource {
  public:
-  explicit SceneForces(SceneFeel feel);
+  explicit SceneForces(SceneHaptics feel);
 
   static constexpr double kChangeOver = 0.1;  // s
 
@@ -65,7 +65,7 @@ class SceneForces : public ForceSource {
   void follow(const ForceSource& previous) noexcept override;
 
   const Contact& contact() const { return m_god.contact(); }
-  const SnapPull& pull() const { return m_pull; }
+  const SnapResult& pull() const { return m_pull; }
 
  private:
   void touch(const TipState& tip);
@@ -78,11 +78,11 @@ class SceneForces : public ForceSource {
   Vec3 springForce(const Vec3& tip) const;
   Vec3 changedOver(const Vec3& pulled, double slope, const TipState& tip);
 
-  SceneFeel m_feel;
+  SceneHaptics m_feel;
   GodObject m_god;
   SnapProxy m_snapProxy;
   SnapSum m_snapSum;
-  SnapPull m_pull;
+  SnapResult m_pull;
   bool m_isPlaced = false;
   // The force of springs and features, N: in the previous tick, and the excess when this scene followed another.
   Vec3 m_pulled = Vec3::Zero();

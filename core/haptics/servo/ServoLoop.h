@@ -38,13 +38,13 @@ class ServoLoop {
   // Sets the scene for the next tick. Frees scenes that the loop no longer uses. A discontinuity that was announced
   // with a scene that no tick has used still starts the ramp.
   void setScene(std::unique_ptr<HapticScene> scene) {
-    if (scene->isDiscontinuous) announceLeap();
+    if (scene->isDiscontinuous) announceDiscontinuity();
     scene->mapping = m_mapping;
     m_channel->scenes.publish(std::move(scene));
   }
   // Sets the mapping from the next tick on, and a scene that was made for it: a tick uses both or neither. A mapping
-  // that does not keep the tip starts the ramp; before a change of axes, which turns the force, announceLeap() must be
-  // called.
+  // that does not keep the tip starts the ramp; before a change of axes, which turns the force, announceDiscontinuity()
+  // must be called.
   void setMapping(const WorkspaceMapping& mapping, std::unique_ptr<HapticScene> scene = nullptr) {
     m_mapping = {m_mapping.number + 1, mapping};
     if (scene) setScene(std::move(scene));
@@ -54,7 +54,7 @@ class ServoLoop {
   // setScene().
   bool collect() { return m_channel->scenes.collect(); }
   // Starts the ramp before a possible discontinuity within the scene: a tool or a snap that was switched.
-  void announceLeap() { m_channel->isDiscontinuous.store(true, std::memory_order_release); }
+  void announceDiscontinuity() { m_channel->isDiscontinuous.store(true, std::memory_order_release); }
   void setForceOn(bool isOn) { m_channel->isForceOn.store(isOn, std::memory_order_relaxed); }
 
   // Fetches the next sample; by one thread, the recorder's. False: none.

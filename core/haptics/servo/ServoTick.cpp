@@ -122,7 +122,7 @@ void ServoTick::takeMapping(const NumberedMapping& newest) {
 void ServoTick::feel(ServoSample& sample, SafetyInput& input, double period) {
   const DeviceState& device = sample.device;
   input.position = device.position;
-  const HandMotion::Seen seen = m_motion.add(device, period);
+  const DeviceMotionEstimator::Seen seen = m_motion.add(device, period);
   input.velocity = seen.velocity;
   input.stepSpeed = seen.stepSpeed;
   const double told = std::min(period, kLongestPeriods * nominalPeriod());
@@ -130,7 +130,7 @@ void ServoTick::feel(ServoSample& sample, SafetyInput& input, double period) {
   sample.tip = tipFor(device, placed, told);
   m_isRestart = false;
   sample.felt.proxy = placed.position;
-  input.isDiscontinuous = input.isDiscontinuous || placed.hasLeapt || !m_wasReady || placed.isHeld != m_wasHeld;
+  input.isDiscontinuous = input.isDiscontinuous || placed.hasDiscontinuity || !m_wasReady || placed.isHeld != m_wasHeld;
   m_wasHeld = placed.isHeld;
   if (m_source) ask(sample, input);
   input.isFresh = input.isFresh && seen.isNew;
@@ -173,7 +173,7 @@ TipState ServoTick::tipFor(const DeviceState& device, const WorkspaceMapper::Tip
   tip.stiffnessLimit = mapping.sceneStiffness(m_measure.stiffnessLimit());
   if (m_capabilities.outputs > 0) tip.dampingLimit = mapping.sceneStiffness(m_chain.settings().inherentDamping);
   tip.buttons = device.buttons;
-  tip.isRestart = m_isRestart || placed.hasLeapt;
+  tip.isRestart = m_isRestart || placed.hasDiscontinuity;
   return tip;
 }
 

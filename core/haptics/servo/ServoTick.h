@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "haptics/device/HandMotion.h"
+#include "haptics/device/DeviceMotionEstimator.h"
 #include "haptics/device/ServoClock.h"
 #include "haptics/mapping/WorkspaceMapper.h"
 #include "haptics/safety/SafetyChain.h"
@@ -60,7 +60,7 @@ class ServoTick {
   const DeviceCapabilities m_capabilities;
   SafetyChain m_chain;
   ServoStatistics m_measure;
-  HandMotion m_motion;
+  DeviceMotionEstimator m_motion;
   WorkspaceMapper m_mapper;
   ForceSource* m_source = nullptr;  // of the scene that the channel has handed over
   std::uint64_t m_mappingNumber = 0;

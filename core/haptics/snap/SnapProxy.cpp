@@ -12,8 +12,8 @@ constexpr int kMostHops = 8;
 
 }  // namespace
 
-SnapPull SnapProxy::step(const SnapField& field, const SnapProfile& profile, const Vec3& hand) {
-  SnapPull pull;
+SnapResult SnapProxy::step(const SnapField& field, const SnapProfile& profile, const Vec3& hand) {
+  SnapResult pull;
   pull.proxy = hand;
   pull.distance = profile.distance();
   if (!hand.allFinite()) return pull;

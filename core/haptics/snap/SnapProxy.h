@@ -4,7 +4,7 @@
 
 #include "haptics/snap/SnapField.h"
 #include "haptics/snap/SnapProfile.h"
-#include "haptics/snap/SnapPull.h"
+#include "haptics/snap/SnapResult.h"
 
 namespace handwheel {
 
@@ -22,7 +22,7 @@ namespace handwheel {
 class SnapProxy {
  public:
   // The pull on the device tip at `hand` (mm) in this tick. If it is not finite, nothing, and what is held stays held.
-  SnapPull step(const SnapField& field, const SnapProfile& profile, const Vec3& hand);
+  SnapResult step(const SnapField& field, const SnapProfile& profile, const Vec3& hand);
 
   // Releases the held feature: when snapping begins, or after the clutch was used.
   void release() { m_isHeld = false; }

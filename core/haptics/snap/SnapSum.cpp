@@ -10,13 +10,13 @@ namespace {
 // The strongest features, each once.
 class Strongest {
  public:
-  explicit Strongest(SnapPull& pull) : m_pull(pull) {}
+  explicit Strongest(SnapResult& pull) : m_pull(pull) {}
 
   void add(const SnapFeature& feature, double force) {
     std::uint32_t at = 0;
     while (at < m_pull.featureCount && m_pull.features[at] != feature) ++at;
     if (at == m_pull.featureCount) {
-      if (at == SnapPull::kShown && force <= m_forces[--at]) return;
+      if (at == SnapResult::kShown && force <= m_forces[--at]) return;
       m_pull.featureCount = at + 1;
     } else if (force <= m_forces[at]) {
       return;
@@ -30,8 +30,8 @@ class Strongest {
   }
 
  private:
-  SnapPull& m_pull;
-  std::array<double, SnapPull::kShown> m_forces = {};
+  SnapResult& m_pull;
+  std::array<double, SnapResult::kShown> m_forces = {};
 };
 
 }  // namespace
@@ -69,8 +69,8 @@ double SnapSum::gather(const SnapField& field, double distance, const Vec3& hand
   return std::sqrt(m_limit2);
 }
 
-SnapPull SnapSum::step(const SnapField& field, const SnapProfile& profile, const Vec3& hand) {
-  SnapPull pull;
+SnapResult SnapSum::step(const SnapField& field, const SnapProfile& profile, const Vec3& hand) {
+  SnapResult pull;
   pull.proxy = hand;
   pull.distance = profile.distance();
   if (!hand.allFinite() || profile.distance() == 0.0) return pull;

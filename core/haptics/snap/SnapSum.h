@@ -4,7 +4,7 @@
 
 #include "haptics/snap/SnapField.h"
 #include "haptics/snap/SnapProfile.h"
-#include "haptics/snap/SnapPull.h"
+#include "haptics/snap/SnapResult.h"
 
 namespace handwheel {
 
@@ -30,7 +30,7 @@ class SnapSum {
   explicit SnapSum(std::size_t most = kMost) : m_most(std::clamp<std::size_t>(most, 1, kLargest)) {}
 
   // The pull on the device tip at `hand` (mm) in this tick. Nothing if it is not finite.
-  SnapPull step(const SnapField& field, const SnapProfile& profile, const Vec3& hand);
+  SnapResult step(const SnapField& field, const SnapProfile& profile, const Vec3& hand);
 
   static constexpr std::size_t kLargest = 1024;
 

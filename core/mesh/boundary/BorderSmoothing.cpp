@@ -69,7 +69,7 @@ std::vector<Vec3> targets(const std::vector<Vec3>& points, const SmoothingOption
 // The points of a loop on their ways, each cut short where a face would turn over.
 class HeldWays {
  public:
-  HeldWays(const NearFaces& near, const BoundaryLoop& loop) : m_near(near), m_places(loopPoints(near.mesh(), loop)) {
+  HeldWays(const FaceLocator& near, const BoundaryLoop& loop) : m_near(near), m_places(loopPoints(near.mesh(), loop)) {
     for (const HalfEdge h : loop.halfEdges) {
       const Vertex v = near.mesh().from(h);
       m_index[v] = m_vertices.size();
@@ -140,7 +140,7 @@ class HeldWays {
     return std::find(isShort.begin(), isShort.end(), true) != isShort.end();
   }
 
-  const NearFaces& m_near;
+  const FaceLocator& m_near;
   std::vector<Vertex> m_vertices;
   std::map<Vertex, std::size_t> m_index;
   std::vector<Face> m_faces;
@@ -152,7 +152,7 @@ class HeldWays {
 
 }  // namespace
 
-SmoothedBorder smoothBorder(const NearFaces& near, const BoundaryLoop& loop, const SmoothingOptions& options) {
+SmoothedBorder smoothBorder(const FaceLocator& near, const BoundaryLoop& loop, const SmoothingOptions& options) {
   if (loop.halfEdges.size() < 3) return {};
   HeldWays ways(near, loop);
   std::size_t held = ways.draw(targets(ways.places(), options));

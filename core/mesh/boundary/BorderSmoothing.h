@@ -3,7 +3,7 @@
 #pragma once
 
 #include "mesh/boundary/BoundaryLoops.h"
-#include "mesh/search/NearFaces.h"
+#include "mesh/search/FaceLocator.h"
 
 #include <vector>
 
@@ -33,7 +33,7 @@ struct SmoothedBorder {
 // size and place, where averaging neighbours would shrink it. A small loop keeps its shape: waves of a third of it or
 // longer stay. Where a border face would flip, lose its area or intersect another, its corners go less far; points that
 // other fans or seams share stay. near: of this very mesh. O(n log n).
-SmoothedBorder smoothBorder(const NearFaces& near, const BoundaryLoop& loop, const SmoothingOptions& options = {});
+SmoothedBorder smoothBorder(const FaceLocator& near, const BoundaryLoop& loop, const SmoothingOptions& options = {});
 
 // Applies vertex moves if every vertex is at its old position. False, and nothing changed, when one is not.
 bool moveVertices(HalfEdgeMesh& mesh, const std::vector<VertexMove>& moves);

@@ -19,7 +19,7 @@ struct Shift {
 // Moves vertices onto others, and pairs the borders that come to lie on each other.
 class Welding {
  public:
-  Welding(const NearFaces& near, std::vector<Shift> shifts)
+  Welding(const FaceLocator& near, std::vector<Shift> shifts)
       : m_near(near), m_mesh(near.mesh()), m_shifts(std::move(shifts)) {}
 
   Weld run() {
@@ -118,14 +118,14 @@ class Welding {
     return JoinProblem::None;
   }
 
-  const NearFaces& m_near;
+  const FaceLocator& m_near;
   HalfEdgeMesh m_mesh;
   std::vector<Shift> m_shifts;
   MovedFaces m_moved;
 };
 
 // A border edge shrinks to the place of one of its ends.
-Weld collapsed(const NearFaces& near, HalfEdge h, Shift shift) {
+Weld collapsed(const FaceLocator& near, HalfEdge h, Shift shift) {
   Weld weld;
   const HalfEdgeMesh& mesh = near.mesh();
   const Vec3 &from = mesh.position(shift.from), &onto = mesh.position(shift.onto);
@@ -156,7 +156,7 @@ Weld collapsed(const NearFaces& near, HalfEdge h, Shift shift) {
 
 }  // namespace
 
-Weld weldBorder(const NearFaces& near, const BorderPair& ends) {
+Weld weldBorder(const FaceLocator& near, const BorderPair& ends) {
   const HalfEdgeMesh& mesh = near.mesh();
   const Vertex v = mesh.from(ends.a), w = mesh.from(ends.b);
   Weld weld;

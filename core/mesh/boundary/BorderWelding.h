@@ -20,6 +20,6 @@ struct Weld {
 // collapsing their edge; for points two edges apart, the two edges are merged. Other points would only touch, so the
 // nearer one of their neighbours moves along and the two edges become one. Faces that do not move stay as they are.
 // near: of this very mesh.
-Weld weldBorder(const NearFaces& near, const BorderPair& ends);
+Weld weldBorder(const FaceLocator& near, const BorderPair& ends);
 
 }  // namespace handwheel

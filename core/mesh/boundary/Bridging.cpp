@@ -59,7 +59,7 @@ Box reachOf(const HalfEdgeMesh& mesh, const BorderPair& ends) {
   return box;
 }
 
-Bridge findBridge(const NearFaces& near, const BorderPair& ends) {
+Bridge findBridge(const FaceLocator& near, const BorderPair& ends) {
   const HalfEdgeMesh& mesh = near.mesh();
   Bridge best{JoinProblem::SamePoint, {}};
   if (mesh.position(mesh.from(ends.a)) == mesh.position(mesh.from(ends.b))) return best;

@@ -32,6 +32,6 @@ struct Bridge {
 // into two, or an island is connected to the rim. Of the possible pairs the one whose triangles are best shaped and
 // bend least against their neighbours is taken. near: of this very mesh. The problem is that of the last pair tried
 // when none is free.
-Bridge findBridge(const NearFaces& near, const BorderPair& ends);
+Bridge findBridge(const FaceLocator& near, const BorderPair& ends);
 
 }  // namespace handwheel

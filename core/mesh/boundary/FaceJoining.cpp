@@ -10,7 +10,7 @@ namespace handwheel {
 namespace {
 
 // The half-edges of the mesh from one position to another.
-std::vector<HalfEdge> between(const NearFaces& near, const Vec3& from, const Vec3& to) {
+std::vector<HalfEdge> between(const FaceLocator& near, const Vec3& from, const Vec3& to) {
   std::vector<HalfEdge> result = near.leaving(from);
   std::erase_if(result, [&](HalfEdge h) { return near.mesh().position(near.mesh().to(h)) != to; });
   return result;
@@ -24,7 +24,7 @@ struct Side {
 
 class Joining {
  public:
-  Joining(const HalfEdgeMesh& mesh, std::span<const Triangle> triangles, const NearFaces& near)
+  Joining(const HalfEdgeMesh& mesh, std::span<const Triangle> triangles, const FaceLocator& near)
       : m_mesh(mesh), m_triangles(triangles), m_near(near), m_first(static_cast<HalfEdge>(mesh.halfEdgeSlots())) {}
 
   JoinProblem run(HalfEdgeMesh& result) {
@@ -103,14 +103,14 @@ class Joining {
 
   HalfEdgeMesh m_mesh;
   std::span<const Triangle> m_triangles;
-  const NearFaces& m_near;
+  const FaceLocator& m_near;
   HalfEdge m_first;
   std::vector<Side> m_sides;
 };
 
 }  // namespace
 
-JoinProblem addFaces(HalfEdgeMesh& mesh, std::span<const Triangle> triangles, const NearFaces& near) {
+JoinProblem addFaces(HalfEdgeMesh& mesh, std::span<const Triangle> triangles, const FaceLocator& near) {
   return Joining(mesh, triangles, near).run(mesh);
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/search/NearFaces.h"
+#include "mesh/search/FaceLocator.h"
 
 #include <span>
 
@@ -26,6 +26,6 @@ enum class JoinProblem {
 // The new faces are the last. Nothing changes unless the result is JoinProblem::None: what results is manifold where it
 // was, no edge has a third face, no new vertex is pinched, and no new face meets another in more than what they share.
 // near: of this very mesh. O(faces near by) with a hierarchy.
-JoinProblem addFaces(HalfEdgeMesh& mesh, std::span<const Triangle> triangles, const NearFaces& near);
+JoinProblem addFaces(HalfEdgeMesh& mesh, std::span<const Triangle> triangles, const FaceLocator& near);
 
 }  // namespace handwheel

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/boundary/HolePick.h"
 
-#include "mesh/search/PolygonRows.h"
+#include "mesh/search/PointInPolygonTester.h"
 
 #include <algorithm>
 #include <cmath>
@@ -97,7 +97,7 @@ class LoopsInSight {
       if (!place || !place->allFinite()) return std::nullopt;
       polygon.push_back(*place);
     }
-    if (!PolygonRows(polygon).contains(Vec2::Zero())) return std::nullopt;
+    if (!PointInPolygonTester(polygon).contains(Vec2::Zero())) return std::nullopt;
     double doubled = 0.0;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const Vec2 a = polygon[i] - polygon[0], b = polygon[(i + 1) % polygon.size()] - polygon[0];

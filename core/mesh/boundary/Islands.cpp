@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/boundary/Islands.h"
 
-#include "mesh/search/PolygonRows.h"
+#include "mesh/search/PointInPolygonTester.h"
 #include "mesh/selection/RegionGrowing.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ class HoleSpace {
     m_normal = normal.normalized();
     m_right = m_normal.unitOrthogonal();
     m_up = m_normal.cross(m_right);
-    std::vector<PolygonRows::Vec2> outline;
+    std::vector<PointInPolygonTester::Vec2> outline;
     Eigen::AlignedBox2d across;
     for (const Vec3& p : points) {
       const double height = (p - m_centre).dot(m_normal);
@@ -50,11 +50,13 @@ class HoleSpace {
   }
 
  private:
-  PolygonRows::Vec2 place(const Vec3& p) const { return {(p - m_centre).dot(m_right), (p - m_centre).dot(m_up)}; }
+  PointInPolygonTester::Vec2 place(const Vec3& p) const {
+    return {(p - m_centre).dot(m_right), (p - m_centre).dot(m_up)};
+  }
 
   Vec3 m_centre, m_normal, m_right, m_up;
   double m_low = 0.0, m_high = 0.0;
-  std::optional<PolygonRows> m_outline;  // none: the loop encloses nothing
+  std::optional<PointInPolygonTester> m_outline;  // none: the loop encloses nothing
 };
 
 bool liesIn(const HoleSpace& space, const HalfEdgeMesh& mesh, const FaceSelection& faces) {

@@ -34,7 +34,7 @@ double furthest(double most, int places, IsAllowed isAllowed) {
 
 }  // namespace
 
-VertexPull::VertexPull(std::shared_ptr<const NearFaces> near, Vertex v)
+VertexPull::VertexPull(std::shared_ptr<const FaceLocator> near, Vertex v)
     : m_near(std::move(near)), m_start(m_near->mesh().position(v)) {
   for (const HalfEdge h : m_near->leaving(m_start)) {
     m_vertices.push_back(m_near->mesh().from(h));
@@ -60,7 +60,7 @@ bool VertexPull::turnsAFace(const Vec3& place) const {
   return false;
 }
 
-bool VertexPull::crosses(const Vec3& place, const NearFaces& near) const {
+bool VertexPull::crosses(const Vec3& place, const FaceLocator& near) const {
   return !forEachNewCrossing(near, {m_faces, shapes(place)}, [](std::size_t) { return false; });
 }
 
@@ -83,7 +83,7 @@ bool VertexPull::apply(HalfEdgeMesh& mesh, const Vec3& place) const {
     for (const Vec3& p : m_before[i]) reach.extend(p);
   }
   if (m_faces.empty() || !place.allFinite()) return false;
-  if (turnsAFace(place) || crosses(place, NearFaces(mesh, reach.extend(place)))) return false;
+  if (turnsAFace(place) || crosses(place, FaceLocator(mesh, reach.extend(place)))) return false;
   for (const Vertex v : m_vertices) mesh.setPosition(v, place);
   return true;
 }

@@ -13,7 +13,7 @@ namespace handwheel {
 // stays closed.
 class VertexPull {
  public:
-  VertexPull(std::shared_ptr<const NearFaces> near, Vertex v);
+  VertexPull(std::shared_ptr<const FaceLocator> near, Vertex v);
 
   const Vec3& start() const { return m_start; }
   const std::vector<Face>& faces() const { return m_faces; }  // those that change
@@ -34,9 +34,9 @@ class VertexPull {
 
  private:
   bool turnsAFace(const Vec3& place) const;
-  bool crosses(const Vec3& place, const NearFaces& near) const;
+  bool crosses(const Vec3& place, const FaceLocator& near) const;
 
-  std::shared_ptr<const NearFaces> m_near;
+  std::shared_ptr<const FaceLocator> m_near;
   Vec3 m_start;
   std::vector<Vertex> m_vertices;
   std::vector<Face> m_faces;             // rising

@@ -270,7 +270,7 @@ std::optional<Patch> refinePatch(const HoleContext& hole, const Patch& start, st
     std::optional<Patch> patch = toPatch(hole, surface, faces, origin);
     if (!patch || (bent && !bend(hole, *patch, *bent))) return std::nullopt;
     patch->method = bent ? FillMethod::Fair : FillMethod::Refined;
-    patch->stitches = start.stitches;
+    patch->bridges = start.bridges;
     return patch;
   } catch (const std::bad_alloc&) {
     throw;  // for lack of memory no hole is filled in another way

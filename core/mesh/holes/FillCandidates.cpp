@@ -37,7 +37,7 @@ FillCandidates::FillCandidates(const HoleContext& hole, const Obstacles& obstacl
       m_options(options),
       m_pieceEdges(isOptimal(options.method) ? std::min(options.pieceEdges, optimalPiece(hole.loopSize))
                                              : options.pieceEdges),
-      m_isCut(!options.stitches.empty() || hole.loopSize > m_pieceEdges) {
+      m_isCut(!options.bridges.empty() || hole.loopSize > m_pieceEdges) {
   if (m_isCut) m_starts.emplace_back([this] { return inPieces(FillMethod::Minimal); });
   m_starts.emplace_back([this] { return triangulateMinimal(m_hole, m_progress); });
   for (std::size_t i = 0; i < kBalanced; ++i) m_starts.emplace_back([this, i] { return ears(m_hole, i); });
@@ -63,7 +63,7 @@ void FillCandidates::add(FillMethod method) {
       addRefined(std::nullopt);
       break;
     case FillMethod::Ear:
-      if (!m_options.stitches.empty()) m_makers.push_back([this] { return inPieces(FillMethod::Ear); });
+      if (!m_options.bridges.empty()) m_makers.push_back([this] { return inPieces(FillMethod::Ear); });
       for (std::size_t i = kBalanced; i > 0; --i) {
         m_makers.push_back([&start = m_starts[m_starts.size() - i]] { return start.get(); });
       }
@@ -86,7 +86,7 @@ void FillCandidates::add(FillMethod method) {
       add(FillMethod::Fair);
       break;
     case FillMethod::Cone:
-    case FillMethod::Backed:
+    case FillMethod::ThickenedSheet:
     case FillMethod::Stitched:
     case FillMethod::Removed:
       break;
@@ -108,11 +108,11 @@ void FillCandidates::addRefined(std::optional<Continuity> bent) {
 }
 
 FillCandidates::Made FillCandidates::inPieces(FillMethod method) {
-  if (!m_stitches) {
-    m_stitches = m_options.stitches;
-    if (m_stitches->empty()) *m_stitches = proposeStitches(m_hole, m_obstacles, m_pieceEdges, m_progress);
+  if (!m_bridges) {
+    m_bridges = m_options.bridges;
+    if (m_bridges->empty()) *m_bridges = proposeHoleBridges(m_hole, m_obstacles, m_pieceEdges, m_progress);
   }
-  const std::optional<std::vector<HolePiece>> pieces = splitHole(m_hole.loopSize, *m_stitches);
+  const std::optional<std::vector<HolePiece>> pieces = splitHole(m_hole.loopSize, *m_bridges);
   if (!pieces || pieces->size() < 2) return std::nullopt;
   std::vector<Patch> patches;
   for (const HolePiece& numbers : *pieces) {
@@ -123,7 +123,7 @@ FillCandidates::Made FillCandidates::inPieces(FillMethod method) {
   }
   Patch whole = joined(m_hole, *pieces, patches);
   whole.method = method;
-  whole.stitches = *m_stitches;
+  whole.bridges = *m_bridges;
   return whole;
 }
 

@@ -2,45 +2,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/holes/HoleDecomposition.h"
 
-#include "mesh/holes/HoleBridges.h"
+#include "mesh/holes/HoleBridgeSearch.h"
 
 #include <algorithm>
 
 namespace handwheel {
 
-std::vector<Stitch> proposeStitches(const HoleContext& hole, const Obstacles& obstacles, std::size_t pieceEdges,
-                                    Progress progress) {
-  std::vector<Stitch> stitches;
+std::vector<HoleBridge> proposeHoleBridges(const HoleContext& hole, const Obstacles& obstacles, std::size_t pieceEdges,
+                                           Progress progress) {
+  std::vector<HoleBridge> bridges;
   const std::size_t limit = std::max<std::size_t>(pieceEdges, 4);
-  if (hole.loopSize <= limit) return stitches;
+  if (hole.loopSize <= limit) return bridges;
   HolePiece whole(hole.loopSize);
   for (std::uint32_t i = 0; i < hole.loopSize; ++i) whole[i] = i;
-  const HoleBridges bridges(hole, obstacles);
+  const HoleBridgeSearch search(hole, obstacles);
   std::vector<HolePiece> open{std::move(whole)};
   std::size_t settled = 0;  // points of pieces that are short enough
   while (!open.empty() && !progress.cancelled()) {
     const HolePiece piece = std::move(open.back());
     open.pop_back();
-    const std::optional<Stitch> cut = piece.size() > limit ? bridges.best(piece, progress) : std::nullopt;
+    const std::optional<HoleBridge> cut = piece.size() > limit ? search.best(piece, progress) : std::nullopt;
     if (!cut) {
       settled += piece.size();
       progress.set(std::min(1.0, static_cast<double>(settled) / static_cast<double>(hole.loopSize)));
       continue;
     }
-    stitches.push_back({piece[cut->a], piece[cut->b]});
+    bridges.push_back({piece[cut->a], piece[cut->b]});
     const auto a = piece.begin() + cut->a, b = piece.begin() + cut->b;
     open.emplace_back(a, b + 1);
     HolePiece rest(piece.begin(), a + 1);
     rest.insert(rest.end(), b, piece.end());
     open.push_back(std::move(rest));
   }
-  return stitches;
+  return bridges;
 }
 
-std::optional<std::vector<HolePiece>> splitHole(std::size_t loopSize, const std::vector<Stitch>& stitches) {
+std::optional<std::vector<HolePiece>> splitHole(std::size_t loopSize, const std::vector<HoleBridge>& bridges) {
   std::vector<HolePiece> pieces(1);
   for (std::uint32_t i = 0; i < loopSize; ++i) pieces[0].push_back(i);
-  for (const Stitch& s : stitches) {
+  for (const HoleBridge& s : bridges) {
     const auto [low, high] = std::minmax(s.a, s.b);
     bool isCut = false;
     for (std::size_t i = 0; i < pieces.size() && !isCut; ++i) {

@@ -146,9 +146,9 @@ FillAttempt HoleFiller::propose(const BoundaryLoop& loop, const FillOptions& opt
   return attempt;
 }
 
-std::vector<Stitch> HoleFiller::proposeStitches(const BoundaryLoop& loop, std::size_t pieceEdges,
-                                                Progress progress) const {
-  return handwheel::proposeStitches(holeContext(m_state->mesh, loop), m_state->obstacles, pieceEdges, progress);
+std::vector<HoleBridge> HoleFiller::proposeHoleBridges(const BoundaryLoop& loop, std::size_t pieceEdges,
+                                                       Progress progress) const {
+  return handwheel::proposeHoleBridges(holeContext(m_state->mesh, loop), m_state->obstacles, pieceEdges, progress);
 }
 
 void HoleFiller::accept(const BoundaryLoop& loop, const Patch& patch) {

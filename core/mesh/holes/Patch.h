@@ -10,24 +10,24 @@ namespace handwheel {
 
 // The methods of hole filling.
 enum class FillMethod {
-  Fair,      // refined to the density of the surroundings and faired to continue them (CGAL)
-  Refined,   // refined, not faired
-  Ear,       // best-first ear clipping (He 2008, section 4.3; spec step 4), no new vertices
-  Minimal,   // CGAL's triangulation by dihedral angle and area, no new vertices
-  Area,      // the triangulation of least area, no new vertices
-  Dihedral,  // the triangulation whose largest bend is least, then of least area, no new vertices
-  Ridge,     // as Fair, with the creases that end at the hole continued through it
-  Cone,      // triangles to one point before or behind the loop; only a repair does this
-  Backed,    // its sheet was thickened (thickenSheet()); only a repair does this
-  Stitched,  // the borders were stitched together; only a repair does this
-  Removed,   // cleaning removed every face around the hole; only a repair does this
+  Fair,            // refined to the density of the surroundings and faired to continue them (CGAL)
+  Refined,         // refined, not faired
+  Ear,             // best-first ear clipping (He 2008, section 4.3; spec step 4), no new vertices
+  Minimal,         // CGAL's triangulation by dihedral angle and area, no new vertices
+  Area,            // the triangulation of least area, no new vertices
+  Dihedral,        // the triangulation whose largest bend is least, then of least area, no new vertices
+  Ridge,           // as Fair, with the creases that end at the hole continued through it
+  Cone,            // triangles to one point before or behind the loop; only a repair does this
+  ThickenedSheet,  // its sheet was thickened (thickenSheet()); only a repair does this
+  Stitched,        // the borders were stitched together; only a repair does this
+  Removed,         // cleaning removed every face around the hole; only a repair does this
 };
 
 // A bridge across a hole: an edge between two points of its loop. They are given by their indices in it.
-struct Stitch {
+struct HoleBridge {
   std::uint32_t a = 0;
   std::uint32_t b = 0;
-  bool operator==(const Stitch&) const = default;
+  bool operator==(const HoleBridge&) const = default;
 };
 
 // A triangulated patch that closes a boundary loop. Its points are the loop's (in the loop's order), then new ones.
@@ -36,7 +36,7 @@ struct Patch {
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;
   FillMethod method = FillMethod::Fair;
-  std::vector<Stitch> stitches = {};  // along which the loop was cut into pieces
+  std::vector<HoleBridge> bridges = {};  // along which the loop was cut into pieces
 };
 
 }  // namespace handwheel

@@ -30,8 +30,8 @@ class RidgeFiller {
     m_patch.points = hole.loop();
     m_patch.method = FillMethod::Ridge;
     for (const Ridge& ridge : ridges.pairs) {
-      m_paths.push_back({ridge.stitch(), added(ridge.curve)});
-      m_patch.stitches.push_back(ridge.stitch());
+      m_paths.push_back({ridge.bridge(), added(ridge.curve)});
+      m_patch.bridges.push_back(ridge.bridge());
     }
     for (const RidgeCorner& corner : ridges.corners) addCorner(corner);
     for (const RidgeEnd& end : ends) addChain(end);
@@ -39,7 +39,7 @@ class RidgeFiller {
   }
 
   std::optional<Patch> run() {
-    const std::optional<std::vector<HolePiece>> pieces = splitHole(m_hole.loopSize, m_patch.stitches);
+    const std::optional<std::vector<HolePiece>> pieces = splitHole(m_hole.loopSize, m_patch.bridges);
     if (!pieces) return std::nullopt;
     for (const HolePiece& piece : m_slivers) {
       if (m_progress.cancelled() || !fill(piece)) return std::nullopt;
@@ -54,7 +54,7 @@ class RidgeFiller {
  private:
   // A curve between two points of the loop, by the numbers of the points that it passes.
   struct Path {
-    Stitch stitch;
+    HoleBridge bridge;
     std::vector<std::uint32_t> points;
   };
 
@@ -85,7 +85,7 @@ class RidgeFiller {
       if ((ends[k] + 1) % n == ends[l]) {
         m_slivers.push_back({ends[k], ends[l]});
       } else {
-        m_patch.stitches.push_back(path.stitch);
+        m_patch.bridges.push_back(path.bridge);
       }
       m_paths.push_back(std::move(path));
     }
@@ -125,7 +125,7 @@ class RidgeFiller {
 
   void addCurve(Piece& piece, std::uint32_t from, std::uint32_t to) const {
     for (const Path& path : m_paths) {
-      const Stitch& s = path.stitch;
+      const HoleBridge& s = path.bridge;
       const bool isAlong = s.a == from && s.b == to;
       if (!isAlong && !(s.a == to && s.b == from)) continue;
       const std::size_t count = path.points.size();

@@ -22,13 +22,13 @@
 namespace handwheel {
 namespace {
 
-// What is tangled is taken out alone first, then with up to so many rings of faces around it.
+// A folded region is taken out alone first, then with up to so many rings of faces around it.
 constexpr int kMostRings = 4;
 // The work is done in a box with this margin, of its size, around what is to be changed; where that reaches out of it,
 // in a larger one.
 constexpr double kMargin = 0.5;
 constexpr int kMostBoxes = 16;
-// What is larger is no tangle but the part.
+// What is larger is no folded region but the model itself.
 constexpr std::size_t kMostFaces = 5'000;
 // Fewer faces enclose nothing.
 constexpr std::size_t kLeastBody = 4;
@@ -86,11 +86,11 @@ class Replacer {
         m_options(options),
         m_effort(progress.share(std::numeric_limits<std::size_t>::max())),
         m_progress(progress.measuredBy(m_effort)),
-        m_move(tolerance::kTangleMove * diagonalOf(mesh)),
-        m_bodyMove(tolerance::kTangleBodyMove * diagonalOf(mesh)) {
+        m_move(tolerance::kFoldedRegionMove * diagonalOf(mesh)),
+        m_bodyMove(tolerance::kFoldedRegionBodyMove * diagonalOf(mesh)) {
     m_options.mayCross = false;
     m_options.tryOthers = true;
-    m_options.stitches.clear();
+    m_options.bridges.clear();
   }
 
   std::size_t run() {
@@ -128,15 +128,15 @@ class Replacer {
       const Box box(reach.min() - margin, reach.max() + margin);
       const Submesh part(m_mesh, box);
       progress.spend(m_mesh.faceSlots() / kRegionScanWork);
-      FaceSelection tangle = withCrossing(part.mesh(), facesAt(part.mesh(), corners), progress);
-      for (int r = 0; r < rings; ++r) tangle = withRing(part.mesh(), tangle, progress);
+      FaceSelection region = withCrossing(part.mesh(), facesAt(part.mesh(), corners), progress);
+      for (int r = 0; r < rings; ++r) region = withRing(part.mesh(), region, progress);
       Trial trial = Trial::Bad;
       while (true) {
-        if (progress.cancelled() || tangle.count() > kMostFaces) return false;
-        if (touches(part.mesh(), tangle, m_options.keptCorners)) return false;
-        trial = tryWithout(tangle, part, box, reach, progress);
+        if (progress.cancelled() || region.count() > kMostFaces) return false;
+        if (touches(part.mesh(), region, m_options.keptCorners)) return false;
+        trial = tryWithout(region, part, box, reach, progress);
         if (trial != Trial::Bad || ++rings > kMostRings) break;
-        tangle = withRing(part.mesh(), tangle, progress);
+        region = withRing(part.mesh(), region, progress);
       }
       if (trial != Trial::Outside) return trial == Trial::Kept;
     }
@@ -157,48 +157,48 @@ class Replacer {
   }
 
   // Extends reach by what has to be inside the box.
-  Trial tryWithout(const FaceSelection& tangle, const Submesh& part, const Box& box, Box& reach, Progress progress) {
+  Trial tryWithout(const FaceSelection& region, const Submesh& part, const Box& box, Box& reach, Progress progress) {
     const HalfEdgeMesh& before = part.mesh();
     progress.spend(part.faceCount());
-    reach.extend(boxAround(before, tangle));
+    reach.extend(boxAround(before, region));
     if (!box.contains(reach)) return Trial::Outside;
     HalfEdgeMesh after = before;
-    removeFaces(after, tangle, progress);
-    const std::vector<BoundaryLoop> opened = openedBy(before, tangle, after, progress);
+    removeFaces(after, region, progress);
+    const std::vector<BoundaryLoop> opened = openedBy(before, region, after, progress);
     for (const BoundaryLoop& loop : opened) reach.extend(loop.box);
     if (!box.contains(reach)) return Trial::Outside;
     fillHoles(after, opened, m_options, progress);
-    closeWhatIsLeft(before, tangle, after, progress);
+    closeWhatIsLeft(before, region, after, progress);
     reach.extend(part.changesIn(after));
     if (!box.contains(reach)) return Trial::Outside;
-    if (!isBetter(before, tangle, after, progress) || progress.cancelled()) return Trial::Bad;
+    if (!isBetter(before, region, after, progress) || progress.cancelled()) return Trial::Bad;
     part.putBack(m_mesh, after);
     relink(m_mesh, progress.unlimited());
-    m_takenOut += tangle.count();
+    m_takenOut += region.count();
     return Trial::Kept;
   }
 
-  void closeWhatIsLeft(const HalfEdgeMesh& before, const FaceSelection& tangle, HalfEdgeMesh& after,
+  void closeWhatIsLeft(const HalfEdgeMesh& before, const FaceSelection& region, HalfEdgeMesh& after,
                        Progress progress) {
     std::vector<ObstructedHole> left;
-    for (BoundaryLoop& loop : openedBy(before, tangle, after, progress)) left.push_back({std::move(loop), false});
+    for (BoundaryLoop& loop : openedBy(before, region, after, progress)) left.push_back({std::move(loop), false});
     closeObstructedHoles(after, left, m_options, 0.0, progress);  // each trial takes its share of what is left
   }
 
-  bool isBetter(const HalfEdgeMesh& before, const FaceSelection& tangle, const HalfEdgeMesh& after,
+  bool isBetter(const HalfEdgeMesh& before, const FaceSelection& region, const HalfEdgeMesh& after,
                 Progress progress) const {
-    return openedBy(before, tangle, after, progress).empty() &&
+    return openedBy(before, region, after, progress).empty() &&
            countBadEdges(after, progress) < countBadEdges(before, progress) &&
            countSelfIntersections(after, m_options.numbers, progress) <=
                countSelfIntersections(before, m_options.numbers, progress) &&
-           distanceOf(before, tangle, after, progress) <= (holdsBody(before, tangle) ? m_bodyMove : m_move);
+           distanceOf(before, region, after, progress) <= (holdsBody(before, region) ? m_bodyMove : m_move);
   }
 
   // The loops that run along what was taken out.
-  static std::vector<BoundaryLoop> openedBy(const HalfEdgeMesh& before, const FaceSelection& tangle,
+  static std::vector<BoundaryLoop> openedBy(const HalfEdgeMesh& before, const FaceSelection& region,
                                             const HalfEdgeMesh& after, Progress progress) {
     std::set<EdgeKey> edges;
-    tangle.forEach([&](Face f) {
+    region.forEach([&](Face f) {
       for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) edges.insert(positionKey(before, h));
     });
     std::vector<BoundaryLoop> loops = findBoundaryLoops(after, progress);

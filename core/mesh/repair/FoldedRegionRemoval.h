@@ -12,10 +12,10 @@ namespace handwheel {
 // closes (closeObstructedHoles()), because faces around them intersect or lie on each other: those faces are removed,
 // where that is not enough with rings of faces around them, and the opening is filled, as one would by hand. A change
 // is kept only if it leaves fewer edges without two faces, no more self-intersections and no loop, moves no point of
-// the surface by more than tolerance::kTangleMove of the mesh's diagonal, and of a body that is removed as a whole by
-// kTangleBodyMove. Loops with FillOptions::keptCorners stay as they are. Returns the number of removed faces of the
-// mesh. Takes no more than the effort of the progress. O(n) for each trial, the rest in proportion to the faces near
-// the loop. The mesh is invalid if the user cancelled.
+// the surface by more than tolerance::kFoldedRegionMove of the mesh's diagonal, and of a body that is removed as a
+// whole by kFoldedRegionBodyMove. Loops with FillOptions::keptCorners stay as they are. Returns the number of removed
+// faces of the mesh. Takes no more than the effort of the progress. O(n) for each trial, the rest in proportion to the
+// faces near the loop. The mesh is invalid if the user cancelled.
 std::size_t replaceFoldedRegions(HalfEdgeMesh& mesh, std::span<const BoundaryLoop> loops, const FillOptions& options,
                                  Progress progress = {});
 

@@ -89,9 +89,9 @@ std::vector<std::vector<Face>> intersectionClusters(const std::vector<std::pair<
 
 ClusterRemoval removeClusterIntersections(HalfEdgeMesh& mesh, const std::vector<std::pair<Face, Face>>& pairs,
                                           NumberType numbers, Progress progress) {
-  ClusterUncrosser uncrosser(mesh, numbers, progress);
-  uncrosser.take(intersectionClusters(pairs));
-  return uncrosser.result();
+  ClusterUncrosser remover(mesh, numbers, progress);
+  remover.take(intersectionClusters(pairs));
+  return remover.result();
 }
 
 }  // namespace handwheel

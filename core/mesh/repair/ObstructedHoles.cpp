@@ -25,11 +25,11 @@ struct Way {
 // From the best shape to the least that may do.
 constexpr Way kWays[] = {{FillMethod::Fair},        {FillMethod::Refined},    {FillMethod::Minimal},
                          {FillMethod::Ear},         {FillMethod::Cone, -0.1}, {FillMethod::Cone, 0.1},
-                         {FillMethod::Cone, -0.01}, {FillMethod::Cone, 0.01}, {FillMethod::Backed}};
+                         {FillMethod::Cone, -0.01}, {FillMethod::Cone, 0.01}, {FillMethod::ThickenedSheet}};
 // A cone over a longer loop would be a spike.
 constexpr std::size_t kConeEdges = 16;
-// Backed is only a sheet that is hardly more than its edge.
-constexpr std::size_t kBackedFacesPerEdge = 4;
+// ThickenedSheet is only a sheet that is hardly more than its edge.
+constexpr std::size_t kThickenedFacesPerEdge = 4;
 // How often the box of a trial is made larger, where what crosses reaches out of it, before all of the mesh is taken;
 constexpr int kNearbyRounds = 4;
 // and how many faces are looked at for it in the time that one takes in a trial.
@@ -118,7 +118,7 @@ class Closer {
       if (std::find(some.begin(), some.end(), p.hole) == some.end()) continue;
       if (!p.patch) {
         sheets.push_back(HalfEdgeMesh::face(p.loop.halfEdges.front()));
-        closings[p.hole] = {true, FillMethod::Backed, 0};
+        closings[p.hole] = {true, FillMethod::ThickenedSheet, 0};
         continue;
       }
       for (std::size_t i = 0; i < p.patch->triangles.size(); ++i)
@@ -126,7 +126,7 @@ class Closer {
       putPatch(changed, p.loop, *p.patch);
       closings[p.hole] = {true, p.patch->method, closings[p.hole].newFaces + p.patch->triangles.size()};
     }
-    giveBacks(changed, sheets, newFaces);
+    thickenSheets(changed, sheets, newFaces);
     return newFaces.empty() || keepIfSound(std::move(changed), newFaces, closings);
   }
 
@@ -223,7 +223,7 @@ class Closer {
       if (m_progress.cancelled()) return;
       const std::size_t hole = ownerOf(loop);
       if (hole == kNobody) continue;
-      if (m_holes[hole].back || m_options.method == FillMethod::Backed) {
+      if (m_holes[hole].back || m_options.method == FillMethod::ThickenedSheet) {
         if (mayBack(hole, loop)) m_proposals.push_back({hole, loop, {}});
         continue;
       }
@@ -270,12 +270,12 @@ class Closer {
     const bool isSheet = m_holes[hole].back;
     if (isSheet && m_options.method != kWays[0].method) return false;
     const std::vector<Face> faces = sheetOf(m_mesh, HalfEdgeMesh::face(loop.halfEdges.front()));
-    if (!isSheet && faces.size() > kBackedFacesPerEdge * loop.halfEdges.size()) return false;
+    if (!isSheet && faces.size() > kThickenedFacesPerEdge * loop.halfEdges.size()) return false;
     return std::none_of(faces.begin(), faces.end(),
                         [&](Face f) { return hasCornerAt(m_mesh, f, m_options.keptCorners); });
   }
 
-  void giveBacks(HalfEdgeMesh& mesh, const std::vector<Face>& sheets, std::vector<Face>& newFaces) const {
+  void thickenSheets(HalfEdgeMesh& mesh, const std::vector<Face>& sheets, std::vector<Face>& newFaces) const {
     std::vector<bool> backed(m_mesh.faceSlots(), false);
     for (Face seed : sheets) {
       if (backed[seed]) continue;  // another loop of the same sheet

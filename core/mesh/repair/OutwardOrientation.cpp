@@ -76,11 +76,11 @@ class Nesting {
 
 // All half-edges of the shell run the other way; neighbours stay neighbours.
 void turn(HalfEdgeMesh& mesh, const Shell& shell) {
-  const auto turnedNumber = [](HalfEdge h) { return h - h % 3 + 2 - h % 3; };  // of the edge from corner k: 2 - k
+  const auto reversedNumber = [](HalfEdge h) { return h - h % 3 + 2 - h % 3; };  // of the edge from corner k: 2 - k
   std::vector<std::pair<HalfEdge, HalfEdge>> pairs;
   for (Face f : shell.faces) {
     for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
-      if (h < mesh.opposite(h)) pairs.emplace_back(turnedNumber(h), turnedNumber(mesh.opposite(h)));
+      if (h < mesh.opposite(h)) pairs.emplace_back(reversedNumber(h), reversedNumber(mesh.opposite(h)));
     }
   }
   for (Face f : shell.faces) mesh.setTriangle(f, turned(mesh.triangle(f)));

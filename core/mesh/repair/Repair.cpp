@@ -48,9 +48,9 @@ class Repairer {
         m_fillEffort(repairEffort(input.liveFaceCount())),
         m_slowness(std::max(1.0, std::pow(static_cast<double>(bitsOf(input)) / tolerance::kCutBits, 2))),
         m_closeEffort(most(1.0, m_fillEffort.left())),
-        m_hardEffort(most(tolerance::kHardHoleShare, tolerance::kObstructedHoleEffort), m_closeEffort),
+        m_hardEffort(most(tolerance::kObstructedHoleShare, tolerance::kObstructedHoleEffort), m_closeEffort),
         m_partEffort(most(tolerance::kPartShare, tolerance::kObstructedHoleEffort), m_closeEffort),
-        m_tangleEffort(most(tolerance::kTangleShare, tolerance::kFoldedRegionEffort), m_closeEffort) {
+        m_tangleEffort(most(tolerance::kFoldedRegionShare, tolerance::kFoldedRegionEffort), m_closeEffort) {
     for (const BoundaryLoop& loop : m_results.inputLoops()) {
       if (mayClose(reasonToLeave(loop, {loop.id}))) continue;
       for (const Vec3& p : loopPoints(m_input, loop)) m_options.fill.keptCorners.insert(positionKey(p));
@@ -62,12 +62,12 @@ class Repairer {
     if (!progress.cancelled()) {
       const double longest = tolerance::kOneSidedCut * diagonalOf(m_mesh);
       Effort effort(m_hardEffort.left() / 2, m_hardEffort);  // the rest is for holes
-      m_report.oneSidedCuts =
+      m_report.nonOrientableCuts =
           closeNonOrientable(m_mesh, m_options.fill, longest, BorderCuts::No, progress.part(0.3, 0.35).within(effort));
     }
     if (!progress.cancelled()) fill(progress.part(0.35, 0.6));
     if (!progress.cancelled()) closeHard(progress.part(0.6, 0.85));
-    if (m_options.takeOutTangles && !progress.cancelled()) replaceTangled(progress.part(0.85, 0.93));
+    if (m_options.replaceFoldedRegions && !progress.cancelled()) replaceFolded(progress.part(0.85, 0.93));
     if (m_options.cutCrossings && !progress.cancelled()) cutCrossings(progress.part(0.93, 0.95));
     if (!progress.cancelled()) orientOutward(m_mesh, progress.part(0.95, 0.96));
     if (!progress.cancelled()) finish(progress.part(0.96, 1.0));
@@ -203,7 +203,7 @@ class Repairer {
   }
 
   // Loose leftovers of cuts too.
-  void replaceTangled(Progress progress) {
+  void replaceFolded(Progress progress) {
     std::vector<BoundaryLoop> loops = findBoundaryLoops(m_mesh, progress.part(0.0, 0.05));
     std::erase_if(loops, [&](const BoundaryLoop& loop) {
       const std::set<int> owners = m_results.ownersOf(m_mesh, loop);
@@ -265,7 +265,8 @@ class Repairer {
   void compareWithInput(Progress progress) {
     for (Face f = 0; f < m_input.faceSlots(); ++f) {
       if (!pollProgress(f, m_input.faceSlots(), progress.part(0.0, 0.4))) return;
-      if (m_input.isLive(f) && m_mesh.isLive(f)) m_report.turnedFaces += isTurned(m_input.points(f), m_mesh.points(f));
+      if (m_input.isLive(f) && m_mesh.isLive(f))
+        m_report.reversedFaces += isTurned(m_input.points(f), m_mesh.points(f));
     }
     for (Vertex v = 0; v < m_input.vertexSlots(); ++v) {
       if (m_mesh.position(v) != m_input.position(v)) m_touchedHomes.push_back(m_input.position(v));

@@ -24,8 +24,8 @@ struct RepairOptions {
   RimHandling rims = RimHandling::Back;
   std::size_t maxEdges = 0;  // loops with more edges stay open; 0: no limit
   bool removeDebris = false;
-  bool takeOutTangles = true;  // where nothing else closes a hole (replaceFoldedRegions())
-  bool cutCrossings = false;   // remove self-intersections of the surface (removeClusterIntersections())
+  bool replaceFoldedRegions = true;  // where nothing else closes a hole (replaceFoldedRegions())
+  bool cutCrossings = false;         // remove self-intersections of the surface (removeClusterIntersections())
 };
 
 // The outcomes of a repair for a boundary loop, from best to worst.
@@ -50,9 +50,9 @@ struct RepairReport {
   std::size_t removedDuplicates = 0;
   std::size_t removedFlaps = 0;
   std::size_t removedDebris = 0;
-  std::size_t turnedFaces = 0;
+  std::size_t reversedFaces = 0;
   std::size_t mergedVertices = 0;
-  std::size_t oneSidedCuts = 0;         // along short cycles, where the surface was non-orientable
+  std::size_t nonOrientableCuts = 0;    // along short cycles, where the surface was non-orientable
   std::size_t cutFaces = 0;             // where a patch intersects the part
   std::size_t cutClusters = 0;          // clusters of self-intersections that were removed
   std::size_t replacedFaces = 0;        // removed from folded regions around holes, which were refilled

@@ -70,14 +70,15 @@ void replace(HalfEdgeMesh& mesh, const Autorefinement& cuts, const PositionTrian
 }
 
 // most: of crossings; none for those of other clusters.
-IntersectionRemoval uncrossWithin(HalfEdgeMesh& mesh, const std::vector<Face>& faces, NumberType numbers,
-                                  std::optional<std::size_t> most, const Progress& progress) {
+IntersectionRemoval removeSelfIntersectionsWithin(HalfEdgeMesh& mesh, const std::vector<Face>& faces,
+                                                  NumberType numbers, std::optional<std::size_t> most,
+                                                  const Progress& progress) {
   IntersectionRemoval report;
   const auto before = crossings(mesh, numbers, progress.part(0.0, 0.2));
   if (!before) return report;
   report.crossingsBefore = report.intersectionsAfter = before->size();
   const std::vector<TrianglePair> pairs = cluster(*before, faces, mesh.faceSlots());
-  if (pairs.empty() || pairs.size() > tolerance::kUncrossPairs) return report;
+  if (pairs.empty() || pairs.size() > tolerance::kMaxSelfIntersectionPairs) return report;
   const std::size_t allowed = most.value_or(before->size() - pairs.size());
 
   HalfEdgeMesh result = mesh;
@@ -123,12 +124,12 @@ std::vector<Face> intersectionCluster(const HalfEdgeMesh& mesh, const std::vecto
 
 IntersectionRemoval removeSelfIntersections(HalfEdgeMesh& mesh, const std::vector<Face>& faces, NumberType numbers,
                                             std::size_t allowed, Progress progress) {
-  return uncrossWithin(mesh, faces, numbers, allowed, progress);
+  return removeSelfIntersectionsWithin(mesh, faces, numbers, allowed, progress);
 }
 
 IntersectionRemoval removeAllSelfIntersections(HalfEdgeMesh& mesh, const std::vector<Face>& faces, NumberType numbers,
                                                Progress progress) {
-  return uncrossWithin(mesh, faces, numbers, std::nullopt, progress);
+  return removeSelfIntersectionsWithin(mesh, faces, numbers, std::nullopt, progress);
 }
 
 }  // namespace handwheel

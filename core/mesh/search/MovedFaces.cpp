@@ -32,7 +32,8 @@ bool mayBecome(const TrianglePoints& before, const TrianglePoints& after) {
   return is.dot(was) > 0.0 && slimness(after) >= std::min(kSlimmest, kSlimmer * slimness(before));
 }
 
-bool forEachNewCrossing(const NearFaces& near, const MovedFaces& moved, const std::function<bool(std::size_t)>& visit) {
+bool forEachNewCrossing(const FaceLocator& near, const MovedFaces& moved,
+                        const std::function<bool(std::size_t)>& visit) {
   const HalfEdgeMesh& mesh = near.mesh();
   const std::vector<Face>& faces = moved.faces;
   std::vector<Box> boxes;

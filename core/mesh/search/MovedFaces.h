@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/search/NearFaces.h"
+#include "mesh/search/FaceLocator.h"
 
 #include <functional>
 #include <vector>
@@ -25,7 +25,8 @@ bool mayBecome(const TrianglePoints& before, const TrianglePoints& after);
 // Visits each moved face that would newly intersect another one, moved or not. That is in more than what they share,
 // and not so now. Calls visit(index) until it returns false; returns false when a visit did. An index may come more
 // than once. Faces without area are not judged. near: of the mesh before the move.
-bool forEachNewCrossing(const NearFaces& near, const MovedFaces& moved, const std::function<bool(std::size_t)>& visit);
+bool forEachNewCrossing(const FaceLocator& near, const MovedFaces& moved,
+                        const std::function<bool(std::size_t)>& visit);
 
 // Converts triangles to a soup in which each has points of its own.
 TriangleSoup soupOf(const std::vector<TrianglePoints>& triangles);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh/selection/Lasso.h"
 
-#include "mesh/search/PolygonRows.h"
+#include "mesh/search/PointInPolygonTester.h"
 #include "mesh/structure/FaceNormal.h"
 
 #include <tbb/blocked_range.h>
@@ -73,7 +73,7 @@ std::optional<FaceSelection> facesInLasso(const FaceHierarchy& faces, const Lass
     if (!place || !place->allFinite()) return FaceSelection();
     corners.push_back(*place);
   }
-  const PolygonRows polygon(corners);
+  const PointInPolygonTester polygon(corners);
 
   const HalfEdgeMesh& mesh = faces.mesh();
   std::vector<std::uint8_t> inside(mesh.vertexSlots());

@@ -94,16 +94,16 @@ class FanVertices {
 // Turns triangles over where neighbours disagree, in the mesh and in the list over positions.
 std::vector<Face> orient(HalfEdgeMesh& mesh, std::vector<Triangle>& triangles, const EdgeTable& edges,
                          Progress progress) {
-  const std::vector<bool> turn = trianglesToTurn(edges, triangles, progress);
-  std::vector<Face> turnedFaces;
-  if (progress.cancelled()) return turnedFaces;
+  const std::vector<bool> turn = trianglesToReverse(edges, triangles, progress);
+  std::vector<Face> reversedFaces;
+  if (progress.cancelled()) return reversedFaces;
   for (Face f = 0; f < triangles.size(); ++f) {
     if (!turn[f]) continue;
     triangles[f] = turned(triangles[f]);
     mesh.setTriangle(f, turned(mesh.triangle(f)));
-    turnedFaces.push_back(f);
+    reversedFaces.push_back(f);
   }
-  return turnedFaces;
+  return reversedFaces;
 }
 
 // Once cancelled it stops halfway.
@@ -119,8 +119,8 @@ BuildReport link(HalfEdgeMesh& mesh, const PointClasses& classes, std::span<cons
   }
   EdgeTable edges(triangles, points.size(), progress.part(0.1, 0.3));
   if (progress.cancelled()) return report;
-  report.turnedFaces = orient(mesh, triangles, edges, progress.part(0.3, 0.45));
-  if (!report.turnedFaces.empty()) edges = EdgeTable(triangles, points.size(), progress.part(0.45, 0.6));
+  report.reversedFaces = orient(mesh, triangles, edges, progress.part(0.3, 0.45));
+  if (!report.reversedFaces.empty()) edges = EdgeTable(triangles, points.size(), progress.part(0.45, 0.6));
   if (progress.cancelled()) return report;
 
   const PairedEdges paired = pairEdges(edges, triangles, points, progress.part(0.6, 0.7));

@@ -11,7 +11,7 @@ namespace handwheel {
 // The decisions made in building a half-edge mesh. Numbers are those of the built mesh.
 struct BuildReport {
   std::size_t weldedPoints = 0;       // points of the file that shared an exact position with an earlier one
-  std::vector<Face> turnedFaces;      // reversed so that neighbours agree
+  std::vector<Face> reversedFaces;    // reversed so that neighbours agree
   std::vector<Vertex> splitVertices;  // vertices made because one position had several fans of faces
   std::size_t nonManifoldEdges = 0;   // edges with more than two faces in the file
   std::size_t unpairedHalfEdges = 0;  // half-edges left as Open::Seam

@@ -19,7 +19,7 @@ std::vector<std::uint32_t> neighbours(const EdgeTable& edges, std::size_t triang
 
 }  // namespace
 
-std::vector<bool> trianglesToTurn(const EdgeTable& edges, std::span<const Triangle> triangles, Progress progress) {
+std::vector<bool> trianglesToReverse(const EdgeTable& edges, std::span<const Triangle> triangles, Progress progress) {
   const std::vector<std::uint32_t> other = neighbours(edges, triangles.size(), progress.part(0.0, 0.5));
   const auto from = [&](std::uint32_t h) { return triangles[h / 3][h % 3]; };
 
@@ -31,7 +31,7 @@ std::vector<bool> trianglesToTurn(const EdgeTable& edges, std::span<const Triang
     if (reached[seed]) continue;
     part.assign(1, seed);
     reached[seed] = true;
-    std::size_t turnedCount = 0;
+    std::size_t reversedCount = 0;
     for (std::size_t i = 0; i < part.size(); ++i) {
       if (!pollProgress(visited++, triangles.size(), progress.part(0.5, 1.0))) return turn;
       const std::uint32_t f = part[i];
@@ -41,11 +41,11 @@ std::vector<bool> trianglesToTurn(const EdgeTable& edges, std::span<const Triang
         reached[g] = true;
         const bool sameDirection = from(h) == from(other[h]);
         turn[g] = turn[f] != sameDirection;
-        turnedCount += turn[g];
+        reversedCount += turn[g];
         part.push_back(g);
       }
     }
-    if (2 * turnedCount > part.size()) {
+    if (2 * reversedCount > part.size()) {
       for (std::uint32_t f : part) turn[f] = !turn[f];
     }
   }

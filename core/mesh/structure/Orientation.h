@@ -11,7 +11,8 @@ namespace handwheel {
 // Finds the triangles to reverse so that neighbours have consistent orientation. Neighbours share an edge of two
 // triangles; the fewest in each part are reversed. On non-orientable surfaces some edges stay inconsistent. O(n). The
 // result is invalid if cancelled.
-std::vector<bool> trianglesToTurn(const EdgeTable& edges, std::span<const Triangle> triangles, Progress progress = {});
+std::vector<bool> trianglesToReverse(const EdgeTable& edges, std::span<const Triangle> triangles,
+                                     Progress progress = {});
 
 // The half-edge along the same edge after its triangle is reversed. The triangle (a, b, c) becomes (a, c, b), as
 // turned() returns it.

@@ -24,7 +24,7 @@ class FanGraph {
  public:
   FanGraph(const EdgeTable& edges, std::span<const Triangle> triangles, std::span<const Vec3> points, Progress progress)
       : m_triangles(triangles), m_root(3 * triangles.size()), m_isOdd(3 * triangles.size(), false) {
-    const std::vector<bool> turn = trianglesToTurn(edges, triangles, progress.part(0.0, 0.6));
+    const std::vector<bool> turn = trianglesToReverse(edges, triangles, progress.part(0.0, 0.6));
     for (std::uint32_t c = 0; c < m_root.size(); ++c) m_root[c] = c;
     const auto forEachInner = [&](auto visit) {
       edges.forEachEdge([&](std::uint32_t, std::uint32_t, Run run) {
@@ -181,7 +181,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> nonOrientableEdges(const Ed
   collect(std::vector<bool>(triangles.size(), false), progress.part(0.0, 0.3));
   if (found.empty()) return found;  // most often: they agree as they are
   found.clear();
-  collect(trianglesToTurn(edges, triangles, progress.part(0.3, 0.8)), progress.part(0.8, 1.0));
+  collect(trianglesToReverse(edges, triangles, progress.part(0.3, 0.8)), progress.part(0.8, 1.0));
   return found;
 }
 

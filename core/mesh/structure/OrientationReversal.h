@@ -12,7 +12,7 @@
 namespace handwheel {
 
 // Finds the edges at which a non-orientable surface cannot be oriented consistently. These are edges with two triangles
-// that disagree after the reversals that trianglesToTurn() finds. As pairs of points; empty where every part can be
+// that disagree after the reversals that trianglesToReverse() finds. As pairs of points; empty where every part can be
 // oriented. O(n).
 std::vector<std::pair<std::uint32_t, std::uint32_t>> nonOrientableEdges(const EdgeTable& edges,
                                                                         std::span<const Triangle> triangles,

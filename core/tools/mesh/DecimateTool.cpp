@@ -5,7 +5,7 @@
 #include "document/mesh/MeshDocument.h"
 #include "mesh/measure/MeshFidelity.h"
 #include "tools/ToolProperty.h"
-#include "tools/mesh/HandChanges.h"
+#include "tools/mesh/ManualMeshChanges.h"
 
 #include <QtGlobal>
 #include <cmath>

@@ -17,7 +17,7 @@
 #include "mesh/selection/FaceSelection.h"
 #include "mesh/structure/MeshBounds.h"
 #include "mesh/structure/MeshBuilder.h"
-#include "tools/mesh/FillWords.h"
+#include "tools/mesh/FillOptionsText.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -56,7 +56,7 @@ bool closeHard(HalfEdgeMesh& mesh, const std::vector<Vertex>& keys, bool back, c
                       [](const ObstructedClosing& hole) { return hole.isCutShort; });
 }
 
-bool replaceTangled(HalfEdgeMesh& mesh, Vertex key, const FillOptions& options, Progress progress) {
+bool replaceFolded(HalfEdgeMesh& mesh, Vertex key, const FillOptions& options, Progress progress) {
   std::vector<BoundaryLoop> loops = findBoundaryLoops(mesh, progress.part(0.0, 0.1));
   std::erase_if(loops, [&](const BoundaryLoop& loop) { return keyOf(mesh, loop) != key; });
   Effort effort = progress.share(mostEffort(mesh, tolerance::kFoldedRegionEffort));
@@ -106,12 +106,12 @@ MeshChange nonManifoldFix(NumberType numbers) {
           QT_TRANSLATE_NOOP("Tool", "Part what only touches"),
           [numbers](HalfEdgeMesh& mesh, Progress progress) { return partNonManifold(mesh, numbers, progress); },
           QT_TRANSLATE_NOOP("Tool", "every step apart would make the surface cross itself")),
-      StepWriter("part").option("numbers", wordFor(numbers)).text());
+      StepWriter("split-nonmanifold").option("numbers", wordFor(numbers)).text());
 }
 
-MeshChange oneSidedFix(const FillOptions& options) {
+MeshChange nonOrientableFix(const FillOptions& options) {
   StepWriter step("two-sides");
-  addFillWords(step, options);
+  addFillOptions(step, options);
   return withStep(counted(
                       QT_TRANSLATE_NOOP("Tool", "Cut and give two sides"),
                       [options](HalfEdgeMesh& mesh, Progress progress) {
@@ -125,7 +125,7 @@ MeshChange oneSidedFix(const FillOptions& options) {
 }
 
 MeshChange crossingFix(NumberType numbers, std::vector<std::pair<Face, Face>> pairs) {
-  StepWriter step("uncross");
+  StepWriter step("cut-crossings");
   step.word(pairsText(pairs)).option("numbers", wordFor(numbers));
   return withStep(
       counted(
@@ -160,10 +160,10 @@ MeshChange allDebrisFix() {
                   "debris");
 }
 
-MeshChange backFix(std::vector<Vertex> loops, const FillOptions& options) {
+MeshChange thickenFix(std::vector<Vertex> loops, const FillOptions& options) {
   StepWriter step("back");
   step.word(loopsText(loops));
-  addFillWords(step, options);
+  addFillOptions(step, options);
   return withStep(counted(
                       QT_TRANSLATE_NOOP("Tool", "Give a back"),
                       [loops = std::move(loops), options](HalfEdgeMesh& mesh, Progress progress) {
@@ -178,18 +178,18 @@ MeshChange backFix(std::vector<Vertex> loops, const FillOptions& options) {
 MeshChange cutAndCloseFix(Vertex loop, const FillOptions& options) {
   StepWriter step("cut-and-close");
   step.word(loopsText({loop}));
-  addFillWords(step, options);
+  addFillOptions(step, options);
   return withStep(counted(
                       QT_TRANSLATE_NOOP("Tool", "Cut and close"),
                       [loop, options](HalfEdgeMesh& mesh, Progress progress) {
                         bool done = closeHard(mesh, {loop}, false, options, progress.part(0.0, 0.6));
                         if (!progress.cancelled())
-                          done = replaceTangled(mesh, loop, options, progress.part(0.6, 0.95)) && done;
+                          done = replaceFolded(mesh, loop, options, progress.part(0.6, 0.95)) && done;
                         if (!progress.cancelled())
                           done = partNonManifold(mesh, options.numbers, progress.part(0.95, 1.0)) && done;
                         return done;
                       },
-                      QT_TRANSLATE_NOOP("Tool", "what would be cut is tangled too much")),
+                      QT_TRANSLATE_NOOP("Tool", "what would be cut is folded too much")),
                   step.text());
 }
 

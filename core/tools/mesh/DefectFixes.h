@@ -24,7 +24,7 @@ MeshChange nearVertexFix(double nearWeld, std::vector<std::pair<Vertex, Vertex>>
 MeshChange nonManifoldFix(NumberType numbers);
 // Makes non-orientable (one-sided) parts orientable. Cuts them along short paths until they have two sides, and closes
 // the cuts.
-MeshChange oneSidedFix(const FillOptions& options);
+MeshChange nonOrientableFix(const FillOptions& options);
 // Resolves self-intersections by cutting and rejoining the faces. pairs: as findSelfIntersections() returns them.
 MeshChange crossingFix(NumberType numbers, std::vector<std::pair<Face, Face>> pairs);
 // Removes the loose pieces that contain one of these faces.
@@ -32,7 +32,7 @@ MeshChange debrisFix(std::vector<Face> faces);
 // Removes all that findDefects() reports as debris.
 MeshChange allDebrisFix();
 // Turns open sheets into thin bodies. loops: outer edges of the sheets, by their smallest vertex (keyOf()).
-MeshChange backFix(std::vector<Vertex> loops, const FillOptions& options);
+MeshChange thickenFix(std::vector<Vertex> loops, const FillOptions& options);
 // Closes a loop although every patch would intersect the part. The patch is cut apart where it crosses.
 MeshChange cutAndCloseFix(Vertex loop, const FillOptions& options);
 

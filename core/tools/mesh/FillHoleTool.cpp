@@ -99,7 +99,7 @@ void FillHoleTool::previewReady(std::uint64_t ticket, FillAttempt attempt) {
   m_state = m_attempt.failure == FillFailure::None ? State::Ready : State::Impossible;
   if (m_state == State::Ready)
     m_patch = std::make_shared<const TriangleSoup>(TriangleSoup{m_attempt.patch.points, m_attempt.patch.triangles});
-  tellUpdated();
+  reportUpdated();
 }
 
 std::optional<Vertex> FillHoleTool::holeFrom(std::size_t index, bool forward) const {
@@ -143,7 +143,7 @@ ToolReply FillHoleTool::pointer(const PointerEvent& event) {
       return ToolReply::Used;
     case PointerEvent::Kind::Release:
       if (!m_bridges.isDrawing()) return ToolReply::Ignored;
-      if (loop() && m_bridges.release(loop()->halfEdges.size(), m_attempt.patch.stitches)) request();
+      if (loop() && m_bridges.release(loop()->halfEdges.size(), m_attempt.patch.bridges)) request();
       return ToolReply::Used;
     case PointerEvent::Kind::DoubleClick:
       break;
@@ -174,7 +174,7 @@ std::optional<std::uint32_t> FillHoleTool::pointAt(const PointerEvent& event) co
   return static_cast<std::uint32_t>(at - chosen->halfEdges.begin());
 }
 
-std::vector<Vec3> FillHoleTool::line(const Stitch& bridge) const {
+std::vector<Vec3> FillHoleTool::line(const HoleBridge& bridge) const {
   const auto& edges = loop()->halfEdges;
   const HalfEdgeMesh& mesh = m_document.mesh();
   return {mesh.position(mesh.from(edges[bridge.a])), mesh.position(mesh.from(edges[bridge.b]))};
@@ -261,7 +261,7 @@ ToolPreview FillHoleTool::preview() const {
     if (line) preview.lines.push_back(outlineOf(m_document.mesh(), *line));
   }
   if (!loop()) return preview;
-  for (const Stitch& bridge : m_attempt.patch.stitches) preview.lines.push_back(line(bridge));
+  for (const HoleBridge& bridge : m_attempt.patch.bridges) preview.lines.push_back(line(bridge));
   if (const auto drawn = m_bridges.drawn()) preview.lines.push_back(line(*drawn));
   return preview;
 }

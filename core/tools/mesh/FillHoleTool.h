@@ -21,8 +21,8 @@ struct FillRequest {
   BoundaryLoop loop;
   FillMethod method = FillMethod::Fair;
   Continuity continuity = Continuity::Tangent;
-  std::vector<Stitch> stitches = {};  // as in FillOptions
-  EarWeights ears = {};               // the same
+  std::vector<HoleBridge> bridges = {};  // as in FillOptions
+  EarWeights ears = {};                  // the same
 };
 
 // Services for FillHoleTool, provided by the owner of the document's jobs. All of them are called on the window thread.
@@ -84,7 +84,7 @@ class FillHoleTool : public Tool {
   ToolReply press(const PointerEvent& event);
   // The point of the chosen loop that is pointed at, as its number.
   std::optional<std::uint32_t> pointAt(const PointerEvent& event) const;
-  std::vector<Vec3> line(const Stitch& bridge) const;
+  std::vector<Vec3> line(const HoleBridge& bridge) const;
   ToolReply commit();
   ToolReply keepOpen();
 

@@ -3,7 +3,7 @@
 #include "tools/mesh/MakeFaceTool.h"
 
 #include "document/mesh/MeshDocument.h"
-#include "tools/mesh/HandChanges.h"
+#include "tools/mesh/ManualMeshChanges.h"
 
 #include <QtGlobal>
 #include <algorithm>

@@ -26,7 +26,7 @@ class MakeFaceTool : public Tool {
   std::vector<ToolAction> actions() const override;
   ToolPreview preview() const override;
   std::vector<Property> settings() const override;
-  Magnets magnets() const override { return {.borderPoints = true}; }
+  SnapTargets snapTargets() const override { return {.borderPoints = true}; }
   void documentChanged() override;
   std::vector<std::string> needs() const override { return {"picking"}; }
 

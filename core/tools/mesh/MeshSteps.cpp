@@ -10,8 +10,8 @@
 #include "mesh/measure/MeshFidelity.h"
 #include "mesh/structure/Shells.h"
 #include "tools/mesh/DefectFixes.h"
-#include "tools/mesh/FillWords.h"
-#include "tools/mesh/HandChanges.h"
+#include "tools/mesh/FillOptionsText.h"
+#include "tools/mesh/ManualMeshChanges.h"
 #include "tools/mesh/Placement.h"
 #include "tools/mesh/boundary/BorderPicking.h"
 #include "tools/mesh/sculpt/SculptSteps.h"
@@ -45,7 +45,7 @@ MeshChange readNearVertices(StepReader& reader, const MeshDocument& document) {
 }
 
 // Without pairs, all that are found.
-MeshChange readUncross(StepReader& reader, const MeshDocument& document) {
+MeshChange readCutCrossings(StepReader& reader, const MeshDocument& document) {
   std::vector<std::pair<Face, Face>> pairs;
   if (reader.hasWord()) {
     pairs = reader.pairs(reader.word("a pair"), "triangle", document.mesh().faceSlots());
@@ -111,14 +111,15 @@ RimHandling readRims(StepReader& reader) {
 
 MeshChange readRepair(StepReader& reader, const MeshDocument& document) {
   RepairOptions options;
-  options.fill = readFillWords(reader, document);
+  options.fill = readFillOptions(reader, document);
   options.fill.keptCorners.clear();
   options.nearWeld = reader.number("near-weld", options.nearWeld, kShare);
   options.rims = readRims(reader);
   if (const auto most = reader.option("max-hole"); most)
     options.maxEdges = reader.index(*most, "edge", std::numeric_limits<std::uint32_t>::max());
   options.removeDebris = reader.flag("remove-debris");
-  options.takeOutTangles = !reader.flag("keep-tangles");
+  options.replaceFoldedRegions =
+      !reader.flag("keep-folded-regions") && !reader.flag("keep-tangles");  // its former name
   options.cutCrossings = reader.flag("cut-crossings");
   options.keepOpen = keptLoops(document);
   return {"Repair all", [options](HalfEdgeMesh& mesh, Progress progress) { repair(mesh, options, progress); }};
@@ -142,7 +143,7 @@ StepOutcome fillLoop(StepReader& reader, MeshDocument& document, Progress progre
   const auto loop =
       std::find_if(loops.begin(), loops.end(), [&](const BoundaryLoop& l) { return keyOf(document.mesh(), l) == key; });
   const std::size_t size = loop == loops.end() ? 0 : loop->halfEdges.size();
-  const FillOptions options = readFillWords(reader, document, size);
+  const FillOptions options = readFillOptions(reader, document, size);
   if (!reader.status()) return {};
   FillFailure failure = FillFailure::None;
   const MeshChange change = {"Fill hole", [&](HalfEdgeMesh& mesh, Progress p) {
@@ -185,6 +186,7 @@ struct Verb {
   std::string_view verb;
   MakeChange make;
   DoStep act;
+  std::string_view formerName = {};  // still understood, in no help
 };
 
 constexpr Verb kVerbs[] = {
@@ -202,22 +204,24 @@ constexpr Verb kVerbs[] = {
     {"back",
      [](StepReader& r, const MeshDocument& d) {
        auto keys = readLoops(r, r.word("a loop"), d);
-       return backFix(std::move(keys), readFillWords(r, d));
+       return thickenFix(std::move(keys), readFillOptions(r, d));
      },
      nullptr},
     {"cut-and-close",
      [](StepReader& r, const MeshDocument& d) {
        const Vertex key = readOneLoop(r, d);
-       return cutAndCloseFix(key, readFillWords(r, d));
+       return cutAndCloseFix(key, readFillOptions(r, d));
      },
      nullptr},
     {"debris", readDebris, nullptr},
     {"degenerates", [](StepReader&, const MeshDocument&) { return degenerateFix(); }, nullptr},
     {"duplicates", [](StepReader&, const MeshDocument&) { return duplicateFix(); }, nullptr},
     {"near-vertices", readNearVertices, nullptr},
-    {"part", [](StepReader& r, const MeshDocument& d) { return nonManifoldFix(readNumbers(r, d)); }, nullptr},
-    {"two-sides", [](StepReader& r, const MeshDocument& d) { return oneSidedFix(readFillWords(r, d)); }, nullptr},
-    {"uncross", readUncross, nullptr},
+    {"split-nonmanifold", [](StepReader& r, const MeshDocument& d) { return nonManifoldFix(readNumbers(r, d)); },
+     nullptr, "part"},
+    {"two-sides", [](StepReader& r, const MeshDocument& d) { return nonOrientableFix(readFillOptions(r, d)); },
+     nullptr},
+    {"cut-crossings", readCutCrossings, nullptr, "uncross"},
     {"decimate", readDecimate, nullptr},
     {"bridge", [](StepReader& r, const MeshDocument& d) { return bridgeChange(readEnds(r, d)); }, nullptr},
     {"join", [](StepReader& r, const MeshDocument& d) { return joinChange(readEnds(r, d)); }, nullptr},
@@ -240,16 +244,16 @@ constexpr StepForm kForms[] = {
     {"fill LOOP [FILL] [--bridges P:P,...]",
      "Close one hole; bridges run between points of it, counted along it from 0"},
     {"keep-open LOOPS, no-longer-open LOOPS", "Mark openings that are meant to be there"},
-    {"repair [FILL] [--rims HOW] [--near-weld SHARE] [--max-hole N] [--remove-debris] [--keep-tangles] "
+    {"repair [FILL] [--rims HOW] [--near-weld SHARE] [--max-hole N] [--remove-debris] [--keep-folded-regions] "
      "[--cut-crossings]",
      "As 'handwheel repair', but in the numbers of the document, and leaving open what is marked"},
     {"back LOOPS [FILL]", "Make a thin body of each sheet that has such an outer edge"},
     {"cut-and-close LOOP [FILL]", "Close it across the part, and cut where that crosses"},
     {"debris [TRIANGLES]", "Remove all small pieces, or those with these triangles: 7,9"},
-    {"degenerates, duplicates, part, two-sides [FILL]",
+    {"degenerates, duplicates, split-nonmanifold, two-sides [FILL]",
      "Mend triangles without area, double ones, what only touches, one side"},
     {"near-vertices [V:V,...] [--near-weld SHARE]", "Merge what is nearer than this share of the diagonal"},
-    {"uncross [T:T,...]", "Cut pairs of crossing triangles apart; all without a list"},
+    {"cut-crossings [T:T,...]", "Cut pairs of crossing triangles apart; all without a list"},
     {"decimate [--faces N] [--error MM] [--keep-borders] [--keep-creases DEGREES] [--no-crossings]",
      "As 'handwheel decimate'"},
     {"bridge H,H; join H,H",
@@ -297,8 +301,9 @@ Result<StepOutcome> addFile(StepReader& reader, MeshDocument& document, Progress
 
 // By the table. Ends with the reader's status.
 Result<StepOutcome> applyVerb(StepReader& reader, std::string_view step, MeshDocument& document, Progress progress) {
-  const auto* verb =
-      std::find_if(std::begin(kVerbs), std::end(kVerbs), [&](const Verb& v) { return v.verb == reader.verb(); });
+  const auto* verb = std::find_if(std::begin(kVerbs), std::end(kVerbs), [&](const Verb& v) {
+    return v.verb == reader.verb() || (!v.formerName.empty() && v.formerName == reader.verb());
+  });
   if (verb == std::end(kVerbs)) {
     reader.complain("there is no step '" + reader.verb().substr(0, 40) + "'");
     return reader.status().error();
@@ -341,19 +346,19 @@ MeshChange addChange(const std::string& path, const HalfEdgeMesh& mesh) {
 std::string fillStep(Vertex loop, const FillOptions& options) {
   StepWriter step("fill");
   step.word(loopsText({loop}));
-  addFillWords(step, options);
+  addFillOptions(step, options);
   return step.text();
 }
 
 // What is kept open stands in the document.
 std::string repairStep(const RepairOptions& options) {
   StepWriter step("repair");
-  addFillWords(step, options.fill);
+  addFillOptions(step, options.fill);
   if (options.nearWeld != RepairOptions().nearWeld) step.option("near-weld", shortestText(options.nearWeld));
   if (options.rims != RepairOptions().rims) step.option("rims", kRims[static_cast<std::size_t>(options.rims)]);
   if (options.maxEdges > 0) step.option("max-hole", std::to_string(options.maxEdges));
   if (options.removeDebris) step.option("remove-debris");
-  if (!options.takeOutTangles) step.option("keep-tangles");
+  if (!options.replaceFoldedRegions) step.option("keep-folded-regions");
   if (options.cutCrossings) step.option("cut-crossings");
   return step.text();
 }

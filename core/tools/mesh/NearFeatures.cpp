@@ -37,11 +37,11 @@ bool isBent(const HalfEdgeMesh& mesh, HalfEdge h) {
 
 class Gatherer {
  public:
-  Gatherer(const HalfEdgeMesh& mesh, const Magnets& magnets, SnapFeatures& features)
-      : m_mesh(mesh), m_magnets(magnets), m_features(features) {}
+  Gatherer(const HalfEdgeMesh& mesh, const SnapTargets& snapTargets, SnapFeatures& features)
+      : m_mesh(mesh), m_snapTargets(snapTargets), m_features(features) {}
 
   void add(Face face) {
-    if (m_magnets.faces) {
+    if (m_snapTargets.faces) {
       const TrianglePoints p = m_mesh.points(face);
       m_features.addTriangle(face, p[0], p[1], p[2]);
     }
@@ -52,15 +52,15 @@ class Gatherer {
  private:
   void addEdge(HalfEdge h) {
     const bool isBorder = m_mesh.isBorder(h);
-    const bool isEdge = (m_magnets.edges || m_magnets.corners) && isBent(m_mesh, h);
+    const bool isEdge = (m_snapTargets.edges || m_snapTargets.corners) && isBent(m_mesh, h);
     if (!isEdge && !isBorder) return;
     const Vertex from = m_mesh.from(h), to = m_mesh.to(h);
-    if ((isEdge && m_magnets.corners) || (isBorder && m_magnets.borderPoints)) {
+    if ((isEdge && m_snapTargets.corners) || (isBorder && m_snapTargets.borderPoints)) {
       addPoint(from);
       addPoint(to);
     }
     const HalfEdge number = m_mesh.hasOpposite(h) ? std::min(h, m_mesh.opposite(h)) : h;
-    if (((isEdge && m_magnets.edges) || (isBorder && m_magnets.borderEdges)) && m_edges.insert(number).second)
+    if (((isEdge && m_snapTargets.edges) || (isBorder && m_snapTargets.borderEdges)) && m_edges.insert(number).second)
       m_features.addSegment(number, m_mesh.position(from), m_mesh.position(to));
   }
   void addPoint(Vertex vertex) {
@@ -68,7 +68,7 @@ class Gatherer {
   }
 
   const HalfEdgeMesh& m_mesh;
-  const Magnets& m_magnets;
+  const SnapTargets& m_snapTargets;
   SnapFeatures& m_features;
   std::unordered_set<Vertex> m_points;
   std::unordered_set<HalfEdge> m_edges;
@@ -76,13 +76,13 @@ class Gatherer {
 
 }  // namespace
 
-NearFeatures nearFeatures(const HalfEdgeMesh& mesh, const ContactSurface& surface, const Magnets& magnets,
+NearFeatures nearFeatures(const HalfEdgeMesh& mesh, const ContactSurface& surface, const SnapTargets& snapTargets,
                           const Vec3& place, double reach) {
   NearFeatures near;
   if (!place.allFinite() || !(reach > 0.0) || !std::isfinite(reach)) return near;
   std::vector<Face> faces;
   for (int i = 0; !collect(surface, place, reach, faces) && i < kMostHalvings; ++i) reach *= 0.5;
-  Gatherer gatherer(mesh, magnets, near.features);
+  Gatherer gatherer(mesh, snapTargets, near.features);
   for (const Face face : faces) gatherer.add(face);
   near.reach = reach;
   return near;

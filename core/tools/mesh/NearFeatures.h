@@ -20,7 +20,7 @@ struct NearFeatures {
 // Finds the features of a mesh near a place. Of the faces within the reach (mm), or within a half of it, a quarter and
 // so on if those would be too many: that a mesh has millions of faces costs nothing. The surface is that of the mesh
 // (touchableSurface). Nothing for a place or a reach that is not a number, or a reach of zero. On a worker.
-NearFeatures nearFeatures(const HalfEdgeMesh& mesh, const ContactSurface& surface, const Magnets& magnets,
+NearFeatures nearFeatures(const HalfEdgeMesh& mesh, const ContactSurface& surface, const SnapTargets& snapTargets,
                           const Vec3& place, double reach);
 
 // The mean edge length of all faces, mm; 0 without any. O(n).

@@ -33,7 +33,7 @@ SelectTool::~SelectTool() {
 }
 
 // A lasso is drawn in the air.
-Magnets SelectTool::magnets() const {
+SnapTargets SelectTool::snapTargets() const {
   if (m_settings.mode == Mode::Lasso) return {};
   return {.borderEdges = m_settings.mode == Mode::Click, .faces = true};
 }
@@ -47,7 +47,7 @@ void SelectTool::select(MeshSelection selection) {
   cancelJob();
   selection.dropDead(mesh(), m_document.defects().loops);
   m_steps.change(std::move(selection));
-  tellUpdated();
+  reportUpdated();
 }
 
 SelectTool::Combine SelectTool::combineOf(const Modifiers& modifiers) {

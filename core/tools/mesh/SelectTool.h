@@ -36,7 +36,7 @@ class SelectTool : public Tool {
   ToolPreview preview() const override;
   std::vector<Property> settings() const override { return m_settings.properties(); }
   void setSetting(std::string_view id, const PropertyValue& value) override;
-  Magnets magnets() const override;
+  SnapTargets snapTargets() const override;
   void documentChanged() override;
   std::vector<std::string> needs() const override { return {"picking"}; }
 

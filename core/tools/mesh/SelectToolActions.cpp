@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/mesh/MeshDocument.h"
 #include "mesh/selection/RegionGrowing.h"
-#include "tools/mesh/HandChanges.h"
+#include "tools/mesh/ManualMeshChanges.h"
 #include "tools/mesh/SelectTool.h"
 
 #include <QtGlobal>
@@ -97,7 +97,7 @@ void SelectTool::selectLater(const char* name, std::function<std::optional<FaceS
                       MeshSelection selection{*found, {}};
                       selection.faces.dropDead(mesh());  // it may have come of an older version
                       combine(selection, how);
-                      tellUpdated();
+                      reportUpdated();
                     });
                   }});
 }

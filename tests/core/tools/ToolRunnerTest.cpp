@@ -81,7 +81,7 @@ class Probe : public Tool {
     m_notes.calls.push_back("changed");
     m_notes.onChange();
   }
-  void tell() { tellUpdated(); }
+  void tell() { reportUpdated(); }
 
  private:
   Notes& m_notes;

@@ -21,12 +21,14 @@ class SnapshotTest : public QObject {
     const std::filesystem::path png = folder.filePath("sheet.png").toStdString();
     const QColor colour(0x00, 0x72, 0xb2);
     const HalfEdgeMesh mesh = buildMesh(sheet(kCells)).mesh;
-    QVERIFY(renderToFile(mesh, {squareLoop(0, colour)}, png, 400, 300).hasValue());
+    const Result<QImage> picture = renderPicture(mesh, {squareLoop(0, colour)}, {400, 300});
+    QVERIFY(picture.hasValue());
+    QVERIFY(savePng(*picture, png).hasValue());
     const QImage image(QString::fromStdString(png.string()));
     QCOMPARE(image.size(), QSize(400, 300));
     QVERIFY(pixelsNear(image, colour) > 300);
 
-    const Status failed = renderToFile(mesh, {}, folder.filePath("no/such/folder.png").toStdString(), 40, 30);
+    const Status failed = savePng(*picture, folder.filePath("no/such/folder.png").toStdString());
     QVERIFY(!failed);
     QCOMPARE(failed.error().code, ErrorCode::WriteFailed);
 
@@ -35,7 +37,7 @@ class SnapshotTest : public QObject {
     const std::filesystem::path link = folder.filePath("link.png").toStdString();
     QCOMPARE(mkfifo(pipe.c_str(), 0600), 0);
     std::filesystem::create_symlink("pipe", link);
-    const Status noFile = renderToFile(mesh, {}, link, 40, 30);
+    const Status noFile = savePng(*picture, link);
     QVERIFY(!noFile);
     QCOMPARE(noFile.error().code, ErrorCode::WriteFailed);
     QVERIFY(std::filesystem::is_fifo(pipe) && std::filesystem::is_symlink(link));
@@ -63,14 +65,12 @@ class SnapshotTest : public QObject {
   // Before and after a repair a part is seen from the same side.
   void loopsDoNotTurnThePicture() {
     if (qEnvironmentVariableIsEmpty("DISPLAY")) QSKIP("DISPLAY is not set: nothing can be rendered");
-    const QTemporaryDir folder;
-    const QString with = folder.filePath("with.png"), without = folder.filePath("without.png");
     const HalfEdgeMesh mesh = buildMesh(sheet(kCells)).mesh;
-    QVERIFY(renderToFile(mesh, {squareLoop(0, Qt::blue)}, with.toStdString(), 400, 300).hasValue());
-    QVERIFY(renderToFile(mesh, {}, without.toStdString(), 400, 300).hasValue());
-    const QImage a(with), b(without);
+    const Result<QImage> with = renderPicture(mesh, {squareLoop(0, Qt::blue)}, {400, 300});
+    const Result<QImage> without = renderPicture(mesh, {}, {400, 300});
+    QVERIFY(with && without);
     for (const QPoint& corner : {QPoint(0, 0), QPoint(200, 20), QPoint(20, 150), QPoint(380, 150), QPoint(200, 280)}) {
-      QCOMPARE(a.pixelColor(corner), b.pixelColor(corner));
+      QCOMPARE(with->pixelColor(corner), without->pixelColor(corner));
     }
   }
 
@@ -78,7 +78,6 @@ class SnapshotTest : public QObject {
   // colour in the middle tells from where the picture was taken.
   void pictureOfParts() {
     if (qEnvironmentVariableIsEmpty("DISPLAY")) QSKIP("DISPLAY is not set: nothing can be rendered");
-    const QTemporaryDir folder;
     const auto box = shared(boxSoup({2, 2, 2}, {-1, -1, -1}));
     DisplayModel model{{{"high", box, Pose::Identity(), {0.9f, 0.1f, 0.1f}},
                         {"front", box, Pose::Identity(), {0.1f, 0.8f, 0.1f}},
@@ -86,9 +85,8 @@ class SnapshotTest : public QObject {
     model.parts[0].pose.translation().z() = 2.5;
     model.parts[1].pose.translation().y() = -2.5;
     const auto colourFrom = [&](const Vec3& outward, int x, int y) {
-      const QString png = folder.filePath("parts.png");
-      const Status drawn = renderToFile(model, png.toStdString(), 400, 300, outward);
-      return drawn ? QImage(png).pixelColor(x, y) : QColor();
+      const Result<QImage> picture = renderPicture(model, {400, 300}, outward);
+      return picture ? picture->pixelColor(x, y) : QColor();
     };
     // Along z the picture spans y from -3.5 to 1: the red box covers its upper end. Likewise from the front.
     QVERIFY(colourFrom(Vec3(0, 0, 5), 200, 80).red() > 100);
@@ -103,11 +101,10 @@ class SnapshotTest : public QObject {
   // The triad at the lower left and the scale bar at the lower right, without an application object that has fonts.
   void pictureHasAxesAndScale() {
     if (qEnvironmentVariableIsEmpty("DISPLAY")) QSKIP("DISPLAY is not set: nothing can be rendered");
-    const QTemporaryDir folder;
-    const QString png = folder.filePath("axes.png");
     const Vec3 outward(1, 1, 1);  // all three axes point towards the viewer, and are drawn in full colour
-    QVERIFY(renderToFile({{{"box", shared(boxSoup({1, 1, 1}))}}}, png.toStdString(), 600, 400, outward).hasValue());
-    const QImage image(png);
+    const Result<QImage> picture = renderPicture({{{"box", shared(boxSoup({1, 1, 1}))}}}, {600, 400}, outward);
+    QVERIFY(picture.hasValue());
+    const QImage& image = *picture;
     for (const QColor& axis : {QColor(0xe0, 0x4b, 0x43), QColor(0x4c, 0xa8, 0x4f), QColor(0x3f, 0x7f, 0xe0)}) {
       QVERIFY(pixelsNear(image.copy(0, 280, 120, 120), axis) > 30);
     }
@@ -122,16 +119,13 @@ class SnapshotTest : public QObject {
 
   void pictureWithoutDisplayIsAnError() {
     const QByteArray display = qgetenv("DISPLAY");
-    const QTemporaryDir folder;
-    const std::string png = folder.filePath("none.png").toStdString();
     qunsetenv("DISPLAY");
-    const Status unset = renderToFile(buildMesh(sheet(2)).mesh, {}, png, 40, 30);
+    const Result<QImage> unset = renderPicture(buildMesh(sheet(2)).mesh, {}, {40, 30});
     qputenv("DISPLAY", ":9999");
-    const Status dead = renderToFile(buildMesh(sheet(2)).mesh, {}, png, 40, 30);
+    const Result<QImage> dead = renderPicture(buildMesh(sheet(2)).mesh, {}, {40, 30});
     if (!display.isEmpty()) qputenv("DISPLAY", display);
     QVERIFY(!unset && !dead);
     QCOMPARE(unset.error().code, ErrorCode::WriteFailed);
-    QVERIFY(!std::filesystem::exists(png));
   }
 };
 

@@ -113,7 +113,7 @@ class AutosaveTest : public QObject {
     QVERIFY(driver.settle());
     Document& document = driver.find<DocumentTabs>("tabRow")->current()->document;
     document.commit("recorded",
-                    std::make_unique<RecordingsEdit>(std::vector<KeptRecording>{{"0001", "a", "", 0.0, {}}}));
+                    std::make_unique<RecordingsEdit>(std::vector<StoredRecording>{{"0001", "a", "", 0.0, {}}}));
     QVERIFY(driver.window().isWindowModified());
     QVERIFY(QTest::qWaitFor(isStored, 30000));
   }

@@ -36,7 +36,7 @@ struct Bench {
   FidelityChoice choice;
   Calibrator calibrator;
 
-  Bench() : calibrator(choice, pool, usualCalibrationFile()) {}
+  Bench() : calibrator(choice, pool, defaultCalibrationFile()) {}
   ~Bench() {
     calibrator.cancel();
     pool.waitForDone();
@@ -53,8 +53,8 @@ class CalibrationWindowTest : public QObject {
   QTemporaryDir m_cache;
 
   static void keep(const std::string& bytes) {
-    std::filesystem::create_directories(usualCalibrationFile().parent_path());
-    QVERIFY(writeFileAtomically(usualCalibrationFile(), bytes));
+    std::filesystem::create_directories(defaultCalibrationFile().parent_path());
+    QVERIFY(writeFileAtomically(defaultCalibrationFile(), bytes));
   }
   static void raisePanel(WindowDriver& driver) {
     auto* dock = driver.find<QDockWidget>("fidelityDock");
@@ -67,7 +67,7 @@ class CalibrationWindowTest : public QObject {
   void initTestCase() { qputenv("XDG_CACHE_HOME", m_cache.path().toLocal8Bit()); }
   void init() {
     QSettings().remove("fidelity");
-    std::filesystem::remove(usualCalibrationFile());
+    std::filesystem::remove(defaultCalibrationFile());
   }
 
   // As soon as one setting is measured, its curve holds and is kept; cancelled, the others stay as they were.

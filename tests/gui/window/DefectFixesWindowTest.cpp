@@ -77,7 +77,7 @@ class DefectFixesWindowTest : public QObject {
     const auto height = [](std::uint32_t i, std::uint32_t j) { return Vec3(i, j, 0.02 * i * j); };
     QVERIFY(driver.open(file("sheet.stl", grid(9, 9, false, false, height))));
     QCOMPARE(driver.count(DefectKind::KeptOpen), 1);
-    driver.click("nextStep/giveBack");
+    driver.click("nextStep/thickenSheet");
     QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::KeptOpen), 0, kPatienceMs);
     QVERIFY(driver.settle());
     QCOMPARE(driver.text("stateHeadline"), "Watertight");

@@ -54,8 +54,8 @@ class ErrorTextTest : public QObject {
     QCoreApplication::installTranslator(&english);
     RepairReport report;
     QVERIFY(repairSummary(report).isEmpty());
-    report.turnedFaces = report.removedDegenerate = report.removedDuplicates = report.removedFlaps = 1;
-    report.removedDebris = report.mergedVertices = report.partedVertices = report.oneSidedCuts = 2;
+    report.reversedFaces = report.removedDegenerate = report.removedDuplicates = report.removedFlaps = 1;
+    report.removedDebris = report.mergedVertices = report.partedVertices = report.nonOrientableCuts = 2;
     report.replacedFaces = 2;
     report.lostLoops = {4};
     report.cutClusters = 3;

@@ -7,7 +7,7 @@
 #include "document/Document.h"
 #include "document/Edit.h"
 #include "window/documents/OpenDocument.h"
-#include "window/kinds/PartsUi.h"
+#include "window/kinds/RigidPartsUi.h"
 
 #include <charconv>
 #include <fstream>
@@ -111,9 +111,9 @@ class GlobeKind : public DocumentKind {
   }
 };
 
-class GlobeUi : public PartsUi {
+class GlobeUi : public RigidPartsUi {
  public:
-  GlobeUi(const WindowParts& parts, QString sample) : PartsUi(parts, {"Globe"}), m_sample(std::move(sample)) {}
+  GlobeUi(const WindowContext& parts, QString sample) : RigidPartsUi(parts, {"Globe"}), m_sample(std::move(sample)) {}
 
   std::vector<StartAction> startActions() const override {
     return {{"newGlobe", "New &globe", "Start with a globe", panelIcon()},
@@ -136,7 +136,7 @@ class GlobeUi : public PartsUi {
 // sample: a file of it.
 inline KindEntry globeEntry(const QString& sample) {
   return {std::make_unique<GlobeKind>(),
-          [sample](const WindowParts& parts) { return std::make_unique<GlobeUi>(parts, sample); }};
+          [sample](const WindowContext& parts) { return std::make_unique<GlobeUi>(parts, sample); }};
 }
 
 }  // namespace handwheel::test

@@ -187,7 +187,7 @@ std::vector<Face> DefectModel::facesOf(DefectKind kind, int row) const {
   const Defects& defects = m_inspection->document().defects();
   switch (kind) {
     case DefectKind::Flipped:
-      return {m_inspection->document().turnedFaces()[i]};
+      return {m_inspection->document().reversedFaces()[i]};
     case DefectKind::Degenerate:
       return {defects.degenerateFaces[i]};
     case DefectKind::Duplicate:

@@ -26,7 +26,7 @@ struct DefectsPanelActions {
   QAction* fill;
   QAction* keepOpen;
   QAction* preview;
-  QAction* giveBack;
+  QAction* thickenSheet;
   QAction* cutAndClose;
   QAction* fix;  // for the selection in the list
 };

@@ -75,7 +75,7 @@ std::size_t Inspection::count(DefectKind kind) const {
     case DefectKind::NearVertex:
       return defects.nearVertices.size();
     case DefectKind::Flipped:
-      return m_document.turnedFaces().size();
+      return m_document.reversedFaces().size();
     case DefectKind::Degenerate:
       return defects.degenerateFaces.size();
     case DefectKind::Duplicate:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/demo/DemoHole.h"
 
-#include "mesh/search/NearFaces.h"
+#include "mesh/search/FaceLocator.h"
 #include "panels/defects/Inspection.h"
 #include "window/mesh/UnobstructedView.h"
 
@@ -63,7 +63,7 @@ std::optional<BorderPair> DemoHole::waist(const HalfEdgeMesh& mesh, const Bounda
                     [](const auto& a, const auto& b) { return a.first < b.first; });
   for (std::size_t i = 0; i < tried; ++i) {
     const BorderPair& ends = pairs[i].second;
-    if (findBridge(NearFaces(mesh, reachOf(mesh, ends)), ends).problem == JoinProblem::None) return ends;
+    if (findBridge(FaceLocator(mesh, reachOf(mesh, ends)), ends).problem == JoinProblem::None) return ends;
   }
   return std::nullopt;
 }

@@ -51,7 +51,7 @@ HandStep rest(double seconds, std::function<bool()> isReady = {}) {
 
 }  // namespace
 
-RepairDemo::RepairDemo(const WindowParts& parts, const RepairJobs& jobs, QObject* parent)
+RepairDemo::RepairDemo(const WindowContext& parts, const RepairJobs& jobs, QObject* parent)
     : QObject(parent),
       m_parts(parts),
       m_jobs(jobs),
@@ -63,9 +63,9 @@ RepairDemo::RepairDemo(const WindowParts& parts, const RepairJobs& jobs, QObject
   m_action.setEnabled(!samplePath(kScanSample).isEmpty());
   m_stop.setObjectName(QStringLiteral("stopShow"));
   connect(&m_action, &QAction::triggered, this, &RepairDemo::start);
-  connect(&m_stop, &QAction::triggered, &m_hand, &HandDemo::stop);
-  connect(&m_hand, &HandDemo::captionChanged, this, &RepairDemo::changed);
-  connect(&m_hand, &HandDemo::ended, this, &RepairDemo::ended);
+  connect(&m_stop, &QAction::triggered, &m_hand, &ScriptedDeviceDemo::stop);
+  connect(&m_hand, &ScriptedDeviceDemo::captionChanged, this, &RepairDemo::changed);
+  connect(&m_hand, &ScriptedDeviceDemo::ended, this, &RepairDemo::ended);
 }
 
 void RepairDemo::setDocument(OpenMesh* document) {

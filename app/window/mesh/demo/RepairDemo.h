@@ -3,7 +3,7 @@
 #pragma once
 
 #include "panels/NextStepCard.h"
-#include "window/haptics/HandDemo.h"
+#include "window/haptics/ScriptedDeviceDemo.h"
 #include "window/kinds/KindUi.h"
 #include "window/mesh/demo/DemoHole.h"
 
@@ -24,7 +24,7 @@ class RepairDemo : public QObject {
   Q_OBJECT
 
  public:
-  RepairDemo(const WindowParts& parts, const RepairJobs& jobs, QObject* parent = nullptr);
+  RepairDemo(const WindowContext& parts, const RepairJobs& jobs, QObject* parent = nullptr);
 
   void setDocument(OpenMesh* document);
   QAction* action() { return &m_action; }
@@ -58,10 +58,10 @@ class RepairDemo : public QObject {
   void choose(const char* tool, const char* setting, const PropertyValue& value);
   bool shows(const char* tool, const char* setting) const;
 
-  WindowParts m_parts;
+  WindowContext m_parts;
   const RepairJobs& m_jobs;
   OpenMesh* m_document = nullptr;
-  HandDemo m_hand;
+  ScriptedDeviceDemo m_hand;
   QAction m_action;
   QAction m_stop;
   DemoHole m_hole;

@@ -43,13 +43,13 @@ Result<std::shared_ptr<MeshDeviation>> compared(const HalfEdgeMesh& mesh, const 
   found->statistics = std::move(statistics.value());
   found->atVertex = std::make_shared<const std::vector<double>>(std::move(found->statistics.ofMesh.atVertex));
   found->diagonal = found->scan->hierarchy().bounds().diagonal().norm();
-  found->scale.range = QString::number(usualRange(found->ofMesh()), 'g', 3).toDouble();  // to be read at a glance
+  found->scale.range = QString::number(defaultRange(found->ofMesh()), 'g', 3).toDouble();  // to be read at a glance
   return found;
 }
 
 }  // namespace
 
-DeviationView::DeviationView(const WindowParts& parts, QObject* parent)
+DeviationView::DeviationView(const WindowContext& parts, QObject* parent)
     : QObject(parent),
       m_parts(parts),
       m_action(icon(QStringLiteral("deviation")), tr("De&viation…"), this),

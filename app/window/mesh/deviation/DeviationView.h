@@ -21,7 +21,7 @@ class DeviationView : public QObject {
   Q_OBJECT
 
  public:
-  explicit DeviationView(const WindowParts& parts, QObject* parent = nullptr);
+  explicit DeviationView(const WindowContext& parts, QObject* parent = nullptr);
 
   QAction* action() { return &m_action; }
   DeviationPanel* panel() { return m_panel; }
@@ -51,7 +51,7 @@ class DeviationView : public QObject {
   void flyTo(const DeviationPlace& place);
   void read(const Pick& pick);
 
-  WindowParts m_parts;
+  WindowContext m_parts;
   QAction m_action;
   QPointer<DeviationPanel> m_panel;
   OpenMesh* m_document = nullptr;

@@ -72,11 +72,11 @@ std::optional<Vertex> BorderPicking::loopAt(const PickRay& pickRay) const {
   return loop ? std::optional(keyOf(m_document.mesh(), loops[*loop])) : std::nullopt;
 }
 
-std::shared_ptr<const NearFaces> BorderPicking::near() {
+std::shared_ptr<const FaceLocator> BorderPicking::near() {
   const auto faces = m_faces();
   if (!faces) return nullptr;
   if (!m_near || m_older != faces || m_revision != m_document.revision()) {
-    m_near = std::make_shared<const NearFaces>(m_document.mesh(), faces);
+    m_near = std::make_shared<const FaceLocator>(m_document.mesh(), faces);
     m_older = faces;
     m_revision = m_document.revision();
   }

@@ -30,13 +30,13 @@ class BorderPicking {
   // The key of the loop under the pointer.
   std::optional<Vertex> loopAt(const PickRay& pickRay) const;
   // Null until the first hierarchy is there. The answer holds until the document changes.
-  std::shared_ptr<const NearFaces> near();
+  std::shared_ptr<const FaceLocator> near();
 
  private:
   const MeshDocument& m_document;
   std::function<std::shared_ptr<const FaceHierarchy>()> m_faces;
   std::shared_ptr<const FaceHierarchy> m_older;
-  std::shared_ptr<const NearFaces> m_near;
+  std::shared_ptr<const FaceLocator> m_near;
   std::uint64_t m_revision = 0;
 };
 

@@ -4,7 +4,7 @@
 
 #include "document/mesh/MeshDocument.h"
 #include "tools/AxisDrag.h"
-#include "tools/mesh/HandChanges.h"
+#include "tools/mesh/ManualMeshChanges.h"
 
 #include <QtGlobal>
 #include <utility>

@@ -35,7 +35,7 @@ class BoundaryTool : public Tool {
   std::vector<Property> settings() const override;
   void setSetting(std::string_view id, const PropertyValue& value) override;
   std::vector<ForceTerm> forces() const override;
-  Magnets magnets() const override { return {.borderPoints = true, .borderEdges = true}; }
+  SnapTargets snapTargets() const override { return {.borderPoints = true, .borderEdges = true}; }
   void documentChanged() override;
   std::vector<std::string> needs() const override { return {"picking"}; }
 
@@ -45,7 +45,7 @@ class BoundaryTool : public Tool {
   // What happens to the dragged point.
   enum class Deed { Pull, Weld, Bridge };
   struct Drag {
-    std::shared_ptr<const NearFaces> near;
+    std::shared_ptr<const FaceLocator> near;
     BorderPoint held;
     VertexPull pull;
     Ray grip;                      // at the press

@@ -4,7 +4,7 @@
 #include "mesh/boundary/Islands.h"
 #include "mesh/boundary/Peninsulas.h"
 #include "tools/ToolProperty.h"
-#include "tools/mesh/HandChanges.h"
+#include "tools/mesh/ManualMeshChanges.h"
 #include "tools/mesh/boundary/BoundaryTool.h"
 
 #include <QtGlobal>
@@ -145,7 +145,7 @@ ToolReply BoundaryTool::propose(Kind kind) {
                       if (job.expired()) return;
                       m_job.reset();
                       m_proposal = found;
-                      tellUpdated();
+                      reportUpdated();
                     });
                   }});
   return ToolReply::Used;
@@ -160,7 +160,7 @@ std::function<BoundaryTool::Proposal(Progress)> BoundaryTool::workFor(Kind kind)
     if (kind == Kind::Islands) proposal.faces = findIslands(mesh, loop, loops, progress);
     if (kind == Kind::Peninsulas) proposal.faces = findPeninsulas(mesh, loop, progress);
     if (kind != Kind::Smooth) return proposal;
-    const NearFaces near(mesh, faces);
+    const FaceLocator near(mesh, faces);
     proposal.options = options;
     proposal.smoothed = smoothBorder(near, loop, options);
     HalfEdgeMesh moved = mesh;

@@ -68,7 +68,7 @@ ToolPreview BoundaryTool::preview() const {
 }
 
 // A held point pulls like a thread, the more the further it is from where it was; a point near by draws the tip. Before
-// anything is held, the magnets do.
+// anything is held, the snapTargets do.
 std::vector<ForceTerm> BoundaryTool::forces() const {
   if (!m_drag) return {};
   const Vec3& start = m_drag->pull.start();

@@ -5,7 +5,7 @@
 #include "base/NumberText.h"
 #include "base/Units.h"
 #include "document/mesh/MeshDocument.h"
-#include "tools/mesh/FillWords.h"
+#include "tools/mesh/FillOptionsText.h"
 
 #include <QtGlobal>
 #include <algorithm>

@@ -42,7 +42,7 @@ void SculptTool::start(const char* name, const char* text, std::function<Sculpte
            m_job.reset();
            m_problem = made.problem;
            if (!made.touched.empty()) take(text, made);
-           tellUpdated();
+           reportUpdated();
          });
        }});
 }
@@ -100,14 +100,14 @@ void SculptTool::stepEnded(std::uint64_t ticket) {
   } else {
     restart();  // it was given up
   }
-  tellUpdated();
+  reportUpdated();
 }
 
 // A brush may go where it pleases; but whoever holds it must know.
 void SculptTool::stepCrossed(std::size_t pairs) {
   if (pairs == 0) return;
   m_crossings += pairs;
-  tellUpdated();
+  reportUpdated();
 }
 
 // From what the document is now.

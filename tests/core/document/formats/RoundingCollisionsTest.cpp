@@ -50,7 +50,7 @@ class RoundingCollisionsTest : public QObject {
       TriangleSoup inFile = exact;
       roundPoints(inFile, NumberType::Float32);
       const TriangleSoup plain = inFile;
-      const auto parted = partCollisions(exact, inFile);
+      const auto parted = separateRoundedVertices(exact, inFile);
       RC_CLASSIFY(!parted.empty(), "vertices parted");
 
       const MeshReport before = roundingFigures(exact), welded = roundingFigures(plain),
@@ -88,10 +88,10 @@ class RoundingCollisionsTest : public QObject {
     TriangleSoup inFile = exact;
     roundPoints(inFile, NumberType::Float32);
     TriangleSoup untouched = inFile;
-    QVERIFY(!partCollisions(exact, inFile).empty());
+    QVERIFY(!separateRoundedVertices(exact, inFile).empty());
     JobState job;
     job.cancelled = true;
-    QVERIFY(partCollisions(exact, untouched, Progress(job)).empty());
+    QVERIFY(separateRoundedVertices(exact, untouched, Progress(job)).empty());
     roundPoints(exact, NumberType::Float32);
     QVERIFY(untouched.points == exact.points);
   }

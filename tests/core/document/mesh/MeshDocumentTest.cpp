@@ -240,11 +240,11 @@ class MeshDocumentTest : public QObject {
     TriangleSoup soup = sheet(2);
     std::swap(soup.triangles[5][1], soup.triangles[5][2]);
     const auto document = documentOf(soup);
-    QCOMPARE(document->turnedFaces(), std::vector<Face>{5});
+    QCOMPARE(document->reversedFaces(), std::vector<Face>{5});
     document->commit("Remove face", inspected(without(document->mesh(), 5)));
-    QCOMPARE(document->turnedFaces(), std::vector<Face>{});
+    QCOMPARE(document->reversedFaces(), std::vector<Face>{});
     document->history()->undo();
-    QCOMPARE(document->turnedFaces(), std::vector<Face>{5});
+    QCOMPARE(document->reversedFaces(), std::vector<Face>{5});
   }
 
   void savingMakesItClean() {

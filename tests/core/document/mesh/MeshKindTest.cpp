@@ -154,11 +154,11 @@ class MeshKindTest : public QObject {
     TriangleSoup soup = grid(4);
     for (std::size_t f = 0; f < 8; ++f) std::swap(soup.triangles[f][1], soup.triangles[f][2]);
     const auto document = test::meshDocument(soup);
-    QCOMPARE(document->turnedFaces().size(), std::size_t(8));
+    QCOMPARE(document->reversedFaces().size(), std::size_t(8));
     std::vector<Error> damage;
     const auto back = reloaded(*document, damage);
     QVERIFY(back.hasValue());
-    QCOMPARE(meshOf(*back).build->turnedFaces, document->turnedFaces());
+    QCOMPARE(meshOf(*back).build->reversedFaces, document->reversedFaces());
     Container container;
     kKind.save(*document->snapshot(), container);
     QVERIFY((*container.manifest)["document"]["turned_faces"] == 8);

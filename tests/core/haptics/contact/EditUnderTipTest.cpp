@@ -47,7 +47,7 @@ struct Bench {
     surface = ContactSurface(soup.points, soup.triangles);
   }
   void feel(bool isDiscontinuous) {
-    SceneFeel feel;
+    SceneHaptics feel;
     feel.surface = SurfaceFeel{surface, 0.8, 0.0, {}};
     auto scene = std::make_unique<HapticScene>();
     scene->source = std::make_unique<SceneForces>(std::move(feel));

@@ -47,8 +47,8 @@ class WorkspaceMapperTest : public QObject {
     const auto tip = mapper.map(placed({1, 2, 3}), {10, 0, 0}, 0.001);
     QVERIFY((tip.position - Vec3(106, 2, 4)).norm() < 1e-12);
     QVERIFY((tip.velocity - Vec3(0, 20, 0)).norm() < 1e-12);
-    QVERIFY(tip.hasLeapt);
-    QVERIFY(!mapper.map(placed({1, 2, 3}), Vec3::Zero(), 0.001).hasLeapt);
+    QVERIFY(tip.hasDiscontinuity);
+    QVERIFY(!mapper.map(placed({1, 2, 3}), Vec3::Zero(), 0.001).hasDiscontinuity);
   }
 
   // For a proper mapping at scale 1 the whole pose is the product of poses; turned stylus and all.
@@ -104,7 +104,7 @@ class WorkspaceMapperTest : public QObject {
       }
       held.buttons = 0;
       const auto after = mapper.map(held, Vec3::Zero(), 0.001);
-      RC_ASSERT(!after.isHeld && !after.hasLeapt);
+      RC_ASSERT(!after.isHeld && !after.hasDiscontinuity);
       RC_ASSERT((after.position - before.position).norm() <= 1e-12 * size);
       held.position += Vec3(1, 0, 0);
       const Vec3 moved = mapper.map(held, Vec3::Zero(), 0.001).position - after.position;
@@ -122,14 +122,14 @@ class WorkspaceMapperTest : public QObject {
     turned.scale = 5.0;
     mapper.setMapping(turned);
     auto tip = mapper.map(placed({1, 2, 3}), Vec3::Zero(), 0.001);
-    QVERIFY(!tip.hasLeapt);
+    QVERIFY(!tip.hasDiscontinuity);
     QVERIFY((tip.position - Vec3(1, 2, 3)).norm() < 1e-12);
     tip = mapper.map(placed({2, 2, 3}), Vec3::Zero(), 0.001);
     QVERIFY((tip.position - Vec3(1, 2, -2)).norm() < 1e-12);
     turned.keepsTip = false;
     mapper.setMapping(turned);
     tip = mapper.map(placed({2, 2, 3}), Vec3::Zero(), 0.001);
-    QVERIFY(tip.hasLeapt);
+    QVERIFY(tip.hasDiscontinuity);
     QVERIFY((tip.position - Vec3(15, 10, -10)).norm() < 1e-12);
   }
 

@@ -55,7 +55,7 @@ class SceneForcesTest : public QObject {
     for (const Vec3& from : {Vec3(0, 0, 1), Vec3(0, -1, 0), Vec3(1, 0, 0)}) {
       const Vec3 inside = Vec3::Constant(5.0) + 0.5 * from;
       const auto scene = [&] {
-        SceneFeel feel;
+        SceneHaptics feel;
         feel.surface = cubeFeel(0.5);
         feel.comesFrom = from;
         return SceneForces(std::move(feel));
@@ -78,7 +78,7 @@ class SceneForcesTest : public QObject {
   }
 
   void sumsWhatActs() {
-    SceneFeel feel;
+    SceneHaptics feel;
     feel.surface = cubeFeel(0.5);
     feel.springs = {{Vec3(5, 5, 20), 0.1}};
     SceneForces scene(std::move(feel));
@@ -92,7 +92,7 @@ class SceneForcesTest : public QObject {
 
   // A thread: k times its length against the pull, and b times the speed against the motion.
   void pullsLikeAThread() {
-    SceneFeel feel;
+    SceneHaptics feel;
     feel.springs = {{Vec3(1, 0, 0), 0.1, 0.002}};
     SceneForces scene(std::move(feel));
     const double open = std::numeric_limits<double>::infinity();
@@ -107,7 +107,7 @@ class SceneForcesTest : public QObject {
   void snapsToAFeature() {
     SnapFeatures features;
     features.addPoint(7, {0, 0, 0});
-    SceneFeel feel;
+    SceneHaptics feel;
     feel.snap = SnapFeel{SnapField(features), SnapProfile(SnapShape::Triangular, 0.4, 4.0), SnapMethod::Sum};
     SceneForces scene(std::move(feel));
     QVERIFY(isNear(feltAt(scene, {1, 0, 0}).force, {-0.4, 0, 0}));
@@ -120,7 +120,7 @@ class SceneForcesTest : public QObject {
     SnapFeatures features;
     features.addTriangle(1, {0, 0, 10}, {10, 0, 10}, {10, 10, 10});
     features.addPoint(2, {0, 0, 10});
-    SceneFeel feel;
+    SceneHaptics feel;
     feel.surface = cubeFeel(0.5);
     feel.snap = SnapFeel{SnapField(features), SnapProfile(SnapShape::Quadratic, 0.3, 2.0), SnapMethod::Proxy};
     SceneForces scene(std::move(feel));
@@ -143,7 +143,7 @@ class SceneForcesTest : public QObject {
 
   // What the loop cannot carry is softened alike, damping and springs: K <= limit (1 - B / dampingLimit).
   void isSoftenedAsAWhole() {
-    SceneFeel feel;
+    SceneHaptics feel;
     feel.surface = cubeFeel(1.5, 0.002);
     feel.springs = {{Vec3(5, 5, 20), 0.5}};
     SceneForces scene(std::move(feel));
@@ -159,7 +159,7 @@ class SceneForcesTest : public QObject {
   }
 
   void goesOnFromTheOneBefore() {
-    SceneFeel before, after;
+    SceneHaptics before, after;
     before.surface = cubeFeel(0.5);
     after.surface = before.surface;
     after.surface->surface.update(std::vector<std::uint32_t>{0}, {});  // an edit of the bottom
@@ -170,20 +170,20 @@ class SceneForcesTest : public QObject {
     const ForceOut out = feltAt(second, {5, 5, 7});
     QVERIFY(out.isContact && isNear(out.force, {0, 0, 1.5}));
     // One of another model begins at the tip, wherever that is.
-    SceneFeel other;
+    SceneHaptics other;
     other.surface = cubeFeel(0.5);
     SceneForces elsewhere(std::move(other));
     elsewhere.follow(first);
     QVERIFY(!feltAt(elsewhere, {5, 5, 7}).isContact);
     // One that follows none does so, too.
-    SceneFeel alone;
+    SceneHaptics alone;
     alone.surface = cubeFeel(0.5);
     SceneForces third(std::move(alone));
     QVERIFY(!feltAt(third, {5, 5, 7}).isContact);
   }
 
   void beginsAnewAfterALeap() {
-    SceneFeel feel;
+    SceneHaptics feel;
     feel.surface = cubeFeel(0.5);
     SceneForces scene(std::move(feel));
     feltAt(scene, {5, 5, 12});
@@ -201,7 +201,7 @@ class SceneForcesTest : public QObject {
     const Vec3 place(5, 5, 9), target(5, 7, 9);
     const SurfaceFeel surface = cubeFeel(0.5);
     const auto scene = [&](bool hasTarget) {
-      SceneFeel feel;
+      SceneHaptics feel;
       feel.surface = surface;
       feel.springs = {{Vec3(-5, 5, 9), 0.1}};
       if (hasTarget) feel.springs.push_back({target, 0.5});
@@ -226,7 +226,7 @@ class SceneForcesTest : public QObject {
   void aFeatureThatIsLetGoFades() {
     SnapFeatures features;
     features.addPoint(7, {0, 0, 0});
-    SceneFeel feel;
+    SceneHaptics feel;
     feel.snap = SnapFeel{SnapField(features), SnapProfile(SnapShape::Quadratic, 0.3, 5.0)};
     SceneForces drawn(std::move(feel));
     const Vec3 place(2.5, 0, 0);
@@ -241,7 +241,7 @@ class SceneForcesTest : public QObject {
   // and fro at 10 Hz and 5 mm.
   void exchangedScenesDoNotLag() {
     const auto scene = [] {
-      SceneFeel feel;
+      SceneHaptics feel;
       feel.springs = {{Vec3(0, 0, 0), 0.5}};
       return std::make_unique<SceneForces>(std::move(feel));
     };
@@ -260,7 +260,7 @@ class SceneForcesTest : public QObject {
 
   // A tip that comes from elsewhere has no past.
   void afterARestartNothingFades() {
-    SceneFeel feel;
+    SceneHaptics feel;
     feel.springs = {{Vec3(10, 0, 0), 0.5}};
     SceneForces before(std::move(feel));
     feltAt(before, Vec3::Zero());

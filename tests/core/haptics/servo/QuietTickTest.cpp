@@ -176,7 +176,7 @@ class QuietTickTest : public QObject {
         const Vec3 out = 0.01 * (round % 7) * soup.points[t[0]].normalized();
         const ContactTriangle lifted{{soup.points[t[0]] + out, soup.points[t[1]], soup.points[t[2]]}, id};
         surface.update({&id, 1}, {&lifted, 1});
-        SceneFeel feel;
+        SceneHaptics feel;
         feel.surface = SurfaceFeel{surface, 0.5, 0.0005, {}};
         feel.snap = SnapFeel{field, SnapProfile(SnapShape::Quadratic, 0.3, 2.0), method};
         if (round % 2 == 0) feel.springs = {{Vec3(0, 0, kBall), 0.1, 0.0005}};
@@ -235,7 +235,7 @@ class QuietTickTest : public QObject {
     Service service("servo");
     ServoLoop loop(std::make_unique<ScriptedDevice>(log), {}, clock, service);
     loop.setScene(sceneOf(wall(0.5)));
-    isSilentFor(loop, [&] { loop.announceLeap(); });
+    isSilentFor(loop, [&] { loop.announceDiscontinuity(); });
   }
 
  private:

@@ -35,7 +35,7 @@ struct ViewChangeBench {
     mapping.sceneFromView.translation() = Vec3(50, 50, 100);
   }
   std::unique_ptr<HapticScene> scene(bool isDiscontinuous) const {
-    SceneFeel feel;
+    SceneHaptics feel;
     feel.surface = SurfaceFeel{surface, mapping.sceneStiffness(kViewChangeStiffness), 0.0, {}};
     auto scene = std::make_unique<HapticScene>();
     scene->source = std::make_unique<SceneForces>(std::move(feel));

@@ -50,7 +50,7 @@ void SnapCrowdTest::shrinksToTheFirstLeftOut() {
       const double expected = distancesTo(simplices, hand)[most];
       for (const SnapShape shape : kSmoothShapes) {
         const SnapProfile profile(shape, kStiffness, kDistance);
-        const SnapPull pull = sum.step(field, profile, hand);
+        const SnapResult pull = sum.step(field, profile, hand);
         QVERIFY(!pull.isCutShort);
         QVERIFY(std::abs(pull.distance - expected) <= 1e-9);
         const Vec3 force = sumOf(simplices, shape, kStiffness, expected, hand);
@@ -72,7 +72,7 @@ void SnapCrowdTest::continuousInTheCrowd() {
     const Vec3 from = randomIn(random, 1.0), to = randomIn(random, 1.0);
     Vec3 before = sum.step(field, profile, from).force;
     for (int i = 1; i <= steps; ++i) {
-      const SnapPull pull = sum.step(field, profile, from + (to - from) * (static_cast<double>(i) / steps));
+      const SnapResult pull = sum.step(field, profile, from + (to - from) * (static_cast<double>(i) / steps));
       const double bound = 2.0 * slopeByEquation(shape) * kStiffness * most * (to - from).norm() / steps;
       QVERIFY((pull.force - before).norm() <= bound);
       QVERIFY(pull.slope <= 2.0 * slopeByEquation(shape) * kStiffness * most);
@@ -94,7 +94,7 @@ void SnapCrowdTest::continuousIntoTheCrowd() {
   QCOMPARE(before, Vec3(0, 0, 0));
   bool wasWhole = false, wasShrunk = false;
   for (int i = 1; i <= steps; ++i) {
-    const SnapPull pull = sum.step(field, profile, from + (to - from) * (static_cast<double>(i) / steps));
+    const SnapResult pull = sum.step(field, profile, from + (to - from) * (static_cast<double>(i) / steps));
     QVERIFY((pull.force - before).norm() <= 2.0 * 1.8401 * kStiffness * SnapSum::kMost * (to - from).norm() / steps);
     (pull.distance == kDistance ? wasWhole : wasShrunk) = true;
     before = pull.force;
@@ -114,7 +114,7 @@ void SnapCrowdTest::almostAtOnePlace() {
     SnapSum sum;
     for (const SnapShape shape : kSnapShapes)
       for (int i = 0; i < 100; ++i) {
-        const SnapPull pull =
+        const SnapResult pull =
             sum.step(field, SnapProfile(shape, kStiffness, kDistance), middle + randomIn(random, i % 2 ? 1.0 : 1e-7));
         QVERIFY(pull.force.allFinite());
         // Each acts over no more than what they are apart.
@@ -134,7 +134,7 @@ void SnapCrowdTest::proxyHoldsTheNearest() {
   for (int i = 0; i < 100; ++i) {
     const Vec3 hand = randomIn(random, 1.0);
     SnapProxy proxy;
-    const SnapPull pull = proxy.step(field, profile, hand);
+    const SnapResult pull = proxy.step(field, profile, hand);
     QVERIFY(std::abs((pull.proxy - hand).norm() - distancesTo(simplices, hand)[0]) <= 1e-12);
     QVERIFY((pull.proxy - simplices[proxy.held().id].corners[0]).norm() <= 1e-15);
     // It stays there: the others are further from it.

@@ -61,7 +61,7 @@ void SnapCurveTest::straightCurveIsOneSegment() {
       const Vec3 expected = sumOf(whole, shape, kSnapCurveStiffness, 2.0, hand);
       // At the border of the spring's reach rounding decides.
       if (std::abs(static_cast<double>(distanceTo(whole[0], hand)) - 2.0) < 1e-9) continue;
-      const SnapPull pull = sum.step(field, profile, hand);
+      const SnapResult pull = sum.step(field, profile, hand);
       QVERIFY((pull.force - expected).norm() <= 1e-11);
       QVERIFY(pull.slope <= profile.largestSlope());
       QCOMPARE(pull.distance, 2.0);
@@ -74,7 +74,7 @@ void SnapCurveTest::outsideOfACornerIsOnePoint() {
   SnapSum sum;
   const SnapProfile profile(SnapShape::Quadratic, kSnapCurveStiffness, 2.0);
   for (const Vec3& hand : {Vec3(-0.5, -0.4, 0.2), Vec3(-0.1, -1.2, 0.0), Vec3(-1.0, -1.0, 1.0)}) {
-    const SnapPull pull = sum.step(field, profile, hand);
+    const SnapResult pull = sum.step(field, profile, hand);
     const Vec3 expected = sumOf({point(Vec3::Zero())}, profile.shape(), kSnapCurveStiffness, 2.0, hand);
     QVERIFY((pull.force - expected).norm() <= 1e-14);
     QCOMPARE(pull.slope, profile.largestSlope());
@@ -97,7 +97,7 @@ void SnapCurveTest::circleDrawsToItself() {
       const Vec3 offset = randomIn(random, 1.0);
       const Vec3 hand = on * (1.0 + offset.x() / radius) + Vec3(0, 0, offset.y());
       const Vec3 expected = sumOf({point(on)}, shape, kSnapCurveStiffness, ls, hand);
-      const SnapPull pull = sum.step(field, profile, hand);
+      const SnapResult pull = sum.step(field, profile, hand);
       QVERIFY((pull.force - expected).norm() <= 0.02 * profile.peak());
       QCOMPARE(pull.distance, ls);
     }
@@ -135,7 +135,7 @@ void SnapCurveTest::proxySlidesAlong() {
   for (int i = 0; i <= 4000; ++i) {
     const double angle = 4.0 * M_PI * std::sin(0.001 * i);
     const Vec3 on(radius * std::cos(angle), radius * std::sin(angle), 0.0);
-    const SnapPull pull = proxy.step(field, profile, 0.96 * on + Vec3(0, 0, 0.3));
+    const SnapResult pull = proxy.step(field, profile, 0.96 * on + Vec3(0, 0, 0.3));
     QVERIFY(proxy.isHeld());
     QVERIFY((pull.proxy - on).norm() <= 0.01);
     QVERIFY(std::abs(pull.force.norm() - kSnapCurveStiffness * 0.5) <= 0.005);
@@ -155,7 +155,7 @@ void SnapCurveTest::proxyKeepsUpWithAQuickHand() {
   proxy.step(field, profile, Vec3(radius, 0, 0.5));
   for (int i = 0; i <= 500; ++i) {
     const Vec3 on(radius * std::cos(0.05 * i), radius * std::sin(0.05 * i), 0.0);
-    const SnapPull pull = proxy.step(field, profile, 1.02 * on - Vec3(0, 0, 1.2));
+    const SnapResult pull = proxy.step(field, profile, 1.02 * on - Vec3(0, 0, 1.2));
     QCOMPARE(proxy.held(), (SnapFeature{SnapKind::Curve, 0}));
     QVERIFY((pull.proxy - on).norm() <= 4e-5);  // 2 % further out moves the foot on a chord by 2 % of its half
   }

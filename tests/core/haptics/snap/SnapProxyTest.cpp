@@ -24,7 +24,7 @@ struct Play {
 
   // The number of what is held; kNone when nothing is.
   std::uint32_t at(const Vec3& hand) {
-    const SnapPull pull = proxy.step(field, kProfile, hand);
+    const SnapResult pull = proxy.step(field, kProfile, hand);
     return pull.featureCount ? pull.features[0].id : kNone;
   }
 };
@@ -60,7 +60,7 @@ void SnapProxyTest::forceByTheEquations() {
     for (const SnapShape shape : kSnapShapes) {
       const SnapProfile profile(shape, kSnapProxyStiffness, 2.0);
       SnapProxy proxy;
-      const SnapPull pull = proxy.step(field, profile, hand);
+      const SnapResult pull = proxy.step(field, profile, hand);
       RC_ASSERT((pull.force - sumOf(simplices, shape, kSnapProxyStiffness, 2.0, hand)).norm() <= 1e-8 * profile.peak());
       const auto x = static_cast<double>(distanceTo(simplices[0], hand));
       RC_ASSERT(proxy.isHeld() == (x <= 2.0));
@@ -163,7 +163,7 @@ void SnapProxyTest::slidesOverAFan() {
   for (int i = 0; i < 5000; ++i) {
     const double angle = 0.003 * i, radius = 4.0 * std::cos(0.0017 * i);
     const Vec3 foot(radius * std::cos(angle), radius * std::sin(angle), 0.0);
-    const SnapPull pull = play.proxy.step(play.field, kProfile, foot + Vec3(0, 0, 0.4));
+    const SnapResult pull = play.proxy.step(play.field, kProfile, foot + Vec3(0, 0, 0.4));
     QVERIFY((pull.proxy - foot).norm() <= 1e-9);
     QVERIFY((pull.force - Vec3(0, 0, -0.4 * kSnapProxyStiffness)).norm() <= 1e-9);
     held.insert(pull.features[0].id);

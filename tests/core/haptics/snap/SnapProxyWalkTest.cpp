@@ -94,7 +94,7 @@ void SnapProxyWalkTest::holdsWhatTheRulesSay() {
     Wanderer wanderer(random, 3.0);
     for (int i = 0; i < 300; ++i) {
       const Vec3 hand = wanderer.next();
-      const SnapPull pull = proxy.step(field, profile, hand);
+      const SnapResult pull = proxy.step(field, profile, hand);
       const auto expected = rules.step(hand);
       RC_ASSERT(proxy.isHeld() == expected.has_value());
       if (!expected) continue;
@@ -121,7 +121,7 @@ void SnapProxyWalkTest::alwaysOnAFeatureInReach() {
     Wanderer wanderer(random, 3.0);
     for (int i = 0; i < 200; ++i) {
       const Vec3 hand = wanderer.next();
-      const SnapPull pull = proxy.step(field, profile, hand);
+      const SnapResult pull = proxy.step(field, profile, hand);
       double least = 1e300;
       for (const Simplex& s : simplices) least = std::min(least, static_cast<double>(distanceTo(s, hand)));
       RC_ASSERT(proxy.isHeld() == (least <= kDistance));
@@ -147,7 +147,7 @@ void SnapProxyWalkTest::followsOverAClosedSurface() {
     const double t = 0.002 * i;
     const Vec3 direction = Vec3(std::cos(t), std::sin(t) * std::cos(0.37 * t), std::sin(t) * std::sin(0.37 * t));
     const Vec3 hand = direction * (5.3 / direction.lpNorm<1>());  // 0.17 to 0.3 mm outside
-    const SnapPull pull = proxy.step(field, profile, hand);
+    const SnapResult pull = proxy.step(field, profile, hand);
     Real least = 1e300;
     for (const Simplex& s : faces) least = std::min(least, distanceTo(s, hand));
     QVERIFY(std::abs((pull.proxy - hand).norm() - static_cast<double>(least)) <= 1e-9);

@@ -62,7 +62,7 @@ void SnapSceneTest::rimIsOneFeature() {
   const SnapProfile profile(SnapShape::Triangular, 0.5, 0.5);
   for (const Vec3& hand : {Vec3(2, -0.1, 0), Vec3(0.05, -0.1, 0), Vec3(-0.06, -0.08, 0)}) {
     QCOMPARE(heldAt(scene, hand), (SnapFeature{SnapKind::Curve, 9}));
-    const SnapPull pull = SnapSum().step(scene.field, profile, hand);
+    const SnapResult pull = SnapSum().step(scene.field, profile, hand);
     QVERIFY(std::abs(pull.force.norm() - 0.5 * 0.1) <= 1e-15);
     QCOMPARE(pull.featureCount, 1u);
   }

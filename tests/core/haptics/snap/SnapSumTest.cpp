@@ -70,7 +70,7 @@ void SnapSumTest::isTheSum() {
       const SnapProfile profile(shape, kSnapSumStiffness, 0.8 * scale);
       const Vec3 hand = middle + randomIn(random, scale);
       const Vec3 expected = sumOf(simplices, shape, kSnapSumStiffness, profile.distance(), hand);
-      const SnapPull pull = sum.step(field, profile, hand);
+      const SnapResult pull = sum.step(field, profile, hand);
       // Of a needle the nearest point is off by a share of its width, and far from the origin by what the coordinates
       // are rounded to.
       const double rounded = static_cast<double>(simplices.size()) * 0x1p-50 * hand.norm();
@@ -143,7 +143,7 @@ void SnapSumTest::slopeIsABound() {
     const Vec3 a = randomIn(random, 3.0), b = a + randomIn(random, 1e-4);
     for (const SnapShape shape : kSmoothShapes) {
       const SnapProfile profile(shape, kSnapSumStiffness, 1.5);
-      const SnapPull at = sum.step(field, profile, a), then = sum.step(field, profile, b);
+      const SnapResult at = sum.step(field, profile, a), then = sum.step(field, profile, b);
       RC_ASSERT((then.force - at.force).norm() <=
                 std::max(at.slope, then.slope) * (b - a).norm() * (1.0 + 1e-6) + 1e-15);
     }
@@ -162,7 +162,7 @@ void SnapSumTest::equalFeaturesCount() {
   SnapSum sum;
   for (const SnapShape shape : kSnapShapes) {
     const SnapProfile profile(shape, kSnapSumStiffness, 1.5);
-    const SnapPull pull = sum.step(field, profile, hand);
+    const SnapResult pull = sum.step(field, profile, hand);
     const Vec3 expected = sumOf(simplices, shape, kSnapSumStiffness, 1.5, hand);
     QVERIFY((pull.force - expected).norm() <= 1e-12 * expected.norm());
     QCOMPARE(pull.slope, 900.0 * profile.largestSlope());
@@ -177,7 +177,7 @@ void SnapSumTest::tellsWhatActs() {
     const Vec3 hand = randomIn(random, 2.0);
     const SnapProfile profile(SnapShape::Quadratic, kSnapSumStiffness, 1.5);
     SnapSum sum;
-    const SnapPull pull = sum.step(fieldOf(simplices), profile, hand);
+    const SnapResult pull = sum.step(fieldOf(simplices), profile, hand);
     std::vector<std::pair<double, std::uint32_t>> strongest;
     for (std::uint32_t i = 0; i < simplices.size(); ++i) {
       const Real x = distanceTo(simplices[i], hand);
@@ -185,7 +185,7 @@ void SnapSumTest::tellsWhatActs() {
         strongest.emplace_back(-static_cast<double>(force), i);
     }
     std::sort(strongest.begin(), strongest.end());
-    RC_ASSERT(pull.featureCount == std::min(strongest.size(), SnapPull::kShown));
+    RC_ASSERT(pull.featureCount == std::min(strongest.size(), SnapResult::kShown));
     RC_ASSERT(std::abs(pull.slope - 2.0 * kSnapSumStiffness * static_cast<double>(strongest.size())) <= 1e-9);
     for (std::uint32_t i = 0; i < pull.featureCount; ++i) {
       RC_ASSERT(pull.features[i].id == strongest[i].second);
@@ -204,7 +204,7 @@ void SnapSumTest::nothingForNothing() {
   QCOMPARE(sum.step(field, profile, Vec3(1, 1, 1)).force, Vec3(0, 0, 0));  // at the feature itself
   QCOMPARE(sum.step(field, profile, Vec3(1, 1, 1)).featureCount, 1u);
   for (const double bad : {Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity(), Limits::max(), 1e200}) {
-    const SnapPull pull = sum.step(field, profile, Vec3(1, bad, 1));
+    const SnapResult pull = sum.step(field, profile, Vec3(1, bad, 1));
     QCOMPARE(pull.force, Vec3(0, 0, 0));
     QCOMPARE(pull.slope, 0.0);
     QCOMPARE(pull.featureCount, 0u);

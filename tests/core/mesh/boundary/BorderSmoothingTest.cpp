@@ -46,7 +46,7 @@ struct Smoothed {
 
   explicit Smoothed(const TriangleSoup& soup, const SmoothingOptions& options = {}, std::size_t which = 0)
       : before(buildMesh(soup).mesh), after(before), loop(findBoundaryLoops(before).at(which)) {
-    border = smoothBorder(NearFaces(before, std::make_shared<FaceHierarchy>(before)), loop, options);
+    border = smoothBorder(FaceLocator(before, std::make_shared<FaceHierarchy>(before)), loop, options);
     if (!moveVertices(after, border.moves)) qFatal("it moves other vertices");
   }
 

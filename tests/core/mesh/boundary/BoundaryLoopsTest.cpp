@@ -105,7 +105,7 @@ class BoundaryLoopsTest : public QObject {
   void holesThatTouchAtAVertex();
   void ringOfTouchingHoles();
   void bowTie();
-  void oneSidedStrip();
+  void nonOrientableStrip();
   void wallsAreNoHoles();
   void orderOfIds();
   void promisesOnSoups();
@@ -190,7 +190,7 @@ void BoundaryLoopsTest::bowTie() {
   QCOMPARE(sortedEdgeCounts(s), std::vector<std::size_t>({3, 3}));
 }
 
-void BoundaryLoopsTest::oneSidedStrip() {
+void BoundaryLoopsTest::nonOrientableStrip() {
   const HalfEdgeMesh mesh = buildMesh(test::moebiusStrip(24, 3)).mesh;
   const std::vector<BoundaryLoop> loops = findBoundaryLoops(mesh);
   QCOMPARE(broken(mesh, loops), std::string());

@@ -90,7 +90,7 @@ void BridgingTest::aroundTheBorder() {
 void BridgingTest::splitsAHole() {
   HalfEdgeMesh mesh = buildMesh(test::plateWithHole()).mesh;
   const HalfEdgeMesh before = mesh;
-  const NearFaces near = test::nearFaces(mesh);
+  const FaceLocator near = test::nearFaces(mesh);
   const Bridge bridge = findBridge(near, between(mesh, Vec3(0, -2, 0), Vec3(0, 2, 0)));
   QCOMPARE(bridge.problem, JoinProblem::None);
   QCOMPARE(bridge.triangles.size(), std::size_t(2));
@@ -109,7 +109,7 @@ void BridgingTest::tiesAnIsland() {
   HalfEdgeMesh mesh = buildMesh(test::plateWithIsland()).mesh;
   const HalfEdgeMesh before = mesh;
   QCOMPARE(loopCount(before), std::size_t(3));
-  const NearFaces near = test::nearFaces(mesh);
+  const FaceLocator near = test::nearFaces(mesh);
   const Bridge bridge = findBridge(near, between(mesh, Vec3(-2, 0, 0), Vec3(-6, 0, 0)));
   QCOMPARE(bridge.problem, JoinProblem::None);
   QCOMPARE(addFaces(mesh, bridge.triangles, near), JoinProblem::None);
@@ -127,7 +127,7 @@ void BridgingTest::twoEdgesApart() {
 
 void BridgingTest::neighboursAndThePartBetween() {
   const HalfEdgeMesh mesh = buildMesh(test::plateWithHole()).mesh;
-  const NearFaces near = test::nearFaces(mesh);
+  const FaceLocator near = test::nearFaces(mesh);
   const auto problem = [&](const Vec3& a, const Vec3& b) { return findBridge(near, between(mesh, a, b)).problem; };
   QVERIFY(problem(Vec3(-1, -2, 0), Vec3(-1, -2, 0)) == JoinProblem::SamePoint);
   // From the hole to the outer rim, through the plate.
@@ -211,7 +211,7 @@ void BridgingTest::weldsAnIsland() {
 
 void BridgingTest::weldRefuses() {
   const HalfEdgeMesh mesh = buildMesh(test::plateWithHole()).mesh;
-  const NearFaces near = test::nearFaces(mesh);
+  const FaceLocator near = test::nearFaces(mesh);
   const auto problem = [&](const Vec3& a, const Vec3& b) { return weldBorder(near, between(mesh, a, b)).problem; };
   QVERIFY(problem(Vec3(0, 2, 0), Vec3(0, 2, 0)) == JoinProblem::SamePoint);
   QVERIFY(problem(Vec3(-2, 0, 0), Vec3(-5, 0, 0)) == JoinProblem::TurnsOver);
@@ -241,7 +241,7 @@ void BridgingTest::withinABox() {
   QVERIFY(rc::check([] {
     const HalfEdgeMesh mesh = anyMesh();
     const BorderPair ends = anyEnds(mesh);
-    const NearFaces near(mesh, reachOf(mesh, ends)), all = test::nearFaces(mesh);
+    const FaceLocator near(mesh, reachOf(mesh, ends)), all = test::nearFaces(mesh);
     const Weld weld = weldBorder(near, ends), other = weldBorder(all, ends);
     RC_ASSERT(weld.problem == other.problem);
     RC_ASSERT(weld.problem != JoinProblem::None || test::sameMesh(weld.mesh, other.mesh));

@@ -120,19 +120,19 @@ void FaceJoiningTest::olderHierarchy() {
   HalfEdgeMesh mesh = buildMesh(test::plateWithHole()).mesh;
   const auto older = std::make_shared<FaceHierarchy>(mesh);
   const Triangle ear = cornersAt(mesh, {Vec3(-2, -2, 0), Vec3(-1, -2, 0), Vec3(-2, -1, 0)});
-  QCOMPARE(addFaces(mesh, {&ear, 1}, NearFaces(mesh, older)), JoinProblem::None);
-  QCOMPARE(addFaces(mesh, {&ear, 1}, NearFaces(mesh, older)), JoinProblem::EdgeFull);
+  QCOMPARE(addFaces(mesh, {&ear, 1}, FaceLocator(mesh, older)), JoinProblem::None);
+  QCOMPARE(addFaces(mesh, {&ear, 1}, FaceLocator(mesh, older)), JoinProblem::EdgeFull);
   const Vec3 raised(-1, -2, 0.5);
   mesh.setPosition(test::vertexAt(mesh, Vec3(-1, -2, 0)), raised);
   const Triangle next = cornersAt(mesh, {Vec3(-2, -1, 0), raised, Vec3(0, -2, 0)});
   const HalfEdgeMesh before = mesh;
-  QCOMPARE(addFaces(mesh, {&next, 1}, NearFaces(mesh, older)), JoinProblem::None);
+  QCOMPARE(addFaces(mesh, {&next, 1}, FaceLocator(mesh, older)), JoinProblem::None);
   QCOMPARE(test::worse(before, mesh), std::string());
   // By the box it is the same.
   HalfEdgeMesh other = before;
   Box box;
   for (const Vertex v : next) box.extend(other.position(v));
-  QCOMPARE(addFaces(other, {&next, 1}, NearFaces(other, box)), JoinProblem::None);
+  QCOMPARE(addFaces(other, {&next, 1}, FaceLocator(other, box)), JoinProblem::None);
   QVERIFY(test::sameMesh(mesh, other));
 }
 

@@ -10,7 +10,7 @@
 
 namespace handwheel::test {
 
-inline NearFaces nearFaces(const HalfEdgeMesh& mesh) {
+inline FaceLocator nearFaces(const HalfEdgeMesh& mesh) {
   return {mesh, std::make_shared<FaceHierarchy>(mesh)};
 }
 

@@ -37,8 +37,8 @@ Vertex at(const HalfEdgeMesh& mesh, const Vec3& p) {
   return kNone;
 }
 
-std::shared_ptr<const NearFaces> near(const HalfEdgeMesh& mesh) {
-  return std::make_shared<const NearFaces>(mesh, std::make_shared<FaceHierarchy>(mesh));
+std::shared_ptr<const FaceLocator> near(const HalfEdgeMesh& mesh) {
+  return std::make_shared<const FaceLocator>(mesh, std::make_shared<FaceHierarchy>(mesh));
 }
 
 }  // namespace

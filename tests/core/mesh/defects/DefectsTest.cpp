@@ -26,7 +26,7 @@ class DefectsTest : public QObject {
   void soundShapes_data();
   void soundShapes();
   void touchingCubes();
-  void oneSided();
+  void nonOrientable();
   void threeFacesAtAnEdge();
   void badFaces();
   void nearVertices();
@@ -74,7 +74,7 @@ void DefectsTest::touchingCubes() {
 }
 
 // Around each vertex of these surfaces the faces hang together; only the mesh had to cut them, along its seams.
-void DefectsTest::oneSided() {
+void DefectsTest::nonOrientable() {
   for (const TriangleSoup& s : {test::moebiusStrip(24, 3), test::kleinBottle(20, 8)}) {
     const Defects d = defectsOf(s);
     QVERIFY(d.nonManifoldEdges.empty());

@@ -47,12 +47,12 @@ class MeshReportTest : public QObject {
   void volumeFarFromTheOrigin();
   void openShapes();
   void loops();
-  void oneSided();
+  void nonOrientable();
   void touchingCubes();
   void innerWall();
   void degenerateFaces();
   void duplicates();
-  void turnedFace();
+  void reversedFace();
   void selfIntersections();
   void cancelled();
   void empty();
@@ -112,7 +112,7 @@ void MeshReportTest::loops() {
   }
 }
 
-void MeshReportTest::oneSided() {
+void MeshReportTest::nonOrientable() {
   const MeshReport klein = reportOn(test::kleinBottle(20, 8));
   QVERIFY(klein.closed && klein.manifold && !klein.oriented && !klein.isSound());
   QVERIFY(klein.loops.empty());
@@ -171,7 +171,7 @@ void MeshReportTest::duplicates() {
   QCOMPARE(*r.selfIntersectingPairs, test::meetingPairs(s));
 }
 
-void MeshReportTest::turnedFace() {
+void MeshReportTest::reversedFace() {
   TriangleSoup s = test::icosphere(1);
   std::swap(s.triangles[9][0], s.triangles[9][1]);
   const MeshReport r = reportOn(s);

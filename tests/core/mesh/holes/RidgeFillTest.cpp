@@ -131,7 +131,7 @@ void RidgeFillTest::flatSidesStayFlat() {
   const FillAttempt attempt = HoleFiller(mesh).propose(loop, ridgeFillOnly(FillMethod::Ridge));
   QVERIFY(attempt.failure == FillFailure::None);
   QVERIFY(attempt.patch.method == FillMethod::Ridge);
-  QCOMPARE(attempt.patch.stitches.size(), std::size_t{1});
+  QCOMPARE(attempt.patch.bridges.size(), std::size_t{1});
   QVERIFY(rms(attempt.patch, test::distanceToCube) < 1e-9);
   QVERIFY(countOn(attempt.patch,
                   [](const Vec3& p) { return std::abs(p.x() - 1.0) < 1e-9 && std::abs(p.y() - 1.0) < 1e-9; }) >= 4);

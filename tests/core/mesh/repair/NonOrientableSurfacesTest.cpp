@@ -21,18 +21,18 @@ class NonOrientableSurfacesTest : public QObject {
  private slots:
   void edgesThatDisagree();
   void shortestWays();
-  void waysAreMirrors_data() { oneSided(); }
+  void waysAreMirrors_data() { nonOrientable(); }
   void waysAreMirrors();
-  void cuts_data() { oneSided(); }
+  void cuts_data() { nonOrientable(); }
   void cuts();
   void twoSidesStay();
   void closesACrossCap();
-  void closes_data() { oneSided(); }
+  void closes_data() { nonOrientable(); }
   void closes();
   void cancelled();
 
  private:
-  static void oneSided() {
+  static void nonOrientable() {
     QTest::addColumn<TriangleSoup>("soup");
     QTest::addColumn<long>("across");
     QTest::newRow("Möbius strip") << test::moebiusStrip(24, 4) << 1L;

@@ -110,7 +110,7 @@ void ObstructedHolesTest::backs() {
   const ObstructedClosings closings = closeObstructedHoles(mesh, holesOf(mesh, true), {}, 0.01);
   for (const ObstructedClosing& c : closings.holes) {
     QVERIFY(c.closed);
-    QVERIFY(c.method == FillMethod::Backed);
+    QVERIFY(c.method == FillMethod::ThickenedSheet);
   }
   QVERIFY(test::countEdges(mesh).sound());
   QCOMPARE(test::meetingPairs(mesh), std::size_t{0});

@@ -75,7 +75,7 @@ void RepairEffortTest::growsWithTheMesh() {
     const std::size_t faces = mesh.liveFaceCount();
     const RepairReport report = repair(mesh, {});
     QVERIFY(test::countEdges(mesh.compact().soup).sound());
-    for (const LoopResult& loop : report.loops) QVERIFY(loop.method == FillMethod::Backed);
+    for (const LoopResult& loop : report.loops) QVERIFY(loop.method == FillMethod::ThickenedSheet);
     QVERIFY(report.countedEffort <= repairEffort(faces));
     steps.push_back(static_cast<double>(report.countedEffort));
   }
@@ -92,7 +92,8 @@ void RepairEffortTest::passesOverAnyMeshAreAllowed() {
   QVERIFY(closings.holes[0].closed);
   QVERIFY(effort.counted() <= most);
   for (std::size_t n = 1'000; n < 1'000'000'000; n *= 10)
-    QVERIFY(repairEffort(n, tolerance::kHardHoleShare, tolerance::kObstructedHoleEffort) >= tolerance::kPassEffort * n);
+    QVERIFY(repairEffort(n, tolerance::kObstructedHoleShare, tolerance::kObstructedHoleEffort) >=
+            tolerance::kPassEffort * n);
 }
 
 void RepairEffortTest::damagedSpheres() {

@@ -93,7 +93,7 @@ void RepairTest::soundShapesStay() {
     const RepairReport report = repair(mesh, {});
     QVERIFY(test::sameMesh(mesh, input));
     QVERIFY(report.loops.empty() && report.touchedVertices.empty());
-    QCOMPARE(report.turnedFaces + report.removedDegenerate + report.removedDuplicates, std::size_t{0});
+    QCOMPARE(report.reversedFaces + report.removedDegenerate + report.removedDuplicates, std::size_t{0});
   }
 }
 
@@ -335,7 +335,7 @@ void RepairTest::coordinatesThatCannotBeCut() {
     mesh = buildMesh(bowl(60, tiny)).mesh;
     const RepairReport report = repair(mesh, {});
     QCOMPARE(report.loops.size(), std::size_t{1});
-    QVERIFY(report.loops[0].method == FillMethod::Backed);
+    QVERIFY(report.loops[0].method == FillMethod::ThickenedSheet);
     QVERIFY(test::countEdges(mesh.compact().soup).sound());
   }
 }

@@ -18,7 +18,7 @@ namespace {
 // True when face i has the corners of triangle i in the same turn, or the other one where the report says so.
 bool everyTriangleIsThere(const TriangleSoup& soup, const BuiltMesh& built) {
   if (built.mesh.faceSlots() != soup.triangles.size()) return false;
-  const std::set<Face> turned(built.report.turnedFaces.begin(), built.report.turnedFaces.end());
+  const std::set<Face> turned(built.report.reversedFaces.begin(), built.report.reversedFaces.end());
   for (Face f = 0; f < built.mesh.faceSlots(); ++f) {
     if (!built.mesh.isLive(f)) return false;
     std::array<test::Coordinates, 3> wanted, is;
@@ -45,8 +45,8 @@ class MeshBuilderTest : public QObject {
  private slots:
   void manifolds_data();
   void manifolds();
-  void oneSided_data();
-  void oneSided();
+  void nonOrientable_data();
+  void nonOrientable();
   void touchingCubes();
   void threeFacesAtAnEdge();
   void manySolidsAtOneEdge();
@@ -85,7 +85,7 @@ void MeshBuilderTest::manifolds() {
     const BuiltMesh built = buildMesh(s);
     QCOMPARE(validate(built.mesh), std::string());
     QVERIFY(everyTriangleIsThere(s, built));
-    QVERIFY(built.report.turnedFaces.empty());
+    QVERIFY(built.report.reversedFaces.empty());
     QVERIFY(built.report.splitVertices.empty());
     QCOMPARE(built.report.nonManifoldEdges, std::size_t{0});
     QCOMPARE(built.report.unpairedHalfEdges, std::size_t{0});
@@ -97,7 +97,7 @@ void MeshBuilderTest::manifolds() {
   }
 }
 
-void MeshBuilderTest::oneSided_data() {
+void MeshBuilderTest::nonOrientable_data() {
   QTest::addColumn<TriangleSoup>("soup");
   QTest::addColumn<long>("euler");
   QTest::addColumn<int>("border");
@@ -108,7 +108,7 @@ void MeshBuilderTest::oneSided_data() {
 
 // A one-sided surface is cut open along seams. A vertex inside it with s seams has s fans then, one on the border s
 // + 1.
-void MeshBuilderTest::oneSided() {
+void MeshBuilderTest::nonOrientable() {
   QFETCH(TriangleSoup, soup);
   QFETCH(long, euler);
   QFETCH(int, border);
@@ -143,7 +143,7 @@ void MeshBuilderTest::touchingCubes() {
     const BuiltMesh built = buildMesh(soup);
     QCOMPARE(validate(built.mesh), std::string());
     QVERIFY(everyTriangleIsThere(soup, built));
-    QVERIFY(built.report.turnedFaces.empty());
+    QVERIFY(built.report.reversedFaces.empty());
     QCOMPARE(built.report.splitVertices.size(), split);
     QCOMPARE(built.report.nonManifoldEdges, split - 1);
     QCOMPARE(built.report.unpairedHalfEdges, std::size_t{0});

@@ -15,7 +15,7 @@ using namespace handwheel;
 namespace {
 
 std::vector<bool> toTurn(const TriangleSoup& s) {
-  return trianglesToTurn(EdgeTable(s.triangles, s.points.size()), s.triangles);
+  return trianglesToReverse(EdgeTable(s.triangles, s.points.size()), s.triangles);
 }
 
 TriangleSoup withTurned(TriangleSoup s, const std::vector<bool>& turn) {
@@ -40,7 +40,7 @@ class OrientationTest : public QObject {
   void undoesRandomTurns();
   void turnsTheFewest();
   void eachPartOnItsOwn();
-  void oneSidedKeepsADisagreement();
+  void nonOrientableKeepsADisagreement();
   void turnedHalfEdges();
 };
 
@@ -87,7 +87,7 @@ void OrientationTest::eachPartOnItsOwn() {
   QVERIFY(toTurn(withTurned(s, turns)) == turns);
 }
 
-void OrientationTest::oneSidedKeepsADisagreement() {
+void OrientationTest::nonOrientableKeepsADisagreement() {
   for (const TriangleSoup& s : {test::moebiusStrip(12, 2), test::kleinBottle(12, 6)})
     QVERIFY(test::countEdges(withTurned(s, toTurn(s))).inconsistent > 0);
 }

@@ -42,7 +42,7 @@ void BoundaryToolTest::hoverShowsEdgeAndPoint() {
   QCOMPARE(m_tool->pointer(test::above(Kind::Hover, -1.95, 0.0)), ToolReply::Used);
   QCOMPARE(m_tool->preview().lines.size(), std::size_t(1));
   QVERIFY(m_tool->preview().circle && m_tool->preview().circle->first == Vec3(-2, 0, 0));
-  QVERIFY(m_tool->forces().empty());                      // the magnets' affair
+  QVERIFY(m_tool->forces().empty());                      // the snapTargets' affair
   m_tool->pointer(test::above(Kind::Hover, -1.95, 0.5));  // on the edge, between its points
   QVERIFY(!m_tool->preview().circle && m_tool->preview().lines.size() == 1);
   m_tool->pointer(test::above(Kind::Hover, -3.5, 0.5));

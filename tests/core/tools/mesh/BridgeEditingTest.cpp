@@ -10,14 +10,14 @@
 #include <QTest>
 
 using namespace handwheel;
-using Stitches = std::vector<Stitch>;
+using Bridges = std::vector<HoleBridge>;
 
 namespace {
 
 constexpr std::size_t kSize = 20;
 
 // Draws from point to point.
-bool draw(BridgeEditing& editing, std::uint32_t from, std::uint32_t to, const Stitches& shown) {
+bool draw(BridgeEditing& editing, std::uint32_t from, std::uint32_t to, const Bridges& shown) {
   editing.press(from);
   editing.drag(to);
   return editing.release(kSize, shown);
@@ -42,10 +42,10 @@ void BridgeEditingTest::oneMore() {
   editing.press(2);
   QVERIFY(editing.isDrawing());
   editing.drag(9);
-  QVERIFY(editing.drawn() == Stitch({2, 9}));
+  QVERIFY(editing.drawn() == HoleBridge({2, 9}));
   QVERIFY(editing.release(kSize, {{12, 18}}));
   QVERIFY(!editing.isDrawing());
-  QVERIFY(editing.own() == Stitches({{12, 18}, {2, 9}}));
+  QVERIFY(editing.own() == Bridges({{12, 18}, {2, 9}}));
   editing.reset();
   QVERIFY(editing.own().empty());
 }
@@ -53,18 +53,18 @@ void BridgeEditingTest::oneMore() {
 void BridgeEditingTest::oneLess() {
   BridgeEditing editing;
   QVERIFY(draw(editing, 9, 2, {{12, 18}, {2, 9}}));  // either way round
-  QVERIFY(editing.own() == Stitches({{12, 18}}));
+  QVERIFY(editing.own() == Bridges({{12, 18}}));
 }
 
 void BridgeEditingTest::crossingOnesGiveWay() {
   BridgeEditing editing;
   QVERIFY(draw(editing, 0, 10, {{5, 15}, {1, 4}, {11, 14}}));
-  QVERIFY(editing.own() == Stitches({{1, 4}, {11, 14}, {0, 10}}));
+  QVERIFY(editing.own() == Bridges({{1, 4}, {11, 14}, {0, 10}}));
 }
 
 void BridgeEditingTest::whatIsNoBridge() {
   BridgeEditing editing;
-  const Stitches shown = {{12, 18}};
+  const Bridges shown = {{12, 18}};
   QVERIFY(!draw(editing, 3, 3, shown));
   QVERIFY(!draw(editing, 3, 4, shown));   // an edge of the loop
   QVERIFY(!draw(editing, 0, 19, shown));  // and this one

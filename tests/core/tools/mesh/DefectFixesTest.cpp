@@ -76,7 +76,7 @@ void DefectFixesTest::oneSide() {
   for (const TriangleSoup& soup : {test::sphereWithCrossCap(2), test::kleinBottle(20, 8)}) {
     const auto document = open(soup);
     QVERIFY(!document->defects().nonOrientableEdges.empty());
-    make(*document, oneSidedFix({}));
+    make(*document, nonOrientableFix({}));
     QVERIFY(document->defects().nonOrientableEdges.empty());
     QVERIFY(test::countEdges(document->mesh()).sound());
     document->history()->undo();
@@ -163,7 +163,7 @@ void DefectFixesTest::debris() {
 void DefectFixesTest::backOfASheet() {
   const auto document = open(
       test::grid(5, 5, false, false, [](std::uint32_t i, std::uint32_t j) { return Vec3(i / 4.0, j / 4.0, 0.0); }));
-  make(*document, backFix(keysOf(*document), {}));
+  make(*document, thickenFix(keysOf(*document), {}));
   QVERIFY(test::countEdges(document->mesh()).sound());
   QVERIFY(document->defects().loops.empty());
   const double volume = test::volume(document->mesh().compact().soup), thickness = 1e-3 * M_SQRT2;
@@ -187,7 +187,7 @@ void DefectFixesTest::nothingToMend() {
   const std::uint64_t revision = document->revision();
   for (const MeshChange& change :
        {degenerateFix(), duplicateFix(), nearVertexFix(tolerance::kNearWeld), nonManifoldFix(kNumbers),
-        crossingFix(kNumbers, {}), debrisFix({}), backFix({}, {}), cutAndCloseFix(0, {})}) {
+        crossingFix(kNumbers, {}), debrisFix({}), thickenFix({}, {}), cutAndCloseFix(0, {})}) {
     make(*document, change);
     QCOMPARE(document->revision(), revision);
   }
@@ -200,7 +200,7 @@ void DefectFixesTest::saysWhatIsTooMuch() {
   const HalfEdgeMesh before = buildMesh(soup).mesh;
   const auto crossings = *findSelfIntersections(before);
   QVERIFY(!crossings.empty());
-  for (const MeshChange& change : {nonManifoldFix(kNumbers), oneSidedFix({}), crossingFix(kNumbers, crossings)}) {
+  for (const MeshChange& change : {nonManifoldFix(kNumbers), nonOrientableFix({}), crossingFix(kNumbers, crossings)}) {
     QCOMPARE(reasonOf(change), change.reason);
     HalfEdgeMesh mesh = before;
     Effort little(1'000);

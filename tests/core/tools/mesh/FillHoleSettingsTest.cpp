@@ -75,7 +75,7 @@ void FillHoleSettingsTest::bridges() {
   QVERIFY(!test::isEnabled(*m_tool, "automatic"));
   drawn();
   QVERIFY(m_tool->state() == State::Ready);
-  QCOMPARE(m_tool->attempt().patch.stitches.size(), std::size_t(1));
+  QCOMPARE(m_tool->attempt().patch.bridges.size(), std::size_t(1));
   const Patch& patch = m_tool->attempt().patch;
   const auto joins = [&](const Triangle& t) {
     int ends = 0;
@@ -85,10 +85,10 @@ void FillHoleSettingsTest::bridges() {
   QCOMPARE(std::count_if(patch.triangles.begin(), patch.triangles.end(), joins), 2);
   QVERIFY(test::isEnabled(*m_tool, "automatic"));
   drawn();
-  QVERIFY(m_tool->attempt().patch.stitches.empty());
+  QVERIFY(m_tool->attempt().patch.bridges.empty());
   drawn();
   m_tool->perform("automatic");
-  QVERIFY(m_tool->attempt().patch.stitches.empty());
+  QVERIFY(m_tool->attempt().patch.bridges.empty());
   m_tool->perform("commit");
   QVERIFY(test::countEdges(m_document->mesh()).sound());
 }

@@ -17,7 +17,7 @@ inline FillServices fillServices(MeshDocument& document, FillHoleTool*& tool) {
     FillOptions options;
     options.method = request.method;
     options.continuity = request.continuity;
-    options.stitches = request.stitches;
+    options.bridges = request.bridges;
     options.ears = request.ears;
     tool->previewReady(request.ticket, HoleFiller(document.mesh()).propose(request.loop, options));
   };

@@ -4,7 +4,7 @@
 #include "StepWork.h"
 #include "TestClass.h"
 #include "ToolEvents.h"
-#include "tools/mesh/HandChanges.h"
+#include "tools/mesh/ManualMeshChanges.h"
 #include "tools/mesh/Placement.h"
 #include "tools/mesh/sculpt/SculptTool.h"
 
@@ -132,7 +132,7 @@ void MeshStepSequencesTest::hostile() {
       "cut-and-close 0",
       "debris 7,9",
       "near-vertices 3:4,5:9 --near-weld 0.1",
-      "uncross 3:9 --numbers single",
+      "cut-crossings 3:9 --numbers single",
       "decimate --faces 100 --error 0.5 --keep-borders --keep-creases 30 --no-crossings",
       "bridge 3,99",
       "join 30,60",

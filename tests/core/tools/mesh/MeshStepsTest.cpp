@@ -10,9 +10,9 @@
 #include "ToolEvents.h"
 #include "tools/mesh/DecimateTool.h"
 #include "tools/mesh/DefectFixes.h"
-#include "tools/mesh/FillWords.h"
-#include "tools/mesh/HandChanges.h"
+#include "tools/mesh/FillOptionsText.h"
 #include "tools/mesh/MakeFaceTool.h"
+#include "tools/mesh/ManualMeshChanges.h"
 #include "tools/mesh/Placement.h"
 #include "tools/mesh/SelectTool.h"
 #include "tools/mesh/TransformTool.h"
@@ -130,7 +130,7 @@ void MeshStepsTest::bridgesOfAFill() {
   const auto n = static_cast<std::uint32_t>(work.document->defects().loops.at(0).halfEdges.size());
   FillOptions options;
   options.method = FillMethod::Minimal;
-  options.stitches = {{0, n / 2}};
+  options.bridges = {{0, n / 2}};
   QCOMPARE(work.fill(0, options), FillFailure::None);
   QVERIFY(QString::fromStdString(work.step()).contains(QString("--bridges 0:%1").arg(n / 2)));
   QCOMPARE(work.check(), std::string());
@@ -185,7 +185,7 @@ void MeshStepsTest::mending() {
   commit(crossingFix(numbers, *findSelfIntersections(work.document->mesh())));
   FillOptions options;
   options.numbers = numbers;
-  commit(oneSidedFix(options));
+  commit(nonOrientableFix(options));
   const auto& parts = work.document->defects().components;
   const auto debris = std::find_if(parts.begin(), parts.end(), [](const Component& part) { return part.debris; });
   QVERIFY(debris != parts.end());
@@ -206,7 +206,7 @@ void MeshStepsTest::backs() {
   Work sheet(test::disc(16, 4));
   FillOptions options;
   options.numbers = sheet.document->fileNumbers();
-  sheet.services().commit(backFix({sheet.key(0)}, options));
+  sheet.services().commit(thickenFix({sheet.key(0)}, options));
   QCOMPARE(sheet.check(), std::string());
 
   TriangleSoup soup = test::sphereWithoutCap(3, 0.5);

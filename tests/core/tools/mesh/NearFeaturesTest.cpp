@@ -19,9 +19,9 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr Magnets kOfPoints{.corners = true, .edges = true};
-constexpr Magnets kOfBorders{.borderPoints = true, .borderEdges = true};
-constexpr Magnets kOfFaces{.borderEdges = true, .faces = true};
+constexpr SnapTargets kOfPoints{.corners = true, .edges = true};
+constexpr SnapTargets kOfBorders{.borderPoints = true, .borderEdges = true};
+constexpr SnapTargets kOfFaces{.borderEdges = true, .faces = true};
 
 struct Felt {
   HalfEdgeMesh mesh;
@@ -31,8 +31,8 @@ struct Felt {
     HalfEdgeMesh::Compact all = mesh.compact();
     surface = touchableSurface(std::move(all.soup.points), std::move(all.soup.triangles), all.faceOf);
   }
-  NearFeatures near(const Magnets& magnets, const Vec3& place, double reach) const {
-    return nearFeatures(mesh, surface, magnets, place, reach);
+  NearFeatures near(const SnapTargets& snapTargets, const Vec3& place, double reach) const {
+    return nearFeatures(mesh, surface, snapTargets, place, reach);
   }
 };
 
@@ -139,7 +139,7 @@ class NearFeaturesTest : public QObject {
         mayMove = 0.5 * (near.reach - distance);
         ++gathered;
       }
-      const SnapPull expected = ofAll.step(all, profile, hand), pull = ofNear.step(field, profile, hand);
+      const SnapResult expected = ofAll.step(all, profile, hand), pull = ofNear.step(field, profile, hand);
       QVERIFY((pull.force - expected.force).norm() <= 1e-9 * profile.peak());
       drawn += expected.force.norm() > 0.0 ? 1 : 0;
     }

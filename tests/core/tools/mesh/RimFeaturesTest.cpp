@@ -37,7 +37,7 @@ class RimFeaturesTest : public QObject {
       for (const HalfEdge h : loop.halfEdges) {
         const Vec3 from = tube.mesh.position(tube.mesh.from(h)), to = tube.mesh.position(tube.mesh.to(h));
         proxy.release();
-        SnapPull pull = proxy.step(scene.field, profile, 1.01 * from);
+        SnapResult pull = proxy.step(scene.field, profile, 1.01 * from);
         QVERIFY(pull.features[0] == (SnapFeature{SnapKind::Point, tube.mesh.from(h)}));
         proxy.release();
         pull = proxy.step(scene.field, profile, 0.5 * (from + to) + Vec3(0, 0, 0.1));
@@ -53,7 +53,7 @@ class RimFeaturesTest : public QObject {
     const SnapProfile profile(SnapShape::Triangular, 0.3, 1.0);
     for (std::size_t i = 0; i < tube.loops.size(); ++i)
       for (const HalfEdge h : tube.loops[i].halfEdges) {
-        const SnapPull pull = proxy.step(scene.field, profile, 1.01 * tube.mesh.position(tube.mesh.from(h)));
+        const SnapResult pull = proxy.step(scene.field, profile, 1.01 * tube.mesh.position(tube.mesh.from(h)));
         QVERIFY(pull.features[0] == (SnapFeature{SnapKind::Curve, static_cast<std::uint32_t>(i)}));
       }
   }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "StepReplay.h"
-#include "tools/mesh/FillWords.h"
+#include "tools/mesh/FillOptionsText.h"
 
 namespace handwheel::test {
 

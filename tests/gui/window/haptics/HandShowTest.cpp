@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../WindowDriver.h"
 #include "../WindowTestMain.h"
-#include "window/haptics/HandDemo.h"
 #include "window/haptics/HapticSession.h"
+#include "window/haptics/ScriptedDeviceDemo.h"
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -14,10 +14,11 @@ constexpr int kWholeMs = 120000;
 
 struct ShowBench {
   WindowDriver driver;
-  HandDemo& show;
+  ScriptedDeviceDemo& show;
   HapticSession& session;
 
-  ShowBench() : show(*driver.window().findChild<HandDemo*>()), session(*driver.window().findChild<HapticSession*>()) {
+  ShowBench()
+      : show(*driver.window().findChild<ScriptedDeviceDemo*>()), session(*driver.window().findChild<HapticSession*>()) {
     show.setPace(3.0);
   }
   ~ShowBench() { session.close(); }
@@ -47,7 +48,7 @@ class HandShowTest : public QObject {
   // Smoothed, bridged, two parts filled, subdivided, pulled, the seam smoothed: seven steps, and one hole less.
   void aHoleIsRepaired() {
     ShowBench b;
-    QSignalSpy ended(&b.show, &HandDemo::ended);
+    QSignalSpy ended(&b.show, &ScriptedDeviceDemo::ended);
     b.driver.choose("watchRepair");
     QVERIFY(b.waitFor("1 of 5"));
     QVERIFY(b.session.simulatedHand());
@@ -70,7 +71,7 @@ class HandShowTest : public QObject {
     ShowBench b;
     b.session.choose("mouse", "pointer");
     QTRY_VERIFY(b.session.mouse());
-    QSignalSpy ended(&b.show, &HandDemo::ended);
+    QSignalSpy ended(&b.show, &ScriptedDeviceDemo::ended);
     b.driver.choose("watchRepair");
     QVERIFY(b.waitFor("3 of 5"));
     b.driver.find<QAction>("stopShow")->trigger();

@@ -16,8 +16,8 @@ constexpr std::int64_t kMs = 1'000'000;
 constexpr std::int64_t kHalf = 500'000;  // between two ticks, wherever they are rounded to
 
 // Two seconds at 1 kHz along x, 1 mm each tick; for some ticks the device was away.
-KeptRecording walk() {
-  KeptRecording recording{"0001", "walk", "hand", 4.0, {}};
+StoredRecording walk() {
+  StoredRecording recording{"0001", "walk", "hand", 4.0, {}};
   for (int i = 0; i <= 2000; ++i) {
     RecordedTick tick;
     tick.tick = static_cast<std::uint64_t>(i);
@@ -116,7 +116,7 @@ class PlaybackTest : public QObject {
   void whatIsNoNumberIsNotDrawn() {
     VirtualClock clock;
     Playback playback(clock);
-    KeptRecording recording{"0001", "bad", "", 0.0, {}};
+    StoredRecording recording{"0001", "bad", "", 0.0, {}};
     RecordedTick tick;
     tick.status = DeviceStatus::Ready;
     tick.tip.position = Vec3(1, 2, 3);

@@ -78,7 +78,7 @@ class RecordingWindowTest : public QObject {
     QVERIFY(b.document().isModified());
     QCOMPARE(b.list()->rowCount(), 1);
     QCOMPARE(b.list()->item(0, 0)->text(), QString("Recording 1"));
-    const KeptRecording kept = b.recordings.all().front();
+    const StoredRecording kept = b.recordings.all().front();
     QVERIFY(kept.ticks.size() > 200);
     QVERIFY(b.list()->item(0, 1)->text().startsWith(QLatin1String("0:0")));
     QCOMPARE(kept.ticks.missing(), std::uint64_t{0});

@@ -39,15 +39,15 @@ class TouchSettingsTest : public QObject {
   void init() { QSettings().clear(); }
 
   void isRemembered() {
-    QVERIFY(keptTouch() == TouchSettings());
+    QVERIFY(loadTouch() == TouchSettings());
     TouchSettings touch{TouchSettings().stiffness, 0.002, 0.7};  // which is kept elsewhere
     touch.isSnapping = false;
     touch.snapShape = SnapShape::Gaussian;
     touch.snapMethod = SnapMethod::Sum;
     touch.snapStiffness = 0.75;
     touch.hasRimCurves = true;
-    keepTouch(touch);
-    QVERIFY(keptTouch() == touch);
+    storeTouch(touch);
+    QVERIFY(loadTouch() == touch);
   }
 
   // A file that somebody has written by hand must not push: what makes no sense is not taken, the rest is.
@@ -55,14 +55,14 @@ class TouchSettingsTest : public QObject {
     for (const char* text : {"nan", "inf", "-1", "1e300", "much", ""}) {
       QSettings().setValue("haptics/touch_damping", text);
       QSettings().setValue("haptics/touch_friction", 0.25);
-      QCOMPARE(keptTouch().damping, TouchSettings().damping);
-      QCOMPARE(keptTouch().friction, 0.25);
+      QCOMPARE(loadTouch().damping, TouchSettings().damping);
+      QCOMPARE(loadTouch().friction, 0.25);
     }
     for (const char* key : {"snap_on", "snap_profile", "snap_method", "snap_stiffness", "snap_rims"})
       for (const char* text : {"nan", "-1", "17", "much", ""}) {
         QSettings().clear();
         QSettings().setValue(QStringLiteral("haptics/%1").arg(key), text);
-        QVERIFY2(keptTouch() == TouchSettings(), key);
+        QVERIFY2(loadTouch() == TouchSettings(), key);
       }
   }
 

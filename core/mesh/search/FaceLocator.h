@@ -12,12 +12,12 @@
 namespace handwheel {
 
 // A spatial search structure for the live faces of a mesh version. Faces without finite corners are never found.
-class NearFaces {
+class FaceLocator {
  public:
   // For queries within a box; without a hierarchy: O(n) to build, O(faces in the box) a query.
-  NearFaces(const HalfEdgeMesh& mesh, const Box& within);
+  FaceLocator(const HalfEdgeMesh& mesh, const Box& within);
   // By a hierarchy of this or of an older version: what changed since is tested face by face.
-  NearFaces(const HalfEdgeMesh& mesh, std::shared_ptr<const FaceHierarchy> older);
+  FaceLocator(const HalfEdgeMesh& mesh, std::shared_ptr<const FaceHierarchy> older);
 
   const HalfEdgeMesh& mesh() const { return m_mesh; }
 

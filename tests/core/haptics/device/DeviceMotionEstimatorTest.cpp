@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TestClass.h"
-#include "haptics/device/HandMotion.h"
+#include "haptics/device/DeviceMotionEstimator.h"
 
 #include <QtTest>
 #include <limits>
@@ -20,16 +20,16 @@ DeviceState at(double x, std::uint32_t reading) {
 
 }  // namespace
 
-class HandMotionTest : public QObject {
+class DeviceMotionEstimatorTest : public QObject {
   Q_OBJECT
 
  private slots:
   // A device of 1 kHz asked at 4 kHz, at 200 mm/s: the velocity is that of its readings, and holds between them.
   void onlyNewReadingsCount() {
-    HandMotion motion(0.01, {0.00025, 0.001, 0.005});
+    DeviceMotionEstimator motion(0.01, {0.00025, 0.001, 0.005});
     for (std::uint32_t i = 0; i < 400; ++i) {
       const std::uint32_t number = i / 4 + 1;
-      const HandMotion::Seen seen = motion.add(at(0.2 * number, number), 0.00025);
+      const DeviceMotionEstimator::Seen seen = motion.add(at(0.2 * number, number), 0.00025);
       QCOMPARE(seen.isNew, i % 4 == 0);
       if (i < 8) continue;
       QVERIFY((seen.velocity - Vec3(200, 0, 0)).norm() < 1e-9);
@@ -39,13 +39,13 @@ class HandMotionTest : public QObject {
 
   // What the device says of its velocity is taken, as long as it is not stale.
   void anOldVelocityIsNone() {
-    HandMotion motion(0.01, {0.001, 0.001, 0.005});
+    DeviceMotionEstimator motion(0.01, {0.001, 0.001, 0.005});
     DeviceState state = at(0.0, 1);
     state.hasVelocity = true;
     state.velocity = Vec3(0, 70, 0);
     QCOMPARE(motion.add(state, 0.001).velocity, Vec3(0, 70, 0));
     for (int i = 1; i <= 20; ++i) {
-      const HandMotion::Seen seen = motion.add(state, 0.001);
+      const DeviceMotionEstimator::Seen seen = motion.add(state, 0.001);
       QVERIFY(!seen.isNew);
       QCOMPARE(seen.velocity, i <= 5 ? Vec3(0, 70, 0) : Vec3(0, 0, 0));
     }
@@ -56,7 +56,7 @@ class HandMotionTest : public QObject {
 
   // After 50 ms of silence 10 mm on: 200 mm/s. Two readings at once: by the time that the device takes for two.
   void theTimeIsThatBetweenTheReadings() {
-    HandMotion motion(0.01, {0.001, 0.001, 0.005});
+    DeviceMotionEstimator motion(0.01, {0.001, 0.001, 0.005});
     QCOMPARE(motion.add(at(0.0, 7), 0.001).stepSpeed, 0.0);
     for (int i = 1; i < 50; ++i) motion.add(at(0.0, 7), 0.001);
     QVERIFY(std::abs(motion.add(at(10.0, 8), 0.001).stepSpeed - 200.0) < 1e-9);
@@ -70,11 +70,11 @@ class HandMotionTest : public QObject {
 
   // One that does not count is new each time.
   void withoutACountEachIsNew() {
-    HandMotion motion(0.01, {0.001, 0.001, 0.005});
+    DeviceMotionEstimator motion(0.01, {0.001, 0.001, 0.005});
     for (int i = 0; i < 30; ++i) QVERIFY(motion.add(at(1.0, 0), 0.001).isNew);
     QVERIFY(std::abs(motion.add(at(41.0, 0), 0.001).stepSpeed - 40000.0) < 1e-6);
   }
 };
 
-HANDWHEEL_TEST(HandMotionTest)
-#include "HandMotionTest.moc"
+HANDWHEEL_TEST(DeviceMotionEstimatorTest)
+#include "DeviceMotionEstimatorTest.moc"

@@ -11,13 +11,13 @@ namespace handwheel {
 class PropertyList;
 
 // Base class for documents shown as rigid parts and edited through properties. Used by robot cells and workpieces.
-class PartsUi : public KindUi {
+class RigidPartsUi : public KindUi {
   Q_OBJECT
 
  public:
   // groups: of the properties that the panel of the kind shows.
-  PartsUi(const WindowParts& parts, std::vector<std::string> groups);
-  ~PartsUi() override;
+  RigidPartsUi(const WindowContext& parts, std::vector<std::string> groups);
+  ~RigidPartsUi() override;
 
   std::unique_ptr<OpenDocument> open(std::unique_ptr<Document> document) override;
   void setDocument(OpenDocument* document) override;
@@ -29,14 +29,14 @@ class PartsUi : public KindUi {
 
  protected:
   OpenDocument* document() const { return m_document; }
-  const WindowParts& parts() const { return m_parts; }
+  const WindowContext& parts() const { return m_parts; }
   ToolDescriptor measureParts() const;
   std::vector<QAction*> panelActions() const;  // offered by the next step when the panel is hidden
 
  private:
   void show();
 
-  WindowParts m_parts;
+  WindowContext m_parts;
   std::vector<std::string> m_groups;
   QPointer<PropertyList> m_panel;
   OpenDocument* m_document = nullptr;

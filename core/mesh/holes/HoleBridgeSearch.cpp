@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/holes/HoleBridges.h"
+#include "mesh/holes/HoleBridgeSearch.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -21,12 +21,12 @@ double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
 
 }  // namespace
 
-struct HoleBridges::Ranked {
+struct HoleBridgeSearch::Ranked {
   double ratio;
-  Stitch stitch;
+  HoleBridge bridge;
 };
 
-struct HoleBridges::Piece {
+struct HoleBridgeSearch::Piece {
   std::vector<std::uint32_t> numbers;
   std::vector<Vec3> points;
   std::vector<double> along;  // the way from the first point; one more for the whole
@@ -75,10 +75,10 @@ struct HoleBridges::Piece {
   }
 };
 
-HoleBridges::HoleBridges(const HoleContext& hole, const Obstacles& obstacles)
+HoleBridgeSearch::HoleBridgeSearch(const HoleContext& hole, const Obstacles& obstacles)
     : m_hole(hole), m_obstacles(obstacles), m_edges(obstacles.edgesAmong(hole.loop())) {}
 
-std::optional<Stitch> HoleBridges::best(const std::vector<std::uint32_t>& numbers, Progress progress) const {
+std::optional<HoleBridge> HoleBridgeSearch::best(const std::vector<std::uint32_t>& numbers, Progress progress) const {
   const Piece piece(m_hole, numbers);
   const std::size_t stride = (piece.size() + kPieceSamples - 1) / kPieceSamples;
   // Each sample with the best partner, so that not all of them fail at the same obstacle.
@@ -94,15 +94,15 @@ std::optional<Stitch> HoleBridges::best(const std::vector<std::uint32_t>& number
   std::stable_sort(ranked.begin(), ranked.end(), [](const Ranked& a, const Ranked& b) { return a.ratio < b.ratio; });
   for (const Ranked& rough : ranked) {
     if (progress.cancelled()) break;
-    const Stitch s = improved(piece, rough, stride);
+    const HoleBridge s = improved(piece, rough, stride);
     if (isFree(piece, s)) return s;
   }
   return std::nullopt;
 }
 
 // The best of the points between the samples around a bridge.
-Stitch HoleBridges::improved(const Piece& piece, const Ranked& rough, std::size_t stride) const {
-  const auto [from, to] = rough.stitch;
+HoleBridge HoleBridgeSearch::improved(const Piece& piece, const Ranked& rough, std::size_t stride) const {
+  const auto [from, to] = rough.bridge;
   Ranked best = rough;
   const std::size_t reach = stride / 2;
   for (std::size_t a = from - std::min<std::size_t>(from, reach); a <= from + reach; ++a) {
@@ -111,10 +111,10 @@ Stitch HoleBridges::improved(const Piece& piece, const Ranked& rough, std::size_
       if (ratio < best.ratio) best = {ratio, {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)}};
     }
   }
-  return best.stitch;
+  return best.bridge;
 }
 
-bool HoleBridges::isFree(const Piece& piece, const Stitch& s) const {
+bool HoleBridgeSearch::isFree(const Piece& piece, const HoleBridge& s) const {
   const std::pair<std::uint32_t, std::uint32_t> edge = std::minmax(piece.numbers[s.a], piece.numbers[s.b]);
   if (std::binary_search(m_edges.begin(), m_edges.end(), edge)) return false;
   if (!piece.flat.empty() &&
@@ -126,7 +126,7 @@ bool HoleBridges::isFree(const Piece& piece, const Stitch& s) const {
 
 // True when a triangle over the bridge and one of the edges that follow it from a is clear of the surface: one of them
 // is likely in the patch.
-bool HoleBridges::hasFreeSide(const Piece& piece, std::size_t a, std::size_t b) const {
+bool HoleBridgeSearch::hasFreeSide(const Piece& piece, std::size_t a, std::size_t b) const {
   for (std::size_t c : {piece.next(a), piece.previous(b)}) {
     const TrianglePoints t{piece.points[b], piece.points[c], piece.points[a]};
     if (!isDegenerate(t) && !m_obstacles.hits(t)) return true;

@@ -28,8 +28,8 @@ DocumentKinds meshes() {
   return DocumentKinds(std::move(kinds));
 }
 
-std::vector<KeptRecording> anyRecordings() {
-  std::vector<KeptRecording> all;
+std::vector<StoredRecording> anyRecordings() {
+  std::vector<StoredRecording> all;
   for (int i = *rc::gen::inRange(0, 4); i > 0; --i) {
     const std::string name = *rc::gen::container<std::string>(rc::gen::inRange<char>(1, 127));
     all.push_back({freeKey(all), name, "device", *rc::gen::element(0.0, 3.25), anyRecording()});
@@ -49,7 +49,7 @@ Recording steady(std::size_t ticks) {
   return recording;
 }
 
-void checkSame(const std::vector<KeptRecording>& read, const std::vector<KeptRecording>& written) {
+void checkSame(const std::vector<StoredRecording>& read, const std::vector<StoredRecording>& written) {
   RC_ASSERT(read.size() == written.size());
   for (std::size_t i = 0; i < read.size(); ++i) {
     RC_ASSERT(read[i].key == written[i].key && read[i].name == written[i].name && read[i].device == written[i].device);
@@ -65,7 +65,7 @@ struct Bench {
   DocumentKinds kinds = meshes();
   std::unique_ptr<MeshDocument> document = meshDocument(tetrahedron());
 
-  void give(std::vector<KeptRecording> recordings) {
+  void give(std::vector<StoredRecording> recordings) {
     document->commit("recordings", std::make_unique<RecordingsEdit>(std::move(recordings)));
   }
   bool save() const { return saveDocument(document->kind(), document->file(), *document->snapshot(), path).hasValue(); }
@@ -82,7 +82,7 @@ struct Bench {
 }  // namespace
 
 // The recordings of a device in a document and its file.
-class KeptRecordingsTest : public QObject {
+class StoredRecordingsTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -121,12 +121,12 @@ class KeptRecordingsTest : public QObject {
 
   void keysAreNotGivenTwice() {
     QVERIFY(rc::check([] {
-      std::vector<KeptRecording> all;
+      std::vector<StoredRecording> all;
       for (int i = *rc::gen::inRange(0, 30); i > 0; --i) all.push_back({freeKey(all), {}, {}, 0.0, {}});
       if (!all.empty()) all.erase(all.begin() + *rc::gen::inRange<int>(0, static_cast<int>(all.size())));
       const std::string key = freeKey(all);
       RC_ASSERT(key.size() == 4);
-      for (const KeptRecording& each : all) RC_ASSERT(each.key != key);
+      for (const StoredRecording& each : all) RC_ASSERT(each.key != key);
     }));
     QCOMPARE(freeKey({{"9999", {}, {}, 0.0, {}}}), std::string("10000"));
   }
@@ -170,7 +170,7 @@ class KeptRecordingsTest : public QObject {
     QCOMPARE(damage.arguments[2], std::to_string(140'000 - 65'536));
     QCOMPARE(opened->file.recordings[0].ticks.missing(), std::uint64_t{65'536});
     QCOMPARE(opened->file.recordings[1].ticks.size(), std::size_t{5});
-    QVERIFY(opened->file.isPrecious());
+    QVERIFY(opened->file.wouldLoseDataOnOverwrite());
   }
 
   void whatIsLostIsTold() {
@@ -198,7 +198,7 @@ class KeptRecordingsTest : public QObject {
       RC_ASSERT(writeFileAtomically(bench.path, *writeContainer(container, Compression::Fast)).hasValue());
       const auto opened = bench.kinds.open(bench.path, {});
       RC_ASSERT(opened.hasValue());
-      for (const KeptRecording& each : opened->file.recordings) RC_ASSERT(each.forceLimit >= 0.0);
+      for (const StoredRecording& each : opened->file.recordings) RC_ASSERT(each.forceLimit >= 0.0);
     }));
   }
 
@@ -225,5 +225,5 @@ class KeptRecordingsTest : public QObject {
   }
 };
 
-HANDWHEEL_TEST(KeptRecordingsTest)
-#include "KeptRecordingsTest.moc"
+HANDWHEEL_TEST(StoredRecordingsTest)
+#include "StoredRecordingsTest.moc"

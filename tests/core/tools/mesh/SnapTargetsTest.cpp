@@ -19,7 +19,7 @@ using namespace handwheel::test;
 
 namespace {
 
-constexpr double kStiffness = 0.3, kDistance = 4.0;  // N/mm and mm: k and ls of the magnets
+constexpr double kStiffness = 0.3, kDistance = 4.0;  // N/mm and mm: k and ls of the snapTargets
 constexpr double kGrip = 0.3;                        // N/mm, of the hand
 constexpr int kTicks = 8000;                         // the loop has measured itself, the ramp is over, the hand rests
 
@@ -47,9 +47,9 @@ struct HandBench {
   }
   void feel(const Tool& tool, bool isDiscontinuous) {
     const Vec3 tip = loop->latest().tip.position;
-    SceneFeel feel;
+    SceneHaptics feel;
     feel.surface = SurfaceFeel{surface, 0.5, 0.0, {}};
-    feel.snap = SnapFeel{SnapField(nearFeatures(mesh, surface, tool.magnets(), tip, 16.0 * kDistance).features),
+    feel.snap = SnapFeel{SnapField(nearFeatures(mesh, surface, tool.snapTargets(), tip, 16.0 * kDistance).features),
                          SnapProfile(SnapShape::Quadratic, kStiffness, kDistance), SnapMethod::Proxy};
     feel.comesFrom = Vec3::UnitZ();
     auto scene = std::make_unique<HapticScene>();
@@ -71,27 +71,29 @@ double restingDistance(double d) {
 
 }  // namespace
 
-class MagnetsTest : public QObject {
+class SnapTargetsTest : public QObject {
   Q_OBJECT
 
  private slots:
   void whatToolsWant() {
     const auto document = meshDocument(plates());
     const MeshServices services = immediateServices(*document);
-    QVERIFY((BoundaryTool(*document, services).magnets() == Magnets{.borderPoints = true, .borderEdges = true}));
-    QVERIFY((MakeFaceTool(*document, services).magnets() == Magnets{.borderPoints = true}));
+    QVERIFY(
+        (BoundaryTool(*document, services).snapTargets() == SnapTargets{.borderPoints = true, .borderEdges = true}));
+    QVERIFY((MakeFaceTool(*document, services).snapTargets() == SnapTargets{.borderPoints = true}));
     SelectTool select(*document, services);
     for (const auto& [mode, wanted] :
-         {std::pair(kClick, Magnets{.borderEdges = true, .faces = true}), std::pair(kBrush, Magnets{.faces = true}),
-          std::pair(kLasso, Magnets{}), std::pair(kConnected, Magnets{.faces = true}),
-          std::pair(kAngle, Magnets{.faces = true})}) {
+         {std::pair(kClick, SnapTargets{.borderEdges = true, .faces = true}),
+          std::pair(kBrush, SnapTargets{.faces = true}), std::pair(kLasso, SnapTargets{}),
+          std::pair(kConnected, SnapTargets{.faces = true}), std::pair(kAngle, SnapTargets{.faces = true})}) {
       select.setSetting("mode", mode);
-      QVERIFY(select.magnets() == wanted);
+      QVERIFY(select.snapTargets() == wanted);
     }
     MeasureTool measure({[](const Ray&) { return std::nullopt; }, [](const SurfacePoint&) { return std::nullopt; }});
     for (const double mode : {0.0, 1.0, 2.0, 3.0}) {
       measure.setSetting("mode", mode);
-      QVERIFY(measure.magnets() == (mode < 2.0 ? Magnets{.corners = true, .edges = true} : Magnets{.faces = true}));
+      QVERIFY(measure.snapTargets() ==
+              (mode < 2.0 ? SnapTargets{.corners = true, .edges = true} : SnapTargets{.faces = true}));
     }
   }
 
@@ -162,5 +164,5 @@ class MagnetsTest : public QObject {
   }
 };
 
-HANDWHEEL_TEST(MagnetsTest)
-#include "MagnetsTest.moc"
+HANDWHEEL_TEST(SnapTargetsTest)
+#include "SnapTargetsTest.moc"

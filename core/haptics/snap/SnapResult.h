@@ -7,7 +7,7 @@
 namespace handwheel {
 
 // Result of snapping for one tick: force, proxy and acting features.
-struct SnapPull {
+struct SnapResult {
   static constexpr std::size_t kShown = 8;
 
   Vec3 force = Vec3::Zero();  // N, on the tip

@@ -11,7 +11,7 @@
 namespace handwheel {
 
 // The parameters of a haptic simulation along a path. The tip follows the path exactly, at this many ticks a second.
-struct FeelRun {
+struct HapticPathRun {
   HandPath path;
   double from = 0.0, to = 0.0;  // s
   double rate = 1000.0;         // Hz
@@ -38,6 +38,6 @@ struct FeltPath {
 // Computes the haptic forces along a path. Columns:
 // t_s,hip_x,hip_y,hip_z,proxy_x,proxy_y,proxy_z,force_x,force_y,force_z,contact,tick_us; in mm and N. The numbers are
 // the same in each run, except for tick_us. Incomplete once cancelled.
-FeltPath feel(const FeelRun& run, SceneFeel scene, Progress progress);
+FeltPath feel(const HapticPathRun& run, SceneHaptics scene, Progress progress);
 
 }  // namespace handwheel

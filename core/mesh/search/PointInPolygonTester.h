@@ -10,12 +10,12 @@
 namespace handwheel {
 
 // A closed planar polygon, divided into rows for fast point-in-polygon tests. It may intersect itself.
-class PolygonRows {
+class PointInPolygonTester {
  public:
   using Vec2 = Eigen::Vector2d;
 
   // The coordinates are finite.
-  explicit PolygonRows(std::span<const Vec2> corners);
+  explicit PointInPolygonTester(std::span<const Vec2> corners);
 
   // By the even-odd rule; of the points on an edge, those count that lie to its left or below it. O(edges of a row).
   bool contains(const Vec2& p) const;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "proximity/CrowdedFans.h"
+#include "proximity/HighValenceFans.h"
 
 #include <algorithm>
 #include <map>
@@ -47,8 +47,8 @@ bool forEachMeeting(const BoxTree& tree, std::span<const BoxedItem> items,
 
 }  // namespace
 
-CrowdedFans::CrowdedFans(std::span<const Vec3> points, std::span<const Triangle> triangles,
-                         std::span<const BoxedItem> items)
+HighValenceFans::HighValenceFans(std::span<const Vec3> points, std::span<const Triangle> triangles,
+                                 std::span<const BoxedItem> items)
     : m_points(points), m_triangles(triangles) {
   std::vector<std::uint32_t> degree(points.size(), 0);
   for (const BoxedItem& item : items)
@@ -67,7 +67,7 @@ CrowdedFans::CrowdedFans(std::span<const Vec3> points, std::span<const Triangle>
   for (auto& [v, fan] : fans) m_fans.push_back(std::move(fan));
 }
 
-std::vector<BoxedItem> CrowdedFans::arcsOf(std::span<const std::uint32_t> fan) const {
+std::vector<BoxedItem> HighValenceFans::arcsOf(std::span<const std::uint32_t> fan) const {
   std::vector<BoxedItem> arcs;
   arcs.reserve(fan.size());
   for (const std::uint32_t t : fan) {
@@ -83,7 +83,8 @@ std::vector<BoxedItem> CrowdedFans::arcsOf(std::span<const std::uint32_t> fan) c
   return arcs;
 }
 
-bool CrowdedFans::forEachPair(const std::function<bool(std::uint32_t, std::uint32_t)>& visit, Progress progress) const {
+bool HighValenceFans::forEachPair(const std::function<bool(std::uint32_t, std::uint32_t)>& visit,
+                                  Progress progress) const {
   for (const std::vector<std::uint32_t>& fan : m_fans) {
     std::vector<BoxedItem> arcs = arcsOf(fan);
     BoxTree tree;

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/mesh/HandChanges.h"
+#include "tools/mesh/ManualMeshChanges.h"
 
 #include "base/NumberText.h"
 #include "mesh/boundary/BorderWelding.h"
 #include "mesh/boundary/VertexPull.h"
-#include "tools/mesh/FillWords.h"
+#include "tools/mesh/FillOptionsText.h"
 #include "tools/mesh/boundary/BorderPicking.h"
 
 #include <QtGlobal>
@@ -64,7 +64,7 @@ MeshChange faceChange(const Triangle& face) {
                      if (!areVertices(mesh, face)) return;
                      Box box;
                      for (const Vertex v : face) box.extend(mesh.position(v));
-                     addFaces(mesh, {&face, 1}, NearFaces(mesh, box));
+                     addFaces(mesh, {&face, 1}, FaceLocator(mesh, box));
                    },
                    kEdgeChanged},
                   StepWriter("face").word(listText({face[0], face[1], face[2]})).text());
@@ -74,7 +74,7 @@ MeshChange joinChange(const BorderPair& ends) {
   return withStep({QT_TRANSLATE_NOOP("Tool", "Join points of the edge"),
                    [ends](HalfEdgeMesh& mesh, Progress) {
                      if (!areOpen(mesh, ends)) return;
-                     Weld weld = weldBorder(NearFaces(mesh, reachOf(mesh, ends)), ends);
+                     Weld weld = weldBorder(FaceLocator(mesh, reachOf(mesh, ends)), ends);
                      if (weld.problem == JoinProblem::None) mesh = std::move(weld.mesh);
                    },
                    kEdgeChanged},
@@ -85,7 +85,7 @@ MeshChange bridgeChange(const BorderPair& ends) {
   return withStep({QT_TRANSLATE_NOOP("Tool", "Lay a bridge"),
                    [ends](HalfEdgeMesh& mesh, Progress) {
                      if (!areOpen(mesh, ends)) return;
-                     const NearFaces near(mesh, reachOf(mesh, ends));
+                     const FaceLocator near(mesh, reachOf(mesh, ends));
                      addFaces(mesh, findBridge(near, ends).triangles, near);
                    },
                    kEdgeChanged},
@@ -93,14 +93,15 @@ MeshChange bridgeChange(const BorderPair& ends) {
 }
 
 MeshChange pullChange(Vertex vertex, const Vec3& place) {
-  return withStep({QT_TRANSLATE_NOOP("Tool", "Pull a point of the edge"),
-                   [vertex, place](HalfEdgeMesh& mesh, Progress) {
-                     if (vertex >= mesh.vertexSlots()) return;
-                     const Vec3& start = mesh.position(vertex);
-                     VertexPull(std::make_shared<const NearFaces>(mesh, Box(start, start)), vertex).apply(mesh, place);
-                   },
-                   kEdgeChanged},
-                  StepWriter("pull").word(std::to_string(vertex)).word(pointText(place)).text());
+  return withStep(
+      {QT_TRANSLATE_NOOP("Tool", "Pull a point of the edge"),
+       [vertex, place](HalfEdgeMesh& mesh, Progress) {
+         if (vertex >= mesh.vertexSlots()) return;
+         const Vec3& start = mesh.position(vertex);
+         VertexPull(std::make_shared<const FaceLocator>(mesh, Box(start, start)), vertex).apply(mesh, place);
+       },
+       kEdgeChanged},
+      StepWriter("pull").word(std::to_string(vertex)).word(pointText(place)).text());
 }
 
 MeshChange smoothEdgeChange(Vertex key, const SmoothingOptions& options) {
@@ -109,7 +110,7 @@ MeshChange smoothEdgeChange(Vertex key, const SmoothingOptions& options) {
   if (!options.evenly) step.option("uneven");
   return withStep({QT_TRANSLATE_NOOP("Tool", "Smooth the edge"),
                    [key, options](HalfEdgeMesh& mesh, Progress) {
-                     const NearFaces near(mesh, std::make_shared<const FaceHierarchy>(mesh));
+                     const FaceLocator near(mesh, std::make_shared<const FaceHierarchy>(mesh));
                      for (const BoundaryLoop& loop : findBoundaryLoops(mesh))
                        if (keyOf(mesh, loop) == key)
                          return (void)moveVertices(mesh, smoothBorder(near, loop, options).moves);

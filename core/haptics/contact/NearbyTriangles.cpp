@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/contact/LocalFaces.h"
+#include "haptics/contact/NearbyTriangles.h"
 
 #include "haptics/contact/LineTriangleTest.h"
 
@@ -35,7 +35,7 @@ bool isApart(const TrianglePoints& t, const Vec3& normal, const Box& box, double
 
 }  // namespace
 
-bool LocalFaces::begin(const ContactSurface& surface, const Vec3& expected) {
+bool NearbyTriangles::begin(const ContactSurface& surface, const Vec3& expected) {
   const bool isSame = m_version == surface.version();
   if (!isSame) m_box.setEmpty();
   m_surface = &surface;
@@ -47,7 +47,7 @@ bool LocalFaces::begin(const ContactSurface& surface, const Vec3& expected) {
   return isSame;
 }
 
-LocalFaces::Sweep LocalFaces::sweep(const Vec3& p, const Vec3& step) {
+NearbyTriangles::Sweep NearbyTriangles::sweep(const Vec3& p, const Vec3& step) {
   Sweep best;
   m_reach = std::max(m_reach, kLeastReach * m_skin);
   const double length = step.norm();
@@ -78,7 +78,8 @@ LocalFaces::Sweep LocalFaces::sweep(const Vec3& p, const Vec3& step) {
 }
 
 // Those whose planes the step reaches. Without a branch, as in FaceBoxes.
-std::size_t LocalFaces::facesAhead(const Vec3& p, const Vec3& step, std::array<std::uint8_t, kCapacity>& ahead) const {
+std::size_t NearbyTriangles::facesAhead(const Vec3& p, const Vec3& step,
+                                        std::array<std::uint8_t, kCapacity>& ahead) const {
   std::size_t count = 0;
   for (std::uint64_t near = m_boxes.meeting(p, step, m_skin, m_count); near != 0; near &= near - 1) {
     const int i = std::countr_zero(near);
@@ -91,7 +92,7 @@ std::size_t LocalFaces::facesAhead(const Vec3& p, const Vec3& step, std::array<s
   return count;
 }
 
-void LocalFaces::test(const Face& face, const Vec3& p, const Vec3& step, Sweep& best, double& crossing) const {
+void NearbyTriangles::test(const Face& face, const Vec3& p, const Vec3& step, Sweep& best, double& crossing) const {
   double from = face.normal.dot(p - face.corners[0]);
   double change = face.normal.dot(step);
   const bool wound = from >= 0.0;
@@ -113,7 +114,7 @@ void LocalFaces::test(const Face& face, const Vec3& p, const Vec3& step, Sweep& 
   best.face = {face.corners, wound};
 }
 
-double LocalFaces::inside(const Vec3& p, const Vec3& step) const {
+double NearbyTriangles::inside(const Vec3& p, const Vec3& step) const {
   if (!m_box.contains(p)) return 0.0;
   double share = 1.0;
   for (int k = 0; k < 3; ++k) {
@@ -124,7 +125,7 @@ double LocalFaces::inside(const Vec3& p, const Vec3& step) const {
   return share;
 }
 
-void LocalFaces::lookUpAround(const Vec3& p, const Vec3& way) {
+void NearbyTriangles::lookUpAround(const Vec3& p, const Vec3& way) {
   m_hasLooked = true;
   const double length = way.norm();
   const double least = kLeastReach * m_skin;
@@ -145,7 +146,7 @@ void LocalFaces::lookUpAround(const Vec3& p, const Vec3& way) {
                               : m_reach * std::clamp(std::sqrt(kUsualFaces / static_cast<double>(m_count)), 0.5, 2.0);
 }
 
-bool LocalFaces::gather(Test test) {
+bool NearbyTriangles::gather(Test test) {
   m_count = 0;
   m_boxes.clear(m_box);
   return m_surface->forEachInBox(m_box, [&](const ContactTriangle& t) {

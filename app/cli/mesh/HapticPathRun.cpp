@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/mesh/FeelRun.h"
+#include "cli/mesh/HapticPathRun.h"
 
 #include "base/NumberText.h"
 #include "base/ThreadClock.h"
@@ -25,12 +25,12 @@ double quantile(std::vector<double>& values, double share) {
 
 }  // namespace
 
-std::size_t FeelRun::ticks() const {
+std::size_t HapticPathRun::ticks() const {
   // A path of whole periods ends with a tick although its times were rounded to decimals.
   return static_cast<std::size_t>(std::floor((to - from) * rate + 1e-6)) + 1;
 }
 
-FeltPath feel(const FeelRun& run, SceneFeel scene, Progress progress) {
+FeltPath feel(const HapticPathRun& run, SceneHaptics scene, Progress progress) {
   SceneForces forces(std::move(scene));
   FeltPath felt;
   felt.csv = "t_s,hip_x,hip_y,hip_z,proxy_x,proxy_y,proxy_z,force_x,force_y,force_z,contact,tick_us\n";

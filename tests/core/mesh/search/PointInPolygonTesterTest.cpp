@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TestClass.h"
-#include "mesh/search/PolygonRows.h"
+#include "mesh/search/PointInPolygonTester.h"
 
 #include <rapidcheck.h>
 
@@ -11,7 +11,7 @@
 
 using namespace handwheel;
 
-class PolygonRowsTest : public QObject {
+class PointInPolygonTesterTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -36,14 +36,14 @@ bool windsOddly(const std::vector<Vec2>& polygon, const Vec2& p) {
 
 }  // namespace
 
-void PolygonRowsTest::agreesWithTheWindingNumber() {
+void PointInPolygonTesterTest::agreesWithTheWindingNumber() {
   QVERIFY(rc::check([] {
     std::mt19937 random(*rc::gen::arbitrary<unsigned>());
     std::uniform_real_distribution<double> place(-1.0, 1.0);
     const double scale = *rc::gen::element(1e-100, 1.0, 1e6);
     std::vector<Vec2> polygon(*rc::gen::inRange<std::size_t>(0, 300));
     for (Vec2& p : polygon) p = scale * Vec2(place(random), place(random));
-    const PolygonRows rows(polygon);
+    const PointInPolygonTester rows(polygon);
     for (int i = 0; i < 50; ++i) {
       const Vec2 p = 1.1 * scale * Vec2(place(random), place(random));
       RC_ASSERT(rows.contains(p) == windsOddly(polygon, p));
@@ -52,8 +52,8 @@ void PolygonRowsTest::agreesWithTheWindingNumber() {
 }
 
 // Each lattice point, corner of four squares, lies in exactly one of them.
-void PolygonRowsTest::tilesShareTheirEdges() {
-  std::vector<PolygonRows> tiles;
+void PointInPolygonTesterTest::tilesShareTheirEdges() {
+  std::vector<PointInPolygonTester> tiles;
   for (int x = 0; x < 4; ++x)
     for (int y = 0; y < 4; ++y) tiles.emplace_back(std::vector<Vec2>{{x, y}, {x + 1, y}, {x + 1, y + 1}, {x, y + 1}});
   for (double x = 0.5; x < 4.0; x += 0.5)
@@ -61,18 +61,18 @@ void PolygonRowsTest::tilesShareTheirEdges() {
       QCOMPARE(std::count_if(tiles.begin(), tiles.end(), [&](const auto& t) { return t.contains(Vec2(x, y)); }), 1);
 }
 
-void PolygonRowsTest::extremes() {
+void PointInPolygonTesterTest::extremes() {
   const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
-  QVERIFY(!PolygonRows({}).contains(Vec2(0, 0)));
-  QVERIFY(!PolygonRows(std::vector<Vec2>(5, Vec2(1, 1))).contains(Vec2(1, 1)));
-  QVERIFY(!PolygonRows(std::vector<Vec2>{{0, 0}, {1, 0}, {2, 0}}).contains(Vec2(1, 0)));
-  const PolygonRows square(std::vector<Vec2>{{0, 0}, {1, 0}, {1, 1}, {0, 1}});
+  QVERIFY(!PointInPolygonTester({}).contains(Vec2(0, 0)));
+  QVERIFY(!PointInPolygonTester(std::vector<Vec2>(5, Vec2(1, 1))).contains(Vec2(1, 1)));
+  QVERIFY(!PointInPolygonTester(std::vector<Vec2>{{0, 0}, {1, 0}, {2, 0}}).contains(Vec2(1, 0)));
+  const PointInPolygonTester square(std::vector<Vec2>{{0, 0}, {1, 0}, {1, 1}, {0, 1}});
   for (const Vec2& p : {Vec2(nan, 0.5), Vec2(0.5, nan), Vec2(0.5, inf), Vec2(0.5, -inf), Vec2(inf, 0.5)})
     QVERIFY(!square.contains(p));
   const double huge = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();
-  QVERIFY(PolygonRows(std::vector<Vec2>{{-1, -huge}, {1, -huge}, {1, huge}, {-1, huge}}).contains(Vec2(0, 0)));
-  QVERIFY(PolygonRows(std::vector<Vec2>{{-1, 0}, {1, 0}, {1, least}, {-1, least}}).contains(Vec2(0, 0)));
+  QVERIFY(PointInPolygonTester(std::vector<Vec2>{{-1, -huge}, {1, -huge}, {1, huge}, {-1, huge}}).contains(Vec2(0, 0)));
+  QVERIFY(PointInPolygonTester(std::vector<Vec2>{{-1, 0}, {1, 0}, {1, least}, {-1, least}}).contains(Vec2(0, 0)));
 }
 
-HANDWHEEL_TEST(PolygonRowsTest)
-#include "PolygonRowsTest.moc"
+HANDWHEEL_TEST(PointInPolygonTesterTest)
+#include "PointInPolygonTesterTest.moc"

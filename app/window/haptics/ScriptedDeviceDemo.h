@@ -31,12 +31,12 @@ struct HandStep {
 
 // Plays a scripted demonstration with the simulated haptic device. Its tip is moved through space and its buttons are
 // pressed, so that everything between the servo loop and the tools works as with a real device. Window thread.
-class HandDemo : public QObject {
+class ScriptedDeviceDemo : public QObject {
   Q_OBJECT
 
  public:
-  HandDemo(HapticSession& session, Viewport& viewport, QObject* parent = nullptr);
-  ~HandDemo() override;
+  ScriptedDeviceDemo(HapticSession& session, Viewport& viewport, QObject* parent = nullptr);
+  ~ScriptedDeviceDemo() override;
 
   // Starts the demonstration with the simulated device. The device in use before is opened again at the end.
   void start(std::vector<HandStep> steps);

@@ -23,10 +23,10 @@ std::string_view wordFor(NumberType numbers);  // "single"
 NumberType readNumbers(StepReader& reader, const MeshDocument& document);
 
 // Writes fill options to a step: --fill, --numbers, and what is not the default.
-void addFillWords(StepWriter& step, const FillOptions& options);
+void addFillOptions(StepWriter& step, const FillOptions& options);
 // Reads fill options from a step. loopSize: of the loop that is filled, between whose points bridges may run; 0: no
 // bridges.
-FillOptions readFillWords(StepReader& reader, const MeshDocument& document, std::size_t loopSize = 0);
+FillOptions readFillOptions(StepReader& reader, const MeshDocument& document, std::size_t loopSize = 0);
 
 // The loops that are not filled or repaired, because the user wants them open. Returned as the corners of the loops, or
 // as their ids. Rims are not among them.

@@ -9,14 +9,15 @@ namespace handwheel {
 
 // Computes the velocity and speed of a device from its readings. The loop may poll more often than the device delivers
 // readings. Servo thread; does not allocate.
-class HandMotion {
+class DeviceMotionEstimator {
  public:
   struct Periods {  // s
     double loop = 0.001;
     double device = 0.001;  // from one of its readings to the next
     double stale = 0.005;   // how long the last one is valid
   };
-  HandMotion(double velocityWindow, const Periods& periods) : m_estimator(velocityWindow), m_periods(periods) {}
+  DeviceMotionEstimator(double velocityWindow, const Periods& periods)
+      : m_estimator(velocityWindow), m_periods(periods) {}
 
   // Result for one reading.
   struct Seen {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "window/kinds/PartsUi.h"
+#include "window/kinds/RigidPartsUi.h"
 
 #include "tools/MeasureTool.h"
 #include "viewport/Viewport.h"
@@ -12,21 +12,21 @@
 
 namespace handwheel {
 
-PartsUi::PartsUi(const WindowParts& parts, std::vector<std::string> groups)
+RigidPartsUi::RigidPartsUi(const WindowContext& parts, std::vector<std::string> groups)
     : m_parts(parts), m_groups(std::move(groups)), m_panel(new PropertyList(parts.window)) {
   connectEdits(
       *m_panel, [this] { return m_document ? &m_document->document : nullptr; }, this);
 }
 
-PartsUi::~PartsUi() {
+RigidPartsUi::~RigidPartsUi() {
   setDocument(nullptr);
 }
 
-std::unique_ptr<OpenDocument> PartsUi::open(std::unique_ptr<Document> document) {
+std::unique_ptr<OpenDocument> RigidPartsUi::open(std::unique_ptr<Document> document) {
   return std::make_unique<OpenDocument>(std::move(document), *this);
 }
 
-void PartsUi::setDocument(OpenDocument* document) {
+void RigidPartsUi::setDocument(OpenDocument* document) {
   if (m_document) {
     m_document->camera = m_parts.viewport.camera();
     m_document->document.disconnect(this);
@@ -34,7 +34,7 @@ void PartsUi::setDocument(OpenDocument* document) {
   }
   m_document = document;
   if (!document) return;
-  connect(&document->document, &Document::changed, this, &PartsUi::show);
+  connect(&document->document, &Document::changed, this, &RigidPartsUi::show);
   show();
   if (document->camera) {
     m_parts.viewport.setCamera(*document->camera);
@@ -43,19 +43,19 @@ void PartsUi::setDocument(OpenDocument* document) {
   }
 }
 
-void PartsUi::refreshVisibility() {
+void RigidPartsUi::refreshVisibility() {
   if (m_document) show();
 }
 
-QWidget* PartsUi::panel() {
+QWidget* RigidPartsUi::panel() {
   return m_panel;
 }
 
-std::vector<Hint> PartsUi::hints() {
+std::vector<Hint> RigidPartsUi::hints() {
   return m_parts.tools.hints();
 }
 
-ToolDescriptor PartsUi::measureParts() const {
+ToolDescriptor RigidPartsUi::measureParts() const {
   const auto pick = [&viewport = m_parts.viewport](const Ray& ray) -> std::optional<SurfacePoint> {
     const Pick hit = viewport.pickAlong(ray.origin, ray.direction);
     return hit.isNothing() ? std::nullopt : std::optional(SurfacePoint{hit.point});
@@ -63,12 +63,12 @@ ToolDescriptor PartsUi::measureParts() const {
   return measureOffer([pick] { return std::make_unique<MeasureTool>(MeasureServices{pick, {}}); });
 }
 
-std::vector<QAction*> PartsUi::panelActions() const {
+std::vector<QAction*> RigidPartsUi::panelActions() const {
   if (m_parts.isPanelVisible()) return {};
   return {m_parts.showPanel};
 }
 
-void PartsUi::show() {
+void RigidPartsUi::show() {
   const Document& document = m_document->document;
   if (m_document->visible) {
     m_parts.viewport.setParts(document.kind().display(*document.snapshot()));

@@ -15,13 +15,13 @@ namespace handwheel {
 // Fans of very many triangles around a vertex, for intersection search. In a fan of n their boxes all meet at the
 // vertex, so n² pairs would have to be tested. Triangles that share no more than this corner meet elsewhere exactly
 // when the arcs meet that they cut out of a sphere around it; the arcs are boxed instead.
-class CrowdedFans {
+class HighValenceFans {
  public:
   static constexpr std::uint32_t kCrowd = 64;  // the most triangles of an ordinary fan
 
-  CrowdedFans() = default;
+  HighValenceFans() = default;
   // Finds the fans of the triangles of these items, which have area. Each is in one fan at most. O(n).
-  CrowdedFans(std::span<const Vec3> points, std::span<const Triangle> triangles, std::span<const BoxedItem> items);
+  HighValenceFans(std::span<const Vec3> points, std::span<const Triangle> triangles, std::span<const BoxedItem> items);
 
   bool empty() const { return m_fanOf.empty(); }
   // The vertex of a triangle's fan; kNone when it is in none.

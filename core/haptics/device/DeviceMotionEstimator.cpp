@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/device/HandMotion.h"
+#include "haptics/device/DeviceMotionEstimator.h"
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@ namespace {
 constexpr std::uint32_t kLargestBunch = 8;  // readings at once; more were not counted but started anew
 }
 
-HandMotion::Seen HandMotion::add(const DeviceState& state, double period) {
+DeviceMotionEstimator::Seen DeviceMotionEstimator::add(const DeviceState& state, double period) {
   m_time += period;
   Seen seen;
   seen.isNew = !m_hasReading || state.reading == 0 || state.reading != m_number;
@@ -27,13 +27,13 @@ HandMotion::Seen HandMotion::add(const DeviceState& state, double period) {
   return seen;
 }
 
-double HandMotion::stepSpeed(const DeviceState& state) const {
+double DeviceMotionEstimator::stepSpeed(const DeviceState& state) const {
   const std::uint32_t bunch = state.reading == 0 ? 1 : std::min(state.reading - m_number, kLargestBunch);
   const double least = std::max(m_periods.loop, bunch * m_periods.device);
   return (state.position - m_position).norm() / std::max(m_time, least);
 }
 
-void HandMotion::reset() {
+void DeviceMotionEstimator::reset() {
   m_estimator.reset();
   m_velocity.setZero();
   m_time = 0.0;

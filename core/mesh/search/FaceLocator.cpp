@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/search/NearFaces.h"
+#include "mesh/search/FaceLocator.h"
 
 #include "mesh/search/IncrementalHierarchy.h"
 #include "mesh/structure/MeshDelta.h"
@@ -9,18 +9,18 @@
 
 namespace handwheel {
 
-NearFaces::NearFaces(const HalfEdgeMesh& mesh, const Box& within) : m_mesh(mesh) {
+FaceLocator::FaceLocator(const HalfEdgeMesh& mesh, const Box& within) : m_mesh(mesh) {
   for (Face f = 0; f < mesh.faceSlots(); ++f)
     if (mesh.isLive(f) && boxOf(mesh.points(f)).intersects(within)) m_listed.insert(f);
 }
 
-NearFaces::NearFaces(const HalfEdgeMesh& mesh, std::shared_ptr<const FaceHierarchy> older)
+FaceLocator::FaceLocator(const HalfEdgeMesh& mesh, std::shared_ptr<const FaceHierarchy> older)
     : m_mesh(mesh), m_older(std::move(older)) {
   const std::vector<Face> touched = MeshDelta::between(m_older->mesh(), mesh).touchedFaces(m_older->mesh());
   m_listed.insert(touched.begin(), touched.end());
 }
 
-bool NearFaces::forEachInBox(const Box& box, const std::function<bool(Face)>& visit) const {
+bool FaceLocator::forEachInBox(const Box& box, const std::function<bool(Face)>& visit) const {
   const auto visitLive = [&](Face f) {
     if (f >= m_mesh.faceSlots() || !m_mesh.isLive(f)) return true;
     return !boxOf(m_mesh.points(f)).intersects(box) || visit(f);
@@ -30,7 +30,7 @@ bool NearFaces::forEachInBox(const Box& box, const std::function<bool(Face)>& vi
   return !m_older || m_older->forEachInBox(box, [&](Face f) { return m_listed.contains(f) || visitLive(f); });
 }
 
-std::vector<HalfEdge> NearFaces::leaving(const Vec3& p) const {
+std::vector<HalfEdge> FaceLocator::leaving(const Vec3& p) const {
   std::vector<HalfEdge> result;
   forEachInBox(Box(p, p), [&](Face f) {
     if (!m_mesh.isProper(f)) return true;

@@ -9,7 +9,7 @@
 namespace handwheel {
 
 // A haptic recording that is stored in a document. A copy shares the ticks.
-struct KeptRecording {
+struct StoredRecording {
   std::string key;          // four digits or more, unique in the document, never changes
   std::string name;         // as the user calls it
   std::string device;       // the name of the device; empty: not known

@@ -13,7 +13,7 @@ namespace handwheel {
 
 // Cache of the triangles near the proxy, for repeated sweep tests. They are looked up once and then tested many times,
 // over several ticks. Servo thread; fixed memory.
-class LocalFaces {
+class NearbyTriangles {
  public:
   // Begins a tick. expected: the predicted path of the proxy from its first position; the next look-up covers it, so
   // that one look-up is usually enough. Returns false if the surface is not that of the previous tick: then what was

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "window/haptics/HandDemo.h"
+#include "window/haptics/ScriptedDeviceDemo.h"
 
 #include "haptics/device/SimulatedDevice.h"
 #include "viewport/Viewport.h"
@@ -32,17 +32,17 @@ double smooth(double s) {
 
 }  // namespace
 
-HandDemo::HandDemo(HapticSession& session, Viewport& viewport, QObject* parent)
+ScriptedDeviceDemo::ScriptedDeviceDemo(HapticSession& session, Viewport& viewport, QObject* parent)
     : QObject(parent), m_session(session), m_viewport(viewport) {
-  connect(&session, &HapticSession::sampled, this, &HandDemo::follow);
+  connect(&session, &HapticSession::sampled, this, &ScriptedDeviceDemo::follow);
   connect(&session, &HapticSession::chosenChanged, this, [this] {  // by somebody else
     if (m_isRunning && m_session.chosen().driver != kSimulatedDriver) stop();
   });
 }
 
-HandDemo::~HandDemo() = default;
+ScriptedDeviceDemo::~ScriptedDeviceDemo() = default;
 
-void HandDemo::start(std::vector<HandStep> steps) {
+void ScriptedDeviceDemo::start(std::vector<HandStep> steps) {
   stop();
   if (steps.empty()) return;
   m_driver = m_session.chosen().driver;
@@ -55,11 +55,11 @@ void HandDemo::start(std::vector<HandStep> steps) {
   beginStep();
 }
 
-void HandDemo::stop() {
+void ScriptedDeviceDemo::stop() {
   finish(false);
 }
 
-void HandDemo::finish(bool isWhole) {
+void ScriptedDeviceDemo::finish(bool isWhole) {
   if (!std::exchange(m_isRunning, false)) return;
   m_steps.clear();
   m_caption.clear();
@@ -76,7 +76,7 @@ void HandDemo::finish(bool isWhole) {
   emit ended(isWhole);
 }
 
-void HandDemo::beginStep() {
+void ScriptedDeviceDemo::beginStep() {
   const HandStep& step = m_steps[m_step];
   if (!step.caption.isEmpty()) {
     m_caption = step.caption;
@@ -88,11 +88,11 @@ void HandDemo::beginStep() {
   if (step.begin) step.begin();
 }
 
-double HandDemo::seconds() const {
+double ScriptedDeviceDemo::seconds() const {
   return m_pace * 1e-3 * static_cast<double>(m_clock.elapsed());
 }
 
-void HandDemo::follow() {
+void ScriptedDeviceDemo::follow() {
   const ServoSample* const now = m_session.latest();
   if (!m_isRunning || !now || now->device.status != DeviceStatus::Ready || !m_session.simulatedHand()) return;
   const HandStep& step = m_steps[m_step];
@@ -114,7 +114,7 @@ void HandDemo::follow() {
   }
 }
 
-void HandDemo::startMoving(const ServoSample& now) {
+void ScriptedDeviceDemo::startMoving(const ServoSample& now) {
   const HandStep& step = m_steps[m_step];
   m_from = m_to = now.tip.position;
   if (step.place) {
@@ -131,12 +131,12 @@ void HandDemo::startMoving(const ServoSample& now) {
   move(now);
 }
 
-Vec3 HandDemo::wayAt(double share) const {
+Vec3 ScriptedDeviceDemo::wayAt(double share) const {
   const double s = smooth(share);
   return m_from + s * (m_to - m_from) + 4.0 * s * (1.0 - s) * m_lift * m_viewport.camera().towardsViewer();
 }
 
-void HandDemo::move(const ServoSample& now) {
+void ScriptedDeviceDemo::move(const ServoSample& now) {
   const double passed = seconds();
   lead(now, wayAt(m_duration > 0.0 ? std::min(1.0, passed / m_duration) : 1.0));
   if (passed < m_duration) return;
@@ -149,7 +149,7 @@ void HandDemo::move(const ServoSample& now) {
 }
 
 // A person sees where the tip is, pushes further where it does not follow, and goes on so until what held it lets go.
-void HandDemo::lead(const ServoSample& now, const Vec3& place) {
+void ScriptedDeviceDemo::lead(const ServoSample& now, const Vec3& place) {
   const WorkspaceMapping mapping = m_session.mappingInScene();
   m_effort += m_pace * kEffort * kFrame * (place - now.tip.position);
   const double most = kMostEffort * m_viewport.camera().height;
@@ -161,7 +161,7 @@ void HandDemo::lead(const ServoSample& now, const Vec3& place) {
   m_session.simulatedHand()->setTarget(pose);
 }
 
-void HandDemo::press(std::uint32_t buttons) {
+void ScriptedDeviceDemo::press(std::uint32_t buttons) {
   const ServoSample* const now = m_session.latest();
   if (!now || !m_session.simulatedHand()) return;
   HandPose pose;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tools/mesh/FillWords.h"
+#include "tools/mesh/FillOptionsText.h"
 
 #include "base/NumberText.h"
 #include "document/mesh/MeshDocument.h"
@@ -73,7 +73,7 @@ NumberType readNumbers(StepReader& reader, const MeshDocument& document) {
   return *word == "single" ? NumberType::Float32 : NumberType::Float64;
 }
 
-void addFillWords(StepWriter& step, const FillOptions& options) {
+void addFillOptions(StepWriter& step, const FillOptions& options) {
   FidelityValues values;
   setFillMethod(values, options.method);
   const double given[] = {values.of(fillMethodSetting()), static_cast<double>(options.continuity), options.density,
@@ -83,9 +83,9 @@ void addFillWords(StepWriter& step, const FillOptions& options) {
     const double value = given[i++];
     if (i == 1 || value != word.setting.standard) step.option(word.option, textOf(word.setting, value));
   }
-  if (!options.stitches.empty()) {
+  if (!options.bridges.empty()) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
-    for (const Stitch& stitch : options.stitches) ends.emplace_back(stitch.a, stitch.b);
+    for (const HoleBridge& bridge : options.bridges) ends.emplace_back(bridge.a, bridge.b);
     step.option("bridges", pairsText(ends));
   }
   const EarWeights& ears = options.ears;
@@ -95,7 +95,7 @@ void addFillWords(StepWriter& step, const FillOptions& options) {
   step.option("numbers", wordFor(options.numbers));
 }
 
-FillOptions readFillWords(StepReader& reader, const MeshDocument& document, std::size_t loopSize) {
+FillOptions readFillOptions(StepReader& reader, const MeshDocument& document, std::size_t loopSize) {
   FidelityValues values;
   for (const FillWord& word : fillWords()) {
     const auto given = reader.option(word.option);
@@ -107,7 +107,7 @@ FillOptions readFillWords(StepReader& reader, const MeshDocument& document, std:
   FillOptions options;
   apply(values, options);
   if (const auto ends = reader.option("bridges"); ends) {
-    for (const auto& [a, b] : reader.pairs(*ends, "point of the loop", loopSize)) options.stitches.push_back({a, b});
+    for (const auto& [a, b] : reader.pairs(*ends, "point of the loop", loopSize)) options.bridges.push_back({a, b});
   }
   if (const auto ears = reader.option("ears"); ears) {
     const std::vector<std::string_view> parts = parted(*ears, ',');

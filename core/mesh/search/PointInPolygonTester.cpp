@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/search/PolygonRows.h"
+#include "mesh/search/PointInPolygonTester.h"
 
 #include <algorithm>
 #include <utility>
@@ -13,7 +13,7 @@ constexpr std::size_t kRows = 128;
 
 }  // namespace
 
-PolygonRows::PolygonRows(std::span<const Vec2> corners) {
+PointInPolygonTester::PointInPolygonTester(std::span<const Vec2> corners) {
   if (corners.empty()) return;
   m_low = m_high = corners.front().y();
   for (const Vec2& p : corners) {
@@ -37,13 +37,13 @@ PolygonRows::PolygonRows(std::span<const Vec2> corners) {
   m_first.push_back(static_cast<std::uint32_t>(m_edges.size()));
 }
 
-std::size_t PolygonRows::row(double y) const {
+std::size_t PointInPolygonTester::row(double y) const {
   const double at = (y - m_low) * m_rowsPerUnit;
   if (!(at > 0.0)) return 0;  // also for a height that overflows
   return at < static_cast<double>(kRows) ? static_cast<std::size_t>(at) : kRows - 1;
 }
 
-bool PolygonRows::contains(const Vec2& p) const {
+bool PointInPolygonTester::contains(const Vec2& p) const {
   if (m_edges.empty() || !(p.y() >= m_low && p.y() < m_high)) return false;
   const std::size_t at = row(p.y());
   bool inside = false;
