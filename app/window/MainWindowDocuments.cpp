@@ -94,6 +94,9 @@ void MainWindow::connectMessages() {
 
 void MainWindow::connectTools() {
   connect(m_tools, &ToolHost::updated, this, &MainWindow::updateHints);
+  connect(m_tools, &ToolHost::previewed, this, [this](const ToolPreview& preview) {
+    if (m_shown) m_shown->ui.showPreview(preview);
+  });
   connect(m_toolChoice, &ToolChoice::otherChosen, m_toolDock, &QWidget::raise);
   connect(m_toolChoice, &ToolChoice::usualChosen, this, [this] {
     if (!m_toolPanel->visibleRegion().isEmpty()) m_kindDock->raise();

@@ -15,7 +15,10 @@ constexpr double kLeap = 0.5;  // of the radius, from a point to the next: not a
 }  // namespace
 
 std::vector<Vec3> brushOutline(const Pickable& pickable, const BrushCircle& brush, const Vec3& towards) {
-  Vec3 normal = pickable.mesh ? pickable.mesh->normalNear(brush.centre) : Vec3(Vec3::Zero());
+  Vec3 normal = Vec3::Zero();
+  for (const ViewLayer* layer : pickable.layers) {
+    if (normal.squaredNorm() == 0) normal = layer->normalNear(brush.centre);
+  }
   const bool isOnSurface = normal.squaredNorm() > 0;
   if (!isOnSurface) normal = towards;
   const Vec3 right = normal.unitOrthogonal(), up = normal.cross(right);
@@ -24,9 +27,9 @@ std::vector<Vec3> brushOutline(const Pickable& pickable, const BrushCircle& brus
   for (int i = 0; i <= kPoints; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / kPoints;
     const Vec3 p = brush.centre + brush.radius * (std::cos(angle) * right + std::sin(angle) * up);
-    const auto hit = isOnSurface ? firstSurface(pickable, p + brush.radius * normal, -normal) : std::nullopt;
+    const Pick hit = isOnSurface ? pickAlong(pickable, p + brush.radius * normal, -normal) : Pick{};
     flat.push_back(p);
-    laid.push_back(hit && hit->distance <= 2.0 * brush.radius ? hit->point : p);
+    laid.push_back(!hit.isNothing() && hit.distance <= 2.0 * brush.radius ? hit.point : p);
     leaps = leaps || (i > 0 && (laid[laid.size() - 2] - laid.back()).norm() > kLeap * brush.radius);
   }
   return leaps ? flat : laid;

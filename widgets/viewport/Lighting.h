@@ -22,6 +22,8 @@ struct SceneColours {
   QColor accent;    // preview and hover
   QColor cubeSide;  // of the view cube
   QColor selected;  // faces that are selected
+
+  bool operator==(const SceneColours&) const = default;
 };
 // The colours for the light or dark theme.
 SceneColours sceneColours(bool dark);

@@ -11,15 +11,15 @@ QColor withAlpha(QColor c, float alpha) {
   return c;
 }
 
-void show(Layer& layer, const PolyDataBuilder& triangles) {
-  triangles.isEmpty() ? layer.hide() : layer.setData(triangles.build(PolyDataBuilder::Kind::Triangles));
+void show(LiftedActor& actor, const PolyDataBuilder& triangles) {
+  triangles.isEmpty() ? actor.hide() : actor.setData(triangles.build(PolyDataBuilder::Kind::Triangles));
 }
 
 }  // namespace
 
-CasedStrokes::CasedStrokes(vtkRenderer* renderer, double lift, double width, double rim)
+CasedStrokes::CasedStrokes(LayerProps& props, double lift, double width, double rim)
     // Strokes bulge towards the viewer by up to their width, where they recede; the core must stand before that.
-    : m_rim(renderer, lift, width + 2 * rim), m_core(renderer, lift + width + 2 * rim + 0.5, width) {}
+    : m_rim(props, lift, width + 2 * rim), m_core(props, lift + width + 2 * rim + 0.5, width) {}
 
 void CasedStrokes::set(std::vector<Stroke> strokes, const QColor& rim, const Vec3& origin) {
   m_core.set(strokes, origin);
@@ -32,20 +32,22 @@ void CasedStrokes::prepare(const LayerFrame& frame) {
   m_core.prepare(frame);
 }
 
-Marks::Marks(vtkRenderer* renderer)
+Marks::Marks(LayerProps& props)
     : m_colours(sceneColours(false)),
-      m_faces(renderer, 1.0),
-      m_selected(renderer, 1.2, 0.75),
-      m_highlighted(renderer, 1.4, 0.45),
-      m_hovered(renderer, 1.6),
-      m_preview(renderer, 1.5),
-      m_previewEdges(renderer, 2.0, 1.0),
-      m_plainLoops(renderer, 3.0, 3.0, 1.0),
-      m_strongLoops(renderer, 4.0, 5.0, 2.5),
-      m_lines(renderer, 4.0, 3.0, 1.0),
-      m_points(renderer, 6.0, 8.0, 1.5),
-      m_section(renderer, 2.5, 2.5, 1.0) {
-  for (Layer* layer : {&m_faces, &m_hovered, &m_preview}) setOverlayMaterial(layer->property());
+      m_faces(props, 1.0),
+      m_selected(props, 1.2, 0.75),
+      m_highlighted(props, 1.4, 0.45),
+      m_hovered(props, 1.6),
+      m_preview(props, 1.5),
+      m_previewEdges(props, 2.0, 1.0),
+      m_plainLoops(props, 3.0, 3.0, 1.0),
+      m_strongLoops(props, 4.0, 5.0, 2.5),
+      m_lines(props, 4.0, 3.0, 1.0),
+      m_points(props, 6.0, 8.0, 1.5),
+      m_section(props, 2.5, 2.5, 1.0) {
+  for (LiftedActor* actor : {&m_faces, &m_hovered, &m_preview}) setOverlayMaterial(actor->property());
+  m_selected.setColour(m_colours.selected);
+  m_highlighted.setColour(m_colours.accent);
 }
 
 void Marks::clear() {
@@ -99,6 +101,7 @@ void Marks::setHovered(int listLoop, int cursorLoop, Face face) {
 }
 
 void Marks::setColours(const SceneColours& colours) {
+  if (colours == m_colours) return;
   m_colours = colours;
   m_selected.setColour(colours.selected);
   m_highlighted.setColour(colours.accent);
@@ -108,7 +111,7 @@ void Marks::setColours(const SceneColours& colours) {
 void Marks::setMesh(const HalfEdgeMesh& mesh, const Vec3& origin) {
   if (m_origin != origin) m_stale.set();
   for (const Part part : {Faces, HoveredFace}) m_stale.set(part);
-  for (FaceLayer* layer : {&m_selected, &m_highlighted}) layer->setStale();
+  for (FaceActors* faces : {&m_selected, &m_highlighted}) faces->setStale();
   m_mesh = mesh;
   m_origin = origin;
 }
@@ -120,8 +123,8 @@ std::size_t Marks::takeFaces() {
 
 void Marks::prepare(const LayerFrame& frame) {
   rebuildStale();
-  for (Layer* layer : {&m_faces, &m_hovered, &m_preview}) layer->prepare(frame);
-  for (FaceLayer* layer : {&m_selected, &m_highlighted}) layer->prepare(frame);
+  for (LiftedActor* actor : {&m_faces, &m_hovered, &m_preview}) actor->prepare(frame);
+  for (FaceActors* faces : {&m_selected, &m_highlighted}) faces->prepare(frame);
   m_previewEdges.prepare(frame);
   for (CasedStrokes* strokes : {&m_plainLoops, &m_strongLoops, &m_lines, &m_points, &m_section})
     strokes->prepare(frame);

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "viewport/Layers.h"
+#include "viewport/LiftedActor.h"
 #include "viewport/Lighting.h"
-#include "viewport/ViewportTypes.h"
-#include "viewport/surface/FaceLayer.h"
+#include "viewport/MeshMarks.h"
+#include "viewport/surface/FaceActors.h"
 
 #include <bitset>
 
@@ -14,20 +14,20 @@ namespace handwheel {
 // Strokes with an outline of another colour. They are visible on every surface and background.
 class CasedStrokes {
  public:
-  CasedStrokes(vtkRenderer* renderer, double lift, double width, double rim);
+  CasedStrokes(LayerProps& props, double lift, double width, double rim);
 
   void set(std::vector<Stroke> strokes, const QColor& rim, const Vec3& origin);
   void prepare(const LayerFrame& frame);
 
  private:
-  StrokeLayer m_rim;
-  StrokeLayer m_core;
+  StrokeActors m_rim;
+  StrokeActors m_core;
 };
 
 // All marks that are drawn over the model.
 class Marks {
  public:
-  explicit Marks(vtkRenderer* renderer);
+  explicit Marks(LayerProps& props);
 
   void clear();
   void setLoops(std::vector<LoopMark> loops);
@@ -82,12 +82,12 @@ class Marks {
   Face m_hoveredFace = kNone;
   std::bitset<kParts> m_stale;
 
-  Layer m_faces;
-  FaceLayer m_selected;
-  FaceLayer m_highlighted;
-  Layer m_hovered;
-  Layer m_preview;
-  StrokeLayer m_previewEdges;
+  LiftedActor m_faces;
+  FaceActors m_selected;
+  FaceActors m_highlighted;
+  LiftedActor m_hovered;
+  LiftedActor m_preview;
+  StrokeActors m_previewEdges;
   CasedStrokes m_plainLoops;
   CasedStrokes m_strongLoops;
   CasedStrokes m_lines;

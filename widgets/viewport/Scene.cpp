@@ -2,95 +2,78 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/Scene.h"
 
+#include "viewport/LayerFrame.h"
+#include "viewport/LiftedActor.h"
+
 #include <vtkCamera.h>
+#include <algorithm>
 
 namespace handwheel {
 
 namespace {
 
-constexpr std::size_t kBrushOutlinePoints = 5000;
 constexpr std::size_t kFrameTriangles = 65536;  // that a frame uploads: 10 ms in software
-constexpr double kProposedOpacity = 0.5;
-
-// Corners of faces at even intervals.
-std::vector<Vec3> sample(const HalfEdgeMesh& mesh) {
-  std::vector<Vec3> points;
-  const std::size_t step = mesh.faceSlots() / kBrushOutlinePoints + 1;
-  for (std::size_t f = 0; f < mesh.faceSlots(); f += step) {
-    const auto face = static_cast<Face>(f);
-    if (!mesh.isLive(face)) continue;
-    for (const Vertex v : mesh.triangle(face)) points.push_back(mesh.position(v));
-  }
-  return points;
-}
 
 }  // namespace
 
-Scene::Scene()
-    : m_blocks(m_renderer), m_parts(m_renderer), m_proposed(m_renderer, kProposedOpacity), m_marks(m_renderer) {
+Scene::Scene() {
   addStudioLights(m_renderer);
   m_renderer->GradientBackgroundOn();
   m_renderer->UseFXAAOn();
   setDark(false);
 }
 
-void Scene::clear() {
-  m_blocks.clear();
-  m_parts.set({});
-  m_proposed.set({});
-  m_parts.setFaded({});
-  m_mesh = {};
-  m_meshBounds.setEmpty();
-  m_meshOutline.clear();
-  m_marks.clear();
-  m_marks.setMesh(m_mesh, m_origin);
+Scene::~Scene() {
+  for (const auto& layer : m_layers) layer->detach();
 }
 
-void Scene::setMesh(const HalfEdgeMesh& mesh, const Box& bounds) {
-  m_blocks.clear();
-  m_mesh = mesh;
-  m_meshBounds = bounds;
-  m_meshOutline = sample(mesh);
-  const Box& near = bounds.isEmpty() ? m_parts.bounds() : bounds;
-  setOrigin(near.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(near.center()));
-  m_marks.setMesh(m_mesh, m_origin);
+void Scene::add(std::shared_ptr<ViewLayer> layer, ViewLayer::Listener listener) {
+  layer->attach(m_renderer, std::move(listener));
+  layer->setStyle(m_style);
+  m_layers.push_back(std::move(layer));
 }
 
-void Scene::updateMesh(const HalfEdgeMesh& mesh, const std::vector<Face>& touched) {
-  m_mesh = mesh;
-  m_meshOutline = sample(mesh);
-  // Faces that went may leave the bounds too large, which harms nothing; measuring a large mesh anew takes its time.
-  for (const Face f : touched) {
-    if (f >= mesh.faceSlots() || !mesh.isLive(f)) continue;  // its slot may be gone with it
-    for (const Vertex v : mesh.triangle(f)) m_meshBounds.extend(mesh.position(v));
+void Scene::remove(const ViewLayer& layer) {
+  const auto place =
+      std::find_if(m_layers.begin(), m_layers.end(), [&](const auto& each) { return each.get() == &layer; });
+  if (place == m_layers.end()) return;
+  (*place)->detach();
+  m_layers.erase(place);
+}
+
+std::vector<ViewLayer*> Scene::visible() const {
+  std::vector<ViewLayer*> layers;
+  for (const auto& layer : m_layers) {
+    if (layer->isVisible()) layers.push_back(layer.get());
   }
-  m_marks.setMesh(m_mesh, m_origin);
+  return layers;
 }
 
-void Scene::setParts(const std::vector<DisplayPart>& parts) {
-  m_parts.set(parts);
-  // Blocks of a mesh are built about the origin, which then stays. Parts alone may move far away from it.
-  const Box& box = m_parts.bounds();
-  if (!m_meshBounds.isEmpty() || box.isEmpty()) return;
-  if ((box.center() - m_origin).norm() > box.diagonal().norm()) setOrigin(box.center());
+Pickable Scene::pickable() const {
+  const std::vector<ViewLayer*> layers = visible();
+  return {{layers.begin(), layers.end()}, m_clip};
 }
 
-void Scene::setOrigin(const Vec3& origin) {
-  if (origin == m_origin) return;
-  m_origin = origin;
-  m_parts.setOrigin(origin);
-  m_proposed.setOrigin(origin);
-  m_marks.setMesh(m_mesh, origin);
-  placeClipPlane();
+bool Scene::isSearchable() const {
+  const std::vector<ViewLayer*> layers = visible();
+  return std::all_of(layers.begin(), layers.end(), [](const ViewLayer* layer) { return layer->isSearchable(); });
+}
+
+void Scene::setHovered(const Pick& pick) {
+  for (const auto& layer : m_layers)
+    layer->setHovered(layer.get() == pick.layer ? std::optional(pick.element) : std::nullopt);
 }
 
 Box Scene::bounds() const {
-  return m_meshBounds.merged(m_parts.bounds());
+  return pickable().bounds();
 }
 
 std::vector<Vec3> Scene::outline() const {
-  std::vector<Vec3> points = m_parts.outline();
-  points.insert(points.end(), m_meshOutline.begin(), m_meshOutline.end());
+  std::vector<Vec3> points;
+  for (const ViewLayer* layer : visible()) {
+    const std::vector<Vec3> some = layer->outline();
+    points.insert(points.end(), some.begin(), some.end());
+  }
   return points;
 }
 
@@ -104,7 +87,6 @@ void Scene::setDark(bool dark) {
   const QColor &top = m_style.colours.backgroundTop, &bottom = m_style.colours.backgroundBottom;
   m_renderer->SetBackground(bottom.redF(), bottom.greenF(), bottom.blueF());
   m_renderer->SetBackground2(top.redF(), top.greenF(), top.blueF());
-  m_marks.setColours(m_style.colours);
   applyStyle();
 }
 
@@ -122,37 +104,53 @@ void Scene::placeClipPlane() {
 }
 
 void Scene::applyStyle() {
-  m_blocks.setStyle(m_style);
-  m_parts.setStyle(m_style);
-  m_proposed.setStyle(m_style);
+  for (const auto& layer : m_layers) layer->setStyle(m_style);
 }
 
 bool Scene::takeGeometry() {
   std::size_t taken = 0;
-  while (taken < kFrameTriangles) {
-    std::size_t some = m_blocks.takeOne();
-    if (some == 0) some = m_parts.takeOne();
-    if (some == 0) some = m_proposed.takeOne();
-    if (some == 0) break;
-    taken += some;
+  for (ViewLayer* layer : visible()) {
+    while (taken < kFrameTriangles) {
+      const std::size_t some = layer->takePiece();
+      if (some == 0) break;
+      taken += some;
+    }
   }
   return taken > 0;
 }
 
-bool Scene::takeFaces() {
-  for (std::size_t taken = 0; taken < kFrameTriangles;) {
-    const std::size_t some = m_marks.takeFaces();
-    if (some == 0) return false;
-    taken += some;
+bool Scene::takeMarks() {
+  std::size_t taken = 0;
+  bool isSomeLeft = false;
+  for (ViewLayer* layer : visible()) {
+    while (taken < kFrameTriangles) {
+      const std::size_t some = layer->takeMarks();
+      if (some == 0) break;
+      taken += some;
+    }
+    isSomeLeft = isSomeLeft || layer->owesMarks();
   }
-  return m_marks.owesFaces();
+  return isSomeLeft;
+}
+
+void Scene::finish() {
+  for (ViewLayer* layer : visible()) layer->finish();
+  while (takeGeometry() || takeMarks()) {
+  }
+}
+
+void Scene::setReduced(bool isReduced) {
+  for (const auto& layer : m_layers) layer->setReduced(isReduced);
 }
 
 int Scene::builtCount() const {
-  return m_blocks.builtCount() + m_parts.builtCount() + m_proposed.builtCount();
+  int built = 0;
+  for (const auto& layer : m_layers) built += layer->builtCount();
+  return built;
 }
 
 void Scene::prepare(const CameraState& camera, const Vec2& size, double pixelRatio) {
+  placeOrigin();
   if (pixelRatio != m_style.pixelRatio) {
     m_style.pixelRatio = pixelRatio;
     applyStyle();
@@ -160,6 +158,7 @@ void Scene::prepare(const CameraState& camera, const Vec2& size, double pixelRat
   const CameraNavigation view(camera, size);
   placeCamera(view);
   LayerFrame frame;
+  frame.origin = m_origin;
   frame.pixelRatio = pixelRatio;
   if (view.isPerspective()) {
     frame.shrinkPerPixel = view.unitsPerPixel() / camera.eyeDistance();
@@ -169,12 +168,28 @@ void Scene::prepare(const CameraState& camera, const Vec2& size, double pixelRat
   }
   frame.clip = m_clip;
   frame.clip.offset -= m_clip.normal.dot(m_origin);
-  m_marks.prepare(frame);
+  for (ViewLayer* layer : visible()) layer->prepare(frame);
+}
+
+void Scene::paintOver(QPainter& painter, const QSizeF& size, LengthUnit unit) const {
+  for (const ViewLayer* layer : visible()) layer->paintOver(painter, size, unit, colours());
+}
+
+// Single precision suffices near the origin, so it follows a model that has moved far away from it.
+void Scene::placeOrigin() {
+  const Box box = bounds();
+  const bool isNear = m_isPlaced && !box.isEmpty() && (box.center() - m_origin).norm() <= box.diagonal().norm();
+  m_isPlaced = !box.isEmpty();
+  if (isNear || !m_isPlaced) return;
+  m_origin = box.center();
+  placeClipPlane();
 }
 
 void Scene::placeCamera(const CameraNavigation& view) {
   const CameraState& camera = view.camera();
-  const Viewpoint viewpoint = view.viewpoint(bounds().merged(m_proposed.bounds()).merged(m_liveBounds));
+  Box drawn;
+  for (const ViewLayer* layer : visible()) drawn.extend(layer->drawnBounds());
+  const Viewpoint viewpoint = view.viewpoint(drawn);
   const Vec3 eye = viewpoint.position - m_origin;
   const Vec3 focus = eye - viewpoint.farthest * camera.towardsViewer();  // an honest direction, whatever the distance
   const Vec3 up = camera.up();

@@ -3,11 +3,11 @@
 #include "viewport/Snapshot.h"
 
 #include "document/AtomicFile.h"
-#include "mesh/structure/MeshBounds.h"
 #include "viewport/DisplayCheck.h"
 #include "viewport/Scene.h"
-#include "viewport/overlay/Legend.h"
 #include "viewport/overlay/Overlay.h"
+#include "viewport/surface/MeshLayer.h"
+#include "viewport/surface/PartsLayer.h"
 
 #include <vtkRenderWindow.h>
 #include <vtkUnsignedCharArray.h>
@@ -45,13 +45,6 @@ QImage render(Scene& scene, int width, int height) {
   return picture.mirrored();  // rows come from below; this copies
 }
 
-void addMesh(Scene& scene, const HalfEdgeMesh& mesh, const std::vector<double>* values) {
-  scene.setMesh(mesh, boundsOf(mesh));
-  for (std::size_t b = 0; b < blockCount(mesh); ++b) {
-    scene.blocks().enqueue(b, blockGeometry(mesh, b, scene.origin(), kBlockFaces, values));
-  }
-}
-
 // With axes and scale bar; null when it could not be rendered.
 QImage drawn(Scene& scene, const QSize& size, const Vec3& outward) {
   while (scene.takeGeometry()) {
@@ -63,19 +56,20 @@ QImage drawn(Scene& scene, const QSize& size, const Vec3& outward) {
   if (picture.isNull()) return picture;
   QPainter painter(&picture);
   paintOverlay(painter, picture.size(), camera, LengthUnit::Millimetre, scene.colours());
+  scene.paintOver(painter, picture.size(), LengthUnit::Millimetre);
   return picture;
 }
 
 constexpr char kNotRendered[] = "the picture could not be rendered";
 
-// fill: gives the scene what it is to show.
-template <class Fill>
-Result<QImage> renderScene(const Fill& fill, const QSize& size, const Vec3& outward) {
+// make: builds the layer to be shown.
+template <class Make>
+Result<QImage> renderLayer(const Make& make, const QSize& size, const Vec3& outward) {
   if (size.isEmpty()) return writeFailed("the picture has no pixels");
   const DisplayCheck display;
   if (!display.problem().empty()) return writeFailed(display.problem());
   Scene scene;
-  fill(scene);
+  scene.add(make());
   QImage picture = drawn(scene, size, outward);
   if (picture.isNull()) return writeFailed(kNotRendered);
   return picture;
@@ -85,22 +79,22 @@ Result<QImage> renderScene(const Fill& fill, const QSize& size, const Vec3& outw
 
 Result<QImage> renderPicture(const HalfEdgeMesh& mesh, const std::vector<LoopMark>& loops, const QSize& size,
                              const Vec3& outward) {
-  const auto fill = [&](Scene& scene) {
-    addMesh(scene, mesh, nullptr);
-    scene.marks().setLoops(loops);
+  const auto make = [&] {
+    const auto layer = std::make_shared<MeshLayer>();
+    layer->setMeshAtOnce(mesh, nullptr, {});
+    layer->setLoops(loops);
+    return layer;
   };
-  return renderScene(fill, size, outward);
+  return renderLayer(make, size, outward);
 }
 
 Result<QImage> renderPicture(const DisplayModel& model, const QSize& size, const Vec3& outward) {
-  const auto fill = [&](Scene& scene) {
-    scene.setParts(model.parts);
-    for (const PartActors::Soup& soup : scene.parts().missing()) {
-      PartShape shape = shapeOf(*soup);
-      scene.parts().setShape(soup, shape);
-    }
+  const auto make = [&] {
+    const auto layer = std::make_shared<PartsLayer>();
+    layer->setPartsAtOnce(model.parts);
+    return layer;
   };
-  return renderScene(fill, size, outward);
+  return renderLayer(make, size, outward);
 }
 
 Result<std::vector<QImage>> renderSides(const HalfEdgeMesh& mesh, const VertexValues& atVertex,
@@ -109,16 +103,14 @@ Result<std::vector<QImage>> renderSides(const HalfEdgeMesh& mesh, const VertexVa
   const DisplayCheck display;
   if (!display.problem().empty()) return writeFailed(display.problem());
   Scene scene;
-  addMesh(scene, mesh, atVertex.get());
-  scene.blocks().setColourScale(scale);
+  const auto layer = std::make_shared<MeshLayer>();
+  layer->setMeshAtOnce(mesh, atVertex, scale);
+  scene.add(layer);
   std::vector<QImage> pictures;
   for (const Vec3& side : outward) {
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
     QImage picture = drawn(scene, size, side);
     if (picture.isNull()) return writeFailed(kNotRendered);
-    QPainter painter(&picture);
-    paintLegend(painter, size, scale, LengthUnit::Millimetre, scene.colours());
-    painter.end();
     pictures.push_back(std::move(picture));
     progress.set(static_cast<double>(pictures.size()) / static_cast<double>(outward.size()));
   }

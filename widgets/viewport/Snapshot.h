@@ -5,7 +5,7 @@
 #include "base/Progress.h"
 #include "base/Result.h"
 #include "document/DisplayModel.h"
-#include "viewport/ViewportTypes.h"
+#include "viewport/MeshMarks.h"
 #include "viewport/overlay/ColourScale.h"
 
 #include <QImage>

@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/Viewport.h"
 
-#include "mesh/structure/MeshBounds.h"
 #include "viewport/ViewportPrivate.h"
 
 #include <QCoreApplication>
 #include <algorithm>
-#include <set>
 
 namespace handwheel {
 
@@ -24,19 +22,6 @@ Viewport::Private::Private(Viewport* widget)
     : q(widget),
       glWindow(scene.renderer()),
       flight([this](const CameraState& state) { moveTo(state); }),
-      preparation({[this](std::size_t block, SurfaceGeometry geometry) {
-                     scene.blocks().enqueue(block, std::move(geometry));
-                     q->update();
-                   },
-                   [this](SurfaceGeometry geometry) { scene.blocks().setCoarse(std::move(geometry)); },
-                   [this](MeshPreparation::Index built) {
-                     index = std::move(built);
-                     isIndexAwaited = false;
-                     layBrush();
-                   },
-                   [this] { reportOutOfMemory(); }}),
-      partPreparation([this](const PartPreparation::Soup& soup, PartShape shape) { takeShape(soup, std::move(shape)); },
-                      [this] { reportOutOfMemory(); }),
       cube(new ViewCube(widget)) {
   camera.orientation = orientationOf(StandardView::Isometric);
   cube->setOrientation(camera.orientation);
@@ -46,8 +31,14 @@ Viewport::Private::Private(Viewport* widget)
   QObject::connect(&rest, &QTimer::timeout, q, [this] { q->update(); });
 }
 
-void Viewport::Private::reportOutOfMemory() {
-  emit q->graphicsFailed(Viewport::tr("There is not enough memory to draw all of the model."));
+void Viewport::Private::follow(const ViewLayer& layer, LayerChange change) {
+  if (change == LayerChange::OutOfMemory)
+    return emit q->graphicsFailed(Viewport::tr("There is not enough memory to draw all of the model."));
+  if (change == LayerChange::Search) return layBrush();
+  if (change == LayerChange::Look && !layer.isVisible()) return;
+  if (change == LayerChange::Model) isSeen = false;
+  if (change != LayerChange::Look && hovered.layer == &layer) hover({});
+  q->update();
 }
 
 void Viewport::Private::moveTo(const CameraState& state) {
@@ -70,24 +61,6 @@ void Viewport::Private::fitFrom(const Eigen::Quaterniond& orientation) {
   flyTo(*fitted);
 }
 
-// The blocks whose picture an edit changes: those of the touched faces, and of the faces around their corners, as these
-// share normals with them.
-std::vector<std::size_t> Viewport::Private::blocksAround(const HalfEdgeMesh& before, const HalfEdgeMesh& after,
-                                                         const std::vector<Face>& touched) const {
-  const Face perBlock = preparation.blockFaces();
-  std::set<std::size_t> blocks;
-  for (const Face f : touched) {
-    if (f < after.faceSlots()) blocks.insert(f / perBlock);
-    for (const HalfEdgeMesh* mesh : {&before, &after}) {
-      if (f >= mesh->faceSlots() || !mesh->isProper(f)) continue;
-      for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
-        for (const HalfEdge g : mesh->fan(h)) blocks.insert(HalfEdgeMesh::face(g) / perBlock);
-      }
-    }
-  }
-  return {blocks.begin(), blocks.end()};
-}
-
 Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), d(std::make_unique<Private>(this)) {
   setMouseTracking(true);
   setFocusPolicy(Qt::ClickFocus);
@@ -101,119 +74,24 @@ Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), d(std::make_unique<
   QCoreApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
 }
 
-void Viewport::setBlockFaces(Face faces) {
-  d->preparation.setBlockFaces(faces);
-}
-
-void Viewport::setCoarseTriangles(std::size_t triangles) {
-  d->preparation.setCoarseTriangles(triangles);
-}
-
-void Viewport::setMesh(const HalfEdgeMesh& mesh) {
-  setMesh(mesh, boundsOf(mesh));
-}
-
-void Viewport::setMesh(const HalfEdgeMesh& mesh, const Box& bounds) {
-  d->index.reset();
-  d->isIndexAwaited = true;
-  d->hover({});
-  d->isSeen = false;
-  setSurfaceValues(nullptr, {});
-  d->live.reset();
-  d->scene.setMesh(mesh, bounds);
-  d->preparation.startAll(mesh, d->scene.meshBounds(), d->scene.origin());
+void Viewport::addLayer(std::shared_ptr<ViewLayer> layer) {
+  d->scene.add(std::move(layer), [this](const ViewLayer& changed, LayerChange change) { d->follow(changed, change); });
   update();
 }
 
-void Viewport::updateMesh(const HalfEdgeMesh& mesh, const std::vector<Face>& touched) {
-  const std::vector<std::size_t> blocks = d->blocksAround(d->scene.mesh(), mesh, touched);
-  d->index.reset();
-  d->isIndexAwaited = true;
-  d->hover({});
-  setSurfaceValues(nullptr, {});
-  d->scene.updateMesh(mesh, touched);
-  d->preparation.startSome(mesh, d->scene.meshBounds(), d->scene.origin(), blocks);
+void Viewport::removeLayer(const ViewLayer& layer) {
+  if (d->hovered.layer == &layer) d->hover({});
+  d->scene.remove(layer);
   update();
-}
-
-void Viewport::setSurfaceValues(VertexValues values, const ColourScale& scale) {
-  if (!values && !d->values) return;
-  const bool isNew = values && values != d->values;
-  d->values = std::move(values);
-  d->preparation.setValues(d->values);
-  if (!d->values) {
-    d->scene.blocks().setColourScale(std::nullopt);
-    return update();
-  }
-  setColourScale(scale);
-  if (isNew) d->preparation.startAgain(d->scene.mesh(), d->scene.meshBounds(), d->scene.origin());
-}
-
-void Viewport::setColourScale(const ColourScale& scale) {
-  d->colourScale = scale;
-  if (d->values) d->scene.blocks().setColourScale(scale);
-  update();
-}
-
-void Viewport::clear() {
-  d->preparation.cancel();
-  d->partPreparation.cancel();
-  d->index.reset();
-  d->isIndexAwaited = false;
-  d->hover({});
-  d->polylines.clear();
-  d->brush.reset();
-  d->brushLine.clear();
-  setSurfaceValues(nullptr, {});
-  d->live.reset();
-  d->scene.clear();
-  update();
-}
-
-void Viewport::setLoops(std::vector<LoopMark> loops) {
-  d->scene.marks().setLoops(std::move(loops));
-  update();
-}
-
-void Viewport::setFaceMarks(std::vector<FaceMark> marks) {
-  d->scene.marks().setFaceMarks(std::move(marks));
-  update();
-}
-
-void Viewport::setPointMarks(std::vector<PointMark> marks) {
-  d->scene.marks().setPointMarks(std::move(marks));
-  update();
-}
-
-void Viewport::setLineMarks(std::vector<LineMark> marks) {
-  d->scene.marks().setLineMarks(std::move(marks));
-  update();
-}
-
-void Viewport::setSection(std::vector<SectionMark> section) {
-  d->scene.marks().setSection(std::move(section));
-  update();
-}
-
-void Viewport::setPreview(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles) {
-  d->scene.marks().setPreview(points, triangles);
-  update();
-}
-
-void Viewport::setHighlightedLoop(int id) {
-  if (id == d->listLoop) return;
-  d->listLoop = id;
-  d->highlight();
 }
 
 void Viewport::setShading(Shading shading) {
-  d->shading = shading;
   d->scene.setShading(shading);
   update();
 }
 
 Shading Viewport::shading() const {
-  return d->shading;
+  return d->scene.shading();
 }
 
 void Viewport::setDarkTheme(bool dark) {
@@ -256,7 +134,7 @@ void Viewport::setCamera(const CameraState& camera) {
 }
 
 Pick Viewport::pickAlong(const Vec3& origin, const Vec3& direction) const {
-  return handwheel::pickAlong(d->pickable(), origin, direction);
+  return handwheel::pickAlong(d->scene.pickable(), origin, direction);
 }
 
 Pick Viewport::pickAt(const QPointF& position) const {
@@ -264,7 +142,7 @@ Pick Viewport::pickAt(const QPointF& position) const {
 }
 
 bool Viewport::isPickingReady() const {
-  return !d->isIndexAwaited && !d->scene.bounds().isEmpty() && d->scene.parts().missing().empty();
+  return d->scene.isSearchable() && !d->scene.bounds().isEmpty();
 }
 
 QString Viewport::graphicsProblem() const {

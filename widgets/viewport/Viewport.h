@@ -3,14 +3,11 @@
 #pragma once
 
 #include "base/ThreadClock.h"
-#include "document/DisplayModel.h"
-#include "mesh/selection/FaceSelection.h"
 #include "viewport/ClipPlane.h"
 #include "viewport/DeviceCursor.h"
 #include "viewport/ViewportTypes.h"
 #include "viewport/camera/CameraState.h"
 #include "viewport/camera/NavigationPreset.h"
-#include "viewport/overlay/ColourScale.h"
 
 #include <QImage>
 #include <QOpenGLWidget>
@@ -19,10 +16,8 @@
 
 namespace handwheel {
 
-struct PreviewMesh;
-
-// A 3D view of a mesh, rigid parts or both, with marks. The mouse moves the camera; signals report the object under the
-// cursor. All calls must be made on the window thread. Lengths and positions are in units of the model (mm).
+// A 3D view of layers. The mouse moves the camera; signals report the element under the cursor. All calls must be made
+// on the window thread. Lengths and positions are in units of the model (mm).
 class Viewport : public QOpenGLWidget {
   Q_OBJECT
  public:
@@ -38,52 +33,11 @@ class Viewport : public QOpenGLWidget {
   explicit Viewport(QWidget* parent = nullptr);
   ~Viewport() override;
 
-  // Sets how many faces are built and drawn together, from the next setMesh() on: the setting view.block_faces.
-  void setBlockFaces(Face faces);
-  // Sets roughly how many triangles a slow display draws of a large mesh while the camera moves, from the next
-  // setMesh() or edit on: the setting view.coarse_triangles.
-  void setCoarseTriangles(std::size_t triangles);
+  // Shows a layer until it is removed. The view knows no layer by name.
+  void addLayer(std::shared_ptr<ViewLayer> layer);
+  void removeLayer(const ViewLayer& layer);
+  Box bounds() const;  // of the visible layers
 
-  // Shows another model. The camera stays, and its next move is not animated. Returns at once; the blocks appear over
-  // the next frames.
-  void setMesh(const HalfEdgeMesh& mesh);
-  // The same with known bounds of the live faces, because computing them is slow for a large mesh.
-  void setMesh(const HalfEdgeMesh& mesh, const Box& bounds);
-  // The same model after an edit that touched these faces (added, removed, turned or with moved corners). Rebuilds only
-  // the blocks concerned.
-  void updateMesh(const HalfEdgeMesh& mesh, const std::vector<Face>& touched);
-  // Colours the mesh by a value to each vertex slot, with a legend, until it changes or is replaced; null removes them.
-  // The blocks change colour over the next frames.
-  void setSurfaceValues(VertexValues values, const ColourScale& scale);
-  // Changes the colour scale of these values; rebuilds no geometry.
-  void setColourScale(const ColourScale& scale);
-  // Shows these parts, beside the mesh if there is one. Returns at once. A part whose soup is still the same object is
-  // moved, not rebuilt; one whose soup changed keeps its former shape until the new one has been built.
-  void setParts(const DisplayModel& model);
-  // Removes mesh, parts and every mark.
-  void clear();
-  Box bounds() const;  // of mesh and parts
-
-  void setLoops(std::vector<LoopMark> loops);
-  void setFaceMarks(std::vector<FaceMark> marks);
-  void setPointMarks(std::vector<PointMark> marks);
-  void setLineMarks(std::vector<LineMark> marks);
-  // Draws the outline of a section on the model.
-  void setSection(std::vector<SectionMark> section);
-  // Shows a translucent patch over the model, the preview of an operation. Empty removes it.
-  void setPreview(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles);
-  // Highlights this loop like one under the cursor, for hovering in a list; -1 for none.
-  void setHighlightedLoop(int id);
-
-  // Sets the faces of the mesh that are selected, and those that a tool highlights, until the next call.
-  void setSelectedFaces(const FaceSelection& faces);
-  void setHighlightedFaces(const FaceSelection& faces);
-  // Shows another version in place of the mesh while a tool works on it; null for none. Nothing else follows it: marks
-  // and picking are those of the mesh. It appears once its blocks are built, and is skipped when the next version
-  // arrives sooner.
-  void setLiveMesh(const std::shared_ptr<const PreviewMesh>& live);
-  // Shows parts that a tool proposes, translucent.
-  void setProposedParts(const std::vector<DisplayPart>& parts);
   // Draws lines over everything, such as a lasso or a ruler.
   void setPolylines(std::vector<std::vector<Vec3>> lines);
   // Draws the circle of a brush, which follows the surface around its centre.
@@ -129,17 +83,16 @@ class Viewport : public QOpenGLWidget {
 
   // The view as an image, in device pixels. Waits until the whole model is uploaded.
   QImage grabImage();
-  // Picks the object at this position of the widget. A mesh or part is not picked while its search structure is being
-  // built.
+  // Picks the element at this position of the widget. What a layer is still making searchable is not picked.
   Pick pickAt(const QPointF& position) const;
-  // The first surface along a ray, for tools; no loops. The direction is of unit length.
+  // The first element along a ray, for tools. The direction is of unit length.
   Pick pickAlong(const Vec3& origin, const Vec3& direction) const;
   bool isPickingReady() const;
   ViewRay rayAt(const QPointF& position) const;
 
   // Why nothing can be drawn, as a translated sentence; empty when there is no problem.
   QString graphicsProblem() const;
-  // How often a block of the mesh or of a part has been built, and a frame drawn, since construction; for tests.
+  // How often a piece of the layers has been built, and a frame drawn, since construction; for tests.
   int blocksBuilt() const;
   int framesDrawn() const;
   Spent timeDrawing() const;  // total time in the renderer, for measurements

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "viewport/ViewportPrivate.h"
-#include "viewport/overlay/Legend.h"
 #include "viewport/overlay/Overlay.h"
 
 #include <qopenglcontext_platform.h>
@@ -125,16 +124,16 @@ void Viewport::Private::paintOver() {
   if (!brushLine.empty()) paintLines(painter, navigation(), {brushLine}, scene.colours());
   if (deviceCursor) paintCursor(painter, *deviceCursor, navigation(), scene.colours());
   paintOverlay(painter, q->size(), camera, unit, scene.colours());
-  if (values) paintLegend(painter, q->size(), colourScale, unit, scene.colours());
+  scene.paintOver(painter, q->size(), unit);
 }
 
 // While the camera moves, a slow display gives up first the smoothing of edges, then the fine triangles.
 void Viewport::Private::draw() {
   const bool uploads = scene.takeGeometry();
-  const bool owesFaces = scene.takeFaces();
-  if (uploads || owesFaces) q->update();  // for the next block, or at last for an undisturbed frame
+  const bool owesMarks = scene.takeMarks();
+  if (uploads || owesMarks) q->update();  // for the next block, or at last for an undisturbed frame
   const bool isReduced = isMoving() && fullFrameMs > kSlowFrameMs;
-  scene.blocks().setReduced(isReduced);
+  scene.setReduced(isReduced);
   const bool isSmooth = !isMoving() || fullFrameMs <= kUnevenFrameMs;
   scene.renderer()->SetUseFXAA(isSmooth);
   const double ratio = q->devicePixelRatioF();
@@ -148,15 +147,12 @@ void Viewport::Private::draw() {
   ++framesDrawn;
   const Spent spent = Spent::now() - start;
   timeDrawing = timeDrawing + spent;
-  if (isReduced || uploads || owesFaces) return;
+  if (isReduced || uploads || owesMarks) return;
   fullFrameMs = isSmooth ? spent.clock : std::max(fullFrameMs, spent.clock);
 }
 
 QImage Viewport::grabImage() {
-  d->preparation.finishBlocks();
-  d->partPreparation.finish();
-  while (d->scene.takeGeometry() || d->scene.takeFaces()) {
-  }
+  d->scene.finish();
   return grabFramebuffer();
 }
 

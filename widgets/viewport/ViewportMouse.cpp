@@ -22,7 +22,7 @@ Vec2 toVec2(const QPointF& p) {
 }
 
 bool isSame(const Pick& a, const Pick& b) {
-  return a.loop == b.loop && a.face == b.face && a.part == b.part;
+  return a.layer == b.layer && (a.isNothing() || a.element == b.element);
 }
 
 Qt::CursorShape cursorOf(NavigationGesture gesture) {
@@ -41,12 +41,8 @@ Qt::CursorShape cursorOf(NavigationGesture gesture) {
 
 }  // namespace
 
-Pickable Viewport::Private::pickable() const {
-  return {index.get(), scene.parts().pickable(), scene.loops(), scene.clipPlane()};
-}
-
 Pick Viewport::Private::pick(const Vec2& cursor) const {
-  return isIndexAwaited ? Pick{} : handwheel::pickAt(pickable(), navigation(), cursor);
+  return handwheel::pickAt(scene.pickable(), navigation(), cursor);
 }
 
 // What is under the cursor stays there. On the background: what is in the middle of the view, else the model's middle.
@@ -137,16 +133,11 @@ void Viewport::Private::hover(const Pick& pick) {
   if (!isNew && pick.isNothing()) return;
   hovered = pick;
   if (isNew) {
-    highlight();
-    if (gesture == NavigationGesture::None) hovered.loop >= 0 ? q->setCursor(Qt::PointingHandCursor) : q->unsetCursor();
+    scene.setHovered(hovered);
+    q->update();
+    if (gesture == NavigationGesture::None) hovered.isNear ? q->setCursor(Qt::PointingHandCursor) : q->unsetCursor();
   }
   emit q->hovered(hovered);
-}
-
-void Viewport::Private::highlight() {
-  scene.marks().setHovered(listLoop, hovered.loop, hovered.face);
-  scene.parts().setHighlighted(hovered.part);
-  q->update();
 }
 
 void Viewport::setPointerSink(std::function<bool(const PointerInput&)> sink) {

@@ -7,12 +7,9 @@
 #include "viewport/Viewport.h"
 #include "viewport/camera/CameraFlight.h"
 #include "viewport/overlay/ViewCube.h"
-#include "viewport/surface/MeshPreparation.h"
-#include "viewport/surface/PartPreparation.h"
 
 #include <QTimer>
 #include <optional>
-#include <set>
 
 class QSinglePointEvent;
 
@@ -38,13 +35,7 @@ class Viewport::Private {
   void draw();
   void paintOver();
   bool isMoving() const { return gesture != NavigationGesture::None || flight.isUnderWay() || rest.isActive(); }
-  std::vector<std::size_t> blocksAround(const HalfEdgeMesh& before, const HalfEdgeMesh& after,
-                                        const std::vector<Face>& touched) const;
-
-  // Parts
-  void requestShapes();
-  void reportOutOfMemory();
-  void takeShape(const PartPreparation::Soup& soup, PartShape shape);
+  void follow(const ViewLayer& layer, LayerChange change);
 
   // Mouse
   bool offer(PointerInput::Kind kind, const QSinglePointEvent& event, double wheel = 0.0) const;
@@ -55,16 +46,13 @@ class Viewport::Private {
   void dragTo(const Vec2& cursor);
   void zoomAbout(const Vec3& fixed, double factor);
   void hover(const Pick& pick);
-  Pickable pickable() const;
   Pick pick(const Vec2& cursor) const;
   Vec3 orbitPivot(const Pick& underCursor) const;
-  void highlight();
   void connectCube();
 
   // Tools
   void layBrush();
   void cast(DeviceCursor& shown) const;  // computes its shadow, and whether the model hides it
-  std::set<std::size_t> liveBlocks() const;
 
   Viewport* q;
   Scene scene;
@@ -72,13 +60,6 @@ class Viewport::Private {
   CameraState camera;
   std::optional<CameraState> fitted;  // where the camera was last sent to see the whole model
   CameraFlight flight;
-  MeshPreparation::Index index;
-  bool isIndexAwaited = false;
-  MeshPreparation preparation;
-  PartPreparation partPreparation;
-  VertexValues values;  // values that colour the mesh; null for none
-  ColourScale colourScale;
-  Shading shading = Shading::Shaded;
   QString problem;
   bool isSeen = false;       // a frame of this model was drawn; before, camera moves are not animated
   int covered = 0;           // pixels at the lower edge
@@ -100,13 +81,11 @@ class Viewport::Private {
   Vec2 last = Vec2::Zero();
   Vec3 pivot = Vec3::Zero();
   Pick hovered;
-  int listLoop = -1;
 
   ViewCube* cube;
   LengthUnit unit = LengthUnit::Millimetre;
   std::vector<std::vector<Vec3>> polylines;
   std::optional<BrushCircle> brush;
-  std::shared_ptr<const PreviewMesh> live;
   std::vector<Vec3> brushLine;
   std::optional<DeviceCursor> deviceCursor;
 };

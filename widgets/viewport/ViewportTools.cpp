@@ -1,10 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/selection/PreviewMesh.h"
 #include "viewport/BrushOutline.h"
 #include "viewport/ViewportPrivate.h"
-
-#include <algorithm>
 
 namespace handwheel {
 
@@ -17,77 +14,12 @@ constexpr double kHidden = 4.0;
 
 }  // namespace
 
-void Viewport::Private::requestShapes() {
-  std::vector<PartPreparation::Soup> soups = scene.parts().missing();
-  const std::vector<PartPreparation::Soup> proposed = scene.proposedParts().missing();
-  soups.insert(soups.end(), proposed.begin(), proposed.end());
-  partPreparation.request(soups);
-}
-
-void Viewport::Private::takeShape(const PartPreparation::Soup& soup, PartShape shape) {
-  // When both want it, the second gets another, as it is asked for again.
-  if (!scene.parts().setShape(soup, shape)) scene.proposedParts().setShape(soup, shape);
-  requestShapes();
-  q->update();
-}
-
-void Viewport::setParts(const DisplayModel& model) {
-  d->scene.setParts(model.parts);
-  const auto isMissing = [missing = d->scene.parts().missing()](const DisplayPart& part) {
-    return std::find(missing.begin(), missing.end(), part.soup) != missing.end();
-  };
-  if (std::all_of(model.parts.begin(), model.parts.end(), isMissing)) d->isSeen = false;
-  const auto isHovered = [this](const DisplayPart& part) { return part.name == d->hovered.part; };
-  if (!d->hovered.part.empty() && std::none_of(model.parts.begin(), model.parts.end(), isHovered)) d->hover({});
-  d->requestShapes();
-  update();
-}
-
 // A tool may say with each move of the mouse all that it shows: what is the same costs no frame.
-
-void Viewport::setProposedParts(const std::vector<DisplayPart>& parts) {
-  if (parts.empty() && d->scene.proposedParts().isEmpty()) return;
-  d->scene.proposedParts().set(parts);
-  d->scene.parts().setFaded(parts);
-  d->requestShapes();
-  update();
-}
-
-void Viewport::setSelectedFaces(const FaceSelection& faces) {
-  if (d->scene.marks().setSelectedFaces(faces)) update();
-}
-
-void Viewport::setHighlightedFaces(const FaceSelection& faces) {
-  if (d->scene.marks().setHighlightedFaces(faces)) update();
-}
 
 void Viewport::setPolylines(std::vector<std::vector<Vec3>> lines) {
   if (lines == d->polylines) return;
   d->polylines = std::move(lines);
   update();
-}
-
-// Faces around the touched ones share normals with them, but are nearly always in the same blocks.
-std::set<std::size_t> Viewport::Private::liveBlocks() const {
-  std::set<std::size_t> blocks;
-  if (live) live->touched.forEach([&](Face f) { blocks.insert(f / preparation.blockFaces()); });
-  return blocks;
-}
-
-void Viewport::setLiveMesh(const std::shared_ptr<const PreviewMesh>& live) {
-  if (live == d->live) return;
-  std::set<std::size_t> blocks = d->liveBlocks();
-  d->live = live;
-  blocks.merge(d->liveBlocks());
-  Box bounds;
-  if (live) {
-    live->touched.forEach([&](Face f) {
-      if (!live->mesh.isLive(f)) return;
-      for (const Vec3& p : live->mesh.points(f)) bounds.extend(p);
-    });
-  }
-  d->scene.setLiveBounds(bounds);
-  d->preparation.show(live ? live->mesh : d->scene.mesh(), d->scene.origin(), blocks);
 }
 
 void Viewport::setBrush(const std::optional<BrushCircle>& brush) {
@@ -101,7 +33,7 @@ void Viewport::Private::layBrush() {
     if (brushLine.empty()) return;
     brushLine.clear();
   } else {
-    brushLine = brushOutline(pickable(), *brush, camera.towardsViewer());
+    brushLine = brushOutline(scene.pickable(), *brush, camera.towardsViewer());
   }
   q->update();
 }

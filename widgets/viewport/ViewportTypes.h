@@ -2,14 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/structure/HalfEdgeMesh.h"
+#include "base/Geometry.h"
 
-#include <QColor>
 #include <QPointF>
+#include <cstdint>
 #include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace handwheel {
 
@@ -19,38 +16,6 @@ enum class Shading { Shaded, ShadedWithEdges, Wireframe };
 // The standard view directions. x is to the right and z up when seen from the front.
 enum class StandardView { Front, Back, Left, Right, Top, Bottom, Isometric };
 
-// A boundary loop drawn on the model. The last point is connected to the first.
-struct LoopMark {
-  int id = -1;
-  std::vector<Vec3> points;
-  QColor colour;
-  bool emphasised = false;
-};
-
-// A set of faces drawn in one colour over the model (flipped, degenerate, self-intersecting…).
-struct FaceMark {
-  std::vector<Face> faces;
-  QColor colour;
-};
-
-// Dots of constant size on the screen (non-manifold or near-coincident vertices).
-struct PointMark {
-  std::vector<Vec3> points;
-  QColor colour;
-};
-
-// Single segments (non-manifold edges).
-struct LineMark {
-  std::vector<std::pair<Vec3, Vec3>> segments;
-  QColor colour;
-};
-
-// A line of a section through the model. When closed, the last point is connected to the first.
-struct SectionMark {
-  std::vector<Vec3> points;
-  bool closed = true;
-};
-
 // The circle of a brush on the surface.
 struct BrushCircle {
   Vec3 centre = Vec3::Zero();  // mm
@@ -59,15 +24,18 @@ struct BrushCircle {
   bool operator==(const BrushCircle&) const = default;
 };
 
-// The object under the cursor: a loop, a face or a part. A loop within 8 pixels takes precedence over the surface it
-// lies on.
-struct Pick {
-  int loop = -1;
-  Face face = kNone;
-  Vec3 point = Vec3::Zero();  // on the object; undefined when nothing was hit
-  std::string part;           // its name, when one of the parts was hit
+class ViewLayer;
 
-  bool isNothing() const { return loop < 0 && face == kNone && part.empty(); }
+// The element of a layer that is under the cursor or on a ray. What the number of the element means, the layer says:
+// faceOf() and loopOf() of MeshLayer.h, partOf() of PartsLayer.h.
+struct Pick {
+  const ViewLayer* layer = nullptr;  // null: nothing was hit
+  std::uint64_t element = 0;
+  Vec3 point = Vec3::Zero();  // on the element; undefined when nothing was hit
+  double distance = 0.0;      // from the origin of the ray, mm; from the cursor, pixels
+  bool isNear = false;        // near the cursor, such as a line, not on the ray
+
+  bool isNothing() const { return layer == nullptr; }
 };
 
 // The pick ray through a position of the view.

@@ -8,6 +8,7 @@
 #include "theme/Theme.h"
 #include "tools/cell/JointDragTool.h"
 #include "viewport/Viewport.h"
+#include "viewport/surface/PartsLayer.h"
 #include "window/documents/OpenDocument.h"
 #include "window/fidelity/FidelityChoice.h"
 
@@ -45,7 +46,8 @@ std::unique_ptr<Tool> CellUi::jointTool() {
   auto& cell = static_cast<CellDocument&>(document()->document);
   return std::make_unique<JointDragTool>(cell, [this](const Ray& ray) -> std::optional<CellPick> {
     const Pick pick = parts().viewport.pickAlong(ray.origin, ray.direction);
-    return pick.part.empty() ? std::nullopt : std::optional(CellPick{pick.part, pick.point});
+    const std::string part = partOf(pick);
+    return part.empty() ? std::nullopt : std::optional(CellPick{part, pick.point});
   });
 }
 

@@ -30,6 +30,7 @@ class Viewport;
 class WindowServices;
 struct Message;
 struct OpenDocument;
+struct ToolPreview;
 
 // The parts of the window that kinds of documents may use.
 struct WindowContext {
@@ -89,6 +90,8 @@ class KindUi : public QObject {
   virtual void setDocument(OpenDocument* document) = 0;
   // To be called after OpenDocument::visible was changed.
   virtual void refreshVisibility() = 0;
+  // Shows what the running tool previews of this kind of geometry; an empty preview when no tool runs.
+  virtual void showPreview(const ToolPreview& preview) { (void)preview; }
   // To be called before a document is destroyed.
   virtual void forget(OpenDocument* document) { (void)document; }
 

@@ -4,6 +4,7 @@
 
 #include "tools/MeasureTool.h"
 #include "viewport/Viewport.h"
+#include "viewport/surface/PartsLayer.h"
 #include "window/documents/DocumentProperties.h"
 #include "window/documents/OpenDocument.h"
 #include "window/tools/ToolHost.h"
@@ -13,13 +14,18 @@
 namespace handwheel {
 
 RigidPartsUi::RigidPartsUi(const WindowContext& parts, std::vector<std::string> groups)
-    : m_parts(parts), m_groups(std::move(groups)), m_panel(new PropertyList(parts.window)) {
+    : m_parts(parts),
+      m_groups(std::move(groups)),
+      m_layer(std::make_shared<PartsLayer>()),
+      m_panel(new PropertyList(parts.window)) {
+  m_parts.viewport.addLayer(m_layer);
   connectEdits(
       *m_panel, [this] { return m_document ? &m_document->document : nullptr; }, this);
 }
 
 RigidPartsUi::~RigidPartsUi() {
   setDocument(nullptr);
+  m_parts.viewport.removeLayer(*m_layer);
 }
 
 std::unique_ptr<OpenDocument> RigidPartsUi::open(std::unique_ptr<Document> document) {
@@ -30,11 +36,12 @@ void RigidPartsUi::setDocument(OpenDocument* document) {
   if (m_document) {
     m_document->camera = m_parts.viewport.camera();
     m_document->document.disconnect(this);
-    m_parts.viewport.clear();
+    m_layer->setParts({});
   }
   m_document = document;
   if (!document) return;
   connect(&document->document, &Document::changed, this, &RigidPartsUi::show);
+  m_layer->setVisible(document->visible);
   show();
   if (document->camera) {
     m_parts.viewport.setCamera(*document->camera);
@@ -44,7 +51,11 @@ void RigidPartsUi::setDocument(OpenDocument* document) {
 }
 
 void RigidPartsUi::refreshVisibility() {
-  if (m_document) show();
+  if (m_document) m_layer->setVisible(m_document->visible);
+}
+
+void RigidPartsUi::showPreview(const ToolPreview& preview) {
+  m_layer->setFaded(preview.parts);
 }
 
 QWidget* RigidPartsUi::panel() {
@@ -70,11 +81,7 @@ std::vector<QAction*> RigidPartsUi::panelActions() const {
 
 void RigidPartsUi::show() {
   const Document& document = m_document->document;
-  if (m_document->visible) {
-    m_parts.viewport.setParts(document.kind().display(*document.snapshot()));
-  } else {
-    m_parts.viewport.clear();
-  }
+  m_layer->setParts(document.kind().display(*document.snapshot()).parts);
   std::vector<Property> shown = document.properties();
   std::erase_if(shown, [this](const Property& property) {
     return std::find(m_groups.begin(), m_groups.end(), property.group) == m_groups.end();

@@ -8,6 +8,7 @@
 
 namespace handwheel {
 
+class PartsLayer;
 class PropertyList;
 
 // Base class for documents shown as rigid parts and edited through properties. Used by robot cells and workpieces.
@@ -22,6 +23,7 @@ class RigidPartsUi : public KindUi {
   std::unique_ptr<OpenDocument> open(std::unique_ptr<Document> document) override;
   void setDocument(OpenDocument* document) override;
   void refreshVisibility() override;
+  void showPreview(const ToolPreview& preview) override;
   QWidget* panel() override;
   QList<QAction*> menu() override { return {}; }
   QList<QAction*> toolBar() override { return {}; }
@@ -38,6 +40,7 @@ class RigidPartsUi : public KindUi {
 
   WindowContext m_parts;
   std::vector<std::string> m_groups;
+  std::shared_ptr<PartsLayer> m_layer;
   QPointer<PropertyList> m_panel;
   OpenDocument* m_document = nullptr;
 };

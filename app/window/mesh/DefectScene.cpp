@@ -4,6 +4,7 @@
 
 #include "panels/defects/DefectModel.h"
 #include "viewport/Viewport.h"
+#include "viewport/surface/MeshLayer.h"
 #include "window/mesh/HolePicking.h"
 #include "window/mesh/OpenMesh.h"
 #include "window/mesh/Selection.h"
@@ -64,11 +65,11 @@ std::vector<Vec3> vertexPointsOf(const Inspection& inspection, DefectKind kind) 
 
 }  // namespace
 
-DefectScene::DefectScene(Viewport& viewport, Selection& selection, DefectModel& defects, QObject* parent)
-    : QObject(parent), m_viewport(viewport), m_selection(selection), m_defects(defects) {
+DefectScene::DefectScene(Viewport& viewport, MeshLayer& layer, Selection& selection, DefectModel& defects,
+                         QObject* parent)
+    : QObject(parent), m_viewport(viewport), m_layer(layer), m_selection(selection), m_defects(defects) {
   connect(&m_selection, &Selection::changed, this, &DefectScene::drawLoops);
-  connect(&m_selection, &Selection::hoverChanged, this,
-          [this] { m_viewport.setHighlightedLoop(m_selection.hovered()); });
+  connect(&m_selection, &Selection::hoverChanged, this, [this] { m_layer.setHighlightedLoop(m_selection.hovered()); });
   connect(&m_defects, &DefectModel::shownChanged, this, [this] {
     drawLoops();
     drawDefects();
@@ -85,15 +86,17 @@ void DefectScene::setDocument(OpenMesh* document) {
     m_document->inspection.disconnect(this);
   }
   m_document = document;
-  if (!document) return m_viewport.clear();
-  connect(&document->document, &MeshDocument::meshChanged, this, [this](const std::vector<Face>& touched) {
-    if (m_document->visible) m_viewport.updateMesh(m_document->document.mesh(), touched);
-  });
+  if (!document) return m_layer.clear();
+  connect(&document->document, &MeshDocument::meshChanged, this,
+          [this](const std::vector<Face>& touched) { m_layer.updateMesh(m_document->document.mesh(), touched); });
   connect(&document->inspection, &Inspection::changed, this, [this] {
     drawLoops();
     drawDefects();
   });
-  showSurface();
+  m_layer.setVisible(document->visible);
+  m_layer.setMesh(document->document.mesh(), document->document.defects().box);
+  drawLoops();
+  drawDefects();
   if (document->camera) {
     m_viewport.setCamera(*document->camera);
   } else {
@@ -102,7 +105,7 @@ void DefectScene::setDocument(OpenMesh* document) {
 }
 
 int DefectScene::loopAt(const Pick& pick) const {
-  if (pick.loop >= 0 || !m_document) return pick.loop;
+  if (loopOf(pick) >= 0 || !m_document) return loopOf(pick);
   const CameraState camera = m_viewport.camera();
   if (!pick.isNothing()) return loopAround(m_document->inspection, camera, pick.point, pick.point);
   const QPointF cursor = m_viewport.mapFromGlobal(QPointF(QCursor::pos()));
@@ -112,15 +115,8 @@ int DefectScene::loopAt(const Pick& pick) const {
   return loopAround(m_document->inspection, camera, camera.centre + right * camera.right() + up * camera.up(), {});
 }
 
-void DefectScene::showSurface() {
-  if (!m_document->visible) return m_viewport.clear();
-  m_viewport.setMesh(m_document->document.mesh(), m_document->document.defects().box);
-  drawLoops();
-  drawDefects();
-}
-
 void DefectScene::refreshVisibility() {
-  if (m_document) showSurface();
+  if (m_document) m_layer.setVisible(m_document->visible);
 }
 
 void DefectScene::showLoop(int loop) {
@@ -139,7 +135,7 @@ void DefectScene::showPlace(const QModelIndex& defect) {
 }
 
 void DefectScene::drawLoops() {
-  if (!m_document || !m_document->visible) return;
+  if (!m_document) return;
   const Inspection& inspection = m_document->inspection;
   std::vector<LoopMark> marks;
   for (DefectKind kind : {DefectKind::Hole, DefectKind::KeptOpen}) {
@@ -149,24 +145,24 @@ void DefectScene::drawLoops() {
       marks.push_back({id, pointsOf(m_document->document.mesh(), inspection.loop(id)), defectColour(kind), selected});
     }
   }
-  m_viewport.setLoops(std::move(marks));
+  m_layer.setLoops(std::move(marks));
 }
 
 void DefectScene::drawDefects() {
-  if (!m_document || !m_document->visible) return;
+  if (!m_document) return;
   const Inspection& inspection = m_document->inspection;
   std::vector<FaceMark> faces;
   for (DefectKind kind : {DefectKind::Debris, DefectKind::Flipped, DefectKind::Degenerate, DefectKind::Duplicate,
                           DefectKind::SelfIntersection}) {
     if (m_defects.isShown(kind)) faces.push_back({facesOf(inspection, kind), defectColour(kind)});
   }
-  m_viewport.setFaceMarks(std::move(faces));
+  m_layer.setFaceMarks(std::move(faces));
 
   std::vector<PointMark> points;
   for (DefectKind kind : {DefectKind::NonManifoldVertex, DefectKind::NearVertex}) {
     if (m_defects.isShown(kind)) points.push_back({vertexPointsOf(inspection, kind), defectColour(kind)});
   }
-  m_viewport.setPointMarks(std::move(points));
+  m_layer.setPointMarks(std::move(points));
 
   std::vector<LineMark> lines;
   const Defects& defects = m_document->document.defects();
@@ -179,7 +175,7 @@ void DefectScene::drawDefects() {
     }
     lines.push_back(std::move(mark));
   }
-  m_viewport.setLineMarks(std::move(lines));
+  m_layer.setLineMarks(std::move(lines));
 }
 
 }  // namespace handwheel

@@ -8,6 +8,7 @@
 namespace handwheel {
 
 class DefectModel;
+class MeshLayer;
 class Selection;
 class Viewport;
 struct OpenMesh;
@@ -19,7 +20,8 @@ class DefectScene : public QObject {
   Q_OBJECT
 
  public:
-  DefectScene(Viewport& viewport, Selection& selection, DefectModel& defects, QObject* parent = nullptr);
+  DefectScene(Viewport& viewport, MeshLayer& layer, Selection& selection, DefectModel& defects,
+              QObject* parent = nullptr);
 
   void setDocument(OpenMesh* document);  // the camera is stored with the previous document
   void showLoop(int loop);               // moves the camera there
@@ -28,11 +30,11 @@ class DefectScene : public QObject {
 
  private:
   int loopAt(const Pick& pick) const;  // also when the cursor is inside the hole, not on its rim
-  void showSurface();
   void drawLoops();
   void drawDefects();
 
   Viewport& m_viewport;
+  MeshLayer& m_layer;
   Selection& m_selection;
   DefectModel& m_defects;
   OpenMesh* m_document = nullptr;

@@ -19,6 +19,7 @@
 #include "tools/mesh/boundary/BoundaryTool.h"
 #include "tools/mesh/sculpt/SculptTool.h"
 #include "viewport/Viewport.h"
+#include "viewport/surface/MeshLayer.h"
 #include "window/CommandText.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/fidelity/FidelityChoice.h"
@@ -37,6 +38,7 @@ namespace handwheel {
 MeshUi::MeshUi(const WindowContext& parts, MeshKind& kind)
     : m_parts(parts),
       m_kind(kind),
+      m_layer(std::make_shared<MeshLayer>()),
       m_preview(parts.pool, parts.services, parts.fidelity),
       m_search(parts.pool, parts.services),
       m_jobs(parts.tabs, parts.jobs, parts.log, parts.fidelity),
@@ -48,13 +50,14 @@ MeshUi::MeshUi(const WindowContext& parts, MeshKind& kind)
           {m_actions.repairAll(), m_actions.previous(), m_actions.next(), m_actions.fill(), m_actions.keepOpen(),
            m_actions.preview(), m_defectActions.thickenSheet(), m_defectActions.cutAndClose(), m_defectActions.fix()},
           parts.window)),
-      m_deviation(parts, this),
-      m_section(parts.viewport, parts.pool),
+      m_deviation(parts, *m_layer, this),
+      m_section(parts.viewport, *m_layer, parts.pool),
       m_panels(new QStackedWidget(parts.window)),
-      m_scene(new DefectScene(parts.viewport, m_selection, *m_panel->model(), this)),
+      m_scene(new DefectScene(parts.viewport, *m_layer, m_selection, *m_panel->model(), this)),
       m_tools(parts.tools, parts.pool, m_selection, m_preview, m_actions, m_jobs),
       m_touch(parts),
       m_show(parts, m_jobs, this) {
+  parts.viewport.addLayer(m_layer);
   m_panels->setMinimumWidth(264);
   m_panels->addWidget(m_panel);
   m_panels->addWidget(m_deviation.panel());
@@ -78,6 +81,7 @@ MeshUi::MeshUi(const WindowContext& parts, MeshKind& kind)
 
 MeshUi::~MeshUi() {
   setDocument(nullptr);
+  m_parts.viewport.removeLayer(*m_layer);
 }
 
 void MeshUi::connectSelection() {
@@ -119,8 +123,8 @@ void MeshUi::compareMethods() {
 void MeshUi::followFidelity() {
   const FidelityValues& values = m_parts.fidelity.values();
   m_kind.setNearWeld(values.of(nearWeldSetting()));
-  m_parts.viewport.setBlockFaces(static_cast<Face>(values.of(blockFacesSetting())));
-  m_parts.viewport.setCoarseTriangles(static_cast<std::size_t>(values.of(coarseTrianglesSetting())));
+  m_layer->setBlockFaces(static_cast<Face>(values.of(blockFacesSetting())));
+  m_layer->setCoarseTriangles(static_cast<std::size_t>(values.of(coarseTrianglesSetting())));
   m_panel->settings()->setMethod(m_actions.method());
   m_tools.setFill(m_actions.method(), fillContinuityOf(values));
   for (const auto& open : m_parts.tabs.all()) {
@@ -178,9 +182,13 @@ void MeshUi::setDocument(OpenDocument* document) {
 
 void MeshUi::refreshVisibility() {
   m_scene->refreshVisibility();
-  m_deviation.redraw();
-  m_section.redraw();
   m_touch.refreshVisibility();
+}
+
+void MeshUi::showPreview(const ToolPreview& preview) {
+  m_layer->setLiveMesh(preview.live);
+  m_layer->setHighlightedFaces(preview.highlighted);
+  m_layer->setSelectedFaces(preview.selected);
 }
 
 QList<QAction*> MeshUi::toolBar() {

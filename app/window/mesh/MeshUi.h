@@ -26,6 +26,7 @@ namespace handwheel {
 class DefectsPanel;
 class DefectScene;
 class MeshKind;
+class MeshLayer;
 
 // The user interface of meshes: defects in panel and viewport, and repair actions.
 class MeshUi : public KindUi {
@@ -39,6 +40,7 @@ class MeshUi : public KindUi {
   std::unique_ptr<OpenDocument> open(std::unique_ptr<Document> document) override;
   void setDocument(OpenDocument* document) override;
   void refreshVisibility() override;
+  void showPreview(const ToolPreview& preview) override;
   QString panelTitle() const override { return m_deviation.isShown() ? tr("Deviation") : tr("Defects"); }
   QString panelIcon() const override { return QStringLiteral("defects"); }
   QWidget* panel() override;
@@ -67,6 +69,7 @@ class MeshUi : public KindUi {
 
   WindowContext m_parts;
   MeshKind& m_kind;
+  std::shared_ptr<MeshLayer> m_layer;
   Selection m_selection;
   HolePreview m_preview;
   SelfIntersectionSearch m_search;

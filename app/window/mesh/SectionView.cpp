@@ -3,28 +3,25 @@
 #include "window/mesh/SectionView.h"
 
 #include "viewport/Viewport.h"
+#include "viewport/surface/MeshLayer.h"
 #include "window/mesh/OpenMesh.h"
 
 namespace handwheel {
 
-SectionView::SectionView(Viewport& viewport, QThreadPool& pool, QObject* parent)
-    : QObject(parent), m_viewport(viewport), m_cutting(JobRunner::Policy::Latest, pool) {
+SectionView::SectionView(Viewport& viewport, MeshLayer& layer, QThreadPool& pool, QObject* parent)
+    : QObject(parent), m_viewport(viewport), m_layer(layer), m_cutting(JobRunner::Policy::Latest, pool) {
   connect(&m_viewport, &Viewport::clipPlaneChanged, this, &SectionView::cut);
 }
 
 void SectionView::setDocument(OpenMesh* document) {
   if (m_document) m_document->document.disconnect(this);
   m_cutting.cancelAll();
-  m_section.reset();  // the viewport has another model by now
+  m_section.reset();  // the layer has another model by now
   m_document = document;
   if (!document) return;
   connect(&document->document, &MeshDocument::meshChanged, this, &SectionView::cut);
   connect(&document->document, &Document::fileChanged, this, &SectionView::changed);  // its unit
   cut();
-}
-
-void SectionView::redraw() {
-  if (m_document) show(m_document->visible ? m_section : std::nullopt);
 }
 
 void SectionView::cut() {
@@ -43,7 +40,7 @@ void SectionView::cut() {
     if (progress.cancelled()) return {};
     return [this, section = std::move(section)]() mutable {
       m_section = std::move(section);
-      redraw();
+      show(m_section);
       emit changed();
     };
   };
@@ -55,7 +52,7 @@ void SectionView::show(const std::optional<Section>& section) {
   if (section) {
     for (const SectionCurve& curve : section->curves) marks.push_back({curve.points, curve.closed});
   }
-  m_viewport.setSection(std::move(marks));
+  m_layer.setSection(std::move(marks));
 }
 
 std::vector<Property> SectionView::statistics() const {

@@ -10,6 +10,7 @@
 
 namespace handwheel {
 
+class MeshLayer;
 class Viewport;
 struct OpenMesh;
 
@@ -19,11 +20,9 @@ class SectionView : public QObject {
   Q_OBJECT
 
  public:
-  SectionView(Viewport& viewport, QThreadPool& pool, QObject* parent = nullptr);
+  SectionView(Viewport& viewport, MeshLayer& layer, QThreadPool& pool, QObject* parent = nullptr);
 
   void setDocument(OpenMesh* document);
-  // To be called after the mesh was set in the viewport again.
-  void redraw();
   // Length, and of a closed outline the area; none without a plane.
   std::vector<Property> statistics() const;
 
@@ -35,6 +34,7 @@ class SectionView : public QObject {
   void show(const std::optional<Section>& section);
 
   Viewport& m_viewport;
+  MeshLayer& m_layer;
   JobRunner m_cutting;
   OpenMesh* m_document = nullptr;
   std::optional<Section> m_section;

@@ -5,6 +5,7 @@
 #include "document/Document.h"
 #include "theme/Theme.h"
 #include "viewport/Viewport.h"
+#include "viewport/surface/PartsLayer.h"
 #include "window/tools/ToolKeys.h"
 #include "window/tools/ToolPanel.h"
 #include "window/tools/ToolReadout.h"
@@ -72,10 +73,12 @@ QString translated(const char* context, const std::string& text) {
 ToolHost::ToolHost(Viewport& viewport, ToolPanel& panel, NeedSet& needs, QObject* parent)
     : QObject(parent),
       m_viewport(viewport),
+      m_proposed(std::make_shared<PartsLayer>(PartsLayer::Role::Proposed)),
       m_panel(panel),
       m_readout(new ToolReadout(&viewport)),
       m_keys(*new ToolKeys(viewport, this)),
       m_needs(needs) {
+  m_viewport.addLayer(m_proposed);
   m_viewport.installEventFilter(this);
   m_viewport.setPointerSink([this](const PointerInput& input) { return take(input); });
   connect(&m_panel.settings(), &PropertyList::edited, this,
@@ -186,19 +189,21 @@ void ToolHost::show() {
   m_isShowDue = false;
   const Tool* tool = m_runner.tool();
   if (!tool) return showNothing();
-  ToolPreview preview = tool->preview();
-  tint(preview.parts);
-  m_viewport.setLiveMesh(preview.live);
-  m_viewport.setProposedParts(preview.parts);
-  m_viewport.setHighlightedFaces(preview.highlighted);
-  m_viewport.setSelectedFaces(preview.selected);
-  m_viewport.setPolylines(std::move(preview.lines));
-  m_viewport.setBrush(preview.circle ? std::optional(BrushCircle{preview.circle->first, preview.circle->second})
-                                     : std::nullopt);
+  showShapes(tool->preview());
   if (m_runner.document()) m_panel.settings().setLengthUnit(m_runner.document()->displayUnit());
   m_panel.settings().setProperties(tool->settings());
   showActions();
   emit updated();
+}
+
+// What all kinds have is shown here, the rest by the kind of the document.
+void ToolHost::showShapes(ToolPreview preview) {
+  emit previewed(preview);
+  tint(preview.parts);
+  m_proposed->setParts(preview.parts);
+  m_viewport.setPolylines(std::move(preview.lines));
+  m_viewport.setBrush(preview.circle ? std::optional(BrushCircle{preview.circle->first, preview.circle->second})
+                                     : std::nullopt);
 }
 
 void ToolHost::showActions() {
@@ -212,12 +217,7 @@ void ToolHost::showNothing() {
   m_isShowDue = false;
   m_needed.clear();
   m_readout->hide();
-  m_viewport.setLiveMesh(nullptr);
-  m_viewport.setProposedParts({});
-  m_viewport.setHighlightedFaces({});
-  m_viewport.setSelectedFaces({});
-  m_viewport.setPolylines({});
-  m_viewport.setBrush({});
+  showShapes({});
   m_panel.settings().setProperties({});
   showActions();
   emit updated();

@@ -10,6 +10,7 @@
 
 namespace handwheel {
 
+class PartsLayer;
 class ToolKeys;
 class ToolPanel;
 class ToolReadout;
@@ -41,8 +42,11 @@ class ToolHost : public QObject {
 
   // The present bindings of pointer and keys, translated.
   std::vector<Hint> hints() const;
+
  signals:
   void updated();  // the hints or the display of the tool
+  // What the tool shows now; an empty preview when it has ended. The kind of the document shows its part of it.
+  void previewed(const handwheel::ToolPreview& preview);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;  // handles keys of the tool pressed in the view
@@ -55,8 +59,10 @@ class ToolHost : public QObject {
   void show();
   void showSoon();
   void showNothing();
+  void showShapes(ToolPreview preview);
 
   Viewport& m_viewport;
+  std::shared_ptr<PartsLayer> m_proposed;
   ToolPanel& m_panel;
   ToolReadout* m_readout;
   ToolKeys& m_keys;

@@ -93,7 +93,7 @@ class DeviceCursorTest : public PictureFixture {
   void seenInThePicture() {
     const CameraState camera = fromAbove(Projection::Parallel);
     const CameraNavigation view(camera, kSize);
-    m_view->setMesh(buildMesh(sheet(kCells)).mesh);
+    m_mesh->setMesh(buildMesh(sheet(kCells)).mesh);
     m_view->setCamera(camera);
     QTRY_VERIFY(m_view->isPickingReady());
     const QImage bare = m_view->grabImage();
@@ -130,7 +130,7 @@ class DeviceCursorTest : public PictureFixture {
 
   // Sixty cursors a second must not cost sixty pictures of the model.
   void theModelIsNotDrawnForIt() {
-    m_view->setMesh(buildMesh(sheet(kCells)).mesh);
+    m_mesh->setMesh(buildMesh(sheet(kCells)).mesh);
     m_view->setCamera(fromAbove(Projection::Parallel));
     m_view->grabImage();
     settle();

@@ -4,6 +4,8 @@
 
 #include "TestClass.h"
 #include "viewport/Viewport.h"
+#include "viewport/surface/MeshLayer.h"
+#include "viewport/surface/PartsLayer.h"
 
 #include <QApplication>
 #include <QtTest>
@@ -11,12 +13,30 @@
 
 namespace handwheel {
 
-// A viewport of 600 × 500 pixels on the display, for each test a new one.
+// A viewport of 600 × 500 pixels on the display with a mesh and parts, for each test a new one.
 class ViewportFixture : public QObject {
   Q_OBJECT
 
  protected:
   std::unique_ptr<Viewport> m_view;
+  std::shared_ptr<MeshLayer> m_mesh;
+  std::shared_ptr<PartsLayer> m_parts;
+
+  void clear() {
+    m_mesh->clear();
+    m_parts->setParts({});
+  }
+
+  void makeView() {
+    m_view = std::make_unique<Viewport>();
+    m_view->resize(600, 500);
+    m_mesh = std::make_shared<MeshLayer>();
+    m_parts = std::make_shared<PartsLayer>();
+    m_view->addLayer(m_mesh);
+    m_view->addLayer(m_parts);
+    m_view->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_view.get()));
+  }
 
   // Until everything is built and no further frame is drawn.
   void settle() {
@@ -39,12 +59,7 @@ class ViewportFixture : public QObject {
     if (!probe.graphicsProblem().isEmpty()) QSKIP("the display offers no GLX");
   }
 
-  void init() {
-    m_view = std::make_unique<Viewport>();
-    m_view->resize(600, 500);
-    m_view->show();
-    QVERIFY(QTest::qWaitForWindowExposed(m_view.get()));
-  }
+  void init() { makeView(); }
 
   void cleanup() { m_view.reset(); }
 };

@@ -42,6 +42,7 @@ class PartActorsTest : public QObject {
   Q_OBJECT
 
   vtkNew<vtkRenderer> m_renderer;
+  std::unique_ptr<LayerProps> m_props;
 
   std::vector<vtkActor*> shown() {
     std::vector<vtkActor*> actors;
@@ -60,9 +61,15 @@ class PartActorsTest : public QObject {
   }
 
  private slots:
+  void init() {
+    m_props = std::make_unique<LayerProps>();
+    m_props->attach(m_renderer);
+  }
+  void cleanup() { m_props.reset(); }
+
   // What something else is proposed for is seen through, so that the two make no stripes where they coincide.
   void whatIsProposedAnewFades() {
-    PartActors actors(m_renderer);
+    PartActors actors(*m_props);
     actors.set({partAt("a", Vec3(0, 0, 0)), partAt("b", Vec3(9, 0, 0))});
     makeAll(actors);
     actors.setFaded({partAt("b", Vec3(9, 1, 0))});
@@ -80,18 +87,23 @@ class PartActorsTest : public QObject {
     actors.set({});
   }
 
-  void cleanup() { m_renderer->RemoveAllViewProps(); }
-
   void nothingIsShownBeforeTheShapeIsMade() {
-    PartActors actors(m_renderer);
+    PartActors actors(*m_props);
     actors.set({partAt("a", {0, 0, 0}), partAt("b", {5, 0, 0})});
     QVERIFY(shown().empty());
     QCOMPARE(actors.missing(), std::vector{kBox});  // once for both
-    QVERIFY(actors.pickable().empty());
+    const Vec3 aboveA(0.5, 1, 9), aboveB(5.5, 1, 9);
+    QVERIFY(!actors.firstHit(aboveA, -Vec3::UnitZ()));
     makeAll(actors);
     QCOMPARE(shown().size(), std::size_t{2});
     QCOMPARE(actors.builtCount(), 1);
-    QCOMPARE(actors.pickable().size(), std::size_t{2});
+    const auto a = actors.firstHit(aboveA, -Vec3::UnitZ()), b = actors.firstHit(aboveB, -Vec3::UnitZ());
+    QVERIFY(a && b && a->element != b->element);
+    QCOMPARE(actors.nameOf(a->element), std::string("a"));
+    QCOMPARE(actors.nameOf(b->element), std::string("b"));
+    QCOMPARE(b->distance, 6.0);
+    actors.set({partAt("b", {5, 0, 0}), partAt("a", {0, 0, 0})});  // in another order they keep their numbers
+    QCOMPARE(actors.nameOf(a->element), std::string("a"));
     QVERIFY(actors.missing().empty());
   }
 
@@ -99,7 +111,8 @@ class PartActorsTest : public QObject {
   void actorsStandWhereThePoseSays() {
     QVERIFY(rc::check([this] {
       const auto number = [](double limit) { return *rc::gen::inRange(-1000, 1001) * limit / 1000.0; };
-      PartActors actors(m_renderer);
+      init();
+      PartActors actors(*m_props);
       const Vec3 origin(number(1e7), number(1e7), number(1e7));
       actors.setOrigin(origin);
       actors.set({partAt("a", origin)});
@@ -113,12 +126,11 @@ class PartActorsTest : public QObject {
       RC_ASSERT(actors.builtCount() == 1);
       const Vec3 p(number(1), number(2), number(3)), middle(0.5, 1, 1.5);
       RC_ASSERT((drawnAt(actor, p - middle, origin) - part.pose * p).norm() < 1e-8);
-      m_renderer->RemoveAllViewProps();
     }));
   }
 
   void boundsAndOutlineFollowThePoses() {
-    PartActors actors(m_renderer);
+    PartActors actors(*m_props);
     DisplayPart turned = partAt("b", {10, 0, 0});
     turned.pose.linear() = Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitZ()).toRotationMatrix();
     actors.set({partAt("a", {0, 0, 0}), turned});
@@ -131,7 +143,7 @@ class PartActorsTest : public QObject {
 
   // A slider that changes the shape faster than it can be made: the last one made stays, until a later one is.
   void theFormerShapeStaysUntilTheNewOneIsMade() {
-    PartActors actors(m_renderer);
+    PartActors actors(*m_props);
     actors.set({partAt("a", {0, 0, 0})});
     makeAll(actors);
     const vtkSmartPointer<vtkActor> first = shown().at(0);  // held, so that no other gets its address
@@ -156,7 +168,7 @@ class PartActorsTest : public QObject {
   }
 
   void whatIsGoneIsFreed() {
-    PartActors actors(m_renderer);
+    PartActors actors(*m_props);
     auto soup = std::make_shared<const TriangleSoup>(boxSoup({1, 1, 1}));
     const std::weak_ptr<const TriangleSoup> watched = soup;
     actors.set({partAt("a", {0, 0, 0}, soup)});
@@ -170,7 +182,7 @@ class PartActorsTest : public QObject {
   }
 
   void oddSoupsDoNoHarm() {
-    PartActors actors(m_renderer);
+    PartActors actors(*m_props);
     const double nan = std::numeric_limits<double>::quiet_NaN();
     TriangleSoup odd;
     odd.points = {{nan, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
@@ -188,7 +200,7 @@ class PartActorsTest : public QObject {
   }
 
   void largePartsComeInBlocks() {
-    PartActors actors(m_renderer);
+    PartActors actors(*m_props);
     actors.set({partAt("ball", {0, 0, 0}, shared(sphereSoup(200)))});  // 159 200 triangles
     PartShape shape = shapeOf(*actors.missing().at(0));
     QVERIFY(actors.setShape(actors.missing().at(0), shape));
@@ -203,7 +215,7 @@ class PartActorsTest : public QObject {
   }
 
   void highlightedPartsAreTinted() {
-    PartActors actors(m_renderer);
+    PartActors actors(*m_props);
     actors.set({partAt("a", {0, 0, 0}), partAt("b", {5, 0, 0})});
     makeAll(actors);
     const auto colours = [this] {

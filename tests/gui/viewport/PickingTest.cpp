@@ -5,6 +5,8 @@
 #include "mesh/structure/MeshBuilder.h"
 #include "viewport/BrushOutline.h"
 #include "viewport/Picking.h"
+#include "viewport/surface/MeshLayer.h"
+#include "viewport/surface/PartsLayer.h"
 
 #include <rapidcheck.h>
 #include <QtTest>
@@ -19,8 +21,26 @@ double pickingNumber(double limit) {
   return *rc::gen::inRange(-1000, 1001) * limit / 1000.0;
 }
 
-std::shared_ptr<const PickIndex> indexOf(const TriangleSoup& soup) {
-  return std::make_shared<const PickIndex>(buildMesh(soup).mesh);
+// Nothing of these layers is drawn.
+
+std::unique_ptr<MeshLayer> layerOf(const TriangleSoup& soup, std::vector<LoopMark> loops = {}) {
+  auto layer = std::make_unique<MeshLayer>();
+  layer->setMesh(buildMesh(soup).mesh);
+  layer->setLoops(std::move(loops));
+  if (!QTest::qWaitFor([&] { return layer->isSearchable(); })) qFatal("the search structure was not built");
+  return layer;
+}
+
+std::unique_ptr<PartsLayer> layerOf(const std::vector<DisplayPart>& parts) {
+  auto layer = std::make_unique<PartsLayer>();
+  layer->setPartsAtOnce(parts);
+  return layer;
+}
+
+std::unique_ptr<MeshLayer> layerOf(std::vector<LoopMark> loops) {
+  auto layer = std::make_unique<MeshLayer>();
+  layer->setLoops(std::move(loops));
+  return layer;
 }
 
 CameraState cameraAbove(Projection projection) {
@@ -42,9 +62,12 @@ Pose raisedBy(double z) {
 class PickingTest : public QObject {
   Q_OBJECT
 
-  const std::shared_ptr<const PickIndex> m_sheet = indexOf(sheet(kCells));
+  const std::shared_ptr<const TriangleSoup> m_soup = std::make_shared<const TriangleSoup>(sheet(kCells));
+  std::unique_ptr<MeshLayer> m_sheet;
 
  private slots:
+  void initTestCase() { m_sheet = layerOf(*m_soup); }
+
   // Project a point of the sheet, pick there: the same point comes back.
   void pickInvertsProjection() {
     QVERIFY(rc::check([&] {
@@ -54,28 +77,28 @@ class PickingTest : public QObject {
       const CameraNavigation view(c, kPickingSize);
       const Vec3 p(10 + pickingNumber(9.9), 10 + pickingNumber(9.9), 0);
       if (!view.isBeforeEye(p)) return;
-      const Pick pick = pickAt({.mesh = m_sheet.get()}, view, view.toScreen(p));
-      RC_ASSERT(pick.face != kNone);
+      const Pick pick = pickAt({{m_sheet.get()}}, view, view.toScreen(p));
+      RC_ASSERT(faceOf(pick) != kNone);
       RC_ASSERT((pick.point - p).norm() < 1e-9);
-      RC_ASSERT(pick.part.empty());
+      RC_ASSERT(partOf(pick).empty());
     }));
   }
 
   void theNearestPartIsPicked() {
-    const std::vector<PickPart> parts{
-        {"low", raisedBy(1), m_sheet}, {"high", raisedBy(3), m_sheet}, {"below", raisedBy(-3), m_sheet}};
+    const auto parts =
+        layerOf({{"low", m_soup, raisedBy(1)}, {"high", m_soup, raisedBy(3)}, {"below", m_soup, raisedBy(-3)}});
     for (const Projection projection : {Projection::Parallel, Projection::Perspective}) {
       const CameraNavigation view(cameraAbove(projection), kPickingSize);
       const Vec3 p(7.3, 8.4, 3);
-      const Pick pick = pickAt({.mesh = m_sheet.get(), .parts = parts}, view, view.toScreen(p));
-      QCOMPARE(pick.part, "high");
-      QCOMPARE(pick.face, kNone);
+      const Pick pick = pickAt({{m_sheet.get(), parts.get()}}, view, view.toScreen(p));
+      QCOMPARE(partOf(pick), "high");
+      QCOMPARE(faceOf(pick), kNone);
       QVERIFY((pick.point - p).norm() < 1e-9);
       QVERIFY(!pick.isNothing());
     }
-    const Pickable all{.mesh = m_sheet.get(), .parts = parts};
-    QCOMPARE(pickAlong(all, Vec3(7.3, 8.4, 2), -Vec3::UnitZ()).part, "low");
-    QCOMPARE(pickAlong(all, Vec3(7.3, 8.4, 0.5), -Vec3::UnitZ()).face, static_cast<Face>(2 * (8 * kCells + 7) + 1));
+    const Pickable all{{m_sheet.get(), parts.get()}};
+    QCOMPARE(partOf(pickAlong(all, Vec3(7.3, 8.4, 2), -Vec3::UnitZ())), "low");
+    QCOMPARE(faceOf(pickAlong(all, Vec3(7.3, 8.4, 0.5), -Vec3::UnitZ())), static_cast<Face>(2 * (8 * kCells + 7) + 1));
     QVERIFY(pickAlong(all, Vec3(7.3, 8.4, 4), Vec3::UnitZ()).isNothing());
   }
 
@@ -91,20 +114,20 @@ class PickingTest : public QObject {
       CameraState c = cameraAbove(Projection::Perspective);
       c.orientation = Eigen::Quaterniond(pose.linear());
       c.centre = p;
-      const std::vector<PickPart> parts{{"sheet", pose, m_sheet}};
-      const Pick pick = pickAt({.parts = parts}, CameraNavigation(c, kPickingSize), kPickingSize / 2);
-      RC_ASSERT(pick.part == "sheet");
+      const auto parts = layerOf({{"sheet", m_soup, pose}});
+      const Pick pick = pickAt({{parts.get()}}, CameraNavigation(c, kPickingSize), kPickingSize / 2);
+      RC_ASSERT(partOf(pick) == "sheet");
       RC_ASSERT((pick.point - p).norm() < 1e-6);
     }));
   }
 
   // The plane opens the upper sheet on one side: there the lower one is picked, and nothing when it is clipped as well.
   void whatIsClippedAwayIsNotPicked() {
-    const std::vector<PickPart> parts{{"low", raisedBy(0), m_sheet}, {"high", raisedBy(3), m_sheet}};
+    const auto parts = layerOf({{"low", m_soup, raisedBy(0)}, {"high", m_soup, raisedBy(3)}});
     for (const Projection projection : {Projection::Parallel, Projection::Perspective}) {
       const CameraNavigation view(cameraAbove(projection), kPickingSize);
       const auto pickedAt = [&](const Vec3& p, const ClipPlane& clip) {
-        return pickAt({.parts = parts, .clip = clip}, view, view.toScreen(p)).part;
+        return partOf(pickAt({{parts.get()}, clip}, view, view.toScreen(p)));
       };
       const ClipPlane between{Vec3::UnitZ(), 1.5, true};
       QCOMPARE(pickedAt({5, 5, 3}, between), "low");
@@ -120,12 +143,12 @@ class PickingTest : public QObject {
   }
 
   void clippedLoopIsNotPicked() {
-    const std::vector<LoopMark> loops{squareLoop(0, Qt::blue)};
+    const auto layer = layerOf(*m_soup, {squareLoop(0, Qt::blue)});
     const CameraNavigation view(cameraAbove(Projection::Perspective), kPickingSize);
     const Vec2 at = view.toScreen({5, 10, 0});
-    QCOMPARE(pickAt({.mesh = m_sheet.get(), .loops = loops}, view, at).loop, 7);
-    const Pick clipped = pickAt({.mesh = m_sheet.get(), .loops = loops, .clip = {-Vec3::UnitX(), -8, true}}, view, at);
-    QCOMPARE(clipped.loop, -1);
+    QCOMPARE(loopOf(pickAt({{layer.get()}}, view, at)), 7);
+    const Pick clipped = pickAt({{layer.get()}, {-Vec3::UnitX(), -8, true}}, view, at);
+    QCOMPARE(loopOf(clipped), -1);
     QVERIFY(clipped.isNothing());
   }
 
@@ -134,10 +157,10 @@ class PickingTest : public QObject {
     CameraState c = cameraAbove(Projection::Perspective);
     c.orientation = Eigen::Quaterniond(Eigen::AngleAxisd(1.2, Vec3::UnitX()));
     const CameraNavigation view(c, kPickingSize);
-    const std::vector<LoopMark> loops{{4, {{10, 2, 0}, {10, 18, 0}}, Qt::blue, false}};
+    const auto layer = layerOf(std::vector<LoopMark>{{4, {{10, 2, 0}, {10, 18, 0}}, Qt::blue, false}});
     for (const double y : {2.5, 7.0, 10.0, 17.0}) {
-      const Pick pick = pickAt({.loops = loops}, view, view.toScreen({10, y, 0}));
-      QCOMPARE(pick.loop, 4);
+      const Pick pick = pickAt({{layer.get()}}, view, view.toScreen({10, y, 0}));
+      QCOMPARE(loopOf(pick), 4);
       QVERIFY((pick.point - Vec3(10, y, 0)).norm() < 1e-9);
     }
   }
@@ -146,14 +169,14 @@ class PickingTest : public QObject {
     const CameraState c = cameraAbove(Projection::Perspective);
     const CameraNavigation view(c, kPickingSize);
     const double behind = 2 * c.eyeDistance();
-    const std::vector<LoopMark> loops{{4, {{9, 9, behind}, {11, 11, behind}}, Qt::blue, false}};
-    QCOMPARE(pickAt({.loops = loops}, view, kPickingSize / 2).loop, -1);
+    const auto layer = layerOf(std::vector<LoopMark>{{4, {{9, 9, behind}, {11, 11, behind}}, Qt::blue, false}});
+    QCOMPARE(loopOf(pickAt({{layer.get()}}, view, kPickingSize / 2)), -1);
   }
 
   // A circle on a plane is that circle; on a roof it follows both slopes; beyond the surface it is flat.
   void brushLiesOnTheSurface() {
     const BrushCircle brush{Vec3(10, 10, 0), 3.0};
-    for (const Vec3& p : brushOutline({.mesh = m_sheet.get()}, brush, Vec3::UnitZ())) {
+    for (const Vec3& p : brushOutline({{m_sheet.get()}}, brush, Vec3::UnitZ())) {
       QVERIFY(std::abs((p - brush.centre).norm() - 3) < 1e-9);
       QVERIFY(std::abs(p.z()) < 1e-9);
     }
@@ -161,16 +184,16 @@ class PickingTest : public QObject {
     const double fall = 20 * std::tan(15 * kRadiansPerDegree);
     roof.points = {{0, -20, 0}, {0, 20, 0}, {-20, 0, -fall}, {20, 0, -fall}};
     roof.triangles = {{0, 1, 2}, {1, 0, 3}};
-    const auto index = indexOf(roof);
-    for (const Vec3& p : brushOutline({.mesh = index.get()}, {Vec3(0.01, 0, 0), 2.0}, Vec3::UnitZ())) {
+    const auto slopes = layerOf(roof);
+    for (const Vec3& p : brushOutline({{slopes.get()}}, {Vec3(0.01, 0, 0), 2.0}, Vec3::UnitZ())) {
       QVERIFY(std::abs(p.z() + std::abs(p.x()) * std::tan(15 * kRadiansPerDegree)) < 1e-9);
     }
     // Wider than the rod that it is on: neither torn between the rod and the floor beneath it nor zigzag.
     TriangleSoup rod;
     rod.points = {{-1, -20, 0}, {1, -20, 0}, {1, 20, 0}, {-1, 20, 0}, {-20, -20, -2.5}, {20, -20, -2.5}, {0, 40, -2.5}};
     rod.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}};
-    const auto rodIndex = indexOf(rod);
-    for (const Vec3& p : brushOutline({.mesh = rodIndex.get()}, {Vec3::Zero(), 3.0}, Vec3::UnitZ())) {
+    const auto rodAndFloor = layerOf(rod);
+    for (const Vec3& p : brushOutline({{rodAndFloor.get()}}, {Vec3::Zero(), 3.0}, Vec3::UnitZ())) {
       QVERIFY(std::abs(p.z()) < 1e-9 && std::abs(p.norm() - 3) < 1e-9);
     }
     const std::vector<Vec3> free = brushOutline({}, brush, Vec3::UnitX());

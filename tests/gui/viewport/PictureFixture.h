@@ -40,13 +40,13 @@ inline bool isNear(double a, double b, double share) {
 class PictureFixture : public ViewportFixture {
  protected:
   QImage emptyPicture(const CameraState& camera) {
-    m_view->clear();
+    clear();
     m_view->setCamera(camera);
     return m_view->grabImage();
   }
 
   QImage picture(const std::vector<DisplayPart>& parts, const CameraState& camera) {
-    m_view->setParts({parts});
+    m_parts->setParts(parts);
     m_view->setCamera(camera);
     return m_view->grabImage();
   }

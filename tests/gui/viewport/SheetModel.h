@@ -3,7 +3,7 @@
 #pragma once
 
 #include "mesh/structure/TriangleSoup.h"
-#include "viewport/ViewportTypes.h"
+#include "viewport/MeshMarks.h"
 
 #include <QImage>
 #include <cstdlib>

@@ -36,7 +36,7 @@ class ViewportColoursTest : public PictureFixture {
 
   HalfEdgeMesh show() {
     const HalfEdgeMesh mesh = buildMesh(sheet(kCells)).mesh;
-    m_view->setMesh(mesh);
+    m_mesh->setMesh(mesh);
     m_view->setCamera(m_camera);
     return mesh;
   }
@@ -53,7 +53,7 @@ class ViewportColoursTest : public PictureFixture {
     m_view->setDarkTheme(dark);
     const HalfEdgeMesh mesh = show();
     const ColourScale scale{8.0};
-    m_view->setSurfaceValues(offsets(mesh), scale);
+    m_mesh->setSurfaceValues(offsets(mesh), scale);
     const QImage image = m_view->grabImage();
     for (const double x : {1.0, 4.5, 8.3, 10.0, 12.6, 15.0, 19.0}) {
       QVERIFY2(isLit(at(image, x), scale.at(x - 10.0)), qPrintable(at(image, x).name()));
@@ -63,9 +63,9 @@ class ViewportColoursTest : public PictureFixture {
   // Within a triangle the value counts, not the colours of its corners: the middle of one from end to end is white.
   void valuesAreInterpolatedNotColours() {
     const HalfEdgeMesh mesh = buildMesh(sheet(1)).mesh;
-    m_view->setMesh(mesh);
+    m_mesh->setMesh(mesh);
     m_view->setCamera(m_camera);
-    m_view->setSurfaceValues(offsets(mesh), {10.0});
+    m_mesh->setSurfaceValues(offsets(mesh), {10.0});
     const QImage image = m_view->grabImage();
     QVERIFY(isLit(at(image, 10.0, 4.0), ColourScale{10.0}.at(0.0)));
     QVERIFY(isLit(at(image, 15.0, 4.0), ColourScale{10.0}.at(5.0)));
@@ -73,10 +73,10 @@ class ViewportColoursTest : public PictureFixture {
 
   void anotherScaleBuildsNothing() {
     const HalfEdgeMesh mesh = show();
-    m_view->setSurfaceValues(offsets(mesh), {100.0});
+    m_mesh->setSurfaceValues(offsets(mesh), {100.0});
     QVERIFY(isLit(at(m_view->grabImage(), 12.0), ColourScale{100.0}.at(2.0)));
     const int built = m_view->blocksBuilt();
-    m_view->setColourScale({2.0});
+    m_mesh->setColourScale({2.0});
     QVERIFY(isLit(at(m_view->grabImage(), 12.0), ColourScale{2.0}.at(2.0)));
     QCOMPARE(m_view->blocksBuilt(), built);
   }
@@ -84,24 +84,24 @@ class ViewportColoursTest : public PictureFixture {
   void theyGoWithoutATrace() {
     const HalfEdgeMesh mesh = show();
     const QImage plain = m_view->grabImage();
-    m_view->setSurfaceValues(offsets(mesh), {5.0});
+    m_mesh->setSurfaceValues(offsets(mesh), {5.0});
     QVERIFY(m_view->grabImage() != plain);
-    m_view->setSurfaceValues(nullptr, {});
+    m_mesh->setSurfaceValues(nullptr, {});
     QCOMPARE(m_view->grabImage(), plain);
-    m_view->setSurfaceValues(offsets(mesh), {5.0});
+    m_mesh->setSurfaceValues(offsets(mesh), {5.0});
     m_view->grabImage();
-    m_view->updateMesh(mesh, {0});
+    m_mesh->updateMesh(mesh, {0});
     QCOMPARE(m_view->grabImage(), plain);
-    m_view->setSurfaceValues(offsets(mesh), {5.0});
-    m_view->setMesh(mesh);
+    m_mesh->setSurfaceValues(offsets(mesh), {5.0});
+    m_mesh->setMesh(mesh);
     QCOMPARE(m_view->grabImage(), plain);
   }
 
   // Asked for and taken back before the first block was built.
   void takenBackAtOnce() {
     const HalfEdgeMesh mesh = show();
-    m_view->setSurfaceValues(offsets(mesh), {5.0});
-    m_view->setSurfaceValues(nullptr, {});
+    m_mesh->setSurfaceValues(offsets(mesh), {5.0});
+    m_mesh->setSurfaceValues(nullptr, {});
     const QImage image = m_view->grabImage();
     QVERIFY(isLit(at(image, 2.0), at(image, 18.0)));
   }
@@ -111,7 +111,7 @@ class ViewportColoursTest : public PictureFixture {
     const HalfEdgeMesh mesh = show();
     const QImage plain = m_view->grabImage();
     const ColourScale scale{0.25};
-    m_view->setSurfaceValues(std::make_shared<const std::vector<double>>(mesh.vertexSlots(), 0.0), scale);
+    m_mesh->setSurfaceValues(std::make_shared<const std::vector<double>>(mesh.vertexSlots(), 0.0), scale);
     const QImage image = m_view->grabImage();
     const int x = image.width() - 16 - 7, middle = image.height() / 2;
     QVERIFY(difference(image.pixel(x, middle), scale.at(0.0).rgb()) < 8);
@@ -127,7 +127,7 @@ class ViewportColoursTest : public PictureFixture {
     for (Vertex v = 0; v < mesh.vertexSlots(); ++v) {
       if (mesh.position(v).y() > 9.5) values[v] = std::nan("");
     }
-    m_view->setSurfaceValues(std::make_shared<const std::vector<double>>(values), {5.0});
+    m_mesh->setSurfaceValues(std::make_shared<const std::vector<double>>(values), {5.0});
     const QImage image = m_view->grabImage();
     QVERIFY(isLit(at(image, 18.0, 15.0), ColourScale().at(std::nan(""))));
     QVERIFY(isLit(at(image, 18.0, 5.0), ColourScale{5.0}.at(5.0)));
@@ -137,9 +137,9 @@ class ViewportColoursTest : public PictureFixture {
   void theCutStaysFlat() {
     const CameraState camera = around(Vec3::Zero(), 3, Projection::Parallel);
     const HalfEdgeMesh ball = buildMesh(sphereSoup(60)).mesh;
-    m_view->setMesh(ball);
+    m_mesh->setMesh(ball);
     m_view->setCamera(camera);
-    m_view->setSurfaceValues(std::make_shared<const std::vector<double>>(ball.vertexSlots(), 1.0), {1.0});
+    m_mesh->setSurfaceValues(std::make_shared<const std::vector<double>>(ball.vertexSlots(), 1.0), {1.0});
     m_view->setClipPlane({camera.towardsViewer(), 0.0, true});
     const QImage image = m_view->grabImage();
     const QColor middle = image.pixelColor(image.width() / 2, image.height() / 2);

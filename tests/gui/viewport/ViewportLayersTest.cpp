@@ -53,9 +53,9 @@ class ViewportLayersTest : public PictureFixture {
   void meshAndMarksAreClippedToo() {
     const CameraState camera = fromAbove(Projection::Perspective);
     const QImage empty = emptyPicture(camera);
-    m_view->setMesh(buildMesh(sheet(kCells)).mesh);
+    m_mesh->setMesh(buildMesh(sheet(kCells)).mesh);
     const QColor blue(0x00, 0x72, 0xb2);
-    m_view->setLoops({squareLoop(0, blue)});
+    m_mesh->setLoops({squareLoop(0, blue)});
     const QImage whole = m_view->grabImage();
     m_view->setClipPlane({Vec3::UnitX(), 10, true});
     const QImage half = m_view->grabImage();
@@ -74,21 +74,21 @@ class ViewportLayersTest : public PictureFixture {
     CameraState camera = fromAbove(projection);
     camera.orientation = Eigen::Quaterniond(Eigen::AngleAxisd(0.8, Vec3::UnitX()));
     const QColor blue(0x00, 0x72, 0xb2);
-    m_view->setMesh(buildMesh(sheet(kCells)).mesh);
+    m_mesh->setMesh(buildMesh(sheet(kCells)).mesh);
     m_view->setCamera(camera);
-    m_view->setLoops({squareLoop(0, blue)});
+    m_mesh->setLoops({squareLoop(0, blue)});
     const CameraNavigation view(camera, kSize);
     double perimeter = 0;
     const auto corners = squareLoop(0, blue).points;
     for (int i = 0; i < 4; ++i) perimeter += (view.toScreen(corners[i]) - view.toScreen(corners[(i + 1) % 4])).norm();
     const QImage image = m_view->grabImage();
     QVERIFY(isNear(pixelsNear(image, blue), 3 * perimeter, 0.25));  // three pixels wide
-    m_view->setLoops({squareLoop(-1, blue)});
+    m_mesh->setLoops({squareLoop(-1, blue)});
     QVERIFY(pixelsNear(m_view->grabImage(), blue) < perimeter / 20);
   }
 
   void selectedFacesAreTinted() {
-    m_view->setMesh(buildMesh(sheet(kCells)).mesh);
+    m_mesh->setMesh(buildMesh(sheet(kCells)).mesh);
     m_view->setCamera(fromAbove(Projection::Parallel));
     const QImage plain = m_view->grabImage();
     std::vector<Face> faces;
@@ -98,21 +98,21 @@ class ViewportLayersTest : public PictureFixture {
         faces.push_back(static_cast<Face>(2 * (j * kCells + i) + 1));
       }
     }
-    m_view->setSelectedFaces(FaceSelection(faces));
+    m_mesh->setSelectedFaces(FaceSelection(faces));
     const Silhouette selected = silhouette(m_view->grabImage(), plain);
     QVERIFY(isNear(selected.area, 50 * 20 * 20, 0.02));
     QVERIFY(
         (selected.centroid - CameraNavigation(fromAbove(Projection::Parallel), kSize).toScreen({7, 6.5, 0})).norm() <
         0.5);
-    m_view->setSelectedFaces({});
-    m_view->setHighlightedFaces(FaceSelection(faces));
+    m_mesh->setSelectedFaces({});
+    m_mesh->setHighlightedFaces(FaceSelection(faces));
     QVERIFY(isNear(silhouette(m_view->grabImage(), plain).area, 50 * 20 * 20, 0.02));
-    m_view->setHighlightedFaces({});
+    m_mesh->setHighlightedFaces({});
     QCOMPARE(silhouette(m_view->grabImage(), plain).area, 0.0);
   }
 
   void toolsDrawOverTheModel() {
-    m_view->setMesh(buildMesh(sheet(kCells)).mesh);
+    m_mesh->setMesh(buildMesh(sheet(kCells)).mesh);
     m_view->setCamera(fromAbove(Projection::Parallel));
     QTRY_VERIFY(m_view->isPickingReady());
     const QImage plain = m_view->grabImage();
@@ -132,16 +132,18 @@ class ViewportLayersTest : public PictureFixture {
 
   // A tool says with each move of the mouse all that it shows.
   void whatStaysTheSameCostsNoFrame() {
-    m_view->setMesh(buildMesh(sheet(kCells)).mesh);
+    m_mesh->setMesh(buildMesh(sheet(kCells)).mesh);
     m_view->setCamera(fromAbove(Projection::Parallel));
     QTRY_VERIFY(m_view->isPickingReady());
-    const auto showAll = [this](Face face) {
-      m_view->setProposedParts({});
-      m_view->setSelectedFaces({face, 7});
-      m_view->setHighlightedFaces({3});
+    const auto proposed = std::make_shared<PartsLayer>(PartsLayer::Role::Proposed);
+    m_view->addLayer(proposed);
+    const auto showAll = [&](Face face) {
+      proposed->setParts({});
+      m_mesh->setSelectedFaces({face, 7});
+      m_mesh->setHighlightedFaces({3});
       m_view->setPolylines({{{1, 1, 0}, {2, 2, 0}}});
       m_view->setBrush(BrushCircle{Vec3(5, 5, 0), 2});
-      m_view->setHighlightedLoop(4);
+      m_mesh->setHighlightedLoop(4);
     };
     showAll(1);
     settle();

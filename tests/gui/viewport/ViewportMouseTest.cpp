@@ -31,7 +31,7 @@ class ViewportMouseTest : public ViewportFixture {
   std::vector<PointerInput> m_heard;
 
   void showSheet() {
-    m_view->setMesh(buildMesh(sheet(kCells)).mesh);
+    m_mesh->setMesh(buildMesh(sheet(kCells)).mesh);
     m_view->setCamera(mouseCamera());
     QTRY_VERIFY_WITH_TIMEOUT(m_view->isPickingReady(), 20000);
   }

@@ -50,8 +50,8 @@ class ViewportPictureTest : public PictureFixture {
     const CameraState camera = around(Vec3::Zero(), 3, Projection::Perspective);
     const QImage empty = emptyPicture(camera);
     const QImage asPart = picture({{"sphere", shared(sphereSoup(40))}}, camera);
-    m_view->setParts({});
-    m_view->setMesh(buildMesh(sphereSoup(40)).mesh);
+    m_parts->setParts({});
+    m_mesh->setMesh(buildMesh(sphereSoup(40)).mesh);
     QCOMPARE(silhouette(m_view->grabImage(), empty).area, silhouette(asPart, empty).area);
   }
 
@@ -150,14 +150,14 @@ class ViewportPictureTest : public PictureFixture {
     const CameraState camera = around(Vec3::Zero(), 3, Projection::Perspective);
     const QImage empty = emptyPicture(camera);
     picture({{"ball", shared(sphereSoup(20))}}, camera);
-    m_view->setParts({});
+    m_parts->setParts({});
     QCOMPARE(m_view->grabImage(), empty);
     settle();
     const int frames = m_view->framesDrawn();
     QTest::qWait(300);
     QCOMPARE(m_view->framesDrawn(), frames);
     m_view->hide();
-    m_view->setParts({{{"ball", shared(sphereSoup(20))}}});
+    m_parts->setParts({{"ball", shared(sphereSoup(20))}});
     QTest::qWait(200);
     QCOMPARE(m_view->framesDrawn(), frames);
   }

@@ -14,7 +14,7 @@ class ViewportTest : public ViewportFixture {
   Q_OBJECT
 
   void showSheet(int cells = kCells) {
-    m_view->setMesh(buildMesh(sheet(cells)).mesh);
+    m_mesh->setMesh(buildMesh(sheet(cells)).mesh);
     m_view->setCamera(sheetFromAbove());
     QTRY_VERIFY_WITH_TIMEOUT(m_view->isPickingReady(), 20000);
   }
@@ -24,8 +24,8 @@ class ViewportTest : public ViewportFixture {
     showSheet();
     for (const auto& [i, j] : {std::pair(0, 0), std::pair(3, 11), std::pair(19, 19)}) {
       const Pick lower = m_view->pickAt(onScreen(i + 0.7, j + 0.3)), upper = m_view->pickAt(onScreen(i + 0.3, j + 0.7));
-      QCOMPARE(lower.face, static_cast<Face>(2 * (j * kCells + i)));
-      QCOMPARE(upper.face, static_cast<Face>(2 * (j * kCells + i) + 1));
+      QCOMPARE(faceOf(lower), static_cast<Face>(2 * (j * kCells + i)));
+      QCOMPARE(faceOf(upper), static_cast<Face>(2 * (j * kCells + i) + 1));
       QVERIFY((lower.point - Vec3(i + 0.7, j + 0.3, 0)).norm() < 1e-9);
     }
     QVERIFY(m_view->pickAt(onScreen(-1, 5)).isNothing());
@@ -33,38 +33,38 @@ class ViewportTest : public ViewportFixture {
 
   void loopWinsWithinEightPixels() {
     showSheet();
-    m_view->setLoops({squareLoop(0, Qt::blue)});
+    m_mesh->setLoops({squareLoop(0, Qt::blue)});
     const QPointF onLine = onScreen(10.3, 5);
     for (const double dy : {-7.5, 0.0, 7.5}) {
       const Pick pick = m_view->pickAt(onLine + QPointF(0, dy));
-      QCOMPARE(pick.loop, 7);
-      QCOMPARE(pick.face, kNone);
+      QCOMPARE(loopOf(pick), 7);
+      QCOMPARE(faceOf(pick), kNone);
       QVERIFY((pick.point - Vec3(10.3, 5, 0)).norm() < 1e-9);
     }
     for (const double dy : {-8.5, 8.5}) {
-      QCOMPARE(m_view->pickAt(onLine + QPointF(0, dy)).loop, -1);
-      QVERIFY(m_view->pickAt(onLine + QPointF(0, dy)).face != kNone);
+      QCOMPARE(loopOf(m_view->pickAt(onLine + QPointF(0, dy))), -1);
+      QVERIFY(faceOf(m_view->pickAt(onLine + QPointF(0, dy))) != kNone);
     }
   }
 
   void hiddenLoopIsNotPicked() {
     showSheet();
-    m_view->setLoops({squareLoop(-3, Qt::blue)});
+    m_mesh->setLoops({squareLoop(-3, Qt::blue)});
     const Pick pick = m_view->pickAt(onScreen(10.3, 5));
-    QCOMPARE(pick.loop, -1);
-    QVERIFY(pick.face != kNone);
+    QCOMPARE(loopOf(pick), -1);
+    QVERIFY(faceOf(pick) != kNone);
   }
 
   void clickAndHoverTellWhatIsThere() {
     showSheet();
-    m_view->setLoops({squareLoop(0, Qt::blue)});
+    m_mesh->setLoops({squareLoop(0, Qt::blue)});
     QSignalSpy clicked(m_view.get(), &Viewport::clicked), hovered(m_view.get(), &Viewport::hovered);
     QTest::mouseMove(m_view.get(), onScreen(5, 10).toPoint());
     QTRY_VERIFY(!hovered.isEmpty());
-    QCOMPARE(hovered.last()[0].value<Pick>().loop, 7);
+    QCOMPARE(loopOf(hovered.last()[0].value<Pick>()), 7);
     QTest::mouseClick(m_view.get(), Qt::LeftButton, Qt::ShiftModifier, onScreen(5, 10).toPoint());
     QCOMPARE(clicked.size(), 1);
-    QCOMPARE(clicked[0][0].value<Pick>().loop, 7);
+    QCOMPARE(loopOf(clicked[0][0].value<Pick>()), 7);
     QCOMPARE(clicked[0][1].value<Qt::KeyboardModifiers>(), Qt::ShiftModifier);
     QTest::mouseMove(m_view.get(), onScreen(-2, -1).toPoint());
     QTRY_VERIFY(hovered.last()[0].value<Pick>().isNothing());
@@ -104,7 +104,7 @@ class ViewportTest : public ViewportFixture {
     c.height = 0.25;
     m_view->setCamera(c);
     QCOMPARE(m_view->camera(), c);
-    m_view->setMesh(buildMesh(sheet(2)).mesh);  // a new model does not move the camera
+    m_mesh->setMesh(buildMesh(sheet(2)).mesh);  // a new model does not move the camera
     QCOMPARE(m_view->camera(), c);
   }
 
@@ -139,9 +139,9 @@ class ViewportTest : public ViewportFixture {
     showSheet();
     const QColor loop(0x00, 0x72, 0xb2), dot(0xcc, 0x79, 0xa7), line(0x00, 0x9e, 0x73);
     QVERIFY(pixelsNear(m_view->grabImage(), loop) < 20);
-    m_view->setLoops({squareLoop(0, loop)});
-    m_view->setPointMarks({{{{2, 2, 0}, {18, 18, 0}}, dot}});
-    m_view->setLineMarks({{{{Vec3(1, 10, 0), Vec3(4, 10, 0)}}, line}});
+    m_mesh->setLoops({squareLoop(0, loop)});
+    m_mesh->setPointMarks({{{{2, 2, 0}, {18, 18, 0}}, dot}});
+    m_mesh->setLineMarks({{{{Vec3(1, 10, 0), Vec3(4, 10, 0)}}, line}});
     const QImage image = m_view->grabImage();
     QCOMPARE(image.size(), m_view->size() * m_view->devicePixelRatioF());
     const int perimeter = 4 * 10 * 20;
@@ -157,28 +157,28 @@ class ViewportTest : public ViewportFixture {
   void previewTintsTheModel() {
     showSheet();
     const QColor before = m_view->grabImage().pixelColor(300, 230);
-    m_view->setPreview({{5, 5, 0}, {15, 5, 0}, {10, 16, 0}}, {{0, 1, 2}});
+    m_mesh->setPreview({{5, 5, 0}, {15, 5, 0}, {10, 16, 0}}, {{0, 1, 2}});
     const QColor with = m_view->grabImage().pixelColor(300, 230);
     QVERIFY(with.blue() - with.red() > before.blue() - before.red() + 30);
-    m_view->setPreview({}, {});
+    m_mesh->setPreview({}, {});
     QCOMPARE(m_view->grabImage().pixelColor(300, 230), before);
   }
 
   void updateBuildsOnlyTheBlocksConcerned() {
     const int cells = 300;  // 180 000 faces: three blocks
     HalfEdgeMesh mesh = buildMesh(sheet(cells)).mesh;
-    m_view->setMesh(mesh);
+    m_mesh->setMesh(mesh);
     m_view->setCamera(sheetFromAbove());
     m_view->grabImage();
     QCOMPARE(m_view->blocksBuilt(), 3);
     const Face inSecond = 100000;  // its neighbours are within a few rows of 600 faces
     mesh.removeFace(inSecond);
-    m_view->updateMesh(mesh, {inSecond});
+    m_mesh->updateMesh(mesh, {inSecond});
     m_view->grabImage();
     QCOMPARE(m_view->blocksBuilt(), 4);
     const Face lastOfFirst = 65535;  // shares corners with the next block
     mesh.removeFace(lastOfFirst);
-    m_view->updateMesh(mesh, {lastOfFirst});
+    m_mesh->updateMesh(mesh, {lastOfFirst});
     m_view->grabImage();
     QCOMPARE(m_view->blocksBuilt(), 6);
   }
@@ -193,22 +193,22 @@ class ViewportTest : public ViewportFixture {
     for (Face f = 0; f < mesh.faceSlots(); ++f) {
       live->touched.add(f);
       live->mesh.removeFace(f);
-      if (f % 50 == 0) m_view->setLiveMesh(std::make_shared<PreviewMesh>(*live));
+      if (f % 50 == 0) m_mesh->setLiveMesh(std::make_shared<PreviewMesh>(*live));
     }
-    m_view->setLiveMesh(live);
+    m_mesh->setLiveMesh(live);
     const QImage empty = m_view->grabImage();
     QVERIFY(empty.pixelColor(middle) != before);
-    QVERIFY(m_view->pickAt(onScreen(10.7, 10.3)).face != kNone);  // of the mesh
-    m_view->setLiveMesh(nullptr);
+    QVERIFY(faceOf(m_view->pickAt(onScreen(10.7, 10.3))) != kNone);  // of the mesh
+    m_mesh->setLiveMesh(nullptr);
     QCOMPARE(m_view->grabImage().pixelColor(middle), before);
   }
 
   void removedFaceIsNoLongerPicked() {
     showSheet();
     HalfEdgeMesh mesh = buildMesh(sheet(kCells)).mesh;
-    const Face gone = m_view->pickAt(onScreen(10.7, 10.3)).face;
+    const Face gone = faceOf(m_view->pickAt(onScreen(10.7, 10.3)));
     mesh.removeFace(gone);
-    m_view->updateMesh(mesh, {gone});
+    m_mesh->updateMesh(mesh, {gone});
     QTRY_VERIFY_WITH_TIMEOUT(m_view->isPickingReady(), 20000);
     QVERIFY(m_view->pickAt(onScreen(10.7, 10.3)).isNothing());
   }
@@ -216,7 +216,7 @@ class ViewportTest : public ViewportFixture {
   // As when a dock floats: the widget gets another context and must draw on.
   void survivesAnotherContext() {
     showSheet();
-    m_view->setLoops({squareLoop(0, QColor(0x00, 0x72, 0xb2))});
+    m_mesh->setLoops({squareLoop(0, QColor(0x00, 0x72, 0xb2))});
     const int before = pixelsNear(m_view->grabImage(), QColor(0x00, 0x72, 0xb2));
     QWidget host;
     host.resize(600, 500);

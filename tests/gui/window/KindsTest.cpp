@@ -7,6 +7,7 @@
 #include "cli/SetCommand.h"
 #include "controls/PropertyList.h"
 #include "document/Document.h"
+#include "viewport/surface/PartsLayer.h"
 #include "window/documents/FileFilters.h"
 
 #include <QDockWidget>
@@ -181,7 +182,7 @@ class KindsTest : public QObject {
     for (int y = 20; y < view->height() && grip.isNull(); y += 10) {
       for (int x = 20; x < view->width() && grip.isNull(); x += 10) {
         const ViewRay ray = view->rayAt(QPointF(x, y));
-        if (!view->pickAlong(ray.origin, ray.direction).part.empty()) grip = {x, y};
+        if (!partOf(view->pickAlong(ray.origin, ray.direction)).empty()) grip = {x, y};
       }
     }
     QVERIFY(!grip.isNull());

@@ -4,6 +4,7 @@
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
 #include "controls/PropertyList.h"
+#include "viewport/surface/MeshLayer.h"
 
 #include <QComboBox>
 #include <QDockWidget>
@@ -104,7 +105,7 @@ class ToolsTest : public QObject {
     auto* view = driver.find<Viewport>("viewport");
     QTRY_VERIFY(view->isPickingReady());
     QPoint place;
-    for (int x = view->width() / 4; view->pickAt(place).face == kNone && x < view->width(); x += 5)
+    for (int x = view->width() / 4; faceOf(view->pickAt(place)) == kNone && x < view->width(); x += 5)
       place = {x, view->height() / 2};
     for (int stroke = 0; stroke < 3; ++stroke) {
       QTest::mousePress(view, Qt::LeftButton, {}, place);

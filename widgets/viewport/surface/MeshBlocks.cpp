@@ -8,7 +8,6 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
-#include <vtkRenderer.h>
 #include <algorithm>
 #include <limits>
 
@@ -32,11 +31,11 @@ vtkSmartPointer<vtkScalarsToColors> colourMapOf(const ColourScale& scale) {
 
 }  // namespace
 
-MeshBlocks::MeshBlocks(vtkRenderer* renderer) : m_renderer(renderer) {}
+MeshBlocks::MeshBlocks(LayerProps& props) : m_props(props) {}
 
 void MeshBlocks::clear() {
   for (const auto& actor : m_blocks) {
-    if (actor) m_renderer->RemoveActor(actor);
+    if (actor) m_props.remove(actor);
   }
   m_blocks.clear();
   m_queue.clear();
@@ -54,15 +53,15 @@ std::size_t MeshBlocks::takeOne() {
   m_queue.pop_front();
   if (next.block >= m_blocks.size()) m_blocks.resize(next.block + 1);
   auto& actor = m_blocks[next.block];
-  if (actor) m_renderer->RemoveActor(actor);
+  if (actor) m_props.remove(actor);
   actor = makeActor(next.geometry);
-  actor->SetVisibility(!m_reduced || !m_coarse);
+  m_props.show(actor, !m_reduced || !m_coarse);
   ++m_built;
   return std::max<std::size_t>(next.geometry.indices.size() / 3, 1);
 }
 
 void MeshBlocks::setCoarse(std::optional<SurfaceGeometry> geometry) {
-  if (m_coarse) m_renderer->RemoveActor(m_coarse);
+  if (m_coarse) m_props.remove(m_coarse);
   m_coarse = geometry ? makeActor(*geometry) : nullptr;
   updateVisibility();
 }
@@ -75,9 +74,9 @@ void MeshBlocks::setReduced(bool reduced) {
 
 void MeshBlocks::updateVisibility() {
   const bool showCoarse = m_reduced && m_coarse;
-  if (m_coarse) m_coarse->SetVisibility(showCoarse);
+  if (m_coarse) m_props.show(m_coarse, showCoarse);
   for (const auto& actor : m_blocks) {
-    if (actor) actor->SetVisibility(!showCoarse);
+    if (actor) m_props.show(actor, !showCoarse);
   }
 }
 
@@ -88,7 +87,8 @@ vtkSmartPointer<vtkActor> MeshBlocks::makeActor(const SurfaceGeometry& geometry)
   actor->SetMapper(mapper);
   actor->PickableOff();
   colour(actor);
-  m_renderer->AddActor(actor);
+  actor->SetPosition(m_offset.x(), m_offset.y(), m_offset.z());
+  m_props.add(actor);
   return actor;
 }
 
@@ -127,6 +127,15 @@ void MeshBlocks::setColourScale(const std::optional<ColourScale>& scale) {
   for (std::size_t b = 0; b < m_blocks.size(); ++b) {
     if (std::find(m_toColour.begin(), m_toColour.end(), b) == m_toColour.end()) m_toColour.push_back(b);
   }
+}
+
+void MeshBlocks::setOffset(const Vec3& offset) {
+  if (offset == m_offset) return;
+  m_offset = offset;
+  for (const auto& actor : m_blocks) {
+    if (actor) actor->SetPosition(offset.x(), offset.y(), offset.z());
+  }
+  if (m_coarse) m_coarse->SetPosition(offset.x(), offset.y(), offset.z());
 }
 
 void MeshBlocks::setStyle(const SurfaceStyle& style) {

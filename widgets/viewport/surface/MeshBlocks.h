@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "viewport/LayerProps.h"
 #include "viewport/overlay/ColourScale.h"
 #include "viewport/surface/SurfaceGeometry.h"
 #include "viewport/surface/SurfaceStyle.h"
@@ -17,7 +18,7 @@ namespace handwheel {
 // The VTK actors of a mesh, in blocks, and of a simplified version. The blocks are added and updated one by one.
 class MeshBlocks {
  public:
-  explicit MeshBlocks(vtkRenderer* renderer);
+  explicit MeshBlocks(LayerProps& props);
 
   void clear();
   // Queues the geometry; the block shows its former state until then.
@@ -30,6 +31,8 @@ class MeshBlocks {
   void setReduced(bool reduced);
 
   void setStyle(const SurfaceStyle& style);
+  // Sets the place of the geometry in the drawing.
+  void setOffset(const Vec3& offset);
   // Sets the colours of geometry with values; none: the values are not shown. Applied block by block by takeOne(),
   // because each is uploaded again.
   void setColourScale(const std::optional<ColourScale>& scale);
@@ -47,13 +50,14 @@ class MeshBlocks {
     SurfaceGeometry geometry;
   };
 
-  vtkRenderer* m_renderer;
+  LayerProps& m_props;
   std::vector<vtkSmartPointer<vtkActor>> m_blocks;
   vtkSmartPointer<vtkActor> m_coarse;
   std::deque<Pending> m_queue;
   std::deque<std::size_t> m_toColour;               // blocks
   vtkSmartPointer<vtkScalarsToColors> m_colourMap;  // null: values are not shown
   SurfaceStyle m_style;
+  Vec3 m_offset = Vec3::Zero();
   bool m_reduced = false;
   int m_built = 0;
 };

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "viewport/Picking.h"
 #include "viewport/overlay/ColourScale.h"
+#include "viewport/surface/PickIndex.h"
 #include "viewport/surface/SurfaceGeometry.h"
 
 #include <QFutureWatcher>

@@ -7,7 +7,6 @@
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
-#include <vtkRenderer.h>
 #include <algorithm>
 #include <set>
 #include <unordered_map>
@@ -28,7 +27,7 @@ QColor toColour(const std::array<float, 3>& c) {
 
 }  // namespace
 
-PartActors::PartActors(vtkRenderer* renderer, double opacity) : m_renderer(renderer), m_opacity(opacity) {}
+PartActors::PartActors(LayerProps& props, double opacity) : m_props(props), m_opacity(opacity) {}
 
 void PartActors::set(const std::vector<DisplayPart>& parts) {
   std::unordered_map<std::string, Part> before;
@@ -47,6 +46,8 @@ void PartActors::set(const std::vector<DisplayPart>& parts) {
     if (const auto it = before.find(description.name); it != before.end()) {
       part = std::move(it->second);
       before.erase(it);
+    } else {
+      part.number = ++m_lastNumber;
     }
     part.description = description;
     want(part, shapeFor(description.soup, scanned));
@@ -57,7 +58,7 @@ void PartActors::set(const std::vector<DisplayPart>& parts) {
   for (auto& [name, part] : before) remove(part);
   before.clear();
   std::erase_if(m_shapes, [](const auto& entry) { return entry.second.expired(); });
-  updateSummary();
+  updateBounds();
 }
 
 PartActors::ShapePointer PartActors::shapeFor(const Soup& soup, std::size_t scanned) {
@@ -101,7 +102,6 @@ bool PartActors::setShape(const Soup& soup, PartShape& made) {
   shape->origin = made.origin;
   shape->index = std::move(made.index);
   for (SurfaceGeometry& block : made.blocks) m_queue.emplace_back(shape, std::move(block));
-  updateSummary();
   return true;
 }
 
@@ -128,14 +128,14 @@ void PartActors::addActor(Part& part, vtkPolyData* block) {
   actor->SetMapper(mapper);
   actor->PickableOff();
   actor->SetUserMatrix(vtkNew<vtkMatrix4x4>());
-  m_renderer->AddActor(actor);
+  m_props.add(actor);
   part.actors.push_back(actor);
   place(part);
   style(part);
 }
 
 void PartActors::remove(Part& part) {
-  for (const auto& actor : part.actors) m_renderer->RemoveActor(actor);
+  for (const auto& actor : part.actors) m_props.remove(actor);
   part.actors.clear();
 }
 
@@ -173,24 +173,43 @@ void PartActors::setHighlighted(const std::string& name) {
   for (const Part& part : m_parts) style(part);
 }
 
-void PartActors::setFaded(const std::vector<DisplayPart>& proposed) {
-  std::set<std::string> names;
-  for (const DisplayPart& part : proposed) names.insert(part.name);
-  if (names == m_faded) return;
-  m_faded = std::move(names);
-  for (const Part& part : m_parts) style(part);
+bool PartActors::isAnyShown() const {
+  return std::any_of(m_parts.begin(), m_parts.end(), [](const Part& part) { return part.shown != nullptr; });
 }
 
-void PartActors::updateSummary() {
+bool PartActors::setFaded(const std::vector<DisplayPart>& proposed) {
+  std::set<std::string> names;
+  for (const DisplayPart& part : proposed) names.insert(part.name);
+  if (names == m_faded) return false;
+  m_faded = std::move(names);
+  for (const Part& part : m_parts) style(part);
+  return true;
+}
+
+void PartActors::updateBounds() {
   m_bounds.setEmpty();
-  m_pickable.clear();
   for (const Part& part : m_parts) {
-    const DisplayPart& d = part.description;
     const Box& box = part.wanted->outline.box;
     if (box.isEmpty()) continue;
-    for (const Vec3& corner : cornersOf(box)) m_bounds.extend(d.pose * corner);
-    if (part.wanted->index) m_pickable.push_back({d.name, d.pose, part.wanted->index});
+    for (const Vec3& corner : cornersOf(box)) m_bounds.extend(part.description.pose * corner);
   }
+}
+
+std::optional<LayerHit> PartActors::firstHit(const Vec3& origin, const Vec3& direction) const {
+  std::optional<LayerHit> first;
+  for (const Part& part : m_parts) {
+    if (!part.wanted->index || part.wanted->outline.box.isEmpty()) continue;
+    const Pose inverse = part.description.pose.inverse();
+    const auto hit = part.wanted->index->firstHit(inverse * origin, inverse.linear() * direction);
+    if (hit && (!first || hit->distance <= first->distance))
+      first = {part.number, origin + hit->distance * direction, hit->distance};
+  }
+  return first;
+}
+
+std::string PartActors::nameOf(std::uint64_t number) const {
+  const auto part = std::find_if(m_parts.begin(), m_parts.end(), [&](const Part& p) { return p.number == number; });
+  return part == m_parts.end() ? std::string() : part->description.name;
 }
 
 std::vector<Vec3> PartActors::outline() const {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "document/DisplayModel.h"
+#include "viewport/LayerProps.h"
+#include "viewport/ViewLayer.h"
 #include "viewport/surface/PartShape.h"
 #include "viewport/surface/SurfaceStyle.h"
 
@@ -11,9 +13,8 @@
 #include <vtkSmartPointer.h>
 #include <deque>
 #include <map>
+#include <optional>
 #include <set>
-
-class vtkRenderer;
 
 namespace handwheel {
 
@@ -23,7 +24,7 @@ class PartActors {
  public:
   using Soup = std::shared_ptr<const TriangleSoup>;
 
-  explicit PartActors(vtkRenderer* renderer, double opacity = 1.0);
+  explicit PartActors(LayerProps& props, double opacity = 1.0);
 
   // Sets the parts, which are identified by name.
   void set(const std::vector<DisplayPart>& parts);
@@ -42,15 +43,20 @@ class PartActors {
   void setHighlighted(const std::string& name);
 
   // Draws the parts with the names of the proposed ones translucently, because two opaque surfaces in one place cause
-  // z-fighting.
-  void setFaded(const std::vector<DisplayPart>& proposed);
+  // z-fighting. Returns false when they are the same as before.
+  bool setFaded(const std::vector<DisplayPart>& proposed);
 
   bool isEmpty() const { return m_parts.empty(); }
+  // Whether some part has been uploaded, in its present or a former shape.
+  bool isAnyShown() const;
   const Box& bounds() const { return m_bounds; }
   // Some thousand points to estimate the extent of the parts in any direction.
   std::vector<Vec3> outline() const;
-  // The parts whose search structure is ready.
-  const std::vector<PickPart>& pickable() const { return m_pickable; }
+  // The first part along a ray, by the number that it keeps as long as its name is there. A part whose search structure
+  // is not ready is not found.
+  std::optional<LayerHit> firstHit(const Vec3& origin, const Vec3& direction) const;
+  // Empty when there is no such part.
+  std::string nameOf(std::uint64_t number) const;
   int builtCount() const { return m_built; }
 
  private:
@@ -65,6 +71,7 @@ class PartActors {
 
   struct Part {
     DisplayPart description;
+    std::uint64_t number = 0;
     ShapePointer wanted;
     ShapePointer awaited;  // an earlier shape that may be in preparation, and is newer than the shown one; else null
     ShapePointer shown;    // null while there is nothing to show
@@ -78,14 +85,14 @@ class PartActors {
   void remove(Part& part);
   void place(const Part& part) const;
   void style(const Part& part) const;
-  void updateSummary();
+  void updateBounds();
 
-  vtkRenderer* m_renderer;
+  LayerProps& m_props;
   const double m_opacity;
   std::vector<Part> m_parts;
   std::map<Soup, std::weak_ptr<Shape>> m_shapes;
   std::deque<std::pair<ShapePointer, SurfaceGeometry>> m_queue;
-  std::vector<PickPart> m_pickable;
+  std::uint64_t m_lastNumber = 0;
   Box m_bounds;
   SurfaceStyle m_style;
   Vec3 m_origin = Vec3::Zero();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "viewport/Picking.h"
+#include "viewport/surface/PickIndex.h"
 #include "viewport/surface/SurfaceGeometry.h"
 
 #include <memory>

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace handwheel {
 
@@ -111,6 +112,21 @@ class BlockBuilder {
 
 std::size_t blockCount(const HalfEdgeMesh& mesh, Face blockFaces) {
   return (mesh.faceSlots() + blockFaces - 1) / blockFaces;
+}
+
+std::vector<std::size_t> blocksAround(const HalfEdgeMesh& before, const HalfEdgeMesh& after,
+                                      const std::vector<Face>& touched, Face blockFaces) {
+  std::set<std::size_t> blocks;
+  for (const Face f : touched) {
+    if (f < after.faceSlots()) blocks.insert(f / blockFaces);
+    for (const HalfEdgeMesh* mesh : {&before, &after}) {
+      if (f >= mesh->faceSlots() || !mesh->isProper(f)) continue;
+      for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
+        for (const HalfEdge g : mesh->fan(h)) blocks.insert(HalfEdgeMesh::face(g) / blockFaces);
+      }
+    }
+  }
+  return {blocks.begin(), blocks.end()};
 }
 
 SurfaceGeometry blockGeometry(const HalfEdgeMesh& mesh, std::size_t block, const Vec3& origin, Face blockFaces,

@@ -25,6 +25,10 @@ struct SurfaceGeometry {
 inline constexpr Face kBlockFaces = 65536;
 // The number of blocks of a mesh.
 std::size_t blockCount(const HalfEdgeMesh& mesh, Face blockFaces = kBlockFaces);
+// The blocks whose picture an edit changes: those of the touched faces, and of the faces around their corners, as these
+// share normals with them.
+std::vector<std::size_t> blocksAround(const HalfEdgeMesh& before, const HalfEdgeMesh& after,
+                                      const std::vector<Face>& touched, Face blockFaces);
 
 // Builds the geometry of the live faces of one block. Empty for a block behind the last, which an undo may leave to be
 // redrawn. Normals are angle-weighted over the faces around a vertex (Thürmer, Wüthrich, "Computing vertex normals from

@@ -9,6 +9,7 @@
 #include "text/ErrorText.h"
 #include "theme/Icons.h"
 #include "viewport/Viewport.h"
+#include "viewport/surface/MeshLayer.h"
 #include "window/ActionTip.h"
 #include "window/CommandText.h"
 #include "window/JobRunner.h"
@@ -49,9 +50,10 @@ Result<std::shared_ptr<MeshDeviation>> compared(const HalfEdgeMesh& mesh, const 
 
 }  // namespace
 
-DeviationView::DeviationView(const WindowContext& parts, QObject* parent)
+DeviationView::DeviationView(const WindowContext& parts, MeshLayer& layer, QObject* parent)
     : QObject(parent),
       m_parts(parts),
+      m_layer(layer),
       m_action(icon(QStringLiteral("deviation")), tr("De&viation…"), this),
       m_panel(new DeviationPanel(parts.window)) {
   m_action.setObjectName(QStringLiteral("deviation"));
@@ -68,7 +70,7 @@ DeviationView::DeviationView(const WindowContext& parts, QObject* parent)
   connect(m_panel, &DeviationPanel::placeChosen, this, &DeviationView::flyTo);
   connect(m_panel, &DeviationPanel::rangeChosen, this, [this](double range) {
     m_document->deviation->scale.range = range;
-    m_parts.viewport.setColourScale(m_document->deviation->scale);
+    m_layer.setColourScale(m_document->deviation->scale);
   });
   connect(&m_parts.viewport, &Viewport::hovered, this, &DeviationView::read);
 }
@@ -90,17 +92,11 @@ bool DeviationView::isShown() const {
   return m_document && (m_document->deviation || m_running == m_document);
 }
 
-void DeviationView::redraw() {
-  if (!m_document || !m_document->visible || !m_document->deviation) return;
-  m_parts.viewport.setSurfaceValues(m_document->deviation->atVertex, m_document->deviation->scale);
-}
-
 void DeviationView::refresh() {
   std::shared_ptr<MeshDeviation>& found = m_document->deviation;
   if (found && found->changes != m_document->changes) found.reset();
   const bool isRunning = m_running == m_document;
-  if (!found) m_parts.viewport.setSurfaceValues(nullptr, {});
-  redraw();
+  found ? m_layer.setSurfaceValues(found->atVertex, found->scale) : m_layer.setSurfaceValues(nullptr, {});
   if (m_panel) m_panel->show(found.get(), m_document->document.displayUnit(), isRunning ? tr("Comparing…") : QString());
   emit shownChanged();
 }
@@ -239,7 +235,7 @@ void DeviationView::flyTo(const DeviationPlace& place) {
 
 void DeviationView::read(const Pick& pick) {
   if (!m_panel || !m_document || !m_document->deviation) return;
-  const auto nearest = pick.face == kNone ? std::nullopt : m_document->deviation->scan->from(pick.point);
+  const auto nearest = faceOf(pick) == kNone ? std::nullopt : m_document->deviation->scan->from(pick.point);
   m_panel->setReading(nearest ? std::optional(nearest->distance) : std::nullopt);
   nearest ? QToolTip::showText(QCursor::pos(), m_panel->reading(), &m_parts.viewport) : QToolTip::hideText();
 }

@@ -11,6 +11,7 @@
 
 namespace handwheel {
 
+class MeshLayer;
 struct MeshDeviation;
 struct OpenMesh;
 struct Pick;
@@ -21,14 +22,12 @@ class DeviationView : public QObject {
   Q_OBJECT
 
  public:
-  explicit DeviationView(const WindowContext& parts, QObject* parent = nullptr);
+  DeviationView(const WindowContext& parts, MeshLayer& layer, QObject* parent = nullptr);
 
   QAction* action() { return &m_action; }
   DeviationPanel* panel() { return m_panel; }
 
   void setDocument(OpenMesh* document);
-  // To be called after the mesh was set in the viewport again.
-  void redraw();
   // Whether a comparison of the current document is shown or running.
   bool isShown() const;
 
@@ -52,6 +51,7 @@ class DeviationView : public QObject {
   void read(const Pick& pick);
 
   WindowContext m_parts;
+  MeshLayer& m_layer;
   QAction m_action;
   QPointer<DeviationPanel> m_panel;
   OpenMesh* m_document = nullptr;

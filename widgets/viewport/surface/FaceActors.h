@@ -3,20 +3,20 @@
 #pragma once
 
 #include "mesh/selection/FaceSelection.h"
-#include "viewport/Layers.h"
+#include "viewport/LiftedActor.h"
 
 #include <map>
 #include <set>
 
 namespace handwheel {
 
-// A layer that draws a set of faces in one colour. It is split into pieces by face number: so a change of a large set
-// costs only the changed pieces, and a large set is built over several frames.
-class FaceLayer {
+// The actors of a set of faces that is drawn in one colour. It is split into pieces by face number: so a change of a
+// large set costs only the changed pieces, and a large set is built over several frames.
+class FaceActors {
  public:
   static constexpr Face kPieceFaces = 16'384;
 
-  FaceLayer(vtkRenderer* renderer, double lift, double opacity);
+  FaceActors(LayerProps& props, double lift, double opacity);
 
   bool set(const FaceSelection& faces);  // false when they are the same as before
   void setColour(const QColor& colour);
@@ -28,16 +28,16 @@ class FaceLayer {
   void prepare(const LayerFrame& frame);
 
  private:
-  Layer& layer(std::size_t piece);
+  LiftedActor& actor(std::size_t piece);
   void drop(std::size_t piece);
 
-  vtkRenderer* m_renderer;
+  LayerProps& m_props;
   double m_lift;
   double m_opacity;
   QColor m_colour;
   FaceSelection m_faces;
-  std::set<std::size_t> m_stale;          // pieces
-  std::map<std::size_t, Layer> m_layers;  // of the pieces that have faces
+  std::set<std::size_t> m_stale;                // pieces
+  std::map<std::size_t, LiftedActor> m_actors;  // of the pieces that have faces
 };
 
 }  // namespace handwheel

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "viewport/Layers.h"
+#include "viewport/LiftedActor.h"
 
 #include <vtkProperty.h>
 #include <vtkShaderProperty.h>
@@ -18,38 +18,39 @@ void setOverlayMaterial(vtkProperty* property) {
   property->SetSpecular(0.0);
 }
 
-Layer::Layer(vtkRenderer* renderer, double lift) : m_lift(lift) {
+LiftedActor::LiftedActor(LayerProps& props, double lift) : m_props(props), m_lift(lift) {
   m_actor->SetMapper(m_mapper);
   m_actor->SetVisibility(false);
   m_actor->PickableOff();
   m_mapper->SetColorModeToDirectScalars();
-  renderer->AddActor(m_actor);
+  m_props.add(m_actor);
 }
 
-void Layer::setData(vtkPolyData* data) {
+void LiftedActor::setData(vtkPolyData* data) {
   m_mapper->SetInputData(data);
-  m_actor->SetVisibility(true);
+  m_props.show(m_actor, true);
 }
 
-void Layer::prepare(const LayerFrame& frame) {
+void LiftedActor::prepare(const LayerFrame& frame) {
   if (!m_actor->GetVisibility()) return;
   const Vec3 shift = m_lift * frame.shiftPerPixel;
   const double scale = 1.0 - m_lift * frame.shrinkPerPixel;
-  m_actor->SetPosition(shift.x(), shift.y(), shift.z());
+  const Vec3 place = scale * frame.offset + shift;
+  m_actor->SetPosition(place.x(), place.y(), place.z());
   m_actor->SetScale(scale);
   clip(frame.clip, shift, scale);
 }
 
-// The plane is lifted with the layer: else one that lies just behind it would be cut away.
-void Layer::clip(const ClipPlane& plane, const Vec3& shift, double scale) {
+// The plane is lifted with the actor: else one that lies just behind it would be cut away.
+void LiftedActor::clip(const ClipPlane& plane, const Vec3& shift, double scale) {
   const bool isClipped = m_mapper->GetNumberOfClippingPlanes() > 0;
   if (isClipped != plane.on) plane.on ? m_mapper->AddClippingPlane(m_plane) : m_mapper->RemoveAllClippingPlanes();
   if (!plane.on) return;
   setPlane(m_plane, plane.normal, scale * plane.offset * plane.normal + shift);
 }
 
-StrokeLayer::StrokeLayer(vtkRenderer* renderer, double lift, double width)
-    : m_segments(renderer, lift), m_dots(renderer, lift), m_width(width) {
+StrokeActors::StrokeActors(LayerProps& props, double lift, double width)
+    : m_segments(props, lift), m_dots(props, lift), m_width(width) {
   m_segments.property()->LightingOff();
   m_dots.property()->LightingOff();
   // As tubes, VTK widens lines itself; core contexts refuse glLineWidth above one.
@@ -60,7 +61,7 @@ StrokeLayer::StrokeLayer(vtkRenderer* renderer, double lift, double width)
       false);
 }
 
-void StrokeLayer::set(const std::vector<Stroke>& strokes, const Vec3& origin) {
+void StrokeActors::set(const std::vector<Stroke>& strokes, const Vec3& origin) {
   PolyDataBuilder segments(origin), dots(origin);
   for (const Stroke& stroke : strokes) {
     const std::size_t n = stroke.points.size();
@@ -79,7 +80,7 @@ void StrokeLayer::set(const std::vector<Stroke>& strokes, const Vec3& origin) {
   segments.isEmpty() ? m_segments.hide() : m_segments.setData(segments.build(PolyDataBuilder::Kind::Segments));
 }
 
-void StrokeLayer::prepare(const LayerFrame& frame) {
+void StrokeActors::prepare(const LayerFrame& frame) {
   const auto width = static_cast<float>(m_width * frame.pixelRatio);
   m_segments.property()->SetLineWidth(width);
   m_dots.property()->SetPointSize(width);

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "viewport/ClipPlane.h"
+#include "viewport/LayerFrame.h"
+#include "viewport/LayerProps.h"
 #include "viewport/surface/PolyData.h"
 
 #include <vtkActor.h>
 #include <vtkNew.h>
 #include <vtkPlane.h>
 #include <vtkPolyDataMapper.h>
-#include <vtkRenderer.h>
 #include <span>
 
 namespace handwheel {
@@ -17,29 +17,18 @@ namespace handwheel {
 // Sets a VTK clipping plane. VTK keeps what lies on the side of its normal.
 void setPlane(vtkPlane* plane, const Vec3& normal, const Vec3& point);
 
-// The frame parameters for the layers drawn over the model. Positions are relative to the origin of the drawing.
-struct LayerFrame {
-  double pixelRatio = 1.0;  // device pixels to a logical pixel
-  // The depth offset of a layer by a logical pixel towards the viewer, without changing its position on the screen.
-  // Under parallel projection it is a shift along the view; under perspective, where a pixel is longer at larger
-  // distances, a scaling towards the eye.
-  Vec3 shiftPerPixel = Vec3::Zero();
-  double shrinkPerPixel = 0.0;
-  ClipPlane clip;
-};
-
-// Sets the material of layers over the model: hardly shaded.
+// Sets the material of actors over the model: hardly shaded.
 void setOverlayMaterial(vtkProperty* property);
 
 // An actor over the model, coloured by point data. It is offset towards the viewer by the length of some pixels, which
 // changes only its depth.
-class Layer {
+class LiftedActor {
  public:
-  // lift: logical pixels towards the viewer; a higher layer hides a lower one.
-  Layer(vtkRenderer* renderer, double lift);
+  // lift: logical pixels towards the viewer; a higher actor hides a lower one.
+  LiftedActor(LayerProps& props, double lift);
 
   void setData(vtkPolyData* data);
-  void hide() { m_actor->SetVisibility(false); }
+  void hide() { m_props.show(m_actor, false); }
   void prepare(const LayerFrame& frame);
   vtkActor* actor() { return m_actor; }
   vtkProperty* property() { return m_actor->GetProperty(); }
@@ -47,6 +36,7 @@ class Layer {
  private:
   void clip(const ClipPlane& plane, const Vec3& shift, double scale);
 
+  LayerProps& m_props;
   vtkNew<vtkActor> m_actor;
   vtkNew<vtkPolyDataMapper> m_mapper;
   vtkNew<vtkPlane> m_plane;
@@ -61,17 +51,17 @@ struct Stroke {
 };
 
 // Unlit lines of constant screen width with round joints and ends.
-class StrokeLayer {
+class StrokeActors {
  public:
   // width: logical pixels.
-  StrokeLayer(vtkRenderer* renderer, double lift, double width);
+  StrokeActors(LayerProps& props, double lift, double width);
 
   void set(const std::vector<Stroke>& strokes, const Vec3& origin);
   void prepare(const LayerFrame& frame);
 
  private:
-  Layer m_segments;
-  Layer m_dots;
+  LiftedActor m_segments;
+  LiftedActor m_dots;
   double m_width;
 };
 

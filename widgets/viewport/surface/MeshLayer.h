@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/selection/FaceSelection.h"
+#include "viewport/MeshMarks.h"
+#include "viewport/ViewLayer.h"
+#include "viewport/overlay/ColourScale.h"
+
+namespace handwheel {
+
+struct PreviewMesh;
+
+// A view layer that shows a mesh with its marks. Its elements are faces and, near the cursor, loops.
+class MeshLayer : public ViewLayer {
+ public:
+  MeshLayer();
+  ~MeshLayer() override;
+
+  // Sets how many faces are built and drawn together, from the next setMesh() on: the setting view.block_faces.
+  void setBlockFaces(Face faces);
+  // Sets roughly how many triangles a slow display draws of a large mesh while the camera moves, from the next
+  // setMesh() or edit on: the setting view.coarse_triangles.
+  void setCoarseTriangles(std::size_t triangles);
+
+  // Shows another model, and keeps the marks. Returns at once; the blocks appear over the next frames.
+  void setMesh(const HalfEdgeMesh& mesh);
+  // The same with known bounds of the live faces, because computing them is slow for a large mesh.
+  void setMesh(const HalfEdgeMesh& mesh, const Box& bounds);
+  // The same, with all blocks built by this call and none of it picked: for pictures. values: to each vertex slot, or
+  // null.
+  void setMeshAtOnce(const HalfEdgeMesh& mesh, VertexValues values, const ColourScale& scale);
+  // The same model after an edit that touched these faces (added, removed, turned or with moved corners). Rebuilds only
+  // the blocks concerned.
+  void updateMesh(const HalfEdgeMesh& mesh, const std::vector<Face>& touched);
+  // Removes the mesh and every mark.
+  void clear();
+
+  // Colours the mesh by a value to each vertex slot, with a legend, until it changes or is replaced; null removes them.
+  // The blocks change colour over the next frames.
+  void setSurfaceValues(VertexValues values, const ColourScale& scale);
+  // Changes the colour scale of these values; rebuilds no geometry.
+  void setColourScale(const ColourScale& scale);
+
+  void setLoops(std::vector<LoopMark> loops);
+  void setFaceMarks(std::vector<FaceMark> marks);
+  void setPointMarks(std::vector<PointMark> marks);
+  void setLineMarks(std::vector<LineMark> marks);
+  // Draws the outline of a section on the model.
+  void setSection(std::vector<SectionMark> section);
+  // Shows a translucent patch over the model, the preview of an operation. Empty removes it.
+  void setPreview(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles);
+  // Highlights this loop like one under the cursor, for hovering in a list; -1 for none.
+  void setHighlightedLoop(int id);
+
+  // Sets the faces that are selected, and those that a tool highlights, until the next call.
+  void setSelectedFaces(const FaceSelection& faces);
+  void setHighlightedFaces(const FaceSelection& faces);
+  // Shows another version in place of the mesh while a tool works on it; null for none. Nothing else follows it: marks
+  // and picking are those of the mesh. It appears once its blocks are built, and is skipped when the next version
+  // arrives sooner.
+  void setLiveMesh(const std::shared_ptr<const PreviewMesh>& live);
+
+  Box bounds() const override;
+  Box drawnBounds() const override;
+  std::vector<Vec3> outline() const override;
+  void setStyle(const SurfaceStyle& style) override;
+  void setReduced(bool isReduced) override;
+  std::size_t takePiece() override;
+  std::size_t takeMarks() override;
+  bool owesMarks() const override;
+  void finish() override;
+  int builtCount() const override;
+  void prepare(const LayerFrame& frame) override;
+  void paintOver(QPainter& painter, const QSizeF& size, LengthUnit unit, const SceneColours& colours) const override;
+  bool isSearchable() const override;
+  std::optional<LayerHit> firstHit(const Vec3& origin, const Vec3& direction) const override;
+  void findNear(const CameraNavigation& view, const Vec2& cursor, std::vector<LayerHit>& found) const override;
+  Vec3 normalNear(const Vec3& p) const override;
+  void setHovered(std::optional<std::uint64_t> element) override;
+
+ private:
+  class Private;
+  std::unique_ptr<Private> d;
+};
+
+// The face or the loop of a mesh layer that was hit; kNone and -1 when it was something else. A loop within 8 pixels
+// takes precedence over the face it lies on.
+Face faceOf(const Pick& pick);
+int loopOf(const Pick& pick);
+
+}  // namespace handwheel

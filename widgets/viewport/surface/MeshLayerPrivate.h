@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "viewport/Marks.h"
+#include "viewport/surface/MeshBlocks.h"
+#include "viewport/surface/MeshLayer.h"
+#include "viewport/surface/MeshPreparation.h"
+
+namespace handwheel {
+
+struct PreviewMesh;
+
+// The private data of MeshLayer, shared by its source files. One takes what is shown, the other answers the view.
+class MeshLayer::Private {
+ public:
+  explicit Private(MeshLayer& layer)
+      : q(layer),
+        blocks(layer.props()),
+        marks(layer.props()),
+        preparation({[this](std::size_t block, SurfaceGeometry geometry) {
+                       blocks.enqueue(block, std::move(geometry));
+                       q.report(LayerChange::Look);
+                     },
+                     [this](SurfaceGeometry geometry) { blocks.setCoarse(std::move(geometry)); },
+                     [this](MeshPreparation::Index built) {
+                       index = std::move(built);
+                       isIndexAwaited = false;
+                       q.report(LayerChange::Search);
+                     },
+                     [this] { q.report(LayerChange::OutOfMemory); }}) {}
+
+  // The search structure is that of the mesh before; values and versions of tools are of that mesh, too.
+  void dropDerived(bool isIndexAwaitedNow) {
+    index.reset();
+    isIndexAwaited = isIndexAwaitedNow;
+    q.setSurfaceValues(nullptr, {});
+  }
+  void take(const HalfEdgeMesh& next, const Box& bounds, std::vector<Vec3> points) {
+    live.reset();
+    liveBox.setEmpty();
+    blocks.clear();
+    mesh = next;
+    box = bounds;
+    outline = std::move(points);
+    origin = box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.center());
+    marks.setMesh(mesh, origin);
+  }
+  // Faces around the touched ones share normals with them, but are nearly always in the same blocks.
+  std::set<std::size_t> liveBlocks() const {
+    std::set<std::size_t> found;
+    if (live) live->touched.forEach([&](Face f) { found.insert(f / preparation.blockFaces()); });
+    return found;
+  }
+  void markHovered() { marks.setHovered(listLoop, hoveredLoop, hoveredFace); }
+
+  MeshLayer& q;
+  MeshBlocks blocks;
+  Marks marks;
+  HalfEdgeMesh mesh;
+  Box box;
+  Box liveBox;  // of what a tool has changed
+  std::vector<Vec3> outline;
+  Vec3 origin = Vec3::Zero();  // the model point at the origin of the geometry
+  MeshPreparation::Index index;
+  bool isIndexAwaited = false;
+  MeshPreparation preparation;
+  VertexValues values;  // that colour the mesh; null for none
+  ColourScale colourScale;
+  std::shared_ptr<const PreviewMesh> live;
+  int listLoop = -1;
+  int hoveredLoop = -1;
+  Face hoveredFace = kNone;
+};
+
+}  // namespace handwheel

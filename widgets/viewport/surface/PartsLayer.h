@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/DisplayModel.h"
+#include "viewport/ViewLayer.h"
+
+namespace handwheel {
+
+// A view layer that shows rigid parts. Its elements are parts.
+class PartsLayer : public ViewLayer {
+ public:
+  // Proposed parts are translucent, and neither fitted nor picked.
+  enum class Role { Model, Proposed };
+  explicit PartsLayer(Role role = Role::Model);
+  ~PartsLayer() override;
+
+  // Shows these parts. Returns at once. A part whose soup is still the same object is moved, not rebuilt; one whose
+  // soup changed keeps its former shape until the new one has been built.
+  void setParts(const std::vector<DisplayPart>& parts);
+  // The same, with all shapes built by this call: for pictures.
+  void setPartsAtOnce(const std::vector<DisplayPart>& parts);
+  // Draws the parts with the names of these, which a tool proposes, translucently.
+  void setFaded(const std::vector<DisplayPart>& proposed);
+  // Empty when there is no such part.
+  std::string nameOf(std::uint64_t element) const;
+
+  Box bounds() const override;
+  Box drawnBounds() const override;
+  std::vector<Vec3> outline() const override;
+  void setStyle(const SurfaceStyle& style) override;
+  std::size_t takePiece() override;
+  void finish() override;
+  int builtCount() const override;
+  void prepare(const LayerFrame& frame) override;
+  bool isSearchable() const override;
+  std::optional<LayerHit> firstHit(const Vec3& origin, const Vec3& direction) const override;
+  void setHovered(std::optional<std::uint64_t> element) override;
+
+ private:
+  class Private;
+  std::unique_ptr<Private> d;
+};
+
+// The name of the part of a layer of parts that was hit; empty when it was something else.
+std::string partOf(const Pick& pick);
+
+}  // namespace handwheel
