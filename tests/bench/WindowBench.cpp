@@ -30,7 +30,7 @@ QString fileIn(const QTemporaryDir& folder) {
     for (int j = 0; j < 100; ++j) missing.emplace(500 + i, 120 + j);
   }
   const QString path = folder.filePath(QStringLiteral("million.stl"));
-  test::writeStl(path, test::torus(1010, 500, missing));
+  test::writeStl(path, test::quadTorus(1010, 500, missing));
   return path;
 }
 
