@@ -160,7 +160,7 @@ void MeshStepsTest::repairing() {
     options.nearWeld = 1e-4;
     options.maxEdges = 1000;
     options.cutCrossings = true;
-    options.takeOutTangles = false;
+    options.replaceFoldedRegions = false;
     work.repairAll(options);
     QCOMPARE(work.check(2), std::string());
   }
