@@ -66,7 +66,9 @@ void MainWindow::connectDocumentsPanel() {
   connect(m_documents, &DocumentsPanel::visibilityChanged, this, [this, openOf](Document* document, bool visible) {
     OpenDocument* changed = openOf(document);
     changed->visible = visible;
-    if (changed == m_tabs->current()) changed->ui.refreshVisibility();
+    if (changed != m_tabs->current()) return;
+    changed->ui.refreshVisibility();
+    m_tools->setVisible(visible);
   });
 }
 
@@ -153,6 +155,7 @@ void MainWindow::showDocument(OpenDocument* document) {
   }
   if (present) present->setDocument(document);
   m_kindPlace->show(present);
+  m_tools->setVisible(!document || document->visible);
   m_toolChoice->takeUp(document);
   m_viewSettings->followModel();
   m_deviceView->followModel();

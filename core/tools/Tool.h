@@ -6,8 +6,6 @@
 #include "document/DisplayModel.h"
 #include "document/Property.h"
 #include "mesh/search/PickRay.h"
-#include "mesh/selection/FaceSelection.h"
-#include "mesh/selection/PreviewMesh.h"
 
 #include <cstdint>
 #include <functional>
@@ -63,14 +61,20 @@ struct ToolAction {
   std::string command = {};  // of the window, that does the same and has the key: "nextHole"; mostly none
 };
 
+// What the tools of one kind of document preview in its own terms. The user interface of that kind knows the type.
+struct KindPreview {
+  virtual ~KindPreview() = default;
+};
+
 // Temporary geometry that a tool displays over the document. Nothing of it is in the document.
 struct ToolPreview {
   std::vector<DisplayPart> parts;                 // proposed geometry, drawn translucent
-  FaceSelection highlighted;                      // faces under the pointer or about to be selected
   std::vector<std::vector<Vec3>> lines;           // polylines over the model: a lasso, a ruler; mm
   std::optional<std::pair<Vec3, double>> circle;  // brush: centre on the surface and radius; mm
-  FaceSelection selected;                         // faces that are selected now
-  std::shared_ptr<const PreviewMesh> live;        // null: the document's mesh
+  // Shown and picked in place of the parts of the document; null: those of the document. Of parts that change while the
+  // tool works, only those with another soup are built again.
+  std::shared_ptr<const DisplayModel> replaced;
+  std::shared_ptr<const KindPreview> ofKind;  // null: nothing more
 };
 
 // A spring and damper that a tool applies to the device tip. mm and newtons. The servo loop adds those of all tools and

@@ -67,7 +67,7 @@ class Marks {
   void rebuildPreview();
   void addFace(PolyDataBuilder& builder, Face face, const QColor& colour) const;
 
-  HalfEdgeMesh m_mesh;  // shares pages with the viewport's copy
+  HalfEdgeMesh m_mesh;  // shares pages with the copy of the layer
   Vec3 m_origin = Vec3::Zero();
   SceneColours m_colours;
   std::vector<LoopMark> m_loops;

@@ -31,7 +31,7 @@ Viewport::Private::Private(Viewport* widget)
   QObject::connect(&rest, &QTimer::timeout, q, [this] { q->update(); });
 }
 
-void Viewport::Private::follow(const ViewLayer& layer, LayerChange change) {
+void Viewport::Private::layerChanged(const ViewLayer& layer, LayerChange change) {
   if (change == LayerChange::OutOfMemory)
     return emit q->graphicsFailed(Viewport::tr("There is not enough memory to draw all of the model."));
   if (change == LayerChange::Search) return layBrush();
@@ -75,7 +75,8 @@ Viewport::Viewport(QWidget* parent) : QOpenGLWidget(parent), d(std::make_unique<
 }
 
 void Viewport::addLayer(std::shared_ptr<ViewLayer> layer) {
-  d->scene.add(std::move(layer), [this](const ViewLayer& changed, LayerChange change) { d->follow(changed, change); });
+  d->scene.add(std::move(layer),
+               [this](const ViewLayer& changed, LayerChange change) { d->layerChanged(changed, change); });
   update();
 }
 

@@ -35,7 +35,7 @@ class Viewport::Private {
   void draw();
   void paintOver();
   bool isMoving() const { return gesture != NavigationGesture::None || flight.isUnderWay() || rest.isActive(); }
-  void follow(const ViewLayer& layer, LayerChange change);
+  void layerChanged(const ViewLayer& layer, LayerChange change);
 
   // Mouse
   bool offer(PointerInput::Kind kind, const QSinglePointEvent& event, double wheel = 0.0) const;

@@ -90,7 +90,8 @@ class KindUi : public QObject {
   virtual void setDocument(OpenDocument* document) = 0;
   // To be called after OpenDocument::visible was changed.
   virtual void refreshVisibility() = 0;
-  // Shows what the running tool previews of this kind of geometry; an empty preview when no tool runs.
+  // Shows what the running tool previews in place of the document, or in terms of this kind; empty when none runs. The
+  // window shows the rest.
   virtual void showPreview(const ToolPreview& preview) { (void)preview; }
   // To be called before a document is destroyed.
   virtual void forget(OpenDocument* document) { (void)document; }

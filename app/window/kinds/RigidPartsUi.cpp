@@ -37,6 +37,7 @@ void RigidPartsUi::setDocument(OpenDocument* document) {
     m_document->camera = m_parts.viewport.camera();
     m_document->document.disconnect(this);
     m_layer->setParts({});
+    m_replaced.reset();
   }
   m_document = document;
   if (!document) return;
@@ -56,6 +57,9 @@ void RigidPartsUi::refreshVisibility() {
 
 void RigidPartsUi::showPreview(const ToolPreview& preview) {
   m_layer->setFaded(preview.parts);
+  if (preview.replaced == m_replaced) return;
+  m_replaced = preview.replaced;
+  if (m_document) showParts();
 }
 
 QWidget* RigidPartsUi::panel() {
@@ -79,9 +83,14 @@ std::vector<QAction*> RigidPartsUi::panelActions() const {
   return {m_parts.showPanel};
 }
 
+void RigidPartsUi::showParts() {
+  const Document& document = m_document->document;
+  m_layer->setParts(m_replaced ? m_replaced->parts : document.kind().display(*document.snapshot()).parts);
+}
+
 void RigidPartsUi::show() {
   const Document& document = m_document->document;
-  m_layer->setParts(document.kind().display(*document.snapshot()).parts);
+  showParts();
   std::vector<Property> shown = document.properties();
   std::erase_if(shown, [this](const Property& property) {
     return std::find(m_groups.begin(), m_groups.end(), property.group) == m_groups.end();

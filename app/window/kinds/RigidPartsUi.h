@@ -37,10 +37,12 @@ class RigidPartsUi : public KindUi {
 
  private:
   void show();
+  void showParts();
 
   WindowContext m_parts;
   std::vector<std::string> m_groups;
   std::shared_ptr<PartsLayer> m_layer;
+  std::shared_ptr<const DisplayModel> m_replaced;  // by the tool; null: nothing
   QPointer<PropertyList> m_panel;
   OpenDocument* m_document = nullptr;
 };

@@ -14,6 +14,7 @@
 #include "tools/mesh/DecimateTool.h"
 #include "tools/mesh/FillHoleTool.h"
 #include "tools/mesh/MakeFaceTool.h"
+#include "tools/mesh/MeshPreview.h"
 #include "tools/mesh/SelectTool.h"
 #include "tools/mesh/TransformTool.h"
 #include "tools/mesh/boundary/BoundaryTool.h"
@@ -186,9 +187,10 @@ void MeshUi::refreshVisibility() {
 }
 
 void MeshUi::showPreview(const ToolPreview& preview) {
-  m_layer->setLiveMesh(preview.live);
-  m_layer->setHighlightedFaces(preview.highlighted);
-  m_layer->setSelectedFaces(preview.selected);
+  const MeshPreview onMesh = meshPreviewOf(preview);
+  m_layer->setLiveMesh(onMesh.live);
+  m_layer->setHighlightedFaces(onMesh.highlighted);
+  m_layer->setSelectedFaces(onMesh.selected);
 }
 
 QList<QAction*> MeshUi::toolBar() {

@@ -98,6 +98,7 @@ ToolHost::ToolHost(Viewport& viewport, ToolPanel& panel, NeedSet& needs, QObject
 ToolHost::~ToolHost() {
   m_runner.disconnect(this);
   m_viewport.setPointerSink({});
+  m_viewport.removeLayer(*m_proposed);
 }
 
 void ToolHost::start(std::unique_ptr<Tool> tool, Document& document) {
@@ -105,6 +106,12 @@ void ToolHost::start(std::unique_ptr<Tool> tool, Document& document) {
   for (const std::string& service : tool->needs()) m_needed.push_back(m_needs.need(service));
   for (const auto& [id, value] : m_chosen[tool->id()]) tool->setSetting(id, value);
   m_runner.start(std::move(tool), document);
+  show();
+}
+
+void ToolHost::setVisible(bool visible) {
+  if (visible == m_isVisible) return;
+  m_isVisible = visible;
   show();
 }
 
@@ -199,6 +206,7 @@ void ToolHost::show() {
 // What all kinds have is shown here, the rest by the kind of the document.
 void ToolHost::showShapes(ToolPreview preview) {
   emit previewed(preview);
+  if (!m_isVisible) preview = {};
   tint(preview.parts);
   m_proposed->setParts(preview.parts);
   m_viewport.setPolylines(std::move(preview.lines));

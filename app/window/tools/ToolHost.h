@@ -29,6 +29,8 @@ class ToolHost : public QObject {
 
   void start(std::unique_ptr<Tool> tool, Document& document);
   void stop() { m_runner.stop(); }
+  // Hides what tools preview, with the document.
+  void setVisible(bool visible);
   // Changes a setting of a tool, for the running one and for later starts of it.
   void choose(const std::string& tool, const std::string& setting, const PropertyValue& value);
   ToolRunner& runner() { return m_runner; }
@@ -70,8 +72,9 @@ class ToolHost : public QObject {
   ToolRunner m_runner;
   MouseDevicePlace m_mouseDevice;
   std::vector<Need> m_needed;
-  bool m_isMoving = false;                                               // the tool is handling a mouse move
-  bool m_isShowDue = false;                                              // showSoon() was called
+  bool m_isMoving = false;   // the tool is handling a mouse move
+  bool m_isShowDue = false;  // showSoon() was called
+  bool m_isVisible = true;
   std::map<std::string, std::map<std::string, PropertyValue>> m_chosen;  // by tool
 };
 

@@ -3,6 +3,7 @@
 #include "document/mesh/MeshDocument.h"
 #include "mesh/selection/RegionGrowing.h"
 #include "tools/mesh/ManualMeshChanges.h"
+#include "tools/mesh/MeshPreview.h"
 #include "tools/mesh/SelectTool.h"
 
 #include <QtGlobal>
@@ -211,8 +212,10 @@ std::vector<ToolAction> SelectTool::actions() const {
 
 ToolPreview SelectTool::preview() const {
   ToolPreview preview;
-  preview.selected = selection().faces;
-  preview.highlighted = m_hovered;
+  const auto faces = std::make_shared<MeshPreview>();
+  faces->selected = selection().faces;
+  faces->highlighted = m_hovered;
+  preview.ofKind = faces;
   preview.circle = m_circle;
   std::set<Vertex> keys = selection().loops;
   if (m_hoveredLoop) keys.insert(*m_hoveredLoop);

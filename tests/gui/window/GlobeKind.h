@@ -6,6 +6,7 @@
 #include "document/AtomicFile.h"
 #include "document/Document.h"
 #include "document/Edit.h"
+#include "tools/Tool.h"
 #include "window/documents/OpenDocument.h"
 #include "window/kinds/RigidPartsUi.h"
 
@@ -111,6 +112,42 @@ class GlobeKind : public DocumentKind {
   }
 };
 
+// What tools of globes preview in their own terms.
+struct GlobePreview : KindPreview {
+  explicit GlobePreview(double r) : radius(r) {}
+  double radius;
+};
+
+// Shows the globe in twice its size as long as a button is held, then makes it so.
+class GrowTool : public Tool {
+ public:
+  explicit GrowTool(Document& document) : m_document(document) {}
+
+  std::string id() const override { return "grow"; }
+  ToolReply pointer(const PointerEvent& event) override {
+    if (event.kind == PointerEvent::Kind::Press) m_radius = 2.0 * radiusOf(*m_document.snapshot());
+    if (event.kind != PointerEvent::Kind::Release || !m_radius) return ToolReply::Used;
+    auto edit = m_document.propertyEdit("radius", *std::exchange(m_radius, std::nullopt));
+    m_document.commit("Grow", std::move(*edit));
+    return ToolReply::Used;
+  }
+  ToolReply perform(std::string_view) override {
+    return std::exchange(m_radius, std::nullopt) ? ToolReply::Used : ToolReply::Ignored;
+  }
+  std::vector<ToolAction> actions() const override { return {{"revert", "Esc", "leave"}}; }
+  ToolPreview preview() const override {
+    ToolPreview preview;
+    if (!m_radius) return preview;
+    preview.replaced = std::make_shared<const DisplayModel>(m_document.kind().display(*globe(*m_radius)));
+    preview.ofKind = std::make_shared<const GlobePreview>(*m_radius);
+    return preview;
+  }
+
+ private:
+  Document& m_document;
+  std::optional<double> m_radius;
+};
+
 class GlobeUi : public RigidPartsUi {
  public:
   GlobeUi(const WindowContext& parts, QString sample) : RigidPartsUi(parts, {"Globe"}), m_sample(std::move(sample)) {}
@@ -123,7 +160,17 @@ class GlobeUi : public RigidPartsUi {
   QString panelTitle() const override { return "Shape of the globe"; }
   QString panelIcon() const override { return "file"; }
   QString menuTitle() const override { return "&Globe"; }
-  std::vector<ToolDescriptor> tools() override { return {measureParts()}; }
+  std::vector<ToolDescriptor> tools() override {
+    const auto make = [this] { return std::make_unique<GrowTool>(document()->document); };
+    return {{"growTool", "Gro&w", "Make it larger", panelIcon(), {}, make, "grow", {}}, measureParts()};
+  }
+  void showPreview(const ToolPreview& preview) override {
+    RigidPartsUi::showPreview(preview);
+    const auto* own = dynamic_cast<const GlobePreview*>(preview.ofKind.get());
+    previewed = own ? std::optional(own->radius) : std::nullopt;
+  }
+  std::optional<double> previewed;  // in its own terms
+
   QString statistics() const override {
     return document() ? QString::number(radiusOf(*document()->document.snapshot())) : QString();
   }

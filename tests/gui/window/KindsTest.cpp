@@ -133,6 +133,43 @@ class KindsTest : public QObject {
     QCOMPARE(without.tabs(), 0);
   }
 
+  // A tool of such a kind shows what it makes in place of the document, and what only its own window understands.
+  void aKindThatIsRegisteredHasItsOwnPreviews() {
+    std::vector<KindEntry> entries = registeredKinds();
+    entries.insert(entries.begin(), globeEntry({}));
+    WindowDriver driver(std::move(entries));
+    driver.choose("newGlobe");
+    QVERIFY(driver.settle());
+    auto* view = driver.find<Viewport>("viewport");
+    QTRY_VERIFY(view->isPickingReady());
+    const GlobeUi* ui = nullptr;
+    for (const KindUi* each : driver.window().findChildren<KindUi*>()) {
+      if (const auto* own = dynamic_cast<const GlobeUi*>(each)) ui = own;
+    }
+    QVERIFY(ui);
+    const auto reach = [view] { return view->bounds().max().x(); };
+    driver.find<QAction>("growTool")->trigger();
+    QVERIFY(reach() == 10.0 && !ui->previewed);
+    const QPoint middle = view->rect().center();
+    QTest::mousePress(view, Qt::LeftButton, {}, middle);
+    QCOMPARE(reach(), 20.0);
+    QCOMPARE(ui->previewed, std::optional(20.0));
+    QCOMPARE(driver.text("figures"), QStringLiteral("10"));
+    QTest::keyClick(view, Qt::Key_Escape);
+    QVERIFY(reach() == 10.0 && !ui->previewed);
+    QTest::mouseRelease(view, Qt::LeftButton, {}, middle);
+    QTest::mousePress(view, Qt::LeftButton, {}, middle);
+    QTRY_VERIFY(view->isPickingReady());
+    const Pick seen = view->pickAt(middle);
+    QCOMPARE(partOf(seen), std::string("globe"));
+    QVERIFY(std::abs(seen.point.cwiseAbs().sum() - 20.0) < 1e-9);  // on the octahedron of this radius
+    QTest::mouseRelease(view, Qt::LeftButton, {}, middle);
+    QVERIFY(reach() == 20.0 && !ui->previewed);
+    QCOMPARE(driver.text("figures"), QStringLiteral("20"));
+    driver.click("quickActions/undo");
+    QCOMPARE(reach(), 10.0);
+  }
+
   // The same on the command line: 'new', 'convert' and their help know what is registered.
   void aKindThatIsRegisteredHasCommands() {
     const QTemporaryDir folder;

@@ -11,6 +11,8 @@
 
 namespace handwheel {
 
+struct MeshPreview;
+
 // Tool for editing the edges of holes by hand (He 2008, section 4.2). A point of an edge is pulled with the pointer,
 // moved to another and joined with it, or a bridge is added between the two; a chosen edge is smoothed, its islands and
 // peninsulas are removed. A change of a whole edge is previewed first and applied with Return.
@@ -84,7 +86,7 @@ class BoundaryTool : public Tool {
   void dropProposal();
   std::optional<Vertex> neighbour(bool forward) const;
   bool isHeld(const Proposal& proposal) const;
-  void addDragPreview(ToolPreview& preview) const;
+  void addDragPreview(ToolPreview& preview, MeshPreview& onMesh) const;
   const char* dragEffect() const;
   const HalfEdgeMesh& mesh() const;
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/mesh/MeshDocument.h"
 #include "tools/ToolProperty.h"
+#include "tools/mesh/MeshPreview.h"
 #include "tools/mesh/boundary/BoundaryTool.h"
 
 #include <QtGlobal>
@@ -25,7 +26,7 @@ DisplayPart proposed(std::shared_ptr<const TriangleSoup> soup) {
 
 }  // namespace
 
-void BoundaryTool::addDragPreview(ToolPreview& preview) const {
+void BoundaryTool::addDragPreview(ToolPreview& preview, MeshPreview& onMesh) const {
   const Vec3& start = m_drag->pull.start();
   preview.circle = {m_drag->place, m_mark};
   if (!m_drag->hasMoved) return;
@@ -35,7 +36,7 @@ void BoundaryTool::addDragPreview(ToolPreview& preview) const {
     soup = soupOf(m_drag->pull.shapes(m_drag->stop));
   } else if (m_drag->deed == Deed::Weld) {
     soup = m_drag->weld.shapes;
-    if (m_drag->problem == JoinProblem::None) preview.highlighted = FaceSelection(m_drag->weld.changed);
+    if (m_drag->problem == JoinProblem::None) onMesh.highlighted = FaceSelection(m_drag->weld.changed);
   } else {
     std::vector<TrianglePoints> laid;
     for (const Triangle& t : m_drag->bridge.triangles)
@@ -48,19 +49,21 @@ void BoundaryTool::addDragPreview(ToolPreview& preview) const {
 
 ToolPreview BoundaryTool::preview() const {
   ToolPreview preview;
+  const auto onMesh = std::make_shared<MeshPreview>();
+  preview.ofKind = onMesh;
   const auto& loops = m_document.defects().loops;
   for (const auto& key : {m_key, m_hoveredLoop != m_key ? m_hoveredLoop : std::nullopt}) {
     const BoundaryLoop* line = key ? loopWithKey(mesh(), loops, *key) : nullptr;
     if (line) preview.lines.push_back(outlineOf(mesh(), *line));
   }
   if (m_drag) {
-    addDragPreview(preview);
+    addDragPreview(preview, *onMesh);
   } else if (m_hovered) {
     preview.circle = {mesh().position(mesh().from(m_hovered->at)), m_mark};
   }
   if (!m_proposal) return preview;
   if (m_proposal->kind != Kind::Smooth) {
-    preview.selected = m_proposal->faces;
+    onMesh->selected = m_proposal->faces;
   } else if (!m_proposal->shapes->triangles.empty()) {
     preview.parts.push_back(proposed(m_proposal->shapes));
   }

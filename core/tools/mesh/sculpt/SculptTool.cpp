@@ -3,6 +3,7 @@
 #include "tools/mesh/sculpt/SculptTool.h"
 
 #include "document/mesh/MeshDocument.h"
+#include "tools/mesh/MeshPreview.h"
 #include "tools/mesh/MeshSelection.h"
 
 #include <QtGlobal>
@@ -182,7 +183,9 @@ std::vector<ForceTerm> SculptTool::forces() const {
 
 ToolPreview SculptTool::preview() const {
   ToolPreview preview;
-  preview.live = m_live;
+  const auto onMesh = std::make_shared<MeshPreview>();
+  onMesh->live = m_live;
+  preview.ofKind = onMesh;
   preview.lines = m_outline;
   if (m_hovered) preview.circle = {m_hovered->point, m_settings.radius};
   return preview;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "mesh/selection/PreviewMesh.h"
 #include "tools/ToolKey.h"
 #include "tools/mesh/MeshServices.h"
 #include "tools/mesh/sculpt/SculptSteps.h"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "BoundaryBench.h"
 #include "TestClass.h"
+#include "tools/mesh/MeshPreview.h"
 
 #include <QTest>
 
@@ -61,7 +62,7 @@ void BoundaryToolActionsTest::removesIslands() {
   m_tool->pointer(test::above(Kind::Press, -4, 0));  // between island and rim
   QVERIFY(m_tool->loop() && !m_tool->loop()->rim);
   m_tool->perform("islands");
-  const FaceSelection marked = m_tool->preview().selected;
+  const FaceSelection marked = meshPreviewOf(m_tool->preview()).selected;
   QVERIFY(marked.count() > 0 && test::isEnabled(*m_tool, "commit"));
   m_tool->perform("commit");
   QCOMPARE(oneStep(before), std::string());
@@ -74,7 +75,7 @@ void BoundaryToolActionsTest::removesPeninsulas() {
   const HalfEdgeMesh before = mesh();
   m_tool->pointer(test::above(Kind::Press, 4, 0));
   m_tool->perform("peninsulas");
-  const FaceSelection marked = m_tool->preview().selected;
+  const FaceSelection marked = meshPreviewOf(m_tool->preview()).selected;
   QVERIFY(marked.count() >= 28 && marked.count() <= 33);
   m_tool->perform("commit");
   QCOMPARE(oneStep(before), std::string());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "BoundaryBench.h"
 #include "TestClass.h"
+#include "tools/mesh/MeshPreview.h"
 
 #include <QTest>
 
@@ -106,7 +107,7 @@ void BoundaryToolTest::joinsPoints() {
   QCOMPARE(loops(), std::size_t(3));
   drag(Vec3(-2, 0, 0), Vec3(-5.95, 0.03, 0));
   QCOMPARE(m_tool->problem(), JoinProblem::None);
-  QVERIFY(!m_tool->preview().highlighted.empty() && m_tool->preview().circle->first == Vec3(-6, 0, 0));
+  QVERIFY(!meshPreviewOf(m_tool->preview()).highlighted.empty() && m_tool->preview().circle->first == Vec3(-6, 0, 0));
   // The thread pulls back, the point that attracts pulls on.
   const std::vector<ForceTerm> forces = m_tool->forces();
   QCOMPARE(forces.size(), std::size_t(2));
@@ -122,7 +123,7 @@ void BoundaryToolTest::joinsOnlyWhatMay() {
   const HalfEdgeMesh before = mesh();
   drag(Vec3(-2, 0, 0), Vec3(-5, 0, 0));  // over the plate to its rim
   QVERIFY(m_tool->problem() != JoinProblem::None && !problemOf("way").empty());
-  QVERIFY(m_tool->preview().highlighted.empty());
+  QVERIFY(meshPreviewOf(m_tool->preview()).highlighted.empty());
   m_tool->pointer(test::above(Kind::Release, -5, 0));
   QVERIFY(test::sameMesh(mesh(), before));
   QCOMPARE(m_document->history()->count(), 0);

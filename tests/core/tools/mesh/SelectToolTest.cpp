@@ -3,6 +3,7 @@
 #include "SelectBench.h"
 #include "TestClass.h"
 #include "proximity/ClosestPoint.h"
+#include "tools/mesh/MeshPreview.h"
 
 #include <QTest>
 
@@ -43,7 +44,7 @@ void SelectToolTest::clicks() {
   b.click(20, 20, kControl);
   b.click(20, 20, kShift);
   QCOMPARE(b.faces(), std::vector<Face>{first});
-  QVERIFY(b.tool.preview().selected == (FaceSelection{first}));
+  QVERIFY(meshPreviewOf(b.tool.preview()).selected == (FaceSelection{first}));
 }
 
 void SelectToolTest::clickOnNothingClears() {
@@ -192,17 +193,17 @@ void SelectToolTest::connectedAndAngle() {
 void SelectToolTest::hoverShowsWhatAClickWouldSelect() {
   SelectBench b(plates(), kClick);
   b.tool.pointer(above(Kind::Hover, 3.2, 4.8));
-  QVERIFY(b.tool.preview().highlighted == FaceSelection{upper(3, 4) + 1});
+  QVERIFY(meshPreviewOf(b.tool.preview()).highlighted == FaceSelection{upper(3, 4) + 1});
   b.tool.setSetting("mode", kConnected);
-  QVERIFY(b.tool.preview().highlighted.empty());
+  QVERIFY(meshPreviewOf(b.tool.preview()).highlighted.empty());
   b.tool.pointer(above(Kind::Hover, 3.2, 4.8));
-  QCOMPARE(b.tool.preview().highlighted.count(), std::size_t(200));
+  QCOMPARE(meshPreviewOf(b.tool.preview()).highlighted.count(), std::size_t(200));
   b.tool.pointer(above(Kind::Hover, 20, 20));
-  QVERIFY(b.tool.preview().highlighted.empty());
+  QVERIFY(meshPreviewOf(b.tool.preview()).highlighted.empty());
   QCOMPARE(b.count(), std::size_t(0));
   SelectBench large(torus(200, 60), kConnected);  // 24 000 faces: too many to show on the way
   large.tool.pointer(above(Kind::Hover, 2.0, 0.1));
-  QCOMPARE(large.tool.preview().highlighted.count(), std::size_t(1));
+  QCOMPARE(meshPreviewOf(large.tool.preview()).highlighted.count(), std::size_t(1));
 }
 
 void SelectToolTest::secondButton() {

@@ -10,6 +10,7 @@
 #include "mesh/structure/MeshValidator.h"
 #include "tools/ToolRunner.h"
 #include "tools/mesh/MakeFaceTool.h"
+#include "tools/mesh/MeshPreview.h"
 #include "tools/mesh/SelectTool.h"
 #include "tools/mesh/boundary/BoundaryTool.h"
 #include "tools/mesh/sculpt/SculptTool.h"
@@ -187,7 +188,7 @@ class Session {
       m_checked = m_document->revision();
     }
     if (!m_runner.tool()) return {};
-    const ToolPreview preview = m_runner.tool()->preview();
+    const MeshPreview preview = meshPreviewOf(m_runner.tool()->preview());
     const auto isLive = [&](Face f) { return f < mesh.faceSlots() && mesh.isLive(f); };
     bool live = true;
     for (const FaceSelection* shown : {&preview.highlighted, &preview.selected})

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/selection/PreviewMesh.h"
+#include "tools/Tool.h"
+
+namespace handwheel {
+
+// What a tool previews on the mesh of a document.
+struct MeshPreview : KindPreview {
+  FaceSelection highlighted;                // faces under the pointer or about to be selected
+  FaceSelection selected;                   // faces that are selected now
+  std::shared_ptr<const PreviewMesh> live;  // null: the document's mesh
+};
+
+// The part of a preview that is on the mesh; empty when there is none.
+inline MeshPreview meshPreviewOf(const ToolPreview& preview) {
+  const auto* own = dynamic_cast<const MeshPreview*>(preview.ofKind.get());
+  return own ? *own : MeshPreview();
+}
+
+}  // namespace handwheel
