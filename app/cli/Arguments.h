@@ -16,7 +16,7 @@ struct OptionSpec {
   std::string_view name;   // without the dashes
   char letter = 0;         // short form, 0: none
   std::string_view value;  // name of its value in the help; empty: the option takes no value
-  std::string_view help;
+  std::string help;
   std::string_view formerName = {};  // still understood, in no help
 };
 

@@ -4,6 +4,7 @@
 
 #include "base/Expression.h"
 #include "base/NumberText.h"
+#include "document/OperationText.h"
 
 #include <optional>
 
@@ -23,18 +24,10 @@ std::string numberText(double value, Quantity quantity) {
   return shortestText(value);
 }
 
-std::string listOf(const std::vector<std::string>& choices) {
-  std::string all;
-  for (std::size_t i = 0; i < choices.size(); ++i) {
-    all += (i == 0 ? "" : i + 1 == choices.size() ? " or " : ", ") + choices[i];
-  }
-  return all;
-}
-
 // What a property takes, as the end of a sentence.
 std::string wanted(const Property& property) {
   if (std::holds_alternative<bool>(property.value)) return "yes or no";
-  if (!property.choices.empty()) return listOf(property.choices);
+  if (!property.choices.empty()) return choicesText(property.choices);
   switch (property.quantity) {
     case Quantity::Length:
       return "a length, such as 12.5, 25.4/2 or 1in";

@@ -28,22 +28,6 @@ std::string cutShort(bool isCutShort, const std::string& what) {
 
 }  // namespace
 
-std::optional<FillMethod> fillMethodFor(std::string_view word) {
-  for (FillMethod method : {FillMethod::Fair, FillMethod::Refined, FillMethod::Ear, FillMethod::Minimal,
-                            FillMethod::Area, FillMethod::Dihedral, FillMethod::Ridge}) {
-    if (wordFor(method) == word) return method;
-  }
-  return std::nullopt;
-}
-
-std::string wordFor(FillMethod method) {
-  if (method == FillMethod::Cone) return "cone";
-  if (method == FillMethod::ThickenedSheet) return "backed";
-  if (method == FillMethod::Stitched) return "stitched";
-  if (method == FillMethod::Removed) return "removed";
-  return fillMethodWord(method).toStdString();
-}
-
 std::string wordFor(LoopOutcome outcome) {
   switch (outcome) {
     case LoopOutcome::Filled:

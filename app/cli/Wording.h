@@ -13,11 +13,6 @@
 
 namespace handwheel {
 
-// The fill method that this word of --fill selects.
-std::optional<FillMethod> fillMethodFor(std::string_view word);
-
-// The name of the fill method in reports.
-std::string wordFor(FillMethod method);
 // The name of the outcome in reports.
 std::string wordFor(LoopOutcome outcome);
 

@@ -3,8 +3,6 @@
 #include "window/CommandText.h"
 
 #include "base/NumberText.h"
-#include "mesh/measure/MeshFidelity.h"
-#include "text/RepairText.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -48,35 +46,11 @@ QString assignments(const std::vector<Property>& before, const std::vector<Prope
   return words;
 }
 
-// " --fidelity mesh.near_weld=0.0001", with the values that are not the defaults. The method has an option of its own.
-QString fidelityOption(const RepairOptions& options) {
-  QStringList values;
-  const auto add = [&values](const FidelitySetting& setting, double value) {
-    if (value != setting.standard) values << QString::fromStdString(setting.id + '=' + textOf(setting, value));
-  };
-  add(nearWeldSetting(), options.nearWeld);
-  add(fillContinuitySetting(), static_cast<double>(options.fill.continuity));
-  add(patchDensitySetting(), options.fill.density);
-  add(pieceEdgesSetting(), static_cast<double>(options.fill.pieceEdges));
-  return values.isEmpty() ? QString() : QStringLiteral(" --fidelity ") + values.join(QLatin1Char(','));
-}
-
 }  // namespace
 
 QString inspectCommand(const QString& path, const ReadOptions& options) {
   return QStringLiteral("handwheel inspect ") + file(path) +
          (options.partial ? QStringLiteral(" --partial") : QString());
-}
-
-QString repairCommand(const QString& path, const RepairOptions& options) {
-  QString command = QStringLiteral("handwheel repair %1 -o %2 --fill %3")
-                        .arg(file(path), file(repairedName(path)), fillMethodWord(options.fill.method)) +
-                    (options.rims == RimHandling::Keep ? QStringLiteral(" --rims keep") : QString()) +
-                    fidelityOption(options);
-  if (options.keepOpen.empty()) return command;
-  QStringList ids;
-  for (int id : options.keepOpen) ids << QString::number(id);
-  return command + QStringLiteral(" --keep-open ") + ids.join(QLatin1Char(','));
 }
 
 QString compareCommand(const QString& mesh, const QString& scan) {

@@ -4,7 +4,6 @@
 
 #include "document/Property.h"
 #include "document/formats/MeshFormat.h"
-#include "mesh/repair/Repair.h"
 
 #include <QString>
 
@@ -14,7 +13,6 @@ namespace handwheel {
 // quoted for a shell.
 // The command line that inspects a file.
 QString inspectCommand(const QString& path, const ReadOptions& options);
-QString repairCommand(const QString& path, const RepairOptions& options);
 QString compareCommand(const QString& mesh, const QString& scan);
 QString convertCommand(const QString& from, const QString& to);
 // The command line that sets the changed properties to their present values. Empty when none differs and both paths are

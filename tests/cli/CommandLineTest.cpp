@@ -59,13 +59,13 @@ class CommandLineTest : public QObject {
     row({"repair", "a.stl", "-o"}, "The option -o needs a value: OUT.", " repair");
     row({"repair", "a.stl", "-o", "b.stl", "-x"}, "There is no option -x.", " repair");
     row({"repair", "a.stl", "-o", "b.stl", "--fill", "x"},
-        "--fill takes fair, ridge, refined, ear, minimal, area or dihedral.", " repair");
-    row({"repair", "a.stl", "-o", "b.stl", "--continuity", "x"}, "--continuity takes position, tangent or curvature.",
-        " repair");
+        "--fill takes fair, refined, ear, minimal, area, dihedral or ridge, not 'x'.", " repair");
+    row({"repair", "a.stl", "-o", "b.stl", "--continuity", "x"},
+        "--continuity takes position, tangent or curvature, not 'x'.", " repair");
     row({"repair", "a.stl", "-o", "b.stl", "--keep-open", "1,"}, "--keep-open takes loop numbers separated by commas.",
         " repair");
-    row({"repair", "a.stl", "-o", "b.stl", "--max-hole", "-3"}, "--max-hole takes a number of edges above zero.",
-        " repair");
+    row({"repair", "a.stl", "-o", "b.stl", "--max-hole", "-3"},
+        "--max-hole takes a whole number from 0 to 4294967295, not '-3'.", " repair");
     row({"repair", "a.stl", "-o", "b.stl", "--unit", "ft"}, "--unit takes mm, cm, m or in.", " repair");
     row({"repair", "a.stl", "-o", "b.stl", "--report", "./b.stl"},
         "IN and OUT cannot be the report or the screenshot too: ./b.stl.", " repair");

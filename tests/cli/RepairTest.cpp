@@ -52,6 +52,7 @@ class RepairTest : public QObject {
     const auto report = nlohmann::ordered_json::parse(bench.content("r.json").toStdString());
     const std::vector<std::string> expected{"input",
                                             "output",
+                                            "options",
                                             "before",
                                             "after",
                                             "loops",

@@ -80,31 +80,6 @@ QString fillMethodHint(FillMethod method) {
   return {};
 }
 
-QString fillMethodWord(FillMethod method) {
-  switch (method) {
-    case FillMethod::Fair:
-      return QStringLiteral("fair");
-    case FillMethod::Refined:
-      return QStringLiteral("refined");
-    case FillMethod::Ear:
-      return QStringLiteral("ear");
-    case FillMethod::Minimal:
-      return QStringLiteral("minimal");
-    case FillMethod::Area:
-      return QStringLiteral("area");
-    case FillMethod::Dihedral:
-      return QStringLiteral("dihedral");
-    case FillMethod::Ridge:
-      return QStringLiteral("ridge");
-    case FillMethod::Cone:
-    case FillMethod::ThickenedSheet:
-    case FillMethod::Stitched:
-    case FillMethod::Removed:
-      break;  // cannot be asked for
-  }
-  return {};
-}
-
 QString fillFailureReason(FillFailure failure) {
   switch (failure) {
     case FillFailure::None:

@@ -16,9 +16,6 @@ QString fillMethodName(FillMethod method);
 // One sentence on when to choose a fill method.
 QString fillMethodHint(FillMethod method);
 
-// The name of a fill method on the command line: --fill fair.
-QString fillMethodWord(FillMethod method);
-
 // Why a hole stayed open, as the end of a sentence. Example: "every patch would cross the part".
 QString fillFailureReason(FillFailure failure);
 

@@ -6,9 +6,10 @@
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
 #include "cli/mesh/BatchRun.h"
+#include "cli/mesh/MeshOutput.h"
 #include "cli/mesh/RepairArguments.h"
 #include "document/DraftFile.h"
-#include "document/formats/MeshFormat.h"
+#include "document/formats/MeshExport.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +39,7 @@ std::vector<std::string> repairOptions(const Arguments& arguments) {
 }
 
 bool isEndingOfMesh(const std::string& ending) {
-  return formatForName("x." + ending) || isContainerName("x." + ending);
+  return formatForOutput("x." + ending) || isContainerName("x." + ending);
 }
 
 std::string readRunOptions(const Arguments& arguments, BatchRequest& request) {
@@ -47,7 +48,7 @@ std::string readRunOptions(const Arguments& arguments, BatchRequest& request) {
     return "--jobs takes a number from 1 to " + std::to_string(kMostJobs) + ".";
   }
   if (arguments.has("format") && !isEndingOfMesh(arguments.valueOf("format"))) {
-    return "--format takes stl, ply, obj, off, 3mf or handwheel.";
+    return "--format takes " + meshFormatWords(true) + ".";
   }
   if (!arguments.has("time-limit")) return {};
   double seconds = 0.0;

@@ -3,16 +3,17 @@
 #include "cli/mesh/DecimateCommand.h"
 
 #include "base/NumberText.h"
-#include "base/Units.h"
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
+#include "cli/OperationOptions.h"
 #include "cli/mesh/MeshOutput.h"
 #include "document/formats/MeshExport.h"
 #include "document/mesh/MeshKind.h"
 #include "mesh/simplify/Decimation.h"
 #include "mesh/structure/MeshBounds.h"
 #include "mesh/structure/MeshBuilder.h"
+#include "tools/mesh/operations/DecimateOperation.h"
 
 #include <cmath>
 
@@ -26,34 +27,16 @@ struct DecimateRequest {
   DecimationOptions options;
 };
 
-bool readAboveZero(const std::string& word, double& value) {
-  return readNumber(word, value) && std::isfinite(value) && value > 0.0;
-}
-
 // Turns the words into a request. Returns what is wrong with them, or nothing.
 std::string readRequest(const Arguments& arguments, DecimateRequest& request) {
   if (!arguments.has("output")) return "The option -o OUT is missing.";
-  if (!arguments.has("faces") && !arguments.has("error")) return "Say how far to go: --faces N, --error MM or both.";
   request.input = arguments.operands[0];
   request.output = arguments.valueOf("output");
   request.read.partial = arguments.has("partial");
-  DecimationOptions& options = request.options;
-  options.keepBorders = arguments.has("keep-borders");
-  options.avoidIntersections = arguments.has("no-crossings");
-  if (arguments.has("faces") && (!readNumber(arguments.valueOf("faces"), options.faces) || options.faces == 0)) {
-    return "--faces takes a number above zero.";
-  }
-  double value = 0.0;
-  if (arguments.has("error")) {
-    if (!readAboveZero(arguments.valueOf("error"), value)) return "--error takes a length in mm above zero.";
-    options.error = value;
-  }
-  if (arguments.has("keep-creases")) {
-    if (!readAboveZero(arguments.valueOf("keep-creases"), value) || value >= 180.0) {
-      return "--keep-creases takes an angle in degrees between 0 and 180.";
-    }
-    options.creaseAngle = value * kRadiansPerDegree;
-  }
+  OperationValues values(decimateOperation());
+  if (const std::string problem = readOptions(arguments, values); !problem.empty()) return problem;
+  if (!missingGoal(values).empty()) return sentenceOf(missingGoal(values));
+  request.options = decimationOptionsOf(values);
   return {};
 }
 
@@ -124,22 +107,17 @@ std::string readableText(const DecimationReport& report) {
 }  // namespace
 
 CommandSpec decimateSpec() {
-  return {
+  CommandSpec spec = {
       "decimate",
       "FILE",
       "Makes a mesh of fewer triangles that stays as near to the original as it can. Holes, handles and parts stay,\n"
       "and no triangle turns over. Exit code 0: done; 2: --faces was not reached, or nothing could go, told on stderr; "
       "1: error.",
-      {
-          {"output", 'o', "OUT", "The result: .stl, .ply, .obj, .off, .3mf or .handwheel; may be the input"},
-          {"faces", 0, "N", "Stop at so many triangles"},
-          {"error", 0, "MM", "Stay within this distance of the original, measured both ways"},
-          {"keep-borders", 0, "", "Leave the vertices of open edges where they are"},
-          {"keep-creases", 0, "DEGREES", "Leave the vertices of edges at least that sharp on them"},
-          {"no-crossings", 0, "", "Let no triangles meet that did not meet before"},
-          {"partial", 0, "", "Read what is readable of a damaged file"},
-          {"help", 'h', "", "Show this page"},
-      }};
+      {meshOutputOption()}};
+  for (OptionSpec& option : optionsOf(decimateOperation())) spec.options.push_back(std::move(option));
+  spec.options.push_back({"partial", 0, "", "Read what is readable of a damaged file"});
+  spec.options.push_back({"help", 'h', "", "Show this page"});
+  return spec;
 }
 
 int runDecimate(const Arguments& arguments, const DocumentKinds& kinds) {

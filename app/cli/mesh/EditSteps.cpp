@@ -5,6 +5,8 @@
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
+#include "cli/OperationOptions.h"
+#include "cli/mesh/MeshOutput.h"
 #include "document/FileBytes.h"
 #include "document/formats/MeshExport.h"
 #include "document/mesh/MeshDocument.h"
@@ -12,6 +14,7 @@
 #include "text/NoteText.h"
 #include "text/RepairText.h"
 #include "tools/mesh/MeshSteps.h"
+#include "tools/mesh/operations/MeshOperations.h"
 
 #include <algorithm>
 
@@ -142,14 +145,8 @@ const std::string& summary() {
         "with\n"
         "them the same file comes out, byte for byte. Exit code 0: done; 2: a step changed nothing, told on stderr;\n"
         "1: error, and nothing is written.\n\nSteps, each one word for the shell:\n";
-    for (const StepForm& step : stepForms())
-      all += "  " + std::string(step.form) + "\n      " + std::string(step.help) + "\n";
-    return all +
-           "LOOP is numbered as 'handwheel inspect' does, anew after each step, or v and its smallest vertex: v12.\n"
-           "FILL is [--fill METHOD] [--continuity HOW] [--density N] [--piece-edges N] [--ears L,A,N,L], as for "
-           "'repair'.\n"
-           "PATCH is --patch TRIANGLES, and --finest N of one that was subdivided N times. Steps that round take\n"
-           "--numbers single or double; else they round as the numbers of IN.";
+    return all + stepsHelp(meshOperations()) +
+           "LOOP is numbered as 'handwheel inspect' does, anew after each step, or v and its smallest vertex: v12.";
   }();
   return text;
 }
@@ -161,7 +158,7 @@ CommandSpec editSpec() {
           "IN [STEP...]",
           summary(),
           {
-              {"output", 'o', "OUT", "The result: .stl, .ply, .obj, .off, .3mf or .handwheel; may be the input"},
+              meshOutputOption(),
               {"steps", 0, "FILE", "Steps, one a line, done before those of the command line; # begins a comment"},
               {"partial", 0, "", "Read what is readable of a damaged file"},
               {"help", 'h', "", "Show this page"},

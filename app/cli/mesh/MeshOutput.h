@@ -2,10 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "cli/Arguments.h"
 #include "cli/Input.h"
 #include "mesh/structure/HalfEdgeMesh.h"
 
 namespace handwheel {
+
+// The option -o of commands that write a mesh.
+OptionSpec meshOutputOption();
+// The words of the formats of meshes, as --format takes them: "stl, ply, obj, off or 3mf".
+std::string meshFormatWords(bool withContainer);
+// Their names: "STL, PLY, OBJ, OFF or 3MF".
+std::string meshFormatNames();
 
 // Writes a mesh that was computed from an input file. The format is a mesh format, or a container with its own
 // numbering, since vertices and loops differ from those of the input. Errors: those of exportMesh() and saveDocument().

@@ -5,11 +5,10 @@
 #include "cli/FidelityOption.h"
 #include "cli/Input.h"
 #include "cli/Messages.h"
+#include "cli/OperationOptions.h"
 #include "cli/Picture.h"
-#include "cli/Wording.h"
 #include "mesh/measure/MeshFidelity.h"
-
-#include <optional>
+#include "tools/mesh/operations/RepairOperation.h"
 
 namespace handwheel {
 
@@ -49,25 +48,10 @@ std::string problemBeside(const RepairRequest& request, const Arguments& argumen
   return {};
 }
 
-std::optional<RimHandling> rimHandlingFor(const std::string& word) {
-  if (word == "keep") return RimHandling::Keep;
-  if (word == "back") return RimHandling::Back;
-  if (word == "fill") return RimHandling::Fill;
-  return std::nullopt;
-}
-
 }  // namespace
 
 std::string readRepairOptions(const Arguments& arguments, RepairRequest& request) {
   request.read.partial = arguments.has("partial");
-  if (arguments.has("rims")) {
-    const auto rims = rimHandlingFor(arguments.valueOf("rims"));
-    if (!rims) return "--rims takes keep, back or fill.";
-    request.options.rims = *rims;
-  }
-  request.options.removeDebris = arguments.has("remove-debris");
-  request.options.replaceFoldedRegions = !arguments.has("keep-folded-regions");
-  request.options.cutCrossings = arguments.has("cut-crossings");
   if (arguments.has("fidelity")) {
     // Those that apply() puts into the options.
     const FidelitySetting read[] = {nearWeldSetting(), fillMethodSetting(), fillContinuitySetting(),
@@ -77,22 +61,11 @@ std::string readRepairOptions(const Arguments& arguments, RepairRequest& request
     if (!problem.empty()) return problem;
     apply(values, request.options);
   }
-  if (arguments.has("fill")) {
-    const auto method = fillMethodFor(arguments.valueOf("fill"));
-    if (!method) return "--fill takes fair, ridge, refined, ear, minimal, area or dihedral.";
-    request.options.fill.method = *method;
-  }
-  if (arguments.has("continuity")) {
-    const auto continuity = valueOf(fillContinuitySetting(), arguments.valueOf("continuity"));
-    if (!continuity) return "--continuity takes position, tangent or curvature.";
-    request.options.fill.continuity = static_cast<Continuity>(*continuity);
-  }
+  OperationValues values = valuesOf(request.options);
+  if (const std::string problem = readOptions(arguments, values); !problem.empty()) return problem;
+  request.options = repairOptionsOf(values);
   if (arguments.has("keep-open") && !readIds(arguments.valueOf("keep-open"), request.options.keepOpen)) {
     return "--keep-open takes loop numbers separated by commas.";
-  }
-  if (arguments.has("max-hole") &&
-      (!readNumber(arguments.valueOf("max-hole"), request.options.maxEdges) || request.options.maxEdges == 0)) {
-    return "--max-hole takes a number of edges above zero.";
   }
   const std::string unit = unitOf(arguments);
   if (unit != "mm" && unit != "cm" && unit != "m" && unit != "in") return "--unit takes mm, cm, m or in.";

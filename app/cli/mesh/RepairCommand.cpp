@@ -6,13 +6,16 @@
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
+#include "cli/OperationOptions.h"
 #include "cli/Picture.h"
 #include "cli/ReportJson.h"
 #include "cli/Wording.h"
 #include "cli/mesh/BatchRepair.h"
+#include "cli/mesh/MeshOutput.h"
 #include "cli/mesh/RepairArguments.h"
 #include "cli/mesh/RepairJson.h"
 #include "document/AtomicFile.h"
+#include "tools/mesh/operations/RepairOperation.h"
 
 namespace handwheel {
 
@@ -119,44 +122,47 @@ int deliver(const Repaired& done, const RepairRequest& request, const Arguments&
 
 }  // namespace
 
+namespace {
+
+std::string repairPurpose() {
+  return "Fills the holes of a mesh, removes degenerate and duplicate faces and mends non-manifold places. Everything\n"
+         "else stays as it is, bit for bit. Exit code 0: the written file is closed, manifold and oriented;\n"
+         "2: something is left and told on stderr; 1: error. The format is that of OUT's ending.\n\n"
+         "With several files, a folder, or one of -j, --format, --resume and --time-limit it repairs many, each in a "
+         "process\n"
+         "of its own, so that none stops the others. OUT is then a folder, in which the files lie as they do in the "
+         "folders\n"
+         "named: " +
+         meshFormatNames() +
+         ", below the first level too, hidden ones and linked folders left out. A line "
+         "for\n"
+         "each, a table at the end; exit code 2: something was left open; 1: a file failed. No input is ever replaced.";
+}
+
+}  // namespace
+
 CommandSpec repairSpec() {
-  return {
-      "repair",
-      "IN [IN...]",
-      "Fills the holes of a mesh, removes degenerate and duplicate faces and mends non-manifold places. Everything\n"
-      "else stays as it is, bit for bit. Exit code 0: the written file is closed, manifold and oriented;\n"
-      "2: something is left and told on stderr; 1: error. The format is that of OUT's ending.\n\n"
-      "With several files, a folder, or one of -j, --format, --resume and --time-limit it repairs many, each in a "
-      "process\n"
-      "of its own, so that none stops the others. OUT is then a folder, in which the files lie as they do in the "
-      "folders\n"
-      "named: STL, PLY, OBJ, OFF and 3MF, below the first level too, hidden ones and linked folders left out. A line "
-      "for\n"
-      "each, a table at the end; exit code 2: something was left open; 1: a file failed. No input is ever replaced.",
-      {
-          {"output", 'o', "OUT", "The repaired mesh: .stl, .ply, .obj, .off, .3mf or .handwheel; may be the input"},
-          {"fidelity", 0, "LIST", "draft, balanced or exact, and single values: mesh.near_weld=1e-4,..."},
-          {"fill", 0, "METHOD", "fair (default), ridge, refined, ear, minimal, area or dihedral"},
-          {"continuity", 0, "HOW", "What fair patches continue: position, tangent (default) or curvature"},
-          {"keep-open", 0, "ID,...", "Loops to leave open, numbered as 'handwheel inspect' does"},
-          {"rims", 0, "HOW", "Outer edges of open sheets: give the sheet a back (default), keep or fill"},
-          {"max-hole", 0, "N", "Leave loops with more than N edges open"},
-          {"remove-debris", 0, "", "Remove parts far smaller than the largest"},
-          {"keep-folded-regions", 0, "", "Leave open what closes only if folded triangles around it are replaced",
-           "keep-tangles"},
-          {"cut-crossings", 0, "", "Cut triangles apart where the surface passes through itself"},
-          {"unit", 0, "UNIT", "mm (default), cm, m or in: noted in the report, nothing is scaled"},
-          {"partial", 0, "", "Read what is readable of a damaged file"},
-          {"report", 0, "FILE",
-           "Write figures before and after, and what became of each loop, as JSON; of many, of each file"},
-          {"screenshot", 0, "PNG", "Draw the result; where that fails the repair is done all the same"},
-          {"json", 0, "", "Say what came of each file as one line of JSON"},
-          {"jobs", 'j', "N", "Repair many: N files at a time, 1 (default) to 64"},
-          {"format", 0, "ENDING", "Repair many: write all as stl, ply, obj, off, 3mf or handwheel"},
-          {"resume", 0, "", "Repair many: leave out what an earlier run with the same options has done"},
-          {"time-limit", 0, "S", "Repair many: give up on a file after S seconds"},
-          {"help", 'h', "", "Show this page"},
-      }};
+  static const std::string purpose = repairPurpose();
+  std::vector<OptionSpec> options = {
+      meshOutputOption(),
+      {"fidelity", 0, "LIST", "draft, balanced or exact, and single values: mesh.near_weld=1e-4,..."}};
+  for (OptionSpec& option : optionsOf(repairOperation(), {"numbers"})) options.push_back(std::move(option));
+  const std::vector<OptionSpec> others = {
+      {"keep-open", 0, "ID,...", "Loops to leave open, numbered as 'handwheel inspect' does"},
+      {"unit", 0, "UNIT", "mm (default), cm, m or in: noted in the report, nothing is scaled"},
+      {"partial", 0, "", "Read what is readable of a damaged file"},
+      {"report", 0, "FILE",
+       "Write figures before and after, and what became of each loop, as JSON; of many, of each file"},
+      {"screenshot", 0, "PNG", "Draw the result; where that fails the repair is done all the same"},
+      {"json", 0, "", "Say what came of each file as one line of JSON"},
+      {"jobs", 'j', "N", "Repair many: N files at a time, 1 (default) to 64"},
+      {"format", 0, "ENDING", "Repair many: write all as " + meshFormatWords(true)},
+      {"resume", 0, "", "Repair many: leave out what an earlier run with the same options has done"},
+      {"time-limit", 0, "S", "Repair many: give up on a file after S seconds"},
+      {"help", 'h', "", "Show this page"},
+  };
+  options.insert(options.end(), others.begin(), others.end());
+  return {"repair", "IN [IN...]", purpose, std::move(options)};
 }
 
 int runRepair(const Arguments& arguments, const DocumentKinds& kinds) {

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/mesh/RepairJson.h"
 
+#include "cli/OperationJson.h"
 #include "cli/ReportJson.h"
 #include "cli/Wording.h"
 #include "text/RepairText.h"
+#include "tools/mesh/operations/FillOperation.h"
+#include "tools/mesh/operations/RepairOperation.h"
 
 #include <algorithm>
 
@@ -14,17 +17,40 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Those that can be asked for as --fill has them.
+std::string methodWord(FillMethod method) {
+  switch (method) {
+    case FillMethod::Cone:
+      return "cone";
+    case FillMethod::ThickenedSheet:
+      return "backed";
+    case FillMethod::Stitched:
+      return "stitched";
+    case FillMethod::Removed:
+      return "removed";
+    default:
+      return fillOperation().find("fill")->words[static_cast<std::size_t>(method)];
+  }
+}
+
 Json toJson(const LoopResult& loop) {
   const bool filled = loop.outcome == LoopOutcome::Filled;
   return {
       {"id", loop.id},
       {"edges", loop.edges},
       {"outcome", wordFor(loop.outcome)},
-      {"method", filled ? Json(wordFor(loop.method)) : Json(nullptr)},
+      {"method", filled ? Json(methodWord(loop.method)) : Json(nullptr)},
       {"reason", filled ? Json(nullptr) : Json(reasonSentence(loop.reason))},
       {"new_faces", loop.newFaces},
       {"ms", loop.milliseconds},
   };
+}
+
+Json optionsJson(const RepairOptions& options) {
+  Json json = toJson(valuesOf(options));
+  json.erase("numbers");  // those of the output
+  json["keep_open"] = options.keepOpen;
+  return json;
 }
 
 }  // namespace
@@ -37,6 +63,7 @@ Json toJson(const RepairRun& run, const RepairRequest& request, const std::strin
   return {
       {"input", request.input.string()},
       {"output", request.output.string()},
+      {"options", optionsJson(request.options)},
       {"before", toJson(run.before)},
       {"after", toJson(run.after)},
       {"loops", loops},

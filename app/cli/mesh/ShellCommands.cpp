@@ -43,7 +43,7 @@ std::string nameOf(const fs::path& input, const std::string& extension, std::siz
 
 Result<Outcome> split(const fs::path& path, const fs::path& folder, const std::string& extension,
                       const ReadOptions& options, const DocumentKinds& kinds, Progress progress) {
-  if (!formatForName("shell" + extension)) return unknownEnding("shell" + extension, meshEndings());
+  if (const auto format = formatForOutput("shell" + extension); !format) return format.error();
   const Result<Input> input = readMeshInput(path, options, kinds, progress.part(0.0, 0.2));
   if (!input) return input.error();
   Outcome done{{}, {}, {input->opened.file}};
@@ -120,7 +120,7 @@ CommandSpec splitSpec() {
           "after the mesh and numbered in the order of the shells' first triangles; none that is there is replaced.",
           {
               {"output", 'o', "FOLDER", "Where to; made if it is not there"},
-              {"format", 0, "ENDING", "stl, ply, obj, off or 3mf; as the mesh, if not given"},
+              {"format", 0, "ENDING", meshFormatWords(false) + "; as the mesh, if not given"},
               {"partial", 0, "", "Read what is readable of a damaged file"},
               {"help", 'h', "", "Show this page"},
           }};
@@ -147,7 +147,7 @@ CommandSpec mergeSpec() {
       "Writes several meshes to one file, one after the other. Nothing is joined: where they touch or pass through\n"
       "each other they go on doing so, and 'repair' mends what can be mended.",
       {
-          {"output", 'o', "OUT", "The result: .stl, .ply, .obj, .off, .3mf or .handwheel"},
+          meshOutputOption(),
           {"partial", 0, "", "Read what is readable of damaged files"},
           {"help", 'h', "", "Show this page"},
       }};

@@ -4,7 +4,7 @@
 
 #include "mesh/measure/MeshFidelity.h"
 #include "tools/mesh/DefectFixes.h"
-#include "tools/mesh/FillOptionsText.h"
+#include "tools/mesh/LoopText.h"
 #include "window/ActionTip.h"
 #include "window/fidelity/FidelityChoice.h"
 #include "window/mesh/HolePreview.h"

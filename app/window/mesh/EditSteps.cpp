@@ -3,6 +3,8 @@
 #include "window/mesh/EditSteps.h"
 
 #include "document/DocumentKind.h"
+#include "tools/mesh/StepText.h"
+#include "tools/mesh/operations/RepairOperation.h"
 #include "window/CommandText.h"
 #include "window/mesh/OpenMesh.h"
 
@@ -36,11 +38,20 @@ QString stepCommand(const OpenMesh& document, const std::string& step) {
   const QString path = document.document.path();
   if (document.isAsInFile() && !document.document.isModified()) {
     // Those that have a command of their own take the same words.
-    if (step.starts_with("decimate ") && step.find("rad") == std::string::npos)
-      return ownCommand(path, step, editedName(path));
+    if (step.starts_with("decimate ")) return ownCommand(path, step, editedName(path));
     return lineOf(path, {step}, editedName(path), path);
   }
   return step.size() > kLongestCommand ? QString() : QStringLiteral("… %1 …").arg(stepWord(step));
+}
+
+QString repairCommand(const QString& path, const RepairOptions& options) {
+  OperationValues values = valuesOf(options);
+  values.reset("numbers");  // those of the file that is written
+  const QString command = ownCommand(path, StepWriter("repair").options(values).text(), repairedName(path));
+  if (options.keepOpen.empty()) return command;
+  QStringList ids;
+  for (int id : options.keepOpen) ids << QString::number(id);
+  return command + QStringLiteral(" --keep-open ") + ids.join(QLatin1Char(','));
 }
 
 std::optional<EditPath> editPath(const OpenMesh& document, bool toContainer) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "mesh/repair/Repair.h"
+
 #include <QString>
 #include <optional>
 #include <string>
@@ -17,6 +19,9 @@ struct OpenMesh;
 // The command line for a step that is about to be applied. A whole command when the mesh equals its file, else only
 // the part to add to the previous command.
 QString stepCommand(const OpenMesh& document, const std::string& step);
+
+// The command line that repairs a file as the window has repaired it.
+QString repairCommand(const QString& path, const RepairOptions& options);
 
 // The steps from a file to the present state.
 struct EditPath {

@@ -47,7 +47,7 @@ void MeshTools::setDocument(OpenMesh* document) {
 
 void MeshTools::setFill(FillMethod method, Continuity continuity) {
   const QScopedValueRollback<bool> told(m_isTold, true);
-  m_host.choose("fill", "method", FillHoleTool::settingOf(method));
+  m_host.choose("fill", "fill", static_cast<double>(method));
   m_host.choose("fill", "continuity", static_cast<double>(continuity));
 }
 

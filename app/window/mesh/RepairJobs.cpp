@@ -9,7 +9,8 @@
 #include "text/ErrorText.h"
 #include "text/RepairText.h"
 #include "tools/mesh/DefectFixes.h"
-#include "tools/mesh/MeshSteps.h"
+#include "tools/mesh/LoopText.h"
+#include "tools/mesh/RepairChanges.h"
 #include "window/CommandText.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/fidelity/FidelityChoice.h"
@@ -67,14 +68,10 @@ void RepairJobs::startFill(OpenMesh* document, Vertex key, PreparedFill prepared
               loop = document->inspection.loop(loopId)](Progress progress) -> Job::Finish {
     HoleFiller* filler = prepared.bench->filler(progress.part(0.0, 0.3));
     if (!filler) return {};
-    const FillAttempt attempt =
-        prepared.attempt ? *prepared.attempt : filler->propose(loop, options, progress.part(0.3, 0.6));
+    const FillFailure failure = fillHole(*filler, loop, options, prepared.attempt, progress.part(0.3, 0.6));
     InspectedMesh after;
-    if (attempt.failure == FillFailure::None) {
-      filler->accept(loop, attempt.patch);
-      after = inspected(filler->mesh(), nearWeld, progress.part(0.6, 1.0));
-    }
-    return [this, document, key, revision, round, options, bench = prepared.bench, failure = attempt.failure, after] {
+    if (failure == FillFailure::None) after = inspected(filler->mesh(), nearWeld, progress.part(0.6, 1.0));
+    return [this, document, key, revision, round, options, bench = prepared.bench, failure, after] {
       if (!m_tabs.contains(document)) return;
       if (!isStale(document, revision))
         return filledOne(document, key, bench, {failure, fillStep(key, options)}, after);
@@ -186,20 +183,20 @@ void RepairJobs::startRepair(OpenMesh* document, Round round) {
   options.rims = RimHandling::Keep;  // the list shows them as left open
   apply(m_fidelity.values(), options);
   options.fill.numbers = document->document.fileNumbers();
-  for (int id : document->inspection.keptOpen()) {
-    if (!document->inspection.loop(id).rim) options.keepOpen.insert(id);
-  }
+  options.keepOpen = keptLoops(document->document);
   Job job;
   job.name = tr("Repairing %1").arg(document->document.name());
   job.work = [this, document, revision, round, options,
               mesh = document->document.mesh()](Progress progress) -> Job::Finish {
     HalfEdgeMesh result = mesh;
-    const RepairReport report = repair(result, options, progress.part(0.0, 0.9));
-    if (report.cancelled) return {};
-    return [this, document, revision, round, options,
-            after = inspected(std::move(result), options.nearWeld, progress.part(0.9, 1.0)), report] {
+    const auto report = std::make_shared<RepairReport>();
+    const MeshChange wanted = repairChange(options, report);
+    wanted.apply(result, progress.part(0.0, 0.9));
+    if (report->cancelled) return {};
+    return [this, document, revision, round, options, step = wanted.step, report,
+            after = inspected(std::move(result), options.nearWeld, progress.part(0.9, 1.0))] {
       if (!m_tabs.contains(document)) return;
-      if (!isStale(document, revision)) return repairedAll(document, after, report, options);
+      if (!isStale(document, revision)) return repairedAll(document, after, {*report, options, step});
       reportStale(*document, round);
       if (round == Round::First) startRepair(document, Round::Second);
     };
@@ -207,23 +204,23 @@ void RepairJobs::startRepair(OpenMesh* document, Round round) {
   start(document, std::move(job));
 }
 
-void RepairJobs::repairedAll(OpenMesh* document, const InspectedMesh& after, const RepairReport& report,
-                             const RepairOptions& options) {
+void RepairJobs::repairedAll(OpenMesh* document, const InspectedMesh& after, const Repaired& done) {
   Inspection& inspection = document->inspection;
-  const auto failures = failuresOf(inspection, report);
-  logRepair(*document, report, options);
+  const auto failures = failuresOf(inspection, done.report);
+  logRepair(*document, done);
   document->repaired = true;
-  document->document.commit(tr("Repair all"), after, repairStep(options));
+  document->document.commit(tr("Repair all"), after, done.step);
   inspection.setFailures(failures);
 }
 
-void RepairJobs::logRepair(const OpenMesh& document, const RepairReport& report, const RepairOptions& options) {
+void RepairJobs::logRepair(const OpenMesh& document, const Repaired& done) {
+  const RepairReport& report = done.report;
   QStringList parts{tr("%1 of %2 holes filled").arg(countOf(report, LoopOutcome::Filled)).arg(report.loops.size())};
   if (const std::size_t kept = countOf(report, LoopOutcome::KeptOpen); kept > 0) parts << tr("%1 kept open").arg(kept);
   parts << repairSummary(report);
-  m_log.add(tr("Repaired %1: %2").arg(document.document.name(), parts.join(QStringLiteral(", "))),
-            document.isAsInFile() ? repairCommand(document.document.path(), options)
-                                  : stepCommand(document, repairStep(options)));
+  m_log.add(
+      tr("Repaired %1: %2").arg(document.document.name(), parts.join(QStringLiteral(", "))),
+      document.isAsInFile() ? repairCommand(document.document.path(), done.options) : stepCommand(document, done.step));
   for (const LoopResult& loop : report.loops) {
     if (loop.outcome != LoopOutcome::Failed) continue;
     const QString name = loop.id >= 0 ? document.inspection.loopName(loop.id) : tr("A hole that the repair laid open");

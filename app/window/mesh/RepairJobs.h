@@ -66,9 +66,13 @@ class RepairJobs : public QObject {
   };
   void filledOne(OpenMesh* document, Vertex key, const std::shared_ptr<HoleFillerCache>& bench, const Filled& done,
                  const InspectedMesh& after);
-  void repairedAll(OpenMesh* document, const InspectedMesh& after, const RepairReport& report,
-                   const RepairOptions& options);
-  void logRepair(const OpenMesh& document, const RepairReport& report, const RepairOptions& options);
+  struct Repaired {
+    RepairReport report;
+    RepairOptions options;
+    std::string step;
+  };
+  void repairedAll(OpenMesh* document, const InspectedMesh& after, const Repaired& done);
+  void logRepair(const OpenMesh& document, const Repaired& done);
   void reportCrossings(const OpenMesh& document, const IntersectionsChange& crossings);
   void reportStale(const OpenMesh& document, Round round);
   void start(const OpenDocument* document, Job job);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/simplify/Decimation.h"
 #include "tools/ToolKey.h"
 #include "tools/mesh/MeshServices.h"
+#include "tools/mesh/operations/DecimateOperation.h"
 
 namespace handwheel {
 
@@ -30,16 +30,14 @@ class DecimateTool : public Tool {
   enum class Goal { Count, Distance };
   DecimationOptions options() const;
   void resetGoals();
+  void setFaces(double faces);
 
   MeshDocument& m_document;
   MeshServices m_services;
   Goal m_goal = Goal::Count;
-  double m_faces = 0.0;
-  double m_distance = 0.0;  // mm
-  bool m_keepsBorders = true;
+  // With both goals and an angle of creases, whether they are in use or not.
+  OperationValues m_values{decimateOperation()};
   bool m_keepsCreases = false;
-  double m_creaseAngle = 0.52;  // radian
-  bool m_avoidsCrossings = true;
 };
 
 }  // namespace handwheel

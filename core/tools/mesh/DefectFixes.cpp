@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/mesh/DefectFixes.h"
 
-#include "base/NumberText.h"
 #include "mesh/boundary/Stitching.h"
 #include "mesh/defects/Defects.h"
 #include "mesh/defects/DuplicateFaces.h"
@@ -17,7 +16,9 @@
 #include "mesh/selection/FaceSelection.h"
 #include "mesh/structure/MeshBounds.h"
 #include "mesh/structure/MeshBuilder.h"
-#include "tools/mesh/FillOptionsText.h"
+#include "tools/mesh/LoopText.h"
+#include "tools/mesh/operations/FillOperation.h"
+#include "tools/mesh/operations/MeshOperations.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -64,6 +65,19 @@ bool replaceFolded(HalfEdgeMesh& mesh, Vertex key, const FillOptions& options, P
   return !effort.isSpent();
 }
 
+// The operation with these options of a fill, or number type.
+OperationValues filling(const char* verb, const FillOptions& options) {
+  OperationValues values(meshOperation(verb));
+  setFillOptions(values, options);
+  return values;
+}
+
+OperationValues rounding(const char* verb, NumberType numbers) {
+  OperationValues values(meshOperation(verb));
+  setNumbers(values, numbers);
+  return values;
+}
+
 bool partNonManifold(HalfEdgeMesh& mesh, NumberType numbers, Progress progress) {
   Effort effort = progress.share(mostEffort(mesh));
   if (!separateCoincidentVertices(mesh, numbers, progress.part(0.0, 0.8).within(effort)).empty())
@@ -74,13 +88,13 @@ bool partNonManifold(HalfEdgeMesh& mesh, NumberType numbers, Progress progress) 
 }  // namespace
 
 MeshChange degenerateFix() {
-  return withStep({QT_TRANSLATE_NOOP("Tool", "Remove triangles without area"),
+  return withStep({meshOperation("degenerates").title,
                    [](HalfEdgeMesh& mesh, Progress progress) { removeDegenerateFaces(mesh, progress); }},
                   "degenerates");
 }
 
 MeshChange duplicateFix() {
-  return withStep({QT_TRANSLATE_NOOP("Tool", "Remove duplicate triangles"),
+  return withStep({meshOperation("duplicates").title,
                    [](HalfEdgeMesh& mesh, Progress progress) { removeDuplicateFaces(mesh, progress); }},
                   "duplicates");
 }
@@ -88,9 +102,11 @@ MeshChange duplicateFix() {
 MeshChange nearVertexFix(double nearWeld, std::vector<std::pair<Vertex, Vertex>> pairs) {
   StepWriter step("near-vertices");
   if (!pairs.empty()) step.word(pairsText(pairs));
-  step.option("near-weld", shortestText(nearWeld));
+  OperationValues values(meshOperation("near-vertices"));
+  values.setValid("near-weld", nearWeld);
+  step.options(values);
   return withStep(
-      {QT_TRANSLATE_NOOP("Tool", "Merge near vertices"),
+      {meshOperation("near-vertices").title,
        [nearWeld, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
          std::vector<bool> fixed(mesh.vertexSlots(), !pairs.empty());
          for (const auto& [a, b] : pairs) fixed[a] = fixed[b] = false;
@@ -103,17 +119,17 @@ MeshChange nearVertexFix(double nearWeld, std::vector<std::pair<Vertex, Vertex>>
 MeshChange nonManifoldFix(NumberType numbers) {
   return withStep(
       counted(
-          QT_TRANSLATE_NOOP("Tool", "Part what only touches"),
+          meshOperation("split-nonmanifold").title,
           [numbers](HalfEdgeMesh& mesh, Progress progress) { return partNonManifold(mesh, numbers, progress); },
           QT_TRANSLATE_NOOP("Tool", "every step apart would make the surface cross itself")),
-      StepWriter("split-nonmanifold").option("numbers", wordFor(numbers)).text());
+      StepWriter("split-nonmanifold").options(rounding("split-nonmanifold", numbers)).text());
 }
 
 MeshChange nonOrientableFix(const FillOptions& options) {
   StepWriter step("two-sides");
-  addFillOptions(step, options);
+  step.options(filling("two-sides", options));
   return withStep(counted(
-                      QT_TRANSLATE_NOOP("Tool", "Cut and give two sides"),
+                      meshOperation("two-sides").title,
                       [options](HalfEdgeMesh& mesh, Progress progress) {
                         Effort effort = progress.share(mostEffort(mesh));
                         closeNonOrientable(mesh, options, std::numeric_limits<double>::infinity(), BorderCuts::Yes,
@@ -126,10 +142,10 @@ MeshChange nonOrientableFix(const FillOptions& options) {
 
 MeshChange crossingFix(NumberType numbers, std::vector<std::pair<Face, Face>> pairs) {
   StepWriter step("cut-crossings");
-  step.word(pairsText(pairs)).option("numbers", wordFor(numbers));
+  step.word(pairsText(pairs)).options(rounding("cut-crossings", numbers));
   return withStep(
       counted(
-          QT_TRANSLATE_NOOP("Tool", "Cut crossings apart"),
+          meshOperation("cut-crossings").title,
           [numbers, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
             Effort effort = progress.share(mostEffort(mesh));
             return !removeClusterIntersections(mesh, pairs, numbers, progress.within(effort)).isCutShort;
@@ -142,7 +158,7 @@ MeshChange crossingFix(NumberType numbers, std::vector<std::pair<Face, Face>> pa
 MeshChange debrisFix(std::vector<Face> faces) {
   StepWriter step("debris");
   step.word(listText(faces));
-  return withStep({QT_TRANSLATE_NOOP("Tool", "Remove debris"),
+  return withStep({meshOperation("debris").title,
                    [faces = std::move(faces)](HalfEdgeMesh& mesh, Progress progress) {
                      FaceSelection pieces;
                      for (const Face f : faces) {
@@ -155,17 +171,16 @@ MeshChange debrisFix(std::vector<Face> faces) {
 }
 
 MeshChange allDebrisFix() {
-  return withStep({QT_TRANSLATE_NOOP("Tool", "Remove debris"),
-                   [](HalfEdgeMesh& mesh, Progress progress) { removeDebris(mesh, progress); }},
-                  "debris");
+  return withStep(
+      {meshOperation("debris").title, [](HalfEdgeMesh& mesh, Progress progress) { removeDebris(mesh, progress); }},
+      "debris");
 }
 
 MeshChange thickenFix(std::vector<Vertex> loops, const FillOptions& options) {
   StepWriter step("back");
-  step.word(loopsText(loops));
-  addFillOptions(step, options);
+  step.word(loopsText(loops)).options(filling("back", options));
   return withStep(counted(
-                      QT_TRANSLATE_NOOP("Tool", "Give a back"),
+                      meshOperation("back").title,
                       [loops = std::move(loops), options](HalfEdgeMesh& mesh, Progress progress) {
                         const bool closed = closeHard(mesh, loops, true, options, progress);
                         const bool parted = progress.cancelled() || partNonManifold(mesh, options.numbers, progress);
@@ -177,10 +192,9 @@ MeshChange thickenFix(std::vector<Vertex> loops, const FillOptions& options) {
 
 MeshChange cutAndCloseFix(Vertex loop, const FillOptions& options) {
   StepWriter step("cut-and-close");
-  step.word(loopsText({loop}));
-  addFillOptions(step, options);
+  step.word(loopsText({loop})).options(filling("cut-and-close", options));
   return withStep(counted(
-                      QT_TRANSLATE_NOOP("Tool", "Cut and close"),
+                      meshOperation("cut-and-close").title,
                       [loop, options](HalfEdgeMesh& mesh, Progress progress) {
                         bool done = closeHard(mesh, {loop}, false, options, progress.part(0.0, 0.6));
                         if (!progress.cancelled())

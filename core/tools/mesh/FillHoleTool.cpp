@@ -5,18 +5,15 @@
 #include "document/mesh/MeshDocument.h"
 #include "mesh/boundary/BorderPick.h"
 #include "mesh/boundary/HolePick.h"
-#include "tools/ToolProperty.h"
+#include "tools/OperationSettings.h"
 
 #include <QtGlobal>
+#include <algorithm>
 #include <utility>
 
 namespace handwheel {
 namespace {
 
-constexpr FillMethod kMethods[] = {FillMethod::Fair, FillMethod::Refined,  FillMethod::Ear,  FillMethod::Minimal,
-                                   FillMethod::Area, FillMethod::Dihedral, FillMethod::Ridge};
-
-constexpr int kContinuities = 3;
 constexpr ToolKey kFillHoleKeys[] = {
     {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "fill the hole")},
     {"next", "N", QT_TRANSLATE_NOOP("Tool", "next hole"), "nextHole"},
@@ -25,15 +22,8 @@ constexpr ToolKey kFillHoleKeys[] = {
     {"automatic", "", QT_TRANSLATE_NOOP("Tool", "choose the bridges again")},
     {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "choose none")},
 };
-struct Weight {  // of ear cutting
-  const char* id;
-  const char* label;
-  double EarWeights::*of;
-};
-constexpr Weight kWeights[] = {{"ear_length", QT_TRANSLATE_NOOP("Property", "Short edges count"), &EarWeights::length},
-                               {"ear_angles", QT_TRANSLATE_NOOP("Property", "Even angles count"), &EarWeights::angles},
-                               {"ear_normal", QT_TRANSLATE_NOOP("Property", "Small bends count"), &EarWeights::normal}};
-constexpr Limits kWeightLimits = {0.0, 5.0};
+constexpr const char* kWeightIds[] = {"ears_length", "ears_angles", "ears_normal"};
+constexpr double kLargestWeight = 5.0;  // of the sliders
 
 const char* problemOf(FillFailure failure) {
   switch (failure) {
@@ -90,7 +80,8 @@ void FillHoleTool::request() {
   m_state = State::Computing;
   m_patch.reset();
   m_attempt = {};
-  m_services.request({++m_ticket, *loop(), m_method, m_continuity, m_bridges.own(), m_ears});
+  const FillOptions options = fillOptionsOf(m_values);
+  m_services.request({++m_ticket, *loop(), options.method, options.continuity, m_bridges.own(), options.ears});
 }
 
 void FillHoleTool::previewReady(std::uint64_t ticket, FillAttempt attempt) {
@@ -266,27 +257,14 @@ ToolPreview FillHoleTool::preview() const {
   return preview;
 }
 
-double FillHoleTool::settingOf(FillMethod method) {
-  return static_cast<double>(std::find(std::begin(kMethods), std::end(kMethods), method) - kMethods);
-}
-
 std::vector<Property> FillHoleTool::settings() const {
-  std::vector<Property> all;
-  all.push_back(
-      choiceSetting("method", QT_TRANSLATE_NOOP("Property", "Method"), static_cast<int>(settingOf(m_method)),
-                    {QT_TRANSLATE_NOOP("Property", "Fair"), QT_TRANSLATE_NOOP("Property", "Refined"),
-                     QT_TRANSLATE_NOOP("Property", "Ear cutting"), QT_TRANSLATE_NOOP("Property", "Area and bend"),
-                     QT_TRANSLATE_NOOP("Property", "Least area"), QT_TRANSLATE_NOOP("Property", "Least bend"),
-                     QT_TRANSLATE_NOOP("Property", "Ridges")}));
-  if (m_method == FillMethod::Fair || m_method == FillMethod::Ridge) {
-    all.push_back(choiceSetting("continuity", QT_TRANSLATE_NOOP("Property", "Continues"),
-                                static_cast<int>(m_continuity),
-                                {QT_TRANSLATE_NOOP("Property", "Position"), QT_TRANSLATE_NOOP("Property", "Tangents"),
-                                 QT_TRANSLATE_NOOP("Property", "Curvature")}));  // as Continuity
-  }
-  for (const Weight& weight : kWeights) {
-    if (m_method != FillMethod::Ear) break;
-    all.push_back(numberSetting(weight.id, weight.label, m_ears.*weight.of, Quantity::Number, kWeightLimits));
+  const FillMethod method = fillOptionsOf(m_values).method;
+  std::vector<Property> all = {settingOf(m_values, "fill")};
+  if (method == FillMethod::Fair || method == FillMethod::Ridge) all.push_back(settingOf(m_values, "continuity"));
+  for (const char* id : kWeightIds) {
+    if (method != FillMethod::Ear) break;
+    all.push_back(settingOf(m_values, id));
+    all.back().largest = kLargestWeight;
     all.back().continuous = true;
   }
   Property triangles;
@@ -300,14 +278,11 @@ std::vector<Property> FillHoleTool::settings() const {
 }
 
 void FillHoleTool::setSetting(std::string_view id, const PropertyValue& value) {
-  std::size_t choice = 0;
-  const int choices = id == "method" ? static_cast<int>(std::size(kMethods)) : id == "continuity" ? kContinuities : 0;
-  bool isTaken = choices > 0 && takeChoice(choice, value, choices);
-  if (isTaken && id == "method") m_method = kMethods[choice];
-  if (isTaken && id == "continuity") m_continuity = static_cast<Continuity>(choice);
-  for (const Weight& weight : kWeights) {
-    isTaken = isTaken || (id == weight.id && takeNumber(m_ears.*weight.of, value, kWeightLimits));
-  }
+  const auto* weight = std::find(std::begin(kWeightIds), std::end(kWeightIds), id);
+  const auto* number = std::get_if<double>(&value);
+  const bool isWeight = weight != std::end(kWeightIds);
+  if (!isWeight && id != "fill" && id != "continuity") return;
+  const bool isTaken = takeSetting(m_values, id, isWeight && number ? std::min(*number, kLargestWeight) : value);
   if (isTaken && loop()) request();
 }
 

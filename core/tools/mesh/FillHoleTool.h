@@ -7,6 +7,7 @@
 #include "tools/ToolKey.h"
 #include "tools/mesh/MeshSelection.h"
 #include "tools/mesh/boundary/BridgeEditing.h"
+#include "tools/mesh/operations/FillOperation.h"
 
 #include <functional>
 #include <memory>
@@ -43,9 +44,6 @@ class FillHoleTool : public Tool {
  public:
   // The document must outlive all calls but the destructor's. first: the key of the hole to begin with.
   FillHoleTool(MeshDocument& document, FillServices services, std::optional<Vertex> first = std::nullopt);
-
-  // The value of the setting "method" for a fill method.
-  static double settingOf(FillMethod method);
 
   // The answer to a request; one that came too late is not shown.
   void previewReady(std::uint64_t ticket, FillAttempt attempt);
@@ -90,9 +88,7 @@ class FillHoleTool : public Tool {
 
   MeshDocument& m_document;
   FillServices m_services;
-  FillMethod m_method = FillMethod::Fair;
-  Continuity m_continuity = Continuity::Tangent;
-  EarWeights m_ears;
+  OperationValues m_values{fillOperation()};
   State m_state = State::Choosing;
   std::optional<Vertex> m_key;
   std::optional<Vertex> m_hovered;

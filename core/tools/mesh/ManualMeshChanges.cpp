@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/mesh/ManualMeshChanges.h"
 
-#include "base/NumberText.h"
 #include "mesh/boundary/BorderWelding.h"
 #include "mesh/boundary/VertexPull.h"
-#include "tools/mesh/FillOptionsText.h"
+#include "tools/mesh/LoopText.h"
 #include "tools/mesh/boundary/BorderPicking.h"
+#include "tools/mesh/operations/DecimateOperation.h"
+#include "tools/mesh/operations/EdgeOperations.h"
+#include "tools/mesh/operations/MeshOperations.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -30,16 +32,6 @@ bool areVertices(const HalfEdgeMesh& mesh, const Triangle& face) {
   return std::all_of(face.begin(), face.end(), [&](Vertex v) { return v < mesh.vertexSlots(); });
 }
 
-std::string stepOf(const DecimationOptions& options) {
-  StepWriter step("decimate");
-  if (options.faces > 0) step.option("faces", std::to_string(options.faces));
-  if (options.error) step.option("error", shortestText(*options.error));
-  if (options.keepBorders) step.option("keep-borders");
-  if (options.creaseAngle) step.option("keep-creases", angleText(*options.creaseAngle));
-  if (options.avoidIntersections) step.option("no-crossings");
-  return step.text();
-}
-
 }  // namespace
 
 MeshChange deleteChange(FaceSelection faces, const char* text, const char* reason) {
@@ -52,14 +44,14 @@ MeshChange deleteChange(FaceSelection faces, const char* text, const char* reaso
 }
 
 MeshChange decimateChange(const DecimationOptions& options) {
-  return withStep({QT_TRANSLATE_NOOP("Tool", "Remove triangles"),
-                   [options](HalfEdgeMesh& mesh, Progress p) { decimate(mesh, options, p); },
-                   QT_TRANSLATE_NOOP("Tool", "no triangle can go within what is to be kept")},
-                  stepOf(options));
+  return withStep(
+      {meshOperation("decimate").title, [options](HalfEdgeMesh& mesh, Progress p) { decimate(mesh, options, p); },
+       QT_TRANSLATE_NOOP("Tool", "no triangle can go within what is to be kept")},
+      StepWriter("decimate").options(valuesOf(options)).text());
 }
 
 MeshChange faceChange(const Triangle& face) {
-  return withStep({QT_TRANSLATE_NOOP("Tool", "Make a face"),
+  return withStep({meshOperation("face").title,
                    [face](HalfEdgeMesh& mesh, Progress) {
                      if (!areVertices(mesh, face)) return;
                      Box box;
@@ -71,7 +63,7 @@ MeshChange faceChange(const Triangle& face) {
 }
 
 MeshChange joinChange(const BorderPair& ends) {
-  return withStep({QT_TRANSLATE_NOOP("Tool", "Join points of the edge"),
+  return withStep({meshOperation("join").title,
                    [ends](HalfEdgeMesh& mesh, Progress) {
                      if (!areOpen(mesh, ends)) return;
                      Weld weld = weldBorder(FaceLocator(mesh, reachOf(mesh, ends)), ends);
@@ -82,7 +74,7 @@ MeshChange joinChange(const BorderPair& ends) {
 }
 
 MeshChange bridgeChange(const BorderPair& ends) {
-  return withStep({QT_TRANSLATE_NOOP("Tool", "Lay a bridge"),
+  return withStep({meshOperation("bridge").title,
                    [ends](HalfEdgeMesh& mesh, Progress) {
                      if (!areOpen(mesh, ends)) return;
                      const FaceLocator near(mesh, reachOf(mesh, ends));
@@ -94,7 +86,7 @@ MeshChange bridgeChange(const BorderPair& ends) {
 
 MeshChange pullChange(Vertex vertex, const Vec3& place) {
   return withStep(
-      {QT_TRANSLATE_NOOP("Tool", "Pull a point of the edge"),
+      {meshOperation("pull").title,
        [vertex, place](HalfEdgeMesh& mesh, Progress) {
          if (vertex >= mesh.vertexSlots()) return;
          const Vec3& start = mesh.position(vertex);
@@ -106,9 +98,8 @@ MeshChange pullChange(Vertex vertex, const Vec3& place) {
 
 MeshChange smoothEdgeChange(Vertex key, const SmoothingOptions& options) {
   StepWriter step("smooth-edge");
-  step.word(loopsText({key})).option("wavelength", shortestText(options.wavelength));
-  if (!options.evenly) step.option("uneven");
-  return withStep({QT_TRANSLATE_NOOP("Tool", "Smooth the edge"),
+  step.word(loopsText({key})).options(valuesOf(options));
+  return withStep({meshOperation("smooth-edge").title,
                    [key, options](HalfEdgeMesh& mesh, Progress) {
                      const FaceLocator near(mesh, std::make_shared<const FaceHierarchy>(mesh));
                      for (const BoundaryLoop& loop : findBoundaryLoops(mesh))

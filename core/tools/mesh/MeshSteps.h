@@ -4,11 +4,9 @@
 
 #include "base/Result.h"
 #include "mesh/holes/HoleFilling.h"
-#include "mesh/repair/Repair.h"
 #include "tools/mesh/MeshServices.h"
 
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,13 +14,6 @@
 // Mesh edits as lines of text (steps), so that they can be made without a window: what a tool or a job did is written
 // as a step, and the step does it once more, by the same code. StepText.h describes the syntax of a line.
 namespace handwheel {
-
-// Syntax and description of a step, for help pages.
-struct StepForm {
-  std::string_view form;  // "delete TRIANGLES"
-  std::string_view help;
-};
-std::span<const StepForm> stepForms();
 
 // Result of applying a step.
 struct StepOutcome {
@@ -40,9 +31,6 @@ using MeshFileReader = std::function<Result<HalfEdgeMesh>(const std::string& pat
 Result<StepOutcome> applyStep(MeshDocument& document, std::string_view step, Progress progress = {},
                               const MeshFileReader& readMesh = {});
 
-// The steps of jobs in the window: filling a hole, and repair. loop: by its key.
-std::string fillStep(Vertex loop, const FillOptions& options);
-std::string repairStep(const RepairOptions& options);
 // Adds the mesh of a file to another mesh, without moving it.
 MeshChange addChange(const std::string& path, const HalfEdgeMesh& mesh);
 

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/mesh/Placement.h"
 
-#include "base/NumberText.h"
 #include "mesh/structure/MeshBounds.h"
 #include "mesh/structure/Transforming.h"
+#include "tools/mesh/StepText.h"
+#include "tools/mesh/operations/MeshOperations.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -31,18 +32,6 @@ constexpr StandardPlace kStandards[] = {
      QT_TRANSLATE_NOOP("Tool", "Put the low corner into the origin"), kNoArea,
      [](const HalfEdgeMesh& mesh, Progress) { return boxToOrigin(mesh, Vec3::Zero()); }}};
 
-std::string stepOf(const Placement& placement) {
-  const Placement none;
-  StepWriter step("place");
-  if (placement.unit != none.unit) step.option("unit", symbolOf(placement.unit));
-  if (placement.scale != none.scale) step.option("scale", shortestText(placement.scale));
-  const auto& turn = placement.turn;
-  if (turn != none.turn) step.option("turn", angleText(turn[0]) + "," + angleText(turn[1]) + "," + angleText(turn[2]));
-  const auto& shift = placement.shift;
-  if (shift != none.shift) step.option("move", pointText({shift[0], shift[1], shift[2]}));
-  return step.text();
-}
-
 }  // namespace
 
 Eigen::Affine3d Placement::of(const Box& box) const {
@@ -53,35 +42,31 @@ Eigen::Affine3d Placement::of(const Box& box) const {
          Eigen::Translation3d(-centre) * Eigen::Scaling(toMillimetres);
 }
 
-MeshChange placeChange(const Placement& placement) {
-  return withStep({QT_TRANSLATE_NOOP("Tool", "Place"),
-                   [placement](HalfEdgeMesh& mesh, Progress) { place(mesh, placement.of(boundsOf(mesh))); },
-                   QT_TRANSLATE_NOOP("Tool", "coordinates would become too large")},
-                  stepOf(placement));
+Placement placementOf(const OperationValues& values) {
+  Placement placement;
+  placement.unit = Placement::kUnits[values.whole("unit")];
+  placement.scale = values.number("scale");
+  const std::vector<double> turn = values.numbers("turn"), shift = values.numbers("move");
+  std::copy(turn.begin(), turn.end(), placement.turn.begin());
+  std::copy(shift.begin(), shift.end(), placement.shift.begin());
+  return placement;
 }
 
-Placement readPlacement(StepReader& reader) {
-  Placement placement;
-  if (const auto word = reader.option("unit"); word) {
-    const auto* unit = std::find_if(std::begin(Placement::kUnits), std::end(Placement::kUnits),
-                                    [&](LengthUnit u) { return symbolOf(u) == *word; });
-    if (unit == std::end(Placement::kUnits)) {
-      reader.complain("--unit takes mm, cm, m or in");
-    } else {
-      placement.unit = *unit;
-    }
-  }
-  placement.scale = reader.number("scale", 1.0, Placement::kScale);
-  if (const auto word = reader.option("turn"); word) {
-    const std::vector<std::string_view> parts = parted(*word, ',');
-    if (parts.size() != 3) reader.complain("--turn takes three angles: A,B,C");
-    for (std::size_t i = 0; i < 3 && reader.isGood(); ++i) placement.turn[i] = reader.angle(parts[i], Placement::kTurn);
-  }
-  if (const auto word = reader.option("move"); word) {
-    const Vec3 shift = reader.point(*word, Placement::kShift);
-    placement.shift = {shift.x(), shift.y(), shift.z()};
-  }
-  return placement;
+OperationValues valuesOf(const Placement& placement) {
+  OperationValues values(meshOperation("place"));
+  const auto* unit = std::find(std::begin(Placement::kUnits), std::end(Placement::kUnits), placement.unit);
+  values.setValid("unit", static_cast<double>(unit - std::begin(Placement::kUnits)));
+  values.setValid("scale", placement.scale);
+  values.setValid("turn", std::vector<double>(placement.turn.begin(), placement.turn.end()));
+  values.setValid("move", std::vector<double>(placement.shift.begin(), placement.shift.end()));
+  return values;
+}
+
+MeshChange placeChange(const Placement& placement) {
+  return withStep({meshOperation("place").title,
+                   [placement](HalfEdgeMesh& mesh, Progress) { place(mesh, placement.of(boundsOf(mesh))); },
+                   QT_TRANSLATE_NOOP("Tool", "coordinates would become too large")},
+                  StepWriter("place").options(valuesOf(placement)).text());
 }
 
 std::span<const StandardPlace> standardPlaces() {

@@ -3,11 +3,11 @@
 #pragma once
 
 #include "base/Units.h"
+#include "document/Operation.h"
 #include "tools/mesh/MeshServices.h"
-#include "tools/mesh/StepText.h"
 
 #include <array>
-#include <numbers>
+#include <optional>
 #include <span>
 
 namespace handwheel {
@@ -20,9 +20,6 @@ struct Placement {
   double scale = 1.0;
   LengthUnit unit = LengthUnit::Millimetre;  // that the file was written in
 
-  static constexpr Limits kShift = {-1e9, 1e9};  // mm
-  static constexpr Limits kTurn = {-2.0 * std::numbers::pi, 2.0 * std::numbers::pi};
-  static constexpr Limits kScale = {1e-9, 1e9};
   static constexpr LengthUnit kUnits[] = {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre,
                                           LengthUnit::Inch};
 
@@ -31,9 +28,12 @@ struct Placement {
   Eigen::Affine3d of(const Box& box) const;
 };
 
+// A placement as the values of the operation "place", and back.
+Placement placementOf(const OperationValues& values);
+OperationValues valuesOf(const Placement& placement);
+
 // Creates the change for a placement. Step: "place --unit in --scale 2 --turn 0,0,90 --move 0,0,5"
 MeshChange placeChange(const Placement& placement);
-Placement readPlacement(StepReader& reader);
 
 // A predefined placement that is computed from the mesh. From its state when the change is made: "flat", "axes",
 // "centre", "corner". The id is the step, too.

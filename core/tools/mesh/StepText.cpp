@@ -3,11 +3,9 @@
 #include "tools/mesh/StepText.h"
 
 #include "base/NumberText.h"
-#include "base/Units.h"
 
 #include <charconv>
 #include <cmath>
-#include <initializer_list>
 
 namespace handwheel {
 namespace {
@@ -52,6 +50,11 @@ StepWriter& StepWriter::word(std::string_view word) {
   return *this;
 }
 
+StepWriter& StepWriter::options(const OperationValues& values) {
+  const std::string line = optionLine(values);
+  return line.empty() ? *this : word(line);
+}
+
 std::string listText(const std::vector<std::uint32_t>& numbers) {
   std::string text;
   for (const std::uint32_t n : numbers) text += (text.empty() ? "" : ",") + std::to_string(n);
@@ -86,30 +89,6 @@ std::string rangesText(const FaceSelection& faces) {
 
 std::string pointText(const Vec3& p) {
   return shortestText(p.x()) + "," + shortestText(p.y()) + "," + shortestText(p.z());
-}
-
-// Of the quotient and its neighbours nearly always one is multiplied back to the angle, and the shortest is what was
-// meant.
-std::string angleText(double radian) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  const double degrees = radian / kRadiansPerDegree;
-  std::string best;
-  for (const double candidate : {degrees, std::nextafter(degrees, kInfinity), std::nextafter(degrees, -kInfinity)}) {
-    if (candidate * kRadiansPerDegree != radian) continue;
-    const std::string text = shortestText(candidate);
-    if (best.empty() || text.size() < best.size()) best = text;
-  }
-  return best.empty() ? shortestText(radian) + "rad" : best;
-}
-
-std::vector<std::string_view> parted(std::string_view list, char separator) {
-  std::vector<std::string_view> parts;
-  while (true) {
-    const std::size_t end = list.find(separator);
-    parts.push_back(list.substr(0, end));
-    if (end == std::string_view::npos) return parts;
-    list.remove_prefix(end + 1);
-  }
 }
 
 StepReader::StepReader(std::string_view text) {
@@ -174,25 +153,17 @@ StepReader::Option* StepReader::find(std::string_view name) {
 }
 
 // What follows a flag is an operand after all.
-bool StepReader::flag(std::string_view name) {
-  Option* option = find(name);
-  if (!option) return false;
-  option->isUsed = true;
-  if (option->value) complain("--" + option->name + " takes no value");
-  return true;
-}
-
-std::optional<std::string> StepReader::option(std::string_view name) {
-  Option* option = find(name);
-  if (!option) return std::nullopt;
-  option->isUsed = true;
-  if (!option->value) complain("--" + option->name + " needs a value");
-  return option->value;
-}
-
-double StepReader::number(std::string_view name, double otherwise, const Limits& limits) {
-  const auto given = option(name);
-  return given ? number(*given, limits) : otherwise;
+OperationValues StepReader::values(const Operation& operation) {
+  OperationValues values(operation);
+  for (const Parameter& parameter : operation.parameters) {
+    Option* given = find(parameter.id());
+    if (!given && !parameter.formerId.empty()) given = find(parameter.formerId);
+    if (!given) continue;
+    given->isUsed = true;
+    if (!given->value && !parameter.isFlag()) complain("--" + given->name + " needs a value");
+    complain(readWord(values, parameter, given->value.value_or("")));
+  }
+  return values;
 }
 
 std::uint32_t StepReader::index(std::string_view word, const char* what, std::size_t count) {
@@ -241,32 +212,17 @@ FaceSelection StepReader::faces(std::string_view ranges, std::size_t slotCount) 
   return faces;
 }
 
-double StepReader::number(std::string_view word, const Limits& limits) {
+double StepReader::number(std::string_view word) {
   double value = 0.0;
-  if (!readNumber(word, value)) {
-    complain(inQuotes(word) + " is not a number");
-  } else if (value < limits.least || value > limits.largest) {
-    complain(inQuotes(word) + " is not between " + shortestText(limits.least) + " and " + shortestText(limits.largest));
-  }
+  if (!readNumber(word, value)) complain(inQuotes(word) + " is not a number");
   return value;
 }
 
-Vec3 StepReader::point(std::string_view word, const Limits& limits) {
+Vec3 StepReader::point(std::string_view word) {
   const std::vector<std::string_view> parts = parted(word, ',');
   if (parts.size() != 3) complain(inQuotes(word) + " is not X,Y,Z");
   if (!isGood()) return Vec3::Zero();
-  return {number(parts[0], limits), number(parts[1], limits), number(parts[2], limits)};
-}
-
-double StepReader::angle(std::string_view word, const Limits& limits) {
-  const bool isRadian = word.ends_with("rad");
-  if (isRadian) word.remove_suffix(3);
-  if (word.ends_with("deg")) word.remove_suffix(3);
-  const double value = number(word) * (isRadian ? 1.0 : kRadiansPerDegree);
-  if (isGood() && (value < limits.least || value > limits.largest))
-    complain(inQuotes(word) + " is not between " + shortestText(limits.least / kRadiansPerDegree) + " and " +
-             shortestText(limits.largest / kRadiansPerDegree) + " degrees");
-  return value;
+  return {number(parts[0]), number(parts[1]), number(parts[2])};
 }
 
 }  // namespace handwheel

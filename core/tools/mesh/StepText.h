@@ -4,11 +4,10 @@
 
 #include "base/Geometry.h"
 #include "base/Result.h"
+#include "document/OperationText.h"
 #include "mesh/selection/FaceSelection.h"
-#include "tools/ToolProperty.h"
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,8 +24,8 @@ class StepWriter {
   explicit StepWriter(std::string_view verb) : m_text(verb) {}
 
   StepWriter& word(std::string_view word);
-  StepWriter& option(std::string_view name) { return word("--" + std::string(name)); }
-  StepWriter& option(std::string_view name, std::string_view value) { return option(name).word(value); }
+  // Those that are not the defaults.
+  StepWriter& options(const OperationValues& values);
   const std::string& text() const { return m_text; }
 
  private:
@@ -37,8 +36,6 @@ std::string listText(const std::vector<std::uint32_t>& numbers);                
 std::string rangesText(const FaceSelection& faces);                                        // "1-20,33"
 std::string pairsText(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs);  // "1:5,7:9"
 std::string pointText(const Vec3& p);                                                      // "0,0,5"
-// Writes an angle in degrees if that is read back exactly, else as "0.5rad".
-std::string angleText(double radian);
 
 // Parses an untrusted line of text as a step. A value that is requested but missing, or out of bounds, becomes the
 // problem, of which the first counts; what is returned then is meaningless.
@@ -57,9 +54,8 @@ class StepReader {
   std::string word(const char* what);  // the next operand
   std::string line(const char* what);  // all that follows the verb, verbatim
 
-  bool flag(std::string_view name);
-  std::optional<std::string> option(std::string_view name);
-  double number(std::string_view name, double otherwise, const Limits& limits);
+  // All options of the operation; those that are not given have the defaults.
+  OperationValues values(const Operation& operation);
 
   // what: "triangle", for the message; count: the index must be below.
   std::uint32_t index(std::string_view word, const char* what, std::size_t count);
@@ -68,11 +64,7 @@ class StepReader {
                                                              std::size_t count);
   // slots: number of face slots of the mesh; the caller leaves out faces that no longer exist.
   FaceSelection faces(std::string_view ranges, std::size_t slots);
-  double number(std::string_view word, const Limits& limits = kFinite);
-  Vec3 point(std::string_view word, const Limits& limits = kFinite);
-  double angle(std::string_view word, const Limits& limits);  // radian
-
-  static constexpr Limits kFinite = {std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max()};
+  Vec3 point(std::string_view word);  // mm
 
  private:
   struct Option {
@@ -81,6 +73,7 @@ class StepReader {
     bool isUsed = false;
   };
   Option* find(std::string_view name);
+  double number(std::string_view word);
 
   std::string m_verb;
   std::string m_line;
@@ -89,8 +82,5 @@ class StepReader {
   std::size_t m_next = 0;
   std::string m_problem;
 };
-
-// Splits a list at a separator; an empty text has one empty part.
-std::vector<std::string_view> parted(std::string_view list, char separator);
 
 }  // namespace handwheel

@@ -3,23 +3,15 @@
 #include "tools/mesh/TransformTool.h"
 
 #include "document/mesh/MeshDocument.h"
-#include "tools/ToolProperty.h"
+#include "tools/OperationSettings.h"
 
 #include <QtGlobal>
-#include <algorithm>
 #include <utility>
 
 namespace handwheel {
 namespace {
 
-constexpr const char* kShiftIds[] = {"shift_x", "shift_y", "shift_z"};
-constexpr const char* kTurnIds[] = {"turn_x", "turn_y", "turn_z"};
-constexpr const char* kShiftLabels[] = {QT_TRANSLATE_NOOP("Property", "Move along X"),
-                                        QT_TRANSLATE_NOOP("Property", "Move along Y"),
-                                        QT_TRANSLATE_NOOP("Property", "Move along Z")};
-constexpr const char* kTurnLabels[] = {QT_TRANSLATE_NOOP("Property", "Turn about X"),
-                                       QT_TRANSLATE_NOOP("Property", "Turn about Y"),
-                                       QT_TRANSLATE_NOOP("Property", "Turn about Z")};
+constexpr const char* kTransformIds[] = {"move_x", "move_y", "move_z", "turn_x", "turn_y", "turn_z", "scale", "unit"};
 
 }  // namespace
 
@@ -77,31 +69,15 @@ ToolPreview TransformTool::preview() const {
 }
 
 std::vector<Property> TransformTool::settings() const {
-  const Placement& p = m_placement;
+  const OperationValues values = valuesOf(m_placement);
   std::vector<Property> all;
-  for (std::size_t i = 0; i < 3; ++i)
-    all.push_back(numberSetting(kShiftIds[i], kShiftLabels[i], p.shift[i], Quantity::Length, Placement::kShift));
-  for (std::size_t i = 0; i < 3; ++i)
-    all.push_back(numberSetting(kTurnIds[i], kTurnLabels[i], p.turn[i], Quantity::Angle, Placement::kTurn));
-  all.push_back(
-      numberSetting("scale", QT_TRANSLATE_NOOP("Property", "Scale by"), p.scale, Quantity::Number, Placement::kScale));
-  std::vector<std::string> units;
-  for (const LengthUnit unit : Placement::kUnits) units.emplace_back(symbolOf(unit));
-  const auto chosen = std::find(std::begin(Placement::kUnits), std::end(Placement::kUnits), p.unit);
-  all.push_back(choiceSetting("unit", QT_TRANSLATE_NOOP("Property", "The file is in"),
-                              static_cast<int>(chosen - std::begin(Placement::kUnits)), std::move(units)));
+  for (const char* id : kTransformIds) all.push_back(settingOf(values, id));
   return all;
 }
 
 void TransformTool::setSetting(std::string_view id, const PropertyValue& value) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (id == kShiftIds[i]) takeNumber(m_placement.shift[i], value, Placement::kShift);
-    if (id == kTurnIds[i]) takeNumber(m_placement.turn[i], value, Placement::kTurn);
-  }
-  if (id == "scale") takeNumber(m_placement.scale, value, Placement::kScale);
-  std::size_t unit = 0;
-  if (id == "unit" && takeChoice(unit, value, static_cast<int>(std::size(Placement::kUnits))))
-    m_placement.unit = Placement::kUnits[unit];
+  OperationValues values = valuesOf(m_placement);
+  if (takeSetting(values, id, value)) m_placement = placementOf(values);
 }
 
 }  // namespace handwheel

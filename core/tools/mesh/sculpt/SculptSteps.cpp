@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/mesh/sculpt/SculptSteps.h"
 
-#include "base/NumberText.h"
-#include "base/Units.h"
 #include "document/mesh/MeshDocument.h"
-#include "tools/mesh/FillOptionsText.h"
+#include "tools/mesh/LoopText.h"
+#include "tools/mesh/operations/FillOperation.h"
+#include "tools/mesh/operations/MeshOperations.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -15,10 +15,6 @@ namespace {
 
 constexpr int kBorderRings = 2;                // of faces around a border that are smoothed without a patch
 constexpr std::size_t kMostFaces = 1'000'000;  // of a patch
-constexpr int kMostLevels = 20;                // of which each has about four times the faces
-constexpr Limits kStepRadius = {1e-9, 1e9};    // mm
-constexpr Limits kStepStrength = {-1.0, 1.0};
-constexpr Limits kSpread = {0.02, 1.5};                                       // radian
 constexpr const char* kBrushes[] = {"drag", "smooth", "inflate", "flatten"};  // as SculptSettings::Brush
 
 const char* problemOf(SubdivisionFailure failure) {
@@ -37,9 +33,11 @@ const char* problemOf(SubdivisionFailure failure) {
 }
 
 // The patch at its finest level, and how many levels are below that.
-void addPatch(StepWriter& step, const PatchLevels& levels) {
-  if (!levels.patch().empty()) step.option("patch", rangesText(levels.patch()));
-  if (levels.finest() > 0) step.option("finest", std::to_string(levels.finest()));
+OperationValues patchValues(const char* verb, const PatchLevels& levels) {
+  OperationValues values(meshOperation(verb));
+  if (!levels.patch().empty()) values.setValid("patch", rangesText(levels.patch()));
+  values.setValid("finest", static_cast<double>(levels.finest()));
+  return values;
 }
 
 std::string placeText(const SurfacePlace& place) {
@@ -57,45 +55,48 @@ SurfacePlace readPlace(StepReader& reader, std::string_view word, const HalfEdge
   return place;
 }
 
-std::optional<PatchLevels> readPatch(StepReader& reader, const MeshDocument& document) {
+std::optional<PatchLevels> readPatch(StepReader& reader, const OperationValues& values, const MeshDocument& document) {
   FaceSelection patch;
-  if (const auto ranges = reader.option("patch"); ranges) patch = reader.faces(*ranges, document.mesh().faceSlots());
-  const auto finest = reader.option("finest");
-  const std::size_t levels = finest ? reader.index(*finest, "level", kMostLevels + 1) : 0;
+  if (values.isSet("patch")) patch = reader.faces(values.text("patch"), document.mesh().faceSlots());
   patch.dropDead(document.mesh());
   if (!reader.isGood()) return std::nullopt;
-  auto found = levelsOf(document, patch, levels);
+  auto found = levelsOf(document, patch, values.whole("finest"));
   if (!found) reader.complain("the patch has not been subdivided so often");
   return found;
 }
 
-SculptStroke::Settings readStrokeSettings(StepReader& reader, const MeshDocument& document, const PatchLevels& levels) {
+SculptStroke::Settings readStrokeSettings(StepReader& reader, const OperationValues& values,
+                                          const MeshDocument& document, const PatchLevels& levels) {
   SculptStroke::Settings settings;
   const std::string brush = reader.word("the brush");
   const auto* known = std::find(std::begin(kBrushes), std::end(kBrushes), brush);
   if (known == std::end(kBrushes)) reader.complain("the brushes are drag, smooth, inflate and flatten");
   settings.brush = static_cast<SculptSettings::Brush>(known - std::begin(kBrushes));
-  const auto radius = reader.option("radius");
-  if (!radius) reader.complain("--radius MM is missing");
-  if (reader.isGood()) settings.radius = reader.number(*radius, kStepRadius);
-  settings.strength = reader.number("strength", 0.5, kStepStrength);
-  settings.movesBorder = reader.flag("borders");
-  const auto level = reader.option("level");
-  settings.level = level ? reader.index(*level, "level", levels.finest() + 1) : levels.finest();
-  settings.numbers = readNumbers(reader, document);
+  if (!values.isSet("radius")) reader.complain("--radius MM is missing");
+  settings.radius = values.given("radius").value_or(1.0);
+  settings.strength = values.number("strength");
+  settings.movesBorder = values.flag("borders");
+  settings.level = levels.finest();
+  if (const auto level = values.given("level"); level) settings.level = static_cast<std::size_t>(*level);
+  if (settings.level > levels.finest())
+    reader.complain("there is no level " + std::to_string(settings.level) + ", only 0 to " +
+                    std::to_string(levels.finest()));
+  settings.numbers = numbersFor(document, values);
   return settings;
 }
 
-SculptWork readStroke(StepReader& reader, const MeshDocument& document) {
-  const auto levels = readPatch(reader, document);
+SculptWork readStroke(StepReader& reader, const OperationValues& values, const MeshDocument& document) {
+  const auto levels = readPatch(reader, values, document);
   if (!levels) return nullptr;
-  const SculptStroke::Settings settings = readStrokeSettings(reader, document, *levels);
+  const SculptStroke::Settings settings = readStrokeSettings(reader, values, document, *levels);
   std::vector<SurfacePlace> places = {readPlace(reader, reader.word("the place TRIANGLE:X,Y,Z"), levels->mesh())};
   Vec3 way = Vec3::Zero();
   const bool drags = settings.brush == SculptSettings::Brush::Drag;
-  const auto by = drags ? reader.option("by") : std::nullopt;
-  if (drags && !by) reader.complain("--by X,Y,Z is missing");
-  if (by) way = reader.point(*by);
+  if (drags != values.isSet("by")) reader.complain(drags ? "--by X,Y,Z is missing" : "only drag goes --by a way");
+  if (drags && reader.isGood()) {
+    const std::vector<double> by = values.numbers("by");
+    way = {by[0], by[1], by[2]};
+  }
   while (!drags && reader.hasWord() && reader.isGood())
     places.push_back(readPlace(reader, reader.word("a place"), levels->mesh()));
   return [levels = *levels, settings, places, way, drags](Progress progress) {
@@ -106,12 +107,12 @@ SculptWork readStroke(StepReader& reader, const MeshDocument& document) {
   };
 }
 
-SculptWork readNoise(StepReader& reader, const MeshDocument& document) {
-  const auto levels = readPatch(reader, document);
+SculptWork readNoise(StepReader& reader, const OperationValues& values, const MeshDocument& document) {
+  const auto levels = readPatch(reader, values, document);
   NoiseSmoothing options;
-  if (const auto angle = reader.option("angle"); angle) options.normalSpread = reader.angle(*angle, kSpread);
-  options.movesBorder = reader.flag("borders");
-  options.numbers = readNumbers(reader, document);
+  options.normalSpread = values.number("angle");
+  options.movesBorder = values.flag("borders");
+  options.numbers = numbersFor(document, values);
   if (!levels) return nullptr;
   return [levels = *levels, options](Progress progress) {
     NoiseSmoothing told = options;
@@ -120,11 +121,10 @@ SculptWork readNoise(StepReader& reader, const MeshDocument& document) {
   };
 }
 
-SculptWork readSubdivision(StepReader& reader, const MeshDocument& document) {
-  const auto levels = readPatch(reader, document);
-  const NumberType numbers = readNumbers(reader, document);
-  const auto times = reader.option("times");
-  const int more = times ? static_cast<int>(reader.index(*times, "level", kMostLevels + 1)) : 1;
+SculptWork readSubdivision(StepReader& reader, const OperationValues& values, const MeshDocument& document) {
+  const auto levels = readPatch(reader, values, document);
+  const NumberType numbers = numbersFor(document, values);
+  const int more = static_cast<int>(values.whole("times"));
   if (levels && levels->patch().empty()) reader.complain("--patch TRIANGLES is missing");
   if (!levels) return nullptr;
   return [=, levels = *levels](Progress progress) { return subdivided(levels, more, numbers, progress); };
@@ -139,37 +139,35 @@ std::optional<PatchLevels> levelsOf(const MeshDocument& document, const FaceSele
 }
 
 Sculpted subdivided(PatchLevels levels, std::optional<int> times, NumberType numbers, Progress progress) {
-  StepWriter step("subdivide");
-  addPatch(step, levels);
+  OperationValues values = patchValues("subdivide", levels);
   const std::size_t before = levels.finest();
   const int more = times.value_or(levelsToDensity(levels.mesh(), levels.patch()));
   const char* problem = more == 0 ? QT_TRANSLATE_NOOP("Property", "It is as fine as its surroundings.") : nullptr;
   for (int i = 0; i < more && !problem && !progress.cancelled(); ++i)
     problem = problemOf(levels.refine({kMostFaces, numbers, progress}));
-  if (levels.finest() > before + 1) step.option("times", std::to_string(levels.finest() - before));
-  step.option("numbers", wordFor(numbers));
+  if (levels.finest() > before) values.setValid("times", static_cast<double>(levels.finest() - before));
+  setNumbers(values, numbers);
   FaceSelection touched = levels.finest() > before ? levels.patch() : FaceSelection();
-  return {std::move(levels), std::move(touched), problem, step.text()};
+  return {std::move(levels), std::move(touched), problem, StepWriter("subdivide").options(values).text()};
 }
 
 Sculpted withoutNoise(PatchLevels levels, const NoiseSmoothing& options) {
-  StepWriter step("smooth-noise");
-  addPatch(step, levels);
-  step.option("angle", angleText(options.normalSpread));
-  if (options.movesBorder) step.option("borders");
-  step.option("numbers", wordFor(options.numbers));
+  OperationValues values = patchValues("smooth-noise", levels);
+  values.setValid("angle", options.normalSpread);
+  values.setValid("borders", options.movesBorder);
+  setNumbers(values, options.numbers);
   HalfEdgeMesh mesh = levels.mesh();
   const FaceSelection part = levels.patch().empty() ? facesAtBorder(mesh, kBorderRings) : levels.patch();
   FaceSelection touched;
   if (const auto moved = smoothNoise(mesh, part, options))
     for (const Face f : moved->faces) touched.add(f);
   levels.replace(levels.finest(), std::move(mesh));
-  return {std::move(levels), std::move(touched), nullptr, step.text()};
+  return {std::move(levels), std::move(touched), nullptr, StepWriter("smooth-noise").options(values).text()};
 }
 
 Sculpted levelBack(PatchLevels levels) {
   StepWriter step("level-back");
-  addPatch(step, levels);
+  step.options(patchValues("level-back", levels));
   FaceSelection touched = levels.patch();
   levels.coarsen();
   return {std::move(levels), std::move(touched), nullptr, step.text()};
@@ -182,21 +180,23 @@ Sculpted sculpted(const SculptStroke& stroke) {
   step.word(kBrushes[static_cast<std::size_t>(settings.brush)]);
   if (drags) step.word(placeText(stroke.start()));
   for (const SurfacePlace& place : stroke.dabs()) step.word(placeText(place));
-  if (drags) step.option("by", pointText(stroke.way()));
-  step.option("radius", shortestText(settings.radius));
-  if (!drags) step.option("strength", shortestText(settings.strength));
-  if (settings.movesBorder) step.option("borders");
-  addPatch(step, stroke.levels());
-  if (settings.level != stroke.levels().finest()) step.option("level", std::to_string(settings.level));
-  step.option("numbers", wordFor(settings.numbers));
+  OperationValues values = patchValues("stroke", stroke.levels());
+  if (drags) values.setValid("by", pointText(stroke.way()));
+  values.setValid("radius", settings.radius);
+  if (!drags) values.setValid("strength", settings.strength);
+  values.setValid("borders", settings.movesBorder);
+  if (settings.level != stroke.levels().finest()) values.setValid("level", static_cast<double>(settings.level));
+  setNumbers(values, settings.numbers);
+  step.options(values);
   return {stroke.levels(), stroke.changedAnything() ? stroke.touched() : FaceSelection(), nullptr, step.text()};
 }
 
-SculptWork readSculptStep(StepReader& reader, const MeshDocument& document) {
-  if (reader.verb() == "stroke") return readStroke(reader, document);
-  if (reader.verb() == "smooth-noise") return readNoise(reader, document);
-  if (reader.verb() == "subdivide") return readSubdivision(reader, document);
-  const auto levels = readPatch(reader, document);
+SculptWork readSculptStep(StepReader& reader, const OperationValues& values, const MeshDocument& document) {
+  const std::string& verb = values.operation().id;
+  if (verb == "stroke") return readStroke(reader, values, document);
+  if (verb == "smooth-noise") return readNoise(reader, values, document);
+  if (verb == "subdivide") return readSubdivision(reader, values, document);
+  const auto levels = readPatch(reader, values, document);
   if (levels && levels->finest() == 0) reader.complain("the patch has one level only");
   if (!reader.isGood()) return nullptr;
   return [levels = *levels](Progress) { return levelBack(levels); };

@@ -34,8 +34,8 @@ Sculpted sculpted(const SculptStroke& stroke);
 // number fits `finest`, or the patch alone.
 std::optional<PatchLevels> levelsOf(const MeshDocument& document, const FaceSelection& patch, std::size_t finest);
 
-// Reads a step "stroke", "subdivide", "smooth-noise" or "level-back" after its verb. Null for other steps.
+// Reads what else a step "stroke", "subdivide", "smooth-noise" or "level-back" has. Null where that is wrong.
 using SculptWork = std::function<Sculpted(Progress)>;
-SculptWork readSculptStep(StepReader& reader, const MeshDocument& document);
+SculptWork readSculptStep(StepReader& reader, const OperationValues& values, const MeshDocument& document);
 
 }  // namespace handwheel

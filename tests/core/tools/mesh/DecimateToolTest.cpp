@@ -60,7 +60,7 @@ void DecimateToolTest::withinADistance() {
   const auto document = test::meshDocument(test::icosphere(4));
   DecimateTool tool(*document, immediateServices(*document));
   tool.setSetting("goal", 1.0);
-  tool.setSetting("distance", 0.02);
+  tool.setSetting("error", 0.02);
   QVERIFY(std::isnan(valueOf(tool, "faces")));  // only what matters is offered
   tool.perform("commit");
   QVERIFY(document->mesh().liveFaceCount() < 2000);
@@ -78,7 +78,7 @@ void DecimateToolTest::distanceThatWasChosen() {
     document->setFidelity(share == 1e-3 ? FidelityValues() : values);
     DecimateTool tool(*document, immediateServices(*document));
     tool.setSetting("goal", 1.0);
-    QVERIFY(std::abs(valueOf(tool, "distance") - share * std::sqrt(3.0)) < 1e-12);
+    QVERIFY(std::abs(valueOf(tool, "error") - share * std::sqrt(3.0)) < 1e-12);
   }
 }
 

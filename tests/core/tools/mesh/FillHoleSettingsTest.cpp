@@ -47,21 +47,21 @@ void FillHoleSettingsTest::methodIsASetting() {
   const auto triangles = [&] { return std::get<double>(test::propertyNamed(m_tool->settings(), "triangles")->value); };
   QVERIFY(triangles() > double(edges - 2));
   for (const double method : {2.0, 3.0, 4.0, 5.0}) {  // those that add no vertices
-    m_tool->setSetting("method", method);
-    QCOMPARE(std::get<double>(test::propertyNamed(m_tool->settings(), "method")->value), method);
+    m_tool->setSetting("fill", method);
+    QCOMPARE(std::get<double>(test::propertyNamed(m_tool->settings(), "fill")->value), method);
     QCOMPARE(triangles(), double(edges - 2));
   }
   for (const PropertyValue& value : {PropertyValue(7.0), PropertyValue(-1.0), PropertyValue(std::nan("")),
                                      PropertyValue(true), PropertyValue("Fair")})
-    m_tool->setSetting("method", value);
+    m_tool->setSetting("fill", value);
   m_tool->setSetting("unknown", 0.0);
-  QCOMPARE(std::get<double>(test::propertyNamed(m_tool->settings(), "method")->value), 5.0);
+  QCOMPARE(std::get<double>(test::propertyNamed(m_tool->settings(), "fill")->value), 5.0);
 }
 
 // Drawn across the hole: the patch keeps to it, and drawing it once more takes it away.
 void FillHoleSettingsTest::bridges() {
   start(test::sphereWithoutCap(3));
-  m_tool->setSetting("method", FillHoleTool::settingOf(FillMethod::Ear));
+  m_tool->setSetting("fill", static_cast<double>(FillMethod::Ear));
   m_tool->pointer(test::above(Kind::Press, 0, 0));
   m_tool->pointer(test::above(Kind::Release, 0, 0));
   const std::vector<Vec3> points = loopPoints(m_document->mesh(), *m_tool->loop());
@@ -101,14 +101,14 @@ void FillHoleSettingsTest::weightsOfEarCutting() {
     for (const Property& property : m_tool->settings()) all.push_back(property.id);
     return all;
   };
-  QCOMPARE(ids(), std::vector<std::string>({"method", "continuity", "triangles"}));
-  m_tool->setSetting("method", FillHoleTool::settingOf(FillMethod::Ear));
-  QCOMPARE(ids(), std::vector<std::string>({"method", "ear_length", "ear_angles", "ear_normal", "triangles"}));
+  QCOMPARE(ids(), std::vector<std::string>({"fill", "continuity", "triangles"}));
+  m_tool->setSetting("fill", static_cast<double>(FillMethod::Ear));
+  QCOMPARE(ids(), std::vector<std::string>({"fill", "ears_length", "ears_angles", "ears_normal", "triangles"}));
   m_tool->pointer(test::above(Kind::Press, 0, 0));
   const std::vector<Triangle> usual = m_tool->attempt().patch.triangles;
-  m_tool->setSetting("ear_length", 0.0);
-  m_tool->setSetting("ear_angles", 99.0);
-  m_tool->setSetting("ear_normal", std::string("much"));
+  m_tool->setSetting("ears_length", 0.0);
+  m_tool->setSetting("ears_angles", 99.0);
+  m_tool->setSetting("ears_normal", std::string("much"));
   QCOMPARE(std::get<double>(m_tool->settings()[1].value), 0.0);
   QCOMPARE(std::get<double>(m_tool->settings()[2].value), 5.0);
   QCOMPARE(std::get<double>(m_tool->settings()[3].value), 1.0);
@@ -129,7 +129,7 @@ void FillHoleSettingsTest::continuityOfFairPatches() {
   const double position = missing(0.0), tangent = missing(1.0), curvature = missing(2.0);
   QVERIFY(tangent < 0.5 * position && curvature < 0.5 * tangent);
   QCOMPARE(missing(3.0), curvature);  // not offered
-  m_tool->setSetting("method", FillHoleTool::settingOf(FillMethod::Refined));
+  m_tool->setSetting("fill", static_cast<double>(FillMethod::Refined));
   for (const Property& property : m_tool->settings()) QVERIFY(property.id != "continuity");
 }
 

@@ -10,7 +10,7 @@
 #include "ToolEvents.h"
 #include "tools/mesh/DecimateTool.h"
 #include "tools/mesh/DefectFixes.h"
-#include "tools/mesh/FillOptionsText.h"
+#include "tools/mesh/LoopText.h"
 #include "tools/mesh/MakeFaceTool.h"
 #include "tools/mesh/ManualMeshChanges.h"
 #include "tools/mesh/Placement.h"
@@ -18,8 +18,6 @@
 #include "tools/mesh/TransformTool.h"
 #include "tools/mesh/boundary/BoundaryTool.h"
 #include "tools/mesh/sculpt/SculptTool.h"
-
-#include <rapidcheck.h>
 
 #include <QTest>
 
@@ -46,7 +44,6 @@ class MeshStepsTest : public QObject {
  private slots:
   void placing();
   void standardPlaces();
-  void anglesAreExact();
   void deleting();
   void filling();
   void bridgesOfAFill();
@@ -68,7 +65,7 @@ class MeshStepsTest : public QObject {
 void MeshStepsTest::placing() {
   Work work(test::moved(test::icosphere(2), {100.1, -0.3, 7e3}));
   TransformTool tool(*work.document, work.services());
-  tool.setSetting("shift_x", -1.0 / 3.0);
+  tool.setSetting("move_x", -1.0 / 3.0);
   tool.setSetting("turn_y", 0.1);
   tool.setSetting("turn_z", 30.0 * kRadiansPerDegree);
   tool.setSetting("scale", 1.1);
@@ -86,17 +83,6 @@ void MeshStepsTest::standardPlaces() {
     QCOMPARE(work.step(), std::string(place));
     QCOMPARE(work.check(), std::string());
   }
-}
-
-// Every angle is read back as the very number.
-void MeshStepsTest::anglesAreExact() {
-  const bool holds = rc::check("angles", [] {
-    const double angle = *rc::gen::map(rc::gen::inRange<std::int64_t>(-6'283'185'307'179'586, 6'283'185'307'179'586),
-                                       [](std::int64_t n) { return 1e-15 * static_cast<double>(n); });
-    StepReader reader("x");
-    RC_ASSERT(reader.angle(angleText(angle), {-10.0, 10.0}) == angle);
-  });
-  QVERIFY(holds);
 }
 
 void MeshStepsTest::deleting() {
@@ -220,12 +206,12 @@ void MeshStepsTest::decimating() {
   Work work(test::bumpySphere(4));
   DecimateTool tool(*work.document, work.services());
   tool.setSetting("faces", 700.0);
-  tool.setSetting("keeps_creases", true);
+  tool.setSetting("has_creases", true);
   tool.perform("commit");
   QVERIFY2(work.step().starts_with("decimate --faces 700 --keep-borders --keep-creases 29.79"), work.step().c_str());
   tool.setSetting("goal", 1.0);
-  tool.setSetting("distance", 0.1);
-  tool.setSetting("keeps_creases", false);
+  tool.setSetting("error", 0.1);
+  tool.setSetting("has_creases", false);
   tool.perform("commit");
   QCOMPARE(work.step(1), std::string("decimate --error 0.1 --keep-borders --no-crossings"));
   QCOMPARE(work.check(2), std::string());
@@ -330,16 +316,16 @@ void MeshStepsTest::mistakes_data() {
   row("delete 1 2", "'2' is too much");
   row("fill 7", "there is no loop 7, nor any");
   row("fill v3", "there is no loop with the smallest vertex 3");
-  row("repair --fill best", "--fill does not take 'best'");
+  row("repair --fill best", "--fill takes fair, refined, ear, minimal, area, dihedral or ridge, not 'best'");
   row("repair --remove-debris yes", "--remove-debris takes no value");
   row("repair --colour red", "repair has no option '--colour'");
-  row("repair --rims off", "--rims takes keep, back or fill");
-  row("repair --near-weld nan", "'nan' is not a number");
-  row("place --scale 0", "'0' is not between 1e-09 and 1e+09");
-  row("place --move 1,2", "'1,2' is not X,Y,Z");
-  row("place --move 1,2,inf", "'inf' is not a number");
-  row("place --turn 1,2,400", "'400' is not between -360 and 360 degrees");
-  row("place --unit ft", "--unit takes mm, cm, m or in");
+  row("repair --rims off", "--rims takes keep, back or fill, not 'off'");
+  row("repair --near-weld nan", "--near-weld takes a number from 0 to 1, not 'nan'");
+  row("place --scale 0", "--scale takes a number from 1e-09 to 1e+09, not '0'");
+  row("place --move 1,2", "--move takes X,Y,Z, each a length from -1e+09 to 1e+09 mm, not '1,2'");
+  row("place --move 1,2,inf", "--move takes X,Y,Z, each a length from -1e+09 to 1e+09 mm, not '1,2,inf'");
+  row("place --turn 1,2,400", "--turn takes A,B,C, each an angle from -360 to 360 degrees, not '1,2,400'");
+  row("place --unit ft", "--unit takes mm, cm, m or in, not 'ft'");
   row("place --scale 2 --scale 3", "--scale is given twice");
   row("decimate", "say how far to go: --faces N, --error MM or both");
   row("stroke paint 0:0,0,0 --radius 1", "the brushes are drag, smooth, inflate and flatten");

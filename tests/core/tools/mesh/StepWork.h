@@ -3,7 +3,8 @@
 #pragma once
 
 #include "StepReplay.h"
-#include "tools/mesh/FillOptionsText.h"
+#include "tools/mesh/LoopText.h"
+#include "tools/mesh/RepairChanges.h"
 
 namespace handwheel::test {
 
@@ -27,18 +28,15 @@ struct Work {
     options.numbers = document->fileNumbers();
     const BoundaryLoop loop = document->defects().loops.at(id);
     HoleFiller filler(document->mesh());
-    const FillAttempt attempt = filler.propose(loop, options);
-    if (attempt.failure != FillFailure::None) return attempt.failure;
-    filler.accept(loop, attempt.patch);
+    const FillFailure failure = fillHole(filler, loop, options, std::nullopt);
+    if (failure != FillFailure::None) return failure;
     document->commit("Fill", inspected(filler.mesh()), fillStep(keyOf(document->mesh(), loop), options));
     return FillFailure::None;
   }
   void repairAll(RepairOptions options) {
     options.fill.numbers = document->fileNumbers();
     options.keepOpen = keptLoops(*document);
-    HalfEdgeMesh mesh = document->mesh();
-    repair(mesh, options);
-    document->commit("Repair", inspected(std::move(mesh)), repairStep(options));
+    commitChange(*document, repairChange(options));
   }
 };
 

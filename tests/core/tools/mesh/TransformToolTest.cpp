@@ -48,7 +48,7 @@ void TransformToolTest::inTurn() {
   TransformTool tool(*document, immediateServices(*document));
   tool.setSetting("turn_z", 0.5 * std::numbers::pi);
   tool.setSetting("scale", 3.0);
-  tool.setSetting("shift_y", 5.0);
+  tool.setSetting("move_y", 5.0);
   QVERIFY(isNear(tool.placement() * Vec3(10, 0, 0), Vec3(11 + 3, 1 - 3 + 5, 1 - 3)));
   QVERIFY(isNear(tool.placement() * Vec3(11, 1, 1), Vec3(11, 6, 1)));
 }
@@ -66,7 +66,7 @@ void TransformToolTest::committedAndUndone() {
     const auto document = box({1, 2, 3});
     TransformTool tool(*document, immediateServices(*document));
     const auto number = [](int most) { return *rc::gen::inRange(-most, most) / 100.0; };
-    for (const char* id : {"shift_x", "shift_y", "shift_z"}) tool.setSetting(id, number(100000));
+    for (const char* id : {"move_x", "move_y", "move_z"}) tool.setSetting(id, number(100000));
     for (const char* id : {"turn_x", "turn_y", "turn_z"}) tool.setSetting(id, number(300));
     tool.setSetting("scale", 0.01 + std::abs(number(1000)));
     const Eigen::Affine3d by = tool.placement();
@@ -103,7 +103,7 @@ void TransformToolTest::previewIsTheBox() {
   const auto document = box({0, 0, 0});
   TransformTool tool(*document, immediateServices(*document));
   QVERIFY(tool.preview().lines.empty());
-  tool.setSetting("shift_x", 7.0);
+  tool.setSetting("move_x", 7.0);
   const auto lines = tool.preview().lines;
   QCOMPARE(lines.size(), std::size_t(12));
   Box shown;

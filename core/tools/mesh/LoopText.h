@@ -17,16 +17,10 @@ std::string loopsText(const std::vector<Vertex>& keys);  // "v1,v12"
 // Reads the loops of a document; returns their keys. A loop that does not exist is a problem of the reader.
 std::vector<Vertex> readLoops(StepReader& reader, const std::string& words, const MeshDocument& document);
 
-// The word for a number type in a step.
-std::string_view wordFor(NumberType numbers);  // "single"
-// Reads the option --numbers; default: the number type of the document's file.
-NumberType readNumbers(StepReader& reader, const MeshDocument& document);
-
-// Writes fill options to a step: --fill, --numbers, and what is not the default.
-void addFillOptions(StepWriter& step, const FillOptions& options);
-// Reads fill options from a step. loopSize: of the loop that is filled, between whose points bridges may run; 0: no
-// bridges.
-FillOptions readFillOptions(StepReader& reader, const MeshDocument& document, std::size_t loopSize = 0);
+// The options of an operation that fills, on a document: its number type where none is given, and what it keeps open.
+FillOptions fillOptionsFor(const MeshDocument& document, const OperationValues& values);
+// The number type that is given, or else that of the document's file.
+NumberType numbersFor(const MeshDocument& document, const OperationValues& values);
 
 // The loops that are not filled or repaired, because the user wants them open. Returned as the corners of the loops, or
 // as their ids. Rims are not among them.

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Operation.h"
+
+#include <nlohmann/json.hpp>
+
+namespace handwheel {
+
+// The values of an operation for a report, defaults included; null where there is no value. The keys are the ids with
+// underscores, and the unit: "near_weld", "error_mm", "keep_creases_deg".
+nlohmann::ordered_json toJson(const OperationValues& values);
+
+}  // namespace handwheel

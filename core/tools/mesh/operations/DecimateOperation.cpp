@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/mesh/operations/DecimateOperation.h"
+
+#include "tools/mesh/operations/SharedParameters.h"
+
+#include <QtGlobal>
+#include <numbers>
+
+namespace handwheel {
+namespace {
+
+Parameter errorParameter() {
+  return {.property = {.id = "error",
+                       .group = {},
+                       .label = QT_TRANSLATE_NOOP("Property", "Largest distance"),
+                       .value = 0.0,
+                       .quantity = Quantity::Length,
+                       .least = 1e-12,
+                       .largest = 1e12},
+          .meaning = "Stay within this distance of the original, measured both ways",
+          .word = "MM",
+          .hasDefault = false};
+}
+
+Parameter creasesParameter() {
+  return {.property = {.id = "keep-creases",
+                       .group = {},
+                       .label = QT_TRANSLATE_NOOP("Property", "Sharp from"),
+                       .value = 0.0,
+                       .quantity = Quantity::Angle,
+                       .least = 1e-6,
+                       .largest = std::numbers::pi},
+          .meaning = "Leave the vertices of edges at least that sharp on them",
+          .word = "DEGREES",
+          .hasDefault = false};
+}
+
+}  // namespace
+
+const Operation& decimateOperation() {
+  static const Operation operation = {
+      .id = "decimate",
+      .title = QT_TRANSLATE_NOOP("Tool", "Remove triangles"),
+      .meaning = "As 'handwheel decimate'",
+      .parameters = {
+          countParameter("faces", "N", "Stop at so many triangles; 0: as few as --error allows",
+                         QT_TRANSLATE_NOOP("Property", "Triangles")),
+          errorParameter(),
+          flagParameter("keep-borders", "Leave the vertices of open edges where they are",
+                        QT_TRANSLATE_NOOP("Property", "Leave open edges as they are")),
+          creasesParameter(),
+          flagParameter("no-crossings", "Let no triangles meet that did not meet before",
+                        QT_TRANSLATE_NOOP("Property", "Let nothing cross")),
+      }};
+  return operation;
+}
+
+DecimationOptions decimationOptionsOf(const OperationValues& values) {
+  DecimationOptions options;
+  options.faces = values.whole("faces");
+  options.error = values.given("error");
+  options.keepBorders = values.flag("keep-borders");
+  options.creaseAngle = values.given("keep-creases");
+  options.avoidIntersections = values.flag("no-crossings");
+  return options;
+}
+
+OperationValues valuesOf(const DecimationOptions& options) {
+  OperationValues values(decimateOperation());
+  values.setValid("faces", static_cast<double>(options.faces));
+  if (options.error) values.setValid("error", *options.error);
+  values.setValid("keep-borders", options.keepBorders);
+  if (options.creaseAngle) values.setValid("keep-creases", *options.creaseAngle);
+  values.setValid("no-crossings", options.avoidIntersections);
+  return values;
+}
+
+std::string missingGoal(const OperationValues& values) {
+  const bool hasGoal = values.whole("faces") > 0 || values.given("error");
+  return hasGoal ? std::string() : "say how far to go: --faces N, --error MM or both";
+}
+
+}  // namespace handwheel

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/mesh/operations/MeshOperations.h"
+
+#include "tools/mesh/operations/DecimateOperation.h"
+#include "tools/mesh/operations/EdgeOperations.h"
+#include "tools/mesh/operations/FillOperation.h"
+#include "tools/mesh/operations/MendOperations.h"
+#include "tools/mesh/operations/PlaceOperation.h"
+#include "tools/mesh/operations/RepairOperation.h"
+#include "tools/mesh/operations/SculptOperations.h"
+
+#include <QtGlobal>
+#include <algorithm>
+#include <cassert>
+
+namespace handwheel {
+namespace {
+
+// Those without parameters.
+std::vector<Operation> plainOperations() {
+  return {
+      {.id = "delete",
+       .title = QT_TRANSLATE_NOOP("Tool", "Delete faces"),
+       .meaning = "Remove triangles: 1-20,33",
+       .operands = "TRIANGLES"},
+      {.id = "keep-open",
+       .title = QT_TRANSLATE_NOOP("Tool", "keep open"),
+       .meaning = "Mark openings that are meant to be there",
+       .operands = "LOOPS"},
+      {.id = "no-longer-open",
+       .title = QT_TRANSLATE_NOOP("Tool", "no longer keep open"),
+       .meaning = "Take such marks away",
+       .operands = "LOOPS"},
+      {.id = "add",
+       .title = QT_TRANSLATE_NOOP("Tool", "Add a mesh"),
+       .meaning = "Put the mesh of another file into this one, where it stands",
+       .operands = "FILE"},
+      {.id = "unit",
+       .title = QT_TRANSLATE_NOOP("Tool", "Change the unit"),
+       .meaning = "In which lengths are shown: mm, cm, m, in",
+       .operands = "U"},
+  };
+}
+
+std::vector<Operation> allOperations() {
+  std::vector<Operation> all;
+  const auto add = [&all](std::vector<Operation> some) {
+    all.insert(all.end(), std::make_move_iterator(some.begin()), std::make_move_iterator(some.end()));
+  };
+  add(placeOperations());
+  add({fillOperation(), repairOperation()});
+  add(mendOperations());
+  add({decimateOperation()});
+  add(edgeOperations());
+  add(sculptOperations());
+  add(plainOperations());
+  return all;
+}
+
+}  // namespace
+
+std::span<const Operation> meshOperations() {
+  static const std::vector<Operation> all = allOperations();
+  return all;
+}
+
+const Operation* findMeshOperation(std::string_view verb) {
+  const auto all = meshOperations();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Operation& o) {
+    return o.id == verb || (!o.formerId.empty() && o.formerId == verb);
+  });
+  return found == all.end() ? nullptr : &*found;
+}
+
+const Operation& meshOperation(std::string_view verb) {
+  const Operation* found = findMeshOperation(verb);
+  assert(found);
+  return *found;
+}
+
+}  // namespace handwheel

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/mesh/operations/RepairOperation.h"
+
+#include "tools/mesh/operations/FillOperation.h"
+#include "tools/mesh/operations/SharedParameters.h"
+
+#include <QtGlobal>
+
+namespace handwheel {
+namespace {
+
+Parameter rimsParameter() {
+  return {.property = {.id = "rims", .group = {}, .label = {}, .value = static_cast<double>(RepairOptions().rims)},
+          .meaning = "What becomes of the outer edges of open sheets; a back makes a sheet a thin body",
+          .word = "HOW",
+          .words = {"keep", "back", "fill"}};  // as RimHandling
+}
+
+}  // namespace
+
+const Operation& repairOperation() {
+  static const Operation operation = [] {
+    Operation repair = {
+        .id = "repair",
+        .title = QT_TRANSLATE_NOOP("Tool", "Repair all"),
+        .meaning = "As 'handwheel repair', but in the numbers of the document, and leaving open what is marked",
+        .parameters = fillParameters()};
+    auto& all = repair.parameters;
+    all.push_back(nearWeldParameter(RepairOptions().nearWeld));
+    all.push_back(rimsParameter());
+    all.push_back(countParameter("max-hole", "N", "Leave loops with more edges open; 0: no limit"));
+    all.push_back(flagParameter("remove-debris", "Remove parts far smaller than the largest"));
+    all.push_back(
+        flagParameter("keep-folded-regions", "Leave open what closes only if folded triangles around it are replaced"));
+    all.back().formerId = "keep-tangles";
+    all.push_back(flagParameter("cut-crossings", "Cut triangles apart where the surface passes through itself"));
+    return repair;
+  }();
+  return operation;
+}
+
+RepairOptions repairOptionsOf(const OperationValues& values) {
+  RepairOptions options;
+  options.fill = fillOptionsOf(values);
+  options.nearWeld = values.number("near-weld");
+  options.rims = static_cast<RimHandling>(values.whole("rims"));
+  options.maxEdges = values.whole("max-hole");
+  options.removeDebris = values.flag("remove-debris");
+  options.replaceFoldedRegions = !values.flag("keep-folded-regions");
+  options.cutCrossings = values.flag("cut-crossings");
+  return options;
+}
+
+OperationValues valuesOf(const RepairOptions& options) {
+  OperationValues values(repairOperation());
+  setFillOptions(values, options.fill);
+  values.setValid("near-weld", options.nearWeld);
+  values.setValid("rims", static_cast<double>(options.rims));
+  values.setValid("max-hole", static_cast<double>(options.maxEdges));
+  values.setValid("remove-debris", options.removeDebris);
+  values.setValid("keep-folded-regions", !options.replaceFoldedRegions);
+  values.setValid("cut-crossings", options.cutCrossings);
+  return values;
+}
+
+}  // namespace handwheel
