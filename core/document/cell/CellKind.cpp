@@ -88,7 +88,7 @@ std::string CellKind::title() const {
 
 std::vector<FileFormat> CellKind::formats() const {
   std::vector<FileFormat> all{{"URDF", {".urdf"}, true, false}};
-  for (const FileFormat& format : meshFileFormats()) all.push_back({format.name, format.endings, false, true});
+  for (const FileFormat& format : meshFileFormats()) all.push_back({format.name, format.endings, false, format.writes});
   return all;
 }
 

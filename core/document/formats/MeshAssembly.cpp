@@ -20,15 +20,12 @@ bool isReadable(const Vec3& p) {
 
 }  // namespace
 
-MeshAssembly::MeshAssembly(MeshFormat format, const ReadOptions& options, Progress progress, std::uint64_t bytes,
-                           int firstIndex)
+MeshAssembly::MeshAssembly(const ReadOptions& options, Progress progress, std::uint64_t bytes, int firstIndex)
     : m_partial(options.partial),
       m_progress(progress),
       m_bytes(bytes),
       m_firstIndex(firstIndex),
-      m_triangulation([this] { return !cancelled(); }) {
-  m_file.format = format;
-}
+      m_triangulation([this] { return !cancelled(); }) {}
 
 bool MeshAssembly::look(std::uint64_t byte) {
   m_nextLook = byte + kBytesPerLook;

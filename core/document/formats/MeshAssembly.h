@@ -20,8 +20,7 @@ namespace handwheel {
 class MeshAssembly {
  public:
   // firstIndex: the file's index of the first vertex; for messages only.
-  MeshAssembly(MeshFormat format, const ReadOptions& options, Progress progress, std::uint64_t bytes,
-               int firstIndex = 0);
+  MeshAssembly(const ReadOptions& options, Progress progress, std::uint64_t bytes, int firstIndex = 0);
 
   MeshAssembly(const MeshAssembly&) = delete;
   MeshAssembly& operator=(const MeshAssembly&) = delete;

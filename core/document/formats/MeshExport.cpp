@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/formats/MeshExport.h"
 
+#include "document/formats/MeshFormatTable.h"
 #include "document/formats/RoundingCollisions.h"
 #include "mesh/structure/CancelPolling.h"
 #include "mesh/structure/Weld.h"
 
-#include <QString>
+#include <QtGlobal>
 
 namespace handwheel {
 
@@ -42,10 +43,7 @@ Note stateOf(const MeshReport& report) {
 }  // namespace
 
 std::vector<FileFormat> meshFileFormats() {
-  std::vector<FileFormat> all;
-  for (const std::string& ending : meshEndings())
-    all.push_back({QString::fromStdString(ending.substr(1)).toUpper().toStdString(), {ending}});
-  return all;
+  return meshFormatTable().fileFormats();
 }
 
 std::vector<Note> notesOn(const ExportReport& report) {
@@ -60,7 +58,8 @@ std::vector<Note> notesOn(const ExportReport& report) {
 }
 
 Result<MeshFormat> formatForOutput(const std::filesystem::path& path) {
-  if (const auto format = formatForName(path.filename().string())) return *format;
+  const auto format = formatForName(path.filename().string());
+  if (format && meshFormatTable().row(*format).write) return *format;
   return unknownEnding(path, writtenEndings(meshFileFormats()));
 }
 

@@ -3,15 +3,7 @@
 #include "document/formats/MeshFormat.h"
 
 #include "document/FileBytes.h"
-#include "document/formats/FormatDetection.h"
-#include "document/formats/MeshWriter.h"
-#include "document/formats/ObjReader.h"
-#include "document/formats/TextNumber.h"
-#include "document/formats/off/OffReader.h"
-#include "document/formats/ply/PlyReader.h"
-#include "document/formats/stl/StlReader.h"
-#include "document/formats/threemf/ThreeMfReader.h"
-#include "document/formats/threemf/ThreeMfWriter.h"
+#include "document/formats/MeshFormatTable.h"
 
 #include <new>
 #include <stdexcept>
@@ -19,28 +11,6 @@
 namespace handwheel {
 
 namespace {
-
-constexpr std::pair<std::string_view, MeshFormat> kEndings[] = {{".stl", MeshFormat::Stl},
-                                                                {".ply", MeshFormat::Ply},
-                                                                {".obj", MeshFormat::Obj},
-                                                                {".off", MeshFormat::Off},
-                                                                {".3mf", MeshFormat::ThreeMf}};
-
-Result<MeshFile> readAs(MeshFormat format, std::string_view bytes, const ReadOptions& options, Progress progress) {
-  switch (format) {
-    case MeshFormat::Stl:
-      return readStl(bytes, options, progress);
-    case MeshFormat::Ply:
-      return readPly(bytes, options, progress);
-    case MeshFormat::Obj:
-      return readObj(bytes, options, progress);
-    case MeshFormat::ThreeMf:
-      return readThreeMf(bytes, options, progress);
-    case MeshFormat::Off:
-      break;
-  }
-  return readOff(bytes, options, progress);
-}
 
 Error outOfMemory() {
   return {ErrorCode::OutOfMemory, {}, {}, {}};
@@ -51,9 +21,7 @@ Error outOfMemory() {
 Result<MeshFile> readMesh(std::string_view bytes, std::string_view nameHint, const ReadOptions& options,
                           Progress progress) {
   try {
-    const Result<MeshFormat> format = detectFormat(bytes, nameHint);
-    if (!format) return format.error();
-    return readAs(*format, bytes, options, progress);
+    return meshFormatTable().read(bytes, nameHint, options, progress);
   } catch (const std::bad_alloc&) {
     return outOfMemory();
   } catch (const std::length_error&) {
@@ -80,39 +48,16 @@ Result<MeshFile> readMeshFile(const std::filesystem::path& path, const ReadOptio
   return error;
 }
 
-std::vector<std::string> meshEndings() {
-  std::vector<std::string> all;
-  for (const auto& [ending, format] : kEndings) all.emplace_back(ending);
-  return all;
-}
-
 std::optional<MeshFormat> formatForName(std::string_view name) {
-  const std::size_t dot = name.rfind('.');
-  if (dot == std::string_view::npos) return {};
-  for (const auto& [ending, format] : kEndings) {
-    if (equalsIgnoringCase(name.substr(dot), ending)) return format;
-  }
-  return {};
+  return meshFormatTable().forName(name);
 }
 
 NumberType numberTypeOf(MeshFormat format, NumberType documentNumbers) {
-  return format == MeshFormat::Stl ? NumberType::Float32 : documentNumbers;
+  return meshFormatTable().row(format).numbers.value_or(documentNumbers);
 }
 
 std::string writeMesh(const TriangleSoup& soup, MeshFormat format, NumberType numbers, Progress progress) {
-  switch (format) {
-    case MeshFormat::Stl:
-      return writeStl(soup, progress);
-    case MeshFormat::Ply:
-      return writePly(soup, numbers, progress);
-    case MeshFormat::Obj:
-      return writeObj(soup, numbers, progress);
-    case MeshFormat::ThreeMf:
-      return writeThreeMf(soup, numbers, progress);
-    case MeshFormat::Off:
-      break;
-  }
-  return writeOff(soup, numbers, progress);
+  return meshFormatTable().write(soup, format, numbers, progress);
 }
 
 }  // namespace handwheel

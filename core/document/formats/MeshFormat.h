@@ -15,7 +15,7 @@
 
 namespace handwheel {
 
-// Mesh file format.
+// A mesh file format: its place in the table of formats (MeshFormatTable.h). Those that the program names.
 enum class MeshFormat { Stl, Ply, Obj, Off, ThreeMf };
 
 // Content of a file that the mesh does not keep. Named for the user ("vertex colour", "texture coordinates").
@@ -43,16 +43,15 @@ Result<MeshFile> readMesh(std::string_view bytes, std::string_view nameHint, con
 // Reads a mesh from a file, as readMesh().
 Result<MeshFile> readMeshFile(const std::filesystem::path& path, const ReadOptions& options, Progress progress = {});
 
-// The file extensions of the formats, each read and written: ".stl", ".ply", …
-std::vector<std::string> meshEndings();
 // The format for the extension of a file name.
 std::optional<MeshFormat> formatForName(std::string_view name);
 
 // The number type in which a format holds coordinates. STL has single precision; the others keep the document's.
 NumberType numberTypeOf(MeshFormat format, NumberType documentNumbers);
 
-// Encodes triangles as the bytes of a file of this format. STL and PLY are binary little-endian; text holds the
-// shortest digits that read back to the same number. 3MF is in millimetres. Empty if cancelled.
+// Encodes triangles as the bytes of a file of this format, which must be one that is written. STL and PLY are binary
+// little-endian; text holds the shortest digits that read back to the same number. 3MF is in millimetres. Empty if
+// cancelled.
 std::string writeMesh(const TriangleSoup& soup, MeshFormat format, NumberType numbers, Progress progress = {});
 
 }  // namespace handwheel

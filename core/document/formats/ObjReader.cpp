@@ -56,7 +56,7 @@ bool isFace(std::string_view keyword) {
 class ObjParser {
  public:
   ObjParser(std::string_view bytes, const ReadOptions& options, Progress progress)
-      : m_assembly(MeshFormat::Obj, options, progress, bytes.size(), 1), m_scanner(bytes, kSyntax) {}
+      : m_assembly(options, progress, bytes.size(), 1), m_scanner(bytes, kSyntax) {}
 
   Result<MeshFile> read() {
     while (m_assembly.advance(m_scanner.position()) && m_scanner.findWord() && readStatement() &&

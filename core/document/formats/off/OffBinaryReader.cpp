@@ -19,7 +19,7 @@ class BinaryReader {
  public:
   BinaryReader(std::string_view bytes, std::size_t bodyAt, OffKeyword keyword, const ReadOptions& options,
                Progress progress)
-      : m_bytes(bytes), m_at(bodyAt), m_keyword(keyword), m_assembly(MeshFormat::Off, options, progress, bytes.size()) {
+      : m_bytes(bytes), m_at(bodyAt), m_keyword(keyword), m_assembly(options, progress, bytes.size()) {
     const unsigned numbers = 3u + (keyword.normal ? 3u : 0u) + (keyword.colour ? 4u : 0u) + (keyword.texture ? 2u : 0u);
     m_vertexSize = numbers * kWord;
   }

@@ -16,7 +16,7 @@ class TextReader {
   // The scanner stands behind the keyword.
   TextReader(std::string_view bytes, TextScanner scanner, OffKeyword keyword, const ReadOptions& options,
              Progress progress)
-      : m_assembly(MeshFormat::Off, options, progress, bytes.size()), m_scanner(scanner), m_keyword(keyword) {}
+      : m_assembly(options, progress, bytes.size()), m_scanner(scanner), m_keyword(keyword) {}
 
   Result<MeshFile> read() {
     if (readCounts() && readVertices() && readFaces() && m_scanner.findWord())

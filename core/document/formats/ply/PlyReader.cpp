@@ -16,7 +16,7 @@ template <class Rows>
 class BodyReader {
  public:
   BodyReader(std::string_view bytes, const PlyHeader& header, const ReadOptions& options, Progress progress)
-      : m_header(header), m_assembly(MeshFormat::Ply, options, progress, bytes.size()), m_rows(bytes, header) {}
+      : m_header(header), m_assembly(options, progress, bytes.size()), m_rows(bytes, header) {}
 
   Result<MeshFile> read() {
     bool whole = true;
@@ -139,6 +139,11 @@ class BodyReader {
 };
 
 }  // namespace
+
+bool looksLikePly(std::string_view bytes) {
+  TextScanner scanner(bytes.substr(0, 256));
+  return scanner.wordOnAnyLine() == "ply";
+}
 
 Result<MeshFile> readPly(std::string_view bytes, const ReadOptions& options, Progress progress) {
   const Result<PlyHeader> header = readPlyHeader(bytes);

@@ -6,6 +6,9 @@
 
 namespace handwheel {
 
+// Whether the first word is that of PLY files.
+bool looksLikePly(std::string_view bytes);
+
 // Reads a PLY file, text or binary of either byte order. Faces are polygons or triangle strips; elements and properties
 // that describe neither vertices nor faces are skipped, and listed as lost if they describe the surface.
 Result<MeshFile> readPly(std::string_view bytes, const ReadOptions& options, Progress progress);

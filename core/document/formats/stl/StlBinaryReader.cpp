@@ -39,7 +39,7 @@ const double* firstNotFinite(const std::array<double, 9>& v) {
 class BinaryStlParser {
  public:
   BinaryStlParser(std::string_view bytes, const ReadOptions& options, Progress progress)
-      : m_bytes(bytes), m_assembly(MeshFormat::Stl, options, progress, bytes.size()) {}
+      : m_bytes(bytes), m_assembly(options, progress, bytes.size()) {}
 
   Result<MeshFile> read() {
     if (m_bytes.size() < kFacetsAt)

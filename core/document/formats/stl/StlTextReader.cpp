@@ -12,7 +12,7 @@ namespace {
 class TextStlParser {
  public:
   TextStlParser(std::string_view bytes, const ReadOptions& options, Progress progress)
-      : m_assembly(MeshFormat::Stl, options, progress, bytes.size()), m_scanner(bytes) {}
+      : m_assembly(options, progress, bytes.size()), m_scanner(bytes) {}
 
   Result<MeshFile> read() {
     while (m_assembly.advance(m_scanner.position()) && m_scanner.findWord() && readStatement()) {

@@ -16,9 +16,7 @@ constexpr std::size_t kMostParts = 10'000;
 class ThreeMfParser {
  public:
   ThreeMfParser(std::string_view bytes, const ReadOptions& options, Progress progress)
-      : m_assembly(MeshFormat::ThreeMf, options, progress, 0),
-        m_package(bytes, m_assembly, progress),
-        m_isPartial(options.partial) {}
+      : m_assembly(options, progress, 0), m_package(bytes, m_assembly, progress), m_isPartial(options.partial) {}
 
   Result<MeshFile> read() {
     m_assembly.expect(m_package.modelBytes());
