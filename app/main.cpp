@@ -1,16 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/CommandLine.h"
-#include "registration/Commands.h"
 #include "registration/Drivers.h"
 #include "registration/Registration.h"
 #include "window/RunWindow.h"
 
 // A first argument that names a subcommand runs without a window; anything else is a file to open in it.
 int main(int argc, char** argv) {
-  const handwheel::KindSet kinds(handwheel::registeredKinds());
-  const handwheel::Registered registered{kinds.documents, handwheel::registeredCommands(),
-                                         handwheel::registeredDrivers};
+  const handwheel::RegisteredKinds kinds(handwheel::registeredKinds());
+  const handwheel::Registered registered{kinds.set.documents, kinds.commands, handwheel::registeredDrivers};
   if (handwheel::isCommand(argc, argv, registered)) return handwheel::runCommand(argc, argv, registered);
-  return handwheel::runWindow(argc, argv, kinds, handwheel::registeredDrivers());
+  return handwheel::runWindow(argc, argv, kinds.set, handwheel::registeredDrivers());
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "registration/Registration.h"
 
+#include "cli/mesh/MeshCommands.h"
 #include "document/cell/CellKind.h"
 #include "document/mesh/MeshKind.h"
 #include "document/workpiece/WorkpieceKind.h"
@@ -13,23 +14,38 @@ namespace handwheel {
 
 namespace {
 
-template <class Ui>
-std::unique_ptr<KindUi> make(const WindowContext& parts) {
-  return std::make_unique<Ui>(parts);
+// The part of the window of a kind that needs its kind, and of one that does not.
+template <class Ui, class Kind>
+KindEntry entryWithKind() {
+  auto kind = std::make_unique<Kind>();
+  const auto window = [&known = *kind](const WindowContext& parts) { return std::make_unique<Ui>(parts, known); };
+  return {std::move(kind), window};
+}
+
+template <class Ui, class Kind>
+KindEntry entryOf() {
+  return {std::make_unique<Kind>(), [](const WindowContext& parts) { return std::make_unique<Ui>(parts); }};
+}
+
+std::vector<KindEntry> entriesOf(std::vector<KindRegistration>& registrations) {
+  std::vector<KindEntry> entries;
+  for (KindRegistration& registration : registrations) entries.push_back(std::move(registration.entry));
+  return entries;
 }
 
 }  // namespace
 
-std::vector<KindEntry> registeredKinds() {
-  std::vector<KindEntry> all;
-  auto cell = std::make_unique<CellKind>();
-  const auto cellWindow = [&kind = *cell](const WindowContext& parts) { return std::make_unique<CellUi>(parts, kind); };
-  all.push_back({std::move(cell), cellWindow});
-  all.push_back({std::make_unique<WorkpieceKind>(), make<WorkpieceUi>});
-  auto mesh = std::make_unique<MeshKind>();
-  const auto meshWindow = [&kind = *mesh](const WindowContext& parts) { return std::make_unique<MeshUi>(parts, kind); };
-  all.push_back({std::move(mesh), meshWindow});
+std::vector<KindRegistration> registeredKinds() {
+  std::vector<KindRegistration> all;
+  all.push_back({entryWithKind<CellUi, CellKind>()});
+  all.push_back({entryOf<WorkpieceUi, WorkpieceKind>()});
+  all.push_back({entryWithKind<MeshUi, MeshKind>(), meshCommands()});
   return all;
+}
+
+RegisteredKinds::RegisteredKinds(std::vector<KindRegistration> registrations) : set(entriesOf(registrations)) {
+  for (KindRegistration& registration : registrations)
+    commands.insert(commands.end(), registration.commands.begin(), registration.commands.end());
 }
 
 }  // namespace handwheel

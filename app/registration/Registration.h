@@ -2,12 +2,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "cli/Command.h"
 #include "window/kinds/KindUi.h"
 
 namespace handwheel {
 
+// A kind of document with all that the program has for it.
+struct KindRegistration {
+  KindEntry entry;                     // the kind itself and its part of the window
+  std::vector<Command> commands = {};  // of the command line, for such documents only
+};
+
 // All kinds of documents of the program. The one place to add further ones. They are asked in this order whether a file
 // is theirs; meshes take what no other kind takes.
-std::vector<KindEntry> registeredKinds();
+std::vector<KindRegistration> registeredKinds();
+
+// The registered kinds as window and command line take them.
+struct RegisteredKinds {
+  explicit RegisteredKinds(std::vector<KindRegistration> registrations);
+
+  KindSet set;
+  std::vector<Command> commands;
+};
 
 }  // namespace handwheel

@@ -65,9 +65,9 @@ class RandomUseTest : public QObject {
 
  private:
   void round(std::uint32_t seed, int seconds, HangWatch& watch) {
-    const KindSet kinds(registeredKinds());
+    const RegisteredKinds kinds(registeredKinds());
     QThreadPool workers;
-    useWindow(workers, kinds, seed, seconds, watch);
+    useWindow(workers, kinds.set, seed, seconds, watch);
     if (QTest::currentTestFailed()) return;
     // The window has cancelled what it left to do.
     QVERIFY2(workers.waitForDone(1000 * kLongestSilence / 2), "a cancelled job goes on");

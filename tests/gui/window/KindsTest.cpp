@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "GlobeKind.h"
+#include "GlobeCommand.h"
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
 #include "cli/ConvertCommand.h"
@@ -11,6 +11,7 @@
 #include "window/documents/FileFilters.h"
 
 #include <QDockWidget>
+#include <QProcess>
 #include <QUndoStack>
 
 using namespace handwheel;
@@ -54,8 +55,8 @@ class KindsTest : public QObject {
 
   // Files have the drawing of the kind that reads them; what none reads, of the one that writes it.
   void filesAreDrawnByTheirEndings() {
-    const KindSet set(registeredKinds());
-    const DocumentKinds& kinds = set.documents;
+    const RegisteredKinds registered(registeredKinds());
+    const DocumentKinds& kinds = registered.set.documents;
     for (const auto& [name, drawing] : {std::pair{"a.STL", "kind-mesh"},
                                         {"a.3mf", "kind-mesh"},
                                         {"a.urdf", "kind-cell"},
@@ -90,8 +91,8 @@ class KindsTest : public QObject {
     QVERIFY(file.open(QIODevice::WriteOnly) && file.write("globe 25\n") > 0);
     file.close();
     const auto kinds = [&] {
-      std::vector<KindEntry> entries = registeredKinds();
-      entries.insert(entries.begin(), globeEntry(sample));
+      std::vector<KindRegistration> entries = registeredKinds();
+      entries.insert(entries.begin(), globeRegistration(sample));
       return entries;
     };
     const QString path = folder.filePath("my.handwheel");
@@ -173,11 +174,12 @@ class KindsTest : public QObject {
   // The same on the command line: 'new', 'convert' and their help know what is registered.
   void aKindThatIsRegisteredHasCommands() {
     const QTemporaryDir folder;
-    std::vector<KindEntry> entries = registeredKinds();
-    QVERIFY(!QByteArray(newDetails(KindSet(std::move(entries)).documents).c_str()).contains("globe"));
+    std::vector<KindRegistration> entries = registeredKinds();
+    QVERIFY(!QByteArray(newDetails(RegisteredKinds(std::move(entries)).set.documents).c_str()).contains("globe"));
     entries = registeredKinds();
-    entries.insert(entries.begin(), globeEntry({}));
-    const KindSet set(std::move(entries));
+    entries.insert(entries.begin(), globeRegistration({}));
+    const RegisteredKinds registered(std::move(entries));
+    const KindSet& set = registered.set;
     QVERIFY(newDetails(set.documents).find("globe") != std::string::npos);
     QVERIFY(convertDetails(set.documents).find("of a globe: .globe .handwheel") != std::string::npos);
     const auto made = folder.filePath("a.handwheel").toStdString(), exported = folder.filePath("a.globe").toStdString();
@@ -191,6 +193,40 @@ class KindsTest : public QObject {
     QFile written(QString::fromStdString(exported));
     QVERIFY(written.open(QIODevice::ReadOnly));
     QCOMPARE(written.readAll(), QByteArray("globe 50.8\n"));
+  }
+
+  // Its own command has a line in the overview, a help page, options with ranges, and figures as JSON.
+  void aKindThatIsRegisteredHasItsOwnCommand() {
+    const QTemporaryDir folder;
+    struct Said {
+      int code;
+      QByteArray out, err;
+    };
+    const auto run = [&folder](const QStringList& words) {
+      QProcess process;
+      process.setWorkingDirectory(folder.path());
+      process.start(QStringLiteral(GLOBE_PROGRAM), words);
+      process.waitForFinished();
+      return Said{process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+    };
+    QVERIFY(run({"help"}).out.contains("\n  inflate    Makes a globe larger, or smaller.\n"));
+    const QByteArray page = run({"help", "inflate"}).out;
+    QVERIFY2(page.startsWith("Usage: handwheel inflate IN [--by N] [--at-most MM] -o OUT [--json]\n"), page);
+    QVERIFY2(page.contains("--by N         Factor of the radius (0.1 to 10, default 2)\n"), page);
+    QVERIFY2(page.contains("--at-most MM   No larger than this radius (1 to 1000)\n"), page);
+    QCOMPARE(run({"new", "globe", "radius=25", "-o", "a.handwheel"}).code, 0);
+    const Said told = run({"inflate", "a.handwheel", "--by", "1.5", "-o", "b.globe"});
+    QCOMPARE(told.err, QByteArray());
+    QCOMPARE(told.out, QByteArray("Radius: 37.5 mm\n"));
+    const auto json =
+        nlohmann::json::parse(run({"inflate", "b.globe", "-o", "c.globe", "--at-most=50", "--json"}).out.toStdString());
+    const nlohmann::json expected = {{"options", {{"by", 2.0}, {"at_most_mm", 50.0}}}, {"radius_mm", 50.0}};
+    QVERIFY2(json == expected, json.dump().c_str());
+    const Said wrong = run({"inflate", "a.handwheel", "--by", "11", "-o", "d.globe"});
+    QCOMPARE(wrong.code, 1);
+    QCOMPARE(wrong.err, QByteArray("handwheel: --by takes a number from 0.1 to 10, not '11'.\n"
+                                   "Try 'handwheel help inflate'.\n"));
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files), (QStringList{"a.handwheel", "b.globe", "c.globe"}));
   }
 
   void aRobotMovesByItsSliders() {

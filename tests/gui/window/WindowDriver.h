@@ -30,8 +30,8 @@ constexpr int kPatienceMs = 20000;
 
 class WindowDriver {
  public:
-  explicit WindowDriver(std::vector<KindEntry> kinds = registeredKinds())
-      : m_kinds(std::move(kinds)), m_window(m_workers, m_kinds) {
+  explicit WindowDriver(std::vector<KindRegistration> kinds = registeredKinds())
+      : m_kinds(std::move(kinds)), m_window(m_workers, m_kinds.set) {
     m_window.resize(1280, 800);
     m_window.show();
     if (!QTest::qWaitForWindowExposed(&m_window)) qFatal("the window does not appear");
@@ -122,7 +122,7 @@ class WindowDriver {
   QSemaphore m_gate;
   int m_held = 0;
   QThreadPool m_workers;
-  KindSet m_kinds;
+  RegisteredKinds m_kinds;
   MainWindow m_window;
 };
 
