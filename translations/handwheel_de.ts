@@ -1019,6 +1019,22 @@
         <source>they do not fit the mesh</source>
         <translation>sie passen nicht zum Netz</translation>
     </message>
+    <message>
+        <source>the number of samples is missing or impossible</source>
+        <translation>die Anzahl der Punkte fehlt oder ist unmöglich</translation>
+    </message>
+    <message>
+        <source>another size of a bar that was cut already; undo its passes first</source>
+        <translation>eine andere Größe einer Stange, die schon bearbeitet ist; machen Sie zuerst die Schnitte rückgängig</translation>
+    </message>
+    <message>
+        <source>passes</source>
+        <translation>Schnitte</translation>
+    </message>
+    <message>
+        <source>samples of the profile</source>
+        <translation>Punkte des Profils</translation>
+    </message>
 </context>
 <context>
     <name>ExpressionText</name>
@@ -1320,6 +1336,18 @@
     <message>
         <source>how late the velocity is</source>
         <translation>wie spät die Geschwindigkeit ist</translation>
+    </message>
+    <message>
+        <source>Distance of the samples of a turned profile</source>
+        <translation>Abstand der Punkte eines gedrehten Profils</translation>
+    </message>
+    <message>
+        <source>largest distance of the profile from what the tool left</source>
+        <translation>größter Abstand des Profils von dem, was das Werkzeug stehen ließ</translation>
+    </message>
+    <message>
+        <source>CPU time of cutting and of the triangles that change</source>
+        <translation>Rechenzeit eines Schnitts mit seinen neuen Dreiecken</translation>
     </message>
 </context>
 <context>
@@ -2418,6 +2446,18 @@
         <source>Sum (force)</source>
         <translation>Summe (Kraft)</translation>
     </message>
+    <message>
+        <source>Passes</source>
+        <translation>Schnitte</translation>
+    </message>
+    <message>
+        <source>Nose radius</source>
+        <translation>Eckenradius</translation>
+    </message>
+    <message>
+        <source>Resistance (N·s/mm)</source>
+        <translation>Widerstand (N·s/mm)</translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -3211,6 +3251,34 @@
         <source>undo: the surface crosses itself now</source>
         <translation>rückgängig: die Oberfläche durchdringt sich jetzt</translation>
     </message>
+    <message>
+        <source>Fill hole</source>
+        <translation>Loch füllen</translation>
+    </message>
+    <message>
+        <source>Change the unit</source>
+        <translation>Einheit ändern</translation>
+    </message>
+    <message>
+        <source>Repair all</source>
+        <translation>Alles reparieren</translation>
+    </message>
+    <message>
+        <source>Sculpt</source>
+        <translation>Modellieren</translation>
+    </message>
+    <message>
+        <source>drop the pass</source>
+        <translation>Schnitt verwerfen</translation>
+    </message>
+    <message>
+        <source>Turning pass</source>
+        <translation>Drehschnitt</translation>
+    </message>
+    <message>
+        <source>cut a pass</source>
+        <translation>einen Schnitt ausführen</translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
@@ -3292,6 +3360,10 @@
         <source>Servo loop of the device</source>
         <translation>Servoschleife des Geräts</translation>
     </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulation</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::Autosave</name>
@@ -3365,6 +3437,25 @@
     </message>
 </context>
 <context>
+    <name>handwheel::BenchmarkRunner</name>
+    <message>
+        <source>What was measured on this machine cannot be used: %1</source>
+        <translation>Was auf diesem Rechner gemessen wurde, ist nicht zu gebrauchen: %1</translation>
+    </message>
+    <message>
+        <source>the file is damaged.</source>
+        <translation>Die Datei ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>What was measured before is of another machine (%1).</source>
+        <translation>Was früher gemessen wurde, ist von einem anderen Rechner (%1).</translation>
+    </message>
+    <message>
+        <source>It could not be kept for the next time: %1</source>
+        <translation>Es konnte nicht für das nächste Mal aufgehoben werden: %1</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::ButtonLamps</name>
     <message>
         <source>Buttons</source>
@@ -3412,82 +3503,6 @@
     <message>
         <source>%1 of %2 curves are of this machine.</source>
         <translation>%1 von %2 Kurven sind von diesem Rechner.</translation>
-    </message>
-</context>
-<context>
-    <name>handwheel::Calibrator</name>
-    <message>
-        <source>What was measured on this machine cannot be used: %1</source>
-        <translation>Was auf diesem Rechner gemessen wurde, ist nicht zu gebrauchen: %1</translation>
-    </message>
-    <message>
-        <source>the file is damaged.</source>
-        <translation>Die Datei ist beschädigt.</translation>
-    </message>
-    <message>
-        <source>What was measured before is of another machine (%1).</source>
-        <translation>Was früher gemessen wurde, ist von einem anderen Rechner (%1).</translation>
-    </message>
-    <message>
-        <source>It could not be kept for the next time: %1</source>
-        <translation>Es konnte nicht für das nächste Mal aufgehoben werden: %1</translation>
-    </message>
-</context>
-<context>
-    <name>handwheel::CellUi</name>
-    <message numerus="yes">
-        <source>%Ln joint(s)</source>
-        <translation>
-            <numerusform>%Ln Gelenk</numerusform>
-            <numerusform>%Ln Gelenke</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Opened %1: robot %2 with %3 links and %4 joints that move</source>
-        <translation>%1 geöffnet: Roboter %2 mit %3 Gliedern und %4 beweglichen Gelenken</translation>
-    </message>
-    <message>
-        <source>Joints</source>
-        <translation>Gelenke</translation>
-    </message>
-    <message>
-        <source>&amp;Cell</source>
-        <translation>&amp;Zelle</translation>
-    </message>
-    <message>
-        <source>Move &amp;joints by hand</source>
-        <translation>&amp;Gelenke von Hand bewegen</translation>
-    </message>
-    <message numerus="yes">
-        <source>Robot %1: %Ln joint(s) that move.</source>
-        <translation>
-            <numerusform>Roboter %1: %Ln bewegliches Gelenk.</numerusform>
-            <numerusform>Roboter %1: %Ln bewegliche Gelenke.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Drag a link with the mouse, or with Shift the whole arm. The list of joints takes angles.</source>
-        <translation>Ziehen Sie ein Glied mit der Maus, mit Umschalt den ganzen Arm. Die Liste der Gelenke nimmt Winkel an.</translation>
-    </message>
-    <message>
-        <source>Drag the links of the robot</source>
-        <translation>Die Glieder des Roboters ziehen</translation>
-    </message>
-    <message>
-        <source>Open the sample &amp;robot</source>
-        <translation>Beispiel-&amp;Roboter öffnen</translation>
-    </message>
-    <message>
-        <source>Open the sample robot arm</source>
-        <translation>Beispiel-Roboterarm öffnen</translation>
-    </message>
-    <message>
-        <source>Robot cell</source>
-        <translation>Roboterzelle</translation>
-    </message>
-    <message>
-        <source>An arm with six joints. Move it by hand within its limits.</source>
-        <translation>Ein Arm mit sechs Gelenken. Von Hand bewegen, in seinen Grenzen.</translation>
     </message>
 </context>
 <context>
@@ -4627,14 +4642,7 @@
     </message>
 </context>
 <context>
-    <name>handwheel::MeshTools</name>
-    <message>
-        <source>Preparing to pick</source>
-        <translation>Auswahl wird vorbereitet</translation>
-    </message>
-</context>
-<context>
-    <name>handwheel::MeshTouch</name>
+    <name>handwheel::MeshHapticsProvider</name>
     <message>
         <source>Preparing to touch</source>
         <translation>Berührung wird vorbereitet</translation>
@@ -4642,6 +4650,13 @@
     <message>
         <source>Preparing to snap</source>
         <translation>Fangen wird vorbereitet</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::MeshTools</name>
+    <message>
+        <source>Preparing to pick</source>
+        <translation>Auswahl wird vorbereitet</translation>
     </message>
 </context>
 <context>
@@ -5292,6 +5307,70 @@
     <message>
         <source>The document is as it was before. %1</source>
         <translation>Das Dokument ist, wie es vorher war. %1</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::RigidPartsHaptics</name>
+    <message>
+        <source>Preparing to touch</source>
+        <translation>Berührung wird vorbereitet</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::RobotCellUi</name>
+    <message>
+        <source>Open the sample &amp;robot</source>
+        <translation>Beispiel-&amp;Roboter öffnen</translation>
+    </message>
+    <message>
+        <source>Open the sample robot arm</source>
+        <translation>Beispiel-Roboterarm öffnen</translation>
+    </message>
+    <message>
+        <source>Robot cell</source>
+        <translation>Roboterzelle</translation>
+    </message>
+    <message>
+        <source>An arm with six joints. Move it by hand within its limits.</source>
+        <translation>Ein Arm mit sechs Gelenken. Von Hand bewegen, in seinen Grenzen.</translation>
+    </message>
+    <message>
+        <source>Move &amp;joints by hand</source>
+        <translation>&amp;Gelenke von Hand bewegen</translation>
+    </message>
+    <message>
+        <source>Drag the links of the robot</source>
+        <translation>Die Glieder des Roboters ziehen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Robot %1: %Ln joint(s) that move.</source>
+        <translation>
+            <numerusform>Roboter %1: %Ln bewegliches Gelenk.</numerusform>
+            <numerusform>Roboter %1: %Ln bewegliche Gelenke.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Drag a link with the mouse, or with Shift the whole arm. The list of joints takes angles.</source>
+        <translation>Ziehen Sie ein Glied mit der Maus, mit Umschalt den ganzen Arm. Die Liste der Gelenke nimmt Winkel an.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln joint(s)</source>
+        <translation>
+            <numerusform>%Ln Gelenk</numerusform>
+            <numerusform>%Ln Gelenke</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Opened %1: robot %2 with %3 links and %4 joints that move</source>
+        <translation>%1 geöffnet: Roboter %2 mit %3 Gliedern und %4 beweglichen Gelenken</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Gelenke</translation>
+    </message>
+    <message>
+        <source>&amp;Cell</source>
+        <translation>&amp;Zelle</translation>
     </message>
 </context>
 <context>
@@ -5988,6 +6067,14 @@
     <message>
         <source>A shaft for the lathe. Give it its size, save it as STEP.</source>
         <translation>Eine Welle für die Drehbank. Maße eingeben, als STEP speichern.</translation>
+    </message>
+    <message>
+        <source>&amp;Turn</source>
+        <translation>&amp;Drehen</translation>
+    </message>
+    <message>
+        <source>Cut the turning part by hand with a round tool</source>
+        <translation>Das sich drehende Teil von Hand mit einem runden Werkzeug abtragen</translation>
     </message>
 </context>
 </TS>

@@ -1019,6 +1019,22 @@
         <source>they do not fit the mesh</source>
         <translation>与网格不符</translation>
     </message>
+    <message>
+        <source>the number of samples is missing or impossible</source>
+        <translation>采样点数缺失或不可能</translation>
+    </message>
+    <message>
+        <source>another size of a bar that was cut already; undo its passes first</source>
+        <translation>已切削棒料的其他尺寸；请先撤销走刀</translation>
+    </message>
+    <message>
+        <source>passes</source>
+        <translation>走刀</translation>
+    </message>
+    <message>
+        <source>samples of the profile</source>
+        <translation>轮廓采样点</translation>
+    </message>
 </context>
 <context>
     <name>ExpressionText</name>
@@ -1320,6 +1336,18 @@
     <message>
         <source>how late the velocity is</source>
         <translation>速度滞后多少</translation>
+    </message>
+    <message>
+        <source>Distance of the samples of a turned profile</source>
+        <translation>车削轮廓的采样间距</translation>
+    </message>
+    <message>
+        <source>largest distance of the profile from what the tool left</source>
+        <translation>轮廓与刀具实际留下形状的最大距离</translation>
+    </message>
+    <message>
+        <source>CPU time of cutting and of the triangles that change</source>
+        <translation>一次切削及其变化三角形的 CPU 时间</translation>
     </message>
 </context>
 <context>
@@ -2405,6 +2433,18 @@
         <source>Sum (force)</source>
         <translation>总和（力）</translation>
     </message>
+    <message>
+        <source>Passes</source>
+        <translation>走刀次数</translation>
+    </message>
+    <message>
+        <source>Nose radius</source>
+        <translation>刀尖半径</translation>
+    </message>
+    <message>
+        <source>Resistance (N·s/mm)</source>
+        <translation>阻力 (N·s/mm)</translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -3186,6 +3226,34 @@
         <source>undo: the surface crosses itself now</source>
         <translation>撤销：表面现已自相交</translation>
     </message>
+    <message>
+        <source>Fill hole</source>
+        <translation>填补孔洞</translation>
+    </message>
+    <message>
+        <source>Change the unit</source>
+        <translation>更改单位</translation>
+    </message>
+    <message>
+        <source>Repair all</source>
+        <translation>全部修复</translation>
+    </message>
+    <message>
+        <source>Sculpt</source>
+        <translation>雕刻</translation>
+    </message>
+    <message>
+        <source>drop the pass</source>
+        <translation>放弃本次走刀</translation>
+    </message>
+    <message>
+        <source>Turning pass</source>
+        <translation>车削走刀</translation>
+    </message>
+    <message>
+        <source>cut a pass</source>
+        <translation>走一刀</translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
@@ -3267,6 +3335,10 @@
         <source>Servo loop of the device</source>
         <translation>设备的伺服循环</translation>
     </message>
+    <message>
+        <source>Simulation</source>
+        <translation>仿真</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::Autosave</name>
@@ -3337,6 +3409,25 @@
     </message>
 </context>
 <context>
+    <name>handwheel::BenchmarkRunner</name>
+    <message>
+        <source>What was measured on this machine cannot be used: %1</source>
+        <translation>本机的测量结果无法使用：%1</translation>
+    </message>
+    <message>
+        <source>the file is damaged.</source>
+        <translation>文件已损坏。</translation>
+    </message>
+    <message>
+        <source>What was measured before is of another machine (%1).</source>
+        <translation>以前的测量结果来自另一台机器（%1）。</translation>
+    </message>
+    <message>
+        <source>It could not be kept for the next time: %1</source>
+        <translation>无法保存以供下次使用：%1</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::ButtonLamps</name>
     <message>
         <source>Buttons</source>
@@ -3384,80 +3475,6 @@
     <message>
         <source>%1 of %2 curves are of this machine.</source>
         <translation>%2 条曲线中有 %1 条在本机测得。</translation>
-    </message>
-</context>
-<context>
-    <name>handwheel::Calibrator</name>
-    <message>
-        <source>What was measured on this machine cannot be used: %1</source>
-        <translation>本机的测量结果无法使用：%1</translation>
-    </message>
-    <message>
-        <source>the file is damaged.</source>
-        <translation>文件已损坏。</translation>
-    </message>
-    <message>
-        <source>What was measured before is of another machine (%1).</source>
-        <translation>以前的测量结果来自另一台机器（%1）。</translation>
-    </message>
-    <message>
-        <source>It could not be kept for the next time: %1</source>
-        <translation>无法保存以供下次使用：%1</translation>
-    </message>
-</context>
-<context>
-    <name>handwheel::CellUi</name>
-    <message numerus="yes">
-        <source>%Ln joint(s)</source>
-        <translation>
-            <numerusform>%Ln 个关节</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Opened %1: robot %2 with %3 links and %4 joints that move</source>
-        <translation>已打开 %1：机器人 %2，%3 个连杆，%4 个可动关节</translation>
-    </message>
-    <message>
-        <source>Joints</source>
-        <translation>关节</translation>
-    </message>
-    <message>
-        <source>&amp;Cell</source>
-        <translation>单元(&amp;C)</translation>
-    </message>
-    <message>
-        <source>Move &amp;joints by hand</source>
-        <translation>手动移动关节(&amp;J)</translation>
-    </message>
-    <message numerus="yes">
-        <source>Robot %1: %Ln joint(s) that move.</source>
-        <translation>
-            <numerusform>机器人 %1:%Ln 个可动关节。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Drag a link with the mouse, or with Shift the whole arm. The list of joints takes angles.</source>
-        <translation>用鼠标拖动一个连杆,按住 Shift 拖动整个手臂。关节列表可输入角度。</translation>
-    </message>
-    <message>
-        <source>Drag the links of the robot</source>
-        <translation>拖动机器人的连杆</translation>
-    </message>
-    <message>
-        <source>Open the sample &amp;robot</source>
-        <translation>打开示例机器人(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Open the sample robot arm</source>
-        <translation>打开示例机械臂</translation>
-    </message>
-    <message>
-        <source>Robot cell</source>
-        <translation>机器人单元</translation>
-    </message>
-    <message>
-        <source>An arm with six joints. Move it by hand within its limits.</source>
-        <translation>六关节手臂。在限位内手动移动。</translation>
     </message>
 </context>
 <context>
@@ -4593,14 +4610,7 @@
     </message>
 </context>
 <context>
-    <name>handwheel::MeshTools</name>
-    <message>
-        <source>Preparing to pick</source>
-        <translation>正在准备拾取</translation>
-    </message>
-</context>
-<context>
-    <name>handwheel::MeshTouch</name>
+    <name>handwheel::MeshHapticsProvider</name>
     <message>
         <source>Preparing to touch</source>
         <translation>正在准备触摸</translation>
@@ -4608,6 +4618,13 @@
     <message>
         <source>Preparing to snap</source>
         <translation>正在准备捕捉</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::MeshTools</name>
+    <message>
+        <source>Preparing to pick</source>
+        <translation>正在准备拾取</translation>
     </message>
 </context>
 <context>
@@ -5253,6 +5270,68 @@
     <message>
         <source>The document is as it was before. %1</source>
         <translation>文档保持原样。%1</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::RigidPartsHaptics</name>
+    <message>
+        <source>Preparing to touch</source>
+        <translation>正在准备触摸</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::RobotCellUi</name>
+    <message>
+        <source>Open the sample &amp;robot</source>
+        <translation>打开示例机器人(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Open the sample robot arm</source>
+        <translation>打开示例机械臂</translation>
+    </message>
+    <message>
+        <source>Robot cell</source>
+        <translation>机器人单元</translation>
+    </message>
+    <message>
+        <source>An arm with six joints. Move it by hand within its limits.</source>
+        <translation>六关节手臂。在限位内手动移动。</translation>
+    </message>
+    <message>
+        <source>Move &amp;joints by hand</source>
+        <translation>手动移动关节(&amp;J)</translation>
+    </message>
+    <message>
+        <source>Drag the links of the robot</source>
+        <translation>拖动机器人的连杆</translation>
+    </message>
+    <message numerus="yes">
+        <source>Robot %1: %Ln joint(s) that move.</source>
+        <translation>
+            <numerusform>机器人 %1:%Ln 个可动关节。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Drag a link with the mouse, or with Shift the whole arm. The list of joints takes angles.</source>
+        <translation>用鼠标拖动一个连杆,按住 Shift 拖动整个手臂。关节列表可输入角度。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln joint(s)</source>
+        <translation>
+            <numerusform>%Ln 个关节</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Opened %1: robot %2 with %3 links and %4 joints that move</source>
+        <translation>已打开 %1：机器人 %2，%3 个连杆，%4 个可动关节</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>&amp;Cell</source>
+        <translation>单元(&amp;C)</translation>
     </message>
 </context>
 <context>
@@ -5942,6 +6021,14 @@
     <message>
         <source>A shaft for the lathe. Give it its size, save it as STEP.</source>
         <translation>一根车床用的轴。设定尺寸,另存为 STEP。</translation>
+    </message>
+    <message>
+        <source>&amp;Turn</source>
+        <translation>车削(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Cut the turning part by hand with a round tool</source>
+        <translation>用圆头刀具手动切削旋转的工件</translation>
     </message>
 </context>
 </TS>

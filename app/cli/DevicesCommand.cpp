@@ -13,7 +13,7 @@ namespace handwheel {
 namespace {
 
 struct Found {
-  DeviceListing listing;
+  DeviceInfo listing;
   DeviceCapabilities capabilities;
 };
 
@@ -21,7 +21,7 @@ struct Found {
 std::vector<Found> foundBy(DeviceCatalogue& catalogue) {
   std::vector<Found> all{{{"simulated", "hand", "Simulated hand"}, simulatedDevice().capabilities},
                          {{"mouse", "pointer", "Mouse"}, MouseDevice().capabilities()}};
-  for (DeviceListing& listing : catalogue.find()) {
+  for (DeviceInfo& listing : catalogue.find()) {
     const std::unique_ptr<Device> device = catalogue.make(listing.driver, listing.address);
     if (device) all.push_back({std::move(listing), device->capabilities()});
   }
@@ -45,7 +45,7 @@ nlohmann::ordered_json toJson(const DeviceCapabilities& all) {
           {"rate_control", all.isRateControl}};
 }
 
-nlohmann::ordered_json toJson(const PluginListing& plugin) {
+nlohmann::ordered_json toJson(const PluginInfo& plugin) {
   nlohmann::ordered_json json = {
       {"file", plugin.file}, {"name", plugin.name}, {"version", plugin.version}, {"driver", plugin.driver}};
   json["error"] = plugin.error ? nlohmann::ordered_json(sentenceFor(*plugin.error)) : nlohmann::ordered_json();
@@ -61,7 +61,7 @@ nlohmann::ordered_json toJson(const DeviceCatalogue& catalogue, const std::vecto
     json["devices"].push_back(std::move(entry));
   }
   json["plugins"] = nlohmann::ordered_json::array();
-  for (const PluginListing& plugin : catalogue.plugins()) json["plugins"].push_back(toJson(plugin));
+  for (const PluginInfo& plugin : catalogue.plugins()) json["plugins"].push_back(toJson(plugin));
   return json;
 }
 
@@ -106,7 +106,7 @@ int runDevices(const Arguments& arguments, std::vector<std::unique_ptr<DeviceDri
   DeviceCatalogue catalogue;
   for (std::unique_ptr<DeviceDriver>& driver : drivers) catalogue.add(std::move(driver));
   catalogue.load(pluginFolders());
-  for (const PluginListing& plugin : catalogue.plugins()) {
+  for (const PluginInfo& plugin : catalogue.plugins()) {
     if (plugin.error) complain(sentenceFor(*plugin.error));
   }
   const std::vector<Found> devices = foundBy(catalogue);

@@ -101,7 +101,7 @@ bool isDocumentName(const std::filesystem::path& path, const DocumentKinds& kind
 }
 
 std::string refusalToReplace(const std::filesystem::path& output, const DocumentFile& input) {
-  if (!mayReplace(output)) {
+  if (!checkNotNewer(output)) {
     return output.string() +
            " was written by a newer version of Handwheel and is not replaced, so that nothing that only that one knows "
            "is lost. Write to another file.";

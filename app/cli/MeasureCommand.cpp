@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/MeasureCommand.h"
 
-#include "cli/CalibrationRun.h"
+#include "cli/BenchmarkRun.h"
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
 #include "cli/MeasureReport.h"
@@ -190,12 +190,12 @@ std::string text(const std::vector<MeasuredSetting>& measured, const MeasureRequ
 }
 
 int runCalibration(const MeasureRequest& request, const Arguments& arguments) {
-  std::optional<Result<CalibrationRun>> result;
+  std::optional<Result<BenchmarkRun>> result;
   runInterruptible("Measuring this machine", [&](CommandJob& job) {
-    result = calibrateMachine(request.registry, request.entries, job.progress());
+    result = benchmarkMachine(request.registry, request.entries, job.progress());
   });
   if (!*result) return fail(result->error());
-  const CalibrationRun& run = result->value();
+  const BenchmarkRun& run = result->value();
   const Status written = writeFiles(run.measured, arguments);
   if (!written) return fail(written.error());
   if (const int code = print(arguments.has("json") ? textOf(toJson(run)) : readableText(run)); code != kExitDone)

@@ -4,10 +4,10 @@
 
 #include "base/NumberText.h"
 #include "cli/ChildProcess.h"
-#include "cli/DrawingMemory.h"
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
+#include "cli/RenderingMemory.h"
 #include "document/mesh/MeshSnapshot.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "report/DeviationReport.h"
@@ -119,7 +119,7 @@ CommandSpec pictureSpec() {
       }};
 }
 
-int makePictureApart(const PictureRequest& request) {
+int renderInChildProcess(const PictureRequest& request) {
   std::vector<std::string> words{ownProgram(), "picture"};
   if (request.partial) words.push_back("--partial");
   if (!request.scan.empty()) words.insert(words.end(), {"--scan", request.scan.string()});
@@ -149,7 +149,7 @@ int runPicture(const Arguments& arguments, const DocumentKinds& kinds) {
     }
   }
   if (!isEnoughToDraw(0)) return failForMemory(request.mesh.string());
-  if (!hasDisplay()) return makePictureApart(request);
+  if (!hasDisplay()) return renderInChildProcess(request);
   reportCrashes(request.mesh);
   return request.scan.empty() ? drawDocument(request, kinds) : drawDeviation(request, kinds);
 }

@@ -27,6 +27,6 @@ int runPicture(const Arguments& arguments, const DocumentKinds& kinds);
 
 // Draws a mesh file in a child process. Uses xvfb-run when there is no display; a broken display ends only the child.
 // Reports on stderr why there is no picture. Returns an exit code.
-int makePictureApart(const PictureRequest& request);
+int renderInChildProcess(const PictureRequest& request);
 
 }  // namespace handwheel

@@ -75,7 +75,7 @@ std::vector<std::string> leftovers(const RepairReport& repair, const MeshReport&
   }
   if (after.nonManifoldEdges > 0) {
     lines.push_back(counted(after.nonManifoldEdges, "edge has", "edges have") + " more than two faces." +
-                    cutShort(repair.isPartingCutShort, "Moving apart what touches"));
+                    cutShort(repair.isSeparationIncomplete, "Moving apart what touches"));
   }
   if (after.inconsistentEdges > 0) {
     lines.push_back("At " + counted(after.inconsistentEdges, "edge", "edges") +
@@ -88,7 +88,7 @@ std::vector<std::string> leftovers(const RepairReport& repair, const MeshReport&
     lines.push_back(
         "The surface passes through itself: " + counted(pairs, "pair", "pairs") +
         " of triangles cross or lie on each other. --cut-crossings cuts them apart where that can be done." +
-        cutShort(repair.isCuttingCutShort, "Cutting"));
+        cutShort(repair.isIntersectionRemovalIncomplete, "Cutting"));
   }
   return lines;
 }

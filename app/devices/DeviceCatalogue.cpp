@@ -34,19 +34,19 @@ std::vector<std::string> DeviceCatalogue::drivers() const {
   return ids;
 }
 
-std::vector<DeviceListing> DeviceCatalogue::find() {
-  std::vector<DeviceListing> all;
+std::vector<DeviceInfo> DeviceCatalogue::find() {
+  std::vector<DeviceInfo> all;
   for (const auto& driver : m_drivers) {
-    std::vector<DeviceListing> found = driver->find();
+    std::vector<DeviceInfo> found = driver->find();
     std::move(found.begin(), found.end(), std::back_inserter(all));
   }
   return all;
 }
 
 DeviceChange DeviceCatalogue::poll() {
-  std::map<std::string, DeviceListing> now;
+  std::map<std::string, DeviceInfo> now;
   DeviceChange change;
-  for (DeviceListing& listing : find()) {
+  for (DeviceInfo& listing : find()) {
     const std::string key = listing.driver + '\n' + listing.address;
     if (!m_present.contains(key)) change.came.push_back(listing);
     now.emplace(key, std::move(listing));

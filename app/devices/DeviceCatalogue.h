@@ -10,8 +10,8 @@ namespace handwheel {
 
 // The devices connected and disconnected since the last poll.
 struct DeviceChange {
-  std::vector<DeviceListing> came;
-  std::vector<DeviceListing> gone;
+  std::vector<DeviceInfo> came;
+  std::vector<DeviceInfo> gone;
 };
 
 // The device drivers, built in and from plugins, and the devices they find. One thread.
@@ -23,10 +23,10 @@ class DeviceCatalogue {
   void load(const std::vector<std::string>& folders);
 
   std::vector<std::string> drivers() const;  // ids, built in first
-  const std::vector<PluginListing>& plugins() const { return m_plugins; }
+  const std::vector<PluginInfo>& plugins() const { return m_plugins; }
 
   // Asks every driver for the connected devices.
-  std::vector<DeviceListing> find();
+  std::vector<DeviceInfo> find();
   // The same, compared with the last call; the first call reports every device as new. Called by a timer for
   // hot-plugging.
   DeviceChange poll();
@@ -37,8 +37,8 @@ class DeviceCatalogue {
   DeviceDriver* withId(const std::string& id) const;
 
   std::vector<std::unique_ptr<DeviceDriver>> m_drivers;
-  std::vector<PluginListing> m_plugins;
-  std::map<std::string, DeviceListing> m_present;  // by driver and address
+  std::vector<PluginInfo> m_plugins;
+  std::map<std::string, DeviceInfo> m_present;  // by driver and address
 };
 
 }  // namespace handwheel

@@ -19,7 +19,7 @@ Error broken(const std::string& file, const std::string& reason) {
 }
 
 // What stands in the file, before any of its code runs. An error when it is no plugin, or not one for this program.
-std::optional<Error> readMetadata(const QPluginLoader& loader, PluginListing& listing) {
+std::optional<Error> readMetadata(const QPluginLoader& loader, PluginInfo& listing) {
   const QJsonObject metadata = loader.metaData();
   if (metadata.isEmpty()) return broken(listing.file, loader.errorString().toStdString());
   const QJsonObject own = metadata.value("MetaData").toObject();
@@ -33,7 +33,7 @@ std::optional<Error> readMetadata(const QPluginLoader& loader, PluginListing& li
 }
 
 // The driver of a plugin whose metadata is right, or null and why.
-std::unique_ptr<DeviceDriver> makeDriver(QPluginLoader& loader, PluginListing& listing) {
+std::unique_ptr<DeviceDriver> makeDriver(QPluginLoader& loader, PluginInfo& listing) {
   auto* const plugin = qobject_cast<DevicePlugin*>(loader.instance());
   if (!plugin) {
     listing.error = broken(listing.file, loader.errorString().toStdString());

@@ -10,7 +10,7 @@
 namespace handwheel {
 
 // A plugin that was found, with the error if it cannot be used.
-struct PluginListing {
+struct PluginInfo {
   std::string file;
   std::string name;     // from its metadata; empty where it has none that can be read
   std::string version;  // of the plugin itself
@@ -20,7 +20,7 @@ struct PluginListing {
 
 // The result of loading a plugin.
 struct LoadedPlugin {
-  PluginListing listing;
+  PluginInfo listing;
   std::unique_ptr<DeviceDriver> driver;  // null when loading failed
 };
 

@@ -4,7 +4,7 @@
 
 #include "document/AtomicFile.h"
 #include "document/FileBytes.h"
-#include "fidelity/TouchLoop.h"
+#include "fidelity/SphereServoLoop.h"
 
 #include <QStandardPaths>
 #include <algorithm>

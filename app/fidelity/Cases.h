@@ -43,6 +43,9 @@ FidelityCase undoGranularityCaseOn(const std::string& name, SoupSource soup);
 FidelitySetting chordSetting();
 std::vector<FidelityCase> chordCases();
 
+// turn.spacing: grooves turned into a bar.
+std::vector<FidelityCase> turnSpacingCases();
+
 // view.block_faces: display blocks that are rebuilt after an edit of one face.
 FidelitySetting blockFacesSetting();
 std::vector<FidelityCase> blockFacesCases();

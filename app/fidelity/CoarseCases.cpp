@@ -53,7 +53,7 @@ TriangleSoup soupOf(const SurfaceGeometry& g) {
 // From the mesh to what stands in for it, so that a thin part that vanishes counts in full.
 FidelitySample standIn(const ShownMesh& shown, double value) {
   const auto triangles = static_cast<std::size_t>(value);
-  if (!hasStandIn(shown.mesh, triangles)) return {0.0, static_cast<double>(shown.mesh.liveFaceCount())};
+  if (!hasCoarseVersion(shown.mesh, triangles)) return {0.0, static_cast<double>(shown.mesh.liveFaceCount())};
   const Vec3 origin = shown.bounds.center();
   const TriangleSoup coarse = soupOf(coarseGeometry(shown.mesh, shown.bounds, origin, triangles));
   FidelitySample sample{std::numeric_limits<double>::infinity(), static_cast<double>(coarse.triangles.size())};

@@ -4,6 +4,7 @@
 
 #include "haptics/scene/TouchFidelity.h"
 #include "haptics/snap/SnapFidelity.h"
+#include "machining/TurningFidelity.h"
 #include "mesh/measure/MeshFidelity.h"
 
 namespace handwheel {
@@ -17,6 +18,7 @@ FidelityRegistry measuredSettings() {
   registry.add(pieceEdgesSetting(), pieceEdgesCases());
   registry.add(decimationErrorSetting(), decimationErrorCases());
   registry.add(chordSetting(), chordCases());
+  registry.add(turnSpacingSetting(), turnSpacingCases());
   registry.add(undoGranularitySetting(), undoGranularityCases());
   registry.add(blockFacesSetting(), blockFacesCases());
   registry.add(coarseTrianglesSetting(), coarseTrianglesCases());

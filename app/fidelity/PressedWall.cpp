@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fidelity/PressedWall.h"
 
+#include "haptics/scene/MeshHaptics.h"
 #include "haptics/scene/SceneForces.h"
 #include "haptics/servo/ServoLoop.h"
 
@@ -21,12 +22,12 @@ std::unique_ptr<HapticScene> wallOf(double stiffness) {
   const double s = kWallSize;
   const std::vector<Vec3> points{{0, -s, -s}, {0, s, -s}, {0, s, s}, {0, -s, s}};
   const std::vector<Triangle> triangles{{0, 2, 1}, {0, 3, 2}};
-  SceneHaptics feel;
+  MeshHaptics feel;
   feel.surface.emplace();
   feel.surface->surface = ContactSurface(points, triangles);
   feel.surface->stiffness = stiffness;
   auto scene = std::make_unique<HapticScene>();
-  scene->source = std::make_unique<SceneForces>(std::move(feel));
+  scene->renderer = std::make_unique<SceneForces>(forceSources(std::move(feel)));
   return scene;
 }
 
@@ -34,7 +35,7 @@ std::unique_ptr<HapticScene> wallOf(double stiffness) {
 class WiredDevice : public Device {
  public:
   WiredDevice(const SimulatedDeviceSettings& settings, double packets, ServoClock& clock)
-      : m_device(settings, HandPath(), clock), m_period(std::llround(packets * kNanoseconds)), m_clock(clock) {}
+      : m_device(settings, PoseTrajectory(), clock), m_period(std::llround(packets * kNanoseconds)), m_clock(clock) {}
 
   DeviceCapabilities capabilities() const override { return m_device.capabilities(); }
   Status open(Progress progress) override { return m_device.open(progress); }

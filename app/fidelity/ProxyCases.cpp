@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "base/ThreadClock.h"
-#include "fidelity/BallTouch.h"
+#include "fidelity/BumpySphere.h"
 #include "fidelity/Cases.h"
 #include "fidelity/SeededInput.h"
 #include "haptics/scene/TouchFidelity.h"
@@ -21,7 +21,7 @@ constexpr double kNothing = 1e-4;
 
 // A tip on its way, tick by tick, and where the proxy comes to rest for each: empty until somebody has waited for it.
 struct Slide {
-  BallTouch ball;
+  BumpySphere ball;
   std::vector<Vec3> tips;
   std::vector<Vec3> rests;
 };
@@ -38,7 +38,7 @@ std::vector<Vec3> followed(const Slide& slide, const ContactOptions& options, Pr
 
 // So many mm a tick.
 Slide slideAt(double step, std::uint64_t seed) {
-  Slide slide{BallTouch(seed), {}, {}};
+  Slide slide{BumpySphere(seed), {}, {}};
   for (std::size_t i = 0; i < kTicks; ++i) slide.tips.push_back(slide.ball.tipAt(step * static_cast<double>(i)));
   return slide;
 }

@@ -4,7 +4,7 @@
 #include "fidelity/Cases.h"
 #include "fidelity/PressedWall.h"
 #include "fidelity/SeededInput.h"
-#include "fidelity/TouchLoop.h"
+#include "fidelity/SphereServoLoop.h"
 #include "haptics/scene/TouchFidelity.h"
 #include "haptics/servo/ServoLoop.h"
 
@@ -45,24 +45,24 @@ FidelityCase stiffnessCase(const std::string& name, const DeviceCapabilities& de
   return {name, "a surface that does not yield", [device](double stiffness, std::uint64_t, Progress) {
             FidelityValues values;
             [[maybe_unused]] const Status inRange = values.set(contactStiffnessSetting(), stiffness);
-            const double asked = surfaceFeel(ContactSurface(), values).stiffness;
+            const double asked = touchedSurface(ContactSurface(), values).stiffness;
             const double rate = rateFor(device, asked);
             return FidelitySample{pressedDepth(device, rate, asked), rate};
           }};
 }
 
 // us a second: all that the loop does in its ticks, of a device that itself does nothing.
-double costOfTouch(const BallSlide& slide, const ServoSettings& servo) {
+double costOfTouch(const SphereContact& slide, const ServoSettings& servo) {
   VirtualClock clock;
   Service service("servo");
-  const auto loop = touchLoop(slide, servo, clock, service);
+  const auto loop = sphereServoLoop(slide, servo, clock, service);
   const auto ticksIn = [&](double seconds) { return static_cast<std::uint64_t>(std::ceil(seconds * servo.rate)); };
-  loop->runTicks(ticksIn(BallSlide::kArrival) + 1);
+  loop->runTicks(ticksIn(SphereContact::kArrival) + 1);
   return 1e3 * cpuMilliseconds([&] { loop->runTicks(ticksIn(kTouchTime)); }) / kTouchTime;
 }
 
 FidelityCase rateCase(const std::string& name, const DeviceCapabilities& device, double packets = 0.0) {
-  const SeededInput<BallSlide> input([](std::uint64_t seed) { return ballSlide(seed, kTouchTime); });
+  const SeededInput<SphereContact> input([](std::uint64_t seed) { return ballSlide(seed, kTouchTime); });
   return {name, "a wall that does not yield",
           [input, device, packets](double rate, std::uint64_t seed, Progress progress) {
             FidelityValues values;

@@ -3,10 +3,11 @@
 #include "registration/Registration.h"
 
 #include "cli/mesh/MeshCommands.h"
-#include "document/cell/CellKind.h"
+#include "cli/workpiece/TurnCommand.h"
+#include "document/cell/RobotCellKind.h"
 #include "document/mesh/MeshKind.h"
 #include "document/workpiece/WorkpieceKind.h"
-#include "window/cell/CellUi.h"
+#include "window/cell/RobotCellUi.h"
 #include "window/mesh/MeshUi.h"
 #include "window/workpiece/WorkpieceUi.h"
 
@@ -37,8 +38,8 @@ std::vector<KindEntry> entriesOf(std::vector<KindRegistration>& registrations) {
 
 std::vector<KindRegistration> registeredKinds() {
   std::vector<KindRegistration> all;
-  all.push_back({entryWithKind<CellUi, CellKind>()});
-  all.push_back({entryOf<WorkpieceUi, WorkpieceKind>()});
+  all.push_back({entryWithKind<RobotCellUi, RobotCellKind>()});
+  all.push_back({entryOf<WorkpieceUi, WorkpieceKind>(), workpieceCommands()});
   all.push_back({entryWithKind<MeshUi, MeshKind>(), meshCommands()});
   return all;
 }

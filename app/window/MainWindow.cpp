@@ -8,8 +8,8 @@
 #include "window/PopupKeys.h"
 #include "window/ViewSettings.h"
 #include "window/WindowLayout.h"
+#include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
-#include "window/documents/OpenDocument.h"
 #include "window/tools/ToolChoice.h"
 
 #include <QCloseEvent>
@@ -95,6 +95,7 @@ void MainWindow::makeKinds(const KindSet& kinds) {
                             .fidelity = m_fidelity,
                             .haptics = m_haptics,
                             .touch = m_touch,
+                            .servoClock = m_servoClock,
                             .saveAs = m_fileActions.saveAs(),
                             .openFile = [this](const QString& path) { openPaths({path}); },
                             .isPanelVisible = [this] { return m_kindDock->isVisible(); },
@@ -104,7 +105,7 @@ void MainWindow::makeKinds(const KindSet& kinds) {
     made->setParent(this);  // whose actions are found below the window
     connect(made.get(), &KindUi::stateChanged, this, [this, from = made.get()] {
       if (from != ui()) return;
-      m_viewSettings->setSectionFigures(ui()->sectionFigures());
+      m_viewSettings->setSectionFigures(ui()->sectionMeasurements());
       m_kindDock->setWindowTitle(ui()->panelTitle());
       updateFigures();
       updateHints();
@@ -120,7 +121,7 @@ void MainWindow::makeKinds(const KindSet& kinds) {
 }
 
 KindUi* MainWindow::ui() const {
-  const OpenDocument* document = m_tabs->current();
+  const DocumentTab* document = m_tabs->current();
   return document ? &document->ui : nullptr;
 }
 

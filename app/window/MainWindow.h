@@ -10,11 +10,11 @@
 #include "window/documents/FileActions.h"
 #include "window/documents/RecentFiles.h"
 #include "window/documents/Thumbnails.h"
-#include "window/fidelity/Calibrator.h"
+#include "window/fidelity/BenchmarkRunner.h"
 #include "window/fidelity/FidelityChoice.h"
+#include "window/haptics/HapticSceneBuilder.h"
 #include "window/haptics/HapticSession.h"
 #include "window/haptics/Recordings.h"
-#include "window/haptics/TouchScene.h"
 #include "window/kinds/KindMenus.h"
 #include "window/kinds/KindUi.h"
 
@@ -61,9 +61,9 @@ class MainWindow : public QMainWindow {
 
   void openPaths(const QStringList& paths) { m_fileActions.openPaths(paths); }
   // Offers to recover documents of a session that was killed; at the start of the program.
-  void offerLeftovers() { m_autosave.offerLeftovers(); }
+  void offerRecovery() { m_autosave.offerRecovery(); }
   // Opens the haptic device that was in use last; at the start of the program.
-  void takeUpDevice() { m_haptics.takeUp(); }
+  void openLastDevice() { m_haptics.takeUp(); }
   // Calibrates the accuracy settings on this machine when the user is idle, if that was not done; at the start of the
   // program.
   void calibrateWhenIdle();
@@ -94,7 +94,7 @@ class MainWindow : public QMainWindow {
 
   KindUi* ui() const;  // of the present document; null when none is open
   void makeKinds(const KindSet& kinds);
-  void showDocument(OpenDocument* document);
+  void showDocument(DocumentTab* document);
   void storePicture();
   void updateTitle();
   void updateFigures();
@@ -113,10 +113,10 @@ class MainWindow : public QMainWindow {
   QUndoGroup m_undo;
   WindowServices m_services;
   FidelityChoice m_fidelity;
-  Calibrator m_calibrator;
+  BenchmarkRunner m_calibrator;
   MonotonicClock m_servoClock;
   HapticSession m_haptics;
-  TouchScene m_touch;
+  HapticSceneBuilder m_touch;
   Recordings m_recordings;
   KindUis m_uis;
   QThreadPool& m_pool;
@@ -127,7 +127,7 @@ class MainWindow : public QMainWindow {
   QAction m_showPanel;
   QAction m_quit;
   QTimer m_pictureTimer;  // waits until the current document is drawn and the camera rests
-  OpenDocument* m_shown = nullptr;
+  DocumentTab* m_shown = nullptr;
 
   Viewport* m_viewport;
   ViewActions* m_viewActions;

@@ -13,8 +13,8 @@
 #include "window/ViewActions.h"
 #include "window/ViewSettings.h"
 #include "window/documents/DocumentProperties.h"
+#include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
-#include "window/documents/OpenDocument.h"
 #include "window/haptics/DeviceView.h"
 #include "window/tools/ToolChoice.h"
 #include "window/tools/ToolHost.h"
@@ -27,7 +27,7 @@
 namespace handwheel {
 
 void MainWindow::connectDocuments() {
-  connect(m_tabs, &DocumentTabs::added, this, [this](OpenDocument* opened) {
+  connect(m_tabs, &DocumentTabs::added, this, [this](DocumentTab* opened) {
     m_undo.addStack(opened->document.history());
     m_documents->addDocument(&opened->document);
     m_documents->setPicture(&opened->document, Thumbnails::of(opened->document.path()));
@@ -37,7 +37,7 @@ void MainWindow::connectDocuments() {
       updateCard();
     });
   });
-  connect(m_tabs, &DocumentTabs::closing, this, [this](OpenDocument* closed) {
+  connect(m_tabs, &DocumentTabs::closing, this, [this](DocumentTab* closed) {
     if (closed == m_shown) showDocument(nullptr);  // whoever points at it lets go
     closed->ui.forget(closed);
     m_messages->forget(&closed->document);
@@ -45,13 +45,13 @@ void MainWindow::connectDocuments() {
     m_documents->removeDocument(&closed->document);
     closed->document.disconnect(this);
   });
-  connect(m_tabs, &DocumentTabs::currentChanged, this, [this](OpenDocument* current) {
+  connect(m_tabs, &DocumentTabs::currentChanged, this, [this](DocumentTab* current) {
     if (current != m_shown || !current) showDocument(current);
   });
 }
 
 void MainWindow::connectDocumentsPanel() {
-  const auto openOf = [this](const Document* document) -> OpenDocument* {
+  const auto openOf = [this](const Document* document) -> DocumentTab* {
     for (const auto& each : m_tabs->all()) {
       if (&each->document == document) return each.get();
     }
@@ -64,7 +64,7 @@ void MainWindow::connectDocumentsPanel() {
     m_viewport->setFocus();
   });
   connect(m_documents, &DocumentsPanel::visibilityChanged, this, [this, openOf](Document* document, bool visible) {
-    OpenDocument* changed = openOf(document);
+    DocumentTab* changed = openOf(document);
     changed->visible = visible;
     if (changed != m_tabs->current()) return;
     changed->ui.refreshVisibility();
@@ -100,7 +100,7 @@ void MainWindow::connectTools() {
     if (m_shown) m_shown->ui.showPreview(preview);
   });
   connect(m_toolChoice, &ToolChoice::otherChosen, m_toolDock, &QWidget::raise);
-  connect(m_toolChoice, &ToolChoice::usualChosen, this, [this] {
+  connect(m_toolChoice, &ToolChoice::defaultChosen, this, [this] {
     if (!m_toolPanel->visibleRegion().isEmpty()) m_kindDock->raise();
   });
 }
@@ -138,7 +138,7 @@ void MainWindow::connectStartPage() {
   connect(m_start, &StartPage::clearRecentRequested, &m_recent, &RecentFiles::clear);
 }
 
-void MainWindow::showDocument(OpenDocument* document) {
+void MainWindow::showDocument(DocumentTab* document) {
   KindUi* present = document ? &document->ui : nullptr;
   storePicture();
   m_toolChoice->putAway();
@@ -183,13 +183,13 @@ void MainWindow::storePicture() {
 }
 
 void MainWindow::updateTitle() {
-  const OpenDocument* document = m_tabs->current();
+  const DocumentTab* document = m_tabs->current();
   setWindowTitle(document ? tr("%1[*] — Handwheel").arg(document->document.name()) : QStringLiteral("Handwheel"));
   setWindowModified(document && document->document.isModified());
 }
 
 void MainWindow::updateFigures() {
-  const OpenDocument* document = m_tabs->current();
+  const DocumentTab* document = m_tabs->current();
   m_figures->setVisible(document != nullptr);
   m_unit->setVisible(document != nullptr);
   if (!document) return;
@@ -203,7 +203,7 @@ void MainWindow::updateFigures() {
 }
 
 void MainWindow::updateCard() {
-  const OpenDocument* document = m_tabs->current();
+  const DocumentTab* document = m_tabs->current();
   m_card->showStep(document && !document->cardDismissed ? document->ui.nextStep() : NextStep{});
 }
 

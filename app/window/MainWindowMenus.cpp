@@ -6,7 +6,7 @@
 #include "controls/CommandPalette.h"
 #include "panels/DocumentsPanel.h"
 #include "theme/Icons.h"
-#include "window/ActionTip.h"
+#include "window/ActionToolTip.h"
 #include "window/HelpPages.h"
 #include "window/MainWindow.h"
 #include "window/PanelToggle.h"
@@ -68,11 +68,11 @@ void MainWindow::buildMenus() {
   edit->addSeparator();
   QAction* preferences = edit->addAction(tr("&Preferences…"), this, &MainWindow::showPreferences);
   preferences->setObjectName(QStringLiteral("preferences"));
-  QAction* calibrate = edit->addAction(tr("&Measure this machine"), &m_calibrator, &Calibrator::start);
+  QAction* calibrate = edit->addAction(tr("&Measure this machine"), &m_calibrator, &BenchmarkRunner::start);
   calibrate->setObjectName(QStringLiteral("calibrate"));
-  setTip(*calibrate, tr("How fast each setting of the panel “Fidelity” is here: about half a minute"));
+  setActionToolTip(*calibrate, tr("How fast each setting of the panel “Fidelity” is here: about half a minute"));
   preferences->setMenuRole(QAction::PreferencesRole);
-  setTip(*preferences, tr("Keyboard shortcuts, mouse, units, language, autosave"));
+  setActionToolTip(*preferences, tr("Keyboard shortcuts, mouse, units, language, autosave"));
 
   QMenu* view = menuBar()->addMenu(tr("&View"));
   view->addAction(m_viewActions->fit());

@@ -81,8 +81,8 @@ int runWindow(int argc, char** argv, const KindSet& kinds, std::vector<std::uniq
     MainWindow window(workers, kinds, std::move(drivers));
     window.openPaths(wishes.files);
     window.show();
-    if (wishes.screenshot.isEmpty()) window.offerLeftovers();
-    if (wishes.screenshot.isEmpty()) window.takeUpDevice();
+    if (wishes.screenshot.isEmpty()) window.offerRecovery();
+    if (wishes.screenshot.isEmpty()) window.openLastDevice();
     if (wishes.screenshot.isEmpty()) window.calibrateWhenIdle();
     if (!wishes.screenshot.isEmpty()) takeScreenshot(window, wishes.screenshot);
     code = QApplication::exec();

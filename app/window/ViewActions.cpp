@@ -5,7 +5,7 @@
 #include "theme/Icons.h"
 #include "theme/Theme.h"
 #include "viewport/Viewport.h"
-#include "window/ActionTip.h"
+#include "window/ActionToolTip.h"
 
 #include <QApplication>
 #include <QSettings>
@@ -21,7 +21,7 @@ ViewActions::ViewActions(Viewport& viewport, QObject* parent)
   m_fit.setObjectName(QStringLiteral("fitView"));
   m_fit.setIcon(icon(QStringLiteral("fit")));
   m_fit.setShortcut(QKeySequence(Qt::Key_F));
-  setTip(m_fit, tr("Show the whole model"));
+  setActionToolTip(m_fit, tr("Show the whole model"));
   connect(&m_fit, &QAction::triggered, this, [this] { m_viewport.fit(); });
 
   addView(StandardView::Isometric, tr("&Isometric"), Qt::Key_7, "view-iso", "viewIsometric");
@@ -54,7 +54,7 @@ void ViewActions::addView(StandardView view, const QString& text, int key, const
   auto* action = new QAction(icon(QString::fromLatin1(iconName)), text, this);
   action->setObjectName(QString::fromLatin1(name));
   action->setShortcut(QKeySequence(key));
-  setTip(*action, tr("Look from: %1").arg(action->iconText()));
+  setActionToolTip(*action, tr("Look from: %1").arg(action->iconText()));
   connect(action, &QAction::triggered, this, [this, view] { m_viewport.setStandardView(view); });
   m_views.push_back(action);
 }

@@ -3,7 +3,7 @@
 #include "window/ViewSettings.h"
 
 #include "theme/Icons.h"
-#include "window/ActionTip.h"
+#include "window/ActionToolTip.h"
 
 #include <QSettings>
 #include <algorithm>
@@ -61,7 +61,7 @@ void ViewSettings::makeClipAction() {
   m_clip.setIconVisibleInMenu(false);  // the check mark stands there
   m_clip.setCheckable(true);
   m_clip.setShortcut(QKeySequence(Qt::Key_C));
-  setTip(m_clip, tr("Clipping plane: look inside; the panel “View” places it"));
+  setActionToolTip(m_clip, tr("Clipping plane: look inside; the panel “View” places it"));
   connect(&m_clip, &QAction::toggled, this, [this] {
     clip();
     refresh();

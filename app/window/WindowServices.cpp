@@ -17,6 +17,7 @@ QString nameOf(const std::string& id) {
   if (id == "autosave") return WindowServicesWords::tr("Autosave");
   if (id == "self_intersections") return WindowServicesWords::tr("Search for self-intersections");
   if (id == "haptics") return WindowServicesWords::tr("Servo loop of the device");
+  if (id == "simulation") return WindowServicesWords::tr("Simulation");
   return WindowServicesWords::tr("Preview of the patch");
 }
 
@@ -31,8 +32,10 @@ WindowServices::WindowServices()
       m_selfIntersections("self_intersections"),
       m_fillPreview("fill_preview"),
       m_haptics("haptics"),
+      m_simulation("simulation"),
       m_asked(std::chrono::steady_clock::now()) {
-  for (Service* service : {&m_autosave, &m_selfIntersections, &m_fillPreview, &m_haptics}) m_needs.add(*service);
+  for (Service* service : {&m_autosave, &m_selfIntersections, &m_fillPreview, &m_haptics, &m_simulation})
+    m_needs.add(*service);
 }
 
 std::vector<std::pair<QString, double>> WindowServices::costs() const {

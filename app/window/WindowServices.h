@@ -16,11 +16,13 @@ class WindowServices {
  public:
   WindowServices();
 
-  NeedSet& needs() { return m_needs; }
+  ServiceRegistry& needs() { return m_needs; }
   Service& autosave() { return m_autosave; }
   Service& selfIntersections() { return m_selfIntersections; }
   Service& fillPreview() { return m_fillPreview; }
   Service& haptics() { return m_haptics; }  // the servo loop of the device; its ticks are the loop's
+
+  Service& simulation() { return m_simulation; }  // what moves or is cut while the hand works
 
   // The CPU time of each running service so far, in µs, by its translated name.
   std::vector<std::pair<QString, double>> costs() const;
@@ -32,7 +34,8 @@ class WindowServices {
   Service m_selfIntersections;
   Service m_fillPreview;
   Service m_haptics;
-  NeedSet m_needs;
+  Service m_simulation;
+  ServiceRegistry m_needs;
   std::map<std::string, ServiceCounters> m_before;
   std::chrono::steady_clock::time_point m_asked;
 };

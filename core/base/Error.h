@@ -17,39 +17,39 @@ enum class ErrorCode {
   FileMissing,     // no such file
   FileUnreadable,  // {system's reason}
   FileEmpty,
-  FileTooLarge,       // {what, count, limit}
-  FormatUnknown,      // {ending...} content and name match no format; these are read
-  ExtensionUnknown,   // {extension, ending...} no writer for it; these are written
-  HeaderMalformed,    // {what was expected}
-  TextEncoding,       // {encoding} not readable as text
-  TokenUnexpected,    // {expected, found}; nothing found: the line or the file ends here
-  NumberMalformed,    // {found}
-  NumberNotFinite,    // {found}
-  IndexOutOfRange,    // {index as written in the file, number of vertices}
-  VertexUnreadable,   // {index as written in the file} a face needs a vertex that could not be read
-  PolygonTooSmall,    // {corners}
-  PolygonTooComplex,  // {corners} cut into triangles as if it were convex
-  DataTruncated,      // {what, expected, found} the file ends too early
-  CountMismatch,      // {what, announced, found}
-  TypeUnknown,        // {type}
-  NoTriangles,        // the file holds no triangle
-  WriteFailed,        // {system's reason}
-  CheckFailed,        // {what} the written file does not read back as what was to be written
-  ArchiveMalformed,   // {library's reason} not a ZIP archive, or one that cannot be read at all
-  EntryMissing,       // {name} an entry that the archive should hold
-  EntryDamaged,       // {name} an entry that cannot be unpacked, or not to what its checksum says
-  VersionNewer,       // {version of the file, newest version known} written by a newer program
-  KindUnknown,        // {kind} a kind of document that this program does not know
-  ElementMalformed,   // {element, what is wrong with it} in XML or JSON
-  ReferenceMissing,   // {what, name} a file or an element that another refers to
-  ValueOutOfRange,    // {name, value, least, largest}
-  Unsupported,        // {what} understood, but not something that this program does
-  PluginVersion,      // {interface that it was made for, the program's}
-  PluginBroken,       // {reason}
-  DeviceUnreachable,  // {system's reason}
-  DeviceMute,         // {what it should have answered}
-  StepMalformed,      // {what is wrong, as a clause in English} in a step of 'handwheel edit'
-  LibraryFailed,      // {library, reason}
+  FileTooLarge,         // {what, count, limit}
+  FormatUnknown,        // {ending...} content and name match no format; these are read
+  ExtensionUnknown,     // {extension, ending...} no writer for it; these are written
+  HeaderMalformed,      // {what was expected}
+  TextEncoding,         // {encoding} not readable as text
+  TokenUnexpected,      // {expected, found}; nothing found: the line or the file ends here
+  NumberMalformed,      // {found}
+  NumberNotFinite,      // {found}
+  IndexOutOfRange,      // {index as written in the file, number of vertices}
+  VertexUnreadable,     // {index as written in the file} a face needs a vertex that could not be read
+  PolygonTooSmall,      // {corners}
+  PolygonTooComplex,    // {corners} cut into triangles as if it were convex
+  DataTruncated,        // {what, expected, found} the file ends too early
+  CountMismatch,        // {what, announced, found}
+  TypeUnknown,          // {type}
+  NoTriangles,          // the file holds no triangle
+  WriteFailed,          // {system's reason}
+  CheckFailed,          // {what} the written file does not read back as what was to be written
+  ArchiveMalformed,     // {library's reason} not a ZIP archive, or one that cannot be read at all
+  EntryMissing,         // {name} an entry that the archive should hold
+  EntryDamaged,         // {name} an entry that cannot be unpacked, or not to what its checksum says
+  VersionNewer,         // {version of the file, newest version known} written by a newer program
+  KindUnknown,          // {kind} a kind of document that this program does not know
+  ElementMalformed,     // {element, what is wrong with it} in XML or JSON
+  ReferenceMissing,     // {what, name} a file or an element that another refers to
+  ValueOutOfRange,      // {name, value, least, largest}
+  Unsupported,          // {what} understood, but not something that this program does
+  PluginVersion,        // {interface that it was made for, the program's}
+  PluginBroken,         // {reason}
+  DeviceUnreachable,    // {system's reason}
+  DeviceNotResponding,  // {what it should have answered}
+  StepMalformed,        // {what is wrong, as a clause in English} in a step of 'handwheel edit'
+  LibraryFailed,        // {library, reason}
 };
 
 // A position in the input. The byte offset in binary files, the line (from 1) in text files.

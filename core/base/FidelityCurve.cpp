@@ -75,7 +75,7 @@ std::optional<std::size_t> kneeOf(std::span<const CurvePoint> front) {
   return knee;
 }
 
-double settledValue(const FidelitySetting& setting, std::span<const CurvePoint> curve, const CurvePoint& goal) {
+double valueNearestDefault(const FidelitySetting& setting, std::span<const CurvePoint> curve, const CurvePoint& goal) {
   const double standard = placeOf(setting, setting.standard);
   const auto distance = [&](double value) { return std::abs(placeOf(setting, value) - standard); };
   double best = goal.value;
@@ -99,8 +99,8 @@ std::optional<std::array<double, 3>> derivedPresets(const FidelitySetting& setti
                                   [&](const CurvePoint& p) { return p.error <= kDraftError * balanced.error; });
   const auto exact = std::find_if(front.rbegin(), front.rend(),
                                   [&](const CurvePoint& p) { return p.cost <= kExactCost * balanced.cost; });
-  return std::array{settledValue(setting, curve, *draft), settledValue(setting, curve, balanced),
-                    settledValue(setting, curve, *exact)};
+  return std::array{valueNearestDefault(setting, curve, *draft), valueNearestDefault(setting, curve, balanced),
+                    valueNearestDefault(setting, curve, *exact)};
 }
 
 std::optional<CurvePoint> fitToBudget(std::span<const CurvePoint> curve, double budget) {

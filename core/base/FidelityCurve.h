@@ -50,7 +50,7 @@ inline constexpr double kCostNoise = 0.05;
 
 // Finds, among values about as good as `goal`, the nearest to the default. These have no larger error and at most
 // kCostNoise more cost.
-double settledValue(const FidelitySetting& setting, std::span<const CurvePoint> curve, const CurvePoint& goal);
+double valueNearestDefault(const FidelitySetting& setting, std::span<const CurvePoint> curve, const CurvePoint& goal);
 
 // Finds the most accurate value that leaves a third of the budget unused. None where all cost more.
 std::optional<CurvePoint> fitToBudget(std::span<const CurvePoint> curve, double budget);

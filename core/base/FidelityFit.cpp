@@ -19,7 +19,7 @@ FittedSetting fitted(const FitCandidate& candidate, double part) {
   std::vector<CurvePoint> affordable = candidate.curve;
   std::erase_if(affordable, [part](const CurvePoint& p) { return !(p.cost <= kBudgetShare * part); });
   if (const auto best = fitToBudget(affordable, part)) {
-    const double value = settledValue(setting, affordable, *best);
+    const double value = valueNearestDefault(setting, affordable, *best);
     result.point =
         *std::find_if(affordable.begin(), affordable.end(), [&](const CurvePoint& p) { return p.value == value; });
   } else {
@@ -85,7 +85,7 @@ FitCandidate fitCandidate(const FidelitySetting& setting, std::span<const Fideli
   return candidate;
 }
 
-FidelityFit fitToScene(std::span<const FitCandidate> candidates, const FitLimits& limits) {
+FidelityFit chooseWithinBudgets(std::span<const FitCandidate> candidates, const FitLimits& limits) {
   FidelityFit fit;
   Sharing(FidelityBudget::Core, limits.core, candidates).addTo(fit);
   const double rate = fit.settings.empty() ? limits.standardRate : fit.settings.front().point.value;

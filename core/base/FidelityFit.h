@@ -38,7 +38,7 @@ struct FitShare {
   double limit = 0.0;
 };
 
-// The result of fitToScene().
+// The result of chooseWithinBudgets().
 struct FidelityFit {
   FidelityValues values{FidelityPreset::Balanced};  // for what has no budget or no curve
   std::vector<FittedSetting> settings;
@@ -50,6 +50,6 @@ struct FidelityFit {
 //  - n settings that share a budget get an n-th of it each;
 //  - those of Fill, where costs multiply, may each lengthen the costliest fill by the n-th root of what is available.
 // Of values with no larger error and hardly more cost, the one nearest to the default is taken, as by derivedPresets().
-FidelityFit fitToScene(std::span<const FitCandidate> candidates, const FitLimits& limits = {});
+FidelityFit chooseWithinBudgets(std::span<const FitCandidate> candidates, const FitLimits& limits = {});
 
 }  // namespace handwheel

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "base/Effort.h"
+#include "base/WorkBudget.h"
 
 #include <atomic>
 #include <cmath>
@@ -29,7 +29,7 @@ class Progress {
 
   // The same range, abandoned once this effort is spent; the effort must outlive it. Where there was a limit before,
   // the effort is to be a share() of it.
-  Progress within(Effort& effort) const {
+  Progress within(WorkBudget& effort) const {
     Progress p = *this;
     p.m_effort = &effort;
     p.m_isLimited = true;
@@ -46,14 +46,14 @@ class Progress {
   // As within(), but the reported fraction is the root of the share of the effort that is spent, its shares included,
   // and set() is ignored. For repeated trials there is no better estimate; most end early, and the root is seen to move
   // then.
-  Progress measuredBy(Effort& effort) const {
+  Progress measuredBy(WorkBudget& effort) const {
     Progress p = within(effort);
     if (!p.m_measure) p.m_measure = &effort;
     return p;
   }
 
   // A share of the effort that this work may take; one of its own where there is no limit.
-  Effort share(std::size_t most) const { return m_effort ? Effort(most, *m_effort) : Effort(most); }
+  WorkBudget share(std::size_t most) const { return m_effort ? WorkBudget(most, *m_effort) : WorkBudget(most); }
 
   void spend(std::size_t steps) const {
     if (!m_effort) return;
@@ -80,9 +80,9 @@ class Progress {
   }
 
   JobState* m_state = nullptr;
-  Effort* m_effort = nullptr;
+  WorkBudget* m_effort = nullptr;
   bool m_isLimited = false;
-  Effort* m_measure = nullptr;  // when measured
+  WorkBudget* m_measure = nullptr;  // when measured
   double m_from = 0.0;
   double m_to = 1.0;
 };

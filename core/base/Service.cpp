@@ -35,7 +35,7 @@ ServiceTick::~ServiceTick() {
   m_service.countTick(threadCpuNanoseconds() - m_start);
 }
 
-Need& Need::operator=(Need&& other) noexcept {
+ServiceHandle& ServiceHandle::operator=(ServiceHandle&& other) noexcept {
   if (this == &other) return *this;
   drop();
   m_set = std::exchange(other.m_set, nullptr);
@@ -43,44 +43,44 @@ Need& Need::operator=(Need&& other) noexcept {
   return *this;
 }
 
-void Need::drop() {
+void ServiceHandle::drop() {
   if (m_set) std::exchange(m_set, nullptr)->release(m_id);
 }
 
-NeedSet::~NeedSet() {
+ServiceRegistry::~ServiceRegistry() {
   for (const auto& entry : m_entries) {
     assert(entry.second.needs == 0 && "a need outlives its set");
     (void)entry;
   }
 }
 
-void NeedSet::add(Service& service) {
+void ServiceRegistry::add(Service& service) {
   Entry& entry = m_entries[service.id()];
   assert(!entry.service && "an id has one service");
   entry.service = &service;
   if (entry.needs > 0) service.start();
 }
 
-void NeedSet::remove(Service& service) {
+void ServiceRegistry::remove(Service& service) {
   const auto at = m_entries.find(service.id());
   assert(at != m_entries.end() && at->second.service == &service);
   at->second.service = nullptr;
   if (at->second.needs > 0) service.stop();
 }
 
-Need NeedSet::need(std::string_view id) {
+ServiceHandle ServiceRegistry::need(std::string_view id) {
   std::string name(id);
   Entry& entry = m_entries[name];
   if (++entry.needs == 1 && entry.service) entry.service->start();
-  return Need(*this, std::move(name));
+  return ServiceHandle(*this, std::move(name));
 }
 
-std::size_t NeedSet::needCount(std::string_view id) const {
+std::size_t ServiceRegistry::needCount(std::string_view id) const {
   const auto at = m_entries.find(id);
   return at == m_entries.end() ? 0 : at->second.needs;
 }
 
-void NeedSet::release(const std::string& id) {
+void ServiceRegistry::release(const std::string& id) {
   Entry& entry = m_entries.at(id);
   if (--entry.needs == 0 && entry.service) entry.service->stop();
 }

@@ -23,7 +23,7 @@ struct ServiceCounters {
 
 // A background activity that runs only while a document or tool needs it. For example surface contact, snap, rigid
 // bodies, sound… What it does on start and stop is given as functions; they are called on the thread that owns the
-// NeedSet. Counters are read and ticks measured on any thread, without locks.
+// ServiceRegistry. Counters are read and ticks measured on any thread, without locks.
 class Service {
  public:
   explicit Service(std::string id, std::function<void()> start = {}, std::function<void()> stop = {});
@@ -40,7 +40,7 @@ class Service {
   }
 
  private:
-  friend class NeedSet;
+  friend class ServiceRegistry;
   void start();
   void stop();
 
@@ -68,41 +68,43 @@ class ServiceTick {
   std::uint64_t m_start;
 };
 
-class NeedSet;
+class ServiceRegistry;
 
-// A handle that keeps a service running during its lifetime. Its NeedSet must outlive it.
-class Need {
+// A handle that keeps a service running during its lifetime. Its ServiceRegistry must outlive it.
+class ServiceHandle {
  public:
-  Need() = default;  // of nothing
-  Need(Need&& other) noexcept : m_set(other.m_set), m_id(std::move(other.m_id)) { other.m_set = nullptr; }
-  Need& operator=(Need&& other) noexcept;
-  ~Need() { drop(); }
+  ServiceHandle() = default;  // of nothing
+  ServiceHandle(ServiceHandle&& other) noexcept : m_set(other.m_set), m_id(std::move(other.m_id)) {
+    other.m_set = nullptr;
+  }
+  ServiceHandle& operator=(ServiceHandle&& other) noexcept;
+  ~ServiceHandle() { drop(); }
 
   bool isNeeded() const { return m_set != nullptr; }
 
  private:
-  friend class NeedSet;
-  Need(NeedSet& set, std::string id) : m_set(&set), m_id(std::move(id)) {}
+  friend class ServiceRegistry;
+  ServiceHandle(ServiceRegistry& set, std::string id) : m_set(&set), m_id(std::move(id)) {}
   void drop();
 
-  NeedSet* m_set = nullptr;
+  ServiceRegistry* m_set = nullptr;
   std::string m_id;
 };
 
 // A reference-counted set of services. A service starts with the first need of its id and stops with the last; a need
 // may be created before its service is added. One thread.
-class NeedSet {
+class ServiceRegistry {
  public:
-  NeedSet() = default;
-  ~NeedSet();
-  NeedSet(const NeedSet&) = delete;
-  NeedSet& operator=(const NeedSet&) = delete;
+  ServiceRegistry() = default;
+  ~ServiceRegistry();
+  ServiceRegistry(const ServiceRegistry&) = delete;
+  ServiceRegistry& operator=(const ServiceRegistry&) = delete;
 
   // The service must outlive this set or be removed; its id must be new.
   void add(Service& service);
   void remove(Service& service);  // stops it
 
-  [[nodiscard]] Need need(std::string_view id);
+  [[nodiscard]] ServiceHandle need(std::string_view id);
   std::size_t needCount(std::string_view id) const;
 
   // Calls visit(const Service&) for each known service, in order of the ids.
@@ -114,7 +116,7 @@ class NeedSet {
   }
 
  private:
-  friend class Need;
+  friend class ServiceHandle;
   void release(const std::string& id);
 
   struct Entry {

@@ -13,7 +13,7 @@ std::uint64_t threadCpuNanoseconds() {
   return static_cast<std::uint64_t>(time.tv_sec) * 1'000'000'000u + static_cast<std::uint64_t>(time.tv_nsec);
 }
 
-Spent Spent::now() {
+CpuTimes CpuTimes::now() {
   const std::chrono::duration<double, std::milli> clock = std::chrono::steady_clock::now().time_since_epoch();
   return {clock.count(), static_cast<double>(threadCpuNanoseconds()) * 1e-6};
 }

@@ -11,13 +11,13 @@ namespace handwheel {
 std::uint64_t threadCpuNanoseconds();
 
 // A pair of elapsed time and CPU time of the calling thread, in ms.
-struct Spent {
+struct CpuTimes {
   double clock = 0.0;
   double cpu = 0.0;
 
-  static Spent now();  // since some moment in the past
-  Spent operator+(const Spent& other) const { return {clock + other.clock, cpu + other.cpu}; }
-  Spent operator-(const Spent& other) const { return {clock - other.clock, cpu - other.cpu}; }
+  static CpuTimes now();  // since some moment in the past
+  CpuTimes operator+(const CpuTimes& other) const { return {clock + other.clock, cpu + other.cpu}; }
+  CpuTimes operator-(const CpuTimes& other) const { return {clock - other.clock, cpu - other.cpu}; }
 };
 
 // Measures the CPU time of a function on the calling thread, in ms. What it passes to other threads is not counted.

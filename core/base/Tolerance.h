@@ -58,9 +58,9 @@ inline constexpr double kRidgeAngle = 0.52;
 inline constexpr int kPatchVerticesPerEdge = 20;
 inline constexpr int kPatchVertices = 10'000;
 // The thickness of a sheet after thickenSheet().
-inline constexpr double kBackThickness = 1e-3;
+inline constexpr double kSheetThickness = 1e-3;
 // The offset of thickenSheet() at a vertex is at most this share of its shortest edge.
-inline constexpr double kBackEdge = 0.25;
+inline constexpr double kSheetOffsetEdge = 0.25;
 // Clusters of more connected self-intersections than this are not removed: it would take minutes.
 inline constexpr std::size_t kMaxSelfIntersectionPairs = 50'000;
 inline constexpr std::size_t kCutsPerFace = 200;
@@ -70,19 +70,19 @@ inline constexpr std::size_t kCutsPerFace = 200;
 inline constexpr int kCutBits = 512;
 // Filling the holes of a mesh of n faces takes at most this times n log2 n steps (Effort), of a microsecond each, or
 // the least below, which small folded meshes may need; and closing obstructed holes by cutting at most as many again:
-inline constexpr double kRepairEffort = 1'000.0;
-inline constexpr std::size_t kLeastRepairEffort = 2'000'000;
+inline constexpr double kRepairBudget = 1'000.0;
+inline constexpr std::size_t kLeastRepairBudget = 2'000'000;
 // of that, trials take at most this share, and at most some 20 s beside the passes over the mesh;
 inline constexpr double kObstructedHoleShare = 0.5;
-inline constexpr std::size_t kObstructedHoleEffort = 20'000'000;
+inline constexpr std::size_t kObstructedHoleBudget = 20'000'000;
 // replacing folded regions at most this share, and at most some 10 s beside the passes; and separating coincident
 // vertices the rest.
 inline constexpr double kFoldedRegionShare = 0.25;
-inline constexpr std::size_t kFoldedRegionEffort = 10'000'000;
-inline constexpr double kPartShare = 0.25;
+inline constexpr std::size_t kFoldedRegionBudget = 10'000'000;
+inline constexpr double kSeparationShare = 0.25;
 // Steps for each face that passes over the whole mesh may take beside the fixed numbers above. A pass takes about one,
 // thickening a sound sheet some five, and a trial may take a quarter of what is left.
-inline constexpr std::size_t kPassEffort = 40;
+inline constexpr std::size_t kPassBudget = 40;
 // A folded region around a hole is removed and refilled where that moves the surface by at most this share of the
 // diagonal: more would change the shape of the part.
 inline constexpr double kFoldedRegionMove = 0.01;
@@ -102,9 +102,9 @@ inline constexpr double kFlatEdge = 0.0175;
 // Points this near to a plane lie in it when a face is searched on which a part can rest. A hundred times the rounding
 // of single precision, and so little that a smooth ball, whose cap of this height has at most sqrt(3) times this share
 // of the area, has no flat face:
-inline constexpr double kStandingFlatness = 1e-5;
+inline constexpr double kFlatBaseFlatness = 1e-5;
 // a flat face has at least this share of the part's area. Less is a facet of a curved surface rather than a base.
-inline constexpr double kStandingShare = 1e-3;
+inline constexpr double kFlatBaseShare = 1e-3;
 // Neighbours in one plane have normals with at least this cosine between them (0.08°): single precision rotates faces
 // of a thousandth of the part by less.
 inline constexpr double kFlatCosine = 1.0 - 1e-6;

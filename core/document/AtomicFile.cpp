@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/AtomicFile.h"
 
-#include "document/DraftFile.h"
+#include "document/AtomicSaveFile.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -103,7 +103,7 @@ class Replacement {
 
  private:
   std::filesystem::path m_path, m_target;
-  std::optional<DraftFile> m_draft;
+  std::optional<AtomicSaveFile> m_draft;
   int m_folder = -1;  // of the target; negative also where one may write but not list, and so not synchronise
 };
 

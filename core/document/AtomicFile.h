@@ -14,8 +14,8 @@ namespace handwheel {
 // Replaces a file's content atomically and durably. By a temporary file in its folder, unnamed where the system
 // supports that, fsync, rename, fsync of the folder. A symbolic link stays and its target is replaced; permissions
 // stay. Checks the cancel flag between blocks of 1 MiB; a cancelled or failed write leaves nothing behind, and what a
-// killed one may leave is removed by the next one (DraftFile.h). A character device (/dev/null, a terminal) is written
-// to directly. Errors: WriteFailed {system's reason}, Cancelled.
+// killed one may leave is removed by the next one (AtomicSaveFile.h). A character device (/dev/null, a terminal) is
+// written to directly. Errors: WriteFailed {system's reason}, Cancelled.
 Status writeFileAtomically(const std::filesystem::path& path, std::string_view bytes, Progress progress = {});
 
 // A path and the content to write to it.

@@ -61,7 +61,7 @@ Container& Container::operator=(Container&& other) noexcept = default;
 Container::~Container() = default;
 
 Result<std::string> writeContainer(const Container& container, Compression compression, Progress progress) {
-  return withinMemory([&] { return writeEntries(container, compression, progress); });
+  return catchOutOfMemory([&] { return writeEntries(container, compression, progress); });
 }
 
 bool looksLikeContainer(std::string_view bytes) {

@@ -3,7 +3,7 @@
 #include "document/Document.h"
 
 #include "document/DisplayUnitEdit.h"
-#include "document/EditCommand.h"
+#include "document/UndoCommand.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -77,17 +77,17 @@ Status Document::setProperty(const std::string& id, const PropertyValue& value, 
   const auto property = std::find_if(all.begin(), all.end(), [&](const Property& each) { return each.id == id; });
   assert(property != all.end());  // propertyEdit() has found it
   const QString text = tr("Change %1").arg(labelOf(*property));
-  push(new EditCommand(*this, text, std::move(*edit), EditCommand::Values{property->value, value}), stroke);
+  push(new UndoCommand(*this, text, std::move(*edit), UndoCommand::Values{property->value, value}), stroke);
   return Done{};
 }
 
 void Document::commit(const QString& text, std::unique_ptr<Edit> edit, DragPhase stroke, std::string step) {
-  auto* command = new EditCommand(*this, text, std::move(edit));
+  auto* command = new UndoCommand(*this, text, std::move(edit));
   command->setStep(std::move(step));
   push(command, stroke);
 }
 
-void Document::push(EditCommand* command, DragPhase stroke) {
+void Document::push(UndoCommand* command, DragPhase stroke) {
   if (!m_isStroking) ++m_stroke;
   m_isStroking = stroke == DragPhase::Continues;
   command->setStroke(m_stroke);

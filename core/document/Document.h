@@ -13,7 +13,7 @@
 
 namespace handwheel {
 
-class EditCommand;
+class UndoCommand;
 
 // Whether more edits of the same gesture follow. For example those of a slider that is still held.
 enum class DragPhase { Continues, Ends };
@@ -52,7 +52,7 @@ class Document : public QObject {
   Status setProperty(const std::string& id, const PropertyValue& value, DragPhase stroke = DragPhase::Ends);
 
   // Applies an edit as one undo step, or as part of one: the edits of a gesture become one step as far as they absorb
-  // each other. step: as EditCommand::step().
+  // each other. step: as UndoCommand::step().
   void commit(const QString& text, std::unique_ptr<Edit> edit, DragPhase stroke = DragPhase::Ends,
               std::string step = {});
 
@@ -73,7 +73,7 @@ class Document : public QObject {
  private:
   friend class DisplayUnitEdit;
   friend class RecordingsEdit;
-  void push(EditCommand* command, DragPhase stroke);
+  void push(UndoCommand* command, DragPhase stroke);
 
   const DocumentKind& m_kind;
   DocumentFile m_file;

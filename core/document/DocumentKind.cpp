@@ -126,7 +126,7 @@ Error withSubject(Error error, const std::filesystem::path& path) {
 }
 
 template <class Open>
-Result<OpenedFile> withinMemory(const Open& open) {
+Result<OpenedFile> catchOutOfMemory(const Open& open) {
   try {
     return open();
   } catch (const std::bad_alloc&) {
@@ -147,7 +147,7 @@ const DocumentKind* DocumentKinds::withId(std::string_view id) const {
 
 Result<OpenedFile> DocumentKinds::open(const std::filesystem::path& path, const ReadOptions& options,
                                        Progress progress) const {
-  Result<OpenedFile> opened = withinMemory([&] { return openAny(*this, path, options, progress); });
+  Result<OpenedFile> opened = catchOutOfMemory([&] { return openAny(*this, path, options, progress); });
   if (opened) {
     std::error_code ignored;
     opened->file.path = std::filesystem::absolute(path, ignored).string();
@@ -160,7 +160,7 @@ Result<OpenedFile> DocumentKinds::open(const std::filesystem::path& path, const 
 }
 
 Result<OpenedFile> DocumentKinds::openContainer(std::string_view bytes, Progress progress) const {
-  return withinMemory([&] { return load(*this, bytes, progress); });
+  return catchOutOfMemory([&] { return load(*this, bytes, progress); });
 }
 
 std::vector<std::string> DocumentKinds::readEndings() const {
@@ -213,7 +213,7 @@ Result<std::string> containerBytes(const DocumentKind& kind, const DocumentFile&
 
 Result<std::string> checkedContainer(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
                                      const std::filesystem::path& path, Progress progress) {
-  if (const Status may = mayReplace(path); !may) return may.error();
+  if (const Status may = checkNotNewer(path); !may) return may.error();
   Result<std::string> bytes = containerBytes(kind, file, content, Compression::Fast, progress.part(0.0, 0.875));
   if (!bytes) return withSubject(bytes.error(), path);
   if (const Status whole = checkReadable(*bytes, progress.part(0.875, 1.0)); !whole)
@@ -224,7 +224,7 @@ Result<std::string> checkedContainer(const DocumentKind& kind, const DocumentFil
 Result<WrittenFile> saveDocument(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
                                  const std::filesystem::path& path, Progress progress) {
   if (!isContainerName(path)) {
-    if (const Status may = mayReplace(path); !may) return may.error();
+    if (const Status may = checkNotNewer(path); !may) return may.error();
     Result<WrittenFile> written = kind.exportTo(content, path, progress);
     if (!written && written.error().code == ErrorCode::ExtensionUnknown)
       return unknownEnding(path, writtenEndings(kind.formats()));

@@ -31,8 +31,8 @@ std::uint64_t versionIn(std::string_view bytes) {
 
 }  // namespace
 
-Status mayReplace(const std::filesystem::path& path) {
-  return layout::withinMemory([&]() -> Status {
+Status checkNotNewer(const std::filesystem::path& path) {
+  return layout::catchOutOfMemory([&]() -> Status {
     const Result<std::string> head = readFileHead(path);
     if (!head || !looksLikeContainer(*head)) return Done{};
     const Result<std::string> bytes = readFileBytes(path);

@@ -11,6 +11,6 @@ namespace handwheel {
 // Checks that a file was not written by a newer program. Error: VersionNewer for such a container: overwriting it would
 // lose what only that program knows. Anything else may be replaced, or cannot be for other reasons. Reads the file, but
 // unpacks its manifest only.
-Status mayReplace(const std::filesystem::path& path);
+Status checkNotNewer(const std::filesystem::path& path);
 
 }  // namespace handwheel

@@ -3,7 +3,7 @@
 #include "document/Recovery.h"
 
 #include "document/AtomicFile.h"
-#include "document/RecoveryLeftovers.h"
+#include "document/OrphanedAutosaves.h"
 
 #include <QUuid>
 
@@ -94,7 +94,7 @@ void RecoverySession::close(std::uint64_t key) {
   m_slots[key].isClosed = true;
 }
 
-Status RecoverySession::adopt(const Leftover& leftover, std::uint64_t key) {
+Status RecoverySession::adopt(const OrphanedAutosave& leftover, std::uint64_t key) {
   const std::lock_guard guard(m_mutex);
   if (const Status open = openFolder(); !open) return open.error();
   const std::filesystem::path autosave = autosaveFile(m_folder, key);

@@ -13,11 +13,11 @@
 
 namespace handwheel {
 
-struct Leftover;
+struct OrphanedAutosave;
 
 // Stores and removes the autosaves of a running program. They are in a folder of its own below the root, created when
 // it is first needed and locked as long as the session exists. Autosaves that remain at its end stay, and can be found
-// as those of a dead session (RecoveryLeftovers.h). Any thread; the autosaves of one key are stored one after the
+// as those of a dead session (OrphanedAutosaves.h). Any thread; the autosaves of one key are stored one after the
 // other.
 class RecoverySession {
  public:
@@ -39,7 +39,7 @@ class RecoverySession {
   void close(std::uint64_t key);
 
   // Takes over an autosave of a dead session, by renaming: at every moment one of the two has it. Errors: WriteFailed.
-  Status adopt(const Leftover& leftover, std::uint64_t key);
+  Status adopt(const OrphanedAutosave& leftover, std::uint64_t key);
 
  private:
   struct Slot {

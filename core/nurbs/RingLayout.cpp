@@ -164,7 +164,8 @@ std::uint64_t bandTriangles(const Ring& a, const Ring& b) {
   return least == 1 ? most : least + most;
 }
 
-Result<std::vector<Ring>> layRings(const ProfileCurve& profile, const TessellationOptions& options, Progress progress) {
+Result<std::vector<Ring>> computeRings(const ProfileCurve& profile, const TessellationOptions& options,
+                                       Progress progress) {
   // The deviations of both directions add up.
   const double tolerance = isCurved(profile) ? options.chord / 2.0 : options.chord;
   const Result<Outline> outline = flatten(profile, tolerance, options.mostTriangles, progress);
@@ -178,7 +179,8 @@ Result<std::vector<Ring>> layRings(const ProfileCurve& profile, const Tessellati
   if (!rings) return rings.error();
   const double least = triangles(*rings, HUGE_VAL);
   if (least > static_cast<double>(options.mostTriangles)) return tooMany(options.mostTriangles);
-  const double most = std::max(least, static_cast<double>(std::min(options.shapelyTriangles, options.mostTriangles)));
+  const double most =
+      std::max(least, static_cast<double>(std::min(options.maxWellShapedTriangles, options.mostTriangles)));
   double aspect = options.aspect;
   while (triangles(*rings, aspect) > most) aspect *= 1.5;
   return divide(*rings, aspect);

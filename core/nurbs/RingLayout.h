@@ -24,6 +24,7 @@ std::uint64_t bandTriangles(const Ring& a, const Ring& b);
 // Computes the rings of a turned part for tessellation. In order: the lower end from the axis outwards, the lateral
 // surface, the upper end back to the axis. O(rings). Errors: FileTooLarge {triangles, "", limit} where the tolerance
 // needs more than the limit, ElementMalformed {profile}, Cancelled.
-Result<std::vector<Ring>> layRings(const ProfileCurve& profile, const TessellationOptions& options, Progress progress);
+Result<std::vector<Ring>> computeRings(const ProfileCurve& profile, const TessellationOptions& options,
+                                       Progress progress);
 
 }  // namespace handwheel

@@ -219,8 +219,8 @@ Result<std::string> encode(const TopoDS_Solid& solid, const Message_ProgressRang
   return stream.str();
 }
 
-StepReport measure(const TopoDS_Shape& shape) {
-  StepReport report;
+StepFileReport measure(const TopoDS_Shape& shape) {
+  StepFileReport report;
   for (TopExp_Explorer solids(shape, TopAbs_SOLID); solids.More(); solids.Next()) ++report.solids;
   report.isValid = BRepCheck_Analyzer(shape).IsValid();
   GProp_GProps volume, area;
@@ -253,8 +253,8 @@ Result<std::string> writeStep(const ProfileCurve& profile, Progress progress) {
   });
 }
 
-Result<StepReport> inspectStep(std::string_view bytes, Progress progress) {
-  return withLibrary([&]() -> Result<StepReport> {
+Result<StepFileReport> inspectStep(std::string_view bytes, Progress progress) {
+  return withLibrary([&]() -> Result<StepFileReport> {
     std::istringstream stream{std::string(bytes)};
     STEPControl_Reader reader;
     if (reader.ReadStream("workpiece", stream) != IFSelect_RetDone) return libraryError("it is not a STEP file");

@@ -19,7 +19,7 @@ namespace handwheel {
 Result<std::string> writeStep(const ProfileCurve& profile, Progress progress = {});
 
 // The properties of the solids in a STEP file.
-struct StepReport {
+struct StepFileReport {
   std::size_t solids = 0;
   bool isValid = false;  // topology and geometry fit together, as Open CASCADE's analyser sees it
   double volume = 0.0;   // mm³, of all solids
@@ -29,6 +29,6 @@ struct StepReport {
 
 // Reads a STEP file and measures its solids. For files that this program made: the library's parser is not safe with
 // hostile ones. Errors: LibraryFailed, Cancelled.
-Result<StepReport> inspectStep(std::string_view bytes, Progress progress = {});
+Result<StepFileReport> inspectStep(std::string_view bytes, Progress progress = {});
 
 }  // namespace handwheel

@@ -62,7 +62,7 @@ Error tooFine(const ProfileCurve& profile, const TessellationOptions& options, P
   Result<std::vector<Ring>> rings = Error{};
   do {
     coarser.chord *= 2.0;
-    rings = layRings(profile, coarser, progress);
+    rings = computeRings(profile, coarser, progress);
   } while (!rings && rings.error().code == ErrorCode::FileTooLarge &&
            coarser.chord < TessellationOptions::kLargestChord);
   if (!rings) return rings.error();
@@ -82,7 +82,7 @@ Result<TriangleSoup> tessellate(const ProfileCurve& profile, const TessellationO
                  {},
                  {}};
   }
-  const auto rings = layRings(profile, options, progress);
+  const auto rings = computeRings(profile, options, progress);
   if (!rings && rings.error().code == ErrorCode::FileTooLarge) return tooFine(profile, options, progress);
   if (!rings) return rings.error();
 

@@ -13,7 +13,7 @@ struct TessellationOptions {
   // The largest length of a triangle of the lateral surface, in chords of its circles; a longer one is divided as long
   // as there are no more triangles than these. In the flat ends no angle is below 20°.
   double aspect = 8.0;
-  std::uint64_t shapelyTriangles = 100'000;
+  std::uint64_t maxWellShapedTriangles = 100'000;
   // More triangles are refused.
   std::uint64_t mostTriangles = 4'000'000;
 

@@ -42,7 +42,7 @@ class Search {
     m_progress.set(0.05);
     m_fans = HighValenceFans(m_points, m_triangles, m_items);
     const std::size_t whole = m_items.size();
-    if (whole > kFewItems) cutSlivers(m_items, m_points, m_triangles, frame);
+    if (whole > kFewItems) splitSliverBoxes(m_items, m_points, m_triangles, frame);
     if (m_items.size() > whole) rememberPieces();
     m_progress.set(kPrepared / 2);
     if (!m_tree.build(m_items, m_progress, m_progress.part(kPrepared / 2, kPrepared))) return false;

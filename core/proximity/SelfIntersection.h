@@ -22,9 +22,9 @@ inline constexpr std::size_t kMaxTrianglePairs = std::size_t{1} << 23;
 // them, the same in each run.
 // Empty optional when cancelled; polls the cancel flag at least every 50 ms (beyond some five million triangles, at
 // least once in each pass over them).
-// O(n log n + c) for c pairs of overlapping boxes, where slivers count by the boxes of their pieces (cutSlivers()) and
-// fans of very many triangles by those of their arcs (HighValenceFans); on all threads of the arena. About 100 bytes a
-// triangle, 300 where there are slivers, while it runs.
+// O(n log n + c) for c pairs of overlapping boxes, where slivers count by the boxes of their pieces
+// (splitSliverBoxes()) and fans of very many triangles by those of their arcs (HighValenceFans); on all threads of the
+// arena. About 100 bytes a triangle, 300 where there are slivers, while it runs.
 std::optional<std::vector<TrianglePair>> selfIntersections(std::span<const Vec3> points,
                                                            std::span<const Triangle> triangles, Progress progress = {},
                                                            std::size_t maxPairs = kMaxTrianglePairs);

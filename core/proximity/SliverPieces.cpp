@@ -82,8 +82,8 @@ std::vector<double> piecesWanted(const std::vector<BoxedItem>& items, std::span<
 
 }  // namespace
 
-void cutSlivers(std::vector<BoxedItem>& items, std::span<const Vec3> points, std::span<const Triangle> triangles,
-                const BoxFrame& frame) {
+void splitSliverBoxes(std::vector<BoxedItem>& items, std::span<const Vec3> points, std::span<const Triangle> triangles,
+                      const BoxFrame& frame) {
   const std::vector<double> wanted = piecesWanted(items, points, triangles, frame);
   if (wanted.empty()) return;
   const double whole = static_cast<double>(items.size()), allowed = whole + std::max(kMostMore, whole);

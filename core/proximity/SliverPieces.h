@@ -15,7 +15,7 @@ namespace handwheel {
 // faces the whole ones all overlap, and a search would visit every face (early split clipping: Ernst and Greiner,
 // 2007). Where the boxes are no larger on the whole than those of ordinary surfaces, nothing changes. At most 32 to a
 // triangle, and a million more, or as many more as there are triangles. O(n).
-void cutSlivers(std::vector<BoxedItem>& items, std::span<const Vec3> points, std::span<const Triangle> triangles,
-                const BoxFrame& frame);
+void splitSliverBoxes(std::vector<BoxedItem>& items, std::span<const Vec3> points, std::span<const Triangle> triangles,
+                      const BoxFrame& frame);
 
 }  // namespace handwheel

@@ -18,7 +18,7 @@ TriangleHierarchy::TriangleHierarchy(std::span<const Vec3> points, std::span<con
   std::vector<BoxedItem> items = boxedTriangles(points, triangles, m_frame, FlatTriangles::Keep, progress);
   for (const BoxedItem& item : items)
     for (const std::uint32_t v : m_triangles[item.id()]) m_bounds.extend(m_points[v]);
-  if (slivers == Slivers::Cut) cutSlivers(items, m_points, m_triangles, m_frame);
+  if (slivers == Slivers::Cut) splitSliverBoxes(items, m_points, m_triangles, m_frame);
   if (!m_tree.build(items, progress)) return;
   m_order.reserve(items.size());
   for (const BoxedItem& item : items) m_order.push_back(item.id());

@@ -27,8 +27,8 @@ struct NearestPoint {
   double squaredDistance = 0.0;
 };
 
-// Whether long, slanted triangles get several boxes (cutSlivers()) or one. Several are made where single boxes would
-// overlap each other; this is slower to build, and around a vertex with thousands of faces the only way to fast
+// Whether long, slanted triangles get several boxes (splitSliverBoxes()) or one. Several are made where single boxes
+// would overlap each other; this is slower to build, and around a vertex with thousands of faces the only way to fast
 // queries.
 enum class Slivers { Whole, Cut };
 

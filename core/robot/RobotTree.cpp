@@ -21,7 +21,7 @@ class Tree {
  public:
   Tree(RobotModel& robot, const RobotPlaces& places) : m_robot(robot), m_places(places) {}
 
-  Status follow(std::span<const Following> following);
+  Status follow(std::span<const MimicJoint> following);
   Status findParents();
   Status findRoot();
   Status findOrder();
@@ -35,8 +35,8 @@ class Tree {
     double factor = 0.0, offset = 0.0;
   };
 
-  Status resolve(std::uint32_t joint, const std::map<std::uint32_t, const Following*>& following);
-  Status joinLeader(std::uint32_t joint, const Following& own);
+  Status resolve(std::uint32_t joint, const std::map<std::uint32_t, const MimicJoint*>& following);
+  Status joinLeader(std::uint32_t joint, const MimicJoint& own);
   Error wrong(std::uint32_t joint, std::string what) const {
     return {ErrorCode::ElementMalformed,
             {"joint " + m_robot.joints[joint].name, std::move(what)},
@@ -50,11 +50,11 @@ class Tree {
   std::vector<Motion> m_motions;  // per joint
 };
 
-Status Tree::follow(std::span<const Following> following) {
+Status Tree::follow(std::span<const MimicJoint> following) {
   const auto count = static_cast<std::uint32_t>(m_robot.joints.size());
   for (std::uint32_t j = 0; j < count; ++j) m_numbers[m_robot.joints[j].name] = j;
-  std::map<std::uint32_t, const Following*> byJoint;
-  for (const Following& f : following) byJoint[f.joint] = &f;
+  std::map<std::uint32_t, const MimicJoint*> byJoint;
+  for (const MimicJoint& f : following) byJoint[f.joint] = &f;
   m_motions.resize(count);
   for (std::uint32_t j = 0; j < count; ++j) {
     if (const Status status = resolve(j, byJoint); !status) return status;
@@ -63,8 +63,8 @@ Status Tree::follow(std::span<const Following> following) {
 }
 
 // Along the chain of leaders to the first that follows nobody, and back.
-Status Tree::resolve(std::uint32_t joint, const std::map<std::uint32_t, const Following*>& following) {
-  std::vector<const Following*> chain;
+Status Tree::resolve(std::uint32_t joint, const std::map<std::uint32_t, const MimicJoint*>& following) {
+  std::vector<const MimicJoint*> chain;
   for (std::uint32_t j = joint; m_motions[j].state != Motion::State::Known;) {
     if (m_motions[j].state == Motion::State::Sought) return wrong(j, "it follows itself");
     m_motions[j].state = Motion::State::Sought;
@@ -86,7 +86,7 @@ Status Tree::resolve(std::uint32_t joint, const std::map<std::uint32_t, const Fo
   return Done{};
 }
 
-Status Tree::joinLeader(std::uint32_t joint, const Following& own) {
+Status Tree::joinLeader(std::uint32_t joint, const MimicJoint& own) {
   const Motion leader = m_motions[m_numbers.at(own.leader)];
   const Motion motion{Motion::State::Known, leader.leader, own.multiplier * leader.factor,
                       own.multiplier * leader.offset + own.offset};
@@ -159,7 +159,7 @@ void Tree::numberDofs() {
 
 }  // namespace
 
-Status buildKinematicTree(RobotModel& robot, std::span<const Following> following, const RobotPlaces& places) {
+Status buildKinematicTree(RobotModel& robot, std::span<const MimicJoint> following, const RobotPlaces& places) {
   Tree tree(robot, places);
   for (const auto step : {&Tree::findParents, &Tree::findRoot, &Tree::findOrder}) {
     if (const Status status = (tree.*step)(); !status) return status;

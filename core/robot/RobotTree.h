@@ -13,7 +13,7 @@ namespace handwheel {
 
 // A mimic joint of a description, which repeats another joint's motion. position = multiplier · position of the leader
 // + offset, in metres and radians.
-struct Following {
+struct MimicJoint {
   std::uint32_t joint;
   std::string leader;
   double multiplier, offset;
@@ -27,6 +27,6 @@ struct RobotPlaces {
 // Builds the kinematic tree of a robot from its links and joints. Finds which joint follows which and what degrees of
 // freedom there are, each link's joint, the root and the order. places: of each link and joint. The links must form one
 // tree. O((links + joints) log joints). Errors: ElementMalformed, ReferenceMissing.
-Status buildKinematicTree(RobotModel& robot, std::span<const Following> following, const RobotPlaces& places);
+Status buildKinematicTree(RobotModel& robot, std::span<const MimicJoint> following, const RobotPlaces& places);
 
 }  // namespace handwheel

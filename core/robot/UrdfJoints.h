@@ -19,7 +19,7 @@ class UrdfJoints {
 
   Status read(const XmlElement& element);
 
-  const std::vector<Following>& following() const { return m_following; }
+  const std::vector<MimicJoint>& following() const { return m_following; }
 
  private:
   Result<JointKind> readKind(const XmlElement& element);
@@ -34,7 +34,7 @@ class UrdfJoints {
   RobotPlaces& m_places;
   UrdfShapes& m_shapes;
   std::map<std::string, std::uint32_t> m_numbers;
-  std::vector<Following> m_following;
+  std::vector<MimicJoint> m_following;
 };
 
 }  // namespace handwheel

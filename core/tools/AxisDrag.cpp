@@ -61,7 +61,7 @@ class Circle {
 
 }  // namespace
 
-std::optional<double> turnUnder(const HeldPoint& held, const PickRay& pickRay, double soFar) {
+std::optional<double> rotationUnder(const HeldPoint& held, const PickRay& pickRay, double soFar) {
   const Ray& ray = pickRay.ray;
   const Circle circle(held);
   const double slope = ray.direction.dot(held.axis);
@@ -84,7 +84,7 @@ std::optional<double> turnUnder(const HeldPoint& held, const PickRay& pickRay, d
   return best;
 }
 
-std::optional<double> slideUnder(const HeldPoint& held, const Ray& ray) {
+std::optional<double> translationUnder(const HeldPoint& held, const Ray& ray) {
   const double together = held.axis.dot(ray.direction);
   const double square = 1.0 - together * together;
   if (square < tolerance::kParallelLines * tolerance::kParallelLines) return {};

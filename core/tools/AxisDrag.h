@@ -24,10 +24,10 @@ struct HeldPoint {
 // axis; if it is seen from the side, the point gets as near to the ray as possible without passing the far side. None
 // when the ray does not determine it: it runs through the axis, or meets the circle's plane behind the viewer. lever()
 // must not be 0.
-std::optional<double> turnUnder(const HeldPoint& held, const PickRay& pickRay, double soFar);
+std::optional<double> rotationUnder(const HeldPoint& held, const PickRay& pickRay, double soFar);
 
 // The translation along the axis (mm) that moves the point nearest to the ray. None when axis and ray are parallel.
-std::optional<double> slideUnder(const HeldPoint& held, const Ray& ray);
+std::optional<double> translationUnder(const HeldPoint& held, const Ray& ray);
 
 // The intersection of the ray with the drag plane through the point. The plane is perpendicular to the ray by which the
 // point was grabbed. None when the ray is parallel to it.

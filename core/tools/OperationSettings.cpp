@@ -53,7 +53,7 @@ bool takeSetting(OperationValues& values, std::string_view id, const PropertyVal
   const auto* number = std::get_if<double>(&value);
   if (!setting->part && (!number || !parameter.words.empty())) return values.set(parameter.id(), value).empty();
   double taken = 0.0;
-  if (!takeNumber(taken, value, {parameter.property.least, parameter.property.largest})) return false;
+  if (!assignNumber(taken, value, {parameter.property.least, parameter.property.largest})) return false;
   if (parameter.isWhole) taken = std::round(taken);
   if (!setting->part) return values.set(parameter.id(), taken).empty();
   std::vector<double> numbers = values.numbers(parameter.id());

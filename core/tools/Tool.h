@@ -79,7 +79,7 @@ struct ToolPreview {
 
 // A spring and damper that a tool applies to the device tip. mm and newtons. The servo loop adds those of all tools and
 // services and passes the sum through the safety chain.
-struct ForceTerm {
+struct DeviceSpring {
   Vec3 target = Vec3::Zero();  // the tip is pulled there
   double stiffness = 0.0;      // N/mm, at the device
   double damping = 0.0;        // N·s/mm, at the device
@@ -116,7 +116,7 @@ class Tool {
     (void)id;
     (void)value;
   }
-  virtual std::vector<ForceTerm> forces() const { return {}; }
+  virtual std::vector<DeviceSpring> forces() const { return {}; }
   virtual SnapTargets snapTargets() const { return {}; }
 
   // Called when the document has changed: what the tool had begun is discarded.

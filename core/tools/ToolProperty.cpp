@@ -35,14 +35,14 @@ Property switchSetting(const char* id, const char* label, bool value) {
   return property;
 }
 
-bool takeNumber(double& number, const PropertyValue& value, const Limits& limits) {
+bool assignNumber(double& number, const PropertyValue& value, const Limits& limits) {
   const double* given = std::get_if<double>(&value);
   if (!given || std::isnan(*given)) return false;
   number = limits.bring(*given);
   return true;
 }
 
-bool takeSwitch(bool& on, const PropertyValue& value) {
+bool assignSwitch(bool& on, const PropertyValue& value) {
   const bool* given = std::get_if<bool>(&value);
   if (given) on = *given;
   return given != nullptr;

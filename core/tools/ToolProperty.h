@@ -22,12 +22,12 @@ Property switchSetting(const char* id, const char* label, bool value);
 
 // Assign a property value to a number or a switch. False, and nothing changed, if the value is of another type or NaN;
 // numbers are clamped to the limits.
-bool takeNumber(double& number, const PropertyValue& value, const Limits& limits);
-bool takeSwitch(bool& on, const PropertyValue& value);
+bool assignNumber(double& number, const PropertyValue& value, const Limits& limits);
+bool assignSwitch(bool& on, const PropertyValue& value);
 
 // Assigns a property value to a choice. count: number of choices. False, and nothing changed, for other values.
 template <class Choice>
-bool takeChoice(Choice& choice, const PropertyValue& value, int count) {
+bool assignChoice(Choice& choice, const PropertyValue& value, int count) {
   const double* index = std::get_if<double>(&value);
   if (!index || !(*index >= 0.0 && *index < count)) return false;
   choice = static_cast<Choice>(static_cast<int>(*index));

@@ -37,7 +37,7 @@ class NotingClock : public MonotonicClock {
 };
 
 // A wall of 0.5 N/mm that a simulated hand leans on.
-class Wall : public ForceSource {
+class Wall : public ForceRenderer {
  public:
   void tick(const TipState& tip, ForceOut& out) noexcept override {
     out.isContact = tip.position.x() > 0.0;
@@ -46,12 +46,12 @@ class Wall : public ForceSource {
 };
 
 std::unique_ptr<ServoLoop> makeLoop(ServoClock& clock, Service& service) {
-  const HandPath path({{0.0, {-1, 0, 0}}, {0.5, {2, 0, 0}}, {100.0, {2, 0, 0}}});
+  const PoseTrajectory path({{0.0, {-1, 0, 0}}, {0.5, {2, 0, 0}}, {100.0, {2, 0, 0}}});
   auto device = std::make_unique<SimulatedDevice>(simulatedDevice(), path, clock);
   if (!device->open(Progress())) return nullptr;
   auto loop = std::make_unique<ServoLoop>(std::move(device), ServoSettings(), clock, service);
   auto scene = std::make_unique<HapticScene>();
-  scene->source = std::make_unique<Wall>();
+  scene->renderer = std::make_unique<Wall>();
   loop->setScene(std::move(scene));
   return loop;
 }

@@ -21,40 +21,40 @@ class TimedApplication : public QApplication {
   using QApplication::QApplication;
 
   // The longest of an event.
-  Spent outside;  // outside the graphics library
-  Spent drawing;  // in it
+  CpuTimes outside;  // outside the graphics library
+  CpuTimes drawing;  // in it
 
   // Null: nobody.
   void watch(const Viewport* viewport) {
     m_viewport = viewport;
     if (!viewport) return;
     // Qt puts the picture of the renderer into that of the window, by the same graphics library.
-    connect(viewport, &Viewport::aboutToCompose, this, [this] { m_composing = Spent::now(); });
+    connect(viewport, &Viewport::aboutToCompose, this, [this] { m_composing = CpuTimes::now(); });
     connect(viewport, &Viewport::frameSwapped, this,
-            [this] { m_composed = m_composed + (Spent::now() - m_composing); });
+            [this] { m_composed = m_composed + (CpuTimes::now() - m_composing); });
   }
 
   bool notify(QObject* receiver, QEvent* event) override {
     if (m_isInside || !m_viewport) return QApplication::notify(receiver, event);
     m_isInside = true;
-    const Spent start = Spent::now(), drawnBefore = m_viewport->timeDrawing() + m_composed;
+    const CpuTimes start = CpuTimes::now(), drawnBefore = m_viewport->timeDrawing() + m_composed;
     const bool isAccepted = QApplication::notify(receiver, event);
-    const Spent drawn = m_viewport->timeDrawing() + m_composed - drawnBefore;
-    keepLongest(outside, Spent::now() - start - drawn);
+    const CpuTimes drawn = m_viewport->timeDrawing() + m_composed - drawnBefore;
+    keepLongest(outside, CpuTimes::now() - start - drawn);
     keepLongest(drawing, drawn);
     m_isInside = false;
     return isAccepted;
   }
 
  private:
-  static void keepLongest(Spent& longest, const Spent& one) {
+  static void keepLongest(CpuTimes& longest, const CpuTimes& one) {
     longest = {std::max(longest.clock, one.clock), std::max(longest.cpu, one.cpu)};
   }
 
   bool m_isInside = false;
   const Viewport* m_viewport = nullptr;
-  Spent m_composing;
-  Spent m_composed;
+  CpuTimes m_composing;
+  CpuTimes m_composed;
 };
 
 // Works with a window of its own and notes how long each piece of work keeps the window's thread.
@@ -80,7 +80,7 @@ class Person {
       QCoreApplication::processEvents();
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
-    const Spent &outside = m_application.outside, &drawing = m_application.drawing;
+    const CpuTimes &outside = m_application.outside, &drawing = m_application.drawing;
     std::printf("%-26s %8.1f %8.1f   %8.1f\n", what, outside.cpu, outside.clock, drawing.clock);
     m_bars.atMost(std::string(what) + ": the window's thread, ms of CPU", bar, outside.cpu);
   }

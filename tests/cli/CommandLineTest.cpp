@@ -18,7 +18,7 @@ class CommandLineTest : public QObject {
     QCOMPARE(overview.code, 0);
     QCOMPARE(overview.err, QByteArray());
     for (const char* command : {"inspect", "repair", "convert", "picture", "new", "set", "measure", "compare",
-                                "decimate", "split", "merge", "section", "devices", "feel", "edit"}) {
+                                "decimate", "split", "merge", "section", "devices", "feel", "edit", "turn"}) {
       QVERIFY(overview.out.contains(QByteArray("\n  ") + command + " "));
       const Ran page = bench.run({"help", command});
       QCOMPARE(page.code, 0);
@@ -28,7 +28,7 @@ class CommandLineTest : public QObject {
     QCOMPARE(bench.run({"help"}).out, overview.out);
     // Whole sentences: a point within a word, as in ".stl" and "25.4", ends none.
     const QRegularExpression line("^  [a-z]+ +[A-Z][A-Za-z ,;-]+\\.$", QRegularExpression::MultilineOption);
-    QCOMPARE(QString(overview.out).count(line), 15);
+    QCOMPARE(QString(overview.out).count(line), 16);
     for (const char* option : {"-o", "--fill", "--continuity", "--keep-open", "--rims", "--max-hole", "--remove-debris",
                                "--keep-folded-regions", "--unit", "--partial", "--report", "--screenshot"}) {
       QVERIFY2(bench.run({"help", "repair"}).out.contains(option), option);

@@ -103,7 +103,7 @@ void FillingExtremesTest::patches() {
       for (const Vec3& p : attempt.patch.points) QVERIFY(p.allFinite());
       QVERIFY(isDisc(attempt.patch));
       HalfEdgeMesh filled = mesh;
-      putPatch(filled, loops[i], attempt.patch);
+      insertPatch(filled, loops[i], attempt.patch);
       QCOMPARE(QString::fromStdString(validate(filled)), QString());
       const test::Edges after = test::countEdges(filled);
       QVERIFY(after.border < before.border || loops[i].borderEdges == 0);
@@ -213,7 +213,7 @@ void FillingExtremesTest::bridges() {
   const std::vector<BoundaryLoop> loops = findBoundaryLoops(mesh);
   for (std::size_t i = 0; i < std::min(loops.size(), kMostLoops); ++i) {
     const std::size_t n = loops[i].halfEdges.size();
-    const std::vector<HoleBridge> bridges = filler.proposeHoleBridges(loops[i], kPieceEdges);
+    const std::vector<LoopChord> bridges = filler.proposeLoopChords(loops[i], kPieceEdges);
     if (n <= kPieceEdges) QVERIFY(bridges.empty());
     const auto pieces = splitHole(n, bridges);
     QVERIFY(pieces);

@@ -181,10 +181,10 @@ void PlacingExtremesTest::whatStandsStandsFlat() {
   if (!isUsable(extreme, box)) QVERIFY(!pose);
   if (!pose) return;
   QVERIFY(bool(transform(mesh, Eigen::Affine3d(*pose))));
-  const double flatness = tolerance::kStandingFlatness * box.diagonal().norm() + test::rounding(box, 64.0);
+  const double flatness = tolerance::kFlatBaseFlatness * box.diagonal().norm() + test::rounding(box, 64.0);
   QVERIFY(test::boxOf(mesh).min().z() >= -flatness);
   const auto [below, whole] = areaBelow(mesh.compact().soup, flatness);
-  QVERIFY(below >= 0.999 * tolerance::kStandingShare * whole);
+  QVERIFY(below >= 0.999 * tolerance::kFlatBaseShare * whole);
 }
 
 void PlacingExtremesTest::ballsDoNotStand_data() {

@@ -3,8 +3,8 @@
 #include "document/container/Blobs.h"
 #include "document/container/UnknownPart.h"
 #include "document/container/ZipWriter.h"
-#include "document/mesh/LevelMemory.h"
 #include "document/mesh/MeshKind.h"
+#include "document/mesh/SubdivisionLevelStore.h"
 #include "mesh/structure/MeshValidator.h"
 
 #include <cstddef>

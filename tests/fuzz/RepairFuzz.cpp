@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "GarbageMeshes.h"
 #include "mesh/repair/Repair.h"
-#include "mesh/repair/RepairEffort.h"
+#include "mesh/repair/RepairBudget.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/MeshValidator.h"
 
@@ -85,7 +85,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const double start = processorSeconds();
   const RepairReport report = repair(after, options);
   const double seconds = processorSeconds() - start;
-  const std::size_t most = 2 * repairEffort(before.liveFaceCount());
+  const std::size_t most = 2 * repairBudget(before.liveFaceCount());
   require(report.countedEffort <= most + most / 10, "more effort than a mesh of this size may take");
   require(seconds <= kLeastTime + kSlowest * static_cast<double>(most), "too long for the number of triangles");
   require(validate(after).empty(), "the repaired mesh is not valid");

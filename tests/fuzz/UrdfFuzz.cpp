@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robot/Kinematics.h"
 #include "robot/MeshLocation.h"
-#include "robot/PointPull.h"
+#include "robot/PointTarget.h"
 #include "robot/UrdfReader.h"
 
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include "haptics/device/Device.h"
 #include "haptics/device/ServoClock.h"
-#include "haptics/servo/ForceSource.h"
+#include "haptics/servo/ForceRenderer.h"
 #include "haptics/servo/HapticScene.h"
 
 #include <functional>
@@ -61,17 +61,17 @@ class ScriptedDevice : public Device {
 };
 
 // A force that a function makes of the tip.
-class FunctionSource : public ForceSource {
+class FunctionSource : public ForceRenderer {
  public:
   using Function = std::function<void(const TipState&, ForceOut&)>;
   explicit FunctionSource(Function function) : m_function(std::move(function)) {}
   void tick(const TipState& tip, ForceOut& out) noexcept override { m_function(tip, out); }
-  void follow(const ForceSource& previous) noexcept override {
+  void follow(const ForceRenderer& previous) noexcept override {
     followed = &previous;
     if (onFollow) onFollow();
   }
 
-  const ForceSource* followed = nullptr;
+  const ForceRenderer* followed = nullptr;
   std::function<void()> onFollow;
 
  private:
@@ -93,7 +93,7 @@ inline FunctionSource::Function wall(double stiffness, double damping = 0.0) {
 
 inline std::unique_ptr<HapticScene> sceneOf(FunctionSource::Function function, bool isDiscontinuous = true) {
   auto scene = std::make_unique<HapticScene>();
-  scene->source = std::make_unique<FunctionSource>(std::move(function));
+  scene->renderer = std::make_unique<FunctionSource>(std::move(function));
   scene->isDiscontinuous = isDiscontinuous;
   return scene;
 }

@@ -11,7 +11,7 @@
 namespace handwheel::test {
 
 // A source with a memory: a proxy that drags behind, and a force that depends on everything it is told.
-class StickyWall : public ForceSource {
+class StickyWall : public ForceRenderer {
  public:
   void tick(const TipState& tip, ForceOut& out) noexcept override {
     if (tip.isRestart) m_proxy = tip.position;
@@ -40,13 +40,13 @@ struct RecordedRun {
   RecordedRun() {
     clock.late = [n = std::int64_t{0}]() mutable { return ++n * 7919 % 300 * 1000; };
     const Eigen::Quaterniond turned(Eigen::AngleAxisd(0.7, Vec3::UnitY()));
-    const HandPath path({{0.0, {-1, 0, 0}}, {1.0, {2, 1, 0}, turned, 1}, {2.0, {-1, 3, 1}, turned, 0}});
+    const PoseTrajectory path({{0.0, {-1, 0, 0}}, {1.0, {2, 1, 0}, turned, 1}, {2.0, {-1, 3, 1}, turned, 0}});
     auto device = std::make_unique<SimulatedDevice>(simulatedDevice(), path, clock);
     if (!device->open(Progress())) return;
     loop = std::make_unique<ServoLoop>(std::move(device), ServoSettings(), clock, service);
     recorder = std::make_unique<ForceRecorder>(*loop);
     auto scene = std::make_unique<HapticScene>();
-    scene->source = std::make_unique<StickyWall>();
+    scene->renderer = std::make_unique<StickyWall>();
     loop->setScene(std::move(scene));
   }
 

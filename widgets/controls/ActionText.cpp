@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "controls/ActionText.h"
 
-#include "controls/ScopedAction.h"
+#include "controls/ContextAction.h"
 
 #include <QAction>
 #include <QMenu>
@@ -44,7 +44,7 @@ QHash<const QAction*, QString> menuPaths(const QMenuBar* bar) {
 }
 
 QString pathOf(const QAction& action, const QHash<const QAction*, QString>& menuPaths) {
-  const auto* scoped = qobject_cast<const ScopedAction*>(&action);
+  const auto* scoped = qobject_cast<const ContextAction*>(&action);
   return scoped ? scoped->path() : menuPaths.value(&action);
 }
 

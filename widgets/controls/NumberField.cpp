@@ -3,7 +3,7 @@
 #include "controls/NumberField.h"
 
 #include "controls/ExpressionText.h"
-#include "controls/NumberLine.h"
+#include "controls/NumberLineEdit.h"
 #include "controls/QuantityText.h"
 
 #include <QEvent>
@@ -39,7 +39,7 @@ double usualStep(Quantity quantity, LengthUnit unit) {
 
 NumberField::NumberField(QWidget* parent)
     : QWidget(parent),
-      m_line(new NumberLine(this)),
+      m_line(new NumberLineEdit(this)),
       m_problem(new QLabel(this)),
       m_least(-kInfinity),
       m_largest(kInfinity) {
@@ -57,11 +57,11 @@ NumberField::NumberField(QWidget* parent)
   column->setSpacing(2);
   column->addWidget(m_line);
   column->addWidget(m_problem);
-  connect(m_line, &NumberLine::textEdited, this, [this] { showProblem({}); });
-  connect(m_line, &NumberLine::stepped, this, &NumberField::step);
-  connect(m_line, &NumberLine::stepsEnded, this, &NumberField::endSteps);
-  connect(m_line, &NumberLine::committed, this, &NumberField::commit);
-  connect(m_line, &NumberLine::reverted, this, &NumberField::revert);
+  connect(m_line, &NumberLineEdit::textEdited, this, [this] { showProblem({}); });
+  connect(m_line, &NumberLineEdit::stepped, this, &NumberField::step);
+  connect(m_line, &NumberLineEdit::stepsEnded, this, &NumberField::endSteps);
+  connect(m_line, &NumberLineEdit::committed, this, &NumberField::commit);
+  connect(m_line, &NumberLineEdit::reverted, this, &NumberField::revert);
   connect(&m_pause, &QTimer::timeout, this, &NumberField::endSteps);
   showMarks();
   showValue();

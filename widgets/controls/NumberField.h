@@ -11,7 +11,7 @@ class QLabel;
 
 namespace handwheel {
 
-class NumberLine;
+class NumberLineEdit;
 
 // An input field for a number with a unit. Accepts expressions ("25.4/2", "1 in + 2mm"); the arrow keys and, with the
 // focus, the wheel step it (Shift: ten steps, Ctrl: a tenth). Invalid input stays in the line with the reason below,
@@ -53,7 +53,7 @@ class NumberField : public QWidget {
   QString rangeProblem(double value) const;
   void showProblem(const QString& problem);
 
-  NumberLine* m_line;
+  NumberLineEdit* m_line;
   QLabel* m_problem;
   QTimer m_pause;  // ends a run of steps
   bool m_stepping = false;

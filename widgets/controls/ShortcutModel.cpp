@@ -3,7 +3,7 @@
 #include "controls/ShortcutModel.h"
 
 #include "controls/ActionText.h"
-#include "controls/ScopedAction.h"
+#include "controls/ContextAction.h"
 #include "theme/Icons.h"
 #include "theme/Theme.h"
 
@@ -69,7 +69,7 @@ void ShortcutModel::setActions(const QList<QAction*>& actions, const QMenuBar* m
 
 // An action that is known already has the user's keys: its defaults are those of its entry.
 ShortcutModel::Entry ShortcutModel::entryOf(QAction* action, const QString& path) const {
-  const auto* scoped = qobject_cast<const ScopedAction*>(action);
+  const auto* scoped = qobject_cast<const ContextAction*>(action);
   Entry entry{action,
               action->objectName(),
               withoutMnemonic(action->text()),

@@ -65,9 +65,11 @@ MessageBar::MessageBar(QWidget* parent)
   close->setIconSize({14, 14});
   close->setToolTip(tr("Close this message"));
   close->setAccessibleName(close->toolTip());
-  connect(close, &QToolButton::clicked, this, &MessageBar::takeLatest);
-  connect(m_action, &QPushButton::clicked, this, [this] { takeLatest().action(); });
-  connect(m_other, &QPushButton::clicked, this, [this] { takeLatest().other(); });
+  connect(close, &QToolButton::clicked, this, [this] {
+    if (latest()) takeLatest();
+  });
+  connect(m_action, &QPushButton::clicked, this, [this] { act(&Message::action); });
+  connect(m_other, &QPushButton::clicked, this, [this] { act(&Message::other); });
 
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(16, 8, 8, 8);
@@ -132,6 +134,11 @@ Message MessageBar::takeLatest() {
   m_messages.erase(place);
   showLatest();
   return message;
+}
+
+// A button that was pressed for a message may be released after the message has gone, over one without it.
+void MessageBar::act(std::function<void()> Message::*what) {
+  if (const Entry* entry = latest(); entry && entry->message.*what) (takeLatest().*what)();
 }
 
 void MessageBar::showLatest() {

@@ -58,7 +58,8 @@ class MessageBar : public QFrame {
   const Entry* latest() const;  // of the visible messages; null: none
   std::size_t seenCount() const;
   bool isSeen(const Entry& entry) const;
-  Message takeLatest();
+  Message takeLatest();  // there is one
+  void act(std::function<void()> Message::*what);
   void showLatest();
   void drawIcon();
 

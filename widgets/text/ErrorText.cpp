@@ -140,7 +140,7 @@ QString whatHappened(const Error& error) {
       return ErrorWords::tr("the plugin cannot be used (%1)").arg(a);
     case ErrorCode::DeviceUnreachable:
       return ErrorWords::tr("the device cannot be reached (%1)").arg(a);
-    case ErrorCode::DeviceMute:
+    case ErrorCode::DeviceNotResponding:
       return ErrorWords::tr("the device does not answer as it should (%1)").arg(a);
     case ErrorCode::StepMalformed:
       return ErrorWords::tr("the step cannot be done: %1").arg(a);
@@ -239,7 +239,7 @@ QString errorAdvice(const Error& error) {
       return ErrorWords::tr("Install a plugin that was made for this version, or remove the file.");
     case ErrorCode::DeviceUnreachable:
       return ErrorWords::tr("Check that it is plugged in, that no other program uses it and that you may use it.");
-    case ErrorCode::DeviceMute:
+    case ErrorCode::DeviceNotResponding:
       return ErrorWords::tr("Switch it off and on again, or try another port.");
     case ErrorCode::StepMalformed:
       return ErrorWords::tr("'handwheel help edit' lists the steps; loops are numbered as 'handwheel inspect' does.");

@@ -96,7 +96,7 @@ QString fillFailureReason(FillFailure failure) {
       return RepairWords::tr("no surface fits its edge");
     case FillFailure::SelfIntersecting:
       return RepairWords::tr("every patch would cross the part");
-    case FillFailure::Swelling:
+    case FillFailure::Bulging:
       return RepairWords::tr("every patch would bulge far out");
     case FillFailure::TooMuchEffort:
       return RepairWords::tr("it would take too long for a mesh of this size");
@@ -149,7 +149,7 @@ QStringList repairSummary(const RepairReport& report) {
       [](int n) { return RepairWords::tr("%n tangled triangle(s) replaced around holes", nullptr, n); });
   add(report.nonOrientableCuts,
       [](int n) { return RepairWords::tr("%n cut(s) where the surface had one side only", nullptr, n); });
-  add(report.partedVertices, [](int n) { return RepairWords::tr("%n touching point(s) parted", nullptr, n); });
+  add(report.separatedVertices, [](int n) { return RepairWords::tr("%n touching point(s) parted", nullptr, n); });
   return parts;
 }
 

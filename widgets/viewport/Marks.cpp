@@ -116,7 +116,7 @@ void Marks::setMesh(const HalfEdgeMesh& mesh, const Vec3& origin) {
   m_origin = origin;
 }
 
-std::size_t Marks::takeFaces() {
+std::size_t Marks::buildPendingFaces() {
   const std::size_t taken = m_highlighted.takeOne(m_mesh, m_origin);
   return taken > 0 ? taken : m_selected.takeOne(m_mesh, m_origin);
 }

@@ -49,8 +49,8 @@ class Marks {
   void setMesh(const HalfEdgeMesh& mesh, const Vec3& origin);
 
   // Builds some of these faces that are not yet drawn. Returns the approximate cost in triangles; 0: all are drawn.
-  std::size_t takeFaces();
-  bool owesFaces() const { return m_selected.isStale() || m_highlighted.isStale(); }
+  std::size_t buildPendingFaces();
+  bool hasPendingFaces() const { return m_selected.isStale() || m_highlighted.isStale(); }
   // Rebuilds the other marks that have changed since the last frame: once, however often they were set.
   void prepare(const LayerFrame& frame);
 

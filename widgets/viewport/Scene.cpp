@@ -107,7 +107,7 @@ void Scene::applyStyle() {
   for (const auto& layer : m_layers) layer->setStyle(m_style);
 }
 
-bool Scene::takeGeometry() {
+bool Scene::uploadPendingGeometry() {
   std::size_t taken = 0;
   for (ViewLayer* layer : visible()) {
     while (taken < kFrameTriangles) {
@@ -135,12 +135,12 @@ bool Scene::takeMarks() {
 
 void Scene::finish() {
   for (ViewLayer* layer : visible()) layer->finish();
-  while (takeGeometry() || takeMarks()) {
+  while (uploadPendingGeometry() || takeMarks()) {
   }
 }
 
-void Scene::setReduced(bool isReduced) {
-  for (const auto& layer : m_layers) layer->setReduced(isReduced);
+void Scene::setCoarseShown(bool isReduced) {
+  for (const auto& layer : m_layers) layer->setCoarseShown(isReduced);
 }
 
 int Scene::builtCount() const {
@@ -189,7 +189,7 @@ void Scene::placeCamera(const CameraNavigation& view) {
   const CameraState& camera = view.camera();
   Box drawn;
   for (const ViewLayer* layer : visible()) drawn.extend(layer->drawnBounds());
-  const Viewpoint viewpoint = view.viewpoint(drawn);
+  const CameraClippingRange viewpoint = view.viewpoint(drawn);
   const Vec3 eye = viewpoint.position - m_origin;
   const Vec3 focus = eye - viewpoint.farthest * camera.towardsViewer();  // an honest direction, whatever the distance
   const Vec3 up = camera.up();

@@ -41,13 +41,13 @@ class Scene {
   const SceneColours& colours() const { return m_style.colours; }
 
   // Uploads geometry, as much as the next frame may. Returns false when nothing was waiting.
-  bool takeGeometry();
+  bool uploadPendingGeometry();
   // The same for marks, which are drawn in the next frame. Returns true when some are left.
   bool takeMarks();
   // Waits until the workers have built all geometry, and uploads it.
   void finish();
   // Shows simplified layers.
-  void setReduced(bool isReduced);
+  void setCoarseShown(bool isReduced);
   // How often a piece of geometry has been built, by all layers that are there.
   int builtCount() const;
   // Sets camera and line widths for the next frame. size in logical pixels.

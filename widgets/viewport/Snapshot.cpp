@@ -47,7 +47,7 @@ QImage render(Scene& scene, int width, int height) {
 
 // With axes and scale bar; null when it could not be rendered.
 QImage drawn(Scene& scene, const QSize& size, const Vec3& outward) {
-  while (scene.takeGeometry()) {
+  while (scene.uploadPendingGeometry()) {
   }
   const Vec2 pixels(size.width(), size.height());
   const CameraState camera = wholeModel(scene, pixels, outward);

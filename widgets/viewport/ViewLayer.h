@@ -66,7 +66,7 @@ class ViewLayer {
 
   virtual void setStyle(const SurfaceStyle& style) = 0;
   // Shows a simplified version, if there is one, while the camera moves on a slow display.
-  virtual void setReduced(bool isReduced) { (void)isReduced; }
+  virtual void setCoarseShown(bool isReduced) { (void)isReduced; }
   // Uploads one piece of waiting geometry. Returns its cost in triangles, at least 1; 0 when none was waiting.
   virtual std::size_t takePiece() { return 0; }
   // The same for what marks the geometry, such as a selection, which is complete with the frame that draws it.

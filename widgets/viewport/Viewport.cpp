@@ -158,7 +158,7 @@ int Viewport::framesDrawn() const {
   return d->framesDrawn;
 }
 
-Spent Viewport::timeDrawing() const {
+CpuTimes Viewport::timeDrawing() const {
   return d->timeDrawing;
 }
 

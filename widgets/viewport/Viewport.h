@@ -95,7 +95,7 @@ class Viewport : public QOpenGLWidget {
   // How often a piece of the layers has been built, and a frame drawn, since construction; for tests.
   int blocksBuilt() const;
   int framesDrawn() const;
-  Spent timeDrawing() const;  // total time in the renderer, for measurements
+  CpuTimes timeDrawing() const;  // total time in the renderer, for measurements
 
   QSize sizeHint() const override;
 

@@ -129,23 +129,23 @@ void Viewport::Private::paintOver() {
 
 // While the camera moves, a slow display gives up first the smoothing of edges, then the fine triangles.
 void Viewport::Private::draw() {
-  const bool uploads = scene.takeGeometry();
+  const bool uploads = scene.uploadPendingGeometry();
   const bool owesMarks = scene.takeMarks();
   if (uploads || owesMarks) q->update();  // for the next block, or at last for an undisturbed frame
   const bool isReduced = isMoving() && fullFrameMs > kSlowFrameMs;
-  scene.setReduced(isReduced);
+  scene.setCoarseShown(isReduced);
   const bool isSmooth = !isMoving() || fullFrameMs <= kUnevenFrameMs;
   scene.renderer()->SetUseFXAA(isSmooth);
   const double ratio = q->devicePixelRatioF();
   scene.prepare(camera, size(), ratio);
 
-  const Spent start = Spent::now();
+  const CpuTimes start = CpuTimes::now();
   glWindow.draw((QSizeF(q->size()) * ratio).toSize());
   // Software rendering works on after the call returns.
   q->context()->functions()->glFinish();
   isSeen = true;
   ++framesDrawn;
-  const Spent spent = Spent::now() - start;
+  const CpuTimes spent = CpuTimes::now() - start;
   timeDrawing = timeDrawing + spent;
   if (isReduced || uploads || owesMarks) return;
   fullFrameMs = isSmooth ? spent.clock : std::max(fullFrameMs, spent.clock);

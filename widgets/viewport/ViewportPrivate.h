@@ -66,7 +66,7 @@ class Viewport::Private {
   double fullFrameMs = 0.0;  // duration of the last frame in full detail
   bool isStale = true;       // the last frame is outdated
   int framesDrawn = 0;
-  Spent timeDrawing;
+  CpuTimes timeDrawing;
   QTimer rest;  // runs shortly after each turn of the wheel
 
   NavigationPreset preset = NavigationPreset::Handwheel;

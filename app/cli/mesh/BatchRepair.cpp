@@ -8,7 +8,7 @@
 #include "cli/mesh/BatchRun.h"
 #include "cli/mesh/MeshOutput.h"
 #include "cli/mesh/RepairArguments.h"
-#include "document/DraftFile.h"
+#include "document/AtomicSaveFile.h"
 #include "document/formats/MeshExport.h"
 
 #include <algorithm>

@@ -76,8 +76,8 @@ Result<Compared> compare(const CompareRequest& request, const DocumentKinds& kin
 void addPicture(const CompareRequest& request, Comparison& comparison) {
   const QTemporaryDir folder;
   const std::filesystem::path png = folder.filePath(QStringLiteral("sides.png")).toStdString();
-  if (makePictureApart({request.mesh, png, request.read.partial, request.scan,
-                        defaultRange(comparison.deviation.ofMesh)}) == kExitDone) {
+  if (renderInChildProcess({request.mesh, png, request.read.partial, request.scan,
+                            defaultRange(comparison.deviation.ofMesh)}) == kExitDone) {
     comparison.picture.load(QString::fromStdString(png.string()));
   }
 }

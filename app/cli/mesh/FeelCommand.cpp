@@ -7,9 +7,9 @@
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
-#include "cli/TipPath.h"
+#include "cli/TipTrajectory.h"
 #include "cli/mesh/FeelSnap.h"
-#include "cli/mesh/HapticPathRun.h"
+#include "cli/mesh/HapticPathOptions.h"
 #include "document/AtomicFile.h"
 #include "document/FileBytes.h"
 #include "document/mesh/MeshSnapshot.h"
@@ -35,10 +35,10 @@ constexpr std::size_t kMostTicks = 5'000'000;
 struct FeelRequest {
   std::filesystem::path mesh, path, out;
   ReadOptions read;
-  SurfaceFeel surface;
+  TouchedSurface surface;
   SnapRequest snap;
   FidelityValues values;
-  HapticPathRun run;
+  HapticPathOptions run;
   bool hasDevice = false;
 };
 
@@ -55,7 +55,7 @@ std::string readSettings(const Arguments& arguments, FeelRequest& request) {
   if (request.snap.isOn) read.insert(read.end(), {snapRadiusSetting(), snapFeaturesSetting()});
   const std::string problem = readFidelity(arguments, "feel", read, request.values);
   if (!problem.empty()) return problem;
-  request.surface = surfaceFeel(ContactSurface(), request.values);
+  request.surface = touchedSurface(ContactSurface(), request.values);
   if (const double rate = servoSettings(request.values).rate; rate > 0.0) request.run.rate = rate;
   return {};
 }
@@ -75,7 +75,7 @@ std::string readRequest(const Arguments& arguments, FeelRequest& request) {
   if (request.hasDevice && device != "simulated") return "--device takes simulated: others do not follow a path.";
   if (const std::string problem = readSnap(arguments, request.snap); !problem.empty()) return problem;
   if (const std::string problem = readSettings(arguments, request); !problem.empty()) return problem;
-  SurfaceFeel& surface = request.surface;
+  TouchedSurface& surface = request.surface;
   for (const std::string& problem : {readOption(arguments, "stiffness", 0.0, 1e6, surface.stiffness),
                                      readOption(arguments, "damping", 0.0, 1e6, surface.damping),
                                      readOption(arguments, "friction", 0.0, 100.0, surface.contact.friction),
@@ -88,7 +88,7 @@ std::string readRequest(const Arguments& arguments, FeelRequest& request) {
 
 // What the device can carry, and a note where that is less than what is asked.
 void limitBy(const DeviceCapabilities& device, FeelRequest& request) {
-  HapticPathRun& run = request.run;
+  HapticPathOptions& run = request.run;
   const LoopTiming timing{1.0 / run.rate, device.latency, device.inherentDamping};
   const double stable = stiffnessLimit(timing, 0.0);
   const bool isByTheDevice = device.maxStiffness > 0.0 && device.maxStiffness < stable;
@@ -106,25 +106,26 @@ void limitBy(const DeviceCapabilities& device, FeelRequest& request) {
 }
 
 // The rims of what was read; nothing, and said so, where there are none.
-std::optional<SnapFeel> rimsOf(const FeelRequest& request, const Input& input, Progress progress) {
+std::optional<SnapAttraction> rimsOf(const FeelRequest& request, const Input& input, Progress progress) {
   if (!request.snap.isOn) return std::nullopt;
   const MeshSnapshot* document = input.meshDocument();
   const HalfEdgeMesh mesh = document ? document->mesh.mesh : buildMesh(input.mesh->soup, progress.part(0.0, 0.6)).mesh;
   const std::vector<BoundaryLoop> loops =
       document ? document->mesh.defects->loops : findBoundaryLoops(mesh, progress.part(0.6, 0.8));
-  std::optional<SnapFeel> feel = snapFeel(request.snap, mesh, loops, request.values, progress.part(0.8, 1.0));
+  std::optional<SnapAttraction> feel =
+      snapAttraction(request.snap, mesh, loops, request.values, progress.part(0.8, 1.0));
   if (!feel && !progress.cancelled()) complain("The mesh has no open edge: nothing draws the tip.");
   return feel;
 }
 
 // The surface as it is read, equal corners made one; and what draws the tip.
-Result<SceneHaptics> sceneOf(const FeelRequest& request, const DocumentKinds& kinds, std::vector<DocumentFile>& read,
-                             Progress progress) {
+Result<MeshHaptics> sceneOf(const FeelRequest& request, const DocumentKinds& kinds, std::vector<DocumentFile>& read,
+                            Progress progress) {
   const Result<Input> input = readMeshInput(request.mesh, request.read, kinds, progress.part(0.0, 0.3));
   if (!input) return input.error();
   read.push_back(input->opened.file);
   const MeshSnapshot* document = input->meshDocument();
-  SceneHaptics scene;
+  MeshHaptics scene;
   scene.snap = rimsOf(request, *input, progress.part(0.3, 0.5));
   TriangleSoup soup = document ? document->mesh.mesh.compact().soup : weld(input->mesh->soup, progress.part(0.5, 0.6));
   scene.surface = request.surface;
@@ -134,7 +135,7 @@ Result<SceneHaptics> sceneOf(const FeelRequest& request, const DocumentKinds& ki
   return scene;
 }
 
-std::string summary(const FeltPath& felt) {
+std::string summary(const HapticPathResult& felt) {
   return "Ticks        " + std::to_string(felt.ticks) + "\nIn contact   " + std::to_string(felt.inContact) +
          "\nPeak force   " + roundedText(felt.peakForce) + " N\nA tick       " +
          roundedText(felt.usualMicroseconds, 3) + " us (median), " + roundedText(felt.slowMicroseconds, 3) +
@@ -180,21 +181,21 @@ int runFeel(const Arguments& arguments, const DocumentKinds& kinds) {
     error.subject = request.path.string();
     return fail(error);
   }
-  TipPath path = readTipPath(*text);
+  TipTrajectory path = readTipTrajectory(*text);
   if (!path.problem.empty()) return refuse(request.path.string() + ": " + path.problem);
   request.run.from = path.poses.front().time;
   request.run.to = path.poses.back().time;
   if (!((request.run.to - request.run.from) * request.run.rate < static_cast<double>(kMostTicks)))
     return refuse(request.path.string() + ": The path takes more than " + std::to_string(kMostTicks) +
                   " ticks. Choose a smaller --rate, or cut it.");
-  request.run.path = HandPath(std::move(path.poses));
+  request.run.path = PoseTrajectory(std::move(path.poses));
   if (request.hasDevice) limitBy(simulatedDevice().capabilities, request);
 
   std::vector<DocumentFile> read;
   std::optional<Error> problem;
-  FeltPath felt;
+  HapticPathResult felt;
   runInterruptible("Feeling", [&](CommandJob& job) {
-    Result<SceneHaptics> scene = sceneOf(request, kinds, read, job.progress().part(0.0, 0.5));
+    Result<MeshHaptics> scene = sceneOf(request, kinds, read, job.progress().part(0.0, 0.5));
     if (!scene) {
       problem = scene.error();
       return;

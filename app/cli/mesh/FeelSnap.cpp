@@ -3,7 +3,7 @@
 #include "cli/mesh/FeelSnap.h"
 
 #include "haptics/snap/SnapFidelity.h"
-#include "tools/mesh/RimFeatures.h"
+#include "tools/mesh/LoopFeatures.h"
 
 #include <algorithm>
 #include <array>
@@ -39,13 +39,14 @@ std::string readSnap(const Arguments& arguments, SnapRequest& request) {
   return {};
 }
 
-std::optional<SnapFeel> snapFeel(const SnapRequest& request, const HalfEdgeMesh& mesh,
-                                 std::span<const BoundaryLoop> loops, const FidelityValues& values, Progress progress) {
-  SnapScene rims = rimFeatures(mesh, loops, {}, progress);
+std::optional<SnapAttraction> snapAttraction(const SnapRequest& request, const HalfEdgeMesh& mesh,
+                                             std::span<const BoundaryLoop> loops, const FidelityValues& values,
+                                             Progress progress) {
+  LoopSnapField rims = loopFeatures(mesh, loops, {}, progress);
   if (rims.field.empty()) return std::nullopt;
   const SnapProfile profile(request.shape, request.stiffness, rims.distance(values));
-  return SnapFeel{std::move(rims.field), profile, request.method,
-                  static_cast<std::size_t>(values.of(snapFeaturesSetting()))};
+  return SnapAttraction{std::move(rims.field), profile, request.method,
+                        static_cast<std::size_t>(values.of(snapFeaturesSetting()))};
 }
 
 }  // namespace handwheel

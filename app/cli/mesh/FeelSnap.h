@@ -4,7 +4,7 @@
 
 #include "base/Fidelity.h"
 #include "cli/Arguments.h"
-#include "haptics/scene/SceneForces.h"
+#include "haptics/scene/SnapForce.h"
 #include "mesh/boundary/BoundaryLoops.h"
 
 namespace handwheel {
@@ -22,7 +22,8 @@ std::string readSnap(const Arguments& arguments, SnapRequest& request);
 
 // Builds the snap forces for all boundary edges of a mesh. They reach as far as the snap distance, which is
 // snap.radius times the mean length of the edges. Nothing where there are no boundary edges.
-std::optional<SnapFeel> snapFeel(const SnapRequest& request, const HalfEdgeMesh& mesh,
-                                 std::span<const BoundaryLoop> loops, const FidelityValues& values, Progress progress);
+std::optional<SnapAttraction> snapAttraction(const SnapRequest& request, const HalfEdgeMesh& mesh,
+                                             std::span<const BoundaryLoop> loops, const FidelityValues& values,
+                                             Progress progress);
 
 }  // namespace handwheel

@@ -111,7 +111,7 @@ int reportReason(const RepairRun& run, const RepairRequest& request) {
 int deliver(const Repaired& done, const RepairRequest& request, const Arguments& arguments) {
   for (const std::string& sentence : done.delivery.complaints) complain(sentence);
   if (arguments.has("screenshot") &&
-      makePictureApart({request.output, arguments.valueOf("screenshot")}) == kExitInterrupted) {
+      renderInChildProcess({request.output, arguments.valueOf("screenshot")}) == kExitInterrupted) {
     complain("Cancelled. The result is written already.");
     return kExitInterrupted;
   }

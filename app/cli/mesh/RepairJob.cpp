@@ -188,7 +188,7 @@ Result<RepairRun> repairFile(const RepairRequest& request, const DocumentKinds& 
   if (!encoded) return encoded.error();
   run.output = std::move(encoded->bytes);
   run.repair.reversedFaces += work.before.report.reversedFaces.size();
-  run.repair.partedVertices += encoded->report.parted.size();
+  run.repair.separatedVertices += encoded->report.parted.size();
   run.touched = touchedInputs(run.repair.touchedVertices, encoded->report.parted, work.before.mesh.vertexSlots());
   const Status measured = measure(request, kinds, work, run, progress.part(0.85, 1.0));
   if (!measured) return measured.error();

@@ -6,9 +6,9 @@
 #include "panels/LogModel.h"
 #include "text/ErrorText.h"
 #include "window/WindowServices.h"
+#include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/documents/FileLoader.h"
-#include "window/documents/OpenDocument.h"
 
 #include <QFile>
 
@@ -26,7 +26,7 @@ Autosave::Autosave(DocumentTabs& tabs, FileLoader& loader, LogModel& log, Window
   m_timer.setSingleShot(true);
   connect(&m_timer, &QTimer::timeout, this, &Autosave::saveAll);
   connect(&m_tabs, &DocumentTabs::added, this, &Autosave::follow);
-  connect(&m_tabs, &DocumentTabs::closing, this, [this](OpenDocument* document) {
+  connect(&m_tabs, &DocumentTabs::closing, this, [this](DocumentTab* document) {
     document->document.disconnect(this);
     m_session->close(m_keys[document]);
     m_keys.erase(document);
@@ -38,7 +38,7 @@ void Autosave::setInterval(int seconds) {
   m_timer.setInterval(1000 * seconds);
 }
 
-void Autosave::follow(OpenDocument* document) {
+void Autosave::follow(DocumentTab* document) {
   m_keys[document] = ++m_lastKey;
   document->autosaved = document->document.revision();
   connect(&document->document, &Document::changed, this, &Autosave::changed);
@@ -56,13 +56,13 @@ void Autosave::changed() {
 }
 
 void Autosave::saveAll() {
-  m_need = Need();
+  m_need = ServiceHandle();
   for (const auto& each : m_tabs.all()) {
     if (each->document.isModified() && each->autosaved != each->document.revision()) save(each.get());
   }
 }
 
-void Autosave::save(OpenDocument* document) {
+void Autosave::save(DocumentTab* document) {
   const std::uint64_t revision = document->document.revision(), key = m_keys[document];
   AutosaveInfo info;
   info.documentId = document->document.file().id;
@@ -89,7 +89,7 @@ void Autosave::save(OpenDocument* document) {
 }
 
 // It is tried again within the interval; told is the first of several failures.
-void Autosave::reportFailure(OpenDocument* document, const QString& name, const Error& error) {
+void Autosave::reportFailure(DocumentTab* document, const QString& name, const Error& error) {
   if (!m_tabs.contains(document)) return;
   document->autosaved = 0;
   changed();
@@ -108,15 +108,15 @@ void Autosave::reportFailure(OpenDocument* document, const QString& name, const 
 }
 
 // The messages keep the leftovers, and so their locks, until they are answered or closed.
-void Autosave::offerLeftovers() {
-  const auto leftovers = std::make_shared<const Leftovers>();
+void Autosave::offerRecovery() {
+  const auto leftovers = std::make_shared<const OrphanedAutosaves>();
   if (!leftovers->skipped().empty()) offerDamaged(leftovers);
   if (!leftovers->found().empty()) offer(leftovers);
 }
 
-void Autosave::offer(const std::shared_ptr<const Leftovers>& leftovers) {
+void Autosave::offer(const std::shared_ptr<const OrphanedAutosaves>& leftovers) {
   QStringList names;
-  for (const Leftover& leftover : leftovers->found()) {
+  for (const OrphanedAutosave& leftover : leftovers->found()) {
     const QString name = QString::fromStdString(leftover.info.name);
     names << (leftover.isOutdated ? tr("%1 (its file was saved since)").arg(name) : name);
   }
@@ -130,7 +130,7 @@ void Autosave::offer(const std::shared_ptr<const Leftovers>& leftovers) {
                 [this, leftovers] { discard(*leftovers); }});
 }
 
-void Autosave::offerDamaged(const std::shared_ptr<const Leftovers>& leftovers) {
+void Autosave::offerDamaged(const std::shared_ptr<const OrphanedAutosaves>& leftovers) {
   for (const Error& error : leftovers->skipped()) m_log.add(errorSentence(error), {}, LogEntry::Weight::Warning);
   const auto count = static_cast<int>(leftovers->skipped().size());
   emit message({Message::Weight::Warning,
@@ -142,19 +142,19 @@ void Autosave::offerDamaged(const std::shared_ptr<const Leftovers>& leftovers) {
                 }});
 }
 
-void Autosave::recover(const std::shared_ptr<const Leftovers>& leftovers) {
-  for (const Leftover& leftover : leftovers->found()) {
+void Autosave::recover(const std::shared_ptr<const OrphanedAutosaves>& leftovers) {
+  for (const OrphanedAutosave& leftover : leftovers->found()) {
     m_loader.recover(QFile::decodeName(leftover.file.c_str()),
                      QFile::decodeName(QByteArray::fromStdString(leftover.info.path)),
-                     [this, leftovers, &leftover](OpenDocument* recovered) {
+                     [this, leftovers, &leftover](DocumentTab* recovered) {
                        const Status adopted = m_session->adopt(leftover, m_keys[recovered]);
                        if (!adopted) m_log.add(errorSentence(adopted.error()), {}, LogEntry::Weight::Warning);
                      });
   }
 }
 
-void Autosave::discard(const Leftovers& leftovers) {
-  for (const Leftover& leftover : leftovers.found()) leftovers.discard(leftover);
+void Autosave::discard(const OrphanedAutosaves& leftovers) {
+  for (const OrphanedAutosave& leftover : leftovers.found()) leftovers.discard(leftover);
   m_log.add(tr("Discarded %Ln autosave(s)", nullptr, static_cast<int>(leftovers.found().size())));
 }
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "base/Service.h"
+#include "document/OrphanedAutosaves.h"
 #include "document/Recovery.h"
-#include "document/RecoveryLeftovers.h"
 #include "panels/MessageBar.h"
 #include "window/JobRunner.h"
 
@@ -21,7 +21,7 @@ class DocumentTabs;
 class FileLoader;
 class LogModel;
 class WindowServices;
-struct OpenDocument;
+struct DocumentTab;
 
 // Saves modified documents to the recovery folder at intervals. The file is removed when its document is saved or
 // closed. The files of a session that was killed are offered at the next start, until they are recovered or discarded.
@@ -32,21 +32,21 @@ class Autosave : public QObject {
   Autosave(DocumentTabs& tabs, FileLoader& loader, LogModel& log, WindowServices& services, QObject* parent = nullptr);
 
   void setInterval(int seconds);  // 0: never
-  void offerLeftovers();
+  void offerRecovery();
 
  signals:
   void message(const handwheel::Message& message);
 
  private:
-  void follow(OpenDocument* document);
+  void follow(DocumentTab* document);
   void changed();
   void saveAll();
-  void save(OpenDocument* document);
-  void reportFailure(OpenDocument* document, const QString& name, const Error& error);
-  void offer(const std::shared_ptr<const Leftovers>& leftovers);
-  void offerDamaged(const std::shared_ptr<const Leftovers>& leftovers);
-  void recover(const std::shared_ptr<const Leftovers>& leftovers);
-  void discard(const Leftovers& leftovers);
+  void save(DocumentTab* document);
+  void reportFailure(DocumentTab* document, const QString& name, const Error& error);
+  void offer(const std::shared_ptr<const OrphanedAutosaves>& leftovers);
+  void offerDamaged(const std::shared_ptr<const OrphanedAutosaves>& leftovers);
+  void recover(const std::shared_ptr<const OrphanedAutosaves>& leftovers);
+  void discard(const OrphanedAutosaves& leftovers);
 
   DocumentTabs& m_tabs;
   FileLoader& m_loader;
@@ -54,12 +54,12 @@ class Autosave : public QObject {
   WindowServices& m_services;
   QThreadPool m_pool;  // its own, so that long jobs do not delay it
   JobRunner m_jobs;
-  QTimer m_timer;  // started by the first change after an autosave
-  Need m_need;     // held while such changes exist
+  QTimer m_timer;        // started by the first change after an autosave
+  ServiceHandle m_need;  // held while such changes exist
   std::shared_ptr<RecoverySession> m_session;
-  std::map<const OpenDocument*, std::uint64_t> m_keys;
+  std::map<const DocumentTab*, std::uint64_t> m_keys;
   std::uint64_t m_lastKey = 0;
-  std::set<const OpenDocument*> m_failing;  // whose last autosave failed
+  std::set<const DocumentTab*> m_failing;  // whose last autosave failed
 };
 
 }  // namespace handwheel

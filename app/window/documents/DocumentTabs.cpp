@@ -3,7 +3,7 @@
 #include "window/documents/DocumentTabs.h"
 
 #include "theme/Icons.h"
-#include "window/documents/OpenDocument.h"
+#include "window/documents/DocumentTab.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -37,16 +37,16 @@ DocumentTabs::DocumentTabs(QWidget* parent) : QFrame(parent), m_bar(new QTabBar(
 
 DocumentTabs::~DocumentTabs() = default;
 
-OpenDocument* DocumentTabs::current() const {
+DocumentTab* DocumentTabs::current() const {
   const int i = m_bar->currentIndex();
   return i < 0 ? nullptr : m_documents[static_cast<std::size_t>(i)].get();
 }
 
-bool DocumentTabs::contains(const OpenDocument* document) const {
+bool DocumentTabs::contains(const DocumentTab* document) const {
   return indexOf(document) >= 0;
 }
 
-OpenDocument* DocumentTabs::withPath(const QString& path) const {
+DocumentTab* DocumentTabs::withPath(const QString& path) const {
   const QFileInfo wanted(path);
   for (const auto& each : m_documents) {
     if (!each->document.file().path.empty() && QFileInfo(each->document.path()) == wanted) return each.get();
@@ -54,8 +54,8 @@ OpenDocument* DocumentTabs::withPath(const QString& path) const {
   return nullptr;
 }
 
-void DocumentTabs::add(std::unique_ptr<OpenDocument> document) {
-  OpenDocument* added = document.get();
+void DocumentTabs::add(std::unique_ptr<DocumentTab> document) {
+  DocumentTab* added = document.get();
   m_documents.push_back(std::move(document));
   int index = -1;
   {
@@ -83,7 +83,7 @@ void DocumentTabs::setCloseTip(const QString& tip) {
   for (auto* close : m_bar->findChildren<QToolButton*>(QStringLiteral("closeTab"))) close->setToolTip(tip);
 }
 
-void DocumentTabs::setCurrent(const OpenDocument* document) {
+void DocumentTabs::setCurrent(const DocumentTab* document) {
   m_bar->setCurrentIndex(indexOf(document));
 }
 
@@ -92,10 +92,10 @@ void DocumentTabs::step(int places) {
   m_bar->setCurrentIndex((m_bar->currentIndex() + places + m_bar->count()) % m_bar->count());
 }
 
-void DocumentTabs::close(OpenDocument* document) {
+void DocumentTabs::close(DocumentTab* document) {
   const int index = indexOf(document);
   emit closing(document);
-  std::unique_ptr<OpenDocument> last = std::move(m_documents[static_cast<std::size_t>(index)]);
+  std::unique_ptr<DocumentTab> last = std::move(m_documents[static_cast<std::size_t>(index)]);
   m_documents.erase(m_documents.begin() + index);
   {
     const QSignalBlocker quiet(m_bar);
@@ -104,13 +104,13 @@ void DocumentTabs::close(OpenDocument* document) {
   emit currentChanged(current());
 }
 
-int DocumentTabs::indexOf(const OpenDocument* document) const {
+int DocumentTabs::indexOf(const DocumentTab* document) const {
   const auto found = std::find_if(m_documents.begin(), m_documents.end(),
                                   [document](const auto& each) { return each.get() == document; });
   return found == m_documents.end() ? -1 : static_cast<int>(found - m_documents.begin());
 }
 
-void DocumentTabs::refresh(const OpenDocument* document) {
+void DocumentTabs::refresh(const DocumentTab* document) {
   const int index = indexOf(document);
   if (index < 0) return;
   const QString name = document->document.name();

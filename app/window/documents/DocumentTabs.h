@@ -10,7 +10,7 @@ class QTabBar;
 
 namespace handwheel {
 
-struct OpenDocument;
+struct DocumentTab;
 
 // The tab bar, which owns the open documents.
 class DocumentTabs : public QFrame {
@@ -20,30 +20,30 @@ class DocumentTabs : public QFrame {
   explicit DocumentTabs(QWidget* parent = nullptr);
   ~DocumentTabs() override;
 
-  OpenDocument* current() const;
-  const std::vector<std::unique_ptr<OpenDocument>>& all() const { return m_documents; }
-  bool contains(const OpenDocument* document) const;
-  OpenDocument* withPath(const QString& path) const;  // null when it is not open
+  DocumentTab* current() const;
+  const std::vector<std::unique_ptr<DocumentTab>>& all() const { return m_documents; }
+  bool contains(const DocumentTab* document) const;
+  DocumentTab* withPath(const QString& path) const;  // null when it is not open
 
-  void add(std::unique_ptr<OpenDocument> document);  // and makes it current
-  void setCurrent(const OpenDocument* document);
+  void add(std::unique_ptr<DocumentTab> document);  // and makes it current
+  void setCurrent(const DocumentTab* document);
   void step(int places);                 // to the right, cyclically
-  void close(OpenDocument* document);    // without asking
+  void close(DocumentTab* document);     // without asking
   void setCloseTip(const QString& tip);  // of the button in each tab
 
  signals:
-  void added(handwheel::OpenDocument* document);
-  void currentChanged(handwheel::OpenDocument* document);  // null when none is left
-  void closing(handwheel::OpenDocument* document);         // the last signal for which the pointer is valid
-  void closeRequested(handwheel::OpenDocument* document);
+  void added(handwheel::DocumentTab* document);
+  void currentChanged(handwheel::DocumentTab* document);  // null when none is left
+  void closing(handwheel::DocumentTab* document);         // the last signal for which the pointer is valid
+  void closeRequested(handwheel::DocumentTab* document);
 
  private:
-  int indexOf(const OpenDocument* document) const;
-  void refresh(const OpenDocument* document);
+  int indexOf(const DocumentTab* document) const;
+  void refresh(const DocumentTab* document);
 
   QTabBar* m_bar;
   QString m_closeTip;
-  std::vector<std::unique_ptr<OpenDocument>> m_documents;  // in the order of the tabs
+  std::vector<std::unique_ptr<DocumentTab>> m_documents;  // in the order of the tabs
 };
 
 }  // namespace handwheel

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/documents/FileActions.h"
 
-#include "window/ActionTip.h"
+#include "window/ActionToolTip.h"
 #include "window/documents/ClosePrompt.h"
+#include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/documents/FileFilters.h"
-#include "window/documents/OpenDocument.h"
 #include "window/documents/RecentFiles.h"
 #include "window/documents/Samples.h"
 
@@ -87,7 +87,7 @@ FileActions::FileActions(QWidget* window, const DocumentKinds& kinds, const Kind
   connect(&m_saver, &FileSaver::failed, this, &FileActions::offerAnotherName);
   connect(&m_saver, &FileSaver::incomplete, this, &FileActions::offerContainer);
   connect(&m_tabs, &DocumentTabs::currentChanged, this, &FileActions::followDocument);
-  connect(&m_tabs, &DocumentTabs::closeRequested, this, [this](OpenDocument* document) { requestClose(document); });
+  connect(&m_tabs, &DocumentTabs::closeRequested, this, [this](DocumentTab* document) { requestClose(document); });
   connect(&m_recent, &RecentFiles::changed, this, &FileActions::fillRecentMenu);
   fillRecentMenu();
   followDocument();
@@ -176,7 +176,7 @@ void FileActions::saveCurrent() {
 
 // The file itself must not be overwritten without asking: it holds what the document does not, is not the user's, or
 // cannot be written by us.
-bool FileActions::needsNewName(const OpenDocument& open) const {
+bool FileActions::needsNewName(const DocumentTab& open) const {
   const Document& document = open.document;
   if (document.file().path.empty() || !canWrite(document.kind(), document.path())) return true;
   if (!document.file().recordings.empty() && !isContainerName(document.file().path)) return true;
@@ -185,12 +185,12 @@ bool FileActions::needsNewName(const OpenDocument& open) const {
   return document.file().wouldLoseDataOnOverwrite() || (file.exists() && !file.isWritable()) || isSample(file);
 }
 
-void FileActions::saveOrAsk(OpenDocument* document, std::function<void(bool)> ended) {
+void FileActions::saveOrAsk(DocumentTab* document, std::function<void(bool)> ended) {
   if (needsNewName(*document)) return askForName(document, std::move(ended));
   m_saver.save(document, document->document.path(), std::move(ended));
 }
 
-void FileActions::askForName(OpenDocument* document, std::function<void(bool)> ended, bool asContainer) {
+void FileActions::askForName(DocumentTab* document, std::function<void(bool)> ended, bool asContainer) {
   auto* dialog = new QFileDialog(m_window, tr("Save as"));
   dialog->setObjectName(QStringLiteral("saveDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -215,7 +215,7 @@ void FileActions::askForName(OpenDocument* document, std::function<void(bool)> e
   dialog->open();
 }
 
-void FileActions::offerAnotherName(OpenDocument* document, Message message) {
+void FileActions::offerAnotherName(DocumentTab* document, Message message) {
   message.actionText = tr("Save as…");
   message.action = [this, document] {
     if (m_tabs.contains(document)) askForName(document, {});
@@ -223,7 +223,7 @@ void FileActions::offerAnotherName(OpenDocument* document, Message message) {
   emit this->message(message);
 }
 
-void FileActions::offerContainer(OpenDocument* document, Message message) {
+void FileActions::offerContainer(DocumentTab* document, Message message) {
   message.actionText = tr("Save as *%1…").arg(containerEnding());
   message.action = [this, document] {
     if (m_tabs.contains(document)) askForName(document, {}, true);
@@ -231,7 +231,7 @@ void FileActions::offerContainer(OpenDocument* document, Message message) {
   emit this->message(message);
 }
 
-void FileActions::requestClose(OpenDocument* document, std::function<void()> then) {
+void FileActions::requestClose(DocumentTab* document, std::function<void()> then) {
   const bool isUnderWay = m_closing.contains(document);
   if (!isUnderWay) emit aboutToClose();
   auto& waiting = m_closing[document];
@@ -246,7 +246,7 @@ void FileActions::requestClose(OpenDocument* document, std::function<void()> the
   });
 }
 
-void FileActions::endClosing(OpenDocument* document, bool close) {
+void FileActions::endClosing(DocumentTab* document, bool close) {
   const auto closing = m_closing.extract(document);
   if (!close || closing.empty() || !m_tabs.contains(document)) return;
   m_tabs.close(document);
@@ -259,7 +259,7 @@ void FileActions::requestCloseAll(std::function<void()> then) {
 }
 
 // Nothing is closed before the last answer: who cancels then keeps everything.
-void FileActions::decideNext(std::set<const OpenDocument*> discarded, std::function<void()> then) {
+void FileActions::decideNext(std::set<const DocumentTab*> discarded, std::function<void()> then) {
   const auto isUndecided = [&](const auto& open) {
     return m_closing.contains(open.get()) || (open->document.isModified() && !discarded.contains(open.get()));
   };
@@ -269,7 +269,7 @@ void FileActions::decideNext(std::set<const OpenDocument*> discarded, std::funct
     while (!all.empty()) m_tabs.close(all.back().get());
     return then();
   }
-  OpenDocument* const document = next->get();
+  DocumentTab* const document = next->get();
   if (const auto closing = m_closing.find(document); closing != m_closing.end()) {
     closing->second.push_back([this, discarded, then] { decideNext(discarded, then); });
     return;

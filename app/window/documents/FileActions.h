@@ -45,7 +45,7 @@ class FileActions : public QObject {
   void openPaths(const QStringList& paths);
   // Closes a document; when it is modified the user is asked first. then: called once it is closed. A second request
   // while the user is asked, or the document is saved, waits for the same answer.
-  void requestClose(OpenDocument* document, std::function<void()> then = {});
+  void requestClose(DocumentTab* document, std::function<void()> then = {});
   // Asks about each modified document, and closes all unless the user cancels or saving fails. then: called when none
   // is left.
   void requestCloseAll(std::function<void()> then);
@@ -58,16 +58,16 @@ class FileActions : public QObject {
   void askForFiles();
   void saveCurrent();
   // ended: as for FileSaver::save(); also called when no name was chosen.
-  void saveOrAsk(OpenDocument* document, std::function<void(bool)> ended);
-  void askForName(OpenDocument* document, std::function<void(bool)> ended, bool asContainer = false);
-  void offerAnotherName(OpenDocument* document, Message message);
-  void offerContainer(OpenDocument* document, Message message);
-  void endClosing(OpenDocument* document, bool close);
+  void saveOrAsk(DocumentTab* document, std::function<void(bool)> ended);
+  void askForName(DocumentTab* document, std::function<void(bool)> ended, bool asContainer = false);
+  void offerAnotherName(DocumentTab* document, Message message);
+  void offerContainer(DocumentTab* document, Message message);
+  void endClosing(DocumentTab* document, bool close);
   // discarded: documents whose changes the user discards.
-  void decideNext(std::set<const OpenDocument*> discarded, std::function<void()> then);
+  void decideNext(std::set<const DocumentTab*> discarded, std::function<void()> then);
   void followDocument();
   void fillRecentMenu();
-  bool needsNewName(const OpenDocument& document) const;
+  bool needsNewName(const DocumentTab& document) const;
 
   QWidget* m_window;
   const DocumentKinds& m_kinds;
@@ -76,7 +76,7 @@ class FileActions : public QObject {
   FileLoader m_loader;
   FileSaver m_saver;
   // Documents being asked about or saved before closing, with the callbacks for when they are closed.
-  std::map<const OpenDocument*, std::vector<std::function<void()>>> m_closing;
+  std::map<const DocumentTab*, std::vector<std::function<void()>>> m_closing;
   QAction m_open;
   std::vector<std::pair<StartAction, QAction*>> m_startActions;
   QAction m_save;

@@ -9,8 +9,8 @@
 #include "text/RepairText.h"
 #include "window/CommandText.h"
 #include "window/JobRunner.h"
+#include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
-#include "window/documents/OpenDocument.h"
 #include "window/documents/RecentFiles.h"
 #include "window/kinds/KindUi.h"
 
@@ -53,7 +53,7 @@ FileLoader::FileLoader(const DocumentKinds& kinds, const KindUis& uis, DocumentT
     : QObject(parent), m_kinds(kinds), m_uis(uis), m_tabs(tabs), m_jobs(jobs), m_recent(recent), m_log(log) {}
 
 void FileLoader::load(const QString& path, const ReadOptions& options) {
-  if (const OpenDocument* open = m_tabs.withPath(path)) return m_tabs.setCurrent(open);
+  if (const DocumentTab* open = m_tabs.withPath(path)) return m_tabs.setCurrent(open);
   Job job;
   job.name = tr("Opening %1").arg(QFileInfo(path).fileName());
   job.work = [this, path, options](Progress progress) -> Job::Finish {
@@ -67,18 +67,18 @@ void FileLoader::load(const QString& path, const ReadOptions& options) {
 
 void FileLoader::create(const std::string& kind) {
   const DocumentKind& of = *m_kinds.withId(kind);
-  OpenDocument* added = add(DocumentKinds::blank(of));
+  DocumentTab* added = add(DocumentKinds::blank(of));
   added->inFile = of.make(DocumentKinds::blank(of))->properties();  // from which the command line starts
 }
 
-void FileLoader::recover(const QString& autosave, const QString& path, std::function<void(OpenDocument*)> then) {
+void FileLoader::recover(const QString& autosave, const QString& path, std::function<void(DocumentTab*)> then) {
   Job job;
   job.name = path.isEmpty() ? tr("Recovering") : tr("Recovering %1").arg(QFileInfo(path).fileName());
   job.work = [this, autosave, path, then](Progress progress) -> Job::Finish {
     Result<OpenedFile> opened = m_kinds.open(QFile::encodeName(autosave).toStdString(), {}, progress);
     if (!opened) return [this, path, error = opened.error()] { failed(path, error, ReadOptions{.partial = true}); };
     return [this, path, then, opened = std::move(opened.value())] {
-      OpenDocument* recovered = add(opened);
+      DocumentTab* recovered = add(opened);
       recovered->document.markRecovered(path);
       m_log.add(tr("Recovered %1 as it was last autosaved").arg(recovered->document.name()));
       then(recovered);
@@ -88,18 +88,18 @@ void FileLoader::recover(const QString& autosave, const QString& path, std::func
   m_jobs.start(std::move(job));
 }
 
-OpenDocument* FileLoader::add(OpenedFile opened) {
+DocumentTab* FileLoader::add(OpenedFile opened) {
   const DocumentKind& kind = *opened.kind;
   if (!opened.file.isContainer) opened.file.displayUnit = loadPreferences().lengthUnit;
   auto open = m_uis.at(kind.id())->open(kind.make(std::move(opened)));
-  OpenDocument* added = open.get();
+  DocumentTab* added = open.get();
   m_tabs.add(std::move(open));
   return added;
 }
 
 void FileLoader::loaded(const QString& path, const ReadOptions& options, OpenedFile opened) {
-  if (const OpenDocument* open = m_tabs.withPath(path)) return m_tabs.setCurrent(open);
-  OpenDocument* added = add(std::move(opened));
+  if (const DocumentTab* open = m_tabs.withPath(path)) return m_tabs.setCurrent(open);
+  DocumentTab* added = add(std::move(opened));
   added->inFile = added->document.properties();
   m_log.add(added->ui.openedText(*added), inspectCommand(path, options));
   m_recent.add(path);

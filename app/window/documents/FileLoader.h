@@ -19,7 +19,7 @@ class LogModel;
 class DocumentKinds;
 class KindUi;
 class RecentFiles;
-struct OpenDocument;
+struct DocumentTab;
 
 using KindUis = std::map<std::string, std::unique_ptr<KindUi>>;  // by the id of the kind
 
@@ -37,13 +37,13 @@ class FileLoader : public QObject {
   void create(const std::string& kind);
   // Opens the autosave of a document. path: that of the document, may be empty. then: called with the document when it
   // is open.
-  void recover(const QString& autosave, const QString& path, std::function<void(OpenDocument*)> then);
+  void recover(const QString& autosave, const QString& path, std::function<void(DocumentTab*)> then);
 
  signals:
   void message(const handwheel::Message& message);
 
  private:
-  OpenDocument* add(OpenedFile opened);
+  DocumentTab* add(OpenedFile opened);
   void loaded(const QString& path, const ReadOptions& options, OpenedFile opened);
   void failed(const QString& path, const Error& error, const ReadOptions& options);
   void reportLosses(const Document& document);

@@ -7,9 +7,9 @@
 #include "text/ErrorText.h"
 #include "text/NoteText.h"
 #include "window/JobRunner.h"
+#include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/documents/FileFilters.h"
-#include "window/documents/OpenDocument.h"
 #include "window/documents/RecentFiles.h"
 #include "window/kinds/KindUi.h"
 
@@ -22,7 +22,7 @@ namespace handwheel {
 FileSaver::FileSaver(DocumentTabs& tabs, JobRunner& jobs, RecentFiles& recent, LogModel& log, QObject* parent)
     : QObject(parent), m_tabs(tabs), m_jobs(jobs), m_recent(recent), m_log(log) {}
 
-void FileSaver::save(OpenDocument* document, const QString& path, std::function<void(bool)> ended) {
+void FileSaver::save(DocumentTab* document, const QString& path, std::function<void(bool)> ended) {
   const Written state{path, document->ui.saveCommand(*document, path), document->document.revision(),
                       document->document.properties(), document->document.displayUnit()};
   Job job;
@@ -47,7 +47,7 @@ void FileSaver::save(OpenDocument* document, const QString& path, std::function<
   m_jobs.start(std::move(job));
 }
 
-void FileSaver::saved(OpenDocument* document, const Written& state, const WrittenFile& written) {
+void FileSaver::saved(DocumentTab* document, const Written& state, const WrittenFile& written) {
   Document& saved = document->document;
   const QString name = QFileInfo(state.path).fileName();
   m_log.add(tr("Saved %1: %2 bytes, read back and compared").arg(name).arg(written.bytes), state.command);
@@ -66,7 +66,7 @@ void FileSaver::saved(OpenDocument* document, const Written& state, const Writte
 
 // Once for each list of them: who saves often has read it. Whether it was told. A foreign file that is opened again has
 // the usual unit.
-bool FileSaver::reportLosses(OpenDocument* document, const Written& state, const WrittenFile& written) {
+bool FileSaver::reportLosses(DocumentTab* document, const Written& state, const WrittenFile& written) {
   const auto foreign = formatOf(document->document.kind(), state.path);
   if (foreign && !foreign->reads) return false;  // an export, which was told
   QStringList losses;
@@ -89,7 +89,7 @@ bool FileSaver::reportLosses(OpenDocument* document, const Written& state, const
   return true;
 }
 
-void FileSaver::reportExport(const OpenDocument& document, const QString& name) {
+void FileSaver::reportExport(const DocumentTab& document, const QString& name) {
   if (!document.document.isModified()) return;
   emit message({Message::Weight::Info,
                 tr("%1 was written").arg(name),
@@ -102,7 +102,7 @@ void FileSaver::reportExport(const OpenDocument& document, const QString& name) 
                 &document.document});
 }
 
-void FileSaver::reportCancelled(OpenDocument* document, const QString& path) {
+void FileSaver::reportCancelled(DocumentTab* document, const QString& path) {
   const QString title = tr("Saving %1 was cancelled").arg(QFileInfo(path).fileName());
   m_log.add(title, {}, LogEntry::Weight::Warning);
   Message told{Message::Weight::Warning, title, tr("Nothing was written: the file is as it was before."), {}, {}, {}};
@@ -117,7 +117,7 @@ void FileSaver::reportCancelled(OpenDocument* document, const QString& path) {
   emit message(told);
 }
 
-void FileSaver::reportFailure(OpenDocument* document, const QString& path, const Error& error) {
+void FileSaver::reportFailure(DocumentTab* document, const QString& path, const Error& error) {
   if (error.code == ErrorCode::Cancelled) return reportCancelled(document, path);
   const QString name = QFileInfo(path).fileName();
   const QString title = tr("%1 could not be saved").arg(name);

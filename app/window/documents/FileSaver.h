@@ -14,7 +14,7 @@ class DocumentTabs;
 class JobRunner;
 class LogModel;
 class RecentFiles;
-struct OpenDocument;
+struct DocumentTab;
 
 // Writes documents to files on a worker thread. The new file is complete and checked, or the old one is unchanged.
 // Writing a format from which the document cannot be read back is an export: the document stays unsaved.
@@ -26,14 +26,14 @@ class FileSaver : public QObject {
 
   // ended: always called at the end; true when the file holds the present state of the document, and the user already
   // knows what the file lacks.
-  void save(OpenDocument* document, const QString& path, std::function<void(bool)> ended = {});
+  void save(DocumentTab* document, const QString& path, std::function<void(bool)> ended = {});
 
  signals:
   void message(const handwheel::Message& message);
   // Saving failed; the document is still open and unsaved. message: describes it, without an action.
-  void failed(handwheel::OpenDocument* document, const handwheel::Message& message);
+  void failed(handwheel::DocumentTab* document, const handwheel::Message& message);
   // The file was written, but its format cannot hold all of the document. message: describes it, without an action.
-  void incomplete(handwheel::OpenDocument* document, const handwheel::Message& message);
+  void incomplete(handwheel::DocumentTab* document, const handwheel::Message& message);
 
  private:
   struct Written {
@@ -43,11 +43,11 @@ class FileSaver : public QObject {
     std::vector<Property> properties;
     LengthUnit displayUnit;
   };
-  void saved(OpenDocument* document, const Written& state, const WrittenFile& written);
-  bool reportLosses(OpenDocument* document, const Written& state, const WrittenFile& written);
-  void reportExport(const OpenDocument& document, const QString& name);
-  void reportCancelled(OpenDocument* document, const QString& path);
-  void reportFailure(OpenDocument* document, const QString& path, const Error& error);
+  void saved(DocumentTab* document, const Written& state, const WrittenFile& written);
+  bool reportLosses(DocumentTab* document, const Written& state, const WrittenFile& written);
+  void reportExport(const DocumentTab& document, const QString& name);
+  void reportCancelled(DocumentTab* document, const QString& path);
+  void reportFailure(DocumentTab* document, const QString& path, const Error& error);
 
   DocumentTabs& m_tabs;
   JobRunner& m_jobs;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/fidelity/CalibrationRow.h"
 
-#include "window/fidelity/Calibrator.h"
+#include "window/fidelity/BenchmarkRunner.h"
 #include "window/fidelity/FidelityChoice.h"
 
 #include <QDate>
@@ -25,7 +25,7 @@ QString dateOf(const CurveFile& curve, const QLocale& locale) {
 
 }  // namespace
 
-CalibrationRow::CalibrationRow(FidelityChoice& choice, Calibrator& calibrator, QWidget* parent)
+CalibrationRow::CalibrationRow(FidelityChoice& choice, BenchmarkRunner& calibrator, QWidget* parent)
     : QWidget(parent),
       m_choice(choice),
       m_calibrator(calibrator),
@@ -50,9 +50,9 @@ CalibrationRow::CalibrationRow(FidelityChoice& choice, Calibrator& calibrator, Q
   column->addLayout(row);
   connect(m_button, &QPushButton::clicked, this,
           [this] { m_calibrator.isRunning() ? m_calibrator.cancel() : m_calibrator.start(); });
-  connect(&calibrator, &Calibrator::changed, this, &CalibrationRow::refresh);
+  connect(&calibrator, &BenchmarkRunner::changed, this, &CalibrationRow::refresh);
   connect(&choice, &FidelityChoice::curvesChanged, this, &CalibrationRow::refresh);
-  connect(&calibrator, &Calibrator::progressed, this,
+  connect(&calibrator, &BenchmarkRunner::progressed, this,
           [this] { m_progress->setValue(static_cast<int>(m_calibrator.fraction() * kProgressSteps)); });
   refresh();
 }

@@ -10,7 +10,7 @@ class QPushButton;
 
 namespace handwheel {
 
-class Calibrator;
+class BenchmarkRunner;
 class FidelityChoice;
 
 // Shows the origin of the measured curves and starts a calibration. While one runs it shows the progress.
@@ -18,14 +18,14 @@ class CalibrationRow : public QWidget {
   Q_OBJECT
 
  public:
-  CalibrationRow(FidelityChoice& choice, Calibrator& calibrator, QWidget* parent = nullptr);
+  CalibrationRow(FidelityChoice& choice, BenchmarkRunner& calibrator, QWidget* parent = nullptr);
 
  private:
   void refresh();
   QString origin() const;
 
   FidelityChoice& m_choice;
-  Calibrator& m_calibrator;
+  BenchmarkRunner& m_calibrator;
   QLabel* m_text;
   QProgressBar* m_progress;
   QPushButton* m_button;

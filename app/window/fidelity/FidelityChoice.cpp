@@ -83,7 +83,7 @@ const FidelityFit& FidelityChoice::fit() const {
     for (CurvePoint& p : candidate.curve) p.cost *= isOfLoop ? longer : 1.0;
     candidates.push_back(std::move(candidate));
   }
-  return m_fit.emplace(fitToScene(candidates));
+  return m_fit.emplace(chooseWithinBudgets(candidates));
 }
 
 // Curves are read only for values that could be those.

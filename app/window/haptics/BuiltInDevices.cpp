@@ -19,14 +19,14 @@ constexpr const char* kMouse = "mouse";
 
 }  // namespace
 
-std::vector<DeviceListing> builtInDevices() {
+std::vector<DeviceInfo> builtInDevices() {
   return {{kSimulatedDriver, kSimulatedAddress, BuiltInDevicesWords::tr("Simulated hand").toStdString()},
           {kMouse, "pointer", BuiltInDevicesWords::tr("Mouse").toStdString()}};
 }
 
 std::unique_ptr<Device> makeBuiltIn(const std::string& driver, ServoClock& clock) {
   if (driver == kMouse) return std::make_unique<MouseDevice>();
-  if (driver == kSimulatedDriver) return std::make_unique<SimulatedDevice>(simulatedDevice(), HandPath(), clock);
+  if (driver == kSimulatedDriver) return std::make_unique<SimulatedDevice>(simulatedDevice(), PoseTrajectory(), clock);
   return nullptr;
 }
 

@@ -13,7 +13,7 @@ inline constexpr const char* kSimulatedAddress = "hand";
 
 // The devices that need no hardware. The window creates them itself, because it controls their motion. Their names are
 // translated.
-std::vector<DeviceListing> builtInDevices();
+std::vector<DeviceInfo> builtInDevices();
 
 // Creates a built-in device; null for any other driver. The clock must outlive the device. Any thread.
 std::unique_ptr<Device> makeBuiltIn(const std::string& driver, ServoClock& clock);

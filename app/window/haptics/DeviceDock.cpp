@@ -14,9 +14,9 @@ DeviceDock::DeviceDock(HapticSession& session, QWidget* parent) : DevicePanel(pa
   connect(this, &DevicePanel::deviceChosen, &session, &HapticSession::choose);
   connect(this, &DevicePanel::deviceLeft, &session, &HapticSession::close);
   connect(this, &DevicePanel::forceOnChanged, &session, &HapticSession::setForceOn);
-  connect(this, &DevicePanel::forceTestAsked, &session, &HapticSession::startForceTest);
+  connect(this, &DevicePanel::forceTestRequested, &session, &HapticSession::startForceTest);
   connect(this, &DevicePanel::mappingChanged, &session, &HapticSession::setMapping);
-  connect(this, &DevicePanel::rescanAsked, &session, [&session] {  // watching begins with a look
+  connect(this, &DevicePanel::rescanRequested, &session, [&session] {  // watching begins with a look
     session.setWatching(false);
     session.setWatching(true);
   });
@@ -42,9 +42,9 @@ void DeviceDock::hideEvent(QHideEvent* event) {
 
 void DeviceDock::showChosen() {
   DeviceInUse view;
-  const QList<DeviceListing> found = m_session.found();
+  const QList<DeviceInfo> found = m_session.found();
   view.found.assign(found.begin(), found.end());
-  if (const DeviceListing chosen = m_session.chosen(); !chosen.driver.empty()) view.chosen = chosen;
+  if (const DeviceInfo chosen = m_session.chosen(); !chosen.driver.empty()) view.chosen = chosen;
   view.capabilities = m_session.capabilities();
   const ServoSample* const last = m_session.latest();
   view.status = last ? last->device.status : DeviceStatus::Starting;

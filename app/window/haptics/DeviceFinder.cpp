@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kFindLookMs = 2000;
 
-bool isSame(const DeviceListing& a, const DeviceListing& b) {
+bool isSame(const DeviceInfo& a, const DeviceInfo& b) {
   return a.driver == b.driver && a.address == b.address && a.name == b.name;
 }
 
@@ -66,7 +66,7 @@ DeviceFinder::Maker DeviceFinder::maker(const std::string& driver, const std::st
   };
 }
 
-void DeviceFinder::take(std::vector<DeviceListing> found) {
+void DeviceFinder::take(std::vector<DeviceInfo> found) {
   if (!std::equal(found.begin(), found.end(), m_found.begin(), m_found.end(), isSame)) {
     m_found = std::move(found);
     emit changed();

@@ -18,9 +18,9 @@ class DeviceFinder : public QObject {
   // drivers: the built-in ones, in addition to those of plugins.
   DeviceFinder(QThreadPool& pool, std::vector<std::unique_ptr<DeviceDriver>> drivers, QObject* parent = nullptr);
 
-  const std::vector<DeviceListing>& found() const { return m_found; }
+  const std::vector<DeviceInfo>& found() const { return m_found; }
   // The result of loading each plugin; empty before the first search.
-  const std::vector<PluginListing>& plugins() const { return m_plugins; }
+  const std::vector<PluginInfo>& plugins() const { return m_plugins; }
   // Switches a repeated search every two seconds.
   void setWatching(bool isOn);
   void look();
@@ -34,13 +34,13 @@ class DeviceFinder : public QObject {
 
  private:
   struct Catalogue;
-  void take(std::vector<DeviceListing> found);
+  void take(std::vector<DeviceInfo> found);
 
   std::shared_ptr<Catalogue> m_catalogue;
   JobRunner m_jobs;
   QTimer m_timer;
-  std::vector<DeviceListing> m_found;
-  std::vector<PluginListing> m_plugins;
+  std::vector<DeviceInfo> m_found;
+  std::vector<PluginInfo> m_plugins;
 };
 
 }  // namespace handwheel

@@ -38,7 +38,7 @@ Message lostMessage(const QString& name, DeviceStatus status) {
           {}};
 }
 
-Message unusedPluginMessage(const PluginListing& plugin) {
+Message unusedPluginMessage(const PluginInfo& plugin) {
   return {Message::Weight::Warning,
           DeviceMessagesWords::tr("A device plugin is not used"),
           errorSentence(*plugin.error),

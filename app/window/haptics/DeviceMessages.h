@@ -10,6 +10,6 @@ namespace handwheel {
 // Messages to the user about devices, translated.
 Message notOpenedMessage(const QString& name, const Error& error);
 Message lostMessage(const QString& name, DeviceStatus status);  // Absent or Failed, after it was there
-Message unusedPluginMessage(const PluginListing& plugin);       // with its error
+Message unusedPluginMessage(const PluginInfo& plugin);          // with its error
 
 }  // namespace handwheel

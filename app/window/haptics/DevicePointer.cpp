@@ -3,8 +3,8 @@
 #include "window/haptics/DevicePointer.h"
 
 #include "viewport/Viewport.h"
+#include "window/haptics/HapticSceneBuilder.h"
 #include "window/haptics/HapticSession.h"
-#include "window/haptics/TouchScene.h"
 #include "window/tools/ToolHost.h"
 
 #include <QGuiApplication>
@@ -26,7 +26,7 @@ double pixelOf(const Viewport& viewport) {
 
 }  // namespace
 
-DevicePointer::DevicePointer(HapticSession& session, Viewport& viewport, ToolHost& tools, TouchScene& scene)
+DevicePointer::DevicePointer(HapticSession& session, Viewport& viewport, ToolHost& tools, HapticSceneBuilder& scene)
     : QObject(&tools), m_session(session), m_viewport(viewport), m_tools(tools), m_scene(scene) {
   connect(&session, &HapticSession::sampled, this, &DevicePointer::follow);
   connect(&session, &HapticSession::chosenChanged, this, &DevicePointer::follow);
@@ -108,7 +108,7 @@ void DevicePointer::pull() {
   if (!m_session.isOpen()) return;
   const Tool* const tool = m_tools.runner().tool();
   m_scene.setHolding(m_isHeld);
-  m_scene.setSprings(tool && m_isHeld ? tool->forces() : std::vector<ForceTerm>());
+  m_scene.setSprings(tool && m_isHeld ? tool->forces() : std::vector<DeviceSpring>());
 }
 
 std::optional<Pose> DevicePointer::placeMouse(const PointerInput& input, const ViewRay& ray) {

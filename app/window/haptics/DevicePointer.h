@@ -11,7 +11,7 @@ namespace handwheel {
 
 class HapticSession;
 class ToolHost;
-class TouchScene;
+class HapticSceneBuilder;
 class Viewport;
 struct PointerEvent;
 struct ServoSample;
@@ -25,7 +25,7 @@ class DevicePointer : public QObject {
 
  public:
   // This object is a child of `tools` and installs a callback there.
-  DevicePointer(HapticSession& session, Viewport& viewport, ToolHost& tools, TouchScene& scene);
+  DevicePointer(HapticSession& session, Viewport& viewport, ToolHost& tools, HapticSceneBuilder& scene);
 
  private:
   void follow();
@@ -38,7 +38,7 @@ class DevicePointer : public QObject {
   HapticSession& m_session;
   Viewport& m_viewport;
   ToolHost& m_tools;
-  TouchScene& m_scene;
+  HapticSceneBuilder& m_scene;
   PointerDepth m_depth;        // of the mouse
   Vec3 m_last = Vec3::Zero();  // where the last event was, mm
   bool m_isPointing = false;   // the tool has got events of the device, and no leave event yet

@@ -4,12 +4,13 @@
 
 #include "haptics/scene/TouchFidelity.h"
 #include "window/fidelity/FidelityChoice.h"
+#include "window/haptics/HapticSceneBuilder.h"
 #include "window/haptics/HapticSession.h"
-#include "window/haptics/TouchScene.h"
 
 namespace handwheel {
 
-HapticFidelity::HapticFidelity(FidelityChoice& choice, HapticSession& session, TouchScene& touch, QObject* parent)
+HapticFidelity::HapticFidelity(FidelityChoice& choice, HapticSession& session, HapticSceneBuilder& touch,
+                               QObject* parent)
     : QObject(parent), m_choice(choice), m_session(session), m_touch(touch) {
   connect(&choice, &FidelityChoice::changed, this, &HapticFidelity::follow);
   connect(&session, &HapticSession::touchChanged, this, [this] {

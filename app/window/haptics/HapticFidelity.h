@@ -8,7 +8,7 @@ namespace handwheel {
 
 class FidelityChoice;
 class HapticSession;
-class TouchScene;
+class HapticSceneBuilder;
 
 // Applies the chosen accuracy settings to the haptic device. These are rate and velocity window of its loop, stiffness
 // and tolerance of the contact. The stiffness in the device panel and the setting are kept equal, both ways. Window
@@ -17,14 +17,14 @@ class HapticFidelity : public QObject {
   Q_OBJECT
 
  public:
-  HapticFidelity(FidelityChoice& choice, HapticSession& session, TouchScene& touch, QObject* parent = nullptr);
+  HapticFidelity(FidelityChoice& choice, HapticSession& session, HapticSceneBuilder& touch, QObject* parent = nullptr);
 
  private:
   void follow();
 
   FidelityChoice& m_choice;
   HapticSession& m_session;
-  TouchScene& m_touch;
+  HapticSceneBuilder& m_touch;
 };
 
 }  // namespace handwheel

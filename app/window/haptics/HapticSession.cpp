@@ -4,10 +4,10 @@
 
 #include "haptics/device/MouseDevice.h"
 #include "window/WindowServices.h"
+#include "window/haptics/ActiveDevice.h"
 #include "window/haptics/BuiltInDevices.h"
 #include "window/haptics/DeviceMapping.h"
 #include "window/haptics/DeviceMessages.h"
-#include "window/haptics/OpenDevice.h"
 
 #include <QSettings>
 #include <algorithm>
@@ -46,10 +46,10 @@ HapticSession::~HapticSession() {
   if (m_open) m_open->loop->stop();
 }
 
-QList<DeviceListing> HapticSession::found() const {
-  QList<DeviceListing> all;
-  for (const DeviceListing& listing : builtInDevices()) all << listing;
-  for (const DeviceListing& listing : m_finder.found()) all << listing;
+QList<DeviceInfo> HapticSession::found() const {
+  QList<DeviceInfo> all;
+  for (const DeviceInfo& listing : builtInDevices()) all << listing;
+  for (const DeviceInfo& listing : m_finder.found()) all << listing;
   return all;
 }
 
@@ -68,24 +68,24 @@ void HapticSession::setLost(bool isLost) {
 void HapticSession::takeUpReturned() {
   if (!m_isLost) return;
   const auto& all = m_finder.found();
-  const auto back = std::find_if(all.begin(), all.end(), [this](const DeviceListing& each) {
+  const auto back = std::find_if(all.begin(), all.end(), [this](const DeviceInfo& each) {
     return each.driver == m_chosen.driver && (each.address == m_chosen.address || each.name == m_chosen.name);
   });
   if (back == all.end()) {
     m_isMissed = true;
   } else if (m_isMissed) {
-    const DeviceListing listing = *back;
+    const DeviceInfo listing = *back;
     choose(listing.driver, listing.address);
   }
 }
 
 void HapticSession::choose(const std::string& driver, const std::string& address) {
   close();
-  const QList<DeviceListing> all = found();
-  const auto known = std::find_if(all.begin(), all.end(), [&](const DeviceListing& listing) {
+  const QList<DeviceInfo> all = found();
+  const auto known = std::find_if(all.begin(), all.end(), [&](const DeviceInfo& listing) {
     return listing.driver == driver && listing.address == address;
   });
-  m_chosen = known != all.end() ? *known : DeviceListing{driver, address, driver};
+  m_chosen = known != all.end() ? *known : DeviceInfo{driver, address, driver};
   QSettings().setValue(kDriverKey, QString::fromStdString(driver));
   QSettings().setValue(kAddressKey, QString::fromStdString(address));
   startOpening(false);
@@ -106,7 +106,7 @@ void HapticSession::takeUp() {
   const std::string driver = QSettings().value(kDriverKey).toString().toStdString();
   if (driver.empty() || !m_chosen.driver.empty()) return;
   m_chosen = {driver, QSettings().value(kAddressKey).toString().toStdString(), driver};
-  for (const DeviceListing& listing : found()) {
+  for (const DeviceInfo& listing : found()) {
     if (listing.driver == driver && listing.address == m_chosen.address) m_chosen = listing;
   }
   startOpening(true);
@@ -137,7 +137,7 @@ void HapticSession::startOpening(bool isQuiet) {
 }
 
 void HapticSession::opened(std::unique_ptr<Device> device) {
-  m_open = std::make_unique<OpenDevice>();
+  m_open = std::make_unique<ActiveDevice>();
   m_open->capabilities = device->capabilities();
   m_open->mouse = dynamic_cast<MouseDevice*>(device.get());
   m_open->hand = dynamic_cast<SimulatedDevice*>(device.get());
@@ -154,7 +154,7 @@ void HapticSession::opened(std::unique_ptr<Device> device) {
   m_timer.start();
   emit chosenChanged();
   emit mappingChanged();
-  emit sceneWanted();
+  emit sceneRequested();
 }
 
 // Chosen again, it is looked for anew; so what failed stays remembered for the next start.
@@ -184,7 +184,7 @@ void HapticSession::closeLoop() {
 }
 
 void HapticSession::reportPlugins() {
-  const std::vector<PluginListing>& all = m_finder.plugins();
+  const std::vector<PluginInfo>& all = m_finder.plugins();
   for (; m_pluginsTold < all.size(); ++m_pluginsTold) {
     if (all[m_pluginsTold].error) emit message(unusedPluginMessage(all[m_pluginsTold]));
   }

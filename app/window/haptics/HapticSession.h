@@ -38,10 +38,10 @@ class HapticSession : public QObject {
   ~HapticSession() override;
 
   // The simulated device and the mouse, then the devices of the last search.
-  QList<DeviceListing> found() const;
+  QList<DeviceInfo> found() const;
   // Searches for devices every two seconds while a list of them is visible.
   void setWatching(bool isOn);
-  const std::vector<PluginListing>& plugins() const { return m_finder.plugins(); }
+  const std::vector<PluginInfo>& plugins() const { return m_finder.plugins(); }
 
   // Opens a device in a job, in place of the previous one.
   void choose(const std::string& driver, const std::string& address);
@@ -49,8 +49,8 @@ class HapticSession : public QObject {
   // Opens the device that was in use when the program ended. No message when it is not connected.
   void takeUp();
   bool isOpen() const { return m_open != nullptr; }
-  DeviceListing chosen() const { return m_chosen; }  // being opened or open; all empty: none
-  DeviceCapabilities capabilities() const;           // of the open one
+  DeviceInfo chosen() const { return m_chosen; }  // being opened or open; all empty: none
+  DeviceCapabilities capabilities() const;        // of the open one
 
   // The latest tick at the last sampled(); null: no device is open, or no tick has passed. Valid until the next
   // sampled().
@@ -99,7 +99,7 @@ class HapticSession : public QObject {
   void mark(const QString& event);
 
   // Sets the scene whose forces are felt from the next tick on. Dropped when no device is open, and during a force
-  // test; sceneWanted() then requests it again.
+  // test; sceneRequested() then requests it again.
   void setScene(std::unique_ptr<HapticScene> scene);
   // Tells the servo loop that the force may change abruptly; starts the force ramp.
   void announceDiscontinuity();
@@ -112,7 +112,7 @@ class HapticSession : public QObject {
   void foundChanged();
   void chosenChanged();  // another device was chosen, opened, or closed
   void sampled();        // 60 times a second while one is open
-  void sceneWanted();
+  void sceneRequested();
   void forceOnChanged(bool isOn);
   void mappingChanged();  // the user's settings
   // mappingInScene() and the camera have changed. A scene that is set during this signal takes effect in the same tick
@@ -125,7 +125,7 @@ class HapticSession : public QObject {
   void message(const handwheel::Message& message);
 
  private:
-  struct OpenDevice;
+  struct ActiveDevice;
   void startOpening(bool isQuiet);
   void opened(std::unique_ptr<Device> device);
   void failed(const Error& error, bool isQuiet);
@@ -142,8 +142,8 @@ class HapticSession : public QObject {
 
   Parts m_parts;
   DeviceFinder m_finder;
-  DeviceListing m_chosen;
-  std::unique_ptr<OpenDevice> m_open;
+  DeviceInfo m_chosen;
+  std::unique_ptr<ActiveDevice> m_open;
   ServoSettings m_servo;
   WorkspaceMapping m_mapping;
   TouchSettings m_touch = loadTouch();

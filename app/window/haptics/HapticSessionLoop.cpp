@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/device/MouseDevice.h"
 #include "haptics/servo/ForceTest.h"
+#include "window/haptics/ActiveDevice.h"
 #include "window/haptics/DeviceMapping.h"
 #include "window/haptics/DeviceMessages.h"
-#include "window/haptics/OpenDevice.h"
 
 #include <algorithm>
 
@@ -132,7 +132,7 @@ void HapticSession::changeServo() {
 void HapticSession::startForceTest() {
   if (!latest()) return;
   auto scene = std::make_unique<HapticScene>();
-  scene->source = std::make_unique<ForceTest>(kTestForce, mappingInScene());
+  scene->renderer = std::make_unique<ForceTest>(kTestForce, mappingInScene());
   m_open->loop->setScene(std::move(scene));
   m_testEnd = latest()->tip.time + ForceTest::kDuration + kTestTail;
 }
@@ -175,7 +175,7 @@ void HapticSession::sample() {
 void HapticSession::endForceTest() {
   m_testEnd.reset();
   setScene(std::make_unique<HapticScene>());
-  emit sceneWanted();
+  emit sceneRequested();
 }
 
 void HapticSession::measureRate() {

@@ -22,7 +22,7 @@ class Playback : public QObject {
 
   void takeUp(const StoredRecording& recording);  // loads a recording, paused at its beginning
   void leave();
-  bool isTakenUp() const { return m_player.has_value(); }
+  bool isRecordingLoaded() const { return m_player.has_value(); }
   const std::string& key() const { return m_key; }  // of the loaded recording
 
   void play();

@@ -8,7 +8,7 @@
 #include "panels/LogModel.h"
 #include "text/ErrorText.h"
 #include "theme/Icons.h"
-#include "window/ActionTip.h"
+#include "window/ActionToolTip.h"
 #include "window/JobRunner.h"
 #include "window/haptics/HapticSession.h"
 
@@ -47,7 +47,7 @@ Recordings::Recordings(const Parts& parts, QObject* parent)
   connect(&m_play, &QAction::triggered, this, &Recordings::togglePlaying);
   connect(&m_leave, &QAction::triggered, &m_playback, &Playback::leave);
   connect(&m_export, &QAction::triggered, this, &Recordings::askForFile);
-  connect(&m_rename, &QAction::triggered, this, [this] { emit nameWanted(QString::fromStdString(m_chosen)); });
+  connect(&m_rename, &QAction::triggered, this, [this] { emit nameRequested(QString::fromStdString(m_chosen)); });
   connect(&m_remove, &QAction::triggered, this, &Recordings::removeChosen);
   connect(&m_playback, &Playback::moved, this, &Recordings::enableActions);
   HapticSession& session = m_parts.session;
@@ -213,7 +213,7 @@ void Recordings::follow() {
     const auto& all = m_document->file().recordings;
     m_chosen = all.empty() ? std::string() : all.back().key;
   }
-  if (m_playback.isTakenUp() && (!chosen() || m_playback.key() != m_chosen)) m_playback.leave();
+  if (m_playback.isRecordingLoaded() && (!chosen() || m_playback.key() != m_chosen)) m_playback.leave();
   enableActions();
   emit changed();
 }
@@ -226,7 +226,7 @@ void Recordings::enableActions() {
   m_play.setEnabled(isChosen && !isRecording);
   m_play.setChecked(m_playback.isPlaying());
   nameActions(isRecording, m_playback.isPlaying());
-  m_leave.setEnabled(m_playback.isTakenUp());
+  m_leave.setEnabled(m_playback.isRecordingLoaded());
   for (QAction* action : {&m_export, &m_rename, &m_remove}) action->setEnabled(isChosen);
 }
 

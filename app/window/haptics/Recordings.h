@@ -54,8 +54,8 @@ class Recordings : public QObject {
   QAction* removeAction() { return &m_remove; }
 
  signals:
-  void changed();                       // the list, or the chosen recording
-  void nameWanted(const QString& key);  // the user is to edit the name
+  void changed();                          // the list, or the chosen recording
+  void nameRequested(const QString& key);  // the user is to edit the name
   void message(const handwheel::Message& message);
 
  private:

@@ -18,8 +18,8 @@ RecordingsDock::RecordingsDock(Recordings& recordings, HapticSession& session, Q
           [&recordings](const QString& key) { recordings.choose(key.toStdString()); });
   connect(this, &RecordingsPage::renamed, &recordings,
           [&recordings](const QString& key, const QString& name) { recordings.rename(key.toStdString(), name); });
-  connect(this, &RecordingsPage::sought, &recordings.playback(), &Playback::seek);
-  connect(&recordings, &Recordings::nameWanted, this, &RecordingsPage::editName);
+  connect(this, &RecordingsPage::seekRequested, &recordings.playback(), &Playback::seek);
+  connect(&recordings, &Recordings::nameRequested, this, &RecordingsPage::editName);
   connect(&recordings, &Recordings::changed, this, &RecordingsDock::showAll);
   connect(&recordings.playback(), &Playback::moved, this, &RecordingsDock::showPlayed);
   connect(&session, &HapticSession::sampled, this, &RecordingsDock::showRecorder);

@@ -42,7 +42,7 @@ ScriptedDeviceDemo::ScriptedDeviceDemo(HapticSession& session, Viewport& viewpor
 
 ScriptedDeviceDemo::~ScriptedDeviceDemo() = default;
 
-void ScriptedDeviceDemo::start(std::vector<HandStep> steps) {
+void ScriptedDeviceDemo::start(std::vector<DemoStep> steps) {
   stop();
   if (steps.empty()) return;
   m_driver = m_session.chosen().driver;
@@ -77,7 +77,7 @@ void ScriptedDeviceDemo::finish(bool isWhole) {
 }
 
 void ScriptedDeviceDemo::beginStep() {
-  const HandStep& step = m_steps[m_step];
+  const DemoStep& step = m_steps[m_step];
   if (!step.caption.isEmpty()) {
     m_caption = step.caption;
     m_detail = step.detail;
@@ -95,7 +95,7 @@ double ScriptedDeviceDemo::seconds() const {
 void ScriptedDeviceDemo::follow() {
   const ServoSample* const now = m_session.latest();
   if (!m_isRunning || !now || now->device.status != DeviceStatus::Ready || !m_session.simulatedHand()) return;
-  const HandStep& step = m_steps[m_step];
+  const DemoStep& step = m_steps[m_step];
   switch (m_phase) {
     case Phase::Waiting:
       if (step.isReady && !step.isReady()) {
@@ -115,7 +115,7 @@ void ScriptedDeviceDemo::follow() {
 }
 
 void ScriptedDeviceDemo::startMoving(const ServoSample& now) {
-  const HandStep& step = m_steps[m_step];
+  const DemoStep& step = m_steps[m_step];
   m_from = m_to = now.tip.position;
   if (step.place) {
     const std::optional<Vec3> place = step.place();

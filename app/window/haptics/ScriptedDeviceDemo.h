@@ -19,7 +19,7 @@ struct HandPose;
 struct ServoSample;
 
 // One step of a scripted demonstration. Runs begin, waits until isReady, moves the tip to place, and rests.
-struct HandStep {
+struct DemoStep {
   QString caption;  // description of the step; empty: as in the step before
   QString detail;   // how the user can do it; only with a caption
   std::function<void()> begin;
@@ -39,7 +39,7 @@ class ScriptedDeviceDemo : public QObject {
   ~ScriptedDeviceDemo() override;
 
   // Starts the demonstration with the simulated device. The device in use before is opened again at the end.
-  void start(std::vector<HandStep> steps);
+  void start(std::vector<DemoStep> steps);
   // Ends the demonstration early; does nothing when none is running.
   void stop();
   bool isRunning() const { return m_isRunning; }
@@ -66,7 +66,7 @@ class ScriptedDeviceDemo : public QObject {
 
   HapticSession& m_session;
   Viewport& m_viewport;
-  std::vector<HandStep> m_steps;
+  std::vector<DemoStep> m_steps;
   std::size_t m_step = 0;
   bool m_isRunning = false;
   QString m_caption, m_detail;

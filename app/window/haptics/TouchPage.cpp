@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/haptics/TouchPage.h"
 
-#include "window/ActionTip.h"
+#include "window/ActionToolTip.h"
 #include "window/haptics/HapticSession.h"
 
 namespace handwheel {

@@ -103,13 +103,13 @@ std::vector<Property> propertiesOf(const TouchSettings& touch) {
 
 void setProperty(TouchSettings& touch, std::string_view id, const PropertyValue& value) {
   for (const Field& field : kFields) {
-    if (id == field.id) takeNumber(touch.*field.value, value, field.limits);
+    if (id == field.id) assignNumber(touch.*field.value, value, field.limits);
   }
-  if (id == "snap_on") takeSwitch(touch.isSnapping, value);
-  if (id == "snap_profile") takeChoice(touch.snapShape, value, static_cast<int>(kSnapShapes.size()));
-  if (id == "snap_method") takeChoice(touch.snapMethod, value, static_cast<int>(kSnapMethods.size()));
-  if (id == "snap_stiffness") takeNumber(touch.snapStiffness, value, kSnapStiffness);
-  if (id == "snap_rims") takeSwitch(touch.hasRimCurves, value);
+  if (id == "snap_on") assignSwitch(touch.isSnapping, value);
+  if (id == "snap_profile") assignChoice(touch.snapShape, value, static_cast<int>(kSnapShapes.size()));
+  if (id == "snap_method") assignChoice(touch.snapMethod, value, static_cast<int>(kSnapMethods.size()));
+  if (id == "snap_stiffness") assignNumber(touch.snapStiffness, value, kSnapStiffness);
+  if (id == "snap_rims") assignSwitch(touch.hasRimCurves, value);
 }
 
 }  // namespace handwheel

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "document/Property.h"
-#include "haptics/scene/SceneForces.h"
+#include "haptics/scene/SnapForce.h"
 
 namespace handwheel {
 

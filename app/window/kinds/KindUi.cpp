@@ -4,8 +4,8 @@
 
 #include "tools/MeasureTool.h"
 #include "window/CommandText.h"
+#include "window/documents/DocumentTab.h"
 #include "window/documents/FileFilters.h"
-#include "window/documents/OpenDocument.h"
 
 #include <QFileInfo>
 #include <utility>
@@ -22,7 +22,7 @@ std::vector<std::unique_ptr<DocumentKind>> kindsOf(std::vector<KindEntry>& entri
 
 }  // namespace
 
-ToolDescriptor measureOffer(std::function<std::unique_ptr<Tool>()> make) {
+ToolDescriptor measureToolDescriptor(std::function<std::unique_ptr<Tool>()> make) {
   return {QStringLiteral("measureTool"),
           KindUi::tr("&Measure"),
           KindUi::tr("Measure distances, angles and walls"),
@@ -38,7 +38,7 @@ KindSet::KindSet(std::vector<KindEntry> entries) : documents(kindsOf(entries)) {
 }
 
 // For documents that are edited through their properties alone.
-QString KindUi::saveCommand(const OpenDocument& open, const QString& path) const {
+QString KindUi::saveCommand(const DocumentTab& open, const QString& path) const {
   if (!open.inFile) return {};
   const Document& document = open.document;
   if (document.file().path.empty()) return newCommand(document.kind().id(), *open.inFile, document.properties(), path);
@@ -46,7 +46,7 @@ QString KindUi::saveCommand(const OpenDocument& open, const QString& path) const
 }
 
 // The container beside the file that it came from.
-QString KindUi::suggestedName(const OpenDocument& document) const {
+QString KindUi::suggestedName(const DocumentTab& document) const {
   const QString ending = containerEnding();
   if (document.document.file().path.empty()) return document.document.name() + ending;
   const QFileInfo file(document.document.path());

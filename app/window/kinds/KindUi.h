@@ -24,12 +24,13 @@ class FidelityChoice;
 class HapticSession;
 class JobRunner;
 class LogModel;
+class ServoClock;
 class ToolHost;
-class TouchScene;
+class HapticSceneBuilder;
 class Viewport;
 class WindowServices;
 struct Message;
-struct OpenDocument;
+struct DocumentTab;
 struct ToolPreview;
 
 // The parts of the window that kinds of documents may use.
@@ -45,7 +46,8 @@ struct WindowContext {
   ToolHost& tools;
   FidelityChoice& fidelity;
   HapticSession& haptics;
-  TouchScene& touch;
+  HapticSceneBuilder& touch;
+  ServoClock& servoClock;
   QAction* saveAs;
   std::function<void(const QString& path)> openFile;
   std::function<bool()> isPanelVisible;
@@ -62,11 +64,11 @@ struct ToolDescriptor {
   std::function<std::unique_ptr<Tool>()> make;  // creates it for the current document
   std::string tool;                             // Tool::id() of the created tool
   std::span<const ToolKey> keys;                // of it
-  bool isUsual = false;                         // the default tool, active while no other is chosen
+  bool isDefault = false;                       // the default tool, active while no other is chosen
 };
 
 // The descriptor of the measuring tool, which several kinds offer.
-ToolDescriptor measureOffer(std::function<std::unique_ptr<Tool>()> make);
+ToolDescriptor measureToolDescriptor(std::function<std::unique_ptr<Tool>()> make);
 
 // A command that creates or opens a first document of a kind. Shown in the File menu and as a tile of the start page.
 struct StartAction {
@@ -85,16 +87,16 @@ class KindUi : public QObject {
  public:
   using QObject::QObject;
 
-  virtual std::unique_ptr<OpenDocument> open(std::unique_ptr<Document> document) = 0;
+  virtual std::unique_ptr<DocumentTab> open(std::unique_ptr<Document> document) = 0;
   // Sets the current document; null when it is of another kind, or none is open. Fills the viewport or leaves it empty.
-  virtual void setDocument(OpenDocument* document) = 0;
-  // To be called after OpenDocument::visible was changed.
+  virtual void setDocument(DocumentTab* document) = 0;
+  // To be called after DocumentTab::visible was changed.
   virtual void refreshVisibility() = 0;
   // Shows what the running tool previews in place of the document, or in terms of this kind; empty when none runs. The
   // window shows the rest.
   virtual void showPreview(const ToolPreview& preview) { (void)preview; }
   // To be called before a document is destroyed.
-  virtual void forget(OpenDocument* document) { (void)document; }
+  virtual void forget(DocumentTab* document) { (void)document; }
 
   virtual std::vector<StartAction> startActions() const { return {}; }
 
@@ -112,14 +114,14 @@ class KindUi : public QObject {
   virtual std::vector<Hint> hints() { return {}; }
   virtual NextStep nextStep() { return {}; }
   // Measurements of the section by the clipping plane; shown below its settings.
-  virtual std::vector<Property> sectionFigures() const { return {}; }
+  virtual std::vector<Property> sectionMeasurements() const { return {}; }
   virtual QString statistics() const { return {}; }  // "1 234 triangles"
   // One line for the log when a document was opened.
-  virtual QString openedText(const OpenDocument& document) const = 0;
+  virtual QString openedText(const DocumentTab& document) const = 0;
   // The command line that produces the file from the one the document was opened from; empty when there is none.
-  virtual QString saveCommand(const OpenDocument& document, const QString& path) const;
+  virtual QString saveCommand(const DocumentTab& document, const QString& path) const;
   // The file name that "Save as" proposes.
-  virtual QString suggestedName(const OpenDocument& document) const;
+  virtual QString suggestedName(const DocumentTab& document) const;
   // True when nothing is running that will still change what is shown.
   virtual bool isSettled() const { return true; }
 

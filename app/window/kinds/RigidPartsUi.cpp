@@ -6,10 +6,12 @@
 #include "viewport/Viewport.h"
 #include "viewport/surface/PartsLayer.h"
 #include "window/documents/DocumentProperties.h"
-#include "window/documents/OpenDocument.h"
+#include "window/documents/DocumentTab.h"
+#include "window/kinds/RigidPartsHaptics.h"
 #include "window/tools/ToolHost.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace handwheel {
 
@@ -17,6 +19,7 @@ RigidPartsUi::RigidPartsUi(const WindowContext& parts, std::vector<std::string> 
     : m_parts(parts),
       m_groups(std::move(groups)),
       m_layer(std::make_shared<PartsLayer>()),
+      m_haptics(new RigidPartsHaptics(parts, this)),
       m_panel(new PropertyList(parts.window)) {
   m_parts.viewport.addLayer(m_layer);
   connectEdits(
@@ -28,11 +31,11 @@ RigidPartsUi::~RigidPartsUi() {
   m_parts.viewport.removeLayer(*m_layer);
 }
 
-std::unique_ptr<OpenDocument> RigidPartsUi::open(std::unique_ptr<Document> document) {
-  return std::make_unique<OpenDocument>(std::move(document), *this);
+std::unique_ptr<DocumentTab> RigidPartsUi::open(std::unique_ptr<Document> document) {
+  return std::make_unique<DocumentTab>(std::move(document), *this);
 }
 
-void RigidPartsUi::setDocument(OpenDocument* document) {
+void RigidPartsUi::setDocument(DocumentTab* document) {
   if (m_document) {
     m_document->camera = m_parts.viewport.camera();
     m_document->document.disconnect(this);
@@ -40,7 +43,7 @@ void RigidPartsUi::setDocument(OpenDocument* document) {
     m_replaced.reset();
   }
   m_document = document;
-  if (!document) return;
+  if (!document) return feelParts();
   connect(&document->document, &Document::changed, this, &RigidPartsUi::show);
   m_layer->setVisible(document->visible);
   show();
@@ -52,7 +55,9 @@ void RigidPartsUi::setDocument(OpenDocument* document) {
 }
 
 void RigidPartsUi::refreshVisibility() {
-  if (m_document) m_layer->setVisible(m_document->visible);
+  if (!m_document) return;
+  m_layer->setVisible(m_document->visible);
+  feelParts();
 }
 
 void RigidPartsUi::showPreview(const ToolPreview& preview) {
@@ -70,12 +75,16 @@ std::vector<Hint> RigidPartsUi::hints() {
   return m_parts.tools.hints();
 }
 
+bool RigidPartsUi::isSettled() const {
+  return m_haptics->isSettled();
+}
+
 ToolDescriptor RigidPartsUi::measureParts() const {
   const auto pick = [&viewport = m_parts.viewport](const Ray& ray) -> std::optional<SurfacePoint> {
     const Pick hit = viewport.pickAlong(ray.origin, ray.direction);
     return hit.isNothing() ? std::nullopt : std::optional(SurfacePoint{hit.point});
   };
-  return measureOffer([pick] { return std::make_unique<MeasureTool>(MeasureServices{pick, {}}); });
+  return measureToolDescriptor([pick] { return std::make_unique<MeasureTool>(MeasureServices{pick, {}}); });
 }
 
 std::vector<QAction*> RigidPartsUi::panelActions() const {
@@ -88,9 +97,20 @@ void RigidPartsUi::showParts() {
   m_layer->setParts(m_replaced ? m_replaced->parts : document.kind().display(*document.snapshot()).parts);
 }
 
+void RigidPartsUi::setFelt(bool isFelt) {
+  if (std::exchange(m_isFelt, isFelt) != isFelt) feelParts();
+}
+
+void RigidPartsUi::feelParts() {
+  if (!m_document || !m_document->visible || !m_isFelt) return m_haptics->setParts(nullptr);
+  const Document& document = m_document->document;
+  m_haptics->setParts(std::make_shared<const DisplayModel>(document.kind().display(*document.snapshot())));
+}
+
 void RigidPartsUi::show() {
   const Document& document = m_document->document;
   showParts();
+  feelParts();
   std::vector<Property> shown = document.properties();
   std::erase_if(shown, [this](const Property& property) {
     return std::find(m_groups.begin(), m_groups.end(), property.group) == m_groups.end();

@@ -10,6 +10,7 @@ namespace handwheel {
 
 class PartsLayer;
 class PropertyList;
+class RigidPartsHaptics;
 
 // Base class for documents shown as rigid parts and edited through properties. Used by robot cells and workpieces.
 class RigidPartsUi : public KindUi {
@@ -20,31 +21,37 @@ class RigidPartsUi : public KindUi {
   RigidPartsUi(const WindowContext& parts, std::vector<std::string> groups);
   ~RigidPartsUi() override;
 
-  std::unique_ptr<OpenDocument> open(std::unique_ptr<Document> document) override;
-  void setDocument(OpenDocument* document) override;
+  std::unique_ptr<DocumentTab> open(std::unique_ptr<Document> document) override;
+  void setDocument(DocumentTab* document) override;
   void refreshVisibility() override;
   void showPreview(const ToolPreview& preview) override;
   QWidget* panel() override;
   QList<QAction*> menu() override { return {}; }
   QList<QAction*> toolBar() override { return {}; }
   std::vector<Hint> hints() override;
+  bool isSettled() const override;
 
  protected:
-  OpenDocument* document() const { return m_document; }
+  DocumentTab* document() const { return m_document; }
   const WindowContext& parts() const { return m_parts; }
   ToolDescriptor measureParts() const;
+  // Whether the displayed parts are felt as they are: not while a tool has forces of its own for them.
+  void setFelt(bool isFelt);
   std::vector<QAction*> panelActions() const;  // offered by the next step when the panel is hidden
 
  private:
   void show();
   void showParts();
+  void feelParts();
 
   WindowContext m_parts;
   std::vector<std::string> m_groups;
   std::shared_ptr<PartsLayer> m_layer;
+  RigidPartsHaptics* m_haptics;
+  bool m_isFelt = true;
   std::shared_ptr<const DisplayModel> m_replaced;  // by the tool; null: nothing
   QPointer<PropertyList> m_panel;
-  OpenDocument* m_document = nullptr;
+  DocumentTab* m_document = nullptr;
 };
 
 }  // namespace handwheel

@@ -5,10 +5,10 @@
 #include "mesh/measure/MeshFidelity.h"
 #include "tools/mesh/DefectFixes.h"
 #include "tools/mesh/LoopText.h"
-#include "window/ActionTip.h"
+#include "window/ActionToolTip.h"
 #include "window/fidelity/FidelityChoice.h"
 #include "window/mesh/HolePreview.h"
-#include "window/mesh/OpenMesh.h"
+#include "window/mesh/MeshTab.h"
 #include "window/mesh/RepairJobs.h"
 #include "window/mesh/Selection.h"
 
@@ -57,7 +57,7 @@ DefectActions::DefectActions(Selection& selection, RepairJobs& jobs, const HoleP
   follow();
 }
 
-void DefectActions::setDocument(OpenMesh* document) {
+void DefectActions::setDocument(MeshTab* document) {
   m_document = document;
   choose(std::nullopt, -1);
 }
@@ -124,7 +124,7 @@ std::optional<MeshChange> DefectActions::change() const {
     case DefectKind::Duplicate:
       return duplicateFix();
     case DefectKind::SelfIntersection:
-      return crossingFix(numbers, chosen(*inspection.selfIntersections(), m_row));
+      return intersectionFix(numbers, chosen(*inspection.selfIntersections(), m_row));
     case DefectKind::Debris: {
       std::vector<Face> faces;
       for (const std::size_t i : chosen(inspection.debris(), m_row))

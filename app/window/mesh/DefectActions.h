@@ -15,7 +15,7 @@ class HolePreview;
 class RepairJobs;
 class Selection;
 struct FillOptions;
-struct OpenMesh;
+struct MeshTab;
 
 // The actions that repair selected defects other than holes. They apply to one defect or all of a kind, as selected in
 // the list.
@@ -26,7 +26,7 @@ class DefectActions : public QObject {
   DefectActions(Selection& selection, RepairJobs& jobs, const HolePreview& preview, const FidelityChoice& fidelity,
                 QObject* parent = nullptr);
 
-  void setDocument(OpenMesh* document);  // null: no mesh is in view
+  void setDocument(MeshTab* document);  // null: no mesh is in view
   // Sets the selection in the list: one row of a kind, or -1 for all of it.
   void choose(std::optional<DefectKind> kind, int row);
 
@@ -41,7 +41,7 @@ class DefectActions : public QObject {
   std::vector<int> sheets() const;  // loop ids
   FillOptions options() const;
 
-  OpenMesh* m_document = nullptr;
+  MeshTab* m_document = nullptr;
   Selection& m_selection;
   RepairJobs& m_jobs;
   const HolePreview& m_preview;

@@ -6,7 +6,7 @@
 #include "viewport/Viewport.h"
 #include "viewport/surface/MeshLayer.h"
 #include "window/mesh/HolePicking.h"
-#include "window/mesh/OpenMesh.h"
+#include "window/mesh/MeshTab.h"
 #include "window/mesh/Selection.h"
 #include "window/mesh/UnobstructedView.h"
 
@@ -79,7 +79,7 @@ DefectScene::DefectScene(Viewport& viewport, MeshLayer& layer, Selection& select
   connect(&m_viewport, &Viewport::doubleClicked, this, [this](const Pick& pick) { showLoop(loopAt(pick)); });
 }
 
-void DefectScene::setDocument(OpenMesh* document) {
+void DefectScene::setDocument(MeshTab* document) {
   if (m_document) {
     m_document->camera = m_viewport.camera();
     m_document->document.disconnect(this);
@@ -131,7 +131,8 @@ void DefectScene::showPlace(const QModelIndex& defect) {
   // A tiny defect is shown with enough around it to see where it is.
   const double least = kLeastPlace * m_document->document.defects().box.diagonal().norm();
   const double grow = std::max(0.0, (least - place.diagonal().norm()) / 2.0);
-  m_viewport.flyTo(Box(place.min().array() - grow, place.max().array() + grow), clearView(mesh, place, outward));
+  m_viewport.flyTo(Box(place.min().array() - grow, place.max().array() + grow),
+                   unobstructedDirection(mesh, place, outward));
 }
 
 void DefectScene::drawLoops() {

@@ -11,7 +11,7 @@ class DefectModel;
 class MeshLayer;
 class Selection;
 class Viewport;
-struct OpenMesh;
+struct MeshTab;
 struct Pick;
 
 // Shows the mesh of the current document with its defects in the viewport. Keeps surface, defect marks and selection up
@@ -23,10 +23,10 @@ class DefectScene : public QObject {
   DefectScene(Viewport& viewport, MeshLayer& layer, Selection& selection, DefectModel& defects,
               QObject* parent = nullptr);
 
-  void setDocument(OpenMesh* document);  // the camera is stored with the previous document
-  void showLoop(int loop);               // moves the camera there
+  void setDocument(MeshTab* document);  // the camera is stored with the previous document
+  void showLoop(int loop);              // moves the camera there
   void showPlace(const QModelIndex& defect);
-  void refreshVisibility();  // after OpenMesh::visible was changed
+  void refreshVisibility();  // after MeshTab::visible was changed
 
  private:
   int loopAt(const Pick& pick) const;  // also when the cursor is inside the hole, not on its rim
@@ -37,7 +37,7 @@ class DefectScene : public QObject {
   MeshLayer& m_layer;
   Selection& m_selection;
   DefectModel& m_defects;
-  OpenMesh* m_document = nullptr;
+  MeshTab* m_document = nullptr;
 };
 
 }  // namespace handwheel

@@ -6,7 +6,7 @@
 #include "tools/mesh/StepText.h"
 #include "tools/mesh/operations/RepairOperation.h"
 #include "window/CommandText.h"
-#include "window/mesh/OpenMesh.h"
+#include "window/mesh/MeshTab.h"
 
 #include <QDir>
 #include <QFile>
@@ -33,7 +33,7 @@ QString lineOf(const QString& from, const std::vector<std::string>& steps, const
 
 }  // namespace
 
-QString stepCommand(const OpenMesh& document, const std::string& step) {
+QString stepCommand(const MeshTab& document, const std::string& step) {
   if (step.empty()) return {};
   const QString path = document.document.path();
   if (document.isAsInFile() && !document.document.isModified()) {
@@ -54,18 +54,18 @@ QString repairCommand(const QString& path, const RepairOptions& options) {
   return command + QStringLiteral(" --keep-open ") + ids.join(QLatin1Char(','));
 }
 
-std::optional<EditPath> editPath(const OpenMesh& document, bool toContainer) {
+std::optional<OperationSequence> editPath(const MeshTab& document, bool toContainer) {
   for (auto base = document.bases.rbegin(); base != document.bases.rend(); ++base) {
     auto steps = stepsSince(document.document, base->state);
     if (!steps) continue;
     const LengthUnit unit = document.document.displayUnit();
     if (toContainer && unit != base->displayUnit) steps->push_back(std::string("unit ") + symbolOf(unit));
-    return EditPath{&*base, std::move(*steps)};
+    return OperationSequence{&*base, std::move(*steps)};
   }
   return std::nullopt;
 }
 
-QString editCommand(const OpenMesh& document, const QString& to) {
+QString editCommand(const MeshTab& document, const QString& to) {
   const auto path = editPath(document, isContainerName(QFile::encodeName(to).toStdString()));
   if (!path) return {};
   const QString& from = path->base->path;
@@ -81,13 +81,13 @@ QString stepsName(const QString& path) {
   return file.dir().filePath(file.completeBaseName() + QStringLiteral(".steps"));
 }
 
-QByteArray stepsText(const EditPath& path) {
+QByteArray stepsText(const OperationSequence& path) {
   QByteArray text = "# handwheel edit " + QFileInfo(path.base->path).fileName().toUtf8() + " --steps THIS -o OUT\n";
   for (const std::string& step : path.steps) text += QByteArray::fromStdString(step) + '\n';
   return text;
 }
 
-void noteFile(OpenMesh& open) {
+void noteFile(MeshTab& open) {
   const MeshDocument& document = open.document;
   const DocumentFile& file = document.file();
   const bool isUntouched = document.history()->count() == 0;
@@ -98,9 +98,9 @@ void noteFile(OpenMesh& open) {
   if (file.path.empty() || !file.damage.empty()) return;
   // The command line opens other formats in millimetres.
   const LengthUnit unit = file.isContainer ? document.displayUnit() : LengthUnit::Millimetre;
-  const EditBase now{document.path(), presentPoint(document), unit};
+  const OperationsBase now{document.path(), presentPoint(document), unit};
   const auto same = std::find_if(open.bases.begin(), open.bases.end(),
-                                 [&now](const EditBase& base) { return base.path == now.path; });
+                                 [&now](const OperationsBase& base) { return base.path == now.path; });
   const bool isFirst = open.bases.empty() && isUntouched;
   if (same != open.bases.end() && file.isContainer) open.bases.erase(same);
   if (file.isContainer || isFirst) {

@@ -5,7 +5,7 @@
 #include "mesh/measure/MeshFidelity.h"
 #include "window/WindowServices.h"
 #include "window/fidelity/FidelityChoice.h"
-#include "window/mesh/OpenMesh.h"
+#include "window/mesh/MeshTab.h"
 
 #include <QElapsedTimer>
 #include <utility>
@@ -41,7 +41,7 @@ std::vector<MethodTrial> tryMethods(const HoleFiller& filler, const BoundaryLoop
 HolePreview::HolePreview(QThreadPool& pool, WindowServices& services, const FidelityChoice& fidelity, QObject* parent)
     : QObject(parent), m_services(services), m_fidelity(fidelity), m_runner(JobRunner::Policy::Latest, pool, this) {}
 
-void HolePreview::request(OpenMesh* document, int loop) {
+void HolePreview::request(MeshTab* document, int loop) {
   if (!document || loop < 0) document = nullptr;
   const std::uint64_t revision = document ? document->document.revision() : 0;
   const Vertex key = document ? document->inspection.keyOf(loop) : kNone;
@@ -64,7 +64,7 @@ void HolePreview::request(OpenMesh* document, int loop) {
   start();
 }
 
-void HolePreview::setWishes(Vertex key, std::vector<HoleBridge> bridges, const EarWeights& ears) {
+void HolePreview::setUserBridges(Vertex key, std::vector<LoopChord> bridges, const EarWeights& ears) {
   m_ears = ears;
   m_bridgedLoop = key;
   m_bridges = std::move(bridges);
@@ -75,7 +75,7 @@ void HolePreview::start() {
   ++m_request;
   m_attempt.reset();
   m_state = {};
-  m_need = m_document ? m_services.needs().need("fill_preview") : Need();
+  m_need = m_document ? m_services.needs().need("fill_preview") : ServiceHandle();
   if (!m_document) {
     m_runner.cancelAll();
     emit changed();
@@ -151,7 +151,7 @@ void HolePreview::forget() {
   clear();
 }
 
-void HolePreview::thickenSheet(OpenMesh* document, std::shared_ptr<HoleFillerCache> bench) {
+void HolePreview::thickenSheet(MeshTab* document, std::shared_ptr<HoleFillerCache> bench) {
   m_fillerCache = std::move(bench);
   m_fillerCacheDocument = document;
   m_fillerCacheRevision = document->document.revision();

@@ -13,7 +13,7 @@ namespace handwheel {
 
 class FidelityChoice;
 class WindowServices;
-struct OpenMesh;
+struct MeshTab;
 
 // The data that a fill can reuse from the preview. The filler cache, the attempt that the preview showed when there is
 // one, and its options.
@@ -31,11 +31,11 @@ class HolePreview : public QObject {
   HolePreview(QThreadPool& pool, WindowServices& services, const FidelityChoice& fidelity, QObject* parent = nullptr);
 
   // Requests a preview. Does nothing when it is already shown or being computed. loop -1 or no document: no preview.
-  void request(OpenMesh* document, int loop);
+  void request(MeshTab* document, int loop);
   void clear() { request(nullptr, -1); }
   // Sets the bridges that the user drew across a loop; none: automatic ones. They apply to this loop only; the weights
   // of ear cutting to all.
-  void setWishes(Vertex key, std::vector<HoleBridge> bridges, const EarWeights& ears);
+  void setUserBridges(Vertex key, std::vector<LoopChord> bridges, const EarWeights& ears);
   // Clears the preview and drops all cached data. For when the document changes.
   void forget();
 
@@ -50,7 +50,7 @@ class HolePreview : public QObject {
   // Hands over the results for this hole; the fill uses the filler cache exclusively. The next request starts over,
   // unless thickenSheet() returns the cache, updated to the document with the patch.
   PreparedFill take();
-  void thickenSheet(OpenMesh* document, std::shared_ptr<HoleFillerCache> bench);
+  void thickenSheet(MeshTab* document, std::shared_ptr<HoleFillerCache> bench);
 
  signals:
   void changed();
@@ -62,19 +62,19 @@ class HolePreview : public QObject {
 
   WindowServices& m_services;
   const FidelityChoice& m_fidelity;
-  Need m_need;  // held while a preview is wanted
+  ServiceHandle m_need;  // held while a preview is wanted
   JobRunner m_runner;
-  OpenMesh* m_document = nullptr;
+  MeshTab* m_document = nullptr;
   std::uint64_t m_revision = 0;
   Vertex m_key = kNone;
   int m_loop = -1;
   FillOptions m_options;
   Vertex m_bridgedLoop = kNone;  // the key of the loop with the user's bridges
-  std::vector<HoleBridge> m_bridges;
+  std::vector<LoopChord> m_bridges;
   EarWeights m_ears;
   std::uint64_t m_request = 0;
   std::shared_ptr<HoleFillerCache> m_fillerCache;
-  const OpenMesh* m_fillerCacheDocument = nullptr;
+  const MeshTab* m_fillerCacheDocument = nullptr;
   std::uint64_t m_fillerCacheRevision = 0;
   std::optional<FillAttempt> m_attempt;
   std::vector<MethodTrial> m_trials;

@@ -11,7 +11,7 @@
 #include "tools/mesh/boundary/BoundaryTool.h"
 #include "tools/mesh/sculpt/SculptTool.h"
 #include "window/mesh/HolePreview.h"
-#include "window/mesh/OpenMesh.h"
+#include "window/mesh/MeshTab.h"
 #include "window/mesh/RepairActions.h"
 #include "window/mesh/Selection.h"
 #include "window/tools/ToolHost.h"
@@ -37,7 +37,7 @@ MeshTools::MeshTools(ToolHost& host, QThreadPool& pool, Selection& selection, Ho
   connect(&m_host, &ToolHost::updated, this, &MeshTools::followTool);
 }
 
-void MeshTools::setDocument(OpenMesh* document) {
+void MeshTools::setDocument(MeshTab* document) {
   m_thinking.cancelAll();
   m_sorting.cancelAll();
   m_faces.reset();
@@ -158,7 +158,7 @@ void MeshTools::request(const FillRequest& request) {
   m_ticket = request.ticket;
   const Vertex key = keyOf(m_document->document.mesh(), request.loop);
   if (!m_isTold) m_actions.setFill(request.method, request.continuity);
-  m_preview.setWishes(key, request.bridges, request.ears);
+  m_preview.setUserBridges(key, request.bridges, request.ears);
   m_selection.select(m_document->inspection.loopWithKey(key));
   answer();
 }

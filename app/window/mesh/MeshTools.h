@@ -14,7 +14,7 @@ class RepairActions;
 class RepairJobs;
 class Selection;
 class ToolHost;
-struct OpenMesh;
+struct MeshTab;
 
 // Creates the mesh tools and connects them to the window. Provides them with jobs and picking on the document, and
 // synchronises the hole of the tool with the one selected in the list.
@@ -25,7 +25,7 @@ class MeshTools : public QObject {
   MeshTools(ToolHost& host, QThreadPool& pool, Selection& selection, HolePreview& preview, RepairActions& actions,
             RepairJobs& jobs, QObject* parent = nullptr);
 
-  void setDocument(OpenMesh* document);
+  void setDocument(MeshTab* document);
   void setFill(FillMethod method, Continuity continuity);
 
   std::unique_ptr<Tool> fillTool();
@@ -56,7 +56,7 @@ class MeshTools : public QObject {
   RepairJobs& m_jobs;
   JobRunner m_sorting;   // builds the face hierarchy
   JobRunner m_thinking;  // the jobs of the select tool
-  OpenMesh* m_document = nullptr;
+  MeshTab* m_document = nullptr;
   std::shared_ptr<const FaceHierarchy> m_faces;
   std::uint64_t m_facesRevision = 0;
   std::uint64_t m_sortingRevision = 0;

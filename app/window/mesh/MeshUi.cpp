@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/MeshUi.h"
 
-#include "document/EditCommand.h"
+#include "document/UndoCommand.h"
 #include "document/mesh/KeepOpenEdit.h"
 #include "document/mesh/MeshKind.h"
 #include "fidelity/Cases.h"
@@ -26,8 +26,8 @@
 #include "window/fidelity/FidelityChoice.h"
 #include "window/mesh/DefectScene.h"
 #include "window/mesh/EditSteps.h"
+#include "window/mesh/MeshTab.h"
 #include "window/mesh/NextSteps.h"
-#include "window/mesh/OpenMesh.h"
 #include "window/tools/ToolHost.h"
 
 #include <QLocale>
@@ -99,7 +99,7 @@ void MeshUi::connectSelection() {
                            index.parent().isValid() ? index.row() : -1);
   });
   connect(&m_jobs, &RepairJobs::changedNothing, this,
-          [this](const OpenMesh* document, const QString& what, const QString& why) {
+          [this](const MeshTab* document, const QString& what, const QString& why) {
             const QString title = tr("%1: nothing was changed").arg(what);
             emit message({Message::Weight::Warning, title, why, {}, {}, {}, {}, {}, &document->document});
           });
@@ -110,7 +110,7 @@ void MeshUi::connectSelection() {
     m_panel->settings()->showPreview(m_preview.state());
     if (m_panel->settings()->isComparing()) compareMethods();
   });
-  connect(m_panel->settings(), &HoleSettings::compareWanted, this, &MeshUi::compareMethods);
+  connect(m_panel->settings(), &HoleSettings::compareRequested, this, &MeshUi::compareMethods);
   connect(&m_preview, &HolePreview::compared, this, &MeshUi::compareMethods);
   connect(&m_actions, &RepairActions::showLoopRequested, m_scene, &DefectScene::showLoop);
 }
@@ -129,7 +129,7 @@ void MeshUi::followFidelity() {
   m_panel->settings()->setMethod(m_actions.method());
   m_tools.setFill(m_actions.method(), fillContinuityOf(values));
   for (const auto& open : m_parts.tabs.all()) {
-    if (&open->ui == this) static_cast<OpenMesh&>(*open).document.setFidelity(values);
+    if (&open->ui == this) static_cast<MeshTab&>(*open).document.setFidelity(values);
   }
 }
 
@@ -137,8 +137,8 @@ QWidget* MeshUi::panel() {
   return m_panels;
 }
 
-std::unique_ptr<OpenDocument> MeshUi::open(std::unique_ptr<Document> document) {
-  auto open = std::make_unique<OpenMesh>(std::move(document), *this);
+std::unique_ptr<DocumentTab> MeshUi::open(std::unique_ptr<Document> document) {
+  auto open = std::make_unique<MeshTab>(std::move(document), *this);
   open->document.setFidelity(m_parts.fidelity.values());
   connect(&open->inspection, &Inspection::changed, this, &KindUi::stateChanged);
   connect(&open->document, &MeshDocument::meshChanged, this,
@@ -154,17 +154,17 @@ std::unique_ptr<OpenDocument> MeshUi::open(std::unique_ptr<Document> document) {
 }
 
 // What is kept open is marked at once, without a job that would log it.
-void MeshUi::logMark(const OpenMesh& open) {
+void MeshUi::logMark(const MeshTab& open) {
   const QUndoStack& history = *open.document.history();
   if (history.index() == 0 || history.index() != history.count()) return;  // an undo, most likely
-  const auto& done = static_cast<const EditCommand&>(*history.command(history.index() - 1));
+  const auto& done = static_cast<const UndoCommand&>(*history.command(history.index() - 1));
   if (dynamic_cast<const KeepOpenEdit*>(&done.edit()))
     m_parts.log.add(tr("%1: %2").arg(open.document.name(), done.text()), stepCommand(open, done.step()));
 }
 
-void MeshUi::setDocument(OpenDocument* document) {
+void MeshUi::setDocument(DocumentTab* document) {
   m_selection.setDocument(nullptr);  // the parts below read it: its loop is one of the document before
-  m_document = static_cast<OpenMesh*>(document);
+  m_document = static_cast<MeshTab*>(document);
   m_preview.forget();
   if (m_panel) m_panel->setInspection(m_document ? &m_document->inspection : nullptr);
   m_scene->setDocument(m_document);
@@ -213,7 +213,7 @@ std::vector<ToolDescriptor> MeshUi::tools() {
                       [this] { return m_tools.fillTool(); },
                       "fill",
                       FillHoleTool::keys()};
-  fill.isUsual = true;
+  fill.isDefault = true;
   return {fill,
           {QStringLiteral("selectTool"), tr("&Select faces"),
            tr("Select faces by click, brush, lasso, connection or angle"), QStringLiteral("select"),
@@ -236,7 +236,7 @@ std::vector<ToolDescriptor> MeshUi::tools() {
            tr("Pull, smooth, inflate and flatten a surface; subdivide a patch and sculpt it at any of its levels"),
            QStringLiteral("sculpt"), QKeySequence(Qt::Key_U), [this] { return m_tools.sculptTool(); }, "sculpt",
            SculptTool::keys()},
-          measureOffer([this] { return m_tools.measureTool(); })};
+          measureToolDescriptor([this] { return m_tools.measureTool(); })};
 }
 
 std::vector<Hint> MeshUi::hints() {
@@ -257,8 +257,8 @@ QString MeshUi::statistics() const {
   return tr("%1 triangles").arg(QLocale().toString(static_cast<qulonglong>(faces)));
 }
 
-QString MeshUi::openedText(const OpenDocument& document) const {
-  const auto& mesh = static_cast<const OpenMesh&>(document);
+QString MeshUi::openedText(const DocumentTab& document) const {
+  const auto& mesh = static_cast<const MeshTab&>(document);
   return tr("Opened %1: %2 triangles, %3 holes, %4 triangles turned over")
       .arg(mesh.document.name())
       .arg(mesh.document.mesh().liveFaceCount())
@@ -266,13 +266,13 @@ QString MeshUi::openedText(const OpenDocument& document) const {
       .arg(mesh.inspection.count(DefectKind::Flipped));
 }
 
-QString MeshUi::saveCommand(const OpenDocument& open, const QString& path) const {
-  const auto& mesh = static_cast<const OpenMesh&>(open);
+QString MeshUi::saveCommand(const DocumentTab& open, const QString& path) const {
+  const auto& mesh = static_cast<const MeshTab&>(open);
   const bool isCopy = mesh.isAsInFile() && !mesh.document.isModified() && mesh.document.path() != path;
   return isCopy ? convertCommand(mesh.document.path(), path) : editCommand(mesh, path);
 }
 
-QString MeshUi::suggestedName(const OpenDocument& document) const {
+QString MeshUi::suggestedName(const DocumentTab& document) const {
   return document.document.file().isContainer ? document.document.path() : repairedName(document.document.path());
 }
 

@@ -5,8 +5,8 @@
 #include "window/kinds/KindUi.h"
 #include "window/mesh/DefectActions.h"
 #include "window/mesh/HolePreview.h"
+#include "window/mesh/MeshHapticsProvider.h"
 #include "window/mesh/MeshTools.h"
-#include "window/mesh/MeshTouch.h"
 #include "window/mesh/RepairActions.h"
 #include "window/mesh/RepairJobs.h"
 #include "window/mesh/SectionView.h"
@@ -37,8 +37,8 @@ class MeshUi : public KindUi {
   MeshUi(const WindowContext& parts, MeshKind& kind);
   ~MeshUi() override;
 
-  std::unique_ptr<OpenDocument> open(std::unique_ptr<Document> document) override;
-  void setDocument(OpenDocument* document) override;
+  std::unique_ptr<DocumentTab> open(std::unique_ptr<Document> document) override;
+  void setDocument(DocumentTab* document) override;
   void refreshVisibility() override;
   void showPreview(const ToolPreview& preview) override;
   QString panelTitle() const override { return m_deviation.isShown() ? tr("Deviation") : tr("Defects"); }
@@ -54,18 +54,18 @@ class MeshUi : public KindUi {
   std::vector<ToolDescriptor> tools() override;
   std::vector<Hint> hints() override;
   NextStep nextStep() override;
-  std::vector<Property> sectionFigures() const override { return m_section.statistics(); }
+  std::vector<Property> sectionMeasurements() const override { return m_section.statistics(); }
   QString statistics() const override;
-  QString openedText(const OpenDocument& document) const override;
-  QString saveCommand(const OpenDocument& document, const QString& path) const override;
-  QString suggestedName(const OpenDocument& document) const override;
+  QString openedText(const DocumentTab& document) const override;
+  QString saveCommand(const DocumentTab& document, const QString& path) const override;
+  QString suggestedName(const DocumentTab& document) const override;
   bool isSettled() const override;
 
  private:
   void connectSelection();
   void followFidelity();
   void compareMethods();
-  void logMark(const OpenMesh& open);
+  void logMark(const MeshTab& open);
 
   WindowContext m_parts;
   MeshKind& m_kind;
@@ -84,9 +84,9 @@ class MeshUi : public KindUi {
   QPointer<QStackedWidget> m_panels;  // shows one of the two panels
   DefectScene* m_scene;
   MeshTools m_tools;
-  MeshTouch m_touch;
+  MeshHapticsProvider m_touch;
   RepairDemo m_show;
-  OpenMesh* m_document = nullptr;
+  MeshTab* m_document = nullptr;
 };
 
 }  // namespace handwheel

@@ -5,7 +5,7 @@
 #include "text/RepairText.h"
 #include "theme/DefectColours.h"
 #include "theme/Theme.h"
-#include "window/mesh/OpenMesh.h"
+#include "window/mesh/MeshTab.h"
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -73,13 +73,13 @@ bool wasTriedOnAll(const Inspection& inspection) {
   return std::all_of(holes.begin(), holes.end(), [&](int id) { return inspection.failure(id) != FillFailure::None; });
 }
 
-bool isWorthSaving(const OpenMesh& document) {
+bool isWorthSaving(const MeshTab& document) {
   return document.document.isModified() || (!document.written && !document.document.reversedFaces().empty());
 }
 
 }  // namespace
 
-NextStep nextStepFor(const OpenMesh& document, const NextStepActions& actions) {
+NextStep nextStepFor(const MeshTab& document, const NextStepActions& actions) {
   const Inspection& inspection = document.inspection;
   const ThemeColours& colours = themeColours(currentTheme());
   if (document.cardDismissed) return {};

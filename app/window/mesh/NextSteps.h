@@ -8,7 +8,7 @@ class QAction;
 
 namespace handwheel {
 
-struct OpenMesh;
+struct MeshTab;
 
 // The actions that a next step may offer.
 struct NextStepActions {
@@ -21,6 +21,6 @@ struct NextStepActions {
 };
 
 // Determines the most likely next step for the document.
-NextStep nextStepFor(const OpenMesh& document, const NextStepActions& actions);
+NextStep nextStepFor(const MeshTab& document, const NextStepActions& actions);
 
 }  // namespace handwheel

@@ -3,9 +3,9 @@
 #include "window/mesh/RepairActions.h"
 
 #include "mesh/measure/MeshFidelity.h"
-#include "window/ActionTip.h"
+#include "window/ActionToolTip.h"
 #include "window/fidelity/FidelityChoice.h"
-#include "window/mesh/OpenMesh.h"
+#include "window/mesh/MeshTab.h"
 #include "window/mesh/Selection.h"
 
 #include <QSettings>
@@ -89,7 +89,7 @@ void RepairActions::connectActions() {
   connect(&m_preview, &HolePreview::changed, this, &RepairActions::followPreview);
   connect(&m_selection, &Selection::changed, this, &RepairActions::follow);
   connect(&m_jobs, &RepairJobs::filled, this,
-          [this](OpenMesh* document, Vertex key, const std::shared_ptr<HoleFillerCache>& bench) {
+          [this](MeshTab* document, Vertex key, const std::shared_ptr<HoleFillerCache>& bench) {
             if (document != m_document) return;
             m_preview.thickenSheet(document, bench);
             goOnAfter(document, key);
@@ -102,7 +102,7 @@ QList<QAction*> RepairActions::all() {
   return {&m_repairAll, &m_removeDebris, &m_fill, &m_keepOpen, &m_showPreview, &m_next, &m_previous, &m_deselect};
 }
 
-void RepairActions::setDocument(OpenMesh* document) {
+void RepairActions::setDocument(MeshTab* document) {
   m_document = document;
   follow();
 }
@@ -124,7 +124,7 @@ void RepairActions::setFill(FillMethod method, Continuity continuity) {
 
 // Which actions are possible, and what the preview shows, follows from document and selection.
 void RepairActions::follow() {
-  OpenMesh* document = m_document;
+  MeshTab* document = m_document;
   const int loop = document ? m_selection.loop() : -1;
   const bool kept = loop >= 0 && document->document.isKeptOpen(document->inspection.loop(loop));
   const bool rim = loop >= 0 && document->inspection.loop(loop).rim;
@@ -142,20 +142,20 @@ void RepairActions::follow() {
 // There is no point in filling what the preview could not.
 void RepairActions::followPreview() {
   const int loop = m_selection.loop();
-  const OpenMesh* document = m_document;
+  const MeshTab* document = m_document;
   const bool kept = loop >= 0 && document && document->document.isKeptOpen(document->inspection.loop(loop));
   const bool hopeless = m_preview.state().kind == PreviewState::Kind::Failed;
   m_fill.setEnabled(document && loop >= 0 && !kept && !hopeless && !m_jobs.isWorking());
 }
 
 void RepairActions::fillSelected() {
-  OpenMesh* document = m_document;
+  MeshTab* document = m_document;
   const int loop = m_selection.loop();
   m_jobs.fill(document, loop, m_preview.take());
 }
 
 void RepairActions::toggleKeepOpen() {
-  OpenMesh* document = m_document;
+  MeshTab* document = m_document;
   const BoundaryLoop loop = document->inspection.loop(m_selection.loop());
   document->document.setKeptOpen(loop, !document->document.isKeptOpen(loop));
   follow();
@@ -178,7 +178,7 @@ void RepairActions::step(int direction) {
 
 // Goes on to the hole after the one just filled, unless the user has chosen another meanwhile. The tool may have gone
 // there already; the camera follows a moment later.
-void RepairActions::goOnAfter(OpenMesh* document, Vertex key) {
+void RepairActions::goOnAfter(MeshTab* document, Vertex key) {
   const Inspection& inspection = document->inspection;
   const std::vector<int>& holes = inspection.holes();
   if (holes.empty()) return;

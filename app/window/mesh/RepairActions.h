@@ -19,7 +19,7 @@ class RepairActions : public QObject {
   RepairActions(Selection& selection, RepairJobs& jobs, HolePreview& preview, FidelityChoice& fidelity,
                 QObject* parent = nullptr);
 
-  void setDocument(OpenMesh* document);  // null: no mesh is in view
+  void setDocument(MeshTab* document);  // null: no mesh is in view
 
   QAction* repairAll() { return &m_repairAll; }
   QAction* removeDebris() { return &m_removeDebris; }
@@ -47,9 +47,9 @@ class RepairActions : public QObject {
   void fillSelected();
   void toggleKeepOpen();
   void step(int direction);
-  void goOnAfter(OpenMesh* document, Vertex key);
+  void goOnAfter(MeshTab* document, Vertex key);
 
-  OpenMesh* m_document = nullptr;
+  MeshTab* m_document = nullptr;
   Selection& m_selection;
   RepairJobs& m_jobs;
   HolePreview& m_preview;

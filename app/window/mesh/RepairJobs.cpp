@@ -15,7 +15,7 @@
 #include "window/documents/DocumentTabs.h"
 #include "window/fidelity/FidelityChoice.h"
 #include "window/mesh/EditSteps.h"
-#include "window/mesh/OpenMesh.h"
+#include "window/mesh/MeshTab.h"
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -44,17 +44,17 @@ std::size_t countOf(const RepairReport& report, LoopOutcome outcome) {
 RepairJobs::RepairJobs(DocumentTabs& tabs, JobRunner& jobs, LogModel& log, const FidelityChoice& fidelity,
                        QObject* parent)
     : QObject(parent), m_tabs(tabs), m_jobs(jobs), m_log(log), m_fidelity(fidelity) {
-  connect(&tabs, &DocumentTabs::closing, this, [this](OpenDocument* document) {
+  connect(&tabs, &DocumentTabs::closing, this, [this](DocumentTab* document) {
     dropChanges(document);
     m_jobs.cancelOf(document);
   });
 }
 
-void RepairJobs::fill(OpenMesh* document, int loop, PreparedFill prepared) {
+void RepairJobs::fill(MeshTab* document, int loop, PreparedFill prepared) {
   startFill(document, document->inspection.keyOf(loop), std::move(prepared), Round::First);
 }
 
-void RepairJobs::startFill(OpenMesh* document, Vertex key, PreparedFill prepared, Round round) {
+void RepairJobs::startFill(MeshTab* document, Vertex key, PreparedFill prepared, Round round) {
   const int loopId = document->inspection.loopWithKey(key);
   if (loopId < 0) return;  // an undo or another fill was faster
   const std::uint64_t revision = document->document.revision();
@@ -82,7 +82,7 @@ void RepairJobs::startFill(OpenMesh* document, Vertex key, PreparedFill prepared
   start(document, std::move(job));
 }
 
-void RepairJobs::filledOne(OpenMesh* document, Vertex key, const std::shared_ptr<HoleFillerCache>& bench,
+void RepairJobs::filledOne(MeshTab* document, Vertex key, const std::shared_ptr<HoleFillerCache>& bench,
                            const Filled& done, const InspectedMesh& after) {
   const int loop = document->inspection.loopWithKey(key);
   const QString name = document->inspection.loopName(loop);
@@ -98,11 +98,11 @@ void RepairJobs::filledOne(OpenMesh* document, Vertex key, const std::shared_ptr
   emit filled(document, key, bench);
 }
 
-void RepairJobs::removeDebris(OpenMesh* document) {
+void RepairJobs::removeDebris(MeshTab* document) {
   change(document, allDebrisFix());
 }
 
-void RepairJobs::change(OpenMesh* document, MeshChange wanted) {
+void RepairJobs::change(MeshTab* document, MeshChange wanted) {
   m_changes.emplace_back(document, std::move(wanted));
   if (m_changes.size() == 1) startChange(document, m_changes.front().second, Round::First);
 }
@@ -115,14 +115,14 @@ void RepairJobs::changeEnded() {
 }
 
 // Those that are not under way.
-void RepairJobs::dropChanges(const OpenDocument* document) {
+void RepairJobs::dropChanges(const DocumentTab* document) {
   if (m_changes.empty()) return;
   m_changes.erase(std::remove_if(m_changes.begin() + 1, m_changes.end(),
                                  [document](const auto& change) { return change.first == document; }),
                   m_changes.end());
 }
 
-void RepairJobs::startChange(OpenMesh* document, MeshChange wanted, Round round) {
+void RepairJobs::startChange(MeshTab* document, MeshChange wanted, Round round) {
   const std::uint64_t revision = document->document.revision();
   const QString text = QCoreApplication::translate("Tool", wanted.text);
   Job job;
@@ -149,7 +149,7 @@ void RepairJobs::startChange(OpenMesh* document, MeshChange wanted, Round round)
   start(document, std::move(job));
 }
 
-void RepairJobs::changed(OpenMesh* document, const MeshChange& wanted, const QString& text, const InspectedMesh& after,
+void RepairJobs::changed(MeshTab* document, const MeshChange& wanted, const QString& text, const InspectedMesh& after,
                          const std::optional<IntersectionsChange>& crossings) {
   const auto known = document->inspection.selfIntersections();
   const QString command = stepCommand(*document, wanted.step);
@@ -166,18 +166,18 @@ void RepairJobs::changed(OpenMesh* document, const MeshChange& wanted, const QSt
   }
 }
 
-void RepairJobs::reportCrossings(const OpenMesh& document, const IntersectionsChange& crossings) {
+void RepairJobs::reportCrossings(const MeshTab& document, const IntersectionsChange& crossings) {
   const int pairs = static_cast<int>(std::min(crossings.fresh, kMaxTrianglePairs));
   m_log.add(
       tr("%1: %n more pair(s) of triangles cross; undo takes that back", nullptr, pairs).arg(document.document.name()),
       {}, LogEntry::Weight::Warning);
 }
 
-void RepairJobs::repairAll(OpenMesh* document) {
+void RepairJobs::repairAll(MeshTab* document) {
   startRepair(document, Round::First);
 }
 
-void RepairJobs::startRepair(OpenMesh* document, Round round) {
+void RepairJobs::startRepair(MeshTab* document, Round round) {
   const std::uint64_t revision = document->document.revision();
   RepairOptions options;
   options.rims = RimHandling::Keep;  // the list shows them as left open
@@ -204,7 +204,7 @@ void RepairJobs::startRepair(OpenMesh* document, Round round) {
   start(document, std::move(job));
 }
 
-void RepairJobs::repairedAll(OpenMesh* document, const InspectedMesh& after, const Repaired& done) {
+void RepairJobs::repairedAll(MeshTab* document, const InspectedMesh& after, const Repaired& done) {
   Inspection& inspection = document->inspection;
   const auto failures = failuresOf(inspection, done.report);
   logRepair(*document, done);
@@ -213,7 +213,7 @@ void RepairJobs::repairedAll(OpenMesh* document, const InspectedMesh& after, con
   inspection.setFailures(failures);
 }
 
-void RepairJobs::logRepair(const OpenMesh& document, const Repaired& done) {
+void RepairJobs::logRepair(const MeshTab& document, const Repaired& done) {
   const RepairReport& report = done.report;
   QStringList parts{tr("%1 of %2 holes filled").arg(countOf(report, LoopOutcome::Filled)).arg(report.loops.size())};
   if (const std::size_t kept = countOf(report, LoopOutcome::KeptOpen); kept > 0) parts << tr("%1 kept open").arg(kept);
@@ -232,18 +232,18 @@ double RepairJobs::nearWeld() const {
   return m_fidelity.values().of(nearWeldSetting());
 }
 
-bool RepairJobs::isStale(OpenMesh* document, std::uint64_t revision) const {
+bool RepairJobs::isStale(MeshTab* document, std::uint64_t revision) const {
   return document->document.revision() != revision;
 }
 
-void RepairJobs::reportStale(const OpenMesh& document, Round round) {
+void RepairJobs::reportStale(const MeshTab& document, Round round) {
   const QString name = document.document.name();
   m_log.add(round == Round::First ? tr("%1 was changed meanwhile; the job runs once more").arg(name)
                                   : tr("%1 was changed again; the result was discarded").arg(name),
             {}, LogEntry::Weight::Warning);
 }
 
-void RepairJobs::start(const OpenDocument* document, Job job) {
+void RepairJobs::start(const DocumentTab* document, Job job) {
   job.owner = document;
   ++m_working;
   emit workingChanged();
@@ -261,7 +261,7 @@ void RepairJobs::start(const OpenDocument* document, Job job) {
   m_jobs.start(std::move(job));
 }
 
-void RepairJobs::reportFailure(const OpenDocument* document, const QString& job, const Error& error) {
+void RepairJobs::reportFailure(const DocumentTab* document, const QString& job, const Error& error) {
   m_log.add(job + QStringLiteral(": ") + errorSentence(error), {}, LogEntry::Weight::Warning);
   if (error.code == ErrorCode::Cancelled || !m_tabs.contains(document)) return;
   const QString advice = error.code == ErrorCode::OutOfMemory

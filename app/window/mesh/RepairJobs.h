@@ -19,7 +19,7 @@ class DocumentTabs;
 class FidelityChoice;
 class LogModel;
 struct Message;
-struct OpenDocument;
+struct DocumentTab;
 
 // Runs changes of a mesh as jobs on snapshots. The result becomes one undo step; when the document was changed
 // meanwhile, the result is discarded and the job runs once more.
@@ -31,52 +31,52 @@ class RepairJobs : public QObject {
              QObject* parent = nullptr);
 
   // prepared: results of the preview for this hole; may be empty.
-  void fill(OpenMesh* document, int loop, PreparedFill prepared);
-  void repairAll(OpenMesh* document);
-  void removeDebris(OpenMesh* document);
+  void fill(MeshTab* document, int loop, PreparedFill prepared);
+  void repairAll(MeshTab* document);
+  void removeDebris(MeshTab* document);
   // Applies a change requested by a tool. Changes run one after the other.
-  void change(OpenMesh* document, MeshChange wanted);
+  void change(MeshTab* document, MeshChange wanted);
 
   // Whether a fill or repair is waiting or running.
   bool isWorking() const { return m_working > 0; }
 
  signals:
   // key: of the loop that was filled. bench: the filler cache, valid for the present document.
-  void filled(handwheel::OpenMesh* document, handwheel::Vertex key, std::shared_ptr<handwheel::HoleFillerCache> bench);
+  void filled(handwheel::MeshTab* document, handwheel::Vertex key, std::shared_ptr<handwheel::HoleFillerCache> bench);
   void workingChanged();
   // A change had no effect. why: a sentence.
-  void changedNothing(const handwheel::OpenMesh* document, const QString& what, const QString& why);
+  void changedNothing(const handwheel::MeshTab* document, const QString& what, const QString& why);
   // A job failed.
   void message(const handwheel::Message& message);
 
  private:
   enum class Round { First, Second };
-  void startFill(OpenMesh* document, Vertex key, PreparedFill prepared, Round round);
-  void startChange(OpenMesh* document, MeshChange wanted, Round round);
+  void startFill(MeshTab* document, Vertex key, PreparedFill prepared, Round round);
+  void startChange(MeshTab* document, MeshChange wanted, Round round);
   void changeEnded();
-  void dropChanges(const OpenDocument* document);
-  void startRepair(OpenMesh* document, Round round);
-  void changed(OpenMesh* document, const MeshChange& wanted, const QString& text, const InspectedMesh& after,
+  void dropChanges(const DocumentTab* document);
+  void startRepair(MeshTab* document, Round round);
+  void changed(MeshTab* document, const MeshChange& wanted, const QString& text, const InspectedMesh& after,
                const std::optional<IntersectionsChange>& crossings);
   double nearWeld() const;  // tolerance for the defects of a job's result
-  bool isStale(OpenMesh* document, std::uint64_t revision) const;
+  bool isStale(MeshTab* document, std::uint64_t revision) const;
   struct Filled {
     FillFailure failure;
     std::string step;
   };
-  void filledOne(OpenMesh* document, Vertex key, const std::shared_ptr<HoleFillerCache>& bench, const Filled& done,
+  void filledOne(MeshTab* document, Vertex key, const std::shared_ptr<HoleFillerCache>& bench, const Filled& done,
                  const InspectedMesh& after);
   struct Repaired {
     RepairReport report;
     RepairOptions options;
     std::string step;
   };
-  void repairedAll(OpenMesh* document, const InspectedMesh& after, const Repaired& done);
-  void logRepair(const OpenMesh& document, const Repaired& done);
-  void reportCrossings(const OpenMesh& document, const IntersectionsChange& crossings);
-  void reportStale(const OpenMesh& document, Round round);
-  void start(const OpenDocument* document, Job job);
-  void reportFailure(const OpenDocument* document, const QString& job, const Error& error);
+  void repairedAll(MeshTab* document, const InspectedMesh& after, const Repaired& done);
+  void logRepair(const MeshTab& document, const Repaired& done);
+  void reportCrossings(const MeshTab& document, const IntersectionsChange& crossings);
+  void reportStale(const MeshTab& document, Round round);
+  void start(const DocumentTab* document, Job job);
+  void reportFailure(const DocumentTab* document, const QString& job, const Error& error);
   void ended();
 
   DocumentTabs& m_tabs;
@@ -84,7 +84,7 @@ class RepairJobs : public QObject {
   LogModel& m_log;
   const FidelityChoice& m_fidelity;
   int m_working = 0;
-  std::deque<std::pair<OpenMesh*, MeshChange>> m_changes;  // the first is running
+  std::deque<std::pair<MeshTab*, MeshChange>> m_changes;  // the first is running
 };
 
 }  // namespace handwheel

@@ -4,7 +4,7 @@
 
 #include "viewport/Viewport.h"
 #include "viewport/surface/MeshLayer.h"
-#include "window/mesh/OpenMesh.h"
+#include "window/mesh/MeshTab.h"
 
 namespace handwheel {
 
@@ -13,7 +13,7 @@ SectionView::SectionView(Viewport& viewport, MeshLayer& layer, QThreadPool& pool
   connect(&m_viewport, &Viewport::clipPlaneChanged, this, &SectionView::cut);
 }
 
-void SectionView::setDocument(OpenMesh* document) {
+void SectionView::setDocument(MeshTab* document) {
   if (m_document) m_document->document.disconnect(this);
   m_cutting.cancelAll();
   m_section.reset();  // the layer has another model by now

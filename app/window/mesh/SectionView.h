@@ -12,7 +12,7 @@ namespace handwheel {
 
 class MeshLayer;
 class Viewport;
-struct OpenMesh;
+struct MeshTab;
 
 // Shows the section of the mesh by the clipping plane. The outline is shown in the viewport, its length and area in a
 // panel. Follows plane and mesh; the mesh is cut on a worker, so neither has to wait.
@@ -22,7 +22,7 @@ class SectionView : public QObject {
  public:
   SectionView(Viewport& viewport, MeshLayer& layer, QThreadPool& pool, QObject* parent = nullptr);
 
-  void setDocument(OpenMesh* document);
+  void setDocument(MeshTab* document);
   // Length, and of a closed outline the area; none without a plane.
   std::vector<Property> statistics() const;
 
@@ -36,7 +36,7 @@ class SectionView : public QObject {
   Viewport& m_viewport;
   MeshLayer& m_layer;
   JobRunner m_cutting;
-  OpenMesh* m_document = nullptr;
+  MeshTab* m_document = nullptr;
   std::optional<Section> m_section;
 };
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/Selection.h"
 
-#include "window/mesh/OpenMesh.h"
+#include "window/mesh/MeshTab.h"
 
 namespace handwheel {
 
-void Selection::setDocument(OpenMesh* document) {
+void Selection::setDocument(MeshTab* document) {
   if (m_document) m_document->inspection.disconnect(this);
   m_document = document;
   if (document) connect(&document->inspection, &Inspection::changed, this, &Selection::follow);

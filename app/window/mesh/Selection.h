@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-struct OpenMesh;
+struct MeshTab;
 
 // The selected loop and the hovered loop of the current document. Shared by list and viewport.
 class Selection : public QObject {
@@ -19,7 +19,7 @@ class Selection : public QObject {
   int hovered() const { return m_hovered; }  // -1 for none
 
   // Restores the selection that the document had when it was last shown. Null: none is open.
-  void setDocument(OpenMesh* document);
+  void setDocument(MeshTab* document);
   void select(int loop);
   void hover(int loop);
 
@@ -30,7 +30,7 @@ class Selection : public QObject {
  private:
   void follow();
 
-  OpenMesh* m_document = nullptr;
+  MeshTab* m_document = nullptr;
   int m_loop = -1;
   int m_hovered = -1;
 };

@@ -3,7 +3,7 @@
 #include "window/mesh/SelfIntersectionSearch.h"
 
 #include "window/WindowServices.h"
-#include "window/mesh/OpenMesh.h"
+#include "window/mesh/MeshTab.h"
 
 #include <utility>
 
@@ -21,12 +21,12 @@ SelfIntersectionSearch::SelfIntersectionSearch(QThreadPool& pool, WindowServices
   connect(&m_rest, &QTimer::timeout, this, &SelfIntersectionSearch::start);
 }
 
-void SelfIntersectionSearch::setDocument(OpenMesh* document) {
+void SelfIntersectionSearch::setDocument(MeshTab* document) {
   if (m_document) m_document->inspection.disconnect(this);
   m_document = document;
   m_rest.stop();
   m_runner.cancelAll();
-  m_need = document ? m_services.needs().need("self_intersections") : Need();
+  m_need = document ? m_services.needs().need("self_intersections") : ServiceHandle();
   if (!document) return;
   connect(&document->inspection, &Inspection::changed, this, &SelfIntersectionSearch::schedule);
   schedule();

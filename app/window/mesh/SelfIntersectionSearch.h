@@ -10,7 +10,7 @@
 namespace handwheel {
 
 class WindowServices;
-struct OpenMesh;
+struct MeshTab;
 
 // Searches for self-intersections of the current mesh on a worker. Starts when the mesh has not changed for a while.
 class SelfIntersectionSearch : public QObject {
@@ -19,7 +19,7 @@ class SelfIntersectionSearch : public QObject {
  public:
   SelfIntersectionSearch(QThreadPool& pool, WindowServices& services, QObject* parent = nullptr);
 
-  void setDocument(OpenMesh* document);
+  void setDocument(MeshTab* document);
   bool isIdle() const { return !m_rest.isActive() && m_runner.isIdle(); }
 
  private:
@@ -27,10 +27,10 @@ class SelfIntersectionSearch : public QObject {
   void start();
 
   WindowServices& m_services;
-  Need m_need;  // held while a mesh is shown
+  ServiceHandle m_need;  // held while a mesh is shown
   JobRunner m_runner;
   QTimer m_rest;
-  OpenMesh* m_document = nullptr;
+  MeshTab* m_document = nullptr;
 };
 
 }  // namespace handwheel

@@ -9,14 +9,14 @@
 #include "text/ErrorText.h"
 #include "theme/Icons.h"
 #include "tools/mesh/MeshSteps.h"
-#include "window/ActionTip.h"
+#include "window/ActionToolTip.h"
 #include "window/CommandText.h"
 #include "window/JobRunner.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/documents/FileFilters.h"
 #include "window/mesh/MeshReading.h"
+#include "window/mesh/MeshTab.h"
 #include "window/mesh/MeshUi.h"
-#include "window/mesh/OpenMesh.h"
 #include "window/mesh/RepairJobs.h"
 
 #include <QDir>
@@ -48,14 +48,14 @@ ShellActions::ShellActions(const WindowContext& parts, MeshKind& kind, MeshUi& u
       m_add(icon(QStringLiteral("add-mesh")), tr("&Add a mesh…"), this) {
   m_split.setObjectName(QStringLiteral("splitShells"));
   m_add.setObjectName(QStringLiteral("addMesh"));
-  setTip(m_split, tr("Open each shell, what hangs together across edges, as a document of its own"));
-  setTip(m_add, tr("Put the mesh of another file into this one, where it stands"));
+  setActionToolTip(m_split, tr("Open each shell, what hangs together across edges, as a document of its own"));
+  setActionToolTip(m_add, tr("Put the mesh of another file into this one, where it stands"));
   connect(&m_split, &QAction::triggered, this, &ShellActions::split);
   connect(&m_add, &QAction::triggered, this, &ShellActions::askForMesh);
   setDocument(nullptr);
 }
 
-void ShellActions::setDocument(OpenMesh* document) {
+void ShellActions::setDocument(MeshTab* document) {
   m_document = document;
   for (QAction* action : all()) action->setEnabled(document != nullptr);
 }
@@ -97,7 +97,7 @@ void ShellActions::open(const std::vector<std::shared_ptr<MeshSnapshot>>& shells
   m_parts.log.add(tr("Split into %Ln shell(s)", nullptr, static_cast<int>(shells.size())), command);
 }
 
-void ShellActions::reportCount(const OpenMesh* document, std::size_t shells) {
+void ShellActions::reportCount(const MeshTab* document, std::size_t shells) {
   if (!m_parts.tabs.contains(document)) return;
   const bool isOne = shells < 2;
   emit message({Message::Weight::Info,
@@ -111,7 +111,7 @@ void ShellActions::reportCount(const OpenMesh* document, std::size_t shells) {
                 &document->document});
 }
 
-void ShellActions::reportFailed(const OpenMesh* document, const QString& title, const Error& error) {
+void ShellActions::reportFailed(const MeshTab* document, const QString& title, const Error& error) {
   if (error.code == ErrorCode::Cancelled || !m_parts.tabs.contains(document)) return;
   emit message(
       {Message::Weight::Error, title, errorSentence(error), errorAdvice(error), {}, {}, {}, {}, &document->document});
@@ -129,7 +129,7 @@ void ShellActions::askForMesh() {
   dialog->open();
 }
 
-void ShellActions::add(OpenMesh* document, const QString& path) {
+void ShellActions::add(MeshTab* document, const QString& path) {
   Job job;
   job.name = tr("Reading %1").arg(QFileInfo(path).fileName());
   job.owner = document;

@@ -10,7 +10,7 @@ class MeshKind;
 class MeshUi;
 class RepairJobs;
 struct MeshSnapshot;
-struct OpenMesh;
+struct MeshTab;
 
 // The actions that split a mesh into shells or add other meshes. Each shell becomes a document of its own.
 class ShellActions : public QObject {
@@ -19,7 +19,7 @@ class ShellActions : public QObject {
  public:
   ShellActions(const WindowContext& parts, MeshKind& kind, MeshUi& ui, RepairJobs& jobs);
 
-  void setDocument(OpenMesh* document);  // null: no mesh is in view
+  void setDocument(MeshTab* document);  // null: no mesh is in view
   QList<QAction*> all() { return {&m_split, &m_add}; }
 
  signals:
@@ -28,16 +28,16 @@ class ShellActions : public QObject {
  private:
   void split();
   void open(const std::vector<std::shared_ptr<MeshSnapshot>>& shells, const QString& command);
-  void reportCount(const OpenMesh* document, std::size_t shells);
-  void reportFailed(const OpenMesh* document, const QString& title, const Error& error);
+  void reportCount(const MeshTab* document, std::size_t shells);
+  void reportFailed(const MeshTab* document, const QString& title, const Error& error);
   void askForMesh();
-  void add(OpenMesh* document, const QString& path);
+  void add(MeshTab* document, const QString& path);
 
   WindowContext m_parts;
   MeshKind& m_kind;
   MeshUi& m_ui;
   RepairJobs& m_jobs;
-  OpenMesh* m_document = nullptr;
+  MeshTab* m_document = nullptr;
   QAction m_split;
   QAction m_add;
 };

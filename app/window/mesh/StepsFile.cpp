@@ -6,11 +6,11 @@
 #include "panels/LogModel.h"
 #include "panels/MessageBar.h"
 #include "text/ErrorText.h"
-#include "window/ActionTip.h"
+#include "window/ActionToolTip.h"
 #include "window/CommandText.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/mesh/EditSteps.h"
-#include "window/mesh/OpenMesh.h"
+#include "window/mesh/MeshTab.h"
 
 #include <QFile>
 #include <QFileDialog>
@@ -21,12 +21,12 @@ namespace handwheel {
 StepsFile::StepsFile(const WindowContext& parts, QObject* parent)
     : QObject(parent), m_parts(parts), m_save(tr("Save s&teps…"), this) {
   m_save.setObjectName(QStringLiteral("saveSteps"));
-  setTip(m_save, tr("Write what was done to the mesh as a file that “handwheel edit --steps” reads"));
+  setActionToolTip(m_save, tr("Write what was done to the mesh as a file that “handwheel edit --steps” reads"));
   connect(&m_save, &QAction::triggered, this, &StepsFile::ask);
   follow();
 }
 
-void StepsFile::setDocument(OpenMesh* document) {
+void StepsFile::setDocument(MeshTab* document) {
   m_document = document;
   follow();
 }
@@ -48,7 +48,7 @@ void StepsFile::ask() {
   dialog->open();
 }
 
-void StepsFile::write(const OpenMesh& document, const QString& path) {
+void StepsFile::write(const MeshTab& document, const QString& path) {
   const QString name = QFileInfo(path).fileName();
   const auto way = editPath(document);
   if (!way) {

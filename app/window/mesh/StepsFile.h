@@ -6,7 +6,7 @@
 
 namespace handwheel {
 
-struct OpenMesh;
+struct MeshTab;
 
 // The action "Save steps", which writes the editing steps of a mesh. "handwheel edit" reads the file.
 class StepsFile : public QObject {
@@ -16,18 +16,18 @@ class StepsFile : public QObject {
   StepsFile(const WindowContext& parts, QObject* parent);
 
   QAction* action() { return &m_save; }
-  void setDocument(OpenMesh* document);  // null: no mesh is in view
-  void follow();                         // to be called when the document has changed
+  void setDocument(MeshTab* document);  // null: no mesh is in view
+  void follow();                        // to be called when the document has changed
 
  signals:
   void message(const handwheel::Message& message);
 
  private:
   void ask();
-  void write(const OpenMesh& document, const QString& path);
+  void write(const MeshTab& document, const QString& path);
 
   WindowContext m_parts;
-  OpenMesh* m_document = nullptr;
+  MeshTab* m_document = nullptr;
   QAction m_save;
 };
 

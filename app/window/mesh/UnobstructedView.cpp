@@ -33,7 +33,7 @@ std::vector<Vec3> candidates(const Vec3& outward) {
 
 }  // namespace
 
-Vec3 clearView(const HalfEdgeMesh& mesh, const Box& place, const Vec3& outward) {
+Vec3 unobstructedDirection(const HalfEdgeMesh& mesh, const Box& place, const Vec3& outward) {
   if (outward.norm() == 0.0 || place.isEmpty()) return outward;
   const std::vector<Vec3> directions = candidates(outward.normalized());
   const Vec3 centre = place.center();

@@ -4,8 +4,8 @@
 
 #include "controls/ActionText.h"
 #include "theme/Icons.h"
-#include "window/ActionTip.h"
-#include "window/documents/OpenDocument.h"
+#include "window/ActionToolTip.h"
+#include "window/documents/DocumentTab.h"
 #include "window/tools/ToolHost.h"
 #include "window/tools/ToolKeys.h"
 
@@ -30,7 +30,7 @@ void ToolChoice::add(KindUi& kind) {
       action->setCheckable(true);
       action->setIconVisibleInMenu(false);
       action->setShortcut(offer.key);
-      setTip(*action, offer.tip);
+      setActionToolTip(*action, offer.tip);
       m_group.addAction(action);
       connect(action, &QAction::triggered, this, [this, id = offer.id](bool on) { choose(on ? id : QString()); });
     }
@@ -43,7 +43,7 @@ void ToolChoice::putAway() {
   m_host.stop();
 }
 
-void ToolChoice::takeUp(OpenDocument* document) {
+void ToolChoice::takeUp(DocumentTab* document) {
   m_document = document;
   const QList<QAction*> offered = document ? m_actions.at(&document->ui) : QList<QAction*>();
   for (QAction* action : m_group.actions()) action->setEnabled(offered.contains(action));
@@ -53,7 +53,7 @@ void ToolChoice::takeUp(OpenDocument* document) {
 const ToolDescriptor* ToolChoice::offer(const QString& id) const {
   const std::vector<ToolDescriptor>& offers = m_offers.at(&m_document->ui);
   const auto wanted = std::find_if(offers.begin(), offers.end(), [&id](const ToolDescriptor& each) {
-    return id.isEmpty() ? each.isUsual : each.id == id;
+    return id.isEmpty() ? each.isDefault : each.id == id;
   });
   return wanted == offers.end() ? nullptr : &*wanted;
 }
@@ -63,7 +63,7 @@ void ToolChoice::choose(const QString& id) {
   m_document->tool = id;
   start();
   const ToolDescriptor* chosen = offer(id);
-  emit !chosen || chosen->isUsual ? usualChosen() : otherChosen();
+  emit !chosen || chosen->isDefault ? defaultChosen() : otherChosen();
 }
 
 void ToolChoice::start() {
@@ -80,7 +80,7 @@ void ToolChoice::ended() {
   m_document->tool.clear();
   if (!usual && !another) return;  // it has been put away
   start();
-  if (another) emit usualChosen();
+  if (another) emit defaultChosen();
 }
 
 }  // namespace handwheel

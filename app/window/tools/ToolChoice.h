@@ -22,10 +22,10 @@ class ToolChoice : public QObject {
   // Stops the tool; to be called before another document becomes current, and before the current one is destroyed.
   void putAway();
   // Starts the tool of the new current document; null: none is open.
-  void takeUp(OpenDocument* document);
+  void takeUp(DocumentTab* document);
 
  signals:
-  void usualChosen();
+  void defaultChosen();
   void otherChosen();  // by the user; its settings are to be shown
 
  private:
@@ -38,7 +38,7 @@ class ToolChoice : public QObject {
   QActionGroup m_group;
   std::map<const KindUi*, QList<QAction*>> m_actions;
   std::map<const KindUi*, std::vector<ToolDescriptor>> m_offers;
-  OpenDocument* m_document = nullptr;
+  DocumentTab* m_document = nullptr;
 };
 
 }  // namespace handwheel

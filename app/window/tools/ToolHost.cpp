@@ -70,7 +70,7 @@ QString translated(const char* context, const std::string& text) {
 
 }  // namespace
 
-ToolHost::ToolHost(Viewport& viewport, ToolPanel& panel, NeedSet& needs, QObject* parent)
+ToolHost::ToolHost(Viewport& viewport, ToolPanel& panel, ServiceRegistry& needs, QObject* parent)
     : QObject(parent),
       m_viewport(viewport),
       m_proposed(std::make_shared<PartsLayer>(PartsLayer::Role::Proposed)),

@@ -24,7 +24,7 @@ class ToolHost : public QObject {
   Q_OBJECT
 
  public:
-  ToolHost(Viewport& viewport, ToolPanel& panel, NeedSet& needs, QObject* parent = nullptr);
+  ToolHost(Viewport& viewport, ToolPanel& panel, ServiceRegistry& needs, QObject* parent = nullptr);
   ~ToolHost() override;
 
   void start(std::unique_ptr<Tool> tool, Document& document);
@@ -68,10 +68,10 @@ class ToolHost : public QObject {
   ToolPanel& m_panel;
   ToolReadout* m_readout;
   ToolKeys& m_keys;
-  NeedSet& m_needs;
+  ServiceRegistry& m_needs;
   ToolRunner m_runner;
   MouseDevicePlace m_mouseDevice;
-  std::vector<Need> m_needed;
+  std::vector<ServiceHandle> m_needed;
   bool m_isMoving = false;   // the tool is handling a mouse move
   bool m_isShowDue = false;  // showSoon() was called
   bool m_isVisible = true;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/tools/ToolKeys.h"
 
-#include "controls/ScopedAction.h"
+#include "controls/ContextAction.h"
 #include "window/tools/ToolPanel.h"
 
 #include <QKeyEvent>
@@ -41,7 +41,7 @@ void ToolKeys::add(const QString& title, const std::string& tool, std::span<cons
   auto& actions = m_actions[tool];
   for (const ToolKey& key : keys) {
     if (*key.command || actions.count(key.action) != 0) continue;
-    auto* action = new ScopedAction(titleOf(key.effect), title, tr("Tools") + QStringLiteral(" › ") + title, this);
+    auto* action = new ContextAction(titleOf(key.effect), title, tr("Tools") + QStringLiteral(" › ") + title, this);
     action->setObjectName(QStringLiteral("tool/%1/%2").arg(QString::fromStdString(tool), QLatin1String(key.action)));
     action->setShortcut(keyOf(key.input));
     action->setVisible(false);

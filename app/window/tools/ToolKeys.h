@@ -16,7 +16,7 @@ class QWidget;
 
 namespace handwheel {
 
-class ScopedAction;
+class ContextAction;
 
 // The keys of all tools as actions of the window. So they can be listed, searched and changed like its other commands.
 // They are visible while their tool declares them.
@@ -47,7 +47,7 @@ class ToolKeys : public QObject {
   void watch(QAction& action);
 
   QWidget& m_view;
-  std::map<std::string, std::map<std::string, ScopedAction*>> m_actions;  // by tool and action
+  std::map<std::string, std::map<std::string, ContextAction*>> m_actions;  // by tool and action
   std::map<std::string, QPointer<QAction>> m_commands;
 };
 

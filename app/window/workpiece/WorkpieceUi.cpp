@@ -6,11 +6,17 @@
 #include "document/workpiece/WorkpieceDocument.h"
 #include "document/workpiece/WorkpieceProperties.h"
 #include "fidelity/Cases.h"
+#include "machining/TurningFidelity.h"
 #include "theme/Theme.h"
-#include "window/documents/OpenDocument.h"
+#include "tools/workpiece/TurnTool.h"
+#include "window/WindowServices.h"
+#include "window/documents/DocumentTab.h"
 #include "window/fidelity/FidelityChoice.h"
+#include "window/haptics/HapticSceneBuilder.h"
+#include "window/tools/ToolHost.h"
 
 #include <QLocale>
+#include <utility>
 
 namespace handwheel {
 
@@ -27,9 +33,11 @@ QString sizeText(const Document& document) {
 
 }  // namespace
 
-WorkpieceUi::WorkpieceUi(const WindowContext& parts) : RigidPartsUi(parts, {"Stock"}) {}
+WorkpieceUi::WorkpieceUi(const WindowContext& window) : RigidPartsUi(window, {"Stock"}) {
+  connect(&window.tools, &ToolHost::updated, this, &WorkpieceUi::followTool);
+}
 
-std::unique_ptr<OpenDocument> WorkpieceUi::open(std::unique_ptr<Document> document) {
+std::unique_ptr<DocumentTab> WorkpieceUi::open(std::unique_ptr<Document> document) {
   if (document->file().path.empty()) {
     const auto& blank = static_cast<const WorkpieceDocument&>(*document).workpiece();
     const double chord = parts().fidelity.values().of(chordSetting());
@@ -47,6 +55,37 @@ std::vector<StartAction> WorkpieceUi::startActions() const {
                      tr("A shaft for the lathe. Give it its size, save it as STEP.")}}};
 }
 
+std::vector<ToolDescriptor> WorkpieceUi::tools() {
+  return {{QStringLiteral("turnTool"), tr("&Turn"), tr("Cut the turning part by hand with a round tool"),
+           QStringLiteral("turn"), QKeySequence(Qt::Key_V), [this] { return turnTool(); }, "turn", TurnTool::keys()},
+          measureParts()};
+}
+
+std::unique_ptr<Tool> WorkpieceUi::turnTool() {
+  auto& workpiece = static_cast<WorkpieceDocument&>(document()->document);
+  const TurnServices services{parts().servoClock, parts().services.simulation()};
+  return std::make_unique<TurnTool>(workpiece, services, parts().fidelity.values().of(turnSpacingSetting()));
+}
+
+// The part is felt through the simulation of the tool, as long as there is one.
+void WorkpieceUi::followTool() {
+  const auto* const tool = dynamic_cast<const TurnTool*>(parts().tools.runner().tool());
+  const std::shared_ptr<TurningChannel> channel = tool ? tool->channel() : nullptr;
+  const TurningTool settings = tool ? tool->settingsAtDevice() : TurningTool();
+  if (channel == m_felt && settings == m_feltSettings) return;
+  m_feltSettings = settings;
+  setFelt(channel == nullptr);
+  const bool isSame = std::exchange(m_felt, channel) == channel;
+  if (!channel) return parts().touch.setSource(kTurningSource, {}, false);
+  const auto make = [channel, settings, base = tool->base()](const TouchContext& context) {
+    TurningTool inScene = settings;
+    inScene.stiffness = context.mapping.sceneStiffness(context.touch.stiffness);
+    inScene.resistance = context.mapping.sceneStiffness(settings.resistance);
+    return std::make_unique<TurningForce>(channel, inScene, base);
+  };
+  parts().touch.setSource(kTurningSource, make, isSame);
+}
+
 NextStep WorkpieceUi::nextStep() {
   if (!document() || document()->document.history()->count() > 0) return {};
   return {panelIcon(), themeColours(currentTheme()).accent, tr("Stock of %1.").arg(sizeText(document()->document)),
@@ -57,7 +96,7 @@ QString WorkpieceUi::statistics() const {
   return document() ? sizeText(document()->document) : QString();
 }
 
-QString WorkpieceUi::openedText(const OpenDocument& opened) const {
+QString WorkpieceUi::openedText(const DocumentTab& opened) const {
   return tr("Opened %1: stock %2").arg(opened.document.name(), sizeText(opened.document));
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "simulation/turning/TurningForce.h"
 #include "window/kinds/RigidPartsUi.h"
 
 namespace handwheel {
@@ -11,18 +12,25 @@ class WorkpieceUi : public RigidPartsUi {
   Q_OBJECT
 
  public:
-  explicit WorkpieceUi(const WindowContext& parts);
+  explicit WorkpieceUi(const WindowContext& window);
 
   // A new document starts with the chord tolerance that the user chose; later changes are made by its own property.
-  std::unique_ptr<OpenDocument> open(std::unique_ptr<Document> document) override;
+  std::unique_ptr<DocumentTab> open(std::unique_ptr<Document> document) override;
   std::vector<StartAction> startActions() const override;
   QString panelTitle() const override { return tr("Stock"); }
   QString panelIcon() const override { return QStringLiteral("kind-workpiece"); }
   QString menuTitle() const override { return tr("&Workpiece"); }
-  std::vector<ToolDescriptor> tools() override { return {measureParts()}; }
+  std::vector<ToolDescriptor> tools() override;
   NextStep nextStep() override;
   QString statistics() const override;
-  QString openedText(const OpenDocument& document) const override;
+  QString openedText(const DocumentTab& document) const override;
+
+ private:
+  std::unique_ptr<Tool> turnTool();
+  void followTool();
+
+  std::shared_ptr<TurningChannel> m_felt;  // of the tool whose force source is in the haptic scene; null: none
+  TurningTool m_feltSettings;
 };
 
 }  // namespace handwheel

@@ -98,7 +98,7 @@ class Loading {
       }
       robot->surfaces.push_back(std::move(surface));
     }
-    auto cell = std::make_shared<CellSnapshot>();
+    auto cell = std::make_shared<RobotCellSnapshot>();
     cell->joints = readJoints(robot->model);
     cell->robot = std::move(robot);
     const auto source = m_document.find("source");
@@ -145,7 +145,7 @@ class Loading {
 
 }  // namespace
 
-void writeCell(const CellSnapshot& cell, Container& container) {
+void writeCell(const RobotCellSnapshot& cell, Container& container) {
   nlohmann::json& document = (*container.manifest)["document"];
   const CellRobot& robot = *cell.robot;
   container.blobs[kDescription] = robot.description;

@@ -5,14 +5,14 @@
 #include "base/Progress.h"
 #include "base/Result.h"
 #include "document/Container.h"
-#include "document/cell/CellSnapshot.h"
+#include "document/cell/RobotCellSnapshot.h"
 
 namespace handwheel {
 
 // Writes a robot cell to a container. It holds all that the cell needs: the description in the blob "cell/robot.urdf",
 // and of each mesh the points (three floats each, mm) and triangles (three indices each) in "cell/surfaces/NNNN/…". The
 // manifest has the value of each joint by its name; rad, mm.
-void writeCell(const CellSnapshot& cell, Container& container);
+void writeCell(const RobotCellSnapshot& cell, Container& container);
 
 // Reads a robot cell from a container. Lost and invalid parts are left out, and the joints are brought within their
 // limits. shapeSides: of round shapes, as in surfaceOf(). Errors: EntryMissing {cell/robot.urdf}, those of readUrdf(),

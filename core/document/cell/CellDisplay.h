@@ -3,7 +3,7 @@
 #pragma once
 
 #include "document/DisplayModel.h"
-#include "document/cell/CellSnapshot.h"
+#include "document/cell/RobotCellSnapshot.h"
 
 #include <string_view>
 

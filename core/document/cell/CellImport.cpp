@@ -93,7 +93,7 @@ class Import {
 
   ImportedCell finish(std::string description, std::string source) {
     m_robot->description = std::move(description);
-    auto cell = std::make_shared<CellSnapshot>();
+    auto cell = std::make_shared<RobotCellSnapshot>();
     cell->joints = restValues(m_robot->model);
     cell->robot = std::move(m_robot);
     cell->source = std::move(source);

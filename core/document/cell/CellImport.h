@@ -4,7 +4,7 @@
 
 #include "base/Progress.h"
 #include "base/Result.h"
-#include "document/cell/CellSnapshot.h"
+#include "document/cell/RobotCellSnapshot.h"
 #include "robot/ShapeSurfaces.h"
 
 #include <filesystem>
@@ -16,7 +16,7 @@ inline constexpr double kLargestCoordinate = 1e9;
 
 // Result of importing a robot description.
 struct ImportedCell {
-  std::shared_ptr<const CellSnapshot> cell;
+  std::shared_ptr<const RobotCellSnapshot> cell;
   std::vector<Error> damage;  // of the description and the meshes; the robot opens without what is damaged
   std::size_t unlistedDamage = 0;
 };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/cell/JointEdit.h"
 
-#include "document/cell/CellDocument.h"
+#include "document/cell/RobotCellDocument.h"
 
 #include <algorithm>
 #include <utility>
@@ -10,7 +10,7 @@
 namespace handwheel {
 
 void JointEdit::exchange(Document& document) {
-  auto& cell = static_cast<CellDocument&>(document);
+  auto& cell = static_cast<RobotCellDocument&>(document);
   for (Move& move : m_moves) std::swap(cell.m_joints[move.dof], move.value);
   cell.wasChanged();
 }

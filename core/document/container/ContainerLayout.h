@@ -36,7 +36,7 @@ inline Error tooLarge(const char* what, std::uint64_t count, std::uint64_t limit
 
 // Runs work and converts running out of memory to an OutOfMemory error.
 template <class Work>
-auto withinMemory(const Work& work) -> decltype(work()) {
+auto catchOutOfMemory(const Work& work) -> decltype(work()) {
   try {
     return work();
   } catch (const std::bad_alloc&) {

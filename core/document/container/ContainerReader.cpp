@@ -144,7 +144,7 @@ Result<ReadContainer> readFrom(ZipReader& zip, Progress progress) {
 
 Result<ReadContainer> readContainer(std::string_view bytes, Progress progress) {
   if (bytes.empty()) return Error{ErrorCode::FileEmpty, {}, {}, {}};
-  return withinMemory([&] {
+  return catchOutOfMemory([&] {
     ZipReader zip(bytes, kLimits, progress);
     return readFrom(zip, progress);
   });

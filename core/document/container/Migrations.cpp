@@ -10,7 +10,11 @@
 namespace handwheel {
 
 std::span<const Migration> migrations() {
-  static const std::array<Migration, kContainerVersion - 1> kChain = {};
+  static const std::array<Migration, kContainerVersion - 1> kChain = {
+      // A workpiece may have been cut: an older program would show the bar, and lose the part when it saves. A document
+      // of version 1 without it is as it was.
+      [](Container&) -> Status { return Done{}; },
+  };
   return kChain;
 }
 

@@ -4,8 +4,8 @@
 
 #include "base/Fidelity.h"
 #include "document/Document.h"
-#include "document/mesh/LevelMemory.h"
 #include "document/mesh/MeshSnapshot.h"
+#include "document/mesh/SubdivisionLevelStore.h"
 
 namespace handwheel {
 
@@ -39,7 +39,7 @@ class MeshDocument : public Document {
 
   using Document::commit;
   // Sets the mesh to `after` as one undo step. False, and no step, when nothing differs. Takes time proportional to the
-  // change. The step is stored according to the setting document.undo_granularity. step: as EditCommand::step().
+  // change. The step is stored according to the setting document.undo_granularity. step: as UndoCommand::step().
   bool commit(const QString& text, const InspectedMesh& after, std::string step = {});
 
   // Whether the user wants the loop to stay open. Setting it is undoable.
@@ -62,7 +62,7 @@ class MeshDocument : public Document {
   HalfEdgeMesh m_mesh;
   std::shared_ptr<const Defects> m_defects;
   std::set<Vertex> m_keptOpen;
-  LevelMemory m_levels;
+  SubdivisionLevelStore m_levels;
   FidelityValues m_fidelity;
 };
 

@@ -5,9 +5,9 @@
 #include "document/container/Blobs.h"
 #include "document/formats/MeshExport.h"
 #include "document/mesh/LevelBlobs.h"
-#include "document/mesh/LevelMemory.h"
 #include "document/mesh/MeshBlobs.h"
 #include "document/mesh/MeshDocument.h"
+#include "document/mesh/SubdivisionLevelStore.h"
 
 #include <QString>
 #include <algorithm>

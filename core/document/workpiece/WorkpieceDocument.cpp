@@ -19,6 +19,8 @@ std::vector<Property> WorkpieceDocument::properties() const {
 Result<std::unique_ptr<Edit>> WorkpieceDocument::propertyEdit(const std::string& id, const PropertyValue& value) const {
   const auto field = fieldNamed(id);
   if (!field) return Document::propertyEdit(id, value);
+  if (m_workpiece->part && isOfTheBar(*field))
+    return Error{ErrorCode::Unsupported, {"another size of a bar that was cut already; undo its passes first"}, {}, {}};
   const Status checked = checkValue(*field, value);
   if (!checked) return checked.error();
   if (propertyOf(*m_workpiece, *field).value == value) return std::unique_ptr<Edit>();

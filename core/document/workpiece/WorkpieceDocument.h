@@ -24,6 +24,7 @@ class WorkpieceDocument : public Document {
 
  private:
   friend class WorkpieceEdit;
+  friend class TurnedPartEdit;
   void set(WorkpieceSnapshot workpiece);
 
   std::shared_ptr<const WorkpieceSnapshot> m_workpiece;

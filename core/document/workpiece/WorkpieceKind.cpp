@@ -5,11 +5,14 @@
 #include "base/Tolerance.h"
 #include "document/AtomicFile.h"
 #include "document/formats/MeshExport.h"
+#include "document/workpiece/TurnedPartBlobs.h"
+#include "document/workpiece/TurnedPartDisplay.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "document/workpiece/WorkpieceProperties.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "nurbs/CylinderDistance.h"
 #include "nurbs/StepFile.h"
+#include "nurbs/Tessellation.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -36,21 +39,41 @@ Error notAsMeant(const char* what) {
   return {ErrorCode::CheckFailed, {what}, {}, {}};
 }
 
-// The bytes, after another look at what they hold.
-Result<std::string> checkedStep(const StockCylinder& stock, Progress progress) {
-  Result<std::string> bytes = writeStep(stock.profile(), progress.part(0.0, 0.5));
+// The exact profile of a bar; of a part a polyline within the chord tolerance.
+Result<ProfileCurve> profileOf(const WorkpieceSnapshot& workpiece) {
+  if (!workpiece.part) return workpiece.stock.profile();
+  return ProfileCurve::polyline(workpiece.part->profile.polyline(0.5 * workpiece.chord));
+}
+
+// The volume (mm³) of frustums through these points.
+double volumeOf(const ProfileCurve& profile) {
+  double sum = 0.0;
+  const auto arcs = profile.arcs();
+  for (const BezierArc& arc : arcs) {
+    const ProfilePoint a = arc.start(), b = arc.end();
+    sum += (b.y() - a.y()) * (a.x() * a.x() + a.x() * b.x() + b.x() * b.x());
+  }
+  return M_PI / 3.0 * sum;
+}
+
+// The bytes, after another look at what they hold. The profile is made of straight lines.
+Result<std::string> checkedStep(const ProfileCurve& profile, Progress progress) {
+  Result<std::string> bytes = writeStep(profile, progress.part(0.0, 0.5));
   if (!bytes) return bytes;
-  const Result<StepReport> back = inspectStep(*bytes, progress.part(0.5, 1.0));
+  const Result<StepFileReport> back = inspectStep(*bytes, progress.part(0.5, 1.0));
   if (!back && back.error().code != ErrorCode::LibraryFailed) return back.error();
   if (!back) return notAsMeant("it cannot be opened");
   if (back->solids != 1 || !back->isValid) return notAsMeant("it holds no valid solid");
-  if (!(std::abs(back->volume / stock.volume() - 1.0) < tolerance::kWrittenVolume))
+  if (!(std::abs(back->volume / volumeOf(profile) - 1.0) < tolerance::kWrittenVolume))
     return notAsMeant("its volume differs");
   return bytes;
 }
 
-Result<WrittenFile> exportStep(const StockCylinder& stock, const std::filesystem::path& path, Progress progress) {
-  const Result<std::string> bytes = checkedStep(stock, progress.part(0.0, 0.9));
+Result<WrittenFile> exportStep(const WorkpieceSnapshot& workpiece, const std::filesystem::path& path,
+                               Progress progress) {
+  const Result<ProfileCurve> profile = profileOf(workpiece);
+  const Result<std::string> bytes =
+      profile ? checkedStep(*profile, progress.part(0.0, 0.9)) : Result<std::string>(profile.error());
   if (!bytes) {
     Error error = bytes.error();
     error.subject = path.string();
@@ -61,10 +84,13 @@ Result<WrittenFile> exportStep(const StockCylinder& stock, const std::filesystem
   return WrittenFile{bytes->size(), {{QT_TRANSLATE_NOOP("Note", "The file holds one valid solid.")}}};
 }
 
-TriangleSoup placedTriangles(const WorkpieceSnapshot& workpiece) {
-  TriangleSoup soup = *workpiece.mesh->soup();
-  for (Vec3& p : soup.points) p.z() += workpiece.stock.position;
-  return soup;
+Result<TriangleSoup> placedTriangles(const WorkpieceSnapshot& workpiece, Progress progress) {
+  if (!workpiece.part) return *workpiece.mesh->soup();
+  const Result<ProfileCurve> profile = profileOf(workpiece);
+  if (!profile) return profile.error();
+  TessellationOptions options;
+  options.chord = 0.5 * workpiece.chord;  // the other half went to the polyline
+  return tessellate(*profile, options, progress);
 }
 
 }  // namespace
@@ -93,8 +119,11 @@ Result<OpenedFile> WorkpieceKind::import(const std::filesystem::path&, const Rea
 Result<WrittenFile> WorkpieceKind::exportTo(const Snapshot& content, const std::filesystem::path& path,
                                             Progress progress) const {
   const WorkpieceSnapshot& workpiece = workpieceOf(content);
-  if (isStepName(path)) return exportStep(workpiece.stock, path, progress);
-  const HalfEdgeMesh mesh = buildMesh(placedTriangles(workpiece), progress.part(0.0, 0.3)).mesh;
+  if (isStepName(path)) return exportStep(workpiece, path, progress);
+  Result<TriangleSoup> soup = placedTriangles(workpiece, progress.part(0.0, 0.15));
+  if (!soup) return soup.error();
+  for (Vec3& p : soup.value().points) p.z() += workpiece.stock.position;
+  const HalfEdgeMesh mesh = buildMesh(*soup, progress.part(0.15, 0.3)).mesh;
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   const Result<ExportReport> report = exportMesh(mesh, NumberType::Float64, path, progress.part(0.3, 1.0));
   if (!report) return report.error();
@@ -108,9 +137,11 @@ void WorkpieceKind::save(const Snapshot& content, Container& container) const {
     const Property property = propertyOf(workpieceOf(content), field);
     std::visit([&](const auto& value) { document[property.id] = value; }, property.value);
   }
+  writeTurnedPart(workpieceOf(content), container);
 }
 
-Result<SnapshotPointer> WorkpieceKind::load(const Container& container, std::vector<Error>& damage, Progress) const {
+Result<SnapshotPointer> WorkpieceKind::load(const Container& container, std::vector<Error>& damage,
+                                            Progress progress) const {
   const auto found = container.manifest->find("document");
   if (found == container.manifest->end() || !found->is_object()) {
     return Error{ErrorCode::ElementMalformed, {"document", "it is missing"}, {}, {}};
@@ -129,6 +160,9 @@ Result<SnapshotPointer> WorkpieceKind::load(const Container& container, std::vec
       damage.push_back(checked.error());
     }
   }
+  auto part = readTurnedPart(*found, workpiece, container, damage, progress);
+  if (!part) return part.error();
+  workpiece.part = std::move(part.value());
   return SnapshotPointer(std::make_shared<const WorkpieceSnapshot>(std::move(workpiece)));
 }
 
@@ -142,22 +176,32 @@ std::unique_ptr<Document> WorkpieceKind::make(OpenedFile opened) const {
 
 nlohmann::json WorkpieceKind::describe(const Snapshot& content) const {
   const WorkpieceSnapshot& workpiece = workpieceOf(content);
+  nlohmann::json described = {{"diameter", workpiece.stock.diameter},
+                              {"length", workpiece.stock.length},
+                              {"position", workpiece.stock.position},
+                              {"material", workpiece.material},
+                              {"chord", workpiece.chord}};
+  if (workpiece.part) {
+    const TurnedPart& part = *workpiece.part;
+    described["volume"] = part.profile.volume();
+    described["area"] = part.profile.area();
+    described["passes"] = part.passes.size();
+    described["spacing"] = part.profile.spacing();
+    return described;
+  }
   StockCylinder atOrigin = workpiece.stock;
   atOrigin.position = 0.0;
   const TriangleSoup& soup = *workpiece.mesh->soup();
-  return {{"diameter", workpiece.stock.diameter},
-          {"length", workpiece.stock.length},
-          {"position", workpiece.stock.position},
-          {"material", workpiece.material},
-          {"volume", workpiece.stock.volume()},
-          {"area", workpiece.stock.area()},
-          {"chord", workpiece.chord},
-          {"triangles", soup.triangles.size()},
-          {"deviation", distanceToCylinder(soup, atOrigin)}};
+  described["volume"] = workpiece.stock.volume();
+  described["area"] = workpiece.stock.area();
+  described["triangles"] = soup.triangles.size();
+  described["deviation"] = distanceToCylinder(soup, atOrigin);
+  return described;
 }
 
 DisplayModel WorkpieceKind::display(const Snapshot& content) const {
   const WorkpieceSnapshot& workpiece = workpieceOf(content);
+  if (workpiece.part) return displayOf(workpiece.part->surface, workpiece.stock.position);
   DisplayPart part;
   part.name = "stock";
   part.soup = workpiece.mesh->soup();

@@ -99,6 +99,10 @@ Status checkValue(WorkpieceField field, const PropertyValue& value) {
   return Done{};
 }
 
+bool isOfTheBar(WorkpieceField field) {
+  return field == WorkpieceField::Diameter || field == WorkpieceField::Length;
+}
+
 WorkpieceSnapshot withValue(WorkpieceSnapshot workpiece, WorkpieceField field, const PropertyValue& value) {
   switch (field) {
     case WorkpieceField::Diameter:
@@ -117,6 +121,11 @@ WorkpieceSnapshot withValue(WorkpieceSnapshot workpiece, WorkpieceField field, c
       workpiece.material = std::get<std::string>(value);
       break;
   }
+  if (workpiece.part && field == WorkpieceField::Chord) {
+    const TurnedPart& part = *workpiece.part;
+    workpiece.part = std::make_shared<const TurnedPart>(
+        TurnedPart{part.profile, TurnedSurface(part.profile, workpiece.chord), part.passes});
+  }
   if (!workpiece.mesh->isOf(workpiece.stock, workpiece.chord)) {
     workpiece.mesh = std::make_shared<const StockMesh>(workpiece.stock, workpiece.chord);
   }
@@ -125,9 +134,18 @@ WorkpieceSnapshot withValue(WorkpieceSnapshot workpiece, WorkpieceField field, c
 
 std::vector<Property> workpieceProperties(const WorkpieceSnapshot& workpiece) {
   std::vector<Property> all;
-  for (WorkpieceField field : kWorkpieceFields) all.push_back(propertyOf(workpiece, field));
-  all.push_back(computed("volume", QT_TRANSLATE_NOOP("Property", "Volume (mm³)"), workpiece.stock.volume()));
-  all.push_back(computed("area", QT_TRANSLATE_NOOP("Property", "Surface (mm²)"), workpiece.stock.area()));
+  for (WorkpieceField field : kWorkpieceFields) {
+    all.push_back(propertyOf(workpiece, field));
+    all.back().editable = !workpiece.part || !isOfTheBar(field);
+  }
+  const double volume = workpiece.part ? workpiece.part->profile.volume() : workpiece.stock.volume();
+  const double area = workpiece.part ? workpiece.part->profile.area() : workpiece.stock.area();
+  all.push_back(computed("volume", QT_TRANSLATE_NOOP("Property", "Volume (mm³)"), volume));
+  all.push_back(computed("area", QT_TRANSLATE_NOOP("Property", "Surface (mm²)"), area));
+  if (workpiece.part) {
+    const auto count = static_cast<double>(workpiece.part->passes.size());
+    all.push_back(computed("passes", QT_TRANSLATE_NOOP("Property", "Passes"), count));
+  }
   return all;
 }
 

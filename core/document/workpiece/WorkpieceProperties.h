@@ -24,6 +24,9 @@ std::optional<WorkpieceField> fieldNamed(std::string_view id);
 // Checks whether a value is valid for a field. Errors: ElementMalformed {id, what was expected}, ValueOutOfRange.
 Status checkValue(WorkpieceField field, const PropertyValue& value);
 
+// Whether a field is a size of the bar, which cannot change any more once something was cut from it.
+bool isOfTheBar(WorkpieceField field);
+
 // Returns the workpiece with another value of a field, which must have been checked.
 WorkpieceSnapshot withValue(WorkpieceSnapshot workpiece, WorkpieceField field, const PropertyValue& value);
 

@@ -4,12 +4,21 @@
 
 #include "document/Snapshot.h"
 #include "document/workpiece/StockMesh.h"
+#include "machining/TurnedSurface.h"
+#include "machining/TurningPass.h"
 
 #include <string>
 
 namespace handwheel {
 
-// The value of a workpiece document: the bar that a part will be made of.
+// What was made of a bar: its profile, the triangles that show it, and the passes that cut it, in order.
+struct TurnedPart {
+  TurnedProfile profile;
+  TurnedSurface surface;
+  std::vector<std::shared_ptr<const TurningPass>> passes;
+};
+
+// The value of a workpiece document: a bar, and the part that was cut from it.
 struct WorkpieceSnapshot : Snapshot {
   // Within these limits (mm) a bar of any size has triangles that the program can show and write.
   static constexpr double kLeastChord = 1e-4, kLargestChord = 1e3;
@@ -17,9 +26,10 @@ struct WorkpieceSnapshot : Snapshot {
   WorkpieceSnapshot() : mesh(std::make_shared<const StockMesh>(stock, chord)) {}
 
   StockCylinder stock;
-  double chord = 0.01;                    // mm, tolerance of its triangles
-  std::string material;                   // name in the user's words, UTF-8
-  std::shared_ptr<const StockMesh> mesh;  // of stock and chord; never null
+  double chord = 0.01;                     // mm, tolerance of its triangles
+  std::string material;                    // name in the user's words, UTF-8
+  std::shared_ptr<const StockMesh> mesh;   // of stock and chord; never null
+  std::shared_ptr<const TurnedPart> part;  // null: nothing was cut yet
 };
 
 }  // namespace handwheel

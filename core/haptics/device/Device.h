@@ -88,7 +88,7 @@ class Device {
 };
 
 // An entry in the list of devices that can be opened.
-struct DeviceListing {
+struct DeviceInfo {
   std::string driver;   // "spacemouse"
   std::string address;  // unique within the driver: a path, a port, a serial number
   std::string name;     // "SpaceMouse Compact"
@@ -101,7 +101,7 @@ class DeviceDriver {
 
   virtual std::string id() const = 0;
   // The devices connected now. Polled for hot-plugging: cheap, and without effect on the devices.
-  virtual std::vector<DeviceListing> find() = 0;
+  virtual std::vector<DeviceInfo> find() = 0;
   // Creates the device at an address; null if the address is unknown.
   virtual std::unique_ptr<Device> make(const std::string& address) = 0;
 };

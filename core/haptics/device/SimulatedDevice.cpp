@@ -25,7 +25,7 @@ SimulatedDeviceSettings simulatedDevice() {
   return settings;
 }
 
-SimulatedDevice::SimulatedDevice(const SimulatedDeviceSettings& settings, HandPath path, ServoClock& clock)
+SimulatedDevice::SimulatedDevice(const SimulatedDeviceSettings& settings, PoseTrajectory path, ServoClock& clock)
     : m_settings(settings), m_path(std::move(path)), m_clock(clock) {}
 
 Status SimulatedDevice::open(Progress) {

@@ -4,7 +4,7 @@
 
 #include "base/TripleBuffer.h"
 #include "haptics/device/Device.h"
-#include "haptics/device/HandPath.h"
+#include "haptics/device/PoseTrajectory.h"
 #include "haptics/device/ServoClock.h"
 
 #include <array>
@@ -38,7 +38,7 @@ SimulatedDeviceSettings simulatedDevice();
 class SimulatedDevice : public Device {
  public:
   // The hand follows the path from the first reading on, or, with an empty path, the target. The clock outlives it.
-  SimulatedDevice(const SimulatedDeviceSettings& settings, HandPath path, ServoClock& clock);
+  SimulatedDevice(const SimulatedDeviceSettings& settings, PoseTrajectory path, ServoClock& clock);
 
   DeviceCapabilities capabilities() const override { return m_settings.capabilities; }
   Status open(Progress progress) override;
@@ -64,7 +64,7 @@ class SimulatedDevice : public Device {
   Vec3 pull(double seconds) noexcept;
 
   SimulatedDeviceSettings m_settings;
-  HandPath m_path;
+  PoseTrajectory m_path;
   ServoClock& m_clock;
   TripleBuffer<HandPose> m_target;
   bool m_isOpen = false;

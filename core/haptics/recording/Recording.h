@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/PagedArray.h"
-#include "haptics/servo/ForceSource.h"
+#include "haptics/servo/ForceRenderer.h"
 #include "haptics/servo/ServoSample.h"
 
 #include <cstdint>
@@ -53,7 +53,7 @@ class Recording {
   // each tick in which the scene's force was computed. A source in the same state as at the first tick gives the same
   // forces, bit for bit.
   template <class Visit>
-  void replay(ForceSource& source, Visit visit) const {
+  void replay(ForceRenderer& source, Visit visit) const {
     for (std::size_t i = 0; i < size(); ++i) {
       const RecordedTick& tick = m_ticks[i];
       if (!tick.hasSource) continue;

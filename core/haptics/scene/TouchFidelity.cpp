@@ -47,7 +47,7 @@ FidelitySetting contactStiffnessSetting() {
   s.scale = FidelityScale::Logarithmic;
   s.least = 0.1;
   s.largest = 10.0;
-  s.standard = SurfaceFeel().stiffness;
+  s.standard = TouchedSurface().stiffness;
   s.presets = {0.5, 1.0, 2.2};
   s.error = {translatable("Fidelity", "how far 2 N push into the surface"), "mm"};
   s.cost = {translatable("Fidelity", "rate of the servo loop that keeps it stable"), "Hz"};
@@ -84,8 +84,8 @@ ContactOptions contactOptions(const FidelityValues& values) {
   return options;
 }
 
-SurfaceFeel surfaceFeel(ContactSurface surface, const FidelityValues& values) {
-  SurfaceFeel feel;
+TouchedSurface touchedSurface(ContactSurface surface, const FidelityValues& values) {
+  TouchedSurface feel;
   feel.surface = std::move(surface);
   feel.stiffness = values.of(contactStiffnessSetting());
   feel.contact = contactOptions(values);

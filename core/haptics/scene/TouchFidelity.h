@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/Fidelity.h"
-#include "haptics/scene/SceneForces.h"
+#include "haptics/scene/SurfaceForce.h"
 #include "haptics/servo/ServoTick.h"
 
 namespace handwheel {
@@ -27,6 +27,6 @@ FidelitySetting velocityWindowSetting();
 // chosen, it is 0, the nominal one of each device.
 ServoSettings servoSettings(const FidelityValues& values);
 ContactOptions contactOptions(const FidelityValues& values);
-SurfaceFeel surfaceFeel(ContactSurface surface, const FidelityValues& values);
+TouchedSurface touchedSurface(ContactSurface surface, const FidelityValues& values);
 
 }  // namespace handwheel

@@ -3,13 +3,13 @@
 #pragma once
 
 #include "haptics/mapping/WorkspaceMapping.h"
-#include "haptics/servo/ForceSource.h"
+#include "haptics/servo/ForceRenderer.h"
 
 namespace handwheel {
 
 // Test force that pulls along the axes of the device, one after another. In the order +x, -x, +y, -y, +z and -z; each
 // pull is a half sine, so that the force is continuous. Servo thread.
-class ForceTest : public ForceSource {
+class ForceTest : public ForceRenderer {
  public:
   static constexpr double kPullTime = 0.8;  // s
   static constexpr double kDuration = 6.0 * kPullTime;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "haptics/mapping/WorkspaceMapping.h"
-#include "haptics/servo/ForceSource.h"
+#include "haptics/servo/ForceRenderer.h"
 
 #include <cstdint>
 #include <memory>
@@ -18,7 +18,7 @@ struct NumberedMapping {
 
 // The scene that the servo loop renders. Created on the window thread, and handed over as a whole.
 struct HapticScene {
-  std::unique_ptr<ForceSource> source;  // null: no forces, only a tip
+  std::unique_ptr<ForceRenderer> renderer;  // null: no forces, only a tip
   // Another model, tool or snap: the force returns by the ramp. False for an edit under the tip.
   bool isDiscontinuous = true;
   // The mapping that its stiffnesses were computed for: the loop applies it in the same tick, if it has not yet. Set by

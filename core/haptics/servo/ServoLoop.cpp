@@ -38,7 +38,7 @@ void ServoLoop::stop() {
 void ServoLoop::setSettings(const ServoSettings& settings) {
   assert(!isRunning());
   auto tick = std::make_unique<ServoTick>(*m_device, settings, m_clock, *m_channel);
-  tick->goOnFrom(*m_tick);
+  tick->resumeFrom(*m_tick);
   m_tick = std::move(tick);
   m_priority = settings.priority;
   m_period = std::llround(m_tick->nominalPeriod() * kNanoseconds);

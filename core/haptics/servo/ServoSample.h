@@ -4,7 +4,7 @@
 
 #include "haptics/device/Device.h"
 #include "haptics/safety/SafetySettings.h"
-#include "haptics/servo/ForceSource.h"
+#include "haptics/servo/ForceRenderer.h"
 
 #include <cstdint>
 

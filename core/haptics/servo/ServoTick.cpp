@@ -78,10 +78,10 @@ void ServoTick::pause() noexcept {
   m_chain.process(gone);
 }
 
-void ServoTick::goOnFrom(const ServoTick& before) {
+void ServoTick::resumeFrom(const ServoTick& before) {
   m_mapper = before.m_mapper;
   m_mappingNumber = before.m_mappingNumber;
-  m_source = before.m_source;
+  m_renderer = before.m_renderer;
   m_tick = before.m_tick;
   m_time = before.m_time;
 }
@@ -107,8 +107,8 @@ bool ServoTick::takeNews() {
   takeMapping(taken.isNew && taken.current->mapping.number > told.number ? taken.current->mapping : told);
   const bool isDiscontinuous = m_channel.isDiscontinuous.exchange(false, std::memory_order_acquire);
   if (!taken.isNew) return isDiscontinuous;
-  m_source = taken.current->source.get();
-  if (m_source && taken.previous && taken.previous->source) m_source->follow(*taken.previous->source);
+  m_renderer = taken.current->renderer.get();
+  if (m_renderer && taken.previous && taken.previous->renderer) m_renderer->follow(*taken.previous->renderer);
   return isDiscontinuous || taken.current->isDiscontinuous;
 }
 
@@ -132,7 +132,7 @@ void ServoTick::feel(ServoSample& sample, SafetyInput& input, double period) {
   sample.felt.proxy = placed.position;
   input.isDiscontinuous = input.isDiscontinuous || placed.hasDiscontinuity || !m_wasReady || placed.isHeld != m_wasHeld;
   m_wasHeld = placed.isHeld;
-  if (m_source) ask(sample, input);
+  if (m_renderer) ask(sample, input);
   input.isFresh = input.isFresh && seen.isNew;
   m_proxy = sample.felt.proxy.allFinite() ? sample.felt.proxy : placed.position;
   input.isDiscontinuous = input.isDiscontinuous || isMoveFelt(input.asked);
@@ -154,7 +154,7 @@ bool ServoTick::isMoveFelt(const DeviceForce& asked) {
 }
 
 void ServoTick::ask(ServoSample& sample, SafetyInput& input) {
-  m_source->tick(sample.tip, sample.felt);
+  m_renderer->tick(sample.tip, sample.felt);
   sample.hasSource = true;
   const WorkspaceMapping& mapping = m_mapper.mapping();
   input.asked = {mapping.deviceForce(sample.felt.force), mapping.deviceTorque(sample.felt.torque), sample.felt.gripper};

@@ -39,7 +39,7 @@ class ServoTick {
 
   // Continues from another object on the same device and channel: its scene, its mapping, its count and its time. The
   // force returns by the ramp. Before the first tick, on the thread that owns both.
-  void goOnFrom(const ServoTick& before);
+  void resumeFrom(const ServoTick& before);
 
   ServoStatistics& measure() { return m_measure; }
   const ServoStatistics& measure() const { return m_measure; }
@@ -62,7 +62,7 @@ class ServoTick {
   ServoStatistics m_measure;
   DeviceMotionEstimator m_motion;
   WorkspaceMapper m_mapper;
-  ForceSource* m_source = nullptr;  // of the scene that the channel has handed over
+  ForceRenderer* m_renderer = nullptr;  // of the scene that the channel has handed over
   std::uint64_t m_mappingNumber = 0;
   std::uint64_t m_tick = 0;
   std::int64_t m_last = 0;  // ns: when the tick before was woken

@@ -42,7 +42,7 @@ class Welding {
     for (const Shift& s : m_shifts) {
       const Vec3 p = m_mesh.position(s.from);
       for (const HalfEdge h : m_near.leaving(p)) {
-        if (m_mesh.from(h) != s.from) return JoinProblem::CornerOnly;  // it would be torn off what it touches
+        if (m_mesh.from(h) != s.from) return JoinProblem::NonManifoldVertex;  // it would be torn off what it touches
         faces.push_back(HalfEdgeMesh::face(h));
       }
     }
@@ -54,8 +54,8 @@ class Welding {
         for (const Shift& s : m_shifts)
           if (m_near.mesh().from(h) == s.from) m_mesh.setCorner(h, s.onto);
       m_moved.shapes.push_back(m_mesh.points(f));
-      if (!m_mesh.isProper(f) || isDegenerate(m_moved.shapes.back())) return JoinProblem::NoArea;
-      if (!mayBecome(before, m_moved.shapes.back())) return JoinProblem::TurnsOver;
+      if (!m_mesh.isProper(f) || isDegenerate(m_moved.shapes.back())) return JoinProblem::DegenerateFace;
+      if (!mayBecome(before, m_moved.shapes.back())) return JoinProblem::FlippedFace;
     }
     return JoinProblem::None;
   }
@@ -91,7 +91,7 @@ class Welding {
       if (!isNew || run.size() == 1 || (run.size() == 2 && m_mesh.opposite(run[0]) == run[1])) continue;
       const bool canPair = run.size() == 2 && m_mesh.isBorder(run[0]) && m_mesh.isBorder(run[1]) &&
                            m_mesh.position(m_mesh.from(run[0])) == m_mesh.position(m_mesh.to(run[1]));
-      if (!canPair) return JoinProblem::EdgeFull;
+      if (!canPair) return JoinProblem::NonManifoldEdge;
       m_mesh.pair(run[0], run[1]);
     }
     return unite(all);
@@ -113,7 +113,7 @@ class Welding {
         one = h;
         ++leaving;
       }
-      if (one != kNone && m_mesh.fan(one).size() != leaving) return JoinProblem::CornerOnly;
+      if (one != kNone && m_mesh.fan(one).size() != leaving) return JoinProblem::NonManifoldVertex;
     }
     return JoinProblem::None;
   }
@@ -129,10 +129,10 @@ Weld collapsed(const FaceLocator& near, HalfEdge h, Shift shift) {
   Weld weld;
   const HalfEdgeMesh& mesh = near.mesh();
   const Vec3 &from = mesh.position(shift.from), &onto = mesh.position(shift.onto);
-  if (!canCollapse(mesh, h)) weld.problem = JoinProblem::EdgeFull;
+  if (!canCollapse(mesh, h)) weld.problem = JoinProblem::NonManifoldEdge;
   MovedFaces moved;
   for (const HalfEdge g : near.leaving(from)) {
-    if (mesh.from(g) != shift.from) weld.problem = JoinProblem::CornerOnly;
+    if (mesh.from(g) != shift.from) weld.problem = JoinProblem::NonManifoldVertex;
     weld.changed.push_back(HalfEdgeMesh::face(g));
   }
   std::sort(weld.changed.begin(), weld.changed.end());
@@ -140,7 +140,7 @@ Weld collapsed(const FaceLocator& near, HalfEdge h, Shift shift) {
     TrianglePoints t = mesh.points(f);
     if (f == HalfEdgeMesh::face(h)) t.fill(onto);  // it goes
     std::replace(t.begin(), t.end(), from, onto);
-    if (f != HalfEdgeMesh::face(h) && !mayBecome(mesh.points(f), t)) weld.problem = JoinProblem::TurnsOver;
+    if (f != HalfEdgeMesh::face(h) && !mayBecome(mesh.points(f), t)) weld.problem = JoinProblem::FlippedFace;
     moved.faces.push_back(f);
     moved.shapes.push_back(t);
   }

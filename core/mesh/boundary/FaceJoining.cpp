@@ -44,7 +44,7 @@ class Joining {
     for (const Triangle& t : m_triangles) {
       const TrianglePoints p = points(t);
       if (p[0] == p[1] || p[1] == p[2] || p[2] == p[0]) return JoinProblem::SamePoint;
-      if (isDegenerate(p)) return JoinProblem::NoArea;
+      if (isDegenerate(p)) return JoinProblem::DegenerateFace;
       for (std::size_t k = 0; k < 3; ++k) m_sides.push_back({p[k], p[(k + 1) % 3]});
     }
     return JoinProblem::None;
@@ -66,10 +66,10 @@ class Joining {
         isWrongWay |= same;
         others += same || turned;
       }
-      if (others > 1 || (against.size() == 1 && !m_mesh.isBorder(against.front()))) return JoinProblem::EdgeFull;
-      if (along.size() == 1 && !m_mesh.isBorder(along.front())) return JoinProblem::EdgeFull;
+      if (others > 1 || (against.size() == 1 && !m_mesh.isBorder(against.front()))) return JoinProblem::NonManifoldEdge;
+      if (along.size() == 1 && !m_mesh.isBorder(along.front())) return JoinProblem::NonManifoldEdge;
     }
-    return isWrongWay ? JoinProblem::WrongWay : JoinProblem::None;
+    return isWrongWay ? JoinProblem::InconsistentOrientation : JoinProblem::None;
   }
 
   JoinProblem checkCrossings() {
@@ -94,7 +94,7 @@ class Joining {
     for (HalfEdge h = m_first; h < m_mesh.halfEdgeSlots(); ++h) {
       const std::vector<HalfEdge> fan = m_mesh.fan(h);
       const auto old = std::find_if(fan.begin(), fan.end(), [&](HalfEdge g) { return g < m_first; });
-      if (old == fan.end()) return JoinProblem::CornerOnly;
+      if (old == fan.end()) return JoinProblem::NonManifoldVertex;
       const Vertex v = m_mesh.from(*old);
       for (const HalfEdge g : fan) m_mesh.setCorner(g, v);
     }

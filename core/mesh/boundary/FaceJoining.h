@@ -11,14 +11,14 @@ namespace handwheel {
 // Reasons why faces cannot be added to a mesh, or moved.
 enum class JoinProblem {
   None,
-  SamePoint,   // two corners are the same
-  NoArea,      // a face would be degenerate
-  EdgeFull,    // an edge would have more than two faces
-  WrongWay,    // a neighbour has the opposite orientation
-  CornerOnly,  // it would touch the surface in a point only
-  Crosses,     // it would intersect or touch another face
-  TurnsOver,   // a face would be flipped
-  NoBorder,    // there is no open border
+  SamePoint,                // two corners are the same
+  DegenerateFace,           // a face would be degenerate
+  NonManifoldEdge,          // an edge would have more than two faces
+  InconsistentOrientation,  // a neighbour has the opposite orientation
+  NonManifoldVertex,        // it would touch the surface in a point only
+  Crosses,                  // it would intersect or touch another face
+  FlippedFace,              // a face would be flipped
+  NoBorder,                 // there is no open border
 };
 
 // Adds triangles over existing vertices to a mesh and joins their edges. Edges are paired with each other and with the

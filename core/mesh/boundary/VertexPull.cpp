@@ -72,7 +72,7 @@ VertexPull::Place VertexPull::towards(const Vec3& target) const {
   const double unturned = furthest(1.0, kTurnPlaces, [&](double share) { return !turnsAFace(at(share)); });
   const double free = furthest(unturned, kCrossPlaces, [&](double share) { return !crosses(at(share), *m_near); });
   if (free < unturned) return {at(free), JoinProblem::Crosses};
-  return {at(free), free < 1.0 ? JoinProblem::TurnsOver : JoinProblem::None};
+  return {at(free), free < 1.0 ? JoinProblem::FlippedFace : JoinProblem::None};
 }
 
 bool VertexPull::apply(HalfEdgeMesh& mesh, const Vec3& place) const {

@@ -106,7 +106,7 @@ struct HoleFiller::State {
     if (classifyPoints(patch.points).representative.size() < patch.points.size()) return FillFailure::NoPatch;
     if (!closesLoop(patch) || hasDegenerateTriangle(patch)) return FillFailure::NoPatch;
     if (!options.mayCross && doublesAnEdge(patch, existing)) return FillFailure::NoPatch;
-    if (swells(hole, patch, obstacles.bounds())) return FillFailure::Swelling;
+    if (swells(hole, patch, obstacles.bounds())) return FillFailure::Bulging;
     return !options.mayCross && obstacles.hits(patch, progress) ? FillFailure::SelfIntersecting : FillFailure::None;
   }
 
@@ -146,17 +146,17 @@ FillAttempt HoleFiller::propose(const BoundaryLoop& loop, const FillOptions& opt
   return attempt;
 }
 
-std::vector<HoleBridge> HoleFiller::proposeHoleBridges(const BoundaryLoop& loop, std::size_t pieceEdges,
-                                                       Progress progress) const {
-  return handwheel::proposeHoleBridges(holeContext(m_state->mesh, loop), m_state->obstacles, pieceEdges, progress);
+std::vector<LoopChord> HoleFiller::proposeLoopChords(const BoundaryLoop& loop, std::size_t pieceEdges,
+                                                     Progress progress) const {
+  return handwheel::proposeLoopChords(holeContext(m_state->mesh, loop), m_state->obstacles, pieceEdges, progress);
 }
 
 void HoleFiller::accept(const BoundaryLoop& loop, const Patch& patch) {
-  putPatch(m_state->mesh, loop, patch);
+  insertPatch(m_state->mesh, loop, patch);
   m_state->obstacles.add(patch);
 }
 
-void putPatch(HalfEdgeMesh& mesh, const BoundaryLoop& loop, const Patch& patch) {
+void insertPatch(HalfEdgeMesh& mesh, const BoundaryLoop& loop, const Patch& patch) {
   const std::size_t n = loop.halfEdges.size();
   std::vector<Vertex> vertex(patch.points.size());
   for (std::size_t i = 0; i < n; ++i) {

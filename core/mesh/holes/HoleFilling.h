@@ -25,7 +25,7 @@ enum class FillFailure {
   TooLong,           // more edges than the user allows
   NoPatch,           // no method found a triangulation
   SelfIntersecting,  // every patch would intersect or touch the part
-  Swelling,          // every patch would bulge far out of the hole
+  Bulging,           // every patch would bulge far out of the hole
   TooMuchEffort,     // abandoned: closing it takes more than a repair of such a mesh may (Effort)
 };
 
@@ -43,8 +43,8 @@ struct FillOptions {
   // A loop of more edges is cut into pieces of no more, each triangulated by itself: the setting mesh.piece_edges.
   std::size_t pieceEdges = tolerance::kPieceEdges;
   // The bridges along which it is cut, or a shorter one too; they are edges of the patch unless it is refined. Empty:
-  // those of HoleFiller::proposeHoleBridges(). With bridges that are invalid or cross (splitHole()) there is no patch.
-  std::vector<HoleBridge> bridges = {};
+  // those of HoleFiller::proposeLoopChords(). With bridges that are invalid or cross (splitHole()) there is no patch.
+  std::vector<LoopChord> bridges = {};
   // Corners of loops that are to stay open: no sheet with one is thickened, no folded region with one is removed.
   std::set<PointKey> keptCorners = {};
 };
@@ -70,8 +70,8 @@ class HoleFiller {
   FillAttempt propose(const BoundaryLoop& loop, const FillOptions& options, Progress progress = {}) const;
 
   // The bridges along which propose() would cut the loop into pieces; none when it is short enough.
-  std::vector<HoleBridge> proposeHoleBridges(const BoundaryLoop& loop, std::size_t pieceEdges = tolerance::kPieceEdges,
-                                             Progress progress = {}) const;
+  std::vector<LoopChord> proposeLoopChords(const BoundaryLoop& loop, std::size_t pieceEdges = tolerance::kPieceEdges,
+                                           Progress progress = {}) const;
 
   // Adds a proposed patch to the mesh. Only new faces and vertices appear; where the loop was pinched, its vertices at
   // the pinch become one.
@@ -86,6 +86,6 @@ class HoleFiller {
 };
 
 // Adds a patch to a mesh, as HoleFiller::accept() does.
-void putPatch(HalfEdgeMesh& mesh, const BoundaryLoop& loop, const Patch& patch);
+void insertPatch(HalfEdgeMesh& mesh, const BoundaryLoop& loop, const Patch& patch);
 
 }  // namespace handwheel

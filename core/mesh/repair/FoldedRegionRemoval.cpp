@@ -172,7 +172,7 @@ class Replacer {
     reach.extend(part.changesIn(after));
     if (!box.contains(reach)) return Trial::Outside;
     if (!isBetter(before, region, after, progress) || progress.cancelled()) return Trial::Bad;
-    part.putBack(m_mesh, after);
+    part.writeBack(m_mesh, after);
     relink(m_mesh, progress.unlimited());
     m_takenOut += region.count();
     return Trial::Kept;
@@ -212,7 +212,7 @@ class Replacer {
   HalfEdgeMesh& m_mesh;
   const std::vector<BoundaryLoop> m_loops;
   FillOptions m_options;
-  Effort m_effort;
+  WorkBudget m_effort;
   const Progress m_progress;
   const double m_move, m_bodyMove;  // at most, mm
   std::size_t m_takenOut = 0;

@@ -30,7 +30,7 @@ class ClusterUncrosser {
   void take(std::span<const Cluster> some) {
     m_result.isCutShort = m_result.isCutShort || (!some.empty() && m_effort.isSpent());
     if (some.empty() || m_progress.cancelled()) return;
-    Effort effort = m_progress.share(m_effort.left() / kClusterTrialShare);
+    WorkBudget effort = m_progress.share(m_effort.left() / kClusterTrialShare);
     if (tryTogether(some, m_progress.within(effort))) {
       m_result.clusters += some.size();
       return;
@@ -60,7 +60,7 @@ class ClusterUncrosser {
 
   HalfEdgeMesh& m_mesh;
   NumberType m_numbers;
-  Effort m_effort;
+  WorkBudget m_effort;
   Progress m_progress;
   std::size_t m_badEdges;  // of the mesh, as the file will show it
   ClusterRemoval m_result;

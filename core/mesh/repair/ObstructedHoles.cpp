@@ -123,7 +123,7 @@ class Closer {
       }
       for (std::size_t i = 0; i < p.patch->triangles.size(); ++i)
         newFaces.push_back(static_cast<Face>(changed.faceSlots() + i));
-      putPatch(changed, p.loop, *p.patch);
+      insertPatch(changed, p.loop, *p.patch);
       closings[p.hole] = {true, p.patch->method, closings[p.hole].newFaces + p.patch->triangles.size()};
     }
     thickenSheets(changed, sheets, newFaces);
@@ -168,7 +168,7 @@ class Closer {
 
   NearbyTrial tryIn(const Submesh& part, const std::vector<const Proposal*>& chosen) {
     NearbyTrial trial;
-    Effort effort = m_progress.share(m_effort.left() / kTrialShare);
+    WorkBudget effort = m_progress.share(m_effort.left() / kTrialShare);
     const Progress now = m_progress.within(effort);
     trial.changed = part.mesh();
     std::vector<Face> newFaces;
@@ -181,7 +181,7 @@ class Closer {
       if (trial.isOutside) return trial;
       for (std::size_t i = 0; i < p->patch->triangles.size(); ++i)
         newFaces.push_back(static_cast<Face>(trial.changed.faceSlots() + i));
-      putPatch(trial.changed, loop, *p->patch);
+      insertPatch(trial.changed, loop, *p->patch);
     }
     if (!areFinite(trial.changed, newFaces)) return trial;
     for (const Face f : intersectionCluster(trial.changed, newFaces, m_options.numbers, now))
@@ -211,7 +211,7 @@ class Closer {
       ObstructedClosing& hole = m_result.holes[p->hole];
       hole = {true, p->patch->method, hole.newFaces + p->patch->triangles.size()};
     }
-    part.putBack(m_mesh, trial.changed);
+    part.writeBack(m_mesh, trial.changed);
     relink(m_mesh, m_progress.unlimited());
     m_proposals.clear();
   }
@@ -292,7 +292,7 @@ class Closer {
   bool keepIfSound(HalfEdgeMesh changed, const std::vector<Face>& newFaces,
                    const std::vector<ObstructedClosing>& closings) {
     if (!areFinite(changed, newFaces)) return false;
-    Effort effort = m_progress.share(m_effort.left() / kTrialShare);
+    WorkBudget effort = m_progress.share(m_effort.left() / kTrialShare);
     const Progress now = m_progress.within(effort);
     const IntersectionRemoval report = removeSelfIntersections(changed, newFaces, m_options.numbers, m_crossings, now);
     now.spend(m_mesh.faceSlots());
@@ -317,7 +317,7 @@ class Closer {
   BoundaryOwners m_owners;
   FillOptions m_options;
   double m_thickness;
-  Effort m_effort;
+  WorkBudget m_effort;
   Progress m_progress;
   ObstructedClosings m_result;
   std::size_t m_crossings;  // of the mesh, as the file will show it

@@ -14,7 +14,7 @@
 #include "mesh/repair/NonOrientableSurfaces.h"
 #include "mesh/repair/ObstructedHoles.h"
 #include "mesh/repair/OutwardOrientation.h"
-#include "mesh/repair/RepairEffort.h"
+#include "mesh/repair/RepairBudget.h"
 #include "mesh/repair/SelfIntersectionRemoval.h"
 #include "mesh/structure/BitRange.h"
 #include "mesh/structure/CancelPolling.h"
@@ -45,12 +45,12 @@ class Repairer {
         m_mesh(input),
         m_options(options),
         m_results(input, progress),
-        m_fillEffort(repairEffort(input.liveFaceCount())),
+        m_fillEffort(repairBudget(input.liveFaceCount())),
         m_slowness(std::max(1.0, std::pow(static_cast<double>(bitsOf(input)) / tolerance::kCutBits, 2))),
         m_closeEffort(most(1.0, m_fillEffort.left())),
-        m_hardEffort(most(tolerance::kObstructedHoleShare, tolerance::kObstructedHoleEffort), m_closeEffort),
-        m_partEffort(most(tolerance::kPartShare, tolerance::kObstructedHoleEffort), m_closeEffort),
-        m_tangleEffort(most(tolerance::kFoldedRegionShare, tolerance::kFoldedRegionEffort), m_closeEffort) {
+        m_hardEffort(most(tolerance::kObstructedHoleShare, tolerance::kObstructedHoleBudget), m_closeEffort),
+        m_separationBudget(most(tolerance::kSeparationShare, tolerance::kObstructedHoleBudget), m_closeEffort),
+        m_tangleEffort(most(tolerance::kFoldedRegionShare, tolerance::kFoldedRegionBudget), m_closeEffort) {
     for (const BoundaryLoop& loop : m_results.inputLoops()) {
       if (mayClose(reasonToLeave(loop, {loop.id}))) continue;
       for (const Vec3& p : loopPoints(m_input, loop)) m_options.fill.keptCorners.insert(positionKey(p));
@@ -61,7 +61,7 @@ class Repairer {
     clean(progress.part(0.0, 0.3));
     if (!progress.cancelled()) {
       const double longest = tolerance::kOneSidedCut * diagonalOf(m_mesh);
-      Effort effort(m_hardEffort.left() / 2, m_hardEffort);  // the rest is for holes
+      WorkBudget effort(m_hardEffort.left() / 2, m_hardEffort);  // the rest is for holes
       m_report.nonOrientableCuts =
           closeNonOrientable(m_mesh, m_options.fill, longest, BorderCuts::No, progress.part(0.3, 0.35).within(effort));
     }
@@ -71,7 +71,7 @@ class Repairer {
     if (m_options.cutCrossings && !progress.cancelled()) cutCrossings(progress.part(0.93, 0.95));
     if (!progress.cancelled()) orientOutward(m_mesh, progress.part(0.95, 0.96));
     if (!progress.cancelled()) finish(progress.part(0.96, 1.0));
-    m_report.isPartingCutShort = m_partEffort.isSpent();
+    m_report.isSeparationIncomplete = m_separationBudget.isSpent();
     m_report.effort = m_fillEffort.spent() + m_closeEffort.spent();
     m_report.countedEffort = m_fillEffort.counted() + m_closeEffort.counted();
     m_report.cancelled = progress.cancelled();
@@ -95,7 +95,7 @@ class Repairer {
   }
 
   std::size_t most(double share, std::size_t fixed) const {
-    return repairEffort(m_input.liveFaceCount(), share / m_slowness, fixed);
+    return repairBudget(m_input.liveFaceCount(), share / m_slowness, fixed);
   }
 
   // False when there was nothing to part.
@@ -111,7 +111,7 @@ class Repairer {
     for (Vertex v : parted) {
       if (v < before.vertexSlots()) m_touchedHomes.push_back(before.position(v));
     }
-    m_report.partedVertices += parted.size();
+    m_report.separatedVertices += parted.size();
     if (!parted.empty()) relink(m_mesh, progress.unlimited());
     return !parted.empty();
   }
@@ -156,7 +156,7 @@ class Repairer {
     const Progress all = progress.measuredBy(m_closeEffort), now = all.within(m_hardEffort);
     for (int round = 0; round < kHardRounds; ++round) {
       const bool closed = !now.cancelled() && closeHardOnce(now);
-      const bool parted = !progress.cancelled() && part(all.within(m_partEffort));
+      const bool parted = !progress.cancelled() && part(all.within(m_separationBudget));
       if (!closed && !parted) return;
     }
   }
@@ -175,7 +175,7 @@ class Repairer {
     }
     const auto start = Clock::now();
     const ObstructedClosings closings =
-        closeObstructedHoles(m_mesh, holes, m_options.fill, tolerance::kBackThickness * diagonalOf(m_mesh), progress);
+        closeObstructedHoles(m_mesh, holes, m_options.fill, tolerance::kSheetThickness * diagonalOf(m_mesh), progress);
     m_report.cutFaces += closings.cutFaces;
     const double each = millisecondsSince(start) / std::max(1.0, static_cast<double>(holes.size()));
     bool any = false;
@@ -212,18 +212,18 @@ class Repairer {
     });
     m_report.replacedFaces =
         replaceFoldedRegions(m_mesh, loops, m_options.fill, progress.part(0.05, 0.8).within(m_tangleEffort));
-    if (m_report.replacedFaces > 0 && !progress.cancelled()) part(progress.part(0.8, 1.0).within(m_partEffort));
+    if (m_report.replacedFaces > 0 && !progress.cancelled()) part(progress.part(0.8, 1.0).within(m_separationBudget));
   }
 
   void cutCrossings(Progress progress) {
-    Effort effort(most(1.0, tolerance::kObstructedHoleEffort), m_fillEffort);
+    WorkBudget effort(most(1.0, tolerance::kObstructedHoleBudget), m_fillEffort);
     const Progress now = progress.within(effort);
-    m_report.isCuttingCutShort = true;
+    m_report.isIntersectionRemovalIncomplete = true;
     const auto pairs = findSelfIntersections(m_mesh, now.part(0.0, 0.3));
     if (!pairs) return;
     const ClusterRemoval cut = removeClusterIntersections(m_mesh, *pairs, m_options.fill.numbers, now.part(0.3, 1.0));
     m_report.cutClusters = cut.clusters;
-    m_report.isCuttingCutShort = cut.isCutShort;
+    m_report.isIntersectionRemovalIncomplete = cut.isCutShort;
   }
 
   FillFailure reasonToLeave(const BoundaryLoop& loop, const std::set<int>& owners) const {
@@ -297,11 +297,11 @@ class Repairer {
   RepairOptions m_options;  // with the corners of what stays open
   HoleOutcomes m_results;
   std::vector<Vec3> m_touchedHomes;  // where vertices were before they were moved
-  Effort m_fillEffort;
+  WorkBudget m_fillEffort;
   // Exact tests take the square of what coordinates have more bits than those of parts have: fewer are made then.
   double m_slowness;
-  Effort m_closeEffort;
-  Effort m_hardEffort, m_partEffort, m_tangleEffort;  // shares of that for closing, each its own
+  WorkBudget m_closeEffort;
+  WorkBudget m_hardEffort, m_separationBudget, m_tangleEffort;  // shares of that for closing, each its own
   std::set<int> m_cutShort;  // loops of the input, or kLaidOpen for any other, of which a trial was cut short at last
   RepairReport m_report;
 };

@@ -52,15 +52,15 @@ struct RepairReport {
   std::size_t removedDebris = 0;
   std::size_t reversedFaces = 0;
   std::size_t mergedVertices = 0;
-  std::size_t nonOrientableCuts = 0;    // along short cycles, where the surface was non-orientable
-  std::size_t cutFaces = 0;             // where a patch intersects the part
-  std::size_t cutClusters = 0;          // clusters of self-intersections that were removed
-  std::size_t replacedFaces = 0;        // removed from folded regions around holes, which were refilled
-  std::size_t partedVertices = 0;       // moved, or inserted in the middle of an edge, against wrong welding
-  std::vector<Vertex> touchedVertices;  // of the input: moved, merged or separated
-  bool isPartingCutShort = false;       // by the effort: more vertices may coincide than must
-  bool isCuttingCutShort = false;       // by the effort: more may intersect than must
-  std::size_t effort = 0;               // steps of Effort; at most twice repairEffort() of the input's faces
+  std::size_t nonOrientableCuts = 0;             // along short cycles, where the surface was non-orientable
+  std::size_t cutFaces = 0;                      // where a patch intersects the part
+  std::size_t cutClusters = 0;                   // clusters of self-intersections that were removed
+  std::size_t replacedFaces = 0;                 // removed from folded regions around holes, which were refilled
+  std::size_t separatedVertices = 0;             // moved, or inserted in the middle of an edge, against wrong welding
+  std::vector<Vertex> touchedVertices;           // of the input: moved, merged or separated
+  bool isSeparationIncomplete = false;           // by the effort: more vertices may coincide than must
+  bool isIntersectionRemovalIncomplete = false;  // by the effort: more may intersect than must
+  std::size_t effort = 0;                        // steps of Effort; at most twice repairBudget() of the input's faces
   std::size_t countedEffort = 0;  // the same, and what was done beyond before it was looked at (Effort::counted())
   bool cancelled = false;
 };

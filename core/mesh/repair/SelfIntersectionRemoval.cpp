@@ -76,7 +76,7 @@ IntersectionRemoval removeSelfIntersectionsWithin(HalfEdgeMesh& mesh, const std:
   IntersectionRemoval report;
   const auto before = crossings(mesh, numbers, progress.part(0.0, 0.2));
   if (!before) return report;
-  report.crossingsBefore = report.intersectionsAfter = before->size();
+  report.intersectionsBefore = report.intersectionsAfter = before->size();
   const std::vector<TrianglePair> pairs = cluster(*before, faces, mesh.faceSlots());
   if (pairs.empty() || pairs.size() > tolerance::kMaxSelfIntersectionPairs) return report;
   const std::size_t allowed = most.value_or(before->size() - pairs.size());

@@ -19,9 +19,9 @@ std::vector<Face> intersectionCluster(const HalfEdgeMesh& mesh, const std::vecto
 
 // The result of removeSelfIntersections().
 struct IntersectionRemoval {
-  bool changed = false;             // else the mesh is as it was
-  std::size_t cutFaces = 0;         // of the mesh before; tried, when not changed
-  std::size_t crossingsBefore = 0;  // intersecting pairs of faces, in the whole mesh, rounded to numbers
+  bool changed = false;                 // else the mesh is as it was
+  std::size_t cutFaces = 0;             // of the mesh before; tried, when not changed
+  std::size_t intersectionsBefore = 0;  // intersecting pairs of faces, in the whole mesh, rounded to numbers
   std::size_t intersectionsAfter = 0;
 };
 

@@ -48,7 +48,7 @@ class Back {
     }
   }
 
-  double depth(double shortestEdge) const { return std::min(m_thickness, tolerance::kBackEdge * shortestEdge); }
+  double depth(double shortestEdge) const { return std::min(m_thickness, tolerance::kSheetOffsetEdge * shortestEdge); }
 
   Vertex behind(const Vec3& p, const Vec3& normalSum, double by) {
     return m_mesh.addVertex(rounded(Vec3(p - by * normalSum.stableNormalized()), m_numbers));

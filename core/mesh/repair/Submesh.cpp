@@ -64,7 +64,7 @@ Box Submesh::changesIn(const HalfEdgeMesh& changed) const {
   return box;
 }
 
-void Submesh::putBack(HalfEdgeMesh& whole, const HalfEdgeMesh& changed) const {
+void Submesh::writeBack(HalfEdgeMesh& whole, const HalfEdgeMesh& changed) const {
   std::vector<Vertex> vertexOf = m_vertexOf;
   vertexOf.resize(changed.vertexSlots(), kNone);
   const auto vertex = [&](Vertex v) {

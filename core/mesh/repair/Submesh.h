@@ -27,7 +27,7 @@ class Submesh {
   Box changesIn(const HalfEdgeMesh& changed) const;
   // Replaces the submesh by a changed version. The changes must be within the box. The whole is to be relinked
   // (relink()).
-  void putBack(HalfEdgeMesh& whole, const HalfEdgeMesh& changed) const;
+  void writeBack(HalfEdgeMesh& whole, const HalfEdgeMesh& changed) const;
 
  private:
   HalfEdgeMesh m_mesh;

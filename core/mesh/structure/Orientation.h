@@ -16,7 +16,7 @@ std::vector<bool> trianglesToReverse(const EdgeTable& edges, std::span<const Tri
 
 // The half-edge along the same edge after its triangle is reversed. The triangle (a, b, c) becomes (a, c, b), as
 // turned() returns it.
-inline std::uint32_t turnedHalfEdge(std::uint32_t h) {
+inline std::uint32_t reversedHalfEdge(std::uint32_t h) {
   return h - h % 3 + (2 - h % 3);
 }
 inline Triangle turned(const Triangle& t) {

@@ -174,16 +174,16 @@ Status transform(HalfEdgeMesh& mesh, const Eigen::Affine3d& by) {
   for (Vertex v = 0; v < used.size(); ++v) {
     if (used[v]) mesh.setPosition(v, by * mesh.position(v));
   }
-  if (determinant < 0.0) turnOver(mesh);
+  if (determinant < 0.0) reverseOrientation(mesh);
   return Done{};
 }
 
-void turnOver(HalfEdgeMesh& mesh) {
+void reverseOrientation(HalfEdgeMesh& mesh) {
   for (Face f = 0; f < mesh.faceSlots(); ++f) {
     if (!mesh.isLive(f)) continue;
     std::array<HalfEdge, 3> behind{};
     for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
-      behind[turnedHalfEdge(h) % 3] = mesh.hasOpposite(h) ? turnedHalfEdge(mesh.opposite(h)) : mesh.opposite(h);
+      behind[reversedHalfEdge(h) % 3] = mesh.hasOpposite(h) ? reversedHalfEdge(mesh.opposite(h)) : mesh.opposite(h);
     }
     mesh.setTriangle(f, turned(mesh.triangle(f)));
     for (HalfEdge k = 0; k < 3; ++k) mesh.setOpposite(3 * f + k, behind[k]);
@@ -213,7 +213,7 @@ std::optional<Pose> ontoPrincipalAxes(const HalfEdgeMesh& mesh) {
   return pose;
 }
 
-std::optional<Pose> ontoLargestFlatFace(const HalfEdgeMesh& mesh, const Resting& resting, Progress progress) {
+std::optional<Pose> ontoLargestFlatFace(const HalfEdgeMesh& mesh, const FlatBaseOptions& resting, Progress progress) {
   const Box box = boxOf(mesh);
   if (!isUsable(box)) return std::nullopt;
   double whole = 0.0;

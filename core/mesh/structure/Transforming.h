@@ -18,7 +18,7 @@ namespace handwheel {
 Status transform(HalfEdgeMesh& mesh, const Eigen::Affine3d& by);
 
 // Reverses the orientation of every face, in place.
-void turnOver(HalfEdgeMesh& mesh);
+void reverseOrientation(HalfEdgeMesh& mesh);
 
 // The scale factor for lengths written in one unit but read as another.
 constexpr double unitScale(LengthUnit written, LengthUnit readAs) {
@@ -34,15 +34,16 @@ std::optional<Pose> ontoPrincipalAxes(const HalfEdgeMesh& mesh);
 
 // Options of ontoLargestFlatFace(). flatness: share of the box's diagonal; how far points may be from the plane.
 // leastShare: of the area, that the flat face must have.
-struct Resting {
-  double flatness = tolerance::kStandingFlatness;
-  double leastShare = tolerance::kStandingShare;
+struct FlatBaseOptions {
+  double flatness = tolerance::kFlatBaseFlatness;
+  double leastShare = tolerance::kFlatBaseShare;
 };
 // Places a body on the plane z = 0 with its largest flat base. The body is above, its box centred over the origin. A
 // flat face is all faces in one plane, wherever in it; it is a base when nothing of the body is below it. None where
 // there is no such face of at least leastShare of the area. Only the planes of the 64 largest connected flat regions
 // are tested.
-std::optional<Pose> ontoLargestFlatFace(const HalfEdgeMesh& mesh, const Resting& resting = {}, Progress progress = {});
+std::optional<Pose> ontoLargestFlatFace(const HalfEdgeMesh& mesh, const FlatBaseOptions& resting = {},
+                                        Progress progress = {});
 
 // Moves a point of the bounding box into the origin. For each axis, 0 is its low side, 0.5 its middle, 1 its high side.
 std::optional<Pose> boxToOrigin(const HalfEdgeMesh& mesh, const Vec3& anchor);

@@ -5,7 +5,7 @@
 #include "base/Tolerance.h"
 #include "document/cell/CellDisplay.h"
 #include "robot/Kinematics.h"
-#include "robot/PointPull.h"
+#include "robot/PointTarget.h"
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -111,8 +111,8 @@ void JointDragTool::follow(const PointerEvent& event) {
 
 void JointDragTool::followWithJoint(const PointerEvent& event) {
   const Joint& joint = m_document.robot().model.joints[m_drag->hold.joint];
-  const auto way = joint.kind == JointKind::Prismatic ? slideUnder(m_drag->hold.at, event.ray)
-                                                      : turnUnder(m_drag->hold.at, event.pickRay(), m_drag->way);
+  const auto way = joint.kind == JointKind::Prismatic ? translationUnder(m_drag->hold.at, event.ray)
+                                                      : rotationUnder(m_drag->hold.at, event.pickRay(), m_drag->way);
   if (!way) return;
   m_drag->way = *way;
   m_drag->values[joint.dof] = joint.limits.nearest(m_drag->start[joint.dof] + *way);

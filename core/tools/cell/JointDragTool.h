@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "document/cell/CellDocument.h"
+#include "document/cell/RobotCellDocument.h"
 #include "tools/AxisDrag.h"
 #include "tools/ToolKey.h"
 
@@ -11,7 +11,7 @@
 namespace handwheel {
 
 // The first hit of a ray on a robot cell.
-struct CellPick {
+struct RobotCellPick {
   std::string part;  // as displayOf() names it
   Vec3 point;        // mm
 };
@@ -20,8 +20,8 @@ struct CellPick {
 // whole arm does. Joint limits are kept. Releasing commits one edit.
 class JointDragTool : public Tool {
  public:
-  using Pick = std::function<std::optional<CellPick>(const Ray&)>;
-  JointDragTool(CellDocument& document, Pick pick) : m_document(document), m_pick(std::move(pick)) {}
+  using Pick = std::function<std::optional<RobotCellPick>(const Ray&)>;
+  JointDragTool(RobotCellDocument& document, Pick pick) : m_document(document), m_pick(std::move(pick)) {}
 
   // The joint values: the preview while dragging, otherwise those of the document.
   const JointValues& joints() const { return m_drag ? m_drag->values : m_document.joints(); }
@@ -62,7 +62,7 @@ class JointDragTool : public Tool {
   void followWithJoint(const PointerEvent& event);
   void followWithPull(const Ray& ray, std::uint32_t onlyDof);
 
-  CellDocument& m_document;
+  RobotCellDocument& m_document;
   Pick m_pick;
   std::optional<Hold> m_hovered;
   std::optional<Drag> m_drag;

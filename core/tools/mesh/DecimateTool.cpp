@@ -88,9 +88,9 @@ std::vector<Property> DecimateTool::settings() const {
 void DecimateTool::setSetting(std::string_view id, const PropertyValue& value) {
   const auto* number = std::get_if<double>(&value);
   if (id == "goal") {
-    takeChoice(m_goal, value, 2);
+    assignChoice(m_goal, value, 2);
   } else if (id == "has_creases") {
-    takeSwitch(m_keepsCreases, value);
+    assignSwitch(m_keepsCreases, value);
   } else if (id == "faces" && number && !std::isnan(*number)) {
     setFaces(*number);
   } else {

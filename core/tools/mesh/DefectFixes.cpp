@@ -11,7 +11,7 @@
 #include "mesh/repair/IntersectionClusters.h"
 #include "mesh/repair/NonOrientableSurfaces.h"
 #include "mesh/repair/ObstructedHoles.h"
-#include "mesh/repair/RepairEffort.h"
+#include "mesh/repair/RepairBudget.h"
 #include "mesh/repair/SheetThickening.h"
 #include "mesh/selection/FaceSelection.h"
 #include "mesh/structure/MeshBounds.h"
@@ -40,8 +40,8 @@ MeshChange counted(const char* text, std::function<bool(HalfEdgeMesh&, Progress)
 }
 
 // Of trials.
-std::size_t mostEffort(const HalfEdgeMesh& mesh, std::size_t fixed = tolerance::kObstructedHoleEffort) {
-  return repairEffort(mesh.liveFaceCount(), 1.0, fixed);
+std::size_t mostEffort(const HalfEdgeMesh& mesh, std::size_t fixed = tolerance::kObstructedHoleBudget) {
+  return repairBudget(mesh.liveFaceCount(), 1.0, fixed);
 }
 
 bool closeHard(HalfEdgeMesh& mesh, const std::vector<Vertex>& keys, bool back, const FillOptions& options,
@@ -50,9 +50,9 @@ bool closeHard(HalfEdgeMesh& mesh, const std::vector<Vertex>& keys, bool back, c
   for (BoundaryLoop& loop : findBoundaryLoops(mesh, progress.part(0.0, 0.1))) {
     if (std::find(keys.begin(), keys.end(), keyOf(mesh, loop)) != keys.end()) holes.push_back({std::move(loop), back});
   }
-  Effort effort = progress.share(mostEffort(mesh));
+  WorkBudget effort = progress.share(mostEffort(mesh));
   const ObstructedClosings closings = closeObstructedHoles(
-      mesh, holes, options, tolerance::kBackThickness * diagonalOf(mesh), progress.part(0.1, 1.0).within(effort));
+      mesh, holes, options, tolerance::kSheetThickness * diagonalOf(mesh), progress.part(0.1, 1.0).within(effort));
   return std::none_of(closings.holes.begin(), closings.holes.end(),
                       [](const ObstructedClosing& hole) { return hole.isCutShort; });
 }
@@ -60,7 +60,7 @@ bool closeHard(HalfEdgeMesh& mesh, const std::vector<Vertex>& keys, bool back, c
 bool replaceFolded(HalfEdgeMesh& mesh, Vertex key, const FillOptions& options, Progress progress) {
   std::vector<BoundaryLoop> loops = findBoundaryLoops(mesh, progress.part(0.0, 0.1));
   std::erase_if(loops, [&](const BoundaryLoop& loop) { return keyOf(mesh, loop) != key; });
-  Effort effort = progress.share(mostEffort(mesh, tolerance::kFoldedRegionEffort));
+  WorkBudget effort = progress.share(mostEffort(mesh, tolerance::kFoldedRegionBudget));
   replaceFoldedRegions(mesh, loops, options, progress.part(0.1, 1.0).within(effort));
   return !effort.isSpent();
 }
@@ -79,7 +79,7 @@ OperationValues rounding(const char* verb, NumberType numbers) {
 }
 
 bool partNonManifold(HalfEdgeMesh& mesh, NumberType numbers, Progress progress) {
-  Effort effort = progress.share(mostEffort(mesh));
+  WorkBudget effort = progress.share(mostEffort(mesh));
   if (!separateCoincidentVertices(mesh, numbers, progress.part(0.0, 0.8).within(effort)).empty())
     relink(mesh, progress.part(0.8, 1.0));
   return !effort.isSpent();
@@ -131,7 +131,7 @@ MeshChange nonOrientableFix(const FillOptions& options) {
   return withStep(counted(
                       meshOperation("two-sides").title,
                       [options](HalfEdgeMesh& mesh, Progress progress) {
-                        Effort effort = progress.share(mostEffort(mesh));
+                        WorkBudget effort = progress.share(mostEffort(mesh));
                         closeNonOrientable(mesh, options, std::numeric_limits<double>::infinity(), BorderCuts::Yes,
                                            progress.within(effort));
                         return !effort.isSpent();
@@ -140,14 +140,14 @@ MeshChange nonOrientableFix(const FillOptions& options) {
                   step.text());
 }
 
-MeshChange crossingFix(NumberType numbers, std::vector<std::pair<Face, Face>> pairs) {
+MeshChange intersectionFix(NumberType numbers, std::vector<std::pair<Face, Face>> pairs) {
   StepWriter step("cut-crossings");
   step.word(pairsText(pairs)).options(rounding("cut-crossings", numbers));
   return withStep(
       counted(
           meshOperation("cut-crossings").title,
           [numbers, pairs = std::move(pairs)](HalfEdgeMesh& mesh, Progress progress) {
-            Effort effort = progress.share(mostEffort(mesh));
+            WorkBudget effort = progress.share(mostEffort(mesh));
             return !removeClusterIntersections(mesh, pairs, numbers, progress.within(effort)).isCutShort;
           },
           QT_TRANSLATE_NOOP("Tool",

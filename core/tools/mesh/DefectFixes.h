@@ -26,7 +26,7 @@ MeshChange nonManifoldFix(NumberType numbers);
 // the cuts.
 MeshChange nonOrientableFix(const FillOptions& options);
 // Resolves self-intersections by cutting and rejoining the faces. pairs: as findSelfIntersections() returns them.
-MeshChange crossingFix(NumberType numbers, std::vector<std::pair<Face, Face>> pairs);
+MeshChange intersectionFix(NumberType numbers, std::vector<std::pair<Face, Face>> pairs);
 // Removes the loose pieces that contain one of these faces.
 MeshChange debrisFix(std::vector<Face> faces);
 // Removes all that findDefects() reports as debris.

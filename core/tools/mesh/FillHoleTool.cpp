@@ -41,7 +41,7 @@ const char* problemOf(FillFailure failure) {
       return QT_TRANSLATE_NOOP("Property", "No surface fits its edge.");
     case FillFailure::SelfIntersecting:
       return QT_TRANSLATE_NOOP("Property", "Every patch would cross the part.");
-    case FillFailure::Swelling:
+    case FillFailure::Bulging:
       return QT_TRANSLATE_NOOP("Property", "Every patch would bulge far out.");
     case FillFailure::TooMuchEffort:
       return QT_TRANSLATE_NOOP("Property", "It would take too long for a mesh of this size.");
@@ -165,7 +165,7 @@ std::optional<std::uint32_t> FillHoleTool::pointAt(const PointerEvent& event) co
   return static_cast<std::uint32_t>(at - chosen->halfEdges.begin());
 }
 
-std::vector<Vec3> FillHoleTool::line(const HoleBridge& bridge) const {
+std::vector<Vec3> FillHoleTool::line(const LoopChord& bridge) const {
   const auto& edges = loop()->halfEdges;
   const HalfEdgeMesh& mesh = m_document.mesh();
   return {mesh.position(mesh.from(edges[bridge.a])), mesh.position(mesh.from(edges[bridge.b]))};
@@ -252,7 +252,7 @@ ToolPreview FillHoleTool::preview() const {
     if (line) preview.lines.push_back(outlineOf(m_document.mesh(), *line));
   }
   if (!loop()) return preview;
-  for (const HoleBridge& bridge : m_attempt.patch.bridges) preview.lines.push_back(line(bridge));
+  for (const LoopChord& bridge : m_attempt.patch.bridges) preview.lines.push_back(line(bridge));
   if (const auto drawn = m_bridges.drawn()) preview.lines.push_back(line(*drawn));
   return preview;
 }

@@ -61,7 +61,7 @@ void MakeFaceTool::judge() {
   m_face = {m_corners[0], m_corners[1], *m_hovered};
   HalfEdgeMesh trial = mesh();
   m_problem = addFaces(trial, {&m_face, 1}, *near);
-  if (m_problem != JoinProblem::WrongWay) return;
+  if (m_problem != JoinProblem::InconsistentOrientation) return;
   const Triangle turned = {m_face[0], m_face[2], m_face[1]};
   if (addFaces(trial, {&turned, 1}, *near) != JoinProblem::None) return;
   m_face = turned;

@@ -58,7 +58,7 @@ void MeshSelection::dropDead(const HalfEdgeMesh& mesh, std::span<const BoundaryL
   std::erase_if(loops, [&](Vertex key) { return keys.count(key) == 0; });
 }
 
-void SelectionSteps::change(MeshSelection selection) {
+void SelectionHistory::change(MeshSelection selection) {
   if (selection == present()) return;
   m_steps.erase(m_steps.begin() + static_cast<std::ptrdiff_t>(m_at) + 1, m_steps.end());
   if (m_steps.size() == kMostSteps) m_steps.erase(m_steps.begin());

@@ -36,9 +36,9 @@ struct MeshSelection {
 
 // Undo history of the selection during a session. Selecting is not an edit of the document, so it has a small history
 // of its own.
-class SelectionSteps {
+class SelectionHistory {
  public:
-  explicit SelectionSteps(MeshSelection first) { m_steps.push_back(std::move(first)); }
+  explicit SelectionHistory(MeshSelection first) { m_steps.push_back(std::move(first)); }
 
   const MeshSelection& present() const { return m_steps[m_at]; }
   // Adds a step, unless it selects the same.

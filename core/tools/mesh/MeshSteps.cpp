@@ -3,7 +3,7 @@
 #include "tools/mesh/MeshSteps.h"
 
 #include "document/DisplayUnitEdit.h"
-#include "document/EditCommand.h"
+#include "document/UndoCommand.h"
 #include "document/mesh/MeshDocument.h"
 #include "document/mesh/MeshEdit.h"
 #include "mesh/structure/Shells.h"
@@ -52,7 +52,7 @@ MeshChange readCutCrossings(StepReader& reader, const OperationValues& values, c
   } else {
     pairs = findSelfIntersections(document.mesh()).value_or(pairs);
   }
-  return crossingFix(numbersFor(document, values), std::move(pairs));
+  return intersectionFix(numbersFor(document, values), std::move(pairs));
 }
 
 MeshChange readDecimate(StepReader& reader, const OperationValues& values, const MeshDocument&) {
@@ -133,7 +133,7 @@ StepOutcome fillLoop(StepReader& reader, const OperationValues& values, MeshDocu
 StepOutcome sculpt(StepReader& reader, const OperationValues& values, MeshDocument& document, Progress progress) {
   const SculptWork work = readSculptStep(reader, values, document);
   if (!reader.status()) return {};
-  const Sculpted made = work(progress.part(0.0, 0.5));
+  const SculptResult made = work(progress.part(0.0, 0.5));
   const bool changed = commitChange(
       document,
       withStep({meshOperation("stroke").title, [&made](HalfEdgeMesh& mesh, Progress) { mesh = made.levels.mesh(); }},
@@ -283,13 +283,13 @@ MeshChange addChange(const std::string& path, const HalfEdgeMesh& mesh) {
 HistoryPoint presentPoint(const MeshDocument& document) {
   const QUndoStack& history = *document.history();
   if (history.index() == 0) return {};
-  return {history.index(), static_cast<const EditCommand&>(*history.command(history.index() - 1)).stroke()};
+  return {history.index(), static_cast<const UndoCommand&>(*history.command(history.index() - 1)).stroke()};
 }
 
 std::optional<std::vector<std::string>> stepsSince(const MeshDocument& document, const HistoryPoint& state) {
   const QUndoStack& history = *document.history();
-  const auto at = [&history](int i) -> const EditCommand& {
-    return static_cast<const EditCommand&>(*history.command(i));
+  const auto at = [&history](int i) -> const UndoCommand& {
+    return static_cast<const UndoCommand&>(*history.command(i));
   };
   if (state.commands > history.index()) return std::nullopt;
   if (state.commands > 0 && at(state.commands - 1).stroke() != state.stroke) return std::nullopt;

@@ -53,12 +53,12 @@ std::vector<Property> SelectSettings::properties() const {
 }
 
 bool SelectSettings::set(std::string_view id, const PropertyValue& value) {
-  if (id == "mode") return takeChoice(mode, value, 5);
-  if (id == "brush_unit") return takeChoice(brushUnit, value, 2);
-  if (id == "brush_length") return takeNumber(brushLength, value, kBrushLength);
-  if (id == "brush_pixels") return takeNumber(brushPixels, value, kPixels);
-  if (id == "angle") return takeNumber(angle, value, kAngle);
-  return id == "through" && takeSwitch(through, value);
+  if (id == "mode") return assignChoice(mode, value, 5);
+  if (id == "brush_unit") return assignChoice(brushUnit, value, 2);
+  if (id == "brush_length") return assignNumber(brushLength, value, kBrushLength);
+  if (id == "brush_pixels") return assignNumber(brushPixels, value, kPixels);
+  if (id == "angle") return assignNumber(angle, value, kAngle);
+  return id == "through" && assignSwitch(through, value);
 }
 
 }  // namespace handwheel

@@ -91,7 +91,7 @@ class SelectTool : public Tool {
   MeshDocument& m_document;
   MeshServices m_services;
   SelectSettings m_settings;
-  SelectionSteps m_steps;
+  SelectionHistory m_steps;
   std::optional<MeshSelection> m_live;
   std::variant<std::monostate, Pressed, Stroke, Path> m_gesture;
 

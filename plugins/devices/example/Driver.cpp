@@ -11,7 +11,7 @@
 
 namespace handwheel {
 
-std::vector<DeviceListing> ExampleDriver::find() {
+std::vector<DeviceInfo> ExampleDriver::find() {
   const char* const path = std::getenv("HANDWHEEL_EXAMPLE_DEVICE");
   std::error_code ignored;
   if (!path || !std::filesystem::exists(path, ignored)) return {};

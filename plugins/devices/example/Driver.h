@@ -10,7 +10,7 @@ namespace handwheel {
 class ExampleDriver final : public DeviceDriver {
  public:
   std::string id() const override { return "example"; }
-  std::vector<DeviceListing> find() override;
+  std::vector<DeviceInfo> find() override;
   std::unique_ptr<Device> make(const std::string& address) override;
 };
 

@@ -89,7 +89,7 @@ Status loadFirmware(FtdiPort& port, Clock& clock, const Firmware& firmware, Prog
     if (port.isGone()) return Error{ErrorCode::DeviceUnreachable, {"unplugged"}, {}, "Novint Falcon"};
     clock.sleep(kPause);
   }
-  return Error{ErrorCode::DeviceMute, {missed}, {}, "Novint Falcon"};
+  return Error{ErrorCode::DeviceNotResponding, {missed}, {}, "Novint Falcon"};
 }
 
 }  // namespace handwheel::falcon

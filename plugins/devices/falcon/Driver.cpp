@@ -3,15 +3,15 @@
 #include "falcon/Driver.h"
 
 #include "falcon/Session.h"
-#include "io/GuardProcess.h"
+#include "io/DeviceHostProcess.h"
 #include "io/ThreadedDevice.h"
 
 #include <algorithm>
 
 namespace handwheel::falcon {
 
-std::vector<DeviceListing> Driver::find() {
-  std::vector<DeviceListing> all;
+std::vector<DeviceInfo> Driver::find() {
+  std::vector<DeviceInfo> all;
   for (std::string& address : m_usb.find()) all.push_back({id(), std::move(address), "Novint Falcon"});
   return all;
 }

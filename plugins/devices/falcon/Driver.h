@@ -12,7 +12,7 @@ namespace handwheel::falcon {
 class Driver final : public DeviceDriver {
  public:
   std::string id() const override { return "falcon"; }
-  std::vector<DeviceListing> find() override;
+  std::vector<DeviceInfo> find() override;
   std::unique_ptr<Device> make(const std::string& address) override;
 
  private:

@@ -23,7 +23,7 @@ DeviceCapabilities Session::capabilities() const {
   all.maxStiffness = 3.0;
   all.maxDamping = 0.020;
   all.workspaceRadius = 40.0;
-  all.inherentDamping = dampingBehind(all.maxStiffness, all.nominalRate);
+  all.inherentDamping = inherentDampingFor(all.maxStiffness, all.nominalRate);
   all.latency = 0.002;  // a packet out and one in, each in a frame of the bus
   return all;
 }

@@ -54,7 +54,7 @@ bool listens(std::string_view table, std::uint16_t port) {
   return false;
 }
 
-std::vector<DeviceListing> Driver::find() {
+std::vector<DeviceInfo> Driver::find() {
   const std::uint16_t number = port();
   for (const char* const table : {"/proc/net/tcp", "/proc/net/tcp6"}) {
     if (listens(contentOf(table), number)) return {{id(), addressOf(number), "Haply Inverse3"}};

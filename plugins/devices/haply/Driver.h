@@ -13,7 +13,7 @@ namespace handwheel::haply {
 class Driver final : public DeviceDriver {
  public:
   std::string id() const override { return "haply"; }
-  std::vector<DeviceListing> find() override;
+  std::vector<DeviceInfo> find() override;
   std::unique_ptr<Device> make(const std::string& address) override;
 };
 

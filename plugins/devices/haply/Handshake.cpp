@@ -48,7 +48,7 @@ std::string upgradeRequest(std::string_view host, std::string_view key) {
          "\r\nSec-WebSocket-Version: 13\r\n\r\n";
 }
 
-bool isConsent(std::string_view head, std::string_view key) {
+bool isUpgradeAccepted(std::string_view head, std::string_view key) {
   const QByteArray lines(head.data(), static_cast<qsizetype>(head.size()));
   return head.starts_with("HTTP/1.1 101") && hasToken(fieldOf(lines, "Upgrade"), "websocket") &&
          hasToken(fieldOf(lines, "Connection"), "upgrade") &&

@@ -19,6 +19,6 @@ std::string acceptFor(std::string_view key);
 std::string upgradeRequest(std::string_view host, std::string_view key);
 // Whether the head of a server's response accepts the upgrade. From "HTTP/1.1" up to the empty line; names of fields in
 // any case.
-bool isConsent(std::string_view head, std::string_view key);
+bool isUpgradeAccepted(std::string_view head, std::string_view key);
 
 }  // namespace handwheel::haply

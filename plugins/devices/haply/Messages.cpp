@@ -97,11 +97,11 @@ std::optional<Frame> readFrame(std::string_view text) {
   return frame;
 }
 
-std::string greeting() {
+std::string clientHello() {
   return R"({"session":{"configure":{"profile":{"name":"handwheel"}}}})";
 }
 
-std::string centring(const std::string& deviceId) {
+std::string centringCommand(const std::string& deviceId) {
   const Json preset = {{"device_id", deviceId}, {"configure", {{"preset", "arm_front_centered"}}}};
   return textOf({{"inverse3", Json::array({preset})}});
 }

@@ -26,9 +26,9 @@ struct Frame {
 std::optional<Frame> readFrame(std::string_view text);
 
 // The first message of a client: it names itself and asks for the inventory.
-std::string greeting();
+std::string clientHello();
 // The message that moves the arm's origin to the middle of its workspace. Sent once.
-std::string centring(const std::string& deviceId);
+std::string centringCommand(const std::string& deviceId);
 // The message for a force. In the frame of Device.h, N; it holds until the next message.
 std::string forceCommand(const std::string& deviceId, const Vec3& force);
 

@@ -22,7 +22,7 @@ DeviceCapabilities Session::capabilities() const {
   all.maxStiffness = 1.0;
   all.maxDamping = 0.006;
   all.workspaceRadius = 150.0;
-  all.inherentDamping = dampingBehind(all.maxStiffness, all.nominalRate);
+  all.inherentDamping = inherentDampingFor(all.maxStiffness, all.nominalRate);
   all.latency = 0.002;
   return all;
 }
@@ -35,14 +35,14 @@ Status Session::open(Progress) {
   m_socket = std::move(socket.value());
   m_state = {};
   m_state.status = DeviceStatus::Starting;
-  (void)m_socket->send(greeting());
+  (void)m_socket->send(clientHello());
   const std::optional<std::string> inventory = m_socket->receive(kInventoryTime);
   const std::optional<Frame> frame = inventory ? readFrame(*inventory) : std::nullopt;
-  if (!frame) return Error{ErrorCode::DeviceMute, {"an inventory with an Inverse3"}, {}, "Haply Inverse3"};
+  if (!frame) return Error{ErrorCode::DeviceNotResponding, {"an inventory with an Inverse3"}, {}, "Haply Inverse3"};
   m_deviceId = frame->deviceId;
   m_hasGrip = frame->orientation.has_value();
   m_lastAnswer = m_clock->now();
-  m_asked = m_socket->send(centring(m_deviceId));
+  m_asked = m_socket->send(centringCommand(m_deviceId));
   return Done{};
 }
 
@@ -67,7 +67,7 @@ DeviceState Session::exchange(const DeviceForce& force) noexcept {
 // sooner.
 void Session::close() noexcept {
   if (m_socket && !m_deviceId.empty()) (void)m_socket->send(forceCommand(m_deviceId, Vec3::Zero()));
-  if (m_socket) m_socket->sayGoodbye();
+  if (m_socket) m_socket->sendClose();
   m_socket.reset();
 }
 

@@ -30,7 +30,7 @@ Result<std::unique_ptr<WebSocket>> WebSocket::open(std::unique_ptr<ByteStream> s
 }
 
 Status WebSocket::shakeHands(const std::string& host) {
-  const Error mute{ErrorCode::DeviceMute, {"the handshake of a WebSocket"}, {}, host};
+  const Error mute{ErrorCode::DeviceNotResponding, {"the handshake of a WebSocket"}, {}, host};
   const std::string key = handshakeKey();
   if (!m_stream->write(bytesOf(upgradeRequest(host, key)))) return mute;
   std::string head;
@@ -42,7 +42,7 @@ Status WebSocket::shakeHands(const std::string& host) {
     head.append(bytes.begin(), bytes.begin() + count);
   }
   const std::size_t length = head.find(kEndOfHead);
-  if (!isConsent(std::string_view(head).substr(0, length), key)) return mute;
+  if (!isUpgradeAccepted(std::string_view(head).substr(0, length), key)) return mute;
   m_frames.take(bytesOf(std::string_view(head).substr(length + kEndOfHead.size())));
   return Done{};
 }
@@ -80,7 +80,7 @@ void WebSocket::heed(const Message& message, std::optional<std::string>& text) {
   if (message.opcode == Opcode::Close) m_gone = true;
 }
 
-void WebSocket::sayGoodbye() {
+void WebSocket::sendClose() {
   (void)sendFrame(Opcode::Close, {});
 }
 

@@ -15,7 +15,7 @@ namespace handwheel::haply {
 // A WebSocket client for a server on the same machine (RFC 6455).
 class WebSocket {
  public:
-  // Opens the connection by a handshake. Errors: DeviceMute, DeviceUnreachable.
+  // Opens the connection by a handshake. Errors: DeviceNotResponding, DeviceUnreachable.
   static Result<std::unique_ptr<WebSocket>> open(std::unique_ptr<ByteStream> stream, std::shared_ptr<Clock> clock,
                                                  const std::string& host);
 
@@ -23,7 +23,7 @@ class WebSocket {
   // The newest text received, waiting up to `timeout` (s) for one. Answers pings.
   std::optional<std::string> receive(double timeout);
   bool isGone() const { return m_gone; }
-  void sayGoodbye();
+  void sendClose();
 
  private:
   WebSocket(std::unique_ptr<ByteStream> stream, std::shared_ptr<Clock> clock)

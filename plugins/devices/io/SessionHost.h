@@ -4,16 +4,16 @@
 
 #include "io/ByteStream.h"
 #include "io/Clock.h"
-#include "io/GuardMessages.h"
+#include "io/DeviceHostMessages.h"
 #include "io/Session.h"
 
 #include <atomic>
 
 namespace handwheel::guard {
 
-// Holds a device for a program in another process (GuardedSession). So its motors do not depend on that program: if it
-// is gone, sends invalid messages, or sends nothing for kSilence, the device is sent zero force. After a silence the
-// device is reported as starting, and forces are treated as zero, for kRest at least and until the program asks for
+// Holds a device for a program in another process (OutOfProcessSession). So its motors do not depend on that program:
+// if it is gone, sends invalid messages, or sends nothing for kSilence, the device is sent zero force. After a silence
+// the device is reported as starting, and forces are treated as zero, for kRest at least and until the program asks for
 // zero: long enough that its servo loop notices, and lets the force return by its ramp.
 class SessionHost {
  public:

@@ -3,7 +3,7 @@
 #include "openhaptics/Driver.h"
 
 #include "io/Capabilities.h"
-#include "io/GuardProcess.h"
+#include "io/DeviceHostProcess.h"
 #include "io/ThreadedDevice.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ DeviceCapabilities touchCapabilities() {
   all.maxStiffness = 0.4;
   all.maxDamping = 0.004;
   all.workspaceRadius = 75.0;
-  all.inherentDamping = dampingBehind(all.maxStiffness, all.nominalRate);
+  all.inherentDamping = inherentDampingFor(all.maxStiffness, all.nominalRate);
   all.latency = 0.002;  // a tick of the maker's loop for the reading, and one for the force
   return all;
 }
@@ -30,8 +30,8 @@ Driver::Driver(std::string bridge) : m_bridge(std::move(bridge)) {}
 
 Driver::Driver() : Driver(guardPath("openhaptics")) {}
 
-std::vector<DeviceListing> Driver::find() {
-  std::vector<DeviceListing> all;
+std::vector<DeviceInfo> Driver::find() {
+  std::vector<DeviceInfo> all;
   std::error_code failed;
   if (!std::filesystem::exists(m_bridge, failed)) return all;
   const char* const names = std::getenv("HANDWHEEL_OPENHAPTICS_DEVICES");
@@ -44,7 +44,7 @@ std::vector<DeviceListing> Driver::find() {
 }
 
 std::unique_ptr<Device> Driver::make(const std::string& address) {
-  const std::vector<DeviceListing> there = find();
+  const std::vector<DeviceInfo> there = find();
   const auto found = std::find_if(there.begin(), there.end(), [&](const auto& one) { return one.address == address; });
   if (found == there.end()) return nullptr;
   return std::make_unique<ThreadedDevice>(guarded(m_bridge, address, touchCapabilities(), found->name));

@@ -17,7 +17,7 @@ class Driver final : public DeviceDriver {
   Driver();
 
   std::string id() const override { return "openhaptics"; }
-  std::vector<DeviceListing> find() override;
+  std::vector<DeviceInfo> find() override;
   std::unique_ptr<Device> make(const std::string& address) override;
 
  private:

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "io/GuardProcess.h"
+#include "io/DeviceHostProcess.h"
 #include "openhaptics/HdSession.h"
 
 // The bridge: loads the maker's library, and holds a device of theirs for the program.
 int main(int argc, char** argv) {
   using namespace handwheel;
-  return runGuard(argc, argv, [](const std::string& address) {
+  return runDeviceHost(argc, argv, [](const std::string& address) {
     return std::make_unique<openhaptics::HdSession>(address, std::make_shared<SteadyClock>());
   });
 }

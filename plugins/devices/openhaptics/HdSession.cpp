@@ -83,7 +83,7 @@ void HdSession::askCapabilities() {
   const bool isBox = least.allFinite() && most.allFinite() && reach > 1.0 && reach < 1e3;
   if (isBox) all.workspaceRadius = reach;
   m_centre = isBox ? Vec3(0.5 * (least + most)) : Vec3(Vec3::Zero());
-  all.inherentDamping = dampingBehind(all.maxStiffness, all.nominalRate);
+  all.inherentDamping = inherentDampingFor(all.maxStiffness, all.nominalRate);
   m_capabilities = all;
 }
 

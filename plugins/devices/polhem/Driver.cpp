@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "polhem/Driver.h"
 
-#include "io/GuardProcess.h"
+#include "io/DeviceHostProcess.h"
 #include "io/ThreadedDevice.h"
 #include "polhem/Session.h"
 
@@ -35,8 +35,8 @@ bool isTeensy(const fs::path& tty) {
 
 }  // namespace
 
-std::vector<DeviceListing> Driver::find() {
-  std::vector<DeviceListing> all;
+std::vector<DeviceInfo> Driver::find() {
+  std::vector<DeviceInfo> all;
   std::error_code failed;
   if (const char* const port = std::getenv("HANDWHEEL_POLHEM_PORT"); port && fs::exists(port, failed)) {
     all.push_back({id(), port, "Polhem"});
@@ -50,7 +50,7 @@ std::vector<DeviceListing> Driver::find() {
 }
 
 std::unique_ptr<Device> Driver::make(const std::string& address) {
-  const std::vector<DeviceListing> there = find();
+  const std::vector<DeviceInfo> there = find();
   if (std::none_of(there.begin(), there.end(), [&](const auto& one) { return one.address == address; })) return nullptr;
   const DeviceCapabilities kind = Session({}, {}).capabilities();
   return std::make_unique<ThreadedDevice>(guarded(guardPath(id()), address, kind, "Polhem"));

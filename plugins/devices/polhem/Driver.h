@@ -16,7 +16,7 @@ class Driver final : public DeviceDriver {
       : m_sysfs(std::move(sysfs)), m_dev(std::move(dev)) {}
 
   std::string id() const override { return "polhem"; }
-  std::vector<DeviceListing> find() override;
+  std::vector<DeviceInfo> find() override;
   std::unique_ptr<Device> make(const std::string& address) override;
 
  private:

@@ -30,7 +30,7 @@ DeviceCapabilities Session::capabilities() const {
   all.maxStiffness = 1.5;
   all.maxDamping = 0.003;
   all.workspaceRadius = 100.0;
-  all.inherentDamping = dampingBehind(all.maxStiffness, all.nominalRate);
+  all.inherentDamping = inherentDampingFor(all.maxStiffness, all.nominalRate);
   all.latency = 0.002;
   return all;
 }
@@ -46,7 +46,7 @@ Status Session::open(Progress progress) {
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
     if (send(Vec3::Zero()) && receive(kWakeTime)) return Done{};
   }
-  if (m_stream) return Error{ErrorCode::DeviceMute, {"where it is"}, {}, "Polhem"};
+  if (m_stream) return Error{ErrorCode::DeviceNotResponding, {"where it is"}, {}, "Polhem"};
   return Error{ErrorCode::DeviceUnreachable, {"unplugged"}, {}, "Polhem"};
 }
 

@@ -25,9 +25,9 @@ std::string identityOf(const std::string& path) {
 
 }  // namespace
 
-std::vector<DeviceListing> Driver::find() {
+std::vector<DeviceInfo> Driver::find() {
   if (const auto path = daemon()) return {{id(), *path, "SpaceMouse (spacenavd)"}};
-  std::vector<DeviceListing> all;
+  std::vector<DeviceInfo> all;
   for (const Hid::Entry& entry : m_hid.find()) all.push_back({id(), entry.path, entry.name});
   return all;
 }

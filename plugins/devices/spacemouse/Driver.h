@@ -30,7 +30,7 @@ class Driver final : public DeviceDriver {
       : m_hid(std::move(hid)), m_sockets(std::move(sockets)), m_clock(std::make_shared<SteadyClock>()) {}
 
   std::string id() const override { return "spacemouse"; }
-  std::vector<DeviceListing> find() override;
+  std::vector<DeviceInfo> find() override;
   std::unique_ptr<Device> make(const std::string& address) override;
 
  private:

@@ -50,7 +50,7 @@ class FidelityFitTest : public QObject {
   // Of a period of 1000 us a third stays free: the largest power of two up to 666.7.
   void aThirdIsSpared() {
     const std::vector<FitCandidate> one{doubling("a", FidelityBudget::Tick)};
-    const FidelityFit fit = fitToScene(one);
+    const FidelityFit fit = chooseWithinBudgets(one);
     QCOMPARE(valueOf(fit, one[0]), 512.0);
     QCOMPARE(fit.shares.size(), std::size_t{1});
     QCOMPARE(fit.shares[0].used, 512.0);
@@ -62,7 +62,7 @@ class FidelityFitTest : public QObject {
   void settingsShare() {
     const std::vector<FitCandidate> three{doubling("a", FidelityBudget::Tick), doubling("b", FidelityBudget::Tick, 3.0),
                                           doubling("c", FidelityBudget::Tick, 200.0)};
-    const FidelityFit fit = fitToScene(three);
+    const FidelityFit fit = chooseWithinBudgets(three);
     QCOMPARE(valueOf(fit, three[0]), 128.0);
     QCOMPARE(valueOf(fit, three[1]), 64.0);
     QCOMPARE(valueOf(fit, three[2]), 1.0);
@@ -75,7 +75,7 @@ class FidelityFitTest : public QObject {
     std::vector<FitCandidate> all{doubling("stiffness", FidelityBudget::Rate),
                                   doubling("tolerance", FidelityBudget::Tick, 0.1),
                                   doubling("rate", FidelityBudget::Core)};
-    const FidelityFit fit = fitToScene(all);
+    const FidelityFit fit = chooseWithinBudgets(all);
     const double rate = std::ldexp(1.0, 19);
     QCOMPARE(valueOf(fit, all[2]), rate);
     QCOMPARE(valueOf(fit, all[0]), std::ldexp(1.0, 18));  // 2/3 of it: the next power of two below
@@ -89,7 +89,7 @@ class FidelityFitTest : public QObject {
   void costsOfOneFillMultiply() {
     const std::vector<FitCandidate> two{doubling("a", FidelityBudget::Fill, 10.0),
                                         doubling("b", FidelityBudget::Fill, 5.0)};
-    const FidelityFit fit = fitToScene(two);
+    const FidelityFit fit = chooseWithinBudgets(two);
     QCOMPARE(valueOf(fit, two[0]), 8.0);
     QCOMPARE(valueOf(fit, two[1]), 8.0);
     QCOMPARE(fit.shares[0].used, 640.0);
@@ -97,7 +97,7 @@ class FidelityFitTest : public QObject {
 
   void whatCannotFitIsCheapestAndSaysSo() {
     const std::vector<FitCandidate> one{doubling("a", FidelityBudget::Frame, 20.0)};
-    const FidelityFit fit = fitToScene(one);
+    const FidelityFit fit = chooseWithinBudgets(one);
     QCOMPARE(valueOf(fit, one[0]), 1.0);
     QVERIFY(fit.settings[0].isOver);
     QCOMPARE(fit.shares[0].used, 20.0);
@@ -106,30 +106,30 @@ class FidelityFitTest : public QObject {
   // What a measurement cannot tell apart is no reason to leave the default.
   void equalValuesAreTheDefault() {
     FitCandidate c{settingOf("a", FidelityBudget::Tick), {{1.0, 0.0, 10.4}, {2.0, 0.0, 10.0}, {4.0, 0.0, 10.2}}};
-    QCOMPARE(valueOf(fitToScene(std::vector{c}), c), 1.0);
+    QCOMPARE(valueOf(chooseWithinBudgets(std::vector{c}), c), 1.0);
     c.curve[0].cost = 11.0;
-    QCOMPARE(valueOf(fitToScene(std::vector{c}), c), 2.0);
+    QCOMPARE(valueOf(chooseWithinBudgets(std::vector{c}), c), 2.0);
   }
 
   void whatHasNoBudgetIsBalanced() {
     const std::vector<FitCandidate> one{doubling("a", FidelityBudget::None)};
-    const FidelityFit fit = fitToScene(one);
+    const FidelityFit fit = chooseWithinBudgets(one);
     QCOMPARE(valueOf(fit, one[0]), 2.0);
     QVERIFY(fit.settings.empty() && fit.shares.empty());
   }
 
   void extremes() {
-    QVERIFY(fitToScene({}).settings.empty());
+    QVERIFY(chooseWithinBudgets({}).settings.empty());
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const FidelityBudget budget : {FidelityBudget::Core, FidelityBudget::Tick, FidelityBudget::Fill}) {
       const FidelitySetting s = settingOf("a", budget);
-      QVERIFY(fitToScene(std::vector{FitCandidate{s, {}}}).settings.empty());
-      QVERIFY(fitToScene(std::vector{FitCandidate{s, {{1.0, kFidelityFitInfinity, 1.0}, {2.0, 1.0, nan}}}})
+      QVERIFY(chooseWithinBudgets(std::vector{FitCandidate{s, {}}}).settings.empty());
+      QVERIFY(chooseWithinBudgets(std::vector{FitCandidate{s, {{1.0, kFidelityFitInfinity, 1.0}, {2.0, 1.0, nan}}}})
                   .settings.empty());
       const std::vector free{FitCandidate{s, {{1.0, 1.0, 0.0}, {2.0, 0.5, 0.0}, {4.0, kFidelityFitInfinity, 0.0}}}};
-      QCOMPARE(valueOf(fitToScene(free), free[0]), 2.0);
+      QCOMPARE(valueOf(chooseWithinBudgets(free), free[0]), 2.0);
       const std::vector endless{FitCandidate{s, {{1.0, 1.0, kFidelityFitInfinity}, {2.0, 2.0, 1e300}}}};
-      const FidelityFit fit = fitToScene(endless);
+      const FidelityFit fit = chooseWithinBudgets(endless);
       QCOMPARE(valueOf(fit, endless[0]), 2.0);
       QVERIFY(fit.settings[0].isOver);
     }
@@ -150,7 +150,7 @@ class FidelityFitTest : public QObject {
           c.curve.push_back({1.0 + k, *rc::gen::inRange(0, 20) / 7.0, *rc::gen::inRange(1, 4000) / 7.0});
         all.push_back(c);
       }
-      const FidelityFit fit = fitToScene(all);
+      const FidelityFit fit = chooseWithinBudgets(all);
       RC_ASSERT(fit.settings.size() == all.size());
       const bool isOver = std::any_of(fit.settings.begin(), fit.settings.end(), [](const auto& s) { return s.isOver; });
       RC_ASSERT(isOver || fit.shares[0].used <= kBudgetShare * fit.shares[0].limit * (1.0 + 1e-12));

@@ -49,7 +49,7 @@ void ProgressTest::cancelReachesEveryPart() {
 
 void ProgressTest::givenUpWhenTheEffortIsSpent() {
   JobState job;
-  Effort effort(5);
+  WorkBudget effort(5);
   const Progress whole(job), limited = whole.part(0.5, 1.0).within(effort);
   limited.spend(4);
   QVERIFY(!limited.cancelled());
@@ -63,7 +63,7 @@ void ProgressTest::givenUpWhenTheEffortIsSpent() {
 
 void ProgressTest::measuredByTheEffort() {
   JobState job;
-  Effort effort(16), share(8, effort);
+  WorkBudget effort(16), share(8, effort);
   const Progress measured = Progress(job).part(0.5, 1.0).measuredBy(effort);
   measured.spend(4);
   QCOMPARE(job.fraction.load(), 0.75);
@@ -75,7 +75,7 @@ void ProgressTest::measuredByTheEffort() {
 }
 
 void ProgressTest::sharesOfTheEffort() {
-  Effort effort(8);
+  WorkBudget effort(8);
   QCOMPARE(Progress().share(20).left(), std::size_t{20});
   QCOMPARE(Progress().within(effort).share(20).left(), std::size_t{8});
 }

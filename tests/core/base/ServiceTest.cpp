@@ -45,13 +45,13 @@ class ServiceTest : public QObject {
 
 void ServiceTest::startsWithTheFirstNeedAndStopsWithTheLast() {
   Recorder r;
-  NeedSet needs;
+  ServiceRegistry needs;
   needs.add(r.service);
   QVERIFY(!r.service.isRunning());
   {
-    const Need first = needs.need("contact");
+    const ServiceHandle first = needs.need("contact");
     {
-      const Need second = needs.need("contact");
+      const ServiceHandle second = needs.need("contact");
       QCOMPARE(needs.needCount("contact"), std::size_t{2});
     }
     QVERIFY(r.service.isRunning());
@@ -59,7 +59,7 @@ void ServiceTest::startsWithTheFirstNeedAndStopsWithTheLast() {
   }
   QVERIFY(!r.service.isRunning());
   QCOMPARE(r.calls, std::string("+-"));
-  { const Need again = needs.need("contact"); }
+  { const ServiceHandle again = needs.need("contact"); }
   QCOMPARE(r.calls, std::string("+-+-"));
   QCOMPARE(r.service.counters().starts, std::uint64_t{2});
   QCOMPARE(needs.needCount("contact"), std::size_t{0});
@@ -68,9 +68,9 @@ void ServiceTest::startsWithTheFirstNeedAndStopsWithTheLast() {
 
 void ServiceTest::needBeforeService() {
   Recorder r;
-  NeedSet needs;
-  const Need need = needs.need("contact");
-  const Need other = needs.need("sound");  // nobody offers it, and nothing happens
+  ServiceRegistry needs;
+  const ServiceHandle need = needs.need("contact");
+  const ServiceHandle other = needs.need("sound");  // nobody offers it, and nothing happens
   QCOMPARE(r.calls, std::string());
   needs.add(r.service);
   QCOMPARE(r.calls, std::string("+"));
@@ -84,26 +84,26 @@ void ServiceTest::needBeforeService() {
 
 void ServiceTest::needsMove() {
   Recorder r;
-  NeedSet needs;
+  ServiceRegistry needs;
   needs.add(r.service);
-  std::vector<Need> held;
+  std::vector<ServiceHandle> held;
   for (int i = 0; i < 20; ++i) held.push_back(needs.need("contact"));  // the vector moves them as it grows
   QCOMPARE(needs.needCount("contact"), std::size_t{20});
-  Need one = std::move(held.back());
+  ServiceHandle one = std::move(held.back());
   held.clear();
   QCOMPARE(needs.needCount("contact"), std::size_t{1});
   one = needs.need("contact");  // the new one comes before the old one goes: no restart
   QCOMPARE(needs.needCount("contact"), std::size_t{1});
   QCOMPARE(r.calls, std::string("+"));
-  one = Need();
+  one = ServiceHandle();
   QCOMPARE(r.calls, std::string("+-"));
 }
 
 void ServiceTest::removedServiceStops() {
   Recorder r;
-  NeedSet needs;
+  ServiceRegistry needs;
   needs.add(r.service);
-  const Need need = needs.need("contact");
+  const ServiceHandle need = needs.need("contact");
   needs.remove(r.service);
   QCOMPARE(r.calls, std::string("+-"));
   QVERIFY(!r.service.isRunning());
@@ -114,10 +114,10 @@ void ServiceTest::removedServiceStops() {
 // A scene that declares one need: from the counters it can be told that nothing else ever ran.
 void ServiceTest::onlyWhatIsNeededTicks() {
   Service contact("contact"), physics("physics");
-  NeedSet needs;
+  ServiceRegistry needs;
   needs.add(contact);
   needs.add(physics);
-  const Need need = needs.need("contact");
+  const ServiceHandle need = needs.need("contact");
   for (int i = 0; i < 100; ++i) {
     for (Service* service : {&contact, &physics}) {
       if (service->isRunning()) const ServiceTick tick(*service);
@@ -161,9 +161,9 @@ void ServiceTest::ticksFromManyThreads() {
 void ServiceTest::runsExactlyWhileNeeded() {
   QVERIFY(rc::check("a service runs exactly while it is needed", [] {
     Service services[] = {Service("a"), Service("b"), Service("c")};
-    NeedSet needs;
+    ServiceRegistry needs;
     for (Service& s : services) needs.add(s);
-    std::vector<std::pair<std::size_t, Need>> held;
+    std::vector<std::pair<std::size_t, ServiceHandle>> held;
     std::size_t count[3] = {};
     const auto steps = *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 6));
     for (int step : steps) {

@@ -3,7 +3,7 @@
 #include "document/AtomicFile.h"
 
 #include "TestClass.h"
-#include "document/DraftFile.h"
+#include "document/AtomicSaveFile.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -153,7 +153,8 @@ class AtomicFileTest : public QObject {
   // What a killed program left goes, the draft of a living one stays.
   void draftsAreRemovedUnlessSomebodyHoldsThem() {
     QTemporaryDir folder;
-    const auto path = in(folder, "a"), dead = DraftFile::hiddenName(path, 1), alive = DraftFile::hiddenName(path, 0);
+    const auto path = in(folder, "a"), dead = AtomicSaveFile::hiddenName(path, 1),
+               alive = AtomicSaveFile::hiddenName(path, 0);
     for (const auto& file : {path, dead, alive}) QVERIFY(writeFileAtomically(file, "old").hasValue());
     const int held = ::open(alive.c_str(), O_RDONLY);
     QCOMPARE(flock(held, LOCK_EX), 0);

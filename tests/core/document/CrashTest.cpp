@@ -3,7 +3,7 @@
 #include "CrashModel.h"
 #include "TestClass.h"
 #include "document/FileBytes.h"
-#include "document/RecoveryLeftovers.h"
+#include "document/OrphanedAutosaves.h"
 
 #include <QFile>
 #include <QProcess>
@@ -135,7 +135,7 @@ void judge(const std::vector<Event>& events, std::int64_t end, const std::filesy
   const std::int64_t inFile = std::filesystem::exists(file) ? editsInFile(file) : 0;
   QVERIFY2(inFile == story.saved || (inFile > 0 && inFile == story.saving), "the saved file");
 
-  const Leftovers leftovers(root);
+  const OrphanedAutosaves leftovers(root);
   QVERIFY(leftovers.skipped().empty());
   QVERIFY(leftovers.found().size() <= 1);
   std::int64_t recovered = 0;
@@ -160,7 +160,7 @@ void judge(const std::vector<Event>& events, std::int64_t end, const std::filesy
   tally.promptly += loss <= kInterval + story.longestWrite + kInterval / 5;
   tally.longestLoss = std::max(tally.longestLoss, loss);
   tally.longestWrite = std::max(tally.longestWrite, story.longestWrite);
-  for (const Leftover& leftover : leftovers.found()) leftovers.discard(leftover);
+  for (const OrphanedAutosave& leftover : leftovers.found()) leftovers.discard(leftover);
 }
 
 }  // namespace
@@ -191,7 +191,7 @@ class CrashTest : public QObject {
       QVERIFY(victim.wasKilled());
       judge(victim.events(), end, file.toStdString(), root.toStdString(), tally);
       QVERIFY2(!QTest::currentTestFailed(), qPrintable(QString("crash %1").arg(i)));
-      QVERIFY(Leftovers(root.toStdString()).found().empty());
+      QVERIFY(OrphanedAutosaves(root.toStdString()).found().empty());
     }
     // How promptly is told, not judged: the machine may be busy.
     qInfo(

@@ -4,6 +4,7 @@
 
 #include "TestClass.h"
 #include "document/AtomicFile.h"
+#include "document/Container.h"
 #include "document/FileBytes.h"
 #include "document/container/ZipWriter.h"
 #include "document/workpiece/WorkpieceKind.h"
@@ -14,6 +15,8 @@
 using namespace handwheel;
 
 namespace {
+
+const std::string kThis = std::to_string(kContainerVersion), kNext = std::to_string(kContainerVersion + 1);
 
 // An archive as a program of that version would write it.
 std::string containerOfFormat(const std::string& format) {
@@ -28,7 +31,7 @@ class NewerFileTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void mayReplace_data() {
+  void checkNotNewer_data() {
     QTest::addColumn<QByteArray>("there");
     QTest::addColumn<bool>("may");
     const auto row = [](const char* name, const std::string& there, bool may) {
@@ -36,23 +39,23 @@ class NewerFileTest : public QObject {
     };
     row("nothing in it", "", true);
     row("no container", "solid", true);
-    row("this version", containerOfFormat("1"), true);
-    row("the next", containerOfFormat("2"), false);
+    row("this version", containerOfFormat(kThis), true);
+    row("the next", containerOfFormat(kNext), false);
     row("a far one", containerOfFormat("18446744073709551615"), false);
     row("no number", containerOfFormat("\"two\""), true);
     row("no version", containerOfFormat("null"), true);
-    row("cut short", containerOfFormat("2").substr(0, 30), true);
-    std::string damaged = containerOfFormat("2");
+    row("cut short", containerOfFormat(kNext).substr(0, 30), true);
+    std::string damaged = containerOfFormat(kNext);
     damaged[50] ^= 0x55;  // within the first manifest; the copy still tells
     row("damaged", damaged, false);
   }
-  void mayReplace() {
+  void checkNotNewer() {
     QFETCH(QByteArray, there);
     QFETCH(bool, may);
     const QTemporaryDir folder;
     const std::filesystem::path path = folder.filePath("x.handwheel").toStdString();
     QVERIFY(writeFileAtomically(path, there.toStdString()).hasValue());
-    const Status status = handwheel::mayReplace(path);
+    const Status status = handwheel::checkNotNewer(path);
     QCOMPARE(status.hasValue(), may);
     if (!may) QCOMPARE(status.error().code, ErrorCode::VersionNewer);
     if (!may) QCOMPARE(status.error().subject, path.string());
@@ -60,9 +63,9 @@ class NewerFileTest : public QObject {
 
   void whereNothingIs() {
     const QTemporaryDir folder;
-    QVERIFY(handwheel::mayReplace(folder.filePath("x.handwheel").toStdString()).hasValue());
-    QVERIFY(handwheel::mayReplace(folder.path().toStdString()).hasValue());
-    QVERIFY(handwheel::mayReplace("/dev/zero").hasValue());
+    QVERIFY(handwheel::checkNotNewer(folder.filePath("x.handwheel").toStdString()).hasValue());
+    QVERIFY(handwheel::checkNotNewer(folder.path().toStdString()).hasValue());
+    QVERIFY(handwheel::checkNotNewer("/dev/zero").hasValue());
   }
 
   // Nor by a save or an export, whatever the document came from and whatever its file is called.
@@ -74,7 +77,7 @@ class NewerFileTest : public QObject {
     QFETCH(QString, name);
     const QTemporaryDir folder;
     const std::filesystem::path path = folder.filePath(name).toStdString();
-    const std::string newer = containerOfFormat("2");
+    const std::string newer = containerOfFormat(kNext);
     QVERIFY(writeFileAtomically(path, newer).hasValue());
     const WorkpieceKind kind;
     const OpenedFile blank = DocumentKinds::blank(kind);

@@ -4,8 +4,8 @@
 
 #include "document/Container.h"
 #include "document/FileBytes.h"
+#include "document/OrphanedAutosaves.h"
 #include "document/Recovery.h"
-#include "document/RecoveryLeftovers.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -26,7 +26,7 @@ inline std::string containerOf(const std::string& text) {
 
 inline const AutosaveInfo kInfo{"id-1", "/parts/caf\xe9/a.handwheel", "a.handwheel", "mesh"};
 
-inline std::string contentOf(const Leftover& leftover) {
+inline std::string contentOf(const OrphanedAutosave& leftover) {
   const auto bytes = readFileBytes(leftover.file);
   if (!bytes) return "unreadable";
   const auto read = readContainer(*bytes);
@@ -36,8 +36,8 @@ inline std::string contentOf(const Leftover& leftover) {
 // What the next start of the program would find.
 inline std::vector<std::string> contentsIn(const std::filesystem::path& root) {
   std::vector<std::string> contents;
-  const Leftovers leftovers(root);
-  for (const Leftover& leftover : leftovers.found()) contents.push_back(contentOf(leftover));
+  const OrphanedAutosaves leftovers(root);
+  for (const OrphanedAutosave& leftover : leftovers.found()) contents.push_back(contentOf(leftover));
   std::sort(contents.begin(), contents.end());
   return contents;
 }

@@ -23,10 +23,10 @@ class RecoveryTest : public QObject {
       QVERIFY(session.store(2, {}, containerOf("two")));
       QVERIFY(contentsIn(rootIn(folder)).empty());
     }
-    const Leftovers leftovers(rootIn(folder));
+    const OrphanedAutosaves leftovers(rootIn(folder));
     QCOMPARE(leftovers.found().size(), std::size_t{2});
     QVERIFY(leftovers.skipped().empty());
-    for (const Leftover& leftover : leftovers.found()) {
+    for (const OrphanedAutosave& leftover : leftovers.found()) {
       const bool isFirst = contentOf(leftover) == "one";
       QVERIFY(leftover.info == (isFirst ? kInfo : AutosaveInfo()));
       QCOMPARE(leftover.bytes, containerOf("one").size());
@@ -36,7 +36,7 @@ class RecoveryTest : public QObject {
 
   void thereIsNothingAtFirst() {
     QTemporaryDir folder;
-    QVERIFY(Leftovers(rootIn(folder)).found().empty());
+    QVERIFY(OrphanedAutosaves(rootIn(folder)).found().empty());
     { RecoverySession session(rootIn(folder)); }
     QVERIFY(!std::filesystem::exists(rootIn(folder)));
   }
@@ -52,9 +52,9 @@ class RecoveryTest : public QObject {
       QVERIFY(session.store(7, kInfo, containerOf("other")));
     }
     QVERIFY(contentsIn(rootIn(folder)) == (Strings{"moved", "other"}));
-    const Leftovers leftovers(rootIn(folder));
+    const OrphanedAutosaves leftovers(rootIn(folder));
     const auto moved = std::find_if(leftovers.found().begin(), leftovers.found().end(),
-                                    [](const Leftover& l) { return contentOf(l) == "moved"; });
+                                    [](const OrphanedAutosave& l) { return contentOf(l) == "moved"; });
     QCOMPARE(moved->info.path, "/elsewhere");
   }
 
@@ -119,12 +119,12 @@ class RecoveryTest : public QObject {
     {
       RecoverySession session(rootIn(folder));
       {
-        const Leftovers leftovers(rootIn(folder));
+        const OrphanedAutosaves leftovers(rootIn(folder));
         QVERIFY(session.adopt(leftovers.found().at(0), 5));
       }
       QVERIFY(contentsIn(rootIn(folder)).empty());
     }
-    const Leftovers leftovers(rootIn(folder));
+    const OrphanedAutosaves leftovers(rootIn(folder));
     QCOMPARE(leftovers.found().size(), std::size_t{1});
     QCOMPARE(contentOf(leftovers.found()[0]), "one");
     QVERIFY(leftovers.found()[0].info == kInfo);
@@ -170,7 +170,7 @@ class RecoveryTest : public QObject {
       std::filesystem::remove_all(rootIn(folder));
       QVERIFY(session.store(1, kInfo, containerOf("new")));
     }
-    const Leftovers leftovers(rootIn(folder));
+    const OrphanedAutosaves leftovers(rootIn(folder));
     QCOMPARE(leftovers.found().size(), std::size_t{1});
     QCOMPARE(contentOf(leftovers.found()[0]), "new");
     QVERIFY(leftovers.found()[0].info == kInfo);

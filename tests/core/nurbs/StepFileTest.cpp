@@ -33,7 +33,7 @@ class StepFileTest : public QObject {
 
 namespace {
 
-StepReport reportOn(const ProfileCurve& profile) {
+StepFileReport reportOn(const ProfileCurve& profile) {
   const auto bytes = writeStep(profile);
   if (!bytes) qFatal("%s", bytes.error().arguments.back().c_str());
   const auto report = inspectStep(*bytes);
@@ -66,7 +66,7 @@ void StepFileTest::cylinder() {
   QFETCH(double, length);
   QFETCH(double, position);
   const StockCylinder stock{diameter, length, position};
-  const StepReport report = reportOn(stock.profile());
+  const StepFileReport report = reportOn(stock.profile());
   QVERIFY(report.isValid);
   QCOMPARE(report.solids, std::size_t{1});
   QVERIFY(near(report.volume, M_PI / 4 * diameter * diameter * length));
@@ -100,7 +100,7 @@ void StepFileTest::holdsTheNinePoleSurface() {
 void StepFileTest::cone() {
   for (const auto& points :
        {std::vector<ProfilePoint>{{10, 0}, {0, 20}}, std::vector<ProfilePoint>{{0, 0}, {10, 20}}}) {
-    const StepReport report = reportOn(ProfileCurve::polyline(points).value());
+    const StepFileReport report = reportOn(ProfileCurve::polyline(points).value());
     QVERIFY(report.isValid);
     QVERIFY(near(report.volume, M_PI * 100 * 20 / 3));
     QVERIFY(near(report.area, M_PI * 100 + M_PI * 10 * std::sqrt(500.0)));
@@ -108,7 +108,7 @@ void StepFileTest::cone() {
 }
 
 void StepFileTest::sphere() {
-  const StepReport report = reportOn(ProfileCurve::make(test::sphere(5, 2)).value());
+  const StepFileReport report = reportOn(ProfileCurve::make(test::sphere(5, 2)).value());
   QVERIFY(report.isValid);
   QVERIFY(near(report.volume, 4 * M_PI / 3 * 125));
   QVERIFY(near(report.area, 4 * M_PI * 25));
@@ -117,7 +117,7 @@ void StepFileTest::sphere() {
 
 void StepFileTest::shoulders() {
   const auto profile = ProfileCurve::polyline({{10, 0}, {10, 10}, {4, 10}, {4, 10}, {4, 30}, {8, 30}, {8, 35}}).value();
-  const StepReport report = reportOn(profile);
+  const StepFileReport report = reportOn(profile);
   QVERIFY(report.isValid);
   QCOMPARE(report.solids, std::size_t{1});
   QVERIFY(near(report.volume, M_PI * (1000 + 320 + 320)));
@@ -139,7 +139,7 @@ void StepFileTest::anyShaft() {
         volume += M_PI * width / 6 * (f(u + inner) + 4 * f(u + width / 2) + f(u + width - inner));
       }
     }
-    const StepReport report = reportOn(profile);
+    const StepFileReport report = reportOn(profile);
     RC_ASSERT(report.isValid);
     RC_ASSERT(report.solids == 1u);
     RC_ASSERT(std::abs(report.volume / volume - 1) < 1e-5);

@@ -99,7 +99,7 @@ void TessellationTest::cylinderOfAnySize() {
     const double chord = std::min(1e6, stock.diameter * std::pow(10.0, test::between(-6, 1)));
     TessellationOptions options;
     options.chord = chord;
-    options.shapelyTriangles = 5000;
+    options.maxWellShapedTriangles = 5000;
     const TriangleSoup soup = *tessellate(stock.profile(), options);
     RC_ASSERT(test::isClosed(soup));
     RC_ASSERT(distanceToCylinder(soup, stock) <= chord + 1e-15 * stock.diameter);
@@ -131,7 +131,7 @@ void TessellationTest::longBarsGetLongerTriangles() {
   const ProfileCurve wire = StockCylinder{1, 1e6, 0}.profile();
   TessellationOptions options;
   options.chord = 1e-3;
-  options.shapelyTriangles = 10'000;
+  options.maxWellShapedTriangles = 10'000;
   const auto soup = tessellate(wire, options);
   QVERIFY(soup.hasValue());
   QVERIFY(soup->triangles.size() <= 10'000);

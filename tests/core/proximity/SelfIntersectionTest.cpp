@@ -168,7 +168,7 @@ void SelfIntersectionTest::keepsToTheLimit() {
 // effort, with the logarithm, where each pair would be 40,000 times as much.
 void SelfIntersectionTest::fansCostNoMoreThanTheirTriangles() {
   const auto effortFor = [](std::uint32_t n) {
-    Effort effort(1'000'000'000);
+    WorkBudget effort(1'000'000'000);
     const Surface s = cone(n, 1.0);
     const auto pairs = selfIntersections(s.points, s.triangles, Progress().within(effort));
     return pairs && pairs->empty() ? static_cast<double>(effort.spent()) : -1.0;

@@ -59,7 +59,7 @@ void SliverPiecesTest::leavesOrdinarySurfacesAlone() {
     const BoxFrame frame(s.points);
     const std::vector<BoxedItem> whole = wholeBoxes(s, frame);
     std::vector<BoxedItem> items = whole;
-    cutSlivers(items, s.points, s.triangles, frame);
+    splitSliverBoxes(items, s.points, s.triangles, frame);
     QCOMPARE(items.size(), whole.size());
     QVERIFY(std::memcmp(items.data(), whole.data(), items.size() * sizeof(BoxedItem)) == 0);
   }
@@ -70,7 +70,7 @@ void SliverPiecesTest::piecesCoverTheTriangle() {
   const Surface s = fan(2000);
   const BoxFrame frame(s.points);
   std::vector<BoxedItem> items = wholeBoxes(s, frame);
-  cutSlivers(items, s.points, s.triangles, frame);
+  splitSliverBoxes(items, s.points, s.triangles, frame);
   QVERIFY(items.size() > s.triangles.size());
   std::vector<std::vector<FloatBox>> boxesOf(s.triangles.size());
   for (const BoxedItem& item : items) boxesOf[item.id()].push_back(item.box);
@@ -97,7 +97,7 @@ void SliverPiecesTest::boxesShrinkAsTheirNumber() {
     return area;
   };
   const double before = sum(items);
-  cutSlivers(items, s.points, s.triangles, frame);
+  splitSliverBoxes(items, s.points, s.triangles, frame);
   QVERIFY(sum(items) < before / 25.0);
   QVERIFY(items.size() <= 32 * s.triangles.size());
 }
@@ -106,7 +106,7 @@ void SliverPiecesTest::keepsItsBudget() {
   const Surface s = fan(200'000);
   const BoxFrame frame(s.points);
   std::vector<BoxedItem> items = wholeBoxes(s, frame);
-  cutSlivers(items, s.points, s.triangles, frame);
+  splitSliverBoxes(items, s.points, s.triangles, frame);
   QVERIFY(items.size() > s.triangles.size());
   QVERIFY(items.size() <= s.triangles.size() + 1'000'000);
 }
@@ -119,7 +119,7 @@ void SliverPiecesTest::oddTriangles() {
     s.triangles = {{0, 0, 0}, {0, 1, 1}, {0, 2, 0}, {0, 1, 4}, {3, 1, 2}, {4, 0, 1}};
     const BoxFrame frame(s.points);
     std::vector<BoxedItem> items = wholeBoxes(s, frame);
-    cutSlivers(items, s.points, s.triangles, frame);
+    splitSliverBoxes(items, s.points, s.triangles, frame);
     for (const BoxedItem& item : items) {
       QVERIFY(item.id() < s.triangles.size());
       QVERIFY((item.box.low.head<3>() <= item.box.high.head<3>()).all());
@@ -127,7 +127,7 @@ void SliverPiecesTest::oddTriangles() {
     }
   }
   std::vector<BoxedItem> none;
-  cutSlivers(none, {}, {}, BoxFrame());
+  splitSliverBoxes(none, {}, {}, BoxFrame());
   QVERIFY(none.empty());
 }
 

@@ -3,7 +3,7 @@
 #include "RobotFiles.h"
 #include "TestClass.h"
 #include "robot/Kinematics.h"
-#include "robot/PointPull.h"
+#include "robot/PointTarget.h"
 
 #include <QTest>
 #include <cmath>
@@ -154,7 +154,7 @@ void RobotKinematicsTest::reach() {
   std::uniform_real_distribution<double> angle(-1.0, 1.0);
   for (const auto& [file, wrist, expected, tolerance] : kReaches) {
     const RobotModel robot = robotIn(file);
-    const PointPull pull{linkNamed(robot, wrist), Vec3::Zero(), Vec3(1e9, 0, 0)};
+    const PointTarget pull{linkNamed(robot, wrist), Vec3::Zero(), Vec3(1e9, 0, 0)};
     double furthest = 0.0;
     for (int i = 0; i < 20; ++i) {
       JointValues start(Eigen::Index(robot.dofs.size()));

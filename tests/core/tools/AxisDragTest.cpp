@@ -68,7 +68,7 @@ void AxisDragTest::aroundTheAxis() {
   for (double angle : {-3.0, -1.0, 0.0, 0.4, 2.0, 3.1}) {
     for (double radius : {5.0, 100.0, 900.0}) {
       const Vec3 under(10 + radius * std::cos(angle), 20 + radius * std::sin(angle), 30);
-      const auto turn = turnUnder(held, parallel({under + Vec3(0, 0, 700), -Vec3::UnitZ()}), 0.0);
+      const auto turn = rotationUnder(held, parallel({under + Vec3(0, 0, 700), -Vec3::UnitZ()}), 0.0);
       QVERIFY(turn && std::abs(*turn - angle) < 1e-12);
     }
   }
@@ -83,12 +83,12 @@ void AxisDragTest::pointsOnTheCircle() {
     const Vec3 eye = goal + 2000 * anyDirection();
     const Ray ray = rayThrough(eye, goal);
     if (std::abs(ray.direction.dot(held.axis)) >= 0.21) {
-      const auto turn = turnUnder(held, {ray, eye}, 0.0);
+      const auto turn = rotationUnder(held, {ray, eye}, 0.0);
       RC_ASSERT(turn.has_value());
       RC_ASSERT(std::abs(std::remainder(*turn - angle, 2 * kHalfTurn)) < 1e-6);
     }
     // A short way from a start near by, the side view included.
-    const auto near = turnUnder(held, {ray, eye}, angle + 0.05);
+    const auto near = rotationUnder(held, {ray, eye}, angle + 0.05);
     RC_ASSERT(near.has_value());
     RC_ASSERT(distance(turned(held, *near), ray) < 0.05 * held.lever());
   }));
@@ -99,7 +99,7 @@ void AxisDragTest::wholeTurnsAreCounted() {
   double soFar = 0.0;
   for (int step = 1; step <= 100; ++step) {  // five times around
     const double angle = step * kHalfTurn / 10;
-    soFar = *turnUnder(held, parallel({{100 * std::cos(angle), 100 * std::sin(angle), 9}, -Vec3::UnitZ()}), soFar);
+    soFar = *rotationUnder(held, parallel({{100 * std::cos(angle), 100 * std::sin(angle), 9}, -Vec3::UnitZ()}), soFar);
     QVERIFY(std::abs(soFar - angle) < 1e-9);
   }
 }
@@ -108,33 +108,33 @@ void AxisDragTest::wholeTurnsAreCounted() {
 void AxisDragTest::fromTheSide() {
   const HeldPoint held{Vec3::Zero(), Vec3::UnitZ(), {100, 0, 0}};
   for (double angle : {-1.4, -0.5, 0.0, 0.3, 1.0, 1.5}) {
-    const auto turn = turnUnder(held, parallel({{1000, 100 * std::sin(angle), 0}, -Vec3::UnitX()}), 0.0);
+    const auto turn = rotationUnder(held, parallel({{1000, 100 * std::sin(angle), 0}, -Vec3::UnitX()}), 0.0);
     QVERIFY(turn && std::abs(*turn - angle) < 1e-6);
     // Above or below the circle's plane nothing else happens.
-    const auto beside = turnUnder(held, parallel({{1000, 100 * std::sin(angle), 40}, -Vec3::UnitX()}), 0.0);
+    const auto beside = rotationUnder(held, parallel({{1000, 100 * std::sin(angle), 40}, -Vec3::UnitX()}), 0.0);
     QVERIFY(beside && std::abs(*beside - angle) < 1e-6);
   }
   // Out of its reach it goes as far as it can.
-  const auto most = turnUnder(held, parallel({{1000, 250, 0}, -Vec3::UnitX()}), 0.5);
+  const auto most = rotationUnder(held, parallel({{1000, 250, 0}, -Vec3::UnitX()}), 0.5);
   QVERIFY(most && std::abs(*most - kHalfTurn / 2) < 1e-2);
 }
 
 // Taken at the outline, where its first motion is along the ray: it comes away from there.
 void AxisDragTest::outmostPoint() {
   const HeldPoint held{Vec3::Zero(), Vec3::UnitZ(), {0, 100, 0}};
-  const auto turn = turnUnder(held, parallel({{1000, 50, 0}, -Vec3::UnitX()}), 0.0);
+  const auto turn = rotationUnder(held, parallel({{1000, 50, 0}, -Vec3::UnitX()}), 0.0);
   QVERIFY(turn && std::abs(std::abs(*turn) - kHalfTurn / 3) < 1e-4);
 }
 
 void AxisDragTest::raysThatDoNotTell() {
   const HeldPoint held{Vec3::Zero(), Vec3::UnitZ(), {100, 0, 0}};
   const Vec3 eye(50, 50, 300);
-  QVERIFY(!turnUnder(held, {{eye, Vec3::UnitZ()}, eye}, 0.0));              // looks away from the plane
-  QVERIFY(!turnUnder(held, parallel({{0, 0, 300}, -Vec3::UnitZ()}), 0.0));  // through the axis
-  QVERIFY(!turnUnder(held, parallel({{1e308, -1e308, 1e308}, Vec3(0.6, 0, -0.8)}), 0.0));
+  QVERIFY(!rotationUnder(held, {{eye, Vec3::UnitZ()}, eye}, 0.0));              // looks away from the plane
+  QVERIFY(!rotationUnder(held, parallel({{0, 0, 300}, -Vec3::UnitZ()}), 0.0));  // through the axis
+  QVERIFY(!rotationUnder(held, parallel({{1e308, -1e308, 1e308}, Vec3(0.6, 0, -0.8)}), 0.0));
   for (const Vec3& far : {Vec3(1e12, 1e12, 1e12), Vec3(1e200, 0, 0)}) {
     for (const Vec3& direction : {Vec3(-1, 0, 0), Vec3(0, 0, -1), Vec3(0.6, 0, 0.8)}) {
-      const auto turn = turnUnder(held, parallel({far, direction}), 0.0);
+      const auto turn = rotationUnder(held, parallel({far, direction}), 0.0);
       QVERIFY(!turn || std::isfinite(*turn));
     }
   }
@@ -142,11 +142,11 @@ void AxisDragTest::raysThatDoNotTell() {
 
 void AxisDragTest::slides() {
   const HeldPoint held{Vec3::Zero(), Vec3::UnitX(), {10, 20, 30}};
-  const auto way = slideUnder(held, rayThrough({200, 500, 900}, {85, 20, 30}));
+  const auto way = translationUnder(held, rayThrough({200, 500, 900}, {85, 20, 30}));
   QVERIFY(way && std::abs(*way - 75) < 1e-9);
-  QVERIFY(!slideUnder(held, {{0, 0, 0}, -Vec3::UnitX()}));
+  QVERIFY(!translationUnder(held, {{0, 0, 0}, -Vec3::UnitX()}));
   // Beside the line the nearest point counts.
-  const auto beside = slideUnder(held, {{40, 500, 500}, -Vec3::UnitZ()});
+  const auto beside = translationUnder(held, {{40, 500, 500}, -Vec3::UnitZ()});
   QVERIFY(beside && std::abs(*beside - 30) < 1e-9);
 }
 
@@ -157,7 +157,7 @@ void AxisDragTest::slidesWithTheRay() {
     const Vec3 goal = held.point + way * held.axis;
     const Ray ray = rayThrough(goal + 2000 * anyDirection(), goal);
     RC_PRE(std::abs(ray.direction.dot(held.axis)) < 0.99);
-    const auto found = slideUnder(held, ray);
+    const auto found = translationUnder(held, ray);
     RC_ASSERT(found.has_value());
     RC_ASSERT(std::abs(*found - way) < 1e-6);
   }));

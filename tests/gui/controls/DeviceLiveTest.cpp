@@ -40,7 +40,7 @@ struct PaintCount : QObject {
 
 void DeviceLiveTest::forceIsAskedFor() {
   DevicePanelBench bench;
-  QSignalSpy force(&bench.panel, &DevicePanel::forceOnChanged), test(&bench.panel, &DevicePanel::forceTestAsked);
+  QSignalSpy force(&bench.panel, &DevicePanel::forceOnChanged), test(&bench.panel, &DevicePanel::forceTestRequested);
   auto* on = bench.part<QCheckBox>("forceOn");
   auto* button = bench.part<QPushButton>("forceTest");
   QVERIFY(!on->isEnabled());

@@ -42,7 +42,7 @@ class DevicePanelTest : public QObject {
 void DevicePanelTest::choosing() {
   DevicePanelBench bench;
   QSignalSpy chosen(&bench.panel, &DevicePanel::deviceChosen), left(&bench.panel, &DevicePanel::deviceLeft);
-  QSignalSpy rescan(&bench.panel, &DevicePanel::rescanAsked);
+  QSignalSpy rescan(&bench.panel, &DevicePanel::rescanRequested);
   auto* list = bench.part<QComboBox>("deviceChoice");
   QCOMPARE(list->count(), 1);
   QCOMPARE(bench.text("deviceHeadline"), QString("No device in use"));

@@ -7,7 +7,7 @@
 #include "panels/device/DeviceText.h"
 #include "panels/device/ForceTrace.h"
 #include "panels/device/MappingForm.h"
-#include "panels/device/SafetyMemory.h"
+#include "panels/device/SafetyActionHold.h"
 #include "panels/device/TimingPlot.h"
 
 #include <rapidcheck.h>
@@ -99,13 +99,13 @@ void DevicePartsTest::traceStartsAnew() {
 }
 
 void DevicePartsTest::safetyIsHeld() {
-  SafetyMemory memory;
+  SafetyActionHold memory;
   QVERIFY(memory.add({}, 0.0).isEmpty());
   QVERIFY(memory.add(only(SafetyAction::Clamp), 1.0).has(SafetyAction::Clamp));
   const SafetyActions both = memory.add(only(SafetyAction::Slew), 1.5);
   QCOMPARE(both.bits(), only(SafetyAction::Clamp).bits() | only(SafetyAction::Slew).bits());
-  QCOMPARE(memory.add({}, 1.0 + 1.01 * SafetyMemory::kHold).bits(), only(SafetyAction::Slew).bits());
-  QVERIFY(memory.add({}, 1.5 + 1.01 * SafetyMemory::kHold).isEmpty());
+  QCOMPARE(memory.add({}, 1.0 + 1.01 * SafetyActionHold::kHold).bits(), only(SafetyAction::Slew).bits());
+  QVERIFY(memory.add({}, 1.5 + 1.01 * SafetyActionHold::kHold).isEmpty());
   memory.add(only(SafetyAction::Ramp), 3.0);
   QVERIFY(memory.add({}, 0.1).isEmpty());  // of another loop
   memory.add(only(SafetyAction::Ramp), 0.2);

@@ -12,11 +12,11 @@
 // A device and what it does, for the tests of its panel.
 namespace handwheel::test {
 
-inline DeviceListing falcon() {
+inline DeviceInfo falcon() {
   return {"falcon", "usb:1-2", "Novint Falcon"};
 }
 
-inline DeviceListing spaceMouse() {
+inline DeviceInfo spaceMouse() {
   return {"spacemouse", "/dev/hidraw3", "SpaceMouse Compact"};
 }
 

@@ -27,6 +27,7 @@ class PanelsTest : public QObject {
   void docksFollowTheirTitle();
   void hintsThatFit();
   void messagesWaitForEachOther();
+  void aMessageThatWentHasNoButtons();
   void messagesGoWithTheirDocument();
   void severalJobs();
   void jobsThatWaitAndGo();
@@ -197,6 +198,27 @@ void PanelsTest::messagesWaitForEachOther() {
   QVERIFY(!bar.findChild<QWidget*>("messageMore")->isVisible());
   press("messageAction");
   QCOMPARE(recovered, 1);
+  QVERIFY(bar.isHidden());
+}
+
+// A button may still get the release of a key or of the mouse when its message is no longer in front.
+void PanelsTest::aMessageThatWentHasNoButtons() {
+  QWidget window;
+  MessageBar bar(&window);
+  window.show();
+  int done = 0;
+  bar.showMessage({Message::Weight::Warning, "first", {}, {}, "Do", [&] { ++done; }});
+  bar.showMessage({Message::Weight::Error, "second", {}, {}, {}, {}});
+  bar.findChild<QAbstractButton*>("messageAction")->click();
+  bar.findChild<QAbstractButton*>("messageOther")->click();
+  QCOMPARE(done, 0);
+  QVERIFY(bar.findChild<QLabel*>("messageText")->text().contains("second"));
+  bar.findChild<QAbstractButton*>("messageClose")->click();
+  bar.findChild<QAbstractButton*>("messageAction")->click();
+  QCOMPARE(done, 1);
+  for (const char* name : {"messageAction", "messageOther", "messageClose"})
+    bar.findChild<QAbstractButton*>(name)->click();
+  QCOMPARE(done, 1);
   QVERIFY(bar.isHidden());
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ControlScenes.h"
 #include "ControlsTestMain.h"
-#include "controls/ScopedAction.h"
+#include "controls/ContextAction.h"
 #include "controls/ShortcutEditor.h"
 #include "controls/ShortcutModel.h"
 
@@ -147,7 +147,7 @@ void ShortcutTest::conflicts() {
 void ShortcutTest::scopes() {
   ShortcutBench bench;
   const auto add = [&](const QString& scope, const char* name, const char* key) {
-    auto* action = new ScopedAction(name, scope, "Tools › " + scope, bench.window.get());
+    auto* action = new ContextAction(name, scope, "Tools › " + scope, bench.window.get());
     action->setObjectName(scope + "/" + name);
     action->setShortcut(QKeySequence(key));
   };

@@ -60,7 +60,7 @@ std::vector<Widget*> visible(const QWidget& in) {
   return found;
 }
 
-std::string contentOf(const OpenDocument& open) {
+std::string contentOf(const DocumentTab& open) {
   DocumentFile file;
   file.id = "random";
   file.displayUnit = open.document.displayUnit();
@@ -75,7 +75,7 @@ RandomUser::RandomUser(MainWindow& window, std::uint32_t seed)
     : m_window(window), m_tabs(*window.findChild<DocumentTabs*>()), m_random(seed) {
   makeFiles();
   m_window.findChild<QAction*>(QStringLiteral("quit"))->setEnabled(false);
-  connect(&m_tabs, &DocumentTabs::added, this, [this](OpenDocument* open) { m_opened[open] = contentOf(*open); });
+  connect(&m_tabs, &DocumentTabs::added, this, [this](DocumentTab* open) { m_opened[open] = contentOf(*open); });
   connect(&m_tabs, &DocumentTabs::closing, this, &RandomUser::watchClosing);
 }
 
@@ -101,7 +101,7 @@ void RandomUser::note(const QString& what) {
   std::fflush(stdout);
 }
 
-void RandomUser::watchClosing(OpenDocument* document) {
+void RandomUser::watchClosing(DocumentTab* document) {
   const QString name = document->document.name();
   note(QStringLiteral("closes: %1").arg(name));
   if (!m_mayClose) m_problems << QStringLiteral("%1 closed, which nobody asked for").arg(name);
@@ -333,7 +333,7 @@ void RandomUser::editField() {
 void RandomUser::switchDocument() {
   const auto count = static_cast<int>(m_tabs.all().size());
   if (count == 0) return openFile();
-  const OpenDocument* next = m_tabs.all()[static_cast<std::size_t>(upTo(count))].get();
+  const DocumentTab* next = m_tabs.all()[static_cast<std::size_t>(upTo(count))].get();
   note(QStringLiteral("shows %1").arg(next->document.name()));
   m_tabs.setCurrent(next);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "window/documents/OpenDocument.h"
+#include "window/documents/DocumentTab.h"
 
 #include <QObject>
 #include <QPointer>
@@ -62,7 +62,7 @@ class RandomUser : public QObject {
   void switchDocument();
   void cancelJob();
   void searchCommand();
-  void watchClosing(OpenDocument* document);
+  void watchClosing(DocumentTab* document);
 
   MainWindow& m_window;
   DocumentTabs& m_tabs;
@@ -70,8 +70,8 @@ class RandomUser : public QObject {
   QTemporaryDir m_folder;
   QStringList m_files;
   QStringList m_problems;
-  std::map<const OpenDocument*, std::string> m_opened;  // the container of each document as it was opened
-  bool m_mayClose = false;                              // the present action is a command that closes
+  std::map<const DocumentTab*, std::string> m_opened;  // the container of each document as it was opened
+  bool m_mayClose = false;                             // the present action is a command that closes
   bool m_mayDiscard = false;  // a prompt was answered with "discard" and its document has not closed yet
 };
 

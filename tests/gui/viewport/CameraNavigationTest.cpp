@@ -146,7 +146,7 @@ class CameraNavigationTest : public QObject {
       c.centre = box.center() + cameraNavigationAnyPoint() / 100 * size;
       c.height = size * std::pow(10.0, cameraNavigationNumber(4) - 2);
       const CameraNavigation view(c, kCameraNavigationSize);
-      const Viewpoint v = view.viewpoint(box);
+      const CameraClippingRange v = view.viewpoint(box);
       RC_ASSERT(v.nearest > 0);
       RC_ASSERT(v.farthest > v.nearest);
       for (const Vec3& corner : cornersOf(box)) {

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WindowDriver.h"
 #include "WindowTestMain.h"
+#include "document/OrphanedAutosaves.h"
 #include "document/RecordingsEdit.h"
-#include "document/RecoveryLeftovers.h"
+#include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/documents/FileActions.h"
-#include "window/documents/OpenDocument.h"
 
 #include <QPushButton>
 #include <QStandardPaths>
@@ -50,7 +50,7 @@ class AutosaveTest : public QObject {
     }  // the window goes without asking, as in a crash: nothing was saved
     WindowDriver second;
     QCOMPARE(second.tabs(), 0);
-    second.window().offerLeftovers();
+    second.window().offerRecovery();
     second.click("messageAction");
     QVERIFY(QTest::qWaitFor([&] { return second.tabs() == 1; }, kPatienceMs));
     QVERIFY(second.settle());
@@ -74,7 +74,7 @@ class AutosaveTest : public QObject {
       QVERIFY(QTest::qWaitFor([] { return stored().size() == 3; }, 30000));
     }
     WindowDriver second;
-    second.window().offerLeftovers();
+    second.window().offerRecovery();
     QVERIFY(second.text("messageText").contains("1 document had changes"));
     second.click("messageOther");
     QCOMPARE(stored(), QStringList({"damaged.handwheel", "worse.handwheel"}));
@@ -82,7 +82,7 @@ class AutosaveTest : public QObject {
     second.click("messageAction");
     QCOMPARE(stored(), QStringList());
     QVERIFY(!second.find<QWidget>("messageBar")->isVisible());
-    second.window().offerLeftovers();
+    second.window().offerRecovery();
     QVERIFY(!second.find<QWidget>("messageBar")->isVisible());
   }
 

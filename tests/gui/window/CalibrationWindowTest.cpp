@@ -4,7 +4,7 @@
 #include "WindowTestMain.h"
 #include "document/AtomicFile.h"
 #include "haptics/scene/TouchFidelity.h"
-#include "window/fidelity/Calibrator.h"
+#include "window/fidelity/BenchmarkRunner.h"
 #include "window/fidelity/FidelityChoice.h"
 
 #include <QComboBox>
@@ -34,7 +34,7 @@ Calibration slowMachine() {
 struct Bench {
   QThreadPool pool;
   FidelityChoice choice;
-  Calibrator calibrator;
+  BenchmarkRunner calibrator;
 
   Bench() : calibrator(choice, pool, defaultCalibrationFile()) {}
   ~Bench() {
@@ -95,7 +95,7 @@ class CalibrationWindowTest : public QObject {
   void itIsACommandToo() {
     WindowDriver driver;
     driver.choose("calibrate");
-    auto& calibrator = *driver.window().findChild<Calibrator*>();
+    auto& calibrator = *driver.window().findChild<BenchmarkRunner*>();
     QVERIFY(calibrator.isRunning());
     calibrator.cancel();
     QVERIFY(!calibrator.isRunning());

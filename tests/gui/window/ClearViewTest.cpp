@@ -36,7 +36,7 @@ class ClearViewTest : public QObject {
   void nothingInFrontMeansStraightOn() {
     TriangleSoup soup;
     addSquare(soup, {-10, -10, 0}, {20, 0, 0}, {0, 20, 0}, 20);
-    const Vec3 view = clearView(buildMesh(soup).mesh, kPlace, {0, 0, 5});
+    const Vec3 view = unobstructedDirection(buildMesh(soup).mesh, kPlace, {0, 0, 5});
     QVERIFY((view - Vec3::UnitZ()).norm() < 1e-12);
   }
 
@@ -45,7 +45,7 @@ class ClearViewTest : public QObject {
     TriangleSoup soup;
     addSquare(soup, {-10, -10, 0}, {20, 0, 0}, {0, 20, 0}, 20);
     addSquare(soup, {-2, -2, 5}, {4, 0, 0}, {0, 4, 0}, 8);
-    const Vec3 view = clearView(buildMesh(soup).mesh, kPlace, {0, 0, 1});
+    const Vec3 view = unobstructedDirection(buildMesh(soup).mesh, kPlace, {0, 0, 1});
     QVERIFY(std::abs(view.norm() - 1.0) < 1e-12);
     QVERIFY(view.z() > 0.0);
     // The sight line from the middle of the place passes the lid's plane outside the lid.
@@ -53,7 +53,9 @@ class ClearViewTest : public QObject {
     QVERIFY(std::abs(crossing.x()) > 2.0 || std::abs(crossing.y()) > 2.0);
   }
 
-  void withoutADirectionThereIsNone() { QCOMPARE(clearView(HalfEdgeMesh(), kPlace, Vec3::Zero()).norm(), 0.0); }
+  void withoutADirectionThereIsNone() {
+    QCOMPARE(unobstructedDirection(HalfEdgeMesh(), kPlace, Vec3::Zero()).norm(), 0.0);
+  }
 };
 
 HANDWHEEL_TEST(ClearViewTest)

@@ -55,7 +55,7 @@ class ErrorTextTest : public QObject {
     RepairReport report;
     QVERIFY(repairSummary(report).isEmpty());
     report.reversedFaces = report.removedDegenerate = report.removedDuplicates = report.removedFlaps = 1;
-    report.removedDebris = report.mergedVertices = report.partedVertices = report.nonOrientableCuts = 2;
+    report.removedDebris = report.mergedVertices = report.separatedVertices = report.nonOrientableCuts = 2;
     report.replacedFaces = 2;
     report.lostLoops = {4};
     report.cutClusters = 3;

@@ -10,8 +10,8 @@
 #include "mesh/measure/MeshFidelity.h"
 #include "plot/PlotWidget.h"
 #include "tools/mesh/MeshServices.h"
+#include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
-#include "window/documents/OpenDocument.h"
 #include "window/fidelity/FidelityChoice.h"
 
 #include <QComboBox>
@@ -231,7 +231,7 @@ class FidelityWindowTest : public QObject {
     const auto& choice = *driver.window().findChild<FidelityChoice*>();
     const auto tellsPrediction = [&] {
       double sum = 0.0;
-      for (const char* id : {"nurbs.chord_mm", "document.undo_granularity", "view.block_faces"})
+      for (const char* id : {"nurbs.chord_mm", "turn.spacing", "document.undo_granularity", "view.block_faces"})
         sum += choice.predicted(id, choice.of(id))->cost;
       return driver.text("frameUse").section('\n', 1).contains(": " + QString::number(sum, 'f', 1) + " ms (");
     };

@@ -7,7 +7,7 @@
 #include "document/Document.h"
 #include "document/Edit.h"
 #include "tools/Tool.h"
-#include "window/documents/OpenDocument.h"
+#include "window/documents/DocumentTab.h"
 #include "window/kinds/RigidPartsUi.h"
 
 #include <charconv>
@@ -174,7 +174,7 @@ class GlobeUi : public RigidPartsUi {
   QString statistics() const override {
     return document() ? QString::number(radiusOf(*document()->document.snapshot())) : QString();
   }
-  QString openedText(const OpenDocument& opened) const override { return "Opened the globe " + opened.document.name(); }
+  QString openedText(const DocumentTab& opened) const override { return "Opened the globe " + opened.document.name(); }
 
  private:
   QString m_sample;

@@ -10,7 +10,7 @@
 #include "window/documents/DocumentTabs.h"
 #include "window/fidelity/FidelityChoice.h"
 #include "window/kinds/KindUi.h"
-#include "window/mesh/OpenMesh.h"
+#include "window/mesh/MeshTab.h"
 
 #include <QThreadPool>
 #include <QtTest>
@@ -23,10 +23,10 @@ namespace {
 // Of which nothing is shown.
 class HiddenUi : public KindUi {
  public:
-  std::unique_ptr<OpenDocument> open(std::unique_ptr<Document> document) override {
-    return std::make_unique<OpenMesh>(std::move(document), *this);
+  std::unique_ptr<DocumentTab> open(std::unique_ptr<Document> document) override {
+    return std::make_unique<MeshTab>(std::move(document), *this);
   }
-  void setDocument(OpenDocument*) override {}
+  void setDocument(DocumentTab*) override {}
   void refreshVisibility() override {}
   QString panelTitle() const override { return {}; }
   QString panelIcon() const override { return {}; }
@@ -34,7 +34,7 @@ class HiddenUi : public KindUi {
   QString menuTitle() const override { return {}; }
   QList<QAction*> menu() override { return {}; }
   QList<QAction*> toolBar() override { return {}; }
-  QString openedText(const OpenDocument&) const override { return {}; }
+  QString openedText(const DocumentTab&) const override { return {}; }
 };
 
 }  // namespace
@@ -56,7 +56,7 @@ class RepairJobsTest : public QObject {
     QList<Message> told;
     connect(&jobs, &RepairJobs::message, this, [&](const Message& message) { told << message; });
     tabs.add(ui.open(test::meshDocument(test::icosphere(1))));
-    auto* document = static_cast<OpenMesh*>(tabs.current());
+    auto* document = static_cast<MeshTab*>(tabs.current());
     const auto fail = [&](const char* text, std::function<void()> raise) {
       jobs.change(document, {text, [raise](HalfEdgeMesh&, Progress) { raise(); }});
       QTRY_VERIFY(runner.isIdle() && !jobs.isWorking());

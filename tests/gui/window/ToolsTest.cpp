@@ -132,11 +132,11 @@ class ToolsTest : public QObject {
     auto* withHole = driver.find<QComboBox>("fillMethod");
     const auto isEverywhere = [&](const QString& text) {
       return QTest::qWaitFor(
-          [&] { return withHole->currentText() == text && choice(driver, "method")->currentText() == text; });
+          [&] { return withHole->currentText() == text && choice(driver, "fill")->currentText() == text; });
     };
     QVERIFY(isEverywhere(QStringLiteral("Fair")));
     const QString fine = driver.text("previewStatus");
-    choose(choice(driver, "method"), QStringLiteral("Ear cutting"));
+    choose(choice(driver, "fill"), QStringLiteral("Ear cutting"));
     QVERIFY(isEverywhere(QStringLiteral("Ear cutting")));
     QVERIFY(driver.settle());
     QVERIFY2(driver.text("previewStatus") != fine, qPrintable(fine));

@@ -113,7 +113,7 @@ QToolButton* HoleSettings::compareButton() {
   m_trials->hide();
   connect(button, &QToolButton::toggled, this, [this](bool on) {
     m_trials->setVisible(on);
-    if (on) emit compareWanted();
+    if (on) emit compareRequested();
   });
   return button;
 }

@@ -45,7 +45,7 @@ class HoleSettings : public QFrame {
 
  signals:
   void methodChanged(handwheel::FillMethod method);
-  void compareWanted();
+  void compareRequested();
 
  private:
   QToolButton* compareButton();

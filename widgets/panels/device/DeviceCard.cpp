@@ -20,7 +20,7 @@ namespace handwheel {
 
 namespace {
 
-bool isSame(const DeviceListing& a, const DeviceListing& b) {
+bool isSame(const DeviceInfo& a, const DeviceInfo& b) {
   return a.driver == b.driver && a.address == b.address;
 }
 
@@ -85,8 +85,8 @@ DeviceCard::DeviceCard(QWidget* parent)
   column->addLayout(row);
   column->addWidget(stateFrame());
   connect(m_choice, &QComboBox::activated, this, &DeviceCard::choose);
-  connect(rescan, &QToolButton::clicked, this, &DeviceCard::rescanAsked);
-  connect(m_notRealTime, &QToolButton::clicked, this, &DeviceCard::realTimeAdviceAsked);
+  connect(rescan, &QToolButton::clicked, this, &DeviceCard::rescanRequested);
+  connect(m_notRealTime, &QToolButton::clicked, this, &DeviceCard::realTimeAdviceRequested);
   showState();
 }
 
@@ -129,25 +129,25 @@ void DeviceCard::showStatus(DeviceStatus status) {
   showState();
 }
 
-void DeviceCard::showLoop(const LoopView& loop) {
+void DeviceCard::showLoop(const ServoLoopStatus& loop) {
   const bool isRefused = loop.realTime == RealTimeState::NotPermitted;
   if (std::exchange(m_isRealTimeRefused, isRefused) != isRefused) showState();
 }
 
 // The list stays as it is while nothing has come or gone: somebody may have it open.
 void DeviceCard::fillList() {
-  std::vector<DeviceListing> listed = m_view.found;
-  const auto isChosen = [this](const DeviceListing& each) { return m_view.chosen && isSame(each, *m_view.chosen); };
+  std::vector<DeviceInfo> listed = m_view.found;
+  const auto isChosen = [this](const DeviceInfo& each) { return m_view.chosen && isSame(each, *m_view.chosen); };
   const bool isGone = m_view.chosen && std::none_of(listed.begin(), listed.end(), isChosen);
   if (isGone) {
     listed.push_back(*m_view.chosen);
     listed.back().name = tr("%1 (unplugged)").arg(QString::fromStdString(listed.back().name)).toStdString();
   }
-  const auto isShown = [](const DeviceListing& a, const DeviceListing& b) { return isSame(a, b) && a.name == b.name; };
+  const auto isShown = [](const DeviceInfo& a, const DeviceInfo& b) { return isSame(a, b) && a.name == b.name; };
   if (!std::equal(listed.begin(), listed.end(), m_listed.begin(), m_listed.end(), isShown)) {
     m_listed = std::move(listed);
     while (m_choice->count() > 1) m_choice->removeItem(1);
-    for (const DeviceListing& each : m_listed) {
+    for (const DeviceInfo& each : m_listed) {
       m_choice->addItem(QString::fromStdString(each.name));
       const QString whence =
           QStringLiteral("%1, %2").arg(QString::fromStdString(each.driver), QString::fromStdString(each.address));
@@ -160,7 +160,7 @@ void DeviceCard::fillList() {
 
 void DeviceCard::choose(int row) {
   if (row <= 0) return emit deviceLeft();
-  const DeviceListing listing = m_listed[static_cast<std::size_t>(row) - 1];  // a copy: the list may change meanwhile
+  const DeviceInfo listing = m_listed[static_cast<std::size_t>(row) - 1];  // a copy: the list may change meanwhile
   emit deviceChosen(listing.driver, listing.address);
 }
 

@@ -22,13 +22,13 @@ class DeviceCard : public QWidget {
 
   void showDevice(const DeviceInUse& view);
   void showStatus(DeviceStatus status);  // of the chosen one, as it changes
-  void showLoop(const LoopView& loop);
+  void showLoop(const ServoLoopStatus& loop);
 
  signals:
   void deviceChosen(const std::string& driver, const std::string& address);
   void deviceLeft();  // no device is to be used any more
-  void rescanAsked();
-  void realTimeAdviceAsked();
+  void rescanRequested();
+  void realTimeAdviceRequested();
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -41,7 +41,7 @@ class DeviceCard : public QWidget {
 
   DeviceInUse m_view;
   bool m_isRealTimeRefused = false;
-  std::vector<DeviceListing> m_listed;  // the rows after the first
+  std::vector<DeviceInfo> m_listed;  // the rows after the first
   QComboBox* m_choice;
   QFrame* m_state;
   QLabel* m_icon;

@@ -12,16 +12,16 @@ namespace handwheel {
 
 // The devices found and the state of the chosen one, for display.
 struct DeviceInUse {
-  std::vector<DeviceListing> found;
-  std::optional<DeviceListing> chosen;  // not among those found when it was unplugged
-  DeviceCapabilities capabilities;      // of the chosen one
+  std::vector<DeviceInfo> found;
+  std::optional<DeviceInfo> chosen;  // not among those found when it was unplugged
+  DeviceCapabilities capabilities;   // of the chosen one
   DeviceStatus status = DeviceStatus::Absent;
   bool isPointer = false;  // the mouse is used as device
   bool isForceOn = false;
 };
 
 // The state of the servo loop, for display.
-struct LoopView {
+struct ServoLoopStatus {
   double rate = 0.0;  // ticks a second, as measured
   std::uint64_t missedTicks = 0;
   RealTimeState realTime = RealTimeState::NotRunning;

@@ -98,15 +98,15 @@ void DevicePanel::addPage(QWidget* page, const QString& title) {
 void DevicePanel::connectParts() {
   connect(m_card, &DeviceCard::deviceChosen, this, &DevicePanel::deviceChosen);
   connect(m_card, &DeviceCard::deviceLeft, this, &DevicePanel::deviceLeft);
-  connect(m_card, &DeviceCard::rescanAsked, this, &DevicePanel::rescanAsked);
-  connect(m_card, &DeviceCard::realTimeAdviceAsked, this, [this] { m_pages->setCurrentIndex(2); });
+  connect(m_card, &DeviceCard::rescanRequested, this, &DevicePanel::rescanRequested);
+  connect(m_card, &DeviceCard::realTimeAdviceRequested, this, [this] { m_pages->setCurrentIndex(2); });
   connect(m_live, &LivePage::forceOnChanged, this, &DevicePanel::forceOnChanged);
-  connect(m_live, &LivePage::forceTestAsked, this, &DevicePanel::forceTestAsked);
+  connect(m_live, &LivePage::forceTestRequested, this, &DevicePanel::forceTestRequested);
   connect(m_mapping, &MappingForm::mappingChanged, this, &DevicePanel::mappingChanged);
 }
 
 void DevicePanel::showDevice(const DeviceInUse& view) {
-  const auto key = [](const DeviceListing& listing) { return listing.driver + '\n' + listing.address; };
+  const auto key = [](const DeviceInfo& listing) { return listing.driver + '\n' + listing.address; };
   const bool isSame =
       view.chosen.has_value() == m_chosen.has_value() && (!view.chosen || key(*view.chosen) == key(*m_chosen));
   m_chosen = view.chosen;
@@ -131,7 +131,7 @@ void DevicePanel::showSample(const ServoSample& sample) {
   showSafety(m_memory.add(sample.actions, sample.tip.time));
 }
 
-void DevicePanel::showLoop(const LoopView& loop) {
+void DevicePanel::showLoop(const ServoLoopStatus& loop) {
   m_card->showLoop(loop);
   m_timing->showLoop(loop);
 }

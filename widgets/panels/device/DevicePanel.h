@@ -4,7 +4,7 @@
 
 #include "haptics/mapping/WorkspaceMapping.h"
 #include "panels/device/DeviceInUse.h"
-#include "panels/device/SafetyMemory.h"
+#include "panels/device/SafetyActionHold.h"
 
 #include <QWidget>
 
@@ -36,17 +36,17 @@ class DevicePanel : public QWidget {
   void showDevice(const DeviceInUse& view);
   void setMapping(const WorkspaceMapping& mapping);
   void showSample(const ServoSample& sample);  // at the rate of the display
-  void showLoop(const LoopView& loop);         // at a low rate, as the next
+  void showLoop(const ServoLoopStatus& loop);  // at a low rate, as the next
   void showTiming(const ServoStatistics& measure);
 
  signals:
   void deviceChosen(const std::string& driver, const std::string& address);
   void deviceLeft();
-  void rescanAsked();
+  void rescanRequested();
   // Its sceneFromView is the one last set.
   void mappingChanged(const handwheel::WorkspaceMapping& mapping);
   void forceOnChanged(bool isOn);
-  void forceTestAsked();
+  void forceTestRequested();
 
  protected:
   void hideEvent(QHideEvent* event) override;
@@ -64,8 +64,8 @@ class DevicePanel : public QWidget {
   TimingPage* m_timing;
   PropertyList* m_dataSheet;
   QLabel* m_safety;
-  SafetyMemory m_memory;
-  std::optional<DeviceListing> m_chosen;
+  SafetyActionHold m_memory;
+  std::optional<DeviceInfo> m_chosen;
 };
 
 }  // namespace handwheel

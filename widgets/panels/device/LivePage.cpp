@@ -54,7 +54,7 @@ LivePage::LivePage(QWidget* parent)
   column->addWidget(m_noForce);
   column->addWidget(m_plot, 1);
   connect(m_forceOn, &QCheckBox::clicked, this, &LivePage::forceOnChanged);
-  connect(m_forceTest, &QPushButton::clicked, this, &LivePage::forceTestAsked);
+  connect(m_forceTest, &QPushButton::clicked, this, &LivePage::forceTestRequested);
   showDevice({});
 }
 

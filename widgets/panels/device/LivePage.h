@@ -30,7 +30,7 @@ class LivePage : public QWidget {
 
  signals:
   void forceOnChanged(bool isOn);
-  void forceTestAsked();
+  void forceTestRequested();
 
  private:
   void enableForce(DeviceStatus status);

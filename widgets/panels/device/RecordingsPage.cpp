@@ -100,7 +100,7 @@ RecordingsPage::RecordingsPage(const Actions& actions, QWidget* parent)
     if (at >= 0) emit chosen(m_list->item(at, 0)->data(kKey).toString());
   });
   connect(m_list, &QTableWidget::itemChanged, this, &RecordingsPage::take);
-  connect(m_slider, &QSlider::valueChanged, this, [this](int value) { emit sought(value / kMilliseconds); });
+  connect(m_slider, &QSlider::valueChanged, this, [this](int value) { emit seekRequested(value / kMilliseconds); });
   showNotRecording();
   showPosition(0.0, 0.0);
 }

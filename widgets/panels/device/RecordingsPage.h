@@ -50,7 +50,7 @@ class RecordingsPage : public QWidget {
  signals:
   void chosen(const QString& key);
   void renamed(const QString& key, const QString& name);
-  void sought(double seconds);
+  void seekRequested(double seconds);
 
  private:
   void fill(int at, const Row& row);

@@ -93,7 +93,7 @@ QWidget* TimingPage::warning() {
   return frame;
 }
 
-void TimingPage::showLoop(const LoopView& loop) {
+void TimingPage::showLoop(const ServoLoopStatus& loop) {
   m_warning->setVisible(loop.realTime == RealTimeState::NotPermitted);
   if (loop.realTime == RealTimeState::NotRunning) return m_rate->setText(tr("The servo loop is not running."));
   // Plural forms take whole numbers; the count of missed ticks may outgrow them.

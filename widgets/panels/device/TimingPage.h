@@ -23,7 +23,7 @@ class TimingPage : public QWidget {
  public:
   explicit TimingPage(QWidget* parent = nullptr);
 
-  void showLoop(const LoopView& loop);
+  void showLoop(const ServoLoopStatus& loop);
   void showTiming(const ServoStatistics& measure);
   void clear();
 

@@ -60,7 +60,7 @@ ViewRay CameraNavigation::rayAt(const Vec2& s, const Box& box) const {
   return {atFocus + front * towards, -towards, std::nullopt, unitsPerPixel()};
 }
 
-Viewpoint CameraNavigation::viewpoint(const Box& box) const {
+CameraClippingRange CameraNavigation::viewpoint(const Box& box) const {
   // The layers over the model are lifted by a few pixels towards the viewer.
   const double radius = (box.isEmpty() ? 1.0 : box.diagonal().norm()) + 0.1 * m_camera.height;
   const double middle = box.isEmpty() ? 0.0 : depth(box.center());

@@ -12,7 +12,7 @@ namespace handwheel {
 using Vec2 = Eigen::Vector2d;
 
 // The camera position of a renderer with its near and far distances.
-struct Viewpoint {
+struct CameraClippingRange {
   Vec3 position;
   double nearest;
   double farthest;
@@ -42,7 +42,7 @@ class CameraNavigation {
   // The pick ray at s. Starts at the eye; under parallel projection in front of the box.
   ViewRay rayAt(const Vec2& s, const Box& box) const;
   // Chosen so that everything within the bounding sphere of the box is drawn, unless it is very close to the eye.
-  Viewpoint viewpoint(const Box& box) const;
+  CameraClippingRange viewpoint(const Box& box) const;
 
   // Rotates about the screen axes through pivot, which keeps its screen position.
   CameraState orbited(const Vec3& pivot, const Vec2& delta) const;

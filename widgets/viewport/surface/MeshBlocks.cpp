@@ -66,7 +66,7 @@ void MeshBlocks::setCoarse(std::optional<SurfaceGeometry> geometry) {
   updateVisibility();
 }
 
-void MeshBlocks::setReduced(bool reduced) {
+void MeshBlocks::setCoarseShown(bool reduced) {
   if (reduced == m_reduced) return;
   m_reduced = reduced;
   updateVisibility();

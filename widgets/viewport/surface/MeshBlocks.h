@@ -28,7 +28,7 @@ class MeshBlocks {
   std::size_t takeOne();
   void setCoarse(std::optional<SurfaceGeometry> geometry);
   // Shows the simplified version instead of the blocks, if there is one.
-  void setReduced(bool reduced);
+  void setCoarseShown(bool reduced);
 
   void setStyle(const SurfaceStyle& style);
   // Sets the place of the geometry in the drawing.

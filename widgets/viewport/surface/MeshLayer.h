@@ -65,7 +65,7 @@ class MeshLayer : public ViewLayer {
   Box drawnBounds() const override;
   std::vector<Vec3> outline() const override;
   void setStyle(const SurfaceStyle& style) override;
-  void setReduced(bool isReduced) override;
+  void setCoarseShown(bool isReduced) override;
   std::size_t takePiece() override;
   std::size_t takeMarks() override;
   bool owesMarks() const override;

@@ -31,8 +31,8 @@ void MeshLayer::setStyle(const SurfaceStyle& style) {
   d->marks.setColours(style.colours);
 }
 
-void MeshLayer::setReduced(bool isReduced) {
-  d->blocks.setReduced(isReduced);
+void MeshLayer::setCoarseShown(bool isReduced) {
+  d->blocks.setCoarseShown(isReduced);
 }
 
 std::size_t MeshLayer::takePiece() {
@@ -40,11 +40,11 @@ std::size_t MeshLayer::takePiece() {
 }
 
 std::size_t MeshLayer::takeMarks() {
-  return d->marks.takeFaces();
+  return d->marks.buildPendingFaces();
 }
 
 bool MeshLayer::owesMarks() const {
-  return d->marks.owesFaces();
+  return d->marks.hasPendingFaces();
 }
 
 void MeshLayer::finish() {

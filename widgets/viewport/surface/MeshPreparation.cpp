@@ -16,7 +16,7 @@ void drop(std::unique_ptr<QFutureWatcher<T>>& watcher) {
 
 }  // namespace
 
-bool hasStandIn(const HalfEdgeMesh& mesh, std::size_t coarseTriangles) {
+bool hasCoarseVersion(const HalfEdgeMesh& mesh, std::size_t coarseTriangles) {
   constexpr std::size_t kGain = 4;
   return mesh.faceSlots() / kGain > coarseTriangles;
 }
@@ -105,7 +105,7 @@ void MeshPreparation::startRest(const HalfEdgeMesh& mesh, const Box& bounds, con
   m_rest = runOnWorker<Rest>([mesh, bounds, origin, triangles = m_coarseTriangles,
                               values = m_values](QPromise<Rest>& promise) {
     Rest rest;
-    if (hasStandIn(mesh, triangles)) {
+    if (hasCoarseVersion(mesh, triangles)) {
       rest.coarse = std::make_shared<SurfaceGeometry>(coarseGeometry(mesh, bounds, origin, triangles, values.get()));
     }
     if (promise.isCanceled()) return;

@@ -18,7 +18,7 @@ namespace handwheel {
 inline constexpr std::size_t kCoarseTriangles = 50000;
 // Whether a mesh gets a simplified version. It must have at most a quarter of the triangles, or the loss of quality is
 // not worth it.
-bool hasStandIn(const HalfEdgeMesh& mesh, std::size_t coarseTriangles);
+bool hasCoarseVersion(const HalfEdgeMesh& mesh, std::size_t coarseTriangles);
 
 // Prepares a mesh for drawing and picking on worker threads. Builds the blocks, a simplified version and the search
 // structure. Works on a snapshot; results are delivered on the window thread, except those of a mesh that has been

@@ -31,7 +31,7 @@ bool DemoHole::take(const HalfEdgeMesh& mesh, const Inspection& inspection) {
     const TrianglePoints p = mesh.points(HalfEdgeMesh::face(h));
     m_outward += (p[1] - p[0]).cross(p[2] - p[0]);
   }
-  m_outward = clearView(mesh, m_place, m_outward);
+  m_outward = unobstructedDirection(mesh, m_place, m_outward);
   return true;
 }
 

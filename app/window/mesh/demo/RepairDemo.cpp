@@ -7,10 +7,10 @@
 #include "tools/mesh/MeshSelection.h"
 #include "tools/mesh/sculpt/SculptTool.h"
 #include "viewport/Viewport.h"
-#include "window/ActionTip.h"
+#include "window/ActionToolTip.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/documents/Samples.h"
-#include "window/mesh/OpenMesh.h"
+#include "window/mesh/MeshTab.h"
 #include "window/mesh/RepairJobs.h"
 #include "window/tools/ToolHost.h"
 
@@ -27,23 +27,23 @@ constexpr double kNear = 0.6;                  // of the hole is what the camera
 constexpr double kBrush = 0.25, kPull = 0.06;  // of the diagonal of the hole
 constexpr int kStrokes = 5;                    // over the seam
 
-HandStep click(std::function<std::optional<Vec3>()> place, std::function<bool()> isReady = {}) {
-  HandStep step;
+DemoStep click(std::function<std::optional<Vec3>()> place, std::function<bool()> isReady = {}) {
+  DemoStep step;
   step.isReady = std::move(isReady);
   step.place = std::move(place);
   step.rest = kClick;
   return step;
 }
 
-HandStep press(std::uint32_t buttons) {
-  HandStep step;
+DemoStep press(std::uint32_t buttons) {
+  DemoStep step;
   step.buttons = buttons;
   step.rest = kClick;
   return step;
 }
 
-HandStep rest(double seconds, std::function<bool()> isReady = {}) {
-  HandStep step;
+DemoStep rest(double seconds, std::function<bool()> isReady = {}) {
+  DemoStep step;
   step.isReady = std::move(isReady);
   step.rest = seconds;
   return step;
@@ -68,7 +68,7 @@ RepairDemo::RepairDemo(const WindowContext& parts, const RepairJobs& jobs, QObje
   connect(&m_hand, &ScriptedDeviceDemo::ended, this, &RepairDemo::ended);
 }
 
-void RepairDemo::setDocument(OpenMesh* document) {
+void RepairDemo::setDocument(MeshTab* document) {
   if (m_document && document != m_document && m_hole.isTaken()) m_hand.stop();  // the user has gone elsewhere
   m_document = document;
 }
@@ -92,8 +92,8 @@ void RepairDemo::ended() {
   if (m_document) useTool("fillTool");
 }
 
-std::vector<HandStep> RepairDemo::steps() {
-  std::vector<HandStep> steps = {opening()};
+std::vector<DemoStep> RepairDemo::steps() {
+  std::vector<DemoStep> steps = {opening()};
   addChoosing(steps);
   addSmoothing(steps);
   addStitching(steps);
@@ -102,8 +102,8 @@ std::vector<HandStep> RepairDemo::steps() {
   return steps;
 }
 
-HandStep RepairDemo::opening() {
-  HandStep step;
+DemoStep RepairDemo::opening() {
+  DemoStep step;
   step.caption = tr("The hand opens the sample");
   step.detail = tr("What it does now you can do with a device, or with the mouse.");
   step.begin = [this] { m_parts.openFile(samplePath(kScanSample)); };
@@ -112,8 +112,8 @@ HandStep RepairDemo::opening() {
   return step;
 }
 
-void RepairDemo::addChoosing(std::vector<HandStep>& steps) {
-  HandStep go = click([this] { return firstPoint(nextPart()); });
+void RepairDemo::addChoosing(std::vector<DemoStep>& steps) {
+  DemoStep go = click([this] { return firstPoint(nextPart()); });
   go.caption = tr("1 of 5: choose the hole");
   go.detail = tr("Points of the edge draw the tip to them. The first button chooses the hole.");
   go.begin = [this] {
@@ -123,15 +123,15 @@ void RepairDemo::addChoosing(std::vector<HandStep>& steps) {
   steps.insert(steps.end(), {go, press(kFirstLook), rest(kLookTime)});
 }
 
-void RepairDemo::addSmoothing(std::vector<HandStep>& steps) {
-  HandStep propose = rest(kLookTime, [this] { return shows("boundary", "held"); });
+void RepairDemo::addSmoothing(std::vector<DemoStep>& steps) {
+  DemoStep propose = rest(kLookTime, [this] { return shows("boundary", "held"); });
   propose.caption = tr("2 of 5: smooth its edge");
   propose.detail = tr("Shift+S shows what would become of it. The second button takes it.");
   propose.begin = [this] { perform("smooth"); };
   steps.insert(steps.end(), {propose, press(kSecond), rest(kLookTime, [this] { return isSettled(); })});
 }
 
-void RepairDemo::addStitching(std::vector<HandStep>& steps) {
+void RepairDemo::addStitching(std::vector<DemoStep>& steps) {
   const auto end = [this](HalfEdge BorderPair::*which) {
     return [this, which]() -> std::optional<Vec3> {
       const HalfEdgeMesh& mesh = m_document->document.mesh();
@@ -141,20 +141,20 @@ void RepairDemo::addStitching(std::vector<HandStep>& steps) {
       return mesh.position(mesh.from((*pair).*which));
     };
   };
-  HandStep take = click(end(&BorderPair::a));
+  DemoStep take = click(end(&BorderPair::a));
   take.caption = tr("3 of 5: stitch");
   take.detail =
       tr("A point is pulled to the one across, like a thread: the longer, the harder. The hole falls into two.");
   take.begin = [this] { choose("boundary", "onto", 1.0); };
-  HandStep pull = click(end(&BorderPair::b));
+  DemoStep pull = click(end(&BorderPair::b));
   pull.buttons = kFirstLook;
   pull.rest = kLookTime;
   steps.insert(steps.end(), {take, press(kFirstLook), pull, rest(kLookTime, [this] { return isSettled(); })});
 }
 
-void RepairDemo::addFilling(std::vector<HandStep>& steps) {
+void RepairDemo::addFilling(std::vector<DemoStep>& steps) {
   for (const bool isFirst : {true, false}) {
-    HandStep go = click([this]() -> std::optional<Vec3> {
+    DemoStep go = click([this]() -> std::optional<Vec3> {
       const BoundaryLoop* part = nextPart();
       return part ? std::optional(part->centre) : std::nullopt;
     });
@@ -166,7 +166,7 @@ void RepairDemo::addFilling(std::vector<HandStep>& steps) {
       if (isFirst) useTool("fillTool");
       lookFrom(m_hole.outward());
     };
-    HandStep seen = rest(kLookTime, [this] {
+    DemoStep seen = rest(kLookTime, [this] {
       const auto* tool = dynamic_cast<const FillHoleTool*>(m_parts.tools.runner().tool());
       return tool && tool->state() == FillHoleTool::State::Ready &&
              m_hole.holds(m_document->document.mesh(), *tool->loop());
@@ -176,8 +176,8 @@ void RepairDemo::addFilling(std::vector<HandStep>& steps) {
   }
 }
 
-void RepairDemo::addSculpting(std::vector<HandStep>& steps) {
-  HandStep refine = rest(kLookTime, [this] {
+void RepairDemo::addSculpting(std::vector<DemoStep>& steps) {
+  DemoStep refine = rest(kLookTime, [this] {
     const auto* tool = dynamic_cast<const SculptTool*>(m_parts.tools.runner().tool());
     return tool && tool->levels().finest() > 0 && isSettled();
   });
@@ -191,7 +191,7 @@ void RepairDemo::addSculpting(std::vector<HandStep>& steps) {
     lookFrom(m_hole.outward() + m_parts.viewport.camera().right());
     perform("subdivide");
   };
-  HandStep level = rest(kLookTime);
+  DemoStep level = rest(kLookTime);
   level.begin = [this] { perform("coarser"); };
   steps.insert(steps.end(), {refine, level});
   const auto pulled = [this](double out) {
@@ -201,13 +201,13 @@ void RepairDemo::addSculpting(std::vector<HandStep>& steps) {
       return corner;
     };
   };
-  HandStep pull = click(pulled(kPull));
+  DemoStep pull = click(pulled(kPull));
   pull.buttons = kFirstLook;
   pull.rest = kLookTime;
   steps.insert(steps.end(),
                {click(pulled(0.0)), press(kFirstLook), pull, rest(kLookTime, [this] { return isSettled(); })});
 
-  HandStep whole = rest(kLookTime);
+  DemoStep whole = rest(kLookTime);
   whole.caption = refine.caption;
   whole.detail = tr("The seam of both patches is smoothed as a part of the whole surface.");
   whole.begin = [this] {
@@ -223,7 +223,7 @@ void RepairDemo::addSculpting(std::vector<HandStep>& steps) {
   };
   steps.insert(steps.end(), {whole, click(side(false)), press(kFirstLook)});
   for (int i = 0; i < kStrokes; ++i) {
-    HandStep stroke = click(side(i % 2 == 0));
+    DemoStep stroke = click(side(i % 2 == 0));
     stroke.buttons = kFirstLook;
     steps.push_back(stroke);
   }

@@ -15,7 +15,7 @@ inline const auto kScanSample = QStringLiteral("scan-with-holes.stl");
 
 class MeshTools;
 class RepairJobs;
-struct OpenMesh;
+struct MeshTab;
 
 // A demonstration in which the simulated device repairs a hole of the sample scan. It uses the tools in the order in
 // which a designer with a haptic device does it: choose, smooth, stitch, fill, sculpt (He 2008, section 4.1). Its edits
@@ -26,7 +26,7 @@ class RepairDemo : public QObject {
  public:
   RepairDemo(const WindowContext& parts, const RepairJobs& jobs, QObject* parent = nullptr);
 
-  void setDocument(OpenMesh* document);
+  void setDocument(MeshTab* document);
   QAction* action() { return &m_action; }
   bool isRunning() const { return m_hand.isRunning(); }
   // The present step and how to do it; empty when no demonstration runs.
@@ -38,13 +38,13 @@ class RepairDemo : public QObject {
  private:
   void start();
   void ended();
-  std::vector<HandStep> steps();
-  HandStep opening();
-  void addChoosing(std::vector<HandStep>& steps);
-  void addSmoothing(std::vector<HandStep>& steps);
-  void addStitching(std::vector<HandStep>& steps);
-  void addFilling(std::vector<HandStep>& steps);
-  void addSculpting(std::vector<HandStep>& steps);
+  std::vector<DemoStep> steps();
+  DemoStep opening();
+  void addChoosing(std::vector<DemoStep>& steps);
+  void addSmoothing(std::vector<DemoStep>& steps);
+  void addStitching(std::vector<DemoStep>& steps);
+  void addFilling(std::vector<DemoStep>& steps);
+  void addSculpting(std::vector<DemoStep>& steps);
 
   bool isSettled() const;
   Vec3 middleOf(const FaceSelection& faces) const;
@@ -60,7 +60,7 @@ class RepairDemo : public QObject {
 
   WindowContext m_parts;
   const RepairJobs& m_jobs;
-  OpenMesh* m_document = nullptr;
+  MeshTab* m_document = nullptr;
   ScriptedDeviceDemo m_hand;
   QAction m_action;
   QAction m_stop;

@@ -68,7 +68,7 @@ DeviationPanel::DeviationPanel(QWidget* parent)
   column->addWidget(close);
   column->addStretch();
   connect(close, &QPushButton::clicked, this, &DeviationPanel::closed);
-  connect(other, &QPushButton::clicked, this, &DeviationPanel::otherFileWanted);
+  connect(other, &QPushButton::clicked, this, &DeviationPanel::otherFileRequested);
   connect(m_highest, &QPushButton::clicked, this, [this] { emit placeChosen(m_deviation->ofMesh().highest); });
   connect(m_lowest, &QPushButton::clicked, this, [this] { emit placeChosen(m_deviation->ofMesh().lowest); });
   connect(m_range, &NumberField::valueEdited, this, [this](double range) {
@@ -102,7 +102,7 @@ void DeviationPanel::buildFigures(QVBoxLayout* column) {
   m_histogram->setFixedHeight(kHistogramHeight);
   auto* save = new QPushButton(tr("Save report…"), m_content);
   save->setObjectName(QStringLiteral("deviationReport"));
-  connect(save, &QPushButton::clicked, this, &DeviationPanel::reportWanted);
+  connect(save, &QPushButton::clicked, this, &DeviationPanel::reportRequested);
   column->addLayout(form);
   column->addWidget(m_histogram);
   column->addWidget(save);

@@ -37,8 +37,8 @@ class DeviationPanel : public QWidget {
  signals:
   void placeChosen(const handwheel::DeviationPlace& place);
   void rangeChosen(double range);  // mm
-  void otherFileWanted();
-  void reportWanted();
+  void otherFileRequested();
+  void reportRequested();
   void closed();
 
  protected:

@@ -10,13 +10,13 @@
 #include "theme/Icons.h"
 #include "viewport/Viewport.h"
 #include "viewport/surface/MeshLayer.h"
-#include "window/ActionTip.h"
+#include "window/ActionToolTip.h"
 #include "window/CommandText.h"
 #include "window/JobRunner.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/documents/FileFilters.h"
 #include "window/mesh/MeshReading.h"
-#include "window/mesh/OpenMesh.h"
+#include "window/mesh/MeshTab.h"
 #include "window/mesh/UnobstructedView.h"
 #include "window/mesh/deviation/MeshDeviation.h"
 
@@ -58,15 +58,15 @@ DeviationView::DeviationView(const WindowContext& parts, MeshLayer& layer, QObje
       m_panel(new DeviationPanel(parts.window)) {
   m_action.setObjectName(QStringLiteral("deviation"));
   m_action.setShortcut(QKeySequence(Qt::Key_D));
-  setTip(m_action, tr("Show in colours how far the mesh is from what was opened"));
+  setActionToolTip(m_action, tr("Show in colours how far the mesh is from what was opened"));
   connect(&m_action, &QAction::triggered, this, [this] {
     if (m_document->deviation) return close();
     if (!m_parts.isPanelVisible()) m_parts.showPanel->trigger();
     compare(m_document, {}, Round::First);
   });
   connect(m_panel, &DeviationPanel::closed, this, &DeviationView::close);
-  connect(m_panel, &DeviationPanel::otherFileWanted, this, &DeviationView::askForFile);
-  connect(m_panel, &DeviationPanel::reportWanted, this, &DeviationView::askForReport);
+  connect(m_panel, &DeviationPanel::otherFileRequested, this, &DeviationView::askForFile);
+  connect(m_panel, &DeviationPanel::reportRequested, this, &DeviationView::askForReport);
   connect(m_panel, &DeviationPanel::placeChosen, this, &DeviationView::flyTo);
   connect(m_panel, &DeviationPanel::rangeChosen, this, [this](double range) {
     m_document->deviation->scale.range = range;
@@ -75,7 +75,7 @@ DeviationView::DeviationView(const WindowContext& parts, MeshLayer& layer, QObje
   connect(&m_parts.viewport, &Viewport::hovered, this, &DeviationView::read);
 }
 
-void DeviationView::setDocument(OpenMesh* document) {
+void DeviationView::setDocument(MeshTab* document) {
   if (m_document) m_document->document.disconnect(this);
   m_document = document;
   m_action.setEnabled(document != nullptr);
@@ -101,7 +101,7 @@ void DeviationView::refresh() {
   emit shownChanged();
 }
 
-void DeviationView::compare(OpenMesh* document, const QString& path, Round round) {
+void DeviationView::compare(MeshTab* document, const QString& path, Round round) {
   m_running = document;
   Job job;
   job.name = tr("Comparing %1").arg(document->document.name());
@@ -122,7 +122,7 @@ void DeviationView::compare(OpenMesh* document, const QString& path, Round round
   refresh();
 }
 
-void DeviationView::take(OpenMesh* document, std::shared_ptr<MeshDeviation> found, Round round) {
+void DeviationView::take(MeshTab* document, std::shared_ptr<MeshDeviation> found, Round round) {
   if (m_running != document || !m_parts.tabs.contains(document)) return;  // given up
   const bool isStale = found->changes != document->changes;
   if (isStale && round == Round::First) return compare(document, found->file, Round::Second);
@@ -138,7 +138,7 @@ void DeviationView::take(OpenMesh* document, std::shared_ptr<MeshDeviation> foun
   if (document == m_document) refresh();
 }
 
-void DeviationView::fail(OpenMesh* document, const Error& error) {
+void DeviationView::fail(MeshTab* document, const Error& error) {
   if (m_running != document) return;
   m_running = nullptr;
   if (document == m_document) refresh();
@@ -230,7 +230,7 @@ void DeviationView::flyTo(const DeviationPlace& place) {
   const Vec3 around = Vec3::Constant(0.5 * kPlace / std::sqrt(3.0) * m_document->deviation->diagonal);
   const Vec3 outward = (place.distance < 0.0 ? -1.0 : 1.0) * (place.place - place.nearest);
   const Box box(place.place - around, place.place + around);
-  m_parts.viewport.flyTo(box, clearView(m_document->document.mesh(), box, outward));
+  m_parts.viewport.flyTo(box, unobstructedDirection(m_document->document.mesh(), box, outward));
 }
 
 void DeviationView::read(const Pick& pick) {

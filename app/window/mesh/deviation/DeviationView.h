@@ -13,7 +13,7 @@ namespace handwheel {
 
 class MeshLayer;
 struct MeshDeviation;
-struct OpenMesh;
+struct MeshTab;
 struct Pick;
 
 // Compares the current mesh with its original state or with another file. Shows the distances as colours on the
@@ -27,7 +27,7 @@ class DeviationView : public QObject {
   QAction* action() { return &m_action; }
   DeviationPanel* panel() { return m_panel; }
 
-  void setDocument(OpenMesh* document);
+  void setDocument(MeshTab* document);
   // Whether a comparison of the current document is shown or running.
   bool isShown() const;
 
@@ -38,9 +38,9 @@ class DeviationView : public QObject {
  private:
   enum class Round { First, Second };
   // path: of the file to compare with; empty for the mesh as it was opened.
-  void compare(OpenMesh* document, const QString& path, Round round);
-  void take(OpenMesh* document, std::shared_ptr<MeshDeviation> found, Round round);
-  void fail(OpenMesh* document, const Error& error);
+  void compare(MeshTab* document, const QString& path, Round round);
+  void take(MeshTab* document, std::shared_ptr<MeshDeviation> found, Round round);
+  void fail(MeshTab* document, const Error& error);
   void close();
   void refresh();
   void askForFile();
@@ -54,8 +54,8 @@ class DeviationView : public QObject {
   MeshLayer& m_layer;
   QAction m_action;
   QPointer<DeviationPanel> m_panel;
-  OpenMesh* m_document = nullptr;
-  const OpenMesh* m_running = nullptr;  // whose comparison is running
+  MeshTab* m_document = nullptr;
+  const MeshTab* m_running = nullptr;  // whose comparison is running
 };
 
 }  // namespace handwheel

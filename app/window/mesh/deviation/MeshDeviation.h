@@ -12,7 +12,7 @@ namespace handwheel {
 // The result of comparing an open mesh with another. Valid for one revision of the document.
 struct MeshDeviation {
   QString file;               // the file it was compared with; empty: the mesh as it was opened
-  std::uint64_t changes = 0;  // OpenMesh::changes of the mesh that was compared
+  std::uint64_t changes = 0;  // MeshTab::changes of the mesh that was compared
   Deviation statistics;
   VertexValues atVertex;  // of statistics.ofMesh, which has none itself
   std::shared_ptr<const SurfaceDistance> scan;

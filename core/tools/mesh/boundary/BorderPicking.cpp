@@ -17,17 +17,17 @@ const char* textOf(JoinProblem problem) {
       break;
     case JoinProblem::SamePoint:
       return QT_TRANSLATE_NOOP("Property", "Two of the points are one.");
-    case JoinProblem::NoArea:
+    case JoinProblem::DegenerateFace:
       return QT_TRANSLATE_NOOP("Property", "A triangle would have no area.");
-    case JoinProblem::EdgeFull:
+    case JoinProblem::NonManifoldEdge:
       return QT_TRANSLATE_NOOP("Property", "An edge would have more than two triangles.");
-    case JoinProblem::WrongWay:
+    case JoinProblem::InconsistentOrientation:
       return QT_TRANSLATE_NOOP("Property", "The triangle beside it faces the other way.");
-    case JoinProblem::CornerOnly:
+    case JoinProblem::NonManifoldVertex:
       return QT_TRANSLATE_NOOP("Property", "It would touch the surface in a point only.");
     case JoinProblem::Crosses:
       return QT_TRANSLATE_NOOP("Property", "It would cross or touch the part.");
-    case JoinProblem::TurnsOver:
+    case JoinProblem::FlippedFace:
       return QT_TRANSLATE_NOOP("Property", "A triangle would turn over or lose its area.");
     case JoinProblem::NoBorder:
       return QT_TRANSLATE_NOOP("Property", "There is no open edge.");
@@ -41,14 +41,14 @@ const char* hintOf(JoinProblem problem, const char* otherwise) {
       break;
     case JoinProblem::SamePoint:
       return QT_TRANSLATE_NOOP("Tool", "nothing: two of the points are one");
-    case JoinProblem::NoArea:
-    case JoinProblem::TurnsOver:
+    case JoinProblem::DegenerateFace:
+    case JoinProblem::FlippedFace:
       return QT_TRANSLATE_NOOP("Tool", "nothing: a triangle would turn over or have no area");
-    case JoinProblem::EdgeFull:
+    case JoinProblem::NonManifoldEdge:
       return QT_TRANSLATE_NOOP("Tool", "nothing: an edge would have more than two triangles");
-    case JoinProblem::WrongWay:
+    case JoinProblem::InconsistentOrientation:
       return QT_TRANSLATE_NOOP("Tool", "nothing: the triangle beside it faces the other way");
-    case JoinProblem::CornerOnly:
+    case JoinProblem::NonManifoldVertex:
       return QT_TRANSLATE_NOOP("Tool", "nothing: it would touch the surface in a point only");
     case JoinProblem::Crosses:
       return QT_TRANSLATE_NOOP("Tool", "nothing: it would cross or touch the part");

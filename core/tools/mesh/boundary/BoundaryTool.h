@@ -36,7 +36,7 @@ class BoundaryTool : public Tool {
   ToolPreview preview() const override;
   std::vector<Property> settings() const override;
   void setSetting(std::string_view id, const PropertyValue& value) override;
-  std::vector<ForceTerm> forces() const override;
+  std::vector<DeviceSpring> forces() const override;
   SnapTargets snapTargets() const override { return {.borderPoints = true, .borderEdges = true}; }
   void documentChanged() override;
   std::vector<std::string> needs() const override { return {"picking"}; }

@@ -72,11 +72,11 @@ ToolPreview BoundaryTool::preview() const {
 
 // A held point pulls like a thread, the more the further it is from where it was; a point near by draws the tip. Before
 // anything is held, the snapTargets do.
-std::vector<ForceTerm> BoundaryTool::forces() const {
+std::vector<DeviceSpring> BoundaryTool::forces() const {
   if (!m_drag) return {};
   const Vec3& start = m_drag->pull.start();
   const Vec3 grip = m_drag->tip.value_or(start);  // the tip may have taken hold beside the point
-  std::vector<ForceTerm> terms = {{grip, kThread, kThreadDamping}};
+  std::vector<DeviceSpring> terms = {{grip, kThread, kThreadDamping}};
   if (m_drag->target != kNone) terms.push_back({grip + (m_drag->place - start), kSnap});
   return terms;
 }

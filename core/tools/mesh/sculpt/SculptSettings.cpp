@@ -39,11 +39,11 @@ std::vector<Property> SculptSettings::properties() const {
 }
 
 bool SculptSettings::set(std::string_view id, const PropertyValue& value) {
-  if (id == "radius") return takeNumber(radius, value, kRadius);
-  if (id == "strength") return takeNumber(strength, value, kStrength);
-  if (id == "noise_angle") return takeNumber(noiseAngle, value, kNoiseAngle);
-  if (id == "brush") return takeChoice(brush, value, 4);
-  return id == "moves_border" && takeSwitch(movesBorder, value);
+  if (id == "radius") return assignNumber(radius, value, kRadius);
+  if (id == "strength") return assignNumber(strength, value, kStrength);
+  if (id == "noise_angle") return assignNumber(noiseAngle, value, kNoiseAngle);
+  if (id == "brush") return assignChoice(brush, value, 4);
+  return id == "moves_border" && assignSwitch(movesBorder, value);
 }
 
 }  // namespace handwheel

@@ -117,7 +117,7 @@ SculptWork readNoise(StepReader& reader, const OperationValues& values, const Me
   return [levels = *levels, options](Progress progress) {
     NoiseSmoothing told = options;
     told.progress = progress;
-    return withoutNoise(levels, told);
+    return denoised(levels, told);
   };
 }
 
@@ -138,7 +138,7 @@ std::optional<PatchLevels> levelsOf(const MeshDocument& document, const FaceSele
   return finest == 0 ? std::optional(PatchLevels(document.mesh(), patch)) : std::nullopt;
 }
 
-Sculpted subdivided(PatchLevels levels, std::optional<int> times, NumberType numbers, Progress progress) {
+SculptResult subdivided(PatchLevels levels, std::optional<int> times, NumberType numbers, Progress progress) {
   OperationValues values = patchValues("subdivide", levels);
   const std::size_t before = levels.finest();
   const int more = times.value_or(levelsToDensity(levels.mesh(), levels.patch()));
@@ -151,7 +151,7 @@ Sculpted subdivided(PatchLevels levels, std::optional<int> times, NumberType num
   return {std::move(levels), std::move(touched), problem, StepWriter("subdivide").options(values).text()};
 }
 
-Sculpted withoutNoise(PatchLevels levels, const NoiseSmoothing& options) {
+SculptResult denoised(PatchLevels levels, const NoiseSmoothing& options) {
   OperationValues values = patchValues("smooth-noise", levels);
   values.setValid("angle", options.normalSpread);
   values.setValid("borders", options.movesBorder);
@@ -165,7 +165,7 @@ Sculpted withoutNoise(PatchLevels levels, const NoiseSmoothing& options) {
   return {std::move(levels), std::move(touched), nullptr, StepWriter("smooth-noise").options(values).text()};
 }
 
-Sculpted levelBack(PatchLevels levels) {
+SculptResult coarsened(PatchLevels levels) {
   StepWriter step("level-back");
   step.options(patchValues("level-back", levels));
   FaceSelection touched = levels.patch();
@@ -173,7 +173,7 @@ Sculpted levelBack(PatchLevels levels) {
   return {std::move(levels), std::move(touched), nullptr, step.text()};
 }
 
-Sculpted sculpted(const SculptStroke& stroke) {
+SculptResult sculpted(const SculptStroke& stroke) {
   const SculptStroke::Settings& settings = stroke.settings();
   const bool drags = settings.brush == SculptSettings::Brush::Drag;
   StepWriter step("stroke");
@@ -199,7 +199,7 @@ SculptWork readSculptStep(StepReader& reader, const OperationValues& values, con
   const auto levels = readPatch(reader, values, document);
   if (levels && levels->finest() == 0) reader.complain("the patch has one level only");
   if (!reader.isGood()) return nullptr;
-  return [levels = *levels](Progress) { return levelBack(levels); };
+  return [levels = *levels](Progress) { return coarsened(levels); };
 }
 
 }  // namespace handwheel

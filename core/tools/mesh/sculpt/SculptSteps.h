@@ -14,7 +14,7 @@ namespace handwheel {
 class MeshDocument;
 
 // Result of a sculpting step on the levels of a patch.
-struct Sculpted {
+struct SculptResult {
   PatchLevels levels;
   FaceSelection touched;          // empty: nothing was changed
   const char* problem = nullptr;  // why; English, context "Property"
@@ -22,20 +22,20 @@ struct Sculpted {
 };
 
 // Subdivides a patch. times: number of levels to add; none: until it is as fine as its surroundings.
-Sculpted subdivided(PatchLevels levels, std::optional<int> times, NumberType numbers, Progress progress);
+SculptResult subdivided(PatchLevels levels, std::optional<int> times, NumberType numbers, Progress progress);
 // Smooths noise on the patch, or along the border without one.
-Sculpted withoutNoise(PatchLevels levels, const NoiseSmoothing& options);
+SculptResult denoised(PatchLevels levels, const NoiseSmoothing& options);
 // Removes the finest level of a patch.
-Sculpted levelBack(PatchLevels levels);
+SculptResult coarsened(PatchLevels levels);
 // The result of a finished stroke.
-Sculpted sculpted(const SculptStroke& stroke);
+SculptResult sculpted(const SculptStroke& stroke);
 
 // The subdivision levels of a patch on which a step works. Those that the document stores for this patch, if their
 // number fits `finest`, or the patch alone.
 std::optional<PatchLevels> levelsOf(const MeshDocument& document, const FaceSelection& patch, std::size_t finest);
 
 // Reads what else a step "stroke", "subdivide", "smooth-noise" or "level-back" has. Null where that is wrong.
-using SculptWork = std::function<Sculpted(Progress)>;
+using SculptWork = std::function<SculptResult(Progress)>;
 SculptWork readSculptStep(StepReader& reader, const OperationValues& values, const MeshDocument& document);
 
 }  // namespace handwheel

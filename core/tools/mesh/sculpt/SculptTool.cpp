@@ -176,7 +176,7 @@ void SculptTool::showLive() {
   m_live = std::move(live);
 }
 
-std::vector<ForceTerm> SculptTool::forces() const {
+std::vector<DeviceSpring> SculptTool::forces() const {
   if (!m_stroke || m_stroke->settings().brush != SculptSettings::Brush::Drag) return {};
   return {{m_tip.value_or(m_stroke->start().point), kStiffness}};
 }

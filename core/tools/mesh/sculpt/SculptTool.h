@@ -34,7 +34,7 @@ class SculptTool : public Tool {
   ToolPreview preview() const override;
   std::vector<Property> settings() const override;
   void setSetting(std::string_view id, const PropertyValue& value) override;
-  std::vector<ForceTerm> forces() const override;
+  std::vector<DeviceSpring> forces() const override;
   void documentChanged() override;
   std::vector<std::string> needs() const override { return {"picking"}; }
 
@@ -52,8 +52,8 @@ class SculptTool : public Tool {
   void dabAlong(const Ray& ray);
   SculptStroke::Settings strokeSettings(const Modifiers& modifiers) const;
 
-  void start(const char* name, const char* text, std::function<Sculpted(PatchLevels, Progress)> make);
-  void take(const char* text, Sculpted made);
+  void start(const char* name, const char* text, std::function<SculptResult(PatchLevels, Progress)> make);
+  void take(const char* text, SculptResult made);
   void refine(const char* text, std::optional<int> times);
   void smoothNoiseLater();
   void goBackALevel();

@@ -29,13 +29,13 @@ constexpr ToolKey kSculptKeys[] = {
 }  // namespace
 
 // Makes something of the levels on another thread.
-void SculptTool::start(const char* name, const char* text, std::function<Sculpted(PatchLevels, Progress)> make) {
+void SculptTool::start(const char* name, const char* text, std::function<SculptResult(PatchLevels, Progress)> make) {
   cancelJob();
   m_problem = nullptr;
   m_job = std::make_shared<const int>();
   m_services.run(
       {name, [this, text, make = std::move(make), levels = m_levels, job = std::weak_ptr(m_job)](Progress progress) {
-         Sculpted made = make(levels, progress);
+         SculptResult made = make(levels, progress);
          if (progress.cancelled()) return std::function<void()>([] {});
          return std::function<void()>([this, text, made = std::move(made), job] {
            if (job.expired()) return;
@@ -54,7 +54,7 @@ void SculptTool::cancelJob() {
 }
 
 // Something has been done: it is shown at once, and gets into the document when what was done before is there.
-void SculptTool::take(const char* text, Sculpted made) {
+void SculptTool::take(const char* text, SculptResult made) {
   PatchLevels& levels = made.levels;
   const std::size_t level = std::min(m_level, levels.finest());
   const bool isSameDepth = levels.finest() == m_levels.finest();
@@ -167,13 +167,13 @@ void SculptTool::smoothNoiseLater() {
   start(QT_TRANSLATE_NOOP("Tool", "Smoothing noise"), QT_TRANSLATE_NOOP("Tool", "Smooth noise"),
         [options](PatchLevels levels, Progress progress) mutable {
           options.progress = progress;
-          return withoutNoise(std::move(levels), options);
+          return denoised(std::move(levels), options);
         });
 }
 
 void SculptTool::goBackALevel() {
   cancelJob();
-  take(QT_TRANSLATE_NOOP("Tool", "One level back"), levelBack(m_levels));
+  take(QT_TRANSLATE_NOOP("Tool", "One level back"), coarsened(m_levels));
 }
 
 // Step by step out of what is going on.

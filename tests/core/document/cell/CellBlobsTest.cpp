@@ -42,7 +42,7 @@ class CellBlobsTest : public QObject {
 };
 
 void CellBlobsTest::saveAndLoad() {
-  const CellSnapshot cell = cellIn(importOrThrow(m_package.urdf()));
+  const RobotCellSnapshot cell = cellIn(importOrThrow(m_package.urdf()));
   QVERIFY(rc::check("save and load", [&] {
     const auto moved =
         withJoints(cell, values({*rc::gen::inRange(0, 1001) / 1.0, *rc::gen::inRange(-200, 201) / 100.0}));

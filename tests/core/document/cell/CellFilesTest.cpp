@@ -43,7 +43,7 @@ void CellFilesTest::opens() {
   QFETCH(QString, path);
   const OpenedFile opened = importOrThrow(path);
   QVERIFY(opened.file.damage.empty());
-  const CellSnapshot& cell = cellIn(opened);
+  const RobotCellSnapshot& cell = cellIn(opened);
   for (const auto& surface : cell.robot->surfaces) QVERIFY(surface && !surface->triangles.empty());
   Container container;
   opened.kind->save(cell, container);
@@ -64,7 +64,7 @@ void CellFilesTest::opens() {
 void CellFilesTest::partsTouch() {
   QFETCH(QString, path);
   const OpenedFile opened = importOrThrow(path);
-  const CellSnapshot& cell = cellIn(opened);
+  const RobotCellSnapshot& cell = cellIn(opened);
   const DisplayModel model = displayOf(*cell.robot, cell.joints);
   const double size = model.bounds().diagonal().norm();
   QVERIFY2(size > 500 && size < 4000, qPrintable(QString::number(size)));

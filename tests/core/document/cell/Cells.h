@@ -3,9 +3,9 @@
 #pragma once
 
 #include "document/Container.h"
-#include "document/cell/CellDocument.h"
 #include "document/cell/CellImport.h"
-#include "document/cell/CellKind.h"
+#include "document/cell/RobotCellDocument.h"
+#include "document/cell/RobotCellKind.h"
 #include "document/formats/MeshFormat.h"
 #include "robot/ShapeSurfaces.h"
 
@@ -57,7 +57,7 @@ class ArmPackage {
   QTemporaryDir m_folder;
 };
 
-inline const CellKind kKind;
+inline const RobotCellKind kKind;
 
 inline OpenedFile importOrThrow(const QString& path) {
   Result<OpenedFile> opened = kKind.import(path.toStdString(), {}, {});
@@ -65,8 +65,8 @@ inline OpenedFile importOrThrow(const QString& path) {
   return std::move(opened).value();
 }
 
-inline const CellSnapshot& cellIn(const OpenedFile& opened) {
-  return static_cast<const CellSnapshot&>(*opened.content);
+inline const RobotCellSnapshot& cellIn(const OpenedFile& opened) {
+  return static_cast<const RobotCellSnapshot&>(*opened.content);
 }
 
 inline JointValues values(std::initializer_list<double> list) {
@@ -75,8 +75,8 @@ inline JointValues values(std::initializer_list<double> list) {
   return v;
 }
 
-inline std::shared_ptr<CellSnapshot> withJoints(const CellSnapshot& cell, const JointValues& joints) {
-  auto moved = std::make_shared<CellSnapshot>(cell);
+inline std::shared_ptr<RobotCellSnapshot> withJoints(const RobotCellSnapshot& cell, const JointValues& joints) {
+  auto moved = std::make_shared<RobotCellSnapshot>(cell);
   moved->joints = joints;
   return moved;
 }
@@ -87,9 +87,9 @@ inline Container saved(const Snapshot& content) {
   return container;
 }
 
-inline std::shared_ptr<const CellSnapshot> loaded(const Container& container, std::vector<Error>& damage) {
+inline std::shared_ptr<const RobotCellSnapshot> loaded(const Container& container, std::vector<Error>& damage) {
   Result<SnapshotPointer> content = kKind.load(container, damage, {});
-  return content ? std::static_pointer_cast<const CellSnapshot>(*content) : nullptr;
+  return content ? std::static_pointer_cast<const RobotCellSnapshot>(*content) : nullptr;
 }
 
 inline Box boxOf(const TriangleSoup& soup) {

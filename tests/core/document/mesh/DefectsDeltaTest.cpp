@@ -5,7 +5,7 @@
 #include "MeshDocuments.h"
 #include "MeshShapes.h"
 #include "TestClass.h"
-#include "document/EditCommand.h"
+#include "document/UndoCommand.h"
 #include "mesh/structure/MeshBuilder.h"
 
 #include <rapidcheck.h>
@@ -92,7 +92,7 @@ class DefectsDeltaTest : public QObject {
       mesh.removeFace(0);
       relink(mesh);
       document->commit("Remove", inspected(mesh));
-      return static_cast<const EditCommand*>(document->history()->command(0))->edit().bytes();
+      return static_cast<const UndoCommand*>(document->history()->command(0))->edit().bytes();
     };
     const std::size_t few = bytesOfAStep(9), many = bytesOfAStep(90);
     // The outer edge, whose length changes, is a loop of four sides.

@@ -4,7 +4,7 @@
 
 #include "MeshDocuments.h"
 #include "TestClass.h"
-#include "document/EditCommand.h"
+#include "document/UndoCommand.h"
 #include "mesh/measure/MeshFidelity.h"
 
 #include <rapidcheck.h>
@@ -102,7 +102,7 @@ std::size_t bytesOfAStep(double runSlots) {
   HalfEdgeMesh mesh = document->mesh();
   mesh.setPosition(0, Vec3(0, 0, 1));
   document->commit("Move", inspected(mesh));
-  return static_cast<const EditCommand*>(document->history()->command(0))->edit().bytes();
+  return static_cast<const UndoCommand*>(document->history()->command(0))->edit().bytes();
 }
 
 HalfEdgeMesh without(HalfEdgeMesh mesh, Face face) {

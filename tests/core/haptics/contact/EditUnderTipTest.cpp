@@ -9,6 +9,7 @@
 #include "HapticDevices.h"
 #include "MeshShapes.h"
 #include "TestClass.h"
+#include "haptics/scene/MeshHaptics.h"
 #include "haptics/scene/SceneForces.h"
 #include "haptics/servo/ServoLoop.h"
 
@@ -47,10 +48,10 @@ struct Bench {
     surface = ContactSurface(soup.points, soup.triangles);
   }
   void feel(bool isDiscontinuous) {
-    SceneHaptics feel;
-    feel.surface = SurfaceFeel{surface, 0.8, 0.0, {}};
+    MeshHaptics feel;
+    feel.surface = TouchedSurface{surface, 0.8, 0.0, {}};
     auto scene = std::make_unique<HapticScene>();
-    scene->source = std::make_unique<SceneForces>(std::move(feel));
+    scene->renderer = std::make_unique<SceneForces>(forceSources(std::move(feel)));
     scene->isDiscontinuous = isDiscontinuous;
     loop.setScene(std::move(scene));
   }

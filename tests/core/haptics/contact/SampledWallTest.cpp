@@ -31,7 +31,7 @@ bool isStable(const Wall& wall, double stiffness) {
   settings.capabilities.latency = wall.delay;
   settings.grip = {0.0, 0.0, 0.0, 0.0};
   VirtualClock clock;
-  SimulatedDevice device(settings, HandPath(), clock);
+  SimulatedDevice device(settings, PoseTrajectory(), clock);
   device.setStart(Vec3::Zero(), {100, 0, 0});
   if (!device.open(Progress())) return false;
   const int ticks = static_cast<int>(wall.seconds / kPeriod);

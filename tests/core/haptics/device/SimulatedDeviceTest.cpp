@@ -34,7 +34,7 @@ class SimulatedDeviceTest : public QObject {
  private slots:
   void isAbsentUntilOpen() {
     VirtualClock clock;
-    SimulatedDevice device(loose(), HandPath({{0.0, {1, 2, 3}}}), clock);
+    SimulatedDevice device(loose(), PoseTrajectory({{0.0, {1, 2, 3}}}), clock);
     QVERIFY(device.read().status == DeviceStatus::Absent);
     QVERIFY(device.open(Progress()).hasValue());
     QVERIFY(device.read().status == DeviceStatus::Ready);
@@ -54,7 +54,7 @@ class SimulatedDeviceTest : public QObject {
   void aPushedMassMovesAsTheSolution() {
     QFETCH(double, friction);
     VirtualClock clock;
-    SimulatedDevice device(loose(friction), HandPath({{0.0, {0, 0, 0}}}), clock);
+    SimulatedDevice device(loose(friction), PoseTrajectory({{0.0, {0, 0, 0}}}), clock);
     QVERIFY(device.open(Progress()).hasValue());
     device.setStart({1, 0, 0}, {0, 50, 0});
     device.read();
@@ -82,7 +82,7 @@ class SimulatedDeviceTest : public QObject {
     SimulatedDeviceSettings settings = loose(0.0005);
     settings.grip = {0.2, 0.0015, 0.0, 100.0};
     VirtualClock clock;
-    SimulatedDevice device(settings, HandPath({{0.0, {5, 0, 0}}}), clock);
+    SimulatedDevice device(settings, PoseTrajectory({{0.0, {5, 0, 0}}}), clock);
     QVERIFY(device.open(Progress()).hasValue());
     device.setStart({0, 0, 0}, {0, 0, 0});
     device.read();
@@ -101,7 +101,7 @@ class SimulatedDeviceTest : public QObject {
       SimulatedDeviceSettings settings = loose();
       settings.grip = {0.5, 0.01, integral, 100.0};
       VirtualClock clock;
-      SimulatedDevice device(settings, HandPath({{0.0, {0, 0, 0}}}), clock);
+      SimulatedDevice device(settings, PoseTrajectory({{0.0, {0, 0, 0}}}), clock);
       QVERIFY(device.open(Progress()).hasValue());
       device.read();
       device.write({{2, 0, 0}, Vec3::Zero(), 0.0});
@@ -115,7 +115,7 @@ class SimulatedDeviceTest : public QObject {
     SimulatedDeviceSettings settings = loose();
     settings.grip = {1.0, 0.01, 0.0, 3.0};
     VirtualClock clock;
-    SimulatedDevice device(settings, HandPath({{0.0, {0, 0, 0}}}), clock);
+    SimulatedDevice device(settings, PoseTrajectory({{0.0, {0, 0, 0}}}), clock);
     QVERIFY(device.open(Progress()).hasValue());
     device.read();
     device.write({{5, 0, 0}, Vec3::Zero(), 0.0});
@@ -128,7 +128,7 @@ class SimulatedDeviceTest : public QObject {
     SimulatedDeviceSettings settings = loose();
     settings.capabilities.latency = 0.007;
     VirtualClock clock;
-    SimulatedDevice device(settings, HandPath({{0.0, {0, 0, 0}}}), clock);
+    SimulatedDevice device(settings, PoseTrajectory({{0.0, {0, 0, 0}}}), clock);
     QVERIFY(device.open(Progress()).hasValue());
     device.read();
     device.write({{1, 0, 0}, Vec3::Zero(), 0.0});
@@ -149,7 +149,7 @@ class SimulatedDeviceTest : public QObject {
   void commandedIsExact() {
     SimulatedDeviceSettings settings = simulatedDevice();
     settings.isCommanded = true;
-    const HandPath path({{0.0, {0, 0, 0}}, {1.0, {3, 7, -1}, Eigen::Quaterniond::Identity(), 2}});
+    const PoseTrajectory path({{0.0, {0, 0, 0}}, {1.0, {3, 7, -1}, Eigen::Quaterniond::Identity(), 2}});
     VirtualClock clock;
     SimulatedDevice device(settings, path, clock);
     QVERIFY(device.open(Progress()).hasValue());
@@ -164,7 +164,7 @@ class SimulatedDeviceTest : public QObject {
 
   void withoutAPathTheHandGoesToItsTarget() {
     VirtualClock clock;
-    SimulatedDevice device(simulatedDevice(), HandPath(), clock);
+    SimulatedDevice device(simulatedDevice(), PoseTrajectory(), clock);
     device.setTarget({0.0, {1, 1, 1}});
     QVERIFY(device.open(Progress()).hasValue());
     QCOMPARE(device.read().position, Vec3(1, 1, 1));
@@ -178,7 +178,7 @@ class SimulatedDeviceTest : public QObject {
   // A clock that goes back moves nothing, and an hour at once ends finite.
   void theClockJumps() {
     VirtualClock clock;
-    SimulatedDevice device(simulatedDevice(), HandPath({{0.0, {0, 0, 0}}}), clock);
+    SimulatedDevice device(simulatedDevice(), PoseTrajectory({{0.0, {0, 0, 0}}}), clock);
     QVERIFY(device.open(Progress()).hasValue());
     device.setStart({2, 0, 0}, {0, 0, 0});
     device.read();

@@ -4,6 +4,7 @@
 
 #include "MeshShapes.h"
 #include "TestClass.h"
+#include "haptics/scene/MeshHaptics.h"
 
 #include <QtTest>
 #include <limits>
@@ -14,7 +15,7 @@ using namespace handwheel::test;
 namespace {
 
 // The top of a cube of 10 mm is at z = 10.
-SurfaceFeel cubeFeel(double stiffness, double damping = 0.0) {
+TouchedSurface cubeFeel(double stiffness, double damping = 0.0) {
   const TriangleSoup s = cube(10.0);
   return {ContactSurface(s.points, s.triangles), stiffness, damping, {}};
 }
@@ -55,10 +56,10 @@ class SceneForcesTest : public QObject {
     for (const Vec3& from : {Vec3(0, 0, 1), Vec3(0, -1, 0), Vec3(1, 0, 0)}) {
       const Vec3 inside = Vec3::Constant(5.0) + 0.5 * from;
       const auto scene = [&] {
-        SceneHaptics feel;
+        MeshHaptics feel;
         feel.surface = cubeFeel(0.5);
         feel.comesFrom = from;
-        return SceneForces(std::move(feel));
+        return SceneForces(forceSources(std::move(feel)));
       };
       SceneForces first = scene();
       ForceOut out;
@@ -78,10 +79,10 @@ class SceneForcesTest : public QObject {
   }
 
   void sumsWhatActs() {
-    SceneHaptics feel;
+    MeshHaptics feel;
     feel.surface = cubeFeel(0.5);
     feel.springs = {{Vec3(5, 5, 20), 0.1}};
-    SceneForces scene(std::move(feel));
+    SceneForces scene(forceSources(std::move(feel)));
     QVERIFY(isNear(feltAt(scene, {5, 5, 12}).force, {0, 0, 0.8}));
     const ForceOut out = feltAt(scene, {5, 5, 8});
     QVERIFY(isNear(out.force, {0, 0, 1.0 + 1.2}));
@@ -92,9 +93,9 @@ class SceneForcesTest : public QObject {
 
   // A thread: k times its length against the pull, and b times the speed against the motion.
   void pullsLikeAThread() {
-    SceneHaptics feel;
+    MeshHaptics feel;
     feel.springs = {{Vec3(1, 0, 0), 0.1, 0.002}};
-    SceneForces scene(std::move(feel));
+    SceneForces scene(forceSources(std::move(feel)));
     const double open = std::numeric_limits<double>::infinity();
     const ForceOut out = feltAt(scene, {11, 0, 0}, open, open, {30, 40, 0});
     QVERIFY(isNear(out.force, {-1.0 - 0.06, -0.08, 0}));
@@ -107,11 +108,11 @@ class SceneForcesTest : public QObject {
   void snapsToAFeature() {
     SnapFeatures features;
     features.addPoint(7, {0, 0, 0});
-    SceneHaptics feel;
-    feel.snap = SnapFeel{SnapField(features), SnapProfile(SnapShape::Triangular, 0.4, 4.0), SnapMethod::Sum};
-    SceneForces scene(std::move(feel));
+    MeshHaptics feel;
+    feel.snap = SnapAttraction{SnapField(features), SnapProfile(SnapShape::Triangular, 0.4, 4.0), SnapMethod::Sum};
+    SceneForces scene(forceSources(std::move(feel)));
     QVERIFY(isNear(feltAt(scene, {1, 0, 0}).force, {-0.4, 0, 0}));
-    QCOMPARE(scene.pull().featureCount, 1u);
+    QCOMPARE(scene.source<SnapForce>(kSnapSource)->pull().featureCount, 1u);
   }
 
   // A face draws a tip above it by the quadratic profile, and leaves one that touches it to the surface. Through the
@@ -120,10 +121,10 @@ class SceneForcesTest : public QObject {
     SnapFeatures features;
     features.addTriangle(1, {0, 0, 10}, {10, 0, 10}, {10, 10, 10});
     features.addPoint(2, {0, 0, 10});
-    SceneHaptics feel;
+    MeshHaptics feel;
     feel.surface = cubeFeel(0.5);
-    feel.snap = SnapFeel{SnapField(features), SnapProfile(SnapShape::Quadratic, 0.3, 2.0), SnapMethod::Proxy};
-    SceneForces scene(std::move(feel));
+    feel.snap = SnapAttraction{SnapField(features), SnapProfile(SnapShape::Quadratic, 0.3, 2.0), SnapMethod::Proxy};
+    SceneForces scene(forceSources(std::move(feel)));
     const ForceOut above = feltAt(scene, {7, 3, 10.5});
     QVERIFY(isNear(above.force, {0, 0, -2.0 * 0.3 * 0.5 * 1.5 / 2.0}) && isNear(above.proxy, {7, 3, 10}));
     QVERIFY(!above.isContact && !above.isHeld);
@@ -143,10 +144,10 @@ class SceneForcesTest : public QObject {
 
   // What the loop cannot carry is softened alike, damping and springs: K <= limit (1 - B / dampingLimit).
   void isSoftenedAsAWhole() {
-    SceneHaptics feel;
+    MeshHaptics feel;
     feel.surface = cubeFeel(1.5, 0.002);
     feel.springs = {{Vec3(5, 5, 20), 0.5}};
-    SceneForces scene(std::move(feel));
+    SceneForces scene(forceSources(std::move(feel)));
     feltAt(scene, {5, 5, 12});
     const ForceOut still = feltAt(scene, {5, 5, 8}, 1.0, 0.004);
     QVERIFY(still.isSoftened);
@@ -159,33 +160,33 @@ class SceneForcesTest : public QObject {
   }
 
   void goesOnFromTheOneBefore() {
-    SceneHaptics before, after;
+    MeshHaptics before, after;
     before.surface = cubeFeel(0.5);
     after.surface = before.surface;
     after.surface->surface.update(std::vector<std::uint32_t>{0}, {});  // an edit of the bottom
-    SceneForces first(std::move(before)), second(std::move(after));
+    SceneForces first(forceSources(std::move(before))), second(forceSources(std::move(after)));
     feltAt(first, {5, 5, 12});
     feltAt(first, {5, 5, 7});
     second.follow(first);
     const ForceOut out = feltAt(second, {5, 5, 7});
     QVERIFY(out.isContact && isNear(out.force, {0, 0, 1.5}));
     // One of another model begins at the tip, wherever that is.
-    SceneHaptics other;
+    MeshHaptics other;
     other.surface = cubeFeel(0.5);
-    SceneForces elsewhere(std::move(other));
+    SceneForces elsewhere(forceSources(std::move(other)));
     elsewhere.follow(first);
     QVERIFY(!feltAt(elsewhere, {5, 5, 7}).isContact);
     // One that follows none does so, too.
-    SceneHaptics alone;
+    MeshHaptics alone;
     alone.surface = cubeFeel(0.5);
-    SceneForces third(std::move(alone));
+    SceneForces third(forceSources(std::move(alone)));
     QVERIFY(!feltAt(third, {5, 5, 7}).isContact);
   }
 
   void beginsAnewAfterALeap() {
-    SceneHaptics feel;
+    MeshHaptics feel;
     feel.surface = cubeFeel(0.5);
-    SceneForces scene(std::move(feel));
+    SceneForces scene(forceSources(std::move(feel)));
     feltAt(scene, {5, 5, 12});
     TipState tip;
     tip.position = Vec3(5, 5, 5);
@@ -199,13 +200,13 @@ class SceneForcesTest : public QObject {
   // goes within a tenth of a second, in equal steps, and the surface pushes all the while.
   void aSpringGrowsInAndFades() {
     const Vec3 place(5, 5, 9), target(5, 7, 9);
-    const SurfaceFeel surface = cubeFeel(0.5);
+    const TouchedSurface surface = cubeFeel(0.5);
     const auto scene = [&](bool hasTarget) {
-      SceneHaptics feel;
+      MeshHaptics feel;
       feel.surface = surface;
       feel.springs = {{Vec3(-5, 5, 9), 0.1}};
       if (hasTarget) feel.springs.push_back({target, 0.5});
-      return std::make_unique<SceneForces>(std::move(feel));
+      return std::make_unique<SceneForces>(forceSources(std::move(feel)));
     };
     auto now = scene(false);
     feltAt(*now, {5, 5, 12});
@@ -226,9 +227,9 @@ class SceneForcesTest : public QObject {
   void aFeatureThatIsLetGoFades() {
     SnapFeatures features;
     features.addPoint(7, {0, 0, 0});
-    SceneHaptics feel;
-    feel.snap = SnapFeel{SnapField(features), SnapProfile(SnapShape::Quadratic, 0.3, 5.0)};
-    SceneForces drawn(std::move(feel));
+    MeshHaptics feel;
+    feel.snap = SnapAttraction{SnapField(features), SnapProfile(SnapShape::Quadratic, 0.3, 5.0)};
+    SceneForces drawn(forceSources(std::move(feel)));
     const Vec3 place(2.5, 0, 0);
     QVERIFY(isNear(feltAt(drawn, place).force, {-0.75, 0, 0}));
     SceneForces held({});
@@ -241,9 +242,9 @@ class SceneForcesTest : public QObject {
   // and fro at 10 Hz and 5 mm.
   void exchangedScenesDoNotLag() {
     const auto scene = [] {
-      SceneHaptics feel;
+      MeshHaptics feel;
       feel.springs = {{Vec3(0, 0, 0), 0.5}};
-      return std::make_unique<SceneForces>(std::move(feel));
+      return std::make_unique<SceneForces>(forceSources(std::move(feel)));
     };
     auto now = scene();
     const double open = std::numeric_limits<double>::infinity();
@@ -260,9 +261,9 @@ class SceneForcesTest : public QObject {
 
   // A tip that comes from elsewhere has no past.
   void afterARestartNothingFades() {
-    SceneHaptics feel;
+    MeshHaptics feel;
     feel.springs = {{Vec3(10, 0, 0), 0.5}};
-    SceneForces before(std::move(feel));
+    SceneForces before(forceSources(std::move(feel)));
     feltAt(before, Vec3::Zero());
     SceneForces after({});
     after.follow(before);

@@ -27,7 +27,7 @@ void TouchFidelityTest::isReadByTheLoopAndTheScene() {
   QCOMPARE(servoSettings(values).velocityWindow, 0.004);
   const std::vector<Vec3> points{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}};
   const std::vector<Triangle> triangles{{0, 1, 2}};
-  const SurfaceFeel feel = surfaceFeel(ContactSurface(points, triangles), values);
+  const TouchedSurface feel = touchedSurface(ContactSurface(points, triangles), values);
   QCOMPARE(feel.stiffness, 1.25);
   QCOMPARE(feel.contact.tolerance, 1e-5);
   QCOMPARE(feel.surface.diagonal(), 5.0);
@@ -51,7 +51,7 @@ void TouchFidelityTest::defaultsAreWhatHoldsWithoutASetting() {
   const FidelityValues none;
   QCOMPARE(contactOptions(none).tolerance, ContactOptions().tolerance);
   QCOMPARE(servoSettings(none).velocityWindow, ServoSettings().velocityWindow);
-  QCOMPARE(surfaceFeel(ContactSurface(), none).stiffness, SurfaceFeel().stiffness);
+  QCOMPARE(touchedSurface(ContactSurface(), none).stiffness, TouchedSurface().stiffness);
   // The loop takes every rate that can be chosen, and the scene only settings of its range.
   QVERIFY(servoRateSetting().least >= kLeastServoRate && servoRateSetting().largest <= kLargestServoRate);
   for (const FidelitySetting& s :

@@ -24,6 +24,7 @@
 #include "TestClass.h"
 #include "haptics/device/MouseDevice.h"
 #include "haptics/device/SimulatedDevice.h"
+#include "haptics/scene/MeshHaptics.h"
 #include "haptics/scene/SceneForces.h"
 #include "haptics/servo/ServoLoop.h"
 #include "io/ThreadedDevice.h"
@@ -145,7 +146,7 @@ class QuietTickTest : public QObject {
   void aTickIsQuiet() {
     MonotonicClock clock;
     auto device = std::make_unique<SimulatedDevice>(
-        simulatedDevice(), HandPath({{0.0, {-1, 0, 0}}, {0.2, {2, 0, 0}}, {0.6, {2, 0, 0}}}), clock);
+        simulatedDevice(), PoseTrajectory({{0.0, {-1, 0, 0}}, {0.2, {2, 0, 0}}, {0.6, {2, 0, 0}}}), clock);
     QVERIFY(device->open(Progress()).hasValue());
     Service service("servo");
     ServoLoop loop(std::move(device), {}, clock, service);
@@ -160,7 +161,7 @@ class QuietTickTest : public QObject {
       MonotonicClock clock;
       std::vector<HandPose> poses{{0.0, {0, 0, kBall + 1.0}}};
       for (int i = 5; i <= 100; ++i) poses.push_back({0.01 * i, slideAt(0.01 * i)});
-      auto device = std::make_unique<SimulatedDevice>(simulatedDevice(), HandPath(poses), clock);
+      auto device = std::make_unique<SimulatedDevice>(simulatedDevice(), PoseTrajectory(poses), clock);
       QVERIFY(device->open(Progress()).hasValue());
       Service service("servo");
       ServoLoop loop(std::move(device), {}, clock, service);
@@ -176,12 +177,12 @@ class QuietTickTest : public QObject {
         const Vec3 out = 0.01 * (round % 7) * soup.points[t[0]].normalized();
         const ContactTriangle lifted{{soup.points[t[0]] + out, soup.points[t[1]], soup.points[t[2]]}, id};
         surface.update({&id, 1}, {&lifted, 1});
-        SceneHaptics feel;
-        feel.surface = SurfaceFeel{surface, 0.5, 0.0005, {}};
-        feel.snap = SnapFeel{field, SnapProfile(SnapShape::Quadratic, 0.3, 2.0), method};
+        MeshHaptics feel;
+        feel.surface = TouchedSurface{surface, 0.5, 0.0005, {}};
+        feel.snap = SnapAttraction{field, SnapProfile(SnapShape::Quadratic, 0.3, 2.0), method};
         if (round % 2 == 0) feel.springs = {{Vec3(0, 0, kBall), 0.1, 0.0005}};
         auto scene = std::make_unique<HapticScene>();
-        scene->source = std::make_unique<SceneForces>(std::move(feel));
+        scene->renderer = std::make_unique<SceneForces>(forceSources(std::move(feel)));
         scene->isDiscontinuous = false;
         WorkspaceMapping mapping;
         mapping.scale = round % 2 == 0 ? 1.0 : 1.01;

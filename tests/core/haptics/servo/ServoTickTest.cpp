@@ -79,7 +79,7 @@ class ServoTickTest : public QObject {
     rig.channel.scenes.publish(sceneOf(wall(1.0)));
     rig.pressTo(2.0);
     auto edited = sceneOf(wall(1.0), false);
-    auto* source = static_cast<FunctionSource*>(edited->source.get());
+    auto* source = static_cast<FunctionSource*>(edited->renderer.get());
     rig.channel.scenes.publish(std::move(edited));
     ServoSample sample = rig.run();
     QVERIFY(source->followed != nullptr);
@@ -176,7 +176,7 @@ class ServoTickTest : public QObject {
     WorkspaceMapping turned;
     turned.axes[0].isInverted = true;
     auto edited = sceneOf(wall(1.0), false);
-    static_cast<FunctionSource*>(edited->source.get())->onFollow = [&] {
+    static_cast<FunctionSource*>(edited->renderer.get())->onFollow = [&] {
       rig.channel.isDiscontinuous.store(true);
       rig.channel.mapping.write({1, turned});
     };

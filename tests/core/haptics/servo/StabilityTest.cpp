@@ -64,7 +64,7 @@ Outcome pressWall(const Run& run) {
       return n % 5000 == 500 ? 50 * kMillisecond : static_cast<std::int64_t>(random() % 3 + 1) * kMillisecond;
     };
   }
-  auto made = std::make_unique<SimulatedDevice>(settings, HandPath(), clock);
+  auto made = std::make_unique<SimulatedDevice>(settings, PoseTrajectory(), clock);
   SimulatedDevice& device = *made;
   const bool isOpen = device.open(Progress()).hasValue();
   Service service("servo");
@@ -175,7 +175,7 @@ class StabilityTest : public QObject {
       settings.capabilities.inherentDamping = 0.005;
       settings.grip = {0.0, 0.0, 0.0, 0.0};
       VirtualClock clock;
-      auto made = std::make_unique<SimulatedDevice>(settings, HandPath(), clock);
+      auto made = std::make_unique<SimulatedDevice>(settings, PoseTrajectory(), clock);
       made->setStart(Vec3::Zero(), {900, 0, 0});
       QVERIFY(made->open(Progress()).hasValue());
       Service service("servo");

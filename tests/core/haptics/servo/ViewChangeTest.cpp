@@ -8,6 +8,7 @@
 #include "HapticDevices.h"
 #include "MeshShapes.h"
 #include "TestClass.h"
+#include "haptics/scene/MeshHaptics.h"
 #include "haptics/scene/SceneForces.h"
 #include "haptics/servo/ServoLoop.h"
 
@@ -35,10 +36,10 @@ struct ViewChangeBench {
     mapping.sceneFromView.translation() = Vec3(50, 50, 100);
   }
   std::unique_ptr<HapticScene> scene(bool isDiscontinuous) const {
-    SceneHaptics feel;
-    feel.surface = SurfaceFeel{surface, mapping.sceneStiffness(kViewChangeStiffness), 0.0, {}};
+    MeshHaptics feel;
+    feel.surface = TouchedSurface{surface, mapping.sceneStiffness(kViewChangeStiffness), 0.0, {}};
     auto scene = std::make_unique<HapticScene>();
-    scene->source = std::make_unique<SceneForces>(std::move(feel));
+    scene->renderer = std::make_unique<SceneForces>(forceSources(std::move(feel)));
     scene->isDiscontinuous = isDiscontinuous;
     return scene;
   }

@@ -214,10 +214,10 @@ void BridgingTest::weldRefuses() {
   const FaceLocator near = test::nearFaces(mesh);
   const auto problem = [&](const Vec3& a, const Vec3& b) { return weldBorder(near, between(mesh, a, b)).problem; };
   QVERIFY(problem(Vec3(0, 2, 0), Vec3(0, 2, 0)) == JoinProblem::SamePoint);
-  QVERIFY(problem(Vec3(-2, 0, 0), Vec3(-5, 0, 0)) == JoinProblem::TurnsOver);
+  QVERIFY(problem(Vec3(-2, 0, 0), Vec3(-5, 0, 0)) == JoinProblem::FlippedFace);
   const HalfEdgeMesh pinched = buildMesh(test::plateWithPinchedHole()).mesh;
   const Weld torn = weldBorder(test::nearFaces(pinched), between(pinched, Vec3::Zero(), Vec3(2, 1, 0)));
-  QVERIFY(torn.problem == JoinProblem::CornerOnly);
+  QVERIFY(torn.problem == JoinProblem::NonManifoldVertex);
 }
 
 void BridgingTest::weldsAnyTwoPoints() {

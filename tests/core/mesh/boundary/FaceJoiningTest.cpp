@@ -48,11 +48,11 @@ void FaceJoiningTest::closesATriangle() {
     soup.triangles.pop_back();
     HalfEdgeMesh mesh = buildMesh(soup).mesh;
     const Triangle t = cornersAt(mesh, {soup.points[gone[0]], soup.points[gone[1]], soup.points[gone[2]]});
-    QCOMPARE(add(mesh, {{t[0], t[2], t[1]}}), JoinProblem::WrongWay);
+    QCOMPARE(add(mesh, {{t[0], t[2], t[1]}}), JoinProblem::InconsistentOrientation);
     QCOMPARE(add(mesh, {t}), JoinProblem::None);
     QCOMPARE(validate(mesh), std::string());
     QVERIFY(test::countEdges(mesh).sound());
-    QCOMPARE(add(mesh, {t}), JoinProblem::EdgeFull);
+    QCOMPARE(add(mesh, {t}), JoinProblem::NonManifoldEdge);
   }
 }
 
@@ -72,12 +72,14 @@ void FaceJoiningTest::refuses_data() {
   QTest::addColumn<JoinProblem>("problem");
   QTest::newRow("a corner twice") << Corners{Vec3(-2, -2, 0), Vec3(-1, -2, 0), Vec3(-2, -2, 0)}
                                   << JoinProblem::SamePoint;
-  QTest::newRow("a line") << Corners{Vec3(-2, -2, 0), Vec3(-1, -2, 0), Vec3(0, -2, 0)} << JoinProblem::NoArea;
-  QTest::newRow("the wrong way") << Corners{Vec3(-2, -2, 0), Vec3(-2, -1, 0), Vec3(-1, -2, 0)} << JoinProblem::WrongWay;
-  QTest::newRow("on a face") << Corners{Vec3(-5, -5, 0), Vec3(-4, -5, 0), Vec3(-4, -4, 0)} << JoinProblem::EdgeFull;
+  QTest::newRow("a line") << Corners{Vec3(-2, -2, 0), Vec3(-1, -2, 0), Vec3(0, -2, 0)} << JoinProblem::DegenerateFace;
+  QTest::newRow("the wrong way") << Corners{Vec3(-2, -2, 0), Vec3(-2, -1, 0), Vec3(-1, -2, 0)}
+                                 << JoinProblem::InconsistentOrientation;
+  QTest::newRow("on a face") << Corners{Vec3(-5, -5, 0), Vec3(-4, -5, 0), Vec3(-4, -4, 0)}
+                             << JoinProblem::NonManifoldEdge;
   QTest::newRow("one edge and a far corner")
-      << Corners{Vec3(-1, -2, 0), Vec3(0, -2, 0), Vec3(0, 2, 0)} << JoinProblem::CornerOnly;
-  QTest::newRow("no edge") << Corners{Vec3(-2, 0, 0), Vec3(0, -2, 0), Vec3(2, 0, 0)} << JoinProblem::CornerOnly;
+      << Corners{Vec3(-1, -2, 0), Vec3(0, -2, 0), Vec3(0, 2, 0)} << JoinProblem::NonManifoldVertex;
+  QTest::newRow("no edge") << Corners{Vec3(-2, 0, 0), Vec3(0, -2, 0), Vec3(2, 0, 0)} << JoinProblem::NonManifoldVertex;
   QTest::newRow("over faces") << Corners{Vec3(-2, -1, 0), Vec3(-1, -2, 0), Vec3(-5, -4, 0)} << JoinProblem::Crosses;
 }
 
@@ -100,7 +102,7 @@ void FaceJoiningTest::twoAtOnce() {
   QCOMPARE(test::worse(before, mesh), std::string());
   QCOMPARE(findBoundaryLoops(mesh).size(), std::size_t(3));
   HalfEdgeMesh other = before;
-  QCOMPARE(add(other, {one, one}), JoinProblem::EdgeFull);
+  QCOMPARE(add(other, {one, one}), JoinProblem::NonManifoldEdge);
   QVERIFY(test::sameMesh(other, before));
 }
 
@@ -121,7 +123,7 @@ void FaceJoiningTest::olderHierarchy() {
   const auto older = std::make_shared<FaceHierarchy>(mesh);
   const Triangle ear = cornersAt(mesh, {Vec3(-2, -2, 0), Vec3(-1, -2, 0), Vec3(-2, -1, 0)});
   QCOMPARE(addFaces(mesh, {&ear, 1}, FaceLocator(mesh, older)), JoinProblem::None);
-  QCOMPARE(addFaces(mesh, {&ear, 1}, FaceLocator(mesh, older)), JoinProblem::EdgeFull);
+  QCOMPARE(addFaces(mesh, {&ear, 1}, FaceLocator(mesh, older)), JoinProblem::NonManifoldEdge);
   const Vec3 raised(-1, -2, 0.5);
   mesh.setPosition(test::vertexAt(mesh, Vec3(-1, -2, 0)), raised);
   const Triangle next = cornersAt(mesh, {Vec3(-2, -1, 0), raised, Vec3(0, -2, 0)});

@@ -80,7 +80,7 @@ void VertexPullTest::stopsBeforeAFaceTurns() {
   const HalfEdgeMesh mesh = buildMesh(test::plateWithHole()).mesh;
   const VertexPull pull(near(mesh), at(mesh, Vec3(-2, 0, 0)));
   const VertexPull::Place reached = pull.towards(Vec3(-5, 0, 0));
-  QCOMPARE(reached.problem, JoinProblem::TurnsOver);
+  QCOMPARE(reached.problem, JoinProblem::FlippedFace);
   QVERIFY(reached.point.x() < -2.5 && reached.point.x() > -3.0);
   QCOMPARE(reached.point.y(), 0.0);
   for (const double gone : {std::nan(""), double(INFINITY)}) {

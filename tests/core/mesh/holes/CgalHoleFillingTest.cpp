@@ -171,7 +171,7 @@ void CgalHoleFillingTest::givesUpWithinTheEffort() {
   const auto start = triangulateMinimal(hole);
   QVERIFY(start.has_value());
   const auto spentBy = [](const auto& fill, std::size_t most) {
-    Effort effort(most);
+    WorkBudget effort(most);
     const bool isMade = fill(Progress().within(effort)).has_value();
     return std::pair(isMade, effort.spent());
   };

@@ -133,7 +133,7 @@ void CoincidentVertexSeparationTest::largeFans() {
   for (const std::uint32_t n : {500u, 1'000u}) {
     HalfEdgeMesh mesh = buildMesh(test::twoConesSharingAnEdge(n)).mesh;
     QCOMPARE(test::countEdges(mesh).nonManifold, std::size_t{1});
-    Effort effort(std::numeric_limits<std::size_t>::max());
+    WorkBudget effort(std::numeric_limits<std::size_t>::max());
     QVERIFY(!separateCoincidentVertices(mesh, NumberType::Float32, Progress().within(effort)).empty());
     steps.push_back(static_cast<double>(effort.counted()));
     QCOMPARE(validate(mesh), std::string());
@@ -150,7 +150,7 @@ void CoincidentVertexSeparationTest::largeFansStopSoon() {
   const std::size_t passes = 2 * before.faceSlots();
   for (const std::size_t most : {std::size_t{10'000}, std::size_t{20'000}, std::size_t{40'000}}) {
     HalfEdgeMesh mesh = before;
-    Effort effort(most);
+    WorkBudget effort(most);
     QVERIFY(separateCoincidentVertices(mesh, NumberType::Float32, Progress().within(effort)).empty());
     QVERIFY(effort.isSpent());
     QVERIFY2(effort.counted() <= most + passes, qPrintable(QString::number(effort.counted())));

@@ -131,7 +131,7 @@ void FoldedRegionRemovalTest::farFromTheSurfaceNothingGoes() {
 }
 
 void FoldedRegionRemovalTest::noWorkAllowed() {
-  Effort none(0);
+  WorkBudget none(0);
   HalfEdgeMesh mesh = tangledBall();
   const HalfEdgeMesh before = mesh;
   QCOMPARE(replaceFoldedRegions(mesh, {}, {}), std::size_t{0});

@@ -138,7 +138,7 @@ void ObstructedHolesTest::oneTangleLeavesEffortForOthers() {
     HalfEdgeMesh mesh = buildMesh(s).mesh;
     const std::vector<ObstructedHole> holes = longHolesOf(mesh);
     QCOMPARE(holes.size(), std::size_t{2});
-    Effort effort(600'000);
+    WorkBudget effort(600'000);
     const ObstructedClosings closings = closeObstructedHoles(mesh, holes, {}, 0.01, Progress().within(effort));
     QVERIFY(closings.holes[isTangleFirst ? 1 : 0].closed);
     QVERIFY(!closings.holes[isTangleFirst ? 1 : 0].isCutShort);
@@ -159,7 +159,7 @@ void ObstructedHolesTest::saysWhichWasCutShort() {
   options.keptCorners.insert(positionKey(loopPoints(before, holes[1].loop).front()));
   for (const bool isEnough : {false, true}) {
     HalfEdgeMesh mesh = before;
-    Effort effort(isEnough ? std::numeric_limits<std::size_t>::max() : 1'500'000);
+    WorkBudget effort(isEnough ? std::numeric_limits<std::size_t>::max() : 1'500'000);
     const ObstructedClosings closings = closeObstructedHoles(mesh, holes, options, 0.01, Progress().within(effort));
     QVERIFY(!effort.isSpent());
     QVERIFY(!closings.holes[0].closed && !closings.holes[1].closed);

@@ -329,7 +329,7 @@ void RepairTest::coordinatesThatCannotBeCut() {
     for (Vec3& p : soup.points) p = p.unaryExpr([&](double x) { return x == 0.0 ? tiny : x; });
     HalfEdgeMesh mesh = buildMesh(soup).mesh;
     QCOMPARE(test::countEdges(mesh).nonManifold, std::size_t{1});
-    QVERIFY(repair(mesh, {}).partedVertices > 0);
+    QVERIFY(repair(mesh, {}).separatedVertices > 0);
     QVERIFY(test::countEdges(mesh.compact().soup).sound());
 
     mesh = buildMesh(bowl(60, tiny)).mesh;
@@ -358,8 +358,8 @@ void RepairTest::aTangleLeavesEffortForTheRest() {
   HalfEdgeMesh mesh = buildMesh(soup).mesh;
   QCOMPARE(test::countEdges(mesh).nonManifold, std::size_t{1});
   const RepairReport report = repair(mesh, {});
-  QVERIFY(report.partedVertices > 0);
-  QVERIFY(!report.isPartingCutShort);
+  QVERIFY(report.separatedVertices > 0);
+  QVERIFY(!report.isSeparationIncomplete);
   QCOMPARE(test::countEdges(mesh.compact().soup).nonManifold, std::size_t{0});
 }
 
@@ -374,20 +374,20 @@ void RepairTest::saysWhatWasCutShort() {
     test::append(wedges, wedge);
   }
   HalfEdgeMesh mesh = buildMesh(wedges).mesh;
-  QVERIFY(repair(mesh, {}).isPartingCutShort);
+  QVERIFY(repair(mesh, {}).isSeparationIncomplete);
 
   std::mt19937 random(0);
   mesh = buildMesh(test::randomSoup(random, 100, 5)).mesh;
   RepairOptions options;
   options.cutCrossings = true;
-  QVERIFY(repair(mesh, options).isCuttingCutShort);
+  QVERIFY(repair(mesh, options).isIntersectionRemovalIncomplete);
 
   TriangleSoup cubes = test::twoCubesSharingAnEdge();
   test::append(cubes, test::cube(1.0, {0.41, 0.27, 0.33}));
   mesh = buildMesh(cubes).mesh;
   const RepairReport report = repair(mesh, options);
-  QVERIFY(report.cutClusters > 0 && report.partedVertices > 0);
-  QVERIFY(!report.isPartingCutShort && !report.isCuttingCutShort);
+  QVERIFY(report.cutClusters > 0 && report.separatedVertices > 0);
+  QVERIFY(!report.isSeparationIncomplete && !report.isIntersectionRemovalIncomplete);
 }
 
 HANDWHEEL_TEST(RepairTest)

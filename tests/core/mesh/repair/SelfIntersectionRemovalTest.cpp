@@ -69,7 +69,7 @@ void SelfIntersectionRemovalTest::cubesThatOverlap() {
   const double common = (1 - 0.41) * (1 - 0.27) * (1 - 0.33);
   const IntersectionRemoval report = removeSelfIntersections(mesh, allFaces(mesh), NumberType::Float64, 0);
   QVERIFY(report.changed);
-  QVERIFY(report.crossingsBefore > 0);
+  QVERIFY(report.intersectionsBefore > 0);
   QCOMPARE(report.intersectionsAfter, std::size_t{0});
   QCOMPARE(test::meetingPairs(mesh), std::size_t{0});
   QCOMPARE(validate(mesh), std::string());
@@ -94,7 +94,7 @@ void SelfIntersectionRemovalTest::onlyWhatWasAskedFor() {
       removeSelfIntersections(mesh, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}, NumberType::Float64,
                               countSelfIntersections(before, NumberType::Float64));
   QVERIFY(report.changed);
-  QCOMPARE(report.intersectionsAfter, report.crossingsBefore / 2);
+  QCOMPARE(report.intersectionsAfter, report.intersectionsBefore / 2);
   for (Face f = ours; f < before.faceSlots(); ++f) {
     QVERIFY(mesh.isLive(f));
     QVERIFY(mesh.points(f) == before.points(f));
@@ -140,8 +140,8 @@ void SelfIntersectionRemovalTest::tangleIsLeft() {
   const HalfEdgeMesh before = buildMesh(s).mesh;
   HalfEdgeMesh mesh = before;
   const IntersectionRemoval report = removeSelfIntersections(mesh, allFaces(mesh), NumberType::Float64, 0);
-  QCOMPARE(report.crossingsBefore, tolerance::kCutsPerFace + 1);
-  QCOMPARE(report.intersectionsAfter, report.crossingsBefore);
+  QCOMPARE(report.intersectionsBefore, tolerance::kCutsPerFace + 1);
+  QCOMPARE(report.intersectionsAfter, report.intersectionsBefore);
   QVERIFY(!report.changed);
   QVERIFY(test::sameMesh(mesh, before));
 }

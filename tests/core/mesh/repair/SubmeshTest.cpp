@@ -79,7 +79,7 @@ void SubmeshTest::unchangedItIsTheSame() {
     HalfEdgeMesh whole = before;
     const Submesh part(whole, ballBox(0.3));
     QVERIFY(part.changesIn(part.mesh()).isEmpty());
-    part.putBack(whole, part.mesh());
+    part.writeBack(whole, part.mesh());
     QVERIFY(test::sameMesh(whole, before));
   }
 }
@@ -113,7 +113,7 @@ void SubmeshTest::changesCountAsInTheWhole() {
     }
     RC_PRE(box.contains(part.changesIn(changed)));
     HalfEdgeMesh whole = before;
-    part.putBack(whole, changed);
+    part.writeBack(whole, changed);
     relink(whole);
     RC_ASSERT(validate(whole) == std::string());
     RC_ASSERT(shapes(whole) == expected(before, part, changed));
@@ -143,7 +143,7 @@ void SubmeshTest::fansThatExchangeVertices() {
   }
   changed.setPosition(shared[0], Vec3(1.1, 1.1, 1.1));
   HalfEdgeMesh whole = before;
-  part.putBack(whole, changed);
+  part.writeBack(whole, changed);
   relink(whole);
   QCOMPARE(validate(whole), std::string());
   QVERIFY(shapes(whole) == expected(before, part, changed));

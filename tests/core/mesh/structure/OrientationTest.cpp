@@ -96,7 +96,7 @@ void OrientationTest::turnedHalfEdges() {
   const Triangle t = {4, 7, 9}, u = turned(t);
   const std::uint32_t face = 5;
   for (std::uint32_t k = 0; k < 3; ++k) {
-    const std::uint32_t h = turnedHalfEdge(3 * face + k);
+    const std::uint32_t h = reversedHalfEdge(3 * face + k);
     QCOMPARE(h / 3, face);
     QCOMPARE(u[h % 3], t[(k + 1) % 3]);
     QCOMPARE(u[(h + 1) % 3], t[k]);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "ToolEvents.h"
-#include "document/cell/CellKind.h"
+#include "document/cell/RobotCellKind.h"
 #include "robot/ShapeSurfaces.h"
 #include "robot/UrdfReader.h"
 #include "tools/cell/JointDragTool.h"
@@ -47,27 +47,27 @@ class Bench {
     robot->model = std::move(read->robot);
     for (const Shape& shape : robot->model.shapes)
       robot->surfaces.push_back(std::make_shared<const TriangleSoup>(surfaceOf(shape)));
-    auto cell = std::make_shared<CellSnapshot>();
+    auto cell = std::make_shared<RobotCellSnapshot>();
     cell->joints = restValues(robot->model);
     cell->robot = robot;
     OpenedFile opened;
     opened.kind = &m_kind;
     opened.content = cell;
-    m_document = std::make_unique<CellDocument>(std::move(opened));
+    m_document = std::make_unique<RobotCellDocument>(std::move(opened));
   }
 
-  CellDocument& document() { return *m_document; }
+  RobotCellDocument& document() { return *m_document; }
 
   // The rays of the tests look straight down; what they meet is told beforehand.
   JointDragTool::Pick picking(const std::string& part) {
-    return [part](const Ray& ray) -> std::optional<CellPick> {
-      return CellPick{part, Vec3(ray.origin.x(), ray.origin.y(), 0)};
+    return [part](const Ray& ray) -> std::optional<RobotCellPick> {
+      return RobotCellPick{part, Vec3(ray.origin.x(), ray.origin.y(), 0)};
     };
   }
 
  private:
-  CellKind m_kind;
-  std::unique_ptr<CellDocument> m_document;
+  RobotCellKind m_kind;
+  std::unique_ptr<RobotCellDocument> m_document;
 };
 
 inline PointerEvent at(Kind kind, double x, double y, Modifiers modifiers = {}) {

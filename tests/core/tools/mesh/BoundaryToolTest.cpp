@@ -83,7 +83,7 @@ void BoundaryToolTest::pullsAPoint() {
 void BoundaryToolTest::stopsBeforeATriangleTurns() {
   const HalfEdgeMesh before = mesh();
   drag(Vec3(-2, 0, 0), Vec3(-4, 0.5, 0));
-  QCOMPARE(m_tool->problem(), JoinProblem::TurnsOver);
+  QCOMPARE(m_tool->problem(), JoinProblem::FlippedFace);
   QVERIFY(!problemOf("way").empty());
   m_tool->pointer(test::above(Kind::Release, -4, 0.5));
   QCOMPARE(oneStep(before), std::string());
@@ -109,7 +109,7 @@ void BoundaryToolTest::joinsPoints() {
   QCOMPARE(m_tool->problem(), JoinProblem::None);
   QVERIFY(!meshPreviewOf(m_tool->preview()).highlighted.empty() && m_tool->preview().circle->first == Vec3(-6, 0, 0));
   // The thread pulls back, the point that attracts pulls on.
-  const std::vector<ForceTerm> forces = m_tool->forces();
+  const std::vector<DeviceSpring> forces = m_tool->forces();
   QCOMPARE(forces.size(), std::size_t(2));
   QCOMPARE(forces[0].target, Vec3(-2, 0, 0));
   QCOMPARE(forces[1].target, Vec3(-6, 0, 0));
@@ -151,7 +151,7 @@ void BoundaryToolTest::bridgesByChoice() {
   m_tool->setSetting("onto", 2.0);  // there is no such
   drag(Vec3(0, -2, 0), Vec3(0, 1.95, 0));
   QCOMPARE(m_tool->preview().parts.at(0).soup->triangles.size(), std::size_t(2));
-  const std::vector<ForceTerm> forces = m_tool->forces();  // a thread, and the point that attracts
+  const std::vector<DeviceSpring> forces = m_tool->forces();  // a thread, and the point that attracts
   QCOMPARE(forces.size(), std::size_t(2));
   QVERIFY(forces[0].stiffness > 0.0 && forces[0].damping > 0.0);
   m_tool->pointer(test::above(Kind::Release, 0, 1.95));

@@ -143,7 +143,7 @@ void DefectFixesTest::crossings() {
   TriangleSoup soup = test::cube();
   test::append(soup, test::cube(1.0, {0.41, 0.27, 0.33}));
   const auto document = open(soup);
-  make(*document, crossingFix(kNumbers, *findSelfIntersections(document->mesh())));
+  make(*document, intersectionFix(kNumbers, *findSelfIntersections(document->mesh())));
   QCOMPARE(findSelfIntersections(document->mesh())->size(), std::size_t(0));
   QVERIFY(test::countEdges(document->mesh()).sound());
 }
@@ -187,7 +187,7 @@ void DefectFixesTest::nothingToMend() {
   const std::uint64_t revision = document->revision();
   for (const MeshChange& change :
        {degenerateFix(), duplicateFix(), nearVertexFix(tolerance::kNearWeld), nonManifoldFix(kNumbers),
-        crossingFix(kNumbers, {}), debrisFix({}), thickenFix({}, {}), cutAndCloseFix(0, {})}) {
+        intersectionFix(kNumbers, {}), debrisFix({}), thickenFix({}, {}), cutAndCloseFix(0, {})}) {
     make(*document, change);
     QCOMPARE(document->revision(), revision);
   }
@@ -200,10 +200,11 @@ void DefectFixesTest::saysWhatIsTooMuch() {
   const HalfEdgeMesh before = buildMesh(soup).mesh;
   const auto crossings = *findSelfIntersections(before);
   QVERIFY(!crossings.empty());
-  for (const MeshChange& change : {nonManifoldFix(kNumbers), nonOrientableFix({}), crossingFix(kNumbers, crossings)}) {
+  for (const MeshChange& change :
+       {nonManifoldFix(kNumbers), nonOrientableFix({}), intersectionFix(kNumbers, crossings)}) {
     QCOMPARE(reasonOf(change), change.reason);
     HalfEdgeMesh mesh = before;
-    Effort little(1'000);
+    WorkBudget little(1'000);
     change.apply(mesh, Progress().within(little));
     QVERIFY(little.counted() < 10'000);
     QCOMPARE(reasonOf(change), "it would take too long for a mesh of this size");

@@ -152,7 +152,7 @@ void FillHoleToolTest::tellsWhyNot() {
   FillHoleTool tool(*m_document, services);
   const auto reason = [&] { return test::propertyNamed(tool.settings(), "triangles")->problem; };
   std::set<std::string> reasons;
-  for (int failure = 1; failure <= int(FillFailure::Swelling); ++failure) {
+  for (int failure = 1; failure <= int(FillFailure::Bulging); ++failure) {
     tool.perform("next");
     QVERIFY(tool.state() == State::Computing && reason().empty());
     tool.previewReady(ticket, {FillFailure(failure), {}});
@@ -161,7 +161,7 @@ void FillHoleToolTest::tellsWhyNot() {
     QVERIFY(tool.preview().parts.empty());
     reasons.insert(reason());
   }
-  QCOMPARE(reasons.size(), std::size_t(FillFailure::Swelling));
+  QCOMPARE(reasons.size(), std::size_t(FillFailure::Bulging));
   QVERIFY(!reasons.contains(""));
 }
 

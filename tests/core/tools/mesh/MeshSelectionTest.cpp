@@ -91,7 +91,7 @@ void MeshSelectionTest::outlinesOfFaces() {
 }
 
 void MeshSelectionTest::stepsBackAndForward() {
-  SelectionSteps steps({{1}, {}});
+  SelectionHistory steps({{1}, {}});
   QVERIFY(!steps.canGoBack() && !steps.canGoForward());
   steps.goBack();
   steps.goForward();
@@ -112,7 +112,7 @@ void MeshSelectionTest::stepsBackAndForward() {
 }
 
 void MeshSelectionTest::stepsAreBounded() {
-  SelectionSteps steps({});
+  SelectionHistory steps({});
   for (Face f = 1; f <= 1000; ++f) steps.change({{f}, {}});
   int back = 0;
   for (; steps.canGoBack(); ++back) steps.goBack();

@@ -168,7 +168,7 @@ void MeshStepsTest::mending() {
   commit(degenerateFix());
   commit(duplicateFix());
   commit(nonManifoldFix(numbers));
-  commit(crossingFix(numbers, *findSelfIntersections(work.document->mesh())));
+  commit(intersectionFix(numbers, *findSelfIntersections(work.document->mesh())));
   FillOptions options;
   options.numbers = numbers;
   commit(nonOrientableFix(options));

@@ -5,6 +5,7 @@
 #include "TestClass.h"
 #include "haptics/contact/TouchableSurface.h"
 #include "haptics/device/SimulatedDevice.h"
+#include "haptics/scene/MeshHaptics.h"
 #include "haptics/scene/SceneForces.h"
 #include "haptics/servo/ServoLoop.h"
 #include "tools/MeasureTool.h"
@@ -39,7 +40,7 @@ struct HandBench {
     surface = touchableSurface(std::move(all.soup.points), std::move(all.soup.triangles), all.faceOf);
     SimulatedDeviceSettings settings = simulatedDevice();
     settings.grip = {kGrip, 0.003, 0.0, 20.0};
-    auto made = std::make_unique<SimulatedDevice>(settings, HandPath(), clock);
+    auto made = std::make_unique<SimulatedDevice>(settings, PoseTrajectory(), clock);
     device = made.get();
     device->setTarget({0.0, hand});
     if (!device->open(Progress())) qFatal("the simulated device does not open");
@@ -47,13 +48,14 @@ struct HandBench {
   }
   void feel(const Tool& tool, bool isDiscontinuous) {
     const Vec3 tip = loop->latest().tip.position;
-    SceneHaptics feel;
-    feel.surface = SurfaceFeel{surface, 0.5, 0.0, {}};
-    feel.snap = SnapFeel{SnapField(nearFeatures(mesh, surface, tool.snapTargets(), tip, 16.0 * kDistance).features),
-                         SnapProfile(SnapShape::Quadratic, kStiffness, kDistance), SnapMethod::Proxy};
+    MeshHaptics feel;
+    feel.surface = TouchedSurface{surface, 0.5, 0.0, {}};
+    feel.snap =
+        SnapAttraction{SnapField(nearFeatures(mesh, surface, tool.snapTargets(), tip, 16.0 * kDistance).features),
+                       SnapProfile(SnapShape::Quadratic, kStiffness, kDistance), SnapMethod::Proxy};
     feel.comesFrom = Vec3::UnitZ();
     auto scene = std::make_unique<HapticScene>();
-    scene->source = std::make_unique<SceneForces>(std::move(feel));
+    scene->renderer = std::make_unique<SceneForces>(forceSources(std::move(feel)));
     scene->isDiscontinuous = isDiscontinuous;
     loop->setScene(std::move(scene));
   }

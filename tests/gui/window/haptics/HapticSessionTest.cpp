@@ -31,16 +31,16 @@ class HurriedClock : public ServoClock {
 class DeafDevice : public ScriptedDevice {
  public:
   using ScriptedDevice::ScriptedDevice;
-  Status open(Progress) override { return Error{ErrorCode::DeviceMute, {"a greeting"}, {}, {}}; }
+  Status open(Progress) override { return Error{ErrorCode::DeviceNotResponding, {"a greeting"}, {}, {}}; }
 };
 
 // What is plugged in, as the test has it.
 struct Plugged {
   std::mutex mutex;
-  std::vector<DeviceListing> listings;
+  std::vector<DeviceInfo> listings;
   std::shared_ptr<ScriptedDevice::Log> log = std::make_shared<ScriptedDevice::Log>();
 
-  void set(std::vector<DeviceListing> all) {
+  void set(std::vector<DeviceInfo> all) {
     const std::lock_guard lock(mutex);
     listings = std::move(all);
   }
@@ -50,7 +50,7 @@ class FakeDriver : public DeviceDriver {
  public:
   explicit FakeDriver(Plugged& plugged) : m_plugged(plugged) {}
   std::string id() const override { return "fake"; }
-  std::vector<DeviceListing> find() override {
+  std::vector<DeviceInfo> find() override {
     const std::lock_guard lock(m_plugged.mutex);
     return m_plugged.listings;
   }
@@ -365,7 +365,7 @@ class HapticSessionTest : public QObject {
       const Vec3 sent = b.session->latest()->sent.force.cwiseAbs();
       most = most.cwiseMax(sent);
     });
-    QSignalSpy wanted(b.session.get(), &HapticSession::sceneWanted);
+    QSignalSpy wanted(b.session.get(), &HapticSession::sceneRequested);
     b.session->startForceTest();
     QVERIFY(b.session->isTesting());
     // Dropped: it would push with 5 N.

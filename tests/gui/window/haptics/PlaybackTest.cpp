@@ -47,7 +47,7 @@ class PlaybackTest : public QObject {
     playback.leave();
     QTest::qWait(60);
     QCOMPARE(moved.count(), 0);
-    QVERIFY(!playback.cursor() && !playback.isTakenUp());
+    QVERIFY(!playback.cursor() && !playback.isRecordingLoaded());
   }
 
   void theCursorIsThatOfTheMoment() {

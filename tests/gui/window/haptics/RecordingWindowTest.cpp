@@ -6,8 +6,8 @@
 #include "SoupCorners.h"
 #include "document/Document.h"
 #include "haptics/recording/ForceRecorder.h"
+#include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
-#include "window/documents/OpenDocument.h"
 #include "window/haptics/HapticSession.h"
 #include "window/haptics/Recordings.h"
 
@@ -149,7 +149,7 @@ class RecordingWindowTest : public QObject {
     slider->setValue(0);
     QCOMPARE(playback.cursor()->tip, ticks[0].tip.position);
     b.driver.choose("leaveRecording");
-    QVERIFY(!playback.isTakenUp() && !playback.cursor());
+    QVERIFY(!playback.isRecordingLoaded() && !playback.cursor());
     QVERIFY(!slider->isEnabled());
   }
 

@@ -12,14 +12,14 @@ namespace {
 
 class ShelfDriver final : public DeviceDriver {
  public:
-  explicit ShelfDriver(std::vector<DeviceListing>& shelf, std::string id = "shelf")
+  explicit ShelfDriver(std::vector<DeviceInfo>& shelf, std::string id = "shelf")
       : m_shelf(shelf), m_id(std::move(id)) {}
   std::string id() const override { return m_id; }
-  std::vector<DeviceListing> find() override { return m_shelf; }
+  std::vector<DeviceInfo> find() override { return m_shelf; }
   std::unique_ptr<Device> make(const std::string&) override { return nullptr; }
 
  private:
-  std::vector<DeviceListing>& m_shelf;
+  std::vector<DeviceInfo>& m_shelf;
   std::string m_id;
 };
 
@@ -29,15 +29,15 @@ class DeviceCatalogueTest : public QObject {
   Q_OBJECT
 
  private:
-  static std::vector<std::string> addresses(const std::vector<DeviceListing>& listings) {
+  static std::vector<std::string> addresses(const std::vector<DeviceInfo>& listings) {
     std::vector<std::string> all;
-    for (const DeviceListing& listing : listings) all.push_back(listing.address);
+    for (const DeviceInfo& listing : listings) all.push_back(listing.address);
     return all;
   }
 
  private slots:
   void pollTellsWhatCameAndWent() {
-    std::vector<DeviceListing> shelf = {{"shelf", "a", "A"}, {"shelf", "b", "B"}};
+    std::vector<DeviceInfo> shelf = {{"shelf", "a", "A"}, {"shelf", "b", "B"}};
     DeviceCatalogue catalogue;
     catalogue.add(std::make_unique<ShelfDriver>(shelf));
     using Names = std::vector<std::string>;
@@ -54,7 +54,7 @@ class DeviceCatalogueTest : public QObject {
     DeviceCatalogue catalogue;
     catalogue.load({EXAMPLE_PLUGINS});
     QCOMPARE(catalogue.plugins().size(), std::size_t(1));
-    const PluginListing& plugin = catalogue.plugins()[0];
+    const PluginInfo& plugin = catalogue.plugins()[0];
     QVERIFY(!plugin.error);
     QCOMPARE(plugin.name, std::string("Example"));
     QCOMPARE(plugin.version, std::string("1.0"));
@@ -80,7 +80,7 @@ class DeviceCatalogueTest : public QObject {
     DeviceCatalogue catalogue;
     catalogue.load({OLD_PLUGINS});
     QCOMPARE(catalogue.plugins().size(), std::size_t(1));
-    const PluginListing& plugin = catalogue.plugins()[0];
+    const PluginInfo& plugin = catalogue.plugins()[0];
     QVERIFY(plugin.error.has_value());
     QCOMPARE(plugin.error->code, ErrorCode::PluginVersion);
     QCOMPARE(plugin.error->arguments, (std::vector<std::string>{"handwheel.device/0", HANDWHEEL_DEVICE_PLUGIN}));
@@ -108,7 +108,7 @@ class DeviceCatalogueTest : public QObject {
   }
 
   void aSecondDriverOfTheSameNameIsRefused() {
-    std::vector<DeviceListing> shelf;
+    std::vector<DeviceInfo> shelf;
     DeviceCatalogue catalogue;
     catalogue.add(std::make_unique<ShelfDriver>(shelf, "example"));
     catalogue.load({EXAMPLE_PLUGINS});

@@ -57,7 +57,7 @@ class FalconSessionTest : public QObject {
   void aLoadThatNeverWorksIsGivenUp() {
     m_falcon->spoiltLoads = 1000;
     const Status opened = m_session->open({});
-    QCOMPARE(opened.error().code, ErrorCode::DeviceMute);
+    QCOMPARE(opened.error().code, ErrorCode::DeviceNotResponding);
     QCOMPARE(opened.error().arguments[0], std::string("the firmware's echo"));
     m_falcon->deafGreetings = 100'000;
     QCOMPARE(m_session->open({}).error().arguments[0], std::string("the bootloader's greeting"));

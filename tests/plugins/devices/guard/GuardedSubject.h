@@ -4,7 +4,7 @@
 
 #include "ContractSubject.h"
 #include "io/FileStream.h"
-#include "io/GuardedSession.h"
+#include "io/OutOfProcessSession.h"
 #include "io/SessionHost.h"
 #include "io/ThreadedDevice.h"
 
@@ -55,7 +55,7 @@ inline ContractSubject guardedSubject(const std::shared_ptr<HostedSession>& host
   subject.make = [=] {
     const auto connect = [host]() -> Result<std::unique_ptr<ByteStream>> { return host->start(); };
     return std::make_unique<ThreadedDevice>(
-        std::make_unique<GuardedSession>(connect, std::make_shared<SteadyClock>(), kind, "guarded"));
+        std::make_unique<OutOfProcessSession>(connect, std::make_shared<SteadyClock>(), kind, "guarded"));
   };
   return subject;
 }

@@ -132,7 +132,7 @@ class PolhemSessionTest : public QObject {
 
   void aBoardThatNeverAnswers() {
     m_peer->stalled = true;
-    QCOMPARE(m_session->open({}).error().code, ErrorCode::DeviceMute);
+    QCOMPARE(m_session->open({}).error().code, ErrorCode::DeviceNotResponding);
     JobState job;
     job.cancelled = true;
     QCOMPARE(m_session->open(Progress(job)).error().code, ErrorCode::Cancelled);

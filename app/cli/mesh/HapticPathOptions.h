@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "haptics/device/PoseTrajectory.h"
+#include "haptics/scene/MeshHaptics.h"
+
+#include <string>
+
+namespace handwheel {
+
+// The parameters of a haptic simulation along a path. The tip follows the path exactly, at this many ticks a second.
+struct HapticPathOptions {
+  PoseTrajectory path;
+  double from = 0.0, to = 0.0;  // s
+  double rate = 1000.0;         // Hz
+  // Limits of the device: stiffness (N/mm), damping and force (N). Infinite without a device.
+  double stiffnessLimit = std::numeric_limits<double>::infinity();
+  double dampingLimit = std::numeric_limits<double>::infinity();
+  double maxForce = std::numeric_limits<double>::infinity();
+
+  std::size_t ticks() const;
+};
+
+// The computed forces along a path, with statistics.
+struct HapticPathResult {
+  std::string csv;  // a header line, then one line for each tick
+  std::size_t ticks = 0;
+  std::size_t inContact = 0;
+  std::size_t cut = 0;             // ticks in which the requested force exceeded that of the device,
+  double askedForce = 0.0;         // N: the largest requested force,
+  double peakForce = 0.0;          // and the largest force after the limits
+  double usualMicroseconds = 0.0;  // median of the CPU time of a tick,
+  double slowMicroseconds = 0.0;   // and its 99th percentile
+};
+
+// Computes the haptic forces along a path. Columns:
+// t_s,hip_x,hip_y,hip_z,proxy_x,proxy_y,proxy_z,force_x,force_y,force_z,contact,tick_us; in mm and N. The numbers are
+// the same in each run, except for tick_us. Incomplete once cancelled.
+HapticPathResult feel(const HapticPathOptions& run, MeshHaptics scene, Progress progress);
+
+}  // namespace handwheel

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fidelity/BumpySphere.h"
+
+#include "fidelity/CaseShapes.h"
+#include "fidelity/SeededInput.h"
+
+#include <cmath>
+
+namespace handwheel {
+namespace {
+
+constexpr double kRadius = 38.0;  // mm
+constexpr double kBumps = 0.03;   // of the radius, up and down
+constexpr double kDepth = 0.05;   // radii below the middle of the bumps
+
+ContactSurface bumpyBall() {
+  TriangleSoup soup = sphereSoup(6, kRadius);  // 81,920 faces
+  for (Vec3& p : soup.points) {
+    const Vec3 d = p / kRadius;
+    p *= 1.0 + kBumps * std::sin(9.0 * d.x()) * std::sin(8.0 * d.y() + 1.0) * std::sin(7.0 * d.z() + 2.0);
+  }
+  return ContactSurface(soup.points, soup.triangles);
+}
+
+}  // namespace
+
+BumpySphere::BumpySphere(std::uint64_t seed) : m_surface(bumpyBall()) {
+  const Vec3 axis = Random(seed).direction();
+  m_along = axis.unitOrthogonal();
+  m_across = axis.cross(m_along);
+}
+
+Vec3 BumpySphere::tipAt(double way) const {
+  const double radius = (1.0 - kDepth) * kRadius, angle = way / radius;
+  return radius * (std::cos(angle) * m_along + std::sin(angle) * m_across);
+}
+
+}  // namespace handwheel

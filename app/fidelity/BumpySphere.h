@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/contact/ContactSurface.h"
+
+namespace handwheel {
+
+// A bumpy ball around the origin and a circular path below its surface. The seed chooses the circle. The bumps are so
+// smooth that each point of the path has only one nearest point of the surface around it.
+class BumpySphere {
+ public:
+  explicit BumpySphere(std::uint64_t seed);
+
+  const ContactSurface& surface() const { return m_surface; }
+  Vec3 above() const { return 1.5 * tipAt(0.0); }  // outside, where the path begins
+  Vec3 tipAt(double way) const;                    // mm
+
+ private:
+  ContactSurface m_surface;
+  Vec3 m_along, m_across;  // of length 1
+};
+
+}  // namespace handwheel

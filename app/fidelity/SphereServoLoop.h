@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "fidelity/BumpySphere.h"
+#include "haptics/device/PoseTrajectory.h"
+#include "haptics/servo/ServoLoop.h"
+
+namespace handwheel {
+
+// A bumpy ball and a tip path below its surface. The tip comes in from outside, then moves along at 100 mm/s for this
+// many seconds.
+struct SphereContact {
+  BumpySphere ball;
+  PoseTrajectory path;
+
+  static constexpr double kArrival = 0.002;  // s, duration of the approach
+};
+SphereContact ballSlide(std::uint64_t seed, double seconds);
+
+// A servo loop with the ball as scene and a device that follows the path. Clock and service must outlive it.
+std::unique_ptr<ServoLoop> sphereServoLoop(const SphereContact& slide, const ServoSettings& servo, ServoClock& clock,
+                                           Service& service);
+
+// Measures the median duration (us) of a tick in contact, in realistic use. The loop runs on a thread of its own at
+// this rate (Hz) and sleeps between ticks. A tick then takes longer than without pauses, as other work has meanwhile
+// filled the caches and the processor has slowed down: the more, the longer it slept. Takes 0.6 s. Returns 0 once
+// cancelled, which it notices within 20 ms.
+double tickInUse(double rate, Progress progress);
+
+}  // namespace handwheel

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Fidelity.h"
+#include "haptics/mapping/WorkspaceMapping.h"
+#include "haptics/scene/MeshHaptics.h"
+#include "tools/Tool.h"
+#include "window/haptics/TouchSettings.h"
+
+#include <QObject>
+#include <functional>
+
+namespace handwheel {
+
+class HapticSession;
+
+// What a force source depends on besides what it stands for, when the scene is published.
+struct TouchContext {
+  const WorkspaceMapping& mapping;  // for stiffnesses, which are those at the device
+  const TouchSettings& touch;
+  ContactOptions contact;         // with the chosen tolerance and friction
+  std::size_t snapFeatures;       // that may attract at once
+  Vec3 comesFrom = Vec3::Zero();  // towards the viewer
+};
+
+// The haptic scene: a list of force sources that kinds of documents and tools provide. Passed to the servo loop as a
+// whole with each change; nothing is passed while no device is open. Window thread.
+class HapticSceneBuilder : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit HapticSceneBuilder(HapticSession& session, QObject* parent = nullptr);
+
+  // Makes a source for the present view and settings; called again whenever these change. Null: nothing now.
+  using MakeSource = std::function<std::unique_ptr<ForceSource>(const TouchContext&)>;
+  // Adds a source to the scene or replaces the one of the same id; null removes it. isEdit: the same thing after an
+  // edit, which takes effect at once. Otherwise the force ramps up.
+  void setSource(const std::string& id, MakeSource make, bool isEdit);
+
+  // Sets the contact surface, the source kSurfaceSource.
+  void setSurface(std::optional<ContactSurface> surface, bool isEdit);
+  // Sets the snap field, the source kSnapSource, which attracts the tip within `distance` (mm in the scene) unless
+  // something is held.
+  void setSnap(std::optional<SnapField> field, double distance, bool isEdit);
+  void setHolding(bool isHolding);
+  // Sets the springs of the tool, the source kSpringSource; stiffnesses are those at the device.
+  void setSprings(const std::vector<DeviceSpring>& terms);
+
+  // Sets the contact tolerance and the number of features that attract at once: proxy.tolerance and snap.features.
+  void setFidelity(const FidelityValues& values);
+
+ private:
+  void publish(bool isDiscontinuous);
+  bool has(const std::string& id) const;
+
+  HapticSession& m_session;
+  std::vector<std::pair<std::string, MakeSource>> m_sources;
+  bool m_isHolding = false;
+  ContactOptions m_contact;
+  std::size_t m_snapFeatures = SnapSum::kMost;
+  std::vector<DeviceSpring> m_terms;
+};
+
+}  // namespace handwheel

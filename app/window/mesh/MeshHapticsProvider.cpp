@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "window/mesh/MeshHapticsProvider.h"
+
+#include "haptics/contact/TouchableSurface.h"
+#include "haptics/snap/LoopSnapField.h"
+#include "haptics/snap/SnapFidelity.h"
+#include "tools/mesh/LoopFeatures.h"
+#include "tools/mesh/NearFeatures.h"
+#include "window/fidelity/FidelityChoice.h"
+#include "window/haptics/HapticSceneBuilder.h"
+#include "window/haptics/HapticSession.h"
+#include "window/kinds/KindUi.h"
+#include "window/mesh/MeshTab.h"
+#include "window/tools/ToolHost.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace handwheel {
+
+namespace {
+
+// More are not brought up to date on the window thread, where they would take longer than a frame.
+constexpr std::size_t kMostAtOnce = 10'000;
+
+// Of what draws the tip so many snap distances are looked at around it: seldom anew, and never much.
+constexpr double kReach = 16.0;
+constexpr double kNeverAgain = std::numeric_limits<double>::infinity();  // mm
+
+// Points and edges one by one, or the whole rim as one curve, on which a point would stop the hand at every step.
+SnapOffer offerOf(const SnapTargets& snapTargets, bool asCurves) {
+  const bool isCurve = asCurves && snapTargets.borderEdges;
+  return {
+      .vertices = snapTargets.borderPoints && !isCurve, .edges = snapTargets.borderEdges && !isCurve, .rims = isCurve};
+}
+
+}  // namespace
+
+MeshHapticsProvider::MeshHapticsProvider(const WindowContext& parts, QObject* parent)
+    : QObject(parent),
+      m_session(parts.haptics),
+      m_scene(parts.touch),
+      m_tools(parts.tools),
+      m_fidelity(parts.fidelity),
+      m_making(JobRunner::Policy::Latest, parts.pool),
+      m_gathering(JobRunner::Policy::Latest, parts.pool),
+      m_asCurves(parts.haptics.touch().hasRimCurves) {
+  connect(&m_session, &HapticSession::chosenChanged, this, &MeshHapticsProvider::followSession);
+  connect(&m_session, &HapticSession::touchChanged, this, &MeshHapticsProvider::followTouch);
+  connect(&m_tools, &ToolHost::updated, this, &MeshHapticsProvider::followTool);
+  connect(&m_fidelity, &FidelityChoice::changed, this, [this] {
+    if (m_snapTargets != SnapTargets()) gather(false);
+  });
+  connect(&m_session, &HapticSession::sampled, this, &MeshHapticsProvider::followTip);
+}
+
+void MeshHapticsProvider::setDocument(MeshTab* document) {
+  if (m_document) m_document->document.disconnect(this);
+  m_document = document;
+  if (document) connect(&document->document, &MeshDocument::meshChanged, this, &MeshHapticsProvider::edited);
+  m_isOpen = m_session.isOpen();
+  rebuild(false);
+}
+
+void MeshHapticsProvider::followSession() {
+  if (m_session.isOpen() == m_isOpen) return;
+  m_isOpen = m_session.isOpen();
+  rebuild(false);
+}
+
+// After an edit the surface of before is felt until the new one is there: who was outside would else be inside of it.
+void MeshHapticsProvider::rebuild(bool isEdit) {
+  m_making.cancelAll();
+  m_surface.reset();
+  if (!isEdit) {
+    m_scene.setSurface({}, false);
+    dropSnapTargets();
+  }
+  if (!isFelt()) return;
+  followTool();
+  Job job;
+  job.name = tr("Preparing to touch");
+  job.work = [this, mesh = m_document->document.mesh()](Progress progress) -> Job::Finish {
+    HalfEdgeMesh::Compact all = mesh.compact();
+    auto surface = std::make_shared<ContactSurface>(
+        touchableSurface(std::move(all.soup.points), std::move(all.soup.triangles), all.faceOf, progress));
+    return [this, surface, side = meanSide(mesh)] {
+      m_surface = *surface;
+      m_side = side;
+      m_scene.setSurface(*surface, false);
+      if (m_snapTargets.areEverywhere()) gatherNear(false);
+    };
+  };
+  m_making.start(std::move(job));
+}
+
+bool MeshHapticsProvider::isFelt() const {
+  return m_document && m_document->visible && m_isOpen;
+}
+
+void MeshHapticsProvider::followTool() {
+  const Tool* const tool = m_tools.runner().tool();
+  const bool mayDraw = isFelt() && m_session.touch().isSnapping;
+  const SnapTargets wanted = mayDraw && tool ? tool->snapTargets() : SnapTargets();
+  if (wanted == m_snapTargets) return;
+  dropSnapTargets();
+  m_snapTargets = wanted;
+  if (wanted != SnapTargets()) gather(false);
+}
+
+// Snapping was switched, or rims are to be felt otherwise; the scene follows the rest by itself.
+void MeshHapticsProvider::followTouch() {
+  const bool asCurves = m_session.touch().hasRimCurves;
+  const bool changes = std::exchange(m_asCurves, asCurves) != asCurves;
+  followTool();
+  if (changes && m_snapTargets.borderEdges && !m_snapTargets.areEverywhere()) gather(false);
+}
+
+void MeshHapticsProvider::dropSnapTargets() {
+  m_snapTargets = {};
+  m_near.reset();
+  m_gathering.cancelAll();
+  m_scene.setSnap({}, 0.0, false);
+}
+
+// Until the new ones are there, the old draw the tip.
+void MeshHapticsProvider::gather(bool isEdit) {
+  if (m_snapTargets.areEverywhere()) return gatherNear(isEdit);
+  Job job;
+  job.name = tr("Preparing to snap");
+  job.work = [this, isEdit, offer = offerOf(m_snapTargets, m_asCurves), mesh = m_document->document.mesh(),
+              loops = m_document->document.defects().loops](Progress progress) -> Job::Finish {
+    auto border = std::make_shared<LoopSnapField>(loopFeatures(mesh, loops, offer, progress));
+    return [this, isEdit, border] {
+      const double distance = border->distance(m_fidelity.values());
+      m_scene.setSnap(std::move(border->field), distance, isEdit);
+    };
+  };
+  m_gathering.start(std::move(job));
+}
+
+// The snap distance is the same all over the mesh: what has hold of the tip is in the next ones as it was in the last.
+void MeshHapticsProvider::gatherNear(bool isEdit) {
+  const ServoSample* const last = m_session.latest();
+  m_near.reset();
+  if (!m_surface || !last) return;  // comes with the surface, or with the tip
+  const Vec3 place = last->tip.position;
+  const double distance = m_fidelity.values().of(snapRadiusSetting()) * m_side;
+  Job job;
+  job.name = tr("Preparing to snap");
+  job.work = [this, isEdit, place, distance, snapTargets = m_snapTargets, surface = *m_surface,
+              mesh = m_document->document.mesh()](Progress progress) -> Job::Finish {
+    const NearFeatures near = nearFeatures(mesh, surface, snapTargets, place, kReach * distance);
+    std::optional<SnapField> field;
+    if (!near.features.items().empty()) field.emplace(near.features, progress);
+    const bool isSomewhere = near.reach > 0.0;
+    const double mayMove = isSomewhere ? std::max(0.5 * (near.reach - distance), 0.25 * near.reach) : kNeverAgain;
+    return [this, isEdit, place, distance, mayMove, field = std::move(field)]() mutable {
+      m_near = Near{place, mayMove};
+      m_scene.setSnap(std::move(field), distance, isEdit);
+    };
+  };
+  m_gathering.start(std::move(job));
+}
+
+void MeshHapticsProvider::followTip() {
+  const ServoSample* const last = m_session.latest();
+  if (!m_snapTargets.areEverywhere() || !last || !m_gathering.isIdle()) return;
+  if (!m_near || !((last->tip.position - m_near->place).norm() <= m_near->mayMove)) gatherNear(m_near.has_value());
+}
+
+// While it is being made, it is made of a mesh that is no longer there.
+void MeshHapticsProvider::edited(const std::vector<Face>& touched) {
+  if (!isFelt()) return;
+  if (m_surface && touched.size() <= kMostAtOnce) {
+    update(touched);
+  } else {
+    rebuild(true);
+  }
+  if (m_snapTargets != SnapTargets()) gather(true);
+}
+
+void MeshHapticsProvider::update(const std::vector<Face>& touched) {
+  const HalfEdgeMesh& mesh = m_document->document.mesh();
+  std::vector<std::uint32_t> removed;
+  std::vector<ContactTriangle> added;
+  for (const Face f : touched) {
+    removed.push_back(touchableNumber(f));
+    if (f < mesh.faceSlots() && mesh.isLive(f)) added.push_back({mesh.points(f), touchableNumber(f)});
+  }
+  m_surface->update(removed, added);
+  m_scene.setSurface(*m_surface, true);
+}
+
+}  // namespace handwheel

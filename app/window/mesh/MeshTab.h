@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/mesh/MeshDocument.h"
+#include "mesh/repair/Repair.h"
+#include "panels/defects/Inspection.h"
+#include "window/documents/DocumentTab.h"
+#include "window/mesh/OperationsBase.h"
+
+namespace handwheel {
+
+struct MeshDeviation;
+
+// An open mesh document with its window state. `document` hides that of the base class: it is the same object with its
+// own type.
+struct MeshTab : DocumentTab {
+  MeshTab(std::unique_ptr<Document> made, KindUi& of)
+      : DocumentTab(std::move(made), of),
+        document(static_cast<MeshDocument&>(DocumentTab::document)),
+        inspection(document),
+        asOpened(document.mesh()) {}
+
+  MeshDocument& document;
+  Inspection inspection;
+  const HalfEdgeMesh asOpened;               // shares unchanged pages with the present mesh
+  std::shared_ptr<MeshDeviation> deviation;  // the comparison that is shown; null for none
+  Vertex selected = kNone;                   // Inspection::keyOf() of the selected loop
+  bool repaired = false;                     // "Repair all" ran at least once
+
+  std::size_t faceSlots = document.mesh().faceSlots();  // at the last change
+  FaceSelection newest;                                 // the faces added by the last change, usually those of a patch
+
+  // Number of changes of the mesh, including undo and redo; and that number when the mesh last equalled its file.
+  std::uint64_t changes = 0;
+  std::uint64_t changesInFile = 0;
+  std::vector<OperationsBase> bases;  // the newest last
+  // touched: as in MeshDocument::meshChanged.
+  void meshChanged(const std::vector<Face>& touched) {
+    ++changes;
+    FaceSelection added;
+    for (const Face f : touched)
+      if (f >= faceSlots && f < document.mesh().faceSlots()) added.add(f);
+    faceSlots = document.mesh().faceSlots();
+    newest.dropDead(document.mesh());
+    if (!added.empty()) newest = added;
+  }
+  // Whether the mesh equals that of the file, which was read without loss. The loops marked to be kept open may differ.
+  bool isAsInFile() const { return inFile && document.file().damage.empty() && changes == changesInFile; }
+};
+
+}  // namespace handwheel

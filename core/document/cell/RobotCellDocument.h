@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Document.h"
+#include "document/cell/RobotCellSnapshot.h"
+
+namespace handwheel {
+
+// Document of a robot cell: a robot and its joint values.
+class RobotCellDocument : public Document {
+  Q_OBJECT
+
+ public:
+  // opened: the content is a RobotCellSnapshot.
+  explicit RobotCellDocument(OpenedFile opened, QObject* parent = nullptr);
+
+  const CellRobot& robot() const { return *m_robot; }
+  const JointValues& joints() const { return m_joints; }
+
+  SnapshotPointer snapshot() const override;
+  // Those of cellProperties(), then those of every document.
+  std::vector<Property> properties() const override;
+  Result<std::unique_ptr<Edit>> propertyEdit(const std::string& id, const PropertyValue& value) const override;
+
+  // An edit that moves the joints there, kept within their limits; null when nothing moves. Values must be finite.
+  std::unique_ptr<Edit> jointEdit(const JointValues& joints) const;
+
+ private:
+  friend class JointEdit;
+
+  std::shared_ptr<const CellRobot> m_robot;
+  JointValues m_joints;
+  std::string m_source;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/cell/RobotCellKind.h"
+
+#include "document/AtomicFile.h"
+#include "document/cell/CellBlobs.h"
+#include "document/cell/CellDisplay.h"
+#include "document/cell/CellImport.h"
+#include "document/cell/RobotCellDocument.h"
+#include "document/formats/MeshExport.h"
+#include "robot/Kinematics.h"
+#include "robot/UrdfReader.h"
+
+#include <QtGlobal>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace handwheel {
+
+namespace {
+
+const RobotCellSnapshot& cellOf(const Snapshot& content) {
+  return static_cast<const RobotCellSnapshot&>(content);
+}
+
+Result<TriangleSoup> posedSurface(const DisplayModel& display, Progress progress) {
+  TriangleSoup all;
+  for (std::size_t i = 0; i < display.parts.size(); ++i) {
+    if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+    progress.set(static_cast<double>(i) / static_cast<double>(display.parts.size()));
+    const DisplayPart& part = display.parts[i];
+    const auto base = static_cast<std::uint32_t>(all.points.size());
+    for (const Vec3& p : part.soup->points) all.points.push_back(part.pose * p);
+    for (const Triangle& t : part.soup->triangles) all.triangles.push_back({base + t[0], base + t[1], base + t[2]});
+  }
+  return all;
+}
+
+const char* nameOf(JointKind kind) {
+  switch (kind) {
+    case JointKind::Revolute:
+      return "revolute";
+    case JointKind::Continuous:
+      return "continuous";
+    case JointKind::Prismatic:
+      return "prismatic";
+    case JointKind::Fixed:
+      break;
+  }
+  return "fixed";
+}
+
+// Null for what is not known and for what has no limit.
+nlohmann::json numberOrNull(std::optional<double> value) {
+  return value && std::isfinite(*value) ? nlohmann::json(*value) : nlohmann::json();
+}
+
+nlohmann::json describeJoints(const RobotModel& robot, const JointValues& values) {
+  nlohmann::json joints = nlohmann::json::array();
+  for (std::size_t dof = 0; dof < robot.dofs.size(); ++dof) {
+    const Joint& joint = robot.jointOfDof(dof);
+    joints.push_back({{"name", joint.name},
+                      {"kind", nameOf(joint.kind)},
+                      {"value", values[static_cast<Eigen::Index>(dof)]},
+                      {"lower", numberOrNull(joint.limits.lower)},
+                      {"upper", numberOrNull(joint.limits.upper)},
+                      {"velocity", numberOrNull(joint.limits.velocity)},
+                      {"effort", numberOrNull(joint.limits.effort)}});
+  }
+  return joints;
+}
+
+nlohmann::json describeTool(const RobotModel& robot, const JointValues& values) {
+  const std::uint32_t link = toolLink(robot);
+  const Pose pose = linkPoses(robot, values)[link];
+  const Vec3 at = pose.translation();
+  const Eigen::Quaterniond turn(pose.linear());
+  return {{"link", robot.links[link].name},
+          {"position", {at.x(), at.y(), at.z()}},
+          {"quaternion", {turn.w(), turn.x(), turn.y(), turn.z()}}};
+}
+
+}  // namespace
+
+std::string RobotCellKind::title() const {
+  return QT_TRANSLATE_NOOP("DocumentKind", "Robot cell");
+}
+
+std::vector<FileFormat> RobotCellKind::formats() const {
+  std::vector<FileFormat> all{{"URDF", {".urdf"}, true, false}};
+  for (const FileFormat& format : meshFileFormats()) all.push_back({format.name, format.endings, false, format.writes});
+  return all;
+}
+
+bool RobotCellKind::recognises(std::string_view head, std::string_view name) const {
+  return looksLikeUrdf(head) || name.ends_with(".urdf") || name.ends_with(".URDF");
+}
+
+Result<OpenedFile> RobotCellKind::import(const std::filesystem::path& path, const ReadOptions&,
+                                         Progress progress) const {
+  Result<ImportedCell> imported = importCell(path, m_shapeSides, progress);
+  if (!imported) return imported.error();
+  OpenedFile opened;
+  opened.kind = this;
+  opened.file.damage = std::move(imported->damage);
+  opened.file.unlistedDamage = imported->unlistedDamage;
+  opened.content = std::move(imported->cell);
+  return opened;
+}
+
+Result<WrittenFile> RobotCellKind::exportTo(const Snapshot& content, const std::filesystem::path& path,
+                                            Progress progress) const {
+  const Result<MeshFormat> format = formatForOutput(path);
+  if (!format) return format.error();
+  const Result<TriangleSoup> soup = posedSurface(display(content), progress.part(0.0, 0.2));
+  if (!soup) return soup.error();
+  if (soup->triangles.empty()) return Error{ErrorCode::NoTriangles, {}, {}, {}};
+  const Result<std::string> bytes =
+      encodeChecked(*soup, *format, numberTypeOf(*format, NumberType::Float64), progress.part(0.2, 0.8));
+  if (!bytes) return bytes.error();
+  const Status written = writeFileAtomically(path, *bytes, progress.part(0.8, 1.0));
+  if (!written) return written.error();
+  return WrittenFile{
+      bytes->size(),
+      {{QT_TRANSLATE_NOOP("Note", "The file holds the robot's surfaces as they stand now; it has no joints.")}}};
+}
+
+void RobotCellKind::save(const Snapshot& content, Container& container) const {
+  writeCell(cellOf(content), container);
+}
+
+Result<SnapshotPointer> RobotCellKind::load(const Container& container, std::vector<Error>& damage,
+                                            Progress progress) const {
+  return readCell(container, m_shapeSides, damage, progress);
+}
+
+std::unique_ptr<Document> RobotCellKind::make(OpenedFile opened) const {
+  return std::make_unique<RobotCellDocument>(std::move(opened));
+}
+
+nlohmann::json RobotCellKind::describe(const Snapshot& content) const {
+  const RobotCellSnapshot& cell = cellOf(content);
+  const RobotModel& robot = cell.robot->model;
+  std::size_t triangles = 0;
+  for (const DisplayPart& part : display(content).parts) triangles += part.soup->triangles.size();
+  nlohmann::json missing = nlohmann::json::array();
+  for (std::size_t i = 0; i < robot.shapes.size(); ++i) {
+    const auto* mesh = std::get_if<MeshShape>(&robot.shapes[i]);
+    if (mesh && !cell.robot->surfaces[i]) missing.push_back(mesh->file);
+  }
+  return {{"robot", robot.name},
+          {"source", cell.source},
+          {"links", robot.links.size()},
+          {"fixed_joints", robot.joints.size() - robot.dofs.size()},
+          {"joints", describeJoints(robot, cell.joints)},
+          {"tool", describeTool(robot, cell.joints)},
+          {"triangles", triangles},
+          {"missing_meshes", missing}};
+}
+
+DisplayModel RobotCellKind::display(const Snapshot& content) const {
+  const RobotCellSnapshot& cell = cellOf(content);
+  return displayOf(*cell.robot, cell.joints);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/DocumentKind.h"
+#include "robot/ShapeSurfaces.h"
+
+#include <atomic>
+
+namespace handwheel {
+
+// Document kind of robot cells: a URDF description, its meshes and joint values.
+class RobotCellKind : public DocumentKind {
+ public:
+  // The setting cell.shape_sides for the robots that are opened from now on. Any thread.
+  void setShapeSides(std::uint32_t sides) { m_shapeSides = sides; }
+
+  std::string id() const override { return "cell"; }
+  std::string title() const override;
+  std::vector<FileFormat> formats() const override;
+  bool recognises(std::string_view head, std::string_view name) const override;
+  // A robot always opens; its meshes that are missing or damaged are left out.
+  Result<OpenedFile> import(const std::filesystem::path& path, const ReadOptions& options,
+                            Progress progress) const override;
+  // The surfaces as they are shown, as one mesh.
+  Result<WrittenFile> exportTo(const Snapshot& content, const std::filesystem::path& path,
+                               Progress progress) const override;
+  void save(const Snapshot& content, Container& container) const override;
+  Result<SnapshotPointer> load(const Container& container, std::vector<Error>& damage,
+                               Progress progress) const override;
+  std::unique_ptr<Document> make(OpenedFile opened) const override;
+  nlohmann::json describe(const Snapshot& content) const override;
+  DisplayModel display(const Snapshot& content) const override;
+
+ private:
+  std::atomic<std::uint32_t> m_shapeSides = kShapeSides;
+};
+
+}  // namespace handwheel

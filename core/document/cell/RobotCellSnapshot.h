@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Snapshot.h"
+#include "mesh/structure/TriangleSoup.h"
+#include "robot/RobotModel.h"
+
+namespace handwheel {
+
+// A robot model with the surfaces for its display. It does not change when the joints move, so snapshots and display
+// share it.
+struct CellRobot {
+  RobotModel model;
+  std::string description;  // the URDF file as it was read
+  // Per shape of the model, in mm, coordinates that single precision can hold; null for a mesh that is missing.
+  std::vector<std::shared_ptr<const TriangleSoup>> surfaces;
+};
+
+// The value of a cell document.
+struct RobotCellSnapshot : Snapshot {
+  std::shared_ptr<const CellRobot> robot;  // never null
+  JointValues joints;                      // within their limits
+  std::string source;                      // the file that the robot came from, as text in UTF-8
+};
+
+}  // namespace handwheel

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Container.h"
+#include "document/workpiece/WorkpieceSnapshot.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace handwheel {
+
+// Writes the turned part of a workpiece: "turned" in the object "document" of the manifest, and the blobs
+// "workpiece/radii/NNNN" (a double for each sample) and "workpiece/passes/NNNN/NNNN" (time, r and z of each point). For
+// an uncut bar, null and no blobs.
+void writeTurnedPart(const WorkpieceSnapshot& workpiece, Container& container);
+
+// Reads it; accepts any input. Where samples are lost the profile is cut once more from the passes. What cannot be
+// recovered is added to damage, and the bar is then uncut (null). Error: Cancelled.
+Result<std::shared_ptr<const TurnedPart>> readTurnedPart(const nlohmann::json& document,
+                                                         const WorkpieceSnapshot& workpiece, const Container& container,
+                                                         std::vector<Error>& damage, Progress progress);
+
+}  // namespace handwheel

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/workpiece/TurnedPartEdit.h"
+
+#include "document/workpiece/WorkpieceDocument.h"
+
+namespace handwheel {
+
+void TurnedPartEdit::exchange(Document& document) {
+  auto& owner = static_cast<WorkpieceDocument&>(document);
+  WorkpieceSnapshot workpiece = owner.workpiece();
+  std::swap(workpiece.part, m_part);
+  owner.set(std::move(workpiece));
+}
+
+// Of what it may hold alone: the last pass, and as many samples.
+std::size_t TurnedPartEdit::bytes() const {
+  if (!m_part || m_part->passes.empty()) return sizeof *this;
+  const std::size_t points = m_part->passes.back()->path.size();
+  return sizeof *this + points * (sizeof(ProfilePoint) + sizeof(double)) + points * sizeof(double);
+}
+
+TurnedPart partOf(const WorkpieceSnapshot& workpiece, double spacing) {
+  if (workpiece.part) return *workpiece.part;
+  const TurnedProfile profile(workpiece.stock, spacing);
+  return {profile, TurnedSurface(profile, workpiece.chord), {}};
+}
+
+std::shared_ptr<const TurnedPart> withPass(const WorkpieceSnapshot& workpiece, TurningPass pass, double spacing,
+                                           Progress progress) {
+  TurnedPart part = partOf(workpiece, spacing);
+  const TurnedProfile::Range changed = cut(part.profile, pass, progress);
+  if (progress.cancelled()) return nullptr;
+  part.surface.update(part.profile, changed);
+  part.passes.push_back(std::make_shared<const TurningPass>(std::move(pass)));
+  return std::make_shared<const TurnedPart>(std::move(part));
+}
+
+}  // namespace handwheel

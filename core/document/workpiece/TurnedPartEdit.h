@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Edit.h"
+#include "document/workpiece/WorkpieceSnapshot.h"
+
+namespace handwheel {
+
+// Exchanges the part that was cut from a bar: one pass of a tool. Versions share what did not change.
+class TurnedPartEdit : public Edit {
+ public:
+  explicit TurnedPartEdit(std::shared_ptr<const TurnedPart> part) : m_part(std::move(part)) {}
+
+  void exchange(Document& document) override;
+  std::size_t bytes() const override;
+
+ private:
+  std::shared_ptr<const TurnedPart> m_part;
+};
+
+// The part of a workpiece after one more pass. Cancelled: null.
+std::shared_ptr<const TurnedPart> withPass(const WorkpieceSnapshot& workpiece, TurningPass pass, double spacing,
+                                           Progress progress = {});
+
+// The present part; of an uncut bar a part without passes, with samples at this distance (mm).
+TurnedPart partOf(const WorkpieceSnapshot& workpiece, double spacing);
+
+}  // namespace handwheel

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/scene/SnapForce.h"
+#include "haptics/scene/SpringForce.h"
+#include "haptics/scene/SurfaceForce.h"
+
+#include <optional>
+
+namespace handwheel {
+
+// What is felt of a mesh: its surface, snap features, and the springs of a tool.
+struct MeshHaptics {
+  std::optional<TouchedSurface> surface;
+  std::optional<SnapAttraction> snap;
+  std::vector<Spring> springs;
+  Vec3 comesFrom = Vec3::Zero();  // as for SurfaceForce
+};
+
+// The ids of these sources.
+inline constexpr const char* kSurfaceSource = "surface";
+inline constexpr const char* kSnapSource = "snap";
+inline constexpr const char* kSpringSource = "springs";
+
+// The force sources of a mesh. What is absent costs nothing.
+ForceSources forceSources(MeshHaptics mesh);
+
+}  // namespace handwheel

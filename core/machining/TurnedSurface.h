@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "machining/TurnedProfile.h"
+#include "mesh/structure/TriangleSoup.h"
+
+#include <memory>
+#include <vector>
+
+namespace handwheel {
+
+// The triangles of a turned part in blocks along the axis, for display while it is cut. A version shares the blocks
+// that did not change with the one before. Neighbouring blocks end in the same ring of points, so that there is no gap.
+class TurnedSurface {
+ public:
+  static constexpr std::size_t kBlockSamples = 256;
+
+  // chord: mm, tolerance of the triangles.
+  TurnedSurface(const TurnedProfile& profile, double chord);
+
+  // Builds the blocks with these samples anew. O(changed samples).
+  void update(const TurnedProfile& profile, const TurnedProfile::Range& changed);
+
+  // The blocks from the lower end to the upper. Those at the ends have the flat ends of the part.
+  const std::vector<std::shared_ptr<const TriangleSoup>>& blocks() const { return m_blocks; }
+
+ private:
+  std::shared_ptr<const TriangleSoup> build(const TurnedProfile& profile, std::size_t block) const;
+
+  double m_chord;
+  std::uint32_t m_segments;  // of each ring
+  std::vector<std::shared_ptr<const TriangleSoup>> m_blocks;
+};
+
+}  // namespace handwheel

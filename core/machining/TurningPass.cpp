@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "machining/TurningPass.h"
+
+#include <algorithm>
+
+namespace handwheel {
+
+TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& pass, Progress progress) {
+  constexpr std::size_t kLook = 256;  // points between two looks at the cancel flag
+  TurnedProfile::Range changed;
+  for (std::size_t i = 0; i < pass.path.size(); ++i) {
+    if (i % kLook == 0) {
+      if (progress.cancelled()) break;
+      progress.set(static_cast<double>(i) / static_cast<double>(pass.path.size()));
+    }
+    const ProfilePoint& from = pass.path[i == 0 ? 0 : i - 1];
+    changed.extend(profile.cut(from, pass.path[i], pass.noseRadius));
+  }
+  return changed;
+}
+
+}  // namespace handwheel

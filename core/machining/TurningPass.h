@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "machining/TurnedProfile.h"
+
+namespace handwheel {
+
+// One pass of a tool along a turned part, as it was recorded. Repeating the passes of a part on its stock gives the
+// same profile, bit for bit.
+struct TurningPass {
+  static constexpr std::size_t kMostPoints = 10'000'000;
+
+  double noseRadius = 1.0;         // mm
+  std::vector<ProfilePoint> path;  // of the centre of the nose, (r, z); mm
+  std::vector<double> times;       // s, of each point since the first; as many, never falling
+};
+
+// Cuts a pass. The profile is incomplete when it was cancelled.
+TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& pass, Progress progress = {});
+
+}  // namespace handwheel

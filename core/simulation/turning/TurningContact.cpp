@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulation/turning/TurningContact.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+constexpr int kHalvings = 12;  // of the way to the material: a 4000th of it is left
+}
+
+double ProfilePatch::penetration(const ProfilePoint& centre, double radius) const {
+  double deepest = -radius;
+  const double first = std::ceil((centre.y() - radius - z) / spacing);
+  const double last = std::floor((centre.y() + radius - z) / spacing);
+  const auto begin = static_cast<std::int64_t>(std::max(first, 0.0));
+  const auto end = static_cast<std::int64_t>(std::min(last, static_cast<double>(count) - 1.0));
+  for (std::int64_t i = begin; i <= end; ++i) {
+    const double offset = z + spacing * static_cast<double>(i) - centre.y();
+    const double low = centre.x() - std::sqrt(std::max(radius * radius - offset * offset, 0.0));
+    deepest = std::max(deepest, radii[static_cast<std::size_t>(i)] - low);
+  }
+  return deepest;
+}
+
+ProfilePatch patchAround(const TurnedProfile& profile, double z, double noseRadius) {
+  ProfilePatch patch;
+  patch.spacing = profile.spacing();
+  patch.top = profile.length();
+  const double last = static_cast<double>(profile.size() - 1);
+  const double half = std::min(2.0 * noseRadius / profile.spacing() + 1.0, 0.5 * (ProfilePatch::kMost - 1.0));
+  const double middle = z / profile.spacing();
+  const auto begin = static_cast<std::size_t>(std::clamp(std::ceil(middle - half), 0.0, last));
+  const auto end = static_cast<std::size_t>(std::clamp(std::floor(middle + half), 0.0, last));
+  patch.z = profile.z(begin);
+  for (std::size_t i = begin; i <= end && patch.count < ProfilePatch::kMost; ++i) {
+    patch.radii[patch.count++] = profile.radius(i);
+  }
+  return patch;
+}
+
+bool TurningContact::follow(const ProfilePatch& patch, const TurningTool& tool, const ProfilePoint& hand,
+                            bool isCutting, double dt) {
+  const auto depth = [&](const ProfilePoint& p) { return patch.penetration(p, tool.noseRadius); };
+  const double there = depth(hand);
+  // The way out is free, also through what the simulation has yet to remove.
+  if (!(there > 0.0) || (isCutting && there <= depth(m_tool))) {
+    m_tool = hand;
+    return false;
+  }
+  if (!isCutting) {  // lies on the material, straight outward from the hand
+    m_tool = hand + ProfilePoint(there, 0.0);
+    return true;
+  }
+  if (!(depth(m_tool) > 0.0)) {  // up to the material at once
+    double clear = 0.0, inside = 1.0;
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle = 0.5 * (clear + inside);
+      (depth(m_tool + middle * (hand - m_tool)) > 0.0 ? inside : clear) = middle;
+    }
+    m_tool += clear * (hand - m_tool);
+  }
+  m_tool += -std::expm1(-dt * tool.stiffness / tool.resistance) * (hand - m_tool);
+  return true;
+}
+
+}  // namespace handwheel

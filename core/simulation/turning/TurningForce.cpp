@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulation/turning/TurningForce.h"
+
+#include <algorithm>
+
+namespace handwheel {
+
+TurningForce::TurningForce(std::shared_ptr<TurningChannel> channel, const TurningTool& tool, double base)
+    : ForceSource(kTurningSource), m_channel(std::move(channel)), m_tool(tool), m_base(base) {}
+
+void TurningForce::follow(const ForceSource& previous) noexcept {
+  const auto* other = dynamic_cast<const TurningForce*>(&previous);
+  if (!other || other->m_channel != m_channel) return;
+  m_contact = other->m_contact;
+  m_outward = other->m_outward;
+  m_isPlaced = other->m_isPlaced;
+}
+
+ForceBounds TurningForce::advance(const TipState& tip, ForceOut& out) noexcept {
+  const Vec3 across(tip.position.x(), tip.position.y(), 0.0);
+  const double distance = across.norm();
+  if (!std::isfinite(distance) || !std::isfinite(tip.position.z())) return {};
+  if (distance > 0.0) m_outward = across / distance;
+  const ProfilePoint hand(distance, tip.position.z() - m_base);
+  if (tip.isRestart || !m_isPlaced) m_contact.place(hand);
+  m_isPlaced = true;
+  m_isTouching = m_contact.follow(m_channel->patch.read(), m_tool, hand, (tip.buttons & 1u) != 0, tip.period);
+  m_proxy = m_contact.tool().x() * m_outward + Vec3(0, 0, m_contact.tool().y() + m_base);
+  m_channel->inputs->push({tip, m_proxy});
+  if (!m_isTouching) return {};
+  out.isContact = true;
+  out.proxy = m_proxy;
+  return {m_tool.stiffness, 0.0};
+}
+
+Vec3 TurningForce::force(const TipState& tip, double stiffness, double) noexcept {
+  if (!m_isTouching) return Vec3::Zero();
+  return stiffness * m_tool.stiffness * (m_proxy - tip.position);
+}
+
+}  // namespace handwheel

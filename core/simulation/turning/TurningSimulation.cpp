@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulation/turning/TurningSimulation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+bool cuts(const SimulationInput& input) {
+  return (input.tip.buttons & 1u) != 0;
+}
+
+ProfilePoint toolAt(const SimulationInput& input, double base) {
+  return {std::hypot(input.proxy.x(), input.proxy.y()), input.proxy.z() - base};
+}
+
+}  // namespace
+
+TurningSimulation::TurningSimulation(TurnedProfile profile, TurnedSurface surface, double noseRadius, double base,
+                                     std::shared_ptr<TurningChannel> channel)
+    : m_state(std::make_shared<const TurningState>(profile, std::move(surface))),
+      m_profile(std::move(profile)),
+      m_base(base),
+      m_channel(std::move(channel)) {
+  m_pass.noseRadius = noseRadius;
+}
+
+void TurningSimulation::step(double, std::span<const SimulationInput> inputs) {
+  TurnedProfile::Range changed;
+  for (const SimulationInput& input : inputs) changed.extend(take(input));
+  if (!changed.isEmpty()) {
+    TurnedSurface surface = m_state->surface;
+    surface.update(m_profile, changed);
+    auto state = std::make_shared<TurningState>(m_profile, std::move(surface));
+    state->isCut = true;
+    m_state = std::move(state);
+  }
+  if (!inputs.empty())
+    m_channel->patch.write(patchAround(m_profile, inputs.back().tip.position.z() - m_base, m_pass.noseRadius));
+}
+
+TurnedProfile::Range TurningSimulation::take(const SimulationInput& input) {
+  if (!cuts(input) || m_pass.path.size() >= TurningPass::kMostPoints) return {};
+  const ProfilePoint place = toolAt(input, m_base);
+  const ProfilePoint from = m_pass.path.empty() ? place : m_pass.path.back();
+  if (m_pass.path.empty()) m_begin = input.tip.time;
+  m_pass.times.push_back(std::max(input.tip.time - m_begin, m_pass.times.empty() ? 0.0 : m_pass.times.back()));
+  m_pass.path.push_back(place);
+  return m_profile.cut(from, place, m_pass.noseRadius);
+}
+
+}  // namespace handwheel

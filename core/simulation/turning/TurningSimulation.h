@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "machining/TurnedSurface.h"
+#include "machining/TurningPass.h"
+#include "simulation/turning/TurningForce.h"
+
+namespace handwheel {
+
+// A turned part with its triangles, at one moment of the simulation.
+struct TurningState : SimulationState {
+  TurningState(TurnedProfile p, TurnedSurface s) : profile(std::move(p)), surface(std::move(s)) {}
+  TurnedProfile profile;
+  TurnedSurface surface;
+  bool isCut = false;  // since the simulation began
+};
+
+// The simulation of turning: the profile loses what the tool passes while button 0 is held, once it is held; a
+// simulation is of one pass.
+class TurningSimulation : public Simulation {
+ public:
+  // base: mm, z of the part's lower end in the scene.
+  TurningSimulation(TurnedProfile profile, TurnedSurface surface, double noseRadius, double base,
+                    std::shared_ptr<TurningChannel> channel);
+
+  void step(double dt, std::span<const SimulationInput> inputs) override;
+  std::shared_ptr<const SimulationState> state() const override { return m_state; }
+  // What was cut since the simulation began, as one pass: cut() with it does the same to the same profile.
+  const TurningPass& pass() const { return m_pass; }
+
+ private:
+  TurnedProfile::Range take(const SimulationInput& input);
+
+  std::shared_ptr<const TurningState> m_state;
+  TurnedProfile m_profile;
+  TurningPass m_pass;
+  double m_base;
+  std::shared_ptr<TurningChannel> m_channel;
+  double m_begin = 0.0;  // s, of the first point of the pass
+};
+
+}  // namespace handwheel

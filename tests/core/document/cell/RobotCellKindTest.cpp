@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Cells.h"
+
+#include "TestClass.h"
+#include "document/cell/CellDisplay.h"
+
+#include <QTest>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+const DisplayPart* partNamed(const DisplayModel& model, const std::string& name) {
+  for (const DisplayPart& part : model.parts)
+    if (part.name == name) return &part;
+  return nullptr;
+}
+
+}  // namespace
+
+class RobotCellKindTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void recognises();
+  void imports();
+  void meshesInMetres();
+  void colladaMeshes();
+  void missingMeshes();
+  void damagedMeshes();
+  void badDescription();
+  void tooMuchToShow();
+  void cancelled();
+  void display();
+  void describes();
+  void exports();
+
+ private:
+  ArmPackage m_package;
+};
+
+void RobotCellKindTest::recognises() {
+  QVERIFY(kKind.recognises("<?xml?><robot name='r'>", "anything.xml"));
+  QVERIFY(kKind.recognises("", "r.urdf"));
+  QVERIFY(!kKind.recognises("solid a", "part.stl"));
+}
+
+void RobotCellKindTest::imports() {
+  const OpenedFile opened = importOrThrow(m_package.urdf());
+  QVERIFY(opened.file.damage.empty());
+  const RobotCellSnapshot& cell = cellIn(opened);
+  QCOMPARE(cell.joints, values({0, 0}));
+  QCOMPARE(QString::fromStdString(cell.source), m_package.urdf());
+  QCOMPARE(cell.robot->description, kArmUrdf);
+  QCOMPARE(cell.robot->surfaces.size(), std::size_t{2});  // the mesh is shared by what is seen and what collides
+  QVERIFY(isNear(boxOf(*cell.robot->surfaces[0]), Vec3(-100, -100, -50), Vec3(100, 100, 50)));
+}
+
+// The file's numbers are metres, whatever the scale makes of them; and they are welded.
+void RobotCellKindTest::meshesInMetres() {
+  const RobotCellSnapshot cell = cellIn(importOrThrow(m_package.urdf()));
+  const TriangleSoup& upper = *cell.robot->surfaces[1];
+  QCOMPARE(upper.points.size(), std::size_t{8});
+  QCOMPARE(upper.triangles.size(), std::size_t{12});
+  QVERIFY(isNear(boxOf(upper), Vec3(-250, -50, -50), Vec3(250, 50, 50)));
+  for (const char* ending : {"obj", "ply", "off"}) {
+    const auto format = formatForName(std::string("a.") + ending);
+    const QString file = m_package.path(QString("arm/meshes/part.") + ending);
+    write(file, writeMesh(surfaceOf(BoxShape{{1, 2, 3}}), *format, NumberType::Float64));
+    std::vector<Error> damage;
+    const auto surface = readSurface(MeshShape{file.toStdString(), {0.0254, 0.0254, -0.0254}}, "/", damage);
+    QVERIFY(surface.hasValue() && damage.empty());
+    QVERIFY(isNear(boxOf(*surface), Vec3(-12.7, -25.4, -38.1), Vec3(12.7, 25.4, 38.1)));
+  }
+}
+
+// The unit of the file once, the scale of the description once, and millimetres.
+void RobotCellKindTest::colladaMeshes() {
+  const std::string dae =
+      "<COLLADA><asset><unit meter='0.0254'/><up_axis>Y_UP</up_axis></asset><library_geometries><geometry id='g'><mesh>"
+      "<source id='p'><float_array>0 0 0 10 0 0 0 20 30</float_array></source><vertices id='v'><input "
+      "semantic='POSITION' source='#p'/></vertices><triangles><input semantic='VERTEX' source='#v' offset='0'/>"
+      "<p>0 1 2</p></triangles></mesh></geometry></library_geometries><library_visual_scenes><visual_scene><node>"
+      "<instance_geometry url='#g'/></node></visual_scene></library_visual_scenes></COLLADA>";
+  const QString file = m_package.path("inch.dae");
+  write(file, dae);
+  std::vector<Error> damage;
+  const auto surface = readSurface(MeshShape{file.toStdString(), {2, 1, 1}}, "/", damage);
+  QVERIFY(surface.hasValue());
+  QVERIFY(isNear(boxOf(*surface), Vec3::Zero(), Vec3(508, 508, 762)));
+}
+
+void RobotCellKindTest::missingMeshes() {
+  const ArmPackage package;
+  QVERIFY(QFile::remove(package.mesh()));
+  const OpenedFile opened = importOrThrow(package.urdf());
+  QCOMPARE(opened.file.damage.size(), std::size_t{1});
+  QCOMPARE(opened.file.damage[0].code, ErrorCode::ReferenceMissing);
+  QVERIFY(!cellIn(opened).robot->surfaces[1]);
+  QCOMPARE(kKind.display(*opened.content).parts.size(), std::size_t{1});
+  const nlohmann::json description = kKind.describe(*opened.content);
+  QVERIFY(description["missing_meshes"] == nlohmann::json({"package://arm/meshes/upper.stl"}));
+  // Saved and loaded it is still missing, and that is no damage of the container.
+  std::vector<Error> damage;
+  const auto again = loaded(saved(*opened.content), damage);
+  QVERIFY(again && !again->robot->surfaces[1]);
+  QVERIFY(damage.empty());
+}
+
+void RobotCellKindTest::damagedMeshes() {
+  const auto damageOf = [](const char* name, const std::string& bytes) {
+    ArmPackage package;
+    write(package.path(name), bytes);
+    std::vector<Error> damage;
+    const auto surface = readSurface(MeshShape{package.path(name).toStdString(), Vec3::Ones()}, "/", damage);
+    if (surface) return damage.empty() ? Error{ErrorCode::Cancelled, {}, {}, "no damage"} : damage[0];
+    return surface.error();
+  };
+  QCOMPARE(damageOf("a.stl", "").code, ErrorCode::FileEmpty);
+  QCOMPARE(damageOf("a.stl", "solid a\nfacet").subject.empty(), false);
+  QCOMPARE(damageOf("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 9\n").code, ErrorCode::IndexOutOfRange);
+  QCOMPARE(damageOf("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1e200 0\nf 1 2 3\n").code, ErrorCode::ValueOutOfRange);
+  QCOMPARE(damageOf("a.dae", "<COLLADA/>").code, ErrorCode::NoTriangles);
+  QCOMPARE(damageOf("a.dae", "<COLLADA>").code, ErrorCode::ElementMalformed);
+}
+
+void RobotCellKindTest::badDescription() {
+  write(m_package.path("bad.urdf"), "<robot name='r'><link name='a'/><link name='b'/></robot>");
+  const auto opened = kKind.import(m_package.path("bad.urdf").toStdString(), {}, {});
+  QVERIFY(!opened);
+  QCOMPARE(opened.error().code, ErrorCode::ElementMalformed);
+  QCOMPARE(kKind.import(m_package.path("none.urdf").toStdString(), {}, {}).error().code, ErrorCode::FileMissing);
+  QCOMPARE(kKind.import(m_package.path("arm").toStdString(), {}, {}).error().code, ErrorCode::FileUnreadable);
+}
+
+// 2000 places for a mesh of 30,000 triangles.
+void RobotCellKindTest::tooMuchToShow() {
+  TriangleSoup many;
+  many.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  many.triangles.assign(30'000, {0, 1, 2});
+  write(m_package.path("many.ply"), writeMesh(many, MeshFormat::Ply, NumberType::Float32));
+  std::string visuals;
+  for (int i = 0; i < 2000; ++i) visuals += "<visual><geometry><mesh filename='many.ply'/></geometry></visual>";
+  write(m_package.path("many.urdf"), "<robot><link name='a'>" + visuals + "</link></robot>");
+  const OpenedFile opened = importOrThrow(m_package.path("many.urdf"));
+  QCOMPARE(opened.file.damage.size(), std::size_t{1});
+  QCOMPARE(opened.file.damage[0].code, ErrorCode::FileTooLarge);
+  QVERIFY(kKind.display(*opened.content).parts.empty());
+}
+
+void RobotCellKindTest::cancelled() {
+  JobState state;
+  state.cancelled = true;
+  const auto opened = kKind.import(m_package.urdf().toStdString(), {}, Progress(state));
+  QVERIFY(!opened);
+  QCOMPARE(opened.error().code, ErrorCode::Cancelled);
+}
+
+void RobotCellKindTest::display() {
+  const RobotCellSnapshot cell = cellIn(importOrThrow(m_package.urdf()));
+  const DisplayModel model = displayOf(*cell.robot, values({100, M_PI_2}));
+  QCOMPARE(model.parts.size(), std::size_t{2});
+  const DisplayPart* upper = partNamed(model, "upper/0");
+  QVERIFY(upper);
+  QVERIFY((upper->pose.translation() - Vec3(100, 250, 0)).norm() < 1e-9);
+  QVERIFY(upper->colour == (std::array<float, 3>{1, 0, 0}));
+  QCOMPARE(linkOfPart(*cell.robot, "upper/0"), linkNamed(cell.robot->model, "upper"));
+  QCOMPARE(linkOfPart(*cell.robot, "upper"), kNone);
+  QCOMPARE(linkOfPart(*cell.robot, "none/0"), kNone);
+  QVERIFY(isNear(model.bounds(), Vec3(-100, -100, -50), Vec3(150, 500, 50)));
+
+  write(m_package.path("bare.urdf"),
+        "<robot><link name='a'><collision><geometry><sphere radius='1'/></geometry></collision></link></robot>");
+  QCOMPARE(kKind.display(*importOrThrow(m_package.path("bare.urdf")).content).parts.size(), std::size_t{1});
+}
+
+void RobotCellKindTest::describes() {
+  const RobotCellSnapshot cell = cellIn(importOrThrow(m_package.urdf()));
+  const nlohmann::json d = kKind.describe(*withJoints(cell, values({250, M_PI_2})));
+  QVERIFY(d["robot"] == nlohmann::json("arm"));
+  QVERIFY(d["links"] == nlohmann::json(5));
+  QCOMPARE(d["joints"].size(), std::size_t{2});
+  QVERIFY(d["joints"][1]["name"] == nlohmann::json("turn"));
+  QVERIFY(d["joints"][1]["kind"] == nlohmann::json("revolute"));
+  QVERIFY(d["joints"][1]["upper"] == nlohmann::json(2.0));
+  QVERIFY(d["joints"][1]["effort"].is_null());
+  QVERIFY(d["joints"][0]["velocity"] == nlohmann::json(500.0));
+  QVERIFY(d["tool"]["link"] == nlohmann::json("tool0"));
+  QVERIFY(std::abs(d["tool"]["position"][1].get<double>() - 500.0) < 1e-9);
+  QVERIFY(std::abs(d["tool"]["quaternion"][0].get<double>() - std::sqrt(0.5)) < 1e-12);
+  QVERIFY(d["triangles"] == nlohmann::json(24));
+  QVERIFY(!d.dump().empty());
+}
+
+void RobotCellKindTest::exports() {
+  const RobotCellSnapshot cell = cellIn(importOrThrow(m_package.urdf()));
+  const auto moved = withJoints(cell, values({100, M_PI_2}));
+  for (const char* name : {"out.stl", "out.obj", "out.ply", "out.off", "out.3mf"}) {
+    const std::string path = m_package.path(name).toStdString();
+    const auto written = kKind.exportTo(*moved, path, {});
+    QVERIFY(written.hasValue());
+    QCOMPARE(written->notes.size(), std::size_t{1});
+    const auto back = readMeshFile(path, {});
+    QVERIFY(back.hasValue());
+    QCOMPARE(back->soup.triangles.size(), std::size_t{24});
+    QVERIFY(isNear(boxOf(back->soup), Vec3(-100, -100, -50), Vec3(150, 500, 50)));
+  }
+  QCOMPARE(kKind.exportTo(*moved, m_package.path("out.urdf").toStdString(), {}).error().code,
+           ErrorCode::ExtensionUnknown);
+  JobState state;
+  state.cancelled = true;
+  const QString path = m_package.path("cancelled.stl");
+  QCOMPARE(kKind.exportTo(*moved, path.toStdString(), Progress(state)).error().code, ErrorCode::Cancelled);
+  QVERIFY(!QFile::exists(path));
+}
+
+HANDWHEEL_TEST(RobotCellKindTest)
+#include "RobotCellKindTest.moc"

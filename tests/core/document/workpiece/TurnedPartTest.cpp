@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestClass.h"
+#include "document/formats/MeshFormat.h"
+#include "document/workpiece/TurnedPartEdit.h"
+#include "document/workpiece/WorkpieceDocument.h"
+#include "document/workpiece/WorkpieceKind.h"
+#include "mesh/boundary/BoundaryLoops.h"
+#include "mesh/structure/MeshBuilder.h"
+#include "nurbs/StepFile.h"
+
+#include <rapidcheck.h>
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+using namespace handwheel;
+
+namespace {
+
+double anyBetween(double low, double high) {
+  return low + (high - low) * *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 1'000'001)) / 1e6;
+}
+
+TurningPass anyPass() {
+  TurningPass pass;
+  pass.noseRadius = anyBetween(0.1, 5.0);
+  const int count = *rc::gen::inRange(1, 20);
+  for (int i = 0; i < count; ++i) {
+    pass.path.emplace_back(anyBetween(-1.0, 40.0), anyBetween(-5.0, 105.0));
+    pass.times.push_back(0.004 * i);
+  }
+  return pass;
+}
+
+WorkpieceSnapshot cutTwice() {
+  WorkpieceSnapshot workpiece;
+  TurningPass pass;
+  pass.path = {{21.0, 20.0}, {21.0, 60.0}};
+  pass.times = {0.0, 1.0};
+  workpiece.part = withPass(workpiece, pass, 0.1);
+  pass.path = {{15.0, 70.0}, {26.0, 90.0}};
+  workpiece.part = withPass(workpiece, pass, 0.1);
+  return workpiece;
+}
+
+bool isSame(const WorkpieceSnapshot& a, const WorkpieceSnapshot& b) {
+  if (!a.part || !b.part) return !a.part && !b.part;
+  if (!(a.part->profile == b.part->profile) || a.part->passes.size() != b.part->passes.size()) return false;
+  for (std::size_t i = 0; i < a.part->passes.size(); ++i) {
+    const TurningPass &p = *a.part->passes[i], &q = *b.part->passes[i];
+    if (p.noseRadius != q.noseRadius || p.path != q.path || p.times != q.times) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+class TurnedPartTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void savedIsLoaded() {
+    QVERIFY(rc::check("load(save(x)) == x", [this] {
+      WorkpieceSnapshot workpiece;
+      const int passes = *rc::gen::inRange(0, 4);
+      for (int i = 0; i < passes; ++i) workpiece.part = withPass(workpiece, anyPass(), 0.5);
+      Container container;
+      m_kind.save(workpiece, container);
+      std::vector<Error> damage;
+      const auto loaded = m_kind.load(container, damage, {});
+      RC_ASSERT(loaded.hasValue() && damage.empty());
+      RC_ASSERT(isSame(static_cast<const WorkpieceSnapshot&>(**loaded), workpiece));
+    }));
+  }
+
+  // A lost blob of samples is cut once more from the passes; without all of these the bar is uncut, and says so.
+  void whatIsLostIsCutOnceMore() {
+    const WorkpieceSnapshot workpiece = cutTwice();
+    Container container;
+    m_kind.save(workpiece, container);
+    container.blobs.erase("workpiece/radii/0000");
+    std::vector<Error> damage;
+    auto loaded = m_kind.load(container, damage, {});
+    QVERIFY(loaded && !damage.empty());
+    QVERIFY(isSame(static_cast<const WorkpieceSnapshot&>(**loaded), workpiece));
+    container.blobs.erase("workpiece/passes/0001/0000");
+    damage.clear();
+    loaded = m_kind.load(container, damage, {});
+    QVERIFY(loaded && damage.size() >= 2);
+    QVERIFY(!static_cast<const WorkpieceSnapshot&>(**loaded).part);
+  }
+
+  void hostileManifests_data() {
+    QTest::addColumn<QByteArray>("turned");
+    for (const char* turned :
+         {"3", "[]", "{}", "{\"samples\": 1}", "{\"samples\": 4000000000}", "{\"samples\": -2}",
+          "{\"samples\": 100000, \"passes\": 7}", "{\"samples\": 100000, \"passes\": [1, {}, null]}",
+          "{\"samples\": 5, \"passes\": [{\"nose_radius\": 1e999, \"points\": 1}]}",
+          "{\"samples\": 5, \"passes\": [{\"nose_radius\": 1, \"points\": 18446744073709551615}]}"}) {
+      QTest::addRow("%s", turned) << QByteArray(turned);
+    }
+  }
+  void hostileManifests() {
+    QFETCH(QByteArray, turned);
+    Container container;
+    m_kind.save(WorkpieceSnapshot(), container);
+    (*container.manifest)["document"]["turned"] = nlohmann::json::parse(turned.toStdString(), nullptr, false);
+    std::vector<Error> damage;
+    const auto loaded = m_kind.load(container, damage, {});
+    QVERIFY(loaded && !damage.empty());
+  }
+
+  // Wrong numbers in the blobs: no radius larger than the bar, none below zero, none that is no number.
+  void hostileRadii() {
+    for (const double bad : {-1e-9, 26.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+      Container container;
+      m_kind.save(cutTwice(), container);
+      std::vector<double> radii = fromBlob<double>(container.blobs.at("workpiece/radii/0000"));
+      radii[7] = bad;
+      container.blobs["workpiece/radii/0000"] = toBlob(radii);
+      std::vector<Error> damage;
+      const auto loaded = m_kind.load(container, damage, {});
+      QVERIFY(loaded && !damage.empty());
+      QVERIFY(isSame(static_cast<const WorkpieceSnapshot&>(**loaded), cutTwice()));
+    }
+  }
+
+  // A valid solid and a closed mesh of the same volume as the profile.
+  void exportsWhatWasCut() {
+    const QTemporaryDir folder;
+    WorkpieceSnapshot workpiece = cutTwice();
+    workpiece.stock.position = 12.0;
+    const std::filesystem::path step = folder.filePath("a.step").toStdString();
+    const auto asStep = m_kind.exportTo(workpiece, step, {});
+    QVERIFY(asStep);
+    QFile file(QString::fromStdString(step));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const auto report = inspectStep(file.readAll().toStdString());
+    QVERIFY(report && report->solids == 1 && report->isValid);
+    QVERIFY(std::abs(report->volume / workpiece.part->profile.volume() - 1.0) < 1e-3);
+    const std::filesystem::path stl = folder.filePath("a.stl").toStdString();
+    QVERIFY(m_kind.exportTo(workpiece, stl, {}));
+    const auto read = readMeshFile(stl, {});
+    QVERIFY(read);
+    const HalfEdgeMesh mesh = buildMesh(read->soup).mesh;
+    QVERIFY(findBoundaryLoops(mesh).empty());
+    double volume = 0.0, lowest = 1e9;
+    for (const Triangle& t : read->soup.triangles) {
+      const Vec3 a = read->soup.points[t[0]], b = read->soup.points[t[1]], c = read->soup.points[t[2]];
+      volume += a.dot(b.cross(c)) / 6.0;
+      lowest = std::min({lowest, a.z(), b.z(), c.z()});
+    }
+    QVERIFY(std::abs(volume / workpiece.part->profile.volume() - 1.0) < 2e-3);
+    QCOMPARE(lowest, 12.0);
+  }
+
+  // A copy of a document shares the blocks of triangles that a pass did not touch.
+  void onlyTheBlocksOfAPassAreNew() {
+    const WorkpieceSnapshot before = cutTwice();
+    WorkpieceSnapshot after = before;
+    TurningPass pass;
+    pass.path = {{20.0, 5.0}};
+    pass.times = {0.0};
+    after.part = withPass(before, pass, 0.1);
+    const DisplayModel was = m_kind.display(before), is = m_kind.display(after);
+    QCOMPARE(is.parts.size(), was.parts.size());
+    std::size_t built = 0;
+    for (std::size_t i = 0; i < is.parts.size(); ++i) built += is.parts[i].soup != was.parts[i].soup ? 1 : 0;
+    QCOMPARE(built, std::size_t{1});
+  }
+
+ private:
+  WorkpieceKind m_kind;
+};
+
+HANDWHEEL_TEST(TurnedPartTest)
+#include "TurnedPartTest.moc"

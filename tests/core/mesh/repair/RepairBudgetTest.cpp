@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh/repair/RepairBudget.h"
+
+#include "GarbageMeshes.h"
+#include "RepairChecks.h"
+#include "TestClass.h"
+#include "document/formats/MeshFormat.h"
+#include "mesh/holes/HoleSequence.h"
+#include "mesh/repair/ObstructedHoles.h"
+#include "mesh/structure/MeshBuilder.h"
+#include "mesh/structure/MeshValidator.h"
+
+#include <QDir>
+#include <QTest>
+
+using namespace handwheel;
+
+namespace {
+
+// What a repair must be, whatever it could do.
+std::string wrong(const HalfEdgeMesh& before, const HalfEdgeMesh& after, const RepairReport& report) {
+  if (!validate(after).empty()) return "the mesh is not valid";
+  const std::size_t most = 2 * repairBudget(before.liveFaceCount());
+  if (report.effort > most) return "too much effort";
+  if (report.countedEffort > most + most / 10) return "effort was spent, and not looked at";
+  if (test::countBorder(after) > test::countBorder(before)) return "more open edges";
+  return test::inconsistent(before, after, report);
+}
+
+// An open sheet, bent so that it is not flat.
+TriangleSoup bowl(std::uint32_t n) {
+  return test::grid(n, n, false, false, [&](std::uint32_t i, std::uint32_t j) {
+    const double x = double(i) / n - 0.5, y = double(j) / n - 0.5;
+    return Vec3(x, y, 0.1 * (x * x + y * y));
+  });
+}
+
+std::size_t givenUp(const RepairReport& report) {
+  return static_cast<std::size_t>(std::count_if(report.loops.begin(), report.loops.end(), [](const LoopResult& loop) {
+    return loop.reason == FillFailure::TooMuchEffort;
+  }));
+}
+
+}  // namespace
+
+class RepairBudgetTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void growsWithTheMesh_data();
+  void growsWithTheMesh();
+  void passesOverAnyMeshAreAllowed();
+  void damagedSpheres();
+  void damagedFiles();
+  void isTheSameInEveryRun();
+  void fillsNothingWithoutEffort();
+};
+
+void RepairBudgetTest::growsWithTheMesh_data() {
+  QTest::addColumn<bool>("isFan");
+  QTest::addColumn<std::uint32_t>("size");
+  QTest::newRow("a sheet gets a back") << false << 60u;
+  QTest::newRow("fans that touch are parted") << true << 1'000u;
+}
+
+// What is done for a mesh, and for the same one twice as fine: a sheet then has four times the triangles, all else
+// being O(n log n). Of a fan with twice the triangles each meets each other, so that there are four times the pairs.
+void RepairBudgetTest::growsWithTheMesh() {
+  QFETCH(bool, isFan);
+  QFETCH(std::uint32_t, size);
+  std::vector<double> steps;
+  for (const std::uint32_t n : {size, 2 * size}) {
+    HalfEdgeMesh mesh = buildMesh(isFan ? test::twoConesSharingAnEdge(n) : bowl(n)).mesh;
+    const std::size_t faces = mesh.liveFaceCount();
+    const RepairReport report = repair(mesh, {});
+    QVERIFY(test::countEdges(mesh.compact().soup).sound());
+    for (const LoopResult& loop : report.loops) QVERIFY(loop.method == FillMethod::ThickenedSheet);
+    QVERIFY(report.countedEffort <= repairBudget(faces));
+    steps.push_back(static_cast<double>(report.countedEffort));
+  }
+  QVERIFY2(steps[1] < 5 * steps[0], qPrintable(QString("%1, %2 steps").arg(steps[0]).arg(steps[1])));
+}
+
+// A mesh of any size is closed where a small one is: what its passes take for each face is allowed for each face.
+void RepairBudgetTest::passesOverAnyMeshAreAllowed() {
+  HalfEdgeMesh mesh = buildMesh(bowl(60)).mesh;
+  const std::size_t most = tolerance::kPassBudget * mesh.liveFaceCount() / 2;
+  WorkBudget effort(most);
+  const ObstructedClosings closings = closeObstructedHoles(
+      mesh, std::vector{ObstructedHole{findBoundaryLoops(mesh).front(), true}}, {}, 0.01, Progress().within(effort));
+  QVERIFY(closings.holes[0].closed);
+  QVERIFY(effort.counted() <= most);
+  for (std::size_t n = 1'000; n < 1'000'000'000; n *= 10)
+    QVERIFY(repairBudget(n, tolerance::kObstructedHoleShare, tolerance::kObstructedHoleBudget) >=
+            tolerance::kPassBudget * n);
+}
+
+void RepairBudgetTest::damagedSpheres() {
+  std::size_t stopped = 0;
+  for (std::uint32_t seed = 0; seed < 8; ++seed) {
+    std::mt19937 random(seed);
+    const HalfEdgeMesh before = buildMesh(test::damagedSphere(random, 2, 10 * (seed + 1))).mesh;
+    HalfEdgeMesh after = before;
+    const RepairReport report = repair(after, {});
+    const std::string problem = wrong(before, after, report);
+    QVERIFY2(problem.empty(), problem.c_str());
+    stopped += givenUp(report) > 0;
+  }
+  QVERIFY2(stopped > 0, "none of them was too much");
+}
+
+void RepairBudgetTest::damagedFiles() {
+  const QString folder = qEnvironmentVariable("HANDWHEEL_DATA");
+  if (folder.isEmpty()) QSKIP("HANDWHEEL_DATA is not set: no damaged files to repair");
+  const QDir garbage(folder + "/garbage-meshes");
+  std::size_t files = 0;
+  for (const QFileInfo& file : garbage.entryInfoList(QDir::Files)) {
+    const auto read = readMeshFile(file.filePath().toStdString(), {.partial = true});
+    if (!read) continue;
+    const HalfEdgeMesh before = buildMesh(read->soup).mesh;
+    HalfEdgeMesh after = before;
+    RepairOptions options;
+    options.fill.numbers = read->numbers;
+    const RepairReport report = repair(after, options);
+    const std::string problem = wrong(before, after, report);
+    QVERIFY2(problem.empty(), (file.fileName().toStdString() + ": " + problem).c_str());
+    ++files;
+  }
+  QVERIFY(files > 0);
+}
+
+void RepairBudgetTest::isTheSameInEveryRun() {
+  std::mt19937 random(7);
+  const HalfEdgeMesh before = buildMesh(test::damagedSphere(random, 2, 80)).mesh;
+  HalfEdgeMesh one = before, other = before;
+  const RepairReport report = repair(one, {});
+  QVERIFY(givenUp(report) > 0);
+  QCOMPARE(repair(other, {}).effort, report.effort);
+  QVERIFY(test::sameMesh(one, other));
+}
+
+void RepairBudgetTest::fillsNothingWithoutEffort() {
+  HalfEdgeMesh mesh = buildMesh(test::sphereWithHoles(3, 3, 0.3)).mesh;
+  const HalfEdgeMesh before = mesh;
+  WorkBudget none(0);
+  const std::vector<HoleFill> fills = fillHoles(mesh, findBoundaryLoops(mesh), {}, Progress().within(none));
+  QCOMPARE(fills.size(), std::size_t{3});
+  for (const HoleFill& fill : fills) QVERIFY(fill.attempt.failure == FillFailure::TooMuchEffort);
+  QVERIFY(test::sameMesh(mesh, before));
+}
+
+HANDWHEEL_TEST(RepairBudgetTest)
+#include "RepairBudgetTest.moc"

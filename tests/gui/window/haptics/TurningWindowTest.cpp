@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../WindowDriver.h"
+#include "../WindowTestMain.h"
+#include "document/workpiece/WorkpieceDocument.h"
+#include "window/documents/DocumentTab.h"
+#include "window/documents/DocumentTabs.h"
+#include "window/haptics/HapticSession.h"
+
+#include <cmath>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+// A window with a new workpiece, 50 × 100 mm, seen from the front, and the tool in use.
+struct TurningWindow {
+  WindowDriver driver;
+  HapticSession& session;
+  Viewport* view;
+
+  TurningWindow() : session(*driver.window().findChild<HapticSession*>()), view(driver.find<Viewport>("viewport")) {}
+  ~TurningWindow() { session.close(); }
+
+  bool begin() {
+    driver.choose("newWorkpiece");
+    if (!driver.settle()) return false;
+    view->setStandardView(StandardView::Front);
+    if (!driver.settle() || !QTest::qWaitFor([this] { return view->isPickingReady(); }, kPatienceMs)) return false;
+    driver.find<QAction>("turnTool")->trigger();
+    return driver.find<QAction>("turnTool")->isChecked();
+  }
+  const WorkpieceSnapshot& workpiece() {
+    auto& document = driver.window().findChild<DocumentTabs*>()->current()->document;
+    return static_cast<WorkpieceDocument&>(document).workpiece();
+  }
+  double radiusAt(double z) {
+    const TurnedProfile& profile = workpiece().part->profile;
+    return profile.radius(static_cast<std::size_t>(std::lround(z / profile.spacing())));
+  }
+  // The pixel at which the plane y = 0 is met at this place.
+  QPoint pixelOf(double x, double z) const {
+    QPoint best;
+    double nearest = 1e300;
+    for (int v = 0; v < view->height(); ++v) {
+      for (int u = 0; u < view->width(); u += 1) {
+        const ViewRay ray = view->rayAt(QPointF(u, v));
+        const Vec3 p = ray.origin - ray.origin.y() / ray.direction.y() * ray.direction;
+        const double distance = std::hypot(p.x() - x, p.z() - z);
+        if (distance < nearest) nearest = distance, best = {u, v};
+      }
+    }
+    return best;
+  }
+  Vec3 placeOf(const QPoint& pixel) const {
+    const ViewRay ray = view->rayAt(pixel);
+    return ray.origin - ray.origin.y() / ray.direction.y() * ray.direction;
+  }
+  void drag(const QPoint& from, const QPoint& to) {
+    QTest::mousePress(view, Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 10; ++i) {
+      const QPoint at = from + (to - from) * i / 10;
+      QMouseEvent move(QEvent::MouseMove, at, view->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
+      QApplication::sendEvent(view, &move);
+      QTest::qWait(5);
+    }
+    QTest::mouseRelease(view, Qt::LeftButton, {}, to);
+  }
+  void leadTo(const Vec3& place, std::uint32_t buttons) {
+    const WorkspaceMapping mapping = session.mappingInScene();
+    HandPose pose;
+    pose.position = mapping.viewFromDevice().transpose() * (mapping.sceneFromView.inverse() * place) / mapping.scale;
+    pose.buttons = buttons;
+    session.simulatedHand()->setTarget(pose);
+  }
+};
+
+}  // namespace
+
+// A bar is turned in the window, by the mouse and by a simulated hand with force.
+class TurningWindowTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() { QSettings().clear(); }
+
+  // One pass is one undo step; saved and opened again it is the same part, and no larger bar can be had of it.
+  void byTheMouse() {
+    const QTemporaryDir folder;
+    TurningWindow turning;
+    QVERIFY(turning.begin());
+    const QPoint from = turning.pixelOf(22.0, 30.0), to = turning.pixelOf(22.0, 60.0);
+    turning.drag(from, to);
+    QVERIFY(turning.workpiece().part);
+    const double expected = std::abs(turning.placeOf(from).x()) - 1.0;
+    QVERIFY(std::abs(turning.radiusAt(45.0) - expected) < 0.3);  // a pixel's way on the screen
+    QCOMPARE(turning.radiusAt(90.0), 25.0);
+    QVERIFY(turning.driver.settle());
+    turning.driver.click("quickActions/undo");
+    QVERIFY(!turning.workpiece().part);
+    turning.driver.click("quickActions/redo");
+    const TurnedProfile profile = turning.workpiece().part->profile;
+    const QString path = folder.filePath("part.handwheel");
+    turning.driver.click("quickActions/saveFile");
+    QVERIFY(turning.driver.enterFileName("saveDialog", path));
+    QVERIFY(turning.driver.settle());
+    WindowDriver second;
+    QVERIFY(second.open(path));
+    auto& opened = static_cast<WorkpieceDocument&>(second.window().findChild<DocumentTabs*>()->current()->document);
+    QVERIFY(opened.workpiece().part && opened.workpiece().part->profile == profile);
+  }
+
+  // The hand feels the bar as it is; pressed with the button held it goes in, and the release is the undo step.
+  void byTheHand() {
+    TurningWindow turning;
+    QVERIFY(turning.begin());
+    turning.session.choose("simulated", "hand");
+    QVERIFY(QTest::qWaitFor([&] { return turning.session.latest() != nullptr; }, kPatienceMs));
+    QVERIFY(turning.driver.settle());
+    turning.leadTo({32.0, 0.0, 50.0}, 0);
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(turning.session.latest()->tip.position.x() - 32.0) < 1.0, kPatienceMs);
+    turning.leadTo({21.0, 0.0, 50.0}, 0);
+    QTRY_VERIFY_WITH_TIMEOUT(turning.session.latest()->felt.isContact, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(turning.session.latest()->felt.force.x() > 0.05, kPatienceMs);
+    QVERIFY(turning.session.latest()->felt.proxy.x() > 25.9);  // the nose of 1 mm rests on the bar of 25
+    QVERIFY(!turning.workpiece().part);
+    turning.leadTo({21.0, 0.0, 50.0}, 1);
+    QTRY_VERIFY_WITH_TIMEOUT(turning.session.latest()->felt.proxy.x() < 23.0, kPatienceMs);
+    turning.leadTo({32.0, 0.0, 50.0}, 1);
+    QTRY_VERIFY_WITH_TIMEOUT(!turning.session.latest()->felt.isContact, kPatienceMs);
+    turning.leadTo({32.0, 0.0, 50.0}, 0);
+    QTRY_VERIFY_WITH_TIMEOUT(turning.workpiece().part != nullptr, kPatienceMs);
+    QVERIFY(turning.radiusAt(50.0) < 22.5);
+    QVERIFY(turning.radiusAt(70.0) == 25.0);
+    TurnedProfile again(turning.workpiece().stock, turning.workpiece().part->profile.spacing());
+    for (const auto& pass : turning.workpiece().part->passes) cut(again, *pass);
+    QVERIFY(again == turning.workpiece().part->profile);
+  }
+
+  // Parts of documents are felt without a tool, too.
+  void partsAreFelt() {
+    TurningWindow turning;
+    turning.driver.choose("newWorkpiece");
+    QVERIFY(turning.driver.settle());
+    turning.view->setStandardView(StandardView::Front);
+    turning.session.choose("simulated", "hand");
+    QVERIFY(QTest::qWaitFor([&] { return turning.session.latest() != nullptr; }, kPatienceMs));
+    QVERIFY(turning.driver.settle());
+    turning.leadTo({32.0, 0.0, 50.0}, 0);
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(turning.session.latest()->tip.position.x() - 32.0) < 1.0, kPatienceMs);
+    turning.leadTo({21.0, 0.0, 50.0}, 0);
+    QTRY_VERIFY_WITH_TIMEOUT(turning.session.latest()->felt.isContact, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(turning.session.latest()->felt.proxy.x() - 25.0) < 0.2, kPatienceMs);
+  }
+};
+
+HANDWHEEL_WINDOW_TEST(TurningWindowTest)
+#include "TurningWindowTest.moc"

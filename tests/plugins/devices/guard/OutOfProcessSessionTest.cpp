@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "io/OutOfProcessSession.h"
+
+#include "FakeStream.h"
+#include "TestClass.h"
+#include "io/DeviceHostProcess.h"
+
+#include <QtTest>
+
+using namespace handwheel;
+
+namespace {
+
+// A guard as the program sees it, with what may go wrong.
+struct FakeGuard : Peer {
+  bool isMute = false;      // does not answer
+  bool answersOld = false;  // each answer is that to the force before
+  bool isBusy = false;      // opens the device, and never ends
+  bool speaksNonsense = false;
+  std::optional<Error> refusal;
+  std::vector<guard::Message> heard;
+  DeviceState state = [] {
+    DeviceState ready;
+    ready.status = DeviceStatus::Ready;
+    ready.position = Vec3(1, 2, 3);
+    return ready;
+  }();
+
+  void receive(std::span<const std::uint8_t> bytes) override {
+    m_reader.add(bytes);
+    while (const auto message = m_reader.next()) {
+      heard.push_back(*message);
+      if (std::holds_alternative<guard::Open>(*message)) answerOpen();
+      if (const auto* force = std::get_if<guard::Force>(&*message)) answer(force->number);
+      if (std::holds_alternative<guard::Close>(*message)) gone = true;
+    }
+  }
+
+ private:
+  void say(const guard::Message& message) {
+    guard::Buffer buffer;
+    const auto bytes = guard::bytesOf(message, buffer);
+    toHost.insert(toHost.end(), bytes.begin(), bytes.end());
+  }
+  void answerOpen() {
+    if (speaksNonsense) toHost.insert(toHost.end(), 20, 0xff);
+    if (isMute || speaksNonsense) return;
+    say(guard::Opening{0.25});
+    if (isBusy) return;
+    if (refusal) return say(guard::Refused{*refusal});
+    DeviceCapabilities all;
+    all.maxForce = 7.5;
+    all.workspaceRadius = 33.0;
+    all.latency = 0.002;
+    say(guard::Opened{all});
+  }
+  void answer(std::uint32_t number) {
+    if (!isMute) say(guard::State{answersOld ? number - 1 : number, state});
+  }
+
+  guard::Reader m_reader;
+};
+
+DeviceCapabilities kind() {
+  DeviceCapabilities all;
+  all.maxForce = 5.0;
+  return all;
+}
+
+struct Bench {
+  std::shared_ptr<FakeGuard> process = std::make_shared<FakeGuard>();
+  std::shared_ptr<FakeClock> clock = std::make_shared<FakeClock>();
+  OutOfProcessSession session{[this]() -> Result<std::unique_ptr<ByteStream>> {
+                                return std::unique_ptr<ByteStream>(std::make_unique<FakeStream>(process, clock));
+                              },
+                              clock, kind(), "Falcon"};
+
+  ErrorCode whyNot(Progress progress = {}) {
+    const Status opened = session.open(progress);
+    return opened ? ErrorCode::LibraryFailed : opened.error().code;
+  }
+};
+
+}  // namespace
+
+// The program's side of a guard.
+class OutOfProcessSessionTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void asksTheDeviceItself() {
+    Bench b;
+    QCOMPARE(b.session.capabilities().maxForce, 5.0);  // of its kind
+    QCOMPARE(b.session.exchange({}).status, DeviceStatus::Absent);
+    QVERIFY(b.session.open({}).hasValue());
+    QCOMPARE(b.session.capabilities().maxForce, 7.5);
+    QVERIFY(b.session.capabilities().latency > 0.002);  // the way there and back
+    const DeviceState state = b.session.exchange({Vec3(0, 0, 2), Vec3::Zero(), 0.0});
+    QCOMPARE(state.status, DeviceStatus::Ready);
+    QCOMPARE(state.position, Vec3(1, 2, 3));
+    QCOMPARE(std::get<guard::Force>(b.process->heard.back()).force.force, Vec3(0, 0, 2));
+  }
+
+  void whyItIsNotOpenIsTold() {
+    Bench refused;
+    refused.process->refusal = Error{ErrorCode::ReferenceMissing, {"the firmware file", "falcon.bin"}, {}, "x"};
+    QCOMPARE(refused.whyNot(), ErrorCode::ReferenceMissing);
+    Bench mute;
+    mute.process->isMute = true;
+    QCOMPARE(mute.whyNot(), ErrorCode::DeviceUnreachable);
+    Bench nonsense;
+    nonsense.process->speaksNonsense = true;
+    QCOMPARE(nonsense.whyNot(), ErrorCode::DeviceUnreachable);
+    Bench dead;
+    dead.process->gone = true;
+    QCOMPARE(dead.whyNot(), ErrorCode::DeviceUnreachable);
+  }
+
+  void openingTellsHowFarItIsAndCanBeCancelled() {
+    Bench b;
+    JobState job;
+    QVERIFY(b.session.open(Progress(job)).hasValue());
+    QCOMPARE(job.fraction.load(), 0.25);
+    Bench busy;
+    busy.process->isBusy = true;
+    job.cancelled = true;
+    QCOMPARE(busy.whyNot(Progress(job)), ErrorCode::Cancelled);
+    busy.session.close();
+    QVERIFY(std::holds_alternative<guard::Close>(busy.process->heard.back()));
+  }
+
+  // The watchdog of this side: it waits for each answer 20 ms at most, and gives it up after 100 ms.
+  void aGuardThatHangsHasFailed() {
+    Bench b;
+    QVERIFY(b.session.open({}).hasValue());
+    QCOMPARE(b.session.exchange({}).status, DeviceStatus::Ready);
+    b.process->isMute = true;
+    const double begun = b.clock->now();
+    QCOMPARE(b.session.exchange({}).status, DeviceStatus::Ready);  // what was known last
+    QVERIFY(b.clock->now() - begun < 0.0201);
+    for (int i = 0; i < 6; ++i) b.session.exchange({});
+    QCOMPARE(b.session.exchange({}).status, DeviceStatus::Failed);
+    b.process->isMute = false;
+    QCOMPARE(b.session.exchange({}).status, DeviceStatus::Ready);
+  }
+
+  // An answer to an older force is not taken for the one to this; it is news all the same.
+  void whatComesLateIsNotTakenForTheNext() {
+    Bench b;
+    QVERIFY(b.session.open({}).hasValue());
+    b.process->answersOld = true;
+    const double begun = b.clock->now();
+    QCOMPARE(b.session.exchange({}).position, Vec3(1, 2, 3));
+    QVERIFY(b.clock->now() - begun > 0.019);  // it has waited for the other
+  }
+
+  void aGuardThatDiesIsADeviceThatIsGone() {
+    Bench b;
+    QVERIFY(b.session.open({}).hasValue());
+    b.process->gone = true;
+    QCOMPARE(b.session.exchange({}).status, DeviceStatus::Absent);
+    b.session.close();
+    b.session.close();
+  }
+
+  void closingWaitsUntilTheGuardHasGone() {
+    Bench b;
+    QVERIFY(b.session.open({}).hasValue());
+    b.session.close();
+    QVERIFY(b.process->gone);
+    QCOMPARE(b.session.exchange({}).status, DeviceStatus::Absent);
+  }
+
+  // Real processes that are no guards.
+  void aProgramThatIsNoGuardIsFoundOut() {
+    for (const char* path : {"/nowhere/at/all", "/bin/true"}) {
+      const auto session = guarded(path, "address", kind(), "Falcon");
+      const Status opened = session->open({});
+      QVERIFY2(!opened.hasValue() && opened.error().code == ErrorCode::DeviceUnreachable, path);
+      session->close();
+    }
+  }
+};
+
+HANDWHEEL_TEST(OutOfProcessSessionTest)
+#include "OutOfProcessSessionTest.moc"
