@@ -24,9 +24,13 @@ std::string assign(Document& document, const std::string& word) {
   const std::vector<Property> all = document.properties();
   const auto property = std::find_if(all.begin(), all.end(), [&](const Property& p) { return p.id == name; });
   if (property == all.end()) return "There is no property '" + name + "'; 'handwheel inspect' lists them.";
-  if (!property->editable) return "The property " + name + " follows from others and cannot be set.";
   const auto value = propertyValue(*property, word.substr(equals + 1));
   if (const auto* problem = std::get_if<std::string>(&value)) return *problem;
+  if (!property->editable) {
+    const auto edit = document.propertyEdit(name, std::get<PropertyValue>(value));
+    const bool isFixedNow = !edit && edit.error().code == ErrorCode::Unsupported;  // and says why
+    return isFixedNow ? sentenceFor(edit.error()) : "The property " + name + " follows from others and cannot be set.";
+  }
   const Status done = document.setProperty(name, std::get<PropertyValue>(value));
   return done ? std::string() : sentenceFor(done.error());
 }

@@ -45,6 +45,9 @@ class TurnTest : public QObject {
     const double expected = M_PI * (625.0 - 400.0) * 40.0 + ends;
     QVERIFY2(std::abs(json["removed"].get<double>() / expected - 1.0) < 2e-3, ran.out);
 
+    const Ran resized = bench.run({"set", "part.handwheel", "diameter=60", "-o", "x.handwheel"});
+    QCOMPARE(resized.code, 1);
+    QVERIFY2(resized.err.contains("a bar that was cut already"), resized.err);
     const Ran again = bench.run({"turn", "part.handwheel", "--replay", "--json"});
     QCOMPARE(again.code, 0);
     QVERIFY(reported(again)["same"].get<bool>());
