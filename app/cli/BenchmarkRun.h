@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cli/MeasureReport.h"
+#include "cli/commands/MeasureReport.h"
 #include "fidelity/Calibration.h"
 
 namespace handwheel {

@@ -3,15 +3,15 @@
 #include "cli/CommandLine.h"
 
 #include "cli/ChildProcess.h"
-#include "cli/ConvertCommand.h"
-#include "cli/DevicesCommand.h"
-#include "cli/InspectCommand.h"
 #include "cli/Interrupt.h"
-#include "cli/MeasureCommand.h"
 #include "cli/Messages.h"
 #include "cli/Picture.h"
-#include "cli/RecordingCommand.h"
-#include "cli/SetCommand.h"
+#include "cli/commands/ConvertCommand.h"
+#include "cli/commands/DevicesCommand.h"
+#include "cli/commands/InspectCommand.h"
+#include "cli/commands/MeasureCommand.h"
+#include "cli/commands/RecordingCommand.h"
+#include "cli/commands/SetCommand.h"
 #include "text/EnglishPlurals.h"
 
 #include <fcntl.h>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/Interrupt.h"
 
+#include "base/JobClock.h"
 #include "cli/Messages.h"
 #include "cli/ProgressBar.h"
 #include "document/AtomicFile.h"
@@ -78,7 +79,7 @@ class JobRun {
     return m_changed.wait_for(lock, time, [this] { return m_done; });
   }
   void cancel() { m_job.m_state.cancelled = true; }
-  double fraction() const { return m_job.m_state.fraction; }
+  const JobState& state() const { return m_job.m_state; }
   std::exception_ptr failure() const { return m_failure; }
 
  private:
@@ -124,8 +125,9 @@ void runInterruptible(std::string_view label, const std::function<void(CommandJo
   {
     ProgressBar bar(label);
     JobRun run(work);
+    JobClock clock;
     while (!run.waitFor(kPoll)) {
-      bar.show(run.fraction());
+      bar.show(run.state().fraction, clock.seconds(run.state()));
       if (!signalled) continue;
       run.cancel();
       if (run.waitFor(kGrace) || isWritingFile()) continue;

@@ -12,7 +12,7 @@
 #include "mesh/structure/MeshBuilder.h"
 #include "report/DeviationReport.h"
 #include "theme/DefectColours.h"
-#include "viewport/Snapshot.h"
+#include "viewport/OffscreenPicture.h"
 
 #include <csignal>
 #include <cstdlib>

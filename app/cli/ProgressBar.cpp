@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/ProgressBar.h"
 
+#include "base/JobClock.h"
+
 #include <unistd.h>
 #include <algorithm>
 #include <cstdio>
@@ -10,14 +12,15 @@ namespace handwheel {
 
 ProgressBar::ProgressBar(std::string_view label) : m_label(label), m_isTerminal(::isatty(STDERR_FILENO) != 0) {}
 
-void ProgressBar::show(double fraction) {
+void ProgressBar::show(double fraction, int seconds) {
   if (!m_isTerminal) return;
   constexpr int kWidth = 30;
   const int filled = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * kWidth);
-  const int percent = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * 100.0);
-  const std::string number = std::to_string(percent);
+  // With a decimal, so that long jobs are seen to move.
+  const int tenths = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * 1000.0);
+  const std::string number = std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
   const std::string line = m_label + " [" + std::string(filled, '#') + std::string(kWidth - filled, '.') + "] " +
-                           std::string(3 - number.size(), ' ') + number + " %";
+                           std::string(5 - number.size(), ' ') + number + " %  " + elapsedText(seconds);
   if (line == m_shown) return;
   std::fprintf(stderr, "\r%s", line.c_str());
   std::fflush(stderr);

@@ -16,7 +16,8 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  void show(double fraction);  // 0…1
+  // fraction: 0…1; seconds: that the work has taken.
+  void show(double fraction, int seconds);
   void clear();
 
  private:

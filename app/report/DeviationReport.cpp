@@ -3,7 +3,7 @@
 #include "report/DeviationReport.h"
 
 #include "document/AtomicFile.h"
-#include "viewport/Snapshot.h"
+#include "viewport/OffscreenPicture.h"
 
 #include <QBuffer>
 #include <QImage>

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/JobRunner.h"
 
+#include "base/JobClock.h"
+
 #include <QThreadPool>
 #include <algorithm>
 #include <new>
@@ -19,6 +21,7 @@ struct JobRunner::Task {
   quint64 id = 0;
   Job job;
   JobState state;
+  JobClock clock;      // for the window thread
   Job::Finish finish;  // written by the worker before done
   std::optional<Error> error;
   std::atomic<bool> done{false};
@@ -88,7 +91,8 @@ void JobRunner::cancelThose(const std::function<bool(quint64 id, const Job& job)
 
 std::vector<JobStatus> JobRunner::jobs() const {
   std::vector<JobStatus> all;
-  for (const auto& task : m_running) all.push_back({task->id, task->job.name, task->state.fraction});
+  for (const auto& task : m_running)
+    all.push_back({task->id, task->job.name, task->state.fraction, false, task->clock.seconds(task->state)});
   for (const Waiting& waiting : m_waiting) all.push_back({waiting.id, waiting.job.name, -1.0, true});
   return all;
 }

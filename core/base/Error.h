@@ -53,20 +53,20 @@ enum class ErrorCode {
 };
 
 // A position in the input. The byte offset in binary files, the line (from 1) in text files.
-struct Place {
+struct InputPosition {
   enum class Kind { None, Byte, Line };
   Kind kind = Kind::None;
   std::uint64_t value = 0;
 
-  static Place byte(std::uint64_t offset) { return {Kind::Byte, offset}; }
-  static Place line(std::uint64_t number) { return {Kind::Line, number}; }
+  static InputPosition byte(std::uint64_t offset) { return {Kind::Byte, offset}; }
+  static InputPosition line(std::uint64_t number) { return {Kind::Line, number}; }
 };
 
 // An error with its code, arguments and position in the input.
 struct Error {
   ErrorCode code = ErrorCode::Cancelled;
   std::vector<std::string> arguments;
-  Place place;
+  InputPosition place;
   std::string subject;  // the file concerned, as the user named it; empty where there is none
 };
 

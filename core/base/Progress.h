@@ -6,13 +6,15 @@
 
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 
 namespace handwheel {
 
 // The progress and the cancel flag of a job. Shared by the job and its observers; any thread.
 struct JobState {
   std::atomic<bool> cancelled{false};
-  std::atomic<double> fraction{0.0};  // 0…1
+  std::atomic<double> fraction{0.0};    // 0…1
+  std::atomic<std::uint32_t> polls{0};  // of the flag: they go on as long as the work does
 };
 
 // Reports progress within a range of a job, and checks for cancellation. Passed by value to the function that does that
@@ -24,6 +26,7 @@ class Progress {
 
   // True when the work is to be abandoned: it was cancelled, or the effort that limits it (within()) is spent.
   bool cancelled() const {
+    if (m_state) m_state->polls.fetch_add(1, std::memory_order_relaxed);
     return (m_state && m_state->cancelled.load(std::memory_order_relaxed)) || (m_isLimited && m_effort->isSpent());
   }
 

@@ -21,7 +21,7 @@ struct MimicJoint {
 
 // The line numbers of links and joints in a description, for errors.
 struct RobotPlaces {
-  std::vector<Place> links, joints;
+  std::vector<InputPosition> links, joints;
 };
 
 // Builds the kinematic tree of a robot from its links and joints. Finds which joint follows which and what degrees of

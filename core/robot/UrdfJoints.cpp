@@ -23,7 +23,7 @@ Result<double> readBound(const XmlElement& limit, std::string_view attribute) {
   if (bound && !takeWord(rest).empty()) bound = Error{ErrorCode::NumberMalformed, {*text}, {}, {}};
   if (bound) return *bound;
   Error error = bound.error();
-  error.place = Place::line(limit.line);
+  error.place = InputPosition::line(limit.line);
   return error;
 }
 
@@ -51,7 +51,7 @@ Status UrdfJoints::read(const XmlElement& element) {
     if (const Status status = readMotion(element, joint); !status) return status;
   }
   m_robot.joints.push_back(std::move(joint));
-  m_places.joints.push_back(Place::line(element.line));
+  m_places.joints.push_back(InputPosition::line(element.line));
   return Done{};
 }
 
@@ -64,7 +64,7 @@ Result<JointKind> UrdfJoints::readKind(const XmlElement& element) {
   if (*type == "prismatic") return JointKind::Prismatic;
   if (*type != "floating" && *type != "planar") return malformed(element, "its type '" + *type + "' is not known");
   const std::string what = "the " + *type + " joint '" + *element.attribute("name") + "', which is held still,";
-  m_shapes.note({ErrorCode::Unsupported, {what}, Place::line(element.line), {}});
+  m_shapes.note({ErrorCode::Unsupported, {what}, InputPosition::line(element.line), {}});
   return JointKind::Fixed;
 }
 
@@ -74,7 +74,7 @@ Result<std::uint32_t> UrdfJoints::readLink(const XmlElement& element, std::strin
   if (!name) return malformed(element, "it names no " + std::string(role));
   const auto found = m_links.find(*name);
   if (found == m_links.end())
-    return Error{ErrorCode::ReferenceMissing, {"the link", *name}, Place::line(end->line), {}};
+    return Error{ErrorCode::ReferenceMissing, {"the link", *name}, InputPosition::line(end->line), {}};
   return found->second;
 }
 
@@ -129,7 +129,7 @@ std::optional<double> UrdfJoints::readKnown(const XmlElement& limit, std::string
   std::string_view rest = *text;
   const Result<double> value = parseNumber(takeWord(rest));
   if (!value)
-    m_shapes.note({ErrorCode::NumberMalformed, {text->substr(0, 40)}, Place::line(limit.line), {}});
+    m_shapes.note({ErrorCode::NumberMalformed, {text->substr(0, 40)}, InputPosition::line(limit.line), {}});
   else if (std::isfinite(*value * unit) && *value > 0.0)
     return *value * unit;
   return {};

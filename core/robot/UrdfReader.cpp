@@ -20,11 +20,11 @@ bool isOfXacro(const XmlElement& element) {
 }
 
 Status readLinks(const XmlElement& root, ReadRobot& read, UrdfShapes& shapes,
-                 std::map<std::string, std::uint32_t>& numbers, std::vector<Place>& places) {
+                 std::map<std::string, std::uint32_t>& numbers, std::vector<InputPosition>& places) {
   for (const XmlElement& element : root.children) {
     if (isOfXacro(element)) {
       return Error{
-          ErrorCode::Unsupported, {"a xacro file that is not expanded to URDF"}, Place::line(element.line), {}};
+          ErrorCode::Unsupported, {"a xacro file that is not expanded to URDF"}, InputPosition::line(element.line), {}};
     }
     if (element.name != "link") continue;
     const std::string* name = element.attribute("name");
@@ -33,7 +33,7 @@ Status readLinks(const XmlElement& root, ReadRobot& read, UrdfShapes& shapes,
       return malformed(element, "there are two of that name");
     Link& link = read.robot.links.emplace_back();
     link.name = *name;
-    places.push_back(Place::line(element.line));
+    places.push_back(InputPosition::line(element.line));
     shapes.readInto(link, element);
   }
   if (read.robot.links.empty()) return malformed(root, "it has no links");

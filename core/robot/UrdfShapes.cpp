@@ -116,7 +116,7 @@ Result<Shape> UrdfShapes::readGeometry(const XmlElement& element) const {
   if (shape.name == "box") return readBox(shape);
   if (shape.name == "cylinder") return readCylinder(shape);
   if (shape.name == "sphere") return readSphere(shape);
-  return Error{ErrorCode::Unsupported, {"the shape '" + shape.name + "'"}, Place::line(shape.line), {}};
+  return Error{ErrorCode::Unsupported, {"the shape '" + shape.name + "'"}, InputPosition::line(shape.line), {}};
 }
 
 Result<Shape> UrdfShapes::readMesh(const XmlElement& mesh) const {

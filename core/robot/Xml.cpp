@@ -63,7 +63,7 @@ class TreeBuilder {
     }
   }
 
-  Place here() const { return Place::line(XML_GetCurrentLineNumber(m_parser)); }
+  InputPosition here() const { return InputPosition::line(XML_GetCurrentLineNumber(m_parser)); }
 
   void stop(Error error) {
     m_failure = std::move(error);
@@ -132,7 +132,7 @@ Result<XmlElement> readXml(std::string_view bytes, const XmlLimits& limits, Prog
     const auto status = XML_Parse(parser.get(), slice.data(), static_cast<int>(slice.size()), isLast);
     if (builder.failure()) return *builder.failure();
     if (status != XML_STATUS_OK) {
-      const Place place = Place::line(XML_GetCurrentLineNumber(parser.get()));
+      const InputPosition place = InputPosition::line(XML_GetCurrentLineNumber(parser.get()));
       return Error{ErrorCode::ElementMalformed, {"XML", XML_ErrorString(XML_GetErrorCode(parser.get()))}, place, {}};
     }
   }
@@ -143,7 +143,7 @@ Error malformed(const XmlElement& element, std::string what) {
   const std::string* name = element.attribute("name");
   return {ErrorCode::ElementMalformed,
           {name && !name->empty() ? element.name + " " + *name : element.name, std::move(what)},
-          Place::line(element.line),
+          InputPosition::line(element.line),
           {}};
 }
 

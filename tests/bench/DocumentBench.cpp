@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bench/Bars.h"
 #include "core/proximity/Surfaces.h"
-#include "mesh/holes/HoleFilling.h"
+#include "mesh/holes/HoleFiller.h"
 #include "support/MeshDocuments.h"
 #include "support/MeshShapes.h"
 

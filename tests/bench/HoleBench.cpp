@@ -6,7 +6,7 @@
 #include "document/formats/MeshFormat.h"
 #include "mesh/boundary/Stitching.h"
 #include "mesh/defects/DuplicateFaces.h"
-#include "mesh/holes/HoleFilling.h"
+#include "mesh/holes/HoleFiller.h"
 #include "mesh/repair/Cleaning.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "proximity/TriangleHierarchy.h"

@@ -4,7 +4,7 @@
 #include "core/proximity/Surfaces.h"
 #include "document/formats/MeshFormat.h"
 #include "mesh/defects/Defects.h"
-#include "mesh/holes/HoleFilling.h"
+#include "mesh/holes/HoleFiller.h"
 #include "mesh/search/FaceHierarchy.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/Weld.h"

@@ -5,7 +5,7 @@
 #include "RidgedShapes.h"
 #include "TestClass.h"
 #include "mesh/holes/HoleDecomposition.h"
-#include "mesh/holes/HoleFilling.h"
+#include "mesh/holes/HoleFiller.h"
 #include "mesh/holes/PatchStatistics.h"
 #include "mesh/structure/MeshValidator.h"
 

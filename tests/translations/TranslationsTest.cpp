@@ -61,7 +61,7 @@ class TranslationsTest : public QObject {
   }
 
   void phrasesOfTheCoreWithNamesInThem() {
-    const Error unknown{ErrorCode::Unsupported, {"the shape 'capsule'"}, Place::line(7), "arm.urdf"};
+    const Error unknown{ErrorCode::Unsupported, {"the shape 'capsule'"}, InputPosition::line(7), "arm.urdf"};
     const Error truncated{ErrorCode::DataTruncated, {"facets", "12", "9"}, {}, "part.stl"};
     const Error nameless{ErrorCode::ElementMalformed, {"joint", "it has no name"}, {}, {}};
     QCOMPARE(errorSentence(unknown), "arm.urdf, line 7: the shape 'capsule' is not supported.");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/JobBar.h"
 
+#include "base/JobClock.h"
 #include "theme/Icons.h"
 
 #include <QFrame>
@@ -22,9 +23,14 @@ constexpr int kLongest = 240;  // pixels of a name
 class JobLine : public QWidget {
  public:
   JobLine(const QString& suffix, QWidget* parent)
-      : QWidget(parent), m_name(new QLabel(this)), m_progress(new QProgressBar(this)), m_cancel(new QToolButton(this)) {
+      : QWidget(parent),
+        m_name(new QLabel(this)),
+        m_time(new QLabel(this)),
+        m_progress(new QProgressBar(this)),
+        m_cancel(new QToolButton(this)) {
     m_name->setObjectName(QStringLiteral("jobName") + suffix);
     m_progress->setObjectName(QStringLiteral("jobProgress") + suffix);
+    m_time->setObjectName(QStringLiteral("jobTime") + suffix);
     m_progress->setTextVisible(false);
     m_progress->setFixedWidth(kSteps);
     m_cancel->setObjectName(QStringLiteral("jobCancel") + suffix);
@@ -35,6 +41,7 @@ class JobLine : public QWidget {
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(8);
     row->addWidget(m_name, 1);
+    row->addWidget(m_time);
     row->addWidget(m_progress);
     row->addWidget(m_cancel);
   }
@@ -48,6 +55,8 @@ class JobLine : public QWidget {
     if (name != m_name->toolTip()) showName(name);
     m_progress->setVisible(!job.isWaiting);
     showProgress(job.fraction);
+    const QString time = QString::fromStdString(elapsedText(job.seconds));
+    if (time != m_time->text()) m_time->setText(time);
   }
 
  private:
@@ -70,6 +79,7 @@ class JobLine : public QWidget {
   }
 
   QLabel* m_name;
+  QLabel* m_time;
   QProgressBar* m_progress;
   QToolButton* m_cancel;
   quint64 m_id = 0;

@@ -12,6 +12,7 @@ struct JobStatus {
   QString name;
   double fraction = -1.0;  // 0…1; below zero: not known yet
   bool isWaiting = false;  // for earlier jobs
+  int seconds = 0;         // that it has worked
 };
 
 }  // namespace handwheel

@@ -109,7 +109,7 @@ QString whatHappened(const Error& error) {
     case ErrorCode::TypeUnknown:
       return ErrorWords::tr("the data type '%1' is not known").arg(a);
     case ErrorCode::NoTriangles:
-      return error.place.kind == Place::Kind::None
+      return error.place.kind == InputPosition::Kind::None
                  ? ErrorWords::tr("the file holds no triangle")
                  : ErrorWords::tr("the file is damaged here, and none of its triangles can be read");
     case ErrorCode::WriteFailed:
@@ -153,11 +153,11 @@ QString whatHappened(const Error& error) {
 QString where(const Error& error) {
   const QString number = QString::number(error.place.value);
   switch (error.place.kind) {
-    case Place::Kind::None:
+    case InputPosition::Kind::None:
       return {};
-    case Place::Kind::Byte:
+    case InputPosition::Kind::Byte:
       return ErrorWords::tr("byte %1").arg(number);
-    case Place::Kind::Line:
+    case InputPosition::Kind::Line:
       return ErrorWords::tr("line %1").arg(number);
   }
   return {};
@@ -213,7 +213,7 @@ QString errorAdvice(const Error& error) {
     case ErrorCode::PolygonTooComplex:
       return ErrorWords::tr("Check the shape of that face, or export the model as triangles.");
     case ErrorCode::NoTriangles:
-      return error.place.kind == Place::Kind::None
+      return error.place.kind == InputPosition::Kind::None
                  ? ErrorWords::tr(
                        "Export the model as a surface of triangles; points and curves alone cannot be repaired.")
                  : ErrorWords::tr("Export or copy the file again.");

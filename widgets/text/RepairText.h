@@ -4,7 +4,7 @@
 
 #include "base/Units.h"
 #include "document/formats/MeshFormat.h"
-#include "mesh/holes/HoleFilling.h"
+#include "mesh/holes/HoleFiller.h"
 #include "mesh/repair/Repair.h"
 
 #include <QStringList>

@@ -28,7 +28,7 @@ constexpr std::size_t kLongestQuote = 60;  // characters of a step that a messag
 struct Step {
   std::string text;
   std::string subject;
-  Place place;
+  InputPosition place;
 };
 
 struct Edited {
@@ -51,7 +51,7 @@ void addSteps(std::string_view text, const std::string& path, std::vector<Step>&
     const std::string_view step = text.substr(0, end);
     const std::size_t first = step.find_first_not_of(" \t\r");
     if (first != std::string_view::npos && step[first] != '#')
-      steps.push_back({std::string(step), path, Place::line(line)});
+      steps.push_back({std::string(step), path, InputPosition::line(line)});
     text.remove_prefix(std::min(end + 1, text.size()));
   }
 }
@@ -72,7 +72,7 @@ Result<std::vector<Step>> readSteps(const Arguments& arguments) {
 
 std::string idleSentence(const Step& step, const StepOutcome& outcome) {
   std::string sentence = step.subject;
-  if (step.place.kind == Place::Kind::Line) sentence += ", line " + std::to_string(step.place.value);
+  if (step.place.kind == InputPosition::Kind::Line) sentence += ", line " + std::to_string(step.place.value);
   sentence += " changed nothing";
   if (outcome.failure != FillFailure::None) {
     sentence += ": " + fillFailureReason(outcome.failure).toStdString();

@@ -7,7 +7,7 @@
 #include "panels/LogModel.h"
 #include "text/ErrorText.h"
 #include "text/RepairText.h"
-#include "window/CommandText.h"
+#include "window/CommandLines.h"
 #include "window/JobRunner.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"

@@ -3,7 +3,7 @@
 #include "window/kinds/KindUi.h"
 
 #include "tools/MeasureTool.h"
-#include "window/CommandText.h"
+#include "window/CommandLines.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/FileFilters.h"
 

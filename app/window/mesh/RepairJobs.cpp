@@ -11,10 +11,10 @@
 #include "tools/mesh/DefectFixes.h"
 #include "tools/mesh/LoopText.h"
 #include "tools/mesh/RepairChanges.h"
-#include "window/CommandText.h"
+#include "window/CommandLines.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/fidelity/FidelityChoice.h"
-#include "window/mesh/EditSteps.h"
+#include "window/mesh/EquivalentCommand.h"
 #include "window/mesh/MeshTab.h"
 
 #include <QCoreApplication>

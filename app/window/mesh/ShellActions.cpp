@@ -10,7 +10,7 @@
 #include "theme/Icons.h"
 #include "tools/mesh/MeshSteps.h"
 #include "window/ActionToolTip.h"
-#include "window/CommandText.h"
+#include "window/CommandLines.h"
 #include "window/JobRunner.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/documents/FileFilters.h"

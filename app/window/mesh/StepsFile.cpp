@@ -7,9 +7,9 @@
 #include "panels/MessageBar.h"
 #include "text/ErrorText.h"
 #include "window/ActionToolTip.h"
-#include "window/CommandText.h"
+#include "window/CommandLines.h"
 #include "window/documents/DocumentTabs.h"
-#include "window/mesh/EditSteps.h"
+#include "window/mesh/EquivalentCommand.h"
 #include "window/mesh/MeshTab.h"
 
 #include <QFile>

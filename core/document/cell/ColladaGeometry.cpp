@@ -90,7 +90,7 @@ TriangleSoup ColladaGeometry::read(const XmlElement& geometry) {
   m_basePoints.clear();
   const XmlElement* mesh = geometry.child("mesh");
   if (!mesh) {
-    note({ErrorCode::Unsupported, {"a geometry that is no mesh"}, Place::line(geometry.line), {}});
+    note({ErrorCode::Unsupported, {"a geometry that is no mesh"}, InputPosition::line(geometry.line), {}});
     return soup;
   }
   for (const XmlElement& child : mesh->children) {
@@ -143,7 +143,8 @@ void ColladaGeometry::readPrimitive(const XmlElement& primitive, TriangleSoup& s
   if (!layout) return note(malformed(primitive, "its vertices have no positions"));
   const std::optional<std::uint32_t> base = basePointOf(*layout->positions, soup);
   if (!base)
-    return note({ErrorCode::FileTooLarge, {"bytes", "", std::to_string(kMostRead)}, Place::line(primitive.line), {}});
+    return note(
+        {ErrorCode::FileTooLarge, {"bytes", "", std::to_string(kMostRead)}, InputPosition::line(primitive.line), {}});
   const XmlElement* vcount = primitive.child("vcount");
   std::string_view counts = vcount ? std::string_view(vcount->text) : std::string_view();
   m_dropped = 0;

@@ -106,7 +106,7 @@ class Scene {
         if (target) addGeometry(*target, placement);
       }
       if (child.name == "instance_controller")
-        m_geometry.note({ErrorCode::Unsupported, {"a skinned mesh"}, Place::line(child.line), {}});
+        m_geometry.note({ErrorCode::Unsupported, {"a skinned mesh"}, InputPosition::line(child.line), {}});
     }
   }
 

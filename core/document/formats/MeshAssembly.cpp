@@ -49,7 +49,7 @@ void MeshAssembly::mend(Error error) {
   list(std::move(error));
 }
 
-void MeshAssembly::noteExcess(std::uint64_t end, Place place) {
+void MeshAssembly::noteExcess(std::uint64_t end, InputPosition place) {
   mend({ErrorCode::CountMismatch, {"bytes", std::to_string(end), std::to_string(m_bytes)}, place, {}});
 }
 
@@ -79,7 +79,7 @@ bool MeshAssembly::addUnreadablePoint(Error why) {
   return addPoint(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
 }
 
-bool MeshAssembly::addPolygon(std::span<const std::int64_t> corners, Place place) {
+bool MeshAssembly::addPolygon(std::span<const std::int64_t> corners, InputPosition place) {
   if (corners.size() < 3) return tolerate({ErrorCode::PolygonTooSmall, {std::to_string(corners.size())}, place, {}});
   const auto known = static_cast<std::int64_t>(pointCount());
   bool forward = false;
@@ -90,7 +90,7 @@ bool MeshAssembly::addPolygon(std::span<const std::int64_t> corners, Place place
   return true;
 }
 
-bool MeshAssembly::judgeCorners(std::span<const std::int64_t> corners, Place place) {
+bool MeshAssembly::judgeCorners(std::span<const std::int64_t> corners, InputPosition place) {
   const auto& points = m_file.soup.points;
   for (std::int64_t c : corners) {
     const bool inRange = c >= 0 && c < static_cast<std::int64_t>(points.size());
@@ -102,7 +102,7 @@ bool MeshAssembly::judgeCorners(std::span<const std::int64_t> corners, Place pla
   return cutPolygon(corners, place);
 }
 
-bool MeshAssembly::cutPolygon(std::span<const std::int64_t> corners, Place place) {
+bool MeshAssembly::cutPolygon(std::span<const std::int64_t> corners, InputPosition place) {
   auto& triangles = m_file.soup.triangles;
   if (corners.size() > kMostElements - triangles.size())
     return fail({ErrorCode::FileTooLarge, {"triangles", "", std::to_string(kMostElements)}, place, {}});
@@ -158,7 +158,7 @@ Result<MeshFile> MeshAssembly::finish(NumberType numbers) {
   std::stable_sort(damage.begin(), damage.end(),
                    [](const Error& a, const Error& b) { return a.place.value < b.place.value; });
   if (m_file.soup.triangles.empty())
-    return Error{ErrorCode::NoTriangles, {}, m_partial && !damage.empty() ? damage.front().place : Place(), {}};
+    return Error{ErrorCode::NoTriangles, {}, m_partial && !damage.empty() ? damage.front().place : InputPosition(), {}};
   m_file.numbers = numbers;
   m_file.lost.assign(m_lost.begin(), m_lost.end());
   m_progress.set(1.0);

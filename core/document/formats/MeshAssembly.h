@@ -42,7 +42,7 @@ class MeshAssembly {
   // Reports damage by which nothing is lost. Listed in either mode.
   void mend(Error error);
   // Reports data after everything that was declared; `end` is where that ends.
-  void noteExcess(std::uint64_t end, Place place);
+  void noteExcess(std::uint64_t end, InputPosition place);
   // Reports that the file cannot be opened, not even in part.
   bool fail(Error error);
   void lose(LostAttribute attribute) { m_lost.insert(attribute); }
@@ -53,8 +53,8 @@ class MeshAssembly {
   // From now on an index that no vertex has is an error; before, the vertex may still come.
   void allPointsAdded() { m_allPointsAdded = true; }
 
-  // Corners from 0; negative ones are out of range. Place: for errors.
-  bool addPolygon(std::span<const std::int64_t> corners, Place place);
+  // Corners from 0; negative ones are out of range. place: for errors.
+  bool addPolygon(std::span<const std::int64_t> corners, InputPosition place);
 
   Result<MeshFile> finish(NumberType numbers);
 
@@ -62,15 +62,15 @@ class MeshAssembly {
   struct Deferred {
     std::size_t first;
     std::size_t count;
-    Place place;
+    InputPosition place;
   };
 
   static constexpr std::uint64_t kIterationsPerPoll = 1 << 16;
 
   bool look(std::uint64_t byte);
   bool cancelled();
-  bool cutPolygon(std::span<const std::int64_t> corners, Place place);
-  bool judgeCorners(std::span<const std::int64_t> corners, Place place);
+  bool cutPolygon(std::span<const std::int64_t> corners, InputPosition place);
+  bool judgeCorners(std::span<const std::int64_t> corners, InputPosition place);
   bool resolveDeferred();
   bool dropUnreadablePoints();
   void list(Error error);

@@ -68,7 +68,7 @@ class ObjParser {
 
  private:
   bool readStatement() {
-    const Place place = m_scanner.place();
+    const InputPosition place = m_scanner.place();
     const std::string_view keyword = m_scanner.word();
     if (keyword == "v") return readVertex();
     if (isFace(keyword)) return readFace(place);
@@ -97,7 +97,7 @@ class ObjParser {
     return m_assembly.addPoint(point);
   }
 
-  bool readFace(Place place) {
+  bool readFace(InputPosition place) {
     m_corners.clear();
     for (std::string_view word = m_scanner.word(); !word.empty(); word = m_scanner.word()) {
       if (!m_assembly.step()) return false;

@@ -57,12 +57,12 @@ bool readPoint(TextScanner& scanner, NumberType type, Vec3& point, Error& error,
   return true;
 }
 
-Error wordError(ErrorCode code, std::string_view word, Place place) {
+Error wordError(ErrorCode code, std::string_view word, InputPosition place) {
   constexpr std::size_t kShown = 40;
   return {code, {std::string(word.substr(0, kShown))}, place, {}};
 }
 
-Error unexpectedWord(std::string_view expected, std::string_view found, Place place) {
+Error unexpectedWord(std::string_view expected, std::string_view found, InputPosition place) {
   Error error = wordError(ErrorCode::TokenUnexpected, found, place);
   error.arguments.insert(error.arguments.begin(), std::string(expected));
   return error;

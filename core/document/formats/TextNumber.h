@@ -26,8 +26,8 @@ enum class Words { OfThisLine, OfAnyLine };
 bool readPoint(TextScanner& scanner, NumberType type, Vec3& point, Error& error, Words words = Words::OfThisLine);
 
 // Creates an error about a word; a long word is truncated.
-Error wordError(ErrorCode code, std::string_view word, Place place);
-Error unexpectedWord(std::string_view expected, std::string_view found, Place place);
+Error wordError(ErrorCode code, std::string_view word, InputPosition place);
+Error unexpectedWord(std::string_view expected, std::string_view found, InputPosition place);
 
 // Compares words ignoring case. ASCII letters only, independent of the locale.
 bool equalsIgnoringCase(std::string_view word, std::string_view lowerCase);

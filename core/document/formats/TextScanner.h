@@ -37,7 +37,7 @@ class TextScanner {
   // Takes back the last characters of the word just read.
   void stepBack(std::size_t characters) { m_at -= characters; }
 
-  Place place() const { return Place::line(m_line); }
+  InputPosition place() const { return InputPosition::line(m_line); }
   std::size_t position() const { return static_cast<std::size_t>(m_at - m_begin); }
 
  private:

@@ -176,7 +176,7 @@ Result<Recording> recordingFromBytes(std::string_view bytes) {
     const RecordedTick tick = takeTick(reader);
     if (!isSomewhere(tick.tip)) {
       const auto place = static_cast<std::uint64_t>(bytes.size() - reader.left() - kTickBytes);
-      return Error{ErrorCode::NumberNotFinite, {"nan"}, Place::byte(place), {}};
+      return Error{ErrorCode::NumberNotFinite, {"nan"}, InputPosition::byte(place), {}};
     }
     recording.add(tick);
   }

@@ -147,6 +147,8 @@ bool hasHugeFan(const HoleContext& hole) {
   return std::any_of(faces.begin(), faces.end(), [](int n) { return n > tolerance::kLibraryFanFaces; });
 }
 
+constexpr double kRefinePart = 0.5;  // of the progress, where the patch is bent afterwards
+
 struct Assembled {
   Surface surface;
   std::vector<Surface::Face_index> patchFaces;
@@ -211,7 +213,7 @@ std::optional<Patch> toPatch(const HoleContext& hole, const Surface& surface,
 }
 
 // Bends the patch so that it continues the ring; its triangles stay.
-bool bend(const HoleContext& hole, Patch& patch, Continuity continuity) {
+bool bend(const HoleContext& hole, Patch& patch, Continuity continuity, Progress progress) {
   const std::size_t n = hole.loopSize, known = hole.points.size();
   std::vector<Vec3> points = hole.points;
   points.insert(points.end(), patch.points.begin() + static_cast<std::ptrdiff_t>(n), patch.points.end());
@@ -222,7 +224,7 @@ bool bend(const HoleContext& hole, Patch& patch, Continuity continuity) {
   }
   std::vector<bool> isFree(points.size(), false);
   std::fill(isFree.begin() + static_cast<std::ptrdiff_t>(known), isFree.end(), true);
-  if (!fair(points, triangles, isFree, continuity)) return false;
+  if (!fair(points, triangles, isFree, continuity, progress)) return false;
   std::copy(points.begin() + static_cast<std::ptrdiff_t>(known), points.end(),
             patch.points.begin() + static_cast<std::ptrdiff_t>(n));
   return true;
@@ -256,7 +258,7 @@ std::optional<Patch> refinePatch(const HoleContext& hole, const Patch& start, st
   const QuietCgal quiet;
   const Vec3 origin = hole.points.front();
   try {
-    LibraryWork work(progress);
+    LibraryWork work(bent ? progress.part(0.0, kRefinePart) : progress);
     std::optional<Assembled> assembled = assemble(hole, start, origin, work);
     if (!assembled) return std::nullopt;
     Surface& surface = assembled->surface;
@@ -268,7 +270,7 @@ std::optional<Patch> refinePatch(const HoleContext& hole, const Patch& start, st
                     .vertex_point_map(WatchedPoints{surface.points(), &work}));
     faces.insert(faces.end(), newFaces.begin(), newFaces.end());
     std::optional<Patch> patch = toPatch(hole, surface, faces, origin);
-    if (!patch || (bent && !bend(hole, *patch, *bent))) return std::nullopt;
+    if (!patch || (bent && !bend(hole, *patch, *bent, progress.part(kRefinePart, 1.0)))) return std::nullopt;
     patch->method = bent ? FillMethod::Fair : FillMethod::Refined;
     patch->bridges = start.bridges;
     return patch;

@@ -41,6 +41,7 @@ class EarCutter {
     std::size_t left = m_nodes.size();
     while (left > 3) {
       if (m_heap.empty() || progress.cancelled()) return std::nullopt;
+      progress.set(1.0 - static_cast<double>(left) / static_cast<double>(m_nodes.size()));
       const Candidate c = m_heap.top();
       m_heap.pop();
       if (m_nodes[c.node].version != c.version || !isFree(c.node)) continue;

@@ -75,10 +75,16 @@ class Energy {
   }
 
   // The free points where the energy is least, one to a row; none when there is no single such place.
-  std::optional<Eigen::MatrixX3d> least(Continuity continuity) {
+  std::optional<Eigen::MatrixX3d> least(Continuity continuity, Progress progress) {
     const Equations equations = equationsFor(continuity);
-    const Eigen::SimplicialLDLT<Matrix> factor(equations.normal);
-    if (factor.info() != Eigen::Success) return std::nullopt;
+    progress.set(0.2);
+    Eigen::SimplicialLDLT<Matrix> factor;
+    factor.analyzePattern(equations.normal);
+    progress.set(0.4);
+    if (progress.cancelled()) return std::nullopt;
+    factor.factorize(equations.normal);
+    progress.set(0.8);
+    if (factor.info() != Eigen::Success || progress.cancelled()) return std::nullopt;
     Eigen::MatrixX3d x = factor.solve(equations.right);
     if (factor.info() != Eigen::Success || !x.allFinite()) return std::nullopt;
     if (continuity == Continuity::Curvature && magnification(equations.normal, factor) > kLostDigits)
@@ -210,7 +216,7 @@ class Energy {
 }  // namespace
 
 bool fair(std::vector<Vec3>& points, const std::vector<Triangle>& triangles, const std::vector<bool>& isFree,
-          Continuity continuity) {
+          Continuity continuity, Progress progress) {
   // Around the origin, and of size 1, so that no digits are lost and nothing under- or overflows.
   Box box;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -228,7 +234,7 @@ bool fair(std::vector<Vec3>& points, const std::vector<Triangle>& triangles, con
   for (Vec3& p : local) p = (p - origin) / size;
 
   Energy energy(local, triangles, isFree);
-  const std::optional<Eigen::MatrixX3d> least = energy.least(continuity);
+  const std::optional<Eigen::MatrixX3d> least = energy.least(continuity, progress);
   if (!least) return false;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (isFree[i]) points[i] = origin + size * Vec3(least->row(energy.columnOf(i)).transpose());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Geometry.h"
+#include "base/Progress.h"
 
 #include <vector>
 
@@ -21,9 +22,10 @@ enum class Continuity {
 // Δ is the cotangent Laplacian of the given shape over its Voronoi areas, known where the fan of triangles is closed;
 // so the surface has no prescribed tangent at a border of the triangles. As many rings of triangles around the free
 // points are used as the order. The triangles must be manifold. False, and nothing moved, when a shape has no such
-// surface (a fan without area, an unconnected free vertex) or the numerical precision does not suffice. One sparse
+// surface (a fan without area, an unconnected free vertex), the numerical precision does not suffice, or it was
+// cancelled. One sparse
 // Cholesky factor: about O(n^1.5) for n free points, of a matrix with some 7, 19 and 37 entries in a row.
 bool fair(std::vector<Vec3>& points, const std::vector<Triangle>& triangles, const std::vector<bool>& isFree,
-          Continuity continuity = Continuity::Tangent);
+          Continuity continuity = Continuity::Tangent, Progress progress = {});
 
 }  // namespace handwheel

@@ -15,6 +15,8 @@ namespace {
 // through space, after the user's own, with and without a lid.
 constexpr EarWeights kTastes[] = {{1, 0, 0}, {0.2, 0, 2}, {0, 2, 1}, {3, 1, 0}, {0, 0, 1}, {0.5, 3, 0}};
 
+constexpr double kChordPart = 0.5;  // of the progress: the search for the chords that cut a loop into pieces
+
 bool isOptimal(FillMethod method) {
   return method == FillMethod::Area || method == FillMethod::Dihedral;
 }
@@ -40,7 +42,7 @@ FillCandidates::FillCandidates(const HoleContext& hole, const Obstacles& obstacl
       m_isCut(!options.bridges.empty() || hole.loopSize > m_pieceEdges) {
   if (m_isCut) m_starts.emplace_back([this] { return inPieces(FillMethod::Minimal); });
   m_starts.emplace_back([this] { return triangulateMinimal(m_hole, m_progress); });
-  for (std::size_t i = 0; i < kBalanced; ++i) m_starts.emplace_back([this, i] { return ears(m_hole, i); });
+  for (std::size_t i = 0; i < kBalanced; ++i) m_starts.emplace_back([this, i] { return ears(m_hole, i, m_progress); });
 
   add(options.method);
   if (!options.tryOthers) return;
@@ -50,7 +52,7 @@ FillCandidates::FillCandidates(const HoleContext& hole, const Obstacles& obstacl
   }
   if (hole.loopSize == 3) return;  // whatever the taste, there is one ear
   for (std::size_t i = 0; i < std::size(kTastes); ++i) {
-    m_makers.push_back([this, i] { return ears(m_hole, kBalanced + i); });
+    m_makers.push_back([this, i] { return ears(m_hole, kBalanced + i, m_progress); });
   }
 }
 
@@ -75,7 +77,7 @@ void FillCandidates::add(FillMethod method) {
       break;
     case FillMethod::Area:
     case FillMethod::Dihedral:
-      m_makers.push_back([this, method] { return m_isCut ? inPieces(method) : piece(m_hole, method); });
+      m_makers.push_back([this, method] { return m_isCut ? inPieces(method) : piece(m_hole, method, m_progress); });
       break;
     case FillMethod::Ridge:
       for (Continuity continuity : continuities()) {
@@ -110,14 +112,18 @@ void FillCandidates::addRefined(std::optional<Continuity> bent) {
 FillCandidates::Made FillCandidates::inPieces(FillMethod method) {
   if (!m_bridges) {
     m_bridges = m_options.bridges;
-    if (m_bridges->empty()) *m_bridges = proposeLoopChords(m_hole, m_obstacles, m_pieceEdges, m_progress);
+    if (m_bridges->empty())
+      *m_bridges = proposeLoopChords(m_hole, m_obstacles, m_pieceEdges, m_progress.part(0.0, kChordPart));
   }
   const std::optional<std::vector<HolePiece>> pieces = splitHole(m_hole.loopSize, *m_bridges);
   if (!pieces || pieces->size() < 2) return std::nullopt;
+  const Progress filling = m_progress.part(kChordPart, 1.0);
+  const double n = static_cast<double>(pieces->size());
   std::vector<Patch> patches;
-  for (const HolePiece& numbers : *pieces) {
+  for (std::size_t i = 0; i < pieces->size(); ++i) {
     if (m_progress.cancelled()) return std::nullopt;
-    Made made = piece(contextOf(m_hole, numbers), method);
+    const Progress one = filling.part(static_cast<double>(i) / n, static_cast<double>(i + 1) / n);
+    Made made = piece(contextOf(m_hole, (*pieces)[i]), method, one);
     if (!made) return std::nullopt;
     patches.push_back(std::move(*made));
   }
@@ -127,24 +133,24 @@ FillCandidates::Made FillCandidates::inPieces(FillMethod method) {
   return whole;
 }
 
-FillCandidates::Made FillCandidates::piece(const HoleContext& hole, FillMethod method) const {
+FillCandidates::Made FillCandidates::piece(const HoleContext& hole, FillMethod method, Progress progress) const {
   if (isOptimal(method)) {
     const Criterion criterion = method == FillMethod::Area ? Criterion::Area : Criterion::Dihedral;
-    return triangulateOptimal(hole, criterion, m_obstacles.edgesAmong(hole.loop()), m_progress);
+    return triangulateOptimal(hole, criterion, m_obstacles.edgesAmong(hole.loop()), progress);
   }
   if (method == FillMethod::Minimal) {
-    if (Made minimal = triangulateMinimal(hole, m_progress)) return minimal;
+    if (Made minimal = triangulateMinimal(hole, progress)) return minimal;
   }
   for (std::size_t i = 0; i < kBalanced; ++i) {
-    if (Made cut = ears(hole, i)) return cut;
+    if (Made cut = ears(hole, i, progress)) return cut;
   }
   return std::nullopt;
 }
 
-FillCandidates::Made FillCandidates::ears(const HoleContext& hole, std::size_t taste) const {
+FillCandidates::Made FillCandidates::ears(const HoleContext& hole, std::size_t taste, Progress progress) const {
   EarWeights weights = taste < kBalanced ? m_options.ears : kTastes[taste - kBalanced];
   if (taste == 1) weights.lid = 0.0;
-  return clipEars(hole, m_obstacles, weights, m_progress);
+  return clipEars(hole, m_obstacles, weights, progress);
 }
 
 }  // namespace handwheel

@@ -4,7 +4,7 @@
 
 #include "mesh/holes/CgalHoleFilling.h"
 #include "mesh/holes/HoleDecomposition.h"
-#include "mesh/holes/HoleFilling.h"
+#include "mesh/holes/HoleFiller.h"
 
 #include <functional>
 #include <optional>
@@ -45,8 +45,8 @@ class FillCandidates {
   std::vector<Continuity> continuities() const;
   void addRefined(std::optional<Continuity> bent);
   Made inPieces(FillMethod method);
-  Made piece(const HoleContext& hole, FillMethod method) const;
-  Made ears(const HoleContext& hole, std::size_t taste) const;
+  Made piece(const HoleContext& hole, FillMethod method, Progress progress) const;
+  Made ears(const HoleContext& hole, std::size_t taste, Progress progress) const;
 
   const HoleContext& m_hole;
   const Obstacles& m_obstacles;

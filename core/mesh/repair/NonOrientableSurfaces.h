@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/holes/HoleFilling.h"
+#include "mesh/holes/HoleFiller.h"
 
 namespace handwheel {
 

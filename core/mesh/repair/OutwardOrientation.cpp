@@ -83,7 +83,7 @@ void turn(HalfEdgeMesh& mesh, const Shell& shell) {
       if (h < mesh.opposite(h)) pairs.emplace_back(reversedNumber(h), reversedNumber(mesh.opposite(h)));
     }
   }
-  for (Face f : shell.faces) mesh.setTriangle(f, turned(mesh.triangle(f)));
+  for (Face f : shell.faces) mesh.setTriangle(f, reversed(mesh.triangle(f)));
   for (const auto& [g, h] : pairs) mesh.pair(g, h);
 }
 

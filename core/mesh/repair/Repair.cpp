@@ -231,13 +231,13 @@ class Repairer {
     if (std::any_of(owners.begin(), owners.end(), kept)) return FillFailure::KeptOpen;
     if (loop.rim && m_options.rims == RimHandling::Keep) return FillFailure::Rim;
     if (m_options.maxEdges > 0 && loop.halfEdges.size() > m_options.maxEdges) return FillFailure::TooLong;
-    return loop.rim && m_options.rims == RimHandling::Back ? FillFailure::Rim : FillFailure::None;
+    return loop.rim && m_options.rims == RimHandling::Thicken ? FillFailure::Rim : FillFailure::None;
   }
 
   // By a patch, or by a back.
   bool mayClose(FillFailure reasonToLeave) const {
     return reasonToLeave == FillFailure::None ||
-           (reasonToLeave == FillFailure::Rim && m_options.rims == RimHandling::Back);
+           (reasonToLeave == FillFailure::Rim && m_options.rims == RimHandling::Thicken);
   }
 
   // For want of effort the loop was not tried in every way.
@@ -248,7 +248,7 @@ class Repairer {
   void finish(Progress progress) {
     const auto reason = [&](const BoundaryLoop& loop, const std::set<int>& owners) {
       const FillFailure known = reasonToLeave(loop, owners);
-      const bool isSheet = known == FillFailure::Rim && m_options.rims == RimHandling::Back && !loop.picture;
+      const bool isSheet = known == FillFailure::Rim && m_options.rims == RimHandling::Thicken && !loop.picture;
       const bool isGivenUp = std::any_of(owners.begin(), owners.end(), [&](int id) { return isCutShort(id); });
       return isSheet && (isGivenUp || (owners.empty() && isCutShort(kLaidOpen))) ? FillFailure::None
                                                                                  : known;  // its back was given up

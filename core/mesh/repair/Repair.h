@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "mesh/holes/HoleFilling.h"
+#include "mesh/holes/HoleFiller.h"
 
 #include <set>
 
@@ -11,9 +11,9 @@ namespace handwheel {
 // How the outer edges of open sheets are treated.
 enum class RimHandling {
   Keep,
-  Back,  // the sheet becomes a thin body (thickenSheet()), unless it is a drawing or a single-view scan
-         // (BoundaryLoop::picture)
-  Fill,  // as if they were holes
+  Thicken,  // the sheet becomes a thin body (thickenSheet()), unless it is a drawing or a single-view scan
+            // (BoundaryLoop::picture)
+  Fill,     // as if they were holes
 };
 
 // Options of repair().
@@ -21,7 +21,7 @@ struct RepairOptions {
   FillOptions fill;
   double nearWeld = tolerance::kNearWeld;  // share of the diagonal; the setting mesh.near_weld
   std::set<int> keepOpen;                  // loop ids, as in findBoundaryLoops() of the input
-  RimHandling rims = RimHandling::Back;
+  RimHandling rims = RimHandling::Thicken;
   std::size_t maxEdges = 0;  // loops with more edges stay open; 0: no limit
   bool removeDebris = false;
   bool replaceFoldedRegions = true;  // where nothing else closes a hole (replaceFoldedRegions())

@@ -99,8 +99,8 @@ std::vector<Face> orient(HalfEdgeMesh& mesh, std::vector<Triangle>& triangles, c
   if (progress.cancelled()) return reversedFaces;
   for (Face f = 0; f < triangles.size(); ++f) {
     if (!turn[f]) continue;
-    triangles[f] = turned(triangles[f]);
-    mesh.setTriangle(f, turned(mesh.triangle(f)));
+    triangles[f] = reversed(triangles[f]);
+    mesh.setTriangle(f, reversed(mesh.triangle(f)));
     reversedFaces.push_back(f);
   }
   return reversedFaces;

@@ -15,11 +15,11 @@ std::vector<bool> trianglesToReverse(const EdgeTable& edges, std::span<const Tri
                                      Progress progress = {});
 
 // The half-edge along the same edge after its triangle is reversed. The triangle (a, b, c) becomes (a, c, b), as
-// turned() returns it.
+// reversed() returns it.
 inline std::uint32_t reversedHalfEdge(std::uint32_t h) {
   return h - h % 3 + (2 - h % 3);
 }
-inline Triangle turned(const Triangle& t) {
+inline Triangle reversed(const Triangle& t) {
   return {t[0], t[2], t[1]};
 }
 

@@ -185,7 +185,7 @@ void reverseOrientation(HalfEdgeMesh& mesh) {
     for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
       behind[reversedHalfEdge(h) % 3] = mesh.hasOpposite(h) ? reversedHalfEdge(mesh.opposite(h)) : mesh.opposite(h);
     }
-    mesh.setTriangle(f, turned(mesh.triangle(f)));
+    mesh.setTriangle(f, reversed(mesh.triangle(f)));
     for (HalfEdge k = 0; k < 3; ++k) mesh.setOpposite(3 * f + k, behind[k]);
   }
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/Result.h"
-#include "mesh/holes/HoleFilling.h"
+#include "mesh/holes/HoleFiller.h"
 #include "tools/mesh/MeshServices.h"
 
 #include <optional>

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TestClass.h"
+#include "base/JobClock.h"
 #include "base/Progress.h"
 
 #include <QTest>
@@ -17,6 +18,7 @@ class ProgressTest : public QObject {
   void givenUpWhenTheEffortIsSpent();
   void measuredByTheEffort();
   void sharesOfTheEffort();
+  void theTimeStandsStillWithoutPolls();
 };
 
 void ProgressTest::unwatched() {
@@ -78,6 +80,19 @@ void ProgressTest::sharesOfTheEffort() {
   WorkBudget effort(8);
   QCOMPARE(Progress().share(20).left(), std::size_t{20});
   QCOMPARE(Progress().within(effort).share(20).left(), std::size_t{8});
+}
+
+void ProgressTest::theTimeStandsStillWithoutPolls() {
+  using std::chrono::seconds;
+  JobState job;
+  JobClock clock;
+  const auto start = JobClock::Clock::now();
+  QCOMPARE(clock.seconds(job, start + seconds(2)), 0);
+  QVERIFY(!Progress(job).cancelled());
+  QVERIFY(clock.seconds(job, start + seconds(65)) >= 64);
+  QCOMPARE(clock.seconds(job, start + seconds(90)), clock.seconds(job, start + seconds(70)));
+  QCOMPARE(elapsedText(2), std::string());
+  QCOMPARE(elapsedText(65), std::string("1:05"));
 }
 
 HANDWHEEL_TEST(ProgressTest)

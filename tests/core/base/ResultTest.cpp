@@ -11,7 +11,7 @@ using namespace handwheel;
 namespace {
 
 Result<int> half(int n) {
-  if (n % 2 != 0) return Error{ErrorCode::NumberMalformed, {std::to_string(n)}, Place::line(3), "numbers.txt"};
+  if (n % 2 != 0) return Error{ErrorCode::NumberMalformed, {std::to_string(n)}, InputPosition::line(3), "numbers.txt"};
   return n / 2;
 }
 
@@ -41,7 +41,7 @@ void ResultTest::error() {
   QVERIFY(!r);
   QVERIFY(r.error().code == ErrorCode::NumberMalformed);
   QCOMPARE(r.error().arguments, std::vector<std::string>({"7"}));
-  QVERIFY(r.error().place.kind == Place::Kind::Line);
+  QVERIFY(r.error().place.kind == InputPosition::Kind::Line);
   QCOMPARE(r.error().place.value, std::uint64_t{3});
   QCOMPARE(r.error().subject, std::string("numbers.txt"));
 }

@@ -74,7 +74,7 @@ void XmlTest::malformedHasALine() {
     QCOMPARE(codeOf(text), ErrorCode::ElementMalformed);
   const auto root = readXml("<a>\n<b>\n</a>", {});
   QVERIFY(!root);
-  QVERIFY(root.error().place.kind == Place::Kind::Line);
+  QVERIFY(root.error().place.kind == InputPosition::Kind::Line);
   QCOMPARE(root.error().place.value, std::uint64_t{3});
 }
 

@@ -289,7 +289,9 @@ void PanelsTest::severalJobs() {
   auto* progress = list->findChild<QProgressBar*>("jobProgress/2");
   QCOMPARE(double(progress->value()) / progress->maximum(), 0.25);
   QCOMPARE(list->findChild<QProgressBar*>("jobProgress/1")->maximum(), 0);  // not known: it moves to and fro
-  bar.setJobs({{9, "Loading", 0.75}});
+  QCOMPARE(bar.findChild<QLabel*>("jobTime")->text(), QString());
+  bar.setJobs({{9, "Loading", 0.75, false, 65}});
+  QCOMPARE(bar.findChild<QLabel*>("jobTime")->text(), QString("1:05"));
   QVERIFY(!list->isVisible());
   QVERIFY(!more->isVisible());
   QTest::mouseClick(bar.findChild<QToolButton*>("jobCancel"), Qt::LeftButton);

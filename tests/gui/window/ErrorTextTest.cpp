@@ -15,7 +15,7 @@ class ErrorTextTest : public QObject {
  private slots:
   void everyCodeHasASentence() {
     for (int code = 0; code <= int(ErrorCode::LibraryFailed); ++code) {
-      const Error error{ErrorCode(code), {"facets", "12", "9"}, Place::line(7), "scan.stl"};
+      const Error error{ErrorCode(code), {"facets", "12", "9"}, InputPosition::line(7), "scan.stl"};
       const QString sentence = errorSentence(error);
       QVERIFY2(sentence.startsWith("scan.stl, line 7: "), qPrintable(sentence));
       QVERIFY2(sentence.endsWith('.') && !sentence.contains('%'), qPrintable(sentence));
@@ -24,7 +24,7 @@ class ErrorTextTest : public QObject {
   }
 
   void whatIsNotKnownIsLeftOut() {
-    const Error truncated{ErrorCode::DataTruncated, {"bytes", "", "84"}, Place::byte(84), {}};
+    const Error truncated{ErrorCode::DataTruncated, {"bytes", "", "84"}, InputPosition::byte(84), {}};
     QCOMPARE(errorSentence(truncated), "Byte 84: the file ends too early (bytes: 84 found).");
     QCOMPARE(errorSentence({ErrorCode::FileEmpty, {}, {}, {}}), "The file is empty.");
   }

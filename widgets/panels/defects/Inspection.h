@@ -3,7 +3,7 @@
 #pragma once
 
 #include "document/mesh/MeshDocument.h"
-#include "mesh/holes/HoleFilling.h"
+#include "mesh/holes/HoleFiller.h"
 #include "theme/DefectColours.h"
 
 #include <QObject>

@@ -11,7 +11,7 @@
 #include "viewport/Viewport.h"
 #include "viewport/surface/MeshLayer.h"
 #include "window/ActionToolTip.h"
-#include "window/CommandText.h"
+#include "window/CommandLines.h"
 #include "window/JobRunner.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/documents/FileFilters.h"

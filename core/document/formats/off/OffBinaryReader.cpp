@@ -28,7 +28,7 @@ class BinaryReader {
     if (room() < kCounts)
       truncated("bytes", m_at + kCounts, m_bytes.size());
     else if (readCounts() && readVertices() && readFaces() && room() > 0)
-      m_assembly.noteExcess(m_at, Place::byte(m_at));
+      m_assembly.noteExcess(m_at, InputPosition::byte(m_at));
     return m_assembly.finish(NumberType::Float32);
   }
 
@@ -63,10 +63,11 @@ class BinaryReader {
       for (std::size_t k = 0; k < 3; ++k)
         p[static_cast<Eigen::Index>(k)] = rounded(
             static_cast<double>(loadNumber<float>(m_bytes.data() + m_at + k * kWord, m_order)), NumberType::Float32);
-      const bool added = p.allFinite()
-                             ? m_assembly.addPoint(p)
-                             : m_assembly.addUnreadablePoint(
-                                   {ErrorCode::NumberNotFinite, {p.hasNaN() ? "nan" : "inf"}, Place::byte(m_at), {}});
+      const bool added =
+          p.allFinite()
+              ? m_assembly.addPoint(p)
+              : m_assembly.addUnreadablePoint(
+                    {ErrorCode::NumberNotFinite, {p.hasNaN() ? "nan" : "inf"}, InputPosition::byte(m_at), {}});
       if (!added) return false;
     }
     m_assembly.allPointsAdded();
@@ -87,7 +88,7 @@ class BinaryReader {
       m_corners.clear();
       for (std::uint32_t k = 0; k < count; ++k) m_corners.push_back(wordAt(m_at + (k + 1) * kWord));
       if (colours && wordAt(m_at + (count + 1) * kWord) > 0) m_assembly.lose(LostAttribute::Colour);
-      const Place place = Place::byte(m_at);
+      const InputPosition place = InputPosition::byte(m_at);
       m_at = end;
       if (count == 1) m_assembly.lose(LostAttribute::Points);
       if (count == 2) m_assembly.lose(LostAttribute::Lines);
@@ -135,7 +136,7 @@ class BinaryReader {
   bool truncated(const char* what, std::uint64_t expected, std::uint64_t found) {
     m_assembly.tolerate({ErrorCode::DataTruncated,
                          {what, std::to_string(expected), std::to_string(found)},
-                         Place::byte(m_bytes.size()),
+                         InputPosition::byte(m_bytes.size()),
                          {}});
     return false;
   }

@@ -113,7 +113,7 @@ class TextReader {
   }
 
   bool readFace() {
-    const Place place = m_scanner.place();
+    const InputPosition place = m_scanner.place();
     std::int64_t count = 0;
     Error error;
     if (!readIndex(count, error)) return m_assembly.tolerate(std::move(error));
@@ -137,7 +137,7 @@ class TextReader {
     return false;
   }
 
-  bool storeFace(Place place) {
+  bool storeFace(InputPosition place) {
     if (m_corners.size() == 1) m_assembly.lose(LostAttribute::Points);
     if (m_corners.size() == 2) m_assembly.lose(LostAttribute::Lines);
     if (m_corners.size() == 1 || m_corners.size() == 2) return true;

@@ -39,11 +39,11 @@ class BodyReader {
     const PlyLayout layout = layoutOf(element);
     if (!layout.missing.empty())
       return m_assembly.fail(
-          {ErrorCode::HeaderMalformed, {"property " + layout.missing}, Place::line(m_header.bodyLine - 1), {}});
+          {ErrorCode::HeaderMalformed, {"property " + layout.missing}, InputPosition::line(m_header.bodyLine - 1), {}});
     for (LostAttribute lost : layout.lost) m_assembly.lose(lost);
     for (std::uint64_t i = 0; i < element.count; ++i) {
       if (!m_assembly.advance(m_rows.position())) return false;
-      const Place place = m_rows.place();
+      const InputPosition place = m_rows.place();
       const bool isThere = m_rows.begin();
       const RowState state = isThere ? readRow(layout) : RowState::Ended;
       if (state == RowState::Ended) {
@@ -76,7 +76,7 @@ class BodyReader {
   }
 
   RowState readList(const PlyField& field) {
-    const Place place = m_rows.place();
+    const InputPosition place = m_rows.place();
     std::int64_t count = 0;
     if (const RowState state = m_rows.integer(*field.countType, count); state != RowState::Good) return state;
     if (count < 0) return m_rows.refuse({ErrorCode::TokenUnexpected, {"a count", std::to_string(count)}, place, {}});
@@ -90,7 +90,7 @@ class BodyReader {
     return RowState::Good;
   }
 
-  bool store(const PlyLayout& layout, Place place) {
+  bool store(const PlyLayout& layout, InputPosition place) {
     switch (layout.kind) {
       case PlyLayout::Kind::Vertices:
         if (m_point.allFinite()) return m_assembly.addPoint(m_point);
@@ -112,7 +112,7 @@ class BodyReader {
   }
 
   // Strips of one row are parted by -1; every second triangle is turned.
-  bool addStrips(Place place) {
+  bool addStrips(InputPosition place) {
     std::size_t start = 0;
     for (std::size_t i = 0; i <= m_corners.size(); ++i) {
       const bool ends = i == m_corners.size() || m_corners[i] == -1;

@@ -93,7 +93,7 @@ RowState PlyBinaryRows::number(PlyType type, double& value) {
 }
 
 RowState PlyBinaryRows::integer(PlyType type, std::int64_t& value) {
-  const Place start = place();
+  const InputPosition start = place();
   double real = 0.0;
   if (number(type, real) != RowState::Good) return RowState::Ended;
   constexpr double kExact = 9007199254740992.0;  // 2^53
@@ -116,8 +116,10 @@ RowState PlyBinaryRows::refuse(Error error) {
 }
 
 RowState PlyBinaryRows::ended() {
-  return refuse(
-      {ErrorCode::DataTruncated, {"bytes", "", std::to_string(m_bytes.size())}, Place::byte(m_bytes.size()), {}});
+  return refuse({ErrorCode::DataTruncated,
+                 {"bytes", "", std::to_string(m_bytes.size())},
+                 InputPosition::byte(m_bytes.size()),
+                 {}});
 }
 
 bool PlyBinaryRows::hasExcess() const {

@@ -33,7 +33,7 @@ class PlyTextRows {
   void abandon() { m_scanner.nextLine(); }
 
   const Error& error() const { return m_error; }
-  Place place() const { return m_scanner.place(); }
+  InputPosition place() const { return m_scanner.place(); }
   std::size_t position() const { return m_scanner.position(); }
   // Something other than white space is left.
   bool hasExcess() { return m_scanner.findWord(); }
@@ -59,7 +59,7 @@ class PlyBinaryRows {
   void abandon() {}
 
   const Error& error() const { return m_error; }
-  Place place() const { return Place::byte(m_at); }
+  InputPosition place() const { return InputPosition::byte(m_at); }
   std::size_t position() const { return m_at; }
   bool hasExcess() const;
 

@@ -45,7 +45,7 @@ class BinaryStlParser {
     if (m_bytes.size() < kFacetsAt)
       m_assembly.fail({ErrorCode::DataTruncated,
                        {"bytes", std::to_string(kFacetsAt), std::to_string(m_bytes.size())},
-                       Place::byte(m_bytes.size()),
+                       InputPosition::byte(m_bytes.size()),
                        {}});
     else if (agreeOnCount())
       readFacets();
@@ -62,16 +62,16 @@ class BinaryStlParser {
     if (announced > whole)
       return m_assembly.tolerate({ErrorCode::DataTruncated,
                                   {"facets", std::to_string(announced), std::to_string(whole)},
-                                  Place::byte(kFacetsAt + kFacetSize * whole),
+                                  InputPosition::byte(kFacetsAt + kFacetSize * whole),
                                   {}});
     if (whole > announced && (announced == 0 || excess == 0) && restIsFacets(announced, whole)) m_count = whole;
     if (m_count > announced)
       m_assembly.mend({ErrorCode::CountMismatch,
                        {"facets", std::to_string(announced), std::to_string(m_count)},
-                       Place::byte(kCountAt),
+                       InputPosition::byte(kCountAt),
                        {}});
     const std::size_t end = kFacetsAt + kFacetSize * m_count;
-    if (end < m_bytes.size()) m_assembly.noteExcess(end, Place::byte(end));
+    if (end < m_bytes.size()) m_assembly.noteExcess(end, InputPosition::byte(end));
     return true;
   }
 
@@ -116,7 +116,8 @@ class BinaryStlParser {
 
   bool refuse(std::size_t index, std::size_t coordinate, double value) {
     const auto at = static_cast<std::uint64_t>(facet(index) - m_bytes.data()) + kCornersAt + 4 * coordinate;
-    return m_assembly.tolerate({ErrorCode::NumberNotFinite, {std::isnan(value) ? "nan" : "inf"}, Place::byte(at), {}});
+    return m_assembly.tolerate(
+        {ErrorCode::NumberNotFinite, {std::isnan(value) ? "nan" : "inf"}, InputPosition::byte(at), {}});
   }
 
   const char* facet(std::size_t i) const { return m_bytes.data() + kFacetsAt + kFacetSize * i; }

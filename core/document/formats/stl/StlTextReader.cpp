@@ -25,7 +25,7 @@ class TextStlParser {
   bool nextIs(std::string_view keyword) { return equalsIgnoringCase(m_scanner.peek(), keyword); }
 
   bool readStatement() {
-    const Place place = m_scanner.place();
+    const InputPosition place = m_scanner.place();
     const std::string_view word = m_scanner.word();
     if (equalsIgnoringCase(word, "facet")) return readFacet(place);
     if (equalsIgnoringCase(word, "solid")) {
@@ -63,7 +63,7 @@ class TextStlParser {
     m_scanner.nextLine();
   }
 
-  bool readFacet(Place place) {
+  bool readFacet(InputPosition place) {
     m_corners.clear();
     // The normal is not needed, and often it is not a number either.
     while (!m_scanner.peek().empty() && !nextIs("outer")) m_scanner.word();
@@ -94,7 +94,7 @@ class TextStlParser {
     return true;
   }
 
-  bool addFacet(Place place) {
+  bool addFacet(InputPosition place) {
     m_indices.clear();
     for (std::size_t i = 0; i < m_corners.size(); ++i)
       m_indices.push_back(static_cast<std::int64_t>(m_assembly.pointCount() + i));

@@ -21,7 +21,7 @@ struct ThreeMfReference {
   std::string part;  // as the file writes it; empty: the same part
   std::uint32_t object = 0;
   ThreeMfTransform transform = ThreeMfTransform::Identity();
-  Place place;
+  InputPosition place;
 };
 
 // An object of a 3MF file: a mesh and components.

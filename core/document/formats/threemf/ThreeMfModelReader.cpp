@@ -73,7 +73,7 @@ class ModelReader {
            encoding.compare(u"us-ascii", Qt::CaseInsensitive) == 0;
   }
 
-  Place place() const { return Place::line(static_cast<std::uint64_t>(m_xml.lineNumber())); }
+  InputPosition place() const { return InputPosition::line(static_cast<std::uint64_t>(m_xml.lineNumber())); }
   Error malformed(const char* element, std::string what) const {
     return {ErrorCode::ElementMalformed, {element, std::move(what)}, place(), m_partName};
   }

@@ -30,7 +30,7 @@ struct Markup {
 constexpr Markup kQuotedMarkup[] = {{"<!--", "-->"}, {"<![CDATA[", "]]>"}, {"<?", "?>"}};
 
 Error malformed(const char* what, std::size_t at) {
-  return {ErrorCode::ElementMalformed, {"XML", what}, Place::byte(at), {}};
+  return {ErrorCode::ElementMalformed, {"XML", what}, InputPosition::byte(at), {}};
 }
 
 // One past the markup that begins here, or an error.

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "document/Operation.h"
-#include "mesh/holes/HoleFilling.h"
+#include "mesh/holes/HoleFiller.h"
 
 namespace handwheel {
 

@@ -144,7 +144,7 @@ void ColladaReaderTest::damage() {
   const ColladaMesh mesh = readOrThrow(document(geometry(text.toStdString() + kTriangles) + scene()));
   QCOMPARE(mesh.soup.triangles.size(), std::size_t{1});
   QVERIFY(!mesh.damage.empty());
-  QVERIFY(mesh.damage[0].place.kind == Place::Kind::Line);
+  QVERIFY(mesh.damage[0].place.kind == InputPosition::Kind::Line);
 }
 
 // What overflows the stack of others: a node that holds itself, and nodes that double at each step.

@@ -83,8 +83,8 @@ inline QString describe(const Error& error) {
   for (const std::string& argument : error.arguments) arguments << QString::fromLatin1(argument.c_str());
   QString text = nameOf(error.code);
   if (!arguments.isEmpty()) text += "(" + arguments.join(",") + ")";
-  if (error.place.kind == Place::Kind::Byte) text += QString(" byte %1").arg(error.place.value);
-  if (error.place.kind == Place::Kind::Line) text += QString(" line %1").arg(error.place.value);
+  if (error.place.kind == InputPosition::Kind::Byte) text += QString(" byte %1").arg(error.place.value);
+  if (error.place.kind == InputPosition::Kind::Line) text += QString(" line %1").arg(error.place.value);
   return text;
 }
 

@@ -4,7 +4,7 @@
 
 #include "MeshShapes.h"
 #include "TestClass.h"
-#include "mesh/holes/HoleFilling.h"
+#include "mesh/holes/HoleFiller.h"
 #include "mesh/structure/MeshBuilder.h"
 
 #include <QTest>

@@ -6,7 +6,7 @@
 #include "MeshShapes.h"
 #include "RidgedShapes.h"
 #include "TestClass.h"
-#include "mesh/holes/HoleFilling.h"
+#include "mesh/holes/HoleFiller.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/MeshValidator.h"
 

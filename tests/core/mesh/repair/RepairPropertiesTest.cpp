@@ -77,7 +77,7 @@ void RepairPropertiesTest::randomHoles() {
     RepairOptions options;
     options.fill.method = *rc::gen::element(FillMethod::Fair, FillMethod::Ear);
     options.fill.numbers = *rc::gen::element(NumberType::Float32, NumberType::Float64);
-    options.rims = *rc::gen::element(RimHandling::Keep, RimHandling::Back, RimHandling::Fill);
+    options.rims = *rc::gen::element(RimHandling::Keep, RimHandling::Thicken, RimHandling::Fill);
     const RepairReport report = repair(mesh, options);
     RC_ASSERT(validate(mesh) == std::string());
     RC_ASSERT(test::inconsistent(input, mesh, report) == std::string());
@@ -124,7 +124,7 @@ void RepairPropertiesTest::anySoup() {
     const HalfEdgeMesh input = buildMesh(test::randomSoup(random, *rc::gen::inRange<std::size_t>(1, 25), steps)).mesh;
     HalfEdgeMesh mesh = input;
     RepairOptions options;
-    options.rims = *rc::gen::element(RimHandling::Keep, RimHandling::Back, RimHandling::Fill);
+    options.rims = *rc::gen::element(RimHandling::Keep, RimHandling::Thicken, RimHandling::Fill);
     options.removeDebris = *rc::gen::arbitrary<bool>();
     options.fill.numbers = *rc::gen::element(NumberType::Float32, NumberType::Float64);
     const RepairReport report = repair(mesh, options);

@@ -20,7 +20,7 @@ std::vector<bool> toTurn(const TriangleSoup& s) {
 
 TriangleSoup withTurned(TriangleSoup s, const std::vector<bool>& turn) {
   for (std::size_t i = 0; i < turn.size(); ++i)
-    if (turn[i]) s.triangles[i] = turned(s.triangles[i]);
+    if (turn[i]) s.triangles[i] = reversed(s.triangles[i]);
   return s;
 }
 
@@ -93,7 +93,7 @@ void OrientationTest::nonOrientableKeepsADisagreement() {
 }
 
 void OrientationTest::turnedHalfEdges() {
-  const Triangle t = {4, 7, 9}, u = turned(t);
+  const Triangle t = {4, 7, 9}, u = reversed(t);
   const std::uint32_t face = 5;
   for (std::uint32_t k = 0; k < 3; ++k) {
     const std::uint32_t h = reversedHalfEdge(3 * face + k);

@@ -133,7 +133,7 @@ void MeshStepsTest::keepingOpen() {
 }
 
 void MeshStepsTest::repairing() {
-  for (const RimHandling rims : {RimHandling::Keep, RimHandling::Back, RimHandling::Fill}) {
+  for (const RimHandling rims : {RimHandling::Keep, RimHandling::Thicken, RimHandling::Fill}) {
     TriangleSoup soup = test::sphereWithHoles(3, 3, 0.3);
     test::append(soup, test::moved(test::disc(12, 3), {5, 0, 0}));
     test::append(soup, test::cube(1e-3, {2, 0, 0}));
@@ -142,7 +142,7 @@ void MeshStepsTest::repairing() {
     work.document->setKeptOpen(work.document->defects().loops[1], true);
     RepairOptions options;
     options.rims = rims;
-    options.removeDebris = rims == RimHandling::Back;
+    options.removeDebris = rims == RimHandling::Thicken;
     options.nearWeld = 1e-4;
     options.maxEdges = 1000;
     options.cutCrossings = true;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/holes/HoleFilling.h"
+#include "mesh/holes/HoleFiller.h"
 
 #include "mesh/holes/FillCandidates.h"
 #include "mesh/structure/EdgeTable.h"

@@ -4,7 +4,7 @@
 #include "SheetModel.h"
 #include "TestClass.h"
 #include "mesh/structure/MeshBuilder.h"
-#include "viewport/Snapshot.h"
+#include "viewport/OffscreenPicture.h"
 
 #include <sys/stat.h>
 #include <QTemporaryDir>
@@ -12,7 +12,7 @@
 
 using namespace handwheel;
 
-class SnapshotTest : public QObject {
+class OffscreenPictureTest : public QObject {
   Q_OBJECT
  private slots:
   void pictureToFile() {
@@ -129,5 +129,5 @@ class SnapshotTest : public QObject {
   }
 };
 
-HANDWHEEL_TEST(SnapshotTest)
-#include "SnapshotTest.moc"
+HANDWHEEL_TEST(OffscreenPictureTest)
+#include "OffscreenPictureTest.moc"

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/MeasureCommand.h"
+#include "cli/commands/MeasureCommand.h"
 
 #include "cli/BenchmarkRun.h"
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
-#include "cli/MeasureReport.h"
 #include "cli/Messages.h"
 #include "cli/ReportJson.h"
+#include "cli/commands/MeasureReport.h"
 #include "document/AtomicFile.h"
 #include "fidelity/CurveFile.h"
 #include "fidelity/MeasuredSettings.h"

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "window/mesh/EditSteps.h"
+#include "window/mesh/EquivalentCommand.h"
 
 #include "document/DocumentKind.h"
 #include "tools/mesh/StepText.h"
 #include "tools/mesh/operations/RepairOperation.h"
-#include "window/CommandText.h"
+#include "window/CommandLines.h"
 #include "window/mesh/MeshTab.h"
 
 #include <QDir>

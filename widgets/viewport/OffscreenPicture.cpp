@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "viewport/Snapshot.h"
+#include "viewport/OffscreenPicture.h"
 
 #include "document/AtomicFile.h"
 #include "viewport/DisplayCheck.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/InspectCommand.h"
+#include "cli/commands/InspectCommand.h"
 
 #include "cli/Input.h"
 #include "cli/Interrupt.h"

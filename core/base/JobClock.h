@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+namespace handwheel {
+
+// How long a job has worked, for whoever displays it. The time stands still while the job does not poll its cancel
+// flag: a job that hangs is not displayed as one that works. Used by one thread.
+class JobClock {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  // The seconds until the last poll that was seen. To be called several times a second.
+  int seconds(const JobState& state, Clock::time_point now = Clock::now()) {
+    const std::uint32_t polls = state.polls.load(std::memory_order_relaxed);
+    if (polls != m_polls) m_lastSeen = now;
+    m_polls = polls;
+    return static_cast<int>(std::chrono::duration_cast<std::chrono::seconds>(m_lastSeen - m_start).count());
+  }
+
+ private:
+  Clock::time_point m_start = Clock::now();
+  Clock::time_point m_lastSeen = m_start;
+  std::uint32_t m_polls = 0;
+};
+
+// Minutes and seconds as "1:05"; nothing for the first seconds, which are not worth displaying.
+inline std::string elapsedText(int seconds) {
+  constexpr int kWorthIt = 3;
+  if (seconds < kWorthIt) return {};
+  const std::string rest = std::to_string(seconds % 60);
+  return std::to_string(seconds / 60) + (rest.size() < 2 ? ":0" : ":") + rest;
+}
+
+}  // namespace handwheel
