@@ -14,7 +14,7 @@ FidelitySetting turnSpacingSetting() {
   s.scale = FidelityScale::Logarithmic;
   s.least = 1e-3;
   s.largest = 2.0;
-  s.standard = 0.05;
+  s.standard = 0.013;
   s.presets = {0.013, 0.013, 0.001};
   s.error = {translatable("Fidelity", "largest distance of the profile from what the tool left"), "mm"};
   s.cost = {translatable("Fidelity", "CPU time of cutting and of the triangles that change"), "ms"};

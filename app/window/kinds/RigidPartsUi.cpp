@@ -41,6 +41,7 @@ void RigidPartsUi::setDocument(DocumentTab* document) {
     m_document->document.disconnect(this);
     m_layer->setParts({});
     m_replaced.reset();
+    m_model.reset();
   }
   m_document = document;
   if (!document) return feelParts();
@@ -93,8 +94,7 @@ std::vector<QAction*> RigidPartsUi::panelActions() const {
 }
 
 void RigidPartsUi::showParts() {
-  const Document& document = m_document->document;
-  m_layer->setParts(m_replaced ? m_replaced->parts : document.kind().display(*document.snapshot()).parts);
+  m_layer->setParts((m_replaced ? m_replaced : m_model)->parts);
 }
 
 void RigidPartsUi::setFelt(bool isFelt) {
@@ -102,13 +102,13 @@ void RigidPartsUi::setFelt(bool isFelt) {
 }
 
 void RigidPartsUi::feelParts() {
-  if (!m_document || !m_document->visible || !m_isFelt) return m_haptics->setParts(nullptr);
-  const Document& document = m_document->document;
-  m_haptics->setParts(std::make_shared<const DisplayModel>(document.kind().display(*document.snapshot())));
+  const bool isFelt = m_document && m_document->visible && m_isFelt;
+  m_haptics->setParts(isFelt ? m_model : nullptr);
 }
 
 void RigidPartsUi::show() {
   const Document& document = m_document->document;
+  m_model = std::make_shared<const DisplayModel>(document.kind().display(*document.snapshot()));
   showParts();
   feelParts();
   std::vector<Property> shown = document.properties();

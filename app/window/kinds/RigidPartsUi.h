@@ -49,6 +49,7 @@ class RigidPartsUi : public KindUi {
   std::shared_ptr<PartsLayer> m_layer;
   RigidPartsHaptics* m_haptics;
   bool m_isFelt = true;
+  std::shared_ptr<const DisplayModel> m_model;     // of the document; null: none
   std::shared_ptr<const DisplayModel> m_replaced;  // by the tool; null: nothing
   QPointer<PropertyList> m_panel;
   DocumentTab* m_document = nullptr;

@@ -10,6 +10,7 @@
 #include "tools/mesh/TransformTool.h"
 #include "tools/mesh/boundary/BoundaryTool.h"
 #include "tools/mesh/sculpt/SculptTool.h"
+#include "viewport/surface/MeshLayer.h"
 #include "window/mesh/HolePreview.h"
 #include "window/mesh/MeshTab.h"
 #include "window/mesh/RepairActions.h"
@@ -21,15 +22,15 @@
 
 namespace handwheel {
 
-MeshTools::MeshTools(ToolHost& host, QThreadPool& pool, Selection& selection, HolePreview& preview,
-                     RepairActions& actions, RepairJobs& jobs, QObject* parent)
+MeshTools::MeshTools(ToolHost& host, QThreadPool& pool, const MeshLayer& layer, Selection& selection,
+                     HolePreview& preview, RepairActions& actions, RepairJobs& jobs, QObject* parent)
     : QObject(parent),
       m_host(host),
+      m_layer(layer),
       m_selection(selection),
       m_preview(preview),
       m_actions(actions),
       m_jobs(jobs),
-      m_sorting(JobRunner::Policy::Latest, pool),
       m_thinking(JobRunner::Policy::Latest, pool) {
   connect(&m_preview, &HolePreview::changed, this, &MeshTools::answer);
   connect(&m_selection, &Selection::changed, this, &MeshTools::followSelection);
@@ -39,9 +40,6 @@ MeshTools::MeshTools(ToolHost& host, QThreadPool& pool, Selection& selection, Ho
 
 void MeshTools::setDocument(MeshTab* document) {
   m_thinking.cancelAll();
-  m_sorting.cancelAll();
-  m_faces.reset();
-  m_facesRevision = m_sortingRevision = 0;
   m_document = document;
 }
 
@@ -52,9 +50,8 @@ void MeshTools::setFill(FillMethod method, Continuity continuity) {
 }
 
 std::unique_ptr<Tool> MeshTools::fillTool() {
-  faces();  // so that the first gesture finds them sorted
   FillServices services;
-  services.faces = [this] { return faces(); };
+  services.faces = [this] { return m_layer.faces(); };
   services.request = [this](const FillRequest& wanted) { request(wanted); };
   services.commit = [this](const BoundaryLoop&, const FillAttempt&) { m_actions.fill()->trigger(); };
   services.showsPatch = [this] { return m_actions.preview()->isChecked(); };
@@ -64,24 +61,20 @@ std::unique_ptr<Tool> MeshTools::fillTool() {
 }
 
 std::unique_ptr<Tool> MeshTools::selectTool() {
-  faces();
   return std::make_unique<SelectTool>(m_document->document, services());
 }
 
 std::unique_ptr<Tool> MeshTools::boundaryTool() {
-  faces();
   const Vertex selected = m_document->selected;
   return std::make_unique<BoundaryTool>(m_document->document, services(),
                                         selected == kNone ? std::nullopt : std::optional(selected));
 }
 
 std::unique_ptr<Tool> MeshTools::makeFaceTool() {
-  faces();
   return std::make_unique<MakeFaceTool>(m_document->document, services());
 }
 
 std::unique_ptr<Tool> MeshTools::sculptTool() {
-  faces();
   const auto* select = dynamic_cast<const SelectTool*>(m_host.runner().tool());
   const bool isSelected = select && !select->selection().faces.empty();
   return std::make_unique<SculptTool>(m_document->document, services(),
@@ -89,16 +82,15 @@ std::unique_ptr<Tool> MeshTools::sculptTool() {
 }
 
 std::unique_ptr<Tool> MeshTools::measureTool() {
-  faces();
   MeasureServices services;
   services.pick = [this](const Ray& ray) -> std::optional<SurfacePoint> {
-    const auto sorted = faces();
+    const auto sorted = m_layer.faces();
     const auto hit = sorted ? sorted->firstHit(ray) : std::nullopt;
     if (!hit) return std::nullopt;
     return SurfacePoint{hit->point, smoothNormal(sorted->mesh(), hit->face, hit->point), hit->face};
   };
   services.thickness = [this](const SurfacePoint& at) -> std::optional<WallThickness> {
-    const auto sorted = faces();
+    const auto sorted = m_layer.faces();
     if (!sorted || at.face >= sorted->mesh().faceSlots() || !sorted->mesh().isLive(at.face)) return std::nullopt;
     return wallThickness(*sorted, at.face, at.point);
   };
@@ -113,25 +105,9 @@ std::unique_ptr<Tool> MeshTools::transformTool() {
   return std::make_unique<TransformTool>(m_document->document, services());
 }
 
-std::shared_ptr<const FaceHierarchy> MeshTools::faces() {
-  const std::uint64_t revision = m_document->document.revision();
-  if (m_facesRevision == revision || m_sortingRevision == revision) return m_faces;
-  m_sortingRevision = revision;
-  Job job;
-  job.name = tr("Preparing to pick");
-  job.work = [this, revision, mesh = m_document->document.mesh()](Progress) -> Job::Finish {
-    return [this, revision, sorted = std::make_shared<const FaceHierarchy>(mesh)] {
-      m_faces = sorted;
-      m_facesRevision = revision;
-    };
-  };
-  m_sorting.start(std::move(job));
-  return m_faces;
-}
-
 MeshServices MeshTools::services() {
   MeshServices services;
-  services.faces = [this] { return faces(); };
+  services.faces = [this] { return m_layer.faces(); };
   services.cancel = [this] { m_thinking.cancelAll(); };
   services.run = [this](ToolJob wanted) {
     Job job;

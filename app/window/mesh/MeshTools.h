@@ -10,6 +10,7 @@ namespace handwheel {
 
 class BoundaryTool;
 class HolePreview;
+class MeshLayer;
 class RepairActions;
 class RepairJobs;
 class Selection;
@@ -22,8 +23,8 @@ class MeshTools : public QObject {
   Q_OBJECT
 
  public:
-  MeshTools(ToolHost& host, QThreadPool& pool, Selection& selection, HolePreview& preview, RepairActions& actions,
-            RepairJobs& jobs, QObject* parent = nullptr);
+  MeshTools(ToolHost& host, QThreadPool& pool, const MeshLayer& layer, Selection& selection, HolePreview& preview,
+            RepairActions& actions, RepairJobs& jobs, QObject* parent = nullptr);
 
   void setDocument(MeshTab* document);
   void setFill(FillMethod method, Continuity continuity);
@@ -37,8 +38,6 @@ class MeshTools : public QObject {
   std::unique_ptr<Tool> measureTool();
   std::unique_ptr<Tool> decimateTool();
   std::unique_ptr<Tool> transformTool();
-  // The face hierarchy of the present mesh for ray queries; of an older version while the present one is being built.
-  std::shared_ptr<const FaceHierarchy> faces();
 
  private:
   const FillHoleTool* runningFillTool() const;
@@ -50,16 +49,13 @@ class MeshTools : public QObject {
   MeshServices services();
 
   ToolHost& m_host;
+  const MeshLayer& m_layer;
   Selection& m_selection;
   HolePreview& m_preview;
   RepairActions& m_actions;
   RepairJobs& m_jobs;
-  JobRunner m_sorting;   // builds the face hierarchy
   JobRunner m_thinking;  // the jobs of the select tool
   MeshTab* m_document = nullptr;
-  std::shared_ptr<const FaceHierarchy> m_faces;
-  std::uint64_t m_facesRevision = 0;
-  std::uint64_t m_sortingRevision = 0;
   std::uint64_t m_ticket = 0;
   bool m_isTold = false;  // the fill settings are being set by us, and not to be reported back
 };

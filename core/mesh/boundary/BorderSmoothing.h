@@ -11,6 +11,8 @@ namespace handwheel {
 
 // Options of smoothBorder().
 struct SmoothingOptions {
+  static constexpr double kLongestWavelength = 100.0;
+
   double wavelength = 8.0;  // in edges: shorter waves are removed, longer ones stay; below 2 only the spacing changes
   bool evenly = true;       // spread the points evenly along the curve
 };

@@ -27,6 +27,13 @@ std::optional<Vec3> FaceHierarchy::nearest(const Vec3& p) const {
   return found ? std::optional(found->point) : std::nullopt;
 }
 
+Vec3 FaceHierarchy::normalNear(const Vec3& p) const {
+  const auto nearest = m_hierarchy.nearest(p);
+  if (!nearest) return Vec3::Zero();
+  const auto [a, b, c] = m_hierarchy.corners(nearest->triangle);
+  return (b - a).cross(c - a).normalized();
+}
+
 bool FaceHierarchy::isHidden(const Vec3& p, const std::optional<Vec3>& eye, const Vec3& direction, double by,
                              Face own) const {
   if (bounds().isEmpty()) return false;

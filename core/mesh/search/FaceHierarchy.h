@@ -34,6 +34,9 @@ class FaceHierarchy {
   // The point of the surface nearest to p; none without faces.
   std::optional<Vec3> nearest(const Vec3& p) const;
 
+  // The unit normal of the face nearest to p; zero when there is none or it has no area.
+  Vec3 normalNear(const Vec3& p) const;
+
   // Whether something lies before p, by more than this (mm), as seen from the eye or, without one, from outside the
   // model along the direction. A face that p is known to lie on does not count.
   bool isHidden(const Vec3& p, const std::optional<Vec3>& eye, const Vec3& direction, double by = 0.0,

@@ -9,6 +9,7 @@
 
 namespace handwheel {
 
+class FaceHierarchy;
 struct PreviewMesh;
 
 // A view layer that shows a mesh with its marks. Its elements are faces and, near the cursor, loops.
@@ -60,6 +61,10 @@ class MeshLayer : public ViewLayer {
   // and picking are those of the mesh. It appears once its blocks are built, and is skipped when the next version
   // arrives sooner.
   void setLiveMesh(const std::shared_ptr<const PreviewMesh>& live);
+
+  // The search structure over the faces of the mesh, for tools, too. Of an older version while the present one's is
+  // being built; null before the first.
+  std::shared_ptr<const FaceHierarchy> faces() const;
 
   Box bounds() const override;
   Box drawnBounds() const override;

@@ -23,17 +23,17 @@ class MeshLayer::Private {
                        q.report(LayerChange::Look);
                      },
                      [this](SurfaceGeometry geometry) { blocks.setCoarse(std::move(geometry)); },
-                     [this](MeshPreparation::Index built) {
-                       index = std::move(built);
-                       isIndexAwaited = false;
+                     [this](std::shared_ptr<const FaceHierarchy> built) {
+                       faces = std::move(built);
+                       areFacesAwaited = false;
                        q.report(LayerChange::Search);
                      },
                      [this] { q.report(LayerChange::OutOfMemory); }}) {}
 
   // The search structure is that of the mesh before; values and versions of tools are of that mesh, too.
-  void dropDerived(bool isIndexAwaitedNow) {
-    index.reset();
-    isIndexAwaited = isIndexAwaitedNow;
+  void dropDerived(bool areFacesAwaitedNow) {
+    faces.reset();
+    areFacesAwaited = areFacesAwaitedNow;
     q.setSurfaceValues(nullptr, {});
   }
   void take(const HalfEdgeMesh& next, const Box& bounds, std::vector<Vec3> points) {
@@ -61,9 +61,9 @@ class MeshLayer::Private {
   Box box;
   Box liveBox;  // of what a tool has changed
   std::vector<Vec3> outline;
-  Vec3 origin = Vec3::Zero();  // the model point at the origin of the geometry
-  MeshPreparation::Index index;
-  bool isIndexAwaited = false;
+  Vec3 origin = Vec3::Zero();                  // the model point at the origin of the geometry
+  std::shared_ptr<const FaceHierarchy> faces;  // for picking
+  bool areFacesAwaited = false;
   MeshPreparation preparation;
   VertexValues values;  // that colour the mesh; null for none
   ColourScale colourScale;

@@ -66,24 +66,28 @@ void MeshLayer::paintOver(QPainter& painter, const QSizeF& size, LengthUnit unit
 }
 
 bool MeshLayer::isSearchable() const {
-  return !d->isIndexAwaited;
+  return !d->areFacesAwaited;
 }
 
 std::optional<LayerHit> MeshLayer::firstHit(const Vec3& origin, const Vec3& direction) const {
-  const auto hit = d->index ? d->index->firstHit(origin, direction) : std::nullopt;
+  const auto hit = d->faces ? d->faces->firstHit({origin, direction}) : std::nullopt;
   if (!hit) return std::nullopt;
-  return LayerHit{hit->face, origin + hit->distance * direction, hit->distance};
+  return LayerHit{hit->face, hit->point, hit->distance};
 }
 
 // Not before one can tell which of them are hidden.
 void MeshLayer::findNear(const CameraNavigation& view, const Vec2& cursor, std::vector<LayerHit>& found) const {
-  if (d->isIndexAwaited) return;
+  if (d->areFacesAwaited) return;
   for (const LoopMark& loop : d->marks.loops())
     findNearLine(loop.points, true, kLoop | static_cast<std::uint32_t>(loop.id), view, cursor, found);
 }
 
 Vec3 MeshLayer::normalNear(const Vec3& p) const {
-  return d->index ? d->index->normalNear(p) : Vec3(Vec3::Zero());
+  return d->faces ? d->faces->normalNear(p) : Vec3(Vec3::Zero());
+}
+
+std::shared_ptr<const FaceHierarchy> MeshLayer::faces() const {
+  return d->faces;
 }
 
 void MeshLayer::setHovered(std::optional<std::uint64_t> element) {

@@ -109,13 +109,13 @@ void MeshPreparation::startRest(const HalfEdgeMesh& mesh, const Box& bounds, con
       rest.coarse = std::make_shared<SurfaceGeometry>(coarseGeometry(mesh, bounds, origin, triangles, values.get()));
     }
     if (promise.isCanceled()) return;
-    rest.index = std::make_shared<const PickIndex>(mesh);
+    rest.faces = std::make_shared<const FaceHierarchy>(mesh);
     promise.addResult(std::move(rest));
   });
   QObject::connect(m_rest.get(), &QFutureWatcherBase::resultReadyAt, m_rest.get(), [this](int) {
     const Rest rest = m_rest->result();
     if (rest.coarse) m_receivers.coarse(std::move(*rest.coarse));
-    m_receivers.index(rest.index);
+    m_receivers.faces(rest.faces);
   });
   QObject::connect(m_rest.get(), &QFutureWatcherBase::finished, m_rest.get(), [this] {
     if (!m_rest->isCanceled() && m_rest->future().resultCount() == 0) m_receivers.outOfMemory();

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "mesh/search/FaceHierarchy.h"
 #include "viewport/overlay/ColourScale.h"
-#include "viewport/surface/PickIndex.h"
 #include "viewport/surface/SurfaceGeometry.h"
 
 #include <QFutureWatcher>
@@ -25,11 +25,10 @@ bool hasCoarseVersion(const HalfEdgeMesh& mesh, std::size_t coarseTriangles);
 // replaced meanwhile.
 class MeshPreparation {
  public:
-  using Index = std::shared_ptr<const PickIndex>;
   struct Receivers {
     std::function<void(std::size_t block, SurfaceGeometry)> block;
     std::function<void(SurfaceGeometry)> coarse;
-    std::function<void(Index)> index;
+    std::function<void(std::shared_ptr<const FaceHierarchy>)> faces;
     std::function<void()> outOfMemory;  // some of these results will not be delivered
   };
 
@@ -67,7 +66,7 @@ class MeshPreparation {
   };
   struct Rest {
     std::shared_ptr<SurfaceGeometry> coarse;  // null where there is none
-    Index index;
+    std::shared_ptr<const FaceHierarchy> faces;
   };
 
   void startBlocks(const HalfEdgeMesh& mesh, const Vec3& origin);

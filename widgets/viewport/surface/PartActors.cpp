@@ -100,7 +100,7 @@ bool PartActors::setShape(const Soup& soup, PartShape& made) {
   if (!shape || shape->isMade) return false;
   shape->isMade = true;
   shape->origin = made.origin;
-  shape->index = std::move(made.index);
+  shape->faces = std::move(made.faces);
   for (SurfaceGeometry& block : made.blocks) m_queue.emplace_back(shape, std::move(block));
   return true;
 }
@@ -198,9 +198,9 @@ void PartActors::updateBounds() {
 std::optional<LayerHit> PartActors::firstHit(const Vec3& origin, const Vec3& direction) const {
   std::optional<LayerHit> first;
   for (const Part& part : m_parts) {
-    if (!part.wanted->index || part.wanted->outline.box.isEmpty()) continue;
+    if (!part.wanted->faces || part.wanted->outline.box.isEmpty()) continue;
     const Pose inverse = part.description.pose.inverse();
-    const auto hit = part.wanted->index->firstHit(inverse * origin, inverse.linear() * direction);
+    const auto hit = part.wanted->faces->firstHit({inverse * origin, inverse.linear() * direction});
     if (hit && (!first || hit->distance <= first->distance))
       first = {part.number, origin + hit->distance * direction, hit->distance};
   }

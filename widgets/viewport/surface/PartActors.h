@@ -65,7 +65,7 @@ class PartActors {
     Vec3 origin = Vec3::Zero();
     bool isMade = false;
     std::vector<vtkSmartPointer<vtkPolyData>> blocks;
-    std::shared_ptr<const PickIndex> index;
+    std::shared_ptr<const FaceHierarchy> faces;
   };
   using ShapePointer = std::shared_ptr<Shape>;
 

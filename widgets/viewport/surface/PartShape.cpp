@@ -20,7 +20,7 @@ PartShape shapeOf(const TriangleSoup& soup) {
   if (!box.isEmpty()) shape.origin = box.center();
   for (std::size_t b = 0; b < blockCount(mesh); ++b) shape.blocks.push_back(blockGeometry(mesh, b, shape.origin));
   if (shape.blocks.empty()) shape.blocks.emplace_back();
-  shape.index = std::make_shared<const PickIndex>(mesh);
+  shape.faces = std::make_shared<const FaceHierarchy>(mesh);
   return shape;
 }
 

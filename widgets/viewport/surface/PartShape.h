@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "viewport/surface/PickIndex.h"
+#include "mesh/search/FaceHierarchy.h"
 #include "viewport/surface/SurfaceGeometry.h"
 
 #include <memory>
@@ -13,7 +13,7 @@ namespace handwheel {
 struct PartShape {
   Vec3 origin = Vec3::Zero();           // the point at the origin of the geometry
   std::vector<SurfaceGeometry> blocks;  // never empty
-  std::shared_ptr<const PickIndex> index;
+  std::shared_ptr<const FaceHierarchy> faces;
 };
 
 // Prepares the shape of a soup. Points at equal positions are merged, and edges are sharp as on a mesh. Any thread;

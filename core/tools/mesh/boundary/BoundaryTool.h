@@ -90,7 +90,6 @@ class BoundaryTool : public Tool {
   const char* dragEffect() const;
   const HalfEdgeMesh& mesh() const;
 
-  static constexpr double kLongestWave = 100.0;  // edges
 
   MeshDocument& m_document;
   MeshServices m_services;

@@ -192,7 +192,8 @@ ToolReply BoundaryTool::commitProposal() {
 
 void BoundaryTool::setSetting(std::string_view id, const PropertyValue& value) {
   if (id == "onto") assignChoice(m_onto, value, 2);
-  const bool isTaken = (id == "wavelength" && assignNumber(m_smoothing.wavelength, value, {0.0, kLongestWave})) ||
+  const bool isTaken = (id == "wavelength" &&
+                        assignNumber(m_smoothing.wavelength, value, {0.0, SmoothingOptions::kLongestWavelength})) ||
                        (id == "evenly" && assignSwitch(m_smoothing.evenly, value));
   if (!isTaken) return;
   if ((m_proposal && m_proposal->kind == Kind::Smooth) || (m_job && *m_job == Kind::Smooth)) propose(Kind::Smooth);

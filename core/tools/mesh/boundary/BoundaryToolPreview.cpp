@@ -88,7 +88,7 @@ std::vector<Property> BoundaryTool::settings() const {
   wave.label = QT_TRANSLATE_NOOP("Property", "Waves up to (edges)");
   wave.value = m_smoothing.wavelength;
   wave.least = 0.0;
-  wave.largest = kLongestWave;
+  wave.largest = SmoothingOptions::kLongestWavelength;
   Property evenly;
   evenly.id = "evenly";
   evenly.group = wave.group;

@@ -16,7 +16,7 @@ Parameter wavelengthParameter() {
                        .label = {},
                        .value = SmoothingOptions().wavelength,
                        .least = 0.0,
-                       .largest = 100.0},
+                       .largest = SmoothingOptions::kLongestWavelength},
           .meaning = "Remove waves that are shorter, in edges; below 2 only the spacing changes",
           .word = "EDGES"};
 }
