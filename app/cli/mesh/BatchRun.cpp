@@ -59,11 +59,12 @@ int BatchRun::run() {
   for (std::size_t file = 0; file < count; ++file) {
     if (!takeEarlier(file)) todo.push_back(file);
   }
-  m_nextReport = Clock::now();  // not before: until then the earlier report tells of more than a new one would
+  const auto begin = Clock::now();
+  m_nextReport = begin;  // not before: until then the earlier report tells of more than a new one would
   std::size_t next = 0;
   while (!wasInterrupted() && (next < todo.size() || !m_children.empty())) {
     while (!wasInterrupted() && next < todo.size() && m_children.size() < m_request.jobs) start(todo[next++]);
-    m_bar.show(static_cast<double>(m_finished) / static_cast<double>(count));
+    m_bar.show(static_cast<double>(m_finished) / static_cast<double>(count), static_cast<int>(secondsSince(begin)));
     ChildProcess::wait(m_children, kPoll);
     watchTimes();
     collect();

@@ -85,12 +85,7 @@ std::string idleSentence(const Step& step, const StepOutcome& outcome) {
 // Error: of the step concerned.
 Status applySteps(MeshDocument& document, const std::vector<Step>& steps, const DocumentKinds& kinds, Edited& done,
                   Progress progress) {
-  const MeshFileReader readMesh = [&kinds](const std::string& path, Progress reading) -> Result<HalfEdgeMesh> {
-    const Result<OpenedFile> opened = kinds.open(path, {}, reading);
-    if (!opened) return opened.error();
-    if (const auto* mesh = dynamic_cast<const MeshSnapshot*>(opened->content.get())) return mesh->mesh.mesh;
-    return Error{ErrorCode::NoTriangles, {}, {}, path};
-  };
+  const MeshFileReader readMesh = meshFileReader(kinds);
   const auto count = static_cast<double>(steps.size());
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const auto at = static_cast<double>(i);
@@ -152,6 +147,15 @@ const std::string& summary() {
 }
 
 }  // namespace
+
+MeshFileReader meshFileReader(const DocumentKinds& kinds) {
+  return [&kinds](const std::string& path, Progress reading) -> Result<HalfEdgeMesh> {
+    const Result<OpenedFile> opened = kinds.open(path, {}, reading);
+    if (!opened) return opened.error();
+    if (const auto* mesh = dynamic_cast<const MeshSnapshot*>(opened->content.get())) return mesh->mesh.mesh;
+    return Error{ErrorCode::NoTriangles, {}, {}, path};
+  };
+}
 
 CommandSpec editSpec() {
   return {"edit",

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cli/Arguments.h"
+#include "tools/mesh/MeshSteps.h"
 
 namespace handwheel {
 
@@ -10,6 +11,8 @@ class DocumentKinds;
 
 // Syntax of "handwheel edit", which applies editing steps to a mesh (tools/mesh/MeshSteps.h).
 CommandSpec editSpec();
+// Reads the meshes that steps name.
+MeshFileReader meshFileReader(const DocumentKinds& kinds);
 int runEdit(const Arguments& arguments, const DocumentKinds& kinds);
 
 }  // namespace handwheel

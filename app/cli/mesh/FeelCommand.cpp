@@ -8,6 +8,7 @@
 #include "cli/Interrupt.h"
 #include "cli/Messages.h"
 #include "cli/TipTrajectory.h"
+#include "cli/mesh/FeelAgain.h"
 #include "cli/mesh/FeelSnap.h"
 #include "cli/mesh/HapticPathOptions.h"
 #include "document/AtomicFile.h"
@@ -15,6 +16,7 @@
 #include "document/mesh/MeshSnapshot.h"
 #include "haptics/contact/TouchableSurface.h"
 #include "haptics/device/SimulatedDevice.h"
+#include "haptics/recording/RecordingCsv.h"
 #include "haptics/safety/StiffnessLimit.h"
 #include "haptics/scene/TouchFidelity.h"
 #include "haptics/snap/SnapFidelity.h"
@@ -152,7 +154,11 @@ CommandSpec feelSpec() {
       "A proxy follows the tip and never goes through the surface; the force is F = k (proxy - tip), less the\n"
       "damping of the speed along the normal. Where the path begins is free space.\n"
       "P.csv has the columns t_s,x_mm,y_mm,z_mm; between its lines the tip goes straight. The output has the columns\n"
-      "t_s,hip_x,hip_y,hip_z,proxy_x,proxy_y,proxy_z,force_x,force_y,force_z,contact,tick_us, in mm and N.",
+      "t_s,hip_x,hip_y,hip_z,proxy_x,proxy_y,proxy_z,force_x,force_y,force_z,contact,tick_us, in mm and N.\n"
+      "P.csv may also be a recording that the window exported: it is felt again with the settings it was felt with, "
+      "and\n"
+      "the mesh is edited at the same ticks. MESH is then the file as it was opened. Exit code 0: done; 2: not all of\n"
+      "the recording could be felt again; 1: error.",
       {
           {"path", 0, "P.csv", "The way of the tip"},
           {"out", 0, "FILE", "Write what is felt at each tick; - for standard output"},
@@ -181,6 +187,7 @@ int runFeel(const Arguments& arguments, const DocumentKinds& kinds) {
     error.subject = request.path.string();
     return fail(error);
   }
+  if (isRecordingCsv(*text)) return feelAgain(arguments, *text, kinds);
   TipTrajectory path = readTipTrajectory(*text);
   if (!path.problem.empty()) return refuse(request.path.string() + ": " + path.problem);
   request.run.from = path.poses.front().time;

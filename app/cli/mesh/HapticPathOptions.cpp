@@ -5,6 +5,7 @@
 #include "base/NumberText.h"
 #include "base/ThreadClock.h"
 #include "haptics/scene/SceneForces.h"
+#include "mesh/structure/CancelPolling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,21 +32,41 @@ std::size_t HapticPathOptions::ticks() const {
   return static_cast<std::size_t>(std::floor((to - from) * rate + 1e-6)) + 1;
 }
 
+HapticPathTable::HapticPathTable() {
+  m_result.csv = "t_s,hip_x,hip_y,hip_z,proxy_x,proxy_y,proxy_z,force_x,force_y,force_z,contact,tick_us\n";
+}
+
+void HapticPathTable::add(const TipState& tip, const ForceOut& felt, double microseconds, double asked) {
+  m_result.csv += shortestText(tip.time);
+  append(m_result.csv, tip.position);
+  append(m_result.csv, felt.proxy);
+  append(m_result.csv, felt.force);
+  m_result.csv += felt.isContact ? ",1," : ",0,";
+  m_result.csv += roundedText(microseconds) + '\n';
+  ++m_result.ticks;
+  m_result.inContact += felt.isContact ? 1 : 0;
+  m_result.askedForce = std::max(m_result.askedForce, asked);
+  m_result.peakForce = std::max(m_result.peakForce, felt.force.norm());
+  m_costs.push_back(microseconds);
+}
+
+HapticPathResult HapticPathTable::take() {
+  m_result.usualMicroseconds = quantile(m_costs, 0.5);
+  m_result.slowMicroseconds = quantile(m_costs, 0.99);
+  return std::move(m_result);
+}
+
 HapticPathResult feel(const HapticPathOptions& run, MeshHaptics scene, Progress progress) {
   SceneForces forces(forceSources(std::move(scene)));
-  HapticPathResult felt;
-  felt.csv = "t_s,hip_x,hip_y,hip_z,proxy_x,proxy_y,proxy_z,force_x,force_y,force_z,contact,tick_us\n";
-  std::vector<double> costs;
+  HapticPathTable table;
+  std::size_t cut = 0;
   const std::size_t ticks = run.ticks();
   TipState tip;
   tip.period = 1.0 / run.rate;
   tip.stiffnessLimit = run.stiffnessLimit;
   tip.dampingLimit = run.dampingLimit;
   for (std::size_t i = 0; i < ticks; ++i) {
-    if (i % 1024 == 0) {
-      if (progress.cancelled()) return felt;
-      progress.set(static_cast<double>(i) / static_cast<double>(ticks));
-    }
+    if (!pollProgress(i, ticks, progress, 1024)) break;
     const Vec3 before = tip.position;
     tip.time = run.from + static_cast<double>(i) / run.rate;
     tip.position = run.path.at(tip.time).position;
@@ -57,22 +78,12 @@ HapticPathResult feel(const HapticPathOptions& run, MeshHaptics scene, Progress 
     forces.tick(tip, out);
     const double cost = 1e-3 * static_cast<double>(threadCpuNanoseconds() - start);
     const double asked = out.force.norm();
-    felt.askedForce = std::max(felt.askedForce, asked);
-    felt.cut += asked > run.maxForce ? 1 : 0;
+    cut += asked > run.maxForce ? 1 : 0;
     if (asked > run.maxForce) out.force *= run.maxForce / asked;
-    felt.csv += shortestText(tip.time);
-    append(felt.csv, tip.position);
-    append(felt.csv, out.proxy);
-    append(felt.csv, out.force);
-    felt.csv += out.isContact ? ",1," : ",0,";
-    felt.csv += roundedText(cost) + '\n';
-    felt.inContact += out.isContact ? 1 : 0;
-    felt.peakForce = std::max(felt.peakForce, out.force.norm());
-    costs.push_back(cost);
+    table.add(tip, out, cost, asked);
   }
-  felt.ticks = ticks;
-  felt.usualMicroseconds = quantile(costs, 0.5);
-  felt.slowMicroseconds = quantile(costs, 0.99);
+  HapticPathResult felt = table.take();
+  felt.cut = cut;
   return felt;
 }
 

@@ -35,9 +35,22 @@ struct HapticPathResult {
   double slowMicroseconds = 0.0;   // and its 99th percentile
 };
 
-// Computes the haptic forces along a path. Columns:
-// t_s,hip_x,hip_y,hip_z,proxy_x,proxy_y,proxy_z,force_x,force_y,force_z,contact,tick_us; in mm and N. The numbers are
-// the same in each run, except for tick_us. Incomplete once cancelled.
+// Collects what is felt, tick by tick. Columns:
+// t_s,hip_x,hip_y,hip_z,proxy_x,proxy_y,proxy_z,force_x,force_y,force_z,contact,tick_us; in mm and N.
+class HapticPathTable {
+ public:
+  HapticPathTable();
+  // microseconds: CPU time of the tick. asked: N, before the limit of the device.
+  void add(const TipState& tip, const ForceOut& felt, double microseconds, double asked);
+  HapticPathResult take();
+
+ private:
+  HapticPathResult m_result;
+  std::vector<double> m_costs;  // us
+};
+
+// Computes the haptic forces along a path. The numbers are the same in each run, except for tick_us. Incomplete once
+// cancelled.
 HapticPathResult feel(const HapticPathOptions& run, MeshHaptics scene, Progress progress);
 
 }  // namespace handwheel

@@ -7,6 +7,8 @@
 #include "haptics/snap/SnapFidelity.h"
 #include "window/haptics/HapticSession.h"
 
+#include <QJsonArray>
+#include <QJsonDocument>
 #include <algorithm>
 
 namespace handwheel {
@@ -26,6 +28,9 @@ HapticSceneBuilder::HapticSceneBuilder(HapticSession& session, QObject* parent) 
   connect(&session, &HapticSession::sceneRequested, this, [this] { publish(true); });
   connect(&session, &HapticSession::touchChanged, this, [this] { publish(true); });
   connect(&session, &HapticSession::viewChanged, this, [this] { publish(false); });
+  // The first scene of a recording is noted, too: when all who describe it know that one has begun.
+  connect(
+      &session, &HapticSession::recordingStarted, this, [this] { publish(false); }, Qt::QueuedConnection);
 }
 
 bool HapticSceneBuilder::has(const std::string& id) const {
@@ -39,7 +44,8 @@ void HapticSceneBuilder::setSource(const std::string& id, MakeSource make, bool 
   publish(!isEdit);
 }
 
-void HapticSceneBuilder::setSurface(std::optional<ContactSurface> surface, bool isEdit) {
+void HapticSceneBuilder::setSurface(std::optional<ContactSurface> surface, bool isEdit, Describe describe) {
+  m_describeSurface = std::move(describe);
   if (!surface) return setSource(kSurfaceSource, {}, isEdit);
   const auto make = [surface = *std::move(surface)](const TouchContext& context) {
     const TouchedSurface touched{surface, context.mapping.sceneStiffness(context.touch.stiffness),
@@ -102,10 +108,30 @@ void HapticSceneBuilder::publish(bool isDiscontinuous) {
   }
   // Attractions depend on whether a surface is touched.
   std::stable_partition(sources.begin(), sources.end(), [](const auto& source) { return !source->isAttraction(); });
+  const std::string note = m_session.recorder() ? noteOf(context, sources) : std::string();
   auto scene = std::make_unique<HapticScene>();
   scene->renderer = std::make_unique<SceneForces>(std::move(sources));
   scene->isDiscontinuous = isDiscontinuous;
-  m_session.setScene(std::move(scene));
+  m_session.setScene(std::move(scene), note);
+}
+
+// A JSON object with a member for each source. Only surfaces say what they are made of, so that they can be felt again:
+// cli/mesh/RecordedScenes.h reads it.
+std::string HapticSceneBuilder::noteOf(const TouchContext& context, const ForceSources& sources) const {
+  QJsonObject note;
+  for (const auto& source : sources) {
+    QJsonObject own;
+    if (source->id() == kSurfaceSource) {
+      if (m_describeSurface) own = m_describeSurface();
+      own["stiffness"] = context.mapping.sceneStiffness(context.touch.stiffness);
+      own["damping"] = context.mapping.sceneStiffness(context.touch.damping);
+      own["friction"] = context.contact.friction;
+      own["tolerance"] = context.contact.tolerance;
+      own["from"] = QJsonArray{context.comesFrom.x(), context.comesFrom.y(), context.comesFrom.z()};
+    }
+    note[QString::fromStdString(source->id())] = own;
+  }
+  return QJsonDocument(note).toJson(QJsonDocument::Compact).toStdString();
 }
 
 }  // namespace handwheel

@@ -8,6 +8,7 @@
 #include "tools/Tool.h"
 #include "window/haptics/TouchSettings.h"
 
+#include <QJsonObject>
 #include <QObject>
 #include <functional>
 
@@ -38,8 +39,11 @@ class HapticSceneBuilder : public QObject {
   // edit, which takes effect at once. Otherwise the force ramps up.
   void setSource(const std::string& id, MakeSource make, bool isEdit);
 
-  // Sets the contact surface, the source kSurfaceSource.
-  void setSurface(std::optional<ContactSurface> surface, bool isEdit);
+  // What a source is made of, for a recording of the device; asked for only while one runs, whenever the scene changes.
+  using Describe = std::function<QJsonObject()>;
+
+  // Sets the contact surface, the source kSurfaceSource. describe: of what it is the surface; may be null.
+  void setSurface(std::optional<ContactSurface> surface, bool isEdit, Describe describe = {});
   // Sets the snap field, the source kSnapSource, which attracts the tip within `distance` (mm in the scene) unless
   // something is held.
   void setSnap(std::optional<SnapField> field, double distance, bool isEdit);
@@ -53,9 +57,11 @@ class HapticSceneBuilder : public QObject {
  private:
   void publish(bool isDiscontinuous);
   bool has(const std::string& id) const;
+  std::string noteOf(const TouchContext& context, const ForceSources& sources) const;
 
   HapticSession& m_session;
   std::vector<std::pair<std::string, MakeSource>> m_sources;
+  Describe m_describeSurface;
   bool m_isHolding = false;
   ContactOptions m_contact;
   std::size_t m_snapFeatures = SnapSum::kMost;

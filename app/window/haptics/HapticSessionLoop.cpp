@@ -93,7 +93,9 @@ void HapticSession::applyMapping(bool keepsTip, bool isDiscontinuous) {
   emit viewChanged();
   m_open->isMoving = false;
   if (isDiscontinuous) announceDiscontinuity();
+  const bool hasScene = m_open->movedScene != nullptr;
   m_open->loop->setMapping(mapping, std::move(m_open->movedScene));
+  if (hasScene) noteScene(m_open->movedNote);
 }
 
 void HapticSession::setTouch(const TouchSettings& touch) {
@@ -137,13 +139,19 @@ void HapticSession::startForceTest() {
   m_testEnd = latest()->tip.time + ForceTest::kDuration + kTestTail;
 }
 
-void HapticSession::setScene(std::unique_ptr<HapticScene> scene) {
+void HapticSession::setScene(std::unique_ptr<HapticScene> scene, const std::string& note) {
   if (!m_open || m_testEnd) return;
   if (m_open->isMoving) {
     m_open->movedScene = std::move(scene);
+    m_open->movedNote = note;
   } else {
     m_open->loop->setScene(std::move(scene));
+    noteScene(note);
   }
+}
+
+void HapticSession::noteScene(const std::string& note) {
+  if (m_open->recorder) m_open->recorder->noteScene(m_open->loop->sceneNumber(), note);
 }
 
 void HapticSession::announceDiscontinuity() {

@@ -2,18 +2,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/MeshHapticsProvider.h"
 
-#include "haptics/contact/TouchableSurface.h"
 #include "haptics/snap/LoopSnapField.h"
 #include "haptics/snap/SnapFidelity.h"
 #include "tools/mesh/LoopFeatures.h"
+#include "tools/mesh/MeshSurface.h"
 #include "tools/mesh/NearFeatures.h"
 #include "window/fidelity/FidelityChoice.h"
 #include "window/haptics/HapticSceneBuilder.h"
 #include "window/haptics/HapticSession.h"
 #include "window/kinds/KindUi.h"
+#include "window/mesh/EquivalentCommand.h"
 #include "window/mesh/MeshTab.h"
 #include "window/tools/ToolHost.h"
 
+#include <QFileInfo>
+#include <QJsonArray>
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -21,9 +24,6 @@
 namespace handwheel {
 
 namespace {
-
-// More are not brought up to date on the window thread, where they would take longer than a frame.
-constexpr std::size_t kMostAtOnce = 10'000;
 
 // Of what draws the tip so many snap distances are looked at around it: seldom anew, and never much.
 constexpr double kReach = 16.0;
@@ -54,6 +54,7 @@ MeshHapticsProvider::MeshHapticsProvider(const WindowContext& parts, QObject* pa
     if (m_snapTargets != SnapTargets()) gather(false);
   });
   connect(&m_session, &HapticSession::sampled, this, &MeshHapticsProvider::followTip);
+  connect(&m_session, &HapticSession::recordingStarted, this, [this] { m_noted.reset(); });
 }
 
 void MeshHapticsProvider::setDocument(MeshTab* document) {
@@ -83,13 +84,11 @@ void MeshHapticsProvider::rebuild(bool isEdit) {
   Job job;
   job.name = tr("Preparing to touch");
   job.work = [this, mesh = m_document->document.mesh()](Progress progress) -> Job::Finish {
-    HalfEdgeMesh::Compact all = mesh.compact();
-    auto surface = std::make_shared<ContactSurface>(
-        touchableSurface(std::move(all.soup.points), std::move(all.soup.triangles), all.faceOf, progress));
+    auto surface = std::make_shared<ContactSurface>(contactSurfaceOf(mesh, progress));
     return [this, surface, side = meanSide(mesh)] {
       m_surface = *surface;
       m_side = side;
-      m_scene.setSurface(*surface, false);
+      setSurface(false);
       if (m_snapTargets.areEverywhere()) gatherNear(false);
     };
   };
@@ -174,24 +173,47 @@ void MeshHapticsProvider::followTip() {
 // While it is being made, it is made of a mesh that is no longer there.
 void MeshHapticsProvider::edited(const std::vector<Face>& touched) {
   if (!isFelt()) return;
-  if (m_surface && touched.size() <= kMostAtOnce) {
-    update(touched);
+  if (m_surface && isSmallEdit(touched.size())) {
+    updateSurface(*m_surface, m_document->document.mesh(), touched);
+    setSurface(true);
   } else {
     rebuild(true);
   }
   if (m_snapTargets != SnapTargets()) gather(true);
 }
 
-void MeshHapticsProvider::update(const std::vector<Face>& touched) {
-  const HalfEdgeMesh& mesh = m_document->document.mesh();
-  std::vector<std::uint32_t> removed;
-  std::vector<ContactTriangle> added;
-  for (const Face f : touched) {
-    removed.push_back(touchableNumber(f));
-    if (f < mesh.faceSlots() && mesh.isLive(f)) added.push_back({mesh.points(f), touchableNumber(f)});
+void MeshHapticsProvider::setSurface(bool isEdit) {
+  m_scene.setSurface(*m_surface, isEdit, [this] { return describe(); });
+}
+
+// How the mesh came to be since the note before: "keep" steps of those from the file, and then "steps". While another
+// surface is being built, that of before is felt, and there is nothing to add.
+QJsonObject MeshHapticsProvider::describe() {
+  QJsonObject note;
+  if (!m_document || !m_surface) return note;
+  std::optional<std::vector<std::string>> steps;
+  if (!m_noted) {
+    auto path = editPath(*m_document, false);
+    if (path) {
+      m_noted = Noted{*path->base, {}};
+      steps = std::move(path->steps);
+      note["file"] = QFileInfo(m_noted->base.path).fileName();
+    }
+  } else {
+    steps = stepsSince(m_document->document, m_noted->base.state);
+    if (steps && *steps == m_noted->steps) return note;
   }
-  m_surface->update(removed, added);
-  m_scene.setSurface(*m_surface, true);
+  if (!steps) {
+    note["unknown"] = true;  // an edit that no step describes
+    return note;
+  }
+  const auto keep = std::mismatch(steps->begin(), steps->end(), m_noted->steps.begin(), m_noted->steps.end()).first;
+  note["keep"] = static_cast<qint64>(keep - steps->begin());
+  QJsonArray added;
+  for (auto step = keep; step != steps->end(); ++step) added.append(QString::fromStdString(*step));
+  note["steps"] = added;
+  m_noted->steps = *std::move(steps);
+  return note;
 }
 
 }  // namespace handwheel

@@ -6,7 +6,9 @@
 #include "mesh/structure/HalfEdgeMesh.h"
 #include "tools/Tool.h"
 #include "window/JobRunner.h"
+#include "window/mesh/OperationsBase.h"
 
+#include <QJsonObject>
 #include <optional>
 
 namespace handwheel {
@@ -43,7 +45,8 @@ class MeshHapticsProvider : public QObject {
   void gatherNear(bool isEdit);
   bool isFelt() const;
   void edited(const std::vector<Face>& touched);
-  void update(const std::vector<Face>& touched);
+  void setSurface(bool isEdit);
+  QJsonObject describe();
 
   HapticSession& m_session;
   HapticSceneBuilder& m_scene;
@@ -64,6 +67,13 @@ class MeshHapticsProvider : public QObject {
     double mayMove;
   };
   std::optional<Near> m_near;
+
+  // What a running recording of the device knows of the mesh: the file, and the steps from it.
+  struct Noted {
+    OperationsBase base;
+    std::vector<std::string> steps;
+  };
+  std::optional<Noted> m_noted;
 };
 
 }  // namespace handwheel

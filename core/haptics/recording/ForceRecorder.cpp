@@ -35,14 +35,23 @@ void ForceRecorder::clear() {
   while (m_loop.nextSample(old)) {
   }
   m_recording = {};
+  m_scenes.clear();
 }
 
 void ForceRecorder::fetch() {
   const std::lock_guard lock(m_mutex);
   ServoSample sample;
   while (m_loop.nextSample(sample)) {
-    if (m_recording.size() < m_mostTicks) m_recording.add(recorded(sample));
+    if (m_recording.size() >= m_mostTicks) continue;
+    for (; !m_scenes.empty() && m_scenes.front().number <= sample.scene; m_scenes.pop_front())
+      m_recording.addEvent({sample.tick, std::string(kSceneEvent) + m_scenes.front().text});
+    m_recording.add(recorded(sample));
   }
+}
+
+void ForceRecorder::noteScene(std::uint64_t number, std::string text) {
+  const std::lock_guard lock(m_mutex);
+  m_scenes.push_back({number, std::move(text)});
 }
 
 void ForceRecorder::mark(std::string text) {

@@ -6,6 +6,7 @@
 #include "haptics/servo/ServoLoop.h"
 
 #include <condition_variable>
+#include <deque>
 #include <mutex>
 #include <thread>
 
@@ -36,6 +37,9 @@ class ForceRecorder {
 
   // Adds an event at the last recorded tick.
   void mark(std::string text);
+  // Notes what the scene of this number is made of (ServoLoop::sceneNumber()). Becomes an event, kSceneEvent and the
+  // text, at the first tick in that scene or in one after it.
+  void noteScene(std::uint64_t number, std::string text);
 
   // What has been recorded so far; recording continues.
   Recording recording() const;
@@ -52,6 +56,11 @@ class ForceRecorder {
   mutable std::mutex m_mutex;  // never the servo thread's
   std::condition_variable m_wake;
   Recording m_recording;
+  struct SceneNote {
+    std::uint64_t number;
+    std::string text;
+  };
+  std::deque<SceneNote> m_scenes;  // that no tick was in yet
   bool m_isStopping = false;
   std::thread m_thread;
 };

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace handwheel {
@@ -28,11 +29,15 @@ struct RecordedTick {
 // Converts a sample of the servo loop to a recorded tick.
 RecordedTick recorded(const ServoSample& sample);
 
-// An event during a recording: a tool was chosen, the user set a mark. Its tick is the one before it.
+// An event during a recording: a tool was chosen, the user set a mark. Its tick is the one before it; that of a scene
+// is its first.
 struct RecordedEvent {
   std::uint64_t tick = 0;
   std::string text;
 };
+
+// Marks an event that says what a scene was made of, in words of those who made it.
+inline constexpr std::string_view kSceneEvent = "scene ";
 
 // A sequence of recorded ticks with events. 368 bytes per tick. A copy shares them and is cheap.
 class Recording {
@@ -49,17 +54,19 @@ class Recording {
   // s, from the first tick to the last; never negative.
   double duration() const;
 
-  // Replays the recorded tips on a force source, in order, and calls visit(const RecordedTick&, const ForceOut&) for
-  // each tick in which the scene's force was computed. A source in the same state as at the first tick gives the same
-  // forces, bit for bit.
-  template <class Visit>
-  void replay(ForceRenderer& source, Visit visit) const {
+  // Replays the recorded tips on the scenes that they were in, in order, and calls visit(const RecordedTick&, const
+  // ForceOut&) for each tick in which the scene's force was computed. sceneAt(const RecordedTick&) returns the scene of
+  // a tick, which has followed the one before it (ForceRenderer::follow()), or null: the tick is left out. Scenes in
+  // the same states as those at the recording give the same forces, bit for bit.
+  template <class SceneAt, class Visit>
+  void replay(SceneAt sceneAt, Visit visit) const {
     for (std::size_t i = 0; i < size(); ++i) {
       const RecordedTick& tick = m_ticks[i];
-      if (!tick.hasSource) continue;
+      ForceRenderer* const scene = sceneAt(tick);
+      if (!tick.hasSource || !scene) continue;
       ForceOut felt;
       felt.proxy = tick.tip.position;
-      source.tick(tick.tip, felt);
+      scene->tick(tick.tip, felt);
       visit(tick, static_cast<const ForceOut&>(felt));
     }
   }

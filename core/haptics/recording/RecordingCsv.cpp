@@ -5,6 +5,7 @@
 #include "base/NumberText.h"
 
 #include <ostream>
+#include <span>
 
 namespace handwheel {
 
@@ -37,7 +38,25 @@ void addTick(std::string& line, const RecordedTick& tick) {
   addNumbers(line, turn.vec());
   addNumbers(line, tick.felt.torque);
   addNumbers(line, tick.sent.torque);
+  addNumbers(line, tick.tip.velocity);
+  for (const double x : {tick.tip.period, tick.tip.stiffnessLimit, tick.tip.dampingLimit})
+    line += ',' + shortestText(x);
+  line += tick.tip.isRestart ? ",1" : ",0";
+  line += tick.hasSource ? ",1," : ",0,";
+}
+
+// The events of a tick: those that say what a scene is made of in a column of their own.
+void addEvents(std::string& line, std::span<const RecordedEvent> events) {
+  std::string happened, scenes;
+  for (const RecordedEvent& event : events) {
+    const bool isScene = event.text.starts_with(kSceneEvent);
+    std::string& list = isScene ? scenes : happened;
+    const char* const separator = isScene ? "\n" : "; ";
+    list += (list.empty() ? "" : separator) + event.text.substr(isScene ? kSceneEvent.size() : 0);
+  }
+  if (!happened.empty()) addText(line, happened);
   line += ',';
+  if (!scenes.empty()) addText(line, scenes);
 }
 
 }  // namespace
@@ -45,15 +64,14 @@ void addTick(std::string& line, const RecordedTick& tick) {
 Status writeCsv(const Recording& recording, std::ostream& out, Progress progress) {
   out << "t_s,hip_x,hip_y,hip_z,proxy_x,proxy_y,proxy_z,force_x,force_y,force_z,contact,tick_us,buttons,sent_x,sent_y,"
          "sent_z,safety,tick,hip_qw,hip_qx,hip_qy,hip_qz,torque_x,torque_y,torque_z,sent_torque_x,sent_torque_y,"
-         "sent_torque_z,event\n";
+         "sent_torque_z,hip_vx,hip_vy,hip_vz,period_s,stiffness_limit,damping_limit,restart,in_scene,event,scene\n";
   auto event = recording.events().begin();
   std::string lines;
   for (std::size_t i = 0; i < recording.size(); ++i) {
     addTick(lines, recording[i]);
-    std::string happened;
-    for (; event != recording.events().end() && event->tick <= recording[i].tick; ++event)
-      happened += (happened.empty() ? "" : "; ") + event->text;
-    if (!happened.empty()) addText(lines, happened);
+    const auto first = event;
+    while (event != recording.events().end() && event->tick <= recording[i].tick) ++event;
+    addEvents(lines, {first, event});
     lines += '\n';
     if (i % kTicksAtOnce != kTicksAtOnce - 1 && i + 1 < recording.size()) continue;
     out << lines;

@@ -24,6 +24,8 @@ struct HapticScene {
   // The mapping that its stiffnesses were computed for: the loop applies it in the same tick, if it has not yet. Set by
   // ServoLoop.
   NumberedMapping mapping = {};
+  // Counts the scenes of a loop from 1. Set by ServoLoop.
+  std::uint64_t number = 0;
 };
 
 }  // namespace handwheel

@@ -40,8 +40,11 @@ class ServoLoop {
   void setScene(std::unique_ptr<HapticScene> scene) {
     if (scene->isDiscontinuous) announceDiscontinuity();
     scene->mapping = m_mapping;
+    scene->number = ++m_sceneNumber;
     m_channel->scenes.publish(std::move(scene));
   }
+  // The number of the scene that was set last.
+  std::uint64_t sceneNumber() const { return m_sceneNumber; }
   // Sets the mapping from the next tick on, and a scene that was made for it: a tick uses both or neither. A mapping
   // that does not keep the tip starts the ramp; before a change of axes, which turns the force, announceDiscontinuity()
   // must be called.
@@ -83,6 +86,7 @@ class ServoLoop {
   int m_priority;
   std::int64_t m_period;      // ns
   NumberedMapping m_mapping;  // as it was set last
+  std::uint64_t m_sceneNumber = 0;
   std::int64_t m_due = 0;     // ns: when the next tick is to come
   std::thread m_thread;
   std::atomic<bool> m_isStopping{false};

@@ -20,6 +20,7 @@ struct ServoSample {
   SafetyActions actions;
   double energy = 0.0;       // N·mm, of the passivity observer
   float microseconds = 0.0;  // from reading the device to writing it
+  std::uint64_t scene = 0;   // number of the scene; 0: none was set yet
   bool hasSource = false;    // the scene's force was computed; else there was none, or the device was not ready
 };
 

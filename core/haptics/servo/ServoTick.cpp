@@ -47,6 +47,7 @@ void ServoTick::run(std::int64_t now) noexcept {
   SafetyInput input;
   input.period = period;
   input.isDiscontinuous = takeNews();
+  sample.scene = m_sceneNumber;
   input.isDeviceReady = isReading(sample.device);
   if (input.isDeviceReady) {
     feel(sample, input, period);
@@ -82,6 +83,7 @@ void ServoTick::resumeFrom(const ServoTick& before) {
   m_mapper = before.m_mapper;
   m_mappingNumber = before.m_mappingNumber;
   m_renderer = before.m_renderer;
+  m_sceneNumber = before.m_sceneNumber;
   m_tick = before.m_tick;
   m_time = before.m_time;
 }
@@ -108,6 +110,7 @@ bool ServoTick::takeNews() {
   const bool isDiscontinuous = m_channel.isDiscontinuous.exchange(false, std::memory_order_acquire);
   if (!taken.isNew) return isDiscontinuous;
   m_renderer = taken.current->renderer.get();
+  m_sceneNumber = taken.current->number;
   if (m_renderer && taken.previous && taken.previous->renderer) m_renderer->follow(*taken.previous->renderer);
   return isDiscontinuous || taken.current->isDiscontinuous;
 }

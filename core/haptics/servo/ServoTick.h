@@ -62,7 +62,8 @@ class ServoTick {
   ServoStatistics m_measure;
   DeviceMotionEstimator m_motion;
   WorkspaceMapper m_mapper;
-  ForceRenderer* m_renderer = nullptr;  // of the scene that the channel has handed over
+  ForceRenderer* m_renderer = nullptr;  // of the scene that the channel has handed over,
+  std::uint64_t m_sceneNumber = 0;      // and its number
   std::uint64_t m_mappingNumber = 0;
   std::uint64_t m_tick = 0;
   std::int64_t m_last = 0;  // ns: when the tick before was woken

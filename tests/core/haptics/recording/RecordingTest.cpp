@@ -4,9 +4,12 @@
 
 #include <QtTest>
 #include <bit>
+#include <sstream>
 
 #include "HapticRecordings.h"
 #include "TestClass.h"
+#include "haptics/recording/RecordingBytes.h"
+#include "haptics/recording/RecordingCsv.h"
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -35,13 +38,61 @@ class RecordingTest : public QObject {
     StickyWall source;
     int same = 0;
     double largest = 0.0;
-    recording.replay(source, [&](const RecordedTick& tick, const ForceOut& felt) {
-      same += isSameBits(tick.felt.force, felt.force) && isSameBits(tick.felt.torque, felt.torque) &&
-              isSameBits(tick.felt.proxy, felt.proxy) && isSameBits(tick.felt.gripper, felt.gripper);
-      largest = std::max(largest, felt.force.norm());
-    });
+    recording.replay([&](const RecordedTick&) { return &source; },
+                     [&](const RecordedTick& tick, const ForceOut& felt) {
+                       same += isSameBits(tick.felt.force, felt.force) && isSameBits(tick.felt.torque, felt.torque) &&
+                               isSameBits(tick.felt.proxy, felt.proxy) && isSameBits(tick.felt.gripper, felt.gripper);
+                       largest = std::max(largest, felt.force.norm());
+                     });
     QCOMPARE(same, 4000);
     QVERIFY(largest > 0.05);
+  }
+
+  // Another scene in the middle: the event says at which tick, and the one that follows gives the same forces again.
+  void aSceneThatChangesIsFeltAgain() {
+    RecordedRun run;
+    run.recorder->noteScene(run.loop->sceneNumber(), "wall");
+    run.record(1500);
+    const auto setScene = [&run](const char* note) {
+      auto scene = std::make_unique<HapticScene>();
+      scene->renderer = std::make_unique<StickyWall>();
+      run.loop->setScene(std::move(scene));
+      run.recorder->noteScene(run.loop->sceneNumber(), note);
+    };
+    setScene("never felt");  // replaced before the next tick
+    setScene("wall again");
+    const Recording recording = run.record(1500);
+    QCOMPARE(recording.size(), std::size_t{3000});
+    QCOMPARE(recording.events().size(), std::size_t{3});
+    QCOMPARE(recording.events()[0].tick, recording[0].tick);
+    QCOMPARE(recording.events()[1].text, std::string("scene never felt"));
+    QCOMPARE(recording.events()[2].text, std::string("scene wall again"));
+    QCOMPARE(recording.events()[2].tick, recording[1500].tick);
+
+    const Recording stored = *recordingFromBytes(recordingBytes(recording));
+    std::ostringstream table;
+    QVERIFY(writeCsv(recording, table).hasValue());
+    const Result<Recording> read = recordingFromCsv(table.str());
+    QVERIFY(read.hasValue());
+    for (const Recording* each : {&recording, &stored, &*read}) {
+      std::unique_ptr<StickyWall> scene;
+      auto event = each->events().begin();
+      int same = 0;
+      each->replay(
+          [&](const RecordedTick& tick) {
+            for (; event != each->events().end() && event->tick <= tick.tick; ++event) {
+              if (event->text == "scene never felt") continue;
+              auto next = std::make_unique<StickyWall>();
+              if (scene) next->follow(*scene);
+              scene = std::move(next);
+            }
+            return scene.get();
+          },
+          [&](const RecordedTick& tick, const ForceOut& felt) {
+            same += isSameBits(tick.felt.force, felt.force) && isSameBits(tick.felt.proxy, felt.proxy);
+          });
+      QCOMPARE(same, 3000);
+    }
   }
 
   // And the whole of it on a virtual clock: hand, loop, safety and all.
@@ -77,10 +128,11 @@ class RecordingTest : public QObject {
     }
     StickyWall source;
     int count = 0;
-    recording.replay(source, [&](const RecordedTick& t, const ForceOut&) {
-      QCOMPARE(t.tick % 3, std::uint64_t{0});
-      ++count;
-    });
+    recording.replay([&](const RecordedTick&) { return &source; },
+                     [&](const RecordedTick& t, const ForceOut&) {
+                       QCOMPARE(t.tick % 3, std::uint64_t{0});
+                       ++count;
+                     });
     QCOMPARE(count, 4);
   }
 };

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/mesh/MeshDocument.h"
+#include "haptics/contact/ContactSurface.h"
+#include "haptics/recording/Recording.h"
+#include "haptics/scene/SceneForces.h"
+#include "tools/mesh/MeshSteps.h"
+
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <set>
+#include <string>
+
+namespace handwheel {
+
+// Makes the scenes of a recording again, from what it notes of them: the surface of a mesh with its edits. What else
+// acted, such as snapping, is not made again, and counted.
+class RecordedScenes {
+ public:
+  // document: of the mesh in the state of its file; it is edited. All outlive it.
+  RecordedScenes(const Recording& recording, MeshDocument& document, MeshFileReader readMesh, Progress progress);
+
+  // The scene of a tick: those of a recording in order. Null: nothing is known of it.
+  ForceRenderer* at(const RecordedTick& tick);
+
+  std::size_t sceneCount() const { return m_sceneCount; }
+  std::size_t editCount() const { return m_editCount; }
+  // Sources of force that were left out; by id, sorted.
+  const std::set<std::string>& leftOut() const { return m_leftOut; }
+  // Why the rest of the recording cannot be felt again; a sentence. Empty: it can.
+  const std::string& problem() const { return m_problem; }
+
+ private:
+  void begin(const std::string& note);
+  void edit(const nlohmann::json& surface);
+  void setScene(const nlohmann::json* surface);
+
+  const Recording& m_recording;
+  MeshDocument& m_document;
+  MeshFileReader m_readMesh;
+  Progress m_progress;
+  std::size_t m_nextEvent = 0;
+  std::size_t m_steps = 0;  // done to the document
+  std::optional<ContactSurface> m_surface;
+  std::unique_ptr<SceneForces> m_scene;
+  std::size_t m_sceneCount = 0, m_editCount = 0;
+  std::set<std::string> m_leftOut;
+  std::string m_problem;
+};
+
+}  // namespace handwheel

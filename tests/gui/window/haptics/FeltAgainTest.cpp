@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../WindowDriver.h"
+#include "../WindowTestMain.h"
+#include "MeshShapes.h"
+#include "SoupCorners.h"
+#include "haptics/recording/ForceRecorder.h"
+#include "window/haptics/HapticSession.h"
+
+#include <QProcess>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+// A recording of the hand is felt again by the command line: the same forces, through every edit that was made.
+class FeltAgainTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() { QSettings().clear(); }
+
+  // Pressed onto a ball, which is repaired under the hand; the repair is taken back, then done once more.
+  void throughEditsAndUndo() {
+    const QTemporaryDir folder;
+    const QString stl = folder.filePath("ball.stl"), table = folder.filePath("session.csv");
+    writeStl(stl, cornersOf(moved(sphereWithoutCap(3, 0.6), Vec3::Zero(), 20.0)));
+    WindowDriver driver;
+    HapticSession& session = *driver.window().findChild<HapticSession*>();
+    QVERIFY(driver.open(stl));
+    session.choose("simulated", "hand");
+    QTRY_VERIFY(session.latest() != nullptr);
+    QVERIFY(driver.settle());
+    const auto wait = [&session](std::size_t ticks) {
+      const std::size_t until = session.recorder()->ticks() + ticks;
+      return QTest::qWaitFor([&] { return session.recorder() && session.recorder()->ticks() > until; }, kPatienceMs);
+    };
+    driver.choose("recordDevice");
+    HandPose pose;
+    const WorkspaceMapping mapping = session.mappingInScene();
+    const Vec3 middle = mapping.viewFromDevice().transpose() * (mapping.sceneFromView.inverse() * Vec3::Zero());
+    pose.position = middle / mapping.scale;
+    session.simulatedHand()->setTarget(pose);
+    QTRY_VERIFY(session.latest()->felt.isContact);
+    QVERIFY(wait(200));
+    for (const char* command : {"repairAll", "undo", "redo"}) {
+      driver.choose(command);
+      QVERIFY(driver.settle());
+      QVERIFY(wait(200));
+    }
+    driver.choose("recordDevice");
+    driver.choose("exportRecording");
+    QVERIFY(driver.enterFileName("exportRecordingDialog", table));
+    QVERIFY(driver.settle());
+    session.close();
+
+    QProcess again;
+    again.start(HANDWHEEL_PROGRAM, {"feel", stl, "--path", table});
+    QVERIFY(again.waitForFinished());
+    const QByteArray out = again.readAllStandardOutput(), errors = again.readAllStandardError();
+    QVERIFY2(out.contains(", edits 2\n"), out + errors);
+    QVERIFY2(out.contains("the largest difference is 0 N\n"), out + errors);
+    const QRegularExpressionMatch same = QRegularExpression("As recorded  (\\d+) ticks").match(QString::fromUtf8(out));
+    const QRegularExpressionMatch all = QRegularExpression("Ticks        (\\d+)\n").match(QString::fromUtf8(out));
+    QVERIFY(all.captured(1).toInt() > 700);
+    QCOMPARE(same.captured(1), all.captured(1));
+    QVERIFY(!out.contains("Peak force   0 N"));
+  }
+};
+
+HANDWHEEL_WINDOW_TEST(FeltAgainTest)
+#include "FeltAgainTest.moc"
