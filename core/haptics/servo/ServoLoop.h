@@ -87,7 +87,7 @@ class ServoLoop {
   std::int64_t m_period;      // ns
   NumberedMapping m_mapping;  // as it was set last
   std::uint64_t m_sceneNumber = 0;
-  std::int64_t m_due = 0;     // ns: when the next tick is to come
+  std::int64_t m_due = 0;  // ns: when the next tick is to come
   std::thread m_thread;
   std::atomic<bool> m_isStopping{false};
   std::atomic<RealTimeState> m_realTime{RealTimeState::NotRunning};

@@ -90,7 +90,6 @@ class BoundaryTool : public Tool {
   const char* dragEffect() const;
   const HalfEdgeMesh& mesh() const;
 
-
   MeshDocument& m_document;
   MeshServices m_services;
   BorderPicking m_picking;

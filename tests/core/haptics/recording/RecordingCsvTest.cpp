@@ -3,8 +3,8 @@
 #include "TestClass.h"
 #include "haptics/recording/RecordingCsv.h"
 
-#include <QtTest>
 #include <rapidcheck.h>
+#include <QtTest>
 #include <limits>
 #include <sstream>
 
@@ -106,7 +106,8 @@ class RecordingCsvTest : public QObject {
         tick.felt.force = {number(), number(), number()};
         recording.add(tick);
         if (*rc::gen::arbitrary<bool>())
-          recording.addEvent({tick.tick, *rc::gen::element<std::string>("a \"b\"", "line\nbreak", "scene {\"a\":\"1,2\"}")});
+          recording.addEvent(
+              {tick.tick, *rc::gen::element<std::string>("a \"b\"", "line\nbreak", "scene {\"a\":\"1,2\"}")});
       }
       std::ostringstream out;
       RC_ASSERT(writeCsv(recording, out).hasValue());
