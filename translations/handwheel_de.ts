@@ -177,24 +177,24 @@
 <context>
     <name>ErrorText</name>
     <message>
-        <source>%1 expected</source>
-        <translation>%1 erwartet</translation>
+        <source>the file ends too early (%1: %2 expected, %3 found)</source>
+        <translation>die Datei endet zu früh (%1: %2 erwartet, %3 gefunden)</translation>
     </message>
     <message>
-        <source>%1 found</source>
-        <translation>%1 gefunden</translation>
+        <source>the file ends too early (%1: %3 found)</source>
+        <translation>die Datei endet zu früh (%1: %3 gefunden)</translation>
     </message>
     <message>
-        <source>the file is too large (more than %1 %2)</source>
-        <translation>die Datei ist zu groß (mehr als %1 %2)</translation>
+        <source>the file is too large (more than %3 %1)</source>
+        <translation>die Datei ist zu groß (mehr als %3 %1)</translation>
     </message>
     <message>
-        <source>the file is too large (%1 %2, at most %3 can be opened)</source>
-        <translation>die Datei ist zu groß (%1 %2, höchstens %3 können geöffnet werden)</translation>
+        <source>the file is too large (%2 %1, at most %3 can be opened)</source>
+        <translation>die Datei ist zu groß (%2 %1, höchstens %3 können geöffnet werden)</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; makes no sense here</source>
-        <translation>„%1“ ergibt hier keinen Sinn</translation>
+        <source>&apos;%2&apos; makes no sense here</source>
+        <translation>„%2“ ergibt hier keinen Sinn</translation>
     </message>
     <message>
         <source>%1 was expected, but nothing follows</source>
@@ -257,12 +257,8 @@
         <translation>eine Fläche hat weniger als drei Ecken (%1)</translation>
     </message>
     <message>
-        <source>the file ends too early (%1)</source>
-        <translation>die Datei endet zu früh (%1)</translation>
-    </message>
-    <message>
-        <source>the file contradicts itself (%1)</source>
-        <translation>die Datei widerspricht sich (%1)</translation>
+        <source>the file contradicts itself (%1: %2 expected, %3 found)</source>
+        <translation>die Datei widerspricht sich (%1: %2 erwartet, %3 gefunden)</translation>
     </message>
     <message>
         <source>the data type &apos;%1&apos; is not known</source>
@@ -469,8 +465,8 @@
         <translation>Handwheel liest Dateien mit der Endung %1.</translation>
     </message>
     <message>
-        <source>Use a name that ends in %1.</source>
-        <translation>Nehmen Sie einen Namen mit der Endung %1.</translation>
+        <source>Use a name that ends in %2.</source>
+        <translation>Nehmen Sie einen Namen mit der Endung %2.</translation>
     </message>
     <message>
         <source>the step cannot be done: %1</source>

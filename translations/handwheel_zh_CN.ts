@@ -177,24 +177,24 @@
 <context>
     <name>ErrorText</name>
     <message>
-        <source>%1 expected</source>
-        <translation>应为 %1</translation>
+        <source>the file ends too early (%1: %2 expected, %3 found)</source>
+        <translation>文件提前结束（%1：应为 %2，实为 %3）</translation>
     </message>
     <message>
-        <source>%1 found</source>
-        <translation>实为 %1</translation>
+        <source>the file ends too early (%1: %3 found)</source>
+        <translation>文件提前结束（%1：实为 %3）</translation>
     </message>
     <message>
-        <source>the file is too large (more than %1 %2)</source>
-        <translation>文件过大（超过 %1 个%2）</translation>
+        <source>the file is too large (more than %3 %1)</source>
+        <translation>文件过大（超过 %3 个%1）</translation>
     </message>
     <message>
-        <source>the file is too large (%1 %2, at most %3 can be opened)</source>
-        <translation>文件过大（%1 个%2，最多可打开 %3 个）</translation>
+        <source>the file is too large (%2 %1, at most %3 can be opened)</source>
+        <translation>文件过大（%2 个%1，最多可打开 %3 个）</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; makes no sense here</source>
-        <translation>“%1”在此处没有意义</translation>
+        <source>&apos;%2&apos; makes no sense here</source>
+        <translation>“%2”在此处没有意义</translation>
     </message>
     <message>
         <source>%1 was expected, but nothing follows</source>
@@ -257,12 +257,8 @@
         <translation>某个面的角少于三个（%1）</translation>
     </message>
     <message>
-        <source>the file ends too early (%1)</source>
-        <translation>文件提前结束（%1）</translation>
-    </message>
-    <message>
-        <source>the file contradicts itself (%1)</source>
-        <translation>文件内容自相矛盾（%1）</translation>
+        <source>the file contradicts itself (%1: %2 expected, %3 found)</source>
+        <translation>文件内容自相矛盾（%1：应为 %2，实为 %3）</translation>
     </message>
     <message>
         <source>the data type &apos;%1&apos; is not known</source>
@@ -469,8 +465,8 @@
         <translation>Handwheel 可读取扩展名为 %1 的文件。</translation>
     </message>
     <message>
-        <source>Use a name that ends in %1.</source>
-        <translation>请使用以 %1 结尾的名称。</translation>
+        <source>Use a name that ends in %2.</source>
+        <translation>请使用以 %2 结尾的名称。</translation>
     </message>
     <message>
         <source>the step cannot be done: %1</source>

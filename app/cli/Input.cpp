@@ -4,6 +4,7 @@
 
 #include "cli/Messages.h"
 #include "cli/Wording.h"
+#include "document/DocumentErrors.h"
 #include "document/NewerFile.h"
 #include "document/mesh/MeshKind.h"
 
@@ -19,7 +20,7 @@ Result<Input> readMesh(const DocumentKind& kind, const std::filesystem::path& pa
   Result<MeshFile> file = readMeshFile(path, options, progress);
   if (!file) {
     Error error = file.error();
-    if (error.code == ErrorCode::FormatUnknown) error.arguments = kinds.readEndings();
+    if (error.code == DocumentError::FormatUnknown) error.arguments = kinds.readEndings();
     return error;
   }
   Input input;

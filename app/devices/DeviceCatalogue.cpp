@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/DeviceCatalogue.h"
 
+#include "haptics/device/DeviceErrors.h"
+
 #include <algorithm>
 #include <cassert>
 
@@ -18,7 +20,7 @@ void DeviceCatalogue::load(const std::vector<std::string>& folders) {
       LoadedPlugin loaded = loadPlugin(file);
       if (loaded.driver && withId(loaded.driver->id())) {
         loaded.listing.error =
-            Error{ErrorCode::PluginBroken, {"there is already a driver '" + loaded.driver->id() + "'"}, {}, file};
+            Error{DeviceError::PluginBroken, {"there is already a driver '" + loaded.driver->id() + "'"}, {}, file};
         loaded.listing.driver.clear();
         loaded.driver.reset();
       }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/PluginLoader.h"
 
+#include "haptics/device/DeviceErrors.h"
+
 #include <QCoreApplication>
 #include <QDir>
 #include <QJsonObject>
@@ -15,7 +17,7 @@ namespace handwheel {
 namespace {
 
 Error broken(const std::string& file, const std::string& reason) {
-  return {ErrorCode::PluginBroken, {reason}, {}, file};
+  return {DeviceError::PluginBroken, {reason}, {}, file};
 }
 
 // What stands in the file, before any of its code runs. An error when it is no plugin, or not one for this program.
@@ -27,7 +29,7 @@ std::optional<Error> readMetadata(const QPluginLoader& loader, PluginInfo& listi
   listing.version = own.value("version").toString().toStdString();
   const std::string interface = metadata.value("IID").toString().toStdString();
   if (interface != HANDWHEEL_DEVICE_PLUGIN) {
-    return Error{ErrorCode::PluginVersion, {interface, HANDWHEEL_DEVICE_PLUGIN}, {}, listing.file};
+    return Error{DeviceError::PluginVersion, {interface, HANDWHEEL_DEVICE_PLUGIN}, {}, listing.file};
   }
   return {};
 }

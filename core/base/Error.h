@@ -2,54 +2,73 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "base/Translatable.h"
+
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace handwheel {
 
-// The kinds of errors that the library reports. The sentence for each is in widgets/text/ErrorText.cpp, with the
-// arguments named below. An argument is empty where it is not known. {what} is an English plural noun ("facets",
-// "vertices", "faces", "bytes", "lines", ...).
-enum class ErrorCode {
-  Cancelled,
-  OutOfMemory,
-  FileMissing,     // no such file
-  FileUnreadable,  // {system's reason}
-  FileEmpty,
-  FileTooLarge,         // {what, count, limit}
-  FormatUnknown,        // {ending...} content and name match no format; these are read
-  ExtensionUnknown,     // {extension, ending...} no writer for it; these are written
-  HeaderMalformed,      // {what was expected}
-  TextEncoding,         // {encoding} not readable as text
-  TokenUnexpected,      // {expected, found}; nothing found: the line or the file ends here
-  NumberMalformed,      // {found}
-  NumberNotFinite,      // {found}
-  IndexOutOfRange,      // {index as written in the file, number of vertices}
-  VertexUnreadable,     // {index as written in the file} a face needs a vertex that could not be read
-  PolygonTooSmall,      // {corners}
-  PolygonTooComplex,    // {corners} cut into triangles as if it were convex
-  DataTruncated,        // {what, expected, found} the file ends too early
-  CountMismatch,        // {what, announced, found}
-  TypeUnknown,          // {type}
-  NoTriangles,          // the file holds no triangle
-  WriteFailed,          // {system's reason}
-  CheckFailed,          // {what} the written file does not read back as what was to be written
-  ArchiveMalformed,     // {library's reason} not a ZIP archive, or one that cannot be read at all
-  EntryMissing,         // {name} an entry that the archive should hold
-  EntryDamaged,         // {name} an entry that cannot be unpacked, or not to what its checksum says
-  VersionNewer,         // {version of the file, newest version known} written by a newer program
-  KindUnknown,          // {kind} a kind of document that this program does not know
-  ElementMalformed,     // {element, what is wrong with it} in XML or JSON
-  ReferenceMissing,     // {what, name} a file or an element that another refers to
-  ValueOutOfRange,      // {name, value, least, largest}
-  Unsupported,          // {what} understood, but not something that this program does
-  PluginVersion,        // {interface that it was made for, the program's}
-  PluginBroken,         // {reason}
-  DeviceUnreachable,    // {system's reason}
-  DeviceNotResponding,  // {what it should have answered}
-  StepMalformed,        // {what is wrong, as a clause in English} in a step of 'handwheel edit'
-  LibraryFailed,        // {library, reason}
+// The description of an error code: its identifier and its texts.
+//
+// A module declares its codes beside what raises them: `extern const ErrorDescription Unreachable;` in a namespace of
+// its own, with the arguments in a comment. An argument is empty where it is not known; {what} is an English plural
+// ("facets", "bytes", ...). The texts are English, marked with translatable("ErrorText", ...), and translated where
+// they are shown. %1 stands for the first argument. Of several texts the first counts whose arguments are all known, or
+// else the last.
+struct ErrorDescription {
+  // Prevents copies: the address is the identity of the code.
+  struct Uncopied {
+    constexpr Uncopied() = default;
+    Uncopied(const Uncopied&) = delete;
+  };
+
+  const char* id;                    // the name of the code; unique in the program, and never changed
+  const char* sentences[3] = {};     // without capital and full stop, as a place in a file may stand before them
+  const char* advice[2] = {};        // the remedy, a whole sentence
+  bool mayBePartlyReadable = false;  // a file of which some content is damaged
+  std::optional<std::size_t> alternatives = {};  // from this argument on they are a list: ".stl, .ply or .obj"
+  Uncopied identity = {};
+};
+
+// The advice for damage to some content of a file.
+inline constexpr const char* kOpenReadableAdvice = translatable(
+    "ErrorText", "Export or copy the file again, or open only what is readable (on the command line: --partial).");
+
+// An error code: a reference to a description. Its constants are what any module raises.
+class ErrorCode {
+ public:
+  static const ErrorDescription Cancelled;
+  static const ErrorDescription OutOfMemory;
+  static const ErrorDescription FileMissing;     // no such file
+  static const ErrorDescription FileUnreadable;  // {system's reason}
+  static const ErrorDescription FileEmpty;
+  static const ErrorDescription FileTooLarge;      // {what, count, limit}
+  static const ErrorDescription WriteFailed;       // {system's reason}
+  static const ErrorDescription HeaderMalformed;   // {what was expected}
+  static const ErrorDescription VersionNewer;      // {version of the file, newest known} written by a newer program
+  static const ErrorDescription DataTruncated;     // {what, expected, found} the file ends too early
+  static const ErrorDescription CountMismatch;     // {what, announced, found}
+  static const ErrorDescription NumberMalformed;   // {found}
+  static const ErrorDescription NumberNotFinite;   // {found}
+  static const ErrorDescription ElementMalformed;  // {element, what is wrong with it} in XML or JSON
+  static const ErrorDescription ReferenceMissing;  // {what, name} a file or an element that another refers to
+  static const ErrorDescription ValueOutOfRange;   // {name, value, least, largest}
+  static const ErrorDescription Unsupported;       // {what} understood, but not something that this program does
+  static const ErrorDescription LibraryFailed;     // {library, reason}
+
+  constexpr ErrorCode() : ErrorCode(Cancelled) {}
+  constexpr ErrorCode(const ErrorDescription& description) : m_description(&description) {}
+  ErrorCode(const ErrorDescription&&) = delete;
+
+  constexpr const ErrorDescription* operator->() const { return m_description; }
+  friend constexpr bool operator==(ErrorCode a, ErrorCode b) { return a.m_description == b.m_description; }
+
+ private:
+  const ErrorDescription* m_description;
 };
 
 // A position in the input. The byte offset in binary files, the line (from 1) in text files.
@@ -64,9 +83,9 @@ struct InputPosition {
 
 // An error with its code, arguments and position in the input.
 struct Error {
-  ErrorCode code = ErrorCode::Cancelled;
+  ErrorCode code;
   std::vector<std::string> arguments;
-  InputPosition place;
+  InputPosition position;
   std::string subject;  // the file concerned, as the user named it; empty where there is none
 };
 

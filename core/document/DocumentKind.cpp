@@ -3,6 +3,7 @@
 #include "document/DocumentKind.h"
 
 #include "document/AtomicFile.h"
+#include "document/DocumentErrors.h"
 #include "document/FileBytes.h"
 #include "document/NewerFile.h"
 #include "document/container/RecordingBlobs.h"
@@ -60,7 +61,7 @@ Result<OpenedFile> load(const DocumentKinds& kinds, std::string_view bytes, Prog
   const nlohmann::json& manifest = *read->container.manifest;
   const std::string kindId = stringAt(manifest, "kind");
   const DocumentKind* kind = kinds.withId(kindId);
-  if (!kind) return Error{ErrorCode::KindUnknown, {kindId}, {}, {}};
+  if (!kind) return Error{DocumentError::KindUnknown, {kindId}, {}, {}};
   OpenedFile opened;
   opened.kind = kind;
   opened.file.damage = read->damage;
@@ -87,7 +88,7 @@ Result<const DocumentKind*> recognised(const DocumentKinds& kinds, const std::fi
   for (const auto& kind : kinds.all()) {
     if (kind->recognises(*head, name)) return static_cast<const DocumentKind*>(kind.get());
   }
-  return Error{ErrorCode::FormatUnknown, kinds.readEndings(), {}, {}};
+  return Error{DocumentError::FormatUnknown, kinds.readEndings(), {}, {}};
 }
 
 Result<OpenedFile> openAny(const DocumentKinds& kinds, const std::filesystem::path& path, const ReadOptions& options,
@@ -111,7 +112,7 @@ Status checkReadable(std::string_view bytes, Progress progress) {
   if (!back && (back.error().code == ErrorCode::Cancelled || back.error().code == ErrorCode::OutOfMemory)) {
     return back.error();
   }
-  return Error{ErrorCode::CheckFailed, {"it cannot be opened"}, {}, {}};
+  return Error{DocumentError::CheckFailed, {"it cannot be opened"}, {}, {}};
 }
 
 void addEndings(std::vector<std::string>& all, const std::vector<FileFormat>& formats, bool FileFormat::*wanted) {
@@ -155,7 +156,7 @@ Result<OpenedFile> DocumentKinds::open(const std::filesystem::path& path, const 
   }
   // Of the mesh readers, which know of no other kinds.
   Error error = withSubject(opened.error(), path);
-  if (error.code == ErrorCode::FormatUnknown) error.arguments = readEndings();
+  if (error.code == DocumentError::FormatUnknown) error.arguments = readEndings();
   return error;
 }
 
@@ -192,7 +193,7 @@ std::vector<std::string> writtenEndings(const std::vector<FileFormat>& formats) 
 
 Error unknownEnding(const std::filesystem::path& path, std::vector<std::string> written) {
   written.insert(written.begin(), path.extension().string());
-  return {ErrorCode::ExtensionUnknown, std::move(written), {}, path.string()};
+  return {DocumentError::ExtensionUnknown, std::move(written), {}, path.string()};
 }
 
 bool isContainerName(const std::filesystem::path& path) {
@@ -226,7 +227,7 @@ Result<WrittenFile> saveDocument(const DocumentKind& kind, const DocumentFile& f
   if (!isContainerName(path)) {
     if (const Status may = checkNotNewer(path); !may) return may.error();
     Result<WrittenFile> written = kind.exportTo(content, path, progress);
-    if (!written && written.error().code == ErrorCode::ExtensionUnknown)
+    if (!written && written.error().code == DocumentError::ExtensionUnknown)
       return unknownEnding(path, writtenEndings(kind.formats()));
     if (written && !file.recordings.empty())
       written->notes.push_back(

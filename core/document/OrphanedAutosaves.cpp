@@ -4,6 +4,7 @@
 
 #include "document/Container.h"
 #include "document/FileBytes.h"
+#include "document/container/ArchiveErrors.h"
 
 #include <algorithm>
 #include <chrono>
@@ -76,7 +77,7 @@ void OrphanedAutosaves::list(const fs::path& folder) {
 void OrphanedAutosaves::look(const fs::path& file) {
   const Result<std::string> head = readFileHead(file);
   if (!head || !looksLikeContainer(*head)) {
-    Error error = head ? Error{ErrorCode::EntryDamaged, {file.filename().string()}, {}, {}} : head.error();
+    Error error = head ? Error{ArchiveError::EntryDamaged, {file.filename().string()}, {}, {}} : head.error();
     error.subject = file.string();
     m_skipped.push_back(std::move(error));
     return;

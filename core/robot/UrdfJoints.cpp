@@ -23,7 +23,7 @@ Result<double> readBound(const XmlElement& limit, std::string_view attribute) {
   if (bound && !takeWord(rest).empty()) bound = Error{ErrorCode::NumberMalformed, {*text}, {}, {}};
   if (bound) return *bound;
   Error error = bound.error();
-  error.place = InputPosition::line(limit.line);
+  error.position = InputPosition::line(limit.line);
   return error;
 }
 

@@ -11,7 +11,7 @@ namespace handwheel {
 namespace {
 
 Error inLine(Error error, const XmlElement& element) {
-  error.place = InputPosition::line(element.line);
+  error.position = InputPosition::line(element.line);
   return error;
 }
 

@@ -7,6 +7,7 @@
 #include "mesh/measure/Deviation.h"
 #include "mesh/simplify/Decimation.h"
 #include "mesh/structure/MeshBuilder.h"
+#include "mesh/structure/MeshErrors.h"
 #include "mesh/structure/MeshValidator.h"
 
 #include <QTest>
@@ -128,7 +129,7 @@ void DecimationExtremesTest::compares() {
   const auto found = deviation(mesh, moved, options), none = deviation(mesh, mesh, options);
   if (soup.triangles.empty() || most > 1e60) {
     QVERIFY(!found && !none);
-    QCOMPARE(found.error().code, soup.triangles.empty() ? ErrorCode::NoTriangles : ErrorCode::ValueOutOfRange);
+    QCOMPARE(found.error().code, soup.triangles.empty() ? MeshError::NoTriangles : ErrorCode::ValueOutOfRange);
     return;
   }
   QVERIFY(found && none);

@@ -5,10 +5,12 @@
 #include "MeshChecks.h"
 #include "TestClass.h"
 #include "document/formats/MeshExport.h"
+#include "document/formats/MeshFileErrors.h"
 #include "mesh/defects/Defects.h"
 #include "mesh/defects/MeshReport.h"
 #include "mesh/repair/Repair.h"
 #include "mesh/structure/MeshBuilder.h"
+#include "mesh/structure/MeshErrors.h"
 #include "mesh/structure/MeshValidator.h"
 
 #include <QFile>
@@ -209,7 +211,7 @@ void MeshExtremesTest::filesKeepDoubles() {
     const auto written = exportMesh(mesh, NumberType::Float64, path);
     const auto read = readMeshFile(path, {});
     if (soup.triangles.empty()) {
-      QVERIFY(!read && read.error().code == (written ? ErrorCode::NoTriangles : ErrorCode::FileMissing));
+      QVERIFY(!read && read.error().code == (written ? MeshError::NoTriangles : ErrorCode::FileMissing));
       continue;
     }
     QVERIFY2(written && read, ending);
@@ -267,9 +269,10 @@ void MeshExtremesTest::whatIsNoNumberIsRefused() {
     QVERIFY2(!read, number);
     QVERIFY2(read.error().code == ErrorCode::NumberNotFinite || read.error().code == ErrorCode::NumberMalformed,
              number);
-    QCOMPARE(read.error().place.value, std::uint64_t{3});
+    QCOMPARE(read.error().position.value, std::uint64_t{3});
     const auto part = readMesh(offOf(number), "a.off", {.partial = true});
-    QVERIFY(part ? !part->damage.empty() && part->soup.triangles.empty() : part.error().code == ErrorCode::NoTriangles);
+    QVERIFY(part ? !part->damage.empty() && part->soup.triangles.empty()
+                 : part.error().code == MeshFileError::NothingReadable);
   }
   for (const char* number : {"5e-324", "1e-310", "1e300", "-0", "1.7976931348623157e308"}) {
     const auto read = readMesh(offOf(number), "a.off", {});

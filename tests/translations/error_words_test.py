@@ -16,11 +16,13 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 SOURCES = ("core/**/*", "widgets/**/*", "plugins/**/*", "app/devices/*", "app/fidelity/*", "app/window/**/*")
 # Which argument of a code is a phrase. Names of elements, properties and libraries stay as they are.
 PHRASE = {
-    "ArchiveMalformed": 0, "CheckFailed": 0, "CountMismatch": 0, "DataTruncated": 0, "DeviceMute": 0,
-    "DeviceUnreachable": 0, "ElementMalformed": 1, "FileTooLarge": 0, "FileUnreadable": 0, "LibraryFailed": 1,
-    "PluginBroken": 0, "ReferenceMissing": 0, "TokenUnexpected": 0, "Unsupported": 0, "WriteFailed": 0,
+    "ArchiveError::Malformed": 0, "DeviceError::NotResponding": 0, "DeviceError::PluginBroken": 0,
+    "DeviceError::Unreachable": 0, "DocumentError::CheckFailed": 0, "ErrorCode::CountMismatch": 0,
+    "ErrorCode::DataTruncated": 0, "ErrorCode::ElementMalformed": 1, "ErrorCode::FileTooLarge": 0,
+    "ErrorCode::FileUnreadable": 0, "ErrorCode::LibraryFailed": 1, "ErrorCode::ReferenceMissing": 0,
+    "ErrorCode::Unsupported": 0, "ErrorCode::WriteFailed": 0, "MeshFileError::TokenUnexpected": 0,
 }
-MADE = re.compile(r"ErrorCode::(\w+),\s*\{")
+MADE = re.compile(r"\b((?:ErrorCode|\w+Error)::\w+),\s*\{")
 STRING = re.compile(r'"((?:[^"\\]|\\.)*)"')
 HEAD = re.compile(r"(\w+)(?:\s*=\s*\[[^\]]*\])?\s*\(((?:[^(){};]|\([^()]*\))*)\)[^;{}()]*\{")
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "controls/ShortcutFile.h"
 
+#include "document/DocumentErrors.h"
+
 #include <QKeySequence>
 #include <nlohmann/json.hpp>
 
@@ -57,7 +59,7 @@ Result<ShortcutChanges> shortcutsFromJson(const QByteArray& json) {
   }
   const Json file = Json::parse(json.begin(), json.end(), nullptr, false);
   if (!file.is_object() || !file.contains("format") || file["format"] != kFormat) {
-    return Error{ErrorCode::FormatUnknown, {}, {}, {}};
+    return Error{DocumentError::FormatUnknown, {}, {}, {}};
   }
   const Json version = file.value("version", Json());
   if (!version.is_number_integer()) return malformed("version", "a whole number is expected");

@@ -3,6 +3,7 @@
 #include "plot/PlotExport.h"
 
 #include "document/AtomicFile.h"
+#include "document/DocumentErrors.h"
 #include "plot/PlotPainting.h"
 
 #include <QBuffer>
@@ -96,7 +97,7 @@ Status exportPlots(std::span<const Plot> plots, const QString& path, const QSize
   if (ending == QLatin1String("png")) return writeWhole(path, pngOf(plots, size, theme));
   if (ending == QLatin1String("svg")) return writeWhole(path, svgOf(plots, size, theme));
   if (ending == QLatin1String("csv")) return writeWhole(path, plotCsv(plots));
-  return Error{ErrorCode::ExtensionUnknown,
+  return Error{DocumentError::ExtensionUnknown,
                {"." + ending.toStdString(), ".png", ".svg", ".csv"},
                {},
                QFile::encodeName(path).toStdString()};

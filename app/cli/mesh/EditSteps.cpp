@@ -11,9 +11,11 @@
 #include "document/formats/MeshExport.h"
 #include "document/mesh/MeshDocument.h"
 #include "document/mesh/MeshKind.h"
+#include "mesh/structure/MeshErrors.h"
 #include "text/NoteText.h"
 #include "text/RepairText.h"
 #include "tools/mesh/MeshSteps.h"
+#include "tools/mesh/StepErrors.h"
 #include "tools/mesh/operations/MeshOperations.h"
 
 #include <algorithm>
@@ -93,9 +95,9 @@ Status applySteps(MeshDocument& document, const std::vector<Step>& steps, const 
         applyStep(document, steps[i].text, progress.part(at / count, (at + 1.0) / count), readMesh);
     if (!outcome) {
       Error error = outcome.error();
-      if (error.code != ErrorCode::StepMalformed) return error;
+      if (error.code != StepError::Malformed) return error;
       error.subject = steps[i].subject;
-      error.place = steps[i].place;
+      error.position = steps[i].place;
       return error;
     }
     if (!outcome->changed) done.idle.push_back(idleSentence(steps[i], *outcome));
@@ -153,7 +155,7 @@ MeshFileReader meshFileReader(const DocumentKinds& kinds) {
     const Result<OpenedFile> opened = kinds.open(path, {}, reading);
     if (!opened) return opened.error();
     if (const auto* mesh = dynamic_cast<const MeshSnapshot*>(opened->content.get())) return mesh->mesh.mesh;
-    return Error{ErrorCode::NoTriangles, {}, {}, path};
+    return Error{MeshError::NoTriangles, {}, {}, path};
   };
 }
 

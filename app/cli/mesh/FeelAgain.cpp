@@ -12,6 +12,7 @@
 #include "document/AtomicFile.h"
 #include "haptics/recording/RecordingCsv.h"
 #include "mesh/structure/CancelPolling.h"
+#include "mesh/structure/MeshErrors.h"
 
 namespace handwheel {
 
@@ -70,7 +71,7 @@ Result<FeltAgain> felt(const Arguments& arguments, std::string_view text, const 
       kinds.open(arguments.operands[0], {.partial = arguments.has("partial")}, progress.part(0.2, 0.4));
   if (!opened) return opened.error();
   if (!dynamic_cast<const MeshSnapshot*>(opened->content.get()))
-    return Error{ErrorCode::NoTriangles, {}, {}, arguments.operands[0]};
+    return Error{MeshError::NoTriangles, {}, {}, arguments.operands[0]};
   MeshDocument document(*std::move(opened));
   return felt(*recording, document, readMesh, progress.part(0.4, 1.0));
 }

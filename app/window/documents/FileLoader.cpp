@@ -23,23 +23,6 @@ namespace {
 
 constexpr std::size_t kDamageShown = 2;
 
-// A second, forgiving attempt only helps against damage in the content.
-bool mayBePartlyReadable(ErrorCode code) {
-  switch (code) {
-    case ErrorCode::HeaderMalformed:
-    case ErrorCode::TokenUnexpected:
-    case ErrorCode::NumberMalformed:
-    case ErrorCode::NumberNotFinite:
-    case ErrorCode::IndexOutOfRange:
-    case ErrorCode::PolygonTooSmall:
-    case ErrorCode::DataTruncated:
-    case ErrorCode::CountMismatch:
-      return true;
-    default:
-      return false;
-  }
-}
-
 // The title of the message names the file already.
 Error withoutFile(Error error) {
   error.subject.clear();
@@ -113,7 +96,7 @@ void FileLoader::failed(const QString& path, const Error& error, const ReadOptio
   if (error.code == ErrorCode::FileMissing) m_recent.remove(path);
   const QString title = options.partial ? tr("Nothing of %1 can be read") : tr("%1 could not be opened");
   Message message{Message::Weight::Error, title.arg(name), sentence, errorAdvice(error), {}, {}};
-  if (!options.partial && mayBePartlyReadable(error.code)) {
+  if (!options.partial && error.code->mayBePartlyReadable) {
     message.actionText = tr("Open what is readable");
     message.action = [this, path] { load(path, ReadOptions{.partial = true}); };
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/haptics/HapticSession.h"
 
+#include "haptics/device/DeviceErrors.h"
 #include "haptics/device/MouseDevice.h"
 #include "window/WindowServices.h"
 #include "window/haptics/ActiveDevice.h"
@@ -127,7 +128,7 @@ void HapticSession::startOpening(bool isQuiet) {
     std::unique_ptr<Device> device = makeBuiltIn(chosen.driver, clock);
     if (!device) device = make();
     const Status status =
-        device ? device->open(progress) : Error{ErrorCode::DeviceUnreachable, {"it is not there"}, {}, {}};
+        device ? device->open(progress) : Error{DeviceError::Unreachable, {"it is not there"}, {}, {}};
     if (!status) return [this, isQuiet, error = status.error()] { failed(error, isQuiet); };
     made->device = std::move(device);
     return [this, made] { opened(std::move(made->device)); };

@@ -3,6 +3,7 @@
 #include "window/mesh/MeshReading.h"
 
 #include "document/mesh/MeshSnapshot.h"
+#include "mesh/structure/MeshErrors.h"
 
 #include <QFile>
 
@@ -12,7 +13,7 @@ Result<HalfEdgeMesh> readMesh(const DocumentKinds& kinds, const QString& path, P
   const Result<OpenedFile> opened = kinds.open(QFile::encodeName(path).toStdString(), {}, progress);
   if (!opened) return opened.error();
   if (const auto* mesh = dynamic_cast<const MeshSnapshot*>(opened->content.get())) return mesh->mesh.mesh;
-  return Error{ErrorCode::NoTriangles, {}, {}, path.toStdString()};
+  return Error{MeshError::NoTriangles, {}, {}, path.toStdString()};
 }
 
 }  // namespace handwheel

@@ -4,6 +4,7 @@
 
 #include "document/cell/CellImport.h"
 #include "document/cell/SurfaceBudget.h"
+#include "document/container/ArchiveErrors.h"
 #include "document/container/Blobs.h"
 #include "document/container/JsonText.h"
 #include "robot/UrdfReader.h"
@@ -81,7 +82,7 @@ class Loading {
 
   Result<SnapshotPointer> read(Progress progress) {
     const auto description = m_container.blobs.find(kDescription);
-    if (description == m_container.blobs.end()) return Error{ErrorCode::EntryMissing, {kDescription}, {}, {}};
+    if (description == m_container.blobs.end()) return Error{ArchiveError::EntryMissing, {kDescription}, {}, {}};
     // What is wrong with the description was told when it was imported; it is saved as it is.
     Result<ReadRobot> read = readUrdf(description->second, progress.part(0.0, 0.1));
     if (!read) return read.error();
@@ -112,14 +113,14 @@ class Loading {
     const auto surfaces = m_document.find("surfaces");
     const std::string name = surfaceName(number);
     if (surfaces == m_document.end() || !surfaces->is_array() || number >= surfaces->size()) {
-      m_damage.push_back({ErrorCode::EntryMissing, {name}, {}, {}});
+      m_damage.push_back({ArchiveError::EntryMissing, {name}, {}, {}});
       return nullptr;
     }
     const nlohmann::json& counts = (*surfaces)[number];
     if (counts.is_null()) return nullptr;  // it was missing when the cell was saved
     std::uint64_t lost = 0;
     TriangleSoup soup = readSurfaceBlobs(counts, name, m_container, lost);
-    if (lost > 0 || soup.triangles.empty()) m_damage.push_back({ErrorCode::EntryDamaged, {name}, {}, {}});
+    if (lost > 0 || soup.triangles.empty()) m_damage.push_back({ArchiveError::EntryDamaged, {name}, {}, {}});
     if (soup.triangles.empty()) return nullptr;
     return std::make_shared<const TriangleSoup>(std::move(soup));
   }

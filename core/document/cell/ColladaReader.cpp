@@ -3,6 +3,7 @@
 #include "document/cell/ColladaReader.h"
 
 #include "document/cell/ColladaGeometry.h"
+#include "mesh/structure/MeshErrors.h"
 #include "robot/Xml.h"
 #include "robot/XmlNumbers.h"
 
@@ -152,7 +153,7 @@ Result<ColladaMesh> readCollada(std::string_view bytes, Progress progress) {
     ColladaMesh mesh;
     Scene(*root, mesh, progress.part(0.7, 1.0)).read();
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-    if (mesh.soup.triangles.empty()) return Error{ErrorCode::NoTriangles, {}, {}, {}};
+    if (mesh.soup.triangles.empty()) return Error{MeshError::NoTriangles, {}, {}, {}};
     return mesh;
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::OutOfMemory, {}, {}, {}};

@@ -8,6 +8,7 @@
 #include "document/cell/CellImport.h"
 #include "document/cell/RobotCellDocument.h"
 #include "document/formats/MeshExport.h"
+#include "mesh/structure/MeshErrors.h"
 #include "robot/Kinematics.h"
 #include "robot/UrdfReader.h"
 
@@ -114,7 +115,7 @@ Result<WrittenFile> RobotCellKind::exportTo(const Snapshot& content, const std::
   if (!format) return format.error();
   const Result<TriangleSoup> soup = posedSurface(display(content), progress.part(0.0, 0.2));
   if (!soup) return soup.error();
-  if (soup->triangles.empty()) return Error{ErrorCode::NoTriangles, {}, {}, {}};
+  if (soup->triangles.empty()) return Error{MeshError::NoTriangles, {}, {}, {}};
   const Result<std::string> bytes =
       encodeChecked(*soup, *format, numberTypeOf(*format, NumberType::Float64), progress.part(0.2, 0.8));
   if (!bytes) return bytes.error();

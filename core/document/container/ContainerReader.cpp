@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/Container.h"
+#include "document/container/ArchiveErrors.h"
 #include "document/container/ContainerLayout.h"
 #include "document/container/JsonText.h"
 #include "document/container/Migrations.h"
@@ -17,7 +18,7 @@ using nlohmann::json;
 
 Result<std::string> readManifest(ZipReader& zip, std::vector<Error>& damage) {
   Result<std::string> text = zip.read(kManifest);
-  if (!text && (text.error().code == ErrorCode::EntryDamaged || text.error().code == ErrorCode::EntryMissing)) {
+  if (!text && (text.error().code == ArchiveError::EntryDamaged || text.error().code == ArchiveError::EntryMissing)) {
     Result<std::string> copy = zip.read(kManifestCopy);
     if (copy) {
       damage.push_back(text.error());
@@ -85,16 +86,16 @@ class BlobReading {
 
  private:
   Status readOne(const std::string& name, const json* entry) {
-    if (!isBlobName(name)) return lose({ErrorCode::EntryDamaged, {name}, {}, {}});
+    if (!isBlobName(name)) return lose({ArchiveError::EntryDamaged, {name}, {}, {}});
     m_progress.set(static_cast<double>(m_done++) / static_cast<double>(m_table.size() + m_zip.names().size()));
     Result<std::string> bytes = m_zip.read(name);
     if (!bytes) {
       const ErrorCode code = bytes.error().code;
-      if (code != ErrorCode::EntryMissing && code != ErrorCode::EntryDamaged) return bytes.error();
+      if (code != ArchiveError::EntryMissing && code != ArchiveError::EntryDamaged) return bytes.error();
       return lose(bytes.error());
     }
     if (!entry && *bytes == m_manifestText) return Done{};  // its copy, by a damaged name
-    if (entry && !matches(*entry, *bytes)) return lose({ErrorCode::EntryDamaged, {name}, {}, {}});
+    if (entry && !matches(*entry, *bytes)) return lose({ArchiveError::EntryDamaged, {name}, {}, {}});
     m_read.container.blobs.emplace(name, std::move(bytes.value()));
     return Done{};
   }
@@ -118,11 +119,11 @@ Result<ReadContainer> readFrom(ZipReader& zip, Progress progress) {
   }
   ReadContainer read;
   if (!zip.directoryProblem().empty()) {
-    const Error malformed{ErrorCode::ArchiveMalformed, {zip.directoryProblem()}, {}, {}};
+    const Error malformed{ArchiveError::Malformed, {zip.directoryProblem()}, {}, {}};
     if (zip.names().empty()) return malformed;
     read.damage.push_back(malformed);
   }
-  for (const std::string& name : zip.duplicates()) read.damage.push_back({ErrorCode::EntryDamaged, {name}, {}, {}});
+  for (const std::string& name : zip.duplicates()) read.damage.push_back({ArchiveError::EntryDamaged, {name}, {}, {}});
   const Result<std::string> text = readManifest(zip, read.damage);
   if (!text) return text.error();
   Result<json> manifest = parseManifest(*text);
@@ -132,7 +133,7 @@ Result<ReadContainer> readFrom(ZipReader& zip, Progress progress) {
   *read.container.manifest = std::move(manifest.value());
   if (const Status done = BlobReading(zip, *text, read, progress).readAll(); !done) return done.error();
   if (zip.directoryProblem().empty() && zip.hasSalvaged()) {
-    read.damage.push_back({ErrorCode::ArchiveMalformed, {"Its directory is wrong"}, {}, {}});
+    read.damage.push_back({ArchiveError::Malformed, {"Its directory is wrong"}, {}, {}});
   }
   read.isNewer = *version > kContainerVersion;
   if (const Status done = migrate(read.container, *version, migrations()); !done) return done.error();

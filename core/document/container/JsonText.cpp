@@ -39,7 +39,7 @@ Result<nlohmann::json> parseJson(std::string_view text, std::string_view element
     return nlohmann::json::parse(text);
   } catch (const nlohmann::json::parse_error& error) {
     Error failure = malformed(element, "it is not JSON");
-    failure.place = InputPosition::byte(error.byte);
+    failure.position = InputPosition::byte(error.byte);
     return failure;
   } catch (const nlohmann::json::exception&) {  // a number out of range
     return malformed(element, "it is not JSON");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/container/ZipReader.h"
 
+#include "document/container/ArchiveErrors.h"
 #include "document/container/LocalEntries.h"
 
 #include <zip.h>
@@ -27,7 +28,7 @@ Error cancelledError() {
 }
 
 Error damagedError(const std::string& name) {
-  return {ErrorCode::EntryDamaged, {name}, {}, {}};
+  return {ArchiveError::EntryDamaged, {name}, {}, {}};
 }
 
 // Neither encrypted nor packed by other means, and of a size that the packed bytes may have.
@@ -69,7 +70,7 @@ class ZipReader::Archive {
     const auto listed = m_indices.find(name);
     if (m_zip && listed != m_indices.end()) {
       Result<std::string> content = readListed(listed->second, name);
-      if (content || content.error().code != ErrorCode::EntryDamaged) return content;
+      if (content || content.error().code != ArchiveError::EntryDamaged) return content;
     }
     return salvage(name);
   }
@@ -179,7 +180,7 @@ class ZipReader::Archive {
       return std::move(unpacked.bytes);
     }
     if (isThere) return damagedError(name);
-    return Error{ErrorCode::EntryMissing, {name}, {}, {}};
+    return Error{ArchiveError::EntryMissing, {name}, {}, {}};
   }
 
   Error tooLarge() const {

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/formats/MeshAssembly.h"
 
+#include "document/formats/MeshFileErrors.h"
+#include "mesh/structure/MeshErrors.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -80,7 +83,8 @@ bool MeshAssembly::addUnreadablePoint(Error why) {
 }
 
 bool MeshAssembly::addPolygon(std::span<const std::int64_t> corners, InputPosition place) {
-  if (corners.size() < 3) return tolerate({ErrorCode::PolygonTooSmall, {std::to_string(corners.size())}, place, {}});
+  if (corners.size() < 3)
+    return tolerate({MeshFileError::PolygonTooSmall, {std::to_string(corners.size())}, place, {}});
   const auto known = static_cast<std::int64_t>(pointCount());
   bool forward = false;
   for (std::int64_t c : corners) forward |= c >= known;
@@ -96,8 +100,8 @@ bool MeshAssembly::judgeCorners(std::span<const std::int64_t> corners, InputPosi
     const bool inRange = c >= 0 && c < static_cast<std::int64_t>(points.size());
     if (inRange && (m_unreadablePoints == 0 || isReadable(points[static_cast<std::size_t>(c)]))) continue;
     const std::string written = std::to_string(c + m_firstIndex);
-    if (inRange) return tolerate({ErrorCode::VertexUnreadable, {written}, place, {}});
-    return tolerate({ErrorCode::IndexOutOfRange, {written, std::to_string(points.size())}, place, {}});
+    if (inRange) return tolerate({MeshFileError::VertexUnreadable, {written}, place, {}});
+    return tolerate({MeshFileError::IndexOutOfRange, {written, std::to_string(points.size())}, place, {}});
   }
   return cutPolygon(corners, place);
 }
@@ -116,7 +120,7 @@ bool MeshAssembly::cutPolygon(std::span<const std::int64_t> corners, InputPositi
     case PolygonTriangulation::Outcome::Done:
       return true;
     case PolygonTriangulation::Outcome::TooComplex:
-      mend({ErrorCode::PolygonTooComplex, {std::to_string(corners.size())}, place, {}});
+      mend({MeshFileError::PolygonTooComplex, {std::to_string(corners.size())}, place, {}});
       return true;
     case PolygonTriangulation::Outcome::Stopped:
       break;
@@ -156,9 +160,12 @@ Result<MeshFile> MeshAssembly::finish(NumberType numbers) {
   // Faces that wait for their vertices are judged late.
   auto& damage = m_file.damage;
   std::stable_sort(damage.begin(), damage.end(),
-                   [](const Error& a, const Error& b) { return a.place.value < b.place.value; });
-  if (m_file.soup.triangles.empty())
-    return Error{ErrorCode::NoTriangles, {}, m_partial && !damage.empty() ? damage.front().place : InputPosition(), {}};
+                   [](const Error& a, const Error& b) { return a.position.value < b.position.value; });
+  if (m_file.soup.triangles.empty()) {
+    const InputPosition first = m_partial && !damage.empty() ? damage.front().position : InputPosition();
+    const bool isKnown = first.kind != InputPosition::Kind::None;
+    return Error{isKnown ? MeshFileError::NothingReadable : MeshError::NoTriangles, {}, first, {}};
+  }
   m_file.numbers = numbers;
   m_file.lost.assign(m_lost.begin(), m_lost.end());
   m_progress.set(1.0);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/formats/MeshExport.h"
 
+#include "document/DocumentErrors.h"
 #include "document/formats/MeshFormatTable.h"
 #include "document/formats/RoundingCollisions.h"
 #include "mesh/structure/CancelPolling.h"
@@ -69,10 +70,10 @@ Result<std::string> encodeChecked(const TriangleSoup& soup, MeshFormat format, N
   const Result<MeshFile> back = readMesh(bytes, {}, {}, progress.part(0.4, 0.9));
   if (progress.cancelled()) return cancelledExport();
   if (!back && back.error().code == ErrorCode::OutOfMemory) return back.error();
-  if (!back) return Error{ErrorCode::CheckFailed, {"it cannot be opened"}, back.error().place, {}};
+  if (!back) return Error{DocumentError::CheckFailed, {"it cannot be opened"}, back.error().position, {}};
   const bool isSame = sameCorners(soup, numbers, back->soup, progress.part(0.9, 1.0));
   if (progress.cancelled()) return cancelledExport();
-  if (!isSame) return Error{ErrorCode::CheckFailed, {"its triangles differ"}, {}, {}};
+  if (!isSame) return Error{DocumentError::CheckFailed, {"its triangles differ"}, {}, {}};
   progress.set(1.0);
   return bytes;
 }

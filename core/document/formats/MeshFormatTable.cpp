@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/formats/MeshFormatTable.h"
 
+#include "document/DocumentErrors.h"
+#include "document/formats/MeshFileErrors.h"
 #include "document/formats/MeshWriter.h"
 #include "document/formats/ObjReader.h"
 #include "document/formats/TextNumber.h"
@@ -83,13 +85,13 @@ Result<MeshFormat> MeshFormatTable::detect(std::string_view bytes, std::string_v
   if (const auto format = find(&MeshFormatRow::isBinary, bytes)) return *format;
   const auto named = forName(name);
   if (const auto wide = wideEncoding(bytes); !wide.empty() && !(named && row(*named).hasAnyBytes))
-    return Error{ErrorCode::TextEncoding, {std::string(wide)}, {}, {}};
+    return Error{MeshFileError::TextEncoding, {std::string(wide)}, {}, {}};
   if (const auto format = find(&MeshFormatRow::isText, bytes)) return *format;
   if (named) return *named;
   std::vector<std::string> known;
   for (const FileFormat& format : fileFormats())
     known.insert(known.end(), format.endings.begin(), format.endings.end());
-  return Error{ErrorCode::FormatUnknown, std::move(known), {}, {}};
+  return Error{DocumentError::FormatUnknown, std::move(known), {}, {}};
 }
 
 Result<MeshFile> MeshFormatTable::read(std::string_view bytes, std::string_view nameHint, const ReadOptions& options,

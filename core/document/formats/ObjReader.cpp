@@ -3,6 +3,7 @@
 #include "document/formats/ObjReader.h"
 
 #include "document/formats/MeshAssembly.h"
+#include "document/formats/MeshFileErrors.h"
 #include "document/formats/TextNumber.h"
 
 #include <algorithm>
@@ -107,7 +108,7 @@ class ObjParser {
       const auto known = static_cast<std::int64_t>(m_assembly.pointCount());
       if (*index == 0 || *index < -known)
         return m_assembly.tolerate(
-            {ErrorCode::IndexOutOfRange, {std::to_string(*index), std::to_string(known)}, m_scanner.place(), {}});
+            {MeshFileError::IndexOutOfRange, {std::to_string(*index), std::to_string(known)}, m_scanner.place(), {}});
       m_corners.push_back(*index > 0 ? *index - 1 : known + *index);
     }
     return m_assembly.addPolygon(m_corners, place);

@@ -3,6 +3,7 @@
 #include "document/formats/TextNumber.h"
 
 #include "base/NumberText.h"
+#include "document/formats/MeshFileErrors.h"
 
 #include <algorithm>
 #include <charconv>
@@ -63,7 +64,7 @@ Error wordError(ErrorCode code, std::string_view word, InputPosition place) {
 }
 
 Error unexpectedWord(std::string_view expected, std::string_view found, InputPosition place) {
-  Error error = wordError(ErrorCode::TokenUnexpected, found, place);
+  Error error = wordError(MeshFileError::TokenUnexpected, found, place);
   error.arguments.insert(error.arguments.begin(), std::string(expected));
   return error;
 }

@@ -4,6 +4,7 @@
 
 #include "base/Tolerance.h"
 #include "document/AtomicFile.h"
+#include "document/DocumentErrors.h"
 #include "document/formats/MeshExport.h"
 #include "document/workpiece/TurnedPartBlobs.h"
 #include "document/workpiece/TurnedPartDisplay.h"
@@ -36,7 +37,7 @@ bool isStepName(const std::filesystem::path& path) {
 }
 
 Error notAsMeant(const char* what) {
-  return {ErrorCode::CheckFailed, {what}, {}, {}};
+  return {DocumentError::CheckFailed, {what}, {}, {}};
 }
 
 // The exact profile of a bar; of a part a polyline within the chord tolerance.

@@ -5,8 +5,8 @@
 #include "haptics/device/Device.h"
 
 // Version of the plugin interface, in the plugin's metadata. It must match exactly, and is compared before any code of
-// the plugin is loaded. Increment it with every change of Device.h or of this file.
-#define HANDWHEEL_DEVICE_PLUGIN "handwheel.device/2"
+// the plugin is loaded. Increment it with every change of Device.h, of Error.h or of this file.
+#define HANDWHEEL_DEVICE_PLUGIN "handwheel.device/3"
 
 namespace handwheel {
 

@@ -5,6 +5,7 @@
 #include "base/NumberText.h"
 #include "mesh/structure/CancelPolling.h"
 #include "mesh/structure/FaceNormal.h"
+#include "mesh/structure/MeshErrors.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -217,7 +218,7 @@ class Measurement {
 };
 
 Status check(const SurfaceDistance& surface) {
-  if (surface.empty()) return Error{ErrorCode::NoTriangles, {}, {}, {}};
+  if (surface.empty()) return Error{MeshError::NoTriangles, {}, {}, {}};
   const Box& box = surface.hierarchy().bounds();
   const double largest = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
   if (largest <= kLargestMeasured) return Done{};

@@ -3,6 +3,7 @@
 #include "tools/mesh/StepText.h"
 
 #include "base/NumberText.h"
+#include "tools/mesh/StepErrors.h"
 
 #include <charconv>
 #include <cmath>
@@ -122,9 +123,7 @@ void StepReader::complain(std::string problem) {
 }
 
 Status StepReader::status() const {
-  const auto malformed = [](std::string problem) {
-    return Error{ErrorCode::StepMalformed, {std::move(problem)}, {}, {}};
-  };
+  const auto malformed = [](std::string problem) { return Error{StepError::Malformed, {std::move(problem)}, {}, {}}; };
   if (!m_problem.empty()) return malformed(m_problem);
   if (hasWord()) return malformed(inQuotes(m_words[m_next]) + " is too much");
   for (const Option& option : m_options)

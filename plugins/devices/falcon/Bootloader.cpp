@@ -3,6 +3,7 @@
 #include "falcon/Bootloader.h"
 
 #include "falcon/Packet.h"
+#include "haptics/device/DeviceErrors.h"
 
 #include <algorithm>
 #include <array>
@@ -86,10 +87,10 @@ Status loadFirmware(FtdiPort& port, Clock& clock, const Firmware& firmware, Prog
     missed = tryLoad(port, clock, firmware, progress.part(i * share, (i + 1) * share));
     if (!missed) return Done{};
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-    if (port.isGone()) return Error{ErrorCode::DeviceUnreachable, {"unplugged"}, {}, "Novint Falcon"};
+    if (port.isGone()) return Error{DeviceError::Unreachable, {"unplugged"}, {}, "Novint Falcon"};
     clock.sleep(kPause);
   }
-  return Error{ErrorCode::DeviceNotResponding, {missed}, {}, "Novint Falcon"};
+  return Error{DeviceError::NotResponding, {missed}, {}, "Novint Falcon"};
 }
 
 }  // namespace handwheel::falcon

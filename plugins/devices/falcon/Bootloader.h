@@ -18,7 +18,7 @@ using Firmware = std::vector<std::uint8_t>;
 bool runs(FtdiPort& port, Clock& clock) noexcept;
 
 // Loads the firmware, which often fails and is tried ten times. Leaves the port in running mode.
-// Errors: Cancelled, DeviceUnreachable (gone), DeviceNotResponding (what it did not answer).
+// Errors: Cancelled, Unreachable (gone), NotResponding (what it did not answer).
 Status loadFirmware(FtdiPort& port, Clock& clock, const Firmware& firmware, Progress progress);
 
 }  // namespace handwheel::falcon

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "falcon/LibusbTransport.h"
 
+#include "haptics/device/DeviceErrors.h"
+
 #include <libusb.h>
 #include <algorithm>
 #include <cmath>
@@ -123,7 +125,7 @@ Result<std::unique_ptr<UsbTransport>> Usb::open(const std::string& address) cons
     if (status == 0) return std::unique_ptr<UsbTransport>(std::make_unique<LibusbTransport>(m_context, handle));
     libusb_close(handle);
   }
-  return Error{ErrorCode::DeviceUnreachable, {libusb_strerror(status)}, {}, "Novint Falcon"};
+  return Error{DeviceError::Unreachable, {libusb_strerror(status)}, {}, "Novint Falcon"};
 }
 
 }  // namespace handwheel::falcon

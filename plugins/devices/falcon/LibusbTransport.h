@@ -18,7 +18,7 @@ class Usb {
  public:
   Usb();
   std::vector<std::string> find() const;
-  // Claims the interface, from the kernel's serial driver if necessary. Error: DeviceUnreachable with libusb's reason.
+  // Claims the interface, from the kernel's serial driver if necessary. Error: Unreachable with libusb's reason.
   Result<std::unique_ptr<UsbTransport>> open(const std::string& address) const;
 
  private:

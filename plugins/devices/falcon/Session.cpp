@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "falcon/Session.h"
 
+#include "haptics/device/DeviceErrors.h"
 #include "io/Capabilities.h"
 
 namespace handwheel::falcon {
@@ -38,7 +39,7 @@ Status Session::open(Progress progress) {
   m_state.status = DeviceStatus::Starting;
   m_point = kHome;
   if (!runs(*m_port, *m_clock)) {
-    if (m_port->isGone()) return Error{ErrorCode::DeviceUnreachable, {"unplugged"}, {}, "Novint Falcon"};
+    if (m_port->isGone()) return Error{DeviceError::Unreachable, {"unplugged"}, {}, "Novint Falcon"};
     const Result<Firmware> firmware = m_readFirmware();
     if (!firmware) return firmware.error();
     const Status loaded = loadFirmware(*m_port, *m_clock, *firmware, progress);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haply/Session.h"
 
+#include "haptics/device/DeviceErrors.h"
 #include "io/Capabilities.h"
 
 namespace handwheel::haply {
@@ -38,7 +39,7 @@ Status Session::open(Progress) {
   (void)m_socket->send(clientHello());
   const std::optional<std::string> inventory = m_socket->receive(kInventoryTime);
   const std::optional<Frame> frame = inventory ? readFrame(*inventory) : std::nullopt;
-  if (!frame) return Error{ErrorCode::DeviceNotResponding, {"an inventory with an Inverse3"}, {}, "Haply Inverse3"};
+  if (!frame) return Error{DeviceError::NotResponding, {"an inventory with an Inverse3"}, {}, "Haply Inverse3"};
   m_deviceId = frame->deviceId;
   m_hasGrip = frame->orientation.has_value();
   m_lastAnswer = m_clock->now();

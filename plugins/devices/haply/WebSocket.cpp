@@ -3,6 +3,7 @@
 #include "haply/WebSocket.h"
 
 #include "haply/Handshake.h"
+#include "haptics/device/DeviceErrors.h"
 
 #include <algorithm>
 #include <array>
@@ -30,7 +31,7 @@ Result<std::unique_ptr<WebSocket>> WebSocket::open(std::unique_ptr<ByteStream> s
 }
 
 Status WebSocket::shakeHands(const std::string& host) {
-  const Error mute{ErrorCode::DeviceNotResponding, {"the handshake of a WebSocket"}, {}, host};
+  const Error mute{DeviceError::NotResponding, {"the handshake of a WebSocket"}, {}, host};
   const std::string key = handshakeKey();
   if (!m_stream->write(bytesOf(upgradeRequest(host, key)))) return mute;
   std::string head;

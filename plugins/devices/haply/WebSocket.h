@@ -15,7 +15,7 @@ namespace handwheel::haply {
 // A WebSocket client for a server on the same machine (RFC 6455).
 class WebSocket {
  public:
-  // Opens the connection by a handshake. Errors: DeviceNotResponding, DeviceUnreachable.
+  // Opens the connection by a handshake. Errors: NotResponding, Unreachable.
   static Result<std::unique_ptr<WebSocket>> open(std::unique_ptr<ByteStream> stream, std::shared_ptr<Clock> clock,
                                                  const std::string& host);
 

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/DeviceHostMessages.h"
 
+#include "haptics/device/DeviceErrors.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 
 namespace handwheel::guard {
 
@@ -13,8 +16,18 @@ namespace {
 constexpr std::size_t kHead = 2 * sizeof(std::uint32_t);
 constexpr std::size_t kLongestText = 200;  // bytes
 constexpr std::size_t kMostArguments = 3;
-constexpr auto kLastCode = static_cast<std::uint32_t>(ErrorCode::LibraryFailed);
 constexpr auto kLastStatus = static_cast<std::uint32_t>(DeviceStatus::Failed);
+
+// The codes that a session may refuse with, by their numbers in a message. Any other arrives as the first.
+constexpr ErrorCode kCodes[] = {DeviceError::Unreachable,    DeviceError::NotResponding, DeviceError::PluginVersion,
+                                ErrorCode::Cancelled,        ErrorCode::OutOfMemory,     ErrorCode::FileMissing,
+                                ErrorCode::FileUnreadable,   ErrorCode::FileEmpty,       ErrorCode::FileTooLarge,
+                                ErrorCode::ReferenceMissing, ErrorCode::Unsupported,     ErrorCode::LibraryFailed};
+
+std::uint32_t numberOf(ErrorCode code) {
+  const auto* found = std::find(std::begin(kCodes), std::end(kCodes), code);
+  return found == std::end(kCodes) ? 0 : static_cast<std::uint32_t>(found - std::begin(kCodes));
+}
 
 // Writes the parts of a message one after the other.
 class Out {
@@ -123,7 +136,7 @@ void write(Out& out, const Opened& message) {
   eachCapability(out, message.capabilities);
 }
 void write(Out& out, const Refused& message) {
-  out(static_cast<std::uint32_t>(message.error.code));
+  out(numberOf(message.error.code));
   const std::size_t count = std::min(message.error.arguments.size(), kMostArguments);
   out(static_cast<std::uint32_t>(count));
   for (std::size_t i = 0; i < count; ++i) out(message.error.arguments[i]);
@@ -165,8 +178,8 @@ void read(In& in, Refused& message) {
   std::uint32_t code = 0, count = 0;
   in(code);
   in(count);
-  if (code > kLastCode || count > kMostArguments) return in.fail();
-  message.error.code = static_cast<ErrorCode>(code);
+  if (code >= std::size(kCodes) || count > kMostArguments) return in.fail();
+  message.error.code = kCodes[code];
   message.error.arguments.resize(count);
   for (std::string& argument : message.error.arguments) in(argument);
   in(message.error.subject);

@@ -15,7 +15,7 @@ namespace handwheel::guard {
 
 // Messages between the program and the process that holds a device for it. Each message is its kind and the length of
 // the rest (u32 each), then the rest, numbers in the machine's byte order: both run on it.
-inline constexpr std::uint32_t kVersion = 2;
+inline constexpr std::uint32_t kVersion = 3;
 
 // From the program: open the device.
 struct Open {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/DeviceHostProcess.h"
 
+#include "haptics/device/DeviceErrors.h"
 #include "haptics/servo/RealTimeThread.h"
 #include "io/FileStream.h"
 #include "io/SessionHost.h"
@@ -91,7 +92,7 @@ class SpawnSetup {
 };
 
 Error notStarted(int reason, const std::string& path) {
-  return {ErrorCode::DeviceUnreachable, {std::strerror(reason)}, {}, path};
+  return {DeviceError::Unreachable, {std::strerror(reason)}, {}, path};
 }
 
 void stopOnSignals() {

@@ -15,7 +15,7 @@ namespace handwheel {
 std::string guardPath(const std::string& name);
 
 // Starts a guard process, and connects to it by an unnamed socket. So no other process can connect. It is in a session
-// of its own: signals of the terminal to the program do not reach it. Error: DeviceUnreachable with the system's
+// of its own: signals of the terminal to the program do not reach it. Error: Unreachable with the system's
 // reason.
 Result<std::unique_ptr<ByteStream>> startGuard(const std::string& path, const std::string& address);
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/FileStream.h"
 
+#include "haptics/device/DeviceErrors.h"
+
 #include <arpa/inet.h>
 #include <fcntl.h>
 #include <netinet/in.h>
@@ -28,7 +30,7 @@ bool waitFor(int descriptor, short events, int milliseconds) {
 }
 
 Error unreachable(const std::string& subject) {
-  return {ErrorCode::DeviceUnreachable, {std::strerror(errno)}, {}, subject};
+  return {DeviceError::Unreachable, {std::strerror(errno)}, {}, subject};
 }
 
 Result<std::unique_ptr<ByteStream>> connected(int family, const sockaddr* address, socklen_t size,

@@ -25,7 +25,7 @@ class FileStream final : public ByteStream {
   int m_descriptor;
 };
 
-// Connect to a Unix socket, or to a TCP port. Error: DeviceUnreachable with the system's reason.
+// Connect to a Unix socket, or to a TCP port. Error: Unreachable with the system's reason.
 Result<std::unique_ptr<ByteStream>> connectUnix(const std::string& path);
 Result<std::unique_ptr<ByteStream>> connectLoopback(std::uint16_t port);  // TCP to 127.0.0.1
 // Opens a serial port in raw mode. No echo, no line editing, at 115,200 baud where that applies.

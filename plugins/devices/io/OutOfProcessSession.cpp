@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/OutOfProcessSession.h"
 
+#include "haptics/device/DeviceErrors.h"
+
 #include <algorithm>
 
 namespace handwheel {
@@ -44,7 +46,7 @@ Result<DeviceCapabilities> OutOfProcessSession::waitForDevice(Progress progress)
     if (const auto* refused = std::get_if<guard::Refused>(&*message)) return refused->error;
     if (const auto* opened = std::get_if<guard::Opened>(&*message)) return opened->capabilities;
   }
-  return Error{ErrorCode::DeviceUnreachable, {"the process that guards its motors has ended"}, {}, m_name};
+  return Error{DeviceError::Unreachable, {"the process that guards its motors has ended"}, {}, m_name};
 }
 
 // An answer that came late is that to a force before, and passed over.

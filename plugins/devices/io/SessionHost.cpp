@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "io/SessionHost.h"
 
+#include "haptics/device/DeviceErrors.h"
+
 #include <chrono>
 #include <future>
 
@@ -26,7 +28,7 @@ bool SessionHost::waitForOpen() {
   if (!m_open || m_isLeft) return false;
   if (m_open->version == kVersion) return true;
   const auto text = [](std::uint32_t version) { return std::to_string(version); };
-  send(Refused{{ErrorCode::PluginVersion, {text(m_open->version), text(kVersion)}, {}, {}}});
+  send(Refused{{DeviceError::PluginVersion, {text(m_open->version), text(kVersion)}, {}, {}}});
   return false;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "openhaptics/HdSession.h"
 
+#include "haptics/device/DeviceErrors.h"
 #include "io/Capabilities.h"
 #include "openhaptics/Driver.h"
 
@@ -62,7 +63,7 @@ Status HdSession::open(Progress progress) {
 
 Error HdSession::refusal(const HDErrorInfo& error) const {
   const char* const reason = hdGetErrorString(error.errorCode);
-  return {ErrorCode::DeviceUnreachable, {reason ? reason : ""}, {}, "OpenHaptics"};
+  return {DeviceError::Unreachable, {reason ? reason : ""}, {}, "OpenHaptics"};
 }
 
 // What the device does not say is as a Touch has it.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "polhem/Session.h"
 
+#include "haptics/device/DeviceErrors.h"
 #include "io/Capabilities.h"
 
 #include <algorithm>
@@ -46,8 +47,8 @@ Status Session::open(Progress progress) {
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
     if (send(Vec3::Zero()) && receive(kWakeTime)) return Done{};
   }
-  if (m_stream) return Error{ErrorCode::DeviceNotResponding, {"where it is"}, {}, "Polhem"};
-  return Error{ErrorCode::DeviceUnreachable, {"unplugged"}, {}, "Polhem"};
+  if (m_stream) return Error{DeviceError::NotResponding, {"where it is"}, {}, "Polhem"};
+  return Error{DeviceError::Unreachable, {"unplugged"}, {}, "Polhem"};
 }
 
 DeviceState Session::exchange(const DeviceForce& force) noexcept {

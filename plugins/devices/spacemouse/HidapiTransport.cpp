@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spacemouse/HidapiTransport.h"
 
+#include "haptics/device/DeviceErrors.h"
 #include "spacemouse/Models.h"
 
 #include <hidapi.h>
@@ -62,7 +63,7 @@ std::vector<Hid::Entry> findAll() {
 
 Result<std::unique_ptr<HidTransport>> openPath(const std::string& path) {
   hid_device* const device = hid_open_path(path.c_str());
-  if (!device) return Error{ErrorCode::DeviceUnreachable, {ascii(hid_error(nullptr))}, {}, path};
+  if (!device) return Error{DeviceError::Unreachable, {ascii(hid_error(nullptr))}, {}, path};
   return std::unique_ptr<HidTransport>(std::make_unique<HidapiTransport>(device));
 }
 

@@ -81,8 +81,8 @@ void FidelityRegistryTest::chosenValuesAsText() {
 
 void FidelityRegistryTest::wrongChoices_data() {
   QTest::addColumn<QByteArray>("text");
-  QTest::addColumn<int>("code");
-  const int missing = int(ErrorCode::ReferenceMissing), malformed = int(ErrorCode::NumberMalformed);
+  QTest::addColumn<ErrorCode>("code");
+  const ErrorCode missing = ErrorCode::ReferenceMissing, malformed = ErrorCode::NumberMalformed;
   QTest::newRow("no such preset") << QByteArray("fast") << missing;
   QTest::newRow("preset not first") << QByteArray("nurbs.chord_mm=0.1,draft") << missing;
   QTest::newRow("no such setting") << QByteArray("draft,nurbs.chord=0.1") << missing;
@@ -90,15 +90,15 @@ void FidelityRegistryTest::wrongChoices_data() {
   QTest::newRow("no value") << QByteArray("nurbs.chord_mm") << malformed;
   QTest::newRow("empty value") << QByteArray("nurbs.chord_mm=") << malformed;
   QTest::newRow("unit") << QByteArray("nurbs.chord_mm=0.1mm") << malformed;
-  QTest::newRow("outside") << QByteArray("nurbs.chord_mm=7") << int(ErrorCode::ValueOutOfRange);
+  QTest::newRow("outside") << QByteArray("nurbs.chord_mm=7") << ErrorCode(ErrorCode::ValueOutOfRange);
 }
 
 void FidelityRegistryTest::wrongChoices() {
   QFETCH(QByteArray, text);
-  QFETCH(int, code);
+  QFETCH(ErrorCode, code);
   const Result<FidelityValues> read = readValues(twoSettings(), text.toStdString());
   QVERIFY(!read);
-  QCOMPARE(int(read.error().code), code);
+  QCOMPARE(read.error().code, code);
 }
 
 HANDWHEEL_TEST(FidelityRegistryTest)

@@ -15,6 +15,11 @@ Result<int> half(int n) {
   return n / 2;
 }
 
+const ErrorDescription kBent{.id = "Bent"};
+const ErrorDescription kTwin{.id = "Bent"};
+constexpr ErrorCode kCode = kBent;  // a constant wherever its texts are
+static_assert(kCode == kBent && !(kCode == kTwin));
+
 }  // namespace
 
 class ResultTest : public QObject {
@@ -23,6 +28,7 @@ class ResultTest : public QObject {
  private slots:
   void value();
   void error();
+  void codes();
   void movesOut();
   void done();
 };
@@ -41,9 +47,20 @@ void ResultTest::error() {
   QVERIFY(!r);
   QVERIFY(r.error().code == ErrorCode::NumberMalformed);
   QCOMPARE(r.error().arguments, std::vector<std::string>({"7"}));
-  QVERIFY(r.error().place.kind == InputPosition::Kind::Line);
-  QCOMPARE(r.error().place.value, std::uint64_t{3});
+  QVERIFY(r.error().position.kind == InputPosition::Kind::Line);
+  QCOMPARE(r.error().position.value, std::uint64_t{3});
   QCOMPARE(r.error().subject, std::string("numbers.txt"));
+}
+
+// A code is compared by what it is, not by its name, and is Cancelled unless it is said.
+void ResultTest::codes() {
+  ErrorCode code;
+  QVERIFY(code == ErrorCode::Cancelled);
+  QVERIFY(Error().code == code);
+  code = kBent;
+  const ErrorCode copy = code;
+  QVERIFY(copy == kBent && copy != kTwin && copy != ErrorCode::Cancelled);
+  QCOMPARE(copy->id, "Bent");
 }
 
 void ResultTest::movesOut() {

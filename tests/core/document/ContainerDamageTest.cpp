@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ContainerChecks.h"
 #include "TestClass.h"
+#include "document/container/ArchiveErrors.h"
 
 #include <QTest>
 #include <random>
@@ -154,7 +155,7 @@ class ContainerDamageTest : public QObject {
     QVERIFY(read);
     QCOMPARE(read->container.blobs.at("a"), "abc");
     QCOMPARE(read->damage.size(), std::size_t{1});
-    QVERIFY(read->damage[0].code == ErrorCode::ArchiveMalformed);
+    QVERIFY(read->damage[0].code == ArchiveError::Malformed);
   }
 
   // A listed blob that is not there, and one that is another than the manifest says.
@@ -169,9 +170,9 @@ class ContainerDamageTest : public QObject {
     QVERIFY(read);
     QVERIFY(read->container.blobs.empty());
     QCOMPARE(read->damage.size(), std::size_t{3});
-    QVERIFY(read->damage[0].code == ErrorCode::EntryMissing && read->damage[0].arguments[0] == "gone");
-    QVERIFY(read->damage[1].code == ErrorCode::EntryDamaged && read->damage[1].arguments[0] == "other");
-    QVERIFY(read->damage[2].code == ErrorCode::EntryDamaged && read->damage[2].arguments[0] == "short");
+    QVERIFY(read->damage[0].code == ArchiveError::EntryMissing && read->damage[0].arguments[0] == "gone");
+    QVERIFY(read->damage[1].code == ArchiveError::EntryDamaged && read->damage[1].arguments[0] == "other");
+    QVERIFY(read->damage[2].code == ArchiveError::EntryDamaged && read->damage[2].arguments[0] == "short");
   }
 
   // Archivers that write to a pipe put sizes behind the data.

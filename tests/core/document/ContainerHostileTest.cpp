@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ContainerChecks.h"
 #include "TestClass.h"
+#include "document/container/ArchiveErrors.h"
 #include "document/container/JsonText.h"
 #include "document/container/LocalEntries.h"
 #include "document/container/ZipReader.h"
@@ -32,9 +33,9 @@ class ContainerHostileTest : public QObject {
  private slots:
   void manifests_data() {
     QTest::addColumn<QByteArray>("manifest");
-    QTest::addColumn<int>("code");
+    QTest::addColumn<ErrorCode>("code");
     const auto row = [](const char* name, const QByteArray& manifest, ErrorCode code) {
-      QTest::newRow(name) << manifest << static_cast<int>(code);
+      QTest::newRow(name) << manifest << code;
     };
     row("empty", "", ErrorCode::ElementMalformed);
     row("no JSON", "{\"a\": ", ErrorCode::ElementMalformed);
@@ -53,8 +54,8 @@ class ContainerHostileTest : public QObject {
 
   void manifests() {
     QFETCH(QByteArray, manifest);
-    QFETCH(int, code);
-    QCOMPARE(static_cast<int>(codeOf(withManifest(manifest.toStdString()))), code);
+    QFETCH(ErrorCode, code);
+    QCOMPARE(codeOf(withManifest(manifest.toStdString())), code);
   }
 
   void nestingHasALimit() {
@@ -65,10 +66,10 @@ class ContainerHostileTest : public QObject {
 
   void noArchiveAtAll() {
     QVERIFY(codeOf("") == ErrorCode::FileEmpty);
-    QVERIFY(codeOf("hello") == ErrorCode::ArchiveMalformed);
-    QVERIFY(codeOf("PK\3\4") == ErrorCode::ArchiveMalformed);
-    QVERIFY(codeOf(HandmadeZip().bytes()) == ErrorCode::EntryMissing);
-    QVERIFY(codeOf(HandmadeZip().add(HandmadeZip::stored("a", "b")).bytes()) == ErrorCode::EntryMissing);
+    QVERIFY(codeOf("hello") == ArchiveError::Malformed);
+    QVERIFY(codeOf("PK\3\4") == ArchiveError::Malformed);
+    QVERIFY(codeOf(HandmadeZip().bytes()) == ArchiveError::EntryMissing);
+    QVERIFY(codeOf(HandmadeZip().add(HandmadeZip::stored("a", "b")).bytes()) == ArchiveError::EntryMissing);
   }
 
   void namesThatLeadElsewhere() {
@@ -79,7 +80,7 @@ class ContainerHostileTest : public QObject {
                                     .bytes();
       const auto read = readContainer(bytes);
       QVERIFY2(read && read->container.blobs.empty() && read->damage.size() == 1, name);
-      QVERIFY2(read->damage[0].code == ErrorCode::EntryDamaged, name);
+      QVERIFY2(read->damage[0].code == ArchiveError::EntryDamaged, name);
     }
   }
 
@@ -122,7 +123,7 @@ class ContainerHostileTest : public QObject {
     QVERIFY(read);
     QCOMPARE(read->container.blobs.at("a"), "first");
     QCOMPARE(read->damage.size(), std::size_t{1});
-    QVERIFY(read->damage[0].code == ErrorCode::EntryDamaged);
+    QVERIFY(read->damage[0].code == ArchiveError::EntryDamaged);
   }
 
   // Sizes that ask for 64 bits, and a directory that counts more entries than it has.
@@ -163,7 +164,7 @@ class ContainerHostileTest : public QObject {
 
     const std::string lost = HandmadeZip().add(bomb).withoutDirectory();
     const auto salvaged = ZipReader(lost, kSmall).read("bomb");
-    QVERIFY(!salvaged && salvaged.error().code == ErrorCode::EntryDamaged);
+    QVERIFY(!salvaged && salvaged.error().code == ArchiveError::EntryDamaged);
   }
 
   // A thousand entries over the same bytes: each is small, together they are not.
@@ -201,7 +202,7 @@ class ContainerHostileTest : public QObject {
     for (const std::string& name : reader.names()) {
       const auto bytes = reader.read(name);
       QVERIFY(!bytes);
-      damaged += bytes.error().code == ErrorCode::EntryDamaged;
+      damaged += bytes.error().code == ArchiveError::EntryDamaged;
       refused += bytes.error().code == ErrorCode::FileTooLarge;
     }
     QVERIFY(damaged > 0 && refused > 0);
@@ -224,7 +225,7 @@ class ContainerHostileTest : public QObject {
     QCOMPARE(work, std::uint64_t{0});
     QVERIFY(unpacked <= 100u << 20);
     const auto read = ZipReader(archive, {.largest = 1 << 30, .allowance = 1 << 20}).read("a");
-    QVERIFY(!read && read.error().code == ErrorCode::EntryDamaged);
+    QVERIFY(!read && read.error().code == ArchiveError::EntryDamaged);
   }
 
   void tooManyEntries() {

@@ -4,6 +4,7 @@
 #include "TestClass.h"
 #include "document/AtomicFile.h"
 #include "document/Document.h"
+#include "document/DocumentErrors.h"
 #include "document/DocumentKind.h"
 #include "document/FileBytes.h"
 
@@ -31,10 +32,10 @@ class TableKind : public DocumentKind {
   std::vector<FileFormat> formats() const override { return {}; }
   bool recognises(std::string_view, std::string_view) const override { return false; }
   Result<OpenedFile> import(const std::filesystem::path&, const ReadOptions&, Progress) const override {
-    return Error{ErrorCode::FormatUnknown, {}, {}, {}};
+    return Error{DocumentError::FormatUnknown, {}, {}, {}};
   }
   Result<WrittenFile> exportTo(const Snapshot&, const std::filesystem::path&, Progress) const override {
-    return Error{ErrorCode::ExtensionUnknown, {}, {}, {}};
+    return Error{DocumentError::ExtensionUnknown, {}, {}, {}};
   }
   void save(const Snapshot& content, Container& container) const override {
     json& entries = (*container.manifest)["document"]["entries"] = json::object();

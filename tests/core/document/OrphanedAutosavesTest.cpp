@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "RecoveryChecks.h"
 #include "TestClass.h"
+#include "document/container/ArchiveErrors.h"
 
 #include <rapidcheck.h>
 #include <chrono>
@@ -85,7 +86,7 @@ class OrphanedAutosavesTest : public QObject {
         QVERIFY(leftover.info == (contentOf(leftover) == "3" ? kInfo : AutosaveInfo()));
       QCOMPARE(leftovers.skipped().size(), std::size_t{2});
       for (const Error& error : leftovers.skipped()) {
-        QVERIFY(error.code == ErrorCode::EntryDamaged);
+        QVERIFY(error.code == ArchiveError::EntryDamaged);
         QVERIFY(std::filesystem::exists(error.subject));
       }
     }

@@ -33,7 +33,7 @@ inline std::string limit(double lower, double upper) {
 
 inline ReadRobot readOrThrow(const std::string& urdf) {
   Result<ReadRobot> read = readUrdf(urdf);
-  if (!read) throw std::runtime_error("not read: error " + std::to_string(int(read.error().code)));
+  if (!read) throw std::runtime_error("not read: error " + std::string(read.error().code->id));
   return std::move(read).value();
 }
 

@@ -35,7 +35,7 @@ void UrdfRefusalTest::refused_data() {
   const auto row = [](const char* name, const std::string& text, ErrorCode code) {
     QTest::newRow(name) << QString::fromStdString(text) << code;
   };
-  const auto kMalformed = ErrorCode::ElementMalformed;
+  const ErrorCode kMalformed = ErrorCode::ElementMalformed;
   row("no XML", "solid part", kMalformed);
   row("something else", "<html/>", kMalformed);
   row("empty", robotOf(""), kMalformed);
@@ -98,14 +98,14 @@ void UrdfRefusalTest::linesOfErrors() {
   const auto read = readUrdf("<robot>\n<link name='a'/>\n<link name='b'/>\n\n" +
                              joint("j", "revolute", "a", "b", "\n<axis xyz='0 0 oops'/>") + "</robot>");
   QVERIFY(!read);
-  QCOMPARE(read.error().place.value, std::uint64_t{6});
+  QCOMPARE(read.error().position.value, std::uint64_t{6});
   QCOMPARE(read.error().arguments, std::vector<std::string>{"oops"});
   const auto roots = readUrdf("<robot>\n<link name='a'/>\n<link name='b'/>\n</robot>");
-  QCOMPARE(roots.error().place.value, std::uint64_t{3});
+  QCOMPARE(roots.error().position.value, std::uint64_t{3});
   const auto ring = readUrdf("<robot>\n" + kUrdfRefusalAB + link("c") + joint("i", "fixed", "b", "c") +
                              joint("j", "fixed", "a", "b") + joint("k", "fixed", "b", "a") + "</robot>");
   QCOMPARE(ring.error().code, ErrorCode::ElementMalformed);
-  QVERIFY(ring.error().place.value == 3 || ring.error().place.value == 4);  // i only hangs on it
+  QVERIFY(ring.error().position.value == 3 || ring.error().position.value == 4);  // i only hangs on it
 }
 
 HANDWHEEL_TEST(UrdfRefusalTest)

@@ -81,7 +81,7 @@ void UrdfShapesTest::damagedShapesAreLeftOut() {
   const ReadRobot read = readOrThrow(robotOf(link("a", "<visual>" + visual.toStdString() + "</visual>" + good)));
   QCOMPARE(read.robot.links[0].visuals.size(), std::size_t{1});
   QCOMPARE(read.damage.size(), std::size_t{1});
-  QVERIFY(read.damage[0].place.kind == InputPosition::Kind::Line);
+  QVERIFY(read.damage[0].position.kind == InputPosition::Kind::Line);
 }
 
 HANDWHEEL_TEST(UrdfShapesTest)

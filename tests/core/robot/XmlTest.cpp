@@ -74,8 +74,8 @@ void XmlTest::malformedHasALine() {
     QCOMPARE(codeOf(text), ErrorCode::ElementMalformed);
   const auto root = readXml("<a>\n<b>\n</a>", {});
   QVERIFY(!root);
-  QVERIFY(root.error().place.kind == InputPosition::Kind::Line);
-  QCOMPARE(root.error().place.value, std::uint64_t{3});
+  QVERIFY(root.error().position.kind == InputPosition::Kind::Line);
+  QCOMPARE(root.error().position.value, std::uint64_t{3});
 }
 
 void XmlTest::limits() {

@@ -5,6 +5,7 @@
 #include "controls/ContextAction.h"
 #include "controls/ShortcutEditor.h"
 #include "controls/ShortcutModel.h"
+#include "document/DocumentErrors.h"
 
 #include <rapidcheck.h>
 
@@ -224,11 +225,11 @@ void ShortcutTest::randomChangesSurviveTheFile() {
 }
 
 void ShortcutTest::hostileFiles() {
-  QCOMPARE(codeOf(""), ErrorCode::FormatUnknown);
-  QCOMPARE(codeOf("[1,2]"), ErrorCode::FormatUnknown);
-  QCOMPARE(codeOf(QByteArray(100000, '[')), ErrorCode::FormatUnknown);
-  QCOMPARE(codeOf(R"({"format":"other"})"), ErrorCode::FormatUnknown);
-  QCOMPARE(codeOf("{\"format\":\"handwheel-shortcuts\xff\"}"), ErrorCode::FormatUnknown);
+  QCOMPARE(codeOf(""), DocumentError::FormatUnknown);
+  QCOMPARE(codeOf("[1,2]"), DocumentError::FormatUnknown);
+  QCOMPARE(codeOf(QByteArray(100000, '[')), DocumentError::FormatUnknown);
+  QCOMPARE(codeOf(R"({"format":"other"})"), DocumentError::FormatUnknown);
+  QCOMPARE(codeOf("{\"format\":\"handwheel-shortcuts\xff\"}"), DocumentError::FormatUnknown);
   QCOMPARE(codeOf(QByteArray(kLargestShortcutFile + 1, ' ')), ErrorCode::FileTooLarge);
   QCOMPARE(codeOf(R"({"format":"handwheel-shortcuts"})"), ErrorCode::ElementMalformed);
   QCOMPARE(codeOf(R"({"format":"handwheel-shortcuts","version":2,"shortcuts":{}})"), ErrorCode::VersionNewer);

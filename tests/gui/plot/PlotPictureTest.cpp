@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TestClass.h"
+#include "document/DocumentErrors.h"
 #include "plot/PlotExport.h"
 #include "plot/PlotLayout.h"
 
@@ -199,7 +200,7 @@ void PlotPictureTest::files() {
   QVERIFY2(ratio > 0.8 && ratio < 1.25, qPrintable(QString::number(ratio)));
 
   const Status wrongEnding = exportPlots(plots, folder.filePath("a.bmp"), kSize, ThemeKind::Light);
-  QVERIFY(!wrongEnding && wrongEnding.error().code == ErrorCode::ExtensionUnknown);
+  QVERIFY(!wrongEnding && wrongEnding.error().code == DocumentError::ExtensionUnknown);
   const Status noFolder = exportPlots(plots, folder.filePath("none/a.png"), kSize, ThemeKind::Light);
   QVERIFY(!noFolder && noFolder.error().code == ErrorCode::WriteFailed);
 

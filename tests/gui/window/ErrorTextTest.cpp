@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TestClass.h"
+#include "document/DocumentErrors.h"
+#include "document/formats/MeshFileErrors.h"
 #include "text/EnglishPlurals.h"
 #include "text/ErrorText.h"
 #include "text/RepairText.h"
@@ -9,31 +11,47 @@
 
 using namespace handwheel;
 
+namespace {
+
+const ErrorDescription kBent{.id = "Bent",
+                             .sentences = {"the %2 of %1 is bent", "%1 is bent", "something is bent"},
+                             .advice = {"Straighten %1.", "Straighten it."}};
+
+}  // namespace
+
 class ErrorTextTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void everyCodeHasASentence() {
-    for (int code = 0; code <= int(ErrorCode::LibraryFailed); ++code) {
-      const Error error{ErrorCode(code), {"facets", "12", "9"}, InputPosition::line(7), "scan.stl"};
-      const QString sentence = errorSentence(error);
-      QVERIFY2(sentence.startsWith("scan.stl, line 7: "), qPrintable(sentence));
-      QVERIFY2(sentence.endsWith('.') && !sentence.contains('%'), qPrintable(sentence));
-      QVERIFY2(error.code == ErrorCode::Cancelled || errorAdvice(error).endsWith('.'), qPrintable(sentence));
-    }
+  void aCodeBringsItsOwnTexts() {
+    const auto said = [](std::vector<std::string> arguments) {
+      const Error error{kBent, std::move(arguments), InputPosition::line(7), "a.txt"};
+      return errorSentence(error) + " " + errorAdvice(error);
+    };
+    QCOMPARE(said({"rod", "end"}), "a.txt, line 7: the end of rod is bent. Straighten rod.");
+    QCOMPARE(said({"rod", ""}), "a.txt, line 7: rod is bent. Straighten rod.");
+    QCOMPARE(said({"", "end"}), "a.txt, line 7: something is bent. Straighten it.");
+    QCOMPARE(said({}), said({"", ""}));
+    QCOMPARE(said({"100 %2", "%1"}), "a.txt, line 7: the %1 of 100 %2 is bent. Straighten 100 %2.");
+    QCOMPARE(errorAdvice({ErrorCode::Cancelled, {}, {}, {}}), "");
   }
 
   void whatIsNotKnownIsLeftOut() {
     const Error truncated{ErrorCode::DataTruncated, {"bytes", "", "84"}, InputPosition::byte(84), {}};
     QCOMPARE(errorSentence(truncated), "Byte 84: the file ends too early (bytes: 84 found).");
+    const Error tooLarge{ErrorCode::FileTooLarge, {"facets", "", "100"}, {}, {}};
+    QCOMPARE(errorSentence(tooLarge), "The file is too large (more than 100 facets).");
+    QCOMPARE(errorSentence({MeshFileError::TokenUnexpected, {"a number", ""}, {}, {}}),
+             "A number was expected, but nothing follows.");
+    QCOMPARE(errorSentence({MeshFileError::TokenUnexpected, {"", "x"}, {}, {}}), "'x' makes no sense here.");
     QCOMPARE(errorSentence({ErrorCode::FileEmpty, {}, {}, {}}), "The file is empty.");
   }
 
   void endingsAreListed() {
-    QCOMPARE(errorAdvice({ErrorCode::ExtensionUnknown, {".x", ".stl", ".ply", ".step"}, {}, {}}),
+    QCOMPARE(errorAdvice({DocumentError::ExtensionUnknown, {".x", ".stl", ".ply", ".step"}, {}, {}}),
              "Use a name that ends in .stl, .ply or .step.");
-    QCOMPARE(errorAdvice({ErrorCode::ExtensionUnknown, {"", ".csv"}, {}, {}}), "Use a name that ends in .csv.");
-    QCOMPARE(errorAdvice({ErrorCode::FormatUnknown, {}, {}, {}}), "Choose another file.");  // of keys, for example
+    QCOMPARE(errorAdvice({DocumentError::ExtensionUnknown, {"", ".csv"}, {}, {}}), "Use a name that ends in .csv.");
+    QCOMPARE(errorAdvice({DocumentError::FormatUnknown, {}, {}, {}}), "Choose another file.");  // of keys, for example
   }
 
   void quotesAreShortAndHarmless() {

@@ -66,6 +66,14 @@ class GlobeDocument : public Document {
   SnapshotPointer m_content;
 };
 
+// The code of an error of its own.
+namespace GlobeError {
+
+inline constexpr ErrorDescription Flat{
+    .id = "GlobeFlat", .sentences = {"a globe of radius %1 is flat"}, .advice = {"Blow it up."}};  // {radius}
+
+}  // namespace GlobeError
+
 // Its foreign format is a line: "globe 10".
 class GlobeKind : public DocumentKind {
  public:
@@ -78,6 +86,7 @@ class GlobeKind : public DocumentKind {
     std::string word;
     double radius = 0.0;
     stream >> word >> radius;
+    if (!(radius > 0.0)) return Error{GlobeError::Flat, {shortestText(radius)}, {}, path.string()};
     OpenedFile opened;
     opened.kind = this;
     opened.content = globe(radius);

@@ -128,6 +128,13 @@ class KindsTest : public QObject {
     QFile written(folder.filePath("other.globe"));
     QVERIFY(written.open(QIODevice::ReadOnly));
     QCOMPARE(written.readAll(), QByteArray("globe 25\n"));
+    written.close();
+
+    QVERIFY(written.open(QIODevice::WriteOnly) && written.write("globe -1\n") > 0);
+    written.close();
+    QVERIFY(second.open(written.fileName()));
+    QVERIFY2(second.text("messageText").contains("A globe of radius -1 is flat.<br>Blow it up."),
+             qPrintable(second.text("messageText")));
 
     WindowDriver without;  // says so, and keeps its hands off
     QVERIFY(without.open(path));

@@ -3,6 +3,7 @@
 #include "document/formats/off/OffReader.h"
 
 #include "document/formats/MeshAssembly.h"
+#include "document/formats/MeshFileErrors.h"
 #include "document/formats/TextNumber.h"
 #include "document/formats/off/OffBinaryReader.h"
 #include "document/formats/off/OffHeader.h"
@@ -55,7 +56,7 @@ class TextReader {
     Error error;
     bool good = readPoint(m_scanner, NumberType::Float64, point, error);
     const bool moreWords = !m_scanner.peek().empty();
-    const bool shortLine = !good && error.code == ErrorCode::TokenUnexpected;
+    const bool shortLine = !good && error.code == MeshFileError::TokenUnexpected;
     if ((moreWords || shortLine) && verticesRunOn(start)) {
       m_scanner = start;
       good = readPoint(m_scanner, NumberType::Float64, point, error, Words::OfAnyLine);
@@ -172,7 +173,7 @@ Result<MeshFile> readOff(std::string_view bytes, const ReadOptions& options, Pro
     return TextReader(bytes, start, {}, options, progress).read();
   }
   if (keyword->otherDimension)
-    return Error{ErrorCode::TypeUnknown, {std::string(first.substr(0, keyword->length))}, scanner.place(), {}};
+    return Error{MeshFileError::TypeUnknown, {std::string(first.substr(0, keyword->length))}, scanner.place(), {}};
   scanner.stepBack(first.size() - keyword->length);
   if (scanner.peek() != "BINARY") return TextReader(bytes, scanner, *keyword, options, progress).read();
   return readBinaryOff(bytes, scanner.position(), *keyword, options, progress);

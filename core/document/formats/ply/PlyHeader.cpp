@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/formats/ply/PlyHeader.h"
 
+#include "document/formats/MeshFileErrors.h"
 #include "document/formats/TextNumber.h"
 
 #include <algorithm>
@@ -61,7 +62,7 @@ class HeaderParser {
     else if (word == "binary_big_endian")
       m_header.encoding = PlyEncoding::BigEndian;
     else
-      return fail(wordError(ErrorCode::TypeUnknown, word, m_scanner.place()));
+      return fail(wordError(MeshFileError::TypeUnknown, word, m_scanner.place()));
     m_formatKnown = true;
     return true;
   }
@@ -93,7 +94,7 @@ class HeaderParser {
   bool readType(std::string_view word, PlyType& type) {
     const auto* found = std::find_if(std::begin(kTypeNames), std::end(kTypeNames),
                                      [&](const TypeName& known) { return known.name == word; });
-    if (found == std::end(kTypeNames)) return fail(wordError(ErrorCode::TypeUnknown, word, m_scanner.place()));
+    if (found == std::end(kTypeNames)) return fail(wordError(MeshFileError::TypeUnknown, word, m_scanner.place()));
     type = found->type;
     return true;
   }

@@ -3,6 +3,7 @@
 #include "document/formats/ply/PlyReader.h"
 
 #include "document/formats/MeshAssembly.h"
+#include "document/formats/MeshFileErrors.h"
 #include "document/formats/ply/PlyLayout.h"
 #include "document/formats/ply/PlyRows.h"
 
@@ -47,7 +48,7 @@ class BodyReader {
       const bool isThere = m_rows.begin();
       const RowState state = isThere ? readRow(layout) : RowState::Ended;
       if (state == RowState::Ended) {
-        const bool isRefused = isThere && m_rows.error().code == ErrorCode::TokenUnexpected;
+        const bool isRefused = isThere && m_rows.error().code == MeshFileError::TokenUnexpected;
         m_assembly.tolerate(isRefused ? m_rows.error()
                                       : Error{ErrorCode::DataTruncated,
                                               {layout.rowsName, std::to_string(element.count), std::to_string(i)},
@@ -79,7 +80,8 @@ class BodyReader {
     const InputPosition place = m_rows.place();
     std::int64_t count = 0;
     if (const RowState state = m_rows.integer(*field.countType, count); state != RowState::Good) return state;
-    if (count < 0) return m_rows.refuse({ErrorCode::TokenUnexpected, {"a count", std::to_string(count)}, place, {}});
+    if (count < 0)
+      return m_rows.refuse({MeshFileError::TokenUnexpected, {"a count", std::to_string(count)}, place, {}});
     if (field.role == PlyField::Role::Skipped) return m_rows.skip(field.type, static_cast<std::uint64_t>(count));
     for (std::int64_t i = 0; i < count; ++i) {
       std::int64_t corner = 0;

@@ -3,6 +3,7 @@
 #include "document/formats/ply/PlyRows.h"
 
 #include "document/formats/ByteOrder.h"
+#include "document/formats/MeshFileErrors.h"
 #include "document/formats/TextNumber.h"
 
 #include <cmath>
@@ -98,7 +99,7 @@ RowState PlyBinaryRows::integer(PlyType type, std::int64_t& value) {
   if (number(type, real) != RowState::Good) return RowState::Ended;
   constexpr double kExact = 9007199254740992.0;  // 2^53
   if (!(std::abs(real) <= kExact) || real != std::trunc(real))
-    return refuse({ErrorCode::TokenUnexpected, {"a whole number", std::to_string(real)}, start, {}});
+    return refuse({MeshFileError::TokenUnexpected, {"a whole number", std::to_string(real)}, start, {}});
   value = static_cast<std::int64_t>(real);
   return RowState::Good;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/formats/threemf/ThreeMfModelReader.h"
 
+#include "document/formats/MeshFileErrors.h"
 #include "document/formats/TextNumber.h"
 #include "document/formats/threemf/ThreeMfVocabulary.h"
 #include "document/formats/threemf/XmlText.h"
@@ -59,7 +60,7 @@ class ModelReader {
       m_xml.readNext();
       if (!m_assembly.advance(m_begin + static_cast<std::uint64_t>(m_buffer.pos()))) return false;
       if (m_xml.isStartDocument() && !isUtf8(m_xml.documentEncoding()))
-        return m_assembly.fail({ErrorCode::TextEncoding, {asciiOf(m_xml.documentEncoding())}, {}, m_partName});
+        return m_assembly.fail({MeshFileError::TextEncoding, {asciiOf(m_xml.documentEncoding())}, {}, m_partName});
       if (m_xml.isStartElement() && !enter()) return false;
       if (m_xml.isEndElement() && !leave()) return false;
     }
@@ -189,9 +190,9 @@ class ModelReader {
       const std::uint32_t v = triangle[k];
       if (v >= mesh.points.size())
         return tolerate(
-            {ErrorCode::IndexOutOfRange, {std::to_string(v), std::to_string(mesh.points.size())}, place(), {}});
+            {MeshFileError::IndexOutOfRange, {std::to_string(v), std::to_string(mesh.points.size())}, place(), {}});
       if (m_unreadable > 0 && std::isnan(mesh.points[v].x()))
-        return tolerate({ErrorCode::VertexUnreadable, {std::to_string(v)}, place(), {}});
+        return tolerate({MeshFileError::VertexUnreadable, {std::to_string(v)}, place(), {}});
     }
     if (m_attributes.size() > 3) m_assembly.lose(LostAttribute::Materials);
     mesh.triangles.push_back(triangle);

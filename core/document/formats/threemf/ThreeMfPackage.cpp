@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/formats/threemf/ThreeMfPackage.h"
 
+#include "document/container/ArchiveErrors.h"
 #include "document/formats/threemf/XmlText.h"
 
 #include <algorithm>
@@ -68,7 +69,7 @@ bool ThreeMfPackage::readBytes(const std::string& name, std::string& bytes) {
     return true;
   }
   const ErrorCode code = read.error().code;
-  if (code != ErrorCode::EntryDamaged && code != ErrorCode::EntryMissing) return m_assembly.fail(read.error());
+  if (code != ArchiveError::EntryDamaged && code != ArchiveError::EntryMissing) return m_assembly.fail(read.error());
   if (!m_assembly.tolerate(read.error())) return false;
   bytes = m_zip.readDamaged(name);
   return true;
@@ -84,7 +85,7 @@ bool ThreeMfPackage::read(const std::string& name, std::string& text) {
 
 bool ThreeMfPackage::findModel(std::string& name) {
   if (!m_zip.directoryProblem().empty() &&
-      !m_assembly.tolerate({ErrorCode::ArchiveMalformed, {m_zip.directoryProblem()}, {}, {}}))
+      !m_assembly.tolerate({ArchiveError::Malformed, {m_zip.directoryProblem()}, {}, {}}))
     return false;
   std::string relationships;
   const std::string entry = entryFor(kRelationshipsEntry);
@@ -95,7 +96,7 @@ bool ThreeMfPackage::findModel(std::string& name) {
   name = entryFor(kUsualModel);
   const auto model = std::find_if(m_zip.names().begin(), m_zip.names().end(), isModel);
   if (name.empty() && model != m_zip.names().end()) name = *model;
-  return !name.empty() || m_assembly.fail({ErrorCode::EntryMissing, {kUsualModel}, {}, {}});
+  return !name.empty() || m_assembly.fail({ArchiveError::EntryMissing, {kUsualModel}, {}, {}});
 }
 
 }  // namespace handwheel

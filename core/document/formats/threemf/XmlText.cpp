@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/formats/threemf/XmlText.h"
 
+#include "document/formats/MeshFileErrors.h"
 #include "mesh/structure/CancelPolling.h"
 
 #include <algorithm>
@@ -55,7 +56,7 @@ std::optional<Error> pass(std::string_view text, std::size_t& at) {
 std::optional<Error> objectionToXml(std::string_view text, const Progress& progress) {
   if (text.substr(0, 4).find('\0') != std::string_view::npos || text.starts_with("\xfe\xff") ||
       text.starts_with("\xff\xfe")) {
-    return Error{ErrorCode::TextEncoding, {"UTF-16"}, {}, {}};
+    return Error{MeshFileError::TextEncoding, {"UTF-16"}, {}, {}};
   }
   std::size_t marks = 0;
   for (std::size_t at = 0; at < text.size();) {

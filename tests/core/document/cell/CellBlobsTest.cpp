@@ -4,6 +4,7 @@
 
 #include "Cells.h"
 #include "TestClass.h"
+#include "document/container/ArchiveErrors.h"
 
 #include <rapidcheck.h>
 #include <QTest>
@@ -90,7 +91,7 @@ void CellBlobsTest::lostBlobs() {
         QVERIFY(!cell);
       } else {
         QVERIFY2(cell && !damage.empty(), name.c_str());
-        QCOMPARE(damage[0].code, ErrorCode::EntryDamaged);
+        QCOMPARE(damage[0].code, ArchiveError::EntryDamaged);
       }
     }
   }

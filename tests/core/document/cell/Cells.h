@@ -61,7 +61,7 @@ inline const RobotCellKind kKind;
 
 inline OpenedFile importOrThrow(const QString& path) {
   Result<OpenedFile> opened = kKind.import(path.toStdString(), {}, {});
-  if (!opened) throw std::runtime_error("not opened: error " + std::to_string(int(opened.error().code)));
+  if (!opened) throw std::runtime_error("not opened: error " + std::string(opened.error().code->id));
   return std::move(opened).value();
 }
 

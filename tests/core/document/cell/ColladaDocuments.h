@@ -37,7 +37,7 @@ inline std::string document(const std::string& inside, const std::string& asset 
 
 inline ColladaMesh readOrThrow(const std::string& bytes) {
   Result<ColladaMesh> mesh = readCollada(bytes);
-  if (!mesh) throw std::runtime_error("not read: error " + std::to_string(int(mesh.error().code)));
+  if (!mesh) throw std::runtime_error("not read: error " + std::string(mesh.error().code->id));
   return std::move(mesh).value();
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ColladaDocuments.h"
 #include "TestClass.h"
+#include "mesh/structure/MeshErrors.h"
 
 #include <QTest>
 #include <clocale>
@@ -144,7 +145,7 @@ void ColladaReaderTest::damage() {
   const ColladaMesh mesh = readOrThrow(document(geometry(text.toStdString() + kTriangles) + scene()));
   QCOMPARE(mesh.soup.triangles.size(), std::size_t{1});
   QVERIFY(!mesh.damage.empty());
-  QVERIFY(mesh.damage[0].place.kind == InputPosition::Kind::Line);
+  QVERIFY(mesh.damage[0].position.kind == InputPosition::Kind::Line);
 }
 
 // What overflows the stack of others: a node that holds itself, and nodes that double at each step.
@@ -198,10 +199,10 @@ void ColladaReaderTest::fewBytesMuchWork() {
 }
 
 void ColladaReaderTest::nothingToSee() {
-  QCOMPARE(readCollada(document("")).error().code, ErrorCode::NoTriangles);
-  QCOMPARE(readCollada(document(geometry())).error().code, ErrorCode::NoTriangles);
+  QCOMPARE(readCollada(document("")).error().code, MeshError::NoTriangles);
+  QCOMPARE(readCollada(document(geometry())).error().code, MeshError::NoTriangles);
   QCOMPARE(readCollada(document(geometry() + scene("<node><instance_geometry url='#none'/></node>"))).error().code,
-           ErrorCode::NoTriangles);
+           MeshError::NoTriangles);
   QCOMPARE(readCollada("<robot/>").error().code, ErrorCode::ElementMalformed);
   QCOMPARE(readCollada("").error().code, ErrorCode::ElementMalformed);
   for (const char* metres : {"0", "-1", "nan", "inf", "x"}) {

@@ -3,7 +3,10 @@
 #include "Cells.h"
 
 #include "TestClass.h"
+#include "document/DocumentErrors.h"
 #include "document/cell/CellDisplay.h"
+#include "document/formats/MeshFileErrors.h"
+#include "mesh/structure/MeshErrors.h"
 
 #include <QTest>
 #include <cmath>
@@ -122,9 +125,9 @@ void RobotCellKindTest::damagedMeshes() {
   };
   QCOMPARE(damageOf("a.stl", "").code, ErrorCode::FileEmpty);
   QCOMPARE(damageOf("a.stl", "solid a\nfacet").subject.empty(), false);
-  QCOMPARE(damageOf("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 9\n").code, ErrorCode::IndexOutOfRange);
+  QCOMPARE(damageOf("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 9\n").code, MeshFileError::IndexOutOfRange);
   QCOMPARE(damageOf("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1e200 0\nf 1 2 3\n").code, ErrorCode::ValueOutOfRange);
-  QCOMPARE(damageOf("a.dae", "<COLLADA/>").code, ErrorCode::NoTriangles);
+  QCOMPARE(damageOf("a.dae", "<COLLADA/>").code, MeshError::NoTriangles);
   QCOMPARE(damageOf("a.dae", "<COLLADA>").code, ErrorCode::ElementMalformed);
 }
 
@@ -210,7 +213,7 @@ void RobotCellKindTest::exports() {
     QVERIFY(isNear(boxOf(back->soup), Vec3(-100, -100, -50), Vec3(150, 500, 50)));
   }
   QCOMPARE(kKind.exportTo(*moved, m_package.path("out.urdf").toStdString(), {}).error().code,
-           ErrorCode::ExtensionUnknown);
+           DocumentError::ExtensionUnknown);
   JobState state;
   state.cancelled = true;
   const QString path = m_package.path("cancelled.stl");

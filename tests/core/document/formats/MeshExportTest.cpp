@@ -3,6 +3,7 @@
 #include "document/formats/MeshExport.h"
 
 #include "TestClass.h"
+#include "document/DocumentErrors.h"
 #include "mesh/defects/MeshReport.h"
 #include "mesh/structure/MeshBuilder.h"
 
@@ -149,7 +150,7 @@ class MeshExportTest : public QObject {
   void unknownEnding() {
     const auto result = exportMesh(buildMesh(pairAtAnEdge(1)).mesh, NumberType::Float64, "a.docx");
     QVERIFY(!result);
-    QCOMPARE(result.error().code, ErrorCode::ExtensionUnknown);
+    QCOMPARE(result.error().code, DocumentError::ExtensionUnknown);
     QCOMPARE(result.error().arguments.at(0), std::string(".docx"));
   }
 

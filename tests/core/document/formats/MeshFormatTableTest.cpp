@@ -4,6 +4,7 @@
 
 #include "MeshShapes.h"
 #include "TestClass.h"
+#include "document/DocumentErrors.h"
 
 #include <QTest>
 #include <sstream>
@@ -84,7 +85,7 @@ class MeshFormatTableTest : public QObject {
     QCOMPARE(table.write(file->soup, cubes, NumberType::Float64), std::string("CUBES of 2"));
     const auto unknown = table.detect("what is that?", "a.txt");
     QVERIFY(!unknown);
-    QCOMPARE(unknown.error().code, ErrorCode::FormatUnknown);
+    QCOMPARE(unknown.error().code, DocumentError::FormatUnknown);
     QCOMPARE(unknown.error().arguments,
              std::vector<std::string>({".stl", ".ply", ".obj", ".off", ".3mf", ".cubes", ".cbs"}));
     // The others are recognised as ever.

@@ -78,7 +78,7 @@ class OffReaderTest : public QObject {
     row("count that is no number", "OFF\nx 1 0\n" + kBody, "TokenUnexpected(the number of vertices,x) line 2");
     row("no faces", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", "NoTriangles");
     row("count beyond the file", "OFF\n353535235358 1 0\n" + kBody, "DataTruncated(vertices,353535235358,4) line 7",
-        "NoTriangles line 7");
+        "NothingReadable line 7");
     row("more faces than there are", QByteArray(plain).replace("3 1 0", "3 3 0"), "DataTruncated(faces,3,1) line 7",
         kTriangle + " ! DataTruncated(faces,3,1) line 7");
     row("fewer faces than there are", plain + "3 2 1 0\n", kTriangle + " ! CountMismatch(bytes,36,44) line 7");

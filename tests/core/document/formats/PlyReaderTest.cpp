@@ -99,7 +99,7 @@ class PlyReaderTest : public QObject {
     row("fewer faces than announced", QByteArray(plain).replace("face 1", "face 3"), "DataTruncated(faces,3,1) line 14",
         kTriangle + " ! DataTruncated(faces,3,1) line 14");
     row("vertices that never come", QByteArray(plain).replace("vertex 3", "vertex 4000000000000"),
-        "TokenUnexpected(the end of the line,2) line 13", "NoTriangles line 13");
+        "TokenUnexpected(the end of the line,2) line 13", "NothingReadable line 13");
     row("more faces than announced", plain + "3 2 1 0\n",
         kTriangle + QString(" ! CountMismatch(bytes,%1,%2) line 14").arg(plain.size()).arg(plain.size() + 8));
     row("index beyond", QByteArray(plain).replace("face 1", "face 2") + "3 0 1 3\n", "IndexOutOfRange(3,3) line 14",
@@ -116,14 +116,14 @@ class PlyReaderTest : public QObject {
         "TokenUnexpected(the end of the line,9) line 14",
         kTriangle + " ! TokenUnexpected(the end of the line,9) line 14");
     row("a row too short", QByteArray(plain).replace("1 0 0", "1 0"), "TokenUnexpected(a number,) line 11",
-        "NoTriangles line 11");
+        "NothingReadable line 11");
     row("a bad row, then too few", QByteArray(plain).replace("face 1", "face 3") + "3 0 x 2\n",
         "TokenUnexpected(a whole number,x) line 14",
         kTriangle + " ! TokenUnexpected(a whole number,x) line 14; DataTruncated(faces,3,2) line 15");
     row("not finite", QByteArray(plain).replace("1 0 0", "1 nan 0"), "NumberNotFinite(nan) line 11",
-        "NoTriangles line 11");
+        "NothingReadable line 11");
     row("beyond single precision", QByteArray(plain).replace("1 0 0", "1e39 0 0"), "NumberNotFinite(1e39) line 11",
-        "NoTriangles line 11");
+        "NothingReadable line 11");
   }
 
   void readsText() {

@@ -14,63 +14,6 @@
 // What a reader gave, as one line of text to compare with.
 namespace handwheel::test {
 
-inline const char* nameOf(ErrorCode code) {
-  switch (code) {
-    case ErrorCode::Cancelled:
-      return "Cancelled";
-    case ErrorCode::FileMissing:
-      return "FileMissing";
-    case ErrorCode::FileUnreadable:
-      return "FileUnreadable";
-    case ErrorCode::FileEmpty:
-      return "FileEmpty";
-    case ErrorCode::FormatUnknown:
-      return "FormatUnknown";
-    case ErrorCode::HeaderMalformed:
-      return "HeaderMalformed";
-    case ErrorCode::TextEncoding:
-      return "TextEncoding";
-    case ErrorCode::TokenUnexpected:
-      return "TokenUnexpected";
-    case ErrorCode::NumberMalformed:
-      return "NumberMalformed";
-    case ErrorCode::NumberNotFinite:
-      return "NumberNotFinite";
-    case ErrorCode::IndexOutOfRange:
-      return "IndexOutOfRange";
-    case ErrorCode::VertexUnreadable:
-      return "VertexUnreadable";
-    case ErrorCode::PolygonTooSmall:
-      return "PolygonTooSmall";
-    case ErrorCode::PolygonTooComplex:
-      return "PolygonTooComplex";
-    case ErrorCode::DataTruncated:
-      return "DataTruncated";
-    case ErrorCode::CountMismatch:
-      return "CountMismatch";
-    case ErrorCode::TypeUnknown:
-      return "TypeUnknown";
-    case ErrorCode::NoTriangles:
-      return "NoTriangles";
-    case ErrorCode::FileTooLarge:
-      return "FileTooLarge";
-    case ErrorCode::ArchiveMalformed:
-      return "ArchiveMalformed";
-    case ErrorCode::EntryMissing:
-      return "EntryMissing";
-    case ErrorCode::EntryDamaged:
-      return "EntryDamaged";
-    case ErrorCode::ElementMalformed:
-      return "ElementMalformed";
-    case ErrorCode::ReferenceMissing:
-      return "ReferenceMissing";
-    case ErrorCode::Unsupported:
-      return "Unsupported";
-    default:
-      return "other";
-  }
-}
-
 inline const char* nameOf(LostAttribute lost) {
   constexpr const char* kNames[] = {"Colour", "Normals", "TextureCoordinates", "Materials", "Groups", "Lines", "Points",
                                     "Curves", "Other"};
@@ -81,10 +24,10 @@ inline const char* nameOf(LostAttribute lost) {
 inline QString describe(const Error& error) {
   QStringList arguments;
   for (const std::string& argument : error.arguments) arguments << QString::fromLatin1(argument.c_str());
-  QString text = nameOf(error.code);
+  QString text = error.code->id;
   if (!arguments.isEmpty()) text += "(" + arguments.join(",") + ")";
-  if (error.place.kind == InputPosition::Kind::Byte) text += QString(" byte %1").arg(error.place.value);
-  if (error.place.kind == InputPosition::Kind::Line) text += QString(" line %1").arg(error.place.value);
+  if (error.position.kind == InputPosition::Kind::Byte) text += QString(" byte %1").arg(error.position.value);
+  if (error.position.kind == InputPosition::Kind::Line) text += QString(" line %1").arg(error.position.value);
   return text;
 }
 

@@ -58,7 +58,7 @@ class StlReaderTest : public QObject {
     row("no facets", binaryStl("", 0, 0), "NoTriangles");
     row("shorter than a header", binaryStl("", 0, 0).left(83), "DataTruncated(bytes,84,83) byte 83");
     row("every count fits no file", binaryStl("", 0xffffffffu, 0), "DataTruncated(facets,4294967295,0) byte 84",
-        "NoTriangles byte 84");
+        "NothingReadable byte 84");
 
     row("text", "solid cube\n" + kFacet + kSecondFacet + "endsolid cube\n", kTwo);
     row("text with a tab before the name", "solid\tcube\n" + kFacet + "endsolid\tcube\n", kTriangle);
@@ -91,11 +91,11 @@ class StlReaderTest : public QObject {
     row("not a number", "solid\n" + QByteArray(kFacet).replace("1 0 0", "1 x 0") + kSecondFacet + "endsolid",
         "NumberMalformed(x) line 5", "0 0 1, 1 0 1, 0 1 1 | 0 1 2 ! NumberMalformed(x) line 5");
     row("decimal comma", "solid\n" + QByteArray(kFacet).replace("1 0 0", "1,5 0 0") + "endsolid",
-        "NumberMalformed(1,5) line 5", "NoTriangles line 5");
+        "NumberMalformed(1,5) line 5", "NothingReadable line 5");
     row("infinite", "solid\n" + QByteArray(kFacet).replace("1 0 0", "1 inf 0") + kSecondFacet + "endsolid",
         "NumberNotFinite(inf) line 5", "0 0 1, 1 0 1, 0 1 1 | 0 1 2 ! NumberNotFinite(inf) line 5");
     row("beyond single precision", "solid\n" + QByteArray(kFacet).replace("1 0 0", "1e39 0 0") + "endsolid",
-        "NumberNotFinite(1e39) line 5", "NoTriangles line 5");
+        "NumberNotFinite(1e39) line 5", "NothingReadable line 5");
     row("two corners", "solid\n" + QByteArray(kFacet).replace("vertex 1 0 0\n", "") + kSecondFacet + "endsolid",
         "PolygonTooSmall(2) line 2", "0 0 1, 1 0 1, 0 1 1 | 0 1 2 ! PolygonTooSmall(2) line 2");
     row("four corners",

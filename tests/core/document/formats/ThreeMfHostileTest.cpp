@@ -3,6 +3,8 @@
 #include "../ContainerChecks.h"
 #include "TestClass.h"
 #include "ThreeMfText.h"
+#include "document/formats/MeshFileErrors.h"
+#include "mesh/structure/MeshErrors.h"
 
 #include <QTest>
 
@@ -34,7 +36,7 @@ class ThreeMfHostileTest : public QObject {
     for (bool partial : {false, true}) {
       QVERIFY(codeOf(package(model(doubling, item(40))), partial) == ErrorCode::FileTooLarge);
       QVERIFY(codeOf(package(model(empty, item(40))), partial) == ErrorCode::FileTooLarge);
-      QVERIFY(codeOf(package(model(nothing, item(40))), partial) == ErrorCode::NoTriangles);
+      QVERIFY(codeOf(package(model(nothing, item(40))), partial) == MeshError::NoTriangles);
     }
     QCOMPARE(readModel(nothing + object(50, kTriangleMesh), item(40) + item(50)), kTriangle + " - Groups");
   }
@@ -74,8 +76,8 @@ class ThreeMfHostileTest : public QObject {
                                 model("<a b='" + QByteArray(10'000, '>') + "'/>", "")};
     for (const QByteArray& text : texts)
       for (bool partial : {false, true}) QVERIFY(codeOf(package(text), partial) == ErrorCode::ElementMalformed);
-    QVERIFY(codeOf(package(QByteArray("\xff\xfe<\0m\0", 6))) == ErrorCode::TextEncoding);
-    QVERIFY(codeOf(package(model("", "").replace("UTF-8", "UTF-16"))) == ErrorCode::TextEncoding);
+    QVERIFY(codeOf(package(QByteArray("\xff\xfe<\0m\0", 6))) == MeshFileError::TextEncoding);
+    QVERIFY(codeOf(package(model("", "").replace("UTF-8", "UTF-16"))) == MeshFileError::TextEncoding);
     QVERIFY(codeOf(package("<html/>")) == ErrorCode::ElementMalformed);
     QVERIFY(codeOf(package("<model><resources/></model>")) == ErrorCode::ElementMalformed);  // of no namespace
     QVERIFY(codeOf(package("")) == ErrorCode::ElementMalformed);

@@ -4,6 +4,8 @@
 #include "TestClass.h"
 #include "ThreeMfText.h"
 #include "document/Container.h"
+#include "document/DocumentErrors.h"
+#include "document/container/ArchiveErrors.h"
 
 #include <rapidcheck.h>
 #include <QTest>
@@ -253,15 +255,15 @@ class ThreeMfReaderTest : public QObject {
     const auto whole = read(bytes);
     QVERIFY(whole);
     bytes[static_cast<int>(bytes.size() * 0.9)] = static_cast<char>(bytes[static_cast<int>(bytes.size() * 0.9)] ^ 0x55);
-    QVERIFY(codeOf(bytes) == ErrorCode::EntryDamaged);
+    QVERIFY(codeOf(bytes) == ArchiveError::EntryDamaged);
     const auto partial = read(bytes, true);
     QVERIFY(partial);
-    QVERIFY(partial->damage[0].code == ErrorCode::EntryDamaged);
+    QVERIFY(partial->damage[0].code == ArchiveError::EntryDamaged);
     QVERIFY(partial->soup.triangles.size() > 1000 && partial->soup.triangles.size() <= 30'000);
 
     // Cut off with its directory.
     bytes.truncate(bytes.size() * 3 / 4);
-    QVERIFY(codeOf(bytes) == ErrorCode::ArchiveMalformed);
+    QVERIFY(codeOf(bytes) == ArchiveError::Malformed);
     const auto cut = read(bytes, true);
     QVERIFY(cut);
     QVERIFY(cut->soup.triangles.size() > 1000);
@@ -272,7 +274,7 @@ class ThreeMfReaderTest : public QObject {
   // Both are ZIP archives.
   void ourDocumentsAreNone() {
     const std::string container = *writeContainer(Container(), Compression::Fast);
-    QVERIFY(codeOf(QByteArray::fromStdString(container)) == ErrorCode::FormatUnknown);
+    QVERIFY(codeOf(QByteArray::fromStdString(container)) == DocumentError::FormatUnknown);
     QCOMPARE(describe(read(package(model(object(1, kTriangleMesh), item(1))), false, "a.stl")), kTriangle);
   }
 

@@ -3,6 +3,7 @@
 #include "document/workpiece/WorkpieceKind.h"
 
 #include "TestClass.h"
+#include "document/DocumentErrors.h"
 #include "document/formats/MeshFormat.h"
 #include "document/workpiece/WorkpieceDocument.h"
 #include "mesh/structure/Weld.h"
@@ -201,7 +202,7 @@ void WorkpieceKindTest::refusesUnknownEndings() {
   for (const char* name : {"bar.xyz", "bar", "bar.stepp"}) {
     const auto written = m_kind.exportTo(WorkpieceSnapshot(), at(name), {});
     QVERIFY(!written);
-    QCOMPARE(written.error().code, ErrorCode::ExtensionUnknown);
+    QCOMPARE(written.error().code, DocumentError::ExtensionUnknown);
     QVERIFY(!std::filesystem::exists(at(name)));
   }
   const auto nowhere = m_kind.exportTo(WorkpieceSnapshot(), at("no/such/folder/bar.step"), {});

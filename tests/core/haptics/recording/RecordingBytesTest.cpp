@@ -100,7 +100,7 @@ class RecordingBytesTest : public QObject {
     recording.add(tick);
     const auto read = recordingFromBytes(recordingBytes(recording));
     QVERIFY(!read.hasValue() && read.error().code == ErrorCode::NumberNotFinite);
-    QCOMPARE(read.error().place.value, std::uint64_t{20 + 312});
+    QCOMPARE(read.error().position.value, std::uint64_t{20 + 312});
   }
 
   // Whoever plays it asks for its time.

@@ -145,7 +145,7 @@ class RecordingCsvTest : public QObject {
     wrong[third] = 'x';
     const Result<Recording> read = recordingFromCsv(wrong);
     QVERIFY(!read && read.error().code == ErrorCode::NumberMalformed);
-    QCOMPARE(read.error().place.value, std::uint64_t{3});
+    QCOMPARE(read.error().position.value, std::uint64_t{3});
     wrong.replace(third, 1, "nan");
     for (std::size_t cut = 0; cut < text.size(); ++cut) {
       const Result<Recording> part = recordingFromCsv(std::string_view(text).substr(0, cut));

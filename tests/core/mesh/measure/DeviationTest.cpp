@@ -6,6 +6,7 @@
 #include "TestClass.h"
 #include "mesh/search/SurfaceDistance.h"
 #include "mesh/structure/MeshBuilder.h"
+#include "mesh/structure/MeshErrors.h"
 
 #include <rapidcheck.h>
 
@@ -231,7 +232,7 @@ void DeviationTest::nothingToMeasure() {
   const HalfEdgeMesh none, one = deviationMeshOf(test::cube());
   for (const auto& result : {deviation(none, one), deviation(one, none), deviation(none, none)}) {
     QVERIFY(!result);
-    QCOMPARE(result.error().code, ErrorCode::NoTriangles);
+    QCOMPARE(result.error().code, MeshError::NoTriangles);
   }
 }
 

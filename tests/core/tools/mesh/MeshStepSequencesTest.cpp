@@ -6,6 +6,7 @@
 #include "ToolEvents.h"
 #include "tools/mesh/ManualMeshChanges.h"
 #include "tools/mesh/Placement.h"
+#include "tools/mesh/StepErrors.h"
 #include "tools/mesh/sculpt/SculptTool.h"
 
 #include <rapidcheck.h>
@@ -163,7 +164,7 @@ void MeshStepSequencesTest::hostile() {
     (outcome ? done : refused) += 1;
     const std::string broken = validate(document->mesh());
     if (!broken.empty()) QFAIL((line + ": " + broken).c_str());
-    if (!outcome) QCOMPARE(outcome.error().code, ErrorCode::StepMalformed);
+    if (!outcome) QCOMPARE(outcome.error().code, StepError::Malformed);
     if (i % 20 == 0) document = test::meshDocument(soup);
   }
   QVERIFY(done > 300 && refused > 300);

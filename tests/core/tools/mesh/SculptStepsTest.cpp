@@ -3,6 +3,7 @@
 #include "SculptBench.h"
 #include "StepReplay.h"
 #include "TestClass.h"
+#include "tools/mesh/StepErrors.h"
 
 #include <QTest>
 
@@ -90,7 +91,7 @@ void SculptStepsTest::levelsThatWereForgotten() {
   bench.lift(0.5);
   const auto document = test::meshDocument(test::sheet());
   const auto done = applyStep(*document, stepOf(bench, 1));
-  QVERIFY(!done && done.error().code == ErrorCode::StepMalformed);
+  QVERIFY(!done && done.error().code == StepError::Malformed);
   QCOMPARE(document->history()->count(), 0);
 }
 

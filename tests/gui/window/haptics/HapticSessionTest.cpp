@@ -12,6 +12,7 @@
 #include <mutex>
 #include "OwnSettings.h"
 #include "TestClass.h"
+#include "haptics/device/DeviceErrors.h"
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -31,7 +32,7 @@ class HurriedClock : public ServoClock {
 class DeafDevice : public ScriptedDevice {
  public:
   using ScriptedDevice::ScriptedDevice;
-  Status open(Progress) override { return Error{ErrorCode::DeviceNotResponding, {"a greeting"}, {}, {}}; }
+  Status open(Progress) override { return Error{DeviceError::NotResponding, {"a greeting"}, {}, {}}; }
 };
 
 // What is plugged in, as the test has it.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TestClass.h"
 #include "devices/DeviceCatalogue.h"
+#include "haptics/device/DeviceErrors.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -82,7 +83,7 @@ class DeviceCatalogueTest : public QObject {
     QCOMPARE(catalogue.plugins().size(), std::size_t(1));
     const PluginInfo& plugin = catalogue.plugins()[0];
     QVERIFY(plugin.error.has_value());
-    QCOMPARE(plugin.error->code, ErrorCode::PluginVersion);
+    QCOMPARE(plugin.error->code, DeviceError::PluginVersion);
     QCOMPARE(plugin.error->arguments, (std::vector<std::string>{"handwheel.device/0", HANDWHEEL_DEVICE_PLUGIN}));
     QCOMPARE(plugin.name, std::string("Old"));
     QVERIFY(plugin.driver.empty() && catalogue.drivers().empty());
@@ -100,10 +101,10 @@ class DeviceCatalogueTest : public QObject {
     DeviceCatalogue catalogue;
     catalogue.load({folder.path().toStdString(), "/nowhere/at/all"});
     QCOMPARE(catalogue.plugins().size(), std::size_t(3));
-    QCOMPARE(catalogue.plugins()[0].error->code, ErrorCode::PluginBroken);
+    QCOMPARE(catalogue.plugins()[0].error->code, DeviceError::PluginBroken);
     QVERIFY(!catalogue.plugins()[0].error->arguments[0].empty());
     QVERIFY(!catalogue.plugins()[1].error);
-    QCOMPARE(catalogue.plugins()[2].error->code, ErrorCode::PluginBroken);
+    QCOMPARE(catalogue.plugins()[2].error->code, DeviceError::PluginBroken);
     QCOMPARE(catalogue.drivers(), std::vector<std::string>{"example"});
   }
 
@@ -113,7 +114,7 @@ class DeviceCatalogueTest : public QObject {
     catalogue.add(std::make_unique<ShelfDriver>(shelf, "example"));
     catalogue.load({EXAMPLE_PLUGINS});
     QCOMPARE(catalogue.drivers().size(), std::size_t(1));
-    QCOMPARE(catalogue.plugins()[0].error->code, ErrorCode::PluginBroken);
+    QCOMPARE(catalogue.plugins()[0].error->code, DeviceError::PluginBroken);
     QVERIFY(catalogue.plugins()[0].driver.empty());
   }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TestClass.h"
 #include "falcon/FalconEmulator.h"
+#include "haptics/device/DeviceErrors.h"
 
 #include <QtTest>
 
@@ -57,7 +58,7 @@ class FalconSessionTest : public QObject {
   void aLoadThatNeverWorksIsGivenUp() {
     m_falcon->spoiltLoads = 1000;
     const Status opened = m_session->open({});
-    QCOMPARE(opened.error().code, ErrorCode::DeviceNotResponding);
+    QCOMPARE(opened.error().code, DeviceError::NotResponding);
     QCOMPARE(opened.error().arguments[0], std::string("the firmware's echo"));
     m_falcon->deafGreetings = 100'000;
     QCOMPARE(m_session->open({}).error().arguments[0], std::string("the bootloader's greeting"));
@@ -95,13 +96,13 @@ class FalconSessionTest : public QObject {
 
   void unpluggedWhileLoading() {
     m_falcon->unpluggedAt = 5000;
-    QCOMPARE(m_session->open({}).error().code, ErrorCode::DeviceUnreachable);
+    QCOMPARE(m_session->open({}).error().code, DeviceError::Unreachable);
     QCOMPARE(m_falcon->loads, 1);  // and not tried again
   }
 
   void unpluggedBeforeItIsAsked() {
     m_falcon->gone = true;
-    QCOMPARE(m_session->open({}).error().code, ErrorCode::DeviceUnreachable);
+    QCOMPARE(m_session->open({}).error().code, DeviceError::Unreachable);
     m_session->close();
     QCOMPARE(m_session->exchange({}).status, DeviceStatus::Absent);
   }

@@ -9,6 +9,7 @@
 
 #include "HapticPoses.h"
 #include "TestClass.h"
+#include "haptics/device/DeviceErrors.h"
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -35,7 +36,7 @@ guard::Message anyMessage() {
       return guard::Opened{all};
     }
     case 5: {
-      Error error{ErrorCode::DeviceNotResponding, {}, {}, *rc::gen::arbitrary<std::string>()};
+      Error error{DeviceError::NotResponding, {}, {}, *rc::gen::arbitrary<std::string>()};
       for (int i = *rc::gen::inRange(0, 4); i > 0; --i) error.arguments.push_back(*rc::gen::arbitrary<std::string>());
       return guard::Refused{error};
     }
@@ -114,6 +115,17 @@ class DeviceHostMessagesTest : public QObject {
         }
       }
     }));
+  }
+
+  void codesArriveAsTheyAre() {
+    for (const ErrorCode code : {ErrorCode(ErrorCode::ReferenceMissing), ErrorCode(DeviceError::PluginVersion)}) {
+      guard::Reader reader;
+      const auto received = read(reader, bytesOf(guard::Refused{{code, {}, {}, {}}}), 100);
+      QCOMPARE(std::get<guard::Refused>(received.at(0)).error.code, code);
+    }
+    guard::Reader reader;
+    const auto foreign = read(reader, bytesOf(guard::Refused{{ErrorCode::VersionNewer, {}, {}, {}}}), 100);
+    QCOMPARE(std::get<guard::Refused>(foreign.at(0)).error.code, DeviceError::Unreachable);
   }
 
   void longTextsAreCut() {

@@ -4,6 +4,7 @@
 
 #include "FakeStream.h"
 #include "TestClass.h"
+#include "haptics/device/DeviceErrors.h"
 #include "io/DeviceHostProcess.h"
 
 #include <QtTest>
@@ -108,13 +109,13 @@ class OutOfProcessSessionTest : public QObject {
     QCOMPARE(refused.whyNot(), ErrorCode::ReferenceMissing);
     Bench mute;
     mute.process->isMute = true;
-    QCOMPARE(mute.whyNot(), ErrorCode::DeviceUnreachable);
+    QCOMPARE(mute.whyNot(), DeviceError::Unreachable);
     Bench nonsense;
     nonsense.process->speaksNonsense = true;
-    QCOMPARE(nonsense.whyNot(), ErrorCode::DeviceUnreachable);
+    QCOMPARE(nonsense.whyNot(), DeviceError::Unreachable);
     Bench dead;
     dead.process->gone = true;
-    QCOMPARE(dead.whyNot(), ErrorCode::DeviceUnreachable);
+    QCOMPARE(dead.whyNot(), DeviceError::Unreachable);
   }
 
   void openingTellsHowFarItIsAndCanBeCancelled() {
@@ -177,7 +178,7 @@ class OutOfProcessSessionTest : public QObject {
     for (const char* path : {"/nowhere/at/all", "/bin/true"}) {
       const auto session = guarded(path, "address", kind(), "Falcon");
       const Status opened = session->open({});
-      QVERIFY2(!opened.hasValue() && opened.error().code == ErrorCode::DeviceUnreachable, path);
+      QVERIFY2(!opened.hasValue() && opened.error().code == DeviceError::Unreachable, path);
       session->close();
     }
   }

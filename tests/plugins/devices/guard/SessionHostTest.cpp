@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "FakeClock.h"
 #include "TestClass.h"
+#include "haptics/device/DeviceErrors.h"
 #include "io/SessionHost.h"
 
 #include <rapidcheck.h>
@@ -235,7 +236,7 @@ class SessionHostTest : public QObject {
     b.program.words.clear();
     b.program.say(0.0, guard::Open{guard::kVersion + 1});
     b.serve();
-    QVERIFY(b.program.lastHeard<guard::Refused>()->error.code == ErrorCode::PluginVersion);
+    QVERIFY(b.program.lastHeard<guard::Refused>()->error.code == DeviceError::PluginVersion);
     QCOMPARE(b.motors.sent.size(), std::size_t{1});  // on closing
   }
 

@@ -5,6 +5,7 @@
 #include "ContractSubject.h"
 #include "FakeStream.h"
 #include "haply/Session.h"
+#include "haptics/device/DeviceErrors.h"
 #include "io/ThreadedDevice.h"
 
 #include <QByteArray>
@@ -144,7 +145,7 @@ inline ContractSubject haplySubject() {
   const auto clock = std::make_shared<FakeClock>(FakeClock::Pace::Real);
   const auto connect = [=]() -> Result<std::unique_ptr<ByteStream>> {
     const std::lock_guard lock(world->mutex);
-    if (world->gone) return Error{ErrorCode::DeviceUnreachable, {"stopped"}, {}, {}};
+    if (world->gone) return Error{DeviceError::Unreachable, {"stopped"}, {}, {}};
     world->peer = std::make_shared<HaplyEmulator>();
     return std::unique_ptr<ByteStream>(std::make_unique<FakeStream>(world->peer, clock));
   };

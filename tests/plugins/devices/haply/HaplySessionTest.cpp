@@ -4,6 +4,7 @@
 #include "haply/Driver.h"
 #include "haply/Handshake.h"
 #include "haply/HaplyEmulator.h"
+#include "haptics/device/DeviceErrors.h"
 #include "io/FileStream.h"
 
 #include <arpa/inet.h>
@@ -158,9 +159,9 @@ class HaplySessionTest : public QObject {
 
   void nobodyThereOrNothingPluggedIn() {
     m_service->replyInstead = R"({"session_id":1,"inverse3":[]})";
-    QCOMPARE(m_session->open({}).error().code, ErrorCode::DeviceNotResponding);
+    QCOMPARE(m_session->open({}).error().code, DeviceError::NotResponding);
     m_service->gone = true;
-    QCOMPARE(m_session->open({}).error().code, ErrorCode::DeviceNotResponding);
+    QCOMPARE(m_session->open({}).error().code, DeviceError::NotResponding);
   }
 
   // RFC 6455, section 4.1: each connection has a key of its own, and only who answers that key is spoken to.
@@ -174,13 +175,13 @@ class HaplySessionTest : public QObject {
     QVERIFY(!first.empty() && m_service->key != first);
     init();
     m_service->answersTheKey = false;
-    QCOMPARE(m_session->open({}).error().code, ErrorCode::DeviceNotResponding);
+    QCOMPARE(m_session->open({}).error().code, DeviceError::NotResponding);
     for (const char* wrong : {"HTTP/1.1 200 OK\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n",
                               "HTTP/1.1 101 OK\r\nConnection: Upgrade\r\n", "HTTP/1.1 101 OK\r\nUpgrade: websocket\r\n",
                               "HTTP/1.1 101 OK\r\nUpgrade: h2c\r\nConnection: Upgrade\r\n"}) {
       init();
       m_service->consent = wrong;
-      QCOMPARE(m_session->open({}).error().code, ErrorCode::DeviceNotResponding);
+      QCOMPARE(m_session->open({}).error().code, DeviceError::NotResponding);
     }
   }
 

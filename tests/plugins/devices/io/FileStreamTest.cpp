@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TestClass.h"
+#include "haptics/device/DeviceErrors.h"
 #include "io/FileStream.h"
 
 #include <fcntl.h>
@@ -55,11 +56,11 @@ class FileStreamTest : public QObject {
   void whatIsNotThereIsAnError() {
     const QTemporaryDir folder;
     const std::string nothing = folder.filePath("nothing").toStdString();
-    QCOMPARE(connectUnix(nothing).error().code, ErrorCode::DeviceUnreachable);
-    QCOMPARE(connectUnix(std::string(500, 'x')).error().code, ErrorCode::DeviceUnreachable);
-    QCOMPARE(openSerial(nothing).error().code, ErrorCode::DeviceUnreachable);
-    QCOMPARE(openSerial("/dev/null").error().code, ErrorCode::DeviceUnreachable);  // no serial line
-    QCOMPARE(connectLoopback(1).error().code, ErrorCode::DeviceUnreachable);
+    QCOMPARE(connectUnix(nothing).error().code, DeviceError::Unreachable);
+    QCOMPARE(connectUnix(std::string(500, 'x')).error().code, DeviceError::Unreachable);
+    QCOMPARE(openSerial(nothing).error().code, DeviceError::Unreachable);
+    QCOMPARE(openSerial("/dev/null").error().code, DeviceError::Unreachable);  // no serial line
+    QCOMPARE(connectLoopback(1).error().code, DeviceError::Unreachable);
   }
 };
 

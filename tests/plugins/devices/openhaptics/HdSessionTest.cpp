@@ -4,6 +4,7 @@
 
 #include "HdStandIn.h"
 #include "TestClass.h"
+#include "haptics/device/DeviceErrors.h"
 #include "openhaptics/Driver.h"
 
 #include <QTemporaryDir>
@@ -107,7 +108,7 @@ class HdSessionTest : public QObject {
   void withoutADeviceItSaysTheMakersReason() {
     m_device.isPlugged = false;
     const Status opened = m_session->open({});
-    QVERIFY(!opened.hasValue() && opened.error().code == ErrorCode::DeviceUnreachable);
+    QVERIFY(!opened.hasValue() && opened.error().code == DeviceError::Unreachable);
     QCOMPARE(opened.error().arguments[0], std::string("no device"));
   }
 
@@ -140,7 +141,7 @@ class HdSessionTest : public QObject {
     qunsetenv("HANDWHEEL_OPENHAPTICS_DEVICES");
     const auto device = driver.make(openhaptics::kDefaultDevice);
     const Status opened = device->open({});  // it is no program
-    QVERIFY(!opened.hasValue() && opened.error().code == ErrorCode::DeviceUnreachable);
+    QVERIFY(!opened.hasValue() && opened.error().code == DeviceError::Unreachable);
   }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TestClass.h"
+#include "haptics/device/DeviceErrors.h"
 #include "polhem/Driver.h"
 #include "polhem/PolhemEmulator.h"
 
@@ -132,12 +133,12 @@ class PolhemSessionTest : public QObject {
 
   void aBoardThatNeverAnswers() {
     m_peer->stalled = true;
-    QCOMPARE(m_session->open({}).error().code, ErrorCode::DeviceNotResponding);
+    QCOMPARE(m_session->open({}).error().code, DeviceError::NotResponding);
     JobState job;
     job.cancelled = true;
     QCOMPARE(m_session->open(Progress(job)).error().code, ErrorCode::Cancelled);
     m_peer->gone = true;
-    QCOMPARE(m_session->open({}).error().code, ErrorCode::DeviceUnreachable);
+    QCOMPARE(m_session->open({}).error().code, DeviceError::Unreachable);
   }
 
   void aLateAnswerIsNotTakenForTheNext() {

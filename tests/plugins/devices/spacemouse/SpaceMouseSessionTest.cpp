@@ -3,6 +3,7 @@
 #include "spacemouse/SpaceMouseEmulator.h"
 
 #include "TestClass.h"
+#include "haptics/device/DeviceErrors.h"
 #include "spacemouse/Driver.h"
 
 #include <sys/socket.h>
@@ -50,7 +51,7 @@ class SpaceMouseSessionTest : public QObject {
               return std::vector<Hid::Entry>{{"/dev/hidraw7", "SpaceMouse Compact", 2}};
             },
             [](const std::string& path) -> Result<std::unique_ptr<HidTransport>> {
-              return Error{ErrorCode::DeviceUnreachable, {"test"}, {}, path};
+              return Error{DeviceError::Unreachable, {"test"}, {}, path};
             }};
   }
 

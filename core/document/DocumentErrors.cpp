@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/DocumentErrors.h"
+
+namespace handwheel {
+
+const ErrorDescription DocumentError::FormatUnknown{
+    .id = "FormatUnknown",
+    .sentences = {translatable("ErrorText", "this is no file that Handwheel knows")},
+    .advice = {translatable("ErrorText", "Handwheel reads files that end in %1."),
+               translatable("ErrorText", "Choose another file.")},
+    .alternatives = 0};
+
+const ErrorDescription DocumentError::ExtensionUnknown{
+    .id = "ExtensionUnknown",
+    .sentences = {translatable("ErrorText", "the ending '%1' stands for no format that this can be written in"),
+                  translatable("ErrorText", "the name has no ending, which would say the format")},
+    .advice = {translatable("ErrorText", "Use a name that ends in %2.")},
+    .alternatives = 1};
+
+const ErrorDescription DocumentError::KindUnknown{
+    .id = "KindUnknown",
+    .sentences = {translatable("ErrorText",
+                               "the file holds a '%1', a kind of document that this program does not know")},
+    .advice = {translatable("ErrorText", "Open it with a newer version of Handwheel.")}};
+
+const ErrorDescription DocumentError::CheckFailed{
+    .id = "CheckFailed",
+    .sentences = {translatable("ErrorText",
+                               "the written file does not read back as it should (%1), so it was not kept")},
+    .advice = {translatable("ErrorText",
+                            "An earlier file of that name is untouched. Save in another format, for example PLY.")}};
+
+}  // namespace handwheel

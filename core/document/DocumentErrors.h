@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Error.h"
+
+// The codes of errors of opening and saving documents of any kind.
+namespace handwheel::DocumentError {
+
+extern const ErrorDescription FormatUnknown;     // {ending...} content and name match no format; these are read
+extern const ErrorDescription ExtensionUnknown;  // {extension, ending...} no writer for it; these are written
+extern const ErrorDescription KindUnknown;       // {kind} a kind of document that this program does not know
+extern const ErrorDescription CheckFailed;       // {what} the written file does not read back as what was to be written
+
+}  // namespace handwheel::DocumentError
