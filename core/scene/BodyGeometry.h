@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "mesh/structure/TriangleSoup.h"
+
+#include <memory>
+#include <mutex>
+#include <string_view>
+
+namespace handwheel {
+
+// Base class of the shapes of bodies: immutable, in the body's own frame, shared between bodies and versions. Any
+// thread. A new kind derives from it, and adds how it is stored to document/scene/GeometryBlobs.
+class BodyGeometry {
+ public:
+  BodyGeometry() = default;
+  BodyGeometry(const BodyGeometry&) = delete;
+  BodyGeometry& operator=(const BodyGeometry&) = delete;
+  virtual ~BodyGeometry();
+
+  virtual std::string_view kind() const = 0;     // its name in files: "mesh"
+  virtual std::size_t bytes() const = 0;         // memory of what defines it, without the surface
+  virtual bool isKnown() const { return true; }  // false: of a kind that only a newer program can show
+
+  // Its surface, for view, touch and collisions; mm. Computed once, by whoever asks first. Never null; empty for a
+  // shape that has none.
+  const std::shared_ptr<const TriangleSoup>& surface() const;
+  // The bounds of its surface. Computed with it.
+  const Box& bounds() const;
+
+ protected:
+  virtual std::shared_ptr<const TriangleSoup> makeSurface() const = 0;
+
+ private:
+  void makeOnce() const;
+
+  mutable std::once_flag m_made;
+  mutable std::shared_ptr<const TriangleSoup> m_surface;
+  mutable Box m_bounds;
+};
+
+using GeometryPointer = std::shared_ptr<const BodyGeometry>;
+
+}  // namespace handwheel

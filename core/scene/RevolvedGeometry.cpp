@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene/RevolvedGeometry.h"
+
+#include "base/NumberText.h"
+#include "nurbs/Tessellation.h"
+
+#include <algorithm>
+
+namespace handwheel {
+
+namespace {
+
+// The finest tolerance that the refusal of tessellate() allows, mm.
+double leastChordIn(const Error& refusal) {
+  double least = 0.0;
+  ErrorCode ignored{};
+  return parseDecimal(refusal.arguments.at(2), least, ignored) ? least : 0.0;
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const RevolvedGeometry>> RevolvedGeometry::make(ProfileCurve profile, double chord) {
+  if (!(chord >= kLeastChord && chord <= kLargestChord)) {
+    return Error{ErrorCode::ValueOutOfRange,
+                 {"chord", roundedText(chord), roundedText(kLeastChord), roundedText(kLargestChord)},
+                 {},
+                 {}};
+  }
+  return std::shared_ptr<const RevolvedGeometry>(new RevolvedGeometry(std::move(profile), chord));
+}
+
+std::size_t RevolvedGeometry::bytes() const {
+  const ProfileNet& net = m_profile.net();
+  return net.poles.size() * sizeof(ProfilePoint) + (net.weights.size() + net.knots.size()) * sizeof(double) +
+         m_profile.arcs().size_bytes();
+}
+
+std::shared_ptr<const TriangleSoup> RevolvedGeometry::makeSurface() const {
+  TessellationOptions options;
+  options.mostTriangles = kMostTriangles;
+  options.chord = m_chord;
+  while (options.chord <= TessellationOptions::kLargestChord) {
+    Result<TriangleSoup> soup = tessellate(m_profile, options);
+    if (soup) return std::make_shared<const TriangleSoup>(std::move(soup).value());
+    if (soup.error().code != ErrorCode::ValueOutOfRange) break;
+    options.chord = std::max(2.0 * options.chord, leastChordIn(soup.error()));
+  }
+  return std::make_shared<const TriangleSoup>();
+}
+
+}  // namespace handwheel
