@@ -12,4 +12,14 @@ Box DisplayModel::bounds() const {
   return box;
 }
 
+TriangleSoup placedSoup(const DisplayModel& model) {
+  TriangleSoup all;
+  for (const DisplayPart& part : model.parts) {
+    const auto base = static_cast<std::uint32_t>(all.points.size());
+    for (const Vec3& p : part.soup->points) all.points.push_back(part.pose * p);
+    for (const Triangle& t : part.soup->triangles) all.triangles.push_back({base + t[0], base + t[1], base + t[2]});
+  }
+  return all;
+}
+
 }  // namespace handwheel

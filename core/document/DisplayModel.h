@@ -27,4 +27,7 @@ struct DisplayModel {
   Box bounds() const;  // of all parts in their poses; O(points)
 };
 
+// The triangles of all parts in their poses. Nothing is welded. O(points + triangles).
+TriangleSoup placedSoup(const DisplayModel& model);
+
 }  // namespace handwheel

@@ -8,6 +8,8 @@
 #include "document/NewerFile.h"
 #include "document/container/RecordingBlobs.h"
 #include "document/container/UnknownPart.h"
+#include "mesh/structure/Weld.h"
+#include "scene/MeshGeometry.h"
 
 #include <QUuid>
 #include <algorithm>
@@ -102,7 +104,12 @@ Result<OpenedFile> openAny(const DocumentKinds& kinds, const std::filesystem::pa
   }
   const Result<std::string> bytes = readFileBytes(path, progress.part(0.0, 0.2));
   if (!bytes) return bytes.error();
-  return load(kinds, *bytes, progress.part(0.2, 1.0));
+  Result<OpenedFile> opened = load(kinds, *bytes, progress.part(0.2, 0.9));
+  if (!opened) return opened;
+  opened->content = opened->kind->withCheckedLinks(std::move(opened->content), path.parent_path(), opened->file.notes,
+                                                   progress.part(0.9, 1.0));
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  return opened;
 }
 
 // That every blob comes back as its checksum says.
@@ -138,6 +145,17 @@ Result<OpenedFile> catchOutOfMemory(const Open& open) {
 }
 
 }  // namespace
+
+SnapshotPointer DocumentKind::withCheckedLinks(SnapshotPointer content, const std::filesystem::path&,
+                                               std::vector<Note>&, Progress) const {
+  return content;
+}
+
+GeometryPointer DocumentKind::bodyGeometry(const Snapshot& content) const {
+  TriangleSoup soup = placedSoup(display(content));
+  if (!isSoundSoup(soup)) return nullptr;
+  return std::make_shared<const MeshGeometry>(weld(soup));
+}
 
 DocumentKinds::DocumentKinds(std::vector<std::unique_ptr<DocumentKind>> kinds) : m_kinds(std::move(kinds)) {}
 

@@ -9,6 +9,7 @@
 #include "document/DocumentFile.h"
 #include "document/Note.h"
 #include "document/Property.h"
+#include "scene/BodyGeometry.h"
 
 #include <filesystem>
 #include <memory>
@@ -61,6 +62,15 @@ class DocumentKind {
 
   // The content of a new document of default size; null for a kind without empty documents.
   virtual SnapshotPointer blank() const { return nullptr; }
+
+  // The content after a look at the other files that it is linked to, for a container in this folder. What became of
+  // them is added to the notes. Kinds without links return the content itself.
+  virtual SnapshotPointer withCheckedLinks(SnapshotPointer content, const std::filesystem::path& folder,
+                                           std::vector<Note>& notes, Progress progress) const;
+
+  // The shape of a document of this kind as a body in another; null when it has none. By default its display as one
+  // mesh.
+  virtual GeometryPointer bodyGeometry(const Snapshot& content) const;
 
   virtual std::unique_ptr<Document> make(OpenedFile opened) const = 0;
 

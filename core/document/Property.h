@@ -25,10 +25,11 @@ struct Property {
   double largest = std::numeric_limits<double>::infinity();
   std::vector<std::string> choices = {};  // English, translated where they are shown
   bool editable = true;
-  bool translated = true;    // false: the label is a name from the file
-  std::string prefix = {};   // shown before the number: "⌀", "R"
-  std::string problem = {};  // English, context "Property": a remark on the value ("effort is not known")
-  bool continuous = false;   // best changed by a slider between its limits
+  bool translated = true;       // false: the label is a name from the file
+  bool groupTranslated = true;  // false: the group is
+  std::string prefix = {};      // shown before the number: "⌀", "R"
+  std::string problem = {};     // English, context "Property": a remark on the value ("effort is not known")
+  bool continuous = false;      // best changed by a slider between its limits
 };
 
 }  // namespace handwheel

@@ -13,7 +13,7 @@ namespace handwheel {
 // did not change, and costs a pointer for each.
 class BodySet {
  public:
-  static constexpr std::size_t kMost = 10'000;
+  static constexpr std::size_t kMost = 2'000;
 
   BodySet() : m_bodies(std::make_shared<const std::vector<BodyPointer>>()) {}
 

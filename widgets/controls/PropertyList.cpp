@@ -57,7 +57,7 @@ void PropertyList::rebuild() {
   m_empty->setVisible(m_properties.empty());
   const std::string* group = nullptr;
   for (const Property& property : m_properties) {
-    if (!group || *group != property.group) addHeading(property.group);
+    if (!group || *group != property.group) addHeading(property);
     group = &property.group;
     const auto kept = std::find_if(old.begin(), old.end(), [&](const PropertyRow* row) { return row->fits(property); });
     PropertyRow* row = kept == old.end() ? addRow(property) : *kept;
@@ -115,9 +115,13 @@ PropertyRow* PropertyList::addRow(const Property& property) {
   return row;
 }
 
-void PropertyList::addHeading(const std::string& group) {
+void PropertyList::addHeading(const Property& property) {
+  const std::string& group = property.group;
   if (group.empty()) return;
-  auto* heading = new QLabel(QCoreApplication::translate("Property", group.c_str()), m_page);
+  auto* heading = new QLabel(
+      property.groupTranslated ? QCoreApplication::translate("Property", group.c_str()) : QString::fromStdString(group),
+      m_page);
+  if (!property.groupTranslated) heading->setTextFormat(Qt::PlainText);
   heading->setProperty("strong", true);
   m_headings.push_back(heading);
   m_column->addSpacing(m_rows.empty() ? 0 : 8);

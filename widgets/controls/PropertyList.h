@@ -38,7 +38,7 @@ class PropertyList : public QScrollArea {
   void rebuild();
   void chainTab();
   PropertyRow* addRow(const Property& property);
-  void addHeading(const std::string& group);
+  void addHeading(const Property& property);  // above it: its group
 
   QWidget* m_page;
   QVBoxLayout* m_column;

@@ -9,20 +9,6 @@
 
 namespace handwheel {
 
-namespace {
-
-TriangleSoup placedSoup(const DisplayModel& model) {
-  TriangleSoup all;
-  for (const DisplayPart& part : model.parts) {
-    const auto base = static_cast<std::uint32_t>(all.points.size());
-    for (const Vec3& p : part.soup->points) all.points.push_back(part.pose * p);
-    for (const Triangle& t : part.soup->triangles) all.triangles.push_back({t[0] + base, t[1] + base, t[2] + base});
-  }
-  return all;
-}
-
-}  // namespace
-
 RigidPartsHaptics::RigidPartsHaptics(const WindowContext& window, QObject* parent)
     : QObject(parent),
       m_session(window.haptics),

@@ -5,11 +5,10 @@
 #include "document/cell/CellImport.h"
 #include "document/cell/SurfaceBudget.h"
 #include "document/container/ArchiveErrors.h"
-#include "document/container/Blobs.h"
-#include "document/container/JsonText.h"
+#include "document/scene/BodyBlobs.h"
+#include "document/scene/SurfaceBlobs.h"
 #include "robot/UrdfReader.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -18,58 +17,13 @@ namespace handwheel {
 
 namespace {
 
+const std::string kCellFolder = "cell";
 const std::string kDescription = "cell/robot.urdf";
 
 std::string surfaceName(std::size_t shape) {
   char number[16];
   std::snprintf(number, sizeof number, "%04zu", shape);
   return std::string("cell/surfaces/") + number;
-}
-
-nlohmann::json writeSurface(const TriangleSoup& soup, const std::string& name, Container& container) {
-  std::vector<float> numbers;
-  numbers.reserve(3 * soup.points.size());
-  for (const Vec3& p : soup.points) {
-    for (double v : p) numbers.push_back(static_cast<float>(v));
-  }
-  writeArray<float>(container, name + "/points", numbers, 3);
-  std::vector<std::uint32_t> corners;
-  corners.reserve(3 * soup.triangles.size());
-  for (const Triangle& t : soup.triangles) corners.insert(corners.end(), t.begin(), t.end());
-  writeArray<std::uint32_t>(container, name + "/triangles", corners, 3);
-  return {{"points", soup.points.size()}, {"triangles", soup.triangles.size()}};
-}
-
-std::vector<bool> isThere(const std::vector<IndexRange>& lost, std::size_t count) {
-  std::vector<bool> there(count, true);
-  for (const IndexRange& range : lost) {
-    for (std::size_t i = range.begin; i < std::min(range.end, count); ++i) there[i] = false;
-  }
-  return there;
-}
-
-// The triangles whose corners are all there; lost counts the others.
-TriangleSoup readSurfaceBlobs(const nlohmann::json& counts, const std::string& name, const Container& container,
-                              std::uint64_t& lost) {
-  const std::uint64_t count = countAt(counts, "triangles");
-  const auto points = readArray<float>(container, name + "/points", countAt(counts, "points"), 3);
-  const auto corners = readArray<std::uint32_t>(container, name + "/triangles", count, 3);
-  std::vector<bool> isReadable = isThere(points.lost, points.values.size() / 3);
-  TriangleSoup soup;
-  soup.points.reserve(isReadable.size());
-  for (std::size_t i = 0; i < isReadable.size(); ++i) {
-    const Vec3 p(points.values[3 * i], points.values[3 * i + 1], points.values[3 * i + 2]);
-    if (!(p.allFinite() && p.cwiseAbs().maxCoeff() <= kLargestCoordinate)) isReadable[i] = false;
-    soup.points.push_back(isReadable[i] ? p : Vec3(Vec3::Zero()));
-  }
-  const std::vector<bool> isListed = isThere(corners.lost, corners.values.size() / 3);
-  for (std::size_t i = 0; i < isListed.size(); ++i) {
-    const Triangle t{corners.values[3 * i], corners.values[3 * i + 1], corners.values[3 * i + 2]};
-    const auto isGood = [&](std::uint32_t corner) { return corner < isReadable.size() && isReadable[corner]; };
-    if (isListed[i] && std::all_of(t.begin(), t.end(), isGood)) soup.triangles.push_back(t);
-  }
-  lost = count - std::min<std::uint64_t>(count, soup.triangles.size());
-  return soup;
 }
 
 class Loading {
@@ -102,6 +56,9 @@ class Loading {
     auto cell = std::make_shared<RobotCellSnapshot>();
     cell->joints = readJoints(robot->model);
     cell->robot = std::move(robot);
+    Result<BodySet> bodies = readBodies(m_container, kCellFolder, m_damage, progress.part(0.5, 1.0));
+    if (!bodies) return bodies.error();
+    cell->bodies = std::move(bodies).value();
     const auto source = m_document.find("source");
     if (source != m_document.end() && source->is_string()) cell->source = source->get<std::string>();
     return SnapshotPointer(std::move(cell));
@@ -119,7 +76,7 @@ class Loading {
     const nlohmann::json& counts = (*surfaces)[number];
     if (counts.is_null()) return nullptr;  // it was missing when the cell was saved
     std::uint64_t lost = 0;
-    TriangleSoup soup = readSurfaceBlobs(counts, name, m_container, lost);
+    TriangleSoup soup = readSoupBlobs<float>(counts, name, m_container, kLargestCoordinate, lost);
     if (lost > 0 || soup.triangles.empty()) m_damage.push_back({ArchiveError::EntryDamaged, {name}, {}, {}});
     if (soup.triangles.empty()) return nullptr;
     return std::make_shared<const TriangleSoup>(std::move(soup));
@@ -157,9 +114,10 @@ void writeCell(const RobotCellSnapshot& cell, Container& container) {
   document["surfaces"] = nlohmann::json::array();
   for (std::size_t i = 0; i < robot.surfaces.size(); ++i) {
     const bool isStored = robot.surfaces[i] && std::holds_alternative<MeshShape>(robot.model.shapes[i]);
-    document["surfaces"].push_back(isStored ? writeSurface(*robot.surfaces[i], surfaceName(i), container)
+    document["surfaces"].push_back(isStored ? writeSoupBlobs<float>(*robot.surfaces[i], surfaceName(i), container)
                                             : nlohmann::json());
   }
+  writeBodies(cell.bodies, kCellFolder, container);
 }
 
 Result<SnapshotPointer> readCell(const Container& container, std::uint32_t shapeSides, std::vector<Error>& damage,

@@ -11,7 +11,7 @@ namespace handwheel {
 
 // Writes a robot cell to a container. It holds all that the cell needs: the description in the blob "cell/robot.urdf",
 // and of each mesh the points (three floats each, mm) and triangles (three indices each) in "cell/surfaces/NNNN/…". The
-// manifest has the value of each joint by its name; rad, mm.
+// manifest has the value of each joint by its name; rad, mm. The bodies are as writeBodies() writes them.
 void writeCell(const RobotCellSnapshot& cell, Container& container);
 
 // Reads a robot cell from a container. Lost and invalid parts are left out, and the joints are brought within their

@@ -4,11 +4,12 @@
 
 #include "document/Document.h"
 #include "document/cell/RobotCellSnapshot.h"
+#include "document/scene/BodyOwner.h"
 
 namespace handwheel {
 
-// Document of a robot cell: a robot and its joint values.
-class RobotCellDocument : public Document {
+// Document of a robot cell: a robot with its joint values, and the bodies beside it.
+class RobotCellDocument : public Document, public BodyOwner {
   Q_OBJECT
 
  public:
@@ -19,7 +20,7 @@ class RobotCellDocument : public Document {
   const JointValues& joints() const { return m_joints; }
 
   SnapshotPointer snapshot() const override;
-  // Those of cellProperties(), then those of every document.
+  // Those of cellProperties(), of bodyProperties(), then those of every document.
   std::vector<Property> properties() const override;
   Result<std::unique_ptr<Edit>> propertyEdit(const std::string& id, const PropertyValue& value) const override;
 
@@ -28,6 +29,7 @@ class RobotCellDocument : public Document {
 
  private:
   friend class JointEdit;
+  void bodiesChanged() override { wasChanged(); }
 
   std::shared_ptr<const CellRobot> m_robot;
   JointValues m_joints;

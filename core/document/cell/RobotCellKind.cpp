@@ -8,6 +8,9 @@
 #include "document/cell/CellImport.h"
 #include "document/cell/RobotCellDocument.h"
 #include "document/formats/MeshExport.h"
+#include "document/scene/BodyDescription.h"
+#include "document/scene/BodyDisplay.h"
+#include "document/scene/BodyLinks.h"
 #include "mesh/structure/MeshErrors.h"
 #include "robot/Kinematics.h"
 #include "robot/UrdfReader.h"
@@ -22,19 +25,6 @@ namespace {
 
 const RobotCellSnapshot& cellOf(const Snapshot& content) {
   return static_cast<const RobotCellSnapshot&>(content);
-}
-
-Result<TriangleSoup> posedSurface(const DisplayModel& display, Progress progress) {
-  TriangleSoup all;
-  for (std::size_t i = 0; i < display.parts.size(); ++i) {
-    if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
-    progress.set(static_cast<double>(i) / static_cast<double>(display.parts.size()));
-    const DisplayPart& part = display.parts[i];
-    const auto base = static_cast<std::uint32_t>(all.points.size());
-    for (const Vec3& p : part.soup->points) all.points.push_back(part.pose * p);
-    for (const Triangle& t : part.soup->triangles) all.triangles.push_back({base + t[0], base + t[1], base + t[2]});
-  }
-  return all;
 }
 
 const char* nameOf(JointKind kind) {
@@ -113,17 +103,17 @@ Result<WrittenFile> RobotCellKind::exportTo(const Snapshot& content, const std::
                                             Progress progress) const {
   const Result<MeshFormat> format = formatForOutput(path);
   if (!format) return format.error();
-  const Result<TriangleSoup> soup = posedSurface(display(content), progress.part(0.0, 0.2));
-  if (!soup) return soup.error();
-  if (soup->triangles.empty()) return Error{MeshError::NoTriangles, {}, {}, {}};
+  const TriangleSoup soup = placedSoup(display(content));
+  if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+  if (soup.triangles.empty()) return Error{MeshError::NoTriangles, {}, {}, {}};
   const Result<std::string> bytes =
-      encodeChecked(*soup, *format, numberTypeOf(*format, NumberType::Float64), progress.part(0.2, 0.8));
+      encodeChecked(soup, *format, numberTypeOf(*format, NumberType::Float64), progress.part(0.2, 0.8));
   if (!bytes) return bytes.error();
   const Status written = writeFileAtomically(path, *bytes, progress.part(0.8, 1.0));
   if (!written) return written.error();
   return WrittenFile{
       bytes->size(),
-      {{QT_TRANSLATE_NOOP("Note", "The file holds the robot's surfaces as they stand now; it has no joints.")}}};
+      {{QT_TRANSLATE_NOOP("Note", "The file holds the robot and the bodies as they stand now; it has no joints.")}}};
 }
 
 void RobotCellKind::save(const Snapshot& content, Container& container) const {
@@ -133,6 +123,13 @@ void RobotCellKind::save(const Snapshot& content, Container& container) const {
 Result<SnapshotPointer> RobotCellKind::load(const Container& container, std::vector<Error>& damage,
                                             Progress progress) const {
   return readCell(container, m_shapeSides, damage, progress);
+}
+
+SnapshotPointer RobotCellKind::withCheckedLinks(SnapshotPointer content, const std::filesystem::path& folder,
+                                                std::vector<Note>& notes, Progress progress) const {
+  auto checked = std::make_shared<RobotCellSnapshot>(cellOf(*content));
+  checked->bodies = withCheckedBodyLinks(checked->bodies, folder, notes, progress);
+  return checked;
 }
 
 std::unique_ptr<Document> RobotCellKind::make(OpenedFile opened) const {
@@ -156,12 +153,15 @@ nlohmann::json RobotCellKind::describe(const Snapshot& content) const {
           {"joints", describeJoints(robot, cell.joints)},
           {"tool", describeTool(robot, cell.joints)},
           {"triangles", triangles},
-          {"missing_meshes", missing}};
+          {"missing_meshes", missing},
+          {"bodies", describeBodies(cell.bodies)}};
 }
 
 DisplayModel RobotCellKind::display(const Snapshot& content) const {
   const RobotCellSnapshot& cell = cellOf(content);
-  return displayOf(*cell.robot, cell.joints);
+  DisplayModel display = displayOf(*cell.robot, cell.joints);
+  for (DisplayPart& part : displayPartsOf(cell.bodies)) display.parts.push_back(std::move(part));
+  return display;
 }
 
 }  // namespace handwheel

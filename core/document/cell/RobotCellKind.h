@@ -9,7 +9,7 @@
 
 namespace handwheel {
 
-// Document kind of robot cells: a URDF description, its meshes and joint values.
+// Document kind of robot cells: a URDF description, its meshes and joint values, and bodies beside it.
 class RobotCellKind : public DocumentKind {
  public:
   // The setting cell.shape_sides for the robots that are opened from now on. Any thread.
@@ -28,6 +28,8 @@ class RobotCellKind : public DocumentKind {
   void save(const Snapshot& content, Container& container) const override;
   Result<SnapshotPointer> load(const Container& container, std::vector<Error>& damage,
                                Progress progress) const override;
+  SnapshotPointer withCheckedLinks(SnapshotPointer content, const std::filesystem::path& folder,
+                                   std::vector<Note>& notes, Progress progress) const override;
   std::unique_ptr<Document> make(OpenedFile opened) const override;
   nlohmann::json describe(const Snapshot& content) const override;
   DisplayModel display(const Snapshot& content) const override;

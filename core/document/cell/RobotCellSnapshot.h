@@ -5,6 +5,7 @@
 #include "document/Snapshot.h"
 #include "mesh/structure/TriangleSoup.h"
 #include "robot/RobotModel.h"
+#include "scene/BodySet.h"
 
 namespace handwheel {
 
@@ -22,6 +23,7 @@ struct RobotCellSnapshot : Snapshot {
   std::shared_ptr<const CellRobot> robot;  // never null
   JointValues joints;                      // within their limits
   std::string source;                      // the file that the robot came from, as text in UTF-8
+  BodySet bodies;                          // what stands beside the robot; in the frame of its base
 };
 
 }  // namespace handwheel

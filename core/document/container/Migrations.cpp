@@ -14,6 +14,9 @@ std::span<const Migration> migrations() {
       // A workpiece may have been cut: an older program would show the bar, and lose the part when it saves. A document
       // of version 1 without it is as it was.
       [](Container&) -> Status { return Done{}; },
+      // A cell may hold bodies: an older program would show the robot alone, and drop their shapes when it saves. A
+      // document of version 2 holds none.
+      [](Container&) -> Status { return Done{}; },
   };
   return kChain;
 }

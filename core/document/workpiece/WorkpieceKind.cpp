@@ -14,6 +14,7 @@
 #include "nurbs/CylinderDistance.h"
 #include "nurbs/StepFile.h"
 #include "nurbs/Tessellation.h"
+#include "scene/RevolvedGeometry.h"
 
 #include <QtGlobal>
 #include <algorithm>
@@ -208,6 +209,18 @@ DisplayModel WorkpieceKind::display(const Snapshot& content) const {
   part.soup = workpiece.mesh->soup();
   part.pose.translation().z() = workpiece.stock.position;
   return {{std::move(part)}};
+}
+
+GeometryPointer WorkpieceKind::bodyGeometry(const Snapshot& content) const {
+  const WorkpieceSnapshot& workpiece = workpieceOf(content);
+  const Result<ProfileCurve> profile = profileOf(workpiece);
+  if (!profile) return DocumentKind::bodyGeometry(content);
+  ProfileNet net = profile->net();
+  for (ProfilePoint& pole : net.poles) pole.y() += workpiece.stock.position;
+  Result<ProfileCurve> placed = ProfileCurve::make(std::move(net));
+  if (!placed) return DocumentKind::bodyGeometry(content);
+  auto made = RevolvedGeometry::make(std::move(placed).value(), workpiece.chord);
+  return made ? GeometryPointer(std::move(made).value()) : DocumentKind::bodyGeometry(content);
 }
 
 }  // namespace handwheel

@@ -27,6 +27,8 @@ class WorkpieceKind : public DocumentKind {
   std::unique_ptr<Document> make(OpenedFile opened) const override;
   nlohmann::json describe(const Snapshot& content) const override;
   DisplayModel display(const Snapshot& content) const override;
+  // Its exact profile, where the bar stands.
+  GeometryPointer bodyGeometry(const Snapshot& content) const override;
 };
 
 }  // namespace handwheel

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/workpiece/WorkpieceProperties.h"
 
+#include "document/Utf8.h"
+
 #include <QString>
 #include <QtGlobal>
 
@@ -40,10 +42,6 @@ std::string text(double value) {
 
 Error malformed(const std::string& id, const char* expected) {
   return {ErrorCode::ElementMalformed, {id, expected}, {}, {}};
-}
-
-bool isUtf8(const std::string& bytes) {
-  return QString::fromUtf8(bytes.data(), static_cast<qsizetype>(bytes.size())).toStdString() == bytes;
 }
 
 }  // namespace

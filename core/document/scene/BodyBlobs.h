@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "base/Result.h"
+#include "document/Container.h"
+#include "scene/BodySet.h"
+
+namespace handwheel {
+
+// Bodies in a container, the same for all kinds of documents. Their list is "bodies" in the object "document" of the
+// manifest, by number (four digits or more): name, pose (twelve numbers, the rows of the rotation with the position,
+// mm), colour, smooth, visible, link and geometry. The arrays of a shape are in blobs below "FOLDER/bodies/NUMBER".
+// "next_body" is the number of the next one.
+//
+// folder: of the kind, without a slash.
+void writeBodies(const BodySet& bodies, const std::string& folder, Container& container);
+
+// Reads bodies; accepts any input. What is wrong with a body is mended where that loses nothing (a name that another
+// has, a rotation in few digits), or added to damage: ElementMalformed {"bodies.NUMBER", what is wrong}, FileTooLarge,
+// those of readGeometry(). Error: Cancelled.
+Result<BodySet> readBodies(const Container& container, const std::string& folder, std::vector<Error>& damage,
+                           Progress progress);
+
+}  // namespace handwheel

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "scene/BodySet.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace handwheel {
+
+// What a link state is called in reports and properties: "present", "missing", "changed", "unchecked".
+const char* nameOf(LinkState state);
+// What a shape is called there: "box", "mesh", …
+std::string shapeNameOf(const BodyGeometry& geometry);
+
+// The bodies for a report: an array of objects with "id", "name", "shape", "position" (mm), "quaternion" (w first),
+// "visible", "triangles" and "link" (null, or "path" and "state").
+nlohmann::json describeBodies(const BodySet& bodies);
+
+}  // namespace handwheel

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/DisplayModel.h"
+#include "scene/BodySet.h"
+
+#include <optional>
+#include <string_view>
+
+namespace handwheel {
+
+// The visible bodies as displayed parts, "body.NUMBER". A body that was only moved keeps its soup.
+std::vector<DisplayPart> displayPartsOf(const BodySet& bodies);
+
+// The number of the body that a displayed part belongs to; none for other parts.
+std::optional<BodyId> bodyOfPart(std::string_view part);
+
+}  // namespace handwheel

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/Edit.h"
+#include "scene/Body.h"
+
+#include <vector>
+
+namespace handwheel {
+
+// Adds, removes or replaces some bodies of a document. Holds the other version of these and nothing else; versions of a
+// body share its shape.
+class BodyEdit : public Edit {
+ public:
+  struct Change {
+    BodyId id;
+    BodyPointer body;  // null: there is none
+  };
+
+  // At least one change, no number twice. Names must be unique afterwards (BodyChanges.h checks that).
+  explicit BodyEdit(std::vector<Change> changes) : m_changes(std::move(changes)) {}
+
+  // The document must be a BodyOwner.
+  void exchange(Document& document) override;
+  bool absorb(const Edit& later) override;  // of the same bodies
+  std::size_t bytes() const override;
+
+ private:
+  std::vector<Change> m_changes;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Error.h"
+
+// The error codes of edits of bodies.
+namespace handwheel::BodyError {
+
+extern const ErrorDescription NameTaken;     // {name} another body of the document has it
+extern const ErrorDescription NameUnusable;  // {name, most bytes} empty, too long, or of more than one line
+
+}  // namespace handwheel::BodyError

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/DocumentKind.h"
+#include "scene/Body.h"
+
+namespace handwheel {
+
+// A body read from a file, with what is to be said of it.
+struct ReadBody {
+  Body body;  // without a number; named after the file
+  std::vector<Error> damage;
+};
+
+// Reads a file of any kind as a body: a mesh, a workpiece, a robot as it stands. isLinked: with a link to it; folder:
+// as for linkTo(). Errors: those of opening, of linkTo(); NoTriangles.
+Result<ReadBody> readBody(const DocumentKinds& kinds, const std::filesystem::path& path, bool isLinked,
+                          const std::filesystem::path& folder, Progress progress = {});
+
+// Reads the file of a linked body again. Its name, place and look stay. Errors: those of readBody(), ReferenceMissing
+// {"the file", path}.
+Result<ReadBody> updatedFromLink(const DocumentKinds& kinds, const Body& body, const std::filesystem::path& folder,
+                                 Progress progress = {});
+
+}  // namespace handwheel

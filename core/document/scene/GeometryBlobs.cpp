@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/scene/GeometryBlobs.h"
+
+#include "document/container/ArchiveErrors.h"
+#include "document/container/Blobs.h"
+#include "document/container/JsonText.h"
+#include "document/scene/SurfaceBlobs.h"
+#include "scene/MeshGeometry.h"
+#include "scene/PrimitiveGeometry.h"
+#include "scene/RevolvedGeometry.h"
+#include "scene/UnknownGeometry.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace handwheel {
+
+namespace {
+
+using nlohmann::json;
+
+std::string stringIn(const json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+// Those of the numbers of an array that are numbers, at most so many.
+std::vector<double> numbersIn(const json& object, const char* key, std::size_t most) {
+  std::vector<double> numbers;
+  const auto found = object.find(key);
+  if (found == object.end() || !found->is_array()) return numbers;
+  for (const json& entry : *found) {
+    if (entry.is_number() && numbers.size() < most) numbers.push_back(entry.get<double>());
+  }
+  return numbers;
+}
+
+json writeMesh(const BodyGeometry& geometry, const std::string& folder, Container& container) {
+  return writeSoupBlobs<double>(dynamic_cast<const MeshGeometry&>(geometry).soup(), folder, container);
+}
+
+Result<GeometryPointer> readMesh(const json& described, const std::string& folder, const Container& container,
+                                 std::vector<Error>& damage) {
+  std::uint64_t lost = 0;
+  TriangleSoup soup = readSoupBlobs<double>(described, folder, container, MeshGeometry::kLargestCoordinate, lost);
+  const Error damaged{ArchiveError::EntryDamaged, {folder}, {}, {}};
+  if (soup.triangles.empty()) return damaged;
+  if (lost > 0) damage.push_back(damaged);
+  return GeometryPointer(std::make_shared<const MeshGeometry>(std::move(soup)));
+}
+
+json writeRevolved(const BodyGeometry& geometry, const std::string& folder, Container& container) {
+  const auto& revolved = dynamic_cast<const RevolvedGeometry&>(geometry);
+  const ProfileNet& net = revolved.profile().net();
+  std::vector<double> poles;
+  for (std::size_t i = 0; i < net.poles.size(); ++i)
+    poles.insert(poles.end(), {net.poles[i].x(), net.poles[i].y(), net.weights[i]});
+  writeArray<double>(container, folder + "/poles", poles, 3);
+  writeArray<double>(container, folder + "/knots", net.knots);
+  return {{"chord", revolved.chord()}, {"degree", static_cast<unsigned>(net.degree)}, {"poles", net.poles.size()}};
+}
+
+Result<GeometryPointer> readRevolved(const json& described, const std::string& folder, const Container& container,
+                                     std::vector<Error>&) {
+  const std::uint64_t count = countAt(described, "poles"), degree = countAt(described, "degree");
+  const Error damaged{ArchiveError::EntryDamaged, {folder}, {}, {}};
+  if (count > ProfileCurve::kMostPoles || degree > static_cast<std::uint64_t>(kHighestDegree)) return damaged;
+  const auto poles = readArray<double>(container, folder + "/poles", count, 3);
+  const auto knots = readArray<double>(container, folder + "/knots", count + degree + 1);
+  if (!poles.lost.empty() || !knots.lost.empty() || poles.values.size() != 3 * count) return damaged;
+  ProfileNet net;
+  net.degree = static_cast<int>(degree);
+  net.knots = knots.values;
+  for (std::size_t i = 0; i < poles.values.size(); i += 3) {
+    net.poles.emplace_back(poles.values[i], poles.values[i + 1]);
+    net.weights.push_back(poles.values[i + 2]);
+  }
+  Result<ProfileCurve> profile = ProfileCurve::make(std::move(net));
+  if (!profile) return profile.error();
+  const auto chord = described.find("chord");
+  const bool isGiven = chord != described.end() && chord->is_number();
+  auto made = RevolvedGeometry::make(std::move(profile).value(), isGiven ? chord->get<double>() : 0.0);
+  if (!made) return made.error();
+  return GeometryPointer(std::move(made).value());
+}
+
+json writePrimitive(const BodyGeometry& geometry, const std::string&, Container&) {
+  const auto& primitive = dynamic_cast<const PrimitiveGeometry&>(geometry);
+  return {{"shape", primitive.description().id}, {"dimensions", primitive.dimensions()}};
+}
+
+Result<GeometryPointer> readPrimitive(const json& described, const std::string& folder, const Container&,
+                                      std::vector<Error>&) {
+  constexpr std::size_t kMostDimensions = 16;
+  const std::string shape = stringIn(described, "shape");
+  for (const PrimitiveDescription& each : primitives()) {
+    if (each.id != shape) continue;
+    auto made = PrimitiveGeometry::make(each.primitive, numbersIn(described, "dimensions", kMostDimensions));
+    if (!made) return made.error();
+    return GeometryPointer(std::move(made).value());
+  }
+  return Error{ErrorCode::Unsupported, {"the shape '" + shape + "' (" + folder + ")"}, {}, {}};
+}
+
+// How a kind of shapes is stored. Written beside its kind, which the caller adds.
+struct GeometryFormat {
+  std::string_view kind;
+  json (*write)(const BodyGeometry& geometry, const std::string& folder, Container& container);
+  // An error: nothing of it can be used.
+  Result<GeometryPointer> (*read)(const json& described, const std::string& folder, const Container& container,
+                                  std::vector<Error>& damage);
+};
+
+constexpr GeometryFormat kGeometryFormats[] = {
+    {MeshGeometry::kKind, writeMesh, readMesh},
+    {RevolvedGeometry::kKind, writeRevolved, readRevolved},
+    {PrimitiveGeometry::kKind, writePrimitive, readPrimitive},
+};
+
+const GeometryFormat* formatOf(std::string_view kind) {
+  const auto found = std::find_if(std::begin(kGeometryFormats), std::end(kGeometryFormats),
+                                  [&](const GeometryFormat& format) { return format.kind == kind; });
+  return found == std::end(kGeometryFormats) ? nullptr : found;
+}
+
+json writeUnknown(const UnknownGeometry& geometry, const std::string& folder, Container& container) {
+  for (const auto& [name, bytes] : geometry.parts()) container.blobs[folder + '/' + name] = bytes;
+  const Result<json> described = parseJson(geometry.description(), "geometry");
+  return described ? *described : json();
+}
+
+GeometryPointer keptAsItIs(const std::string& kind, const json& described, const std::string& folder,
+                           const Container& container) {
+  std::map<std::string, std::string> parts;
+  const std::string start = folder + '/';
+  for (auto blob = container.blobs.lower_bound(start); blob != container.blobs.end() && blob->first.starts_with(start);
+       ++blob) {
+    parts[blob->first.substr(start.size())] = blob->second;
+  }
+  return std::make_shared<const UnknownGeometry>(kind, described.dump(-1, ' ', false, json::error_handler_t::replace),
+                                                 std::move(parts));
+}
+
+}  // namespace
+
+nlohmann::json writeGeometry(const BodyGeometry& geometry, const std::string& folder, Container& container) {
+  if (const auto* unknown = dynamic_cast<const UnknownGeometry*>(&geometry))
+    return writeUnknown(*unknown, folder, container);
+  json described = formatOf(geometry.kind())->write(geometry, folder, container);
+  described["kind"] = geometry.kind();
+  return described;
+}
+
+GeometryPointer readGeometry(const nlohmann::json& described, const std::string& folder, const Container& container,
+                             std::vector<Error>& damage) {
+  const std::string kind = described.is_object() ? stringIn(described, "kind") : std::string();
+  const GeometryFormat* format = formatOf(kind);
+  if (!format) {
+    damage.push_back({ErrorCode::Unsupported, {"the shape '" + kind + "' (" + folder + ")"}, {}, {}});
+    return keptAsItIs(kind, described, folder, container);
+  }
+  Result<GeometryPointer> read = format->read(described, folder, container, damage);
+  if (read) return std::move(read).value();
+  damage.push_back(read.error());
+  return keptAsItIs(kind, described, folder, container);
+}
+
+}  // namespace handwheel

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Cells.h"
+
+#include "TestClass.h"
+#include "document/cell/CellDisplay.h"
+#include "document/scene/BodyChanges.h"
+#include "document/scene/BodyDisplay.h"
+#include "scene/PrimitiveGeometry.h"
+#include "scene/RigidPose.h"
+
+#include <rapidcheck.h>
+#include <QTest>
+#include <nlohmann/json.hpp>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+Body boxAt(const std::string& name, double size, const Pose& pose) {
+  return {.name = name, .pose = pose, .geometry = *PrimitiveGeometry::make(Primitive::Cuboid, {size, size, size})};
+}
+
+void add(RobotCellDocument& cell, Body body) {
+  cell.commit("Add", std::move(addBodyEdit(cell.bodies(), std::move(body))).value());
+}
+
+}  // namespace
+
+class CellBodiesTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() { m_cell = std::make_unique<RobotCellDocument>(importOrThrow(m_package.urdf())); }
+
+  void bodiesStandBesideTheRobot() {
+    const std::size_t links = kKind.display(*m_cell->snapshot()).parts.size();
+    add(*m_cell, boxAt("table", 100, poseOf({500, 0, 0}, {0, 0, 0})));
+    const DisplayModel shown = kKind.display(*m_cell->snapshot());
+    QCOMPARE(shown.parts.size(), links + 1);
+    const DisplayPart& part = shown.parts.back();
+    QCOMPARE(bodyOfPart(part.name), std::optional<BodyId>(1));
+    QCOMPARE(linkOfPart(m_cell->robot(), part.name), kNone);
+    QVERIFY((part.pose * part.soup->points[0] - Vec3(500, 0, 0)).cwiseAbs().isApprox(Vec3(50, 50, 50)));
+    for (std::size_t i = 0; i < links; ++i) QVERIFY(!bodyOfPart(shown.parts[i].name));
+  }
+
+  void aMovedBodyKeepsItsSoup() {
+    add(*m_cell, boxAt("table", 100, Pose::Identity()));
+    const DisplayModel before = kKind.display(*m_cell->snapshot());
+    QVERIFY(m_cell->setProperty("body.1.z", 30.0).hasValue());
+    const DisplayModel after = kKind.display(*m_cell->snapshot());
+    QCOMPARE(after.parts.back().soup, before.parts.back().soup);
+    QCOMPARE(after.parts.back().pose.translation().z(), 30.0);
+    QVERIFY(m_cell->setProperty("body.1.visible", false).hasValue());
+    QCOMPARE(kKind.display(*m_cell->snapshot()).parts.size(), after.parts.size() - 1);
+  }
+
+  void saveAndLoad() {
+    QVERIFY(rc::check("cells with bodies", [this] {
+      init();
+      for (int i = *rc::gen::inRange(0, 4); i > 0; --i) {
+        const auto any = [] { return *rc::gen::inRange(-1000, 1001) / 7.0; };
+        add(*m_cell, boxAt(freeBodyName(m_cell->bodies(), "box"), 1.0 + i,
+                           poseOf({any(), any(), any()}, {any() / 50, any() / 100, any() / 50})));
+      }
+      std::vector<Error> damage;
+      const auto again = loaded(saved(*m_cell->snapshot()), damage);
+      RC_ASSERT(again && damage.empty());
+      RC_ASSERT(again->bodies.size() == m_cell->bodies().size());
+      for (const BodyPointer& body : m_cell->bodies()) {
+        const BodyPointer read = again->bodies.withId(body->id);
+        RC_ASSERT(read && read->name == body->name && read->pose.matrix() == body->pose.matrix());
+      }
+    }));
+  }
+
+  void jointsAndBodiesUndoInTurn() {
+    add(*m_cell, boxAt("table", 100, Pose::Identity()));
+    QVERIFY(m_cell->setProperty("joint.turn", 1.0).hasValue());
+    QVERIFY(m_cell->setProperty("body.1.name", std::string("bench")).hasValue());
+    for (int i = 0; i < 3; ++i) m_cell->history()->undo();
+    QVERIFY(m_cell->bodies().empty() && m_cell->joints()[1] == 0.0);
+    for (int i = 0; i < 3; ++i) m_cell->history()->redo();
+    QCOMPARE(m_cell->bodies().withId(1)->name, "bench");
+    QCOMPARE(m_cell->joints()[1], 1.0);
+  }
+
+  void describes() {
+    add(*m_cell, boxAt("table", 100, poseOf({1, 2, 3}, {0, 0, 0})));
+    const nlohmann::json bodies = kKind.describe(*m_cell->snapshot())["bodies"];
+    QCOMPARE(bodies.size(), std::size_t{1});
+    QCOMPARE(bodies[0]["name"].get<std::string>(), "table");
+    QCOMPARE(bodies[0]["shape"].get<std::string>(), "box");
+    QVERIFY(bodies[0]["position"] == nlohmann::json({1.0, 2.0, 3.0}));
+    QVERIFY(bodies[0]["link"].is_null());
+  }
+
+  // Of files of version 2 and before.
+  void cellsWithoutBodies() {
+    Container old = saved(*m_cell->snapshot());
+    (*old.manifest)["document"].erase("bodies");
+    (*old.manifest)["document"].erase("next_body");
+    std::vector<Error> damage;
+    const auto read = loaded(old, damage);
+    QVERIFY(read && damage.empty() && read->bodies.empty());
+  }
+
+ private:
+  ArmPackage m_package;
+  std::unique_ptr<RobotCellDocument> m_cell;
+};
+
+HANDWHEEL_TEST(CellBodiesTest)
+#include "CellBodiesTest.moc"
