@@ -13,7 +13,7 @@ struct WindowServicesWords {
   Q_DECLARE_TR_FUNCTIONS(WindowServices)
 };
 
-QString nameOf(const std::string& id) {
+QString ownName(const std::string& id) {
   if (id == "autosave") return WindowServicesWords::tr("Autosave");
   if (id == "self_intersections") return WindowServicesWords::tr("Search for self-intersections");
   if (id == "haptics") return WindowServicesWords::tr("Servo loop of the device");
@@ -36,6 +36,22 @@ WindowServices::WindowServices()
       m_asked(std::chrono::steady_clock::now()) {
   for (Service* service : {&m_autosave, &m_selfIntersections, &m_fillPreview, &m_haptics, &m_simulation})
     m_needs.add(*service);
+}
+
+void WindowServices::add(Service& service, const QString& name) {
+  m_names[service.id()] = name;
+  m_needs.add(service);
+}
+
+void WindowServices::remove(Service& service) {
+  m_needs.remove(service);
+  m_names.erase(service.id());
+  m_before.erase(service.id());
+}
+
+QString WindowServices::nameOf(const std::string& id) const {
+  const auto added = m_names.find(id);
+  return added == m_names.end() ? ownName(id) : added->second;
 }
 
 std::vector<std::pair<QString, double>> WindowServices::costs() const {

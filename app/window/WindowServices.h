@@ -17,6 +17,10 @@ class WindowServices {
   WindowServices();
 
   ServiceRegistry& needs() { return m_needs; }
+  // Adds a service of a kind of document, whose id must be new. name: translated. It must be removed before it ends.
+  void add(Service& service, const QString& name);
+  void remove(Service& service);
+
   Service& autosave() { return m_autosave; }
   Service& selfIntersections() { return m_selfIntersections; }
   Service& fillPreview() { return m_fillPreview; }
@@ -30,12 +34,15 @@ class WindowServices {
   std::vector<ServiceStatus> status();
 
  private:
+  QString nameOf(const std::string& id) const;
+
   Service m_autosave;
   Service m_selfIntersections;
   Service m_fillPreview;
   Service m_haptics;
   Service m_simulation;
   ServiceRegistry m_needs;
+  std::map<std::string, QString> m_names;  // of added services
   std::map<std::string, ServiceCounters> m_before;
   std::chrono::steady_clock::time_point m_asked;
 };
