@@ -58,7 +58,7 @@ void HapticSceneBuilder::setSurface(std::optional<ContactSurface> surface, bool 
 void HapticSceneBuilder::setSnap(std::optional<SnapField> field, double distance, bool isEdit) {
   if (!field) return setSource(kSnapSource, {}, isEdit);
   const auto make = [this, field = *std::move(field), distance](const TouchContext& context) {
-    if (m_isHolding) return std::unique_ptr<SnapForce>();
+    if (m_isHolding || !context.touch.isSnapping) return std::unique_ptr<SnapForce>();
     const SnapProfile profile(context.touch.snapShape, context.mapping.sceneStiffness(context.touch.snapStiffness),
                               std::min(distance, kFarthestSnap * context.mapping.scale));
     return std::make_unique<SnapForce>(kSnapSource,

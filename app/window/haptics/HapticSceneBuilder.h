@@ -45,7 +45,7 @@ class HapticSceneBuilder : public QObject {
   // Sets the contact surface, the source kSurfaceSource. describe: of what it is the surface; may be null.
   void setSurface(std::optional<ContactSurface> surface, bool isEdit, Describe describe = {});
   // Sets the snap field, the source kSnapSource, which attracts the tip within `distance` (mm in the scene) unless
-  // something is held.
+  // something is held or snapping is switched off.
   void setSnap(std::optional<SnapField> field, double distance, bool isEdit);
   void setHolding(bool isHolding);
   // Sets the springs of the tool, the source kSpringSource; stiffnesses are those at the device.

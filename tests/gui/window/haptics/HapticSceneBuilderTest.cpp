@@ -143,6 +143,22 @@ class HapticSceneBuilderTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(!b.isSoftened() && isNear(pull(left) + pull(right)), kLongestMs);
   }
 
+  // Switched off, it attracts nothing, whoever offered it.
+  void snapsOnlyWhereThatIsOn() {
+    TouchSceneBench b;
+    QVERIFY(b.begin());
+    b.offer({Vec3::Zero()}, 4.0);
+    b.lead({2.5, 0.0, 0.0});
+    QTRY_VERIFY_WITH_TIMEOUT(b.force().norm() > 0.1, kLongestMs);
+    TouchSettings touch = b.session->touch();
+    touch.isSnapping = false;
+    b.session->setTouch(touch);
+    QTRY_VERIFY_WITH_TIMEOUT(b.force().isZero(0.0), kLongestMs);
+    touch.isSnapping = true;
+    b.session->setTouch(touch);
+    QTRY_VERIFY_WITH_TIMEOUT(b.force().norm() > 0.1, kLongestMs);
+  }
+
   // The stiffness of the feature is another at once; what is sent waits for the ramp.
   void aChangeComesByTheRamp() {
     TouchSceneBench b;
