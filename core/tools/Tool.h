@@ -111,6 +111,9 @@ class Tool {
   virtual std::vector<ToolAction> actions() const = 0;
 
   virtual ToolPreview preview() const { return {}; }
+  // Whether the preview changes by itself, as that of a running simulation does: it is then shown with each frame, not
+  // only after an input.
+  virtual bool isLive() const { return false; }
   virtual std::vector<Property> settings() const { return {}; }
   virtual void setSetting(std::string_view id, const PropertyValue& value) {
     (void)id;

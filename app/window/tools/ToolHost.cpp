@@ -19,6 +19,8 @@ namespace handwheel {
 
 namespace {
 
+constexpr int kFrameMs = 16;  // of a live preview
+
 PointerButton buttonOf(Qt::MouseButton button) {
   if (button == Qt::LeftButton) return PointerButton::First;
   return button == Qt::RightButton ? PointerButton::Second : PointerButton::None;
@@ -93,6 +95,8 @@ ToolHost::ToolHost(Viewport& viewport, ToolPanel& panel, ServiceRegistry& needs,
   });
   connect(&m_runner, &ToolRunner::updated, this, [this] { m_isMoving ? showSoon() : show(); });
   connect(&m_runner, &ToolRunner::ended, this, &ToolHost::showNothing);
+  m_frames.setInterval(kFrameMs);
+  connect(&m_frames, &QTimer::timeout, this, [this] { showShapes(m_runner.tool()->preview()); });
 }
 
 ToolHost::~ToolHost() {
@@ -197,6 +201,7 @@ void ToolHost::show() {
   const Tool* tool = m_runner.tool();
   if (!tool) return showNothing();
   showShapes(tool->preview());
+  if (tool->isLive() != m_frames.isActive()) tool->isLive() ? m_frames.start() : m_frames.stop();
   if (m_runner.document()) m_panel.settings().setLengthUnit(m_runner.document()->displayUnit());
   m_panel.settings().setProperties(tool->settings());
   showActions();
@@ -223,6 +228,7 @@ void ToolHost::showActions() {
 
 void ToolHost::showNothing() {
   m_isShowDue = false;
+  m_frames.stop();
   m_needed.clear();
   m_readout->hide();
   showShapes({});

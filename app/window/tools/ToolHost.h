@@ -6,6 +6,7 @@
 #include "panels/HintBar.h"
 #include "tools/ToolRunner.h"
 
+#include <QTimer>
 #include <map>
 
 namespace handwheel {
@@ -75,6 +76,7 @@ class ToolHost : public QObject {
   bool m_isMoving = false;   // the tool is handling a mouse move
   bool m_isShowDue = false;  // showSoon() was called
   bool m_isVisible = true;
+  QTimer m_frames;                                                       // runs while the preview is live
   std::map<std::string, std::map<std::string, PropertyValue>> m_chosen;  // by tool
 };
 

@@ -37,6 +37,7 @@ class TurnTool : public Tool {
   ToolReply perform(std::string_view action) override;
   std::vector<ToolAction> actions() const override;
   ToolPreview preview() const override;
+  bool isLive() const override { return m_isPassing; }
   std::vector<Property> settings() const override;
   void setSetting(std::string_view id, const PropertyValue& value) override;
   void documentChanged() override;

@@ -6,6 +6,7 @@
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/haptics/HapticSession.h"
+#include "window/tools/ToolHost.h"
 
 #include <cmath>
 
@@ -109,6 +110,23 @@ class TurningWindowTest : public QObject {
     QVERIFY(second.open(path));
     auto& opened = static_cast<WorkpieceDocument&>(second.window().findChild<DocumentTabs*>()->current()->document);
     QVERIFY(opened.workpiece().part && opened.workpiece().part->profile == profile);
+  }
+
+  // What the simulation cuts while the mouse rests is shown without another input.
+  void isShownWhileTheMouseRests() {
+    TurningWindow turning;
+    QVERIFY(turning.begin());
+    std::shared_ptr<const DisplayModel> shown;
+    connect(turning.driver.window().findChild<ToolHost*>(), &ToolHost::previewed, this,
+            [&shown](const ToolPreview& preview) { shown = preview.replaced; });
+    const QPoint inside = turning.pixelOf(22.0, 30.0);
+    QTest::mouseMove(turning.view, inside);
+    QTRY_VERIFY(shown);
+    const auto uncut = shown;
+    QTest::mousePress(turning.view, Qt::LeftButton, {}, inside);
+    QTRY_VERIFY(shown && shown != uncut);
+    QTest::mouseRelease(turning.view, Qt::LeftButton, {}, inside);
+    QVERIFY(turning.workpiece().part);
   }
 
   // The hand feels the bar as it is; pressed with the button held it goes in, and the release is the undo step.
