@@ -18,9 +18,26 @@ struct SimulationInput {
   Vec3 proxy = Vec3::Zero();  // mm: where the tip is held by what it touches
 };
 
-// Inputs on their way to a simulation.
-using SimulationInputs = SpscRing<SimulationInput>;
 inline constexpr std::size_t kWaitingInputs = 4096;  // 4 s at 1 kHz
+
+// Inputs on their way to a simulation: those of the device from the servo thread, those of the mouse from the window's.
+// Neither waits; what does not fit is dropped.
+class SimulationInputs {
+ public:
+  // capacity: of each of the two ways, rounded up to a power of two.
+  explicit SimulationInputs(std::size_t capacity) : m_ofDevice(capacity), m_ofWindow(capacity) {}
+
+  bool push(const SimulationInput& input) noexcept { return m_ofDevice.push(input); }  // servo thread
+  bool pushFromWindow(const SimulationInput& input) noexcept { return m_ofWindow.push(input); }
+  // The thread of the simulation, or that which owns it while it does not run.
+  bool pop(SimulationInput& input) noexcept { return m_ofDevice.pop(input) || m_ofWindow.pop(input); }
+
+  std::size_t capacity() const { return m_ofDevice.capacity() + m_ofWindow.capacity(); }
+
+ private:
+  SpscRing<SimulationInput> m_ofDevice;
+  SpscRing<SimulationInput> m_ofWindow;
+};
 
 // The state of a simulation at one moment: immutable, shared between threads. Kinds derive theirs.
 struct SimulationState {

@@ -13,7 +13,7 @@
 namespace handwheel {
 
 // Runs a simulation in steps of fixed length on its own thread, between the servo loop and the window. Inputs come
-// through a ring and states go out through a triple buffer, so neither side ever waits.
+// through rings and states go out through a triple buffer, so neither side ever waits.
 //
 // The clock of the simulation slows down when a step takes longer than its time or the machine stalls: late steps are
 // not made up for in a burst. The next step then gets all inputs that have arrived, so nothing that the hand did is
@@ -26,9 +26,8 @@ class SimulationLoop {
   // Inputs that the log keeps, some 15 minutes at 1 kHz. What comes later is simulated, but not in the log.
   static constexpr std::size_t kMostLogged = 1'000'000;
 
-  // rate: steps a second, kept within the limits above. inputs: written by one thread at a time, the servo thread or,
-  // without a device, the window's; it may outlive the loop and be taken over by a next one. The clock and the service
-  // outlive the loop; the service counts steps and their CPU time.
+  // rate: steps a second, kept within the limits above. inputs: may outlive the loop and be taken over by a next one.
+  // The clock and the service outlive the loop; the service counts steps and their CPU time.
   SimulationLoop(std::unique_ptr<Simulation> simulation, double rate, std::shared_ptr<SimulationInputs> inputs,
                  ServoClock& clock, Service& service);
   ~SimulationLoop() { stop(); }

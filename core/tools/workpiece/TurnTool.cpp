@@ -90,7 +90,7 @@ void TurnTool::feed(const Vec3& place, bool isCutting, bool isFirst) {
   input.tip.isRestart = isFirst;
   input.tip.time = (m_time += m_loop->dt());
   input.proxy = place;
-  m_channel->inputs->push(input);
+  m_channel->inputs->pushFromWindow(input);
 }
 
 ToolReply TurnTool::press(const PointerEvent& event) {

@@ -108,6 +108,31 @@ class SimulationLoopTest : public QObject {
     QCOMPARE(sumOf(again.state()).steps, live.steps);
   }
 
+  // The mouse drags while a device is open: both write, and nothing is lost or torn.
+  void deviceAndWindowWriteAtOnce() {
+    MonotonicClock clock;
+    Service service("simulation");
+    const auto inputs = std::make_shared<SimulationInputs>(kWaitingInputs);
+    SimulationLoop loop(std::make_unique<Summing>(), 500.0, inputs, clock, service);
+    loop.keepLog();
+    loop.start();
+    constexpr int kInputsSent = 20000;
+    std::thread hand([&] {
+      for (int i = 0; i < kInputsSent; ++i)
+        while (!inputs->push(at(1.0 + i))) std::this_thread::yield();
+    });
+    for (int i = 0; i < kInputsSent; ++i)
+      while (!inputs->pushFromWindow(at(-1.0 - i))) std::this_thread::yield();
+    hand.join();
+    loop.stop();
+    int ofDevice = 0, ofWindow = 0;
+    for (const SimulationInput& input : loop.log().inputs) {
+      const double x = input.tip.position.x();
+      QCOMPARE(std::abs(x), 1.0 + (x > 0.0 ? ofDevice++ : ofWindow++));
+    }
+    QVERIFY(ofDevice == kInputsSent && ofWindow == kInputsSent);
+  }
+
   // A step that takes three periods: the simulation runs at a third of the rate, says how far it is behind, and makes
   // up for nothing.
   void lateStepsSlowItDown() {
