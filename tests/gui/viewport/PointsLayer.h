@@ -21,7 +21,11 @@ class PointsLayer : public ViewLayer {
   void setPoints(std::vector<Vec3> points) {
     m_points = std::move(points);
     m_waiting.clear();
-    for (std::size_t block = 0; block * kBlock < m_points.size(); ++block) m_waiting.push_back(block);
+    const std::size_t count = (m_points.size() + kBlock - 1) / kBlock;
+    for (std::size_t block = 0; block < count; ++block) m_waiting.push_back(block);
+    for (std::size_t block = count; block < m_blocks.size(); ++block) m_blocks[block]->hide();
+    m_mark.hide();
+    m_hovered.reset();
     report(LayerChange::Model);
   }
   // Builds its block again, no other.
@@ -30,6 +34,18 @@ class PointsLayer : public ViewLayer {
     m_waiting.push_back(i / kBlock);
     report(LayerChange::Elements);
   }
+  // The same number of points elsewhere: builds the blocks again in which one has moved.
+  void movePoints(std::vector<Vec3> points) {
+    for (std::size_t first = 0; first < m_points.size(); first += kBlock) {
+      const std::size_t last = std::min(first + kBlock, m_points.size());
+      if (!std::equal(&m_points[first], &m_points[first] + (last - first), &points[first]))
+        m_waiting.push_back(first / kBlock);
+    }
+    const bool isSame = points == m_points;
+    m_points = std::move(points);
+    if (!isSame) report(LayerChange::Elements);
+  }
+  const std::vector<Vec3>& points() const { return m_points; }
   std::optional<std::uint64_t> hovered() const { return m_hovered; }
 
   Box bounds() const override {

@@ -45,6 +45,8 @@ class ViewLayerTest : public ViewportFixture {
     QVERIFY(std::abs(drawn.area / kDotArea - 2.0) < 0.3);
     const QPointF middle = (onScreen(4, 6) + onScreen(15, 12)) / 2.0;
     QVERIFY((drawn.centroid - Eigen::Vector2d(middle.x(), middle.y())).norm() < 1.0);
+    show({});
+    QCOMPARE(m_view->grabImage(), m_plain);
   }
 
   void isClippedByThePlane() {
@@ -125,6 +127,13 @@ class ViewLayerTest : public ViewportFixture {
     m_points->movePoint(1234, {1, 1, 2});
     m_view->grabImage();
     QCOMPARE(m_view->blocksBuilt(), before + 4);
+    many[2100] = {2, 2, 2};  // all are given, one has moved
+    m_points->movePoints(many);
+    m_view->grabImage();
+    QCOMPARE(m_view->blocksBuilt(), before + 6);  // with that of the point that moved back
+    m_points->movePoints(many);
+    m_view->grabImage();
+    QCOMPARE(m_view->blocksBuilt(), before + 6);
     settle();
     const int frames = m_view->framesDrawn();
     QTest::qWait(200);
@@ -134,10 +143,10 @@ class ViewLayerTest : public ViewportFixture {
     const int hidden = m_view->framesDrawn();
     m_points->movePoint(0, {1, 1, 2});  // hidden: uploaded when it is shown
     m_view->grabImage();
-    QCOMPARE(m_view->blocksBuilt(), before + 4);
+    QCOMPARE(m_view->blocksBuilt(), before + 6);
     m_points->setVisible(true);
     m_view->grabImage();
-    QCOMPARE(m_view->blocksBuilt(), before + 5);
+    QCOMPARE(m_view->blocksBuilt(), before + 7);
     QVERIFY(m_view->framesDrawn() > hidden);
   }
 };

@@ -1,18 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#pragma once
+#include "globe/cli/InflateCommand.h"
 
-#include "GlobeKind.h"
+#include "base/NumberText.h"
 #include "cli/Messages.h"
 #include "cli/OperationJson.h"
 #include "cli/OperationOptions.h"
 #include "cli/ReportJson.h"
-#include "registration/Registration.h"
+#include "globe/document/GlobeDocument.h"
 
-// The command of the kind that the program does not have, and its registration.
+#include <algorithm>
+
 namespace handwheel::test {
 
-inline const Operation& inflateOperation() {
+namespace {
+
+const Operation& inflateOperation() {
   static const Operation operation = {
       .id = "inflate",
       .title = "Inflate",
@@ -36,7 +39,7 @@ inline const Operation& inflateOperation() {
   return operation;
 }
 
-inline CommandSpec inflateSpec() {
+CommandSpec inflateSpec() {
   CommandSpec spec = {inflateOperation().id, "IN", "Makes a globe larger, or smaller.", {}};
   spec.options = optionsOf(inflateOperation());
   spec.options.push_back({"output", 'o', "OUT", "The result"});
@@ -45,23 +48,27 @@ inline CommandSpec inflateSpec() {
   return spec;
 }
 
-inline int runInflate(const Arguments& arguments, const DocumentKinds& kinds) {
+int runInflate(const Arguments& arguments, const DocumentKinds& kinds) {
   OperationValues values(inflateOperation());
   if (const std::string problem = readOptions(arguments, values); !problem.empty())
     return failUsage(problem, "inflate");
   const Result<OpenedFile> opened = kinds.open(arguments.operands[0], {});
   if (!opened) return fail(opened.error());
+  if (opened->kind->id() != "globe") return refuse(arguments.operands[0] + " is no globe.");
   const double radius =
       std::min(values.number("by") * radiusOf(*opened->content), values.given("at-most").value_or(1000.0));
-  const auto written = saveDocument(*opened->kind, opened->file, *globe(radius), arguments.valueOf("output"));
+  const auto written =
+      saveDocument(*opened->kind, opened->file, GlobeSnapshot(surfaceOf(*opened->content).withRadius(radius)),
+                   arguments.valueOf("output"));
   if (!written) return fail(written.error());
   if (!arguments.has("json")) return print("Radius: " + shortestText(radius) + " mm\n");
   return print(textOf({{"options", toJson(values)}, {"radius_mm", radius}}));
 }
 
-// All of the kind. sample: a file of it.
-inline KindRegistration globeRegistration(const QString& sample) {
-  return {globeEntry(sample), {{inflateSpec(), runInflate}}};
+}  // namespace
+
+Command inflateCommand() {
+  return {inflateSpec(), runInflate};
 }
 
 }  // namespace handwheel::test

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "registration/Registration.h"
+
+namespace handwheel::test {
+
+// All of a kind of document that the program does not have. sample: a file of it.
+KindRegistration globeRegistration(const QString& sample = {});
+
+// The kinds of the program, and this one.
+std::vector<KindRegistration> kindsWithGlobe(const QString& sample = {});
+
+}  // namespace handwheel::test

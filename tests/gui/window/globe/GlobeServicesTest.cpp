@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "GlobeWindow.h"
+
+#include "controls/ServiceModel.h"
+#include "window/ServiceStatistics.h"
+
+#include <QDir>
+#include <QDockWidget>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+// What a kind runs beside the window is in the list of services, and costs nothing while nobody needs it.
+class GlobeServicesTest : public QObject {
+  Q_OBJECT
+
+  // The row of the service in the Status panel.
+  struct Row {
+    QString state;
+    double ticks = 0.0, cost = 0.0;
+  };
+  static std::optional<Row> rowOf(GlobeWindow& globe) {
+    const QAbstractItemModel& model = *globe.driver.find<QTreeView>("serviceList")->model();
+    const auto number = [&](int row, int column) {
+      return QLocale().toDouble(model.index(row, column).data().toString());
+    };
+    for (int row = 0; row < model.rowCount(); ++row) {
+      if (model.index(row, ServiceModel::Name).data().toString() != QStringLiteral("Dents of globes")) continue;
+      return Row{model.index(row, ServiceModel::State).data().toString(), number(row, ServiceModel::Ticks),
+                 number(row, ServiceModel::Cost)};
+    }
+    return std::nullopt;
+  }
+  static qsizetype threads() {
+    return QDir(QStringLiteral("/proc/self/task")).entryList(QDir::Dirs | QDir::NoDotAndDotDot).size();
+  }
+  static QString costs(GlobeWindow& globe) {
+    return globe.driver.find<ServiceStatistics>("serviceStatistics")->toolTip();
+  }
+
+ private slots:
+  void runsWhileItIsNeeded() {
+    GlobeWindow globe;
+    QVERIFY(globe.begin());
+    globe.driver.find<QDockWidget>("statusDock")->show();
+    QTRY_VERIFY(rowOf(globe) && rowOf(globe)->state == QStringLiteral("asleep"));
+    QTRY_VERIFY(!costs(globe).contains("Dents of globes"));
+    QTest::qWait(500);  // workers that began with the window
+    const qsizetype before = threads();
+    globe.driver.find<QAction>("dentTool")->trigger();
+    QTRY_VERIFY(rowOf(globe)->state == QStringLiteral("running") && rowOf(globe)->ticks > 20.0);
+    QVERIFY(rowOf(globe)->cost > 0.0);
+    QTRY_VERIFY(costs(globe).contains("Dents of globes"));
+    QCOMPARE(threads(), before + 1);
+    globe.driver.find<QAction>("growTool")->trigger();
+    QTRY_VERIFY(rowOf(globe)->state == QStringLiteral("asleep"));
+    QTRY_COMPARE(threads(), before);
+    QTRY_VERIFY(!costs(globe).contains("Dents of globes"));
+  }
+
+  // Nobody needs it with another document in front, or with none.
+  void isNotNeededByAnotherDocument() {
+    GlobeWindow globe;
+    QVERIFY(globe.begin("dentTool", StandardView::Front));
+    globe.driver.find<QDockWidget>("statusDock")->show();
+    QTRY_VERIFY(rowOf(globe)->state == QStringLiteral("running"));
+    globe.driver.choose("newWorkpiece");
+    QVERIFY(globe.driver.settle());
+    QTRY_VERIFY(rowOf(globe)->state == QStringLiteral("asleep"));
+    globe.driver.find<QTabBar>("documentTabBar")->setCurrentIndex(0);  // with its tool
+    QTRY_VERIFY(rowOf(globe)->state == QStringLiteral("running"));
+    globe.driver.choose("closeDocument");
+    QTRY_VERIFY(rowOf(globe)->state == QStringLiteral("asleep"));
+  }
+};
+
+HANDWHEEL_WINDOW_TEST(GlobeServicesTest)
+#include "GlobeServicesTest.moc"

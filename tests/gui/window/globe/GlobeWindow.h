@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "PointsLayer.h"
+#include "WindowDriver.h"
+#include "WindowTestMain.h"
+#include "globe/GlobeRegistration.h"
+#include "globe/tools/DentTool.h"
+#include "globe/window/GlobeUi.h"
+#include "viewport/camera/CameraNavigation.h"
+#include "window/documents/DocumentTab.h"
+#include "window/documents/DocumentTabs.h"
+#include "window/haptics/HapticSession.h"
+#include "window/tools/ToolHost.h"
+
+namespace handwheel::test {
+
+// A window of the program with one kind of document more.
+struct GlobeWindow {
+  WindowDriver driver{kindsWithGlobe()};
+  HapticSession& session = *driver.window().findChild<HapticSession*>();
+  Viewport* view = driver.find<Viewport>("viewport");
+
+  ~GlobeWindow() { session.close(); }
+
+  // Shows a new globe, of 10 mm, from this side.
+  bool begin(StandardView side = StandardView::Front) {
+    driver.choose("newGlobe");
+    return look(side);
+  }
+  bool look(StandardView side) {
+    if (!driver.settle()) return false;
+    view->setStandardView(side);
+    view->grabImage();
+    return QTest::qWaitFor([this] { return view->isPickingReady(); }, kPatienceMs);
+  }
+  bool begin(const char* tool, StandardView side) {
+    if (!begin(side)) return false;
+    driver.find<QAction>(tool)->trigger();
+    return driver.find<QAction>(tool)->isChecked();
+  }
+
+  GlobeDocument& document() {
+    return static_cast<GlobeDocument&>(driver.window().findChild<DocumentTabs*>()->current()->document);
+  }
+  ToolHost& tools() { return *driver.window().findChild<ToolHost*>(); }
+  const PointsLayer& layer() {
+    const GlobeUi* found = nullptr;
+    for (const KindUi* each : driver.window().findChildren<KindUi*>()) {
+      if (const auto* own = dynamic_cast<const GlobeUi*>(each)) found = own;
+    }
+    return found->layer();
+  }
+  // How far the lowest point that is shown is from the centre, mm.
+  double lowestShown() {
+    double lowest = 1e300;
+    for (const Vec3& p : layer().points()) lowest = std::min(lowest, p.norm());
+    return lowest;
+  }
+
+  QPointF pixelOf(const Vec3& p) const {
+    const Vec2 at = CameraNavigation(view->camera(), {view->width(), view->height()}).toScreen(p);
+    return {at.x(), at.y()};
+  }
+  void moveTo(const QPoint& at, Qt::MouseButtons held) {
+    QMouseEvent move(QEvent::MouseMove, at, view->mapToGlobal(at), Qt::NoButton, held, {});
+    QApplication::sendEvent(view, &move);
+  }
+
+  // Opens the simulated hand, out of reach of the globe.
+  bool takeHand() {
+    session.choose("simulated", "hand");
+    if (!QTest::qWaitFor([this] { return session.latest() != nullptr; }, kPatienceMs)) return false;
+    return leadTo({0, 0, 16}, 0) && QTest::qWaitFor([this] { return tip().z() > 14.0; }, kPatienceMs);
+  }
+  bool leadTo(const Vec3& place, std::uint32_t buttons) {
+    const WorkspaceMapping mapping = session.mappingInScene();
+    HandPose pose;
+    pose.position = mapping.viewFromDevice().transpose() * (mapping.sceneFromView.inverse() * place) / mapping.scale;
+    pose.buttons = buttons;
+    session.simulatedHand()->setTarget(pose);
+    return true;
+  }
+  Vec3 tip() const { return session.latest()->tip.position; }
+  const ForceOut& felt() const { return session.latest()->felt; }
+};
+
+}  // namespace handwheel::test

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "globe/simulation/GlobeForce.h"
+
+namespace handwheel::test {
+
+// A globe at one moment of the simulation.
+struct DentState : SimulationState {
+  explicit DentState(GlobeSurface s, bool changed = false) : surface(std::move(s)), isChanged(changed) {}
+  GlobeSurface surface;
+  bool isChanged;  // since the simulation began
+};
+
+// The simulation of dents: while button 0 is held, the surface around the tip gives way until it is where the tip is.
+class DentSimulation : public Simulation {
+ public:
+  static constexpr double kYield = 0.05;  // s, in which all but 1/e of the depth is gone
+
+  DentSimulation(GlobeSurface surface, std::shared_ptr<DentChannel> channel);
+
+  void step(double dt, std::span<const SimulationInput> inputs) override;
+  std::shared_ptr<const SimulationState> state() const override { return m_state; }
+
+ private:
+  bool press(const TipState& tip);
+
+  GlobeSurface m_surface;
+  std::shared_ptr<DentChannel> m_channel;
+  std::shared_ptr<const DentState> m_state;
+};
+
+}  // namespace handwheel::test

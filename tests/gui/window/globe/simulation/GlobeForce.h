@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/TripleBuffer.h"
+#include "globe/document/GlobeSurface.h"
+#include "haptics/scene/ForceSource.h"
+#include "simulation/Simulation.h"
+
+#include <array>
+
+namespace handwheel::test {
+
+// The points of a globe near the tip: what the servo loop knows of one that is being dented. The simulation renews it.
+struct GlobePatch {
+  static constexpr std::size_t kMost = 256;
+  static constexpr double kChord = 2.0 * kGlobeReach;  // of the unit sphere
+
+  Vec3 centre = Vec3::Zero();  // direction around which the points lie
+  double radius = 0.0;         // mm
+  std::size_t count = 0;
+  std::array<std::uint32_t, kMost> numbers{};
+  std::array<double, kMost> dents{};
+
+  // None where the patch does not tell: too far from its centre.
+  std::optional<double> heightTowards(const Vec3& p) const;
+};
+
+GlobePatch patchAround(const GlobeSurface& surface, const Vec3& p);
+
+// What the servo loop and the simulation of dents exchange. Neither waits.
+struct DentChannel {
+  std::shared_ptr<SimulationInputs> inputs = std::make_shared<SimulationInputs>(kWaitingInputs);
+  TripleBuffer<GlobePatch> patch;
+};
+
+inline constexpr const char* kGlobeSource = "globe";
+
+// The force of a globe: a spring from the tip inside to the surface above it.
+class GlobeForce : public ForceSource {
+ public:
+  // stiffness: N/mm in the scene. channel: of the simulation that changes the surface; null when there is none.
+  GlobeForce(GlobeSurface surface, double stiffness, std::shared_ptr<DentChannel> channel);
+
+  ForceBounds advance(const TipState& tip, ForceOut& out) noexcept override;
+  Vec3 force(const TipState& tip, double stiffness, double damping) noexcept override;
+
+ private:
+  GlobeSurface m_surface;
+  double m_stiffness;
+  std::shared_ptr<DentChannel> m_channel;
+  Vec3 m_proxy = Vec3::Zero();
+  bool m_isTouching = false;
+};
+
+}  // namespace handwheel::test

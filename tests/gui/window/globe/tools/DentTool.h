@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "globe/document/GlobeDocument.h"
+#include "globe/simulation/DentSimulation.h"
+#include "simulation/SimulationLoop.h"
+#include "tools/Tool.h"
+
+namespace handwheel::test {
+
+// The id of the service that tools of dents need.
+inline constexpr const char* kDentService = "globe_dents";
+
+// What DentTool uses of the program. Both outlive it.
+struct DentServices {
+  ServoClock& clock;
+  Service& dents;
+};
+
+// Dents a globe while a button is held: with a device where its tip is, with the mouse a little below the surface.
+class DentTool : public Tool {
+ public:
+  static constexpr double kRate = 250.0;  // steps of the simulation a second
+  static constexpr double kPress = 0.2;   // of the radius: how far below the surface the mouse presses
+
+  DentTool(GlobeDocument& document, const DentServices& services);
+
+  // For the haptic scene.
+  const std::shared_ptr<DentChannel>& channel() const { return m_channel; }
+  // What the last gesture that was committed consists of.
+  const SimulationLog& lastGesture() const { return m_lastGesture; }
+
+  std::string id() const override { return "dent"; }
+  ToolReply pointer(const PointerEvent& event) override;
+  ToolReply perform(std::string_view action) override;
+  std::vector<ToolAction> actions() const override;
+  ToolPreview preview() const override;
+  bool isLive() const override { return m_isPressing; }
+  void documentChanged() override { start(); }
+  std::vector<std::string> needs() const override { return {kDentService}; }
+
+ private:
+  void start();
+  void feed(const PointerEvent& event);
+  ToolReply press(const PointerEvent& event);
+  ToolReply release();
+  std::shared_ptr<const DentState> state() const;
+
+  GlobeDocument& m_document;
+  DentServices m_services;
+  std::shared_ptr<DentChannel> m_channel = std::make_shared<DentChannel>();
+  std::unique_ptr<SimulationLoop> m_loop;
+  SimulationLog m_lastGesture;
+  bool m_isPressing = false;
+  bool m_isOfDevice = false;  // the servo loop writes the inputs
+};
+
+}  // namespace handwheel::test

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "globe/document/GlobeDocument.h"
+#include "tools/Tool.h"
+
+namespace handwheel::test {
+
+// Shows the globe in twice its size as long as a button is held, then makes it so.
+class GrowTool : public Tool {
+ public:
+  explicit GrowTool(GlobeDocument& document) : m_document(document) {}
+
+  std::string id() const override { return "grow"; }
+  ToolReply pointer(const PointerEvent& event) override;
+  ToolReply perform(std::string_view action) override;
+  std::vector<ToolAction> actions() const override { return {{"revert", "Esc", "leave"}}; }
+  ToolPreview preview() const override;
+
+ private:
+  GlobeDocument& m_document;
+  std::optional<double> m_radius;
+};
+
+}  // namespace handwheel::test
