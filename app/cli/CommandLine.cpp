@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/CommandLine.h"
 
-#include "cli/ChildProcess.h"
 #include "cli/Interrupt.h"
+#include "cli/LeashedChild.h"
 #include "cli/Messages.h"
 #include "cli/Picture.h"
 #include "cli/commands/ConvertCommand.h"

@@ -6,6 +6,7 @@
 #include "cli/Messages.h"
 #include "cli/ProgressBar.h"
 #include "document/AtomicFile.h"
+#include "process/EndingSignals.h"
 
 #include <sys/mman.h>
 #include <unistd.h>

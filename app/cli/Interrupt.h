@@ -4,8 +4,6 @@
 
 #include "base/Progress.h"
 
-#include <array>
-#include <csignal>
 #include <functional>
 #include <string_view>
 
@@ -27,10 +25,7 @@ class CommandJob {
 // what work throws.
 void runInterruptible(std::string_view label, const std::function<void(CommandJob&)>& work);
 
-// The signals that ask the program to end: a key, the system, a closed terminal.
-inline constexpr std::array kEndingSignals{SIGINT, SIGTERM, SIGHUP};
-
-// Installs handlers for these signals. To be called first.
+// Installs handlers for the signals that ask the program to end (kEndingSignals). To be called first.
 void watchSignals();
 
 // Whether one of these signals has arrived.

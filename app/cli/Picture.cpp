@@ -3,9 +3,9 @@
 #include "cli/Picture.h"
 
 #include "base/NumberText.h"
-#include "cli/ChildProcess.h"
 #include "cli/Input.h"
 #include "cli/Interrupt.h"
+#include "cli/LeashedChild.h"
 #include "cli/Messages.h"
 #include "cli/RenderingMemory.h"
 #include "document/mesh/MeshSnapshot.h"

@@ -3,14 +3,13 @@
 #include "cli/RenderingMemory.h"
 
 #include "cli/Messages.h"
+#include "process/SystemMemory.h"
 
 #include <sys/mman.h>
 #include <unistd.h>
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <fstream>
-#include <limits>
 #include <string>
 
 namespace handwheel {
@@ -34,20 +33,6 @@ bool fits(std::size_t bytes) {
   void* const probe = mmap(nullptr, bytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
   if (probe != MAP_FAILED) munmap(probe, bytes);
   return probe != MAP_FAILED || errno != ENOMEM;
-}
-
-// Bytes that the system has left before it must end a program; all when it does not say.
-std::size_t systemMemory() {
-  std::ifstream statistics("/proc/meminfo");
-  std::size_t kibibytes = 0, sum = 0;
-  std::string name, rest;
-  bool isKnown = false;
-  while (statistics >> name >> kibibytes && std::getline(statistics, rest)) {
-    if (name != "MemAvailable:" && name != "SwapFree:") continue;
-    isKnown = isKnown || name == "MemAvailable:";
-    sum += kibibytes << 10;
-  }
-  return isKnown ? sum : std::numeric_limits<std::size_t>::max();
 }
 
 // Calls only what a signal handler may.

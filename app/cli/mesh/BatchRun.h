@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "cli/ChildProcess.h"
 #include "cli/ProgressBar.h"
 #include "cli/mesh/BatchFiles.h"
 #include "cli/mesh/BatchReport.h"
+#include "process/ChildProcess.h"
 
 #include <chrono>
 #include <map>

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/LeashedChild.h"
+
+#include "cli/Interrupt.h"
+#include "process/ArgumentVector.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <thread>
+
+extern char** environ;
+
+namespace handwheel {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr int kNoProgram = 127;  // as shells report it
+
+// The end of the pipe that the programs below runChild() hold: a number that shells leave alone, and its name.
+constexpr int kLeash = 9;
+constexpr const char* kLeashNumber = "9";
+constexpr const char* kLeashName = "HANDWHEEL_LEASH";
+constexpr auto kTidying = 2s;  // xvfb-run takes up to one to start its display, and only then tidies up
+constexpr auto kEnding = 500ms;
+
+void closeEnd(int& descriptor) {
+  if (descriptor >= 0) ::close(descriptor);
+  descriptor = -1;
+}
+
+// The environment with the number of the leash. Its words must outlive it.
+std::vector<char*> environmentWith(const std::string& leash) {
+  std::vector<char*> all;
+  for (char** entry = environ; *entry; ++entry) all.push_back(*entry);
+  all.push_back(const_cast<char*>(leash.c_str()));
+  all.push_back(nullptr);
+  return all;
+}
+
+// In a group of its own, to be ended as a whole; 0: there is no such program.
+pid_t spawn(const std::vector<char*>& argv, int leash) {
+  const std::string entry = std::string(kLeashName) + "=" + kLeashNumber;
+  const std::vector<char*> environment = environmentWith(entry);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, leash, kLeash);
+  pid_t child = 0;
+  const int error = posix_spawnp(&child, argv[0], &actions, &attributes, argv.data(), environment.data());
+  posix_spawn_file_actions_destroy(&actions);
+  posix_spawnattr_destroy(&attributes);
+  return error == 0 ? child : 0;
+}
+
+// After a signal to us the leash closes, and then there is less and less patience.
+int waitFor(pid_t child, int& leash) {
+  constexpr auto kLook = 10ms;
+  int status = 0;
+  std::optional<std::chrono::steady_clock::time_point> told;
+  while (waitpid(child, &status, WNOHANG) == 0) {
+    if (wasInterrupted() && !told) {
+      closeEnd(leash);
+      told = std::chrono::steady_clock::now();
+    }
+    if (told) {
+      const auto waited = std::chrono::steady_clock::now() - *told;
+      if (waited > kTidying) kill(-child, waited > kTidying + kEnding ? SIGKILL : SIGTERM);
+    }
+    std::this_thread::sleep_for(kLook);
+  }
+  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+}
+
+}  // namespace
+
+std::string ownProgram() {
+  std::error_code ignored;
+  return std::filesystem::read_symlink("/proc/self/exe", ignored).string();
+}
+
+int runChild(const std::vector<std::string>& words) {
+  const std::vector<char*> argv = argumentVector(words);
+  std::array<int, 2> leash{-1, -1};  // the child's end, ours
+  if (pipe2(leash.data(), O_CLOEXEC) != 0) return kNoProgram;
+  const pid_t child = spawn(argv, leash[0]);
+  closeEnd(leash[0]);
+  const int code = child == 0 ? kNoProgram : waitFor(child, leash[1]);
+  closeEnd(leash[1]);
+  return code;
+}
+
+void endWithParent() {
+  const char* number = std::getenv(kLeashName);
+  if (!number || std::string_view(number) != kLeashNumber) return;
+  unsetenv(kLeashName);
+  struct stat status {};
+  if (fstat(kLeash, &status) != 0 || !S_ISFIFO(status.st_mode)) return;
+  fcntl(kLeash, F_SETFD, FD_CLOEXEC);
+  fcntl(kLeash, F_SETSIG, SIGTERM);
+  fcntl(kLeash, F_SETOWN, getpid());
+  fcntl(kLeash, F_SETFL, O_ASYNC | O_NONBLOCK);
+  pollfd end{kLeash, 0, 0};
+  if (::poll(&end, 1, 0) == 1 && (end.revents & POLLHUP) != 0) raise(SIGTERM);  // it had closed before
+}
+
+}  // namespace handwheel

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace handwheel {
+
+// What a reader program answers on its output: the text, and then one byte for its kind.
+struct ReaderAnswer {
+  enum class Kind : char {
+    Content = 'c',      // of the file, in whatever form the two have agreed on
+    Reason = 'r',       // why it cannot be read: an English clause
+    OutOfMemory = 'm',  // it reached its limit
+  };
+  Kind kind = Kind::Reason;
+  std::string text;
+};
+
+// None where it is no answer, or a reason longer than people want to read.
+std::optional<ReaderAnswer> answerOf(std::string bytes);
+
+}  // namespace handwheel
