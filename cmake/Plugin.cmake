@@ -54,3 +54,21 @@ function(handwheel_install_plugin NAME)
   add_dependencies(handwheel plugin_${NAME})
   install(TARGETS plugin_${NAME} LIBRARY DESTINATION ${HANDWHEEL_PLUGIN_FOLDER})
 endfunction()
+
+# handwheel_reader(NAME SOURCES file... [LIBS lib...]): the process that reads files of a format, for a library whose
+# parser is not proof against hostile ones. core/process/IsolatedReader.h finds it in the folder beside the libraries.
+set(HANDWHEEL_READER_FOLDER ${HANDWHEEL_LIBRARY_FOLDER}/readers)
+function(handwheel_reader NAME)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBS" ${ARGN})
+  set(include_root ${CMAKE_BINARY_DIR}/rooms/reader_${NAME})
+  file(MAKE_DIRECTORY ${include_root})
+  file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${include_root}/${NAME} SYMBOLIC)
+  add_executable(reader_${NAME} ${ARG_SOURCES})
+  set_target_properties(reader_${NAME} PROPERTIES OUTPUT_NAME ${NAME} INSTALL_RPATH $ORIGIN/..
+    RUNTIME_OUTPUT_DIRECTORY ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/readers)
+  target_include_directories(reader_${NAME} PRIVATE ${include_root})
+  target_link_libraries(reader_${NAME} PRIVATE hw_process ${ARG_LIBS})
+  handwheel_warnings(reader_${NAME})
+  add_dependencies(handwheel reader_${NAME})
+  install(TARGETS reader_${NAME} RUNTIME DESTINATION ${HANDWHEEL_READER_FOLDER})
+endfunction()

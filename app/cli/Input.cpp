@@ -7,6 +7,7 @@
 #include "document/DocumentErrors.h"
 #include "document/NewerFile.h"
 #include "document/mesh/MeshKind.h"
+#include "text/NoteText.h"
 
 #include <QString>
 #include <algorithm>
@@ -29,6 +30,7 @@ Result<Input> readMesh(const DocumentKind& kind, const std::filesystem::path& pa
   input.opened.file.damage = std::move(file->damage);
   input.opened.file.unlistedDamage = file->unlistedDamage;
   input.opened.file.lost = std::move(file->lost);
+  input.opened.file.notes = std::move(file->notes);
   input.mesh = MeshInput{file->numbers, std::move(file->soup)};
   return input;
 }
@@ -73,6 +75,7 @@ std::vector<std::string> lossSentences(const DocumentFile& file) {
     all.emplace_back("A newer version of Handwheel wrote the file; it is read as far as it is understood.");
   for (std::string& note : damageSentences(file)) all.push_back(std::move(note));
   if (!file.lost.empty()) all.push_back("Not kept: " + listOf(file.lost) + ".");
+  for (const Note& note : file.notes) all.push_back(noteText(note).toStdString());
   return all;
 }
 

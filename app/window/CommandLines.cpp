@@ -3,6 +3,7 @@
 #include "window/CommandLines.h"
 
 #include "base/NumberText.h"
+#include "document/formats/MeshExport.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -100,9 +101,16 @@ QString splitCommand(const QString& from, const QString& folder) {
 
 namespace {
 
+// One that keeps all digits stands in for a format that is only read.
+QString writtenSuffix(const QFileInfo& file) {
+  if (file.suffix().isEmpty()) return QStringLiteral("stl");
+  const std::string name = file.fileName().toStdString();
+  return formatForName(name) && !formatForOutput(name) ? QStringLiteral("ply") : file.suffix();
+}
+
 QString taggedName(const QString& path, const QString& tag) {
   const QFileInfo file(path);
-  const QString suffix = file.suffix().isEmpty() ? QStringLiteral("stl") : file.suffix();
+  const QString suffix = writtenSuffix(file);
   const QString base = file.completeBaseName();
   return file.dir().filePath((base.endsWith(tag) ? base : base + tag) + QLatin1Char('.') + suffix);
 }

@@ -31,7 +31,7 @@ class InstalledTest : public QObject {
 
  private slots:
   void initTestCase() {
-    for (const char* name : {"HANDWHEEL_PLUGINS", "HANDWHEEL_GUARDS", "LD_LIBRARY_PATH", "DESTDIR"}) qunsetenv(name);
+    for (const char* name : {"HANDWHEEL_PLUGINS", "HANDWHEEL_GUARDS", "HANDWHEEL_READERS", "LD_LIBRARY_PATH", "DESTDIR"}) qunsetenv(name);
     m_prefix = std::make_unique<QTemporaryDir>();
     const Ran ran = runProgram(CMAKE, m_prefix->path(), {"--install", BUILD_FOLDER, "--prefix", m_prefix->path()});
     QVERIFY2(ran.code == 0, ran.err);
@@ -71,11 +71,22 @@ class InstalledTest : public QObject {
     QCOMPARE(mesh["boundary_loops"].get<int>(), 0);
   }
 
+  void readsAStepFile() {
+    const Bench bench;
+    for (const QStringList& words : {QStringList{"new", "workpiece", "-o", "bar.handwheel"},
+                                     QStringList{"convert", "bar.handwheel", "bar.step"},
+                                     QStringList{"inspect", "bar.step"}}) {
+      const Ran ran = runProgram(program(), bench.path(), words);
+      QVERIFY2(ran.code == 0, ran.err);
+    }
+  }
+
   // Not even where the build folder still stands: a package is used where there is none.
   void loadsNothingFromTheBuildFolder() {
     QStringList files{program()};
     files << filesBelow(LIBRARIES);
     QVERIFY(files.contains(installed(LIBRARIES "/guards/polhem")));
+    QVERIFY(files.contains(installed(LIBRARIES "/readers/step")));
     for (const QString& file : files) {
       const Ran ran = runProgram("ldd", m_prefix->path(), {file});
       QVERIFY2(ran.code == 0, qPrintable(file + ran.err));

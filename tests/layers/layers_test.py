@@ -9,7 +9,7 @@ import unittest
 
 ROOT = os.path.abspath(os.path.join(os.path.dirname(__file__), "..", ".."))
 ROOMS = {"core": ("base", "mesh", "document"), "widgets": ("viewport", "panels"), "app": ("cli", "window", "registration")}
-PLUGINS = ("io", "falcon", "haply")
+PLUGINS = {"devices": ("io", "falcon", "haply"), "formats": ("step",)}
 
 
 class LayersTest(unittest.TestCase):
@@ -23,10 +23,11 @@ class LayersTest(unittest.TestCase):
             for folder in ("core/document/cell", "core/document/workpiece", "core/document/formats", "app/window/cell", "app/window/workpiece",
                            "app/window/haptics"):
                 os.makedirs(os.path.join(root, folder))
-            for plugin in PLUGINS:
-                os.makedirs(os.path.join(root, "plugins", "devices", plugin))
-            with open(os.path.join(root, "plugins", "devices", "CMakeLists.txt"), "w", encoding="utf-8") as stream:
-                stream.writelines(f"add_subdirectory({plugin})\n" for plugin in PLUGINS)
+            for sort, plugins in PLUGINS.items():
+                for plugin in plugins:
+                    os.makedirs(os.path.join(root, "plugins", sort, plugin))
+                with open(os.path.join(root, "plugins", sort, "CMakeLists.txt"), "w", encoding="utf-8") as stream:
+                    stream.writelines(f"add_subdirectory({plugin})\n" for plugin in plugins)
             os.makedirs(os.path.dirname(os.path.join(root, path)), exist_ok=True)
             with open(os.path.join(root, path), "w", encoding="utf-8") as stream:
                 stream.write(f"\n#include {include}\n")
@@ -103,6 +104,11 @@ class LayersTest(unittest.TestCase):
         self.assert_refused("plugins/devices/falcon/A.h", "<QObject>")
         self.assert_refused("plugins/devices/falcon/A.cpp", "<QWidget>")
         self.assert_refused("core/mesh/A.cpp", '"falcon/B.h"')
+        self.assert_allowed("plugins/formats/step/A.cpp", '"base/B.h"')
+        self.assert_allowed("plugins/formats/step/A.cpp", '"step/B.h"')
+        self.assert_refused("plugins/formats/step/A.cpp", '"io/B.h"')
+        self.assert_refused("plugins/formats/step/A.cpp", '"viewport/B.h"')
+        self.assert_refused("core/document/A.cpp", '"step/B.h"')
         self.assert_refused("app/window/A.cpp", '"io/B.h"')
 
     def test_libraries(self):

@@ -122,6 +122,8 @@ QString lostAttributeName(LostAttribute attribute) {
       return RepairWords::tr("single points");
     case LostAttribute::Curves:
       return RepairWords::tr("curves");
+    case LostAttribute::ExactSurfaces:
+      return RepairWords::tr("exact surfaces");
     case LostAttribute::Other:
       return RepairWords::tr("further attributes");
   }

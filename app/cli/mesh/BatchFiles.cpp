@@ -20,11 +20,12 @@ constexpr std::size_t kMostFiles = 1000000;
 
 using Endings = std::set<std::string>;  // lower case with the point
 
+// Of files that are repaired into others of their format.
 Endings meshEndings(const DocumentKinds& kinds) {
   Endings endings;
   if (const DocumentKind* kind = kinds.withId(kMeshKind)) {
     for (const FileFormat& format : kind->formats()) {
-      if (format.reads) endings.insert(format.endings.begin(), format.endings.end());
+      if (format.reads && format.writes) endings.insert(format.endings.begin(), format.endings.end());
     }
   }
   return endings;

@@ -43,15 +43,14 @@ std::string nameOf(const fs::path& input, const std::string& extension, std::siz
 
 // Shells are written as meshes, not as documents.
 std::vector<std::string> meshEndings() {
-  std::vector<std::string> all;
-  for (const FileFormat& format : meshFileFormats())
-    all.insert(all.end(), format.endings.begin(), format.endings.end());
+  std::vector<std::string> all = writtenEndings(meshFileFormats());
+  std::erase(all, kContainerEnding);
   return all;
 }
 
 Result<Outcome> split(const fs::path& path, const fs::path& folder, const std::string& extension,
                       const ReadOptions& options, const DocumentKinds& kinds, Progress progress) {
-  if (!formatForName("shell" + extension)) return unknownEnding("shell" + extension, meshEndings());
+  if (!formatForOutput("shell" + extension)) return unknownEnding("shell" + extension, meshEndings());
   const Result<Input> input = readMeshInput(path, options, kinds, progress.part(0.0, 0.2));
   if (!input) return input.error();
   Outcome done{{}, {}, {input->opened.file}};

@@ -6,6 +6,7 @@
 #include "document/DocumentKind.h"
 #include "panels/LogModel.h"
 #include "text/ErrorText.h"
+#include "text/NoteText.h"
 #include "text/RepairText.h"
 #include "window/CommandLines.h"
 #include "window/JobRunner.h"
@@ -16,6 +17,7 @@
 
 #include <QFile>
 #include <QFileInfo>
+#include <algorithm>
 
 namespace handwheel {
 
@@ -125,11 +127,18 @@ void FileLoader::reportLosses(const Document& document) {
     lines << tr("Not kept by Handwheel: %1.").arg(names.join(QStringLiteral(", ")));
     m_log.add(lines.last(), {}, LogEntry::Weight::Warning);
   }
+  for (const Note& note : file.notes) {
+    lines << noteText(note);
+    m_log.add(lines.last(), {});
+  }
+  const bool isTriangulated =
+      std::find(file.lost.begin(), file.lost.end(), LostAttribute::ExactSurfaces) != file.lost.end();
   const bool damaged = !file.damage.empty();
   emit message({damaged ? Message::Weight::Warning : Message::Weight::Info,
-                damaged        ? tr("%1 is damaged").arg(name)
-                : file.isNewer ? tr("%1 is opened for reading only").arg(name)
-                               : tr("%1 holds more than its surface").arg(name),
+                damaged          ? tr("%1 is damaged").arg(name)
+                : file.isNewer   ? tr("%1 is opened for reading only").arg(name)
+                : isTriangulated ? tr("%1 is opened as a mesh").arg(name)
+                                 : tr("%1 holds more than its surface").arg(name),
                 lines.join(QLatin1Char(' ')),
                 tr("“Save” will ask for a new name, so the original stays as it is."),
                 {},

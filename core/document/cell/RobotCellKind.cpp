@@ -79,7 +79,9 @@ std::string RobotCellKind::title() const {
 
 std::vector<FileFormat> RobotCellKind::formats() const {
   std::vector<FileFormat> all{{"URDF", {".urdf"}, true, false}};
-  for (const FileFormat& format : meshFileFormats()) all.push_back({format.name, format.endings, false, format.writes});
+  for (const FileFormat& format : meshFileFormats()) {
+    if (format.writes) all.push_back({format.name, format.endings, false, true});
+  }
   return all;
 }
 

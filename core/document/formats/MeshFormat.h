@@ -4,6 +4,7 @@
 
 #include "base/Progress.h"
 #include "base/Result.h"
+#include "document/Note.h"
 #include "mesh/structure/TriangleSoup.h"
 
 #include <filesystem>
@@ -19,11 +20,24 @@ namespace handwheel {
 enum class MeshFormat { Stl, Ply, Obj, Off, ThreeMf };
 
 // Content of a file that the mesh does not keep. Named for the user ("vertex colour", "texture coordinates").
-enum class LostAttribute { Colour, Normals, TextureCoordinates, Materials, Groups, Lines, Points, Curves, Other };
+enum class LostAttribute {
+  Colour,
+  Normals,
+  TextureCoordinates,
+  Materials,
+  Groups,
+  Lines,
+  Points,
+  Curves,
+  ExactSurfaces,
+  Other
+};
 
 // Options for reading a file.
 struct ReadOptions {
   bool partial = false;  // open what is readable and list the damage instead of failing
+  // How far triangles may be from the exact surfaces of a STEP file, as a share of its diagonal.
+  double stepChord = 2e-4;
 };
 
 // Result of reading a mesh file.
@@ -34,6 +48,7 @@ struct MeshFile {
   std::vector<Error> damage;       // what was skipped or repaired; empty when the file conforms to its format
   std::size_t unlistedDamage = 0;  // further damage beyond the first thousand entries
   std::vector<LostAttribute> lost;
+  std::vector<Note> notes;  // what else there is to know of how it was read
 };
 
 // Reads a mesh of any known format, recognised by content. Never throws; errors carry the byte or the line.

@@ -10,6 +10,7 @@
 #include "document/formats/off/OffHeader.h"
 #include "document/formats/off/OffReader.h"
 #include "document/formats/ply/PlyReader.h"
+#include "document/formats/step/StepReader.h"
 #include "document/formats/stl/StlReader.h"
 #include "document/formats/threemf/ThreeMfReader.h"
 #include "document/formats/threemf/ThreeMfWriter.h"
@@ -56,6 +57,7 @@ const MeshFormatTable& meshFormatTable() {
       {.name = "OBJ", .endings = {".obj"}, .isText = looksLikeObj, .read = readObj, .write = writeObj},
       {.name = "OFF", .endings = {".off"}, .isText = beginsWithOffKeyword, .read = readOff, .write = writeOff},
       {.name = "3MF", .endings = {".3mf"}, .isBinary = looksLikeThreeMf, .read = readThreeMf, .write = writeThreeMf},
+      {.name = "STEP", .endings = {".step", ".stp"}, .isText = looksLikeStep, .read = readStep},
   });
   return table;
 }

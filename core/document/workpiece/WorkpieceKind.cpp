@@ -25,8 +25,6 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::string_view kStepStart = "ISO-10303-21";  // ISO 10303-21, 5.1
-
 const WorkpieceSnapshot& workpieceOf(const Snapshot& content) {
   return static_cast<const WorkpieceSnapshot&>(content);
 }
@@ -104,18 +102,19 @@ std::string WorkpieceKind::title() const {
 std::vector<FileFormat> WorkpieceKind::formats() const {
   std::vector<FileFormat> all{{"STEP", {".step", ".stp"}, false, true}};
   for (FileFormat& format : meshFileFormats()) {
+    if (!format.writes) continue;
     format.reads = false;
     all.push_back(std::move(format));
   }
   return all;
 }
 
-bool WorkpieceKind::recognises(std::string_view head, std::string_view) const {
-  return head.starts_with(kStepStart);
+bool WorkpieceKind::recognises(std::string_view, std::string_view) const {
+  return false;
 }
 
 Result<OpenedFile> WorkpieceKind::import(const std::filesystem::path&, const ReadOptions&, Progress) const {
-  return Error{ErrorCode::Unsupported, {"reading STEP files"}, {}, {}};
+  return Error{DocumentError::FormatUnknown, {}, {}, {}};
 }
 
 Result<WrittenFile> WorkpieceKind::exportTo(const Snapshot& content, const std::filesystem::path& path,

@@ -12,7 +12,7 @@ class WorkpieceKind : public DocumentKind {
   std::string id() const override { return "workpiece"; }
   std::string title() const override;
   std::vector<FileFormat> formats() const override;
-  // True for STEP files, to report that they can only be written.
+  // No foreign file: the surfaces of STEP files are read as a mesh.
   bool recognises(std::string_view head, std::string_view name) const override;
   Result<OpenedFile> import(const std::filesystem::path& path, const ReadOptions& options,
                             Progress progress) const override;

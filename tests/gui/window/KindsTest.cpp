@@ -53,7 +53,7 @@ class KindsTest : public QObject {
     for (const auto& [name, drawing] : {std::pair{"a.STL", "kind-mesh"},
                                         {"a.3mf", "kind-mesh"},
                                         {"a.urdf", "kind-cell"},
-                                        {"a.step", "kind-workpiece"},
+                                        {"a.step", "kind-mesh"},
                                         {"a.handwheel", "handwheel"},
                                         {"a.txt", "file"}}) {
       QCOMPARE(iconNameFor(kinds, name), QString::fromLatin1(drawing));

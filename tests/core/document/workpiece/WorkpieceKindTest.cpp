@@ -34,7 +34,7 @@ class WorkpieceKindTest : public QObject {
   void meshesAreClosed();
   void refusesUnknownEndings();
   void cancelledWritesNothing();
-  void stepFilesAreNotRead();
+  void foreignFilesAreNotRead();
   void describes();
   void anyBarHasTriangles();
   void trianglesForManyThreads();
@@ -221,12 +221,14 @@ void WorkpieceKindTest::cancelledWritesNothing() {
   }
 }
 
-void WorkpieceKindTest::stepFilesAreNotRead() {
-  QVERIFY(m_kind.recognises("ISO-10303-21;\nHEADER;", "anything"));
-  QVERIFY(!m_kind.recognises("solid bar", "bar.step"));
+// They are read as meshes.
+void WorkpieceKindTest::foreignFilesAreNotRead() {
+  QVERIFY(!m_kind.recognises("ISO-10303-21;\nHEADER;", "bar.step"));
   const auto opened = m_kind.import(at("bar.step"), {}, {});
   QVERIFY(!opened);
-  QCOMPARE(opened.error().code, ErrorCode::Unsupported);
+  QCOMPARE(opened.error().code, DocumentError::FormatUnknown);
+  const std::vector<FileFormat> formats = m_kind.formats();
+  QCOMPARE(std::count_if(formats.begin(), formats.end(), [](const FileFormat& f) { return f.name == "STEP"; }), 1);
 }
 
 void WorkpieceKindTest::describes() {

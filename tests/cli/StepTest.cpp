@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Program.h"
+#include "TestClass.h"
+
+#include <QTest>
+#include <cmath>
+#include <csignal>
+
+using namespace handwheel;
+
+namespace {
+
+// A bench with a bar of 40 x 100 mm as bar.step.
+struct StepBench : Bench {
+  StepBench() {
+    if (run({"new", "workpiece", "diameter=40", "length=100", "-o", "bar.handwheel"}).code != 0 ||
+        run({"convert", "bar.handwheel", "bar.step"}).code != 0)
+      qFatal("there is no bar");
+  }
+};
+
+// Puts a script in the place of the process that reads.
+void replaceReader(const Bench& bench, const QByteArray& script) {
+  bench.put("step", "#!/bin/sh\n" + script + "\n");
+  QFile::setPermissions(bench.path() + "/step", QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+  qputenv("HANDWHEEL_READERS", bench.path().toUtf8());
+}
+
+bool isRunning(const QByteArray& mark) {
+  for (const QString& name : QDir("/proc").entryList(QDir::Dirs)) {
+    QFile words("/proc/" + name + "/cmdline");
+    if (name.toInt() != 0 && words.open(QIODevice::ReadOnly) && words.readAll().contains(mark)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+// STEP files as meshes.
+class StepTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void cleanup() { qunsetenv("HANDWHEEL_READERS"); }
+
+  void inspected() {
+    const StepBench bench;
+    const Ran ran = bench.run({"inspect", "--json", "bar.step"});
+    QVERIFY2(ran.code == 0, ran.err);
+    const nlohmann::json mesh = nlohmann::json::parse(ran.out.toStdString());
+    QVERIFY(mesh["closed"].get<bool>() && mesh["manifold"].get<bool>());
+    const double exact = M_PI * 400 * 100, area = M_PI * (40 * 100 + 2 * 400), skin = 2e-4 * std::hypot(40, 40, 100);
+    const double volume = mesh["volume_mm3"].get<double>();
+    QVERIFY(volume < exact && volume > exact - area * skin);
+    QVERIFY2(ran.err.contains("exact surfaces and no mesh") && ran.err.contains("0.023 mm"), ran.err);
+  }
+
+  void becomesAMesh() {
+    const StepBench bench;
+    for (const char* out : {"bar.stl", "bar.ply", "mesh.handwheel"}) {
+      const Ran ran = bench.run({"convert", "bar.step", out});
+      QVERIFY2(ran.code == 0, ran.err);
+      QVERIFY(ran.err.contains("Not kept: exact surfaces."));
+    }
+    const Ran repaired = bench.run({"repair", "bar.step", "-o", "repaired.stl"});
+    QVERIFY2(repaired.code == 0, repaired.err);
+    const Ran back = bench.run({"convert", "bar.step", "other.step"});
+    QCOMPARE(back.code, 1);
+    QVERIFY2(back.err.contains("ends in .stl, .ply, .obj, .off, .3mf or .handwheel."), back.err);
+    QVERIFY(!bench.names().contains("other.step"));
+  }
+
+  void deathsOfTheReaderAreErrorsOfTheFile_data() {
+    QTest::addColumn<QByteArray>("script");
+    QTest::addColumn<QByteArray>("reason");
+    QTest::newRow("killed") << QByteArray("kill -KILL $$")
+                            << QByteArray("the system ended it; memory may have run out");
+    QTest::newRow("crashed") << QByteArray("kill -SEGV $$") << QByteArray("it crashed on this file");
+    QTest::newRow("no answer") << QByteArray("exit 0") << QByteArray("its answer makes no sense");
+    QTest::newRow("failed") << QByteArray("exit 1") << QByteArray("its answer makes no sense");
+    QTest::newRow("garbage") << QByteArray("cat /proc/self/maps; printf c") << QByteArray("its answer makes no sense");
+  }
+  void deathsOfTheReaderAreErrorsOfTheFile() {
+    QFETCH(QByteArray, script);
+    QFETCH(QByteArray, reason);
+    const StepBench bench;
+    replaceReader(bench, script);
+    const Ran ran = bench.run({"inspect", "bar.step"});
+    QCOMPARE(ran.code, 1);
+    QVERIFY2(ran.err.startsWith("handwheel: bar.step: the library Open CASCADE gave up (" + reason + ")."), ran.err);
+    QVERIFY2(ran.err.contains("Export the model in another way or another format."), ran.err);
+  }
+
+  void aReaderThatIsNotInstalled() {
+    const StepBench bench;
+    qputenv("HANDWHEEL_READERS", "/no/such/folder");
+    const Ran ran = bench.run({"inspect", "bar.step"});
+    QCOMPARE(ran.code, 1);
+    QVERIFY2(ran.err.contains("bar.step: ") && ran.err.contains("its process cannot be started"), ran.err);
+  }
+
+  // The key that ends a command ends its reader, and so does a kill that nobody can hear.
+  void interrupted_data() {
+    QTest::addColumn<int>("signal");
+    QTest::newRow("a key") << SIGINT;
+    QTest::newRow("killed") << SIGKILL;
+  }
+  void interrupted() {
+    QFETCH(int, signal);
+    const StepBench bench;
+    replaceReader(bench, "exec sleep 98765.4321");
+    QProcess process;
+    process.setWorkingDirectory(bench.path());
+    process.start(HANDWHEEL_PROGRAM, {"convert", "bar.step", "out.stl"});
+    QTRY_VERIFY_WITH_TIMEOUT(isRunning("98765.4321"), 30000);
+    ::kill(static_cast<pid_t>(process.processId()), signal);
+    QVERIFY(process.waitForFinished());
+    if (signal == SIGINT) QCOMPARE(process.exitCode(), 130);
+    QTRY_VERIFY(!isRunning("98765.4321"));
+    QVERIFY(!bench.names().contains("out.stl"));
+  }
+};
+
+HANDWHEEL_TEST(StepTest)
+#include "StepTest.moc"
