@@ -43,6 +43,9 @@ FidelityCase undoGranularityCaseOn(const std::string& name, SoupSource soup);
 FidelitySetting chordSetting();
 std::vector<FidelityCase> chordCases();
 
+// step.chord: a bar and a ball in STEP files, read as triangles.
+std::vector<FidelityCase> stepChordCases();
+
 // turn.spacing: grooves turned into a bar.
 std::vector<FidelityCase> turnSpacingCases();
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fidelity/MeasuredSettings.h"
 
+#include "document/formats/step/StepFidelity.h"
 #include "haptics/scene/TouchFidelity.h"
 #include "haptics/snap/SnapFidelity.h"
 #include "machining/TurningFidelity.h"
@@ -18,6 +19,7 @@ FidelityRegistry measuredSettings() {
   registry.add(pieceEdgesSetting(), pieceEdgesCases());
   registry.add(decimationErrorSetting(), decimationErrorCases());
   registry.add(chordSetting(), chordCases());
+  registry.add(stepChordSetting(), stepChordCases());
   registry.add(turnSpacingSetting(), turnSpacingCases());
   registry.add(undoGranularitySetting(), undoGranularityCases());
   registry.add(blockFacesSetting(), blockFacesCases());

@@ -31,7 +31,9 @@ class InstalledTest : public QObject {
 
  private slots:
   void initTestCase() {
-    for (const char* name : {"HANDWHEEL_PLUGINS", "HANDWHEEL_GUARDS", "HANDWHEEL_READERS", "LD_LIBRARY_PATH", "DESTDIR"}) qunsetenv(name);
+    for (const char* name :
+         {"HANDWHEEL_PLUGINS", "HANDWHEEL_GUARDS", "HANDWHEEL_READERS", "LD_LIBRARY_PATH", "DESTDIR"})
+      qunsetenv(name);
     m_prefix = std::make_unique<QTemporaryDir>();
     const Ran ran = runProgram(CMAKE, m_prefix->path(), {"--install", BUILD_FOLDER, "--prefix", m_prefix->path()});
     QVERIFY2(ran.code == 0, ran.err);
@@ -73,9 +75,9 @@ class InstalledTest : public QObject {
 
   void readsAStepFile() {
     const Bench bench;
-    for (const QStringList& words : {QStringList{"new", "workpiece", "-o", "bar.handwheel"},
-                                     QStringList{"convert", "bar.handwheel", "bar.step"},
-                                     QStringList{"inspect", "bar.step"}}) {
+    for (const QStringList& words :
+         {QStringList{"new", "workpiece", "-o", "bar.handwheel"}, QStringList{"convert", "bar.handwheel", "bar.step"},
+          QStringList{"inspect", "bar.step"}}) {
       const Ran ran = runProgram(program(), bench.path(), words);
       QVERIFY2(ran.code == 0, ran.err);
     }

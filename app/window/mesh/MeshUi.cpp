@@ -3,6 +3,7 @@
 #include "window/mesh/MeshUi.h"
 
 #include "document/UndoCommand.h"
+#include "document/formats/step/StepFidelity.h"
 #include "document/mesh/KeepOpenEdit.h"
 #include "document/mesh/MeshKind.h"
 #include "fidelity/Cases.h"
@@ -124,6 +125,7 @@ void MeshUi::compareMethods() {
 void MeshUi::followFidelity() {
   const FidelityValues& values = m_parts.fidelity.values();
   m_kind.setNearWeld(values.of(nearWeldSetting()));
+  m_kind.setStepChord(values.of(stepChordSetting()));
   m_layer->setBlockFaces(static_cast<Face>(values.of(blockFacesSetting())));
   m_layer->setCoarseTriangles(static_cast<std::size_t>(values.of(coarseTrianglesSetting())));
   m_panel->settings()->setMethod(m_actions.method());

@@ -70,7 +70,8 @@ std::shared_ptr<MeshSnapshot> meshSnapshotOf(const MeshFile& file, double nearWe
 
 Result<OpenedFile> MeshKind::import(const std::filesystem::path& path, const ReadOptions& options,
                                     Progress progress) const {
-  const Result<MeshFile> file = readMeshFile(path, options, progress.part(0.0, 0.5));
+  const ReadOptions own{.partial = options.partial, .stepChord = m_stepChord};
+  const Result<MeshFile> file = readMeshFile(path, own, progress.part(0.0, 0.5));
   if (!file) return file.error();
   OpenedFile opened;
   opened.kind = this;

@@ -17,6 +17,8 @@ class MeshKind : public DocumentKind {
  public:
   // Sets mesh.near_weld for the defects of files that are opened from now on. Any thread.
   void setNearWeld(double share) { m_nearWeld = share; }
+  // Sets step.chord for STEP files that are opened from now on. Any thread.
+  void setStepChord(double share) { m_stepChord = share; }
 
   std::string id() const override { return std::string(kMeshKind); }
   std::string title() const override;
@@ -36,6 +38,7 @@ class MeshKind : public DocumentKind {
 
  private:
   std::atomic<double> m_nearWeld = tolerance::kNearWeld;  // share of the diagonal
+  std::atomic<double> m_stepChord = ReadOptions().stepChord;
 };
 
 // Creates the snapshot of a mesh document from a mesh file. nearWeld: as in findDefects(). The result is invalid if
