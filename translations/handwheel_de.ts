@@ -476,6 +476,18 @@
         <source>&apos;handwheel help edit&apos; lists the steps; loops are numbered as &apos;handwheel inspect&apos; does.</source>
         <translation>„handwheel help edit“ führt die Schritte auf; Randschleifen sind nummeriert wie von „handwheel inspect“.</translation>
     </message>
+    <message>
+        <source>something else has the name &apos;%1&apos;</source>
+        <translation>etwas anderes heißt schon „%1“</translation>
+    </message>
+    <message>
+        <source>Choose another name.</source>
+        <translation>Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be a name: it needs one line of 1 to %2 bytes</source>
+        <translation>„%1“ kann kein Name sein: nötig ist eine Zeile von 1 bis %2 Byte</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -594,10 +606,6 @@
     <message>
         <source>a xacro file that is not expanded to URDF</source>
         <translation>eine nicht in URDF umgewandelte Xacro-Datei</translation>
-    </message>
-    <message>
-        <source>reading STEP files</source>
-        <translation>das Lesen von STEP-Dateien</translation>
     </message>
     <message>
         <source>the 3MF extension &apos;%1&apos;</source>
@@ -1031,6 +1039,58 @@
         <source>samples of the profile</source>
         <translation>Punkte des Profils</translation>
     </message>
+    <message>
+        <source>faces that can be triangulated</source>
+        <translation>Flächen, die sich in Dreiecke zerlegen lassen,</translation>
+    </message>
+    <message>
+        <source>parts that can be read</source>
+        <translation>lesbare Teile</translation>
+    </message>
+    <message>
+        <source>it contradicts itself</source>
+        <translation>sie widerspricht sich</translation>
+    </message>
+    <message>
+        <source>it crashed on this file</source>
+        <translation>sie ist an dieser Datei abgestürzt</translation>
+    </message>
+    <message>
+        <source>it takes more than %1 triangles</source>
+        <translation>es wären mehr als %1 Dreiecke nötig</translation>
+    </message>
+    <message>
+        <source>it took longer than %1 s</source>
+        <translation>es dauerte länger als %1 s</translation>
+    </message>
+    <message>
+        <source>its answer is too large</source>
+        <translation>ihre Antwort ist zu groß</translation>
+    </message>
+    <message>
+        <source>its answer makes no sense</source>
+        <translation>ihre Antwort ergibt keinen Sinn</translation>
+    </message>
+    <message>
+        <source>its process cannot be started</source>
+        <translation>ihr Prozess lässt sich nicht starten</translation>
+    </message>
+    <message>
+        <source>its surfaces have no size</source>
+        <translation>ihre Flächen haben keine Ausdehnung</translation>
+    </message>
+    <message>
+        <source>none of its surfaces can be cut into triangles</source>
+        <translation>keine ihrer Flächen lässt sich in Dreiecke zerlegen</translation>
+    </message>
+    <message>
+        <source>the file holds no surface</source>
+        <translation>die Datei enthält keine Fläche</translation>
+    </message>
+    <message>
+        <source>the system ended it; memory may have run out</source>
+        <translation>das System hat sie beendet; vielleicht fehlte Speicher</translation>
+    </message>
 </context>
 <context>
     <name>ExpressionText</name>
@@ -1344,6 +1404,18 @@
     <message>
         <source>CPU time of cutting and of the triangles that change</source>
         <translation>Rechenzeit eines Schnitts mit seinen neuen Dreiecken</translation>
+    </message>
+    <message>
+        <source>How far triangles may leave the surfaces of a STEP file</source>
+        <translation>Wie weit Dreiecke von den Flächen einer STEP-Datei abweichen dürfen</translation>
+    </message>
+    <message>
+        <source>largest distance from the surface, in diagonals</source>
+        <translation>größter Abstand von der Fläche, in Diagonalen</translation>
+    </message>
+    <message>
+        <source>triangles of the mesh</source>
+        <translation>Dreiecke des Netzes</translation>
     </message>
 </context>
 <context>
@@ -1696,10 +1768,6 @@
         <translation>%1 Eckpunkte wurden um das kleinstmögliche Maß verschoben, damit die Datei sie nicht verschmilzt.</translation>
     </message>
     <message>
-        <source>The file holds the robot&apos;s surfaces as they stand now; it has no joints.</source>
-        <translation>Die Datei enthält die Oberflächen des Roboters in der jetzigen Stellung; Gelenke hat sie keine.</translation>
-    </message>
-    <message>
         <source>The file holds one valid solid.</source>
         <translation>Die Datei enthält einen gültigen Volumenkörper.</translation>
     </message>
@@ -1714,6 +1782,30 @@
     <message>
         <source>The coarser levels of the sculpted patch are not in this file.</source>
         <translation>Die gröberen Stufen des modellierten Flickens stehen nicht in dieser Datei.</translation>
+    </message>
+    <message>
+        <source>The file holds the robot and the bodies as they stand now; it has no joints.</source>
+        <translation>Die Datei enthält den Roboter und die Körper in ihrer jetzigen Stellung; Gelenke hat sie keine.</translation>
+    </message>
+    <message>
+        <source>A STEP file holds exact surfaces and no mesh: its faces (%1) were cut into triangles, which are at most about %2 mm off them.</source>
+        <translation>Eine STEP-Datei enthält exakte Flächen und kein Netz: Ihre Flächen (%1) wurden in Dreiecke zerlegt, die höchstens etwa %2 mm von ihnen abweichen.</translation>
+    </message>
+    <message>
+        <source>Solids: %1. Surfaces that belong to none: %2.</source>
+        <translation>Volumenkörper: %1. Flächen, die zu keinem gehören: %2.</translation>
+    </message>
+    <message>
+        <source>Its lengths (%1) are millimetres here.</source>
+        <translation>Ihre Längen (%1) sind hier Millimeter.</translation>
+    </message>
+    <message>
+        <source>The body &apos;%1&apos; is linked to %2, which is missing; it is shown as it was when it was read.</source>
+        <translation>Der Körper „%1“ ist mit %2 verknüpft, das fehlt; er wird gezeigt, wie er beim Einlesen war.</translation>
+    </message>
+    <message>
+        <source>The body &apos;%1&apos; is linked to %2, which has changed; it is shown as it was before.</source>
+        <translation>Der Körper „%1“ ist mit %2 verknüpft, das sich geändert hat; er wird gezeigt, wie er vorher war.</translation>
     </message>
 </context>
 <context>
@@ -2454,6 +2546,74 @@
         <source>Resistance (N·s/mm)</source>
         <translation>Widerstand (N·s/mm)</translation>
     </message>
+    <message>
+        <source>the file is missing</source>
+        <translation>die Datei fehlt</translation>
+    </message>
+    <message>
+        <source>the file has changed since it was read</source>
+        <translation>die Datei hat sich seit dem Einlesen geändert</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>cannot be shown</source>
+        <translation>kann nicht gezeigt werden</translation>
+    </message>
+    <message>
+        <source>Visible</source>
+        <translation>Sichtbar</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Smooth shading</source>
+        <translation>Glatt schattiert</translation>
+    </message>
+    <message>
+        <source>Linked file</source>
+        <translation>Verknüpfte Datei</translation>
+    </message>
+    <message>
+        <source>State of the file</source>
+        <translation>Zustand der Datei</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>Size X</source>
+        <translation>Größe X</translation>
+    </message>
+    <message>
+        <source>Size Y</source>
+        <translation>Größe Y</translation>
+    </message>
+    <message>
+        <source>Size Z</source>
+        <translation>Größe Z</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Cone</source>
+        <translation>Kegel</translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -2696,6 +2856,10 @@
             <numerusform>%n Loch, das offen bleiben sollte, mit entfernten Dreiecken verschwunden</numerusform>
             <numerusform>%n Löcher, die offen bleiben sollten, mit entfernten Dreiecken verschwunden</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>exact surfaces</source>
+        <translation>exakte Flächen</translation>
     </message>
 </context>
 <context>
@@ -4170,6 +4334,10 @@
         <source>Nothing of %1 can be read</source>
         <translation>In %1 lässt sich nichts lesen</translation>
     </message>
+    <message>
+        <source>%1 is opened as a mesh</source>
+        <translation>%1 wird als Netz geöffnet</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::FileSaver</name>
@@ -4646,13 +4814,6 @@
     <message>
         <source>Preparing to snap</source>
         <translation>Fangen wird vorbereitet</translation>
-    </message>
-</context>
-<context>
-    <name>handwheel::MeshTools</name>
-    <message>
-        <source>Preparing to pick</source>
-        <translation>Auswahl wird vorbereitet</translation>
     </message>
 </context>
 <context>

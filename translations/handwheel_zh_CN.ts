@@ -476,6 +476,18 @@
         <source>&apos;handwheel help edit&apos; lists the steps; loops are numbered as &apos;handwheel inspect&apos; does.</source>
         <translation>“handwheel help edit”列出所有步骤；边界环的编号与“handwheel inspect”相同。</translation>
     </message>
+    <message>
+        <source>something else has the name &apos;%1&apos;</source>
+        <translation>名称“%1”已被占用</translation>
+    </message>
+    <message>
+        <source>Choose another name.</source>
+        <translation>请选择另一个名称。</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be a name: it needs one line of 1 to %2 bytes</source>
+        <translation>“%1”不能用作名称：名称须为一行，长 1 到 %2 字节</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -594,10 +606,6 @@
     <message>
         <source>a xacro file that is not expanded to URDF</source>
         <translation>未展开为 URDF 的 xacro 文件</translation>
-    </message>
-    <message>
-        <source>reading STEP files</source>
-        <translation>读取 STEP 文件</translation>
     </message>
     <message>
         <source>the 3MF extension &apos;%1&apos;</source>
@@ -1031,6 +1039,58 @@
         <source>samples of the profile</source>
         <translation>轮廓采样点</translation>
     </message>
+    <message>
+        <source>faces that can be triangulated</source>
+        <translation>可三角化的面</translation>
+    </message>
+    <message>
+        <source>parts that can be read</source>
+        <translation>可读取的零件</translation>
+    </message>
+    <message>
+        <source>it contradicts itself</source>
+        <translation>其内容自相矛盾</translation>
+    </message>
+    <message>
+        <source>it crashed on this file</source>
+        <translation>它处理此文件时崩溃</translation>
+    </message>
+    <message>
+        <source>it takes more than %1 triangles</source>
+        <translation>需要超过 %1 个三角形</translation>
+    </message>
+    <message>
+        <source>it took longer than %1 s</source>
+        <translation>用时超过 %1 秒</translation>
+    </message>
+    <message>
+        <source>its answer is too large</source>
+        <translation>其结果过大</translation>
+    </message>
+    <message>
+        <source>its answer makes no sense</source>
+        <translation>其结果没有意义</translation>
+    </message>
+    <message>
+        <source>its process cannot be started</source>
+        <translation>无法启动其进程</translation>
+    </message>
+    <message>
+        <source>its surfaces have no size</source>
+        <translation>其曲面没有大小</translation>
+    </message>
+    <message>
+        <source>none of its surfaces can be cut into triangles</source>
+        <translation>其曲面均无法三角化</translation>
+    </message>
+    <message>
+        <source>the file holds no surface</source>
+        <translation>文件中没有曲面</translation>
+    </message>
+    <message>
+        <source>the system ended it; memory may have run out</source>
+        <translation>系统将其终止；可能内存不足</translation>
+    </message>
 </context>
 <context>
     <name>ExpressionText</name>
@@ -1344,6 +1404,18 @@
     <message>
         <source>CPU time of cutting and of the triangles that change</source>
         <translation>一次切削及其变化三角形的 CPU 时间</translation>
+    </message>
+    <message>
+        <source>How far triangles may leave the surfaces of a STEP file</source>
+        <translation>三角形可偏离 STEP 文件曲面的距离</translation>
+    </message>
+    <message>
+        <source>largest distance from the surface, in diagonals</source>
+        <translation>到曲面的最大距离（以对角线计）</translation>
+    </message>
+    <message>
+        <source>triangles of the mesh</source>
+        <translation>网格的三角形数</translation>
     </message>
 </context>
 <context>
@@ -1683,10 +1755,6 @@
         <translation>%1 个顶点已作最小幅度的移动，以免它们在文件中被焊接。</translation>
     </message>
     <message>
-        <source>The file holds the robot&apos;s surfaces as they stand now; it has no joints.</source>
-        <translation>文件只包含机器人当前姿态的表面，没有关节。</translation>
-    </message>
-    <message>
         <source>The file holds one valid solid.</source>
         <translation>文件包含一个有效实体。</translation>
     </message>
@@ -1701,6 +1769,30 @@
     <message>
         <source>The coarser levels of the sculpted patch are not in this file.</source>
         <translation>所雕刻补片的较粗层级未写入此文件。</translation>
+    </message>
+    <message>
+        <source>The file holds the robot and the bodies as they stand now; it has no joints.</source>
+        <translation>文件中保存机器人和物体的当前位置；没有关节。</translation>
+    </message>
+    <message>
+        <source>A STEP file holds exact surfaces and no mesh: its faces (%1) were cut into triangles, which are at most about %2 mm off them.</source>
+        <translation>STEP 文件包含精确曲面而非网格：其面（%1）已切成三角形，偏差最多约 %2 mm。</translation>
+    </message>
+    <message>
+        <source>Solids: %1. Surfaces that belong to none: %2.</source>
+        <translation>实体：%1。不属于实体的曲面：%2。</translation>
+    </message>
+    <message>
+        <source>Its lengths (%1) are millimetres here.</source>
+        <translation>其长度单位（%1）在此换算为毫米。</translation>
+    </message>
+    <message>
+        <source>The body &apos;%1&apos; is linked to %2, which is missing; it is shown as it was when it was read.</source>
+        <translation>物体“%1”链接到 %2，该文件缺失；按读取时的样子显示。</translation>
+    </message>
+    <message>
+        <source>The body &apos;%1&apos; is linked to %2, which has changed; it is shown as it was before.</source>
+        <translation>物体“%1”链接到 %2，该文件已更改；按更改前的样子显示。</translation>
     </message>
 </context>
 <context>
@@ -2441,6 +2533,74 @@
         <source>Resistance (N·s/mm)</source>
         <translation>阻力 (N·s/mm)</translation>
     </message>
+    <message>
+        <source>the file is missing</source>
+        <translation>文件缺失</translation>
+    </message>
+    <message>
+        <source>the file has changed since it was read</source>
+        <translation>文件自读取后已更改</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>形状</translation>
+    </message>
+    <message>
+        <source>cannot be shown</source>
+        <translation>无法显示</translation>
+    </message>
+    <message>
+        <source>Visible</source>
+        <translation>可见</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Smooth shading</source>
+        <translation>平滑着色</translation>
+    </message>
+    <message>
+        <source>Linked file</source>
+        <translation>链接的文件</translation>
+    </message>
+    <message>
+        <source>State of the file</source>
+        <translation>文件状态</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>长方体</translation>
+    </message>
+    <message>
+        <source>Size X</source>
+        <translation>尺寸 X</translation>
+    </message>
+    <message>
+        <source>Size Y</source>
+        <translation>尺寸 Y</translation>
+    </message>
+    <message>
+        <source>Size Z</source>
+        <translation>尺寸 Z</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>圆柱</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>球</translation>
+    </message>
+    <message>
+        <source>Cone</source>
+        <translation>锥</translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -2671,6 +2831,10 @@
         <translation>
             <numerusform>%n 个应保持开放的孔洞随被删除的三角形消失</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>exact surfaces</source>
+        <translation>精确曲面</translation>
     </message>
 </context>
 <context>
@@ -4141,6 +4305,10 @@
         <source>Nothing of %1 can be read</source>
         <translation>无法读取 %1 中的任何内容</translation>
     </message>
+    <message>
+        <source>%1 is opened as a mesh</source>
+        <translation>%1 按网格打开</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::FileSaver</name>
@@ -4614,13 +4782,6 @@
     <message>
         <source>Preparing to snap</source>
         <translation>正在准备捕捉</translation>
-    </message>
-</context>
-<context>
-    <name>handwheel::MeshTools</name>
-    <message>
-        <source>Preparing to pick</source>
-        <translation>正在准备拾取</translation>
     </message>
 </context>
 <context>
