@@ -9,7 +9,6 @@ namespace handwheel::ArchiveError {
 
 extern const ErrorDescription Malformed;     // {library's reason} not a ZIP archive, or one that cannot be read at all
 extern const ErrorDescription EntryMissing;  // {name} an entry that the archive should hold
-extern const ErrorDescription
-    EntryDamaged;  // {name} an entry that cannot be unpacked, or not to what its checksum says
+extern const ErrorDescription EntryDamaged;  // {name} an entry that cannot be unpacked, or differs from its checksum
 
 }  // namespace handwheel::ArchiveError
