@@ -1091,6 +1091,62 @@
         <source>the system ended it; memory may have run out</source>
         <translation>das System hat sie beendet; vielleicht fehlte Speicher</translation>
     </message>
+    <message>
+        <source>bodies</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>columns</source>
+        <translation>Spalten</translation>
+    </message>
+    <message>
+        <source>dimensions</source>
+        <translation>Maße</translation>
+    </message>
+    <message>
+        <source>the body</source>
+        <translation>der Körper</translation>
+    </message>
+    <message>
+        <source>the file</source>
+        <translation>die Datei</translation>
+    </message>
+    <message>
+        <source>a link to a file name that is not UTF-8</source>
+        <translation>eine Verknüpfung mit einem Dateinamen, der nicht UTF-8 ist,</translation>
+    </message>
+    <message>
+        <source>setting %1</source>
+        <translation>das Setzen von %1</translation>
+    </message>
+    <message>
+        <source>the shape %1</source>
+        <translation>die Form %1</translation>
+    </message>
+    <message>
+        <source>a colour such as #b8bcc7 was expected</source>
+        <translation>eine Farbe wie #b8bcc7 wurde erwartet</translation>
+    </message>
+    <message>
+        <source>a text was expected</source>
+        <translation>ein Text wurde erwartet</translation>
+    </message>
+    <message>
+        <source>it is no object</source>
+        <translation>es ist kein Objekt</translation>
+    </message>
+    <message>
+        <source>its pose cannot be used</source>
+        <translation>seine Lage ist nicht verwendbar</translation>
+    </message>
+    <message>
+        <source>its rotation is none</source>
+        <translation>seine Drehung ist keine</translation>
+    </message>
+    <message>
+        <source>yes or no was expected</source>
+        <translation>Ja oder Nein wurde erwartet</translation>
+    </message>
 </context>
 <context>
     <name>ExpressionText</name>

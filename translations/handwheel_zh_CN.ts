@@ -1091,6 +1091,62 @@
         <source>the system ended it; memory may have run out</source>
         <translation>系统将其终止；可能内存不足</translation>
     </message>
+    <message>
+        <source>bodies</source>
+        <translation>物体</translation>
+    </message>
+    <message>
+        <source>columns</source>
+        <translation>列</translation>
+    </message>
+    <message>
+        <source>dimensions</source>
+        <translation>尺寸</translation>
+    </message>
+    <message>
+        <source>the body</source>
+        <translation>物体</translation>
+    </message>
+    <message>
+        <source>the file</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>a link to a file name that is not UTF-8</source>
+        <translation>指向非 UTF-8 文件名的链接</translation>
+    </message>
+    <message>
+        <source>setting %1</source>
+        <translation>设置 %1</translation>
+    </message>
+    <message>
+        <source>the shape %1</source>
+        <translation>形状 %1</translation>
+    </message>
+    <message>
+        <source>a colour such as #b8bcc7 was expected</source>
+        <translation>应为颜色，例如 #b8bcc7</translation>
+    </message>
+    <message>
+        <source>a text was expected</source>
+        <translation>应为文本</translation>
+    </message>
+    <message>
+        <source>it is no object</source>
+        <translation>不是对象</translation>
+    </message>
+    <message>
+        <source>its pose cannot be used</source>
+        <translation>位姿无法使用</translation>
+    </message>
+    <message>
+        <source>its rotation is none</source>
+        <translation>旋转无效</translation>
+    </message>
+    <message>
+        <source>yes or no was expected</source>
+        <translation>应为是或否</translation>
+    </message>
 </context>
 <context>
     <name>ExpressionText</name>

@@ -17,7 +17,10 @@ constexpr qsizetype kLongestQuote = 48;  // characters of a foreign file shown i
 constexpr const char* kPhrases[] = {
     // {what} of counts
     QT_TRANSLATE_NOOP("ErrorWord", "attributes"),
+    QT_TRANSLATE_NOOP("ErrorWord", "bodies"),
     QT_TRANSLATE_NOOP("ErrorWord", "bytes"),
+    QT_TRANSLATE_NOOP("ErrorWord", "columns"),
+    QT_TRANSLATE_NOOP("ErrorWord", "dimensions"),
     QT_TRANSLATE_NOOP("ErrorWord", "elements"),
     QT_TRANSLATE_NOOP("ErrorWord", "entries"),
     QT_TRANSLATE_NOOP("ErrorWord", "events"),
@@ -44,6 +47,8 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "the number of vertices"),
     // … is named, but cannot be found
     QT_TRANSLATE_NOOP("ErrorWord", "the 3D model"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the body"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the file"),
     QT_TRANSLATE_NOOP("ErrorWord", "the joint"),
     QT_TRANSLATE_NOOP("ErrorWord", "the link"),
     QT_TRANSLATE_NOOP("ErrorWord", "the mesh"),
@@ -67,8 +72,10 @@ constexpr const char* kPhrases[] = {
     // … is not supported
     QT_TRANSLATE_NOOP("ErrorWord", "XML that declares entities"),
     QT_TRANSLATE_NOOP("ErrorWord", "a geometry that is no mesh"),
+    QT_TRANSLATE_NOOP("ErrorWord", "a link to a file name that is not UTF-8"),
     QT_TRANSLATE_NOOP("ErrorWord", "a skinned mesh"),
     QT_TRANSLATE_NOOP("ErrorWord", "a xacro file that is not expanded to URDF"),
+    QT_TRANSLATE_NOOP("ErrorWord", "setting %1"),
     QT_TRANSLATE_NOOP("ErrorWord", "the 3MF extension '%1'"),
     QT_TRANSLATE_NOOP("ErrorWord", "the floating joint '%1', which is held still,"),
     QT_TRANSLATE_NOOP("ErrorWord", "the planar joint '%1', which is held still,"),
@@ -78,6 +85,7 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "the mesh name '%1', which lies on another machine,"),
     QT_TRANSLATE_NOOP("ErrorWord", "the mesh name '%1', which names no package,"),
     QT_TRANSLATE_NOOP("ErrorWord", "the shape '%1'"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the shape %1"),
     // … cannot be 7; it must lie between
     QT_TRANSLATE_NOOP("ErrorWord", "a coordinate of the mesh"),
     QT_TRANSLATE_NOOP("ErrorWord", "an origin"),
@@ -117,6 +125,7 @@ constexpr const char* kPhrases[] = {
     // the element is malformed:
     QT_TRANSLATE_NOOP("ErrorWord", "%1 of its polygons cannot be read"),
     QT_TRANSLATE_NOOP("ErrorWord", "a choice was expected"),
+    QT_TRANSLATE_NOOP("ErrorWord", "a colour such as #b8bcc7 was expected"),
     QT_TRANSLATE_NOOP("ErrorWord", "a comment is too long"),
     QT_TRANSLATE_NOOP("ErrorWord", "a number was expected"),
     QT_TRANSLATE_NOOP("ErrorWord", "a pole is across the axis, too far away or not finite"),
@@ -125,6 +134,7 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "a tag is too long"),
     QT_TRANSLATE_NOOP("ErrorWord", "a text is too long"),
     QT_TRANSLATE_NOOP("ErrorWord", "a text of at most 1000 bytes in UTF-8 was expected"),
+    QT_TRANSLATE_NOOP("ErrorWord", "a text was expected"),
     QT_TRANSLATE_NOOP("ErrorWord", "a weight is missing, not positive or too large"),
     QT_TRANSLATE_NOOP("ErrorWord", "a whole number is expected"),
     QT_TRANSLATE_NOOP("ErrorWord", "an object is expected"),
@@ -145,6 +155,7 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "it is missing"),
     QT_TRANSLATE_NOOP("ErrorWord", "it is nested too deeply"),
     QT_TRANSLATE_NOOP("ErrorWord", "it is no length; metres are assumed"),
+    QT_TRANSLATE_NOOP("ErrorWord", "it is no object"),
     QT_TRANSLATE_NOOP("ErrorWord", "it is not JSON"),
     QT_TRANSLATE_NOOP("ErrorWord", "it is not an object"),
     QT_TRANSLATE_NOOP("ErrorWord", "it is not the root"),
@@ -162,6 +173,8 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "its lower limit is above the upper one"),
     QT_TRANSLATE_NOOP("ErrorWord", "its number %1 is taken"),
     QT_TRANSLATE_NOOP("ErrorWord", "its object is of the type 'other'"),
+    QT_TRANSLATE_NOOP("ErrorWord", "its pose cannot be used"),
+    QT_TRANSLATE_NOOP("ErrorWord", "its rotation is none"),
     QT_TRANSLATE_NOOP("ErrorWord", "its scale leaves no shape"),
     QT_TRANSLATE_NOOP("ErrorWord", "its size is no length"),
     QT_TRANSLATE_NOOP("ErrorWord", "its transformation is not understood"),
@@ -175,6 +188,7 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "there are two of that name"),
     QT_TRANSLATE_NOOP("ErrorWord", "there is no such key"),
     QT_TRANSLATE_NOOP("ErrorWord", "they do not fit the mesh"),
+    QT_TRANSLATE_NOOP("ErrorWord", "yes or no was expected"),
 };
 
 QString shortened(const QString& text) {
