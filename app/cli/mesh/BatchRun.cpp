@@ -4,6 +4,7 @@
 
 #include "base/NumberText.h"
 #include "cli/Interrupt.h"
+#include "cli/LeashedChild.h"
 #include "cli/Messages.h"
 #include "document/AtomicFile.h"
 
