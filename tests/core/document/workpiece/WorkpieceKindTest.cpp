@@ -8,6 +8,7 @@
 #include "document/workpiece/WorkpieceDocument.h"
 #include "mesh/structure/Weld.h"
 #include "nurbs/StepFile.h"
+#include "scene/RevolvedGeometry.h"
 
 #include <MeshChecks.h>
 #include <rapidcheck.h>
@@ -36,6 +37,7 @@ class WorkpieceKindTest : public QObject {
   void cancelledWritesNothing();
   void foreignFilesAreNotRead();
   void describes();
+  void aBarAsABody();
   void anyBarHasTriangles();
   void trianglesForManyThreads();
 
@@ -242,6 +244,15 @@ void WorkpieceKindTest::describes() {
   QVERIFY(described["deviation"].get<double>() <= 0.1);
   QVERIFY(described["deviation"].get<double>() > 0.07);
   QVERIFY(described["triangles"].get<int>() > 100);
+}
+
+void WorkpieceKindTest::aBarAsABody() {
+  const GeometryPointer bar = m_kind.bodyGeometry(workpiece({20, 30, 7}, 0.1));
+  QVERIFY(bar);
+  QCOMPARE(bar->kind(), RevolvedGeometry::kKind);
+  const Box& box = bar->bounds();
+  QVERIFY(box.min().z() == 7.0 && box.max().z() == 37.0);
+  QVERIFY(std::abs(box.max().x() - 10.0) < 1e-12);
 }
 
 void WorkpieceKindTest::anyBarHasTriangles() {

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tools/cell/JointDragTool.h"
+#include "tools/scene/BodyDragTool.h"
+
+namespace handwheel {
+
+// Tool that moves by hand what stands in a robot cell: the links of the robot, and the bodies beside it.
+class CellTool : public Tool {
+ public:
+  // The selection must outlive the tool.
+  CellTool(RobotCellDocument& document, BodySelection& selection, JointDragTool::Pick pick);
+
+  static std::span<const ToolKey> keys();
+  std::string id() const override { return m_joints.id(); }
+  ToolReply pointer(const PointerEvent& event) override;
+  ToolReply perform(std::string_view action) override;
+  std::vector<ToolAction> actions() const override;
+  ToolPreview preview() const override;
+  std::vector<Property> settings() const override;
+  void documentChanged() override;
+  std::vector<std::string> needs() const override { return m_joints.needs(); }
+
+ private:
+  JointDragTool m_joints;
+  BodyDragTool m_bodies;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/scene/BodyOwner.h"
+#include "tools/ToolKey.h"
+#include "tools/scene/BodySelection.h"
+
+namespace handwheel {
+
+class Document;
+
+// The first hit of a ray on a body.
+struct BodyPick {
+  BodyId body;
+  Vec3 point;  // mm
+};
+
+// Tool that selects bodies by a click and moves them by dragging, in the plane of the view. Releasing commits one edit.
+class BodyDragTool : public Tool {
+ public:
+  using Pick = std::function<std::optional<BodyPick>(const Ray&)>;
+  // Document: one that is a BodyOwner, too. The selection must outlive the tool.
+  template <class OwningDocument>
+  BodyDragTool(OwningDocument& document, BodySelection& selection, Pick pick)
+      : m_document(document), m_owner(document), m_selection(selection), m_pick(std::move(pick)) {}
+
+  bool isDragging() const { return m_drag.has_value(); }
+
+  static std::span<const ToolKey> keys();
+  std::string id() const override { return "bodies"; }
+  ToolReply pointer(const PointerEvent& given) override;
+  ToolReply perform(std::string_view action) override;
+  std::vector<ToolAction> actions() const override;
+  ToolPreview preview() const override;
+  std::vector<Property> settings() const override;
+  void documentChanged() override;
+  std::vector<std::string> needs() const override { return {"picking"}; }
+
+ private:
+  struct Drag {
+    Body body;  // where it stands now
+    Vec3 grip;  // where it was grabbed
+    Ray ray;    // the ray at the press
+    Vec3 start;
+    bool hasMoved = false;
+  };
+
+  ToolReply press(const PointerEvent& event);
+  void follow(const Ray& ray);
+  ToolReply release();
+  ToolReply remove();
+
+  Document& m_document;
+  const BodyOwner& m_owner;
+  BodySelection& m_selection;
+  Pick m_pick;
+  std::optional<Drag> m_drag;
+};
+
+}  // namespace handwheel

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tools/scene/BodyOperation.h"
+
+#include "base/NumberText.h"
+#include "document/OperationText.h"
+#include "document/scene/BodyChanges.h"
+#include "document/scene/BodyLinks.h"
+#include "scene/PrimitiveGeometry.h"
+#include "scene/RigidPose.h"
+
+#include <QtGlobal>
+#include <algorithm>
+#include <numbers>
+
+namespace handwheel {
+
+namespace {
+
+constexpr const char* kVerbs[] = {"add", "remove", "update", "unlink"};
+constexpr const char* kOfAdding[] = {"link", "name", "at", "turn"};
+
+Parameter wordParameter(const char* id, const char* word, std::string meaning) {
+  return {.property = {.id = id, .group = {}, .label = {}, .value = ""},
+          .meaning = std::move(meaning),
+          .word = word,
+          .hasDefault = false};
+}
+
+Parameter threeNumbers(const char* id, const char* word, std::string meaning, Quantity quantity, double largest) {
+  return {.property = {.id = id,
+                       .group = {},
+                       .label = {},
+                       .value = "0,0,0",
+                       .quantity = quantity,
+                       .least = -largest,
+                       .largest = largest},
+          .meaning = std::move(meaning),
+          .word = word,
+          .parts = {{"x"}, {"y"}, {"z"}}};
+}
+
+// The primitive that a text names, "box:10,20,30"; null for other texts, which are file names.
+const PrimitiveDescription* primitiveNamed(std::string_view text) {
+  const std::string_view name = text.substr(0, text.find(':'));
+  const auto all = primitives();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const PrimitiveDescription& each) { return each.id == name; });
+  return name.size() == text.size() || found == all.end() ? nullptr : &*found;
+}
+
+Result<Body> primitiveFrom(const PrimitiveDescription& primitive, std::string_view numbers) {
+  std::vector<double> dimensions;
+  for (std::string_view word : parted(numbers, ',')) {
+    ErrorCode why{};
+    double value = 0.0;
+    if (!parseDecimal(word, value, why)) return Error{why, {std::string(word)}, {}, {}};
+    dimensions.push_back(value);
+  }
+  auto geometry = PrimitiveGeometry::make(primitive.primitive, std::move(dimensions));
+  if (!geometry) return geometry.error();
+  return Body{.name = primitive.id, .geometry = std::move(geometry).value()};
+}
+
+Vec3 vectorOf(const OperationValues& values, std::string_view id) {
+  const std::vector<double> numbers = values.numbers(id);
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+Result<ReadBody> bodyToAdd(const OperationValues& values, const DocumentKinds& kinds,
+                           const std::filesystem::path& folder, Progress progress) {
+  const std::string what = values.text("add");
+  const PrimitiveDescription* primitive = primitiveNamed(what);
+  if (!primitive) return readBody(kinds, what, values.flag("link"), folder, progress);
+  Result<Body> body = primitiveFrom(*primitive, std::string_view(what).substr(what.find(':') + 1));
+  if (!body) return body.error();
+  return ReadBody{std::move(body).value(), {}};
+}
+
+Result<BodyChange> adding(const OperationValues& values, const BodySet& bodies, const DocumentKinds& kinds,
+                          const std::filesystem::path& folder, Progress progress) {
+  Result<ReadBody> read = bodyToAdd(values, kinds, folder, progress);
+  if (!read) return read.error();
+  Body& body = read->body;
+  body.name = values.isSet("name") ? values.text("name") : freeBodyName(bodies, body.name);
+  body.pose = poseOf(vectorOf(values, "at"), vectorOf(values, "turn"));
+  Result<std::unique_ptr<Edit>> edit = addBodyEdit(bodies, std::move(body));
+  if (!edit) return edit.error();
+  return BodyChange{std::move(edit).value(), std::move(read->damage)};
+}
+
+Result<BodyChange> updating(const Body& body, const BodySet& bodies, const DocumentKinds& kinds,
+                            const std::filesystem::path& folder, Progress progress) {
+  Result<ReadBody> read = updatedFromLink(kinds, body, folder, progress);
+  if (!read) return read.error();
+  if (read->body.link->sha256 == body.link->sha256) read->body.geometry = body.geometry;
+  Result<std::unique_ptr<Edit>> edit = changeBodyEdit(bodies, std::move(read->body));
+  if (!edit) return edit.error();
+  return BodyChange{std::move(edit).value(), std::move(read->damage)};
+}
+
+Result<BodyChange> unlinking(Body body, const BodySet& bodies) {
+  body.link.reset();
+  Result<std::unique_ptr<Edit>> edit = changeBodyEdit(bodies, std::move(body));
+  if (!edit) return edit.error();
+  return BodyChange{std::move(edit).value(), {}};
+}
+
+// By its name, or else its number.
+BodyPointer bodyCalled(const BodySet& bodies, const std::string& text) {
+  if (BodyPointer named = bodies.withName(text)) return named;
+  const auto found = std::find_if(bodies.begin(), bodies.end(),
+                                  [&](const BodyPointer& body) { return std::to_string(body->id) == text; });
+  return found == bodies.end() ? nullptr : *found;
+}
+
+}  // namespace
+
+const Operation& bodyOperation() {
+  static const Operation operation = {
+      .id = "body",
+      .title = QT_TRANSLATE_NOOP("Tool", "Change bodies"),
+      .meaning = "Add a body, remove it, or follow the file that it is linked to",
+      .operands = "IN",
+      .parameters = {
+          wordParameter("add", "WHAT",
+                        "Add the shape of a file, or box:X,Y,Z, cylinder:R,L, sphere:R or cone:R,L (mm, centred)"),
+          {.property = {.id = "link", .group = {}, .label = {}, .value = false},
+           .meaning = "Remember the file, to read it again when it has changed"},
+          wordParameter("name", "NAME", "The name of the new body (default: that of the file or shape)"),
+          threeNumbers("at", "X,Y,Z", "Where the new body stands, in mm", Quantity::Length, kFarthestBody),
+          threeNumbers("turn", "A,B,C", "Turned about x, y and z in degrees, about its own origin", Quantity::Angle,
+                       2.0 * std::numbers::pi),
+          wordParameter("remove", "BODY", "Remove a body, given by name or number"),
+          wordParameter("update", "BODY", "Read the linked file of a body again"),
+          wordParameter("unlink", "BODY", "Keep the shape of a body as it is, and forget its file"),
+      }};
+  return operation;
+}
+
+std::string problemOfBodyValues(const OperationValues& values) {
+  const auto isGiven = [&](const char* id) { return values.isSet(id); };
+  if (std::count_if(std::begin(kVerbs), std::end(kVerbs), isGiven) != 1)
+    return "give one of --add, --remove, --update and --unlink";
+  const auto stray = std::find_if(std::begin(kOfAdding), std::end(kOfAdding), isGiven);
+  if (stray != std::end(kOfAdding) && !isGiven("add")) return std::string("--") + *stray + " goes with --add";
+  if (isGiven("link") && primitiveNamed(values.text("add"))) return "--link goes with a file";
+  return {};
+}
+
+Result<BodyChange> bodyChange(const OperationValues& values, const BodySet& bodies, const DocumentKinds& kinds,
+                              const std::filesystem::path& folder, Progress progress) {
+  if (values.isSet("add")) return adding(values, bodies, kinds, folder, progress);
+  const std::string verb = values.isSet("remove") ? "remove" : values.isSet("update") ? "update" : "unlink";
+  const std::string name = values.text(verb);
+  const BodyPointer body = bodyCalled(bodies, name);
+  if (!body) return Error{ErrorCode::ReferenceMissing, {"the body", name}, {}, {}};
+  if (verb == "update") return updating(*body, bodies, kinds, folder, progress);
+  if (verb == "unlink") return unlinking(*body, bodies);
+  const BodyId ids[] = {body->id};
+  return BodyChange{removeBodiesEdit(bodies, ids), {}};
+}
+
+}  // namespace handwheel
