@@ -38,7 +38,7 @@ Result<Input> readMeshInput(const std::filesystem::path& path, const ReadOptions
 // another order than the triangles alone would give. Incomplete once cancelled.
 MeshReport reportOn(const Input& mesh, SelfIntersections choice, Progress progress);
 
-// One sentence for each loss on reading. The part is not readable, not understood, or not kept.
+// One sentence for each loss on reading. The part is not readable, not understood, or not kept. Then the notes.
 std::vector<std::string> lossSentences(const DocumentFile& file);
 // Prints these sentences on stderr.
 void reportLosses(const DocumentFile& file);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "registration/Registration.h"
 
+#include "cli/cell/BodyCommand.h"
 #include "cli/mesh/MeshCommands.h"
 #include "cli/workpiece/TurnCommand.h"
 #include "document/cell/RobotCellKind.h"
@@ -38,7 +39,7 @@ std::vector<KindEntry> entriesOf(std::vector<KindRegistration>& registrations) {
 
 std::vector<KindRegistration> registeredKinds() {
   std::vector<KindRegistration> all;
-  all.push_back({entryWithKind<RobotCellUi, RobotCellKind>()});
+  all.push_back({entryWithKind<RobotCellUi, RobotCellKind>(), cellCommands()});
   all.push_back({entryOf<WorkpieceUi, WorkpieceKind>(), workpieceCommands()});
   all.push_back({entryWithKind<MeshUi, MeshKind>(), meshCommands()});
   return all;

@@ -18,7 +18,7 @@ class CommandLineTest : public QObject {
     QCOMPARE(overview.code, 0);
     QCOMPARE(overview.err, QByteArray());
     for (const char* command : {"inspect", "repair", "convert", "picture", "new", "set", "measure", "compare",
-                                "decimate", "split", "merge", "section", "devices", "feel", "edit", "turn"}) {
+                                "decimate", "split", "merge", "section", "devices", "feel", "edit", "turn", "body"}) {
       QVERIFY(overview.out.contains(QByteArray("\n  ") + command + " "));
       const Ran page = bench.run({"help", command});
       QCOMPARE(page.code, 0);
