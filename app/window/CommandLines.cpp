@@ -8,7 +8,8 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QRegularExpression>
-#include <algorithm>
+#include <map>
+#include <string_view>
 
 namespace handwheel {
 
@@ -39,9 +40,11 @@ QString valueText(const Property& property) {
 // " diameter=25mm length=50mm"
 QString assignments(const std::vector<Property>& before, const std::vector<Property>& now) {
   QString words;
+  std::map<std::string_view, const PropertyValue*> values;
+  for (const Property& property : before) values[property.id] = &property.value;
   for (const Property& property : now) {
-    const auto same = [&](const Property& other) { return other.id == property.id && other.value == property.value; };
-    if (!property.editable || std::any_of(before.begin(), before.end(), same)) continue;
+    const auto known = values.find(property.id);
+    if (!property.editable || (known != values.end() && *known->second == property.value)) continue;
     words += QLatin1Char(' ') + quoted(QString::fromStdString(property.id) + QLatin1Char('=') + valueText(property));
   }
   return words;

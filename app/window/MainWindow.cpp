@@ -8,6 +8,7 @@
 #include "window/PopupKeys.h"
 #include "window/ViewSettings.h"
 #include "window/WindowLayout.h"
+#include "window/documents/DocumentProperties.h"
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/tools/ToolChoice.h"
@@ -107,6 +108,7 @@ void MainWindow::makeKinds(const KindSet& kinds) {
       if (from != ui()) return;
       m_viewSettings->setSectionFigures(ui()->sectionMeasurements());
       m_kindDock->setWindowTitle(ui()->panelTitle());
+      m_properties->show();
       updateFigures();
       updateHints();
       updateCard();

@@ -148,7 +148,8 @@ void MainWindow::showDocument(DocumentTab* document) {
   m_undo.setActiveStack(document ? document->document.history() : nullptr);
   m_documents->setCurrent(document ? &document->document : nullptr);
   m_messages->setDocument(document ? &document->document : nullptr);
-  m_properties->setDocument(document ? &document->document : nullptr);
+  m_properties->setDocument(document ? &document->document : nullptr,
+                            [present](const Property& property) { return present->isListed(property); });
   m_recordings.setDocument(document ? &document->document : nullptr);
   for (const auto& [id, each] : m_uis) {
     if (each.get() != present) each->setDocument(nullptr);

@@ -21,16 +21,19 @@ DocumentProperties::DocumentProperties(PropertyList& list, QObject* parent) : QO
       m_list, [this] { return m_document; }, this);
 }
 
-void DocumentProperties::setDocument(Document* document) {
+void DocumentProperties::setDocument(Document* document, std::function<bool(const Property&)> isListed) {
   if (m_document) m_document->disconnect(this);
   m_document = document;
+  m_isListed = std::move(isListed);
   if (document) connect(document, &Document::changed, this, &DocumentProperties::show);
   show();
 }
 
 void DocumentProperties::show() {
   if (m_document) m_list.setLengthUnit(m_document->displayUnit());
-  m_list.setProperties(m_document ? m_document->properties() : std::vector<Property>());
+  std::vector<Property> listed = m_document ? m_document->properties() : std::vector<Property>();
+  if (m_isListed) std::erase_if(listed, [this](const Property& property) { return !m_isListed(property); });
+  m_list.setProperties(listed);
 }
 
 }  // namespace handwheel

@@ -21,13 +21,14 @@ class DocumentProperties : public QObject {
  public:
   explicit DocumentProperties(PropertyList& list, QObject* parent = nullptr);
 
-  // Null: none.
-  void setDocument(Document* document);
-
- private:
+  // Null: none. isListed: whether a property is shown now.
+  void setDocument(Document* document, std::function<bool(const Property&)> isListed = {});
+  // To be called when other properties are to be listed.
   void show();
 
+ private:
   PropertyList& m_list;
+  std::function<bool(const Property&)> m_isListed;
   Document* m_document = nullptr;
 };
 

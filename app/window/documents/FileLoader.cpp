@@ -88,6 +88,7 @@ void FileLoader::loaded(const QString& path, const ReadOptions& options, OpenedF
   added->inFile = added->document.properties();
   m_log.add(added->ui.openedText(*added), inspectCommand(path, options));
   m_recent.add(path);
+  reportNotes(added->document);
   reportLosses(added->document);
 }
 
@@ -104,6 +105,26 @@ void FileLoader::failed(const QString& path, const Error& error, const ReadOptio
   }
   m_log.add(message.title + QStringLiteral(". ") + message.detail, {}, LogEntry::Weight::Error);
   emit this->message(message);
+}
+
+void FileLoader::reportNotes(const Document& document) {
+  const std::vector<Note>& notes = document.file().notes;
+  if (notes.empty()) return;
+  QStringList lines;
+  for (std::size_t i = 0; i < notes.size(); ++i) {
+    m_log.add(noteText(notes[i]), {}, LogEntry::Weight::Warning);
+    if (i < kDamageShown) lines << noteText(notes[i]);
+  }
+  if (notes.size() > kDamageShown) lines << tr("…and %1 more, listed in the Log.").arg(notes.size() - kDamageShown);
+  emit message({Message::Weight::Info,
+                tr("To be noted about %1").arg(document.name()),
+                lines.join(QLatin1Char(' ')),
+                {},
+                {},
+                {},
+                {},
+                {},
+                &document});
 }
 
 void FileLoader::reportLosses(const Document& document) {

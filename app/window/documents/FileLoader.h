@@ -46,6 +46,7 @@ class FileLoader : public QObject {
   DocumentTab* add(OpenedFile opened);
   void loaded(const QString& path, const ReadOptions& options, OpenedFile opened);
   void failed(const QString& path, const Error& error, const ReadOptions& options);
+  void reportNotes(const Document& document);
   void reportLosses(const Document& document);
 
   const DocumentKinds& m_kinds;

@@ -8,6 +8,7 @@
 #include "window/documents/FileFilters.h"
 
 #include <QFileInfo>
+#include <algorithm>
 #include <utility>
 
 namespace handwheel {
@@ -41,8 +42,12 @@ KindSet::KindSet(std::vector<KindEntry> entries) : documents(kindsOf(entries)) {
 QString KindUi::saveCommand(const DocumentTab& open, const QString& path) const {
   if (!open.inFile) return {};
   const Document& document = open.document;
-  if (document.file().path.empty()) return newCommand(document.kind().id(), *open.inFile, document.properties(), path);
-  return setCommand(document.path(), *open.inFile, document.properties(), path);
+  const std::vector<Property> now = document.properties();
+  // What was added or removed is none of their values.
+  const auto hasSameId = [](const Property& a, const Property& b) { return a.id == b.id; };
+  if (!std::equal(now.begin(), now.end(), open.inFile->begin(), open.inFile->end(), hasSameId)) return {};
+  if (document.file().path.empty()) return newCommand(document.kind().id(), *open.inFile, now, path);
+  return setCommand(document.path(), *open.inFile, now, path);
 }
 
 // The container beside the file that it came from.

@@ -100,6 +100,12 @@ class KindUi : public QObject {
 
   virtual std::vector<StartAction> startActions() const { return {}; }
 
+  // Whether a property of the current document is in the list of its properties now.
+  virtual bool isListed(const Property& property) const {
+    (void)property;
+    return true;
+  }
+
   virtual QString panelTitle() const = 0;
   virtual QString panelIcon() const = 0;  // name of an icon
   virtual QWidget* panel() = 0;           // content of the kind's dock; owned by the window

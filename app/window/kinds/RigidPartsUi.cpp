@@ -111,10 +111,18 @@ void RigidPartsUi::show() {
   m_model = std::make_shared<const DisplayModel>(document.kind().display(*document.snapshot()));
   showParts();
   feelParts();
+  refreshPanel();
+}
+
+bool RigidPartsUi::isInPanel(const Property& property) const {
+  return std::find(m_groups.begin(), m_groups.end(), property.group) != m_groups.end();
+}
+
+void RigidPartsUi::refreshPanel() {
+  if (!m_document) return;
+  const Document& document = m_document->document;
   std::vector<Property> shown = document.properties();
-  std::erase_if(shown, [this](const Property& property) {
-    return std::find(m_groups.begin(), m_groups.end(), property.group) == m_groups.end();
-  });
+  std::erase_if(shown, [this](const Property& property) { return !isInPanel(property); });
   m_panel->setLengthUnit(document.displayUnit());
   m_panel->setProperties(shown);
   emit stateChanged();

@@ -30,6 +30,8 @@ class ToolHost : public QObject {
 
   void start(std::unique_ptr<Tool> tool, Document& document);
   void stop() { m_runner.stop(); }
+  // To be called when the tool previews something else without an input.
+  void refresh() { showSoon(); }
   // Hides what tools preview, with the document.
   void setVisible(bool visible);
   // Changes a setting of a tool, for the running one and for later starts of it.
