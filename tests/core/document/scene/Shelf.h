@@ -114,7 +114,7 @@ inline std::unique_ptr<ShelfDocument> newShelf() {
 
 template <class T>
 T valueOf(Result<T> result) {
-  if (!result) throw std::runtime_error("error " + std::to_string(int(result.error().code)));
+  if (!result) throw std::runtime_error(std::string("error ") + result.error().code->id);
   return std::move(result).value();
 }
 

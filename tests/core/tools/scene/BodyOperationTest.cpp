@@ -5,6 +5,7 @@
 #include "TestClass.h"
 #include "document/OperationText.h"
 #include "document/scene/BodyChanges.h"
+#include "document/scene/BodyErrors.h"
 #include "scene/PrimitiveGeometry.h"
 #include "scene/RigidPose.h"
 
@@ -65,7 +66,7 @@ class BodyOperationTest : public QObject {
     QCOMPARE(codeOf({{"add", "sphere:0"}}), ErrorCode::ValueOutOfRange);
     QCOMPARE(codeOf({{"add", "sphere:x"}}), ErrorCode::NumberMalformed);
     QCOMPARE(codeOf({{"add", "sphere:"}}), ErrorCode::NumberMalformed);
-    QCOMPARE(codeOf({{"add", "sphere:1"}, {"name", "cube"}}), ErrorCode::NameTaken);
+    QCOMPARE(codeOf({{"add", "sphere:1"}, {"name", "cube"}}), BodyError::NameTaken);
     QCOMPARE(codeOf({{"add", "/none/a.stl"}}), ErrorCode::FileMissing);
     QCOMPARE(codeOf({{"remove", "2"}}), ErrorCode::ReferenceMissing);
     QCOMPARE(codeOf({{"update", "cube"}}), ErrorCode::ReferenceMissing);
