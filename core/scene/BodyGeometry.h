@@ -11,7 +11,7 @@
 namespace handwheel {
 
 // Base class of the shapes of bodies: immutable, in the body's own frame, shared between bodies and versions. Any
-// thread. A new kind derives from it, and adds how it is stored to document/scene/GeometryBlobs.
+// thread. A new kind derives from it; a GeometryFormat (document/scene/GeometryBlobs.h) says how it is stored.
 class BodyGeometry {
  public:
   BodyGeometry() = default;

@@ -4,7 +4,6 @@
 
 #include "document/container/JsonText.h"
 #include "document/scene/BodyChanges.h"
-#include "document/scene/GeometryBlobs.h"
 #include "scene/RigidPose.h"
 
 #include <algorithm>
@@ -107,8 +106,9 @@ BodyId idOf(const std::string& key) {
 
 class BodyReading {
  public:
-  BodyReading(const Container& container, const std::string& folder, std::vector<Error>& damage)
-      : m_container(container), m_folder(folder), m_damage(damage) {}
+  BodyReading(const Container& container, const std::string& folder, std::vector<Error>& damage,
+              std::span<const GeometryFormat> own)
+      : m_container(container), m_folder(folder), m_damage(damage), m_own(own) {}
 
   Result<BodySet> read(const json& list, std::uint64_t next, Progress progress) {
     std::vector<std::pair<std::string, const json*>> others;  // whose numbers cannot be used
@@ -148,8 +148,8 @@ class BodyReading {
     body.visible = boolAt(entry, "visible", true);
     body.link = linkAt(entry);
     const auto geometry = entry.find("geometry");
-    body.geometry =
-        readGeometry(geometry == entry.end() ? json() : *geometry, folderOfBody(m_folder, key), m_container, m_damage);
+    body.geometry = readGeometry(geometry == entry.end() ? json() : *geometry, folderOfBody(m_folder, key), m_container,
+                                 m_damage, m_own);
     // A few bytes can stand for very many triangles.
     m_triangles += body.geometry->surface()->triangles.size();
     if (m_triangles > kMostBodyTriangles) return noteTooMany("triangles", kMostBodyTriangles);
@@ -164,6 +164,7 @@ class BodyReading {
   const Container& m_container;
   const std::string& m_folder;
   std::vector<Error>& m_damage;
+  std::span<const GeometryFormat> m_own;
   BodySet m_bodies;
   std::uint64_t m_triangles = 0;
   bool m_isTooMuch = false;  // the rest is left out
@@ -171,7 +172,8 @@ class BodyReading {
 
 }  // namespace
 
-void writeBodies(const BodySet& bodies, const std::string& folder, Container& container) {
+void writeBodies(const BodySet& bodies, const std::string& folder, Container& container,
+                 std::span<const GeometryFormat> own) {
   json& document = (*container.manifest)["document"];
   json& list = document[kBodyList] = json::object();
   for (const BodyPointer& body : bodies) {
@@ -182,13 +184,13 @@ void writeBodies(const BodySet& bodies, const std::string& folder, Container& co
                  {"smooth", body->look.smooth},
                  {"visible", body->visible},
                  {"link", linkEntry(body->link)},
-                 {"geometry", writeGeometry(*body->geometry, folderOfBody(folder, key), container)}};
+                 {"geometry", writeGeometry(*body->geometry, folderOfBody(folder, key), container, own)}};
   }
   document[kNextBody] = bodies.freeId();
 }
 
 Result<BodySet> readBodies(const Container& container, const std::string& folder, std::vector<Error>& damage,
-                           Progress progress) {
+                           Progress progress, std::span<const GeometryFormat> own) {
   const auto document = container.manifest->find("document");
   if (document == container.manifest->end() || !document->is_object()) return BodySet();
   const auto list = document->find(kBodyList);
@@ -197,7 +199,7 @@ Result<BodySet> readBodies(const Container& container, const std::string& folder
     damage.push_back({ErrorCode::ElementMalformed, {kBodyList, "it is no object"}, {}, {}});
     return BodySet();
   }
-  return BodyReading(container, folder, damage).read(*list, countAt(*document, kNextBody), progress);
+  return BodyReading(container, folder, damage, own).read(*list, countAt(*document, kNextBody), progress);
 }
 
 }  // namespace handwheel

@@ -4,7 +4,7 @@
 
 #include "base/Progress.h"
 #include "base/Result.h"
-#include "document/Container.h"
+#include "document/scene/GeometryBlobs.h"
 #include "scene/BodySet.h"
 
 namespace handwheel {
@@ -14,13 +14,14 @@ namespace handwheel {
 // mm), colour, smooth, visible, link and geometry. The arrays of a shape are in blobs below "FOLDER/bodies/NUMBER".
 // "next_body" is the number of the next one.
 //
-// folder: of the kind, without a slash.
-void writeBodies(const BodySet& bodies, const std::string& folder, Container& container);
+// folder: of the kind, without a slash. own: how the shapes are stored that only this kind has.
+void writeBodies(const BodySet& bodies, const std::string& folder, Container& container,
+                 std::span<const GeometryFormat> own = {});
 
 // Reads bodies; accepts any input. What is wrong with a body is mended where that loses nothing (a name that another
 // has, a rotation in few digits), or added to damage: ElementMalformed {"bodies.NUMBER", what is wrong}, FileTooLarge,
 // those of readGeometry(). Error: Cancelled.
 Result<BodySet> readBodies(const Container& container, const std::string& folder, std::vector<Error>& damage,
-                           Progress progress);
+                           Progress progress, std::span<const GeometryFormat> own = {});
 
 }  // namespace handwheel

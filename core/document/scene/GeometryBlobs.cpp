@@ -103,25 +103,19 @@ Result<GeometryPointer> readPrimitive(const json& described, const std::string& 
   return Error{ErrorCode::Unsupported, {"the shape '" + shape + "' (" + folder + ")"}, {}, {}};
 }
 
-// How a kind of shapes is stored. Written beside its kind, which the caller adds.
-struct GeometryFormat {
-  std::string_view kind;
-  json (*write)(const BodyGeometry& geometry, const std::string& folder, Container& container);
-  // An error: nothing of it can be used.
-  Result<GeometryPointer> (*read)(const json& described, const std::string& folder, const Container& container,
-                                  std::vector<Error>& damage);
-};
-
 constexpr GeometryFormat kGeometryFormats[] = {
     {MeshGeometry::kKind, writeMesh, readMesh},
     {RevolvedGeometry::kKind, writeRevolved, readRevolved},
     {PrimitiveGeometry::kKind, writePrimitive, readPrimitive},
 };
 
-const GeometryFormat* formatOf(std::string_view kind) {
-  const auto found = std::find_if(std::begin(kGeometryFormats), std::end(kGeometryFormats),
-                                  [&](const GeometryFormat& format) { return format.kind == kind; });
-  return found == std::end(kGeometryFormats) ? nullptr : found;
+const GeometryFormat* formatOf(std::string_view kind, std::span<const GeometryFormat> own) {
+  for (const std::span<const GeometryFormat> formats : {own, std::span<const GeometryFormat>(kGeometryFormats)}) {
+    for (const GeometryFormat& format : formats) {
+      if (format.kind == kind) return &format;
+    }
+  }
+  return nullptr;
 }
 
 json writeUnknown(const UnknownGeometry& geometry, const std::string& folder, Container& container) {
@@ -144,18 +138,21 @@ GeometryPointer keptAsItIs(const std::string& kind, const json& described, const
 
 }  // namespace
 
-nlohmann::json writeGeometry(const BodyGeometry& geometry, const std::string& folder, Container& container) {
+nlohmann::json writeGeometry(const BodyGeometry& geometry, const std::string& folder, Container& container,
+                             std::span<const GeometryFormat> own) {
   if (const auto* unknown = dynamic_cast<const UnknownGeometry*>(&geometry))
     return writeUnknown(*unknown, folder, container);
-  json described = formatOf(geometry.kind())->write(geometry, folder, container);
-  described["kind"] = geometry.kind();
+  const GeometryFormat* format = formatOf(geometry.kind(), own);
+  json described = format ? format->write(geometry, folder, container)
+                          : writeSoupBlobs<double>(*geometry.surface(), folder, container);
+  described["kind"] = format ? geometry.kind() : MeshGeometry::kKind;
   return described;
 }
 
 GeometryPointer readGeometry(const nlohmann::json& described, const std::string& folder, const Container& container,
-                             std::vector<Error>& damage) {
+                             std::vector<Error>& damage, std::span<const GeometryFormat> own) {
   const std::string kind = described.is_object() ? stringIn(described, "kind") : std::string();
-  const GeometryFormat* format = formatOf(kind);
+  const GeometryFormat* format = formatOf(kind, own);
   if (!format) {
     damage.push_back({ErrorCode::Unsupported, {"the shape '" + kind + "' (" + folder + ")"}, {}, {}});
     return keptAsItIs(kind, described, folder, container);

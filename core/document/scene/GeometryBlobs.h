@@ -5,15 +5,30 @@
 #include "document/Container.h"
 #include "scene/BodyGeometry.h"
 
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+
 namespace handwheel {
 
-// Writes the shape of a body: its arrays to blobs below this folder. Returns its JSON, {"kind", …}.
-nlohmann::json writeGeometry(const BodyGeometry& geometry, const std::string& folder, Container& container);
+// How a kind of shapes is stored. Those of core/scene are known; a kind of document brings those of its own.
+struct GeometryFormat {
+  std::string_view kind;  // BodyGeometry::kind()
+  // Writes the arrays of a shape to blobs below this folder. Returns its JSON, to which the kind is added.
+  nlohmann::json (*write)(const BodyGeometry& geometry, const std::string& folder, Container& container);
+  // Reads it; accepts any input. An error: nothing of it can be used.
+  Result<GeometryPointer> (*read)(const nlohmann::json& described, const std::string& folder,
+                                  const Container& container, std::vector<Error>& damage);
+};
+
+// Writes the shape of a body: its arrays to blobs below this folder. Returns its JSON, {"kind", …}. A shape that has no
+// format becomes a mesh, its surface.
+nlohmann::json writeGeometry(const BodyGeometry& geometry, const std::string& folder, Container& container,
+                             std::span<const GeometryFormat> own = {});
 
 // Reads the shape of a body from its JSON and the blobs below its folder; accepts any input, and never returns null.
 // What cannot be read, or is of a kind that this program does not know, becomes an UnknownGeometry, which keeps all of
 // it. damage: EntryDamaged {folder}, Unsupported, and the errors of the shapes.
 GeometryPointer readGeometry(const nlohmann::json& described, const std::string& folder, const Container& container,
-                             std::vector<Error>& damage);
+                             std::vector<Error>& damage, std::span<const GeometryFormat> own = {});
 
 }  // namespace handwheel
