@@ -13,12 +13,14 @@ class GlobeDentTest : public QObject {
     return dynamic_cast<const DentTool&>(*globe.tools().runner().tool());
   }
   static GlobeSurface replayed(GlobeWindow& globe, const GlobeSurface& before) {
-    DentSimulation simulation(before, std::make_shared<DentChannel>());
+    DentSimulation simulation(before, globe.document().place(), std::make_shared<DentChannel>());
     replay(simulation, toolOf(globe).lastGesture());
     return static_cast<const DentState&>(*simulation.state()).surface;
   }
   static std::string bytesOf(const GlobeDocument& document, const GlobeSurface& surface) {
-    return containerBytes(document.kind(), document.file(), GlobeSnapshot(surface), Compression::None).value();
+    return containerBytes(document.kind(), document.file(), GlobeSnapshot(withGlobe(document.bodies(), surface)),
+                          Compression::None)
+        .value();
   }
   // Presses with the mouse until something is seen of it.
   static bool press(GlobeWindow& globe, const QPoint& at) {

@@ -15,14 +15,15 @@ namespace {
 
 constexpr double kRadius = 10.0, kStiffness = 0.5, kPole = 0.2;  // mm, N/mm
 constexpr double kReach = 4.0;                                   // mm, of the poles
-constexpr double kTick = 0.001;                                  // s
+const Pose kHere = Pose::Identity();
+constexpr double kTick = 0.001;  // s
 
 // A globe and its poles in one scene.
-SceneForces sceneOf(const GlobeSurface& surface, std::shared_ptr<DentChannel> channel = {}) {
+SceneForces sceneOf(const GlobeSurface& surface, std::shared_ptr<DentChannel> channel = {}, const Pose& place = kHere) {
   SnapFeatures poles;
   poles.addPoint(0, {0, 0, kRadius});
   ForceSources sources;
-  sources.push_back(std::make_unique<GlobeForce>(surface, kStiffness, std::move(channel)));
+  sources.push_back(std::make_unique<GlobeForce>(surface, place, kStiffness, std::move(channel)));
   sources.push_back(std::make_unique<SnapForce>(
       kSnapSource, SnapAttraction{SnapField(poles), SnapProfile(SnapShape::Spring, kPole, kReach), SnapMethod::Sum}));
   return SceneForces(std::move(sources));
@@ -101,7 +102,7 @@ class GlobeForceTest : public QObject {
       squares += weight * weight;
     }
     const double perTick = 1.0 + std::expm1(-kTick / DentSimulation::kYield) * squares / sum;
-    DentSimulation simulation(GlobeSurface(kRadius), std::make_shared<DentChannel>());
+    DentSimulation simulation(GlobeSurface(kRadius), kHere, std::make_shared<DentChannel>());
     SimulationInput input;
     input.tip = tipAt(8.0 * direction, 1);
     simulation.step(0.004, std::vector<SimulationInput>(60, input));
@@ -115,23 +116,24 @@ class GlobeForceTest : public QObject {
     QVERIFY(surfaceOf(simulation.state()) == dented);
   }
 
-  // The hand feels what is left as soon as the simulation has told it.
+  // The hand feels what is left as soon as the simulation has told it; where the globe is.
   void whatIsLeftIsFelt() {
+    const Pose place = Eigen::Translation3d(30, -40, 50) * Eigen::AngleAxisd(1.0, Vec3(1, 2, 3).normalized());
     const auto channel = std::make_shared<DentChannel>();
     const GlobeSurface round(kRadius);
-    DentSimulation simulation(round, channel);
-    SceneForces scene = sceneOf(round, channel);
-    const Vec3 place(8.0, 0, 0);
-    QVERIFY(std::abs(feltAt(scene, tipAt(place, 1)).force.x() - 2.0 * kStiffness) < 1e-9);
+    DentSimulation simulation(round, place, channel);
+    SceneForces scene = sceneOf(round, channel, place);
+    const Vec3 inside(8.0, 0, 0), tip = place * inside, out = place.linear() * Vec3::UnitX();
+    QVERIFY((feltAt(scene, tipAt(tip, 1)).force - 2.0 * kStiffness * out).norm() < 1e-9);
     for (int i = 0; i < 100; ++i) {
       SimulationInput input;
       while (channel->inputs->pop(input)) simulation.step(kTick, {&input, 1});
-      const ForceOut felt = feltAt(scene, tipAt(place, 1));
-      const double height = surfaceOf(simulation.state()).heightTowards(place);
-      QVERIFY(std::abs(felt.force.x() - kStiffness * (height - 8.0)) < 1e-9);
-      QVERIFY(std::abs(felt.proxy.x() - height) < 1e-9);
+      const ForceOut felt = feltAt(scene, tipAt(tip, 1));
+      const double height = surfaceOf(simulation.state()).heightTowards(inside);
+      QVERIFY((felt.force - kStiffness * (height - 8.0) * out).norm() < 1e-9);
+      QVERIFY((felt.proxy - place * Vec3(height, 0, 0)).norm() < 1e-9);
     }
-    QVERIFY(surfaceOf(simulation.state()).heightTowards(place) < 9.0);
+    QVERIFY(surfaceOf(simulation.state()).heightTowards(inside) < 9.0);
   }
 
   // However the ticks are spread over the steps; and by the log.
@@ -141,8 +143,8 @@ class GlobeForceTest : public QObject {
       VirtualClock clock;
       Service service("dents");
       const auto channel = std::make_shared<DentChannel>();
-      SimulationLoop loop(std::make_unique<DentSimulation>(GlobeSurface(kRadius), channel), 250.0, channel->inputs,
-                          clock, service);
+      SimulationLoop loop(std::make_unique<DentSimulation>(GlobeSurface(kRadius), kHere, channel), 250.0,
+                          channel->inputs, clock, service);
       loop.keepLog();
       std::size_t count = 0;
       for (const SimulationInput& input : gesture()) {
@@ -152,7 +154,7 @@ class GlobeForceTest : public QObject {
       loop.runSteps(1);
       const GlobeSurface live = surfaceOf(loop.state());
       QVERIFY(live.isDented());
-      DentSimulation again(GlobeSurface(kRadius), std::make_shared<DentChannel>());
+      DentSimulation again(GlobeSurface(kRadius), kHere, std::make_shared<DentChannel>());
       replay(again, loop.log());
       QVERIFY(surfaceOf(again.state()) == live);
       if (first) QVERIFY(live == *first);

@@ -52,10 +52,11 @@ struct GlobeWindow {
     }
     return found->layer();
   }
-  // How far the lowest point that is shown is from the centre, mm.
+  // How far the lowest point of the globe that is shown is from its centre, mm.
   double lowestShown() {
     double lowest = 1e300;
-    for (const Vec3& p : layer().points()) lowest = std::min(lowest, p.norm());
+    for (std::size_t i = 0; i < kGlobePoints; ++i)
+      lowest = std::min(lowest, (layer().points()[i] - document().place().translation()).norm());
     return lowest;
   }
 

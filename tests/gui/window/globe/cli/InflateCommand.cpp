@@ -58,7 +58,8 @@ int runInflate(const Arguments& arguments, const DocumentKinds& kinds) {
   const double radius =
       std::min(values.number("by") * radiusOf(*opened->content), values.given("at-most").value_or(1000.0));
   const auto written =
-      saveDocument(*opened->kind, opened->file, GlobeSnapshot(surfaceOf(*opened->content).withRadius(radius)),
+      saveDocument(*opened->kind, opened->file,
+                   GlobeSnapshot(withGlobe(bodiesOf(*opened->content), surfaceOf(*opened->content).withRadius(radius))),
                    arguments.valueOf("output"));
   if (!written) return fail(written.error());
   if (!arguments.has("json")) return print("Radius: " + shortestText(radius) + " mm\n");

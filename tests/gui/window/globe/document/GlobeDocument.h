@@ -3,48 +3,49 @@
 #pragma once
 
 #include "document/Document.h"
-#include "globe/document/GlobeSurface.h"
+#include "document/scene/BodyOwner.h"
+#include "globe/document/GlobeGeometry.h"
 
-// A document that the program does not have: a globe of points.
+// A document that the program does not have: a globe of points, and its moon.
 namespace handwheel::test {
 
+// The numbers of the two bodies.
+inline constexpr BodyId kGlobeBody = 1, kMoonBody = 2;
+
 struct GlobeSnapshot : Snapshot {
-  explicit GlobeSnapshot(GlobeSurface s) : surface(std::move(s)) {}
-  GlobeSurface surface;
+  explicit GlobeSnapshot(BodySet b) : bodies(std::move(b)) {}
+  BodySet bodies;
 };
 
-// Limits of the radius, mm.
-inline constexpr double kLeastRadius = 1.0, kLargestRadius = 1000.0;
-
+// A globe of this radius (mm) at the origin with its moon, and one with these points.
+BodySet globeBodies(const GlobeSurface& points);
 SnapshotPointer globe(double radius);
-const GlobeSurface& surfaceOf(const Snapshot& content);
+
+const BodySet& bodiesOf(const Snapshot& content);
+const GlobeSurface& pointsOf(const Body& body);
+inline const GlobeSurface& surfaceOf(const Snapshot& content) {
+  return pointsOf(*bodiesOf(content).withId(kGlobeBody));
+}
 inline double radiusOf(const Snapshot& content) {
   return surfaceOf(content).radius();
 }
+// The same bodies, the globe with these points.
+BodySet withGlobe(const BodySet& bodies, GlobeSurface points);
 
-class GlobeDocument : public Document {
+class GlobeDocument : public Document, public BodyOwner {
  public:
   explicit GlobeDocument(OpenedFile opened);
 
-  SnapshotPointer snapshot() const override { return m_content; }
-  const GlobeSurface& surface() const { return surfaceOf(*m_content); }
+  SnapshotPointer snapshot() const override { return std::make_shared<const GlobeSnapshot>(bodies()); }
+  const GlobeSurface& surface() const { return pointsOf(*bodies().withId(kGlobeBody)); }
+  const Pose& place() const { return bodies().withId(kGlobeBody)->pose; }
   std::vector<Property> properties() const override;
   Result<std::unique_ptr<Edit>> propertyEdit(const std::string& id, const PropertyValue& value) const override;
+  // An edit that gives the globe these points; null when it has them.
+  std::unique_ptr<Edit> surfaceEdit(GlobeSurface points) const;
 
  private:
-  friend class GlobeEdit;
-  SnapshotPointer m_content;
-};
-
-// Exchanges the surface of a globe.
-class GlobeEdit : public Edit {
- public:
-  explicit GlobeEdit(GlobeSurface surface) : m_surface(std::move(surface)) {}
-  void exchange(Document& document) override;
-  std::size_t bytes() const override { return sizeof *this + kGlobePoints * sizeof(double); }
-
- private:
-  GlobeSurface m_surface;
+  void bodiesChanged() override { wasChanged(); }
 };
 
 }  // namespace handwheel::test

@@ -4,10 +4,11 @@
 
 #include "base/NumberText.h"
 #include "document/AtomicFile.h"
-#include "document/container/Blobs.h"
+#include "document/scene/BodyBlobs.h"
+#include "document/scene/BodyDescription.h"
+#include "document/scene/BodyDisplay.h"
 #include "globe/document/GlobeDocument.h"
 
-#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -15,12 +16,7 @@ namespace handwheel::test {
 
 namespace {
 
-constexpr const char* kDents = "globe/dents";
 constexpr double kBlankRadius = 10.0;  // mm
-
-bool isRadius(double radius) {
-  return radius >= kLeastRadius && radius <= kLargestRadius;
-}
 
 std::optional<GlobeSurface> readGlobe(std::istream& stream) {
   std::string word;
@@ -50,7 +46,7 @@ Result<OpenedFile> GlobeKind::import(const std::filesystem::path& path, const Re
   if (!surface) return Error{GlobeError::Flat, {path.filename().string()}, {}, path.string()};
   OpenedFile opened;
   opened.kind = this;
-  opened.content = std::make_shared<const GlobeSnapshot>(*surface);
+  opened.content = std::make_shared<const GlobeSnapshot>(globeBodies(*surface));
   return opened;
 }
 
@@ -62,29 +58,33 @@ Result<WrittenFile> GlobeKind::exportTo(const Snapshot& content, const std::file
   }
   const Status written = writeFileAtomically(path, text, {});
   if (!written) return written.error();
-  return WrittenFile{text.size(), {}};
+  WrittenFile file{text.size(), {}};
+  const BodySet usual = globeBodies(surface);
+  for (const BodyPointer& body : bodiesOf(content)) {
+    const BodyPointer at = usual.withId(body->id);
+    const bool isSame = at && at->name == body->name && at->pose.isApprox(body->pose, 0.0);
+    if (!isSame) file.notes.push_back({"The name and the place of %1 are not in the file.", {body->name}, true});
+  }
+  return file;
 }
 
 void GlobeKind::save(const Snapshot& content, Container& container) const {
-  const GlobeSurface& surface = surfaceOf(content);
-  (*container.manifest)["document"]["radius"] = surface.radius();
-  if (!surface.isDented()) return;
-  std::vector<double> dents(kGlobePoints);
-  for (std::size_t i = 0; i < kGlobePoints; ++i) dents[i] = surface.dent(i);
-  writeArray<double>(container, kDents, dents);
+  writeBodies(bodiesOf(content), id(), container, {&kGlobeFormat, 1});
 }
 
-Result<SnapshotPointer> GlobeKind::load(const Container& container, std::vector<Error>& damage, Progress) const {
-  const auto found = (*container.manifest)["document"].find("radius");
-  const double radius = found->is_number() ? found->get<double>() : 0.0;
-  if (!isRadius(radius))
-    damage.push_back({ErrorCode::ElementMalformed, {"radius", "it is missing or impossible"}, {}, {}});
-  GlobeSurface surface(isRadius(radius) ? radius : kBlankRadius);
-  const std::vector<double> dents = readArray<double>(container, kDents, kGlobePoints).values;
-  for (std::size_t i = 0; i < std::min(dents.size(), kGlobePoints); ++i) {
-    if (dents[i] > 0.0) surface.setDent(i, dents[i]);
+Result<SnapshotPointer> GlobeKind::load(const Container& container, std::vector<Error>& damage,
+                                        Progress progress) const {
+  Result<BodySet> read = readBodies(container, id(), damage, progress, {&kGlobeFormat, 1});
+  if (!read) return read.error();
+  BodySet bodies = globeBodies(GlobeSurface(kBlankRadius));
+  for (const BodyPointer& usual : BodySet(bodies)) {
+    const BodyPointer body = read->withId(usual->id);
+    if (body && dynamic_cast<const GlobeGeometry*>(body->geometry.get()))
+      bodies = bodies.with(body);
+    else
+      damage.push_back({ErrorCode::ElementMalformed, {usual->name, "it is missing"}, {}, {}});
   }
-  return SnapshotPointer(std::make_shared<const GlobeSnapshot>(std::move(surface)));
+  return SnapshotPointer(std::make_shared<const GlobeSnapshot>(bodies));
 }
 
 SnapshotPointer GlobeKind::blank() const {
@@ -96,18 +96,11 @@ std::unique_ptr<Document> GlobeKind::make(OpenedFile opened) const {
 }
 
 nlohmann::json GlobeKind::describe(const Snapshot& content) const {
-  return {{"radius", radiusOf(content)}};
+  return {{"radius", radiusOf(content)}, {"bodies", describeBodies(bodiesOf(content))}};
 }
 
 DisplayModel GlobeKind::display(const Snapshot& content) const {
-  TriangleSoup soup;
-  const double r = radiusOf(content);
-  soup.points = {{r, 0, 0}, {-r, 0, 0}, {0, r, 0}, {0, -r, 0}, {0, 0, r}, {0, 0, -r}};
-  soup.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
-  DisplayPart part;
-  part.name = "globe";
-  part.soup = std::make_shared<const TriangleSoup>(std::move(soup));
-  return {{std::move(part)}};
+  return {displayPartsOf(bodiesOf(content))};
 }
 
 }  // namespace handwheel::test

@@ -14,7 +14,7 @@ extern const ErrorDescription Flat;  // {file}
 }  // namespace GlobeError
 
 // The kind of globes. Its foreign format is text: a line "globe RADIUS", and a line "dent NUMBER FRACTION" for each
-// point that is pushed in.
+// point that is pushed in. Names and places are not in it.
 class GlobeKind : public DocumentKind {
  public:
   std::string id() const override { return "globe"; }
@@ -31,7 +31,6 @@ class GlobeKind : public DocumentKind {
   SnapshotPointer blank() const override;
   std::unique_ptr<Document> make(OpenedFile opened) const override;
   nlohmann::json describe(const Snapshot& content) const override;
-  // For pictures, an octahedron that has its corners on the globe.
   DisplayModel display(const Snapshot& content) const override;
 };
 

@@ -18,6 +18,12 @@ const std::vector<Vec3>& globeDirections();
 inline constexpr double kGlobeReach = 0.25;
 double globeWeight(double chord);
 
+// Limits of the radius, mm.
+inline constexpr double kLeastRadius = 1.0, kLargestRadius = 1000.0;
+inline bool isRadius(double radius) {
+  return radius >= kLeastRadius && radius <= kLargestRadius;
+}
+
 // The surface of a globe: points in fixed directions from its centre, each pushed in by a fraction of the radius. A
 // value; versions share what did not change.
 class GlobeSurface {

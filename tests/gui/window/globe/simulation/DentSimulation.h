@@ -18,7 +18,8 @@ class DentSimulation : public Simulation {
  public:
   static constexpr double kYield = 0.05;  // s, in which all but 1/e of the depth is gone
 
-  DentSimulation(GlobeSurface surface, std::shared_ptr<DentChannel> channel);
+  // place: of the globe in the scene.
+  DentSimulation(GlobeSurface surface, const Pose& place, std::shared_ptr<DentChannel> channel);
 
   void step(double dt, std::span<const SimulationInput> inputs) override;
   std::shared_ptr<const SimulationState> state() const override { return m_state; }
@@ -27,6 +28,7 @@ class DentSimulation : public Simulation {
   bool press(const TipState& tip);
 
   GlobeSurface m_surface;
+  Pose m_sceneToGlobe;
   std::shared_ptr<DentChannel> m_channel;
   std::shared_ptr<const DentState> m_state;
 };

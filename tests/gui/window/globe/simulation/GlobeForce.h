@@ -39,14 +39,16 @@ inline constexpr const char* kGlobeSource = "globe";
 // The force of a globe: a spring from the tip inside to the surface above it.
 class GlobeForce : public ForceSource {
  public:
-  // stiffness: N/mm in the scene. channel: of the simulation that changes the surface; null when there is none.
-  GlobeForce(GlobeSurface surface, double stiffness, std::shared_ptr<DentChannel> channel);
+  // place: of the globe in the scene. stiffness: N/mm there. channel: of the simulation that changes the surface; null
+  // when there is none.
+  GlobeForce(GlobeSurface surface, const Pose& place, double stiffness, std::shared_ptr<DentChannel> channel);
 
   ForceBounds advance(const TipState& tip, ForceOut& out) noexcept override;
   Vec3 force(const TipState& tip, double stiffness, double damping) noexcept override;
 
  private:
   GlobeSurface m_surface;
+  Pose m_place;
   double m_stiffness;
   std::shared_ptr<DentChannel> m_channel;
   Vec3 m_proxy = Vec3::Zero();

@@ -10,10 +10,10 @@ namespace handwheel::test {
 
 namespace {
 
-// The place where a ray meets a sphere about the origin first.
-std::optional<Vec3> meets(const Ray& ray, double radius) {
-  const double along = -ray.origin.dot(ray.direction);
-  const double rest = radius * radius - (ray.origin + along * ray.direction).squaredNorm();
+// The place where a ray meets a sphere first.
+std::optional<Vec3> meets(const Ray& ray, const Vec3& centre, double radius) {
+  const double along = (centre - ray.origin).dot(ray.direction);
+  const double rest = radius * radius - (ray.origin + along * ray.direction - centre).squaredNorm();
   if (!(rest >= 0.0)) return std::nullopt;
   return Vec3(ray.origin + (along - std::sqrt(rest)) * ray.direction);
 }
@@ -32,8 +32,9 @@ void DentTool::start() {
   while (m_channel->inputs->pop(old)) {
   }
   m_channel->patch.write({});
-  m_loop = std::make_unique<SimulationLoop>(std::make_unique<DentSimulation>(m_document.surface(), m_channel), kRate,
-                                            m_channel->inputs, m_services.clock, m_services.dents);
+  m_loop = std::make_unique<SimulationLoop>(
+      std::make_unique<DentSimulation>(m_document.surface(), m_document.place(), m_channel), kRate, m_channel->inputs,
+      m_services.clock, m_services.dents);
   m_loop->keepLog();
   m_loop->start();
 }
@@ -43,10 +44,11 @@ std::shared_ptr<const DentState> DentTool::state() const {
 }
 
 void DentTool::feed(const PointerEvent& event) {
-  const auto place = meets(event.ray, m_document.surface().radius());
+  const Vec3 centre = m_document.place().translation();
+  const auto place = meets(event.ray, centre, m_document.surface().radius());
   if (!place) return;
   SimulationInput input;
-  input.tip.position = (1.0 - kPress) * *place;
+  input.tip.position = centre + (1.0 - kPress) * (*place - centre);
   input.tip.buttons = 1u;
   input.tip.period = 0.05;  // s, about that between two moves of a mouse
   m_channel->inputs->pushFromWindow(input);
@@ -76,7 +78,7 @@ ToolReply DentTool::release() {
   start();
   if (!last->isChanged) return ToolReply::Used;
   m_lastGesture = log;
-  m_document.commit("Dent", std::make_unique<GlobeEdit>(last->surface));
+  m_document.commit("Dent", m_document.surfaceEdit(last->surface));
   return ToolReply::Used;
 }
 

@@ -4,6 +4,7 @@
 
 #include "PointsLayer.h"
 #include "controls/PropertyList.h"
+#include "document/scene/BodyProperties.h"
 #include "globe/tools/DentTool.h"
 #include "globe/tools/GlobePreview.h"
 #include "globe/tools/GrowTool.h"
@@ -21,15 +22,20 @@ namespace {
 
 constexpr double kPoleReach = 3.0;  // mm
 
-std::vector<Vec3> pointsOf(const GlobeSurface& surface) {
+// Those of all visible bodies, in the scene.
+std::vector<Vec3> shownPoints(const BodySet& bodies) {
   std::vector<Vec3> points;
-  for (std::size_t i = 0; i < kGlobePoints; ++i) points.push_back(surface.point(i));
+  for (const BodyPointer& body : bodies) {
+    for (std::size_t i = 0; body->visible && i < kGlobePoints; ++i)
+      points.push_back(body->pose * pointsOf(*body).point(i));
+  }
   return points;
 }
 
-SnapField polesOf(const GlobeSurface& surface) {
+SnapField polesOf(const GlobeDocument& globe) {
   SnapFeatures poles;
-  for (const Vec3& axis : {Vec3(0, 0, 1), Vec3(0, 0, -1)}) poles.addPoint(0, surface.heightTowards(axis) * axis);
+  for (const Vec3& axis : {Vec3(0, 0, 1), Vec3(0, 0, -1)})
+    poles.addPoint(0, globe.place() * Vec3(globe.surface().heightTowards(axis) * axis));
   return SnapField(poles);
 }
 
@@ -66,7 +72,7 @@ void GlobeUi::setDocument(DocumentTab* document) {
   const bool wasShown = std::exchange(m_document, document) != nullptr;
   if (!document) return wasShown ? feel(false) : void();
   connect(&document->document, &Document::changed, this, &GlobeUi::show);
-  m_layer->setPoints(pointsOf(globe().surface()));
+  m_layer->setPoints(shownPoints(globe().bodies()));
   m_layer->setVisible(document->visible);
   show();
   if (document->camera) {
@@ -87,23 +93,28 @@ GlobeDocument& GlobeUi::globe() const {
 }
 
 void GlobeUi::show() {
-  showSurface(globe().surface());
+  showBodies(globe().bodies());
   std::vector<Property> shown = globe().properties();
-  std::erase_if(shown, [](const Property& property) { return property.group != "Globe"; });
+  std::erase_if(shown,
+                [](const Property& property) { return property.id != "radius" && !bodyOfProperty(property.id); });
   m_panel->setLengthUnit(globe().displayUnit());
   m_panel->setProperties(shown);
   feel(true);
   emit stateChanged();
 }
 
-void GlobeUi::showSurface(const GlobeSurface& surface) {
-  m_layer->movePoints(pointsOf(surface));
+void GlobeUi::showBodies(const BodySet& bodies) {
+  std::vector<Vec3> points = shownPoints(bodies);
+  if (points.size() == m_layer->points().size())
+    m_layer->movePoints(std::move(points));
+  else
+    m_layer->setPoints(std::move(points));
 }
 
 void GlobeUi::showPreview(const ToolPreview& preview) {
   if (!m_document) return;
   const auto* own = dynamic_cast<const GlobePreview*>(preview.ofKind.get());
-  if (own || m_isPreviewed) showSurface(own ? own->surface : globe().surface());
+  if (own || m_isPreviewed) showBodies(own ? withGlobe(globe().bodies(), own->surface) : globe().bodies());
   m_isPreviewed = own != nullptr;
 }
 
@@ -155,11 +166,13 @@ void GlobeUi::feel(bool isEdit) {
     m_window.touch.setSource(kGlobeSource, {}, isEdit);
     return m_window.touch.setSnap({}, 0.0, isEdit);
   }
-  const auto make = [surface = globe().surface(), channel = m_dented](const TouchContext& context) {
-    return std::make_unique<GlobeForce>(surface, context.mapping.sceneStiffness(context.touch.stiffness), channel);
+  const auto make = [surface = globe().surface(), place = globe().place(),
+                     channel = m_dented](const TouchContext& context) {
+    return std::make_unique<GlobeForce>(surface, place, context.mapping.sceneStiffness(context.touch.stiffness),
+                                        channel);
   };
   m_window.touch.setSource(kGlobeSource, make, isEdit);
-  m_window.touch.setSnap(polesOf(globe().surface()), kPoleReach, isEdit);
+  m_window.touch.setSnap(polesOf(globe()), kPoleReach, isEdit);
 }
 
 }  // namespace handwheel::test

@@ -43,7 +43,7 @@ class GlobeUi : public KindUi {
  private:
   GlobeDocument& globe() const;
   void show();
-  void showSurface(const GlobeSurface& surface);
+  void showBodies(const BodySet& bodies);
   void followTool();
   void feel(bool isEdit);
 
