@@ -73,15 +73,24 @@ struct GlobeWindow {
   bool takeHand() {
     session.choose("simulated", "hand");
     if (!QTest::qWaitFor([this] { return session.latest() != nullptr; }, kPatienceMs)) return false;
-    return leadTo({0, 0, 16}, 0) && QTest::qWaitFor([this] { return tip().z() > 14.0; }, kPatienceMs);
+    leadTo({0, 0, 16}, 0);
+    return QTest::qWaitFor([this] { return tip().z() > 14.0; }, kPatienceMs);
   }
-  bool leadTo(const Vec3& place, std::uint32_t buttons) {
+  void leadTo(const Vec3& place, std::uint32_t buttons) {
     const WorkspaceMapping mapping = session.mappingInScene();
     HandPose pose;
     pose.position = mapping.viewFromDevice().transpose() * (mapping.sceneFromView.inverse() * place) / mapping.scale;
     pose.buttons = buttons;
     session.simulatedHand()->setTarget(pose);
-    return true;
+  }
+  // The same of a hand that sees where its tip is, to be said again and again: after a change of the view the tip is
+  // not where the mapping alone would have it.
+  void bringTo(const Vec3& place) {
+    const WorkspaceMapping mapping = session.mappingInScene();
+    const Vec3 inView = mapping.sceneFromView.linear().transpose() * (place - tip());
+    HandPose pose;
+    pose.position = session.latest()->device.position + mapping.viewFromDevice().transpose() * inView / mapping.scale;
+    session.simulatedHand()->setTarget(pose);
   }
   Vec3 tip() const { return session.latest()->tip.position; }
   const ForceOut& felt() const { return session.latest()->felt; }
