@@ -110,7 +110,7 @@ Result<std::string> misbehave(std::string_view bytes, std::span<char* const> opt
       {"allocate", allocate},
       {"work", [] { return work(), failure({}); }},
       {"sleep", [] { return sleepForever(), failure({}); }},
-      {"recurse", [] { return std::to_string(recurse(0)); }},
+      {"recurse", [] { return std::signal(SIGSEGV, SIG_DFL), std::to_string(recurse(0)); }},  // no sanitizer's handler
       {"abort", []() -> Result<std::string> { std::abort(); }},
       {"kill", [] { return ::kill(getpid(), SIGKILL), failure({}); }},
       {"exit", []() -> Result<std::string> { std::_Exit(0); }},
