@@ -48,7 +48,8 @@ std::optional<StepSummary> summaryOf(std::string_view line) {
   for (std::size_t& count : summary.counts) {
     if (!takeNumber(line, count)) return {};
   }
-  if (!takeNumber(line, summary.chord) || !std::isfinite(summary.chord) || line.size() > kLongestUnit) return {};
+  if (!takeNumber(line, summary.chord) || !(summary.chord > 0.0 && std::isfinite(summary.chord))) return {};
+  if (line.size() > kLongestUnit) return {};
   if (summary.partsRead() > summary.parts() || summary.facesLost() > summary.faces()) return {};
   const auto isLetter = [](char c) { return c == ' ' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
   if (!std::all_of(line.begin(), line.end(), isLetter)) return {};

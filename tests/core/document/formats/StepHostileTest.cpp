@@ -170,6 +170,7 @@ class StepHostileTest : public QObject {
     QTest::newRow("too few words") << "1 1 1 0 1 0 mm\n" + points + corners + "3 0 1 2\n";
     QTest::newRow("negative") << "1 1 -1 0 1 0 0.1 mm\n" + points + corners + "3 0 1 2\n";
     QTest::newRow("more than all") << "1 2 1 0 1 0 0.1 mm\n" + points + corners + "3 0 1 2\n";
+    QTest::newRow("below zero") << "1 1 1 0 1 0 -0.1 mm\n" + points + corners + "3 0 1 2\n";
     QTest::newRow("not finite") << "1 1 1 0 1 0 nan mm\n" + points + corners + "3 0 1 2\n";
     QTest::newRow("control characters") << "1 1 1 0 1 0 0.1 \x1b[2J\n" + points + corners + "3 0 1 2\n";
     QTest::newRow("a corner that is not there") << "1 1 1 0 1 0 0.1 mm\n" + points + corners + "3 0 1 3\n";
