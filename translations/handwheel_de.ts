@@ -2,6 +2,17 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>BodyDragTool</name>
+    <message>
+        <source>Move %1</source>
+        <translation>%1 bewegen</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+</context>
+<context>
     <name>ClosePrompt</name>
     <message>
         <source>Unsaved changes</source>
@@ -3495,6 +3506,18 @@
         <source>cut a pass</source>
         <translation>einen Schnitt ausführen</translation>
     </message>
+    <message>
+        <source>remove the body</source>
+        <translation>Körper entfernen</translation>
+    </message>
+    <message>
+        <source>select a body</source>
+        <translation>Körper auswählen</translation>
+    </message>
+    <message>
+        <source>Change bodies</source>
+        <translation>Körper ändern</translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
@@ -3719,6 +3742,109 @@
     <message>
         <source>%1 of %2 curves are of this machine.</source>
         <translation>%1 von %2 Kurven sind von diesem Rechner.</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::CellBodies</name>
+    <message>
+        <source>Add a body</source>
+        <translation>Körper hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove a body</source>
+        <translation>Körper entfernen</translation>
+    </message>
+    <message>
+        <source>Read the linked file again</source>
+        <translation>Verknüpfte Datei neu einlesen</translation>
+    </message>
+    <message>
+        <source>Forget the linked file</source>
+        <translation>Verknüpfte Datei vergessen</translation>
+    </message>
+    <message>
+        <source>Add a &amp;shape</source>
+        <translation>&amp;Form hinzufügen</translation>
+    </message>
+    <message>
+        <source>&amp;Add a body from a file…</source>
+        <translation>&amp;Körper aus einer Datei hinzufügen…</translation>
+    </message>
+    <message>
+        <source>Add a body &amp;linked to a file…</source>
+        <translation>Mit einer Datei &amp;verknüpften Körper hinzufügen…</translation>
+    </message>
+    <message>
+        <source>&amp;Remove the body</source>
+        <translation>Körper &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Hide the body</source>
+        <translation>Körper &amp;ausblenden</translation>
+    </message>
+    <message>
+        <source>Show all &amp;bodies</source>
+        <translation>Alle Kör&amp;per zeigen</translation>
+    </message>
+    <message>
+        <source>Read the linked file a&amp;gain</source>
+        <translation>Verknüpfte Datei &amp;neu einlesen</translation>
+    </message>
+    <message>
+        <source>&amp;Forget the linked file</source>
+        <translation>Verknüpfte &amp;Datei vergessen</translation>
+    </message>
+    <message>
+        <source>Put the shape of another file beside the robot</source>
+        <translation>Die Form einer anderen Datei neben den Roboter stellen</translation>
+    </message>
+    <message>
+        <source>The same, and remember the file, to read it again when it has changed</source>
+        <translation>Dasselbe, und die Datei merken, um sie nach Änderungen neu einzulesen</translation>
+    </message>
+    <message>
+        <source>Remove the selected body from the cell</source>
+        <translation>Den ausgewählten Körper aus der Zelle entfernen</translation>
+    </message>
+    <message>
+        <source>Neither show nor feel the selected body</source>
+        <translation>Den ausgewählten Körper weder zeigen noch fühlen</translation>
+    </message>
+    <message>
+        <source>Show all bodies that are hidden</source>
+        <translation>Alle ausgeblendeten Körper zeigen</translation>
+    </message>
+    <message>
+        <source>Read the file that the selected body is linked to once more</source>
+        <translation>Die Datei, mit der der ausgewählte Körper verknüpft ist, noch einmal einlesen</translation>
+    </message>
+    <message>
+        <source>Keep the selected body as it is, whatever becomes of its file</source>
+        <translation>Den ausgewählten Körper behalten, wie er ist, was auch mit seiner Datei geschieht</translation>
+    </message>
+    <message>
+        <source>Hide a body</source>
+        <translation>Körper ausblenden</translation>
+    </message>
+    <message>
+        <source>Show all bodies</source>
+        <translation>Alle Körper zeigen</translation>
+    </message>
+    <message>
+        <source>Put such a body beside the robot</source>
+        <translation>Einen solchen Körper neben den Roboter stellen</translation>
+    </message>
+    <message>
+        <source>Add a linked body</source>
+        <translation>Verknüpften Körper hinzufügen</translation>
+    </message>
+    <message>
+        <source>Nothing has changed</source>
+        <translation>Es hat sich nichts geändert</translation>
+    </message>
+    <message>
+        <source>The bodies stay as they are</source>
+        <translation>Die Körper bleiben, wie sie sind</translation>
     </message>
 </context>
 <context>
@@ -4393,6 +4519,10 @@
     <message>
         <source>%1 is opened as a mesh</source>
         <translation>%1 wird als Netz geöffnet</translation>
+    </message>
+    <message>
+        <source>To be noted about %1</source>
+        <translation>Zu beachten bei %1</translation>
     </message>
 </context>
 <context>
@@ -5551,20 +5681,12 @@
         <source>Move &amp;joints by hand</source>
         <translation>&amp;Gelenke von Hand bewegen</translation>
     </message>
-    <message>
-        <source>Drag the links of the robot</source>
-        <translation>Die Glieder des Roboters ziehen</translation>
-    </message>
     <message numerus="yes">
         <source>Robot %1: %Ln joint(s) that move.</source>
         <translation>
             <numerusform>Roboter %1: %Ln bewegliches Gelenk.</numerusform>
             <numerusform>Roboter %1: %Ln bewegliche Gelenke.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Drag a link with the mouse, or with Shift the whole arm. The list of joints takes angles.</source>
-        <translation>Ziehen Sie ein Glied mit der Maus, mit Umschalt den ganzen Arm. Die Liste der Gelenke nimmt Winkel an.</translation>
     </message>
     <message numerus="yes">
         <source>%Ln joint(s)</source>
@@ -5584,6 +5706,25 @@
     <message>
         <source>&amp;Cell</source>
         <translation>&amp;Zelle</translation>
+    </message>
+    <message>
+        <source>Drag the links of the robot, and the bodies beside it</source>
+        <translation>Die Glieder des Roboters und die Körper daneben ziehen</translation>
+    </message>
+    <message>
+        <source>Drag a link with the mouse, or with Shift the whole arm. The list of joints takes angles. The menu adds bodies beside the robot.</source>
+        <translation>Ziehen Sie ein Glied mit der Maus, mit Umschalt den ganzen Arm. Die Liste der Gelenke nimmt Winkel. Das Menü stellt Körper neben den Roboter.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln body(ies)</source>
+        <translation>
+            <numerusform>%Ln Körper</numerusform>
+            <numerusform>%Ln Körper</numerusform>
+        </translation>
     </message>
 </context>
 <context>

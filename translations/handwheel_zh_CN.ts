@@ -2,6 +2,17 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
+    <name>BodyDragTool</name>
+    <message>
+        <source>Move %1</source>
+        <translation>移动 %1</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>移除 %1</translation>
+    </message>
+</context>
+<context>
     <name>ClosePrompt</name>
     <message>
         <source>Unsaved changes</source>
@@ -3470,6 +3481,18 @@
         <source>cut a pass</source>
         <translation>走一刀</translation>
     </message>
+    <message>
+        <source>remove the body</source>
+        <translation>移除物体</translation>
+    </message>
+    <message>
+        <source>select a body</source>
+        <translation>选择物体</translation>
+    </message>
+    <message>
+        <source>Change bodies</source>
+        <translation>更改物体</translation>
+    </message>
 </context>
 <context>
     <name>ToolInput</name>
@@ -3691,6 +3714,109 @@
     <message>
         <source>%1 of %2 curves are of this machine.</source>
         <translation>%2 条曲线中有 %1 条在本机测得。</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::CellBodies</name>
+    <message>
+        <source>Add a body</source>
+        <translation>添加物体</translation>
+    </message>
+    <message>
+        <source>Remove a body</source>
+        <translation>移除物体</translation>
+    </message>
+    <message>
+        <source>Read the linked file again</source>
+        <translation>重新读取链接的文件</translation>
+    </message>
+    <message>
+        <source>Forget the linked file</source>
+        <translation>取消与文件的链接</translation>
+    </message>
+    <message>
+        <source>Add a &amp;shape</source>
+        <translation>添加形状(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Add a body from a file…</source>
+        <translation>从文件添加物体(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Add a body &amp;linked to a file…</source>
+        <translation>添加链接到文件的物体(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>&amp;Remove the body</source>
+        <translation>移除物体(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Hide the body</source>
+        <translation>隐藏物体(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Show all &amp;bodies</source>
+        <translation>显示所有物体(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Read the linked file a&amp;gain</source>
+        <translation>重新读取链接的文件(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Forget the linked file</source>
+        <translation>取消与文件的链接(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Put the shape of another file beside the robot</source>
+        <translation>把另一文件的形状放到机器人旁</translation>
+    </message>
+    <message>
+        <source>The same, and remember the file, to read it again when it has changed</source>
+        <translation>同上，并记住该文件，以便更改后重新读取</translation>
+    </message>
+    <message>
+        <source>Remove the selected body from the cell</source>
+        <translation>从单元中移除所选物体</translation>
+    </message>
+    <message>
+        <source>Neither show nor feel the selected body</source>
+        <translation>所选物体既不显示也不可触摸</translation>
+    </message>
+    <message>
+        <source>Show all bodies that are hidden</source>
+        <translation>显示所有隐藏的物体</translation>
+    </message>
+    <message>
+        <source>Read the file that the selected body is linked to once more</source>
+        <translation>再次读取所选物体链接的文件</translation>
+    </message>
+    <message>
+        <source>Keep the selected body as it is, whatever becomes of its file</source>
+        <translation>无论文件如何变化，保持所选物体不变</translation>
+    </message>
+    <message>
+        <source>Hide a body</source>
+        <translation>隐藏物体</translation>
+    </message>
+    <message>
+        <source>Show all bodies</source>
+        <translation>显示所有物体</translation>
+    </message>
+    <message>
+        <source>Put such a body beside the robot</source>
+        <translation>在机器人旁放置这样的物体</translation>
+    </message>
+    <message>
+        <source>Add a linked body</source>
+        <translation>添加链接的物体</translation>
+    </message>
+    <message>
+        <source>Nothing has changed</source>
+        <translation>没有任何更改</translation>
+    </message>
+    <message>
+        <source>The bodies stay as they are</source>
+        <translation>物体保持不变</translation>
     </message>
 </context>
 <context>
@@ -4364,6 +4490,10 @@
     <message>
         <source>%1 is opened as a mesh</source>
         <translation>%1 按网格打开</translation>
+    </message>
+    <message>
+        <source>To be noted about %1</source>
+        <translation>关于 %1 的提示</translation>
     </message>
 </context>
 <context>
@@ -5514,19 +5644,11 @@
         <source>Move &amp;joints by hand</source>
         <translation>手动移动关节(&amp;J)</translation>
     </message>
-    <message>
-        <source>Drag the links of the robot</source>
-        <translation>拖动机器人的连杆</translation>
-    </message>
     <message numerus="yes">
         <source>Robot %1: %Ln joint(s) that move.</source>
         <translation>
             <numerusform>机器人 %1:%Ln 个可动关节。</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Drag a link with the mouse, or with Shift the whole arm. The list of joints takes angles.</source>
-        <translation>用鼠标拖动一个连杆,按住 Shift 拖动整个手臂。关节列表可输入角度。</translation>
     </message>
     <message numerus="yes">
         <source>%Ln joint(s)</source>
@@ -5545,6 +5667,24 @@
     <message>
         <source>&amp;Cell</source>
         <translation>单元(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Drag the links of the robot, and the bodies beside it</source>
+        <translation>拖动机器人的连杆及其旁边的物体</translation>
+    </message>
+    <message>
+        <source>Drag a link with the mouse, or with Shift the whole arm. The list of joints takes angles. The menu adds bodies beside the robot.</source>
+        <translation>用鼠标拖动连杆，按住 Shift 拖动整条机械臂。关节列表可输入角度。菜单可在机器人旁添加物体。</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln body(ies)</source>
+        <translation>
+            <numerusform>%Ln 个物体</numerusform>
+        </translation>
     </message>
 </context>
 <context>
