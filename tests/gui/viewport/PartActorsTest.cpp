@@ -237,7 +237,7 @@ class PartActorsTest : public QObject {
     std::vector<std::shared_ptr<const TriangleSoup>> delivered;
     PartPreparation preparation(
         [&](const PartPreparation::Soup& soup, PartShape shape) {
-          QVERIFY(shape.index != nullptr);
+          QVERIFY(shape.faces != nullptr);
           delivered.push_back(soup);
         },
         [] { QFAIL("out of memory"); });
