@@ -41,8 +41,8 @@ Pose nearestRigid(const Pose& pose) {
 Vec3 rollPitchYaw(const Pose& pose) {
   const Eigen::Matrix3d r = pose.linear();
   const double cosine = std::hypot(r(0, 0), r(1, 0));
-  const double pitch = std::atan2(-r(2, 0), cosine);
-  if (cosine < kGimbalLock) return {std::atan2(-r(1, 2), r(1, 1)), pitch, 0.0};
+  const double pitch = std::atan2(0.0 - r(2, 0), cosine);  // 0.0: no negative zero
+  if (cosine < kGimbalLock) return {std::atan2(0.0 - r(1, 2), r(1, 1)), pitch, 0.0};
   return {std::atan2(r(2, 1), r(2, 2)), pitch, std::atan2(r(1, 0), r(0, 0))};
 }
 

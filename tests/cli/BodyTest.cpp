@@ -110,9 +110,9 @@ class BodyTest : public QObject {
     QVERIFY(said({"body", "r.urdf", "--add", "sphere:1", "--remove", "a"}).contains("one of"));
     QVERIFY(said({"body", "r.urdf", "--remove", "a", "--name", "b"}).contains("--name goes with --add"));
     QVERIFY(said({"body", "r.urdf", "--add", "sphere:1", "--link"}).contains("--link"));
-    QVERIFY(said({"body", "r.urdf", "--add", "box:1,2"}).contains("dimensions"));
+    QVERIFY(said({"body", "r.urdf", "--add", "box:1,2"}).contains("3 dimension(s)"));
     QVERIFY(said({"body", "r.urdf", "--add", "box:1,2,x"}).contains("x"));
-    QVERIFY(said({"body", "r.urdf", "--add", "sphere:-1"}).contains("radius"));
+    QVERIFY(said({"body", "r.urdf", "--add", "sphere:-1"}).contains("Radius cannot be -1"));
     QVERIFY(said({"body", "r.urdf", "--add", "none.stl"}).contains("none.stl"));
     QVERIFY(said({"body", "r.urdf", "--add", "sphere:1", "--name", ""}).contains("name"));
     QVERIFY(said({"body", "r.urdf", "--remove", "a"}).contains("'a'"));

@@ -144,8 +144,14 @@ std::string problemOfBodyValues(const OperationValues& values) {
     return "give one of --add, --remove, --update and --unlink";
   const auto stray = std::find_if(std::begin(kOfAdding), std::end(kOfAdding), isGiven);
   if (stray != std::end(kOfAdding) && !isGiven("add")) return std::string("--") + *stray + " goes with --add";
-  if (isGiven("link") && primitiveNamed(values.text("add"))) return "--link goes with a file";
-  return {};
+  const std::string what = isGiven("add") ? values.text("add") : std::string();
+  const PrimitiveDescription* primitive = primitiveNamed(what);
+  if (!primitive) return {};
+  if (isGiven("link")) return "--link goes with a file";
+  const std::string numbers = what.substr(what.find(':') + 1);
+  if (parted(numbers, ',').size() == primitive->dimensions.size()) return {};
+  return std::string("a ") + primitive->id + " has " + std::to_string(primitive->dimensions.size()) +
+         " dimension(s), not '" + numbers + "'";
 }
 
 Result<BodyChange> bodyChange(const OperationValues& values, const BodySet& bodies, const DocumentKinds& kinds,

@@ -37,6 +37,10 @@ class RigidPoseTest : public QObject {
     }));
   }
 
+  void noAngleIsNegativeZero() {
+    for (double angle : rollPitchYaw(Pose::Identity())) QVERIFY(!std::signbit(angle));
+  }
+
   // Roll about x, then pitch about y, then yaw about z, all in the frame of the world.
   void theOrderIsThatOfUrdf() {
     const Pose pose = poseOf({1, 2, 3}, {0.5 * kPi, 0, 0.5 * kPi});

@@ -51,6 +51,7 @@ class BodyOperationTest : public QObject {
     QVERIFY(!problemOfBodyValues(valuesOf({{"remove", "cube"}, {"update", "cube"}})).empty());
     QVERIFY(!problemOfBodyValues(valuesOf({{"remove", "cube"}, {"at", "1,2,3"}})).empty());
     QVERIFY(!problemOfBodyValues(valuesOf({{"add", "box:1,2,3"}, {"link", ""}})).empty());
+    QVERIFY(!problemOfBodyValues(valuesOf({{"add", "box:1,2"}})).empty());
     QVERIFY(problemOfBodyValues(valuesOf({{"add", "box.stl"}, {"link", ""}})).empty());
   }
 
