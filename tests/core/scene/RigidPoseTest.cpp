@@ -38,7 +38,7 @@ class RigidPoseTest : public QObject {
   }
 
   void noAngleIsNegativeZero() {
-    for (double angle : rollPitchYaw(Pose::Identity())) QVERIFY(!std::signbit(angle));
+    for (double v : rollPitchYaw(Pose::Identity())) QVERIFY(!std::signbit(v));
   }
 
   // Roll about x, then pitch about y, then yaw about z, all in the frame of the world.

@@ -31,9 +31,11 @@ class CellWindow : public WindowDriver {
 
   // The text of a field of the selected body in the panel of the cell; none where it is not listed.
   QString field(const char* property) {
-    const auto* row = find<QDockWidget>("kindDock")->findChild<QWidget*>(QByteArray("property/") + property);
-    const auto* line = row ? row->findChild<QLineEdit*>() : nullptr;
-    return line ? line->text() : QString();
+    const QString name = QStringLiteral("property/") + QString::fromLatin1(property);
+    for (const auto* row : find<QDockWidget>("kindDock")->findChildren<QWidget*>(name)) {
+      if (!row->isHidden()) return row->findChild<QLineEdit*>()->text();  // else it is about to be deleted
+    }
+    return {};
   }
 
   // A place in the view where this part is seen; null where it is not.
