@@ -32,8 +32,11 @@ struct GlobeWindow {
   bool look(StandardView side) {
     if (!driver.settle()) return false;
     view->setStandardView(side);
-    view->grabImage();
-    return QTest::qWaitFor([this] { return view->isPickingReady(); }, kPatienceMs);
+    const auto isThere = [this] {  // the camera flies
+      const ViewRay ray = view->rayAt(pixelOf(Vec3(1, 2, 3)));
+      return view->isPickingReady() && (Vec3(1, 2, 3) - ray.origin).cross(ray.direction).norm() < 1e-6;
+    };
+    return QTest::qWaitFor(isThere, kPatienceMs);
   }
   bool begin(const char* tool, StandardView side) {
     if (!begin(side)) return false;

@@ -29,7 +29,11 @@ GlobePatch patchAround(const GlobeSurface& surface, const Vec3& p) {
 }
 
 GlobeForce::GlobeForce(GlobeSurface surface, const Pose& place, double stiffness, std::shared_ptr<DentChannel> channel)
-    : ForceSource(kGlobeSource), m_surface(std::move(surface)), m_stiffness(stiffness), m_channel(std::move(channel)) {}
+    : ForceSource(kGlobeSource),
+      m_surface(std::move(surface)),
+      m_place(place),
+      m_stiffness(stiffness),
+      m_channel(std::move(channel)) {}
 
 ForceBounds GlobeForce::advance(const TipState& tip, ForceOut& out) noexcept {
   m_isTouching = false;

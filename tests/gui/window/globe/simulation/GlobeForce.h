@@ -8,6 +8,7 @@
 #include "simulation/Simulation.h"
 
 #include <array>
+#include <optional>
 
 namespace handwheel::test {
 
