@@ -68,7 +68,7 @@ void MeshHapticsProvider::setDocument(MeshTab* document) {
 void MeshHapticsProvider::followSession() {
   if (m_session.isOpen() == m_isOpen) return;
   m_isOpen = m_session.isOpen();
-  rebuild(false);
+  if (m_document) rebuild(false);  // else the scene is of another kind of document
 }
 
 // After an edit the surface of before is felt until the new one is there: who was outside would else be inside of it.
