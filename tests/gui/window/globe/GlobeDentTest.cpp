@@ -31,17 +31,17 @@ class GlobeDentTest : public QObject {
  private slots:
   void init() { QSettings().clear(); }
 
-  // Seen from above the middle of the view is the pole: that is dented, nothing beside, and only its blocks are built.
+  // Seen from above: the pole is dented, and nothing beside.
   void byTheMouse() {
     GlobeWindow globe;
     QVERIFY(globe.begin("dentTool", StandardView::Top));
     const GlobeSurface before = globe.document().surface();
-    const QPoint middle = globe.view->rect().center();
-    QVERIFY(press(globe, middle));
+    const QPoint pole = globe.pixelOf({0, 0, 10}).toPoint();
+    QVERIFY(press(globe, pole));
     QVERIFY(globe.document().surface() == before);
     QCOMPARE(globe.document().history()->count(), 0);
-    for (int i = 0; i < 10; ++i) globe.moveTo(middle + QPoint(i % 2, 0), Qt::LeftButton);
-    QTest::mouseRelease(globe.view, Qt::LeftButton, {}, middle);
+    for (int i = 0; i < 10; ++i) globe.moveTo(pole + QPoint(i % 2, 0), Qt::LeftButton);
+    QTest::mouseRelease(globe.view, Qt::LeftButton, {}, pole);
     const GlobeSurface dented = globe.document().surface();
     QCOMPARE(globe.document().history()->count(), 1);
     QVERIFY(dented.heightTowards(Vec3(0, 0, 1)) < 9.0);
@@ -61,12 +61,12 @@ class GlobeDentTest : public QObject {
   void gesturesAddUp() {
     GlobeWindow globe;
     QVERIFY(globe.begin("dentTool", StandardView::Top));
-    const QPoint middle = globe.view->rect().center();
-    QVERIFY(press(globe, middle));
-    QTest::mouseRelease(globe.view, Qt::LeftButton, {}, middle);
+    const QPoint pole = globe.pixelOf({0, 0, 10}).toPoint();
+    QVERIFY(press(globe, pole));
+    QTest::mouseRelease(globe.view, Qt::LeftButton, {}, pole);
     const GlobeSurface once = globe.document().surface();
-    QTest::mousePress(globe.view, Qt::LeftButton, {}, middle);
-    QTest::mouseRelease(globe.view, Qt::LeftButton, {}, middle);
+    QTest::mousePress(globe.view, Qt::LeftButton, {}, pole);
+    QTest::mouseRelease(globe.view, Qt::LeftButton, {}, pole);
     QCOMPARE(globe.document().history()->count(), 2);
     QVERIFY(globe.document().surface().heightTowards(Vec3(0, 0, 1)) < once.heightTowards(Vec3(0, 0, 1)));
     QVERIFY(replayed(globe, once) == globe.document().surface());
@@ -75,11 +75,11 @@ class GlobeDentTest : public QObject {
   void escapeLosesTheGesture() {
     GlobeWindow globe;
     QVERIFY(globe.begin("dentTool", StandardView::Top));
-    const QPoint middle = globe.view->rect().center();
-    QVERIFY(press(globe, middle));
+    const QPoint pole = globe.pixelOf({0, 0, 10}).toPoint();
+    QVERIFY(press(globe, pole));
     QTest::keyClick(globe.view, Qt::Key_Escape);
     QTRY_VERIFY(std::abs(globe.lowestShown() - 10.0) < 1e-9);
-    QTest::mouseRelease(globe.view, Qt::LeftButton, {}, middle);
+    QTest::mouseRelease(globe.view, Qt::LeftButton, {}, pole);
     QVERIFY(!globe.document().surface().isDented() && !globe.driver.window().isWindowModified());
     QVERIFY(globe.driver.find<QAction>("dentTool")->isChecked());
   }
@@ -90,19 +90,19 @@ class GlobeDentTest : public QObject {
     const QString path = folder.filePath("dented.handwheel");
     GlobeWindow globe;
     QVERIFY(globe.begin("dentTool", StandardView::Top));
-    const QPoint middle = globe.view->rect().center();
-    QVERIFY(press(globe, middle));
-    QTest::mouseRelease(globe.view, Qt::LeftButton, {}, middle);
+    const QPoint pole = globe.pixelOf({0, 0, 10}).toPoint();
+    QVERIFY(press(globe, pole));
+    QTest::mouseRelease(globe.view, Qt::LeftButton, {}, pole);
     const GlobeSurface saved = globe.document().surface();
     globe.driver.click("quickActions/saveFile");
     QVERIFY(globe.driver.enterFileName("saveDialog", path) && globe.driver.settle());
     const double lowest = globe.lowestShown();
-    QTest::mousePress(globe.view, Qt::LeftButton, {}, middle);
+    QTest::mousePress(globe.view, Qt::LeftButton, {}, pole);
     QTRY_VERIFY(globe.lowestShown() < lowest);
     globe.driver.choose("closeDocument");
     QTRY_COMPARE(globe.driver.tabs(), 0);
     QVERIFY(!globe.tools().runner().tool());
-    QTest::mouseRelease(globe.view, Qt::LeftButton, {}, middle);
+    QTest::mouseRelease(globe.view, Qt::LeftButton, {}, pole);
     QVERIFY(globe.driver.open(path));
     QVERIFY(globe.document().surface() == saved);
   }

@@ -36,7 +36,7 @@ struct GlobeWindow {
       const ViewRay ray = view->rayAt(pixelOf(Vec3(1, 2, 3)));
       return view->isPickingReady() && (Vec3(1, 2, 3) - ray.origin).cross(ray.direction).norm() < 1e-6;
     };
-    return QTest::qWaitFor(isThere, kPatienceMs);
+    return QTest::qWaitFor(isThere, kPatienceMs) && !view->grabImage().isNull();
   }
   bool begin(const char* tool, StandardView side) {
     if (!begin(side)) return false;
