@@ -109,9 +109,9 @@ class GlobeViewTest : public QObject {
     // On the screen this one is the farthest from all others.
     const std::uint64_t alone = mostAlone(globe);
     const QPoint place = globe.pixelOf(globe.layer().points()[alone]).toPoint();
-    QTest::mouseMove(globe.view, {5, 5});
+    globe.moveTo({5, 5}, {});
     QTRY_VERIFY(!globe.layer().hovered());
-    QTest::mouseMove(globe.view, place);
+    globe.moveTo(place, {});
     QTRY_COMPARE(globe.layer().hovered().value_or(0), alone);
   }
 };
