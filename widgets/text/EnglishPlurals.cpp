@@ -6,7 +6,9 @@ namespace handwheel {
 
 QString EnglishPlurals::translate(const char*, const char* source, const char*, int n) const {
   QString text = QString::fromUtf8(source);
-  if (n < 0 || !text.contains(QLatin1String("(s)"))) return {};
+  const bool isRegular = text.contains(QLatin1String("(s)")), isOnY = text.contains(QLatin1String("y(ies)"));
+  if (n < 0 || (!isRegular && !isOnY)) return {};
+  text.replace(QLatin1String("y(ies)"), QLatin1String(n == 1 ? "y" : "ies"));
   return text.replace(QLatin1String("(s)"), QLatin1String(n == 1 ? "" : "s"));
 }
 

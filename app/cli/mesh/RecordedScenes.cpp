@@ -37,14 +37,17 @@ RecordedScenes::RecordedScenes(const Recording& recording, MeshDocument& documen
 
 ForceRenderer* RecordedScenes::at(const RecordedTick& tick) {
   const auto& events = m_recording.events();
+  std::vector<std::string> notes;
   for (; m_nextEvent < events.size() && events[m_nextEvent].tick <= tick.tick; ++m_nextEvent) {
     const std::string& text = events[m_nextEvent].text;
-    if (m_problem.empty() && text.starts_with(kSceneEvent)) begin(text.substr(kSceneEvent.size()));
+    if (text.starts_with(kSceneEvent)) notes.push_back(text.substr(kSceneEvent.size()));
   }
+  // Of several scenes before a tick only the last was felt; the edits of the others were made all the same.
+  for (std::size_t i = 0; i < notes.size() && m_problem.empty(); ++i) begin(notes[i], i + 1 == notes.size());
   return m_problem.empty() ? m_scene.get() : nullptr;
 }
 
-void RecordedScenes::begin(const std::string& note) {
+void RecordedScenes::begin(const std::string& note, bool isFelt) {
   const nlohmann::json scene = nlohmann::json::parse(note, nullptr, false);
   if (!scene.is_object()) {
     m_problem = "What it says of a scene cannot be read.";
@@ -59,7 +62,7 @@ void RecordedScenes::begin(const std::string& note) {
     }
   }
   if (surface) edit(*surface);
-  if (m_problem.empty()) setScene(surface);
+  if (m_problem.empty() && isFelt) setScene(surface);
 }
 
 // Takes back and does what was taken back and done before this scene.
@@ -74,17 +77,13 @@ void RecordedScenes::edit(const nlohmann::json& surface) {
       [&](const std::vector<Face>& faces) { touched.insert(touched.end(), faces.begin(), faces.end()); });
   const auto steps = surface.find("steps");
   if (steps != surface.end() && steps->is_array()) {
-    for (const auto keep = static_cast<std::size_t>(numberOf(surface, "keep", 1e9)); m_steps > keep; --m_steps)
+    const auto keep = static_cast<std::size_t>(numberOf(surface, "keep", 1e9));
+    for (; m_steps.size() > keep; m_steps.pop_back()) {
       m_document.history()->undo();
+      m_undone.push_back(m_steps.back());
+    }
     for (const nlohmann::json& step : *steps) {
-      const Result<StepOutcome> done = applyStep(m_document, step.is_string() ? step.get<std::string>() : std::string(),
-                                                 m_progress.unlimited(), m_readMesh);
-      if (!done) {
-        m_problem = sentenceFor(done.error());
-        break;
-      }
-      m_steps += done->changed ? 1 : 0;
-      ++m_editCount;
+      if (!doStep(step.is_string() ? step.get<std::string>() : std::string())) break;
     }
   }
   QObject::disconnect(connection);
@@ -93,6 +92,25 @@ void RecordedScenes::edit(const nlohmann::json& surface) {
   } else if (!touched.empty()) {
     updateSurface(*m_surface, m_document.mesh(), touched);
   }
+}
+
+// Done again as it was: what was taken back is restored and not computed once more. False: there is a problem.
+bool RecordedScenes::doStep(const std::string& step) {
+  ++m_editCount;
+  if (!m_undone.empty() && m_undone.back() == step) {
+    m_document.history()->redo();
+    m_undone.pop_back();
+    m_steps.push_back(step);
+    return true;
+  }
+  const Result<StepOutcome> done = applyStep(m_document, step, m_progress.unlimited(), m_readMesh);
+  if (!done) {
+    m_problem = sentenceFor(done.error());
+    return false;
+  }
+  if (done->changed) m_steps.push_back(step);
+  m_undone.clear();
+  return true;
 }
 
 void RecordedScenes::setScene(const nlohmann::json* surface) {

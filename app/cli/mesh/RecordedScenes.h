@@ -34,8 +34,9 @@ class RecordedScenes {
   const std::string& problem() const { return m_problem; }
 
  private:
-  void begin(const std::string& note);
+  void begin(const std::string& note, bool isFelt);
   void edit(const nlohmann::json& surface);
+  bool doStep(const std::string& step);
   void setScene(const nlohmann::json* surface);
 
   const Recording& m_recording;
@@ -43,7 +44,8 @@ class RecordedScenes {
   MeshFileReader m_readMesh;
   Progress m_progress;
   std::size_t m_nextEvent = 0;
-  std::size_t m_steps = 0;  // done to the document
+  // Done to the document, and taken back from it, the last one at the end.
+  std::vector<std::string> m_steps, m_undone;
   std::optional<ContactSurface> m_surface;
   std::unique_ptr<SceneForces> m_scene;
   std::size_t m_sceneCount = 0, m_editCount = 0;

@@ -54,13 +54,18 @@ MeshHapticsProvider::MeshHapticsProvider(const WindowContext& parts, QObject* pa
     if (m_snapTargets != SnapTargets()) gather(false);
   });
   connect(&m_session, &HapticSession::sampled, this, &MeshHapticsProvider::followTip);
-  connect(&m_session, &HapticSession::recordingStarted, this, [this] { m_noted.reset(); });
+  connect(&m_session, &HapticSession::recordingStarted, this, [this] {
+    m_noted.reset();
+    noteSteps();
+  });
 }
 
 void MeshHapticsProvider::setDocument(MeshTab* document) {
   if (m_document) m_document->document.disconnect(this);
   m_document = document;
-  if (document) connect(&document->document, &MeshDocument::meshChanged, this, &MeshHapticsProvider::edited);
+  // Queued: when the edit is in the history, where describe() looks for its step.
+  if (document)
+    connect(&document->document, &MeshDocument::meshChanged, this, &MeshHapticsProvider::edited, Qt::QueuedConnection);
   m_isOpen = m_session.isOpen();
   rebuild(false);
 }
@@ -183,36 +188,37 @@ void MeshHapticsProvider::edited(const std::vector<Face>& touched) {
 }
 
 void MeshHapticsProvider::setSurface(bool isEdit) {
+  noteSteps();
   m_scene.setSurface(*m_surface, isEdit, [this] { return describe(); });
 }
 
-// How the mesh came to be since the note before: "keep" steps of those from the file, and then "steps". While another
-// surface is being built, that of before is felt, and there is nothing to add.
+// What steps the surface comes from, while a recording wants to know.
+void MeshHapticsProvider::noteSteps() {
+  if (!m_document || !m_surface || !m_session.recorder()) return;
+  if (m_noted) {
+    m_noted->steps = stepsSince(m_document->document, m_noted->base.state);
+  } else if (auto path = editPath(*m_document, false)) {
+    m_noted = Noted{*path->base, std::move(path->steps), std::nullopt};
+  }
+}
+
+// How the mesh came to be since the note before: "keep" steps of those from the file, and then "steps".
 QJsonObject MeshHapticsProvider::describe() {
   QJsonObject note;
-  if (!m_document || !m_surface) return note;
-  std::optional<std::vector<std::string>> steps;
-  if (!m_noted) {
-    auto path = editPath(*m_document, false);
-    if (path) {
-      m_noted = Noted{*path->base, {}};
-      steps = std::move(path->steps);
-      note["file"] = QFileInfo(m_noted->base.path).fileName();
-    }
-  } else {
-    steps = stepsSince(m_document->document, m_noted->base.state);
-    if (steps && *steps == m_noted->steps) return note;
-  }
-  if (!steps) {
+  if (!m_noted || !m_noted->steps) {
     note["unknown"] = true;  // an edit that no step describes
     return note;
   }
-  const auto keep = std::mismatch(steps->begin(), steps->end(), m_noted->steps.begin(), m_noted->steps.end()).first;
-  note["keep"] = static_cast<qint64>(keep - steps->begin());
+  const std::vector<std::string>& steps = *m_noted->steps;
+  if (m_noted->lastNoted == steps) return note;
+  if (!m_noted->lastNoted) note["file"] = QFileInfo(m_noted->base.path).fileName();
+  const std::vector<std::string> before = m_noted->lastNoted.value_or(std::vector<std::string>());
+  const auto keep = std::mismatch(steps.begin(), steps.end(), before.begin(), before.end()).first;
+  note["keep"] = static_cast<qint64>(keep - steps.begin());
   QJsonArray added;
-  for (auto step = keep; step != steps->end(); ++step) added.append(QString::fromStdString(*step));
+  for (auto step = keep; step != steps.end(); ++step) added.append(QString::fromStdString(*step));
   note["steps"] = added;
-  m_noted->steps = *std::move(steps);
+  m_noted->lastNoted = steps;
   return note;
 }
 

@@ -46,6 +46,7 @@ class MeshHapticsProvider : public QObject {
   bool isFelt() const;
   void edited(const std::vector<Face>& touched);
   void setSurface(bool isEdit);
+  void noteSteps();
   QJsonObject describe();
 
   HapticSession& m_session;
@@ -71,7 +72,8 @@ class MeshHapticsProvider : public QObject {
   // What a running recording of the device knows of the mesh: the file, and the steps from it.
   struct Noted {
     OperationsBase base;
-    std::vector<std::string> steps;
+    std::optional<std::vector<std::string>> steps;      // to the present surface; none: an edit has no step
+    std::optional<std::vector<std::string>> lastNoted;  // in the last note
   };
   std::optional<Noted> m_noted;
 };

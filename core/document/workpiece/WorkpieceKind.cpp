@@ -39,10 +39,12 @@ Error notAsMeant(const char* what) {
   return {DocumentError::CheckFailed, {what}, {}, {}};
 }
 
-// The exact profile of a bar; of a part a polyline within the chord tolerance.
+// The exact profile of a bar where it stands; of a part a polyline within the chord tolerance.
 Result<ProfileCurve> profileOf(const WorkpieceSnapshot& workpiece) {
   if (!workpiece.part) return workpiece.stock.profile();
-  return ProfileCurve::polyline(workpiece.part->profile.polyline(0.5 * workpiece.chord));
+  std::vector<ProfilePoint> points = workpiece.part->profile.polyline(0.5 * workpiece.chord);
+  for (ProfilePoint& p : points) p.y() += workpiece.stock.position;
+  return ProfileCurve::polyline(points);
 }
 
 // The volume (mm³) of frustums through these points.
@@ -85,7 +87,11 @@ Result<WrittenFile> exportStep(const WorkpieceSnapshot& workpiece, const std::fi
 }
 
 Result<TriangleSoup> placedTriangles(const WorkpieceSnapshot& workpiece, Progress progress) {
-  if (!workpiece.part) return *workpiece.mesh->soup();
+  if (!workpiece.part) {
+    TriangleSoup soup = *workpiece.mesh->soup();
+    for (Vec3& p : soup.points) p.z() += workpiece.stock.position;
+    return soup;
+  }
   const Result<ProfileCurve> profile = profileOf(workpiece);
   if (!profile) return profile.error();
   TessellationOptions options;
@@ -123,7 +129,6 @@ Result<WrittenFile> WorkpieceKind::exportTo(const Snapshot& content, const std::
   if (isStepName(path)) return exportStep(workpiece, path, progress);
   Result<TriangleSoup> soup = placedTriangles(workpiece, progress.part(0.0, 0.15));
   if (!soup) return soup.error();
-  for (Vec3& p : soup.value().points) p.z() += workpiece.stock.position;
   const HalfEdgeMesh mesh = buildMesh(*soup, progress.part(0.15, 0.3)).mesh;
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   const Result<ExportReport> report = exportMesh(mesh, NumberType::Float64, path, progress.part(0.3, 1.0));
@@ -214,11 +219,7 @@ GeometryPointer WorkpieceKind::bodyGeometry(const Snapshot& content) const {
   const WorkpieceSnapshot& workpiece = workpieceOf(content);
   const Result<ProfileCurve> profile = profileOf(workpiece);
   if (!profile) return DocumentKind::bodyGeometry(content);
-  ProfileNet net = profile->net();
-  for (ProfilePoint& pole : net.poles) pole.y() += workpiece.stock.position;
-  Result<ProfileCurve> placed = ProfileCurve::make(std::move(net));
-  if (!placed) return DocumentKind::bodyGeometry(content);
-  auto made = RevolvedGeometry::make(std::move(placed).value(), workpiece.chord);
+  auto made = RevolvedGeometry::make(*profile, workpiece.chord);
   return made ? GeometryPointer(std::move(made).value()) : DocumentKind::bodyGeometry(content);
 }
 

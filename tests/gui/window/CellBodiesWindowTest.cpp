@@ -33,7 +33,9 @@ class CellWindow : public WindowDriver {
   QString field(const char* property) {
     const QString name = QStringLiteral("property/") + QString::fromLatin1(property);
     for (const auto* row : find<QDockWidget>("kindDock")->findChildren<QWidget*>(name)) {
-      if (!row->isHidden()) return row->findChild<QLineEdit*>()->text();  // else it is about to be deleted
+      // One that was hidden is about to be deleted; a new one is shown with the next event.
+      const bool isLeaving = row->isHidden() && row->testAttribute(Qt::WA_WState_ExplicitShowHide);
+      if (!isLeaving) return row->findChild<QLineEdit*>()->text();
     }
     return {};
   }

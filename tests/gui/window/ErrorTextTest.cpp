@@ -89,6 +89,8 @@ class ErrorTextTest : public QObject {
     const EnglishPlurals english;
     QCOMPARE(english.translate("", "%n hole(s)", nullptr, 1), "%n hole");
     QCOMPARE(english.translate("", "%n hole(s)", nullptr, 2), "%n holes");
+    QCOMPARE(english.translate("", "%n body(ies)", nullptr, 1), "%n body");
+    QCOMPARE(english.translate("", "%n body(ies)", nullptr, 2), "%n bodies");
     QVERIFY(english.translate("", "Open", nullptr, -1).isNull());
   }
 };

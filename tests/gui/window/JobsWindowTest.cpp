@@ -30,7 +30,7 @@ class JobsWindowTest : public QObject {
     QStringList names;
     auto* list = driver.find<QWidget>("jobList");
     for (auto* label : list->findChildren<QLabel*>()) {
-      if (label->isVisible()) names << label->text();
+      if (label->isVisible() && label->objectName().startsWith("jobName")) names << label->text();
     }
     return names;
   }

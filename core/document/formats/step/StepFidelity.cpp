@@ -16,7 +16,7 @@ FidelitySetting stepChordSetting() {
   s.least = 1e-5;
   s.largest = 1e-2;
   s.standard = ReadOptions().stepChord;
-  s.presets = {1e-2, 2e-3, 1e-5};
+  s.presets = {1e-3, 2e-4, 1.8e-5};
   s.error = {translatable("Fidelity", "largest distance from the surface, in diagonals"), "%"};
   s.cost = {translatable("Fidelity", "triangles of the mesh"), translatable("Fidelity", "triangles")};
   return s;

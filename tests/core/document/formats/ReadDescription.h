@@ -16,7 +16,7 @@ namespace handwheel::test {
 
 inline const char* nameOf(LostAttribute lost) {
   constexpr const char* kNames[] = {"Colour", "Normals", "TextureCoordinates", "Materials", "Groups", "Lines", "Points",
-                                    "Curves", "Other"};
+                                    "Curves", "ExactSurfaces", "Other"};
   return kNames[static_cast<std::size_t>(lost)];
 }
 

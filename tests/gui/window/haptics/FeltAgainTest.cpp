@@ -34,12 +34,18 @@ class FeltAgainTest : public QObject {
       const std::size_t until = session.recorder()->ticks() + ticks;
       return QTest::qWaitFor([&] { return session.recorder() && session.recorder()->ticks() > until; }, kPatienceMs);
     };
+    const auto leadTo = [&session](const Vec3& place) {
+      const WorkspaceMapping mapping = session.mappingInScene();
+      HandPose pose;
+      pose.position = mapping.viewFromDevice().transpose() * (mapping.sceneFromView.inverse() * place) / mapping.scale;
+      session.simulatedHand()->setTarget(pose);
+    };
+    // It begins in free space: what was felt before a recording is not in it.
+    leadTo(60.0 * session.camera().towardsViewer());
+    QTRY_VERIFY(!session.latest()->felt.isContact && session.latest()->tip.position.norm() > 30.0);
     driver.choose("recordDevice");
-    HandPose pose;
-    const WorkspaceMapping mapping = session.mappingInScene();
-    const Vec3 middle = mapping.viewFromDevice().transpose() * (mapping.sceneFromView.inverse() * Vec3::Zero());
-    pose.position = middle / mapping.scale;
-    session.simulatedHand()->setTarget(pose);
+    QVERIFY(wait(50));
+    leadTo(Vec3::Zero());
     QTRY_VERIFY(session.latest()->felt.isContact);
     QVERIFY(wait(200));
     for (const char* command : {"repairAll", "undo", "redo"}) {
