@@ -15,8 +15,8 @@
 namespace handwheel::test {
 
 inline const char* nameOf(LostAttribute lost) {
-  constexpr const char* kNames[] = {"Colour", "Normals", "TextureCoordinates", "Materials", "Groups", "Lines", "Points",
-                                    "Curves", "ExactSurfaces", "Other"};
+  constexpr const char* kNames[] = {"Colour", "Normals", "TextureCoordinates", "Materials", "Groups", "Lines",
+                                    "Points", "Curves",  "ExactSurfaces",      "Other"};
   return kNames[static_cast<std::size_t>(lost)];
 }
 
