@@ -125,6 +125,7 @@ void CellBodies::update() {
   const BodyPointer body = selected();
   if (!body && m_selection.body()) return m_selection.select(std::nullopt);  // it was removed
   for (QAction* action : {&m_add, &m_link, m_shapes->menuAction()}) action->setEnabled(m_document != nullptr);
+  for (QAction* action : m_shapes->actions()) action->setEnabled(m_document != nullptr);  // they are commands, too
   m_showAll.setEnabled(m_document && !cell().bodies().empty());
   m_remove.setEnabled(body != nullptr);
   m_hide.setEnabled(body && body->visible);
