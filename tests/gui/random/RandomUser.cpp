@@ -18,6 +18,7 @@
 #include <QMessageBox>
 #include <QtTest>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 namespace handwheel::test {
 
@@ -61,12 +62,13 @@ std::vector<Widget*> visible(const QWidget& in) {
 }
 
 std::string contentOf(const DocumentTab& open) {
-  DocumentFile file;
-  file.id = "random";
-  file.displayUnit = open.document.displayUnit();
-  const auto bytes =
-      containerBytes(open.document.kind(), file, *open.document.snapshot(), Compression::None, Progress());
-  return bytes ? *bytes : std::string();
+  Container container;
+  open.document.kind().save(*open.document.snapshot(), container);
+  nlohmann::json& document = (*container.manifest)["document"];
+  if (document.is_object()) document.erase("next_body");  // no number is used again, also after undo
+  std::string content = std::to_string(static_cast<int>(open.document.displayUnit())) + document.dump();
+  for (const auto& [name, bytes] : container.blobs) content += name + std::string(bytes);
+  return content;
 }
 
 }  // namespace
