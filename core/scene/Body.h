@@ -10,7 +10,7 @@
 
 namespace handwheel {
 
-// The number of a body: from 1, never used again in its document.
+// The number of a body: from 1, not used again in its document, unless what used it was undone.
 using BodyId = std::uint32_t;
 
 // How a body looks.

@@ -53,6 +53,13 @@ BodySet BodySet::withFreeId(BodyId least) const {
   return next;
 }
 
+BodySet BodySet::withRestoredFreeId(BodyId id) const {
+  assert(empty() || m_bodies->back()->id < id);
+  BodySet next = *this;
+  next.m_freeId = id;
+  return next;
+}
+
 bool BodySet::operator==(const BodySet& other) const {
   return m_bodies == other.m_bodies ||
          std::equal(begin(), end(), other.begin(), other.end(),

@@ -32,6 +32,8 @@ class BodySet {
   BodySet without(BodyId id) const;
   // With numbers below this one counted as used.
   BodySet withFreeId(BodyId least) const;
+  // With this as the free number, for undo: that of an earlier version, in which there were these bodies.
+  BodySet withRestoredFreeId(BodyId id) const;
 
   // The same bodies; what numbers were used before does not count.
   bool operator==(const BodySet& other) const;

@@ -11,11 +11,14 @@ namespace handwheel {
 
 void BodyEdit::exchange(Document& document) {
   auto& owner = dynamic_cast<BodyOwner&>(document);
+  const BodyId freeBefore = owner.m_bodies.freeId();
   for (Change& change : m_changes) {
     BodyPointer before = owner.m_bodies.withId(change.id);
     owner.m_bodies = change.body ? owner.m_bodies.with(change.body) : owner.m_bodies.without(change.id);
     change.body = std::move(before);
   }
+  if (m_freeId) owner.m_bodies = owner.m_bodies.withRestoredFreeId(*m_freeId);
+  m_freeId = freeBefore;
   owner.bodiesChanged();
 }
 

@@ -5,12 +5,13 @@
 #include "document/Edit.h"
 #include "scene/Body.h"
 
+#include <optional>
 #include <vector>
 
 namespace handwheel {
 
-// Adds, removes or replaces some bodies of a document. Holds the other version of these and nothing else; versions of a
-// body share its shape.
+// Adds, removes or replaces some bodies of a document. Holds the other version of these and of the free number, and
+// nothing else; versions of a body share its shape.
 class BodyEdit : public Edit {
  public:
   struct Change {
@@ -28,6 +29,7 @@ class BodyEdit : public Edit {
 
  private:
   std::vector<Change> m_changes;
+  std::optional<BodyId> m_freeId;  // of the other version; none before the first exchange
 };
 
 }  // namespace handwheel

@@ -18,7 +18,6 @@
 #include <QMessageBox>
 #include <QtTest>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 namespace handwheel::test {
 
@@ -62,13 +61,12 @@ std::vector<Widget*> visible(const QWidget& in) {
 }
 
 std::string contentOf(const DocumentTab& open) {
-  Container container;
-  open.document.kind().save(*open.document.snapshot(), container);
-  nlohmann::json& document = (*container.manifest)["document"];
-  if (document.is_object()) document.erase("next_body");  // no number is used again, also after undo
-  std::string content = std::to_string(static_cast<int>(open.document.displayUnit())) + document.dump();
-  for (const auto& [name, bytes] : container.blobs) content += name + std::string(bytes);
-  return content;
+  DocumentFile file;
+  file.id = "random";
+  file.displayUnit = open.document.displayUnit();
+  const auto bytes =
+      containerBytes(open.document.kind(), file, *open.document.snapshot(), Compression::None, Progress());
+  return bytes ? *bytes : std::string();
 }
 
 }  // namespace

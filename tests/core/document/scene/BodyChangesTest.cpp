@@ -52,7 +52,8 @@ class BodyChangesTest : public QObject {
 
  private slots:
   void undoAndRedoAreInverse() {
-    QVERIFY(rc::check("undo and redo", [] {
+    const auto same = [](const BodySet& a, const BodySet& b) { return a == b && a.freeId() == b.freeId(); };
+    QVERIFY(rc::check("undo and redo", [&] {
       const auto document = newShelf();
       std::vector<BodySet> states{document->bodies()};
       for (int i = *rc::gen::inRange(0, 15); i > 0; --i) {
@@ -64,13 +65,13 @@ class BodyChangesTest : public QObject {
       }
       RC_ASSERT(states.size() == std::size_t(document->history()->count()) + 1);
       for (std::size_t i = states.size(); i-- > 1;) {
-        RC_ASSERT(document->bodies() == states[i]);
+        RC_ASSERT(same(document->bodies(), states[i]));
         document->history()->undo();
       }
-      RC_ASSERT(document->bodies() == states[0]);
+      RC_ASSERT(same(document->bodies(), states[0]));
       for (std::size_t i = 1; i < states.size(); ++i) {
         document->history()->redo();
-        RC_ASSERT(document->bodies() == states[i]);
+        RC_ASSERT(same(document->bodies(), states[i]));
       }
     }));
   }
@@ -115,16 +116,23 @@ class BodyChangesTest : public QObject {
     QVERIFY(edit->bytes() < 2000);
   }
 
-  void numbersAreNotUsedAgain() {
+  void numbersOfRemovedBodiesAreNotUsedAgain() {
+    const auto document = newShelf();
+    add(*document, body("a"));
+    const BodyId ids[] = {1};
+    document->commit("Remove", removeBodiesEdit(document->bodies(), ids));
+    add(*document, body("b"));
+    QCOMPARE((*document->bodies().begin())->id, 2u);
+  }
+
+  // Else the same commands after an undo would make another file.
+  void undoGivesTheNumberBack() {
     const auto document = newShelf();
     add(*document, body("a"));
     document->history()->undo();
+    QCOMPARE(document->bodies().freeId(), 1u);
     add(*document, body("b"));
-    QCOMPARE((*document->bodies().begin())->id, 2u);
-    const BodyId ids[] = {2};
-    document->commit("Remove", removeBodiesEdit(document->bodies(), ids));
-    add(*document, body("c"));
-    QCOMPARE((*document->bodies().begin())->id, 3u);
+    QCOMPARE((*document->bodies().begin())->id, 1u);
   }
 
   void namesAreChecked() {
