@@ -1,11 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/cell/RobotCellKind.h"
+#include "document/cell/RobotCellSnapshot.h"
 #include "document/container/Blobs.h"
 #include "document/container/UnknownPart.h"
 #include "document/container/ZipWriter.h"
 #include "document/mesh/MeshKind.h"
 #include "document/mesh/SubdivisionLevelStore.h"
+#include "document/workpiece/TurnedPartEdit.h"
+#include "document/workpiece/WorkpieceKind.h"
 #include "mesh/structure/MeshValidator.h"
+#include "robot/UrdfReader.h"
+#include "scene/MeshGeometry.h"
+#include "scene/PrimitiveGeometry.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -14,7 +21,7 @@
 #include <nlohmann/json.hpp>
 
 // Entry for libFuzzer; StandaloneFuzzer.cpp drives it where that is not at hand. The input is an archive; or, where it
-// begins with a brace, the manifest of one, so that changes get past the checksums. What is in it is read as a mesh.
+// begins with a brace, the manifest of one, so that changes get past the checksums. Each kind of document reads it.
 
 using namespace handwheel;
 
@@ -46,22 +53,37 @@ void writeAndRead(const Container& container, Compression compression) {
   require(same(again->container, container), "what was written is read differently");
 }
 
-// Whatever the blobs hold: a mesh, and levels of a patch of it, or none.
-void readAsMesh(const Container& container) {
-  const MeshKind kind;
-  std::vector<Error> damage;
-  const auto content = kind.load(container, damage, {});
-  if (!content) return;
-  const auto& mesh = static_cast<const MeshSnapshot&>(**content);
+void requireValid(const MeshSnapshot& mesh) {
   require(validate(mesh.mesh.mesh).empty(), "the mesh is not valid");
   if (!mesh.levels) return;
   require(isSameVersion(mesh.levels->mesh(), mesh.mesh.mesh), "the finest level is not the mesh");
   for (std::size_t i = 0; i < mesh.levels->finest(); ++i)
     require(validate(mesh.levels->mesh(i)).empty(), "a level is not valid");
-  Container again;
-  kind.save(mesh, again);
-  const auto back = kind.load(again, damage, {});
-  require(back && static_cast<const MeshSnapshot&>(**back).levels, "levels that were read are not saved");
+}
+
+// Whatever is in it may be read; but once it was read, it is saved and read without loss.
+void readAs(const DocumentKind& kind, const Container& container) {
+  std::vector<Error> damage;
+  const auto content = kind.load(container, damage, {});
+  if (!content) return;
+  if (const auto* mesh = dynamic_cast<const MeshSnapshot*>(content->get())) requireValid(*mesh);
+  Container saved, again;
+  kind.save(**content, saved);
+  const auto back = kind.load(saved, damage, {});
+  require(back.hasValue(), "what was read is not saved");
+  kind.save(**back, again);
+  require(same(saved, again), "what was saved is read differently");
+}
+
+const std::vector<std::unique_ptr<DocumentKind>>& kinds() {
+  static const std::vector<std::unique_ptr<DocumentKind>> kKinds = [] {
+    std::vector<std::unique_ptr<DocumentKind>> all;
+    all.push_back(std::make_unique<MeshKind>());
+    all.push_back(std::make_unique<WorkpieceKind>());
+    all.push_back(std::make_unique<RobotCellKind>());
+    return all;
+  }();
+  return kKinds;
 }
 
 void judge(std::string_view archive, Compression compression) {
@@ -74,35 +96,81 @@ void judge(std::string_view archive, Compression compression) {
     const auto array = readArray<double>(read->container, "mesh/positions", count, 3);
     require(array.values.size() <= 3 * count || count > 7, "more values than asked for");
   }
-  if (read->container.manifest->value("document", nlohmann::json()).is_object()) readAsMesh(read->container);
+  if (read->container.manifest->value("document", nlohmann::json()).is_object()) {
+    for (const auto& kind : kinds()) readAs(*kind, read->container);
+  }
   writeAndRead(read->container, compression);
   const Container nothing;
   require(same(merged(unknownPart(read->container, nothing, {}), nothing), read->container), "unknown keys are lost");
 }
 
 // Two triangles, subdivided twice.
-const Container& small() {
-  static const Container kContainer = [] {
-    TriangleSoup soup;
-    soup.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-    soup.triangles = {{0, 1, 2}, {0, 2, 3}};
-    PatchLevels levels(buildMesh(soup).mesh, {0, 1});
-    levels.refine();
-    levels.refine();
-    MeshSnapshot content;
-    content.build = std::make_shared<const BuildReport>();
-    content.mesh.mesh = levels.mesh();
-    content.levels = std::make_shared<const PatchLevels>(levels);
+MeshSnapshot smallMesh() {
+  TriangleSoup soup;
+  soup.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  soup.triangles = {{0, 1, 2}, {0, 2, 3}};
+  PatchLevels levels(buildMesh(soup).mesh, {0, 1});
+  levels.refine();
+  levels.refine();
+  MeshSnapshot content;
+  content.build = std::make_shared<const BuildReport>();
+  content.mesh.mesh = levels.mesh();
+  content.levels = std::make_shared<const PatchLevels>(levels);
+  return content;
+}
+
+// A bar with a groove, in 11 samples.
+WorkpieceSnapshot smallWorkpiece() {
+  WorkpieceSnapshot content;
+  TurningPass pass;
+  pass.path = {{30, 40}, {15, 40}};
+  pass.times = {0, 1};
+  content.part = withPass(content, pass, content.stock.length / 10);
+  return content;
+}
+
+// A robot of one link with a mesh, beside it a body of each shape.
+RobotCellSnapshot smallCell() {
+  TriangleSoup triangle;
+  triangle.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  triangle.triangles = {{0, 1, 2}};
+  CellRobot robot;
+  robot.description =
+      R"(<robot name="r"><link name="l"><visual><geometry><mesh filename="a.stl"/></geometry></visual></link></robot>)";
+  const auto read = readUrdf(robot.description);
+  require(read.hasValue(), "no robot");
+  robot.model = read->robot;
+  robot.surfaces.push_back(std::make_shared<const TriangleSoup>(triangle));
+  RobotCellSnapshot content;
+  content.robot = std::make_shared<const CellRobot>(std::move(robot));
+  const auto add = [&](const char* name, GeometryPointer geometry) {
+    Body body;
+    body.id = content.bodies.freeId();
+    body.name = name;
+    body.geometry = std::move(geometry);
+    content.bodies = content.bodies.with(std::make_shared<const Body>(std::move(body)));
+  };
+  add("mesh", std::make_shared<const MeshGeometry>(triangle));
+  add("bar", WorkpieceKind().bodyGeometry(WorkpieceSnapshot()));
+  add("box", *PrimitiveGeometry::make(Primitive::Cuboid, {1, 2, 3}));
+  return content;
+}
+
+// The blobs of all kinds; their names differ.
+const std::map<std::string, std::string>& smallBlobs() {
+  static const std::map<std::string, std::string> kBlobs = [] {
     Container container;
-    MeshKind().save(content, container);
-    return container;
+    MeshKind().save(smallMesh(), container);
+    WorkpieceKind().save(smallWorkpiece(), container);
+    RobotCellKind().save(smallCell(), container);
+    return container.blobs;
   }();
-  return kContainer;
+  return kBlobs;
 }
 
 std::string withManifest(std::string_view manifest) {
   std::vector<ZipEntry> entries = {{"manifest.json", manifest}, {"a", ""}};
-  for (const auto& [name, bytes] : small().blobs) entries.push_back({name, bytes});
+  for (const auto& [name, bytes] : smallBlobs()) entries.push_back({name, bytes});
   const auto archive = writeZip(entries, Compression::None);
   require(archive.hasValue(), "no archive");
   return *archive;
