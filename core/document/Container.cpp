@@ -52,7 +52,8 @@ Result<std::string> writeEntries(const Container& container, Compression compres
 }  // namespace
 
 Container::Container() : manifest(std::make_unique<json>(json::object())) {}
-Container::Container(const Container& other) : manifest(std::make_unique<json>(*other.manifest)), blobs(other.blobs) {}
+Container::Container(const Container& other)
+    : manifest(std::make_unique<json>(*other.manifest)), blobs(other.blobs), folder(other.folder) {}
 Container::Container(Container&& other) noexcept = default;
 Container& Container::operator=(const Container& other) {
   return *this = Container(other);

@@ -7,6 +7,7 @@
 #include "document/container/ZipWriter.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
@@ -28,6 +29,7 @@ struct Container {
 
   std::unique_ptr<nlohmann::json> manifest;  // never null; an object
   std::map<std::string, std::string> blobs;  // by entry name, "mesh/positions/0000"
+  std::filesystem::path folder;              // of the file, absolute; empty while that is not known. No content
 };
 
 // Result of reading a container.

@@ -36,9 +36,12 @@ LengthUnit unitNamed(const std::string& symbol) {
   return LengthUnit::Millimetre;
 }
 
-// What this program writes of a document, but for the ticks of recordings.
-Container ownPart(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content) {
+// What this program writes of a document, but for the ticks of recordings. path: of the file it is written to.
+Container ownPart(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
+                  const std::filesystem::path& path) {
   Container own;
+  std::error_code ignored;
+  if (!path.empty()) own.folder = std::filesystem::absolute(path, ignored).parent_path();
   nlohmann::json& manifest = *own.manifest;
   manifest["id"] = file.id.empty() ? newId() : file.id;
   manifest["kind"] = kind.id();
@@ -50,7 +53,7 @@ Container ownPart(const DocumentKind& kind, const DocumentFile& file, const Snap
 
 // Sets apart what goes back into the file when it is saved.
 void keepUnknown(OpenedFile& opened, const Container& read) {
-  Container known = ownPart(*opened.kind, opened.file, *opened.content);
+  Container known = ownPart(*opened.kind, opened.file, *opened.content, {});
   const std::string folders[] = {opened.kind->id() + "/", kRecordingFolder};
   opened.file.unknown = std::make_shared<const Container>(unknownPart(read, known, folders));
   known.blobs.clear();
@@ -222,8 +225,8 @@ bool isContainerName(const std::filesystem::path& path) {
 }
 
 Result<std::string> containerBytes(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
-                                   Compression compression, Progress progress) {
-  Container container = ownPart(kind, file, content);
+                                   const std::filesystem::path& path, Compression compression, Progress progress) {
+  Container container = ownPart(kind, file, content, path);
   writeRecordings(file.recordings, container);
   if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
   if (file.unknown) container = merged(*file.unknown, std::move(container), file.known ? *file.known : Container());
@@ -233,7 +236,7 @@ Result<std::string> containerBytes(const DocumentKind& kind, const DocumentFile&
 Result<std::string> checkedContainer(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
                                      const std::filesystem::path& path, Progress progress) {
   if (const Status may = checkNotNewer(path); !may) return may.error();
-  Result<std::string> bytes = containerBytes(kind, file, content, Compression::Fast, progress.part(0.0, 0.875));
+  Result<std::string> bytes = containerBytes(kind, file, content, path, Compression::Fast, progress.part(0.0, 0.875));
   if (!bytes) return withSubject(bytes.error(), path);
   if (const Status whole = checkReadable(*bytes, progress.part(0.875, 1.0)); !whole)
     return withSubject(whole.error(), path);

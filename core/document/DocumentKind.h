@@ -123,8 +123,9 @@ Result<WrittenFile> saveDocument(const DocumentKind& kind, const DocumentFile& f
 Result<std::string> checkedContainer(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
                                      const std::filesystem::path& path, Progress progress = {});
 
-// The bytes of the document's container.
+// The bytes of the document's container. path: of the file that they are for, which links are relative to; may be
+// empty.
 Result<std::string> containerBytes(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
-                                   Compression compression, Progress progress = {});
+                                   const std::filesystem::path& path, Compression compression, Progress progress = {});
 
 }  // namespace handwheel

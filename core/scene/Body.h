@@ -30,8 +30,8 @@ enum class LinkState {
 
 // The file that the shape of a body was read from, for reading it again. The document keeps the shape all the same.
 struct BodyLink {
-  std::string path;                        // absolute, as bytes
-  std::string relative;                    // to the folder of the document; empty where that was not known
+  std::string path;                        // absolute, UTF-8; where it was found last
+  std::string relative;                    // to the folder of the document file that it was read from, if any
   std::string sha256;                      // of the file when it was read, in hexadecimal digits
   LinkState state = LinkState::Unchecked;  // when the document was opened; not saved
   bool operator==(const BodyLink&) const = default;

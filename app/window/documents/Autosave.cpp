@@ -80,7 +80,7 @@ void Autosave::save(DocumentTab* document) {
               &kind = document->document.kind(), file = document->document.file(),
               content = document->document.snapshot()](Progress progress) -> Job::Finish {
     const ServiceTick tick(service);
-    const Result<std::string> bytes = containerBytes(kind, file, *content, Compression::None, progress);
+    const Result<std::string> bytes = containerBytes(kind, file, *content, info.path, Compression::None, progress);
     const Status stored = bytes ? session->store(key, info, *bytes, progress) : Status(bytes.error());
     if (stored) return [this, document] { m_failing.erase(document); };
     return [failed, error = stored.error()] { failed(error); };

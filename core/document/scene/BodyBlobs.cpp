@@ -4,6 +4,7 @@
 
 #include "document/container/JsonText.h"
 #include "document/scene/BodyChanges.h"
+#include "document/scene/BodyLinks.h"
 #include "scene/RigidPose.h"
 
 #include <algorithm>
@@ -41,9 +42,9 @@ json poseNumbers(const Pose& pose) {
   return numbers;
 }
 
-json linkEntry(const std::optional<BodyLink>& link) {
+json linkEntry(const std::optional<BodyLink>& link, const std::filesystem::path& folder) {
   if (!link) return nullptr;
-  return {{"path", link->path}, {"relative", link->relative}, {"sha256", link->sha256}};
+  return {{"path", link->path}, {"relative", relativePathOf(*link, folder)}, {"sha256", link->sha256}};
 }
 
 std::string stringAt(const json& object, const char* key) {
@@ -183,7 +184,7 @@ void writeBodies(const BodySet& bodies, const std::string& folder, Container& co
                  {"colour", body->look.colour},
                  {"smooth", body->look.smooth},
                  {"visible", body->visible},
-                 {"link", linkEntry(body->link)},
+                 {"link", linkEntry(body->link, container.folder)},
                  {"geometry", writeGeometry(*body->geometry, folderOfBody(folder, key), container, own)}};
   }
   document[kNextBody] = bodies.freeId();

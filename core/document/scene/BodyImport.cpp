@@ -9,10 +9,10 @@
 namespace handwheel {
 
 Result<ReadBody> readBody(const DocumentKinds& kinds, const std::filesystem::path& path, bool isLinked,
-                          const std::filesystem::path& folder, Progress progress) {
+                          Progress progress) {
   ReadBody read;
   if (isLinked) {  // before it is read: what changes meanwhile counts as a change
-    Result<BodyLink> link = linkTo(path, folder, progress.part(0.0, 0.2));
+    Result<BodyLink> link = linkTo(path, progress.part(0.0, 0.2));
     if (!link) return link.error();
     read.body.link = std::move(link).value();
   }
@@ -31,7 +31,7 @@ Result<ReadBody> updatedFromLink(const DocumentKinds& kinds, const Body& body, c
   const std::filesystem::path path = body.link ? locateLink(*body.link, folder) : std::filesystem::path();
   if (path.empty())
     return Error{ErrorCode::ReferenceMissing, {"the file", body.link ? body.link->path : std::string()}, {}, {}};
-  Result<ReadBody> read = readBody(kinds, path, true, folder, progress);
+  Result<ReadBody> read = readBody(kinds, path, true, progress);
   if (!read) return read.error();
   Body updated = body;
   updated.geometry = std::move(read->body.geometry);

@@ -13,13 +13,13 @@ struct ReadBody {
   std::vector<Error> damage;
 };
 
-// Reads a file of any kind as a body: a mesh, a workpiece, a robot as it stands. isLinked: with a link to it; folder:
-// as for linkTo(). Errors: those of opening, of linkTo(); NoTriangles.
+// Reads a file of any kind as a body: a mesh, a workpiece, a robot as it stands. isLinked: with a link to it. Errors:
+// those of opening, of linkTo(); NoTriangles.
 Result<ReadBody> readBody(const DocumentKinds& kinds, const std::filesystem::path& path, bool isLinked,
-                          const std::filesystem::path& folder, Progress progress = {});
+                          Progress progress = {});
 
-// Reads the file of a linked body again. Its name, place and look stay. Errors: those of readBody(), ReferenceMissing
-// {"the file", path}.
+// Reads the file of a linked body again. Its name, place and look stay. folder: of the document; may be empty. Errors:
+// those of readBody(), ReferenceMissing {"the file", path}.
 Result<ReadBody> updatedFromLink(const DocumentKinds& kinds, const Body& body, const std::filesystem::path& folder,
                                  Progress progress = {});
 

@@ -36,7 +36,7 @@ Note noteOn(const Body& body) {
 
 }  // namespace
 
-Result<BodyLink> linkTo(const std::filesystem::path& path, const std::filesystem::path& folder, Progress progress) {
+Result<BodyLink> linkTo(const std::filesystem::path& path, Progress progress) {
   const auto refused = [&](Error error) {
     if (error.subject.empty()) error.subject = path.string();
     return error;
@@ -47,21 +47,22 @@ Result<BodyLink> linkTo(const std::filesystem::path& path, const std::filesystem
     return refused({ErrorCode::Unsupported, {"a link to a file name that is not UTF-8"}, {}, {}});
   const Result<std::string> sha256 = sha256Of(whole, progress);
   if (!sha256) return refused(sha256.error());
-  BodyLink link{whole.string(), {}, *sha256, LinkState::Present};
-  if (!folder.empty()) {
-    const auto from = std::filesystem::absolute(folder, failed).lexically_normal();
-    const std::string relative = whole.lexically_relative(from).string();
-    if (isUtf8(relative)) link.relative = relative;
-  }
-  return link;
+  return BodyLink{whole.string(), {}, *sha256, LinkState::Present};
+}
+
+std::string relativePathOf(const BodyLink& link, const std::filesystem::path& folder) {
+  const bool isFound = link.state == LinkState::Present || link.state == LinkState::Changed;
+  if (!isFound || folder.empty()) return link.relative;
+  const std::string relative = std::filesystem::path(link.path).lexically_relative(folder.lexically_normal()).string();
+  return isUtf8(relative) ? relative : std::string();
 }
 
 std::filesystem::path locateLink(const BodyLink& link, const std::filesystem::path& folder) {
   const std::filesystem::path path(link.path);
   std::vector<std::filesystem::path> places;
   if (!folder.empty() && !link.relative.empty()) places.push_back(folder / link.relative);
-  if (!folder.empty()) places.push_back(folder / path.filename());
   if (path.is_absolute()) places.push_back(path);
+  if (!folder.empty()) places.push_back(folder / path.filename());
   for (const std::filesystem::path& place : places) {
     std::error_code failed;
     if (std::filesystem::is_regular_file(place, failed)) return place.lexically_normal();
@@ -86,6 +87,7 @@ BodySet withCheckedBodyLinks(const BodySet& bodies, const std::filesystem::path&
     }
     const bool isSame = entry->second == found.link->sha256;
     found.link->state = path.empty() ? LinkState::Missing : isSame ? LinkState::Present : LinkState::Changed;
+    if (isSame && !path.empty() && isUtf8(path.string())) found.link->path = path.string();
     if (found.link->state != LinkState::Present) notes.push_back(noteOn(found));
     checked = checked.with(std::make_shared<const Body>(std::move(found)));
   }

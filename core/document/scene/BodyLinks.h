@@ -20,14 +20,18 @@ inline constexpr std::uintmax_t kLargestLinkedFile = std::uintmax_t{1} << 30;
 
 // A link to a file as it is now. Errors: FileMissing, FileUnreadable, FileTooLarge; Unsupported for a path that is not
 // UTF-8, which a manifest cannot hold; Cancelled.
-Result<BodyLink> linkTo(const std::filesystem::path& path, const std::filesystem::path& folder, Progress progress = {});
+Result<BodyLink> linkTo(const std::filesystem::path& path, Progress progress = {});
 
-// Where the file of a link is now: at the same place beside the document, in the same folder as the document, or where
-// it was. Empty when it is at none of these.
+// The way to the linked file from this folder, in which a document with the link is saved. As it was where the file is
+// missing, so that it is found when it comes back.
+std::string relativePathOf(const BodyLink& link, const std::filesystem::path& folder);
+
+// Where the file of a link is now: at the same place beside the document, where it was, or in the folder of the
+// document. Empty when it is at none of these.
 std::filesystem::path locateLink(const BodyLink& link, const std::filesystem::path& folder);
 
-// The bodies with the states of their links. Those that are missing or changed are added to the notes. Reads each
-// linked file once. Cancelled: the rest stays unchecked.
+// The bodies with the states of their links, and where the unchanged files are now. Those that are missing or changed are added
+// to the notes. Reads each linked file once. Cancelled: the rest stays unchecked.
 BodySet withCheckedBodyLinks(const BodySet& bodies, const std::filesystem::path& folder, std::vector<Note>& notes,
                              Progress progress = {});
 

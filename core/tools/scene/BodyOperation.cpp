@@ -67,19 +67,18 @@ Vec3 vectorOf(const OperationValues& values, std::string_view id) {
   return {numbers[0], numbers[1], numbers[2]};
 }
 
-Result<ReadBody> bodyToAdd(const OperationValues& values, const DocumentKinds& kinds,
-                           const std::filesystem::path& folder, Progress progress) {
+Result<ReadBody> bodyToAdd(const OperationValues& values, const DocumentKinds& kinds, Progress progress) {
   const std::string what = values.text("add");
   const PrimitiveDescription* primitive = primitiveNamed(what);
-  if (!primitive) return readBody(kinds, what, values.flag("link"), folder, progress);
+  if (!primitive) return readBody(kinds, what, values.flag("link"), progress);
   Result<Body> body = primitiveFrom(*primitive, std::string_view(what).substr(what.find(':') + 1));
   if (!body) return body.error();
   return ReadBody{std::move(body).value(), {}};
 }
 
 Result<BodyChange> adding(const OperationValues& values, const BodySet& bodies, const DocumentKinds& kinds,
-                          const std::filesystem::path& folder, Progress progress) {
-  Result<ReadBody> read = bodyToAdd(values, kinds, folder, progress);
+                          Progress progress) {
+  Result<ReadBody> read = bodyToAdd(values, kinds, progress);
   if (!read) return read.error();
   Body& body = read->body;
   body.name = values.isSet("name") ? values.text("name") : freeBodyName(bodies, body.name);
@@ -156,7 +155,7 @@ std::string problemOfBodyValues(const OperationValues& values) {
 
 Result<BodyChange> bodyChange(const OperationValues& values, const BodySet& bodies, const DocumentKinds& kinds,
                               const std::filesystem::path& folder, Progress progress) {
-  if (values.isSet("add")) return adding(values, bodies, kinds, folder, progress);
+  if (values.isSet("add")) return adding(values, bodies, kinds, progress);
   const std::string verb = values.isSet("remove") ? "remove" : values.isSet("update") ? "update" : "unlink";
   const std::string name = values.text(verb);
   const BodyPointer body = bodyCalled(bodies, name);

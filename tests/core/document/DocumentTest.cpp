@@ -18,7 +18,7 @@ namespace {
 
 // All that a save would write of it.
 std::string stateOf(const Document& document) {
-  const auto bytes = containerBytes(document.kind(), document.file(), *document.snapshot(), Compression::None);
+  const auto bytes = containerBytes(document.kind(), document.file(), *document.snapshot(), {}, Compression::None);
   RC_ASSERT(bytes.hasValue());
   return *bytes;
 }

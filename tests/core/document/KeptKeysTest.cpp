@@ -146,7 +146,7 @@ class KeptKeysTest : public QObject {
     const auto opened = tables().open(path, {});
     QVERIFY(opened.hasValue());
     const auto entriesOf = [&](const Snapshot& content) {
-      const auto bytes = containerBytes(TableKind(), opened->file, content, Compression::Fast);
+      const auto bytes = containerBytes(TableKind(), opened->file, content, {}, Compression::Fast);
       return (*readContainer(*bytes)->container.manifest)["document"]["entries"];
     };
     QVERIFY(entriesOf(TableSnapshot()).empty());

@@ -65,7 +65,7 @@ std::string contentOf(const DocumentTab& open) {
   file.id = "random";
   file.displayUnit = open.document.displayUnit();
   const auto bytes =
-      containerBytes(open.document.kind(), file, *open.document.snapshot(), Compression::None, Progress());
+      containerBytes(open.document.kind(), file, *open.document.snapshot(), {}, Compression::None, Progress());
   return bytes ? *bytes : std::string();
 }
 

@@ -77,8 +77,8 @@ class BodyBlobsTest : public QObject {
     // Moved and saved, its shape is as it was.
     const auto document = read.kind->make(read);
     QVERIFY(document->setProperty("body.1.x", 7.0).hasValue());
-    const Container after = valueOf(readContainer(valueOf(containerBytes(*read.kind, document->file(),
-                                                                         *document->snapshot(), Compression::Fast))))
+    const Container after = valueOf(readContainer(valueOf(containerBytes(
+                                        *read.kind, document->file(), *document->snapshot(), {}, Compression::Fast))))
                                 .container;
     const nlohmann::json& entry = (*after.manifest)["document"]["bodies"]["0001"];
     QCOMPARE(entry["pose"][3].get<double>(), 7.0);
@@ -92,8 +92,8 @@ class BodyBlobsTest : public QObject {
     const auto document = read.kind->make(read);
     const BodyId ids[] = {1};
     document->commit("Remove", removeBodiesEdit(bodiesOf(*read.content), ids));
-    const Container after = valueOf(readContainer(valueOf(containerBytes(*read.kind, document->file(),
-                                                                         *document->snapshot(), Compression::Fast))))
+    const Container after = valueOf(readContainer(valueOf(containerBytes(
+                                        *read.kind, document->file(), *document->snapshot(), {}, Compression::Fast))))
                                 .container;
     QVERIFY((*after.manifest)["document"]["bodies"].empty());
     QCOMPARE((*after.manifest)["document"]["next_body"].get<int>(), 2);

@@ -21,8 +21,11 @@ void write(const fs::path& path, const std::string& bytes) {
   if (!writeFileAtomically(path, bytes, {})) throw std::runtime_error("not written");
 }
 
+// As of a document in this folder that was saved and opened.
 BodyLink linked(const fs::path& path, const fs::path& folder) {
-  return valueOf(linkTo(path, folder));
+  BodyLink link = valueOf(linkTo(path));
+  link.relative = relativePathOf(link, folder);
+  return link;
 }
 
 }  // namespace
@@ -52,13 +55,35 @@ class BodyLinksTest : public QObject {
     // A copy of the whole folder uses its own file, though the other is still there.
     fs::copy(m_root / "job", m_root / "copy", fs::copy_options::recursive);
     QCOMPARE(locateLink(link, m_root / "copy"), m_root / "copy/parts/a.bin");
-    // Right beside it; and where it was.
+    // Where it was; and where all came into one folder.
     write(m_root / "flat/a.bin", "abc");
-    QCOMPARE(locateLink(link, m_root / "flat"), m_root / "flat/a.bin");
-    QCOMPARE(locateLink(link, m_root / "elsewhere"), m_root / "job/parts/a.bin");
+    QCOMPARE(locateLink(link, m_root / "flat"), m_root / "job/parts/a.bin");
     QCOMPARE(locateLink(link, {}), m_root / "job/parts/a.bin");
     fs::remove_all(m_root / "job");
+    QCOMPARE(locateLink(link, m_root / "flat"), m_root / "flat/a.bin");
     QVERIFY(locateLink(link, m_root / "elsewhere").empty());
+  }
+
+  // Saved elsewhere, then moved with all its files.
+  void savedElsewhereAndMoved() {
+    Body each = body("a");
+    each.link = linked(m_root / "job/parts/a.bin", m_root / "job");
+    const OpenedFile shelf = shelfWith(with({}, each));
+    QVERIFY(saveDocument(*shelf.kind, shelf.file, *shelf.content, m_root / "shelf.handwheel").hasValue());
+    fs::create_directory(m_root / "moved");
+    fs::rename(m_root / "job", m_root / "moved/job");
+    fs::rename(m_root / "shelf.handwheel", m_root / "moved/shelf.handwheel");
+    const OpenedFile opened = valueOf(kinds().open(m_root / "moved/shelf.handwheel", {}));
+    const BodyLink& link = *bodiesOf(*opened.content).withName("a")->link;
+    QCOMPARE(link.relative, "job/parts/a.bin");
+    QCOMPARE(link.state, LinkState::Present);
+    QCOMPARE(link.path, (m_root / "moved/job/parts/a.bin").string());
+    // A file that is missing may come back, so the way to it stays.
+    fs::remove_all(m_root / "moved/job");
+    const OpenedFile missing = valueOf(kinds().open(m_root / "moved/shelf.handwheel", {}));
+    const BodyLink& lost = *bodiesOf(*missing.content).withName("a")->link;
+    QCOMPARE(lost.state, LinkState::Missing);
+    QCOMPARE(relativePathOf(lost, m_root), "job/parts/a.bin");
   }
 
   void states() {
@@ -105,7 +130,7 @@ class BodyLinksTest : public QObject {
 
   void whatCannotBeLinked() {
     const auto codeOf = [](const fs::path& path) {
-      const auto link = linkTo(path, {});
+      const auto link = linkTo(path);
       return link ? ErrorCode::Cancelled : link.error().code;
     };
     QCOMPARE(codeOf(m_root / "none"), ErrorCode::FileMissing);

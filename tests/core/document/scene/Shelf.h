@@ -143,7 +143,7 @@ inline OpenedFile opened(const std::string& bytes) {
 }
 
 inline std::string saved(const OpenedFile& file) {
-  return valueOf(containerBytes(*file.kind, file.file, *file.content, Compression::Fast));
+  return valueOf(containerBytes(*file.kind, file.file, *file.content, {}, Compression::Fast));
 }
 
 inline OpenedFile shelfWith(BodySet bodies) {

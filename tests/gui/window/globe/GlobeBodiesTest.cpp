@@ -85,7 +85,7 @@ class GlobeBodiesTest : public QObject {
     QVERIFY(second.document().bodies().withName("Luna"));
     const auto bytes = [](GlobeWindow& window) {
       const GlobeDocument& document = window.document();
-      return containerBytes(document.kind(), document.file(), *document.snapshot(), Compression::None).value();
+      return containerBytes(document.kind(), document.file(), *document.snapshot(), {}, Compression::None).value();
     };
     QVERIFY(bytes(second) == bytes(globe));
   }

@@ -18,7 +18,7 @@ class GlobeDentTest : public QObject {
     return static_cast<const DentState&>(*simulation.state()).surface;
   }
   static std::string bytesOf(const GlobeDocument& document, const GlobeSurface& surface) {
-    return containerBytes(document.kind(), document.file(), GlobeSnapshot(withGlobe(document.bodies(), surface)),
+    return containerBytes(document.kind(), document.file(), GlobeSnapshot(withGlobe(document.bodies(), surface)), {},
                           Compression::None)
         .value();
   }
