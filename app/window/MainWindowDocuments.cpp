@@ -74,6 +74,8 @@ void MainWindow::connectDocumentsPanel() {
 
 void MainWindow::connectMessages() {
   connect(&m_fileActions, &FileActions::message, m_messages, &MessageBar::showMessage);
+  connect(&m_fileActions, &FileActions::saved, this,
+          [this](const Document* document) { m_messages->withdraw(document, kSavingTopic); });
   connect(&m_autosave, &Autosave::message, m_messages, &MessageBar::showMessage);
   connect(&m_haptics, &HapticSession::message, m_messages, &MessageBar::showMessage);
   connect(&m_tools->runner(), &ToolRunner::failed, this, [this](const QString& reason) {

@@ -40,7 +40,8 @@ QString Document::name() const {
   return m_file.path.empty() ? tr("Untitled") : QFileInfo(path()).fileName();
 }
 
-void Document::markSaved(const QString& path, bool isContainer) {
+void Document::markSaved(const QString& path, bool isContainer, const std::optional<FileStamp>& stamp) {
+  m_file.stamp = stamp;
   m_file.path = QFile::encodeName(path).toStdString();
   m_file.isContainer = isContainer;
   m_file.isNewer = false;

@@ -37,7 +37,7 @@ class Document : public QObject {
   const QUndoStack* history() const { return &m_history; }
   bool isModified() const { return m_recovered || !m_history.isClean(); }
   // To be called after its present state was written to this path; a container keeps id and unknown keys.
-  void markSaved(const QString& path, bool isContainer);
+  void markSaved(const QString& path, bool isContainer, const std::optional<FileStamp>& stamp = {});
   // Marks it as restored from an autosave: it belongs to this path, but differs from the file there.
   void markRecovered(const QString& path);
 

@@ -18,6 +18,16 @@ const ErrorDescription DocumentError::ExtensionUnknown{
     .advice = {translatable("ErrorText", "Use a name that ends in %2.")},
     .alternatives = 1};
 
+const ErrorDescription DocumentError::ChangedOnDisk{
+    .id = "ChangedOnDisk",
+    .sentences = {translatable("ErrorText", "another program has changed the file since it was opened")},
+    .advice = {translatable("ErrorText", "Save under another name to keep both, or replace what the other wrote.")}};
+
+const ErrorDescription DocumentError::ReplacesLinked{
+    .id = "ReplacesLinked",
+    .sentences = {translatable("ErrorText", "a body of the document is linked to this very file, which would be lost")},
+    .advice = {translatable("ErrorText", "Write to another file, or forget the link of the body first.")}};
+
 const ErrorDescription DocumentError::KindUnknown{
     .id = "KindUnknown",
     .sentences = {translatable("ErrorText",

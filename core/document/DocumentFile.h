@@ -4,6 +4,7 @@
 
 #include "base/Error.h"
 #include "base/Units.h"
+#include "document/FileStamp.h"
 #include "document/Note.h"
 #include "document/Snapshot.h"
 #include "document/StoredRecording.h"
@@ -20,8 +21,9 @@ class DocumentKind;
 
 // What a document stores about the file that it was read from.
 struct DocumentFile {
-  std::string id;    // UUID; made when a document is imported, kept in containers
-  std::string path;  // absolute, as bytes; empty for a document that was never saved
+  std::string id;                       // UUID; made when a document is imported, kept in containers
+  std::string path;                     // absolute, as bytes; empty for a document that was never saved
+  std::optional<FileStamp> stamp = {};  // of that file as it was read or written; none where that is not known
   LengthUnit displayUnit = LengthUnit::Millimetre;
   std::vector<StoredRecording> recordings;  // of haptic devices; in the order in which they were made
   std::vector<Error> damage;                // what was skipped or repaired

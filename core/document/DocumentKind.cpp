@@ -6,6 +6,7 @@
 #include "document/DocumentErrors.h"
 #include "document/FileBytes.h"
 #include "document/NewerFile.h"
+#include "document/container/JsonText.h"
 #include "document/container/RecordingBlobs.h"
 #include "document/container/UnknownPart.h"
 #include "mesh/structure/Weld.h"
@@ -19,11 +20,6 @@
 namespace handwheel {
 
 namespace {
-
-std::string stringAt(const nlohmann::json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
 
 std::string newId() {
   return QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
@@ -169,9 +165,11 @@ const DocumentKind* DocumentKinds::withId(std::string_view id) const {
 
 Result<OpenedFile> DocumentKinds::open(const std::filesystem::path& path, const ReadOptions& options,
                                        Progress progress) const {
+  const std::optional<FileStamp> stamp = stampOf(path);
   Result<OpenedFile> opened = catchOutOfMemory([&] { return openAny(*this, path, options, progress); });
   if (opened) {
     std::error_code ignored;
+    opened->file.stamp = stamp;
     opened->file.path = std::filesystem::absolute(path, ignored).string();
     return opened;
   }
@@ -245,6 +243,11 @@ Result<std::string> checkedContainer(const DocumentKind& kind, const DocumentFil
 
 Result<WrittenFile> saveDocument(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
                                  const std::filesystem::path& path, Progress progress) {
+  for (const std::filesystem::path& linked : kind.linkedFiles(content)) {
+    std::error_code ignored;
+    if (std::filesystem::equivalent(linked, path, ignored))
+      return Error{DocumentError::ReplacesLinked, {}, {}, path.string()};
+  }
   if (!isContainerName(path)) {
     if (const Status may = checkNotNewer(path); !may) return may.error();
     Result<WrittenFile> written = kind.exportTo(content, path, progress);

@@ -68,6 +68,9 @@ class DocumentKind {
   virtual SnapshotPointer withCheckedLinks(SnapshotPointer content, const std::filesystem::path& folder,
                                            std::vector<Note>& notes, Progress progress) const;
 
+  // The files that the content is linked to; they are never replaced by the document. Absolute.
+  virtual std::vector<std::filesystem::path> linkedFiles(const Snapshot&) const { return {}; }
+
   // The shape of a document of this kind as a body in another; null when it has none. By default its display as one
   // mesh.
   virtual GeometryPointer bodyGeometry(const Snapshot& content) const;
@@ -114,8 +117,8 @@ std::vector<std::string> writtenEndings(const std::vector<FileFormat>& formats);
 Error unknownEnding(const std::filesystem::path& path, std::vector<std::string> written);
 
 // Saves a document, as a container or in a foreign format, by the path's extension. Writes the whole file or nothing.
-// Errors: ExtensionUnknown, VersionNewer (of an existing document, which is never replaced); those of the formats; of a
-// container FileTooLarge, CheckFailed, WriteFailed, OutOfMemory, Cancelled.
+// Errors: ExtensionUnknown, VersionNewer (of an existing document, which is never replaced), ReplacesLinked; those of
+// the formats; of a container FileTooLarge, CheckFailed, WriteFailed, OutOfMemory, Cancelled.
 Result<WrittenFile> saveDocument(const DocumentKind& kind, const DocumentFile& file, const Snapshot& content,
                                  const std::filesystem::path& path, Progress progress = {});
 

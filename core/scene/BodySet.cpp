@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
 
 namespace handwheel {
 
@@ -51,6 +52,12 @@ BodySet BodySet::withFreeId(BodyId least) const {
   BodySet next = *this;
   next.m_freeId = std::max(m_freeId, least);
   return next;
+}
+
+std::size_t BodySet::triangleCount() const {
+  return std::accumulate(begin(), end(), std::size_t{0}, [](std::size_t sum, const BodyPointer& body) {
+    return sum + body->geometry->surface()->triangles.size();
+  });
 }
 
 BodySet BodySet::withRestoredFreeId(BodyId id) const {

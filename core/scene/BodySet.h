@@ -14,6 +14,8 @@ namespace handwheel {
 class BodySet {
  public:
   static constexpr std::size_t kMost = 2'000;
+  // Of the triangles of all bodies together, which a document may have; sets do not check it.
+  static constexpr std::size_t kMostTriangles = 20'000'000;
 
   BodySet() : m_bodies(std::make_shared<const std::vector<BodyPointer>>()) {}
 
@@ -26,6 +28,7 @@ class BodySet {
   BodyPointer withName(std::string_view name) const;  // null when there is none; O(n)
   // A number that no body has, nor had.
   BodyId freeId() const { return m_freeId; }
+  std::size_t triangleCount() const;  // of all bodies; O(n)
 
   // With this body, instead of the one with its number if there is one; and without the one with this number. O(n).
   BodySet with(BodyPointer body) const;

@@ -9,6 +9,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace handwheel {
@@ -21,6 +22,7 @@ TriangleSoup coneSurface(double radius, double length) {
   assert(profile);
   TessellationOptions options;
   options.chord = radius * (1.0 - std::cos(std::numbers::pi / kShapeSides));
+  options.aspect = std::numeric_limits<double>::max();  // one triangle from the base to the tip, however slender
   Result<TriangleSoup> soup = tessellate(*profile, options);
   assert(soup);
   return std::move(soup).value();

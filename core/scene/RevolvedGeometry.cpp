@@ -5,20 +5,7 @@
 #include "base/NumberText.h"
 #include "nurbs/Tessellation.h"
 
-#include <algorithm>
-
 namespace handwheel {
-
-namespace {
-
-// The finest tolerance that the refusal of tessellate() allows, mm.
-double leastChordIn(const Error& refusal) {
-  double least = 0.0;
-  ErrorCode ignored{};
-  return parseDecimal(refusal.arguments.at(2), least, ignored) ? least : 0.0;
-}
-
-}  // namespace
 
 Result<std::shared_ptr<const RevolvedGeometry>> RevolvedGeometry::make(ProfileCurve profile, double chord) {
   if (!(chord >= kLeastChord && chord <= kLargestChord)) {
@@ -44,7 +31,7 @@ std::shared_ptr<const TriangleSoup> RevolvedGeometry::makeSurface() const {
     Result<TriangleSoup> soup = tessellate(m_profile, options);
     if (soup) return std::make_shared<const TriangleSoup>(std::move(soup).value());
     if (soup.error().code != ErrorCode::ValueOutOfRange) break;
-    options.chord = std::max(2.0 * options.chord, leastChordIn(soup.error()));
+    options.chord *= 2.0;
   }
   return std::make_shared<const TriangleSoup>();
 }

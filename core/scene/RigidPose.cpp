@@ -26,12 +26,12 @@ bool isRigid(const Pose& pose) {
   return difference.cwiseAbs().maxCoeff() <= kOrthonormal && rotation.determinant() > 0.0;
 }
 
-Pose nearestRigid(const Pose& pose) {
-  if (!isWithinReach(pose)) return Pose::Identity();
+std::optional<Pose> nearestRigid(const Pose& pose) {
+  if (!isWithinReach(pose)) return std::nullopt;
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(pose.linear(), Eigen::ComputeFullU | Eigen::ComputeFullV);
   const bool isNear = (svd.singularValues().array() - 1.0).abs().maxCoeff() <= kLargestScaling;
   const Eigen::Matrix3d rotation = svd.matrixU() * svd.matrixV().transpose();
-  if (!isNear || rotation.determinant() < 0.0) return Pose::Identity();
+  if (!isNear || rotation.determinant() < 0.0) return std::nullopt;
   Pose rigid = Pose::Identity();
   rigid.linear() = rotation;
   rigid.translation() = pose.translation();

@@ -13,9 +13,16 @@ namespace handwheel {
 // saving loses nothing.
 class UnknownGeometry : public BodyGeometry {
  public:
-  // description: its JSON. parts: its blobs by their names within the folder of the body.
-  UnknownGeometry(std::string kind, std::string description, std::map<std::string, std::string> parts)
-      : m_kind(std::move(kind)), m_description(std::move(description)), m_parts(std::move(parts)) {}
+  // description: its JSON. parts: its blobs by their names within the folder of the body. isDamaged: of a kind that
+  // this program knows.
+  UnknownGeometry(std::string kind, std::string description, std::map<std::string, std::string> parts,
+                  bool isDamaged = false)
+      : m_kind(std::move(kind)),
+        m_description(std::move(description)),
+        m_parts(std::move(parts)),
+        m_isDamaged(isDamaged) {}
+
+  bool isDamaged() const { return m_isDamaged; }
 
   const std::string& description() const { return m_description; }
   const std::map<std::string, std::string>& parts() const { return m_parts; }
@@ -31,6 +38,7 @@ class UnknownGeometry : public BodyGeometry {
   std::string m_kind;
   std::string m_description;
   std::map<std::string, std::string> m_parts;
+  bool m_isDamaged;
 };
 
 }  // namespace handwheel

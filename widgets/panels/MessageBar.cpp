@@ -47,7 +47,7 @@ MessageBar::MessageBar(QWidget* parent)
     : QFrame(parent),
       m_icon(new QLabel(this)),
       m_text(new QLabel(this)),
-      m_more(new QLabel(this)),
+      m_more(new QPushButton(this)),
       m_action(new QPushButton(this)),
       m_other(new QPushButton(this)) {
   setObjectName(QStringLiteral("messageBar"));
@@ -56,7 +56,9 @@ MessageBar::MessageBar(QWidget* parent)
   m_text->setWordWrap(true);
   m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
   m_more->setObjectName(QStringLiteral("messageMore"));
-  m_more->setProperty("muted", true);
+  m_more->setFlat(true);
+  m_more->setToolTip(tr("Show the next message"));
+  connect(m_more, &QPushButton::clicked, this, &MessageBar::showNext);
   m_action->setObjectName(QStringLiteral("messageAction"));
   m_other->setObjectName(QStringLiteral("messageOther"));
   auto* close = new QToolButton(this);
@@ -97,13 +99,20 @@ void MessageBar::showMessage(const Message& message) {
 
 void MessageBar::setDocument(const Document* document) {
   if (m_document != document) {
-    std::erase_if(m_messages,
-                  [this](const Entry& entry) { return !entry.message.about && entry.since.hasExpired(m_readingTime); });
+    std::erase_if(m_messages, [this](const Entry& entry) {
+      return !entry.message.about && !entry.message.comesFirst && entry.since.hasExpired(m_readingTime);
+    });
   }
   m_document = document;
   for (Entry& entry : m_messages) {
     if (entry.arrivedOver != document) entry.arrivedOver = nullptr;
   }
+  showLatest();
+}
+
+void MessageBar::withdraw(const Document* about, const QString& topic) {
+  std::erase_if(m_messages,
+                [&](const Entry& entry) { return entry.message.about == about && entry.message.topic == topic; });
   showLatest();
 }
 
@@ -118,9 +127,20 @@ bool MessageBar::isSeen(const Entry& entry) const {
 }
 
 const MessageBar::Entry* MessageBar::latest() const {
-  const auto found =
-      std::find_if(m_messages.rbegin(), m_messages.rend(), [this](const Entry& entry) { return isSeen(entry); });
-  return found == m_messages.rend() ? nullptr : &*found;
+  const Entry* best = nullptr;
+  for (const Entry& entry : m_messages) {
+    const bool isBehind = best && best->message.comesFirst && !entry.message.comesFirst;
+    if (isSeen(entry) && !isBehind) best = &entry;
+  }
+  return best;
+}
+
+// The one that is shown goes behind all others.
+void MessageBar::showNext() {
+  const auto place = m_messages.begin() + (latest() - m_messages.data());
+  place->message.comesFirst = false;  // it was seen
+  std::rotate(m_messages.begin(), place, place + 1);
+  showLatest();
 }
 
 std::size_t MessageBar::seenCount() const {

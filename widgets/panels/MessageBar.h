@@ -26,6 +26,8 @@ struct Message {
   QString otherText = {};
   std::function<void()> other = {};
   const Document* about = nullptr;  // removed with this document; null: about no open document
+  QString topic = {};               // what makes it pointless is told by withdraw(); empty: nothing does
+  bool comesFirst = false;          // shown before others, and not removed unread: something may be lost
 };
 
 // Shows messages above the viewport, the latest first; they are not modal. Each stays until it is closed. A message
@@ -41,6 +43,8 @@ class MessageBar : public QFrame {
   void showMessage(const Message& message);
   // Sets the current document; null: none.
   void setDocument(const Document* document);
+  // Removes the messages about a document that have this topic: what they were about is over.
+  void withdraw(const Document* about, const QString& topic);
   // Removes the messages of a document that is about to close.
   void forget(const Document* document);
   void setReadingTime(int ms) { m_readingTime = ms; }
@@ -55,12 +59,13 @@ class MessageBar : public QFrame {
     QElapsedTimer since;
   };
 
-  const Entry* latest() const;  // of the visible messages; null: none
+  const Entry* latest() const;  // of the visible messages, one that comes first if any; null: none
   std::size_t seenCount() const;
   bool isSeen(const Entry& entry) const;
   Message takeLatest();  // there is one
   void act(std::function<void()> Message::*what);
   void showLatest();
+  void showNext();
   void drawIcon();
 
   std::vector<Entry> m_messages;         // the latest is the last
@@ -68,7 +73,7 @@ class MessageBar : public QFrame {
   int m_readingTime = 5000;              // ms
   QLabel* m_icon;
   QLabel* m_text;
-  QLabel* m_more;  // the number of further messages
+  QPushButton* m_more;  // the number of further messages; shows the next
   QPushButton* m_action;
   QPushButton* m_other;
 };

@@ -6,7 +6,6 @@
 #include "document/FileBytes.h"
 #include "document/container/JsonText.h"
 
-#include <sys/stat.h>
 #include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
@@ -117,13 +116,6 @@ std::string row(std::string_view name, const Total& total) {
 }
 
 }  // namespace
-
-std::optional<FileStamp> stampOf(const std::filesystem::path& file) {
-  struct stat is {};
-  if (::stat(file.c_str(), &is) != 0 || !S_ISREG(is.st_mode)) return std::nullopt;
-  return FileStamp{static_cast<std::uintmax_t>(is.st_size),
-                   static_cast<std::int64_t>(is.st_mtim.tv_sec) * 1000000000 + is.st_mtim.tv_nsec};
-}
 
 std::string textOf(const BatchReport& report) {
   Json files = Json::array();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Result.h"
+#include "document/FileStamp.h"
 
 #include <array>
 #include <cstdint>
@@ -18,14 +19,6 @@ namespace handwheel {
 // but defects remain; Failed: not written.
 enum class BatchState { Closed, LeftOpen, Failed };
 inline constexpr std::array kBatchStates{BatchState::Closed, BatchState::LeftOpen, BatchState::Failed};
-
-// The size and modification time of a file, to detect changes.
-struct FileStamp {
-  std::uintmax_t bytes = 0;
-  std::int64_t modifiedNs = 0;  // since 1970
-  bool operator==(const FileStamp&) const = default;
-};
-std::optional<FileStamp> stampOf(const std::filesystem::path& file);  // none where there is no regular file
 
 // The result for one file of a batch.
 struct BatchEntry {

@@ -126,8 +126,27 @@ void Autosave::offer(const std::shared_ptr<const OrphanedAutosaves>& leftovers) 
                 names.join(QStringLiteral(", ")),
                 tr("They can be recovered as they were last autosaved, or discarded for good; otherwise they are "
                    "offered again at the next start."),
-                tr("Recover"), [this, leftovers] { recover(leftovers); }, tr("Discard"),
-                [this, leftovers] { discard(*leftovers); }});
+                tr("Recover"),
+                [this, leftovers] { recover(leftovers); },
+                tr("Discard…"),
+                [this, leftovers] { askBeforeDiscarding(leftovers); },
+                nullptr,
+                {},
+                true});
+}
+
+void Autosave::askBeforeDiscarding(const std::shared_ptr<const OrphanedAutosaves>& leftovers) {
+  emit message({Message::Weight::Warning,
+                tr("Discard %Ln document(s) for good?", nullptr, static_cast<int>(leftovers->found().size())),
+                tr("Their changes since they were last saved cannot be brought back."),
+                {},
+                tr("Keep"),
+                [this, leftovers] { offer(leftovers); },
+                tr("Discard"),
+                [this, leftovers] { discard(*leftovers); },
+                nullptr,
+                {},
+                true});
 }
 
 void Autosave::offerDamaged(const std::shared_ptr<const OrphanedAutosaves>& leftovers) {

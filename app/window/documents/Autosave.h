@@ -43,6 +43,7 @@ class Autosave : public QObject {
   void saveAll();
   void save(DocumentTab* document);
   void reportFailure(DocumentTab* document, const QString& name, const Error& error);
+  void askBeforeDiscarding(const std::shared_ptr<const OrphanedAutosaves>& leftovers);
   void offer(const std::shared_ptr<const OrphanedAutosaves>& leftovers);
   void offerDamaged(const std::shared_ptr<const OrphanedAutosaves>& leftovers);
   void recover(const std::shared_ptr<const OrphanedAutosaves>& leftovers);

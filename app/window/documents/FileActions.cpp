@@ -84,6 +84,7 @@ FileActions::FileActions(QWidget* window, const DocumentKinds& kinds, const Kind
   connect(&m_previousTab, &QAction::triggered, this, [this] { m_tabs.step(-1); });
   connect(&m_loader, &FileLoader::message, this, &FileActions::message);
   connect(&m_saver, &FileSaver::message, this, &FileActions::message);
+  connect(&m_saver, &FileSaver::succeeded, this, &FileActions::saved);
   connect(&m_saver, &FileSaver::failed, this, &FileActions::offerAnotherName);
   connect(&m_saver, &FileSaver::incomplete, this, &FileActions::offerContainer);
   connect(&m_tabs, &DocumentTabs::currentChanged, this, &FileActions::followDocument);
@@ -209,7 +210,7 @@ void FileActions::askForName(DocumentTab* document, std::function<void(bool)> en
   connect(dialog, &QFileDialog::fileSelected, this, [this, document, ended](const QString& path) {
     if (!m_tabs.contains(document)) return;
     rememberFolder(path);
-    m_saver.save(document, path, ended);
+    m_saver.save(document, path, ended, FileSaver::Changed::Replace);  // the dialog has asked
   });
   if (ended) connect(dialog, &QFileDialog::rejected, this, [ended] { ended(false); });
   dialog->open();

@@ -3,6 +3,7 @@
 #include "window/documents/FileSaver.h"
 
 #include "controls/Preferences.h"
+#include "document/DocumentErrors.h"
 #include "panels/LogModel.h"
 #include "text/ErrorText.h"
 #include "text/NoteText.h"
@@ -19,12 +20,27 @@
 
 namespace handwheel {
 
+namespace {
+
+// Whether another program wrote the document's own file since it was read or saved. A file that is gone is no loss.
+bool wasChanged(const DocumentFile& file, const std::filesystem::path& target) {
+  if (!file.stamp || target.string() != file.path) return false;
+  const std::optional<FileStamp> now = stampOf(target);
+  return now && *now != *file.stamp;
+}
+
+}  // namespace
+
 FileSaver::FileSaver(DocumentTabs& tabs, JobRunner& jobs, RecentFiles& recent, LogModel& log, QObject* parent)
     : QObject(parent), m_tabs(tabs), m_jobs(jobs), m_recent(recent), m_log(log) {}
 
-void FileSaver::save(DocumentTab* document, const QString& path, std::function<void(bool)> ended) {
-  const Written state{path, document->ui.saveCommand(*document, path), document->document.revision(),
-                      document->document.properties(), document->document.displayUnit()};
+void FileSaver::save(DocumentTab* document, const QString& path, std::function<void(bool)> ended, Changed changed) {
+  Written state{path,
+                document->ui.saveCommand(*document, path),
+                document->document.revision(),
+                document->document.properties(),
+                document->document.displayUnit(),
+                {}};
   Job job;
   job.name = tr("Saving %1").arg(QFileInfo(path).fileName());
   const auto failed = [this, document, path, ended](const Error& error) {
@@ -33,10 +49,15 @@ void FileSaver::save(DocumentTab* document, const QString& path, std::function<v
   };
   job.failed = failed;
   job.lane = Job::Lane::Saving;
-  job.work = [this, document, state, ended, failed, &kind = document->document.kind(), file = document->document.file(),
-              content = document->document.snapshot()](Progress progress) -> Job::Finish {
-    const auto written = saveDocument(kind, file, *content, QFile::encodeName(state.path).toStdString(), progress);
+  job.work = [this, document, state, ended, failed, changed, &kind = document->document.kind(),
+              file = document->document.file(),
+              content = document->document.snapshot()](Progress progress) mutable -> Job::Finish {
+    const std::filesystem::path target = QFile::encodeName(state.path).toStdString();
+    if (changed == Changed::Refuse && wasChanged(file, target))
+      return [failed, target] { failed({DocumentError::ChangedOnDisk, {}, {}, target.string()}); };
+    const auto written = saveDocument(kind, file, *content, target, progress);
     if (!written) return [failed, error = written.error()] { failed(error); };
+    state.stamp = stampOf(target);
     return [this, document, state, ended, written = written.value()] {
       const bool isOpen = m_tabs.contains(document);
       if (isOpen) saved(document, state, written);
@@ -49,6 +70,7 @@ void FileSaver::save(DocumentTab* document, const QString& path, std::function<v
 
 void FileSaver::saved(DocumentTab* document, const Written& state, const WrittenFile& written) {
   Document& saved = document->document;
+  emit succeeded(&saved);
   const QString name = QFileInfo(state.path).fileName();
   m_log.add(tr("Saved %1: %2 bytes, read back and compared").arg(name).arg(written.bytes), state.command);
   for (const Note& note : written.notes) m_log.add(name + QStringLiteral(": ") + noteText(note));
@@ -58,7 +80,7 @@ void FileSaver::saved(DocumentTab* document, const Written& state, const Written
   if (saved.revision() == state.revision) {
     document->written = true;
     document->inFile = state.properties;
-    saved.markSaved(state.path, !foreign);
+    saved.markSaved(state.path, !foreign, state.stamp);
   } else {
     m_log.add(tr("%1 holds the state before your last change").arg(name), {}, LogEntry::Weight::Warning);
   }
@@ -108,6 +130,7 @@ void FileSaver::reportCancelled(DocumentTab* document, const QString& path) {
   Message told{Message::Weight::Warning, title, tr("Nothing was written: the file is as it was before."), {}, {}, {}};
   if (m_tabs.contains(document)) {
     told.about = &document->document;
+    told.topic = kSavingTopic;
     told.advice = tr("The document is open, with all its changes.");
     told.actionText = tr("Save again");
     told.action = [this, document, path] {
@@ -125,6 +148,13 @@ void FileSaver::reportFailure(DocumentTab* document, const QString& path, const 
   Message told{Message::Weight::Error, title, errorSentence(error), errorAdvice(error), {}, {}};
   if (m_tabs.contains(document)) {
     told.about = &document->document;
+    told.topic = kSavingTopic;
+    if (error.code == DocumentError::ChangedOnDisk) {
+      told.otherText = tr("Replace");
+      told.other = [this, document, path] {
+        if (m_tabs.contains(document)) save(document, path, {}, Changed::Replace);
+      };
+    }
     emit failed(document, told);
   } else {
     emit message(told);

@@ -16,6 +16,9 @@ class LogModel;
 class RecentFiles;
 struct DocumentTab;
 
+// The topic of messages about saving that a later success makes pointless.
+inline const QString kSavingTopic = QStringLiteral("saving");
+
 // Writes documents to files on a worker thread. The new file is complete and checked, or the old one is unchanged.
 // Writing a format from which the document cannot be read back is an export: the document stays unsaved.
 class FileSaver : public QObject {
@@ -24,14 +27,20 @@ class FileSaver : public QObject {
  public:
   FileSaver(DocumentTabs& tabs, JobRunner& jobs, RecentFiles& recent, LogModel& log, QObject* parent = nullptr);
 
+  // What happens to a file that another program wrote since the document was opened or saved.
+  enum class Changed { Refuse, Replace };
+
   // ended: always called at the end; true when the file holds the present state of the document, and the user already
   // knows what the file lacks.
-  void save(DocumentTab* document, const QString& path, std::function<void(bool)> ended = {});
+  void save(DocumentTab* document, const QString& path, std::function<void(bool)> ended = {},
+            Changed changed = Changed::Refuse);
 
  signals:
   void message(const handwheel::Message& message);
   // Saving failed; the document is still open and unsaved. message: describes it, without an action.
   void failed(handwheel::DocumentTab* document, const handwheel::Message& message);
+  // The document was saved: what was said of earlier tries is over. Messages about them have the topic kSavingTopic.
+  void succeeded(const handwheel::Document* document);
   // The file was written, but its format cannot hold all of the document. message: describes it, without an action.
   void incomplete(handwheel::DocumentTab* document, const handwheel::Message& message);
 
@@ -42,6 +51,7 @@ class FileSaver : public QObject {
     std::uint64_t revision;
     std::vector<Property> properties;
     LengthUnit displayUnit;
+    std::optional<FileStamp> stamp;  // of the file afterwards
   };
   void saved(DocumentTab* document, const Written& state, const WrittenFile& written);
   bool reportLosses(DocumentTab* document, const Written& state, const WrittenFile& written);

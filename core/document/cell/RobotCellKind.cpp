@@ -134,6 +134,14 @@ SnapshotPointer RobotCellKind::withCheckedLinks(SnapshotPointer content, const s
   return checked;
 }
 
+std::vector<std::filesystem::path> RobotCellKind::linkedFiles(const Snapshot& content) const {
+  std::vector<std::filesystem::path> files;
+  for (const BodyPointer& body : cellOf(content).bodies) {
+    if (body->link) files.emplace_back(body->link->path);
+  }
+  return files;
+}
+
 std::unique_ptr<Document> RobotCellKind::make(OpenedFile opened) const {
   return std::make_unique<RobotCellDocument>(std::move(opened));
 }

@@ -30,6 +30,7 @@ class RobotCellKind : public DocumentKind {
                                Progress progress) const override;
   SnapshotPointer withCheckedLinks(SnapshotPointer content, const std::filesystem::path& folder,
                                    std::vector<Note>& notes, Progress progress) const override;
+  std::vector<std::filesystem::path> linkedFiles(const Snapshot& content) const override;
   std::unique_ptr<Document> make(OpenedFile opened) const override;
   nlohmann::json describe(const Snapshot& content) const override;
   DisplayModel display(const Snapshot& content) const override;

@@ -52,4 +52,20 @@ std::uint64_t countAt(const nlohmann::json& object, const char* key) {
   return found != object.end() && found->is_number_unsigned() ? found->get<std::uint64_t>() : 0;
 }
 
+std::string stringAt(const nlohmann::json& object, const char* key, std::string otherwise) {
+  if (!object.is_object()) return otherwise;
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : otherwise;
+}
+
+std::vector<double> numbersAt(const nlohmann::json& object, const char* key, std::size_t most) {
+  std::vector<double> numbers;
+  const auto found = object.is_object() ? object.find(key) : object.end();
+  if (found == object.end() || !found->is_array()) return numbers;
+  for (const nlohmann::json& element : *found) {
+    if (element.is_number() && numbers.size() < most) numbers.push_back(element.get<double>());
+  }
+  return numbers;
+}
+
 }  // namespace handwheel

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/container/RecordingBlobs.h"
 
+#include "document/container/JsonText.h"
+
 #include "document/container/Blobs.h"
 #include "haptics/recording/RecordingBytes.h"
 
@@ -26,11 +28,6 @@ std::string partName(const std::string& key, std::size_t part) {
 bool isKey(const std::string& key) {
   return key.size() >= kPartDigits && key.size() <= kMostKeyDigits &&
          std::all_of(key.begin(), key.end(), [](char c) { return c >= '0' && c <= '9'; });
-}
-
-std::string textAt(const json& object, const char* key, const std::string& otherwise) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : otherwise;
 }
 
 double forceAt(const json& object, const char* key) {
@@ -76,7 +73,7 @@ std::vector<StoredRecording> readRecordings(const Container& container, std::vec
   if (list == container.manifest->end() || !list->is_object()) return recordings;
   for (const auto& [key, entry] : list->items()) {
     if (!isKey(key) || !entry.is_object()) continue;
-    StoredRecording recording{key, textAt(entry, "name", key), textAt(entry, "device", {}),
+    StoredRecording recording{key, stringAt(entry, "name", key), stringAt(entry, "device", {}),
                               forceAt(entry, "force_limit"), readTicks(key, container)};
     const auto announced = entry.find("ticks");
     const std::size_t found = recording.ticks.size();

@@ -11,6 +11,8 @@
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <unordered_map>
+#include <unordered_set>
 
 namespace handwheel {
 
@@ -22,8 +24,6 @@ constexpr const char* kBodyList = "bodies";
 constexpr const char* kNextBody = "next_body";
 // Larger numbers in a file are replaced, so that there are always free ones.
 constexpr BodyId kLargestReadId = 100'000'000;
-// Of all bodies together, as for the shapes of a robot.
-constexpr std::uint64_t kMostBodyTriangles = 20'000'000;
 
 std::string keyOfBody(BodyId id) {
   const std::string digits = std::to_string(id);
@@ -47,45 +47,25 @@ json linkEntry(const std::optional<BodyLink>& link, const std::filesystem::path&
   return {{"path", link->path}, {"relative", relativePathOf(*link, folder)}, {"sha256", link->sha256}};
 }
 
-std::string stringAt(const json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
 bool boolAt(const json& object, const char* key, bool otherwise) {
   const auto found = object.find(key);
   return found != object.end() && found->is_boolean() ? found->get<bool>() : otherwise;
 }
 
-// None where there are not as many numbers.
-std::optional<std::vector<double>> numbersAt(const json& object, const char* key, std::size_t count) {
-  const auto found = object.find(key);
-  if (found == object.end() || !found->is_array() || found->size() != count) return std::nullopt;
-  std::vector<double> numbers;
-  for (const json& entry : *found) {
-    if (!entry.is_number()) return std::nullopt;
-    numbers.push_back(entry.get<double>());
-  }
-  return numbers;
-}
-
 std::optional<Pose> poseAt(const json& entry) {
-  const auto numbers = numbersAt(entry, "pose", 12);
-  if (!numbers) return std::nullopt;
+  const std::vector<double> numbers = numbersAt(entry, "pose", 12);
+  if (numbers.size() != 12) return std::nullopt;
   Pose pose = Pose::Identity();
-  for (Eigen::Index i = 0; i < 12; ++i) pose.matrix()(i / 4, i % 4) = (*numbers)[static_cast<std::size_t>(i)];
-  if (isRigid(pose)) return pose;
-  const Pose mended = nearestRigid(pose);
-  const bool isNothing = mended.matrix() == Pose::Identity().matrix();
-  return isNothing ? std::nullopt : std::optional(mended);
+  for (Eigen::Index i = 0; i < 12; ++i) pose.matrix()(i / 4, i % 4) = numbers[static_cast<std::size_t>(i)];
+  return isRigid(pose) ? std::optional(pose) : nearestRigid(pose);
 }
 
 BodyLook lookAt(const json& entry) {
   BodyLook look;
   look.smooth = boolAt(entry, "smooth", look.smooth);
-  const auto colour = numbersAt(entry, "colour", 3);
-  for (std::size_t i = 0; colour && i < 3; ++i) {
-    if (std::isfinite((*colour)[i])) look.colour[i] = static_cast<float>(std::clamp((*colour)[i], 0.0, 1.0));
+  const std::vector<double> colour = numbersAt(entry, "colour", 3);
+  for (std::size_t i = 0; i < colour.size(); ++i) {
+    if (std::isfinite(colour[i])) look.colour[i] = static_cast<float>(std::clamp(colour[i], 0.0, 1.0));
   }
   return look;
 }
@@ -118,13 +98,17 @@ class BodyReading {
       if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
       progress.set(static_cast<double>(done++) / static_cast<double>(list.size()));
       const BodyId id = idOf(key);
-      if (id == 0 || m_bodies.withId(id))
+      if (key.find('/') != std::string::npos)  // its folder could hold that of others
+        note(key, "its key is no number");
+      else if (id == 0 || m_bodies.withId(id))
         others.emplace_back(key, &entry);
       else
         add(id, key, entry);
     }
     m_bodies = m_bodies.withFreeId(static_cast<BodyId>(std::min<std::uint64_t>(next, kLargestReadId)));
     for (const auto& [key, entry] : others) add(m_bodies.freeId(), key, *entry);
+    if (m_leftOut > 0) noteTooMany("bodies", m_bodies.size() + m_leftOut, BodySet::kMost);
+    if (m_triangles > BodySet::kMostTriangles) noteTooMany("triangles", m_triangles, BodySet::kMostTriangles);
     return m_bodies;
   }
 
@@ -134,13 +118,15 @@ class BodyReading {
   }
 
   void add(BodyId id, const std::string& key, const json& entry) {
-    if (m_isTooMuch) return;
     if (!entry.is_object()) return note(key, "it is no object");
-    if (m_bodies.size() >= BodySet::kMost) return noteTooMany("bodies", BodySet::kMost);
+    if (m_bodies.size() >= BodySet::kMost) {
+      ++m_leftOut;
+      return;
+    }
     Body body;
     body.id = id;
     const std::string name = stringAt(entry, "name");
-    body.name = freeBodyName(m_bodies, isBodyName(name) ? name : "body " + std::to_string(id));
+    body.name = freeName(isBodyName(name) ? name : "body " + std::to_string(id));
     if (const auto pose = poseAt(entry))
       body.pose = *pose;
     else
@@ -149,17 +135,30 @@ class BodyReading {
     body.visible = boolAt(entry, "visible", true);
     body.link = linkAt(entry);
     const auto geometry = entry.find("geometry");
-    body.geometry = readGeometry(geometry == entry.end() ? json() : *geometry, folderOfBody(m_folder, key), m_container,
-                                 m_damage, m_own);
-    // A few bytes can stand for very many triangles.
-    m_triangles += body.geometry->surface()->triangles.size();
-    if (m_triangles > kMostBodyTriangles) return noteTooMany("triangles", kMostBodyTriangles);
+    body.geometry = shapeOf(geometry == entry.end() ? json() : *geometry, folderOfBody(m_folder, key));
     m_bodies = m_bodies.with(std::make_shared<const Body>(std::move(body)));
   }
 
-  void noteTooMany(const char* what, std::uint64_t most) {
-    m_isTooMuch = true;
-    m_damage.push_back({ErrorCode::FileTooLarge, {what, "", std::to_string(most)}, {}, {}});
+  // A few bytes can stand for very many triangles: shapes beyond the limit are kept, but not shown.
+  GeometryPointer shapeOf(const json& described, const std::string& folder) {
+    if (m_triangles > BodySet::kMostTriangles) return keptAsItIs(described, folder, m_container, true);
+    const GeometryPointer read = readGeometry(described, folder, m_container, m_damage, m_own);
+    m_triangles += read->surface()->triangles.size();
+    return m_triangles > BodySet::kMostTriangles ? keptAsItIs(described, folder, m_container, true) : read;
+  }
+
+  // Counts on from the last number for the same name, as a file may have it often.
+  std::string freeName(const std::string& wish) {
+    std::size_t& number = m_numbers[wish];
+    std::string name;
+    do {
+      name = numberedBodyName(wish, ++number);
+    } while (!m_names.insert(name).second);
+    return name;
+  }
+
+  void noteTooMany(const char* what, std::uint64_t count, std::uint64_t most) {
+    m_damage.push_back({ErrorCode::FileTooLarge, {what, std::to_string(count), std::to_string(most)}, {}, {}});
   }
 
   const Container& m_container;
@@ -167,8 +166,10 @@ class BodyReading {
   std::vector<Error>& m_damage;
   std::span<const GeometryFormat> m_own;
   BodySet m_bodies;
+  std::unordered_set<std::string> m_names;
+  std::unordered_map<std::string, std::size_t> m_numbers;  // the last one for each name
   std::uint64_t m_triangles = 0;
-  bool m_isTooMuch = false;  // the rest is left out
+  std::size_t m_leftOut = 0;  // bodies
 };
 
 }  // namespace

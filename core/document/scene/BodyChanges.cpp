@@ -31,13 +31,21 @@ Status checkPose(const Pose& pose) {
                  {},
                  {}};
   }
-  if (!isRigid(pose)) return Error{ErrorCode::ElementMalformed, {"pose", "its rotation is none"}, {}, {}};
+  if (!isRigid(pose)) return Error{ErrorCode::ElementMalformed, {"pose", "its matrix is no rotation"}, {}, {}};
   return Done{};
 }
 
 Status checkBody(const BodySet& bodies, const Body& body) {
   const Status named = checkName(bodies, body);
   return named ? checkPose(body.pose) : named;
+}
+
+// Whether there is room for this shape in place of that one, which may be null.
+Status checkRoom(const BodySet& bodies, const BodyGeometry& shape, const BodyGeometry* replaced) {
+  const std::size_t less = replaced ? replaced->surface()->triangles.size() : 0;
+  const std::size_t count = bodies.triangleCount() - less + shape.surface()->triangles.size();
+  if (count <= BodySet::kMostTriangles) return Done{};
+  return Error{BodyError::TooManyTriangles, {std::to_string(count), std::to_string(BodySet::kMostTriangles)}, {}, {}};
 }
 
 std::unique_ptr<Edit> editOf(std::vector<BodyEdit::Change> changes) {
@@ -54,21 +62,23 @@ std::string_view shortened(std::string_view text, std::size_t most) {
 }  // namespace
 
 Result<std::unique_ptr<Edit>> addBodyEdit(const BodySet& bodies, Body body) {
-  if (bodies.size() >= BodySet::kMost) {
-    return Error{
-        ErrorCode::FileTooLarge, {"bodies", std::to_string(bodies.size() + 1), std::to_string(BodySet::kMost)}, {}, {}};
-  }
+  if (bodies.size() >= BodySet::kMost) return Error{BodyError::TooManyBodies, {std::to_string(BodySet::kMost)}, {}, {}};
   body.id = bodies.freeId();
   if (const Status checked = checkBody(bodies, body); !checked) return checked.error();
+  if (const Status room = checkRoom(bodies, *body.geometry, nullptr); !room) return room.error();
   const BodyId id = body.id;
   return editOf({{id, std::make_shared<const Body>(std::move(body))}});
 }
 
 Result<std::unique_ptr<Edit>> changeBodyEdit(const BodySet& bodies, Body body) {
   const BodyPointer present = bodies.withId(body.id);
-  if (!present) return Error{ErrorCode::ReferenceMissing, {"the body", std::to_string(body.id)}, {}, {}};
+  if (!present) return Error{BodyError::BodyMissing, {std::to_string(body.id)}, {}, {}};
   if (body == *present) return std::unique_ptr<Edit>();
   if (const Status checked = checkBody(bodies, body); !checked) return checked.error();
+  if (body.geometry != present->geometry) {
+    const Status room = checkRoom(bodies, *body.geometry, present->geometry.get());
+    if (!room) return room.error();
+  }
   const BodyId id = body.id;
   return editOf({{id, std::make_shared<const Body>(std::move(body))}});
 }
@@ -99,13 +109,17 @@ bool isBodyName(std::string_view name) {
          std::none_of(name.begin(), name.end(), isControl) && isUtf8(name);
 }
 
-std::string freeBodyName(const BodySet& bodies, std::string_view wish) {
+std::string numberedBodyName(std::string_view wish, std::size_t number) {
   constexpr std::size_t kMostDigits = 8;
   if (!isBodyName(wish)) wish = "body";
-  std::string name(wish);
-  for (std::size_t number = 2; bodies.withName(name); ++number)
-    name = std::string(shortened(wish, kLongestBodyName - kMostDigits)) + ' ' + std::to_string(number);
-  return name;
+  if (number < 2) return std::string(wish);
+  return std::string(shortened(wish, kLongestBodyName - kMostDigits)) + ' ' + std::to_string(number);
+}
+
+std::string freeBodyName(const BodySet& bodies, std::string_view wish) {
+  std::size_t number = 1;
+  while (bodies.withName(numberedBodyName(wish, number))) ++number;
+  return numberedBodyName(wish, number);
 }
 
 }  // namespace handwheel

@@ -33,6 +33,9 @@ std::unique_ptr<Edit> showBodiesEdit(const BodySet& bodies, std::span<const Body
 // Whether a text can be the name of a body: UTF-8, one line, neither empty nor too long, no space at either end.
 bool isBodyName(std::string_view name);
 
+// The wish, from the second on with a number: "wish 2". "body" for a wish that cannot be a name.
+std::string numberedBodyName(std::string_view wish, std::size_t number);
+
 // A name that no body has: the wish if possible, or "wish 2", "wish 3", … "body" for a wish that cannot be a name.
 std::string freeBodyName(const BodySet& bodies, std::string_view wish);
 

@@ -4,6 +4,33 @@
 
 namespace handwheel {
 
+const ErrorDescription BodyError::BodyMissing{
+    .id = "BodyMissing",
+    .sentences = {translatable("ErrorText", "the document has no body '%1'")},
+    .advice = {translatable("ErrorText",
+                            "Give the name or the number of one that it has; 'handwheel inspect' lists "
+                            "them.")}};
+
+const ErrorDescription BodyError::NotLinked{
+    .id = "NotLinked",
+    .sentences = {translatable("ErrorText", "the body '%1' is not linked to a file")},
+    .advice = {translatable("ErrorText", "Only a linked body can be read again; add the file as a new one.")}};
+
+const ErrorDescription BodyError::LinkedFileGone{
+    .id = "LinkedFileGone",
+    .sentences = {translatable("ErrorText", "the linked file %1 is missing")},
+    .advice = {translatable("ErrorText", "Put it back, or add the file from where it is now.")}};
+
+const ErrorDescription BodyError::TooManyBodies{
+    .id = "TooManyBodies",
+    .sentences = {translatable("ErrorText", "a document has room for at most %1 bodies")},
+    .advice = {translatable("ErrorText", "Remove bodies, or add several as one file.")}};
+
+const ErrorDescription BodyError::TooManyTriangles{
+    .id = "TooManyTriangles",
+    .sentences = {translatable("ErrorText", "the bodies would have %1 triangles, and a document has room for %2")},
+    .advice = {translatable("ErrorText", "Reduce the mesh before adding it ('handwheel decimate').")}};
+
 const ErrorDescription BodyError::NameTaken{
     .id = "NameTaken",
     .sentences = {translatable("ErrorText", "something else has the name '%1'")},

@@ -3,6 +3,7 @@
 #include "document/scene/BodyImport.h"
 
 #include "document/scene/BodyChanges.h"
+#include "document/scene/BodyErrors.h"
 #include "document/scene/BodyLinks.h"
 #include "mesh/structure/MeshErrors.h"
 
@@ -28,9 +29,9 @@ Result<ReadBody> readBody(const DocumentKinds& kinds, const std::filesystem::pat
 
 Result<ReadBody> updatedFromLink(const DocumentKinds& kinds, const Body& body, const std::filesystem::path& folder,
                                  Progress progress) {
-  const std::filesystem::path path = body.link ? locateLink(*body.link, folder) : std::filesystem::path();
-  if (path.empty())
-    return Error{ErrorCode::ReferenceMissing, {"the file", body.link ? body.link->path : std::string()}, {}, {}};
+  if (!body.link) return Error{BodyError::NotLinked, {body.name}, {}, {}};
+  const std::filesystem::path path = locateLink(*body.link, folder);
+  if (path.empty()) return Error{BodyError::LinkedFileGone, {body.link->path}, {}, {}};
   Result<ReadBody> read = readBody(kinds, path, true, progress);
   if (!read) return read.error();
   Body updated = body;

@@ -19,7 +19,7 @@ Result<ReadBody> readBody(const DocumentKinds& kinds, const std::filesystem::pat
                           Progress progress = {});
 
 // Reads the file of a linked body again. Its name, place and look stay. folder: of the document; may be empty. Errors:
-// those of readBody(), ReferenceMissing {"the file", path}.
+// those of readBody(), NotLinked, LinkedFileGone.
 Result<ReadBody> updatedFromLink(const DocumentKinds& kinds, const Body& body, const std::filesystem::path& folder,
                                  Progress progress = {});
 

@@ -31,7 +31,8 @@ std::string relativePathOf(const BodyLink& link, const std::filesystem::path& fo
 std::filesystem::path locateLink(const BodyLink& link, const std::filesystem::path& folder);
 
 // The bodies with the states of their links, and where the unchanged files are now. Those that are missing or changed
-// are added to the notes. Reads each linked file once. Cancelled: the rest stays unchecked.
+// are added to the notes, as are shapes of unknown kinds. Reads each linked file once. Cancelled: the rest stays
+// unchecked.
 BodySet withCheckedBodyLinks(const BodySet& bodies, const std::filesystem::path& folder, std::vector<Note>& notes,
                              Progress progress = {});
 

@@ -20,22 +20,6 @@ namespace {
 
 using nlohmann::json;
 
-std::string stringIn(const json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
-// Those of the numbers of an array that are numbers, at most so many.
-std::vector<double> numbersIn(const json& object, const char* key, std::size_t most) {
-  std::vector<double> numbers;
-  const auto found = object.find(key);
-  if (found == object.end() || !found->is_array()) return numbers;
-  for (const json& entry : *found) {
-    if (entry.is_number() && numbers.size() < most) numbers.push_back(entry.get<double>());
-  }
-  return numbers;
-}
-
 json writeMesh(const BodyGeometry& geometry, const std::string& folder, Container& container) {
   return writeSoupBlobs<double>(dynamic_cast<const MeshGeometry&>(geometry).soup(), folder, container);
 }
@@ -93,10 +77,10 @@ json writePrimitive(const BodyGeometry& geometry, const std::string&, Container&
 Result<GeometryPointer> readPrimitive(const json& described, const std::string& folder, const Container&,
                                       std::vector<Error>&) {
   constexpr std::size_t kMostDimensions = 16;
-  const std::string shape = stringIn(described, "shape");
+  const std::string shape = stringAt(described, "shape");
   for (const PrimitiveDescription& each : primitives()) {
     if (each.id != shape) continue;
-    auto made = PrimitiveGeometry::make(each.primitive, numbersIn(described, "dimensions", kMostDimensions));
+    auto made = PrimitiveGeometry::make(each.primitive, numbersAt(described, "dimensions", kMostDimensions));
     if (!made) return made.error();
     return GeometryPointer(std::move(made).value());
   }
@@ -124,19 +108,20 @@ json writeUnknown(const UnknownGeometry& geometry, const std::string& folder, Co
   return described ? *described : json();
 }
 
-GeometryPointer keptAsItIs(const std::string& kind, const json& described, const std::string& folder,
-                           const Container& container) {
+}  // namespace
+
+GeometryPointer keptAsItIs(const json& described, const std::string& folder, const Container& container,
+                           bool isDamaged) {
   std::map<std::string, std::string> parts;
   const std::string start = folder + '/';
   for (auto blob = container.blobs.lower_bound(start); blob != container.blobs.end() && blob->first.starts_with(start);
        ++blob) {
     parts[blob->first.substr(start.size())] = blob->second;
   }
-  return std::make_shared<const UnknownGeometry>(kind, described.dump(-1, ' ', false, json::error_handler_t::replace),
-                                                 std::move(parts));
+  return std::make_shared<const UnknownGeometry>(stringAt(described, "kind"),
+                                                 described.dump(-1, ' ', false, json::error_handler_t::replace),
+                                                 std::move(parts), isDamaged);
 }
-
-}  // namespace
 
 nlohmann::json writeGeometry(const BodyGeometry& geometry, const std::string& folder, Container& container,
                              std::span<const GeometryFormat> own) {
@@ -151,16 +136,14 @@ nlohmann::json writeGeometry(const BodyGeometry& geometry, const std::string& fo
 
 GeometryPointer readGeometry(const nlohmann::json& described, const std::string& folder, const Container& container,
                              std::vector<Error>& damage, std::span<const GeometryFormat> own) {
-  const std::string kind = described.is_object() ? stringIn(described, "kind") : std::string();
+  const std::string kind = stringAt(described, "kind");
+  if (kind.empty()) damage.push_back({ErrorCode::ElementMalformed, {folder, "its geometry has no kind"}, {}, {}});
   const GeometryFormat* format = formatOf(kind, own);
-  if (!format) {
-    damage.push_back({ErrorCode::Unsupported, {"the shape '" + kind + "' (" + folder + ")"}, {}, {}});
-    return keptAsItIs(kind, described, folder, container);
-  }
+  if (!format) return keptAsItIs(described, folder, container, kind.empty());
   Result<GeometryPointer> read = format->read(described, folder, container, damage);
   if (read) return std::move(read).value();
   damage.push_back(read.error());
-  return keptAsItIs(kind, described, folder, container);
+  return keptAsItIs(described, folder, container, true);
 }
 
 }  // namespace handwheel

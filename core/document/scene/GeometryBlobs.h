@@ -25,9 +25,13 @@ struct GeometryFormat {
 nlohmann::json writeGeometry(const BodyGeometry& geometry, const std::string& folder, Container& container,
                              std::span<const GeometryFormat> own = {});
 
+// The shape of a body as an UnknownGeometry, which keeps all of it.
+GeometryPointer keptAsItIs(const nlohmann::json& described, const std::string& folder, const Container& container,
+                           bool isDamaged);
+
 // Reads the shape of a body from its JSON and the blobs below its folder; accepts any input, and never returns null.
-// What cannot be read, or is of a kind that this program does not know, becomes an UnknownGeometry, which keeps all of
-// it. damage: EntryDamaged {folder}, Unsupported, and the errors of the shapes.
+// What cannot be read, or is of a kind that this program does not know, is kept as it is; the latter is no damage.
+// damage: EntryDamaged {folder}, Unsupported, and the errors of the shapes.
 GeometryPointer readGeometry(const nlohmann::json& described, const std::string& folder, const Container& container,
                              std::vector<Error>& damage, std::span<const GeometryFormat> own = {});
 

@@ -5,6 +5,7 @@
 #include "base/NumberText.h"
 #include "document/OperationText.h"
 #include "document/scene/BodyChanges.h"
+#include "document/scene/BodyErrors.h"
 #include "document/scene/BodyLinks.h"
 #include "scene/PrimitiveGeometry.h"
 #include "scene/RigidPose.h"
@@ -159,7 +160,7 @@ Result<BodyChange> bodyChange(const OperationValues& values, const BodySet& bodi
   const std::string verb = values.isSet("remove") ? "remove" : values.isSet("update") ? "update" : "unlink";
   const std::string name = values.text(verb);
   const BodyPointer body = bodyCalled(bodies, name);
-  if (!body) return Error{ErrorCode::ReferenceMissing, {"the body", name}, {}, {}};
+  if (!body) return Error{BodyError::BodyMissing, {name}, {}, {}};
   if (verb == "update") return updating(*body, bodies, kinds, folder, progress);
   if (verb == "unlink") return unlinking(*body, bodies);
   const BodyId ids[] = {body->id};

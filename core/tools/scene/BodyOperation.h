@@ -23,7 +23,7 @@ struct BodyChange {
 };
 
 // Creates the edit for values that fit together. folder: of the document; empty for one that was never saved. Errors:
-// those of readBody(), updatedFromLink(), addBodyEdit(); ReferenceMissing {"the body", name}; NumberMalformed.
+// those of readBody(), updatedFromLink(), addBodyEdit(); BodyMissing; NumberMalformed.
 Result<BodyChange> bodyChange(const OperationValues& values, const BodySet& bodies, const DocumentKinds& kinds,
                               const std::filesystem::path& folder, Progress progress = {});
 

@@ -26,9 +26,6 @@ class PanelsTest : public QObject {
   void docksFloatAndReturn();
   void docksFollowTheirTitle();
   void hintsThatFit();
-  void messagesWaitForEachOther();
-  void aMessageThatWentHasNoButtons();
-  void messagesGoWithTheirDocument();
   void severalJobs();
   void jobsThatWaitAndGo();
   void servicesKeepTheirRows();
@@ -164,111 +161,6 @@ void PanelsTest::hintsThatFit() {
   bar.setHints({});
   QVERIFY(bar.grab().toImage() != narrow);  // at least that there is more
   QCOMPARE(bar.accessibleName(), QString());
-}
-
-// The latest is in front; closing it or taking what it offers brings back the one before. A repeated one counts once.
-void PanelsTest::messagesWaitForEachOther() {
-  QWidget window;
-  MessageBar bar(&window);
-  window.show();
-  const auto text = [&bar] { return bar.findChild<QLabel*>("messageText")->text(); };
-  const auto press = [&bar](const char* name) {
-    auto* button = bar.findChild<QAbstractButton*>(name);
-    QVERIFY(button->isVisible());
-    button->click();
-  };
-  int recovered = 0, discarded = 0;
-  const auto recover = [&] { ++recovered; };
-  bar.showMessage({Message::Weight::Warning, "recover", {}, {}, "Recover", recover});
-  bar.showMessage({Message::Weight::Warning, "either", {}, {}, "Recover", recover, "Discard", [&] { ++discarded; }});
-  for (const char* title : {"first", "second", "first"})
-    bar.showMessage({Message::Weight::Error, title, {}, {}, {}, {}});
-  QVERIFY(text().contains("first"));
-  QCOMPARE(bar.findChild<QLabel*>("messageMore")->text(), QString("3 more"));
-  QVERIFY(!bar.findChild<QWidget*>("messageAction")->isVisible());
-  QVERIFY(!bar.findChild<QWidget*>("messageOther")->isVisible());
-  press("messageClose");
-  QVERIFY(text().contains("second"));
-  press("messageClose");
-  QVERIFY(text().contains("either"));
-  press("messageOther");
-  QCOMPARE(discarded, 1);
-  QCOMPARE(recovered, 0);
-  QVERIFY(text().contains("recover"));
-  QVERIFY(!bar.findChild<QWidget*>("messageMore")->isVisible());
-  press("messageAction");
-  QCOMPARE(recovered, 1);
-  QVERIFY(bar.isHidden());
-}
-
-// A button may still get the release of a key or of the mouse when its message is no longer in front.
-void PanelsTest::aMessageThatWentHasNoButtons() {
-  QWidget window;
-  MessageBar bar(&window);
-  window.show();
-  int done = 0;
-  bar.showMessage({Message::Weight::Warning, "first", {}, {}, "Do", [&] { ++done; }});
-  bar.showMessage({Message::Weight::Error, "second", {}, {}, {}, {}});
-  bar.findChild<QAbstractButton*>("messageAction")->click();
-  bar.findChild<QAbstractButton*>("messageOther")->click();
-  QCOMPARE(done, 0);
-  QVERIFY(bar.findChild<QLabel*>("messageText")->text().contains("second"));
-  bar.findChild<QAbstractButton*>("messageClose")->click();
-  bar.findChild<QAbstractButton*>("messageAction")->click();
-  QCOMPARE(done, 1);
-  for (const char* name : {"messageAction", "messageOther", "messageClose"})
-    bar.findChild<QAbstractButton*>(name)->click();
-  QCOMPARE(done, 1);
-  QVERIFY(bar.isHidden());
-}
-
-// Pointers to documents are only compared.
-void PanelsTest::messagesGoWithTheirDocument() {
-  QWidget window;
-  MessageBar bar(&window);
-  window.show();
-  const auto text = [&bar] { return bar.findChild<QLabel*>("messageText")->text(); };
-  const auto about = [](const char* title, const char* document) {
-    return Message{Message::Weight::Error, title, {}, {}, {}, {}, {}, {}, reinterpret_cast<const Document*>(document)};
-  };
-  const char bench[] = "ab";
-  const auto* a = reinterpret_cast<const Document*>(bench);
-  const auto* b = reinterpret_cast<const Document*>(bench + 1);
-  bar.setDocument(a);
-  bar.showMessage(about("of a", bench));
-  QVERIFY(bar.isVisible());
-  bar.setDocument(b);
-  QVERIFY(bar.isHidden());
-  bar.showMessage(about("of a, later", bench));  // noticed, although another is in view
-  QVERIFY(text().contains("of a, later"));
-  QVERIFY(!bar.findChild<QWidget*>("messageMore")->isVisible());
-  bar.showMessage({Message::Weight::Info, "of the program", {}, {}, {}, {}});
-  bar.setDocument(a);
-  QVERIFY(text().contains("of the program"));
-  QCOMPARE(bar.findChild<QLabel*>("messageMore")->text(), QString("2 more"));
-  bar.setDocument(b);
-  QVERIFY(text().contains("of the program"));
-  QVERIFY(!bar.findChild<QWidget*>("messageMore")->isVisible());
-  bar.forget(a);
-  bar.setDocument(nullptr);
-  QVERIFY(text().contains("of the program"));
-  QTest::mouseClick(bar.findChild<QAbstractButton*>("messageClose"), Qt::LeftButton);
-  QVERIFY(bar.isHidden());
-  bar.setDocument(a);
-  QVERIFY(bar.isHidden());
-  // What there was time to read does not stand over other documents.
-  bar.setReadingTime(0);
-  bar.showMessage({Message::Weight::Error, "of a file that is not open", {}, {}, {}, {}});
-  bar.showMessage(about("of a", bench));
-  bar.setDocument(a);
-  QCOMPARE(bar.findChild<QLabel*>("messageMore")->text(), QString("1 more"));
-  QTest::qWait(5);
-  bar.setDocument(b);
-  QVERIFY(bar.isHidden());
-  bar.setDocument(a);
-  QVERIFY(text().contains("of a"));
-  QVERIFY(!bar.findChild<QWidget*>("messageMore")->isVisible());
-  bar.forget(a);
 }
 
 void PanelsTest::severalJobs() {

@@ -77,6 +77,11 @@ class AutosaveTest : public QObject {
     second.window().offerRecovery();
     QVERIFY(second.text("messageText").contains("1 document had changes"));
     second.click("messageOther");
+    QCOMPARE(stored().size(), 3);  // asked once more
+    second.click("messageAction");
+    QVERIFY(second.text("messageText").contains("1 document had changes"));  // kept
+    second.click("messageOther");
+    second.click("messageOther");
     QCOMPARE(stored(), QStringList({"damaged.handwheel", "worse.handwheel"}));
     QVERIFY2(second.text("messageText").contains("2 autosaves"), qPrintable(second.text("messageText")));
     second.click("messageAction");

@@ -7,6 +7,8 @@
 #include <QComboBox>
 #include <QMessageBox>
 #include <QTimer>
+#include <chrono>
+#include <filesystem>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -53,6 +55,27 @@ class IncompleteSaveTest : public QObject {
     driver.click("closeTab");
     QVERIFY(driver.open(container));
     QCOMPARE(driver.count(DefectKind::KeptOpen), 1);
+  }
+
+  // What another program wrote meanwhile is not replaced without a question.
+  void aFileThatChangedIsNotReplaced() {
+    WindowDriver driver;
+    const QString path = openMarked(driver, "changed.stl");
+    writeStl(path, quadTorus(12, 8, {}));
+    const auto now = std::filesystem::last_write_time(path.toStdString());
+    std::filesystem::last_write_time(path.toStdString(), now + std::chrono::seconds(2));
+    QVERIFY(!save(driver));
+    QVERIFY2(driver.text("messageText").contains("another program"), qPrintable(driver.text("messageText")));
+    QCOMPARE(openEdges(readStl(path)), 0);
+    driver.click("messageOther");
+    QTRY_VERIFY_WITH_TIMEOUT(!driver.window().isWindowModified(), kPatienceMs);
+    QVERIFY(driver.settle());
+    QCOMPARE(openEdges(readStl(path)), 8);
+    // Now it is the document's own again.
+    driver.clickDefect(DefectKind::Hole, 0);
+    driver.click("fillHoleButton");
+    QTRY_VERIFY_WITH_TIMEOUT(driver.window().isWindowModified(), kPatienceMs);
+    QVERIFY(save(driver));
   }
 
   // Who has read it need not read it at each save; but when there is something else.

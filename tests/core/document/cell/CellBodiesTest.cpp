@@ -3,6 +3,7 @@
 #include "Cells.h"
 
 #include "TestClass.h"
+#include "document/DocumentErrors.h"
 #include "document/cell/CellDisplay.h"
 #include "document/scene/BodyChanges.h"
 #include "document/scene/BodyDisplay.h"
@@ -55,6 +56,23 @@ class CellBodiesTest : public QObject {
     QCOMPARE(after.parts.back().pose.translation().z(), 30.0);
     QVERIFY(m_cell->setProperty("body.1.visible", false).hasValue());
     QCOMPARE(kKind.display(*m_cell->snapshot()).parts.size(), after.parts.size() - 1);
+  }
+
+  void linkedFilesAreNotReplaced() {
+    const QString part = m_package.path("part.stl");
+    Body linked = boxAt("part", 10, Pose::Identity());
+    linked.link = BodyLink{part.toStdString(), {}, "00"};
+    test::write(part, "the part");
+    add(*m_cell, linked);
+    for (const QString& path : {part, m_package.path("arm/../part.stl")}) {
+      const auto written = saveDocument(kKind, m_cell->file(), *m_cell->snapshot(), path.toStdString());
+      QVERIFY(!written);
+      QCOMPARE(written.error().code, DocumentError::ReplacesLinked);
+    }
+    QFile file(part);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(file.readAll(), QByteArray("the part"));
+    QVERIFY(saveDocument(kKind, m_cell->file(), *m_cell->snapshot(), m_package.path("all.stl").toStdString()));
   }
 
   void saveAndLoad() {

@@ -71,8 +71,7 @@ class BodyBlobsTest : public QObject {
     const BodyPointer vice = bodiesOf(*read.content).withName("vice");
     QVERIFY(vice && !vice->geometry->isKnown());
     QCOMPARE(vice->geometry->kind(), "voxels");
-    QCOMPARE(read.file.damage.size(), std::size_t{1});
-    QCOMPARE(read.file.damage[0].code, ErrorCode::Unsupported);
+    QVERIFY(read.file.damage.empty());  // so that the file can be replaced
 
     // Moved and saved, its shape is as it was.
     const auto document = read.kind->make(read);

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/scene/BodyChanges.h"
-#include "document/scene/BodyErrors.h"
 
 #include "Shelf.h"
 #include "TestClass.h"
@@ -190,7 +189,7 @@ class BodyChangesTest : public QObject {
     add(*document, body("a"));
     Body other = body("b");
     other.id = 9;
-    QCOMPARE(codeOf(changeBodyEdit(document->bodies(), other)), ErrorCode::ReferenceMissing);
+    QCOMPARE(codeOf(changeBodyEdit(document->bodies(), other)), BodyError::BodyMissing);
     QVERIFY(!valueOf(changeBodyEdit(document->bodies(), *document->bodies().withId(1))));
     const BodyId missing[] = {9}, here[] = {1, 1};
     QVERIFY(!removeBodiesEdit(document->bodies(), missing));

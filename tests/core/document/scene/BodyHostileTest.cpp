@@ -4,6 +4,7 @@
 #include "TestClass.h"
 
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -113,6 +114,9 @@ class BodyHostileTest : public QObject {
       const Read read = readList(wrong);
       QVERIFY(read.bodies.empty() && read.damage.size() == 1);
     }
+    const Read nested = readList({{"0001", entry("a")}, {"0001/points", entry("b")}});
+    QCOMPARE(nested.bodies.size(), std::size_t{1});
+    QCOMPARE(nested.damage.size(), std::size_t{1});
     const Read mixed = readList({{"0001", 5}, {"0002", entry("a")}, {"0003", nullptr}});
     QCOMPARE(mixed.bodies.size(), std::size_t{1});
     QCOMPARE(mixed.damage.size(), std::size_t{2});
@@ -127,9 +131,13 @@ class BodyHostileTest : public QObject {
     text["pose"] = {1, 0, 0, "1", 0, 1, 0, 0, 0, 0, 1, 0};
     json rough = entry("d");
     rough["pose"] = {0.866, -0.5, 0, 1, 0.5, 0.866, 0, 2, 0, 0, 1, 3};
-    const Read read = readList({{"0001", far}, {"0002", mirrored}, {"0003", text}, {"0004", rough}});
+    json roughAtOrigin = entry("e");  // its rotation in few digits is the identity
+    roughAtOrigin["pose"] = {1.00001, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+    const Read read =
+        readList({{"0001", far}, {"0002", mirrored}, {"0003", text}, {"0004", rough}, {"0005", roughAtOrigin}});
     QVERIFY(isSound(read.bodies));
     QCOMPARE(read.damage.size(), std::size_t{3});
+    QVERIFY(read.bodies.withName("e")->pose.matrix() == Pose::Identity().matrix());
     QCOMPARE(read.bodies.withName("d")->pose.translation(), Vec3(1, 2, 3));
   }
 
@@ -137,7 +145,7 @@ class BodyHostileTest : public QObject {
     json list = json::object();
     for (std::size_t i = 1; i <= BodySet::kMost + 5; ++i) list[std::to_string(i)] = entry(std::to_string(i));
     const Read read = readList(list);
-    QVERIFY(read.bodies.size() <= BodySet::kMost);
+    QCOMPARE(read.bodies.size(), BodySet::kMost);
     QCOMPARE(read.damage.size(), std::size_t{1});
     QCOMPARE(read.damage[0].code, ErrorCode::FileTooLarge);
   }
@@ -158,10 +166,25 @@ class BodyHostileTest : public QObject {
       }
     }
     const Read read = readList(list, blobs);
-    std::size_t triangles = 0;
-    for (const BodyPointer& each : read.bodies) triangles += each->geometry->surface()->triangles.size();
-    QVERIFY(!read.bodies.empty() && triangles <= 20'000'000);
-    QCOMPARE(read.damage.size(), read.bodies.size() < 100 ? std::size_t{1} : std::size_t{0});
+    QCOMPARE(read.bodies.size(), std::size_t{100});
+    QVERIFY(read.bodies.triangleCount() > 0 && read.bodies.triangleCount() <= BodySet::kMostTriangles);
+    QCOMPARE(read.damage.size(), std::size_t{1});
+    QCOMPARE(read.damage[0].code, ErrorCode::FileTooLarge);
+    // What is not shown is not lost, either.
+    Container again;
+    ShelfKind().save(*shelf(read.bodies), again);
+    QCOMPARE((*again.manifest)["document"]["bodies"].size(), std::size_t{100});
+    // And no edit makes such a document.
+    const BodyPointer largest =
+        *std::max_element(read.bodies.begin(), read.bodies.end(), [](const BodyPointer& a, const BodyPointer& b) {
+          return a->geometry->surface()->triangles.size() < b->geometry->surface()->triangles.size();
+        });
+    BodySet bodies;
+    while (bodies.triangleCount() + largest->geometry->surface()->triangles.size() <= BodySet::kMostTriangles)
+      bodies = with(bodies, body(freeBodyName(bodies, "a"), largest->geometry));
+    const auto refused = addBodyEdit(bodies, body("one more", largest->geometry));
+    QCOMPARE(refused.error().code, BodyError::TooManyTriangles);
+    QVERIFY(addBodyEdit(bodies, body("small", valueOf(PrimitiveGeometry::make(Primitive::Cone, {0.5, 1000})))));
   }
 
   void countsThatAreNotThere() {

@@ -79,7 +79,7 @@ class BodyImportTest : public QObject {
     lost.link = BodyLink{"/none/a.stl", {}, "00"};
     const auto again = updatedFromLink(kinds(), lost, m_root);
     QVERIFY(!again);
-    QCOMPARE(again.error().code, ErrorCode::ReferenceMissing);
+    QCOMPARE(again.error().code, BodyError::LinkedFileGone);
   }
 
  private:

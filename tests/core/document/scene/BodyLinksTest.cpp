@@ -5,6 +5,7 @@
 #include "Shelf.h"
 #include "TestClass.h"
 #include "document/AtomicFile.h"
+#include "scene/UnknownGeometry.h"
 
 #include <sys/stat.h>
 #include <QTemporaryDir>
@@ -126,6 +127,25 @@ class BodyLinksTest : public QObject {
     QCOMPARE(stateNow(), LinkState::Changed);
     fs::remove(m_root / "job/parts/a.bin");
     QCOMPARE(stateNow(), LinkState::Missing);
+  }
+
+  // A file whose size says nothing: it must not be read to its end.
+  void endlessFiles() {
+    Body each = body("a");
+    each.link = BodyLink{"/proc/self/pagemap", {}, "00"};
+    std::vector<Note> notes;
+    const BodySet checked = withCheckedBodyLinks(with({}, each), m_root, notes);
+    QCOMPARE(checked.withId(1)->link->state, LinkState::Changed);
+  }
+
+  void unknownShapesAreNoted() {
+    const auto kept = [](bool isDamaged) {
+      return std::make_shared<const UnknownGeometry>("voxels", "{}", std::map<std::string, std::string>(), isDamaged);
+    };
+    std::vector<Note> notes;
+    withCheckedBodyLinks(with(with({}, body("new", kept(false))), body("damaged", kept(true))), m_root, notes);
+    QCOMPARE(notes.size(), std::size_t{1});
+    QCOMPARE(notes[0].arguments, (std::vector<std::string>{"new", "voxels"}));
   }
 
   void whatCannotBeLinked() {

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "document/scene/BodyErrors.h"
 #include "document/scene/BodyProperties.h"
 
 #include "Shelf.h"

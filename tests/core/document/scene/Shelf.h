@@ -8,6 +8,7 @@
 #include "document/mesh/MeshKind.h"
 #include "document/scene/BodyBlobs.h"
 #include "document/scene/BodyChanges.h"
+#include "document/scene/BodyErrors.h"
 #include "document/scene/BodyLinks.h"
 #include "document/scene/BodyOwner.h"
 #include "document/scene/BodyProperties.h"

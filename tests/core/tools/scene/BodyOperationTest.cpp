@@ -69,8 +69,8 @@ class BodyOperationTest : public QObject {
     QCOMPARE(codeOf({{"add", "sphere:"}}), ErrorCode::NumberMalformed);
     QCOMPARE(codeOf({{"add", "sphere:1"}, {"name", "cube"}}), BodyError::NameTaken);
     QCOMPARE(codeOf({{"add", "/none/a.stl"}}), ErrorCode::FileMissing);
-    QCOMPARE(codeOf({{"remove", "2"}}), ErrorCode::ReferenceMissing);
-    QCOMPARE(codeOf({{"update", "cube"}}), ErrorCode::ReferenceMissing);
+    QCOMPARE(codeOf({{"remove", "2"}}), BodyError::BodyMissing);
+    QCOMPARE(codeOf({{"update", "cube"}}), BodyError::NotLinked);
   }
 
   void bodiesAreNamedByNameOrNumber() {
