@@ -119,6 +119,9 @@ class Tool {
     (void)id;
     (void)value;
   }
+  // Whether settings as the user left them hold when the tool is started again, for any document. False for a tool
+  // whose settings describe the next edit, or are kept by the owner of its services.
+  virtual bool remembersSettings() const { return true; }
   virtual std::vector<DeviceSpring> forces() const { return {}; }
   virtual SnapTargets snapTargets() const { return {}; }
 

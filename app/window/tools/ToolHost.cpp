@@ -108,7 +108,8 @@ ToolHost::~ToolHost() {
 void ToolHost::start(std::unique_ptr<Tool> tool, Document& document) {
   m_needed.clear();
   for (const std::string& service : tool->needs()) m_needed.push_back(m_needs.need(service));
-  for (const auto& [id, value] : m_chosen[tool->id()]) tool->setSetting(id, value);
+  if (tool->remembersSettings())
+    for (const auto& [id, value] : m_chosen[tool->id()]) tool->setSetting(id, value);
   m_runner.start(std::move(tool), document);
   show();
 }

@@ -156,6 +156,33 @@ class ToolsTest : public QObject {
     QVERIFY(isEverywhere(QStringLiteral("Fair")));
     QVERIFY(driver.settle());
   }
+
+  // What places a part is for one edit: it would scale the next part, or this one twice.
+  void aPlacementIsNotRemembered() {
+    WindowDriver driver;
+    QVERIFY(driver.open(fileWithHole()));
+    const auto isIdle = [&] {
+      return choice(driver, "unit")->currentText() == QStringLiteral("mm") &&
+             !driver.find<QAbstractButton>("toolAction/commit")->isEnabled();
+    };
+    for (const bool isApplied : {false, true}) {
+      driver.find<QAction>("transformTool")->trigger();
+      QVERIFY(isIdle());
+      choose(choice(driver, "unit"), QStringLiteral("m"));
+      QVERIFY(!isIdle());
+      if (isApplied) driver.find<QAbstractButton>("toolAction/commit")->click();
+      QVERIFY(driver.settle());
+      QCOMPARE(driver.find<QAction>("undo")->isEnabled(), isApplied);
+      driver.find<QAction>("measureTool")->trigger();
+    }
+    driver.find<QAction>("transformTool")->trigger();
+    QVERIFY(isIdle());
+    const QString other = m_folder.filePath(QStringLiteral("other.stl"));
+    writeStl(other, torusWithHole());
+    QVERIFY(driver.open(other));
+    driver.find<QAction>("transformTool")->trigger();
+    QVERIFY(isIdle());
+  }
 };
 
 HANDWHEEL_WINDOW_TEST(ToolsTest)
