@@ -127,13 +127,12 @@ void RepairActions::follow() {
   MeshTab* document = m_document;
   const int loop = document ? m_selection.loop() : -1;
   const bool kept = loop >= 0 && document->document.isKeptOpen(document->inspection.loop(loop));
-  const bool rim = loop >= 0 && document->inspection.loop(loop).rim;
   const bool holes = document && !document->inspection.holes().empty();
   m_repairAll.setEnabled(!m_jobs.isWorking() && document && !document->inspection.isClean());
   m_removeDebris.setEnabled(!m_jobs.isWorking() && document && !document->inspection.debris().empty());
   for (QAction* action : {&m_oneByOne, &m_next, &m_previous}) action->setEnabled(holes);
-  m_keepOpen.setEnabled(loop >= 0 && !rim);
-  m_keepOpen.setChecked(kept || rim);
+  m_keepOpen.setEnabled(loop >= 0);
+  m_keepOpen.setChecked(kept);
   m_deselect.setEnabled(loop >= 0);
   m_preview.request(document, !m_jobs.isWorking() && m_showPreview.isChecked() && !kept ? loop : -1);
   followPreview();
