@@ -105,9 +105,10 @@ void MeshUi::connectSelection() {
             emit message({Message::Weight::Warning, title, why, {}, {}, {}, {}, {}, &document->document});
           });
   connect(m_panel, &DefectsPanel::defectActivated, m_scene, &DefectScene::showPlace);
-  connect(m_panel->settings(), &HoleSettings::methodChanged, &m_actions, &RepairActions::setMethod);
+  connect(m_panel->settings(), &HoleSettings::methodChanged, &m_tools, &MeshTools::chooseMethod);
   connect(&m_preview, &HolePreview::changed, this, [this] {
     if (!m_panel) return;
+    m_panel->settings()->setMethod(m_preview.method());
     m_panel->settings()->showPreview(m_preview.state());
     if (m_panel->settings()->isComparing()) compareMethods();
   });
@@ -128,8 +129,8 @@ void MeshUi::followFidelity() {
   m_kind.setStepChord(values.of(stepChordSetting()));
   m_layer->setBlockFaces(static_cast<Face>(values.of(blockFacesSetting())));
   m_layer->setCoarseTriangles(static_cast<std::size_t>(values.of(coarseTrianglesSetting())));
-  m_panel->settings()->setMethod(m_actions.method());
-  m_tools.setFill(m_actions.method(), fillContinuityOf(values));
+  m_panel->settings()->setMethod(m_preview.method());
+  m_tools.showChoice();
   for (const auto& open : m_parts.tabs.all()) {
     if (&open->ui == this) static_cast<MeshTab&>(*open).document.setFidelity(values);
   }

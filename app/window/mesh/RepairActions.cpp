@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/RepairActions.h"
 
-#include "mesh/measure/MeshFidelity.h"
 #include "window/ActionToolTip.h"
 #include "window/fidelity/FidelityChoice.h"
 #include "window/mesh/MeshTab.h"
@@ -28,13 +27,12 @@ void prepare(QAction& action, const char* name, const char* iconName, const QLis
 
 }  // namespace
 
-RepairActions::RepairActions(Selection& selection, RepairJobs& jobs, HolePreview& preview, FidelityChoice& fidelity,
-                             QObject* parent)
+RepairActions::RepairActions(Selection& selection, RepairJobs& jobs, HolePreview& preview,
+                             const FidelityChoice& fidelity, QObject* parent)
     : QObject(parent),
       m_selection(selection),
       m_jobs(jobs),
       m_preview(preview),
-      m_fidelity(fidelity),
       m_repairAll(tr("&Repair all"), this),
       m_removeDebris(tr("Remove &debris"), this),
       m_oneByOne(tr("&Go one by one"), this),
@@ -67,6 +65,7 @@ RepairActions::RepairActions(Selection& selection, RepairJobs& jobs, HolePreview
   m_showPreview.setIconVisibleInMenu(false);
   m_showPreview.setChecked(QSettings().value(kPreviewKey, true).toBool());
   connectActions();
+  connect(&fidelity, &FidelityChoice::changed, this, &RepairActions::follow);
   follow();
 }
 
@@ -95,7 +94,6 @@ void RepairActions::connectActions() {
             goOnAfter(document, key);
           });
   connect(&m_jobs, &RepairJobs::workingChanged, this, &RepairActions::follow);
-  connect(&m_fidelity, &FidelityChoice::changed, this, &RepairActions::follow);
 }
 
 QList<QAction*> RepairActions::all() {
@@ -105,21 +103,6 @@ QList<QAction*> RepairActions::all() {
 void RepairActions::setDocument(MeshTab* document) {
   m_document = document;
   follow();
-}
-
-FillMethod RepairActions::method() const {
-  return fillMethodOf(m_fidelity.values());
-}
-
-void RepairActions::setMethod(FillMethod method) {
-  setFill(method, fillContinuityOf(m_fidelity.values()));
-}
-
-void RepairActions::setFill(FillMethod method, Continuity continuity) {
-  FidelityValues values = m_fidelity.values();
-  setFillMethod(values, method);
-  if (fillContinuityOf(values) != continuity) setFillContinuity(values, continuity);
-  if (values != m_fidelity.values()) m_fidelity.use(values);
 }
 
 // Which actions are possible, and what the preview shows, follows from document and selection.
@@ -150,7 +133,7 @@ void RepairActions::followPreview() {
 void RepairActions::fillSelected() {
   MeshTab* document = m_document;
   const int loop = m_selection.loop();
-  m_jobs.fill(document, loop, m_preview.take());
+  m_jobs.fill(document, loop, m_preview.take(document->inspection.keyOf(loop)));
 }
 
 void RepairActions::toggleKeepOpen() {
