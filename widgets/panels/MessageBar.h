@@ -26,6 +26,7 @@ struct Message {
   QString otherText = {};
   std::function<void()> other = {};
   const Document* about = nullptr;  // removed with this document; null: about no open document
+  bool untilChanged = false;        // removed also with the next change of that document
 };
 
 // Shows messages above the viewport, the latest first; they are not modal. Each stays until it is closed. A message

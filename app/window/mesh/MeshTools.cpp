@@ -35,6 +35,7 @@ MeshTools::MeshTools(ToolHost& host, QThreadPool& pool, const MeshLayer& layer, 
   connect(&m_selection, &Selection::changed, this, &MeshTools::followSelection);
   connect(m_actions.preview(), &QAction::toggled, this, [this] { m_host.runner().deliver([] {}); });
   connect(&m_host, &ToolHost::updated, this, &MeshTools::followTool);
+  connect(&m_jobs, &RepairJobs::workingChanged, &m_host, &ToolHost::refresh);
 }
 
 void MeshTools::setDocument(MeshTab* document) {
@@ -123,6 +124,7 @@ MeshServices MeshTools::services() {
     m_thinking.start(std::move(job));
   };
   services.commit = [this](MeshChange change) { m_jobs.change(m_document, std::move(change)); };
+  services.isBusy = [this] { return m_jobs.isWorkingOn(m_document); };
   return services;
 }
 

@@ -31,7 +31,6 @@
 #include "window/mesh/NextSteps.h"
 #include "window/tools/ToolHost.h"
 
-#include <QLocale>
 #include <QShortcut>
 #include <QStackedWidget>
 
@@ -102,7 +101,7 @@ void MeshUi::connectSelection() {
   connect(&m_jobs, &RepairJobs::changedNothing, this,
           [this](const MeshTab* document, const QString& what, const QString& why) {
             const QString title = tr("%1: nothing was changed").arg(what);
-            emit message({Message::Weight::Warning, title, why, {}, {}, {}, {}, {}, &document->document});
+            emit message({Message::Weight::Warning, title, why, {}, {}, {}, {}, {}, &document->document, true});
           });
   connect(m_panel, &DefectsPanel::defectActivated, m_scene, &DefectScene::showPlace);
   connect(m_panel->settings(), &HoleSettings::methodChanged, &m_tools, &MeshTools::chooseMethod);
@@ -256,17 +255,15 @@ NextStep MeshUi::nextStep() {
 
 QString MeshUi::statistics() const {
   if (!m_document) return {};
-  const std::size_t faces = m_document->document.mesh().liveFaceCount();
-  return tr("%1 triangles").arg(QLocale().toString(static_cast<qulonglong>(faces)));
+  return tr("%Ln triangle(s)", nullptr, static_cast<int>(m_document->document.mesh().liveFaceCount()));
 }
 
 QString MeshUi::openedText(const DocumentTab& document) const {
   const auto& mesh = static_cast<const MeshTab&>(document);
-  return tr("Opened %1: %2 triangles, %3 holes, %4 triangles turned over")
-      .arg(mesh.document.name())
-      .arg(mesh.document.mesh().liveFaceCount())
-      .arg(mesh.inspection.holes().size())
-      .arg(mesh.inspection.count(DefectKind::Flipped));
+  const QStringList parts{tr("%n triangle(s)", nullptr, static_cast<int>(mesh.document.mesh().liveFaceCount())),
+                          tr("%n hole(s)", nullptr, static_cast<int>(mesh.inspection.holes().size())),
+                          tr("%n turned over", nullptr, static_cast<int>(mesh.inspection.count(DefectKind::Flipped)))};
+  return tr("Opened %1: %2").arg(mesh.document.name(), parts.join(QStringLiteral(", ")));
 }
 
 QString MeshUi::saveCommand(const DocumentTab& open, const QString& path) const {
