@@ -28,7 +28,7 @@ std::vector<std::string> damageSentences(const DocumentFile& file);
 // One line on what a repair did besides filling; empty when it did nothing.
 std::string changesLine(const RepairReport& repair);
 
-// One sentence for each remaining defect. These keep the written file from being closed, manifold and oriented.
+// One sentence for each remaining defect. These keep the written file from being sound (MeshState).
 std::vector<std::string> leftovers(const RepairReport& repair, const MeshReport& after);
 
 }  // namespace handwheel

@@ -70,6 +70,14 @@ void JobRunner::cancelAll() {
   cancelThose([](quint64, const Job&) { return true; });
 }
 
+bool JobRunner::cancelRunning(Job::Lane lane) {
+  const auto found =
+      std::find_if(m_running.begin(), m_running.end(), [lane](const auto& task) { return task->job.lane == lane; });
+  if (found == m_running.end()) return false;
+  cancel((*found)->id);
+  return true;
+}
+
 // What runs has been told to stop, and may take its time: nobody waits for it but the latest of its kind.
 void JobRunner::cancelThose(const std::function<bool(quint64 id, const Job& job)>& isMeant) {
   std::vector<std::function<void(const Error&)>> failed;

@@ -52,6 +52,7 @@ class JobRunner : public QObject {
   void cancel(quint64 id);           // an id from jobs(); does nothing when the job has ended
   void cancelOf(const void* owner);  // all jobs of this owner
   void cancelAll();
+  bool cancelRunning(Job::Lane lane);  // false when nothing runs there
   bool isIdle() const { return m_running.empty() && m_waiting.empty(); }
   // The running jobs, then the waiting ones, each in the order in which they were started.
   std::vector<JobStatus> jobs() const;

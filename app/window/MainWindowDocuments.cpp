@@ -125,6 +125,7 @@ void MainWindow::connectJobs() {
   connect(&m_jobs, &JobRunner::changed, m_jobBar, show);
   connect(&m_jobs, &JobRunner::progressed, m_jobBar, show);
   connect(m_jobBar, &JobBar::cancelJobRequested, &m_jobs, &JobRunner::cancel);
+  m_tools->setEscape([this] { return m_jobs.cancelRunning(Job::Lane::Work); });
 }
 
 void MainWindow::connectStartPage() {

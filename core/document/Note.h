@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "mesh/defects/MeshState.h"
+
 #include <string>
 #include <vector>
 
@@ -12,7 +14,8 @@ namespace handwheel {
 struct Note {
   std::string text;
   std::vector<std::string> arguments = {};
-  bool isLoss = false;  // the file lacks something that the document has
+  bool isLoss = false;                  // the file lacks something that the document has
+  std::optional<MeshState> state = {};  // said in place of %1, in the words of stateText()
 };
 
 }  // namespace handwheel

@@ -59,6 +59,7 @@ struct ToolAction {
   std::string effect;  // English, context "Tool": "select a face"
   bool enabled = true;
   std::string command = {};  // of the window, that does the same and has the key: "nextHole"; mostly none
+  std::string reason = {};   // why it is not enabled, where that is not plain; English, context "Tool"
 };
 
 // What the tools of one kind of document preview in its own terms. The user interface of that kind knows the type.
@@ -119,6 +120,9 @@ class Tool {
     (void)id;
     (void)value;
   }
+  // Whether settings as the user left them hold when the tool is started again, for any document. False for a tool
+  // whose settings describe the next edit, or are kept by the owner of its services.
+  virtual bool remembersSettings() const { return true; }
   virtual std::vector<DeviceSpring> forces() const { return {}; }
   virtual SnapTargets snapTargets() const { return {}; }
 

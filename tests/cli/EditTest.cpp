@@ -26,7 +26,7 @@ class EditTest : public QObject {
     bench.put("a.off", openCube(2.0).off());
     const Ran ran = bench.run(
         {"edit", "a.off", "place --move 1,0,0.5 --turn 0,0,90", "fill 0 --fill minimal", "-o", "b.off"}, "de_DE.UTF-8");
-    QCOMPARE(ran.err, QByteArray("handwheel: The file is closed, manifold and oriented.\n"));
+    QCOMPARE(ran.err, QByteArray("handwheel: The file: closed, manifold, oriented, one piece.\n"));
     QCOMPARE(ran.out, QByteArray("Triangles: 10 before, 12 now.\n"));
     QCOMPARE(ran.code, 0);
     QVERIFY(std::abs(editInspected(bench, "b.off")["volume_mm3"].get<double>() - 8.0) < 1e-12);
@@ -57,6 +57,16 @@ class EditTest : public QObject {
     QVERIFY(bench.content("a.handwheel") != bench.content("b.handwheel"));
   }
 
+  // What was counted before saving need not hold for the rounded file: a third is no number of single precision.
+  void roundingIsTold() {
+    const Bench bench;
+    bench.put("a.off", cube(2.0).off());
+    const char* told = "single precision of the format moved vertices by up to";
+    QVERIFY(bench.run({"edit", "a.off", "place --scale 0.3333", "-o", "b.stl"}).err.contains(told));
+    QVERIFY(!bench.run({"edit", "a.off", "place --scale 0.3333", "-o", "b.ply"}).err.contains(told));
+    QVERIFY(!bench.run({"edit", "a.off", "place --scale 0.5", "-o", "b.stl"}).err.contains(told));
+  }
+
   void anotherMesh() {
     const Bench bench;
     bench.put("a.off", cube(2.0).off());
@@ -75,8 +85,8 @@ class EditTest : public QObject {
     QCOMPARE(ran.code, 2);
     QCOMPARE(
         ran.err,
-        QByteArray("handwheel: The file is closed, manifold and oriented.\n"
-                   "handwheel: Step 1, 'debris' changed nothing.\n"
+        QByteArray("handwheel: The file: closed, manifold, oriented, one piece.\n"
+                   "handwheel: Step 1, 'debris' changed nothing: no piece is far smaller than the largest.\n"
                    "handwheel: Step 2, 'corner' changed nothing: it is there already, has no area, or is too large "
                    "to tell.\n"));
     QCOMPARE(ran.out, QByteArray("Triangles: 12 before, 12 now.\n"));

@@ -67,7 +67,10 @@ class RepairOptionsTest : public QObject {
     QVERIFY(kept.at("method").is_null());
     QCOMPARE(kept.at("reason").get<std::string>(), std::string("You asked for it."));
     QCOMPARE(box.report.at("after").at("boundary_loops").get<int>(), 1);
-    QCOMPARE(box.ran.out, QByteArray("2 of 3 holes filled. b.stl is not closed.\n"));
+    QCOMPARE(
+        box.ran.out,
+        QByteArray(
+            "2 of 3 holes filled. b.stl: not closed, manifold, oriented, free of self-intersections, one piece.\n"));
     QCOMPARE(box.ran.err, QByteArray("handwheel: Loop " + QByteArray::number(idOf(6)) +
                                      " (6 edges) stays open: you asked for it.\n"));
   }

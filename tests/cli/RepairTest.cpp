@@ -30,7 +30,9 @@ class RepairTest : public QObject {
     const Ran ran = bench.run({"repair", "a.off", "-o", "b.stl", "--fill", "minimal", "--report", "r.json"});
     QCOMPARE(ran.code, 0);
     QCOMPARE(ran.err, QByteArray());
-    QCOMPARE(ran.out, QByteArray("1 of 1 holes filled. b.stl is closed, manifold and oriented.\n"));
+    QCOMPARE(
+        ran.out,
+        QByteArray("1 of 1 holes filled. b.stl: closed, manifold, oriented, free of self-intersections, one piece.\n"));
     const Json report = bench.json("r.json");
     QCOMPARE(report.at("after").at("triangles").get<int>(), 12);
     QCOMPARE(report.at("after").at("vertices").get<int>(), 8);
@@ -93,6 +95,18 @@ class RepairTest : public QObject {
     QVERIFY(keysOf(report["after"]) == keysOf(inspected("b.ply")));
   }
 
+  // 3MF says in which unit its numbers are: a cube of 2 m must not arrive as one of 2 mm.
+  void unitOfAThreeMf() {
+    const Bench bench;
+    bench.put("a.off", cube(2.0).off());
+    for (const auto& [unit, millimetres] :
+         {std::pair("mm", 2.0), std::pair("cm", 20.0), std::pair("m", 2000.0), std::pair("in", 50.8)}) {
+      QCOMPARE(bench.run({"repair", "a.off", "-o", "b.3mf", "--unit", unit}).code, 0);
+      const Json read = Json::parse(bench.run({"inspect", "b.3mf", "--json"}).out.toStdString());
+      QVERIFY(std::abs(read.at("bounding_box_mm").at(1).at(0).get<double>() - millimetres) < 1e-9);
+    }
+  }
+
   void everyMethodClosesTheCube_data() {
     QTest::addColumn<QString>("method");
     for (const char* method : {"fair", "refined", "ear", "minimal", "area", "dihedral", "ridge"})
@@ -114,7 +128,9 @@ class RepairTest : public QObject {
     bench.put("a.off", cube(0.3).off());
     const Ran ran = bench.run({"repair", "a.off", "-o", "b.off"});
     QCOMPARE(ran.code, 0);
-    QCOMPARE(ran.out, QByteArray("0 of 0 holes filled. b.off is closed, manifold and oriented.\n"));
+    QCOMPARE(
+        ran.out,
+        QByteArray("0 of 0 holes filled. b.off: closed, manifold, oriented, free of self-intersections, one piece.\n"));
     QCOMPARE(bench.run({"inspect", "b.off", "--json"}).out, bench.run({"inspect", "a.off", "--json"}).out);
   }
 
@@ -126,13 +142,30 @@ class RepairTest : public QObject {
     bench.put("a.off", shape.off());
     const Ran ran = bench.run({"repair", "a.off", "-o", "b.stl", "--report", "r.json"});
     QCOMPARE(ran.code, 0);
-    QCOMPARE(ran.out, QByteArray("0 of 0 holes filled. b.stl is closed, manifold and oriented.\n"
-                                 "Also: 1 triangle without area removed, 1 duplicate triangle removed.\n"));
+    QCOMPARE(
+        ran.out,
+        QByteArray("0 of 0 holes filled. b.stl: closed, manifold, oriented, free of self-intersections, one piece.\n"
+                   "Also: 1 triangle without area removed, 1 duplicate triangle removed.\n"));
     const Json report = bench.json("r.json");
     QCOMPARE(report.at("removed_duplicates").get<int>(), 1);
     QCOMPARE(report.at("removed_degenerate").get<int>(), 1);
     QCOMPARE(report.at("after").at("triangles").get<int>(), 12);
     QVERIFY(report.at("untouched_vertices_identical").get<bool>());
+  }
+
+  // Left as it is unless it is asked for; but such a part is not sound, and the exit code says so. Two cubes of which
+  // one has a corner in the other.
+  void whatPassesThroughItselfIsNotSound() {
+    const Bench bench;
+    bench.put("a.off", cube().add(cube(), {0.41, 0.27, 0.33}).off());
+    const Ran ran = bench.run({"repair", "a.off", "-o", "b.off"});
+    QCOMPARE(ran.code, 2);
+    QVERIFY(ran.out.contains("b.off: closed, manifold, oriented, "));
+    QVERIFY(ran.out.contains(" self-intersections, 2 pieces.\n"));
+    QVERIFY(ran.err.contains("passes through itself"));
+    const Ran cut = bench.run({"repair", "a.off", "-o", "b.ply", "--cut-crossings"});
+    QCOMPARE(cut.code, 0);
+    QVERIFY(cut.out.contains("b.ply: closed, manifold, oriented, free of self-intersections, one piece.\n"));
   }
 
   void nothingButFacesWithoutArea() {

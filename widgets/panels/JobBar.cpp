@@ -55,7 +55,8 @@ class JobLine : public QWidget {
     if (name != m_name->toolTip()) showName(name);
     m_progress->setVisible(!job.isWaiting);
     showProgress(job.fraction);
-    const QString time = QString::fromStdString(elapsedText(job.seconds));
+    const QString elapsed = QString::fromStdString(elapsedText(job.seconds));
+    const QString time = elapsed.isEmpty() ? elapsed : JobBar::tr("for %1").arg(elapsed);
     if (time != m_time->text()) m_time->setText(time);
   }
 

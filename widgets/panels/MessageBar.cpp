@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "panels/MessageBar.h"
 
+#include "document/Document.h"
 #include "theme/Icons.h"
 #include "theme/Theme.h"
 
@@ -92,6 +93,15 @@ void MessageBar::showMessage(const Message& message) {
   if (m_messages.size() == kMostMessages) m_messages.erase(m_messages.begin());
   m_messages.push_back({message, m_document, {}});
   m_messages.back().since.start();
+  if (message.about && message.untilChanged) {
+    const auto forgetIt = [this, document = message.about] {
+      std::erase_if(m_messages, [document](const Entry& entry) {
+        return entry.message.about == document && entry.message.untilChanged;
+      });
+      showLatest();
+    };
+    connect(message.about, &Document::changed, this, forgetIt, Qt::SingleShotConnection);
+  }
   showLatest();
   QAccessibleEvent alert(this, QAccessible::Alert);
   QAccessible::updateAccessibility(&alert);

@@ -28,6 +28,7 @@ struct Message {
   const Document* about = nullptr;  // removed with this document; null: about no open document
   QString topic = {};               // what makes it pointless is told by withdraw(); empty: nothing does
   bool comesFirst = false;          // shown before others, and not removed unread: something may be lost
+  bool untilChanged = false;        // removed also with the next change of that document
 };
 
 // Shows messages above the viewport, the latest first; they are not modal. Each stays until it is closed. A message

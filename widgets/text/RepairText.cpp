@@ -155,6 +155,19 @@ QStringList repairSummary(const RepairReport& report) {
   return parts;
 }
 
+QString stateText(const MeshState& state) {
+  QStringList parts{state.closed ? RepairWords::tr("closed") : RepairWords::tr("not closed"),
+                    state.manifold ? RepairWords::tr("manifold") : RepairWords::tr("not manifold"),
+                    state.oriented ? RepairWords::tr("oriented") : RepairWords::tr("not oriented")};
+  if (const auto pairs = state.selfIntersectingPairs) {
+    parts << (*pairs == 0 ? RepairWords::tr("free of self-intersections")
+                          : RepairWords::tr("%n self-intersection(s)", nullptr, asInt(*pairs)));
+  }
+  parts << (state.components == 1 ? RepairWords::tr("one piece")
+                                  : RepairWords::tr("%n piece(s)", nullptr, asInt(state.components)));
+  return parts.join(QStringLiteral(", "));
+}
+
 QString lengthText(double millimetres, LengthUnit unit) {
   const double length = millimetres / millimetresPer(unit);
   const int most = unit == LengthUnit::Millimetre ? 2 : 4;

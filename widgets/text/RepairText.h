@@ -4,6 +4,7 @@
 
 #include "base/Units.h"
 #include "document/formats/MeshFormat.h"
+#include "mesh/defects/MeshState.h"
 #include "mesh/holes/HoleFiller.h"
 #include "mesh/repair/Repair.h"
 
@@ -24,6 +25,10 @@ QString lostAttributeName(LostAttribute attribute);
 
 // The changes of a repair besides filling, one phrase for each kind. Empty when there were none.
 QStringList repairSummary(const RepairReport& report);
+
+// The state of a surface in words. "closed, manifold, oriented, free of self-intersections, one piece", or what of it
+// does not hold; what was not looked for is left out.
+QString stateText(const MeshState& state);
 
 // Formats a length with three significant digits: "31.2 mm". It has at most two decimals, or four in units other than
 // mm.

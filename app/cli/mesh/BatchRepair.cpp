@@ -29,7 +29,7 @@ constexpr double kLongestLimit = 1e6;  // seconds
 std::vector<std::string> repairOptions(const Arguments& arguments) {
   std::vector<std::string> words;
   for (const auto& [name, value] : arguments.options) {
-    static constexpr std::array<std::string_view, 4> kNotOfTheRepair{"output", "report", "json", "unit"};
+    static constexpr std::array<std::string_view, 3> kNotOfTheRepair{"output", "report", "json"};
     const auto isOne = [&, option = std::string_view(name)](const auto& names) {
       return std::find(names.begin(), names.end(), option) != names.end();
     };

@@ -15,8 +15,8 @@
 
 namespace handwheel {
 
-// The outcome for one file of a batch, from best to worst. Closed: closed, manifold and oriented; LeftOpen: written,
-// but defects remain; Failed: not written.
+// The outcome for one file of a batch, from best to worst. Closed: MeshState::isSound(); LeftOpen: written, but defects
+// remain; Failed: not written.
 enum class BatchState { Closed, LeftOpen, Failed };
 inline constexpr std::array kBatchStates{BatchState::Closed, BatchState::LeftOpen, BatchState::Failed};
 

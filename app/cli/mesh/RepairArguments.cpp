@@ -67,9 +67,13 @@ std::string readRepairOptions(const Arguments& arguments, RepairRequest& request
   if (arguments.has("keep-open") && !readIds(arguments.valueOf("keep-open"), request.options.keepOpen)) {
     return "--keep-open takes loop numbers separated by commas.";
   }
-  const std::string unit = unitOf(arguments);
-  if (unit != "mm" && unit != "cm" && unit != "m" && unit != "in") return "--unit takes mm, cm, m or in.";
-  return {};
+  const std::string wanted = unitOf(arguments);
+  for (const LengthUnit unit : {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre, LengthUnit::Inch}) {
+    if (wanted != symbolOf(unit)) continue;
+    request.unit = unit;
+    return {};
+  }
+  return "--unit takes mm, cm, m or in.";
 }
 
 std::string readRequest(const Arguments& arguments, const DocumentKinds& kinds, RepairRequest& request) {

@@ -15,6 +15,7 @@
 #include "cli/mesh/RepairArguments.h"
 #include "cli/mesh/RepairJson.h"
 #include "document/AtomicFile.h"
+#include "text/RepairText.h"
 #include "tools/mesh/operations/RepairOperation.h"
 
 namespace handwheel {
@@ -24,22 +25,10 @@ namespace {
 // Of the diagonal. A part near the origin loses less.
 constexpr double kToldRounding = 1e-6;
 
-// "closed, manifold and oriented", or what of it the file is not.
-std::string verdict(const MeshReport& file) {
-  if (file.isSound()) return " is closed, manifold and oriented.\n";
-  std::string missing;
-  const auto add = [&missing](bool holds, const char* property) {
-    if (!holds) missing += (missing.empty() ? " is not " : ", not ") + std::string(property);
-  };
-  add(file.closed, "closed");
-  add(file.manifold, "manifold");
-  add(file.oriented, "oriented");
-  return missing + ".\n";
-}
-
 std::string summary(const RepairRun& run, const RepairRequest& request) {
   return std::to_string(filledLoops(run.repair)) + " of " + std::to_string(run.repair.loops.size()) +
-         " holes filled. " + request.output.string() + verdict(run.after) + changesLine(run.repair);
+         " holes filled. " + request.output.string() + ": " + stateText(run.after).toStdString() + ".\n" +
+         changesLine(run.repair);
 }
 
 // What is to be said of a repair, in full before anything is written: then even the end of memory finds nothing undone.
@@ -126,8 +115,9 @@ namespace {
 
 std::string repairPurpose() {
   return "Fills the holes of a mesh, removes degenerate and duplicate faces and mends non-manifold places. Everything\n"
-         "else stays as it is, bit for bit. Exit code 0: the written file is closed, manifold and oriented;\n"
-         "2: something is left and told on stderr; 1: error. The format is that of OUT's ending.\n\n"
+         "else stays as it is, bit for bit. Exit code 0: the written file is closed, manifold, oriented\n"
+         "and free of self-intersections; 2: something is left and told on stderr; 1: error. The format is that of "
+         "OUT's ending.\n\n"
          "With several files, a folder, or one of -j, --format, --resume and --time-limit it repairs many, each in a "
          "process\n"
          "of its own, so that none stops the others. OUT is then a folder, in which the files lie as they do in the "
@@ -149,7 +139,7 @@ CommandSpec repairSpec() {
   for (OptionSpec& option : optionsOf(repairOperation(), {"numbers"})) options.push_back(std::move(option));
   const std::vector<OptionSpec> others = {
       {"keep-open", 0, "ID,...", "Loops to leave open, numbered as 'handwheel inspect' does"},
-      {"unit", 0, "UNIT", "mm (default), cm, m or in: noted in the report, nothing is scaled"},
+      {"unit", 0, "UNIT", "mm (default), cm, m or in: noted in the report and in 3MF, nothing is scaled"},
       {"partial", 0, "", "Read what is readable of a damaged file"},
       {"report", 0, "FILE",
        "Write figures before and after, and what became of each loop, as JSON; of many, of each file"},

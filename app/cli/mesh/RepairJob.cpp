@@ -5,6 +5,7 @@
 #include "cli/Input.h"
 #include "cli/mesh/UntouchedCheck.h"
 #include "document/formats/MeshExport.h"
+#include "document/formats/threemf/ThreeMfWriter.h"
 #include "document/mesh/MeshKind.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/Weld.h"
@@ -150,7 +151,11 @@ Status measure(const RepairRequest& request, const DocumentKinds& kinds, const W
     return error;
   }
   run.untouchedIdentical = untouchedAreIdentical(work.before.mesh, work.after, run.touched, written->mesh->soup);
-  run.after = reportOn(*written, SelfIntersections::Count, progress.part(0.3, 1.0));
+  run.after = reportOn(*written, SelfIntersections::Count, progress.part(0.3, 0.9));
+  // What was read again holds the numbers as they are: only the word for their unit differs.
+  if (request.unit != LengthUnit::Millimetre && work.numbers &&
+      formatForName(request.output.string()) == MeshFormat::ThreeMf)
+    run.output = writeThreeMf(written->mesh->soup, *work.numbers, request.unit, progress.part(0.9, 1.0));
   return progress.cancelled() ? Status(kCancelled) : Status(Done{});
 }
 

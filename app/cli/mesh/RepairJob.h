@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Result.h"
+#include "base/Units.h"
 #include "document/DocumentFile.h"
 #include "mesh/defects/MeshReport.h"
 #include "mesh/repair/Repair.h"
@@ -21,6 +22,8 @@ struct RepairRequest {
   ReadOptions read;
   RepairOptions options;
   bool inspectInput = false;  // required for the report
+  // In which the numbers of the input are. Written into formats that have units; nothing is scaled.
+  LengthUnit unit = LengthUnit::Millimetre;
 };
 
 // The result of the repair of one file.

@@ -31,7 +31,8 @@ DevicePointer::DevicePointer(HapticSession& session, Viewport& viewport, ToolHos
   connect(&session, &HapticSession::sampled, this, &DevicePointer::follow);
   connect(&session, &HapticSession::chosenChanged, this, &DevicePointer::follow);
   connect(&tools, &ToolHost::updated, this, &DevicePointer::pull);
-  tools.setMouseDevice([this](const PointerInput& input, const ViewRay& ray) { return placeMouse(input, ray); });
+  tools.setMouseDevice([this](const PointerInput& input, const ViewRay& ray) { return placeMouse(input, ray); },
+                       [this] { return m_session.mouse() != nullptr; });
 }
 
 void DevicePointer::follow() {

@@ -39,16 +39,39 @@ std::vector<MethodTrial> tryMethods(const HoleFiller& filler, const BoundaryLoop
 }  // namespace
 
 HolePreview::HolePreview(QThreadPool& pool, WindowServices& services, const FidelityChoice& fidelity, QObject* parent)
-    : QObject(parent), m_services(services), m_fidelity(fidelity), m_runner(JobRunner::Policy::Latest, pool, this) {}
+    : QObject(parent),
+      m_services(services),
+      m_fidelity(fidelity),
+      m_runner(JobRunner::Policy::Latest, pool, this),
+      m_choice(std::make_shared<OperationValues>(fillOperation())),
+      m_usual(fillOptionsOf(*m_choice)) {
+  connect(&fidelity, &FidelityChoice::changed, this, &HolePreview::followFidelity);
+  followFidelity();
+}
+
+void HolePreview::followFidelity() {
+  const FillOptions chosen = fillOptionsOf(*m_choice), before = std::exchange(m_usual, {});
+  apply(m_fidelity.values(), m_usual);
+  if (chosen.method == before.method) m_choice->setValid("fill", static_cast<double>(m_usual.method));
+  if (chosen.continuity == before.continuity) m_choice->setValid("continuity", static_cast<double>(m_usual.continuity));
+}
+
+FillOptions HolePreview::optionsFor(Vertex key) const {
+  FillOptions options;
+  apply(m_fidelity.values(), options);
+  const FillOptions chosen = fillOptionsOf(*m_choice);
+  options.method = chosen.method;
+  options.continuity = chosen.continuity;
+  options.ears = chosen.ears;
+  if (key != kNone && key == m_bridgedLoop) options.bridges = m_bridges;
+  return options;
+}
 
 void HolePreview::request(MeshTab* document, int loop) {
   if (!document || loop < 0) document = nullptr;
   const std::uint64_t revision = document ? document->document.revision() : 0;
   const Vertex key = document ? document->inspection.keyOf(loop) : kNone;
-  FillOptions options;
-  apply(m_fidelity.values(), options);
-  if (document && key == m_bridgedLoop) options.bridges = m_bridges;
-  options.ears = m_ears;
+  const FillOptions options = optionsFor(key);
   const bool sameHole = document == m_document && revision == m_revision && key == m_key &&
                         options.density == m_options.density && options.continuity == m_options.continuity &&
                         options.bridges == m_options.bridges && isSame(options.ears, m_options.ears);
@@ -64,11 +87,10 @@ void HolePreview::request(MeshTab* document, int loop) {
   start();
 }
 
-void HolePreview::setUserBridges(Vertex key, std::vector<LoopChord> bridges, const EarWeights& ears) {
-  m_ears = ears;
+void HolePreview::setUserBridges(Vertex key, std::vector<LoopChord> bridges) {
   m_bridgedLoop = key;
   m_bridges = std::move(bridges);
-  if (m_document && m_key == key) request(m_document, m_loop);
+  if (m_document && m_key == key) refresh();
 }
 
 void HolePreview::start() {
@@ -136,8 +158,8 @@ const FillAttempt* HolePreview::attempt() const {
   return m_attempt ? &*m_attempt : nullptr;
 }
 
-PreparedFill HolePreview::take() {
-  PreparedFill prepared;
+PreparedFill HolePreview::take(Vertex key) {
+  PreparedFill prepared{nullptr, std::nullopt, optionsFor(key)};
   if (m_state.kind == PreviewState::Kind::Ready || m_state.kind == PreviewState::Kind::Failed) {
     prepared = {m_fillerCache, std::move(m_attempt), m_options};
   }

@@ -4,6 +4,7 @@
 
 #include "base/Service.h"
 #include "panels/defects/HoleSettings.h"
+#include "tools/mesh/operations/FillOperation.h"
 #include "window/JobRunner.h"
 #include "window/mesh/HoleFillerCache.h"
 
@@ -16,7 +17,7 @@ class WindowServices;
 struct MeshTab;
 
 // The data that a fill can reuse from the preview. The filler cache, the attempt that the preview showed when there is
-// one, and its options.
+// one, and the options that the user has chosen.
 struct PreparedFill {
   std::shared_ptr<HoleFillerCache> bench;
   std::optional<FillAttempt> attempt;
@@ -33,9 +34,15 @@ class HolePreview : public QObject {
   // Requests a preview. Does nothing when it is already shown or being computed. loop -1 or no document: no preview.
   void request(MeshTab* document, int loop);
   void clear() { request(nullptr, -1); }
-  // Sets the bridges that the user drew across a loop; none: automatic ones. They apply to this loop only; the weights
-  // of ear cutting to all.
-  void setUserBridges(Vertex key, std::vector<LoopChord> bridges, const EarWeights& ears);
+  // Sets the bridges that the user drew across a loop; none: automatic ones. They apply to this loop only.
+  void setUserBridges(Vertex key, std::vector<LoopChord> bridges);
+  // Requests the shown preview anew, if the options have changed.
+  void refresh() { request(m_document, m_loop); }
+
+  // How holes are filled one by one; the tool changes it. Separate from the settings of fidelity, by which "Repair all"
+  // works: a value follows its setting only as long as it is the same.
+  const std::shared_ptr<OperationValues>& choice() const { return m_choice; }
+  FillMethod method() const { return fillOptionsOf(*m_choice).method; }
   // Clears the preview and drops all cached data. For when the document changes.
   void forget();
 
@@ -47,9 +54,9 @@ class HolePreview : public QObject {
   void compare();
   const std::vector<MethodTrial>& trials() const { return m_trials; }
 
-  // Hands over the results for this hole; the fill uses the filler cache exclusively. The next request starts over,
-  // unless thickenSheet() returns the cache, updated to the document with the patch.
-  PreparedFill take();
+  // Hands over the options and the results for a hole; the fill uses the filler cache exclusively. The next request
+  // starts over, unless thickenSheet() returns the cache, updated to the document with the patch.
+  PreparedFill take(Vertex key);
   void thickenSheet(MeshTab* document, std::shared_ptr<HoleFillerCache> bench);
 
  signals:
@@ -57,6 +64,8 @@ class HolePreview : public QObject {
   void compared();
 
  private:
+  FillOptions optionsFor(Vertex key) const;
+  void followFidelity();
   void start();
   void finished(std::uint64_t request, FillAttempt attempt);
 
@@ -69,9 +78,10 @@ class HolePreview : public QObject {
   Vertex m_key = kNone;
   int m_loop = -1;
   FillOptions m_options;
+  std::shared_ptr<OperationValues> m_choice;
+  FillOptions m_usual;           // the settings of fidelity that the choice has followed
   Vertex m_bridgedLoop = kNone;  // the key of the loop with the user's bridges
   std::vector<LoopChord> m_bridges;
-  EarWeights m_ears;
   std::uint64_t m_request = 0;
   std::shared_ptr<HoleFillerCache> m_fillerCache;
   const MeshTab* m_fillerCacheDocument = nullptr;

@@ -18,7 +18,6 @@
 #include "window/tools/ToolHost.h"
 
 #include <QCoreApplication>
-#include <QScopedValueRollback>
 
 namespace handwheel {
 
@@ -36,6 +35,7 @@ MeshTools::MeshTools(ToolHost& host, QThreadPool& pool, const MeshLayer& layer, 
   connect(&m_selection, &Selection::changed, this, &MeshTools::followSelection);
   connect(m_actions.preview(), &QAction::toggled, this, [this] { m_host.runner().deliver([] {}); });
   connect(&m_host, &ToolHost::updated, this, &MeshTools::followTool);
+  connect(&m_jobs, &RepairJobs::workingChanged, &m_host, &ToolHost::refresh);
 }
 
 void MeshTools::setDocument(MeshTab* document) {
@@ -43,14 +43,20 @@ void MeshTools::setDocument(MeshTab* document) {
   m_document = document;
 }
 
-void MeshTools::setFill(FillMethod method, Continuity continuity) {
-  const QScopedValueRollback<bool> told(m_isTold, true);
-  m_host.choose("fill", "fill", static_cast<double>(method));
-  m_host.choose("fill", "continuity", static_cast<double>(continuity));
+void MeshTools::chooseMethod(FillMethod method) {
+  if (method == m_preview.method()) return;
+  m_preview.choice()->setValid("fill", static_cast<double>(method));
+  showChoice();
+}
+
+void MeshTools::showChoice() {
+  if (!runningFillTool()) return m_preview.refresh();
+  m_host.runner().setSetting("fill", static_cast<double>(m_preview.method()));  // it asks for a patch
 }
 
 std::unique_ptr<Tool> MeshTools::fillTool() {
   FillServices services;
+  services.values = m_preview.choice();
   services.faces = [this] { return m_layer.faces(); };
   services.request = [this](const FillRequest& wanted) { request(wanted); };
   services.commit = [this](const BoundaryLoop&, const FillAttempt&) { m_actions.fill()->trigger(); };
@@ -118,6 +124,7 @@ MeshServices MeshTools::services() {
     m_thinking.start(std::move(job));
   };
   services.commit = [this](MeshChange change) { m_jobs.change(m_document, std::move(change)); };
+  services.isBusy = [this] { return m_jobs.isWorkingOn(m_document); };
   return services;
 }
 
@@ -133,8 +140,7 @@ const BoundaryTool* MeshTools::runningBoundaryTool() const {
 void MeshTools::request(const FillRequest& request) {
   m_ticket = request.ticket;
   const Vertex key = keyOf(m_document->document.mesh(), request.loop);
-  if (!m_isTold) m_actions.setFill(request.method, request.continuity);
-  m_preview.setUserBridges(key, request.bridges, request.ears);
+  m_preview.setUserBridges(key, request.bridges);
   m_selection.select(m_document->inspection.loopWithKey(key));
   answer();
 }

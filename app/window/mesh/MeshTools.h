@@ -27,7 +27,10 @@ class MeshTools : public QObject {
             RepairActions& actions, RepairJobs& jobs, QObject* parent = nullptr);
 
   void setDocument(MeshTab* document);
-  void setFill(FillMethod method, Continuity continuity);
+  // Sets the method for holes that are filled one by one.
+  void chooseMethod(FillMethod method);
+  // Shows how holes are filled, after it was changed by another than the tool.
+  void showChoice();
 
   std::unique_ptr<Tool> fillTool();
   std::unique_ptr<Tool> selectTool();
@@ -57,7 +60,6 @@ class MeshTools : public QObject {
   JobRunner m_thinking;  // the jobs of the select tool
   MeshTab* m_document = nullptr;
   std::uint64_t m_ticket = 0;
-  bool m_isTold = false;  // the fill settings are being set by us, and not to be reported back
 };
 
 }  // namespace handwheel

@@ -31,7 +31,6 @@
 #include "window/mesh/NextSteps.h"
 #include "window/tools/ToolHost.h"
 
-#include <QLocale>
 #include <QShortcut>
 #include <QStackedWidget>
 
@@ -99,15 +98,17 @@ void MeshUi::connectSelection() {
     m_defectActions.choose(index.isValid() ? std::optional(kind) : std::nullopt,
                            index.parent().isValid() ? index.row() : -1);
   });
-  connect(&m_jobs, &RepairJobs::changedNothing, this,
-          [this](const MeshTab* document, const QString& what, const QString& why) {
-            const QString title = tr("%1: nothing was changed").arg(what);
-            emit message({Message::Weight::Warning, title, why, {}, {}, {}, {}, {}, &document->document});
-          });
+  connect(
+      &m_jobs, &RepairJobs::changedNothing, this,
+      [this](const MeshTab* document, const QString& what, const QString& why) {
+        const QString title = tr("%1: nothing was changed").arg(what);
+        emit message({Message::Weight::Warning, title, why, {}, {}, {}, {}, {}, &document->document, {}, false, true});
+      });
   connect(m_panel, &DefectsPanel::defectActivated, m_scene, &DefectScene::showPlace);
-  connect(m_panel->settings(), &HoleSettings::methodChanged, &m_actions, &RepairActions::setMethod);
+  connect(m_panel->settings(), &HoleSettings::methodChanged, &m_tools, &MeshTools::chooseMethod);
   connect(&m_preview, &HolePreview::changed, this, [this] {
     if (!m_panel) return;
+    m_panel->settings()->setMethod(m_preview.method());
     m_panel->settings()->showPreview(m_preview.state());
     if (m_panel->settings()->isComparing()) compareMethods();
   });
@@ -128,8 +129,8 @@ void MeshUi::followFidelity() {
   m_kind.setStepChord(values.of(stepChordSetting()));
   m_layer->setBlockFaces(static_cast<Face>(values.of(blockFacesSetting())));
   m_layer->setCoarseTriangles(static_cast<std::size_t>(values.of(coarseTrianglesSetting())));
-  m_panel->settings()->setMethod(m_actions.method());
-  m_tools.setFill(m_actions.method(), fillContinuityOf(values));
+  m_panel->settings()->setMethod(m_preview.method());
+  m_tools.showChoice();
   for (const auto& open : m_parts.tabs.all()) {
     if (&open->ui == this) static_cast<MeshTab&>(*open).document.setFidelity(values);
   }
@@ -255,17 +256,15 @@ NextStep MeshUi::nextStep() {
 
 QString MeshUi::statistics() const {
   if (!m_document) return {};
-  const std::size_t faces = m_document->document.mesh().liveFaceCount();
-  return tr("%1 triangles").arg(QLocale().toString(static_cast<qulonglong>(faces)));
+  return tr("%Ln triangle(s)", nullptr, static_cast<int>(m_document->document.mesh().liveFaceCount()));
 }
 
 QString MeshUi::openedText(const DocumentTab& document) const {
   const auto& mesh = static_cast<const MeshTab&>(document);
-  return tr("Opened %1: %2 triangles, %3 holes, %4 triangles turned over")
-      .arg(mesh.document.name())
-      .arg(mesh.document.mesh().liveFaceCount())
-      .arg(mesh.inspection.holes().size())
-      .arg(mesh.inspection.count(DefectKind::Flipped));
+  const QStringList parts{tr("%n triangle(s)", nullptr, static_cast<int>(mesh.document.mesh().liveFaceCount())),
+                          tr("%n hole(s)", nullptr, static_cast<int>(mesh.inspection.holes().size())),
+                          tr("%n turned over", nullptr, static_cast<int>(mesh.inspection.count(DefectKind::Flipped)))};
+  return tr("Opened %1: %2").arg(mesh.document.name(), parts.join(QStringLiteral(", ")));
 }
 
 QString MeshUi::saveCommand(const DocumentTab& open, const QString& path) const {

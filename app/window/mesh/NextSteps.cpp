@@ -20,19 +20,20 @@ struct NextStepsWords {
   Q_DECLARE_TR_FUNCTIONS(NextSteps)
 };
 
-// "3 non-manifold edges, 1 loose piece.": everything that is wrong besides the holes.
+// "3 non-manifold edges, 1 loose piece.": everything that is wrong besides the holes. What was turned over on opening
+// is mended.
 QString otherFindings(const Inspection& inspection) {
   QStringList parts;
   const auto add = [&](DefectKind kind, const auto& phrase) {
     if (const auto n = static_cast<int>(inspection.count(kind)); n > 0) parts << phrase(n);
   };
-  add(DefectKind::Flipped, [](int n) { return NextStepsWords::tr("%Ln triangle(s) turned over", nullptr, n); });
   add(DefectKind::NonManifoldEdge, [](int n) { return NextStepsWords::tr("%Ln non-manifold edge(s)", nullptr, n); });
   add(DefectKind::NonManifoldVertex, [](int n) { return NextStepsWords::tr("%Ln non-manifold point(s)", nullptr, n); });
   add(DefectKind::OneSided, [](int n) { return NextStepsWords::tr("%Ln edge(s) with one side", nullptr, n); });
   add(DefectKind::NearVertex, [](int n) { return NextStepsWords::tr("%Ln pair(s) of near vertices", nullptr, n); });
   add(DefectKind::Degenerate, [](int n) { return NextStepsWords::tr("%Ln triangle(s) without area", nullptr, n); });
   add(DefectKind::Duplicate, [](int n) { return NextStepsWords::tr("%Ln duplicate triangle(s)", nullptr, n); });
+  add(DefectKind::SelfIntersection, [](int n) { return NextStepsWords::tr("%Ln self-intersection(s)", nullptr, n); });
   add(DefectKind::Debris, [](int n) { return NextStepsWords::tr("%Ln loose piece(s)", nullptr, n); });
   return parts.isEmpty() ? QString() : parts.join(QStringLiteral(", ")) + QLatin1Char('.');
 }
@@ -77,54 +78,66 @@ bool isWorthSaving(const MeshTab& document) {
   return document.document.isModified() || (!document.written && !document.document.reversedFaces().empty());
 }
 
+// What is closed, or kept open, with nothing else that "Repair all" mends.
+NextStep cleanStep(const MeshTab& document, const NextStepActions& actions) {
+  const Inspection& inspection = document.inspection;
+  const ThemeColours& colours = themeColours(currentTheme());
+  const MeshState state = inspection.state();
+  NextStep step{
+      defectIconName(DefectKind::KeptOpen), defectColour(DefectKind::KeptOpen), openTitle(inspection), {}, {}};
+  if (state.isSound()) {
+    step.icon = QStringLiteral("watertight");
+    step.colour = colours.success;
+    step.title = NextStepsWords::tr("Watertight.");
+  }
+  if (const auto crossings = static_cast<int>(state.selfIntersectingPairs.value_or(0)); crossings > 0) {
+    step.icon = QStringLiteral("warning");
+    step.colour = colours.warning;
+    if (state.closed) step.title = NextStepsWords::tr("Closed, but self-intersecting.");
+    step.detail =
+        NextStepsWords::tr("%Ln pair(s) of triangles cross. The list of defects cuts them apart.", nullptr, crossings);
+    if (actions.showDefects) step.actions.push_back(actions.showDefects);
+    if (isWorthSaving(document)) step.actions.push_back(actions.saveAs);
+  } else if (isWorthSaving(document)) {
+    step.actions = {actions.saveAs};
+    if (const auto turned = static_cast<int>(document.document.reversedFaces().size()); turned > 0) {
+      step.detail = NextStepsWords::tr("%Ln triangle(s) faced the wrong way and were turned over.", nullptr, turned);
+    }
+  } else {
+    step.detail = document.written ? NextStepsWords::tr("Saved as %1.").arg(document.document.name())
+                                   : NextStepsWords::tr("There is nothing to repair.");
+  }
+  if (!state.closed && actions.thickenSheet->isEnabled()) step.actions.push_back(actions.thickenSheet);
+  if (!inspection.debris().empty()) step.actions.push_back(actions.removeDebris);
+  return step;
+}
+
+// After a repair that left something.
+NextStep leftStep(const Inspection& inspection, const NextStepActions& actions) {
+  const auto holes = static_cast<int>(inspection.count(DefectKind::Hole));
+  const QStringList what{reasons(inspection), otherFindings(inspection)};
+  NextStep left{QStringLiteral("warning"),
+                themeColours(currentTheme()).warning,
+                holes > 0 ? NextStepsWords::tr("%Ln hole(s) could not be filled.", nullptr, holes)
+                          : NextStepsWords::tr("Some defects are left."),
+                what.join(QLatin1Char(' ')).trimmed(),
+                {}};
+  if (holes > 0) left.actions.push_back(actions.oneByOne);
+  if (actions.showDefects) left.actions.push_back(actions.showDefects);
+  left.actions.push_back(actions.saveAs);
+  return left;
+}
+
 }  // namespace
 
 NextStep nextStepFor(const MeshTab& document, const NextStepActions& actions) {
   const Inspection& inspection = document.inspection;
-  const ThemeColours& colours = themeColours(currentTheme());
   if (document.cardDismissed) return {};
-  if (inspection.isClean()) {
-    const bool tight = inspection.isWatertight();
-    NextStep step{tight ? QStringLiteral("watertight") : defectIconName(DefectKind::KeptOpen),
-                  tight ? colours.success : defectColour(DefectKind::KeptOpen),
-                  tight ? NextStepsWords::tr("Watertight.") : openTitle(inspection),
-                  {},
-                  {}};
-    if (const auto crossings = static_cast<int>(inspection.count(DefectKind::SelfIntersection)); crossings > 0) {
-      step.icon = QStringLiteral("warning");
-      step.colour = colours.warning;
-      if (tight) step.title = NextStepsWords::tr("Watertight, but it passes through itself.");
-      step.detail = NextStepsWords::tr("%Ln pair(s) of triangles cross. The list of defects cuts them apart.", nullptr,
-                                       crossings);
-      if (isWorthSaving(document)) step.actions = {actions.saveAs};
-    } else if (isWorthSaving(document)) {
-      step.actions = {actions.saveAs};
-      if (const auto turned = static_cast<int>(document.document.reversedFaces().size()); turned > 0) {
-        step.detail = NextStepsWords::tr("%Ln triangle(s) faced the wrong way and were turned over.", nullptr, turned);
-      }
-    } else {
-      step.detail = document.written ? NextStepsWords::tr("Saved as %1.").arg(document.document.name())
-                                     : NextStepsWords::tr("There is nothing to repair.");
-    }
-    if (!tight && actions.thickenSheet->isEnabled()) step.actions.push_back(actions.thickenSheet);
-    if (!inspection.debris().empty()) step.actions.push_back(actions.removeDebris);
-    return step;
-  }
-  if (document.repaired && wasTriedOnAll(inspection)) {
-    const auto holes = static_cast<int>(inspection.count(DefectKind::Hole));
-    NextStep left{QStringLiteral("warning"),
-                  colours.warning,
-                  holes > 0 ? NextStepsWords::tr("%Ln hole(s) could not be filled.", nullptr, holes)
-                            : NextStepsWords::tr("Some defects are left."),
-                  holes > 0 ? reasons(inspection) : otherFindings(inspection),
-                  {}};
-    if (holes > 0) left.actions.push_back(actions.oneByOne);
-    left.actions.push_back(actions.saveAs);
-    return left;
-  }
+  if (inspection.isClean()) return cleanStep(document, actions);
+  if (document.repaired && wasTriedOnAll(inspection)) return leftStep(inspection, actions);
   const bool holes = !inspection.holes().empty();
   NextStep step{holes ? defectIconName(DefectKind::Hole) : QStringLiteral("warning"),
-                holes ? defectColour(DefectKind::Hole) : colours.warning,
+                holes ? defectColour(DefectKind::Hole) : themeColours(currentTheme()).warning,
                 headline(inspection),
                 otherFindings(inspection),
                 {actions.repairAll}};

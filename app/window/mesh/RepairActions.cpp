@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "window/mesh/RepairActions.h"
 
-#include "mesh/measure/MeshFidelity.h"
 #include "window/ActionToolTip.h"
 #include "window/fidelity/FidelityChoice.h"
 #include "window/mesh/MeshTab.h"
@@ -28,13 +27,12 @@ void prepare(QAction& action, const char* name, const char* iconName, const QLis
 
 }  // namespace
 
-RepairActions::RepairActions(Selection& selection, RepairJobs& jobs, HolePreview& preview, FidelityChoice& fidelity,
-                             QObject* parent)
+RepairActions::RepairActions(Selection& selection, RepairJobs& jobs, HolePreview& preview,
+                             const FidelityChoice& fidelity, QObject* parent)
     : QObject(parent),
       m_selection(selection),
       m_jobs(jobs),
       m_preview(preview),
-      m_fidelity(fidelity),
       m_repairAll(tr("&Repair all"), this),
       m_removeDebris(tr("Remove &debris"), this),
       m_oneByOne(tr("&Go one by one"), this),
@@ -67,6 +65,7 @@ RepairActions::RepairActions(Selection& selection, RepairJobs& jobs, HolePreview
   m_showPreview.setIconVisibleInMenu(false);
   m_showPreview.setChecked(QSettings().value(kPreviewKey, true).toBool());
   connectActions();
+  connect(&fidelity, &FidelityChoice::changed, this, &RepairActions::follow);
   follow();
 }
 
@@ -95,7 +94,6 @@ void RepairActions::connectActions() {
             goOnAfter(document, key);
           });
   connect(&m_jobs, &RepairJobs::workingChanged, this, &RepairActions::follow);
-  connect(&m_fidelity, &FidelityChoice::changed, this, &RepairActions::follow);
 }
 
 QList<QAction*> RepairActions::all() {
@@ -107,33 +105,17 @@ void RepairActions::setDocument(MeshTab* document) {
   follow();
 }
 
-FillMethod RepairActions::method() const {
-  return fillMethodOf(m_fidelity.values());
-}
-
-void RepairActions::setMethod(FillMethod method) {
-  setFill(method, fillContinuityOf(m_fidelity.values()));
-}
-
-void RepairActions::setFill(FillMethod method, Continuity continuity) {
-  FidelityValues values = m_fidelity.values();
-  setFillMethod(values, method);
-  if (fillContinuityOf(values) != continuity) setFillContinuity(values, continuity);
-  if (values != m_fidelity.values()) m_fidelity.use(values);
-}
-
 // Which actions are possible, and what the preview shows, follows from document and selection.
 void RepairActions::follow() {
   MeshTab* document = m_document;
   const int loop = document ? m_selection.loop() : -1;
   const bool kept = loop >= 0 && document->document.isKeptOpen(document->inspection.loop(loop));
-  const bool rim = loop >= 0 && document->inspection.loop(loop).rim;
   const bool holes = document && !document->inspection.holes().empty();
   m_repairAll.setEnabled(!m_jobs.isWorking() && document && !document->inspection.isClean());
   m_removeDebris.setEnabled(!m_jobs.isWorking() && document && !document->inspection.debris().empty());
   for (QAction* action : {&m_oneByOne, &m_next, &m_previous}) action->setEnabled(holes);
-  m_keepOpen.setEnabled(loop >= 0 && !rim);
-  m_keepOpen.setChecked(kept || rim);
+  m_keepOpen.setEnabled(loop >= 0);
+  m_keepOpen.setChecked(kept);
   m_deselect.setEnabled(loop >= 0);
   m_preview.request(document, !m_jobs.isWorking() && m_showPreview.isChecked() && !kept ? loop : -1);
   followPreview();
@@ -151,7 +133,7 @@ void RepairActions::followPreview() {
 void RepairActions::fillSelected() {
   MeshTab* document = m_document;
   const int loop = m_selection.loop();
-  m_jobs.fill(document, loop, m_preview.take());
+  m_jobs.fill(document, loop, m_preview.take(document->inspection.keyOf(loop)));
 }
 
 void RepairActions::toggleKeepOpen() {

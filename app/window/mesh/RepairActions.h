@@ -16,7 +16,7 @@ class RepairActions : public QObject {
   Q_OBJECT
 
  public:
-  RepairActions(Selection& selection, RepairJobs& jobs, HolePreview& preview, FidelityChoice& fidelity,
+  RepairActions(Selection& selection, RepairJobs& jobs, HolePreview& preview, const FidelityChoice& fidelity,
                 QObject* parent = nullptr);
 
   void setDocument(MeshTab* document);  // null: no mesh is in view
@@ -31,11 +31,6 @@ class RepairActions : public QObject {
   QAction* previous() { return &m_previous; }
   QAction* deselect() { return &m_deselect; }
   QList<QAction*> all();
-
-  // The fill method in the accuracy settings.
-  FillMethod method() const;
-  void setMethod(FillMethod method);
-  void setFill(FillMethod method, Continuity continuity);
 
  signals:
   void showLoopRequested(int loop);  // move the camera there
@@ -53,7 +48,6 @@ class RepairActions : public QObject {
   Selection& m_selection;
   RepairJobs& m_jobs;
   HolePreview& m_preview;
-  FidelityChoice& m_fidelity;
   QAction m_repairAll;
   QAction m_removeDebris;
   QAction m_oneByOne;

@@ -209,14 +209,21 @@ void RepairJobs::repairedAll(MeshTab* document, const InspectedMesh& after, cons
   const auto failures = failuresOf(inspection, done.report);
   logRepair(*document, done);
   document->repaired = true;
-  document->document.commit(tr("Repair all"), after, done.step);
+  const bool isChanged = document->document.commit(tr("Repair all"), after, done.step);
   inspection.setFailures(failures);
+  if (isChanged) return;
+  emit changedNothing(
+      document, tr("Repair all"),
+      tr("What is left could not be mended without harm; the list of defects names it, and the log says "
+         "why holes stay open."));
 }
 
 void RepairJobs::logRepair(const MeshTab& document, const Repaired& done) {
   const RepairReport& report = done.report;
-  QStringList parts{tr("%1 of %2 holes filled").arg(countOf(report, LoopOutcome::Filled)).arg(report.loops.size())};
-  if (const std::size_t kept = countOf(report, LoopOutcome::KeptOpen); kept > 0) parts << tr("%1 kept open").arg(kept);
+  const std::size_t kept = countOf(report, LoopOutcome::KeptOpen);
+  QStringList parts{
+      tr("%1 of %2 holes filled").arg(countOf(report, LoopOutcome::Filled)).arg(report.loops.size() - kept)};
+  if (kept > 0) parts << tr("%1 kept open").arg(kept);
   parts << repairSummary(report);
   m_log.add(
       tr("Repaired %1: %2").arg(document.document.name(), parts.join(QStringLiteral(", "))),
@@ -245,18 +252,18 @@ void RepairJobs::reportStale(const MeshTab& document, Round round) {
 
 void RepairJobs::start(const DocumentTab* document, Job job) {
   job.owner = document;
-  ++m_working;
+  m_working.insert(document);
   emit workingChanged();
-  job.work = [this, work = std::move(job.work)](Progress progress) -> Job::Finish {
-    return [this, finish = work(progress)] {
+  job.work = [this, document, work = std::move(job.work)](Progress progress) -> Job::Finish {
+    return [this, document, finish = work(progress)] {
       finish();
-      ended();
+      ended(document);
     };
   };
   job.failed = [this, document, name = job.name, failed = std::move(job.failed)](const Error& error) {
     reportFailure(document, name, error);
     failed(error);
-    ended();
+    ended(document);
   };
   m_jobs.start(std::move(job));
 }
@@ -278,8 +285,8 @@ void RepairJobs::reportFailure(const DocumentTab* document, const QString& job, 
                 &document->document});
 }
 
-void RepairJobs::ended() {
-  --m_working;
+void RepairJobs::ended(const DocumentTab* document) {
+  m_working.erase(m_working.find(document));
   emit workingChanged();
 }
 

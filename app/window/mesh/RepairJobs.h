@@ -12,6 +12,7 @@
 #include <QObject>
 #include <deque>
 #include <optional>
+#include <set>
 
 namespace handwheel {
 
@@ -37,8 +38,9 @@ class RepairJobs : public QObject {
   // Applies a change requested by a tool. Changes run one after the other.
   void change(MeshTab* document, MeshChange wanted);
 
-  // Whether a fill or repair is waiting or running.
-  bool isWorking() const { return m_working > 0; }
+  // Whether a fill, a repair or another change is waiting or running, of any document or of this one.
+  bool isWorking() const { return !m_working.empty(); }
+  bool isWorkingOn(const DocumentTab* document) const { return m_working.count(document) > 0; }
 
  signals:
   // key: of the loop that was filled. bench: the filler cache, valid for the present document.
@@ -77,13 +79,13 @@ class RepairJobs : public QObject {
   void reportStale(const MeshTab& document, Round round);
   void start(const DocumentTab* document, Job job);
   void reportFailure(const DocumentTab* document, const QString& job, const Error& error);
-  void ended();
+  void ended(const DocumentTab* document);
 
   DocumentTabs& m_tabs;
   JobRunner& m_jobs;
   LogModel& m_log;
   const FidelityChoice& m_fidelity;
-  int m_working = 0;
+  std::multiset<const DocumentTab*> m_working;            // of the jobs
   std::deque<std::pair<MeshTab*, MeshChange>> m_changes;  // the first is running
 };
 

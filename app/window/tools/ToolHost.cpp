@@ -19,7 +19,8 @@ namespace handwheel {
 
 namespace {
 
-constexpr int kFrameMs = 16;  // of a live preview
+constexpr int kFrameMs = 16;                  // of a live preview
+constexpr std::string_view kLeaves = "done";  // effect of Esc in a tool that has nothing to revert
 
 PointerButton buttonOf(Qt::MouseButton button) {
   if (button == Qt::LeftButton) return PointerButton::First;
@@ -108,7 +109,8 @@ ToolHost::~ToolHost() {
 void ToolHost::start(std::unique_ptr<Tool> tool, Document& document) {
   m_needed.clear();
   for (const std::string& service : tool->needs()) m_needed.push_back(m_needs.need(service));
-  for (const auto& [id, value] : m_chosen[tool->id()]) tool->setSetting(id, value);
+  if (tool->remembersSettings())
+    for (const auto& [id, value] : m_chosen[tool->id()]) tool->setSetting(id, value);
   m_runner.start(std::move(tool), document);
   show();
 }
@@ -166,6 +168,10 @@ std::vector<Hint> ToolHost::hints() const {
       hints.push_back({input, effect});
     }
   }
+  if (m_isMouseDevice()) {
+    hints.push_back({tr("Wheel"), tr("move the tip in and out")});
+    hints.push_back({tr("Ctrl+wheel"), tr("zoom")});
+  }
   return hints;
 }
 
@@ -178,6 +184,8 @@ bool ToolHost::eventFilter(QObject* watched, QEvent* event) {
 // Qt asks before it looks for a command of the window with this key: what is accepted then comes as a press.
 bool ToolHost::takeKey(QKeyEvent& event) {
   const auto action = m_runner.tool() ? m_keys.actionFor(*m_runner.tool(), event) : std::nullopt;
+  const bool isIdle = !action || action->effect == kLeaves;
+  if (event.type() == QEvent::KeyPress && event.key() == Qt::Key_Escape && isIdle && m_escape()) return true;
   if (!action) return false;
   if (event.type() == QEvent::KeyPress) return m_runner.perform(action->id) != ToolReply::Ignored;
   if (!comesFirst(*action, event)) return false;

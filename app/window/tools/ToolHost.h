@@ -36,6 +36,9 @@ class ToolHost : public QObject {
   void setVisible(bool visible);
   // Changes a setting of a tool, for the running one and for later starts of it.
   void choose(const std::string& tool, const std::string& setting, const PropertyValue& value);
+  // Sets what Esc does in the view when the tool has nothing to revert, as by cancelling a job. Returns whether it did
+  // anything; otherwise the key is the tool's.
+  void setEscape(std::function<bool()> escape) { m_escape = std::move(escape); }
   ToolRunner& runner() { return m_runner; }
   ToolKeys& keys() { return m_keys; }
   // Passes a pointer event of a haptic device; those of the mouse arrive by themselves.
@@ -43,7 +46,11 @@ class ToolHost : public QObject {
   // Called when the mouse is the haptic device, with each input before the tool gets it. Returns the pose of the tip;
   // none when the mouse is only a mouse. The wheel then moves the tip; with Ctrl it moves the camera.
   using MouseDevicePlace = std::function<std::optional<Pose>(const PointerInput&, const ViewRay&)>;
-  void setMouseDevice(MouseDevicePlace place) { m_mouseDevice = std::move(place); }
+  // isOn: whether it is.
+  void setMouseDevice(MouseDevicePlace place, std::function<bool()> isOn) {
+    m_mouseDevice = std::move(place);
+    m_isMouseDevice = std::move(isOn);
+  }
 
   // The present bindings of pointer and keys, translated.
   std::vector<Hint> hints() const;
@@ -74,6 +81,8 @@ class ToolHost : public QObject {
   ServiceRegistry& m_needs;
   ToolRunner m_runner;
   MouseDevicePlace m_mouseDevice;
+  std::function<bool()> m_isMouseDevice = [] { return false; };
+  std::function<bool()> m_escape = [] { return false; };
   std::vector<ServiceHandle> m_needed;
   bool m_isMoving = false;   // the tool is handling a mouse move
   bool m_isShowDue = false;  // showSoon() was called

@@ -65,7 +65,10 @@ void ToolPanel::setActions(const std::vector<ToolAction>& actions,
     const QString title = titleOf(shown[i].effect), key = keyOf(shown[i]);
     button->setText(title);
     button->setAccessibleName(title);
-    button->setToolTip(key.isEmpty() ? title : QStringLiteral("%1 (%2)").arg(title, key));
+    QString tip = key.isEmpty() ? title : QStringLiteral("%1 (%2)").arg(title, key);
+    if (!shown[i].enabled && !shown[i].reason.empty())
+      tip = tr("Not now: %1.").arg(QCoreApplication::translate("Tool", shown[i].reason.c_str()));
+    button->setToolTip(tip);
     button->setEnabled(shown[i].enabled);
   }
 }

@@ -9,6 +9,7 @@
 #include "mesh/structure/Weld.h"
 
 #include <QtGlobal>
+#include <algorithm>
 
 namespace handwheel {
 
@@ -32,13 +33,15 @@ bool sameCorners(const TriangleSoup& meant, NumberType numbers, const TriangleSo
 }
 
 // What another program will find in the file.
-Note stateOf(const MeshReport& report) {
-  if (report.isSound()) return {QT_TRANSLATE_NOOP("Note", "The file is closed, manifold and oriented.")};
-  return {QT_TRANSLATE_NOOP("Note",
-                            "The file has %1 open edges, %2 edges with more than two faces and %3 edges at which faces "
-                            "disagree."),
-          {std::to_string(report.boundaryEdges), std::to_string(report.nonManifoldEdges),
-           std::to_string(report.inconsistentEdges)}};
+std::vector<Note> stateOf(const MeshReport& report) {
+  std::vector<Note> notes{{QT_TRANSLATE_NOOP("Note", "The file: %1."), {}, false, report}};
+  if (report.isSound()) return notes;
+  notes.push_back({QT_TRANSLATE_NOOP("Note",
+                                     "It has %1 open edges, %2 edges with more than two faces, %3 edges at which faces "
+                                     "disagree and %4 points at which faces touch that share no edge."),
+                   {std::to_string(report.boundaryEdges), std::to_string(report.nonManifoldEdges),
+                    std::to_string(report.inconsistentEdges), std::to_string(report.nonManifoldVertices)}});
+  return notes;
 }
 
 }  // namespace
@@ -48,11 +51,11 @@ std::vector<FileFormat> meshFileFormats() {
 }
 
 std::vector<Note> notesOn(const ExportReport& report) {
-  std::vector<Note> notes{stateOf(report.inFile)};
+  std::vector<Note> notes = stateOf(report.inFile);
   if (!report.parted.empty()) {
     notes.push_back({QT_TRANSLATE_NOOP("Note",
-                                       "%1 vertices were moved by the smallest possible amount, so that the file does "
-                                       "not weld them."),
+                                       "Vertices moved by the smallest possible amount, so that the file does not weld "
+                                       "them: %1."),
                      {std::to_string(report.parted.size())}});
   }
   return notes;
@@ -89,6 +92,9 @@ Result<EncodedMesh> encodeMesh(const HalfEdgeMesh& mesh, NumberType documentNumb
   EncodedMesh encoded;
   TriangleSoup forFile = compact.soup;
   roundPoints(forFile, numbers);
+  for (std::size_t i = 0; i < forFile.points.size(); ++i)
+    encoded.report.roundingMove =
+        std::max(encoded.report.roundingMove, (forFile.points[i] - compact.soup.points[i]).norm());
   progress.set(0.1);
   if (progress.cancelled()) return cancelledExport();
   for (std::uint32_t v : separateRoundedVertices(compact.soup, forFile, progress.part(0.1, 0.2)))

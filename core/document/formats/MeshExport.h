@@ -19,6 +19,7 @@ namespace handwheel {
 struct ExportReport {
   // Vertices moved by the smallest visible amount because in the file they would have welded with another one.
   std::vector<Vertex> parted;
+  double roundingMove = 0.0;  // mm; the largest move of a vertex by rounding to the file's number type
   std::size_t bytes = 0;
   // The file's triangles after welding equal positions, as another program will see them; self-intersections left out.
   MeshReport inFile;

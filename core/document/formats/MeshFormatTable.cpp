@@ -40,6 +40,14 @@ std::string_view wideEncoding(std::string_view bytes) {
   return {};
 }
 
+// By its beginning: no control characters but those of lines.
+bool isPlainText(std::string_view bytes) {
+  constexpr std::size_t kProbe = 1024;
+  return std::all_of(
+      bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(std::min(bytes.size(), kProbe)),
+      [](char c) { return static_cast<unsigned char>(c) >= ' ' || c == '\n' || c == '\r' || c == '\t'; });
+}
+
 }  // namespace
 
 // The first rows in the order of MeshFormat.
@@ -89,7 +97,8 @@ Result<MeshFormat> MeshFormatTable::detect(std::string_view bytes, std::string_v
   if (const auto wide = wideEncoding(bytes); !wide.empty() && !(named && row(*named).hasAnyBytes))
     return Error{MeshFileError::TextEncoding, {std::string(wide)}, {}, {}};
   if (const auto format = find(&MeshFormatRow::isText, bytes)) return *format;
-  if (named) return *named;
+  // Bytes that may mean anything are no text: a note that was named so is of no format.
+  if (named && !(row(*named).hasAnyBytes && isPlainText(bytes))) return *named;
   std::vector<std::string> known;
   for (const FileFormat& format : fileFormats())
     known.insert(known.end(), format.endings.begin(), format.endings.end());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/mesh/MeshKind.h"
 
+#include "base/NumberText.h"
 #include "document/container/Blobs.h"
 #include "document/formats/MeshExport.h"
 #include "document/mesh/LevelBlobs.h"
@@ -90,6 +91,12 @@ Result<WrittenFile> MeshKind::exportTo(const Snapshot& content, const std::files
   const Result<ExportReport> report = exportMesh(mesh.mesh.mesh, mesh.numbers, path, progress);
   if (!report) return report.error();
   WrittenFile written{report->bytes, notesOn(*report)};
+  if (report->roundingMove > 0.0) {
+    written.notes.push_back({QT_TRANSLATE_NOOP("Note",
+                                               "The single precision of the format moved vertices by up to %1 mm; the "
+                                               "number of self-intersections may change by that."),
+                             {roundedText(report->roundingMove)}});
+  }
   for (Note& loss : lossesOf(mesh)) written.notes.push_back(std::move(loss));
   return written;
 }

@@ -7,9 +7,7 @@ namespace handwheel {
 const ErrorDescription BodyError::BodyMissing{
     .id = "BodyMissing",
     .sentences = {translatable("ErrorText", "the document has no body '%1'")},
-    .advice = {translatable("ErrorText",
-                            "Give the name or the number of one that it has; 'handwheel inspect' lists "
-                            "them.")}};
+    .advice = {translatable("ErrorText", "Give the name or number of one that it has; 'inspect' lists them.")}};
 
 const ErrorDescription BodyError::NotLinked{
     .id = "NotLinked",

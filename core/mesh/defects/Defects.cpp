@@ -74,6 +74,11 @@ std::vector<Component> components(const HalfEdgeMesh& mesh, const PositionTriang
 
 }  // namespace
 
+MeshState Defects::state(std::optional<std::size_t> selfIntersectingPairs) const {
+  return {!components.empty() && loops.empty(), nonManifoldEdges.empty() && nonManifoldVertices.empty(),
+          nonOrientableEdges.empty(), selfIntersectingPairs, components.size()};
+}
+
 std::vector<Component> findComponents(const HalfEdgeMesh& mesh, Progress progress) {
   const PositionTriangles byPosition(mesh, progress.part(0.0, 0.5));
   if (progress.cancelled()) return {};

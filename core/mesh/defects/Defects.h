@@ -5,6 +5,7 @@
 #include "base/Progress.h"
 #include "base/Tolerance.h"
 #include "mesh/boundary/BoundaryLoops.h"
+#include "mesh/defects/MeshState.h"
 #include "mesh/structure/HalfEdgeMesh.h"
 
 #include <memory>
@@ -35,6 +36,9 @@ struct Defects {
   std::vector<std::pair<Vertex, Vertex>> nearVertices;  // on open borders, apart but within the near weld
   std::vector<Component> components;                    // largest area first
   Box box;                                              // of all live faces
+
+  // selfIntersectingPairs: absent when not known.
+  MeshState state(std::optional<std::size_t> selfIntersectingPairs) const;
 };
 
 // Finds the connected components of the mesh, largest area first. Empty if cancelled.

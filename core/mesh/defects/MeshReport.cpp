@@ -19,6 +19,7 @@ namespace {
 
 // Edges and duplicates.
 void countEdges(const TriangleSoup& soup, MeshReport& report, Progress progress) {
+  report.oriented = true;
   const EdgeTable edges(soup.triangles, soup.points.size(), progress.part(0.0, 0.7));
   const auto count = [&](std::uint32_t low, std::uint32_t, std::span<const EdgeTable::Entry> run) {
     const auto forward = std::count_if(run.begin(), run.end(), [&](const EdgeTable::Entry& e) {
@@ -28,6 +29,7 @@ void countEdges(const TriangleSoup& soup, MeshReport& report, Progress progress)
     report.boundaryEdges += run.size() == 1;
     report.nonManifoldEdges += run.size() > 2;
     report.inconsistentEdges += (forward > 1) + (backward > 1);
+    report.oriented &= run.size() != 2 || forward == backward;  // of more faces two disagree in any case
   };
   edges.forEachEdge(count, progress.part(0.7, 0.9));
   for (const FaceGroup& group : equalFaces(soup.triangles, edges, progress.part(0.9, 1.0))) {
@@ -85,8 +87,7 @@ MeshReport reportOn(const TriangleSoup& soup, SelfIntersections choice, Progress
       findNonManifoldVertices(welded.triangles, welded.points.size(), progress.part(0.06, 0.1)).size();
   if (progress.cancelled()) return report;
   report.closed = report.triangles > 0 && report.boundaryEdges == 0;
-  report.manifold = report.nonManifoldEdges == 0;
-  report.oriented = report.inconsistentEdges == 0;
+  report.manifold = report.nonManifoldEdges == 0 && report.nonManifoldVertices == 0;
   if (report.boundaryEdges > 0) {
     report.loops =
         reportOn(findBoundaryLoops(buildMesh(welded, progress.part(0.1, 0.2)).mesh, progress.part(0.2, 0.3)));

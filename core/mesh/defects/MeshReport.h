@@ -4,6 +4,7 @@
 
 #include "base/Progress.h"
 #include "mesh/boundary/BoundaryLoops.h"
+#include "mesh/defects/MeshState.h"
 
 #include <optional>
 #include <span>
@@ -22,13 +23,9 @@ struct LoopReport {
 
 // The statistics of a mesh as shown by "handwheel inspect". Computed from the triangles after welding exactly equal
 // positions: what any other program would see in a file that holds them.
-struct MeshReport {
+struct MeshReport : MeshState {
   std::size_t triangles = 0;
   std::size_t vertices = 0;
-  std::size_t components = 0;
-  bool closed = false;
-  bool manifold = false;  // no edge with more than two faces
-  bool oriented = false;
   std::vector<LoopReport> loops;
   std::size_t boundaryEdges = 0;
   std::size_t nonManifoldEdges = 0;
@@ -36,11 +33,8 @@ struct MeshReport {
   std::size_t inconsistentEdges = 0;
   std::size_t degenerateFaces = 0;
   std::size_t duplicateFaces = 0;
-  std::optional<std::size_t> selfIntersectingPairs;  // absent when not looked for
-  std::optional<double> volumeMm3;                   // only when closed
+  std::optional<double> volumeMm3;  // only when closed
   Box box;
-
-  bool isSound() const { return closed && manifold && oriented; }
 };
 
 std::vector<LoopReport> reportOn(std::span<const BoundaryLoop> loops);

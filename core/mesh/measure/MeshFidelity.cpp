@@ -6,7 +6,6 @@
 #include "mesh/structure/MeshDelta.h"
 
 #include <algorithm>
-#include <cassert>
 #include <iterator>
 
 namespace handwheel {
@@ -133,20 +132,8 @@ FillMethod fillMethodOf(const FidelityValues& values) {
   return kMethods[static_cast<std::size_t>(values.of(fillMethodSetting()))];
 }
 
-void setFillMethod(FidelityValues& values, FillMethod method) {
-  const auto* place = std::find(std::begin(kMethods), std::end(kMethods), method);
-  [[maybe_unused]] const Status isSet =
-      values.set(fillMethodSetting(), static_cast<double>(place - std::begin(kMethods)));
-  assert(isSet);
-}
-
 Continuity fillContinuityOf(const FidelityValues& values) {
   return static_cast<Continuity>(values.of(fillContinuitySetting()));
-}
-
-void setFillContinuity(FidelityValues& values, Continuity continuity) {
-  [[maybe_unused]] const Status isSet = values.set(fillContinuitySetting(), static_cast<double>(continuity));
-  assert(isSet);
 }
 
 void apply(const FidelityValues& values, FillOptions& options) {

@@ -19,10 +19,7 @@ FidelitySetting undoGranularitySetting();  // document.undo_granularity: MeshDel
 
 // The chosen fill method: one of Ear, Minimal, Refined, Fair, Area, Dihedral, Ridge.
 FillMethod fillMethodOf(const FidelityValues& values);
-void setFillMethod(FidelityValues& values, FillMethod method);
-
 Continuity fillContinuityOf(const FidelityValues& values);
-void setFillContinuity(FidelityValues& values, Continuity continuity);
 
 // Copies the chosen values into the options of a fill or a repair. Other options stay.
 void apply(const FidelityValues& values, FillOptions& options);

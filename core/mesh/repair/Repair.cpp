@@ -226,10 +226,16 @@ class Repairer {
     m_report.isIntersectionRemovalIncomplete = cut.isCutShort;
   }
 
+  // Filled holes change the shape of a sheet: what was its outer edge when it was listed remains so.
+  bool isRimToKeep(const BoundaryLoop& loop, const std::set<int>& owners) const {
+    const auto was = [&](int id) { return m_results.inputLoops()[static_cast<std::size_t>(id)].rim; };
+    return loop.rim || std::any_of(owners.begin(), owners.end(), was);
+  }
+
   FillFailure reasonToLeave(const BoundaryLoop& loop, const std::set<int>& owners) const {
     const auto kept = [&](int id) { return m_options.keepOpen.contains(id); };
     if (std::any_of(owners.begin(), owners.end(), kept)) return FillFailure::KeptOpen;
-    if (loop.rim && m_options.rims == RimHandling::Keep) return FillFailure::Rim;
+    if (m_options.rims == RimHandling::Keep && isRimToKeep(loop, owners)) return FillFailure::Rim;
     if (m_options.maxEdges > 0 && loop.halfEdges.size() > m_options.maxEdges) return FillFailure::TooLong;
     return loop.rim && m_options.rims == RimHandling::Thicken ? FillFailure::Rim : FillFailure::None;
   }

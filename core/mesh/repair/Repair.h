@@ -10,7 +10,7 @@ namespace handwheel {
 
 // How the outer edges of open sheets are treated.
 enum class RimHandling {
-  Keep,
+  Keep,     // those of the input, and those that the repair itself makes
   Thicken,  // the sheet becomes a thin body (thickenSheet()), unless it is a drawing or a single-view scan
             // (BoundaryLoop::picture)
   Fill,     // as if they were holes

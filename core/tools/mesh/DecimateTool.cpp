@@ -67,8 +67,12 @@ std::span<const ToolKey> DecimateTool::keys() {
 }
 
 std::vector<ToolAction> DecimateTool::actions() const {
-  const bool isPossible = m_goal == Goal::Distance || m_values.whole("faces") < m_document.mesh().liveFaceCount();
-  return {actionOf(kDecimateKeys, "commit", isPossible), actionOf(kDecimateKeys, "revert")};
+  const bool isFewer = m_goal == Goal::Distance || m_values.whole("faces") < m_document.mesh().liveFaceCount();
+  const bool isBusy = m_services.isBusy();
+  ToolAction commit = actionOf(kDecimateKeys, "commit", isFewer && !isBusy);
+  if (!isFewer) commit.reason = QT_TRANSLATE_NOOP("Tool", "the mesh has no more triangles than that");
+  if (isBusy) commit.reason = QT_TRANSLATE_NOOP("Tool", "a job that changes this mesh is running");
+  return {commit, actionOf(kDecimateKeys, "revert")};
 }
 
 std::vector<Property> DecimateTool::settings() const {

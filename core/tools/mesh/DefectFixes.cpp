@@ -95,7 +95,8 @@ MeshChange degenerateFix() {
 
 MeshChange duplicateFix() {
   return withStep({meshOperation("duplicates").title,
-                   [](HalfEdgeMesh& mesh, Progress progress) { removeDuplicateFaces(mesh, progress); }},
+                   [](HalfEdgeMesh& mesh, Progress progress) { removeDuplicateFaces(mesh, progress); },
+                   QT_TRANSLATE_NOOP("Tool", "they are the two sides of a plate without thickness, closed as it is")},
                   "duplicates");
 }
 
@@ -172,7 +173,8 @@ MeshChange debrisFix(std::vector<Face> faces) {
 
 MeshChange allDebrisFix() {
   return withStep(
-      {meshOperation("debris").title, [](HalfEdgeMesh& mesh, Progress progress) { removeDebris(mesh, progress); }},
+      {meshOperation("debris").title, [](HalfEdgeMesh& mesh, Progress progress) { removeDebris(mesh, progress); },
+       QT_TRANSLATE_NOOP("Tool", "no piece is far smaller than the largest")},
       "debris");
 }
 

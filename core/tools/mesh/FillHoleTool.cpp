@@ -80,8 +80,7 @@ void FillHoleTool::request() {
   m_state = State::Computing;
   m_patch.reset();
   m_attempt = {};
-  const FillOptions options = fillOptionsOf(m_values);
-  m_services.request({++m_ticket, *loop(), options.method, options.continuity, m_bridges.own(), options.ears});
+  m_services.request({++m_ticket, *loop(), m_bridges.own()});
 }
 
 void FillHoleTool::previewReady(std::uint64_t ticket, FillAttempt attempt) {
@@ -258,12 +257,13 @@ ToolPreview FillHoleTool::preview() const {
 }
 
 std::vector<Property> FillHoleTool::settings() const {
-  const FillMethod method = fillOptionsOf(m_values).method;
-  std::vector<Property> all = {settingOf(m_values, "fill")};
-  if (method == FillMethod::Fair || method == FillMethod::Ridge) all.push_back(settingOf(m_values, "continuity"));
+  const OperationValues& values = *m_services.values;
+  const FillMethod method = fillOptionsOf(values).method;
+  std::vector<Property> all = {settingOf(values, "fill")};
+  if (method == FillMethod::Fair || method == FillMethod::Ridge) all.push_back(settingOf(values, "continuity"));
   for (const char* id : kWeightIds) {
     if (method != FillMethod::Ear) break;
-    all.push_back(settingOf(m_values, id));
+    all.push_back(settingOf(values, id));
     all.back().largest = kLargestWeight;
     all.back().continuous = true;
   }
@@ -282,7 +282,8 @@ void FillHoleTool::setSetting(std::string_view id, const PropertyValue& value) {
   const auto* number = std::get_if<double>(&value);
   const bool isWeight = weight != std::end(kWeightIds);
   if (!isWeight && id != "fill" && id != "continuity") return;
-  const bool isTaken = takeSetting(m_values, id, isWeight && number ? std::min(*number, kLargestWeight) : value);
+  const bool isTaken =
+      takeSetting(*m_services.values, id, isWeight && number ? std::min(*number, kLargestWeight) : value);
   if (isTaken && loop()) request();
 }
 

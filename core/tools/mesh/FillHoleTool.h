@@ -20,14 +20,13 @@ class MeshDocument;
 struct FillRequest {
   std::uint64_t ticket = 0;  // returned with the answer
   BoundaryLoop loop;
-  FillMethod method = FillMethod::Fair;
-  Continuity continuity = Continuity::Tangent;
   std::vector<LoopChord> bridges = {};  // as in FillOptions
-  EarWeights ears = {};                 // the same
 };
 
 // Services for FillHoleTool, provided by the owner of the document's jobs. All of them are called on the window thread.
 struct FillServices {
+  // How holes are filled: shared with the owner, so that a choice holds for the next hole and the next start.
+  std::shared_ptr<OperationValues> values = std::make_shared<OperationValues>(fillOperation());
   std::function<std::shared_ptr<const FaceHierarchy>()> faces;  // "picking", as in MeshServices
   // "fill preview": proposes a patch, and answers by previewReady(), now or later. A request replaces the previous one.
   std::function<void(const FillRequest&)> request;
@@ -69,6 +68,7 @@ class FillHoleTool : public Tool {
   ToolPreview preview() const override;
   std::vector<Property> settings() const override;
   void setSetting(std::string_view id, const PropertyValue& value) override;
+  bool remembersSettings() const override { return false; }  // FillServices::values does
   void documentChanged() override;
   std::vector<std::string> needs() const override { return {"picking", "fill preview"}; }
 
@@ -88,7 +88,6 @@ class FillHoleTool : public Tool {
 
   MeshDocument& m_document;
   FillServices m_services;
-  OperationValues m_values{fillOperation()};
   State m_state = State::Choosing;
   std::optional<Vertex> m_key;
   std::optional<Vertex> m_hovered;

@@ -54,14 +54,14 @@ FillOptions fillOptionsFor(const MeshDocument& document, const OperationValues& 
 std::set<int> keptLoops(const MeshDocument& document) {
   std::set<int> ids;
   for (const BoundaryLoop& loop : document.defects().loops)
-    if (!loop.rim && document.isKeptOpen(loop)) ids.insert(loop.id);
+    if (document.isKeptOpen(loop)) ids.insert(loop.id);
   return ids;
 }
 
 std::set<PointKey> keptCorners(const MeshDocument& document) {
   std::set<PointKey> corners;
   for (const BoundaryLoop& loop : document.defects().loops) {
-    if (loop.rim || !document.isKeptOpen(loop)) continue;
+    if (!document.isKeptOpen(loop)) continue;
     for (const Vec3& p : loopPoints(document.mesh(), loop)) corners.insert(positionKey(p));
   }
   return corners;

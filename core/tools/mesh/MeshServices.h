@@ -54,6 +54,8 @@ struct MeshServices {
   // Applies a change, finds the defects of the result, and commits it as one step, now or later, but after those
   // requested before. Nothing happens when it changes nothing.
   std::function<void(MeshChange)> commit;
+  // Whether a change of the document waits or runs. Then a long one should not be offered again.
+  std::function<bool()> isBusy = [] { return false; };
 };
 
 // Returns the change with another step.

@@ -10,7 +10,8 @@ namespace handwheel {
 class MeshDocument;
 
 // Tool that moves, rotates and scales a whole mesh by numbers. It also has standard placements: onto its largest flat
-// face, along its main axes, to the origin. The resulting bounding box is shown.
+// face, along its main axes, to the origin. The resulting bounding box is shown. The numbers are those of the next
+// edit: applied or not, the tool begins with none, so that nothing is scaled twice.
 class TransformTool : public Tool {
  public:
   // The document must outlive all calls but the destructor's.
@@ -28,6 +29,7 @@ class TransformTool : public Tool {
   ToolPreview preview() const override;
   std::vector<Property> settings() const override;
   void setSetting(std::string_view id, const PropertyValue& value) override;
+  bool remembersSettings() const override { return false; }
 
  private:
   bool isIdle() const { return m_placement == Placement(); }

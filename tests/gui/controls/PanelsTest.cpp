@@ -183,7 +183,7 @@ void PanelsTest::severalJobs() {
   QCOMPARE(list->findChild<QProgressBar*>("jobProgress/1")->maximum(), 0);  // not known: it moves to and fro
   QCOMPARE(bar.findChild<QLabel*>("jobTime")->text(), QString());
   bar.setJobs({{9, "Loading", 0.75, false, 65}});
-  QCOMPARE(bar.findChild<QLabel*>("jobTime")->text(), QString("1:05"));
+  QCOMPARE(bar.findChild<QLabel*>("jobTime")->text(), QString("for 1:05"));
   QVERIFY(!list->isVisible());
   QVERIFY(!more->isVisible());
   QTest::mouseClick(bar.findChild<QToolButton*>("jobCancel"), Qt::LeftButton);

@@ -44,6 +44,8 @@ class DefectFixesWindowTest : public QObject {
     QVERIFY(driver.open(file("cubes.stl", soup)));
     const int crossings = driver.count(DefectKind::SelfIntersection);
     QVERIFY(crossings > 0);
+    QCOMPARE(driver.text("stateHeadline"), "Self-intersecting");
+    QCOMPARE(driver.text("nextStepTitle"), "Closed, but self-intersecting.");
     clickGroup(driver, DefectKind::SelfIntersection);
     driver.click("fixDefectButton");
     QTRY_COMPARE_WITH_TIMEOUT(driver.count(DefectKind::SelfIntersection), 0, kPatienceMs);
@@ -117,6 +119,24 @@ class DefectFixesWindowTest : public QObject {
     QVERIFY(driver.settle());
     QVERIFY(undo->text().contains("Add a mesh"));
     QCOMPARE(driver.text("stateHeadline"), "Watertight");
+  }
+
+  // A triangle with two sides is closed as it is. Where nothing helps, every way says so.
+  void aPlateWithoutThickness() {
+    TriangleSoup soup = cube();
+    append(soup, moved(TriangleSoup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}}, {3, 0, 0}));
+    WindowDriver driver;
+    QVERIFY(driver.open(file("plate.stl", soup)));
+    QCOMPARE(driver.count(DefectKind::Duplicate), 1);
+    clickGroup(driver, DefectKind::Duplicate);
+    driver.click("fixDefectButton");
+    QTRY_VERIFY_WITH_TIMEOUT(driver.find<QWidget>("messageBar")->isVisible(), kPatienceMs);
+    QVERIFY(driver.text("messageText").contains("two sides of a plate"));
+    driver.find<QAction>("repairAll")->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(driver.text("messageText").contains("Repair all"), kPatienceMs);
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.count(DefectKind::Duplicate), 1);
+    QVERIFY(driver.text("nextStepDetail").contains("1 duplicate triangle"));
   }
 
   // Faces in one plane are not cut; the window says so.

@@ -5,6 +5,7 @@
 #include "document/formats/MeshFileErrors.h"
 #include "text/EnglishPlurals.h"
 #include "text/ErrorText.h"
+#include "text/NoteText.h"
 #include "text/RepairText.h"
 
 #include <QtTest>
@@ -83,6 +84,25 @@ class ErrorTextTest : public QObject {
     QVERIFY(summary.contains("2 near points merged"));
     QVERIFY(summary.contains("2 tangled triangles replaced around holes"));
     QVERIFY(summary.contains("1 hole to be kept open gone with triangles that were removed"));
+  }
+
+  // Each property in the same place, whether it holds or not; nothing is said of what was not looked for.
+  void stateOfAPart() {
+    EnglishPlurals english;
+    QCoreApplication::installTranslator(&english);
+    MeshState state{true, true, true, 0, 1};
+    QVERIFY(state.isSound());
+    QCOMPARE(stateText(state), "closed, manifold, oriented, free of self-intersections, one piece");
+    state = {false, false, false, 1, 2};
+    QVERIFY(!state.isSound());
+    QCOMPARE(stateText(state), "not closed, not manifold, not oriented, 1 self-intersection, 2 pieces");
+    state = {true, true, true, std::nullopt, 2};
+    QVERIFY(state.isSound());
+    QCOMPARE(stateText(state), "closed, manifold, oriented, 2 pieces");
+    state.selfIntersectingPairs = 7563;
+    QVERIFY(!state.isSound());
+    QCOMPARE(noteText({"The file: %1.", {}, false, state}),
+             "The file: closed, manifold, oriented, 7563 self-intersections, 2 pieces.");
   }
 
   void numbersInEnglish() {

@@ -52,6 +52,47 @@ class JobsWindowTest : public QObject {
     QCOMPARE(openEdges(readStl(path)), 4);
   }
 
+  // Esc in the view is the tool's and the selection's first; what is being saved is left alone.
+  void escapeCancelsTheRepair() {
+    WindowDriver driver;
+    const QString path = openHalfRepaired(driver, "escape.stl");
+    auto* view = driver.find<Viewport>("viewport");
+    view->setFocus();
+    driver.clickDefect(DefectKind::Hole, 0);
+    driver.hold();
+    driver.choose("saveFile");
+    driver.choose("repairAll");
+    driver.clickDefect(DefectKind::Hole, 0);
+    view->setFocus();
+    QTest::keyClick(view, Qt::Key_Escape);
+    QTRY_VERIFY(!driver.find<QWidget>("holeSettings")->isVisible());
+    QVERIFY(driver.find<QToolButton>("jobMore")->isVisible());
+    QTest::keyClick(view, Qt::Key_Escape);
+    QTRY_VERIFY(!driver.find<QToolButton>("jobMore")->isVisible());
+    driver.release();
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.count(DefectKind::Hole), 1);
+    QVERIFY(!driver.window().isWindowModified());
+    QCOMPARE(openEdges(readStl(path)), 4);
+  }
+
+  // A second click must not reduce what the first is reducing.
+  void aReductionIsNotStartedTwice() {
+    WindowDriver driver;
+    openHalfRepaired(driver, "twice.stl");
+    driver.find<QAction>("decimateTool")->trigger();
+    auto* commit = driver.find<QAbstractButton>("toolAction/commit");
+    QTRY_VERIFY(commit->isEnabled());
+    driver.hold();
+    commit->click();
+    QTRY_VERIFY(!commit->isEnabled());
+    QVERIFY2(commit->toolTip().contains("is running"), qPrintable(commit->toolTip()));
+    driver.release();
+    QVERIFY(driver.settle());
+    driver.find<QAction>("undo")->trigger();
+    QTRY_VERIFY(commit->isEnabled());
+  }
+
   // Each job is in the list, and can be cancelled there. Nobody has to read the log to know what was not saved.
   void aCancelledSaveIsTold() {
     WindowDriver driver;

@@ -102,6 +102,30 @@ class RepairFlowTest : public QObject {
     driver.click("closeTab");
   }
 
+  // A mark of the user, as for a hole; a sheet of 4 × 4 squares without one has an outer edge and a hole.
+  void anOuterEdgeCanBeMarkedToo() {
+    std::vector<Corners> sheet;
+    for (int cell = 0; cell < 16; ++cell) {
+      const auto x = float(cell % 4), y = float(cell / 4);
+      if (cell == 5) continue;
+      sheet.push_back({Corner{x, y, 0}, Corner{x + 1, y, 0}, Corner{x + 1, y + 1, 0}});
+      sheet.push_back({Corner{x, y, 0}, Corner{x + 1, y + 1, 0}, Corner{x, y + 1, 0}});
+    }
+    const QString path = m_folder.filePath("sheet.stl");
+    writeStl(path, sheet);
+    WindowDriver driver;
+    QVERIFY(driver.open(path));
+    QCOMPARE(driver.count(DefectKind::KeptOpen), 1);
+    driver.clickDefect(DefectKind::KeptOpen, 0);
+    auto* keep = driver.find<QAction>("keepOpen");
+    QVERIFY(keep->isEnabled() && !keep->isChecked());
+    keep->trigger();
+    QVERIFY(keep->isChecked());
+    QVERIFY(driver.find<QAction>("undo")->text().contains("Keep open"));
+    QVERIFY(!driver.find<QAction>("fillHole")->isEnabled());
+    QVERIFY(driver.settle());
+  }
+
   // The camera flies to a hole; pointing into its middle selects it.
   void clickingIntoAHoleSelectsIt() {
     WindowDriver driver;

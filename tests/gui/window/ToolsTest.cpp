@@ -123,38 +123,97 @@ class ToolsTest : public QObject {
     QVERIFY2(undo->text().contains(QStringLiteral("Subdivide patch")), qPrintable(undo->text()));
   }
 
-  // The method of fills is one, wherever it is chosen: with the hole, in the tool's panel, as a matter of fidelity.
-  void oneMethodForAll() {
+  // How a hole is filled is chosen with the hole or in the tool's panel, and holds for the next one. "Repair all" takes
+  // the setting of fidelity: neither changes the other, but what was the same stays the same.
+  void theMethodForAHoleIsItsOwn() {
     WindowDriver driver;
     QVERIFY(driver.open(fileWithHole()));
     driver.clickDefect(DefectKind::Hole, 0);
     QVERIFY(driver.settle());
     auto* withHole = driver.find<QComboBox>("fillMethod");
-    const auto isEverywhere = [&](const QString& text) {
-      return QTest::qWaitFor(
-          [&] { return withHole->currentText() == text && choice(driver, "fill")->currentText() == text; });
+    auto* panel = driver.find<QWidget>("fidelityPanel");
+    const auto inSettings = [panel](const char* id) {
+      return panel->findChild<QWidget*>(QStringLiteral("property/mesh.") + id)->findChild<QComboBox*>();
     };
-    QVERIFY(isEverywhere(QStringLiteral("Fair")));
+    const auto is = [&](const QString& ofHole, const QString& ofAll) {
+      return QTest::qWaitFor([&] {
+        return withHole->currentText() == ofHole && choice(driver, "fill")->currentText() == ofHole &&
+               inSettings("fill_method")->currentText().compare(ofAll, Qt::CaseInsensitive) == 0;
+      });
+    };
+    QVERIFY(is(QStringLiteral("Fair"), QStringLiteral("Fair")));
     const QString fine = driver.text("previewStatus");
     choose(choice(driver, "fill"), QStringLiteral("Ear cutting"));
-    QVERIFY(isEverywhere(QStringLiteral("Ear cutting")));
+    QVERIFY(is(QStringLiteral("Ear cutting"), QStringLiteral("Fair")));
     QVERIFY(driver.settle());
     QVERIFY2(driver.text("previewStatus") != fine, qPrintable(fine));
-    choose(withHole, QStringLiteral("Area and bend"));
-    QVERIFY(isEverywhere(QStringLiteral("Area and bend")));
-    auto* panel = driver.find<QWidget>("fidelityPanel");
-    choose(panel->findChild<QWidget*>("property/mesh.fill_method")->findChild<QComboBox*>(), QStringLiteral("Fair"));
-    QVERIFY(isEverywhere(QStringLiteral("Fair")));
+    for (const char* another : {"nextHole", "measureTool", "fillTool"}) driver.find<QAction>(another)->trigger();
+    QVERIFY(is(QStringLiteral("Ear cutting"), QStringLiteral("Fair")));
+    choose(inSettings("fill_method"), QStringLiteral("Refined"));
+    QVERIFY(is(QStringLiteral("Ear cutting"), QStringLiteral("Refined")));
+    choose(withHole, QStringLiteral("Refined"));
+    QVERIFY(is(QStringLiteral("Refined"), QStringLiteral("Refined")));
+    choose(inSettings("fill_method"), QStringLiteral("Fair"));
+    QVERIFY(is(QStringLiteral("Fair"), QStringLiteral("Fair")));
     QVERIFY(driver.settle());
     QCOMPARE(driver.text("previewStatus"), fine);
     // So is what fair patches continue.
-    auto* continuity = panel->findChild<QWidget*>("property/mesh.fill_continuity")->findChild<QComboBox*>();
-    choose(continuity, QStringLiteral("Curvature"));
+    choose(inSettings("fill_continuity"), QStringLiteral("Curvature"));
     QTRY_COMPARE(choice(driver, "continuity")->currentText(), QStringLiteral("Curvature"));
     choose(choice(driver, "continuity"), QStringLiteral("Position"));
-    QTRY_COMPARE(continuity->currentText(), QStringLiteral("position"));
-    QVERIFY(isEverywhere(QStringLiteral("Fair")));
     QVERIFY(driver.settle());
+    QCOMPARE(inSettings("fill_continuity")->currentText(), QStringLiteral("curvature"));
+    choose(inSettings("fill_continuity"), QStringLiteral("Tangent"));
+    QVERIFY(driver.settle());
+  }
+
+  // The setting holds from the first hole on, in the next window too.
+  void theUsualMethodIsThatOfTheSettings() {
+    const auto setting = [](WindowDriver& driver) {
+      auto* panel = driver.find<QWidget>("fidelityPanel");
+      return panel->findChild<QWidget*>("property/mesh.fill_method")->findChild<QComboBox*>();
+    };
+    {
+      WindowDriver driver;
+      choose(setting(driver), QStringLiteral("Refined"));
+    }
+    const QVariant kept = QSettings().value("fidelity");
+    WindowDriver driver;
+    QVERIFY(driver.open(fileWithHole()));
+    for (int i = 0; i < 2; ++i) driver.find<QAction>("nextHole")->trigger();
+    QVERIFY(driver.settle());
+    QCOMPARE(driver.find<QComboBox>("fillMethod")->currentText(), QStringLiteral("Refined"));
+    QCOMPARE(choice(driver, "fill")->currentText(), QStringLiteral("Refined"));
+    QCOMPARE(QSettings().value("fidelity"), kept);
+    choose(setting(driver), QStringLiteral("Fair"));
+    QVERIFY(driver.settle());
+  }
+
+  // What places a part is for one edit: it would scale the next part, or this one twice.
+  void aPlacementIsNotRemembered() {
+    WindowDriver driver;
+    QVERIFY(driver.open(fileWithHole()));
+    const auto isIdle = [&] {
+      return choice(driver, "unit")->currentText() == QStringLiteral("mm") &&
+             !driver.find<QAbstractButton>("toolAction/commit")->isEnabled();
+    };
+    for (const bool isApplied : {false, true}) {
+      driver.find<QAction>("transformTool")->trigger();
+      QVERIFY(isIdle());
+      choose(choice(driver, "unit"), QStringLiteral("m"));
+      QVERIFY(!isIdle());
+      if (isApplied) driver.find<QAbstractButton>("toolAction/commit")->click();
+      QVERIFY(driver.settle());
+      QCOMPARE(driver.find<QAction>("undo")->isEnabled(), isApplied);
+      driver.find<QAction>("measureTool")->trigger();
+    }
+    driver.find<QAction>("transformTool")->trigger();
+    QVERIFY(isIdle());
+    const QString other = m_folder.filePath(QStringLiteral("other.stl"));
+    writeStl(other, torusWithHole());
+    QVERIFY(driver.open(other));
+    driver.find<QAction>("transformTool")->trigger();
+    QVERIFY(isIdle());
   }
 };
 

@@ -140,8 +140,6 @@ int DefectModel::loopOf(DefectKind kind, int row) const {
 }
 
 QString DefectModel::rowName(DefectKind kind, int row) const {
-  const auto i = static_cast<std::size_t>(row);
-  const Defects& defects = m_inspection->document().defects();
   switch (kind) {
     case DefectKind::Hole:
     case DefectKind::KeptOpen:
@@ -150,19 +148,16 @@ QString DefectModel::rowName(DefectKind kind, int row) const {
     case DefectKind::OneSided:
       return tr("Edge %1").arg(row + 1);
     case DefectKind::NonManifoldVertex:
-      return tr("Vertex %1").arg(defects.nonManifoldVertices[i]);
+      return tr("Vertex %1").arg(row + 1);
     case DefectKind::NearVertex:
-      return tr("Vertices %1 and %2").arg(defects.nearVertices[i].first).arg(defects.nearVertices[i].second);
+    case DefectKind::SelfIntersection:
+      return tr("Pair %1").arg(row + 1);
     case DefectKind::Flipped:
     case DefectKind::Degenerate:
     case DefectKind::Duplicate:
-      return tr("Triangle %1").arg(facesOf(kind, row).front());
-    case DefectKind::SelfIntersection: {
-      const auto& pair = (*m_inspection->selfIntersections())[i];
-      return tr("Triangles %1 and %2").arg(pair.first).arg(pair.second);
-    }
+      return tr("Triangle %1").arg(row + 1);
     case DefectKind::Debris:
-      return tr("Piece %1").arg(m_inspection->debris()[i] + 1);
+      return tr("Piece %1").arg(row + 1);
   }
   return {};
 }

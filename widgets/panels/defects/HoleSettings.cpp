@@ -161,7 +161,7 @@ void HoleSettings::showPreview(const PreviewState& state) {
   m_status->setText(
       state.method == method()
           ? size
-          : tr("%1, by “%2” because the chosen method fits none").arg(size, fillMethodName(state.method)));
+          : tr("%1, by “%2”: the chosen method finds no valid patch").arg(size, fillMethodName(state.method)));
 }
 
 }  // namespace handwheel

@@ -88,14 +88,14 @@ std::size_t Inspection::count(DefectKind kind) const {
   return 0;
 }
 
-bool Inspection::isWatertight() const {
-  return loopCount() == 0 && count(DefectKind::NonManifoldEdge) == 0 && count(DefectKind::NonManifoldVertex) == 0 &&
-         count(DefectKind::OneSided) == 0;
+MeshState Inspection::state() const {
+  return m_document.defects().state(m_selfIntersections ? std::optional(m_selfIntersections->size()) : std::nullopt);
 }
 
 bool Inspection::isClean() const {
   return m_holes.empty() && count(DefectKind::NonManifoldEdge) == 0 && count(DefectKind::NonManifoldVertex) == 0 &&
-         count(DefectKind::NearVertex) == 0 && count(DefectKind::Degenerate) == 0 && count(DefectKind::Duplicate) == 0;
+         count(DefectKind::OneSided) == 0 && count(DefectKind::NearVertex) == 0 && count(DefectKind::Degenerate) == 0 &&
+         count(DefectKind::Duplicate) == 0;
 }
 
 int Inspection::loopNumber(int id) const {

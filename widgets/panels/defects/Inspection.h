@@ -39,8 +39,8 @@ class Inspection : public QObject {
 
   // The number of defects of this kind; for self-intersections 0 while unknown.
   std::size_t count(DefectKind kind) const;
-  // Whether the mesh is closed and manifold, so that it encloses a volume.
-  bool isWatertight() const;
+  // The state of the present mesh, with its self-intersections once they are computed.
+  MeshState state() const;
   // Whether there is nothing that a repair would change.
   bool isClean() const;
 

@@ -4,6 +4,7 @@
 
 #include "panels/defects/DefectModel.h"
 #include "panels/defects/Inspection.h"
+#include "text/RepairText.h"
 #include "theme/Icons.h"
 #include "theme/Theme.h"
 
@@ -24,35 +25,33 @@ struct Verdict {
 Verdict verdictOn(const Inspection& inspection) {
   const ThemeColours& colours = themeColours(currentTheme());
   const auto holes = static_cast<int>(inspection.count(DefectKind::Hole));
-  if (inspection.isWatertight()) return {QStringLiteral("watertight"), colours.success, StateCard::tr("Watertight")};
+  const MeshState state = inspection.state();
   if (holes > 0) {
     return {defectIconName(DefectKind::Hole), defectColour(DefectKind::Hole),
             StateCard::tr("%Ln hole(s)", nullptr, holes)};
   }
-  if (inspection.isClean()) {
-    return {defectIconName(DefectKind::KeptOpen), defectColour(DefectKind::KeptOpen), StateCard::tr("No holes left")};
-  }
-  return {QStringLiteral("warning"), colours.warning, StateCard::tr("Not manifold")};
+  const auto warning = [&colours](const QString& headline) {
+    return Verdict{QStringLiteral("warning"), colours.warning, headline};
+  };
+  if (!state.manifold) return warning(StateCard::tr("Not manifold"));
+  if (!state.oriented) return warning(StateCard::tr("Not oriented"));
+  if (state.selfIntersectingPairs.value_or(0) > 0) return warning(StateCard::tr("Self-intersecting"));
+  if (state.isSound()) return {QStringLiteral("watertight"), colours.success, StateCard::tr("Watertight")};
+  return {defectIconName(DefectKind::KeptOpen), defectColour(DefectKind::KeptOpen), StateCard::tr("No holes left")};
 }
 
+// The state, and what was done that is no part of it.
 QString detailsOf(const Inspection& inspection) {
-  QStringList parts;
+  QStringList parts{stateText(inspection.state())};
   const auto add = [&](DefectKind kind, const auto& phrase) {
     if (const auto n = static_cast<int>(inspection.count(kind)); n > 0) parts << phrase(n);
   };
-  const std::size_t tangled =
-      inspection.count(DefectKind::NonManifoldEdge) + inspection.count(DefectKind::NonManifoldVertex);
-  if (tangled > 0) parts << StateCard::tr("%1 non-manifold").arg(tangled);
-  add(DefectKind::OneSided, [](int n) { return StateCard::tr("%Ln edge(s) with one side", nullptr, n); });
   add(DefectKind::KeptOpen, [](int n) { return StateCard::tr("%Ln kept open", nullptr, n); });
   add(DefectKind::Flipped, [](int n) { return StateCard::tr("%Ln turned over", nullptr, n); });
-  add(DefectKind::SelfIntersection, [](int n) { return StateCard::tr("%Ln self-intersection(s)", nullptr, n); });
-  if (parts.isEmpty())
-    return inspection.isWatertight() ? StateCard::tr("Closed and manifold") : StateCard::tr("Manifold");
   // Lines break between the findings, not within one.
-  parts.replaceInStrings(QStringLiteral(" "), QString(QChar::Nbsp));
-  parts.replaceInStrings(QStringLiteral("-"), QStringLiteral("\u2011"));
-  return parts.join(QStringLiteral(", "));
+  QString text = parts.join(QStringLiteral(", ")).replace(QLatin1Char(' '), QChar::Nbsp);
+  text.replace(QLatin1Char(',') + QString(QChar::Nbsp), QStringLiteral(", "));
+  return text.replace(QLatin1Char('-'), QChar(0x2011));
 }
 
 }  // namespace
@@ -85,7 +84,7 @@ void StateCard::showState(const Inspection& inspection) {
   const Verdict verdict = verdictOn(inspection);
   m_icon->setPixmap(icon(verdict.icon, verdict.colour).pixmap(QSize(28, 28), devicePixelRatioF()));
   m_headline->setText(verdict.headline);
-  m_headline->setProperty("good", inspection.isWatertight());
+  m_headline->setProperty("good", inspection.state().isSound());
   m_headline->style()->polish(m_headline);  // the style sheet colours what is good
   m_details->setText(detailsOf(inspection));
   setAccessibleName(verdict.headline + QStringLiteral(", ") + m_details->text());

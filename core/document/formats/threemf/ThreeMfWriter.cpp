@@ -35,11 +35,25 @@ void appendAttribute(std::string& to, std::string_view name, Number value) {
   to += '"';
 }
 
+const char* wordFor(LengthUnit unit) {
+  switch (unit) {
+    case LengthUnit::Centimetre:
+      return "centimeter";
+    case LengthUnit::Metre:
+      return "meter";
+    case LengthUnit::Inch:
+      return "inch";
+    case LengthUnit::Millimetre:
+      break;
+  }
+  return "millimeter";
+}
+
 // Once cancelled, a beginning of it.
-std::string modelText(const TriangleSoup& soup, NumberType numbers, Progress progress) {
-  std::string text =
-      R"(<?xml version="1.0" encoding="UTF-8"?>
-<model unit="millimeter" xml:lang="en-US" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">
+std::string modelText(const TriangleSoup& soup, NumberType numbers, LengthUnit unit, Progress progress) {
+  std::string text = R"(<?xml version="1.0" encoding="UTF-8"?>
+<model unit=")" + std::string(wordFor(unit)) +
+                     R"(" xml:lang="en-US" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02">
 <resources><object id="1" type="model"><mesh><vertices>
 )";
   const std::size_t points = soup.points.size(), triangles = soup.triangles.size();
@@ -68,7 +82,11 @@ std::string modelText(const TriangleSoup& soup, NumberType numbers, Progress pro
 }  // namespace
 
 std::string writeThreeMf(const TriangleSoup& soup, NumberType numbers, Progress progress) {
-  const std::string model = modelText(soup, numbers, progress.part(0.0, 0.3));
+  return writeThreeMf(soup, numbers, LengthUnit::Millimetre, progress);
+}
+
+std::string writeThreeMf(const TriangleSoup& soup, NumberType numbers, LengthUnit unit, Progress progress) {
+  const std::string model = modelText(soup, numbers, unit, progress.part(0.0, 0.3));
   if (progress.cancelled()) return {};
   const std::array<ZipEntry, 3> entries = {
       {{"[Content_Types].xml", kContentTypes}, {"_rels/.rels", kRelationships}, {"3D/3dmodel.model", model}}};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/Progress.h"
+#include "base/Units.h"
 #include "mesh/structure/TriangleSoup.h"
 
 #include <string>
@@ -13,5 +14,7 @@ namespace handwheel {
 // rounded to the number type first and written with the shortest digits that read back to the same double; they must be
 // finite. The archive is empty if cancelled, and should the library fail. O(points + triangles).
 std::string writeThreeMf(const TriangleSoup& soup, NumberType numbers, Progress progress = {});
+// The same with another unit for these numbers, which are not scaled.
+std::string writeThreeMf(const TriangleSoup& soup, NumberType numbers, LengthUnit unit, Progress progress = {});
 
 }  // namespace handwheel

@@ -8,6 +8,7 @@
 
 #include <QtGlobal>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace handwheel {
@@ -34,12 +35,18 @@ const char* textOf(SculptSettings::Brush brush) {
   return QT_TRANSLATE_NOOP("Tool", "Drag surface");
 }
 
+// 1, 2 or 5 times a power of ten.
+double nearRoundNumber(double value) {
+  const double power = std::pow(10.0, std::floor(std::log10(value))), digits = value / power;
+  return power * (digits < 1.5 ? 1.0 : digits < 3.5 ? 2.0 : digits < 7.5 ? 5.0 : 10.0);
+}
+
 }  // namespace
 
 SculptTool::SculptTool(MeshDocument& document, MeshServices services, FaceSelection patch)
     : m_document(document), m_services(std::move(services)), m_levels(document.mesh(), {}), m_known(document.mesh()) {
   const Box& box = document.defects().box;
-  if (!box.isEmpty()) m_settings.set("radius", kFirstRadius * box.diagonal().norm());
+  if (!box.isEmpty()) m_settings.set("radius", nearRoundNumber(kFirstRadius * box.diagonal().norm()));
   patch.dropDead(m_known);
   const PatchLevels* remembered = m_document.levels();
   const bool isSame = remembered && (patch.empty() || patch == remembered->patch());

@@ -110,6 +110,16 @@ class MeshExportTest : public QObject {
     }
   }
 
+  // 0.1 is no number of single precision; 0.5 is.
+  void saysHowFarRoundingMoves() {
+    for (const auto& [gap, isMoved] : {std::pair(0.5, false), std::pair(0.1, true)}) {
+      const ExportReport report = exported(pairAtAnEdge(gap), NumberType::Float64, "a.stl").report;
+      QCOMPARE(report.roundingMove > 0.0, isMoved);
+      QVERIFY(report.roundingMove <= std::sqrt(3.0) * std::ldexp(1.0, -24));  // half a step below 2 along each axis
+      QCOMPARE(exported(pairAtAnEdge(gap), NumberType::Float64, "a.ply").report.roundingMove, 0.0);
+    }
+  }
+
   // 1e-12 is far below a step of single precision at 1: both edges would become one with four faces.
   void partsWhatRoundingWouldWeld() {
     const TriangleSoup soup = pairAtAnEdge(1e-12);

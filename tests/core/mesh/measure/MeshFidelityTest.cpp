@@ -74,9 +74,6 @@ void MeshFidelityTest::valuesReachTheOptions() {
     QVERIFY(values.set(fillContinuitySetting(), *valueOf(fillContinuitySetting(), word)));
     apply(values, options);
     QVERIFY(options.fill.continuity == continuity);
-    FidelityValues same;
-    setFillContinuity(same, continuity);
-    QVERIFY(fillContinuityOf(same) == continuity);
   }
   QCOMPARE(options.nearWeld, 1e-4);
   QCOMPARE(options.fill.density, 2.0);

@@ -47,6 +47,7 @@ class RepairTest : public QObject {
   void woundedSphereHeals();
   void soundShapesStay();
   void rimStaysOpen();
+  void rimStaysOneWhenHolesAreFilled();
   void rimOnRequest();
   void flatSheetIsNotCovered();
   void keepOpen();
@@ -108,6 +109,28 @@ void RepairTest::rimStaysOpen() {
       QVERIFY(loop.outcome == LoopOutcome::KeptOpen && loop.reason == FillFailure::Rim);
   QCOMPARE(test::countBorder(mesh), std::size_t{24});
   QCOMPARE(test::inconsistent(input, mesh, report), std::string());
+}
+
+// A band along the equator of a sphere, whose outline squared is 125 times its area, is an open sheet. With its upper
+// hole filled it is not, but its edge was listed as kept open.
+void RepairTest::rimStaysOneWhenHolesAreFilled() {
+  const std::uint32_t n = 48;
+  const HalfEdgeMesh input = buildMesh(test::grid(n, 2, true, false, [&](std::uint32_t i, std::uint32_t j) {
+                               const double angle = 2.0 * M_PI * i / n, z = 0.05 * j, r = std::sqrt(1.0 - z * z);
+                               return Vec3(r * std::cos(angle), r * std::sin(angle), z);
+                             })).mesh;
+  RepairOptions options;
+  options.rims = RimHandling::Keep;
+  for (const FillMethod method : {FillMethod::Fair, FillMethod::Ear}) {
+    options.fill.method = method;
+    HalfEdgeMesh mesh = input;
+    const RepairReport report = repair(mesh, options);
+    QCOMPARE(report.loops.size(), std::size_t{2});
+    QCOMPARE(test::count(report, LoopOutcome::Filled), std::size_t{1});
+    QCOMPARE(test::countBorder(mesh), std::size_t{n});
+    for (const BoundaryLoop& loop : findBoundaryLoops(mesh)) QVERIFY(!loop.rim);  // else nothing was shown
+    QCOMPARE(test::inconsistent(input, mesh, report), std::string());
+  }
 }
 
 // A shallow bowl: flat enough to be a sheet; a lid over it encloses a volume.

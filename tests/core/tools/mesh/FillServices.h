@@ -12,13 +12,10 @@ namespace handwheel::test {
 inline FillServices fillServices(MeshDocument& document, FillHoleTool*& tool) {
   FillServices services;
   services.faces = immediateServices(document).faces;
-  services.request = [&document, &tool](const FillRequest& request) {
+  services.request = [&document, &tool, values = services.values](const FillRequest& request) {
     if (!tool) return;
-    FillOptions options;
-    options.method = request.method;
-    options.continuity = request.continuity;
+    FillOptions options = fillOptionsOf(*values);
     options.bridges = request.bridges;
-    options.ears = request.ears;
     tool->previewReady(request.ticket, HoleFiller(document.mesh()).propose(request.loop, options));
   };
   services.commit = [&document](const BoundaryLoop& loop, const FillAttempt& attempt) {

@@ -48,6 +48,7 @@ class MeshStepsTest : public QObject {
   void filling();
   void bridgesOfAFill();
   void keepingOpen();
+  void keepingAnOuterEdgeOpen();
   void repairing();
   void mending();
   void backs();
@@ -130,6 +131,19 @@ void MeshStepsTest::keepingOpen() {
   work.document->setKeptOpen(loops[0], false);
   QCOMPARE(work.step(2), "no-longer-open v" + std::to_string(work.key(0)));
   QCOMPARE(work.check(3), std::string());
+}
+
+// The mark holds, whatever a repair may do with outer edges: without it this shallow bowl gets a lid.
+void MeshStepsTest::keepingAnOuterEdgeOpen() {
+  TriangleSoup bowl = test::disc(24, 5);
+  for (Vec3& p : bowl.points) p.z() = 1e-3 * (p.x() * p.x() + p.y() * p.y());
+  for (const bool isMarked : {false, true}) {
+    Work work(bowl);
+    QVERIFY(work.document->defects().loops.at(0).rim);
+    if (isMarked) QVERIFY(applyStep(*work.document, "keep-open 0"));
+    QVERIFY(applyStep(*work.document, "repair --rims fill --fill ear"));
+    QCOMPARE(work.document->defects().loops.size(), std::size_t(isMarked));
+  }
 }
 
 void MeshStepsTest::repairing() {

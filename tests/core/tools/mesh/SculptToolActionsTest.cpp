@@ -218,6 +218,14 @@ void SculptToolActionsTest::radiusByKey() {
   QCOMPARE(std::get<double>(propertyNamed(b.tool->settings(), "radius")->value), 3.75);
   b.runner.perform("smaller");
   QCOMPARE(std::get<double>(propertyNamed(b.tool->settings(), "radius")->value), 3.0);
+  // The first one follows from the size of the part, and can be read.
+  for (const double size : {1.0, 2.2, 3.7, 56.0}) {
+    const auto document = test::meshDocument(test::cube(size));
+    const SculptTool tool(*document, immediateServices(*document), {});
+    const double radius = std::get<double>(propertyNamed(tool.settings(), "radius")->value);
+    QVERIFY(QStringList({"1", "2", "5"}).contains(QString::number(radius, 'e', 6).remove('0').section('.', 0, 0)));
+    QVERIFY(radius < size);
+  }
 }
 
 void SculptToolActionsTest::oddSettings() {
