@@ -68,9 +68,9 @@ class DocumentKind {
   virtual SnapshotPointer withCheckedLinks(SnapshotPointer content, const std::filesystem::path& folder,
                                            std::vector<Note>& notes, Progress progress) const;
 
-  // The shape of a document of this kind as a body in another; null when it has none. By default its display as one
-  // mesh.
-  virtual GeometryPointer bodyGeometry(const Snapshot& content) const;
+  // The shape of a document of this kind as a body in another; null when it has none. What it loses by that is added to
+  // the notes. By default its display as one mesh.
+  virtual GeometryPointer bodyGeometry(const Snapshot& content, std::vector<Note>& notes) const;
 
   virtual std::unique_ptr<Document> make(OpenedFile opened) const = 0;
 
