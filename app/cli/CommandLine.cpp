@@ -3,9 +3,9 @@
 #include "cli/CommandLine.h"
 
 #include "cli/Interrupt.h"
-#include "cli/LeashedChild.h"
 #include "cli/Messages.h"
 #include "cli/Picture.h"
+#include "cli/SupervisedChild.h"
 #include "cli/commands/ConvertCommand.h"
 #include "cli/commands/DevicesCommand.h"
 #include "cli/commands/InspectCommand.h"

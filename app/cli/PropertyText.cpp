@@ -12,16 +12,18 @@ namespace handwheel {
 
 namespace {
 
+// Without the digits that a conversion of units leaves.
 std::string numberText(double value, Quantity quantity) {
+  constexpr int kDigits = 12;
   switch (quantity) {
     case Quantity::Length:
-      return shortestText(value) + " mm";
+      return roundedText(value, kDigits) + " mm";
     case Quantity::Angle:
-      return shortestText(value / kRadiansPerDegree) + " deg";
+      return roundedText(value / kRadiansPerDegree, kDigits) + " deg";
     case Quantity::Number:
       break;
   }
-  return shortestText(value);
+  return roundedText(value, kDigits);
 }
 
 // What a property takes, as the end of a sentence.
@@ -53,11 +55,6 @@ std::optional<PropertyValue> valueOf(const Property& property, const std::string
   return number ? std::optional<PropertyValue>(*number) : std::nullopt;
 }
 
-bool isWithin(const Property& property, const PropertyValue& value) {
-  const auto* number = std::get_if<double>(&value);
-  return !number || (*number >= property.least && *number <= property.largest);
-}
-
 }  // namespace
 
 std::string propertyText(const Property& property) {
@@ -68,10 +65,16 @@ std::string propertyText(const Property& property) {
   return property.choices.at(static_cast<std::size_t>(number));
 }
 
+std::string limitsText(const Property& property) {
+  return numberText(property.least, property.quantity) + " to " + numberText(property.largest, property.quantity);
+}
+
 std::variant<PropertyValue, std::string> propertyValue(const Property& property, const std::string& word) {
   const std::optional<PropertyValue> value = valueOf(property, word);
   if (!value) return property.id + " takes " + wanted(property) + ", not '" + word + "'.";
-  if (isWithin(property, *value)) return *value;
+  const auto* number = std::get_if<double>(&*value);
+  if (!number) return *value;
+  if (const auto kept = withinShownLimits(*number, property.least, property.largest)) return PropertyValue(*kept);
   return property.id + " must lie between " + numberText(property.least, property.quantity) + " and " +
          numberText(property.largest, property.quantity) + ".";
 }

@@ -81,8 +81,11 @@ const ErrorDescription ErrorCode::ElementMalformed{
 
 const ErrorDescription ErrorCode::ReferenceMissing{
     .id = "ReferenceMissing",
-    .sentences = {translatable("ErrorText", "%1 '%2' is named, but cannot be found")},
-    .advice = {translatable("ErrorText", "Put the missing file where the other one expects it.")}};
+    .sentences = {translatable("ErrorText", "%1 '%2' was looked for in the folder '%3' and in those above it, in vain"),
+                  translatable("ErrorText", "%1 '%2' is named, but cannot be found")},
+    .advice = {
+        translatable("ErrorText", "Put the folder '%2' into '%3' or a folder above it, and open the file again."),
+        translatable("ErrorText", "Put the missing file where the other one expects it.")}};
 
 const ErrorDescription ErrorCode::ValueOutOfRange{
     .id = "ValueOutOfRange",

@@ -55,10 +55,11 @@ class ErrorCode {
   static const ErrorDescription NumberMalformed;   // {found}
   static const ErrorDescription NumberNotFinite;   // {found}
   static const ErrorDescription ElementMalformed;  // {element, what is wrong with it} in XML or JSON
-  static const ErrorDescription ReferenceMissing;  // {what, name} a file or an element that another refers to
-  static const ErrorDescription ValueOutOfRange;   // {name, value, least, largest}
-  static const ErrorDescription Unsupported;       // {what} understood, but not something that this program does
-  static const ErrorDescription LibraryFailed;     // {library, reason}
+  static const ErrorDescription
+      ReferenceMissing;                           // {what, name, folder} what another names; folder: it and those above
+  static const ErrorDescription ValueOutOfRange;  // {name, value, least, largest}
+  static const ErrorDescription Unsupported;      // {what} understood, but not something that this program does
+  static const ErrorDescription LibraryFailed;    // {library, reason}
 
   constexpr ErrorCode() : ErrorCode(Cancelled) {}
   constexpr ErrorCode(const ErrorDescription& description) : m_description(&description) {}

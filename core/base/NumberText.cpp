@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 
 namespace handwheel {
@@ -51,6 +52,28 @@ std::string roundedText(double value, int digits) {
   char text[64];
   const double signless = value == 0.0 ? 0.0 : value;
   return {text, std::to_chars(text, text + sizeof text, signless, std::chars_format::general, digits).ptr};
+}
+
+std::string shownText(double value) {
+  // Outside, an exponent reads better than zeros.
+  constexpr double kSmallestFixed = 1e-7, kLargestFixed = 1e12;
+  const double size = std::abs(value), signless = value == 0.0 ? 0.0 : value;
+  const bool isFixed = size == 0.0 || (size >= kSmallestFixed && size < kLargestFixed);
+  const auto form = isFixed ? std::chars_format::fixed : std::chars_format::scientific;
+  constexpr int kMostDigits = 17;  // behind the point, which is enough for any
+  char text[64];
+  for (int digits = 0;; ++digits) {
+    char* const end = std::to_chars(text, text + sizeof text, signless, form, digits).ptr;
+    double read = 0.0;
+    std::from_chars(text, end, read, form);
+    if (digits == kMostDigits || std::abs(read - value) <= kShownPrecision * size) return {text, end};
+  }
+}
+
+std::optional<double> withinShownLimits(double value, double least, double largest) {
+  const double kept = std::min(std::max(value, least), largest);
+  if (!std::isfinite(value) || !(std::abs(value - kept) <= kShownPrecision * std::abs(kept))) return {};
+  return kept;
 }
 
 }  // namespace handwheel

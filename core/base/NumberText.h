@@ -4,6 +4,7 @@
 
 #include "base/Error.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -18,6 +19,15 @@ bool parseDecimal(std::string_view word, double& value, ErrorCode& why);
 std::string shortestText(double value);
 // Formats a number with at most the given number of digits, for display. Zero has no sign. In the C locale.
 std::string roundedText(double value, int digits = 6);
+
+// How far a number may be from what is shown of it, as a share of it.
+inline constexpr double kShownPrecision = 1e-6;
+// Formats a finite number with the fewest digits that are within kShownPrecision of it, for display. Very large and
+// very small ones have an exponent; zero has no sign. In the C locale.
+std::string shownText(double value);
+// The value within limits, which are taken as shownText() shows them: what is beyond one by no more than
+// kShownPrecision becomes that limit. None for other values, and those that are not finite.
+std::optional<double> withinShownLimits(double value, double least, double largest);
 
 // Whether c is an ASCII digit, whatever the locale.
 inline bool isDigit(char c) {

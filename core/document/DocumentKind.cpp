@@ -150,7 +150,7 @@ SnapshotPointer DocumentKind::withCheckedLinks(SnapshotPointer content, const st
   return content;
 }
 
-GeometryPointer DocumentKind::bodyGeometry(const Snapshot& content) const {
+GeometryPointer DocumentKind::bodyGeometry(const Snapshot& content, std::vector<Note>&) const {
   TriangleSoup soup = placedSoup(display(content));
   if (!isSoundSoup(soup)) return nullptr;
   return std::make_shared<const MeshGeometry>(weld(soup));

@@ -71,9 +71,9 @@ class DocumentKind {
   // The files that the content is linked to; they are never replaced by the document. Absolute.
   virtual std::vector<std::filesystem::path> linkedFiles(const Snapshot&) const { return {}; }
 
-  // The shape of a document of this kind as a body in another; null when it has none. By default its display as one
-  // mesh.
-  virtual GeometryPointer bodyGeometry(const Snapshot& content) const;
+  // The shape of a document of this kind as a body in another; null when it has none. What it loses by that is added to
+  // the notes. By default its display as one mesh.
+  virtual GeometryPointer bodyGeometry(const Snapshot& content, std::vector<Note>& notes) const;
 
   virtual std::unique_ptr<Document> make(OpenedFile opened) const = 0;
 

@@ -18,7 +18,7 @@ struct ReaderLimits {
   // Bytes of addresses; none where a sanitizer takes them by the terabyte.
   std::uint64_t memory = memoryForReader();
   std::chrono::seconds cpu{60};
-  std::chrono::seconds wall{180};                 // for one that waits and works not
+  std::chrono::seconds wall = 2 * cpu;            // from start to end: a reader may also wait for the machine
   std::size_t mostOutput = std::size_t{1} << 30;  // bytes
 
   // Half of what the system has left, and at least what an empty file takes.

@@ -26,6 +26,11 @@ bool isFile(const fs::path& path) {
   return fs::is_regular_file(path, ignored);
 }
 
+bool isFolder(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored);
+}
+
 Error missing(std::string_view name) {
   return {ErrorCode::ReferenceMissing, {"the mesh", std::string(name)}, {}, {}};
 }
@@ -57,12 +62,15 @@ Result<fs::path> inPackage(std::string_view name, std::string_view address, cons
   if (package.empty() || package == "." || package == "..") return refused(name, "which names no package");
   if (rest.is_absolute() || climbOf(rest) > 0) return refused(name, "which leaves its package");
   fs::path above = folder;
+  bool isThere = false;
   for (int i = 0; i <= kPackageClimb; ++i, above = above.parent_path()) {
     if (isFile(above / package / rest)) return above / package / rest;
     if (above.filename() == package && isFile(above / rest)) return above / rest;
+    isThere = isThere || above.filename() == package || isFolder(above / package);
     if (!above.has_relative_path()) break;
   }
-  return missing(name);
+  if (isThere) return missing(name);
+  return Error{ErrorCode::ReferenceMissing, {"the package", package.string(), folder.string()}, {}, {}};
 }
 
 }  // namespace

@@ -14,8 +14,8 @@ namespace handwheel {
 //                                            folder or in one above it; never outside of that folder
 //   file:///rest                             as it stands, %20 and its like decoded
 //   rest                                     from the description's folder; up by "../" at most four folders
-// Errors: ReferenceMissing {"the mesh", name} when there is no such file; Unsupported when the name leads where it may
-// not, or is of another kind.
+// Errors: ReferenceMissing {"the mesh", name} when there is no such file, {"the package", name, folder} when there is
+// no such package; Unsupported when the name leads where it may not, or is of another kind.
 Result<std::filesystem::path> locateMesh(std::string_view name, const std::filesystem::path& folder);
 
 }  // namespace handwheel

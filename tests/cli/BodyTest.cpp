@@ -47,6 +47,15 @@ class BodyTest : public QObject {
     m_bench->put("part.stl", corner(30));
   }
 
+  void saysWhatItRead() {
+    const Ran mesh = m_bench->run({"body", "r.urdf", "--add", "part.stl", "-o", "cell.handwheel"});
+    QCOMPARE(mesh.code, 0);
+    QVERIFY2(mesh.err.contains("30 × 30 × 30 mm"), mesh.err);
+    const Ran robot = m_bench->run({"body", "cell.handwheel", "--add", "r.urdf", "-o", "cell.handwheel"});
+    QCOMPARE(robot.code, 0);
+    QVERIFY2(robot.err.contains("no joints") && robot.err.contains("100 × 100 × 100 mm"), robot.err);
+  }
+
   void addsMovesAndRemoves() {
     const Ran added = m_bench->run({"body", "r.urdf", "--add", "box:10,20,30", "--name", "vice", "--at", "100,0,15",
                                     "--turn", "0,0,90", "-o", "cell.handwheel", "--json"});

@@ -108,6 +108,9 @@ class DocumentsTest : public QObject {
     const auto position = cell["document"]["tool"]["position"].get<std::vector<double>>();
     QVERIFY(std::abs(position[0] - 300.0 * std::cos(std::numbers::pi / 6.0)) < 1e-9);
     QVERIFY(std::abs(position[2] - (200.0 + 150.0)) < 1e-9);
+    const QByteArray text = bench.run({"inspect", "arm.handwheel"}).out;
+    QVERIFY2(text.contains("  joint.lift: -30 deg (-90 deg to 90 deg)\n"), text);
+    QVERIFY2(text.contains("  joints.unknown_effort: all joints\n") && !text.contains("is not known"), text);
     QCOMPARE(bench.run({"set", "arm.handwheel", "joint.lift=120deg", "-o", "x.handwheel"}).code,
              1);  // beyond its limit
     const Ran repair = bench.run({"repair", "arm.handwheel", "-o", "x.stl"});

@@ -151,7 +151,8 @@ RobotCellSnapshot smallCell() {
     content.bodies = content.bodies.with(std::make_shared<const Body>(std::move(body)));
   };
   add("mesh", std::make_shared<const MeshGeometry>(triangle));
-  add("bar", WorkpieceKind().bodyGeometry(WorkpieceSnapshot()));
+  std::vector<Note> notes;
+  add("bar", WorkpieceKind().bodyGeometry(WorkpieceSnapshot(), notes));
   add("box", *PrimitiveGeometry::make(Primitive::Cuboid, {1, 2, 3}));
   return content;
 }

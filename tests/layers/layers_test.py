@@ -13,7 +13,7 @@ PLUGINS = {"devices": ("io", "falcon", "haply"), "formats": ("step",)}
 
 
 class LayersTest(unittest.TestCase):
-    def run_on(self, path, include):
+    def run_on(self, path, include, architecture=""):
         with tempfile.TemporaryDirectory() as root:
             for layer, rooms in ROOMS.items():
                 for room in rooms:
@@ -31,6 +31,8 @@ class LayersTest(unittest.TestCase):
             os.makedirs(os.path.dirname(os.path.join(root, path)), exist_ok=True)
             with open(os.path.join(root, path), "w", encoding="utf-8") as stream:
                 stream.write(f"\n#include {include}\n")
+            with open(os.path.join(root, "ARCHITECTURE.md"), "w", encoding="utf-8") as stream:
+                stream.write(architecture)
             run = subprocess.run([os.path.join(ROOT, "tools", "layers"), root], capture_output=True, text=True)
             return run.returncode, run.stdout
 
@@ -42,6 +44,14 @@ class LayersTest(unittest.TestCase):
     def assert_allowed(self, path, include):
         code, output = self.run_on(path, include)
         self.assertEqual(code, 0, output)
+
+    def test_map(self):
+        def output_of(architecture):
+            return self.run_on("core/mesh/A.h", '"base/B.h"', architecture)
+
+        self.assertEqual(output_of("    core/     everything\n      mesh/   meshes\n- **A** (`mesh/A.h`): `core/mesh/A.h`, `a.h`\n")[0], 0)
+        self.assertEqual(output_of("# Map\n- **B** (`mesh/B.h`)\n"), (1, "ARCHITECTURE.md:2: mesh/B.h: there is none\n"))
+        self.assertEqual(output_of("    core/     all\n      mash/   meshes\n"), (1, "ARCHITECTURE.md:2: core/mash/: there is none\n"))
 
     def test_arrows(self):
         self.assert_allowed("core/mesh/A.h", '"base/B.h"')

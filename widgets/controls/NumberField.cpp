@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "controls/NumberField.h"
 
+#include "base/NumberText.h"
 #include "controls/ExpressionText.h"
 #include "controls/NumberLineEdit.h"
 #include "controls/QuantityText.h"
@@ -144,7 +145,7 @@ void NumberField::commit() {
   const double entered = std::get<double>(result);
   if (const QString problem = rangeProblem(entered); !problem.isEmpty()) return showProblem(problem);
   m_line->setModified(false);
-  m_value = std::clamp(entered, m_least, m_largest);
+  m_value = withinShownLimits(entered, m_least, m_largest).value_or(entered);
   showValue();
   emit valueEdited(m_value, false);
 }
@@ -181,11 +182,10 @@ double NumberField::oneStep() const {
 }
 
 QString NumberField::rangeProblem(double value) const {
-  // Limits are taken as generously as they are shown.
-  const double slack = 1e-9 * std::abs(value);
+  if (withinShownLimits(value, m_least, m_largest)) return {};
   const auto shown = [this](double limit) { return quantityText(limit, m_quantity, m_unit, locale()); };
-  if (value < m_least - slack) return tr("Must be at least %1.").arg(shown(m_least));
-  if (value > m_largest + slack) return tr("Must be at most %1.").arg(shown(m_largest));
+  if (value < m_least) return tr("Must be at least %1.").arg(shown(m_least));
+  if (value > m_largest) return tr("Must be at most %1.").arg(shown(m_largest));
   return {};
 }
 

@@ -7,6 +7,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSignalBlocker>
@@ -54,13 +55,27 @@ QString plainText(const Property& property) {
 }  // namespace
 
 NumberRow::NumberRow(QWidget* parent)
-    : PropertyRow(parent), m_field(new NumberField(this)), m_slider(new Unhurried<QSlider>(Qt::Horizontal, this)) {
+    : PropertyRow(parent),
+      m_field(new NumberField(this)),
+      m_travel(new QWidget(this)),
+      m_slider(new Unhurried<QSlider>(Qt::Horizontal, m_travel)),
+      m_lower(new QLabel(m_travel)),
+      m_upper(new QLabel(m_travel)) {
   m_slider->setObjectName(QStringLiteral("propertySlider"));
   m_slider->setRange(0, kSliderSteps);
   m_slider->setSingleStep(kSliderSteps / 100);
   m_slider->setPageStep(kSliderSteps / 10);
   m_slider->setFocusPolicy(Qt::StrongFocus);
-  arrange(m_field, true, m_slider);
+  m_lower->setObjectName(QStringLiteral("propertyLower"));
+  m_upper->setObjectName(QStringLiteral("propertyUpper"));
+  for (QLabel* limit : {m_lower, m_upper}) limit->setProperty("muted", true);
+  auto* line = new QHBoxLayout(m_travel);
+  line->setContentsMargins(0, 0, 0, 0);
+  line->setSpacing(6);
+  line->addWidget(m_lower);
+  line->addWidget(m_slider, 1);
+  line->addWidget(m_upper);
+  arrange(m_field, true, m_travel);
   connect(m_field, &NumberField::valueEdited, this,
           [this](double value, bool stillDragging) { emit edited(value, stillDragging); });
   connect(m_slider, &QSlider::valueChanged, this, &NumberRow::slide);
@@ -78,7 +93,9 @@ void NumberRow::showValue(const Property& property, LengthUnit unit) {
   m_least = property.least;
   m_largest = property.largest;
   const bool bounded = std::isfinite(m_least) && std::isfinite(m_largest) && m_least < m_largest;
-  m_slider->setVisible(property.continuous && bounded);
+  m_travel->setVisible(property.continuous && bounded);
+  m_lower->setText(quantityText(m_least, property.quantity, unit, locale()));
+  m_upper->setText(quantityText(m_largest, property.quantity, unit, locale()));
   if (!bounded || m_slider->isSliderDown() || !std::isfinite(value)) return;
   const QSignalBlocker quiet(m_slider);
   const double share = std::clamp((value - m_least) / (m_largest - m_least), 0.0, 1.0);

@@ -6,6 +6,7 @@
 
 class QCheckBox;
 class QComboBox;
+class QLabel;
 class QLineEdit;
 class QSlider;
 
@@ -13,8 +14,8 @@ namespace handwheel {
 
 class NumberField;
 
-// A row for a number, with an optional slider below. The slider is shown when the property asks to be changed between
-// its limits.
+// A row for a number, with an optional slider below. The slider is shown, between the limits, when the property asks to
+// be changed between these.
 class NumberRow : public PropertyRow {
   Q_OBJECT
 
@@ -29,7 +30,10 @@ class NumberRow : public PropertyRow {
   void slide(int position);
 
   NumberField* m_field;
+  QWidget* m_travel;  // with the slider between its limits
   QSlider* m_slider;
+  QLabel* m_lower;
+  QLabel* m_upper;
   bool m_slid = false;  // the slider was moved since it was pressed
   double m_least = 0.0;
   double m_largest = 0.0;

@@ -10,7 +10,8 @@ namespace handwheel {
 
 namespace {
 
-constexpr qsizetype kLongestQuote = 48;  // characters of a foreign file shown in a sentence
+constexpr qsizetype kLongestQuote = 48;  // characters of a foreign file shown in a sentence,
+constexpr qsizetype kLongestName = 400;  // and those of the name of a file, whose end tells most
 
 // The phrases that the core, most of which knows no Qt, puts into its errors. A phrase that is missing here is shown in
 // English. %1 stands for a name or a number; the first phrase that fits counts.
@@ -53,6 +54,7 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "the link"),
     QT_TRANSLATE_NOOP("ErrorWord", "the mesh"),
     QT_TRANSLATE_NOOP("ErrorWord", "the object"),
+    QT_TRANSLATE_NOOP("ErrorWord", "the package"),
     QT_TRANSLATE_NOOP("ErrorWord", "the property"),
     QT_TRANSLATE_NOOP("ErrorWord", "the setting"),
     QT_TRANSLATE_NOOP("ErrorWord", "the firmware file"),
@@ -197,7 +199,8 @@ constexpr const char* kPhrases[] = {
 };
 
 QString shortened(const QString& text) {
-  return text.size() > kLongestQuote ? text.left(kLongestQuote) + QChar(0x2026) : text;
+  const qsizetype longest = text.contains(QLatin1Char('/')) ? kLongestName : kLongestQuote;
+  return text.size() > longest ? text.left(longest) + QChar(0x2026) : text;
 }
 
 // What %1 of the phrase stands for in the text; empty when it stands for nothing; none when the text is not the phrase.

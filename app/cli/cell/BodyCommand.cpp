@@ -50,7 +50,7 @@ int changeAndSave(OpenedFile opened, const OperationValues& values, const Argume
     change = bodyChange(values, bodies, kinds, folder, job.progress());
   });
   if (!*change) return fail(change->error());
-  for (const Error& error : change->value().damage) complain(sentenceFor(error));
+  reportLosses(change->value().file);
   if (change->value().edit) document->commit({}, std::move(change->value().edit));
   std::optional<Result<WrittenFile>> written;
   runInterruptible("Writing", [&, content = document->snapshot()](CommandJob& job) {

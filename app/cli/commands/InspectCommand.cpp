@@ -26,12 +26,13 @@ CommandSpec inspectSpec() {
 
 namespace {
 
-// "diameter: 50 mm", a line for each property.
+// "diameter: 50 mm", a line for each property; "joint.a: 0 deg (-170 deg to 170 deg)" where it has a way to go.
 std::string readableText(const OpenedFile& opened) {
   std::string text = opened.kind->id() + "\n";
   const std::unique_ptr<Document> document = opened.kind->make(opened);
   for (const Property& property : document->properties()) {
     text += "  " + property.id + ": " + propertyText(property);
+    if (property.continuous) text += " (" + limitsText(property) + ")";
     if (!property.problem.empty()) text += " (" + property.problem + ")";
     text += "\n";
   }

@@ -4,8 +4,8 @@
 
 #include "base/NumberText.h"
 #include "cli/Interrupt.h"
-#include "cli/LeashedChild.h"
 #include "cli/Messages.h"
+#include "cli/SupervisedChild.h"
 #include "document/AtomicFile.h"
 
 #include <algorithm>

@@ -14,6 +14,7 @@
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/documents/FileFilters.h"
+#include "window/documents/FileLoader.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -209,7 +210,7 @@ void CellBodies::applyAfterReading(const OperationValues& values) {
 void CellBodies::commit(const OperationValues& values, BodyChange change) {
   const QString path = cell().path();
   const bool isAsInFile = !path.isEmpty() && !cell().isModified();
-  for (const Error& error : change.damage) m_parts.log.add(errorSentence(error), {}, LogEntry::Weight::Warning);
+  FileLoader::logFindings(change.file, m_parts.log);
   if (!change.edit) return m_parts.log.add(tr("Nothing has changed"));
   const BodyId next = cell().bodies().freeId();
   const QString text = undoTextOf(values);

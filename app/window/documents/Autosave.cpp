@@ -107,18 +107,18 @@ void Autosave::reportFailure(DocumentTab* document, const QString& name, const E
                 &document->document});
 }
 
-// The messages keep the leftovers, and so their locks, until they are answered or closed.
+// The messages keep the orphans, and so their locks, until they are answered or closed.
 void Autosave::offerRecovery() {
-  const auto leftovers = std::make_shared<const OrphanedAutosaves>();
-  if (!leftovers->skipped().empty()) offerDamaged(leftovers);
-  if (!leftovers->found().empty()) offer(leftovers);
+  const auto orphans = std::make_shared<const OrphanedAutosaves>();
+  if (!orphans->skipped().empty()) offerDamaged(orphans);
+  if (!orphans->found().empty()) offer(orphans);
 }
 
-void Autosave::offer(const std::shared_ptr<const OrphanedAutosaves>& leftovers) {
+void Autosave::offer(const std::shared_ptr<const OrphanedAutosaves>& orphans) {
   QStringList names;
-  for (const OrphanedAutosave& leftover : leftovers->found()) {
-    const QString name = QString::fromStdString(leftover.info.name);
-    names << (leftover.isOutdated ? tr("%1 (its file was saved since)").arg(name) : name);
+  for (const OrphanedAutosave& orphan : orphans->found()) {
+    const QString name = QString::fromStdString(orphan.info.name);
+    names << (orphan.isOutdated ? tr("%1 (its file was saved since)").arg(name) : name);
   }
   emit message({Message::Weight::Warning,
                 tr("Handwheel ended unexpectedly. %Ln document(s) had changes that were not saved.", nullptr,
@@ -127,54 +127,54 @@ void Autosave::offer(const std::shared_ptr<const OrphanedAutosaves>& leftovers) 
                 tr("They can be recovered as they were last autosaved, or discarded for good; otherwise they are "
                    "offered again at the next start."),
                 tr("Recover"),
-                [this, leftovers] { recover(leftovers); },
+                [this, orphans] { recover(orphans); },
                 tr("Discard…"),
-                [this, leftovers] { askBeforeDiscarding(leftovers); },
+                [this, orphans] { askBeforeDiscarding(orphans); },
                 nullptr,
                 {},
                 true});
 }
 
-void Autosave::askBeforeDiscarding(const std::shared_ptr<const OrphanedAutosaves>& leftovers) {
+void Autosave::askBeforeDiscarding(const std::shared_ptr<const OrphanedAutosaves>& orphans) {
   emit message({Message::Weight::Warning,
-                tr("Discard %Ln document(s) for good?", nullptr, static_cast<int>(leftovers->found().size())),
+                tr("Discard %Ln document(s) for good?", nullptr, static_cast<int>(orphans->found().size())),
                 tr("Their changes since they were last saved cannot be brought back."),
                 {},
                 tr("Keep"),
-                [this, leftovers] { offer(leftovers); },
+                [this, orphans] { offer(orphans); },
                 tr("Discard"),
-                [this, leftovers] { discard(*leftovers); },
+                [this, orphans] { discard(*orphans); },
                 nullptr,
                 {},
                 true});
 }
 
-void Autosave::offerDamaged(const std::shared_ptr<const OrphanedAutosaves>& leftovers) {
-  for (const Error& error : leftovers->skipped()) m_log.add(errorSentence(error), {}, LogEntry::Weight::Warning);
-  const auto count = static_cast<int>(leftovers->skipped().size());
+void Autosave::offerDamaged(const std::shared_ptr<const OrphanedAutosaves>& orphans) {
+  for (const Error& error : orphans->skipped()) m_log.add(errorSentence(error), {}, LogEntry::Weight::Warning);
+  const auto count = static_cast<int>(orphans->skipped().size());
   emit message({Message::Weight::Warning,
                 tr("%Ln autosave(s) of a session that ended unexpectedly cannot be read.", nullptr, count),
                 tr("The Log names the files."), tr("What is in them is lost; until they are discarded they stay."),
-                tr("Discard"), [this, leftovers, count] {
-                  leftovers->discardSkipped();
+                tr("Discard"), [this, orphans, count] {
+                  orphans->discardSkipped();
                   m_log.add(tr("Discarded %Ln autosave(s)", nullptr, count));
                 }});
 }
 
-void Autosave::recover(const std::shared_ptr<const OrphanedAutosaves>& leftovers) {
-  for (const OrphanedAutosave& leftover : leftovers->found()) {
-    m_loader.recover(QFile::decodeName(leftover.file.c_str()),
-                     QFile::decodeName(QByteArray::fromStdString(leftover.info.path)),
-                     [this, leftovers, &leftover](DocumentTab* recovered) {
-                       const Status adopted = m_session->adopt(leftover, m_keys[recovered]);
+void Autosave::recover(const std::shared_ptr<const OrphanedAutosaves>& orphans) {
+  for (const OrphanedAutosave& orphan : orphans->found()) {
+    m_loader.recover(QFile::decodeName(orphan.file.c_str()),
+                     QFile::decodeName(QByteArray::fromStdString(orphan.info.path)),
+                     [this, orphans, &orphan](DocumentTab* recovered) {
+                       const Status adopted = m_session->adopt(orphan, m_keys[recovered]);
                        if (!adopted) m_log.add(errorSentence(adopted.error()), {}, LogEntry::Weight::Warning);
                      });
   }
 }
 
-void Autosave::discard(const OrphanedAutosaves& leftovers) {
-  for (const OrphanedAutosave& leftover : leftovers.found()) leftovers.discard(leftover);
-  m_log.add(tr("Discarded %Ln autosave(s)", nullptr, static_cast<int>(leftovers.found().size())));
+void Autosave::discard(const OrphanedAutosaves& orphans) {
+  for (const OrphanedAutosave& orphan : orphans.found()) orphans.discard(orphan);
+  m_log.add(tr("Discarded %Ln autosave(s)", nullptr, static_cast<int>(orphans.found().size())));
 }
 
 }  // namespace handwheel

@@ -43,11 +43,11 @@ class Autosave : public QObject {
   void saveAll();
   void save(DocumentTab* document);
   void reportFailure(DocumentTab* document, const QString& name, const Error& error);
-  void askBeforeDiscarding(const std::shared_ptr<const OrphanedAutosaves>& leftovers);
-  void offer(const std::shared_ptr<const OrphanedAutosaves>& leftovers);
-  void offerDamaged(const std::shared_ptr<const OrphanedAutosaves>& leftovers);
-  void recover(const std::shared_ptr<const OrphanedAutosaves>& leftovers);
-  void discard(const OrphanedAutosaves& leftovers);
+  void askBeforeDiscarding(const std::shared_ptr<const OrphanedAutosaves>& orphans);
+  void offer(const std::shared_ptr<const OrphanedAutosaves>& orphans);
+  void offerDamaged(const std::shared_ptr<const OrphanedAutosaves>& orphans);
+  void recover(const std::shared_ptr<const OrphanedAutosaves>& orphans);
+  void discard(const OrphanedAutosaves& orphans);
 
   DocumentTabs& m_tabs;
   FileLoader& m_loader;

@@ -31,6 +31,19 @@ Error withoutFile(Error error) {
   return error;
 }
 
+// Whether all that is wrong with a file is that others which it names are missing.
+bool isIncomplete(const DocumentFile& file) {
+  return !file.damage.empty() && file.unlistedDamage == 0 &&
+         std::all_of(file.damage.begin(), file.damage.end(),
+                     [](const Error& error) { return error.code == ErrorCode::ReferenceMissing; });
+}
+
+QString notKept(const std::vector<LostAttribute>& lost) {
+  QStringList names;
+  for (LostAttribute attribute : lost) names << lostAttributeName(attribute);
+  return FileLoader::tr("Not kept by Handwheel: %1.").arg(names.join(QStringLiteral(", ")));
+}
+
 }  // namespace
 
 FileLoader::FileLoader(const DocumentKinds& kinds, const KindUis& uis, DocumentTabs& tabs, JobRunner& jobs,
@@ -127,39 +140,42 @@ void FileLoader::reportNotes(const Document& document) {
                 &document});
 }
 
+void FileLoader::logFindings(const DocumentFile& file, LogModel& log) {
+  const QString name = QFileInfo(QFile::decodeName(QByteArray::fromStdString(file.path))).fileName();
+  for (const Error& error : file.damage)
+    log.add(name + QStringLiteral(": ") + errorSentence(withoutFile(error)), {}, LogEntry::Weight::Warning);
+  if (file.unlistedDamage > 0)
+    log.add(name + QStringLiteral(": ") +
+                tr("%Ln more place(s) are damaged", nullptr, static_cast<int>(file.unlistedDamage)),
+            {}, LogEntry::Weight::Warning);
+  if (!file.lost.empty()) log.add(name + QStringLiteral(": ") + notKept(file.lost), {}, LogEntry::Weight::Warning);
+  for (const Note& note : file.notes) log.add(name + QStringLiteral(": ") + noteText(note));
+}
+
 void FileLoader::reportLosses(const Document& document) {
   const DocumentFile& file = document.file();
   if (!file.wouldLoseDataOnOverwrite()) return;
+  logFindings(file, m_log);
   const QString name = document.name();
   QStringList lines;
   if (file.isNewer)
     lines << tr("It was written by a newer version of Handwheel; what only that one knows is not shown.");
-  for (std::size_t i = 0; i < file.damage.size(); ++i) {
-    const QString sentence = errorSentence(withoutFile(file.damage[i]));
-    m_log.add(name + QStringLiteral(": ") + sentence, {}, LogEntry::Weight::Warning);
-    if (i < kDamageShown) lines << sentence;
-  }
-  if (file.damage.size() > kDamageShown) {
+  for (std::size_t i = 0; i < std::min(file.damage.size(), kDamageShown); ++i)
+    lines << errorSentence(withoutFile(file.damage[i]));
+  if (file.damage.size() > kDamageShown)
     lines << tr("…and %1 more, listed in the Log.").arg(file.damage.size() - kDamageShown);
-  }
-  if (!file.lost.empty()) {
-    QStringList names;
-    for (LostAttribute attribute : file.lost) names << lostAttributeName(attribute);
-    lines << tr("Not kept by Handwheel: %1.").arg(names.join(QStringLiteral(", ")));
-    m_log.add(lines.last(), {}, LogEntry::Weight::Warning);
-  }
-  for (const Note& note : file.notes) {
-    lines << noteText(note);
-    m_log.add(lines.last(), {});
-  }
+  if (isIncomplete(file)) lines << errorAdvice(file.damage.front());
+  if (!file.lost.empty()) lines << notKept(file.lost);
+  for (const Note& note : file.notes) lines << noteText(note);
   const bool isTriangulated =
       std::find(file.lost.begin(), file.lost.end(), LostAttribute::ExactSurfaces) != file.lost.end();
   const bool damaged = !file.damage.empty();
   emit message({damaged ? Message::Weight::Warning : Message::Weight::Info,
-                damaged          ? tr("%1 is damaged").arg(name)
-                : file.isNewer   ? tr("%1 is opened for reading only").arg(name)
-                : isTriangulated ? tr("%1 is opened as a mesh").arg(name)
-                                 : tr("%1 holds more than its surface").arg(name),
+                isIncomplete(file) ? tr("%1 is incomplete").arg(name)
+                : damaged          ? tr("%1 is damaged").arg(name)
+                : file.isNewer     ? tr("%1 is opened for reading only").arg(name)
+                : isTriangulated   ? tr("%1 is opened as a mesh").arg(name)
+                                   : tr("%1 holds more than its surface").arg(name),
                 lines.join(QLatin1Char(' ')),
                 tr("“Save” will ask for a new name, so the original stays as it is."),
                 {},

@@ -39,6 +39,9 @@ class FileLoader : public QObject {
   // is open.
   void recover(const QString& autosave, const QString& path, std::function<void(DocumentTab*)> then);
 
+  // Adds what is to be said of the reading of a file to the log: damage, losses and notes.
+  static void logFindings(const DocumentFile& file, LogModel& log);
+
  signals:
   void message(const handwheel::Message& message);
 

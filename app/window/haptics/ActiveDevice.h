@@ -24,8 +24,7 @@ struct HapticSession::ActiveDevice {
   std::unique_ptr<ForceRecorder> recorder;  // destroyed before its loop
   std::optional<ServoSample> sample;
   bool isMoving = false;                    // the view is being changed, and
-  std::unique_ptr<HapticScene> movedScene;  // this is the scene for the new one,
-  std::string movedNote;                    // and its note
+  std::unique_ptr<HapticScene> movedScene;  // this is the scene for the new one
   std::optional<double> isChangingSince;    // s by the clock of the loop: start of a change of its settings
 };
 

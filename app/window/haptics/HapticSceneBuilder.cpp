@@ -96,9 +96,10 @@ void HapticSceneBuilder::setFidelity(const FidelityValues& values) {
   if (!m_sources.empty()) publish(true);
 }
 
-// Stiffnesses are those at the hand: what would be soft in a view from afar is as stiff as in one from near.
+// Stiffnesses are those at the hand: what would be soft in a view from afar is as stiff as in one from near. Nothing is
+// described for a scene that would be dropped: descriptions go on from the ones before.
 void HapticSceneBuilder::publish(bool isDiscontinuous) {
-  if (!m_session.isOpen()) return;
+  if (!m_session.isOpen() || m_session.isTesting()) return;
   const WorkspaceMapping mapping = m_session.mappingInScene();
   TouchContext context{mapping, m_session.touch(), m_contact, m_snapFeatures, m_session.camera().towardsViewer()};
   context.contact.friction = context.touch.friction;
@@ -108,7 +109,7 @@ void HapticSceneBuilder::publish(bool isDiscontinuous) {
   }
   // Attractions depend on whether a surface is touched.
   std::stable_partition(sources.begin(), sources.end(), [](const auto& source) { return !source->isAttraction(); });
-  const std::string note = m_session.recorder() ? noteOf(context, sources) : std::string();
+  const std::string note = m_session.recorder() ? noteOf(context, sources) : "{}";
   auto scene = std::make_unique<HapticScene>();
   scene->renderer = std::make_unique<SceneForces>(std::move(sources));
   scene->isDiscontinuous = isDiscontinuous;

@@ -99,8 +99,8 @@ class HapticSession : public QObject {
   void mark(const QString& event);
 
   // Sets the scene whose forces are felt from the next tick on. Dropped when no device is open, and during a force
-  // test; sceneRequested() then requests it again. note: what it is made of, for a recording.
-  void setScene(std::unique_ptr<HapticScene> scene, const std::string& note = {});
+  // test; sceneRequested() then requests it again. note: what it is made of, for a recording: a JSON object.
+  void setScene(std::unique_ptr<HapticScene> scene, const std::string& note = "{}");
   // Tells the servo loop that the force may change abruptly; starts the force ramp.
   void announceDiscontinuity();
 
@@ -134,7 +134,6 @@ class HapticSession : public QObject {
   void sample();
   void changeServo();
   void endForceTest();
-  void noteScene(const std::string& note);
   void measureRate();
   void reportStatus(DeviceStatus status);
   void reportPlugins();

@@ -17,6 +17,7 @@ constexpr int kRateMs = 500;           // over which the rate is measured
 constexpr double kTestTail = 0.2;      // s after the last pull, for what the safety chain has delayed
 constexpr double kLetGo = 0.02;        // N: a force that may break off unnoticed
 constexpr double kLongestWait = 0.25;  // s for it: what damps a moving hand may stay
+constexpr const char* kTestNote = R"({"test":{}})";
 
 }  // namespace
 
@@ -93,9 +94,7 @@ void HapticSession::applyMapping(bool keepsTip, bool isDiscontinuous) {
   emit viewChanged();
   m_open->isMoving = false;
   if (isDiscontinuous) announceDiscontinuity();
-  const bool hasScene = m_open->movedScene != nullptr;
   m_open->loop->setMapping(mapping, std::move(m_open->movedScene));
-  if (hasScene) noteScene(m_open->movedNote);
 }
 
 void HapticSession::setTouch(const TouchSettings& touch) {
@@ -135,23 +134,19 @@ void HapticSession::startForceTest() {
   if (!latest()) return;
   auto scene = std::make_unique<HapticScene>();
   scene->renderer = std::make_unique<ForceTest>(kTestForce, mappingInScene());
-  m_open->loop->setScene(std::move(scene));
+  m_testEnd.reset();
+  setScene(std::move(scene), kTestNote);
   m_testEnd = latest()->tip.time + ForceTest::kDuration + kTestTail;
 }
 
 void HapticSession::setScene(std::unique_ptr<HapticScene> scene, const std::string& note) {
   if (!m_open || m_testEnd) return;
+  if (m_open->recorder) m_open->recorder->noteNextScene(note);
   if (m_open->isMoving) {
     m_open->movedScene = std::move(scene);
-    m_open->movedNote = note;
   } else {
     m_open->loop->setScene(std::move(scene));
-    noteScene(note);
   }
-}
-
-void HapticSession::noteScene(const std::string& note) {
-  if (m_open->recorder) m_open->recorder->noteScene(m_open->loop->sceneNumber(), note);
 }
 
 void HapticSession::announceDiscontinuity() {

@@ -7,7 +7,30 @@
 #include "window/haptics/HapticSession.h"
 #include "window/kinds/KindUi.h"
 
+#include <algorithm>
+#include <set>
+#include <string_view>
+
 namespace handwheel {
+
+namespace {
+
+constexpr double kAhead = 0.1;  // s that it may take until a scene is felt
+
+// The parts of one model that are not in the other, or not in the same place.
+std::vector<const DisplayPart*> changedParts(const DisplayModel& model, const DisplayModel& other) {
+  std::map<std::string_view, const DisplayPart*> known;
+  for (const DisplayPart& part : other.parts) known.emplace(part.name, &part);
+  std::vector<const DisplayPart*> changed;
+  for (const DisplayPart& part : model.parts) {
+    const auto same = known.find(part.name);
+    if (same == known.end() || same->second->soup != part.soup || same->second->pose.matrix() != part.pose.matrix())
+      changed.push_back(&part);
+  }
+  return changed;
+}
+
+}  // namespace
 
 RigidPartsHaptics::RigidPartsHaptics(const WindowContext& window, QObject* parent)
     : QObject(parent),
@@ -18,29 +41,81 @@ RigidPartsHaptics::RigidPartsHaptics(const WindowContext& window, QObject* paren
   connect(&m_session, &HapticSession::chosenChanged, this, [this] {
     if (m_session.isOpen() == m_isOpen) return;
     m_isOpen = m_session.isOpen();
-    if (m_parts) rebuild();
+    if (m_parts) feel();
   });
 }
 
 void RigidPartsHaptics::setParts(std::shared_ptr<const DisplayModel> parts) {
   if (!parts && !m_parts) return;
   m_parts = std::move(parts);
-  rebuild();
+  feel();
 }
 
-// Until the new surface is there, the old one is felt; a tip would else sink in while a joint is dragged.
-void RigidPartsHaptics::rebuild() {
+// Until the surface of a new shape is there, the old ones are felt; a tip would else sink in while a body is added.
+void RigidPartsHaptics::feel() {
   m_making.cancelAll();
-  if (!m_parts || !m_isOpen) return m_scene.setSurface({}, false);
+  if (!m_parts || !m_isOpen) {
+    m_surfaces.clear();
+    m_placed.reset();
+    m_felt = {};
+    return m_scene.setSurface({}, false);
+  }
+  std::vector<Shape> unknown;
+  for (const DisplayPart& part : m_parts->parts) {
+    if (!m_surfaces.contains(part.soup) && std::find(unknown.begin(), unknown.end(), part.soup) == unknown.end())
+      unknown.push_back(part.soup);
+  }
+  if (unknown.empty()) return place();
+  build(std::move(unknown));
+}
+
+void RigidPartsHaptics::build(std::vector<Shape> shapes) {
   Job job;
   job.name = tr("Preparing to touch");
-  job.work = [this, parts = m_parts](Progress progress) -> Job::Finish {
-    TriangleSoup soup = placedSoup(*parts);
-    auto surface = std::make_shared<ContactSurface>(
-        touchableSurface(std::move(soup.points), std::move(soup.triangles), {}, progress));
-    return [this, surface] { m_scene.setSurface(*surface, false); };
+  job.work = [this, shapes = std::move(shapes)](Progress progress) -> Job::Finish {
+    auto surfaces = std::make_shared<std::map<Shape, ContactSurface>>();
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      const auto share = [&](std::size_t n) { return static_cast<double>(n) / static_cast<double>(shapes.size()); };
+      surfaces->emplace(shapes[i], touchableSurface(shapes[i]->points, shapes[i]->triangles, {},
+                                                    progress.part(share(i), share(i + 1))));
+    }
+    return [this, surfaces] {
+      m_surfaces.merge(*surfaces);
+      place();
+    };
   };
   m_making.start(std::move(job));
+}
+
+// Where nothing has changed at the hand the proxy goes on from where it was. Else it comes from the viewer again, as
+// the tip may be in what has moved there, and the force by the ramp.
+void RigidPartsHaptics::place() {
+  const bool isEdit = m_placed && !isAtHand(*m_placed, *m_parts) && !isAtHand(*m_parts, *m_placed);
+  std::vector<ContactSurface::Placed> bodies;
+  std::set<Shape> used;
+  for (const DisplayPart& part : m_parts->parts) {
+    bodies.push_back({m_surfaces.at(part.soup), part.pose});
+    used.insert(part.soup);
+  }
+  std::erase_if(m_surfaces, [&](const auto& surface) { return !used.contains(surface.first); });
+  m_felt = ContactSurface(std::span<const ContactSurface::Placed>(bodies), isEdit ? &m_felt : nullptr);
+  m_placed = m_parts;
+  m_scene.setSurface(m_felt, isEdit);
+}
+
+// Whether the tip, its proxy, or where the tip may soon be lies in a part of the first model that the other has not, or
+// has elsewhere.
+bool RigidPartsHaptics::isAtHand(const DisplayModel& moved, const DisplayModel& others) const {
+  const ServoSample* const last = m_session.latest();
+  if (!last) return false;
+  const Vec3 reach = Vec3::Constant(kAhead * last->tip.velocity.norm());
+  Box hand(last->tip.position - reach, last->tip.position + reach);
+  if (last->felt.isContact) hand.extend(last->felt.proxy);
+  const std::vector<const DisplayPart*> changed = changedParts(moved, others);
+  return std::any_of(changed.begin(), changed.end(), [&](const DisplayPart* part) {
+    const auto surface = m_surfaces.find(part->soup);
+    return surface == m_surfaces.end() || surface->second.bounds().transformed(part->pose).intersects(hand);
+  });
 }
 
 }  // namespace handwheel

@@ -3,9 +3,11 @@
 #pragma once
 
 #include "document/DisplayModel.h"
+#include "haptics/contact/ContactSurface.h"
 #include "window/JobRunner.h"
 
 #include <QObject>
+#include <map>
 #include <memory>
 
 namespace handwheel {
@@ -14,8 +16,8 @@ class HapticSceneBuilder;
 class HapticSession;
 struct WindowContext;
 
-// The contact surface of the displayed parts of a document, in their poses. Built by a job while a device is open, anew
-// with each change. Window thread.
+// The contact surface of the displayed parts of a document, in their poses. While a device is open a job builds that of
+// each shape, once; a part that moves is felt elsewhere at once. Window thread.
 class RigidPartsHaptics : public QObject {
   Q_OBJECT
 
@@ -27,13 +29,21 @@ class RigidPartsHaptics : public QObject {
   bool isSettled() const { return m_making.isIdle(); }
 
  private:
-  void rebuild();
+  using Shape = std::shared_ptr<const TriangleSoup>;
+
+  void feel();
+  void build(std::vector<Shape> shapes);
+  void place();
+  bool isAtHand(const DisplayModel& moved, const DisplayModel& others) const;
 
   HapticSession& m_session;
   HapticSceneBuilder& m_scene;
   JobRunner m_making;
   std::shared_ptr<const DisplayModel> m_parts;
-  bool m_isOpen = false;  // state of the session at its last signal
+  std::map<Shape, ContactSurface> m_surfaces;    // of the shapes of m_parts, or fewer
+  std::shared_ptr<const DisplayModel> m_placed;  // what is felt; null: nothing
+  ContactSurface m_felt;                         // of it
+  bool m_isOpen = false;                         // state of the session at its last signal
 };
 
 }  // namespace handwheel

@@ -32,8 +32,8 @@ QString lineOf(const Property& property, LengthUnit unit) {
   const QString text = ToolReadoutWords::tr("%1: %2").arg(name, shown(value, property, unit));
   if (!std::isfinite(property.least) || !std::isfinite(property.largest)) return text;
   const bool isAtLimit = value <= property.least || value >= property.largest;
-  const QString limits = ToolReadoutWords::tr("%1 to %2")
-                             .arg(shown(property.least, property, unit), shown(property.largest, property, unit));
+  const auto limit = [&](double each) { return quantityText(each, property.quantity, unit, QLocale()); };
+  const QString limits = ToolReadoutWords::tr("%1 to %2").arg(limit(property.least), limit(property.largest));
   return isAtLimit ? ToolReadoutWords::tr("%1 – limit (%2)").arg(text, limits)
                    : ToolReadoutWords::tr("%1 (%2)").arg(text, limits);
 }

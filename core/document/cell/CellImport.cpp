@@ -11,6 +11,7 @@
 #include "robot/UrdfReader.h"
 
 #include <QFile>
+#include <algorithm>
 
 namespace handwheel {
 
@@ -111,8 +112,15 @@ class Import {
     return soup ? std::make_shared<const TriangleSoup>(std::move(soup).value()) : nullptr;
   }
 
+  // A package that is missing is told once, not for each of its meshes.
   void note(Error error) {
     constexpr std::size_t kMostNotes = 1000;
+    const auto isSame = [&](const Error& told) {
+      return told.code == error.code && told.arguments == error.arguments && told.subject == error.subject;
+    };
+    if (error.code == ErrorCode::ReferenceMissing &&
+        std::any_of(m_result.damage.begin(), m_result.damage.end(), isSame))
+      return;
     if (m_result.damage.size() < kMostNotes)
       m_result.damage.push_back(std::move(error));
     else

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/cell/CellProperties.h"
 
+#include "base/NumberText.h"
 #include "robot/Kinematics.h"
 
-#include <QString>
 #include <QtGlobal>
 #include <cmath>
 #include <numbers>
@@ -19,25 +19,18 @@ bool turns(const Joint& joint) {
   return joint.kind != JointKind::Prismatic;
 }
 
-// Generators write 0 where they do not know, so this is common.
-const char* unknownOf(const JointLimits& limits) {
-  if (!limits.effort && !limits.velocity) return QT_TRANSLATE_NOOP("Property", "speed and effort are not known");
-  if (!limits.effort) return QT_TRANSLATE_NOOP("Property", "effort is not known");
-  if (!limits.velocity) return QT_TRANSLATE_NOOP("Property", "speed is not known");
-  return "";
-}
+constexpr const char* kJoints = QT_TRANSLATE_NOOP("Property", "Joints");
 
 Property jointProperty(const Joint& joint, double value) {
   Property property;
   property.id = std::string(kPrefix) + joint.name;
-  property.group = QT_TRANSLATE_NOOP("Property", "Joints");
+  property.group = kJoints;
   property.label = joint.name;
   property.translated = false;
   property.value = value;
   property.quantity = turns(joint) ? Quantity::Angle : Quantity::Length;
   property.least = joint.kind == JointKind::Continuous ? -std::numbers::pi : joint.limits.lower;
   property.largest = joint.kind == JointKind::Continuous ? std::numbers::pi : joint.limits.upper;
-  property.problem = unknownOf(joint.limits);
   property.continuous = property.largest - property.least < kFarthestTravel;
   return property;
 }
@@ -53,8 +46,27 @@ Property toRead(const char* id, const char* group, const char* label, PropertyVa
   return property;
 }
 
+// Of which joints the file does not give this limit; none where it gives all. Generators write 0 where they do not
+// know, so this is common.
+std::optional<Property> unknownLimits(const RobotModel& robot, const char* id, const char* label,
+                                      std::optional<double> JointLimits::*limit) {
+  std::string names;
+  std::size_t count = 0;
+  for (std::size_t dof = 0; dof < robot.dofs.size(); ++dof) {
+    const Joint& joint = robot.jointOfDof(dof);
+    if (joint.limits.*limit) continue;
+    names += (count++ > 0 ? ", " : "") + joint.name;
+  }
+  if (count == 0) return {};
+  Property property = toRead(id, kJoints, label, names, Quantity::Number);
+  if (count < robot.dofs.size()) return property;
+  property.value = 0.0;
+  property.choices = {QT_TRANSLATE_NOOP("Property", "all joints")};
+  return property;
+}
+
 std::string shown(double value, const Joint& joint) {
-  return QString::number(turns(joint) ? value / kRadiansPerDegree : value).toStdString();
+  return shownText(turns(joint) ? value / kRadiansPerDegree : value);
 }
 
 }  // namespace
@@ -63,6 +75,12 @@ std::vector<Property> cellProperties(const RobotModel& robot, const JointValues&
   std::vector<Property> all;
   for (std::size_t dof = 0; dof < robot.dofs.size(); ++dof)
     all.push_back(jointProperty(robot.jointOfDof(dof), joints[static_cast<Eigen::Index>(dof)]));
+  for (auto limit : {unknownLimits(robot, "joints.unknown_speed", QT_TRANSLATE_NOOP("Property", "Speed not known"),
+                                   &JointLimits::velocity),
+                     unknownLimits(robot, "joints.unknown_effort", QT_TRANSLATE_NOOP("Property", "Effort not known"),
+                                   &JointLimits::effort)}) {
+    if (limit) all.push_back(*std::move(limit));
+  }
   const char* const kRobot = QT_TRANSLATE_NOOP("Property", "Robot");
   all.push_back(toRead("robot", kRobot, QT_TRANSLATE_NOOP("Property", "Name"), robot.name, Quantity::Number));
   const std::uint32_t tool = toolLink(robot);
@@ -88,8 +106,8 @@ Result<double> jointValueFrom(const RobotModel& robot, std::uint32_t dof, const 
   const auto* number = std::get_if<double>(&value);
   if (!number || !std::isfinite(*number))
     return Error{ErrorCode::ElementMalformed, {joint.name, "a number was expected"}, {}, {}};
-  if (joint.limits.nearest(*number) == *number) return *number;
   const double least = joint.limits.nearest(-HUGE_VAL), largest = joint.limits.nearest(HUGE_VAL);
+  if (const auto kept = withinShownLimits(*number, least, largest)) return *kept;
   return Error{ErrorCode::ValueOutOfRange,
                {joint.name, shown(*number, joint), shown(least, joint), shown(largest, joint)},
                {},

@@ -9,15 +9,15 @@
 namespace handwheel {
 
 // The properties of a robot cell. One for each degree of freedom ("joint.<name>", labelled with the joint's name), with
-// its limits and what is not known of it; then, read-only, the robot's name and the position of its tool ("tool.x", …;
-// mm, in the frame of the robot's base).
+// its limits; then, read-only, which joints have no known speed or effort, the robot's name and the position of its
+// tool ("tool.x", …; mm, in the frame of the robot's base).
 std::vector<Property> cellProperties(const RobotModel& robot, const JointValues& joints);
 
 // The degree of freedom of a joint property; kNone for other properties.
 std::uint32_t dofOfProperty(const RobotModel& robot, std::string_view id);
 
-// Converts a property value to a joint value. Errors: ElementMalformed, ValueOutOfRange {name, value, least, largest;
-// degrees or mm}.
+// Converts a property value to a joint value; a limit may be given as it is shown. Errors: ElementMalformed,
+// ValueOutOfRange {name, value, least, largest; degrees or mm}.
 Result<double> jointValueFrom(const RobotModel& robot, std::uint32_t dof, const PropertyValue& value);
 
 }  // namespace handwheel

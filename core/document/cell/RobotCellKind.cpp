@@ -167,6 +167,12 @@ nlohmann::json RobotCellKind::describe(const Snapshot& content) const {
           {"bodies", describeBodies(cell.bodies)}};
 }
 
+GeometryPointer RobotCellKind::bodyGeometry(const Snapshot& content, std::vector<Note>& notes) const {
+  notes.push_back({QT_TRANSLATE_NOOP(
+      "Note", "The robot is added as it stands, as one mesh: it has no joints and no colours of its own.")});
+  return DocumentKind::bodyGeometry(content, notes);
+}
+
 DisplayModel RobotCellKind::display(const Snapshot& content) const {
   const RobotCellSnapshot& cell = cellOf(content);
   DisplayModel display = displayOf(*cell.robot, cell.joints);

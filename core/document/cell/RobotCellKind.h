@@ -33,6 +33,7 @@ class RobotCellKind : public DocumentKind {
   std::vector<std::filesystem::path> linkedFiles(const Snapshot& content) const override;
   std::unique_ptr<Document> make(OpenedFile opened) const override;
   nlohmann::json describe(const Snapshot& content) const override;
+  GeometryPointer bodyGeometry(const Snapshot& content, std::vector<Note>& notes) const override;
   DisplayModel display(const Snapshot& content) const override;
 
  private:

@@ -2,12 +2,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/scene/BodyImport.h"
 
+#include "base/NumberText.h"
 #include "document/scene/BodyChanges.h"
 #include "document/scene/BodyErrors.h"
 #include "document/scene/BodyLinks.h"
 #include "mesh/structure/MeshErrors.h"
 
+#include <QtGlobal>
+
 namespace handwheel {
+
+namespace {
+
+Note sizeNote(const BodyGeometry& geometry) {
+  const Vec3 size = geometry.bounds().sizes();
+  return {QT_TRANSLATE_NOOP("Note", "The body measures %1 × %2 × %3 mm."),
+          {shownText(size.x()), shownText(size.y()), shownText(size.z())}};
+}
+
+}  // namespace
 
 Result<ReadBody> readBody(const DocumentKinds& kinds, const std::filesystem::path& path, bool isLinked,
                           Progress progress) {
@@ -19,9 +32,10 @@ Result<ReadBody> readBody(const DocumentKinds& kinds, const std::filesystem::pat
   }
   Result<OpenedFile> opened = kinds.open(path, {}, progress.part(0.2, 0.9));
   if (!opened) return opened.error();
-  read.damage = std::move(opened->file.damage);
-  read.body.geometry = opened->kind->bodyGeometry(*opened->content);
+  read.file = std::move(opened->file);
+  read.body.geometry = opened->kind->bodyGeometry(*opened->content, read.file.notes);
   if (!read.body.geometry) return Error{MeshError::NoTriangles, {}, {}, path.string()};
+  read.file.notes.push_back(sizeNote(*read.body.geometry));
   const std::string name = path.stem().string();
   read.body.name = isBodyName(name) ? name : "body";
   return read;

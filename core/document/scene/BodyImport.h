@@ -9,8 +9,8 @@ namespace handwheel {
 
 // A body read from a file, with what is to be said of it.
 struct ReadBody {
-  Body body;  // without a number; named after the file
-  std::vector<Error> damage;
+  Body body;          // without a number; named after the file
+  DocumentFile file;  // with damage, losses and notes; the last of these says how large the body is
 };
 
 // Reads a file of any kind as a body: a mesh, a workpiece, a robot as it stands. isLinked: with a link to it. Errors:

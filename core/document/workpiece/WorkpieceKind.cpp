@@ -215,12 +215,12 @@ DisplayModel WorkpieceKind::display(const Snapshot& content) const {
   return {{std::move(part)}};
 }
 
-GeometryPointer WorkpieceKind::bodyGeometry(const Snapshot& content) const {
+GeometryPointer WorkpieceKind::bodyGeometry(const Snapshot& content, std::vector<Note>& notes) const {
   const WorkpieceSnapshot& workpiece = workpieceOf(content);
   const Result<ProfileCurve> profile = profileOf(workpiece);
-  if (!profile) return DocumentKind::bodyGeometry(content);
+  if (!profile) return DocumentKind::bodyGeometry(content, notes);
   auto made = RevolvedGeometry::make(*profile, workpiece.chord);
-  return made ? GeometryPointer(std::move(made).value()) : DocumentKind::bodyGeometry(content);
+  return made ? GeometryPointer(std::move(made).value()) : DocumentKind::bodyGeometry(content, notes);
 }
 
 }  // namespace handwheel

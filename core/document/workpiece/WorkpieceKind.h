@@ -28,7 +28,7 @@ class WorkpieceKind : public DocumentKind {
   nlohmann::json describe(const Snapshot& content) const override;
   DisplayModel display(const Snapshot& content) const override;
   // Its exact profile, where the bar stands.
-  GeometryPointer bodyGeometry(const Snapshot& content) const override;
+  GeometryPointer bodyGeometry(const Snapshot& content, std::vector<Note>& notes) const override;
 };
 
 }  // namespace handwheel

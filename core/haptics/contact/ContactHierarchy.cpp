@@ -20,7 +20,10 @@ ContactHierarchy::ContactHierarchy(std::vector<ContactTriangle> triangles, Progr
   }
   if (!m_tree.build(items, progress)) return;
   m_triangles.reserve(items.size());
-  for (const BoxedItem& item : items) m_triangles.push_back(triangles[item.id()]);
+  for (const BoxedItem& item : items) {
+    m_triangles.push_back(triangles[item.id()]);
+    for (const Vec3& corner : m_triangles.back().corners) m_bounds.extend(corner);
+  }
 }
 
 }  // namespace handwheel

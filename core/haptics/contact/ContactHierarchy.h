@@ -29,6 +29,8 @@ class ContactHierarchy {
   std::size_t size() const { return m_triangles.size(); }
   const ContactTriangle& triangle(std::size_t slot) const { return m_triangles[slot]; }
 
+  const Box& bounds() const { return m_bounds; }
+
   // Calls visit(slot) for each triangle whose box meets the box (boundaries included) until it returns false. Returns
   // false when a visit did. Neither allocates nor locks.
   template <class Visit>
@@ -50,8 +52,7 @@ class ContactHierarchy {
     return true;
   }
 
- private:
-  // With one branch: six would often be mispredicted.
+  // Whether the bounding box of a triangle meets a box. With one branch: six would often be mispredicted.
   static bool meets(const TrianglePoints& t, const Box& box) {
     const Eigen::Array3d low = t[0].array().min(t[1].array()).min(t[2].array());
     const Eigen::Array3d high = t[0].array().max(t[1].array()).max(t[2].array());
@@ -60,9 +61,11 @@ class ContactHierarchy {
     return all;
   }
 
+ private:
   BoxFrame m_frame;
   BoxTree m_tree;
   std::vector<ContactTriangle> m_triangles;
+  Box m_bounds;
 };
 
 }  // namespace handwheel

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cassert>
 
 namespace handwheel {
 namespace {
@@ -31,6 +32,23 @@ ContactSurface::ContactSurface(std::vector<ContactTriangle> triangles, Progress 
   add(std::move(triangles), progress);
 }
 
+ContactSurface::ContactSurface(std::span<const Placed> bodies, const ContactSurface* before)
+    : m_version(nextVersion()), m_origin(before ? before->m_origin : m_version) {
+  for (const auto& [surface, pose] : bodies) {
+    for (Layer layer : surface.m_layers) {
+      assert(!layer.place);
+      const Box own = layer.part->bounds();
+      const double far = std::max(own.min().norm(), own.max().norm()) + pose.translation().norm();
+      const double rounding = 0x1p-46 * far;
+      const Box there = own.transformed(pose);
+      const Box bounds(there.min() - Vec3::Constant(rounding), there.max() + Vec3::Constant(rounding));
+      layer.place = std::make_shared<const Placement>(Placement{pose, pose.inverse(), bounds, rounding});
+      m_layers.push_back(std::move(layer));
+      m_bounds.extend(bounds);
+    }
+  }
+}
+
 double ContactSurface::skin() const {
   if (m_bounds.isEmpty()) return 0.0;
   const double far = std::max(m_bounds.min().cwiseAbs().maxCoeff(), m_bounds.max().cwiseAbs().maxCoeff());
@@ -38,6 +56,7 @@ double ContactSurface::skin() const {
 }
 
 void ContactSurface::update(std::span<const std::uint32_t> removed, std::span<const ContactTriangle> added) {
+  assert(m_layers.empty() || !m_layers.front().place);
   m_version = nextVersion();
   for (const std::uint32_t id : removed) remove(id);
   for (const ContactTriangle& t : added) remove(t.id);
@@ -58,6 +77,7 @@ void ContactSurface::add(std::vector<ContactTriangle> triangles, Progress progre
   const auto part = std::make_shared<const ContactHierarchy>(std::move(triangles), progress);
   if (part->size() == 0) return;
   m_version = nextVersion();
+  if (m_origin == 0) m_origin = m_version;
   const std::uint32_t serial = m_nextSerial++;
   for (std::uint32_t slot = 0; slot < part->size(); ++slot) {
     const ContactTriangle& t = part->triangle(slot);

@@ -27,6 +27,12 @@ class ContactSurface {
   // largest.
   explicit ContactSurface(std::vector<ContactTriangle> triangles, Progress progress = {});
 
+  // The surfaces of rigid bodies at their places, as one: the proxy slides from body to body. They share the
+  // hierarchies, which stay in their own frames, so a body is moved in O(number of bodies). Ids are those in the
+  // surfaces. before: the bodies as they were, when this is to count as a version of them. Not to be updated.
+  struct Placed;
+  explicit ContactSurface(std::span<const Placed> bodies, const ContactSurface* before = nullptr);
+
   // Removes triangles by id (unknown ids are ignored), then adds or replaces some. O(k log² n) for k triangles,
   // amortised over many edits.
   void update(std::span<const std::uint32_t> removed, std::span<const ContactTriangle> added);
@@ -41,35 +47,57 @@ class ContactSurface {
   // A version number that changes with each edit; only copies have the same. (A moved-from surface must not be used.)
   std::uint64_t version() const { return m_version; }
   // Whether both were derived from the same surface by edits, and not from different models.
-  bool isVersionOf(const ContactSurface& other) const {
-    return empty() == other.empty() && (empty() || m_layers.front().part == other.m_layers.front().part);
-  }
+  bool isVersionOf(const ContactSurface& other) const { return m_origin == other.m_origin; }
 
-  // Calls visit(const ContactTriangle&) for each triangle whose box meets the box, until it returns false. Returns
+  // Calls visit(const ContactTriangle&) for each triangle whose box meets the box (of placed bodies: at least for each
+  // that meets it itself), until it returns false. Returns
   // false when a visit did. Neither allocates nor locks.
   template <class Visit>
   bool forEachInBox(const Box& box, Visit visit) const {
     for (const Layer& layer : m_layers) {
       const ContactHierarchy& part = *layer.part;
-      const bool all = part.forEachInBox(
-          box, [&](std::size_t slot) { return layer.dead.contains(slot) || visit(part.triangle(slot)); });
+      const bool all = layer.place ? forEachPlaced(layer, box, visit) : part.forEachInBox(box, [&](std::size_t slot) {
+        return layer.dead.contains(slot) || visit(part.triangle(slot));
+      });
       if (!all) return false;
     }
     return true;
   }
 
  private:
+  struct Placement {
+    Pose pose, inverse;
+    Box bounds;       // of the layer, placed; may be larger
+    double rounding;  // mm: of a corner that is placed, or placed back
+  };
   // Removed triangles are marked, so that the part can be shared.
   struct Layer {
     std::shared_ptr<const ContactHierarchy> part;
     PagedIndexSet dead;
     std::uint32_t serial = 0;
+    std::shared_ptr<const Placement> place = {};  // null: where the triangles are
   };
   // Where a triangle is stored. Layers are identified by serial number because they move when others are merged.
   struct Place {
     std::uint32_t serial = kNone;
     std::uint32_t slot = 0;
   };
+
+  // The triangles of a layer elsewhere: all that meet the box, and some more whose own boxes do. Corners that are the
+  // same in the part are so where it stands.
+  template <class Visit>
+  static bool forEachPlaced(const Layer& layer, const Box& box, Visit& visit) {
+    const Placement& place = *layer.place;
+    if (!place.bounds.intersects(box)) return true;
+    const Vec3 rounding = Vec3::Constant(place.rounding);
+    const Box own = box.transformed(place.inverse);
+    return layer.part->forEachInBox(Box(own.min() - rounding, own.max() + rounding), [&](std::size_t slot) {
+      if (layer.dead.contains(slot)) return true;
+      ContactTriangle t = layer.part->triangle(slot);
+      for (Vec3& corner : t.corners) corner = place.pose * corner;
+      return !ContactHierarchy::meets(t.corners, box) || visit(t);
+    });
+  }
 
   void add(std::vector<ContactTriangle> triangles, Progress progress = {});
   void remove(std::uint32_t id);
@@ -80,6 +108,13 @@ class ContactSurface {
   Box m_bounds;
   std::uint32_t m_nextSerial = 0;
   std::uint64_t m_version = 0;
+  std::uint64_t m_origin = 0;  // its first version that had triangles
+};
+
+// A surface in the frame of a body, and the place of the body.
+struct ContactSurface::Placed {
+  ContactSurface surface;
+  Pose pose = Pose::Identity();
 };
 
 }  // namespace handwheel

@@ -49,9 +49,9 @@ void ForceRecorder::fetch() {
   }
 }
 
-void ForceRecorder::noteScene(std::uint64_t number, std::string text) {
+void ForceRecorder::noteNextScene(std::string text) {
   const std::lock_guard lock(m_mutex);
-  m_scenes.push_back({number, std::move(text)});
+  m_scenes.push_back({m_loop.sceneNumber() + 1, std::move(text)});
 }
 
 void ForceRecorder::mark(std::string text) {

@@ -37,9 +37,10 @@ class ForceRecorder {
 
   // Adds an event at the last recorded tick.
   void mark(std::string text);
-  // Notes what the scene of this number is made of (ServoLoop::sceneNumber()). Becomes an event, kSceneEvent and the
-  // text, at the first tick in that scene or in one after it.
-  void noteScene(std::uint64_t number, std::string text);
+  // Notes what the scene is made of that the loop is given next. To be called before ServoLoop::setScene(), on the same
+  // thread: later, ticks in the scene may have been fetched already. Becomes an event, kSceneEvent and the text, at the
+  // first tick in that scene or in one after it.
+  void noteNextScene(std::string text);
 
   // What has been recorded so far; recording continues.
   Recording recording() const;

@@ -86,7 +86,7 @@ Result<BodyChange> adding(const OperationValues& values, const BodySet& bodies, 
   body.pose = poseOf(vectorOf(values, "at"), vectorOf(values, "turn"));
   Result<std::unique_ptr<Edit>> edit = addBodyEdit(bodies, std::move(body));
   if (!edit) return edit.error();
-  return BodyChange{std::move(edit).value(), std::move(read->damage)};
+  return BodyChange{std::move(edit).value(), std::move(read->file)};
 }
 
 Result<BodyChange> updating(const Body& body, const BodySet& bodies, const DocumentKinds& kinds,
@@ -96,14 +96,14 @@ Result<BodyChange> updating(const Body& body, const BodySet& bodies, const Docum
   if (read->body.link->sha256 == body.link->sha256) read->body.geometry = body.geometry;
   Result<std::unique_ptr<Edit>> edit = changeBodyEdit(bodies, std::move(read->body));
   if (!edit) return edit.error();
-  return BodyChange{std::move(edit).value(), std::move(read->damage)};
+  return BodyChange{std::move(edit).value(), std::move(read->file)};
 }
 
 Result<BodyChange> unlinking(Body body, const BodySet& bodies) {
   body.link.reset();
   Result<std::unique_ptr<Edit>> edit = changeBodyEdit(bodies, std::move(body));
   if (!edit) return edit.error();
-  return BodyChange{std::move(edit).value(), {}};
+  return BodyChange{std::move(edit).value()};
 }
 
 // By its name, or else its number.
@@ -164,7 +164,7 @@ Result<BodyChange> bodyChange(const OperationValues& values, const BodySet& bodi
   if (verb == "update") return updating(*body, bodies, kinds, folder, progress);
   if (verb == "unlink") return unlinking(*body, bodies);
   const BodyId ids[] = {body->id};
-  return BodyChange{removeBodiesEdit(bodies, ids), {}};
+  return BodyChange{removeBodiesEdit(bodies, ids)};
 }
 
 }  // namespace handwheel

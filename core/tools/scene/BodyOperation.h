@@ -16,10 +16,10 @@ const Operation& bodyOperation();
 // What is wrong with a combination of values, as a clause; empty when they fit together.
 std::string problemOfBodyValues(const OperationValues& values);
 
-// An edit of bodies, with what was skipped or repaired while a file was read for it.
+// An edit of bodies, with the file that was read for it.
 struct BodyChange {
   std::unique_ptr<Edit> edit;  // null: nothing changes
-  std::vector<Error> damage;
+  DocumentFile file = {};      // with damage, losses and notes; empty when none was read
 };
 
 // Creates the edit for values that fit together. folder: of the document; empty for one that was never saved. Errors:

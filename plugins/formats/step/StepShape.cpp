@@ -10,6 +10,7 @@
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS_Compound.hxx>
+#include <algorithm>
 #include <istream>
 #include <streambuf>
 
@@ -55,10 +56,14 @@ TopoDS_Shape sewn(const TopoDS_Shape& shape, const Message_ProgressRange& range)
   return all;
 }
 
+// As the file names it, which may be anything: what is not printable ASCII becomes a question mark.
 std::string lengthUnit(STEPControl_Reader& reader) {
   TColStd_SequenceOfAsciiString lengths, angles, solidAngles;
   reader.FileUnits(lengths, angles, solidAngles);
-  return lengths.IsEmpty() ? std::string() : lengths.First().ToCString();
+  std::string unit = lengths.IsEmpty() ? std::string() : lengths.First().ToCString();
+  std::replace_if(
+      unit.begin(), unit.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return unit;
 }
 
 }  // namespace

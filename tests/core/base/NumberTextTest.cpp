@@ -17,7 +17,35 @@ class NumberTextTest : public QObject {
   void notFiniteOnes();
   void refuses();
   void rounded();
+  void shown();
+  void limitsAsShown();
 };
+
+// The expectations are the definition: within a millionth, and no text with a digit less is.
+void NumberTextTest::shown() {
+  const std::pair<double, const char*> kTexts[] = {{0.0, "0"},
+                                                   {-0.0, "0"},
+                                                   {110.00223, "110.0022"},
+                                                   {30.0 - 4e-15, "30"},
+                                                   {-2.0 / 3.0, "-0.666667"},
+                                                   {1234567.8, "1234568"},
+                                                   {1e-9, "1e-09"},
+                                                   {2.5e15, "2.5e+15"},
+                                                   {25.4, "25.4"}};
+  for (const auto& [value, text] : kTexts) QCOMPARE(shownText(value), std::string(text));
+}
+
+void NumberTextTest::limitsAsShown() {
+  const double limit = 110.00223;
+  QCOMPARE(withinShownLimits(110.0022, -limit, limit), 110.0022);  // it lies within
+  QCOMPARE(withinShownLimits(-110.0023, -limit, limit), -limit);
+  QCOMPARE(withinShownLimits(110.003, -limit, limit), std::optional<double>());
+  QCOMPARE(withinShownLimits(5.0, -limit, limit), 5.0);
+  QCOMPARE(withinShownLimits(-1e-12, 0.0, 1.0), std::optional<double>());
+  QCOMPARE(withinShownLimits(5.0, -HUGE_VAL, HUGE_VAL), 5.0);
+  for (double none : {HUGE_VAL, std::nan("")})
+    QCOMPARE(withinShownLimits(none, -HUGE_VAL, HUGE_VAL), std::optional<double>());
+}
 
 void NumberTextTest::numbers() {
   const std::string zeros(400, '0');

@@ -5,6 +5,7 @@
 #include "TestClass.h"
 
 #include <fcntl.h>
+#include <pthread.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -102,6 +103,14 @@ class ChildProcessTest : public QObject {
     QCOMPARE(lines[1], QString("7"));
     QCOMPARE(lines[2], QString::number(512 << 10));
     QCOMPARE(lines[3].trimmed(), lines[4]);  // a group of its own
+  }
+
+  // fork() calls them, and copies the page tables of an editor that may be large; vfork() does neither.
+  void copiesNoMemory() {
+    static int forks = 0;
+    QCOMPARE(pthread_atfork([] { ++forks; }, nullptr, nullptr), 0);
+    QCOMPARE(ran("echo said", {.limits = ProcessLimits{}})->output(), std::string("said\n"));
+    QCOMPARE(forks, 0);
   }
 
   void wakesWhenItEnds() {

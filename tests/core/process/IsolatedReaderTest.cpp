@@ -150,6 +150,8 @@ class IsolatedReaderTest : public QObject {
       QCOMPARE(outcomeOf(readIsolated(reader, {how}, "")), QString("A Library: its answer is too large"));
   }
 
+  void waitsTwiceAsLongAsItMayWork() { QCOMPARE(ReaderLimits().wall.count(), 2 * ReaderLimits().cpu.count()); }
+
   void whatTheProcessGets() {
     IsolatedReader reader = hostile();
     reader.limits.cpu = 11s;

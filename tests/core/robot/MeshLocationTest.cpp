@@ -29,6 +29,7 @@ class MeshLocationTest : public QObject {
  private slots:
   void init();
   void packages();
+  void missingPackages();
   void nearestPackageWins();
   void packagesAreNotLeft();
   void relativeNames();
@@ -65,6 +66,18 @@ void MeshLocationTest::packages() {
   QVERIFY(finds("package://arm/meshes/../meshes/./a.stl", "ws/arm/meshes/a.stl"));
   QCOMPARE(codeOf("package://arm/meshes/none.stl"), ErrorCode::ReferenceMissing);
   QCOMPARE(codeOf("package://none/meshes/a.stl"), ErrorCode::ReferenceMissing);
+}
+
+// A package that is there lacks a mesh; one that is not is told with the folder where the search began.
+void MeshLocationTest::missingPackages() {
+  const auto argumentsOf = [&](std::string_view name) {
+    return locateMesh(name, m_root / "ws/arm/urdf").error().arguments;
+  };
+  QCOMPARE(argumentsOf("package://hand/meshes/none.stl"),
+           (std::vector<std::string>{"the mesh", "package://hand/meshes/none.stl"}));
+  const std::vector<std::string> package{"the package", "none", (m_root / "ws/arm/urdf").string()};
+  QCOMPARE(argumentsOf("package://none/meshes/a.stl"), package);
+  QCOMPARE(argumentsOf("model://none/b.stl"), package);
 }
 
 void MeshLocationTest::nearestPackageWins() {

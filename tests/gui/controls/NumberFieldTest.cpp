@@ -24,6 +24,7 @@ class NumberFieldTest : public QObject {
   void speaksGerman();
   void anglesAreDegrees();
   void refusesAndSaysWhy();
+  void takesLimitsAsTheyAreShown();
   void escBringsTheValueBack();
   void outOfRangeIsSaidAtOnce();
   void whatIsTypedStays();
@@ -111,6 +112,20 @@ void NumberFieldTest::refusesAndSaysWhy() {
   bench.field->setValue(6.0);  // until the value changes
   QCOMPARE(bench.line->text(), QString("6"));
   QCOMPARE(bench.field->problem(), QString());
+}
+
+// The limit of a robot's joint, 1.9199 rad, is 110.00217…°.
+void NumberFieldTest::takesLimitsAsTheyAreShown() {
+  Bench bench;
+  bench.field->setQuantity(Quantity::Angle, LengthUnit::Millimetre);
+  bench.field->setRange(-1.9199, 1.9199);
+  bench.enter("110.01");
+  QCOMPARE(bench.field->problem(), QString("Must be at most 110.0022°."));
+  bench.enter("110.0022");
+  QCOMPARE(bench.field->problem(), QString());
+  QCOMPARE(bench.field->value(), 1.9199);
+  bench.enter("-110.0022");
+  QCOMPARE(bench.field->value(), -1.9199);
 }
 
 void NumberFieldTest::escBringsTheValueBack() {

@@ -98,6 +98,10 @@ void PropertyListTest::sliderDrags() {
   auto* line = bench.find<QLineEdit>("joint1", "numberLine");
   QVERIFY(slider->isVisible());
   QVERIFY(!bench.find<QSlider>("diameter", "propertySlider")->isVisible());
+  QVERIFY(bench.find<QLabel>("joint1", "propertyLower")->isVisible());
+  QCOMPARE(bench.find<QLabel>("joint1", "propertyLower")->text(), QString("-180°"));
+  QCOMPARE(bench.find<QLabel>("joint1", "propertyUpper")->text(), QString("180°"));
+  QVERIFY(!bench.find<QLabel>("diameter", "propertyUpper")->isVisible());
   QCOMPARE(slider->value(), 583);  // (30 + 180) / 360 of 1000
   slider->setSliderDown(true);
   slider->setSliderPosition(1000);

@@ -44,6 +44,23 @@ class DocumentMessagesTest : public QObject {
     QVERIFY(!isSeen(driver));
   }
 
+  // The robot is sound, but its meshes are elsewhere: the message says which folder to put where.
+  void aPackageThatIsMissing() {
+    const QString path = m_folder.filePath("r.urdf");
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(
+        "<robot name='r'><link name='foot'><visual><geometry><mesh filename='package://elsewhere/a.stl'/>"
+        "</geometry></visual></link></robot>");
+    file.close();
+    WindowDriver driver;
+    QVERIFY(driver.open(path));
+    QTRY_VERIFY(isSeen(driver));
+    const QString said = driver.text("messageText");
+    QVERIFY2(said.contains("r.urdf is incomplete") && !said.contains("damaged"), qPrintable(said));
+    QVERIFY2(said.contains("'elsewhere'") && said.contains(m_folder.path()), qPrintable(said));
+  }
+
   // A file that could not be opened has no document: its message stays until it is closed.
   void ofFilesThatDidNotOpen() {
     WindowDriver driver;

@@ -55,6 +55,17 @@ class ErrorTextTest : public QObject {
     QCOMPARE(errorAdvice({DocumentError::FormatUnknown, {}, {}, {}}), "Choose another file.");  // of keys, for example
   }
 
+  // The end of a file's name says which it is.
+  void namesOfFilesAreWhole() {
+    const std::string mesh = "package://ur_description/meshes/ur5e/collision/base_link_inertia.stl";
+    QCOMPARE(errorSentence({ErrorCode::ReferenceMissing, {"the mesh", mesh}, {}, {}}),
+             QString::fromStdString("The mesh '" + mesh + "' is named, but cannot be found."));
+    const Error package{ErrorCode::ReferenceMissing, {"the package", "ur", "/home/a"}, {}, {}};
+    QCOMPARE(errorSentence(package),
+             "The package 'ur' was looked for in the folder '/home/a' and in those above it, in vain.");
+    QCOMPARE(errorAdvice(package), "Put the folder 'ur' into '/home/a' or a folder above it, and open the file again.");
+  }
+
   void quotesAreShortAndHarmless() {
     const Error error{ErrorCode::NumberMalformed, {"\x1b[31m" + std::string(500, 'x')}, {}, {}};
     const QString sentence = errorSentence(error);

@@ -51,8 +51,8 @@ std::optional<StepSummary> summaryOf(std::string_view line) {
   if (!takeNumber(line, summary.chord) || !(summary.chord > 0.0 && std::isfinite(summary.chord))) return {};
   if (line.size() > kLongestUnit) return {};
   if (summary.partsRead() > summary.parts() || summary.facesLost() > summary.faces()) return {};
-  const auto isLetter = [](char c) { return c == ' ' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-  if (!std::all_of(line.begin(), line.end(), isLetter)) return {};
+  const auto isPrintable = [](char c) { return c >= ' ' && c <= '~'; };
+  if (!std::all_of(line.begin(), line.end(), isPrintable)) return {};
   summary.unit = line.empty() ? "unknown" : line;
   return summary;
 }

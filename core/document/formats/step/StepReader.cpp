@@ -15,7 +15,7 @@ IsolatedReader stepReader(std::size_t bytes) {
   // It reads a megabyte in some three seconds; slow machines are to come to an end, too.
   constexpr std::size_t kMegabyte = 1 << 20;
   reader.limits.cpu += std::chrono::seconds(20 * bytes / kMegabyte);
-  reader.limits.wall += 2 * reader.limits.cpu;
+  reader.limits.wall = 2 * reader.limits.cpu;
   return reader;
 }
 

@@ -47,6 +47,15 @@ class CellBodiesTest : public QObject {
     for (std::size_t i = 0; i < links; ++i) QVERIFY(!bodyOfPart(shown.parts[i].name));
   }
 
+  // As the shape of a body a robot is one mesh.
+  void aRobotAsABodySaysWhatItLoses() {
+    std::vector<Note> notes;
+    const GeometryPointer shape = kKind.bodyGeometry(*m_cell->snapshot(), notes);
+    QCOMPARE(shape->kind(), "mesh");
+    QCOMPARE(notes.size(), std::size_t{1});
+    QVERIFY(notes[0].text.find("joints") != std::string::npos && notes[0].text.find("colours") != std::string::npos);
+  }
+
   void aMovedBodyKeepsItsSoup() {
     add(*m_cell, boxAt("table", 100, Pose::Identity()));
     const DisplayModel before = kKind.display(*m_cell->snapshot());

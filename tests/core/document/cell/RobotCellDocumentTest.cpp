@@ -38,6 +38,7 @@ class RobotCellDocumentTest : public QObject {
   void propertiesOfJoints();
   void toolPosition();
   void setting();
+  void settingALimitAsShown();
   void settingRefuses();
   void settingWithoutLimits();
   void dragsAreOneStep();
@@ -64,7 +65,11 @@ void RobotCellDocumentTest::propertiesOfJoints() {
   QCOMPARE(slide->label, std::string("slide"));
   const Property* turn = find(all, "joint.turn");
   QVERIFY(turn->quantity == Quantity::Angle && turn->least == -2.0 && turn->largest == 2.0);
-  QCOMPARE(turn->problem, std::string("effort is not known"));
+  QVERIFY(turn->problem.empty());
+  const Property* effort = find(all, "joints.unknown_effort");
+  QVERIFY(effort && !effort->editable);
+  QCOMPARE(std::get<std::string>(effort->value), std::string("turn"));
+  QVERIFY(!find(all, "joints.unknown_speed"));
   QVERIFY(!find(all, "joint.close"));  // it follows
   QVERIFY(!find(all, "joint.end"));
   QCOMPARE(std::get<std::string>(find(all, "robot")->value), std::string("arm"));
@@ -96,6 +101,13 @@ void RobotCellDocumentTest::setting() {
   QCOMPARE(m_document->joints(), values({0, 1.5}));
 }
 
+void RobotCellDocumentTest::settingALimitAsShown() {
+  QVERIFY(m_document->setProperty("joint.turn", 114.5916 * kRadiansPerDegree).hasValue());
+  QCOMPARE(m_document->joints()[1], 2.0);
+  QVERIFY(m_document->setProperty("joint.turn", -114.5916 * kRadiansPerDegree).hasValue());
+  QCOMPARE(m_document->joints()[1], -2.0);
+}
+
 void RobotCellDocumentTest::settingRefuses() {
   const auto codeOf = [&](const char* id, const PropertyValue& value) {
     const Status status = m_document->setProperty(id, value);
@@ -109,9 +121,9 @@ void RobotCellDocumentTest::settingRefuses() {
   QCOMPARE(codeOf("joint.none", 1.0), ErrorCode::ReferenceMissing);
   QCOMPARE(codeOf("tool.x", 1.0), ErrorCode::ReferenceMissing);
   QCOMPARE(m_document->history()->count(), 0);
-  // Degrees, as they are shown.
+  // Degrees, within a millionth of 2 rad = 114.59155902…°; whoever enters what is shown means the limit.
   const Status refused = m_document->setProperty("joint.turn", 90.0);
-  QCOMPARE(refused.error().arguments, (std::vector<std::string>{"turn", "5156.62", "-114.592", "114.592"}));
+  QCOMPARE(refused.error().arguments, (std::vector<std::string>{"turn", "5156.62", "-114.5916", "114.5916"}));
 }
 
 void RobotCellDocumentTest::settingWithoutLimits() {

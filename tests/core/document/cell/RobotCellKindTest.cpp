@@ -34,6 +34,7 @@ class RobotCellKindTest : public QObject {
   void meshesInMetres();
   void colladaMeshes();
   void missingMeshes();
+  void missingPackage();
   void damagedMeshes();
   void badDescription();
   void tooMuchToShow();
@@ -112,6 +113,21 @@ void RobotCellKindTest::missingMeshes() {
   const auto again = loaded(saved(*opened.content), damage);
   QVERIFY(again && !again->robot->surfaces[1]);
   QVERIFY(damage.empty());
+}
+
+// Told once, whatever the number of its meshes.
+void RobotCellKindTest::missingPackage() {
+  QTemporaryDir folder;
+  std::string meshes;
+  for (const char* name : {"a", "b", "c"})
+    meshes +=
+        std::string("<visual><geometry><mesh filename='package://elsewhere/") + name + ".stl'/></geometry></visual>";
+  write(folder.filePath("r.urdf"), "<robot name='r'><link name='foot'>" + meshes + "</link></robot>");
+  const OpenedFile opened = importOrThrow(folder.filePath("r.urdf"));
+  QCOMPARE(opened.file.damage.size(), std::size_t{1});
+  QCOMPARE(opened.file.unlistedDamage, std::size_t{0});
+  QCOMPARE(opened.file.damage[0].arguments,
+           (std::vector<std::string>{"the package", "elsewhere", folder.path().toStdString()}));
 }
 
 void RobotCellKindTest::damagedMeshes() {

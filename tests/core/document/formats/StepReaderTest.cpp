@@ -98,6 +98,30 @@ class StepReaderTest : public QObject {
     QCOMPARE(argumentsOf(file), std::string("6 0.095 1 0 INCH "));
   }
 
+  // A unit that is defined in the file may have any name; what counts is the factor.
+  void namesOfUnits_data() {
+    QTest::addColumn<QByteArray>("name");
+    QTest::addColumn<QByteArray>("told");
+    QTest::newRow("dots") << QByteArray("U.S. SURVEY FOOT") << QByteArray("U.S. SURVEY FOOT");
+    QTest::newRow("digits") << QByteArray("25.4 MM") << QByteArray("25.4 MM");
+    QTest::newRow("none") << QByteArray() << QByteArray("unknown");
+    QTest::newRow("quotes and slashes") << QByteArray("in/''\"") << QByteArray();
+    QTest::newRow("two lines") << QByteArray("a\nb") << QByteArray();
+    QTest::newRow("beyond ASCII") << QByteArray("\xc3\xa5ngstr\xc3\xb6m \x1b[2J") << QByteArray();
+    QTest::newRow("long") << QByteArray(1000, 'x') << QByteArray(32, 'x');
+  }
+  void namesOfUnits() {
+    QFETCH(QByteArray, name);
+    QFETCH(QByteArray, told);
+    const std::string inches = test::stepFile("box-inch.step");
+    const MeshFile file = readOrFail(test::replaced(inches, "'INCH'", "'" + name.toStdString() + "'"));
+    QVERIFY(isBox(file.soup, Vec3::Zero(), Vec3(25.4, 50.8, 76.2)));
+    QCOMPARE(file.notes.size(), std::size_t{3});
+    const std::string& unit = file.notes[2].arguments[0];
+    if (!told.isEmpty()) QCOMPARE(unit, told.toStdString());
+    QVERIFY(!unit.empty() && std::all_of(unit.begin(), unit.end(), [](char c) { return c >= ' ' && c <= '~'; }));
+  }
+
   // The same numbers as other units; the standard's prefixes are powers of ten.
   void otherUnits() {
     const std::string metre = test::stepFile("open-box-metre.step");

@@ -28,7 +28,9 @@ class BodyImportTest : public QObject {
   void aMeshByCopy() {
     const ReadBody read = valueOf(readBody(kinds(), m_root / "part.stl", false));
     QCOMPARE(read.body.name, "part");
-    QVERIFY(!read.body.link && read.damage.empty());
+    QVERIFY(!read.body.link && read.file.damage.empty());
+    QCOMPARE(read.file.notes.size(), std::size_t{1});  // how large it is
+    QCOMPARE(read.file.notes[0].arguments, (std::vector<std::string>{"10", "10", "10"}));
     QCOMPARE(read.body.geometry->kind(), "mesh");
     QCOMPARE(read.body.geometry->surface()->triangles.size(), std::size_t{4});
     QCOMPARE(read.body.geometry->surface()->points.size(), std::size_t{4});
@@ -65,6 +67,16 @@ class BodyImportTest : public QObject {
     rest.geometry = present.geometry;
     rest.link = present.link;
     QVERIFY(rest == present);
+  }
+
+  // A texture coordinate is not kept.
+  void whatIsLostIsTold() {
+    const std::string text = "v 0 0 0\nv 30 0 0\nv 0 20 0\nvt 0 0\nf 1/1 2/1 3/1\n";
+    QVERIFY(writeFileAtomically(m_root / "textured.obj", text, {}).hasValue());
+    const ReadBody read = valueOf(readBody(kinds(), m_root / "textured.obj", false));
+    QVERIFY(!read.file.lost.empty());
+    QCOMPARE(read.file.notes.back().arguments, (std::vector<std::string>{"30", "20", "0"}));
+    QCOMPARE(fs::path(read.file.path).filename(), fs::path("textured.obj"));
   }
 
   void whatCannotBeRead() {

@@ -247,8 +247,9 @@ void WorkpieceKindTest::describes() {
 }
 
 void WorkpieceKindTest::aBarAsABody() {
-  const GeometryPointer bar = m_kind.bodyGeometry(workpiece({20, 30, 7}, 0.1));
-  QVERIFY(bar);
+  std::vector<Note> notes;
+  const GeometryPointer bar = m_kind.bodyGeometry(workpiece({20, 30, 7}, 0.1), notes);
+  QVERIFY(bar && notes.empty());
   QCOMPARE(bar->kind(), RevolvedGeometry::kKind);
   const Box& box = bar->bounds();
   QVERIFY(box.min().z() == 7.0 && box.max().z() == 37.0);

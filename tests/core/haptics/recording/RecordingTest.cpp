@@ -51,14 +51,15 @@ class RecordingTest : public QObject {
   // Another scene in the middle: the event says at which tick, and the one that follows gives the same forces again.
   void aSceneThatChangesIsFeltAgain() {
     RecordedRun run;
-    run.recorder->noteScene(run.loop->sceneNumber(), "wall");
-    run.record(1500);
     const auto setScene = [&run](const char* note) {
       auto scene = std::make_unique<HapticScene>();
       scene->renderer = std::make_unique<StickyWall>();
+      run.recorder->noteNextScene(note);
       run.loop->setScene(std::move(scene));
-      run.recorder->noteScene(run.loop->sceneNumber(), note);
+      run.recorder->fetch();  // as its thread may at any time
     };
+    setScene("wall");
+    run.record(1500);
     setScene("never felt");  // replaced before the next tick
     setScene("wall again");
     const Recording recording = run.record(1500);

@@ -13,6 +13,7 @@
 #include "OwnSettings.h"
 #include "TestClass.h"
 #include "haptics/device/DeviceErrors.h"
+#include "haptics/recording/ForceRecorder.h"
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -376,6 +377,35 @@ class HapticSessionTest : public QObject {
     QVERIFY(most.maxCoeff() <= HapticSession::kTestForce + 1e-9);
     QVERIFY(most.maxCoeff() > 0.0);
     QTRY_VERIFY(b.session->latest()->sent.isZero());
+  }
+
+  // Else its forces would be compared with the scene before, when the recording is felt again.
+  void aRecordingTellsTheForceTestFromScenes() {
+    HapticSessionBench b;
+    b.session->choose("fake", "well");
+    QVERIFY(b.waitForOpen());
+    Recording recording;
+    connect(b.session.get(), &HapticSession::recorded, b.session.get(), [&](const Recording& all) { recording = all; });
+    b.session->startRecording();
+    b.session->setScene(std::make_unique<HapticScene>(), R"({"surface":{}})");
+    QTRY_VERIFY(b.session->recorder()->ticks() > 50);
+    b.session->startForceTest();
+    QTRY_VERIFY_WITH_TIMEOUT(!b.session->isTesting(), 20000);
+    const std::size_t atEnd = b.session->recorder()->ticks();
+    QTRY_VERIFY(b.session->recorder()->ticks() > atEnd + 50);
+    b.session->stopRecording();
+    std::vector<RecordedEvent> scenes;
+    for (const RecordedEvent& event : recording.events()) {
+      if (event.text.starts_with(kSceneEvent)) scenes.push_back(event);
+    }
+    QCOMPARE(scenes.size(), std::size_t{3});
+    QCOMPARE(scenes[0].text, std::string(R"(scene {"surface":{}})"));
+    QCOMPARE(scenes[1].text, std::string(R"(scene {"test":{}})"));
+    QCOMPARE(scenes[2].text, std::string("scene {}"));
+    for (std::size_t i = 0; i < recording.size(); ++i) {
+      const std::uint64_t tick = recording[i].tick;
+      if (tick < scenes[1].tick || tick >= scenes[2].tick) QVERIFY(recording[i].felt.force.isZero(0.0));
+    }
   }
 };
 

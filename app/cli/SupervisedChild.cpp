@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/LeashedChild.h"
+#include "cli/SupervisedChild.h"
 
 #include "cli/Interrupt.h"
 #include "process/ArgumentVector.h"
@@ -31,9 +31,9 @@ using namespace std::chrono_literals;
 constexpr int kNoProgram = 127;  // as shells report it
 
 // The end of the pipe that the programs below runChild() hold: a number that shells leave alone, and its name.
-constexpr int kLeash = 9;
-constexpr const char* kLeashNumber = "9";
-constexpr const char* kLeashName = "HANDWHEEL_LEASH";
+constexpr int kLifeline = 9;
+constexpr const char* kLifelineNumber = "9";
+constexpr const char* kLifelineName = "HANDWHEEL_LIFELINE";
 constexpr auto kTidying = 2s;  // xvfb-run takes up to one to start its display, and only then tidies up
 constexpr auto kEnding = 500ms;
 
@@ -42,25 +42,25 @@ void closeEnd(int& descriptor) {
   descriptor = -1;
 }
 
-// The environment with the number of the leash. Its words must outlive it.
-std::vector<char*> environmentWith(const std::string& leash) {
+// The environment with the number of the lifeline. Its words must outlive it.
+std::vector<char*> environmentWith(const std::string& lifeline) {
   std::vector<char*> all;
   for (char** entry = environ; *entry; ++entry) all.push_back(*entry);
-  all.push_back(const_cast<char*>(leash.c_str()));
+  all.push_back(const_cast<char*>(lifeline.c_str()));
   all.push_back(nullptr);
   return all;
 }
 
 // In a group of its own, to be ended as a whole; 0: there is no such program.
-pid_t spawn(const std::vector<char*>& argv, int leash) {
-  const std::string entry = std::string(kLeashName) + "=" + kLeashNumber;
+pid_t spawn(const std::vector<char*>& argv, int lifeline) {
+  const std::string entry = std::string(kLifelineName) + "=" + kLifelineNumber;
   const std::vector<char*> environment = environmentWith(entry);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, leash, kLeash);
+  posix_spawn_file_actions_adddup2(&actions, lifeline, kLifeline);
   pid_t child = 0;
   const int error = posix_spawnp(&child, argv[0], &actions, &attributes, argv.data(), environment.data());
   posix_spawn_file_actions_destroy(&actions);
@@ -68,14 +68,14 @@ pid_t spawn(const std::vector<char*>& argv, int leash) {
   return error == 0 ? child : 0;
 }
 
-// After a signal to us the leash closes, and then there is less and less patience.
-int waitFor(pid_t child, int& leash) {
+// After a signal to us the lifeline closes, and then there is less and less patience.
+int waitFor(pid_t child, int& lifeline) {
   constexpr auto kLook = 10ms;
   int status = 0;
   std::optional<std::chrono::steady_clock::time_point> told;
   while (waitpid(child, &status, WNOHANG) == 0) {
     if (wasInterrupted() && !told) {
-      closeEnd(leash);
+      closeEnd(lifeline);
       told = std::chrono::steady_clock::now();
     }
     if (told) {
@@ -96,26 +96,26 @@ std::string ownProgram() {
 
 int runChild(const std::vector<std::string>& words) {
   const std::vector<char*> argv = argumentVector(words);
-  std::array<int, 2> leash{-1, -1};  // the child's end, ours
-  if (pipe2(leash.data(), O_CLOEXEC) != 0) return kNoProgram;
-  const pid_t child = spawn(argv, leash[0]);
-  closeEnd(leash[0]);
-  const int code = child == 0 ? kNoProgram : waitFor(child, leash[1]);
-  closeEnd(leash[1]);
+  std::array<int, 2> lifeline{-1, -1};  // the child's end, ours
+  if (pipe2(lifeline.data(), O_CLOEXEC) != 0) return kNoProgram;
+  const pid_t child = spawn(argv, lifeline[0]);
+  closeEnd(lifeline[0]);
+  const int code = child == 0 ? kNoProgram : waitFor(child, lifeline[1]);
+  closeEnd(lifeline[1]);
   return code;
 }
 
 void endWithParent() {
-  const char* number = std::getenv(kLeashName);
-  if (!number || std::string_view(number) != kLeashNumber) return;
-  unsetenv(kLeashName);
+  const char* number = std::getenv(kLifelineName);
+  if (!number || std::string_view(number) != kLifelineNumber) return;
+  unsetenv(kLifelineName);
   struct stat status {};
-  if (fstat(kLeash, &status) != 0 || !S_ISFIFO(status.st_mode)) return;
-  fcntl(kLeash, F_SETFD, FD_CLOEXEC);
-  fcntl(kLeash, F_SETSIG, SIGTERM);
-  fcntl(kLeash, F_SETOWN, getpid());
-  fcntl(kLeash, F_SETFL, O_ASYNC | O_NONBLOCK);
-  pollfd end{kLeash, 0, 0};
+  if (fstat(kLifeline, &status) != 0 || !S_ISFIFO(status.st_mode)) return;
+  fcntl(kLifeline, F_SETFD, FD_CLOEXEC);
+  fcntl(kLifeline, F_SETSIG, SIGTERM);
+  fcntl(kLifeline, F_SETOWN, getpid());
+  fcntl(kLifeline, F_SETFL, O_ASYNC | O_NONBLOCK);
+  pollfd end{kLifeline, 0, 0};
   if (::poll(&end, 1, 0) == 1 && (end.revents & POLLHUP) != 0) raise(SIGTERM);  // it had closed before
 }
 
