@@ -63,7 +63,7 @@ std::vector<ToolDescriptor> WorkpieceUi::tools() {
 
 std::unique_ptr<Tool> WorkpieceUi::turnTool() {
   auto& workpiece = static_cast<WorkpieceDocument&>(document()->document);
-  const TurnServices services{parts().servoClock, parts().services.simulation()};
+  const SimulationServices services{parts().servoClock, parts().services.simulation()};
   return std::make_unique<TurnTool>(workpiece, services, parts().fidelity.values().of(turnSpacingSetting()));
 }
 

@@ -18,6 +18,7 @@ void TurningForce::follow(const ForceSource& previous) noexcept {
 }
 
 ForceBounds TurningForce::advance(const TipState& tip, ForceOut& out) noexcept {
+  const std::uint32_t gesture = m_channel->inputs->gestureAt(tip);
   const Vec3 across(tip.position.x(), tip.position.y(), 0.0);
   const double distance = across.norm();
   if (!std::isfinite(distance) || !std::isfinite(tip.position.z())) return {};
@@ -25,9 +26,9 @@ ForceBounds TurningForce::advance(const TipState& tip, ForceOut& out) noexcept {
   const ProfilePoint hand(distance, tip.position.z() - m_base);
   if (tip.isRestart || !m_isPlaced) m_contact.place(hand);
   m_isPlaced = true;
-  m_isTouching = m_contact.follow(m_channel->patch.read(), m_tool, hand, (tip.buttons & 1u) != 0, tip.period);
+  m_isTouching = m_contact.follow(m_channel->patch.read(), m_tool, hand, gesture != 0, tip.period);
   m_proxy = m_contact.tool().x() * m_outward + Vec3(0, 0, m_contact.tool().y() + m_base);
-  m_channel->inputs->push({tip, m_proxy});
+  m_channel->inputs->push({tip, m_proxy, gesture});
   if (!m_isTouching) return {};
   out.isContact = true;
   out.proxy = m_proxy;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulation/turning/TurningSimulation.h"
 
+#include "SimulationLog.h"
 #include "TestClass.h"
 #include "haptics/scene/SceneForces.h"
 #include "simulation/SimulationLoop.h"
@@ -10,6 +11,7 @@
 #include <cmath>
 
 using namespace handwheel;
+using namespace handwheel::test;
 
 namespace {
 
@@ -23,12 +25,18 @@ struct Lathe {
   VirtualClock clock;
   Service service{"simulation"};
   TurnedProfile bar{kBar, 0.1};
-  SimulationLoop loop{std::make_unique<TurningSimulation>(bar, TurnedSurface(bar, 0.05), kNose, kBase, channel), 250.0,
-                      channel->inputs, clock, service};
+  SimulationLoop loop{std::make_unique<LoggedSimulation>(
+                          std::make_unique<TurningSimulation>(bar, TurnedSurface(bar, 0.05), kNose, kBase, channel)),
+                      250.0, channel->inputs, clock, service};
   SceneForces forces{sources()};
   TipState tip;
   int perStep = 4;  // ticks
 
+  Lathe() { begin(1); }
+  void begin(std::uint32_t gesture) {
+    loop.setGesture(gesture);
+    channel->inputs->setDeviceGesture(gesture);
+  }
   ForceSources sources() {
     channel->patch.write(patchAround(bar, 50.0, kNose));
     ForceSources all;
@@ -109,30 +117,83 @@ class TurningSimulationTest : public QObject {
     for (const int perStep : {1, 4, 17}) {
       Lathe lathe;
       lathe.perStep = perStep;
-      lathe.loop.keepLog();
       // The hand is where the tool is: beside the material or pressed in, without the lag of the channel.
       for (int i = 0; i < 3000; ++i) {
         SimulationInput input;
         input.tip.isRestart = i == 0;
-        input.tip.buttons = i > 100 && i < 2900 ? 1u : 0u;
+        input.gesture = i > 100 && i < 2900 ? 1u : 0u;
         input.tip.time = kTick * i;
         input.tip.position = Vec3(21.0 - 4.0 * std::sin(0.002 * i), 3.0, kBase + 20.0 + 0.02 * i);
         input.proxy = input.tip.position;
         lathe.channel->inputs->push(input);
         if (i % perStep == 0) lathe.loop.runSteps(1);
       }
-      lathe.loop.runSteps(1);
+      const auto taken = lathe.loop.take();
+      const auto& logged = static_cast<const LoggedSimulation&>(*taken);
       const TurningState& state = lathe.state();
       QVERIFY(state.isCut && state.profile.volume() < kBar.volume());
       TurningSimulation again(lathe.bar, TurnedSurface(lathe.bar, 0.05), kNose, kBase, lathe.channel);
-      replay(again, lathe.loop.log());
+      replay(again, logged.log());
       QVERIFY(static_cast<const TurningState&>(*again.state()).profile == state.profile);
       TurnedProfile byPass = lathe.bar;
-      cut(byPass, static_cast<const TurningSimulation&>(lathe.loop.simulation()).pass());
+      cut(byPass, static_cast<const TurningSimulation&>(logged.logged()).pass());
       QVERIFY(byPass == state.profile);
       if (first) QVERIFY(*first == state.profile);
       first = state.profile;
     }
+  }
+
+  // Without a gesture the button alone does nothing; after a drop, neither: the hand lies on what is there.
+  void theButtonAloneCutsNothing() {
+    Lathe lathe;
+    lathe.begin(0);
+    for (double r = 23.0; r > 20.5; r -= 0.01) lathe.at({r, 0, 57.0}, true);
+    QVERIFY((lathe.at({20.5, 0, 57.0}, true).proxy - Vec3(22.0, 0, 57.0)).norm() < 1e-9);
+    lathe.begin(1);
+    for (int i = 0; i < 100; ++i) lathe.at({20.5, 0, 57.0}, true);
+    QVERIFY(lathe.state().isCut);
+    lathe.begin(0);
+    const TurnedProfile before = lathe.state().profile;
+    for (double z = 57.0; z < 77.0; z += 0.01) lathe.at({20.5, 0, z}, true);
+    lathe.at({20.5, 0, 77.0}, false);
+    lathe.loop.runSteps(1);
+    QVERIFY(lathe.state().profile == before);
+  }
+
+  // Released and pressed again elsewhere before the window has seen it: no furrow between, and nothing cut there.
+  void aPassEndsWithTheButton() {
+    Lathe lathe;
+    const auto plunge = [&lathe](double z) {
+      for (double r = 24.0; r > 19.0; r -= 0.005) lathe.at({r, 0, kBase + z}, true);
+    };
+    plunge(20.0);
+    for (double z = 20.0; z < 80.0; z += 0.05) lathe.at({24.0, 0, kBase + z}, z < 20.5);
+    plunge(80.0);
+    lathe.loop.runSteps(1);
+    const auto radiusAt = [&lathe](double z) {
+      return lathe.state().profile.radius(static_cast<std::size_t>(std::lround(z / lathe.bar.spacing())));
+    };
+    QVERIFY(radiusAt(20.0) < 19.0);
+    QCOMPARE(radiusAt(50.0), 20.0);
+    QCOMPARE(radiusAt(80.0), 20.0);
+  }
+
+  void aFullPassSaysSo() {
+    const auto channel = std::make_shared<TurningChannel>();
+    const TurnedProfile bar(kBar, 0.1);
+    TurningSimulation simulation(bar, TurnedSurface(bar, 0.05), kNose, kBase, channel, 3);
+    SimulationInput input;
+    input.gesture = 1;
+    for (const double z : {10.0, 30.0, 50.0, 90.0}) {
+      input.proxy = Vec3(21.0, 0, kBase + z);
+      QVERIFY(!static_cast<const TurningState&>(*simulation.state()).isFull || z > 50.0);
+      simulation.step(kTick, {&input, 1});
+    }
+    const auto& state = static_cast<const TurningState&>(*simulation.state());
+    QVERIFY(state.isFull && state.isCut);
+    QCOMPARE(state.profile.radius(400), 19.0);
+    QCOMPARE(state.profile.radius(800), 20.0);
+    QCOMPARE(simulation.pass().path.size(), 3u);
   }
 
   void noNumberNoForce() {
