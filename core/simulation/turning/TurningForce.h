@@ -14,8 +14,9 @@ using TurningChannel = SimulationChannel<ProfilePatch>;
 inline constexpr const char* kTurningSource = "turning";
 
 // The force of a cutting tool on a turning part: a spring between the hand and the tool, which goes through material
-// only as fast as it is pressed, F = resistance · speed. In a gesture it cuts; otherwise the part is felt as it is. The
-// part turns about z from z = base on, and is felt alike from all sides.
+// only as fast as it is pressed, F = resistance · speed, also where the loop can carry a softer spring only. In a
+// gesture it cuts; otherwise the part is felt as it is. The part turns about z from z = base on, and is felt alike from
+// all sides.
 class TurningForce : public ForceSource {
  public:
   TurningForce(std::shared_ptr<TurningChannel> channel, const TurningTool& tool, double base);
@@ -31,6 +32,7 @@ class TurningForce : public ForceSource {
   TurningContact m_contact;
   Vec3 m_outward = Vec3::UnitX();  // from the axis to the hand
   Vec3 m_proxy = Vec3::Zero();
+  double m_share = 1.0;  // of the stiffness, in the tick before: that of a tick is known after its advance()
   bool m_isTouching = false;
   bool m_isPlaced = false;
 };
