@@ -185,6 +185,38 @@ class TurningSimulationTest : public QObject {
     QCOMPARE(radiusAt(80.0), 20.0);
   }
 
+  // At the standard distance of samples a shoulder is felt by any nose as the whole profile has it, or a little more.
+  void thePatchHasTheWholeNose_data() {
+    QTest::addColumn<double>("nose");
+    for (double nose : {0.05, 1.0, 1.7, 2.0, 10.0, 50.0}) QTest::addRow("%g", nose) << nose;
+  }
+  void thePatchHasTheWholeNose() {
+    QFETCH(double, nose);
+    TurnedProfile part({300.0, 200.0, 0.0}, 0.013);
+    part.cut({148.0 + nose, -10.0}, {148.0 + nose, 100.0 - nose}, nose);  // a step of 2 mm at z = 100
+    const auto penetration = [&](const ProfilePoint& centre) {
+      double deepest = -nose;
+      for (std::size_t i = 0; i < part.size(); ++i) {
+        const double offset = part.z(i) - centre.y();
+        if (std::abs(offset) > nose) continue;
+        const double low = centre.x() - std::sqrt(nose * nose - offset * offset);
+        deepest = std::max(deepest, part.radius(i) - low);
+      }
+      return deepest;
+    };
+    const ProfilePatch patch = patchAround(part, 100.0 - nose, nose);
+    const double stride = 4.0 * nose / (ProfilePatch::kMost - 2) + part.spacing();
+    for (const double shift : {-0.9 * nose, -0.3 * nose, 0.0, 0.1 * nose, 0.7 * nose}) {
+      const ProfilePoint on(148.0 + nose, 100.0 - nose + shift);
+      const double whole = penetration(on), felt = patch.penetration(on, nose);
+      QVERIFY(felt >= whole - 1e-9);
+      // No more than where the nose is moved by two strides to either side; 1e-4 mm is what lies between samples.
+      const double beside =
+          std::max(penetration(on + ProfilePoint(0, 2.0 * stride)), penetration(on - ProfilePoint(0, 2.0 * stride)));
+      QVERIFY(felt <= std::max(whole, beside) + 1e-4);
+    }
+  }
+
   void aFullPassSaysSo() {
     const auto channel = std::make_shared<TurningChannel>();
     const TurnedProfile bar(kBar, 0.1);
