@@ -72,18 +72,19 @@ void WorkpieceUi::followTool() {
   const auto* const tool = dynamic_cast<const TurnTool*>(parts().tools.runner().tool());
   const std::shared_ptr<TurningChannel> channel = tool ? tool->channel() : nullptr;
   const TurningTool settings = tool ? tool->settingsAtDevice() : TurningTool();
-  if (channel == m_felt && settings == m_feltSettings) return;
+  const double base = tool ? tool->base() : 0.0;
+  if (channel == m_felt && settings == m_feltSettings && base == m_feltBase) return;
   m_feltSettings = settings;
   setFelt(channel == nullptr);
-  const bool isSame = std::exchange(m_felt, channel) == channel;
+  const bool isSame = std::exchange(m_felt, channel) == channel, isThere = std::exchange(m_feltBase, base) == base;
   if (!channel) return parts().touch.setSource(kTurningSource, {}, false);
-  const auto make = [channel, settings, base = tool->base()](const TouchContext& context) {
+  const auto make = [channel, settings, base](const TouchContext& context) {
     TurningTool inScene = settings;
     inScene.stiffness = context.mapping.sceneStiffness(context.touch.stiffness);
     inScene.resistance = context.mapping.sceneStiffness(settings.resistance);
     return std::make_unique<TurningForce>(channel, inScene, base);
   };
-  parts().touch.setSource(kTurningSource, make, isSame);
+  parts().touch.setSource(kTurningSource, make, isSame && isThere);
 }
 
 NextStep WorkpieceUi::nextStep() {

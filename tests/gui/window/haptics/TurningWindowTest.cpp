@@ -32,9 +32,19 @@ struct TurningWindow {
     driver.find<QAction>("turnTool")->trigger();
     return driver.find<QAction>("turnTool")->isChecked();
   }
-  const WorkpieceSnapshot& workpiece() {
-    auto& document = driver.window().findChild<DocumentTabs*>()->current()->document;
-    return static_cast<WorkpieceDocument&>(document).workpiece();
+  WorkpieceDocument& document() {
+    return static_cast<WorkpieceDocument&>(driver.window().findChild<DocumentTabs*>()->current()->document);
+  }
+  const WorkpieceSnapshot& workpiece() { return document().workpiece(); }
+  bool takeHand() {
+    session.choose("simulated", "hand");
+    return QTest::qWaitFor([this] { return session.latest() != nullptr; }, kPatienceMs) && driver.settle() && leadOut();
+  }
+  // Beside the bar, without the button.
+  bool leadOut() {
+    leadTo({32.0, 0.0, 50.0}, 0);
+    const auto isOut = [this] { return std::abs(session.latest()->tip.position.x() - 32.0) < 1.0; };
+    return QTest::qWaitFor(isOut, kPatienceMs);
   }
   double radiusAt(double z) {
     const TurnedProfile& profile = workpiece().part->profile;
@@ -132,12 +142,7 @@ class TurningWindowTest : public QObject {
   // The hand feels the bar as it is; pressed with the button held it goes in, and the release is the undo step.
   void byTheHand() {
     TurningWindow turning;
-    QVERIFY(turning.begin());
-    turning.session.choose("simulated", "hand");
-    QVERIFY(QTest::qWaitFor([&] { return turning.session.latest() != nullptr; }, kPatienceMs));
-    QVERIFY(turning.driver.settle());
-    turning.leadTo({32.0, 0.0, 50.0}, 0);
-    QTRY_VERIFY_WITH_TIMEOUT(std::abs(turning.session.latest()->tip.position.x() - 32.0) < 1.0, kPatienceMs);
+    QVERIFY(turning.begin() && turning.takeHand());
     turning.leadTo({21.0, 0.0, 50.0}, 0);
     QTRY_VERIFY_WITH_TIMEOUT(turning.session.latest()->felt.isContact, kPatienceMs);
     QTRY_VERIFY_WITH_TIMEOUT(turning.session.latest()->felt.force.x() > 0.05, kPatienceMs);
@@ -156,17 +161,47 @@ class TurningWindowTest : public QObject {
     QVERIFY(again == turning.workpiece().part->profile);
   }
 
+  // Esc with the button held: the bar is whole again under the hand, and stays so until the button is pressed anew.
+  void escapeEndsThePassOfTheHand() {
+    TurningWindow turning;
+    QVERIFY(turning.begin() && turning.takeHand());
+    const auto felt = [&turning] { return turning.session.latest()->felt; };
+    turning.leadTo({21.0, 0.0, 50.0}, 1);
+    QTRY_VERIFY_WITH_TIMEOUT(felt().proxy.x() < 24.0, kPatienceMs);
+    QTest::keyClick(turning.view, Qt::Key_Escape);
+    QTRY_VERIFY_WITH_TIMEOUT(felt().isContact && std::abs(felt().proxy.x() - 26.0) < 0.1, kPatienceMs);
+    QTest::qWait(200);
+    QVERIFY(std::abs(felt().proxy.x() - 26.0) < 0.1);
+    QVERIFY(turning.leadOut());
+    QVERIFY(!turning.workpiece().part);
+  }
+
+  // Moved along its axis under the tool the part is felt where it is: from z = 60 on.
+  void aMovedPartIsFeltWhereItIs() {
+    TurningWindow turning;
+    QVERIFY(turning.begin() && turning.takeHand());
+    const auto isFelt = [&turning] { return turning.session.latest()->felt.isContact; };
+    turning.leadTo({21.0, 0.0, 50.0}, 0);
+    QTRY_VERIFY_WITH_TIMEOUT(isFelt(), kPatienceMs);
+    QVERIFY(turning.leadOut());
+    QVERIFY(turning.document().setProperty("position", 60.0));
+    QVERIFY(turning.driver.settle());
+    turning.leadTo({21.0, 0.0, 50.0}, 0);
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(turning.session.latest()->tip.position.x() - 21.0) < 1.0, kPatienceMs);
+    QTest::qWait(50);
+    QVERIFY(!isFelt());
+    QVERIFY(turning.leadOut());
+    turning.leadTo({21.0, 0.0, 70.0}, 0);
+    QTRY_VERIFY_WITH_TIMEOUT(isFelt(), kPatienceMs);
+  }
+
   // Parts of documents are felt without a tool, too.
   void partsAreFelt() {
     TurningWindow turning;
     turning.driver.choose("newWorkpiece");
     QVERIFY(turning.driver.settle());
     turning.view->setStandardView(StandardView::Front);
-    turning.session.choose("simulated", "hand");
-    QVERIFY(QTest::qWaitFor([&] { return turning.session.latest() != nullptr; }, kPatienceMs));
-    QVERIFY(turning.driver.settle());
-    turning.leadTo({32.0, 0.0, 50.0}, 0);
-    QTRY_VERIFY_WITH_TIMEOUT(std::abs(turning.session.latest()->tip.position.x() - 32.0) < 1.0, kPatienceMs);
+    QVERIFY(turning.takeHand());
     turning.leadTo({21.0, 0.0, 50.0}, 0);
     QTRY_VERIFY_WITH_TIMEOUT(turning.session.latest()->felt.isContact, kPatienceMs);
     QTRY_VERIFY_WITH_TIMEOUT(std::abs(turning.session.latest()->felt.proxy.x() - 25.0) < 0.2, kPatienceMs);
