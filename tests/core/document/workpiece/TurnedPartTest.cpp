@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TestClass.h"
+#include "document/container/Blobs.h"
 #include "document/formats/MeshFormat.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
@@ -92,6 +93,53 @@ class TurnedPartTest : public QObject {
     loaded = m_kind.load(container, damage, {});
     QVERIFY(loaded && damage.size() >= 2);
     QVERIFY(!static_cast<const WorkpieceSnapshot&>(**loaded).part);
+  }
+
+  // Of 100,000 samples in two chunks the second is lost: that many.
+  void countsWhatIsLost() {
+    WorkpieceSnapshot workpiece;
+    TurningPass pass;
+    pass.path = {{21.0, 20.0}};
+    pass.times = {0.0};
+    workpiece.part = withPass(workpiece, pass, 100.0 / 99'998.5);
+    QCOMPARE(workpiece.part->profile.size(), std::size_t{100'000});
+    Container container;
+    m_kind.save(workpiece, container);
+    container.blobs.erase("workpiece/radii/0001");
+    std::vector<Error> damage;
+    QVERIFY(m_kind.load(container, damage, {}));
+    QCOMPARE(damage.size(), std::size_t{1});
+    QCOMPARE(damage[0].arguments.at(1), std::string("100000"));
+    QCOMPARE(damage[0].arguments.at(2), std::to_string(kChunkElements));
+    // And of two with wrong numbers, two.
+    m_kind.save(workpiece, container);
+    std::vector<double> radii = fromBlob<double>(container.blobs.at("workpiece/radii/0001"));
+    radii[3] = radii[7] = -1.0;
+    container.blobs["workpiece/radii/0001"] = toBlob(radii);
+    damage.clear();
+    QVERIFY(m_kind.load(container, damage, {}));
+    QCOMPARE(damage[0].arguments.at(2), std::string("99998"));
+  }
+
+  // A small file that would be cut for hours, 20,000 points of a nose over 200,000 samples: the damage is told at once.
+  void hostilePassesAreNotCutOnceMore() {
+    WorkpieceSnapshot workpiece;
+    TurningPass pass;
+    pass.noseRadius = 1000.0;
+    pass.path.assign(20'000, {2000.0, 50.0});  // beside the bar
+    pass.times.assign(pass.path.size(), 0.0);
+    workpiece.part = withPass(workpiece, {1.0, {{2000.0, 50.0}}, {0.0}}, 1e-9);
+    auto part = std::make_shared<TurnedPart>(*workpiece.part);
+    part->passes = {std::make_shared<const TurningPass>(pass)};
+    workpiece.part = part;
+    Container container;
+    m_kind.save(workpiece, container);
+    container.blobs.erase("workpiece/radii/0000");
+    std::vector<Error> damage;
+    const auto loaded = m_kind.load(container, damage, {});
+    QVERIFY(loaded && !static_cast<const WorkpieceSnapshot&>(**loaded).part);
+    QCOMPARE(damage.size(), std::size_t{2});
+    QVERIFY(damage[1].code == ErrorCode::ElementMalformed);
   }
 
   void hostileManifests_data() {
