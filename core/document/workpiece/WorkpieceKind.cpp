@@ -219,7 +219,10 @@ GeometryPointer WorkpieceKind::bodyGeometry(const Snapshot& content) const {
   const WorkpieceSnapshot& workpiece = workpieceOf(content);
   const Result<ProfileCurve> profile = profileOf(workpiece);
   if (!profile) return DocumentKind::bodyGeometry(content);
-  auto made = RevolvedGeometry::make(*profile, workpiece.chord);
+  // Of the tolerance of a part the polyline has had its half.
+  const double chord =
+      workpiece.part ? std::max(0.5 * workpiece.chord, RevolvedGeometry::kLeastChord) : workpiece.chord;
+  auto made = RevolvedGeometry::make(*profile, chord);
   return made ? GeometryPointer(std::move(made).value()) : DocumentKind::bodyGeometry(content);
 }
 

@@ -142,6 +142,32 @@ class TurnedPartTest : public QObject {
     QVERIFY(damage[1].code == ErrorCode::ElementMalformed);
   }
 
+  // Around a ball of 20 mm the chords of the profile and those of the circle are off to the same side: together they
+  // are within the tolerance.
+  void theBodyIsWithinTheTolerance() {
+    WorkpieceSnapshot workpiece;
+    workpiece.chord = 0.1;
+    TurningPass pass;
+    for (double angle = -1.2; angle <= 1.2; angle += 0.01) {
+      pass.path.emplace_back(21.0 * std::cos(angle), 50.0 + 21.0 * std::sin(angle));
+      pass.times.push_back(0.0);
+    }
+    workpiece.part = withPass(workpiece, pass, 0.01);
+    const GeometryPointer body = m_kind.bodyGeometry(workpiece);
+    const TriangleSoup& surface = *body->surface();
+    double worst = 0.0;
+    for (const Triangle& t : surface.triangles) {
+      for (double u = 0.0; u <= 1.0; u += 0.125) {
+        for (double v = 0.0; u + v <= 1.0; v += 0.125) {
+          const Vec3 p = u * surface.points[t[0]] + v * surface.points[t[1]] + (1.0 - u - v) * surface.points[t[2]];
+          const double off = 20.0 - (p - Vec3(0, 0, 50)).norm();
+          if (std::abs(p.z() - 50.0) < 15.0) worst = std::max(worst, std::abs(off));
+        }
+      }
+    }
+    QVERIFY(worst > 0.05 && worst <= 0.1 + 0.002);  // what is between the points of the path is 0.0003
+  }
+
   void hostileManifests_data() {
     QTest::addColumn<QByteArray>("turned");
     for (const char* turned :
