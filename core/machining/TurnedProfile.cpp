@@ -113,6 +113,12 @@ double TurnedProfile::area() const {
   return M_PI * sum;
 }
 
+std::size_t TurnedProfile::pieces() const {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < size(); ++i) count += m_radii[i] > 0.0 && (i == 0 || !(m_radii[i - 1] > 0.0)) ? 1 : 0;
+  return count;
+}
+
 // Greedy: each chord goes as far as all samples under it allow, doubling and halving its length.
 std::vector<ProfilePoint> TurnedProfile::polyline(double chord) const {
   const auto point = [this](std::size_t i) { return ProfilePoint(m_radii[i], z(i)); };

@@ -49,6 +49,9 @@ class TurnedProfile {
   double volume() const;  // mm³, of the frustums between the samples; O(samples)
   double area() const;    // mm², of their lateral surfaces and the two flat ends; O(samples)
 
+  // In how many pieces the part is: where the radius is 0 it is parted. O(samples).
+  std::size_t pieces() const;
+
   // The profile from the lower end to the upper, with as few points as stay within `chord` (mm) of it.
   std::vector<ProfilePoint> polyline(double chord) const;
 

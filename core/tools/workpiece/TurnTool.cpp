@@ -7,6 +7,7 @@
 #include "tools/ToolProperty.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <cmath>
 
 namespace handwheel {
@@ -27,6 +28,27 @@ std::vector<Vec3> noseOutline(const Vec3& centre, double radius) {
     line.push_back(centre + radius * (std::cos(angle) * outward + std::sin(angle) * Vec3::UnitZ()));
   }
   return line;
+}
+
+// The plane contains the axis and faces the viewer as far as it can; seen along the axis there is none.
+std::optional<Vec3> placeOfMouse(const Ray& ray) {
+  const Vec3 across(ray.direction.x(), ray.direction.y(), 0.0);
+  const double facing = across.norm();
+  if (!(facing > 1e-3)) return std::nullopt;
+  const Vec3 normal = across / facing;
+  const double distance = -ray.origin.dot(normal) / ray.direction.dot(normal);
+  if (!std::isfinite(distance) || distance < 0.0) return std::nullopt;
+  return Vec3(ray.origin + distance * ray.direction);
+}
+
+// What a pass has done, for the history. removed: mm³.
+QString passText(const TurnedPart& part, double removed) {
+  const QLocale locale;
+  QString text = QCoreApplication::translate("Tool", "Turning pass %1: −%2 mm³")
+                     .arg(locale.toString(part.passes.size()), locale.toString(removed, 'f', removed < 10.0 ? 2 : 0));
+  if (const std::size_t pieces = part.profile.pieces(); pieces > 1)
+    text += QCoreApplication::translate("Tool", "; the part is now in %n piece(s)", nullptr, static_cast<int>(pieces));
+  return text;
 }
 
 }  // namespace
@@ -50,21 +72,27 @@ std::shared_ptr<const TurningState> TurnTool::state() const {
   return std::static_pointer_cast<const TurningState>(m_gesture.state());
 }
 
-// The plane contains the axis and faces the viewer as far as it can; seen along the axis there is none.
 std::optional<Vec3> TurnTool::placeOf(const PointerEvent& event) const {
   if (event.device) return Vec3(event.device->translation());
-  const Vec3 across(event.ray.direction.x(), event.ray.direction.y(), 0.0);
-  const double facing = across.norm();
-  if (!(facing > 1e-3)) return std::nullopt;
-  const Vec3 normal = across / facing;
-  const double distance = -event.ray.origin.dot(normal) / event.ray.direction.dot(normal);
-  if (!std::isfinite(distance) || distance < 0.0) return std::nullopt;
-  return Vec3(event.ray.origin + distance * event.ray.direction);
+  const std::optional<Vec3> place = placeOfMouse(event.ray);
+  if (!place) return std::nullopt;
+  return Vec3(*place + (m_gesture.isOn() ? m_lift : wayOut(*place)));
+}
+
+// Straight away from the axis, until the nose touches the part only.
+Vec3 TurnTool::wayOut(const Vec3& place) const {
+  const Vec3 across(place.x(), place.y(), 0.0);
+  const double r = across.norm(), z = place.z() - base();
+  const double depth = patchAround(state()->profile, z, m_tool.noseRadius).penetration({r, z}, m_tool.noseRadius);
+  if (!(depth > 0.0)) return Vec3::Zero();
+  return depth * (r > 0.0 ? Vec3(across / r) : Vec3::UnitX());
 }
 
 ToolReply TurnTool::press(const PointerEvent& event) {
+  if (event.button != PointerButton::First || m_gesture.isOn()) return ToolReply::Ignored;
   const std::optional<Vec3> place = placeOf(event);
-  if (event.button != PointerButton::First || !place || m_gesture.isOn()) return ToolReply::Ignored;
+  if (!place) return ToolReply::Ignored;
+  if (!event.device) m_lift = *place - *placeOfMouse(event.ray);
   m_gesture.begin(event.device.has_value());
   m_place = place;
   if (!event.device) m_gesture.feed(*place);
@@ -103,11 +131,13 @@ ToolReply TurnTool::release() {
     m_gesture.restart();
     return ToolReply::Used;
   }
-  std::vector<std::shared_ptr<const TurningPass>> passes = partOf(m_document.workpiece(), m_spacing).passes;
+  TurnedPart before = partOf(m_document.workpiece(), m_spacing);
+  const double removed = before.profile.volume() - cut->profile.volume();
+  auto passes = std::move(before.passes);
   passes.push_back(std::make_shared<const TurningPass>(static_cast<const TurningSimulation&>(*ended).pass()));
   auto turned = std::make_shared<const TurnedPart>(TurnedPart{cut->profile, cut->surface, std::move(passes)});
-  m_document.commit(QCoreApplication::translate("Tool", QT_TRANSLATE_NOOP("Tool", "Turning pass")),
-                    std::make_unique<TurnedPartEdit>(std::move(turned)));
+  const QString text = passText(*turned, removed);
+  m_document.commit(text, std::make_unique<TurnedPartEdit>(std::move(turned)));
   return ToolReply::Used;
 }
 

@@ -10,8 +10,9 @@
 namespace handwheel {
 
 // Tool that cuts a turning workpiece by hand. While the button is held the round nose of a lathe tool removes what it
-// passes: one pass, which is one undo step. The mouse moves it in the plane through the axis that faces the viewer; a
-// haptic device feels the part and moves it anywhere, since the part turns (turning(), source()).
+// passes: one pass, which is one undo step. The mouse moves it in the plane through the axis that faces the viewer, and
+// begins at the surface where it is pressed inside of the part, so that a click alone cuts nothing; a haptic device
+// feels the part and moves it anywhere, since the part turns (turning(), source()).
 class TurnTool : public Tool {
  public:
   static constexpr double kRate = 250.0;  // steps of the simulation a second
@@ -42,12 +43,14 @@ class TurnTool : public Tool {
   ToolReply release();
   std::shared_ptr<const TurningState> state() const;
   std::optional<Vec3> placeOf(const PointerEvent& event) const;
+  Vec3 wayOut(const Vec3& place) const;
 
   WorkpieceDocument& m_document;
   double m_spacing;
   TurningTool m_tool;  // stiffness and resistance at the device
   std::shared_ptr<TurningChannel> m_channel = std::make_shared<TurningChannel>();
   SimulatedGesture m_gesture;
+  Vec3 m_lift = Vec3::Zero();                                // from the mouse to the tool, in its pass
   std::optional<Vec3> m_place;                               // of the tool's centre, where it is shown
   mutable std::shared_ptr<const TurningState> m_shownState;  // of which the preview shows the part
   mutable std::shared_ptr<const DisplayModel> m_shown;

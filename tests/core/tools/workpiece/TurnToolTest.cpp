@@ -90,8 +90,8 @@ struct TurningBench {
     return least;
   }
   void pass(double x, double from, double to) {
-    event(PointerEvent::Kind::Press, x, from);
-    for (int i = 1; i <= 20; ++i) event(PointerEvent::Kind::Drag, x, from + (to - from) * i / 20.0);
+    event(PointerEvent::Kind::Press, std::copysign(std::max(27.0, std::abs(x)), x), from);  // beside the bar
+    for (int i = 0; i <= 20; ++i) event(PointerEvent::Kind::Drag, x, from + (to - from) * i / 20.0);
     event(PointerEvent::Kind::Release, x, to);
   }
   double radiusAt(double z) const {
@@ -129,6 +129,37 @@ class TurnToolTest : public QObject {
     TurnedProfile again(bench.document.workpiece().stock, after.spacing());
     for (const auto& pass : bench.document.workpiece().part->passes) cut(again, *pass);
     QVERIFY(again == after);
+  }
+
+  // A click on the part cuts nothing, wherever it lands; from there a drag cuts as deep as it goes inwards.
+  void theMouseBeginsAtTheSurface() {
+    TurningBench bench;
+    for (const double x : {24.0, 3.0, 0.0, -10.0}) {
+      bench.event(PointerEvent::Kind::Press, x, 50.0);
+      bench.event(PointerEvent::Kind::Release, x, 50.0);
+    }
+    QCOMPARE(bench.document.history()->count(), 0);
+    bench.event(PointerEvent::Kind::Press, 10.0, 50.0);
+    bench.event(PointerEvent::Kind::Drag, 8.0, 50.0);
+    bench.event(PointerEvent::Kind::Drag, 8.0, 60.0);
+    bench.event(PointerEvent::Kind::Release, 8.0, 60.0);
+    for (const double z : {50.0, 55.0, 60.0}) QVERIFY(std::abs(bench.radiusAt(z) - 23.0) < 1e-3);
+    QCOMPARE(bench.radiusAt(40.0), 25.0);
+  }
+
+  // The history says what a pass has done, and that it has parted the bar.
+  void theHistorySaysWhatAPassHasDone() {
+    TurningBench bench;
+    bench.pass(23.0, 30.0, 60.0);
+    const double removed =
+        bench.document.workpiece().stock.volume() - bench.document.workpiece().part->profile.volume();
+    QVERIFY(removed > 1000.0);
+    QCOMPARE(bench.document.history()->text(0),
+             QStringLiteral("Turning pass 1: −%1 mm³").arg(QLocale().toString(removed, 'f', 0)));
+    bench.pass(0.5, 80.0, 82.0);
+    QCOMPARE(bench.document.workpiece().part->profile.pieces(), std::size_t{2});
+    QVERIFY(bench.document.history()->text(1).startsWith("Turning pass 2: −"));
+    QVERIFY(bench.document.history()->text(1).contains("2 piece"));
   }
 
   // The simulation works on its own thread: what it has cut is shown within a few of its steps.
@@ -210,7 +241,8 @@ class TurnToolTest : public QObject {
     QVERIFY(std::abs(bench.radiusAt(20.0) - 20.0) < 0.06);
     QCOMPARE(bench.radiusAt(65.0), 25.0);
     bench.tick(27.0, 20.0, false);
-    bench.event(PointerEvent::Kind::Press, 24.0, 60.0);
+    bench.event(PointerEvent::Kind::Press, 27.0, 60.0);
+    bench.event(PointerEvent::Kind::Drag, 24.0, 60.0);
     bench.plunge(5.0, 40.0);
     bench.event(PointerEvent::Kind::Release, 24.0, 60.0);
     QVERIFY(std::abs(bench.radiusAt(60.0) - 23.0) < 1e-9);
@@ -224,7 +256,8 @@ class TurnToolTest : public QObject {
     const std::vector<double> expected{0.0, 0.25, 0.5, 2.0};
     for (const double time : expected) {
       clock.set(static_cast<std::int64_t>((5.0 + time) * kNanoseconds));
-      bench.event(time == 0.0 ? PointerEvent::Kind::Press : PointerEvent::Kind::Drag, 23.0, 50.0 + time);
+      const bool isFirst = time == 0.0;
+      bench.event(isFirst ? PointerEvent::Kind::Press : PointerEvent::Kind::Drag, isFirst ? 27.0 : 23.0, 50.0 + time);
     }
     bench.event(PointerEvent::Kind::Release, 23.0, 52.0);
     const std::vector<double>& times = bench.document.workpiece().part->passes.front()->times;

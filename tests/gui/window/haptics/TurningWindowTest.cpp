@@ -68,12 +68,14 @@ struct TurningWindow {
     const ViewRay ray = view->rayAt(pixel);
     return ray.origin - ray.origin.y() / ray.direction.y() * ray.direction;
   }
+  void moveTo(const QPoint& at) {
+    QMouseEvent move(QEvent::MouseMove, at, view->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(view, &move);
+  }
   void drag(const QPoint& from, const QPoint& to) {
-    QTest::mousePress(view, Qt::LeftButton, {}, from);
-    for (int i = 1; i <= 10; ++i) {
-      const QPoint at = from + (to - from) * i / 10;
-      QMouseEvent move(QEvent::MouseMove, at, view->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
-      QApplication::sendEvent(view, &move);
+    QTest::mousePress(view, Qt::LeftButton, {}, pixelOf(28.0, 30.0));  // beside the bar
+    for (int i = 0; i <= 10; ++i) {
+      moveTo(from + (to - from) * i / 10);
       QTest::qWait(5);
     }
     QTest::mouseRelease(view, Qt::LeftButton, {}, to);
@@ -129,11 +131,12 @@ class TurningWindowTest : public QObject {
     std::shared_ptr<const DisplayModel> shown;
     connect(turning.driver.window().findChild<ToolHost*>(), &ToolHost::previewed, this,
             [&shown](const ToolPreview& preview) { shown = preview.replaced; });
-    const QPoint inside = turning.pixelOf(22.0, 30.0);
-    QTest::mouseMove(turning.view, inside);
+    const QPoint beside = turning.pixelOf(28.0, 30.0), inside = turning.pixelOf(22.0, 30.0);
+    QTest::mouseMove(turning.view, beside);
     QTRY_VERIFY(shown);
     const auto uncut = shown;
-    QTest::mousePress(turning.view, Qt::LeftButton, {}, inside);
+    QTest::mousePress(turning.view, Qt::LeftButton, {}, beside);
+    turning.moveTo(inside);
     QTRY_VERIFY(shown && shown != uncut);
     QTest::mouseRelease(turning.view, Qt::LeftButton, {}, inside);
     QVERIFY(turning.workpiece().part);
