@@ -78,6 +78,8 @@ std::vector<ServiceStatus> WindowServices::status() {
     status.running = counters.running;
     status.ticksPerSecond = ticks / seconds;
     status.microsecondsPerTick = microsecondsPerTick(counters);
+    status.behind = (counters.lostSeconds - before.lostSeconds) / seconds;
+    status.dropped = static_cast<int>(counters.dropped - before.dropped);
     before = counters;
     all.push_back(status);
   });

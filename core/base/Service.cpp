@@ -15,7 +15,10 @@ Service::Service(std::string id, std::function<void()> start, std::function<void
 ServiceCounters Service::counters() const {
   return {m_ticks.load(std::memory_order_relaxed),
           static_cast<double>(m_nanoseconds.load(std::memory_order_relaxed)) * 1e-3,
-          m_starts.load(std::memory_order_relaxed), isRunning()};
+          m_starts.load(std::memory_order_relaxed),
+          isRunning(),
+          static_cast<double>(m_lost.load(std::memory_order_relaxed)) * 1e-9,
+          m_dropped.load(std::memory_order_relaxed)};
 }
 
 void Service::start() {

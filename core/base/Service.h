@@ -19,6 +19,8 @@ struct ServiceCounters {
   double cpuMicroseconds = 0.0;  // of all ticks together, on the threads that ran them
   std::uint64_t starts = 0;
   bool running = false;
+  double lostSeconds = 0.0;   // by which it is behind the clock, since late ticks are not made up for
+  std::uint64_t dropped = 0;  // inputs that it did not take in time
 };
 
 // A background activity that runs only while a document or tool needs it. For example surface contact, snap, rigid
@@ -38,6 +40,9 @@ class Service {
     m_ticks.fetch_add(1, std::memory_order_relaxed);
     m_nanoseconds.fetch_add(nanoseconds, std::memory_order_relaxed);
   }
+  // Count what the service did not do in time.
+  void countLost(std::uint64_t nanoseconds) noexcept { m_lost.fetch_add(nanoseconds, std::memory_order_relaxed); }
+  void countDropped(std::uint64_t inputs) noexcept { m_dropped.fetch_add(inputs, std::memory_order_relaxed); }
 
  private:
   friend class ServiceRegistry;
@@ -50,6 +55,8 @@ class Service {
   std::atomic<std::uint64_t> m_ticks{0};
   std::atomic<std::uint64_t> m_nanoseconds{0};
   std::atomic<std::uint64_t> m_starts{0};
+  std::atomic<std::uint64_t> m_lost{0};  // ns
+  std::atomic<std::uint64_t> m_dropped{0};
   std::atomic<bool> m_running{false};
   static_assert(std::atomic<std::uint64_t>::is_always_lock_free, "ticks are counted on real-time threads");
 };

@@ -69,16 +69,22 @@ TurnedProfile TurnedProfile::fromRadii(const std::vector<double>& radii, double 
   return profile;
 }
 
-TurnedProfile::Range TurnedProfile::cut(const ProfilePoint& a, const ProfilePoint& b, double noseRadius) {
-  Range changed;
-  if (!a.allFinite() || !b.allFinite() || !(noseRadius > 0.0)) return changed;
+TurnedProfile::Range TurnedProfile::samplesUnder(const ProfilePoint& a, const ProfilePoint& b,
+                                                 double noseRadius) const {
+  if (!a.allFinite() || !b.allFinite() || !(noseRadius > 0.0)) return {};
   const double from = std::min(a.y(), b.y()) - noseRadius, to = std::max(a.y(), b.y()) + noseRadius;
   const double last = static_cast<double>(size() - 1);
-  if (to < 0.0 || from > length()) return changed;
+  if (to < 0.0 || from > length()) return {};
   const auto begin = static_cast<std::size_t>(std::clamp(std::ceil(from / m_spacing), 0.0, last));
   const auto end = static_cast<std::size_t>(std::clamp(std::floor(to / m_spacing), 0.0, last));
+  return {begin, end + 1};
+}
+
+TurnedProfile::Range TurnedProfile::cut(const ProfilePoint& a, const ProfilePoint& b, double noseRadius) {
+  Range changed;
+  const Range under = samplesUnder(a, b, noseRadius);
   const LowerTangent tangent(a, b, noseRadius);
-  for (std::size_t i = begin; i <= end; ++i) {
+  for (std::size_t i = under.first; i < under.last; ++i) {
     const double at = z(i);
     const double low = std::min({lowerSide(a, noseRadius, at), lowerSide(b, noseRadius, at), tangent.at(at)});
     const double left = std::max(low, 0.0);
@@ -105,6 +111,12 @@ double TurnedProfile::area() const {
     sum += (m_radii[i] + m_radii[i + 1]) * std::hypot(m_spacing, m_radii[i + 1] - m_radii[i]);
   }
   return M_PI * sum;
+}
+
+std::size_t TurnedProfile::pieces() const {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < size(); ++i) count += m_radii[i] > 0.0 && (i == 0 || !(m_radii[i - 1] > 0.0)) ? 1 : 0;
+  return count;
 }
 
 // Greedy: each chord goes as far as all samples under it allow, doubling and halving its length.

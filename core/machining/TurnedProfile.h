@@ -22,6 +22,7 @@ class TurnedProfile {
   struct Range {
     std::size_t first = 0, last = 0;
     bool isEmpty() const { return first >= last; }
+    std::size_t size() const { return isEmpty() ? 0 : last - first; }
     void extend(const Range& other);
   };
 
@@ -39,11 +40,17 @@ class TurnedProfile {
 
   // Removes the material that a disc of this radius (mm, > 0) sweeps with its centre moving straight from a to b, given
   // as (r, z), and all that lies outside of it: the shank of a tool comes from there. Returns the samples that changed.
-  // Points that are not finite cut nothing. O(samples below the sweep).
+  // Points that are not finite cut nothing. O(samplesUnder()).
   Range cut(const ProfilePoint& a, const ProfilePoint& b, double noseRadius);
+
+  // The samples below such a sweep, which cut() visits. O(1).
+  Range samplesUnder(const ProfilePoint& a, const ProfilePoint& b, double noseRadius) const;
 
   double volume() const;  // mm³, of the frustums between the samples; O(samples)
   double area() const;    // mm², of their lateral surfaces and the two flat ends; O(samples)
+
+  // In how many pieces the part is: where the radius is 0 it is parted. O(samples).
+  std::size_t pieces() const;
 
   // The profile from the lower end to the upper, with as few points as stay within `chord` (mm) of it.
   std::vector<ProfilePoint> polyline(double chord) const;

@@ -6,6 +6,14 @@
 
 namespace handwheel {
 
+namespace {
+
+const ProfilePoint& pointBefore(const TurningPass& pass, std::size_t i) {
+  return pass.path[i == 0 ? 0 : i - 1];
+}
+
+}  // namespace
+
 TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& pass, Progress progress) {
   constexpr std::size_t kLook = 256;  // points between two looks at the cancel flag
   TurnedProfile::Range changed;
@@ -14,10 +22,16 @@ TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& pass, Progre
       if (progress.cancelled()) break;
       progress.set(static_cast<double>(i) / static_cast<double>(pass.path.size()));
     }
-    const ProfilePoint& from = pass.path[i == 0 ? 0 : i - 1];
-    changed.extend(profile.cut(from, pass.path[i], pass.noseRadius));
+    changed.extend(profile.cut(pointBefore(pass, i), pass.path[i], pass.noseRadius));
   }
   return changed;
+}
+
+std::uint64_t samplesUnder(const TurnedProfile& profile, const TurningPass& pass) {
+  std::uint64_t sum = 0;
+  for (std::size_t i = 0; i < pass.path.size(); ++i)
+    sum += profile.samplesUnder(pointBefore(pass, i), pass.path[i], pass.noseRadius).size();
+  return sum;
 }
 
 }  // namespace handwheel

@@ -20,4 +20,7 @@ struct TurningPass {
 // Cuts a pass. The profile is incomplete when it was cancelled.
 TurnedProfile::Range cut(TurnedProfile& profile, const TurningPass& pass, Progress progress = {});
 
+// How many samples cut() visits: what it costs. O(points).
+std::uint64_t samplesUnder(const TurnedProfile& profile, const TurningPass& pass);
+
 }  // namespace handwheel

@@ -4,12 +4,16 @@
 
 namespace handwheel {
 
-void replay(Simulation& simulation, const SimulationLog& log) {
-  std::span<const SimulationInput> inputs(log.inputs);
-  for (const std::uint32_t count : log.countPerStep) {
-    simulation.step(log.dt, inputs.first(count));
-    inputs = inputs.subspan(count);
-  }
+std::uint32_t SimulationInputs::gestureAt(const TipState& tip) noexcept {
+  const std::uint32_t told = m_told.load(std::memory_order_acquire);
+  if (told != m_gesture) m_phase = Phase::Waiting;
+  m_gesture = told;
+  const bool isHeld = (tip.buttons & 1u) != 0;
+  if (m_phase == Phase::Waiting && isHeld)
+    m_phase = Phase::Acting;
+  else if (m_phase == Phase::Acting && (!isHeld || tip.isRestart))
+    m_phase = Phase::Over;
+  return m_phase == Phase::Acting ? m_gesture : 0;
 }
 
 }  // namespace handwheel

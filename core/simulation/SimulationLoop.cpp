@@ -4,19 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace handwheel {
 
 SimulationLoop::SimulationLoop(std::unique_ptr<Simulation> simulation, double rate,
                                std::shared_ptr<SimulationInputs> inputs, ServoClock& clock, Service& service)
-    : m_simulation(std::move(simulation)),
-      m_dt(1.0 / std::clamp(rate, kLeastRate, kLargestRate)),
+    : m_dt(1.0 / std::clamp(rate, kLeastRate, kLargestRate)),
       m_clock(clock),
       m_service(service),
       m_inputs(std::move(inputs)),
-      m_states(m_simulation->state()) {
+      m_simulation(std::move(simulation)),
+      m_states(m_simulation->state()),
+      m_dropped(m_inputs->dropped()) {
   m_arrived.reserve(m_inputs->capacity());
-  m_log.dt = m_dt;
 }
 
 void SimulationLoop::start() {
@@ -35,36 +36,73 @@ void SimulationLoop::runSteps(std::uint64_t count) {
   for (std::uint64_t i = 0; i < count; ++i) step();
 }
 
+// A mutex is not fair: a loop whose steps are late would take it again and again.
+std::unique_lock<std::mutex> SimulationLoop::own() {
+  m_isWanted = true;
+  std::unique_lock lock(m_mutex);
+  m_isWanted = false;
+  return lock;
+}
+
+std::unique_ptr<Simulation> SimulationLoop::take() {
+  rethrow();
+  const std::unique_lock lock = own();
+  step();
+  return std::move(m_simulation);
+}
+
+void SimulationLoop::replace(std::unique_ptr<Simulation> simulation) {
+  const std::unique_lock lock = own();
+  m_simulation.swap(simulation);
+  m_hasFailed = false;
+  m_states.write(m_simulation->state());
+}
+
+void SimulationLoop::rethrow() const {
+  if (m_hasFailed) std::rethrow_exception(m_failure);
+}
+
 void SimulationLoop::run() {
   const auto period = static_cast<std::int64_t>(std::llround(m_dt * kNanoseconds));
   std::int64_t due = m_clock.now() + period;
   while (!m_isStopping) {
     m_clock.waitUntil(due);
-    step();
+    if (!m_isWanted) attemptStep();
     due += period;
     const std::int64_t now = m_clock.now();
     if (now > due) {  // slower from here on
-      m_lost += now - due;
+      m_service.countLost(static_cast<std::uint64_t>(now - due));
       due = now;
     }
   }
-  step();
+  attemptStep();
+}
+
+void SimulationLoop::attemptStep() {
+  const std::lock_guard lock(m_mutex);
+  try {
+    step();
+  } catch (...) {
+    m_failure = std::current_exception();
+    m_simulation.reset();
+    m_hasFailed = true;
+  }
 }
 
 void SimulationLoop::step() {
   const ServiceTick tick(m_service);
+  const std::uint32_t gesture = m_gesture.load(std::memory_order_relaxed);
   m_arrived.clear();
-  for (SimulationInput input; m_arrived.size() < m_inputs->capacity() && m_inputs->pop(input);)
+  for (SimulationInput input; m_arrived.size() < m_inputs->capacity() && m_inputs->pop(input);) {
+    if (input.gesture != gesture) input.gesture = 0;
     m_arrived.push_back(input);
+  }
+  const std::uint64_t dropped = m_inputs->dropped();
+  m_service.countDropped(dropped - std::exchange(m_dropped, dropped));
+  m_steps.fetch_add(1, std::memory_order_relaxed);
+  if (!m_simulation) return;
   m_simulation->step(m_dt, m_arrived);
   m_states.write(m_simulation->state());
-  m_steps.fetch_add(1, std::memory_order_relaxed);
-  if (!m_isLogComplete || m_log.inputs.size() + m_arrived.size() > kMostLogged) {
-    m_isLogComplete = false;
-    return;
-  }
-  m_log.inputs.insert(m_log.inputs.end(), m_arrived.begin(), m_arrived.end());
-  m_log.countPerStep.push_back(static_cast<std::uint32_t>(m_arrived.size()));
 }
 
 }  // namespace handwheel

@@ -8,23 +8,25 @@
 #include "simulation/Simulation.h"
 
 #include <atomic>
+#include <exception>
+#include <mutex>
 #include <thread>
+#include <vector>
 
 namespace handwheel {
 
-// Runs a simulation in steps of fixed length on its own thread, between the servo loop and the window. Inputs come
-// through rings and states go out through a triple buffer, so neither side ever waits.
+// Runs simulations in steps of fixed length on its own thread, between the servo loop and the window. Inputs come
+// through rings and states go out through a triple buffer, so that nobody waits; only who exchanges the simulation
+// waits for a step that is under way.
 //
 // The clock of the simulation slows down when a step takes longer than its time or the machine stalls: late steps are
-// not made up for in a burst. The next step then gets all inputs that have arrived, so nothing that the hand did is
-// lost, and lostTime() says by how much the simulation is behind.
+// not made up for in a burst. The next step then gets all inputs that have arrived. The service counts the time that
+// was lost, and the inputs for which there was no room.
 //
 // Unless stated otherwise, functions are called on the thread that owns it, the window's.
 class SimulationLoop {
  public:
   static constexpr double kLeastRate = 30.0, kLargestRate = 1000.0;  // steps a second
-  // Inputs that the log keeps, some 15 minutes at 1 kHz. What comes later is simulated, but not in the log.
-  static constexpr std::size_t kMostLogged = 1'000'000;
 
   // rate: steps a second, kept within the limits above. inputs: may outlive the loop and be taken over by a next one.
   // The clock and the service outlive the loop; the service counts steps and their CPU time.
@@ -41,35 +43,42 @@ class SimulationLoop {
   // Runs steps on the calling thread instead: for tests and the command line.
   void runSteps(std::uint64_t count);
 
+  // The gesture whose inputs keep their number from now on: what another one left behind only moves.
+  void setGesture(std::uint32_t gesture) { m_gesture.store(gesture, std::memory_order_relaxed); }
+  // Takes the simulation out, after a last step with the inputs that have arrived. Until replace() none runs. Throws
+  // what a step has thrown.
+  std::unique_ptr<Simulation> take();
+  // Runs another simulation from the next step on. state() is that of it already.
+  void replace(std::unique_ptr<Simulation> simulation);
+  // Throws what a step on the loop's thread has thrown, if one did: the simulation has ended with it.
+  void rethrow() const;
+
   // The state after the last finished step; never null.
   std::shared_ptr<const SimulationState> state() { return m_states.read(); }
 
-  double dt() const { return m_dt; }  // s
-  // Any thread.
-  std::uint64_t steps() const { return m_steps.load(std::memory_order_relaxed); }
-  double lostTime() const { return 1e-9 * static_cast<double>(m_lost.load(std::memory_order_relaxed)); }  // s
-
-  // While the loop is stopped. The log has what was simulated since keepLog(), which is called before start().
-  void keepLog() { m_isLogComplete = true; }
-  const Simulation& simulation() const { return *m_simulation; }
-  const SimulationLog& log() const { return m_log; }
-  bool isLogComplete() const { return m_isLogComplete; }
+  double dt() const { return m_dt; }                                               // s
+  std::uint64_t steps() const { return m_steps.load(std::memory_order_relaxed); }  // any thread
 
  private:
+  std::unique_lock<std::mutex> own();
   void run();
+  void attemptStep();
   void step();
 
-  const std::unique_ptr<Simulation> m_simulation;
   const double m_dt;
   ServoClock& m_clock;
   Service& m_service;
   const std::shared_ptr<SimulationInputs> m_inputs;
+  std::mutex m_mutex;                        // of what follows up to m_failure
+  std::unique_ptr<Simulation> m_simulation;  // null: none runs
   TripleBuffer<std::shared_ptr<const SimulationState>> m_states;
   std::vector<SimulationInput> m_arrived;
-  SimulationLog m_log;
-  bool m_isLogComplete = false;
+  std::uint64_t m_dropped;               // inputs that were counted
+  std::exception_ptr m_failure;          // of a step on the loop's thread
+  std::atomic<bool> m_hasFailed{false};  // m_failure is there to be read
+  std::atomic<bool> m_isWanted{false};   // the owner wants the mutex
+  std::atomic<std::uint32_t> m_gesture{0};
   std::atomic<std::uint64_t> m_steps{0};
-  std::atomic<std::int64_t> m_lost{0};  // ns
   std::atomic<bool> m_isStopping{false};
   std::thread m_thread;
 };

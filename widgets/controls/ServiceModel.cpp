@@ -27,12 +27,21 @@ QString shareText(const ServiceStatus& service) {
   return {};
 }
 
+QString stateText(const ServiceStatus& service) {
+  constexpr double kSeen = 0.01;  // less is the scheduler's doing, and nobody notices it
+  if (!service.running) return ServiceModel::tr("asleep");
+  QStringList troubles;
+  if (service.behind >= kSeen) troubles << ServiceModel::tr("too slow by %1 %").arg(number(service.behind * 100.0));
+  if (service.dropped > 0) troubles << ServiceModel::tr("%n input(s) dropped", nullptr, service.dropped);
+  return troubles.isEmpty() ? ServiceModel::tr("running") : troubles.join(QStringLiteral(", "));
+}
+
 QString cell(const ServiceStatus& service, int column) {
   switch (column) {
     case ServiceModel::Name:
       return service.name;
     case ServiceModel::State:
-      return service.running ? ServiceModel::tr("running") : ServiceModel::tr("asleep");
+      return stateText(service);
     case ServiceModel::Ticks:
       return service.running ? number(service.ticksPerSecond) : QString();
     case ServiceModel::Cost:

@@ -17,7 +17,9 @@ struct ServiceStatus {
   double ticksPerSecond = 0.0;
   double microsecondsPerTick = 0.0;
   Budget budget = Budget::None;
-  double share = 0.0;  // fraction of the budget; 1: all of it
+  double share = 0.0;   // fraction of the budget; 1: all of it
+  double behind = 0.0;  // fraction of the time by which it was too slow
+  int dropped = 0;      // inputs for which it had no room
 };
 
 // A table model of the background services. New statistics of the same services keep rows and selection.

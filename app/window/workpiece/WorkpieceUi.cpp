@@ -63,7 +63,7 @@ std::vector<ToolDescriptor> WorkpieceUi::tools() {
 
 std::unique_ptr<Tool> WorkpieceUi::turnTool() {
   auto& workpiece = static_cast<WorkpieceDocument&>(document()->document);
-  const TurnServices services{parts().servoClock, parts().services.simulation()};
+  const SimulationServices services{parts().servoClock, parts().services.simulation()};
   return std::make_unique<TurnTool>(workpiece, services, parts().fidelity.values().of(turnSpacingSetting()));
 }
 
@@ -72,24 +72,28 @@ void WorkpieceUi::followTool() {
   const auto* const tool = dynamic_cast<const TurnTool*>(parts().tools.runner().tool());
   const std::shared_ptr<TurningChannel> channel = tool ? tool->channel() : nullptr;
   const TurningTool settings = tool ? tool->settingsAtDevice() : TurningTool();
-  if (channel == m_felt && settings == m_feltSettings) return;
+  const double base = tool ? tool->base() : 0.0;
+  if (channel == m_felt && settings == m_feltSettings && base == m_feltBase) return;
   m_feltSettings = settings;
   setFelt(channel == nullptr);
-  const bool isSame = std::exchange(m_felt, channel) == channel;
+  const bool isSame = std::exchange(m_felt, channel) == channel, isThere = std::exchange(m_feltBase, base) == base;
   if (!channel) return parts().touch.setSource(kTurningSource, {}, false);
-  const auto make = [channel, settings, base = tool->base()](const TouchContext& context) {
+  const auto make = [channel, settings, base](const TouchContext& context) {
     TurningTool inScene = settings;
     inScene.stiffness = context.mapping.sceneStiffness(context.touch.stiffness);
     inScene.resistance = context.mapping.sceneStiffness(settings.resistance);
     return std::make_unique<TurningForce>(channel, inScene, base);
   };
-  parts().touch.setSource(kTurningSource, make, isSame);
+  parts().touch.setSource(kTurningSource, make, isSame && isThere);
 }
 
 NextStep WorkpieceUi::nextStep() {
   if (!document() || document()->document.history()->count() > 0) return {};
+  const bool isCut = static_cast<const WorkpieceDocument&>(document()->document).workpiece().part != nullptr;
   return {panelIcon(), themeColours(currentTheme()).accent, tr("Stock of %1.").arg(sizeText(document()->document)),
-          tr("Its panel takes other sizes, also as “2in” or “50/2”. “Save as” writes STEP, too."), panelActions()};
+          isCut ? tr("It was cut already, so its size is fixed. “Save as” writes STEP, too.")
+                : tr("Its panel takes other sizes, also as “2in” or “50/2”. “Save as” writes STEP, too."),
+          panelActions()};
 }
 
 QString WorkpieceUi::statistics() const {

@@ -31,6 +31,7 @@ class WorkpieceUi : public RigidPartsUi {
 
   std::shared_ptr<TurningChannel> m_felt;  // of the tool whose force source is in the haptic scene; null: none
   TurningTool m_feltSettings;
+  double m_feltBase = 0.0;  // mm, TurnTool::base()
 };
 
 }  // namespace handwheel

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace handwheel {
 
@@ -16,6 +17,8 @@ namespace {
 constexpr const char* kRadii = "workpiece/radii";
 constexpr std::size_t kMostPasses = 100'000;
 constexpr std::size_t kPointNumbers = 3;  // time, r, z
+// Samples below the passes that are cut once more, each time that they are passed: some ten seconds.
+constexpr std::uint64_t kMostCutAgain = 1'000'000'000;
 
 std::string passName(std::size_t i) {
   char number[32];
@@ -56,8 +59,24 @@ std::optional<TurningPass> readPass(const nlohmann::json& entry, const Container
   return pass;
 }
 
-bool areRadii(const std::vector<double>& radii, const StockCylinder& stock) {
-  return std::all_of(radii.begin(), radii.end(), [&](double r) { return r >= 0.0 && r <= 0.5 * stock.diameter; });
+// How many of the samples are there, and can be of a part from this bar.
+std::uint64_t soundRadii(const ReadArray<double>& radii, const StockCylinder& stock) {
+  const std::size_t there = radii.values.size();
+  auto count = std::count_if(radii.values.begin(), radii.values.end(),
+                             [&](double r) { return r >= 0.0 && r <= 0.5 * stock.diameter; });
+  for (const IndexRange& lost : radii.lost) count -= std::min(lost.end, there) - std::min(lost.begin, there);
+  return static_cast<std::uint64_t>(count);
+}
+
+// The part that the passes cut from the bar; null where that would take too long, as only a hostile file can make it.
+std::optional<TurnedProfile> cutOnceMore(const std::vector<std::shared_ptr<const TurningPass>>& passes,
+                                         const StockCylinder& stock, std::uint64_t samples, Progress progress) {
+  TurnedProfile profile = TurnedProfile::fromRadii(std::vector<double>(samples, 0.5 * stock.diameter), stock.length);
+  std::uint64_t work = 0;
+  for (const auto& pass : passes) work += samplesUnder(profile, *pass);
+  if (work > kMostCutAgain) return std::nullopt;
+  for (const auto& pass : passes) cut(profile, *pass, progress);
+  return profile;
 }
 
 }  // namespace
@@ -108,18 +127,22 @@ Result<std::shared_ptr<const TurnedPart>> readTurnedPart(const nlohmann::json& d
 
   const ReadArray<double> radii = readArray<double>(container, kRadii, samples);
   const StockCylinder& stock = workpiece.stock;
-  const bool isWhole = radii.lost.empty() && radii.values.size() == samples && areRadii(radii.values, stock);
-  TurnedProfile profile =
-      isWhole ? TurnedProfile::fromRadii(radii.values, stock.length)
-              : TurnedProfile::fromRadii(std::vector<double>(samples, 0.5 * stock.diameter), stock.length);
-  if (!isWhole) {
-    damage.push_back(lost("samples of the profile", samples, radii.lost.empty() ? 0 : samples - radii.lost.size()));
+  const std::uint64_t sound = soundRadii(radii, stock);
+  std::optional<TurnedProfile> profile;
+  if (sound == samples) {
+    profile = TurnedProfile::fromRadii(radii.values, stock.length);
+  } else {
+    damage.push_back(lost("samples of the profile", samples, sound));
     if (!hasAllPasses) return std::shared_ptr<const TurnedPart>();
-    for (const auto& pass : passes) cut(profile, *pass, progress);
+    profile = cutOnceMore(passes, stock, samples, progress);
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
+    if (!profile) {
+      damage.push_back({ErrorCode::ElementMalformed, {"passes", "to cut them once more would take too long"}, {}, {}});
+      return std::shared_ptr<const TurnedPart>();
+    }
   }
-  TurnedSurface surface(profile, workpiece.chord);
-  return std::make_shared<const TurnedPart>(TurnedPart{std::move(profile), std::move(surface), std::move(passes)});
+  TurnedSurface surface(*profile, workpiece.chord);
+  return std::make_shared<const TurnedPart>(TurnedPart{std::move(*profile), std::move(surface), std::move(passes)});
 }
 
 }  // namespace handwheel

@@ -14,8 +14,8 @@ namespace handwheel {
 // an uncut bar, null and no blobs.
 void writeTurnedPart(const WorkpieceSnapshot& workpiece, Container& container);
 
-// Reads it; accepts any input. Where samples are lost the profile is cut once more from the passes. What cannot be
-// recovered is added to damage, and the bar is then uncut (null). Error: Cancelled.
+// Reads it; accepts any input. Where samples are lost the profile is cut once more from the passes, unless that
+// would take too long. What cannot be recovered is added to damage, and the bar is then uncut (null). Error: Cancelled.
 Result<std::shared_ptr<const TurnedPart>> readTurnedPart(const nlohmann::json& document,
                                                          const WorkpieceSnapshot& workpiece, const Container& container,
                                                          std::vector<Error>& damage, Progress progress);

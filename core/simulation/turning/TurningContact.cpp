@@ -13,12 +13,13 @@ constexpr int kHalvings = 12;  // of the way to the material: a 4000th of it is 
 
 double ProfilePatch::penetration(const ProfilePoint& centre, double radius) const {
   double deepest = -radius;
-  const double first = std::ceil((centre.y() - radius - z) / spacing);
+  const double first = std::ceil((centre.y() - radius - width - z) / spacing);
   const double last = std::floor((centre.y() + radius - z) / spacing);
   const auto begin = static_cast<std::int64_t>(std::max(first, 0.0));
   const auto end = static_cast<std::int64_t>(std::min(last, static_cast<double>(count) - 1.0));
   for (std::int64_t i = begin; i <= end; ++i) {
-    const double offset = z + spacing * static_cast<double>(i) - centre.y();
+    const double from = z + spacing * static_cast<double>(i);
+    const double offset = std::clamp(centre.y(), from, from + width) - centre.y();
     const double low = centre.x() - std::sqrt(std::max(radius * radius - offset * offset, 0.0));
     deepest = std::max(deepest, radii[static_cast<std::size_t>(i)] - low);
   }
@@ -26,17 +27,19 @@ double ProfilePatch::penetration(const ProfilePoint& centre, double radius) cons
 }
 
 ProfilePatch patchAround(const TurnedProfile& profile, double z, double noseRadius) {
-  ProfilePatch patch;
-  patch.spacing = profile.spacing();
-  patch.top = profile.length();
   const double last = static_cast<double>(profile.size() - 1);
-  const double half = std::min(2.0 * noseRadius / profile.spacing() + 1.0, 0.5 * (ProfilePatch::kMost - 1.0));
-  const double middle = z / profile.spacing();
+  const double half = 2.0 * noseRadius / profile.spacing() + 1.0, middle = z / profile.spacing();
   const auto begin = static_cast<std::size_t>(std::clamp(std::ceil(middle - half), 0.0, last));
   const auto end = static_cast<std::size_t>(std::clamp(std::floor(middle + half), 0.0, last));
+  const std::size_t stride = (end - begin) / ProfilePatch::kMost + 1;
+  ProfilePatch patch;
+  patch.spacing = profile.spacing() * static_cast<double>(stride);
+  patch.width = profile.spacing() * static_cast<double>(stride - 1);
   patch.z = profile.z(begin);
-  for (std::size_t i = begin; i <= end && patch.count < ProfilePatch::kMost; ++i) {
-    patch.radii[patch.count++] = profile.radius(i);
+  for (std::size_t i = begin; i <= end; i += stride) {
+    double largest = 0.0;
+    for (std::size_t j = i; j <= std::min(i + stride - 1, end); ++j) largest = std::max(largest, profile.radius(j));
+    patch.radii[patch.count++] = largest;
   }
   return patch;
 }

@@ -10,21 +10,21 @@ namespace handwheel {
 
 // The part of a turned profile near the tool: what the servo loop knows of it. The simulation renews it.
 struct ProfilePatch {
-  static constexpr std::size_t kMost = 256;
+  static constexpr std::size_t kMost = 512;
 
   double z = 0.0;        // mm, of the first sample
-  double spacing = 1.0;  // mm
-  double bottom = 0.0;   // mm: no material of the part below this z
-  double top = 0.0;      // and none above this one
+  double spacing = 1.0;  // mm, from one to the next
+  double width = 0.0;    // mm: each stands for the profile from its z on over this length; 0: exact
   std::uint32_t count = 0;
-  std::array<double, kMost> radii{};  // mm
+  std::array<double, kMost> radii{};  // mm, the largest over the width
 
-  // How far a disc around (r, z) must move away from the axis to leave the material; at most 0 outside of it. mm.
-  // Beside the patch there is none. O(samples below the disc).
+  // How far a disc around (r, z) must move away from the axis to leave the material; at most 0 outside of it. mm. Never
+  // less than the samples of the profile would have it. Beside the patch there is none. O(samples below the disc).
   double penetration(const ProfilePoint& centre, double radius) const;
 };
 
-// The samples around z, so many that a nose of this radius can move by as much again; fewer where they are many.
+// The profile around z, so far that a nose of this radius can move by as much again. Where that has too many samples,
+// the largest radius of several that follow one another is taken.
 ProfilePatch patchAround(const TurnedProfile& profile, double z, double noseRadius);
 
 // The settings of a cutting tool on a lathe. Stiffness and damping are those in the scene.

@@ -14,10 +14,12 @@ void TurningForce::follow(const ForceSource& previous) noexcept {
   if (!other || other->m_channel != m_channel) return;
   m_contact = other->m_contact;
   m_outward = other->m_outward;
+  m_share = other->m_share;
   m_isPlaced = other->m_isPlaced;
 }
 
 ForceBounds TurningForce::advance(const TipState& tip, ForceOut& out) noexcept {
+  const std::uint32_t gesture = m_channel->inputs->gestureAt(tip);
   const Vec3 across(tip.position.x(), tip.position.y(), 0.0);
   const double distance = across.norm();
   if (!std::isfinite(distance) || !std::isfinite(tip.position.z())) return {};
@@ -25,9 +27,11 @@ ForceBounds TurningForce::advance(const TipState& tip, ForceOut& out) noexcept {
   const ProfilePoint hand(distance, tip.position.z() - m_base);
   if (tip.isRestart || !m_isPlaced) m_contact.place(hand);
   m_isPlaced = true;
-  m_isTouching = m_contact.follow(m_channel->patch.read(), m_tool, hand, (tip.buttons & 1u) != 0, tip.period);
+  TurningTool carried = m_tool;
+  carried.stiffness *= m_share;
+  m_isTouching = m_contact.follow(m_channel->patch.read(), carried, hand, gesture != 0, tip.period);
   m_proxy = m_contact.tool().x() * m_outward + Vec3(0, 0, m_contact.tool().y() + m_base);
-  m_channel->inputs->push({tip, m_proxy});
+  m_channel->inputs->push({tip, m_proxy, gesture});
   if (!m_isTouching) return {};
   out.isContact = true;
   out.proxy = m_proxy;
@@ -35,6 +39,7 @@ ForceBounds TurningForce::advance(const TipState& tip, ForceOut& out) noexcept {
 }
 
 Vec3 TurningForce::force(const TipState& tip, double stiffness, double) noexcept {
+  m_share = stiffness;
   if (!m_isTouching) return Vec3::Zero();
   return stiffness * m_tool.stiffness * (m_proxy - tip.position);
 }

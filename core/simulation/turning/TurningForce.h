@@ -2,25 +2,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "base/TripleBuffer.h"
 #include "haptics/scene/ForceSource.h"
 #include "simulation/Simulation.h"
 #include "simulation/turning/TurningContact.h"
 
 namespace handwheel {
 
-// What the servo loop and the simulation of turning exchange. Neither waits.
-struct TurningChannel {
-  std::shared_ptr<SimulationInputs> inputs = std::make_shared<SimulationInputs>(kWaitingInputs);  // from the servo loop
-  TripleBuffer<ProfilePatch> patch;                                                               // to the servo loop
-};
+using TurningChannel = SimulationChannel<ProfilePatch>;
 
 // The id of the force source.
 inline constexpr const char* kTurningSource = "turning";
 
 // The force of a cutting tool on a turning part: a spring between the hand and the tool, which goes through material
-// only as fast as it is pressed, F = resistance · speed. While button 0 is held it cuts; otherwise the part is felt as
-// it is. The part turns about z from z = base on, and is felt alike from all sides.
+// only as fast as it is pressed, F = resistance · speed, also where the loop can carry a softer spring only. In a
+// gesture it cuts; otherwise the part is felt as it is. The part turns about z from z = base on, and is felt alike from
+// all sides.
 class TurningForce : public ForceSource {
  public:
   TurningForce(std::shared_ptr<TurningChannel> channel, const TurningTool& tool, double base);
@@ -36,6 +32,7 @@ class TurningForce : public ForceSource {
   TurningContact m_contact;
   Vec3 m_outward = Vec3::UnitX();  // from the axis to the hand
   Vec3 m_proxy = Vec3::Zero();
+  double m_share = 1.0;  // of the stiffness, in the tick before: that of a tick is known after its advance()
   bool m_isTouching = false;
   bool m_isPlaced = false;
 };

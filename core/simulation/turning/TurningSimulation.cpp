@@ -9,10 +9,6 @@ namespace handwheel {
 
 namespace {
 
-bool cuts(const SimulationInput& input) {
-  return (input.tip.buttons & 1u) != 0;
-}
-
 ProfilePoint toolAt(const SimulationInput& input, double base) {
   return {std::hypot(input.proxy.x(), input.proxy.y()), input.proxy.z() - base};
 }
@@ -20,22 +16,23 @@ ProfilePoint toolAt(const SimulationInput& input, double base) {
 }  // namespace
 
 TurningSimulation::TurningSimulation(TurnedProfile profile, TurnedSurface surface, double noseRadius, double base,
-                                     std::shared_ptr<TurningChannel> channel)
+                                     std::shared_ptr<TurningChannel> channel, std::size_t mostPoints)
     : m_state(std::make_shared<const TurningState>(profile, std::move(surface))),
       m_profile(std::move(profile)),
       m_base(base),
-      m_channel(std::move(channel)) {
+      m_channel(std::move(channel)),
+      m_mostPoints(mostPoints) {
   m_pass.noseRadius = noseRadius;
 }
 
 void TurningSimulation::step(double, std::span<const SimulationInput> inputs) {
   TurnedProfile::Range changed;
   for (const SimulationInput& input : inputs) changed.extend(take(input));
-  if (!changed.isEmpty()) {
-    TurnedSurface surface = m_state->surface;
-    surface.update(m_profile, changed);
-    auto state = std::make_shared<TurningState>(m_profile, std::move(surface));
-    state->isCut = true;
+  if (!changed.isEmpty() || isFull() != m_state->isFull) {
+    auto state = std::make_shared<TurningState>(m_profile, m_state->surface);
+    state->surface.update(m_profile, changed);
+    state->isCut = m_state->isCut || !changed.isEmpty();
+    state->isFull = isFull();
     m_state = std::move(state);
   }
   if (!inputs.empty())
@@ -43,7 +40,7 @@ void TurningSimulation::step(double, std::span<const SimulationInput> inputs) {
 }
 
 TurnedProfile::Range TurningSimulation::take(const SimulationInput& input) {
-  if (!cuts(input) || m_pass.path.size() >= TurningPass::kMostPoints) return {};
+  if (input.gesture == 0 || isFull()) return {};
   const ProfilePoint place = toolAt(input, m_base);
   const ProfilePoint from = m_pass.path.empty() ? place : m_pass.path.back();
   if (m_pass.path.empty()) m_begin = input.tip.time;

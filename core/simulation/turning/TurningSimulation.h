@@ -13,16 +13,16 @@ struct TurningState : SimulationState {
   TurningState(TurnedProfile p, TurnedSurface s) : profile(std::move(p)), surface(std::move(s)) {}
   TurnedProfile profile;
   TurnedSurface surface;
-  bool isCut = false;  // since the simulation began
+  bool isCut = false;   // since the simulation began
+  bool isFull = false;  // the pass has as many points as one can have: nothing more is cut
 };
 
-// The simulation of turning: the profile loses what the tool passes while button 0 is held, once it is held; a
-// simulation is of one pass.
+// The simulation of turning: the profile loses what the tool passes in a gesture, which is one pass.
 class TurningSimulation : public Simulation {
  public:
-  // base: mm, z of the part's lower end in the scene.
+  // base: mm, z of the part's lower end in the scene. mostPoints: of the pass.
   TurningSimulation(TurnedProfile profile, TurnedSurface surface, double noseRadius, double base,
-                    std::shared_ptr<TurningChannel> channel);
+                    std::shared_ptr<TurningChannel> channel, std::size_t mostPoints = TurningPass::kMostPoints);
 
   void step(double dt, std::span<const SimulationInput> inputs) override;
   std::shared_ptr<const SimulationState> state() const override { return m_state; }
@@ -31,12 +31,14 @@ class TurningSimulation : public Simulation {
 
  private:
   TurnedProfile::Range take(const SimulationInput& input);
+  bool isFull() const { return m_pass.path.size() >= m_mostPoints; }
 
   std::shared_ptr<const TurningState> m_state;
   TurnedProfile m_profile;
   TurningPass m_pass;
   double m_base;
   std::shared_ptr<TurningChannel> m_channel;
+  std::size_t m_mostPoints;
   double m_begin = 0.0;  // s, of the first point of the pass
 };
 

@@ -6,7 +6,8 @@
 #include "document/workpiece/TurnedPartEdit.h"
 #include "tools/ToolProperty.h"
 
-#include <QtGlobal>
+#include <QCoreApplication>
+#include <QLocale>
 #include <cmath>
 
 namespace handwheel {
@@ -29,89 +30,86 @@ std::vector<Vec3> noseOutline(const Vec3& centre, double radius) {
   return line;
 }
 
-}  // namespace
-
-TurnTool::TurnTool(WorkpieceDocument& document, const TurnServices& services, double spacing)
-    : m_document(document), m_services(services), m_spacing(spacing) {
-  start();
+// The plane contains the axis and faces the viewer as far as it can; seen along the axis there is none.
+std::optional<Vec3> placeOfMouse(const Ray& ray) {
+  const Vec3 across(ray.direction.x(), ray.direction.y(), 0.0);
+  const double facing = across.norm();
+  if (!(facing > 1e-3)) return std::nullopt;
+  const Vec3 normal = across / facing;
+  const double distance = -ray.origin.dot(normal) / ray.direction.dot(normal);
+  if (!std::isfinite(distance) || distance < 0.0) return std::nullopt;
+  return Vec3(ray.origin + distance * ray.direction);
 }
 
-TurnTool::~TurnTool() = default;
+// What a pass has done, for the history. removed: mm³.
+QString passText(const TurnedPart& part, double removed) {
+  const QLocale locale;
+  QString text = QCoreApplication::translate("Tool", "Turning pass %1: −%2 mm³")
+                     .arg(locale.toString(part.passes.size()), locale.toString(removed, 'f', removed < 10.0 ? 2 : 0));
+  if (const std::size_t pieces = part.profile.pieces(); pieces > 1)
+    text += QCoreApplication::translate("Tool", "; the part is now in %n piece(s)", nullptr, static_cast<int>(pieces));
+  return text;
+}
+
+}  // namespace
+
+TurnTool::TurnTool(WorkpieceDocument& document, const SimulationServices& services, double spacing)
+    : m_document(document),
+      m_spacing(spacing),
+      m_gesture(services, m_channel->inputs, kRate, [this] { return simulation(); }) {}
 
 std::span<const ToolKey> TurnTool::keys() {
   static const ToolKey kKeys[] = {{"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "drop the pass")}};
   return kKeys;
 }
 
-// A simulation from the present part on. Inputs that nobody took are of the one before.
-void TurnTool::start() {
+std::unique_ptr<Simulation> TurnTool::simulation() const {
   const TurnedPart part = partOf(m_document.workpiece(), m_spacing);
-  SimulationInput old;
-  while (m_channel->inputs->pop(old)) {
-  }
-  m_channel->patch.write(patchAround(part.profile, 0.5 * part.profile.length(), m_tool.noseRadius));
-  auto simulation =
-      std::make_unique<TurningSimulation>(part.profile, part.surface, m_tool.noseRadius, base(), m_channel);
-  m_loop = std::make_unique<SimulationLoop>(std::move(simulation), kRate, m_channel->inputs, m_services.clock,
-                                            m_services.simulation);
-  m_loop->start();
-}
-
-void TurnTool::drop() {
-  m_loop.reset();
-  m_isPassing = false;
-  start();
-}
-
-void TurnTool::documentChanged() {
-  drop();
+  return std::make_unique<TurningSimulation>(part.profile, part.surface, m_tool.noseRadius, base(), m_channel);
 }
 
 std::shared_ptr<const TurningState> TurnTool::state() const {
-  return std::static_pointer_cast<const TurningState>(m_loop->state());
+  return std::static_pointer_cast<const TurningState>(m_gesture.state());
 }
 
-// The plane contains the axis and faces the viewer as far as it can; seen along the axis there is none.
 std::optional<Vec3> TurnTool::placeOf(const PointerEvent& event) const {
   if (event.device) return Vec3(event.device->translation());
-  const Vec3 across(event.ray.direction.x(), event.ray.direction.y(), 0.0);
-  const double facing = across.norm();
-  if (!(facing > 1e-3)) return std::nullopt;
-  const Vec3 normal = across / facing;
-  const double distance = -event.ray.origin.dot(normal) / event.ray.direction.dot(normal);
-  if (!std::isfinite(distance) || distance < 0.0) return std::nullopt;
-  return Vec3(event.ray.origin + distance * event.ray.direction);
+  const std::optional<Vec3> place = placeOfMouse(event.ray);
+  if (!place) return std::nullopt;
+  return Vec3(*place + (m_gesture.isOn() ? m_lift : wayOut(*place)));
 }
 
-void TurnTool::feed(const Vec3& place, bool isCutting, bool isFirst) {
-  SimulationInput input;
-  input.tip.position = place;
-  input.tip.buttons = isCutting ? 1u : 0u;
-  input.tip.isRestart = isFirst;
-  input.tip.time = (m_time += m_loop->dt());
-  input.proxy = place;
-  m_channel->inputs->pushFromWindow(input);
+// Straight away from the axis, until the nose touches the part only.
+Vec3 TurnTool::wayOut(const Vec3& place) const {
+  const Vec3 across(place.x(), place.y(), 0.0);
+  const double r = across.norm(), z = place.z() - base();
+  const double depth = patchAround(state()->profile, z, m_tool.noseRadius).penetration({r, z}, m_tool.noseRadius);
+  if (!(depth > 0.0)) return Vec3::Zero();
+  return depth * (r > 0.0 ? Vec3(across / r) : Vec3::UnitX());
 }
 
 ToolReply TurnTool::press(const PointerEvent& event) {
+  if (event.button != PointerButton::First || m_gesture.isOn()) return ToolReply::Ignored;
   const std::optional<Vec3> place = placeOf(event);
-  if (event.button != PointerButton::First || !place) return ToolReply::Ignored;
-  m_isPassing = true;
-  m_isOfDevice = event.device.has_value();
+  if (!place) return ToolReply::Ignored;
+  if (!event.device) m_lift = *place - *placeOfMouse(event.ray);
+  m_gesture.begin(event.device.has_value());
   m_place = place;
-  if (!m_isOfDevice) feed(*place, true, true);
+  if (!event.device) m_gesture.feed(*place);
   reportUpdated();
   return ToolReply::Used;
 }
 
 ToolReply TurnTool::pointer(const PointerEvent& event) {
+  m_gesture.rethrow();
+  const bool isOfDevice = event.device.has_value(), isOwn = m_gesture.isOnBy(isOfDevice);
   switch (event.kind) {
     case PointerEvent::Kind::Press:
       return press(event);
     case PointerEvent::Kind::Release:
-      return m_isPassing ? release() : ToolReply::Ignored;
+      return isOwn ? release() : ToolReply::Ignored;
     case PointerEvent::Kind::Leave:
-      if (!m_isPassing) m_place.reset();
+      if (!m_gesture.isOn()) m_place.reset();
       return ToolReply::Used;
     case PointerEvent::Kind::Hover:
     case PointerEvent::Kind::Drag:
@@ -119,39 +117,43 @@ ToolReply TurnTool::pointer(const PointerEvent& event) {
     case PointerEvent::Kind::DoubleClick:
       return ToolReply::Ignored;
   }
+  if (m_gesture.isOn() && !isOwn) return ToolReply::Ignored;  // the other hand
   m_place = placeOf(event);
-  if (m_place && m_isPassing && !m_isOfDevice) feed(*m_place, true, false);
-  return m_isPassing ? ToolReply::Used : ToolReply::Ignored;
+  if (m_place && isOwn && !isOfDevice) m_gesture.feed(*m_place);
+  return isOwn ? ToolReply::Used : ToolReply::Ignored;
 }
 
-// The simulation has taken all that arrived before it ends, so the pass is whole.
+// The edit comes back as documentChanged(), and the next simulation begins there.
 ToolReply TurnTool::release() {
-  m_isPassing = false;
-  m_loop->stop();
-  const auto cut = state();
-  if (cut->isCut) {
-    TurnedPart part = partOf(m_document.workpiece(), m_spacing);
-    auto passes = std::move(part.passes);
-    passes.push_back(
-        std::make_shared<const TurningPass>(static_cast<const TurningSimulation&>(m_loop->simulation()).pass()));
-    auto turned = std::make_shared<const TurnedPart>(TurnedPart{cut->profile, cut->surface, std::move(passes)});
-    m_document.commit(QString::fromUtf8(QT_TRANSLATE_NOOP("Tool", "Turning pass")),
-                      std::make_unique<TurnedPartEdit>(std::move(turned)));
+  const std::unique_ptr<Simulation> ended = m_gesture.end();
+  const auto cut = std::static_pointer_cast<const TurningState>(ended->state());
+  if (!cut->isCut) {
+    m_gesture.restart();
+    return ToolReply::Used;
   }
-  drop();
+  TurnedPart before = partOf(m_document.workpiece(), m_spacing);
+  const double removed = before.profile.volume() - cut->profile.volume();
+  auto passes = std::move(before.passes);
+  passes.push_back(std::make_shared<const TurningPass>(static_cast<const TurningSimulation&>(*ended).pass()));
+  auto turned = std::make_shared<const TurnedPart>(TurnedPart{cut->profile, cut->surface, std::move(passes)});
+  const QString text = passText(*turned, removed);
+  m_document.commit(text, std::make_unique<TurnedPartEdit>(std::move(turned)));
   return ToolReply::Used;
 }
 
 ToolReply TurnTool::perform(std::string_view action) {
-  if (action != "revert" || !m_isPassing) return ToolReply::Ignored;
-  drop();
+  if (action != "revert" || !m_gesture.isOn()) return ToolReply::Ignored;
+  m_gesture.restart();
   reportUpdated();
   return ToolReply::Used;
 }
 
 std::vector<ToolAction> TurnTool::actions() const {
-  return {{"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), QT_TRANSLATE_NOOP("Tool", "cut a pass")},
-          {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "drop the pass"), m_isPassing}};
+  const bool isFull = m_gesture.isOn() && state()->isFull;
+  return {{"", QT_TRANSLATE_NOOP("ToolInput", "Drag"),
+           isFull ? QT_TRANSLATE_NOOP("Tool", "nothing more: the pass is full, release it")
+                  : QT_TRANSLATE_NOOP("Tool", "cut a pass")},
+          {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "drop the pass"), m_gesture.isOn()}};
 }
 
 ToolPreview TurnTool::preview() const {
@@ -173,7 +175,7 @@ std::vector<Property> TurnTool::settings() const {
 }
 
 void TurnTool::setSetting(std::string_view id, const PropertyValue& value) {
-  if (id == "nose_radius" && assignNumber(m_tool.noseRadius, value, kNoseRadii)) drop();
+  if (id == "nose_radius" && assignNumber(m_tool.noseRadius, value, kNoseRadii)) m_gesture.restart();
   if (id == "resistance") assignNumber(m_tool.resistance, value, kResistances);
 }
 

@@ -3,28 +3,22 @@
 #pragma once
 
 #include "document/workpiece/WorkpieceDocument.h"
-#include "simulation/SimulationLoop.h"
+#include "simulation/SimulatedGesture.h"
 #include "simulation/turning/TurningSimulation.h"
 #include "tools/ToolKey.h"
 
 namespace handwheel {
 
-// What TurnTool uses of the program. Both outlive it.
-struct TurnServices {
-  ServoClock& clock;
-  Service& simulation;
-};
-
 // Tool that cuts a turning workpiece by hand. While the button is held the round nose of a lathe tool removes what it
-// passes: one pass, which is one undo step. The mouse moves it in the plane through the axis that faces the viewer; a
-// haptic device feels the part and moves it anywhere, since the part turns (turning(), source()).
+// passes: one pass, which is one undo step. The mouse moves it in the plane through the axis that faces the viewer, and
+// begins at the surface where it is pressed inside of the part, so that a click alone cuts nothing; a haptic device
+// feels the part and moves it anywhere, since the part turns (turning(), source()).
 class TurnTool : public Tool {
  public:
   static constexpr double kRate = 250.0;  // steps of the simulation a second
 
   // spacing: mm between the samples of a part that was not cut yet (turn.spacing).
-  TurnTool(WorkpieceDocument& document, const TurnServices& services, double spacing);
-  ~TurnTool() override;
+  TurnTool(WorkpieceDocument& document, const SimulationServices& services, double spacing);
 
   // What the force source of the tool exchanges with its simulation, for the haptic scene.
   const std::shared_ptr<TurningChannel>& channel() const { return m_channel; }
@@ -37,31 +31,27 @@ class TurnTool : public Tool {
   ToolReply perform(std::string_view action) override;
   std::vector<ToolAction> actions() const override;
   ToolPreview preview() const override;
-  bool isLive() const override { return m_isPassing; }
+  bool isLive() const override { return m_gesture.isOn(); }
   std::vector<Property> settings() const override;
   void setSetting(std::string_view id, const PropertyValue& value) override;
-  void documentChanged() override;
+  void documentChanged() override { m_gesture.restart(); }
   std::vector<std::string> needs() const override { return {"simulation"}; }
 
  private:
-  void start();
-  void drop();
-  void feed(const Vec3& place, bool isCutting, bool isFirst);
+  std::unique_ptr<Simulation> simulation() const;
   ToolReply press(const PointerEvent& event);
   ToolReply release();
   std::shared_ptr<const TurningState> state() const;
   std::optional<Vec3> placeOf(const PointerEvent& event) const;
+  Vec3 wayOut(const Vec3& place) const;
 
   WorkpieceDocument& m_document;
-  TurnServices m_services;
   double m_spacing;
   TurningTool m_tool;  // stiffness and resistance at the device
   std::shared_ptr<TurningChannel> m_channel = std::make_shared<TurningChannel>();
-  std::unique_ptr<SimulationLoop> m_loop;
-  std::optional<Vec3> m_place;  // of the tool's centre, where it is shown
-  bool m_isPassing = false;
-  bool m_isOfDevice = false;                                 // the servo loop writes the inputs
-  double m_time = 0.0;                                       // s, of the mouse's inputs
+  SimulatedGesture m_gesture;
+  Vec3 m_lift = Vec3::Zero();                                // from the mouse to the tool, in its pass
+  std::optional<Vec3> m_place;                               // of the tool's centre, where it is shown
   mutable std::shared_ptr<const TurningState> m_shownState;  // of which the preview shows the part
   mutable std::shared_ptr<const DisplayModel> m_shown;
 };

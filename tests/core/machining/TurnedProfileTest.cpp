@@ -57,6 +57,13 @@ class TurnedProfileTest : public QObject {
     QCOMPARE(TurnedProfile({1.0, 1e6, 0.0}, 1e-6).size(), TurnedProfile::kMostSamples);
   }
 
+  void countsItsPieces() {
+    QCOMPARE(TurnedProfile::fromRadii({3.0, 1.0, 2.0}, 4.0).pieces(), std::size_t{1});
+    QCOMPARE(TurnedProfile::fromRadii({0.0, 1.0, 0.0}, 4.0).pieces(), std::size_t{1});
+    QCOMPARE(TurnedProfile::fromRadii({1.0, 0.0, 0.0, 2.0, 0.0, 1.0}, 4.0).pieces(), std::size_t{3});
+    QCOMPARE(TurnedProfile::fromRadii({0.0, 0.0}, 4.0).pieces(), std::size_t{0});
+  }
+
   // A straight pass leaves a cylinder; the removed ring and the two quarter circles of the nose are known.
   void aStraightPass() {
     TurnedProfile part(kBar, 0.01);

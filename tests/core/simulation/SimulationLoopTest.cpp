@@ -2,13 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulation/SimulationLoop.h"
 
+#include "SimulationLog.h"
 #include "TestClass.h"
 
 #include <QtTest>
 #include <chrono>
+#include <stdexcept>
+#include <string>
 #include <thread>
 
 using namespace handwheel;
+using namespace handwheel::test;
 
 namespace {
 
@@ -41,6 +45,34 @@ const Sum& sumOf(const std::shared_ptr<const SimulationState>& state) {
   return static_cast<const Sum&>(*state);
 }
 
+const SimulationLog& logOf(const Simulation& logged) {
+  return static_cast<const LoggedSimulation&>(logged).log();
+}
+
+// The gestures of ticks in which these buttons are held.
+std::vector<std::uint32_t> gesturesOf(SimulationInputs& inputs, const std::vector<std::uint32_t>& buttons) {
+  std::vector<std::uint32_t> gestures;
+  for (const std::uint32_t held : buttons) {
+    TipState tip;
+    tip.isRestart = false;
+    tip.buttons = held;
+    gestures.push_back(inputs.gestureAt(tip));
+  }
+  return gestures;
+}
+
+// Throws at its third step.
+class Failing : public Summing {
+ public:
+  void step(double dt, std::span<const SimulationInput> inputs) override {
+    if (++m_steps == 3) throw std::runtime_error("no memory");
+    Summing::step(dt, inputs);
+  }
+
+ private:
+  int m_steps = 0;
+};
+
 SimulationInput at(double x) {
   SimulationInput input;
   input.tip.position.x() = x;
@@ -57,8 +89,7 @@ class SimulationLoopTest : public QObject {
     VirtualClock clock;
     Service service("simulation");
     const auto inputs = std::make_shared<SimulationInputs>(kWaitingInputs);
-    SimulationLoop loop(std::make_unique<Summing>(), 100.0, inputs, clock, service);
-    loop.keepLog();
+    SimulationLoop loop(std::make_unique<LoggedSimulation>(std::make_unique<Summing>()), 100.0, inputs, clock, service);
     QCOMPARE(loop.dt(), 0.01);
     QCOMPARE(sumOf(loop.state()).steps, 0u);
     double expected = 0.0;
@@ -70,7 +101,8 @@ class SimulationLoopTest : public QObject {
     QCOMPARE(sumOf(loop.state()).sum, expected);
     QCOMPARE(sumOf(loop.state()).inputs, 7u);
     QCOMPARE(service.counters().ticks, 1u);
-    QCOMPARE(loop.log().countPerStep, std::vector<std::uint32_t>{7});
+    const auto taken = loop.take();  // after one step more, without inputs
+    QCOMPARE(logOf(*taken).countPerStep, (std::vector<std::uint32_t>{7, 0}));
   }
 
   void ratesAreKeptWithinTheLimits() {
@@ -88,8 +120,7 @@ class SimulationLoopTest : public QObject {
     MonotonicClock clock;
     Service service("simulation");
     const auto inputs = std::make_shared<SimulationInputs>(kWaitingInputs);
-    SimulationLoop loop(std::make_unique<Summing>(), 500.0, inputs, clock, service);
-    loop.keepLog();
+    SimulationLoop loop(std::make_unique<LoggedSimulation>(std::make_unique<Summing>()), 500.0, inputs, clock, service);
     loop.start();
     constexpr int kInputsSent = 2000;
     std::thread hand([&] {
@@ -99,11 +130,11 @@ class SimulationLoopTest : public QObject {
       }
     });
     hand.join();
-    loop.stop();
+    const auto taken = loop.take();  // while its thread runs
     const Sum& live = sumOf(loop.state());
     QCOMPARE(live.inputs, std::uint64_t{kInputsSent});
     Summing again;
-    replay(again, loop.log());
+    replay(again, logOf(*taken));
     QCOMPARE(sumOf(again.state()).sum, live.sum);
     QCOMPARE(sumOf(again.state()).steps, live.steps);
   }
@@ -113,8 +144,7 @@ class SimulationLoopTest : public QObject {
     MonotonicClock clock;
     Service service("simulation");
     const auto inputs = std::make_shared<SimulationInputs>(kWaitingInputs);
-    SimulationLoop loop(std::make_unique<Summing>(), 500.0, inputs, clock, service);
-    loop.keepLog();
+    SimulationLoop loop(std::make_unique<LoggedSimulation>(std::make_unique<Summing>()), 500.0, inputs, clock, service);
     loop.start();
     constexpr int kInputsSent = 20000;
     std::thread hand([&] {
@@ -124,9 +154,9 @@ class SimulationLoopTest : public QObject {
     for (int i = 0; i < kInputsSent; ++i)
       while (!inputs->pushFromWindow(at(-1.0 - i))) std::this_thread::yield();
     hand.join();
-    loop.stop();
+    const auto taken = loop.take();
     int ofDevice = 0, ofWindow = 0;
-    for (const SimulationInput& input : loop.log().inputs) {
+    for (const SimulationInput& input : logOf(*taken).inputs) {
       const double x = input.tip.position.x();
       QCOMPARE(std::abs(x), 1.0 + (x > 0.0 ? ofDevice++ : ofWindow++));
     }
@@ -147,8 +177,104 @@ class SimulationLoopTest : public QObject {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     const auto steps = static_cast<double>(loop.steps());
     QVERIFY(steps <= seconds / 0.006 + 1.0);
-    QVERIFY(loop.lostTime() > 0.0);
-    QVERIFY(steps * loop.dt() + loop.lostTime() <= seconds + 2.0 * loop.dt());
+    const double lost = service.counters().lostSeconds;
+    QVERIFY(lost > 0.0);
+    QVERIFY(steps * loop.dt() + lost <= seconds + 2.0 * loop.dt());
+  }
+
+  // For what finds no room nobody waits; it is counted.
+  void droppedInputsAreCounted() {
+    VirtualClock clock;
+    Service service("simulation");
+    const auto inputs = std::make_shared<SimulationInputs>(4);
+    SimulationLoop loop(std::make_unique<Summing>(), 100.0, inputs, clock, service);
+    for (int i = 0; i < 7; ++i) inputs->push(at(i));
+    for (int i = 0; i < 6; ++i) inputs->pushFromWindow(at(i));
+    loop.runSteps(2);
+    QCOMPARE(sumOf(loop.state()).inputs, 8u);
+    QCOMPARE(service.counters().dropped, 5u);
+  }
+
+  // The hand acts while the button is held, once the window has told a gesture; each gesture ends for good with the
+  // button.
+  void aGestureIsOfOneButtonPress() {
+    SimulationInputs inputs(4);
+    using Gestures = std::vector<std::uint32_t>;
+    QCOMPARE(gesturesOf(inputs, {1, 1}), (Gestures{0, 0}));  // held before the tool was there
+    inputs.setDeviceGesture(7);
+    QCOMPARE(gesturesOf(inputs, {2, 1, 3, 2, 1, 1}), (Gestures{0, 7, 7, 0, 0, 0}));
+    inputs.setDeviceGesture(8);
+    QCOMPARE(gesturesOf(inputs, {1, 1}), (Gestures{8, 8}));
+    inputs.setDeviceGesture(0);  // dropped
+    QCOMPARE(gesturesOf(inputs, {1, 0, 1}), (Gestures{0, 0, 0}));
+    inputs.setDeviceGesture(9);
+    TipState leapt;
+    leapt.buttons = 1;
+    leapt.isRestart = false;
+    QCOMPARE(inputs.gestureAt(leapt), 9u);
+    leapt.isRestart = true;
+    QCOMPARE(inputs.gestureAt(leapt), 0u);
+    leapt.isRestart = false;
+    QCOMPARE(inputs.gestureAt(leapt), 0u);
+  }
+
+  // What arrives late of a gesture that was dropped acts no more.
+  void lateInputsOfAnotherGestureOnlyMove() {
+    VirtualClock clock;
+    Service service("simulation");
+    const auto inputs = std::make_shared<SimulationInputs>(8);
+    SimulationLoop loop(std::make_unique<LoggedSimulation>(std::make_unique<Summing>()), 100.0, inputs, clock, service);
+    loop.setGesture(2);
+    for (const std::uint32_t gesture : {1u, 0u, 2u}) {
+      SimulationInput input = at(1.0);
+      input.gesture = gesture;
+      inputs->push(input);
+    }
+    const auto taken = loop.take();
+    std::vector<std::uint32_t> seen;
+    for (const SimulationInput& input : logOf(*taken).inputs) seen.push_back(input.gesture);
+    QCOMPARE(seen, (std::vector<std::uint32_t>{0, 0, 2}));
+  }
+
+  // A simulation is exchanged while the thread runs, and its steps are late all the time: nobody starves.
+  void isExchangedWhileItRuns() {
+    MonotonicClock clock;
+    Service service("simulation");
+    const auto inputs = std::make_shared<SimulationInputs>(kWaitingInputs);
+    const auto slow = [] { return std::make_unique<Summing>(std::chrono::milliseconds(3)); };
+    SimulationLoop loop(slow(), 1000.0, inputs, clock, service);
+    loop.start();
+    for (int i = 0; i < 20; ++i) {
+      inputs->push(at(1.0));
+      const auto taken = loop.take();
+      QCOMPARE(sumOf(taken->state()).inputs, 1u);
+      loop.replace(slow());
+      QCOMPARE(sumOf(loop.state()).inputs, 0u);
+    }
+  }
+
+  // A step that throws ends the simulation, not the program; the owner is told.
+  void aStepThatThrows() {
+    MonotonicClock clock;
+    Service service("simulation");
+    const auto inputs = std::make_shared<SimulationInputs>(kWaitingInputs);
+    SimulationLoop loop(std::make_unique<Failing>(), 1000.0, inputs, clock, service);
+    loop.rethrow();
+    loop.start();
+    const auto hasThrown = [&loop] {
+      try {
+        loop.rethrow();
+      } catch (const std::runtime_error& error) {
+        return std::string(error.what()) == "no memory";
+      }
+      return false;
+    };
+    QTRY_VERIFY(hasThrown());
+    QVERIFY_EXCEPTION_THROWN(loop.take(), std::runtime_error);
+    QCOMPARE(sumOf(loop.state()).steps, 2u);
+    loop.replace(std::make_unique<Summing>());
+    loop.rethrow();
+    QTRY_VERIFY(sumOf(loop.state()).steps > 3);
   }
 };
 

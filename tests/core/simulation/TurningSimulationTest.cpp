@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simulation/turning/TurningSimulation.h"
 
+#include "SimulationLog.h"
 #include "TestClass.h"
 #include "haptics/scene/SceneForces.h"
 #include "simulation/SimulationLoop.h"
@@ -10,6 +11,7 @@
 #include <cmath>
 
 using namespace handwheel;
+using namespace handwheel::test;
 
 namespace {
 
@@ -23,12 +25,18 @@ struct Lathe {
   VirtualClock clock;
   Service service{"simulation"};
   TurnedProfile bar{kBar, 0.1};
-  SimulationLoop loop{std::make_unique<TurningSimulation>(bar, TurnedSurface(bar, 0.05), kNose, kBase, channel), 250.0,
-                      channel->inputs, clock, service};
+  SimulationLoop loop{std::make_unique<LoggedSimulation>(
+                          std::make_unique<TurningSimulation>(bar, TurnedSurface(bar, 0.05), kNose, kBase, channel)),
+                      250.0, channel->inputs, clock, service};
   SceneForces forces{sources()};
   TipState tip;
   int perStep = 4;  // ticks
 
+  Lathe() { begin(1); }
+  void begin(std::uint32_t gesture) {
+    loop.setGesture(gesture);
+    channel->inputs->setDeviceGesture(gesture);
+  }
   ForceSources sources() {
     channel->patch.write(patchAround(bar, 50.0, kNose));
     ForceSources all;
@@ -79,14 +87,21 @@ class TurningSimulationTest : public QObject {
     QVERIFY(!lathe.state().isCut);
   }
 
-  // Pressed with a steady force the tool goes in at the speed F / resistance.
+  // Pressed with a steady force the tool goes in at the speed F / resistance; also where the loop carries a part of the
+  // stiffness only, and the force is less.
+  void materialResistsByTheSpeed_data() {
+    QTest::addColumn<double>("share");
+    for (double share : {1.0, 0.25}) QTest::addRow("%g", share) << share;
+  }
   void materialResistsByTheSpeed() {
+    QFETCH(double, share);
     Lathe lathe;
+    lathe.tip.stiffnessLimit = share * lathe.tool.stiffness;
     lathe.at({22.1, 0, 57.0}, true);
     double tool = 22.0;
     ForceOut out;
     for (int i = 0; i < 800; ++i) {
-      out = lathe.at({tool - 1.0, 0, 57.0}, true);  // a spring of 1 mm: 0.5 N
+      out = lathe.at({tool - 1.0, 0, 57.0}, true);  // a spring of 1 mm: 0.5 N at most
       tool = out.proxy.x();
     }
     const double before = tool;
@@ -94,8 +109,8 @@ class TurningSimulationTest : public QObject {
       out = lathe.at({tool - 1.0, 0, 57.0}, true);
       tool = out.proxy.x();
     }
-    QVERIFY(std::abs((before - tool) / 0.2 / (0.5 / 0.1) - 1.0) < 0.02);
-    QVERIFY(std::abs(out.force.x() - 0.5) < 0.01);
+    QVERIFY(std::abs((before - tool) / 0.2 / (share * 0.5 / 0.1) - 1.0) < 0.02);
+    QVERIFY(std::abs(out.force.x() - share * 0.5) < 0.01);
     QVERIFY(lathe.state().isCut);
     // What is left is as deep as the tool went.
     const std::size_t middle = static_cast<std::size_t>(std::lround(50.0 / lathe.bar.spacing()));
@@ -109,30 +124,115 @@ class TurningSimulationTest : public QObject {
     for (const int perStep : {1, 4, 17}) {
       Lathe lathe;
       lathe.perStep = perStep;
-      lathe.loop.keepLog();
       // The hand is where the tool is: beside the material or pressed in, without the lag of the channel.
       for (int i = 0; i < 3000; ++i) {
         SimulationInput input;
         input.tip.isRestart = i == 0;
-        input.tip.buttons = i > 100 && i < 2900 ? 1u : 0u;
+        input.gesture = i > 100 && i < 2900 ? 1u : 0u;
         input.tip.time = kTick * i;
         input.tip.position = Vec3(21.0 - 4.0 * std::sin(0.002 * i), 3.0, kBase + 20.0 + 0.02 * i);
         input.proxy = input.tip.position;
         lathe.channel->inputs->push(input);
         if (i % perStep == 0) lathe.loop.runSteps(1);
       }
-      lathe.loop.runSteps(1);
+      const auto taken = lathe.loop.take();
+      const auto& logged = static_cast<const LoggedSimulation&>(*taken);
       const TurningState& state = lathe.state();
       QVERIFY(state.isCut && state.profile.volume() < kBar.volume());
       TurningSimulation again(lathe.bar, TurnedSurface(lathe.bar, 0.05), kNose, kBase, lathe.channel);
-      replay(again, lathe.loop.log());
+      replay(again, logged.log());
       QVERIFY(static_cast<const TurningState&>(*again.state()).profile == state.profile);
       TurnedProfile byPass = lathe.bar;
-      cut(byPass, static_cast<const TurningSimulation&>(lathe.loop.simulation()).pass());
+      cut(byPass, static_cast<const TurningSimulation&>(logged.logged()).pass());
       QVERIFY(byPass == state.profile);
       if (first) QVERIFY(*first == state.profile);
       first = state.profile;
     }
+  }
+
+  // Without a gesture the button alone does nothing; after a drop, neither: the hand lies on what is there.
+  void theButtonAloneCutsNothing() {
+    Lathe lathe;
+    lathe.begin(0);
+    for (double r = 23.0; r > 20.5; r -= 0.01) lathe.at({r, 0, 57.0}, true);
+    QVERIFY((lathe.at({20.5, 0, 57.0}, true).proxy - Vec3(22.0, 0, 57.0)).norm() < 1e-9);
+    lathe.begin(1);
+    for (int i = 0; i < 100; ++i) lathe.at({20.5, 0, 57.0}, true);
+    QVERIFY(lathe.state().isCut);
+    lathe.begin(0);
+    const TurnedProfile before = lathe.state().profile;
+    for (double z = 57.0; z < 77.0; z += 0.01) lathe.at({20.5, 0, z}, true);
+    lathe.at({20.5, 0, 77.0}, false);
+    lathe.loop.runSteps(1);
+    QVERIFY(lathe.state().profile == before);
+  }
+
+  // Released and pressed again elsewhere before the window has seen it: no furrow between, and nothing cut there.
+  void aPassEndsWithTheButton() {
+    Lathe lathe;
+    const auto plunge = [&lathe](double z) {
+      for (double r = 24.0; r > 19.0; r -= 0.005) lathe.at({r, 0, kBase + z}, true);
+    };
+    plunge(20.0);
+    for (double z = 20.0; z < 80.0; z += 0.05) lathe.at({24.0, 0, kBase + z}, z < 20.5);
+    plunge(80.0);
+    lathe.loop.runSteps(1);
+    const auto radiusAt = [&lathe](double z) {
+      return lathe.state().profile.radius(static_cast<std::size_t>(std::lround(z / lathe.bar.spacing())));
+    };
+    QVERIFY(radiusAt(20.0) < 19.0);
+    QCOMPARE(radiusAt(50.0), 20.0);
+    QCOMPARE(radiusAt(80.0), 20.0);
+  }
+
+  // At the standard distance of samples a shoulder is felt by any nose as the whole profile has it, or a little more.
+  void thePatchHasTheWholeNose_data() {
+    QTest::addColumn<double>("nose");
+    for (double nose : {0.05, 1.0, 1.7, 2.0, 10.0, 50.0}) QTest::addRow("%g", nose) << nose;
+  }
+  void thePatchHasTheWholeNose() {
+    QFETCH(double, nose);
+    TurnedProfile part({300.0, 200.0, 0.0}, 0.013);
+    part.cut({148.0 + nose, -10.0}, {148.0 + nose, 100.0 - nose}, nose);  // a step of 2 mm at z = 100
+    const auto penetration = [&](const ProfilePoint& centre) {
+      double deepest = -nose;
+      for (std::size_t i = 0; i < part.size(); ++i) {
+        const double offset = part.z(i) - centre.y();
+        if (std::abs(offset) > nose) continue;
+        const double low = centre.x() - std::sqrt(nose * nose - offset * offset);
+        deepest = std::max(deepest, part.radius(i) - low);
+      }
+      return deepest;
+    };
+    const ProfilePatch patch = patchAround(part, 100.0 - nose, nose);
+    const double stride = 4.0 * nose / (ProfilePatch::kMost - 2) + part.spacing();
+    for (const double shift : {-0.9 * nose, -0.3 * nose, 0.0, 0.1 * nose, 0.7 * nose}) {
+      const ProfilePoint on(148.0 + nose, 100.0 - nose + shift);
+      const double whole = penetration(on), felt = patch.penetration(on, nose);
+      QVERIFY(felt >= whole - 1e-9);
+      // No more than where the nose is moved by two strides to either side; 1e-4 mm is what lies between samples.
+      const double beside =
+          std::max(penetration(on + ProfilePoint(0, 2.0 * stride)), penetration(on - ProfilePoint(0, 2.0 * stride)));
+      QVERIFY(felt <= std::max(whole, beside) + 1e-4);
+    }
+  }
+
+  void aFullPassSaysSo() {
+    const auto channel = std::make_shared<TurningChannel>();
+    const TurnedProfile bar(kBar, 0.1);
+    TurningSimulation simulation(bar, TurnedSurface(bar, 0.05), kNose, kBase, channel, 3);
+    SimulationInput input;
+    input.gesture = 1;
+    for (const double z : {10.0, 30.0, 50.0, 90.0}) {
+      input.proxy = Vec3(21.0, 0, kBase + z);
+      QVERIFY(!static_cast<const TurningState&>(*simulation.state()).isFull || z > 50.0);
+      simulation.step(kTick, {&input, 1});
+    }
+    const auto& state = static_cast<const TurningState&>(*simulation.state());
+    QVERIFY(state.isFull && state.isCut);
+    QCOMPARE(state.profile.radius(400), 19.0);
+    QCOMPARE(state.profile.radius(800), 20.0);
+    QCOMPARE(simulation.pass().path.size(), 3u);
   }
 
   void noNumberNoForce() {

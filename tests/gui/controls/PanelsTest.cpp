@@ -230,6 +230,12 @@ void PanelsTest::servicesKeepTheirRows() {
   QCOMPARE(reset.size(), 0);
   QCOMPARE(changed.size(), 1);
   QCOMPARE(text(0, ServiceModel::Ticks), QString("998"));
+  QCOMPARE(text(0, ServiceModel::State), QString("running"));
+  services[0].behind = 0.256;
+  services[0].dropped = services[2].dropped = 3;
+  model.setServices(services);
+  QCOMPARE(text(0, ServiceModel::State), QString("too slow by 26 %, 3 input(s) dropped"));
+  QCOMPARE(text(2, ServiceModel::State), QString("asleep"));
   services.pop_back();
   model.setServices(services);
   QCOMPARE(reset.size(), 1);

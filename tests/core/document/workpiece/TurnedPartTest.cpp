@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TestClass.h"
+#include "document/container/Blobs.h"
 #include "document/formats/MeshFormat.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
+#include "document/workpiece/WorkpieceErrors.h"
 #include "document/workpiece/WorkpieceKind.h"
 #include "mesh/boundary/BoundaryLoops.h"
 #include "mesh/structure/MeshBuilder.h"
@@ -94,6 +96,79 @@ class TurnedPartTest : public QObject {
     QVERIFY(!static_cast<const WorkpieceSnapshot&>(**loaded).part);
   }
 
+  // Of 100,000 samples in two chunks the second is lost: that many.
+  void countsWhatIsLost() {
+    WorkpieceSnapshot workpiece;
+    TurningPass pass;
+    pass.path = {{21.0, 20.0}};
+    pass.times = {0.0};
+    workpiece.part = withPass(workpiece, pass, 100.0 / 99'998.5);
+    QCOMPARE(workpiece.part->profile.size(), std::size_t{100'000});
+    Container container;
+    m_kind.save(workpiece, container);
+    container.blobs.erase("workpiece/radii/0001");
+    std::vector<Error> damage;
+    QVERIFY(m_kind.load(container, damage, {}));
+    QCOMPARE(damage.size(), std::size_t{1});
+    QCOMPARE(damage[0].arguments.at(1), std::string("100000"));
+    QCOMPARE(damage[0].arguments.at(2), std::to_string(kChunkElements));
+    // And of two with wrong numbers, two.
+    m_kind.save(workpiece, container);
+    std::vector<double> radii = fromBlob<double>(container.blobs.at("workpiece/radii/0001"));
+    radii[3] = radii[7] = -1.0;
+    container.blobs["workpiece/radii/0001"] = toBlob(radii);
+    damage.clear();
+    QVERIFY(m_kind.load(container, damage, {}));
+    QCOMPARE(damage[0].arguments.at(2), std::string("99998"));
+  }
+
+  // A small file that would be cut for hours, 20,000 points of a nose over 200,000 samples: the damage is told at once.
+  void hostilePassesAreNotCutOnceMore() {
+    WorkpieceSnapshot workpiece;
+    TurningPass pass;
+    pass.noseRadius = 1000.0;
+    pass.path.assign(20'000, {2000.0, 50.0});  // beside the bar
+    pass.times.assign(pass.path.size(), 0.0);
+    workpiece.part = withPass(workpiece, {1.0, {{2000.0, 50.0}}, {0.0}}, 1e-9);
+    auto part = std::make_shared<TurnedPart>(*workpiece.part);
+    part->passes = {std::make_shared<const TurningPass>(pass)};
+    workpiece.part = part;
+    Container container;
+    m_kind.save(workpiece, container);
+    container.blobs.erase("workpiece/radii/0000");
+    std::vector<Error> damage;
+    const auto loaded = m_kind.load(container, damage, {});
+    QVERIFY(loaded && !static_cast<const WorkpieceSnapshot&>(**loaded).part);
+    QCOMPARE(damage.size(), std::size_t{2});
+    QVERIFY(damage[1].code == ErrorCode::ElementMalformed);
+  }
+
+  // Around a ball of 20 mm the chords of the profile and those of the circle are off to the same side: together they
+  // are within the tolerance.
+  void theBodyIsWithinTheTolerance() {
+    WorkpieceSnapshot workpiece;
+    workpiece.chord = 0.1;
+    TurningPass pass;
+    for (double angle = -1.2; angle <= 1.2; angle += 0.01) {
+      pass.path.emplace_back(21.0 * std::cos(angle), 50.0 + 21.0 * std::sin(angle));
+      pass.times.push_back(0.0);
+    }
+    workpiece.part = withPass(workpiece, pass, 0.01);
+    const GeometryPointer body = m_kind.bodyGeometry(workpiece);
+    const TriangleSoup& surface = *body->surface();
+    double worst = 0.0;
+    for (const Triangle& t : surface.triangles) {
+      for (double u = 0.0; u <= 1.0; u += 0.125) {
+        for (double v = 0.0; u + v <= 1.0; v += 0.125) {
+          const Vec3 p = u * surface.points[t[0]] + v * surface.points[t[1]] + (1.0 - u - v) * surface.points[t[2]];
+          const double off = 20.0 - (p - Vec3(0, 0, 50)).norm();
+          if (std::abs(p.z() - 50.0) < 15.0) worst = std::max(worst, std::abs(off));
+        }
+      }
+    }
+    QVERIFY(worst > 0.05 && worst <= 0.1 + 0.002);  // what is between the points of the path is 0.0003
+  }
+
   void hostileManifests_data() {
     QTest::addColumn<QByteArray>("turned");
     for (const char* turned :
@@ -156,6 +231,21 @@ class TurnedPartTest : public QObject {
     }
     QVERIFY(std::abs(volume / workpiece.part->profile.volume() - 1.0) < 2e-3);
     QCOMPARE(lowest, 12.0);
+  }
+
+  // One file holds one solid: of a parted bar none is written, and the reason is said.
+  void twoPiecesAreNoStepFile() {
+    const QTemporaryDir folder;
+    const std::filesystem::path path = folder.filePath("a.step").toStdString();
+    WorkpieceSnapshot workpiece;
+    TurningPass pass;
+    pass.path = {{0.0, 50.0}};
+    pass.times = {0.0};
+    workpiece.part = withPass(workpiece, pass, 0.1);
+    const auto written = m_kind.exportTo(workpiece, path, {});
+    QVERIFY(!written && written.error().code == WorkpieceError::SeveralPieces);
+    QCOMPARE(written.error().arguments.at(0), std::string("2"));
+    QVERIFY(!std::filesystem::exists(path));
   }
 
   // A copy of a document shares the blocks of triangles that a pass did not touch.

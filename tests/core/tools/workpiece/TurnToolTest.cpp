@@ -7,11 +7,25 @@
 #include "tools/ToolRunner.h"
 
 #include <QtTest>
+#include <atomic>
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 using namespace handwheel;
 
 namespace {
+
+// A clock that is as fast as the test says; who waits for it is not held up for long.
+class HandClock : public ServoClock {
+ public:
+  std::int64_t now() noexcept override { return m_now; }
+  void waitUntil(std::int64_t) noexcept override { std::this_thread::sleep_for(std::chrono::milliseconds(1)); }
+  void set(std::int64_t now) { m_now = now; }
+
+ private:
+  std::atomic<std::int64_t> m_now{0};
+};
 
 // A bar of 50 × 100 mm and the tool on it, seen from the front: the plane of the tool is y = 0.
 struct TurningBench {
@@ -23,8 +37,8 @@ struct TurningBench {
   ToolRunner runner;
   TurnTool* tool = nullptr;
 
-  TurningBench() {
-    auto started = std::make_unique<TurnTool>(document, TurnServices{clock, simulation}, 0.1);
+  explicit TurningBench(ServoClock* other = nullptr) {
+    auto started = std::make_unique<TurnTool>(document, SimulationServices{other ? *other : clock, simulation}, 0.1);
     tool = started.get();
     runner.start(std::move(started), document);
   }
@@ -35,9 +49,49 @@ struct TurningBench {
     event.ray = {Vec3(x, -500.0, z), Vec3::UnitY()};
     runner.pointer(event);
   }
+  // A tick of a device that feels nothing.
+  void tick(double x, double z, bool isHeld) {
+    TipState tip;
+    tip.position = Vec3(x, 0.0, z);
+    tip.buttons = isHeld ? 1u : 0u;
+    tip.isRestart = false;
+    SimulationInputs& inputs = *tool->channel()->inputs;
+    const std::uint32_t gesture = inputs.gestureAt(tip);
+    while (!inputs.push({tip, tip.position, gesture})) std::this_thread::yield();
+  }
+  void deviceEvent(PointerEvent::Kind kindOfEvent, double x, double z) {
+    PointerEvent event;
+    event.kind = kindOfEvent;
+    event.button = PointerButton::First;
+    event.device = Pose(Eigen::Translation3d(x, 0.0, z));
+    runner.pointer(event);
+  }
+  // Into the bar and out again, with the button held.
+  void plunge(double depth, double z) {
+    for (double x = 27.0; x > 26.0 - depth; x -= 0.05) tick(x, z, true);
+    for (double x = 26.0 - depth; x < 27.0; x += 0.05) tick(x, z, true);
+  }
+  // A whole gesture of a device.
+  void plungeByDevice(double depth, double z) {
+    tick(27.0, z, true);
+    deviceEvent(PointerEvent::Kind::Press, 27.0, z);
+    plunge(depth, z);
+    tick(27.0, z, false);
+    deviceEvent(PointerEvent::Kind::Release, 27.0, z);
+  }
+  // What the simulation has, which is not in the document; 25: nothing.
+  double leastShown() const {
+    double least = 25.0;
+    for (const DisplayPart& part : tool->preview().replaced->parts) {
+      for (const Vec3& p : part.soup->points) {
+        if (p.z() > 1.0 && p.z() < 99.0) least = std::min(least, std::hypot(p.x(), p.y()));
+      }
+    }
+    return least;
+  }
   void pass(double x, double from, double to) {
-    event(PointerEvent::Kind::Press, x, from);
-    for (int i = 1; i <= 20; ++i) event(PointerEvent::Kind::Drag, x, from + (to - from) * i / 20.0);
+    event(PointerEvent::Kind::Press, std::copysign(std::max(27.0, std::abs(x)), x), from);  // beside the bar
+    for (int i = 0; i <= 20; ++i) event(PointerEvent::Kind::Drag, x, from + (to - from) * i / 20.0);
     event(PointerEvent::Kind::Release, x, to);
   }
   double radiusAt(double z) const {
@@ -77,6 +131,37 @@ class TurnToolTest : public QObject {
     QVERIFY(again == after);
   }
 
+  // A click on the part cuts nothing, wherever it lands; from there a drag cuts as deep as it goes inwards.
+  void theMouseBeginsAtTheSurface() {
+    TurningBench bench;
+    for (const double x : {24.0, 3.0, 0.0, -10.0}) {
+      bench.event(PointerEvent::Kind::Press, x, 50.0);
+      bench.event(PointerEvent::Kind::Release, x, 50.0);
+    }
+    QCOMPARE(bench.document.history()->count(), 0);
+    bench.event(PointerEvent::Kind::Press, 10.0, 50.0);
+    bench.event(PointerEvent::Kind::Drag, 8.0, 50.0);
+    bench.event(PointerEvent::Kind::Drag, 8.0, 60.0);
+    bench.event(PointerEvent::Kind::Release, 8.0, 60.0);
+    for (const double z : {50.0, 55.0, 60.0}) QVERIFY(std::abs(bench.radiusAt(z) - 23.0) < 1e-3);
+    QCOMPARE(bench.radiusAt(40.0), 25.0);
+  }
+
+  // The history says what a pass has done, and that it has parted the bar.
+  void theHistorySaysWhatAPassHasDone() {
+    TurningBench bench;
+    bench.pass(23.0, 30.0, 60.0);
+    const double removed =
+        bench.document.workpiece().stock.volume() - bench.document.workpiece().part->profile.volume();
+    QVERIFY(removed > 1000.0);
+    QCOMPARE(bench.document.history()->text(0),
+             QStringLiteral("Turning pass 1: −%1 mm³").arg(QLocale().toString(removed, 'f', 0)));
+    bench.pass(0.5, 80.0, 82.0);
+    QCOMPARE(bench.document.workpiece().part->profile.pieces(), std::size_t{2});
+    QVERIFY(bench.document.history()->text(1).startsWith("Turning pass 2: −"));
+    QVERIFY(bench.document.history()->text(1).contains("2 piece"));
+  }
+
   // The simulation works on its own thread: what it has cut is shown within a few of its steps.
   void whatIsCutIsShownBeforeItIsCommitted() {
     TurningBench bench;
@@ -108,6 +193,76 @@ class TurnToolTest : public QObject {
     bench.pass(24.0, 10.0, 20.0);  // and the next one begins anew
     QVERIFY(std::abs(bench.radiusAt(15.0) - 23.0) < 1e-9);
     QCOMPARE(bench.document.workpiece().part->profile.radius(500), 25.0);
+  }
+
+  // The hand goes on with the button held after the pass was dropped: it cuts nothing until the button is pressed anew,
+  // and the next pass begins where it begins.
+  void aDroppedPassOfADeviceIsOver_data() {
+    QTest::addColumn<int>("drop");
+    QTest::addRow("Esc") << 0;
+    QTest::addRow("undo") << 1;
+    QTest::addRow("another nose") << 2;
+    QTest::addRow("the tool is chosen with the button held") << 3;
+  }
+  void aDroppedPassOfADeviceIsOver() {
+    QFETCH(int, drop);
+    TurningBench bench;
+    if (drop == 1) QVERIFY(bench.document.setProperty("chord", 0.02));
+    if (drop != 3) {
+      bench.tick(27.0, 20.0, true);
+      bench.deviceEvent(PointerEvent::Kind::Press, 27.0, 20.0);
+    }
+    bench.plunge(5.0, 20.0);
+    if (drop != 3) QTRY_VERIFY(bench.leastShown() < 20.5);
+    if (drop == 0) QCOMPARE(bench.runner.perform("revert"), ToolReply::Used);
+    if (drop == 1) bench.document.history()->undo();
+    if (drop == 2) bench.runner.setSetting("nose_radius", 2.0);
+    bench.plunge(5.0, 30.0);
+    bench.tick(27.0, 30.0, false);
+    bench.deviceEvent(PointerEvent::Kind::Release, 27.0, 30.0);
+    QTest::qWait(20);  // some steps
+    QCOMPARE(bench.leastShown(), 25.0);
+    QVERIFY(!bench.document.workpiece().part);
+    bench.plungeByDevice(5.0, 80.0);
+    QVERIFY(std::abs(bench.radiusAt(80.0) - (drop == 2 ? 19.0 : 20.0)) < 0.06);
+    for (const double z : {20.0, 30.0, 50.0}) QCOMPARE(bench.radiusAt(z), 25.0);
+  }
+
+  // One hand at a time: the mouse neither cuts in a pass of the device nor ends it, and a device does not cut in one of
+  // the mouse.
+  void theOtherHandDoesNotTakePart() {
+    TurningBench bench;
+    bench.tick(27.0, 20.0, true);
+    bench.deviceEvent(PointerEvent::Kind::Press, 27.0, 20.0);
+    bench.pass(20.0, 60.0, 70.0);
+    bench.plunge(5.0, 20.0);
+    QVERIFY(!bench.document.workpiece().part);
+    bench.deviceEvent(PointerEvent::Kind::Release, 27.0, 20.0);
+    QVERIFY(std::abs(bench.radiusAt(20.0) - 20.0) < 0.06);
+    QCOMPARE(bench.radiusAt(65.0), 25.0);
+    bench.tick(27.0, 20.0, false);
+    bench.event(PointerEvent::Kind::Press, 27.0, 60.0);
+    bench.event(PointerEvent::Kind::Drag, 24.0, 60.0);
+    bench.plunge(5.0, 40.0);
+    bench.event(PointerEvent::Kind::Release, 24.0, 60.0);
+    QVERIFY(std::abs(bench.radiusAt(60.0) - 23.0) < 1e-9);
+    QCOMPARE(bench.radiusAt(40.0), 25.0);
+  }
+
+  // The file promises seconds, also of the mouse.
+  void thePointsOfTheMouseHaveTheirTimes() {
+    HandClock clock;
+    TurningBench bench(&clock);
+    const std::vector<double> expected{0.0, 0.25, 0.5, 2.0};
+    for (const double time : expected) {
+      clock.set(static_cast<std::int64_t>((5.0 + time) * kNanoseconds));
+      const bool isFirst = time == 0.0;
+      bench.event(isFirst ? PointerEvent::Kind::Press : PointerEvent::Kind::Drag, isFirst ? 27.0 : 23.0, 50.0 + time);
+    }
+    bench.event(PointerEvent::Kind::Release, 23.0, 52.0);
+    const std::vector<double>& times = bench.document.workpiece().part->passes.front()->times;
+    QCOMPARE(times.size(), expected.size());
+    for (std::size_t i = 0; i < times.size(); ++i) QVERIFY(std::abs(times[i] - expected[i]) < 1e-9);
   }
 
   void besideTheBarNothingIsCommitted() {

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "SimulationLog.h"
 #include "TestClass.h"
 #include "globe/simulation/DentSimulation.h"
 #include "haptics/scene/MeshHaptics.h"
@@ -51,7 +52,8 @@ std::vector<SimulationInput> gesture() {
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const double t = kTick * static_cast<double>(i);
     const Vec3 direction = Vec3(std::cos(2.0 * t), std::sin(3.0 * t), 1.5).normalized();
-    inputs[i].tip = tipAt((kRadius - 1.5 * std::sin(9.0 * t)) * direction, i > 100 ? 1u : 0u);
+    inputs[i].tip = tipAt((kRadius - 1.5 * std::sin(9.0 * t)) * direction);
+    inputs[i].gesture = i > 100 ? 1u : 0u;
     inputs[i].tip.time = t;
   }
   return inputs;
@@ -104,14 +106,15 @@ class GlobeForceTest : public QObject {
     const double perTick = 1.0 + std::expm1(-kTick / DentSimulation::kYield) * squares / sum;
     DentSimulation simulation(GlobeSurface(kRadius), kHere, std::make_shared<DentChannel>());
     SimulationInput input;
-    input.tip = tipAt(8.0 * direction, 1);
+    input.tip = tipAt(8.0 * direction);
+    input.gesture = 1;
     simulation.step(0.004, std::vector<SimulationInput>(60, input));
     const GlobeSurface& dented = surfaceOf(simulation.state());
     QVERIFY(std::abs(dented.heightTowards(direction) - (8.0 + 2.0 * std::pow(perTick, 60))) < 1e-9);
     for (std::size_t i = 0; i < kGlobePoints; ++i) {
       if ((globeDirections()[i] - direction).norm() > kGlobeReach) QCOMPARE(dented.dent(i), 0.0);
     }
-    input.tip.buttons = 0;
+    input.gesture = 0;
     simulation.step(0.004, std::vector<SimulationInput>(60, input));
     QVERIFY(surfaceOf(simulation.state()) == dented);
   }
@@ -120,6 +123,7 @@ class GlobeForceTest : public QObject {
   void whatIsLeftIsFelt() {
     const Pose place = Eigen::Translation3d(30, -40, 50) * Eigen::AngleAxisd(1.0, Vec3(1, 2, 3).normalized());
     const auto channel = std::make_shared<DentChannel>();
+    channel->inputs->setDeviceGesture(1);
     const GlobeSurface round(kRadius);
     DentSimulation simulation(round, place, channel);
     SceneForces scene = sceneOf(round, channel, place);
@@ -143,19 +147,19 @@ class GlobeForceTest : public QObject {
       VirtualClock clock;
       Service service("dents");
       const auto channel = std::make_shared<DentChannel>();
-      SimulationLoop loop(std::make_unique<DentSimulation>(GlobeSurface(kRadius), kHere, channel), 250.0,
-                          channel->inputs, clock, service);
-      loop.keepLog();
+      auto dents = std::make_unique<DentSimulation>(GlobeSurface(kRadius), kHere, channel);
+      SimulationLoop loop(std::make_unique<LoggedSimulation>(std::move(dents)), 250.0, channel->inputs, clock, service);
+      loop.setGesture(1);
       std::size_t count = 0;
       for (const SimulationInput& input : gesture()) {
         channel->inputs->push(input);
         if (++count % perStep == 0) loop.runSteps(1);
       }
-      loop.runSteps(1);
+      const auto taken = loop.take();
       const GlobeSurface live = surfaceOf(loop.state());
       QVERIFY(live.isDented());
       DentSimulation again(GlobeSurface(kRadius), kHere, std::make_shared<DentChannel>());
-      replay(again, loop.log());
+      replay(again, static_cast<const LoggedSimulation&>(*taken).log());
       QVERIFY(surfaceOf(again.state()) == live);
       if (first) QVERIFY(live == *first);
       first = live;

@@ -4,6 +4,7 @@
 
 #include "controls/ServiceModel.h"
 #include "window/ServiceStatistics.h"
+#include "window/WindowServices.h"
 
 #include <QDir>
 #include <QDockWidget>
@@ -72,6 +73,30 @@ class GlobeServicesTest : public QObject {
     QTRY_VERIFY(rowOf(globe)->state == QStringLiteral("running"));
     globe.driver.choose("closeDocument");
     QTRY_VERIFY(rowOf(globe)->state == QStringLiteral("asleep"));
+  }
+
+  // What a service did not do in time is told once, as a share of the time since it was asked last.
+  void troublesAreTold() {
+    WindowServices services;
+    Service dents("slow dents");
+    services.add(dents, "Slow dents");
+    {
+      const ServiceHandle need = services.needs().need("slow dents");
+      const auto told = [&services] {
+        for (const ServiceStatus& each : services.status())
+          if (each.id == QStringLiteral("slow dents")) return each;
+        return ServiceStatus();
+      };
+      QCOMPARE(told().dropped, 0);
+      dents.countLost(3'600'000'000'000);  // an hour: this test is quicker
+      dents.countDropped(5);
+      const ServiceStatus slow = told();
+      QVERIFY(slow.running && slow.behind > 1.0);
+      QCOMPARE(slow.dropped, 5);
+      const ServiceStatus again = told();
+      QVERIFY(again.behind == 0.0 && again.dropped == 0);
+    }
+    services.remove(dents);
   }
 };
 

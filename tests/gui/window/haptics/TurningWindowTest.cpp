@@ -32,9 +32,19 @@ struct TurningWindow {
     driver.find<QAction>("turnTool")->trigger();
     return driver.find<QAction>("turnTool")->isChecked();
   }
-  const WorkpieceSnapshot& workpiece() {
-    auto& document = driver.window().findChild<DocumentTabs*>()->current()->document;
-    return static_cast<WorkpieceDocument&>(document).workpiece();
+  WorkpieceDocument& document() {
+    return static_cast<WorkpieceDocument&>(driver.window().findChild<DocumentTabs*>()->current()->document);
+  }
+  const WorkpieceSnapshot& workpiece() { return document().workpiece(); }
+  bool takeHand() {
+    session.choose("simulated", "hand");
+    return QTest::qWaitFor([this] { return session.latest() != nullptr; }, kPatienceMs) && driver.settle() && leadOut();
+  }
+  // Beside the bar, without the button.
+  bool leadOut() {
+    leadTo({32.0, 0.0, 50.0}, 0);
+    const auto isOut = [this] { return std::abs(session.latest()->tip.position.x() - 32.0) < 1.0; };
+    return QTest::qWaitFor(isOut, kPatienceMs);
   }
   double radiusAt(double z) {
     const TurnedProfile& profile = workpiece().part->profile;
@@ -58,12 +68,14 @@ struct TurningWindow {
     const ViewRay ray = view->rayAt(pixel);
     return ray.origin - ray.origin.y() / ray.direction.y() * ray.direction;
   }
+  void moveTo(const QPoint& at) {
+    QMouseEvent move(QEvent::MouseMove, at, view->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(view, &move);
+  }
   void drag(const QPoint& from, const QPoint& to) {
-    QTest::mousePress(view, Qt::LeftButton, {}, from);
-    for (int i = 1; i <= 10; ++i) {
-      const QPoint at = from + (to - from) * i / 10;
-      QMouseEvent move(QEvent::MouseMove, at, view->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
-      QApplication::sendEvent(view, &move);
+    QTest::mousePress(view, Qt::LeftButton, {}, pixelOf(28.0, 30.0));  // beside the bar
+    for (int i = 0; i <= 10; ++i) {
+      moveTo(from + (to - from) * i / 10);
       QTest::qWait(5);
     }
     QTest::mouseRelease(view, Qt::LeftButton, {}, to);
@@ -119,25 +131,39 @@ class TurningWindowTest : public QObject {
     std::shared_ptr<const DisplayModel> shown;
     connect(turning.driver.window().findChild<ToolHost*>(), &ToolHost::previewed, this,
             [&shown](const ToolPreview& preview) { shown = preview.replaced; });
-    const QPoint inside = turning.pixelOf(22.0, 30.0);
-    QTest::mouseMove(turning.view, inside);
+    const QPoint beside = turning.pixelOf(28.0, 30.0), inside = turning.pixelOf(22.0, 30.0);
+    QTest::mouseMove(turning.view, beside);
     QTRY_VERIFY(shown);
     const auto uncut = shown;
-    QTest::mousePress(turning.view, Qt::LeftButton, {}, inside);
+    QTest::mousePress(turning.view, Qt::LeftButton, {}, beside);
+    turning.moveTo(inside);
     QTRY_VERIFY(shown && shown != uncut);
     QTest::mouseRelease(turning.view, Qt::LeftButton, {}, inside);
     QVERIFY(turning.workpiece().part);
   }
 
+  // Undo in the middle of a pass takes that pass, not the one before.
+  void undoInAPassTakesThatPass() {
+    TurningWindow turning;
+    QVERIFY(turning.begin());
+    turning.drag(turning.pixelOf(22.0, 30.0), turning.pixelOf(22.0, 60.0));
+    QVERIFY(turning.workpiece().part);
+    const TurnedProfile before = turning.workpiece().part->profile;
+    QTest::mousePress(turning.view, Qt::LeftButton, {}, turning.pixelOf(28.0, 80.0));
+    turning.moveTo(turning.pixelOf(20.0, 80.0));
+    turning.driver.find<QAction>("undo")->trigger();
+    turning.moveTo(turning.pixelOf(20.0, 90.0));
+    QTest::mouseRelease(turning.view, Qt::LeftButton, {}, turning.pixelOf(20.0, 90.0));
+    QVERIFY(turning.workpiece().part && turning.workpiece().part->profile == before);
+    QCOMPARE(turning.document().history()->count(), 1);
+    turning.driver.find<QAction>("undo")->trigger();
+    QVERIFY(!turning.workpiece().part);
+  }
+
   // The hand feels the bar as it is; pressed with the button held it goes in, and the release is the undo step.
   void byTheHand() {
     TurningWindow turning;
-    QVERIFY(turning.begin());
-    turning.session.choose("simulated", "hand");
-    QVERIFY(QTest::qWaitFor([&] { return turning.session.latest() != nullptr; }, kPatienceMs));
-    QVERIFY(turning.driver.settle());
-    turning.leadTo({32.0, 0.0, 50.0}, 0);
-    QTRY_VERIFY_WITH_TIMEOUT(std::abs(turning.session.latest()->tip.position.x() - 32.0) < 1.0, kPatienceMs);
+    QVERIFY(turning.begin() && turning.takeHand());
     turning.leadTo({21.0, 0.0, 50.0}, 0);
     QTRY_VERIFY_WITH_TIMEOUT(turning.session.latest()->felt.isContact, kPatienceMs);
     QTRY_VERIFY_WITH_TIMEOUT(turning.session.latest()->felt.force.x() > 0.05, kPatienceMs);
@@ -156,17 +182,47 @@ class TurningWindowTest : public QObject {
     QVERIFY(again == turning.workpiece().part->profile);
   }
 
+  // Esc with the button held: the bar is whole again under the hand, and stays so until the button is pressed anew.
+  void escapeEndsThePassOfTheHand() {
+    TurningWindow turning;
+    QVERIFY(turning.begin() && turning.takeHand());
+    const auto felt = [&turning] { return turning.session.latest()->felt; };
+    turning.leadTo({21.0, 0.0, 50.0}, 1);
+    QTRY_VERIFY_WITH_TIMEOUT(felt().proxy.x() < 24.0, kPatienceMs);
+    QTest::keyClick(turning.view, Qt::Key_Escape);
+    QTRY_VERIFY_WITH_TIMEOUT(felt().isContact && std::abs(felt().proxy.x() - 26.0) < 0.1, kPatienceMs);
+    QTest::qWait(200);
+    QVERIFY(std::abs(felt().proxy.x() - 26.0) < 0.1);
+    QVERIFY(turning.leadOut());
+    QVERIFY(!turning.workpiece().part);
+  }
+
+  // Moved along its axis under the tool the part is felt where it is: from z = 60 on.
+  void aMovedPartIsFeltWhereItIs() {
+    TurningWindow turning;
+    QVERIFY(turning.begin() && turning.takeHand());
+    const auto isFelt = [&turning] { return turning.session.latest()->felt.isContact; };
+    turning.leadTo({21.0, 0.0, 50.0}, 0);
+    QTRY_VERIFY_WITH_TIMEOUT(isFelt(), kPatienceMs);
+    QVERIFY(turning.leadOut());
+    QVERIFY(turning.document().setProperty("position", 60.0));
+    QVERIFY(turning.driver.settle());
+    turning.leadTo({21.0, 0.0, 50.0}, 0);
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(turning.session.latest()->tip.position.x() - 21.0) < 1.0, kPatienceMs);
+    QTest::qWait(50);
+    QVERIFY(!isFelt());
+    QVERIFY(turning.leadOut());
+    turning.leadTo({21.0, 0.0, 70.0}, 0);
+    QTRY_VERIFY_WITH_TIMEOUT(isFelt(), kPatienceMs);
+  }
+
   // Parts of documents are felt without a tool, too.
   void partsAreFelt() {
     TurningWindow turning;
     turning.driver.choose("newWorkpiece");
     QVERIFY(turning.driver.settle());
     turning.view->setStandardView(StandardView::Front);
-    turning.session.choose("simulated", "hand");
-    QVERIFY(QTest::qWaitFor([&] { return turning.session.latest() != nullptr; }, kPatienceMs));
-    QVERIFY(turning.driver.settle());
-    turning.leadTo({32.0, 0.0, 50.0}, 0);
-    QTRY_VERIFY_WITH_TIMEOUT(std::abs(turning.session.latest()->tip.position.x() - 32.0) < 1.0, kPatienceMs);
+    QVERIFY(turning.takeHand());
     turning.leadTo({21.0, 0.0, 50.0}, 0);
     QTRY_VERIFY_WITH_TIMEOUT(turning.session.latest()->felt.isContact, kPatienceMs);
     QTRY_VERIFY_WITH_TIMEOUT(std::abs(turning.session.latest()->felt.proxy.x() - 25.0) < 0.2, kPatienceMs);

@@ -14,13 +14,13 @@ DentSimulation::DentSimulation(GlobeSurface surface, const Pose& place, std::sha
 
 void DentSimulation::step(double, std::span<const SimulationInput> inputs) {
   bool isChanged = false;
-  for (const SimulationInput& input : inputs) isChanged = press(input.tip) || isChanged;
+  for (const SimulationInput& input : inputs) isChanged = (input.gesture != 0 && press(input.tip)) || isChanged;
   if (isChanged) m_state = std::make_shared<const DentState>(m_surface, true);
   if (!inputs.empty()) m_channel->patch.write(patchAround(m_surface, m_sceneToGlobe * inputs.back().tip.position));
 }
 
 bool DentSimulation::press(const TipState& tip) {
-  if ((tip.buttons & 1u) == 0 || !tip.position.allFinite()) return false;
+  if (!tip.position.allFinite()) return false;
   const Vec3 inside = m_sceneToGlobe * tip.position;
   const double depth = m_surface.heightTowards(inside) - inside.norm();
   if (!(depth > 0.0)) return false;

@@ -45,7 +45,7 @@ ForceBounds GlobeForce::advance(const TipState& tip, ForceOut& out) noexcept {
   if (!height) height = m_surface.heightTowards(inside);
   m_isTouching = distance > 0.0 && distance < *height;
   m_proxy = m_isTouching ? Vec3(m_place * Vec3(*height / distance * inside)) : tip.position;
-  if (m_channel) m_channel->inputs->push({tip, m_proxy});
+  if (m_channel) m_channel->inputs->push({tip, m_proxy, m_channel->inputs->gestureAt(tip)});
   if (!m_isTouching) return {};
   out.isContact = true;
   out.proxy = m_proxy;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "base/TripleBuffer.h"
 #include "globe/document/GlobeSurface.h"
 #include "haptics/scene/ForceSource.h"
 #include "simulation/Simulation.h"
@@ -29,11 +28,7 @@ struct GlobePatch {
 
 GlobePatch patchAround(const GlobeSurface& surface, const Vec3& p);
 
-// What the servo loop and the simulation of dents exchange. Neither waits.
-struct DentChannel {
-  std::shared_ptr<SimulationInputs> inputs = std::make_shared<SimulationInputs>(kWaitingInputs);
-  TripleBuffer<GlobePatch> patch;
-};
+using DentChannel = SimulationChannel<GlobePatch>;
 
 inline constexpr const char* kGlobeSource = "globe";
 

@@ -20,81 +20,66 @@ std::optional<Vec3> meets(const Ray& ray, const Vec3& centre, double radius) {
 
 }  // namespace
 
-DentTool::DentTool(GlobeDocument& document, const DentServices& services) : m_document(document), m_services(services) {
-  start();
-}
+DentTool::DentTool(GlobeDocument& document, const SimulationServices& services)
+    : m_document(document), m_gesture(services, m_channel->inputs, kRate, [this] { return simulation(); }) {}
 
-// A simulation from the present globe on; what another had begun is dropped.
-void DentTool::start() {
-  m_loop.reset();
-  m_isPressing = false;
-  SimulationInput old;
-  while (m_channel->inputs->pop(old)) {
-  }
-  m_channel->patch.write({});
-  m_loop = std::make_unique<SimulationLoop>(
-      std::make_unique<DentSimulation>(m_document.surface(), m_document.place(), m_channel), kRate, m_channel->inputs,
-      m_services.clock, m_services.dents);
-  m_loop->keepLog();
-  m_loop->start();
-}
-
-std::shared_ptr<const DentState> DentTool::state() const {
-  return std::static_pointer_cast<const DentState>(m_loop->state());
+std::unique_ptr<Simulation> DentTool::simulation() const {
+  return std::make_unique<LoggedSimulation>(
+      std::make_unique<DentSimulation>(m_document.surface(), m_document.place(), m_channel));
 }
 
 void DentTool::feed(const PointerEvent& event) {
+  constexpr double kPeriod = 0.05;  // s, about that between two moves of a mouse
   const Vec3 centre = m_document.place().translation();
   const auto place = meets(event.ray, centre, m_document.surface().radius());
-  if (!place) return;
-  SimulationInput input;
-  input.tip.position = centre + (1.0 - kPress) * (*place - centre);
-  input.tip.buttons = 1u;
-  input.tip.period = 0.05;  // s, about that between two moves of a mouse
-  m_channel->inputs->pushFromWindow(input);
+  if (place) m_gesture.feed(centre + (1.0 - kPress) * (*place - centre), kPeriod);
 }
 
 ToolReply DentTool::press(const PointerEvent& event) {
-  if (event.button != PointerButton::First) return ToolReply::Ignored;
-  m_isPressing = true;
-  m_isOfDevice = event.device.has_value();
-  if (!m_isOfDevice) feed(event);
+  if (event.button != PointerButton::First || m_gesture.isOn()) return ToolReply::Ignored;
+  m_gesture.begin(event.device.has_value());
+  if (!event.device) feed(event);
   return ToolReply::Used;
 }
 
 ToolReply DentTool::pointer(const PointerEvent& event) {
+  m_gesture.rethrow();
   if (event.kind == PointerEvent::Kind::Press) return press(event);
-  if (!m_isPressing) return ToolReply::Ignored;
+  if (!m_gesture.isOnBy(event.device.has_value())) return ToolReply::Ignored;
   if (event.kind == PointerEvent::Kind::Release) return release();
-  if (event.kind == PointerEvent::Kind::Drag && !m_isOfDevice) feed(event);
+  if (event.kind == PointerEvent::Kind::Drag && !event.device) feed(event);
   return ToolReply::Used;
 }
 
-// The loop takes all that has arrived before it ends, so the gesture is whole.
+// The edit comes back as documentChanged(), and the next simulation begins there.
 ToolReply DentTool::release() {
-  m_loop->stop();
-  const auto last = state();
-  const SimulationLog log = m_loop->log();
-  start();
-  if (!last->isChanged) return ToolReply::Used;
-  m_lastGesture = log;
+  const std::unique_ptr<Simulation> ended = m_gesture.end();
+  const auto last = std::static_pointer_cast<const DentState>(ended->state());
+  if (!last->isChanged) {
+    m_gesture.restart();
+    return ToolReply::Used;
+  }
+  m_lastGesture = static_cast<const LoggedSimulation&>(*ended).log();
   m_document.commit("Dent", m_document.surfaceEdit(last->surface));
   return ToolReply::Used;
 }
 
 ToolReply DentTool::perform(std::string_view action) {
-  if (action != "revert" || !m_isPressing) return ToolReply::Ignored;
-  start();
+  if (action != "revert" || !m_gesture.isOn()) return ToolReply::Ignored;
+  m_gesture.restart();
   return ToolReply::Used;
 }
 
 std::vector<ToolAction> DentTool::actions() const {
-  return {{"", "Drag", "dent the globe"}, {"revert", "Esc", "drop the dent", m_isPressing}};
+  return {{"", "Drag", "dent the globe"}, {"revert", "Esc", "drop the dent", m_gesture.isOn()}};
 }
 
 ToolPreview DentTool::preview() const {
   ToolPreview preview;
-  if (m_isPressing) preview.ofKind = std::make_shared<const GlobePreview>(state()->surface);
+  if (m_gesture.isOn()) {
+    const auto state = std::static_pointer_cast<const DentState>(m_gesture.state());
+    preview.ofKind = std::make_shared<const GlobePreview>(state->surface);
+  }
   return preview;
 }
 

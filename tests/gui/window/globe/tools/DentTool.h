@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "SimulationLog.h"
 #include "globe/document/GlobeDocument.h"
 #include "globe/simulation/DentSimulation.h"
-#include "simulation/SimulationLoop.h"
+#include "simulation/SimulatedGesture.h"
 #include "tools/Tool.h"
 
 namespace handwheel::test {
@@ -12,19 +13,13 @@ namespace handwheel::test {
 // The id of the service that tools of dents need.
 inline constexpr const char* kDentService = "globe_dents";
 
-// What DentTool uses of the program. Both outlive it.
-struct DentServices {
-  ServoClock& clock;
-  Service& dents;
-};
-
 // Dents a globe while a button is held: with a device where its tip is, with the mouse a little below the surface.
 class DentTool : public Tool {
  public:
   static constexpr double kRate = 250.0;  // steps of the simulation a second
   static constexpr double kPress = 0.2;   // of the radius: how far below the surface the mouse presses
 
-  DentTool(GlobeDocument& document, const DentServices& services);
+  DentTool(GlobeDocument& document, const SimulationServices& services);
 
   // For the haptic scene.
   const std::shared_ptr<DentChannel>& channel() const { return m_channel; }
@@ -36,24 +31,20 @@ class DentTool : public Tool {
   ToolReply perform(std::string_view action) override;
   std::vector<ToolAction> actions() const override;
   ToolPreview preview() const override;
-  bool isLive() const override { return m_isPressing; }
-  void documentChanged() override { start(); }
+  bool isLive() const override { return m_gesture.isOn(); }
+  void documentChanged() override { m_gesture.restart(); }
   std::vector<std::string> needs() const override { return {kDentService}; }
 
  private:
-  void start();
+  std::unique_ptr<Simulation> simulation() const;
   void feed(const PointerEvent& event);
   ToolReply press(const PointerEvent& event);
   ToolReply release();
-  std::shared_ptr<const DentState> state() const;
 
   GlobeDocument& m_document;
-  DentServices m_services;
   std::shared_ptr<DentChannel> m_channel = std::make_shared<DentChannel>();
-  std::unique_ptr<SimulationLoop> m_loop;
+  SimulatedGesture m_gesture;
   SimulationLog m_lastGesture;
-  bool m_isPressing = false;
-  bool m_isOfDevice = false;  // the servo loop writes the inputs
 };
 
 }  // namespace handwheel::test

@@ -130,7 +130,9 @@ QWidget* GlobeUi::panel() {
 
 std::vector<ToolDescriptor> GlobeUi::tools() {
   const auto grow = [this] { return std::make_unique<GrowTool>(globe()); };
-  const auto dent = [this] { return std::make_unique<DentTool>(globe(), DentServices{m_window.servoClock, m_dents}); };
+  const auto dent = [this] {
+    return std::make_unique<DentTool>(globe(), SimulationServices{m_window.servoClock, m_dents});
+  };
   const auto pick = [&view = m_window.viewport](const Ray& ray) -> std::optional<SurfacePoint> {
     const Pick hit = view.pickAlong(ray.origin, ray.direction);
     return hit.isNothing() ? std::nullopt : std::optional(SurfacePoint{hit.point});

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simulation/SimulatedGesture.h"
+
+#include <cassert>
+#include <utility>
+
+namespace handwheel {
+
+SimulatedGesture::SimulatedGesture(const SimulationServices& services, std::shared_ptr<SimulationInputs> inputs,
+                                   double rate, Make make)
+    : m_clock(services.clock),
+      m_inputs(std::move(inputs)),
+      m_make(std::move(make)),
+      m_loop(m_make(), rate, m_inputs, services.clock, services.service) {
+  m_loop.start();
+}
+
+void SimulatedGesture::begin(bool isOfDevice) {
+  assert(!m_isOn);
+  m_isOn = m_isFirst = true;
+  m_isOfDevice = isOfDevice;
+  m_loop.setGesture(++m_number);
+  if (isOfDevice) m_inputs->setDeviceGesture(m_number);
+}
+
+void SimulatedGesture::feed(const Vec3& place, double period) {
+  SimulationInput input;
+  input.tip.position = input.proxy = place;
+  input.tip.buttons = 1u;
+  input.tip.isRestart = std::exchange(m_isFirst, false);
+  input.tip.time = static_cast<double>(m_clock.now()) / kNanoseconds;
+  input.tip.period = period;
+  input.gesture = m_number;
+  m_inputs->pushFromWindow(input);
+}
+
+std::unique_ptr<Simulation> SimulatedGesture::end() {
+  std::unique_ptr<Simulation> ended = m_loop.take();
+  disarm();
+  return ended;
+}
+
+void SimulatedGesture::restart() {
+  disarm();
+  m_loop.replace(m_make());
+}
+
+void SimulatedGesture::disarm() {
+  m_isOn = false;
+  m_inputs->setDeviceGesture(0);
+  m_loop.setGesture(0);
+}
+
+}  // namespace handwheel
