@@ -60,6 +60,12 @@ void MainWindow::buildMenus() {
   QAction* redo = m_undo.createRedoAction(this, tr("&Redo"));
   undo->setObjectName(QStringLiteral("undo"));
   redo->setObjectName(QStringLiteral("redo"));
+  // In a live gesture it is the gesture that is undone, not the step before it.
+  undo->disconnect(&m_undo);
+  connect(undo, &QAction::triggered, this, [this] {
+    const Tool* const tool = m_tools->runner().tool();
+    if (!tool || !tool->isLive() || m_tools->runner().perform("revert") == ToolReply::Ignored) m_undo.undo();
+  });
   undo->setIcon(icon(QStringLiteral("undo")));
   redo->setIcon(icon(QStringLiteral("redo")));
   undo->setShortcut(QKeySequence::Undo);

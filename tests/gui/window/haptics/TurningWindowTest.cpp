@@ -142,6 +142,24 @@ class TurningWindowTest : public QObject {
     QVERIFY(turning.workpiece().part);
   }
 
+  // Undo in the middle of a pass takes that pass, not the one before.
+  void undoInAPassTakesThatPass() {
+    TurningWindow turning;
+    QVERIFY(turning.begin());
+    turning.drag(turning.pixelOf(22.0, 30.0), turning.pixelOf(22.0, 60.0));
+    QVERIFY(turning.workpiece().part);
+    const TurnedProfile before = turning.workpiece().part->profile;
+    QTest::mousePress(turning.view, Qt::LeftButton, {}, turning.pixelOf(28.0, 80.0));
+    turning.moveTo(turning.pixelOf(20.0, 80.0));
+    turning.driver.find<QAction>("undo")->trigger();
+    turning.moveTo(turning.pixelOf(20.0, 90.0));
+    QTest::mouseRelease(turning.view, Qt::LeftButton, {}, turning.pixelOf(20.0, 90.0));
+    QVERIFY(turning.workpiece().part && turning.workpiece().part->profile == before);
+    QCOMPARE(turning.document().history()->count(), 1);
+    turning.driver.find<QAction>("undo")->trigger();
+    QVERIFY(!turning.workpiece().part);
+  }
+
   // The hand feels the bar as it is; pressed with the button held it goes in, and the release is the undo step.
   void byTheHand() {
     TurningWindow turning;
