@@ -89,8 +89,11 @@ void WorkpieceUi::followTool() {
 
 NextStep WorkpieceUi::nextStep() {
   if (!document() || document()->document.history()->count() > 0) return {};
+  const bool isCut = static_cast<const WorkpieceDocument&>(document()->document).workpiece().part != nullptr;
   return {panelIcon(), themeColours(currentTheme()).accent, tr("Stock of %1.").arg(sizeText(document()->document)),
-          tr("Its panel takes other sizes, also as “2in” or “50/2”. “Save as” writes STEP, too."), panelActions()};
+          isCut ? tr("It was cut already, so its size is fixed. “Save as” writes STEP, too.")
+                : tr("Its panel takes other sizes, also as “2in” or “50/2”. “Save as” writes STEP, too."),
+          panelActions()};
 }
 
 QString WorkpieceUi::statistics() const {

@@ -3,6 +3,7 @@
 #include "document/workpiece/WorkpieceDocument.h"
 
 #include "document/workpiece/WorkpieceEdit.h"
+#include "document/workpiece/WorkpieceErrors.h"
 
 namespace handwheel {
 
@@ -19,8 +20,7 @@ std::vector<Property> WorkpieceDocument::properties() const {
 Result<std::unique_ptr<Edit>> WorkpieceDocument::propertyEdit(const std::string& id, const PropertyValue& value) const {
   const auto field = fieldNamed(id);
   if (!field) return Document::propertyEdit(id, value);
-  if (m_workpiece->part && isOfTheBar(*field))
-    return Error{ErrorCode::Unsupported, {"another size of a bar that was cut already; undo its passes first"}, {}, {}};
+  if (m_workpiece->part && isOfTheBar(*field)) return Error{WorkpieceError::SizeFixed, {}, {}, {}};
   const Status checked = checkValue(*field, value);
   if (!checked) return checked.error();
   if (propertyOf(*m_workpiece, *field).value == value) return std::unique_ptr<Edit>();

@@ -9,6 +9,7 @@
 #include "document/workpiece/TurnedPartBlobs.h"
 #include "document/workpiece/TurnedPartDisplay.h"
 #include "document/workpiece/WorkpieceDocument.h"
+#include "document/workpiece/WorkpieceErrors.h"
 #include "document/workpiece/WorkpieceProperties.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "nurbs/CylinderDistance.h"
@@ -73,6 +74,8 @@ Result<std::string> checkedStep(const ProfileCurve& profile, Progress progress) 
 
 Result<WrittenFile> exportStep(const WorkpieceSnapshot& workpiece, const std::filesystem::path& path,
                                Progress progress) {
+  const std::size_t pieces = workpiece.part ? workpiece.part->profile.pieces() : 1;
+  if (pieces > 1) return Error{WorkpieceError::SeveralPieces, {std::to_string(pieces)}, {}, path.string()};
   const Result<ProfileCurve> profile = profileOf(workpiece);
   const Result<std::string> bytes =
       profile ? checkedStep(*profile, progress.part(0.0, 0.9)) : Result<std::string>(profile.error());

@@ -5,6 +5,7 @@
 #include "document/formats/MeshFormat.h"
 #include "document/workpiece/TurnedPartEdit.h"
 #include "document/workpiece/WorkpieceDocument.h"
+#include "document/workpiece/WorkpieceErrors.h"
 #include "document/workpiece/WorkpieceKind.h"
 #include "mesh/boundary/BoundaryLoops.h"
 #include "mesh/structure/MeshBuilder.h"
@@ -230,6 +231,21 @@ class TurnedPartTest : public QObject {
     }
     QVERIFY(std::abs(volume / workpiece.part->profile.volume() - 1.0) < 2e-3);
     QCOMPARE(lowest, 12.0);
+  }
+
+  // One file holds one solid: of a parted bar none is written, and the reason is said.
+  void twoPiecesAreNoStepFile() {
+    const QTemporaryDir folder;
+    const std::filesystem::path path = folder.filePath("a.step").toStdString();
+    WorkpieceSnapshot workpiece;
+    TurningPass pass;
+    pass.path = {{0.0, 50.0}};
+    pass.times = {0.0};
+    workpiece.part = withPass(workpiece, pass, 0.1);
+    const auto written = m_kind.exportTo(workpiece, path, {});
+    QVERIFY(!written && written.error().code == WorkpieceError::SeveralPieces);
+    QCOMPARE(written.error().arguments.at(0), std::string("2"));
+    QVERIFY(!std::filesystem::exists(path));
   }
 
   // A copy of a document shares the blocks of triangles that a pass did not touch.

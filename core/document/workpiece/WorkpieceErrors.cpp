@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/workpiece/WorkpieceErrors.h"
+
+namespace handwheel {
+
+const ErrorDescription WorkpieceError::SizeFixed{
+    .id = "SizeFixed",
+    .sentences = {translatable("ErrorText", "the bar was cut already, so its size cannot change")},
+    .advice = {translatable("ErrorText", "Undo the passes to change the size, or begin with a new workpiece.")}};
+
+const ErrorDescription WorkpieceError::SeveralPieces{
+    .id = "SeveralPieces",
+    .sentences = {translatable("ErrorText", "the part is in %1 pieces, and the file would hold one solid")},
+    .advice = {translatable("ErrorText", "Undo the pass that parted it, or export triangles, for example STL.")}};
+
+}  // namespace handwheel

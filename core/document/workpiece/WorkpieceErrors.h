@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Error.h"
+
+// The codes of errors of workpieces.
+namespace handwheel::WorkpieceError {
+
+extern const ErrorDescription SizeFixed;      // the bar was cut, so that its size cannot change
+extern const ErrorDescription SeveralPieces;  // {pieces} a file of this format holds one solid
+
+}  // namespace handwheel::WorkpieceError
