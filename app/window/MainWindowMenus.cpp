@@ -63,8 +63,8 @@ void MainWindow::buildMenus() {
   // In a live gesture it is the gesture that is undone, not the step before it.
   undo->disconnect(&m_undo);
   connect(undo, &QAction::triggered, this, [this] {
-    const Tool* const tool = m_tools.runner().tool();
-    if (!tool || !tool->isLive() || m_tools.runner().perform("revert") == ToolReply::Ignored) m_undo.undo();
+    const Tool* const tool = m_tools->runner().tool();
+    if (!tool || !tool->isLive() || m_tools->runner().perform("revert") == ToolReply::Ignored) m_undo.undo();
   });
   undo->setIcon(icon(QStringLiteral("undo")));
   redo->setIcon(icon(QStringLiteral("redo")));
