@@ -23,16 +23,18 @@ namespace {
 
 using Placed = std::vector<ContactSurface::Placed>;
 
-double anywhere() {
+double placedCoordinate() {
   return 0.01 * *rc::gen::inRange(-1000, 1001);
 }
-Vec3 somePoint() {
-  return {anywhere(), anywhere(), anywhere()};
+Vec3 placedPoint() {
+  return {placedCoordinate(), placedCoordinate(), placedCoordinate()};
 }
 Pose somePose() {
   Pose pose = Pose::Identity();
-  pose.linear() = Eigen::Quaterniond(1.0 + anywhere(), anywhere(), anywhere(), 0.1).normalized().toRotationMatrix();
-  pose.translation() = somePoint();
+  pose.linear() = Eigen::Quaterniond(1.0 + placedCoordinate(), placedCoordinate(), placedCoordinate(), 0.1)
+                      .normalized()
+                      .toRotationMatrix();
+  pose.translation() = placedPoint();
   return pose;
 }
 
@@ -51,7 +53,7 @@ double markOf(const TrianglePoints& t) {
   return (t[0] + t[1] + t[2]).dot(Vec3(1.0, 10.0, 100.0));
 }
 
-std::multiset<double> found(const ContactSurface& surface, const Box& box) {
+std::multiset<double> marksIn(const ContactSurface& surface, const Box& box) {
   std::multiset<double> marks;
   surface.forEachInBox(box, [&](const ContactTriangle& t) {
     marks.insert(markOf(t.corners));
@@ -108,15 +110,15 @@ class PlacedSurfacesTest : public QObject {
         for (const Triangle& t : soup.triangles) truth.push_back(cornersAt(pose, soup, t));
       }
       const ContactSurface together{std::span<const ContactSurface::Placed>(bodies)};
-      Box box(somePoint());
-      box.extend(somePoint());
+      Box box(placedPoint());
+      box.extend(placedPoint());
       std::multiset<double> least, most;
       for (const TrianglePoints& t : truth) {
         RC_ASSERT(hasBoxAt(t, together.bounds()));
         if (reaches(t, box)) least.insert(markOf(t));
         if (hasBoxAt(t, box)) most.insert(markOf(t));
       }
-      const std::multiset<double> all = found(together, box);
+      const std::multiset<double> all = marksIn(together, box);
       RC_ASSERT(std::includes(all.begin(), all.end(), least.begin(), least.end()));
       RC_ASSERT(std::includes(most.begin(), most.end(), all.begin(), all.end()));
     }));

@@ -14,7 +14,7 @@ using namespace handwheel::test;
 
 namespace {
 
-constexpr double kSnapProxyWalkStiffness = 0.7, kDistance = 1.0;
+constexpr double kSnapProxyWalkStiffness = 0.7, kSnapProxyWalkDistance = 1.0;
 
 // The rules for several constraints, feature by feature. For features that do not touch each other.
 class Rules {
@@ -30,7 +30,7 @@ class Rules {
     if (!m_held) return m_held;
     m_proxy = nearestOn(m_simplices[*m_held], hand).cast<double>();
     for (std::size_t d = m_simplices[*m_held].dimension(); d-- > 0;)
-      if (const auto lower = closest(d, m_proxy, hand, kDistance)) {
+      if (const auto lower = closest(d, m_proxy, hand, kSnapProxyWalkDistance)) {
         m_held = lower;
         m_proxy = nearestOn(m_simplices[*m_held], hand).cast<double>();
       }
@@ -38,7 +38,9 @@ class Rules {
   }
 
  private:
-  bool isInReach(std::size_t i, const Vec3& hand) const { return distanceTo(m_simplices[i], hand) <= kDistance; }
+  bool isInReach(std::size_t i, const Vec3& hand) const {
+    return distanceTo(m_simplices[i], hand) <= kSnapProxyWalkDistance;
+  }
 
   std::optional<std::size_t> closest(std::size_t d, const Vec3& proxy, const Vec3& hand, double within) const {
     std::optional<std::size_t> best;
@@ -88,7 +90,7 @@ void SnapProxyWalkTest::holdsWhatTheRulesSay() {
     std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
     const auto simplices = randomSimplices(random, 1 + random() % 25, 2.5, 1.0);
     const SnapField field = fieldOf(simplices);
-    const SnapProfile profile(SnapShape::Quadratic, kSnapProxyWalkStiffness, kDistance);
+    const SnapProfile profile(SnapShape::Quadratic, kSnapProxyWalkStiffness, kSnapProxyWalkDistance);
     SnapProxy proxy;
     Rules rules(simplices);
     Wanderer wanderer(random, 3.0);
@@ -116,7 +118,7 @@ void SnapProxyWalkTest::alwaysOnAFeatureInReach() {
       simplices.push_back(i % 3 == 0 ? point(a) : i % 3 == 1 ? segment(a, b) : face(a, b, c));
     }
     const SnapField field = fieldOf(simplices);
-    const SnapProfile profile(SnapShape::Gaussian, kSnapProxyWalkStiffness, kDistance);
+    const SnapProfile profile(SnapShape::Gaussian, kSnapProxyWalkStiffness, kSnapProxyWalkDistance);
     SnapProxy proxy;
     Wanderer wanderer(random, 3.0);
     for (int i = 0; i < 200; ++i) {
@@ -124,12 +126,12 @@ void SnapProxyWalkTest::alwaysOnAFeatureInReach() {
       const SnapResult pull = proxy.step(field, profile, hand);
       double least = 1e300;
       for (const Simplex& s : simplices) least = std::min(least, static_cast<double>(distanceTo(s, hand)));
-      RC_ASSERT(proxy.isHeld() == (least <= kDistance));
+      RC_ASSERT(proxy.isHeld() == (least <= kSnapProxyWalkDistance));
       const double x = (pull.proxy - hand).norm();
       RC_ASSERT(std::abs(pull.force.norm() - profile.force(x)) <= 1e-9);
       RC_ASSERT((pull.force.cross(pull.proxy - hand)).norm() <= 1e-9);
       if (!proxy.isHeld()) continue;
-      RC_ASSERT(x <= kDistance * (1.0 + 1e-12));
+      RC_ASSERT(x <= kSnapProxyWalkDistance * (1.0 + 1e-12));
       RC_ASSERT(distanceTo(simplices[proxy.held().id], pull.proxy) <= 1e-8);
     }
   }));
@@ -141,7 +143,7 @@ void SnapProxyWalkTest::followsOverAClosedSurface() {
   for (int i = 0; i < 8; ++i)
     faces.push_back(face(Vec3(i & 1 ? 5 : -5, 0, 0), Vec3(0, i & 2 ? 5 : -5, 0), Vec3(0, 0, i & 4 ? 5 : -5)));
   const SnapField field = fieldOf(faces);
-  const SnapProfile profile(SnapShape::Triangular, kSnapProxyWalkStiffness, kDistance);
+  const SnapProfile profile(SnapShape::Triangular, kSnapProxyWalkStiffness, kSnapProxyWalkDistance);
   SnapProxy proxy;
   for (int i = 0; i < 20'000; ++i) {
     const double t = 0.002 * i;
