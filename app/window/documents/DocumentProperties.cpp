@@ -3,6 +3,7 @@
 #include "window/documents/DocumentProperties.h"
 
 #include "document/Document.h"
+#include "text/ErrorText.h"
 
 namespace handwheel {
 
@@ -12,7 +13,10 @@ void connectEdits(PropertyList& list, std::function<Document*()> present, QObjec
                      Document* document = present();
                      if (!document) return;
                      const DragPhase stroke = stillDragging ? DragPhase::Continues : DragPhase::Ends;
-                     if (!document->setProperty(id, value, stroke)) emit document->changed();
+                     const Status done = document->setProperty(id, value, stroke);
+                     if (done) return;
+                     emit document->changed();  // the fields show what it has
+                     list.refuse(id, value, errorSentence(done.error()));
                    });
 }
 

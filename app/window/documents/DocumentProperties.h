@@ -11,10 +11,10 @@ namespace handwheel {
 class Document;
 
 // Applies edits in a property list to the document that present() returns. A drag is one undo step. When the document
-// refuses an edit, the list shows the former value again.
+// refuses an edit, the list says why.
 void connectEdits(PropertyList& list, std::function<Document*()> present, QObject* owner);
 
-// Shows all properties of a document in a list and keeps them up to date.
+// Shows the properties of a document in a list and keeps them up to date.
 class DocumentProperties : public QObject {
   Q_OBJECT
 
