@@ -44,6 +44,8 @@ class ToolHost : public QObject {
   // none when the mouse is only a mouse. The wheel then moves the tip; with Ctrl it moves the camera.
   using MouseDevicePlace = std::function<std::optional<Pose>(const PointerInput&, const ViewRay&)>;
   void setMouseDevice(MouseDevicePlace place) { m_mouseDevice = std::move(place); }
+  // Called with each right click before the tool gets it. Returns whether it has opened a menu.
+  void setContextMenu(std::function<bool(const QPointF& position)> menu) { m_menu = std::move(menu); }
 
   // The present bindings of pointer and keys, translated.
   std::vector<Hint> hints() const;
@@ -58,6 +60,7 @@ class ToolHost : public QObject {
 
  private:
   bool take(const PointerInput& input);
+  ToolReply perform(std::string_view action);
   bool takeKey(QKeyEvent& event);
   void showActions();
   void showValues(const PointerInput& input, PointerEvent::Kind kind);
@@ -74,6 +77,7 @@ class ToolHost : public QObject {
   ServiceRegistry& m_needs;
   ToolRunner m_runner;
   MouseDevicePlace m_mouseDevice;
+  std::function<bool(const QPointF&)> m_menu;
   std::vector<ServiceHandle> m_needed;
   bool m_isMoving = false;   // the tool is handling a mouse move
   bool m_isShowDue = false;  // showSoon() was called
