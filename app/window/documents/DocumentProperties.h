@@ -21,14 +21,15 @@ class DocumentProperties : public QObject {
  public:
   explicit DocumentProperties(PropertyList& list, QObject* parent = nullptr);
 
-  // Null: none. isListed: whether a property is shown now.
-  void setDocument(Document* document, std::function<bool(const Property&)> isListed = {});
+  using Listed = std::function<std::vector<Property>(const Document&)>;
+  // Null: none. listed: makes the properties that are shown now.
+  void setDocument(Document* document, Listed listed);
   // To be called when other properties are to be listed.
   void show();
 
  private:
   PropertyList& m_list;
-  std::function<bool(const Property&)> m_isListed;
+  Listed m_listed;
   Document* m_document = nullptr;
 };
 
