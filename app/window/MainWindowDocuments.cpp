@@ -22,6 +22,7 @@
 
 #include <QDockWidget>
 #include <QLabel>
+#include <QMenu>
 #include <QStackedWidget>
 
 namespace handwheel {
@@ -101,6 +102,11 @@ void MainWindow::connectTools() {
   connect(m_tools, &ToolHost::previewed, this, [this](const ToolPreview& preview) {
     if (m_shown) m_shown->ui.showPreview(preview);
   });
+  m_tools->setContextMenu([this](const QPointF& position) {
+    QMenu* menu = m_shown ? m_shown->ui.menuAt(position) : nullptr;
+    if (menu) menu->popup(m_viewport->mapToGlobal(position.toPoint()));
+    return menu != nullptr;
+  });
   connect(m_toolChoice, &ToolChoice::otherChosen, m_toolDock, &QWidget::raise);
   connect(m_toolChoice, &ToolChoice::defaultChosen, this, [this] {
     if (!m_toolPanel->visibleRegion().isEmpty()) m_kindDock->raise();
@@ -152,7 +158,7 @@ void MainWindow::showDocument(DocumentTab* document) {
   m_documents->setCurrent(document ? &document->document : nullptr);
   m_messages->setDocument(document ? &document->document : nullptr);
   m_properties->setDocument(document ? &document->document : nullptr,
-                            [present](const Property& property) { return present->isListed(property); });
+                            [present](const Document& shown) { return present->listedProperties(shown); });
   m_recordings.setDocument(document ? &document->document : nullptr);
   for (const auto& [id, each] : m_uis) {
     if (each.get() != present) each->setDocument(nullptr);

@@ -20,6 +20,12 @@ QString labelOf(const Property& property) {
                              : QString::fromStdString(property.label);
 }
 
+// A group with a name of its own is one of several things that have such a property.
+QString changeText(const Property& property) {
+  if (property.groupTranslated) return Document::tr("Change %1").arg(labelOf(property));
+  return Document::tr("Change %1 of %2").arg(labelOf(property), QString::fromStdString(property.group));
+}
+
 }  // namespace
 
 Document::Document(const DocumentKind& kind, DocumentFile file, QObject* parent)
@@ -65,6 +71,12 @@ std::vector<Property> Document::properties() const {
   return {displayUnitProperty(m_file.displayUnit)};
 }
 
+std::optional<Property> Document::property(const std::string& id) const {
+  std::vector<Property> all = properties();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Property& each) { return each.id == id; });
+  return found == all.end() ? std::nullopt : std::optional(std::move(*found));
+}
+
 Result<std::unique_ptr<Edit>> Document::propertyEdit(const std::string& id, const PropertyValue& value) const {
   if (id != kDisplayUnitId) return Error{ErrorCode::ReferenceMissing, {"the property", id}, {}, {}};
   return displayUnitEdit(m_file.displayUnit, value);
@@ -75,11 +87,10 @@ Status Document::setProperty(const std::string& id, const PropertyValue& value, 
   if ((!edit || !*edit) && stroke == DragPhase::Ends) m_isStroking = false;
   if (!edit) return edit.error();
   if (!*edit) return Done{};
-  const std::vector<Property> all = properties();
-  const auto property = std::find_if(all.begin(), all.end(), [&](const Property& each) { return each.id == id; });
-  assert(property != all.end());  // propertyEdit() has found it
-  const QString text = tr("Change %1").arg(labelOf(*property));
-  push(new UndoCommand(*this, text, std::move(*edit), UndoCommand::Values{property->value, value}), stroke);
+  const std::optional<Property> changed = property(id);
+  assert(changed);  // propertyEdit() has found it
+  push(new UndoCommand(*this, changeText(*changed), std::move(*edit), UndoCommand::Values{changed->value, value}),
+       stroke);
   return Done{};
 }
 

@@ -10,6 +10,7 @@
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
+#include <optional>
 
 namespace handwheel {
 
@@ -45,6 +46,8 @@ class Document : public QObject {
 
   // The properties that can be read, and set, by name. Kinds add theirs before those common to all.
   virtual std::vector<Property> properties() const;
+  // The property with this id; none when there is none. Kinds with very many properties find it without making all.
+  virtual std::optional<Property> property(const std::string& id) const;
   // An edit that gives a property a new value; null when it has that value already. Errors: ReferenceMissing
   // {property}, ValueOutOfRange, ElementMalformed.
   virtual Result<std::unique_ptr<Edit>> propertyEdit(const std::string& id, const PropertyValue& value) const;

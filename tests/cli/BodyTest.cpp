@@ -101,6 +101,41 @@ class BodyTest : public QObject {
     QVERIFY(parsed(m_bench->run({"inspect", "cell.handwheel", "--json"}))["document"]["bodies"][0]["link"].is_null());
   }
 
+  void aBodyIsLinkedToAnotherFile() {
+    m_bench->put("other.stl", corner(30));
+    QCOMPARE(
+        m_bench->run({"body", "r.urdf", "--add", "part.stl", "--name", "vice", "--at", "7,0,0", "-o", "cell.handwheel"})
+            .code,
+        0);
+    const Ran ran = m_bench->run(
+        {"body", "cell.handwheel", "--update", "vice", "--from", "other.stl", "-o", "cell.handwheel", "--json"});
+    QVERIFY2(ran.code == 0, ran.err);
+    const nlohmann::json body = parsed(ran)["bodies"][0];
+    QCOMPARE(body["name"].get<std::string>(), "vice");
+    QCOMPARE(body["position"][0].get<double>(), 7.0);
+    QCOMPARE(body["link"]["state"].get<std::string>(), "present");
+    QVERIFY(body["link"]["path"].get<std::string>().ends_with("other.stl"));
+    QCOMPARE(m_bench->run({"convert", "cell.handwheel", "all.stl"}).code, 0);
+    const double volume = parsed(m_bench->run({"inspect", "all.stl", "--json"}))["volume_mm3"].get<double>();
+    QVERIFY(std::abs(volume - (1e6 + 30.0 * 30 * 30 / 6)) < 1.0);
+  }
+
+  void namesAndWhatIsHidden() {
+    QCOMPARE(m_bench->run({"body", "r.urdf", "--add", "box:1,2,3", "--name", "Table", "-o", "cell.handwheel"}).code, 0);
+    QCOMPARE(m_bench->run({"body", "cell.handwheel", "--add", "box:1,2,3", "--name", "1", "-o", "cell.handwheel"}).code,
+             0);
+    const Ran refused = m_bench->run({"body", "cell.handwheel", "--remove", "1", "-o", "cell.handwheel"});
+    QCOMPARE(refused.code, 1);
+    QVERIFY2(refused.err.contains("name of body 2"), refused.err);
+    const Ran set =
+        m_bench->run({"set", "cell.handwheel", "body.Table.x=12", "body.Table.visible=no", "-o", "cell.handwheel"});
+    QVERIFY2(set.code == 0, set.err);
+    const nlohmann::json shown = parsed(m_bench->run({"inspect", "cell.handwheel", "--json"}));
+    QCOMPARE(shown["document"]["bodies"][0]["position"][0].get<double>(), 12.0);
+    const Ran converted = m_bench->run({"convert", "cell.handwheel", "all.stl"});
+    QVERIFY2(converted.err.contains("1 hidden body (Table) was left out."), converted.err);
+  }
+
   // A bar comes in with its exact profile: shown with its own tolerance, its volume is that of a cylinder.
   void aWorkpieceAsABody() {
     QCOMPARE(m_bench->run({"new", "workpiece", "-o", "bar.handwheel"}).code, 0);

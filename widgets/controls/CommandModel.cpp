@@ -3,8 +3,10 @@
 #include "controls/CommandModel.h"
 
 #include "controls/ActionText.h"
+#include "controls/ContextAction.h"
 
 #include <QAction>
+#include <algorithm>
 
 namespace handwheel {
 
@@ -16,13 +18,28 @@ QString hintOf(const QAction& action) {
   return hint == action.iconText() || hint == withoutMnemonic(action.text()) ? QString() : hint;
 }
 
+QString reasonOf(const QAction& action) {
+  const QString reason = action.property(kDisabledReason).toString();
+  if (!reason.isEmpty()) return reason;
+  return hintOf(action).isEmpty() ? CommandModel::tr("Not possible now") : hintOf(action);
+}
+
+// Whether an action of a tool is also a command of the window, which is listed.
+bool isSaidBy(const QAction& action, const QList<QAction*>& all) {
+  if (!qobject_cast<const ContextAction*>(&action)) return false;
+  const QString title = withoutMnemonic(action.text());
+  return std::any_of(all.begin(), all.end(), [&](const QAction* other) {
+    return !qobject_cast<const ContextAction*>(other) && other->isVisible() && withoutMnemonic(other->text()) == title;
+  });
+}
+
 }  // namespace
 
 void CommandModel::setActions(const QList<QAction*>& actions, const QHash<const QAction*, QString>& paths) {
   m_commands.clear();
   std::vector<CommandText> texts;
   for (QAction* action : actions) {
-    if (!action->isVisible()) continue;
+    if (!action->isVisible() || isSaidBy(*action, actions)) continue;
     const QString path = pathOf(*action, paths);
     const QString keys = action->shortcut().toString(QKeySequence::NativeText);
     texts.push_back({action->objectName(), withoutMnemonic(action->text()), path, hintOf(*action), keys});
@@ -64,7 +81,7 @@ QVariant CommandModel::data(const QModelIndex& index, int role) const {
       return action->shortcut().toString(QKeySequence::NativeText);
     case ReasonRole:
       if (action->isEnabled()) return QString();
-      return hintOf(*action).isEmpty() ? tr("Not possible now") : hintOf(*action);
+      return reasonOf(*action);
     default:
       return {};
   }

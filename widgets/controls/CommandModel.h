@@ -14,6 +14,9 @@ class QAction;
 
 namespace handwheel {
 
+// The name of the property of an action that says why it is disabled, translated. Without it the tool tip is said.
+inline constexpr const char* kDisabledReason = "disabledReason";
+
 // The list of actions that match the search text, best first.
 class CommandModel : public QAbstractListModel {
   Q_OBJECT

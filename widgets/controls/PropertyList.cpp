@@ -99,6 +99,12 @@ void PropertyList::setLengthUnit(LengthUnit unit) {
   for (std::size_t i = 0; i < m_rows.size(); ++i) m_rows[i]->showProperty(m_properties[i], unit);
 }
 
+void PropertyList::refuse(const std::string& id, const PropertyValue& entered, const QString& reason) {
+  const auto row =
+      std::find_if(m_rows.begin(), m_rows.end(), [&](const PropertyRow* each) { return each->id() == id; });
+  if (row != m_rows.end()) (*row)->refuse(entered, reason);
+}
+
 void PropertyList::setEmptyText(const QString& text) {
   m_empty->setText(text);
 }

@@ -26,6 +26,8 @@ class PropertyList : public QScrollArea {
   // Shows the properties, grouped in the given order. Ids must be unique.
   void setProperties(const std::vector<Property>& properties);
   void setLengthUnit(LengthUnit unit);
+  // Says at its field why the document has not taken a value. Nothing happens when it is not shown any more.
+  void refuse(const std::string& id, const PropertyValue& entered, const QString& reason);
   void setEmptyText(const QString& text);  // shown when there are no properties
 
   QSize sizeHint() const override;

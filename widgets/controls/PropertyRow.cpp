@@ -30,6 +30,9 @@ PropertyRow* PropertyRow::make(const Property& property, LengthUnit unit, QWidge
     case Kind::Text:
       row = new TextRow(parent);
       break;
+    case Kind::Colour:
+      row = new ColourRow(parent);
+      break;
     case Kind::Choice:
       row = new ChoiceRow(parent);
       break;
@@ -52,28 +55,48 @@ void PropertyRow::showProperty(const Property& property, LengthUnit unit) {
   const QString label = property.translated ? translated(property.label) : QString::fromStdString(property.label);
   m_label->setText(label);
   setLabel(label);
-  m_problem->setText(translated(property.problem));
-  m_problem->setVisible(!property.problem.empty());
+  m_remark = translated(property.problem);
+  if (!m_isKept) m_refusal.clear();
   showValue(property, unit);
+  showRemark();
+}
+
+void PropertyRow::refuse(const PropertyValue& entered, const QString& reason) {
+  m_refusal = reason;
+  m_isKept = keep(entered);
+  showRemark();
+}
+
+void PropertyRow::forgetRefusal() {
+  m_refusal.clear();
+  m_isKept = false;
+  showRemark();
+}
+
+void PropertyRow::showRemark() {
+  m_problem->setText(m_refusal.isEmpty() ? m_remark : m_refusal);
+  m_problem->setVisible(!m_problem->text().isEmpty());
 }
 
 PropertyRow::Kind PropertyRow::kindOf(const Property& property) {
   if (!property.editable) return Kind::ReadOnly;
   if (!property.choices.empty()) return Kind::Choice;
   if (std::holds_alternative<bool>(property.value)) return Kind::Switch;
-  return std::holds_alternative<std::string>(property.value) ? Kind::Text : Kind::Number;
+  if (!std::holds_alternative<std::string>(property.value)) return Kind::Number;
+  return property.id.ends_with(".colour") ? Kind::Colour : Kind::Text;
 }
 
 QString PropertyRow::translated(const std::string& english) {
   return english.empty() ? QString() : QCoreApplication::translate("Property", english.c_str());
 }
 
-void PropertyRow::arrange(QWidget* editor, bool besideLabel, QWidget* below) {
+void PropertyRow::arrange(QWidget* editor, bool besideLabel, QWidget* below, QWidget* after) {
   auto* line = new QHBoxLayout;
   line->setSpacing(8);
   m_label->setVisible(besideLabel);
   if (besideLabel) line->addWidget(m_label, 2, Qt::AlignTop);
   line->addWidget(editor, 3);
+  if (after) line->addWidget(after);
   m_label->setMinimumHeight(editor->sizeHint().height());
   m_label->setBuddy(editor);
   auto* column = new QVBoxLayout(this);

@@ -22,25 +22,40 @@ class PropertyRow : public QWidget {
   // Whether this row can show the property: same id and kind.
   bool fits(const Property& property) const;
   void showProperty(const Property& property, LengthUnit unit);
+  // Says why the document has not taken a value. A text stays in the field, to be corrected, or until Esc restores the
+  // former one.
+  void refuse(const PropertyValue& entered, const QString& reason);
 
  signals:
   void edited(const PropertyValue& value, bool stillDragging);
 
  protected:
-  enum class Kind { Number, Switch, Text, Choice, ReadOnly };
+  enum class Kind { Number, Switch, Text, Colour, Choice, ReadOnly };
   static Kind kindOf(const Property& property);
   static QString translated(const std::string& english);
 
   explicit PropertyRow(QWidget* parent);
-  // Lays out the parts; to be called once. The label is beside the editor, or the editor is alone.
-  void arrange(QWidget* editor, bool besideLabel = true, QWidget* below = nullptr);
+  // Lays out the parts; to be called once. The label is beside the editor, or the editor is alone. after: stands at the
+  // end of its line.
+  void arrange(QWidget* editor, bool besideLabel = true, QWidget* below = nullptr, QWidget* after = nullptr);
 
   virtual void showValue(const Property& property, LengthUnit unit) = 0;
   virtual void setLabel(const QString& label) = 0;  // for screen readers, or where the editor shows it
+  // Puts back what was entered and refused. True: it stays until it is corrected.
+  virtual bool keep(const PropertyValue& entered) {
+    (void)entered;
+    return false;
+  }
+  void forgetRefusal();
 
  private:
+  void showRemark();
+
   std::string m_id;
   Kind m_kind = Kind::ReadOnly;
+  QString m_remark;   // on the value
+  QString m_refusal;  // of the value that was entered last
+  bool m_isKept = false;
   QLabel* m_label;
   QLabel* m_problem;
 };

@@ -6,12 +6,15 @@
 #include "controls/QuantityText.h"
 
 #include <QCheckBox>
+#include <QColorDialog>
 #include <QComboBox>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QToolButton>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -130,22 +133,82 @@ void SwitchRow::setLabel(const QString& label) {
   m_box->setText(label);
 }
 
-TextRow::TextRow(QWidget* parent) : PropertyRow(parent), m_line(new QLineEdit(this)) {
+TextRow::TextRow(QWidget* parent) : TextRow(parent, nullptr) {}
+
+TextRow::TextRow(QWidget* parent, QWidget* beside) : PropertyRow(parent), m_line(new QLineEdit(this)) {
   m_line->setObjectName(QStringLiteral("propertyText"));
-  arrange(m_line);
+  m_line->installEventFilter(this);
+  arrange(m_line, true, nullptr, beside);
+  connect(m_line, &QLineEdit::textEdited, this, &TextRow::forgetRefusal);
   connect(m_line, &QLineEdit::editingFinished, this, [this] {
     if (!m_line->isModified()) return;
     m_line->setModified(false);
+    forgetRefusal();
     emit edited(m_line->text().toStdString(), false);
   });
 }
 
+// What was refused is out of date when the value has changed and nobody is typing any more.
 void TextRow::showValue(const Property& property, LengthUnit) {
-  if (!m_line->isModified() && m_line->text() != plainText(property)) m_line->setText(plainText(property));
+  const QString value = plainText(property);
+  if (std::exchange(m_value, value) != value && !m_line->hasFocus()) {
+    m_line->setModified(false);
+    forgetRefusal();
+  }
+  if (!m_line->isModified() && m_line->text() != m_value) m_line->setText(m_value);
 }
 
 void TextRow::setLabel(const QString& label) {
   m_line->setAccessibleName(label);
+}
+
+bool TextRow::keep(const PropertyValue& entered) {
+  m_line->setText(QString::fromStdString(std::get<std::string>(entered)));
+  m_line->setModified(true);
+  return true;
+}
+
+bool TextRow::eventFilter(QObject* watched, QEvent* event) {
+  const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+  if (watched != m_line || !isKey || !m_line->isModified() || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape)
+    return PropertyRow::eventFilter(watched, event);
+  event->accept();
+  if (event->type() == QEvent::ShortcutOverride) return true;
+  m_line->setModified(false);
+  forgetRefusal();
+  m_line->setText(m_value);
+  m_line->selectAll();
+  return true;
+}
+
+ColourRow::ColourRow(QWidget* parent) : ColourRow(parent, new QToolButton) {}
+
+ColourRow::ColourRow(QWidget* parent, QToolButton* button) : TextRow(parent, button), m_button(button) {
+  m_button->setObjectName(QStringLiteral("propertyColour"));
+  m_button->setToolTip(tr("Choose a colour…"));
+  connect(m_button, &QToolButton::clicked, this, &ColourRow::choose);
+}
+
+void ColourRow::showValue(const Property& property, LengthUnit unit) {
+  TextRow::showValue(property, unit);
+  m_colour = QColor(plainText(property));
+  QPixmap swatch(m_button->iconSize());
+  swatch.fill(m_colour);
+  m_button->setIcon(swatch);
+}
+
+void ColourRow::setLabel(const QString& label) {
+  TextRow::setLabel(label);
+  m_button->setAccessibleName(tr("Choose: %1").arg(label));
+}
+
+void ColourRow::choose() {
+  auto* dialog = new QColorDialog(m_colour, window());
+  dialog->setObjectName(QStringLiteral("colourDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QColorDialog::colorSelected, this,
+          [this](const QColor& colour) { emit edited(colour.name().toStdString(), false); });
+  dialog->open();
 }
 
 ChoiceRow::ChoiceRow(QWidget* parent) : PropertyRow(parent), m_box(new Unhurried<QComboBox>(this)) {

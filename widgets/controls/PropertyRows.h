@@ -4,11 +4,14 @@
 
 #include "controls/PropertyRow.h"
 
+#include <QColor>
+
 class QCheckBox;
 class QComboBox;
 class QLabel;
 class QLineEdit;
 class QSlider;
+class QToolButton;
 
 namespace handwheel {
 
@@ -62,11 +65,35 @@ class TextRow : public PropertyRow {
   explicit TextRow(QWidget* parent);
 
  protected:
+  // With another widget beside the line.
+  TextRow(QWidget* parent, QWidget* beside);
+  void showValue(const Property& property, LengthUnit unit) override;
+  void setLabel(const QString& label) override;
+  bool keep(const PropertyValue& entered) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;  // Esc restores the value
+
+ private:
+  QLineEdit* m_line;
+  QString m_value;
+};
+
+// A row for a colour, "#rrggbb": a line edit, and a button that opens the dialog for colours.
+class ColourRow : public TextRow {
+  Q_OBJECT
+
+ public:
+  explicit ColourRow(QWidget* parent);
+
+ protected:
   void showValue(const Property& property, LengthUnit unit) override;
   void setLabel(const QString& label) override;
 
  private:
-  QLineEdit* m_line;
+  ColourRow(QWidget* parent, QToolButton* button);
+  void choose();
+
+  QToolButton* m_button;
+  QColor m_colour;
 };
 
 // A row for one of several choices: a combo box.

@@ -98,7 +98,7 @@ QLayout* StartPage::heading() {
   big.setPointSizeF(big.pointSizeF() * 2.4);
   big.setWeight(QFont::DemiBold);
   name->setFont(big);
-  auto* line = new QLabel(tr("Repair scans, practise at the lathe, plan paths for robots."), m_content);
+  auto* line = new QLabel(tr("Repair scans, practise at the lathe, arrange robot cells."), m_content);
   line->setProperty("muted", true);
   line->setWordWrap(true);
   auto* text = new QVBoxLayout;

@@ -9,7 +9,7 @@
 #include "document/Document.h"
 #include "text/NoteText.h"
 
-#include <algorithm>
+#include <optional>
 #include <span>
 
 namespace handwheel {
@@ -21,17 +21,16 @@ std::string assign(Document& document, const std::string& word) {
   const std::size_t equals = word.find('=');
   if (equals == std::string::npos) return "NAME=VALUE was expected, not '" + word + "'.";
   const std::string name = word.substr(0, equals);
-  const std::vector<Property> all = document.properties();
-  const auto property = std::find_if(all.begin(), all.end(), [&](const Property& p) { return p.id == name; });
-  if (property == all.end()) return "There is no property '" + name + "'; 'handwheel inspect' lists them.";
+  const std::optional<Property> property = document.property(name);
+  if (!property) return "There is no property '" + name + "'; 'handwheel inspect' lists them.";
   const auto value = propertyValue(*property, word.substr(equals + 1));
   if (const auto* problem = std::get_if<std::string>(&value)) return *problem;
   if (!property->editable) {
-    const auto edit = document.propertyEdit(name, std::get<PropertyValue>(value));
+    const auto edit = document.propertyEdit(property->id, std::get<PropertyValue>(value));
     const bool isFixedNow = !edit && edit.error().code == ErrorCode::Unsupported;  // and says why
     return isFixedNow ? sentenceFor(edit.error()) : "The property " + name + " follows from others and cannot be set.";
   }
-  const Status done = document.setProperty(name, std::get<PropertyValue>(value));
+  const Status done = document.setProperty(property->id, std::get<PropertyValue>(value));
   return done ? std::string() : sentenceFor(done.error());
 }
 
@@ -78,11 +77,11 @@ std::string newDetails(const DocumentKinds& kinds) {
 }
 
 CommandSpec setSpec() {
-  return {
-      "set", "IN [NAME=VALUE...]",
-      "Changes properties of a document. Examples: diameter=25.4/2, joint.joint_1=30deg; 'handwheel inspect IN' lists\n"
-      "them. OUT may be IN, unless IN is damaged or of a newer version.",
-      kOptions};
+  return {"set", "IN [NAME=VALUE...]",
+          "Changes properties of a document. Examples: diameter=25.4/2, joint.joint_1=30deg,\n"
+          "body.Table.x=100; 'handwheel inspect IN' lists them.\n"
+          "OUT may be IN, unless IN is damaged or of a newer version.",
+          kOptions};
 }
 
 int runNew(const Arguments& arguments, const DocumentKinds& kinds) {

@@ -11,10 +11,12 @@
 
 namespace handwheel {
 
+class BodyList;
 class RobotCellDocument;
+struct CellRobot;
 struct PrimitiveDescription;
 
-// The menu actions for the bodies of a robot cell, and which body is selected.
+// The list of the bodies of a robot cell and their actions, and which bodies are selected.
 class CellBodies : public QObject {
   Q_OBJECT
 
@@ -25,30 +27,45 @@ class CellBodies : public QObject {
   BodySelection& selection() { return m_selection; }
   const BodySelection& selection() const { return m_selection; }
   QList<QAction*> all();
+  QList<QAction*> adding();            // those that add a body
+  QMenu& menu() { return *m_menu; }    // all of them
+  BodyList* list() { return m_list; }  // owned by the window
 
  signals:
   void selectionChanged();
+  void chosen(handwheel::BodyId body);  // in the list: it is to be seen
+  void added(handwheel::BodyId body, bool isFromFile);
   void message(const handwheel::Message& message);
 
  private:
   RobotCellDocument& cell() const;
-  BodyPointer selected() const;
+  BodyPointer selected() const;  // the only one
+  void connectActions();
+  void connectList();
   void addShapes();
   void addShape(const PrimitiveDescription& primitive);
-  void askForFile(bool isLinked);
-  void setVisible(const std::vector<BodyId>& ids, bool visible, const QString& text);
+  const Box& robotAtRest();
+  void askForFile(const QString& title, const std::function<void(const std::string& path)>& chosen);
+  void setVisible(const std::set<BodyId>& ids, bool visible);
+  void removeSelected();
+  void rename(BodyId body, const QString& name);
   void applyToSelected(const char* verb);
+  void relinkSelected();
   void apply(const OperationValues& values);
-  void applyAfterReading(const OperationValues& values);
-  void commit(const OperationValues& values, BodyChange change);
-  void report(const Error& error);
+  void read(const OperationValues& values);
+  void commit(DocumentTab& tab, const OperationValues& values, Result<BodyChange> change);
+  void report(const Document& document, const Error& error);
   void update();
 
   WindowContext m_parts;
   DocumentTab* m_document = nullptr;
   BodySelection m_selection;
+  BodyList* m_list;
   QMenu* m_shapes;  // owned by the window
-  QAction m_add, m_link, m_remove, m_hide, m_showAll, m_update, m_unlink;
+  QAction m_add, m_link, m_remove, m_hide, m_showAll, m_update, m_relink, m_unlink;
+  QMenu* m_menu;  // owned by the window
+  std::weak_ptr<const CellRobot> m_measured;
+  Box m_robotAtRest;  // of m_measured
 };
 
 }  // namespace handwheel

@@ -4,20 +4,32 @@
 
 #include "document/cell/RobotCellDocument.h"
 #include "document/cell/RobotCellKind.h"
+#include "document/scene/BodyDisplay.h"
 #include "document/scene/BodyProperties.h"
 #include "fidelity/Cases.h"
+#include "panels/bodies/BodyList.h"
+#include "theme/Icons.h"
 #include "theme/Theme.h"
 #include "tools/cell/CellTool.h"
 #include "viewport/Viewport.h"
 #include "viewport/surface/PartsLayer.h"
+#include "window/JobRunner.h"
+#include "window/cell/BodySight.h"
 #include "window/documents/DocumentTab.h"
 #include "window/fidelity/FidelityChoice.h"
 #include "window/tools/ToolHost.h"
 
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QSplitter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
 namespace handwheel {
 
 RobotCellUi::RobotCellUi(const WindowContext& window, RobotCellKind& kind)
-    : RigidPartsUi(window, {"Joints"}), m_bodies(window, this) {
+    : RigidPartsUi(window, {"Joints"}), m_bodies(window, this), m_panel(makePanel()) {
   const auto follow = [&kind, &choice = window.fidelity] {
     kind.setShapeSides(static_cast<std::uint32_t>(choice.values().of(shapeSidesSetting())));
   };
@@ -25,24 +37,136 @@ RobotCellUi::RobotCellUi(const WindowContext& window, RobotCellKind& kind)
   follow();
   connect(&m_bodies, &CellBodies::message, this, &KindUi::message);
   connect(&m_bodies, &CellBodies::selectionChanged, this, [this, &tools = window.tools] {
+    markSelected(false);
     refreshPanel();
     tools.refresh();
   });
+  connect(&m_bodies, &CellBodies::chosen, this, [this](BodyId body) { reveal(body, false); });
+  connect(&m_bodies, &CellBodies::added, this, [this](BodyId body, bool) { reveal(body, true); });
+  connect(&window.viewport, &Viewport::clicked, this, &RobotCellUi::select);
+}
+
+// The list of the bodies, and below it the fields of the selected one or the joints.
+QWidget* RobotCellUi::makePanel() {
+  auto* bodies = new QWidget(parts().window);
+  auto* heading = new QLabel(tr("Bodies"), bodies);
+  heading->setProperty("strong", true);
+  auto* adding = new QMenu(bodies);
+  adding->addActions(m_bodies.adding());
+  auto* add = new QToolButton(bodies);
+  add->setObjectName(QStringLiteral("addBodyButton"));
+  add->setText(tr("Add"));
+  add->setIcon(icon(QStringLiteral("add-mesh")));
+  add->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  add->setPopupMode(QToolButton::InstantPopup);
+  add->setMenu(adding);
+  auto* line = new QHBoxLayout;
+  line->setContentsMargins(12, 8, 8, 0);
+  line->addWidget(heading, 1);
+  line->addWidget(add);
+  auto* column = new QVBoxLayout(bodies);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addLayout(line);
+  column->addWidget(m_bodies.list(), 1);
+  auto* panel = new QSplitter(Qt::Vertical, parts().window);
+  panel->setObjectName(QStringLiteral("cellPanel"));
+  panel->setChildrenCollapsible(false);
+  panel->addWidget(bodies);
+  panel->addWidget(RigidPartsUi::panel());
+  panel->setStretchFactor(1, 2);
+  return panel;
 }
 
 void RobotCellUi::setDocument(DocumentTab* document) {
+  m_dragged.reset();
   m_bodies.setDocument(document);
   RigidPartsUi::setDocument(document);
+  if (document) connect(&document->document, &Document::changed, this, &RobotCellUi::lookAgain);
 }
 
-// Of the bodies the selected one only: there may be very many.
-bool RobotCellUi::isListed(const Property& property) const {
-  const auto body = bodyOfProperty(property.id);
-  return !body || body == m_bodies.selection().body();
+void RobotCellUi::forget(DocumentTab* document) {
+  parts().jobs.cancelOf(document);
 }
 
-bool RobotCellUi::isInPanel(const Property& property) const {
-  return bodyOfProperty(property.id) ? isListed(property) : RigidPartsUi::isInPanel(property);
+// A body that is dragged is in the document when it is let go; its fields show meanwhile where it is.
+void RobotCellUi::showPreview(const ToolPreview& preview) {
+  RigidPartsUi::showPreview(preview);
+  std::optional<Body> dragged;
+  for (const DisplayPart& part : document() ? preview.parts : std::vector<DisplayPart>()) {
+    const auto id = bodyOfPart(part.name);
+    const auto& cell = static_cast<const RobotCellDocument&>(document()->document);
+    if (!id || !cell.bodies().withId(*id)) continue;
+    dragged = *cell.bodies().withId(*id);
+    dragged->pose = part.pose;
+  }
+  if (!dragged && !m_dragged) return;
+  m_dragged = std::move(dragged);
+  refreshPanel();
+}
+
+// The selected one only: there may be very many.
+std::optional<Body> RobotCellUi::shownBody(const Document& document) const {
+  const auto id = m_bodies.selection().body();
+  if (!id) return std::nullopt;
+  if (m_dragged && m_dragged->id == *id) return m_dragged;
+  const BodyPointer body = static_cast<const RobotCellDocument&>(document).bodies().withId(*id);
+  return body ? std::optional(*body) : std::nullopt;
+}
+
+std::vector<Property> RobotCellUi::listedProperties(const Document& document) const {
+  const auto body = shownBody(document);
+  return static_cast<const RobotCellDocument&>(document).propertiesWith(body ? std::span(&*body, 1)
+                                                                             : std::span<const Body>());
+}
+
+std::vector<Property> RobotCellUi::panelProperties(const Document& document) const {
+  if (const auto body = shownBody(document)) return propertiesOf(*body);
+  return RigidPartsUi::panelProperties(document);
+}
+
+// A click beside the bodies deselects them.
+void RobotCellUi::select(const Pick& pick) {
+  if (document() && !bodyOfPart(partOf(pick))) m_bodies.selection().clear();
+}
+
+// Of what is under the pointer: a body gets selected, but nothing is deselected.
+QMenu* RobotCellUi::menuAt(const QPointF& position) {
+  const auto body = bodyOfPart(partOf(parts().viewport.pickAt(position)));
+  if (body && !m_bodies.selection().bodies().contains(*body)) m_bodies.selection().select(*body);
+  return &m_bodies.menu();
+}
+
+void RobotCellUi::markSelected(bool isCovered) {
+  std::set<std::string> names;
+  for (BodyId id : m_bodies.selection().bodies()) names.insert(partOfBody(id));
+  m_isCovered = isCovered && !names.empty();
+  layer().setSelected(names, m_isCovered);
+}
+
+// What covered it may be gone.
+void RobotCellUi::lookAgain() {
+  const auto body = m_isCovered ? shownBody(document()->document) : std::nullopt;
+  if (body) markSelected(sightOf(*body, parts().viewport) == BodySight::Covered);
+}
+
+// One that is chosen in the list, or new, is seen: the view goes there, and what covers it becomes translucent.
+void RobotCellUi::reveal(BodyId id, bool isNew) {
+  const BodyPointer body = static_cast<const RobotCellDocument&>(document()->document).bodies().withId(id);
+  if (!body || !body->visible || body->geometry->bounds().isEmpty()) return;
+  Viewport& view = parts().viewport;
+  if (sightOf(*body, view) == BodySight::Outside) isNew ? view.fit() : view.flyTo(boundsOf(*body), Vec3::Zero());
+  const bool isCovered = sightOf(*body, view) == BodySight::Covered;
+  markSelected(isCovered);
+  if (!isCovered || !isNew) return;
+  emit message({Message::Weight::Info,
+                tr("%1 is inside something else").arg(QString::fromStdString(body->name)),
+                tr("It stands where its file says; all else is see-through while it is selected."),
+                tr("Type another position in the panel."),
+                {},
+                {},
+                {},
+                {},
+                &document()->document});
 }
 
 std::vector<StartAction> RobotCellUi::startActions() const {
@@ -80,7 +204,7 @@ NextStep RobotCellUi::nextStep() {
   return {panelIcon(), themeColours(currentTheme()).accent,
           tr("Robot %1: %Ln joint(s) that move.", nullptr, static_cast<int>(robot.model.dofs.size()))
               .arg(QString::fromStdString(robot.model.name)),
-          tr("Drag a link with the mouse, or with Shift the whole arm. The list of joints takes angles. The menu adds "
+          tr("Drag a link with the mouse, or with Shift the whole arm. The list of joints takes angles. The panel adds "
              "bodies beside the robot."),
           panelActions()};
 }

@@ -8,20 +8,25 @@
 namespace handwheel {
 
 class RobotCellKind;
+struct Pick;
 
-// The user interface of robot cells: joint sliders, dragging the robot and the bodies beside it.
+// The user interface of robot cells: the list of bodies, joint sliders, dragging the robot and the bodies beside it.
 class RobotCellUi : public RigidPartsUi {
   Q_OBJECT
 
  public:
   RobotCellUi(const WindowContext& window, RobotCellKind& kind);
 
-  QString panelTitle() const override { return tr("Joints"); }
+  QString panelTitle() const override { return tr("Cell"); }
   QString panelIcon() const override { return QStringLiteral("kind-cell"); }
+  QWidget* panel() override { return m_panel; }
   QString menuTitle() const override { return tr("&Cell"); }
   QList<QAction*> menu() override { return m_bodies.all(); }
+  QMenu* menuAt(const QPointF& position) override;
   void setDocument(DocumentTab* document) override;
-  bool isListed(const Property& property) const override;
+  void forget(DocumentTab* document) override;
+  void showPreview(const ToolPreview& preview) override;
+  std::vector<Property> listedProperties(const Document& document) const override;
   std::vector<StartAction> startActions() const override;
   std::vector<ToolDescriptor> tools() override;
   NextStep nextStep() override;
@@ -30,9 +35,18 @@ class RobotCellUi : public RigidPartsUi {
 
  private:
   std::unique_ptr<Tool> handTool();
-  bool isInPanel(const Property& property) const override;
+  std::vector<Property> panelProperties(const Document& document) const override;
+  std::optional<Body> shownBody(const Document& document) const;
+  QWidget* makePanel();
+  void select(const Pick& pick);
+  void markSelected(bool isCovered);
+  void lookAgain();
+  void reveal(BodyId id, bool isNew);
 
   CellBodies m_bodies;
+  QPointer<QWidget> m_panel;
+  bool m_isCovered = false;       // the selected body was, when it was last looked for
+  std::optional<Body> m_dragged;  // where it stands while it is dragged
 };
 
 }  // namespace handwheel

@@ -3,16 +3,20 @@
 #include "window/documents/DocumentProperties.h"
 
 #include "document/Document.h"
+#include "text/ErrorText.h"
 
 namespace handwheel {
 
 void connectEdits(PropertyList& list, std::function<Document*()> present, QObject* owner) {
   QObject::connect(&list, &PropertyList::edited, owner,
-                   [present](const std::string& id, const PropertyValue& value, bool stillDragging) {
+                   [present, &list](const std::string& id, const PropertyValue& value, bool stillDragging) {
                      Document* document = present();
                      if (!document) return;
                      const DragPhase stroke = stillDragging ? DragPhase::Continues : DragPhase::Ends;
-                     if (!document->setProperty(id, value, stroke)) emit document->changed();
+                     const Status done = document->setProperty(id, value, stroke);
+                     if (done) return;
+                     emit document->changed();  // the fields show what it has
+                     list.refuse(id, value, errorSentence(done.error()));
                    });
 }
 
@@ -21,19 +25,17 @@ DocumentProperties::DocumentProperties(PropertyList& list, QObject* parent) : QO
       m_list, [this] { return m_document; }, this);
 }
 
-void DocumentProperties::setDocument(Document* document, std::function<bool(const Property&)> isListed) {
+void DocumentProperties::setDocument(Document* document, Listed listed) {
   if (m_document) m_document->disconnect(this);
   m_document = document;
-  m_isListed = std::move(isListed);
+  m_listed = std::move(listed);
   if (document) connect(document, &Document::changed, this, &DocumentProperties::show);
   show();
 }
 
 void DocumentProperties::show() {
   if (m_document) m_list.setLengthUnit(m_document->displayUnit());
-  std::vector<Property> listed = m_document ? m_document->properties() : std::vector<Property>();
-  if (m_isListed) std::erase_if(listed, [this](const Property& property) { return !m_isListed(property); });
-  m_list.setProperties(listed);
+  m_list.setProperties(m_document ? m_listed(*m_document) : std::vector<Property>());
 }
 
 }  // namespace handwheel

@@ -11,24 +11,25 @@ namespace handwheel {
 class Document;
 
 // Applies edits in a property list to the document that present() returns. A drag is one undo step. When the document
-// refuses an edit, the list shows the former value again.
+// refuses an edit, the list says why.
 void connectEdits(PropertyList& list, std::function<Document*()> present, QObject* owner);
 
-// Shows all properties of a document in a list and keeps them up to date.
+// Shows the properties of a document in a list and keeps them up to date.
 class DocumentProperties : public QObject {
   Q_OBJECT
 
  public:
   explicit DocumentProperties(PropertyList& list, QObject* parent = nullptr);
 
-  // Null: none. isListed: whether a property is shown now.
-  void setDocument(Document* document, std::function<bool(const Property&)> isListed = {});
+  using Listed = std::function<std::vector<Property>(const Document&)>;
+  // Null: none. listed: makes the properties that are shown now.
+  void setDocument(Document* document, Listed listed);
   // To be called when other properties are to be listed.
   void show();
 
  private:
   PropertyList& m_list;
-  std::function<bool(const Property&)> m_isListed;
+  Listed m_listed;
   Document* m_document = nullptr;
 };
 

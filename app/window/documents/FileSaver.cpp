@@ -29,6 +29,14 @@ bool wasChanged(const DocumentFile& file, const std::filesystem::path& target) {
   return now && *now != *file.stamp;
 }
 
+QStringList lossesOf(const WrittenFile& written) {
+  QStringList losses;
+  for (const Note& note : written.notes) {
+    if (note.isLoss) losses << noteText(note);
+  }
+  return losses;
+}
+
 }  // namespace
 
 FileSaver::FileSaver(DocumentTabs& tabs, JobRunner& jobs, RecentFiles& recent, LogModel& log, QObject* parent)
@@ -75,7 +83,7 @@ void FileSaver::saved(DocumentTab* document, const Written& state, const Written
   m_log.add(tr("Saved %1: %2 bytes, read back and compared").arg(name).arg(written.bytes), state.command);
   for (const Note& note : written.notes) m_log.add(name + QStringLiteral(": ") + noteText(note));
   const auto foreign = formatOf(saved.kind(), state.path);
-  if (foreign && !foreign->reads) return reportExport(*document, name);
+  if (foreign && !foreign->reads) return reportExport(*document, name, lossesOf(written));
   m_recent.add(state.path);
   if (saved.revision() == state.revision) {
     document->written = true;
@@ -91,10 +99,7 @@ void FileSaver::saved(DocumentTab* document, const Written& state, const Written
 bool FileSaver::reportLosses(DocumentTab* document, const Written& state, const WrittenFile& written) {
   const auto foreign = formatOf(document->document.kind(), state.path);
   if (foreign && !foreign->reads) return false;  // an export, which was told
-  QStringList losses;
-  for (const Note& note : written.notes) {
-    if (note.isLoss) losses << noteText(note);
-  }
+  QStringList losses = lossesOf(written);
   if (foreign && state.displayUnit != loadPreferences().lengthUnit)
     losses << tr("The display unit is not in this file.");
   const QString all = losses.join(QLatin1Char(' '));
@@ -111,17 +116,20 @@ bool FileSaver::reportLosses(DocumentTab* document, const Written& state, const 
   return true;
 }
 
-void FileSaver::reportExport(const DocumentTab& document, const QString& name) {
-  if (!document.document.isModified()) return;
-  emit message({Message::Weight::Info,
-                tr("%1 was written").arg(name),
-                tr("It holds the shape, but not all of the document, which is not saved yet."),
-                tr("Save the document as *%1 to go on with it another day.").arg(containerEnding()),
-                {},
-                {},
-                {},
-                {},
-                &document.document});
+void FileSaver::reportExport(const DocumentTab& document, const QString& name, QStringList losses) {
+  const bool isModified = document.document.isModified();
+  if (!isModified && losses.isEmpty()) return;
+  if (isModified) losses << tr("It holds the shape, but not all of the document, which is not saved yet.");
+  emit message(
+      {Message::Weight::Info,
+       tr("%1 was written").arg(name),
+       losses.join(QLatin1Char(' ')),
+       isModified ? tr("Save the document as *%1 to go on with it another day.").arg(containerEnding()) : QString(),
+       {},
+       {},
+       {},
+       {},
+       &document.document});
 }
 
 void FileSaver::reportCancelled(DocumentTab* document, const QString& path) {

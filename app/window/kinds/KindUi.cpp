@@ -50,6 +50,10 @@ QString KindUi::saveCommand(const DocumentTab& open, const QString& path) const 
   return setCommand(document.path(), *open.inFile, now, path);
 }
 
+std::vector<Property> KindUi::listedProperties(const Document& document) const {
+  return document.properties();
+}
+
 // The container beside the file that it came from.
 QString KindUi::suggestedName(const DocumentTab& document) const {
   const QString ending = containerEnding();

@@ -15,6 +15,7 @@
 #include <map>
 #include <memory>
 
+class QMenu;
 class QThreadPool;
 
 namespace handwheel {
@@ -100,10 +101,12 @@ class KindUi : public QObject {
 
   virtual std::vector<StartAction> startActions() const { return {}; }
 
-  // Whether a property of the current document is in the list of its properties now.
-  virtual bool isListed(const Property& property) const {
-    (void)property;
-    return true;
+  // The properties of the current document, of this kind, that are in the list of its properties now.
+  virtual std::vector<Property> listedProperties(const Document& document) const;
+  // The menu of what is at a position of the view; null: the tool gets the click.
+  virtual QMenu* menuAt(const QPointF& position) {
+    (void)position;
+    return nullptr;
   }
 
   virtual QString panelTitle() const = 0;

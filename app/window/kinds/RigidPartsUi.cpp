@@ -114,17 +114,19 @@ void RigidPartsUi::show() {
   refreshPanel();
 }
 
-bool RigidPartsUi::isInPanel(const Property& property) const {
-  return std::find(m_groups.begin(), m_groups.end(), property.group) != m_groups.end();
+std::vector<Property> RigidPartsUi::panelProperties(const Document& document) const {
+  std::vector<Property> shown = listedProperties(document);
+  std::erase_if(shown, [this](const Property& property) {
+    return std::find(m_groups.begin(), m_groups.end(), property.group) == m_groups.end();
+  });
+  return shown;
 }
 
 void RigidPartsUi::refreshPanel() {
   if (!m_document) return;
   const Document& document = m_document->document;
-  std::vector<Property> shown = document.properties();
-  std::erase_if(shown, [this](const Property& property) { return !isInPanel(property); });
   m_panel->setLengthUnit(document.displayUnit());
-  m_panel->setProperties(shown);
+  m_panel->setProperties(panelProperties(document));
   emit stateChanged();
 }
 

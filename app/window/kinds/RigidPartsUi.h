@@ -37,8 +37,9 @@ class RigidPartsUi : public KindUi {
   ToolDescriptor measureParts() const;
   // Whether the displayed parts are felt as they are: not while a tool has forces of its own for them.
   void setFelt(bool isFelt);
-  // Whether the panel of the kind shows a property. By default it is that of a group of the panel.
-  virtual bool isInPanel(const Property& property) const;
+  // The properties in the panel of the kind. By default those of its groups.
+  virtual std::vector<Property> panelProperties(const Document& document) const;
+  PartsLayer& layer() { return *m_layer; }
   void refreshPanel();
   std::vector<QAction*> panelActions() const;  // offered by the next step when the panel is hidden
 

@@ -88,8 +88,8 @@ ToolHost::ToolHost(Viewport& viewport, ToolPanel& panel, ServiceRegistry& needs,
           [this](const std::string& id, const PropertyValue& value, bool) {
             if (const Tool* tool = m_runner.tool()) choose(tool->id(), id, value);
           });
-  connect(&m_panel, &ToolPanel::triggered, this, [this](const std::string& action) { m_runner.perform(action); });
-  connect(&m_keys, &ToolKeys::triggered, this, [this](const std::string& action) { m_runner.perform(action); });
+  connect(&m_panel, &ToolPanel::triggered, this, [this](const std::string& action) { perform(action); });
+  connect(&m_keys, &ToolKeys::triggered, this, [this](const std::string& action) { perform(action); });
   connect(&m_keys, &ToolKeys::changed, this, [this] {
     showActions();
     emit updated();
@@ -133,7 +133,8 @@ bool ToolHost::take(const PointerInput& input) {
   const bool isDepth = tip && input.kind == PointerInput::Kind::Wheel && !input.modifiers.testFlag(Qt::ControlModifier);
   if (!m_runner.tool()) return isDepth;
   if (input.kind == PointerInput::Kind::Click && input.button == Qt::RightButton) {
-    return m_runner.perform("revert") != ToolReply::Ignored;
+    if (m_menu && m_menu(input.position)) return true;
+    return perform("revert") != ToolReply::Ignored;
   }
   PointerInput read = input;
   if (isDepth) read.kind = PointerInput::Kind::Move;
@@ -144,6 +145,12 @@ bool ToolHost::take(const PointerInput& input) {
   const bool used = m_runner.pointer(*event) != ToolReply::Ignored;
   showValues(input, used ? event->kind : PointerEvent::Kind::Leave);
   return isDepth || (used && event->kind != PointerEvent::Kind::Hover && event->kind != PointerEvent::Kind::Leave);
+}
+
+// Most actions end what is dragged: the next move shows its numbers again if not.
+ToolReply ToolHost::perform(std::string_view action) {
+  m_readout->hide();
+  return m_runner.perform(action);
 }
 
 // What is dragged has its numbers beside the cursor.
@@ -187,7 +194,7 @@ bool ToolHost::takeKey(QKeyEvent& event) {
   const bool isIdle = !action || action->effect == kLeaves;
   if (event.type() == QEvent::KeyPress && event.key() == Qt::Key_Escape && isIdle && m_escape()) return true;
   if (!action) return false;
-  if (event.type() == QEvent::KeyPress) return m_runner.perform(action->id) != ToolReply::Ignored;
+  if (event.type() == QEvent::KeyPress) return perform(action->id) != ToolReply::Ignored;
   if (!comesFirst(*action, event)) return false;
   event.accept();
   return true;

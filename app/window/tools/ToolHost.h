@@ -51,6 +51,8 @@ class ToolHost : public QObject {
     m_mouseDevice = std::move(place);
     m_isMouseDevice = std::move(isOn);
   }
+  // Called with each right click before the tool gets it. Returns whether it has opened a menu.
+  void setContextMenu(std::function<bool(const QPointF& position)> menu) { m_menu = std::move(menu); }
 
   // The present bindings of pointer and keys, translated.
   std::vector<Hint> hints() const;
@@ -65,6 +67,7 @@ class ToolHost : public QObject {
 
  private:
   bool take(const PointerInput& input);
+  ToolReply perform(std::string_view action);
   bool takeKey(QKeyEvent& event);
   void showActions();
   void showValues(const PointerInput& input, PointerEvent::Kind kind);
@@ -83,6 +86,7 @@ class ToolHost : public QObject {
   MouseDevicePlace m_mouseDevice;
   std::function<bool()> m_isMouseDevice = [] { return false; };
   std::function<bool()> m_escape = [] { return false; };
+  std::function<bool(const QPointF&)> m_menu;
   std::vector<ServiceHandle> m_needed;
   bool m_isMoving = false;   // the tool is handling a mouse move
   bool m_isShowDue = false;  // showSoon() was called

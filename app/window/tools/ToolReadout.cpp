@@ -51,6 +51,12 @@ ToolReadout::ToolReadout(QWidget* view) : QLabel(view) {
   hide();
 }
 
+// The view draws itself only when the model changes; what the label leaves of the last frame would stay until then.
+void ToolReadout::hideEvent(QHideEvent* event) {
+  QLabel::hideEvent(event);
+  parentWidget()->update();
+}
+
 void ToolReadout::show(const std::vector<Property>& settings, LengthUnit unit, const QPoint& cursor) {
   QStringList lines;
   for (const Property& property : settings) {
@@ -65,6 +71,7 @@ void ToolReadout::show(const std::vector<Property>& settings, LengthUnit unit, c
   move(std::clamp(corner.x(), 0, std::max(0, room.width())), std::clamp(corner.y(), 0, std::max(0, room.height())));
   QLabel::show();
   raise();
+  parentWidget()->update();
 }
 
 }  // namespace handwheel

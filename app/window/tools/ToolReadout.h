@@ -16,6 +16,9 @@ class ToolReadout : public QLabel {
 
   // Shows the read-only settings; hides when there is none.
   void show(const std::vector<Property>& settings, LengthUnit unit, const QPoint& cursor);
+
+ protected:
+  void hideEvent(QHideEvent* event) override;
 };
 
 }  // namespace handwheel

@@ -6,7 +6,34 @@
 #include "document/cell/JointEdit.h"
 #include "document/scene/BodyProperties.h"
 
+#include <algorithm>
+#include <charconv>
+
 namespace handwheel {
+
+namespace {
+
+// "body.3.x" and "body.Table.x": what stands between the dots, and after the last one.
+struct BodyField {
+  std::string body;
+  std::string field;
+};
+
+std::optional<BodyField> bodyFieldOf(const std::string& id) {
+  const std::size_t first = id.find('.'), last = id.rfind('.');
+  if (!id.starts_with("body.") || last == first) return std::nullopt;
+  return BodyField{id.substr(first + 1, last - first - 1), id.substr(last + 1)};
+}
+
+// In ids of properties the number comes first: they must not change with the names.
+BodyPointer bodyNamed(const BodySet& bodies, const std::string& text) {
+  BodyId number = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool isNumber = error == std::errc() && stop == text.data() + text.size();
+  return isNumber ? bodies.withId(number) : bodies.withName(text);
+}
+
+}  // namespace
 
 RobotCellDocument::RobotCellDocument(OpenedFile opened, QObject* parent)
     : Document(*opened.kind, std::move(opened.file), parent),
@@ -31,6 +58,24 @@ std::vector<Property> RobotCellDocument::properties() const {
   for (Property& ofBody : bodyProperties(bodies())) all.push_back(std::move(ofBody));
   for (Property& common : Document::properties()) all.push_back(std::move(common));
   return all;
+}
+
+std::vector<Property> RobotCellDocument::propertiesWith(std::span<const Body> shown) const {
+  std::vector<Property> all = cellProperties(m_robot->model, m_joints);
+  for (const Body& body : shown) {
+    for (Property& ofBody : propertiesOf(body)) all.push_back(std::move(ofBody));
+  }
+  for (Property& common : Document::properties()) all.push_back(std::move(common));
+  return all;
+}
+
+std::optional<Property> RobotCellDocument::property(const std::string& id) const {
+  const auto field = bodyFieldOf(id);
+  const BodyPointer body = field ? bodyNamed(bodies(), field->body) : nullptr;
+  const std::vector<Property> all = propertiesWith(body ? std::span(body.get(), 1) : std::span<const Body>());
+  const std::string full = body ? "body." + std::to_string(body->id) + '.' + field->field : id;
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Property& each) { return each.id == full; });
+  return found == all.end() ? std::nullopt : std::optional(*found);
 }
 
 Result<std::unique_ptr<Edit>> RobotCellDocument::propertyEdit(const std::string& id, const PropertyValue& value) const {

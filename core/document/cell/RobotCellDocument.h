@@ -6,6 +6,8 @@
 #include "document/cell/RobotCellSnapshot.h"
 #include "document/scene/BodyOwner.h"
 
+#include <span>
+
 namespace handwheel {
 
 // Document of a robot cell: a robot with its joint values, and the bodies beside it.
@@ -22,6 +24,10 @@ class RobotCellDocument : public Document, public BodyOwner {
   SnapshotPointer snapshot() const override;
   // Those of cellProperties(), of bodyProperties(), then those of every document.
   std::vector<Property> properties() const override;
+  // Of the bodies those of these only: there may be very many.
+  std::vector<Property> propertiesWith(std::span<const Body> shown) const;
+  // A body may be named by its name, too: "body.Table.x"; the property then has the id with the number.
+  std::optional<Property> property(const std::string& id) const override;
   Result<std::unique_ptr<Edit>> propertyEdit(const std::string& id, const PropertyValue& value) const override;
 
   // An edit that moves the joints there, kept within their limits; null when nothing moves. Values must be finite.

@@ -71,6 +71,21 @@ nlohmann::json describeTool(const RobotModel& robot, const JointValues& values) 
           {"quaternion", {turn.w(), turn.x(), turn.y(), turn.z()}}};
 }
 
+// Bodies that are not shown are not exported.
+std::optional<Note> noteOnHidden(const BodySet& bodies) {
+  constexpr std::size_t kMostNamed = 5;
+  std::size_t count = 0;
+  std::string names;
+  for (const BodyPointer& body : bodies) {
+    if (body->visible || ++count > kMostNamed) continue;
+    names += (count > 1 ? ", " : "") + body->name;
+  }
+  if (count == 0) return std::nullopt;
+  if (count == 1) return Note{QT_TRANSLATE_NOOP("Note", "1 hidden body (%1) was left out."), {names}, true};
+  if (count > kMostNamed) names += ", …";
+  return Note{QT_TRANSLATE_NOOP("Note", "%1 hidden bodies (%2) were left out."), {std::to_string(count), names}, true};
+}
+
 }  // namespace
 
 std::string RobotCellKind::title() const {
@@ -113,9 +128,10 @@ Result<WrittenFile> RobotCellKind::exportTo(const Snapshot& content, const std::
   if (!bytes) return bytes.error();
   const Status written = writeFileAtomically(path, *bytes, progress.part(0.8, 1.0));
   if (!written) return written.error();
-  return WrittenFile{
-      bytes->size(),
-      {{QT_TRANSLATE_NOOP("Note", "The file holds the robot and the bodies as they stand now; it has no joints.")}}};
+  std::vector<Note> notes{
+      {QT_TRANSLATE_NOOP("Note", "The file holds the robot and the bodies as they stand now; it has no joints.")}};
+  if (auto hidden = noteOnHidden(cellOf(content).bodies)) notes.push_back(std::move(*hidden));
+  return WrittenFile{bytes->size(), std::move(notes)};
 }
 
 void RobotCellKind::save(const Snapshot& content, Container& container) const {

@@ -15,7 +15,7 @@ std::vector<DisplayPart> displayPartsOf(const BodySet& bodies) {
   for (const BodyPointer& body : bodies) {
     if (!body->visible || body->geometry->surface()->triangles.empty()) continue;
     DisplayPart part;
-    part.name = std::string(kPartPrefix) + std::to_string(body->id);
+    part.name = partOfBody(body->id);
     part.soup = body->geometry->surface();
     part.pose = body->pose;
     part.colour = body->look.colour;
@@ -23,6 +23,10 @@ std::vector<DisplayPart> displayPartsOf(const BodySet& bodies) {
     parts.push_back(std::move(part));
   }
   return parts;
+}
+
+std::string partOfBody(BodyId body) {
+  return std::string(kPartPrefix) + std::to_string(body);
 }
 
 std::optional<BodyId> bodyOfPart(std::string_view part) {

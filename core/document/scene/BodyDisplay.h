@@ -13,6 +13,9 @@ namespace handwheel {
 // The visible bodies as displayed parts, "body.NUMBER". A body that was only moved keeps its soup.
 std::vector<DisplayPart> displayPartsOf(const BodySet& bodies);
 
+// The name of the displayed part of a body.
+std::string partOfBody(BodyId body);
+
 // The number of the body that a displayed part belongs to; none for other parts.
 std::optional<BodyId> bodyOfPart(std::string_view part);
 

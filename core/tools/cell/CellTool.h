@@ -24,6 +24,8 @@ class CellTool : public Tool {
   std::vector<std::string> needs() const override { return m_joints.needs(); }
 
  private:
+  const RobotCellDocument& m_document;
+  BodySelection& m_selection;
   JointDragTool m_joints;
   BodyDragTool m_bodies;
 };

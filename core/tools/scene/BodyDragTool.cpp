@@ -10,6 +10,8 @@
 #include "tools/AxisDrag.h"
 
 #include <QCoreApplication>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace handwheel {
@@ -21,18 +23,23 @@ constexpr ToolKey kBodyKeys[] = {
     {"delete", "Del", QT_TRANSLATE_NOOP("Tool", "remove the body")},
 };
 
-// The edges of the box of a body, in its own directions.
-std::vector<std::vector<Vec3>> boxEdges(const Body& body) {
-  const Box& box = body.geometry->bounds();
-  if (box.isEmpty()) return {};
-  const auto corner = [&](int i) { return Vec3(body.pose * box.corner(static_cast<Box::CornerType>(i))); };
-  std::vector<std::vector<Vec3>> edges;
-  for (int i = 0; i < 8; ++i) {
-    for (int bit : {1, 2, 4}) {
-      if (!(i & bit)) edges.push_back({corner(i), corner(i | bit)});
-    }
+// Sine of the angle between a ray and the horizontal plane below which a drag on the plane would run away: 15°.
+constexpr double kFlatView = 0.25881904510252074;
+// Of the rays of a drag that began at a larger angle: 3°.
+constexpr double kFlatRay = 0.052335956242943835;
+constexpr double kSnapPixels = 4.0;  // the least distance of two snapped positions in the view
+
+// The multiple of a step that is nearest to a value. The step is 1, 2 or 5 times a power of ten, and at least `least`.
+double snapped(double value, double least) {
+  const double exponent = std::floor(std::log10(least));
+  const double power = std::pow(10.0, std::abs(exponent));  // exact, so that 0.3 is the number 0.3
+  const auto inPowers = [&](double x) { return exponent < 0.0 ? x * power : x / power; };
+  double factor = 1.0;
+  for (double next : {2.0, 5.0, 10.0}) {
+    if (factor < inPowers(least) * (1.0 - 1e-9)) factor = next;
   }
-  return edges;
+  const double count = std::round(inPowers(value) / factor) * factor;
+  return exponent < 0.0 ? count / power : count * power;
 }
 
 QString called(const Body& body) {
@@ -49,11 +56,11 @@ ToolReply BodyDragTool::pointer(const PointerEvent& given) {
       return press(event);
     case PointerEvent::Kind::Drag:
       if (!m_drag) return ToolReply::Ignored;
-      follow(event.ray);
+      follow(event);
       return ToolReply::Used;
     case PointerEvent::Kind::Release:
       if (!m_drag || event.button != PointerButton::First) return ToolReply::Ignored;
-      follow(event.ray);
+      follow(event);
       return release();
     case PointerEvent::Kind::Hover:
     case PointerEvent::Kind::Leave:
@@ -71,20 +78,58 @@ ToolReply BodyDragTool::press(const PointerEvent& event) {
   const BodyPointer body = picked && picked->point.allFinite() ? m_owner.bodies().withId(picked->body) : nullptr;
   if (!body) return ToolReply::Ignored;  // the camera's
   m_drag = Drag{*body, picked->point, event.ray, body->pose.translation()};
+  m_drag->isFlatView = std::abs(event.ray.direction.z()) < kFlatView;
+  m_drag->isUpright = m_drag->isFlatView || event.modifiers.shift;
   m_selection.select(body->id);
   return ToolReply::Used;
 }
 
-void BodyDragTool::follow(const Ray& ray) {
+void BodyDragTool::follow(const PointerEvent& event) {
+  const Ray& ray = event.ray;
   if (!ray.isUsable()) return;
   // A click must not move anything, not even by a rounding error.
   m_drag->hasMoved |= ray.origin != m_drag->ray.origin || ray.direction != m_drag->ray.direction;
   if (!m_drag->hasMoved) return;
-  const auto place = placeUnder(m_drag->grip, m_drag->ray.direction, ray);
+  const bool isUpright = m_drag->isFlatView || event.modifiers.shift;
+  if (m_drag->isUpright != isUpright) {  // goes on from where it is now
+    const Vec3 now = m_drag->body.pose.translation();
+    m_drag->grip += now - m_drag->start;
+    m_drag->start = now;
+    m_drag->isUpright = isUpright;
+  }
+  const auto place = placeFor(event);
   if (!place) return;
   Pose pose = m_drag->body.pose;
-  pose.translation() = m_drag->start + (*place - m_drag->grip);
+  pose.translation() = *place;
   if (isRigid(pose)) m_drag->body.pose = pose;
+}
+
+// Where the body stands under the ray. Coordinates along which the drag does not go keep every bit.
+std::optional<Vec3> BodyDragTool::placeFor(const PointerEvent& event) const {
+  const Ray& ray = event.ray;
+  Vec3 way = Vec3::Zero();
+  if (m_drag->isUpright) {
+    const auto up = translationUnder({m_drag->grip, Vec3::UnitZ(), m_drag->grip}, ray);
+    if (!up) return {};
+    way.z() = *up;
+  } else {
+    const auto place = placeUnder(m_drag->grip, Vec3::UnitZ(), ray);
+    const bool isBehind = event.eye && place && (*place - ray.origin).dot(ray.direction) <= 0.0;
+    if (!place || isBehind || std::abs(ray.direction.z()) < kFlatRay) return {};
+    way.head<2>() = (*place - m_drag->grip).head<2>();
+  }
+  Vec3 place = m_drag->start + way;
+  const double shownUnit = millimetresPer(m_document.displayUnit());
+  const double least = kSnapPixels * event.pickRay().pixelAt(m_drag->grip) / shownUnit;
+  const bool snaps = !event.modifiers.control && std::isfinite(least) && least > 0.0;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const bool isStill = way[axis] == 0.0 || (snaps && std::abs(way[axis]) < 0.5 * least * shownUnit);
+    if (isStill)
+      place[axis] = m_drag->start[axis];
+    else if (snaps)
+      place[axis] = snapped(place[axis] / shownUnit, least) * shownUnit;
+  }
+  return place;
 }
 
 ToolReply BodyDragTool::release() {
@@ -97,12 +142,17 @@ ToolReply BodyDragTool::release() {
   return ToolReply::Used;
 }
 
+QString removeBodiesText(const BodySet& bodies, const std::set<BodyId>& ids) {
+  const BodyPointer only = ids.size() == 1 ? bodies.withId(*ids.begin()) : nullptr;
+  if (only) return QCoreApplication::translate("BodyDragTool", "Remove %1").arg(called(*only));
+  return QCoreApplication::translate("BodyDragTool", "Remove %n body(ies)", nullptr, static_cast<int>(ids.size()));
+}
+
 ToolReply BodyDragTool::remove() {
-  const BodyPointer body = m_selection.body() ? m_owner.bodies().withId(*m_selection.body()) : nullptr;
-  if (!body) return ToolReply::Ignored;
-  const BodyId ids[] = {body->id};
-  m_document.commit(QCoreApplication::translate("BodyDragTool", "Remove %1").arg(called(*body)),
-                    removeBodiesEdit(m_owner.bodies(), ids));
+  const std::vector<BodyId> ids(m_selection.bodies().begin(), m_selection.bodies().end());
+  auto edit = removeBodiesEdit(m_owner.bodies(), ids);
+  if (!edit) return ToolReply::Ignored;
+  m_document.commit(removeBodiesText(m_owner.bodies(), m_selection.bodies()), std::move(edit));
   return ToolReply::Used;
 }
 
@@ -113,8 +163,8 @@ ToolReply BodyDragTool::perform(std::string_view action) {
     m_drag.reset();
     return ToolReply::Used;
   }
-  if (!m_selection.body()) return ToolReply::Finished;
-  m_selection.select(std::nullopt);
+  if (m_selection.empty()) return ToolReply::Finished;
+  m_selection.clear();
   return ToolReply::Used;
 }
 
@@ -123,19 +173,21 @@ std::span<const ToolKey> BodyDragTool::keys() {
 }
 
 std::vector<ToolAction> BodyDragTool::actions() const {
-  const bool isSelected = m_selection.body().has_value();
-  return {{"", QT_TRANSLATE_NOOP("ToolInput", "Click"), QT_TRANSLATE_NOOP("Tool", "select a body")},
-          actionOf(kBodyKeys, "delete", isSelected && !m_drag),
-          actionOf(kBodyKeys, "revert", true, m_drag ? nullptr : QT_TRANSLATE_NOOP("Tool", "done"))};
+  const bool isSelected = !m_selection.empty();
+  return {
+      {"", QT_TRANSLATE_NOOP("ToolInput", "Drag"), QT_TRANSLATE_NOOP("Tool", "move the body")},
+      {"", QT_TRANSLATE_NOOP("ToolInput", "Shift+drag"), QT_TRANSLATE_NOOP("Tool", "move the body up and down")},
+      {"", QT_TRANSLATE_NOOP("ToolInput", "Ctrl+drag"), QT_TRANSLATE_NOOP("Tool", "move the body without snapping")},
+      {"", QT_TRANSLATE_NOOP("ToolInput", "Click"), QT_TRANSLATE_NOOP("Tool", "select a body")},
+      actionOf(kBodyKeys, "delete", isSelected && !m_drag),
+      actionOf(kBodyKeys, "revert", m_drag || isSelected,
+               m_drag ? nullptr : QT_TRANSLATE_NOOP("Tool", "deselect the body"))};
 }
 
-// The box of the selected body, and the body where it would stand.
+// The body where it would stand.
 ToolPreview BodyDragTool::preview() const {
   ToolPreview preview;
-  const BodyPointer selected = m_selection.body() ? m_owner.bodies().withId(*m_selection.body()) : nullptr;
-  if (m_drag) preview.lines = boxEdges(m_drag->body);
-  if (!m_drag && selected && selected->visible) preview.lines = boxEdges(*selected);
-  if (m_drag && m_drag->body.pose.translation() != m_drag->start)
+  if (m_drag && m_drag->hasMoved)
     preview.parts = displayPartsOf(BodySet().with(std::make_shared<const Body>(m_drag->body)));
   return preview;
 }
@@ -147,6 +199,9 @@ std::vector<Property> BodyDragTool::settings() const {
   for (Property& property : propertiesOf(m_drag->body)) {
     if (!property.id.ends_with(".x") && !property.id.ends_with(".y") && !property.id.ends_with(".z")) continue;
     property.editable = false;
+    // The end of the scene is no limit that anybody works at.
+    property.least = -std::numeric_limits<double>::infinity();
+    property.largest = std::numeric_limits<double>::infinity();
     place.push_back(std::move(property));
   }
   return place;
@@ -154,7 +209,7 @@ std::vector<Property> BodyDragTool::settings() const {
 
 void BodyDragTool::documentChanged() {
   m_drag.reset();
-  if (m_selection.body() && !m_owner.bodies().withId(*m_selection.body())) m_selection.select(std::nullopt);
+  m_selection.keepOnly(m_owner.bodies());
 }
 
 }  // namespace handwheel

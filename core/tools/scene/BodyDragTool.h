@@ -10,13 +10,18 @@ namespace handwheel {
 
 class Document;
 
+// The undo text of removing these bodies.
+QString removeBodiesText(const BodySet& bodies, const std::set<BodyId>& ids);
+
 // The first hit of a ray on a body.
 struct BodyPick {
   BodyId body;
   Vec3 point;  // mm
 };
 
-// Tool that selects bodies by a click and moves them by dragging, in the plane of the view. Releasing commits one edit.
+// Tool that selects bodies by a click and moves them by dragging. A body moves on the horizontal plane through the
+// grabbed point; with Shift, or where that plane is seen from the side, along Z. Its position snaps to a step that fits
+// the zoom, except with Ctrl. Releasing commits one edit.
 class BodyDragTool : public Tool {
  public:
   using Pick = std::function<std::optional<BodyPick>(const Ray&)>;
@@ -43,11 +48,14 @@ class BodyDragTool : public Tool {
     Vec3 grip;  // where it was grabbed
     Ray ray;    // the ray at the press
     Vec3 start;
+    bool isFlatView = false;  // the horizontal plane is seen from the side
+    bool isUpright = false;   // moves along Z
     bool hasMoved = false;
   };
 
   ToolReply press(const PointerEvent& event);
-  void follow(const Ray& ray);
+  void follow(const PointerEvent& event);
+  std::optional<Vec3> placeFor(const PointerEvent& event) const;
   ToolReply release();
   ToolReply remove();
 

@@ -77,44 +77,52 @@ Result<ReadBody> bodyToAdd(const OperationValues& values, const DocumentKinds& k
   return ReadBody{std::move(body).value(), {}};
 }
 
-Result<BodyChange> adding(const OperationValues& values, const BodySet& bodies, const DocumentKinds& kinds,
-                          Progress progress) {
-  Result<ReadBody> read = bodyToAdd(values, kinds, progress);
-  if (!read) return read.error();
-  Body& body = read->body;
+Result<BodyChange> adding(const OperationValues& values, const BodySet& bodies, ReadBody read) {
+  Body& body = read.body;
   body.name = values.isSet("name") ? values.text("name") : freeBodyName(bodies, body.name);
   body.pose = poseOf(vectorOf(values, "at"), vectorOf(values, "turn"));
+  std::string name = body.name;
   Result<std::unique_ptr<Edit>> edit = addBodyEdit(bodies, std::move(body));
   if (!edit) return edit.error();
-  return BodyChange{std::move(edit).value(), std::move(read->file)};
+  return BodyChange{std::move(edit).value(), std::move(read.file), std::move(name)};
 }
 
-Result<BodyChange> updating(const Body& body, const BodySet& bodies, const DocumentKinds& kinds,
-                            const std::filesystem::path& folder, Progress progress) {
-  Result<ReadBody> read = updatedFromLink(kinds, body, folder, progress);
-  if (!read) return read.error();
-  if (read->body.link->sha256 == body.link->sha256) read->body.geometry = body.geometry;
-  Result<std::unique_ptr<Edit>> edit = changeBodyEdit(bodies, std::move(read->body));
+Result<BodyChange> updating(Body body, const BodySet& bodies, ReadBody read) {
+  const bool isSame = body.link && read.body.link->sha256 == body.link->sha256;
+  if (!isSame) body.geometry = std::move(read.body.geometry);
+  body.link = std::move(read.body.link);
+  std::string name = body.name;
+  Result<std::unique_ptr<Edit>> edit = changeBodyEdit(bodies, std::move(body));
   if (!edit) return edit.error();
-  return BodyChange{std::move(edit).value(), std::move(read->file)};
+  return BodyChange{std::move(edit).value(), std::move(read.file), std::move(name)};
 }
 
 Result<BodyChange> unlinking(Body body, const BodySet& bodies) {
   body.link.reset();
+  std::string name = body.name;
   Result<std::unique_ptr<Edit>> edit = changeBodyEdit(bodies, std::move(body));
   if (!edit) return edit.error();
-  return BodyChange{std::move(edit).value()};
+  return BodyChange{std::move(edit).value(), {}, std::move(name)};
 }
 
 // By its name, or else its number.
-BodyPointer bodyCalled(const BodySet& bodies, const std::string& text) {
-  if (BodyPointer named = bodies.withName(text)) return named;
+Result<BodyPointer> bodyCalled(const BodySet& bodies, const std::string& text) {
+  const BodyPointer named = bodies.withName(text);
   const auto found = std::find_if(bodies.begin(), bodies.end(),
                                   [&](const BodyPointer& body) { return std::to_string(body->id) == text; });
-  return found == bodies.end() ? nullptr : *found;
+  const BodyPointer numbered = found == bodies.end() ? nullptr : *found;
+  if (named && numbered && named != numbered)
+    return Error{BodyOperationError::Ambiguous, {text, std::to_string(named->id)}, {}, {}};
+  if (!named && !numbered) return Error{BodyError::BodyMissing, {text}, {}, {}};
+  return named ? named : numbered;
 }
 
 }  // namespace
+
+const ErrorDescription BodyOperationError::Ambiguous{
+    .id = "BodyAmbiguous",
+    .sentences = {translatable("ErrorText", "'%1' is the name of body %2, and the number of another")},
+    .advice = {translatable("ErrorText", "Give the name of the other body, or rename body %2.")}};
 
 const Operation& bodyOperation() {
   static const Operation operation = {
@@ -133,6 +141,7 @@ const Operation& bodyOperation() {
                        2.0 * std::numbers::pi),
           wordParameter("remove", "BODY", "Remove a body, given by name or number"),
           wordParameter("update", "BODY", "Read the linked file of a body again"),
+          wordParameter("from", "FILE", "With --update: link the body to this file from now on, and read that"),
           wordParameter("unlink", "BODY", "Keep the shape of a body as it is, and forget its file"),
       }};
   return operation;
@@ -144,6 +153,7 @@ std::string problemOfBodyValues(const OperationValues& values) {
     return "give one of --add, --remove, --update and --unlink";
   const auto stray = std::find_if(std::begin(kOfAdding), std::end(kOfAdding), isGiven);
   if (stray != std::end(kOfAdding) && !isGiven("add")) return std::string("--") + *stray + " goes with --add";
+  if (isGiven("from") && !isGiven("update")) return "--from goes with --update";
   const std::string what = isGiven("add") ? values.text("add") : std::string();
   const PrimitiveDescription* primitive = primitiveNamed(what);
   if (!primitive) return {};
@@ -154,17 +164,42 @@ std::string problemOfBodyValues(const OperationValues& values) {
          " dimension(s), not '" + numbers + "'";
 }
 
+bool readsFile(const OperationValues& values) {
+  return values.isSet("update") || (values.isSet("add") && !primitiveNamed(values.text("add")));
+}
+
+Result<ReadBody> bodyFrom(const OperationValues& values, const BodySet& bodies, const DocumentKinds& kinds,
+                          const std::filesystem::path& folder, Progress progress) {
+  if (values.isSet("add")) return bodyToAdd(values, kinds, progress);
+  if (!values.isSet("update")) return ReadBody{};
+  const Result<BodyPointer> body = bodyCalled(bodies, values.text("update"));
+  if (!body) return body.error();
+  Result<ReadBody> read = values.isSet("from") ? readBody(kinds, values.text("from"), true, progress)
+                                               : updatedFromLink(kinds, **body, folder, progress);
+  if (read) read->body.id = (*body)->id;
+  return read;
+}
+
+Result<BodyChange> bodyChange(const OperationValues& values, const BodySet& bodies, ReadBody read) {
+  if (values.isSet("add")) return adding(values, bodies, std::move(read));
+  if (values.isSet("update")) {  // it may have another name by now
+    const BodyPointer body = bodies.withId(read.body.id);
+    if (!body) return Error{BodyError::BodyMissing, {values.text("update")}, {}, {}};
+    return updating(*body, bodies, std::move(read));
+  }
+  const std::string verb = values.isSet("remove") ? "remove" : "unlink";
+  const Result<BodyPointer> body = bodyCalled(bodies, values.text(verb));
+  if (!body) return body.error();
+  if (verb == "unlink") return unlinking(**body, bodies);
+  const BodyId ids[] = {(*body)->id};
+  return BodyChange{removeBodiesEdit(bodies, ids), {}, (*body)->name};
+}
+
 Result<BodyChange> bodyChange(const OperationValues& values, const BodySet& bodies, const DocumentKinds& kinds,
                               const std::filesystem::path& folder, Progress progress) {
-  if (values.isSet("add")) return adding(values, bodies, kinds, progress);
-  const std::string verb = values.isSet("remove") ? "remove" : values.isSet("update") ? "update" : "unlink";
-  const std::string name = values.text(verb);
-  const BodyPointer body = bodyCalled(bodies, name);
-  if (!body) return Error{BodyError::BodyMissing, {name}, {}, {}};
-  if (verb == "update") return updating(*body, bodies, kinds, folder, progress);
-  if (verb == "unlink") return unlinking(*body, bodies);
-  const BodyId ids[] = {body->id};
-  return BodyChange{removeBodiesEdit(bodies, ids)};
+  Result<ReadBody> read = bodyFrom(values, bodies, kinds, folder, progress);
+  if (!read) return read.error();
+  return bodyChange(values, bodies, std::move(read).value());
 }
 
 }  // namespace handwheel

@@ -9,8 +9,12 @@
 
 namespace handwheel {
 
-// The operation "body" on a document that holds bodies: adds one, removes it, reads its linked file again or cuts the
-// link. A body is named by its name or its number.
+namespace BodyOperationError {
+extern const ErrorDescription Ambiguous;  // {text, number} the name of the body with this number, the number of another
+}
+
+// The operation "body" on a document that holds bodies: adds one, removes it, reads its linked file again, links it to
+// another or cuts the link. A body is named by its name or its number.
 const Operation& bodyOperation();
 
 // What is wrong with a combination of values, as a clause; empty when they fit together.
@@ -20,10 +24,23 @@ std::string problemOfBodyValues(const OperationValues& values);
 struct BodyChange {
   std::unique_ptr<Edit> edit;  // null: nothing changes
   DocumentFile file = {};      // with damage, losses and notes; empty when none was read
+  std::string name = {};       // of the body that changes
 };
 
-// Creates the edit for values that fit together. folder: of the document; empty for one that was never saved. Errors:
-// those of readBody(), updatedFromLink(), addBodyEdit(); BodyMissing; NumberMalformed.
+// Whether a file has to be read for the values, which may take long.
+bool readsFile(const OperationValues& values);
+
+// The body that the values make, or read anew for the present one; an empty one for others. Any thread. folder: of the
+// document; empty for one that was never saved. Errors: those of readBody(), updatedFromLink(); BodyMissing, Ambiguous;
+// NumberMalformed.
+Result<ReadBody> bodyFrom(const OperationValues& values, const BodySet& bodies, const DocumentKinds& kinds,
+                          const std::filesystem::path& folder, Progress progress = {});
+
+// Creates the edit for values that fit together, with what bodyFrom() has made of them. Errors: BodyMissing, Ambiguous;
+// those of addBodyEdit().
+Result<BodyChange> bodyChange(const OperationValues& values, const BodySet& bodies, ReadBody read);
+
+// Both in one.
 Result<BodyChange> bodyChange(const OperationValues& values, const BodySet& bodies, const DocumentKinds& kinds,
                               const std::filesystem::path& folder, Progress progress = {});
 

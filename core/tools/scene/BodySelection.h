@@ -2,27 +2,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "scene/Body.h"
+#include "scene/BodySet.h"
 
 #include <functional>
 #include <optional>
+#include <set>
 
 namespace handwheel {
 
-// The selected body of a document, shared by tools, menus and panels. Window thread.
+// The selected bodies of a document, shared by tools, menus and panels. Window thread.
 class BodySelection {
  public:
-  std::optional<BodyId> body() const { return m_body; }
-  void select(std::optional<BodyId> body) {
-    if (body == m_body) return;
-    m_body = body;
+  const std::set<BodyId>& bodies() const { return m_bodies; }
+  bool empty() const { return m_bodies.empty(); }
+  // The selected body; none unless exactly one is selected.
+  std::optional<BodyId> body() const { return m_bodies.size() == 1 ? std::optional(*m_bodies.begin()) : std::nullopt; }
+
+  void select(BodyId body) { selectAll({body}); }
+  void clear() { selectAll({}); }
+  void selectAll(std::set<BodyId> bodies) {
+    if (bodies == m_bodies) return;
+    m_bodies = std::move(bodies);
     if (m_listener) m_listener();
+  }
+  // Forgets those that are not in the document any more.
+  void keepOnly(const BodySet& present) {
+    std::set<BodyId> kept = m_bodies;
+    std::erase_if(kept, [&](BodyId id) { return !present.withId(id); });
+    selectAll(std::move(kept));
   }
   // Sets the listener, which is called after each change.
   void whenChanged(std::function<void()> listener) { m_listener = std::move(listener); }
 
  private:
-  std::optional<BodyId> m_body;
+  std::set<BodyId> m_bodies;
   std::function<void()> m_listener;
 };
 

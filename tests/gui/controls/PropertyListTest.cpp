@@ -8,9 +8,13 @@
 #include "controls/PropertyRow.h"
 
 #include <QCheckBox>
+#include <QColorDialog>
+#include <QLabel>
+#include <QLineEdit>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
+#include <QToolButton>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -70,6 +74,8 @@ class PropertyListTest : public QObject {
   void followsTheLengthUnit();
   void readOnlyValuesAndProblems();
   void tabFollowsTheOrder();
+  void aRefusedTextStaysWithTheReason();
+  void coloursHaveAButton();
   void strangeValues();
 };
 
@@ -229,6 +235,51 @@ void PropertyListTest::tabFollowsTheOrder() {
 }
 
 // A document with a bug, or limits from a strange file, must not harm the window.
+void PropertyListTest::aRefusedTextStaysWithTheReason() {
+  const Property name{.id = "name", .group = {}, .label = "Name", .value = "table"};
+  PropertyListBench bench;
+  bench.list.setProperties({name});
+  auto* line = bench.find<QLineEdit>("name", "propertyText");
+  auto* problem = bench.find<QLabel>("name", "propertyProblem");
+  QTRY_VERIFY(line->isVisible());
+  bench.onEdit = [&] {
+    bench.list.setProperties({name});  // the document has not taken it
+    bench.list.refuse("name", bench.edits.back().value, "It is taken.");
+  };
+  line->setFocus();
+  line->selectAll();
+  QTest::keyClicks(line, "vice");
+  QTest::keyClick(line, Qt::Key_Return);
+  QCOMPARE(line->text(), QString("vice"));
+  QVERIFY(problem->isVisible());
+  QCOMPARE(problem->text(), QString("It is taken."));
+  bench.list.setProperties({name});  // something else changed
+  QCOMPARE(line->text(), QString("vice"));
+  QVERIFY(problem->isVisible());
+  QTest::keyClick(line, Qt::Key_Backspace);  // it is being corrected
+  QVERIFY(!problem->isVisible());
+  QTest::keyClick(line, Qt::Key_Return);
+  QVERIFY(problem->isVisible());
+  QTest::keyClick(line, Qt::Key_Escape);
+  QCOMPARE(line->text(), QString("table"));
+  QVERIFY(!problem->isVisible());
+  QCOMPARE(bench.edits.size(), std::size_t{2});
+}
+
+void PropertyListTest::coloursHaveAButton() {
+  PropertyListBench bench;
+  bench.list.setProperties({{.id = "part.colour", .group = {}, .label = "Colour", .value = "#ff0000"}});
+  auto* button = bench.find<QToolButton>("part.colour", "propertyColour");
+  QTRY_VERIFY(button->isVisible());
+  QTest::mouseClick(button, Qt::LeftButton);
+  auto* dialog = bench.list.findChild<QColorDialog*>("colourDialog");
+  QVERIFY(dialog);
+  QCOMPARE(dialog->currentColor(), QColor(255, 0, 0));
+  dialog->setCurrentColor(QColor(0, 128, 255));
+  dialog->accept();
+  QCOMPARE(bench.edits, (std::vector<Edit>{{"part.colour", std::string("#0080ff"), false}}));
+}
+
 void PropertyListTest::strangeValues() {
   const double inf = std::numeric_limits<double>::infinity();
   PropertyList list;

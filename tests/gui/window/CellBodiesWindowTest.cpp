@@ -1,64 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "CellWindow.h"
 #include "StlFiles.h"
-#include "WindowDriver.h"
 #include "WindowTestMain.h"
-#include "controls/PropertyList.h"
-#include "viewport/surface/PartsLayer.h"
-
-#include <QDockWidget>
-#include <QUndoStack>
 
 using namespace handwheel;
 using namespace handwheel::test;
-
-namespace {
-
-// A window with the sample robot and its means to look at bodies.
-class CellWindow : public WindowDriver {
- public:
-  CellWindow() {
-    choose("openRobotSample");
-    if (!settle()) qFatal("the sample does not open");
-  }
-  Viewport* view() { return find<Viewport>("viewport"); }
-  // At once, where the camera would take its time.
-  void showAll() {
-    view()->fit();
-    view()->setCamera(view()->camera());
-  }
-  QString figures() { return text("figures"); }
-
-  // The text of a field of the selected body in the panel of the cell; none where it is not listed.
-  QString field(const char* property) {
-    const QString name = QStringLiteral("property/") + QString::fromLatin1(property);
-    for (const auto* row : find<QDockWidget>("kindDock")->findChildren<QWidget*>(name)) {
-      // One that was hidden is about to be deleted; a new one is shown with the next event.
-      const bool isLeaving = row->isHidden() && row->testAttribute(Qt::WA_WState_ExplicitShowHide);
-      if (!isLeaving) return row->findChild<QLineEdit*>()->text();
-    }
-    return {};
-  }
-
-  // A place in the view where this part is seen; null where it is not.
-  QPoint placeOf(const std::string& part) {
-    if (!QTest::qWaitFor([this] { return view()->isPickingReady(); }, kPatienceMs)) return {};
-    for (int y = 10; y < view()->height(); y += 6) {
-      for (int x = 10; x < view()->width(); x += 6) {
-        const ViewRay ray = view()->rayAt(QPointF(x, y));
-        if (partOf(view()->pickAlong(ray.origin, ray.direction)) == part) return {x, y};
-      }
-    }
-    return {};
-  }
-
-  void move(const QPoint& to) {
-    QMouseEvent moved(QEvent::MouseMove, to, view()->mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
-    QApplication::sendEvent(view(), &moved);
-  }
-};
-
-}  // namespace
 
 // What stands beside a robot: added, selected, moved, hidden, removed in the window.
 class CellBodiesWindowTest : public QObject {
@@ -114,6 +61,79 @@ class CellBodiesWindowTest : public QObject {
     driver.click("quickActions/undo");
     QCOMPARE(driver.field("body.1.x") + driver.field("body.1.y"), place);
     QCOMPARE(undo->text(), added);
+  }
+
+  void theFieldsFollowADragAndTheLabelGoesWithEscape() {
+    CellWindow driver;
+    driver.choose("add-box");
+    QVERIFY(driver.settle());
+    driver.showAll();
+    const QPoint grip = driver.placeOf("body.1");
+    QVERIFY(!grip.isNull());
+    const auto place = [&] { return driver.field("body.1.x") + driver.field("body.1.y"); };
+    const QString before = place(), height = driver.field("body.1.z");
+    auto* label = driver.find<QLabel>("toolReadout");
+    QTest::mousePress(driver.view(), Qt::LeftButton, {}, grip);
+    driver.move(grip + QPoint(40, 10));
+    QTRY_VERIFY(place() != before);
+    QCOMPARE(driver.field("body.1.z"), height);
+    QVERIFY(label->isVisible());
+    QVERIFY2(!label->text().contains("10000000"), qPrintable(label->text()));
+    QTest::keyClick(driver.view(), Qt::Key_Escape);
+    QVERIFY(!label->isVisible());
+    QTRY_COMPARE(place(), before);
+    QTest::mouseRelease(driver.view(), Qt::LeftButton, {}, grip + QPoint(40, 10));
+  }
+
+  // Wherever the arm reaches: beside it as it was opened, on the floor.
+  void aNewShapeStandsOnTheFloor() {
+    CellWindow driver;
+    driver.choose("add-box");
+    const QString x = driver.field("body.1.x");
+    QVERIFY(driver.field("body.1.z").startsWith("50"));
+    driver.click("quickActions/undo");
+    driver.edit("joint.joint_2", "80");
+    driver.choose("add-box");
+    QCOMPARE(driver.field("body.1.x"), x);
+    QVERIFY(driver.field("body.1.z").startsWith("50"));
+  }
+
+  void aFileIsReadForItsDocument() {
+    const QTemporaryDir folder;
+    const QString part = folder.filePath("part.stl");
+    writeStl(part, quadTorus(24, 12, {}));
+    CellWindow driver;
+    QVERIFY(driver.open(part));
+    auto* tabs = driver.find<QTabBar>("documentTabBar");
+    QCOMPARE(tabs->count(), 2);
+    tabs->setCurrentIndex(0);
+    driver.hold();
+    driver.choose("addBody");
+    QVERIFY(driver.enterFileName("addBodyDialog", part));
+    tabs->setCurrentIndex(1);
+    driver.release();
+    QVERIFY(driver.settle());
+    tabs->setCurrentIndex(0);
+    QCOMPARE(driver.list()->model()->rowCount(), 1);
+  }
+
+  void aBodyIsLinkedToAnotherFile() {
+    const QTemporaryDir folder;
+    const QString first = folder.filePath("first.stl"), second = folder.filePath("second.stl");
+    writeStl(first, quadTorus(24, 12, {}));
+    writeStl(second, quadTorus(12, 6, {}));
+    CellWindow driver;
+    driver.choose("linkBody");
+    QVERIFY(driver.enterFileName("addBodyDialog", first));
+    QTRY_COMPARE_WITH_TIMEOUT(driver.field("body.1.name"), QString("first"), kPatienceMs);
+    driver.edit("body.1.x", "300");
+    driver.choose("relinkBody");
+    QVERIFY(driver.enterFileName("addBodyDialog", second));
+    QVERIFY(driver.settle());
+    QTRY_VERIFY(driver.find<QAction>("undo")->text().contains("Link first to another file"));
+    QVERIFY(driver.field("body.1.x").startsWith("300"));
+    const QModelIndex link = driver.list()->model()->index(0, BodyModel::Link);
+    QVERIFY(link.data(Qt::ToolTipRole).toString().endsWith("second.stl"));
   }
 
   void bodiesAreHiddenAndRemoved() {

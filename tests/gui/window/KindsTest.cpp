@@ -80,7 +80,7 @@ class KindsTest : public QObject {
     WindowDriver driver;
     driver.choose("openRobotSample");
     QVERIFY(driver.settle());
-    QCOMPARE(driver.find<QDockWidget>("kindDock")->windowTitle(), QStringLiteral("Joints"));
+    QCOMPARE(driver.find<QDockWidget>("kindDock")->windowTitle(), QStringLiteral("Cell"));
     const QImage before = driver.find<Viewport>("viewport")->grabImage();
     driver.edit("joint.joint_2", "45");
     QVERIFY(driver.window().isWindowModified());

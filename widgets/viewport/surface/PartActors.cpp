@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <set>
 #include <unordered_map>
+#include <utility>
 
 namespace handwheel {
 
@@ -19,6 +20,7 @@ constexpr std::size_t kScanned = 2'000'000;          // points that set() looks 
 constexpr std::size_t kHoverOutlinePoints = 20'000;  // of all parts
 constexpr double kFadedOpacity = 0.4;
 constexpr float kTint = 0.35f;  // of the accent, in a highlighted part
+constexpr float kSelectedTint = 0.6f;
 
 QColor toColour(const std::array<float, 3>& c) {
   const auto channel = [&](int k) { return std::clamp(c[k], 0.0f, 1.0f); };
@@ -151,8 +153,10 @@ void PartActors::place(const Part& part) const {
 void PartActors::style(const Part& part) const {
   const std::string& name = part.description.name;
   QColor colour = toColour(part.description.colour);
+  const bool isSelected = m_selected.contains(name);
+  if (isSelected) colour = mixed(colour, m_style.colours.accent, kSelectedTint);
   if (!name.empty() && name == m_highlighted) colour = mixed(colour, m_style.colours.accent, kTint);
-  const double opacity = m_faded.contains(name) ? kFadedOpacity : m_opacity;
+  const double opacity = m_faded.contains(name) || (m_isCovered && !isSelected) ? kFadedOpacity : m_opacity;
   for (const auto& actor : part.actors) applyStyle(actor, m_style, {colour, part.description.smooth, opacity});
 }
 
@@ -169,8 +173,21 @@ void PartActors::setOrigin(const Vec3& origin) {
 
 void PartActors::setHighlighted(const std::string& name) {
   if (name == m_highlighted) return;
-  m_highlighted = name;
-  for (const Part& part : m_parts) style(part);
+  const std::string before = std::exchange(m_highlighted, name);
+  for (const Part& part : m_parts) {
+    if (part.description.name == name || part.description.name == before) style(part);
+  }
+}
+
+bool PartActors::setSelected(const std::set<std::string>& names, bool isCovered) {
+  if (names == m_selected && isCovered == m_isCovered) return false;
+  const std::set<std::string> before = std::exchange(m_selected, names);
+  const bool isEachOther = std::exchange(m_isCovered, isCovered) != isCovered;
+  for (const Part& part : m_parts) {
+    const std::string& name = part.description.name;
+    if (isEachOther || before.contains(name) || names.contains(name)) style(part);
+  }
+  return true;
 }
 
 bool PartActors::isAnyShown() const {

@@ -42,6 +42,10 @@ class PartActors {
   // Tints the parts of this name with the accent colour; empty: none.
   void setHighlighted(const std::string& name);
 
+  // Tints the parts of these names more strongly. isCovered: draws all others translucently, so that these are seen.
+  // Returns false when nothing changes.
+  bool setSelected(const std::set<std::string>& names, bool isCovered);
+
   // Draws the parts with the names of the proposed ones translucently, because two opaque surfaces in one place cause
   // z-fighting. Returns false when they are the same as before.
   bool setFaded(const std::vector<DisplayPart>& proposed);
@@ -98,6 +102,8 @@ class PartActors {
   Vec3 m_origin = Vec3::Zero();
   std::set<std::string> m_faded;
   std::string m_highlighted;  // a name
+  std::set<std::string> m_selected;
+  bool m_isCovered = false;  // the selected ones are
   int m_built = 0;
 };
 

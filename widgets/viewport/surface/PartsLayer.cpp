@@ -62,6 +62,10 @@ void PartsLayer::setFaded(const std::vector<DisplayPart>& proposed) {
   if (d->actors.setFaded(proposed)) report(LayerChange::Look);
 }
 
+void PartsLayer::setSelected(const std::set<std::string>& names, bool isCovered) {
+  if (d->actors.setSelected(names, isCovered)) report(LayerChange::Look);
+}
+
 std::string PartsLayer::nameOf(std::uint64_t element) const {
   return d->actors.nameOf(element);
 }

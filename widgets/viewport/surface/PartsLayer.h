@@ -5,6 +5,8 @@
 #include "document/DisplayModel.h"
 #include "viewport/ViewLayer.h"
 
+#include <set>
+
 namespace handwheel {
 
 // A view layer that shows rigid parts. Its elements are parts.
@@ -22,6 +24,9 @@ class PartsLayer : public ViewLayer {
   void setPartsAtOnce(const std::vector<DisplayPart>& parts);
   // Draws the parts with the names of these, which a tool proposes, translucently.
   void setFaded(const std::vector<DisplayPart>& proposed);
+  // Marks the parts of these names by their colour. isCovered: all others are drawn translucently, so that they are
+  // seen.
+  void setSelected(const std::set<std::string>& names, bool isCovered);
   // Empty when there is no such part.
   std::string nameOf(std::uint64_t element) const;
 

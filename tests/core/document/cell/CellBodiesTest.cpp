@@ -11,6 +11,7 @@
 #include "scene/RigidPose.h"
 
 #include <rapidcheck.h>
+#include <QTemporaryDir>
 #include <QTest>
 #include <nlohmann/json.hpp>
 
@@ -112,6 +113,39 @@ class CellBodiesTest : public QObject {
     for (int i = 0; i < 3; ++i) m_cell->history()->redo();
     QCOMPARE(m_cell->bodies().withId(1)->name, "bench");
     QCOMPARE(m_cell->joints()[1], 1.0);
+  }
+
+  void historyNamesTheBody() {
+    add(*m_cell, boxAt("table", 100, Pose::Identity()));
+    QVERIFY(m_cell->setProperty("body.1.z", 30.0).hasValue());
+    QCOMPARE(m_cell->history()->undoText(), QString("Change Z of table"));
+    QVERIFY(m_cell->setProperty("joint.turn", 1.0).hasValue());
+    QCOMPARE(m_cell->history()->undoText(), QString("Change turn"));
+  }
+
+  void propertiesAreFoundByTheNameOfTheBody() {
+    add(*m_cell, boxAt("table", 100, Pose::Identity()));
+    add(*m_cell, boxAt("1.5 m bench", 100, poseOf({7, 0, 0}, {0, 0, 0})));
+    QCOMPARE(m_cell->property("body.table.x")->id, std::string("body.1.x"));
+    QCOMPARE(m_cell->property("body.1.5 m bench.x")->id, std::string("body.2.x"));
+    QCOMPARE(m_cell->property("body.2.x")->value, PropertyValue(7.0));
+    QCOMPARE(m_cell->property("joint.turn")->id, std::string("joint.turn"));
+    for (const char* id : {"body.chair.x", "body.3.x", "body.table.q", "body.table", "body", "body."})
+      QVERIFY2(!m_cell->property(id), id);
+    for (const Property& each : m_cell->properties()) QCOMPARE(m_cell->property(each.id)->value, each.value);
+  }
+
+  void hiddenBodiesAreLeftOutOfAnExportWithANote() {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("cell.stl").toStdString();
+    for (const char* name : {"table", "vice", "lamp"}) add(*m_cell, boxAt(name, 100, Pose::Identity()));
+    const auto notes = [&] { return kKind.exportTo(*m_cell->snapshot(), path, {})->notes; };
+    QCOMPARE(notes().size(), std::size_t{1});
+    QVERIFY(m_cell->setProperty("body.1.visible", false).hasValue());
+    QCOMPARE(notes().at(1).arguments, std::vector<std::string>{"table"});
+    QVERIFY(notes().at(1).isLoss);
+    QVERIFY(m_cell->setProperty("body.3.visible", false).hasValue());
+    QCOMPARE(notes().at(1).arguments, (std::vector<std::string>{"2", "table, lamp"}));
   }
 
   void describes() {

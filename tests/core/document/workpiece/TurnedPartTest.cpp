@@ -154,7 +154,8 @@ class TurnedPartTest : public QObject {
       pass.times.push_back(0.0);
     }
     workpiece.part = withPass(workpiece, pass, 0.01);
-    const GeometryPointer body = m_kind.bodyGeometry(workpiece);
+    std::vector<Note> notes;
+    const GeometryPointer body = m_kind.bodyGeometry(workpiece, notes);
     const TriangleSoup& surface = *body->surface();
     double worst = 0.0;
     for (const Triangle& t : surface.triangles) {

@@ -9,11 +9,21 @@
 #include "scene/RigidPose.h"
 
 #include <QTest>
+#include <cmath>
 
 using namespace handwheel;
 using namespace handwheel::test;
 
 namespace {
+
+constexpr double kAway = 1000.0;
+
+// Along y and down, through a point; a pixel is 0.01.
+PointerEvent slanted(Kind kind, const Vec3& through, double slope, Modifiers modifiers = {}) {
+  PointerEvent event = at(kind, 0, 0, modifiers);
+  event.ray = {through - Vec3(0, kAway, -slope * kAway), Vec3(0, 1, -slope).normalized()};
+  return event;
+}
 
 // A robot with a cube of 20 mm beside it, and its tool.
 class CellBench {
@@ -26,6 +36,19 @@ class CellBench {
   RobotCellDocument& document() { return m_bench.document(); }
   CellTool tool(const std::string& part) { return CellTool(document(), selection, m_bench.picking(part)); }
   Vec3 place() { return document().bodies().withId(1)->pose.translation(); }
+  void raise(double z) {
+    Body cube = *document().bodies().withId(1);
+    cube.pose.translation().z() = z;
+    BodySet raised = document().bodies();
+    document().commit("Raise", std::move(changeBodyEdit(raised, cube)).value());
+    document().history()->clear();
+  }
+  // The cube is hit where the rays of slanted() go.
+  CellTool slantedTool(double slope) {
+    return CellTool(document(), selection, [slope](const Ray& ray) -> std::optional<RobotCellPick> {
+      return RobotCellPick{"body.1", ray.origin + Vec3(0, kAway, -slope * kAway)};
+    });
+  }
   int steps() { return document().history()->count(); }
 
   BodySelection selection;
@@ -47,10 +70,9 @@ class CellToolTest : public QObject {
     QCOMPARE(tool.pointer(at(Kind::Release, 0, 500)), ToolReply::Used);
     QCOMPARE(bench.selection.body(), std::optional<BodyId>(1));
     QCOMPARE(bench.steps(), 1);
-    QCOMPARE(tool.preview().lines.size(), std::size_t{12});  // the edges of its box
+    QVERIFY(tool.preview().parts.empty());  // it has not moved
   }
 
-  // Rays from above: the plane of the view is horizontal.
   void aDragIsOneStep() {
     CellBench bench;
     CellTool tool = bench.tool("body.1");
@@ -60,11 +82,96 @@ class CellToolTest : public QObject {
     QCOMPARE(tool.preview().parts.size(), std::size_t{1});
     QVERIFY((tool.preview().parts[0].pose.translation() - Vec3(55, 475, 0)).norm() < 1e-9);
     QCOMPARE(tool.settings().size(), std::size_t{3});
+    for (const Property& place : tool.settings()) QVERIFY(std::isinf(place.least) && std::isinf(place.largest));
     tool.pointer(at(Kind::Release, 65, 480));
     QVERIFY((bench.place() - Vec3(60, 475, 0)).norm() < 1e-9);
     QCOMPARE(bench.steps(), 2);
     bench.document().history()->undo();
     QCOMPARE(bench.place(), Vec3(0, 500, 0));
+  }
+
+  // Seen from the side and above, as a table is: the drag goes along the floor.
+  void theHeightIsKept() {
+    CellBench bench;
+    bench.raise(0.1 + 0.2);  // not a multiple of any step
+    const double height = bench.place().z();
+    CellTool tool = bench.slantedTool(1.0);
+    tool.pointer(slanted(Kind::Press, {3, 500, height}, 1.0));
+    for (double x : {30.0, 103.0}) tool.pointer(slanted(Kind::Drag, {x, 540, height}, 1.0));
+    tool.pointer(slanted(Kind::Release, {103, 540, height}, 1.0));
+    QVERIFY((bench.place() - Vec3(100, 540, height)).norm() < 1e-6);
+    QCOMPARE(bench.place().z(), height);
+  }
+
+  void shiftMovesUpAndDown() {
+    CellBench bench;
+    CellTool tool = bench.slantedTool(0.5);
+    tool.pointer(slanted(Kind::Press, {0, 500, 0}, 0.5, kShift));
+    tool.pointer(slanted(Kind::Drag, {0, 500, 40}, 0.5, kShift));
+    QVERIFY((tool.preview().parts.at(0).pose.translation() - Vec3(0, 500, 40)).norm() < 1e-6);
+    tool.pointer(slanted(Kind::Drag, {70, 500, 40}, 0.5));  // without Shift it goes on from there
+    tool.pointer(slanted(Kind::Release, {70, 500, 40}, 0.5));
+    QVERIFY((bench.place() - Vec3(70, 500, 40)).norm() < 1e-6);
+    QCOMPARE(bench.steps(), 2);
+  }
+
+  // A plane seen at less than 15° would run away under the pointer.
+  void aFlatViewMovesUpAndDown() {
+    const double tangent = std::tan(10.0 / 180.0 * kPi);
+    CellBench bench;
+    CellTool tool = bench.slantedTool(tangent);
+    tool.pointer(slanted(Kind::Press, {0, 500, 0}, tangent));
+    tool.pointer(slanted(Kind::Release, {30, 500, 25}, tangent));
+    QCOMPARE(Vec3(bench.place().x(), bench.place().y(), 0), Vec3(0, 500, 0));
+    QVERIFY(std::abs(bench.place().z() - 25) < 1e-6);
+  }
+
+  void placesSnapToAStepThatFitsTheZoom_data() {
+    QTest::addColumn<double>("pixel");
+    QTest::addColumn<double>("step");  // 1, 2 or 5 times a power of ten, of at least four pixels
+    QTest::newRow("near") << 0.01 << 0.05;
+    QTest::newRow("tenths") << 0.02 << 0.1;
+    QTest::newRow("usual") << 0.4 << 2.0;
+    QTest::newRow("far") << 2.0 << 10.0;
+  }
+  void placesSnapToAStepThatFitsTheZoom() {
+    QFETCH(double, pixel);
+    QFETCH(double, step);
+    for (const Modifiers modifiers : {kNoModifiers, kControl}) {
+      CellBench bench;
+      CellTool tool = bench.tool("body.1");
+      PointerEvent event = at(Kind::Press, 0, 500, modifiers);
+      event.pixel = pixel;
+      tool.pointer(event);
+      event.kind = Kind::Release;
+      event.ray.origin.x() = 30.4 * step;
+      event.ray.origin.y() += 0.1 * step;  // the hand trembles
+      tool.pointer(event);
+      const bool snaps = !modifiers.control;
+      QVERIFY(std::abs(bench.place().x() - (snaps ? 30.0 : 30.4) * step) < 1e-9);
+      QVERIFY(std::abs(bench.place().y() - (snaps ? 500.0 : 500.0 + 0.1 * step)) < 1e-9);
+    }
+  }
+
+  void escapeDeselects() {
+    CellBench bench;
+    CellTool tool = bench.tool("body.1");
+    bench.selection.select(1);
+    QVERIFY(isEnabled(tool, "revert"));
+    QCOMPARE(tool.perform("revert"), ToolReply::Used);
+    QVERIFY(bench.selection.empty());
+    QCOMPARE(tool.perform("revert"), ToolReply::Finished);
+    QCOMPARE(bench.steps(), 1);
+  }
+
+  void aPressOnTheRobotDeselects() {
+    CellBench bench;
+    bench.selection.select(1);
+    CellTool tool = bench.tool("upper/0");
+    QCOMPARE(tool.pointer(at(Kind::Press, 300, 0)), ToolReply::Used);
+    QVERIFY(bench.selection.empty());
+    tool.pointer(at(Kind::Release, 300, 0));
+    QCOMPARE(tool.perform("delete"), ToolReply::Ignored);
   }
 
   void escapeTakesItBack() {

@@ -73,6 +73,40 @@ class BodyOperationTest : public QObject {
     QCOMPARE(codeOf({{"update", "cube"}}), BodyError::NotLinked);
   }
 
+  // Silently one of two would be the wrong one.
+  void aNameThatIsTheNumberOfAnother() {
+    Body second{.id = 2, .name = "1", .geometry = *PrimitiveGeometry::make(Primitive::Cuboid, {1, 1, 1})};
+    const BodySet bodies = oneCube().with(std::make_shared<const Body>(std::move(second)));
+    const auto change = bodyChange(valuesOf({{"remove", "1"}}), bodies, kNoKinds, {});
+    QVERIFY(!change && change.error().code == BodyOperationError::Ambiguous);
+    QVERIFY(bodyChange(valuesOf({{"remove", "2"}}), bodies, kNoKinds, {})->edit);
+  }
+
+  void anotherFileGoesWithUpdate() {
+    QVERIFY(problemOfBodyValues(valuesOf({{"update", "cube"}, {"from", "a.stl"}})).empty());
+    QVERIFY(!problemOfBodyValues(valuesOf({{"from", "a.stl"}})).empty());
+    QVERIFY(!problemOfBodyValues(valuesOf({{"remove", "cube"}, {"from", "a.stl"}})).empty());
+    QCOMPARE(codeOf({{"update", "cube"}, {"from", "/none/a.stl"}}), ErrorCode::FileMissing);
+  }
+
+  // The bodies may change while a file is read for one of them.
+  void aBodyIsUpdatedAsItIsByThen() {
+    Body body = *oneCube().withId(1);
+    body.name = "vice";
+    body.pose = poseOf({1, 2, 3}, Vec3::Zero());
+    const BodySet later = BodySet().with(std::make_shared<const Body>(body));
+    const OperationValues values = valuesOf({{"update", "cube"}, {"from", "/none/b.stl"}});
+    ReadBody read;
+    read.body.id = 1;
+    read.body.geometry = *PrimitiveGeometry::make(Primitive::Sphere, {1});
+    read.body.link = BodyLink{"/none/b.stl", {}, "b", LinkState::Present};
+    const auto change = bodyChange(values, later, read);
+    QVERIFY(change && change->edit);
+    QCOMPARE(change->name, std::string("vice"));
+    const auto tooLate = bodyChange(values, BodySet(), read);
+    QVERIFY(!tooLate && tooLate.error().code == BodyError::BodyMissing);
+  }
+
   void bodiesAreNamedByNameOrNumber() {
     for (const char* name : {"cube", "1"}) {
       const auto change = bodyChange(valuesOf({{"remove", name}}), oneCube(), kNoKinds, {});

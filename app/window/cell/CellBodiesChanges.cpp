@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// How the actions for bodies change the document.
+#include "document/OperationText.h"
+#include "document/cell/CellDisplay.h"
+#include "document/cell/RobotCellDocument.h"
+#include "document/scene/BodyChanges.h"
+#include "panels/LogModel.h"
+#include "scene/PrimitiveGeometry.h"
+#include "text/ErrorText.h"
+#include "tools/scene/BodyDragTool.h"
+#include "window/CommandLines.h"
+#include "window/JobRunner.h"
+#include "window/cell/BodySight.h"
+#include "window/cell/CellBodies.h"
+#include "window/documents/DocumentTab.h"
+#include "window/documents/FileFilters.h"
+#include "window/documents/FileLoader.h"
+
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <cmath>
+
+namespace handwheel {
+
+namespace {
+
+constexpr double kNewShape = 100.0;  // mm, each dimension of a new primitive
+
+std::filesystem::path folderOf(const Document& document) {
+  return std::filesystem::path(document.file().path).parent_path();
+}
+
+// The container that a cell is saved to; a robot description becomes one beside it.
+QString containerBeside(const QString& path) {
+  const QFileInfo file(path);
+  return file.path() + QLatin1Char('/') + file.completeBaseName() + containerEnding();
+}
+
+// "body --add part.stl --link", with names quoted for a shell.
+std::string stepOf(const OperationValues& values) {
+  QString step = QString::fromStdString(bodyOperation().id);
+  for (const auto& [name, word] : writtenOptions(values)) {
+    step += QStringLiteral(" --") + QString::fromStdString(name);
+    if (!word.empty()) step += QLatin1Char(' ') + stepWord(word);
+  }
+  return step.toStdString();
+}
+
+QString undoTextOf(const OperationValues& values, const QString& body) {
+  if (values.isSet("add")) return CellBodies::tr("Add %1").arg(body);
+  if (values.isSet("from")) return CellBodies::tr("Link %1 to another file").arg(body);
+  return values.isSet("update") ? CellBodies::tr("Read the file of %1 again").arg(body)
+                                : CellBodies::tr("Forget the file of %1").arg(body);
+}
+
+// A file name of this system as the operation takes it.
+std::string operandOf(const QString& path) {
+  return QFile::encodeName(QFileInfo(path).absoluteFilePath()).toStdString();
+}
+
+}  // namespace
+
+// Whatever the arm does now: its bounds in the pose in which a robot is opened. Computed once for each robot.
+const Box& CellBodies::robotAtRest() {
+  const auto robot = std::static_pointer_cast<const RobotCellSnapshot>(cell().snapshot())->robot;
+  if (m_measured.lock() != robot) m_robotAtRest = displayOf(*robot, restValues(robot->model)).bounds();
+  m_measured = robot;
+  return m_robotAtRest;
+}
+
+// Beside all that is there, standing on the floor of the cell.
+void CellBodies::addShape(const PrimitiveDescription& primitive) {
+  OperationValues values(bodyOperation());
+  std::string what = std::string(primitive.id) + ':';
+  for (std::size_t i = 0; i < primitive.dimensions.size(); ++i)
+    what += (i > 0 ? "," : "") + std::to_string(static_cast<int>(kNewShape));
+  values.setValid("add", what);
+  const auto geometry =
+      PrimitiveGeometry::make(primitive.primitive, std::vector<double>(primitive.dimensions.size(), kNewShape));
+  const Box own = geometry.value()->bounds();
+  Box there = robotAtRest();
+  for (const BodyPointer& body : cell().bodies()) there.extend(boundsOf(*body));
+  const double x = there.isEmpty() ? 0.0 : std::ceil(there.max().x() - own.min().x());
+  values.setValid("at", std::vector<double>{x, 0.0, -own.min().z()});
+  apply(values);
+}
+
+void CellBodies::askForFile(const QString& title, const std::function<void(const std::string& path)>& chosen) {
+  auto* dialog = new QFileDialog(m_parts.window, title, QFileInfo(m_document->document.path()).path(),
+                                 openFilters(m_parts.kinds).join(QStringLiteral(";;")));
+  dialog->setObjectName(QStringLiteral("addBodyDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, [this, chosen, document = m_document](const QString& path) {
+    if (document == m_document) chosen(operandOf(path));
+  });
+  dialog->open();
+}
+
+void CellBodies::setVisible(const std::set<BodyId>& ids, bool visible) {
+  auto edit = showBodiesEdit(cell().bodies(), std::vector<BodyId>(ids.begin(), ids.end()), visible);
+  if (!edit) return;
+  const BodyPointer only = ids.size() == 1 ? cell().bodies().withId(*ids.begin()) : nullptr;
+  const QString name = only ? QString::fromStdString(only->name) : QString();
+  const QString text = only ? (visible ? tr("Show %1") : tr("Hide %1")).arg(name)
+                            : (visible ? tr("Show the bodies") : tr("Hide the bodies"));
+  cell().commit(text, std::move(edit));
+}
+
+void CellBodies::removeSelected() {
+  const std::vector<BodyId> ids(m_selection.bodies().begin(), m_selection.bodies().end());
+  if (auto edit = removeBodiesEdit(cell().bodies(), ids))
+    cell().commit(removeBodiesText(cell().bodies(), m_selection.bodies()), std::move(edit));
+}
+
+void CellBodies::rename(BodyId body, const QString& name) {
+  const Status done = cell().setProperty("body." + std::to_string(body) + ".name", name.toStdString());
+  if (!done) report(cell(), done.error());
+}
+
+void CellBodies::applyToSelected(const char* verb) {
+  OperationValues values(bodyOperation());
+  values.setValid(verb, selected()->name);
+  apply(values);
+}
+
+void CellBodies::relinkSelected() {
+  askForFile(tr("Link %1 to another file").arg(QString::fromStdString(selected()->name)),
+             [this, id = selected()->id](const std::string& path) {
+               const BodyPointer body = cell().bodies().withId(id);
+               if (!body) return;
+               OperationValues values(bodyOperation());
+               values.setValid("update", body->name);
+               values.setValid("from", path);
+               apply(values);
+             });
+}
+
+// Files are read by a job; all else is done at once.
+void CellBodies::apply(const OperationValues& values) {
+  if (readsFile(values)) return read(values);
+  commit(*m_document, values, bodyChange(values, cell().bodies(), m_parts.kinds, {}));
+}
+
+// Another document may be in view when the file has been read, and the bodies may have changed: the edit is made then.
+void CellBodies::read(const OperationValues& values) {
+  DocumentTab& tab = *m_document;
+  Job job;
+  const char* const what = values.isSet("add") ? "add" : values.isSet("from") ? "from" : "update";
+  const QByteArray source = QByteArray::fromStdString(values.text(what));
+  job.name = tr("Reading %1").arg(QFileInfo(QFile::decodeName(source)).fileName());
+  job.owner = &tab;  // its closing cancels the job
+  job.failed = [this, &tab](const Error& error) { report(tab.document, error); };
+  job.work = [this, &tab, &kinds = m_parts.kinds, values, bodies = cell().bodies(),
+              folder = folderOf(tab.document)](Progress progress) -> Job::Finish {
+    auto body = std::make_shared<Result<ReadBody>>(bodyFrom(values, bodies, kinds, folder, progress));
+    return [this, &tab, values, body] {
+      if (!*body) return report(tab.document, body->error());
+      const auto& bodiesNow = static_cast<const RobotCellDocument&>(tab.document).bodies();
+      commit(tab, values, bodyChange(values, bodiesNow, std::move(*body).value()));
+    };
+  };
+  m_parts.jobs.start(std::move(job));
+}
+
+void CellBodies::commit(DocumentTab& tab, const OperationValues& values, Result<BodyChange> change) {
+  auto& document = static_cast<RobotCellDocument&>(tab.document);
+  if (!change) return report(document, change.error());
+  const QString path = document.path();
+  const bool isAsInFile = !path.isEmpty() && !document.isModified();
+  FileLoader::logFindings(change->file, m_parts.log);
+  if (!change->edit) return m_parts.log.add(tr("Nothing has changed"));
+  const BodyId next = document.bodies().freeId();
+  const QString text = undoTextOf(values, QString::fromStdString(change->name));
+  document.commit(text, std::move(change->edit));
+  m_parts.log.add(text, isAsInFile ? ownCommand(path, stepOf(values), containerBeside(path)) : QString());
+  if (!values.isSet("add") || &tab != m_document) return;
+  m_selection.select(next);
+  emit added(next, readsFile(values));
+}
+
+void CellBodies::report(const Document& document, const Error& error) {
+  if (error.code == ErrorCode::Cancelled) return;
+  emit message({Message::Weight::Error,
+                tr("The bodies stay as they are"),
+                errorSentence(error),
+                errorAdvice(error),
+                {},
+                {},
+                {},
+                {},
+                &document});
+}
+
+}  // namespace handwheel

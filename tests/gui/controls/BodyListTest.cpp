@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "panels/bodies/BodyList.h"
+
+#include "ControlsTestMain.h"
+#include "scene/PrimitiveGeometry.h"
+
+#include <QAbstractItemModelTester>
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+const GeometryPointer kCube = *PrimitiveGeometry::make(Primitive::Cuboid, {1, 1, 1});
+
+BodySet withBody(const BodySet& bodies, BodyId id, const std::string& name, bool isVisible = true) {
+  return bodies.with(
+      std::make_shared<const Body>(Body{.id = id, .name = name, .geometry = kCube, .visible = isVisible}));
+}
+
+BodySet manyBodies(BodyId count) {
+  BodySet bodies;
+  for (BodyId id = 1; id <= count; ++id) bodies = withBody(bodies, id, "body " + std::to_string(id));
+  return bodies;
+}
+
+// A list in a window, and what it asks for.
+struct BodyListBench {
+  BodyListBench() {
+    QObject::connect(&list, &BodyList::selected, &list, [this](const std::set<BodyId>& ids) { selected = ids; });
+    QObject::connect(&list, &BodyList::renameRequested, &list, [this](BodyId id, const QString& name) {
+      renamed = {id, name};
+    });
+    QObject::connect(&list, &BodyList::visibilityRequested, &list, [this](const std::set<BodyId>& ids, bool isVisible) {
+      shown = {ids, isVisible};
+    });
+    list.resize(260, 300);
+    list.show();
+    list.activateWindow();
+    if (!QTest::qWaitForWindowActive(&list)) qFatal("the window does not appear");
+  }
+  QPoint placeOf(int row, BodyModel::Column column) {
+    return list.visualRect(list.model()->index(row, column)).center();
+  }
+  void click(int row, BodyModel::Column column = BodyModel::Name, Qt::KeyboardModifiers keys = {}) {
+    QTest::mouseClick(list.viewport(), Qt::LeftButton, keys, placeOf(row, column));
+  }
+
+  BodyList list;
+  std::set<BodyId> selected;
+  std::pair<BodyId, QString> renamed;
+  std::pair<std::set<BodyId>, bool> shown;
+};
+
+}  // namespace
+
+class BodyListTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // Any set may follow any other.
+  void rowsAreThoseOfTheBodies() {
+    BodyModel model;
+    const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+    std::vector<BodySet> versions{manyBodies(5), manyBodies(5).without(1).without(3), manyBodies(7).without(4),
+                                  BodySet(),     withBody(manyBodies(3), 2, "other"), manyBodies(2)};
+    for (const BodySet& bodies : versions) {
+      model.setBodies(bodies);
+      QCOMPARE(model.rowCount(), static_cast<int>(bodies.size()));
+      int row = 0;
+      for (const BodyPointer& body : bodies) {
+        QCOMPARE(model.data(model.index(row, 0), Qt::DisplayRole).toString(), QString::fromStdString(body->name));
+        QCOMPARE(model.indexOf(body->id).row(), row++);
+      }
+    }
+    QVERIFY(!model.indexOf(3).isValid());
+  }
+
+  void clicksSelect() {
+    BodyListBench bench;
+    bench.list.setBodies(manyBodies(5));
+    bench.click(1);
+    QCOMPARE(bench.selected, std::set<BodyId>{2});
+    bench.click(3, BodyModel::Name, Qt::ControlModifier);
+    QCOMPARE(bench.selected, (std::set<BodyId>{2, 4}));
+    bench.list.setBodies(manyBodies(5).without(1));  // does not lose them, and asks for nothing
+    QCOMPARE(bench.list.selectionModel()->selectedRows().size(), 2);
+    QCOMPARE(bench.selected, (std::set<BodyId>{2, 4}));
+    bench.list.setSelected({5});
+    QCOMPARE(bench.list.currentIndex().data().toString(), QString("body 5"));
+    QCOMPARE(bench.selected, (std::set<BodyId>{2, 4}));
+  }
+
+  void eyesAndSpaceHide() {
+    BodyListBench bench;
+    bench.list.setBodies(withBody(manyBodies(3), 3, "hidden", false));
+    bench.click(1, BodyModel::Eye);
+    QCOMPARE(bench.shown, (std::pair<std::set<BodyId>, bool>({2}, false)));
+    QVERIFY(bench.selected.empty());
+    bench.click(2, BodyModel::Eye);
+    QCOMPARE(bench.shown, (std::pair<std::set<BodyId>, bool>({3}, true)));
+    bench.click(0);
+    bench.click(1, BodyModel::Name, Qt::ControlModifier);
+    QTest::keyClick(&bench.list, Qt::Key_Space);
+    QCOMPARE(bench.shown, (std::pair<std::set<BodyId>, bool>({1, 2}, false)));
+  }
+
+  void f2Renames() {
+    BodyListBench bench;
+    bench.list.setBodies(manyBodies(3));
+    bench.click(1);
+    QTest::keyClick(&bench.list, Qt::Key_F2);
+    auto* line = bench.list.findChild<QLineEdit*>();
+    QVERIFY(line);
+    QTest::keyClicks(line, "vice");
+    QTest::keyClick(line, Qt::Key_Return);
+    QTRY_COMPARE(bench.renamed, (std::pair<BodyId, QString>(2, "vice")));
+  }
+};
+
+HANDWHEEL_CONTROLS_TEST(BodyListTest)
+#include "BodyListTest.moc"

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "panels/bodies/BodyModel.h"
+
+#include <QTreeView>
+#include <set>
+
+namespace handwheel {
+
+// A list of the bodies of a document: colour, name, link and eye. Several can be selected. F2 or a double click
+// renames, Del removes, Space and a click on an eye hide or show. It only asks for changes.
+class BodyList : public QTreeView {
+  Q_OBJECT
+
+ public:
+  explicit BodyList(QWidget* parent = nullptr);
+
+  void setBodies(const BodySet& bodies);
+  // Selects these rows, and scrolls to a single one.
+  void setSelected(const std::set<BodyId>& bodies);
+
+ signals:
+  void selected(const std::set<handwheel::BodyId>& bodies);  // by the user
+  void renameRequested(handwheel::BodyId body, const QString& name);
+  void removalRequested();  // of the selected ones
+  void visibilityRequested(const std::set<handwheel::BodyId>& bodies, bool visible);
+
+ protected:
+  bool event(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+
+ private:
+  std::set<BodyId> selectedBodies() const;
+  bool clickEye(const QMouseEvent& event);
+  void toggle(const BodyPointer& body);
+  void follow();
+
+  BodyModel* m_model;
+  std::set<BodyId> m_selected;
+  bool m_isFollowing = false;  // the selection is set from outside, or rows come and go
+};
+
+}  // namespace handwheel
