@@ -499,6 +499,94 @@
         <source>&apos;%1&apos; cannot be a name: it needs one line of 1 to %2 bytes</source>
         <translation>„%1“ kann kein Name sein: nötig ist eine Zeile von 1 bis %2 Byte</translation>
     </message>
+    <message>
+        <source>%1 &apos;%2&apos; was looked for in the folder &apos;%3&apos; and in those above it, in vain</source>
+        <translation>%1 „%2“ wurde im Ordner „%3“ und in denen darüber gesucht und nicht gefunden</translation>
+    </message>
+    <message>
+        <source>Put the folder &apos;%2&apos; into &apos;%3&apos; or a folder above it, and open the file again.</source>
+        <translation>Legen Sie den Ordner „%2“ in „%3“ oder einen Ordner darüber, und öffnen Sie die Datei erneut.</translation>
+    </message>
+    <message>
+        <source>another program has changed the file since it was opened</source>
+        <translation>ein anderes Programm hat die Datei seit dem Öffnen geändert</translation>
+    </message>
+    <message>
+        <source>Save under another name to keep both, or replace what the other wrote.</source>
+        <translation>Speichern Sie unter einem anderen Namen, um beides zu behalten, oder ersetzen Sie, was das andere schrieb.</translation>
+    </message>
+    <message>
+        <source>a body of the document is linked to this very file, which would be lost</source>
+        <translation>ein Körper des Dokuments ist mit eben dieser Datei verknüpft, die verloren ginge</translation>
+    </message>
+    <message>
+        <source>Write to another file, or forget the link of the body first.</source>
+        <translation>Schreiben Sie in eine andere Datei, oder lösen Sie zuerst die Verknüpfung des Körpers.</translation>
+    </message>
+    <message>
+        <source>the document has no body &apos;%1&apos;</source>
+        <translation>das Dokument hat keinen Körper „%1“</translation>
+    </message>
+    <message>
+        <source>Give the name or number of one that it has; &apos;inspect&apos; lists them.</source>
+        <translation>Geben Sie Name oder Nummer eines vorhandenen an; „inspect“ listet sie auf.</translation>
+    </message>
+    <message>
+        <source>the body &apos;%1&apos; is not linked to a file</source>
+        <translation>der Körper „%1“ ist mit keiner Datei verknüpft</translation>
+    </message>
+    <message>
+        <source>Only a linked body can be read again; add the file as a new one.</source>
+        <translation>Nur ein verknüpfter Körper kann neu eingelesen werden; fügen Sie die Datei als neuen hinzu.</translation>
+    </message>
+    <message>
+        <source>the linked file %1 is missing</source>
+        <translation>die verknüpfte Datei %1 fehlt</translation>
+    </message>
+    <message>
+        <source>Put it back, or add the file from where it is now.</source>
+        <translation>Legen Sie sie zurück, oder fügen Sie die Datei von ihrem jetzigen Ort hinzu.</translation>
+    </message>
+    <message>
+        <source>a document has room for at most %1 bodies</source>
+        <translation>ein Dokument fasst höchstens %1 Körper</translation>
+    </message>
+    <message>
+        <source>Remove bodies, or add several as one file.</source>
+        <translation>Entfernen Sie Körper, oder fügen Sie mehrere als eine Datei hinzu.</translation>
+    </message>
+    <message>
+        <source>the bodies would have %1 triangles, and a document has room for %2</source>
+        <translation>die Körper hätten %1 Dreiecke, und ein Dokument fasst %2</translation>
+    </message>
+    <message>
+        <source>Reduce the mesh before adding it (&apos;handwheel decimate&apos;).</source>
+        <translation>Verkleinern Sie das Netz vor dem Hinzufügen („handwheel decimate“).</translation>
+    </message>
+    <message>
+        <source>the bar was cut already, so its size cannot change</source>
+        <translation>die Stange wurde schon bearbeitet, ihre Größe steht daher fest</translation>
+    </message>
+    <message>
+        <source>Undo the passes to change the size, or begin with a new workpiece.</source>
+        <translation>Machen Sie die Schnitte rückgängig, um die Größe zu ändern, oder beginnen Sie mit einem neuen Werkstück.</translation>
+    </message>
+    <message>
+        <source>the part is in %1 pieces, and the file would hold one solid</source>
+        <translation>das Teil besteht aus %1 Stücken, und die Datei fasst einen Körper</translation>
+    </message>
+    <message>
+        <source>Undo the pass that parted it, or export triangles, for example STL.</source>
+        <translation>Machen Sie den trennenden Schnitt rückgängig, oder exportieren Sie Dreiecke, etwa STL.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is the name of body %2, and the number of another</source>
+        <translation>„%1“ ist der Name von Körper %2 und die Nummer eines anderen</translation>
+    </message>
+    <message>
+        <source>Give the name of the other body, or rename body %2.</source>
+        <translation>Geben Sie den Namen des anderen Körpers an, oder benennen Sie Körper %2 um.</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -1151,12 +1239,40 @@
         <translation>seine Lage ist nicht verwendbar</translation>
     </message>
     <message>
-        <source>its rotation is none</source>
-        <translation>seine Drehung ist keine</translation>
-    </message>
-    <message>
         <source>yes or no was expected</source>
         <translation>Ja oder Nein wurde erwartet</translation>
+    </message>
+    <message>
+        <source>the package</source>
+        <translation>das Paket</translation>
+    </message>
+    <message>
+        <source>its geometry has no kind</source>
+        <translation>seine Geometrie hat keine Art</translation>
+    </message>
+    <message>
+        <source>its key is no number</source>
+        <translation>sein Schlüssel ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>its matrix is no rotation</source>
+        <translation>seine Matrix ist keine Drehung</translation>
+    </message>
+    <message>
+        <source>it is longer than its size</source>
+        <translation>sie ist länger als ihre Größe</translation>
+    </message>
+    <message>
+        <source>it is not a regular file</source>
+        <translation>sie ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>the position of the body</source>
+        <translation>die Position des Körpers</translation>
+    </message>
+    <message>
+        <source>to cut them once more would take too long</source>
+        <translation>sie noch einmal zu schneiden dauerte zu lange</translation>
     </message>
 </context>
 <context>
@@ -1693,13 +1809,6 @@
 <context>
     <name>NextSteps</name>
     <message numerus="yes">
-        <source>%Ln triangle(s) turned over</source>
-        <translation>
-            <numerusform>%Ln Dreieck umgedreht</numerusform>
-            <numerusform>%Ln Dreiecke umgedreht</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%Ln non-manifold edge(s)</source>
         <translation>
             <numerusform>%Ln nicht-mannigfaltige Kante</numerusform>
@@ -1801,10 +1910,6 @@
         <source>Some defects are left.</source>
         <translation>Einige Fehler sind übrig.</translation>
     </message>
-    <message>
-        <source>Watertight, but it passes through itself.</source>
-        <translation>Wasserdicht, durchdringt sich aber selbst.</translation>
-    </message>
     <message numerus="yes">
         <source>%Ln pair(s) of triangles cross. The list of defects cuts them apart.</source>
         <translation>
@@ -1819,21 +1924,20 @@
             <numerusform>%Ln Kanten mit nur einer Seite</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln self-intersection(s)</source>
+        <translation>
+            <numerusform>%Ln Selbstdurchdringung</numerusform>
+            <numerusform>%Ln Selbstdurchdringungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Closed, but self-intersecting.</source>
+        <translation>Geschlossen, aber selbstdurchdringend.</translation>
+    </message>
 </context>
 <context>
     <name>Note</name>
-    <message>
-        <source>The file is closed, manifold and oriented.</source>
-        <translation>Die Datei ist geschlossen, mannigfaltig und orientiert.</translation>
-    </message>
-    <message>
-        <source>The file has %1 open edges, %2 edges with more than two faces and %3 edges at which faces disagree.</source>
-        <translation>Die Datei hat %1 offene Kanten, %2 Kanten mit mehr als zwei Flächen und %3 Kanten mit gegenläufigen Flächen.</translation>
-    </message>
-    <message>
-        <source>%1 vertices were moved by the smallest possible amount, so that the file does not weld them.</source>
-        <translation>%1 Eckpunkte wurden um das kleinstmögliche Maß verschoben, damit die Datei sie nicht verschmilzt.</translation>
-    </message>
     <message>
         <source>The file holds one valid solid.</source>
         <translation>Die Datei enthält einen gültigen Volumenkörper.</translation>
@@ -1874,6 +1978,42 @@
         <source>The body &apos;%1&apos; is linked to %2, which has changed; it is shown as it was before.</source>
         <translation>Der Körper „%1“ ist mit %2 verknüpft, das sich geändert hat; er wird gezeigt, wie er vorher war.</translation>
     </message>
+    <message>
+        <source>1 hidden body (%1) was left out.</source>
+        <translation>1 ausgeblendeter Körper (%1) wurde ausgelassen.</translation>
+    </message>
+    <message>
+        <source>%1 hidden bodies (%2) were left out.</source>
+        <translation>%1 ausgeblendete Körper (%2) wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>The robot is added as it stands, as one mesh: it has no joints and no colours of its own.</source>
+        <translation>Der Roboter wird hinzugefügt, wie er steht, als ein Netz: ohne Gelenke und ohne eigene Farben.</translation>
+    </message>
+    <message>
+        <source>The file: %1.</source>
+        <translation>Die Datei: %1.</translation>
+    </message>
+    <message>
+        <source>It has %1 open edges, %2 edges with more than two faces, %3 edges at which faces disagree and %4 points at which faces touch that share no edge.</source>
+        <translation>Sie hat %1 offene Kanten, %2 Kanten mit mehr als zwei Flächen, %3 Kanten, an denen Flächen sich widersprechen, und %4 Punkte, an denen sich Flächen ohne gemeinsame Kante berühren.</translation>
+    </message>
+    <message>
+        <source>Vertices moved by the smallest possible amount, so that the file does not weld them: %1.</source>
+        <translation>Um das kleinstmögliche Maß verschobene Punkte, damit die Datei sie nicht verschweißt: %1.</translation>
+    </message>
+    <message>
+        <source>The single precision of the format moved vertices by up to %1 mm; the number of self-intersections may change by that.</source>
+        <translation>Die einfache Genauigkeit des Formats hat Punkte um bis zu %1 mm verschoben; die Zahl der Selbstdurchdringungen kann sich dadurch ändern.</translation>
+    </message>
+    <message>
+        <source>The body measures %1 × %2 × %3 mm.</source>
+        <translation>Der Körper misst %1 × %2 × %3 mm.</translation>
+    </message>
+    <message>
+        <source>The body &apos;%1&apos; has a shape that this program does not know (&apos;%2&apos;): it is kept, but cannot be shown. A newer version may know it.</source>
+        <translation>Der Körper „%1“ hat eine Form, die dieses Programm nicht kennt („%2“): sie bleibt erhalten, kann aber nicht gezeigt werden. Eine neuere Version kennt sie vielleicht.</translation>
+    </message>
 </context>
 <context>
     <name>Property</name>
@@ -1908,18 +2048,6 @@
     <message>
         <source>Size in Z</source>
         <translation>Ausdehnung in Z</translation>
-    </message>
-    <message>
-        <source>speed and effort are not known</source>
-        <translation>Geschwindigkeit und Kraft sind nicht bekannt</translation>
-    </message>
-    <message>
-        <source>effort is not known</source>
-        <translation>Kraft ist nicht bekannt</translation>
-    </message>
-    <message>
-        <source>speed is not known</source>
-        <translation>Geschwindigkeit ist nicht bekannt</translation>
     </message>
     <message>
         <source>Joints</source>
@@ -2681,6 +2809,18 @@
         <source>Cone</source>
         <translation>Kegel</translation>
     </message>
+    <message>
+        <source>all joints</source>
+        <translation>alle Gelenke</translation>
+    </message>
+    <message>
+        <source>Speed not known</source>
+        <translation>Geschwindigkeit unbekannt</translation>
+    </message>
+    <message>
+        <source>Effort not known</source>
+        <translation>Kraft unbekannt</translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -2927,6 +3067,52 @@
     <message>
         <source>exact surfaces</source>
         <translation>exakte Flächen</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>geschlossen</translation>
+    </message>
+    <message>
+        <source>not closed</source>
+        <translation>nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>manifold</source>
+        <translation>mannigfaltig</translation>
+    </message>
+    <message>
+        <source>not manifold</source>
+        <translation>nicht mannigfaltig</translation>
+    </message>
+    <message>
+        <source>oriented</source>
+        <translation>orientiert</translation>
+    </message>
+    <message>
+        <source>not oriented</source>
+        <translation>nicht orientiert</translation>
+    </message>
+    <message>
+        <source>free of self-intersections</source>
+        <translation>frei von Selbstdurchdringungen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n self-intersection(s)</source>
+        <translation>
+            <numerusform>%n Selbstdurchdringung</numerusform>
+            <numerusform>%n Selbstdurchdringungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>one piece</source>
+        <translation>ein Stück</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n piece(s)</source>
+        <translation>
+            <numerusform>%n Stück</numerusform>
+            <numerusform>%n Stücke</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3499,10 +3685,6 @@
         <translation>Schnitt verwerfen</translation>
     </message>
     <message>
-        <source>Turning pass</source>
-        <translation>Drehschnitt</translation>
-    </message>
-    <message>
         <source>cut a pass</source>
         <translation>einen Schnitt ausführen</translation>
     </message>
@@ -3517,6 +3699,54 @@
     <message>
         <source>Change bodies</source>
         <translation>Körper ändern</translation>
+    </message>
+    <message>
+        <source>move the joint or the body</source>
+        <translation>Gelenk oder Körper bewegen</translation>
+    </message>
+    <message>
+        <source>pull the whole arm, or move the body up and down</source>
+        <translation>den ganzen Arm ziehen oder den Körper auf und ab bewegen</translation>
+    </message>
+    <message>
+        <source>move the body without snapping</source>
+        <translation>den Körper ohne Einrasten bewegen</translation>
+    </message>
+    <message>
+        <source>deselect the body</source>
+        <translation>Auswahl des Körpers aufheben</translation>
+    </message>
+    <message>
+        <source>the mesh has no more triangles than that</source>
+        <translation>das Netz hat nicht mehr Dreiecke als das</translation>
+    </message>
+    <message>
+        <source>a job that changes this mesh is running</source>
+        <translation>ein Auftrag, der dieses Netz ändert, läuft</translation>
+    </message>
+    <message>
+        <source>they are the two sides of a plate without thickness, closed as it is</source>
+        <translation>sie sind die zwei Seiten einer Platte ohne Dicke, geschlossen wie sie ist</translation>
+    </message>
+    <message>
+        <source>no piece is far smaller than the largest</source>
+        <translation>kein Stück ist viel kleiner als das größte</translation>
+    </message>
+    <message>
+        <source>move the body</source>
+        <translation>den Körper bewegen</translation>
+    </message>
+    <message>
+        <source>move the body up and down</source>
+        <translation>den Körper auf und ab bewegen</translation>
+    </message>
+    <message>
+        <source>Turning pass %1: −%2 mm³</source>
+        <translation>Drehschnitt %1: −%2 mm³</translation>
+    </message>
+    <message>
+        <source>nothing more: the pass is full, release it</source>
+        <translation>nichts mehr: der Schnitt ist voll, loslassen</translation>
     </message>
 </context>
 <context>
@@ -3663,6 +3893,25 @@
             <numerusform>%Ln automatische Sicherungen verworfen</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Discard…</source>
+        <translation>Verwerfen…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Discard %Ln document(s) for good?</source>
+        <translation>
+            <numerusform>%Ln Dokument endgültig verwerfen?</numerusform>
+            <numerusform>%Ln Dokumente endgültig verwerfen?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Their changes since they were last saved cannot be brought back.</source>
+        <translation>Ihre Änderungen seit dem letzten Speichern sind dann nicht wiederzubringen.</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::AxisBars</name>
@@ -3692,6 +3941,48 @@
     <message>
         <source>It could not be kept for the next time: %1</source>
         <translation>Es konnte nicht für das nächste Mal aufgehoben werden: %1</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::BodyList</name>
+    <message>
+        <source>Bodies</source>
+        <translation>Körper</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::BodyModel</name>
+    <message>
+        <source>%1, hidden</source>
+        <translation>%1, ausgeblendet</translation>
+    </message>
+    <message>
+        <source>Linked to %1, which is missing</source>
+        <translation>Verknüpft mit %1, die fehlt</translation>
+    </message>
+    <message>
+        <source>Linked to %1, which has changed since it was read</source>
+        <translation>Verknüpft mit %1, die sich seit dem Einlesen geändert hat</translation>
+    </message>
+    <message>
+        <source>Linked to %1</source>
+        <translation>Verknüpft mit %1</translation>
+    </message>
+    <message>
+        <source>Hide the body</source>
+        <translation>Den Körper ausblenden</translation>
+    </message>
+    <message>
+        <source>Show the body</source>
+        <translation>Den Körper zeigen</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Sichtbar</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>Ausgeblendet</translation>
     </message>
 </context>
 <context>
@@ -3751,18 +4042,6 @@
         <translation>Körper hinzufügen</translation>
     </message>
     <message>
-        <source>Remove a body</source>
-        <translation>Körper entfernen</translation>
-    </message>
-    <message>
-        <source>Read the linked file again</source>
-        <translation>Verknüpfte Datei neu einlesen</translation>
-    </message>
-    <message>
-        <source>Forget the linked file</source>
-        <translation>Verknüpfte Datei vergessen</translation>
-    </message>
-    <message>
         <source>Add a &amp;shape</source>
         <translation>&amp;Form hinzufügen</translation>
     </message>
@@ -3803,14 +4082,6 @@
         <translation>Dasselbe, und die Datei merken, um sie nach Änderungen neu einzulesen</translation>
     </message>
     <message>
-        <source>Remove the selected body from the cell</source>
-        <translation>Den ausgewählten Körper aus der Zelle entfernen</translation>
-    </message>
-    <message>
-        <source>Neither show nor feel the selected body</source>
-        <translation>Den ausgewählten Körper weder zeigen noch fühlen</translation>
-    </message>
-    <message>
         <source>Show all bodies that are hidden</source>
         <translation>Alle ausgeblendeten Körper zeigen</translation>
     </message>
@@ -3821,14 +4092,6 @@
     <message>
         <source>Keep the selected body as it is, whatever becomes of its file</source>
         <translation>Den ausgewählten Körper behalten, wie er ist, was auch mit seiner Datei geschieht</translation>
-    </message>
-    <message>
-        <source>Hide a body</source>
-        <translation>Körper ausblenden</translation>
-    </message>
-    <message>
-        <source>Show all bodies</source>
-        <translation>Alle Körper zeigen</translation>
     </message>
     <message>
         <source>Put such a body beside the robot</source>
@@ -3845,6 +4108,93 @@
     <message>
         <source>The bodies stay as they are</source>
         <translation>Die Körper bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>Link to an&amp;other file…</source>
+        <translation>Mit &amp;anderer Datei verknüpfen…</translation>
+    </message>
+    <message>
+        <source>Remove the selected bodies from the cell</source>
+        <translation>Die ausgewählten Körper aus der Zelle entfernen</translation>
+    </message>
+    <message>
+        <source>Neither show nor feel the selected bodies</source>
+        <translation>Die ausgewählten Körper weder zeigen noch fühlen</translation>
+    </message>
+    <message>
+        <source>Take the shape of another file; name, place and colour stay</source>
+        <translation>Die Form einer anderen Datei übernehmen; Name, Ort und Farbe bleiben</translation>
+    </message>
+    <message>
+        <source>Open a robot cell first.</source>
+        <translation>Öffnen Sie zuerst eine Roboterzelle.</translation>
+    </message>
+    <message>
+        <source>Select a body first, in the view or in the list.</source>
+        <translation>Wählen Sie zuerst einen Körper aus, in der Ansicht oder in der Liste.</translation>
+    </message>
+    <message>
+        <source>It is hidden.</source>
+        <translation>Er ist ausgeblendet.</translation>
+    </message>
+    <message>
+        <source>No body is hidden.</source>
+        <translation>Kein Körper ist ausgeblendet.</translation>
+    </message>
+    <message>
+        <source>Select one body only.</source>
+        <translation>Wählen Sie nur einen Körper aus.</translation>
+    </message>
+    <message>
+        <source>The body is not linked to a file.</source>
+        <translation>Der Körper ist mit keiner Datei verknüpft.</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Link %1 to another file</source>
+        <translation>%1 mit anderer Datei verknüpfen</translation>
+    </message>
+    <message>
+        <source>Read the file of %1 again</source>
+        <translation>Die Datei von %1 neu einlesen</translation>
+    </message>
+    <message>
+        <source>Forget the file of %1</source>
+        <translation>Die Datei von %1 vergessen</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>%1 zeigen</translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation>%1 ausblenden</translation>
+    </message>
+    <message>
+        <source>Show the bodies</source>
+        <translation>Die Körper zeigen</translation>
+    </message>
+    <message>
+        <source>Hide the bodies</source>
+        <translation>Die Körper ausblenden</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>%1 wird gelesen</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ColourRow</name>
+    <message>
+        <source>Choose a colour…</source>
+        <translation>Farbe wählen…</translation>
+    </message>
+    <message>
+        <source>Choose: %1</source>
+        <translation>Wählen: %1</translation>
     </message>
 </context>
 <context>
@@ -3939,16 +4289,8 @@
         <translation>Eckpunkt %1</translation>
     </message>
     <message>
-        <source>Vertices %1 and %2</source>
-        <translation>Eckpunkte %1 und %2</translation>
-    </message>
-    <message>
         <source>Triangle %1</source>
         <translation>Dreieck %1</translation>
-    </message>
-    <message>
-        <source>Triangles %1 and %2</source>
-        <translation>Dreiecke %1 und %2</translation>
     </message>
     <message>
         <source>Piece %1</source>
@@ -4048,6 +4390,10 @@
     <message>
         <source>Edges at which inside becomes outside: as a Möbius strip, the surface has one side only.</source>
         <translation>Kanten, an denen innen zu außen wird: Wie ein Möbiusband hat die Oberfläche nur eine Seite.</translation>
+    </message>
+    <message>
+        <source>Pair %1</source>
+        <translation>Paar %1</translation>
     </message>
 </context>
 <context>
@@ -4321,6 +4667,10 @@
         <source>Change %1</source>
         <translation>%1 ändern</translation>
     </message>
+    <message>
+        <source>Change %1 of %2</source>
+        <translation>%1 von %2 ändern</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::DocumentTabs</name>
@@ -4524,6 +4874,17 @@
         <source>To be noted about %1</source>
         <translation>Zu beachten bei %1</translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln more place(s) are damaged</source>
+        <translation>
+            <numerusform>%Ln weitere Stelle ist beschädigt</numerusform>
+            <numerusform>%Ln weitere Stellen sind beschädigt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 is incomplete</source>
+        <translation>%1 ist unvollständig</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::FileSaver</name>
@@ -4582,6 +4943,10 @@
     <message>
         <source>Save again</source>
         <translation>Erneut speichern</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
     </message>
 </context>
 <context>
@@ -4666,16 +5031,16 @@
         </translation>
     </message>
     <message>
-        <source>%1, by “%2” because the chosen method fits none</source>
-        <translation>%1, mit „%2“, weil die gewählte Methode keine findet</translation>
-    </message>
-    <message>
         <source>Compare</source>
         <translation>Vergleichen</translation>
     </message>
     <message>
         <source>Show what each method makes of this hole</source>
         <translation>Zeigen, was jede Methode aus diesem Loch macht</translation>
+    </message>
+    <message>
+        <source>%1, by “%2”: the chosen method finds no valid patch</source>
+        <translation>%1, mit „%2“: die gewählte Methode findet keinen gültigen Flicken</translation>
     </message>
 </context>
 <context>
@@ -4732,6 +5097,10 @@
     <message>
         <source>%1 (waiting)</source>
         <translation>%1 (wartet)</translation>
+    </message>
+    <message>
+        <source>for %1</source>
+        <translation>seit %1</translation>
     </message>
 </context>
 <context>
@@ -5005,14 +5374,6 @@
 <context>
     <name>handwheel::MeshUi</name>
     <message>
-        <source>%1 triangles</source>
-        <translation>%1 Dreiecke</translation>
-    </message>
-    <message>
-        <source>Opened %1: %2 triangles, %3 holes, %4 triangles turned over</source>
-        <translation>%1 geöffnet: %2 Dreiecke, %3 Löcher, %4 Dreiecke umgedreht</translation>
-    </message>
-    <message>
         <source>Defects</source>
         <translation>Fehler</translation>
     </message>
@@ -5104,6 +5465,38 @@
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln triangle(s)</source>
+        <translation>
+            <numerusform>%Ln Dreieck</numerusform>
+            <numerusform>%Ln Dreiecke</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s)</source>
+        <translation>
+            <numerusform>%n Dreieck</numerusform>
+            <numerusform>%n Dreiecke</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hole(s)</source>
+        <translation>
+            <numerusform>%n Loch</numerusform>
+            <numerusform>%n Löcher</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n turned over</source>
+        <translation>
+            <numerusform>%n gewendet</numerusform>
+            <numerusform>%n gewendet</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Opened %1: %2</source>
+        <translation>%1 geöffnet: %2</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::MessageBar</name>
@@ -5117,6 +5510,10 @@
             <numerusform>%n weitere</numerusform>
             <numerusform>%n weitere</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Show the next message</source>
+        <translation>Die nächste Meldung zeigen</translation>
     </message>
 </context>
 <context>
@@ -5651,6 +6048,10 @@
         <source>The document is as it was before. %1</source>
         <translation>Das Dokument ist, wie es vorher war. %1</translation>
     </message>
+    <message>
+        <source>What is left could not be mended without harm; the list of defects names it, and the log says why holes stay open.</source>
+        <translation>Was bleibt, war nicht ohne Schaden zu beheben; die Liste der Mängel nennt es, und das Protokoll sagt, warum Löcher offen bleiben.</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::RigidPartsHaptics</name>
@@ -5700,20 +6101,12 @@
         <translation>%1 geöffnet: Roboter %2 mit %3 Gliedern und %4 beweglichen Gelenken</translation>
     </message>
     <message>
-        <source>Joints</source>
-        <translation>Gelenke</translation>
-    </message>
-    <message>
         <source>&amp;Cell</source>
         <translation>&amp;Zelle</translation>
     </message>
     <message>
         <source>Drag the links of the robot, and the bodies beside it</source>
         <translation>Die Glieder des Roboters und die Körper daneben ziehen</translation>
-    </message>
-    <message>
-        <source>Drag a link with the mouse, or with Shift the whole arm. The list of joints takes angles. The menu adds bodies beside the robot.</source>
-        <translation>Ziehen Sie ein Glied mit der Maus, mit Umschalt den ganzen Arm. Die Liste der Gelenke nimmt Winkel. Das Menü stellt Körper neben den Roboter.</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -5725,6 +6118,34 @@
             <numerusform>%Ln Körper</numerusform>
             <numerusform>%Ln Körper</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Bodies</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>%1 is inside something else</source>
+        <translation>%1 liegt in etwas anderem</translation>
+    </message>
+    <message>
+        <source>It stands where its file says; all else is see-through while it is selected.</source>
+        <translation>Er steht, wo seine Datei es angibt; alles andere ist durchsichtig, solange er ausgewählt ist.</translation>
+    </message>
+    <message>
+        <source>Type another position in the panel.</source>
+        <translation>Geben Sie im Bereich eine andere Position ein.</translation>
+    </message>
+    <message>
+        <source>Drag a link with the mouse, or with Shift the whole arm. The list of joints takes angles. The panel adds bodies beside the robot.</source>
+        <translation>Ziehen Sie ein Glied mit der Maus, mit Umschalt den ganzen Arm. Die Liste der Gelenke nimmt Winkel. Der Bereich fügt Körper neben dem Roboter hinzu.</translation>
+    </message>
+    <message>
+        <source>Cell</source>
+        <translation>Zelle</translation>
     </message>
 </context>
 <context>
@@ -5782,6 +6203,17 @@
     <message>
         <source>Share</source>
         <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>too slow by %1 %</source>
+        <translation>um %1 % zu langsam</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n input(s) dropped</source>
+        <translation>
+            <numerusform>%n Eingabe verloren</numerusform>
+            <numerusform>%n Eingaben verloren</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6025,12 +6457,12 @@
         <translation>Oder Dateien irgendwo auf dieses Fenster ziehen</translation>
     </message>
     <message>
-        <source>Repair scans, practise at the lathe, plan paths for robots.</source>
-        <translation>Scans reparieren, an der Drehmaschine üben, Roboterbahnen planen.</translation>
-    </message>
-    <message>
         <source>The sample is not installed.</source>
         <translation>Das Beispiel ist nicht installiert.</translation>
+    </message>
+    <message>
+        <source>Repair scans, practise at the lathe, arrange robot cells.</source>
+        <translation>Scans reparieren, an der Drehmaschine üben, Roboterzellen einrichten.</translation>
     </message>
 </context>
 <context>
@@ -6054,10 +6486,6 @@
         <source>Not manifold</source>
         <translation>Nicht mannigfaltig</translation>
     </message>
-    <message>
-        <source>%1 non-manifold</source>
-        <translation>%1 nicht-mannigfaltig</translation>
-    </message>
     <message numerus="yes">
         <source>%Ln kept open</source>
         <translation>
@@ -6072,27 +6500,13 @@
             <numerusform>%Ln umgedreht</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%Ln self-intersection(s)</source>
-        <translation>
-            <numerusform>%Ln Selbstdurchdringung</numerusform>
-            <numerusform>%Ln Selbstdurchdringungen</numerusform>
-        </translation>
+    <message>
+        <source>Not oriented</source>
+        <translation>Nicht orientiert</translation>
     </message>
     <message>
-        <source>Closed and manifold</source>
-        <translation>Geschlossen und mannigfaltig</translation>
-    </message>
-    <message>
-        <source>Manifold</source>
-        <translation>Mannigfaltig</translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln edge(s) with one side</source>
-        <translation>
-            <numerusform>%Ln Kante mit nur einer Seite</numerusform>
-            <numerusform>%Ln Kanten mit nur einer Seite</numerusform>
-        </translation>
+        <source>Self-intersecting</source>
+        <translation>Selbstdurchdringend</translation>
     </message>
 </context>
 <context>
@@ -6208,6 +6622,25 @@
     </message>
 </context>
 <context>
+    <name>handwheel::ToolHost</name>
+    <message>
+        <source>Wheel</source>
+        <translation>Rad</translation>
+    </message>
+    <message>
+        <source>move the tip in and out</source>
+        <translation>die Spitze hinein- und herausbewegen</translation>
+    </message>
+    <message>
+        <source>Ctrl+wheel</source>
+        <translation>Strg+Rad</translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation>zoomen</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::ToolKeys</name>
     <message>
         <source>Tools</source>
@@ -6219,6 +6652,10 @@
     <message>
         <source>This tool has no settings.</source>
         <translation>Dieses Werkzeug hat keine Einstellungen.</translation>
+    </message>
+    <message>
+        <source>Not now: %1.</source>
+        <translation>Jetzt nicht: %1.</translation>
     </message>
 </context>
 <context>
@@ -6429,6 +6866,10 @@
     <message>
         <source>Cut the turning part by hand with a round tool</source>
         <translation>Das sich drehende Teil von Hand mit einem runden Werkzeug abtragen</translation>
+    </message>
+    <message>
+        <source>It was cut already, so its size is fixed. “Save as” writes STEP, too.</source>
+        <translation>Sie wurde schon bearbeitet, ihre Größe steht fest. „Speichern unter“ schreibt auch STEP.</translation>
     </message>
 </context>
 </TS>

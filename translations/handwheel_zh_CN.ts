@@ -499,6 +499,94 @@
         <source>&apos;%1&apos; cannot be a name: it needs one line of 1 to %2 bytes</source>
         <translation>“%1”不能用作名称：名称须为一行，长 1 到 %2 字节</translation>
     </message>
+    <message>
+        <source>%1 &apos;%2&apos; was looked for in the folder &apos;%3&apos; and in those above it, in vain</source>
+        <translation>在文件夹“%3”及其上级文件夹中查找%1“%2”，未找到</translation>
+    </message>
+    <message>
+        <source>Put the folder &apos;%2&apos; into &apos;%3&apos; or a folder above it, and open the file again.</source>
+        <translation>请将文件夹“%2”放入“%3”或其上级文件夹，然后重新打开文件。</translation>
+    </message>
+    <message>
+        <source>another program has changed the file since it was opened</source>
+        <translation>文件打开后已被其他程序更改</translation>
+    </message>
+    <message>
+        <source>Save under another name to keep both, or replace what the other wrote.</source>
+        <translation>请以其他名称保存以保留两者，或替换其他程序写入的内容。</translation>
+    </message>
+    <message>
+        <source>a body of the document is linked to this very file, which would be lost</source>
+        <translation>文档中的一个物体链接到此文件，写入会使其丢失</translation>
+    </message>
+    <message>
+        <source>Write to another file, or forget the link of the body first.</source>
+        <translation>请写入其他文件，或先取消该物体的链接。</translation>
+    </message>
+    <message>
+        <source>the document has no body &apos;%1&apos;</source>
+        <translation>文档中没有物体“%1”</translation>
+    </message>
+    <message>
+        <source>Give the name or number of one that it has; &apos;inspect&apos; lists them.</source>
+        <translation>请给出现有物体的名称或编号；“inspect”会列出它们。</translation>
+    </message>
+    <message>
+        <source>the body &apos;%1&apos; is not linked to a file</source>
+        <translation>物体“%1”未链接到文件</translation>
+    </message>
+    <message>
+        <source>Only a linked body can be read again; add the file as a new one.</source>
+        <translation>只有链接的物体才能重新读取；请将文件添加为新物体。</translation>
+    </message>
+    <message>
+        <source>the linked file %1 is missing</source>
+        <translation>链接的文件 %1 缺失</translation>
+    </message>
+    <message>
+        <source>Put it back, or add the file from where it is now.</source>
+        <translation>请将其放回原处，或从当前位置添加该文件。</translation>
+    </message>
+    <message>
+        <source>a document has room for at most %1 bodies</source>
+        <translation>一个文档最多容纳 %1 个物体</translation>
+    </message>
+    <message>
+        <source>Remove bodies, or add several as one file.</source>
+        <translation>请移除物体，或将多个物体作为一个文件添加。</translation>
+    </message>
+    <message>
+        <source>the bodies would have %1 triangles, and a document has room for %2</source>
+        <translation>这些物体将有 %1 个三角形，而文档只能容纳 %2 个</translation>
+    </message>
+    <message>
+        <source>Reduce the mesh before adding it (&apos;handwheel decimate&apos;).</source>
+        <translation>添加前请简化网格（“handwheel decimate”）。</translation>
+    </message>
+    <message>
+        <source>the bar was cut already, so its size cannot change</source>
+        <translation>棒料已被切削，尺寸不能再改变</translation>
+    </message>
+    <message>
+        <source>Undo the passes to change the size, or begin with a new workpiece.</source>
+        <translation>请撤销切削以更改尺寸，或新建工件。</translation>
+    </message>
+    <message>
+        <source>the part is in %1 pieces, and the file would hold one solid</source>
+        <translation>零件已分成 %1 块，而文件只能包含一个实体</translation>
+    </message>
+    <message>
+        <source>Undo the pass that parted it, or export triangles, for example STL.</source>
+        <translation>请撤销将其切断的走刀，或导出三角形，例如 STL。</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is the name of body %2, and the number of another</source>
+        <translation>“%1”既是物体 %2 的名称，又是另一物体的编号</translation>
+    </message>
+    <message>
+        <source>Give the name of the other body, or rename body %2.</source>
+        <translation>请给出另一物体的名称，或重命名物体 %2。</translation>
+    </message>
 </context>
 <context>
     <name>ErrorWord</name>
@@ -1151,12 +1239,40 @@
         <translation>位姿无法使用</translation>
     </message>
     <message>
-        <source>its rotation is none</source>
-        <translation>旋转无效</translation>
-    </message>
-    <message>
         <source>yes or no was expected</source>
         <translation>应为是或否</translation>
+    </message>
+    <message>
+        <source>the package</source>
+        <translation>软件包</translation>
+    </message>
+    <message>
+        <source>its geometry has no kind</source>
+        <translation>其几何形状没有类型</translation>
+    </message>
+    <message>
+        <source>its key is no number</source>
+        <translation>其键不是数字</translation>
+    </message>
+    <message>
+        <source>its matrix is no rotation</source>
+        <translation>其矩阵不是旋转</translation>
+    </message>
+    <message>
+        <source>it is longer than its size</source>
+        <translation>它超出其大小</translation>
+    </message>
+    <message>
+        <source>it is not a regular file</source>
+        <translation>它不是普通文件</translation>
+    </message>
+    <message>
+        <source>the position of the body</source>
+        <translation>物体的位置</translation>
+    </message>
+    <message>
+        <source>to cut them once more would take too long</source>
+        <translation>重新切削它们耗时过长</translation>
     </message>
 </context>
 <context>
@@ -1693,12 +1809,6 @@
 <context>
     <name>NextSteps</name>
     <message numerus="yes">
-        <source>%Ln triangle(s) turned over</source>
-        <translation>
-            <numerusform>已翻转 %Ln 个三角形</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%Ln non-manifold edge(s)</source>
         <translation>
             <numerusform>%Ln 条非流形边</numerusform>
@@ -1790,10 +1900,6 @@
         <source>Some defects are left.</source>
         <translation>仍有一些缺陷。</translation>
     </message>
-    <message>
-        <source>Watertight, but it passes through itself.</source>
-        <translation>水密,但自身相交。</translation>
-    </message>
     <message numerus="yes">
         <source>%Ln pair(s) of triangles cross. The list of defects cuts them apart.</source>
         <translation>
@@ -1806,21 +1912,19 @@
             <numerusform>%Ln 条单侧面的边</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln self-intersection(s)</source>
+        <translation>
+            <numerusform>%Ln 处自相交</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Closed, but self-intersecting.</source>
+        <translation>封闭，但自相交。</translation>
+    </message>
 </context>
 <context>
     <name>Note</name>
-    <message>
-        <source>The file is closed, manifold and oriented.</source>
-        <translation>文件是封闭、流形且定向一致的。</translation>
-    </message>
-    <message>
-        <source>The file has %1 open edges, %2 edges with more than two faces and %3 edges at which faces disagree.</source>
-        <translation>文件有 %1 条开放边、%2 条超过两个面的边和 %3 条两侧朝向不一致的边。</translation>
-    </message>
-    <message>
-        <source>%1 vertices were moved by the smallest possible amount, so that the file does not weld them.</source>
-        <translation>%1 个顶点已作最小幅度的移动，以免它们在文件中被焊接。</translation>
-    </message>
     <message>
         <source>The file holds one valid solid.</source>
         <translation>文件包含一个有效实体。</translation>
@@ -1861,6 +1965,42 @@
         <source>The body &apos;%1&apos; is linked to %2, which has changed; it is shown as it was before.</source>
         <translation>物体“%1”链接到 %2，该文件已更改；按更改前的样子显示。</translation>
     </message>
+    <message>
+        <source>1 hidden body (%1) was left out.</source>
+        <translation>已略去 1 个隐藏的物体（%1）。</translation>
+    </message>
+    <message>
+        <source>%1 hidden bodies (%2) were left out.</source>
+        <translation>已略去 %1 个隐藏的物体（%2）。</translation>
+    </message>
+    <message>
+        <source>The robot is added as it stands, as one mesh: it has no joints and no colours of its own.</source>
+        <translation>机器人按当前姿态作为一个网格添加：没有关节，也没有自己的颜色。</translation>
+    </message>
+    <message>
+        <source>The file: %1.</source>
+        <translation>文件：%1。</translation>
+    </message>
+    <message>
+        <source>It has %1 open edges, %2 edges with more than two faces, %3 edges at which faces disagree and %4 points at which faces touch that share no edge.</source>
+        <translation>它有 %1 条开放边、%2 条超过两个面的边、%3 条面方向不一致的边，以及 %4 个面相触但无公共边的点。</translation>
+    </message>
+    <message>
+        <source>Vertices moved by the smallest possible amount, so that the file does not weld them: %1.</source>
+        <translation>为避免文件将其合并而以最小量移动的顶点：%1。</translation>
+    </message>
+    <message>
+        <source>The single precision of the format moved vertices by up to %1 mm; the number of self-intersections may change by that.</source>
+        <translation>该格式的单精度使顶点移动了最多 %1 mm；自相交的数量可能因此改变。</translation>
+    </message>
+    <message>
+        <source>The body measures %1 × %2 × %3 mm.</source>
+        <translation>物体尺寸为 %1 × %2 × %3 mm。</translation>
+    </message>
+    <message>
+        <source>The body &apos;%1&apos; has a shape that this program does not know (&apos;%2&apos;): it is kept, but cannot be shown. A newer version may know it.</source>
+        <translation>物体“%1”的形状为本程序所不识（“%2”）：它被保留，但无法显示。较新的版本也许能识别。</translation>
+    </message>
 </context>
 <context>
     <name>Property</name>
@@ -1895,18 +2035,6 @@
     <message>
         <source>Size in Z</source>
         <translation>Z 向尺寸</translation>
-    </message>
-    <message>
-        <source>speed and effort are not known</source>
-        <translation>速度和力未知</translation>
-    </message>
-    <message>
-        <source>effort is not known</source>
-        <translation>力未知</translation>
-    </message>
-    <message>
-        <source>speed is not known</source>
-        <translation>速度未知</translation>
     </message>
     <message>
         <source>Joints</source>
@@ -2668,6 +2796,18 @@
         <source>Cone</source>
         <translation>锥</translation>
     </message>
+    <message>
+        <source>all joints</source>
+        <translation>所有关节</translation>
+    </message>
+    <message>
+        <source>Speed not known</source>
+        <translation>速度未知</translation>
+    </message>
+    <message>
+        <source>Effort not known</source>
+        <translation>力矩未知</translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -2902,6 +3042,50 @@
     <message>
         <source>exact surfaces</source>
         <translation>精确曲面</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>封闭</translation>
+    </message>
+    <message>
+        <source>not closed</source>
+        <translation>未封闭</translation>
+    </message>
+    <message>
+        <source>manifold</source>
+        <translation>流形</translation>
+    </message>
+    <message>
+        <source>not manifold</source>
+        <translation>非流形</translation>
+    </message>
+    <message>
+        <source>oriented</source>
+        <translation>方向一致</translation>
+    </message>
+    <message>
+        <source>not oriented</source>
+        <translation>方向不一致</translation>
+    </message>
+    <message>
+        <source>free of self-intersections</source>
+        <translation>无自相交</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n self-intersection(s)</source>
+        <translation>
+            <numerusform>%n 处自相交</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>one piece</source>
+        <translation>一个整体</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n piece(s)</source>
+        <translation>
+            <numerusform>%n 块</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3474,10 +3658,6 @@
         <translation>放弃本次走刀</translation>
     </message>
     <message>
-        <source>Turning pass</source>
-        <translation>车削走刀</translation>
-    </message>
-    <message>
         <source>cut a pass</source>
         <translation>走一刀</translation>
     </message>
@@ -3492,6 +3672,54 @@
     <message>
         <source>Change bodies</source>
         <translation>更改物体</translation>
+    </message>
+    <message>
+        <source>move the joint or the body</source>
+        <translation>移动关节或物体</translation>
+    </message>
+    <message>
+        <source>pull the whole arm, or move the body up and down</source>
+        <translation>拖动整个手臂，或上下移动物体</translation>
+    </message>
+    <message>
+        <source>move the body without snapping</source>
+        <translation>移动物体（不吸附）</translation>
+    </message>
+    <message>
+        <source>deselect the body</source>
+        <translation>取消选择物体</translation>
+    </message>
+    <message>
+        <source>the mesh has no more triangles than that</source>
+        <translation>网格的三角形不比这更多</translation>
+    </message>
+    <message>
+        <source>a job that changes this mesh is running</source>
+        <translation>正在运行更改此网格的任务</translation>
+    </message>
+    <message>
+        <source>they are the two sides of a plate without thickness, closed as it is</source>
+        <translation>它们是一块无厚度薄板的两面，本身已封闭</translation>
+    </message>
+    <message>
+        <source>no piece is far smaller than the largest</source>
+        <translation>没有比最大块小很多的碎块</translation>
+    </message>
+    <message>
+        <source>move the body</source>
+        <translation>移动物体</translation>
+    </message>
+    <message>
+        <source>move the body up and down</source>
+        <translation>上下移动物体</translation>
+    </message>
+    <message>
+        <source>Turning pass %1: −%2 mm³</source>
+        <translation>车削走刀 %1：−%2 mm³</translation>
+    </message>
+    <message>
+        <source>nothing more: the pass is full, release it</source>
+        <translation>到此为止：走刀已满，请松开</translation>
     </message>
 </context>
 <context>
@@ -3635,6 +3863,24 @@
             <numerusform>已丢弃 %Ln 个自动保存</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Discard…</source>
+        <translation>丢弃…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Discard %Ln document(s) for good?</source>
+        <translation>
+            <numerusform>永久丢弃 %Ln 个文档？</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Their changes since they were last saved cannot be brought back.</source>
+        <translation>自上次保存以来的更改将无法恢复。</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>保留</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::AxisBars</name>
@@ -3664,6 +3910,48 @@
     <message>
         <source>It could not be kept for the next time: %1</source>
         <translation>无法保存以供下次使用：%1</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::BodyList</name>
+    <message>
+        <source>Bodies</source>
+        <translation>物体</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::BodyModel</name>
+    <message>
+        <source>%1, hidden</source>
+        <translation>%1，已隐藏</translation>
+    </message>
+    <message>
+        <source>Linked to %1, which is missing</source>
+        <translation>链接到 %1（缺失）</translation>
+    </message>
+    <message>
+        <source>Linked to %1, which has changed since it was read</source>
+        <translation>链接到 %1（读取后已更改）</translation>
+    </message>
+    <message>
+        <source>Linked to %1</source>
+        <translation>链接到 %1</translation>
+    </message>
+    <message>
+        <source>Hide the body</source>
+        <translation>隐藏物体</translation>
+    </message>
+    <message>
+        <source>Show the body</source>
+        <translation>显示物体</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>显示</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>隐藏</translation>
     </message>
 </context>
 <context>
@@ -3723,18 +4011,6 @@
         <translation>添加物体</translation>
     </message>
     <message>
-        <source>Remove a body</source>
-        <translation>移除物体</translation>
-    </message>
-    <message>
-        <source>Read the linked file again</source>
-        <translation>重新读取链接的文件</translation>
-    </message>
-    <message>
-        <source>Forget the linked file</source>
-        <translation>取消与文件的链接</translation>
-    </message>
-    <message>
         <source>Add a &amp;shape</source>
         <translation>添加形状(&amp;S)</translation>
     </message>
@@ -3775,14 +4051,6 @@
         <translation>同上，并记住该文件，以便更改后重新读取</translation>
     </message>
     <message>
-        <source>Remove the selected body from the cell</source>
-        <translation>从单元中移除所选物体</translation>
-    </message>
-    <message>
-        <source>Neither show nor feel the selected body</source>
-        <translation>所选物体既不显示也不可触摸</translation>
-    </message>
-    <message>
         <source>Show all bodies that are hidden</source>
         <translation>显示所有隐藏的物体</translation>
     </message>
@@ -3793,14 +4061,6 @@
     <message>
         <source>Keep the selected body as it is, whatever becomes of its file</source>
         <translation>无论文件如何变化，保持所选物体不变</translation>
-    </message>
-    <message>
-        <source>Hide a body</source>
-        <translation>隐藏物体</translation>
-    </message>
-    <message>
-        <source>Show all bodies</source>
-        <translation>显示所有物体</translation>
     </message>
     <message>
         <source>Put such a body beside the robot</source>
@@ -3817,6 +4077,93 @@
     <message>
         <source>The bodies stay as they are</source>
         <translation>物体保持不变</translation>
+    </message>
+    <message>
+        <source>Link to an&amp;other file…</source>
+        <translation>链接到其他文件(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Remove the selected bodies from the cell</source>
+        <translation>从单元中移除所选物体</translation>
+    </message>
+    <message>
+        <source>Neither show nor feel the selected bodies</source>
+        <translation>所选物体既不显示也不可触摸</translation>
+    </message>
+    <message>
+        <source>Take the shape of another file; name, place and colour stay</source>
+        <translation>采用另一文件的形状；名称、位置和颜色不变</translation>
+    </message>
+    <message>
+        <source>Open a robot cell first.</source>
+        <translation>请先打开机器人单元。</translation>
+    </message>
+    <message>
+        <source>Select a body first, in the view or in the list.</source>
+        <translation>请先在视图或列表中选择一个物体。</translation>
+    </message>
+    <message>
+        <source>It is hidden.</source>
+        <translation>它已隐藏。</translation>
+    </message>
+    <message>
+        <source>No body is hidden.</source>
+        <translation>没有隐藏的物体。</translation>
+    </message>
+    <message>
+        <source>Select one body only.</source>
+        <translation>请只选择一个物体。</translation>
+    </message>
+    <message>
+        <source>The body is not linked to a file.</source>
+        <translation>该物体未链接到文件。</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>添加 %1</translation>
+    </message>
+    <message>
+        <source>Link %1 to another file</source>
+        <translation>将 %1 链接到其他文件</translation>
+    </message>
+    <message>
+        <source>Read the file of %1 again</source>
+        <translation>重新读取 %1 的文件</translation>
+    </message>
+    <message>
+        <source>Forget the file of %1</source>
+        <translation>取消 %1 的文件链接</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>显示 %1</translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation>隐藏 %1</translation>
+    </message>
+    <message>
+        <source>Show the bodies</source>
+        <translation>显示物体</translation>
+    </message>
+    <message>
+        <source>Hide the bodies</source>
+        <translation>隐藏物体</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>正在读取 %1</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::ColourRow</name>
+    <message>
+        <source>Choose a colour…</source>
+        <translation>选择颜色…</translation>
+    </message>
+    <message>
+        <source>Choose: %1</source>
+        <translation>选择：%1</translation>
     </message>
 </context>
 <context>
@@ -3911,16 +4258,8 @@
         <translation>顶点 %1</translation>
     </message>
     <message>
-        <source>Vertices %1 and %2</source>
-        <translation>顶点 %1 和 %2</translation>
-    </message>
-    <message>
         <source>Triangle %1</source>
         <translation>三角形 %1</translation>
-    </message>
-    <message>
-        <source>Triangles %1 and %2</source>
-        <translation>三角形 %1 和 %2</translation>
     </message>
     <message>
         <source>Piece %1</source>
@@ -4019,6 +4358,10 @@
     <message>
         <source>Edges at which inside becomes outside: as a Möbius strip, the surface has one side only.</source>
         <translation>内侧在这些边处变为外侧：表面如莫比乌斯带，只有一侧。</translation>
+    </message>
+    <message>
+        <source>Pair %1</source>
+        <translation>第 %1 对</translation>
     </message>
 </context>
 <context>
@@ -4292,6 +4635,10 @@
         <source>Change %1</source>
         <translation>更改%1</translation>
     </message>
+    <message>
+        <source>Change %1 of %2</source>
+        <translation>更改 %2 的%1</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::DocumentTabs</name>
@@ -4495,6 +4842,16 @@
         <source>To be noted about %1</source>
         <translation>关于 %1 的提示</translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln more place(s) are damaged</source>
+        <translation>
+            <numerusform>另有 %Ln 处损坏</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 is incomplete</source>
+        <translation>%1 不完整</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::FileSaver</name>
@@ -4553,6 +4910,10 @@
     <message>
         <source>Save again</source>
         <translation>重新保存</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>替换</translation>
     </message>
 </context>
 <context>
@@ -4636,16 +4997,16 @@
         </translation>
     </message>
     <message>
-        <source>%1, by “%2” because the chosen method fits none</source>
-        <translation>%1，因所选方法无解而改用“%2”</translation>
-    </message>
-    <message>
         <source>Compare</source>
         <translation>比较</translation>
     </message>
     <message>
         <source>Show what each method makes of this hole</source>
         <translation>显示每种方法对此孔洞的结果</translation>
+    </message>
+    <message>
+        <source>%1, by “%2”: the chosen method finds no valid patch</source>
+        <translation>%1，用“%2”：所选方法找不到有效的补片</translation>
     </message>
 </context>
 <context>
@@ -4700,6 +5061,10 @@
     <message>
         <source>%1 (waiting)</source>
         <translation>%1（等待中）</translation>
+    </message>
+    <message>
+        <source>for %1</source>
+        <translation>已用 %1</translation>
     </message>
 </context>
 <context>
@@ -4973,14 +5338,6 @@
 <context>
     <name>handwheel::MeshUi</name>
     <message>
-        <source>%1 triangles</source>
-        <translation>%1 个三角形</translation>
-    </message>
-    <message>
-        <source>Opened %1: %2 triangles, %3 holes, %4 triangles turned over</source>
-        <translation>已打开 %1：%2 个三角形，%3 个孔洞，翻转 %4 个三角形</translation>
-    </message>
-    <message>
         <source>Defects</source>
         <translation>缺陷</translation>
     </message>
@@ -5072,6 +5429,34 @@
         <source>%1: %2</source>
         <translation>%1：%2</translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln triangle(s)</source>
+        <translation>
+            <numerusform>%Ln 个三角形</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangle(s)</source>
+        <translation>
+            <numerusform>%n 个三角形</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hole(s)</source>
+        <translation>
+            <numerusform>%n 个孔</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n turned over</source>
+        <translation>
+            <numerusform>%n 个已翻转</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Opened %1: %2</source>
+        <translation>已打开 %1：%2</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::MessageBar</name>
@@ -5084,6 +5469,10 @@
         <translation>
             <numerusform>还有 %n 条</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Show the next message</source>
+        <translation>显示下一条消息</translation>
     </message>
 </context>
 <context>
@@ -5614,6 +6003,10 @@
         <source>The document is as it was before. %1</source>
         <translation>文档保持原样。%1</translation>
     </message>
+    <message>
+        <source>What is left could not be mended without harm; the list of defects names it, and the log says why holes stay open.</source>
+        <translation>剩余的问题无法在不造成损害的情况下修复；缺陷列表会列出它们，日志会说明孔为何保持开放。</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::RigidPartsHaptics</name>
@@ -5661,20 +6054,12 @@
         <translation>已打开 %1：机器人 %2，%3 个连杆，%4 个可动关节</translation>
     </message>
     <message>
-        <source>Joints</source>
-        <translation>关节</translation>
-    </message>
-    <message>
         <source>&amp;Cell</source>
         <translation>单元(&amp;C)</translation>
     </message>
     <message>
         <source>Drag the links of the robot, and the bodies beside it</source>
         <translation>拖动机器人的连杆及其旁边的物体</translation>
-    </message>
-    <message>
-        <source>Drag a link with the mouse, or with Shift the whole arm. The list of joints takes angles. The menu adds bodies beside the robot.</source>
-        <translation>用鼠标拖动连杆，按住 Shift 拖动整条机械臂。关节列表可输入角度。菜单可在机器人旁添加物体。</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -5685,6 +6070,34 @@
         <translation>
             <numerusform>%Ln 个物体</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Bodies</source>
+        <translation>物体</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>%1 is inside something else</source>
+        <translation>%1 位于其他物体内部</translation>
+    </message>
+    <message>
+        <source>It stands where its file says; all else is see-through while it is selected.</source>
+        <translation>它位于文件指定的位置；选中期间其他物体均为透明。</translation>
+    </message>
+    <message>
+        <source>Type another position in the panel.</source>
+        <translation>请在面板中输入其他位置。</translation>
+    </message>
+    <message>
+        <source>Drag a link with the mouse, or with Shift the whole arm. The list of joints takes angles. The panel adds bodies beside the robot.</source>
+        <translation>用鼠标拖动连杆，按住 Shift 拖动整个手臂。关节列表可输入角度。面板可在机器人旁添加物体。</translation>
+    </message>
+    <message>
+        <source>Cell</source>
+        <translation>单元</translation>
     </message>
 </context>
 <context>
@@ -5742,6 +6155,16 @@
     <message>
         <source>Share</source>
         <translation>占比</translation>
+    </message>
+    <message>
+        <source>too slow by %1 %</source>
+        <translation>慢 %1 %</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n input(s) dropped</source>
+        <translation>
+            <numerusform>丢失 %n 个输入</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5983,12 +6406,12 @@
         <translation>或将文件拖放到窗口任意处</translation>
     </message>
     <message>
-        <source>Repair scans, practise at the lathe, plan paths for robots.</source>
-        <translation>修复扫描、练习车削、规划机器人路径。</translation>
-    </message>
-    <message>
         <source>The sample is not installed.</source>
         <translation>示例未安装。</translation>
+    </message>
+    <message>
+        <source>Repair scans, practise at the lathe, arrange robot cells.</source>
+        <translation>修复扫描、练习车削、布置机器人单元。</translation>
     </message>
 </context>
 <context>
@@ -6011,10 +6434,6 @@
         <source>Not manifold</source>
         <translation>非流形</translation>
     </message>
-    <message>
-        <source>%1 non-manifold</source>
-        <translation>%1 处非流形</translation>
-    </message>
     <message numerus="yes">
         <source>%Ln kept open</source>
         <translation>
@@ -6027,25 +6446,13 @@
             <numerusform>%Ln 个已翻转</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%Ln self-intersection(s)</source>
-        <translation>
-            <numerusform>%Ln 处自相交</numerusform>
-        </translation>
+    <message>
+        <source>Not oriented</source>
+        <translation>方向不一致</translation>
     </message>
     <message>
-        <source>Closed and manifold</source>
-        <translation>封闭且流形</translation>
-    </message>
-    <message>
-        <source>Manifold</source>
-        <translation>流形</translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln edge(s) with one side</source>
-        <translation>
-            <numerusform>%Ln 条单侧面的边</numerusform>
-        </translation>
+        <source>Self-intersecting</source>
+        <translation>自相交</translation>
     </message>
 </context>
 <context>
@@ -6161,6 +6568,25 @@
     </message>
 </context>
 <context>
+    <name>handwheel::ToolHost</name>
+    <message>
+        <source>Wheel</source>
+        <translation>滚轮</translation>
+    </message>
+    <message>
+        <source>move the tip in and out</source>
+        <translation>前后移动尖端</translation>
+    </message>
+    <message>
+        <source>Ctrl+wheel</source>
+        <translation>Ctrl+滚轮</translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation>缩放</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::ToolKeys</name>
     <message>
         <source>Tools</source>
@@ -6172,6 +6598,10 @@
     <message>
         <source>This tool has no settings.</source>
         <translation>此工具没有设置。</translation>
+    </message>
+    <message>
+        <source>Not now: %1.</source>
+        <translation>暂不可用：%1。</translation>
     </message>
 </context>
 <context>
@@ -6382,6 +6812,10 @@
     <message>
         <source>Cut the turning part by hand with a round tool</source>
         <translation>用圆头刀具手动切削旋转的工件</translation>
+    </message>
+    <message>
+        <source>It was cut already, so its size is fixed. “Save as” writes STEP, too.</source>
+        <translation>它已被切削，尺寸固定。“另存为”也可写入 STEP。</translation>
     </message>
 </context>
 </TS>

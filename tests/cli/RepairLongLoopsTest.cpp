@@ -98,8 +98,10 @@ class RepairLongLoopsTest : public QObject {
     const QString scan = "/usr/share/opencascade/data/stl/head.stl";
     if (!QFile::exists(scan)) QSKIP("head.stl of the package occt-misc is not installed");
     const Bench bench;
-    QCOMPARE(bench.run({"repair", scan, "-o", "b.stl", "--report", "r.json"}).code, 0);
+    // All holes are closed; but the scan has points at which faces touch, and not all of them can be parted.
+    QCOMPARE(bench.run({"repair", scan, "-o", "b.stl", "--report", "r.json"}).code, 2);
     const Json report = bench.json("r.json");
+    QVERIFY(report.at("after").at("non_manifold_vertices").get<int>() > 0);
     QVERIFY(report.at("loops").size() >= std::size_t(62));  // and what cutting lays open
     int cuts = 0;
     for (const Json& loop : report.at("loops")) {

@@ -182,6 +182,7 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "it is longer than its size"),
     QT_TRANSLATE_NOOP("ErrorWord", "it is not a regular file"),
     QT_TRANSLATE_NOOP("ErrorWord", "the position of the body"),
+    QT_TRANSLATE_NOOP("ErrorWord", "to cut them once more would take too long"),
     QT_TRANSLATE_NOOP("ErrorWord", "its scale leaves no shape"),
     QT_TRANSLATE_NOOP("ErrorWord", "its size is no length"),
     QT_TRANSLATE_NOOP("ErrorWord", "its transformation is not understood"),

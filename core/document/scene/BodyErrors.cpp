@@ -9,6 +9,11 @@ const ErrorDescription BodyError::BodyMissing{
     .sentences = {translatable("ErrorText", "the document has no body '%1'")},
     .advice = {translatable("ErrorText", "Give the name or number of one that it has; 'inspect' lists them.")}};
 
+const ErrorDescription BodyError::Ambiguous{
+    .id = "BodyAmbiguous",
+    .sentences = {translatable("ErrorText", "'%1' is the name of body %2, and the number of another")},
+    .advice = {translatable("ErrorText", "Give the name of the other body, or rename body %2.")}};
+
 const ErrorDescription BodyError::NotLinked{
     .id = "NotLinked",
     .sentences = {translatable("ErrorText", "the body '%1' is not linked to a file")},

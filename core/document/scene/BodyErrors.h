@@ -8,6 +8,7 @@
 namespace handwheel::BodyError {
 
 extern const ErrorDescription BodyMissing;       // {name or number} the document has no such body
+extern const ErrorDescription Ambiguous;         // {text, number} the name of that body, and the number of another
 extern const ErrorDescription NotLinked;         // {name} the body has no file to be read again
 extern const ErrorDescription LinkedFileGone;    // {path}
 extern const ErrorDescription TooManyBodies;     // {most}

@@ -112,17 +112,12 @@ Result<BodyPointer> bodyCalled(const BodySet& bodies, const std::string& text) {
                                   [&](const BodyPointer& body) { return std::to_string(body->id) == text; });
   const BodyPointer numbered = found == bodies.end() ? nullptr : *found;
   if (named && numbered && named != numbered)
-    return Error{BodyOperationError::Ambiguous, {text, std::to_string(named->id)}, {}, {}};
+    return Error{BodyError::Ambiguous, {text, std::to_string(named->id)}, {}, {}};
   if (!named && !numbered) return Error{BodyError::BodyMissing, {text}, {}, {}};
   return named ? named : numbered;
 }
 
 }  // namespace
-
-const ErrorDescription BodyOperationError::Ambiguous{
-    .id = "BodyAmbiguous",
-    .sentences = {translatable("ErrorText", "'%1' is the name of body %2, and the number of another")},
-    .advice = {translatable("ErrorText", "Give the name of the other body, or rename body %2.")}};
 
 const Operation& bodyOperation() {
   static const Operation operation = {

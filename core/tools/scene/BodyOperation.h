@@ -9,10 +9,6 @@
 
 namespace handwheel {
 
-namespace BodyOperationError {
-extern const ErrorDescription Ambiguous;  // {text, number} the name of the body with this number, the number of another
-}
-
 // The operation "body" on a document that holds bodies: adds one, removes it, reads its linked file again, links it to
 // another or cuts the link. A body is named by its name or its number.
 const Operation& bodyOperation();

@@ -78,7 +78,7 @@ class BodyOperationTest : public QObject {
     Body second{.id = 2, .name = "1", .geometry = *PrimitiveGeometry::make(Primitive::Cuboid, {1, 1, 1})};
     const BodySet bodies = oneCube().with(std::make_shared<const Body>(std::move(second)));
     const auto change = bodyChange(valuesOf({{"remove", "1"}}), bodies, kNoKinds, {});
-    QVERIFY(!change && change.error().code == BodyOperationError::Ambiguous);
+    QVERIFY(!change && change.error().code == BodyError::Ambiguous);
     QVERIFY(bodyChange(valuesOf({{"remove", "2"}}), bodies, kNoKinds, {})->edit);
   }
 
