@@ -47,7 +47,7 @@ class TurnTest : public QObject {
 
     const Ran resized = bench.run({"set", "part.handwheel", "diameter=60", "-o", "x.handwheel"});
     QCOMPARE(resized.code, 1);
-    QVERIFY2(resized.err.contains("a bar that was cut already"), resized.err);
+    QVERIFY2(resized.err.contains("The bar was cut already"), resized.err);
     const Ran again = bench.run({"turn", "part.handwheel", "--replay", "--json"});
     QCOMPARE(again.code, 0);
     QVERIFY(reported(again)["same"].get<bool>());

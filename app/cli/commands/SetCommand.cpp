@@ -27,8 +27,8 @@ std::string assign(Document& document, const std::string& word) {
   if (const auto* problem = std::get_if<std::string>(&value)) return *problem;
   if (!property->editable) {
     const auto edit = document.propertyEdit(property->id, std::get<PropertyValue>(value));
-    const bool isFixedNow = !edit && edit.error().code == ErrorCode::Unsupported;  // and says why
-    return isFixedNow ? sentenceFor(edit.error()) : "The property " + name + " follows from others and cannot be set.";
+    const bool saysWhy = !edit && edit.error().code != ErrorCode::ReferenceMissing;
+    return saysWhy ? sentenceFor(edit.error()) : "The property " + name + " follows from others and cannot be set.";
   }
   const Status done = document.setProperty(property->id, std::get<PropertyValue>(value));
   return done ? std::string() : sentenceFor(done.error());

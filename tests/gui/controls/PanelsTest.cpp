@@ -234,7 +234,7 @@ void PanelsTest::servicesKeepTheirRows() {
   services[0].behind = 0.256;
   services[0].dropped = services[2].dropped = 3;
   model.setServices(services);
-  QCOMPARE(text(0, ServiceModel::State), QString("too slow by 26 %, 3 input(s) dropped"));
+  QCOMPARE(text(0, ServiceModel::State), QString("too slow by 26 %, 3 inputs dropped"));
   QCOMPARE(text(2, ServiceModel::State), QString("asleep"));
   services.pop_back();
   model.setServices(services);

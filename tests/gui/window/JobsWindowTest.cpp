@@ -81,16 +81,16 @@ class JobsWindowTest : public QObject {
     WindowDriver driver;
     openHalfRepaired(driver, "twice.stl");
     driver.find<QAction>("decimateTool")->trigger();
-    auto* commit = driver.find<QAbstractButton>("toolAction/commit");
-    QTRY_VERIFY(commit->isEnabled());
+    const auto commit = [&] { return driver.find<QAbstractButton>("toolAction/commit"); };  // made anew at times
+    QTRY_VERIFY(commit()->isEnabled());
     driver.hold();
-    commit->click();
-    QTRY_VERIFY(!commit->isEnabled());
-    QVERIFY2(commit->toolTip().contains("is running"), qPrintable(commit->toolTip()));
+    commit()->click();
+    QTRY_VERIFY(!commit()->isEnabled());
+    QVERIFY2(commit()->toolTip().contains("is running"), qPrintable(commit()->toolTip()));
     driver.release();
     QVERIFY(driver.settle());
     driver.find<QAction>("undo")->trigger();
-    QTRY_VERIFY(commit->isEnabled());
+    QTRY_VERIFY(commit()->isEnabled());
   }
 
   // Each job is in the list, and can be cancelled there. Nobody has to read the log to know what was not saved.

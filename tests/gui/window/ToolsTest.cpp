@@ -199,7 +199,7 @@ class ToolsTest : public QObject {
     };
     for (const bool isApplied : {false, true}) {
       driver.find<QAction>("transformTool")->trigger();
-      QVERIFY(isIdle());
+      QTRY_VERIFY(isIdle());
       choose(choice(driver, "unit"), QStringLiteral("m"));
       QVERIFY(!isIdle());
       if (isApplied) driver.find<QAbstractButton>("toolAction/commit")->click();
@@ -208,12 +208,12 @@ class ToolsTest : public QObject {
       driver.find<QAction>("measureTool")->trigger();
     }
     driver.find<QAction>("transformTool")->trigger();
-    QVERIFY(isIdle());
+    QTRY_VERIFY(isIdle());
     const QString other = m_folder.filePath(QStringLiteral("other.stl"));
     writeStl(other, torusWithHole());
     QVERIFY(driver.open(other));
     driver.find<QAction>("transformTool")->trigger();
-    QVERIFY(isIdle());
+    QTRY_VERIFY(isIdle());
   }
 };
 
