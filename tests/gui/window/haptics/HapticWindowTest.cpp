@@ -8,6 +8,7 @@
 #include "window/haptics/HapticSession.h"
 
 #include <QDockWidget>
+#include <sstream>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -31,7 +32,10 @@ struct HandBench {
   HapticSession& session;
 
   HandBench() : session(*driver.window().findChild<HapticSession*>()) {}
-  ~HandBench() { session.close(); }
+  ~HandBench() {
+    if (QTest::currentTestFailed() && session.latest()) report();
+    session.close();
+  }
 
   bool begin(const QString& file) {
     if (!driver.open(file)) return false;
@@ -56,16 +60,27 @@ struct HandBench {
     pose.position = now().device.position + mapping.viewFromDevice().transpose() * inView / mapping.scale;
     session.simulatedHand()->setTarget(pose);
   }
+  // It comes to rest there, touching nothing: one that flies past would go through an open edge, or touch its inside.
   bool arrives(const Vec3& place, double within) {
     const auto isThere = [&] {
       bringTo(place);
-      return (now().tip.position - place).norm() < within;
+      return (now().tip.position - place).norm() < within && now().tip.velocity.norm() < 10.0 * within &&
+             !now().felt.isContact;
     };
     return QTest::qWaitFor(isThere, kPatienceMs);
   }
   const ServoSample& now() { return *session.latest(); }
   bool waitForContact() {
     return QTest::qWaitFor([this] { return now().felt.isContact && now().felt.force.norm() > 0.0; }, kPatienceMs);
+  }
+  // What a test that failed has last felt.
+  void report() {
+    const ServoSample& s = now();
+    std::ostringstream out;
+    out << "tip " << s.tip.position.transpose() << ", " << s.tip.velocity.norm() << " mm/s; proxy "
+        << s.felt.proxy.transpose() << "; force " << s.felt.force.transpose() << "; contact " << s.felt.isContact
+        << ", held " << s.felt.isHeld << ", scale " << session.mappingInScene().scale << ", tick " << s.tick;
+    qInfo("%s", out.str().c_str());
   }
 };
 
@@ -283,6 +298,7 @@ class HapticWindowTest : public QObject {
     b.driver.find<QAction>("boundaryTool")->trigger();
     b.leadTo(hand + 30.0 * towardsViewer(b));
     QVERIFY(b.arrives(hand + 30.0 * towardsViewer(b), 1.0));
+    QVERIFY(b.arrives(hand + 3.0 * towardsViewer(b), 0.1));
     QTRY_VERIFY_WITH_TIMEOUT(isDrawn() && b.now().felt.isHeld, kPatienceMs);
     b.driver.find<QAction>("snapDevice")->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(!isDrawn() && b.now().felt.force.isZero(0.0), kPatienceMs);
