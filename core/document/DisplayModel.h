@@ -19,6 +19,7 @@ struct DisplayPart {
   Pose pose = Pose::Identity();
   std::array<float, 3> colour{0.72f, 0.74f, 0.78f};  // sRGB, 0…1
   bool smooth = true;                                // shade across edges that are not sharp
+  std::string group = {};                            // parts of one group change their shapes together; empty: alone
 };
 
 // The displayed geometry of a document.

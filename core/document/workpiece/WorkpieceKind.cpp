@@ -213,6 +213,7 @@ DisplayModel WorkpieceKind::display(const Snapshot& content) const {
   if (workpiece.part) return displayOf(workpiece.part->surface, workpiece.stock.position);
   DisplayPart part;
   part.name = "stock";
+  part.group = kStockGroup;
   part.soup = workpiece.mesh->soup();
   part.pose.translation().z() = workpiece.stock.position;
   return {{std::move(part)}};

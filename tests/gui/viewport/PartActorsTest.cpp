@@ -167,6 +167,83 @@ class PartActorsTest : public QObject {
     QVERIFY((actors.bounds().max() - Vec3(5, 4, 4)).norm() < 1e-12);
   }
 
+  // No state is shown that never was: neither half of a change nor a part of before beside those of after.
+  void groupsChangeTogether() {
+    const auto grouped = [](const std::string& name, double size) {
+      DisplayPart part = partAt(name, {0, 0, 0}, shared(boxSoup({size, size, size})));
+      part.group = "bar";
+      return part;
+    };
+    const auto makeOne = [](PartActors& actors) {
+      const auto soup = actors.missing().at(0);
+      PartShape shape = shapeOf(*soup);
+      QVERIFY(actors.setShape(soup, shape));
+      QVERIFY(actors.takeOne() > 0);
+    };
+    PartActors actors(*m_props);
+    const DisplayPart a = grouped("a", 1), b = grouped("b", 2), other = partAt("other", {9, 0, 0});
+    actors.set({a, b, other});
+    makeOne(actors);
+    QVERIFY(shown().empty());
+    makeOne(actors);
+    QCOMPARE(shown().size(), std::size_t{2});
+    makeOne(actors);
+    QCOMPARE(shown().size(), std::size_t{3});
+    // "b" goes, "c" comes, "a" changes; the rest does not wait.
+    const auto before = shown();
+    const std::vector<vtkSmartPointer<vtkActor>> held(before.begin(),
+                                                      before.end());  // so that no other gets its address
+    const DisplayPart a2 = grouped("a", 3), c = grouped("c", 4);
+    actors.set({a2, c});
+    QCOMPARE(shown().size(), std::size_t{2});
+    QVERIFY(shown() == std::vector(before.begin(), before.begin() + 2));
+    makeOne(actors);
+    QVERIFY(shown() == std::vector(before.begin(), before.begin() + 2));
+    makeOne(actors);
+    QCOMPARE(shown().size(), std::size_t{2});
+    QVERIFY(std::find(before.begin(), before.end(), shown()[0]) == before.end());
+    QVERIFY(std::find(before.begin(), before.end(), shown()[1]) == before.end());
+    // What is back before the change was built has not changed.
+    const auto present = shown();
+    actors.set({grouped("a", 5), c});
+    actors.set({a2, c});
+    QVERIFY(actors.missing().empty());
+    QVERIFY(shown() == present);
+    actors.set({});
+    QVERIFY(shown().empty());
+  }
+
+  // A part that changes faster than it is built keeps no other from being shown, and is shown itself.
+  void whatChangesOftenIsShown() {
+    const auto grouped = [](const std::string& name, double size) {
+      DisplayPart part = partAt(name, {0, 0, 0}, shared(boxSoup({size, size, size})));
+      part.group = "bar";
+      return part;
+    };
+    PartActors actors(*m_props);
+    double size = 1.0;
+    DisplayPart still = grouped("still", size);
+    actors.set({grouped("often", size), still});
+    makeAll(actors);
+    still = grouped("still", 100.0);
+    std::set<vtkActor*> seen;
+    std::vector<vtkSmartPointer<vtkActor>> held;  // so that no other gets its address
+    for (int i = 0; i < 20; ++i) {
+      const auto underWay = actors.missing();
+      actors.set({grouped("often", ++size), still});
+      if (underWay.empty()) continue;
+      PartShape shape = shapeOf(*underWay[0]);
+      actors.setShape(underWay[0], shape);
+      actors.takeOne();
+      for (vtkActor* actor : shown()) {
+        if (seen.insert(actor).second) held.emplace_back(actor);
+      }
+    }
+    QVERIFY(seen.size() > 12);  // every second state of the one, and the other
+    makeAll(actors);
+    QCOMPARE(shown().size(), std::size_t{2});
+  }
+
   void whatIsGoneIsFreed() {
     PartActors actors(*m_props);
     auto soup = std::make_shared<const TriangleSoup>(boxSoup({1, 1, 1}));

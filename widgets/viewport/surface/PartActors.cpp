@@ -16,8 +16,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr std::size_t kScanned = 2'000'000;          // points that set() looks at, whatever the size of the soups: 5 ms
-constexpr std::size_t kHoverOutlinePoints = 20'000;  // of all parts
+constexpr std::size_t kScanned = 2'000'000;  // points that set() looks at, whatever the size of the soups: 5 ms
 constexpr double kFadedOpacity = 0.4;
 constexpr float kTint = 0.35f;  // of the accent, in a highlighted part
 constexpr float kSelectedTint = 0.6f;
@@ -42,6 +41,8 @@ void PartActors::set(const std::vector<DisplayPart>& parts) {
     if (!m_shapes.contains(part.soup)) unknown.insert(part.soup);
   }
   const std::size_t scanned = kScanned / std::max<std::size_t>(unknown.size(), 1);
+  std::set<std::string> groups;
+  ++m_changes;
   m_parts.clear();
   for (const DisplayPart& description : parts) {
     Part part;
@@ -55,10 +56,20 @@ void PartActors::set(const std::vector<DisplayPart>& parts) {
     want(part, shapeFor(description.soup, scanned));
     place(part);
     style(part);
+    groups.insert(description.group);
     m_parts.push_back(std::move(part));
   }
-  for (auto& [name, part] : before) remove(part);
+  for (auto& [name, part] : before) {
+    if (part.shown && groups.contains(part.description.group) && !part.description.group.empty()) {
+      part.outdatedSince = m_changes;
+      m_leaving.push_back(std::move(part));
+    } else {
+      remove(part);
+    }
+  }
   before.clear();
+  for (Part& part : m_leaving) groups.insert(part.description.group);
+  for (const std::string& group : groups) showGroup(group);
   std::erase_if(m_shapes, [](const auto& entry) { return entry.second.expired(); });
   updateBounds();
 }
@@ -74,24 +85,65 @@ PartActors::ShapePointer PartActors::shapeFor(const Soup& soup, std::size_t scan
 
 void PartActors::want(Part& part, ShapePointer shape) {
   if (part.wanted == shape) return;
-  // The earliest that is not made is the one under way.
-  if (part.wanted && !part.wanted->isMade && !part.awaited) part.awaited = part.wanted;
+  // The earliest that is not complete is the one under way.
+  const bool isAwaited = part.wanted && part.wanted != part.shown && !part.wanted->isComplete();
+  if (isAwaited && !part.awaited) part.awaited = part.wanted;
   part.wanted = std::move(shape);
-  if (!part.wanted->blocks.empty()) show(part, part.wanted);
+  part.wantedSince = m_changes;
+  if (part.outdatedSince == 0) part.outdatedSince = m_changes;
+  if (part.wanted == part.shown) {
+    part.awaited.reset();
+    part.outdatedSince = 0;
+  } else if (part.description.group.empty() && !part.wanted->blocks.empty()) {
+    show(part, part.wanted);
+  }
+}
+
+// The newest shape that can be shown instead of the present one, or null.
+PartActors::ShapePointer PartActors::Part::complete() const {
+  if (wanted->isComplete()) return wanted;
+  return awaited && awaited->isComplete() ? awaited : nullptr;
 }
 
 void PartActors::show(Part& part, const ShapePointer& shape) {
   remove(part);
   part.shown = shape;
+  part.outdatedSince = shape == part.wanted ? 0 : part.wantedSince;
   part.awaited.reset();
   for (const auto& block : shape->blocks) addActor(part, block);
 }
 
-std::vector<PartActors::Soup> PartActors::missing() const {
-  std::vector<Soup> soups;
+// Shows what came with one call of set() as soon as all of it can be shown. What changes faster than it can be built
+// joins the next call's.
+void PartActors::showGroup(const std::string& group) {
+  if (group.empty()) return;
+  std::set<std::uint64_t> waiting;
   for (const Part& part : m_parts) {
-    const Soup& soup = part.description.soup;
-    if (!part.wanted->isMade && std::find(soups.begin(), soups.end(), soup) == soups.end()) soups.push_back(soup);
+    if (part.isIn(group) && part.outdatedSince > 0 && !part.complete()) waiting.insert(part.outdatedSince);
+  }
+  for (Part& part : m_parts) {
+    if (!part.isIn(group) || part.outdatedSince == 0 || waiting.contains(part.outdatedSince)) continue;
+    show(part, part.complete());
+  }
+  std::erase_if(m_leaving, [&](Part& part) {
+    const bool isGone = part.isIn(group) && !waiting.contains(part.outdatedSince);
+    if (isGone) remove(part);
+    return isGone;
+  });
+}
+
+std::vector<PartActors::Soup> PartActors::missing() const {
+  std::vector<const Part*> parts;
+  for (const Part& part : m_parts) {
+    if (part.wanted->blockCount == 0) parts.push_back(&part);
+  }
+  // One that changes all the time gives way to those of which nothing newer can be shown yet.
+  const auto rank = [](const Part* part) { return std::pair(part->complete() != nullptr, part->outdatedSince); };
+  std::stable_sort(parts.begin(), parts.end(), [&](const Part* a, const Part* b) { return rank(a) < rank(b); });
+  std::vector<Soup> soups;
+  for (const Part* part : parts) {
+    const Soup& soup = part->description.soup;
+    if (std::find(soups.begin(), soups.end(), soup) == soups.end()) soups.push_back(soup);
   }
   return soups;
 }
@@ -99,8 +151,8 @@ std::vector<PartActors::Soup> PartActors::missing() const {
 bool PartActors::setShape(const Soup& soup, PartShape& made) {
   const auto it = m_shapes.find(soup);
   const ShapePointer shape = it == m_shapes.end() ? nullptr : it->second.lock();
-  if (!shape || shape->isMade) return false;
-  shape->isMade = true;
+  if (!shape || shape->blockCount > 0) return false;
+  shape->blockCount = made.blocks.size();
   shape->origin = made.origin;
   shape->faces = std::move(made.faces);
   for (SurfaceGeometry& block : made.blocks) m_queue.emplace_back(shape, std::move(block));
@@ -112,13 +164,16 @@ std::size_t PartActors::takeOne() {
   const auto [shape, geometry] = std::move(m_queue.front());
   m_queue.pop_front();
   shape->blocks.push_back(toPolyData(geometry));
+  std::set<std::string> groups;
   for (Part& part : m_parts) {
     if (part.shown == shape) {
       addActor(part, shape->blocks.back());
     } else if (part.wanted == shape || part.awaited == shape) {
-      show(part, shape);
+      if (part.description.group.empty()) show(part, shape);
+      groups.insert(part.description.group);
     }
   }
+  for (const std::string& group : groups) showGroup(group);
   ++m_built;
   return std::max<std::size_t>(geometry.indices.size() / 3, 1);
 }
@@ -162,13 +217,17 @@ void PartActors::style(const Part& part) const {
 
 void PartActors::setStyle(const SurfaceStyle& style) {
   m_style = style;
-  for (const Part& part : m_parts) this->style(part);
+  for (const auto* parts : {&m_parts, &m_leaving}) {
+    for (const Part& part : *parts) this->style(part);
+  }
 }
 
 void PartActors::setOrigin(const Vec3& origin) {
   if (origin == m_origin) return;
   m_origin = origin;
-  for (const Part& part : m_parts) place(part);
+  for (const auto* parts : {&m_parts, &m_leaving}) {
+    for (const Part& part : *parts) place(part);
+  }
 }
 
 void PartActors::setHighlighted(const std::string& name) {
@@ -201,48 +260,6 @@ bool PartActors::setFaded(const std::vector<DisplayPart>& proposed) {
   m_faded = std::move(names);
   for (const Part& part : m_parts) style(part);
   return true;
-}
-
-void PartActors::updateBounds() {
-  m_bounds.setEmpty();
-  for (const Part& part : m_parts) {
-    const Box& box = part.wanted->outline.box;
-    if (box.isEmpty()) continue;
-    for (const Vec3& corner : cornersOf(box)) m_bounds.extend(part.description.pose * corner);
-  }
-}
-
-std::optional<LayerHit> PartActors::firstHit(const Vec3& origin, const Vec3& direction) const {
-  std::optional<LayerHit> first;
-  for (const Part& part : m_parts) {
-    if (!part.wanted->faces || part.wanted->outline.box.isEmpty()) continue;
-    const Pose inverse = part.description.pose.inverse();
-    const auto hit = part.wanted->faces->firstHit({inverse * origin, inverse.linear() * direction});
-    if (hit && (!first || hit->distance <= first->distance))
-      first = {part.number, origin + hit->distance * direction, hit->distance};
-  }
-  return first;
-}
-
-std::string PartActors::nameOf(std::uint64_t number) const {
-  const auto part = std::find_if(m_parts.begin(), m_parts.end(), [&](const Part& p) { return p.number == number; });
-  return part == m_parts.end() ? std::string() : part->description.name;
-}
-
-std::vector<Vec3> PartActors::outline() const {
-  std::size_t all = 0;
-  for (const Part& part : m_parts) all += part.wanted->outline.points.size();
-  const std::size_t step = all / kHoverOutlinePoints + 1;
-  std::vector<Vec3> points;
-  for (const Part& part : m_parts) {
-    const std::vector<Vec3>& own = part.wanted->outline.points;
-    for (std::size_t i = 0; i < own.size(); i += step) points.push_back(part.description.pose * own[i]);
-    // However many parts there are: the points that touch the box of the part, which stand last.
-    for (std::size_t i = own.size() < 6 ? 0 : own.size() - 6; step > 1 && i < own.size(); ++i) {
-      points.push_back(part.description.pose * own[i]);
-    }
-  }
-  return points;
 }
 
 }  // namespace handwheel

@@ -19,7 +19,8 @@
 namespace handwheel {
 
 // The VTK actors of rigid parts. Parts of one soup share their geometry; a part that only moved gets another matrix. A
-// part whose soup changed shows its former shape until the new one has been built.
+// part whose soup changed shows its former shape until the new one has been built; parts of one group that changed
+// together also change together on the screen.
 class PartActors {
  public:
   using Soup = std::shared_ptr<const TriangleSoup>;
@@ -28,7 +29,7 @@ class PartActors {
 
   // Sets the parts, which are identified by name.
   void set(const std::vector<DisplayPart>& parts);
-  // The soups whose shape is still to be built.
+  // The soups whose shape is still to be built, those first that have been awaited longest.
   std::vector<Soup> missing() const;
   // Takes a finished shape; takeOne() then uploads it block by block. Returns false when no part waits for this soup.
   bool setShape(const Soup& soup, PartShape& made);
@@ -67,8 +68,9 @@ class PartActors {
   struct Shape {
     PartOutline outline;
     Vec3 origin = Vec3::Zero();
-    bool isMade = false;
+    std::size_t blockCount = 0;  // 0: it is not made yet
     std::vector<vtkSmartPointer<vtkPolyData>> blocks;
+    bool isComplete() const { return blockCount > 0 && blocks.size() == blockCount; }
     std::shared_ptr<const FaceHierarchy> faces;
   };
   using ShapePointer = std::shared_ptr<Shape>;
@@ -80,10 +82,15 @@ class PartActors {
     ShapePointer awaited;  // an earlier shape that may be in preparation, and is newer than the shown one; else null
     ShapePointer shown;    // null while there is nothing to show
     std::vector<vtkSmartPointer<vtkActor>> actors;
+    std::uint64_t wantedSince = 0;    // number of the call of set() that brought the wanted shape
+    std::uint64_t outdatedSince = 0;  // and of the one from which on the shown one is out of date; 0: it is not
+    bool isIn(const std::string& group) const { return !group.empty() && description.group == group; }
+    ShapePointer complete() const;
   };
 
   ShapePointer shapeFor(const Soup& soup, std::size_t scanned);
   void want(Part& part, ShapePointer shape);
+  void showGroup(const std::string& group);
   void show(Part& part, const ShapePointer& shape);
   void addActor(Part& part, vtkPolyData* block);
   void remove(Part& part);
@@ -94,9 +101,11 @@ class PartActors {
   LayerProps& m_props;
   const double m_opacity;
   std::vector<Part> m_parts;
+  std::vector<Part> m_leaving;  // are no more, and stay in view until what changed with them is there
   std::map<Soup, std::weak_ptr<Shape>> m_shapes;
   std::deque<std::pair<ShapePointer, SurfaceGeometry>> m_queue;
   std::uint64_t m_lastNumber = 0;
+  std::uint64_t m_changes = 0;  // calls of set()
   Box m_bounds;
   SurfaceStyle m_style;
   Vec3 m_origin = Vec3::Zero();
