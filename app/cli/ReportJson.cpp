@@ -34,6 +34,7 @@ Json toJson(const MeshReport& report) {
       {"closed", report.closed},
       {"manifold", report.manifold},
       {"oriented", report.oriented},
+      {"inside_out_bodies", report.insideOutBodies},
       {"boundary_loops", report.loops.size()},
       {"loops", loops},
       {"non_manifold_edges", report.nonManifoldEdges},

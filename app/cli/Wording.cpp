@@ -16,8 +16,7 @@ std::string counted(std::size_t n, std::string_view one, std::string_view many) 
 std::string leftOpen(const LoopResult& loop) {
   const std::string size = " (" + counted(loop.edges, "edge", "edges") + ")";
   const std::string name = loop.id < 0 ? "A hole that the repair laid open" : "Loop " + std::to_string(loop.id);
-  const std::string hint = loop.reason == FillFailure::Rim ? "; --rims fill fills it all the same" : "";
-  return name + size + " stays open: " + fillFailureReason(loop.reason).toStdString() + hint + ".";
+  return name + size + " stays open: " + fillFailureReason(loop.reason).toStdString() + ".";
 }
 
 // To be said of what was wanted; nothing where all of it was done.
@@ -38,6 +37,10 @@ std::string wordFor(LoopOutcome outcome) {
       return "failed";
   }
   return {};
+}
+
+std::string filledText(std::size_t filled, std::size_t holes) {
+  return holes == 0 ? "No holes" : std::to_string(filled) + " of " + std::to_string(holes) + " holes filled";
 }
 
 std::string reasonSentence(FillFailure failure) {
@@ -67,8 +70,18 @@ std::string changesLine(const RepairReport& repair) {
 
 std::vector<std::string> leftovers(const RepairReport& repair, const MeshReport& after) {
   std::vector<std::string> lines;
+  std::size_t sheets = 0;
   for (const LoopResult& loop : repair.loops) {
-    if (loop.outcome != LoopOutcome::Filled) lines.push_back(leftOpen(loop));
+    const bool isOpen = loop.outcome != LoopOutcome::Filled;
+    if (isOpen && loop.reason == FillFailure::Rim) {
+      ++sheets;
+    } else if (isOpen) {
+      lines.push_back(leftOpen(loop));
+    }
+  }
+  if (sheets > 0) {
+    lines.push_back(counted(sheets, "outer edge of an open sheet stays", "outer edges of open sheets stay") +
+                    " open. --rims back makes thin bodies of the sheets, --rims fill closes the edges as holes.");
   }
   if (lines.empty() && after.boundaryEdges > 0) {
     lines.push_back(counted(after.boundaryEdges, "edge has", "edges have") + " only one face.");
@@ -80,6 +93,10 @@ std::vector<std::string> leftovers(const RepairReport& repair, const MeshReport&
   if (after.inconsistentEdges > 0) {
     lines.push_back("At " + counted(after.inconsistentEdges, "edge", "edges") +
                     " the faces disagree on which side is outside.");
+  }
+  if (after.insideOutBodies > 0) {
+    lines.push_back(counted(after.insideOutBodies, "closed surface is", "closed surfaces are") +
+                    " inside out; 'handwheel edit' with the step reverse turns the outside out.");
   }
   if (after.nonManifoldVertices > 0) {
     lines.push_back("At " + counted(after.nonManifoldVertices, "point", "points") + " faces touch that share no edge.");

@@ -15,6 +15,8 @@ namespace handwheel {
 
 // The name of the outcome in reports.
 std::string wordFor(LoopOutcome outcome);
+// "3 of 4 holes filled", or that there are none.
+std::string filledText(std::size_t filled, std::size_t holes);
 
 // Why a loop was not filled, as a sentence.
 std::string reasonSentence(FillFailure failure);

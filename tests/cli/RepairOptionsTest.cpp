@@ -107,20 +107,22 @@ class RepairOptionsTest : public QObject {
     const Ran ran = bench.run({"repair", "a.off", "-o", "b.stl", "--report", "r.json"});
     QCOMPARE(ran.code, 2);
     QVERIFY(ran.err.contains("outer edge"));
+    QVERIFY(ran.err.contains("1 outer edge of an open sheet stays open. --rims back"));
     QVERIFY(ran.err.contains("--rims fill"));
+    QVERIFY(ran.out.contains("No holes"));
     const Json loop = bench.json("r.json").at("loops").at(0);
     QCOMPARE(loop.at("outcome").get<std::string>(), std::string("kept-open"));
     QCOMPARE(loop.at("reason").get<std::string>(), std::string("It is the outer edge of an open sheet."));
   }
 
-  // A long channel of two walls at a right angle is a sheet; it gets a back, or, asked to, its edge is filled to a bar
+  // A long channel of two walls at a right angle is a sheet; asked to, it gets a back, or its edge is filled to a bar
   // of volume 1·1/2·10.
   void fillRims() {
     const auto at = [](int x, int y) { return std::array<double, 3>{1.0 * x, y == 0 ? 1.0 : 0.0, y == 2 ? 1.0 : 0.0}; };
     const Bench bench;
     bench.put("a.off", grid(10, 2, at, [](int, int) { return false; }).off());
-    QCOMPARE(bench.run({"repair", "a.off", "-o", "b.stl", "--rims", "keep"}).code, 2);
-    QCOMPARE(bench.run({"repair", "a.off", "-o", "b.stl", "--report", "r.json"}).code, 0);
+    QCOMPARE(bench.run({"repair", "a.off", "-o", "b.stl"}).code, 2);
+    QCOMPARE(bench.run({"repair", "a.off", "-o", "b.stl", "--rims", "back", "--report", "r.json"}).code, 0);
     QCOMPARE(bench.json("r.json").at("loops").at(0).at("method").get<std::string>(), std::string("backed"));
     QCOMPARE(
         bench.run({"repair", "a.off", "-o", "b.stl", "--rims", "fill", "--fill", "minimal", "--report", "r.json"}).code,

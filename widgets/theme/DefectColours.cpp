@@ -19,12 +19,13 @@ constexpr std::array<Look, kDefectKinds> kLooks = {{
     {0xffd246a0, "nonmanifold-edge"},
     {0xffd246a0, "nonmanifold-vertex"},
     {0xffe8850c, "one-sided"},
+    {0xffe8850c, "inside-out"},
     {0xff9b6be0, "near-vertices"},
-    {0xffe8850c, "flipped"},
     {0xffd9b400, "degenerate"},
     {0xffd9b400, "duplicate"},
     {0xffdb3a34, "self-intersection"},
     {0xff8a8f98, "debris"},
+    {0xff10a37f, "flipped"},
 }};
 
 }  // namespace

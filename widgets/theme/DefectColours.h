@@ -14,14 +14,15 @@ enum class DefectKind {
   NonManifoldEdge,
   NonManifoldVertex,
   OneSided,
+  InsideOut,
   NearVertex,
-  Flipped,
   Degenerate,
   Duplicate,
   SelfIntersection,
   Debris,
+  Flipped,  // mended already, on opening
 };
-inline constexpr int kDefectKinds = 11;
+inline constexpr int kDefectKinds = 12;
 
 // The colour of a kind of defect. It is the same in lists and in the viewport, in both themes. Hues are from the
 // palette of Okabe and Ito, which people with colour blindness can distinguish; every use is accompanied by the icon.

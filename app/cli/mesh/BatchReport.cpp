@@ -3,10 +3,12 @@
 #include "cli/mesh/BatchReport.h"
 
 #include "cli/ReportJson.h"
+#include "cli/Wording.h"
 #include "document/FileBytes.h"
 #include "document/container/JsonText.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <nlohmann/json.hpp>
 
@@ -171,8 +173,9 @@ std::string sentenceFor(const BatchEntry& entry) {
   } else {
     sentence += ", ";
   }
-  sentence += std::to_string(entry.filled) + " of " + std::to_string(entry.holes) + " holes filled, " +
-              oneDecimal(entry.seconds) + " s";
+  std::string filled = filledText(entry.filled, entry.holes);
+  filled.front() = static_cast<char>(std::tolower(filled.front()));
+  sentence += filled + ", " + oneDecimal(entry.seconds) + " s";
   if (!entry.reason.empty()) sentence += ". " + entry.reason;
   return sentence;
 }

@@ -26,9 +26,9 @@ namespace {
 constexpr double kToldRounding = 1e-6;
 
 std::string summary(const RepairRun& run, const RepairRequest& request) {
-  return std::to_string(filledLoops(run.repair)) + " of " + std::to_string(run.repair.loops.size()) +
-         " holes filled. " + request.output.string() + ": " + stateText(run.after).toStdString() + ".\n" +
-         changesLine(run.repair);
+  const HoleCounts counts = countHoles(run.repair);
+  return filledText(counts.filled, counts.holes) + ". " + request.output.string() + ": " +
+         stateText(run.after).toStdString() + ".\n" + changesLine(run.repair);
 }
 
 // What is to be said of a repair, in full before anything is written: then even the end of memory finds nothing undone.

@@ -93,12 +93,13 @@ Json toJson(const RepairRun& run, const RepairRequest& request, const std::strin
 
 std::string outcomeLine(const RepairRun& run, const RepairRequest& request) {
   const std::vector<std::string> left = leftovers(run.repair, run.after);
+  const HoleCounts counts = countHoles(run.repair);
   const Json outcome{
       {"input", request.input.string()},
       {"output", request.output.string()},
       {"state", run.after.isSound() ? "closed" : "left-open"},
-      {"holes", run.repair.loops.size()},
-      {"filled", filledLoops(run.repair)},
+      {"holes", counts.holes},
+      {"filled", counts.filled},
       {"left", left.size()},
       {"reason", left.empty() ? Json(nullptr) : Json(left.front())},
       {"seconds", run.seconds},
@@ -106,10 +107,15 @@ std::string outcomeLine(const RepairRun& run, const RepairRequest& request) {
   return outcome.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::size_t filledLoops(const RepairReport& repair) {
-  return static_cast<std::size_t>(std::count_if(repair.loops.begin(), repair.loops.end(), [](const LoopResult& loop) {
-    return loop.outcome == LoopOutcome::Filled;
-  }));
+HoleCounts countHoles(const RepairReport& repair) {
+  HoleCounts counts;
+  for (const LoopResult& loop : repair.loops) {
+    const bool isFilled = loop.outcome == LoopOutcome::Filled;
+    if (isFilled ? loop.method == FillMethod::ThickenedSheet : loop.reason == FillFailure::Rim) continue;
+    ++counts.holes;
+    counts.filled += isFilled;
+  }
+  return counts;
 }
 
 }  // namespace handwheel

@@ -17,7 +17,12 @@ nlohmann::ordered_json toJson(const RepairRun& run, const RepairRequest& request
 // "left-open"; "left" counts the defects that keep the file from being closed, and "reason" describes the first.
 std::string outcomeLine(const RepairRun& run, const RepairRequest& request);
 
-// The number of loops that were filled.
-std::size_t filledLoops(const RepairReport& repair);
+// The holes of a repair, and how many of them were filled. The outer edge of a sheet is no hole, nor is it filled by a
+// back.
+struct HoleCounts {
+  std::size_t holes = 0;
+  std::size_t filled = 0;
+};
+HoleCounts countHoles(const RepairReport& repair);
 
 }  // namespace handwheel

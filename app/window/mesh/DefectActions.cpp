@@ -32,12 +32,12 @@ DefectActions::DefectActions(Selection& selection, RepairJobs& jobs, const HoleP
       m_jobs(jobs),
       m_preview(preview),
       m_fidelity(fidelity),
-      m_fix(tr("Mend"), this),
-      m_thickenSheet(tr("Give a &back"), this),
+      m_fix(tr("Fix"), this),
+      m_thickenSheet(tr("&Thicken sheets"), this),
       m_cutAndClose(tr("&Cut and close"), this) {
-  prepare(m_fix, "fixDefect", "repair", tr("Mend what is chosen in the list of defects"));
+  prepare(m_fix, "fixDefect", "repair", tr("Fix the defects selected in the list"));
   prepare(m_thickenSheet, "thickenSheet", "sheet-back",
-          tr("Make a thin body of an open sheet: of the selected one, or of all"));
+          tr("Turn open sheets into thin closed bodies: the selected one, or all"));
   prepare(m_cutAndClose, "cutAndClose", "fill-hole",
           tr("Close the hole across the part, and cut the part where the patch crosses it"));
   connect(&m_fix, &QAction::triggered, this, [this] {
@@ -117,6 +117,17 @@ std::optional<MeshChange> DefectActions::change() const {
       return nonManifoldFix(numbers);
     case DefectKind::OneSided:
       return nonOrientableFix(options());
+    case DefectKind::InsideOut: {
+      FaceSelection faces;
+      for (const std::vector<Face>& body : chosen(defects.insideOut, m_row))
+        for (const Face f : body) faces.add(f);
+      return m_row < 0 ? insideOutFix() : reverseChange(faces);
+    }
+    case DefectKind::Flipped: {
+      FaceSelection faces;
+      for (const Face f : chosen(m_document->document.reversedFaces(), m_row)) faces.add(f);
+      return reverseChange(faces);
+    }
     case DefectKind::NearVertex:
       return nearVertexFix(m_fidelity.values().of(nearWeldSetting()), chosen(defects.nearVertices, m_row));
     case DefectKind::Degenerate:
@@ -133,7 +144,6 @@ std::optional<MeshChange> DefectActions::change() const {
     }
     case DefectKind::Hole:
     case DefectKind::KeptOpen:
-    case DefectKind::Flipped:
       return std::nullopt;
   }
   return std::nullopt;

@@ -31,8 +31,6 @@ std::vector<Face> facesOf(const Inspection& inspection, DefectKind kind) {
   const Defects& defects = inspection.document().defects();
   std::vector<Face> faces;
   switch (kind) {
-    case DefectKind::Flipped:
-      return inspection.document().reversedFaces();
     case DefectKind::Degenerate:
       return defects.degenerateFaces;
     case DefectKind::Duplicate:
@@ -40,6 +38,11 @@ std::vector<Face> facesOf(const Inspection& inspection, DefectKind kind) {
     case DefectKind::SelfIntersection:
       if (!inspection.selfIntersections()) return {};
       for (const auto& [a, b] : *inspection.selfIntersections()) faces.insert(faces.end(), {a, b});
+      return faces;
+    case DefectKind::Flipped:
+      return inspection.document().reversedFaces();
+    case DefectKind::InsideOut:
+      for (const std::vector<Face>& body : defects.insideOut) faces.insert(faces.end(), body.begin(), body.end());
       return faces;
     case DefectKind::Debris:
       for (std::size_t i : inspection.debris()) {
@@ -153,8 +156,8 @@ void DefectScene::drawDefects() {
   if (!m_document) return;
   const Inspection& inspection = m_document->inspection;
   std::vector<FaceMark> faces;
-  for (DefectKind kind : {DefectKind::Debris, DefectKind::Flipped, DefectKind::Degenerate, DefectKind::Duplicate,
-                          DefectKind::SelfIntersection}) {
+  for (DefectKind kind : {DefectKind::InsideOut, DefectKind::Debris, DefectKind::Flipped, DefectKind::Degenerate,
+                          DefectKind::Duplicate, DefectKind::SelfIntersection}) {
     if (m_defects.isShown(kind)) faces.push_back({facesOf(inspection, kind), defectColour(kind)});
   }
   m_layer.setFaceMarks(std::move(faces));

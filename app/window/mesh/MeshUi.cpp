@@ -263,7 +263,7 @@ QString MeshUi::openedText(const DocumentTab& document) const {
   const auto& mesh = static_cast<const MeshTab&>(document);
   const QStringList parts{tr("%n triangle(s)", nullptr, static_cast<int>(mesh.document.mesh().liveFaceCount())),
                           tr("%n hole(s)", nullptr, static_cast<int>(mesh.inspection.holes().size())),
-                          tr("%n turned over", nullptr, static_cast<int>(mesh.inspection.count(DefectKind::Flipped)))};
+                          tr("%n reversed", nullptr, static_cast<int>(mesh.inspection.count(DefectKind::Flipped)))};
   return tr("Opened %1: %2").arg(mesh.document.name(), parts.join(QStringLiteral(", ")));
 }
 

@@ -30,6 +30,7 @@ QString otherFindings(const Inspection& inspection) {
   add(DefectKind::NonManifoldEdge, [](int n) { return NextStepsWords::tr("%Ln non-manifold edge(s)", nullptr, n); });
   add(DefectKind::NonManifoldVertex, [](int n) { return NextStepsWords::tr("%Ln non-manifold point(s)", nullptr, n); });
   add(DefectKind::OneSided, [](int n) { return NextStepsWords::tr("%Ln edge(s) with one side", nullptr, n); });
+  add(DefectKind::InsideOut, [](int n) { return NextStepsWords::tr("%Ln body(ies) inside out", nullptr, n); });
   add(DefectKind::NearVertex, [](int n) { return NextStepsWords::tr("%Ln pair(s) of near vertices", nullptr, n); });
   add(DefectKind::Degenerate, [](int n) { return NextStepsWords::tr("%Ln triangle(s) without area", nullptr, n); });
   add(DefectKind::Duplicate, [](int n) { return NextStepsWords::tr("%Ln duplicate triangle(s)", nullptr, n); });
@@ -101,7 +102,7 @@ NextStep cleanStep(const MeshTab& document, const NextStepActions& actions) {
   } else if (isWorthSaving(document)) {
     step.actions = {actions.saveAs};
     if (const auto turned = static_cast<int>(document.document.reversedFaces().size()); turned > 0) {
-      step.detail = NextStepsWords::tr("%Ln triangle(s) faced the wrong way and were turned over.", nullptr, turned);
+      step.detail = NextStepsWords::tr("%Ln triangle(s) faced the wrong way and were reversed.", nullptr, turned);
     }
   } else {
     step.detail = document.written ? NextStepsWords::tr("Saved as %1.").arg(document.document.name())

@@ -4,6 +4,7 @@
 
 #include "mesh/boundary/BorderVertices.h"
 #include "mesh/defects/DuplicateFaces.h"
+#include "mesh/defects/InsideOutShells.h"
 #include "mesh/defects/NonManifoldVertices.h"
 #include "mesh/structure/CancelPolling.h"
 #include "mesh/structure/EdgeTable.h"
@@ -76,7 +77,7 @@ std::vector<Component> components(const HalfEdgeMesh& mesh, const PositionTriang
 
 MeshState Defects::state(std::optional<std::size_t> selfIntersectingPairs) const {
   return {!components.empty() && loops.empty(), nonManifoldEdges.empty() && nonManifoldVertices.empty(),
-          nonOrientableEdges.empty(), selfIntersectingPairs, components.size()};
+          nonOrientableEdges.empty() && insideOut.empty(), selfIntersectingPairs, components.size()};
 }
 
 std::vector<Component> findComponents(const HalfEdgeMesh& mesh, Progress progress) {
@@ -93,6 +94,7 @@ Defects findDefects(const HalfEdgeMesh& mesh, double nearWeld, Progress progress
       [&](Progress p) { defects.loops = findBoundaryLoops(mesh, *byPosition, p); },
       [&](Progress p) { findCrowded(*byPosition, defects, p); },
       [&](Progress p) { findDegenerate(mesh, defects, p); },
+      [&](Progress p) { defects.insideOut = findInsideOutShells(mesh, p); },
       [&](Progress p) { defects.nearVertices = nearBorderVertices(mesh, {}, nearWeld, p); },
       [&](Progress p) { defects.components = components(mesh, *byPosition, p); },
   };

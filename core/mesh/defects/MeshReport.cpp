@@ -4,6 +4,7 @@
 
 #include "mesh/boundary/BoundaryLoops.h"
 #include "mesh/defects/DuplicateFaces.h"
+#include "mesh/defects/InsideOutShells.h"
 #include "mesh/defects/NonManifoldVertices.h"
 #include "mesh/structure/DisjointSets.h"
 #include "mesh/structure/EdgeTable.h"
@@ -13,12 +14,13 @@
 #include "proximity/TriangleIntersection.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace handwheel {
 namespace {
 
-// Edges and duplicates.
-void countEdges(const TriangleSoup& soup, MeshReport& report, Progress progress) {
+// Edges and duplicates. shells: of triangles; those that share an edge with one other only are joined.
+void countEdges(const TriangleSoup& soup, MeshReport& report, DisjointSets& shells, Progress progress) {
   report.oriented = true;
   const EdgeTable edges(soup.triangles, soup.points.size(), progress.part(0.0, 0.7));
   const auto count = [&](std::uint32_t low, std::uint32_t, std::span<const EdgeTable::Entry> run) {
@@ -30,6 +32,7 @@ void countEdges(const TriangleSoup& soup, MeshReport& report, Progress progress)
     report.nonManifoldEdges += run.size() > 2;
     report.inconsistentEdges += (forward > 1) + (backward > 1);
     report.oriented &= run.size() != 2 || forward == backward;  // of more faces two disagree in any case
+    if (run.size() == 2) shells.join(run[0].halfEdge / 3, run[1].halfEdge / 3);
   };
   edges.forEachEdge(count, progress.part(0.7, 0.9));
   for (const FaceGroup& group : equalFaces(soup.triangles, edges, progress.part(0.9, 1.0))) {
@@ -49,15 +52,17 @@ std::size_t countComponents(const TriangleSoup& soup) {
   return roots;
 }
 
-double signedVolume(const TriangleSoup& soup, const Vec3& origin) {
-  double volume = 0.0;
-  for (const Triangle& t : soup.triangles) {
+// Of the tetrahedra between the triangles and the origin, by shell.
+std::vector<double> signedVolumes(const TriangleSoup& soup, DisjointSets& shells, const Vec3& origin) {
+  std::vector<double> volumes(soup.triangles.size(), 0.0);
+  for (std::uint32_t i = 0; i < soup.triangles.size(); ++i) {
+    const Triangle& t = soup.triangles[i];
     const Vec3 a = soup.points[t[0]] - origin;
     const Vec3 b = soup.points[t[1]] - origin;
     const Vec3 c = soup.points[t[2]] - origin;
-    volume += a.dot(b.cross(c)) / 6.0;
+    volumes[shells.root(i)] += a.dot(b.cross(c)) / 6.0;
   }
-  return volume;
+  return volumes;
 }
 
 }  // namespace
@@ -80,7 +85,8 @@ MeshReport reportOn(const TriangleSoup& soup, SelfIntersections choice, Progress
   for (const Triangle& t : welded.triangles) {
     report.degenerateFaces += isDegenerate({welded.points[t[0]], welded.points[t[1]], welded.points[t[2]]});
   }
-  countEdges(welded, report, progress.part(0.03, 0.06));
+  DisjointSets shells(welded.triangles.size());
+  countEdges(welded, report, shells, progress.part(0.03, 0.06));
   if (progress.cancelled()) return report;
   report.components = countComponents(welded);
   report.nonManifoldVertices =
@@ -88,12 +94,17 @@ MeshReport reportOn(const TriangleSoup& soup, SelfIntersections choice, Progress
   if (progress.cancelled()) return report;
   report.closed = report.triangles > 0 && report.boundaryEdges == 0;
   report.manifold = report.nonManifoldEdges == 0 && report.nonManifoldVertices == 0;
-  if (report.boundaryEdges > 0) {
-    report.loops =
-        reportOn(findBoundaryLoops(buildMesh(welded, progress.part(0.1, 0.2)).mesh, progress.part(0.2, 0.3)));
+  const std::vector<double> volumes = signedVolumes(welded, shells, report.box.center());
+  const bool mayBeInsideOut =
+      report.oriented && std::any_of(volumes.begin(), volumes.end(), [](double v) { return v < 0.0; });
+  if (report.boundaryEdges > 0 || mayBeInsideOut) {
+    const HalfEdgeMesh mesh = buildMesh(welded, progress.part(0.1, 0.2)).mesh;
+    report.loops = reportOn(findBoundaryLoops(mesh, progress.part(0.2, 0.25)));
+    if (mayBeInsideOut) report.insideOutBodies = findInsideOutShells(mesh, progress.part(0.25, 0.3)).size();
+    report.oriented &= report.insideOutBodies == 0;
     if (progress.cancelled()) return report;
   }
-  if (report.closed) report.volumeMm3 = signedVolume(welded, report.box.center());
+  if (report.closed) report.volumeMm3 = std::accumulate(volumes.begin(), volumes.end(), 0.0);
   progress.set(0.3);
   if (choice == SelfIntersections::Count) {
     const auto pairs = selfIntersections(welded.points, welded.triangles, progress.part(0.3, 1.0));

@@ -31,6 +31,7 @@ struct MeshReport : MeshState {
   std::size_t nonManifoldEdges = 0;
   std::size_t nonManifoldVertices = 0;
   std::size_t inconsistentEdges = 0;
+  std::size_t insideOutBodies = 0;  // counted where all edges are consistent
   std::size_t degenerateFaces = 0;
   std::size_t duplicateFaces = 0;
   std::optional<double> volumeMm3;  // only when closed

@@ -21,7 +21,7 @@ struct RepairOptions {
   FillOptions fill;
   double nearWeld = tolerance::kNearWeld;  // share of the diagonal; the setting mesh.near_weld
   std::set<int> keepOpen;                  // loop ids, as in findBoundaryLoops() of the input
-  RimHandling rims = RimHandling::Thicken;
+  RimHandling rims = RimHandling::Keep;
   std::size_t maxEdges = 0;  // loops with more edges stay open; 0: no limit
   bool removeDebris = false;
   bool replaceFoldedRegions = true;  // where nothing else closes a hole (replaceFoldedRegions())

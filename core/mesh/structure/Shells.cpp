@@ -3,6 +3,7 @@
 #include "mesh/structure/Shells.h"
 
 #include "mesh/structure/CancelPolling.h"
+#include "mesh/structure/Orientation.h"
 
 #include <unordered_map>
 
@@ -74,6 +75,17 @@ std::vector<std::vector<Face>> findShells(const HalfEdgeMesh& mesh, Progress pro
     if (shellOf[f] != kNone) shells[shellOf[f]].push_back(f);
   }
   return shells;
+}
+
+// Every face is written once, from what it was before.
+void reverseShells(HalfEdgeMesh& mesh, std::span<const Face> faces) {
+  for (const Face f : faces) {
+    std::array<HalfEdge, 3> opposites;
+    for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h)
+      opposites[reversedHalfEdge(h) % 3] = mesh.hasOpposite(h) ? reversedHalfEdge(mesh.opposite(h)) : mesh.opposite(h);
+    mesh.setTriangle(f, reversed(mesh.triangle(f)));
+    for (HalfEdge k = 0; k < 3; ++k) mesh.setOpposite(3 * f + k, opposites[k]);
+  }
 }
 
 HalfEdgeMesh extracted(const HalfEdgeMesh& mesh, std::span<const Face> faces) {

@@ -15,6 +15,9 @@ namespace handwheel {
 // invalid if cancelled. O(n).
 std::vector<std::vector<Face>> findShells(const HalfEdgeMesh& mesh, Progress progress = {});
 
+// Reverses whole shells: the faces of each look the other way, and neighbours stay neighbours.
+void reverseShells(HalfEdgeMesh& mesh, std::span<const Face> faces);
+
 // Extracts faces as a mesh of their own. Face i is faces[i], vertices are in order of their first use. Edges to faces
 // left out are border; those to others stay as they were. Each face is live and named once.
 HalfEdgeMesh extracted(const HalfEdgeMesh& mesh, std::span<const Face> faces);

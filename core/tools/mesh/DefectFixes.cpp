@@ -5,6 +5,7 @@
 #include "mesh/boundary/Stitching.h"
 #include "mesh/defects/Defects.h"
 #include "mesh/defects/DuplicateFaces.h"
+#include "mesh/defects/InsideOutShells.h"
 #include "mesh/repair/Cleaning.h"
 #include "mesh/repair/CoincidentVertexSeparation.h"
 #include "mesh/repair/FoldedRegionRemoval.h"
@@ -13,9 +14,9 @@
 #include "mesh/repair/ObstructedHoles.h"
 #include "mesh/repair/RepairBudget.h"
 #include "mesh/repair/SheetThickening.h"
-#include "mesh/selection/FaceSelection.h"
 #include "mesh/structure/MeshBounds.h"
 #include "mesh/structure/MeshBuilder.h"
+#include "mesh/structure/Shells.h"
 #include "tools/mesh/LoopText.h"
 #include "tools/mesh/operations/FillOperation.h"
 #include "tools/mesh/operations/MeshOperations.h"
@@ -176,6 +177,27 @@ MeshChange allDebrisFix() {
       {meshOperation("debris").title, [](HalfEdgeMesh& mesh, Progress progress) { removeDebris(mesh, progress); },
        QT_TRANSLATE_NOOP("Tool", "no piece is far smaller than the largest")},
       "debris");
+}
+
+MeshChange insideOutFix() {
+  return withStep(
+      {meshOperation("reverse").title, [](HalfEdgeMesh& mesh, Progress progress) { orientOutward(mesh, progress); },
+       QT_TRANSLATE_NOOP("Tool", "no closed surface is inside out")},
+      "reverse");
+}
+
+MeshChange reverseChange(const FaceSelection& faces) {
+  StepWriter step("reverse");
+  step.word(rangesText(faces));
+  return withStep({meshOperation("reverse").title,
+                   [faces](HalfEdgeMesh& mesh, Progress progress) {
+                     const auto isChosen = [&](Face f) { return faces.contains(f); };
+                     for (const std::vector<Face>& shell : findShells(mesh, progress)) {
+                       if (progress.cancelled()) return;
+                       if (std::any_of(shell.begin(), shell.end(), isChosen)) reverseShells(mesh, shell);
+                     }
+                   }},
+                  step.text());
 }
 
 MeshChange thickenFix(std::vector<Vertex> loops, const FillOptions& options) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "mesh/holes/HoleFiller.h"
+#include "mesh/selection/FaceSelection.h"
 #include "tools/mesh/MeshServices.h"
 
 #include <utility>
@@ -31,6 +32,10 @@ MeshChange intersectionFix(NumberType numbers, std::vector<std::pair<Face, Face>
 MeshChange debrisFix(std::vector<Face> faces);
 // Removes all that findDefects() reports as debris.
 MeshChange allDebrisFix();
+// Reverses the bodies that are inside out.
+MeshChange insideOutFix();
+// Reverses the shells that contain one of these faces. The faces of a shell always agree, so it is reversed as a whole.
+MeshChange reverseChange(const FaceSelection& faces);
 // Turns open sheets into thin bodies. loops: outer edges of the sheets, by their smallest vertex (keyOf()).
 MeshChange thickenFix(std::vector<Vertex> loops, const FillOptions& options);
 // Closes a loop although every patch would intersect the part. The patch is cut apart where it crosses.

@@ -189,6 +189,12 @@ constexpr Verb kVerbs[] = {
     {"debris", readDebris, nullptr},
     {"degenerates", [](StepReader&, const OperationValues&, const MeshDocument&) { return degenerateFix(); }, nullptr},
     {"duplicates", [](StepReader&, const OperationValues&, const MeshDocument&) { return duplicateFix(); }, nullptr},
+    {"reverse",
+     [](StepReader& r, const OperationValues&, const MeshDocument& d) {
+       return r.hasWord() ? reverseChange(r.faces(r.word("a list of triangles"), d.mesh().faceSlots()))
+                          : insideOutFix();
+     },
+     nullptr},
     {"near-vertices", readNearVertices, nullptr},
     {"split-nonmanifold",
      [](StepReader&, const OperationValues& v, const MeshDocument& d) { return nonManifoldFix(numbersFor(d, v)); },

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/mesh/MeshDocument.h"
 #include "mesh/selection/RegionGrowing.h"
+#include "tools/mesh/DefectFixes.h"
 #include "tools/mesh/ManualMeshChanges.h"
 #include "tools/mesh/MeshPreview.h"
 #include "tools/mesh/SelectTool.h"
@@ -24,6 +25,7 @@ constexpr ToolKey kSelectKeys[] = {
     {"previous", "Backspace", QT_TRANSLATE_NOOP("Tool", "previous selection")},
     {"next", "Shift+Backspace", QT_TRANSLATE_NOOP("Tool", "next selection")},
     {"delete", "Del", QT_TRANSLATE_NOOP("Tool", "delete the faces")},
+    {"reverse", "Shift+F", QT_TRANSLATE_NOOP("Tool", "reverse the shells of the faces")},
     {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "done")},
     {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "select nothing")},
 };
@@ -142,6 +144,8 @@ ToolReply SelectTool::perform(std::string_view action) {
     step(action == "next");
   } else if (action == "delete") {
     m_services.commit(deleteChange(present.faces, QT_TRANSLATE_NOOP("Tool", "Delete faces")));
+  } else if (action == "reverse") {
+    m_services.commit(reverseChange(present.faces));
   } else {
     return ToolReply::Ignored;
   }
@@ -203,6 +207,7 @@ std::vector<ToolAction> SelectTool::actions() const {
       actionOf(kSelectKeys, "previous", m_steps.canGoBack()),
       actionOf(kSelectKeys, "next", m_steps.canGoForward()),
       actionOf(kSelectKeys, "delete", some),
+      actionOf(kSelectKeys, "reverse", some),
       actionOf(kSelectKeys, "commit"),
       actionOf(kSelectKeys, "revert", true, selection().empty() ? QT_TRANSLATE_NOOP("Tool", "done") : nullptr),
   };

@@ -50,7 +50,11 @@ QModelIndex DefectModel::loopIndex(int loop) const {
 
 void DefectModel::setShown(DefectKind kind, bool shown) {
   if (isShown(kind) == shown) return;
-  m_shown[static_cast<std::size_t>(kind)] = shown;
+  if (shown) {
+    m_hidden.erase(kind);
+  } else {
+    m_hidden.insert(kind);
+  }
   const QModelIndex group = groupIndex(kind);
   emit dataChanged(group, group);
   emit shownChanged();
@@ -156,6 +160,8 @@ QString DefectModel::rowName(DefectKind kind, int row) const {
     case DefectKind::Degenerate:
     case DefectKind::Duplicate:
       return tr("Triangle %1").arg(row + 1);
+    case DefectKind::InsideOut:
+      return tr("Body %1").arg(row + 1);
     case DefectKind::Debris:
       return tr("Piece %1").arg(row + 1);
   }
@@ -169,11 +175,8 @@ QString DefectModel::rowDetail(DefectKind kind, int row) const {
     const std::vector<Vertex> ends = verticesOf(kind, row);
     return lengthText((mesh.position(ends[0]) - mesh.position(ends[1])).norm(), m_inspection->document().displayUnit());
   }
-  if (kind == DefectKind::Debris) {
-    const std::size_t i = m_inspection->debris()[static_cast<std::size_t>(row)];
-    return tr("%Ln triangle(s)", nullptr,
-              static_cast<int>(m_inspection->document().defects().components[i].faces.size()));
-  }
+  if (kind == DefectKind::Debris || kind == DefectKind::InsideOut)
+    return tr("%Ln triangle(s)", nullptr, static_cast<int>(facesOf(kind, row).size()));
   return {};
 }
 
@@ -183,6 +186,8 @@ std::vector<Face> DefectModel::facesOf(DefectKind kind, int row) const {
   switch (kind) {
     case DefectKind::Flipped:
       return {m_inspection->document().reversedFaces()[i]};
+    case DefectKind::InsideOut:
+      return defects.insideOut[i];
     case DefectKind::Degenerate:
       return {defects.degenerateFaces[i]};
     case DefectKind::Duplicate:
@@ -239,10 +244,12 @@ QString defectKindName(DefectKind kind) {
       return DefectModel::tr("Non-manifold vertices");
     case DefectKind::OneSided:
       return DefectModel::tr("Edges with one side");
+    case DefectKind::InsideOut:
+      return DefectModel::tr("Inside out");
     case DefectKind::NearVertex:
       return DefectModel::tr("Near vertices");
     case DefectKind::Flipped:
-      return DefectModel::tr("Triangles turned over");
+      return DefectModel::tr("Reversed on opening");
     case DefectKind::Degenerate:
       return DefectModel::tr("Degenerate triangles");
     case DefectKind::Duplicate:
@@ -271,8 +278,12 @@ QString defectKindHint(DefectKind kind) {
           "Edges at which inside becomes outside: as a Möbius strip, the surface has one side only.");
     case DefectKind::NearVertex:
       return DefectModel::tr("Vertices on open borders that the file has rounded apart. A repair merges them.");
+    case DefectKind::InsideOut:
+      return DefectModel::tr("Closed surfaces whose triangles face inwards, so that solid and empty are exchanged.");
     case DefectKind::Flipped:
-      return DefectModel::tr("Triangles that faced the wrong way in the file. They were turned over on opening.");
+      return DefectModel::tr(
+          "No defect any more: triangles that faced the other way than their neighbours in the file were reversed on "
+          "opening. “Reverse faces” turns their whole shell, where the others were wrong.");
     case DefectKind::Degenerate:
       return DefectModel::tr("Triangles without area.");
     case DefectKind::Duplicate:

@@ -6,7 +6,7 @@
 
 #include <QAbstractItemModel>
 #include <QPointer>
-#include <array>
+#include <set>
 
 namespace handwheel {
 
@@ -32,7 +32,7 @@ class DefectModel : public QAbstractItemModel {
 
   QModelIndex groupIndex(DefectKind kind) const;
   QModelIndex loopIndex(int loop) const;  // invalid when there is none
-  bool isShown(DefectKind kind) const { return m_shown[static_cast<std::size_t>(kind)]; }
+  bool isShown(DefectKind kind) const { return !m_hidden.contains(kind); }
   void setShown(DefectKind kind, bool shown);
 
   // The bounding box of a row's defect and a direction from which it is visible, for moving the camera there.
@@ -57,7 +57,7 @@ class DefectModel : public QAbstractItemModel {
   std::vector<Vertex> verticesOf(DefectKind kind, int row) const;
 
   QPointer<const Inspection> m_inspection;
-  std::array<bool, kDefectKinds> m_shown = {true, true, true, true, true, true, true, true, true, true, true};
+  std::set<DefectKind> m_hidden = {DefectKind::Flipped};  // that is no defect any more
 };
 
 // The name of a kind: "Holes", "Non-manifold edges", …

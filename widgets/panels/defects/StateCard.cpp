@@ -34,6 +34,7 @@ Verdict verdictOn(const Inspection& inspection) {
     return Verdict{QStringLiteral("warning"), colours.warning, headline};
   };
   if (!state.manifold) return warning(StateCard::tr("Not manifold"));
+  if (inspection.count(DefectKind::InsideOut) > 0) return warning(StateCard::tr("Inside out"));
   if (!state.oriented) return warning(StateCard::tr("Not oriented"));
   if (state.selfIntersectingPairs.value_or(0) > 0) return warning(StateCard::tr("Self-intersecting"));
   if (state.isSound()) return {QStringLiteral("watertight"), colours.success, StateCard::tr("Watertight")};
@@ -47,7 +48,7 @@ QString detailsOf(const Inspection& inspection) {
     if (const auto n = static_cast<int>(inspection.count(kind)); n > 0) parts << phrase(n);
   };
   add(DefectKind::KeptOpen, [](int n) { return StateCard::tr("%Ln kept open", nullptr, n); });
-  add(DefectKind::Flipped, [](int n) { return StateCard::tr("%Ln turned over", nullptr, n); });
+  add(DefectKind::Flipped, [](int n) { return StateCard::tr("%Ln reversed on opening", nullptr, n); });
   // Lines break between the findings, not within one.
   QString text = parts.join(QStringLiteral(", ")).replace(QLatin1Char(' '), QChar::Nbsp);
   text.replace(QLatin1Char(',') + QString(QChar::Nbsp), QStringLiteral(", "));

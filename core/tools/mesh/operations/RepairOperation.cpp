@@ -12,7 +12,9 @@ namespace {
 
 Parameter rimsParameter() {
   return {.property = {.id = "rims", .group = {}, .label = {}, .value = static_cast<double>(RepairOptions().rims)},
-          .meaning = "What becomes of the outer edges of open sheets; a back makes a sheet a thin body",
+          .meaning =
+              "Outer edges of open sheets: keep them open (default), close each sheet to a thin body (back), or fill "
+              "them as holes",
           .word = "HOW",
           .words = {"keep", "back", "fill"}};  // as RimHandling
 }

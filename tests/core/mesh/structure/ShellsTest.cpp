@@ -21,6 +21,7 @@ class ShellsTest : public QObject {
   void bodiesThatTouchAreApart();
   void everyFaceInOneShell();
   void splitAndMergedIsTheSame();
+  void reversedTwiceIsTheSame();
   void extractingCutsBorders();
   void joiningCoincidingBorders();
   void nothing();
@@ -97,6 +98,22 @@ void ShellsTest::splitAndMergedIsTheSame() {
     RC_ASSERT(test::countSeams(merged) == test::countSeams(mesh));
     RC_ASSERT(test::eulerCharacteristic(merged) == test::eulerCharacteristic(mesh));
   }));
+}
+
+// Borders, seams and neighbours included; once, every triangle has its other side out.
+void ShellsTest::reversedTwiceIsTheSame() {
+  for (const TriangleSoup& soup : {test::cube(), test::sphereWithHoles(3, 3, 0.3)}) {
+    const HalfEdgeMesh before = buildMesh(soup).mesh;
+    HalfEdgeMesh mesh = before;
+    for (const std::vector<Face>& shell : findShells(mesh)) reverseShells(mesh, shell);
+    QCOMPARE(validate(mesh), std::string());
+    for (Face f = 0; f < before.faceSlots(); ++f) {
+      const TrianglePoints a = before.points(f), b = mesh.points(f);
+      QCOMPARE((a[1] - a[0]).cross(a[2] - a[0]), Vec3(-(b[1] - b[0]).cross(b[2] - b[0])));
+    }
+    for (const std::vector<Face>& shell : findShells(mesh)) reverseShells(mesh, shell);
+    QVERIFY(test::sameMesh(mesh, before));
+  }
 }
 
 void ShellsTest::extractingCutsBorders() {

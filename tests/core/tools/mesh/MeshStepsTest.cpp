@@ -45,6 +45,7 @@ class MeshStepsTest : public QObject {
   void placing();
   void standardPlaces();
   void deleting();
+  void reversing();
   void filling();
   void bridgesOfAFill();
   void keepingOpen();
@@ -94,6 +95,25 @@ void MeshStepsTest::deleting() {
   tool.perform("delete");
   QCOMPARE(work.step(), std::string("delete 3-5,9,100-101"));
   QCOMPARE(work.check(), std::string());
+}
+
+// The shell of the selected triangles is reversed, and what is inside out then is turned outward again.
+void MeshStepsTest::reversing() {
+  TriangleSoup two = test::cube(1.0);
+  test::append(two, test::cube(1.0, {5, 0, 0}));
+  Work work(two);
+  MeshSelection selection;
+  selection.faces.add(14);
+  SelectTool tool(*work.document, work.services(), selection);
+  tool.perform("reverse");
+  QCOMPARE(work.step(), std::string("reverse 14"));
+  QCOMPARE(work.document->defects().insideOut.size(), std::size_t{1});
+  QVERIFY(!work.document->defects().state({}).oriented);
+  QCOMPARE(work.document->defects().insideOut[0].front(), Face{12});
+  commitChange(*work.document, insideOutFix());
+  QCOMPARE(work.step(1), std::string("reverse"));
+  QVERIFY(work.document->defects().state({}).isSound());
+  QCOMPARE(work.check(2), std::string());
 }
 
 void MeshStepsTest::filling() {

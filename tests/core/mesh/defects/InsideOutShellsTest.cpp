@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/repair/OutwardOrientation.h"
+#include "mesh/defects/InsideOutShells.h"
 
 #include "MeshChecks.h"
 #include "MeshShapes.h"
 #include "TestClass.h"
+#include "mesh/defects/Defects.h"
+#include "mesh/defects/MeshReport.h"
 #include "mesh/structure/MeshBuilder.h"
 #include "mesh/structure/MeshValidator.h"
 
@@ -22,7 +24,7 @@ TriangleSoup together(std::vector<TriangleSoup> parts) {
 
 }  // namespace
 
-class OutwardOrientationTest : public QObject {
+class InsideOutShellsTest : public QObject {
   Q_OBJECT
 
  private slots:
@@ -31,7 +33,7 @@ class OutwardOrientationTest : public QObject {
   void cancelled();
 };
 
-void OutwardOrientationTest::shells_data() {
+void InsideOutShellsTest::shells_data() {
   QTest::addColumn<TriangleSoup>("soup");
   QTest::addColumn<int>("turned");
   QTest::addColumn<double>("volume");  // then; not a number: open
@@ -47,15 +49,23 @@ void OutwardOrientationTest::shells_data() {
   QTest::newRow("three in each other") << together({over(large), inner, over(innermost)}) << 36 << 63.125;
   QTest::newRow("one of two") << together({large, over(beside)}) << 12 << 65.0;
   QTest::newRow("far off") << test::moved(over(test::icosphere(3)), {1e6, -1e6, 1e6}) << 1280 << std::nan("");
+  // A plate without thickness has no inside, whatever the rounding of its volume.
+  TriangleSoup plate = test::disc(64, 8);
+  for (Vec3& p : plate.points) p = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()) * p + Vec3(17, -3, 5);
+  QTest::newRow("plate") << together({plate, test::turnedOver(plate)}) << 0 << std::nan("");
   QTest::newRow("open") << over(test::sphereWithoutCap(2)) << 0 << std::nan("");
 }
 
-void OutwardOrientationTest::shells() {
+void InsideOutShellsTest::shells() {
   QFETCH(TriangleSoup, soup);
   const HalfEdgeMesh before = buildMesh(soup).mesh;
   HalfEdgeMesh mesh = before;
-  QTEST(static_cast<int>(orientOutward(mesh)), "turned");
   QFETCH(int, turned);
+  const MeshReport report = reportOn(soup, SelfIntersections::Skip);
+  QCOMPARE(findDefects(before).insideOut.empty(), turned == 0);
+  QCOMPARE(findDefects(before).insideOut.size(), report.insideOutBodies);
+  QCOMPARE(report.oriented, turned == 0);
+  QCOMPARE(static_cast<int>(orientOutward(mesh)), turned);
   QFETCH(double, volume);
   QCOMPARE(validate(mesh), std::string());
   QCOMPARE(mesh.liveFaceCount(), before.liveFaceCount());
@@ -64,7 +74,7 @@ void OutwardOrientationTest::shells() {
   if (turned > 0) QCOMPARE(orientOutward(mesh), std::size_t{0});  // once is enough
 }
 
-void OutwardOrientationTest::cancelled() {
+void InsideOutShellsTest::cancelled() {
   const HalfEdgeMesh before = buildMesh(test::turnedOver(test::cube())).mesh;
   HalfEdgeMesh mesh = before;
   JobState state;
@@ -73,5 +83,5 @@ void OutwardOrientationTest::cancelled() {
   QVERIFY(test::sameMesh(mesh, before));
 }
 
-HANDWHEEL_TEST(OutwardOrientationTest)
-#include "OutwardOrientationTest.moc"
+HANDWHEEL_TEST(InsideOutShellsTest)
+#include "InsideOutShellsTest.moc"

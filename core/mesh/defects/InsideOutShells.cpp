@@ -1,22 +1,27 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh/repair/OutwardOrientation.h"
+#include "mesh/defects/InsideOutShells.h"
 
-#include "mesh/structure/Orientation.h"
 #include "mesh/structure/Shells.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 namespace handwheel {
 namespace {
 
+constexpr double kVolumeRounding = 1e-14;  // a few rounding errors of area · diagonal
+
 struct Shell {
   std::vector<Face> faces;
   Box box;
   double volume = 0.0;
+  double area = 0.0;
   bool closed = true;
+  // By more than the rounding of a plate without thickness, which has no inside.
+  bool isInsideOut() const { return volume < -kVolumeRounding * area * box.diagonal().norm(); }
 };
 
 Shell shellOf(const HalfEdgeMesh& mesh, std::vector<Face> faces) {
@@ -29,6 +34,7 @@ Shell shellOf(const HalfEdgeMesh& mesh, std::vector<Face> faces) {
   for (Face f : faces) {
     const TrianglePoints p = mesh.points(f);
     shell.volume += (p[0] - origin).dot((p[1] - origin).cross(p[2] - origin)) / 6.0;
+    shell.area += 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
   }
   shell.faces = std::move(faces);
   return shell;
@@ -74,41 +80,35 @@ class Nesting {
   std::size_t m_visits = 0;
 };
 
-// All half-edges of the shell run the other way; neighbours stay neighbours.
-void turn(HalfEdgeMesh& mesh, const Shell& shell) {
-  const auto reversedNumber = [](HalfEdge h) { return h - h % 3 + 2 - h % 3; };  // of the edge from corner k: 2 - k
-  std::vector<std::pair<HalfEdge, HalfEdge>> pairs;
-  for (Face f : shell.faces) {
-    for (HalfEdge h = 3 * f; h < 3 * f + 3; ++h) {
-      if (h < mesh.opposite(h)) pairs.emplace_back(reversedNumber(h), reversedNumber(mesh.opposite(h)));
-    }
-  }
-  for (Face f : shell.faces) mesh.setTriangle(f, reversed(mesh.triangle(f)));
-  for (const auto& [g, h] : pairs) mesh.pair(g, h);
-}
-
 }  // namespace
 
-std::size_t orientOutward(HalfEdgeMesh& mesh, Progress progress) {
+std::vector<std::vector<Face>> findInsideOutShells(const HalfEdgeMesh& mesh, Progress progress) {
   const std::vector<Shell> shells = closedShells(mesh, progress.part(0.0, 0.5));
-  const auto isInsideOut = [](const Shell& s) { return s.volume < 0.0; };
-  const auto suspects = static_cast<std::size_t>(std::count_if(shells.begin(), shells.end(), isInsideOut));
-  if (suspects == 0 || suspects > kMostShellPairs / shells.size()) return 0;
+  const auto suspects =
+      static_cast<std::size_t>(std::count_if(shells.begin(), shells.end(), std::mem_fn(&Shell::isInsideOut)));
+  if (suspects == 0 || suspects > kMostShellPairs / shells.size()) return {};
   Nesting nesting(mesh, progress);
-  std::vector<bool> mustTurn(shells.size(), false);
+  std::vector<std::vector<Face>> found;
+  std::vector<bool> isFound(shells.size(), false);
   for (std::size_t i = 0; i < shells.size(); ++i) {
-    if (!isInsideOut(shells[i])) continue;
+    if (!shells[i].isInsideOut()) continue;
     const auto holdsIt = [&](const Shell& s) { return nesting.liesIn(shells[i], s); };
     if (std::any_of(shells.begin(), shells.end(), holdsIt)) continue;
-    for (std::size_t k = 0; k < shells.size(); ++k)
-      mustTurn[k] = mustTurn[k] || k == i || nesting.liesIn(shells[k], shells[i]);
+    std::vector<Face>& body = found.emplace_back();
+    for (std::size_t k = 0; k < shells.size(); ++k) {
+      if (isFound[k] || (k != i && !nesting.liesIn(shells[k], shells[i]))) continue;
+      isFound[k] = true;
+      body.insert(body.end(), shells[k].faces.begin(), shells[k].faces.end());
+    }
   }
-  if (!nesting.isSure()) return 0;
+  return nesting.isSure() ? found : std::vector<std::vector<Face>>();
+}
+
+std::size_t orientOutward(HalfEdgeMesh& mesh, Progress progress) {
   std::size_t faces = 0;
-  for (std::size_t i = 0; i < shells.size(); ++i) {
-    if (!mustTurn[i]) continue;
-    turn(mesh, shells[i]);
-    faces += shells[i].faces.size();
+  for (const std::vector<Face>& body : findInsideOutShells(mesh, progress)) {
+    reverseShells(mesh, body);
+    faces += body.size();
   }
   return faces;
 }

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/Progress.h"
+#include "mesh/structure/HalfEdgeMesh.h"
+
+#include <vector>
+
+namespace handwheel {
+
+// Limits of findInsideOutShells() on pairs of shells and visits of faces: a second, where a body is full of bubbles.
+inline constexpr std::size_t kMostShellPairs = 10'000'000;
+inline constexpr std::size_t kMostShellVisits = 30'000'000;
+
+// Finds the bodies that are inside out. Each is a closed shell of negative volume that lies in no other closed one, and
+// all that lies in it, which has to be reversed with it, so that a cavity stays one. Open shells have no inside. One
+// list of faces a body. O(n), and for each shell in whose box a shell that is inside out lies, O(faces of that). None
+// if cancelled, or where that would exceed the limits above.
+std::vector<std::vector<Face>> findInsideOutShells(const HalfEdgeMesh& mesh, Progress progress = {});
+
+// Reverses the bodies that are inside out. Returns the number of reversed faces.
+std::size_t orientOutward(HalfEdgeMesh& mesh, Progress progress = {});
+
+}  // namespace handwheel
