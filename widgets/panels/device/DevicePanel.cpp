@@ -106,6 +106,7 @@ void DevicePanel::connectParts() {
 }
 
 void DevicePanel::showDevice(const DeviceInUse& view) {
+  connect(m_live, &LivePage::handLed, this, &DevicePanel::handLed);
   const auto key = [](const DeviceInfo& listing) { return listing.driver + '\n' + listing.address; };
   const bool isSame =
       view.chosen.has_value() == m_chosen.has_value() && (!view.chosen || key(*view.chosen) == key(*m_chosen));
@@ -135,6 +136,10 @@ void DevicePanel::showLoop(const ServoLoopStatus& loop) {
   m_card->showLoop(loop);
   m_timing->showLoop(loop);
 }
+void DevicePanel::showHand(const HandPose& hand) {
+  m_live->showHand(hand);
+}
+
 
 void DevicePanel::showTiming(const ServoStatistics& measure) {
   if (m_timing->isVisible()) m_timing->showTiming(measure);

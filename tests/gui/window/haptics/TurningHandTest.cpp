@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../WindowTestMain.h"
+#include "TurningWindow.h"
+#include "panels/device/AxisBars.h"
+#include "panels/device/ButtonLamps.h"
+
+#include <QDockWidget>
+
+using namespace handwheel;
+using namespace handwheel::test;
+
+namespace {
+
+double distanceFromAxis(const Vec3& place) {
+  return std::hypot(place.x(), place.y());
+}
+
+// The knobs and lamps of the panel "Device", which lead the simulated hand.
+struct HandPanel {
+  WindowDriver& driver;
+  AxisBars* bars = driver.find<AxisBars>("axisBars");
+  ButtonLamps* lamps = driver.find<ButtonLamps>("buttonLamps");
+
+  void show() {
+    driver.find<QDockWidget>("deviceDock")->show();
+    driver.find<QDockWidget>("deviceDock")->raise();
+  }
+  // To this share of the range of an axis, from -1 to 1.
+  void pull(std::size_t axis, double share) const {
+    const QRectF bar = bars->barRect(axis);
+    QTest::mouseClick(bars, Qt::LeftButton, {},
+                      QPointF(bar.center().x() + 0.5 * share * bar.width(), bar.center().y()).toPoint());
+  }
+  void press(int button) const { QTest::mouseClick(lamps, Qt::LeftButton, {}, lamps->lampRect(button - 1).center()); }
+};
+
+}  // namespace
+
+// A bar is turned by the simulated hand, which is led in the panel "Device".
+class TurningHandTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() { QSettings().clear(); }
+
+  // The hand begins before the bar, seen from the front. Led into it the bar holds the nose; with button 1 it cuts.
+  void byTheKnobsOfThePanel() {
+    TurningWindow turning;
+    QVERIFY(turning.begin());
+    HandPanel panel{turning.driver};
+    panel.show();
+    turning.session.choose("simulated", "hand");
+    QTRY_VERIFY_WITH_TIMEOUT(turning.session.latest() != nullptr, kPatienceMs);
+    QVERIFY(turning.driver.settle());
+    const auto now = [&turning]() -> const ServoSample& { return *turning.session.latest(); };
+    QTRY_VERIFY(now().tip.position.y() < -26.0);
+    QTRY_VERIFY(panel.bars->isVisible() && panel.bars->focusPolicy() != Qt::NoFocus);
+    panel.pull(2, -0.5);  // away from the viewer
+    QTRY_VERIFY_WITH_TIMEOUT(now().felt.isContact && now().sent.force.norm() > 0.05, kPatienceMs);
+    QTest::qWait(300);
+    QVERIFY(std::abs(distanceFromAxis(now().felt.proxy) - 26.0) < 0.1);  // the nose of 1 mm rests on the bar of 25
+    QVERIFY(!turning.workpiece().part);
+    panel.press(1);
+    QTRY_VERIFY_WITH_TIMEOUT(distanceFromAxis(now().felt.proxy) < 24.0, kPatienceMs);
+    QVERIFY(turning.driver.find<QLabel>("toolLabel")->isVisible());
+    const double z = now().felt.proxy.z();
+    panel.pull(2, 0.5);
+    QTRY_VERIFY_WITH_TIMEOUT(distanceFromAxis(now().tip.position) > 27.0, kPatienceMs);
+    panel.press(1);
+    QTRY_VERIFY_WITH_TIMEOUT(turning.workpiece().part != nullptr, kPatienceMs);
+    QVERIFY(turning.radiusAt(z) < 23.5);
+  }
+
+  // Between the tip and the viewer there is nothing of the model when the device is opened, and when a document is.
+  void theTipBeginsBeforeTheModel_data() {
+    QTest::addColumn<QString>("document");
+    QTest::addColumn<bool>("isOpenBefore");
+    for (const char* document : {"newWorkpiece", "openShaftSample", "openRobotSample", "openSample"}) {
+      for (const bool isOpenBefore : {false, true})
+        QTest::addRow("%s, the device %s", document, isOpenBefore ? "first" : "last")
+            << QString::fromLatin1(document) << isOpenBefore;
+    }
+  }
+  void theTipBeginsBeforeTheModel() {
+    QFETCH(QString, document);
+    QFETCH(bool, isOpenBefore);
+    TurningWindow turning;
+    const auto takeHand = [&turning] {
+      turning.session.choose("simulated", "hand");
+      return QTest::qWaitFor([&turning] { return turning.session.latest() != nullptr; }, kPatienceMs);
+    };
+    if (isOpenBefore) QVERIFY(takeHand());
+    turning.driver.choose(document.toLatin1());
+    QVERIFY(turning.driver.settle());
+    QTRY_VERIFY_WITH_TIMEOUT(turning.view->isPickingReady(), kPatienceMs);
+    if (!isOpenBefore) QVERIFY(takeHand());
+    QTest::qWait(500);  // what moves the camera has come to rest
+    const Vec3 tip = turning.session.latest()->tip.position, towards = turning.view->camera().towardsViewer();
+    QVERIFY(turning.view->pickAlong(tip, towards).isNothing());
+  }
+
+  // Seen along its axis a long bar is before the middle of the view by more than the height of the view.
+  void beforeALongBarSeenFromItsEnd() {
+    TurningWindow turning;
+    turning.driver.choose("newWorkpiece");
+    QVERIFY(turning.driver.settle());
+    QVERIFY(turning.document().setProperty("length", 500.0));
+    turning.view->setStandardView(StandardView::Top);
+    QVERIFY(turning.driver.settle());
+    turning.session.choose("simulated", "hand");
+    QTRY_VERIFY_WITH_TIMEOUT(turning.session.latest() != nullptr, kPatienceMs);
+    QTest::qWait(500);
+    QVERIFY(turning.session.latest()->tip.position.z() >= 500.0);
+  }
+};
+
+HANDWHEEL_WINDOW_TEST(TurningHandTest)
+#include "TurningHandTest.moc"
