@@ -76,6 +76,22 @@ class TurningWindowTest : public QObject {
     QVERIFY(!turning.workpiece().part);
   }
 
+  // Also the first pass of a document, of which there is nothing else to undo.
+  void undoTakesTheFirstPass() {
+    TurningWindow turning;
+    QVERIFY(turning.begin());
+    auto* undo = turning.driver.find<QAction>("undo");
+    QVERIFY(!undo->isEnabled());
+    QTest::mousePress(turning.view, Qt::LeftButton, {}, turning.pixelOf(28.0, 80.0));
+    turning.moveTo(turning.pixelOf(20.0, 80.0));
+    QTRY_VERIFY(undo->isEnabled());
+    undo->trigger();
+    QTRY_VERIFY(!undo->isEnabled());
+    QTest::mouseRelease(turning.view, Qt::LeftButton, {}, turning.pixelOf(20.0, 80.0));
+    QVERIFY(!turning.workpiece().part);
+    QCOMPARE(turning.document().history()->count(), 0);
+  }
+
   // The label at the nose: the numbers of the place, in the unit of the document.
   void theNoseHasItsNumbers() {
     TurningWindow turning;
