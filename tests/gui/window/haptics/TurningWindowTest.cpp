@@ -116,6 +116,25 @@ class TurningWindowTest : public QObject {
     QTRY_VERIFY(!label->isVisible());
   }
 
+  // A bar that grows out of the view is fitted again; otherwise the camera stays as it is.
+  void aBarThatGrowsStaysInTheView() {
+    TurningWindow turning;
+    QVERIFY(turning.begin());
+    const double height = turning.view->camera().height;
+    turning.driver.edit("length", "95");
+    QTest::qWait(50);  // what is fitted is fitted by now
+    QCOMPARE(turning.view->camera().height, height);
+    turning.driver.edit("length", "300");
+    QVERIFY(turning.driver.settle());
+    QTRY_VERIFY(turning.view->camera().height > 300.0);
+    CameraState near = turning.view->camera();
+    near.height = 20.0;
+    turning.view->setCamera(near);
+    turning.driver.edit("diameter", "80");  // it was not seen whole before
+    QTest::qWait(50);
+    QCOMPARE(turning.view->camera().height, 20.0);
+  }
+
   // The hand feels the bar as it is; pressed with the button held it goes in, and the release is the undo step.
   void byTheHand() {
     TurningWindow turning;
