@@ -52,8 +52,9 @@ bool isInView(const Viewport& view, const StockCylinder& stock) {
 
 WorkpieceUi::WorkpieceUi(const WindowContext& window) : RigidPartsUi(window, {"Stock"}) {
   connect(&window.tools, &ToolHost::updated, this, &WorkpieceUi::followTool);
-  // When the tool shows the change, too.
+  // When the tool shows the change, too, and it is in the history.
   connect(this, &KindUi::stateChanged, this, &WorkpieceUi::followSize, Qt::QueuedConnection);
+  connect(this, &KindUi::stateChanged, this, &WorkpieceUi::explainLocks, Qt::QueuedConnection);
 }
 
 std::unique_ptr<DocumentTab> WorkpieceUi::open(std::unique_ptr<Document> document) {
@@ -115,6 +116,18 @@ void WorkpieceUi::followSize() {
   if (std::exchange(m_sized, document()) != document() || isSame) return;
   Viewport& view = parts().viewport;
   if (isInView(view, before) && !isInView(view, stock)) view.fit();
+}
+
+// A field that has become read-only is another one, and the old may be there still.
+void WorkpieceUi::explainLocks() {
+  if (!document()) return;
+  const bool isCut = static_cast<const WorkpieceDocument&>(document()->document).workpiece().part != nullptr;
+  const QString reason = document()->document.history()->canUndo() ? tr("Undo the passes to change the size.")
+                                                                   : tr("It was cut already, so its size is fixed.");
+  for (const char* field : {"property/diameter", "property/length"}) {
+    for (QWidget* row : panel()->findChildren<QWidget*>(QString::fromLatin1(field)))
+      row->setToolTip(isCut ? reason : QString());
+  }
 }
 
 NextStep WorkpieceUi::nextStep() {

@@ -29,6 +29,7 @@ class WorkpieceUi : public RigidPartsUi {
   std::unique_ptr<Tool> turnTool();
   void followTool();
   void followSize();
+  void explainLocks();
 
   std::shared_ptr<TurningChannel> m_felt;  // of the tool whose force source is in the haptic scene; null: none
   TurningTool m_feltSettings;

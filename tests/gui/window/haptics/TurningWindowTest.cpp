@@ -135,6 +135,23 @@ class TurningWindowTest : public QObject {
     QCOMPARE(turning.view->camera().height, 20.0);
   }
 
+  // What is locked says why.
+  void lockedSizesSayWhy() {
+    TurningWindow turning;
+    QVERIFY(turning.begin());
+    turning.drag(turning.pixelOf(22.0, 30.0), turning.pixelOf(22.0, 60.0));
+    QVERIFY(turning.workpiece().part);
+    const auto tip = [&](const char* field) {
+      const auto rows = turning.driver.window().findChildren<QWidget*>(QString::fromLatin1(field));
+      return std::any_of(rows.begin(), rows.end(), [](const QWidget* row) {
+        return row->isVisible() && row->toolTip() == QStringLiteral("Undo the passes to change the size.");
+      });
+    };
+    QTRY_VERIFY(tip("property/diameter") && tip("property/length"));
+    turning.driver.click("quickActions/undo");
+    QTRY_VERIFY(!tip("property/diameter") && !tip("property/length"));
+  }
+
   // The hand feels the bar as it is; pressed with the button held it goes in, and the release is the undo step.
   void byTheHand() {
     TurningWindow turning;
