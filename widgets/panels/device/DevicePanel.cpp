@@ -95,6 +95,10 @@ void DevicePanel::addPage(QWidget* page, const QString& title) {
   m_pages->addTab(page, title);
 }
 
+void DevicePanel::showPage(QWidget* page) {
+  m_pages->setCurrentWidget(page);
+}
+
 void DevicePanel::connectParts() {
   connect(m_card, &DeviceCard::deviceChosen, this, &DevicePanel::deviceChosen);
   connect(m_card, &DeviceCard::deviceLeft, this, &DevicePanel::deviceLeft);
@@ -102,11 +106,11 @@ void DevicePanel::connectParts() {
   connect(m_card, &DeviceCard::realTimeAdviceRequested, this, [this] { m_pages->setCurrentIndex(2); });
   connect(m_live, &LivePage::forceOnChanged, this, &DevicePanel::forceOnChanged);
   connect(m_live, &LivePage::forceTestRequested, this, &DevicePanel::forceTestRequested);
+  connect(m_live, &LivePage::handLed, this, &DevicePanel::handLed);
   connect(m_mapping, &MappingForm::mappingChanged, this, &DevicePanel::mappingChanged);
 }
 
 void DevicePanel::showDevice(const DeviceInUse& view) {
-  connect(m_live, &LivePage::handLed, this, &DevicePanel::handLed);
   const auto key = [](const DeviceInfo& listing) { return listing.driver + '\n' + listing.address; };
   const bool isSame =
       view.chosen.has_value() == m_chosen.has_value() && (!view.chosen || key(*view.chosen) == key(*m_chosen));
@@ -132,14 +136,14 @@ void DevicePanel::showSample(const ServoSample& sample) {
   showSafety(m_memory.add(sample.actions, sample.tip.time));
 }
 
-void DevicePanel::showLoop(const ServoLoopStatus& loop) {
-  m_card->showLoop(loop);
-  m_timing->showLoop(loop);
-}
 void DevicePanel::showHand(const HandPose& hand) {
   m_live->showHand(hand);
 }
 
+void DevicePanel::showLoop(const ServoLoopStatus& loop) {
+  m_card->showLoop(loop);
+  m_timing->showLoop(loop);
+}
 
 void DevicePanel::showTiming(const ServoStatistics& measure) {
   if (m_timing->isVisible()) m_timing->showTiming(measure);

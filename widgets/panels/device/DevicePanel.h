@@ -33,12 +33,13 @@ class DevicePanel : public QWidget {
 
   // Adds a page after the others.
   void addPage(QWidget* page, const QString& title);
+  void showPage(QWidget* page);
 
   void showDevice(const DeviceInUse& view);
   void setMapping(const WorkspaceMapping& mapping);
   void showSample(const ServoSample& sample);  // at the rate of the display
-  void showLoop(const ServoLoopStatus& loop);  // at a low rate, as the next
   void showHand(const HandPose& hand);         // of a device that nobody holds: where its hand is led to
+  void showLoop(const ServoLoopStatus& loop);  // at a low rate, as the next
   void showTiming(const ServoStatistics& measure);
 
  signals:
@@ -49,8 +50,8 @@ class DevicePanel : public QWidget {
   void mappingChanged(const handwheel::WorkspaceMapping& mapping);
   void forceOnChanged(bool isOn);
   void forceTestRequested();
-
   void handLed(const handwheel::HandPose& hand);
+
  protected:
   void hideEvent(QHideEvent* event) override;
 

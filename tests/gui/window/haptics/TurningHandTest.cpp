@@ -113,6 +113,21 @@ class TurningHandTest : public QObject {
     QTest::qWait(500);
     QVERIFY(turning.session.latest()->tip.position.z() >= 500.0);
   }
+
+  // A click on the sign leads to the recordings.
+  void theSignShowsTheRecordings() {
+    TurningWindow turning;
+    QVERIFY(turning.begin() && turning.takeHand());
+    auto* sign = turning.driver.find<QToolButton>("recordingSign");
+    auto* list = turning.driver.find<QWidget>("recordingList");
+    QVERIFY(!list->isVisible());
+    turning.driver.choose("recordDevice");
+    QTRY_VERIFY(sign->isVisible());
+    QTest::mouseClick(sign, Qt::LeftButton);
+    QTRY_VERIFY(list->isVisible());
+    turning.session.close();
+    QVERIFY(!sign->isVisible());
+  }
 };
 
 HANDWHEEL_WINDOW_TEST(TurningHandTest)
