@@ -15,7 +15,7 @@ namespace handwheel {
 
 namespace {
 
-constexpr Limits kNoseRadii{0.05, 50.0};    // mm
+constexpr Limits kNoseRadii{TurningPass::kLeastNose, TurningPass::kLargestNose};
 constexpr Limits kResistances{1e-3, 10.0};  // N·s/mm
 
 // The circle of the nose in the half plane through the axis.

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../WindowTestMain.h"
 #include "TurningWindow.h"
+#include "haptics/recording/ForceRecorder.h"
 #include "panels/device/AxisBars.h"
 #include "panels/device/ButtonLamps.h"
 
 #include <QDockWidget>
+#include <QProcess>
 
 using namespace handwheel;
 using namespace handwheel::test;
@@ -112,6 +114,57 @@ class TurningHandTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(turning.session.latest() != nullptr, kPatienceMs);
     QTest::qWait(500);
     QVERIFY(turning.session.latest()->tip.position.z() >= 500.0);
+  }
+
+  // A recorded session is turned once more by the command line. What can differ: the window begins a pass when it sees
+  // the button, up to a frame after the press, so that the table has some points before it, here beside the bar; and a
+  // point in free space is written as it was read from the device, while the simulation got it by way of its distance
+  // from the axis: the last digits of a cut from there may differ. Otherwise the points are the same, and so is the
+  // part.
+  void aRecordingIsTurnedOnceMore() {
+    const QTemporaryDir folder;
+    const QString bar = folder.filePath("bar.handwheel"), table = folder.filePath("session.csv");
+    const QString again = folder.filePath("again.handwheel");
+    TurningWindow turning;
+    QVERIFY(turning.begin());
+    turning.driver.click("quickActions/saveFile");
+    QVERIFY(turning.driver.enterFileName("saveDialog", bar) && turning.driver.settle());
+    QVERIFY(turning.takeHand());
+    auto* sign = turning.driver.find<QToolButton>("recordingSign");
+    QVERIFY(!sign->isVisible());
+    turning.driver.choose("recordDevice");
+    QTRY_VERIFY(sign->isVisible() && sign->text() == QStringLiteral("Recording 0:00"));
+    QTRY_COMPARE_WITH_TIMEOUT(sign->text(), QStringLiteral("Recording 0:01"), kPatienceMs);
+    for (const double z : {40.0, 70.0}) {
+      turning.leadTo({32.0, 0.0, z}, 0);
+      QTest::qWait(300);
+      turning.leadTo({32.0, 0.0, z}, 1);
+      QTest::qWait(200);
+      turning.leadTo({21.0, 0.0, z}, 1);
+      QTRY_VERIFY_WITH_TIMEOUT(turning.session.latest()->felt.proxy.x() < 24.0, kPatienceMs);
+      turning.leadTo({32.0, 0.0, z}, 1);
+      QTRY_VERIFY_WITH_TIMEOUT(turning.session.latest()->tip.position.x() > 30.0, kPatienceMs);
+      const int passes = turning.document().history()->count();
+      turning.leadTo({32.0, 0.0, z}, 0);
+      QTRY_VERIFY_WITH_TIMEOUT(turning.document().history()->count() > passes, kPatienceMs);
+    }
+    turning.driver.choose("recordDevice");
+    QVERIFY(!sign->isVisible());
+    turning.driver.choose("exportRecording");
+    QVERIFY(turning.driver.enterFileName("exportRecordingDialog", table) && turning.driver.settle());
+    QProcess program;
+    program.start(HANDWHEEL_PROGRAM, {"turn", bar, "--path", table, "-o", again});
+    QVERIFY(program.waitForFinished());
+    QVERIFY2(program.exitCode() == 0, program.readAllStandardError());
+    const TurnedProfile expected = turning.workpiece().part->profile;
+    WindowDriver second;
+    QVERIFY(second.open(again));
+    const auto& turned =
+        static_cast<WorkpieceDocument&>(second.window().findChild<DocumentTabs*>()->current()->document).workpiece();
+    QCOMPARE(turned.part->passes.size(), std::size_t{2});
+    QCOMPARE(turned.part->profile.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      QVERIFY(std::abs(turned.part->profile.radius(i) - expected.radius(i)) < 1e-9);
   }
 
   // A click on the sign leads to the recordings.
