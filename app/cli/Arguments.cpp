@@ -99,6 +99,7 @@ Arguments parseArguments(const CommandSpec& command, std::span<char* const> word
 
 std::string usageLine(const CommandSpec& command) {
   std::string line = "handwheel " + std::string(command.name);
+  if (!command.usage.empty()) return line + " " + std::string(command.usage);
   if (!command.operands.empty()) line += " " + std::string(command.operands);
   for (const OptionSpec& o : command.options) {
     if (o.name == "help") continue;

@@ -26,6 +26,7 @@ struct CommandSpec {
   std::string_view operands;  // separated by spaces, as the help shows them; all are required but a last "[…...]"
   std::string_view summary;
   std::vector<OptionSpec> options;
+  std::string_view usage = {};  // what follows the name in the usage line, where the options depend on one another
 };
 
 // The parsed words of a command line. Kept as bytes, so that any file name is possible.

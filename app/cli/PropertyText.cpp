@@ -12,18 +12,26 @@ namespace handwheel {
 
 namespace {
 
-// Without the digits that a conversion of units leaves.
-std::string numberText(double value, Quantity quantity) {
-  constexpr int kDigits = 12;
+constexpr int kLimitDigits = 12;  // without the digits that a conversion of units leaves
+constexpr int kShownDigits = 6;
+
+std::string numberText(double value, Quantity quantity, int digits) {
   switch (quantity) {
     case Quantity::Length:
-      return roundedText(value, kDigits) + " mm";
+      return roundedText(value, digits) + " mm";
     case Quantity::Angle:
-      return roundedText(value / kRadiansPerDegree, kDigits) + " deg";
+      return roundedText(value / kRadiansPerDegree, digits) + " deg";
     case Quantity::Number:
       break;
   }
-  return roundedText(value, kDigits);
+  return roundedText(value, digits);
+}
+
+// " mm³" of "Volume (mm³)": what is neither a length nor an angle has its unit at the end of its label.
+std::string unitInLabel(const Property& property) {
+  const std::size_t open = property.translated ? property.label.rfind('(') : std::string::npos;
+  if (open == std::string::npos || !property.label.ends_with(')')) return {};
+  return " " + property.label.substr(open + 1, property.label.size() - open - 2);
 }
 
 // What a property takes, as the end of a sentence.
@@ -61,12 +69,13 @@ std::string propertyText(const Property& property) {
   if (const auto* text = std::get_if<std::string>(&property.value)) return *text;
   if (const auto* on = std::get_if<bool>(&property.value)) return *on ? "yes" : "no";
   const double number = std::get<double>(property.value);
-  if (property.choices.empty()) return numberText(number, property.quantity);
+  if (property.choices.empty()) return numberText(number, property.quantity, kShownDigits) + unitInLabel(property);
   return property.choices.at(static_cast<std::size_t>(number));
 }
 
 std::string limitsText(const Property& property) {
-  return numberText(property.least, property.quantity) + " to " + numberText(property.largest, property.quantity);
+  return numberText(property.least, property.quantity, kShownDigits) + " to " +
+         numberText(property.largest, property.quantity, kShownDigits);
 }
 
 std::variant<PropertyValue, std::string> propertyValue(const Property& property, const std::string& word) {
@@ -75,8 +84,8 @@ std::variant<PropertyValue, std::string> propertyValue(const Property& property,
   const auto* number = std::get_if<double>(&*value);
   if (!number) return *value;
   if (const auto kept = withinShownLimits(*number, property.least, property.largest)) return PropertyValue(*kept);
-  return property.id + " must lie between " + numberText(property.least, property.quantity) + " and " +
-         numberText(property.largest, property.quantity) + ".";
+  return property.id + " must lie between " + numberText(property.least, property.quantity, kLimitDigits) + " and " +
+         numberText(property.largest, property.quantity, kLimitDigits) + ".";
 }
 
 }  // namespace handwheel

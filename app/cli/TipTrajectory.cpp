@@ -59,8 +59,12 @@ class PathReader {
         m_columns[k] = column;
       }
     }
-    if (std::find(m_columns.begin(), m_columns.end(), kMissing) != m_columns.end())
-      refuse("The first line must name the columns t_s,x_mm,y_mm,z_mm.");
+    std::string missing;
+    for (std::size_t k = 0; k < kNames.size(); ++k) {
+      if (m_columns[k] == kMissing) missing += (missing.empty() ? "" : ", ") + std::string(kNames[k]);
+    }
+    if (!missing.empty())
+      refuse("The first line must name the columns t_s,x_mm,y_mm,z_mm; it does not have " + missing + ".");
     m_hasHeader = true;
   }
 

@@ -13,6 +13,7 @@
 #include "window/ViewActions.h"
 #include "window/ViewSettings.h"
 #include "window/tools/ToolChoice.h"
+#include "window/tools/ToolHost.h"
 
 #include <QDockWidget>
 #include <QMenuBar>
@@ -66,6 +67,12 @@ void MainWindow::buildMenus() {
     const Tool* const tool = m_tools->runner().tool();
     if (!tool || !tool->isLive() || m_tools->runner().perform("revert") == ToolReply::Ignored) m_undo.undo();
   });
+  const auto enableUndo = [this, undo] {
+    const Tool* const tool = m_tools->runner().tool();
+    undo->setEnabled(m_undo.canUndo() || (tool && tool->isLive()));
+  };
+  connect(&m_undo, &QUndoGroup::canUndoChanged, undo, enableUndo);
+  connect(m_tools, &ToolHost::updated, undo, enableUndo);
   undo->setIcon(icon(QStringLiteral("undo")));
   redo->setIcon(icon(QStringLiteral("redo")));
   undo->setShortcut(QKeySequence::Undo);

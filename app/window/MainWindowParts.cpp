@@ -27,6 +27,7 @@
 #include "window/haptics/DevicePointer.h"
 #include "window/haptics/DeviceView.h"
 #include "window/haptics/HapticFidelity.h"
+#include "window/haptics/RecordingSign.h"
 #include "window/haptics/RecordingsDock.h"
 #include "window/haptics/TickTiming.h"
 #include "window/haptics/TouchPage.h"
@@ -161,9 +162,16 @@ void MainWindow::buildStatusBar() {
   log->setIconSize({16, 16});
   auto* services = new ServiceStatistics(m_services, this);
   connect(services, &QToolButton::clicked, m_statusDock->findChild<PanelToggle*>(), &QAction::trigger);
+  auto* recording = new RecordingSign(m_haptics, this);
+  connect(recording, &QToolButton::clicked, this, [this] {
+    auto* device = m_deviceDock->findChild<DeviceDock*>();
+    device->showPage(device->findChild<RecordingsDock*>());
+    m_deviceDock->show();
+    m_deviceDock->raise();
+  });
   statusBar()->setSizeGripEnabled(false);
   statusBar()->addWidget(m_hints, 1);
-  for (QWidget* widget : std::initializer_list<QWidget*>{m_jobBar, m_figures, services, m_unit, log}) {
+  for (QWidget* widget : std::initializer_list<QWidget*>{m_jobBar, recording, m_figures, services, m_unit, log}) {
     statusBar()->addPermanentWidget(widget);
   }
 }

@@ -11,6 +11,7 @@ namespace handwheel {
 // same profile, bit for bit.
 struct TurningPass {
   static constexpr std::size_t kMostPoints = 10'000'000;
+  static constexpr double kLeastNose = 0.05, kLargestNose = 50.0;  // mm, of the noses that a user may choose
 
   double noseRadius = 1.0;         // mm
   std::vector<ProfilePoint> path;  // of the centre of the nose, (r, z); mm

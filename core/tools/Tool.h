@@ -41,6 +41,7 @@ struct PointerEvent {
   std::optional<Pose> device;  // mm; of the tip of a haptic device, when that is the source
   double focus = 0.0;          // mm from the eye to the focus of the view; 0: not known
   std::optional<Vec3> held;    // mm; the place on a corner or an edge that attracts the device tip
+  std::optional<Vec3> proxy;   // mm; where the device tip is shown, which what it touches holds back
 
   PickRay pickRay() const { return {ray, eye, pixel, focus}; }
 };
@@ -67,6 +68,16 @@ struct KindPreview {
   virtual ~KindPreview() = default;
 };
 
+// Lengths that a tool displays beside a place of the model, in the unit of the document: "⌀ 31.20 mm  Z 45.00 mm".
+struct ToolLabel {
+  struct Figure {
+    std::string prefix;  // symbol of the figure, not translated: "⌀"; may be empty
+    double value = 0.0;  // mm
+  };
+  Vec3 place = Vec3::Zero();  // mm
+  std::vector<Figure> figures;
+};
+
 // Temporary geometry that a tool displays over the document. Nothing of it is in the document.
 struct ToolPreview {
   std::vector<DisplayPart> parts;                 // proposed geometry, drawn translucent
@@ -76,6 +87,7 @@ struct ToolPreview {
   // tool works, only those with another soup are built again.
   std::shared_ptr<const DisplayModel> replaced;
   std::shared_ptr<const KindPreview> ofKind;  // null: nothing more
+  std::optional<ToolLabel> label = {};
 };
 
 // A spring and damper that a tool applies to the device tip. mm and newtons. The servo loop adds those of all tools and

@@ -11,6 +11,19 @@ using namespace handwheel;
 
 namespace {
 
+// The columns of a recording that the window exports.
+const QByteArray kRecordingColumns =
+    "t_s,hip_x,hip_y,hip_z,proxy_x,proxy_y,proxy_z,force_x,force_y,force_z,contact,tick_us,buttons,sent_x,sent_y,"
+    "sent_z,safety,tick,hip_qw,hip_qx,hip_qy,hip_qz,torque_x,torque_y,torque_z,sent_torque_x,sent_torque_y,"
+    "sent_torque_z,hip_vx,hip_vy,hip_vz,period_s,stiffness_limit,damping_limit,restart,in_scene,event,scene\n";
+
+// A row of it: the hand is 3 mm further in than the tool.
+QByteArray row(int tick, double x, double z, int buttons, const QByteArray& event = {}) {
+  const auto n = [](double value) { return QByteArray::number(value); };
+  return n(0.001 * tick) + "," + n(x - 3) + ",0," + n(z) + "," + n(x) + ",0," + n(z) + ",0,0,0,1,5," + n(buttons) +
+         ",0,0,0,0," + n(tick) + ",1,0,0,0,0,0,0,0,0,0,0,0,0,0.001,1,0,0,1," + event + ",\n";
+}
+
 // Along the bar at 21 mm beside the axis, in 3 s.
 const QByteArray kPath = "t_s,x_mm,y_mm,z_mm\n0,0,21,20\n1,0,21,30\n2,21,0,50\n3,-21,0,60\n";
 
@@ -77,6 +90,67 @@ class TurnTest : public QObject {
     QVERIFY(again.out.contains("Passes: 2.") && again.out.contains("give the same part"));
   }
 
+  // Each press of the first button is a pass of the tool, which was where its tip was shown; other rows only move, and
+  // so do those of other tools and buttons. The same as paths, one for each press, give the same part.
+  void aRecordingIsTurned() {
+    const Bench bench;
+    QByteArray table = kRecordingColumns;
+    table += row(0, 30, 10, 0, "tool measure") + row(1, 10, 10, 1) + row(2, 10, 10, 0, "tool turn");
+    table += row(3, 27, 20, 0) + row(4, 27, 20, 1) + row(5, 24, 20, 1) + row(6, 24, 40, 3) + row(7, 27, 40, 0);
+    table += row(8, 15, 50, 2);
+    table += row(9, 27, 60, 1) + row(10, 22, 60, 1) + row(11, 27, 60, 0);
+    table += row(12, 28, 80, 1) + row(13, 28, 85, 1) + row(14, 28, 85, 0);  // beside the bar
+    bench.put("session.csv", table);
+    bench.put("first.csv", "t_s,x_mm,y_mm,z_mm\n0.004,27,0,20\n0.005,24,0,20\n0.006,24,0,40\n");
+    bench.put("second.csv", "t_s,x_mm,y_mm,z_mm\n0.009,27,0,60\n0.01,22,0,60\n");
+    QCOMPARE(bench.run({"new", "workpiece", "-o", "bar.handwheel"}).code, 0);
+    const Ran ran = bench.run({"turn", "bar.handwheel", "--path", "session.csv", "-o", "part.handwheel", "--json"});
+    QVERIFY2(ran.code == 0, ran.err);
+    QCOMPARE(reported(ran)["passes"].get<int>(), 2);
+    QCOMPARE(bench.run({"turn", "bar.handwheel", "--path", "first.csv", "-o", "one.handwheel"}).code, 0);
+    const Ran paths = bench.run({"turn", "one.handwheel", "--path", "second.csv", "-o", "two.handwheel", "--json"});
+    QVERIFY2(paths.code == 0, paths.err);
+    QCOMPARE(reported(ran)["removed"].get<double>(), reported(paths)["removed"].get<double>());
+
+    bench.put("less.csv", table.replace("proxy_x", "a").replace("buttons", "b"));
+    const Ran less = bench.run({"turn", "bar.handwheel", "--path", "less.csv", "-o", "x.handwheel"});
+    QCOMPARE(less.code, 1);
+    QVERIFY2(less.err.contains("less.csv") && less.err.contains("buttons, proxy_x."), less.err);
+    QVERIFY(!bench.names().contains("x.handwheel"));
+  }
+
+  // A path beside the part is no pass, of a bar and of a part.
+  void aPathThatTouchesNothingIsNoPass() {
+    const Bench bench;
+    bench.put("p.csv", kPath);
+    bench.put("beside.csv", "t_s,x_mm,y_mm,z_mm\n0,27,0,20\n1,27,0,80\n");
+    QCOMPARE(bench.run({"new", "workpiece", "-o", "bar.handwheel"}).code, 0);
+    QCOMPARE(bench.run({"turn", "bar.handwheel", "--path", "p.csv", "-o", "part.handwheel"}).code, 0);
+    for (const char* name : {"bar.handwheel", "part.handwheel"}) {
+      const Ran ran = bench.run({"turn", name, "--path", "beside.csv", "-o", "x.handwheel"});
+      QCOMPARE(ran.code, 2);
+      QVERIFY2(ran.err.contains("The path does not touch the part"), ran.err);
+      QVERIFY(!bench.names().contains("x.handwheel"));
+    }
+  }
+
+  // Units, and six digits: 25² π · 100 mm³ and 2 · 25² π + 50 π · 100 mm².
+  void isInspectedWithUnits() {
+    const Bench bench;
+    QCOMPARE(bench.run({"new", "workpiece", "-o", "bar.handwheel"}).code, 0);
+    const Ran ran = bench.run({"inspect", "bar.handwheel"});
+    QVERIFY2(ran.out.contains("  diameter: 50 mm\n") && ran.out.contains("  volume: 196350 mm³\n"), ran.out);
+    QVERIFY2(ran.out.contains("  area: 19635 mm²\n"), ran.out);
+  }
+
+  void theUsageSaysWhatGoesTogether() {
+    const Bench bench;
+    const Ran ran = bench.run({"turn", "--help"});
+    QVERIFY2(ran.out.startsWith("Usage: handwheel turn IN (--path P.csv -o OUT [--nose-radius MM] [--spacing MM] | "
+                                "--replay) [--json]\n"),
+             ran.out);
+  }
+
   void mistakes() {
     const Bench bench;
     bench.put("p.csv", kPath);
@@ -92,7 +166,11 @@ class TurnTest : public QObject {
     QVERIFY(refuses({"turn", "bar.handwheel", "--replay", "-o", "x.handwheel"}, "leave out -o"));
     QVERIFY(refuses({"turn", "bar.handwheel", "--path", "p.csv", "-o", "x.handwheel", "--nose-radius", "0"},
                     "--nose-radius"));
+    for (const char* radius : {"0.049", "50.1"})  // as in the window
+      QVERIFY(refuses({"turn", "bar.handwheel", "--path", "p.csv", "-o", "x.handwheel", "--nose-radius", radius},
+                      "from 0.05 to 50."));
     QVERIFY(refuses({"turn", "bar.handwheel", "--path", "bad.csv", "-o", "x.handwheel"}, "bad.csv"));
+    QVERIFY(refuses({"turn", "bar.handwheel", "--path", "bad.csv", "-o", "x.handwheel"}, "y_mm, z_mm"));
     QVERIFY(refuses({"turn", "bar.handwheel", "--path", "none.csv", "-o", "x.handwheel"}, "none.csv"));
     QVERIFY(refuses({"turn", "a.off", "--path", "p.csv", "-o", "x.handwheel"}, "no workpiece"));
     QVERIFY(!bench.names().contains("x.handwheel"));

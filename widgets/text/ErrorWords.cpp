@@ -94,7 +94,6 @@ constexpr const char* kPhrases[] = {
     QT_TRANSLATE_NOOP("ErrorWord", "chord tolerance"),
     // of a turned part
     QT_TRANSLATE_NOOP("ErrorWord", "the number of samples is missing or impossible"),
-    QT_TRANSLATE_NOOP("ErrorWord", "another size of a bar that was cut already; undo its passes first"),
     QT_TRANSLATE_NOOP("ErrorWord", "passes"),
     QT_TRANSLATE_NOOP("ErrorWord", "samples of the profile"),
     // the written file does not read back as it should

@@ -23,9 +23,10 @@ struct HapticSession::ActiveDevice {
   std::shared_ptr<ServoLoop> loop;
   std::unique_ptr<ForceRecorder> recorder;  // destroyed before its loop
   std::optional<ServoSample> sample;
-  bool isMoving = false;                    // the view is being changed, and
-  std::unique_ptr<HapticScene> movedScene;  // this is the scene for the new one
-  std::optional<double> isChangingSince;    // s by the clock of the loop: start of a change of its settings
+  bool isMoving = false;                     // the view is being changed, and
+  std::unique_ptr<HapticScene> movedScene;   // this is the scene for the new one
+  std::optional<std::uint64_t> jumpedAfter;  // tick: the tip was told to jump then, and may not have yet
+  std::optional<double> isChangingSince;     // s by the clock of the loop: start of a change of its settings
 };
 
 }  // namespace handwheel

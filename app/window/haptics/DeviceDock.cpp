@@ -7,8 +7,10 @@
 namespace handwheel {
 
 namespace {
-constexpr int kRunMs = 500;  // between figures that a person can read
-}
+constexpr int kRunMs = 500;              // between figures that a person can read
+constexpr double kLeadSpeed = 150.0;     // mm/s: a hand that leaps would only be held back by the safety chain
+constexpr double kSamplePeriod = 0.016;  // s, from one sample to the next
+}  // namespace
 
 DeviceDock::DeviceDock(HapticSession& session, QWidget* parent) : DevicePanel(parent), m_session(session) {
   connect(this, &DevicePanel::deviceChosen, &session, &HapticSession::choose);
@@ -24,6 +26,8 @@ DeviceDock::DeviceDock(HapticSession& session, QWidget* parent) : DevicePanel(pa
   connect(&session, &HapticSession::chosenChanged, this, &DeviceDock::showChosen);
   connect(&session, &HapticSession::forceOnChanged, this, &DeviceDock::showChosen);
   connect(&session, &HapticSession::mappingChanged, this, [this] { setMapping(m_session.mapping()); });
+  connect(this, &DevicePanel::handLed, this, [this](const HandPose& hand) { m_goal = hand; });
+  connect(&session, &HapticSession::sampled, this, &DeviceDock::leadHand);
   connect(&session, &HapticSession::sampled, this, &DeviceDock::showTick);
   setMapping(session.mapping());
   showChosen();
@@ -49,6 +53,7 @@ void DeviceDock::showChosen() {
   const ServoSample* const last = m_session.latest();
   view.status = last ? last->device.status : DeviceStatus::Starting;
   view.isPointer = m_session.mouse() != nullptr;
+  view.isLed = m_session.simulatedHand() != nullptr;
   view.isForceOn = m_session.isForceOn();
   showDevice(view);
   showRun();
@@ -59,6 +64,24 @@ void DeviceDock::showTick() {
   if (const ServoSample* const last = m_session.latest()) showSample(*last);
   if (m_sinceRun.isValid() && m_sinceRun.elapsed() < kRunMs) return;
   showRun();
+}
+
+// Also while the panel is hidden: what was begun is brought to its end.
+void DeviceDock::leadHand() {
+  SimulatedDevice* const hand = m_session.simulatedHand();
+  if (!hand) return m_goal.reset();
+  if (m_goal) {
+    HandPose next = *m_goal;
+    const Vec3 way = next.position - hand->target().position;
+    const double most = kLeadSpeed * kSamplePeriod;
+    if (way.norm() > most) {
+      next.position = hand->target().position + way * (most / way.norm());
+    } else {
+      m_goal.reset();
+    }
+    hand->setTarget(next);
+  }
+  if (isVisible()) showHand(m_goal ? *m_goal : hand->target());
 }
 
 void DeviceDock::showRun() {

@@ -4,7 +4,10 @@
 
 #include "panels/device/DevicePanel.h"
 
+#include "haptics/device/PoseTrajectory.h"
+
 #include <QElapsedTimer>
+#include <optional>
 
 namespace handwheel {
 
@@ -25,10 +28,12 @@ class DeviceDock : public DevicePanel {
  private:
   void showChosen();
   void showTick();
+  void leadHand();
   void showRun();
 
   HapticSession& m_session;
-  QElapsedTimer m_sinceRun;  // since timings were last shown
+  QElapsedTimer m_sinceRun;        // since timings were last shown
+  std::optional<HandPose> m_goal;  // of the simulated hand, on its way there
 };
 
 }  // namespace handwheel

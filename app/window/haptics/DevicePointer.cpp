@@ -52,7 +52,8 @@ void DevicePointer::point(const ServoSample& sample) {
     event.button = PointerButton::First;
     m_tools.point(event);
     pull();
-  } else if (!m_isPointing || (sample.tip.position - m_last).norm() > kStill * event.pixel) {
+  } else if (!m_isPointing || (sample.tip.position - m_last).norm() > kStill * event.pixel ||
+             (sample.felt.proxy - m_lastProxy).norm() > kStill * event.pixel) {
     event.kind = isHeld ? PointerEvent::Kind::Drag : PointerEvent::Kind::Hover;
     event.button = isHeld ? PointerButton::First : PointerButton::None;
     m_tools.point(event);
@@ -61,6 +62,7 @@ void DevicePointer::point(const ServoSample& sample) {
   }
   m_isPointing = true;
   m_last = sample.tip.position;
+  m_lastProxy = sample.felt.proxy;
   if (isSecondHeld && !m_isSecondHeld) {
     event.kind = PointerEvent::Kind::Press;
     event.button = PointerButton::Second;
@@ -91,6 +93,7 @@ PointerEvent DevicePointer::eventAt(const ServoSample& sample) const {
   event.modifiers = {keys.testFlag(Qt::ShiftModifier), keys.testFlag(Qt::ControlModifier),
                      keys.testFlag(Qt::AltModifier)};
   event.device = Eigen::Translation3d(sample.tip.position) * sample.tip.orientation;
+  event.proxy = place;
   if (sample.felt.isHeld) event.held = sample.felt.held;
   if (camera.projection == Projection::Perspective) {
     event.eye = camera.eye();

@@ -41,8 +41,9 @@ class DevicePointer : public QObject {
   HapticSceneBuilder& m_scene;
   PointerDepth m_depth;        // of the mouse
   Vec3 m_last = Vec3::Zero();  // where the last event was, mm
-  bool m_isPointing = false;   // the tool has got events of the device, and no leave event yet
-  bool m_isHeld = false;       // the first button
+  Vec3 m_lastProxy = Vec3::Zero();
+  bool m_isPointing = false;  // the tool has got events of the device, and no leave event yet
+  bool m_isHeld = false;      // the first button
   bool m_isSecondHeld = false;
 };
 

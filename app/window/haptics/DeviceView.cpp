@@ -3,7 +3,10 @@
 #include "window/haptics/DeviceView.h"
 
 #include "viewport/Viewport.h"
+#include "viewport/camera/CameraNavigation.h"
 #include "window/haptics/HapticSession.h"
+
+#include <algorithm>
 
 namespace handwheel {
 
@@ -26,12 +29,23 @@ void DeviceView::followModel() {
 void DeviceView::followCamera() {
   if (!m_session.isOpen()) return;
   const CameraState camera = m_viewport.camera();
+  m_session.setView(camera, m_viewport.bounds(), surfaceInMiddle(camera));
+}
+
+// The front of the model takes the place of a surface that cannot be looked for yet: no tip begins inside.
+std::optional<Vec3> DeviceView::surfaceInMiddle(const CameraState& camera) const {
   const Box model = m_viewport.bounds();
-  const double around = model.isEmpty() ? 0.0 : model.diagonal().norm();
+  if (model.isEmpty()) return std::nullopt;
+  const Vec3 towards = camera.towardsViewer();
+  if (!m_viewport.isPickingReady()) {
+    double front = 0.0;
+    for (const Vec3& corner : cornersOf(model)) front = std::max(front, (corner - camera.centre).dot(towards));
+    return camera.centre + front * towards;
+  }
   const bool isPerspective = camera.projection == Projection::Perspective;
-  const double before = isPerspective ? camera.eyeDistance() : camera.height + around;
-  const Pick middle = m_viewport.pickAlong(camera.centre + before * camera.towardsViewer(), -camera.towardsViewer());
-  m_session.setView(camera, model, middle.isNothing() ? std::nullopt : std::optional(middle.point));
+  const double before = isPerspective ? camera.eyeDistance() : camera.height + model.diagonal().norm();
+  const Pick middle = m_viewport.pickAlong(camera.centre + before * towards, -towards);
+  return middle.isNothing() ? std::nullopt : std::optional(middle.point);
 }
 
 void DeviceView::showInstead(const std::optional<DeviceCursor>& cursor) {

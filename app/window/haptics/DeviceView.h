@@ -3,6 +3,7 @@
 #pragma once
 
 #include "viewport/DeviceCursor.h"
+#include "viewport/camera/CameraState.h"
 
 #include <QObject>
 #include <optional>
@@ -26,6 +27,7 @@ class DeviceView : public QObject {
 
  private:
   void followCamera();
+  std::optional<Vec3> surfaceInMiddle(const CameraState& camera) const;
   void draw();
 
   HapticSession& m_session;

@@ -86,10 +86,13 @@ WorkspaceMapping HapticSession::mappingInScene() const {
   return mappingInView(m_mapping, m_open->capabilities, m_camera, m_model, m_seen);
 }
 
+// Of mappings that follow closely the loop takes the last only: a tip that is to jump would stay where it was, which
+// may be inside of the model, if the next one kept it.
 void HapticSession::applyMapping(bool keepsTip, bool isDiscontinuous) {
   if (!m_open) return;
   WorkspaceMapping mapping = mappingInScene();
-  mapping.keepsTip = keepsTip && !m_open->mouse;
+  mapping.keepsTip = keepsTip && !m_open->mouse && !m_open->jumpedAfter;
+  if (!keepsTip) m_open->jumpedAfter = m_open->loop->latest().tick;
   m_open->isMoving = true;
   emit viewChanged();
   m_open->isMoving = false;
@@ -167,6 +170,8 @@ void HapticSession::sample() {
   if (m_parts.services.haptics().counters().ticks == m_open->ticksBefore) return;
   const DeviceStatus before = m_open->sample ? m_open->sample->device.status : DeviceStatus::Starting;
   m_open->sample = m_open->loop->latest();
+  // The tick that was under way then may not have had the mapping.
+  if (m_open->jumpedAfter && m_open->sample->tick > *m_open->jumpedAfter + 1) m_open->jumpedAfter.reset();
   measureRate();
   if (m_open->sample->device.status != before) reportStatus(m_open->sample->device.status);
   if (m_open->recorder && m_open->recorder->isFull()) stopRecording();

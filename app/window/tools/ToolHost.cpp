@@ -5,6 +5,7 @@
 #include "document/Document.h"
 #include "theme/Theme.h"
 #include "viewport/Viewport.h"
+#include "viewport/camera/CameraNavigation.h"
 #include "viewport/surface/PartsLayer.h"
 #include "window/tools/ToolKeys.h"
 #include "window/tools/ToolPanel.h"
@@ -79,8 +80,10 @@ ToolHost::ToolHost(Viewport& viewport, ToolPanel& panel, ServiceRegistry& needs,
       m_proposed(std::make_shared<PartsLayer>(PartsLayer::Role::Proposed)),
       m_panel(panel),
       m_readout(new ToolReadout(&viewport)),
+      m_label(new ToolReadout(&viewport)),
       m_keys(*new ToolKeys(viewport, this)),
       m_needs(needs) {
+  m_label->setObjectName(QStringLiteral("toolLabel"));
   m_viewport.addLayer(m_proposed);
   m_viewport.installEventFilter(this);
   m_viewport.setPointerSink([this](const PointerInput& input) { return take(input); });
@@ -96,6 +99,9 @@ ToolHost::ToolHost(Viewport& viewport, ToolPanel& panel, ServiceRegistry& needs,
   });
   connect(&m_runner, &ToolRunner::updated, this, [this] { m_isMoving ? showSoon() : show(); });
   connect(&m_runner, &ToolRunner::ended, this, &ToolHost::showNothing);
+  connect(&m_viewport, &Viewport::cameraChanged, this, [this] {
+    if (m_label->isVisible()) showSoon();
+  });
   m_frames.setInterval(kFrameMs);
   connect(&m_frames, &QTimer::timeout, this, [this] { showShapes(m_runner.tool()->preview()); });
 }
@@ -232,6 +238,16 @@ void ToolHost::showShapes(ToolPreview preview) {
   m_viewport.setPolylines(std::move(preview.lines));
   m_viewport.setBrush(preview.circle ? std::optional(BrushCircle{preview.circle->first, preview.circle->second})
                                      : std::nullopt);
+  showLabel(preview.label);
+}
+
+void ToolHost::showLabel(const std::optional<ToolLabel>& label) {
+  const CameraNavigation navigation(m_viewport.camera(), {m_viewport.width(), m_viewport.height()});
+  if (!label || !m_runner.document() || !navigation.isBeforeEye(label->place)) return m_label->hide();
+  const Vec2 screen = navigation.toScreen(label->place);
+  const QPointF at(screen.x(), screen.y());
+  if (!QRectF(m_viewport.rect()).contains(at)) return m_label->hide();
+  m_label->show(*label, m_runner.document()->displayUnit(), at.toPoint());
 }
 
 void ToolHost::showActions() {

@@ -75,11 +75,13 @@ class ToolHost : public QObject {
   void showSoon();
   void showNothing();
   void showShapes(ToolPreview preview);
+  void showLabel(const std::optional<ToolLabel>& label);
 
   Viewport& m_viewport;
   std::shared_ptr<PartsLayer> m_proposed;
   ToolPanel& m_panel;
   ToolReadout* m_readout;
+  ToolReadout* m_label;
   ToolKeys& m_keys;
   ServiceRegistry& m_needs;
   ToolRunner m_runner;

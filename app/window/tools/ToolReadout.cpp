@@ -38,6 +38,17 @@ QString lineOf(const Property& property, LengthUnit unit) {
                    : ToolReadoutWords::tr("%1 (%2)").arg(text, limits);
 }
 
+// "⌀ 31.20 mm", "−1.20 mm"; of a unit that is larger, as many more digits.
+QString figureText(const ToolLabel::Figure& figure, LengthUnit unit) {
+  const double value = figure.value / millimetresPer(unit);
+  const int digits = 2 + static_cast<int>(std::ceil(std::log10(millimetresPer(unit)) - 1e-9));
+  const QString number = QLocale().toString(std::abs(value), 'f', digits);
+  const bool isNegative = std::round(std::abs(value) * std::pow(10.0, digits)) > 0.0 && value < 0.0;
+  const QString text =
+      (isNegative ? QStringLiteral("−") : QString()) + number + QChar::Nbsp + unitSymbol(Quantity::Length, unit);
+  return figure.prefix.empty() ? text : QString::fromStdString(figure.prefix) + QChar::Nbsp + text;
+}
+
 }  // namespace
 
 ToolReadout::ToolReadout(QWidget* view) : QLabel(view) {
@@ -64,9 +75,19 @@ void ToolReadout::show(const std::vector<Property>& settings, LengthUnit unit, c
       lines << lineOf(property, unit);
   }
   if (lines.isEmpty()) return hide();
-  setText(lines.join(QLatin1Char('\n')));
+  showText(lines.join(QLatin1Char('\n')), cursor);
+}
+
+void ToolReadout::show(const ToolLabel& label, LengthUnit unit, const QPoint& place) {
+  QStringList figures;
+  for (const ToolLabel::Figure& figure : label.figures) figures << figureText(figure, unit);
+  showText(figures.join(QStringLiteral("  ")), place);
+}
+
+void ToolReadout::showText(const QString& text, const QPoint& place) {
+  setText(text);
   adjustSize();
-  const QPoint corner = cursor + kBesideCursor;
+  const QPoint corner = place + kBesideCursor;
   const QSize room = parentWidget()->size() - size();
   move(std::clamp(corner.x(), 0, std::max(0, room.width())), std::clamp(corner.y(), 0, std::max(0, room.height())));
   QLabel::show();

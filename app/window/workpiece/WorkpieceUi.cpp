@@ -9,6 +9,8 @@
 #include "machining/TurningFidelity.h"
 #include "theme/Theme.h"
 #include "tools/workpiece/TurnTool.h"
+#include "viewport/Viewport.h"
+#include "viewport/camera/CameraNavigation.h"
 #include "window/WindowServices.h"
 #include "window/documents/DocumentTab.h"
 #include "window/fidelity/FidelityChoice.h"
@@ -16,6 +18,7 @@
 #include "window/tools/ToolHost.h"
 
 #include <QLocale>
+#include <cmath>
 #include <utility>
 
 namespace handwheel {
@@ -31,10 +34,27 @@ QString sizeText(const Document& document) {
            quantityText(workpiece.stock.length, Quantity::Length, unit, QLocale()));
 }
 
+// Whether the ends of a bar are within the view, and with them all of it.
+bool isInView(const Viewport& view, const StockCylinder& stock) {
+  constexpr int kSides = 64;
+  const CameraNavigation navigation(view.camera(), {view.width(), view.height()});
+  for (int i = 0; i < 2 * kSides; ++i) {
+    const double angle = 2.0 * M_PI * (i / 2) / kSides, r = 0.5 * stock.diameter;
+    const Vec3 p(r * std::cos(angle), r * std::sin(angle), stock.position + (i % 2 == 0 ? 0.0 : stock.length));
+    if (!navigation.isBeforeEye(p)) return false;
+    const Vec2 at = navigation.toScreen(p);
+    if (!(at.x() >= 0.0 && at.x() <= view.width() && at.y() >= 0.0 && at.y() <= view.height())) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 WorkpieceUi::WorkpieceUi(const WindowContext& window) : RigidPartsUi(window, {"Stock"}) {
   connect(&window.tools, &ToolHost::updated, this, &WorkpieceUi::followTool);
+  // When the tool shows the change, too, and it is in the history.
+  connect(this, &KindUi::stateChanged, this, &WorkpieceUi::followSize, Qt::QueuedConnection);
+  connect(this, &KindUi::stateChanged, this, &WorkpieceUi::explainLocks, Qt::QueuedConnection);
 }
 
 std::unique_ptr<DocumentTab> WorkpieceUi::open(std::unique_ptr<Document> document) {
@@ -85,6 +105,29 @@ void WorkpieceUi::followTool() {
     return std::make_unique<TurningForce>(channel, inScene, base);
   };
   parts().touch.setSource(kTurningSource, make, isSame && isThere);
+}
+
+// What was seen whole stays so in another size. Else the camera is the user's.
+void WorkpieceUi::followSize() {
+  if (!document()) return;
+  const StockCylinder& stock = static_cast<const WorkpieceDocument&>(document()->document).workpiece().stock;
+  const StockCylinder before = std::exchange(m_size, stock);
+  const bool isSame = before.diameter == stock.diameter && before.length == stock.length;
+  if (std::exchange(m_sized, document()) != document() || isSame) return;
+  Viewport& view = parts().viewport;
+  if (isInView(view, before) && !isInView(view, stock)) view.fit();
+}
+
+// A field that has become read-only is another one, and the old may be there still.
+void WorkpieceUi::explainLocks() {
+  if (!document()) return;
+  const bool isCut = static_cast<const WorkpieceDocument&>(document()->document).workpiece().part != nullptr;
+  const QString reason = document()->document.history()->canUndo() ? tr("Undo the passes to change the size.")
+                                                                   : tr("It was cut already, so its size is fixed.");
+  for (const char* field : {"property/diameter", "property/length"}) {
+    for (QWidget* row : panel()->findChildren<QWidget*>(QString::fromLatin1(field)))
+      row->setToolTip(isCut ? reason : QString());
+  }
 }
 
 NextStep WorkpieceUi::nextStep() {

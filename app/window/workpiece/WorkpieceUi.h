@@ -28,10 +28,14 @@ class WorkpieceUi : public RigidPartsUi {
  private:
   std::unique_ptr<Tool> turnTool();
   void followTool();
+  void followSize();
+  void explainLocks();
 
   std::shared_ptr<TurningChannel> m_felt;  // of the tool whose force source is in the haptic scene; null: none
   TurningTool m_feltSettings;
   double m_feltBase = 0.0;  // mm, TurnTool::base()
+  const DocumentTab* m_sized = nullptr;
+  StockCylinder m_size;  // of m_sized, as it was shown last
 };
 
 }  // namespace handwheel

@@ -32,7 +32,7 @@ std::shared_ptr<const TurnedPart> withPass(const WorkpieceSnapshot& workpiece, T
   const TurnedProfile::Range changed = cut(part.profile, pass, progress);
   if (progress.cancelled()) return nullptr;
   part.surface.update(part.profile, changed);
-  part.passes.push_back(std::make_shared<const TurningPass>(std::move(pass)));
+  if (!changed.isEmpty()) part.passes.push_back(std::make_shared<const TurningPass>(std::move(pass)));
   return std::make_shared<const TurnedPart>(std::move(part));
 }
 

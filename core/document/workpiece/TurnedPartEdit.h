@@ -19,7 +19,7 @@ class TurnedPartEdit : public Edit {
   std::shared_ptr<const TurnedPart> m_part;
 };
 
-// The part of a workpiece after one more pass. Cancelled: null.
+// The part of a workpiece after one more pass; the same passes where it touches nothing. Cancelled: null.
 std::shared_ptr<const TurnedPart> withPass(const WorkpieceSnapshot& workpiece, TurningPass pass, double spacing,
                                            Progress progress = {});
 

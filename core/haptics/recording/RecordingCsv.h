@@ -20,6 +20,9 @@ namespace handwheel {
 // Errors: Cancelled, WriteFailed.
 Status writeCsv(const Recording& recording, std::ostream& out, Progress progress = {});
 
+// The columns of such a table that recordingFromCsv() needs and the first line of a text does not have, or has twice.
+std::vector<std::string_view> missingRecordingColumns(std::string_view text);
+
 // Whether a text begins like such a table, with the columns that recordingFromCsv() needs.
 bool isRecordingCsv(std::string_view text);
 

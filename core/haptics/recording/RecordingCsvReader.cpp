@@ -93,11 +93,12 @@ std::vector<std::size_t> columnsOf(Fields& fields) {
   return columns;
 }
 
-bool hasAll(const std::vector<std::size_t>& columns) {
+std::vector<std::string_view> missingFrom(const std::vector<std::size_t>& columns) {
+  std::vector<std::string_view> missing;
   for (std::size_t c = 0; c < kColumns; ++c) {
-    if (std::count(columns.begin(), columns.end(), c) != 1) return false;
+    if (std::count(columns.begin(), columns.end(), c) != 1) missing.push_back(kNames[c]);
   }
-  return true;
+  return missing;
 }
 
 class TableReader {
@@ -106,7 +107,7 @@ class TableReader {
 
   Result<Recording> read(Progress progress) {
     m_columns = columnsOf(m_fields);
-    if (!hasAll(m_columns)) return wrong(ErrorCode::HeaderMalformed, {"the columns of a recording"});
+    if (!missingFrom(m_columns).empty()) return wrong(ErrorCode::HeaderMalformed, {"the columns of a recording"});
     for (std::size_t i = 0; m_fields.nextLine(); ++i) {
       if (i % kLinesPerPoll == 0) {
         if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
@@ -202,9 +203,13 @@ class TableReader {
 
 }  // namespace
 
-bool isRecordingCsv(std::string_view text) {
+std::vector<std::string_view> missingRecordingColumns(std::string_view text) {
   Fields fields(text.substr(0, 4096));
-  return hasAll(columnsOf(fields));
+  return missingFrom(columnsOf(fields));
+}
+
+bool isRecordingCsv(std::string_view text) {
+  return missingRecordingColumns(text).empty();
 }
 
 Result<Recording> recordingFromCsv(std::string_view text, Progress progress) {

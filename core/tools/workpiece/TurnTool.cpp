@@ -8,13 +8,14 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <algorithm>
 #include <cmath>
 
 namespace handwheel {
 
 namespace {
 
-constexpr Limits kNoseRadii{0.05, 50.0};    // mm
+constexpr Limits kNoseRadii{TurningPass::kLeastNose, TurningPass::kLargestNose};
 constexpr Limits kResistances{1e-3, 10.0};  // N·s/mm
 
 // The circle of the nose in the half plane through the axis.
@@ -39,6 +40,15 @@ std::optional<Vec3> placeOfMouse(const Ray& ray) {
   const double distance = -ray.origin.dot(normal) / ray.direction.dot(normal);
   if (!std::isfinite(distance) || distance < 0.0) return std::nullopt;
   return Vec3(ray.origin + distance * ray.direction);
+}
+
+// mm. Of an uncut bar the radius is that of the bar.
+double radiusAt(const WorkpieceSnapshot& workpiece, double z) {
+  if (!workpiece.part) return 0.5 * workpiece.stock.diameter;
+  const TurnedProfile& profile = workpiece.part->profile;
+  const double at = std::clamp(z / profile.spacing(), 0.0, static_cast<double>(profile.size() - 1));
+  const auto i = static_cast<std::size_t>(std::min(std::floor(at), static_cast<double>(profile.size() - 2)));
+  return std::lerp(profile.radius(i), profile.radius(i + 1), at - static_cast<double>(i));
 }
 
 // What a pass has done, for the history. removed: mm³.
@@ -73,7 +83,7 @@ std::shared_ptr<const TurningState> TurnTool::state() const {
 }
 
 std::optional<Vec3> TurnTool::placeOf(const PointerEvent& event) const {
-  if (event.device) return Vec3(event.device->translation());
+  if (event.device) return event.proxy ? *event.proxy : Vec3(event.device->translation());
   const std::optional<Vec3> place = placeOfMouse(event.ray);
   if (!place) return std::nullopt;
   return Vec3(*place + (m_gesture.isOn() ? m_lift : wayOut(*place)));
@@ -156,6 +166,19 @@ std::vector<ToolAction> TurnTool::actions() const {
           {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "drop the pass"), m_gesture.isOn()}};
 }
 
+// Diameter and height at the innermost point of the nose, and how deep that is below the surface before the pass.
+std::optional<ToolLabel> TurnTool::label() const {
+  if (!m_place) return std::nullopt;
+  const WorkpieceSnapshot& workpiece = m_document.workpiece();
+  const StockCylinder& stock = workpiece.stock;
+  const double r = std::max(0.0, std::hypot(m_place->x(), m_place->y()) - m_tool.noseRadius);
+  const double z = m_place->z() - base(), near = 0.5 * stock.diameter;
+  if (r > 0.5 * stock.diameter + near || z < -near || z > stock.length + near) return std::nullopt;
+  ToolLabel label{*m_place, {{"⌀", 2.0 * r}, {"Z", z}}};
+  if (z >= 0.0 && z <= stock.length) label.figures.push_back({"", std::min(0.0, r - radiusAt(workpiece, z))});
+  return label;
+}
+
 ToolPreview TurnTool::preview() const {
   ToolPreview preview;
   if (m_place) preview.lines.push_back(noseOutline(*m_place, m_tool.noseRadius));
@@ -163,6 +186,7 @@ ToolPreview TurnTool::preview() const {
     m_shownState = now;
     m_shown = std::make_shared<const DisplayModel>(displayOf(now->surface, base()));
   }
+  preview.label = label();
   preview.replaced = m_shown;  // from the start on, so that the blocks are built when the first pass begins
   return preview;
 }

@@ -44,6 +44,7 @@ class TurnTool : public Tool {
   std::shared_ptr<const TurningState> state() const;
   std::optional<Vec3> placeOf(const PointerEvent& event) const;
   Vec3 wayOut(const Vec3& place) const;
+  std::optional<ToolLabel> label() const;
 
   WorkpieceDocument& m_document;
   double m_spacing;

@@ -37,6 +37,7 @@ class DevicePartsTest : public QObject {
   void bars();
   void turnsTheShortWay();
   void lamps();
+  void theHandIsLed();
 };
 
 namespace {
@@ -266,6 +267,53 @@ void DevicePartsTest::bars() {
   bars.showState(state);
   bars.resize(60, bars.sizeHint().height());
   bars.grab();  // also where there is no room
+}
+
+// By the mouse and by keys, one axis at a time; buttons by their numbers. Of a device that somebody holds nothing
+// moves.
+void DevicePartsTest::theHandIsLed() {
+  AxisBars bars;
+  ButtonLamps lamps;
+  DeviceInUse view = falconView();
+  view.capabilities.inputs = 6;
+  bars.setDevice(view.capabilities);
+  bars.resize(400, bars.sizeHint().height());
+  lamps.setCount(4);
+  lamps.resize(200, 40);
+  std::vector<HandPose> led;
+  std::vector<int> pressed;
+  connect(&bars, &AxisBars::handLed, this, [&](const HandPose& hand) { led.push_back(hand); });
+  connect(&lamps, &ButtonLamps::toggled, this, [&](int button) { pressed.push_back(button); });
+  const auto pull = [&bars](std::size_t axis, double share) {
+    const QRectF bar = bars.barRect(axis);
+    const QPointF at(bar.center().x() + 0.5 * share * bar.width(), bar.center().y());
+    QTest::mouseClick(&bars, Qt::LeftButton, {}, at.toPoint());
+  };
+  pull(2, 0.5);
+  QTest::mouseClick(&lamps, Qt::LeftButton, {}, lamps.lampRect(0).center());
+  QVERIFY(led.empty() && pressed.empty());
+  bars.setLed(true);
+  lamps.setLed(true);
+  HandPose hand;
+  hand.position = {5.0, 0.0, 0.0};
+  bars.showHand(hand);
+  pull(2, 0.5);
+  QVERIFY(std::abs(led.back().position.z() - 20.0) < 0.5 && led.back().position.x() == 5.0);  // of 40 mm
+  QTest::keyClick(&bars, Qt::Key_Home);
+  QCOMPARE(led.back().position, Vec3(5.0, 0.0, 0.0));
+  QTest::keyClick(&bars, Qt::Key_Up);
+  QTest::keyClick(&bars, Qt::Key_Right);
+  QTest::keyClick(&bars, Qt::Key_PageDown);
+  QCOMPARE(led.back().position, Vec3(5.0, -9.0, 0.0));
+  pull(0, 1.5);  // no further than it reaches
+  QCOMPARE(led.back().position, Vec3(40.0, -9.0, 0.0));
+  pull(5, 0.5);
+  const Eigen::AngleAxisd turn(led.back().orientation);
+  QVERIFY(std::abs(turn.angle() * turn.axis().z() / kRadiansPerDegree - 90.0) < 2.0);
+  QTest::mouseClick(&lamps, Qt::LeftButton, {}, lamps.lampRect(2).center());
+  QTest::keyClick(&lamps, Qt::Key_1);
+  QTest::keyClick(&lamps, Qt::Key_5);  // there is none
+  QCOMPARE(pressed, (std::vector<int>{2, 0}));
 }
 
 // As an angle about an axis, not above 180°: a turn by 350° is one by -10°.

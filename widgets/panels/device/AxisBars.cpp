@@ -6,10 +6,13 @@
 #include "theme/Theme.h"
 
 #include <QAccessible>
+#include <QKeyEvent>
 #include <QLocale>
+#include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace handwheel {
 
@@ -19,6 +22,8 @@ constexpr double kUnknownReach = 100.0;  // mm, of a device that does not state 
 constexpr double kGripperReach = 50.0;
 constexpr int kBarHeight = 8;
 constexpr int kGap = 8;
+constexpr double kKnob = 6.0;                      // logical pixels, its radius
+constexpr double kKeyStep = 1.0, kKeyPage = 10.0;  // mm or degrees by key
 
 double orUnknown(double reach) {
   return reach > 0.0 && std::isfinite(reach) ? reach : kUnknownReach;
@@ -30,6 +35,12 @@ Vec3 rotationVector(Eigen::Quaterniond turn) {
   const double sine = turn.vec().norm();
   const double angle = 2.0 * std::atan2(sine, turn.w());
   return sine > 0.0 ? Vec3(turn.vec() * (angle / sine / kRadiansPerDegree)) : Vec3(turn.vec());
+}
+
+Eigen::Quaterniond rotationBy(const Vec3& degrees) {
+  const double angle = degrees.norm();
+  if (angle == 0.0) return Eigen::Quaterniond::Identity();
+  return Eigen::Quaterniond(Eigen::AngleAxisd(angle * kRadiansPerDegree, degrees / angle));
 }
 
 }  // namespace
@@ -50,6 +61,7 @@ void AxisBars::setDevice(const DeviceCapabilities& device) {
     for (const char* name : {"RX", "RY", "RZ"}) m_axes.push_back({QString::fromLatin1(name), QStringLiteral("°"), 180});
   }
   if (device.inputs >= 7) m_axes.push_back({tr("Grip"), QString(), kGripperReach});
+  m_chosen = std::min(m_chosen, m_axes.size() - 1);
   updateGeometry();
   update();
 }
@@ -67,6 +79,85 @@ void AxisBars::showState(const DeviceState& state) {
   if (!isSeen) return;
   if (QAccessible::isActive()) setAccessibleDescription(text());
   update();
+}
+
+void AxisBars::setLed(bool isLed) {
+  if (isLed == m_isLed) return;
+  m_isLed = isLed;
+  m_chosen = 0;
+  setFocusPolicy(isLed ? Qt::StrongFocus : Qt::NoFocus);
+  setCursor(isLed ? Qt::PointingHandCursor : Qt::ArrowCursor);
+  setToolTip(isLed ? tr("Drag a knob to lead the simulated hand; with keys: arrows, Page Up and Down, Home")
+                   : QString());
+  update();
+}
+
+void AxisBars::showHand(const HandPose& hand) {
+  m_hand = hand;
+  const Vec3 turn = rotationVector(hand.orientation);
+  for (std::size_t i = 0; i < std::min<std::size_t>(m_axes.size(), 6); ++i) {
+    const double wanted = i < 3 ? hand.position[static_cast<int>(i)] : turn[static_cast<int>(i) - 3];
+    if (std::exchange(m_axes[i].wanted, wanted) != wanted) update();
+  }
+}
+
+void AxisBars::lead(double x) {
+  const QRectF bar = barRect(m_chosen);
+  leadTo(2.0 * (x - bar.center().x()) / std::max(1.0, bar.width()) * m_axes[m_chosen].reach);
+}
+
+void AxisBars::leadTo(double value) {
+  if (m_chosen >= 6) return;  // the simulated hand has no gripper
+  HandPose hand = m_hand;
+  const double reach = m_axes[m_chosen].reach, kept = std::clamp(value, -reach, reach);
+  if (m_chosen < 3) {
+    hand.position[static_cast<int>(m_chosen)] = kept;
+  } else {
+    Vec3 turn = rotationVector(hand.orientation);
+    turn[static_cast<int>(m_chosen) - 3] = kept;
+    hand.orientation = rotationBy(turn);
+  }
+  showHand(hand);
+  emit handLed(hand);
+}
+
+void AxisBars::mousePressEvent(QMouseEvent* event) {
+  const int row = event->pos().y() / rowHeight();
+  if (!m_isLed || event->button() != Qt::LeftButton || row < 0 || row >= static_cast<int>(m_axes.size()))
+    return QWidget::mousePressEvent(event);
+  m_chosen = static_cast<std::size_t>(row);
+  update();
+  lead(event->pos().x());
+}
+
+void AxisBars::mouseMoveEvent(QMouseEvent* event) {
+  if (!m_isLed || !(event->buttons() & Qt::LeftButton)) return QWidget::mouseMoveEvent(event);
+  lead(event->pos().x());
+}
+
+void AxisBars::keyPressEvent(QKeyEvent* event) {
+  if (!m_isLed) return QWidget::keyPressEvent(event);
+  const double wanted = m_axes[m_chosen].wanted;
+  switch (event->key()) {
+    case Qt::Key_Up:
+      m_chosen -= m_chosen > 0 ? 1 : 0;
+      return update();
+    case Qt::Key_Down:
+      m_chosen += m_chosen + 1 < m_axes.size() ? 1 : 0;
+      return update();
+    case Qt::Key_Left:
+      return leadTo(wanted - kKeyStep);
+    case Qt::Key_Right:
+      return leadTo(wanted + kKeyStep);
+    case Qt::Key_PageDown:
+      return leadTo(wanted - kKeyPage);
+    case Qt::Key_PageUp:
+      return leadTo(wanted + kKeyPage);
+    case Qt::Key_Home:
+      return leadTo(0.0);
+    default:
+      return QWidget::keyPressEvent(event);
+  }
 }
 
 QString AxisBars::number(const Axis& axis) const {
@@ -99,21 +190,27 @@ QSize AxisBars::sizeHint() const {
   return {200, static_cast<int>(m_axes.size()) * rowHeight()};
 }
 
+QRectF AxisBars::barRect(std::size_t axis) const {
+  int names = 0;
+  for (const Axis& each : m_axes) names = std::max(names, fontMetrics().horizontalAdvance(each.name));
+  const int numbers = fontMetrics().horizontalAdvance(QStringLiteral("−0000.0 mm"));
+  const QRect row(0, static_cast<int>(axis) * rowHeight(), width(), rowHeight());
+  const QRectF bar = QRectF(row).adjusted(names + kGap, 0, -numbers - kGap, 0);
+  return {bar.left(), row.center().y() - 0.5 * kBarHeight, bar.width(), kBarHeight};
+}
+
 void AxisBars::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const ThemeColours& colours = themeColours(currentTheme());
-  int names = 0;
-  for (const Axis& axis : m_axes) names = std::max(names, fontMetrics().horizontalAdvance(axis.name));
-  const int numbers = fontMetrics().horizontalAdvance(QStringLiteral("−0000.0 mm"));
   QRect row(0, 0, width(), rowHeight());
   for (std::size_t i = 0; i < m_axes.size(); ++i, row.translate(0, rowHeight())) {
-    painter.setPen(colours.muted);
+    const bool isChosen = m_isLed && hasFocus() && i == m_chosen;
+    painter.setPen(isChosen ? colours.accent : colours.muted);
     painter.drawText(row, Qt::AlignLeft | Qt::AlignVCenter, m_axes[i].name);
     painter.setPen(colours.text);
     painter.drawText(row, Qt::AlignRight | Qt::AlignVCenter, number(m_axes[i]));
-    QRectF bar = QRectF(row).adjusted(names + kGap, 0, -numbers - kGap, 0);
-    bar = QRectF(bar.left(), row.center().y() - 0.5 * kBarHeight, bar.width(), kBarHeight);
+    const QRectF bar = barRect(i);
     painter.setPen(Qt::NoPen);
     painter.setBrush(colours.hover);
     painter.drawRoundedRect(bar, 3, 3);
@@ -121,6 +218,11 @@ void AxisBars::paintEvent(QPaintEvent*) {
     painter.fillRect(QRectF(QPointF(std::min(middle, end), bar.top()), QPointF(std::max(middle, end), bar.bottom())),
                      colours.accent);
     painter.fillRect(QRectF(middle - 0.5, bar.top() - 2, 1, bar.height() + 4), colours.muted);
+    if (!m_isLed || i >= 6) continue;
+    const double wanted = std::clamp(m_axes[i].wanted / m_axes[i].reach, -1.0, 1.0);
+    painter.setPen(isChosen ? colours.accent : colours.muted);
+    painter.setBrush(colours.raised);
+    painter.drawEllipse(QPointF(middle + 0.5 * bar.width() * wanted, bar.center().y()), kKnob, kKnob);
   }
 }
 

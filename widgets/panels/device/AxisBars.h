@@ -3,6 +3,7 @@
 #pragma once
 
 #include "haptics/device/Device.h"
+#include "haptics/device/PoseTrajectory.h"
 
 #include <QString>
 #include <QWidget>
@@ -10,7 +11,8 @@
 
 namespace handwheel {
 
-// Shows the live position of a device. Each measured axis has a bar from the middle and its value.
+// Shows the live position of a device. Each measured axis has a bar from the middle and its value. Where the hand at
+// the device is simulated, a knob on each bar leads it, by the mouse or with arrow keys.
 class AxisBars : public QWidget {
   Q_OBJECT
 
@@ -21,6 +23,11 @@ class AxisBars : public QWidget {
   void setDevice(const DeviceCapabilities& device);
   void showState(const DeviceState& state);
 
+  // Whether the user leads the hand here.
+  void setLed(bool isLed);
+  // Sets where the hand is led to: what the knobs show.
+  void showHand(const HandPose& hand);
+
   // The displayed and accessible text: "X 12.5 mm", "X 12.5 mm, Y …".
   QString text(std::size_t axis) const;
   QString text() const;
@@ -30,8 +37,17 @@ class AxisBars : public QWidget {
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return sizeHint(); }
 
+  // The bar of an axis, from one end of its range to the other.
+  QRectF barRect(std::size_t axis) const;
+
+ signals:
+  void handLed(const handwheel::HandPose& hand);  // only its position and orientation are other ones
+
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   struct Axis {
@@ -39,11 +55,17 @@ class AxisBars : public QWidget {
     QString unit;
     double reach = 1.0;
     double value = 0.0;
+    double wanted = 0.0;  // by the hand
   };
   int rowHeight() const;
   QString number(const Axis& axis) const;
+  void lead(double x);
+  void leadTo(double value);
 
   std::vector<Axis> m_axes;
+  HandPose m_hand;
+  std::size_t m_chosen = 0;  // axis that mouse and keys lead
+  bool m_isLed = false;
 };
 
 }  // namespace handwheel

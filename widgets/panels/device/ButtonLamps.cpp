@@ -5,7 +5,9 @@
 #include "theme/Theme.h"
 
 #include <QAccessible>
+#include <QKeyEvent>
 #include <QLocale>
+#include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
 
@@ -34,6 +36,28 @@ void ButtonLamps::showButtons(std::uint32_t held) {
   m_held = held;
   if (QAccessible::isActive()) setAccessibleDescription(text());
   update();
+}
+
+void ButtonLamps::setLed(bool isLed) {
+  if (isLed == m_isLed) return;
+  m_isLed = isLed;
+  setFocusPolicy(isLed ? Qt::StrongFocus : Qt::NoFocus);
+  setCursor(isLed ? Qt::PointingHandCursor : Qt::ArrowCursor);
+  setToolTip(isLed ? tr("Click to hold a button of the simulated hand, and again to let go; or press its number")
+                   : QString());
+}
+
+void ButtonLamps::mousePressEvent(QMouseEvent* event) {
+  for (int i = 0; m_isLed && event->button() == Qt::LeftButton && i < m_count; ++i) {
+    if (lampRect(i).contains(event->pos())) return emit toggled(i);
+  }
+  QWidget::mousePressEvent(event);
+}
+
+void ButtonLamps::keyPressEvent(QKeyEvent* event) {
+  const int button = event->key() - Qt::Key_1;
+  if (!m_isLed || button < 0 || button >= std::min(m_count, 9)) return QWidget::keyPressEvent(event);
+  if (!event->isAutoRepeat()) emit toggled(button);
 }
 
 QString ButtonLamps::text() const {
@@ -66,15 +90,19 @@ QSize ButtonLamps::minimumSizeHint() const {
   return {lampSize(), lampSize()};
 }
 
+QRect ButtonLamps::lampRect(int button) const {
+  const int size = lampSize(), columns = perRow(width());
+  return {button % columns * (size + kLampGap), button / columns * (size + kLampGap), size, size};
+}
+
 void ButtonLamps::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const ThemeColours& colours = themeColours(currentTheme());
-  const int size = lampSize(), columns = perRow(width());
   for (int i = 0; i < m_count; ++i) {
     const bool isHeld = (m_held >> i & 1u) != 0;
-    const QRectF lamp(i % columns * (size + kLampGap), i / columns * (size + kLampGap), size, size);
-    painter.setPen(isHeld ? colours.accent : colours.border);
+    const QRectF lamp = lampRect(i);
+    painter.setPen(isHeld || (m_isLed && hasFocus()) ? colours.accent : colours.border);
     painter.setBrush(isHeld ? colours.accent : colours.raised);
     painter.drawEllipse(lamp.adjusted(0.5, 0.5, -0.5, -0.5));
     painter.setPen(isHeld ? colours.accentText : colours.muted);

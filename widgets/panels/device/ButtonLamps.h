@@ -6,7 +6,8 @@
 
 namespace handwheel {
 
-// Shows the buttons of a device as lamps, lit while held. They are numbered from 1.
+// Shows the buttons of a device as lamps, lit while held. They are numbered from 1. Where the hand at the device is
+// simulated, a click on a lamp holds the button until the next click; so does its number as a key.
 class ButtonLamps : public QWidget {
   Q_OBJECT
 
@@ -18,6 +19,9 @@ class ButtonLamps : public QWidget {
   void setCount(int count);
   void showButtons(std::uint32_t held);  // bit n: button n + 1
 
+  // Whether the user presses the buttons here.
+  void setLed(bool isLed);
+
   QString text() const;  // "Held: 1, 3", or that none is held
 
   bool hasHeightForWidth() const override { return true; }
@@ -25,8 +29,15 @@ class ButtonLamps : public QWidget {
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 
+  QRect lampRect(int button) const;  // of button + 1
+
+ signals:
+  void toggled(int button);  // button + 1 is to be pressed, or let go
+
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   int lampSize() const;
@@ -34,6 +45,7 @@ class ButtonLamps : public QWidget {
 
   int m_count = 0;
   std::uint32_t m_held = 0;
+  bool m_isLed = false;
 };
 
 }  // namespace handwheel

@@ -17,6 +17,7 @@ struct DeviceInUse {
   DeviceCapabilities capabilities;   // of the chosen one
   DeviceStatus status = DeviceStatus::Absent;
   bool isPointer = false;  // the mouse is used as device
+  bool isLed = false;      // nobody holds it: its hand is led in the panel
   bool isForceOn = false;
 };
 

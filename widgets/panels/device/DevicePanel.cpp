@@ -95,6 +95,10 @@ void DevicePanel::addPage(QWidget* page, const QString& title) {
   m_pages->addTab(page, title);
 }
 
+void DevicePanel::showPage(QWidget* page) {
+  m_pages->setCurrentWidget(page);
+}
+
 void DevicePanel::connectParts() {
   connect(m_card, &DeviceCard::deviceChosen, this, &DevicePanel::deviceChosen);
   connect(m_card, &DeviceCard::deviceLeft, this, &DevicePanel::deviceLeft);
@@ -102,6 +106,7 @@ void DevicePanel::connectParts() {
   connect(m_card, &DeviceCard::realTimeAdviceRequested, this, [this] { m_pages->setCurrentIndex(2); });
   connect(m_live, &LivePage::forceOnChanged, this, &DevicePanel::forceOnChanged);
   connect(m_live, &LivePage::forceTestRequested, this, &DevicePanel::forceTestRequested);
+  connect(m_live, &LivePage::handLed, this, &DevicePanel::handLed);
   connect(m_mapping, &MappingForm::mappingChanged, this, &DevicePanel::mappingChanged);
 }
 
@@ -129,6 +134,10 @@ void DevicePanel::showSample(const ServoSample& sample) {
   m_card->showStatus(sample.device.status);
   m_live->showSample(sample, m_mapping->mapping().forceGain);
   showSafety(m_memory.add(sample.actions, sample.tip.time));
+}
+
+void DevicePanel::showHand(const HandPose& hand) {
+  m_live->showHand(hand);
 }
 
 void DevicePanel::showLoop(const ServoLoopStatus& loop) {

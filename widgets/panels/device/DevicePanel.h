@@ -19,6 +19,7 @@ class ServoStatistics;
 class MappingForm;
 class PropertyList;
 class TimingPage;
+struct HandPose;
 struct ServoSample;
 
 // The panel for the haptic devices. For the one in use it has pages for live values, mapping, servo timing and data
@@ -32,10 +33,12 @@ class DevicePanel : public QWidget {
 
   // Adds a page after the others.
   void addPage(QWidget* page, const QString& title);
+  void showPage(QWidget* page);
 
   void showDevice(const DeviceInUse& view);
   void setMapping(const WorkspaceMapping& mapping);
   void showSample(const ServoSample& sample);  // at the rate of the display
+  void showHand(const HandPose& hand);         // of a device that nobody holds: where its hand is led to
   void showLoop(const ServoLoopStatus& loop);  // at a low rate, as the next
   void showTiming(const ServoStatistics& measure);
 
@@ -47,6 +50,7 @@ class DevicePanel : public QWidget {
   void mappingChanged(const handwheel::WorkspaceMapping& mapping);
   void forceOnChanged(bool isOn);
   void forceTestRequested();
+  void handLed(const handwheel::HandPose& hand);
 
  protected:
   void hideEvent(QHideEvent* event) override;

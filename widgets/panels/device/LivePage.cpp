@@ -54,6 +54,15 @@ LivePage::LivePage(QWidget* parent)
   column->addWidget(m_noForce);
   column->addWidget(m_plot, 1);
   connect(m_forceOn, &QCheckBox::clicked, this, &LivePage::forceOnChanged);
+  connect(m_axes, &AxisBars::handLed, this, [this](const HandPose& hand) {
+    m_hand = hand;
+    emit handLed(hand);
+  });
+  connect(m_buttons, &ButtonLamps::toggled, this, [this](int button) {
+    m_hand.buttons ^= 1u << button;
+    m_axes->showHand(m_hand);
+    emit handLed(m_hand);
+  });
   connect(m_forceTest, &QPushButton::clicked, this, &LivePage::forceTestRequested);
   showDevice({});
 }
@@ -62,7 +71,9 @@ void LivePage::showDevice(const DeviceInUse& view) {
   m_view = view;
   const bool hasMotors = view.capabilities.outputs > 0;
   m_axes->setDevice(view.capabilities);
+  m_axes->setLed(view.isLed);
   m_buttons->setCount(view.chosen ? view.capabilities.buttons : 0);
+  m_buttons->setLed(view.isLed);
   m_forceOn->setChecked(view.isForceOn);
   m_noForce->setVisible(view.chosen && !hasMotors);
   for (QWidget* part : {static_cast<QWidget*>(m_forceOn), static_cast<QWidget*>(m_forceTest)}) {
@@ -84,6 +95,11 @@ void LivePage::showSample(const ServoSample& sample, double forceGain) {
   m_buttons->showButtons(sample.device.buttons);
   m_plot->showSample(sample, forceGain);
   enableForce(sample.device.status);
+}
+
+void LivePage::showHand(const HandPose& hand) {
+  m_hand = hand;
+  m_axes->showHand(hand);
 }
 
 void LivePage::clear() {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "haptics/device/PoseTrajectory.h"
 #include "panels/device/DeviceInUse.h"
 
 #include <QWidget>
@@ -26,9 +27,11 @@ class LivePage : public QWidget {
 
   void showDevice(const DeviceInUse& view);
   void showSample(const ServoSample& sample, double forceGain);
+  void showHand(const HandPose& hand);  // where a hand that is led here is led to
   void clear();
 
  signals:
+  void handLed(const handwheel::HandPose& hand);
   void forceOnChanged(bool isOn);
   void forceTestRequested();
 
@@ -36,6 +39,7 @@ class LivePage : public QWidget {
   void enableForce(DeviceStatus status);
 
   DeviceInUse m_view;
+  HandPose m_hand;
   AxisBars* m_axes;
   ButtonLamps* m_buttons;
   QCheckBox* m_forceOn;

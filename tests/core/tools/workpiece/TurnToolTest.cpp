@@ -131,6 +131,45 @@ class TurnToolTest : public QObject {
     QVERIFY(again == after);
   }
 
+  // Beside the nose: diameter and height of its innermost point, and how deep that is below the surface before the
+  // pass.
+  void theLabelSaysWhereTheNoseIs() {
+    TurningBench bench;
+    const auto figures = [&] {
+      std::vector<double> values;
+      if (const auto label = bench.tool->preview().label)
+        for (const ToolLabel::Figure& figure : label->figures) values.push_back(figure.value);
+      return values;
+    };
+    const auto isNear = [](const std::vector<double>& a, const std::vector<double>& b) {
+      return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                        [](double x, double y) { return std::abs(x - y) < 1e-9; });
+    };
+    QVERIFY(figures().empty());
+    bench.event(PointerEvent::Kind::Hover, 27.0, 45.0);
+    QVERIFY(isNear(figures(), {52.0, 45.0, 0.0}));
+    QCOMPARE(bench.tool->preview().label->figures[0].prefix, std::string("⌀"));
+    bench.event(PointerEvent::Kind::Press, 27.0, 45.0);
+    bench.event(PointerEvent::Kind::Drag, 24.8, 45.0);
+    QTRY_VERIFY(bench.leastShown() < 24.0);
+    QVERIFY(isNear(figures(), {47.6, 45.0, -1.2}));  // also when that surface is gone
+    bench.event(PointerEvent::Kind::Release, 24.8, 45.0);
+    bench.event(PointerEvent::Kind::Hover, 26.0, 45.0);
+    bench.event(PointerEvent::Kind::Press, 26.0, 45.0);
+    bench.event(PointerEvent::Kind::Drag, 24.3, 45.0);
+    QVERIFY(isNear(figures(), {46.6, 45.0, -0.5}));  // of the part that the last pass has left
+    QCOMPARE(bench.runner.perform("revert"), ToolReply::Used);
+    bench.event(PointerEvent::Kind::Hover, 27.0, 110.0);  // beyond its end there is no surface
+    QVERIFY(isNear(figures(), {52.0, 110.0}));
+    bench.event(PointerEvent::Kind::Hover, 90.0, 45.0);
+    QVERIFY(figures().empty());
+    PointerEvent held;  // of a device the place counts where its tip is shown
+    held.device = Pose(Eigen::Translation3d(20.0, 0.0, 50.0));
+    held.proxy = Vec3(26.0, 0.0, 50.0);
+    bench.runner.pointer(held);
+    QVERIFY(isNear(figures(), {50.0, 50.0, 0.0}));
+  }
+
   // A click on the part cuts nothing, wherever it lands; from there a drag cuts as deep as it goes inwards.
   void theMouseBeginsAtTheSurface() {
     TurningBench bench;

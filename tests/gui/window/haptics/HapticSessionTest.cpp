@@ -288,6 +288,27 @@ class HapticSessionTest : public QObject {
     b.session->close();
   }
 
+  // The loop takes the last of the mappings that follow closely: the jump is not lost with the one before it.
+  void aTipThatIsToJumpJumps() {
+    HapticSessionBench b;
+    b.session->choose("fake", "well");
+    QVERIFY(b.waitForOpen());
+    CameraState camera;
+    camera.height = 200.0;
+    b.session->setView(camera, {});
+    for (const double x : {30.0, -40.0, 50.0}) {
+      camera.centre.x() = x;  // where the tip was is within this view, too
+      b.session->setView(camera, {});
+      b.session->recentre();
+      b.session->setView(camera, {});
+      const auto offset = [&] {
+        return b.session->latest()->tip.position.x() -
+               b.session->latest()->device.position.x() * b.session->mappingInScene().scale;
+      };
+      QTRY_VERIFY(std::abs(offset() - x) < 1e-6);
+    }
+  }
+
   void settingsThatMakeNoSenseAreNotTaken() {
     QSettings().setValue("haptics/simulated/axes", "+0+0+2");
     QSettings().setValue("haptics/simulated/scale", "nan");

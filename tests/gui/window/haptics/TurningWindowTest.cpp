@@ -1,95 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../WindowDriver.h"
 #include "../WindowTestMain.h"
-#include "document/workpiece/WorkpieceDocument.h"
-#include "window/documents/DocumentTab.h"
-#include "window/documents/DocumentTabs.h"
-#include "window/haptics/HapticSession.h"
+#include "TurningWindow.h"
 #include "window/tools/ToolHost.h"
-
-#include <cmath>
 
 using namespace handwheel;
 using namespace handwheel::test;
-
-namespace {
-
-// A window with a new workpiece, 50 × 100 mm, seen from the front, and the tool in use.
-struct TurningWindow {
-  WindowDriver driver;
-  HapticSession& session;
-  Viewport* view;
-
-  TurningWindow() : session(*driver.window().findChild<HapticSession*>()), view(driver.find<Viewport>("viewport")) {}
-  ~TurningWindow() { session.close(); }
-
-  bool begin() {
-    driver.choose("newWorkpiece");
-    if (!driver.settle()) return false;
-    view->setStandardView(StandardView::Front);
-    if (!driver.settle() || !QTest::qWaitFor([this] { return view->isPickingReady(); }, kPatienceMs)) return false;
-    driver.find<QAction>("turnTool")->trigger();
-    return driver.find<QAction>("turnTool")->isChecked();
-  }
-  WorkpieceDocument& document() {
-    return static_cast<WorkpieceDocument&>(driver.window().findChild<DocumentTabs*>()->current()->document);
-  }
-  const WorkpieceSnapshot& workpiece() { return document().workpiece(); }
-  bool takeHand() {
-    session.choose("simulated", "hand");
-    return QTest::qWaitFor([this] { return session.latest() != nullptr; }, kPatienceMs) && driver.settle() && leadOut();
-  }
-  // Beside the bar, without the button.
-  bool leadOut() {
-    leadTo({32.0, 0.0, 50.0}, 0);
-    const auto isOut = [this] { return std::abs(session.latest()->tip.position.x() - 32.0) < 1.0; };
-    return QTest::qWaitFor(isOut, kPatienceMs);
-  }
-  double radiusAt(double z) {
-    const TurnedProfile& profile = workpiece().part->profile;
-    return profile.radius(static_cast<std::size_t>(std::lround(z / profile.spacing())));
-  }
-  // The pixel at which the plane y = 0 is met at this place.
-  QPoint pixelOf(double x, double z) const {
-    QPoint best;
-    double nearest = 1e300;
-    for (int v = 0; v < view->height(); ++v) {
-      for (int u = 0; u < view->width(); u += 1) {
-        const ViewRay ray = view->rayAt(QPointF(u, v));
-        const Vec3 p = ray.origin - ray.origin.y() / ray.direction.y() * ray.direction;
-        const double distance = std::hypot(p.x() - x, p.z() - z);
-        if (distance < nearest) nearest = distance, best = {u, v};
-      }
-    }
-    return best;
-  }
-  Vec3 placeOf(const QPoint& pixel) const {
-    const ViewRay ray = view->rayAt(pixel);
-    return ray.origin - ray.origin.y() / ray.direction.y() * ray.direction;
-  }
-  void moveTo(const QPoint& at) {
-    QMouseEvent move(QEvent::MouseMove, at, view->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
-    QApplication::sendEvent(view, &move);
-  }
-  void drag(const QPoint& from, const QPoint& to) {
-    QTest::mousePress(view, Qt::LeftButton, {}, pixelOf(28.0, 30.0));  // beside the bar
-    for (int i = 0; i <= 10; ++i) {
-      moveTo(from + (to - from) * i / 10);
-      QTest::qWait(5);
-    }
-    QTest::mouseRelease(view, Qt::LeftButton, {}, to);
-  }
-  void leadTo(const Vec3& place, std::uint32_t buttons) {
-    const WorkspaceMapping mapping = session.mappingInScene();
-    HandPose pose;
-    pose.position = mapping.viewFromDevice().transpose() * (mapping.sceneFromView.inverse() * place) / mapping.scale;
-    pose.buttons = buttons;
-    session.simulatedHand()->setTarget(pose);
-  }
-};
-
-}  // namespace
 
 // A bar is turned in the window, by the mouse and by a simulated hand with force.
 class TurningWindowTest : public QObject {
@@ -158,6 +74,82 @@ class TurningWindowTest : public QObject {
     QCOMPARE(turning.document().history()->count(), 1);
     turning.driver.find<QAction>("undo")->trigger();
     QVERIFY(!turning.workpiece().part);
+  }
+
+  // Also the first pass of a document, of which there is nothing else to undo.
+  void undoTakesTheFirstPass() {
+    TurningWindow turning;
+    QVERIFY(turning.begin());
+    auto* undo = turning.driver.find<QAction>("undo");
+    QVERIFY(!undo->isEnabled());
+    QTest::mousePress(turning.view, Qt::LeftButton, {}, turning.pixelOf(28.0, 80.0));
+    turning.moveTo(turning.pixelOf(20.0, 80.0));
+    QTRY_VERIFY(undo->isEnabled());
+    undo->trigger();
+    QTRY_VERIFY(!undo->isEnabled());
+    QTest::mouseRelease(turning.view, Qt::LeftButton, {}, turning.pixelOf(20.0, 80.0));
+    QVERIFY(!turning.workpiece().part);
+    QCOMPARE(turning.document().history()->count(), 0);
+  }
+
+  // The label at the nose: the numbers of the place, in the unit of the document.
+  void theNoseHasItsNumbers() {
+    TurningWindow turning;
+    QVERIFY(turning.begin());
+    const auto* label = turning.driver.find<QLabel>("toolLabel");
+    const QPoint beside = turning.pixelOf(28.0, 40.0);
+    const auto expected = [&](double perUnit, int digits, const char* unit) {
+      const Vec3 nose = turning.placeOf(beside);
+      const QString format = QStringLiteral("⌀ %1 %4  Z %2 %4  %3 %4");
+      const auto number = [&](double mm) { return QLocale().toString(mm / perUnit, 'f', digits); };
+      return format.arg(number(2.0 * (nose.x() - 1.0)), number(nose.z()), number(0.0), QString::fromLatin1(unit));
+    };
+    const auto shown = [label] { return label->text().replace(QChar::Nbsp, QLatin1Char(' ')); };
+    QTest::mouseMove(turning.view, beside);
+    QTRY_VERIFY(label->isVisible());
+    QTRY_COMPARE(shown(), expected(1.0, 2, "mm"));
+    QVERIFY(turning.document().setProperty("display_unit", 3.0));
+    QTest::mouseMove(turning.view, beside + QPoint(0, 1));
+    QTest::mouseMove(turning.view, beside);
+    QTRY_COMPARE(shown(), expected(25.4, 4, "in"));
+    QTest::mouseMove(turning.view, turning.pixelOf(60.0, 40.0));  // far from the bar
+    QTRY_VERIFY(!label->isVisible());
+  }
+
+  // A bar that grows out of the view is fitted again; otherwise the camera stays as it is.
+  void aBarThatGrowsStaysInTheView() {
+    TurningWindow turning;
+    QVERIFY(turning.begin());
+    const double height = turning.view->camera().height;
+    turning.driver.edit("length", "95");
+    QTest::qWait(50);  // what is fitted is fitted by now
+    QCOMPARE(turning.view->camera().height, height);
+    turning.driver.edit("length", "300");
+    QVERIFY(turning.driver.settle());
+    QTRY_VERIFY(turning.view->camera().height > 300.0);
+    CameraState near = turning.view->camera();
+    near.height = 20.0;
+    turning.view->setCamera(near);
+    turning.driver.edit("diameter", "80");  // it was not seen whole before
+    QTest::qWait(50);
+    QCOMPARE(turning.view->camera().height, 20.0);
+  }
+
+  // What is locked says why.
+  void lockedSizesSayWhy() {
+    TurningWindow turning;
+    QVERIFY(turning.begin());
+    turning.drag(turning.pixelOf(22.0, 30.0), turning.pixelOf(22.0, 60.0));
+    QVERIFY(turning.workpiece().part);
+    const auto tip = [&](const char* field) {
+      const auto rows = turning.driver.window().findChildren<QWidget*>(QString::fromLatin1(field));
+      return std::any_of(rows.begin(), rows.end(), [](const QWidget* row) {
+        return row->isVisible() && row->toolTip() == QStringLiteral("Undo the passes to change the size.");
+      });
+    };
+    QTRY_VERIFY(tip("property/diameter") && tip("property/length"));
+    turning.driver.click("quickActions/undo");
+    QTRY_VERIFY(!tip("property/diameter") && !tip("property/length"));
   }
 
   // The hand feels the bar as it is; pressed with the button held it goes in, and the release is the undo step.

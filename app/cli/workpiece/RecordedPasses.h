@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "haptics/recording/Recording.h"
+#include "machining/TurningPass.h"
+
+#include <vector>
+
+namespace handwheel {
+
+// The passes that a recording of the window holds, one for each press of the first button while the turning tool was in
+// use. The nose was where the tip was displayed, at its proxy. A pass ends with the button, or where the tip leaps, as
+// in the window; what was dropped there with Esc is here, too. base: mm, z of the lower end of the part.
+std::vector<TurningPass> passesOf(const Recording& recording, double noseRadius, double base);
+
+}  // namespace handwheel

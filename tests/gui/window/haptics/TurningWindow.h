@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Handwheel developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "../WindowDriver.h"
+#include "document/workpiece/WorkpieceDocument.h"
+#include "window/documents/DocumentTab.h"
+#include "window/documents/DocumentTabs.h"
+#include "window/haptics/HapticSession.h"
+
+#include <cmath>
+
+namespace handwheel::test {
+
+// A window with a new workpiece, 50 × 100 mm, seen from the front, and the tool in use.
+struct TurningWindow {
+  WindowDriver driver;
+  HapticSession& session;
+  Viewport* view;
+
+  TurningWindow() : session(*driver.window().findChild<HapticSession*>()), view(driver.find<Viewport>("viewport")) {}
+  ~TurningWindow() { session.close(); }
+
+  bool begin() {
+    driver.choose("newWorkpiece");
+    if (!driver.settle()) return false;
+    view->setStandardView(StandardView::Front);
+    if (!driver.settle() || !QTest::qWaitFor([this] { return view->isPickingReady(); }, kPatienceMs)) return false;
+    driver.find<QAction>("turnTool")->trigger();
+    return driver.find<QAction>("turnTool")->isChecked();
+  }
+  WorkpieceDocument& document() {
+    return static_cast<WorkpieceDocument&>(driver.window().findChild<DocumentTabs*>()->current()->document);
+  }
+  const WorkpieceSnapshot& workpiece() { return document().workpiece(); }
+  bool takeHand() {
+    session.choose("simulated", "hand");
+    return QTest::qWaitFor([this] { return session.latest() != nullptr; }, kPatienceMs) && driver.settle() && leadOut();
+  }
+  // Beside the bar, without the button.
+  bool leadOut() {
+    leadTo({32.0, 0.0, 50.0}, 0);
+    const auto isOut = [this] { return std::abs(session.latest()->tip.position.x() - 32.0) < 1.0; };
+    return QTest::qWaitFor(isOut, kPatienceMs);
+  }
+  double radiusAt(double z) {
+    const TurnedProfile& profile = workpiece().part->profile;
+    return profile.radius(static_cast<std::size_t>(std::lround(z / profile.spacing())));
+  }
+  // The pixel at which the plane y = 0 is met at this place.
+  QPoint pixelOf(double x, double z) const {
+    QPoint best;
+    double nearest = 1e300;
+    for (int v = 0; v < view->height(); ++v) {
+      for (int u = 0; u < view->width(); u += 1) {
+        const ViewRay ray = view->rayAt(QPointF(u, v));
+        const Vec3 p = ray.origin - ray.origin.y() / ray.direction.y() * ray.direction;
+        const double distance = std::hypot(p.x() - x, p.z() - z);
+        if (distance < nearest) nearest = distance, best = {u, v};
+      }
+    }
+    return best;
+  }
+  Vec3 placeOf(const QPoint& pixel) const {
+    const ViewRay ray = view->rayAt(pixel);
+    return ray.origin - ray.origin.y() / ray.direction.y() * ray.direction;
+  }
+  void moveTo(const QPoint& at) {
+    QMouseEvent move(QEvent::MouseMove, at, view->mapToGlobal(at), Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(view, &move);
+  }
+  void drag(const QPoint& from, const QPoint& to) {
+    QTest::mousePress(view, Qt::LeftButton, {}, pixelOf(28.0, 30.0));  // beside the bar
+    for (int i = 0; i <= 10; ++i) {
+      moveTo(from + (to - from) * i / 10);
+      QTest::qWait(5);
+    }
+    QTest::mouseRelease(view, Qt::LeftButton, {}, to);
+  }
+  void leadTo(const Vec3& place, std::uint32_t buttons) {
+    const WorkspaceMapping mapping = session.mappingInScene();
+    HandPose pose;
+    pose.position = mapping.viewFromDevice().transpose() * (mapping.sceneFromView.inverse() * place) / mapping.scale;
+    pose.buttons = buttons;
+    session.simulatedHand()->setTarget(pose);
+  }
+};
+
+}  // namespace handwheel::test
