@@ -307,6 +307,12 @@ class PartActorsTest : public QObject {
     QVERIFY(colours()[0] != plain[0] && colours()[1] == plain[1]);
     actors.setHighlighted("");
     QVERIFY(colours() == plain);
+    DisplayPart c = partAt("c", {9, 0, 0}), d = partAt("d", {12, 0, 0});
+    c.group = d.group = "one";
+    actors.set({c, d});
+    makeAll(actors);
+    actors.setHighlighted("c");
+    QVERIFY(colours()[0] != plain[0] && colours()[1] != plain[1]);
   }
 
   // Every soup is delivered once, in order; one that is being made is delivered although no longer asked for.

@@ -210,7 +210,7 @@ void PartActors::style(const Part& part) const {
   QColor colour = toColour(part.description.colour);
   const bool isSelected = m_selected.contains(name);
   if (isSelected) colour = mixed(colour, m_style.colours.accent, kSelectedTint);
-  if (!name.empty() && name == m_highlighted) colour = mixed(colour, m_style.colours.accent, kTint);
+  if (isHighlighted(part)) colour = mixed(colour, m_style.colours.accent, kTint);
   const double opacity = m_faded.contains(name) || (m_isCovered && !isSelected) ? kFadedOpacity : m_opacity;
   for (const auto& actor : part.actors) applyStyle(actor, m_style, {colour, part.description.smooth, opacity});
 }
@@ -230,12 +230,27 @@ void PartActors::setOrigin(const Vec3& origin) {
   }
 }
 
+// Of a group all parts are highlighted: to the user they are one.
+bool PartActors::isHighlighted(const Part& part) const {
+  if (m_highlighted.empty()) return false;
+  return part.description.name == m_highlighted || part.isIn(m_highlightedGroup);
+}
+
 void PartActors::setHighlighted(const std::string& name) {
   if (name == m_highlighted) return;
-  const std::string before = std::exchange(m_highlighted, name);
-  for (const Part& part : m_parts) {
-    if (part.description.name == name || part.description.name == before) style(part);
-  }
+  std::vector<const Part*> changed;
+  const auto note = [&] {
+    for (const Part& part : m_parts) {
+      if (isHighlighted(part)) changed.push_back(&part);
+    }
+  };
+  note();
+  m_highlighted = name;
+  const auto part =
+      std::find_if(m_parts.begin(), m_parts.end(), [&](const Part& p) { return p.description.name == name; });
+  m_highlightedGroup = part == m_parts.end() ? std::string() : part->description.group;
+  note();
+  for (const Part* each : changed) style(*each);
 }
 
 bool PartActors::setSelected(const std::set<std::string>& names, bool isCovered) {

@@ -40,7 +40,7 @@ class PartActors {
   void setStyle(const SurfaceStyle& style);
   // Sets the model point at the origin of the drawing.
   void setOrigin(const Vec3& origin);
-  // Tints the parts of this name with the accent colour; empty: none.
+  // Tints the parts of this name, and of its group, with the accent colour; empty: none.
   void setHighlighted(const std::string& name);
 
   // Tints the parts of these names more strongly. isCovered: draws all others translucently, so that these are seen.
@@ -95,6 +95,7 @@ class PartActors {
   void addActor(Part& part, vtkPolyData* block);
   void remove(Part& part);
   void place(const Part& part) const;
+  bool isHighlighted(const Part& part) const;
   void style(const Part& part) const;
   void updateBounds();
 
@@ -110,7 +111,8 @@ class PartActors {
   SurfaceStyle m_style;
   Vec3 m_origin = Vec3::Zero();
   std::set<std::string> m_faded;
-  std::string m_highlighted;  // a name
+  std::string m_highlighted;       // a name
+  std::string m_highlightedGroup;  // of that part
   std::set<std::string> m_selected;
   bool m_isCovered = false;  // the selected ones are
   int m_built = 0;
