@@ -85,7 +85,9 @@ Vertex readOneLoop(StepReader& reader, const MeshDocument& document) {
 
 MeshChange readSmoothEdge(StepReader& reader, const OperationValues& values, const MeshDocument& document) {
   const Vertex key = readOneLoop(reader, document);
-  return smoothEdgeChange(key, smoothingOptionsOf(values));
+  SmoothingOptions options = smoothingOptionsOf(values);
+  options.numbers = numbersFor(document, values);
+  return smoothEdgeChange(key, options);
 }
 
 MeshChange readRepair(StepReader&, const OperationValues& values, const MeshDocument& document) {

@@ -153,7 +153,9 @@ ToolReply BoundaryTool::propose(Kind kind) {
 
 // On another thread: all that it needs goes with it.
 std::function<BoundaryTool::Proposal(Progress)> BoundaryTool::workFor(Kind kind) const {
-  return [kind, mesh = mesh(), loop = *loop(), loops = m_document.defects().loops, options = m_smoothing,
+  SmoothingOptions options = m_smoothing;
+  options.numbers = m_document.fileNumbers();
+  return [kind, mesh = mesh(), loop = *loop(), loops = m_document.defects().loops, options,
           faces = m_services.faces()](Progress progress) {
     Proposal proposal;
     proposal.kind = kind;

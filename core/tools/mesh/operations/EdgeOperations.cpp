@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tools/mesh/operations/EdgeOperations.h"
 
+#include "tools/mesh/operations/FillOperation.h"
 #include "tools/mesh/operations/MeshOperations.h"
 #include "tools/mesh/operations/SharedParameters.h"
 
@@ -45,18 +46,20 @@ std::vector<Operation> edgeOperations() {
        .title = QT_TRANSLATE_NOOP("Tool", "Smooth the edge"),
        .meaning = "Draw an open edge onto a smooth curve",
        .operands = "LOOP",
-       .parameters = {wavelengthParameter(), flagParameter("uneven", "Do not spread its points evenly")}},
+       .parameters = {wavelengthParameter(), flagParameter("uneven", "Do not spread its points evenly"),
+                      numbersParameter()}},
   };
 }
 
 SmoothingOptions smoothingOptionsOf(const OperationValues& values) {
-  return {values.number("wavelength"), !values.flag("uneven")};
+  return {values.number("wavelength"), !values.flag("uneven"), numbersOf(values).value_or(NumberType::Float64)};
 }
 
 OperationValues valuesOf(const SmoothingOptions& options) {
   OperationValues values(meshOperation("smooth-edge"));
   values.setValid("wavelength", options.wavelength);
   values.setValid("uneven", !options.evenly);
+  setNumbers(values, options.numbers);
   return values;
 }
 
