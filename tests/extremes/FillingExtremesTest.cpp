@@ -53,7 +53,8 @@ std::vector<FillOptions> everyWay() {
           only(FillMethod::Area),    only(FillMethod::Dihedral),
           only(FillMethod::Refined), only(FillMethod::Fair, Continuity::Position),
           only(FillMethod::Fair),    only(FillMethod::Fair, Continuity::Curvature),
-          only(FillMethod::Ridge),   only(FillMethod::Ridge, Continuity::Curvature)};
+          only(FillMethod::Ridge),   only(FillMethod::Ridge, Continuity::Curvature),
+          only(FillMethod::Flat)};
 }
 
 // A disc over the loop: each of its edges once, the other way round, all others twice, as many triangles as Euler says.

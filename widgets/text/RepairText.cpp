@@ -30,7 +30,7 @@ QString fillMethodName(FillMethod method) {
     case FillMethod::Refined:
       return RepairWords::tr("Refined");
     case FillMethod::Ear:
-      return RepairWords::tr("Ear cutting");
+      return RepairWords::tr("Ear clipping");
     case FillMethod::Minimal:
       return RepairWords::tr("Area and bend");
     case FillMethod::Area:
@@ -39,10 +39,12 @@ QString fillMethodName(FillMethod method) {
       return RepairWords::tr("Least bend");
     case FillMethod::Ridge:
       return RepairWords::tr("Ridges");
+    case FillMethod::Flat:
+      return RepairWords::tr("Flat");
     case FillMethod::Cone:
       return RepairWords::tr("Cone");
     case FillMethod::ThickenedSheet:
-      return RepairWords::tr("Given a back");
+      return RepairWords::tr("Thickened sheet");
     case FillMethod::Stitched:
       return RepairWords::tr("Stitched");
     case FillMethod::Removed:
@@ -58,16 +60,26 @@ QString fillMethodHint(FillMethod method) {
     case FillMethod::Refined:
       return RepairWords::tr("Triangles as fine as the surroundings, not bent. For flat places.");
     case FillMethod::Ear:
-      return RepairWords::tr("Cuts one corner after the other; adds no vertices.");
+      return RepairWords::tr(
+          "Cuts off one corner after the other, the best first; adds no vertices. For holes of many edges.");
     case FillMethod::Minimal:
-      return RepairWords::tr("The smallest possible area; adds no vertices.");
+      return RepairWords::tr(
+          "Small bends, then a small area, among the triangulations with edges of the Delaunay tetrahedra; adds no "
+          "vertices.");
     case FillMethod::Area:
-      return RepairWords::tr("The least area of all triangulations; adds no vertices.");
+      return RepairWords::tr(
+          "The least area; adds no vertices. A hole of more than 300 edges is cut into pieces first.");
     case FillMethod::Dihedral:
-      return RepairWords::tr("The least bend between neighbours, then the least area; adds no vertices.");
+      return RepairWords::tr(
+          "The least bend between neighbours, then the least area; adds no vertices. A hole of more than 300 edges is "
+          "cut "
+          "into pieces first.");
     case FillMethod::Ridge:
       return RepairWords::tr(
           "As fair, with the sharp edges that end at the hole carried through it. For designed parts.");
+    case FillMethod::Flat:
+      return RepairWords::tr(
+          "A lid in the plane that fits the edge best; adds no vertices. For openings that were cut.");
     case FillMethod::Cone:
       return RepairWords::tr("Triangles to one point behind or before the hole.");
     case FillMethod::ThickenedSheet:

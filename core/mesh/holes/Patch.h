@@ -17,6 +17,7 @@ enum class FillMethod {
   Area,            // the triangulation of least area, no new vertices
   Dihedral,        // the triangulation whose largest bend is least, then of least area, no new vertices
   Ridge,           // as Fair, with the creases that end at the hole continued through it
+  Flat,            // triangulated in the best plane of the loop, no new vertices (triangulateFlat())
   Cone,            // triangles to one point before or behind the loop; only a repair does this
   ThickenedSheet,  // its sheet was thickened (thickenSheet()); only a repair does this
   Stitched,        // the borders were stitched together; only a repair does this

@@ -12,7 +12,7 @@ namespace handwheel {
 namespace {
 
 constexpr FillMethod kMethods[] = {FillMethod::Ear,  FillMethod::Minimal,  FillMethod::Refined, FillMethod::Fair,
-                                   FillMethod::Area, FillMethod::Dihedral, FillMethod::Ridge};
+                                   FillMethod::Area, FillMethod::Dihedral, FillMethod::Ridge,   FillMethod::Flat};
 
 }  // namespace
 
@@ -39,7 +39,7 @@ FidelitySetting fillMethodSetting() {
   setChoices(s,
              {translatable("Fidelity", "ear"), translatable("Fidelity", "minimal"), translatable("Fidelity", "refined"),
               translatable("Fidelity", "fair"), translatable("Fidelity", "area"), translatable("Fidelity", "dihedral"),
-              translatable("Fidelity", "ridge")});  // as kMethods
+              translatable("Fidelity", "ridge"), translatable("Fidelity", "flat")});  // as kMethods
   s.standard = 3.0;
   s.presets = {3.0, 3.0, 3.0};
   s.error = {translatable("Fidelity", "RMS distance of the patch from the surface"),

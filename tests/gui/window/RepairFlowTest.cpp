@@ -48,13 +48,13 @@ class RepairFlowTest : public QObject {
     auto* table = driver.find<QTreeWidget>("methodTable");
     QTRY_COMPARE_WITH_TIMEOUT(table->topLevelItemCount(), 7, kPatienceMs);
     for (int i = 0; i < 7; ++i) {
-      if (table->topLevelItem(i)->text(0) != "Ear cutting") continue;
+      if (table->topLevelItem(i)->text(0) != "Ear clipping") continue;
       QVERIFY(table->topLevelItem(i)->text(1).toInt() > 0);
       table->scrollToItem(table->topLevelItem(i));
       QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualItemRect(table->topLevelItem(i)).center());
       break;
     }
-    QCOMPARE(driver.find<QComboBox>("fillMethod")->currentText(), "Ear cutting");
+    QCOMPARE(driver.find<QComboBox>("fillMethod")->currentText(), "Ear clipping");
     driver.click("compareMethods");
     QVERIFY(driver.settle());
 
@@ -147,7 +147,7 @@ class RepairFlowTest : public QObject {
     QVERIFY(driver.open(fileWithHoles("method.stl")));
     driver.clickDefect(DefectKind::Hole, 0);
     auto* methods = driver.find<QComboBox>("fillMethod");
-    methods->setCurrentIndex(methods->findText("Ear cutting"));
+    methods->setCurrentIndex(methods->findText("Ear clipping"));
     // A quad without new vertices takes two triangles.
     QTRY_COMPARE_WITH_TIMEOUT(driver.text("previewStatus"), "2 new triangles", kPatienceMs);
     driver.click("fillHoleButton");

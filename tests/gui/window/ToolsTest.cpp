@@ -143,14 +143,14 @@ class ToolsTest : public QObject {
     };
     QVERIFY(is(QStringLiteral("Fair"), QStringLiteral("Fair")));
     const QString fine = driver.text("previewStatus");
-    choose(choice(driver, "fill"), QStringLiteral("Ear cutting"));
-    QVERIFY(is(QStringLiteral("Ear cutting"), QStringLiteral("Fair")));
+    choose(choice(driver, "fill"), QStringLiteral("Ear clipping"));
+    QVERIFY(is(QStringLiteral("Ear clipping"), QStringLiteral("Fair")));
     QVERIFY(driver.settle());
     QVERIFY2(driver.text("previewStatus") != fine, qPrintable(fine));
     for (const char* another : {"nextHole", "measureTool", "fillTool"}) driver.find<QAction>(another)->trigger();
-    QVERIFY(is(QStringLiteral("Ear cutting"), QStringLiteral("Fair")));
+    QVERIFY(is(QStringLiteral("Ear clipping"), QStringLiteral("Fair")));
     choose(inSettings("fill_method"), QStringLiteral("Refined"));
-    QVERIFY(is(QStringLiteral("Ear cutting"), QStringLiteral("Refined")));
+    QVERIFY(is(QStringLiteral("Ear clipping"), QStringLiteral("Refined")));
     choose(withHole, QStringLiteral("Refined"));
     QVERIFY(is(QStringLiteral("Refined"), QStringLiteral("Refined")));
     choose(inSettings("fill_method"), QStringLiteral("Fair"));

@@ -18,8 +18,8 @@ namespace handwheel {
 
 namespace {
 
-constexpr FillMethod kMethods[] = {FillMethod::Fair, FillMethod::Refined,  FillMethod::Ear,  FillMethod::Minimal,
-                                   FillMethod::Area, FillMethod::Dihedral, FillMethod::Ridge};
+constexpr FillMethod kMethods[] = {FillMethod::Fair, FillMethod::Refined,  FillMethod::Ear,   FillMethod::Minimal,
+                                   FillMethod::Area, FillMethod::Dihedral, FillMethod::Ridge, FillMethod::Flat};
 
 QComboBox* methodBox(QWidget* parent) {
   auto* box = new QComboBox(parent);

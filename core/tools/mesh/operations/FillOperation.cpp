@@ -11,20 +11,20 @@ namespace handwheel {
 namespace {
 
 Parameter methodParameter() {
-  return {
-      .property = {.id = "fill",
-                   .group = {},
-                   .label = QT_TRANSLATE_NOOP("Property", "Method"),
-                   .value = 0.0,
-                   .choices = {QT_TRANSLATE_NOOP("Property", "Fair"), QT_TRANSLATE_NOOP("Property", "Refined"),
-                               QT_TRANSLATE_NOOP("Property", "Ear cutting"),
-                               QT_TRANSLATE_NOOP("Property", "Area and bend"),
-                               QT_TRANSLATE_NOOP("Property", "Least area"), QT_TRANSLATE_NOOP("Property", "Least bend"),
-                               QT_TRANSLATE_NOOP("Property", "Ridges")}},  // as FillMethod
-      .meaning = "How patches are made",
-      .word = "METHOD",
-      .words = {"fair", "refined", "ear", "minimal", "area", "dihedral", "ridge"},
-      .isAlwaysWritten = true};
+  return {.property = {.id = "fill",
+                       .group = {},
+                       .label = QT_TRANSLATE_NOOP("Property", "Method"),
+                       .value = 0.0,
+                       .choices = {QT_TRANSLATE_NOOP("Property", "Fair"), QT_TRANSLATE_NOOP("Property", "Refined"),
+                                   QT_TRANSLATE_NOOP("Property", "Ear clipping"),
+                                   QT_TRANSLATE_NOOP("Property", "Area and bend"),
+                                   QT_TRANSLATE_NOOP("Property", "Least area"),
+                                   QT_TRANSLATE_NOOP("Property", "Least bend"), QT_TRANSLATE_NOOP("Property", "Ridges"),
+                                   QT_TRANSLATE_NOOP("Property", "Flat")}},  // as FillMethod
+          .meaning = "How patches are made",
+          .word = "METHOD",
+          .words = {"fair", "refined", "ear", "minimal", "area", "dihedral", "ridge", "flat"},
+          .isAlwaysWritten = true};
 }
 
 Parameter continuityParameter() {
@@ -46,7 +46,7 @@ std::vector<double> numbersOf(const EarWeights& ears) {
 Parameter earsParameter() {
   Parameter ears = {.property = {.id = "ears", .group = {}, .label = {}, .value = "", .least = 0.0, .largest = 1e6},
                     .meaning =
-                        "Weights of ear cutting: short edges, even angles, small bends, and how far the whole "
+                        "Weights of ear clipping: short edges, even angles, small bends, and how far the whole "
                         "hole tells what is outside",
                     .word = "L,A,N,W",
                     .parts = {{"length", QT_TRANSLATE_NOOP("Property", "Short edges count")},
