@@ -26,10 +26,11 @@ std::string rightAligned(const std::string& text, std::size_t width) {
 }
 
 std::string loopTable(const std::vector<LoopReport>& loops) {
-  std::string table = "\nBoundary loops\n    id   edges     length (mm)   planarity\n";
+  std::string table = "\nBoundary loops\n    id   edges     length (mm)      area (mm2)   planarity   islands\n";
   for (const LoopReport& loop : loops) {
     table += rightAligned(std::to_string(loop.id), 6) + rightAligned(std::to_string(loop.edges), 8) +
-             rightAligned(roundedText(loop.lengthMm), 16) + rightAligned(roundedText(loop.planarity), 12) + "\n";
+             rightAligned(roundedText(loop.lengthMm), 16) + rightAligned(roundedText(loop.areaMm2), 16) +
+             rightAligned(roundedText(loop.planarity), 12) + rightAligned(std::to_string(loop.islands), 10) + "\n";
   }
   return table;
 }
@@ -50,6 +51,9 @@ std::string readableText(const MeshReport& report) {
   text += line("Non-manifold vertices", std::to_string(report.nonManifoldVertices));
   text += line("Degenerate faces", std::to_string(report.degenerateFaces));
   text += line("Duplicate faces", std::to_string(report.duplicateFaces));
+  if (report.reversedFaces > 0) text += line("Faces turned over", std::to_string(report.reversedFaces));
+  if (report.nearVertices > 0) text += line("Near vertices (pairs)", std::to_string(report.nearVertices));
+  if (report.debris > 0) text += line("Debris (pieces)", std::to_string(report.debris));
   const auto& pairs = report.selfIntersectingPairs;
   text += line("Self-intersecting pairs", pairs ? std::to_string(*pairs) : "not counted");
   text += line("Volume (mm3)", report.volumeMm3 ? roundedText(*report.volumeMm3) : "none, the surface is open");

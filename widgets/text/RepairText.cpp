@@ -180,6 +180,12 @@ QString stateText(const MeshState& state) {
   return parts.join(QStringLiteral(", "));
 }
 
+QString areaText(double squareMillimetres, LengthUnit unit) {
+  const double area = squareMillimetres / (millimetresPer(unit) * millimetresPer(unit));
+  return (area < 100.0 ? QLocale().toString(area, 'g', 3) : QLocale().toString(area, 'f', 0)) + QLatin1Char(' ') +
+         QString::fromLatin1(symbolOf(unit)) + QChar(0xb2);
+}
+
 QString lengthText(double millimetres, LengthUnit unit) {
   const double length = millimetres / millimetresPer(unit);
   const int most = unit == LengthUnit::Millimetre ? 2 : 4;

@@ -30,6 +30,8 @@ QStringList repairSummary(const RepairReport& report);
 // does not hold; what was not looked for is left out.
 QString stateText(const MeshState& state);
 
+// Formats an area with three significant digits, or as a whole number: "12.3 mm²".
+QString areaText(double squareMillimetres, LengthUnit unit);
 // Formats a length with three significant digits: "31.2 mm". It has at most two decimals, or four in units other than
 // mm.
 QString lengthText(double millimetres, LengthUnit unit);

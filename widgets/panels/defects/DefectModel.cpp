@@ -129,8 +129,10 @@ QVariant DefectModel::rowData(DefectKind kind, int row, int role) const {
     case NoteRole:
       return loop >= 0 ? fillFailureReason(m_inspection->failure(loop)) : QString();
     case Qt::ToolTipRole: {
+      if (loop < 0) return {};
       const QString reason = data(createIndex(row, 0, static_cast<quintptr>(kind) + 1), NoteRole).toString();
-      return reason.isEmpty() ? QVariant() : tr("Stayed open: %1.").arg(reason);
+      const QString measures = m_inspection->loopMeasures(loop);
+      return reason.isEmpty() ? measures : tr("Stayed open: %1.").arg(reason) + QLatin1Char('\n') + measures;
     }
     default:
       return {};

@@ -115,6 +115,16 @@ QString Inspection::loopDetail(int id) const {
       .arg(lengthText(l.length, m_document.displayUnit()));
 }
 
+QString Inspection::loopMeasures(int id) const {
+  const BoundaryLoop& l = loop(id);
+  const LengthUnit unit = m_document.displayUnit();
+  QStringList parts{tr("Area %1.").arg(areaText(l.area, unit)),
+                    tr("%1 off the plane that fits best (RMS).").arg(lengthText(l.planarity * l.length, unit))};
+  if (l.islands > 0)
+    parts << tr("%Ln island(s) in it: remove them first (Holes tool).", nullptr, static_cast<int>(l.islands));
+  return parts.join(QLatin1Char(' '));
+}
+
 QString Inspection::loopTitle(int id) const {
   return tr("%1 — %2").arg(loopName(id), loopDetail(id));
 }
