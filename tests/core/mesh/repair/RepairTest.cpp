@@ -190,6 +190,7 @@ void RepairTest::keptHoleOfASheet() {
   QVERIFY(loops[std::size_t(rim)].rim && !loops[std::size_t(hole)].rim);
   HalfEdgeMesh mesh = input;
   RepairOptions options;
+  options.rims = RimHandling::Thicken;
   options.keepOpen = {hole};
   const RepairReport report = repair(mesh, options);
   QVERIFY(test::sameMesh(mesh, input));
@@ -262,7 +263,9 @@ void RepairTest::poleInASheet() {
   test::append(soup, test::moved(test::cylinder(8, 10, 0.1, 20.0, true), Vec3(0.05, 0.02, -10.0)));
   const HalfEdgeMesh input = buildMesh(soup).mesh;
   HalfEdgeMesh mesh = input;
-  const RepairReport report = repair(mesh, {});
+  RepairOptions options;
+  options.rims = RimHandling::Thicken;
+  const RepairReport report = repair(mesh, options);
   QCOMPARE(test::intersections(mesh), std::size_t{0});
   QCOMPARE(test::count(report, LoopOutcome::Filled), std::size_t{2});
   QVERIFY(test::countEdges(mesh).sound());
@@ -356,7 +359,9 @@ void RepairTest::coordinatesThatCannotBeCut() {
     QVERIFY(test::countEdges(mesh.compact().soup).sound());
 
     mesh = buildMesh(bowl(60, tiny)).mesh;
-    const RepairReport report = repair(mesh, {});
+    RepairOptions options;
+    options.rims = RimHandling::Thicken;
+    const RepairReport report = repair(mesh, options);
     QCOMPARE(report.loops.size(), std::size_t{1});
     QVERIFY(report.loops[0].method == FillMethod::ThickenedSheet);
     QVERIFY(test::countEdges(mesh.compact().soup).sound());
