@@ -20,12 +20,16 @@ const char* const kCubeJson = R"({
   "closed": true,
   "manifold": true,
   "oriented": true,
+  "inside_out_bodies": 0,
   "boundary_loops": 0,
   "loops": [],
   "non_manifold_edges": 0,
   "non_manifold_vertices": 0,
   "degenerate_faces": 0,
   "duplicate_faces": 0,
+  "reversed_faces": 0,
+  "near_vertices": 0,
+  "debris": 0,
   "self_intersecting_pairs": 0,
   "volume_mm3": 1.0,
   "bounding_box_mm": [
@@ -50,19 +54,26 @@ const char* const kOpenCubeJson = R"({
   "closed": false,
   "manifold": true,
   "oriented": true,
+  "inside_out_bodies": 0,
   "boundary_loops": 1,
   "loops": [
     {
       "id": 0,
       "edges": 4,
       "length_mm": 2.0,
-      "planarity": 0.0
+      "area_mm2": 0.25,
+      "planarity": 0.0,
+      "islands": 0,
+      "rim": false
     }
   ],
   "non_manifold_edges": 0,
   "non_manifold_vertices": 0,
   "degenerate_faces": 0,
   "duplicate_faces": 0,
+  "reversed_faces": 0,
+  "near_vertices": 0,
+  "debris": 0,
   "self_intersecting_pairs": 0,
   "volume_mm3": null,
   "bounding_box_mm": [
@@ -96,9 +107,9 @@ const char* const kOpenCubeText =
     "Volume (mm3)              none, the surface is open\n"
     "Bounding box (mm)         0, 0, 0 to 0.5, 0.5, 0.5\n"
     "\n"
-    "Boundary loops\n"
-    "    id   edges     length (mm)   planarity\n"
-    "     0       4               2           0\n";
+    "Holes\n"
+    "    id   edges     length (mm)      area (mm2)   planarity   islands\n"
+    "     0       4               2            0.25           0         0\n";
 
 }  // namespace
 
