@@ -56,7 +56,8 @@ void DeviceDock::showChosen() {
 
 void DeviceDock::showTick() {
   if (!isVisible()) return;
-  if (const ServoSample* const last = m_session.latest()) showSample(*last);
+  if (const ServoSample* const last = m_session.latest())
+    showSample(*last, 1.0 / m_session.mappingInScene().sceneStiffness(1.0));
   if (m_sinceRun.isValid() && m_sinceRun.elapsed() < kRunMs) return;
   showRun();
 }

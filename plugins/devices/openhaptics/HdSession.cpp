@@ -3,7 +3,6 @@
 #include "openhaptics/HdSession.h"
 
 #include "haptics/device/DeviceErrors.h"
-#include "io/Capabilities.h"
 #include "openhaptics/Driver.h"
 
 #include <algorithm>
@@ -84,7 +83,7 @@ void HdSession::askCapabilities() {
   const bool isBox = least.allFinite() && most.allFinite() && reach > 1.0 && reach < 1e3;
   if (isBox) all.workspaceRadius = reach;
   m_centre = isBox ? Vec3(0.5 * (least + most)) : Vec3(Vec3::Zero());
-  all.inherentDamping = inherentDampingFor(all.maxStiffness, all.nominalRate);
+  all.inherentDamping = touchDamping(all.maxStiffness, all.nominalRate);
   m_capabilities = all;
 }
 

@@ -66,6 +66,18 @@ QStringList DeviceText::safety(SafetyActions actions) {
   return sentences;
 }
 
+QString DeviceText::softened(double stiffness, double asked, const DeviceInUse& device, double rate,
+                             const QLocale& locale) {
+  const QString name = device.chosen ? QString::fromStdString(device.chosen->name) : QString();
+  const QString felt = locale.toString(stiffness, 'f', 2), set = locale.toString(asked, 'f', 2);
+  if (stiffness > 0.99 * device.capabilities.maxStiffness && device.capabilities.maxStiffness > 0.0)
+    return tr("Softer than set: %1 of %2 N/mm; no more is stated for the %3").arg(felt, set, name);
+  const QString kilohertz = locale.toString(rate / 1e3, 'g', 2);
+  const QString milliseconds = locale.toString(device.capabilities.latency * 1e3, 'g', 2);
+  return tr("Softer than set: %1 of %2 N/mm; limit of the %3 at %4 kHz and %5 ms of delay")
+      .arg(felt, set, name, kilohertz, milliseconds);
+}
+
 QString DeviceText::realTimeAdvice() {
   return tr(
       "The system does not let the servo loop run in real time. Ticks come late when the machine is busy, and walls "

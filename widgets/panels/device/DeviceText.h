@@ -22,6 +22,9 @@ class DeviceText {
   static QString advice(DeviceStatus status);
   // One sentence for each action of the safety chain, in the order of its stages.
   static QStringList safety(SafetyActions actions);
+  // What was made softer than it was set, and why. Both stiffnesses at the device, N/mm; rate: of the loop, Hz.
+  static QString softened(double stiffness, double asked, const DeviceInUse& device, double rate,
+                          const QLocale& locale);
   // What to do when the loop is not real-time, and the command that does it.
   static QString realTimeAdvice();
   static QString realTimeCommand();
