@@ -24,6 +24,17 @@ double number(HDenum what) {
   return std::isfinite(value) && value > 0.0 ? value : 0.0;
 }
 
+// A device says which styles it knows, as bits; a calibration is of one. What the maker advises: first what needs
+// nobody, then the inkwell, then the reset of the encoders.
+HDenum calibrationStyle() {
+  HDint known = 0;
+  hdGetIntegerv(HD_CALIBRATION_STYLE, &known);
+  for (const HDenum style : {HD_CALIBRATION_AUTO, HD_CALIBRATION_INKWELL, HD_CALIBRATION_ENCODER_RESET}) {
+    if (known & static_cast<HDint>(style)) return style;
+  }
+  return HD_CALIBRATION_AUTO;
+}
+
 // Column after column.
 Eigen::Quaterniond orientationOf(const HDdouble* transform) {
   Eigen::Matrix3d turn;
@@ -75,7 +86,7 @@ void HdSession::askCapabilities() {
   HDint outputs = 3;
   hdGetIntegerv(HD_OUTPUT_DOF, &outputs);
   all.outputs = outputs >= 6 ? 6 : 3;
-  hdGetIntegerv(HD_CALIBRATION_STYLE, &m_calibrationStyle);
+  m_calibrationStyle = calibrationStyle();
   HDdouble box[6] = {};  // the least corner, then the largest
   hdGetDoublev(HD_USABLE_WORKSPACE_DIMENSIONS, box);
   const Vec3 least(box[0], box[1], box[2]), most(box[3], box[4], box[5]);
@@ -139,7 +150,7 @@ DeviceState HdSession::exchange(const DeviceForce& force) noexcept {
   if (m_device == HD_INVALID_HANDLE) return {};
   const std::uint32_t before = m_ticks.load(std::memory_order_acquire);
   m_forces.write({force, m_clock->now()});
-  if (m_canCalibrate.exchange(false)) hdUpdateCalibration(static_cast<HDenum>(m_calibrationStyle));
+  if (m_canCalibrate.exchange(false)) hdUpdateCalibration(m_calibrationStyle);
   if (waitForTick(before)) {
     m_lastTick = m_clock->now();
     const std::uint32_t number = m_last.reading + 1;

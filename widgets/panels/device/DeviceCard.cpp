@@ -50,7 +50,7 @@ QString headlineOf(const DeviceInUse& view) {
 
 QString detailOf(const DeviceInUse& view) {
   if (view.isPointer) return {};
-  if (view.chosen) return DeviceText::advice(view.status);
+  if (view.chosen) return DeviceText::advice(view.status, view.chosen->driver);
   return view.found.empty() ? DeviceCard::tr("Plug one in: it appears here by itself.")
                             : DeviceCard::tr("Choose one from the list above.");
 }

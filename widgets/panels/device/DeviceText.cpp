@@ -12,6 +12,21 @@ QString number(const QLocale& locale, double value) {
   return locale.toString(value, 'g', 4);
 }
 
+QString homingAdvice(const std::string& driver) {
+  if (driver == "falcon") {
+    return DeviceText::tr(
+        "It does not know yet where it is. Pull the grip slowly all the way out, push it all the way in, and bring it "
+        "back to the middle. There is no force until then.");
+  }
+  if (driver == "openhaptics") {
+    return DeviceText::tr(
+        "It does not know yet where it is. Put the pen into its inkwell and hold it there for a moment; a device "
+        "without one is brought to its reset position. There is no force until then.");
+  }
+  return DeviceText::tr(
+      "It does not know yet where it is. Calibrate it as its manual says. There is no force until then.");
+}
+
 }  // namespace
 
 QString DeviceText::status(DeviceStatus status) {
@@ -30,19 +45,16 @@ QString DeviceText::status(DeviceStatus status) {
   return {};
 }
 
-QString DeviceText::advice(DeviceStatus status) {
+QString DeviceText::advice(DeviceStatus status, const std::string& driver) {
   switch (status) {
     case DeviceStatus::Absent:
-      return tr("Plug it in, then choose it again.");
+      return tr("Plug it in: it is opened by itself.");
     case DeviceStatus::Starting:
       return tr("It is being connected and may be loading its firmware. This can take some seconds.");
     case DeviceStatus::NeedsHoming:
-      return tr(
-          "It does not know yet where it is. Pull the grip slowly all the way out, push it all the way in, and bring "
-          "it "
-          "back to the middle. There is no force until then.");
+      return homingAdvice(driver);
     case DeviceStatus::Failed:
-      return tr("Unplug it, wait for some seconds, plug it in and choose it again.");
+      return tr("Unplug it, wait for some seconds, and plug it in: it is opened by itself.");
     case DeviceStatus::Ready:
       break;
   }

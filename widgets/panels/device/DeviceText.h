@@ -18,8 +18,8 @@ class DeviceText {
 
  public:
   static QString status(DeviceStatus status);
-  // What the user can do about a status; empty when there is nothing.
-  static QString advice(DeviceStatus status);
+  // What the user can do about a status; empty when there is nothing. driver: of the device, each homes in its own way.
+  static QString advice(DeviceStatus status, const std::string& driver);
   // One sentence for each action of the safety chain, in the order of its stages.
   static QStringList safety(SafetyActions actions);
   // What was made softer than it was set, and why. Both stiffnesses at the device, N/mm; rate: of the loop, Hz.
