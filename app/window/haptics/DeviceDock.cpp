@@ -46,8 +46,7 @@ void DeviceDock::showChosen() {
   view.found.assign(found.begin(), found.end());
   if (const DeviceInfo chosen = m_session.chosen(); !chosen.driver.empty()) view.chosen = chosen;
   view.capabilities = m_session.capabilities();
-  const ServoSample* const last = m_session.latest();
-  view.status = last ? last->device.status : DeviceStatus::Starting;
+  view.status = m_session.status();
   view.isPointer = m_session.mouse() != nullptr;
   view.isForceOn = m_session.isForceOn();
   showDevice(view);
