@@ -29,6 +29,11 @@ DeviceDock::DeviceDock(HapticSession& session, QWidget* parent) : DevicePanel(pa
   showChosen();
 }
 
+void DeviceDock::setCarrying(std::vector<std::string> names) {
+  m_carrying = std::move(names);
+  showChosen();
+}
+
 void DeviceDock::showEvent(QShowEvent* event) {
   m_session.setWatching(true);
   showChosen();
@@ -47,6 +52,7 @@ void DeviceDock::showChosen() {
   if (const DeviceInfo chosen = m_session.chosen(); !chosen.driver.empty()) view.chosen = chosen;
   view.capabilities = m_session.capabilities();
   view.status = m_session.status();
+  view.carrying = m_carrying;
   view.isPointer = m_session.mouse() != nullptr;
   view.isForceOn = m_session.isForceOn();
   showDevice(view);

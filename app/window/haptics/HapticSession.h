@@ -40,6 +40,7 @@ class HapticSession : public QObject {
 
   // The simulated device and the mouse, then the devices of the last search.
   QList<DeviceInfo> found() const;
+  DeviceFinder& finder() { return m_finder; }
   // Searches for devices every two seconds while a list of them is visible.
   void setWatching(bool isOn);
   const std::vector<PluginInfo>& plugins() const { return m_finder.plugins(); }

@@ -16,7 +16,8 @@ struct DeviceInUse {
   std::optional<DeviceInfo> chosen;  // not among those found when it was unplugged
   DeviceCapabilities capabilities;   // of the chosen one
   DeviceStatus status = DeviceStatus::Absent;
-  bool isPointer = false;  // the mouse is used as device
+  std::vector<std::string> carrying;  // names of those that move the view
+  bool isPointer = false;             // the mouse is used as device
   bool isForceOn = false;
 };
 
