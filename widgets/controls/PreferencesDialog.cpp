@@ -102,8 +102,35 @@ QWidget* PreferencesDialog::mousePage() {
     describe();
     store();
   });
-  line(page, tr("Move the view as in"), box)->addRow(description);
+  QFormLayout* form = line(page, tr("Move the view as in"), box);
+  form->addRow(description);
+  addSpaceMouse(form);
   return page;
+}
+
+void PreferencesDialog::addSpaceMouse(QFormLayout* form) {
+  auto* on = new QCheckBox(tr("A space mouse moves the view"), this);
+  on->setObjectName(QStringLiteral("spaceMouseOn"));
+  on->setChecked(m_preferences.isViewCarried);
+  auto* speed = new QSpinBox(this);
+  speed->setObjectName(QStringLiteral("spaceMouseSpeed"));
+  speed->setAccessibleName(tr("Speed of the space mouse"));
+  speed->setRange(kLeastCarryingSpeed, kLargestCarryingSpeed);
+  speed->setSingleStep(10);
+  speed->setSuffix(tr(" %"));
+  speed->setValue(m_preferences.carryingSpeed);
+  speed->setEnabled(on->isChecked());
+  const auto use = [this, on, speed] {
+    speed->setEnabled(on->isChecked());
+    m_preferences.isViewCarried = on->isChecked();
+    m_preferences.carryingSpeed = speed->value();
+    store();
+  };
+  connect(on, &QCheckBox::toggled, this, use);
+  connect(speed, &QSpinBox::valueChanged, this, use);
+  form->addRow(on);
+  form->addRow(tr("Its speed"), speed);
+  form->addRow(note(tr("Its axes are those of the panel “Device”, as they were set while it was the device."), this));
 }
 
 QWidget* PreferencesDialog::unitsPage() {

@@ -33,7 +33,7 @@ Message lostMessage(const QString& name, DeviceStatus status) {
           isGone ? DeviceMessagesWords::tr("It was unplugged, or is without power.")
                  : DeviceMessagesWords::tr("It does not answer as it should."),
           isGone ? DeviceMessagesWords::tr("Plug it in again: it is opened by itself.")
-                 : DeviceMessagesWords::tr("Plug it in again, and choose it once more in the panel “Device”."),
+                 : DeviceMessagesWords::tr("Unplug it and plug it in again: it is opened by itself."),
           {},
           {}};
 }

@@ -12,6 +12,21 @@ QString number(const QLocale& locale, double value) {
   return locale.toString(value, 'g', 4);
 }
 
+QString homingAdvice(const std::string& driver) {
+  if (driver == "falcon") {
+    return DeviceText::tr(
+        "It does not know yet where it is. Pull the grip slowly all the way out, push it all the way in, and bring it "
+        "back to the middle. There is no force until then.");
+  }
+  if (driver == "openhaptics") {
+    return DeviceText::tr(
+        "It does not know yet where it is. Put the pen into its inkwell and hold it there for a moment; a device "
+        "without one is brought to its reset position. There is no force until then.");
+  }
+  return DeviceText::tr(
+      "It does not know yet where it is. Calibrate it as its manual says. There is no force until then.");
+}
+
 }  // namespace
 
 QString DeviceText::status(DeviceStatus status) {
@@ -30,19 +45,16 @@ QString DeviceText::status(DeviceStatus status) {
   return {};
 }
 
-QString DeviceText::advice(DeviceStatus status) {
+QString DeviceText::advice(DeviceStatus status, const std::string& driver) {
   switch (status) {
     case DeviceStatus::Absent:
-      return tr("Plug it in, then choose it again.");
+      return tr("Plug it in: it is opened by itself.");
     case DeviceStatus::Starting:
       return tr("It is being connected and may be loading its firmware. This can take some seconds.");
     case DeviceStatus::NeedsHoming:
-      return tr(
-          "It does not know yet where it is. Pull the grip slowly all the way out, push it all the way in, and bring "
-          "it "
-          "back to the middle. There is no force until then.");
+      return homingAdvice(driver);
     case DeviceStatus::Failed:
-      return tr("Unplug it, wait for some seconds, plug it in and choose it again.");
+      return tr("Unplug it, wait for some seconds, and plug it in: it is opened by itself.");
     case DeviceStatus::Ready:
       break;
   }
@@ -64,6 +76,18 @@ QStringList DeviceText::safety(SafetyActions actions) {
   add(SafetyAction::Slew, tr("The force changes no faster than is safe."));
   add(SafetyAction::Clamp, tr("The force is as large as the device may give."));
   return sentences;
+}
+
+QString DeviceText::softened(double stiffness, double asked, const DeviceInUse& device, double rate,
+                             const QLocale& locale) {
+  const QString name = device.chosen ? QString::fromStdString(device.chosen->name) : QString();
+  const QString felt = locale.toString(stiffness, 'f', 2), set = locale.toString(asked, 'f', 2);
+  if (stiffness > 0.99 * device.capabilities.maxStiffness && device.capabilities.maxStiffness > 0.0)
+    return tr("Softer than set: %1 of %2 N/mm; no more is stated for the %3").arg(felt, set, name);
+  const QString kilohertz = locale.toString(rate / 1e3, 'g', 2);
+  const QString milliseconds = locale.toString(device.capabilities.latency * 1e3, 'g', 2);
+  return tr("Softer than set: %1 of %2 N/mm; limit of the %3 at %4 kHz and %5 ms of delay")
+      .arg(felt, set, name, kilohertz, milliseconds);
 }
 
 QString DeviceText::realTimeAdvice() {
