@@ -50,20 +50,12 @@
         <translation>Antwortet nicht, wie es sollte</translation>
     </message>
     <message>
-        <source>Plug it in, then choose it again.</source>
-        <translation>Schließen Sie es an und wählen Sie es noch einmal.</translation>
-    </message>
-    <message>
         <source>It is being connected and may be loading its firmware. This can take some seconds.</source>
         <translation>Es wird verbunden und lädt vielleicht seine Firmware. Das kann einige Sekunden dauern.</translation>
     </message>
     <message>
         <source>It does not know yet where it is. Pull the grip slowly all the way out, push it all the way in, and bring it back to the middle. There is no force until then.</source>
         <translation>Es weiß noch nicht, wo es ist. Ziehen Sie den Griff langsam ganz heraus, schieben Sie ihn ganz hinein und bringen Sie ihn zurück zur Mitte. Bis dahin gibt es keine Kraft.</translation>
-    </message>
-    <message>
-        <source>Unplug it, wait for some seconds, plug it in and choose it again.</source>
-        <translation>Ziehen Sie es ab, warten Sie einige Sekunden, schließen Sie es an und wählen Sie es noch einmal.</translation>
     </message>
     <message>
         <source>No force: the device is not ready.</source>
@@ -168,6 +160,30 @@
     <message>
         <source>springs back; its deflection is a speed</source>
         <translation>federt zurück; seine Auslenkung ist eine Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>It does not know yet where it is. Put the pen into its inkwell and hold it there for a moment; a device without one is brought to its reset position. There is no force until then.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It does not know yet where it is. Calibrate it as its manual says. There is no force until then.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plug it in: it is opened by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unplug it, wait for some seconds, and plug it in: it is opened by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Softer than set: %1 of %2 N/mm; no more is stated for the %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Softer than set: %1 of %2 N/mm; limit of the %3 at %4 kHz and %5 ms of delay</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1127,10 +1143,6 @@
         <translation>die Anzahl der Punkte fehlt oder ist unmöglich</translation>
     </message>
     <message>
-        <source>another size of a bar that was cut already; undo its passes first</source>
-        <translation>eine andere Größe einer Stange, die schon bearbeitet ist; machen Sie zuerst die Schnitte rückgängig</translation>
-    </message>
-    <message>
         <source>passes</source>
         <translation>Schnitte</translation>
     </message>
@@ -1600,6 +1612,10 @@
         <source>triangles of the mesh</source>
         <translation>Dreiecke des Netzes</translation>
     </message>
+    <message>
+        <source>flat</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FidelityPanel</name>
@@ -1662,10 +1678,6 @@
         <translation>Simulierte Hand</translation>
     </message>
     <message>
-        <source>Mouse</source>
-        <translation>Maus</translation>
-    </message>
-    <message>
         <source>%1 could not be opened</source>
         <translation>%1 konnte nicht geöffnet werden</translation>
     </message>
@@ -1686,16 +1698,20 @@
         <translation>Es antwortet nicht, wie es sollte.</translation>
     </message>
     <message>
-        <source>Plug it in again, and choose it once more in the panel “Device”.</source>
-        <translation>Schließen Sie es wieder an und wählen Sie es noch einmal im Bereich „Gerät“.</translation>
-    </message>
-    <message>
         <source>A device plugin is not used</source>
         <translation>Ein Gerätemodul wird nicht verwendet</translation>
     </message>
     <message>
         <source>Plug it in again: it is opened by itself.</source>
         <translation>Stecken Sie es wieder ein: Es wird von selbst geöffnet.</translation>
+    </message>
+    <message>
+        <source>Mouse as device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unplug it and plug it in again: it is opened by itself.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1884,13 +1900,6 @@
         <source>Watertight.</source>
         <translation>Wasserdicht.</translation>
     </message>
-    <message numerus="yes">
-        <source>%Ln triangle(s) faced the wrong way and were turned over.</source>
-        <translation>
-            <numerusform>%Ln Dreieck war verkehrt herum und wurde umgedreht.</numerusform>
-            <numerusform>%Ln Dreiecke waren verkehrt herum und wurden umgedreht.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Saved as %1.</source>
         <translation>Gespeichert als %1.</translation>
@@ -1934,6 +1943,20 @@
     <message>
         <source>Closed, but self-intersecting.</source>
         <translation>Geschlossen, aber selbstdurchdringend.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln body(ies) inside out</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln triangle(s) faced the wrong way and were reversed.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2128,10 +2151,6 @@
     <message>
         <source>Refined</source>
         <translation>Verfeinert</translation>
-    </message>
-    <message>
-        <source>Ear cutting</source>
-        <translation>Ohren abschneiden</translation>
     </message>
     <message>
         <source>New triangles</source>
@@ -2821,6 +2840,14 @@
         <source>Effort not known</source>
         <translation>Kraft unbekannt</translation>
     </message>
+    <message>
+        <source>Ear clipping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flat</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -2831,10 +2858,6 @@
     <message>
         <source>Refined</source>
         <translation>Verfeinert</translation>
-    </message>
-    <message>
-        <source>Ear cutting</source>
-        <translation>Ohren abschneiden</translation>
     </message>
     <message>
         <source>Stitched</source>
@@ -2851,14 +2874,6 @@
     <message>
         <source>Triangles as fine as the surroundings, not bent. For flat places.</source>
         <translation>Dreiecke so fein wie die Umgebung, nicht gewölbt. Für ebene Stellen.</translation>
-    </message>
-    <message>
-        <source>Cuts one corner after the other; adds no vertices.</source>
-        <translation>Schneidet eine Ecke nach der anderen ab; fügt keine Eckpunkte hinzu.</translation>
-    </message>
-    <message>
-        <source>The smallest possible area; adds no vertices.</source>
-        <translation>Die kleinstmögliche Fläche; fügt keine Eckpunkte hinzu.</translation>
     </message>
     <message>
         <source>The borders were brought together.</source>
@@ -3002,18 +3017,6 @@
         <translation>Kegel</translation>
     </message>
     <message>
-        <source>Given a back</source>
-        <translation>Mit Rückseite</translation>
-    </message>
-    <message>
-        <source>The least area of all triangulations; adds no vertices.</source>
-        <translation>Die kleinste Fläche aller Triangulierungen; ohne neue Punkte.</translation>
-    </message>
-    <message>
-        <source>The least bend between neighbours, then the least area; adds no vertices.</source>
-        <translation>Der kleinste Knick zwischen Nachbarn, dann die kleinste Fläche; ohne neue Punkte.</translation>
-    </message>
-    <message>
         <source>As fair, with the sharp edges that end at the hole carried through it. For designed parts.</source>
         <translation>Wie glatt, aber scharfe Kanten, die am Loch enden, laufen hindurch. Für konstruierte Teile.</translation>
     </message>
@@ -3113,6 +3116,38 @@
             <numerusform>%n Stück</numerusform>
             <numerusform>%n Stücke</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Ear clipping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thickened sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cuts off one corner after the other, the best first; adds no vertices. For holes of many edges.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Small bends, then a small area, among the triangulations with edges of the Delaunay tetrahedra; adds no vertices.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The least area; adds no vertices. A hole of more than 300 edges is cut into pieces first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The least bend between neighbours, then the least area; adds no vertices. A hole of more than 300 edges is cut into pieces first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A lid in the plane that fits the edge best; adds no vertices. For openings that were cut.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3441,10 +3476,6 @@
         <translation>verschmolzen würden sie keine Lücke schließen oder Kanten mit mehr als zwei Dreiecken hinterlassen</translation>
     </message>
     <message>
-        <source>Part what only touches</source>
-        <translation>Trennen, was sich nur berührt</translation>
-    </message>
-    <message>
         <source>it would take too long for a mesh of this size</source>
         <translation>das würde für ein Netz dieser Größe zu lange dauern</translation>
     </message>
@@ -3453,16 +3484,8 @@
         <translation>jeder Schritt auseinander würde die Fläche sich selbst durchdringen lassen</translation>
     </message>
     <message>
-        <source>Cut crossings apart</source>
-        <translation>Durchdringungen auftrennen</translation>
-    </message>
-    <message>
         <source>the triangles lie in one plane, lie on others, or are tangled too much to be cut apart</source>
         <translation>die Dreiecke liegen in einer Ebene, liegen auf anderen oder sind zu sehr verschlungen, um aufgetrennt zu werden</translation>
-    </message>
-    <message>
-        <source>Give a back</source>
-        <translation>Rückseite geben</translation>
     </message>
     <message>
         <source>a back would cross the part, or close a hole that is kept open</source>
@@ -3653,10 +3676,6 @@
         <translation>verbinden statt überbrücken</translation>
     </message>
     <message>
-        <source>Cut and give two sides</source>
-        <translation>Aufschneiden und zwei Seiten geben</translation>
-    </message>
-    <message>
         <source>the cut could not be closed without crossing the part</source>
         <translation>der Schnitt ließe sich nicht schließen, ohne das Teil zu durchdringen</translation>
     </message>
@@ -3747,6 +3766,34 @@
     <message>
         <source>nothing more: the pass is full, release it</source>
         <translation>nichts mehr: der Schnitt ist voll, loslassen</translation>
+    </message>
+    <message>
+        <source>no closed surface is inside out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thicken sheets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Separate touching parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make two-sided</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reverse faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Resolve self-intersections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reverse the shells of the faces</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3923,6 +3970,10 @@
         <source>Grip</source>
         <translation>Griff</translation>
     </message>
+    <message>
+        <source>Drag a knob to lead the simulated hand; with keys: arrows, Page Up and Down, Home</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>handwheel::BenchmarkRunner</name>
@@ -3998,6 +4049,10 @@
     <message>
         <source>Held: %1</source>
         <translation>Gehalten: %1</translation>
+    </message>
+    <message>
+        <source>Click to hold a button of the simulated hand, and again to let go; or press its number</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4234,28 +4289,28 @@
 <context>
     <name>handwheel::DefectActions</name>
     <message>
-        <source>Mend</source>
-        <translation>Beheben</translation>
-    </message>
-    <message>
-        <source>Give a &amp;back</source>
-        <translation>Rückseite &amp;geben</translation>
-    </message>
-    <message>
         <source>&amp;Cut and close</source>
         <translation>Schneiden &amp;und schließen</translation>
     </message>
     <message>
-        <source>Mend what is chosen in the list of defects</source>
-        <translation>Beheben, was in der Liste der Fehler gewählt ist</translation>
-    </message>
-    <message>
-        <source>Make a thin body of an open sheet: of the selected one, or of all</source>
-        <translation>Aus einer offenen Fläche einen dünnen Körper machen: aus der ausgewählten oder aus allen</translation>
-    </message>
-    <message>
         <source>Close the hole across the part, and cut the part where the patch crosses it</source>
         <translation>Das Loch quer durch das Teil schließen und das Teil schneiden, wo die Füllfläche es durchdringt</translation>
+    </message>
+    <message>
+        <source>Fix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Thicken sheets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fix the defects selected in the list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn open sheets into thin closed bodies: the selected one, or all</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4324,10 +4379,6 @@
         <translation>Fast gleiche Eckpunkte</translation>
     </message>
     <message>
-        <source>Triangles turned over</source>
-        <translation>Umgedrehte Dreiecke</translation>
-    </message>
-    <message>
         <source>Degenerate triangles</source>
         <translation>Entartete Dreiecke</translation>
     </message>
@@ -4360,10 +4411,6 @@
         <translation>Eckpunkte an offenen Rändern, die durch Rundung in der Datei auseinanderliegen. Eine Reparatur führt sie zusammen.</translation>
     </message>
     <message>
-        <source>Triangles that faced the wrong way in the file. They were turned over on opening.</source>
-        <translation>Dreiecke, die in der Datei verkehrt herum lagen. Sie wurden beim Öffnen umgedreht.</translation>
-    </message>
-    <message>
         <source>Triangles without area.</source>
         <translation>Dreiecke ohne Flächeninhalt.</translation>
     </message>
@@ -4394,6 +4441,26 @@
     <message>
         <source>Pair %1</source>
         <translation>Paar %1</translation>
+    </message>
+    <message>
+        <source>Body %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inside out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reversed on opening</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closed surfaces whose triangles face inwards, so that solid and empty are exchanged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No defect any more: triangles that faced the other way than their neighbours in the file were reversed on opening. “Reverse faces” turns their whole shell, where the others were wrong.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4590,6 +4657,14 @@
     <message>
         <source>%1 (unplugged)</source>
         <translation>%1 (abgezogen)</translation>
+    </message>
+    <message>
+        <source>Shows under the mouse what a device would feel. The mouse points and turns the view without it, too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 moves the view. Choose it above only to lead the tip with it.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5064,6 +5139,21 @@
         <source>%1 — %2</source>
         <translation>%1 – %2</translation>
     </message>
+    <message>
+        <source>Area %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 off the plane that fits best (RMS).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln island(s) in it: remove them first (Holes tool).</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>handwheel::JobBar</name>
@@ -5486,16 +5576,16 @@
             <numerusform>%n Löcher</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n turned over</source>
-        <translation>
-            <numerusform>%n gewendet</numerusform>
-            <numerusform>%n gewendet</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Opened %1: %2</source>
         <translation>%1 geöffnet: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reversed</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5686,6 +5776,26 @@
         <source>The copy is kept beside your files, never in their place; after a crash it is offered to you.</source>
         <translation>Die Kopie liegt neben Ihren Dateien und ersetzt sie nie; nach einem Absturz wird sie Ihnen angeboten.</translation>
     </message>
+    <message>
+        <source>A space mouse moves the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of the space mouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its axes are those of the panel “Device”, as they were set while it was the device.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>handwheel::ReadOnlyRow</name>
@@ -5696,6 +5806,17 @@
     <message>
         <source>no</source>
         <translation>nein</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::RecordingSign</name>
+    <message>
+        <source>The device is being recorded. Click to show the recordings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording %1</source>
+        <translation type="unfinished">Aufzeichnung %1</translation>
     </message>
 </context>
 <context>
@@ -6431,6 +6552,13 @@
     </message>
 </context>
 <context>
+    <name>handwheel::SpaceMouseNavigation</name>
+    <message>
+        <source>Opening %1</source>
+        <translation type="unfinished">%1 wird geöffnet</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::StartPage</name>
     <message>
         <source>Open %1</source>
@@ -6493,13 +6621,6 @@
             <numerusform>%Ln offen gelassen</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%Ln turned over</source>
-        <translation>
-            <numerusform>%Ln umgedreht</numerusform>
-            <numerusform>%Ln umgedreht</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Not oriented</source>
         <translation>Nicht orientiert</translation>
@@ -6507,6 +6628,17 @@
     <message>
         <source>Self-intersecting</source>
         <translation>Selbstdurchdringend</translation>
+    </message>
+    <message>
+        <source>Inside out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln reversed on opening</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6870,6 +7002,14 @@
     <message>
         <source>It was cut already, so its size is fixed. “Save as” writes STEP, too.</source>
         <translation>Sie wurde schon bearbeitet, ihre Größe steht fest. „Speichern unter“ schreibt auch STEP.</translation>
+    </message>
+    <message>
+        <source>Undo the passes to change the size.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It was cut already, so its size is fixed.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

@@ -50,20 +50,12 @@
         <translation>应答异常</translation>
     </message>
     <message>
-        <source>Plug it in, then choose it again.</source>
-        <translation>请接上设备，然后重新选择。</translation>
-    </message>
-    <message>
         <source>It is being connected and may be loading its firmware. This can take some seconds.</source>
         <translation>正在连接，可能正在加载固件。这可能需要几秒钟。</translation>
     </message>
     <message>
         <source>It does not know yet where it is. Pull the grip slowly all the way out, push it all the way in, and bring it back to the middle. There is no force until then.</source>
         <translation>设备还不知道自己的位置。请把手柄慢慢拉到最外，再推到最里，然后回到中间。在此之前没有力。</translation>
-    </message>
-    <message>
-        <source>Unplug it, wait for some seconds, plug it in and choose it again.</source>
-        <translation>请拔下设备，等几秒钟，再接上并重新选择。</translation>
     </message>
     <message>
         <source>No force: the device is not ready.</source>
@@ -168,6 +160,30 @@
     <message>
         <source>springs back; its deflection is a speed</source>
         <translation>会弹回；偏移量代表速度</translation>
+    </message>
+    <message>
+        <source>It does not know yet where it is. Put the pen into its inkwell and hold it there for a moment; a device without one is brought to its reset position. There is no force until then.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It does not know yet where it is. Calibrate it as its manual says. There is no force until then.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plug it in: it is opened by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unplug it, wait for some seconds, and plug it in: it is opened by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Softer than set: %1 of %2 N/mm; no more is stated for the %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Softer than set: %1 of %2 N/mm; limit of the %3 at %4 kHz and %5 ms of delay</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1127,10 +1143,6 @@
         <translation>采样点数缺失或不可能</translation>
     </message>
     <message>
-        <source>another size of a bar that was cut already; undo its passes first</source>
-        <translation>已切削棒料的其他尺寸；请先撤销走刀</translation>
-    </message>
-    <message>
         <source>passes</source>
         <translation>走刀</translation>
     </message>
@@ -1600,6 +1612,10 @@
         <source>triangles of the mesh</source>
         <translation>网格的三角形数</translation>
     </message>
+    <message>
+        <source>flat</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>FidelityPanel</name>
@@ -1662,10 +1678,6 @@
         <translation>模拟手</translation>
     </message>
     <message>
-        <source>Mouse</source>
-        <translation>鼠标</translation>
-    </message>
-    <message>
         <source>%1 could not be opened</source>
         <translation>无法打开 %1</translation>
     </message>
@@ -1686,16 +1698,20 @@
         <translation>设备应答异常。</translation>
     </message>
     <message>
-        <source>Plug it in again, and choose it once more in the panel “Device”.</source>
-        <translation>请重新接上，并在“设备”面板中再次选择。</translation>
-    </message>
-    <message>
         <source>A device plugin is not used</source>
         <translation>有一个设备插件未被使用</translation>
     </message>
     <message>
         <source>Plug it in again: it is opened by itself.</source>
         <translation>请重新插上，它会自动打开。</translation>
+    </message>
+    <message>
+        <source>Mouse as device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unplug it and plug it in again: it is opened by itself.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1876,12 +1892,6 @@
         <source>Watertight.</source>
         <translation>水密。</translation>
     </message>
-    <message numerus="yes">
-        <source>%Ln triangle(s) faced the wrong way and were turned over.</source>
-        <translation>
-            <numerusform>%Ln 个三角形朝向有误，已翻转。</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Saved as %1.</source>
         <translation>已保存为 %1。</translation>
@@ -1921,6 +1931,18 @@
     <message>
         <source>Closed, but self-intersecting.</source>
         <translation>封闭，但自相交。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln body(ies) inside out</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln triangle(s) faced the wrong way and were reversed.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2115,10 +2137,6 @@
     <message>
         <source>Refined</source>
         <translation>细化</translation>
-    </message>
-    <message>
-        <source>Ear cutting</source>
-        <translation>切耳法</translation>
     </message>
     <message>
         <source>New triangles</source>
@@ -2808,6 +2826,14 @@
         <source>Effort not known</source>
         <translation>力矩未知</translation>
     </message>
+    <message>
+        <source>Ear clipping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flat</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>RepairText</name>
@@ -2818,10 +2844,6 @@
     <message>
         <source>Refined</source>
         <translation>细化</translation>
-    </message>
-    <message>
-        <source>Ear cutting</source>
-        <translation>切耳法</translation>
     </message>
     <message>
         <source>Stitched</source>
@@ -2838,14 +2860,6 @@
     <message>
         <source>Triangles as fine as the surroundings, not bent. For flat places.</source>
         <translation>三角形与周围一样细密，不弯曲。适合平坦处。</translation>
-    </message>
-    <message>
-        <source>Cuts one corner after the other; adds no vertices.</source>
-        <translation>逐个切去角点；不增加顶点。</translation>
-    </message>
-    <message>
-        <source>The smallest possible area; adds no vertices.</source>
-        <translation>面积最小；不增加顶点。</translation>
     </message>
     <message>
         <source>The borders were brought together.</source>
@@ -2982,18 +2996,6 @@
         <translation>锥</translation>
     </message>
     <message>
-        <source>Given a back</source>
-        <translation>加背面</translation>
-    </message>
-    <message>
-        <source>The least area of all triangulations; adds no vertices.</source>
-        <translation>所有三角化中面积最小者;不增加顶点。</translation>
-    </message>
-    <message>
-        <source>The least bend between neighbours, then the least area; adds no vertices.</source>
-        <translation>相邻面弯折最小,其次面积最小;不增加顶点。</translation>
-    </message>
-    <message>
         <source>As fair, with the sharp edges that end at the hole carried through it. For designed parts.</source>
         <translation>与光顺相同,但终止于孔边的锐边会贯穿补片。适用于设计零件。</translation>
     </message>
@@ -3086,6 +3088,38 @@
         <translation>
             <numerusform>%n 块</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Ear clipping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thickened sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cuts off one corner after the other, the best first; adds no vertices. For holes of many edges.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Small bends, then a small area, among the triangulations with edges of the Delaunay tetrahedra; adds no vertices.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The least area; adds no vertices. A hole of more than 300 edges is cut into pieces first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The least bend between neighbours, then the least area; adds no vertices. A hole of more than 300 edges is cut into pieces first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A lid in the plane that fits the edge best; adds no vertices. For openings that were cut.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3414,10 +3448,6 @@
         <translation>合并它们不能封闭任何缝隙，或会留下超过两个三角形的边</translation>
     </message>
     <message>
-        <source>Part what only touches</source>
-        <translation>分开仅相接触之处</translation>
-    </message>
-    <message>
         <source>it would take too long for a mesh of this size</source>
         <translation>对于这样大小的网格，这会花费太长时间</translation>
     </message>
@@ -3426,16 +3456,8 @@
         <translation>任何分开的移动都会使曲面自相交</translation>
     </message>
     <message>
-        <source>Cut crossings apart</source>
-        <translation>切开相交处</translation>
-    </message>
-    <message>
         <source>the triangles lie in one plane, lie on others, or are tangled too much to be cut apart</source>
         <translation>这些三角形共面、与其他三角形重合，或缠结过于严重而无法切开</translation>
-    </message>
-    <message>
-        <source>Give a back</source>
-        <translation>加背面</translation>
     </message>
     <message>
         <source>a back would cross the part, or close a hole that is kept open</source>
@@ -3626,10 +3648,6 @@
         <translation>合并而不架桥</translation>
     </message>
     <message>
-        <source>Cut and give two sides</source>
-        <translation>切开并赋予两侧</translation>
-    </message>
-    <message>
         <source>the cut could not be closed without crossing the part</source>
         <translation>无法在不穿过零件的情况下封闭切口</translation>
     </message>
@@ -3720,6 +3738,34 @@
     <message>
         <source>nothing more: the pass is full, release it</source>
         <translation>到此为止：走刀已满，请松开</translation>
+    </message>
+    <message>
+        <source>no closed surface is inside out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thicken sheets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Separate touching parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make two-sided</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reverse faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Resolve self-intersections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reverse the shells of the faces</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3892,6 +3938,10 @@
         <source>Grip</source>
         <translation>手柄</translation>
     </message>
+    <message>
+        <source>Drag a knob to lead the simulated hand; with keys: arrows, Page Up and Down, Home</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>handwheel::BenchmarkRunner</name>
@@ -3967,6 +4017,10 @@
     <message>
         <source>Held: %1</source>
         <translation>按住：%1</translation>
+    </message>
+    <message>
+        <source>Click to hold a button of the simulated hand, and again to let go; or press its number</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4203,28 +4257,28 @@
 <context>
     <name>handwheel::DefectActions</name>
     <message>
-        <source>Mend</source>
-        <translation>修复</translation>
-    </message>
-    <message>
-        <source>Give a &amp;back</source>
-        <translation>加背面(&amp;B)</translation>
-    </message>
-    <message>
         <source>&amp;Cut and close</source>
         <translation>切开并封闭(&amp;C)</translation>
     </message>
     <message>
-        <source>Mend what is chosen in the list of defects</source>
-        <translation>修复缺陷列表中所选的项目</translation>
-    </message>
-    <message>
-        <source>Make a thin body of an open sheet: of the selected one, or of all</source>
-        <translation>将开放曲面变为薄实体：所选的一张，或全部</translation>
-    </message>
-    <message>
         <source>Close the hole across the part, and cut the part where the patch crosses it</source>
         <translation>横穿零件封闭孔洞，并在补片穿过零件处切开零件</translation>
+    </message>
+    <message>
+        <source>Fix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Thicken sheets</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fix the defects selected in the list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn open sheets into thin closed bodies: the selected one, or all</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4292,10 +4346,6 @@
         <translation>邻近顶点</translation>
     </message>
     <message>
-        <source>Triangles turned over</source>
-        <translation>已翻转的三角形</translation>
-    </message>
-    <message>
         <source>Degenerate triangles</source>
         <translation>退化三角形</translation>
     </message>
@@ -4328,10 +4378,6 @@
         <translation>开放边界上因文件舍入而分开的顶点。修复时会合并。</translation>
     </message>
     <message>
-        <source>Triangles that faced the wrong way in the file. They were turned over on opening.</source>
-        <translation>文件中朝向有误的三角形，打开时已翻转。</translation>
-    </message>
-    <message>
         <source>Triangles without area.</source>
         <translation>面积为零的三角形。</translation>
     </message>
@@ -4362,6 +4408,26 @@
     <message>
         <source>Pair %1</source>
         <translation>第 %1 对</translation>
+    </message>
+    <message>
+        <source>Body %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inside out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reversed on opening</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closed surfaces whose triangles face inwards, so that solid and empty are exchanged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No defect any more: triangles that faced the other way than their neighbours in the file were reversed on opening. “Reverse faces” turns their whole shell, where the others were wrong.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4558,6 +4624,14 @@
     <message>
         <source>%1 (unplugged)</source>
         <translation>%1（已拔下）</translation>
+    </message>
+    <message>
+        <source>Shows under the mouse what a device would feel. The mouse points and turns the view without it, too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 moves the view. Choose it above only to lead the tip with it.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5029,6 +5103,20 @@
         <source>%1 — %2</source>
         <translation>%1 — %2</translation>
     </message>
+    <message>
+        <source>Area %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 off the plane that fits best (RMS).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln island(s) in it: remove them first (Holes tool).</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>handwheel::JobBar</name>
@@ -5447,15 +5535,15 @@
             <numerusform>%n 个孔</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n turned over</source>
-        <translation>
-            <numerusform>%n 个已翻转</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Opened %1: %2</source>
         <translation>已打开 %1：%2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reversed</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5645,6 +5733,26 @@
         <source>The copy is kept beside your files, never in their place; after a crash it is offered to you.</source>
         <translation>副本与您的文件分开保存，绝不覆盖；崩溃后会提供恢复。</translation>
     </message>
+    <message>
+        <source>A space mouse moves the view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of the space mouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its axes are those of the panel “Device”, as they were set while it was the device.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>handwheel::ReadOnlyRow</name>
@@ -5655,6 +5763,17 @@
     <message>
         <source>no</source>
         <translation>否</translation>
+    </message>
+</context>
+<context>
+    <name>handwheel::RecordingSign</name>
+    <message>
+        <source>The device is being recorded. Click to show the recordings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording %1</source>
+        <translation type="unfinished">录制 %1</translation>
     </message>
 </context>
 <context>
@@ -6380,6 +6499,13 @@
     </message>
 </context>
 <context>
+    <name>handwheel::SpaceMouseNavigation</name>
+    <message>
+        <source>Opening %1</source>
+        <translation type="unfinished">正在打开 %1</translation>
+    </message>
+</context>
+<context>
     <name>handwheel::StartPage</name>
     <message>
         <source>Open %1</source>
@@ -6440,12 +6566,6 @@
             <numerusform>%Ln 个保持开放</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%Ln turned over</source>
-        <translation>
-            <numerusform>%Ln 个已翻转</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Not oriented</source>
         <translation>方向不一致</translation>
@@ -6453,6 +6573,16 @@
     <message>
         <source>Self-intersecting</source>
         <translation>自相交</translation>
+    </message>
+    <message>
+        <source>Inside out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln reversed on opening</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6816,6 +6946,14 @@
     <message>
         <source>It was cut already, so its size is fixed. “Save as” writes STEP, too.</source>
         <translation>它已被切削，尺寸固定。“另存为”也可写入 STEP。</translation>
+    </message>
+    <message>
+        <source>Undo the passes to change the size.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It was cut already, so its size is fixed.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

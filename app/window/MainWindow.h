@@ -44,7 +44,7 @@ class ToolChoice;
 class ToolHost;
 class ToolPanel;
 class ViewActions;
-class ViewCarrier;
+class SpaceMouseNavigation;
 class ViewSettings;
 class Viewport;
 struct Preferences;
@@ -148,7 +148,7 @@ class MainWindow : public QMainWindow {
   ToolPanel* m_toolPanel;
   ToolHost* m_tools;
   DeviceView* m_deviceView;
-  ViewCarrier* m_carrier;
+  SpaceMouseNavigation* m_spaceMouse;
   ToolChoice* m_toolChoice;
   std::unique_ptr<KindMenus> m_kindPlace;
   CommandPalette* m_palette;

@@ -16,7 +16,7 @@
 #include "window/documents/DocumentTab.h"
 #include "window/documents/DocumentTabs.h"
 #include "window/haptics/DeviceView.h"
-#include "window/haptics/ViewCarrier.h"
+#include "window/haptics/SpaceMouseNavigation.h"
 #include "window/tools/ToolChoice.h"
 #include "window/tools/ToolHost.h"
 #include "window/tools/ToolPanel.h"
@@ -80,7 +80,7 @@ void MainWindow::connectMessages() {
           [this](const Document* document) { m_messages->withdraw(document, kSavingTopic); });
   connect(&m_autosave, &Autosave::message, m_messages, &MessageBar::showMessage);
   connect(&m_haptics, &HapticSession::message, m_messages, &MessageBar::showMessage);
-  connect(m_carrier, &ViewCarrier::message, m_messages, &MessageBar::showMessage);
+  connect(m_spaceMouse, &SpaceMouseNavigation::message, m_messages, &MessageBar::showMessage);
   connect(&m_tools->runner(), &ToolRunner::failed, this, [this](const QString& reason) {
     m_messages->showMessage({Message::Weight::Error,
                              tr("The tool failed and was put away"),

@@ -29,9 +29,9 @@
 #include "window/haptics/HapticFidelity.h"
 #include "window/haptics/RecordingSign.h"
 #include "window/haptics/RecordingsDock.h"
+#include "window/haptics/SpaceMouseNavigation.h"
 #include "window/haptics/TickTiming.h"
 #include "window/haptics/TouchPage.h"
-#include "window/haptics/ViewCarrier.h"
 #include "window/tools/ToolChoice.h"
 #include "window/tools/ToolHost.h"
 #include "window/tools/ToolPanel.h"
@@ -83,7 +83,7 @@ void MainWindow::buildCentre() {
   m_viewActions = new ViewActions(*m_viewport, this);
   new ViewFocus(*this, *m_viewport, this);
   m_deviceView = new DeviceView(m_haptics, *m_viewport, this);
-  m_carrier = new ViewCarrier(m_haptics, *m_viewport, m_pool, this);
+  m_spaceMouse = new SpaceMouseNavigation(m_haptics, *m_viewport, m_pool, this);
   m_toolPanel = new ToolPanel(this);
   m_tools = new ToolHost(*m_viewport, *m_toolPanel, m_services.needs(), this);
   new HapticFidelity(m_fidelity, m_haptics, m_touch, this);
@@ -134,7 +134,8 @@ void MainWindow::buildDocks() {
   auto* device = new DeviceDock(m_haptics, this);
   device->addPage(new TouchPage(m_haptics, device), tr("Touch"));
   device->addPage(new RecordingsDock(m_recordings, m_haptics, device), tr("Record"));
-  connect(m_carrier, &ViewCarrier::changed, device, [this, device] { device->setCarrying(m_carrier->names()); });
+  connect(m_spaceMouse, &SpaceMouseNavigation::changed, device,
+          [this, device] { device->setSpaceMice(m_spaceMouse->names()); });
   m_deviceDock = addDock(*this, Qt::RightDockWidgetArea, "deviceDock", tr("Device"), device, "device");
   tabifyDockWidget(m_viewDock, m_deviceDock);
   m_deviceDock->hide();

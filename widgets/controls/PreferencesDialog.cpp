@@ -111,19 +111,19 @@ QWidget* PreferencesDialog::mousePage() {
 void PreferencesDialog::addSpaceMouse(QFormLayout* form) {
   auto* on = new QCheckBox(tr("A space mouse moves the view"), this);
   on->setObjectName(QStringLiteral("spaceMouseOn"));
-  on->setChecked(m_preferences.isViewCarried);
+  on->setChecked(m_preferences.hasSpaceMouse);
   auto* speed = new QSpinBox(this);
   speed->setObjectName(QStringLiteral("spaceMouseSpeed"));
   speed->setAccessibleName(tr("Speed of the space mouse"));
-  speed->setRange(kLeastCarryingSpeed, kLargestCarryingSpeed);
+  speed->setRange(kLeastSpaceMouseSpeed, kLargestSpaceMouseSpeed);
   speed->setSingleStep(10);
   speed->setSuffix(tr(" %"));
-  speed->setValue(m_preferences.carryingSpeed);
+  speed->setValue(m_preferences.spaceMouseSpeed);
   speed->setEnabled(on->isChecked());
   const auto use = [this, on, speed] {
     speed->setEnabled(on->isChecked());
-    m_preferences.isViewCarried = on->isChecked();
-    m_preferences.carryingSpeed = speed->value();
+    m_preferences.hasSpaceMouse = on->isChecked();
+    m_preferences.spaceMouseSpeed = speed->value();
     store();
   };
   connect(on, &QCheckBox::toggled, this, use);

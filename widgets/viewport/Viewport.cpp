@@ -135,9 +135,9 @@ void Viewport::setCamera(const CameraState& camera) {
   d->moveTo(camera);
 }
 
-void Viewport::carry(const Vec3& pivot, const Vec3& shift, const Vec3& turn) {
+void Viewport::moveByHand(const Vec3& pivot, const Vec3& shift, const Vec3& turn) {
   d->flight.stop();
-  d->moveTo(d->navigation().carried(pivot, shift.head<2>(), turn));
+  d->moveTo(d->navigation().movedByHand(pivot, shift.head<2>(), turn));
   if (shift.z() != 0) d->zoomAbout(d->camera.centre, std::exp(shift.z()));
 }
 

@@ -33,8 +33,8 @@ DeviceDock::DeviceDock(HapticSession& session, QWidget* parent) : DevicePanel(pa
   showChosen();
 }
 
-void DeviceDock::setCarrying(std::vector<std::string> names) {
-  m_carrying = std::move(names);
+void DeviceDock::setSpaceMice(std::vector<std::string> names) {
+  m_spaceMice = std::move(names);
   showChosen();
 }
 
@@ -56,7 +56,7 @@ void DeviceDock::showChosen() {
   if (const DeviceInfo chosen = m_session.chosen(); !chosen.driver.empty()) view.chosen = chosen;
   view.capabilities = m_session.capabilities();
   view.status = m_session.status();
-  view.carrying = m_carrying;
+  view.spaceMice = m_spaceMice;
   view.isPointer = m_session.mouse() != nullptr;
   view.isLed = m_session.simulatedHand() != nullptr;
   view.isForceOn = m_session.isForceOn();

@@ -22,7 +22,7 @@ class DeviceDock : public DevicePanel {
   explicit DeviceDock(HapticSession& session, QWidget* parent = nullptr);  // the session outlives it
 
   // The names of the devices that move the view.
-  void setCarrying(std::vector<std::string> names);
+  void setSpaceMice(std::vector<std::string> names);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -35,7 +35,7 @@ class DeviceDock : public DevicePanel {
   void showRun();
 
   HapticSession& m_session;
-  std::vector<std::string> m_carrying;
+  std::vector<std::string> m_spaceMice;
   QElapsedTimer m_sinceRun;        // since timings were last shown
   std::optional<HandPose> m_goal;  // of the simulated hand, on its way there
 };

@@ -47,9 +47,9 @@ void PreferencesTest::nonsenseCountsAsNotSet() {
   settings.setValue("autosaveSeconds", 100000);
   QCOMPARE(loadPreferences().autosaveSeconds, kLongestAutosave);
   settings.setValue("view/space_mouse_speed", 0);
-  QCOMPARE(loadPreferences().carryingSpeed, kLeastCarryingSpeed);
+  QCOMPARE(loadPreferences().spaceMouseSpeed, kLeastSpaceMouseSpeed);
   settings.setValue("view/space_mouse_speed", "fast");
-  QCOMPARE(loadPreferences().carryingSpeed, 100);
+  QCOMPARE(loadPreferences().spaceMouseSpeed, 100);
 }
 
 void PreferencesTest::dialogAppliesAtOnce() {
@@ -81,9 +81,9 @@ void PreferencesTest::dialogAppliesAtOnce() {
   pages->setCurrentRow(1);
   auto* speed = dialog.findChild<QSpinBox*>("spaceMouseSpeed");
   speed->setValue(250);
-  QCOMPARE(said.carryingSpeed, 250);
+  QCOMPARE(said.spaceMouseSpeed, 250);
   dialog.findChild<QCheckBox*>("spaceMouseOn")->click();
-  QVERIFY(!said.isViewCarried && !speed->isEnabled());
+  QVERIFY(!said.hasSpaceMouse && !speed->isEnabled());
   // A second dialog shows what the first has stored.
   PreferencesDialog again(&keys, sampleNavigation());
   QCOMPARE(again.findChild<QComboBox*>("lengthUnitChoice")->currentIndex(), 3);

@@ -60,7 +60,7 @@ class CameraNavigationTest : public QObject {
       const auto inView = [](const CameraState& camera, const Vec3& p) -> Vec3 {
         return camera.orientation.conjugate() * (p - camera.centre);
       };
-      const CameraState carried = CameraNavigation(c, kCameraNavigationSize).carried(pivot, shift, turn);
+      const CameraState carried = CameraNavigation(c, kCameraNavigationSize).movedByHand(pivot, shift, turn);
       const Eigen::AngleAxisd turned(turn.norm(), turn.norm() > 0 ? Vec3(turn.normalized()) : Vec3(Vec3::UnitX()));
       const Vec3 move = c.height * Vec3(shift.x(), shift.y(), 0);
       const Vec3 wanted = turned * (inView(c, point) - inView(c, pivot)) + inView(c, pivot) + move;

@@ -52,9 +52,9 @@ QString detailOf(const DeviceInUse& view) {
   if (view.isPointer)
     return DeviceCard::tr(
         "Shows under the mouse what a device would feel. The mouse points and turns the view without it, too.");
-  if (!view.chosen && !view.carrying.empty())
+  if (!view.chosen && !view.spaceMice.empty())
     return DeviceCard::tr("%1 moves the view. Choose it above only to lead the tip with it.")
-        .arg(QString::fromStdString(view.carrying.front()));
+        .arg(QString::fromStdString(view.spaceMice.front()));
   if (view.chosen) return DeviceText::advice(view.status, view.chosen->driver);
   return view.found.empty() ? DeviceCard::tr("Plug one in: it appears here by itself.")
                             : DeviceCard::tr("Choose one from the list above.");

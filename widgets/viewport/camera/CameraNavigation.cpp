@@ -81,7 +81,7 @@ CameraState CameraNavigation::orbited(const Vec3& pivot, const Vec2& delta) cons
   return turnedAbout(m_camera, pivot, (turn * m_camera.orientation).normalized());
 }
 
-CameraState CameraNavigation::carried(const Vec3& pivot, const Vec2& shift, const Vec3& turn) const {
+CameraState CameraNavigation::movedByHand(const Vec3& pivot, const Vec2& shift, const Vec3& turn) const {
   const double angle = turn.norm();
   CameraState c = m_camera;
   if (angle > 0) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Handwheel developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "window/haptics/ViewCarrier.h"
+#include "window/haptics/SpaceMouseNavigation.h"
 
 #include "../WindowDriver.h"
 #include "../WindowTestMain.h"
@@ -24,7 +24,7 @@ struct CapBench {
   QTemporaryDir dev;
   WindowDriver driver{registeredKinds(), drivers()};
   HapticSession& session = *driver.window().findChild<HapticSession*>();
-  ViewCarrier& carrier = *driver.window().findChild<ViewCarrier*>();
+  SpaceMouseNavigation& device = *driver.window().findChild<SpaceMouseNavigation*>();
   Viewport& view = *driver.find<Viewport>("viewport");
   QTimer reports;
   Three translation{}, rotation{};
@@ -76,11 +76,11 @@ struct CapBench {
     plug(true);
     driver.window().activateWindow();
     if (!QTest::qWaitForWindowActive(&driver.window()) || !driver.open(file)) return false;
-    carrier.watch({dev.path()});
-    return waitForCarrier(true);
+    device.watch({dev.path()});
+    return waitForNavigation(true);
   }
-  bool waitForCarrier(bool isThere) {
-    return QTest::qWaitFor([&] { return carrier.names().empty() != isThere; }, kPatienceMs);
+  bool waitForNavigation(bool isThere) {
+    return QTest::qWaitFor([&] { return device.names().empty() != isThere; }, kPatienceMs);
   }
   // The cap is let go, and the view has come to rest.
   CameraState rest() {
@@ -94,7 +94,7 @@ struct CapBench {
 }  // namespace
 
 // A SpaceMouse moves the view as soon as it is plugged in, beside any haptic device.
-class ViewCarrierTest : public QObject {
+class SpaceMouseNavigationTest : public QObject {
   Q_OBJECT
 
  private:
@@ -112,7 +112,7 @@ class ViewCarrierTest : public QObject {
   void theModelFollowsTheCap() {
     CapBench b;
     QVERIFY(b.begin(ball()));
-    QCOMPARE(b.carrier.names(), std::vector<std::string>{"SpaceMouse Compact"});
+    QCOMPARE(b.device.names(), std::vector<std::string>{"SpaceMouse Compact"});
     QVERIFY(!b.session.isOpen());
     const auto waitFor = [&](auto isThere) {
       return QTest::qWaitFor([&] { return isThere(b.view.camera()); }, kPatienceMs);
@@ -156,7 +156,7 @@ class ViewCarrierTest : public QObject {
     CapBench b;
     QVERIFY(b.begin(ball()));
     b.session.choose("spacemouse", "/dev/hidraw0");
-    QVERIFY(b.carrier.names().empty());
+    QVERIFY(b.device.names().empty());
     QTRY_VERIFY_WITH_TIMEOUT(b.session.latest(), kPatienceMs);
     const CameraState start = b.rest();
     const Vec3 tip = b.session.latest()->tip.position;
@@ -165,38 +165,38 @@ class ViewCarrierTest : public QObject {
     QVERIFY(b.view.camera() == start);
     b.translation = {};
     b.session.close();
-    QVERIFY(b.waitForCarrier(true));
+    QVERIFY(b.waitForNavigation(true));
   }
 
   void unpluggedAndPluggedInAgain() {
     CapBench b;
     QVERIFY(b.begin(ball()));
     b.plug(false);
-    QVERIFY(b.waitForCarrier(false));
+    QVERIFY(b.waitForNavigation(false));
     b.plug(true);
-    QVERIFY(b.waitForCarrier(true));
+    QVERIFY(b.waitForNavigation(true));
   }
 
   void switchedOff() {
     CapBench b;
     QVERIFY(b.begin(ball()));
-    b.carrier.setMotion(false, 1.0);
+    b.device.setMotion(false, 1.0);
     const CameraState start = b.rest();
     b.translation = {350, 0, 0};
     QTest::qWait(300);
     QVERIFY(b.view.camera() == start);
-    b.carrier.setMotion(true, 1.0);
+    b.device.setMotion(true, 1.0);
     QTRY_VERIFY_WITH_TIMEOUT(!(b.view.camera() == start), kPatienceMs);
   }
 
   // Without a node of a device nothing is looked for, and no plugin loaded.
   void withoutADeviceNothingIsLoaded() {
     CapBench b;
-    b.carrier.watch({b.dev.path()});
+    b.device.watch({b.dev.path()});
     QTest::qWait(1500);
-    QVERIFY(b.session.finder().found().empty() && b.carrier.names().empty());
+    QVERIFY(b.session.finder().found().empty() && b.device.names().empty());
   }
 };
 
-HANDWHEEL_WINDOW_TEST(ViewCarrierTest)
-#include "ViewCarrierTest.moc"
+HANDWHEEL_WINDOW_TEST(SpaceMouseNavigationTest)
+#include "SpaceMouseNavigationTest.moc"

@@ -19,13 +19,13 @@ class Viewport;
 // Moves the view with each space mouse that is plugged in; none needs to be chosen. It is opened beside the haptic
 // device, if there is one, and read sixty times a second; it has a thread that reads its line, and no servo loop, for
 // there is no force. One that is chosen as the haptic device leads the tip instead. Window thread.
-class ViewCarrier : public QObject {
+class SpaceMouseNavigation : public QObject {
   Q_OBJECT
 
  public:
   // session and viewport outlive it.
-  ViewCarrier(HapticSession& session, Viewport& viewport, QThreadPool& pool, QObject* parent);
-  ~ViewCarrier() override;
+  SpaceMouseNavigation(HapticSession& session, Viewport& viewport, QThreadPool& pool, QObject* parent);
+  ~SpaceMouseNavigation() override;
 
   // Begins to look for devices: now, and whenever a node "hidraw*" or "spnav.sock" comes to these folders or goes. As
   // long as there is none, no plugin is loaded.
@@ -39,7 +39,7 @@ class ViewCarrier : public QObject {
   void message(const handwheel::Message& message);
 
  private:
-  struct Carrier {
+  struct OpenDevice {
     DeviceInfo listing;
     std::shared_ptr<Device> device;
     WorkspaceMapping mapping;
@@ -71,7 +71,7 @@ class ViewCarrier : public QObject {
   QFileSystemWatcher m_folders;
   QTimer m_settling;  // until the next look: the permissions of a new node come after it
   QStringList m_nodes;
-  std::vector<Carrier> m_carriers;
+  std::vector<OpenDevice> m_devices;
   std::map<std::string, int> m_tries;  // of the listings there are, by address
   QTimer m_timer;
   QElapsedTimer m_sinceMove;
