@@ -5,6 +5,8 @@
 #include "cli/Messages.h"
 #include "text/RepairText.h"
 
+#include <cctype>
+
 namespace handwheel {
 
 namespace {
@@ -13,9 +15,14 @@ std::string counted(std::size_t n, std::string_view one, std::string_view many) 
   return std::to_string(n) + " " + std::string(n == 1 ? one : many);
 }
 
+std::string nameOf(const LoopResult& loop) {
+  return loop.id < 0 ? "a hole that the repair opened" : "loop " + std::to_string(loop.id);
+}
+
 std::string leftOpen(const LoopResult& loop) {
   const std::string size = " (" + counted(loop.edges, "edge", "edges") + ")";
-  const std::string name = loop.id < 0 ? "A hole that the repair laid open" : "Loop " + std::to_string(loop.id);
+  std::string name = nameOf(loop);
+  name.front() = static_cast<char>(std::toupper(name.front()));
   return name + size + " stays open: " + fillFailureReason(loop.reason).toStdString() + ".";
 }
 
@@ -46,6 +53,16 @@ std::string filledText(std::size_t filled, std::size_t holes) {
 std::string reasonSentence(FillFailure failure) {
   const QString reason = fillFailureReason(failure);
   return (reason.left(1).toUpper() + reason.mid(1) + '.').toStdString();
+}
+
+std::vector<std::string> patchWarnings(const RepairReport& repair) {
+  std::vector<std::string> lines;
+  for (const LoopResult& loop : repair.loops) {
+    const QString warning = loop.outcome == LoopOutcome::Filled ? patchWarning(loop.shape) : QString();
+    if (!warning.isEmpty())
+      lines.push_back("Look at the patch of " + nameOf(loop) + ": " + warning.toStdString() + ".");
+  }
+  return lines;
 }
 
 std::string listOf(const std::vector<LostAttribute>& attributes) {

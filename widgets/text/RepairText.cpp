@@ -92,6 +92,17 @@ QString fillMethodHint(FillMethod method) {
   return {};
 }
 
+QString patchWarning(const PatchComparison& shape) {
+  const auto degrees = [](double radian) { return QString::number(std::lround(radian / kRadiansPerDegree)); };
+  if (shape.bendsMore())
+    return RepairWords::tr("the patch bends by %1°, its surroundings by at most %2°")
+        .arg(degrees(shape.bend), degrees(shape.bendAround));
+  if (shape.risesMore())
+    return RepairWords::tr("the patch bulges by %1 % of the size of the hole beyond its surroundings")
+        .arg(std::lround(100.0 * shape.rise / shape.size));
+  return {};
+}
+
 QString fillFailureReason(FillFailure failure) {
   switch (failure) {
     case FillFailure::None:

@@ -18,6 +18,8 @@ QString fillMethodName(FillMethod method);
 QString fillMethodHint(FillMethod method);
 
 // Why a hole stayed open, as the end of a sentence. Example: "every patch would cross the part".
+// Why a person should look at a patch; empty where it is like its surroundings.
+QString patchWarning(const PatchComparison& shape);
 QString fillFailureReason(FillFailure failure);
 
 // The name of a lost attribute: "colours", "texture coordinates", …

@@ -49,6 +49,7 @@ Delivery deliveryOf(const RepairRun& run, const RepairRequest& request, const Ar
   const bool asJson = arguments.has("json");
   if (!asJson) {
     for (std::string& sentence : leftovers(run.repair, run.after)) delivery.complaints.push_back(std::move(sentence));
+    for (std::string& sentence : patchWarnings(run.repair)) delivery.complaints.push_back(std::move(sentence));
   }
   delivery.text = asJson ? outcomeLine(run, request) : summary(run, request);
   return delivery;

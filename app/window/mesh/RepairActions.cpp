@@ -90,7 +90,7 @@ void RepairActions::connectActions() {
   connect(&m_jobs, &RepairJobs::filled, this,
           [this](MeshTab* document, Vertex key, const std::shared_ptr<HoleFillerCache>& bench) {
             if (document != m_document) return;
-            m_preview.thickenSheet(document, bench);
+            m_preview.returnCache(document, bench);
             goOnAfter(document, key);
           });
   connect(&m_jobs, &RepairJobs::workingChanged, this, &RepairActions::follow);

@@ -229,6 +229,10 @@ void RepairJobs::logRepair(const MeshTab& document, const Repaired& done) {
       tr("Repaired %1: %2").arg(document.document.name(), parts.join(QStringLiteral(", "))),
       document.isAsInFile() ? repairCommand(document.document.path(), done.options) : stepCommand(document, done.step));
   for (const LoopResult& loop : report.loops) {
+    const QString warning = loop.outcome == LoopOutcome::Filled ? patchWarning(loop.shape) : QString();
+    if (loop.id >= 0 && !warning.isEmpty())
+      m_log.add(tr("Look at the patch of %1: %2").arg(document.inspection.loopName(loop.id), warning), {},
+                LogEntry::Weight::Warning);
     if (loop.outcome != LoopOutcome::Failed) continue;
     const QString name = loop.id >= 0 ? document.inspection.loopName(loop.id) : tr("A hole that the repair laid open");
     m_log.add(tr("%1 stays open: %2").arg(name, fillFailureReason(loop.reason)), {}, LogEntry::Weight::Warning);

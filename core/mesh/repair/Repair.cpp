@@ -135,6 +135,7 @@ class Repairer {
       loops.push_back(std::move(loop));
       owners.push_back(std::move(of));
     }
+    const HalfEdgeMesh before = m_mesh;
     const std::vector<HoleFill> fills =
         fillHoles(m_mesh, loops, m_options.fill, progress.part(0.1, 1.0).within(m_fillEffort));
     for (std::size_t i = 0; i < fills.size(); ++i) {
@@ -145,6 +146,7 @@ class Repairer {
         result.outcome = LoopOutcome::Filled;
         result.method = fills[i].attempt.patch.method;
         result.newFaces = fills[i].attempt.patch.triangles.size();
+        result.shape = compared(before, loops[i], fills[i].attempt.patch);
       }
       result.milliseconds = fills[i].milliseconds;
       m_results.record(result, owners[i]);

@@ -158,10 +158,12 @@ void HoleSettings::showPreview(const PreviewState& state) {
       break;
   }
   const QString size = tr("%Ln new triangle(s)", nullptr, static_cast<int>(state.triangles));
+  const QString warning = patchWarning(state.shape);
+  const QString more = warning.isEmpty() ? QString() : QLatin1Char('\n') + tr("Look at it: %1.").arg(warning);
   m_status->setText(
       state.method == method()
-          ? size
-          : tr("%1, by “%2”: the chosen method finds no valid patch").arg(size, fillMethodName(state.method)));
+          ? size + more
+          : tr("%1, by “%2”: the chosen method finds no valid patch").arg(size, fillMethodName(state.method)) + more);
 }
 
 }  // namespace handwheel
