@@ -117,8 +117,9 @@ void HolePreview::start() {
     HoleFiller* filler = bench->filler(progress.part(0.0, 0.5));
     if (!filler) return {};
     auto attempt = std::make_shared<FillAttempt>(filler->propose(loop, options, progress.part(0.5, 1.0)));
-    const PatchComparison shape =
-        attempt->failure == FillFailure::None ? compared(filler->mesh(), loop, attempt->patch) : PatchComparison();
+    const PatchComparison shape = attempt->failure == FillFailure::None
+                                      ? handwheel::compared(filler->mesh(), loop, attempt->patch)
+                                      : PatchComparison();
     return [this, attempt, shape, request] { finished(request, std::move(*attempt), shape); };
   };
   m_runner.start(std::move(job));
