@@ -136,7 +136,7 @@ inline std::unique_ptr<StartPage> sampleStartPage() {
   auto page = std::make_unique<StartPage>();
   page->setTiles(
       {{"sampleTile", "repair", "Repair a scan", "A scanned part with holes. Close the first one with Enter."},
-       {"latheTile", "kind-workpiece", "Lathe exercise", "A shaft for the lathe.", false},
+       {"latheTile", "kind-workpiece", "Lathe exercise", "Opens a sample bar.", false},
        {"cellTile", "kind-cell", "Robot cell", "An arm with six joints. Move it by hand within its limits."}});
   page->setPictures(samplePicture, [](const QString&) { return QStringLiteral("kind-mesh"); });
   page->setRecentFiles({"/home/a/scans/bunny.stl", "/home/a/a-very-long-name-of-a-scan-from-tuesday-afternoon-2.stl",

@@ -235,7 +235,7 @@ void PanelsTest::servicesKeepTheirRows() {
   services[0].dropped = services[2].dropped = 3;
   model.setServices(services);
   QCOMPARE(text(0, ServiceModel::State), QString("too slow by 26 %, 3 inputs dropped"));
-  QCOMPARE(text(2, ServiceModel::State), QString("asleep"));
+  QCOMPARE(text(2, ServiceModel::State), QString("idle"));
   services.pop_back();
   model.setServices(services);
   QCOMPARE(reset.size(), 1);
