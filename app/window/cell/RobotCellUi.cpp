@@ -173,7 +173,7 @@ std::vector<StartAction> RobotCellUi::startActions() const {
   return {{QStringLiteral("openRobotSample"), tr("Open the sample &robot"), tr("Open the sample robot arm"),
            panelIcon(), QStringLiteral("robot-arm.urdf"),
            StartTile{QStringLiteral("cellTile"), panelIcon(), tr("Robot cell"),
-                     tr("An arm with six joints. Move it by hand within its limits.")}}};
+                     tr("Opens a sample arm with six joints. Drag its links within their limits.")}}};
 }
 
 std::vector<ToolDescriptor> RobotCellUi::tools() {

@@ -203,8 +203,8 @@ QList<QAction*> MeshUi::toolBar() {
 std::vector<StartAction> MeshUi::startActions() const {
   return {{QStringLiteral("openSample"), tr("Open the &sample scan"), tr("Open the sample scan"),
            QStringLiteral("repair"), kScanSample,
-           StartTile{QStringLiteral("sampleTile"), QStringLiteral("repair"), tr("Repair a scan"),
-                     tr("A scanned part with holes. Close the first one with Enter.")}}};
+           StartTile{QStringLiteral("sampleTile"), QStringLiteral("repair"), tr("Repair a sample scan"),
+                     tr("Opens a sample scan with holes. Press Enter to close the first one.")}}};
 }
 
 std::vector<ToolDescriptor> MeshUi::tools() {

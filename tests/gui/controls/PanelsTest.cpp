@@ -56,8 +56,8 @@ void PanelsTest::startPageByKeyboard() {
 
 void PanelsTest::startPageSamples() {
   StartPage page;
-  const StartTile scan{"sampleTile", "repair", "Repair a scan", "A scanned part", false};
-  const StartTile lathe{"latheTile", "kind-workpiece", "Lathe exercise", "A shaft", true};
+  const StartTile scan{"sampleTile", "repair", "Repair a sample scan", "A scanned part", false};
+  const StartTile lathe{"latheTile", "kind-workpiece", "Turn a sample bar", "A shaft", true};
   page.setTiles({scan, lathe});
   QSignalSpy chosen(&page, &StartPage::tileChosen);
   auto* tile = page.findChild<Tile*>("sampleTile");
