@@ -61,8 +61,7 @@ class ErrorTextTest : public QObject {
     QCOMPARE(errorSentence({ErrorCode::ReferenceMissing, {"the mesh", mesh}, {}, {}}),
              QString::fromStdString("The mesh '" + mesh + "' is referenced, but cannot be found."));
     const Error package{ErrorCode::ReferenceMissing, {"the package", "ur", "/home/a"}, {}, {}};
-    QCOMPARE(errorSentence(package),
-             "The package 'ur' was not found in the folder '/home/a' or in those above it.");
+    QCOMPARE(errorSentence(package), "The package 'ur' was not found in the folder '/home/a' or in those above it.");
     QCOMPARE(errorAdvice(package), "Put the folder 'ur' into '/home/a' or a folder above it, and open the file again.");
   }
 
