@@ -53,17 +53,17 @@ std::string readableText(const MeshReport& report) {
   text += line("Boundary loops", std::to_string(report.loops.size()));
   text += line("Non-manifold edges", std::to_string(report.nonManifoldEdges));
   text += line("Non-manifold vertices", std::to_string(report.nonManifoldVertices));
-  text += line("Degenerate faces", std::to_string(report.degenerateFaces));
-  text += line("Duplicate faces", std::to_string(report.duplicateFaces));
-  if (report.reversedFaces > 0) text += line("Faces turned over", std::to_string(report.reversedFaces));
+  text += line("Degenerate triangles", std::to_string(report.degenerateFaces));
+  text += line("Duplicate triangles", std::to_string(report.duplicateFaces));
+  if (report.reversedFaces > 0) text += line("Triangles reversed", std::to_string(report.reversedFaces));
   if (report.nearVertices > 0) text += line("Near vertices (pairs)", std::to_string(report.nearVertices));
   if (report.debris > 0) text += line("Debris (pieces)", std::to_string(report.debris));
   const auto& pairs = report.selfIntersectingPairs;
   text += line("Self-intersecting pairs", pairs ? std::to_string(*pairs) : "not counted");
-  text += line("Volume (mm3)", report.volumeMm3 ? roundedText(*report.volumeMm3) : "none, the surface is open");
+  text += line("Volume (mm3)", report.volumeMm3 ? roundedText(*report.volumeMm3) : "undefined, the surface is open");
   text += line("Bounding box (mm)", point(report.box.min()) + " to " + point(report.box.max()));
   text += loopTable(report.loops, false, "Holes");
-  text += loopTable(report.loops, true, "Outer edges of open sheets");
+  text += loopTable(report.loops, true, "Outer boundaries of open sheets");
   return text;
 }
 

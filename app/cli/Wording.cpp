@@ -16,7 +16,7 @@ std::string counted(std::size_t n, std::string_view one, std::string_view many) 
 }
 
 std::string nameOf(const LoopResult& loop) {
-  return loop.id < 0 ? "a hole that the repair opened" : "loop " + std::to_string(loop.id);
+  return loop.id < 0 ? "a hole opened by the repair" : "loop " + std::to_string(loop.id);
 }
 
 std::string leftOpen(const LoopResult& loop) {
@@ -29,7 +29,7 @@ std::string leftOpen(const LoopResult& loop) {
 // To be said of what was wanted; nothing where all of it was done.
 std::string cutShort(bool isCutShort, const std::string& what) {
   if (!isCutShort) return {};
-  return " " + what + " was cut short: " + fillFailureReason(FillFailure::TooMuchEffort).toStdString() + ".";
+  return " " + what + " is incomplete: " + fillFailureReason(FillFailure::TooMuchEffort).toStdString() + ".";
 }
 
 }  // namespace
@@ -97,32 +97,33 @@ std::vector<std::string> leftovers(const RepairReport& repair, const MeshReport&
     }
   }
   if (sheets > 0) {
-    lines.push_back(counted(sheets, "outer edge of an open sheet stays", "outer edges of open sheets stay") +
-                    " open. --rims back makes thin bodies of the sheets, --rims fill closes the edges as holes.");
+    lines.push_back(
+        counted(sheets, "outer boundary of an open sheet stays", "outer boundaries of open sheets stay") +
+        " open. --rims back thickens the sheets to thin bodies, --rims fill closes the boundaries as holes.");
   }
   if (lines.empty() && after.boundaryEdges > 0) {
-    lines.push_back(counted(after.boundaryEdges, "edge has", "edges have") + " only one face.");
+    lines.push_back(counted(after.boundaryEdges, "edge has", "edges have") + " only one triangle.");
   }
   if (after.nonManifoldEdges > 0) {
-    lines.push_back(counted(after.nonManifoldEdges, "edge has", "edges have") + " more than two faces." +
-                    cutShort(repair.isSeparationIncomplete, "Moving apart what touches"));
+    lines.push_back(counted(after.nonManifoldEdges, "edge has", "edges have") + " more than two triangles." +
+                    cutShort(repair.isSeparationIncomplete, "Separating touching parts"));
   }
   if (after.inconsistentEdges > 0) {
     lines.push_back("At " + counted(after.inconsistentEdges, "edge", "edges") +
-                    " the faces disagree on which side is outside.");
+                    " the adjacent triangles have inconsistent orientation.");
   }
   if (after.insideOutBodies > 0) {
     lines.push_back(counted(after.insideOutBodies, "closed surface is", "closed surfaces are") +
-                    " inside out; 'handwheel edit' with the step reverse turns the outside out.");
+                    " inside out; 'handwheel edit' with the step reverse reverses them.");
   }
   if (after.nonManifoldVertices > 0) {
-    lines.push_back("At " + counted(after.nonManifoldVertices, "point", "points") + " faces touch that share no edge.");
+    lines.push_back("At " + counted(after.nonManifoldVertices, "vertex", "vertices") +
+                    " triangles touch that share no edge.");
   }
   if (const std::size_t pairs = after.selfIntersectingPairs.value_or(0); pairs > 0) {
-    lines.push_back(
-        "The surface passes through itself: " + counted(pairs, "pair", "pairs") +
-        " of triangles cross or lie on each other. --cut-crossings cuts them apart where that can be done." +
-        cutShort(repair.isIntersectionRemovalIncomplete, "Cutting"));
+    lines.push_back("The surface intersects itself: " + counted(pairs, "pair", "pairs") +
+                    " of triangles intersect or overlap. --cut-crossings resolves them where possible." +
+                    cutShort(repair.isIntersectionRemovalIncomplete, "Cutting"));
   }
   return lines;
 }

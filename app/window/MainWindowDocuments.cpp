@@ -83,7 +83,7 @@ void MainWindow::connectMessages() {
   connect(m_spaceMouse, &SpaceMouseNavigation::message, m_messages, &MessageBar::showMessage);
   connect(&m_tools->runner(), &ToolRunner::failed, this, [this](const QString& reason) {
     m_messages->showMessage({Message::Weight::Error,
-                             tr("The tool failed and was put away"),
+                             tr("The tool failed and was closed"),
                              reason,
                              tr("The document is as it was before."),
                              {},

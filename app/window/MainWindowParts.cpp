@@ -14,7 +14,6 @@
 #include "viewport/Viewport.h"
 #include "window/MainWindow.h"
 #include "window/PanelToggle.h"
-#include "window/ServiceStatistics.h"
 #include "window/ViewActions.h"
 #include "window/ViewFocus.h"
 #include "window/ViewSettings.h"
@@ -164,8 +163,6 @@ void MainWindow::buildStatusBar() {
   log->setDefaultAction(m_logDock->findChild<PanelToggle*>());
   log->setAccessibleName(tr("Log"));
   log->setIconSize({16, 16});
-  auto* services = new ServiceStatistics(m_services, this);
-  connect(services, &QToolButton::clicked, m_statusDock->findChild<PanelToggle*>(), &QAction::trigger);
   auto* recording = new RecordingSign(m_haptics, this);
   connect(recording, &QToolButton::clicked, this, [this] {
     auto* device = m_deviceDock->findChild<DeviceDock*>();
@@ -175,7 +172,7 @@ void MainWindow::buildStatusBar() {
   });
   statusBar()->setSizeGripEnabled(false);
   statusBar()->addWidget(m_hints, 1);
-  for (QWidget* widget : std::initializer_list<QWidget*>{m_jobBar, recording, m_figures, services, m_unit, log}) {
+  for (QWidget* widget : std::initializer_list<QWidget*>{m_jobBar, recording, m_figures, m_unit, log}) {
     statusBar()->addPermanentWidget(widget);
   }
 }

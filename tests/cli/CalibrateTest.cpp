@@ -40,7 +40,7 @@ class CalibrateTest : public QObject {
     const Ran first = bench.run(kCalibrate + QStringList{"nurbs.chord_mm"});
     QCOMPARE(first.code, 0);
     QCOMPARE(first.err, QByteArray());
-    for (const char* words : {"Machine: ", "Kept in: ", "\n  setting ", "\n  nurbs.chord_mm  ms "})
+    for (const char* words : {"Machine: ", "Saved in: ", "\n  setting ", "\n  nurbs.chord_mm  ms "})
       QVERIFY2(first.out.contains(words), words);
     QCOMPARE(keptIds(*m_cache), std::set<std::string>{"nurbs.chord_mm"});
 

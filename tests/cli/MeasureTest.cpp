@@ -156,7 +156,7 @@ void MeasureTest::budget() {
   const Ran poor = bench.run(kChord + QStringList{"--budget", "ms=1e-9"});
   QCOMPARE(poor.code, 2);
   QVERIFY(poor.out.contains("Fit for 1e-09 ms: none"));
-  QCOMPARE(poor.err, QByteArray("handwheel: No value of nurbs.chord_mm keeps the budget.\n"));
+  QCOMPARE(poor.err, QByteArray("handwheel: No value of nurbs.chord_mm keeps within the budget.\n"));
 }
 
 void MeasureTest::usersFile() {

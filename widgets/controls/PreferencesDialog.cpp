@@ -130,7 +130,7 @@ void PreferencesDialog::addSpaceMouse(QFormLayout* form) {
   connect(speed, &QSpinBox::valueChanged, this, use);
   form->addRow(on);
   form->addRow(tr("Its speed"), speed);
-  form->addRow(note(tr("Its axes are those of the panel “Device”, as they were set while it was the device."), this));
+  form->addRow(note(tr("Its axes are set in the panel “Device” while it is the chosen device."), this));
 }
 
 QWidget* PreferencesDialog::unitsPage() {
@@ -160,7 +160,7 @@ QWidget* PreferencesDialog::languagePage() {
     m_preferences.language = box->currentData().toString();
     store();
   });
-  line(page, tr("Language"), box)->addRow(note(tr("Shown from the next start."), page));
+  line(page, tr("Language"), box)->addRow(note(tr("Takes effect at the next start."), page));
   return page;
 }
 

@@ -32,11 +32,11 @@ QString fillMethodName(FillMethod method) {
     case FillMethod::Ear:
       return RepairWords::tr("Ear clipping");
     case FillMethod::Minimal:
-      return RepairWords::tr("Area and bend");
+      return RepairWords::tr("Area and bending");
     case FillMethod::Area:
-      return RepairWords::tr("Least area");
+      return RepairWords::tr("Minimum area");
     case FillMethod::Dihedral:
-      return RepairWords::tr("Least bend");
+      return RepairWords::tr("Minimum bending");
     case FillMethod::Ridge:
       return RepairWords::tr("Ridges");
     case FillMethod::Flat:
@@ -56,38 +56,36 @@ QString fillMethodName(FillMethod method) {
 QString fillMethodHint(FillMethod method) {
   switch (method) {
     case FillMethod::Fair:
-      return RepairWords::tr("Triangles as fine as the surroundings, bent to continue them. For scans.");
+      return RepairWords::tr("Triangles as fine as the surroundings, curved to continue them. For scans.");
     case FillMethod::Refined:
-      return RepairWords::tr("Triangles as fine as the surroundings, not bent. For flat places.");
+      return RepairWords::tr("Triangles as fine as the surroundings, not curved. For flat regions.");
     case FillMethod::Ear:
       return RepairWords::tr(
-          "Cuts off one corner after the other, the best first; adds no vertices. For holes of many edges.");
+          "Cuts off one corner after the other, the best first; adds no vertices. For holes with many edges.");
     case FillMethod::Minimal:
       return RepairWords::tr(
-          "Small bends, then a small area, among the triangulations with edges of the Delaunay tetrahedra; adds no "
-          "vertices.");
+          "Small angles between adjacent triangles, then a small area, using edges of the Delaunay tetrahedralisation; "
+          "adds no vertices.");
     case FillMethod::Area:
-      return RepairWords::tr(
-          "The least area; adds no vertices. A hole of more than 300 edges is cut into pieces first.");
+      return RepairWords::tr("Minimises the area; adds no vertices. A hole of more than 300 edges is divided first.");
     case FillMethod::Dihedral:
       return RepairWords::tr(
-          "The least bend between neighbours, then the least area; adds no vertices. A hole of more than 300 edges is "
-          "cut "
-          "into pieces first.");
+          "Minimises the angles between adjacent triangles, then the area; adds no vertices. A hole of more than 300 "
+          "edges is divided first.");
     case FillMethod::Ridge:
       return RepairWords::tr(
-          "As fair, with the sharp edges that end at the hole carried through it. For designed parts.");
+          "As fair, with the sharp edges that end at the hole continued across it. For designed parts.");
     case FillMethod::Flat:
       return RepairWords::tr(
-          "A lid in the plane that fits the edge best; adds no vertices. For openings that were cut.");
+          "A planar patch in the best-fitting plane of the boundary; adds no vertices. For openings that were cut.");
     case FillMethod::Cone:
-      return RepairWords::tr("Triangles to one point behind or before the hole.");
+      return RepairWords::tr("Triangles to one apex behind or in front of the hole.");
     case FillMethod::ThickenedSheet:
-      return RepairWords::tr("The sheet became a thin body.");
+      return RepairWords::tr("The sheet was thickened to a thin body.");
     case FillMethod::Stitched:
-      return RepairWords::tr("The borders were brought together.");
+      return RepairWords::tr("The boundaries were joined.");
     case FillMethod::Removed:
-      return RepairWords::tr("The faces around it were removed.");
+      return RepairWords::tr("The triangles around it were removed.");
   }
   return {};
 }
@@ -110,17 +108,17 @@ QString fillFailureReason(FillFailure failure) {
     case FillFailure::Cancelled:
       return RepairWords::tr("cancelled");
     case FillFailure::Rim:
-      return RepairWords::tr("it is the outer edge of an open sheet");
+      return RepairWords::tr("it is the outer boundary of an open sheet");
     case FillFailure::KeptOpen:
-      return RepairWords::tr("you asked for it");
+      return RepairWords::tr("it is marked to be kept open");
     case FillFailure::TooLong:
       return RepairWords::tr("it has more edges than allowed");
     case FillFailure::NoPatch:
-      return RepairWords::tr("no surface fits its edge");
+      return RepairWords::tr("no valid patch fits its boundary");
     case FillFailure::SelfIntersecting:
-      return RepairWords::tr("every patch would cross the part");
+      return RepairWords::tr("every patch would intersect the part");
     case FillFailure::Bulging:
-      return RepairWords::tr("every patch would bulge far out");
+      return RepairWords::tr("every patch would bulge out too far");
     case FillFailure::TooMuchEffort:
       return RepairWords::tr("it would take too long for a mesh of this size");
   }
@@ -142,7 +140,7 @@ QString lostAttributeName(LostAttribute attribute) {
     case LostAttribute::Lines:
       return RepairWords::tr("lines");
     case LostAttribute::Points:
-      return RepairWords::tr("single points");
+      return RepairWords::tr("isolated points");
     case LostAttribute::Curves:
       return RepairWords::tr("curves");
     case LostAttribute::ExactSurfaces:
@@ -158,23 +156,23 @@ QStringList repairSummary(const RepairReport& report) {
   const auto add = [&parts](std::size_t count, const auto& phrase) {
     if (count > 0) parts << phrase(asInt(count));
   };
-  add(report.reversedFaces, [](int n) { return RepairWords::tr("%n triangle(s) turned over", nullptr, n); });
-  add(report.removedDegenerate,
-      [](int n) { return RepairWords::tr("%n triangle(s) without area removed", nullptr, n); });
+  add(report.reversedFaces, [](int n) { return RepairWords::tr("%n triangle(s) reversed", nullptr, n); });
+  add(report.removedDegenerate, [](int n) { return RepairWords::tr("%n degenerate triangle(s) removed", nullptr, n); });
   add(report.removedDuplicates, [](int n) { return RepairWords::tr("%n duplicate triangle(s) removed", nullptr, n); });
-  add(report.removedFlaps, [](int n) { return RepairWords::tr("%n loosely hanging triangle(s) removed", nullptr, n); });
+  add(report.removedFlaps, [](int n) { return RepairWords::tr("%n dangling triangle(s) removed", nullptr, n); });
   add(report.removedDebris, [](int n) { return RepairWords::tr("%n triangle(s) of debris removed", nullptr, n); });
-  add(report.mergedVertices, [](int n) { return RepairWords::tr("%n near point(s) merged", nullptr, n); });
-  add(report.cutFaces, [](int n) { return RepairWords::tr("%n triangle(s) cut where patches cross", nullptr, n); });
-  add(report.cutClusters, [](int n) { return RepairWords::tr("crossings cut apart at %n place(s)", nullptr, n); });
-  add(report.lostLoops.size(), [](int n) {
-    return RepairWords::tr("%n hole(s) to be kept open gone with triangles that were removed", nullptr, n);
-  });
+  add(report.mergedVertices, [](int n) { return RepairWords::tr("%n near vertex(ices) merged", nullptr, n); });
+  add(report.cutFaces, [](int n) { return RepairWords::tr("%n triangle(s) cut where patches intersect", nullptr, n); });
+  add(report.cutClusters,
+      [](int n) { return RepairWords::tr("self-intersections resolved at %n place(s)", nullptr, n); });
+  add(report.lostLoops.size(),
+      [](int n) { return RepairWords::tr("%n hole(s) to be kept open lost with removed triangles", nullptr, n); });
   add(report.replacedFaces,
-      [](int n) { return RepairWords::tr("%n tangled triangle(s) replaced around holes", nullptr, n); });
+      [](int n) { return RepairWords::tr("%n folded triangle(s) replaced around holes", nullptr, n); });
   add(report.nonOrientableCuts,
-      [](int n) { return RepairWords::tr("%n cut(s) where the surface had one side only", nullptr, n); });
-  add(report.separatedVertices, [](int n) { return RepairWords::tr("%n touching point(s) parted", nullptr, n); });
+      [](int n) { return RepairWords::tr("%n cut(s) where the surface was one-sided", nullptr, n); });
+  add(report.separatedVertices,
+      [](int n) { return RepairWords::tr("%n touching vertex(ices) separated", nullptr, n); });
   return parts;
 }
 

@@ -37,8 +37,8 @@ std::vector<Note> stateOf(const MeshReport& report) {
   std::vector<Note> notes{{QT_TRANSLATE_NOOP("Note", "The file: %1."), {}, false, report}};
   if (report.isSound()) return notes;
   notes.push_back({QT_TRANSLATE_NOOP("Note",
-                                     "It has %1 open edges, %2 edges with more than two faces, %3 edges at which faces "
-                                     "disagree and %4 points at which faces touch that share no edge."),
+                                     "It has %1 open edges, %2 edges with more than two triangles, %3 edges with "
+                                     "inconsistent orientation and %4 non-manifold vertices."),
                    {std::to_string(report.boundaryEdges), std::to_string(report.nonManifoldEdges),
                     std::to_string(report.inconsistentEdges), std::to_string(report.nonManifoldVertices)}});
   return notes;

@@ -86,7 +86,7 @@ Result<WrittenFile> exportStep(const WorkpieceSnapshot& workpiece, const std::fi
   }
   const Status written = writeFileAtomically(path, *bytes, progress.part(0.9, 1.0));
   if (!written) return written.error();
-  return WrittenFile{bytes->size(), {{QT_TRANSLATE_NOOP("Note", "The file holds one valid solid.")}}};
+  return WrittenFile{bytes->size(), {{QT_TRANSLATE_NOOP("Note", "The file contains one valid solid.")}}};
 }
 
 Result<TriangleSoup> placedTriangles(const WorkpieceSnapshot& workpiece, Progress progress) {

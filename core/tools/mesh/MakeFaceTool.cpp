@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kCornerMark = 6.0;  // pixels, radius of the mark on a point
 constexpr ToolKey kMakeFaceKeys[] = {
-    {"back", "Backspace", QT_TRANSLATE_NOOP("Tool", "take the last corner back")},
+    {"back", "Backspace", QT_TRANSLATE_NOOP("Tool", "undo the last corner")},
     {"commit", "Return", QT_TRANSLATE_NOOP("Tool", "done")},
     {"revert", "Esc", QT_TRANSLATE_NOOP("Tool", "start again")},
 };

@@ -46,7 +46,7 @@ MeshChange deleteChange(FaceSelection faces, const char* text, const char* reaso
 MeshChange decimateChange(const DecimationOptions& options) {
   return withStep(
       {meshOperation("decimate").title, [options](HalfEdgeMesh& mesh, Progress p) { decimate(mesh, options, p); },
-       QT_TRANSLATE_NOOP("Tool", "no triangle can go within what is to be kept")},
+       QT_TRANSLATE_NOOP("Tool", "no triangle can be removed within the given limits")},
       StepWriter("decimate").options(valuesOf(options)).text());
 }
 

@@ -49,7 +49,7 @@ Status Session::open(Progress progress) {
     if (progress.cancelled()) return Error{ErrorCode::Cancelled, {}, {}, {}};
     if (send(Vec3::Zero()) && receive(kWakeTime)) return Done{};
   }
-  if (m_stream) return Error{DeviceError::NotResponding, {"where it is"}, {}, "Polhem"};
+  if (m_stream) return Error{DeviceError::NotResponding, {"its position"}, {}, "Polhem"};
   return Error{DeviceError::Unreachable, {"unplugged"}, {}, "Polhem"};
 }
 

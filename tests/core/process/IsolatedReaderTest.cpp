@@ -115,11 +115,11 @@ class IsolatedReaderTest : public QObject {
     QTest::newRow("is killed") << "kill"
                                << "A Library: the system ended it; memory may have run out";
     QTest::newRow("exits") << "exit"
-                           << "A Library: its answer makes no sense";
+                           << "A Library: its answer is not valid";
     QTest::newRow("garbage") << "garbage"
-                             << "A Library: its answer makes no sense";
+                             << "A Library: its answer is not valid";
     QTest::newRow("a long reason") << "babble"
-                                   << "A Library: its answer makes no sense";
+                                   << "A Library: its answer is not valid";
   }
   void failuresAreErrors() {
     QFETCH(QString, how);

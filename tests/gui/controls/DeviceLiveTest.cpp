@@ -148,7 +148,7 @@ void DeviceLiveTest::safetyInWords() {
   bench.panel.showSample(sampleAt(1.1, Vec3::Zero(), Vec3::Zero()));
   QCOMPARE(bench.text("safetyText"), words);  // long enough to be read
   bench.panel.showSample(sampleAt(9.0, Vec3::Zero(), Vec3::Zero()));
-  QCOMPARE(bench.text("safetyText"), QString("Safety: nothing is held back."));
+  QCOMPARE(bench.text("safetyText"), QString("Safety: the force is not limited."));
 }
 
 // A surface of 0.5 N/mm at the hand, which is 0.25 in a scene of twice the size, of which the loop can carry 0.2.
@@ -168,13 +168,13 @@ void DeviceLiveTest::softeningInWords() {
   bench.panel.showSample(sampleAt(1.5, {0, 0, 0}, {0, 0, 0}), 2.0);
   QCOMPARE(bench.text("safetyText"), words);  // long enough to be read
   bench.panel.showSample(sampleAt(9.0, {0, 0, 0}, {0, 0, 0}), 2.0);
-  QCOMPARE(bench.text("safetyText"), QString("Safety: nothing is held back."));
+  QCOMPARE(bench.text("safetyText"), QString("Safety: the force is not limited."));
   sample.felt.stiffness = 1.5;
   sample.felt.asked = 5.0;
   sample.tip.time = 10.0;
   bench.panel.showSample(sample, 2.0);
   QCOMPARE(bench.text("safetyText"),
-           QString("Softer than set: 3.00 of 10.00 N/mm; no more is stated for the Novint Falcon"));
+           QString("Softer than set: 3.00 of 10.00 N/mm; limit specified for the Novint Falcon"));
   bench.panel.hide();
   bench.panel.show();
   QVERIFY(!bench.text("safetyText").contains("Softer"));

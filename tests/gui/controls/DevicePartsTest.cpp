@@ -154,8 +154,8 @@ void DevicePartsTest::dataSheetLeavesOutWhatIsNot() {
   for (const auto& line : DeviceText::dataSheet(falconView().capabilities, QLocale::c())) {
     lines << line.name + ": " + line.value;
   }
-  QCOMPARE(lines, QStringList({"Axes measured: 3", "Axes driven: 3", "Buttons: 4", "Largest force: 8 N",
-                               "Stiffness: 3 N/mm", "Damping: 0.02 N·s/mm", "Damping of its own: 0.002 N·s/mm",
+  QCOMPARE(lines, QStringList({"Measured axes: 3", "Actuated axes: 3", "Buttons: 4", "Largest force: 8 N",
+                               "Stiffness: 3 N/mm", "Damping: 0.02 N·s/mm", "Internal damping: 0.002 N·s/mm",
                                "Radius of the workspace: 40 mm", "Servo rate: 1000 Hz", "Delay: 1 ms"}));
   const auto mouse = DeviceText::dataSheet(spaceMouseView().capabilities, QLocale::c());
   QCOMPARE(mouse[1].value, QString("none"));

@@ -79,7 +79,8 @@ class ToolsTest : public QObject {
     QVERIFY(!driver.find<QAction>("undo")->isEnabled());
     QTRY_VERIFY(driver.find<QAction>("fillHole")->isEnabled());
     driver.find<QAbstractButton>("toolAction/smooth")->click();
-    QTRY_COMPARE(driver.find<QAbstractButton>("toolAction/commit")->text(), QStringLiteral("Take the smooth edge"));
+    QTRY_COMPARE(driver.find<QAbstractButton>("toolAction/commit")->text(),
+                 QStringLiteral("Apply the smoothed boundary"));
     QVERIFY(!driver.find<QAction>("fillHole")->isEnabled());
     driver.find<QAbstractButton>("toolAction/commit")->click();
     QTRY_VERIFY(driver.find<QAction>("undo")->isEnabled());

@@ -108,7 +108,7 @@ QToolButton* HoleSettings::compareButton() {
   auto* button = new QToolButton(this);
   button->setObjectName(QStringLiteral("compareMethods"));
   button->setText(tr("Compare"));
-  button->setToolTip(tr("Show what each method makes of this hole"));
+  button->setToolTip(tr("Show the result of each method for this hole"));
   button->setCheckable(true);
   m_trials->hide();
   connect(button, &QToolButton::toggled, this, [this](bool on) {

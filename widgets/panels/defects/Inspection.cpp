@@ -106,7 +106,7 @@ int Inspection::loopNumber(int id) const {
 
 QString Inspection::loopName(int id) const {
   const int n = loopNumber(id);
-  return loop(id).rim ? tr("Outer edge %1").arg(n) : tr("Hole %1").arg(n);
+  return loop(id).rim ? tr("Outer boundary %1").arg(n) : tr("Hole %1").arg(n);
 }
 
 QString Inspection::loopDetail(int id) const {
@@ -119,9 +119,10 @@ QString Inspection::loopMeasures(int id) const {
   const BoundaryLoop& l = loop(id);
   const LengthUnit unit = m_document.displayUnit();
   QStringList parts{tr("Area %1.").arg(areaText(l.area, unit)),
-                    tr("%1 off the plane that fits best (RMS).").arg(lengthText(l.planarity * l.length, unit))};
+                    tr("%1 from the best-fitting plane (RMS).").arg(lengthText(l.planarity * l.length, unit))};
   if (l.islands > 0)
-    parts << tr("%Ln island(s) in it: remove them first (Holes tool).", nullptr, static_cast<int>(l.islands));
+    parts << tr("%Ln island(s) inside: remove them first (Hole boundaries tool).", nullptr,
+                static_cast<int>(l.islands));
   return parts.join(QLatin1Char(' '));
 }
 

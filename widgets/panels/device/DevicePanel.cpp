@@ -181,7 +181,7 @@ void DevicePanel::clearLive() {
 void DevicePanel::showSafety(SafetyActions actions) {
   QStringList lines = DeviceText::safety(actions);
   if (!m_softened.isEmpty()) lines.prepend(m_softened);
-  const QString text = lines.isEmpty() ? tr("Safety: nothing is held back.") : lines.join(QLatin1Char('\n'));
+  const QString text = lines.isEmpty() ? tr("Safety: the force is not limited.") : lines.join(QLatin1Char('\n'));
   if (text == m_safety->text()) return;
   m_safety->setText(text);
   m_safety->setProperty("bad", !actions.isEmpty());

@@ -18,7 +18,7 @@ Parameter wavelengthParameter() {
                        .value = SmoothingOptions().wavelength,
                        .least = 0.0,
                        .largest = SmoothingOptions::kLongestWavelength},
-          .meaning = "Remove waves that are shorter, in edges; below 2 only the spacing changes",
+          .meaning = "Remove shorter waves, in edges; below 2 only the spacing changes",
           .word = "EDGES"};
 }
 
@@ -27,26 +27,27 @@ Parameter wavelengthParameter() {
 std::vector<Operation> edgeOperations() {
   return {
       {.id = "bridge",
-       .title = QT_TRANSLATE_NOOP("Tool", "Lay a bridge"),
-       .meaning = "Put faces between two points of open edges; H: 3 times a triangle, plus the corner that it leaves",
+       .title = QT_TRANSLATE_NOOP("Tool", "Add a bridge"),
+       .meaning = "Add triangles between two vertices of open edges; H: 3 times a triangle, plus the corner where the "
+                  "edge starts",
        .operands = "H,H"},
       {.id = "join",
-       .title = QT_TRANSLATE_NOOP("Tool", "Join points of the edge"),
-       .meaning = "Move a point of an open edge to another, and join them",
+       .title = QT_TRANSLATE_NOOP("Tool", "Join boundary vertices"),
+       .meaning = "Move a vertex of an open edge to another, and join them",
        .operands = "H,H"},
       {.id = "face",
        .title = QT_TRANSLATE_NOOP("Tool", "Make a face"),
-       .meaning = "Over three points of open edges",
+       .meaning = "From three vertices of open edges",
        .operands = "V,V,V"},
       {.id = "pull",
-       .title = QT_TRANSLATE_NOOP("Tool", "Pull a point of the edge"),
-       .meaning = "Move a vertex, where no triangle turns over or crosses another",
+       .title = QT_TRANSLATE_NOOP("Tool", "Move a boundary vertex"),
+       .meaning = "Move a vertex, unless a triangle would flip or intersect another",
        .operands = "V X,Y,Z"},
       {.id = "smooth-edge",
-       .title = QT_TRANSLATE_NOOP("Tool", "Smooth the edge"),
-       .meaning = "Draw an open edge onto a smooth curve",
+       .title = QT_TRANSLATE_NOOP("Tool", "Smooth the boundary"),
+       .meaning = "Fit a smooth curve to a boundary loop",
        .operands = "LOOP",
-       .parameters = {wavelengthParameter(), flagParameter("uneven", "Do not spread its points evenly"),
+       .parameters = {wavelengthParameter(), flagParameter("uneven", "Do not space its vertices evenly"),
                       numbersParameter()}},
   };
 }

@@ -32,8 +32,8 @@ std::vector<Property> SculptSettings::properties() const {
     all.back().continuous = true;
   }
   all.push_back(
-      switchSetting("moves_border", QT_TRANSLATE_NOOP("Property", "Move the edges of holes, too"), movesBorder));
-  all.push_back(numberSetting("noise_angle", QT_TRANSLATE_NOOP("Property", "Noise up to"), noiseAngle, Quantity::Angle,
+      switchSetting("moves_border", QT_TRANSLATE_NOOP("Property", "Move boundary vertices, too"), movesBorder));
+  all.push_back(numberSetting("noise_angle", QT_TRANSLATE_NOOP("Property", "Noise angle"), noiseAngle, Quantity::Angle,
                               kNoiseAngle));
   return all;
 }

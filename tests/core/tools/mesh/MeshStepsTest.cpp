@@ -361,15 +361,15 @@ void MeshStepsTest::mistakes_data() {
   row("place --turn 1,2,400", "--turn takes A,B,C, each an angle from -360 to 360 degrees, not '1,2,400'");
   row("place --unit ft", "--unit takes mm, cm, m or in, not 'ft'");
   row("place --scale 2 --scale 3", "--scale is given twice");
-  row("decimate", "say how far to go: --faces N, --error MM or both");
+  row("decimate", "give a target: --faces N, --error MM or both");
   row("stroke paint 0:0,0,0 --radius 1", "the brushes are drag, smooth, inflate and flatten");
   row("stroke drag 0:0,0,0 --radius 1", "--by X,Y,Z is missing");
   row("stroke smooth 0 --radius 1", "a place is TRIANGLE:X,Y,Z");
-  row("stroke smooth 0:0,0,0 --radius 1 --patch 3 --finest 2", "the patch has not been subdivided so often");
+  row("stroke smooth 0:0,0,0 --radius 1 --patch 3 --finest 2", "the patch has not been subdivided that often");
   row("subdivide", "--patch TRIANGLES is missing");
   row("level-back --patch 3", "the patch has one level only");
   row("unit ft", "the units are mm, cm, m and in");
-  row("bridge 1", "two half-edges are wanted: H,H");
+  row("bridge 1", "two half-edges are required: H,H");
   row("bridge 1,2", "nothing");
   row("face 0,1,2", "nothing");
   row("pull 0 1,1,1", "nothing");  // triangles would turn over

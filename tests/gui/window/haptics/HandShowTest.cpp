@@ -80,7 +80,7 @@ class HandShowTest : public QObject {
     QVERIFY(!ended.first().first().toBool());
     QTRY_VERIFY(b.session.mouse());
     QVERIFY(b.driver.settle());
-    QCOMPARE(b.undoAll(), QStringList("&Undo Smooth the edge"));
+    QCOMPARE(b.undoAll(), QStringList("&Undo Smooth the boundary"));
   }
 
   // Who turns to another device ends it.
