@@ -3141,6 +3141,14 @@
             <numerusform>%n Eckpunkte, an denen sich Teile berührten, getrennt</numerusform>
         </translation>
     </message>
+    <message>
+        <source>the patch bends by %1°, its surroundings by at most %2°</source>
+        <translation>die Füllfläche knickt um %1°, ihre Umgebung um höchstens %2°</translation>
+    </message>
+    <message>
+        <source>the patch bulges by %1 % of the size of the hole beyond its surroundings</source>
+        <translation>die Füllfläche wölbt sich um %1 % der Lochgröße über ihre Umgebung hinaus</translation>
+    </message>
 </context>
 <context>
     <name>TimingPlot</name>
@@ -5109,6 +5117,10 @@
         <source>Show the result of each method for this hole</source>
         <translation>Das Ergebnis jeder Methode für dieses Loch zeigen</translation>
     </message>
+    <message>
+        <source>Look at it: %1.</source>
+        <translation>Bitte ansehen: %1.</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::Inspection</name>
@@ -6164,6 +6176,10 @@
     <message>
         <source>%1 was changed meanwhile; the job runs again</source>
         <translation>%1 wurde inzwischen geändert; der Vorgang läuft noch einmal</translation>
+    </message>
+    <message>
+        <source>Look at the patch of %1: %2</source>
+        <translation>Bitte die Füllfläche von %1 ansehen: %2</translation>
     </message>
 </context>
 <context>

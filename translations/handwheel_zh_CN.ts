@@ -3113,6 +3113,14 @@
             <numerusform>分开了 %n 个相接的顶点</numerusform>
         </translation>
     </message>
+    <message>
+        <source>the patch bends by %1°, its surroundings by at most %2°</source>
+        <translation>补片弯折 %1°，周围最多 %2°</translation>
+    </message>
+    <message>
+        <source>the patch bulges by %1 % of the size of the hole beyond its surroundings</source>
+        <translation>补片超出周围隆起，达孔洞尺寸的 %1 %</translation>
+    </message>
 </context>
 <context>
     <name>TimingPlot</name>
@@ -5074,6 +5082,10 @@
         <source>Show the result of each method for this hole</source>
         <translation>显示每种方法对此孔洞的结果</translation>
     </message>
+    <message>
+        <source>Look at it: %1.</source>
+        <translation>请检查：%1。</translation>
+    </message>
 </context>
 <context>
     <name>handwheel::Inspection</name>
@@ -6117,6 +6129,10 @@
     <message>
         <source>%1 was changed meanwhile; the job runs again</source>
         <translation>%1 在此期间已更改；任务将重新运行</translation>
+    </message>
+    <message>
+        <source>Look at the patch of %1: %2</source>
+        <translation>请检查 %1 的补片：%2</translation>
     </message>
 </context>
 <context>
